@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DistanceField.h"
+
+#include "Errors.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+using Barycentric = std::array<double, 3>;
+
+// The frame of side 0 serves for distances inside a face; another side's where that has no length.
+Id frameSide(const TriangleMesh& mesh, Id face)
+{
+  const std::array<double, 3>& length = mesh.shape(face).length;
+  const auto longest = std::max_element(length.begin(), length.end()) - length.begin();
+  return 3 * face + static_cast<Id>(longest);
+}
+
+double distanceInFace(
+  const TriangleMesh& mesh, Id face, const Barycentric& a, const Barycentric& b)
+{
+  const Id side = frameSide(mesh, face);
+  return norm(inSideFrame(mesh, side, a) - inSideFrame(mesh, side, b));
+}
+
+// The point of the segment from a to b nearest to p.
+Barycentric nearestOnSegment(const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& p)
+{
+  const Id side = frameSide(mesh, source.face);
+  const Vec2 a = inSideFrame(mesh, side, source.a);
+  const Vec2 ab = inSideFrame(mesh, side, source.b) - a;
+  const double squared = dot(ab, ab);
+  const double along = dot(inSideFrame(mesh, side, p) - a, ab);
+  const double t = squared > 0.0 ? std::clamp(along / squared, 0.0, 1.0) : 0.0;
+  Barycentric nearest;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    nearest[k] = (1.0 - t) * source.a[k] + t * source.b[k];
+  }
+  return nearest;
+}
+
+} // anonymous namespace
+
+double distanceToSource(
+  const TriangleMesh& mesh, const SourceInFace& source, const std::array<double, 3>& p)
+{
+  return distanceInFace(mesh, source.face, nearestOnSegment(mesh, source, p), p);
+}
+
+namespace
+{
+
+SurfacePoint onSide(const TriangleMesh& mesh, Id side, double fraction)
+{
+  if (fraction <= 0.0)
+  {
+    return SurfacePoint::atVertex(mesh.origin(side));
+  }
+  if (fraction >= 1.0)
+  {
+    return SurfacePoint::atVertex(mesh.destination(side));
+  }
+  return SurfacePoint::onEdge(side, fraction);
+}
+
+} // anonymous namespace
+
+void DistanceField::requireWindows() const
+{
+  if (!this->hasWindows())
+  {
+    throw Error("The distance inside faces was asked for, but the solve kept no windows.");
+  }
+}
+
+double DistanceField::distance(const SurfacePoint& point) const
+{
+  this->requireWindows();
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    return this->vertexDistances_[point.id];
+  }
+  return this->arrive(point).distance;
+}
+
+DistanceField::Arrival DistanceField::arrive(const SurfacePoint& point) const
+{
+  Arrival best;
+  forEachFace(*this->mesh_, point,
+    [&](Id face)
+    {
+      if (this->faceComplete_.empty() || this->faceComplete_[face])
+      {
+        this->arriveThrough(face, point, best);
+      }
+    });
+  return best;
+}
+
+// A shortest path comes to a point of a face from a source in the face, a corner, or through a side
+// that does not hold the point.
+void DistanceField::arriveThrough(Id face, const SurfacePoint& point, Arrival& best) const
+{
+  const Barycentric b = barycentric(*this->mesh_, point, face);
+  this->arriveFromSources(face, b, best);
+  this->arriveFromCorners(face, b, best);
+  for (Id k = 0; k < 3; ++k)
+  {
+    if (b[(k + 2) % 3] != 0.0)
+    {
+      this->arriveThroughSide(3 * face + k, b, best);
+    }
+  }
+}
+
+void DistanceField::arriveFromSources(Id face, const Barycentric& b, Arrival& best) const
+{
+  const auto less = [](const SourceInFace& s, Id f) { return s.face < f; };
+  auto source = std::lower_bound(
+    this->sourcesInFaces_.begin(), this->sourcesInFaces_.end(), face, less);
+  for (; source != this->sourcesInFaces_.end() && source->face == face; ++source)
+  {
+    const Barycentric nearest = nearestOnSegment(*this->mesh_, *source, b);
+    const double length = distanceInFace(*this->mesh_, face, nearest, b);
+    if (length < best.distance)
+    {
+      best = { length, length, fromBarycentric(*this->mesh_, face, nearest), true };
+    }
+  }
+}
+
+void DistanceField::arriveFromCorners(Id face, const Barycentric& b, Arrival& best) const
+{
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (b[k] == 1.0)
+    {
+      continue; // the point itself
+    }
+    Barycentric corner{};
+    corner[k] = 1.0;
+    const Id vertex = this->mesh_->triangle(face)[k];
+    const double length = distanceInFace(*this->mesh_, face, corner, b);
+    const double distance = this->vertexDistances_[vertex] + length;
+    if (distance < best.distance)
+    {
+      best = { distance, length, SurfacePoint::atVertex(vertex), false };
+    }
+  }
+}
+
+void DistanceField::arriveThroughSide(Id side, const Barycentric& b, Arrival& best) const
+{
+  const Vec2 p = inSideFrame(*this->mesh_, side, b);
+  for (std::uint64_t i = this->windowStart_[side]; i < this->windowStart_[side + 1]; ++i)
+  {
+    const Window& window = this->windows_[i];
+    const double x = window.crossing(p);
+    const double length = norm(p - Vec2{ x, 0.0 });
+    const double distance = window.distance(x) + length;
+    if (distance < best.distance)
+    {
+      best = { distance, length, onSide(*this->mesh_, side, x / this->mesh_->length(side)), false };
+    }
+  }
+}
+
+std::vector<SurfacePoint> DistanceField::path(const SurfacePoint& from) const
+{
+  this->requireWindows();
+  std::vector<SurfacePoint> points;
+  double remaining = this->distance(from);
+  if (!(remaining < Infinity))
+  {
+    return points;
+  }
+  points.push_back(from);
+  bool atSource = remaining <= 0.0;
+  while (!atSource)
+  {
+    const Arrival arrival = this->arrive(points.back());
+    // Every step leads to a smaller distance; rounding ends the path where none is left.
+    const double next = arrival.distance - arrival.length;
+    if (!(next < remaining) && !arrival.fromSource)
+    {
+      break;
+    }
+    points.push_back(arrival.from);
+    remaining = next;
+    const SurfacePoint& p = points.back();
+    const bool vertexOnSource =
+      p.kind == SurfacePoint::Kind::Vertex && this->vertexDistances_[p.id] == 0.0;
+    atSource = arrival.fromSource || vertexOnSource;
+  }
+  return points;
+}
+
+}

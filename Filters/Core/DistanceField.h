@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_DistanceField_h
+#define geodesic_DistanceField_h
+
+#include "SourceWindows.h"
+#include "SurfacePoint.h"
+#include "TriangleMesh.h"
+#include "Window.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace geodesic
+{
+
+/// The geodesic distance to the sources: at the vertices, and where windows were kept at any point of
+/// the surface. Made by solve(); the mesh must outlive it.
+class DistanceField
+{
+public:
+  /// Distance at each vertex, in the surface's units; +infinity where the front did not come.
+  const std::vector<double>& vertexDistances() const { return this->vertexDistances_; }
+
+  /// Number of windows put on sides during the solve.
+  std::uint64_t windowsPropagated() const { return this->windowsPropagated_; }
+
+  /// Whether windows were kept, so that distance() and path() can be called.
+  bool hasWindows() const { return !this->windowStart_.empty(); }
+
+  /// Exact distance at a point of the surface; +infinity where the front did not come, which with a
+  /// limit is every face without a point within it. Thread-safe.
+  ///
+  /// \throws Error where no windows were kept.
+  double distance(const SurfacePoint& point) const;
+
+  /// The shortest path from the point back to the source, as points of the surface: the point, a
+  /// point on every edge it crosses, the vertices it passes, its end on the source. One of them where
+  /// there are several. Empty where the point was not reached.
+  ///
+  /// \throws Error where no windows were kept.
+  std::vector<SurfacePoint> path(const SurfacePoint& from) const;
+
+private:
+  friend class Propagation;
+
+  /// The last straight piece of a shortest path to a point: it comes through one face from `from`.
+  struct Arrival
+  {
+    double distance = Infinity;
+    /// Length of the piece.
+    double length = 0.0;
+    SurfacePoint from;
+    bool fromSource = false;
+  };
+
+  void requireWindows() const;
+  Arrival arrive(const SurfacePoint& point) const;
+  void arriveThrough(Id face, const SurfacePoint& point, Arrival& best) const;
+  void arriveFromCorners(Id face, const std::array<double, 3>& b, Arrival& best) const;
+  void arriveFromSources(Id face, const std::array<double, 3>& b, Arrival& best) const;
+  void arriveThroughSide(Id side, const std::array<double, 3>& b, Arrival& best) const;
+
+  const TriangleMesh* mesh_ = nullptr;
+  std::vector<double> vertexDistances_;
+  std::uint64_t windowsPropagated_ = 0;
+  /// The windows of side s are windows_[windowStart_[s]] to windows_[windowStart_[s + 1]], in no
+  /// order: one side may have several lists that came one after another.
+  std::vector<std::uint64_t> windowStart_;
+  std::vector<Window> windows_;
+  std::vector<SourceInFace> sourcesInFaces_;
+  /// With a limit: whether each face is complete. Empty where all are.
+  std::vector<std::uint8_t> faceComplete_;
+};
+
+/// Distance within the source's face to a point of that face.
+double distanceToSource(const TriangleMesh& mesh, const SourceInFace& source,
+  const std::array<double, 3>& barycentricCoordinates);
+
+}
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_Propagation_h
+#define geodesic_Propagation_h
+
+#include "DistanceField.h"
+#include "SourceCurve.h"
+#include "TriangleMesh.h"
+
+#include <functional>
+#include <vector>
+
+namespace geodesic
+{
+
+/// Which windows a solve keeps.
+enum class KeepWindows
+{
+  /// None: distances at vertices only, the least memory.
+  None,
+  /// All: the distance can be evaluated at any surface point, and paths traced.
+  All
+};
+
+struct SolveOptions
+{
+  KeepWindows keepWindows = KeepWindows::None;
+  /// Stop there, in the surface's units. Every face that has a point within the limit is complete:
+  /// all its vertices (and its inside, where windows are kept) have exact values.
+  double maximumDistance = Infinity;
+  /// Called now and then, at least ten times a second, with the fraction done in [0, 1]; returning
+  /// false stops the solve with Aborted.
+  std::function<bool(double)> progress;
+};
+
+/// Computes the exact geodesic distance to the curves (paper, sections 3 and 4).
+///
+/// The mesh must outlive the field.
+///
+/// \throws SourceError where there is no curve; Aborted.
+DistanceField solve(
+  const TriangleMesh& mesh, const std::vector<SourceCurve>& sources, const SolveOptions& options = {});
+
+}
+
+#endif

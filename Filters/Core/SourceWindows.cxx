@@ -1,0 +1,439 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SourceWindows.h"
+
+#include "Tolerance.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace geodesic
+{
+
+namespace
+{
+
+using Barycentric = std::array<double, 3>;
+
+constexpr double RightAngle = 1.57079632679489661923;
+
+std::size_t next(std::size_t k)
+{
+  return (k + 1) % 3;
+}
+std::size_t previous(std::size_t k)
+{
+  return (k + 2) % 3;
+}
+
+Vec2 rotated(Vec2 v, Vec2 axis)
+{
+  return { v.x * axis.x - v.y * axis.y, v.x * axis.y + v.y * axis.x };
+}
+
+// The unit vector along side `of` of a face in the frame of its side `in`.
+Vec2 sideAxis(const FaceShape& shape, std::size_t of, std::size_t in)
+{
+  if (of == in)
+  {
+    return { 1.0, 0.0 };
+  }
+  const double scale = shape.length[in] * shape.length[of];
+  if (of == next(in))
+  {
+    return { -shape.cornerDot[of] / scale, shape.area2 / scale };
+  }
+  return { -shape.cornerDot[in] / scale, -shape.area2 / scale };
+}
+
+// A point in the frame of a window that leaves through the side: the side frame turned by a half
+// turn about the middle of the side.
+Vec2 inLeavingFrame(const TriangleMesh& mesh, Id side, const Barycentric& b)
+{
+  const Vec2 p = inSideFrame(mesh, side, b);
+  return { mesh.length(side) - p.x, -p.y };
+}
+
+// The direction from a point along a segment that ends there, in one face around the point: rays at
+// less than a right angle to it are shorter from inside the segment. `u` is in the frame of a side.
+struct Constraint
+{
+  Id face;
+  std::size_t side;
+  Vec2 u;
+};
+
+Vec2 inLeavingFrame(const TriangleMesh& mesh, std::size_t side, const Constraint& constraint)
+{
+  const Vec2 u =
+    rotated(constraint.u, sideAxis(mesh.shape(constraint.face), constraint.side, side));
+  return { -u.x, -u.y };
+}
+
+struct Interval
+{
+  double begin;
+  double end;
+
+  // Keeps where a * x <= b.
+  void clip(double a, double b)
+  {
+    if (a > 0.0)
+    {
+      this->end = std::min(this->end, b / a);
+    }
+    else if (a < 0.0)
+    {
+      this->begin = std::max(this->begin, b / a);
+    }
+    else if (b < 0.0)
+    {
+      this->end = this->begin;
+    }
+  }
+};
+
+// A source's end that another segment of the same point continues or not.
+struct Spoke
+{
+  SurfacePoint from;
+  SurfacePoint to;
+  Id face;
+};
+
+class Maker
+{
+public:
+  explicit Maker(const TriangleMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  SourceWindows make(const std::vector<SourceCurve>& curves)
+  {
+    for (const SourceCurve& curve : curves)
+    {
+      this->addSegments(curve);
+      this->addPoints(curve);
+    }
+    this->emitFromVertices();
+    const auto byFace = [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; };
+    std::stable_sort(this->Result.inFaces.begin(), this->Result.inFaces.end(), byFace);
+    return std::move(this->Result);
+  }
+
+private:
+  // The sides of a face's edges that are the edge of the given side.
+  Id sideInFace(Id side, Id face) const
+  {
+    Id s = side;
+    while (TriangleMesh::faceOf(s) != face)
+    {
+      s = this->Mesh.nextInRing(s);
+    }
+    return s;
+  }
+
+  void addSegments(const SourceCurve& curve)
+  {
+    for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
+    {
+      const SurfacePoint& p = curve.points[i];
+      const SurfacePoint& q = curve.points[i + 1];
+      const Id face = curve.faces[i];
+      const Barycentric a = barycentric(this->Mesh, p, face);
+      const Barycentric b = barycentric(this->Mesh, q, face);
+      this->emitSegment(face, a, b);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        if (a[previous(k)] == 0.0 && b[previous(k)] == 0.0) // along side k
+        {
+          const Id side = 3 * face + static_cast<Id>(k);
+          for (Id s = this->Mesh.nextInRing(side); s != side; s = this->Mesh.nextInRing(s))
+          {
+            const Id other = TriangleMesh::faceOf(s);
+            this->emitSegment(
+              other, barycentric(this->Mesh, p, other), barycentric(this->Mesh, q, other));
+          }
+        }
+      }
+    }
+  }
+
+  // Paper, section 4.2 and figure 6: rays leave at right angles, the strip's ends are cut by
+  // orthogonal rays at the segment's ends.
+  void emitSegment(Id face, const Barycentric& a, const Barycentric& b)
+  {
+    this->Result.inFaces.push_back({ face, a, b });
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id side = 3 * face + static_cast<Id>(k);
+      const bool along = a[previous(k)] == 0.0 && b[previous(k)] == 0.0;
+      if (along || this->Mesh.isBoundary(side) || this->Mesh.length(side) == 0.0)
+      {
+        continue;
+      }
+      Vec2 from = inLeavingFrame(this->Mesh, side, a);
+      Vec2 to = inLeavingFrame(this->Mesh, side, b);
+      if (from.x > to.x)
+      {
+        std::swap(from, to);
+      }
+      const double length = norm(to - from);
+      if (!(length > 0.0))
+      {
+        continue;
+      }
+      const Vec2 t = (1.0 / length) * (to - from);
+      Interval interval{ 0.0, this->Mesh.length(side) };
+      const double origin = dot(from, t); // position along the segment of x = 0, negated
+      interval.clip(-t.x, -origin);
+      interval.clip(t.x, origin + length);
+      // Where the segment touches the side, rays leave the face up to there only.
+      const double sigma = -cross(t, from);
+      interval.clip(t.y, sigma + tolerance::SourceDepth * this->Mesh.length(side));
+      this->addWindow(side, interval, -t.y, t.x, sigma, Window::Kind::Linear);
+    }
+  }
+
+  void addPoints(const SourceCurve& curve)
+  {
+    const std::size_t count = curve.points.size();
+    const bool closed = curve.isClosed();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const bool last = i + 1 == count;
+      if (curve.isCut[i] || (closed && last))
+      {
+        continue;
+      }
+      const SurfacePoint& p = curve.points[i];
+      std::vector<Spoke> spokes;
+      if (!last)
+      {
+        spokes.push_back({ p, curve.points[i + 1], curve.faces[i] });
+      }
+      if (i > 0)
+      {
+        spokes.push_back({ p, curve.points[i - 1], curve.faces[i - 1] });
+      }
+      else if (closed)
+      {
+        spokes.push_back({ p, curve.points[count - 2], curve.faces[count - 2] });
+      }
+      if (p.kind == SurfacePoint::Kind::Vertex)
+      {
+        this->Result.vertices.push_back(p.id);
+        this->VertexSpokes.insert(this->VertexSpokes.end(), spokes.begin(), spokes.end());
+        continue;
+      }
+      this->emitFromPoint(p, spokes);
+    }
+  }
+
+  void emitFromPoint(const SurfacePoint& p, const std::vector<Spoke>& spokes)
+  {
+    std::vector<Constraint> constraints;
+    for (const Spoke& spoke : spokes)
+    {
+      this->constrain(spoke, constraints);
+    }
+    forEachFace(this->Mesh, p,
+      [&](Id face)
+      {
+        const Barycentric b = barycentric(this->Mesh, p, face);
+        if (p.kind != SurfacePoint::Kind::Vertex)
+        {
+          this->Result.inFaces.push_back({ face, b, b });
+        }
+        this->emitPoint(face, b, constraints);
+      });
+  }
+
+  // Several curves may meet in one vertex: all their segments bound its wedges together.
+  void emitFromVertices()
+  {
+    std::vector<Id>& vertices = this->Result.vertices;
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    const auto key = [](const Spoke& s)
+    { return std::make_tuple(s.from.id, s.face, s.to.kind, s.to.id, s.to.u, s.to.v); };
+    const auto less = [&](const Spoke& a, const Spoke& b) { return key(a) < key(b); };
+    std::vector<Spoke>& spokes = this->VertexSpokes;
+    std::sort(spokes.begin(), spokes.end(), less);
+
+    auto first = spokes.cbegin();
+    for (const Id vertex : vertices)
+    {
+      auto last = first;
+      while (last != spokes.cend() && last->from.id == vertex)
+      {
+        ++last;
+      }
+      this->emitFromPoint(SurfacePoint::atVertex(vertex), { first, last });
+      first = last;
+    }
+  }
+
+  void emitPoint(Id face, const Barycentric& b, const std::vector<Constraint>& constraints)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id side = 3 * face + static_cast<Id>(k);
+      const double length = this->Mesh.length(side);
+      if (b[previous(k)] == 0.0 || this->Mesh.isBoundary(side) || length == 0.0)
+      {
+        continue;
+      }
+      const Vec2 p = inLeavingFrame(this->Mesh, side, b);
+      Interval interval{ 0.0, length };
+      for (const Constraint& constraint : constraints)
+      {
+        if (constraint.face == face)
+        {
+          const Vec2 u = inLeavingFrame(this->Mesh, k, constraint);
+          interval.clip(u.x, dot(p, u));
+        }
+      }
+      const double depth = std::max(-p.y, tolerance::SourceDepth * length);
+      this->addWindow(side, interval, p.x, depth, 0.0, Window::Kind::Circular);
+    }
+  }
+
+  void addWindow(
+    Id side, const Interval& interval, double x, double depth, double sigma, Window::Kind kind)
+  {
+    const double length = this->Mesh.length(side);
+    const double begin = std::max(interval.begin, 0.0);
+    const double end = std::min(interval.end, length);
+    if (end - begin > tolerance::LeastWidth * length && depth > 0.0)
+    {
+      this->Result.windows.push_back({ side, { begin, end, x, depth, sigma, kind, 0 } });
+    }
+  }
+
+  void constrain(const Spoke& spoke, std::vector<Constraint>& constraints) const
+  {
+    switch (spoke.from.kind)
+    {
+      case SurfacePoint::Kind::Face:
+        constraints.push_back(this->inOwnFace(spoke, 0));
+        break;
+      case SurfacePoint::Kind::Edge:
+        this->constrainAroundEdge(spoke, constraints);
+        break;
+      case SurfacePoint::Kind::Vertex:
+        this->constrainAroundVertex(spoke, constraints);
+        break;
+    }
+  }
+
+  // The spoke's direction in the frame of a side of its own face (the first with a length from k on).
+  Constraint inOwnFace(const Spoke& spoke, std::size_t k) const
+  {
+    while (this->Mesh.shape(spoke.face).length[k] == 0.0)
+    {
+      k = next(k);
+    }
+    const Id side = 3 * spoke.face + static_cast<Id>(k);
+    const Vec2 from = inSideFrame(this->Mesh, side, barycentric(this->Mesh, spoke.from, spoke.face));
+    const Vec2 to = inSideFrame(this->Mesh, side, barycentric(this->Mesh, spoke.to, spoke.face));
+    const Vec2 d = to - from;
+    const double length = norm(d);
+    return { spoke.face, k, length > 0.0 ? (1.0 / length) * d : d };
+  }
+
+  // Faces across the edge unfold into the spoke's plane: the same vector, seen from the other side.
+  void constrainAroundEdge(const Spoke& spoke, std::vector<Constraint>& constraints) const
+  {
+    const Id side = this->sideInFace(spoke.from.id, spoke.face);
+    const Constraint own = this->inOwnFace(spoke, side % 3);
+    constraints.push_back(own);
+    for (Id s = this->Mesh.nextInRing(side); s != side; s = this->Mesh.nextInRing(s))
+    {
+      const bool opposed = this->Mesh.origin(s) == this->Mesh.destination(side);
+      const Vec2 u = { opposed ? -own.u.x : own.u.x, -own.u.y };
+      constraints.push_back({ TriangleMesh::faceOf(s), s % 3, u });
+    }
+  }
+
+  // Walks the faces around the vertex from the spoke to both sides, as far as a right angle.
+  void constrainAroundVertex(const Spoke& spoke, std::vector<Constraint>& constraints) const
+  {
+    const Id vertex = spoke.from.id;
+    std::size_t corner = 0;
+    while (this->Mesh.triangle(spoke.face)[corner] != vertex)
+    {
+      ++corner;
+    }
+    const Constraint own = this->inOwnFace(spoke, corner);
+    constraints.push_back(own);
+    if (own.side != corner)
+    {
+      return; // a side without length: its neighbours emit too, which costs time only
+    }
+    const Id side = 3 * spoke.face + static_cast<Id>(corner);
+    const double angle = std::max(0.0, std::atan2(own.u.y, own.u.x)); // from side `corner`
+    this->walk(vertex, side, angle, constraints);
+    this->walk(vertex, TriangleMesh::previousInFace(side),
+      std::max(0.0, this->Mesh.cornerAngle(side) - angle), constraints);
+  }
+
+  // Crosses a spoke side that is `angle` away from the segment; goes on through every face there.
+  void walk(
+    Id vertex, Id crossed, double angle, std::vector<Constraint>& constraints, Id steps = 0) const
+  {
+    if (angle >= RightAngle || steps > this->Mesh.cornersAt(vertex).size())
+    {
+      return;
+    }
+    for (Id s = this->Mesh.nextInRing(crossed); s != crossed; s = this->Mesh.nextInRing(s))
+    {
+      // In the frame of s the vertex is at the origin or at the end of the x axis.
+      const bool atOrigin = this->Mesh.origin(s) == vertex;
+      const double x = atOrigin ? std::cos(angle) : -std::cos(angle);
+      constraints.push_back({ TriangleMesh::faceOf(s), s % 3, { x, -std::sin(angle) } });
+      const Id corner = atOrigin ? s : TriangleMesh::nextInFace(s);
+      const Id across =
+        atOrigin ? TriangleMesh::previousInFace(s) : TriangleMesh::nextInFace(s);
+      this->walk(
+        vertex, across, angle + this->Mesh.cornerAngle(corner), constraints, steps + 1);
+    }
+  }
+
+  const TriangleMesh& Mesh;
+  SourceWindows Result;
+  std::vector<Spoke> VertexSpokes;
+};
+
+} // anonymous namespace
+
+SourceWindows makeSourceWindows(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
+{
+  return Maker(mesh).make(curves);
+}
+
+LeavingWindow vertexWindow(const TriangleMesh& mesh, Id corner, double sigma)
+{
+  const Id side = TriangleMesh::nextInFace(corner);
+  const double length = mesh.length(side);
+  std::array<double, 3> b{};
+  b[corner % 3] = 1.0;
+  const Vec2 p = inLeavingFrame(mesh, side, b);
+  const double depth = std::max(-p.y, tolerance::SourceDepth * length);
+  return { side, { 0.0, length, p.x, depth, sigma, Window::Kind::Circular, 0 } };
+}
+
+Vec2 inSideFrame(const TriangleMesh& mesh, Id side, const std::array<double, 3>& b)
+{
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(side));
+  const std::size_t k = side % 3;
+  const double length = shape.length[k];
+  if (length == 0.0)
+  {
+    return { 0.0, b[previous(k)] * shape.length[next(k)] };
+  }
+  return { b[next(k)] * length + b[previous(k)] * shape.cornerDot[k] / length,
+    b[previous(k)] * shape.area2 / length };
+}
+
+}

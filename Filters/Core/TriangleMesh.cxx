@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TriangleMesh.h"
+
+#include "Errors.h"
+#include "Tolerance.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace geodesic
+{
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+void checkPoints(const std::vector<Vec3>& points)
+{
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Vec3& p = points[i];
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    {
+      throw MeshError("Point " + std::to_string(i) +
+        " of the surface has a coordinate that is not finite. Remove or repair the point.");
+    }
+  }
+}
+
+void checkSize(std::size_t numberOfPoints, std::size_t numberOfTriangles)
+{
+  if (numberOfTriangles == 0)
+  {
+    throw MeshError("The surface has no faces. Give a surface of triangles.");
+  }
+  if (numberOfTriangles >= NoId / 3 || numberOfPoints >= NoId)
+  {
+    throw MeshTooLarge("The surface has " + std::to_string(numberOfTriangles) + " faces and " +
+      std::to_string(numberOfPoints) + " points; at most " + std::to_string(NoId / 3 - 1) +
+      " faces and " + std::to_string(NoId - 1) + " points can be numbered. Split the surface.");
+  }
+}
+
+} // anonymous namespace
+
+TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles)
+  : points_(std::move(points))
+{
+  checkSize(this->points_.size(), triangles.size());
+  checkPoints(this->points_);
+  this->takeFaces(triangles);
+  this->linkRings();
+  this->dropDuplicateFaces();
+  this->linkCorners();
+  this->measureFaces();
+  this->findPseudoSources();
+}
+
+void TriangleMesh::takeFaces(const std::vector<Triangle>& triangles)
+{
+  this->triangles_.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const Triangle& t = triangles[i];
+    if (*std::max_element(t.begin(), t.end()) >= this->numberOfVertices())
+    {
+      throw MeshError(
+        "Face " + std::to_string(i) + " of the surface names a point that does not exist.");
+    }
+    const bool repeats = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    if (repeats && this->inputFaces_.empty())
+    {
+      this->inputFaces_.resize(this->triangles_.size());
+      std::iota(this->inputFaces_.begin(), this->inputFaces_.end(), Id(0));
+    }
+    if (repeats)
+    {
+      ++this->report_.facesWithRepeatedVertex;
+      continue;
+    }
+    if (this->report_.facesWithRepeatedVertex > 0)
+    {
+      this->inputFaces_.push_back(static_cast<Id>(i));
+    }
+    this->triangles_.push_back(t);
+  }
+  if (this->triangles_.empty())
+  {
+    throw MeshError("Every face of the surface names a point twice, so that no face is left.");
+  }
+}
+
+// Sides are bucketed by their lower vertex, and a bucket sorted by the higher one, so that the sides
+// of one edge stand together.
+void TriangleMesh::linkRings()
+{
+  const Id sides = this->numberOfSides();
+  const auto low = [this](Id s) { return std::min(this->origin(s), this->destination(s)); };
+  std::vector<Id> start(this->points_.size() + 1, 0);
+  for (Id s = 0; s < sides; ++s)
+  {
+    ++start[low(s) + 1];
+  }
+  std::partial_sum(start.begin(), start.end(), start.begin());
+
+  struct Entry
+  {
+    Id high;
+    Id side;
+    bool operator<(const Entry& other) const
+    {
+      return this->high != other.high ? this->high < other.high : this->side < other.side;
+    }
+  };
+  std::vector<Entry> entries(sides);
+  for (Id s = 0; s < sides; ++s)
+  {
+    const Id a = this->origin(s);
+    const Id b = this->destination(s);
+    entries[start[std::min(a, b)]++] = { std::max(a, b), s };
+  }
+
+  this->ring_.resize(sides);
+  this->numberOfEdges_ = 0;
+  this->report_.nonManifoldEdges = 0;
+  std::size_t first = 0;
+  for (Id v = 0; v < this->numberOfVertices(); ++v)
+  {
+    const std::size_t last = start[v]; // the fill has moved start[v] to the end of v's bucket
+    std::sort(entries.begin() + static_cast<std::ptrdiff_t>(first),
+      entries.begin() + static_cast<std::ptrdiff_t>(last));
+    while (first < last)
+    {
+      std::size_t end = first + 1;
+      while (end < last && entries[end].high == entries[first].high)
+      {
+        this->ring_[entries[end - 1].side] = entries[end].side;
+        ++end;
+      }
+      this->ring_[entries[end - 1].side] = entries[first].side;
+      ++this->numberOfEdges_;
+      this->report_.nonManifoldEdges += end - first > 2 ? 1 : 0;
+      first = end;
+    }
+  }
+}
+
+// Faces on the same three vertices share an edge and the vertex opposite it.
+void TriangleMesh::dropDuplicateFaces()
+{
+  std::vector<std::uint8_t> drop(this->triangles_.size(), 0);
+  Id dropped = 0;
+  for (Id f = 0; f < this->numberOfFaces(); ++f)
+  {
+    const Id s = 3 * f;
+    for (Id t = this->nextInRing(s); t != s && !drop[f]; t = this->nextInRing(t))
+    {
+      const bool duplicate = faceOf(t) < f && this->opposite(t) == this->opposite(s);
+      drop[f] = duplicate ? 1 : 0;
+    }
+    dropped += drop[f];
+  }
+  if (dropped == 0)
+  {
+    return;
+  }
+  std::vector<Triangle> kept;
+  std::vector<Id> inputFaces;
+  for (Id f = 0; f < this->numberOfFaces(); ++f)
+  {
+    if (!drop[f])
+    {
+      kept.push_back(this->triangles_[f]);
+      inputFaces.push_back(this->inputFace(f));
+    }
+  }
+  this->triangles_ = std::move(kept);
+  this->inputFaces_ = std::move(inputFaces);
+  this->report_.duplicateFaces = dropped;
+  this->linkRings();
+}
+
+void TriangleMesh::linkCorners()
+{
+  this->cornerStart_.assign(this->points_.size() + 1, 0);
+  for (const Triangle& t : this->triangles_)
+  {
+    for (const Id v : t)
+    {
+      ++this->cornerStart_[v + 1];
+    }
+  }
+  for (Id v = 0; v < this->numberOfVertices(); ++v)
+  {
+    this->report_.isolatedVertices += this->cornerStart_[v + 1] == 0 ? 1 : 0;
+    this->cornerStart_[v + 1] += this->cornerStart_[v];
+  }
+  this->corners_.resize(this->numberOfSides());
+  std::vector<Id> next(this->cornerStart_.begin(), this->cornerStart_.end() - 1);
+  for (Id corner = 0; corner < this->numberOfSides(); ++corner)
+  {
+    this->corners_[next[this->origin(corner)]++] = corner;
+  }
+}
+
+void TriangleMesh::measureFaces()
+{
+  this->shapes_.resize(this->triangles_.size());
+  for (Id f = 0; f < this->numberOfFaces(); ++f)
+  {
+    const Triangle& t = this->triangles_[f];
+    std::array<Vec3, 3> edge;
+    FaceShape& shape = this->shapes_[f];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      edge[k] = this->points_[t[(k + 1) % 3]] - this->points_[t[k]];
+      shape.length[k] = norm(edge[k]);
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      shape.cornerDot[k] = -dot(edge[k], edge[(k + 2) % 3]);
+    }
+    // Of the three equal cross products the one of the two shorter edges has the least rounding.
+    const std::size_t longest = static_cast<std::size_t>(
+      std::max_element(shape.length.begin(), shape.length.end()) - shape.length.begin());
+    shape.area2 = norm(cross(edge[(longest + 1) % 3], edge[(longest + 2) % 3]));
+    const double longestLength = shape.length[longest];
+    this->report_.zeroAreaFaces +=
+      shape.area2 <= tolerance::ZeroArea * longestLength * longestLength ? 1 : 0;
+  }
+}
+
+Id TriangleMesh::edgeOf(Id side) const
+{
+  Id lowest = side;
+  for (Id s = this->nextInRing(side); s != side; s = this->nextInRing(s))
+  {
+    lowest = std::min(lowest, s);
+  }
+  return lowest;
+}
+
+double TriangleMesh::cornerAngle(Id corner) const
+{
+  const FaceShape& shape = this->shapes_[corner / 3];
+  return std::atan2(shape.area2, shape.cornerDot[corner % 3]);
+}
+
+void TriangleMesh::findPseudoSources()
+{
+  this->pseudoSource_.assign(this->points_.size(), 0);
+  for (Id v = 0; v < this->numberOfVertices(); ++v)
+  {
+    const IdRange corners = this->cornersAt(v);
+    double angle = 0.0;
+    std::size_t boundarySpokes = 0;
+    bool manifold = true;
+    for (const Id corner : corners)
+    {
+      angle += this->cornerAngle(corner);
+      for (const Id spoke : { corner, previousInFace(corner) })
+      {
+        const Id other = this->nextInRing(spoke);
+        boundarySpokes += other == spoke ? 1 : 0;
+        manifold = manifold && this->nextInRing(other) == spoke;
+      }
+    }
+    const double straight = boundarySpokes == 0 ? 2.0 * Pi : Pi;
+    const bool bends = angle > straight * (1.0 + tolerance::FlatAngle);
+    const bool several = !manifold || boundarySpokes > 2 || !this->isOneFan(v);
+    this->pseudoSource_[v] = corners.size() > 0 && (bends || several) ? 1 : 0;
+  }
+}
+
+// Walks from corner to corner across shared spokes; every corner is met where there is one fan. Only
+// called where spokes have one or two sides.
+bool TriangleMesh::isOneFan(Id vertex) const
+{
+  const IdRange corners = this->cornersAt(vertex);
+  if (corners.size() == 0)
+  {
+    return true;
+  }
+  // Begin at a boundary spoke where there is one, so that one walk meets the whole fan.
+  Id spoke = *corners.begin();
+  for (const Id corner : corners)
+  {
+    for (const Id s : { corner, previousInFace(corner) })
+    {
+      spoke = this->isBoundary(s) ? s : spoke;
+    }
+  }
+  const Id first = spoke;
+  std::size_t met = 0;
+  do
+  {
+    ++met;
+    const Id across =
+      this->origin(spoke) == vertex ? previousInFace(spoke) : nextInFace(spoke);
+    spoke = this->nextInRing(across);
+    if (spoke == across)
+    {
+      break;
+    }
+  } while (spoke != first && met <= corners.size());
+  return met == corners.size();
+}
+
+std::vector<Id> TriangleMesh::components() const
+{
+  std::vector<Id> component(this->points_.size(), NoId);
+  std::vector<Id> stack;
+  Id count = 0;
+  for (Id seed = 0; seed < this->numberOfVertices(); ++seed)
+  {
+    if (component[seed] != NoId)
+    {
+      continue;
+    }
+    component[seed] = count;
+    stack.push_back(seed);
+    while (!stack.empty())
+    {
+      const Id v = stack.back();
+      stack.pop_back();
+      for (const Id corner : this->cornersAt(v))
+      {
+        for (const Id w : this->triangles_[corner / 3])
+        {
+          if (component[w] == NoId)
+          {
+            component[w] = count;
+            stack.push_back(w);
+          }
+        }
+      }
+    }
+    ++count;
+  }
+  return component;
+}
+
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_TriangleMesh_h
+#define geodesic_TriangleMesh_h
+
+#include "Types.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// A range of ids in an array of the mesh.
+struct IdRange
+{
+  const Id* first;
+  const Id* last;
+  const Id* begin() const { return this->first; }
+  const Id* end() const { return this->last; }
+  std::size_t size() const { return static_cast<std::size_t>(this->last - this->first); }
+};
+
+/// The metric of one face: what unfolding needs, taken from differences of coordinates so that it
+/// stays accurate in needles (lengths alone would lose half the digits).
+struct FaceShape
+{
+  /// Length of side k, from corner k to corner k + 1.
+  std::array<double, 3> length;
+  /// At corner k: (p[k+1] - p[k]) . (p[k+2] - p[k]).
+  std::array<double, 3> cornerDot;
+  /// Twice the area.
+  double area2;
+};
+
+/// An indexed triangle mesh of any topology: with boundary, several components, edges of three and
+/// more faces, bow-tie vertices, inconsistent orientation, zero-area faces.
+///
+/// A side is one edge of one face, numbered 3 * face + k for the edge from corner k to corner k + 1
+/// (mod 3). The sides of one edge form a ring (nextInRing): a boundary edge's ring is its only side,
+/// an inner edge's has two, a non-manifold edge's more. Nothing else about topology is stored.
+class TriangleMesh
+{
+public:
+  /// What the constructor found in its input and left out or noticed.
+  struct Report
+  {
+    /// Faces that name a vertex twice; left out.
+    Id facesWithRepeatedVertex = 0;
+    /// Faces on the same three vertices as an earlier one; left out.
+    Id duplicateFaces = 0;
+    /// Faces without area (their corners are collinear or coincide); kept, they conduct.
+    Id zeroAreaFaces = 0;
+    /// Vertices that no kept face uses; their distance stays infinite.
+    Id isolatedVertices = 0;
+    /// Edges of three and more faces.
+    Id nonManifoldEdges = 0;
+  };
+
+  /// Builds the mesh. Vertices are the points; the caller has merged those that are one for
+  /// connectivity.
+  ///
+  /// \param points coordinates, finite.
+  /// \param triangles three vertex ids a face, in any orientation.
+  /// \throws MeshError where no face is left, an id is out of range or a coordinate is not finite;
+  ///         MeshTooLarge.
+  TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles);
+
+  Id numberOfVertices() const { return static_cast<Id>(this->points_.size()); }
+  Id numberOfFaces() const { return static_cast<Id>(this->triangles_.size()); }
+  Id numberOfSides() const { return 3 * this->numberOfFaces(); }
+  Id numberOfEdges() const { return this->numberOfEdges_; }
+  const Report& report() const { return this->report_; }
+
+  const Vec3& point(Id vertex) const { return this->points_[vertex]; }
+  const Triangle& triangle(Id face) const { return this->triangles_[face]; }
+  const FaceShape& shape(Id face) const { return this->shapes_[face]; }
+  /// The index in the constructor's `triangles` that this face came from.
+  Id inputFace(Id face) const { return this->inputFaces_.empty() ? face : this->inputFaces_[face]; }
+
+  static Id faceOf(Id side) { return side / 3; }
+  static Id cornerOf(Id side) { return side % 3; }
+  /// The next side of the same face, which begins where this one ends.
+  static Id nextInFace(Id side) { return side % 3 == 2 ? side - 2 : side + 1; }
+  static Id previousInFace(Id side) { return side % 3 == 0 ? side + 2 : side - 1; }
+
+  /// The next side of the same edge; the side itself on a boundary edge.
+  Id nextInRing(Id side) const { return this->ring_[side]; }
+  bool isBoundary(Id side) const { return this->ring_[side] == side; }
+  Id origin(Id side) const { return this->triangles_[side / 3][side % 3]; }
+  Id destination(Id side) const { return this->origin(nextInFace(side)); }
+  /// The vertex opposite the side in its face.
+  Id opposite(Id side) const { return this->origin(previousInFace(side)); }
+  double length(Id side) const { return this->shapes_[side / 3].length[side % 3]; }
+  /// Side of the edge with the lowest number: the edge's name.
+  Id edgeOf(Id side) const;
+
+  /// The corners (numbered as sides: 3 * face + k is corner k) at a vertex.
+  IdRange cornersAt(Id vertex) const
+  {
+    const Id* data = this->corners_.data();
+    return { data + this->cornerStart_[vertex], data + this->cornerStart_[vertex + 1] };
+  }
+  /// The angle of a face at corner 3 * face + k, in radians.
+  double cornerAngle(Id corner) const;
+
+  /// Whether a geodesic may bend at the vertex, so that it becomes a pseudo-source (paper, section
+  /// 3): total angle over 2 pi, boundary with inner angle over pi, several fans, or an edge of three
+  /// and more faces.
+  bool isPseudoSource(Id vertex) const { return this->pseudoSource_[vertex] != 0; }
+
+  /// The connected component (by shared vertices) of each vertex; computed on first use by the
+  /// caller, who keeps it.
+  std::vector<Id> components() const;
+
+private:
+  void takeFaces(const std::vector<Triangle>& triangles);
+  void measureFaces();
+  void linkCorners();
+  void linkRings();
+  void dropDuplicateFaces();
+  void findPseudoSources();
+  bool isOneFan(Id vertex) const;
+
+  std::vector<Vec3> points_;
+  std::vector<Triangle> triangles_;
+  std::vector<Id> inputFaces_;
+  std::vector<FaceShape> shapes_;
+  std::vector<Id> ring_;
+  std::vector<Id> cornerStart_;
+  std::vector<Id> corners_;
+  std::vector<std::uint8_t> pseudoSource_;
+  Id numberOfEdges_ = 0;
+  Report report_;
+};
+
+}
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_Types_h
+#define geodesic_Types_h
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace geodesic
+{
+
+/// Id of a vertex, a face or a side. 32 bits hold the sides of 1.4 billion faces; TriangleMesh
+/// refuses more with MeshTooLarge. Counts of windows are 64-bit.
+using Id = std::uint32_t;
+
+constexpr Id NoId = std::numeric_limits<Id>::max();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+using Vec3 = std::array<double, 3>;
+using Triangle = std::array<Id, 3>;
+
+inline Vec3 operator+(const Vec3& a, const Vec3& b)
+{
+  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
+}
+inline Vec3 operator-(const Vec3& a, const Vec3& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+inline Vec3 operator*(double s, const Vec3& a)
+{
+  return { s * a[0], s * a[1], s * a[2] };
+}
+inline double dot(const Vec3& a, const Vec3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Vec3 cross(const Vec3& a, const Vec3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+inline double norm(const Vec3& a)
+{
+  return std::sqrt(dot(a, a));
+}
+
+/// A point or vector in the plane of an unfolded face.
+struct Vec2
+{
+  double x = 0.0;
+  double y = 0.0;
+};
+inline Vec2 operator+(Vec2 a, Vec2 b)
+{
+  return { a.x + b.x, a.y + b.y };
+}
+inline Vec2 operator-(Vec2 a, Vec2 b)
+{
+  return { a.x - b.x, a.y - b.y };
+}
+inline Vec2 operator*(double s, Vec2 a)
+{
+  return { s * a.x, s * a.y };
+}
+inline double dot(Vec2 a, Vec2 b)
+{
+  return a.x * b.x + a.y * b.y;
+}
+inline double cross(Vec2 a, Vec2 b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+inline double norm(Vec2 a)
+{
+  return std::sqrt(dot(a, a));
+}
+
+}
+
+#endif

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Window.h"
+
+namespace geodesic
+{
+
+double Window::crossing(Vec2 p) const
+{
+  double x = p.x;
+  if (this->isLinear())
+  {
+    x -= this->sourceDepth > 0.0 ? p.y * this->sourceX / this->sourceDepth : 0.0;
+  }
+  else if (p.y > 0.0)
+  {
+    x = this->sourceX + (p.x - this->sourceX) * this->sourceDepth / (this->sourceDepth + p.y);
+  }
+  return std::clamp(x, this->begin, this->end);
+}
+
+Window reversed(const Window& window, double length)
+{
+  Window w = window;
+  w.begin = length - window.end;
+  w.end = length - window.begin;
+  if (window.isLinear())
+  {
+    w.sigma = window.distance(length);
+    w.sourceX = -window.sourceX;
+  }
+  else
+  {
+    w.sourceX = length - window.sourceX;
+  }
+  return w;
+}
+
+double UnfoldedFace::meetLeft(const Window& window, double x) const
+{
+  const Vec2 d = window.direction(x);
+  const double denominator = d.y * this->apex.x - d.x * this->apex.y;
+  const double t = denominator > 0.0 ? x * d.y / denominator : 0.0;
+  return std::clamp(t, 0.0, 1.0) * this->leftLength;
+}
+
+double UnfoldedFace::meetRight(const Window& window, double x) const
+{
+  const Vec2 d = window.direction(x);
+  const double denominator = d.y * this->apexFromEnd + d.x * this->apex.y;
+  const double t = denominator > 0.0 ? (this->length - x) * d.y / denominator : 0.0;
+  return (1.0 - std::clamp(t, 0.0, 1.0)) * this->rightLength;
+}
+
+namespace
+{
+
+// Unfolding is a rigid motion: the source is carried along, not computed anew.
+Window moved(const Window& window, Vec2 origin, Vec2 axis)
+{
+  Window w = window;
+  if (window.isLinear())
+  {
+    w.sigma = window.straightDistance(origin);
+    w.sourceX = window.sourceX * axis.x + window.sourceDepth * axis.y;
+    w.sourceDepth = window.sourceDepth * axis.x - window.sourceX * axis.y;
+  }
+  else
+  {
+    const double dx = window.sourceX - origin.x;
+    const double dy = window.sourceDepth + origin.y;
+    w.sourceX = dx * axis.x - dy * axis.y;
+    w.sourceDepth = dx * axis.y + dy * axis.x;
+  }
+  w.sourceDepth = std::max(w.sourceDepth, 0.0);
+  w.depth = window.depth + 1;
+  return w;
+}
+
+} // anonymous namespace
+
+Window UnfoldedFace::throughLeft(const Window& window, double begin, double end) const
+{
+  Window w = moved(window, { 0.0, 0.0 }, this->leftAxis);
+  w.begin = begin;
+  w.end = end;
+  return w;
+}
+
+Window UnfoldedFace::throughRight(const Window& window, double begin, double end) const
+{
+  Window w = moved(window, this->apex, this->rightAxis);
+  w.begin = begin;
+  w.end = end;
+  return w;
+}
+
+namespace
+{
+
+// Roots of a t^2 + b t + c, without the cancellation of the textbook formula.
+Crossings quadraticRoots(double a, double b, double c)
+{
+  Crossings roots;
+  const double discriminant = b * b - 4.0 * a * c;
+  if (!(discriminant >= 0.0))
+  {
+    return roots;
+  }
+  const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+  if (q != 0.0)
+  {
+    roots.at[static_cast<std::size_t>(roots.count++)] = c / q;
+  }
+  if (a != 0.0)
+  {
+    roots.at[static_cast<std::size_t>(roots.count++)] = q / a;
+  }
+  return roots;
+}
+
+// sqrt((t - s)^2 + h^2) + sigma on both sides: one branch of a hyperbola is the locus of equal
+// distance, which a line meets up to twice (section 3.3 has one crossing, true for equal sigma only).
+Crossings circularCircular(const Window& a, const Window& b, double origin)
+{
+  const double s0 = a.sourceX - origin;
+  const double s1 = b.sourceX - origin;
+  const double beta = b.sigma - a.sigma;
+  const double alpha = 2.0 * (s1 - s0);
+  const double gamma = (s0 - s1) * (s0 + s1) +
+    (a.sourceDepth - b.sourceDepth) * (a.sourceDepth + b.sourceDepth) - beta * beta;
+  if (beta == 0.0)
+  {
+    Crossings root;
+    root.count = alpha != 0.0 ? 1 : 0;
+    root.at[0] = alpha != 0.0 ? -gamma / alpha : 0.0;
+    return root;
+  }
+  const double beta2 = 4.0 * beta * beta;
+  return quadraticRoots((alpha - 2.0 * beta) * (alpha + 2.0 * beta),
+    2.0 * (alpha * gamma + beta2 * s1),
+    gamma * gamma - beta2 * (s1 * s1 + b.sourceDepth * b.sourceDepth));
+}
+
+// Section 4.2.2, with sigma of the circular window and the one of the linear window, folded into its
+// function, both kept.
+Crossings circularLinear(const Window& circular, const Window& linear, double origin)
+{
+  const double s = circular.sourceX - origin;
+  const double m = linear.sourceX;
+  const double n = linear.distance(origin) - circular.sigma;
+  const double h = circular.sourceDepth;
+  return quadraticRoots(
+    linear.sourceDepth * linear.sourceDepth, -2.0 * (s + m * n), s * s + h * h - n * n);
+}
+
+Crossings linearLinear(const Window& a, const Window& b, double origin)
+{
+  Crossings root;
+  const double slope = a.sourceX - b.sourceX;
+  root.count = slope != 0.0 ? 1 : 0;
+  root.at[0] = slope != 0.0 ? (b.distance(origin) - a.distance(origin)) / slope : 0.0;
+  return root;
+}
+
+} // anonymous namespace
+
+Crossings crossings(const Window& a, const Window& b, double lo, double hi)
+{
+  const double origin = 0.5 * (lo + hi); // roots are sought near the interval, for accuracy there
+  Crossings roots;
+  if (a.isLinear() && b.isLinear())
+  {
+    roots = linearLinear(a, b, origin);
+  }
+  else if (a.isLinear() || b.isLinear())
+  {
+    roots = a.isLinear() ? circularLinear(b, a, origin) : circularLinear(a, b, origin);
+  }
+  else
+  {
+    roots = circularCircular(a, b, origin);
+  }
+  Crossings inside;
+  for (int i = 0; i < roots.count; ++i)
+  {
+    const double x = origin + roots.at[static_cast<std::size_t>(i)];
+    if (x > lo && x < hi)
+    {
+      inside.at[static_cast<std::size_t>(inside.count++)] = x;
+    }
+  }
+  if (inside.count == 2 && inside.at[0] > inside.at[1])
+  {
+    std::swap(inside.at[0], inside.at[1]);
+  }
+  return inside;
+}
+
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WindowList.h"
+
+#include "Tolerance.h"
+
+namespace geodesic
+{
+
+void WindowListBuilder::reset(double sideLength)
+{
+  this->windows_.clear();
+  this->lastOwner_ = nullptr;
+  this->leastWidth_ = tolerance::LeastWidth * sideLength;
+}
+
+void WindowListBuilder::append(const Window& window)
+{
+  std::size_t first = this->windows_.size();
+  while (first > 0 && this->windows_[first - 1].end > window.begin)
+  {
+    --first;
+  }
+  this->lastOwner_ = nullptr;
+  if (first == this->windows_.size())
+  {
+    this->appendPiece(window, window.begin, window.end, &window);
+    return;
+  }
+  this->overlapped_.assign(
+    this->windows_.begin() + static_cast<std::ptrdiff_t>(first), this->windows_.end());
+  this->windows_.resize(first);
+
+  double begin = window.begin; // what is left of the window
+  for (const Window& old : this->overlapped_)
+  {
+    const double lo = std::max(begin, old.begin);
+    const double hi = std::min(window.end, old.end);
+    if (begin < std::min(old.begin, window.end))
+    {
+      this->appendPiece(window, begin, std::min(old.begin, window.end), &window);
+    }
+    if (lo >= hi)
+    {
+      this->appendPiece(old, old.begin, old.end, &old);
+      begin = std::max(begin, std::min(old.begin, window.end));
+      continue;
+    }
+    this->appendPiece(old, old.begin, lo, &old);
+    this->appendOverlap(old, window, lo, hi);
+    this->appendPiece(old, hi, old.end, &old);
+    begin = hi;
+  }
+  this->appendPiece(window, begin, window.end, &window);
+}
+
+// Pieces come in order. A window cut in two by a narrower one appears twice.
+void WindowListBuilder::appendPiece(
+  const Window& window, double begin, double end, const void* owner)
+{
+  if (!(end > begin))
+  {
+    return;
+  }
+  if (owner == this->lastOwner_ && !this->windows_.empty())
+  {
+    this->windows_.back().end = end;
+    return;
+  }
+  if (end - begin < this->leastWidth_)
+  {
+    return;
+  }
+  this->windows_.push_back(window);
+  this->windows_.back().begin = begin;
+  this->windows_.back().end = end;
+  this->lastOwner_ = owner;
+}
+
+// Between crossings one of the two is smaller throughout; its middle tells which. The older one keeps
+// what is equal.
+void WindowListBuilder::appendOverlap(const Window& a, const Window& b, double lo, double hi)
+{
+  const Crossings cross = crossings(a, b, lo, hi);
+  double begin = lo;
+  for (int i = 0; i <= cross.count; ++i)
+  {
+    const double end = i < cross.count ? cross.at[static_cast<std::size_t>(i)] : hi;
+    const double middle = 0.5 * (begin + end);
+    const Window& lower = b.distance(middle) < a.distance(middle) ? b : a;
+    this->appendPiece(lower, begin, end, &lower);
+    begin = end;
+  }
+}
+
+namespace
+{
+constexpr std::size_t ChunkWindows = std::size_t(1) << 13;
+}
+
+WaitingLists::WaitingLists(Id numberOfSides)
+  : listOf_(numberOfSides, NoId)
+{
+}
+
+WaitingLists::View WaitingLists::at(Id side) const
+{
+  const Id list = this->listOf_[side];
+  if (list == NoId)
+  {
+    return {};
+  }
+  const List& l = this->lists_[list];
+  return { l.data, l.data + l.size };
+}
+
+void WaitingLists::assign(Id side, const std::vector<Window>& windows)
+{
+  std::uint32_t sizeClass = 0;
+  while ((std::size_t(1) << sizeClass) < windows.size())
+  {
+    ++sizeClass;
+  }
+  const bool fits =
+    this->has(side) && this->lists_[this->listOf_[side]].sizeClass >= sizeClass && !windows.empty();
+  if (!fits)
+  {
+    this->clear(side);
+    if (windows.empty())
+    {
+      return;
+    }
+    if (this->freeLists_.empty())
+    {
+      this->freeLists_.push_back(static_cast<Id>(this->lists_.size()));
+      this->lists_.emplace_back();
+    }
+    this->listOf_[side] = this->freeLists_.back();
+    this->freeLists_.pop_back();
+    List& fresh = this->lists_[this->listOf_[side]];
+    fresh.side = side;
+    fresh.sizeClass = sizeClass;
+    fresh.data = this->allocate(sizeClass);
+  }
+  List& list = this->lists_[this->listOf_[side]];
+  list.size = static_cast<Id>(windows.size());
+  std::copy(windows.begin(), windows.end(), list.data);
+}
+
+void WaitingLists::clear(Id side)
+{
+  const Id index = this->listOf_[side];
+  if (index == NoId)
+  {
+    return;
+  }
+  List& list = this->lists_[index];
+  if (this->freeBlocks_.size() <= list.sizeClass)
+  {
+    this->freeBlocks_.resize(list.sizeClass + 1);
+  }
+  this->freeBlocks_[list.sizeClass].push_back(list.data);
+  list = List();
+  this->freeLists_.push_back(index);
+  this->listOf_[side] = NoId;
+}
+
+std::vector<Id> WaitingLists::sides() const
+{
+  std::vector<Id> result;
+  for (const List& list : this->lists_)
+  {
+    if (list.side != NoId)
+    {
+      result.push_back(list.side);
+    }
+  }
+  return result;
+}
+
+Window* WaitingLists::allocate(std::uint32_t sizeClass)
+{
+  if (sizeClass < this->freeBlocks_.size() && !this->freeBlocks_[sizeClass].empty())
+  {
+    Window* block = this->freeBlocks_[sizeClass].back();
+    this->freeBlocks_[sizeClass].pop_back();
+    return block;
+  }
+  const std::size_t size = std::size_t(1) << sizeClass;
+  if (this->chunkUsed_ + size > this->chunkSize_)
+  {
+    this->chunkSize_ = std::max(ChunkWindows, size);
+    this->chunks_.emplace_back(new Window[this->chunkSize_]);
+    this->chunkUsed_ = 0;
+  }
+  Window* block = this->chunks_.back().get() + this->chunkUsed_;
+  this->chunkUsed_ += size;
+  return block;
+}
+
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_WindowList_h
+#define geodesic_WindowList_h
+
+#include "Window.h"
+
+#include <memory>
+#include <vector>
+
+namespace geodesic
+{
+
+/// Builds the sorted windows of one side: the lower envelope of what is appended. Where two windows
+/// overlap, each keeps the part where its distance is smaller; a ray that is beaten where it enters
+/// cannot be part of a shortest path (paper, section 3.3). One builder is reused for many lists.
+class WindowListBuilder
+{
+public:
+  /// Begins an empty list on a side of this length.
+  void reset(double sideLength);
+  /// Adds a window. Appending in the order of the interval's begin is linear; any order is right.
+  void append(const Window& window);
+
+  const std::vector<Window>& windows() const { return this->windows_; }
+  bool empty() const { return this->windows_.empty(); }
+
+private:
+  void appendPiece(const Window& window, double begin, double end, const void* owner);
+  void appendOverlap(const Window& a, const Window& b, double lo, double hi);
+
+  std::vector<Window> windows_;
+  std::vector<Window> overlapped_;
+  /// The window that the last piece was cut from, so that pieces that meet are joined again.
+  const void* lastOwner_ = nullptr;
+  double leastWidth_ = 0.0;
+};
+
+/// The windows that wait on sides: sorted lists in pooled, contiguous blocks. Only sides where
+/// windows wait take memory beyond one id.
+class WaitingLists
+{
+public:
+  struct View
+  {
+    const Window* first = nullptr;
+    const Window* last = nullptr;
+    const Window* begin() const { return this->first; }
+    const Window* end() const { return this->last; }
+    std::size_t size() const { return static_cast<std::size_t>(this->last - this->first); }
+  };
+
+  explicit WaitingLists(Id numberOfSides);
+
+  bool has(Id side) const { return this->listOf_[side] != NoId; }
+  View at(Id side) const;
+  /// Replaces the list of the side; an empty one frees it.
+  void assign(Id side, const std::vector<Window>& windows);
+  void clear(Id side);
+
+  /// Sides that have a list, in no particular order but the same one in every run.
+  std::vector<Id> sides() const;
+
+private:
+  struct List
+  {
+    Window* data = nullptr;
+    Id size = 0;
+    Id side = NoId;
+    std::uint32_t sizeClass = 0;
+  };
+
+  Window* allocate(std::uint32_t sizeClass);
+
+  std::vector<Id> listOf_;
+  std::vector<List> lists_;
+  std::vector<Id> freeLists_;
+  /// Free blocks of 2^c windows, for each class c.
+  std::vector<std::vector<Window*>> freeBlocks_;
+  std::vector<std::unique_ptr<Window[]>> chunks_;
+  std::size_t chunkUsed_ = 0;
+  std::size_t chunkSize_ = 0;
+};
+
+}
+
+#endif
