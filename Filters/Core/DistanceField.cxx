@@ -109,7 +109,7 @@ void DistanceField::arriveThrough(Id face, const SurfacePoint& point, Arrival& b
 {
   const Barycentric b = barycentric(*this->mesh_, point, face);
   this->arriveFromSources(face, b, best);
-  this->arriveFromCorners(face, b, best);
+  this->arriveFromCorners(face, point, b, best);
   for (Id k = 0; k < 3; ++k)
   {
     if (b[(k + 2) % 3] != 0.0)
@@ -135,17 +135,18 @@ void DistanceField::arriveFromSources(Id face, const Barycentric& b, Arrival& be
   }
 }
 
-void DistanceField::arriveFromCorners(Id face, const Barycentric& b, Arrival& best) const
+void DistanceField::arriveFromCorners(
+  Id face, const SurfacePoint& point, const Barycentric& b, Arrival& best) const
 {
   for (std::size_t k = 0; k < 3; ++k)
   {
-    if (b[k] == 1.0)
+    const Id vertex = this->mesh_->triangle(face)[k];
+    if (point.kind == SurfacePoint::Kind::Vertex && point.id == vertex)
     {
-      continue; // the point itself
+      continue;
     }
     Barycentric corner{};
     corner[k] = 1.0;
-    const Id vertex = this->mesh_->triangle(face)[k];
     const double length = distanceInFace(*this->mesh_, face, corner, b);
     const double distance = this->vertexDistances_[vertex] + length;
     if (distance < best.distance)
@@ -185,9 +186,12 @@ std::vector<SurfacePoint> DistanceField::path(const SurfacePoint& from) const
   while (!atSource)
   {
     const Arrival arrival = this->arrive(points.back());
-    // Every step leads to a smaller distance; rounding ends the path where none is left.
+    // Every step leads to a smaller distance, or by rounding to the same, then to a vertex. Where
+    // neither is so the path has come to its source but for rounding.
     const double next = arrival.distance - arrival.length;
-    if (!(next < remaining) && !arrival.fromSource)
+    const bool ontoVertex = points.back().kind != SurfacePoint::Kind::Vertex &&
+      arrival.from.kind == SurfacePoint::Kind::Vertex;
+    if (!(next < remaining) && !arrival.fromSource && !ontoVertex)
     {
       break;
     }

@@ -56,7 +56,8 @@ private:
   void requireWindows() const;
   Arrival arrive(const SurfacePoint& point) const;
   void arriveThrough(Id face, const SurfacePoint& point, Arrival& best) const;
-  void arriveFromCorners(Id face, const std::array<double, 3>& b, Arrival& best) const;
+  void arriveFromCorners(
+    Id face, const SurfacePoint& point, const std::array<double, 3>& b, Arrival& best) const;
   void arriveFromSources(Id face, const std::array<double, 3>& b, Arrival& best) const;
   void arriveThroughSide(Id side, const std::array<double, 3>& b, Arrival& best) const;
 

@@ -182,7 +182,8 @@ private:
   std::vector<double> Queued;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Queue;
   WaitingLists Waiting;
-  std::vector<std::uint8_t> OnSource;
+  /// Whether a vertex sends out windows when the front comes to it.
+  std::vector<std::uint8_t> Emits;
 
   WindowListBuilder Left;
   WindowListBuilder Right;
@@ -204,7 +205,7 @@ Propagation::Propagation(const TriangleMesh& mesh, const SolveOptions& options)
   , Processed(mesh.numberOfVertices(), Infinity)
   , Queued(mesh.numberOfVertices(), Infinity)
   , Waiting(mesh.numberOfSides())
-  , OnSource(mesh.numberOfVertices(), 0)
+  , Emits(mesh.numberOfVertices(), 0)
 {
   this->Field.mesh_ = &mesh;
   this->Distance.assign(mesh.numberOfVertices(), Infinity);
@@ -236,9 +237,17 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
   {
     throw SourceError("There is no source. Give at least one point on the surface.");
   }
+  for (Id v = 0; v < this->Mesh.numberOfVertices(); ++v)
+  {
+    this->Emits[v] = this->Mesh.isPseudoSource(v) ? 1 : 0;
+  }
+  for (const Id vertex : initial.nearVertices)
+  {
+    this->Emits[vertex] = 1;
+  }
   for (const Id vertex : initial.vertices)
   {
-    this->OnSource[vertex] = 1;
+    this->Emits[vertex] = 0; // the curve's own wedges are there already
     this->improve(vertex, 0.0);
   }
   for (const SourceInFace& source : initial.inFaces)
@@ -285,7 +294,7 @@ void Propagation::process(Id vertex)
     this->Settled += this->Processed[vertex] == Infinity ? 1 : 0;
     this->Processed[vertex] = distance;
     this->relaxEdges(vertex);
-    if (this->Mesh.isPseudoSource(vertex) && !this->OnSource[vertex])
+    if (this->Emits[vertex])
     {
       this->emit(vertex);
     }

@@ -208,17 +208,20 @@ private:
       }
       const SurfacePoint& p = curve.points[i];
       std::vector<Spoke> spokes;
+      const auto addSpoke = [&](std::size_t to, std::size_t segment)
+      {
+        if (!samePlace(this->Mesh, p, curve.points[to]))
+        {
+          spokes.push_back({ p, curve.points[to], curve.faces[segment] });
+        }
+      };
       if (!last)
       {
-        spokes.push_back({ p, curve.points[i + 1], curve.faces[i] });
+        addSpoke(i + 1, i);
       }
-      if (i > 0)
+      if (i > 0 || closed)
       {
-        spokes.push_back({ p, curve.points[i - 1], curve.faces[i - 1] });
-      }
-      else if (closed)
-      {
-        spokes.push_back({ p, curve.points[count - 2], curve.faces[count - 2] });
+        addSpoke(i > 0 ? i - 1 : count - 2, i > 0 ? i - 1 : count - 2);
       }
       if (p.kind == SurfacePoint::Kind::Vertex)
       {
@@ -244,9 +247,21 @@ private:
         if (p.kind != SurfacePoint::Kind::Vertex)
         {
           this->Result.inFaces.push_back({ face, b, b });
+          this->findNearVertices(face, b);
         }
         this->emitPoint(face, b, constraints);
       });
+  }
+
+  void findNearVertices(Id face, const Barycentric& b)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (1.0 - b[k] < tolerance::NearVertex)
+      {
+        this->Result.nearVertices.push_back(this->Mesh.triangle(face)[k]);
+      }
+    }
   }
 
   // Several curves may meet in one vertex: all their segments bound its wedges together.

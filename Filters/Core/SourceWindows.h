@@ -36,6 +36,9 @@ struct SourceWindows
   std::vector<SourceInFace> inFaces;
   /// Mesh vertices on a source, ascending, each once.
   std::vector<Id> vertices;
+  /// Vertices so near to a source's point that the directions around them cannot be told apart in the
+  /// windows of that point: they are to be pseudo-sources.
+  std::vector<Id> nearVertices;
 };
 
 /// Linear windows from both sides of every segment, and circular windows from every vertex of a curve

@@ -50,6 +50,11 @@ constexpr double BoundMargin = 1e-9;
 /// through: in a face without area its rays would otherwise have no direction. Moves it by rounding.
 constexpr double SourceDepth = 8.0 * Rounding;
 
+/// A vertex nearer to a source's point than this fraction of a face emits as a pseudo-source. Windows
+/// of the point have ends rounded to a fraction Rounding of a side, so that as seen from the vertex
+/// gaps of an angle Rounding / NearVertex may open between them; the vertex covers these.
+constexpr double NearVertex = 1e-5;
+
 }
 
 #endif
