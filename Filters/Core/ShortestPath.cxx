@@ -335,10 +335,6 @@ std::vector<SurfacePoint> pathInPatch(const TriangleMesh& patch, const SurfacePo
   options.maximumDistance = bound > 0.0 ? bound : Infinity;
   options.progress = progress;
   std::vector<SurfacePoint> path = solve(patch, { source }, options).path(second);
-  if (path.empty())
-  {
-    throw Error("The shortest path between two points of the source could not be traced.");
-  }
   std::reverse(path.begin(), path.end());
   return path;
 }
@@ -363,6 +359,18 @@ std::vector<SurfacePoint> cleaned(const TriangleMesh& mesh, const std::vector<Su
   }
   result.push_back(second);
   return result;
+}
+
+/// A path that broke off, or an empty one, has ends without a common face.
+void checkWhole(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path)
+{
+  for (std::size_t i = 1; i < path.size(); ++i)
+  {
+    if (commonFace(mesh, path[i - 1], path[i]) == NoId)
+    {
+      throw Error("The shortest path between two points of the source could not be traced.");
+    }
+  }
 }
 
 } // anonymous namespace
@@ -396,7 +404,9 @@ std::vector<SurfacePoint> ShortestPathFinder::between(
     point = transferred(
       patch.mesh, point, this->mesh_, [&](Id vertex) { return patch.vertices[vertex]; });
   }
-  return cleaned(this->mesh_, path, first, second, bound);
+  path = cleaned(this->mesh_, path, first, second, bound);
+  checkWhole(this->mesh_, path);
+  return path;
 }
 
 }

@@ -97,16 +97,16 @@ Window UnfoldedFace::throughRight(const Window& window, double begin, double end
 namespace
 {
 
-// Roots of a t^2 + b t + c, without the cancellation of the textbook formula.
-Crossings quadraticRoots(double a, double b, double c)
+// Roots of a t^2 + 2 b t + c whose discriminant b^2 - a c is given: each caller has a form of it without
+// cancellation, and the textbook formula for the roots would cancel once more.
+Crossings quadraticRoots(double a, double b, double c, double discriminant)
 {
   Crossings roots;
-  const double discriminant = b * b - 4.0 * a * c;
   if (!(discriminant >= 0.0))
   {
     return roots;
   }
-  const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+  const double q = -(b + std::copysign(std::sqrt(discriminant), b));
   if (q != 0.0)
   {
     roots.at[static_cast<std::size_t>(roots.count++)] = c / q;
@@ -120,14 +120,16 @@ Crossings quadraticRoots(double a, double b, double c)
 
 // sqrt((t - s)^2 + h^2) + sigma on both sides: one branch of a hyperbola is the locus of equal
 // distance, which a line meets up to twice (section 3.3 has one crossing, true for equal sigma only).
+// With l(t) = alpha t + gamma the difference of the squares, l^2 = beta2 ((t - s1)^2 + h1^2).
 Crossings circularCircular(const Window& a, const Window& b, double origin)
 {
   const double s0 = a.sourceX - origin;
   const double s1 = b.sourceX - origin;
+  const double h1 = b.sourceDepth;
   const double beta = b.sigma - a.sigma;
   const double alpha = 2.0 * (s1 - s0);
-  const double gamma = (s0 - s1) * (s0 + s1) +
-    (a.sourceDepth - b.sourceDepth) * (a.sourceDepth + b.sourceDepth) - beta * beta;
+  const double gamma =
+    (s0 - s1) * (s0 + s1) + (a.sourceDepth - h1) * (a.sourceDepth + h1) - beta * beta;
   if (beta == 0.0)
   {
     Crossings root;
@@ -136,9 +138,11 @@ Crossings circularCircular(const Window& a, const Window& b, double origin)
     return root;
   }
   const double beta2 = 4.0 * beta * beta;
-  return quadraticRoots((alpha - 2.0 * beta) * (alpha + 2.0 * beta),
-    2.0 * (alpha * gamma + beta2 * s1),
-    gamma * gamma - beta2 * (s1 * s1 + b.sourceDepth * b.sourceDepth));
+  const double quadratic = (alpha - 2.0 * beta) * (alpha + 2.0 * beta);
+  const double atSource = gamma + alpha * s1;
+  return quadraticRoots(quadratic, alpha * gamma + beta2 * s1,
+    gamma * gamma - beta2 * (s1 * s1 + h1 * h1),
+    beta2 * (atSource * atSource + quadratic * h1 * h1));
 }
 
 // Section 4.2.2, with sigma of the circular window and the one of the linear window, folded into its
@@ -146,11 +150,13 @@ Crossings circularCircular(const Window& a, const Window& b, double origin)
 Crossings circularLinear(const Window& circular, const Window& linear, double origin)
 {
   const double s = circular.sourceX - origin;
+  const double h = circular.sourceDepth;
   const double m = linear.sourceX;
   const double n = linear.distance(origin) - circular.sigma;
-  const double h = circular.sourceDepth;
-  return quadraticRoots(
-    linear.sourceDepth * linear.sourceDepth, -2.0 * (s + m * n), s * s + h * h - n * n);
+  const double atSource = n + m * s;
+  const double height = h * linear.sourceDepth;
+  return quadraticRoots(linear.sourceDepth * linear.sourceDepth, -(s + m * n), s * s + h * h - n * n,
+    (atSource - height) * (atSource + height));
 }
 
 Crossings linearLinear(const Window& a, const Window& b, double origin)
