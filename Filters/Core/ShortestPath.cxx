@@ -378,11 +378,11 @@ void checkWhole(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path)
 std::vector<SurfacePoint> ShortestPathFinder::between(
   const SurfacePoint& first, const SurfacePoint& second, const Progress& progress)
 {
-  report(progress, 0.0);
   if (commonFace(this->mesh_, first, second) != NoId)
   {
     return { first, second };
   }
+  report(progress, 0.0);
   const double bound = (1.0 + tolerance::BoundMargin) *
     boundAlongEdges(this->mesh_, first, second, this->lengthTo_, progress);
   if (bound == Infinity)

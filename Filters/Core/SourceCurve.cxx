@@ -16,6 +16,9 @@ namespace
 
 using Progress = std::function<bool(double)>;
 
+/// Points put onto the surface between two calls of the progress callback.
+constexpr std::size_t PointsPerReport = 256;
+
 /// A point of a polyline on the surface.
 struct Place
 {
@@ -87,17 +90,18 @@ private:
   bool isOnePlace(const Place& a, const Place& b) const;
   void leaveOut(const LocatedPolyline& polyline, const Place& repeated, const Place& kept);
   void join(const Place& from, const Place& to, const std::string& name, SourceCurve& curve);
-  void checkComponents(const Place& from, const Place& to, const std::string& name);
+  std::vector<SurfacePoint> pathBetween(
+    const Place& from, const Place& to, const std::string& name);
   void report(double pointsBeyond) const;
 
   const TriangleMesh& mesh_;
   const SnapOptions& options_;
   const Progress& progress_;
   const double numberOfPoints_;
+  std::size_t pointsPlaced_ = 0;
+  /// Points of the polylines that are finished.
   double pointsDone_ = 0.0;
   ShortestPathFinder paths_;
-  /// Computed when first needed.
-  std::vector<Id> components_;
   SourceCurves result_;
 };
 
@@ -142,11 +146,10 @@ void CurveBuilder::leaveOut(
 
 std::vector<Place> CurveBuilder::place(const LocatedPolyline& polyline)
 {
-  constexpr std::size_t pointsPerReport = 256;
   std::vector<Place> places;
   for (std::size_t i = 0; i < polyline.points.size(); ++i)
   {
-    if (i % pointsPerReport == 0)
+    if (this->pointsPlaced_++ % PointsPerReport == 0)
     {
       this->report(0.0);
     }
@@ -181,24 +184,23 @@ void CurveBuilder::close(const LocatedPolyline& polyline, std::vector<Place>& pl
   }
 }
 
-void CurveBuilder::checkComponents(const Place& from, const Place& to, const std::string& name)
+std::vector<SurfacePoint> CurveBuilder::pathBetween(
+  const Place& from, const Place& to, const std::string& name)
 {
-  if (this->components_.empty())
+  const auto report = [&](double fraction)
   {
-    this->components_ = this->mesh_.components();
-  }
-  const auto component = [this](const SurfacePoint& point)
-  {
-    const Id corner = 3 * someFace(this->mesh_, point);
-    return this->components_[this->mesh_.origin(corner)];
+    this->report(static_cast<double>(from.index) + fraction);
+    return true;
   };
-  if (component(from.point) != component(to.point))
+  std::vector<SurfacePoint> path = this->paths_.between(from.point, to.point, report);
+  if (path.empty())
   {
     throw SourceError("Points " + std::to_string(from.index) + " and " + std::to_string(to.index) +
       " of " + name +
       " are on different components of the surface, so that no path on it joins them. Split the "
       "polyline between them, or connect the surface.");
   }
+  return path;
 }
 
 /// Appends the way from one place to the next: straight in a common face, or else along a shortest
@@ -206,17 +208,7 @@ void CurveBuilder::checkComponents(const Place& from, const Place& to, const std
 void CurveBuilder::join(
   const Place& from, const Place& to, const std::string& name, SourceCurve& curve)
 {
-  std::vector<SurfacePoint> path = { from.point, to.point };
-  if (commonFace(this->mesh_, from.point, to.point) == NoId)
-  {
-    this->checkComponents(from, to, name);
-    const auto report = [&](double fraction)
-    {
-      this->report(static_cast<double>(from.index) + fraction);
-      return true;
-    };
-    path = this->paths_.between(from.point, to.point, report);
-  }
+  const std::vector<SurfacePoint> path = this->pathBetween(from, to, name);
   for (std::size_t i = 1; i < path.size(); ++i)
   {
     const bool isInner = i + 1 < path.size();

@@ -59,17 +59,19 @@ struct SourceCurves
 };
 
 /// Puts polylines onto the surface: each point goes to the closest point of its face, and onto a
-/// vertex or an edge when within a tolerance of it (Tolerance.h); consecutive points in one face are
-/// joined straight, others by the shortest geodesic, cut at every edge it crosses.
+/// vertex or an edge when within a tolerance of it (Tolerance.h); consecutive points in one face
+/// are joined straight, others by the shortest geodesic, cut at every edge it crosses. Points that
+/// their precision cannot tell apart are one. One curve a polyline, in their order.
 ///
 /// \param progress called now and then with a fraction done; returning false throws Aborted.
-/// \throws SourceError where a point is not finite or consecutive points are in different
-///         components; Aborted.
+/// \throws SourceError where a polyline has no points, a point is not finite or has no face, or
+///         consecutive points are in different components; Aborted.
 SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedPolyline>& polylines,
   const SnapOptions& options, const std::function<bool(double)>& progress = {});
 
-/// The whole boundary of the surface: one closed curve along mesh edges a loop (non-manifold boundary
-/// vertices end a curve). Empty for a closed surface.
+/// The whole boundary of the surface: one closed curve along mesh edges a loop. Where not exactly
+/// two boundary edges meet at a vertex, curves end there (they may begin there, too). Every
+/// boundary edge is in one curve, once. Empty for a closed surface.
 std::vector<SourceCurve> boundaryCurves(const TriangleMesh& mesh);
 
 }

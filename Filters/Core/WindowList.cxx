@@ -76,9 +76,27 @@ void WindowListBuilder::appendPiece(
   this->lastOwner_ = owner;
 }
 
+// Where one window is smaller at both ends, it is so throughout, unless they cross twice. Windows of
+// one sigma cross once at most; others not where the sum of the differences is more than the slopes,
+// 1 at most each, can make up for.
+void WindowListBuilder::appendOverlap(const Window& a, const Window& b, double lo, double hi)
+{
+  const double atLo = a.distance(lo) - b.distance(lo);
+  const double atHi = a.distance(hi) - b.distance(hi);
+  const bool sameSide = (atLo < 0.0 && atHi < 0.0) || (atLo > 0.0 && atHi > 0.0);
+  const bool onceAtMost = a.sigma == b.sigma && !a.isLinear() && !b.isLinear();
+  if (sameSide && (onceAtMost || std::abs(atLo + atHi) > 2.0 * (hi - lo)))
+  {
+    const Window& lower = atLo < 0.0 ? a : b;
+    this->appendPiece(lower, lo, hi, &lower);
+    return;
+  }
+  this->appendLower(a, b, lo, hi);
+}
+
 // Between crossings one of the two is smaller throughout; its middle tells which. The older one keeps
 // what is equal.
-void WindowListBuilder::appendOverlap(const Window& a, const Window& b, double lo, double hi)
+void WindowListBuilder::appendLower(const Window& a, const Window& b, double lo, double hi)
 {
   const Crossings cross = crossings(a, b, lo, hi);
   double begin = lo;

@@ -27,6 +27,7 @@ public:
 private:
   void appendPiece(const Window& window, double begin, double end, const void* owner);
   void appendOverlap(const Window& a, const Window& b, double lo, double hi);
+  void appendLower(const Window& a, const Window& b, double lo, double hi);
 
   std::vector<Window> windows_;
   std::vector<Window> overlapped_;
