@@ -2,6 +2,7 @@
 #include "DistanceField.h"
 
 #include "Errors.h"
+#include "Tolerance.h"
 
 #include <algorithm>
 
@@ -21,15 +22,15 @@ Id frameSide(const TriangleMesh& mesh, Id face)
   return 3 * face + static_cast<Id>(longest);
 }
 
-double distanceInFace(
-  const TriangleMesh& mesh, Id face, const Barycentric& a, const Barycentric& b)
+double distanceInFace(const TriangleMesh& mesh, Id face, const Barycentric& a, const Barycentric& b)
 {
   const Id side = frameSide(mesh, face);
   return norm(inSideFrame(mesh, side, a) - inSideFrame(mesh, side, b));
 }
 
 // The point of the segment from a to b nearest to p.
-Barycentric nearestOnSegment(const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& p)
+Barycentric nearestOnSegment(
+  const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& p)
 {
   const Id side = frameSide(mesh, source.face);
   const Vec2 a = inSideFrame(mesh, side, source.a);
@@ -89,15 +90,20 @@ double DistanceField::distance(const SurfacePoint& point) const
   return this->arrive(point).distance;
 }
 
-DistanceField::Arrival DistanceField::arrive(const SurfacePoint& point) const
+DistanceField::Arrival DistanceField::arrive(
+  const SurfacePoint& point, const std::vector<Id>& crossed) const
 {
   Arrival best;
   forEachFace(*this->mesh_, point,
     [&](Id face)
     {
-      if (this->faceComplete_.empty() || this->faceComplete_[face])
+      const bool isComplete = this->faceComplete_.empty() || this->faceComplete_[face];
+      const bool isCrossed = std::find(crossed.begin(), crossed.end(), face) != crossed.end();
+      if (isComplete && !isCrossed)
       {
+        const double before = best.distance;
         this->arriveThrough(face, point, best);
+        best.face = best.distance < before ? face : best.face;
       }
     });
   return best;
@@ -122,8 +128,8 @@ void DistanceField::arriveThrough(Id face, const SurfacePoint& point, Arrival& b
 void DistanceField::arriveFromSources(Id face, const Barycentric& b, Arrival& best) const
 {
   const auto less = [](const SourceInFace& s, Id f) { return s.face < f; };
-  auto source = std::lower_bound(
-    this->sourcesInFaces_.begin(), this->sourcesInFaces_.end(), face, less);
+  auto source =
+    std::lower_bound(this->sourcesInFaces_.begin(), this->sourcesInFaces_.end(), face, less);
   for (; source != this->sourcesInFaces_.end() && source->face == face; ++source)
   {
     const Barycentric nearest = nearestOnSegment(*this->mesh_, *source, b);
@@ -164,7 +170,7 @@ void DistanceField::arriveThroughSide(Id side, const Barycentric& b, Arrival& be
     const Window& window = this->windows_[i];
     const double x = window.crossing(p);
     const double length = norm(p - Vec2{ x, 0.0 });
-    const double distance = window.distance(x) + length;
+    const double distance = std::max(window.distance(x), 0.0) + length;
     if (distance < best.distance)
     {
       best = { distance, length, onSide(*this->mesh_, side, x / this->mesh_->length(side)), false };
@@ -183,18 +189,21 @@ std::vector<SurfacePoint> DistanceField::path(const SurfacePoint& from) const
   }
   points.push_back(from);
   bool atSource = remaining <= 0.0;
+  // A shortest path crosses no face twice; pieces without length must not lead around in a circle.
+  std::vector<Id> crossed;
   while (!atSource)
   {
-    const Arrival arrival = this->arrive(points.back());
-    // Every step leads to a smaller distance, or by rounding to the same, then to a vertex. Where
-    // neither is so the path has come to its source but for rounding.
+    const Arrival arrival = this->arrive(points.back(), crossed);
     const double next = arrival.distance - arrival.length;
-    const bool ontoVertex = points.back().kind != SurfacePoint::Kind::Vertex &&
-      arrival.from.kind == SurfacePoint::Kind::Vertex;
-    if (!(next < remaining) && !arrival.fromSource && !ontoVertex)
+    if (!(next <= remaining * (1.0 + tolerance::Tie)) && !arrival.fromSource)
     {
-      break;
+      break; // at the source but for rounding
     }
+    if (next < remaining)
+    {
+      crossed.clear();
+    }
+    crossed.push_back(arrival.face);
     points.push_back(arrival.from);
     remaining = next;
     const SurfacePoint& p = points.back();

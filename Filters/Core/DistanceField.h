@@ -13,13 +13,17 @@
 namespace geodesic
 {
 
-/// The geodesic distance to the sources: at the vertices, and where windows were kept at any point of
-/// the surface. Made by solve(); the mesh must outlive it.
+/// The geodesic distance to the sources: at the vertices, and where windows were kept at any point
+/// of the surface. Made by solve(); the mesh must outlive it.
 class DistanceField
 {
 public:
   /// Distance at each vertex, in the surface's units; +infinity where the front did not come.
   const std::vector<double>& vertexDistances() const { return this->vertexDistances_; }
+
+  /// What is certified about the relative error: no distance is larger than the exact one, and none
+  /// smaller by more than this fraction of it. 0 in the exact field.
+  double relativeErrorBound() const { return this->relativeErrorBound_; }
 
   /// Number of windows put on sides during the solve.
   std::uint64_t windowsPropagated() const { return this->windowsPropagated_; }
@@ -34,8 +38,8 @@ public:
   double distance(const SurfacePoint& point) const;
 
   /// The shortest path from the point back to the source, as points of the surface: the point, a
-  /// point on every edge it crosses, the vertices it passes, its end on the source. One of them where
-  /// there are several. Empty where the point was not reached.
+  /// point on every edge it crosses, the vertices it passes, its end on the source. One of them
+  /// where there are several. Empty where the point was not reached.
   ///
   /// \throws Error where no windows were kept.
   std::vector<SurfacePoint> path(const SurfacePoint& from) const;
@@ -51,10 +55,12 @@ private:
     double length = 0.0;
     SurfacePoint from;
     bool fromSource = false;
+    /// The face of the piece.
+    Id face = NoId;
   };
 
   void requireWindows() const;
-  Arrival arrive(const SurfacePoint& point) const;
+  Arrival arrive(const SurfacePoint& point, const std::vector<Id>& crossed = {}) const;
   void arriveThrough(Id face, const SurfacePoint& point, Arrival& best) const;
   void arriveFromCorners(
     Id face, const SurfacePoint& point, const std::array<double, 3>& b, Arrival& best) const;
@@ -64,6 +70,7 @@ private:
   const TriangleMesh* mesh_ = nullptr;
   std::vector<double> vertexDistances_;
   std::uint64_t windowsPropagated_ = 0;
+  double relativeErrorBound_ = 0.0;
   /// The windows of side s are windows_[windowStart_[s]] to windows_[windowStart_[s + 1]], in no
   /// order: one side may have several lists that came one after another.
   std::vector<std::uint64_t> windowStart_;

@@ -5,6 +5,7 @@
 #include "SourceWindows.h"
 #include "Tolerance.h"
 #include "WindowList.h"
+#include "WindowMerge.h"
 
 #include <algorithm>
 #include <queue>
@@ -39,8 +40,10 @@ UnfoldedFace unfold(const TriangleMesh& mesh, Id side)
 struct ApexView
 {
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
-  /// Least length of a path through the list to the apex, bent ones included.
+  /// Least length of a path through the list to the apex, bent ones included, and the error of the
+  /// window that gives it.
   double distance = Infinity;
+  double error = 0.0;
   /// The window that holds the apex in its pencil at the least distance.
   std::size_t best = None;
 };
@@ -48,6 +51,14 @@ struct ApexView
 ApexView viewApex(const WaitingLists::View& list, Vec2 apex)
 {
   ApexView view;
+  const auto take = [&view](double distance, const Window& w)
+  {
+    if (distance < view.distance)
+    {
+      view.distance = distance;
+      view.error = w.error;
+    }
+  };
   double straight = Infinity;
   bool previousLeft = true; // as if a window before the first one passed on the left
   for (std::size_t i = 0; i < list.size(); ++i)
@@ -58,6 +69,7 @@ ApexView viewApex(const WaitingLists::View& list, Vec2 apex)
     if (!left && !right)
     {
       const double distance = w.straightDistance(apex);
+      take(distance, w);
       if (distance < straight)
       {
         straight = distance;
@@ -67,19 +79,18 @@ ApexView viewApex(const WaitingLists::View& list, Vec2 apex)
     // Between a window that passes on the left and one on the right, the apex is in a gap.
     if (right && previousLeft)
     {
-      view.distance = std::min(view.distance, w.bentDistance(apex));
+      take(w.bentDistance(apex), w);
       if (i > 0)
       {
-        view.distance = std::min(view.distance, list.first[i - 1].bentDistance(apex));
+        take(list.first[i - 1].bentDistance(apex), list.first[i - 1]);
       }
     }
     if (left && i + 1 == list.size())
     {
-      view.distance = std::min(view.distance, w.bentDistance(apex));
+      take(w.bentDistance(apex), w);
     }
     previousLeft = left;
   }
-  view.distance = std::min(view.distance, straight);
   return view;
 }
 
@@ -153,6 +164,8 @@ private:
   void relaxEdges(Id vertex);
   void emit(Id vertex);
   void enter(Id side);
+  void merge(Id side);
+  double errorAt(Id vertex) const;
   void passThrough(const WaitingLists::View& list, const UnfoldedFace& face, std::size_t best,
     const Exit& left, const Exit& right);
   void passLeft(const Window& w, const UnfoldedFace& face, double end, const Exit& exit);
@@ -160,7 +173,7 @@ private:
   void leave(Id side, const std::vector<Window>& windows);
   void arrive(Id side);
   void mergeArriving(Id side);
-  void improve(Id vertex, double distance);
+  void improve(Id vertex, double distance, double error);
   void enqueue(Id vertex);
   void reportProgress(double front);
 
@@ -177,6 +190,8 @@ private:
   DistanceField Field;
 
   std::vector<double>& Distance;
+  /// How much longer the path behind a vertex's distance can be; empty in the exact solve.
+  std::vector<double> VertexError;
   /// The distance with which a vertex was last processed, and the key it waits with in the queue.
   std::vector<double> Processed;
   std::vector<double> Queued;
@@ -209,6 +224,10 @@ Propagation::Propagation(const TriangleMesh& mesh, const SolveOptions& options)
 {
   this->Field.mesh_ = &mesh;
   this->Distance.assign(mesh.numberOfVertices(), Infinity);
+  if (options.relativeError > 0.0)
+  {
+    this->VertexError.assign(mesh.numberOfVertices(), 0.0);
+  }
   if (options.maximumDistance < Infinity)
   {
     this->Needed.assign(mesh.numberOfFaces(), 0);
@@ -248,7 +267,7 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
   for (const Id vertex : initial.vertices)
   {
     this->Emits[vertex] = 0; // the curve's own wedges are there already
-    this->improve(vertex, 0.0);
+    this->improve(vertex, 0.0, 0.0);
   }
   for (const SourceInFace& source : initial.inFaces)
   {
@@ -257,7 +276,7 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
     {
       std::array<double, 3> corner{};
       corner[k] = 1.0;
-      this->improve(corners[k], distanceToSource(this->Mesh, source, corner));
+      this->improve(corners[k], distanceToSource(this->Mesh, source, corner), 0.0);
     }
     if (!this->Needed.empty())
     {
@@ -313,11 +332,12 @@ void Propagation::process(Id vertex)
 void Propagation::relaxEdges(Id vertex)
 {
   const double distance = this->Distance[vertex];
+  const double error = this->errorAt(vertex);
   for (const Id corner : this->Mesh.cornersAt(vertex))
   {
     const Id before = TriangleMesh::previousInFace(corner);
-    this->improve(this->Mesh.destination(corner), distance + this->Mesh.length(corner));
-    this->improve(this->Mesh.origin(before), distance + this->Mesh.length(before));
+    this->improve(this->Mesh.destination(corner), distance + this->Mesh.length(corner), error);
+    this->improve(this->Mesh.origin(before), distance + this->Mesh.length(before), error);
   }
 }
 
@@ -332,7 +352,8 @@ void Propagation::emit(Id vertex)
     {
       continue;
     }
-    const LeavingWindow leaving = vertexWindow(this->Mesh, corner, distance);
+    LeavingWindow leaving = vertexWindow(this->Mesh, corner, distance);
+    leaving.window.error = this->errorAt(vertex);
     const Window& w = leaving.window;
     const bool useless =
       beaten(w.distance(w.end), this->Distance[this->Mesh.destination(side)] + length) ||
@@ -346,6 +367,7 @@ void Propagation::emit(Id vertex)
 
 void Propagation::enter(Id side)
 {
+  this->merge(side);
   const WaitingLists::View list = this->Waiting.at(side);
   this->keep(side, list);
   const UnfoldedFace face = unfold(this->Mesh, side);
@@ -356,9 +378,9 @@ void Propagation::enter(Id side)
   const ApexView view = viewApex(list, face.apex);
   const Window& first = *list.begin();
   const Window& last = *(list.end() - 1);
-  this->improve(apex, view.distance);
-  this->improve(origin, first.distance(first.begin) + first.begin);
-  this->improve(destination, last.distance(last.end) + (face.length - last.end));
+  this->improve(apex, view.distance, view.error);
+  this->improve(origin, first.distance(first.begin) + first.begin, first.error);
+  this->improve(destination, last.distance(last.end) + (face.length - last.end), last.error);
 
   const double atOrigin = this->Distance[origin];
   const double atDestination = this->Distance[destination];
@@ -462,7 +484,8 @@ void Propagation::arrive(Id side)
   const Id apex = this->Mesh.opposite(side);
   const WaitingLists::View arriving = { this->Arriving.data(),
     this->Arriving.data() + this->Arriving.size() };
-  this->improve(apex, viewApex(arriving, face.apex).distance);
+  const ApexView view = viewApex(arriving, face.apex);
+  this->improve(apex, view.distance, view.error);
   this->mergeArriving(side);
   this->enqueue(apex);
 }
@@ -492,13 +515,38 @@ void Propagation::mergeArriving(Id side)
   this->Waiting.assign(side, this->Merged.windows());
 }
 
-void Propagation::improve(Id vertex, double distance)
+// A list is merged when it is complete and about to go on, so that each window is once a face.
+void Propagation::merge(Id side)
 {
+  if (!(this->Options.relativeError > 0.0) || this->Waiting.at(side).size() < 2)
+  {
+    return;
+  }
+  const WaitingLists::View list = this->Waiting.at(side);
+  this->Arriving.assign(list.begin(), list.end());
+  const double error =
+    mergeNeighbours(this->Arriving, this->Mesh.length(side), this->Options.relativeError);
+  this->Field.relativeErrorBound_ = std::max(this->Field.relativeErrorBound_, error);
+  this->Waiting.assign(side, this->Arriving);
+}
+
+double Propagation::errorAt(Id vertex) const
+{
+  return this->VertexError.empty() ? 0.0 : this->VertexError[vertex];
+}
+
+void Propagation::improve(Id vertex, double distance, double error)
+{
+  distance = std::max(distance, 0.0); // a linear window's may be a rounding below at its source
   if (!(distance < this->Distance[vertex]))
   {
     return;
   }
   this->Distance[vertex] = distance;
+  if (!this->VertexError.empty())
+  {
+    this->VertexError[vertex] = error;
+  }
   if (distance < this->Processed[vertex] * (1.0 - tolerance::Tie))
   {
     this->enqueue(vertex);
@@ -668,6 +716,11 @@ void Propagation::sortKept()
 DistanceField solve(
   const TriangleMesh& mesh, const std::vector<SourceCurve>& sources, const SolveOptions& options)
 {
+  if (!(options.relativeError >= 0.0) || !(options.relativeError < Infinity))
+  {
+    throw Error("The relative error is " + std::to_string(options.relativeError) +
+      "; give a number of at least 0.");
+  }
   return Propagation(mesh, options).run(sources);
 }
 

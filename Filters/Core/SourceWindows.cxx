@@ -322,7 +322,7 @@ private:
     const double end = std::min(interval.end, length);
     if (end - begin > tolerance::LeastWidth * length && depth > 0.0)
     {
-      this->Result.windows.push_back({ side, { begin, end, x, depth, sigma, kind, 0 } });
+      this->Result.windows.push_back({ side, { begin, end, x, depth, sigma, 0.0, kind, 0 } });
     }
   }
 
@@ -435,7 +435,7 @@ LeavingWindow vertexWindow(const TriangleMesh& mesh, Id corner, double sigma)
   b[corner % 3] = 1.0;
   const Vec2 p = inLeavingFrame(mesh, side, b);
   const double depth = std::max(-p.y, tolerance::SourceDepth * length);
-  return { side, { 0.0, length, p.x, depth, sigma, Window::Kind::Circular, 0 } };
+  return { side, { 0.0, length, p.x, depth, sigma, 0.0, Window::Kind::Circular, 0 } };
 }
 
 Vec2 inSideFrame(const TriangleMesh& mesh, Id side, const std::array<double, 3>& b)

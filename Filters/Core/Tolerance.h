@@ -55,6 +55,10 @@ constexpr double SourceDepth = 8.0 * Rounding;
 /// gaps of an angle Rounding / NearVertex may open between them; the vertex covers these.
 constexpr double NearVertex = 1e-5;
 
+/// A merged window's source lies at least this fraction of its width below the side: the directions of
+/// its rays are told from sourceDepth, and near the side rounding would turn them.
+constexpr double MergedDepth = 1e-6;
+
 }
 
 #endif

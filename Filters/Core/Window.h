@@ -33,6 +33,8 @@ struct Window
   double sourceX;
   double sourceDepth;
   double sigma;
+  /// How much longer than this window tells the path behind it can be: 0 in the exact field.
+  double error;
   Kind kind;
   /// Number of faces crossed since the source: a shortest path crosses no face twice, which bounds
   /// it, and with it every propagation.

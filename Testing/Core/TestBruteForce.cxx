@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The brute-force solver, which is the truth for the engine on meshes without an analytic distance,
+// against analytic distances.
+#include "AnalyticCases.h"
+#include "BruteForce.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace geodesictest;
+
+namespace
+{
+
+constexpr int Rounds = 40;
+/// Of the largest distance.
+constexpr double Accuracy = 1e-11;
+
+/// The largest error, relative to the largest distance.
+double worstError(
+  const std::vector<double>& computed, const std::vector<double>& truth, double largest)
+{
+  EXPECT_EQ(computed.size(), truth.size());
+  double worst = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+  {
+    // Written so that not-a-number is an error.
+    const double error = std::abs(computed[i] - truth[i]) / largest;
+    worst = error <= worst ? worst : error;
+  }
+  return worst;
+}
+
+void expectTruth(AnalyticCase (*makeCase)(Random&))
+{
+  for (int round = 0; round < Rounds; ++round)
+  {
+    Random random(static_cast<std::uint64_t>(round));
+    const AnalyticCase c = makeCase(random);
+    const BruteForceResult result = bruteForceDistances(c.mesh, c.sources, c.queries);
+    const double largest = *std::max_element(c.vertexTruth.begin(), c.vertexTruth.end());
+    EXPECT_LE(worstError(result.vertices, c.vertexTruth, largest), Accuracy)
+      << "vertices, seed " << round;
+    EXPECT_LE(worstError(result.queries, c.queryTruth, largest), Accuracy)
+      << "surface points, seed " << round;
+  }
+}
+
+}
+
+TEST(BruteForce, IsEuclideanOnAnyTriangulationOfTheConvexPlane)
+{
+  expectTruth(planeCase);
+}
+
+TEST(BruteForce, IsEuclideanOnARegularGrid)
+{
+  expectTruth(regularGridCase);
+}
+
+TEST(BruteForce, IsEuclideanOnNeedles)
+{
+  expectTruth(stretchedPlaneCase);
+}
+
+TEST(BruteForce, UnfoldsABox)
+{
+  expectTruth(boxCase);
+}
+
+TEST(BruteForce, UnrollsACylinder)
+{
+  expectTruth(cylinderCase);
+}
+
+TEST(BruteForce, UnrollsACone)
+{
+  expectTruth(coneCase);
+}
+
+TEST(BruteForce, BendsAtASaddleVertex)
+{
+  expectTruth(saddleFanCase);
+}
+
+TEST(BruteForce, UnfoldsATetrahedron)
+{
+  expectTruth(tetrahedronCase);
+}
+
+TEST(BruteForce, GoesAroundHolesLikeAVisibilityGraph)
+{
+  expectTruth(holesCase);
+}
+
+TEST(BruteForce, GoesAroundTheCornerOfAnL)
+{
+  expectTruth(lShapeCase);
+}
+
+TEST(BruteForce, GoesOnThroughEveryFaceOfANonManifoldEdge)
+{
+  expectTruth(bookCase);
+}
+
+TEST(BruteForce, GoesThroughABowTie)
+{
+  expectTruth(bowTieCase);
+}
+
+TEST(BruteForce, IsTheSameWhenEveryVertexEmits)
+{
+  for (std::uint64_t seed = 0; seed < 30; ++seed)
+  {
+    Random random(seed);
+    const PlainMesh meshes[] = { bumpySheet(10, 10, 2, 0.6, random), octasphere(6),
+      book(4, 6, 4, 0.5, random), moebius(20, 5), needleSheet(8, 8, 1e4, 0.3, random) };
+    const PlainMesh& mesh = meshes[seed % 5];
+    Sources sources;
+    sources.points = { randomPoint(mesh, random) };
+    sources.segments = { { random.below(mesh.triangles.size()), randomWeights(random),
+      randomWeights(random) } };
+    BruteForceOptions everyVertex;
+    everyVertex.everyVertexEmits = true;
+    const BruteForceResult some = bruteForceDistances(mesh, sources);
+    const BruteForceResult all = bruteForceDistances(mesh, sources, {}, everyVertex);
+    const double largest = *std::max_element(all.vertices.begin(), all.vertices.end());
+    EXPECT_LE(worstError(some.vertices, all.vertices, largest), 1e-13) << "seed " << seed;
+  }
+}
+
+TEST(BruteForce, LeavesOtherComponentsUnreached)
+{
+  const PlainMesh grid = regularGrid(3, 3);
+  const PlainMesh mesh = merged(grid, grid);
+  Sources sources;
+  sources.points = { vertexPoint(mesh, 0) };
+  const BruteForceResult result =
+    bruteForceDistances(mesh, sources, { { 0, { 0.2, 0.3, 0.5 } }, { 20, { 0.2, 0.3, 0.5 } } });
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    EXPECT_EQ(std::isfinite(result.vertices[v]), v < grid.points.size()) << "vertex " << v;
+  }
+  EXPECT_TRUE(std::isfinite(result.queries[0]));
+  EXPECT_FALSE(std::isfinite(result.queries[1]));
+}
+
+TEST(BruteForce, IsExactUpToItsMaximumDistance)
+{
+  Random random(7);
+  const PlainMesh mesh = bumpySheet(16, 16, 2, 0.5, random);
+  Sources sources;
+  sources.points = { randomPoint(mesh, random) };
+  BruteForceOptions limited;
+  limited.maximumDistance = 5.0;
+  const BruteForceResult whole = bruteForceDistances(mesh, sources);
+  const BruteForceResult part = bruteForceDistances(mesh, sources, {}, limited);
+  EXPECT_LT(part.pencils, whole.pencils);
+  std::size_t inside = 0;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    if (whole.vertices[v] <= limited.maximumDistance)
+    {
+      ++inside;
+      EXPECT_NEAR(part.vertices[v], whole.vertices[v], 1e-13) << "vertex " << v;
+    }
+  }
+  EXPECT_GT(inside, 10u);
+}
+
+TEST(BruteForce, ConductsThroughFacesOfZeroArea)
+{
+  // Two squares whose common side runs through a face with its third corner on that side.
+  PlainMesh mesh;
+  mesh.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 2, 1, 0 },
+    { 1, 0.4, 0 } };
+  mesh.triangles = { { 0, 1, 4 }, { 0, 4, 3 }, { 1, 4, 6 }, { 1, 2, 6 }, { 2, 5, 6 }, { 5, 4, 6 } };
+  Sources sources;
+  sources.points = { { 1, { 0.2, 0.3, 0.5 } } };
+  const Vec3 source = position(mesh, sources.points[0]);
+  const BruteForceResult result = bruteForceDistances(mesh, sources);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    const Vec3& p = mesh.points[v];
+    EXPECT_NEAR(result.vertices[v], std::hypot(p[0] - source[0], p[1] - source[1]), 1e-14)
+      << "vertex " << v;
+  }
+}
+
+TEST(TestMeshes, OfTheBumpyKindHaveManySaddles)
+{
+  for (std::uint64_t seed = 0; seed < 10; ++seed)
+  {
+    Random random(seed);
+    const PlainMesh sheet = bumpySheet(20, 20, 3, 0.5, random);
+    EXPECT_GE(3 * countSaddles(sheet), sheet.points.size()) << "seed " << seed;
+  }
+}

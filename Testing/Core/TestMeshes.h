@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesictest_TestMeshes_h
+#define geodesictest_TestMeshes_h
+
+#include <array>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+/// What the tests share. Nothing in this namespace's headers includes the engine, so that the truth
+/// the engine is compared with has no code in common with it.
+namespace geodesictest
+{
+
+using Index = std::uint32_t;
+using Vec2 = std::array<double, 2>;
+using Vec3 = std::array<double, 3>;
+using Triangle = std::array<Index, 3>;
+using Barycentric = std::array<double, 3>;
+
+/// An indexed triangle mesh and nothing else.
+struct PlainMesh
+{
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+};
+
+/// A point of a mesh: a face and barycentric coordinates of its corners. Exact zeros put it onto an
+/// edge or a vertex.
+struct MeshPoint
+{
+  Index face = 0;
+  Barycentric weights = { 1.0, 0.0, 0.0 };
+};
+
+/// A straight segment inside one closed face.
+struct MeshSegment
+{
+  Index face = 0;
+  Barycentric from = { 1.0, 0.0, 0.0 };
+  Barycentric to = { 0.0, 1.0, 0.0 };
+};
+
+Vec3 position(const PlainMesh& mesh, const MeshPoint& point);
+
+/// Random numbers that are the same on every platform for one seed.
+class Random
+{
+public:
+  explicit Random(std::uint64_t seed)
+    : engine_(seed)
+  {
+  }
+
+  /// Uniform in [0, 1).
+  double uniform();
+  /// Uniform in [low, high).
+  double uniform(double low, double high) { return low + (high - low) * this->uniform(); }
+  /// Uniform in 0 ... count - 1.
+  Index below(std::size_t count);
+  /// Uniform in low ... high, both included.
+  Index between(Index low, Index high) { return low + this->below(high - low + 1); }
+  bool chance(double probability) { return this->uniform() < probability; }
+
+private:
+  std::mt19937_64 engine_;
+};
+
+/// \name Points on a mesh
+///@{
+MeshPoint randomFacePoint(const PlainMesh& mesh, Random& random);
+MeshPoint randomEdgePoint(const PlainMesh& mesh, Random& random);
+MeshPoint randomVertexPoint(const PlainMesh& mesh, Random& random);
+/// Any of the three, or a point within rounding of an edge or a vertex.
+MeshPoint randomPoint(const PlainMesh& mesh, Random& random);
+/// A random point of one closed face: inside, on an edge or at a corner.
+Barycentric randomWeights(Random& random);
+/// The same for the vertex with this id; it must have a face.
+MeshPoint vertexPoint(const PlainMesh& mesh, Index vertex);
+///@}
+
+/// \name Surfaces
+/// Grids have cells of unit size unless told otherwise; random ones depend on their Random alone.
+///@{
+/// A flat grid of nx x ny squares, each cut along the same diagonal: distances tie exactly.
+PlainMesh regularGrid(Index nx, Index ny);
+/// Any triangulation of the rectangle [0, nx] x [0, ny]: vertices jittered, random diagonals,
+/// random edge flips.
+PlainMesh randomPlanar(Index nx, Index ny, Random& random);
+/// An L: the grid without its upper right quarter; nx and ny are even.
+PlainMesh lShape(Index nx, Index ny);
+/// The random rectangle with polygonal holes: about `holes` blocks of cells are taken out.
+PlainMesh planarWithHoles(Index nx, Index ny, Index holes, Random& random);
+/// planarWithHoles with random heights in [-amplitude, amplitude].
+PlainMesh bumpySheet(Index nx, Index ny, Index holes, double amplitude, Random& random);
+/// A bumpy sheet stretched by aspect along one axis.
+PlainMesh needleSheet(Index nx, Index ny, double aspect, double amplitude, Random& random);
+/// A sphere from an octahedron whose edges have been cut in n; symmetric bit by bit.
+PlainMesh octasphere(Index n);
+/// Pages of n x m bumpy cells on one spine of n edges; page p holds faces 2 p n m ... With
+/// amplitude 0 the pages are flat rectangles [0, m] x [0, n].
+PlainMesh book(Index pages, Index n, Index m, double amplitude, Random& random);
+/// A band of n x m cells with one half twist, not orientable.
+PlainMesh moebius(Index n, Index m);
+/// The surface of the box [0, size] with n[k] cells along axis k.
+PlainMesh box(const Vec3& size, const std::array<Index, 3>& n);
+/// A prism's side: `sides` x rows cells on a regular polygon of edge length 1, open at both ends.
+PlainMesh openCylinder(Index sides, Index rows, double height);
+/// `sectors` isosceles triangles with this angle and legs of length 1 around an apex, each cut into
+/// n x n faces. The apex is vertex 0, sector s holds faces s n^2 ... (s + 1) n^2 - 1. A total angle
+/// over 2 pi gives a saddle fan (an even number of sectors is needed), under it a cone.
+PlainMesh fan(Index sectors, double angle, Index n);
+/// A regular tetrahedron of edge length 1, each face cut into n x n; face k of the tetrahedron (the
+/// one opposite to its vertex k) holds faces k n^2 ... (k + 1) n^2 - 1.
+PlainMesh tetrahedron(Index n);
+/// The corners of tetrahedron().
+std::array<Vec3, 4> tetrahedronCorners();
+///@}
+
+/// \name Changes
+///@{
+/// Both meshes side by side, nothing joined.
+PlainMesh merged(const PlainMesh& a, const PlainMesh& b);
+/// Both meshes joined at one vertex only (b is moved there): a bow-tie.
+PlainMesh joinedAtVertex(const PlainMesh& a, Index vertexOfA, const PlainMesh& b, Index vertexOfB);
+/// New numbers for vertices and faces and another first corner for each face. Old vertex i becomes
+/// vertexMap[i], old face f becomes faceMap[f], and its corner k becomes (k + cornerShift[f]) % 3.
+struct Renumbered
+{
+  PlainMesh mesh;
+  std::vector<Index> vertexMap;
+  std::vector<Index> faceMap;
+  std::vector<Index> cornerShift;
+};
+Renumbered renumbered(const PlainMesh& mesh, Random& random);
+/// Turns the orientation of a random half of the faces (corners 1 and 2 swap; flags tell which).
+PlainMesh withFlippedFaces(
+  const PlainMesh& mesh, Random& random, std::vector<bool>* flipped = nullptr);
+/// Splits some faces at their centroid; old vertices keep their numbers.
+PlainMesh withSplitFaces(const PlainMesh& mesh, double fraction, Random& random);
+/// Splits some edges at their midpoint, in all faces around; old vertices keep their numbers.
+PlainMesh withSplitEdges(const PlainMesh& mesh, double fraction, Random& random);
+/// Each face in four, on the same surface.
+PlainMesh subdivided(const PlainMesh& mesh);
+PlainMesh scaled(const PlainMesh& mesh, double factor);
+/// A random rotation and a shift by about the mesh's size.
+PlainMesh moved(const PlainMesh& mesh, Random& random);
+/// Without vertices that no face uses.
+PlainMesh compacted(const PlainMesh& mesh);
+///@}
+
+/// Edges with one face, as pairs of vertices.
+std::vector<std::pair<Index, Index>> boundaryEdges(const PlainMesh& mesh);
+
+/// The vertices whose total angle is over 2 pi by more than rounding, boundary vertices left out.
+std::size_t countSaddles(const PlainMesh& mesh);
+
+}
+
+#endif
