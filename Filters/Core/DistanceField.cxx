@@ -80,6 +80,24 @@ void DistanceField::requireWindows() const
   }
 }
 
+WindowRange DistanceField::windowsOn(Id side) const
+{
+  if (!this->hasWindows())
+  {
+    return {};
+  }
+  const Window* data = this->windows_.data();
+  return { data + this->windowStart_[side], data + this->windowStart_[side + 1] };
+}
+
+std::vector<SourceInFace> DistanceField::sourcesIn(Id face) const
+{
+  const auto [first, last] = std::equal_range(this->sourcesInFaces_.begin(),
+    this->sourcesInFaces_.end(), SourceInFace{ face, {}, {} },
+    [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; });
+  return { first, last };
+}
+
 double DistanceField::distance(const SurfacePoint& point) const
 {
   this->requireWindows();
@@ -127,12 +145,9 @@ void DistanceField::arriveThrough(Id face, const SurfacePoint& point, Arrival& b
 
 void DistanceField::arriveFromSources(Id face, const Barycentric& b, Arrival& best) const
 {
-  const auto less = [](const SourceInFace& s, Id f) { return s.face < f; };
-  auto source =
-    std::lower_bound(this->sourcesInFaces_.begin(), this->sourcesInFaces_.end(), face, less);
-  for (; source != this->sourcesInFaces_.end() && source->face == face; ++source)
+  for (const SourceInFace& source : this->sourcesIn(face))
   {
-    const Barycentric nearest = nearestOnSegment(*this->mesh_, *source, b);
+    const Barycentric nearest = nearestOnSegment(*this->mesh_, source, b);
     const double length = distanceInFace(*this->mesh_, face, nearest, b);
     if (length < best.distance)
     {
@@ -165,9 +180,8 @@ void DistanceField::arriveFromCorners(
 void DistanceField::arriveThroughSide(Id side, const Barycentric& b, Arrival& best) const
 {
   const Vec2 p = inSideFrame(*this->mesh_, side, b);
-  for (std::uint64_t i = this->windowStart_[side]; i < this->windowStart_[side + 1]; ++i)
+  for (const Window& window : this->windowsOn(side))
   {
-    const Window& window = this->windows_[i];
     const double x = window.crossing(p);
     const double length = norm(p - Vec2{ x, 0.0 });
     const double distance = std::max(window.distance(x), 0.0) + length;

@@ -28,6 +28,15 @@ public:
   /// Number of windows put on sides during the solve.
   std::uint64_t windowsPropagated() const { return this->windowsPropagated_; }
 
+  /// The windows that enter the side's face through it, in no order; several may overlap. Empty
+  /// where none were kept.
+  WindowRange windowsOn(Id side) const;
+
+  /// The sources that lie in a face.
+  std::vector<SourceInFace> sourcesIn(Id face) const;
+
+  const TriangleMesh& mesh() const { return *this->mesh_; }
+
   /// Whether windows were kept, so that distance() and path() can be called.
   bool hasWindows() const { return !this->windowStart_.empty(); }
 

@@ -48,7 +48,7 @@ struct ApexView
   std::size_t best = None;
 };
 
-ApexView viewApex(const WaitingLists::View& list, Vec2 apex)
+ApexView viewApex(const WindowRange& list, Vec2 apex)
 {
   ApexView view;
   const auto take = [&view](double distance, const Window& w)
@@ -102,8 +102,8 @@ struct Exit
   /// Distances at the begin and the end of the leaving frame.
   double atBegin;
   double atEnd;
-  /// The face's third corner in the leaving frame, its distance, and which end is far from it behind
-  /// the pencil of every window that passes.
+  /// The face's third corner in the leaving frame, its distance, and which end is far from it
+  /// behind the pencil of every window that passes.
   Vec2 third;
   double atThird;
   bool beginIsFar;
@@ -114,9 +114,9 @@ bool beaten(double distance, double bound)
   return distance > bound * (1.0 + tolerance::Tie);
 }
 
-/// Whether a path through a corner beats the window everywhere (Xin & Wang 2009, "Improving Chen and
-/// Han's algorithm on the discrete geodesic problem"). Distances along the edge change by no more than
-/// the way, so a window that is longer at its end far from a corner is longer throughout.
+/// Whether a path through a corner beats the window everywhere (Xin & Wang 2009, "Improving Chen
+/// and Han's algorithm on the discrete geodesic problem"). Distances along the edge change by no
+/// more than the way, so a window that is longer at its end far from a corner is longer throughout.
 bool isUseless(const Window& w, const Exit& exit)
 {
   const double atEnd = w.distance(w.end);
@@ -136,8 +136,9 @@ bool isUseless(const Window& w, const Exit& exit)
 
 } // anonymous namespace
 
-/// The front (paper, section 3.1, in the order of Qin et al. 2016): the queue holds vertices; windows
-/// wait in sorted lists on sides, and a list goes through its face when the vertex opposite is popped.
+/// The front (paper, section 3.1, in the order of Qin et al. 2016): the queue holds vertices;
+/// windows wait in sorted lists on sides, and a list goes through its face when the vertex opposite
+/// is popped.
 class Propagation
 {
 public:
@@ -166,7 +167,7 @@ private:
   void enter(Id side);
   void merge(Id side);
   double errorAt(Id vertex) const;
-  void passThrough(const WaitingLists::View& list, const UnfoldedFace& face, std::size_t best,
+  void passThrough(const WindowRange& list, const UnfoldedFace& face, std::size_t best,
     const Exit& left, const Exit& right);
   void passLeft(const Window& w, const UnfoldedFace& face, double end, const Exit& exit);
   void passRight(const Window& w, const UnfoldedFace& face, double begin, const Exit& exit);
@@ -182,7 +183,7 @@ private:
   void markNeeded();
   double neededDistance() const;
   void dropIncomplete();
-  void keep(Id side, const WaitingLists::View& list);
+  void keep(Id side, const WindowRange& list);
   void sortKept();
 
   const TriangleMesh& Mesh;
@@ -368,7 +369,7 @@ void Propagation::emit(Id vertex)
 void Propagation::enter(Id side)
 {
   this->merge(side);
-  const WaitingLists::View list = this->Waiting.at(side);
+  const WindowRange list = this->Waiting.at(side);
   this->keep(side, list);
   const UnfoldedFace face = unfold(this->Mesh, side);
   const Id origin = this->Mesh.origin(side);
@@ -399,10 +400,10 @@ void Propagation::enter(Id side)
   this->leave(right.side, this->Right.windows());
 }
 
-// Of the windows that hold the apex only the one that reaches it first goes to both sides: rays of the
-// others that would cross its ray to the apex are beaten there (Qin et al. 2016).
-void Propagation::passThrough(const WaitingLists::View& list, const UnfoldedFace& face,
-  std::size_t best, const Exit& left, const Exit& right)
+// Of the windows that hold the apex only the one that reaches it first goes to both sides: rays of
+// the others that would cross its ray to the apex are beaten there (Qin et al. 2016).
+void Propagation::passThrough(const WindowRange& list, const UnfoldedFace& face, std::size_t best,
+  const Exit& left, const Exit& right)
 {
   const bool toLeft = !this->Mesh.isBoundary(left.side);
   const bool toRight = !this->Mesh.isBoundary(right.side);
@@ -426,8 +427,7 @@ void Propagation::passThrough(const WaitingLists::View& list, const UnfoldedFace
   }
 }
 
-void Propagation::passLeft(
-  const Window& w, const UnfoldedFace& face, double end, const Exit& exit)
+void Propagation::passLeft(const Window& w, const UnfoldedFace& face, double end, const Exit& exit)
 {
   const double begin = face.meetLeft(w, w.begin);
   if (end - begin > 0.0)
@@ -482,7 +482,7 @@ void Propagation::arrive(Id side)
   this->Field.windowsPropagated_ += this->Arriving.size();
   const UnfoldedFace face = unfold(this->Mesh, side);
   const Id apex = this->Mesh.opposite(side);
-  const WaitingLists::View arriving = { this->Arriving.data(),
+  const WindowRange arriving = { this->Arriving.data(),
     this->Arriving.data() + this->Arriving.size() };
   const ApexView view = viewApex(arriving, face.apex);
   this->improve(apex, view.distance, view.error);
@@ -492,7 +492,7 @@ void Propagation::arrive(Id side)
 
 void Propagation::mergeArriving(Id side)
 {
-  const WaitingLists::View waiting = this->Waiting.at(side);
+  const WindowRange waiting = this->Waiting.at(side);
   if (waiting.size() == 0)
   {
     this->Waiting.assign(side, this->Arriving);
@@ -522,7 +522,7 @@ void Propagation::merge(Id side)
   {
     return;
   }
-  const WaitingLists::View list = this->Waiting.at(side);
+  const WindowRange list = this->Waiting.at(side);
   this->Arriving.assign(list.begin(), list.end());
   const double error =
     mergeNeighbours(this->Arriving, this->Mesh.length(side), this->Options.relativeError);
@@ -594,8 +594,8 @@ void Propagation::finishLimited()
   this->dropIncomplete();
 }
 
-// Sends on every window and pseudo-source nearer than the bound, also those that would wait for a far
-// vertex.
+// Sends on every window and pseudo-source nearer than the bound, also those that would wait for a
+// far vertex.
 void Propagation::flush(double bound)
 {
   for (bool again = true; again;)
@@ -604,7 +604,7 @@ void Propagation::flush(double bound)
     this->advance(bound);
     for (const Id side : this->Waiting.sides())
     {
-      const WaitingLists::View list = this->Waiting.at(side);
+      const WindowRange list = this->Waiting.at(side);
       const bool within = std::any_of(
         list.begin(), list.end(), [&](const Window& w) { return w.minimum() <= bound; });
       if (within)
@@ -640,8 +640,8 @@ double Propagation::neededDistance() const
     {
       const Triangle& t = this->Mesh.triangle(f);
       const std::array<double, 3>& length = this->Mesh.shape(f).length;
-      const auto [least, most] = std::minmax(
-        { this->Distance[t[0]], this->Distance[t[1]], this->Distance[t[2]] });
+      const auto [least, most] =
+        std::minmax({ this->Distance[t[0]], this->Distance[t[1]], this->Distance[t[2]] });
       const double reach = least + *std::max_element(length.begin(), length.end());
       bound = std::max(bound, inside ? reach : most);
     }
@@ -666,7 +666,7 @@ void Propagation::dropIncomplete()
   this->Field.faceComplete_ = std::move(this->Needed);
 }
 
-void Propagation::keep(Id side, const WaitingLists::View& list)
+void Propagation::keep(Id side, const WindowRange& list)
 {
   if (!this->Needed.empty() && !this->Needed[TriangleMesh::faceOf(side)])
   {

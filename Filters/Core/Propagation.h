@@ -24,8 +24,8 @@ enum class KeepWindows
 struct SolveOptions
 {
   KeepWindows keepWindows = KeepWindows::None;
-  /// 0: exact. Otherwise the largest relative error of any distance against the exact one, for which
-  /// windows are merged (paper, section 5).
+  /// 0: exact. Otherwise the largest relative error of any distance against the exact one, for
+  /// which windows are merged (paper, section 5).
   double relativeError = 0.0;
   /// Stop there, in the surface's units. Every face that has a point within the limit is complete:
   /// all its vertices (and its inside, where windows are kept) have exact values.
@@ -35,15 +35,16 @@ struct SolveOptions
   std::function<bool(double)> progress;
 };
 
-/// Computes the geodesic distance to the curves, exact or within a relative error (paper, sections 3 to
-/// 5).
+/// Computes the geodesic distance to the curves, exact or within a relative error (paper, sections
+/// 3 to 5).
 ///
 /// The mesh must outlive the field.
 ///
-/// \throws SourceError where there is no curve; Error where the relative error is not a number >= 0;
+/// \throws SourceError where there is no curve; Error where the relative error is not a number >=
+/// 0;
 ///         Aborted.
-DistanceField solve(
-  const TriangleMesh& mesh, const std::vector<SourceCurve>& sources, const SolveOptions& options = {});
+DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
+  const SolveOptions& options = {});
 
 }
 

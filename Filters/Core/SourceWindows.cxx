@@ -116,7 +116,8 @@ public:
       this->addPoints(curve);
     }
     this->emitFromVertices();
-    const auto byFace = [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; };
+    const auto byFace = [](const SourceInFace& a, const SourceInFace& b)
+    { return a.face < b.face; };
     std::stable_sort(this->Result.inFaces.begin(), this->Result.inFaces.end(), byFace);
     return std::move(this->Result);
   }
@@ -342,7 +343,8 @@ private:
     }
   }
 
-  // The spoke's direction in the frame of a side of its own face (the first with a length from k on).
+  // The spoke's direction in the frame of a side of its own face (the first with a length from k
+  // on).
   Constraint inOwnFace(const Spoke& spoke, std::size_t k) const
   {
     while (this->Mesh.shape(spoke.face).length[k] == 0.0)
@@ -350,7 +352,8 @@ private:
       k = next(k);
     }
     const Id side = 3 * spoke.face + static_cast<Id>(k);
-    const Vec2 from = inSideFrame(this->Mesh, side, barycentric(this->Mesh, spoke.from, spoke.face));
+    const Vec2 from =
+      inSideFrame(this->Mesh, side, barycentric(this->Mesh, spoke.from, spoke.face));
     const Vec2 to = inSideFrame(this->Mesh, side, barycentric(this->Mesh, spoke.to, spoke.face));
     const Vec2 d = to - from;
     const double length = norm(d);
@@ -408,10 +411,8 @@ private:
       const double x = atOrigin ? std::cos(angle) : -std::cos(angle);
       constraints.push_back({ TriangleMesh::faceOf(s), s % 3, { x, -std::sin(angle) } });
       const Id corner = atOrigin ? s : TriangleMesh::nextInFace(s);
-      const Id across =
-        atOrigin ? TriangleMesh::previousInFace(s) : TriangleMesh::nextInFace(s);
-      this->walk(
-        vertex, across, angle + this->Mesh.cornerAngle(corner), constraints, steps + 1);
+      const Id across = atOrigin ? TriangleMesh::previousInFace(s) : TriangleMesh::nextInFace(s);
+      this->walk(vertex, across, angle + this->Mesh.cornerAngle(corner), constraints, steps + 1);
     }
   }
 

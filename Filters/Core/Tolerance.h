@@ -15,31 +15,32 @@ constexpr double Rounding = std::numeric_limits<double>::epsilon();
 /// cross product of collinear corners leaves a few roundings. Only counted, never treated apart.
 constexpr double ZeroArea = 8.0 * Rounding;
 
-/// A vertex whose total angle is over the straight angle by less than this fraction is flat: the sum
-/// of a fan's angles leaves some roundings, and a gap of this angle behind it moves no distance by
-/// more than this fraction.
+/// A vertex whose total angle is over the straight angle by less than this fraction is flat: the
+/// sum of a fan's angles leaves some roundings, and a gap of this angle behind it moves no distance
+/// by more than this fraction.
 constexpr double FlatAngle = 1e-13;
 
-/// A window narrower than this fraction of its side is not kept: its ends cannot be told apart after
-/// rounding, and a gap of this width moves no distance by more than itself.
+/// A window narrower than this fraction of its side is not kept: its ends cannot be told apart
+/// after rounding, and a gap of this width moves no distance by more than itself.
 constexpr double LeastWidth = 4.0 * Rounding;
 
-/// A window is dropped for a path through a vertex only when it is longer by this fraction: distances
-/// carry the rounding of every unfolding on their way, and a tie must stay.
+/// A window is dropped for a path through a vertex only when it is longer by this fraction:
+/// distances carry the rounding of every unfolding on their way, and a tie must stay.
 constexpr double Tie = 1e-12;
 
-/// A curve's point belongs to a vertex or an edge when nearer than this many roundings of the largest
-/// coordinate around. A filter that cuts the surface interpolates along an edge and rounds each
-/// coordinate once: sqrt(3)/2 of a rounding in space. The surface's own points may have been rounded
-/// by an earlier transform, and the filter's arithmetic adds about as much again.
+/// A curve's point belongs to a vertex or an edge when nearer than this many roundings of the
+/// largest coordinate around. A filter that cuts the surface interpolates along an edge and rounds
+/// each coordinate once: sqrt(3)/2 of a rounding in space. The surface's own points may have been
+/// rounded by an earlier transform, and the filter's arithmetic adds about as much again.
 constexpr double SnapRoundings = 4.0;
 
 /// But never farther than this fraction of an edge (towards a vertex) or of an altitude (towards an
-/// edge): far from the origin roundings may be as large as faces, and a curve must not collapse there.
+/// edge): far from the origin roundings may be as large as faces, and a curve must not collapse
+/// there.
 constexpr double SnapFraction = 0.1;
 
-/// A traced path passes a vertex, not an edge beside it, when nearer than this fraction of its length:
-/// the rounding of unfolding it through some dozens of faces.
+/// A traced path passes a vertex, not an edge beside it, when nearer than this fraction of its
+/// length: the rounding of unfolding it through some dozens of faces.
 constexpr double PathAtVertex = 64.0 * Rounding;
 
 /// An upper bound of a distance, summed along mesh edges, is raised by this fraction, so that the
@@ -47,16 +48,18 @@ constexpr double PathAtVertex = 64.0 * Rounding;
 constexpr double BoundMargin = 1e-9;
 
 /// A source is taken to lie at least this fraction of a side's length below the side it shines
-/// through: in a face without area its rays would otherwise have no direction. Moves it by rounding.
+/// through: in a face without area its rays would otherwise have no direction. Moves it by
+/// rounding.
 constexpr double SourceDepth = 8.0 * Rounding;
 
-/// A vertex nearer to a source's point than this fraction of a face emits as a pseudo-source. Windows
-/// of the point have ends rounded to a fraction Rounding of a side, so that as seen from the vertex
-/// gaps of an angle Rounding / NearVertex may open between them; the vertex covers these.
+/// A vertex nearer to a source's point than this fraction of a face emits as a pseudo-source.
+/// Windows of the point have ends rounded to a fraction Rounding of a side, so that as seen from
+/// the vertex gaps of an angle Rounding / NearVertex may open between them; the vertex covers
+/// these.
 constexpr double NearVertex = 1e-5;
 
-/// A merged window's source lies at least this fraction of its width below the side: the directions of
-/// its rays are told from sourceDepth, and near the side rounding would turn them.
+/// A merged window's source lies at least this fraction of its width below the side: the directions
+/// of its rays are told from sourceDepth, and near the side rounding would turn them.
 constexpr double MergedDepth = 1e-6;
 
 }

@@ -91,8 +91,8 @@ void TriangleMesh::takeFaces(const std::vector<Triangle>& triangles)
   }
 }
 
-// Sides are bucketed by their lower vertex, and a bucket sorted by the higher one, so that the sides
-// of one edge stand together.
+// Sides are bucketed by their lower vertex, and a bucket sorted by the higher one, so that the
+// sides of one edge stand together.
 void TriangleMesh::linkRings()
 {
   const Id sides = this->numberOfSides();
@@ -273,8 +273,8 @@ void TriangleMesh::findPseudoSources()
   }
 }
 
-// Walks from corner to corner across shared spokes; every corner is met where there is one fan. Only
-// called where spokes have one or two sides.
+// Walks from corner to corner across shared spokes; every corner is met where there is one fan.
+// Only called where spokes have one or two sides.
 bool TriangleMesh::isOneFan(Id vertex) const
 {
   const IdRange corners = this->cornersAt(vertex);
@@ -296,8 +296,7 @@ bool TriangleMesh::isOneFan(Id vertex) const
   do
   {
     ++met;
-    const Id across =
-      this->origin(spoke) == vertex ? previousInFace(spoke) : nextInFace(spoke);
+    const Id across = this->origin(spoke) == vertex ? previousInFace(spoke) : nextInFace(spoke);
     spoke = this->nextInRing(across);
     if (spoke == across)
     {

@@ -35,8 +35,9 @@ struct FaceShape
 /// more faces, bow-tie vertices, inconsistent orientation, zero-area faces.
 ///
 /// A side is one edge of one face, numbered 3 * face + k for the edge from corner k to corner k + 1
-/// (mod 3). The sides of one edge form a ring (nextInRing): a boundary edge's ring is its only side,
-/// an inner edge's has two, a non-manifold edge's more. Nothing else about topology is stored.
+/// (mod 3). The sides of one edge form a ring (nextInRing): a boundary edge's ring is its only
+/// side, an inner edge's has two, a non-manifold edge's more. Nothing else about topology is
+/// stored.
 class TriangleMesh
 {
 public:
@@ -103,8 +104,8 @@ public:
   double cornerAngle(Id corner) const;
 
   /// Whether a geodesic may bend at the vertex, so that it becomes a pseudo-source (paper, section
-  /// 3): total angle over 2 pi, boundary with inner angle over pi, several fans, or an edge of three
-  /// and more faces.
+  /// 3): total angle over 2 pi, boundary with inner angle over pi, several fans, or an edge of
+  /// three and more faces.
   bool isPseudoSource(Id vertex) const { return this->pseudoSource_[vertex] != 0; }
 
   /// The connected component (by shared vertices) of each vertex; computed on first use by the

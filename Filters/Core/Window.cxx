@@ -97,8 +97,8 @@ Window UnfoldedFace::throughRight(const Window& window, double begin, double end
 namespace
 {
 
-// Roots of a t^2 + 2 b t + c whose discriminant b^2 - a c is given: each caller has a form of it without
-// cancellation, and the textbook formula for the roots would cancel once more.
+// Roots of a t^2 + 2 b t + c whose discriminant b^2 - a c is given: each caller has a form of it
+// without cancellation, and the textbook formula for the roots would cancel once more.
 Crossings quadraticRoots(double a, double b, double c, double discriminant)
 {
   Crossings roots;
@@ -119,8 +119,9 @@ Crossings quadraticRoots(double a, double b, double c, double discriminant)
 }
 
 // sqrt((t - s)^2 + h^2) + sigma on both sides: one branch of a hyperbola is the locus of equal
-// distance, which a line meets up to twice (section 3.3 has one crossing, true for equal sigma only).
-// With l(t) = alpha t + gamma the difference of the squares, l^2 = beta2 ((t - s1)^2 + h1^2).
+// distance, which a line meets up to twice (section 3.3 has one crossing, true for equal sigma
+// only). With l(t) = alpha t + gamma the difference of the squares, l^2 = beta2 ((t - s1)^2 +
+// h1^2).
 Crossings circularCircular(const Window& a, const Window& b, double origin)
 {
   const double s0 = a.sourceX - origin;
@@ -145,8 +146,8 @@ Crossings circularCircular(const Window& a, const Window& b, double origin)
     beta2 * (atSource * atSource + quadratic * h1 * h1));
 }
 
-// Section 4.2.2, with sigma of the circular window and the one of the linear window, folded into its
-// function, both kept.
+// Section 4.2.2, with sigma of the circular window and the one of the linear window, folded into
+// its function, both kept.
 Crossings circularLinear(const Window& circular, const Window& linear, double origin)
 {
   const double s = circular.sourceX - origin;
@@ -155,8 +156,8 @@ Crossings circularLinear(const Window& circular, const Window& linear, double or
   const double n = linear.distance(origin) - circular.sigma;
   const double atSource = n + m * s;
   const double height = h * linear.sourceDepth;
-  return quadraticRoots(linear.sourceDepth * linear.sourceDepth, -(s + m * n), s * s + h * h - n * n,
-    (atSource - height) * (atSource + height));
+  return quadraticRoots(linear.sourceDepth * linear.sourceDepth, -(s + m * n),
+    s * s + h * h - n * n, (atSource - height) * (atSource + height));
 }
 
 Crossings linearLinear(const Window& a, const Window& b, double origin)

@@ -13,18 +13,18 @@ namespace geodesic
 /// through it (paper, sections 3.2 and 4.2.1).
 ///
 /// Coordinates are those of the side: its edge is the x axis from its origin, its face lies above
-/// it, the unfolded source below or on it. A window keeps the source itself instead of the distances
-/// at its ends: recomputing the source from them, as in section 3.2, loses most digits where the
-/// interval is narrow. The pseudo-source's distance sigma of a linear window is folded into its
-/// distance function.
+/// it, the unfolded source below or on it. A window keeps the source itself instead of the
+/// distances at its ends: recomputing the source from them, as in section 3.2, loses most digits
+/// where the interval is narrow. The pseudo-source's distance sigma of a linear window is folded
+/// into its distance function.
 struct Window
 {
   enum class Kind : std::uint32_t
   {
     /// Rays leave the point (sourceX, -sourceDepth) whose own distance is sigma.
     Circular,
-    /// Rays are parallel to the unit vector (sourceX, sourceDepth); the distance at the side's origin
-    /// is sigma.
+    /// Rays are parallel to the unit vector (sourceX, sourceDepth); the distance at the side's
+    /// origin is sigma.
     Linear
   };
 
@@ -101,6 +101,16 @@ struct Window
   }
 };
 
+/// Windows that stand together in memory.
+struct WindowRange
+{
+  const Window* first = nullptr;
+  const Window* last = nullptr;
+  const Window* begin() const { return this->first; }
+  const Window* end() const { return this->last; }
+  std::size_t size() const { return static_cast<std::size_t>(this->last - this->first); }
+};
+
 /// The window as seen along the reversed edge of the given length.
 Window reversed(const Window& window, double length);
 
@@ -130,8 +140,8 @@ struct UnfoldedFace
   Window throughRight(const Window& window, double begin, double end) const;
 };
 
-/// The points of (lo, hi) where the distances of two windows are equal: none, one or two, ascending.
-/// May hold points where they are not (from squaring); the caller compares between them.
+/// The points of (lo, hi) where the distances of two windows are equal: none, one or two,
+/// ascending. May hold points where they are not (from squaring); the caller compares between them.
 struct Crossings
 {
   int count = 0;

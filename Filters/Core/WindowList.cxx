@@ -76,9 +76,9 @@ void WindowListBuilder::appendPiece(
   this->lastOwner_ = owner;
 }
 
-// Where one window is smaller at both ends, it is so throughout, unless they cross twice. Windows of
-// one sigma cross once at most; others not where the sum of the differences is more than the slopes,
-// 1 at most each, can make up for.
+// Where one window is smaller at both ends, it is so throughout, unless they cross twice. Windows
+// of one sigma cross once at most; others not where the sum of the differences is more than the
+// slopes, 1 at most each, can make up for.
 void WindowListBuilder::appendOverlap(const Window& a, const Window& b, double lo, double hi)
 {
   const double atLo = a.distance(lo) - b.distance(lo);
@@ -94,8 +94,8 @@ void WindowListBuilder::appendOverlap(const Window& a, const Window& b, double l
   this->appendLower(a, b, lo, hi);
 }
 
-// Between crossings one of the two is smaller throughout; its middle tells which. The older one keeps
-// what is equal.
+// Between crossings one of the two is smaller throughout; its middle tells which. The older one
+// keeps what is equal.
 void WindowListBuilder::appendLower(const Window& a, const Window& b, double lo, double hi)
 {
   const Crossings cross = crossings(a, b, lo, hi);
@@ -120,7 +120,7 @@ WaitingLists::WaitingLists(Id numberOfSides)
 {
 }
 
-WaitingLists::View WaitingLists::at(Id side) const
+WindowRange WaitingLists::at(Id side) const
 {
   const Id list = this->listOf_[side];
   if (list == NoId)

@@ -41,19 +41,10 @@ private:
 class WaitingLists
 {
 public:
-  struct View
-  {
-    const Window* first = nullptr;
-    const Window* last = nullptr;
-    const Window* begin() const { return this->first; }
-    const Window* end() const { return this->last; }
-    std::size_t size() const { return static_cast<std::size_t>(this->last - this->first); }
-  };
-
   explicit WaitingLists(Id numberOfSides);
 
   bool has(Id side) const { return this->listOf_[side] != NoId; }
-  View at(Id side) const;
+  WindowRange at(Id side) const;
   /// Replaces the list of the side; an empty one frees it.
   void assign(Id side, const std::vector<Window>& windows);
   void clear(Id side);

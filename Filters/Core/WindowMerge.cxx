@@ -45,11 +45,11 @@ double slope(const Window& w, double x)
   return dx / std::sqrt(dx * dx + w.sourceDepth * w.sourceDepth);
 }
 
-// The largest distance r0 of a merged source from the interval's begin for which the merged distance is
-// nowhere above the two originals. Sources at distances r0 and r0 + rise from the ends are a
-// one-parameter family; the farther, the flatter. The merged function is below throughout when it is
-// at the joint and is not steeper outwards at the ends: a difference of two such functions has no more
-// than two zeros, and one is at the end already.
+// The largest distance r0 of a merged source from the interval's begin for which the merged
+// distance is nowhere above the two originals. Sources at distances r0 and r0 + rise from the ends
+// are a one-parameter family; the farther, the flatter. The merged function is below throughout
+// when it is at the joint and is not steeper outwards at the ends: a difference of two such
+// functions has no more than two zeros, and one is at the end already.
 double farthestRadius(const Pair& p)
 {
   double radius = Infinity;
@@ -73,8 +73,7 @@ double farthestRadius(const Pair& p)
   const double onChord = t * p.rise;
   if (kappa < onChord)
   {
-    const double numerator =
-      kappa * kappa - onChord * p.rise + t * (1.0 - t) * p.width * p.width;
+    const double numerator = kappa * kappa - onChord * p.rise + t * (1.0 - t) * p.width * p.width;
     radius = std::min(radius, numerator / (2.0 * (onChord - kappa)));
   }
   return radius;
@@ -136,8 +135,7 @@ double largestGap(const Window& original, const Window& merged)
 // Rounding may leave the merged window above an end by some units in the last place.
 void lowerToEnds(Window& w, const Pair& p)
 {
-  const double excess =
-    std::max(w.distance(p.begin) - p.atBegin, w.distance(p.end) - p.atEnd);
+  const double excess = std::max(w.distance(p.begin) - p.atBegin, w.distance(p.end) - p.atEnd);
   w.sigma -= std::max(excess, 0.0);
 }
 
@@ -189,8 +187,7 @@ double mergeNeighbours(std::vector<Window>& windows, double sideLength, double r
   for (std::size_t i = 1; i < windows.size(); ++i)
   {
     Window merged;
-    const bool meet =
-      windows[i].begin - windows[last].end <= tolerance::LeastWidth * sideLength;
+    const bool meet = windows[i].begin - windows[last].end <= tolerance::LeastWidth * sideLength;
     if (meet && merge(windows[last], windows[i], relativeError, merged))
     {
       windows[last] = merged;

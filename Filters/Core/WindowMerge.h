@@ -12,9 +12,9 @@ namespace geodesic
 /// Merges neighbours of a sorted list of one side as long as the result stays within the error
 /// (paper, section 5; the bound is ours, see Approximation.md).
 ///
-/// A merged window equals the originals at its two ends and is nowhere above them, so that distances
-/// are only ever underestimated. Its `error` is how far it can be below a real path. After the call
-/// every merged window has error <= relativeError * its own minimum.
+/// A merged window equals the originals at its two ends and is nowhere above them, so that
+/// distances are only ever underestimated. Its `error` is how far it can be below a real path.
+/// After the call every merged window has error <= relativeError * its own minimum.
 ///
 /// \param windows sorted, without overlap; replaced by the merged list.
 /// \param sideLength length of the side.
