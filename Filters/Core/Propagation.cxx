@@ -36,7 +36,15 @@ UnfoldedFace unfold(const TriangleMesh& mesh, Id side)
   return face;
 }
 
-/// How the windows of a list pass the apex of the face they enter.
+/// Where the rays of a window pass the apex of the face they enter.
+enum class Pass : std::uint8_t
+{
+  Left,
+  Right,
+  Both
+};
+
+/// The apex as seen through a list of windows.
 struct ApexView
 {
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
@@ -48,8 +56,10 @@ struct ApexView
   std::size_t best = None;
 };
 
-ApexView viewApex(const WindowRange& list, Vec2 apex)
+/// Looks at the apex through every window; tells of each on which side of the apex its rays pass.
+ApexView viewApex(const WindowRange& list, Vec2 apex, std::vector<Pass>& passes)
 {
+  passes.resize(list.size());
   ApexView view;
   const auto take = [&view](double distance, const Window& w)
   {
@@ -60,13 +70,15 @@ ApexView viewApex(const WindowRange& list, Vec2 apex)
     }
   };
   double straight = Infinity;
-  bool previousLeft = true; // as if a window before the first one passed on the left
+  Pass previous = Pass::Left; // as if a window before the first one passed on the left
   for (std::size_t i = 0; i < list.size(); ++i)
   {
     const Window& w = list.first[i];
-    const bool right = w.passesRightOf(w.begin, apex);
-    const bool left = !right && !w.passesRightOf(w.end, apex);
-    if (!left && !right)
+    const Pass pass = w.passesRightOf(w.begin, apex) ? Pass::Right
+      : w.passesRightOf(w.end, apex)                 ? Pass::Both
+                                                     : Pass::Left;
+    passes[i] = pass;
+    if (pass == Pass::Both)
     {
       const double distance = w.straightDistance(apex);
       take(distance, w);
@@ -77,7 +89,7 @@ ApexView viewApex(const WindowRange& list, Vec2 apex)
       }
     }
     // Between a window that passes on the left and one on the right, the apex is in a gap.
-    if (right && previousLeft)
+    if (pass == Pass::Right && previous == Pass::Left)
     {
       take(w.bentDistance(apex), w);
       if (i > 0)
@@ -85,11 +97,11 @@ ApexView viewApex(const WindowRange& list, Vec2 apex)
         take(list.first[i - 1].bentDistance(apex), list.first[i - 1]);
       }
     }
-    if (left && i + 1 == list.size())
+    if (pass == Pass::Left && i + 1 == list.size())
     {
       take(w.bentDistance(apex), w);
     }
-    previousLeft = left;
+    previous = pass;
   }
   return view;
 }
@@ -109,9 +121,13 @@ struct Exit
   bool beginIsFar;
 };
 
-bool beaten(double distance, double bound)
+/// Whether the window's distance at x is beyond a bound, told without a square root.
+bool isBeaten(const Window& w, double x, double bound)
 {
-  return distance > bound * (1.0 + tolerance::Tie);
+  const double reach = bound * (1.0 + tolerance::Tie) - w.sigma;
+  const double dx = x - w.sourceX;
+  return w.isLinear() ? w.sourceX * x > reach
+                      : reach < 0.0 || dx * dx + w.sourceDepth * w.sourceDepth > reach * reach;
 }
 
 /// Whether a path through a corner beats the window everywhere (Xin & Wang 2009, "Improving Chen
@@ -119,19 +135,13 @@ bool beaten(double distance, double bound)
 /// more than the way, so a window that is longer at its end far from a corner is longer throughout.
 bool isUseless(const Window& w, const Exit& exit)
 {
-  const double atEnd = w.distance(w.end);
-  if (beaten(atEnd, exit.atBegin + w.end))
+  if (isBeaten(w, w.end, exit.atBegin + w.end) ||
+    isBeaten(w, w.begin, exit.atEnd + (exit.length - w.begin)))
   {
     return true;
   }
-  const double atBegin = w.distance(w.begin);
-  if (beaten(atBegin, exit.atEnd + (exit.length - w.begin)))
-  {
-    return true;
-  }
-  const Vec2 far = { exit.beginIsFar ? w.begin : w.end, 0.0 };
-  const double atFar = exit.beginIsFar ? atBegin : atEnd;
-  return atFar > exit.atThird && beaten(atFar, exit.atThird + norm(far - exit.third));
+  const double far = exit.beginIsFar ? w.begin : w.end;
+  return isBeaten(w, far, exit.atThird + norm(Vec2{ far, 0.0 } - exit.third));
 }
 
 } // anonymous namespace
@@ -172,8 +182,9 @@ private:
   void passLeft(const Window& w, const UnfoldedFace& face, double end, const Exit& exit);
   void passRight(const Window& w, const UnfoldedFace& face, double begin, const Exit& exit);
   void leave(Id side, const std::vector<Window>& windows);
-  void arrive(Id side);
-  void mergeArriving(Id side);
+  void turn(const std::vector<Window>& windows, double length);
+  void arrive(Id side, const WindowRange& windows);
+  void mergeArriving(Id side, const WindowRange& windows);
   void improve(Id vertex, double distance, double error);
   void enqueue(Id vertex);
   void reportProgress(double front);
@@ -204,7 +215,10 @@ private:
   WindowListBuilder Left;
   WindowListBuilder Right;
   WindowListBuilder Merged;
-  std::vector<Window> Arriving;
+  /// Scratch: windows turned to the orientation of another face, or being merged; where the windows
+  /// of a list pass the apex.
+  std::vector<Window> Turned;
+  std::vector<Pass> Passes;
 
   std::vector<Window> Kept;
   std::vector<Id> KeptSides;
@@ -357,8 +371,8 @@ void Propagation::emit(Id vertex)
     leaving.window.error = this->errorAt(vertex);
     const Window& w = leaving.window;
     const bool useless =
-      beaten(w.distance(w.end), this->Distance[this->Mesh.destination(side)] + length) ||
-      beaten(w.distance(w.begin), this->Distance[this->Mesh.origin(side)] + length);
+      isBeaten(w, w.end, this->Distance[this->Mesh.destination(side)] + length) ||
+      isBeaten(w, w.begin, this->Distance[this->Mesh.origin(side)] + length);
     if (!useless)
     {
       this->leave(side, { w });
@@ -376,7 +390,7 @@ void Propagation::enter(Id side)
   const Id destination = this->Mesh.destination(side);
   const Id apex = this->Mesh.opposite(side);
 
-  const ApexView view = viewApex(list, face.apex);
+  const ApexView view = viewApex(list, face.apex, this->Passes);
   const Window& first = *list.begin();
   const Window& last = *(list.end() - 1);
   this->improve(apex, view.distance, view.error);
@@ -414,15 +428,14 @@ void Propagation::passThrough(const WindowRange& list, const UnfoldedFace& face,
     {
       continue; // rays along the edge, which its vertices stand for; or no shortest path
     }
-    const bool beginRight = w.passesRightOf(w.begin, face.apex);
-    const bool endRight = w.passesRightOf(w.end, face.apex);
-    if (toLeft && !beginRight && (!endRight || i <= best))
+    const Pass pass = this->Passes[i];
+    if (toLeft && (pass == Pass::Left || (pass == Pass::Both && i <= best)))
     {
-      this->passLeft(w, face, endRight ? face.leftLength : face.meetLeft(w, w.end), left);
+      this->passLeft(w, face, pass == Pass::Left ? face.meetLeft(w, w.end) : face.leftLength, left);
     }
-    if (toRight && (beginRight || (endRight && i >= best)))
+    if (toRight && (pass == Pass::Right || (pass == Pass::Both && i >= best)))
     {
-      this->passRight(w, face, beginRight ? face.meetRight(w, w.begin) : 0.0, right);
+      this->passRight(w, face, pass == Pass::Right ? face.meetRight(w, w.begin) : 0.0, right);
     }
   }
 }
@@ -461,46 +474,52 @@ void Propagation::leave(Id side, const std::vector<Window>& windows)
   {
     return;
   }
-  const double length = this->Mesh.length(side);
   for (Id s = this->Mesh.nextInRing(side); s != side; s = this->Mesh.nextInRing(s))
   {
-    this->Arriving = windows;
-    if (this->Mesh.origin(s) != this->Mesh.destination(side)) // opposite orientations
+    if (this->Mesh.origin(s) == this->Mesh.destination(side))
     {
-      std::reverse(this->Arriving.begin(), this->Arriving.end());
-      for (Window& w : this->Arriving)
-      {
-        w = reversed(w, length);
-      }
+      this->arrive(s, { windows.data(), windows.data() + windows.size() });
     }
-    this->arrive(s);
+    else
+    {
+      this->turn(windows, this->Mesh.length(side));
+      this->arrive(s, { this->Turned.data(), this->Turned.data() + this->Turned.size() });
+    }
   }
 }
 
-void Propagation::arrive(Id side)
+// Faces of opposite orientation run along their common edge in the same direction.
+void Propagation::turn(const std::vector<Window>& windows, double length)
 {
-  this->Field.windowsPropagated_ += this->Arriving.size();
+  this->Turned.clear();
+  for (auto w = windows.rbegin(); w != windows.rend(); ++w)
+  {
+    this->Turned.push_back(reversed(*w, length));
+  }
+}
+
+void Propagation::arrive(Id side, const WindowRange& windows)
+{
+  this->Field.windowsPropagated_ += windows.size();
   const UnfoldedFace face = unfold(this->Mesh, side);
   const Id apex = this->Mesh.opposite(side);
-  const WindowRange arriving = { this->Arriving.data(),
-    this->Arriving.data() + this->Arriving.size() };
-  const ApexView view = viewApex(arriving, face.apex);
+  const ApexView view = viewApex(windows, face.apex, this->Passes);
   this->improve(apex, view.distance, view.error);
-  this->mergeArriving(side);
+  this->mergeArriving(side, windows);
   this->enqueue(apex);
 }
 
-void Propagation::mergeArriving(Id side)
+void Propagation::mergeArriving(Id side, const WindowRange& windows)
 {
   const WindowRange waiting = this->Waiting.at(side);
   if (waiting.size() == 0)
   {
-    this->Waiting.assign(side, this->Arriving);
+    this->Waiting.assign(side, windows);
     return;
   }
   this->Merged.reset(this->Mesh.length(side));
   const Window* old = waiting.begin();
-  for (const Window& w : this->Arriving)
+  for (const Window& w : windows)
   {
     for (; old != waiting.end() && old->begin <= w.begin; ++old)
     {
@@ -512,7 +531,7 @@ void Propagation::mergeArriving(Id side)
   {
     this->Merged.append(*old);
   }
-  this->Waiting.assign(side, this->Merged.windows());
+  this->Waiting.assign(side, this->Merged.range());
 }
 
 // A list is merged when it is complete and about to go on, so that each window is once a face.
@@ -523,11 +542,12 @@ void Propagation::merge(Id side)
     return;
   }
   const WindowRange list = this->Waiting.at(side);
-  this->Arriving.assign(list.begin(), list.end());
+  std::vector<Window>& merged = this->Turned;
+  merged.assign(list.begin(), list.end());
   const double error =
-    mergeNeighbours(this->Arriving, this->Mesh.length(side), this->Options.relativeError);
+    mergeNeighbours(merged, this->Mesh.length(side), this->Options.relativeError);
   this->Field.relativeErrorBound_ = std::max(this->Field.relativeErrorBound_, error);
-  this->Waiting.assign(side, this->Arriving);
+  this->Waiting.assign(side, { merged.data(), merged.data() + merged.size() });
 }
 
 double Propagation::errorAt(Id vertex) const

@@ -76,22 +76,46 @@ void WindowListBuilder::appendPiece(
   this->lastOwner_ = owner;
 }
 
-// Where one window is smaller at both ends, it is so throughout, unless they cross twice. Windows
-// of one sigma cross once at most; others not where the sum of the differences is more than the
-// slopes, 1 at most each, can make up for.
+// Where one window is smaller at both ends, it is so throughout, unless they cross twice, which
+// they cannot where the sum of the differences is more than the slopes, 1 at most each, can make up
+// for.
 void WindowListBuilder::appendOverlap(const Window& a, const Window& b, double lo, double hi)
 {
+  if (a.sigma == b.sigma && !a.isLinear() && !b.isLinear())
+  {
+    this->appendSameSigma(a, b, lo, hi);
+    return;
+  }
   const double atLo = a.distance(lo) - b.distance(lo);
   const double atHi = a.distance(hi) - b.distance(hi);
   const bool sameSide = (atLo < 0.0 && atHi < 0.0) || (atLo > 0.0 && atHi > 0.0);
-  const bool onceAtMost = a.sigma == b.sigma && !a.isLinear() && !b.isLinear();
-  if (sameSide && (onceAtMost || std::abs(atLo + atHi) > 2.0 * (hi - lo)))
+  if (sameSide && std::abs(atLo + atHi) > 2.0 * (hi - lo))
   {
     const Window& lower = atLo < 0.0 ? a : b;
     this->appendPiece(lower, lo, hi, &lower);
     return;
   }
   this->appendLower(a, b, lo, hi);
+}
+
+// The commonest overlap: with one sigma the squares can be compared, whose difference is linear.
+void WindowListBuilder::appendSameSigma(const Window& a, const Window& b, double lo, double hi)
+{
+  const double slope = 2.0 * (b.sourceX - a.sourceX);
+  const double middle = 0.5 * (a.sourceX + b.sourceX);
+  const double depths = (a.sourceDepth - b.sourceDepth) * (a.sourceDepth + b.sourceDepth);
+  const double atLo = slope * (lo - middle) + depths;
+  const double atHi = slope * (hi - middle) + depths;
+  const Window& first = atLo < 0.0 || (atLo == 0.0 && atHi <= 0.0) ? a : b;
+  const Window& second = atHi < 0.0 || (atHi == 0.0 && atLo <= 0.0) ? a : b;
+  if (&first == &second)
+  {
+    this->appendPiece(first, lo, hi, &first);
+    return;
+  }
+  const double cross = std::clamp(middle - depths / slope, lo, hi);
+  this->appendPiece(first, lo, cross, &first);
+  this->appendPiece(second, cross, hi, &second);
 }
 
 // Between crossings one of the two is smaller throughout; its middle tells which. The older one
@@ -131,19 +155,19 @@ WindowRange WaitingLists::at(Id side) const
   return { l.data, l.data + l.size };
 }
 
-void WaitingLists::assign(Id side, const std::vector<Window>& windows)
+void WaitingLists::assign(Id side, const WindowRange& windows)
 {
   std::uint32_t sizeClass = 0;
   while ((std::size_t(1) << sizeClass) < windows.size())
   {
     ++sizeClass;
   }
-  const bool fits =
-    this->has(side) && this->lists_[this->listOf_[side]].sizeClass >= sizeClass && !windows.empty();
+  const bool fits = this->has(side) && this->lists_[this->listOf_[side]].sizeClass >= sizeClass &&
+    windows.size() > 0;
   if (!fits)
   {
     this->clear(side);
-    if (windows.empty())
+    if (windows.size() == 0)
     {
       return;
     }

@@ -22,11 +22,16 @@ public:
   void append(const Window& window);
 
   const std::vector<Window>& windows() const { return this->windows_; }
+  WindowRange range() const
+  {
+    return { this->windows_.data(), this->windows_.data() + this->windows_.size() };
+  }
   bool empty() const { return this->windows_.empty(); }
 
 private:
   void appendPiece(const Window& window, double begin, double end, const void* owner);
   void appendOverlap(const Window& a, const Window& b, double lo, double hi);
+  void appendSameSigma(const Window& a, const Window& b, double lo, double hi);
   void appendLower(const Window& a, const Window& b, double lo, double hi);
 
   std::vector<Window> windows_;
@@ -46,7 +51,7 @@ public:
   bool has(Id side) const { return this->listOf_[side] != NoId; }
   WindowRange at(Id side) const;
   /// Replaces the list of the side; an empty one frees it.
-  void assign(Id side, const std::vector<Window>& windows);
+  void assign(Id side, const WindowRange& windows);
   void clear(Id side);
 
   /// Sides that have a list, in no particular order but the same one in every run.
