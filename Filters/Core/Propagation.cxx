@@ -2,6 +2,7 @@
 #include "Propagation.h"
 
 #include "Errors.h"
+#include "FacePassage.h"
 #include "SourceWindows.h"
 #include "Tolerance.h"
 #include "WindowList.h"
@@ -16,139 +17,69 @@ namespace geodesic
 namespace
 {
 
-/// The side's face laid into the plane above the side.
-UnfoldedFace unfold(const TriangleMesh& mesh, Id side)
+/// A vertex in the queue. Vertices at equal distance come in the order of their ids.
+struct QueueEntry
 {
-  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(side));
-  const std::size_t k = side % 3;
-  const std::size_t next = (k + 1) % 3;
-  UnfoldedFace face;
-  face.length = shape.length[k];
-  face.rightLength = shape.length[next];
-  face.leftLength = shape.length[(k + 2) % 3];
-  face.apex = { shape.cornerDot[k] / face.length, shape.area2 / face.length };
-  face.apexFromEnd = shape.cornerDot[next] / face.length;
-  // An edge without length carries no window; any axis will do.
-  face.leftAxis = face.leftLength > 0.0 ? (1.0 / face.leftLength) * face.apex : Vec2{ 1.0, 0.0 };
-  face.rightAxis = face.rightLength > 0.0
-    ? (1.0 / face.rightLength) * Vec2{ face.apexFromEnd, -face.apex.y }
-    : Vec2{ 1.0, 0.0 };
-  return face;
-}
+  double distance;
+  Id vertex;
 
-/// Where the rays of a window pass the apex of the face they enter.
-enum class Pass : std::uint8_t
-{
-  Left,
-  Right,
-  Both
-};
-
-/// The apex as seen through a list of windows.
-struct ApexView
-{
-  static constexpr std::size_t None = static_cast<std::size_t>(-1);
-  /// Least length of a path through the list to the apex, bent ones included, and the error of the
-  /// window that gives it.
-  double distance = Infinity;
-  double error = 0.0;
-  /// The window that holds the apex in its pencil at the least distance.
-  std::size_t best = None;
-};
-
-/// Looks at the apex through every window; tells of each on which side of the apex its rays pass.
-ApexView viewApex(const WindowRange& list, Vec2 apex, std::vector<Pass>& passes)
-{
-  passes.resize(list.size());
-  ApexView view;
-  const auto take = [&view](double distance, const Window& w)
+  bool operator>(const QueueEntry& other) const
   {
-    if (distance < view.distance)
-    {
-      view.distance = distance;
-      view.error = w.error;
-    }
-  };
-  double straight = Infinity;
-  Pass previous = Pass::Left; // as if a window before the first one passed on the left
-  for (std::size_t i = 0; i < list.size(); ++i)
-  {
-    const Window& w = list.first[i];
-    const Pass pass = w.passesRightOf(w.begin, apex) ? Pass::Right
-      : w.passesRightOf(w.end, apex)                 ? Pass::Both
-                                                     : Pass::Left;
-    passes[i] = pass;
-    if (pass == Pass::Both)
-    {
-      const double distance = w.straightDistance(apex);
-      take(distance, w);
-      if (distance < straight)
-      {
-        straight = distance;
-        view.best = i;
-      }
-    }
-    // Between a window that passes on the left and one on the right, the apex is in a gap.
-    if (pass == Pass::Right && previous == Pass::Left)
-    {
-      take(w.bentDistance(apex), w);
-      if (i > 0)
-      {
-        take(list.first[i - 1].bentDistance(apex), list.first[i - 1]);
-      }
-    }
-    if (pass == Pass::Left && i + 1 == list.size())
-    {
-      take(w.bentDistance(apex), w);
-    }
-    previous = pass;
+    return this->distance != other.distance ? this->distance > other.distance
+                                            : this->vertex > other.vertex;
   }
-  return view;
-}
+};
 
-/// The side of a face that windows leave through, with what is known at its corners.
-struct Exit
+/// A path to a vertex that may be shorter than those known.
+struct Improvement
+{
+  Id vertex;
+  double distance;
+  double error;
+};
+
+/// Windows on their way to a side, in a worker's `sent`.
+struct Delivery
 {
   Id side;
-  double length;
-  /// Distances at the begin and the end of the leaving frame.
-  double atBegin;
-  double atEnd;
-  /// The face's third corner in the leaving frame, its distance, and which end is far from it
-  /// behind the pencil of every window that passes.
-  Vec2 third;
-  double atThird;
-  bool beginIsFar;
+  std::uint32_t worker;
+  std::size_t first;
+  std::size_t count;
 };
 
-/// Whether the window's distance at x is beyond a bound, told without a square root.
-bool isBeaten(const Window& w, double x, double bound)
+/// What one task of a batch works with and leaves behind. Nothing in it depends on which thread
+/// runs the task.
+struct Worker
 {
-  const double reach = bound * (1.0 + tolerance::Tie) - w.sigma;
-  const double dx = x - w.sourceX;
-  return w.isLinear() ? w.sourceX * x > reach
-                      : reach < 0.0 || dx * dx + w.sourceDepth * w.sourceDepth > reach * reach;
-}
+  FacePassage passage;
+  WindowListBuilder merged;
+  WindowPool pool;
+  std::vector<Window> merging;
 
-/// Whether a path through a corner beats the window everywhere (Xin & Wang 2009, "Improving Chen
-/// and Han's algorithm on the discrete geodesic problem"). Distances along the edge change by no
-/// more than the way, so a window that is longer at its end far from a corner is longer throughout.
-bool isUseless(const Window& w, const Exit& exit)
-{
-  if (isBeaten(w, w.end, exit.atBegin + w.end) ||
-    isBeaten(w, w.begin, exit.atEnd + (exit.length - w.begin)))
-  {
-    return true;
-  }
-  const double far = exit.beginIsFar ? w.begin : w.end;
-  return isBeaten(w, far, exit.atThird + norm(Vec2{ far, 0.0 } - exit.third));
-}
+  std::vector<Window> sent;
+  std::vector<Delivery> deliveries;
+  std::vector<Improvement> improvements;
+  /// Vertices that have lists waiting on the sides that face them.
+  std::vector<Id> facing;
+  std::vector<Window> kept;
+  std::vector<Id> keptSides;
+  /// Sides with windows within the limit.
+  std::vector<Id> withinLimit;
+  std::uint64_t propagated = 0;
+  double relativeError = 0.0;
+};
 
 } // anonymous namespace
 
 /// The front (paper, section 3.1, in the order of Qin et al. 2016): the queue holds vertices;
 /// windows wait in sorted lists on sides, and a list goes through its face when the vertex opposite
 /// is popped.
+///
+/// Vertices are popped in batches of nearly equal distance. A batch has three steps: (1) each
+/// vertex sends the lists that face it through their faces, (2) each side that windows were sent to
+/// merges them into its list, (3) distances found on the way are taken over and the queue is
+/// filled. In (1) and (2) tasks touch only what is theirs, so that they may run at the same time,
+/// and the result does not depend on how many do.
 class Propagation
 {
 public:
@@ -157,44 +88,34 @@ public:
   DistanceField run(const std::vector<SourceCurve>& sources);
 
 private:
-  struct Entry
-  {
-    double distance;
-    Id vertex;
-    // Vertices at equal distance come in the order of their ids.
-    bool operator>(const Entry& other) const
-    {
-      return this->distance != other.distance ? this->distance > other.distance
-                                              : this->vertex > other.vertex;
-    }
-  };
-
   void start(const std::vector<SourceCurve>& sources);
   void advance(double limit);
-  void process(Id vertex);
-  void relaxEdges(Id vertex);
-  void emit(Id vertex);
-  void enter(Id side);
-  void merge(Id side);
-  double errorAt(Id vertex) const;
-  void passThrough(const WindowRange& list, const UnfoldedFace& face, std::size_t best,
-    const Exit& left, const Exit& right);
-  void passLeft(const Window& w, const UnfoldedFace& face, double end, const Exit& exit);
-  void passRight(const Window& w, const UnfoldedFace& face, double begin, const Exit& exit);
-  void leave(Id side, const std::vector<Window>& windows);
-  void turn(const std::vector<Window>& windows, double length);
-  void arrive(Id side, const WindowRange& windows);
-  void mergeArriving(Id side, const WindowRange& windows);
-  void improve(Id vertex, double distance, double error);
+  void popBatch(double limit);
+  double edgeAt(Id vertex) const;
+  void runBatch();
+  void runTasks(std::size_t count, const std::function<void(Worker&, std::size_t)>& item);
+
+  void process(Worker& worker, Id vertex);
+  void relaxEdges(Worker& worker, Id vertex);
+  void emit(Worker& worker, Id vertex);
+  void enter(Worker& worker, Id side);
+  void merge(Worker& worker, Id side);
+  void send(Worker& worker, Id side, const WindowRange& windows);
+  void collectDeliveries();
+  void receive(Worker& worker, std::size_t group);
+  void mergeInto(Worker& worker, Id side, const WindowRange& windows);
+  void takeOver();
+  void improve(const Improvement& improvement);
   void enqueue(Id vertex);
+  double errorAt(Id vertex) const;
   void reportProgress(double front);
 
   void finishLimited();
   void flush(double bound);
-  void markNeeded();
   double neededDistance() const;
   void dropIncomplete();
-  void keep(Id side, const WindowRange& list);
+  void keep(Worker& worker, Id side, const WindowRange& list);
+  void finish();
   void sortKept();
 
   const TriangleMesh& Mesh;
@@ -207,25 +128,21 @@ private:
   /// The distance with which a vertex was last processed, and the key it waits with in the queue.
   std::vector<double> Processed;
   std::vector<double> Queued;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Queue;
+  std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<QueueEntry>> Queue;
   WaitingLists Waiting;
   /// Whether a vertex sends out windows when the front comes to it.
   std::vector<std::uint8_t> Emits;
 
-  WindowListBuilder Left;
-  WindowListBuilder Right;
-  WindowListBuilder Merged;
-  /// Scratch: windows turned to the orientation of another face, or being merged; where the windows
-  /// of a list pass the apex.
-  std::vector<Window> Turned;
-  std::vector<Pass> Passes;
+  std::vector<Worker> Workers;
+  std::vector<Id> Batch;
+  std::vector<Delivery> Deliveries;
+  /// Where the deliveries to one side begin; one more than groups.
+  std::vector<std::size_t> Groups;
 
-  std::vector<Window> Kept;
-  std::vector<Id> KeptSides;
   /// With a limit: faces that have a point within it.
   std::vector<std::uint8_t> Needed;
   Id Settled = 0;
-  Id SinceReport = 0;
+  std::size_t SinceReport = 0;
 };
 
 Propagation::Propagation(const TriangleMesh& mesh, const SolveOptions& options)
@@ -236,6 +153,7 @@ Propagation::Propagation(const TriangleMesh& mesh, const SolveOptions& options)
   , Queued(mesh.numberOfVertices(), Infinity)
   , Waiting(mesh.numberOfSides())
   , Emits(mesh.numberOfVertices(), 0)
+  , Workers(1)
 {
   this->Field.mesh_ = &mesh;
   this->Distance.assign(mesh.numberOfVertices(), Infinity);
@@ -257,10 +175,7 @@ DistanceField Propagation::run(const std::vector<SourceCurve>& sources)
   {
     this->finishLimited();
   }
-  if (this->Options.keepWindows == KeepWindows::All)
-  {
-    this->sortKept();
-  }
+  this->finish();
   return std::move(this->Field);
 }
 
@@ -282,7 +197,7 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
   for (const Id vertex : initial.vertices)
   {
     this->Emits[vertex] = 0; // the curve's own wedges are there already
-    this->improve(vertex, 0.0, 0.0);
+    this->improve({ vertex, 0.0, 0.0 });
   }
   for (const SourceInFace& source : initial.inFaces)
   {
@@ -291,7 +206,7 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
     {
       std::array<double, 3> corner{};
       corner[k] = 1.0;
-      this->improve(corners[k], distanceToSource(this->Mesh, source, corner), 0.0);
+      this->improve({ corners[k], distanceToSource(this->Mesh, source, corner), 0.0 });
     }
     if (!this->Needed.empty())
     {
@@ -300,37 +215,96 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
   }
   for (const LeavingWindow& leaving : initial.windows)
   {
-    this->leave(leaving.side, { leaving.window });
+    this->send(this->Workers[0], leaving.side, { &leaving.window, &leaving.window + 1 });
   }
   this->Field.sourcesInFaces_ = std::move(initial.inFaces);
+  this->Batch.clear();
+  this->runBatch();
 }
 
 void Propagation::advance(double limit)
 {
   while (!this->Queue.empty() && this->Queue.top().distance <= limit)
   {
-    const Entry entry = this->Queue.top();
+    const double front = this->Queue.top().distance;
+    this->popBatch(limit);
+    this->runBatch();
+    this->reportProgress(front);
+  }
+}
+
+// Vertices belong into one batch when none is farther than another by about an edge there: then
+// windows that one sends out seldom come to another.
+void Propagation::popBatch(double limit)
+{
+  constexpr double edges = 0.5; // in a range from 0.25 to 2 the number of windows hardly changes
+  this->Batch.clear();
+  double last = limit;
+  while (!this->Queue.empty() && this->Queue.top().distance <= last)
+  {
+    const QueueEntry entry = this->Queue.top();
     this->Queue.pop();
     if (entry.distance == this->Queued[entry.vertex])
     {
       this->Queued[entry.vertex] = Infinity;
-      this->process(entry.vertex);
-      this->reportProgress(entry.distance);
+      this->Batch.push_back(entry.vertex);
+      last = std::min(last, entry.distance + edges * this->edgeAt(entry.vertex));
     }
   }
 }
 
-void Propagation::process(Id vertex)
+// The length of some edge at the vertex.
+double Propagation::edgeAt(Id vertex) const
+{
+  const IdRange corners = this->Mesh.cornersAt(vertex);
+  return corners.size() > 0 ? this->Mesh.length(*corners.begin()) : 0.0;
+}
+
+void Propagation::runBatch()
+{
+  this->runTasks(this->Batch.size(),
+    [this](Worker& worker, std::size_t i) { this->process(worker, this->Batch[i]); });
+  this->collectDeliveries();
+  this->runTasks(
+    this->Groups.size() - 1, [this](Worker& worker, std::size_t i) { this->receive(worker, i); });
+  this->takeOver();
+}
+
+// Tasks are cut by the number of items alone. Each has a worker of its own.
+void Propagation::runTasks(std::size_t count, const std::function<void(Worker&, std::size_t)>& item)
+{
+  constexpr std::size_t itemsPerTask = 64;
+  constexpr std::size_t mostTasks = 32;
+  const std::size_t tasks =
+    std::clamp<std::size_t>(count / itemsPerTask, 1, this->Options.parallelFor ? mostTasks : 1);
+  if (this->Workers.size() < tasks)
+  {
+    this->Workers.resize(tasks);
+  }
+  const auto run = [&](std::size_t task)
+  {
+    for (std::size_t i = task * count / tasks; i < (task + 1) * count / tasks; ++i)
+    {
+      item(this->Workers[task], i);
+    }
+  };
+  if (tasks == 1)
+  {
+    run(0);
+    return;
+  }
+  this->Options.parallelFor(tasks, run);
+}
+
+void Propagation::process(Worker& worker, Id vertex)
 {
   const double distance = this->Distance[vertex];
   if (distance < this->Processed[vertex] * (1.0 - tolerance::Tie))
   {
-    this->Settled += this->Processed[vertex] == Infinity ? 1 : 0;
-    this->Processed[vertex] = distance;
-    this->relaxEdges(vertex);
+    this->relaxEdges(worker, vertex);
     if (this->Emits[vertex])
     {
-      this->emit(vertex);
+      this->emit(worker, vertex);
     }
   }
   for (const Id corner : this->Mesh.cornersAt(vertex))
@@ -338,25 +312,33 @@ void Propagation::process(Id vertex)
     const Id side = TriangleMesh::nextInFace(corner);
     if (this->Waiting.has(side))
     {
-      this->enter(side);
+      this->enter(worker, side);
     }
   }
 }
 
 // Distances along edges are upper bounds, which the filter can use from the first window on.
-void Propagation::relaxEdges(Id vertex)
+void Propagation::relaxEdges(Worker& worker, Id vertex)
 {
   const double distance = this->Distance[vertex];
   const double error = this->errorAt(vertex);
+  const auto relax = [&](Id side, Id other)
+  {
+    const double along = distance + this->Mesh.length(side);
+    if (along < this->Distance[other])
+    {
+      worker.improvements.push_back({ other, along, error });
+    }
+  };
   for (const Id corner : this->Mesh.cornersAt(vertex))
   {
     const Id before = TriangleMesh::previousInFace(corner);
-    this->improve(this->Mesh.destination(corner), distance + this->Mesh.length(corner), error);
-    this->improve(this->Mesh.origin(before), distance + this->Mesh.length(before), error);
+    relax(corner, this->Mesh.destination(corner));
+    relax(before, this->Mesh.origin(before));
   }
 }
 
-void Propagation::emit(Id vertex)
+void Propagation::emit(Worker& worker, Id vertex)
 {
   const double distance = this->Distance[vertex];
   for (const Id corner : this->Mesh.cornersAt(vertex))
@@ -367,187 +349,198 @@ void Propagation::emit(Id vertex)
     {
       continue;
     }
-    LeavingWindow leaving = vertexWindow(this->Mesh, corner, distance);
-    leaving.window.error = this->errorAt(vertex);
-    const Window& w = leaving.window;
+    Window w = vertexWindow(this->Mesh, corner, distance).window;
+    w.error = this->errorAt(vertex);
     const bool useless =
       isBeaten(w, w.end, this->Distance[this->Mesh.destination(side)] + length) ||
       isBeaten(w, w.begin, this->Distance[this->Mesh.origin(side)] + length);
     if (!useless)
     {
-      this->leave(side, { w });
+      this->send(worker, side, { &w, &w + 1 });
     }
   }
 }
 
-void Propagation::enter(Id side)
+void Propagation::enter(Worker& worker, Id side)
 {
-  this->merge(side);
+  this->merge(worker, side);
   const WindowRange list = this->Waiting.at(side);
-  this->keep(side, list);
+  this->keep(worker, side, list);
   const UnfoldedFace face = unfold(this->Mesh, side);
   const Id origin = this->Mesh.origin(side);
   const Id destination = this->Mesh.destination(side);
   const Id apex = this->Mesh.opposite(side);
 
-  const ApexView view = viewApex(list, face.apex, this->Passes);
+  const ApexView view = worker.passage.view(list, face);
   const Window& first = *list.begin();
   const Window& last = *(list.end() - 1);
-  this->improve(apex, view.distance, view.error);
-  this->improve(origin, first.distance(first.begin) + first.begin, first.error);
-  this->improve(destination, last.distance(last.end) + (face.length - last.end), last.error);
-
-  const double atOrigin = this->Distance[origin];
-  const double atDestination = this->Distance[destination];
-  const double atApex = this->Distance[apex];
-  const Vec2 fromOrigin = { face.length * face.leftAxis.x, -face.length * face.leftAxis.y };
-  const Vec2 fromApex = { -dot(face.apex, face.rightAxis), cross(face.apex, face.rightAxis) };
-  const Exit left = { TriangleMesh::previousInFace(side), face.leftLength, atOrigin, atApex,
-    fromOrigin, atDestination, true };
-  const Exit right = { TriangleMesh::nextInFace(side), face.rightLength, atApex, atDestination,
-    fromApex, atOrigin, false };
-  this->Left.reset(face.leftLength);
-  this->Right.reset(face.rightLength);
-  this->passThrough(list, face, view.best, left, right);
-  this->Waiting.clear(side);
-  this->leave(left.side, this->Left.windows());
-  this->leave(right.side, this->Right.windows());
-}
-
-// Of the windows that hold the apex only the one that reaches it first goes to both sides: rays of
-// the others that would cross its ray to the apex are beaten there (Qin et al. 2016).
-void Propagation::passThrough(const WindowRange& list, const UnfoldedFace& face, std::size_t best,
-  const Exit& left, const Exit& right)
-{
-  const bool toLeft = !this->Mesh.isBoundary(left.side);
-  const bool toRight = !this->Mesh.isBoundary(right.side);
-  for (std::size_t i = 0; i < list.size(); ++i)
+  const Improvement found[] = { { origin, first.distance(first.begin) + first.begin, first.error },
+    { destination, last.distance(last.end) + (face.length - last.end), last.error },
+    { apex, view.distance, view.error } };
+  for (const Improvement& improvement : found)
   {
-    const Window& w = list.first[i];
-    if (!(w.sourceDepth > 0.0) || w.depth >= this->Mesh.numberOfFaces())
+    if (improvement.distance < this->Distance[improvement.vertex])
     {
-      continue; // rays along the edge, which its vertices stand for; or no shortest path
-    }
-    const Pass pass = this->Passes[i];
-    if (toLeft && (pass == Pass::Left || (pass == Pass::Both && i <= best)))
-    {
-      this->passLeft(w, face, pass == Pass::Left ? face.meetLeft(w, w.end) : face.leftLength, left);
-    }
-    if (toRight && (pass == Pass::Right || (pass == Pass::Both && i >= best)))
-    {
-      this->passRight(w, face, pass == Pass::Right ? face.meetRight(w, w.begin) : 0.0, right);
+      worker.improvements.push_back(improvement);
     }
   }
+  const auto known = [&](std::size_t i)
+  { return std::min(this->Distance[found[i].vertex], found[i].distance); };
+
+  const Id left = TriangleMesh::previousInFace(side);
+  const Id right = TriangleMesh::nextInFace(side);
+  worker.passage.pass(list, face, { known(0), known(1), known(2) }, !this->Mesh.isBoundary(left),
+    !this->Mesh.isBoundary(right), this->Mesh.numberOfFaces());
+  this->Waiting.clear(side, worker.pool);
+  this->send(worker, left, worker.passage.left());
+  this->send(worker, right, worker.passage.right());
 }
 
-void Propagation::passLeft(const Window& w, const UnfoldedFace& face, double end, const Exit& exit)
+// A list is merged when it is complete and about to go on, so that each window is once a face.
+void Propagation::merge(Worker& worker, Id side)
 {
-  const double begin = face.meetLeft(w, w.begin);
-  if (end - begin > 0.0)
-  {
-    const Window child = face.throughLeft(w, begin, end);
-    if (!isUseless(child, exit))
-    {
-      this->Left.append(child);
-    }
-  }
-}
-
-void Propagation::passRight(
-  const Window& w, const UnfoldedFace& face, double begin, const Exit& exit)
-{
-  const double end = face.meetRight(w, w.end);
-  if (end - begin > 0.0)
-  {
-    const Window child = face.throughRight(w, begin, end);
-    if (!isUseless(child, exit))
-    {
-      this->Right.append(child);
-    }
-  }
-}
-
-// Hands windows, in the leaving frame of the side, to every other face around its edge.
-void Propagation::leave(Id side, const std::vector<Window>& windows)
-{
-  if (windows.empty())
+  const WindowRange list = this->Waiting.at(side);
+  if (!(this->Options.relativeError > 0.0) || list.size() < 2)
   {
     return;
   }
+  std::vector<Window>& merged = worker.merging;
+  merged.assign(list.begin(), list.end());
+  const double error =
+    mergeNeighbours(merged, this->Mesh.length(side), this->Options.relativeError);
+  worker.relativeError = std::max(worker.relativeError, error);
+  this->Waiting.assign(side, { merged.data(), merged.data() + merged.size() }, worker.pool);
+}
+
+// Hands windows, in the leaving frame of the side, to every other face around its edge. Faces of
+// opposite orientation run along their common edge in the same direction.
+void Propagation::send(Worker& worker, Id side, const WindowRange& windows)
+{
+  if (windows.size() == 0)
+  {
+    return;
+  }
+  const double length = this->Mesh.length(side);
+  const auto number = static_cast<std::uint32_t>(&worker - this->Workers.data());
   for (Id s = this->Mesh.nextInRing(side); s != side; s = this->Mesh.nextInRing(s))
   {
+    worker.deliveries.push_back({ s, number, worker.sent.size(), windows.size() });
     if (this->Mesh.origin(s) == this->Mesh.destination(side))
     {
-      this->arrive(s, { windows.data(), windows.data() + windows.size() });
+      worker.sent.insert(worker.sent.end(), windows.begin(), windows.end());
     }
     else
     {
-      this->turn(windows, this->Mesh.length(side));
-      this->arrive(s, { this->Turned.data(), this->Turned.data() + this->Turned.size() });
+      for (const Window* w = windows.end(); w != windows.begin(); --w)
+      {
+        worker.sent.push_back(reversed(w[-1], length));
+      }
     }
   }
 }
 
-// Faces of opposite orientation run along their common edge in the same direction.
-void Propagation::turn(const std::vector<Window>& windows, double length)
+void Propagation::collectDeliveries()
 {
-  this->Turned.clear();
-  for (auto w = windows.rbegin(); w != windows.rend(); ++w)
+  this->Deliveries.clear();
+  for (Worker& worker : this->Workers)
   {
-    this->Turned.push_back(reversed(*w, length));
+    this->Deliveries.insert(
+      this->Deliveries.end(), worker.deliveries.begin(), worker.deliveries.end());
+    worker.deliveries.clear();
   }
+  std::sort(this->Deliveries.begin(), this->Deliveries.end(),
+    [](const Delivery& a, const Delivery& b)
+    {
+      return a.side != b.side  ? a.side < b.side
+        : a.worker != b.worker ? a.worker < b.worker
+                               : a.first < b.first;
+    });
+  this->Groups.clear();
+  for (std::size_t i = 0; i < this->Deliveries.size(); ++i)
+  {
+    if (i == 0 || this->Deliveries[i].side != this->Deliveries[i - 1].side)
+    {
+      this->Groups.push_back(i);
+    }
+  }
+  this->Groups.push_back(this->Deliveries.size());
 }
 
-void Propagation::arrive(Id side, const WindowRange& windows)
+void Propagation::receive(Worker& worker, std::size_t group)
 {
-  this->Field.windowsPropagated_ += windows.size();
+  const Id side = this->Deliveries[this->Groups[group]].side;
   const UnfoldedFace face = unfold(this->Mesh, side);
   const Id apex = this->Mesh.opposite(side);
-  const ApexView view = viewApex(windows, face.apex, this->Passes);
-  this->improve(apex, view.distance, view.error);
-  this->mergeArriving(side, windows);
-  this->enqueue(apex);
+  for (std::size_t i = this->Groups[group]; i < this->Groups[group + 1]; ++i)
+  {
+    const Delivery& delivery = this->Deliveries[i];
+    const Window* first = this->Workers[delivery.worker].sent.data() + delivery.first;
+    const WindowRange windows = { first, first + delivery.count };
+    const ApexView view = worker.passage.view(windows, face);
+    worker.improvements.push_back({ apex, view.distance, view.error });
+    worker.propagated += windows.size();
+    this->mergeInto(worker, side, windows);
+  }
+  worker.facing.push_back(apex);
 }
 
-void Propagation::mergeArriving(Id side, const WindowRange& windows)
+void Propagation::mergeInto(Worker& worker, Id side, const WindowRange& windows)
 {
   const WindowRange waiting = this->Waiting.at(side);
   if (waiting.size() == 0)
   {
-    this->Waiting.assign(side, windows);
+    this->Waiting.assign(side, windows, worker.pool);
     return;
   }
-  this->Merged.reset(this->Mesh.length(side));
+  worker.merged.reset(this->Mesh.length(side));
   const Window* old = waiting.begin();
   for (const Window& w : windows)
   {
     for (; old != waiting.end() && old->begin <= w.begin; ++old)
     {
-      this->Merged.append(*old);
+      worker.merged.append(*old);
     }
-    this->Merged.append(w);
+    worker.merged.append(w);
   }
   for (; old != waiting.end(); ++old)
   {
-    this->Merged.append(*old);
+    worker.merged.append(*old);
   }
-  this->Waiting.assign(side, this->Merged.range());
+  this->Waiting.assign(side, worker.merged.range(), worker.pool);
 }
 
-// A list is merged when it is complete and about to go on, so that each window is once a face.
-void Propagation::merge(Id side)
+void Propagation::takeOver()
 {
-  if (!(this->Options.relativeError > 0.0) || this->Waiting.at(side).size() < 2)
+  for (const Id vertex : this->Batch)
   {
-    return;
+    this->Settled += this->Processed[vertex] == Infinity ? 1 : 0;
+    this->Processed[vertex] = std::min(this->Processed[vertex], this->Distance[vertex]);
   }
-  const WindowRange list = this->Waiting.at(side);
-  std::vector<Window>& merged = this->Turned;
-  merged.assign(list.begin(), list.end());
-  const double error =
-    mergeNeighbours(merged, this->Mesh.length(side), this->Options.relativeError);
-  this->Field.relativeErrorBound_ = std::max(this->Field.relativeErrorBound_, error);
-  this->Waiting.assign(side, { merged.data(), merged.data() + merged.size() });
+  for (Worker& worker : this->Workers)
+  {
+    for (const Improvement& improvement : worker.improvements)
+    {
+      this->improve(improvement);
+    }
+    worker.improvements.clear();
+    worker.sent.clear();
+    if (!this->Needed.empty())
+    {
+      for (const Id side : worker.withinLimit)
+      {
+        this->Needed[TriangleMesh::faceOf(side)] = 1;
+      }
+      worker.withinLimit.clear();
+    }
+  }
+  for (Worker& worker : this->Workers)
+  {
+    for (const Id vertex : worker.facing)
+    {
+      this->enqueue(vertex);
+    }
+    worker.facing.clear();
+  }
 }
 
 double Propagation::errorAt(Id vertex) const
@@ -555,9 +548,11 @@ double Propagation::errorAt(Id vertex) const
   return this->VertexError.empty() ? 0.0 : this->VertexError[vertex];
 }
 
-void Propagation::improve(Id vertex, double distance, double error)
+void Propagation::improve(const Improvement& improvement)
 {
-  distance = std::max(distance, 0.0); // a linear window's may be a rounding below at its source
+  // A linear window's distance may be a rounding below 0 at its source.
+  const double distance = std::max(improvement.distance, 0.0);
+  const Id vertex = improvement.vertex;
   if (!(distance < this->Distance[vertex]))
   {
     return;
@@ -565,7 +560,7 @@ void Propagation::improve(Id vertex, double distance, double error)
   this->Distance[vertex] = distance;
   if (!this->VertexError.empty())
   {
-    this->VertexError[vertex] = error;
+    this->VertexError[vertex] = improvement.error;
   }
   if (distance < this->Processed[vertex] * (1.0 - tolerance::Tie))
   {
@@ -585,8 +580,9 @@ void Propagation::enqueue(Id vertex)
 
 void Propagation::reportProgress(double front)
 {
-  constexpr Id verticesPerReport = 256;
-  if (!this->Options.progress || ++this->SinceReport < verticesPerReport)
+  constexpr std::size_t verticesPerReport = 256;
+  this->SinceReport += this->Batch.size();
+  if (!this->Options.progress || this->SinceReport < verticesPerReport)
   {
     return;
   }
@@ -604,12 +600,22 @@ void Propagation::reportProgress(double front)
 // is nearer than the farthest of them.
 void Propagation::finishLimited()
 {
-  this->flush(this->Options.maximumDistance);
-  this->markNeeded();
+  const double limit = this->Options.maximumDistance;
+  this->flush(limit);
+  for (Id f = 0; f < this->Mesh.numberOfFaces(); ++f)
+  {
+    for (const Id v : this->Mesh.triangle(f))
+    {
+      if (this->Distance[v] <= limit)
+      {
+        this->Needed[f] = 1;
+      }
+    }
+  }
   this->flush(this->neededDistance());
   for (const Id side : this->Waiting.sides())
   {
-    this->keep(side, this->Waiting.at(side));
+    this->keep(this->Workers[0], side, this->Waiting.at(side));
   }
   this->dropIncomplete();
 }
@@ -620,8 +626,8 @@ void Propagation::flush(double bound)
 {
   for (bool again = true; again;)
   {
-    again = false;
     this->advance(bound);
+    this->Batch.clear();
     for (const Id side : this->Waiting.sides())
     {
       const WindowRange list = this->Waiting.at(side);
@@ -629,27 +635,18 @@ void Propagation::flush(double bound)
         list.begin(), list.end(), [&](const Window& w) { return w.minimum() <= bound; });
       if (within)
       {
-        this->enter(side);
-        again = true;
+        this->Batch.push_back(this->Mesh.opposite(side));
       }
     }
+    std::sort(this->Batch.begin(), this->Batch.end());
+    this->Batch.erase(std::unique(this->Batch.begin(), this->Batch.end()), this->Batch.end());
+    again = !this->Batch.empty();
+    this->runBatch();
   }
 }
 
-void Propagation::markNeeded()
-{
-  for (Id f = 0; f < this->Mesh.numberOfFaces(); ++f)
-  {
-    for (const Id v : this->Mesh.triangle(f))
-    {
-      if (this->Distance[v] <= this->Options.maximumDistance)
-      {
-        this->Needed[f] = 1;
-      }
-    }
-  }
-}
-
+// How far the front must have come for the needed faces to be complete: to their farthest corner,
+// or where the inside counts too, as far as any point of them can be.
 double Propagation::neededDistance() const
 {
   double bound = 0.0;
@@ -686,29 +683,40 @@ void Propagation::dropIncomplete()
   this->Field.faceComplete_ = std::move(this->Needed);
 }
 
-void Propagation::keep(Id side, const WindowRange& list)
+void Propagation::keep(Worker& worker, Id side, const WindowRange& list)
 {
-  if (!this->Needed.empty() && !this->Needed[TriangleMesh::faceOf(side)])
+  if (!this->Needed.empty())
   {
     const bool within = std::any_of(list.begin(), list.end(),
       [&](const Window& w) { return w.minimum() <= this->Options.maximumDistance; });
-    if (within)
+    for (Id s = side; within;)
     {
-      for (Id s = side;;)
+      worker.withinLimit.push_back(s);
+      s = this->Mesh.nextInRing(s);
+      if (s == side)
       {
-        this->Needed[TriangleMesh::faceOf(s)] = 1;
-        s = this->Mesh.nextInRing(s);
-        if (s == side)
-        {
-          break;
-        }
+        break;
       }
     }
   }
   if (this->Options.keepWindows == KeepWindows::All)
   {
-    this->Kept.insert(this->Kept.end(), list.begin(), list.end());
-    this->KeptSides.insert(this->KeptSides.end(), list.size(), side);
+    worker.kept.insert(worker.kept.end(), list.begin(), list.end());
+    worker.keptSides.insert(worker.keptSides.end(), list.size(), side);
+  }
+}
+
+void Propagation::finish()
+{
+  for (const Worker& worker : this->Workers)
+  {
+    this->Field.windowsPropagated_ += worker.propagated;
+    this->Field.relativeErrorBound_ =
+      std::max(this->Field.relativeErrorBound_, worker.relativeError);
+  }
+  if (this->Options.keepWindows == KeepWindows::All)
+  {
+    this->sortKept();
   }
 }
 
@@ -717,19 +725,27 @@ void Propagation::sortKept()
 {
   std::vector<std::uint64_t>& start = this->Field.windowStart_;
   start.assign(static_cast<std::size_t>(this->Mesh.numberOfSides()) + 1, 0);
-  for (const Id side : this->KeptSides)
+  for (const Worker& worker : this->Workers)
   {
-    ++start[side + 1];
+    for (const Id side : worker.keptSides)
+    {
+      ++start[side + 1];
+    }
   }
   for (std::size_t s = 1; s < start.size(); ++s)
   {
     start[s] += start[s - 1];
   }
   std::vector<std::uint64_t> next(start.begin(), start.end() - 1);
-  this->Field.windows_.resize(this->Kept.size());
-  for (std::size_t i = 0; i < this->Kept.size(); ++i)
+  this->Field.windows_.resize(start.back());
+  for (Worker& worker : this->Workers)
   {
-    this->Field.windows_[next[this->KeptSides[i]]++] = this->Kept[i];
+    for (std::size_t i = 0; i < worker.kept.size(); ++i)
+    {
+      this->Field.windows_[next[worker.keptSides[i]]++] = worker.kept[i];
+    }
+    worker.kept = {};
+    worker.keptSides = {};
   }
 }
 

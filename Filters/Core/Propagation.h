@@ -30,6 +30,9 @@ struct SolveOptions
   /// Stop there, in the surface's units. Every face that has a point within the limit is complete:
   /// all its vertices (and its inside, where windows are kept) have exact values.
   double maximumDistance = Infinity;
+  /// Runs task(0) to task(count - 1), in any order and at the same time if it likes, and returns
+  /// when all are done. Absent: one after another. The result does not depend on it.
+  std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)> parallelFor;
   /// Called now and then, at least ten times a second, with the fraction done in [0, 1]; returning
   /// false stops the solve with Aborted.
   std::function<bool(double)> progress;

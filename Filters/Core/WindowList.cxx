@@ -136,90 +136,22 @@ void WindowListBuilder::appendLower(const Window& a, const Window& b, double lo,
 
 namespace
 {
-constexpr std::size_t ChunkWindows = std::size_t(1) << 13;
-}
 
-WaitingLists::WaitingLists(Id numberOfSides)
-  : listOf_(numberOfSides, NoId)
-{
-}
+constexpr std::size_t ChunkWindows = std::size_t(1) << 10;
 
-WindowRange WaitingLists::at(Id side) const
-{
-  const Id list = this->listOf_[side];
-  if (list == NoId)
-  {
-    return {};
-  }
-  const List& l = this->lists_[list];
-  return { l.data, l.data + l.size };
-}
-
-void WaitingLists::assign(Id side, const WindowRange& windows)
+std::uint32_t sizeClassOf(std::size_t size)
 {
   std::uint32_t sizeClass = 0;
-  while ((std::size_t(1) << sizeClass) < windows.size())
+  while ((std::size_t(1) << sizeClass) < size)
   {
     ++sizeClass;
   }
-  const bool fits = this->has(side) && this->lists_[this->listOf_[side]].sizeClass >= sizeClass &&
-    windows.size() > 0;
-  if (!fits)
-  {
-    this->clear(side);
-    if (windows.size() == 0)
-    {
-      return;
-    }
-    if (this->freeLists_.empty())
-    {
-      this->freeLists_.push_back(static_cast<Id>(this->lists_.size()));
-      this->lists_.emplace_back();
-    }
-    this->listOf_[side] = this->freeLists_.back();
-    this->freeLists_.pop_back();
-    List& fresh = this->lists_[this->listOf_[side]];
-    fresh.side = side;
-    fresh.sizeClass = sizeClass;
-    fresh.data = this->allocate(sizeClass);
-  }
-  List& list = this->lists_[this->listOf_[side]];
-  list.size = static_cast<Id>(windows.size());
-  std::copy(windows.begin(), windows.end(), list.data);
+  return sizeClass;
 }
 
-void WaitingLists::clear(Id side)
-{
-  const Id index = this->listOf_[side];
-  if (index == NoId)
-  {
-    return;
-  }
-  List& list = this->lists_[index];
-  if (this->freeBlocks_.size() <= list.sizeClass)
-  {
-    this->freeBlocks_.resize(list.sizeClass + 1);
-  }
-  this->freeBlocks_[list.sizeClass].push_back(list.data);
-  list = List();
-  this->freeLists_.push_back(index);
-  this->listOf_[side] = NoId;
-}
+} // anonymous namespace
 
-std::vector<Id> WaitingLists::sides() const
-{
-  std::vector<Id> result;
-  for (const List& list : this->lists_)
-  {
-    if (list.side != NoId)
-    {
-      result.push_back(list.side);
-    }
-  }
-  return result;
-}
-
-Window* WaitingLists::allocate(std::uint32_t sizeClass)
+Window* WindowPool::allocate(std::uint32_t sizeClass)
 {
   if (sizeClass < this->freeBlocks_.size() && !this->freeBlocks_[sizeClass].empty())
   {
@@ -237,6 +169,56 @@ Window* WaitingLists::allocate(std::uint32_t sizeClass)
   Window* block = this->chunks_.back().get() + this->chunkUsed_;
   this->chunkUsed_ += size;
   return block;
+}
+
+void WindowPool::free(Window* block, std::uint32_t sizeClass)
+{
+  if (this->freeBlocks_.size() <= sizeClass)
+  {
+    this->freeBlocks_.resize(sizeClass + 1);
+  }
+  this->freeBlocks_[sizeClass].push_back(block);
+}
+
+void WaitingLists::assign(Id side, const WindowRange& windows, WindowPool& pool)
+{
+  List& list = this->lists_[side];
+  const std::uint32_t sizeClass = sizeClassOf(windows.size());
+  if (list.data == nullptr || list.sizeClass < sizeClass || windows.size() == 0)
+  {
+    this->clear(side, pool);
+    if (windows.size() == 0)
+    {
+      return;
+    }
+    list.data = pool.allocate(sizeClass);
+    list.sizeClass = sizeClass;
+  }
+  list.size = static_cast<Id>(windows.size());
+  std::copy(windows.begin(), windows.end(), list.data);
+}
+
+void WaitingLists::clear(Id side, WindowPool& pool)
+{
+  List& list = this->lists_[side];
+  if (list.data != nullptr)
+  {
+    pool.free(list.data, list.sizeClass);
+    list = List();
+  }
+}
+
+std::vector<Id> WaitingLists::sides() const
+{
+  std::vector<Id> result;
+  for (std::size_t side = 0; side < this->lists_.size(); ++side)
+  {
+    if (this->lists_[side].size > 0)
+    {
+      result.push_back(static_cast<Id>(side));
+    }
+  }
+  return result;
 }
 
 }

@@ -41,20 +41,43 @@ private:
   double leastWidth_ = 0.0;
 };
 
-/// The windows that wait on sides: sorted lists in pooled, contiguous blocks. Only sides where
-/// windows wait take memory beyond one id.
+/// Blocks of windows in sizes of powers of two, cut from large chunks and used again. Not
+/// thread-safe: each worker has its own, and a block may come from one and be freed into another.
+class WindowPool
+{
+public:
+  Window* allocate(std::uint32_t sizeClass);
+  void free(Window* block, std::uint32_t sizeClass);
+
+private:
+  std::vector<std::vector<Window*>> freeBlocks_;
+  std::vector<std::unique_ptr<Window[]>> chunks_;
+  std::size_t chunkUsed_ = 0;
+  std::size_t chunkSize_ = 0;
+};
+
+/// The windows that wait on sides: a sorted list a side, each in one block. Different sides may be
+/// used from different threads, each with its own pool.
 class WaitingLists
 {
 public:
-  explicit WaitingLists(Id numberOfSides);
+  explicit WaitingLists(Id numberOfSides)
+    : lists_(numberOfSides)
+  {
+  }
 
-  bool has(Id side) const { return this->listOf_[side] != NoId; }
-  WindowRange at(Id side) const;
-  /// Replaces the list of the side; an empty one frees it.
-  void assign(Id side, const WindowRange& windows);
-  void clear(Id side);
+  bool has(Id side) const { return this->lists_[side].size > 0; }
+  WindowRange at(Id side) const
+  {
+    const List& list = this->lists_[side];
+    return { list.data, list.data + list.size };
+  }
+  /// Replaces the list of the side; an empty one frees it. The windows must not be those of the
+  /// side.
+  void assign(Id side, const WindowRange& windows, WindowPool& pool);
+  void clear(Id side, WindowPool& pool);
 
-  /// Sides that have a list, in no particular order but the same one in every run.
+  /// Sides that have a list, ascending.
   std::vector<Id> sides() const;
 
 private:
@@ -62,20 +85,10 @@ private:
   {
     Window* data = nullptr;
     Id size = 0;
-    Id side = NoId;
     std::uint32_t sizeClass = 0;
   };
 
-  Window* allocate(std::uint32_t sizeClass);
-
-  std::vector<Id> listOf_;
   std::vector<List> lists_;
-  std::vector<Id> freeLists_;
-  /// Free blocks of 2^c windows, for each class c.
-  std::vector<std::vector<Window*>> freeBlocks_;
-  std::vector<std::unique_ptr<Window[]>> chunks_;
-  std::size_t chunkUsed_ = 0;
-  std::size_t chunkSize_ = 0;
 };
 
 }

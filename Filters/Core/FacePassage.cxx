@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FacePassage.h"
+
+#include "Tolerance.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+UnfoldedFace unfold(const TriangleMesh& mesh, Id side)
+{
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(side));
+  const std::size_t k = side % 3;
+  const std::size_t next = (k + 1) % 3;
+  UnfoldedFace face;
+  face.length = shape.length[k];
+  face.rightLength = shape.length[next];
+  face.leftLength = shape.length[(k + 2) % 3];
+  face.apex = { shape.cornerDot[k] / face.length, shape.area2 / face.length };
+  face.apexFromEnd = shape.cornerDot[next] / face.length;
+  // An edge without length carries no window; any axis will do.
+  face.leftAxis = face.leftLength > 0.0 ? (1.0 / face.leftLength) * face.apex : Vec2{ 1.0, 0.0 };
+  face.rightAxis = face.rightLength > 0.0
+    ? (1.0 / face.rightLength) * Vec2{ face.apexFromEnd, -face.apex.y }
+    : Vec2{ 1.0, 0.0 };
+  return face;
+}
+
+// Told without a square root.
+bool isBeaten(const Window& w, double x, double bound)
+{
+  const double reach = bound * (1.0 + tolerance::Tie) - w.sigma;
+  const double dx = x - w.sourceX;
+  return w.isLinear() ? w.sourceX * x > reach
+                      : reach < 0.0 || dx * dx + w.sourceDepth * w.sourceDepth > reach * reach;
+}
+
+ApexView FacePassage::view(const WindowRange& list, const UnfoldedFace& face)
+{
+  const Vec2 apex = face.apex;
+  this->passes_.resize(list.size());
+  this->best_ = None;
+  ApexView view;
+  const auto take = [&view](double distance, const Window& w)
+  {
+    if (distance < view.distance)
+    {
+      view.distance = distance;
+      view.error = w.error;
+    }
+  };
+  double straight = Infinity;
+  Pass previous = Pass::Left; // as if a window before the first one passed on the left
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    const Window& w = list.first[i];
+    const Pass pass = w.passesRightOf(w.begin, apex) ? Pass::Right
+      : w.passesRightOf(w.end, apex)                 ? Pass::Both
+                                                     : Pass::Left;
+    this->passes_[i] = pass;
+    if (pass == Pass::Both)
+    {
+      const double distance = w.straightDistance(apex);
+      take(distance, w);
+      if (distance < straight)
+      {
+        straight = distance;
+        this->best_ = i;
+      }
+    }
+    // Between a window that passes on the left and one on the right, the apex is in a gap.
+    if (pass == Pass::Right && previous == Pass::Left)
+    {
+      take(w.bentDistance(apex), w);
+      if (i > 0)
+      {
+        take(list.first[i - 1].bentDistance(apex), list.first[i - 1]);
+      }
+    }
+    if (pass == Pass::Left && i + 1 == list.size())
+    {
+      take(w.bentDistance(apex), w);
+    }
+    previous = pass;
+  }
+  return view;
+}
+
+// Whether a path through a corner beats the window everywhere (Xin & Wang 2009, "Improving Chen
+// and Han's algorithm on the discrete geodesic problem"). Distances along the edge change by no
+// more than the way, so a window that is longer at its end far from a corner is longer throughout.
+bool FacePassage::isUseless(const Window& w, const Exit& exit)
+{
+  if (isBeaten(w, w.end, exit.atBegin + w.end) ||
+    isBeaten(w, w.begin, exit.atEnd + (exit.length - w.begin)))
+  {
+    return true;
+  }
+  const double far = exit.beginIsFar ? w.begin : w.end;
+  return isBeaten(w, far, exit.atThird + norm(Vec2{ far, 0.0 } - exit.third));
+}
+
+// Of the windows that hold the apex only the one that reaches it first goes to both sides: rays of
+// the others that would cross its ray to the apex are beaten there (Qin et al. 2016).
+void FacePassage::pass(const WindowRange& list, const UnfoldedFace& face,
+  const CornerDistances& distances, bool toLeft, bool toRight, Id mostFaces)
+{
+  const Vec2 originFromLeft = { face.length * face.leftAxis.x, -face.length * face.leftAxis.y };
+  const Vec2 originFromRight = { -dot(face.apex, face.rightAxis),
+    cross(face.apex, face.rightAxis) };
+  const Exit left = { face.leftLength, distances.origin, distances.apex, originFromLeft,
+    distances.destination, true };
+  const Exit right = { face.rightLength, distances.apex, distances.destination, originFromRight,
+    distances.origin, false };
+  this->left_.reset(face.leftLength);
+  this->right_.reset(face.rightLength);
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    const Window& w = list.first[i];
+    if (!(w.sourceDepth > 0.0) || w.depth >= mostFaces)
+    {
+      continue; // rays along the edge, which its vertices stand for; or no shortest path
+    }
+    const Pass pass = this->passes_[i];
+    if (toLeft && (pass == Pass::Left || (pass == Pass::Both && i <= this->best_)))
+    {
+      this->passLeft(w, face, pass == Pass::Left ? face.meetLeft(w, w.end) : face.leftLength, left);
+    }
+    if (toRight && (pass == Pass::Right || (pass == Pass::Both && i >= this->best_)))
+    {
+      this->passRight(w, face, pass == Pass::Right ? face.meetRight(w, w.begin) : 0.0, right);
+    }
+  }
+}
+
+void FacePassage::passLeft(const Window& w, const UnfoldedFace& face, double end, const Exit& exit)
+{
+  const double begin = face.meetLeft(w, w.begin);
+  if (end - begin > 0.0)
+  {
+    const Window child = face.throughLeft(w, begin, end);
+    if (!isUseless(child, exit))
+    {
+      this->left_.append(child);
+    }
+  }
+}
+
+void FacePassage::passRight(
+  const Window& w, const UnfoldedFace& face, double begin, const Exit& exit)
+{
+  const double end = face.meetRight(w, w.end);
+  if (end - begin > 0.0)
+  {
+    const Window child = face.throughRight(w, begin, end);
+    if (!isUseless(child, exit))
+    {
+      this->right_.append(child);
+    }
+  }
+}
+
+}

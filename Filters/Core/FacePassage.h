@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_FacePassage_h
+#define geodesic_FacePassage_h
+
+#include "TriangleMesh.h"
+#include "Window.h"
+#include "WindowList.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// The side's face laid into the plane above the side. The side must have a length.
+UnfoldedFace unfold(const TriangleMesh& mesh, Id side);
+
+/// Whether the window's distance at x is beyond a bound by more than a tie.
+bool isBeaten(const Window& window, double x, double bound);
+
+/// What is known of the distances at the corners of a face, seen from the side that is entered.
+struct CornerDistances
+{
+  double origin;
+  double destination;
+  double apex;
+};
+
+/// The apex as seen through a list of windows.
+struct ApexView
+{
+  /// Least length of a path through the list to the apex, bent ones included, and the error of the
+  /// window that gives it.
+  double distance = Infinity;
+  double error = 0.0;
+};
+
+/// How a list of windows goes through a face (paper, sections 3.2 and 4.2.1; as a list after Qin et
+/// al. 2016, "Fast and exact discrete geodesic computation based on triangle-oriented wavefront
+/// propagation"). One is reused for many faces.
+class FacePassage
+{
+public:
+  /// Looks at the apex through every window of a sorted list.
+  ApexView view(const WindowRange& list, const UnfoldedFace& face);
+
+  /// Sends the list that was viewed last through the face. Windows that a path through a corner
+  /// beats are dropped.
+  ///
+  /// \param mostFaces windows that have crossed so many faces are dropped: a shortest path crosses
+  ///        none twice.
+  void pass(const WindowRange& list, const UnfoldedFace& face, const CornerDistances& distances,
+    bool toLeft, bool toRight, Id mostFaces);
+
+  /// The windows that left through the edge from the side's origin to the apex, and through the one
+  /// from the apex to the side's destination, in the leaving frames.
+  WindowRange left() const { return this->left_.range(); }
+  WindowRange right() const { return this->right_.range(); }
+
+private:
+  /// Where the rays of a window pass the apex.
+  enum class Pass : std::uint8_t
+  {
+    Left,
+    Right,
+    Both
+  };
+
+  /// An edge that windows leave through, with what is known at the face's corners.
+  struct Exit
+  {
+    double length;
+    /// Distances at the begin and the end of the leaving frame.
+    double atBegin;
+    double atEnd;
+    /// The face's third corner in the leaving frame, its distance, and which end is far from it
+    /// behind the pencil of every window that passes.
+    Vec2 third;
+    double atThird;
+    bool beginIsFar;
+  };
+
+  static constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+  static bool isUseless(const Window& window, const Exit& exit);
+  void passLeft(const Window& w, const UnfoldedFace& face, double end, const Exit& exit);
+  void passRight(const Window& w, const UnfoldedFace& face, double begin, const Exit& exit);
+
+  std::vector<Pass> passes_;
+  /// The window that holds the apex in its pencil at the least distance.
+  std::size_t best_ = None;
+  WindowListBuilder left_;
+  WindowListBuilder right_;
+};
+
+}
+
+#endif
