@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Debian packages, for the scripts that build this project (to be sourced).
+
+# What a build with the plugin and a picture without a screen need (Debian 12).
+build_packages=(g++ cmake ninja-build paraview paraview-dev python3-paraview python3-numpy
+  libopenmpi-dev qtbase5-dev xvfb xauth libgl1-mesa-dri)
+
+# Prints the message and ends the script.
+give_up()
+{
+  printf '%s\n' "$@" >&2
+  exit 1
+}
+
+# Prints those of the packages that are not installed.
+missing_packages()
+{
+  local package
+  for package in "$@"; do
+    dpkg-query -W -f '${db:Status-Status}\n' "$package" 2> /dev/null | grep -qx installed ||
+      printf '%s\n' "$package"
+  done
+}
+
+# Installs those of the packages that are missing; ends the script where that cannot be done.
+install_missing()
+{
+  if ! command -v dpkg-query > /dev/null; then
+    echo "This is not a Debian system: taking what is installed (CMake says what is missing)." >&2
+    return
+  fi
+  local missing
+  mapfile -t missing < <(missing_packages "$@")
+  [ ${#missing[@]} -gt 0 ] || return 0
+
+  # --no-upgrade: with a newer libexpat1, ParaView 5.11 cannot read its own appended XML files.
+  # --no-remove: plain VTK's Python package and ParaView's exclude each other; never take one away.
+  local install=(apt-get install -y --no-upgrade --no-remove --no-install-recommends "${missing[@]}")
+  local advice=("Missing packages: ${missing[*]}" "Install them as root with:"
+    "  apt-get update && ${install[*]}")
+  [ "$(id -u)" -eq 0 ] || give_up "${advice[@]}"
+
+  echo "Installing ${missing[*]}"
+  export DEBIAN_FRONTEND=noninteractive
+  apt-get update -qq || echo "The package lists could not be updated; trying with those at hand." >&2
+  "${install[@]}" || give_up "" "The installation failed (is there a network?)." "${advice[@]}"
+}

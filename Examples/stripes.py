@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws a distance field with stripes, and the curve it is measured from."""
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+NEAR = (0.98, 0.84, 0.42)
+MIDDLE = (0.87, 0.36, 0.38)
+FAR = (0.22, 0.26, 0.58)
+UNREACHED = (0.75, 0.75, 0.75)
+
+
+def _mix(a, b, t):
+    return [x + t * (y - x) for x, y in zip(a, b)]
+
+
+def _color(t):
+    return _mix(NEAR, MIDDLE, 2 * t) if t < 0.5 else _mix(MIDDLE, FAR, 2 * t - 1)
+
+
+def color_by_stripes(display, array, count=24):
+    """Colors a display by a distance array of its points, every second stripe darker."""
+    simple.ColorBy(display, ("POINTS", array))
+    largest = display.LookupTable.RGBPoints[-4]
+    steps = []
+    for i in range(count):
+        color = _color(i / (count - 1))
+        if i % 2:
+            color = _mix(color, (0, 0, 0), 0.28)
+        steps += [largest * i / count, *color, largest * (i + 1) / count, *color]
+    table = display.LookupTable
+    table.ColorSpace = "RGB"
+    table.RGBPoints = steps
+    table.NumberOfTableValues = 1024
+    table.UseAboveRangeColor = 1
+    table.AboveRangeColor = UNREACHED
+    # Stripes are cut inside each face, not blended from colors at its corners.
+    display.InterpolateScalarsBeforeMapping = 1
+
+
+def look_along(view, direction, surface):
+    """Looks back along the direction, with the surface filling the view."""
+    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    back = np.array(direction) / np.linalg.norm(direction)
+    right = np.cross((0, 0, 1), back)
+    right /= np.linalg.norm(right)
+    up = np.cross(back, right)
+    along = points @ np.transpose((right, up, back))
+    low, high = along.min(axis=0), along.max(axis=0)
+    center = (low + high) / 2 @ (right, up, back)
+    width, height, depth = high - low
+
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint = center
+    view.CameraPosition = center + (width + height + depth) * back
+    view.CameraViewUp = up
+    columns, rows = view.ViewSize
+    view.CameraParallelScale = 0.52 * max(height, width * rows / columns)
+
+
+def draw(field, array, file_name, size=(1200, 800), direction=(0.45, -0.85, 0.75)):
+    """Draws the result of a GeodesicDistanceField with stripes, its source on top of it."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = size
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = (1, 1, 1)
+
+    surface = simple.Show(field, view)
+    color_by_stripes(surface, array)
+    surface.Ambient = 0.15
+    surface.SetScalarBarVisibility(view, False)
+
+    curve = simple.Show(simple.OutputPort(field, 1), view)
+    simple.ColorBy(curve, ("POINTS", None))
+    curve.AmbientColor = curve.DiffuseColor = (1, 1, 1)
+    curve.LineWidth = 7
+    curve.PointSize = 14
+    curve.RenderLinesAsTubes = 1
+    curve.RenderPointsAsSpheres = 1
+
+    look_along(view, direction, simple.servermanager.Fetch(field))
+    simple.SaveScreenshot(file_name, view, ImageResolution=size)

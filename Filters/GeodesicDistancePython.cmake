@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The Python package geodesicdistance: from geodesicdistance import vtkGeodesicDistanceField
+find_package(Python3 QUIET COMPONENTS Interpreter Development.Module)
+set(geodesic_packages site-packages)
+if (EXISTS "/etc/debian_version")
+  set(geodesic_packages dist-packages)
+endif ()
+set(GEODESIC_PYTHON_DESTINATION
+  "lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/${geodesic_packages}" CACHE STRING
+  "Where the Python package goes, relative to the installation prefix")
+file(RELATIVE_PATH geodesic_python_to_lib
+  "${CMAKE_INSTALL_PREFIX}/${GEODESIC_PYTHON_DESTINATION}/geodesicdistance"
+  "${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}")
+
+function (geodesic_wrap_python)
+  list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/${geodesic_python_to_lib}")
+  vtk_module_wrap_python(
+    MODULES             ${geodesic_modules}
+    TARGET              GeodesicDistance::Python
+    PYTHON_PACKAGE      geodesicdistance
+    MODULE_DESTINATION  "${GEODESIC_PYTHON_DESTINATION}"
+    CMAKE_DESTINATION   "${CMAKE_INSTALL_LIBDIR}/cmake/GeodesicDistance"
+    INSTALL_HEADERS     OFF
+    BUILD_STATIC        OFF)
+endfunction ()
+geodesic_wrap_python()
+
+set(GEODESIC_PYTHONPATH "${CMAKE_BINARY_DIR}/${GEODESIC_PYTHON_DESTINATION}")
+file(CONFIGURE
+  OUTPUT "${GEODESIC_PYTHONPATH}/geodesicdistance/__init__.py"
+  CONTENT "# SPDX-License-Identifier: BSD-3-Clause
+from .vtkFiltersGeodesic import *
+" @ONLY)
+install(
+  FILES       "${GEODESIC_PYTHONPATH}/geodesicdistance/__init__.py"
+  DESTINATION "${GEODESIC_PYTHON_DESTINATION}/geodesicdistance"
+  COMPONENT   python)
+message(STATUS "Python package in the build tree: PYTHONPATH=${GEODESIC_PYTHONPATH}")

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_PolyDataSurface_h
+#define geodesic_PolyDataSurface_h
+
+#include "TriangleMesh.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <memory>
+#include <vector>
+
+class vtkCellArray;
+class vtkPoints;
+class vtkPolyData;
+class vtkStaticCellLocator;
+
+namespace geodesic
+{
+
+/// The surface of a vtkPolyData as the engine takes it, and the way back to the input's points and
+/// cells. It holds the input's points (never changing them) but not the input.
+class PolyDataSurface
+{
+public:
+  /// What the input had besides plain triangles; TriangleMesh::Report tells the rest.
+  struct Report
+  {
+    vtkIdType polygons = 0;
+    vtkIdType strips = 0;
+    vtkIdType droppedVertexCells = 0;
+    vtkIdType droppedLineCells = 0;
+    /// Faces with two corners at one point, before or after merging; left out.
+    vtkIdType facesWithRepeatedPoint = 0;
+  };
+
+  /// Triangulates polygons and strips, and merges the points that lie at exactly one place.
+  ///
+  /// \throws MeshError where there is no face, a coordinate is not finite or a cell names a point
+  ///         that does not exist.
+  PolyDataSurface(vtkPolyData* input, bool mergeCoincidentPoints);
+  ~PolyDataSurface();
+
+  const TriangleMesh& mesh() const { return *this->mesh_; }
+  const Report& report() const { return this->report_; }
+  double diagonal() const { return this->diagonal_; }
+
+  /// The vertex that stands for a point of the input.
+  Id vertexOf(vtkIdType point) const
+  {
+    return this->vertexOfPoint_.empty() ? static_cast<Id>(point)
+                                        : this->vertexOfPoint_[static_cast<std::size_t>(point)];
+  }
+
+  /// The face with the closest point of the surface. Not thread-safe in its first call, which
+  /// builds the locator.
+  Id closestFace(const Vec3& point);
+
+  /// Gives the output the input's points with their data, the triangles, and for each the data of
+  /// the cell that it came from. The input is the one that this surface was made from.
+  void copyTo(vtkPolyData* input, vtkPolyData* output) const;
+
+private:
+  void readTriangles(vtkPolyData* input, std::vector<Triangle>& corners);
+  void keepTriangles(vtkPolyData* input, const std::vector<Triangle>& corners);
+  void buildLocator();
+
+  std::unique_ptr<TriangleMesh> mesh_;
+  Report report_;
+  double diagonal_ = 0.0;
+  vtkSmartPointer<vtkPoints> points_;
+  /// Empty where every point is a vertex of its own.
+  std::vector<Id> vertexOfPoint_;
+  /// Empty where every point is a vertex of its own.
+  std::vector<vtkIdType> pointOfVertex_;
+  vtkSmartPointer<vtkCellArray> triangles_;
+  /// The input's cell that each triangle came from; empty where the triangles are the input's
+  /// cells.
+  std::vector<vtkIdType> inputCells_;
+  vtkSmartPointer<vtkStaticCellLocator> locator_;
+  /// Faces without area, which the locator passes over.
+  std::vector<Id> zeroAreaFaces_;
+};
+
+/// The first few of some ids, for an error message: "3, 17, 20 and 5 more".
+std::string listIds(const std::vector<vtkIdType>& ids);
+
+}
+
+#endif

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGeodesicDistanceField.h"
+
+#include "Errors.h"
+#include "PolyDataSource.h"
+#include "PolyDataSurface.h"
+#include "Propagation.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkVersionMacros.h"
+
+#include <new>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkGeodesicDistanceField);
+
+namespace
+{
+
+using geodesic::SourceError;
+
+// Where the stages of an execution end, as fractions of the whole.
+constexpr double SurfaceDone = 0.15;
+constexpr double SourceLocated = 0.2;
+constexpr double SourceDone = 0.25;
+constexpr double FieldDone = 0.95;
+
+// A source farther from the surface than this fraction of its bounding box's diagonal was hardly
+// meant for it: the user is told.
+constexpr double FarSourceFraction = 0.01;
+
+/// Collects what the user should know into one warning.
+class Notes
+{
+public:
+  template <typename Count>
+  void add(Count count, const char* one, const char* many, const char* what)
+  {
+    if (count > 0)
+    {
+      this->text_ << "\n  " << count << ' ' << (count == 1 ? one : many) << ' ' << what;
+    }
+  }
+  void add(const std::string& sentence) { this->text_ << "\n  " << sentence; }
+  std::string text() const { return this->text_.str(); }
+
+private:
+  std::ostringstream text_;
+};
+
+void noteSurface(const geodesic::PolyDataSurface& surface, Notes& notes)
+{
+  const auto& read = surface.report();
+  const auto& mesh = surface.mesh().report();
+  notes.add(read.polygons, "polygon", "polygons", "of the surface triangulated.");
+  notes.add(read.strips, "triangle strip", "triangle strips", "of the surface triangulated.");
+  notes.add(read.droppedLineCells, "line", "lines", "among the surface's cells dropped.");
+  notes.add(
+    read.droppedVertexCells, "vertex cell", "vertex cells", "among the surface's cells dropped.");
+  notes.add(
+    read.facesWithRepeatedPoint, "face", "faces", "with two corners at one point left out.");
+  notes.add(mesh.duplicateFaces, "duplicate face", "duplicate faces",
+    "(on the points of another face), without effect on the distance.");
+  notes.add(mesh.zeroAreaFaces, "face", "faces", "without area, kept.");
+  notes.add(
+    mesh.isolatedVertices, "point", "points", "of the surface used by no face: infinitely far.");
+}
+
+void noteSource(
+  const geodesic::PolyDataSurface& surface, const geodesic::SourceCurves& source, Notes& notes)
+{
+  notes.add(source.repeatedPoints, "point", "points",
+    "of the source at the place of the one before, left out.");
+  if (source.snapDistance > FarSourceFraction * surface.diagonal())
+  {
+    std::ostringstream sentence;
+    sentence << "The source is up to " << source.snapDistance
+             << " away from the surface; it was put onto the surface's closest points. See output "
+                "port 1 for the result.";
+    notes.add(sentence.str());
+  }
+}
+
+void addFieldData(vtkPolyData* output, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  output->GetFieldData()->AddArray(array);
+}
+
+}
+
+/// One execution's work, and the surface that the next one may reuse.
+class vtkGeodesicDistanceField::vtkInternals
+{
+public:
+  explicit vtkInternals(vtkGeodesicDistanceField* self)
+    : Self(self)
+  {
+  }
+
+  /// \throws geodesic::Error
+  void Execute(vtkPolyData* input, vtkPolyData* source, vtkPolyData* output, vtkPolyData* curves);
+
+  void ReleaseSurface() { this->Surface.reset(); }
+
+private:
+  std::function<bool(double)> ProgressBetween(double begin, double end);
+  void UpdateSurface(vtkPolyData* input);
+  geodesic::SourceCurves CollectSources(vtkPolyData* source);
+  void AddBoundary(bool hasCurve, std::vector<geodesic::SourceCurve>& curves);
+  geodesic::DistanceField Solve(const std::vector<geodesic::SourceCurve>& curves);
+  void WriteDistances(
+    const std::vector<double>& vertexDistances, vtkPolyData* input, vtkPolyData* output);
+
+  vtkGeodesicDistanceField* Self;
+  Notes Told;
+
+  std::unique_ptr<geodesic::PolyDataSurface> Surface;
+  /// What Surface was made from. Never dereferenced: the time of modification, which no two objects
+  /// share, tells whether it is still the same.
+  const vtkPolyData* SurfaceInput = nullptr;
+  vtkMTimeType SurfaceTime = 0;
+  bool SurfaceMerged = false;
+};
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkInternals::Execute(
+  vtkPolyData* input, vtkPolyData* source, vtkPolyData* output, vtkPolyData* curves)
+{
+  this->Told = Notes();
+  this->UpdateSurface(input);
+  const geodesic::SourceCurves sources = this->CollectSources(source);
+  const geodesic::DistanceField field = this->Solve(sources.curves);
+
+  const geodesic::TriangleMesh& mesh = this->Surface->mesh();
+  this->Self->WindowsPropagatedPerEdge =
+    static_cast<double>(field.windowsPropagated()) / static_cast<double>(mesh.numberOfEdges());
+  this->Self->SourceSnapDistance = sources.snapDistance;
+
+  this->Surface->copyTo(input, output);
+  this->WriteDistances(field.vertexDistances(), input, output);
+  addFieldData(output, "WindowsPropagatedPerEdge", this->Self->WindowsPropagatedPerEdge);
+  addFieldData(output, "SourceSnapDistance", this->Self->SourceSnapDistance);
+  geodesic::writeCurves(mesh, sources.curves, curves);
+
+  if (!this->Told.text().empty())
+  {
+    vtkWarningWithObjectMacro(this->Self, "About the input:" << this->Told.text());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::function<bool(double)> vtkGeodesicDistanceField::vtkInternals::ProgressBetween(
+  double begin, double end)
+{
+  return [this, begin, end](double fraction)
+  {
+    this->Self->UpdateProgress(begin + fraction * (end - begin));
+#if VTK_VERSION_NUMBER >= 90220220630ULL
+    return !this->Self->CheckAbort();
+#else
+    return !this->Self->GetAbortExecute();
+#endif
+  };
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkInternals::UpdateSurface(vtkPolyData* input)
+{
+  const bool merge = this->Self->MergeCoincidentPoints;
+  if (!this->Surface || this->SurfaceInput != input || this->SurfaceTime != input->GetMTime() ||
+    this->SurfaceMerged != merge)
+  {
+    this->ReleaseSurface();
+    this->Surface = std::make_unique<geodesic::PolyDataSurface>(input, merge);
+    this->SurfaceInput = input;
+    this->SurfaceTime = input->GetMTime();
+    this->SurfaceMerged = merge;
+    noteSurface(*this->Surface, this->Told);
+  }
+  if (!this->ProgressBetween(0.0, SurfaceDone)(1.0))
+  {
+    throw geodesic::Aborted();
+  }
+}
+
+//------------------------------------------------------------------------------
+geodesic::SourceCurves vtkGeodesicDistanceField::vtkInternals::CollectSources(vtkPolyData* source)
+{
+  const int type = this->Self->SourceType;
+  if (type == SOURCE_CURVE && !source)
+  {
+    throw SourceError("There is no source: connect a curve to input port 1 (SetSourceConnection or "
+                      "SetSourceData; Source in ParaView), or set SourceType to Surface Boundary.");
+  }
+  geodesic::SourceCurves sources;
+  if (type != SURFACE_BOUNDARY && source)
+  {
+    const auto lines = geodesic::readSource(
+      source, *this->Surface, this->ProgressBetween(SurfaceDone, SourceLocated));
+    sources = geodesic::putOntoSurface(this->Surface->mesh(), lines,
+      geodesic::snapOptionsFor(source), this->ProgressBetween(SourceLocated, SourceDone));
+    noteSource(*this->Surface, sources, this->Told);
+  }
+  if (type != SOURCE_CURVE)
+  {
+    this->AddBoundary(source && type == CURVE_AND_BOUNDARY, sources.curves);
+  }
+  return sources;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkInternals::AddBoundary(
+  bool hasCurve, std::vector<geodesic::SourceCurve>& curves)
+{
+  std::vector<geodesic::SourceCurve> boundary = geodesic::boundaryCurves(this->Surface->mesh());
+  if (boundary.empty() && !hasCurve)
+  {
+    throw SourceError(
+      "The surface (input port 0) is closed: it has no boundary to measure from. Set "
+      "SourceType to Source Curve and connect a curve to input port 1.");
+  }
+  if (boundary.empty())
+  {
+    this->Told.add("The surface is closed, without boundary: the curve alone is the source.");
+  }
+  if (!hasCurve && this->Self->SourceType == CURVE_AND_BOUNDARY)
+  {
+    this->Told.add("No curve is connected to input port 1: the boundary alone is the source.");
+  }
+  std::move(boundary.begin(), boundary.end(), std::back_inserter(curves));
+}
+
+//------------------------------------------------------------------------------
+geodesic::DistanceField vtkGeodesicDistanceField::vtkInternals::Solve(
+  const std::vector<geodesic::SourceCurve>& curves)
+{
+  geodesic::SolveOptions options;
+  if (this->Self->MaximumDistance > 0.0)
+  {
+    options.maximumDistance = this->Self->MaximumDistance;
+  }
+  options.progress = this->ProgressBetween(SourceDone, FieldDone);
+  return geodesic::solve(this->Surface->mesh(), curves, options);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkInternals::WriteDistances(
+  const std::vector<double>& vertexDistances, vtkPolyData* input, vtkPolyData* output)
+{
+  const char* name = this->Self->DistanceArrayName;
+  const vtkIdType count = input->GetNumberOfPoints();
+  vtkNew<vtkDoubleArray> distances;
+  distances->SetName(name);
+  distances->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    distances->SetValue(i, vertexDistances[this->Surface->vertexOf(i)]);
+  }
+  if (input->GetPointData()->HasArray(name))
+  {
+    this->Told.add(std::string("The surface already has a point array named ") + name +
+      "; the output has the distance in its place. Change DistanceArrayName to keep both.");
+  }
+  output->GetPointData()->AddArray(distances);
+  output->GetPointData()->SetActiveScalars(name);
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicDistanceField::vtkGeodesicDistanceField()
+  : Internals(new vtkInternals(this))
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+  this->SetDistanceArrayName("GeodesicDistance");
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicDistanceField::~vtkGeodesicDistanceField()
+{
+  this->SetDistanceArrayName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::SetSourceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::SetSourceData(vtkPolyData* source)
+{
+  this->SetInputData(1, source);
+}
+
+//------------------------------------------------------------------------------
+int vtkGeodesicDistanceField::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGeodesicDistanceField::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->WindowsPropagatedPerEdge = 0.0;
+  this->SourceSnapDistance = 0.0;
+
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    vtkErrorMacro("The surface may be distributed over "
+      << controller->GetNumberOfProcesses()
+      << " MPI ranks, but distances are computed in one process only and would be wrong. Run with "
+         "one "
+         "rank.");
+    return 0;
+  }
+  if (!this->DistanceArrayName || !*this->DistanceArrayName)
+  {
+    vtkErrorMacro("DistanceArrayName is empty: set a name for the distance array.");
+    return 0;
+  }
+
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* curves = vtkPolyData::GetData(outputVector, 1);
+  bool failed = true;
+  try
+  {
+    this->Internals->Execute(
+      vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(inputVector[1]), output, curves);
+    return 1;
+  }
+  catch (const geodesic::Aborted&)
+  {
+    failed = false;
+  }
+  catch (const geodesic::Error& error)
+  {
+    vtkErrorMacro(<< error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Internals->ReleaseSurface();
+    vtkErrorMacro(
+      "There is not enough memory for this surface. Decimate it, cut it into parts or set "
+      "MaximumDistance.");
+  }
+  output->Initialize();
+  curves->Initialize();
+  return failed ? 0 : 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SourceType: " << this->SourceType << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
+  os << indent
+     << "DistanceArrayName: " << (this->DistanceArrayName ? this->DistanceArrayName : "(none)")
+     << "\n";
+  os << indent << "WindowsPropagatedPerEdge: " << this->WindowsPropagatedPerEdge << "\n";
+  os << indent << "SourceSnapDistance: " << this->SourceSnapDistance << "\n";
+}

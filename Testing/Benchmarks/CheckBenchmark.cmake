@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Runs the benchmark on an octahedron and checks the JSON that it prints.
+set(mesh "${FOLDER}/octahedron.obj")
+file(WRITE "${mesh}" "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n\
+f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n")
+
+function (run_benchmark output)
+  execute_process(
+    COMMAND "${BENCHMARK}" ${ARGN}
+    OUTPUT_VARIABLE text
+    ERROR_VARIABLE error
+    RESULT_VARIABLE result)
+  if (result)
+    message(FATAL_ERROR "geodesicBenchmark ${ARGN} failed: ${error}")
+  endif ()
+  message(STATUS "${text}")
+  set("${output}" "${text}" PARENT_SCOPE)
+endfunction ()
+
+function (require_value json key expected)
+  string(JSON value GET "${json}" "${key}")
+  if (NOT value MATCHES "^${expected}$")
+    message(FATAL_ERROR "${key} is ${value}, not ${expected}")
+  endif ()
+endfunction ()
+
+# From a vertex, a face's side is the square root of 2 and the vertex opposite is two heights away.
+run_benchmark(json --mesh "${mesh}" --source vertex:0 --threads 1 --against "${PEERS}")
+require_value("${json}" faces 8)
+require_value("${json}" edges 12)
+require_value("${json}" max_distance "2\\.449489743")
+require_value("${json}" output_cells 8)
+foreach (key IN ITEMS build_s solve_s refine_s loaded_rss_bytes peak_rss_bytes windows_propagated
+    threads relative_error dijkstra_s)
+  require_value("${json}" "${key}" "[0-9.e+-]+")
+endforeach ()
+
+# From a path around half of it, the other vertices are one side's length away.
+run_benchmark(json --mesh "${mesh}" --source path:0,1)
+require_value("${json}" max_distance "1\\.224744871|1\\.414213562")
+
+# Refined, moved, written in every format and read again: the same mesh.
+foreach (extension IN ITEMS obj ply stl vtp)
+  set(copy "${FOLDER}/copy.${extension}")
+  run_benchmark(json --mesh "${mesh}" --subdivide 2 --noise 0.1 --write "${copy}" --repeat 2)
+  string(REGEX MATCHALL "\n" lines "${json}")
+  list(LENGTH lines runs)
+  if (NOT runs EQUAL 2)
+    message(FATAL_ERROR "${runs} lines for two runs")
+  endif ()
+  run_benchmark(json --mesh "${copy}")
+  require_value("${json}" faces 128)
+  require_value("${json}" edges 192)
+endforeach ()

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measures the engine on a mesh and prints a JSON object a run.
+#include "BenchmarkMesh.h"
+#include "BenchmarkPeers.h"
+
+#include "PolyDataSource.h"
+#include "PolyDataSurface.h"
+#include "Propagation.h"
+
+#include "vtkDijkstraGraphGeodesicPath.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace
+{
+
+const char* const Usage = R"(Measures geodesic distance fields and prints a JSON object a run.
+
+  --mesh FILE               the surface: obj, ply, stl or vtp
+  --subdivide LEVELS        refine it by Loop subdivision first
+  --noise FRACTION          and move its vertices at random, by a fraction of the mean edge length
+  --write FILE              and write it: obj, ply, stl or vtp
+  --source vertex:ID        measure from a vertex (the default: vertex:0)
+           boundary         from the boundary
+           curve:FILE       from the curves and points of a file
+           path:ID,ID       from the polyline along mesh edges between two vertices
+  --relative-error 0        exact
+  --threads N               threads that VTK may use
+  --repeat R                so many runs
+  --against PEER,PEER...    and measure on the same mesh, from the vertex or else from vertex 0: )";
+
+struct Options
+{
+  std::string mesh;
+  int subdivide = 0;
+  double noise = 0.0;
+  std::string write;
+  std::string source = "vertex:0";
+  int threads = 0;
+  int repeat = 1;
+  std::vector<std::string> against;
+};
+
+/// \throws std::runtime_error
+double toNumber(const std::string& option, const std::string& text, double least)
+{
+  std::istringstream stream(text);
+  double value = 0.0;
+  if (!(stream >> value) || !stream.eof() || !(value >= least))
+  {
+    throw std::runtime_error(option + " takes a number, not " + text);
+  }
+  return value;
+}
+
+std::vector<std::string> split(const std::string& text)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');)
+  {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+void setOption(Options& options, const std::string& name, const std::string& value)
+{
+  if (name == "--mesh")
+  {
+    options.mesh = value;
+  }
+  else if (name == "--subdivide")
+  {
+    options.subdivide = static_cast<int>(toNumber(name, value, 0));
+  }
+  else if (name == "--noise")
+  {
+    options.noise = toNumber(name, value, 0);
+  }
+  else if (name == "--write")
+  {
+    options.write = value;
+  }
+  else if (name == "--source")
+  {
+    options.source = value;
+  }
+  else if (name == "--relative-error")
+  {
+    if (toNumber(name, value, 0) != 0.0)
+    {
+      throw std::runtime_error("--relative-error: only 0, exact, is built in");
+    }
+  }
+  else if (name == "--threads")
+  {
+    options.threads = static_cast<int>(toNumber(name, value, 1));
+  }
+  else if (name == "--repeat")
+  {
+    options.repeat = static_cast<int>(toNumber(name, value, 1));
+  }
+  else if (name == "--against")
+  {
+    options.against = split(value);
+  }
+  else
+  {
+    throw std::runtime_error("unknown option " + name);
+  }
+}
+
+Options parse(const std::vector<std::string>& arguments)
+{
+  Options options;
+  for (std::size_t i = 0; i < arguments.size(); i += 2)
+  {
+    if (i + 1 == arguments.size())
+    {
+      throw std::runtime_error(arguments[i] + " needs a value");
+    }
+    setOption(options, arguments[i], arguments[i + 1]);
+  }
+  if (options.mesh.empty())
+  {
+    throw std::runtime_error("--mesh is missing");
+  }
+  for (const std::string& peer : options.against)
+  {
+    if (!isPeer(peer))
+    {
+      throw std::runtime_error("--against " + peer + ": built in are " + peerNames());
+    }
+  }
+  return options;
+}
+
+/// What the option --source says.
+struct Source
+{
+  bool boundary = false;
+  /// Curves and points; none for the boundary.
+  vtkSmartPointer<vtkPolyData> curves;
+  /// Where peers, which know no curves, measure from.
+  vtkIdType vertex = 0;
+};
+
+vtkIdType vertexId(const std::string& text, vtkPolyData* mesh)
+{
+  const auto id = static_cast<vtkIdType>(toNumber("--source", text, 0));
+  if (id >= mesh->GetNumberOfPoints())
+  {
+    throw std::runtime_error(
+      "--source: the mesh has only " + std::to_string(mesh->GetNumberOfPoints()) + " points");
+  }
+  return id;
+}
+
+vtkSmartPointer<vtkPolyData> pathAlongEdges(vtkPolyData* mesh, vtkIdType from, vtkIdType to)
+{
+  vtkNew<vtkDijkstraGraphGeodesicPath> path;
+  path->SetInputData(mesh);
+  path->SetStartVertex(from);
+  path->SetEndVertex(to);
+  path->StopWhenEndReachedOn();
+  path->Update();
+  return path->GetOutput();
+}
+
+Source makeSource(const std::string& text, vtkPolyData* mesh)
+{
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  const std::string value = colon == std::string::npos ? "" : text.substr(colon + 1);
+  Source source;
+  if (kind == "vertex")
+  {
+    source.vertex = vertexId(value, mesh);
+    vtkNew<vtkPoints> points;
+    points->SetDataType(mesh->GetPoints()->GetDataType());
+    points->InsertNextPoint(mesh->GetPoint(source.vertex));
+    source.curves = vtkSmartPointer<vtkPolyData>::New();
+    source.curves->SetPoints(points);
+  }
+  else if (kind == "boundary")
+  {
+    source.boundary = true;
+  }
+  else if (kind == "curve")
+  {
+    source.curves = readMesh(value);
+  }
+  else if (kind == "path" && split(value).size() == 2)
+  {
+    source.curves =
+      pathAlongEdges(mesh, vertexId(split(value)[0], mesh), vertexId(split(value)[1], mesh));
+  }
+  else
+  {
+    throw std::runtime_error(
+      "--source takes vertex:ID, boundary, curve:FILE or path:ID,ID, not " + text);
+  }
+  return source;
+}
+
+/// A value of /proc/self/status, in bytes; 0 where there is none.
+std::uint64_t memory(const std::string& key)
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+  {
+    if (line.compare(0, key.size() + 1, key + ":") == 0)
+    {
+      return std::stoull(line.substr(key.size() + 1)) * 1024;
+    }
+  }
+  return 0;
+}
+
+/// Returns what is free to the system and lets the peak begin anew, as far as that can be done.
+void forgetPeakMemory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+  std::ofstream("/proc/self/clear_refs") << 5;
+}
+
+std::string quoted(const std::string& text)
+{
+  std::string result = "\"";
+  for (const char c : text)
+  {
+    result += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  }
+  return result + '"';
+}
+
+class Stopwatch
+{
+public:
+  /// Seconds since the last call.
+  double lap()
+  {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - this->start_).count();
+    this->start_ = now;
+    return seconds;
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+double largestFinite(const std::vector<double>& distances)
+{
+  double largest = 0.0;
+  for (const double distance : distances)
+  {
+    largest = std::isfinite(distance) ? std::max(largest, distance) : largest;
+  }
+  return largest;
+}
+
+void run(const Options& options, vtkPolyData* mesh, const Source& source)
+{
+  forgetPeakMemory();
+  const std::uint64_t loaded = memory("VmRSS");
+  std::ostringstream json;
+  json.precision(10);
+
+  Stopwatch watch;
+  {
+    geodesic::PolyDataSurface surface(mesh, true);
+    const double buildSeconds = watch.lap();
+
+    std::vector<geodesic::SourceCurve> curves;
+    if (source.boundary)
+    {
+      curves = geodesic::boundaryCurves(surface.mesh());
+    }
+    else
+    {
+      const auto lines = geodesic::readSource(source.curves, surface, [](double) { return true; });
+      curves =
+        geodesic::putOntoSurface(surface.mesh(), lines, geodesic::snapOptionsFor(source.curves))
+          .curves;
+    }
+    const double sourceSeconds = watch.lap();
+    const geodesic::DistanceField field = geodesic::solve(surface.mesh(), curves);
+    const double solveSeconds = watch.lap();
+
+    json << "{\"mesh\": " << quoted(options.mesh)
+         << ", \"faces\": " << surface.mesh().numberOfFaces()
+         << ", \"edges\": " << surface.mesh().numberOfEdges()
+         << ", \"source\": " << quoted(options.source)
+         << ", \"relative_error\": 0, \"threads\": " << vtkSMPTools::GetEstimatedNumberOfThreads()
+         << ", \"build_s\": " << buildSeconds << ", \"source_s\": " << sourceSeconds
+         << ", \"solve_s\": " << solveSeconds
+         << ", \"refine_s\": 0, \"loaded_rss_bytes\": " << loaded
+         << ", \"peak_rss_bytes\": " << memory("VmHWM")
+         << ", \"windows_propagated\": " << field.windowsPropagated()
+         << ", \"max_distance\": " << largestFinite(field.vertexDistances())
+         << ", \"output_cells\": " << surface.mesh().numberOfFaces();
+  }
+  for (const std::string& peer : options.against)
+  {
+    json << ", \"" << peer << "_s\": " << secondsOfPeer(peer, mesh, source.vertex);
+  }
+  std::cout << json.str() << "}" << std::endl;
+}
+
+void measure(const Options& options)
+{
+  if (options.threads > 1 && std::string(vtkSMPTools::GetBackend()) == "Sequential")
+  {
+    vtkSMPTools::SetBackend("STDThread");
+  }
+  if (options.threads > 0)
+  {
+    vtkSMPTools::Initialize(options.threads);
+  }
+  vtkSmartPointer<vtkPolyData> mesh = plainTriangles(readMesh(options.mesh));
+  if (mesh->GetNumberOfPolys() == 0)
+  {
+    throw std::runtime_error(options.mesh + " has no faces that can be read");
+  }
+  if (options.subdivide > 0)
+  {
+    mesh = subdivide(mesh, options.subdivide);
+  }
+  if (options.noise > 0.0)
+  {
+    mesh = addNoise(mesh, options.noise);
+  }
+  if (!options.write.empty())
+  {
+    writeMesh(mesh, options.write);
+  }
+  const Source source = makeSource(options.source, mesh);
+  for (int i = 0; i < options.repeat; ++i)
+  {
+    run(options, mesh, source);
+  }
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (arguments.empty() || arguments[0] == "--help")
+  {
+    std::cout << Usage << peerNames() << "\n";
+    return arguments.empty() ? 1 : 0;
+  }
+  try
+  {
+    measure(parse(arguments));
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "geodesicBenchmark: " << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EngineSupport.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace geodesictest
+{
+
+geodesic::TriangleMesh engineMesh(const PlainMesh& mesh)
+{
+  return geodesic::TriangleMesh(mesh.points, mesh.triangles);
+}
+
+geodesic::SurfacePoint enginePoint(const geodesic::TriangleMesh& mesh, const MeshPoint& point)
+{
+  const Barycentric& w = point.weights;
+  for (Index k = 0; k < 3; ++k)
+  {
+    const Index second = (k + 1) % 3;
+    const Index third = (k + 2) % 3;
+    if (w[second] == 0.0 && w[third] == 0.0)
+    {
+      return geodesic::SurfacePoint::atVertex(mesh.triangle(point.face)[k]);
+    }
+    if (w[third] == 0.0 && w[k] != 0.0 && w[second] != 0.0)
+    {
+      return geodesic::SurfacePoint::onEdge(3 * point.face + k, w[second]);
+    }
+  }
+  return geodesic::SurfacePoint::inFace(point.face, w[1], w[2]);
+}
+
+geodesic::SourceCurve engineCurve(const geodesic::TriangleMesh& mesh, const Polyline& curve)
+{
+  geodesic::SourceCurve result;
+  const auto add = [&](Index face, const Barycentric& weights, bool isCut)
+  {
+    result.points.push_back(enginePoint(mesh, { face, weights }));
+    result.isCut.push_back(isCut ? 1 : 0);
+  };
+  add(curve.segments[0].face, curve.segments[0].from, false);
+  if (curve.isPoint())
+  {
+    return result;
+  }
+  for (std::size_t i = 0; i < curve.segments.size(); ++i)
+  {
+    const MeshSegment& segment = curve.segments[i];
+    result.faces.push_back(segment.face);
+    add(segment.face, segment.to, curve.isCut(i));
+  }
+  return result;
+}
+
+std::vector<geodesic::SourceCurve> engineCurves(
+  const geodesic::TriangleMesh& mesh, const std::vector<Polyline>& curves)
+{
+  std::vector<geodesic::SourceCurve> result;
+  for (const Polyline& curve : curves)
+  {
+    result.push_back(engineCurve(mesh, curve));
+  }
+  return result;
+}
+
+std::vector<geodesic::SourceCurve> engineCurves(
+  const geodesic::TriangleMesh& mesh, const Sources& sources)
+{
+  std::vector<Polyline> curves;
+  for (const MeshPoint& point : sources.points)
+  {
+    curves.push_back({ { { point.face, point.weights, point.weights } }, {} });
+  }
+  for (const MeshSegment& segment : sources.segments)
+  {
+    curves.push_back({ { segment }, {} });
+  }
+  return engineCurves(mesh, curves);
+}
+
+EngineResult engineDistances(const PlainMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves, const geodesic::TriangleMesh& engine,
+  const std::vector<MeshPoint>& queries)
+{
+  geodesic::SolveOptions keepAll;
+  keepAll.keepWindows = geodesic::KeepWindows::All;
+  const geodesic::DistanceField field = geodesic::solve(engine, curves, keepAll);
+  EngineResult result;
+  result.vertices = field.vertexDistances();
+  EXPECT_EQ(result.vertices.size(), mesh.points.size());
+  for (const MeshPoint& query : queries)
+  {
+    result.queries.push_back(field.distance(enginePoint(engine, query)));
+  }
+  const geodesic::DistanceField lean = geodesic::solve(engine, curves);
+  EXPECT_FALSE(lean.hasWindows());
+  EXPECT_LE(
+    worstError(lean.vertexDistances(), result.vertices, largestFinite(result.vertices)), 1e-14)
+    << "without windows kept";
+  return result;
+}
+
+EngineResult engineDistances(
+  const PlainMesh& mesh, const std::vector<Polyline>& curves, const std::vector<MeshPoint>& queries)
+{
+  const geodesic::TriangleMesh engine = engineMesh(mesh);
+  return engineDistances(mesh, engineCurves(engine, curves), engine, queries);
+}
+
+EngineResult engineDistances(
+  const PlainMesh& mesh, const Sources& sources, const std::vector<MeshPoint>& queries)
+{
+  const geodesic::TriangleMesh engine = engineMesh(mesh);
+  return engineDistances(mesh, engineCurves(engine, sources), engine, queries);
+}
+
+double largestFinite(const std::vector<double>& values)
+{
+  double largest = 0.0;
+  for (double value : values)
+  {
+    if (std::isfinite(value))
+    {
+      largest = std::max(largest, value);
+    }
+  }
+  return largest;
+}
+
+double worstError(
+  const std::vector<double>& computed, const std::vector<double>& truth, double largest)
+{
+  EXPECT_EQ(computed.size(), truth.size());
+  double worst = 0.0;
+  for (std::size_t i = 0; i < std::min(computed.size(), truth.size()); ++i)
+  {
+    if (computed[i] == truth[i])
+    {
+      continue;
+    }
+    if (!std::isfinite(computed[i]) || !std::isfinite(truth[i]))
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    worst = std::max(worst, std::abs(computed[i] - truth[i]) / largest);
+  }
+  return worst;
+}
+
+std::vector<MeshPoint> randomPoints(const PlainMesh& mesh, std::size_t count, Random& random)
+{
+  std::vector<MeshPoint> points;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    points.push_back(randomPoint(mesh, random));
+  }
+  return points;
+}
+
+std::string describe(const std::vector<Polyline>& curves)
+{
+  std::ostringstream text;
+  text.precision(17);
+  const auto write = [&text](const Barycentric& w)
+  { text << "{ " << w[0] << ", " << w[1] << ", " << w[2] << " }"; };
+  for (const Polyline& curve : curves)
+  {
+    text << (curve.isPoint() ? "point" : curve.isCut(0) ? "straight" : "polyline") << " {";
+    for (const MeshSegment& s : curve.segments)
+    {
+      text << " { " << s.face << ", ";
+      write(s.from);
+      text << ", ";
+      write(s.to);
+      text << " }";
+    }
+    text << " }\n";
+  }
+  return text.str();
+}
+
+}

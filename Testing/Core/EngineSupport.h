@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesictest_EngineSupport_h
+#define geodesictest_EngineSupport_h
+
+#include "BruteForce.h"
+#include "RandomCurves.h"
+#include "TestMeshes.h"
+
+#include "Propagation.h"
+#include "SourceCurve.h"
+#include "SurfacePoint.h"
+#include "TriangleMesh.h"
+
+#include <string>
+#include <vector>
+
+/// From the tests' plain data to the engine's, and what tests of the engine have in common.
+namespace geodesictest
+{
+
+/// The accuracy asked of the engine, of the largest distance.
+constexpr double EngineAccuracy = 1e-9;
+
+geodesic::TriangleMesh engineMesh(const PlainMesh& mesh);
+
+/// Faces keep their numbers, so the mesh must have none that the engine leaves out.
+geodesic::SurfacePoint enginePoint(const geodesic::TriangleMesh& mesh, const MeshPoint& point);
+geodesic::SourceCurve engineCurve(const geodesic::TriangleMesh& mesh, const Polyline& curve);
+std::vector<geodesic::SourceCurve> engineCurves(
+  const geodesic::TriangleMesh& mesh, const std::vector<Polyline>& curves);
+std::vector<geodesic::SourceCurve> engineCurves(
+  const geodesic::TriangleMesh& mesh, const Sources& sources);
+
+/// What the engine computes, laid out like the brute force's result.
+struct EngineResult
+{
+  std::vector<double> vertices;
+  std::vector<double> queries;
+};
+
+/// Solves with all windows kept, evaluates the queries and checks that a solve without windows
+/// gives the same values at vertices.
+EngineResult engineDistances(const PlainMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves, const geodesic::TriangleMesh& engine,
+  const std::vector<MeshPoint>& queries);
+EngineResult engineDistances(const PlainMesh& mesh, const std::vector<Polyline>& curves,
+  const std::vector<MeshPoint>& queries = {});
+EngineResult engineDistances(
+  const PlainMesh& mesh, const Sources& sources, const std::vector<MeshPoint>& queries = {});
+
+/// The largest finite value.
+double largestFinite(const std::vector<double>& values);
+
+/// The largest error relative to `largest`; infinity where one value is infinite (or not a number)
+/// and the other is not.
+double worstError(
+  const std::vector<double>& computed, const std::vector<double>& truth, double largest);
+
+/// Random query points of all kinds.
+std::vector<MeshPoint> randomPoints(const PlainMesh& mesh, std::size_t count, Random& random);
+
+/// The sources in a form that can be pasted into a test.
+std::string describe(const std::vector<Polyline>& curves);
+
+}
+
+#endif

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Meshes that people use, from the folder that GEODESIC_TEST_MESHES names.
+#include "EngineSupport.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+
+using namespace geodesictest;
+
+namespace
+{
+
+/// Vertices and triangles of an OBJ file (polygons as fans); points at one place become one.
+PlainMesh readObj(const std::string& fileName)
+{
+  PlainMesh mesh;
+  std::ifstream file(fileName);
+  std::map<Vec3, Index> vertexAt;
+  std::vector<Index> vertexOfLine;
+  std::string line;
+  while (std::getline(file, line))
+  {
+    std::istringstream words(line);
+    std::string key;
+    words >> key;
+    if (key == "v")
+    {
+      Vec3 p{};
+      words >> p[0] >> p[1] >> p[2];
+      const auto [found, isNew] = vertexAt.emplace(p, static_cast<Index>(mesh.points.size()));
+      if (isNew)
+      {
+        mesh.points.push_back(p);
+      }
+      vertexOfLine.push_back(found->second);
+    }
+    else if (key == "f")
+    {
+      std::vector<Index> corners;
+      while (words >> key)
+      {
+        corners.push_back(vertexOfLine.at(std::stoul(key) - 1));
+      }
+      for (std::size_t i = 2; i < corners.size(); ++i)
+      {
+        mesh.triangles.push_back({ corners[0], corners[i - 1], corners[i] });
+      }
+    }
+  }
+  return compacted(mesh);
+}
+
+class RealMeshes : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    const char* folder = std::getenv("GEODESIC_TEST_MESHES");
+    if (!folder)
+    {
+      GTEST_SKIP() << "GEODESIC_TEST_MESHES names no folder with fandisk.obj, spot.obj, "
+                      "beetle-alt.obj.";
+    }
+    this->folder_ = folder;
+  }
+
+  PlainMesh read(const std::string& name) const
+  {
+    PlainMesh mesh = readObj(this->folder_ + "/" + name);
+    EXPECT_FALSE(mesh.triangles.empty()) << "cannot read " << this->folder_ << "/" << name;
+    return mesh;
+  }
+
+  static void expectSymmetry(const PlainMesh& mesh)
+  {
+    const geodesic::TriangleMesh engine = engineMesh(mesh);
+    Random random(1);
+    std::vector<Index> vertices;
+    std::vector<std::vector<double>> fields;
+    for (int i = 0; i < 4; ++i)
+    {
+      vertices.push_back(random.below(mesh.points.size()));
+      geodesic::SourceCurve source;
+      source.points = { geodesic::SurfacePoint::atVertex(vertices.back()) };
+      source.isCut = { 0 };
+      fields.push_back(geodesic::solve(engine, { source }).vertexDistances());
+    }
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        const double there = fields[i][vertices[j]];
+        const double back = fields[j][vertices[i]];
+        EXPECT_TRUE(
+          there == back || std::abs(there - back) <= EngineAccuracy * largestFinite(fields[i]))
+          << "vertices " << vertices[i] << " and " << vertices[j] << ": " << there << ", " << back;
+      }
+    }
+  }
+
+  /// Compares where the distance is below a fraction of the largest.
+  static void expectBruteForce(const PlainMesh& mesh,
+    const std::vector<geodesic::SourceCurve>& curves, const Sources& sources, double fraction,
+    std::size_t atLeast)
+  {
+    const geodesic::TriangleMesh engine = engineMesh(mesh);
+    const std::vector<double> computed = geodesic::solve(engine, curves).vertexDistances();
+    const double largest = largestFinite(computed);
+    BruteForceOptions options;
+    options.maximumDistance = fraction * largest;
+    const std::vector<double> truth = bruteForceDistances(mesh, sources, {}, options).vertices;
+    std::size_t compared = 0;
+    double worst = 0.0;
+    for (std::size_t v = 0; v < truth.size(); ++v)
+    {
+      if (truth[v] <= options.maximumDistance)
+      {
+        ++compared;
+        const double error = std::abs(computed[v] - truth[v]) / largest;
+        EXPECT_LE(error, EngineAccuracy) << "vertex " << v;
+        worst = std::max(worst, error);
+      }
+      else
+      {
+        EXPECT_GT(computed[v], options.maximumDistance * (1.0 - EngineAccuracy)) << "vertex " << v;
+      }
+    }
+    EXPECT_GE(compared, atLeast);
+    RecordProperty("vertices_compared", static_cast<int>(compared));
+    RecordProperty("worst_relative_error", std::to_string(worst));
+  }
+
+  static void expectBruteForceFromRandomCurve(const PlainMesh& mesh, double fraction)
+  {
+    const geodesic::TriangleMesh engine = engineMesh(mesh);
+    ASSERT_EQ(engine.numberOfFaces(), mesh.triangles.size());
+    for (std::uint64_t seed = 0; seed < 3; ++seed)
+    {
+      Random random(seed);
+      CurveMaker maker(mesh, random);
+      const std::vector<Polyline> curves = { maker.walk(4), maker.straight(5), maker.point() };
+      expectBruteForce(mesh, engineCurves(engine, curves), toSources(curves), fraction, 100);
+    }
+  }
+
+  std::string folder_;
+};
+
+}
+
+TEST_F(RealMeshes, FandiskIsSymmetricBetweenVertices)
+{
+  expectSymmetry(this->read("fandisk.obj"));
+}
+
+TEST_F(RealMeshes, FandiskAgreesWithBruteForceNearTheSource)
+{
+  expectBruteForceFromRandomCurve(this->read("fandisk.obj"), 0.3);
+}
+
+TEST_F(RealMeshes, SpotIsSymmetricBetweenVertices)
+{
+  expectSymmetry(this->read("spot.obj"));
+}
+
+TEST_F(RealMeshes, SpotAgreesWithBruteForceNearTheSource)
+{
+  expectBruteForceFromRandomCurve(this->read("spot.obj"), 0.3);
+}
+
+TEST_F(RealMeshes, BeetlesBoundaryAgreesWithBruteForce)
+{
+  const PlainMesh mesh = this->read("beetle-alt.obj");
+  const geodesic::TriangleMesh engine = engineMesh(mesh);
+  Sources edges;
+  for (Index f = 0; f < engine.numberOfFaces(); ++f)
+  {
+    for (Index k = 0; k < 3; ++k)
+    {
+      if (engine.isBoundary(3 * f + k))
+      {
+        MeshSegment edge = { engine.inputFace(f), { 0, 0, 0 }, { 0, 0, 0 } };
+        edge.from[k] = 1.0;
+        edge.to[(k + 1) % 3] = 1.0;
+        edges.segments.push_back(edge);
+      }
+    }
+  }
+  expectBruteForce(mesh, geodesic::boundaryCurves(engine), edges, 1.0, mesh.points.size() / 3);
+}
+
+TEST_F(RealMeshes, BeetleIsSymmetricBetweenVertices)
+{
+  expectSymmetry(this->read("beetle-alt.obj"));
+}

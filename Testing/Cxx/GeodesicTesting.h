@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the filter's tests share: surfaces whose distances are known, curves, captured messages.
+#ifndef GeodesicTesting_h
+#define GeodesicTesting_h
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkGeodesicDistanceField.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTestErrorObserver.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace GeodesicTesting
+{
+
+using Point = std::array<double, 3>;
+using Distance = std::function<double(const Point&)>;
+
+/// Counts and prints what does not hold.
+class Check
+{
+public:
+  void That(bool holds, const std::string& what)
+  {
+    if (!holds)
+    {
+      std::cout << "FAILED: " << what << "\n";
+      ++this->Failures;
+    }
+  }
+  void Equal(double actual, double expected, const std::string& what)
+  {
+    this->That(actual == expected,
+      what + ": " + std::to_string(actual) + " instead of " + std::to_string(expected));
+  }
+  /// To be returned by the test.
+  int Result() const { return this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE; }
+
+private:
+  int Failures = 0;
+};
+
+/// Runs a filter and keeps what it says.
+class Messages
+{
+public:
+  explicit Messages(vtkAlgorithm* filter)
+    : Filter(filter)
+  {
+    filter->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+    filter->AddObserver(vtkCommand::WarningEvent, this->Observer);
+    // When a filter fails, its executive says so too.
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->ExecutiveObserver);
+  }
+  void Update()
+  {
+    this->Observer->Clear();
+    this->ExecutiveObserver->Clear();
+    this->Filter->Update();
+  }
+  std::string Error() const { return Text(this->Observer->GetErrorMessage()); }
+  std::string ExecutiveError() const { return this->ExecutiveObserver->GetErrorMessage(); }
+  std::string Warning() const { return Text(this->Observer->GetWarningMessage()); }
+
+private:
+  /// The message without "ERROR: In file, line, object:", which the test harness takes for a
+  /// failure.
+  static std::string Text(const std::string& message)
+  {
+    const std::size_t begin = message.find("): ");
+    return begin == std::string::npos ? message : message.substr(begin + 3);
+  }
+
+  vtkAlgorithm* Filter;
+  vtkNew<vtkTest::ErrorObserver> Observer;
+  vtkNew<vtkTest::ErrorObserver> ExecutiveObserver;
+};
+
+inline bool Contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+enum class Cells
+{
+  Triangles,
+  Quads,
+  Strips
+};
+
+inline void InsertSquare(vtkCellArray* polys, Cells cells, const std::array<vtkIdType, 4>& corners)
+{
+  if (cells == Cells::Quads)
+  {
+    polys->InsertNextCell(4, corners.data());
+    return;
+  }
+  polys->InsertNextCell({ corners[0], corners[1], corners[2] });
+  polys->InsertNextCell({ corners[0], corners[2], corners[3] });
+}
+
+/// The unit square in the plane z = 0 with n x n squares. With n a power of two the coordinates are
+/// exact in 32 bits too. The distance in it is the Euclidean one.
+inline vtkSmartPointer<vtkPolyData> Square(
+  int n, Cells cells = Cells::Triangles, int dataType = VTK_DOUBLE)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(dataType);
+  for (int j = 0; j <= n; ++j)
+  {
+    for (int i = 0; i <= n; ++i)
+    {
+      points->InsertNextPoint(static_cast<double>(i) / n, static_cast<double>(j) / n, 0.0);
+    }
+  }
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkCellArray> strips;
+  for (int j = 0; j < n; ++j)
+  {
+    if (cells == Cells::Strips)
+    {
+      strips->InsertNextCell(2 * (n + 1));
+    }
+    for (int i = 0; i <= n; ++i)
+    {
+      const vtkIdType below = j * (n + 1) + i;
+      const vtkIdType above = below + n + 1;
+      if (cells == Cells::Strips)
+      {
+        strips->InsertCellPoint(below);
+        strips->InsertCellPoint(above);
+      }
+      else if (i < n)
+      {
+        InsertSquare(polys, cells, { below, below + 1, above + 1, above });
+      }
+    }
+  }
+  auto square = vtkSmartPointer<vtkPolyData>::New();
+  square->SetPoints(points);
+  square->SetPolys(polys);
+  square->SetStrips(strips);
+  return square;
+}
+
+/// A surface without boundary.
+inline vtkSmartPointer<vtkPolyData> Tetrahedron()
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(0, 0, 0);
+  points->InsertNextPoint(1, 0, 0);
+  points->InsertNextPoint(0, 1, 0);
+  points->InsertNextPoint(0, 0, 1);
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 2, 1 });
+  polys->InsertNextCell({ 0, 1, 3 });
+  polys->InsertNextCell({ 1, 2, 3 });
+  polys->InsertNextCell({ 2, 0, 3 });
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(polys);
+  return surface;
+}
+
+/// Points without cells.
+inline vtkSmartPointer<vtkPolyData> PointSources(
+  const std::vector<Point>& positions, int dataType = VTK_DOUBLE)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(dataType);
+  for (const Point& p : positions)
+  {
+    points->InsertNextPoint(p.data());
+  }
+  auto source = vtkSmartPointer<vtkPolyData>::New();
+  source->SetPoints(points);
+  return source;
+}
+
+/// One polyline through the points.
+inline vtkSmartPointer<vtkPolyData> Polyline(
+  const std::vector<Point>& positions, bool closed = false, int dataType = VTK_DOUBLE)
+{
+  auto curve = PointSources(positions, dataType);
+  const auto size = static_cast<vtkIdType>(positions.size());
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(static_cast<int>(size) + (closed ? 1 : 0));
+  for (vtkIdType i = 0; i < size + (closed ? 1 : 0); ++i)
+  {
+    lines->InsertCellPoint(i % size);
+  }
+  curve->SetLines(lines);
+  return curve;
+}
+
+inline double DistanceToSegment(const Point& p, const Point& a, const Point& b)
+{
+  double along = 0.0;
+  double length2 = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    along += (p[k] - a[k]) * (b[k] - a[k]);
+    length2 += (b[k] - a[k]) * (b[k] - a[k]);
+  }
+  const double t = length2 > 0.0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
+  return std::hypot(p[0] - a[0] - t * (b[0] - a[0]), p[1] - a[1] - t * (b[1] - a[1]),
+    p[2] - a[2] - t * (b[2] - a[2]));
+}
+
+/// Euclidean distance to a polyline: true on a convex piece of a plane.
+inline Distance DistanceTo(std::vector<Point> line)
+{
+  return [line](const Point& p)
+  {
+    double least = DistanceToSegment(p, line[0], line[0]);
+    for (std::size_t i = 1; i < line.size(); ++i)
+    {
+      least = std::min(least, DistanceToSegment(p, line[i - 1], line[i]));
+    }
+    return least;
+  };
+}
+
+inline double DistanceToBoundaryOfSquare(const Point& p)
+{
+  return std::min({ p[0], 1.0 - p[0], p[1], 1.0 - p[1] });
+}
+
+inline vtkDataArray* Distances(vtkGeodesicDistanceField* filter)
+{
+  return filter->GetOutput()->GetPointData()->GetArray(filter->GetDistanceArrayName());
+}
+
+/// Checks the distances at all points against the truth, within a fraction of the largest.
+inline void CheckDistances(Check& check, vtkGeodesicDistanceField* filter, const Distance& truth,
+  const std::string& what, double tolerance = 1e-12)
+{
+  vtkPolyData* output = filter->GetOutput();
+  vtkDataArray* distances = Distances(filter);
+  if (!distances || distances->GetNumberOfTuples() != output->GetNumberOfPoints() ||
+    output->GetNumberOfPoints() == 0)
+  {
+    check.That(false, what + ": no distance at every point");
+    return;
+  }
+  double largest = 0.0;
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    output->GetPoint(i, p.data());
+    const double expected = truth(p);
+    largest = std::max(largest, expected);
+    const double error = std::abs(distances->GetTuple1(i) - expected);
+    worst = std::isnan(worst) || error <= worst ? worst : error;
+  }
+  check.That(worst <= tolerance * largest,
+    what + ": wrong by " + std::to_string(worst / largest) + " of the largest distance");
+}
+
+}
+
+#endif

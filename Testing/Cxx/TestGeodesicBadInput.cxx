@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What cannot be computed gives an error that says what is wrong, where and what to do; both
+// outputs stay empty and the inputs untouched.
+#include "GeodesicTesting.h"
+
+#include "vtkMath.h"
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+struct Case
+{
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Surface;
+  vtkSmartPointer<vtkPolyData> Source;
+  int SourceType;
+  /// All of these stand in the message.
+  std::vector<std::string> Words;
+};
+
+vtkSmartPointer<vtkPolyData> WithPoint(vtkSmartPointer<vtkPolyData> data, vtkIdType id, double x)
+{
+  data->GetPoints()->SetPoint(id, x, 0.0, 0.0);
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> OnlyPoints(vtkPolyData* data)
+{
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(data->GetPoints());
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> WithFace(vtkSmartPointer<vtkPolyData> data, vtkIdType badId)
+{
+  data->GetPolys()->InsertNextCell({ 0, 1, badId });
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> WithLine(vtkSmartPointer<vtkPolyData> data, vtkIdType badId)
+{
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, badId });
+  data->SetLines(lines);
+  return data;
+}
+
+/// Two squares side by side that share nothing.
+vtkSmartPointer<vtkPolyData> TwoSquares()
+{
+  auto surface = Square(2);
+  vtkPoints* points = surface->GetPoints();
+  const vtkIdType half = points->GetNumberOfPoints();
+  const vtkIdType faces = surface->GetNumberOfPolys();
+  for (vtkIdType i = 0; i < half; ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->InsertNextPoint(p[0] + 3.0, p[1], p[2]);
+  }
+  for (vtkIdType f = 0; f < faces; ++f)
+  {
+    vtkNew<vtkIdList> ids;
+    surface->GetPolys()->GetCellAtId(f, ids);
+    surface->GetPolys()->InsertNextCell(
+      { ids->GetId(0) + half, ids->GetId(1) + half, ids->GetId(2) + half });
+  }
+  return surface;
+}
+
+vtkSmartPointer<vtkPolyData> DegenerateFace()
+{
+  auto surface = PointSources({ { 0, 0, 0 }, { 1, 0, 0 } });
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 0, 1 });
+  surface->SetPolys(polys);
+  return surface;
+}
+
+std::vector<Case> Cases()
+{
+  const double nan = vtkMath::Nan();
+  const double inf = vtkMath::Inf();
+  const int curve = vtkGeodesicDistanceField::SOURCE_CURVE;
+  const int boundary = vtkGeodesicDistanceField::SURFACE_BOUNDARY;
+  const int both = vtkGeodesicDistanceField::CURVE_AND_BOUNDARY;
+  const auto corner = PointSources({ { 0, 0, 0 } });
+  const auto nothing = vtkSmartPointer<vtkPolyData>::New();
+  auto emptyLine = PointSources({ { 0, 0, 0 } });
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(0);
+  emptyLine->SetLines(lines);
+
+  return {
+    { "an empty surface", nothing, corner, curve, { "port 0", "no faces", "Connect" } },
+    { "a surface of points only", OnlyPoints(Square(2)), corner, curve, { "port 0", "no faces" } },
+    { "a surface whose only face is a,a,b", DegenerateFace(), corner, curve,
+      { "port 0", "three different corners" } },
+    { "a face that names a missing point", WithFace(Square(2), 99), corner, curve,
+      { "port 0", "Cell 8", "point 99", "9 points" } },
+    { "a face that names a negative point", WithFace(Square(2), -1), corner, curve,
+      { "port 0", "Cell 8", "point -1" } },
+    { "a NaN on the surface", WithPoint(Square(2), 4, nan), corner, curve,
+      { "port 0", "NaN", "point 4", "Remove" } },
+    { "an infinite coordinate on the surface", WithPoint(Square(2), 7, -inf), corner, curve,
+      { "port 0", "infinite", "point 7" } },
+    { "no source", Square(2), nullptr, curve, { "no source", "port 1", "Surface Boundary" } },
+    { "a closed surface and only its boundary", Tetrahedron(), nullptr, boundary,
+      { "port 0", "closed", "no boundary", "Source Curve" } },
+    { "a closed surface, its boundary and no curve", Tetrahedron(), nullptr, both,
+      { "port 0", "closed", "port 1" } },
+    { "an empty curve", Square(2), nothing, curve, { "port 1", "empty", "Connect" } },
+    { "an empty curve beside the boundary", Square(2), nothing, both, { "port 1", "empty" } },
+    { "a curve of a line without points", Square(2), emptyLine, curve, { "port 1", "empty" } },
+    { "a NaN on the curve", Square(2), WithPoint(Polyline({ { 0, 0, 0 }, { 1, 0, 0 } }), 1, nan),
+      curve, { "port 1", "NaN", "point 1", "Remove" } },
+    { "an infinite coordinate on the curve", Square(2),
+      WithPoint(Polyline({ { 0, 0, 0 }, { 1, 0, 0 } }), 0, inf), curve,
+      { "port 1", "infinite", "point 0" } },
+    { "a curve that names a missing point", Square(2), WithLine(PointSources({ { 0, 0, 0 } }), 5),
+      curve, { "port 1", "Cell 0", "point 5" } },
+    { "a curve between two components", TwoSquares(),
+      Polyline({ { 0.5, 0.5, 0 }, { 3.5, 0.5, 0 } }), curve,
+      { "component", "cell 0 of the source" } },
+  };
+}
+
+/// Times of modification, of which a change of anything changes one.
+vtkMTimeType TimeOf(vtkPolyData* data)
+{
+  return data ? data->GetMTime() : 0;
+}
+
+void CheckCase(Check& check, const Case& bad)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(bad.Surface);
+  filter->SetSourceData(bad.Source);
+  filter->SetSourceType(bad.SourceType);
+  const vtkMTimeType surfaceTime = TimeOf(bad.Surface);
+  const vtkMTimeType sourceTime = TimeOf(bad.Source);
+  Messages messages(filter);
+  messages.Update();
+
+  std::cout << bad.Name << ":\n" << messages.Error() << "\n";
+  check.That(!messages.Error().empty(), bad.Name + " gives an error");
+  for (const std::string& word : bad.Words)
+  {
+    check.That(Contains(messages.Error(), word), bad.Name + ": the error names \"" + word + "\"");
+  }
+  for (int port = 0; port < 2; ++port)
+  {
+    auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
+    check.That(output->GetNumberOfPoints() == 0 && output->GetNumberOfCells() == 0 &&
+        output->GetPointData()->GetNumberOfArrays() == 0,
+      bad.Name + " leaves output port " + std::to_string(port) + " empty");
+  }
+  check.That(TimeOf(bad.Surface) == surfaceTime, bad.Name + " leaves the surface untouched");
+  check.That(TimeOf(bad.Source) == sourceTime, bad.Name + " leaves the source untouched");
+
+  // The same filter works again once the input is right.
+  filter->SetInputData(Square(4));
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  filter->SetSourceType(vtkGeodesicDistanceField::SOURCE_CURVE);
+  messages.Update();
+  check.That(messages.Error().empty(), "no error after " + bad.Name);
+  CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "after " + bad.Name);
+}
+
+void CheckNoSurface(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  Messages messages(filter);
+  messages.Update();
+  check.That(Contains(messages.ExecutiveError(), "Input port 0") &&
+      Contains(messages.ExecutiveError(), "vtkGeodesicDistanceField"),
+    "no surface: the error names the port and the filter");
+}
+
+void CheckEmptyName(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(2));
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  Messages messages(filter);
+  for (const char* name : { "", static_cast<const char*>(nullptr) })
+  {
+    filter->SetDistanceArrayName(name);
+    filter->Modified();
+    messages.Update();
+    check.That(Contains(messages.Error(), "DistanceArrayName is empty"), "an empty array name");
+    check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPoints()), 0.0,
+      "points of the output with an empty array name");
+  }
+}
+
+void CheckManyBadPointsAreCounted(Check& check)
+{
+  auto surface = Square(4);
+  for (vtkIdType id = 0; id < 9; ++id)
+  {
+    WithPoint(surface, 2 * id, vtkMath::Nan());
+  }
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceType(vtkGeodesicDistanceField::SURFACE_BOUNDARY);
+  Messages messages(filter);
+  messages.Update();
+  check.That(Contains(messages.Error(), "point 0, 2, 4, 6, 8 and 4 more"),
+    "many NaN points: the first are named, the others counted");
+}
+
+}
+
+int TestGeodesicBadInput(int, char*[])
+{
+  Check check;
+  for (const Case& bad : Cases())
+  {
+    CheckCase(check, bad);
+  }
+  CheckNoSurface(check);
+  CheckEmptyName(check);
+  CheckManyBadPointsAreCounted(check);
+  return check.Result();
+}

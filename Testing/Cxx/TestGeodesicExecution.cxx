@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The filter executes when something changed and only then, reuses the surface when only the source
+// did, reports progress that never falls, and obeys abort.
+#include "GeodesicTesting.h"
+
+#include "vtkCallbackCommand.h"
+
+#include <ctime>
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+/// Calls a function at an event of an object.
+class Listener
+{
+public:
+  Listener(vtkObject* object, unsigned long event, std::function<void()> function)
+    : Function(std::move(function))
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+      { static_cast<Listener*>(self)->Function(); });
+    object->AddObserver(event, this->Command);
+  }
+  Listener(const Listener&) = delete;
+  void operator=(const Listener&) = delete;
+
+private:
+  std::function<void()> Function;
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+void CheckExecutesWhenSomethingChanged(Check& check)
+{
+  auto surface = Square(4);
+  auto source = PointSources({ { 0, 0, 0 } });
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceData(source);
+  int executions = 0;
+  Listener listener(filter, vtkCommand::StartEvent, [&] { ++executions; });
+
+  const auto expect = [&](int expected, const std::string& what)
+  {
+    executions = 0;
+    filter->Update();
+    check.Equal(executions, expected, "executions " + what);
+  };
+  expect(1, "the first time");
+  expect(0, "without a change");
+  filter->SetSourceType(filter->GetSourceType());
+  filter->SetMaximumDistance(filter->GetMaximumDistance());
+  filter->SetMergeCoincidentPoints(filter->GetMergeCoincidentPoints());
+  filter->SetDistanceArrayName("GeodesicDistance");
+  expect(0, "after setting properties to what they are");
+  filter->SetMaximumDistance(0.5);
+  expect(1, "after a property changed");
+  source->GetPoints()->SetPoint(0, 1, 0, 0);
+  source->GetPoints()->Modified();
+  expect(1, "after the source changed");
+  surface->GetPoints()->SetPoint(0, -1, 0, 0);
+  surface->GetPoints()->Modified();
+  expect(1, "after the surface changed");
+}
+
+/// What is wrong with the surface is told when its structure is built: a second execution that does
+/// not tell it has reused the structure.
+void CheckSurfaceIsReused(Check& check)
+{
+  auto surface = Square(8, Cells::Quads);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(surface);
+  Messages messages(filter);
+  const auto expect = [&](bool built, const std::string& what)
+  {
+    messages.Update();
+    check.That(Contains(messages.Warning(), "64 polygons") == built,
+      "the structure is " + std::string(built ? "" : "not ") + "built " + what);
+  };
+
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  expect(true, "the first time");
+  filter->SetSourceData(PointSources({ { 1, 1, 0 } }));
+  expect(false, "for another source");
+  CheckDistances(check, filter, DistanceTo({ { 1, 1, 0 } }), "another source");
+  filter->SetSourceTypeToSurfaceBoundary();
+  expect(false, "for another source type");
+  CheckDistances(check, filter, DistanceToBoundaryOfSquare, "another source type");
+  filter->SetSourceTypeToSourceCurve();
+  filter->SetSourceData(vtkNew<vtkPolyData>());
+  expect(false, "for a source that fails");
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  expect(false, "after a source that failed");
+  filter->MergeCoincidentPointsOff();
+  expect(true, "when points are no longer merged");
+
+  // A change in place counts, whether told by the points or by the surface.
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    surface->GetPoints()->SetPoint(i, 2 * p[0], 2 * p[1], 0);
+  }
+  surface->Modified();
+  expect(true, "after the surface changed");
+  CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "the changed surface");
+  filter->SetInputData(Square(8, Cells::Quads));
+  expect(true, "for another surface");
+}
+
+void CheckProgressNeverFalls(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(128));
+  filter->SetSourceData(
+    Polyline({ { 0.1, 0.1, 0 }, { 0.9, 0.3, 0 }, { 0.2, 0.8, 0 }, { 0.7, 0.9, 0 } }, true));
+  std::vector<double> seen;
+  Listener listener(
+    filter, vtkCommand::ProgressEvent, [&] { seen.push_back(filter->GetProgress()); });
+  filter->Update();
+  check.That(seen.size() >= 5, "progress is reported: " + std::to_string(seen.size()) + " times");
+  check.That(std::is_sorted(seen.begin(), seen.end()), "progress never falls");
+  check.That(!seen.empty() && seen.front() >= 0.0 && seen.back() == 1.0, "progress from 0 to 1");
+}
+
+void CheckOutputsEmpty(Check& check, vtkGeodesicDistanceField* filter, const std::string& what)
+{
+  for (int port = 0; port < 2; ++port)
+  {
+    auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
+    check.That(output->GetNumberOfPoints() == 0 && output->GetNumberOfCells() == 0 &&
+        output->GetPointData()->GetNumberOfArrays() == 0,
+      what + " leaves output port " + std::to_string(port) + " empty");
+  }
+}
+
+/// Aborts at the first progress of at least the given fraction.
+void CheckAbort(Check& check, double fraction)
+{
+  const std::string name = "abort at " + std::to_string(fraction);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  auto surface = Square(256);
+  filter->SetInputData(surface);
+  filter->SetSourceData(Polyline({ { 0.1, 0.1, 0 }, { 0.9, 0.3, 0 } }));
+  std::clock_t asked = 0;
+  double progress = 0.0;
+  bool armed = true;
+  Listener listener(filter, vtkCommand::ProgressEvent,
+    [&]
+    {
+      progress = filter->GetProgress();
+      if (armed && asked == 0 && progress >= fraction)
+      {
+        asked = std::clock();
+        filter->SetAbortExecute(1);
+      }
+    });
+  Messages messages(filter);
+  messages.Update();
+  const double seconds = static_cast<double>(std::clock() - asked) / CLOCKS_PER_SEC;
+  check.That(asked != 0, name + ": progress came so far");
+  check.That(seconds < 1.0, name + " took " + std::to_string(seconds) + " s of processor time");
+  check.That(messages.Error().empty(), name + " is no error: " + messages.Error());
+  CheckOutputsEmpty(check, filter, name);
+
+  armed = false;
+  filter->SetAbortExecute(0);
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  messages.Update();
+  CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "the execution after " + name);
+}
+
+}
+
+int TestGeodesicExecution(int, char*[])
+{
+  Check check;
+  CheckExecutesWhenSomethingChanged(check);
+  CheckSurfaceIsReused(check);
+  CheckProgressNeverFalls(check);
+  for (const double fraction : { 0.1, 0.16, 0.5, 0.8 })
+  {
+    CheckAbort(check, fraction);
+  }
+  return check.Result();
+}

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A source point is put onto the closest point of the surface: the snap distance is the least over
+// all faces, whatever the surface's scale and shape.
+#include "GeodesicTesting.h"
+
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkSphereSource.h"
+
+#include <random>
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+Point Corner(vtkPolyData* surface, vtkIdType face, vtkIdType k)
+{
+  vtkNew<vtkIdList> ids;
+  surface->GetPolys()->GetCellAtId(face, ids);
+  Point p;
+  surface->GetPoint(ids->GetId(k), p.data());
+  return p;
+}
+
+/// To the nearest point inside the face where the foot of the perpendicular is inside, else to its
+/// sides.
+double DistanceToFace(const Point& p, const Point& a, const Point& b, const Point& c)
+{
+  double least = std::min(
+    { DistanceToSegment(p, a, b), DistanceToSegment(p, b, c), DistanceToSegment(p, c, a) });
+  Point u, v, w, normal, across;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    u[k] = b[k] - a[k];
+    v[k] = c[k] - a[k];
+    w[k] = p[k] - a[k];
+  }
+  vtkMath::Cross(u.data(), v.data(), normal.data());
+  const double area = vtkMath::Norm(normal.data());
+  if (area == 0.0)
+  {
+    return least;
+  }
+  vtkMath::Cross(w.data(), v.data(), across.data());
+  const double s = vtkMath::Dot(across.data(), normal.data()) / (area * area);
+  vtkMath::Cross(u.data(), w.data(), across.data());
+  const double t = vtkMath::Dot(across.data(), normal.data()) / (area * area);
+  if (s >= 0.0 && t >= 0.0 && s + t <= 1.0)
+  {
+    least = std::min(least, std::abs(vtkMath::Dot(w.data(), normal.data())) / area);
+  }
+  return least;
+}
+
+double DistanceToSurface(const Point& p, vtkPolyData* surface)
+{
+  double least = VTK_DOUBLE_MAX;
+  for (vtkIdType face = 0; face < surface->GetNumberOfPolys(); ++face)
+  {
+    least = std::min(least,
+      DistanceToFace(
+        p, Corner(surface, face, 0), Corner(surface, face, 1), Corner(surface, face, 2)));
+  }
+  return least;
+}
+
+vtkSmartPointer<vtkPolyData> Sphere()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(12);
+  sphere->SetPhiResolution(9);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  return sphere->GetOutput();
+}
+
+/// Most of the surface in a corner of its bounding box.
+vtkSmartPointer<vtkPolyData> SquareWithTail()
+{
+  auto surface = Square(8);
+  const vtkIdType tip = surface->GetPoints()->InsertNextPoint(1e5, 1e5, 1e4);
+  surface->GetPolys()->InsertNextCell({ 79, 80, tip });
+  return surface;
+}
+
+/// The only way to the points at x > 1 is a face without area.
+vtkSmartPointer<vtkPolyData> SquareWithWhisker()
+{
+  auto surface = Square(2);
+  vtkPoints* points = surface->GetPoints();
+  const vtkIdType middle = points->InsertNextPoint(1.5, 0.0, 0.0);
+  const vtkIdType end = points->InsertNextPoint(2.0, 0.0, 0.0);
+  surface->GetPolys()->InsertNextCell({ 2, middle, end });
+  return surface;
+}
+
+void CheckSurface(
+  Check& check, const std::string& name, vtkSmartPointer<vtkPolyData> surface, double scale)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-1.5, 2.5);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    surface->GetPoints()->SetPoint(i, scale * p[0], scale * p[1], scale * p[2]);
+  }
+  surface->GetPoints()->Modified();
+  const double rounding = 1e-15 * surface->GetLength();
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(surface);
+  Messages messages(filter);
+  for (int i = 0; i < 100; ++i)
+  {
+    const Point p = { scale * coordinate(random), scale * coordinate(random),
+      (i % 4 == 0 ? 0.0 : scale) * coordinate(random) };
+    filter->SetSourceData(PointSources({ p }));
+    messages.Update();
+    const double expected = DistanceToSurface(p, surface);
+    const double error = std::abs(filter->GetSourceSnapDistance() - expected);
+    check.That(messages.Error().empty(), name + ": " + messages.Error());
+    check.That(error <= rounding,
+      name + ": point " + std::to_string(i) + " is put " +
+        std::to_string(filter->GetSourceSnapDistance() / scale) + " away instead of " +
+        std::to_string(expected / scale));
+  }
+}
+
+}
+
+int TestGeodesicLocation(int, char*[])
+{
+  Check check;
+  for (const double scale : { 1e-9, 1.0, 1e9 })
+  {
+    const std::string at = " at scale " + std::to_string(scale);
+    CheckSurface(check, "a sphere" + at, Sphere(), scale);
+    CheckSurface(check, "a flat square" + at, Square(8), scale);
+    CheckSurface(check, "a square with a tail" + at, SquareWithTail(), scale);
+    CheckSurface(check, "a square with a whisker" + at, SquareWithWhisker(), scale);
+  }
+  return check.Result();
+}

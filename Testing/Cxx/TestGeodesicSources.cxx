@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources of every kind that a vtkPolyData can hold, and those that other filters make: the
+// distance is that to the curve, and output port 1 is the curve as it lies on the surface.
+#include "GeodesicTesting.h"
+
+#include "vtkCleanPolyData.h"
+#include "vtkCutter.h"
+#include "vtkFeatureEdges.h"
+#include "vtkIdList.h"
+#include "vtkPlane.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkSphereSource.h"
+#include "vtkStripper.h"
+
+#include <set>
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+vtkPolyData* Curves(vtkGeodesicDistanceField* filter)
+{
+  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+}
+
+void CheckSource(Check& check, const std::string& name, vtkPolyData* source, const Distance& truth,
+  vtkIdType lines, vtkIdType vertices)
+{
+  for (const Cells cells : { Cells::Triangles, Cells::Quads })
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(Square(8, cells));
+    filter->SetSourceData(source);
+    Messages messages(filter);
+    messages.Update();
+    check.That(messages.Error().empty(), name + ": " + messages.Error());
+    CheckDistances(check, filter, truth, name);
+    check.Equal(static_cast<double>(Curves(filter)->GetNumberOfLines()), static_cast<double>(lines),
+      name + ": lines on the surface");
+    check.Equal(static_cast<double>(Curves(filter)->GetNumberOfVerts()),
+      static_cast<double>(vertices), name + ": vertices on the surface");
+  }
+}
+
+template <typename Inserter>
+vtkSmartPointer<vtkPolyData> WithCells(vtkSmartPointer<vtkPolyData> data, Inserter&& insert)
+{
+  vtkNew<vtkCellArray> cells;
+  insert(data, cells);
+  return data;
+}
+
+void CheckKinds(Check& check)
+{
+  const std::vector<Point> p = { { 0.21, 0.13, 0 }, { 0.83, 0.27, 0 }, { 0.75, 0.625, 0 },
+    { 0.31, 0.9, 0 } };
+  const std::vector<Point> outline = { p[0], p[1], p[2], p[3], p[0] };
+  const auto least = [](std::vector<Distance> parts) -> Distance
+  {
+    return [parts](const Point& x)
+    {
+      double result = parts[0](x);
+      for (const Distance& part : parts)
+      {
+        result = std::min(result, part(x));
+      }
+      return result;
+    };
+  };
+
+  CheckSource(check, "points without cells", PointSources(p),
+    least(
+      { DistanceTo({ p[0] }), DistanceTo({ p[1] }), DistanceTo({ p[2] }), DistanceTo({ p[3] }) }),
+    0, 4);
+  CheckSource(check, "an open polyline", Polyline(p), DistanceTo(p), 1, 0);
+  CheckSource(check, "a closed polyline", Polyline(p, true), DistanceTo(outline), 1, 0);
+  CheckSource(check, "vertex cells leave other points out",
+    WithCells(PointSources(p),
+      [](vtkPolyData* data, vtkCellArray* cells)
+      {
+        cells->InsertNextCell({ 1 });
+        cells->InsertNextCell({ 3, 0 });
+        data->SetVerts(cells);
+      }),
+    least({ DistanceTo({ p[0] }), DistanceTo({ p[1] }), DistanceTo({ p[3] }) }), 0, 3);
+  CheckSource(check, "two lines and a vertex",
+    WithCells(PointSources(p),
+      [](vtkPolyData* data, vtkCellArray* cells)
+      {
+        cells->InsertNextCell({ 0, 1 });
+        cells->InsertNextCell({ 2, 1 });
+        data->SetLines(cells);
+        vtkNew<vtkCellArray> vertices;
+        vertices->InsertNextCell({ 3 });
+        data->SetVerts(vertices);
+      }),
+    least({ DistanceTo({ p[0], p[1], p[2] }), DistanceTo({ p[3] }) }), 2, 1);
+  CheckSource(check, "a polygon stands for its outline",
+    WithCells(PointSources(p),
+      [](vtkPolyData* data, vtkCellArray* cells)
+      {
+        cells->InsertNextCell({ 0, 1, 2, 3 });
+        data->SetPolys(cells);
+      }),
+    DistanceTo(outline), 1, 0);
+  CheckSource(check, "a strip stands for its outline",
+    WithCells(PointSources(p),
+      [](vtkPolyData* data, vtkCellArray* cells)
+      {
+        cells->InsertNextCell({ 0, 1, 3, 2 });
+        data->SetStrips(cells);
+      }),
+    DistanceTo(outline), 1, 0);
+  CheckSource(check, "a line of one point is a point",
+    WithCells(PointSources(p),
+      [](vtkPolyData* data, vtkCellArray* cells)
+      {
+        cells->InsertNextCell({ 2 });
+        data->SetLines(cells);
+      }),
+    DistanceTo({ p[2] }), 0, 1);
+}
+
+void CheckCurveAndBoundary(Check& check)
+{
+  const std::vector<Point> line = { { 0.3, 0.45, 0 }, { 0.6, 0.55, 0 } };
+  const Distance toLine = DistanceTo(line);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(16));
+  filter->SetSourceData(Polyline(line));
+  Messages messages(filter);
+  filter->SetSourceTypeToSurfaceBoundary();
+  messages.Update();
+  CheckDistances(
+    check, filter, DistanceToBoundaryOfSquare, "the boundary, though a curve is there");
+  check.Equal(static_cast<double>(Curves(filter)->GetNumberOfPoints()), 64.0,
+    "points of the square's boundary");
+  filter->SetSourceTypeToCurveAndBoundary();
+  messages.Update();
+  CheckDistances(
+    check, filter,
+    [&](const Point& p) { return std::min(toLine(p), DistanceToBoundaryOfSquare(p)); },
+    "curve and boundary");
+  check.Equal(
+    static_cast<double>(Curves(filter)->GetNumberOfLines()), 2.0, "lines of curve and boundary");
+}
+
+/// Edges of the sphere that the plane z = height crosses.
+vtkIdType CrossedEdges(vtkPolyData* sphere, double height)
+{
+  std::set<std::pair<vtkIdType, vtkIdType>> edges;
+  for (vtkIdType f = 0; f < sphere->GetNumberOfPolys(); ++f)
+  {
+    vtkNew<vtkIdList> ids;
+    sphere->GetPolys()->GetCellAtId(f, ids);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      const vtkIdType a = ids->GetId(k);
+      const vtkIdType b = ids->GetId((k + 1) % 3);
+      if ((sphere->GetPoint(a)[2] < height) != (sphere->GetPoint(b)[2] < height))
+      {
+        edges.insert(std::minmax(a, b));
+      }
+    }
+  }
+  return static_cast<vtkIdType>(edges.size());
+}
+
+/// Points that are farther than the tolerance from those before.
+vtkIdType Places(vtkPolyData* data, double tolerance)
+{
+  vtkIdType places = 0;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    data->GetPoint(i, p.data());
+    bool isNew = true;
+    for (vtkIdType j = 0; j < i && isNew; ++j)
+    {
+      Point q;
+      data->GetPoint(j, q.data());
+      isNew = DistanceToSegment(p, q, q) > tolerance;
+    }
+    places += isNew ? 1 : 0;
+  }
+  return places;
+}
+
+/// A section of a sphere crosses each edge at one point, in 32 and 64 bits, whether its segments
+/// come one by one or joined.
+void CheckSliceOfSphere(Check& check, int precision, bool joined)
+{
+  const std::string name = std::string("slice of a ") +
+    (precision == vtkAlgorithm::SINGLE_PRECISION ? "32" : "64") + "-bit sphere" +
+    (joined ? ", joined" : "");
+  const double height = 0.0137;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(37);
+  sphere->SetPhiResolution(26);
+  sphere->SetOutputPointsPrecision(precision);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0, 0, height);
+  plane->SetNormal(0, 0, 1);
+  vtkNew<vtkCutter> slice;
+  slice->SetCutFunction(plane);
+  slice->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputConnection(slice->GetOutputPort());
+
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputConnection(sphere->GetOutputPort());
+  filter->SetSourceConnection(joined ? stripper->GetOutputPort() : slice->GetOutputPort());
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Error().empty(), name + ": " + messages.Error());
+
+  const bool is32 = precision == vtkAlgorithm::SINGLE_PRECISION;
+  const double rounding = is32 ? 1e-6 : 1e-14;
+  check.That(filter->GetSourceSnapDistance() < rounding, name + " lies on the surface");
+  check.Equal(static_cast<double>(Places(Curves(filter), rounding)),
+    static_cast<double>(CrossedEdges(sphere->GetOutput(), height)), name + ": points on edges");
+  vtkIdType segments = 0;
+  for (vtkIdType i = 0; i < Curves(filter)->GetNumberOfLines(); ++i)
+  {
+    vtkNew<vtkIdList> ids;
+    Curves(filter)->GetLines()->GetCellAtId(i, ids);
+    segments += ids->GetNumberOfIds() - 1;
+  }
+  check.Equal(static_cast<double>(segments),
+    static_cast<double>(slice->GetOutput()->GetNumberOfLines()),
+    name + ": segments, one a face, without slivers");
+  for (vtkIdType i = 0; i < Curves(filter)->GetNumberOfPoints(); ++i)
+  {
+    check.That(std::abs(Curves(filter)->GetPoint(i)[2] - height) < rounding, name + ": its height");
+  }
+  // By symmetry the poles are as far as straight down their meridians' faces.
+  const double north = Distances(filter)->GetTuple1(0);
+  const double south = Distances(filter)->GetTuple1(1);
+  check.That(south > north && std::abs(south - north - 2.0 * height) < 0.01, name + ": its poles");
+}
+
+/// The axis-aligned unit cube with n x n squares a side.
+vtkSmartPointer<vtkPolyData> Cube(int n)
+{
+  auto cube = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polys;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (const double level : { 0.0, 1.0 })
+    {
+      const auto side = Square(n);
+      const vtkIdType first = points->GetNumberOfPoints();
+      for (vtkIdType i = 0; i < side->GetNumberOfPoints(); ++i)
+      {
+        Point p;
+        p[axis] = level;
+        p[(axis + 1) % 3] = side->GetPoint(i)[0];
+        p[(axis + 2) % 3] = side->GetPoint(i)[1];
+        points->InsertNextPoint(p.data());
+      }
+      for (vtkIdType f = 0; f < side->GetNumberOfPolys(); ++f)
+      {
+        vtkNew<vtkIdList> ids;
+        side->GetPolys()->GetCellAtId(f, ids);
+        polys->InsertNextCell(
+          { first + ids->GetId(0), first + ids->GetId(1), first + ids->GetId(2) });
+      }
+    }
+  }
+  cube->SetPoints(points);
+  cube->SetPolys(polys);
+  return cube;
+}
+
+void CheckFeatureEdgesOfCube(Check& check)
+{
+  vtkNew<vtkCleanPolyData> cube;
+  cube->SetInputData(Cube(8));
+  vtkNew<vtkPolyDataNormals> oriented;
+  oriented->SetInputConnection(cube->GetOutputPort());
+  oriented->SplittingOff();
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputConnection(oriented->GetOutputPort());
+  edges->BoundaryEdgesOff();
+  edges->NonManifoldEdgesOff();
+  edges->FeatureEdgesOn();
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputConnection(oriented->GetOutputPort());
+  filter->SetSourceConnection(edges->GetOutputPort());
+  Messages messages(filter);
+  messages.Update();
+  check.Equal(static_cast<double>(edges->GetOutput()->GetNumberOfLines()), 96.0, "feature edges");
+  const auto toEdges = [](const Point& p)
+  {
+    double nearest[3];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      nearest[k] = std::min(p[k], 1.0 - p[k]);
+    }
+    std::sort(nearest, nearest + 3); // the first is 0: the face that the point lies in
+    return nearest[1];
+  };
+  CheckDistances(check, filter, toEdges, "feature edges of a cube");
+  check.Equal(filter->GetSourceSnapDistance(), 0.0, "snap distance of feature edges");
+}
+
+/// A curve above the surface is put onto it, and the snap distance tells from where.
+void CheckSnapDistance(Check& check)
+{
+  const std::vector<Point> below = { { 0.2, 0.3, 0 }, { 0.9, 0.4, 0 } };
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(8));
+  filter->SetSourceData(Polyline({ { 0.2, 0.3, 0.004 }, { 0.9, 0.4, 0.0078125 } }));
+  Messages messages(filter);
+  messages.Update();
+  CheckDistances(check, filter, DistanceTo(below), "a curve above the surface");
+  check.That(std::abs(filter->GetSourceSnapDistance() - 0.0078125) < 1e-15, "its snap distance");
+  check.That(messages.Warning().empty(), "a curve near the surface is not warned of");
+}
+
+}
+
+int TestGeodesicSources(int, char*[])
+{
+  Check check;
+  CheckKinds(check);
+  CheckCurveAndBoundary(check);
+  for (const bool joined : { false, true })
+  {
+    CheckSliceOfSphere(check, vtkAlgorithm::SINGLE_PRECISION, joined);
+    CheckSliceOfSphere(check, vtkAlgorithm::DOUBLE_PRECISION, joined);
+  }
+  CheckFeatureEdgesOfCube(check);
+  CheckSnapDistance(check);
+  return check.Result();
+}

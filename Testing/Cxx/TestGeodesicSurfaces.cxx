@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces of every kind that a vtkPolyData can hold: the distance is that of the geometry, and the
+// output keeps the input's points and data.
+#include "GeodesicTesting.h"
+
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+const std::vector<Point> Line = { { 0.1, 0.2, 0 }, { 0.7, 0.35, 0 }, { 0.65, 0.9, 0 } };
+
+vtkSmartPointer<vtkPolyData> NumberedCells(vtkSmartPointer<vtkPolyData> data)
+{
+  vtkNew<vtkIdTypeArray> numbers;
+  numbers->SetName("Number");
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    numbers->InsertNextValue(100 + i);
+  }
+  data->GetCellData()->AddArray(numbers);
+  return data;
+}
+
+/// Triangles that share no points, as an STL file has them.
+vtkSmartPointer<vtkPolyData> Soup(vtkPolyData* data)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polys;
+  for (vtkIdType f = 0; f < data->GetNumberOfPolys(); ++f)
+  {
+    vtkNew<vtkIdList> ids;
+    data->GetPolys()->GetCellAtId(f, ids);
+    polys->InsertNextCell(3);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      polys->InsertCellPoint(points->InsertNextPoint(data->GetPoint(ids->GetId(k))));
+    }
+  }
+  auto soup = vtkSmartPointer<vtkPolyData>::New();
+  soup->SetPoints(points);
+  soup->SetPolys(polys);
+  return soup;
+}
+
+void Run(Messages& messages, vtkGeodesicDistanceField* filter, vtkPolyData* surface)
+{
+  filter->SetInputData(surface);
+  filter->SetSourceData(Polyline(Line));
+  messages.Update();
+}
+
+void CheckKinds(Check& check)
+{
+  const std::vector<std::pair<std::string, vtkSmartPointer<vtkPolyData>>> kinds = {
+    { "triangles", Square(8) },
+    { "quads", Square(8, Cells::Quads) },
+    { "strips", Square(8, Cells::Strips) },
+    { "32-bit points", Square(8, Cells::Triangles, VTK_FLOAT) },
+    { "soup", Soup(Square(8)) },
+  };
+  for (const auto& [name, surface] : kinds)
+  {
+    NumberedCells(surface);
+    vtkNew<vtkGeodesicDistanceField> filter;
+    Messages messages(filter);
+    Run(messages, filter, surface);
+    CheckDistances(check, filter, DistanceTo(Line), name);
+
+    vtkPolyData* output = filter->GetOutput();
+    check.That(output->GetPoints() == surface->GetPoints(), name + ": the points are the input's");
+    check.Equal(static_cast<double>(output->GetNumberOfPolys()), 128.0, name + ": triangles");
+    check.Equal(static_cast<double>(output->GetNumberOfCells()), 128.0, name + ": cells");
+    check.Equal(static_cast<double>(output->GetPolys()->GetMaxCellSize()), 3.0, name + ": corners");
+  }
+}
+
+/// Every triangle's number is that of the input's cell with all its corners.
+void CheckCellData(Check& check, const std::string& name, vtkSmartPointer<vtkPolyData> surface)
+{
+  NumberedCells(surface);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  Messages messages(filter);
+  Run(messages, filter, surface);
+  vtkPolyData* output = filter->GetOutput();
+  vtkDataArray* numbers = output->GetCellData()->GetArray("Number");
+  if (!numbers || numbers->GetNumberOfTuples() != output->GetNumberOfCells())
+  {
+    check.That(false, name + ": a number for each cell");
+    return;
+  }
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    const auto parent = static_cast<vtkIdType>(numbers->GetTuple1(cell)) - 100;
+    vtkNew<vtkIdList> outer;
+    surface->GetCellPoints(parent, outer);
+    vtkNew<vtkIdList> corners;
+    output->GetPolys()->GetCellAtId(cell, corners);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      check.That(outer->IsId(corners->GetId(k)) >= 0, name + ": the number of the cell around");
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> QuadsWithLinesAndStrips()
+{
+  auto surface = Square(4, Cells::Quads);
+  surface->SetStrips(nullptr);
+  // The last row of squares as a strip, behind lines and vertices.
+  const vtkIdType n = 4;
+  vtkNew<vtkCellArray> quads;
+  for (vtkIdType f = 0; f + n < surface->GetNumberOfPolys(); ++f)
+  {
+    vtkNew<vtkIdList> ids;
+    surface->GetPolys()->GetCellAtId(f, ids);
+    quads->InsertNextCell(ids);
+  }
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell(2 * (static_cast<int>(n) + 1));
+  for (vtkIdType i = 0; i <= n; ++i)
+  {
+    strips->InsertCellPoint((n - 1) * (n + 1) + i);
+    strips->InsertCellPoint(n * (n + 1) + i);
+  }
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1 });
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ 0 });
+  vertices->InsertNextCell({ 2, 3 });
+  surface->SetPolys(quads);
+  surface->SetStrips(strips);
+  surface->SetLines(lines);
+  surface->SetVerts(vertices);
+  return surface;
+}
+
+/// A square cut out of the plane as one polygon that is far from convex: distances between its arms
+/// go around the notch.
+void CheckConcavePolygon(Check& check)
+{
+  const auto surface = PointSources({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 2, 3, 0 },
+    { 2, 1, 0 }, { 1, 1, 0 }, { 1, 3, 0 }, { 0, 3, 0 } });
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 2, 3, 4, 5, 6, 7 });
+  surface->SetPolys(polys);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceData(PointSources({ { 1, 3, 0 } }));
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Error().empty(), "a U as one polygon: " + messages.Error());
+  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPolys()), 6.0, "its triangles");
+  const double around = Distances(filter) ? Distances(filter)->GetTuple1(3) : 0.0;
+  check.That(std::abs(around - 5.0) < 1e-14, "the way around the notch of a U");
+}
+
+void CheckDegenerateQuads(Check& check)
+{
+  // A quad with a repeated corner is a triangle; one with two is nothing.
+  auto surface = PointSources({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } });
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 2, 2 });
+  polys->InsertNextCell({ 0, 0, 2, 3 });
+  polys->InsertNextCell({ 0, 0, 1, 1 });
+  surface->SetPolys(polys);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceData(PointSources({ { 1, 0, 0 } }));
+  Messages messages(filter);
+  messages.Update();
+  CheckDistances(check, filter, DistanceTo({ { 1, 0, 0 } }), "quads with repeated corners");
+  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPolys()), 2.0,
+    "triangles from quads with repeated corners");
+  check.That(Contains(messages.Warning(), "1 face with two corners"), "the empty quad is counted");
+}
+
+void CheckPolygonsWithoutArea(Check& check)
+{
+  // A quad folded onto a line conducts along it.
+  auto surface = PointSources({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } });
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 3, 2 });
+  surface->SetPolys(polys);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Error().empty(), "a quad without area: " + messages.Error());
+  CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "a quad without area");
+}
+
+void CheckMerging(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Soup(Square(4)));
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  filter->MergeCoincidentPointsOff();
+  Messages messages(filter);
+  messages.Update();
+  vtkIdType reached = 0;
+  for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    reached += std::isfinite(Distances(filter)->GetTuple1(i)) ? 1 : 0;
+  }
+  check.Equal(static_cast<double>(reached), 3.0, "points reached in soup that is not merged");
+
+  filter->MergeCoincidentPointsOn();
+  messages.Update();
+  CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "soup merged");
+
+  // Minus zero is zero; the next number is another place.
+  auto surface = Soup(Square(1));
+  vtkPoints* points = surface->GetPoints();
+  for (vtkIdType i = 3; i < 6; ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0] == 0.0 ? -0.0 : p[0], p[1] == 0.0 ? -0.0 : p[1], -0.0);
+  }
+  filter->SetInputData(surface);
+  messages.Update();
+  CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "soup with -0");
+  for (vtkIdType i = 3; i < 6; ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0], p[1], 5e-324);
+  }
+  points->Modified();
+  surface->Modified();
+  messages.Update();
+  check.That(std::isinf(Distances(filter)->GetTuple1(5)),
+    "points that differ in the last bit are not merged");
+}
+
+void CheckUnreached(Check& check)
+{
+  auto surface = Square(2);
+  const vtkIdType alone = surface->GetPoints()->InsertNextPoint(9, 9, 9);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  Messages messages(filter);
+  messages.Update();
+  const double distance = Distances(filter)->GetTuple1(alone);
+  check.That(std::isinf(distance) && distance > 0, "an isolated point is infinitely far");
+}
+
+vtkSmartPointer<vtkPolyData> Scaled(vtkSmartPointer<vtkPolyData> data, double scale)
+{
+  vtkPoints* points = data->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, scale * p[0], scale * p[1], scale * p[2]);
+  }
+  return data;
+}
+
+void CheckScale(Check& check, Cells cells, double scale)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Scaled(Square(8, cells), scale));
+  filter->SetSourceData(Scaled(Polyline(Line), scale));
+  Messages messages(filter);
+  messages.Update();
+  std::vector<Point> line = Line;
+  for (Point& p : line)
+  {
+    for (double& x : p)
+    {
+      x *= scale;
+    }
+  }
+  const std::string name = "scale " + std::to_string(scale);
+  CheckDistances(check, filter, DistanceTo(line), name);
+  check.Equal(
+    static_cast<double>(filter->GetOutput()->GetNumberOfPolys()), 128.0, name + ": triangles");
+}
+
+}
+
+int TestGeodesicSurfaces(int, char*[])
+{
+  Check check;
+  CheckKinds(check);
+  CheckCellData(check, "triangles", Square(4));
+  CheckCellData(check, "quads", Square(4, Cells::Quads));
+  CheckCellData(check, "strips", Square(4, Cells::Strips));
+  CheckCellData(check, "cells of all kinds", QuadsWithLinesAndStrips());
+  CheckConcavePolygon(check);
+  CheckDegenerateQuads(check);
+  CheckPolygonsWithoutArea(check);
+  CheckMerging(check);
+  CheckUnreached(check);
+  for (const double scale : { 1e-9, 1e9 })
+  {
+    CheckScale(check, Cells::Triangles, scale);
+    CheckScale(check, Cells::Quads, scale);
+  }
+  return check.Result();
+}

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the filter keeps working with but the user should know is counted in a warning, once.
+#include "GeodesicTesting.h"
+
+#include "vtkDoubleArray.h"
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+struct Case
+{
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Surface;
+  vtkSmartPointer<vtkPolyData> Source;
+  std::string Words;
+};
+
+vtkSmartPointer<vtkPolyData> WithFaces(
+  vtkSmartPointer<vtkPolyData> data, const std::vector<std::array<vtkIdType, 3>>& faces)
+{
+  for (const auto& face : faces)
+  {
+    data->GetPolys()->InsertNextCell(3, face.data());
+  }
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> WithPoints(vtkSmartPointer<vtkPolyData> data, int count)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    data->GetPoints()->InsertNextPoint(5.0 + i, 0.0, 0.0);
+  }
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> WithLinesAndVertices(vtkSmartPointer<vtkPolyData> data)
+{
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1 });
+  lines->InsertNextCell({ 1, 2, 3 });
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    vertices->InsertNextCell({ i });
+  }
+  data->SetLines(lines);
+  data->SetVerts(vertices);
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> WithPolygon(vtkSmartPointer<vtkPolyData> data)
+{
+  // A pentagon on the square's lower side, not convex.
+  vtkPoints* points = data->GetPoints();
+  const vtkIdType first = points->InsertNextPoint(0.0, -1.0, 0.0);
+  points->InsertNextPoint(0.5, -0.5, 0.0);
+  points->InsertNextPoint(1.0, -1.0, 0.0);
+  data->GetPolys()->InsertNextCell({ 0, first, first + 1, first + 2, 2 });
+  return data;
+}
+
+std::vector<Case> Cases()
+{
+  const Point origin = { 0, 0, 0 };
+  const auto corner = PointSources({ origin });
+  return {
+    { "quads", Square(2, Cells::Quads), corner, "4 polygons of the surface triangulated" },
+    { "a polygon", WithPolygon(Square(2)), corner, "1 polygon of the surface triangulated" },
+    { "strips", Square(2, Cells::Strips), corner, "2 triangle strips of the surface triangulated" },
+    { "lines", WithLinesAndVertices(Square(2)), corner,
+      "2 lines among the surface's cells dropped" },
+    { "vertices", WithLinesAndVertices(Square(2)), corner,
+      "3 vertex cells among the surface's cells dropped" },
+    { "faces a,a,b", WithFaces(Square(2), { { 0, 0, 1 }, { 3, 4, 3 } }), corner,
+      "2 faces with two corners at one point left out" },
+    { "a duplicate face", WithFaces(Square(2), { { 1, 4, 0 } }), corner, "1 duplicate face" },
+    { "a face without area", WithFaces(Square(2), { { 0, 1, 2 } }), corner,
+      "1 face without area, kept" },
+    { "isolated points", WithPoints(Square(2), 3), corner,
+      "3 points of the surface used by no face" },
+    { "repeated curve points", Square(2),
+      Polyline({ origin, origin, { 0.5, 0, 0 }, { 0.5, 0, 0 }, { 1, 0, 0 } }),
+      "2 points of the source at the place of the one before" },
+    { "a curve far from the surface", Square(2), PointSources({ { 0, 0, 0.75 } }),
+      "up to 0.75 away from the surface" },
+  };
+}
+
+void CheckCase(Check& check, const Case& odd)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(odd.Surface);
+  filter->SetSourceData(odd.Source);
+  const vtkMTimeType before = odd.Surface->GetMTime();
+  Messages messages(filter);
+  messages.Update();
+
+  std::cout << odd.Name << ":\n" << messages.Warning() << "\n";
+  check.That(messages.Error().empty(), odd.Name + " is no error: " + messages.Error());
+  check.That(
+    Contains(messages.Warning(), odd.Words), odd.Name + ": the warning says \"" + odd.Words + "\"");
+  check.That(odd.Surface->GetMTime() == before, odd.Name + " leaves the surface untouched");
+  const double reached = Distances(filter) ? Distances(filter)->GetTuple1(8) : -1.0;
+  check.That(odd.Source->GetNumberOfPoints() > 1 || std::abs(reached - std::sqrt(2.0)) < 1e-15,
+    odd.Name + ": the distance to the opposite corner");
+}
+
+void CheckExistingArray(Check& check)
+{
+  auto surface = Square(2);
+  vtkNew<vtkDoubleArray> mine;
+  mine->SetName("GeodesicDistance");
+  mine->SetNumberOfTuples(surface->GetNumberOfPoints());
+  mine->Fill(-7.0);
+  surface->GetPointData()->AddArray(mine);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  Messages messages(filter);
+  messages.Update();
+
+  check.That(Contains(messages.Warning(), "already has a point array named GeodesicDistance"),
+    "an existing array is told");
+  CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "beside an existing array");
+  check.That(surface->GetPointData()->GetArray("GeodesicDistance") == mine.Get(),
+    "the input keeps its array");
+  check.Equal(mine->GetValue(4), -7.0, "a value of the input's array");
+
+  filter->SetDistanceArrayName("Other");
+  messages.Update();
+  check.That(messages.Warning().empty(), "no warning with another name: " + messages.Warning());
+  check.That(filter->GetOutput()->GetPointData()->GetArray("GeodesicDistance") == mine.Get(),
+    "the output passes the input's array on");
+}
+
+void CheckSilence(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(2));
+  filter->SetSourceData(PointSources({ { 0, 0, 0 }, { 0.3, 0.4, 0 } }));
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Warning().empty(), "nothing is said of plain input: " + messages.Warning());
+}
+
+void CheckHalfMeantSources(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Tetrahedron());
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  filter->SetSourceTypeToCurveAndBoundary();
+  Messages messages(filter);
+  messages.Update();
+  check.That(Contains(messages.Warning(), "the curve alone is the source"),
+    "a closed surface with curve and boundary");
+
+  filter->SetInputData(Square(2));
+  filter->SetSourceData(nullptr);
+  messages.Update();
+  check.That(
+    messages.Error().empty() && Contains(messages.Warning(), "the boundary alone is the source"),
+    "curve and boundary without a curve");
+  CheckDistances(check, filter, DistanceToBoundaryOfSquare, "the boundary alone");
+}
+
+}
+
+int TestGeodesicWarnings(int, char*[])
+{
+  Check check;
+  for (const Case& odd : Cases())
+  {
+    CheckCase(check, odd);
+  }
+  CheckExistingArray(check);
+  CheckSilence(check);
+  CheckHalfMeantSources(check);
+  return check.Result();
+}

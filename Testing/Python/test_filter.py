@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filter as pvpython sees it, against distances known in closed form."""
+
+import unittest
+
+import numpy as np
+from paraview import simple
+
+from geodesic_testing import (FLOAT, assert_close, data, distance_to_segments, distances,
+                              load_plugin, messages, plane, points, polyline, tube)
+
+GeodesicDistanceField = load_plugin()
+
+# Bends in faces, ends in a face, and lies in the plane of plane().
+BENT = [(0.31, 0.42, 0), (1.93, 2.21, 0), (2.57, 0.64, 0), (3.71, 1.13, 0)]
+
+
+def distance_to_sides(positions):
+    x, y = positions[:, 0], positions[:, 1]
+    return np.minimum(np.minimum(x, 4 - x), np.minimum(y, 3 - y))
+
+
+class Sources(unittest.TestCase):
+    def test_a_polyline_in_the_plane_gives_euclidean_distance_to_its_segments(self):
+        field = GeodesicDistanceField(Input=plane(), Source=polyline(BENT))
+        expected = distance_to_segments(points(data(field)), BENT)
+        assert_close(distances(field), expected, FLOAT)
+
+    def test_a_closed_polyline_counts_its_closing_segment(self):
+        field = GeodesicDistanceField(Input=plane(), Source=polyline(BENT, closed=True))
+        expected = distance_to_segments(points(data(field)), BENT + BENT[:1])
+        assert_close(distances(field), expected, FLOAT)
+
+    def test_a_vertex_cell_is_a_point_source(self):
+        source = simple.PointSource(NumberOfPoints=1, Radius=0, Center=(1.37, 0.91, 0))
+        field = GeodesicDistanceField(Input=plane(), Source=source)
+        expected = np.linalg.norm(points(data(field)) - (1.37, 0.91, 0), axis=1)
+        assert_close(distances(field), expected, FLOAT)
+
+    def test_a_section_of_the_slice_filter_works_as_it_comes(self):
+        surface = tube()
+        section = simple.Slice(Input=surface)
+        section.SliceType.Origin = (0, 0.29, 0)
+        section.SliceType.Normal = (0, 1, 0)
+        field = GeodesicDistanceField(Input=surface, Source=section)
+        expected = np.abs(points(data(field))[:, 1] - 0.29)
+        assert_close(distances(field), expected, FLOAT)
+
+    def test_feature_edges_work_as_they_come_and_equal_the_surface_boundary(self):
+        surface = tube()
+        edges = simple.FeatureEdges(Input=surface, FeatureEdges=0)
+        from_edges = GeodesicDistanceField(Input=surface, Source=edges)
+        from_boundary = GeodesicDistanceField(Input=surface, SourceType="Surface Boundary")
+        expected = 1 - np.abs(points(data(from_edges))[:, 1])
+        assert_close(distances(from_edges), expected, FLOAT)
+        assert_close(distances(from_boundary), expected, FLOAT)
+
+    def test_a_line_along_the_edges_of_a_regular_grid_gives_the_distance_to_it(self):
+        for count in (2, 6, 20):
+            with self.subTest(count=count):
+                sheet = simple.Plane(XResolution=count, YResolution=count)
+                line = polyline([(0, -0.5, 0), (0, 0.5, 0)])
+                field = GeodesicDistanceField(Input=sheet, Source=line)
+                assert_close(distances(field), np.abs(points(data(field))[:, 0]), FLOAT)
+
+    def test_the_boundary_needs_no_source_input(self):
+        field = GeodesicDistanceField(Input=plane(), SourceType="Surface Boundary")
+        assert_close(distances(field), distance_to_sides(points(data(field))), FLOAT)
+
+    def test_curve_and_boundary_give_the_smaller_of_the_two_distances(self):
+        field = GeodesicDistanceField(
+            Input=plane(), Source=polyline(BENT), SourceType="Curve and Boundary")
+        positions = points(data(field))
+        expected = np.minimum(distance_to_segments(positions, BENT), distance_to_sides(positions))
+        assert_close(distances(field), expected, FLOAT)
+
+    def test_the_second_output_is_the_curve_as_it_lies_on_the_surface(self):
+        lifted = [(x, y, 0.125) for x, y, _ in BENT]
+        field = GeodesicDistanceField(Input=plane(), Source=polyline(lifted))
+        curve = data(field, port=1)
+        self.assertEqual(curve.GetNumberOfLines(), 1)
+        positions = points(curve)
+        np.testing.assert_allclose(positions[:, 2], 0, atol=FLOAT)
+        np.testing.assert_allclose(distance_to_segments(positions, BENT), 0, atol=5 * FLOAT)
+        np.testing.assert_allclose(distance_to_segments(np.array(BENT), positions), 0, atol=5 * FLOAT)
+
+
+class Properties(unittest.TestCase):
+    def test_defaults_are_those_of_the_readme(self):
+        field = GeodesicDistanceField(Input=plane())
+        self.assertEqual(field.SourceType, "Source Curve")
+        self.assertEqual(field.MaximumDistance, 0)
+        self.assertEqual(field.MergeCoincidentPoints, 1)
+        self.assertEqual(field.DistanceArrayName, "GeodesicDistance")
+
+    def test_every_property_has_help_text(self):
+        field = GeodesicDistanceField(Input=plane())
+        for name in ("Input", "Source", *field.ListProperties()):
+            text = field.GetProperty(name).GetDocumentation()
+            self.assertTrue(text and text.GetDescription().strip(), name)
+        self.assertTrue(field.SMProxy.GetDocumentation().GetDescription().strip())
+
+    def test_maximum_distance_stops_and_leaves_every_touched_face_exact(self):
+        surface = simple.Triangulate(Input=plane())
+        limit = 0.7
+        field = GeodesicDistanceField(Input=surface, Source=polyline(BENT), MaximumDistance=limit)
+        output = data(field)
+        actual = distances(field)
+        expected = distance_to_segments(points(output), BENT)
+        reached = np.isfinite(actual)
+        self.assertTrue(reached.any() and not reached.all())
+        assert_close(actual[reached], expected[reached], FLOAT)
+        for cell in range(output.GetNumberOfCells()):
+            ids = output.GetCell(cell).GetPointIds()
+            corners = [ids.GetId(k) for k in range(3)]
+            if expected[corners].min() < limit:
+                self.assertTrue(reached[corners].all(), f"cell {cell}")
+
+    def test_a_contour_inside_maximum_distance_is_whole(self):
+        ball = simple.Sphere(ThetaResolution=40, PhiResolution=30)
+        source = simple.PointSource(NumberOfPoints=1, Radius=0, Center=(0.5, 0.02, 0.01))
+
+        def contour(limit):
+            field = GeodesicDistanceField(Input=ball, Source=source, MaximumDistance=limit)
+            line = simple.Contour(Input=field, ContourBy=["POINTS", "GeodesicDistance"])
+            line.Isosurfaces = [0.6]
+            return data(line)
+
+        whole, limited = contour(0), contour(0.6)
+        self.assertGreater(whole.GetNumberOfCells(), 0)
+        self.assertEqual(limited.GetNumberOfCells(), whole.GetNumberOfCells())
+        a, b = (np.sort(points(x), axis=0) for x in (whole, limited))
+        np.testing.assert_allclose(a, b, atol=FLOAT)
+
+    def test_coincident_points_conduct_when_merged_and_separate_when_not(self):
+        halves = simple.AppendGeometry(Input=[plane(), plane(origin=(4, 0, 0))])
+        field = GeodesicDistanceField(Input=halves, Source=polyline(BENT))
+        positions = points(data(field))
+        expected = distance_to_segments(positions, BENT)
+        assert_close(distances(field), expected, FLOAT)
+
+        field.MergeCoincidentPoints = 0
+        second = np.arange(len(positions)) >= len(positions) // 2
+        assert_close(distances(field), np.where(second, np.inf, expected), FLOAT)
+
+    def test_the_array_gets_the_name_that_is_asked_for(self):
+        field = GeodesicDistanceField(Input=plane(), Source=polyline(BENT), DistanceArrayName="Depth")
+        output = data(field).GetPointData()
+        self.assertTrue(output.HasArray("Depth"))
+        self.assertFalse(output.HasArray("GeodesicDistance"))
+
+    def test_an_array_of_that_name_is_replaced_in_the_output_only(self):
+        height = simple.Calculator(Input=plane(), ResultArrayName="Depth", Function="coordsX - 7")
+        field = GeodesicDistanceField(Input=height, Source=polyline(BENT), DistanceArrayName="Depth")
+        before = distances(height, "Depth").copy()
+        with messages():
+            field.UpdatePipeline()
+        positions = points(data(field))
+        assert_close(distances(field, "Depth"), distance_to_segments(positions, BENT), FLOAT)
+        np.testing.assert_array_equal(distances(height, "Depth"), before)
+
+
+class Results(unittest.TestCase):
+    def test_field_data_tell_the_snap_distance_and_the_work(self):
+        lifted = [(x, y, 0.125) for x, y, _ in BENT]
+        field = GeodesicDistanceField(Input=plane(), Source=polyline(lifted))
+        reported = data(field).GetFieldData()
+
+        def value(name):
+            return reported.GetArray(name).GetTuple1(0)
+
+        self.assertAlmostEqual(value("SourceSnapDistance"), 0.125, delta=FLOAT)
+        self.assertGreater(value("WindowsPropagatedPerEdge"), 0)
+
+    def test_an_unreached_component_is_infinitely_far(self):
+        both = simple.AppendGeometry(Input=[plane(), plane(origin=(0, 0, 1))])
+        field = GeodesicDistanceField(Input=both, Source=polyline(BENT))
+        positions = points(data(field))
+        expected = np.where(positions[:, 2] > 0.5, np.inf, distance_to_segments(positions, BENT))
+        assert_close(distances(field), expected, FLOAT)
+
+    def test_the_points_of_the_input_stay_as_they_are_and_the_output_is_triangles(self):
+        surface = plane()
+        field = GeodesicDistanceField(Input=surface, Source=polyline(BENT))
+        output = data(field)
+        np.testing.assert_array_equal(points(output), points(data(surface)))
+        self.assertEqual(output.GetNumberOfCells(), 2 * data(surface).GetNumberOfCells())
+
+    def test_moving_the_curve_gives_the_new_distance(self):
+        curve = polyline(BENT)
+        field = GeodesicDistanceField(Input=plane(), Source=curve)
+        positions = points(data(field))
+        moved = [(x, 3 - y, z) for x, y, z in BENT]
+        curve.Points = [x for point in moved for x in point]
+        assert_close(distances(field), distance_to_segments(positions, moved), FLOAT)
+
+    def test_each_surface_of_a_composite_gets_its_own_distance(self):
+        surfaces = simple.GroupDatasets(Input=[plane(), plane(resolution=(7, 5))])
+        field = GeodesicDistanceField(Input=surfaces, Source=polyline(BENT))
+        output = data(field)
+        self.assertEqual(output.GetNumberOfBlocks(), 2)
+        for block in (output.GetBlock(0), output.GetBlock(1)):
+            array = block.GetPointData().GetArray("GeodesicDistance")
+            actual = np.array([array.GetTuple1(i) for i in range(array.GetNumberOfTuples())])
+            assert_close(actual, distance_to_segments(points(block), BENT), FLOAT)
+
+
+class Errors(unittest.TestCase):
+    def assert_refused(self, field, *words):
+        """The filter says all the words, and gives no field."""
+        with messages() as window:
+            field.UpdatePipeline()
+        said = window.GetOutput()
+        for word in words:
+            self.assertIn(word.lower(), said.lower())
+        self.assertIsNone(data(field).GetPointData().GetArray("GeodesicDistance"))
+
+    def test_a_missing_source_is_asked_for(self):
+        self.assert_refused(GeodesicDistanceField(Input=plane()), "source")
+
+    def test_a_closed_surface_has_no_boundary_to_start_from(self):
+        field = GeodesicDistanceField(Input=simple.Sphere(), SourceType="Surface Boundary")
+        self.assert_refused(field, "boundary")
+
+    def test_a_surface_without_faces_is_refused(self):
+        self.assert_refused(
+            GeodesicDistanceField(Input=polyline(BENT), Source=polyline(BENT)), "face")
+
+    def test_a_curve_between_two_components_is_refused(self):
+        both = simple.AppendGeometry(Input=[plane(), plane(origin=(0, 0, 1))])
+        field = GeodesicDistanceField(Input=both, Source=polyline([(1, 1, 0), (2, 2, 1)]))
+        self.assert_refused(field, "component")
+
+    def test_after_an_error_the_filter_works_again(self):
+        field = GeodesicDistanceField(Input=plane())
+        self.assert_refused(field, "source")
+        field.Source = polyline(BENT)
+        assert_close(distances(field), distance_to_segments(points(data(field)), BENT), FLOAT)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The wrapped class in plain Python, with either VTK."""
+
+import math
+import unittest
+
+from geodesicdistance import vtkGeodesicDistanceField
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+
+def octahedron():
+    points, faces = vtkPoints(), vtkCellArray()
+    for axis in range(3):
+        for sign in (1, -1):
+            points.InsertNextPoint([sign * (axis == k) for k in range(3)])
+    for x in (0, 1):
+        for y in (2, 3):
+            for z in (4, 5):
+                faces.InsertNextCell(3, (x, y, z))
+    surface = vtkPolyData()
+    surface.SetPoints(points)
+    surface.SetPolys(faces)
+    return surface
+
+
+class Module(unittest.TestCase):
+    def test_distances_on_the_octahedron_from_a_vertex_are_those_of_its_unfolding(self):
+        source = vtkPolyData()
+        points = vtkPoints()
+        points.InsertNextPoint(1, 0, 0)
+        source.SetPoints(points)
+
+        field = vtkGeodesicDistanceField()
+        field.SetInputData(octahedron())
+        field.SetSourceData(source)
+        field.Update()
+        array = field.GetOutput().GetPointData().GetArray(field.GetDistanceArrayName())
+        expected = [0, math.sqrt(6)] + 4 * [math.sqrt(2)]
+        for i, distance in enumerate(expected):
+            self.assertAlmostEqual(array.GetTuple1(i), distance, delta=1e-12)
+
+    def test_every_property_can_be_set_and_read(self):
+        field = vtkGeodesicDistanceField()
+        for name, default, other in (("SourceType", 0, 2), ("MaximumDistance", 0.0, 1.5),
+                                     ("MergeCoincidentPoints", True, False),
+                                     ("DistanceArrayName", "GeodesicDistance", "Depth")):
+            self.assertEqual(getattr(field, "Get" + name)(), default, name)
+            getattr(field, "Set" + name)(other)
+            self.assertEqual(getattr(field, "Get" + name)(), other, name)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Builds everything and runs all tests with CTest, in build-testing/:
+#
+#   paraview   everything against ParaView and its VTK: engine, filter, plugin, Python, GUI
+#   vtk        the module against plain VTK 9.1, without ParaView
+#   sanitize   the engine's tests under AddressSanitizer and UndefinedBehaviorSanitizer
+#
+# Arguments go to CTest (-R NAME, -j N, ...). Plain VTK 9.1 is taken from VTK_DIR where that is set,
+# else from the system, else downloaded.
+set -eu
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+. "$top/Examples/packages.sh"
+builds=$top/build-testing
+
+install_missing "${build_packages[@]}" libgtest-dev openmpi-bin libvtk9.1 libtbb-dev \
+  libglew-dev libgl-dev libfreetype-dev libpng-dev libtiff-dev libjpeg-dev
+
+# Prints the first folder that a pattern finds and that holds a VTK to build against.
+vtk_below()
+{
+  local config
+  for config in "$1"/usr/lib/*/cmake/vtk-9.1/vtk-config.cmake; do
+    [ ! -f "$config" ] || dirname "$config"
+  done | head -n 1
+}
+
+# Unpacks VTK 9.1 for building below the given folder. It cannot be installed: its Python package
+# and ParaView's exclude each other.
+download_vtk()
+{
+  mkdir -p "$1/packages"
+  (cd "$1/packages" && apt-get download libvtk9-dev libvtk9.1 libvtk9.1-qt python3-vtk9 vtk9) || return
+  local package
+  for package in "$1"/packages/*.deb; do
+    dpkg -x "$package" "$1"
+  done
+}
+
+# Configures and builds into build-testing/NAME.
+build()
+{
+  local name=$1
+  shift
+  printf '\n== Building %s ==\n' "$name"
+  cmake -S "$top" -B "$builds/$name" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 "$@"
+  cmake --build "$builds/$name"
+}
+
+mkdir -p "$builds"
+vtk=${VTK_DIR:-$(vtk_below "")}
+vtk=${vtk:-$(vtk_below "$builds/vtk-9.1")}
+if [ -z "$vtk" ] && download_vtk "$builds/vtk-9.1"; then
+  vtk=$(vtk_below "$builds/vtk-9.1")
+fi
+unset VTK_DIR
+
+build paraview
+build sanitize -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGEODESIC_CORE_ONLY=ON \
+  -DGEODESIC_SANITIZE=address,undefined
+suites="paraview sanitize"
+if [ -n "$vtk" ]; then
+  build vtk -DVTK_DIR="$vtk"
+  suites+=" vtk"
+fi
+
+# One CTest run over all builds, so that its closing line speaks for all.
+{
+  echo "subdirs($suites)"
+  if [ -z "$vtk" ]; then
+    reason="VTK 9.1 could not be downloaded and VTK_DIR is not set: that build was not tested."
+    printf '\n%s\n' "$reason" >&2
+    echo "add_test(plain-vtk-build sh -c \"echo '$reason'; exit 77\")"
+    echo "set_tests_properties(plain-vtk-build PROPERTIES SKIP_RETURN_CODE 77)"
+  fi
+} > "$builds/CTestTestfile.cmake"
+
+# The same names come from more than one build: tell which numbers are whose.
+printf '\n== Testing ==\n'
+first=1
+for suite in $suites; do
+  count=$(ctest --test-dir "$builds/$suite" -N | sed -n 's/^Total Tests: //p')
+  echo "$suite: tests $first to $((first + count - 1))"
+  first=$((first + count))
+done
+ctest --test-dir "$builds" --output-on-failure --timeout 300 -j "$(nproc)" "$@"
