@@ -9,27 +9,155 @@ namespace geodesic
 void WindowListBuilder::reset(double sideLength)
 {
   this->windows_.clear();
-  this->lastOwner_ = nullptr;
   this->leastWidth_ = tolerance::LeastWidth * sideLength;
 }
 
 void WindowListBuilder::append(const Window& window)
+{
+  if (this->windows_.empty() || this->windows_.back().end <= window.begin)
+  {
+    this->push(window, window.begin, window.end);
+    return;
+  }
+  const std::size_t last = this->windows_.size() - 1;
+  const bool one = this->windows_[last].begin <= window.begin &&
+    (last == 0 || this->windows_[last - 1].end <= window.begin);
+  if (one)
+  {
+    this->appendToLast(window);
+    return;
+  }
+  this->appendToSeveral(window);
+}
+
+namespace
+{
+
+/// Which of two windows is lower where both are: `first` up to cut[0], the other up to cut[1],
+/// `first` again from there on.
+struct Lower
+{
+  bool firstIsA = true;
+  int cuts = 0;
+  std::array<double, 2> cut{};
+};
+
+// The commonest overlap: with one sigma the squares can be compared, whose difference is linear.
+Lower lowerOfSameSigma(const Window& a, const Window& b, double lo, double hi)
+{
+  const double slope = 2.0 * (b.sourceX - a.sourceX);
+  const double middle = 0.5 * (a.sourceX + b.sourceX);
+  const double depths = (a.sourceDepth - b.sourceDepth) * (a.sourceDepth + b.sourceDepth);
+  const double atLo = slope * (lo - middle) + depths;
+  const double atHi = slope * (hi - middle) + depths;
+  const bool aAtLo = atLo < 0.0 || (atLo == 0.0 && atHi <= 0.0);
+  const bool aAtHi = atHi < 0.0 || (atHi == 0.0 && atLo <= 0.0);
+  Lower lower;
+  lower.firstIsA = aAtLo;
+  if (aAtLo != aAtHi)
+  {
+    lower.cuts = 1;
+    lower.cut[0] = std::clamp(middle - depths / slope, lo, hi);
+  }
+  return lower;
+}
+
+// Between crossings one of the two is smaller throughout; its middle tells which. The older one
+// keeps what is equal.
+Lower lowerByCrossings(const Window& a, const Window& b, double lo, double hi)
+{
+  const Crossings cross = crossings(a, b, lo, hi);
+  Lower lower;
+  bool currentIsA = true;
+  double begin = lo;
+  for (int i = 0; i <= cross.count; ++i)
+  {
+    const double end = i < cross.count ? cross.at[static_cast<std::size_t>(i)] : hi;
+    const double middle = 0.5 * (begin + end);
+    const bool isA = a.distance(middle) <= b.distance(middle);
+    if (i == 0)
+    {
+      lower.firstIsA = isA;
+    }
+    else if (isA != currentIsA)
+    {
+      lower.cut[static_cast<std::size_t>(lower.cuts++)] = begin;
+    }
+    currentIsA = isA;
+    begin = end;
+  }
+  return lower;
+}
+
+// Where one window is smaller at both ends, it is so throughout, unless they cross twice, which
+// they cannot where the sum of the differences is more than the slopes, 1 at most each, can make up
+// for.
+Lower lowerOf(const Window& a, const Window& b, double lo, double hi)
+{
+  if (a.sigma == b.sigma && !a.isLinear() && !b.isLinear())
+  {
+    return lowerOfSameSigma(a, b, lo, hi);
+  }
+  const double atLo = a.distance(lo) - b.distance(lo);
+  const double atHi = a.distance(hi) - b.distance(hi);
+  const bool sameSide = (atLo < 0.0 && atHi < 0.0) || (atLo > 0.0 && atHi > 0.0);
+  if (sameSide && std::abs(atLo + atHi) > 2.0 * (hi - lo))
+  {
+    Lower lower;
+    lower.firstIsA = atLo < 0.0;
+    return lower;
+  }
+  return lowerByCrossings(a, b, lo, hi);
+}
+
+} // anonymous namespace
+
+// The window overlaps the list's last one only, and begins inside it.
+void WindowListBuilder::appendToLast(const Window& window)
+{
+  Window& last = this->windows_.back();
+  const double hi = std::min(last.end, window.end);
+  const Lower lower = lowerOf(last, window, window.begin, hi);
+  if (lower.firstIsA && lower.cuts == 0)
+  {
+    this->push(window, hi, window.end);
+    return;
+  }
+  const Window old = last;
+  const auto cutAt = [&](int i)
+  { return i < lower.cuts ? lower.cut[static_cast<std::size_t>(i)] : hi; };
+  last.end = lower.firstIsA ? cutAt(0) : window.begin;
+  if (last.width() < this->leastWidth_)
+  {
+    this->windows_.pop_back();
+  }
+  // parts in turn, each to the next cut, the last to the end of the overlap and what is behind it
+  double begin = lower.firstIsA ? cutAt(0) : window.begin;
+  for (int i = lower.firstIsA ? 1 : 0; i <= lower.cuts; ++i)
+  {
+    const bool isOld = (i % 2 == 0) == lower.firstIsA;
+    const Window& part = isOld ? old : window;
+    this->push(part, begin, i < lower.cuts ? cutAt(i) : part.end);
+    begin = cutAt(i);
+    if (i == lower.cuts)
+    {
+      const Window& other = isOld ? window : old;
+      this->push(other, hi, other.end);
+    }
+  }
+}
+
+void WindowListBuilder::appendToSeveral(const Window& window)
 {
   std::size_t first = this->windows_.size();
   while (first > 0 && this->windows_[first - 1].end > window.begin)
   {
     --first;
   }
-  this->lastOwner_ = nullptr;
-  if (first == this->windows_.size())
-  {
-    this->appendPiece(window, window.begin, window.end, &window);
-    return;
-  }
   this->overlapped_.assign(
     this->windows_.begin() + static_cast<std::ptrdiff_t>(first), this->windows_.end());
   this->windows_.resize(first);
-
+  this->lastOwner_ = nullptr;
   double begin = window.begin; // what is left of the window
   for (const Window& old : this->overlapped_)
   {
@@ -37,101 +165,62 @@ void WindowListBuilder::append(const Window& window)
     const double hi = std::min(window.end, old.end);
     if (begin < std::min(old.begin, window.end))
     {
-      this->appendPiece(window, begin, std::min(old.begin, window.end), &window);
+      this->appendPiece(window, begin, std::min(old.begin, window.end));
     }
     if (lo >= hi)
     {
-      this->appendPiece(old, old.begin, old.end, &old);
+      this->appendPiece(old, old.begin, old.end);
       begin = std::max(begin, std::min(old.begin, window.end));
       continue;
     }
-    this->appendPiece(old, old.begin, lo, &old);
+    this->appendPiece(old, old.begin, lo);
     this->appendOverlap(old, window, lo, hi);
-    this->appendPiece(old, hi, old.end, &old);
+    this->appendPiece(old, hi, old.end);
     begin = hi;
   }
-  this->appendPiece(window, begin, window.end, &window);
+  this->appendPiece(window, begin, window.end);
 }
 
-// Pieces come in order. A window cut in two by a narrower one appears twice.
-void WindowListBuilder::appendPiece(
-  const Window& window, double begin, double end, const void* owner)
+void WindowListBuilder::appendOverlap(const Window& a, const Window& b, double lo, double hi)
+{
+  const Lower lower = lowerOf(a, b, lo, hi);
+  double begin = lo;
+  bool isA = lower.firstIsA;
+  for (int i = 0; i <= lower.cuts; ++i, isA = !isA)
+  {
+    const double end = i < lower.cuts ? lower.cut[static_cast<std::size_t>(i)] : hi;
+    this->appendPiece(isA ? a : b, begin, end);
+    begin = end;
+  }
+}
+
+// Pieces come in order; those of one window that meet are joined.
+void WindowListBuilder::appendPiece(const Window& window, double begin, double end)
 {
   if (!(end > begin))
   {
     return;
   }
-  if (owner == this->lastOwner_ && !this->windows_.empty())
+  if (&window == this->lastOwner_ && !this->windows_.empty())
   {
     this->windows_.back().end = end;
-    return;
   }
-  if (end - begin < this->leastWidth_)
+  else if (this->push(window, begin, end))
   {
-    return;
+    this->lastOwner_ = &window;
+  }
+}
+
+bool WindowListBuilder::push(const Window& window, double begin, double end)
+{
+  if (!(end - begin >= this->leastWidth_ && end > begin))
+  {
+    return false;
   }
   this->windows_.push_back(window);
   this->windows_.back().begin = begin;
   this->windows_.back().end = end;
-  this->lastOwner_ = owner;
-}
-
-// Where one window is smaller at both ends, it is so throughout, unless they cross twice, which
-// they cannot where the sum of the differences is more than the slopes, 1 at most each, can make up
-// for.
-void WindowListBuilder::appendOverlap(const Window& a, const Window& b, double lo, double hi)
-{
-  if (a.sigma == b.sigma && !a.isLinear() && !b.isLinear())
-  {
-    this->appendSameSigma(a, b, lo, hi);
-    return;
-  }
-  const double atLo = a.distance(lo) - b.distance(lo);
-  const double atHi = a.distance(hi) - b.distance(hi);
-  const bool sameSide = (atLo < 0.0 && atHi < 0.0) || (atLo > 0.0 && atHi > 0.0);
-  if (sameSide && std::abs(atLo + atHi) > 2.0 * (hi - lo))
-  {
-    const Window& lower = atLo < 0.0 ? a : b;
-    this->appendPiece(lower, lo, hi, &lower);
-    return;
-  }
-  this->appendLower(a, b, lo, hi);
-}
-
-// The commonest overlap: with one sigma the squares can be compared, whose difference is linear.
-void WindowListBuilder::appendSameSigma(const Window& a, const Window& b, double lo, double hi)
-{
-  const double slope = 2.0 * (b.sourceX - a.sourceX);
-  const double middle = 0.5 * (a.sourceX + b.sourceX);
-  const double depths = (a.sourceDepth - b.sourceDepth) * (a.sourceDepth + b.sourceDepth);
-  const double atLo = slope * (lo - middle) + depths;
-  const double atHi = slope * (hi - middle) + depths;
-  const Window& first = atLo < 0.0 || (atLo == 0.0 && atHi <= 0.0) ? a : b;
-  const Window& second = atHi < 0.0 || (atHi == 0.0 && atLo <= 0.0) ? a : b;
-  if (&first == &second)
-  {
-    this->appendPiece(first, lo, hi, &first);
-    return;
-  }
-  const double cross = std::clamp(middle - depths / slope, lo, hi);
-  this->appendPiece(first, lo, cross, &first);
-  this->appendPiece(second, cross, hi, &second);
-}
-
-// Between crossings one of the two is smaller throughout; its middle tells which. The older one
-// keeps what is equal.
-void WindowListBuilder::appendLower(const Window& a, const Window& b, double lo, double hi)
-{
-  const Crossings cross = crossings(a, b, lo, hi);
-  double begin = lo;
-  for (int i = 0; i <= cross.count; ++i)
-  {
-    const double end = i < cross.count ? cross.at[static_cast<std::size_t>(i)] : hi;
-    const double middle = 0.5 * (begin + end);
-    const Window& lower = b.distance(middle) < a.distance(middle) ? b : a;
-    this->appendPiece(lower, begin, end, &lower);
-    begin = end;
-  }
+  return true;
 }
 
 namespace

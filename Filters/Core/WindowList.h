@@ -29,15 +29,16 @@ public:
   bool empty() const { return this->windows_.empty(); }
 
 private:
-  void appendPiece(const Window& window, double begin, double end, const void* owner);
+  void appendToLast(const Window& window);
+  void appendToSeveral(const Window& window);
   void appendOverlap(const Window& a, const Window& b, double lo, double hi);
-  void appendSameSigma(const Window& a, const Window& b, double lo, double hi);
-  void appendLower(const Window& a, const Window& b, double lo, double hi);
+  void appendPiece(const Window& window, double begin, double end);
+  bool push(const Window& window, double begin, double end);
 
   std::vector<Window> windows_;
   std::vector<Window> overlapped_;
   /// The window that the last piece was cut from, so that pieces that meet are joined again.
-  const void* lastOwner_ = nullptr;
+  const Window* lastOwner_ = nullptr;
   double leastWidth_ = 0.0;
 };
 

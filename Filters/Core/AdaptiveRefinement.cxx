@@ -1,0 +1,639 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AdaptiveRefinement.h"
+
+#include "Errors.h"
+#include "FaceEnvelope.h"
+#include "InterpolationError.h"
+#include "RedGreenMesh.h"
+#include "Tolerance.h"
+
+#include <algorithm>
+#include <queue>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// An edge is split where its deviation is largest when that is over this fraction of the
+/// tolerance, and in the middle where there is nothing to aim at.
+constexpr double WorthAiming = 0.25;
+
+/// A part's smallest angle may be this fraction of the input face's.
+constexpr double LeastAngleFraction = 0.4;
+
+/// Distances of one face are compared up to this many ties.
+constexpr double RoundingTies = 8.0;
+
+double angleBetween(Vec2 a, Vec2 b)
+{
+  return std::atan2(std::abs(cross(a, b)), dot(a, b));
+}
+
+double leastAngle(Vec2 a, Vec2 b, Vec2 c)
+{
+  return std::min(
+    { angleBetween(b - a, c - a), angleBetween(c - b, a - b), angleBetween(a - c, b - c) });
+}
+
+class Refiner
+{
+public:
+  Refiner(const DistanceField& field, const RefinementOptions& options);
+  RefinedMesh run();
+
+private:
+  /// A leaf over the tolerance.
+  struct Violation
+  {
+    double error;
+    Id triangle;
+    Id splitEdges;
+    bool operator<(const Violation& other) const
+    {
+      return this->error != other.error ? this->error < other.error
+                                        : this->triangle > other.triangle;
+    }
+  };
+  /// A triangle of the output, or one that would be.
+  struct Piece
+  {
+    Id face;
+    Triangle corners;
+    std::array<Deviation, 3> deviations;
+  };
+
+  std::vector<std::uint8_t> findFrozen() const;
+  bool isFrozen(Id face) const;
+  void assessFaces();
+  void assess(Id triangle);
+  void refineWorst();
+  void refine(const Violation& violation);
+  void certifyRest();
+
+  double distanceAt(Id point) const;
+  double ownDistance(Id point, Vec2 place) const;
+  Vec2 planePlace(Id point) const;
+  const Deviation& deviationOf(Id edge);
+  Deviation deviationIn(Id face, Id a, Id b);
+  bool isExactLineShort(double length) const;
+  InterpolationError::Inside check(const Piece& piece, bool tight);
+  InterpolationError::Inside checkLeaf(Id triangle, bool tight);
+  Piece pieceOf(Id triangle);
+  std::array<Piece, 2> greenPieces(Id triangle);
+
+  RedGreenMesh::Placement placeSplit(Id edge);
+  double splitWeight(Id edge);
+  bool shapesAllow(Id edge, double weight);
+  double angleWith(Id triangle, Id edge, double weight);
+  double distanceOnEdge(Id edge, double weight);
+
+  void report(double fraction);
+  void putOut(RefinedMesh& result) const;
+
+  const DistanceField& Field;
+  const TriangleMesh& Mesh;
+  const RefinementOptions& Options;
+  bool exact_;
+  double tolerance_;
+  FaceEnvelope envelope_;
+  InterpolationError error_;
+  RedGreenMesh triangles_;
+  RedGreenMesh::Place place_;
+  std::priority_queue<Violation> violations_;
+  double bound_ = 0.0;
+  bool stopped_ = false;
+  double worstAtFirst_ = 0.0;
+  double reported_ = 0.0;
+  Id sinceReport_ = 0;
+};
+
+Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
+  : Field(field)
+  , Mesh(field.mesh())
+  , Options(options)
+  , exact_(field.relativeErrorBound() == 0.0)
+  , tolerance_(options.tolerance)
+  , envelope_(field)
+  , error_(field)
+  , triangles_(field.mesh(), this->findFrozen())
+  , place_([this](Id edge) { return this->placeSplit(edge); })
+{
+}
+
+bool Refiner::isFrozen(Id face) const
+{
+  for (const Id vertex : this->Mesh.triangle(face))
+  {
+    if (!(this->Field.vertexDistances()[vertex] < Infinity))
+    {
+      return true;
+    }
+  }
+  constexpr double third = 1.0 / 3.0;
+  return this->Options.maximumDistance < Infinity &&
+    !(this->Field.distance(SurfacePoint::inFace(face, third, third)) < Infinity);
+}
+
+std::vector<std::uint8_t> Refiner::findFrozen() const
+{
+  std::vector<std::uint8_t> frozen(this->Mesh.numberOfFaces());
+  for (Id face = 0; face < this->Mesh.numberOfFaces(); ++face)
+  {
+    frozen[face] = this->isFrozen(face) ? 1 : 0;
+  }
+  return frozen;
+}
+
+RefinedMesh Refiner::run()
+{
+  this->assessFaces();
+  this->refineWorst();
+  this->certifyRest();
+  RefinedMesh result;
+  result.errorBound = this->bound_;
+  result.stoppedAtMaximum = this->stopped_;
+  this->putOut(result);
+  return result;
+}
+
+void Refiner::assessFaces()
+{
+  for (Id face = 0; face < this->Mesh.numberOfFaces(); ++face)
+  {
+    if (this->triangles_.isFrozen(face))
+    {
+      continue;
+    }
+    double largest = 0.0;
+    for (const Id vertex : this->Mesh.triangle(face))
+    {
+      largest = std::max(largest, this->Field.vertexDistances()[vertex]);
+    }
+    const double rounding = RoundingTies * tolerance::Tie * largest;
+    const double quick = this->error_.ofFace(face, this->tolerance_ - rounding);
+    if (quick < Infinity)
+    {
+      this->bound_ = std::max(this->bound_, quick + rounding);
+    }
+    else
+    {
+      this->assess(face);
+    }
+    constexpr double shareOfFirstPass = 0.3;
+    this->report(shareOfFirstPass * face / this->Mesh.numberOfFaces());
+  }
+}
+
+double Refiner::distanceAt(Id point) const
+{
+  const Id inputPoints = this->triangles_.numberOfInputPoints();
+  return point < inputPoints ? this->Field.vertexDistances()[point]
+                             : this->triangles_.points()[point - inputPoints].distance;
+}
+
+Vec2 Refiner::planePlace(Id point) const
+{
+  return this->envelope_.inPlane(
+    barycentric(this->Mesh, this->triangles_.place(point), this->envelope_.face()));
+}
+
+// The distance as the face at hand has it: in an approximate field another face at the point may
+// have a smaller one.
+double Refiner::ownDistance(Id point, Vec2 place) const
+{
+  if (this->exact_ || point < this->triangles_.numberOfInputPoints())
+  {
+    return this->distanceAt(point);
+  }
+  return this->envelope_.distance(place);
+}
+
+Deviation Refiner::deviationIn(Id face, Id a, Id b)
+{
+  this->envelope_.enter(face);
+  const Vec2 p = this->planePlace(a);
+  const Vec2 q = this->planePlace(b);
+  return largestDeviation(
+    this->envelope_.along(p, q), norm(q - p), this->ownDistance(a, p), this->ownDistance(b, q));
+}
+
+const Deviation& Refiner::deviationOf(Id id)
+{
+  RedGreenMesh::Edge& edge = this->triangles_.edgeData(id);
+  if (edge.measured)
+  {
+    return edge.deviation;
+  }
+  edge.measured = true;
+  if (edge.side == NoId)
+  {
+    edge.deviation = this->deviationIn(edge.face, edge.ends[0], edge.ends[1]);
+    return edge.deviation;
+  }
+  // One face sees the whole exact distance along its edge.
+  bool found = false;
+  Id side = edge.side;
+  do
+  {
+    const Id face = TriangleMesh::faceOf(side);
+    if (!this->triangles_.isFrozen(face) && !(found && this->exact_))
+    {
+      const Deviation d = this->deviationIn(face, edge.ends[0], edge.ends[1]);
+      if (!found || d.above > edge.deviation.above)
+      {
+        edge.deviation.above = d.above;
+        edge.deviation.aboveAt = d.aboveAt;
+      }
+      if (!found || d.below > edge.deviation.below)
+      {
+        edge.deviation.below = d.below;
+        edge.deviation.belowAt = d.belowAt;
+      }
+      found = true;
+    }
+    side = this->Mesh.nextInRing(side);
+  } while (side != edge.side);
+  return edge.deviation;
+}
+
+Refiner::Piece Refiner::pieceOf(Id triangle)
+{
+  Piece piece{ this->triangles_.faceOf(triangle), this->triangles_.corners(triangle), {} };
+  for (Id k = 0; k < 3; ++k)
+  {
+    piece.deviations[k] = this->deviationOf(this->triangles_.edge(triangle, k));
+  }
+  return piece;
+}
+
+std::array<Refiner::Piece, 2> Refiner::greenPieces(Id triangle)
+{
+  const Id face = this->triangles_.faceOf(triangle);
+  const Triangle c = this->triangles_.corners(triangle);
+  const auto [k, middle] = this->triangles_.onlySplit(triangle);
+  const Id next = (k + 1) % 3;
+  const Id previous = (k + 2) % 3;
+  const Id split = this->triangles_.edge(triangle, k);
+  const Id halves = this->triangles_.edgeData(split).halves;
+  const bool forward = this->triangles_.edgeData(split).ends[0] == c[k];
+  const Deviation inner = this->deviationIn(face, middle, c[previous]);
+  const Deviation first = this->deviationOf(forward ? halves : halves + 1);
+  const Deviation second = this->deviationOf(forward ? halves + 1 : halves);
+  const Deviation atNext = this->deviationOf(this->triangles_.edge(triangle, next));
+  const Deviation atPrevious = this->deviationOf(this->triangles_.edge(triangle, previous));
+  return { Piece{ face, { c[k], middle, c[previous] }, { first, inner, atPrevious } },
+    Piece{ face, { middle, c[next], c[previous] }, { second, atNext, inner } } };
+}
+
+// The bound and the sample hold rounding and, in an approximate field, the differences between
+// faces.
+InterpolationError::Inside Refiner::check(const Piece& piece, bool tight)
+{
+  this->envelope_.enter(piece.face);
+  LinearPiece linear;
+  double largest = 0.0;
+  double difference = 0.0;
+  Deviation onEdges;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double distance = this->distanceAt(piece.corners[k]);
+    linear.corners[k] = this->planePlace(piece.corners[k]);
+    linear.values[k] = this->ownDistance(piece.corners[k], linear.corners[k]);
+    largest = std::max(largest, distance);
+    difference = std::max(difference, linear.values[k] - distance);
+    onEdges.above = std::max(onEdges.above, piece.deviations[k].above);
+    onEdges.below = std::max(onEdges.below, piece.deviations[k].below);
+  }
+  const double rounding = RoundingTies * tolerance::Tie * largest;
+  const double limit = this->tolerance_ - rounding;
+  if (onEdges.largest() > limit && !tight)
+  {
+    return { Infinity, onEdges.largest() };
+  }
+  InterpolationError::Inside inside =
+    this->error_.ofTriangle(this->envelope_, linear, onEdges, limit, tight);
+  inside.bound = std::max(inside.bound, onEdges.largest()) + rounding + difference;
+  return inside;
+}
+
+InterpolationError::Inside Refiner::checkLeaf(Id triangle, bool tight)
+{
+  if (this->triangles_.splitEdges(triangle) == 0)
+  {
+    return this->check(this->pieceOf(triangle), tight);
+  }
+  InterpolationError::Inside worst{ 0.0, 0.0 };
+  for (const Piece& piece : this->greenPieces(triangle))
+  {
+    const InterpolationError::Inside inside = this->check(piece, tight);
+    worst.bound = std::max(worst.bound, inside.bound);
+    worst.sample = std::max(worst.sample, inside.sample);
+  }
+  return worst;
+}
+
+void Refiner::assess(Id triangle)
+{
+  const InterpolationError::Inside inside = this->checkLeaf(triangle, false);
+  if (inside.bound <= this->tolerance_)
+  {
+    this->bound_ = std::max(this->bound_, inside.bound);
+    return;
+  }
+  const double error = std::max(inside.sample, this->tolerance_);
+  this->violations_.push({ error, triangle, this->triangles_.splitEdges(triangle) });
+}
+
+void Refiner::refineWorst()
+{
+  const std::uint64_t limit = this->Options.maximumFaces > 0
+    ? this->Options.maximumFaces
+    : std::numeric_limits<std::uint64_t>::max();
+  this->worstAtFirst_ = this->violations_.empty() ? 0.0 : this->violations_.top().error;
+  std::vector<Violation> unrefined;
+  while (!this->violations_.empty())
+  {
+    const Violation worst = this->violations_.top();
+    if (!this->triangles_.isLeaf(worst.triangle) ||
+      this->triangles_.splitEdges(worst.triangle) != worst.splitEdges)
+    {
+      this->violations_.pop(); // split or assessed again since
+      continue;
+    }
+    this->triangles_.begin();
+    this->refine(worst);
+    const std::vector<Id> changed = this->triangles_.close(this->place_);
+    if (this->triangles_.numberOfTriangles() > limit)
+    {
+      this->triangles_.rollBack();
+      this->stopped_ = true;
+      return;
+    }
+    this->violations_.pop();
+    for (const Id triangle : changed)
+    {
+      this->assess(triangle);
+    }
+    const double open = std::log(worst.error / this->tolerance_);
+    const double openAtFirst = std::log(this->worstAtFirst_ / this->tolerance_);
+    this->report(openAtFirst > 0.0 ? 1.0 - 0.7 * open / openAtFirst : 0.3);
+  }
+}
+
+void Refiner::refine(const Violation& violation)
+{
+  const Id triangle = violation.triangle;
+  std::array<Id, 3> over;
+  std::size_t count = 0;
+  if (violation.splitEdges == 0)
+  {
+    for (Id k = 0; k < 3; ++k)
+    {
+      const Id edge = this->triangles_.edge(triangle, k);
+      if (this->deviationOf(edge).largest() > this->tolerance_)
+      {
+        over[count++] = edge;
+      }
+    }
+  }
+  if (count == 1)
+  {
+    this->triangles_.split(over[0], this->place_);
+    return;
+  }
+  this->triangles_.splitRed(triangle, this->place_);
+}
+
+void Refiner::certifyRest()
+{
+  while (!this->violations_.empty())
+  {
+    const Violation rest = this->violations_.top();
+    this->violations_.pop();
+    if (this->triangles_.isLeaf(rest.triangle) &&
+      this->triangles_.splitEdges(rest.triangle) == rest.splitEdges)
+    {
+      this->bound_ = std::max(this->bound_, this->checkLeaf(rest.triangle, true).bound);
+    }
+  }
+}
+
+RedGreenMesh::Placement Refiner::placeSplit(Id edge)
+{
+  const double weight = this->splitWeight(edge);
+  return { weight, this->distanceOnEdge(edge, weight) };
+}
+
+double Refiner::splitWeight(Id id)
+{
+  constexpr double middle = 0.5;
+  bool measurable = this->triangles_.edgeData(id).side == NoId;
+  this->triangles_.forEachLeafAt(id, [&](Id) { measurable = true; });
+  const Deviation& deviation = this->deviationOf(id);
+  if (!(deviation.largest() > WorthAiming * this->tolerance_))
+  {
+    return middle;
+  }
+  const double aimed = splitPosition(deviation.at());
+  for (const double weight : { aimed, 0.5 * (aimed + middle) })
+  {
+    if (this->shapesAllow(id, weight))
+    {
+      return weight;
+    }
+  }
+  return middle;
+}
+
+bool Refiner::shapesAllow(Id edge, double weight)
+{
+  bool allowed = true;
+  this->triangles_.forEachLeafAt(edge,
+    [&](Id triangle)
+    {
+      if (allowed)
+      {
+        const Id face = this->triangles_.faceOf(triangle);
+        this->envelope_.enter(face);
+        const auto corner = [this, face](Id k)
+        { return this->planePlace(this->Mesh.triangle(face)[k]); };
+        const double wanted = LeastAngleFraction * leastAngle(corner(0), corner(1), corner(2));
+        allowed = this->angleWith(triangle, edge, weight) >= wanted;
+      }
+    });
+  return allowed;
+}
+
+// The smallest angle of a leaf's four parts when one edge is split at the weight, the others where
+// they are or in the middle.
+double Refiner::angleWith(Id triangle, Id split, double weight)
+{
+  const Triangle corners = this->triangles_.corners(triangle);
+  std::array<Vec2, 3> c;
+  std::array<Vec2, 3> m;
+  for (Id k = 0; k < 3; ++k)
+  {
+    c[k] = this->planePlace(corners[k]);
+  }
+  for (Id k = 0; k < 3; ++k)
+  {
+    const Id id = this->triangles_.edge(triangle, k);
+    const RedGreenMesh::Edge& edge = this->triangles_.edgeData(id);
+    double t = id == split ? weight : 0.5;
+    t = edge.ends[0] == corners[k] ? t : 1.0 - t;
+    m[k] = edge.split != NoId ? this->planePlace(edge.split) : c[k] + t * (c[(k + 1) % 3] - c[k]);
+  }
+  return std::min({ leastAngle(c[0], m[0], m[2]), leastAngle(m[0], c[1], m[1]),
+    leastAngle(m[2], m[1], c[2]), leastAngle(m[0], m[1], m[2]) });
+}
+
+double Refiner::distanceOnEdge(Id id, double weight)
+{
+  const RedGreenMesh::Edge& edge = this->triangles_.edgeData(id);
+  double least = Infinity;
+  const auto look = [&](Id face)
+  {
+    this->envelope_.enter(face);
+    const Vec2 p = this->planePlace(edge.ends[0]);
+    const Vec2 q = this->planePlace(edge.ends[1]);
+    least = std::min(least, this->envelope_.distance(p + weight * (q - p)));
+  };
+  if (edge.side == NoId)
+  {
+    look(edge.face);
+    return least;
+  }
+  Id side = edge.side;
+  do
+  {
+    if (!this->triangles_.isFrozen(TriangleMesh::faceOf(side)))
+    {
+      look(TriangleMesh::faceOf(side));
+    }
+    side = this->Mesh.nextInRing(side);
+  } while (side != edge.side);
+  return least;
+}
+
+void Refiner::report(double fraction)
+{
+  constexpr Id stepsPerReport = 256;
+  if (!this->Options.progress || ++this->sinceReport_ < stepsPerReport)
+  {
+    return;
+  }
+  this->sinceReport_ = 0;
+  this->reported_ = std::max(this->reported_, fraction);
+  if (!this->Options.progress(std::min(this->reported_, 1.0)))
+  {
+    throw Aborted();
+  }
+}
+
+/// Numbers the points of the output: where several of the caller's points are one vertex, a split
+/// edge has a point for each pair of them.
+class PointNumbering
+{
+public:
+  PointNumbering(const RedGreenMesh& triangles, const TriangleMesh& mesh,
+    const RefinementOptions& options, RefinedMesh& result)
+    : Triangles(triangles)
+    , Mesh(mesh)
+    , Options(options)
+    , Result(result)
+  {
+  }
+
+  Id numberOf(Id face, Id point)
+  {
+    const Id inputPoints = this->Triangles.numberOfInputPoints();
+    if (point < inputPoints)
+    {
+      const Triangle& corners = this->Mesh.triangle(face);
+      const std::size_t k = point == corners[0] ? 0 : point == corners[1] ? 1 : 2;
+      return this->Options.cornerPoints[face][k];
+    }
+    const RedGreenMesh::Point& split = this->Triangles.points()[point - inputPoints];
+    const Id a = this->numberOf(face, split.parents[0]);
+    const Id b = this->numberOf(face, split.parents[1]);
+    const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32) | b;
+    const auto [found, isNew] = this->Numbers.emplace(
+      key, this->Result.numberOfInputPoints + static_cast<Id>(this->Result.points.size()));
+    if (isNew)
+    {
+      this->add({ a, b }, split);
+    }
+    return found->second;
+  }
+
+  void add(const std::array<Id, 2>& parents, const RedGreenMesh::Point& split)
+  {
+    this->Result.points.push_back(
+      { parents, split.weight, split.place, position(this->Mesh, split.place), split.distance });
+  }
+
+private:
+  const RedGreenMesh& Triangles;
+  const TriangleMesh& Mesh;
+  const RefinementOptions& Options;
+  RefinedMesh& Result;
+  std::unordered_map<std::uint64_t, Id> Numbers;
+};
+
+void Refiner::putOut(RefinedMesh& result) const
+{
+  const bool renumber = !this->Options.cornerPoints.empty();
+  result.numberOfInputPoints =
+    renumber ? this->Options.numberOfPoints : this->Mesh.numberOfVertices();
+  result.triangles.reserve(this->triangles_.numberOfTriangles());
+  result.faces.reserve(this->triangles_.numberOfTriangles());
+  PointNumbering numbering(this->triangles_, this->Mesh, this->Options, result);
+  if (!renumber)
+  {
+    result.points.reserve(this->triangles_.points().size());
+    for (const RedGreenMesh::Point& point : this->triangles_.points())
+    {
+      numbering.add(point.parents, point);
+    }
+  }
+  this->triangles_.forEachTriangle(
+    [&](Id face, Triangle corners)
+    {
+      if (renumber)
+      {
+        for (Id& corner : corners)
+        {
+          corner = numbering.numberOf(face, corner);
+        }
+      }
+      result.faces.push_back(face);
+      result.triangles.push_back(corners);
+    });
+}
+
+void requireUsable(const DistanceField& field, const RefinementOptions& options)
+{
+  if (!(options.tolerance > 0.0) || !(options.tolerance < Infinity))
+  {
+    throw Error("The refinement tolerance is " + std::to_string(options.tolerance) +
+      "; give a positive number.");
+  }
+  if (!options.cornerPoints.empty() && options.cornerPoints.size() != field.mesh().numberOfFaces())
+  {
+    throw Error("Refinement was given points for the corners of " +
+      std::to_string(options.cornerPoints.size()) + " faces, but the mesh has " +
+      std::to_string(field.mesh().numberOfFaces()) + ".");
+  }
+}
+
+} // anonymous namespace
+
+RefinedMesh refine(const DistanceField& field, const RefinementOptions& options)
+{
+  requireUsable(field, options);
+  return Refiner(field, options).run();
+}
+
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_AdaptiveRefinement_h
+#define geodesic_AdaptiveRefinement_h
+
+#include "DistanceField.h"
+#include "SurfacePoint.h"
+#include "TriangleMesh.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace geodesic
+{
+
+struct RefinementOptions
+{
+  /// Largest difference between the distance and the linear interpolant of the result, anywhere, in
+  /// the surface's units.
+  double tolerance = 0.0;
+  /// Most triangles of the result; 0: no limit.
+  std::uint64_t maximumFaces = 0;
+  /// The limit of the solve. Faces without exact values inside are left as they are.
+  double maximumDistance = Infinity;
+  /// For each face of the mesh, the ids of the caller's points at its corners, where these are not
+  /// the mesh's vertices: several points may be one vertex (a seam). The result is then in terms of
+  /// these points. Empty: the mesh's vertices.
+  std::vector<Triangle> cornerPoints;
+  /// How many points the caller has; ignored without cornerPoints.
+  Id numberOfPoints = 0;
+  /// Called now and then with the fraction done in [0, 1]; returning false stops with Aborted.
+  std::function<bool(double)> progress;
+};
+
+/// A point that refinement has added.
+struct RefinedPoint
+{
+  /// The points on whose connection it lies, and the fraction of the way from the first to the
+  /// second: what is known at points can be interpolated in the order of the points.
+  std::array<Id, 2> parents;
+  double weight;
+  /// The place on the input mesh: on an edge or in a face.
+  SurfacePoint place;
+  Vec3 position;
+  double distance;
+};
+
+struct RefinedMesh
+{
+  /// Points up to here are the caller's, unchanged.
+  Id numberOfInputPoints = 0;
+  /// The others.
+  std::vector<RefinedPoint> points;
+  std::vector<Triangle> triangles;
+  /// The face of the mesh that each triangle is a part of; ascending.
+  std::vector<Id> faces;
+  /// Certified: nowhere on a face that could be refined is the difference between distance and
+  /// interpolant larger. At most the tolerance, unless more faces would have been needed.
+  double errorBound = 0.0;
+  /// Whether more faces would have been needed.
+  bool stoppedAtMaximum = false;
+};
+
+/// Refines a mesh until the linear interpolant of the distance is within the tolerance anywhere,
+/// also inside faces (paper, section 6, which looks at edges). The surface stays what it is: new
+/// points lie on its edges and faces, where the distance is exact without a new propagation.
+///
+/// Triangles that are worst come first. Their edges over the tolerance are split where the
+/// deviation is largest, moved away from the ends by the table of section 6.2; where that would
+/// make shapes worse than tolerance::RefinedAngle of the input face's, the table yields to the
+/// middle of the edge. Triangles with two split edges or more are split into four, those with one
+/// are bisected in the end (see RedGreenMesh).
+///
+/// With an approximate field the distance is the computed one, which may differ on the two sides of
+/// an edge by the error of merging; see errorBound.
+///
+/// \param field with windows kept.
+/// \throws Error where the tolerance is not a positive number, or the field has no windows;
+///         Aborted.
+RefinedMesh refine(const DistanceField& field, const RefinementOptions& options);
+
+}
+
+#endif

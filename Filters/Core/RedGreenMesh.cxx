@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RedGreenMesh.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+RedGreenMesh::RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen)
+  : Mesh(mesh)
+  , faces_(mesh.numberOfFaces())
+  , frozen_(std::move(frozen))
+  , partsOfFace_(mesh.numberOfFaces(), NoId)
+  , numberOfTriangles_(mesh.numberOfFaces())
+{
+}
+
+SurfacePoint RedGreenMesh::place(Id point) const
+{
+  const Id inputPoints = this->numberOfInputPoints();
+  return point < inputPoints ? SurfacePoint::atVertex(point)
+                             : this->points_[point - inputPoints].place;
+}
+
+Id RedGreenMesh::faceOf(Id triangle) const
+{
+  return triangle < this->faces_ ? triangle : this->part(triangle).face;
+}
+
+Triangle RedGreenMesh::corners(Id triangle) const
+{
+  return triangle < this->faces_ ? this->Mesh.triangle(triangle) : this->part(triangle).corners;
+}
+
+Id RedGreenMesh::partsOf(Id triangle) const
+{
+  return triangle < this->faces_ ? this->partsOfFace_[triangle] : this->part(triangle).parts;
+}
+
+void RedGreenMesh::setParts(Id triangle, Id parts)
+{
+  if (triangle < this->faces_)
+  {
+    this->partsOfFace_[triangle] = parts;
+  }
+  else
+  {
+    this->parts_[triangle - this->faces_].parts = parts;
+  }
+}
+
+Id RedGreenMesh::existingInputEdge(Id side) const
+{
+  const auto found = this->inputEdges_.find(this->Mesh.edgeOf(side));
+  return found == this->inputEdges_.end() ? NoId : found->second;
+}
+
+Id RedGreenMesh::existingEdge(Id triangle, Id k) const
+{
+  return triangle < this->faces_ ? this->existingInputEdge(3 * triangle + k)
+                                 : this->part(triangle).edges[k];
+}
+
+Id RedGreenMesh::edge(Id triangle, Id k)
+{
+  const Id existing = this->existingEdge(triangle, k);
+  if (existing != NoId)
+  {
+    return existing;
+  }
+  const Id side = this->Mesh.edgeOf(3 * triangle + k);
+  const Id edge = this->addEdge(
+    this->Mesh.origin(side), this->Mesh.destination(side), NoId, side, TriangleMesh::faceOf(side));
+  this->inputEdges_.emplace(side, edge);
+  this->journal_.push_back({ Change::InputEdge, side, NoId });
+  return edge;
+}
+
+Id RedGreenMesh::addEdge(Id a, Id b, Id parent, Id side, Id face)
+{
+  Edge edge;
+  edge.ends = { a, b };
+  edge.parent = parent;
+  edge.side = side;
+  edge.face = face;
+  this->edges_.push_back(edge);
+  return static_cast<Id>(this->edges_.size() - 1);
+}
+
+Id RedGreenMesh::splitEdges(Id triangle) const
+{
+  Id count = 0;
+  for (Id k = 0; k < 3; ++k)
+  {
+    count += this->isSplit(this->existingEdge(triangle, k)) ? 1 : 0;
+  }
+  return count;
+}
+
+std::array<Id, 2> RedGreenMesh::onlySplit(Id triangle) const
+{
+  Id k = 0;
+  while (!this->isSplit(this->existingEdge(triangle, k)))
+  {
+    ++k;
+  }
+  return { k, this->edges_[this->existingEdge(triangle, k)].split };
+}
+
+SurfacePoint RedGreenMesh::between(const Edge& edge, double weight) const
+{
+  const auto mean = [weight](double a, double b) { return a + weight * (b - a); };
+  const SurfacePoint a = this->place(edge.ends[0]);
+  const SurfacePoint b = this->place(edge.ends[1]);
+  if (edge.side != NoId)
+  {
+    const double from = a.kind == SurfacePoint::Kind::Edge ? a.u : 0.0;
+    const double to = b.kind == SurfacePoint::Kind::Edge ? b.u : 1.0;
+    return SurfacePoint::onEdge(edge.side, mean(from, to));
+  }
+  const std::array<double, 3> from = barycentric(this->Mesh, a, edge.face);
+  const std::array<double, 3> to = barycentric(this->Mesh, b, edge.face);
+  return SurfacePoint::inFace(edge.face, mean(from[1], to[1]), mean(from[2], to[2]));
+}
+
+Id RedGreenMesh::addPoint(const Edge& edge, const Placement& placement)
+{
+  this->points_.push_back(
+    { edge.ends, placement.weight, this->between(edge, placement.weight), placement.distance });
+  return this->numberOfInputPoints() + static_cast<Id>(this->points_.size() - 1);
+}
+
+Id RedGreenMesh::frozenFacesAt(const Edge& edge) const
+{
+  Id count = 0;
+  if (edge.side != NoId)
+  {
+    Id side = edge.side;
+    do
+    {
+      count += this->frozen_[TriangleMesh::faceOf(side)];
+      side = this->Mesh.nextInRing(side);
+    } while (side != edge.side);
+  }
+  return count;
+}
+
+void RedGreenMesh::split(Id id, const Place& place)
+{
+  const Placement placement = place(id);
+  const Edge edge = this->edges_[id];
+  const Id middle = this->addPoint(edge, placement);
+  const Id first = this->addEdge(edge.ends[0], middle, id, edge.side, edge.face);
+  this->addEdge(middle, edge.ends[1], id, edge.side, edge.face);
+  this->edges_[id].split = middle;
+  this->edges_[id].halves = first;
+  this->journal_.push_back({ Change::EdgeSplit, id, NoId });
+
+  this->numberOfTriangles_ += this->frozenFacesAt(edge);
+  this->forEachLeafAt(id,
+    [this](Id triangle)
+    {
+      // the first split edge bisects it, with the second it will be red
+      this->numberOfTriangles_ += this->splitEdges(triangle) == 1 ? 1 : 0;
+      this->touched_.push_back(triangle);
+    });
+  if (edge.parent != NoId)
+  {
+    this->forEachLeafAt(edge.parent, [this](Id triangle) { this->touched_.push_back(triangle); });
+  }
+}
+
+Id RedGreenMesh::halfAt(Id edge, Id end) const
+{
+  const Edge& e = this->edges_[edge];
+  return e.ends[0] == end ? e.halves : e.halves + 1;
+}
+
+Id RedGreenMesh::addPart(Id face, const Triangle& corners, const std::array<Id, 3>& edges)
+{
+  const Id index = static_cast<Id>(this->parts_.size());
+  Part part{ face, corners, edges, {} };
+  for (Id k = 0; k < 3; ++k)
+  {
+    Edge& edge = this->edges_[edges[k]];
+    part.nextCorner[k] = edge.firstCorner;
+    this->journal_.push_back({ Change::FirstCorner, edges[k], edge.firstCorner });
+    edge.firstCorner = 3 * index + k;
+  }
+  this->parts_.push_back(part);
+  const Id triangle = this->faces_ + index;
+  this->touched_.push_back(triangle);
+  this->numberOfTriangles_ += this->splitEdges(triangle) == 0 ? 1 : 2;
+  return index;
+}
+
+void RedGreenMesh::splitRed(Id triangle, const Place& place)
+{
+  const Triangle c = this->corners(triangle);
+  const Id face = this->faceOf(triangle);
+  std::array<Id, 3> e;
+  std::array<Id, 3> m;
+  for (Id k = 0; k < 3; ++k)
+  {
+    e[k] = this->edge(triangle, k);
+    if (!this->isSplit(e[k]))
+    {
+      this->split(e[k], place);
+    }
+    m[k] = this->edges_[e[k]].split;
+  }
+  std::array<Id, 3> inner; // opposite to the part at corner k
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    inner[k] = this->addEdge(m[(k + 2) % 3], m[k], NoId, NoId, face);
+  }
+  this->numberOfTriangles_ -= 2;
+  const Id first = this->addPart(
+    face, { c[0], m[0], m[2] }, { this->halfAt(e[0], c[0]), inner[0], this->halfAt(e[2], c[0]) });
+  this->addPart(
+    face, { m[0], c[1], m[1] }, { this->halfAt(e[0], c[1]), this->halfAt(e[1], c[1]), inner[1] });
+  this->addPart(
+    face, { m[2], m[1], c[2] }, { inner[2], this->halfAt(e[1], c[2]), this->halfAt(e[2], c[2]) });
+  this->addPart(face, { m[0], m[1], m[2] }, { inner[1], inner[2], inner[0] });
+  this->setParts(triangle, first);
+  this->journal_.push_back({ Change::TriangleSplit, triangle, NoId });
+}
+
+bool RedGreenMesh::mustBeSplit(Id triangle) const
+{
+  Id count = 0;
+  for (Id k = 0; k < 3; ++k)
+  {
+    const Id edge = this->existingEdge(triangle, k);
+    if (this->isSplit(edge))
+    {
+      const Id halves = this->edges_[edge].halves;
+      if (this->isSplit(halves) || this->isSplit(halves + 1))
+      {
+        return true;
+      }
+      ++count;
+    }
+  }
+  return count > 1;
+}
+
+std::vector<Id> RedGreenMesh::close(const Place& place)
+{
+  std::vector<Id> changed;
+  while (!this->touched_.empty())
+  {
+    const Id triangle = this->touched_.back();
+    this->touched_.pop_back();
+    if (!this->isLeaf(triangle))
+    {
+      continue;
+    }
+    if (this->mustBeSplit(triangle))
+    {
+      this->splitRed(triangle, place);
+    }
+    else
+    {
+      changed.push_back(triangle);
+    }
+  }
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  changed.erase(std::remove_if(changed.begin(), changed.end(),
+                  [this](Id triangle) { return !this->isLeaf(triangle); }),
+    changed.end());
+  return changed;
+}
+
+void RedGreenMesh::begin()
+{
+  this->journal_.clear();
+  this->pointsBefore_ = this->points_.size();
+  this->edgesBefore_ = this->edges_.size();
+  this->partsBefore_ = this->parts_.size();
+  this->trianglesBefore_ = this->numberOfTriangles_;
+}
+
+void RedGreenMesh::rollBack()
+{
+  for (auto undo = this->journal_.rbegin(); undo != this->journal_.rend(); ++undo)
+  {
+    switch (undo->change)
+    {
+      case Change::EdgeSplit:
+        this->edges_[undo->id].split = NoId;
+        this->edges_[undo->id].halves = NoId;
+        break;
+      case Change::FirstCorner:
+        this->edges_[undo->id].firstCorner = undo->old;
+        break;
+      case Change::TriangleSplit:
+        this->setParts(undo->id, NoId);
+        break;
+      case Change::InputEdge:
+        this->inputEdges_.erase(undo->id);
+        break;
+    }
+  }
+  this->journal_.clear();
+  this->points_.resize(this->pointsBefore_);
+  this->edges_.resize(this->edgesBefore_);
+  this->parts_.resize(this->partsBefore_);
+  this->numberOfTriangles_ = this->trianglesBefore_;
+  this->touched_.clear();
+}
+
+double RedGreenMesh::lengthOf(Id a, Id b) const
+{
+  return norm(position(this->Mesh, this->place(b)) - position(this->Mesh, this->place(a)));
+}
+
+}

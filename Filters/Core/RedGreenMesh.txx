@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_RedGreenMesh_txx
+#define geodesic_RedGreenMesh_txx
+
+#include "RedGreenMesh.h"
+
+namespace geodesic
+{
+
+template <typename Visitor>
+void RedGreenMesh::forEachLeafAt(Id edge, Visitor&& visit) const
+{
+  const Edge& e = this->edges_[edge];
+  for (Id corner = e.firstCorner; corner != NoId;
+       corner = this->parts_[corner / 3].nextCorner[corner % 3])
+  {
+    if (this->parts_[corner / 3].parts == NoId)
+    {
+      visit(this->faces_ + corner / 3);
+    }
+  }
+  if (e.side == NoId || e.parent != NoId)
+  {
+    return;
+  }
+  Id side = e.side;
+  do
+  {
+    const Id face = TriangleMesh::faceOf(side);
+    if (this->isLeaf(face) && !this->isFrozen(face))
+    {
+      visit(face);
+    }
+    side = this->Mesh.nextInRing(side);
+  } while (side != e.side);
+}
+
+template <typename Emit>
+void RedGreenMesh::forEachTriangle(Emit&& emit) const
+{
+  std::vector<Id> stack;
+  for (Id face = 0; face < this->faces_; ++face)
+  {
+    if (this->isFrozen(face))
+    {
+      this->closeFrozen(face, this->corners(face),
+        { this->existingEdge(face, 0), this->existingEdge(face, 1), this->existingEdge(face, 2) },
+        emit);
+      continue;
+    }
+    stack.push_back(face);
+    while (!stack.empty())
+    {
+      const Id triangle = stack.back();
+      stack.pop_back();
+      const Id parts = this->partsOf(triangle);
+      if (parts == NoId)
+      {
+        this->closeLeaf(triangle, emit);
+        continue;
+      }
+      for (Id i = 4; i-- > 0;)
+      {
+        stack.push_back(this->faces_ + parts + i);
+      }
+    }
+  }
+}
+
+template <typename Emit>
+void RedGreenMesh::closeLeaf(Id triangle, Emit&& emit) const
+{
+  const Id face = this->faceOf(triangle);
+  const Triangle c = this->corners(triangle);
+  if (this->splitEdges(triangle) == 0)
+  {
+    emit(face, c);
+    return;
+  }
+  const auto [k, middle] = this->onlySplit(triangle);
+  emit(face, Triangle{ c[k], middle, c[(k + 2) % 3] });
+  emit(face, Triangle{ middle, c[(k + 1) % 3], c[(k + 2) % 3] });
+}
+
+// Bisects at the longest split edge first, for the shapes.
+template <typename Emit>
+void RedGreenMesh::closeFrozen(
+  Id face, const Triangle& c, const std::array<Id, 3>& edges, Emit&& emit) const
+{
+  std::size_t longest = 3;
+  double length = -1.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (this->isSplit(edges[k]) && this->lengthOf(c[k], c[(k + 1) % 3]) > length)
+    {
+      longest = k;
+      length = this->lengthOf(c[k], c[(k + 1) % 3]);
+    }
+  }
+  if (longest == 3)
+  {
+    emit(face, c);
+    return;
+  }
+  const std::size_t k = longest;
+  const std::size_t next = (k + 1) % 3;
+  const std::size_t previous = (k + 2) % 3;
+  const Id middle = this->edges_[edges[k]].split;
+  this->closeFrozen(face, Triangle{ c[k], middle, c[previous] },
+    { this->halfAt(edges[k], c[k]), NoId, edges[previous] }, emit);
+  this->closeFrozen(face, Triangle{ middle, c[next], c[previous] },
+    { this->halfAt(edges[k], c[next]), edges[next], NoId }, emit);
+}
+
+}
+
+#endif
