@@ -21,10 +21,13 @@ namespace
 constexpr double WorthAiming = 0.25;
 
 /// A part's smallest angle may be this fraction of the input face's.
-constexpr double LeastAngleFraction = 0.4;
+constexpr double LeastAngleFraction = 0.0;
 
 /// Distances of one face are compared up to this many ties.
 constexpr double RoundingTies = 8.0;
+
+/// Of the progress, for the first look at all faces.
+constexpr double ShareOfFirstPass = 0.3;
 
 double angleBetween(Vec2 a, Vec2 b)
 {
@@ -50,11 +53,24 @@ private:
     double error;
     Id triangle;
     Id splitEdges;
+    double limit;
     bool operator<(const Violation& other) const
     {
       return this->error != other.error ? this->error < other.error
                                         : this->triangle > other.triangle;
     }
+  };
+  /// What is known about a triangle.
+  struct Check
+  {
+    /// Certified against the distance of all faces.
+    double bound = 0.0;
+    /// A difference that occurs.
+    double sample = 0.0;
+    /// Whether it may stay.
+    bool passed = true;
+    /// What the differences within its face were held against.
+    double limit = Infinity;
   };
   /// A triangle of the output, or one that would be.
   struct Piece
@@ -77,9 +93,8 @@ private:
   Vec2 planePlace(Id point) const;
   const Deviation& deviationOf(Id edge);
   Deviation deviationIn(Id face, Id a, Id b);
-  bool isExactLineShort(double length) const;
-  InterpolationError::Inside check(const Piece& piece, bool tight);
-  InterpolationError::Inside checkLeaf(Id triangle, bool tight);
+  Check check(const Piece& piece, bool tight);
+  Check checkLeaf(Id triangle, bool tight);
   Piece pieceOf(Id triangle);
   std::array<Piece, 2> greenPieces(Id triangle);
 
@@ -89,6 +104,7 @@ private:
   double angleWith(Id triangle, Id edge, double weight);
   double distanceOnEdge(Id edge, double weight);
 
+  double fractionDone(double worst) const;
   void report(double fraction);
   void putOut(RefinedMesh& result) const;
 
@@ -181,8 +197,7 @@ void Refiner::assessFaces()
     {
       this->assess(face);
     }
-    constexpr double shareOfFirstPass = 0.3;
-    this->report(shareOfFirstPass * face / this->Mesh.numberOfFaces());
+    this->report(ShareOfFirstPass * face / this->Mesh.numberOfFaces());
   }
 }
 
@@ -203,11 +218,7 @@ Vec2 Refiner::planePlace(Id point) const
 // have a smaller one.
 double Refiner::ownDistance(Id point, Vec2 place) const
 {
-  if (this->exact_ || point < this->triangles_.numberOfInputPoints())
-  {
-    return this->distanceAt(point);
-  }
-  return this->envelope_.distance(place);
+  return this->exact_ ? this->distanceAt(point) : this->envelope_.distance(place);
 }
 
 Deviation Refiner::deviationIn(Id face, Id a, Id b)
@@ -287,9 +298,10 @@ std::array<Refiner::Piece, 2> Refiner::greenPieces(Id triangle)
     Piece{ face, { middle, c[next], c[previous] }, { second, atNext, inner } } };
 }
 
-// The bound and the sample hold rounding and, in an approximate field, the differences between
-// faces.
-InterpolationError::Inside Refiner::check(const Piece& piece, bool tight)
+// In an approximate field the faces around a point differ by what merging has changed, and no
+// refinement can undo that: what is left of the tolerance, but half of it at least, is for the
+// triangle. This also ends refinement whatever the rounding: a triangle as small as that passes.
+Refiner::Check Refiner::check(const Piece& piece, bool tight)
 {
   this->envelope_.enter(piece.face);
   LinearPiece linear;
@@ -302,57 +314,64 @@ InterpolationError::Inside Refiner::check(const Piece& piece, bool tight)
     linear.corners[k] = this->planePlace(piece.corners[k]);
     linear.values[k] = this->ownDistance(piece.corners[k], linear.corners[k]);
     largest = std::max(largest, distance);
-    difference = std::max(difference, linear.values[k] - distance);
+    difference = std::max(difference, std::abs(linear.values[k] - distance));
     onEdges.above = std::max(onEdges.above, piece.deviations[k].above);
     onEdges.below = std::max(onEdges.below, piece.deviations[k].below);
   }
   const double rounding = RoundingTies * tolerance::Tie * largest;
-  const double limit = this->tolerance_ - rounding;
-  if (onEdges.largest() > limit && !tight)
+  Check result;
+  result.limit = std::max(this->tolerance_ - difference - rounding, 0.5 * this->tolerance_);
+  if (onEdges.largest() > result.limit && !tight)
   {
-    return { Infinity, onEdges.largest() };
+    result.sample = onEdges.largest();
+    result.passed = false;
+    return result;
   }
-  InterpolationError::Inside inside =
-    this->error_.ofTriangle(this->envelope_, linear, onEdges, limit, tight);
-  inside.bound = std::max(inside.bound, onEdges.largest()) + rounding + difference;
-  return inside;
+  const InterpolationError::Inside inside =
+    this->error_.ofTriangle(this->envelope_, linear, onEdges, result.limit, tight);
+  const double own = std::max(inside.bound, onEdges.largest());
+  result.bound = own + rounding + difference;
+  result.sample = inside.sample;
+  result.passed = own <= result.limit;
+  return result;
 }
 
-InterpolationError::Inside Refiner::checkLeaf(Id triangle, bool tight)
+Refiner::Check Refiner::checkLeaf(Id triangle, bool tight)
 {
   if (this->triangles_.splitEdges(triangle) == 0)
   {
     return this->check(this->pieceOf(triangle), tight);
   }
-  InterpolationError::Inside worst{ 0.0, 0.0 };
+  Check worst;
   for (const Piece& piece : this->greenPieces(triangle))
   {
-    const InterpolationError::Inside inside = this->check(piece, tight);
-    worst.bound = std::max(worst.bound, inside.bound);
-    worst.sample = std::max(worst.sample, inside.sample);
+    const Check one = this->check(piece, tight);
+    worst.bound = std::max(worst.bound, one.bound);
+    worst.sample = std::max(worst.sample, one.sample);
+    worst.limit = std::min(worst.limit, one.limit);
+    worst.passed = worst.passed && one.passed;
   }
   return worst;
 }
 
 void Refiner::assess(Id triangle)
 {
-  const InterpolationError::Inside inside = this->checkLeaf(triangle, false);
-  if (inside.bound <= this->tolerance_)
+  const Check check = this->checkLeaf(triangle, false);
+  if (check.passed)
   {
-    this->bound_ = std::max(this->bound_, inside.bound);
+    this->bound_ = std::max(this->bound_, check.bound);
     return;
   }
-  const double error = std::max(inside.sample, this->tolerance_);
-  this->violations_.push({ error, triangle, this->triangles_.splitEdges(triangle) });
+  const double error = std::max(check.sample, check.limit);
+  this->violations_.push({ error, triangle, this->triangles_.splitEdges(triangle), check.limit });
 }
 
 void Refiner::refineWorst()
 {
-  const std::uint64_t limit = this->Options.maximumFaces > 0
-    ? this->Options.maximumFaces
-    : std::numeric_limits<std::uint64_t>::max();
+  constexpr std::uint64_t numberable = NoId / 5; // ids are 3 * part + k, and parts have parts
+  const std::uint64_t limit =
+    this->Options.maximumFaces > 0 ? std::min(this->Options.maximumFaces, numberable) : numberable;
   this->worstAtFirst_ = this->violations_.empty() ? 0.0 : this->violations_.top().error;
-  std::vector<Violation> unrefined;
   while (!this->violations_.empty())
   {
     const Violation worst = this->violations_.top();
@@ -376,10 +395,18 @@ void Refiner::refineWorst()
     {
       this->assess(triangle);
     }
-    const double open = std::log(worst.error / this->tolerance_);
-    const double openAtFirst = std::log(this->worstAtFirst_ / this->tolerance_);
-    this->report(openAtFirst > 0.0 ? 1.0 - 0.7 * open / openAtFirst : 0.3);
+    this->report(this->fractionDone(worst.error));
   }
+}
+
+// The errors fall from the worst at first to the tolerance, by about the same factor with each
+// level.
+double Refiner::fractionDone(double worst) const
+{
+  const double open = std::log(worst / this->tolerance_);
+  const double openAtFirst = std::log(this->worstAtFirst_ / this->tolerance_);
+  const double done = openAtFirst > 0.0 ? 1.0 - std::clamp(open / openAtFirst, 0.0, 1.0) : 0.0;
+  return ShareOfFirstPass + (1.0 - ShareOfFirstPass) * done;
 }
 
 void Refiner::refine(const Violation& violation)
@@ -392,7 +419,7 @@ void Refiner::refine(const Violation& violation)
     for (Id k = 0; k < 3; ++k)
     {
       const Id edge = this->triangles_.edge(triangle, k);
-      if (this->deviationOf(edge).largest() > this->tolerance_)
+      if (this->deviationOf(edge).largest() > violation.limit)
       {
         over[count++] = edge;
       }
@@ -429,8 +456,6 @@ RedGreenMesh::Placement Refiner::placeSplit(Id edge)
 double Refiner::splitWeight(Id id)
 {
   constexpr double middle = 0.5;
-  bool measurable = this->triangles_.edgeData(id).side == NoId;
-  this->triangles_.forEachLeafAt(id, [&](Id) { measurable = true; });
   const Deviation& deviation = this->deviationOf(id);
   if (!(deviation.largest() > WorthAiming * this->tolerance_))
   {

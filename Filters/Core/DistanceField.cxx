@@ -101,13 +101,25 @@ std::vector<SourceInFace> DistanceField::sourcesIn(Id face) const
 double DistanceField::distance(const SurfacePoint& point) const
 {
   this->requireWindows();
-  if (point.kind == SurfacePoint::Kind::Vertex)
+  const SurfacePoint p = normalized(*this->mesh_, point);
+  if (p.kind == SurfacePoint::Kind::Vertex)
   {
-    return this->vertexDistances_[point.id];
+    return this->vertexDistances_[p.id];
   }
-  return this->arrive(point).distance;
+  // One complete face tells all: on its edge, windows that come in through the edge are there.
+  Arrival best;
+  forEachFace(*this->mesh_, p,
+    [&](Id face)
+    {
+      if (this->faceComplete_.empty() || this->faceComplete_[face])
+      {
+        this->arriveThrough(face, p, true, best);
+      }
+    });
+  return best.distance;
 }
 
+// The last piece of a shortest path to a point, through a face that the path has not just crossed.
 DistanceField::Arrival DistanceField::arrive(
   const SurfacePoint& point, const std::vector<Id>& crossed) const
 {
@@ -115,28 +127,27 @@ DistanceField::Arrival DistanceField::arrive(
   forEachFace(*this->mesh_, point,
     [&](Id face)
     {
-      const bool isComplete = this->faceComplete_.empty() || this->faceComplete_[face];
-      const bool isCrossed = std::find(crossed.begin(), crossed.end(), face) != crossed.end();
-      if (isComplete && !isCrossed)
+      if (std::find(crossed.begin(), crossed.end(), face) == crossed.end())
       {
         const double before = best.distance;
-        this->arriveThrough(face, point, best);
+        this->arriveThrough(face, point, false, best);
         best.face = best.distance < before ? face : best.face;
       }
     });
   return best;
 }
 
-// A shortest path comes to a point of a face from a source in the face, a corner, or through a side
-// that does not hold the point.
-void DistanceField::arriveThrough(Id face, const SurfacePoint& point, Arrival& best) const
+// A shortest path comes to a point of a face from a source in the face, a corner, or through a
+// side. Sides that hold the point give its distance, but no piece of the path.
+void DistanceField::arriveThrough(
+  Id face, const SurfacePoint& point, bool ownSides, Arrival& best) const
 {
   const Barycentric b = barycentric(*this->mesh_, point, face);
   this->arriveFromSources(face, b, best);
   this->arriveFromCorners(face, point, b, best);
   for (Id k = 0; k < 3; ++k)
   {
-    if (b[(k + 2) % 3] != 0.0)
+    if (ownSides || b[(k + 2) % 3] != 0.0)
     {
       this->arriveThroughSide(3 * face + k, b, best);
     }
@@ -201,7 +212,7 @@ std::vector<SurfacePoint> DistanceField::path(const SurfacePoint& from) const
   {
     return points;
   }
-  points.push_back(from);
+  points.push_back(normalized(*this->mesh_, from));
   bool atSource = remaining <= 0.0;
   // A shortest path crosses no face twice; pieces without length must not lead around in a circle.
   std::vector<Id> crossed;
@@ -217,7 +228,13 @@ std::vector<SurfacePoint> DistanceField::path(const SurfacePoint& from) const
     {
       crossed.clear();
     }
-    crossed.push_back(arrival.face);
+    // A piece without length may lead onto a vertex beside, and the path from there back.
+    const bool ontoVertex = points.back().kind != SurfacePoint::Kind::Vertex &&
+      arrival.from.kind == SurfacePoint::Kind::Vertex;
+    if (!ontoVertex)
+    {
+      crossed.push_back(arrival.face);
+    }
     points.push_back(arrival.from);
     remaining = next;
     const SurfacePoint& p = points.back();

@@ -69,8 +69,8 @@ private:
   };
 
   void requireWindows() const;
-  Arrival arrive(const SurfacePoint& point, const std::vector<Id>& crossed = {}) const;
-  void arriveThrough(Id face, const SurfacePoint& point, Arrival& best) const;
+  Arrival arrive(const SurfacePoint& point, const std::vector<Id>& crossed) const;
+  void arriveThrough(Id face, const SurfacePoint& point, bool ownSides, Arrival& best) const;
   void arriveFromCorners(
     Id face, const SurfacePoint& point, const std::array<double, 3>& b, Arrival& best) const;
   void arriveFromSources(Id face, const std::array<double, 3>& b, Arrival& best) const;

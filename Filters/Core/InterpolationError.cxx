@@ -116,7 +116,7 @@ double InterpolationError::ofFace(Id face, double limit) const
     const double onLine = d[k] * length2 + (d[next] - d[k]) * shape.cornerDot[k];
     if (d[(k + 2) % 3] * length2 >= onLine)
     {
-      above = std::max(above, this->aboveOfSide(side, d[k], d[next]));
+      above = std::max(above, this->aboveOfSide(side, d[k], d[next], limit - flat));
     }
   }
   const double bound = std::max(below + steep, above + flat);
@@ -134,7 +134,7 @@ bool InterpolationError::belowOfSide(
   }
   const double a = (atDestination - atOrigin) / length;
   const double slope = (1.0 - a) * (1.0 + a);
-  const double shift = slope > 0.0 ? a / std::sqrt(slope) : std::copysign(Infinity, a);
+  const double shift = slope > 0.0 ? a / std::sqrt(slope) : 0.0;
   for (const Window& w : this->Field.windowsOn(side))
   {
     double x = 0.0;
@@ -144,14 +144,9 @@ bool InterpolationError::belowOfSide(
     }
     else
     {
-      // a source on the side with a steep interpolant: 0 * Infinity is no number, and either end
-      // may be the lowest
-      const double lowest = w.sourceX + shift * w.sourceDepth;
-      x = lowest > w.begin ? std::min(lowest, w.end) : w.begin;
-      if (!(slope > 0.0))
-      {
-        x = a > 0.0 ? w.end : w.begin;
-      }
+      // with a steep interpolant the lowest is at an end
+      x = slope > 0.0 ? std::clamp(w.sourceX + shift * w.sourceDepth, w.begin, w.end)
+                      : (a > 0.0 ? w.end : w.begin);
     }
     below = std::max(below, atOrigin + a * x - w.distance(x));
   }
@@ -160,8 +155,10 @@ bool InterpolationError::belowOfSide(
 
 // How far the distance along a side can be over its interpolant, from the windows of that side: a
 // window's difference is convex, so largest at an end; between windows that do not meet the
-// distance changes by no more than the way.
-double InterpolationError::aboveOfSide(Id side, double atOrigin, double atDestination) const
+// distance changes by no more than the way. Windows that are over the limit do not help: they have
+// been overtaken by later ones, or fill a gap of rounding.
+double InterpolationError::aboveOfSide(
+  Id side, double atOrigin, double atDestination, double limit) const
 {
   const double length = this->Mesh.length(side);
   if (!(length > 0.0))
@@ -184,11 +181,16 @@ double InterpolationError::aboveOfSide(Id side, double atOrigin, double atDestin
       continue;
     }
     const double atBegin = w.distance(w.begin) - (atOrigin + a * w.begin);
-    above = std::max(
-      above, w.begin > covered ? acrossGap(atCovered, atBegin, w.begin - covered) : atBegin);
+    const double atEnd = w.distance(w.end) - (atOrigin + a * w.end);
+    if (std::max(atBegin, atEnd) > limit)
+    {
+      continue;
+    }
+    const double between =
+      w.begin > covered ? acrossGap(atCovered, atBegin, w.begin - covered) : atBegin;
+    above = std::max({ above, between, atEnd });
     covered = w.end;
-    atCovered = w.distance(w.end) - (atOrigin + a * w.end);
-    above = std::max(above, atCovered);
+    atCovered = atEnd;
   }
   if (covered < length)
   {

@@ -59,7 +59,7 @@ private:
 
   bool belowOfSide(
     Id side, double atOrigin, double atDestination, double limit, double& below) const;
-  double aboveOfSide(Id side, double atOrigin, double atDestination) const;
+  double aboveOfSide(Id side, double atOrigin, double atDestination, double limit) const;
   double belowAtSources(const FaceEnvelope& envelope, const LinearPiece& piece) const;
   Inside search(const FaceEnvelope& envelope, const LinearPiece& piece, double limit, bool tight);
   void chooseNear(const FaceEnvelope& envelope, const LinearPiece& piece);

@@ -143,6 +143,7 @@ private:
   std::vector<std::uint8_t> Needed;
   Id Settled = 0;
   std::size_t SinceReport = 0;
+  double Reported = 0.0;
 };
 
 Propagation::Propagation(const TriangleMesh& mesh, const SolveOptions& options)
@@ -590,7 +591,8 @@ void Propagation::reportProgress(double front)
   const double settled =
     static_cast<double>(this->Settled) / static_cast<double>(this->Mesh.numberOfVertices());
   const double fraction = std::max(settled, front / this->Options.maximumDistance);
-  if (!this->Options.progress(std::min(fraction, 1.0)))
+  this->Reported = std::clamp(fraction, this->Reported, 1.0); // never back
+  if (!this->Options.progress(this->Reported))
   {
     throw Aborted();
   }

@@ -92,7 +92,7 @@ private:
   void join(const Place& from, const Place& to, const std::string& name, SourceCurve& curve);
   std::vector<SurfacePoint> pathBetween(
     const Place& from, const Place& to, const std::string& name);
-  void report(double pointsBeyond) const;
+  void report(double pointsBeyond);
 
   const TriangleMesh& mesh_;
   const SnapOptions& options_;
@@ -101,14 +101,16 @@ private:
   std::size_t pointsPlaced_ = 0;
   /// Points of the polylines that are finished.
   double pointsDone_ = 0.0;
+  double reported_ = 0.0;
   ShortestPathFinder paths_;
   SourceCurves result_;
 };
 
-void CurveBuilder::report(double pointsBeyond) const
+void CurveBuilder::report(double pointsBeyond)
 {
   const double fraction = (this->pointsDone_ + pointsBeyond) / this->numberOfPoints_;
-  if (this->progress_ && !this->progress_(std::min(fraction, 1.0)))
+  this->reported_ = std::clamp(fraction, this->reported_, 1.0); // never back
+  if (this->progress_ && !this->progress_(this->reported_))
   {
     throw Aborted();
   }
@@ -212,7 +214,9 @@ void CurveBuilder::join(
   for (std::size_t i = 1; i < path.size(); ++i)
   {
     const bool isInner = i + 1 < path.size();
-    const bool isCut = isInner && path[i].kind == SurfacePoint::Kind::Edge;
+    // Around an edge of three and more faces the others see the curve bend.
+    const bool isCut =
+      isInner && path[i].kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(path[i].id);
     curve.faces.push_back(commonFace(this->mesh_, path[i - 1], path[i]));
     curve.points.push_back(path[i]);
     curve.isCut.push_back(isCut ? 1 : 0);

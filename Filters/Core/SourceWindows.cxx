@@ -110,8 +110,12 @@ public:
 
   SourceWindows make(const std::vector<SourceCurve>& curves)
   {
-    for (const SourceCurve& curve : curves)
+    for (SourceCurve curve : curves)
     {
+      for (SurfacePoint& point : curve.points)
+      {
+        point = normalized(this->Mesh, point);
+      }
       this->addSegments(curve);
       this->addPoints(curve);
     }
@@ -304,10 +308,12 @@ private:
       Interval interval{ 0.0, length };
       for (const Constraint& constraint : constraints)
       {
-        if (constraint.face == face)
+        // Clipping moves an end by rounding, which seen from a point near the side is an angle:
+        // there the whole side is taken, elsewhere a little more than the wedge.
+        if (constraint.face == face && -p.y > tolerance::ClippedDepth * length)
         {
           const Vec2 u = inLeavingFrame(this->Mesh, k, constraint);
-          interval.clip(u.x, dot(p, u));
+          interval.clip(u.x, dot(p, u) + std::abs(u.x) * tolerance::Rounding * length);
         }
       }
       const double depth = std::max(-p.y, tolerance::SourceDepth * length);

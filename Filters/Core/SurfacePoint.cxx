@@ -93,6 +93,17 @@ SurfacePoint fromBarycentric(
   return SurfacePoint::atVertex(mesh.triangle(face)[static_cast<std::size_t>(largest)]);
 }
 
+SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    return point;
+  }
+  const Id face =
+    point.kind == SurfacePoint::Kind::Face ? point.id : TriangleMesh::faceOf(point.id);
+  return fromBarycentric(mesh, face, barycentric(mesh, point, face));
+}
+
 std::array<double, 3> barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id face)
 {
   std::array<double, 3> result = { 0.0, 0.0, 0.0 };

@@ -43,6 +43,10 @@ struct SurfacePoint
 SurfacePoint fromBarycentric(
   const TriangleMesh& mesh, Id face, const std::array<double, 3>& coordinates);
 
+/// The same point with the kind that its coordinates ask for: a face point with a coordinate that
+/// is zero (or below, by rounding) lies on an edge, an edge point at 0 or 1 is a vertex.
+SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point);
+
 /// Barycentric coordinates of the point in a face that holds it. The point must lie in the face,
 /// see contains().
 std::array<double, 3> barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id face);

@@ -62,6 +62,11 @@ constexpr double NearVertex = 1e-5;
 /// of its rays are told from sourceDepth, and near the side rounding would turn them.
 constexpr double MergedDepth = 1e-6;
 
+/// The wedge of a curve's vertex is clipped on a side only when the vertex is farther from the side
+/// than this fraction of its length: nearer, the rounding of the clipped end would be an angle of
+/// more than Rounding / ClippedDepth.
+constexpr double ClippedDepth = 1e-6;
+
 }
 
 #endif

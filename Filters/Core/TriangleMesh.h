@@ -86,6 +86,12 @@ public:
   /// The next side of the same edge; the side itself on a boundary edge.
   Id nextInRing(Id side) const { return this->ring_[side]; }
   bool isBoundary(Id side) const { return this->ring_[side] == side; }
+  /// Whether the side's edge has exactly two faces.
+  bool isInner(Id side) const
+  {
+    const Id other = this->ring_[side];
+    return other != side && this->ring_[other] == side;
+  }
   Id origin(Id side) const { return this->triangles_[side / 3][side % 3]; }
   Id destination(Id side) const { return this->origin(nextInFace(side)); }
   /// The vertex opposite the side in its face.

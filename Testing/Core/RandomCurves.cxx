@@ -36,6 +36,111 @@ Vec2 thirdCorner(const Vec3& a, const Vec3& b, const Vec3& c)
   return { along, std::sqrt(std::max(0.0, ac2 - along * along)) };
 }
 
+/// A ray from a point of a face through faces that are unfolded one after another.
+class StraightWalk
+{
+public:
+  StraightWalk(const PlainMesh& mesh, const MeshPoint& start)
+    : mesh_(mesh)
+    , face_(start.face)
+  {
+    const double base = thirdCorner(this->corner(0), this->corner(1), this->corner(1))[0]; // length
+    this->plane_[1] = { base, 0.0 };
+    this->plane_[2] = thirdCorner(this->corner(0), this->corner(1), this->corner(2));
+    this->origin_ = plus(this->origin_, start.weights[1], this->plane_[1]);
+    this->origin_ = plus(this->origin_, start.weights[2], this->plane_[2]);
+  }
+
+  Index face() const { return this->face_; }
+
+  /// Sends the ray to the point this fraction of the way along side k.
+  void aimAt(Index k, double fraction)
+  {
+    const Vec2 side = plus(this->plane_[(k + 1) % 3], -1.0, this->plane_[k]);
+    this->ray_ = plus(plus(this->plane_[k], fraction, side), -1.0, this->origin_);
+    this->exit_ = k;
+  }
+
+  /// Where on its side the ray leaves the face.
+  double exitFraction() const
+  {
+    const double a = this->sideOf(this->exit_);
+    const double b = this->sideOf((this->exit_ + 1) % 3);
+    return a / (a - b);
+  }
+
+  Barycentric exitWeights() const
+  {
+    Barycentric weights = { 0.0, 0.0, 0.0 };
+    weights[this->exit_] = 1.0 - this->exitFraction();
+    weights[(this->exit_ + 1) % 3] = this->exitFraction();
+    return weights;
+  }
+
+  bool leavesAwayFromCorners() const
+  {
+    return this->exitFraction() > 0.01 && this->exitFraction() < 0.99;
+  }
+
+  /// Goes on into the face behind the side.
+  void enter(Index next)
+  {
+    const Triangle& from = this->mesh_.triangles[this->face_];
+    const Triangle& to = this->mesh_.triangles[next];
+    const Index a = this->exit_;
+    const Index b = (a + 1) % 3;
+    const Index third = cornerBesides(to, from[a], from[b]);
+    const bool sameWay = to[(third + 1) % 3] == from[a];
+    std::array<Vec2, 3> plane{};
+    plane[(third + 1) % 3] = this->plane_[sameWay ? a : b];
+    plane[(third + 2) % 3] = this->plane_[sameWay ? b : a];
+    const Vec2 up = thirdCorner(this->corner(a), this->corner(b), this->mesh_.points[to[third]]);
+    const Vec2 edge = plus(this->plane_[b], -1.0, this->plane_[a]);
+    const double length = std::hypot(edge[0], edge[1]);
+    const Vec2 inward = plus(this->plane_[3 - a - b], -1.0, this->plane_[a]);
+    const double away = cross(edge, inward) > 0.0 ? -1.0 : 1.0;
+    plane[third] = plus(plus(this->plane_[a], up[0] / length, edge), away * up[1] / length,
+      Vec2{ -edge[1], edge[0] });
+    this->face_ = next;
+    this->plane_ = plane;
+    // The ray leaves between the third corner and one end of the edge just crossed.
+    const Index after = (third + 1) % 3;
+    const bool between = (this->sideOf(third) > 0.0) != (this->sideOf(after) > 0.0);
+    this->exit_ = between ? third : (third + 2) % 3;
+  }
+
+private:
+  const Vec3& corner(Index k) const
+  {
+    return this->mesh_.points[this->mesh_.triangles[this->face_][k]];
+  }
+
+  /// Positive where corner k is to the left of the ray.
+  double sideOf(Index k) const
+  {
+    return cross(this->ray_, plus(this->plane_[k], -1.0, this->origin_));
+  }
+
+  static Index cornerBesides(const Triangle& t, Index a, Index b)
+  {
+    Index k = 0;
+    while (t[k] == a || t[k] == b)
+    {
+      ++k;
+    }
+    return k;
+  }
+
+  const PlainMesh& mesh_;
+  Index face_;
+  /// The face's corners, unfolded into the plane of the first one.
+  std::array<Vec2, 3> plane_{};
+  Vec2 origin_ = { 0.0, 0.0 };
+  Vec2 ray_ = { 0.0, 0.0 };
+  /// The side (from this corner to the next) that the ray leaves through.
+  Index exit_ = 0;
+};
+
 }
 
 bool Polyline::isPoint() const
@@ -141,34 +246,17 @@ Polyline CurveMaker::walk(Index segments)
 Polyline CurveMaker::straight(Index faces)
 {
   Polyline curve;
-  MeshPoint start = randomFacePoint(this->mesh_, this->random_);
-  Index face = start.face;
+  const MeshPoint start = randomFacePoint(this->mesh_, this->random_);
   Barycentric here = start.weights;
-  const Triangle& t = this->mesh_.triangles[face];
-  const auto corner = [this](Index v) -> const Vec3& { return this->mesh_.points[v]; };
-  const double base = thirdCorner(corner(t[0]), corner(t[1]), corner(t[1]))[0]; // the length
-  std::array<Vec2, 3> plane = { { { 0.0, 0.0 }, { base, 0.0 },
-    thirdCorner(corner(t[0]), corner(t[1]), corner(t[2])) } };
-  const Vec2 origin = { here[1] * plane[1][0] + here[2] * plane[2][0],
-    here[1] * plane[1][1] + here[2] * plane[2][1] };
+  StraightWalk walk(this->mesh_, start);
   // Aims at a point of a side, so that needles are crossed both ways.
   const Index aim = this->random_.below(3);
-  const Vec2 target = plus(plane[aim], this->random_.uniform(0.1, 0.9),
-    { plane[(aim + 1) % 3][0] - plane[aim][0], plane[(aim + 1) % 3][1] - plane[aim][1] });
-  const Vec2 ray = { target[0] - origin[0], target[1] - origin[1] };
-  Index exit = aim;
+  walk.aimAt(aim, this->random_.uniform(0.1, 0.9));
   for (Index i = 0; i < faces; ++i)
   {
-    const Index a = exit;
-    const Index b = (exit + 1) % 3;
-    const double sideA = cross(ray, plus(plane[a], -1.0, origin));
-    const double sideB = cross(ray, plus(plane[b], -1.0, origin));
-    const double fraction = sideA / (sideA - sideB);
-    Barycentric there = { 0.0, 0.0, 0.0 };
-    there[a] = 1.0 - fraction;
-    there[b] = fraction;
-    const bool last = i + 1 == faces || !(fraction > 0.01 && fraction < 0.99);
-    if (last)
+    Barycentric there = walk.exitWeights();
+    const Index face = walk.face();
+    if (i + 1 == faces || !walk.leavesAwayFromCorners())
     {
       // Ends on the way to the edge.
       const double part = this->random_.uniform(0.2, 0.8);
@@ -181,8 +269,7 @@ Polyline CurveMaker::straight(Index faces)
       break;
     }
     curve.segments.push_back({ face, here, there });
-    std::vector<Index> around = this->facesOfEdge_.at(
-      std::minmax(this->mesh_.triangles[face][a], this->mesh_.triangles[face][b]));
+    std::vector<Index> around = this->facesWith(face, there);
     around.erase(std::find(around.begin(), around.end(), face));
     if (around.empty())
     {
@@ -190,42 +277,8 @@ Polyline CurveMaker::straight(Index faces)
     }
     // The other pages of a non-manifold edge see the polyline bend or end there.
     curve.isCutAfter.push_back(around.size() == 1);
-    // Unfold the next face over the edge, away from this one.
-    const Index next = around[this->random_.below(around.size())];
-    const Triangle& from = this->mesh_.triangles[face];
-    const Triangle& to = this->mesh_.triangles[next];
-    std::array<Vec2, 3> nextPlane{};
-    Index third = 0;
-    for (Index j = 0; j < 3; ++j)
-    {
-      if (to[j] == from[a])
-      {
-        nextPlane[j] = plane[a];
-      }
-      else if (to[j] == from[b])
-      {
-        nextPlane[j] = plane[b];
-      }
-      else
-      {
-        third = j;
-      }
-    }
-    const Vec2 up = thirdCorner(corner(from[a]), corner(from[b]), corner(to[third]));
-    const Vec2 edge = { plane[b][0] - plane[a][0], plane[b][1] - plane[a][1] };
-    const double length = std::hypot(edge[0], edge[1]);
-    const Vec2& inner = plane[3 - a - b];
-    const double side = cross(edge, plus(inner, -1.0, plane[a])) > 0.0 ? -1.0 : 1.0;
-    nextPlane[third] =
-      plus(plus(plane[a], up[0] / length, edge), side * up[1] / length, Vec2{ -edge[1], edge[0] });
-    here = this->inFace(face, next, there);
-    face = next;
-    plane = nextPlane;
-    // The ray leaves between the third corner and one end of the edge just crossed.
-    const bool thirdIsLeft = cross(ray, plus(plane[third], -1.0, origin)) > 0.0;
-    const Index after = (third + 1) % 3;
-    const bool afterIsLeft = cross(ray, plus(plane[after], -1.0, origin)) > 0.0;
-    exit = thirdIsLeft != afterIsLeft ? third : (third + 2) % 3;
+    walk.enter(around[this->random_.below(around.size())]);
+    here = this->inFace(face, walk.face(), there);
   }
   return curve;
 }
