@@ -21,7 +21,7 @@ namespace
 constexpr double WorthAiming = 0.25;
 
 /// A part's smallest angle may be this fraction of the input face's.
-constexpr double LeastAngleFraction = 0.0;
+constexpr double LeastAngleFraction = 0.4;
 
 /// Distances of one face are compared up to this many ties.
 constexpr double RoundingTies = 8.0;

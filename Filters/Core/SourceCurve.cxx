@@ -214,9 +214,7 @@ void CurveBuilder::join(
   for (std::size_t i = 1; i < path.size(); ++i)
   {
     const bool isInner = i + 1 < path.size();
-    // Around an edge of three and more faces the others see the curve bend.
-    const bool isCut =
-      isInner && path[i].kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(path[i].id);
+    const bool isCut = isInner && path[i].kind == SurfacePoint::Kind::Edge;
     curve.faces.push_back(commonFace(this->mesh_, path[i - 1], path[i]));
     curve.points.push_back(path[i]);
     curve.isCut.push_back(isCut ? 1 : 0);

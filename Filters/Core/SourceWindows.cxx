@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SourceWindows.h"
 
+#include "FacePassage.h"
 #include "Tolerance.h"
 
 #include <algorithm>
@@ -207,11 +208,14 @@ private:
     for (std::size_t i = 0; i < count; ++i)
     {
       const bool last = i + 1 == count;
-      if (curve.isCut[i] || (closed && last))
+      const SurfacePoint& p = curve.points[i];
+      // Around an edge of three and more faces the others see the curve bend.
+      const bool straight =
+        curve.isCut[i] && p.kind == SurfacePoint::Kind::Edge && this->Mesh.isInner(p.id);
+      if (straight || (closed && last))
       {
         continue;
       }
-      const SurfacePoint& p = curve.points[i];
       std::vector<Spoke> spokes;
       const auto addSpoke = [&](std::size_t to, std::size_t segment)
       {
@@ -305,12 +309,11 @@ private:
         continue;
       }
       const Vec2 p = inLeavingFrame(this->Mesh, side, b);
+      const bool near = -p.y <= tolerance::NearSide * length;
       Interval interval{ 0.0, length };
       for (const Constraint& constraint : constraints)
       {
-        // Clipping moves an end by rounding, which seen from a point near the side is an angle:
-        // there the whole side is taken, elsewhere a little more than the wedge.
-        if (constraint.face == face && -p.y > tolerance::ClippedDepth * length)
+        if (constraint.face == face && !near)
         {
           const Vec2 u = inLeavingFrame(this->Mesh, k, constraint);
           interval.clip(u.x, dot(p, u) + std::abs(u.x) * tolerance::Rounding * length);
@@ -318,7 +321,38 @@ private:
       }
       const double depth = std::max(-p.y, tolerance::SourceDepth * length);
       this->addWindow(side, interval, p.x, depth, 0.0, Window::Kind::Circular);
+      if (near && p.x > 0.0 && p.x < length)
+      {
+        this->emitBeyond(side, p);
+      }
     }
+  }
+
+  // Where on a side a ray passes says little of its direction when the point is close to the side.
+  // Its rays are then also sent through the faces behind, as if it lay on the edge, but from its
+  // place.
+  void emitBeyond(Id side, Vec2 p)
+  {
+    const double length = this->Mesh.length(side);
+    for (Id s = this->Mesh.nextInRing(side); s != side; s = this->Mesh.nextInRing(s))
+    {
+      const bool turned = this->Mesh.origin(s) == this->Mesh.origin(side);
+      const Window w = { 0.0, length, turned ? length - p.x : p.x, -p.y, 0.0, 0.0,
+        Window::Kind::Circular, 0 };
+      const UnfoldedFace face = unfold(this->Mesh, s);
+      this->addWhole(TriangleMesh::previousInFace(s), face.throughLeft(w, 0.0, face.leftLength));
+      this->addWhole(TriangleMesh::nextInFace(s), face.throughRight(w, 0.0, face.rightLength));
+    }
+  }
+
+  void addWhole(Id side, Window window)
+  {
+    if (this->Mesh.isBoundary(side) || !(window.end > 0.0))
+    {
+      return;
+    }
+    window.sourceDepth = std::max(window.sourceDepth, tolerance::SourceDepth * window.end);
+    this->Result.windows.push_back({ side, window });
   }
 
   void addWindow(

@@ -62,10 +62,10 @@ constexpr double NearVertex = 1e-5;
 /// of its rays are told from sourceDepth, and near the side rounding would turn them.
 constexpr double MergedDepth = 1e-6;
 
-/// The wedge of a curve's vertex is clipped on a side only when the vertex is farther from the side
-/// than this fraction of its length: nearer, the rounding of the clipped end would be an angle of
-/// more than Rounding / ClippedDepth.
-constexpr double ClippedDepth = 1e-6;
+/// A source's point is near a side when nearer than this fraction of its length. The ends of
+/// windows on the side are rounded to a fraction Rounding of it, which seen from the point is an
+/// angle of Rounding / NearSide: from nearer its rays are sent through the face behind in one step.
+constexpr double NearSide = 1e-6;
 
 }
 
