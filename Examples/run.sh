@@ -35,7 +35,8 @@ else
   surface=$output/surface.vtp
   curve=$output/curve.vtp
 fi
-xvfb-run -a pvpython "$top/Examples/geodesic_distance.py" "$surface" "$curve" \
+# Display numbers are searched from a random one on: those in use outside a chroot are not seen.
+xvfb-run -n $((100 + RANDOM % 900)) -a pvpython "$top/Examples/geodesic_distance.py" "$surface" "$curve" \
   "$output/geodesic-distance"
 
 printf '\nThe field:   %s\nIts picture: %s\n' "$output"/geodesic-distance.{vtp,png}

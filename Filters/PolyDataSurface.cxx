@@ -351,7 +351,7 @@ void PolyDataSurface::readTriangles(vtkPolyData* input, std::vector<Triangle>& c
 
 void PolyDataSurface::keepTriangles(vtkPolyData* input, const std::vector<Triangle>& corners)
 {
-  const bool areInputCells = this->report_.polygons == 0 &&
+  const bool areInputCells = this->report_.polygons == 0 && this->report_.strips == 0 &&
     static_cast<vtkIdType>(corners.size()) == input->GetNumberOfCells();
   if (areInputCells)
   {
@@ -367,6 +367,19 @@ void PolyDataSurface::keepTriangles(vtkPolyData* input, const std::vector<Triang
     this->triangles_->InsertNextCell({ static_cast<vtkIdType>(triangle[0]),
       static_cast<vtkIdType>(triangle[1]), static_cast<vtkIdType>(triangle[2]) });
   }
+}
+
+vtkIdType PolyDataSurface::numberOfTriangles() const
+{
+  return this->triangles_->GetNumberOfCells();
+}
+
+Triangle PolyDataSurface::triangle(Id triangle) const
+{
+  vtkIdType size = 0;
+  const vtkIdType* points = nullptr;
+  this->triangles_->GetCellAtId(triangle, size, points);
+  return { static_cast<Id>(points[0]), static_cast<Id>(points[1]), static_cast<Id>(points[2]) };
 }
 
 void PolyDataSurface::buildLocator()

@@ -52,6 +52,22 @@ public:
                                         : this->vertexOfPoint_[static_cast<std::size_t>(point)];
   }
 
+  /// Whether some of the input's points are one vertex.
+  bool hasMergedPoints() const { return !this->vertexOfPoint_.empty(); }
+
+  /// The triangles that the output has where it is not refined. Of those on the same vertices the
+  /// mesh has one: TriangleMesh::inputFace tells which.
+  vtkIdType numberOfTriangles() const;
+  /// The input's points at a triangle's corners.
+  Triangle triangle(Id triangle) const;
+  /// The input's points at the corners of a face of the mesh.
+  Triangle cornerPoints(Id face) const { return this->triangle(this->mesh_->inputFace(face)); }
+  /// The input's cell that a triangle came from.
+  vtkIdType inputCell(Id triangle) const
+  {
+    return this->inputCells_.empty() ? triangle : this->inputCells_[triangle];
+  }
+
   /// The face with the closest point of the surface. Not thread-safe in its first call, which
   /// builds the locator.
   Id closestFace(const Vec3& point);

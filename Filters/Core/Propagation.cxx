@@ -17,16 +17,15 @@ namespace geodesic
 namespace
 {
 
-/// A vertex in the queue. Vertices at equal distance come in the order of their ids.
+/// A vertex in the queue. Vertices of equal key come in the order of their ids.
 struct QueueEntry
 {
-  double distance;
+  double key;
   Id vertex;
 
   bool operator>(const QueueEntry& other) const
   {
-    return this->distance != other.distance ? this->distance > other.distance
-                                            : this->vertex > other.vertex;
+    return this->key != other.key ? this->key > other.key : this->vertex > other.vertex;
   }
 };
 
@@ -108,7 +107,7 @@ private:
   void improve(const Improvement& improvement);
   void enqueue(Id vertex);
   double errorAt(Id vertex) const;
-  void reportProgress(double front);
+  void reportProgress();
 
   void finishLimited();
   void flush(double bound);
@@ -133,6 +132,8 @@ private:
   /// Whether a vertex sends out windows when the front comes to it.
   std::vector<std::uint8_t> Emits;
 
+  /// The key at which the last batch began.
+  double Front = 0.0;
   std::vector<Worker> Workers;
   std::vector<Id> Batch;
   std::vector<Delivery> Deliveries;
@@ -225,12 +226,12 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
 
 void Propagation::advance(double limit)
 {
-  while (!this->Queue.empty() && this->Queue.top().distance <= limit)
+  while (!this->Queue.empty() && this->Queue.top().key <= limit)
   {
-    const double front = this->Queue.top().distance;
+    this->Front = std::max(this->Front, this->Queue.top().key);
     this->popBatch(limit);
     this->runBatch();
-    this->reportProgress(front);
+    this->reportProgress();
   }
 }
 
@@ -241,15 +242,15 @@ void Propagation::popBatch(double limit)
   constexpr double edges = 0.5; // in a range from 0.25 to 2 the number of windows hardly changes
   this->Batch.clear();
   double last = limit;
-  while (!this->Queue.empty() && this->Queue.top().distance <= last)
+  while (!this->Queue.empty() && this->Queue.top().key <= last)
   {
     const QueueEntry entry = this->Queue.top();
     this->Queue.pop();
-    if (entry.distance == this->Queued[entry.vertex])
+    if (entry.key == this->Queued[entry.vertex])
     {
       this->Queued[entry.vertex] = Infinity;
       this->Batch.push_back(entry.vertex);
-      last = std::min(last, entry.distance + edges * this->edgeAt(entry.vertex));
+      last = std::min(last, entry.key + edges * this->edgeAt(entry.vertex));
     }
   }
 }
@@ -571,15 +572,16 @@ void Propagation::improve(const Improvement& improvement)
 
 void Propagation::enqueue(Id vertex)
 {
-  const double distance = this->Distance[vertex];
-  if (distance < this->Queued[vertex])
+  // Windows that come to a vertex behind the front go on with it, in the same batches.
+  const double key = std::max(this->Distance[vertex], this->Front);
+  if (key < this->Queued[vertex])
   {
-    this->Queued[vertex] = distance;
-    this->Queue.push({ distance, vertex });
+    this->Queued[vertex] = key;
+    this->Queue.push({ key, vertex });
   }
 }
 
-void Propagation::reportProgress(double front)
+void Propagation::reportProgress()
 {
   constexpr std::size_t verticesPerReport = 256;
   this->SinceReport += this->Batch.size();
@@ -590,7 +592,7 @@ void Propagation::reportProgress(double front)
   this->SinceReport = 0;
   const double settled =
     static_cast<double>(this->Settled) / static_cast<double>(this->Mesh.numberOfVertices());
-  const double fraction = std::max(settled, front / this->Options.maximumDistance);
+  const double fraction = std::max(settled, this->Front / this->Options.maximumDistance);
   this->Reported = std::clamp(fraction, this->Reported, 1.0); // never back
   if (!this->Options.progress(this->Reported))
   {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_ParallelFor_h
+#define geodesic_ParallelFor_h
+
+#include "Propagation.h"
+
+namespace geodesic
+{
+
+/// The engine's parallelFor on the threads that vtkSMPTools is set to use; empty where that is one.
+/// An exception of a task is thrown again in the caller's thread.
+decltype(SolveOptions::parallelFor) smpParallelFor();
+
+}
+
+#endif
