@@ -369,6 +369,11 @@ void PolyDataSurface::keepTriangles(vtkPolyData* input, const std::vector<Triang
   }
 }
 
+vtkIdType PolyDataSurface::numberOfPoints() const
+{
+  return this->points_->GetNumberOfPoints();
+}
+
 vtkIdType PolyDataSurface::numberOfTriangles() const
 {
   return this->triangles_->GetNumberOfCells();

@@ -52,6 +52,7 @@ public:
                                         : this->vertexOfPoint_[static_cast<std::size_t>(point)];
   }
 
+  vtkIdType numberOfPoints() const;
   /// Whether some of the input's points are one vertex.
   bool hasMergedPoints() const { return !this->vertexOfPoint_.empty(); }
 

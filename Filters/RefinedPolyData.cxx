@@ -163,8 +163,7 @@ std::vector<Id> facesOfTriangles(const PolyDataSurface& surface, const FaceTwin&
   }
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    faces[i] =
-      faces[i] == NoId ? twin.faceLike(surface.triangle(static_cast<Id>(i))) : faces[i];
+    faces[i] = faces[i] == NoId ? twin.faceLike(surface.triangle(static_cast<Id>(i))) : faces[i];
   }
   return faces;
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceField.h"
 
+#include "AdaptiveRefinement.h"
 #include "Errors.h"
+#include "ParallelFor.h"
 #include "PolyDataSource.h"
 #include "PolyDataSurface.h"
 #include "Propagation.h"
+#include "RefinedPolyData.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -33,6 +37,7 @@ using geodesic::SourceError;
 constexpr double SurfaceDone = 0.15;
 constexpr double SourceLocated = 0.2;
 constexpr double SourceDone = 0.25;
+constexpr double FieldDoneBeforeRefinement = 0.55;
 constexpr double FieldDone = 0.95;
 
 // A source farther from the surface than this fraction of its bounding box's diagonal was hardly
@@ -99,6 +104,11 @@ void addFieldData(vtkPolyData* output, const char* name, double value)
   output->GetFieldData()->AddArray(array);
 }
 
+bool isPositive(double value)
+{
+  return value > 0.0 && value < geodesic::Infinity;
+}
+
 }
 
 /// One execution's work, and the surface that the next one may reuse.
@@ -116,13 +126,26 @@ public:
   void ReleaseSurface() { this->Surface.reset(); }
 
 private:
+  /// What is known at points after the solve and after refinement.
+  struct Result
+  {
+    std::vector<double> vertexDistances;
+    /// Whether there is a refined mesh.
+    bool isRefined = false;
+    geodesic::RefinedMesh refined;
+  };
+
   std::function<bool(double)> ProgressBetween(double begin, double end);
   void UpdateSurface(vtkPolyData* input);
   geodesic::SourceCurves CollectSources(vtkPolyData* source);
   void AddBoundary(bool hasCurve, std::vector<geodesic::SourceCurve>& curves);
-  geodesic::DistanceField Solve(const std::vector<geodesic::SourceCurve>& curves);
-  void WriteDistances(
-    const std::vector<double>& vertexDistances, vtkPolyData* input, vtkPolyData* output);
+  bool CanRefine();
+  double Tolerance() const;
+  Result Compute(const std::vector<geodesic::SourceCurve>& curves);
+  geodesic::DistanceField Solve(const std::vector<geodesic::SourceCurve>& curves, bool refine);
+  geodesic::RefinedMesh Refine(const geodesic::DistanceField& field);
+  void WriteSurface(const Result& result, vtkPolyData* input, vtkPolyData* output);
+  void WriteDistances(const Result& result, vtkPolyData* input, vtkPolyData* output);
 
   vtkGeodesicDistanceField* Self;
   Notes Told;
@@ -142,18 +165,15 @@ void vtkGeodesicDistanceField::vtkInternals::Execute(
   this->Told = Notes();
   this->UpdateSurface(input);
   const geodesic::SourceCurves sources = this->CollectSources(source);
-  const geodesic::DistanceField field = this->Solve(sources.curves);
-
-  const geodesic::TriangleMesh& mesh = this->Surface->mesh();
-  this->Self->WindowsPropagatedPerEdge =
-    static_cast<double>(field.windowsPropagated()) / static_cast<double>(mesh.numberOfEdges());
   this->Self->SourceSnapDistance = sources.snapDistance;
+  const Result result = this->Compute(sources.curves);
 
-  this->Surface->copyTo(input, output);
-  this->WriteDistances(field.vertexDistances(), input, output);
+  this->WriteSurface(result, input, output);
   addFieldData(output, "WindowsPropagatedPerEdge", this->Self->WindowsPropagatedPerEdge);
   addFieldData(output, "SourceSnapDistance", this->Self->SourceSnapDistance);
-  geodesic::writeCurves(mesh, sources.curves, curves);
+  addFieldData(output, "RelativeErrorBound", this->Self->RelativeErrorBound);
+  addFieldData(output, "InterpolationErrorBound", this->Self->InterpolationErrorBound);
+  geodesic::writeCurves(this->Surface->mesh(), sources.curves, curves);
 
   if (!this->Told.text().empty())
   {
@@ -244,30 +264,149 @@ void vtkGeodesicDistanceField::vtkInternals::AddBoundary(
 }
 
 //------------------------------------------------------------------------------
-geodesic::DistanceField vtkGeodesicDistanceField::vtkInternals::Solve(
+double vtkGeodesicDistanceField::vtkInternals::Tolerance() const
+{
+  return this->Self->ToleranceIsAbsolute
+    ? this->Self->AbsoluteRefinementTolerance
+    : this->Self->RefinementTolerance * this->Surface->diagonal();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGeodesicDistanceField::vtkInternals::CanRefine()
+{
+  const vtkIdType most = this->Self->MaximumNumberOfCells;
+  const vtkIdType count = this->Surface->numberOfTriangles();
+  if (!this->Self->RefineMesh || !(this->Tolerance() > 0.0))
+  {
+    return false; // a surface without extent has nothing to refine
+  }
+  if (most > 0 && count > most)
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      "The surface has " << count << " triangles, more than MaximumNumberOfCells (" << most
+                         << "): it is not refined. Raise MaximumNumberOfCells to refine it, or "
+                            "switch RefineMesh off.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicDistanceField::vtkInternals::Result vtkGeodesicDistanceField::vtkInternals::Compute(
   const std::vector<geodesic::SourceCurve>& curves)
 {
+  Result result;
+  result.isRefined = this->CanRefine();
+  const geodesic::DistanceField field = this->Solve(curves, result.isRefined);
+  this->Self->WindowsPropagatedPerEdge = static_cast<double>(field.windowsPropagated()) /
+    static_cast<double>(this->Surface->mesh().numberOfEdges());
+  this->Self->RelativeErrorBound = field.relativeErrorBound();
+  if (result.isRefined)
+  {
+    result.refined = this->Refine(field);
+    this->Self->InterpolationErrorBound = result.refined.errorBound;
+  }
+  result.vertexDistances = field.vertexDistances();
+  return result;
+}
+
+//------------------------------------------------------------------------------
+geodesic::DistanceField vtkGeodesicDistanceField::vtkInternals::Solve(
+  const std::vector<geodesic::SourceCurve>& curves, bool refine)
+{
   geodesic::SolveOptions options;
+  options.keepWindows = refine ? geodesic::KeepWindows::All : geodesic::KeepWindows::None;
+  if (this->Self->Accuracy == APPROXIMATE)
+  {
+    options.relativeError = this->Self->RelativeError;
+  }
   if (this->Self->MaximumDistance > 0.0)
   {
     options.maximumDistance = this->Self->MaximumDistance;
   }
-  options.progress = this->ProgressBetween(SourceDone, FieldDone);
+  options.parallelFor = geodesic::smpParallelFor();
+  options.progress =
+    this->ProgressBetween(SourceDone, refine ? FieldDoneBeforeRefinement : FieldDone);
   return geodesic::solve(this->Surface->mesh(), curves, options);
 }
 
 //------------------------------------------------------------------------------
+geodesic::RefinedMesh vtkGeodesicDistanceField::vtkInternals::Refine(
+  const geodesic::DistanceField& field)
+{
+  const geodesic::TriangleMesh& mesh = this->Surface->mesh();
+  const auto most = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells);
+  geodesic::RefinementOptions options;
+  options.tolerance = this->Tolerance();
+  if (most > 0)
+  {
+    const auto duplicates =
+      static_cast<std::uint64_t>(this->Surface->numberOfTriangles()) - mesh.numberOfFaces();
+    options.maximumFaces = most - duplicates;
+  }
+  if (this->Self->MaximumDistance > 0.0)
+  {
+    options.maximumDistance = this->Self->MaximumDistance;
+  }
+  if (this->Surface->hasMergedPoints())
+  {
+    options.cornerPoints.reserve(mesh.numberOfFaces());
+    for (geodesic::Id face = 0; face < mesh.numberOfFaces(); ++face)
+    {
+      options.cornerPoints.push_back(this->Surface->cornerPoints(face));
+    }
+    options.numberOfPoints = static_cast<geodesic::Id>(this->Surface->numberOfPoints());
+  }
+  options.progress = this->ProgressBetween(FieldDoneBeforeRefinement, FieldDone);
+  geodesic::RefinedMesh refined = geodesic::refine(field, options);
+  geodesic::addDuplicateFaces(*this->Surface, most, refined);
+  if (refined.stoppedAtMaximum)
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      "MaximumNumberOfCells (" << most << ") is reached: the refined surface meets a tolerance of "
+                               << refined.errorBound << " instead of " << options.tolerance
+                               << ". Raise MaximumNumberOfCells or the tolerance.");
+  }
+  return refined;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkInternals::WriteSurface(
+  const Result& result, vtkPolyData* input, vtkPolyData* output)
+{
+  if (result.isRefined)
+  {
+    geodesic::writeRefined(*this->Surface, result.refined, input, output);
+    if (input->GetCellData()->HasArray("OriginalCellIds"))
+    {
+      this->Told.add("The surface already has a cell array named OriginalCellIds; the output has "
+                     "the input's cells in its place.");
+    }
+  }
+  else
+  {
+    this->Surface->copyTo(input, output);
+  }
+  this->WriteDistances(result, input, output);
+}
+
+//------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkInternals::WriteDistances(
-  const std::vector<double>& vertexDistances, vtkPolyData* input, vtkPolyData* output)
+  const Result& result, vtkPolyData* input, vtkPolyData* output)
 {
   const char* name = this->Self->DistanceArrayName;
   const vtkIdType count = input->GetNumberOfPoints();
   vtkNew<vtkDoubleArray> distances;
   distances->SetName(name);
-  distances->SetNumberOfTuples(count);
+  distances->SetNumberOfTuples(output->GetNumberOfPoints());
   for (vtkIdType i = 0; i < count; ++i)
   {
-    distances->SetValue(i, vertexDistances[this->Surface->vertexOf(i)]);
+    distances->SetValue(i, result.vertexDistances[this->Surface->vertexOf(i)]);
+  }
+  vtkIdType next = count;
+  for (const geodesic::RefinedPoint& point : result.refined.points)
+  {
+    distances->SetValue(next++, point.distance);
   }
   if (input->GetPointData()->HasArray(name))
   {
@@ -317,11 +456,41 @@ int vtkGeodesicDistanceField::FillInputPortInformation(int port, vtkInformation*
 }
 
 //------------------------------------------------------------------------------
+const char* vtkGeodesicDistanceField::FindWrongProperty() const
+{
+  if (!this->DistanceArrayName || !*this->DistanceArrayName)
+  {
+    return "DistanceArrayName is empty: set a name for the distance array.";
+  }
+  if (this->Accuracy == APPROXIMATE &&
+    !(this->RelativeError >= 0.0 && this->RelativeError < geodesic::Infinity))
+  {
+    return "RelativeError is negative or no number: set the largest relative error that is allowed "
+           "in approximate mode, such as 0.001, or 0 for the exact distance.";
+  }
+  if (this->RefineMesh && !this->ToleranceIsAbsolute && !isPositive(this->RefinementTolerance))
+  {
+    return "RefinementTolerance is not a positive number: set the largest difference that is "
+           "allowed, as a fraction of the surface's bounding box diagonal, such as 0.001, or "
+           "switch RefineMesh off.";
+  }
+  if (this->RefineMesh && this->ToleranceIsAbsolute &&
+    !isPositive(this->AbsoluteRefinementTolerance))
+  {
+    return "AbsoluteRefinementTolerance is not a positive number: set the largest difference that "
+           "is allowed, in the units of the surface, or switch RefineMesh off.";
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
 int vtkGeodesicDistanceField::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->WindowsPropagatedPerEdge = 0.0;
   this->SourceSnapDistance = 0.0;
+  this->RelativeErrorBound = 0.0;
+  this->InterpolationErrorBound = geodesic::Infinity;
 
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   if (controller && controller->GetNumberOfProcesses() > 1)
@@ -333,9 +502,9 @@ int vtkGeodesicDistanceField::RequestData(vtkInformation* vtkNotUsed(request),
          "rank.");
     return 0;
   }
-  if (!this->DistanceArrayName || !*this->DistanceArrayName)
+  if (const char* wrong = this->FindWrongProperty())
   {
-    vtkErrorMacro("DistanceArrayName is empty: set a name for the distance array.");
+    vtkErrorMacro(<< wrong);
     return 0;
   }
 
@@ -360,8 +529,8 @@ int vtkGeodesicDistanceField::RequestData(vtkInformation* vtkNotUsed(request),
   {
     this->Internals->ReleaseSurface();
     vtkErrorMacro(
-      "There is not enough memory for this surface. Decimate it, cut it into parts or set "
-      "MaximumDistance.");
+      "There is not enough memory for this surface. Decimate it, cut it into parts, set "
+      "MaximumDistance, switch RefineMesh off or set Accuracy to Approximate.");
   }
   output->Initialize();
   curves->Initialize();
@@ -373,6 +542,13 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SourceType: " << this->SourceType << "\n";
+  os << indent << "Accuracy: " << (this->Accuracy == EXACT ? "Exact" : "Approximate") << "\n";
+  os << indent << "RelativeError: " << this->RelativeError << "\n";
+  os << indent << "RefineMesh: " << (this->RefineMesh ? "On" : "Off") << "\n";
+  os << indent << "RefinementTolerance: " << this->RefinementTolerance << "\n";
+  os << indent << "ToleranceIsAbsolute: " << (this->ToleranceIsAbsolute ? "On" : "Off") << "\n";
+  os << indent << "AbsoluteRefinementTolerance: " << this->AbsoluteRefinementTolerance << "\n";
+  os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
   os << indent
@@ -380,4 +556,6 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "WindowsPropagatedPerEdge: " << this->WindowsPropagatedPerEdge << "\n";
   os << indent << "SourceSnapDistance: " << this->SourceSnapDistance << "\n";
+  os << indent << "RelativeErrorBound: " << this->RelativeErrorBound << "\n";
+  os << indent << "InterpolationErrorBound: " << this->InterpolationErrorBound << "\n";
 }

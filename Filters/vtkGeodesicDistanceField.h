@@ -22,6 +22,21 @@
  * the triangles.
  *
  * @par
+ * In approximate mode (SetAccuracy()) neighboring windows are merged as long as that makes no
+ * distance smaller than the exact one by more than RelativeError; no distance is larger. This is
+ * faster, needs less memory, and is certified: see GetRelativeErrorBound().
+ *
+ * @par
+ * Exact values at points do not make an exact picture: within a triangle VTK interpolates linearly,
+ * and the distance is not linear. With RefineMesh, triangles are split where the interpolant
+ * differs from the distance by more than a tolerance, at edges as well as inside faces, and the new
+ * points get their distance from the windows. The geometry of the surface does not change: each
+ * new point lies on a triangle of the input. How far the interpolant of the output is from the
+ * distance, anywhere, is certified: see GetInterpolationErrorBound(). In approximate mode this
+ * second bound is against the computed field, so that the two bounds add up: the output differs
+ * from the exact distance d by at most RelativeErrorBound * d + InterpolationErrorBound.
+ *
+ * @par
  * A curve need not be made of mesh edges, nor lie on the surface exactly. Its points are put onto
  * the closest points of the surface, and onto a vertex or an edge when within the precision of the
  * coordinates. Consecutive points in one face are joined straight, others by the shortest path
@@ -37,11 +52,23 @@
  * without cells gives all its points as point sources. Inputs are never modified.
  *
  * @par Output:
- * Port 0 has the surface with all points of the input, unchanged and in order, and
+ * Port 0 has the surface as triangles, with all points of the input, unchanged and in order, then
+ * those that refinement has added, and
  * - point data array `GeodesicDistance` (or DistanceArrayName): the distance, in double precision;
  *   infinite at points that no path connects to the source, or beyond MaximumDistance,
- * - field data array `WindowsPropagatedPerEdge`: see GetWindowsPropagatedPerEdge(),
- * - field data array `SourceSnapDistance`: see GetSourceSnapDistance().
+ * - cell data array `OriginalCellIds`, where RefineMesh was done: the cell of the input that each
+ *   triangle is a part of,
+ * - field data arrays `WindowsPropagatedPerEdge`, `SourceSnapDistance`, `RelativeErrorBound` and
+ *   `InterpolationErrorBound`: see the getters of these names.
+ * @par
+ * Point data is interpolated linearly to new points, in the face; strings, ids (vtkIdTypeArray and
+ * pedigree ids) and bits are those of the nearest corner, a new point is a ghost in the ways that
+ * all corners around it are, and global ids are dropped. Cell data is handed down to the parts of a
+ * cell. New points have the precision of the input's points. Triangles that are not reached or
+ * lie wholly beyond MaximumDistance are not refined, but closed against refined neighbors. Where
+ * several points of the input are at one place (see MergeCoincidentPoints), a split edge between
+ * them has as many points as it had on the input. Faces on the same points as another are refined
+ * like it.
  * @par
  * Port 1 has the source as it lies on the surface: polylines with a point at every mesh edge that
  * they cross, and a vertex for each point source.
@@ -68,6 +95,7 @@
 #include "vtkFiltersGeodesicModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <limits> // for std::numeric_limits
 #include <memory> // for std::unique_ptr
 
 class VTKFILTERSGEODESIC_EXPORT vtkGeodesicDistanceField : public vtkPolyDataAlgorithm
@@ -110,6 +138,85 @@ public:
   void SetSourceTypeToSourceCurve() { this->SetSourceType(SOURCE_CURVE); }
   void SetSourceTypeToSurfaceBoundary() { this->SetSourceType(SURFACE_BOUNDARY); }
   void SetSourceTypeToCurveAndBoundary() { this->SetSourceType(CURVE_AND_BOUNDARY); }
+  ///@}
+
+  /**
+   * Whether distances are exact.
+   */
+  enum AccuracyModes
+  {
+    EXACT = 0,
+    APPROXIMATE = 1
+  };
+
+  ///@{
+  /**
+   * Compute the exact distance (the default), or a smaller one within RelativeError of it, which is
+   * faster.
+   */
+  vtkSetClampMacro(Accuracy, int, EXACT, APPROXIMATE);
+  vtkGetMacro(Accuracy, int);
+  void SetAccuracyToExact() { this->SetAccuracy(EXACT); }
+  void SetAccuracyToApproximate() { this->SetAccuracy(APPROXIMATE); }
+  ///@}
+
+  ///@{
+  /**
+   * In approximate mode, the largest relative error of the computed distance at any point of the
+   * surface that is reached. Default: 0.001. With 0 the distance is exact. A negative value or NaN
+   * is an error.
+   */
+  vtkSetMacro(RelativeError, double);
+  vtkGetMacro(RelativeError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether triangles are split until the linear interpolant of the output is within a tolerance of
+   * the distance everywhere. On by default. Refinement keeps all windows in memory.
+   */
+  vtkSetMacro(RefineMesh, bool);
+  vtkGetMacro(RefineMesh, bool);
+  vtkBooleanMacro(RefineMesh, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The largest difference between the linear interpolant of the output and the computed distance,
+   * as a fraction of the diagonal of the surface's bounding box. Default: 0.001. Used unless
+   * ToleranceIsAbsolute is on. Anything but a positive number is an error.
+   */
+  vtkSetMacro(RefinementTolerance, double);
+  vtkGetMacro(RefinementTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether AbsoluteRefinementTolerance is used in place of RefinementTolerance. Off by default.
+   */
+  vtkSetMacro(ToleranceIsAbsolute, bool);
+  vtkGetMacro(ToleranceIsAbsolute, bool);
+  vtkBooleanMacro(ToleranceIsAbsolute, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The largest difference between the linear interpolant of the output and the computed distance,
+   * in the units of the surface. Default: 1. Used where ToleranceIsAbsolute is on. Anything but a
+   * positive number is an error.
+   */
+  vtkSetMacro(AbsoluteRefinementTolerance, double);
+  vtkGetMacro(AbsoluteRefinementTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Refinement stops before the output has more triangles than this; 0 is no limit. Triangles with
+   * the largest error are split first, and a warning says which tolerance was met. A surface
+   * that has more triangles already is not refined, with a warning. Default: 50,000,000.
+   */
+  vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaximumNumberOfCells, vtkIdType);
   ///@}
 
   ///@{
@@ -157,6 +264,25 @@ public:
   vtkGetMacro(SourceSnapDistance, double);
   ///@}
 
+  ///@{
+  /**
+   * After an execution: what is certified about the relative error of the computed distance, at
+   * most RelativeError. It is 0 where the distance is exact.
+   */
+  vtkGetMacro(RelativeErrorBound, double);
+  ///@}
+
+  ///@{
+  /**
+   * After an execution with RefineMesh: what is certified about the difference between the linear
+   * interpolant of the output and the computed distance, anywhere on triangles that are reached and
+   * have a point within MaximumDistance, in the units of the surface. At most the tolerance, unless
+   * MaximumNumberOfCells was reached. Where the surface was not refined nothing is certified, and
+   * it is infinite.
+   */
+  vtkGetMacro(InterpolationErrorBound, double);
+  ///@}
+
 protected:
   vtkGeodesicDistanceField();
   ~vtkGeodesicDistanceField() override;
@@ -169,12 +295,24 @@ private:
   vtkGeodesicDistanceField(const vtkGeodesicDistanceField&) = delete;
   void operator=(const vtkGeodesicDistanceField&) = delete;
 
+  /// Says what is wrong with a property; null where all are right.
+  const char* FindWrongProperty() const;
+
   int SourceType = SOURCE_CURVE;
+  int Accuracy = EXACT;
+  double RelativeError = 0.001;
+  bool RefineMesh = true;
+  double RefinementTolerance = 0.001;
+  bool ToleranceIsAbsolute = false;
+  double AbsoluteRefinementTolerance = 1.0;
+  vtkIdType MaximumNumberOfCells = 50000000;
   double MaximumDistance = 0.0;
   bool MergeCoincidentPoints = true;
   char* DistanceArrayName = nullptr;
   double WindowsPropagatedPerEdge = 0.0;
   double SourceSnapDistance = 0.0;
+  double RelativeErrorBound = 0.0;
+  double InterpolationErrorBound = std::numeric_limits<double>::infinity();
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
