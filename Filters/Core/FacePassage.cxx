@@ -27,15 +27,6 @@ UnfoldedFace unfold(const TriangleMesh& mesh, Id side)
   return face;
 }
 
-// Told without a square root.
-bool isBeaten(const Window& w, double x, double bound)
-{
-  const double reach = bound * (1.0 + tolerance::Tie) - w.sigma;
-  const double dx = x - w.sourceX;
-  return w.isLinear() ? w.sourceX * x > reach
-                      : reach < 0.0 || dx * dx + w.sourceDepth * w.sourceDepth > reach * reach;
-}
-
 ApexView FacePassage::view(const WindowRange& list, const UnfoldedFace& face)
 {
   const Vec2 apex = face.apex;

@@ -2,6 +2,7 @@
 #ifndef geodesic_FacePassage_h
 #define geodesic_FacePassage_h
 
+#include "Tolerance.h"
 #include "TriangleMesh.h"
 #include "Window.h"
 #include "WindowList.h"
@@ -14,8 +15,15 @@ namespace geodesic
 /// The side's face laid into the plane above the side. The side must have a length.
 UnfoldedFace unfold(const TriangleMesh& mesh, Id side);
 
-/// Whether the window's distance at x is beyond a bound by more than a tie.
-bool isBeaten(const Window& window, double x, double bound);
+/// Whether the window's distance at x is beyond a bound by more than a tie, told without a square
+/// root.
+inline bool isBeaten(const Window& w, double x, double bound)
+{
+  const double reach = bound * (1.0 + tolerance::Tie) - w.sigma;
+  const double dx = x - w.sourceX;
+  return w.isLinear() ? w.sourceX * x > reach
+                      : reach < 0.0 || dx * dx + w.sourceDepth * w.sourceDepth > reach * reach;
+}
 
 /// What is known of the distances at the corners of a face, seen from the side that is entered.
 struct CornerDistances

@@ -35,65 +35,6 @@ Window reversed(const Window& window, double length)
   return w;
 }
 
-double UnfoldedFace::meetLeft(const Window& window, double x) const
-{
-  const Vec2 d = window.direction(x);
-  const double denominator = d.y * this->apex.x - d.x * this->apex.y;
-  const double t = denominator > 0.0 ? x * d.y / denominator : 0.0;
-  return std::clamp(t, 0.0, 1.0) * this->leftLength;
-}
-
-double UnfoldedFace::meetRight(const Window& window, double x) const
-{
-  const Vec2 d = window.direction(x);
-  const double denominator = d.y * this->apexFromEnd + d.x * this->apex.y;
-  const double t = denominator > 0.0 ? (this->length - x) * d.y / denominator : 0.0;
-  return (1.0 - std::clamp(t, 0.0, 1.0)) * this->rightLength;
-}
-
-namespace
-{
-
-// Unfolding is a rigid motion: the source is carried along, not computed anew.
-Window moved(const Window& window, Vec2 origin, Vec2 axis)
-{
-  Window w = window;
-  if (window.isLinear())
-  {
-    w.sigma = window.straightDistance(origin);
-    w.sourceX = window.sourceX * axis.x + window.sourceDepth * axis.y;
-    w.sourceDepth = window.sourceDepth * axis.x - window.sourceX * axis.y;
-  }
-  else
-  {
-    const double dx = window.sourceX - origin.x;
-    const double dy = window.sourceDepth + origin.y;
-    w.sourceX = dx * axis.x - dy * axis.y;
-    w.sourceDepth = dx * axis.y + dy * axis.x;
-  }
-  w.sourceDepth = std::max(w.sourceDepth, 0.0);
-  w.depth = window.depth + 1;
-  return w;
-}
-
-} // anonymous namespace
-
-Window UnfoldedFace::throughLeft(const Window& window, double begin, double end) const
-{
-  Window w = moved(window, { 0.0, 0.0 }, this->leftAxis);
-  w.begin = begin;
-  w.end = end;
-  return w;
-}
-
-Window UnfoldedFace::throughRight(const Window& window, double begin, double end) const
-{
-  Window w = moved(window, this->apex, this->rightAxis);
-  w.begin = begin;
-  w.end = end;
-  return w;
-}
-
 namespace
 {
 
