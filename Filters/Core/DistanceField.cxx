@@ -80,14 +80,9 @@ void DistanceField::requireWindows() const
   }
 }
 
-WindowRange DistanceField::windowsOn(Id side) const
+WindowRuns DistanceField::windowsOn(Id side) const
 {
-  if (!this->hasWindows())
-  {
-    return {};
-  }
-  const Window* data = this->windows_.data();
-  return { data + this->windowStart_[side], data + this->windowStart_[side + 1] };
+  return this->hasWindows() ? this->windows_.at(side) : WindowRuns();
 }
 
 std::vector<SourceInFace> DistanceField::sourcesIn(Id face) const

@@ -5,7 +5,7 @@
 #include "SourceWindows.h"
 #include "SurfacePoint.h"
 #include "TriangleMesh.h"
-#include "Window.h"
+#include "WindowArchive.h"
 
 #include <cstdint>
 #include <vector>
@@ -30,7 +30,7 @@ public:
 
   /// The windows that enter the side's face through it, in no order; several may overlap. Empty
   /// where none were kept.
-  WindowRange windowsOn(Id side) const;
+  WindowRuns windowsOn(Id side) const;
 
   /// The sources that lie in a face.
   std::vector<SourceInFace> sourcesIn(Id face) const;
@@ -38,7 +38,7 @@ public:
   const TriangleMesh& mesh() const { return *this->mesh_; }
 
   /// Whether windows were kept, so that distance() and path() can be called.
-  bool hasWindows() const { return !this->windowStart_.empty(); }
+  bool hasWindows() const { return this->windows_.isIndexed(); }
 
   /// Exact distance at a point of the surface; +infinity where the front did not come, which with a
   /// limit is every face without a point within it. Thread-safe.
@@ -80,10 +80,7 @@ private:
   std::vector<double> vertexDistances_;
   std::uint64_t windowsPropagated_ = 0;
   double relativeErrorBound_ = 0.0;
-  /// The windows of side s are windows_[windowStart_[s]] to windows_[windowStart_[s + 1]], in no
-  /// order: one side may have several lists that came one after another.
-  std::vector<std::uint64_t> windowStart_;
-  std::vector<Window> windows_;
+  WindowArchive windows_;
   std::vector<SourceInFace> sourcesInFaces_;
   /// With a limit: whether each face is complete. Empty where all are.
   std::vector<std::uint8_t> faceComplete_;

@@ -162,9 +162,9 @@ void FaceEnvelope::enter(Id face)
 
 void FaceEnvelope::addSide(Id side)
 {
-  const WindowRange windows = this->Field.windowsOn(side);
+  const WindowRuns windows = this->Field.windowsOn(side);
   const double length = this->Mesh.length(side);
-  if (windows.size() == 0 || !(length > 0.0))
+  if (windows.empty() || !(length > 0.0))
   {
     return;
   }

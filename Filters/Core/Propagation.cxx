@@ -5,6 +5,7 @@
 #include "FacePassage.h"
 #include "SourceWindows.h"
 #include "Tolerance.h"
+#include "WindowArchive.h"
 #include "WindowList.h"
 #include "WindowMerge.h"
 
@@ -60,8 +61,7 @@ struct Worker
   std::vector<Improvement> improvements;
   /// Vertices that have lists waiting on the sides that face them.
   std::vector<Id> facing;
-  std::vector<Window> kept;
-  std::vector<Id> keptSides;
+  WindowArchive kept;
   /// Sides with windows within the limit.
   std::vector<Id> withinLimit;
   std::uint64_t propagated = 0;
@@ -115,7 +115,6 @@ private:
   void dropIncomplete();
   void keep(Worker& worker, Id side, const WindowRange& list);
   void finish();
-  void sortKept();
 
   const TriangleMesh& Mesh;
   const SolveOptions& Options;
@@ -705,51 +704,22 @@ void Propagation::keep(Worker& worker, Id side, const WindowRange& list)
   }
   if (this->Options.keepWindows == KeepWindows::All)
   {
-    worker.kept.insert(worker.kept.end(), list.begin(), list.end());
-    worker.keptSides.insert(worker.keptSides.end(), list.size(), side);
+    worker.kept.add(side, list);
   }
 }
 
 void Propagation::finish()
 {
-  for (const Worker& worker : this->Workers)
+  for (Worker& worker : this->Workers)
   {
     this->Field.windowsPropagated_ += worker.propagated;
     this->Field.relativeErrorBound_ =
       std::max(this->Field.relativeErrorBound_, worker.relativeError);
+    this->Field.windows_.take(worker.kept);
   }
   if (this->Options.keepWindows == KeepWindows::All)
   {
-    this->sortKept();
-  }
-}
-
-// Windows were kept in the order in which their sides were entered.
-void Propagation::sortKept()
-{
-  std::vector<std::uint64_t>& start = this->Field.windowStart_;
-  start.assign(static_cast<std::size_t>(this->Mesh.numberOfSides()) + 1, 0);
-  for (const Worker& worker : this->Workers)
-  {
-    for (const Id side : worker.keptSides)
-    {
-      ++start[side + 1];
-    }
-  }
-  for (std::size_t s = 1; s < start.size(); ++s)
-  {
-    start[s] += start[s - 1];
-  }
-  std::vector<std::uint64_t> next(start.begin(), start.end() - 1);
-  this->Field.windows_.resize(start.back());
-  for (Worker& worker : this->Workers)
-  {
-    for (std::size_t i = 0; i < worker.kept.size(); ++i)
-    {
-      this->Field.windows_[next[worker.keptSides[i]]++] = worker.kept[i];
-    }
-    worker.kept = {};
-    worker.keptSides = {};
+    this->Field.windows_.index(this->Mesh.numberOfSides());
   }
 }
 

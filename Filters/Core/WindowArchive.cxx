@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WindowArchive.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+constexpr std::size_t ChunkWindows = std::size_t(1) << 12;
+}
+
+void WindowArchive::add(Id side, const WindowRange& list)
+{
+  const std::size_t size = list.size();
+  if (size == 0)
+  {
+    return;
+  }
+  if (size > this->left_)
+  {
+    this->left_ = std::max(ChunkWindows, size);
+    this->chunks_.emplace_back(new Window[this->left_]);
+    this->free_ = this->chunks_.back().get();
+  }
+  std::copy(list.begin(), list.end(), this->free_);
+  this->added_.push_back({ side, { this->free_, this->free_ + size } });
+  this->free_ += size;
+  this->left_ -= size;
+}
+
+void WindowArchive::take(WindowArchive& other)
+{
+  std::move(other.chunks_.begin(), other.chunks_.end(), std::back_inserter(this->chunks_));
+  this->added_.insert(this->added_.end(), other.added_.begin(), other.added_.end());
+  this->left_ = 0;
+  other = WindowArchive();
+}
+
+void WindowArchive::index(Id numberOfSides)
+{
+  this->start_.assign(static_cast<std::size_t>(numberOfSides) + 1, 0);
+  for (const Run& run : this->added_)
+  {
+    ++this->start_[run.side + 1];
+  }
+  for (std::size_t s = 1; s < this->start_.size(); ++s)
+  {
+    this->start_[s] += this->start_[s - 1];
+  }
+  this->runs_.resize(this->added_.size());
+  std::vector<std::size_t> next(this->start_.begin(), this->start_.end() - 1);
+  for (const Run& run : this->added_)
+  {
+    this->runs_[next[run.side]++] = run.windows;
+  }
+  this->added_ = {};
+}
+
+}
