@@ -116,118 +116,118 @@ private:
   void keep(Worker& worker, Id side, const WindowRange& list);
   void finish();
 
-  const TriangleMesh& Mesh;
-  const SolveOptions& Options;
-  DistanceField Field;
+  const TriangleMesh& mesh_;
+  const SolveOptions& options_;
+  DistanceField field_;
 
-  std::vector<double>& Distance;
+  std::vector<double>& distance_;
   /// How much longer the path behind a vertex's distance can be; empty in the exact solve.
-  std::vector<double> VertexError;
+  std::vector<double> vertexError_;
   /// The distance with which a vertex was last processed, and the key it waits with in the queue.
-  std::vector<double> Processed;
-  std::vector<double> Queued;
-  std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<QueueEntry>> Queue;
-  WaitingLists Waiting;
+  std::vector<double> processed_;
+  std::vector<double> queued_;
+  std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<QueueEntry>> queue_;
+  WaitingLists waiting_;
   /// Whether a vertex sends out windows when the front comes to it.
-  std::vector<std::uint8_t> Emits;
+  std::vector<std::uint8_t> emits_;
 
   /// The key at which the last batch began.
-  double Front = 0.0;
-  std::vector<Worker> Workers;
-  std::vector<Id> Batch;
-  std::vector<Delivery> Deliveries;
+  double front_ = 0.0;
+  std::vector<Worker> workers_;
+  std::vector<Id> batch_;
+  std::vector<Delivery> deliveries_;
   /// Where the deliveries to one side begin; one more than groups.
-  std::vector<std::size_t> Groups;
+  std::vector<std::size_t> groups_;
 
   /// With a limit: faces that have a point within it.
-  std::vector<std::uint8_t> Needed;
-  Id Settled = 0;
-  std::size_t SinceReport = 0;
-  double Reported = 0.0;
+  std::vector<std::uint8_t> needed_;
+  Id settled_ = 0;
+  std::size_t sinceReport_ = 0;
+  double reported_ = 0.0;
 };
 
 Propagation::Propagation(const TriangleMesh& mesh, const SolveOptions& options)
-  : Mesh(mesh)
-  , Options(options)
-  , Distance(Field.vertexDistances_)
-  , Processed(mesh.numberOfVertices(), Infinity)
-  , Queued(mesh.numberOfVertices(), Infinity)
-  , Waiting(mesh.numberOfSides())
-  , Emits(mesh.numberOfVertices(), 0)
-  , Workers(1)
+  : mesh_(mesh)
+  , options_(options)
+  , distance_(field_.vertexDistances_)
+  , processed_(mesh.numberOfVertices(), Infinity)
+  , queued_(mesh.numberOfVertices(), Infinity)
+  , waiting_(mesh.numberOfSides())
+  , emits_(mesh.numberOfVertices(), 0)
+  , workers_(1)
 {
-  this->Field.mesh_ = &mesh;
-  this->Distance.assign(mesh.numberOfVertices(), Infinity);
+  this->field_.mesh_ = &mesh;
+  this->distance_.assign(mesh.numberOfVertices(), Infinity);
   if (options.relativeError > 0.0)
   {
-    this->VertexError.assign(mesh.numberOfVertices(), 0.0);
+    this->vertexError_.assign(mesh.numberOfVertices(), 0.0);
   }
   if (options.maximumDistance < Infinity)
   {
-    this->Needed.assign(mesh.numberOfFaces(), 0);
+    this->needed_.assign(mesh.numberOfFaces(), 0);
   }
 }
 
 DistanceField Propagation::run(const std::vector<SourceCurve>& sources)
 {
   this->start(sources);
-  this->advance(this->Options.maximumDistance);
-  if (this->Options.maximumDistance < Infinity)
+  this->advance(this->options_.maximumDistance);
+  if (this->options_.maximumDistance < Infinity)
   {
     this->finishLimited();
   }
   this->finish();
-  return std::move(this->Field);
+  return std::move(this->field_);
 }
 
 void Propagation::start(const std::vector<SourceCurve>& sources)
 {
-  SourceWindows initial = makeSourceWindows(this->Mesh, sources);
+  SourceWindows initial = makeSourceWindows(this->mesh_, sources);
   if (initial.inFaces.empty() && initial.vertices.empty())
   {
     throw SourceError("There is no source. Give at least one point on the surface.");
   }
-  for (Id v = 0; v < this->Mesh.numberOfVertices(); ++v)
+  for (Id v = 0; v < this->mesh_.numberOfVertices(); ++v)
   {
-    this->Emits[v] = this->Mesh.isPseudoSource(v) ? 1 : 0;
+    this->emits_[v] = this->mesh_.isPseudoSource(v) ? 1 : 0;
   }
   for (const Id vertex : initial.nearVertices)
   {
-    this->Emits[vertex] = 1;
+    this->emits_[vertex] = 1;
   }
   for (const Id vertex : initial.vertices)
   {
-    this->Emits[vertex] = 0; // the curve's own wedges are there already
+    this->emits_[vertex] = 0; // the curve's own wedges are there already
     this->improve({ vertex, 0.0, 0.0 });
   }
   for (const SourceInFace& source : initial.inFaces)
   {
-    const Triangle& corners = this->Mesh.triangle(source.face);
+    const Triangle& corners = this->mesh_.triangle(source.face);
     for (std::size_t k = 0; k < 3; ++k)
     {
       std::array<double, 3> corner{};
       corner[k] = 1.0;
-      this->improve({ corners[k], distanceToSource(this->Mesh, source, corner), 0.0 });
+      this->improve({ corners[k], distanceToSource(this->mesh_, source, corner), 0.0 });
     }
-    if (!this->Needed.empty())
+    if (!this->needed_.empty())
     {
-      this->Needed[source.face] = 1;
+      this->needed_[source.face] = 1;
     }
   }
   for (const LeavingWindow& leaving : initial.windows)
   {
-    this->send(this->Workers[0], leaving.side, { &leaving.window, &leaving.window + 1 });
+    this->send(this->workers_[0], leaving.side, { &leaving.window, &leaving.window + 1 });
   }
-  this->Field.sourcesInFaces_ = std::move(initial.inFaces);
-  this->Batch.clear();
+  this->field_.sourcesInFaces_ = std::move(initial.inFaces);
+  this->batch_.clear();
   this->runBatch();
 }
 
 void Propagation::advance(double limit)
 {
-  while (!this->Queue.empty() && this->Queue.top().key <= limit)
+  while (!this->queue_.empty() && this->queue_.top().key <= limit)
   {
-    this->Front = std::max(this->Front, this->Queue.top().key);
+    this->front_ = std::max(this->front_, this->queue_.top().key);
     this->popBatch(limit);
     this->runBatch();
     this->reportProgress();
@@ -239,16 +239,16 @@ void Propagation::advance(double limit)
 void Propagation::popBatch(double limit)
 {
   constexpr double edges = 0.5; // in a range from 0.25 to 2 the number of windows hardly changes
-  this->Batch.clear();
+  this->batch_.clear();
   double last = limit;
-  while (!this->Queue.empty() && this->Queue.top().key <= last)
+  while (!this->queue_.empty() && this->queue_.top().key <= last)
   {
-    const QueueEntry entry = this->Queue.top();
-    this->Queue.pop();
-    if (entry.key == this->Queued[entry.vertex])
+    const QueueEntry entry = this->queue_.top();
+    this->queue_.pop();
+    if (entry.key == this->queued_[entry.vertex])
     {
-      this->Queued[entry.vertex] = Infinity;
-      this->Batch.push_back(entry.vertex);
+      this->queued_[entry.vertex] = Infinity;
+      this->batch_.push_back(entry.vertex);
       last = std::min(last, entry.key + edges * this->edgeAt(entry.vertex));
     }
   }
@@ -257,17 +257,17 @@ void Propagation::popBatch(double limit)
 // The length of some edge at the vertex.
 double Propagation::edgeAt(Id vertex) const
 {
-  const IdRange corners = this->Mesh.cornersAt(vertex);
-  return corners.size() > 0 ? this->Mesh.length(*corners.begin()) : 0.0;
+  const IdRange corners = this->mesh_.cornersAt(vertex);
+  return corners.size() > 0 ? this->mesh_.length(*corners.begin()) : 0.0;
 }
 
 void Propagation::runBatch()
 {
-  this->runTasks(this->Batch.size(),
-    [this](Worker& worker, std::size_t i) { this->process(worker, this->Batch[i]); });
+  this->runTasks(this->batch_.size(),
+    [this](Worker& worker, std::size_t i) { this->process(worker, this->batch_[i]); });
   this->collectDeliveries();
   this->runTasks(
-    this->Groups.size() - 1, [this](Worker& worker, std::size_t i) { this->receive(worker, i); });
+    this->groups_.size() - 1, [this](Worker& worker, std::size_t i) { this->receive(worker, i); });
   this->takeOver();
 }
 
@@ -277,16 +277,16 @@ void Propagation::runTasks(std::size_t count, const std::function<void(Worker&, 
   constexpr std::size_t itemsPerTask = 64;
   constexpr std::size_t mostTasks = 32;
   const std::size_t tasks =
-    std::clamp<std::size_t>(count / itemsPerTask, 1, this->Options.parallelFor ? mostTasks : 1);
-  if (this->Workers.size() < tasks)
+    std::clamp<std::size_t>(count / itemsPerTask, 1, this->options_.parallelFor ? mostTasks : 1);
+  if (this->workers_.size() < tasks)
   {
-    this->Workers.resize(tasks);
+    this->workers_.resize(tasks);
   }
   const auto run = [&](std::size_t task)
   {
     for (std::size_t i = task * count / tasks; i < (task + 1) * count / tasks; ++i)
     {
-      item(this->Workers[task], i);
+      item(this->workers_[task], i);
     }
   };
   if (tasks == 1)
@@ -294,24 +294,24 @@ void Propagation::runTasks(std::size_t count, const std::function<void(Worker&, 
     run(0);
     return;
   }
-  this->Options.parallelFor(tasks, run);
+  this->options_.parallelFor(tasks, run);
 }
 
 void Propagation::process(Worker& worker, Id vertex)
 {
-  const double distance = this->Distance[vertex];
-  if (distance < this->Processed[vertex] * (1.0 - tolerance::Tie))
+  const double distance = this->distance_[vertex];
+  if (distance < this->processed_[vertex] * (1.0 - tolerance::Tie))
   {
     this->relaxEdges(worker, vertex);
-    if (this->Emits[vertex])
+    if (this->emits_[vertex])
     {
       this->emit(worker, vertex);
     }
   }
-  for (const Id corner : this->Mesh.cornersAt(vertex))
+  for (const Id corner : this->mesh_.cornersAt(vertex))
   {
     const Id side = TriangleMesh::nextInFace(corner);
-    if (this->Waiting.has(side))
+    if (this->waiting_.has(side))
     {
       this->enter(worker, side);
     }
@@ -321,40 +321,40 @@ void Propagation::process(Worker& worker, Id vertex)
 // Distances along edges are upper bounds, which the filter can use from the first window on.
 void Propagation::relaxEdges(Worker& worker, Id vertex)
 {
-  const double distance = this->Distance[vertex];
+  const double distance = this->distance_[vertex];
   const double error = this->errorAt(vertex);
   const auto relax = [&](Id side, Id other)
   {
-    const double along = distance + this->Mesh.length(side);
-    if (along < this->Distance[other])
+    const double along = distance + this->mesh_.length(side);
+    if (along < this->distance_[other])
     {
       worker.improvements.push_back({ other, along, error });
     }
   };
-  for (const Id corner : this->Mesh.cornersAt(vertex))
+  for (const Id corner : this->mesh_.cornersAt(vertex))
   {
     const Id before = TriangleMesh::previousInFace(corner);
-    relax(corner, this->Mesh.destination(corner));
-    relax(before, this->Mesh.origin(before));
+    relax(corner, this->mesh_.destination(corner));
+    relax(before, this->mesh_.origin(before));
   }
 }
 
 void Propagation::emit(Worker& worker, Id vertex)
 {
-  const double distance = this->Distance[vertex];
-  for (const Id corner : this->Mesh.cornersAt(vertex))
+  const double distance = this->distance_[vertex];
+  for (const Id corner : this->mesh_.cornersAt(vertex))
   {
     const Id side = TriangleMesh::nextInFace(corner);
-    const double length = this->Mesh.length(side);
-    if (this->Mesh.isBoundary(side) || length == 0.0)
+    const double length = this->mesh_.length(side);
+    if (this->mesh_.isBoundary(side) || length == 0.0)
     {
       continue;
     }
-    Window w = vertexWindow(this->Mesh, corner, distance).window;
+    Window w = vertexWindow(this->mesh_, corner, distance).window;
     w.error = this->errorAt(vertex);
     const bool useless =
-      isBeaten(w, w.end, this->Distance[this->Mesh.destination(side)] + length) ||
-      isBeaten(w, w.begin, this->Distance[this->Mesh.origin(side)] + length);
+      isBeaten(w, w.end, this->distance_[this->mesh_.destination(side)] + length) ||
+      isBeaten(w, w.begin, this->distance_[this->mesh_.origin(side)] + length);
     if (!useless)
     {
       this->send(worker, side, { &w, &w + 1 });
@@ -365,12 +365,12 @@ void Propagation::emit(Worker& worker, Id vertex)
 void Propagation::enter(Worker& worker, Id side)
 {
   this->merge(worker, side);
-  const WindowRange list = this->Waiting.at(side);
+  const WindowRange list = this->waiting_.at(side);
   this->keep(worker, side, list);
-  const UnfoldedFace face = unfold(this->Mesh, side);
-  const Id origin = this->Mesh.origin(side);
-  const Id destination = this->Mesh.destination(side);
-  const Id apex = this->Mesh.opposite(side);
+  const UnfoldedFace face = unfold(this->mesh_, side);
+  const Id origin = this->mesh_.origin(side);
+  const Id destination = this->mesh_.destination(side);
+  const Id apex = this->mesh_.opposite(side);
 
   const ApexView view = worker.passage.view(list, face);
   const Window& first = *list.begin();
@@ -380,19 +380,19 @@ void Propagation::enter(Worker& worker, Id side)
     { apex, view.distance, view.error } };
   for (const Improvement& improvement : found)
   {
-    if (improvement.distance < this->Distance[improvement.vertex])
+    if (improvement.distance < this->distance_[improvement.vertex])
     {
       worker.improvements.push_back(improvement);
     }
   }
   const auto known = [&](std::size_t i)
-  { return std::min(this->Distance[found[i].vertex], found[i].distance); };
+  { return std::min(this->distance_[found[i].vertex], found[i].distance); };
 
   const Id left = TriangleMesh::previousInFace(side);
   const Id right = TriangleMesh::nextInFace(side);
-  worker.passage.pass(list, face, { known(0), known(1), known(2) }, !this->Mesh.isBoundary(left),
-    !this->Mesh.isBoundary(right), this->Mesh.numberOfFaces());
-  this->Waiting.clear(side, worker.pool);
+  worker.passage.pass(list, face, { known(0), known(1), known(2) }, !this->mesh_.isBoundary(left),
+    !this->mesh_.isBoundary(right), this->mesh_.numberOfFaces());
+  this->waiting_.clear(side, worker.pool);
   this->send(worker, left, worker.passage.left());
   this->send(worker, right, worker.passage.right());
 }
@@ -400,17 +400,17 @@ void Propagation::enter(Worker& worker, Id side)
 // A list is merged when it is complete and about to go on, so that each window is once a face.
 void Propagation::merge(Worker& worker, Id side)
 {
-  const WindowRange list = this->Waiting.at(side);
-  if (!(this->Options.relativeError > 0.0) || list.size() < 2)
+  const WindowRange list = this->waiting_.at(side);
+  if (!(this->options_.relativeError > 0.0) || list.size() < 2)
   {
     return;
   }
   std::vector<Window>& merged = worker.merging;
   merged.assign(list.begin(), list.end());
   const double error =
-    mergeNeighbours(merged, this->Mesh.length(side), this->Options.relativeError);
+    mergeNeighbours(merged, this->mesh_.length(side), this->options_.relativeError);
   worker.relativeError = std::max(worker.relativeError, error);
-  this->Waiting.assign(side, { merged.data(), merged.data() + merged.size() }, worker.pool);
+  this->waiting_.assign(side, { merged.data(), merged.data() + merged.size() }, worker.pool);
 }
 
 // Hands windows, in the leaving frame of the side, to every other face around its edge. Faces of
@@ -421,12 +421,12 @@ void Propagation::send(Worker& worker, Id side, const WindowRange& windows)
   {
     return;
   }
-  const double length = this->Mesh.length(side);
-  const auto number = static_cast<std::uint32_t>(&worker - this->Workers.data());
-  for (Id s = this->Mesh.nextInRing(side); s != side; s = this->Mesh.nextInRing(s))
+  const double length = this->mesh_.length(side);
+  const auto number = static_cast<std::uint32_t>(&worker - this->workers_.data());
+  for (Id s = this->mesh_.nextInRing(side); s != side; s = this->mesh_.nextInRing(s))
   {
     worker.deliveries.push_back({ s, number, worker.sent.size(), windows.size() });
-    if (this->Mesh.origin(s) == this->Mesh.destination(side))
+    if (this->mesh_.origin(s) == this->mesh_.destination(side))
     {
       worker.sent.insert(worker.sent.end(), windows.begin(), windows.end());
     }
@@ -442,40 +442,40 @@ void Propagation::send(Worker& worker, Id side, const WindowRange& windows)
 
 void Propagation::collectDeliveries()
 {
-  this->Deliveries.clear();
-  for (Worker& worker : this->Workers)
+  this->deliveries_.clear();
+  for (Worker& worker : this->workers_)
   {
-    this->Deliveries.insert(
-      this->Deliveries.end(), worker.deliveries.begin(), worker.deliveries.end());
+    this->deliveries_.insert(
+      this->deliveries_.end(), worker.deliveries.begin(), worker.deliveries.end());
     worker.deliveries.clear();
   }
-  std::sort(this->Deliveries.begin(), this->Deliveries.end(),
+  std::sort(this->deliveries_.begin(), this->deliveries_.end(),
     [](const Delivery& a, const Delivery& b)
     {
       return a.side != b.side  ? a.side < b.side
         : a.worker != b.worker ? a.worker < b.worker
                                : a.first < b.first;
     });
-  this->Groups.clear();
-  for (std::size_t i = 0; i < this->Deliveries.size(); ++i)
+  this->groups_.clear();
+  for (std::size_t i = 0; i < this->deliveries_.size(); ++i)
   {
-    if (i == 0 || this->Deliveries[i].side != this->Deliveries[i - 1].side)
+    if (i == 0 || this->deliveries_[i].side != this->deliveries_[i - 1].side)
     {
-      this->Groups.push_back(i);
+      this->groups_.push_back(i);
     }
   }
-  this->Groups.push_back(this->Deliveries.size());
+  this->groups_.push_back(this->deliveries_.size());
 }
 
 void Propagation::receive(Worker& worker, std::size_t group)
 {
-  const Id side = this->Deliveries[this->Groups[group]].side;
-  const UnfoldedFace face = unfold(this->Mesh, side);
-  const Id apex = this->Mesh.opposite(side);
-  for (std::size_t i = this->Groups[group]; i < this->Groups[group + 1]; ++i)
+  const Id side = this->deliveries_[this->groups_[group]].side;
+  const UnfoldedFace face = unfold(this->mesh_, side);
+  const Id apex = this->mesh_.opposite(side);
+  for (std::size_t i = this->groups_[group]; i < this->groups_[group + 1]; ++i)
   {
-    const Delivery& delivery = this->Deliveries[i];
-    const Window* first = this->Workers[delivery.worker].sent.data() + delivery.first;
+    const Delivery& delivery = this->deliveries_[i];
+    const Window* first = this->workers_[delivery.worker].sent.data() + delivery.first;
     const WindowRange windows = { first, first + delivery.count };
     const ApexView view = worker.passage.view(windows, face);
     worker.improvements.push_back({ apex, view.distance, view.error });
@@ -487,13 +487,13 @@ void Propagation::receive(Worker& worker, std::size_t group)
 
 void Propagation::mergeInto(Worker& worker, Id side, const WindowRange& windows)
 {
-  const WindowRange waiting = this->Waiting.at(side);
+  const WindowRange waiting = this->waiting_.at(side);
   if (waiting.size() == 0)
   {
-    this->Waiting.assign(side, windows, worker.pool);
+    this->waiting_.assign(side, windows, worker.pool);
     return;
   }
-  worker.merged.reset(this->Mesh.length(side));
+  worker.merged.reset(this->mesh_.length(side));
   const Window* old = waiting.begin();
   for (const Window& w : windows)
   {
@@ -507,17 +507,17 @@ void Propagation::mergeInto(Worker& worker, Id side, const WindowRange& windows)
   {
     worker.merged.append(*old);
   }
-  this->Waiting.assign(side, worker.merged.range(), worker.pool);
+  this->waiting_.assign(side, worker.merged.range(), worker.pool);
 }
 
 void Propagation::takeOver()
 {
-  for (const Id vertex : this->Batch)
+  for (const Id vertex : this->batch_)
   {
-    this->Settled += this->Processed[vertex] == Infinity ? 1 : 0;
-    this->Processed[vertex] = std::min(this->Processed[vertex], this->Distance[vertex]);
+    this->settled_ += this->processed_[vertex] == Infinity ? 1 : 0;
+    this->processed_[vertex] = std::min(this->processed_[vertex], this->distance_[vertex]);
   }
-  for (Worker& worker : this->Workers)
+  for (Worker& worker : this->workers_)
   {
     for (const Improvement& improvement : worker.improvements)
     {
@@ -525,16 +525,16 @@ void Propagation::takeOver()
     }
     worker.improvements.clear();
     worker.sent.clear();
-    if (!this->Needed.empty())
+    if (!this->needed_.empty())
     {
       for (const Id side : worker.withinLimit)
       {
-        this->Needed[TriangleMesh::faceOf(side)] = 1;
+        this->needed_[TriangleMesh::faceOf(side)] = 1;
       }
       worker.withinLimit.clear();
     }
   }
-  for (Worker& worker : this->Workers)
+  for (Worker& worker : this->workers_)
   {
     for (const Id vertex : worker.facing)
     {
@@ -546,7 +546,7 @@ void Propagation::takeOver()
 
 double Propagation::errorAt(Id vertex) const
 {
-  return this->VertexError.empty() ? 0.0 : this->VertexError[vertex];
+  return this->vertexError_.empty() ? 0.0 : this->vertexError_[vertex];
 }
 
 void Propagation::improve(const Improvement& improvement)
@@ -554,16 +554,16 @@ void Propagation::improve(const Improvement& improvement)
   // A linear window's distance may be a rounding below 0 at its source.
   const double distance = std::max(improvement.distance, 0.0);
   const Id vertex = improvement.vertex;
-  if (!(distance < this->Distance[vertex]))
+  if (!(distance < this->distance_[vertex]))
   {
     return;
   }
-  this->Distance[vertex] = distance;
-  if (!this->VertexError.empty())
+  this->distance_[vertex] = distance;
+  if (!this->vertexError_.empty())
   {
-    this->VertexError[vertex] = improvement.error;
+    this->vertexError_[vertex] = improvement.error;
   }
-  if (distance < this->Processed[vertex] * (1.0 - tolerance::Tie))
+  if (distance < this->processed_[vertex] * (1.0 - tolerance::Tie))
   {
     this->enqueue(vertex);
   }
@@ -572,28 +572,28 @@ void Propagation::improve(const Improvement& improvement)
 void Propagation::enqueue(Id vertex)
 {
   // Windows that come to a vertex behind the front go on with it, in the same batches.
-  const double key = std::max(this->Distance[vertex], this->Front);
-  if (key < this->Queued[vertex])
+  const double key = std::max(this->distance_[vertex], this->front_);
+  if (key < this->queued_[vertex])
   {
-    this->Queued[vertex] = key;
-    this->Queue.push({ key, vertex });
+    this->queued_[vertex] = key;
+    this->queue_.push({ key, vertex });
   }
 }
 
 void Propagation::reportProgress()
 {
   constexpr std::size_t verticesPerReport = 256;
-  this->SinceReport += this->Batch.size();
-  if (!this->Options.progress || this->SinceReport < verticesPerReport)
+  this->sinceReport_ += this->batch_.size();
+  if (!this->options_.progress || this->sinceReport_ < verticesPerReport)
   {
     return;
   }
-  this->SinceReport = 0;
+  this->sinceReport_ = 0;
   const double settled =
-    static_cast<double>(this->Settled) / static_cast<double>(this->Mesh.numberOfVertices());
-  const double fraction = std::max(settled, this->Front / this->Options.maximumDistance);
-  this->Reported = std::clamp(fraction, this->Reported, 1.0); // never back
-  if (!this->Options.progress(this->Reported))
+    static_cast<double>(this->settled_) / static_cast<double>(this->mesh_.numberOfVertices());
+  const double fraction = std::max(settled, this->front_ / this->options_.maximumDistance);
+  this->reported_ = std::clamp(fraction, this->reported_, 1.0); // never back
+  if (!this->options_.progress(this->reported_))
   {
     throw Aborted();
   }
@@ -603,22 +603,22 @@ void Propagation::reportProgress()
 // is nearer than the farthest of them.
 void Propagation::finishLimited()
 {
-  const double limit = this->Options.maximumDistance;
+  const double limit = this->options_.maximumDistance;
   this->flush(limit);
-  for (Id f = 0; f < this->Mesh.numberOfFaces(); ++f)
+  for (Id f = 0; f < this->mesh_.numberOfFaces(); ++f)
   {
-    for (const Id v : this->Mesh.triangle(f))
+    for (const Id v : this->mesh_.triangle(f))
     {
-      if (this->Distance[v] <= limit)
+      if (this->distance_[v] <= limit)
       {
-        this->Needed[f] = 1;
+        this->needed_[f] = 1;
       }
     }
   }
   this->flush(this->neededDistance());
-  for (const Id side : this->Waiting.sides())
+  for (const Id side : this->waiting_.sides())
   {
-    this->keep(this->Workers[0], side, this->Waiting.at(side));
+    this->keep(this->workers_[0], side, this->waiting_.at(side));
   }
   this->dropIncomplete();
 }
@@ -630,20 +630,20 @@ void Propagation::flush(double bound)
   for (bool again = true; again;)
   {
     this->advance(bound);
-    this->Batch.clear();
-    for (const Id side : this->Waiting.sides())
+    this->batch_.clear();
+    for (const Id side : this->waiting_.sides())
     {
-      const WindowRange list = this->Waiting.at(side);
+      const WindowRange list = this->waiting_.at(side);
       const bool within = std::any_of(
         list.begin(), list.end(), [&](const Window& w) { return w.minimum() <= bound; });
       if (within)
       {
-        this->Batch.push_back(this->Mesh.opposite(side));
+        this->batch_.push_back(this->mesh_.opposite(side));
       }
     }
-    std::sort(this->Batch.begin(), this->Batch.end());
-    this->Batch.erase(std::unique(this->Batch.begin(), this->Batch.end()), this->Batch.end());
-    again = !this->Batch.empty();
+    std::sort(this->batch_.begin(), this->batch_.end());
+    this->batch_.erase(std::unique(this->batch_.begin(), this->batch_.end()), this->batch_.end());
+    again = !this->batch_.empty();
     this->runBatch();
   }
 }
@@ -653,15 +653,15 @@ void Propagation::flush(double bound)
 double Propagation::neededDistance() const
 {
   double bound = 0.0;
-  const bool inside = this->Options.keepWindows == KeepWindows::All;
-  for (Id f = 0; f < this->Mesh.numberOfFaces(); ++f)
+  const bool inside = this->options_.keepWindows == KeepWindows::All;
+  for (Id f = 0; f < this->mesh_.numberOfFaces(); ++f)
   {
-    if (this->Needed[f])
+    if (this->needed_[f])
     {
-      const Triangle& t = this->Mesh.triangle(f);
-      const std::array<double, 3>& length = this->Mesh.shape(f).length;
+      const Triangle& t = this->mesh_.triangle(f);
+      const std::array<double, 3>& length = this->mesh_.shape(f).length;
       const auto [least, most] =
-        std::minmax({ this->Distance[t[0]], this->Distance[t[1]], this->Distance[t[2]] });
+        std::minmax({ this->distance_[t[0]], this->distance_[t[1]], this->distance_[t[2]] });
       const double reach = least + *std::max_element(length.begin(), length.end());
       bound = std::max(bound, inside ? reach : most);
     }
@@ -671,38 +671,38 @@ double Propagation::neededDistance() const
 
 void Propagation::dropIncomplete()
 {
-  std::vector<std::uint8_t> complete(this->Mesh.numberOfVertices(), 0);
-  for (Id f = 0; f < this->Mesh.numberOfFaces(); ++f)
+  std::vector<std::uint8_t> complete(this->mesh_.numberOfVertices(), 0);
+  for (Id f = 0; f < this->mesh_.numberOfFaces(); ++f)
   {
-    for (const Id v : this->Mesh.triangle(f))
+    for (const Id v : this->mesh_.triangle(f))
     {
-      complete[v] |= this->Needed[f];
+      complete[v] |= this->needed_[f];
     }
   }
-  for (Id v = 0; v < this->Mesh.numberOfVertices(); ++v)
+  for (Id v = 0; v < this->mesh_.numberOfVertices(); ++v)
   {
-    this->Distance[v] = complete[v] ? this->Distance[v] : Infinity;
+    this->distance_[v] = complete[v] ? this->distance_[v] : Infinity;
   }
-  this->Field.faceComplete_ = std::move(this->Needed);
+  this->field_.faceComplete_ = std::move(this->needed_);
 }
 
 void Propagation::keep(Worker& worker, Id side, const WindowRange& list)
 {
-  if (!this->Needed.empty())
+  if (!this->needed_.empty())
   {
     const bool within = std::any_of(list.begin(), list.end(),
-      [&](const Window& w) { return w.minimum() <= this->Options.maximumDistance; });
+      [&](const Window& w) { return w.minimum() <= this->options_.maximumDistance; });
     for (Id s = side; within;)
     {
       worker.withinLimit.push_back(s);
-      s = this->Mesh.nextInRing(s);
+      s = this->mesh_.nextInRing(s);
       if (s == side)
       {
         break;
       }
     }
   }
-  if (this->Options.keepWindows == KeepWindows::All)
+  if (this->options_.keepWindows == KeepWindows::All)
   {
     worker.kept.add(side, list);
   }
@@ -710,16 +710,16 @@ void Propagation::keep(Worker& worker, Id side, const WindowRange& list)
 
 void Propagation::finish()
 {
-  for (Worker& worker : this->Workers)
+  for (Worker& worker : this->workers_)
   {
-    this->Field.windowsPropagated_ += worker.propagated;
-    this->Field.relativeErrorBound_ =
-      std::max(this->Field.relativeErrorBound_, worker.relativeError);
-    this->Field.windows_.take(worker.kept);
+    this->field_.windowsPropagated_ += worker.propagated;
+    this->field_.relativeErrorBound_ =
+      std::max(this->field_.relativeErrorBound_, worker.relativeError);
+    this->field_.windows_.take(worker.kept);
   }
-  if (this->Options.keepWindows == KeepWindows::All)
+  if (this->options_.keepWindows == KeepWindows::All)
   {
-    this->Field.windows_.index(this->Mesh.numberOfSides());
+    this->field_.windows_.index(this->mesh_.numberOfSides());
   }
 }
 

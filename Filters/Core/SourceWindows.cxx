@@ -105,7 +105,7 @@ class Maker
 {
 public:
   explicit Maker(const TriangleMesh& mesh)
-    : Mesh(mesh)
+    : mesh_(mesh)
   {
   }
 
@@ -115,7 +115,7 @@ public:
     {
       for (SurfacePoint& point : curve.points)
       {
-        point = normalized(this->Mesh, point);
+        point = normalized(this->mesh_, point);
       }
       this->addSegments(curve);
       this->addPoints(curve);
@@ -123,8 +123,8 @@ public:
     this->emitFromVertices();
     const auto byFace = [](const SourceInFace& a, const SourceInFace& b)
     { return a.face < b.face; };
-    std::stable_sort(this->Result.inFaces.begin(), this->Result.inFaces.end(), byFace);
-    return std::move(this->Result);
+    std::stable_sort(this->result_.inFaces.begin(), this->result_.inFaces.end(), byFace);
+    return std::move(this->result_);
   }
 
 private:
@@ -134,7 +134,7 @@ private:
     Id s = side;
     while (TriangleMesh::faceOf(s) != face)
     {
-      s = this->Mesh.nextInRing(s);
+      s = this->mesh_.nextInRing(s);
     }
     return s;
   }
@@ -146,19 +146,19 @@ private:
       const SurfacePoint& p = curve.points[i];
       const SurfacePoint& q = curve.points[i + 1];
       const Id face = curve.faces[i];
-      const Barycentric a = barycentric(this->Mesh, p, face);
-      const Barycentric b = barycentric(this->Mesh, q, face);
+      const Barycentric a = barycentric(this->mesh_, p, face);
+      const Barycentric b = barycentric(this->mesh_, q, face);
       this->emitSegment(face, a, b);
       for (std::size_t k = 0; k < 3; ++k)
       {
         if (a[previous(k)] == 0.0 && b[previous(k)] == 0.0) // along side k
         {
           const Id side = 3 * face + static_cast<Id>(k);
-          for (Id s = this->Mesh.nextInRing(side); s != side; s = this->Mesh.nextInRing(s))
+          for (Id s = this->mesh_.nextInRing(side); s != side; s = this->mesh_.nextInRing(s))
           {
             const Id other = TriangleMesh::faceOf(s);
             this->emitSegment(
-              other, barycentric(this->Mesh, p, other), barycentric(this->Mesh, q, other));
+              other, barycentric(this->mesh_, p, other), barycentric(this->mesh_, q, other));
           }
         }
       }
@@ -169,17 +169,17 @@ private:
   // orthogonal rays at the segment's ends.
   void emitSegment(Id face, const Barycentric& a, const Barycentric& b)
   {
-    this->Result.inFaces.push_back({ face, a, b });
+    this->result_.inFaces.push_back({ face, a, b });
     for (std::size_t k = 0; k < 3; ++k)
     {
       const Id side = 3 * face + static_cast<Id>(k);
       const bool along = a[previous(k)] == 0.0 && b[previous(k)] == 0.0;
-      if (along || this->Mesh.isBoundary(side) || this->Mesh.length(side) == 0.0)
+      if (along || this->mesh_.isBoundary(side) || this->mesh_.length(side) == 0.0)
       {
         continue;
       }
-      Vec2 from = inLeavingFrame(this->Mesh, side, a);
-      Vec2 to = inLeavingFrame(this->Mesh, side, b);
+      Vec2 from = inLeavingFrame(this->mesh_, side, a);
+      Vec2 to = inLeavingFrame(this->mesh_, side, b);
       if (from.x > to.x)
       {
         std::swap(from, to);
@@ -190,13 +190,13 @@ private:
         continue;
       }
       const Vec2 t = (1.0 / length) * (to - from);
-      Interval interval{ 0.0, this->Mesh.length(side) };
+      Interval interval{ 0.0, this->mesh_.length(side) };
       const double origin = dot(from, t); // position along the segment of x = 0, negated
       interval.clip(-t.x, -origin);
       interval.clip(t.x, origin + length);
       // Where the segment touches the side, rays leave the face up to there only.
       const double sigma = -cross(t, from);
-      interval.clip(t.y, sigma + tolerance::SourceDepth * this->Mesh.length(side));
+      interval.clip(t.y, sigma + tolerance::SourceDepth * this->mesh_.length(side));
       this->addWindow(side, interval, -t.y, t.x, sigma, Window::Kind::Linear);
     }
   }
@@ -211,7 +211,7 @@ private:
       const SurfacePoint& p = curve.points[i];
       // Around an edge of three and more faces the others see the curve bend.
       const bool straight =
-        curve.isCut[i] && p.kind == SurfacePoint::Kind::Edge && this->Mesh.isInner(p.id);
+        curve.isCut[i] && p.kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(p.id);
       if (straight || (closed && last))
       {
         continue;
@@ -219,7 +219,7 @@ private:
       std::vector<Spoke> spokes;
       const auto addSpoke = [&](std::size_t to, std::size_t segment)
       {
-        if (!samePlace(this->Mesh, p, curve.points[to]))
+        if (!samePlace(this->mesh_, p, curve.points[to]))
         {
           spokes.push_back({ p, curve.points[to], curve.faces[segment] });
         }
@@ -234,8 +234,8 @@ private:
       }
       if (p.kind == SurfacePoint::Kind::Vertex)
       {
-        this->Result.vertices.push_back(p.id);
-        this->VertexSpokes.insert(this->VertexSpokes.end(), spokes.begin(), spokes.end());
+        this->result_.vertices.push_back(p.id);
+        this->vertexSpokes_.insert(this->vertexSpokes_.end(), spokes.begin(), spokes.end());
         continue;
       }
       this->emitFromPoint(p, spokes);
@@ -249,13 +249,13 @@ private:
     {
       this->constrain(spoke, constraints);
     }
-    forEachFace(this->Mesh, p,
+    forEachFace(this->mesh_, p,
       [&](Id face)
       {
-        const Barycentric b = barycentric(this->Mesh, p, face);
+        const Barycentric b = barycentric(this->mesh_, p, face);
         if (p.kind != SurfacePoint::Kind::Vertex)
         {
-          this->Result.inFaces.push_back({ face, b, b });
+          this->result_.inFaces.push_back({ face, b, b });
           this->findNearVertices(face, b);
         }
         this->emitPoint(face, b, constraints);
@@ -268,7 +268,7 @@ private:
     {
       if (1.0 - b[k] < tolerance::NearVertex)
       {
-        this->Result.nearVertices.push_back(this->Mesh.triangle(face)[k]);
+        this->result_.nearVertices.push_back(this->mesh_.triangle(face)[k]);
       }
     }
   }
@@ -276,13 +276,13 @@ private:
   // Several curves may meet in one vertex: all their segments bound its wedges together.
   void emitFromVertices()
   {
-    std::vector<Id>& vertices = this->Result.vertices;
+    std::vector<Id>& vertices = this->result_.vertices;
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     const auto key = [](const Spoke& s)
     { return std::make_tuple(s.from.id, s.face, s.to.kind, s.to.id, s.to.u, s.to.v); };
     const auto less = [&](const Spoke& a, const Spoke& b) { return key(a) < key(b); };
-    std::vector<Spoke>& spokes = this->VertexSpokes;
+    std::vector<Spoke>& spokes = this->vertexSpokes_;
     std::sort(spokes.begin(), spokes.end(), less);
 
     auto first = spokes.cbegin();
@@ -303,19 +303,19 @@ private:
     for (std::size_t k = 0; k < 3; ++k)
     {
       const Id side = 3 * face + static_cast<Id>(k);
-      const double length = this->Mesh.length(side);
-      if (b[previous(k)] == 0.0 || this->Mesh.isBoundary(side) || length == 0.0)
+      const double length = this->mesh_.length(side);
+      if (b[previous(k)] == 0.0 || this->mesh_.isBoundary(side) || length == 0.0)
       {
         continue;
       }
-      const Vec2 p = inLeavingFrame(this->Mesh, side, b);
+      const Vec2 p = inLeavingFrame(this->mesh_, side, b);
       const bool near = -p.y <= tolerance::NearSide * length;
       Interval interval{ 0.0, length };
       for (const Constraint& constraint : constraints)
       {
         if (constraint.face == face && !near)
         {
-          const Vec2 u = inLeavingFrame(this->Mesh, k, constraint);
+          const Vec2 u = inLeavingFrame(this->mesh_, k, constraint);
           interval.clip(u.x, dot(p, u) + std::abs(u.x) * tolerance::Rounding * length);
         }
       }
@@ -333,13 +333,13 @@ private:
   // place.
   void emitBeyond(Id side, Vec2 p)
   {
-    const double length = this->Mesh.length(side);
-    for (Id s = this->Mesh.nextInRing(side); s != side; s = this->Mesh.nextInRing(s))
+    const double length = this->mesh_.length(side);
+    for (Id s = this->mesh_.nextInRing(side); s != side; s = this->mesh_.nextInRing(s))
     {
-      const bool turned = this->Mesh.origin(s) == this->Mesh.origin(side);
+      const bool turned = this->mesh_.origin(s) == this->mesh_.origin(side);
       const Window w = { 0.0, length, turned ? length - p.x : p.x, -p.y, 0.0, 0.0,
         Window::Kind::Circular, 0 };
-      const UnfoldedFace face = unfold(this->Mesh, s);
+      const UnfoldedFace face = unfold(this->mesh_, s);
       this->addWhole(TriangleMesh::previousInFace(s), face.throughLeft(w, 0.0, face.leftLength));
       this->addWhole(TriangleMesh::nextInFace(s), face.throughRight(w, 0.0, face.rightLength));
     }
@@ -347,23 +347,23 @@ private:
 
   void addWhole(Id side, Window window)
   {
-    if (this->Mesh.isBoundary(side) || !(window.end > 0.0))
+    if (this->mesh_.isBoundary(side) || !(window.end > 0.0))
     {
       return;
     }
     window.sourceDepth = std::max(window.sourceDepth, tolerance::SourceDepth * window.end);
-    this->Result.windows.push_back({ side, window });
+    this->result_.windows.push_back({ side, window });
   }
 
   void addWindow(
     Id side, const Interval& interval, double x, double depth, double sigma, Window::Kind kind)
   {
-    const double length = this->Mesh.length(side);
+    const double length = this->mesh_.length(side);
     const double begin = std::max(interval.begin, 0.0);
     const double end = std::min(interval.end, length);
     if (end - begin > tolerance::LeastWidth * length && depth > 0.0)
     {
-      this->Result.windows.push_back({ side, { begin, end, x, depth, sigma, 0.0, kind, 0 } });
+      this->result_.windows.push_back({ side, { begin, end, x, depth, sigma, 0.0, kind, 0 } });
     }
   }
 
@@ -387,14 +387,14 @@ private:
   // on).
   Constraint inOwnFace(const Spoke& spoke, std::size_t k) const
   {
-    while (this->Mesh.shape(spoke.face).length[k] == 0.0)
+    while (this->mesh_.shape(spoke.face).length[k] == 0.0)
     {
       k = next(k);
     }
     const Id side = 3 * spoke.face + static_cast<Id>(k);
     const Vec2 from =
-      inSideFrame(this->Mesh, side, barycentric(this->Mesh, spoke.from, spoke.face));
-    const Vec2 to = inSideFrame(this->Mesh, side, barycentric(this->Mesh, spoke.to, spoke.face));
+      inSideFrame(this->mesh_, side, barycentric(this->mesh_, spoke.from, spoke.face));
+    const Vec2 to = inSideFrame(this->mesh_, side, barycentric(this->mesh_, spoke.to, spoke.face));
     const Vec2 d = to - from;
     const double length = norm(d);
     return { spoke.face, k, length > 0.0 ? (1.0 / length) * d : d };
@@ -406,9 +406,9 @@ private:
     const Id side = this->sideInFace(spoke.from.id, spoke.face);
     const Constraint own = this->inOwnFace(spoke, side % 3);
     constraints.push_back(own);
-    for (Id s = this->Mesh.nextInRing(side); s != side; s = this->Mesh.nextInRing(s))
+    for (Id s = this->mesh_.nextInRing(side); s != side; s = this->mesh_.nextInRing(s))
     {
-      const bool opposed = this->Mesh.origin(s) == this->Mesh.destination(side);
+      const bool opposed = this->mesh_.origin(s) == this->mesh_.destination(side);
       const Vec2 u = { opposed ? -own.u.x : own.u.x, -own.u.y };
       constraints.push_back({ TriangleMesh::faceOf(s), s % 3, u });
     }
@@ -419,7 +419,7 @@ private:
   {
     const Id vertex = spoke.from.id;
     std::size_t corner = 0;
-    while (this->Mesh.triangle(spoke.face)[corner] != vertex)
+    while (this->mesh_.triangle(spoke.face)[corner] != vertex)
     {
       ++corner;
     }
@@ -433,32 +433,32 @@ private:
     const double angle = std::max(0.0, std::atan2(own.u.y, own.u.x)); // from side `corner`
     this->walk(vertex, side, angle, constraints);
     this->walk(vertex, TriangleMesh::previousInFace(side),
-      std::max(0.0, this->Mesh.cornerAngle(side) - angle), constraints);
+      std::max(0.0, this->mesh_.cornerAngle(side) - angle), constraints);
   }
 
   // Crosses a spoke side that is `angle` away from the segment; goes on through every face there.
   void walk(
     Id vertex, Id crossed, double angle, std::vector<Constraint>& constraints, Id steps = 0) const
   {
-    if (angle >= RightAngle || steps > this->Mesh.cornersAt(vertex).size())
+    if (angle >= RightAngle || steps > this->mesh_.cornersAt(vertex).size())
     {
       return;
     }
-    for (Id s = this->Mesh.nextInRing(crossed); s != crossed; s = this->Mesh.nextInRing(s))
+    for (Id s = this->mesh_.nextInRing(crossed); s != crossed; s = this->mesh_.nextInRing(s))
     {
       // In the frame of s the vertex is at the origin or at the end of the x axis.
-      const bool atOrigin = this->Mesh.origin(s) == vertex;
+      const bool atOrigin = this->mesh_.origin(s) == vertex;
       const double x = atOrigin ? std::cos(angle) : -std::cos(angle);
       constraints.push_back({ TriangleMesh::faceOf(s), s % 3, { x, -std::sin(angle) } });
       const Id corner = atOrigin ? s : TriangleMesh::nextInFace(s);
       const Id across = atOrigin ? TriangleMesh::previousInFace(s) : TriangleMesh::nextInFace(s);
-      this->walk(vertex, across, angle + this->Mesh.cornerAngle(corner), constraints, steps + 1);
+      this->walk(vertex, across, angle + this->mesh_.cornerAngle(corner), constraints, steps + 1);
     }
   }
 
-  const TriangleMesh& Mesh;
-  SourceWindows Result;
-  std::vector<Spoke> VertexSpokes;
+  const TriangleMesh& mesh_;
+  SourceWindows result_;
+  std::vector<Spoke> vertexSpokes_;
 };
 
 } // anonymous namespace
