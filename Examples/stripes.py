@@ -39,11 +39,11 @@ def color_by_stripes(display, array, count=24):
     display.InterpolateScalarsBeforeMapping = 1
 
 
-def look_along(view, direction, surface):
+def look_along(view, direction, surface, upward=(0, 0, 1)):
     """Looks back along the direction, with the surface filling the view."""
     points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     back = np.array(direction) / np.linalg.norm(direction)
-    right = np.cross((0, 0, 1), back)
+    right = np.cross(upward, back)
     right /= np.linalg.norm(right)
     up = np.cross(back, right)
     along = points @ np.transpose((right, up, back))
@@ -59,26 +59,69 @@ def look_along(view, direction, surface):
     view.CameraParallelScale = 0.52 * max(height, width * rows / columns)
 
 
-def draw(field, array, file_name, size=(1200, 800), direction=(0.45, -0.85, 0.75)):
-    """Draws the result of a GeodesicDistanceField with stripes, its source on top of it."""
+def new_view(size):
+    """A white view without axes."""
     view = simple.CreateView("RenderView")
     view.ViewSize = size
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.Background = (1, 1, 1)
+    return view
 
+
+def show(view, field, array, direction, upward=(0, 0, 1), edges=False):
+    """Shows the result of a GeodesicDistanceField with stripes, its source on top of it."""
     surface = simple.Show(field, view)
     color_by_stripes(surface, array)
     surface.Ambient = 0.15
     surface.SetScalarBarVisibility(view, False)
+    if edges:
+        surface.SetRepresentationType("Surface With Edges")
+        surface.EdgeColor = (0.1, 0.1, 0.1)
 
     curve = simple.Show(simple.OutputPort(field, 1), view)
     simple.ColorBy(curve, ("POINTS", None))
     curve.AmbientColor = curve.DiffuseColor = (1, 1, 1)
-    curve.LineWidth = 7
-    curve.PointSize = 14
+    curve.LineWidth = 3 if edges else 7
+    curve.PointSize = 2 * curve.LineWidth
     curve.RenderLinesAsTubes = 1
     curve.RenderPointsAsSpheres = 1
 
-    look_along(view, direction, simple.servermanager.Fetch(field))
+    look_along(view, direction, simple.servermanager.Fetch(field), upward)
+
+
+def draw(field, array, file_name, size=(1200, 800), direction=(0.45, -0.85, 0.75)):
+    """Draws the result of a GeodesicDistanceField with stripes."""
+    view = new_view(size)
+    show(view, field, array, direction)
     simple.SaveScreenshot(file_name, view, ImageResolution=size)
+
+
+def new_pair(fields, array, edges, direction, upward, size=(500, 500)):
+    """Two views beside each other, each with a result, and with the edges of its triangles or not."""
+    views = []
+    for field, with_edges in zip(fields, edges):
+        view = new_view(size)
+        show(view, field, array, direction, upward, with_edges)
+        views.append(view)
+    return views
+
+
+def zoom(view, center, factor):
+    """Closes in on a point; without one, on the middle of the view."""
+    if center is not None:
+        back = np.subtract(view.CameraPosition, view.CameraFocalPoint)
+        view.CameraFocalPoint = center
+        view.CameraPosition = center + back
+    view.CameraParallelScale /= factor
+
+
+def save_pair(views, file_name):
+    layout = simple.CreateLayout()
+    layout.SplitHorizontal(0, 0.5)
+    for place, view in enumerate(views, start=1):
+        simple.AssignViewToLayout(view, layout, place)
+    columns, rows = views[0].ViewSize
+    size = (2 * columns, rows)
+    layout.SetSize(*size)
+    simple.SaveScreenshot(file_name, layout, ImageResolution=size, CompressionLevel="9")

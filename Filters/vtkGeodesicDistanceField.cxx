@@ -465,7 +465,7 @@ const char* vtkGeodesicDistanceField::FindWrongProperty() const
   if (this->Accuracy == APPROXIMATE &&
     !(this->RelativeError >= 0.0 && this->RelativeError < geodesic::Infinity))
   {
-    return "RelativeError is negative or no number: set the largest relative error that is allowed "
+    return "RelativeError is not a finite number of at least 0: set the largest relative error that is allowed "
            "in approximate mode, such as 0.001, or 0 for the exact distance.";
   }
   if (this->RefineMesh && !this->ToleranceIsAbsolute && !isPositive(this->RefinementTolerance))

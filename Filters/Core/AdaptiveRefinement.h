@@ -67,10 +67,10 @@ struct RefinedMesh
 /// points lie on its edges and faces, where the distance is exact without a new propagation.
 ///
 /// Triangles that are worst come first. Their edges over the tolerance are split where the
-/// deviation is largest, moved away from the ends by the table of section 6.2; where that would
-/// make shapes worse than tolerance::RefinedAngle of the input face's, the table yields to the
-/// middle of the edge. Triangles with two split edges or more are split into four, those with one
-/// are bisected in the end (see RedGreenMesh).
+/// deviation is largest, moved away from the ends by the table of section 6.2; where a part's
+/// smallest angle would be under 14 degrees and under 0.6 of the input face's, the table yields:
+/// the edge is split halfway to its middle, or there. Triangles with two split edges or more are
+/// split into four, those with one are bisected in the end (see RedGreenMesh).
 ///
 /// With an approximate field the distance is the computed one, which may differ on the two sides of
 /// an edge by the error of merging; see errorBound.

@@ -5,6 +5,7 @@
 #include "Tolerance.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace geodesic
 {
@@ -14,7 +15,7 @@ namespace
 
 /// A window's part of a segment is taken longer by this fraction of the segment at both ends: rays
 /// of neighbours that meet in one point are cut with it separately, and rounding would leave gaps.
-/// Moves no distance by more than itself.
+/// Narrower parts are left to their neighbours. Moves no distance by more than about itself.
 constexpr double PencilMargin = 1e-12;
 
 /// Neighbours in an envelope may differ by this fraction of its length where they meet, and by some
@@ -270,7 +271,11 @@ bool FaceEnvelope::buildAlong(Vec2 p, Vec2 u, double length, bool withBent)
   {
     this->builder_.append(piece);
   }
-  this->envelope_ = this->builder_.windows();
+  // What fills a gap of rounding may be far above; the neighbours stand for it.
+  this->envelope_.clear();
+  std::copy_if(this->builder_.windows().begin(), this->builder_.windows().end(),
+    std::back_inserter(this->envelope_),
+    [length](const Window& w) { return w.width() > PencilMargin * length; });
   if (this->envelope_.empty())
   {
     return false;

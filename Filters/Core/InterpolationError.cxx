@@ -69,7 +69,7 @@ InterpolationError::InterpolationError(const DistanceField& field)
 {
 }
 
-double InterpolationError::ofFace(Id face, double limit) const
+double InterpolationError::ofFace(Id face, double limit, double known) const
 {
   const Triangle& corners = this->Mesh.triangle(face);
   const FaceShape& shape = this->Mesh.shape(face);
@@ -79,13 +79,10 @@ double InterpolationError::ofFace(Id face, double limit) const
     d[k] = this->Field.vertexDistances()[corners[k]];
   }
   const double longest = *std::max_element(shape.length.begin(), shape.length.end());
-  if (longest <= limit)
+  const double bySize = longest <= limit ? longest : Infinity; // d changes by no more than the way
+  if (bySize <= known || !(shape.area2 > 0.0))
   {
-    return longest;
-  }
-  if (!(shape.area2 > 0.0))
-  {
-    return Infinity;
+    return bySize;
   }
   const Gradient g = gradientOf(shape.length[0] * shape.length[0], shape.cornerDot[0],
     shape.length[2] * shape.length[2], shape.area2, d[1] - d[0], d[2] - d[0], longest);
@@ -93,7 +90,7 @@ double InterpolationError::ofFace(Id face, double limit) const
   const double flat = std::max(0.0, 1.0 - g.length) * g.chord;
   if (!(std::max(steep, flat) <= limit))
   {
-    return Infinity;
+    return bySize;
   }
 
   double below = 0.0;
@@ -109,7 +106,7 @@ double InterpolationError::ofFace(Id face, double limit) const
     const Id side = 3 * face + static_cast<Id>(k);
     if (!this->belowOfSide(side, d[k], d[next], limit - steep, below))
     {
-      return Infinity;
+      return bySize;
     }
     // along the normal into the face, l rises from the side's line to the opposite corner
     const double length2 = shape.length[k] * shape.length[k];
@@ -120,7 +117,7 @@ double InterpolationError::ofFace(Id face, double limit) const
     }
   }
   const double bound = std::max(below + steep, above + flat);
-  return bound <= limit ? bound : Infinity;
+  return bound <= limit ? std::min(bound, bySize) : bySize;
 }
 
 // How far the interpolant along a side is over the windows of that side: section 6.2 for each.

@@ -27,8 +27,9 @@ public:
   explicit InterpolationError(const DistanceField& field);
 
   /// A quick bound for an input face and the distances at its corners, from its windows as they
-  /// are; Infinity where it would be over the limit, which says nothing.
-  double ofFace(Id face, double limit) const;
+  /// are; Infinity where it would be over the limit, which says nothing. Not looked for when a face
+  /// of this size cannot have more than `known`.
+  double ofFace(Id face, double limit, double known) const;
 
   /// What is known about the inside of a triangle.
   struct Inside

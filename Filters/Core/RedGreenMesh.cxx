@@ -245,9 +245,8 @@ bool RedGreenMesh::mustBeSplit(Id triangle) const
   return count > 1;
 }
 
-std::vector<Id> RedGreenMesh::close(const Place& place)
+void RedGreenMesh::closeTouched(const Place& place, std::vector<Id>& changed)
 {
-  std::vector<Id> changed;
   while (!this->touched_.empty())
   {
     const Id triangle = this->touched_.back();
@@ -270,6 +269,20 @@ std::vector<Id> RedGreenMesh::close(const Place& place)
   changed.erase(std::remove_if(changed.begin(), changed.end(),
                   [this](Id triangle) { return !this->isLeaf(triangle); }),
     changed.end());
+}
+
+std::vector<Id> RedGreenMesh::close(const Place& place, const MayBisect& mayBisect)
+{
+  std::vector<Id> changed;
+  this->closeTouched(place, changed);
+  for (const Id triangle : changed)
+  {
+    if (this->isLeaf(triangle) && this->splitEdges(triangle) == 1 && !mayBisect(triangle))
+    {
+      this->splitRed(triangle, place);
+    }
+  }
+  this->closeTouched(place, changed);
   return changed;
 }
 

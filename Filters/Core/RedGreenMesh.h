@@ -67,6 +67,8 @@ public:
   };
   /// Called for each edge that is to be split.
   using Place = std::function<Placement(Id edge)>;
+  /// Whether the shapes allow a leaf with one split edge to be bisected.
+  using MayBisect = std::function<bool(Id triangle)>;
 
   /// \param frozen faces that are not refined; where a neighbour splits one of their edges, they
   ///        are only closed.
@@ -97,9 +99,10 @@ public:
   void split(Id edge, const Place& place);
   /// Splits a leaf into four.
   void splitRed(Id triangle, const Place& place);
-  /// Splits leaves into four till none has two split edges or one that was split twice.
-  /// \returns the leaves whose edges were split since the last call, ascending.
-  std::vector<Id> close(const Place& place);
+  /// Splits leaves into four till none has two split edges or one that was split twice, and, once,
+  /// those that may not be bisected: what that bisects in turn stays, so that it does not spread.
+  /// \returns the leaves that are new or whose edges were split since the last call, ascending.
+  std::vector<Id> close(const Place& place, const MayBisect& mayBisect);
 
   /// Number of triangles that are put out.
   std::uint64_t numberOfTriangles() const { return this->numberOfTriangles_; }
@@ -149,6 +152,7 @@ private:
   Id halfAt(Id edge, Id end) const;
   Id addPart(Id face, const Triangle& corners, const std::array<Id, 3>& edges);
   bool mustBeSplit(Id triangle) const;
+  void closeTouched(const Place& place, std::vector<Id>& changed);
   Id frozenFacesAt(const Edge& edge) const;
   template <typename Emit>
   void closeLeaf(Id triangle, Emit&& emit) const;

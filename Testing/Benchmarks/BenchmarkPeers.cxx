@@ -10,6 +10,10 @@
 #include "vtkIdList.h"
 #endif
 
+#ifdef GEODESIC_HAS_CGAL
+#include "BenchmarkCgal.h"
+#endif
+
 #include <algorithm>
 #include <chrono>
 #include <functional>
@@ -63,6 +67,9 @@ const std::vector<Peer>& peers()
     { "dijkstra", dijkstra },
 #ifdef GEODESIC_HAS_FAST_MARCHING
     { "fastmarching", fastMarching },
+#endif
+#ifdef GEODESIC_HAS_CGAL
+    { "cgal", secondsOfCgal },
 #endif
   };
   return all;

@@ -40,7 +40,31 @@ endforeach ()
 run_benchmark(json --mesh "${mesh}" --source path:0,1)
 require_value("${json}" max_distance "1\\.224744871|1\\.414213562")
 
-# Refined, moved, written in every format and read again: the same mesh.
+# Refined: the diagonal is the square root of 12, the distance not linear.
+run_benchmark(json --mesh "${mesh}" --refine 0.001 --envelope --threads 2)
+require_value("${json}" threads 2)
+require_value("${json}" relative_error_bound 0)
+foreach (key IN ITEMS refine_s interpolation_error_bound windows_per_edge)
+  require_value("${json}" "${key}" "[0-9.e+-]+")
+endforeach ()
+string(JSON cells GET "${json}" output_cells)
+string(JSON bound GET "${json}" interpolation_error_bound)
+if (cells LESS 100 OR bound GREATER 0.00346411 OR bound LESS 0.0001)
+  message(FATAL_ERROR "${cells} cells with a bound of ${bound}")
+endif ()
+
+# Approximate: the bound is reported and kept, with fewer windows than exactly.
+run_benchmark(json --mesh "${mesh}" --subdivide 4 --noise 0.2 --envelope)
+string(JSON exact GET "${json}" windows_per_edge)
+require_value("${json}" output_cells 2048)
+run_benchmark(json --mesh "${mesh}" --subdivide 4 --noise 0.2 --envelope --relative-error 0.01)
+string(JSON approximate GET "${json}" windows_per_edge)
+string(JSON bound GET "${json}" relative_error_bound)
+if (NOT approximate LESS exact OR bound GREATER 0.01)
+  message(FATAL_ERROR "${approximate} windows an edge instead of ${exact}, bound ${bound}")
+endif ()
+
+# Subdivided, moved, written in every format and read again: the same mesh.
 foreach (extension IN ITEMS obj ply stl vtp)
   set(copy "${FOLDER}/copy.${extension}")
   run_benchmark(json --mesh "${mesh}" --subdivide 2 --noise 0.1 --write "${copy}" --repeat 2)

@@ -3,6 +3,9 @@
 #include "BenchmarkMesh.h"
 #include "BenchmarkPeers.h"
 
+#include "AdaptiveRefinement.h"
+#include "FaceEnvelope.h"
+#include "ParallelFor.h"
 #include "PolyDataSource.h"
 #include "PolyDataSurface.h"
 #include "Propagation.h"
@@ -38,7 +41,9 @@ const char* const Usage = R"(Measures geodesic distance fields and prints a JSON
            boundary         from the boundary
            curve:FILE       from the curves and points of a file
            path:ID,ID       from the polyline along mesh edges between two vertices
-  --relative-error 0        exact
+  --relative-error E        the largest relative error; 0, exact, is the default
+  --refine T                refine until the interpolant is within this fraction of the diagonal
+  --envelope                count the windows of the final lower envelope, too
   --threads N               threads that VTK may use
   --repeat R                so many runs
   --against PEER,PEER...    and measure on the same mesh, from the vertex or else from vertex 0: )";
@@ -50,6 +55,10 @@ struct Options
   double noise = 0.0;
   std::string write;
   std::string source = "vertex:0";
+  double relativeError = 0.0;
+  /// 0: none.
+  double refine = 0.0;
+  bool envelope = false;
   int threads = 0;
   int repeat = 1;
   std::vector<std::string> against;
@@ -102,10 +111,11 @@ void setOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--relative-error")
   {
-    if (toNumber(name, value, 0) != 0.0)
-    {
-      throw std::runtime_error("--relative-error: only 0, exact, is built in");
-    }
+    options.relativeError = toNumber(name, value, 0);
+  }
+  else if (name == "--refine")
+  {
+    options.refine = toNumber(name, value, 0);
   }
   else if (name == "--threads")
   {
@@ -130,6 +140,12 @@ Options parse(const std::vector<std::string>& arguments)
   Options options;
   for (std::size_t i = 0; i < arguments.size(); i += 2)
   {
+    if (arguments[i] == "--envelope")
+    {
+      options.envelope = true;
+      --i; // it has no value
+      continue;
+    }
     if (i + 1 == arguments.size())
     {
       throw std::runtime_error(arguments[i] + " needs a value");
@@ -277,6 +293,44 @@ double largestFinite(const std::vector<double>& distances)
   return largest;
 }
 
+std::vector<geodesic::SourceCurve> makeCurves(
+  const Source& source, geodesic::PolyDataSurface& surface)
+{
+  if (source.boundary)
+  {
+    return geodesic::boundaryCurves(surface.mesh());
+  }
+  const auto lines = geodesic::readSource(source.curves, surface, [](double) { return true; });
+  return geodesic::putOntoSurface(surface.mesh(), lines, geodesic::snapOptionsFor(source.curves))
+    .curves;
+}
+
+/// Pieces of the lower envelope over all edges, divided by the edges.
+double windowsPerEdge(const geodesic::DistanceField& field)
+{
+  const geodesic::TriangleMesh& mesh = field.mesh();
+  geodesic::FaceEnvelope envelope(field);
+  std::size_t pieces = 0;
+  for (geodesic::Id side = 0; side < mesh.numberOfSides(); ++side)
+  {
+    const geodesic::Id face = geodesic::TriangleMesh::faceOf(side);
+    const auto& distances = field.vertexDistances();
+    const geodesic::Triangle& corners = mesh.triangle(face);
+    const bool reached =
+      std::isfinite(distances[corners[0]] + distances[corners[1]] + distances[corners[2]]);
+    if (reached && mesh.edgeOf(side) == side)
+    {
+      std::array<double, 3> begin{};
+      std::array<double, 3> end{};
+      begin[side % 3] = 1.0;
+      end[(side + 1 - 3 * face) % 3] = 1.0;
+      envelope.enter(face);
+      pieces += envelope.along(envelope.inPlane(begin), envelope.inPlane(end)).size();
+    }
+  }
+  return static_cast<double>(pieces) / static_cast<double>(mesh.numberOfEdges());
+}
+
 void run(const Options& options, vtkPolyData* mesh, const Source& source)
 {
   forgetPeakMemory();
@@ -288,35 +342,53 @@ void run(const Options& options, vtkPolyData* mesh, const Source& source)
   {
     geodesic::PolyDataSurface surface(mesh, true);
     const double buildSeconds = watch.lap();
-
-    std::vector<geodesic::SourceCurve> curves;
-    if (source.boundary)
-    {
-      curves = geodesic::boundaryCurves(surface.mesh());
-    }
-    else
-    {
-      const auto lines = geodesic::readSource(source.curves, surface, [](double) { return true; });
-      curves =
-        geodesic::putOntoSurface(surface.mesh(), lines, geodesic::snapOptionsFor(source.curves))
-          .curves;
-    }
+    const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
     const double sourceSeconds = watch.lap();
-    const geodesic::DistanceField field = geodesic::solve(surface.mesh(), curves);
+
+    geodesic::SolveOptions solveOptions;
+    solveOptions.relativeError = options.relativeError;
+    solveOptions.parallelFor = geodesic::smpParallelFor();
+    solveOptions.keepWindows =
+      options.refine > 0.0 ? geodesic::KeepWindows::All : geodesic::KeepWindows::None;
+    const auto field = geodesic::solve(surface.mesh(), curves, solveOptions);
     const double solveSeconds = watch.lap();
 
     json << "{\"mesh\": " << quoted(options.mesh)
          << ", \"faces\": " << surface.mesh().numberOfFaces()
          << ", \"edges\": " << surface.mesh().numberOfEdges()
          << ", \"source\": " << quoted(options.source)
-         << ", \"relative_error\": 0, \"threads\": " << vtkSMPTools::GetEstimatedNumberOfThreads()
+         << ", \"relative_error\": " << options.relativeError
+         << ", \"threads\": " << vtkSMPTools::GetEstimatedNumberOfThreads()
          << ", \"build_s\": " << buildSeconds << ", \"source_s\": " << sourceSeconds
-         << ", \"solve_s\": " << solveSeconds
-         << ", \"refine_s\": 0, \"loaded_rss_bytes\": " << loaded
+         << ", \"solve_s\": " << solveSeconds;
+
+    std::size_t outputCells = surface.mesh().numberOfFaces();
+    double refineSeconds = 0.0;
+    if (options.refine > 0.0)
+    {
+      geodesic::RefinementOptions refinement;
+      refinement.tolerance = options.refine * surface.diagonal();
+      const geodesic::RefinedMesh refined = geodesic::refine(field, refinement);
+      refineSeconds = watch.lap();
+      outputCells = refined.triangles.size();
+      json << ", \"interpolation_error_bound\": " << refined.errorBound;
+    }
+    json << ", \"refine_s\": " << refineSeconds << ", \"loaded_rss_bytes\": " << loaded
          << ", \"peak_rss_bytes\": " << memory("VmHWM")
          << ", \"windows_propagated\": " << field.windowsPropagated()
+         << ", \"relative_error_bound\": " << field.relativeErrorBound()
          << ", \"max_distance\": " << largestFinite(field.vertexDistances())
-         << ", \"output_cells\": " << surface.mesh().numberOfFaces();
+         << ", \"output_cells\": " << outputCells;
+    if (options.envelope && field.hasWindows())
+    {
+      json << ", \"windows_per_edge\": " << windowsPerEdge(field);
+    }
+    else if (options.envelope)
+    {
+      solveOptions.keepWindows = geodesic::KeepWindows::All;
+      json << ", \"windows_per_edge\": "
+           << windowsPerEdge(geodesic::solve(surface.mesh(), curves, solveOptions));
+    }
   }
   for (const std::string& peer : options.against)
   {

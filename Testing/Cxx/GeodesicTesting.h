@@ -8,6 +8,7 @@
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkGeodesicDistanceField.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -154,6 +155,28 @@ inline vtkSmartPointer<vtkPolyData> Square(
   square->SetPolys(polys);
   square->SetStrips(strips);
   return square;
+}
+
+/// Triangles that share no points, as an STL file has them.
+inline vtkSmartPointer<vtkPolyData> Soup(vtkPolyData* data)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polys;
+  for (vtkIdType f = 0; f < data->GetNumberOfPolys(); ++f)
+  {
+    vtkNew<vtkIdList> ids;
+    data->GetPolys()->GetCellAtId(f, ids);
+    polys->InsertNextCell(3);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      polys->InsertCellPoint(points->InsertNextPoint(data->GetPoint(ids->GetId(k))));
+    }
+  }
+  auto soup = vtkSmartPointer<vtkPolyData>::New();
+  soup->SetPoints(points);
+  soup->SetPolys(polys);
+  return soup;
 }
 
 /// A surface without boundary.

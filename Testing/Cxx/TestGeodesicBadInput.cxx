@@ -197,6 +197,49 @@ void CheckEmptyName(Check& check)
   }
 }
 
+/// Only what is used can be wrong.
+void CheckWrongNumbers(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(2));
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  Messages messages(filter);
+  const auto expect = [&](const std::string& words, const std::string& what)
+  {
+    messages.Update();
+    check.That(words.empty() == messages.Error().empty() && Contains(messages.Error(), words),
+      what + ": " + messages.Error());
+    check.That((filter->GetOutput()->GetNumberOfPoints() == 0) == !words.empty(),
+      what + ": the output is empty after an error, and only then");
+  };
+  for (const double wrong : { 0.0, -0.001, vtkMath::Nan(), vtkMath::Inf() })
+  {
+    const std::string value = " of " + std::to_string(wrong);
+    filter->SetRefinementTolerance(wrong);
+    expect("RefinementTolerance is not a positive number", "a tolerance" + value);
+    filter->RefineMeshOff();
+    expect("", "an unused tolerance" + value);
+    filter->RefineMeshOn();
+    filter->ToleranceIsAbsoluteOn();
+    expect("", "a relative tolerance" + value + " where the absolute is used");
+    filter->SetAbsoluteRefinementTolerance(wrong);
+    expect("AbsoluteRefinementTolerance is not a positive number", "an absolute tolerance" + value);
+    filter->ToleranceIsAbsoluteOff();
+    filter->SetRefinementTolerance(0.001);
+    expect("", "an unused absolute tolerance" + value);
+    filter->SetAbsoluteRefinementTolerance(1.0);
+  }
+  for (const double wrong : { -1e-9, vtkMath::Nan(), vtkMath::Inf() })
+  {
+    const std::string value = " of " + std::to_string(wrong);
+    filter->SetRelativeError(wrong);
+    expect("", "an unused relative error" + value);
+    filter->SetAccuracyToApproximate();
+    expect("RelativeError is not a finite number", "a relative error" + value);
+    filter->SetAccuracyToExact();
+  }
+}
+
 void CheckManyBadPointsAreCounted(Check& check)
 {
   auto surface = Square(4);
@@ -224,6 +267,7 @@ int TestGeodesicBadInput(int, char*[])
   }
   CheckNoSurface(check);
   CheckEmptyName(check);
+  CheckWrongNumbers(check);
   CheckManyBadPointsAreCounted(check);
   return check.Result();
 }

@@ -37,6 +37,7 @@ void CheckExecutesWhenSomethingChanged(Check& check)
   auto surface = Square(4);
   auto source = PointSources({ { 0, 0, 0 } });
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(surface);
   filter->SetSourceData(source);
   int executions = 0;
@@ -54,6 +55,13 @@ void CheckExecutesWhenSomethingChanged(Check& check)
   filter->SetMaximumDistance(filter->GetMaximumDistance());
   filter->SetMergeCoincidentPoints(filter->GetMergeCoincidentPoints());
   filter->SetDistanceArrayName("GeodesicDistance");
+  filter->SetAccuracy(filter->GetAccuracy());
+  filter->SetRelativeError(filter->GetRelativeError());
+  filter->SetRefineMesh(filter->GetRefineMesh());
+  filter->SetRefinementTolerance(filter->GetRefinementTolerance());
+  filter->SetToleranceIsAbsolute(filter->GetToleranceIsAbsolute());
+  filter->SetAbsoluteRefinementTolerance(filter->GetAbsoluteRefinementTolerance());
+  filter->SetMaximumNumberOfCells(filter->GetMaximumNumberOfCells());
   expect(0, "after setting properties to what they are");
   filter->SetMaximumDistance(0.5);
   expect(1, "after a property changed");
@@ -71,6 +79,7 @@ void CheckSurfaceIsReused(Check& check)
 {
   auto surface = Square(8, Cells::Quads);
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(surface);
   Messages messages(filter);
   const auto expect = [&](bool built, const std::string& what)
@@ -93,6 +102,14 @@ void CheckSurfaceIsReused(Check& check)
   expect(false, "for a source that fails");
   filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
   expect(false, "after a source that failed");
+  filter->RefineMeshOn();
+  expect(false, "for refinement");
+  filter->SetRefinementTolerance(0.01);
+  expect(false, "for another tolerance");
+  filter->SetAccuracyToApproximate();
+  expect(false, "for an approximate field");
+  filter->SetAccuracyToExact();
+  filter->RefineMeshOff();
   filter->MergeCoincidentPointsOff();
   expect(true, "when points are no longer merged");
 
@@ -110,9 +127,10 @@ void CheckSurfaceIsReused(Check& check)
   expect(true, "for another surface");
 }
 
-void CheckProgressNeverFalls(Check& check)
+void CheckProgressNeverFalls(Check& check, bool refine)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetRefineMesh(refine);
   filter->SetInputData(Square(128));
   filter->SetSourceData(
     Polyline({ { 0.1, 0.1, 0 }, { 0.9, 0.3, 0 }, { 0.2, 0.8, 0 }, { 0.7, 0.9, 0 } }, true));
@@ -137,10 +155,12 @@ void CheckOutputsEmpty(Check& check, vtkGeodesicDistanceField* filter, const std
 }
 
 /// Aborts at the first progress of at least the given fraction.
-void CheckAbort(Check& check, double fraction)
+void CheckAbort(Check& check, double fraction, bool refine)
 {
-  const std::string name = "abort at " + std::to_string(fraction);
+  const std::string name =
+    "abort at " + std::to_string(fraction) + (refine ? " with refinement" : "");
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetRefineMesh(refine);
   auto surface = Square(256);
   filter->SetInputData(surface);
   filter->SetSourceData(Polyline({ { 0.1, 0.1, 0 }, { 0.9, 0.3, 0 } }));
@@ -179,10 +199,12 @@ int TestGeodesicExecution(int, char*[])
   Check check;
   CheckExecutesWhenSomethingChanged(check);
   CheckSurfaceIsReused(check);
-  CheckProgressNeverFalls(check);
+  CheckProgressNeverFalls(check, false);
+  CheckProgressNeverFalls(check, true);
   for (const double fraction : { 0.1, 0.16, 0.5, 0.8 })
   {
-    CheckAbort(check, fraction);
+    CheckAbort(check, fraction, false);
   }
+  CheckAbort(check, 0.6, true);
   return check.Result();
 }

@@ -109,6 +109,7 @@ void CheckSurface(
   surface->GetPoints()->Modified();
   const double rounding = 1e-15 * surface->GetLength();
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(surface);
   Messages messages(filter);
   for (int i = 0; i < 100; ++i)

@@ -44,6 +44,7 @@ void CheckArrays(Check& check)
   copy->DeepCopy(surface);
   const vtkMTimeType before = surface->GetMTime();
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(surface);
   filter->SetSourceData(Polyline({ { 0, 0.5, 0 }, { 1, 0.5, 0 } }));
   Messages messages(filter);
@@ -58,7 +59,8 @@ void CheckArrays(Check& check)
   check.That(output->GetCellData()->HasArray("Color"), "cell data is passed");
   check.That(output->GetFieldData()->HasArray("Title"), "field data is passed");
 
-  for (const char* name : { "WindowsPropagatedPerEdge", "SourceSnapDistance" })
+  for (const char* name : { "WindowsPropagatedPerEdge", "SourceSnapDistance", "RelativeErrorBound",
+         "InterpolationErrorBound" })
   {
     vtkDataArray* array = output->GetFieldData()->GetArray(name);
     check.That(array && array->GetNumberOfTuples() == 1, std::string("field data ") + name);
@@ -83,6 +85,7 @@ void CheckArrays(Check& check)
 void CheckCurveOutput(Check& check)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(Square(4));
   filter->SetSourceData(Polyline({ { 0.1, 0.55, 0 }, { 0.9, 0.55, 0 } }));
   filter->Update();
@@ -103,6 +106,7 @@ void CheckCurveOutput(Check& check)
 void CheckArrayName(Check& check)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(Square(2));
   filter->SetSourceTypeToSurfaceBoundary();
   filter->SetDistanceArrayName("Depth");
@@ -118,6 +122,7 @@ void CheckMaximumDistance(Check& check)
   const double limit = 0.3;
   const Distance truth = DistanceTo({ { 0, 0, 0 } });
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(Square(n));
   filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
   filter->SetMaximumDistance(limit);
@@ -146,11 +151,25 @@ void CheckPropertiesAndPrinting(Check& check)
   filter->SetMaximumDistance(-1.0);
   check.Equal(filter->GetMaximumDistance(), 0.0, "a negative limit");
   check.That(filter->GetMergeCoincidentPoints(), "points are merged by default");
+  check.Equal(filter->GetAccuracy(), 0, "accuracy by default");
+  check.Equal(filter->GetRelativeError(), 0.001, "relative error by default");
+  check.That(filter->GetRefineMesh(), "the mesh is refined by default");
+  check.That(!filter->GetToleranceIsAbsolute(), "the tolerance is relative by default");
+  check.Equal(
+    static_cast<double>(filter->GetMaximumNumberOfCells()), 50000000.0, "most cells by default");
+  filter->SetAccuracyToApproximate();
+  filter->SetRelativeError(0.25);
+  filter->RefineMeshOff();
+  filter->ToleranceIsAbsoluteOn();
+  filter->SetMaximumNumberOfCells(-1);
   std::ostringstream text;
   filter->Print(text);
-  for (const char* name : { "SourceType: 2", "MaximumDistance: 0", "MergeCoincidentPoints: On",
-         "DistanceArrayName: GeodesicDistance", "WindowsPropagatedPerEdge: 0",
-         "SourceSnapDistance: 0" })
+  for (const char* name :
+    { "SourceType: 2", "Accuracy: Approximate", "RelativeError: 0.25", "RefineMesh: Off",
+      "RefinementTolerance: 0.001", "ToleranceIsAbsolute: On", "AbsoluteRefinementTolerance: 1",
+      "MaximumNumberOfCells: 0", "RelativeErrorBound: 0", "InterpolationErrorBound: inf",
+      "MaximumDistance: 0", "MergeCoincidentPoints: On", "DistanceArrayName: GeodesicDistance",
+      "WindowsPropagatedPerEdge: 0", "SourceSnapDistance: 0" })
   {
     check.That(Contains(text.str(), name), std::string("printing says ") + name);
   }

@@ -30,6 +30,7 @@ void CheckSource(Check& check, const std::string& name, vtkPolyData* source, con
   for (const Cells cells : { Cells::Triangles, Cells::Quads })
   {
     vtkNew<vtkGeodesicDistanceField> filter;
+    filter->RefineMeshOff();
     filter->SetInputData(Square(8, cells));
     filter->SetSourceData(source);
     Messages messages(filter);
@@ -127,6 +128,7 @@ void CheckCurveAndBoundary(Check& check)
   const std::vector<Point> line = { { 0.3, 0.45, 0 }, { 0.6, 0.55, 0 } };
   const Distance toLine = DistanceTo(line);
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(Square(16));
   filter->SetSourceData(Polyline(line));
   Messages messages(filter);
@@ -209,6 +211,7 @@ void CheckSliceOfSphere(Check& check, int precision, bool joined)
   stripper->SetInputConnection(slice->GetOutputPort());
 
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputConnection(sphere->GetOutputPort());
   filter->SetSourceConnection(joined ? stripper->GetOutputPort() : slice->GetOutputPort());
   Messages messages(filter);
@@ -238,6 +241,14 @@ void CheckSliceOfSphere(Check& check, int precision, bool joined)
   const double north = Distances(filter)->GetTuple1(0);
   const double south = Distances(filter)->GetTuple1(1);
   check.That(south > north && std::abs(south - north - 2.0 * height) < 0.01, name + ": its poles");
+
+  filter->RefineMeshOn();
+  filter->SetMaximumNumberOfCells(20000);
+  messages.Update();
+  check.That(
+    messages.Warning().empty(), name + ": few triangles are enough: " + messages.Warning());
+  check.That(filter->GetInterpolationErrorBound() <= 1e-3 * sphere->GetOutput()->GetLength(),
+    name + ": the bound is below the tolerance");
 }
 
 /// The axis-aligned unit cube with n x n squares a side.
@@ -287,6 +298,7 @@ void CheckFeatureEdgesOfCube(Check& check)
   edges->NonManifoldEdgesOff();
   edges->FeatureEdgesOn();
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputConnection(oriented->GetOutputPort());
   filter->SetSourceConnection(edges->GetOutputPort());
   Messages messages(filter);
@@ -311,6 +323,7 @@ void CheckSnapDistance(Check& check)
 {
   const std::vector<Point> below = { { 0.2, 0.3, 0 }, { 0.9, 0.4, 0 } };
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(Square(8));
   filter->SetSourceData(Polyline({ { 0.2, 0.3, 0.004 }, { 0.9, 0.4, 0.0078125 } }));
   Messages messages(filter);

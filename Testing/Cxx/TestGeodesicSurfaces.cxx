@@ -25,28 +25,6 @@ vtkSmartPointer<vtkPolyData> NumberedCells(vtkSmartPointer<vtkPolyData> data)
   return data;
 }
 
-/// Triangles that share no points, as an STL file has them.
-vtkSmartPointer<vtkPolyData> Soup(vtkPolyData* data)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> polys;
-  for (vtkIdType f = 0; f < data->GetNumberOfPolys(); ++f)
-  {
-    vtkNew<vtkIdList> ids;
-    data->GetPolys()->GetCellAtId(f, ids);
-    polys->InsertNextCell(3);
-    for (vtkIdType k = 0; k < 3; ++k)
-    {
-      polys->InsertCellPoint(points->InsertNextPoint(data->GetPoint(ids->GetId(k))));
-    }
-  }
-  auto soup = vtkSmartPointer<vtkPolyData>::New();
-  soup->SetPoints(points);
-  soup->SetPolys(polys);
-  return soup;
-}
-
 void Run(Messages& messages, vtkGeodesicDistanceField* filter, vtkPolyData* surface)
 {
   filter->SetInputData(surface);
@@ -67,6 +45,7 @@ void CheckKinds(Check& check)
   {
     NumberedCells(surface);
     vtkNew<vtkGeodesicDistanceField> filter;
+    filter->RefineMeshOff();
     Messages messages(filter);
     Run(messages, filter, surface);
     CheckDistances(check, filter, DistanceTo(Line), name);
@@ -84,6 +63,7 @@ void CheckCellData(Check& check, const std::string& name, vtkSmartPointer<vtkPol
 {
   NumberedCells(surface);
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   Messages messages(filter);
   Run(messages, filter, surface);
   vtkPolyData* output = filter->GetOutput();
@@ -149,6 +129,7 @@ void CheckConcavePolygon(Check& check)
   polys->InsertNextCell({ 0, 1, 2, 3, 4, 5, 6, 7 });
   surface->SetPolys(polys);
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(surface);
   filter->SetSourceData(PointSources({ { 1, 3, 0 } }));
   Messages messages(filter);
@@ -169,6 +150,7 @@ void CheckDegenerateQuads(Check& check)
   polys->InsertNextCell({ 0, 0, 1, 1 });
   surface->SetPolys(polys);
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(surface);
   filter->SetSourceData(PointSources({ { 1, 0, 0 } }));
   Messages messages(filter);
@@ -187,6 +169,7 @@ void CheckPolygonsWithoutArea(Check& check)
   polys->InsertNextCell({ 0, 1, 3, 2 });
   surface->SetPolys(polys);
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(surface);
   filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
   Messages messages(filter);
@@ -198,6 +181,7 @@ void CheckPolygonsWithoutArea(Check& check)
 void CheckMerging(Check& check)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(Soup(Square(4)));
   filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
   filter->MergeCoincidentPointsOff();
@@ -239,11 +223,33 @@ void CheckMerging(Check& check)
     "points that differ in the last bit are not merged");
 }
 
+/// As many triangles as cells, though they are not the cells.
+void CheckStripBesideVertex(Check& check)
+{
+  auto surface = Square(1, Cells::Strips);
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ 0 });
+  surface->SetVerts(vertices);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  filter->SetInputData(NumberedCells(surface));
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  Messages messages(filter);
+  messages.Update();
+  vtkPolyData* output = filter->GetOutput();
+  check.Equal(static_cast<double>(output->GetNumberOfPolys()), 2.0, "triangles of a strip");
+  vtkDataArray* numbers = output->GetCellData()->GetArray("Number");
+  check.That(numbers && numbers->GetNumberOfTuples() == 2 && numbers->GetTuple1(0) == 101.0 &&
+      numbers->GetTuple1(1) == 101.0,
+    "both have the number of the strip");
+}
+
 void CheckUnreached(Check& check)
 {
   auto surface = Square(2);
   const vtkIdType alone = surface->GetPoints()->InsertNextPoint(9, 9, 9);
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(surface);
   filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
   Messages messages(filter);
@@ -267,6 +273,7 @@ vtkSmartPointer<vtkPolyData> Scaled(vtkSmartPointer<vtkPolyData> data, double sc
 void CheckScale(Check& check, Cells cells, double scale)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
   filter->SetInputData(Scaled(Square(8, cells), scale));
   filter->SetSourceData(Scaled(Polyline(Line), scale));
   Messages messages(filter);
@@ -299,6 +306,7 @@ int TestGeodesicSurfaces(int, char*[])
   CheckDegenerateQuads(check);
   CheckPolygonsWithoutArea(check);
   CheckMerging(check);
+  CheckStripBesideVertex(check);
   CheckUnreached(check);
   for (const double scale : { 1e-9, 1e9 })
   {

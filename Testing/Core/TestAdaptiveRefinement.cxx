@@ -1,0 +1,939 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Refined meshes against the brute-force solver: nowhere over what is reported, nothing reported
+// over the tolerance, and the surface what it was.
+#include "EngineSupport.h"
+#include "RandomMeshKinds.h"
+
+#include "AdaptiveRefinement.h"
+#include "Errors.h"
+#include "RedGreenMesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+
+using namespace geodesictest;
+using geodesic::DistanceField;
+using geodesic::Id;
+using geodesic::NoId;
+using geodesic::RedGreenMesh;
+using geodesic::RefinedMesh;
+using geodesic::RefinementOptions;
+using geodesic::SurfacePoint;
+using geodesic::TriangleMesh;
+
+namespace
+{
+
+DistanceField solveKeepingAll(const TriangleMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves, double relativeError = 0.0,
+  double maximumDistance = geodesic::Infinity)
+{
+  geodesic::SolveOptions options;
+  options.keepWindows = geodesic::KeepWindows::All;
+  options.relativeError = relativeError;
+  options.maximumDistance = maximumDistance;
+  return geodesic::solve(mesh, curves, options);
+}
+
+RefinedMesh refineTo(const DistanceField& field, double tolerance, std::uint64_t maximumFaces = 0)
+{
+  RefinementOptions options;
+  options.tolerance = tolerance;
+  options.maximumFaces = maximumFaces;
+  return geodesic::refine(field, options);
+}
+
+/// What a result says about one of its points. Without labels: points are the mesh's vertices.
+class Points
+{
+public:
+  Points(const DistanceField& field, const RefinedMesh& refined)
+    : field_(field)
+    , refined_(refined)
+  {
+  }
+
+  SurfacePoint place(Id point) const
+  {
+    return this->isNew(point) ? this->newPoint(point).place : SurfacePoint::atVertex(point);
+  }
+  double distance(Id point) const
+  {
+    return this->isNew(point) ? this->newPoint(point).distance
+                              : this->field_.vertexDistances()[point];
+  }
+  Vec3 position(Id point) const
+  {
+    return this->isNew(point) ? this->newPoint(point).position : this->field_.mesh().point(point);
+  }
+  Barycentric weights(Id point, Id face) const
+  {
+    return barycentric(this->field_.mesh(), this->place(point), face);
+  }
+
+private:
+  bool isNew(Id point) const { return point >= this->refined_.numberOfInputPoints; }
+  const geodesic::RefinedPoint& newPoint(Id point) const
+  {
+    return this->refined_.points[point - this->refined_.numberOfInputPoints];
+  }
+
+  const DistanceField& field_;
+  const RefinedMesh& refined_;
+};
+
+/// Random places of a refined mesh and its interpolant there.
+struct Samples
+{
+  std::vector<MeshPoint> places;
+  std::vector<double> interpolant;
+};
+
+Samples sample(
+  const DistanceField& field, const RefinedMesh& refined, std::size_t count, Random& random)
+{
+  const Points points(field, refined);
+  Samples samples;
+  while (samples.places.size() < count)
+  {
+    const Index triangle = random.below(refined.triangles.size());
+    const Id face = refined.faces[triangle];
+    const Barycentric w = randomWeights(random);
+    MeshPoint place{ face, { 0.0, 0.0, 0.0 } };
+    double value = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id corner = refined.triangles[triangle][k];
+      const Barycentric b = points.weights(corner, face);
+      for (std::size_t j = 0; j < 3; ++j)
+      {
+        place.weights[j] += w[k] * b[j];
+      }
+      value += w[k] == 0.0 ? 0.0 : w[k] * points.distance(corner);
+    }
+    samples.places.push_back(place);
+    samples.interpolant.push_back(value);
+  }
+  return samples;
+}
+
+double largestDifference(const Samples& samples, const std::vector<double>& truth)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+  {
+    const double value = samples.interpolant[i];
+    largest = std::isinf(truth[i]) && std::isinf(value)
+      ? largest
+      : std::max(largest, std::abs(value - truth[i]));
+  }
+  return largest;
+}
+
+double spaceDistance(const Vec3& a, const Vec3& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+double determinant(const Barycentric& a, const Barycentric& b, const Barycentric& c)
+{
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// The side of the face that both points lie on; NoId where there is none.
+Id commonSide(const Points& points, Id face, Id a, Id b)
+{
+  const Barycentric first = points.weights(a, face);
+  const Barycentric second = points.weights(b, face);
+  for (Id k = 0; k < 3; ++k)
+  {
+    if (first[k] == 0.0 && second[k] == 0.0)
+    {
+      return 3 * face + (k + 1) % 3;
+    }
+  }
+  return NoId;
+}
+
+/// Each face is cut into triangles of its orientation that cover it once.
+void expectFacesPartitioned(
+  const TriangleMesh& mesh, const RefinedMesh& refined, const Points& points)
+{
+  ASSERT_EQ(refined.faces.size(), refined.triangles.size());
+  EXPECT_TRUE(std::is_sorted(refined.faces.begin(), refined.faces.end()));
+  std::vector<double> covered(mesh.numberOfFaces(), 0.0);
+  for (std::size_t t = 0; t < refined.triangles.size(); ++t)
+  {
+    const Id face = refined.faces[t];
+    const geodesic::Triangle& c = refined.triangles[t];
+    for (const Id corner : c)
+    {
+      ASSERT_TRUE(contains(mesh, face, points.place(corner)));
+    }
+    const double part = determinant(
+      points.weights(c[0], face), points.weights(c[1], face), points.weights(c[2], face));
+    EXPECT_GT(part, 0.0) << "triangle " << t << " is turned over or empty";
+    covered[face] += part;
+  }
+  for (Id face = 0; face < mesh.numberOfFaces(); ++face)
+  {
+    EXPECT_NEAR(covered[face], 1.0, 1e-12) << "face " << face;
+  }
+}
+
+/// Around each edge are as many triangles as around the input edge that it lies on, two inside a
+/// face; the boundary is as long as it was.
+void expectWatertight(const TriangleMesh& mesh, const RefinedMesh& refined, const Points& points)
+{
+  struct Around
+  {
+    Id triangles = 0;
+    Id expected = 2;
+  };
+  std::map<std::pair<Id, Id>, Around> edges;
+  for (std::size_t t = 0; t < refined.triangles.size(); ++t)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id a = refined.triangles[t][k];
+      const Id b = refined.triangles[t][(k + 1) % 3];
+      Around& around = edges[std::minmax(a, b)];
+      ++around.triangles;
+      const Id side = commonSide(points, refined.faces[t], a, b);
+      if (side != NoId)
+      {
+        around.expected = 1;
+        for (Id s = mesh.nextInRing(side); s != side; s = mesh.nextInRing(s))
+        {
+          ++around.expected;
+        }
+      }
+    }
+  }
+  double boundary = 0.0;
+  for (const auto& [ends, around] : edges)
+  {
+    EXPECT_EQ(around.triangles, around.expected) << "edge " << ends.first << ", " << ends.second;
+    if (around.triangles == 1)
+    {
+      boundary += spaceDistance(points.position(ends.first), points.position(ends.second));
+    }
+  }
+  double boundaryBefore = 0.0;
+  for (Id side = 0; side < mesh.numberOfSides(); ++side)
+  {
+    boundaryBefore += mesh.isBoundary(side) ? mesh.length(side) : 0.0;
+  }
+  EXPECT_NEAR(boundary, boundaryBefore, 1e-12 * (1.0 + boundaryBefore));
+}
+
+/// New points have earlier parents, lie between them and on the surface, and carry the distance
+/// there; none is at the place of another.
+void expectPointsRight(const DistanceField& field, const RefinedMesh& refined, const Points& points)
+{
+  const TriangleMesh& mesh = field.mesh();
+  ASSERT_EQ(refined.numberOfInputPoints, mesh.numberOfVertices());
+  double largest = largestFinite(field.vertexDistances());
+  for (const geodesic::RefinedPoint& p : refined.points)
+  {
+    largest = std::max(largest, p.distance);
+  }
+  std::set<std::tuple<SurfacePoint::Kind, Id, double, double>> places;
+  for (std::size_t i = 0; i < refined.points.size(); ++i)
+  {
+    const geodesic::RefinedPoint& p = refined.points[i];
+    const Id id = refined.numberOfInputPoints + static_cast<Id>(i);
+    ASSERT_LT(p.parents[0], id);
+    ASSERT_LT(p.parents[1], id);
+    EXPECT_GE(p.weight, 0.25);
+    EXPECT_LE(p.weight, 0.75);
+    EXPECT_NE(p.place.kind, SurfacePoint::Kind::Vertex);
+    EXPECT_TRUE(places.emplace(p.place.kind, p.place.id, p.place.u, p.place.v).second)
+      << "two points at one place";
+    const Vec3 a = points.position(p.parents[0]);
+    const Vec3 b = points.position(p.parents[1]);
+    Vec3 between;
+    double size = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      between[axis] = a[axis] + p.weight * (b[axis] - a[axis]);
+      size = std::max({ size, std::abs(a[axis]), std::abs(b[axis]) });
+    }
+    EXPECT_LE(spaceDistance(p.position, between), 1e-13 * size);
+    EXPECT_EQ(p.position, position(mesh, p.place));
+    if (field.relativeErrorBound() == 0.0)
+    {
+      EXPECT_NEAR(p.distance, field.distance(p.place), EngineAccuracy * largest);
+    }
+  }
+}
+
+void expectSameSurface(const DistanceField& field, const RefinedMesh& refined)
+{
+  const Points points(field, refined);
+  expectFacesPartitioned(field.mesh(), refined, points);
+  expectWatertight(field.mesh(), refined, points);
+  expectPointsRight(field, refined, points);
+}
+
+bool equal(const RefinedMesh& a, const RefinedMesh& b)
+{
+  const auto samePoint = [](const geodesic::RefinedPoint& p, const geodesic::RefinedPoint& q)
+  {
+    return p.parents == q.parents && p.weight == q.weight && p.position == q.position &&
+      p.distance == q.distance;
+  };
+  return a.triangles == b.triangles && a.faces == b.faces && a.errorBound == b.errorBound &&
+    std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), samePoint);
+}
+
+//----------------------------------------------------------------------------
+class Refinement : public ::testing::TestWithParam<MeshKind>
+{
+protected:
+  /// One mesh at one tolerance. \returns measured error over tolerance.
+  static double compare(const PlainMesh& mesh, const std::vector<Polyline>& curves, double fraction,
+    std::size_t count, Random& random)
+  {
+    const TriangleMesh engine = engineMesh(mesh);
+    const DistanceField field = solveKeepingAll(engine, engineCurves(engine, curves));
+    const double largest = largestFinite(field.vertexDistances());
+    const double tolerance = fraction * largest;
+    const RefinedMesh refined = refineTo(field, tolerance);
+    EXPECT_FALSE(refined.stoppedAtMaximum);
+    EXPECT_LE(refined.errorBound, tolerance);
+    const Samples samples = sample(field, refined, count, random);
+    const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), samples.places);
+    const double measured = largestDifference(samples, truth.queries);
+    const double rounding = EngineAccuracy * largest;
+    EXPECT_LE(measured, refined.errorBound + rounding)
+      << refined.triangles.size() << " triangles of " << mesh.triangles.size()
+      << " faces, tolerance " << tolerance << "\n"
+      << describe(curves);
+    expectSameSurface(field, refined);
+    return measured / tolerance;
+  }
+};
+
+}
+
+TEST_P(Refinement, IsNowhereOverTheToleranceOnRandomMeshes)
+{
+  const std::uint64_t meshes = getenv("STRESS") ? atoi(getenv("STRESS")) : 10;
+  constexpr std::size_t samples = 10000;
+  double worst = 0.0;
+  for (std::uint64_t seed = 0; seed < meshes; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 7000);
+    const PlainMesh mesh = GetParam().make(random.between(50, 250), random);
+    CurveMaker maker(mesh, random);
+    const double fraction = std::pow(10.0, random.uniform(-3.0, -1.0));
+    worst = std::max(worst, compare(mesh, maker.anySource(), fraction, samples, random));
+  }
+  std::cout << "worst error over tolerance on " << GetParam().name << ": " << worst << "\n";
+}
+
+TEST_P(Refinement, SeesASourceThatIsStrictlyInsideOneFace)
+{
+  const std::uint64_t meshes = getenv("STRESS") ? atoi(getenv("STRESS")) : 6;
+  constexpr std::size_t samples = 3000;
+  for (std::uint64_t seed = 0; seed < meshes; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 8000);
+    const PlainMesh mesh = GetParam().make(random.between(50, 120), random);
+    const Index face = random.below(mesh.triangles.size());
+    const double size = seed == 0 ? 0.0 : random.uniform(0.001, 0.1);
+    const Barycentric from = { 0.5, 0.3, 0.2 };
+    const Barycentric to = { 0.5 - size, 0.3 + 0.4 * size, 0.2 + 0.6 * size };
+    const std::vector<Polyline> source = { { { { face, from, to } }, {} } };
+    compare(mesh, source, random.uniform(0.003, 0.03), samples, random);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Refinement, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST(RefinementOfBoundaryFields, IsNowhereOverTheTolerance)
+{
+  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const PlainMesh mesh =
+      seed % 2 == 0 ? bumpySheet(7, 8, 2, 0.5, random) : planarWithHoles(8, 7, 2, random);
+    const TriangleMesh engine = engineMesh(mesh);
+    const DistanceField field = solveKeepingAll(engine, geodesic::boundaryCurves(engine));
+    const double largest = largestFinite(field.vertexDistances());
+    const double tolerance = 0.01 * largest;
+    const RefinedMesh refined = refineTo(field, tolerance);
+    EXPECT_LE(refined.errorBound, tolerance);
+    Sources boundary;
+    for (Id side = 0; side < engine.numberOfSides(); ++side)
+    {
+      if (engine.isBoundary(side))
+      {
+        MeshSegment segment{ side / 3, {}, {} };
+        segment.from = segment.to = { 0.0, 0.0, 0.0 };
+        segment.from[side % 3] = 1.0;
+        segment.to[(side + 1) % 3] = 1.0;
+        boundary.segments.push_back(segment);
+      }
+    }
+    const Samples samples = sample(field, refined, 10000, random);
+    const BruteForceResult truth = bruteForceDistances(mesh, boundary, samples.places);
+    EXPECT_LE(
+      largestDifference(samples, truth.queries), refined.errorBound + EngineAccuracy * largest);
+    expectSameSurface(field, refined);
+  }
+}
+
+// All three edges are on the source, with distance 0 all along; the inside is not.
+TEST(RefinementOfOneFace, SeesALocalMaximumInside)
+{
+  const PlainMesh mesh = { { { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 } }, { { 0, 1, 2 } } };
+  const TriangleMesh engine = engineMesh(mesh);
+  const DistanceField field = solveKeepingAll(engine, geodesic::boundaryCurves(engine));
+  Random random(1);
+  for (const double tolerance : { 2.0, 0.5, 0.1, 0.01 })
+  {
+    const RefinedMesh refined = refineTo(field, tolerance);
+    EXPECT_LE(refined.errorBound, tolerance);
+    const double inradius = 1.0;
+    EXPECT_EQ(refined.triangles.size() > 1, tolerance < inradius);
+    const Samples samples = sample(field, refined, 20000, random);
+    double measured = 0.0;
+    for (std::size_t i = 0; i < samples.places.size(); ++i)
+    {
+      const Vec3 p = position(mesh, samples.places[i]);
+      const double truth = std::min({ p[0], p[1], (12.0 - 4.0 * p[0] - 3.0 * p[1]) / 5.0 });
+      measured = std::max(measured, std::abs(truth - samples.interpolant[i]));
+    }
+    EXPECT_LE(measured, refined.errorBound * (1.0 + EngineAccuracy));
+    EXPECT_GE(measured, tolerance < inradius ? 0.5 * refined.errorBound : 0.0);
+    expectSameSurface(field, refined);
+  }
+}
+
+//----------------------------------------------------------------------------
+// One-to-four completion on meshes made by hand.
+namespace
+{
+
+/// A mesh under refinement whose edges are split in the middle, and nothing measured.
+class ByHand
+{
+public:
+  explicit ByHand(const std::vector<geodesic::Triangle>& triangles, Id vertices = 8)
+    : mesh_(somePoints(vertices), triangles)
+    , triangles_(this->mesh_, std::vector<std::uint8_t>(triangles.size(), 0))
+  {
+  }
+  ByHand(const std::vector<geodesic::Triangle>& triangles, std::vector<std::uint8_t> frozen)
+    : mesh_(somePoints(8), triangles)
+    , triangles_(this->mesh_, std::move(frozen))
+  {
+  }
+
+  RedGreenMesh& triangles() { return this->triangles_; }
+  Id edge(Id triangle, Id k) { return this->triangles_.edge(triangle, k); }
+
+  void split(const std::vector<Id>& edges)
+  {
+    for (const Id edge : edges)
+    {
+      this->triangles_.split(edge, middle);
+    }
+    this->triangles_.close(middle, [](Id) { return true; });
+  }
+
+  /// How many triangles are put out in each face.
+  std::vector<Id> count() const
+  {
+    std::vector<Id> count(this->mesh_.numberOfFaces(), 0);
+    Id total = 0;
+    this->triangles_.forEachTriangle(
+      [&](Id face, const geodesic::Triangle&)
+      {
+        ++count[face];
+        ++total;
+      });
+    EXPECT_EQ(this->triangles_.numberOfTriangles(), total);
+    return count;
+  }
+
+  std::vector<geodesic::Triangle> output() const
+  {
+    std::vector<geodesic::Triangle> result;
+    this->triangles_.forEachTriangle(
+      [&](Id, const geodesic::Triangle& corners) { result.push_back(corners); });
+    return result;
+  }
+
+  /// Triangles around each edge of the output.
+  std::map<std::pair<Id, Id>, Id> around() const
+  {
+    std::map<std::pair<Id, Id>, Id> edges;
+    for (const geodesic::Triangle& t : this->output())
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        ++edges[std::minmax(t[k], t[(k + 1) % 3])];
+      }
+    }
+    return edges;
+  }
+
+  static RedGreenMesh::Placement middle(Id) { return { 0.5, 0.0 }; }
+
+private:
+  static std::vector<geodesic::Vec3> somePoints(Id count)
+  {
+    Random random(3);
+    std::vector<geodesic::Vec3> points(count);
+    for (geodesic::Vec3& p : points)
+    {
+      p = { random.uniform(), random.uniform(), random.uniform() };
+    }
+    return points;
+  }
+
+  TriangleMesh mesh_;
+  RedGreenMesh triangles_;
+};
+
+using Counts = std::vector<Id>;
+
+// 0 1 2 and 2 1 3 share the edge 1 2.
+const std::vector<geodesic::Triangle> TwoFaces = { { 0, 1, 2 }, { 2, 1, 3 } };
+
+}
+
+TEST(RedGreen, OneSplitEdgeBisectsTheFacesAroundIt)
+{
+  ByHand alone(TwoFaces);
+  alone.split({ alone.edge(0, 0) });
+  EXPECT_EQ(alone.count(), (Counts{ 2, 1 }));
+  ByHand shared(TwoFaces);
+  shared.split({ shared.edge(0, 1) });
+  EXPECT_EQ(shared.count(), (Counts{ 2, 2 }));
+  EXPECT_EQ(shared.triangles().points().size(), 1u);
+}
+
+TEST(RedGreen, TwoSplitEdgesAreCompletedToFourTriangles)
+{
+  ByHand mesh(TwoFaces);
+  mesh.split({ mesh.edge(0, 0), mesh.edge(0, 2) });
+  EXPECT_EQ(mesh.count(), (Counts{ 4, 2 })); // the third edge is shared
+  EXPECT_EQ(mesh.triangles().points().size(), 3u);
+}
+
+TEST(RedGreen, ThreeSplitEdgesAreFourTriangles)
+{
+  ByHand mesh({ { 0, 1, 2 } });
+  mesh.split({ mesh.edge(0, 0), mesh.edge(0, 1), mesh.edge(0, 2) });
+  EXPECT_EQ(mesh.count(), (Counts{ 4 }));
+  const std::vector<geodesic::Triangle> output = mesh.output();
+  const Id first = mesh.triangles().numberOfInputPoints();
+  const std::set<std::set<Id>> expected = { { 0, first, first + 2 }, { 1, first, first + 1 },
+    { 2, first + 1, first + 2 }, { first, first + 1, first + 2 } };
+  std::set<std::set<Id>> found;
+  for (const geodesic::Triangle& t : output)
+  {
+    found.insert({ t[0], t[1], t[2] });
+  }
+  EXPECT_EQ(found, expected);
+}
+
+TEST(RedGreen, CompletionGoesOnToNeighboursThatHaveTwoSplitEdgesByIt)
+{
+  // a strip: completing the first face splits the second edge of the next one, and so on
+  ByHand mesh({ { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 }, { 4, 3, 5 } });
+  mesh.split({ mesh.edge(0, 0), mesh.edge(0, 2), mesh.edge(1, 1) });
+  EXPECT_EQ(mesh.count(), (Counts{ 4, 4, 2, 1 }));
+}
+
+TEST(RedGreen, ANonManifoldEdgeIsSplitOnceForAllItsFaces)
+{
+  ByHand mesh({ { 0, 1, 2 }, { 0, 1, 3 }, { 1, 0, 4 }, { 5, 0, 1 } });
+  mesh.split({ mesh.edge(0, 0) });
+  EXPECT_EQ(mesh.count(), (Counts{ 2, 2, 2, 2 }));
+  EXPECT_EQ(mesh.triangles().points().size(), 1u);
+  const Id middle = mesh.triangles().numberOfInputPoints();
+  const std::pair<Id, Id> half = { 0, middle };
+  EXPECT_EQ(mesh.around().at(half), 4u);
+}
+
+TEST(RedGreen, AnEdgeSplitTwiceSplitsTheTriangleBesideItIntoFour)
+{
+  ByHand mesh(TwoFaces);
+  mesh.split({ mesh.edge(0, 0), mesh.edge(0, 1), mesh.edge(0, 2) });
+  EXPECT_EQ(mesh.count(), (Counts{ 4, 2 }));
+  // part 1 of the first face has corner 1 and half of the shared edge
+  const Id part = 2 + 1;
+  mesh.split({ mesh.edge(part, 1) });
+  EXPECT_EQ(mesh.count(), (Counts{ 5, 5 }));
+}
+
+TEST(RedGreen, ABisectedTriangleIsSplitIntoFourAsIfItHadNeverBeen)
+{
+  ByHand mesh({ { 0, 1, 2 } });
+  mesh.split({ mesh.edge(0, 0) });
+  EXPECT_EQ(mesh.count(), (Counts{ 2 }));
+  const Id middle = mesh.triangles().numberOfInputPoints();
+  const std::pair<Id, Id> bisector = { 2, middle };
+  EXPECT_EQ(mesh.around().count(bisector), 1u);
+  mesh.split({ mesh.edge(0, 1) });
+  EXPECT_EQ(mesh.count(), (Counts{ 4 }));
+  EXPECT_EQ(mesh.around().count(bisector), 0u);
+}
+
+TEST(RedGreen, AThinBisectionIsReplacedOnce)
+{
+  ByHand mesh({ { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 }, { 4, 3, 5 } });
+  mesh.triangles().split(mesh.edge(0, 0), ByHand::middle);
+  mesh.triangles().close(ByHand::middle, [](Id) { return false; });
+  EXPECT_EQ(mesh.count(), (Counts{ 4, 2, 1, 1 }));
+}
+
+TEST(RedGreen, AFrozenFaceIsOnlyClosed)
+{
+  ByHand mesh(TwoFaces, { 0, 1 });
+  mesh.split({ mesh.edge(0, 0), mesh.edge(0, 1), mesh.edge(0, 2) });
+  mesh.split({ mesh.edge(2 + 1, 1) });
+  EXPECT_EQ(mesh.count(), (Counts{ 5, 3 }));
+  for (const auto& [ends, triangles] : mesh.around())
+  {
+    EXPECT_LE(triangles, 2u) << ends.first << ", " << ends.second;
+  }
+}
+
+TEST(RedGreen, RollingBackUndoesEverythingSinceTheBeginning)
+{
+  ByHand mesh({ { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 } });
+  mesh.split({ mesh.edge(0, 0), mesh.edge(0, 2) });
+  const std::vector<geodesic::Triangle> before = mesh.output();
+  const auto splitMore = [&mesh]() { mesh.split({ mesh.edge(1, 1), mesh.edge(3, 1) }); };
+  mesh.triangles().begin();
+  splitMore();
+  const std::vector<geodesic::Triangle> after = mesh.output();
+  EXPECT_NE(before, after);
+  mesh.triangles().rollBack();
+  EXPECT_EQ(mesh.output(), before);
+  EXPECT_EQ(mesh.count(), (Counts{ 4, 2, 1 }));
+  splitMore();
+  EXPECT_EQ(mesh.output(), after);
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+
+/// A field on a random sheet that takes some refining.
+class RefinementOfASheet : public ::testing::Test
+{
+protected:
+  PlainMesh mesh_ = makeMesh();
+  TriangleMesh engine_ = engineMesh(mesh_);
+  Sources source_{ { { 17, { 0.2, 0.3, 0.5 } }, vertexPoint(mesh_, 100) }, {} };
+  DistanceField field_ = solveKeepingAll(engine_, engineCurves(engine_, source_));
+  double largest_ = largestFinite(field_.vertexDistances());
+
+  static PlainMesh makeMesh()
+  {
+    Random random(5);
+    return bumpySheet(12, 12, 2, 0.5, random);
+  }
+};
+
+}
+
+TEST_F(RefinementOfASheet, TheCapIsKeptAndWhatWasMetIsReported)
+{
+  const double tolerance = 1e-3 * largest_;
+  const RefinedMesh whole = refineTo(field_, tolerance);
+  EXPECT_FALSE(whole.stoppedAtMaximum);
+  double before = std::numeric_limits<double>::infinity();
+  for (const double share : { 0.05, 0.2, 0.5, 0.8 })
+  {
+    const auto added = static_cast<double>(whole.triangles.size() - mesh_.triangles.size());
+    const std::uint64_t most =
+      mesh_.triangles.size() + static_cast<std::uint64_t>(share * added);
+    const RefinedMesh capped = refineTo(field_, tolerance, most);
+    EXPECT_LE(capped.triangles.size(), most);
+    EXPECT_GE(static_cast<double>(capped.triangles.size()), 0.9 * static_cast<double>(most));
+    EXPECT_TRUE(capped.stoppedAtMaximum);
+    EXPECT_GT(capped.errorBound, tolerance);
+    EXPECT_LE(capped.errorBound, before) << "worst ones come first";
+    before = 1.05 * capped.errorBound;
+    Random random(most);
+    const Samples samples = sample(field_, capped, 10000, random);
+    const BruteForceResult truth = bruteForceDistances(mesh_, source_, samples.places);
+    const double measured = largestDifference(samples, truth.queries);
+    EXPECT_LE(measured, capped.errorBound + EngineAccuracy * largest_);
+    EXPECT_GE(measured, 0.6 * capped.errorBound) << "the bound says what it is";
+    expectSameSurface(field_, capped);
+  }
+}
+
+TEST_F(RefinementOfASheet, AnInputOverTheCapStaysAsItIs)
+{
+  const RefinedMesh capped = refineTo(field_, 1e-3 * largest_, 10);
+  EXPECT_EQ(capped.triangles.size(), mesh_.triangles.size());
+  EXPECT_TRUE(capped.points.empty());
+  EXPECT_TRUE(capped.stoppedAtMaximum);
+  Random random(2);
+  const Samples samples = sample(field_, capped, 10000, random);
+  const BruteForceResult truth = bruteForceDistances(mesh_, source_, samples.places);
+  EXPECT_LE(
+    largestDifference(samples, truth.queries), capped.errorBound + EngineAccuracy * largest_);
+}
+
+TEST_F(RefinementOfASheet, ALargeToleranceLeavesTheMeshAsItIs)
+{
+  const RefinedMesh same = refineTo(field_, 10.0 * largest_, 10);
+  EXPECT_EQ(same.triangles.size(), mesh_.triangles.size());
+  EXPECT_FALSE(same.stoppedAtMaximum) << "nothing more was needed";
+  Random random(2);
+  const Samples samples = sample(field_, same, 10000, random);
+  const BruteForceResult truth = bruteForceDistances(mesh_, source_, samples.places);
+  EXPECT_LE(largestDifference(samples, truth.queries), same.errorBound);
+}
+
+TEST_F(RefinementOfASheet, ATighterToleranceIsMetByASmallerError)
+{
+  std::size_t triangles = 0;
+  for (const double fraction : { 1e-1, 1e-2, 1e-3, 1e-4 })
+  {
+    const RefinedMesh refined = refineTo(field_, fraction * largest_);
+    EXPECT_LE(refined.errorBound, fraction * largest_);
+    EXPECT_GT(refined.triangles.size(), triangles);
+    triangles = refined.triangles.size();
+  }
+}
+
+TEST_F(RefinementOfASheet, AToleranceThatIsNoPositiveNumberIsRefused)
+{
+  for (const double tolerance : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
+         std::numeric_limits<double>::infinity() })
+  {
+    EXPECT_THROW(refineTo(field_, tolerance), geodesic::Error) << tolerance;
+  }
+}
+
+TEST_F(RefinementOfASheet, AFieldWithoutWindowsIsRefused)
+{
+  const DistanceField lean = geodesic::solve(engine_, engineCurves(engine_, source_));
+  EXPECT_THROW(refineTo(lean, 0.1), geodesic::Error);
+}
+
+TEST_F(RefinementOfASheet, LabelsForAnotherNumberOfFacesAreRefused)
+{
+  RefinementOptions options;
+  options.tolerance = 0.1;
+  options.cornerPoints.assign(3, { 0, 1, 2 });
+  options.numberOfPoints = 3;
+  EXPECT_THROW(geodesic::refine(field_, options), geodesic::Error);
+}
+
+TEST_F(RefinementOfASheet, ProgressGoesFromZeroToOneAndStops)
+{
+  RefinementOptions options;
+  options.tolerance = 1e-4 * largest_;
+  std::vector<double> fractions;
+  options.progress = [&](double fraction)
+  {
+    fractions.push_back(fraction);
+    return true;
+  };
+  geodesic::refine(field_, options);
+  ASSERT_GT(fractions.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_GE(fractions.front(), 0.0);
+  EXPECT_LE(fractions.back(), 1.0);
+  options.progress = [](double) { return false; };
+  EXPECT_THROW(geodesic::refine(field_, options), geodesic::Aborted);
+}
+
+TEST_F(RefinementOfASheet, IsTheSameEachTimeAndAtAnyScale)
+{
+  const RefinedMesh refined = refineTo(field_, 2e-3 * largest_);
+  EXPECT_TRUE(equal(refined, refineTo(field_, 2e-3 * largest_)));
+  for (const double factor : { 0x1p-30, 0x1p30 })
+  {
+    const PlainMesh other = scaled(mesh_, factor);
+    const TriangleMesh engine = engineMesh(other);
+    const DistanceField field = solveKeepingAll(engine, engineCurves(engine, source_));
+    const RefinedMesh same = refineTo(field, 2e-3 * largest_ * factor);
+    EXPECT_EQ(same.triangles, refined.triangles) << factor;
+    EXPECT_EQ(same.errorBound, factor * refined.errorBound) << factor;
+  }
+}
+
+// Where the caller's points are doubled along a seam, so are those of split edges, and nothing else
+// changes.
+TEST_F(RefinementOfASheet, SplitEdgesOfASeamHaveAPointASide)
+{
+  const double tolerance = 2e-3 * largest_;
+  const RefinedMesh plain = refineTo(field_, tolerance);
+  const Id vertices = engine_.numberOfVertices();
+  RefinementOptions options;
+  options.tolerance = tolerance;
+  options.numberOfPoints = 2 * vertices;
+  std::vector<Id> part(engine_.numberOfFaces());
+  for (Id face = 0; face < engine_.numberOfFaces(); ++face)
+  {
+    const geodesic::Triangle& c = engine_.triangle(face);
+    part[face] = engine_.point(c[0])[0] + engine_.point(c[1])[0] > 12.0 ? vertices : 0;
+    options.cornerPoints.push_back({ c[0] + part[face], c[1] + part[face], c[2] + part[face] });
+  }
+  const RefinedMesh seamed = geodesic::refine(field_, options);
+  ASSERT_EQ(seamed.numberOfInputPoints, 2 * vertices);
+  ASSERT_EQ(seamed.faces, plain.faces);
+  EXPECT_EQ(seamed.errorBound, plain.errorBound);
+  const Points points(field_, plain);
+  std::map<std::pair<Id, Id>, Id> pointOf; // plain point and part of the surface
+  for (std::size_t t = 0; t < seamed.triangles.size(); ++t)
+  {
+    const Id side = part[seamed.faces[t]];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id corner = plain.triangles[t][k];
+      const Id label = seamed.triangles[t][k];
+      const auto [found, isNew] = pointOf.emplace(std::make_pair(corner, side), label);
+      EXPECT_EQ(found->second, label);
+      if (corner < vertices)
+      {
+        EXPECT_EQ(label, corner + side);
+        continue;
+      }
+      const geodesic::RefinedPoint& p = seamed.points[label - seamed.numberOfInputPoints];
+      EXPECT_EQ(p.position, points.position(corner));
+      EXPECT_EQ(p.distance, points.distance(corner));
+      EXPECT_LT(std::max(p.parents[0], p.parents[1]), label);
+    }
+  }
+  std::set<Id> labels;
+  std::size_t doubled = 0;
+  for (const auto& [corner, label] : pointOf)
+  {
+    labels.insert(label);
+    doubled +=
+      corner.second == 0 && corner.first >= vertices && pointOf.count({ corner.first, vertices })
+      ? 1
+      : 0;
+  }
+  EXPECT_EQ(labels.size(), pointOf.size()) << "one point for two sides";
+  EXPECT_EQ(seamed.points.size(), plain.points.size() + doubled);
+  EXPECT_GT(doubled, 3u);
+}
+
+TEST_F(RefinementOfASheet, FacesBeyondTheLimitAreLeftAsTheyAre)
+{
+  const double limit = 0.4 * largest_;
+  const DistanceField limited =
+    solveKeepingAll(engine_, engineCurves(engine_, source_), 0.0, limit);
+  RefinementOptions options;
+  options.tolerance = 1e-3 * largest_;
+  options.maximumDistance = limit;
+  const RefinedMesh refined = geodesic::refine(limited, options);
+  EXPECT_LE(refined.errorBound, options.tolerance);
+  const Points points(limited, refined);
+  expectFacesPartitioned(engine_, refined, points);
+  expectWatertight(engine_, refined, points);
+
+  const auto isComplete = [&](Id face)
+  { return std::isfinite(limited.distance(SurfacePoint::inFace(face, 0.3, 0.3))); };
+  std::vector<bool> besideComplete(engine_.numberOfFaces(), false);
+  for (Id side = 0; side < engine_.numberOfSides(); ++side)
+  {
+    const Id other = TriangleMesh::faceOf(engine_.nextInRing(side));
+    besideComplete[side / 3] = besideComplete[side / 3] || isComplete(other);
+  }
+  std::vector<Id> parts(engine_.numberOfFaces(), 0);
+  for (const Id face : refined.faces)
+  {
+    ++parts[face];
+  }
+  Id leftAlone = 0;
+  for (Id face = 0; face < engine_.numberOfFaces(); ++face)
+  {
+    if (!besideComplete[face] && !isComplete(face))
+    {
+      EXPECT_EQ(parts[face], 1u);
+      ++leftAlone;
+    }
+  }
+  EXPECT_GT(leftAlone, 10u);
+  for (const geodesic::RefinedPoint& p : refined.points)
+  {
+    EXPECT_TRUE(std::isfinite(p.distance));
+  }
+
+  Random random(4);
+  const Samples all = sample(limited, refined, 20000, random);
+  Samples inside;
+  for (std::size_t i = 0; i < all.places.size(); ++i)
+  {
+    if (isComplete(all.places[i].face))
+    {
+      inside.places.push_back(all.places[i]);
+      inside.interpolant.push_back(all.interpolant[i]);
+    }
+  }
+  ASSERT_GT(inside.places.size(), 1000u);
+  const BruteForceResult truth = bruteForceDistances(mesh_, source_, inside.places);
+  EXPECT_LE(
+    largestDifference(inside, truth.queries), refined.errorBound + EngineAccuracy * largest_);
+}
+
+TEST_F(RefinementOfASheet, AComponentWithoutSourceIsLeftAsItIs)
+{
+  const PlainMesh two = merged(mesh_, octasphere(3));
+  const TriangleMesh engine = engineMesh(two);
+  const DistanceField field = solveKeepingAll(engine, engineCurves(engine, source_));
+  const RefinedMesh refined = refineTo(field, 2e-3 * largest_);
+  EXPECT_LE(refined.errorBound, 2e-3 * largest_);
+  const RefinedMesh alone = refineTo(field_, 2e-3 * largest_);
+  EXPECT_EQ(refined.triangles.size(), alone.triangles.size() + octasphere(3).triangles.size());
+  expectSameSurface(field, refined);
+}
+
+TEST_F(RefinementOfASheet, OfAnApproximateFieldIsHeldAgainstThatField)
+{
+  for (const double relativeError : { 1e-4, 1e-3, 1e-2, 1e-1 })
+  {
+    SCOPED_TRACE(relativeError);
+    const DistanceField field =
+      solveKeepingAll(engine_, engineCurves(engine_, source_), relativeError);
+    const double tolerance = 2e-3 * largest_;
+    const RefinedMesh refined = refineTo(field, tolerance, 100000);
+    EXPECT_FALSE(refined.stoppedAtMaximum);
+    // faces may differ where they meet, by what merging has changed
+    EXPECT_LE(refined.errorBound, tolerance + field.relativeErrorBound() * largest_);
+    Random random(6);
+    const Samples samples = sample(field, refined, 10000, random);
+    std::vector<double> computed;
+    for (const MeshPoint& place : samples.places)
+    {
+      computed.push_back(field.distance(enginePoint(engine_, place)));
+    }
+    const double rounding = EngineAccuracy * largest_;
+    EXPECT_LE(largestDifference(samples, computed), refined.errorBound + rounding);
+    const BruteForceResult truth = bruteForceDistances(mesh_, source_, samples.places);
+    EXPECT_LE(largestDifference(samples, truth.queries),
+      refined.errorBound + field.relativeErrorBound() * largest_ + rounding);
+    expectSameSurface(field, refined);
+  }
+}

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An approximate distance is below the exact one by no more than the filter says, which is no more
+// than was asked for; what refinement may miss comes on top of that.
+#include "GeodesicTesting.h"
+
+#include "vtkSphereSource.h"
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+const std::vector<Point> Line = { { 0.1, 0.2, 0 }, { 0.7, 0.35, 0 }, { 0.65, 0.9, 0 } };
+
+std::vector<double> Values(vtkGeodesicDistanceField* filter)
+{
+  std::vector<double> values;
+  for (vtkIdType i = 0; i < Distances(filter)->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(Distances(filter)->GetTuple1(i));
+  }
+  return values;
+}
+
+/// A sphere whose radius changes, of many saddles.
+vtkSmartPointer<vtkPolyData> Bumpy()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(60);
+  sphere->SetPhiResolution(40);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  vtkPolyData* surface = sphere->GetOutput();
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    const double scale = 1.0 + 0.2 * std::sin(14.0 * p[0]) * std::cos(11.0 * p[1] + 9.0 * p[2]);
+    surface->GetPoints()->SetPoint(i, scale * p[0], scale * p[1], scale * p[2]);
+  }
+  return surface;
+}
+
+void CheckRelativeErrors(Check& check)
+{
+  auto surface = Bumpy();
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  filter->SetInputData(surface);
+  filter->SetSourceData(Polyline({ { 0.4, 0.1, 0.2 }, { 0.1, 0.4, 0.3 }, { -0.3, 0.3, 0.1 } }));
+  Messages messages(filter);
+  messages.Update();
+  const std::vector<double> exact = Values(filter);
+  const double windows = filter->GetWindowsPropagatedPerEdge();
+  check.Equal(filter->GetRelativeErrorBound(), 0.0, "the bound of the exact field");
+  check.That(windows > 3.0, "the exact field takes many windows");
+
+  filter->SetRelativeError(0.1);
+  messages.Update();
+  check.That(Values(filter) == exact, "the relative error changes nothing in exact mode");
+
+  filter->SetAccuracyToApproximate();
+  for (const double epsilon : { 0.0, 1e-4, 1e-3, 1e-2, 1e-1, 10.0 })
+  {
+    const std::string name = "relative error " + std::to_string(epsilon);
+    filter->SetRelativeError(epsilon);
+    messages.Update();
+    check.That(messages.Error().empty(), name + ": " + messages.Error());
+    const std::vector<double> values = Values(filter);
+    double measured = 0.0;
+    double above = 0.0;
+    for (std::size_t i = 0; i < exact.size(); ++i)
+    {
+      measured = exact[i] > 0.0 ? std::max(measured, (exact[i] - values[i]) / exact[i]) : measured;
+      above = std::max(above, values[i] - exact[i]);
+    }
+    const double reported = filter->GetRelativeErrorBound();
+    std::cout << name << ": measured " << measured << ", reported " << reported << ", windows "
+              << filter->GetWindowsPropagatedPerEdge() << " instead of " << windows << "\n";
+    check.That(above < 1e-9, name + ": never above the exact distance");
+    check.That(measured <= reported + 1e-9, name + ": the measured error is below the bound");
+    check.That(reported <= epsilon, name + ": the bound is what was asked for");
+    check.Equal(filter->GetOutput()->GetFieldData()->GetArray("RelativeErrorBound")->GetTuple1(0),
+      reported, name + ": the array of the bound");
+    check.That(epsilon > 0.0 || values == exact, "a relative error of 0 is exact");
+    check.That(epsilon < 1e-2 || filter->GetWindowsPropagatedPerEdge() < 0.9 * windows,
+      name + ": fewer windows");
+  }
+}
+
+void CheckBoundsAddUp(Check& check)
+{
+  const Distance truth = DistanceTo(Line);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(8));
+  filter->SetSourceData(Polyline(Line));
+  filter->SetAccuracyToApproximate();
+  filter->SetRelativeError(0.001);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  const double relative = filter->GetRelativeErrorBound();
+  const double interpolation = filter->GetInterpolationErrorBound();
+  check.That(output->GetNumberOfCells() > 128, "an approximate field is refined");
+  check.That(relative > 0.0 && relative <= 0.001, "its relative bound");
+  std::cout << "interpolation bound " << interpolation << "\n";
+  check.That(interpolation <= 1e-3 * std::sqrt(2.0), "its interpolation bound");
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    output->GetPolys()->GetCellAtId(cell, ids);
+    Point middle = { 0, 0, 0 };
+    double value = 0.0;
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      Point p;
+      output->GetPoint(ids->GetId(k), p.data());
+      value += Distances(filter)->GetTuple1(ids->GetId(k)) / 3.0;
+      for (std::size_t j = 0; j < 3; ++j)
+      {
+        middle[j] += p[j] / 3.0;
+      }
+    }
+    check.That(std::abs(value - truth(middle)) <= relative * truth(middle) + interpolation + 1e-9,
+      "both bounds together hold in the middle of triangles");
+  }
+}
+
+}
+
+int TestGeodesicApproximation(int, char*[])
+{
+  Check check;
+  CheckRelativeErrors(check);
+  CheckBoundsAddUp(check);
+  return check.Result();
+}

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Approximation and refinement as pvpython sees them: every property moved, the bounds kept."""
+
+import unittest
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from geodesic_testing import (FLOAT, assert_close, data, distance_to_segments, distances,
+                              load_plugin, messages, plane, points, polyline)
+
+GeodesicDistanceField = load_plugin()
+
+BENT = [(0.31, 0.42, 0), (1.93, 2.21, 0), (2.57, 0.64, 0), (3.71, 1.13, 0)]
+DIAGONAL = 5.0
+
+
+def triangles(field):
+    return vtk_to_numpy(data(field).GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+def bound(field, name="InterpolationErrorBound"):
+    return data(field).GetFieldData().GetArray(name).GetTuple1(0)
+
+
+def measured(field):
+    """The largest difference between the interpolant and the distance, at points of triangles."""
+    corners, values = points(data(field))[triangles(field)], distances(field)[triangles(field)]
+    worst = 0.0
+    for weights in np.random.default_rng(1).dirichlet((1, 1, 1), 30):
+        positions = np.einsum("k,tkj->tj", weights, corners)
+        worst = max(worst, np.max(np.abs(values @ weights - distance_to_segments(positions, BENT))))
+    return worst
+
+
+class Refinement(unittest.TestCase):
+    def field(self, **properties):
+        return GeodesicDistanceField(
+            Input=plane((8, 6)), Source=polyline(BENT), **properties)
+
+    def test_defaults_are_those_of_the_readme(self):
+        field = self.field()
+        for name, value in (("Accuracy", "Exact"), ("RelativeError", 0.001), ("RefineMesh", 1),
+                            ("RefinementTolerance", 0.001), ("ToleranceIsAbsolute", 0),
+                            ("AbsoluteRefinementTolerance", 1),
+                            ("MaximumNumberOfCells", 50000000)):
+            self.assertEqual(getattr(field, name), value, name)
+
+    def test_every_property_has_help_text(self):
+        field = self.field()
+        for name in field.ListProperties():
+            text = field.GetProperty(name).GetDocumentation()
+            self.assertTrue(text and text.GetDescription().strip(), name)
+
+    def test_the_interpolant_is_within_the_tolerance(self):
+        field = self.field()
+        counts = []
+        for tolerance in (0.01, 0.001, 0.0002):
+            field.RefinementTolerance = tolerance
+            self.assertLessEqual(measured(field), bound(field) + FLOAT)
+            self.assertLessEqual(bound(field), tolerance * DIAGONAL)
+            assert_close(distances(field), distance_to_segments(points(data(field)), BENT), FLOAT)
+            counts.append(data(field).GetNumberOfCells())
+        self.assertEqual(counts, sorted(set(counts)))
+
+    def test_an_absolute_tolerance_is_in_the_units_of_the_surface(self):
+        relative = self.field(RefinementTolerance=0.002)
+        absolute = self.field(ToleranceIsAbsolute=1, AbsoluteRefinementTolerance=0.002 * DIAGONAL)
+        self.assertEqual(
+            data(relative).GetNumberOfCells(), data(absolute).GetNumberOfCells())
+
+    def test_without_refinement_the_points_are_those_of_the_input(self):
+        field = self.field(RefineMesh=0)
+        self.assertEqual(data(field).GetNumberOfPoints(), 63)
+        self.assertFalse(data(field).GetCellData().HasArray("OriginalCellIds"))
+        self.assertEqual(bound(field), np.inf)
+
+    def test_original_cells_are_given_where_refined(self):
+        field = self.field()
+        originals = vtk_to_numpy(data(field).GetCellData().GetArray("OriginalCellIds"))
+        self.assertEqual(set(originals), set(range(48)))
+
+    def test_the_cap_is_kept_with_a_warning(self):
+        field = self.field(RefinementTolerance=1e-9, MaximumNumberOfCells=2000)
+        with messages() as window:
+            field.UpdatePipeline()
+        self.assertIn("MaximumNumberOfCells (2000) is reached", window.GetOutput())
+        self.assertLessEqual(data(field).GetNumberOfCells(), 2000)
+        self.assertGreater(bound(field), 1e-9 * DIAGONAL)
+
+    def test_data_of_points_and_cells_is_carried_over(self):
+        surface = simple.Calculator(
+            Input=plane((8, 6)), ResultArrayName="Slope", Function="2*coordsX - coordsY")
+        field = GeodesicDistanceField(Input=surface, Source=polyline(BENT))
+        positions = points(data(field))
+        np.testing.assert_allclose(
+            distances(field, "Slope"), 2 * positions[:, 0] - positions[:, 1], atol=1e-5)
+
+    def test_a_tolerance_that_is_not_positive_is_refused(self):
+        for name, flag in (("RefinementTolerance", 0), ("AbsoluteRefinementTolerance", 1)):
+            for value in (0, -1, float("nan")):
+                field = self.field(ToleranceIsAbsolute=flag)
+                setattr(field, name, value)
+                with messages() as window:
+                    field.UpdatePipeline()
+                self.assertIn(name + " is not a positive number", window.GetOutput())
+                self.assertEqual(data(field).GetNumberOfPoints(), 0)
+
+
+class Approximation(unittest.TestCase):
+    def test_the_error_is_within_the_bound_and_that_within_the_request(self):
+        ball = simple.Sphere(ThetaResolution=60, PhiResolution=60)
+        source = polyline([(0.4, 0.1, 0.2), (0.1, 0.4, 0.3), (-0.3, 0.3, 0.1)])
+        field = GeodesicDistanceField(Input=ball, Source=source, RefineMesh=0)
+        exact = distances(field).copy()
+        self.assertEqual(bound(field, "RelativeErrorBound"), 0)
+        field.Accuracy = "Approximate"
+        for epsilon in (0.1, 0.001):
+            field.RelativeError = epsilon
+            reported = bound(field, "RelativeErrorBound")
+            self.assertTrue(0 < reported <= epsilon, reported)
+            self.assertTrue(np.all(distances(field) <= exact * (1 + 1e-9)))
+            self.assertTrue(np.all(exact - distances(field) <= (reported + 1e-9) * exact))
+
+        field.RelativeError = 0
+        np.testing.assert_array_equal(distances(field), exact)
+
+    def test_a_relative_error_that_is_negative_or_nan_is_refused(self):
+        for value in (-0.1, float("nan")):
+            field = GeodesicDistanceField(Input=plane(), Source=polyline(BENT),
+                                          Accuracy="Approximate", RelativeError=value)
+            with messages() as window:
+                field.UpdatePipeline()
+            self.assertIn("RelativeError", window.GetOutput())
+            self.assertEqual(data(field).GetNumberOfPoints(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
