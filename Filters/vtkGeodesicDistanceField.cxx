@@ -367,6 +367,15 @@ geodesic::RefinedMesh vtkGeodesicDistanceField::vtkInternals::Refine(
                                << refined.errorBound << " instead of " << options.tolerance
                                << ". Raise MaximumNumberOfCells or the tolerance.");
   }
+  else if (refined.errorBound > options.tolerance)
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      "The refined surface meets a tolerance of "
+        << refined.errorBound << " instead of " << options.tolerance << ": with a RelativeError of "
+        << this->Self->RelativeError
+        << " the computed distance itself differs by as much between neighboring triangles. Lower "
+           "RelativeError or raise the tolerance.");
+  }
   return refined;
 }
 
@@ -465,7 +474,8 @@ const char* vtkGeodesicDistanceField::FindWrongProperty() const
   if (this->Accuracy == APPROXIMATE &&
     !(this->RelativeError >= 0.0 && this->RelativeError < geodesic::Infinity))
   {
-    return "RelativeError is not a finite number of at least 0: set the largest relative error that is allowed "
+    return "RelativeError is not a finite number of at least 0: set the largest relative error "
+           "that is allowed "
            "in approximate mode, such as 0.001, or 0 for the exact distance.";
   }
   if (this->RefineMesh && !this->ToleranceIsAbsolute && !isPositive(this->RefinementTolerance))

@@ -125,6 +125,23 @@ void CheckBoundsAddUp(Check& check)
   }
 }
 
+/// A tolerance finer than what merging leaves of the field's continuity is met, or not met with a
+/// warning.
+void CheckCoarseFieldWithFineTolerance(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(8));
+  filter->SetSourceData(Polyline(Line));
+  filter->SetAccuracyToApproximate();
+  filter->SetRelativeError(0.1);
+  Messages messages(filter);
+  messages.Update();
+  const bool met = filter->GetInterpolationErrorBound() <= 1e-3 * std::sqrt(2.0);
+  check.That(messages.Warning().empty() == met,
+    "a tolerance that is not met is told: " + messages.Warning());
+  check.That(met || Contains(messages.Warning(), "Lower RelativeError"), "and what to do");
+}
+
 }
 
 int TestGeodesicApproximation(int, char*[])
@@ -132,5 +149,6 @@ int TestGeodesicApproximation(int, char*[])
   Check check;
   CheckRelativeErrors(check);
   CheckBoundsAddUp(check);
+  CheckCoarseFieldWithFineTolerance(check);
   return check.Result();
 }
