@@ -44,6 +44,12 @@ double leastAngle(Vec2 a, Vec2 b, Vec2 c)
     { angleBetween(b - a, c - a), angleBetween(c - b, a - b), angleBetween(a - c, b - c) });
 }
 
+double sizeOf(const LinearPiece& piece)
+{
+  const std::array<Vec2, 3>& c = piece.corners;
+  return std::max({ norm(c[1] - c[0]), norm(c[2] - c[1]), norm(c[0] - c[2]) });
+}
+
 class Refiner
 {
 public:
@@ -114,9 +120,9 @@ private:
   void report(double fraction);
   void putOut(RefinedMesh& result) const;
 
-  const DistanceField& Field;
-  const TriangleMesh& Mesh;
-  const RefinementOptions& Options;
+  const DistanceField& field_;
+  const TriangleMesh& mesh_;
+  const RefinementOptions& options_;
   bool exact_;
   double tolerance_;
   FaceEnvelope envelope_;
@@ -133,9 +139,9 @@ private:
 };
 
 Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
-  : Field(field)
-  , Mesh(field.mesh())
-  , Options(options)
+  : field_(field)
+  , mesh_(field.mesh())
+  , options_(options)
   , exact_(field.relativeErrorBound() == 0.0)
   , tolerance_(options.tolerance)
   , envelope_(field)
@@ -148,22 +154,22 @@ Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
 
 bool Refiner::isFrozen(Id face) const
 {
-  for (const Id vertex : this->Mesh.triangle(face))
+  for (const Id vertex : this->mesh_.triangle(face))
   {
-    if (!(this->Field.vertexDistances()[vertex] < Infinity))
+    if (!(this->field_.vertexDistances()[vertex] < Infinity))
     {
       return true;
     }
   }
   constexpr double third = 1.0 / 3.0;
-  return this->Options.maximumDistance < Infinity &&
-    !(this->Field.distance(SurfacePoint::inFace(face, third, third)) < Infinity);
+  return this->options_.maximumDistance < Infinity &&
+    !(this->field_.distance(SurfacePoint::inFace(face, third, third)) < Infinity);
 }
 
 std::vector<std::uint8_t> Refiner::findFrozen() const
 {
-  std::vector<std::uint8_t> frozen(this->Mesh.numberOfFaces());
-  for (Id face = 0; face < this->Mesh.numberOfFaces(); ++face)
+  std::vector<std::uint8_t> frozen(this->mesh_.numberOfFaces());
+  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
     frozen[face] = this->isFrozen(face) ? 1 : 0;
   }
@@ -184,16 +190,16 @@ RefinedMesh Refiner::run()
 
 void Refiner::assessFaces()
 {
-  for (Id face = 0; face < this->Mesh.numberOfFaces(); ++face)
+  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
     if (this->triangles_.isFrozen(face))
     {
       continue;
     }
     double largest = 0.0;
-    for (const Id vertex : this->Mesh.triangle(face))
+    for (const Id vertex : this->mesh_.triangle(face))
     {
-      largest = std::max(largest, this->Field.vertexDistances()[vertex]);
+      largest = std::max(largest, this->field_.vertexDistances()[vertex]);
     }
     const double rounding = RoundingTies * tolerance::Tie * largest;
     const double quick = this->error_.ofFace(face, this->tolerance_ - rounding, this->bound_);
@@ -205,21 +211,21 @@ void Refiner::assessFaces()
     {
       this->assess(face);
     }
-    this->report(ShareOfFirstPass * face / this->Mesh.numberOfFaces());
+    this->report(ShareOfFirstPass * face / this->mesh_.numberOfFaces());
   }
 }
 
 double Refiner::distanceAt(Id point) const
 {
   const Id inputPoints = this->triangles_.numberOfInputPoints();
-  return point < inputPoints ? this->Field.vertexDistances()[point]
+  return point < inputPoints ? this->field_.vertexDistances()[point]
                              : this->triangles_.points()[point - inputPoints].distance;
 }
 
 Vec2 Refiner::planePlace(Id point) const
 {
   return this->envelope_.inPlane(
-    barycentric(this->Mesh, this->triangles_.place(point), this->envelope_.face()));
+    barycentric(this->mesh_, this->triangles_.place(point), this->envelope_.face()));
 }
 
 // The distance as the face at hand has it: in an approximate field another face at the point may
@@ -272,7 +278,7 @@ const Deviation& Refiner::deviationOf(Id id)
       }
       found = true;
     }
-    side = this->Mesh.nextInRing(side);
+    side = this->mesh_.nextInRing(side);
   } while (side != edge.side);
   return edge.deviation;
 }
@@ -308,7 +314,8 @@ std::array<Refiner::Piece, 2> Refiner::greenPieces(Id triangle)
 
 // In an approximate field the faces around a point differ by what merging has changed, and no
 // refinement can undo that: what is left of the tolerance, but half of it at least, is for the
-// triangle. This also ends refinement whatever the rounding: a triangle as small as that passes.
+// triangle. Whatever the rounding, refinement ends: the distance changes by no more than the way,
+// so that there is nothing left to refine in a triangle as small as that.
 Refiner::Check Refiner::check(const Piece& piece, bool tight)
 {
   this->envelope_.enter(piece.face);
@@ -329,18 +336,19 @@ Refiner::Check Refiner::check(const Piece& piece, bool tight)
   const double rounding = RoundingTies * tolerance::Tie * largest;
   Check result;
   result.limit = std::max(this->tolerance_ - difference - rounding, 0.5 * this->tolerance_);
-  if (onEdges.largest() > result.limit && !tight)
+  const bool small = sizeOf(linear) <= result.limit;
+  if (onEdges.largest() > result.limit && !small && !tight)
   {
     result.sample = onEdges.largest();
     result.passed = false;
     return result;
   }
   const InterpolationError::Inside inside =
-    this->error_.ofTriangle(this->envelope_, linear, onEdges, result.limit, tight);
+    this->error_.ofTriangle(this->envelope_, linear, onEdges, result.limit, tight || small);
   const double own = std::max(inside.bound, onEdges.largest());
   result.bound = own + rounding + difference;
   result.sample = inside.sample;
-  result.passed = own <= result.limit;
+  result.passed = small || own <= result.limit;
   return result;
 }
 
@@ -377,8 +385,9 @@ void Refiner::assess(Id triangle)
 void Refiner::refineWorst()
 {
   constexpr std::uint64_t numberable = NoId / 5; // ids are 3 * part + k, and parts have parts
-  const std::uint64_t limit =
-    this->Options.maximumFaces > 0 ? std::min(this->Options.maximumFaces, numberable) : numberable;
+  const std::uint64_t limit = this->options_.maximumFaces > 0
+    ? std::min(this->options_.maximumFaces, numberable)
+    : numberable;
   this->worstAtFirst_ = this->violations_.empty() ? 0.0 : this->violations_.top().error;
   while (!this->violations_.empty())
   {
@@ -499,7 +508,7 @@ bool Refiner::shapesAllow(Id edge, double weight)
 double Refiner::wantedAngle(Id face)
 {
   this->envelope_.enter(face);
-  const Triangle& corners = this->Mesh.triangle(face);
+  const Triangle& corners = this->mesh_.triangle(face);
   const double least = leastAngle(
     this->planePlace(corners[0]), this->planePlace(corners[1]), this->planePlace(corners[2]));
   return std::min(LeastAngle, LeastAngleFraction * least);
@@ -563,7 +572,7 @@ double Refiner::distanceOnEdge(Id id, double weight)
     {
       look(TriangleMesh::faceOf(side));
     }
-    side = this->Mesh.nextInRing(side);
+    side = this->mesh_.nextInRing(side);
   } while (side != edge.side);
   return least;
 }
@@ -571,13 +580,13 @@ double Refiner::distanceOnEdge(Id id, double weight)
 void Refiner::report(double fraction)
 {
   constexpr Id stepsPerReport = 256;
-  if (!this->Options.progress || ++this->sinceReport_ < stepsPerReport)
+  if (!this->options_.progress || ++this->sinceReport_ < stepsPerReport)
   {
     return;
   }
   this->sinceReport_ = 0;
   this->reported_ = std::max(this->reported_, fraction);
-  if (!this->Options.progress(std::min(this->reported_, 1.0)))
+  if (!this->options_.progress(std::min(this->reported_, 1.0)))
   {
     throw Aborted();
   }
@@ -590,28 +599,28 @@ class PointNumbering
 public:
   PointNumbering(const RedGreenMesh& triangles, const TriangleMesh& mesh,
     const RefinementOptions& options, RefinedMesh& result)
-    : Triangles(triangles)
-    , Mesh(mesh)
-    , Options(options)
-    , Result(result)
+    : triangles_(triangles)
+    , mesh_(mesh)
+    , options_(options)
+    , result_(result)
   {
   }
 
   Id numberOf(Id face, Id point)
   {
-    const Id inputPoints = this->Triangles.numberOfInputPoints();
+    const Id inputPoints = this->triangles_.numberOfInputPoints();
     if (point < inputPoints)
     {
-      const Triangle& corners = this->Mesh.triangle(face);
+      const Triangle& corners = this->mesh_.triangle(face);
       const std::size_t k = point == corners[0] ? 0 : point == corners[1] ? 1 : 2;
-      return this->Options.cornerPoints[face][k];
+      return this->options_.cornerPoints[face][k];
     }
-    const RedGreenMesh::Point& split = this->Triangles.points()[point - inputPoints];
+    const RedGreenMesh::Point& split = this->triangles_.points()[point - inputPoints];
     const Id a = this->numberOf(face, split.parents[0]);
     const Id b = this->numberOf(face, split.parents[1]);
     const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32) | b;
-    const auto [found, isNew] = this->Numbers.emplace(
-      key, this->Result.numberOfInputPoints + static_cast<Id>(this->Result.points.size()));
+    const auto [found, isNew] = this->numbers_.emplace(
+      key, this->result_.numberOfInputPoints + static_cast<Id>(this->result_.points.size()));
     if (isNew)
     {
       this->add({ a, b }, split);
@@ -621,26 +630,26 @@ public:
 
   void add(const std::array<Id, 2>& parents, const RedGreenMesh::Point& split)
   {
-    this->Result.points.push_back(
-      { parents, split.weight, split.place, position(this->Mesh, split.place), split.distance });
+    this->result_.points.push_back(
+      { parents, split.weight, split.place, position(this->mesh_, split.place), split.distance });
   }
 
 private:
-  const RedGreenMesh& Triangles;
-  const TriangleMesh& Mesh;
-  const RefinementOptions& Options;
-  RefinedMesh& Result;
-  std::unordered_map<std::uint64_t, Id> Numbers;
+  const RedGreenMesh& triangles_;
+  const TriangleMesh& mesh_;
+  const RefinementOptions& options_;
+  RefinedMesh& result_;
+  std::unordered_map<std::uint64_t, Id> numbers_;
 };
 
 void Refiner::putOut(RefinedMesh& result) const
 {
-  const bool renumber = !this->Options.cornerPoints.empty();
+  const bool renumber = !this->options_.cornerPoints.empty();
   result.numberOfInputPoints =
-    renumber ? this->Options.numberOfPoints : this->Mesh.numberOfVertices();
+    renumber ? this->options_.numberOfPoints : this->mesh_.numberOfVertices();
   result.triangles.reserve(this->triangles_.numberOfTriangles());
   result.faces.reserve(this->triangles_.numberOfTriangles());
-  PointNumbering numbering(this->triangles_, this->Mesh, this->Options, result);
+  PointNumbering numbering(this->triangles_, this->mesh_, this->options_, result);
   if (!renumber)
   {
     result.points.reserve(this->triangles_.points().size());

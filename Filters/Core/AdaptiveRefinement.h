@@ -56,7 +56,8 @@ struct RefinedMesh
   /// The face of the mesh that each triangle is a part of; ascending.
   std::vector<Id> faces;
   /// Certified: nowhere on a face that could be refined is the difference between distance and
-  /// interpolant larger. At most the tolerance, unless more faces would have been needed.
+  /// interpolant larger. At most the tolerance, unless more faces would have been needed, or an
+  /// approximate field differs by more than half of it between the faces at a point.
   double errorBound = 0.0;
   /// Whether more faces would have been needed.
   bool stoppedAtMaximum = false;

@@ -19,8 +19,28 @@ namespace
 constexpr double PencilMargin = 1e-12;
 
 /// Neighbours in an envelope may differ by this fraction of its length where they meet, and by some
-/// ties in distance; the distance is continuous, so more tells of a gap.
+/// ties in distance, and so may an envelope and the distance; more tells of a gap.
 constexpr double JointFraction = 1e-9;
+
+/// Rays that meet their side at a smaller angle (the root of the rounding) run along it.
+constexpr double GrazingAngle = 1e-8;
+
+/// Whether a window's rays run along its side. Such a pencil has no inside, and points of the side
+/// before it and behind it would be told apart by rounding alone.
+bool isGrazing(const Window& w)
+{
+  if (w.isLinear())
+  {
+    return w.sourceDepth <= GrazingAngle;
+  }
+  const double before = std::max(w.begin - w.sourceX, w.sourceX - w.end);
+  return before > 0.0 && w.sourceDepth <= GrazingAngle * before;
+}
+
+double jointSlack(double length, double distance)
+{
+  return JointFraction * length + 8.0 * tolerance::Tie * distance;
+}
 
 double squaredNorm(Vec2 v)
 {
@@ -117,8 +137,8 @@ double splitPosition(double t)
 }
 
 FaceEnvelope::FaceEnvelope(const DistanceField& field)
-  : Field(field)
-  , Mesh(field.mesh())
+  : field_(field)
+  , mesh_(field.mesh())
   , exact_(field.relativeErrorBound() == 0.0)
 {
   if (!field.hasWindows())
@@ -129,7 +149,7 @@ FaceEnvelope::FaceEnvelope(const DistanceField& field)
 
 Vec2 FaceEnvelope::inPlane(const std::array<double, 3>& b) const
 {
-  return inSideFrame(this->Mesh, this->frame_, b);
+  return inSideFrame(this->mesh_, this->frame_, b);
 }
 
 void FaceEnvelope::enter(Id face)
@@ -139,7 +159,7 @@ void FaceEnvelope::enter(Id face)
     return;
   }
   this->face_ = face;
-  const std::array<double, 3>& length = this->Mesh.shape(face).length;
+  const std::array<double, 3>& length = this->mesh_.shape(face).length;
   const auto longest = std::max_element(length.begin(), length.end()) - length.begin();
   this->frame_ = 3 * face + static_cast<Id>(longest);
   this->contributions_.clear();
@@ -151,11 +171,11 @@ void FaceEnvelope::enter(Id face)
   {
     std::array<double, 3> corner{};
     corner[k] = 1.0;
-    const double sigma = this->Field.vertexDistances()[this->Mesh.triangle(face)[k]];
+    const double sigma = this->field_.vertexDistances()[this->mesh_.triangle(face)[k]];
     this->contributions_.push_back(
       { Contribution::Kind::Cone, sigma, this->inPlane(corner), {}, {}, 0.0, 0.0 });
   }
-  for (const SourceInFace& source : this->Field.sourcesIn(face))
+  for (const SourceInFace& source : this->field_.sourcesIn(face))
   {
     this->addSource(source);
   }
@@ -163,8 +183,8 @@ void FaceEnvelope::enter(Id face)
 
 void FaceEnvelope::addSide(Id side)
 {
-  const WindowRuns windows = this->Field.windowsOn(side);
-  const double length = this->Mesh.length(side);
+  const WindowRuns windows = this->field_.windowsOn(side);
+  const double length = this->mesh_.length(side);
   if (windows.empty() || !(length > 0.0))
   {
     return;
@@ -183,7 +203,13 @@ void FaceEnvelope::addSide(Id side)
     c.end = origin + w.end * along;
     c.atBegin = std::max(w.distance(w.begin), 0.0);
     c.atEnd = std::max(w.distance(w.end), 0.0);
-    if (w.isLinear())
+    if (isGrazing(w))
+    {
+      c.kind = Contribution::Kind::Cone; // with the same values on the side
+      c.source = c.atBegin < c.atEnd ? c.begin : c.end;
+      c.sigma = std::min(c.atBegin, c.atEnd);
+    }
+    else if (w.isLinear())
     {
       c.kind = Contribution::Kind::Linear;
       c.source = w.sourceX * along + w.sourceDepth * into;
@@ -249,11 +275,33 @@ const std::vector<Window>& FaceEnvelope::along(Vec2 p, Vec2 q)
   }
   // In the exact field bent paths only fill gaps of rounding; merged windows may need them.
   const Vec2 u = (1.0 / length) * (q - p);
-  if (!this->exact_ || !this->buildAlong(p, u, length, false))
+  const bool done = this->exact_ && this->buildAlong(p, u, length, false) &&
+    this->reaches(0.5 * length, least) && this->reaches(0.0, this->leastNear(p)) &&
+    this->reaches(length, this->leastNear(q));
+  if (!done)
   {
     this->buildAlong(p, u, length, true);
   }
   return this->envelope_;
+}
+
+double FaceEnvelope::leastNear(Vec2 p) const
+{
+  double least = Infinity;
+  for (const Contribution* c : this->near_)
+  {
+    least = std::min(least, c->distance(p));
+  }
+  return least;
+}
+
+// Whether the envelope comes down to the distance at x: a segment along a ray at the end of a
+// pencil may be lost to rounding.
+bool FaceEnvelope::reaches(double x, double distance) const
+{
+  const auto window = std::find_if(this->envelope_.begin(), this->envelope_.end() - 1,
+    [x](const Window& w) { return x <= w.end; });
+  return window->distance(x) <= distance + jointSlack(this->envelope_.back().end, distance);
 }
 
 // Returns whether neighbours are equal where they meet.
@@ -289,7 +337,7 @@ bool FaceEnvelope::buildAlong(Vec2 p, Vec2 u, double length, bool withBent)
     const Window& right = this->envelope_[i];
     left.end = right.begin;
     const double value = right.distance(right.begin);
-    const double slack = JointFraction * length + 8.0 * tolerance::Tie * value;
+    const double slack = jointSlack(length, value);
     continuous = continuous && std::abs(left.distance(left.end) - value) <= slack;
   }
   return continuous;

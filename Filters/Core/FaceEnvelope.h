@@ -100,14 +100,16 @@ public:
 private:
   void addSide(Id side);
   void addSource(const SourceInFace& source);
+  double leastNear(Vec2 p) const;
+  bool reaches(double x, double distance) const;
   bool buildAlong(Vec2 p, Vec2 u, double length, bool withBent);
   void addPieces(const Contribution& c, Vec2 p, Vec2 u, double length, bool withBent);
   void addWindow(const Contribution& c, Vec2 p, Vec2 u, double length, bool withBent);
   void addSegment(const Contribution& c, Vec2 p, Vec2 u, double length);
   void addCone(Vec2 apex, double sigma, Vec2 p, Vec2 u, double begin, double end);
 
-  const DistanceField& Field;
-  const TriangleMesh& Mesh;
+  const DistanceField& field_;
+  const TriangleMesh& mesh_;
   bool exact_;
   Id face_ = NoId;
   Id frame_ = NoId;

@@ -64,19 +64,19 @@ Gradient gradientOf(
 } // anonymous namespace
 
 InterpolationError::InterpolationError(const DistanceField& field)
-  : Field(field)
-  , Mesh(field.mesh())
+  : field_(field)
+  , mesh_(field.mesh())
 {
 }
 
 double InterpolationError::ofFace(Id face, double limit, double known) const
 {
-  const Triangle& corners = this->Mesh.triangle(face);
-  const FaceShape& shape = this->Mesh.shape(face);
+  const Triangle& corners = this->mesh_.triangle(face);
+  const FaceShape& shape = this->mesh_.shape(face);
   std::array<double, 3> d;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    d[k] = this->Field.vertexDistances()[corners[k]];
+    d[k] = this->field_.vertexDistances()[corners[k]];
   }
   const double longest = *std::max_element(shape.length.begin(), shape.length.end());
   const double bySize = longest <= limit ? longest : Infinity; // d changes by no more than the way
@@ -94,7 +94,7 @@ double InterpolationError::ofFace(Id face, double limit, double known) const
   }
 
   double below = 0.0;
-  for (const SourceInFace& source : this->Field.sourcesIn(face))
+  for (const SourceInFace& source : this->field_.sourcesIn(face))
   {
     below = std::max(below, source.a[0] * d[0] + source.a[1] * d[1] + source.a[2] * d[2]);
     below = std::max(below, source.b[0] * d[0] + source.b[1] * d[1] + source.b[2] * d[2]);
@@ -124,7 +124,7 @@ double InterpolationError::ofFace(Id face, double limit, double known) const
 bool InterpolationError::belowOfSide(
   Id side, double atOrigin, double atDestination, double limit, double& below) const
 {
-  const double length = this->Mesh.length(side);
+  const double length = this->mesh_.length(side);
   if (!(length > 0.0))
   {
     return true;
@@ -132,7 +132,7 @@ bool InterpolationError::belowOfSide(
   const double a = (atDestination - atOrigin) / length;
   const double slope = (1.0 - a) * (1.0 + a);
   const double shift = slope > 0.0 ? a / std::sqrt(slope) : 0.0;
-  for (const Window& w : this->Field.windowsOn(side))
+  for (const Window& w : this->field_.windowsOn(side))
   {
     double x = 0.0;
     if (w.isLinear())
@@ -157,7 +157,7 @@ bool InterpolationError::belowOfSide(
 double InterpolationError::aboveOfSide(
   Id side, double atOrigin, double atDestination, double limit) const
 {
-  const double length = this->Mesh.length(side);
+  const double length = this->mesh_.length(side);
   if (!(length > 0.0))
   {
     return 0.0;
@@ -171,7 +171,7 @@ double InterpolationError::aboveOfSide(
   double covered = 0.0;
   double atCovered = 0.0;
   double above = 0.0;
-  for (const Window& w : this->Field.windowsOn(side))
+  for (const Window& w : this->field_.windowsOn(side))
   {
     if (w.end <= covered)
     {
@@ -245,7 +245,7 @@ double InterpolationError::belowAtSources(
         ((area2 - u - v) * piece.values[0] + u * piece.values[1] + v * piece.values[2]) / area2);
     }
   };
-  for (const SourceInFace& source : this->Field.sourcesIn(envelope.face()))
+  for (const SourceInFace& source : this->field_.sourcesIn(envelope.face()))
   {
     look(envelope.inPlane(source.a));
     look(envelope.inPlane(source.b));

@@ -68,8 +68,8 @@ private:
   double leastInRow(std::size_t row) const;
   double boundOf(const Node& node, double limit);
 
-  const DistanceField& Field;
-  const TriangleMesh& Mesh;
+  const DistanceField& field_;
+  const TriangleMesh& mesh_;
   std::vector<const Contribution*> near_;
   /// Row by row: how far each contribution is over the interpolant at one point.
   std::vector<double> excess_;

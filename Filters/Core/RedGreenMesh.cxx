@@ -7,7 +7,7 @@ namespace geodesic
 {
 
 RedGreenMesh::RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen)
-  : Mesh(mesh)
+  : mesh_(mesh)
   , faces_(mesh.numberOfFaces())
   , frozen_(std::move(frozen))
   , partsOfFace_(mesh.numberOfFaces(), NoId)
@@ -29,7 +29,7 @@ Id RedGreenMesh::faceOf(Id triangle) const
 
 Triangle RedGreenMesh::corners(Id triangle) const
 {
-  return triangle < this->faces_ ? this->Mesh.triangle(triangle) : this->part(triangle).corners;
+  return triangle < this->faces_ ? this->mesh_.triangle(triangle) : this->part(triangle).corners;
 }
 
 Id RedGreenMesh::partsOf(Id triangle) const
@@ -51,7 +51,7 @@ void RedGreenMesh::setParts(Id triangle, Id parts)
 
 Id RedGreenMesh::existingInputEdge(Id side) const
 {
-  const auto found = this->inputEdges_.find(this->Mesh.edgeOf(side));
+  const auto found = this->inputEdges_.find(this->mesh_.edgeOf(side));
   return found == this->inputEdges_.end() ? NoId : found->second;
 }
 
@@ -68,9 +68,9 @@ Id RedGreenMesh::edge(Id triangle, Id k)
   {
     return existing;
   }
-  const Id side = this->Mesh.edgeOf(3 * triangle + k);
-  const Id edge = this->addEdge(
-    this->Mesh.origin(side), this->Mesh.destination(side), NoId, side, TriangleMesh::faceOf(side));
+  const Id side = this->mesh_.edgeOf(3 * triangle + k);
+  const Id edge = this->addEdge(this->mesh_.origin(side), this->mesh_.destination(side), NoId, side,
+    TriangleMesh::faceOf(side));
   this->inputEdges_.emplace(side, edge);
   this->journal_.push_back({ Change::InputEdge, side, NoId });
   return edge;
@@ -118,8 +118,8 @@ SurfacePoint RedGreenMesh::between(const Edge& edge, double weight) const
     const double to = b.kind == SurfacePoint::Kind::Edge ? b.u : 1.0;
     return SurfacePoint::onEdge(edge.side, mean(from, to));
   }
-  const std::array<double, 3> from = barycentric(this->Mesh, a, edge.face);
-  const std::array<double, 3> to = barycentric(this->Mesh, b, edge.face);
+  const std::array<double, 3> from = barycentric(this->mesh_, a, edge.face);
+  const std::array<double, 3> to = barycentric(this->mesh_, b, edge.face);
   return SurfacePoint::inFace(edge.face, mean(from[1], to[1]), mean(from[2], to[2]));
 }
 
@@ -139,7 +139,7 @@ Id RedGreenMesh::frozenFacesAt(const Edge& edge) const
     do
     {
       count += this->frozen_[TriangleMesh::faceOf(side)];
-      side = this->Mesh.nextInRing(side);
+      side = this->mesh_.nextInRing(side);
     } while (side != edge.side);
   }
   return count;
@@ -326,7 +326,7 @@ void RedGreenMesh::rollBack()
 
 double RedGreenMesh::lengthOf(Id a, Id b) const
 {
-  return norm(position(this->Mesh, this->place(b)) - position(this->Mesh, this->place(a)));
+  return norm(position(this->mesh_, this->place(b)) - position(this->mesh_, this->place(a)));
 }
 
 }

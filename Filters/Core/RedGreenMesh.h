@@ -74,7 +74,7 @@ public:
   ///        are only closed.
   RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen);
 
-  Id numberOfInputPoints() const { return this->Mesh.numberOfVertices(); }
+  Id numberOfInputPoints() const { return this->mesh_.numberOfVertices(); }
   const std::vector<Point>& points() const { return this->points_; }
   SurfacePoint place(Id point) const;
 
@@ -161,7 +161,7 @@ private:
     Id face, const Triangle& corners, const std::array<Id, 3>& edges, Emit&& emit) const;
   double lengthOf(Id a, Id b) const;
 
-  const TriangleMesh& Mesh;
+  const TriangleMesh& mesh_;
   Id faces_;
   std::vector<std::uint8_t> frozen_;
   std::vector<Point> points_;

@@ -31,7 +31,7 @@ void RedGreenMesh::forEachLeafAt(Id edge, Visitor&& visit) const
     {
       visit(face);
     }
-    side = this->Mesh.nextInRing(side);
+    side = this->mesh_.nextInRing(side);
   } while (side != e.side);
 }
 

@@ -13,10 +13,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <tuple>
 
@@ -329,7 +331,7 @@ protected:
 
 TEST_P(Refinement, IsNowhereOverTheToleranceOnRandomMeshes)
 {
-  const std::uint64_t meshes = getenv("STRESS") ? atoi(getenv("STRESS")) : 10;
+  constexpr std::uint64_t meshes = 12;
   constexpr std::size_t samples = 10000;
   double worst = 0.0;
   for (std::uint64_t seed = 0; seed < meshes; ++seed)
@@ -346,7 +348,7 @@ TEST_P(Refinement, IsNowhereOverTheToleranceOnRandomMeshes)
 
 TEST_P(Refinement, SeesASourceThatIsStrictlyInsideOneFace)
 {
-  const std::uint64_t meshes = getenv("STRESS") ? atoi(getenv("STRESS")) : 6;
+  constexpr std::uint64_t meshes = 6;
   constexpr std::size_t samples = 3000;
   for (std::uint64_t seed = 0; seed < meshes; ++seed)
   {
@@ -668,8 +670,7 @@ TEST_F(RefinementOfASheet, TheCapIsKeptAndWhatWasMetIsReported)
   for (const double share : { 0.05, 0.2, 0.5, 0.8 })
   {
     const auto added = static_cast<double>(whole.triangles.size() - mesh_.triangles.size());
-    const std::uint64_t most =
-      mesh_.triangles.size() + static_cast<std::uint64_t>(share * added);
+    const std::uint64_t most = mesh_.triangles.size() + static_cast<std::uint64_t>(share * added);
     const RefinedMesh capped = refineTo(field_, tolerance, most);
     EXPECT_LE(capped.triangles.size(), most);
     EXPECT_GE(static_cast<double>(capped.triangles.size()), 0.9 * static_cast<double>(most));
@@ -937,3 +938,135 @@ TEST_F(RefinementOfASheet, OfAnApproximateFieldIsHeldAgainstThatField)
     expectSameSurface(field, refined);
   }
 }
+
+//----------------------------------------------------------------------------
+namespace
+{
+
+/// Triangles of an OBJ file; points at one place become one.
+PlainMesh readTriangles(const std::string& fileName)
+{
+  PlainMesh mesh;
+  std::ifstream file(fileName);
+  std::map<Vec3, Index> vertexAt;
+  std::vector<Index> vertexOfLine;
+  std::string line;
+  while (std::getline(file, line))
+  {
+    std::istringstream words(line);
+    std::string key;
+    words >> key;
+    if (key == "v")
+    {
+      Vec3 p{};
+      words >> p[0] >> p[1] >> p[2];
+      const auto [found, isNew] = vertexAt.emplace(p, static_cast<Index>(mesh.points.size()));
+      if (isNew)
+      {
+        mesh.points.push_back(p);
+      }
+      vertexOfLine.push_back(found->second);
+    }
+    else if (key == "f")
+    {
+      std::array<std::string, 3> corner;
+      words >> corner[0] >> corner[1] >> corner[2];
+      mesh.triangles.push_back({ vertexOfLine.at(std::stoul(corner[0]) - 1),
+        vertexOfLine.at(std::stoul(corner[1]) - 1), vertexOfLine.at(std::stoul(corner[2]) - 1) });
+    }
+  }
+  return compacted(mesh);
+}
+
+double diagonal(const PlainMesh& mesh)
+{
+  Vec3 least = mesh.points[0];
+  Vec3 most = least;
+  for (const Vec3& p : mesh.points)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      least[axis] = std::min(least[axis], p[axis]);
+      most[axis] = std::max(most[axis], p[axis]);
+    }
+  }
+  return spaceDistance(least, most);
+}
+
+/// The smallest angle of each triangle, in degrees, ascending.
+std::vector<double> smallestAngles(const DistanceField& field, const RefinedMesh& refined)
+{
+  constexpr double degrees = 57.29577951308232;
+  const Points points(field, refined);
+  std::vector<double> angles;
+  for (const geodesic::Triangle& t : refined.triangles)
+  {
+    double least = 180.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const geodesic::Vec3 p = points.position(t[k]);
+      const geodesic::Vec3 q = points.position(t[(k + 1) % 3]);
+      const geodesic::Vec3 r = points.position(t[(k + 2) % 3]);
+      using namespace geodesic;
+      const double angle = std::atan2(norm(cross(q - p, r - p)), dot(q - p, r - p));
+      least = std::min(least, degrees * angle);
+    }
+    angles.push_back(least);
+  }
+  std::sort(angles.begin(), angles.end());
+  return angles;
+}
+
+class RefinementOfRealMeshes : public ::testing::TestWithParam<const char*>
+{
+};
+
+}
+
+TEST_P(RefinementOfRealMeshes, ShapesDoNotDecayWithDepth)
+{
+  const char* folder = std::getenv("GEODESIC_TEST_MESHES");
+  if (!folder)
+  {
+    GTEST_SKIP() << "GEODESIC_TEST_MESHES names no folder with " << GetParam() << ".";
+  }
+  const PlainMesh mesh = readTriangles(std::string(folder) + "/" + GetParam());
+  ASSERT_FALSE(mesh.triangles.empty()) << "cannot read " << folder << "/" << GetParam();
+  const TriangleMesh engine = engineMesh(mesh);
+  const DistanceField field =
+    solveKeepingAll(engine, engineCurves(engine, Sources{ { vertexPoint(mesh, 0) }, {} }));
+  std::map<double, double> percentile;
+  for (const double fraction : { 1e-3, 2.5e-4 })
+  {
+    const double tolerance = fraction * diagonal(mesh);
+    const RefinedMesh refined = refineTo(field, tolerance);
+    EXPECT_LE(refined.errorBound, tolerance);
+    const std::vector<double> angles = smallestAngles(field, refined);
+    percentile[fraction] = angles[angles.size() / 100];
+    std::cout << GetParam() << " at " << fraction
+              << " of the diagonal: " << refined.triangles.size() << " triangles of "
+              << mesh.triangles.size() << " faces, angles: smallest " << angles.front()
+              << ", 1st percentile " << percentile[fraction] << ", median "
+              << angles[angles.size() / 2] << "\n";
+    Random random(1);
+    const Samples samples = sample(field, refined, 100000, random);
+    double measured = 0.0;
+    for (std::size_t i = 0; i < samples.places.size(); ++i)
+    {
+      const double truth = field.distance(enginePoint(engine, samples.places[i]));
+      measured = std::max(measured, std::abs(samples.interpolant[i] - truth));
+    }
+    EXPECT_LE(measured, refined.errorBound);
+  }
+  EXPECT_GE(percentile[2.5e-4], 0.8 * percentile[1e-3]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RefinementOfRealMeshes,
+  ::testing::Values("fandisk.obj", "beetle-alt.obj", "stanford-bunny.obj"),
+  [](const auto& instance)
+  {
+    std::string name = instance.param;
+    name = name.substr(0, name.find('.'));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+  });

@@ -134,7 +134,7 @@ class Properties(unittest.TestCase):
 
     def test_coincident_points_conduct_when_merged_and_separate_when_not(self):
         halves = simple.AppendGeometry(Input=[plane(), plane(origin=(4, 0, 0))])
-        field = GeodesicDistanceField(Input=halves, Source=polyline(BENT))
+        field = GeodesicDistanceField(Input=halves, Source=polyline(BENT), RefineMesh=0)
         positions = points(data(field))
         expected = distance_to_segments(positions, BENT)
         assert_close(distances(field), expected, FLOAT)
@@ -181,14 +181,14 @@ class Results(unittest.TestCase):
 
     def test_the_points_of_the_input_stay_as_they_are_and_the_output_is_triangles(self):
         surface = plane()
-        field = GeodesicDistanceField(Input=surface, Source=polyline(BENT))
+        field = GeodesicDistanceField(Input=surface, Source=polyline(BENT), RefineMesh=0)
         output = data(field)
         np.testing.assert_array_equal(points(output), points(data(surface)))
         self.assertEqual(output.GetNumberOfCells(), 2 * data(surface).GetNumberOfCells())
 
     def test_moving_the_curve_gives_the_new_distance(self):
         curve = polyline(BENT)
-        field = GeodesicDistanceField(Input=plane(), Source=curve)
+        field = GeodesicDistanceField(Input=plane(), Source=curve, RefineMesh=0)
         positions = points(data(field))
         moved = [(x, 3 - y, z) for x, y, z in BENT]
         curve.Points = [x for point in moved for x in point]

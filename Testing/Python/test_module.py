@@ -42,7 +42,13 @@ class Module(unittest.TestCase):
 
     def test_every_property_can_be_set_and_read(self):
         field = vtkGeodesicDistanceField()
-        for name, default, other in (("SourceType", 0, 2), ("MaximumDistance", 0.0, 1.5),
+        for name, default, other in (("SourceType", 0, 2), ("Accuracy", 0, 1),
+                                     ("RelativeError", 0.001, 0.1), ("RefineMesh", True, False),
+                                     ("RefinementTolerance", 0.001, 0.01),
+                                     ("ToleranceIsAbsolute", False, True),
+                                     ("AbsoluteRefinementTolerance", 1.0, 0.2),
+                                     ("MaximumNumberOfCells", 50000000, 0),
+                                     ("MaximumDistance", 0.0, 1.5),
                                      ("MergeCoincidentPoints", True, False),
                                      ("DistanceArrayName", "GeodesicDistance", "Depth")):
             self.assertEqual(getattr(field, "Get" + name)(), default, name)
