@@ -101,7 +101,7 @@ private:
   double distanceAt(Id point) const;
   double ownDistance(Id point, Vec2 place) const;
   Vec2 planePlace(Id point) const;
-  const Deviation& deviationOf(Id edge);
+  Deviation deviationOf(Id edge);
   Deviation deviationIn(Id face, Id a, Id b);
   Check check(const Piece& piece, bool tight);
   Check checkLeaf(Id triangle, bool tight);
@@ -244,7 +244,7 @@ Deviation Refiner::deviationIn(Id face, Id a, Id b)
     this->envelope_.along(p, q), norm(q - p), this->ownDistance(a, p), this->ownDistance(b, q));
 }
 
-const Deviation& Refiner::deviationOf(Id id)
+Deviation Refiner::deviationOf(Id id)
 {
   RedGreenMesh::Edge& edge = this->triangles_.edgeData(id);
   if (edge.measured)
@@ -473,7 +473,7 @@ RedGreenMesh::Placement Refiner::placeSplit(Id edge)
 double Refiner::splitWeight(Id id)
 {
   constexpr double middle = 0.5;
-  const Deviation& deviation = this->deviationOf(id);
+  const Deviation deviation = this->deviationOf(id);
   if (!(deviation.largest() > WorthAiming * this->tolerance_))
   {
     return middle;

@@ -83,7 +83,7 @@ public:
   Id faceOf(Id triangle) const;
   /// Corners in the order of the input face.
   Triangle corners(Id triangle) const;
-  /// The edge from corner k to corner k + 1.
+  /// The edge from corner k to corner k + 1. May move the data of others.
   Id edge(Id triangle, Id k);
   Edge& edgeData(Id edge) { return this->edges_[edge]; }
   /// How many edges of a leaf are split.

@@ -10,7 +10,7 @@ namespace geodesic
 template <typename Visitor>
 void RedGreenMesh::forEachLeafAt(Id edge, Visitor&& visit) const
 {
-  const Edge& e = this->edges_[edge];
+  const Edge e = this->edges_[edge]; // a copy: the visitor may ask for edges, which adds them
   for (Id corner = e.firstCorner; corner != NoId;
        corner = this->parts_[corner / 3].nextCorner[corner % 3])
   {
