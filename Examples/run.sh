@@ -35,8 +35,9 @@ else
   surface=$output/surface.vtp
   curve=$output/curve.vtp
 fi
-# Display numbers are searched from a random one on: those in use outside a chroot are not seen.
-xvfb-run -n $((100 + RANDOM % 900)) -a pvpython "$top/Examples/geodesic_distance.py" "$surface" "$curve" \
-  "$output/geodesic-distance"
+# Display numbers are searched from a random one on: those in use outside a chroot are not seen. A
+# display that resets when its last client goes refuses the next one for a moment.
+xvfb-run -n $((100 + RANDOM % 900)) -a -s "-screen 0 1280x1024x24 -noreset" \
+  pvpython "$top/Examples/geodesic_distance.py" "$surface" "$curve" "$output/geodesic-distance"
 
 printf '\nThe field:   %s\nIts picture: %s\n' "$output"/geodesic-distance.{vtp,png}

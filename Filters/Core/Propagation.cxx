@@ -191,14 +191,15 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
   {
     this->emits_[v] = this->mesh_.isPseudoSource(v) ? 1 : 0;
   }
-  for (const Id vertex : initial.nearVertices)
-  {
-    this->emits_[vertex] = 1;
-  }
   for (const Id vertex : initial.vertices)
   {
     this->emits_[vertex] = 0; // the curve's own wedges are there already
     this->improve({ vertex, 0.0, 0.0 });
+  }
+  // Also on a curve: a wedge there may be bounded by a segment of a rounding's length.
+  for (const Id vertex : initial.nearVertices)
+  {
+    this->emits_[vertex] = 1;
   }
   for (const SourceInFace& source : initial.inFaces)
   {
