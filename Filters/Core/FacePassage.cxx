@@ -33,12 +33,13 @@ ApexView FacePassage::view(const WindowRange& list, const UnfoldedFace& face)
   this->passes_.resize(list.size());
   this->best_ = None;
   ApexView view;
-  const auto take = [&view](double distance, const Window& w)
+  const Window* nearest = nullptr;
+  const auto take = [&view, &nearest](double distance, const Window& w)
   {
     if (distance < view.distance)
     {
       view.distance = distance;
-      view.error = w.error;
+      nearest = &w;
     }
   };
   double straight = Infinity;
@@ -74,6 +75,11 @@ ApexView FacePassage::view(const WindowRange& list, const UnfoldedFace& face)
       take(w.bentDistance(apex), w);
     }
     previous = pass;
+  }
+  if (nearest != nullptr)
+  {
+    view.crossing = nearest->crossing(apex);
+    view.error = nearest->error;
   }
   return view;
 }

@@ -36,9 +36,10 @@ struct CornerDistances
 /// The apex as seen through a list of windows.
 struct ApexView
 {
-  /// Least length of a path through the list to the apex, bent ones included, and the error of the
-  /// window that gives it.
+  /// Least length of a path through the list to the apex, bent ones included, where it crosses the
+  /// side, and the error of the window that gives it.
   double distance = Infinity;
+  double crossing = 0.0;
   double error = 0.0;
 };
 

@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "FacePassage.h"
+#include "SaddleWedge.h"
 #include "SourceWindows.h"
 #include "Tolerance.h"
 #include "WindowArchive.h"
@@ -36,6 +37,7 @@ struct Improvement
   Id vertex;
   double distance;
   double error;
+  Arrival from;
 };
 
 /// Windows on their way to a side, in a worker's `sent`.
@@ -47,6 +49,28 @@ struct Delivery
   std::size_t count;
 };
 
+/// What a vertex sends out when the front comes to it.
+enum class Emits : std::uint8_t
+{
+  Nothing,
+  /// What no straight continuation of its shortest path lights.
+  Wedge,
+  Everywhere
+};
+
+Emits emitsOf(TriangleMesh::PseudoSource kind)
+{
+  switch (kind)
+  {
+    case TriangleMesh::PseudoSource::Saddle:
+      return Emits::Wedge;
+    case TriangleMesh::PseudoSource::Irregular:
+      return Emits::Everywhere;
+    default:
+      return Emits::Nothing;
+  }
+}
+
 /// What one task of a batch works with and leaves behind. Nothing in it depends on which thread
 /// runs the task.
 struct Worker
@@ -55,6 +79,7 @@ struct Worker
   WindowListBuilder merged;
   WindowPool pool;
   std::vector<Window> merging;
+  std::vector<LitSide> lit;
 
   std::vector<Window> sent;
   std::vector<Delivery> deliveries;
@@ -97,6 +122,7 @@ private:
   void process(Worker& worker, Id vertex);
   void relaxEdges(Worker& worker, Id vertex);
   void emit(Worker& worker, Id vertex);
+  void emit(Worker& worker, Id vertex, const LitSide& lit);
   void enter(Worker& worker, Id side);
   void merge(Worker& worker, Id side);
   void send(Worker& worker, Id side, const WindowRange& windows);
@@ -123,13 +149,14 @@ private:
   std::vector<double>& distance_;
   /// How much longer the path behind a vertex's distance can be; empty in the exact solve.
   std::vector<double> vertexError_;
+  /// Where the path behind a vertex's distance comes from; empty in the approximate solve.
+  std::vector<Arrival> arrival_;
   /// The distance with which a vertex was last processed, and the key it waits with in the queue.
   std::vector<double> processed_;
   std::vector<double> queued_;
   std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<QueueEntry>> queue_;
   WaitingLists waiting_;
-  /// Whether a vertex sends out windows when the front comes to it.
-  std::vector<std::uint8_t> emits_;
+  std::vector<Emits> emits_;
 
   /// The key at which the last batch began.
   double front_ = 0.0;
@@ -153,7 +180,7 @@ Propagation::Propagation(const TriangleMesh& mesh, const SolveOptions& options)
   , processed_(mesh.numberOfVertices(), Infinity)
   , queued_(mesh.numberOfVertices(), Infinity)
   , waiting_(mesh.numberOfSides())
-  , emits_(mesh.numberOfVertices(), 0)
+  , emits_(mesh.numberOfVertices(), Emits::Nothing)
   , workers_(1)
 {
   this->field_.mesh_ = &mesh;
@@ -161,6 +188,10 @@ Propagation::Propagation(const TriangleMesh& mesh, const SolveOptions& options)
   if (options.relativeError > 0.0)
   {
     this->vertexError_.assign(mesh.numberOfVertices(), 0.0);
+  }
+  else
+  {
+    this->arrival_.resize(mesh.numberOfVertices());
   }
   if (options.maximumDistance < Infinity)
   {
@@ -189,17 +220,17 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
   }
   for (Id v = 0; v < this->mesh_.numberOfVertices(); ++v)
   {
-    this->emits_[v] = this->mesh_.isPseudoSource(v) ? 1 : 0;
+    this->emits_[v] = emitsOf(this->mesh_.pseudoSource(v));
   }
   for (const Id vertex : initial.vertices)
   {
-    this->emits_[vertex] = 0; // the curve's own wedges are there already
-    this->improve({ vertex, 0.0, 0.0 });
+    this->emits_[vertex] = Emits::Nothing; // the curve's own wedges are there already
+    this->improve({ vertex, 0.0, 0.0, {} });
   }
   // Also on a curve: a wedge there may be bounded by a segment of a rounding's length.
   for (const Id vertex : initial.nearVertices)
   {
-    this->emits_[vertex] = 1;
+    this->emits_[vertex] = Emits::Everywhere;
   }
   for (const SourceInFace& source : initial.inFaces)
   {
@@ -208,7 +239,7 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
     {
       std::array<double, 3> corner{};
       corner[k] = 1.0;
-      this->improve({ corners[k], distanceToSource(this->mesh_, source, corner), 0.0 });
+      this->improve({ corners[k], distanceToSource(this->mesh_, source, corner), 0.0, {} });
     }
     if (!this->needed_.empty())
     {
@@ -304,7 +335,7 @@ void Propagation::process(Worker& worker, Id vertex)
   if (distance < this->processed_[vertex] * (1.0 - tolerance::Tie))
   {
     this->relaxEdges(worker, vertex);
-    if (this->emits_[vertex])
+    if (this->emits_[vertex] != Emits::Nothing)
     {
       this->emit(worker, vertex);
     }
@@ -324,42 +355,57 @@ void Propagation::relaxEdges(Worker& worker, Id vertex)
 {
   const double distance = this->distance_[vertex];
   const double error = this->errorAt(vertex);
-  const auto relax = [&](Id side, Id other)
+  const auto relax = [&](Id side, Id other, const Arrival& from)
   {
     const double along = distance + this->mesh_.length(side);
     if (along < this->distance_[other])
     {
-      worker.improvements.push_back({ other, along, error });
+      worker.improvements.push_back({ other, along, error, from });
     }
   };
   for (const Id corner : this->mesh_.cornersAt(vertex))
   {
     const Id before = TriangleMesh::previousInFace(corner);
-    relax(corner, this->mesh_.destination(corner));
-    relax(before, this->mesh_.origin(before));
+    relax(corner, this->mesh_.destination(corner), { before, this->mesh_.length(before) });
+    relax(before, this->mesh_.origin(before), { corner, 0.0 });
   }
 }
 
 void Propagation::emit(Worker& worker, Id vertex)
 {
-  const double distance = this->distance_[vertex];
-  for (const Id corner : this->mesh_.cornersAt(vertex))
+  const bool wedge = this->emits_[vertex] == Emits::Wedge && !this->arrival_.empty() &&
+    findSaddleWedge(this->mesh_, vertex, this->arrival_[vertex], worker.lit);
+  if (!wedge)
   {
-    const Id side = TriangleMesh::nextInFace(corner);
-    const double length = this->mesh_.length(side);
-    if (this->mesh_.isBoundary(side) || length == 0.0)
+    worker.lit.clear();
+    for (const Id corner : this->mesh_.cornersAt(vertex))
     {
-      continue;
+      worker.lit.push_back({ corner, 0.0, this->mesh_.length(TriangleMesh::nextInFace(corner)) });
     }
-    Window w = vertexWindow(this->mesh_, corner, distance).window;
-    w.error = this->errorAt(vertex);
-    const bool useless =
-      isBeaten(w, w.end, this->distance_[this->mesh_.destination(side)] + length) ||
-      isBeaten(w, w.begin, this->distance_[this->mesh_.origin(side)] + length);
-    if (!useless)
-    {
-      this->send(worker, side, { &w, &w + 1 });
-    }
+  }
+  for (const LitSide& lit : worker.lit)
+  {
+    this->emit(worker, vertex, lit);
+  }
+}
+
+void Propagation::emit(Worker& worker, Id vertex, const LitSide& lit)
+{
+  const Id side = TriangleMesh::nextInFace(lit.corner);
+  const double length = this->mesh_.length(side);
+  if (this->mesh_.isBoundary(side) || !(lit.end - lit.begin > tolerance::LeastWidth * length))
+  {
+    return;
+  }
+  Window w = vertexWindow(this->mesh_, lit.corner, this->distance_[vertex]).window;
+  w.begin = length - lit.end; // the leaving frame runs against the side
+  w.end = length - lit.begin;
+  w.error = this->errorAt(vertex);
+  const bool useless = isBeaten(w, w.end, this->distance_[this->mesh_.destination(side)] + w.end) ||
+    isBeaten(w, w.begin, this->distance_[this->mesh_.origin(side)] + (length - w.begin));
+  if (!useless)
+  {
+    this->send(worker, side, { &w, &w + 1 });
   }
 }
 
@@ -376,9 +422,13 @@ void Propagation::enter(Worker& worker, Id side)
   const ApexView view = worker.passage.view(list, face);
   const Window& first = *list.begin();
   const Window& last = *(list.end() - 1);
-  const Improvement found[] = { { origin, first.distance(first.begin) + first.begin, first.error },
-    { destination, last.distance(last.end) + (face.length - last.end), last.error },
-    { apex, view.distance, view.error } };
+  const Id left = TriangleMesh::previousInFace(side);
+  const Id right = TriangleMesh::nextInFace(side);
+  // Along the side: bounds only, no shortest path comes so to a corner.
+  const Improvement found[] = { { origin, first.distance(first.begin) + first.begin, first.error,
+                                  {} },
+    { destination, last.distance(last.end) + (face.length - last.end), last.error, {} },
+    { apex, view.distance, view.error, { side, view.crossing } } };
   for (const Improvement& improvement : found)
   {
     if (improvement.distance < this->distance_[improvement.vertex])
@@ -389,8 +439,6 @@ void Propagation::enter(Worker& worker, Id side)
   const auto known = [&](std::size_t i)
   { return std::min(this->distance_[found[i].vertex], found[i].distance); };
 
-  const Id left = TriangleMesh::previousInFace(side);
-  const Id right = TriangleMesh::nextInFace(side);
   worker.passage.pass(list, face, { known(0), known(1), known(2) }, !this->mesh_.isBoundary(left),
     !this->mesh_.isBoundary(right), this->mesh_.numberOfFaces());
   this->waiting_.clear(side, worker.pool);
@@ -479,7 +527,7 @@ void Propagation::receive(Worker& worker, std::size_t group)
     const Window* first = this->workers_[delivery.worker].sent.data() + delivery.first;
     const WindowRange windows = { first, first + delivery.count };
     const ApexView view = worker.passage.view(windows, face);
-    worker.improvements.push_back({ apex, view.distance, view.error });
+    worker.improvements.push_back({ apex, view.distance, view.error, { side, view.crossing } });
     worker.propagated += windows.size();
     this->mergeInto(worker, side, windows);
   }
@@ -559,10 +607,15 @@ void Propagation::improve(const Improvement& improvement)
   {
     return;
   }
+  const bool tie = distance >= this->distance_[vertex] * (1.0 - tolerance::Tie);
   this->distance_[vertex] = distance;
   if (!this->vertexError_.empty())
   {
     this->vertexError_[vertex] = improvement.error;
+  }
+  else if (!tie || this->arrival_[vertex].side == NoId)
+  {
+    this->arrival_[vertex] = improvement.from;
   }
   if (distance < this->processed_[vertex] * (1.0 - tolerance::Tie))
   {

@@ -249,7 +249,7 @@ double TriangleMesh::cornerAngle(Id corner) const
 
 void TriangleMesh::findPseudoSources()
 {
-  this->pseudoSource_.assign(this->points_.size(), 0);
+  this->pseudoSource_.assign(this->points_.size(), PseudoSource::None);
   for (Id v = 0; v < this->numberOfVertices(); ++v)
   {
     const IdRange corners = this->cornersAt(v);
@@ -269,7 +269,10 @@ void TriangleMesh::findPseudoSources()
     const double straight = boundarySpokes == 0 ? 2.0 * Pi : Pi;
     const bool bends = angle > straight * (1.0 + tolerance::FlatAngle);
     const bool several = !manifold || boundarySpokes > 2 || !this->isOneFan(v);
-    this->pseudoSource_[v] = corners.size() > 0 && (bends || several) ? 1 : 0;
+    this->pseudoSource_[v] = corners.size() == 0 ? PseudoSource::None
+      : several                                  ? PseudoSource::Irregular
+      : bends                                    ? PseudoSource::Saddle
+                                                 : PseudoSource::None;
   }
 }
 

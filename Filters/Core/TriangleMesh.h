@@ -109,10 +109,17 @@ public:
   /// The angle of a face at corner 3 * face + k, in radians.
   double cornerAngle(Id corner) const;
 
-  /// Whether a geodesic may bend at the vertex, so that it becomes a pseudo-source (paper, section
-  /// 3): total angle over 2 pi, boundary with inner angle over pi, several fans, or an edge of
-  /// three and more faces.
-  bool isPseudoSource(Id vertex) const { return this->pseudoSource_[vertex] != 0; }
+  /// Why a geodesic may bend at a vertex, so that it becomes a pseudo-source (paper, section 3).
+  enum class PseudoSource : std::uint8_t
+  {
+    None,
+    /// One fan of faces with a total angle over 2 pi, on the boundary over pi.
+    Saddle,
+    /// Several fans, or an edge of three and more faces: angles say nothing.
+    Irregular
+  };
+  PseudoSource pseudoSource(Id vertex) const { return this->pseudoSource_[vertex]; }
+  bool isPseudoSource(Id vertex) const { return this->pseudoSource_[vertex] != PseudoSource::None; }
 
   /// The connected component (by shared vertices) of each vertex; computed on first use by the
   /// caller, who keeps it.
@@ -134,7 +141,7 @@ private:
   std::vector<Id> ring_;
   std::vector<Id> cornerStart_;
   std::vector<Id> corners_;
-  std::vector<std::uint8_t> pseudoSource_;
+  std::vector<PseudoSource> pseudoSource_;
   Id numberOfEdges_ = 0;
   Report report_;
 };

@@ -12,22 +12,23 @@ void WindowListBuilder::reset(double sideLength)
   this->leastWidth_ = tolerance::LeastWidth * sideLength;
 }
 
-void WindowListBuilder::append(const Window& window)
+void WindowListBuilder::appendOverlapping(const Window& window)
 {
-  if (this->windows_.empty() || this->windows_.back().end <= window.begin)
-  {
-    this->push(window, window.begin, window.end);
-    return;
-  }
   const std::size_t last = this->windows_.size() - 1;
   const bool one = this->windows_[last].begin <= window.begin &&
     (last == 0 || this->windows_[last - 1].end <= window.begin);
-  if (one)
+  if (!one)
+  {
+    this->appendToSeveral(window);
+  }
+  else if (this->windows_[last].end - window.begin <= 2.0 * this->leastWidth_)
+  {
+    this->appendBehindLast(window);
+  }
+  else
   {
     this->appendToLast(window);
-    return;
   }
-  this->appendToSeveral(window);
 }
 
 namespace
@@ -89,28 +90,90 @@ Lower lowerByCrossings(const Window& a, const Window& b, double lo, double hi)
   return lower;
 }
 
-// Where one window is smaller at both ends, it is so throughout, unless they cross twice, which
-// they cannot where the sum of the differences is more than the slopes, 1 at most each, can make up
-// for.
+/// Distances of a window at the ends of an interval.
+struct AtEnds
+{
+  double lo;
+  double hi;
+};
+
+// Whether the higher of two windows stays above the lower one, told from the ends. Distances are
+// convex: the higher one is above its tangent at an end, the lower one below its chord.
+bool staysAbove(const Window& above, const AtEnds& high, const AtEnds& low, double lo, double hi)
+{
+  const double width = hi - lo;
+  if (above.isLinear())
+  {
+    return true; // the tangent is the window
+  }
+  return (high.lo - above.sigma) * (high.lo - low.hi) + (lo - above.sourceX) * width > 0.0 ||
+    (high.hi - above.sigma) * (high.hi - low.lo) - (hi - above.sourceX) * width > 0.0;
+}
+
+// Which of two roots is where the windows cross, when one is false from squaring: the sign between
+// them tells.
+double singleCrossing(const Window& a, const Window& b, const Crossings& cross, bool aAtLo)
+{
+  if (cross.count == 1)
+  {
+    return cross.at[0];
+  }
+  const double middle = 0.5 * (cross.at[0] + cross.at[1]);
+  return cross.at[(a.distance(middle) < b.distance(middle)) == aAtLo ? 1 : 0];
+}
+
 Lower lowerOf(const Window& a, const Window& b, double lo, double hi)
 {
   if (a.sigma == b.sigma && !a.isLinear() && !b.isLinear())
   {
     return lowerOfSameSigma(a, b, lo, hi);
   }
-  const double atLo = a.distance(lo) - b.distance(lo);
-  const double atHi = a.distance(hi) - b.distance(hi);
-  const bool sameSide = (atLo < 0.0 && atHi < 0.0) || (atLo > 0.0 && atHi > 0.0);
-  if (sameSide && std::abs(atLo + atHi) > 2.0 * (hi - lo))
+  const AtEnds ofA = { a.distance(lo), a.distance(hi) };
+  const AtEnds ofB = { b.distance(lo), b.distance(hi) };
+  const double atLo = ofA.lo - ofB.lo;
+  const double atHi = ofA.hi - ofB.hi;
+  Lower lower;
+  lower.firstIsA = atLo < 0.0;
+  if ((atLo < 0.0 && atHi > 0.0) || (atLo > 0.0 && atHi < 0.0))
   {
-    Lower lower;
-    lower.firstIsA = atLo < 0.0;
+    const Crossings cross = crossings(a, b, lo, hi);
+    if (cross.count > 0)
+    {
+      lower.cuts = 1;
+      lower.cut[0] = singleCrossing(a, b, cross, lower.firstIsA);
+    }
+    else // at an end, but for rounding
+    {
+      const double middle = 0.5 * (lo + hi);
+      lower.firstIsA = a.distance(middle) <= b.distance(middle);
+    }
     return lower;
   }
-  return lowerByCrossings(a, b, lo, hi);
+  const bool told = (atLo < 0.0 && atHi < 0.0 && staysAbove(b, ofB, ofA, lo, hi)) ||
+    (atLo > 0.0 && atHi > 0.0 && staysAbove(a, ofA, ofB, lo, hi));
+  return told ? lower : lowerByCrossings(a, b, lo, hi);
 }
 
 } // anonymous namespace
+
+// The window overlaps the list's last one by some roundings: no cut in there would mean anything,
+// and the lower one has it all.
+void WindowListBuilder::appendBehindLast(const Window& window)
+{
+  Window& last = this->windows_.back();
+  const double middle = 0.5 * (window.begin + last.end);
+  if (last.distance(middle) <= window.distance(middle))
+  {
+    this->push(window, last.end, window.end);
+    return;
+  }
+  last.end = window.begin;
+  if (last.width() < this->leastWidth_)
+  {
+    this->windows_.pop_back();
+  }
+  this->push(window, window.begin, window.end);
+}
 
 // The window overlaps the list's last one only, and begins inside it.
 void WindowListBuilder::appendToLast(const Window& window)
@@ -209,18 +272,6 @@ void WindowListBuilder::appendPiece(const Window& window, double begin, double e
   {
     this->lastOwner_ = &window;
   }
-}
-
-bool WindowListBuilder::push(const Window& window, double begin, double end)
-{
-  if (!(end - begin >= this->leastWidth_ && end > begin))
-  {
-    return false;
-  }
-  this->windows_.push_back(window);
-  this->windows_.back().begin = begin;
-  this->windows_.back().end = end;
-  return true;
 }
 
 namespace

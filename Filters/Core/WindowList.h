@@ -19,7 +19,17 @@ public:
   /// Begins an empty list on a side of this length.
   void reset(double sideLength);
   /// Adds a window. Appending in the order of the interval's begin is linear; any order is right.
-  void append(const Window& window);
+  void append(const Window& window)
+  {
+    if (this->windows_.empty() || this->windows_.back().end <= window.begin)
+    {
+      this->push(window, window.begin, window.end);
+    }
+    else
+    {
+      this->appendOverlapping(window);
+    }
+  }
 
   const std::vector<Window>& windows() const { return this->windows_; }
   WindowRange range() const
@@ -29,11 +39,23 @@ public:
   bool empty() const { return this->windows_.empty(); }
 
 private:
+  void appendOverlapping(const Window& window);
   void appendToLast(const Window& window);
+  void appendBehindLast(const Window& window);
   void appendToSeveral(const Window& window);
   void appendOverlap(const Window& a, const Window& b, double lo, double hi);
   void appendPiece(const Window& window, double begin, double end);
-  bool push(const Window& window, double begin, double end);
+  bool push(const Window& window, double begin, double end)
+  {
+    if (!(end - begin >= this->leastWidth_ && end > begin))
+    {
+      return false;
+    }
+    this->windows_.push_back(window);
+    this->windows_.back().begin = begin;
+    this->windows_.back().end = end;
+    return true;
+  }
 
   std::vector<Window> windows_;
   std::vector<Window> overlapped_;
