@@ -84,10 +84,38 @@ ApexView FacePassage::view(const WindowRange& list, const UnfoldedFace& face)
   return view;
 }
 
+namespace
+{
+
+/// An edge that windows leave through, with what is known at the face's corners.
+struct Exit
+{
+  /// The edge's direction in the face, where it begins, and its length.
+  Vec2 axis;
+  Vec2 origin;
+  double length;
+  /// Distances at the begin and the end of the leaving frame.
+  double atBegin;
+  double atEnd;
+  /// The face's third corner in the leaving frame, its distance, and which end is far from it
+  /// behind the pencil of every window that passes.
+  Vec2 third;
+  double atThird;
+  bool beginIsFar;
+};
+
+Exit makeExit(Vec2 origin, Vec2 axis, double length, double atBegin, double atEnd, Vec2 third,
+  double atThird, bool beginIsFar)
+{
+  const Vec2 d = third - origin;
+  return { axis, origin, length, atBegin, atEnd, { dot(d, axis), -cross(d, axis) }, atThird,
+    beginIsFar };
+}
+
 // Whether a path through a corner beats the window everywhere (Xin & Wang 2009, "Improving Chen
 // and Han's algorithm on the discrete geodesic problem"). Distances along the edge change by no
 // more than the way, so a window that is longer at its end far from a corner is longer throughout.
-bool FacePassage::isUseless(const Window& w, const Exit& exit)
+inline bool isUseless(const Window& w, const Exit& exit)
 {
   if (isBeaten(w, w.end, exit.atBegin + w.end) ||
     isBeaten(w, w.begin, exit.atEnd + (exit.length - w.begin)))
@@ -98,18 +126,32 @@ bool FacePassage::isUseless(const Window& w, const Exit& exit)
   return isBeaten(w, far, exit.atThird + norm(Vec2{ far, 0.0 } - exit.third));
 }
 
+inline void leave(
+  const Window& w, double begin, double end, const Exit& exit, WindowListBuilder& list)
+{
+  if (end - begin > 0.0)
+  {
+    Window child = moved(w, exit.origin, exit.axis);
+    child.begin = begin;
+    child.end = end;
+    if (!isUseless(child, exit))
+    {
+      list.append(child);
+    }
+  }
+}
+
+} // anonymous namespace
+
 // Of the windows that hold the apex only the one that reaches it first goes to both sides: rays of
 // the others that would cross its ray to the apex are beaten there (Qin et al. 2016).
 void FacePassage::pass(const WindowRange& list, const UnfoldedFace& face,
   const CornerDistances& distances, bool toLeft, bool toRight, Id mostFaces)
 {
-  const Vec2 originFromLeft = { face.length * face.leftAxis.x, -face.length * face.leftAxis.y };
-  const Vec2 originFromRight = { -dot(face.apex, face.rightAxis),
-    cross(face.apex, face.rightAxis) };
-  const Exit left = { face.leftLength, distances.origin, distances.apex, originFromLeft,
-    distances.destination, true };
-  const Exit right = { face.rightLength, distances.apex, distances.destination, originFromRight,
-    distances.origin, false };
+  const Exit left = makeExit({ 0.0, 0.0 }, face.leftAxis, face.leftLength, distances.origin,
+    distances.apex, { face.length, 0.0 }, distances.destination, true);
+  const Exit right = makeExit(face.apex, face.rightAxis, face.rightLength, distances.apex,
+    distances.destination, { 0.0, 0.0 }, distances.origin, false);
   this->left_.reset(face.leftLength);
   this->right_.reset(face.rightLength);
   for (std::size_t i = 0; i < list.size(); ++i)
@@ -122,38 +164,13 @@ void FacePassage::pass(const WindowRange& list, const UnfoldedFace& face,
     const Pass pass = this->passes_[i];
     if (toLeft && (pass == Pass::Left || (pass == Pass::Both && i <= this->best_)))
     {
-      this->passLeft(w, face, pass == Pass::Left ? face.meetLeft(w, w.end) : face.leftLength, left);
+      const double end = pass == Pass::Left ? face.meetLeft(w, w.end) : face.leftLength;
+      leave(w, face.meetLeft(w, w.begin), end, left, this->left_);
     }
     if (toRight && (pass == Pass::Right || (pass == Pass::Both && i >= this->best_)))
     {
-      this->passRight(w, face, pass == Pass::Right ? face.meetRight(w, w.begin) : 0.0, right);
-    }
-  }
-}
-
-void FacePassage::passLeft(const Window& w, const UnfoldedFace& face, double end, const Exit& exit)
-{
-  const double begin = face.meetLeft(w, w.begin);
-  if (end - begin > 0.0)
-  {
-    const Window child = face.throughLeft(w, begin, end);
-    if (!isUseless(child, exit))
-    {
-      this->left_.append(child);
-    }
-  }
-}
-
-void FacePassage::passRight(
-  const Window& w, const UnfoldedFace& face, double begin, const Exit& exit)
-{
-  const double end = face.meetRight(w, w.end);
-  if (end - begin > 0.0)
-  {
-    const Window child = face.throughRight(w, begin, end);
-    if (!isUseless(child, exit))
-    {
-      this->right_.append(child);
+      const double begin = pass == Pass::Right ? face.meetRight(w, w.begin) : 0.0;
+      leave(w, begin, face.meetRight(w, w.end), right, this->right_);
     }
   }
 }

@@ -74,25 +74,7 @@ private:
     Both
   };
 
-  /// An edge that windows leave through, with what is known at the face's corners.
-  struct Exit
-  {
-    double length;
-    /// Distances at the begin and the end of the leaving frame.
-    double atBegin;
-    double atEnd;
-    /// The face's third corner in the leaving frame, its distance, and which end is far from it
-    /// behind the pencil of every window that passes.
-    Vec2 third;
-    double atThird;
-    bool beginIsFar;
-  };
-
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
-
-  static bool isUseless(const Window& window, const Exit& exit);
-  void passLeft(const Window& w, const UnfoldedFace& face, double end, const Exit& exit);
-  void passRight(const Window& w, const UnfoldedFace& face, double begin, const Exit& exit);
 
   std::vector<Pass> passes_;
   /// The window that holds the apex in its pencil at the least distance.

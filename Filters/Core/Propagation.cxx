@@ -149,7 +149,7 @@ private:
   std::vector<double>& distance_;
   /// How much longer the path behind a vertex's distance can be; empty in the exact solve.
   std::vector<double> vertexError_;
-  /// Where the path behind a vertex's distance comes from; empty in the approximate solve.
+  /// Where the path behind a vertex's distance comes from.
   std::vector<Arrival> arrival_;
   /// The distance with which a vertex was last processed, and the key it waits with in the queue.
   std::vector<double> processed_;
@@ -177,6 +177,7 @@ Propagation::Propagation(const TriangleMesh& mesh, const SolveOptions& options)
   : mesh_(mesh)
   , options_(options)
   , distance_(field_.vertexDistances_)
+  , arrival_(mesh.numberOfVertices())
   , processed_(mesh.numberOfVertices(), Infinity)
   , queued_(mesh.numberOfVertices(), Infinity)
   , waiting_(mesh.numberOfSides())
@@ -188,10 +189,6 @@ Propagation::Propagation(const TriangleMesh& mesh, const SolveOptions& options)
   if (options.relativeError > 0.0)
   {
     this->vertexError_.assign(mesh.numberOfVertices(), 0.0);
-  }
-  else
-  {
-    this->arrival_.resize(mesh.numberOfVertices());
   }
   if (options.maximumDistance < Infinity)
   {
@@ -373,7 +370,7 @@ void Propagation::relaxEdges(Worker& worker, Id vertex)
 
 void Propagation::emit(Worker& worker, Id vertex)
 {
-  const bool wedge = this->emits_[vertex] == Emits::Wedge && !this->arrival_.empty() &&
+  const bool wedge = this->emits_[vertex] == Emits::Wedge &&
     findSaddleWedge(this->mesh_, vertex, this->arrival_[vertex], worker.lit);
   if (!wedge)
   {
@@ -613,7 +610,7 @@ void Propagation::improve(const Improvement& improvement)
   {
     this->vertexError_[vertex] = improvement.error;
   }
-  else if (!tie || this->arrival_[vertex].side == NoId)
+  if (!tie || this->arrival_[vertex].side == NoId)
   {
     this->arrival_[vertex] = improvement.from;
   }
