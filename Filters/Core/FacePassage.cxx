@@ -27,9 +27,15 @@ UnfoldedFace unfold(const TriangleMesh& mesh, Id side)
   return face;
 }
 
-ApexView FacePassage::view(const WindowRange& list, const UnfoldedFace& face)
+Vec2 apexOf(const TriangleMesh& mesh, Id side)
 {
-  const Vec2 apex = face.apex;
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(side));
+  const double length = shape.length[side % 3];
+  return { shape.cornerDot[side % 3] / length, shape.area2 / length };
+}
+
+ApexView FacePassage::view(const WindowRange& list, Vec2 apex)
+{
   this->passes_.resize(list.size());
   this->best_ = None;
   ApexView view;
@@ -87,7 +93,7 @@ ApexView FacePassage::view(const WindowRange& list, const UnfoldedFace& face)
 namespace
 {
 
-/// An edge that windows leave through, with what is known at the face's corners.
+/// An edge that windows leave through, with what is known at its ends.
 struct Exit
 {
   /// The edge's direction in the face, where it begins, and its length.
@@ -97,33 +103,16 @@ struct Exit
   /// Distances at the begin and the end of the leaving frame.
   double atBegin;
   double atEnd;
-  /// The face's third corner in the leaving frame, its distance, and which end is far from it
-  /// behind the pencil of every window that passes.
-  Vec2 third;
-  double atThird;
-  bool beginIsFar;
 };
 
-Exit makeExit(Vec2 origin, Vec2 axis, double length, double atBegin, double atEnd, Vec2 third,
-  double atThird, bool beginIsFar)
-{
-  const Vec2 d = third - origin;
-  return { axis, origin, length, atBegin, atEnd, { dot(d, axis), -cross(d, axis) }, atThird,
-    beginIsFar };
-}
-
-// Whether a path through a corner beats the window everywhere (Xin & Wang 2009, "Improving Chen
-// and Han's algorithm on the discrete geodesic problem"). Distances along the edge change by no
-// more than the way, so a window that is longer at its end far from a corner is longer throughout.
+// Whether a path through an end of the edge beats the window everywhere (Xin & Wang 2009,
+// "Improving Chen and Han's algorithm on the discrete geodesic problem"). Distances along the edge
+// change by no more than the way, so a window that is longer at its end far from a corner is longer
+// throughout. Their third comparison, with the face's third corner, drops next to nothing here.
 inline bool isUseless(const Window& w, const Exit& exit)
 {
-  if (isBeaten(w, w.end, exit.atBegin + w.end) ||
-    isBeaten(w, w.begin, exit.atEnd + (exit.length - w.begin)))
-  {
-    return true;
-  }
-  const double far = exit.beginIsFar ? w.begin : w.end;
-  return isBeaten(w, far, exit.atThird + norm(Vec2{ far, 0.0 } - exit.third));
+  return isBeaten(w, w.end, exit.atBegin + w.end) ||
+    isBeaten(w, w.begin, exit.atEnd + (exit.length - w.begin));
 }
 
 inline void leave(
@@ -148,10 +137,10 @@ inline void leave(
 void FacePassage::pass(const WindowRange& list, const UnfoldedFace& face,
   const CornerDistances& distances, bool toLeft, bool toRight, Id mostFaces)
 {
-  const Exit left = makeExit({ 0.0, 0.0 }, face.leftAxis, face.leftLength, distances.origin,
-    distances.apex, { face.length, 0.0 }, distances.destination, true);
-  const Exit right = makeExit(face.apex, face.rightAxis, face.rightLength, distances.apex,
-    distances.destination, { 0.0, 0.0 }, distances.origin, false);
+  const Exit left = { face.leftAxis, { 0.0, 0.0 }, face.leftLength, distances.origin,
+    distances.apex };
+  const Exit right = { face.rightAxis, face.apex, face.rightLength, distances.apex,
+    distances.destination };
   this->left_.reset(face.leftLength);
   this->right_.reset(face.rightLength);
   for (std::size_t i = 0; i < list.size(); ++i)

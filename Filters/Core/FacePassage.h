@@ -14,6 +14,8 @@ namespace geodesic
 
 /// The side's face laid into the plane above the side. The side must have a length.
 UnfoldedFace unfold(const TriangleMesh& mesh, Id side);
+/// The apex of that face alone.
+Vec2 apexOf(const TriangleMesh& mesh, Id side);
 
 /// Whether the window's distance at x is beyond a bound by more than a tie, told without a square
 /// root.
@@ -50,7 +52,7 @@ class FacePassage
 {
 public:
   /// Looks at the apex through every window of a sorted list.
-  ApexView view(const WindowRange& list, const UnfoldedFace& face);
+  ApexView view(const WindowRange& list, Vec2 apex);
 
   /// Sends the list that was viewed last through the face. Windows that a path through a corner
   /// beats are dropped.

@@ -40,13 +40,11 @@ struct Improvement
   Arrival from;
 };
 
-/// Windows on their way to a side, in a worker's `sent`.
+/// Windows on their way to a side.
 struct Delivery
 {
   Id side;
-  std::uint32_t worker;
-  std::size_t first;
-  std::size_t count;
+  WindowBlock windows;
 };
 
 /// What a vertex sends out when the front comes to it.
@@ -71,6 +69,20 @@ Emits emitsOf(TriangleMesh::PseudoSource kind)
   }
 }
 
+/// What is known of a vertex, together because it is used together.
+struct VertexState
+{
+  double distance = Infinity;
+  /// The distance with which it was last processed, and the key it waits with in the queue.
+  double processed = Infinity;
+  double key = Infinity;
+  /// Where the path behind its distance comes from.
+  Arrival arrival;
+  /// The first of the sides opposite it that have a list.
+  Id facing = NoId;
+  Emits emits = Emits::Nothing;
+};
+
 /// What one task of a batch works with and leaves behind. Nothing in it depends on which thread
 /// runs the task.
 struct Worker
@@ -81,11 +93,11 @@ struct Worker
   std::vector<Window> merging;
   std::vector<LitSide> lit;
 
-  std::vector<Window> sent;
   std::vector<Delivery> deliveries;
   std::vector<Improvement> improvements;
-  /// Vertices that have lists waiting on the sides that face them.
-  std::vector<Id> facing;
+  /// Sides whose lists were empty, and those whose lists have grown.
+  std::vector<Id> begun;
+  std::vector<Id> grown;
   WindowArchive kept;
   /// Sides with windows within the limit.
   std::vector<Id> withinLimit;
@@ -128,7 +140,7 @@ private:
   void send(Worker& worker, Id side, const WindowRange& windows);
   void collectDeliveries();
   void receive(Worker& worker, std::size_t group);
-  void mergeInto(Worker& worker, Id side, const WindowRange& windows);
+  void mergeInto(Worker& worker, Id side, const WindowBlock& block);
   void takeOver();
   void improve(const Improvement& improvement);
   void enqueue(Id vertex);
@@ -146,23 +158,21 @@ private:
   const SolveOptions& options_;
   DistanceField field_;
 
-  std::vector<double>& distance_;
+  std::vector<VertexState> vertices_;
   /// How much longer the path behind a vertex's distance can be; empty in the exact solve.
   std::vector<double> vertexError_;
-  /// Where the path behind a vertex's distance comes from.
-  std::vector<Arrival> arrival_;
-  /// The distance with which a vertex was last processed, and the key it waits with in the queue.
-  std::vector<double> processed_;
-  std::vector<double> queued_;
+  /// Vertices beyond the front, and those at it or behind.
   std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<QueueEntry>> queue_;
+  std::vector<Id> behind_;
   WaitingLists waiting_;
-  std::vector<Emits> emits_;
 
   /// The key at which the last batch began.
   double front_ = 0.0;
   std::vector<Worker> workers_;
   std::vector<Id> batch_;
   std::vector<Delivery> deliveries_;
+  /// The deliveries in the order of their sides: side and number.
+  std::vector<std::uint64_t> order_;
   /// Where the deliveries to one side begin; one more than groups.
   std::vector<std::size_t> groups_;
 
@@ -176,16 +186,11 @@ private:
 Propagation::Propagation(const TriangleMesh& mesh, const SolveOptions& options)
   : mesh_(mesh)
   , options_(options)
-  , distance_(field_.vertexDistances_)
-  , arrival_(mesh.numberOfVertices())
-  , processed_(mesh.numberOfVertices(), Infinity)
-  , queued_(mesh.numberOfVertices(), Infinity)
+  , vertices_(mesh.numberOfVertices())
   , waiting_(mesh.numberOfSides())
-  , emits_(mesh.numberOfVertices(), Emits::Nothing)
   , workers_(1)
 {
   this->field_.mesh_ = &mesh;
-  this->distance_.assign(mesh.numberOfVertices(), Infinity);
   if (options.relativeError > 0.0)
   {
     this->vertexError_.assign(mesh.numberOfVertices(), 0.0);
@@ -217,17 +222,17 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
   }
   for (Id v = 0; v < this->mesh_.numberOfVertices(); ++v)
   {
-    this->emits_[v] = emitsOf(this->mesh_.pseudoSource(v));
+    this->vertices_[v].emits = emitsOf(this->mesh_.pseudoSource(v));
   }
   for (const Id vertex : initial.vertices)
   {
-    this->emits_[vertex] = Emits::Nothing; // the curve's own wedges are there already
+    this->vertices_[vertex].emits = Emits::Nothing; // the curve's own wedges are there already
     this->improve({ vertex, 0.0, 0.0, {} });
   }
   // Also on a curve: a wedge there may be bounded by a segment of a rounding's length.
   for (const Id vertex : initial.nearVertices)
   {
-    this->emits_[vertex] = Emits::Everywhere;
+    this->vertices_[vertex].emits = Emits::Everywhere;
   }
   for (const SourceInFace& source : initial.inFaces)
   {
@@ -254,9 +259,12 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
 
 void Propagation::advance(double limit)
 {
-  while (!this->queue_.empty() && this->queue_.top().key <= limit)
+  while (!this->behind_.empty() || (!this->queue_.empty() && this->queue_.top().key <= limit))
   {
-    this->front_ = std::max(this->front_, this->queue_.top().key);
+    if (this->behind_.empty())
+    {
+      this->front_ = std::max(this->front_, this->queue_.top().key);
+    }
     this->popBatch(limit);
     this->runBatch();
     this->reportProgress();
@@ -270,16 +278,26 @@ void Propagation::popBatch(double limit)
   constexpr double edges = 0.5; // in a range from 0.25 to 2 the number of windows hardly changes
   this->batch_.clear();
   double last = limit;
+  const auto take = [this, &last](Id vertex, double key)
+  {
+    if (key == this->vertices_[vertex].key)
+    {
+      this->vertices_[vertex].key = Infinity;
+      this->batch_.push_back(vertex);
+      last = std::min(last, key + edges * this->edgeAt(vertex));
+    }
+  };
+  std::sort(this->behind_.begin(), this->behind_.end());
+  for (const Id vertex : this->behind_)
+  {
+    take(vertex, this->front_);
+  }
+  this->behind_.clear();
   while (!this->queue_.empty() && this->queue_.top().key <= last)
   {
     const QueueEntry entry = this->queue_.top();
     this->queue_.pop();
-    if (entry.key == this->queued_[entry.vertex])
-    {
-      this->queued_[entry.vertex] = Infinity;
-      this->batch_.push_back(entry.vertex);
-      last = std::min(last, entry.key + edges * this->edgeAt(entry.vertex));
-    }
+    take(entry.vertex, entry.key);
   }
 }
 
@@ -328,34 +346,33 @@ void Propagation::runTasks(std::size_t count, const std::function<void(Worker&, 
 
 void Propagation::process(Worker& worker, Id vertex)
 {
-  const double distance = this->distance_[vertex];
-  if (distance < this->processed_[vertex] * (1.0 - tolerance::Tie))
+  const double distance = this->vertices_[vertex].distance;
+  if (distance < this->vertices_[vertex].processed * (1.0 - tolerance::Tie))
   {
     this->relaxEdges(worker, vertex);
-    if (this->emits_[vertex] != Emits::Nothing)
+    if (this->vertices_[vertex].emits != Emits::Nothing)
     {
       this->emit(worker, vertex);
     }
   }
-  for (const Id corner : this->mesh_.cornersAt(vertex))
+  for (Id side = this->vertices_[vertex].facing; side != NoId;)
   {
-    const Id side = TriangleMesh::nextInFace(corner);
-    if (this->waiting_.has(side))
-    {
-      this->enter(worker, side);
-    }
+    const Id next = this->waiting_.next(side);
+    this->enter(worker, side);
+    side = next;
   }
+  this->vertices_[vertex].facing = NoId;
 }
 
 // Distances along edges are upper bounds, which the filter can use from the first window on.
 void Propagation::relaxEdges(Worker& worker, Id vertex)
 {
-  const double distance = this->distance_[vertex];
+  const double distance = this->vertices_[vertex].distance;
   const double error = this->errorAt(vertex);
   const auto relax = [&](Id side, Id other, const Arrival& from)
   {
     const double along = distance + this->mesh_.length(side);
-    if (along < this->distance_[other])
+    if (along < this->vertices_[other].distance)
     {
       worker.improvements.push_back({ other, along, error, from });
     }
@@ -370,8 +387,8 @@ void Propagation::relaxEdges(Worker& worker, Id vertex)
 
 void Propagation::emit(Worker& worker, Id vertex)
 {
-  const bool wedge = this->emits_[vertex] == Emits::Wedge &&
-    findSaddleWedge(this->mesh_, vertex, this->arrival_[vertex], worker.lit);
+  const bool wedge = this->vertices_[vertex].emits == Emits::Wedge &&
+    findSaddleWedge(this->mesh_, vertex, this->vertices_[vertex].arrival, worker.lit);
   if (!wedge)
   {
     worker.lit.clear();
@@ -394,12 +411,13 @@ void Propagation::emit(Worker& worker, Id vertex, const LitSide& lit)
   {
     return;
   }
-  Window w = vertexWindow(this->mesh_, lit.corner, this->distance_[vertex]).window;
+  Window w = vertexWindow(this->mesh_, lit.corner, this->vertices_[vertex].distance).window;
   w.begin = length - lit.end; // the leaving frame runs against the side
   w.end = length - lit.begin;
   w.error = this->errorAt(vertex);
-  const bool useless = isBeaten(w, w.end, this->distance_[this->mesh_.destination(side)] + w.end) ||
-    isBeaten(w, w.begin, this->distance_[this->mesh_.origin(side)] + (length - w.begin));
+  const bool useless =
+    isBeaten(w, w.end, this->vertices_[this->mesh_.destination(side)].distance + w.end) ||
+    isBeaten(w, w.begin, this->vertices_[this->mesh_.origin(side)].distance + (length - w.begin));
   if (!useless)
   {
     this->send(worker, side, { &w, &w + 1 });
@@ -410,13 +428,18 @@ void Propagation::enter(Worker& worker, Id side)
 {
   this->merge(worker, side);
   const WindowRange list = this->waiting_.at(side);
+  if (list.size() == 0)
+  {
+    this->waiting_.clear(side, worker.pool);
+    return;
+  }
   this->keep(worker, side, list);
   const UnfoldedFace face = unfold(this->mesh_, side);
   const Id origin = this->mesh_.origin(side);
   const Id destination = this->mesh_.destination(side);
   const Id apex = this->mesh_.opposite(side);
 
-  const ApexView view = worker.passage.view(list, face);
+  const ApexView view = worker.passage.view(list, face.apex);
   const Window& first = *list.begin();
   const Window& last = *(list.end() - 1);
   const Id left = TriangleMesh::previousInFace(side);
@@ -428,13 +451,13 @@ void Propagation::enter(Worker& worker, Id side)
     { apex, view.distance, view.error, { side, view.crossing } } };
   for (const Improvement& improvement : found)
   {
-    if (improvement.distance < this->distance_[improvement.vertex])
+    if (improvement.distance < this->vertices_[improvement.vertex].distance)
     {
       worker.improvements.push_back(improvement);
     }
   }
   const auto known = [&](std::size_t i)
-  { return std::min(this->distance_[found[i].vertex], found[i].distance); };
+  { return std::min(this->vertices_[found[i].vertex].distance, found[i].distance); };
 
   worker.passage.pass(list, face, { known(0), known(1), known(2) }, !this->mesh_.isBoundary(left),
     !this->mesh_.isBoundary(right), this->mesh_.numberOfFaces());
@@ -467,81 +490,76 @@ void Propagation::send(Worker& worker, Id side, const WindowRange& windows)
   {
     return;
   }
-  const double length = this->mesh_.length(side);
-  const auto number = static_cast<std::uint32_t>(&worker - this->workers_.data());
   for (Id s = this->mesh_.nextInRing(side); s != side; s = this->mesh_.nextInRing(s))
   {
-    worker.deliveries.push_back({ s, number, worker.sent.size(), windows.size() });
-    if (this->mesh_.origin(s) == this->mesh_.destination(side))
+    const WindowBlock block = worker.pool.copyOf(windows);
+    if (this->mesh_.origin(s) != this->mesh_.destination(side))
     {
-      worker.sent.insert(worker.sent.end(), windows.begin(), windows.end());
+      const double length = this->mesh_.length(side);
+      std::reverse(block.data, block.data + block.size);
+      std::transform(block.data, block.data + block.size, block.data,
+        [length](const Window& w) { return reversed(w, length); });
     }
-    else
-    {
-      for (const Window* w = windows.end(); w != windows.begin(); --w)
-      {
-        worker.sent.push_back(reversed(w[-1], length));
-      }
-    }
+    worker.deliveries.push_back({ s, block });
   }
 }
 
 void Propagation::collectDeliveries()
 {
   this->deliveries_.clear();
+  this->order_.clear();
   for (Worker& worker : this->workers_)
   {
-    this->deliveries_.insert(
-      this->deliveries_.end(), worker.deliveries.begin(), worker.deliveries.end());
+    for (const Delivery& delivery : worker.deliveries)
+    {
+      this->order_.push_back(
+        (static_cast<std::uint64_t>(delivery.side) << 32) | this->deliveries_.size());
+      this->deliveries_.push_back(delivery);
+    }
     worker.deliveries.clear();
   }
-  std::sort(this->deliveries_.begin(), this->deliveries_.end(),
-    [](const Delivery& a, const Delivery& b)
-    {
-      return a.side != b.side  ? a.side < b.side
-        : a.worker != b.worker ? a.worker < b.worker
-                               : a.first < b.first;
-    });
+  std::sort(this->order_.begin(), this->order_.end());
   this->groups_.clear();
-  for (std::size_t i = 0; i < this->deliveries_.size(); ++i)
+  for (std::size_t i = 0; i < this->order_.size(); ++i)
   {
-    if (i == 0 || this->deliveries_[i].side != this->deliveries_[i - 1].side)
+    if (i == 0 || (this->order_[i] >> 32) != (this->order_[i - 1] >> 32))
     {
       this->groups_.push_back(i);
     }
   }
-  this->groups_.push_back(this->deliveries_.size());
+  this->groups_.push_back(this->order_.size());
 }
 
 void Propagation::receive(Worker& worker, std::size_t group)
 {
-  const Id side = this->deliveries_[this->groups_[group]].side;
-  const UnfoldedFace face = unfold(this->mesh_, side);
+  const Id side = static_cast<Id>(this->order_[this->groups_[group]] >> 32);
   const Id apex = this->mesh_.opposite(side);
+  const Vec2 position = apexOf(this->mesh_, side);
+  (this->waiting_.has(side) ? worker.grown : worker.begun).push_back(side);
   for (std::size_t i = this->groups_[group]; i < this->groups_[group + 1]; ++i)
   {
-    const Delivery& delivery = this->deliveries_[i];
-    const Window* first = this->workers_[delivery.worker].sent.data() + delivery.first;
-    const WindowRange windows = { first, first + delivery.count };
-    const ApexView view = worker.passage.view(windows, face);
-    worker.improvements.push_back({ apex, view.distance, view.error, { side, view.crossing } });
-    worker.propagated += windows.size();
-    this->mergeInto(worker, side, windows);
+    const WindowBlock& block = this->deliveries_[this->order_[i] & 0xffffffffu].windows;
+    const ApexView view = worker.passage.view(block.range(), position);
+    if (view.distance < this->vertices_[apex].distance)
+    {
+      worker.improvements.push_back({ apex, view.distance, view.error, { side, view.crossing } });
+    }
+    worker.propagated += block.size;
+    this->mergeInto(worker, side, block);
   }
-  worker.facing.push_back(apex);
 }
 
-void Propagation::mergeInto(Worker& worker, Id side, const WindowRange& windows)
+void Propagation::mergeInto(Worker& worker, Id side, const WindowBlock& block)
 {
-  const WindowRange waiting = this->waiting_.at(side);
-  if (waiting.size() == 0)
+  if (!this->waiting_.has(side))
   {
-    this->waiting_.assign(side, windows, worker.pool);
+    this->waiting_.adopt(side, block);
     return;
   }
+  const WindowRange waiting = this->waiting_.at(side);
   worker.merged.reset(this->mesh_.length(side));
   const Window* old = waiting.begin();
-  for (const Window& w : windows)
+  for (const Window& w : block.range())
   {
     for (; old != waiting.end() && old->begin <= w.begin; ++old)
     {
@@ -553,6 +571,7 @@ void Propagation::mergeInto(Worker& worker, Id side, const WindowRange& windows)
   {
     worker.merged.append(*old);
   }
+  worker.pool.free(block);
   this->waiting_.assign(side, worker.merged.range(), worker.pool);
 }
 
@@ -560,8 +579,9 @@ void Propagation::takeOver()
 {
   for (const Id vertex : this->batch_)
   {
-    this->settled_ += this->processed_[vertex] == Infinity ? 1 : 0;
-    this->processed_[vertex] = std::min(this->processed_[vertex], this->distance_[vertex]);
+    this->settled_ += this->vertices_[vertex].processed == Infinity ? 1 : 0;
+    this->vertices_[vertex].processed =
+      std::min(this->vertices_[vertex].processed, this->vertices_[vertex].distance);
   }
   for (Worker& worker : this->workers_)
   {
@@ -570,7 +590,6 @@ void Propagation::takeOver()
       this->improve(improvement);
     }
     worker.improvements.clear();
-    worker.sent.clear();
     if (!this->needed_.empty())
     {
       for (const Id side : worker.withinLimit)
@@ -582,11 +601,20 @@ void Propagation::takeOver()
   }
   for (Worker& worker : this->workers_)
   {
-    for (const Id vertex : worker.facing)
+    for (const Id side : worker.begun)
     {
-      this->enqueue(vertex);
+      Id& facing = this->vertices_[this->mesh_.opposite(side)].facing;
+      this->waiting_.setNext(side, facing);
+      facing = side;
     }
-    worker.facing.clear();
+    for (std::vector<Id>* sides : { &worker.begun, &worker.grown })
+    {
+      for (const Id side : *sides)
+      {
+        this->enqueue(this->mesh_.opposite(side));
+      }
+      sides->clear();
+    }
   }
 }
 
@@ -600,21 +628,21 @@ void Propagation::improve(const Improvement& improvement)
   // A linear window's distance may be a rounding below 0 at its source.
   const double distance = std::max(improvement.distance, 0.0);
   const Id vertex = improvement.vertex;
-  if (!(distance < this->distance_[vertex]))
+  if (!(distance < this->vertices_[vertex].distance))
   {
     return;
   }
-  const bool tie = distance >= this->distance_[vertex] * (1.0 - tolerance::Tie);
-  this->distance_[vertex] = distance;
+  const bool tie = distance >= this->vertices_[vertex].distance * (1.0 - tolerance::Tie);
+  this->vertices_[vertex].distance = distance;
   if (!this->vertexError_.empty())
   {
     this->vertexError_[vertex] = improvement.error;
   }
-  if (!tie || this->arrival_[vertex].side == NoId)
+  if (!tie || this->vertices_[vertex].arrival.side == NoId)
   {
-    this->arrival_[vertex] = improvement.from;
+    this->vertices_[vertex].arrival = improvement.from;
   }
-  if (distance < this->processed_[vertex] * (1.0 - tolerance::Tie))
+  if (distance < this->vertices_[vertex].processed * (1.0 - tolerance::Tie))
   {
     this->enqueue(vertex);
   }
@@ -623,11 +651,18 @@ void Propagation::improve(const Improvement& improvement)
 void Propagation::enqueue(Id vertex)
 {
   // Windows that come to a vertex behind the front go on with it, in the same batches.
-  const double key = std::max(this->distance_[vertex], this->front_);
-  if (key < this->queued_[vertex])
+  const double key = std::max(this->vertices_[vertex].distance, this->front_);
+  if (key < this->vertices_[vertex].key)
   {
-    this->queued_[vertex] = key;
-    this->queue_.push({ key, vertex });
+    this->vertices_[vertex].key = key;
+    if (key > this->front_)
+    {
+      this->queue_.push({ key, vertex });
+    }
+    else
+    {
+      this->behind_.push_back(vertex);
+    }
   }
 }
 
@@ -660,7 +695,7 @@ void Propagation::finishLimited()
   {
     for (const Id v : this->mesh_.triangle(f))
     {
-      if (this->distance_[v] <= limit)
+      if (this->vertices_[v].distance <= limit)
       {
         this->needed_[f] = 1;
       }
@@ -711,8 +746,8 @@ double Propagation::neededDistance() const
     {
       const Triangle& t = this->mesh_.triangle(f);
       const std::array<double, 3>& length = this->mesh_.shape(f).length;
-      const auto [least, most] =
-        std::minmax({ this->distance_[t[0]], this->distance_[t[1]], this->distance_[t[2]] });
+      const auto [least, most] = std::minmax({ this->vertices_[t[0]].distance,
+        this->vertices_[t[1]].distance, this->vertices_[t[2]].distance });
       const double reach = least + *std::max_element(length.begin(), length.end());
       bound = std::max(bound, inside ? reach : most);
     }
@@ -732,7 +767,7 @@ void Propagation::dropIncomplete()
   }
   for (Id v = 0; v < this->mesh_.numberOfVertices(); ++v)
   {
-    this->distance_[v] = complete[v] ? this->distance_[v] : Infinity;
+    this->vertices_[v].distance = complete[v] ? this->vertices_[v].distance : Infinity;
   }
   this->field_.faceComplete_ = std::move(this->needed_);
 }
@@ -761,6 +796,12 @@ void Propagation::keep(Worker& worker, Id side, const WindowRange& list)
 
 void Propagation::finish()
 {
+  this->waiting_ = WaitingLists(0);
+  this->field_.vertexDistances_.reserve(this->vertices_.size());
+  for (const VertexState& vertex : this->vertices_)
+  {
+    this->field_.vertexDistances_.push_back(vertex.distance);
+  }
   for (Worker& worker : this->workers_)
   {
     this->field_.windowsPropagated_ += worker.propagated;

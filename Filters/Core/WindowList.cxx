@@ -311,41 +311,66 @@ Window* WindowPool::allocate(std::uint32_t sizeClass)
   return block;
 }
 
-void WindowPool::free(Window* block, std::uint32_t sizeClass)
+void WindowPool::free(const WindowBlock& block)
 {
+  const std::uint32_t sizeClass = block.sizeClass;
   if (this->freeBlocks_.size() <= sizeClass)
   {
     this->freeBlocks_.resize(sizeClass + 1);
   }
-  this->freeBlocks_[sizeClass].push_back(block);
+  this->freeBlocks_[sizeClass].push_back(block.data);
+}
+
+WindowBlock WindowPool::copyOf(const WindowRange& windows)
+{
+  if (windows.size() >> 27 != 0)
+  {
+    throw std::bad_alloc(); // more windows on one side than memory could hold for the others
+  }
+  WindowBlock block;
+  block.size = static_cast<std::uint32_t>(windows.size()) & 0x7ffffffu;
+  block.sizeClass = sizeClassOf(windows.size()) & 31u;
+  block.data = this->allocate(block.sizeClass);
+  std::copy(windows.begin(), windows.end(), block.data);
+  return block;
+}
+
+WindowBlock WaitingLists::blockOf(Id side) const
+{
+  const List& list = this->lists_[side];
+  WindowBlock block;
+  block.data = list.data;
+  block.size = list.size;
+  block.sizeClass = list.sizeClass;
+  return block;
+}
+
+void WaitingLists::adopt(Id side, const WindowBlock& block)
+{
+  List& list = this->lists_[side];
+  list.data = block.data;
+  list.size = block.size;
+  list.sizeClass = block.sizeClass;
 }
 
 void WaitingLists::assign(Id side, const WindowRange& windows, WindowPool& pool)
 {
   List& list = this->lists_[side];
-  const std::uint32_t sizeClass = sizeClassOf(windows.size());
-  if (list.data == nullptr || list.sizeClass < sizeClass || windows.size() == 0)
+  if (windows.size() <= (std::size_t(1) << list.sizeClass))
   {
-    this->clear(side, pool);
-    if (windows.size() == 0)
-    {
-      return;
-    }
-    list.data = pool.allocate(sizeClass);
-    list.sizeClass = sizeClass;
+    std::copy(windows.begin(), windows.end(), list.data);
+    list.size = static_cast<std::uint32_t>(windows.size()) & 0x7ffffffu;
+    return;
   }
-  list.size = static_cast<Id>(windows.size());
-  std::copy(windows.begin(), windows.end(), list.data);
+  const WindowBlock block = pool.copyOf(windows);
+  pool.free(this->blockOf(side));
+  this->adopt(side, block);
 }
 
 void WaitingLists::clear(Id side, WindowPool& pool)
 {
-  List& list = this->lists_[side];
-  if (list.data != nullptr)
-  {
-    pool.free(list.data, list.sizeClass);
-    list = List();
-  }
+  pool.free(this->blockOf(side));
+  this->lists_[side] = List();
 }
 
 std::vector<Id> WaitingLists::sides() const
@@ -353,7 +378,7 @@ std::vector<Id> WaitingLists::sides() const
   std::vector<Id> result;
   for (std::size_t side = 0; side < this->lists_.size(); ++side)
   {
-    if (this->lists_[side].size > 0)
+    if (this->lists_[side].data != nullptr)
     {
       result.push_back(static_cast<Id>(side));
     }

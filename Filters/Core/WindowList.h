@@ -64,23 +64,37 @@ private:
   double leastWidth_ = 0.0;
 };
 
+/// Windows of one side in a block of a pool, sorted.
+struct WindowBlock
+{
+  Window* data = nullptr;
+  /// Number of windows; the block holds 2^sizeClass.
+  std::uint32_t size : 27;
+  std::uint32_t sizeClass : 5;
+
+  WindowRange range() const { return { this->data, this->data + this->size }; }
+};
+
 /// Blocks of windows in sizes of powers of two, cut from large chunks and used again. Not
 /// thread-safe: each worker has its own, and a block may come from one and be freed into another.
 class WindowPool
 {
 public:
-  Window* allocate(std::uint32_t sizeClass);
-  void free(Window* block, std::uint32_t sizeClass);
+  WindowBlock copyOf(const WindowRange& windows);
+  void free(const WindowBlock& block);
 
 private:
+  Window* allocate(std::uint32_t sizeClass);
+
   std::vector<std::vector<Window*>> freeBlocks_;
   std::vector<std::unique_ptr<Window[]>> chunks_;
   std::size_t chunkUsed_ = 0;
   std::size_t chunkSize_ = 0;
 };
 
-/// The windows that wait on sides: a sorted list a side, each in one block. Different sides may be
-/// used from different threads, each with its own pool.
+/// The windows that wait on sides: a sorted list a side, each in one block, and the sides in chains
+/// that their user begins. Different sides may be used from different threads, each with its own
+/// pool.
 class WaitingLists
 {
 public:
@@ -89,27 +103,41 @@ public:
   {
   }
 
-  bool has(Id side) const { return this->lists_[side].size > 0; }
+  bool has(Id side) const { return this->lists_[side].data != nullptr; }
   WindowRange at(Id side) const
   {
-    const List& list = this->lists_[side];
-    return { list.data, list.data + list.size };
+    return { this->lists_[side].data, this->lists_[side].data + this->lists_[side].size };
   }
-  /// Replaces the list of the side; an empty one frees it. The windows must not be those of the
-  /// side.
+  /// Gives the side, which has no list, a block for its own.
+  void adopt(Id side, const WindowBlock& block);
+  /// Replaces the list of the side; the windows must not be those of the side.
   void assign(Id side, const WindowRange& windows, WindowPool& pool);
   void clear(Id side, WindowPool& pool);
+
+  /// The next side of the chain the side is in.
+  Id next(Id side) const { return this->lists_[side].next; }
+  void setNext(Id side, Id next) { this->lists_[side].next = next; }
 
   /// Sides that have a list, ascending.
   std::vector<Id> sides() const;
 
 private:
+  /// A block, packed together with the chain: there is one for every side.
   struct List
   {
     Window* data = nullptr;
-    Id size = 0;
-    std::uint32_t sizeClass = 0;
+    std::uint32_t size : 27;
+    std::uint32_t sizeClass : 5;
+    Id next = NoId;
+
+    List()
+      : size(0)
+      , sizeClass(0)
+    {
+    }
   };
+
+  WindowBlock blockOf(Id side) const;
 
   std::vector<List> lists_;
 };
