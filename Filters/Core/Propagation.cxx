@@ -16,7 +16,8 @@
 namespace geodesic
 {
 
-namespace
+/// What the front works with, all of it of this file.
+namespace front
 {
 
 /// A vertex in the queue. Vertices of equal key come in the order of their ids.
@@ -105,7 +106,9 @@ struct Worker
   double relativeError = 0.0;
 };
 
-} // anonymous namespace
+}
+
+using namespace front;
 
 /// The front (paper, section 3.1, in the order of Qin et al. 2016): the queue holds vertices;
 /// windows wait in sorted lists on sides, and a list goes through its face when the vertex opposite

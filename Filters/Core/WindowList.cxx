@@ -110,18 +110,6 @@ bool staysAbove(const Window& above, const AtEnds& high, const AtEnds& low, doub
     (high.hi - above.sigma) * (high.hi - low.lo) - (hi - above.sourceX) * width > 0.0;
 }
 
-// Which of two roots is where the windows cross, when one is false from squaring: the sign between
-// them tells.
-double singleCrossing(const Window& a, const Window& b, const Crossings& cross, bool aAtLo)
-{
-  if (cross.count == 1)
-  {
-    return cross.at[0];
-  }
-  const double middle = 0.5 * (cross.at[0] + cross.at[1]);
-  return cross.at[(a.distance(middle) < b.distance(middle)) == aAtLo ? 1 : 0];
-}
-
 Lower lowerOf(const Window& a, const Window& b, double lo, double hi)
 {
   if (a.sigma == b.sigma && !a.isLinear() && !b.isLinear())
@@ -134,20 +122,21 @@ Lower lowerOf(const Window& a, const Window& b, double lo, double hi)
   const double atHi = ofA.hi - ofB.hi;
   Lower lower;
   lower.firstIsA = atLo < 0.0;
-  if ((atLo < 0.0 && atHi > 0.0) || (atLo > 0.0 && atHi < 0.0))
+  // Only what is more than rounding is a change of sign, which has a crossing inside.
+  const double least = tolerance::Tie * (ofA.lo + ofA.hi);
+  if ((atLo < -least && atHi > least) || (atLo > least && atHi < -least))
   {
     const Crossings cross = crossings(a, b, lo, hi);
-    if (cross.count > 0)
+    for (int i = 0; i < cross.count; ++i) // one may be false from squaring
     {
-      lower.cuts = 1;
-      lower.cut[0] = singleCrossing(a, b, cross, lower.firstIsA);
+      const double x = cross.at[static_cast<std::size_t>(i)];
+      if (std::abs(a.distance(x) - b.distance(x)) <= least)
+      {
+        lower.cuts = 1;
+        lower.cut[0] = x;
+        return lower;
+      }
     }
-    else // at an end, but for rounding
-    {
-      const double middle = 0.5 * (lo + hi);
-      lower.firstIsA = a.distance(middle) <= b.distance(middle);
-    }
-    return lower;
   }
   const bool told = (atLo < 0.0 && atHi < 0.0 && staysAbove(b, ofB, ofA, lo, hi)) ||
     (atLo > 0.0 && atHi > 0.0 && staysAbove(a, ofA, ofB, lo, hi));
