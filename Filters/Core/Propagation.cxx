@@ -134,6 +134,12 @@ private:
   void runBatch();
   void runTasks(std::size_t count, const std::function<void(Worker&, std::size_t)>& item);
 
+  void prefetchFacing(Id vertex) const;
+  void prefetchReceiver(Id side) const;
+  Id sideOf(std::size_t group) const
+  {
+    return static_cast<Id>(this->order_[this->groups_[group]] >> 32);
+  }
   void process(Worker& worker, Id vertex);
   void relaxEdges(Worker& worker, Id vertex);
   void emit(Worker& worker, Id vertex);
@@ -313,11 +319,26 @@ double Propagation::edgeAt(Id vertex) const
 
 void Propagation::runBatch()
 {
+  constexpr std::size_t ahead = 4; // items whose faces are fetched while others are worked on
   this->runTasks(this->batch_.size(),
-    [this](Worker& worker, std::size_t i) { this->process(worker, this->batch_[i]); });
+    [this](Worker& worker, std::size_t i)
+    {
+      if (i + ahead < this->batch_.size())
+      {
+        this->prefetchFacing(this->batch_[i + ahead]);
+      }
+      this->process(worker, this->batch_[i]);
+    });
   this->collectDeliveries();
-  this->runTasks(
-    this->groups_.size() - 1, [this](Worker& worker, std::size_t i) { this->receive(worker, i); });
+  this->runTasks(this->groups_.size() - 1,
+    [this](Worker& worker, std::size_t i)
+    {
+      if (i + ahead < this->groups_.size() - 1)
+      {
+        this->prefetchReceiver(this->sideOf(i + ahead));
+      }
+      this->receive(worker, i);
+    });
   this->takeOver();
 }
 
@@ -334,7 +355,8 @@ void Propagation::runTasks(std::size_t count, const std::function<void(Worker&, 
   }
   const auto run = [&](std::size_t task)
   {
-    for (std::size_t i = task * count / tasks; i < (task + 1) * count / tasks; ++i)
+    const std::size_t last = (task + 1) * count / tasks;
+    for (std::size_t i = task * count / tasks; i < last; ++i)
     {
       item(this->workers_[task], i);
     }
@@ -345,6 +367,21 @@ void Propagation::runTasks(std::size_t count, const std::function<void(Worker&, 
     return;
   }
   this->options_.parallelFor(tasks, run);
+}
+
+void Propagation::prefetchFacing(Id vertex) const
+{
+  const Id side = this->vertices_[vertex].facing;
+  if (side != NoId)
+  {
+    this->prefetchReceiver(side);
+  }
+}
+
+void Propagation::prefetchReceiver(Id side) const
+{
+  this->mesh_.prefetch(TriangleMesh::faceOf(side));
+  this->waiting_.prefetch(side);
 }
 
 void Propagation::process(Worker& worker, Id vertex)
@@ -535,7 +572,7 @@ void Propagation::collectDeliveries()
 
 void Propagation::receive(Worker& worker, std::size_t group)
 {
-  const Id side = static_cast<Id>(this->order_[this->groups_[group]] >> 32);
+  const Id side = this->sideOf(group);
   const Id apex = this->mesh_.opposite(side);
   const Vec2 position = apexOf(this->mesh_, side);
   (this->waiting_.has(side) ? worker.grown : worker.begun).push_back(side);

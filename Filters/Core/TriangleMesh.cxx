@@ -59,7 +59,7 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>
 
 void TriangleMesh::takeFaces(const std::vector<Triangle>& triangles)
 {
-  this->triangles_.reserve(triangles.size());
+  this->faces_.reserve(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     const Triangle& t = triangles[i];
@@ -71,7 +71,7 @@ void TriangleMesh::takeFaces(const std::vector<Triangle>& triangles)
     const bool repeats = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
     if (repeats && this->inputFaces_.empty())
     {
-      this->inputFaces_.resize(this->triangles_.size());
+      this->inputFaces_.resize(this->faces_.size());
       std::iota(this->inputFaces_.begin(), this->inputFaces_.end(), Id(0));
     }
     if (repeats)
@@ -83,9 +83,9 @@ void TriangleMesh::takeFaces(const std::vector<Triangle>& triangles)
     {
       this->inputFaces_.push_back(static_cast<Id>(i));
     }
-    this->triangles_.push_back(t);
+    this->faces_.push_back({ t, {}, {} });
   }
-  if (this->triangles_.empty())
+  if (this->faces_.empty())
   {
     throw MeshError("Every face of the surface names a point twice, so that no face is left.");
   }
@@ -121,7 +121,7 @@ void TriangleMesh::linkRings()
     entries[start[std::min(a, b)]++] = { std::max(a, b), s };
   }
 
-  this->ring_.resize(sides);
+  const auto ring = [this](Id side) -> Id& { return this->faces_[side / 3].ring[side % 3]; };
   this->numberOfEdges_ = 0;
   this->report_.nonManifoldEdges = 0;
   std::size_t first = 0;
@@ -135,10 +135,10 @@ void TriangleMesh::linkRings()
       std::size_t end = first + 1;
       while (end < last && entries[end].high == entries[first].high)
       {
-        this->ring_[entries[end - 1].side] = entries[end].side;
+        ring(entries[end - 1].side) = entries[end].side;
         ++end;
       }
-      this->ring_[entries[end - 1].side] = entries[first].side;
+      ring(entries[end - 1].side) = entries[first].side;
       ++this->numberOfEdges_;
       this->report_.nonManifoldEdges += end - first > 2 ? 1 : 0;
       first = end;
@@ -149,7 +149,7 @@ void TriangleMesh::linkRings()
 // Faces on the same three vertices share an edge and the vertex opposite it.
 void TriangleMesh::dropDuplicateFaces()
 {
-  std::vector<std::uint8_t> drop(this->triangles_.size(), 0);
+  std::vector<std::uint8_t> drop(this->faces_.size(), 0);
   Id dropped = 0;
   for (Id f = 0; f < this->numberOfFaces(); ++f)
   {
@@ -165,17 +165,17 @@ void TriangleMesh::dropDuplicateFaces()
   {
     return;
   }
-  std::vector<Triangle> kept;
+  std::vector<Face> kept;
   std::vector<Id> inputFaces;
   for (Id f = 0; f < this->numberOfFaces(); ++f)
   {
     if (!drop[f])
     {
-      kept.push_back(this->triangles_[f]);
+      kept.push_back(this->faces_[f]);
       inputFaces.push_back(this->inputFace(f));
     }
   }
-  this->triangles_ = std::move(kept);
+  this->faces_ = std::move(kept);
   this->inputFaces_ = std::move(inputFaces);
   this->report_.duplicateFaces = dropped;
   this->linkRings();
@@ -184,9 +184,9 @@ void TriangleMesh::dropDuplicateFaces()
 void TriangleMesh::linkCorners()
 {
   this->cornerStart_.assign(this->points_.size() + 1, 0);
-  for (const Triangle& t : this->triangles_)
+  for (const Face& face : this->faces_)
   {
-    for (const Id v : t)
+    for (const Id v : face.corners)
     {
       ++this->cornerStart_[v + 1];
     }
@@ -206,12 +206,11 @@ void TriangleMesh::linkCorners()
 
 void TriangleMesh::measureFaces()
 {
-  this->shapes_.resize(this->triangles_.size());
   for (Id f = 0; f < this->numberOfFaces(); ++f)
   {
-    const Triangle& t = this->triangles_[f];
+    const Triangle& t = this->faces_[f].corners;
     std::array<Vec3, 3> edge;
-    FaceShape& shape = this->shapes_[f];
+    FaceShape& shape = this->faces_[f].shape;
     for (std::size_t k = 0; k < 3; ++k)
     {
       edge[k] = this->points_[t[(k + 1) % 3]] - this->points_[t[k]];
@@ -243,7 +242,7 @@ Id TriangleMesh::edgeOf(Id side) const
 
 double TriangleMesh::cornerAngle(Id corner) const
 {
-  const FaceShape& shape = this->shapes_[corner / 3];
+  const FaceShape& shape = this->shape(corner / 3);
   return std::atan2(shape.area2, shape.cornerDot[corner % 3]);
 }
 
@@ -328,7 +327,7 @@ std::vector<Id> TriangleMesh::components() const
       stack.pop_back();
       for (const Id corner : this->cornersAt(v))
       {
-        for (const Id w : this->triangles_[corner / 3])
+        for (const Id w : this->triangle(corner / 3))
         {
           if (component[w] == NoId)
           {

@@ -76,6 +76,18 @@ inline double norm(Vec2 a)
   return std::sqrt(dot(a, a));
 }
 
+/// Asks the processor to fetch what will soon be read; nothing where the compiler has no word for
+/// it.
+inline void prefetch(const void* address)
+{
+#if defined(__GNUC__) || defined(__clang__)
+  __builtin_prefetch(address);
+  __builtin_prefetch(static_cast<const char*>(address) + 64);
+#else
+  (void)address;
+#endif
+}
+
 }
 
 #endif

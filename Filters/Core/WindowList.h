@@ -103,6 +103,7 @@ public:
   {
   }
 
+  void prefetch(Id side) const { geodesic::prefetch(this->lists_.data() + side); }
   bool has(Id side) const { return this->lists_[side].data != nullptr; }
   WindowRange at(Id side) const
   {
