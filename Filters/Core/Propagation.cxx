@@ -6,12 +6,12 @@
 #include "SaddleWedge.h"
 #include "SourceWindows.h"
 #include "Tolerance.h"
+#include "VertexQueue.h"
 #include "WindowArchive.h"
 #include "WindowList.h"
 #include "WindowMerge.h"
 
 #include <algorithm>
-#include <queue>
 
 namespace geodesic
 {
@@ -19,18 +19,6 @@ namespace geodesic
 /// What the front works with, all of it of this file.
 namespace front
 {
-
-/// A vertex in the queue. Vertices of equal key come in the order of their ids.
-struct QueueEntry
-{
-  double key;
-  Id vertex;
-
-  bool operator>(const QueueEntry& other) const
-  {
-    return this->key != other.key ? this->key > other.key : this->vertex > other.vertex;
-  }
-};
 
 /// A path to a vertex that may be shorter than those known.
 struct Improvement
@@ -77,10 +65,13 @@ struct VertexState
   /// The distance with which it was last processed, and the key it waits with in the queue.
   double processed = Infinity;
   double key = Infinity;
-  /// Where the path behind its distance comes from.
-  Arrival arrival;
+  /// Where the path behind its distance comes from (an Arrival without its padding).
+  double arrivalX = 0.0;
+  Id arrivalSide = NoId;
   /// The first of the sides opposite it that have a list.
   Id facing = NoId;
+  /// The length of some edge at it.
+  float edge = 0.0F;
   Emits emits = Emits::Nothing;
 };
 
@@ -130,7 +121,18 @@ private:
   void start(const std::vector<SourceCurve>& sources);
   void advance(double limit);
   void popBatch(double limit);
-  double edgeAt(Id vertex) const;
+  auto isCurrent() const
+  {
+    return [this](const VertexQueue::Entry& entry)
+    { return entry.key == this->vertices_[entry.vertex].key; };
+  }
+  // Vertices belong into one batch when none is farther than another by about an edge there: then
+  // windows that one sends out seldom come to another. From 0.25 to 2 edges the number of windows
+  // hardly changes.
+  auto reachOf() const
+  {
+    return [this](Id vertex) { return 0.5 * static_cast<double>(this->vertices_[vertex].edge); };
+  }
   void runBatch();
   void runTasks(std::size_t count, const std::function<void(Worker&, std::size_t)>& item);
 
@@ -171,7 +173,7 @@ private:
   /// How much longer the path behind a vertex's distance can be; empty in the exact solve.
   std::vector<double> vertexError_;
   /// Vertices beyond the front, and those at it or behind.
-  std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<QueueEntry>> queue_;
+  VertexQueue queue_;
   std::vector<Id> behind_;
   WaitingLists waiting_;
 
@@ -232,6 +234,9 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
   for (Id v = 0; v < this->mesh_.numberOfVertices(); ++v)
   {
     this->vertices_[v].emits = emitsOf(this->mesh_.pseudoSource(v));
+    const IdRange corners = this->mesh_.cornersAt(v);
+    this->vertices_[v].edge =
+      corners.size() > 0 ? static_cast<float>(this->mesh_.length(*corners.begin())) : 0.0F;
   }
   for (const Id vertex : initial.vertices)
   {
@@ -268,11 +273,16 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
 
 void Propagation::advance(double limit)
 {
-  while (!this->behind_.empty() || (!this->queue_.empty() && this->queue_.top().key <= limit))
+  for (;;)
   {
     if (this->behind_.empty())
     {
-      this->front_ = std::max(this->front_, this->queue_.top().key);
+      const double least = this->queue_.least(this->isCurrent(), this->reachOf());
+      if (!(least <= limit) || least == Infinity)
+      {
+        return;
+      }
+      this->front_ = std::max(this->front_, least);
     }
     this->popBatch(limit);
     this->runBatch();
@@ -280,41 +290,26 @@ void Propagation::advance(double limit)
   }
 }
 
-// Vertices belong into one batch when none is farther than another by about an edge there: then
-// windows that one sends out seldom come to another.
 void Propagation::popBatch(double limit)
 {
-  constexpr double edges = 0.5; // in a range from 0.25 to 2 the number of windows hardly changes
   this->batch_.clear();
   double last = limit;
-  const auto take = [this, &last](Id vertex, double key)
+  const auto take = [this](Id vertex)
   {
-    if (key == this->vertices_[vertex].key)
-    {
-      this->vertices_[vertex].key = Infinity;
-      this->batch_.push_back(vertex);
-      last = std::min(last, key + edges * this->edgeAt(vertex));
-    }
+    this->vertices_[vertex].key = Infinity;
+    this->batch_.push_back(vertex);
   };
-  std::sort(this->behind_.begin(), this->behind_.end());
+  const auto reachOf = this->reachOf();
   for (const Id vertex : this->behind_)
   {
-    take(vertex, this->front_);
+    if (this->vertices_[vertex].key == this->front_)
+    {
+      last = std::min(last, this->front_ + reachOf(vertex));
+      take(vertex);
+    }
   }
   this->behind_.clear();
-  while (!this->queue_.empty() && this->queue_.top().key <= last)
-  {
-    const QueueEntry entry = this->queue_.top();
-    this->queue_.pop();
-    take(entry.vertex, entry.key);
-  }
-}
-
-// The length of some edge at the vertex.
-double Propagation::edgeAt(Id vertex) const
-{
-  const IdRange corners = this->mesh_.cornersAt(vertex);
-  return corners.size() > 0 ? this->mesh_.length(*corners.begin()) : 0.0;
+  this->queue_.takeBatch(last, this->isCurrent(), reachOf, take);
 }
 
 void Propagation::runBatch()
@@ -428,7 +423,8 @@ void Propagation::relaxEdges(Worker& worker, Id vertex)
 void Propagation::emit(Worker& worker, Id vertex)
 {
   const bool wedge = this->vertices_[vertex].emits == Emits::Wedge &&
-    findSaddleWedge(this->mesh_, vertex, this->vertices_[vertex].arrival, worker.lit);
+    findSaddleWedge(this->mesh_, vertex,
+      { this->vertices_[vertex].arrivalSide, this->vertices_[vertex].arrivalX }, worker.lit);
   if (!wedge)
   {
     worker.lit.clear();
@@ -678,9 +674,10 @@ void Propagation::improve(const Improvement& improvement)
   {
     this->vertexError_[vertex] = improvement.error;
   }
-  if (!tie || this->vertices_[vertex].arrival.side == NoId)
+  if (!tie || this->vertices_[vertex].arrivalSide == NoId)
   {
-    this->vertices_[vertex].arrival = improvement.from;
+    this->vertices_[vertex].arrivalSide = improvement.from.side;
+    this->vertices_[vertex].arrivalX = improvement.from.x;
   }
   if (distance < this->vertices_[vertex].processed * (1.0 - tolerance::Tie))
   {
@@ -697,7 +694,7 @@ void Propagation::enqueue(Id vertex)
     this->vertices_[vertex].key = key;
     if (key > this->front_)
     {
-      this->queue_.push({ key, vertex });
+      this->queue_.push(key, vertex);
     }
     else
     {

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_VertexQueue_h
+#define geodesic_VertexQueue_h
+
+#include "Types.h"
+
+#include <algorithm>
+#include <functional>
+#include <queue>
+#include <vector>
+
+namespace geodesic
+{
+
+/// Vertices by the key they wait with, taken out in batches of near keys. Entries are never
+/// changed: a vertex is pushed again with its new key, and its owner tells which entry is current.
+///
+/// What lies within a few batches is not sorted, only looked through, which is faster than a heap;
+/// what lies farther, as at the ends of edges much longer than those at the front, waits in one.
+class VertexQueue
+{
+public:
+  struct Entry
+  {
+    double key;
+    Id vertex;
+
+    bool operator>(const Entry& other) const
+    {
+      return this->key != other.key ? this->key > other.key : this->vertex > other.vertex;
+    }
+  };
+
+  void push(double key, Id vertex)
+  {
+    if (key <= this->horizon_)
+    {
+      this->near_.push_back({ key, vertex });
+    }
+    else
+    {
+      this->far_.push({ key, vertex });
+    }
+  }
+
+  /// The least key of a current entry; infinite where there is none.
+  ///
+  /// \param isCurrent (const Entry&) -> bool.
+  /// \param reachOf (Id vertex) -> how much farther than a vertex those in its batch may be.
+  template <typename IsCurrent, typename ReachOf>
+  double least(const IsCurrent& isCurrent, const ReachOf& reachOf)
+  {
+    for (;;)
+    {
+      double least = Infinity;
+      std::size_t kept = 0;
+      for (const Entry& entry : this->near_)
+      {
+        if (isCurrent(entry))
+        {
+          least = std::min(least, entry.key);
+          this->near_[kept++] = entry;
+        }
+      }
+      this->near_.resize(kept);
+      if (kept > 0 || this->far_.empty())
+      {
+        return least;
+      }
+      this->comeNear(reachOf);
+    }
+  }
+
+  /// Takes out the current entries up to a key that no entry's reach ends before.
+  ///
+  /// \param last the largest key to be taken.
+  /// \param take (Id vertex) is called for each.
+  template <typename IsCurrent, typename ReachOf, typename Take>
+  void takeBatch(double last, const IsCurrent& isCurrent, const ReachOf& reachOf, const Take& take)
+  {
+    for (const Entry& entry : this->near_)
+    {
+      if (entry.key <= last && isCurrent(entry))
+      {
+        last = std::min(last, entry.key + reachOf(entry.vertex));
+      }
+    }
+    std::size_t kept = 0;
+    for (const Entry& entry : this->near_)
+    {
+      if (entry.key > last)
+      {
+        this->near_[kept++] = entry;
+      }
+      else if (isCurrent(entry))
+      {
+        take(entry.vertex);
+      }
+    }
+    this->near_.resize(kept);
+  }
+
+private:
+  template <typename ReachOf>
+  void comeNear(const ReachOf& reachOf)
+  {
+    constexpr double batches = 16.0; // most vertices wait for two to four
+    const Entry& first = this->far_.top();
+    this->horizon_ = first.key + batches * reachOf(first.vertex);
+    while (!this->far_.empty() && this->far_.top().key <= this->horizon_)
+    {
+      this->near_.push_back(this->far_.top());
+      this->far_.pop();
+    }
+  }
+
+  std::vector<Entry> near_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> far_;
+  double horizon_ = 0.0;
+};
+
+}
+
+#endif
