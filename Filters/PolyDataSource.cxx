@@ -172,20 +172,27 @@ std::vector<Id> locate(vtkPoints* points, const std::vector<char>& used, PolyDat
   const std::function<bool(double)>& progress)
 {
   constexpr std::size_t pointsPerReport = 256;
-  std::vector<Id> faces(used.size(), NoId);
+  std::vector<std::size_t> ids;
+  std::vector<Vec3> positions;
   for (std::size_t i = 0; i < used.size(); ++i)
   {
+    if (used[i])
+    {
+      ids.push_back(i);
+      Vec3& p = positions.emplace_back();
+      points->GetPoint(static_cast<vtkIdType>(i), p.data());
+    }
+  }
+  const std::vector<Id> atCorners = surface.facesWithCornersAt(positions);
+  std::vector<Id> faces(used.size(), NoId);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
     if (i % pointsPerReport == 0 &&
-      !progress(static_cast<double>(i) / static_cast<double>(used.size())))
+      !progress(static_cast<double>(i) / static_cast<double>(ids.size())))
     {
       throw Aborted();
     }
-    if (used[i])
-    {
-      Vec3 p;
-      points->GetPoint(static_cast<vtkIdType>(i), p.data());
-      faces[i] = surface.closestFace(p);
-    }
+    faces[ids[i]] = atCorners[i] != NoId ? atCorners[i] : surface.closestFace(positions[i]);
   }
   return faces;
 }

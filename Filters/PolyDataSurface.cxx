@@ -5,6 +5,7 @@
 #include "SurfaceSnap.h"
 #include "Tolerance.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <string>
 
 namespace geodesic
@@ -421,6 +423,36 @@ void PolyDataSurface::buildLocator()
       }
     }
   }
+}
+
+std::vector<Id> PolyDataSurface::facesWithCornersAt(const std::vector<Vec3>& points) const
+{
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+    [&points](std::size_t a, std::size_t b) { return points[a] < points[b]; });
+  std::vector<Id> faces(points.size(), NoId);
+  vtkBoundingBox box;
+  for (const Vec3& p : points)
+  {
+    box.AddPoint(p[0], p[1], p[2]);
+  }
+  for (Id vertex = 0; vertex < this->mesh_->numberOfVertices(); ++vertex)
+  {
+    const Vec3& p = this->mesh_->point(vertex);
+    const IdRange corners = this->mesh_->cornersAt(vertex);
+    if (!box.ContainsPoint(p[0], p[1], p[2]) || corners.size() == 0)
+    {
+      continue;
+    }
+    auto at = std::lower_bound(order.begin(), order.end(), p,
+      [&points](std::size_t i, const Vec3& q) { return points[i] < q; });
+    for (; at != order.end() && points[*at] == p; ++at)
+    {
+      faces[*at] = TriangleMesh::faceOf(*corners.begin());
+    }
+  }
+  return faces;
 }
 
 Id PolyDataSurface::closestFace(const Vec3& point)

@@ -69,6 +69,10 @@ public:
     return this->inputCells_.empty() ? triangle : this->inputCells_[triangle];
   }
 
+  /// For each of some points a face that has a corner exactly there, or NoId. Needs no locator,
+  /// whose building would take as long as a third of a solve.
+  std::vector<Id> facesWithCornersAt(const std::vector<Vec3>& points) const;
+
   /// The face with the closest point of the surface. Not thread-safe in its first call, which
   /// builds the locator.
   Id closestFace(const Vec3& point);
