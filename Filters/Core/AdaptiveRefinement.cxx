@@ -16,20 +16,6 @@ namespace geodesic
 namespace
 {
 
-/// An edge is split where its deviation is largest when that is over this fraction of the
-/// tolerance, and in the middle where there is nothing to aim at.
-constexpr double WorthAiming = 0.25;
-
-/// No split makes a smallest angle less than this (14 degrees) and less than this fraction of the
-/// input face's: edges are split nearer to their middle than the table has it, and triangles are
-/// split into four instead of two. With less, the worst of a hundred angles decays from level to
-/// level by more than a fifth; with more, many more triangles are needed.
-constexpr double LeastAngle = 0.244;
-constexpr double LeastAngleFraction = 0.6;
-
-/// Distances of one face are compared up to this many ties.
-constexpr double RoundingTies = 8.0;
-
 /// Of the progress, for the first look at all faces.
 constexpr double ShareOfFirstPass = 0.3;
 
@@ -105,14 +91,17 @@ private:
   Deviation deviationIn(Id face, Id a, Id b);
   Check check(const Piece& piece, bool tight);
   Check checkLeaf(Id triangle, bool tight);
-  Piece pieceOf(Id triangle);
-  std::array<Piece, 2> greenPieces(Id triangle);
+  Check closeBest(Id triangle);
+  std::vector<Piece> piecesOf(Id triangle, const RedGreenMesh::Closing& closing);
+  Check checkClosing(Id triangle, const RedGreenMesh::Closing& closing, bool tight);
 
   RedGreenMesh::Placement placeSplit(Id edge);
   double splitWeight(Id edge);
   bool shapesAllow(Id edge, double weight);
-  bool mayBisect(Id triangle);
-  double wantedAngle(Id face);
+  bool mayClose(Id triangle);
+  double angleOf(Id face, const RedGreenMesh::Closing& closing);
+  double wantedAngle(Id face, double deviation);
+  double largestAround(Id triangle);
   double angleWith(Id triangle, Id edge, double weight);
   double distanceOnEdge(Id edge, double weight);
 
@@ -129,7 +118,7 @@ private:
   InterpolationError error_;
   RedGreenMesh triangles_;
   RedGreenMesh::Place place_;
-  RedGreenMesh::MayBisect mayBisect_;
+  RedGreenMesh::MayClose mayClose_;
   std::priority_queue<Violation> violations_;
   double bound_ = 0.0;
   bool stopped_ = false;
@@ -148,7 +137,7 @@ Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
   , error_(field)
   , triangles_(field.mesh(), this->findFrozen())
   , place_([this](Id edge) { return this->placeSplit(edge); })
-  , mayBisect_([this](Id triangle) { return this->mayBisect(triangle); })
+  , mayClose_([this](Id triangle) { return this->mayClose(triangle); })
 {
 }
 
@@ -201,7 +190,7 @@ void Refiner::assessFaces()
     {
       largest = std::max(largest, this->field_.vertexDistances()[vertex]);
     }
-    const double rounding = RoundingTies * tolerance::Tie * largest;
+    const double rounding = tolerance::FaceRounding * largest;
     const double quick = this->error_.ofFace(face, this->tolerance_ - rounding, this->bound_);
     if (quick < Infinity)
     {
@@ -283,33 +272,34 @@ Deviation Refiner::deviationOf(Id id)
   return edge.deviation;
 }
 
-Refiner::Piece Refiner::pieceOf(Id triangle)
-{
-  Piece piece{ this->triangles_.faceOf(triangle), this->triangles_.corners(triangle), {} };
-  for (Id k = 0; k < 3; ++k)
-  {
-    piece.deviations[k] = this->deviationOf(this->triangles_.edge(triangle, k));
-  }
-  return piece;
-}
-
-std::array<Refiner::Piece, 2> Refiner::greenPieces(Id triangle)
+std::vector<Refiner::Piece> Refiner::piecesOf(Id triangle, const RedGreenMesh::Closing& closing)
 {
   const Id face = this->triangles_.faceOf(triangle);
-  const Triangle c = this->triangles_.corners(triangle);
-  const auto [k, middle] = this->triangles_.onlySplit(triangle);
-  const Id next = (k + 1) % 3;
-  const Id previous = (k + 2) % 3;
-  const Id split = this->triangles_.edge(triangle, k);
-  const Id halves = this->triangles_.edgeData(split).halves;
-  const bool forward = this->triangles_.edgeData(split).ends[0] == c[k];
-  const Deviation inner = this->deviationIn(face, middle, c[previous]);
-  const Deviation first = this->deviationOf(forward ? halves : halves + 1);
-  const Deviation second = this->deviationOf(forward ? halves + 1 : halves);
-  const Deviation atNext = this->deviationOf(this->triangles_.edge(triangle, next));
-  const Deviation atPrevious = this->deviationOf(this->triangles_.edge(triangle, previous));
-  return { Piece{ face, { c[k], middle, c[previous] }, { first, inner, atPrevious } },
-    Piece{ face, { middle, c[next], c[previous] }, { second, atNext, inner } } };
+  const auto deviationBetween = [&](Id i, Id j)
+  {
+    if (j == (i + 1) % closing.size)
+    {
+      const Id edge = closing.edges[i];
+      return this->deviationOf(
+        edge == NoId ? this->triangles_.edge(triangle, closing.along[i]) : edge);
+    }
+    // the same either way, to the last digit
+    const auto [a, b] = std::minmax(closing.points[i], closing.points[j]);
+    return this->deviationIn(face, a, b);
+  };
+  std::vector<Piece> pieces;
+  for (Id i = 0; i < closing.count; ++i)
+  {
+    const std::array<Id, 3>& t = closing.triangles[i];
+    Piece piece{ face, {}, {} };
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      piece.corners[k] = closing.points[t[k]];
+      piece.deviations[k] = deviationBetween(t[k], t[(k + 1) % 3]);
+    }
+    pieces.push_back(piece);
+  }
+  return pieces;
 }
 
 // In an approximate field the faces around a point differ by what merging has changed, and no
@@ -333,7 +323,7 @@ Refiner::Check Refiner::check(const Piece& piece, bool tight)
     onEdges.above = std::max(onEdges.above, piece.deviations[k].above);
     onEdges.below = std::max(onEdges.below, piece.deviations[k].below);
   }
-  const double rounding = RoundingTies * tolerance::Tie * largest;
+  const double rounding = tolerance::FaceRounding * largest;
   Check result;
   result.limit = std::max(this->tolerance_ - difference - rounding, 0.5 * this->tolerance_);
   const bool small = sizeOf(linear) <= result.limit;
@@ -352,14 +342,10 @@ Refiner::Check Refiner::check(const Piece& piece, bool tight)
   return result;
 }
 
-Refiner::Check Refiner::checkLeaf(Id triangle, bool tight)
+Refiner::Check Refiner::checkClosing(Id triangle, const RedGreenMesh::Closing& closing, bool tight)
 {
-  if (this->triangles_.splitEdges(triangle) == 0)
-  {
-    return this->check(this->pieceOf(triangle), tight);
-  }
   Check worst;
-  for (const Piece& piece : this->greenPieces(triangle))
+  for (const Piece& piece : this->piecesOf(triangle, closing))
   {
     const Check one = this->check(piece, tight);
     worst.bound = std::max(worst.bound, one.bound);
@@ -370,9 +356,47 @@ Refiner::Check Refiner::checkLeaf(Id triangle, bool tight)
   return worst;
 }
 
+Refiner::Check Refiner::checkLeaf(Id triangle, bool tight)
+{
+  return this->checkClosing(
+    triangle, this->triangles_.closing(triangle, this->triangles_.wayOf(triangle)), tight);
+}
+
+// Flips the inner edges of a leaf: of the ways that pass, the one of the best shapes, and where
+// none does that of the smallest error. Ways of bad shapes are taken where there is no other.
+Refiner::Check Refiner::closeBest(Id triangle)
+{
+  const Id face = this->triangles_.faceOf(triangle);
+  const double wanted = this->wantedAngle(face, this->largestAround(triangle));
+  const Id ways = RedGreenMesh::waysToClose(this->triangles_.splitEdges(triangle));
+  std::array<std::pair<double, Id>, 4> order;
+  for (Id way = 0; way < ways; ++way)
+  {
+    order[way] = { -this->angleOf(face, this->triangles_.closing(triangle, way)), way };
+  }
+  std::sort(order.begin(), order.begin() + ways);
+  Check best;
+  for (Id i = 0; i < ways && (i == 0 || -order[i].first >= wanted); ++i)
+  {
+    const Id way = order[i].second;
+    const Check check =
+      this->checkClosing(triangle, this->triangles_.closing(triangle, way), false);
+    if (i == 0 || check.passed || check.sample < best.sample)
+    {
+      this->triangles_.setWay(triangle, way);
+      best = check;
+    }
+    if (best.passed)
+    {
+      break;
+    }
+  }
+  return best;
+}
+
 void Refiner::assess(Id triangle)
 {
-  const Check check = this->checkLeaf(triangle, false);
+  const Check check = this->closeBest(triangle);
   if (check.passed)
   {
     this->bound_ = std::max(this->bound_, check.bound);
@@ -400,7 +424,7 @@ void Refiner::refineWorst()
     }
     this->triangles_.begin();
     this->refine(worst);
-    const std::vector<Id> changed = this->triangles_.close(this->place_, this->mayBisect_);
+    const std::vector<Id> changed = this->triangles_.close(this->place_, this->mayClose_);
     if (this->triangles_.numberOfTriangles() > limit)
     {
       this->triangles_.rollBack();
@@ -426,28 +450,26 @@ double Refiner::fractionDone(double worst) const
   return ShareOfFirstPass + (1.0 - ShareOfFirstPass) * done;
 }
 
+// Splits the edges that are over the limit; where there are none, it is the inside, and one split
+// into four gets the new edges there.
 void Refiner::refine(const Violation& violation)
 {
   const Id triangle = violation.triangle;
-  std::array<Id, 3> over;
-  std::size_t count = 0;
-  if (violation.splitEdges == 0)
+  bool isOver = false;
+  for (Id k = 0; k < 3; ++k)
   {
-    for (Id k = 0; k < 3; ++k)
+    const Id edge = this->triangles_.edge(triangle, k);
+    if (this->triangles_.edgeData(edge).split == NoId &&
+      this->deviationOf(edge).largest() > violation.limit)
     {
-      const Id edge = this->triangles_.edge(triangle, k);
-      if (this->deviationOf(edge).largest() > violation.limit)
-      {
-        over[count++] = edge;
-      }
+      this->triangles_.split(edge, this->place_);
+      isOver = true;
     }
   }
-  if (count == 1)
+  if (!isOver)
   {
-    this->triangles_.split(over[0], this->place_);
-    return;
+    this->triangles_.splitRed(triangle, this->place_);
   }
-  this->triangles_.splitRed(triangle, this->place_);
 }
 
 void Refiner::certifyRest()
@@ -474,7 +496,7 @@ double Refiner::splitWeight(Id id)
 {
   constexpr double middle = 0.5;
   const Deviation deviation = this->deviationOf(id);
-  if (!(deviation.largest() > WorthAiming * this->tolerance_))
+  if (!(deviation.largest() > this->tolerance_))
   {
     return middle;
   }
@@ -497,33 +519,67 @@ bool Refiner::shapesAllow(Id edge, double weight)
     {
       if (allowed)
       {
-        const double wanted = this->wantedAngle(this->triangles_.faceOf(triangle));
+        const double wanted =
+          this->wantedAngle(this->triangles_.faceOf(triangle), this->deviationOf(edge).largest());
         allowed = this->angleWith(triangle, edge, weight) >= wanted;
       }
     });
   return allowed;
 }
 
-// Goes to the face, too.
-double Refiner::wantedAngle(Id face)
+// Of the parts when an edge of such a deviation is split. Goes to the face, too.
+double Refiner::wantedAngle(Id face, double deviation)
 {
   this->envelope_.enter(face);
   const Triangle& corners = this->mesh_.triangle(face);
   const double least = leastAngle(
     this->planePlace(corners[0]), this->planePlace(corners[1]), this->planePlace(corners[2]));
-  return std::min(LeastAngle, LeastAngleFraction * least);
+  const double wanted = deviation > tolerance::WorthThinParts * this->tolerance_
+    ? tolerance::LeastAngleOfThinParts
+    : tolerance::LeastAngle;
+  return std::min(wanted, tolerance::LeastAngleFraction * least);
 }
 
-bool Refiner::mayBisect(Id triangle)
+double Refiner::largestAround(Id triangle)
 {
-  const double wanted = this->wantedAngle(this->triangles_.faceOf(triangle));
-  const Triangle corners = this->triangles_.corners(triangle);
-  const auto [k, split] = this->triangles_.onlySplit(triangle);
-  const Vec2 middle = this->planePlace(split);
-  const Vec2 from = this->planePlace(corners[k]);
-  const Vec2 to = this->planePlace(corners[(k + 1) % 3]);
-  const Vec2 apex = this->planePlace(corners[(k + 2) % 3]);
-  return std::min(leastAngle(from, middle, apex), leastAngle(middle, to, apex)) >= wanted;
+  double largest = 0.0;
+  for (Id k = 0; k < 3; ++k)
+  {
+    largest = std::max(largest, this->deviationOf(this->triangles_.edge(triangle, k)).largest());
+  }
+  return largest;
+}
+
+bool Refiner::mayClose(Id triangle)
+{
+  const Id face = this->triangles_.faceOf(triangle);
+  const double wanted = this->wantedAngle(face, this->largestAround(triangle));
+  const Id ways = RedGreenMesh::waysToClose(this->triangles_.splitEdges(triangle));
+  for (Id way = 0; way < ways; ++way)
+  {
+    if (this->angleOf(face, this->triangles_.closing(triangle, way)) >= wanted)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+double Refiner::angleOf(Id face, const RedGreenMesh::Closing& closing)
+{
+  this->envelope_.enter(face);
+  std::array<Vec2, 6> p;
+  for (std::size_t i = 0; i < closing.size; ++i)
+  {
+    p[i] = this->planePlace(closing.points[i]);
+  }
+  double least = Infinity;
+  for (Id i = 0; i < closing.count; ++i)
+  {
+    const std::array<Id, 3>& t = closing.triangles[i];
+    least = std::min(least, leastAngle(p[t[0]], p[t[1]], p[t[2]]));
+  }
+  return least;
 }
 
 // The smallest angle of a leaf's four parts when one edge is split at the weight, the others where

@@ -69,9 +69,14 @@ struct RefinedMesh
 ///
 /// Triangles that are worst come first. Their edges over the tolerance are split where the
 /// deviation is largest, moved away from the ends by the table of section 6.2; where a part's
-/// smallest angle would be under 14 degrees and under 0.6 of the input face's, the table yields:
-/// the edge is split halfway to its middle, or there. Triangles with two split edges or more are
-/// split into four, those with one are bisected in the end (see RedGreenMesh).
+/// smallest angle would be too small, the table yields: the edge is split halfway to its middle, or
+/// there. Too small is under 14 degrees and under 0.6 of the input face's smallest, and 3 degrees
+/// while the edge is far over the tolerance (Tolerance.h).
+///
+/// Triangles with split edges are closed by two to four triangles (see RedGreenMesh). Of the ways
+/// to do that, which differ by flips inside the triangle, the one of the best shapes is taken that
+/// meets the tolerance, so that an edge follows where the distance bends. Where there is none, more
+/// of its edges are split, and then it is split into four.
 ///
 /// With an approximate field the distance is the computed one, which may differ on the two sides of
 /// an edge by the error of merging; see errorBound.

@@ -13,33 +13,21 @@ namespace geodesic
 namespace
 {
 
-/// A window's part of a segment is taken longer by this fraction of the segment at both ends: rays
-/// of neighbours that meet in one point are cut with it separately, and rounding would leave gaps.
-/// Narrower parts are left to their neighbours. Moves no distance by more than about itself.
-constexpr double PencilMargin = 1e-12;
-
-/// Neighbours in an envelope may differ by this fraction of its length where they meet, and by some
-/// ties in distance, and so may an envelope and the distance; more tells of a gap.
-constexpr double JointFraction = 1e-9;
-
-/// Rays that meet their side at a smaller angle (the root of the rounding) run along it.
-constexpr double GrazingAngle = 1e-8;
-
 /// Whether a window's rays run along its side. Such a pencil has no inside, and points of the side
 /// before it and behind it would be told apart by rounding alone.
 bool isGrazing(const Window& w)
 {
   if (w.isLinear())
   {
-    return w.sourceDepth <= GrazingAngle;
+    return w.sourceDepth <= tolerance::GrazingAngle;
   }
   const double before = std::max(w.begin - w.sourceX, w.sourceX - w.end);
-  return before > 0.0 && w.sourceDepth <= GrazingAngle * before;
+  return before > 0.0 && w.sourceDepth <= tolerance::GrazingAngle * before;
 }
 
 double jointSlack(double length, double distance)
 {
-  return JointFraction * length + 8.0 * tolerance::Tie * distance;
+  return tolerance::JointFraction * length + tolerance::FaceRounding * distance;
 }
 
 double squaredNorm(Vec2 v)
@@ -323,7 +311,7 @@ bool FaceEnvelope::buildAlong(Vec2 p, Vec2 u, double length, bool withBent)
   this->envelope_.clear();
   std::copy_if(this->builder_.windows().begin(), this->builder_.windows().end(),
     std::back_inserter(this->envelope_),
-    [length](const Window& w) { return w.width() > PencilMargin * length; });
+    [length](const Window& w) { return w.width() > tolerance::PencilMargin * length; });
   if (this->envelope_.empty())
   {
     return false;
@@ -414,7 +402,7 @@ void FaceEnvelope::addWindow(const Contribution& c, Vec2 p, Vec2 u, double lengt
   Interval interval{ 0.0, length };
   interval.clip(-leftOfBegin, -leftOfBeginSlope);
   interval.clip(leftOfEnd, leftOfEndSlope);
-  interval.widen(PencilMargin * length, length);
+  interval.widen(tolerance::PencilMargin * length, length);
   if (interval.end > interval.begin)
   {
     if (linear)
@@ -431,11 +419,11 @@ void FaceEnvelope::addWindow(const Contribution& c, Vec2 p, Vec2 u, double lengt
   {
     Interval bent{ 0.0, length };
     bent.clip(leftOfBegin, leftOfBeginSlope);
-    bent.widen(PencilMargin * length, length);
+    bent.widen(tolerance::PencilMargin * length, length);
     this->addCone(c.begin, c.atBegin, p, u, bent.begin, bent.end);
     bent = { 0.0, length };
     bent.clip(-leftOfEnd, -leftOfEndSlope);
-    bent.widen(PencilMargin * length, length);
+    bent.widen(tolerance::PencilMargin * length, length);
     this->addCone(c.end, c.atEnd, p, u, bent.begin, bent.end);
   }
 }
@@ -456,7 +444,7 @@ void FaceEnvelope::addSegment(const Contribution& c, Vec2 p, Vec2 u, double leng
   Interval strip{ 0.0, length };
   strip.clip(along, alongSlope);
   strip.clip(sourceLength - along, -alongSlope);
-  strip.widen(PencilMargin * length, length);
+  strip.widen(tolerance::PencilMargin * length, length);
   for (const double sign : { 1.0, -1.0 })
   {
     const double height = sign * cross(t, p - c.begin);

@@ -22,6 +22,8 @@
 // a combination is good enough for each.
 #include "InterpolationError.h"
 
+#include "Tolerance.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -29,13 +31,6 @@ namespace geodesic
 
 namespace
 {
-
-/// The search of one triangle ends after so many pieces, or halvings. It is cheaper then to refine
-/// the triangle.
-constexpr std::size_t MostPieces = 200;
-constexpr Id MostHalvings = 14;
-/// A tight search ends when the bound is over the sample by no more than this fraction.
-constexpr double TightFraction = 0.05;
 
 struct Gradient
 {
@@ -303,9 +298,10 @@ InterpolationError::Inside InterpolationError::search(
   {
     const Node node = this->nodes_.back();
     this->nodes_.pop_back();
-    const double enough = tight ? std::max(limit, (1.0 + TightFraction) * result.sample) : limit;
+    const double enough =
+      tight ? std::max(limit, (1.0 + tolerance::TightFraction) * result.sample) : limit;
     const double bound = this->boundOf(node, enough);
-    if (bound <= enough || node.depth == MostHalvings || pieces >= MostPieces)
+    if (bound <= enough || node.depth == tolerance::MostHalvings || pieces >= tolerance::MostPieces)
     {
       result.bound = std::max(result.bound, bound);
       if (result.bound > limit && !tight)

@@ -97,14 +97,87 @@ Id RedGreenMesh::splitEdges(Id triangle) const
   return count;
 }
 
-std::array<Id, 2> RedGreenMesh::onlySplit(Id triangle) const
+Id RedGreenMesh::wayOf(Id triangle) const
 {
-  Id k = 0;
-  while (!this->isSplit(this->existingEdge(triangle, k)))
+  if (triangle >= this->faces_)
   {
-    ++k;
+    return this->part(triangle).way;
   }
-  return { k, this->edges_[this->existingEdge(triangle, k)].split };
+  const auto found = this->waysOfFaces_.find(triangle);
+  return found == this->waysOfFaces_.end() ? 0 : found->second;
+}
+
+void RedGreenMesh::setWay(Id triangle, Id way)
+{
+  if (triangle >= this->faces_)
+  {
+    this->parts_[triangle - this->faces_].way = way;
+  }
+  else if (way != this->wayOf(triangle))
+  {
+    this->waysOfFaces_[triangle] = way;
+  }
+}
+
+RedGreenMesh::Closing RedGreenMesh::closing(Id triangle, Id way) const
+{
+  using Indices = std::array<Id, 3>;
+  const Triangle c = this->corners(triangle);
+  const Id splits = this->splitEdges(triangle);
+  // the polygon begins at the corner before the split edges; three of them differ by flips only
+  Id begin = splits == 3 ? (way + 2) % 3 : 0;
+  while (splits > 0 && splits < 3 &&
+    !(this->isSplit(this->existingEdge(triangle, begin)) &&
+      (splits == 1 || this->isSplit(this->existingEdge(triangle, (begin + 1) % 3)))))
+  {
+    ++begin;
+  }
+  Closing closing;
+  for (Id i = 0; i < 3; ++i)
+  {
+    const Id k = (begin + i) % 3;
+    const Id edge = this->existingEdge(triangle, k);
+    const auto add = [&](Id point, Id from)
+    {
+      closing.points[closing.size] = point;
+      closing.edges[closing.size] = from;
+      closing.along[closing.size] = k;
+      ++closing.size;
+    };
+    add(c[k], this->isSplit(edge) ? this->halfAt(edge, c[k]) : edge);
+    if (this->isSplit(edge))
+    {
+      add(this->edges_[edge].split, this->halfAt(edge, c[(k + 1) % 3]));
+    }
+  }
+  closing.count = 1 + splits;
+  if (splits == 0)
+  {
+    closing.triangles = { Indices{ 0, 1, 2 } };
+  }
+  else if (splits == 1)
+  {
+    closing.triangles = { Indices{ 0, 1, 3 }, Indices{ 1, 2, 3 } };
+  }
+  else if (splits == 2 && way == 0)
+  {
+    closing.triangles = { Indices{ 1, 2, 3 }, Indices{ 0, 1, 3 }, Indices{ 0, 3, 4 } };
+  }
+  else if (splits == 2)
+  {
+    closing.triangles = { Indices{ 1, 2, 3 }, Indices{ 0, 1, 4 }, Indices{ 1, 3, 4 } };
+  }
+  else if (way == 0)
+  {
+    closing.triangles = { Indices{ 0, 1, 5 }, Indices{ 1, 2, 3 }, Indices{ 5, 3, 4 },
+      Indices{ 1, 3, 5 } };
+  }
+  else
+  {
+    closing.triangles = { Indices{ 0, 1, 3 }, Indices{ 0, 3, 5 }, Indices{ 1, 2, 3 },
+      Indices{ 5, 3, 4 } };
+  }
+  return closing;
 }
 
 SurfacePoint RedGreenMesh::between(const Edge& edge, double weight) const
@@ -160,8 +233,7 @@ void RedGreenMesh::split(Id id, const Place& place)
   this->forEachLeafAt(id,
     [this](Id triangle)
     {
-      // the first split edge bisects it, with the second it will be red
-      this->numberOfTriangles_ += this->splitEdges(triangle) == 1 ? 1 : 0;
+      ++this->numberOfTriangles_;
       this->touched_.push_back(triangle);
     });
   if (edge.parent != NoId)
@@ -190,7 +262,7 @@ Id RedGreenMesh::addPart(Id face, const Triangle& corners, const std::array<Id, 
   this->parts_.push_back(part);
   const Id triangle = this->faces_ + index;
   this->touched_.push_back(triangle);
-  this->numberOfTriangles_ += this->splitEdges(triangle) == 0 ? 1 : 2;
+  this->numberOfTriangles_ += 1 + this->splitEdges(triangle);
   return index;
 }
 
@@ -214,7 +286,7 @@ void RedGreenMesh::splitRed(Id triangle, const Place& place)
   {
     inner[k] = this->addEdge(m[(k + 2) % 3], m[k], NoId, NoId, face);
   }
-  this->numberOfTriangles_ -= 2;
+  this->numberOfTriangles_ -= 4;
   const Id first = this->addPart(
     face, { c[0], m[0], m[2] }, { this->halfAt(e[0], c[0]), inner[0], this->halfAt(e[2], c[0]) });
   this->addPart(
@@ -226,9 +298,8 @@ void RedGreenMesh::splitRed(Id triangle, const Place& place)
   this->journal_.push_back({ Change::TriangleSplit, triangle, NoId });
 }
 
-bool RedGreenMesh::mustBeSplit(Id triangle) const
+bool RedGreenMesh::isSplitTwice(Id triangle) const
 {
-  Id count = 0;
   for (Id k = 0; k < 3; ++k)
   {
     const Id edge = this->existingEdge(triangle, k);
@@ -239,13 +310,13 @@ bool RedGreenMesh::mustBeSplit(Id triangle) const
       {
         return true;
       }
-      ++count;
     }
   }
-  return count > 1;
+  return false;
 }
 
-void RedGreenMesh::closeTouched(const Place& place, std::vector<Id>& changed)
+void RedGreenMesh::closeTouched(
+  const Place& place, const MayClose& mayClose, std::vector<Id>& changed)
 {
   while (!this->touched_.empty())
   {
@@ -255,7 +326,7 @@ void RedGreenMesh::closeTouched(const Place& place, std::vector<Id>& changed)
     {
       continue;
     }
-    if (this->mustBeSplit(triangle))
+    if (this->isSplitTwice(triangle) || (this->splitEdges(triangle) > 1 && !mayClose(triangle)))
     {
       this->splitRed(triangle, place);
     }
@@ -271,18 +342,23 @@ void RedGreenMesh::closeTouched(const Place& place, std::vector<Id>& changed)
     changed.end());
 }
 
-std::vector<Id> RedGreenMesh::close(const Place& place, const MayBisect& mayBisect)
+std::vector<Id> RedGreenMesh::close(const Place& place, const MayClose& mayClose)
 {
+  constexpr int rounds = 2;
   std::vector<Id> changed;
-  this->closeTouched(place, changed);
-  for (const Id triangle : changed)
+  this->closeTouched(place, mayClose, changed);
+  for (int round = 0; round < rounds; ++round)
   {
-    if (this->isLeaf(triangle) && this->splitEdges(triangle) == 1 && !mayBisect(triangle))
+    const std::vector<Id> bisected = changed;
+    for (const Id triangle : bisected)
     {
-      this->splitRed(triangle, place);
+      if (this->isLeaf(triangle) && this->splitEdges(triangle) == 1 && !mayClose(triangle))
+      {
+        this->splitRed(triangle, place);
+      }
     }
+    this->closeTouched(place, mayClose, changed);
   }
-  this->closeTouched(place, changed);
   return changed;
 }
 

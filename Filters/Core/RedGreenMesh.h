@@ -19,10 +19,11 @@ namespace geodesic
 /// and data structures for regular local mesh refinement"; the paper's one-to-four splits).
 ///
 /// Only red triangles are kept: input faces and the four parts of a red triangle whose edges were
-/// split (figure 7). A leaf with one split edge is closed by a bisection when the mesh is put out,
-/// and only then: when more of it is to be split, that green bisection has never been, so that
-/// green triangles are never split again. close() restores what must hold between splits: no leaf
-/// has two split edges, nor an edge that was split twice.
+/// split (figure 7). A leaf with split edges is closed when the mesh is put out, and only then: by
+/// a bisection, or with two or three split edges into three or four triangles whose inner edges may
+/// be flipped. When more of it is to be split, those green triangles have never been, so that they
+/// are never split again. close() restores what must hold between splits: no leaf has an edge that
+/// was split twice, nor two split edges where the caller wants that completed to four triangles.
 ///
 /// Points are the mesh's vertices and then the splits, in order. A triangle is an input face or
 /// `number of faces + i` for part i. Edges along an input edge are shared by all faces around it,
@@ -67,8 +68,23 @@ public:
   };
   /// Called for each edge that is to be split.
   using Place = std::function<Placement(Id edge)>;
-  /// Whether the shapes allow a leaf with one split edge to be bisected.
-  using MayBisect = std::function<bool(Id triangle)>;
+  /// Whether a leaf with split edges, each of them once, may stay one.
+  using MayClose = std::function<bool(Id triangle)>;
+
+  /// The triangles that a leaf is put out as: a leaf with split edges is a polygon of corners and
+  /// splits.
+  struct Closing
+  {
+    Id size = 0;
+    /// The polygon's points and, from each to the next, the edge (NoId: not made yet) and the k of
+    /// the leaf's edge that it is or is half of.
+    std::array<Id, 6> points;
+    std::array<Id, 6> edges;
+    std::array<Id, 6> along;
+    /// Indices into the polygon.
+    Id count = 0;
+    std::array<std::array<Id, 3>, 4> triangles;
+  };
 
   /// \param frozen faces that are not refined; where a neighbour splits one of their edges, they
   ///        are only closed.
@@ -88,8 +104,13 @@ public:
   Edge& edgeData(Id edge) { return this->edges_[edge]; }
   /// How many edges of a leaf are split.
   Id splitEdges(Id triangle) const;
-  /// The k of the only split edge of a leaf, and the point that splits it.
-  std::array<Id, 2> onlySplit(Id triangle) const;
+  /// In how many ways a leaf with so many split edges can be cut: they differ by flips of edges
+  /// inside it.
+  static Id waysToClose(Id splitEdges) { return splitEdges < 2 ? 1 : 2 * splitEdges - 2; }
+  Closing closing(Id triangle, Id way) const;
+  /// The way in which a leaf is put out.
+  Id wayOf(Id triangle) const;
+  void setWay(Id triangle, Id way);
 
   /// The leaves (none of them frozen) with this edge as it is, unsplit or not.
   template <typename Visitor>
@@ -99,10 +120,11 @@ public:
   void split(Id edge, const Place& place);
   /// Splits a leaf into four.
   void splitRed(Id triangle, const Place& place);
-  /// Splits leaves into four till none has two split edges or one that was split twice, and, once,
-  /// those that may not be bisected: what that bisects in turn stays, so that it does not spread.
-  /// \returns the leaves that are new or whose edges were split since the last call, ascending.
-  std::vector<Id> close(const Place& place, const MayBisect& mayBisect);
+  /// Splits leaves into four: those with an edge that was split twice, those with two split edges
+  /// or more that may not be closed, and in two rounds bisected ones that may not be: what the
+  /// second bisects in turn stays, so that it does not spread. \returns the leaves that are new or
+  /// whose edges were split since the last call, ascending.
+  std::vector<Id> close(const Place& place, const MayClose& mayClose);
 
   /// Number of triangles that are put out.
   std::uint64_t numberOfTriangles() const { return this->numberOfTriangles_; }
@@ -123,6 +145,7 @@ private:
     std::array<Id, 3> edges;
     std::array<Id, 3> nextCorner;
     Id parts = NoId;
+    Id way = 0;
   };
 
   enum class Change : std::uint32_t
@@ -151,8 +174,8 @@ private:
   SurfacePoint between(const Edge& edge, double weight) const;
   Id halfAt(Id edge, Id end) const;
   Id addPart(Id face, const Triangle& corners, const std::array<Id, 3>& edges);
-  bool mustBeSplit(Id triangle) const;
-  void closeTouched(const Place& place, std::vector<Id>& changed);
+  bool isSplitTwice(Id triangle) const;
+  void closeTouched(const Place& place, const MayClose& mayClose, std::vector<Id>& changed);
   Id frozenFacesAt(const Edge& edge) const;
   template <typename Emit>
   void closeLeaf(Id triangle, Emit&& emit) const;
@@ -170,6 +193,8 @@ private:
   std::vector<Part> parts_;
   /// First of the four parts of each input face.
   std::vector<Id> partsOfFace_;
+  /// The ways in which input faces are closed, where not the first.
+  std::unordered_map<Id, Id> waysOfFaces_;
   std::vector<Id> touched_;
   std::uint64_t numberOfTriangles_;
 

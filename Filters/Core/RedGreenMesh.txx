@@ -71,15 +71,12 @@ template <typename Emit>
 void RedGreenMesh::closeLeaf(Id triangle, Emit&& emit) const
 {
   const Id face = this->faceOf(triangle);
-  const Triangle c = this->corners(triangle);
-  if (this->splitEdges(triangle) == 0)
+  const Closing closing = this->closing(triangle, this->wayOf(triangle));
+  for (Id i = 0; i < closing.count; ++i)
   {
-    emit(face, c);
-    return;
+    const std::array<Id, 3>& t = closing.triangles[i];
+    emit(face, Triangle{ closing.points[t[0]], closing.points[t[1]], closing.points[t[2]] });
   }
-  const auto [k, middle] = this->onlySplit(triangle);
-  emit(face, Triangle{ c[k], middle, c[(k + 2) % 3] });
-  emit(face, Triangle{ middle, c[(k + 1) % 3], c[(k + 2) % 3] });
 }
 
 // Bisects at the longest split edge first, for the shapes.

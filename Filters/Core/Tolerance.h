@@ -67,6 +67,49 @@ constexpr double MergedDepth = 1e-6;
 /// angle of Rounding / NearSide: from nearer its rays are sent through the face behind in one step.
 constexpr double NearSide = 1e-6;
 
+/// In one face, distances from its windows are compared up to this fraction: each is a tie off, and
+/// a few are added up.
+constexpr double FaceRounding = 8.0 * Tie;
+
+/// A window's part of a segment in a face is taken longer by this fraction of the segment at both
+/// ends: rays of neighbours that meet in one point are cut with it separately, and rounding would
+/// leave gaps. Narrower parts are left to their neighbours. Moves no distance by more than about
+/// itself.
+constexpr double PencilMargin = 1e-12;
+
+/// Neighbours in an envelope along a segment may differ by this fraction of its length where they
+/// meet, and so may an envelope and the distance; more tells of a gap. Well over PencilMargin, as a
+/// joint's place carries the rounding of the crossing that was solved for it.
+constexpr double JointFraction = 1e-9;
+
+/// Rays that meet their side at a smaller angle (about the root of the rounding) run along it: the
+/// cosine of such an angle is 1 to the last digit, so that rounding alone would tell where they go.
+constexpr double GrazingAngle = 1e-8;
+
+/// The search for the error inside one triangle ends after so many pieces, or halvings: it is
+/// cheaper then to refine the triangle.
+constexpr unsigned MostPieces = 200;
+constexpr unsigned MostHalvings = 14;
+
+/// A tight search ends when the bound is over an error that occurs by no more than this fraction:
+/// what is reported need not be sharper, and halving the gap takes several times the pieces.
+constexpr double TightFraction = 0.05;
+
+/// A refinement makes no angle (in radians) smaller than this (14 degrees) and than this fraction
+/// of the input face's smallest: edges are split nearer to their middle than the table of
+/// section 6.2 has it, and triangles into four instead of two or three. With less, the worst of a
+/// hundred angles decays from level to level by more than a fifth; with more, many more triangles
+/// are needed, and what closes these is thin again.
+constexpr double LeastAngle = 0.25;
+constexpr double LeastAngleFraction = 0.6;
+
+/// But where an edge's deviation is over this multiple of the refinement's tolerance, the smallest
+/// angle may be this (3 degrees), as a split exactly where the distance bends saves levels of
+/// triangles there. Under the multiple it saves about one, and most triangles of a refined surface
+/// are from there, so that their shapes are what counts.
+constexpr double WorthThinParts = 2.5;
+constexpr double LeastAngleOfThinParts = 0.05;
+
 }
 
 #endif

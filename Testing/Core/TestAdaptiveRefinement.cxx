@@ -457,7 +457,8 @@ public:
     {
       this->triangles_.split(edge, middle);
     }
-    this->triangles_.close(middle, [](Id) { return true; });
+    this->triangles_.close(
+      middle, [this](Id triangle) { return this->triangles_.splitEdges(triangle) == 1; });
   }
 
   /// How many triangles are put out in each face.
@@ -601,12 +602,50 @@ TEST(RedGreen, ABisectedTriangleIsSplitIntoFourAsIfItHadNeverBeen)
   EXPECT_EQ(mesh.around().count(bisector), 0u);
 }
 
-TEST(RedGreen, AThinBisectionIsReplacedOnce)
+TEST(RedGreen, ThinBisectionsAreReplacedInTwoRounds)
 {
   ByHand mesh({ { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 }, { 4, 3, 5 } });
   mesh.triangles().split(mesh.edge(0, 0), ByHand::middle);
   mesh.triangles().close(ByHand::middle, [](Id) { return false; });
-  EXPECT_EQ(mesh.count(), (Counts{ 4, 2, 1, 1 }));
+  EXPECT_EQ(mesh.count(), (Counts{ 4, 4, 2, 1 }));
+}
+
+TEST(RedGreen, WhatMayBeClosedIsPutOutInEveryWayAsAPartitionOfTheLeaf)
+{
+  for (const std::vector<Id>& edges :
+    { std::vector<Id>{ 0, 1 }, { 1, 2 }, { 2, 0 }, { 0 }, { 1 }, { 2 }, { 0, 1, 2 } })
+  {
+    ByHand mesh(TwoFaces);
+    for (const Id k : edges)
+    {
+      mesh.triangles().split(mesh.edge(0, k), ByHand::middle);
+    }
+    mesh.triangles().close(ByHand::middle, [](Id) { return true; });
+    const Id splits = static_cast<Id>(edges.size());
+    const Id ways = RedGreenMesh::waysToClose(splits);
+    std::set<std::set<std::set<Id>>> different;
+    for (Id way = 0; way < ways; ++way)
+    {
+      mesh.triangles().setWay(0, way);
+      const bool sharedToo = std::count(edges.begin(), edges.end(), 1u) > 0;
+      EXPECT_EQ(mesh.count(), (Counts{ 1 + splits, sharedToo ? 2u : 1u }));
+      // both faces together have a boundary of four input edges, of which splits are halved
+      std::size_t boundary = 0;
+      for (const auto& [ends, triangles] : mesh.around())
+      {
+        EXPECT_LE(triangles, 2u);
+        boundary += triangles == 1 ? 1 : 0;
+      }
+      EXPECT_EQ(boundary, 4 + edges.size() - (sharedToo ? 1 : 0));
+      std::set<std::set<Id>> output;
+      for (const geodesic::Triangle& t : mesh.output())
+      {
+        output.insert({ t[0], t[1], t[2] });
+      }
+      different.insert(output);
+    }
+    EXPECT_EQ(different.size(), ways);
+  }
 }
 
 TEST(RedGreen, AFrozenFaceIsOnlyClosed)
