@@ -319,6 +319,10 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkInternals::Solve(
   if (this->Self->Accuracy == APPROXIMATE)
   {
     options.relativeError = this->Self->RelativeError;
+    if (refine)
+    {
+      options.mostMerged = geodesic::mostMergedFor(this->Tolerance());
+    }
   }
   if (this->Self->MaximumDistance > 0.0)
   {

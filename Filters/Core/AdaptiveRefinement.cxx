@@ -752,4 +752,9 @@ RefinedMesh refine(const DistanceField& field, const RefinementOptions& options)
   return Refiner(field, options).run();
 }
 
+double mostMergedFor(double refinementTolerance)
+{
+  return tolerance::MergedOfRefinement * refinementTolerance;
+}
+
 }

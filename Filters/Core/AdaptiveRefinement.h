@@ -57,7 +57,7 @@ struct RefinedMesh
   std::vector<Id> faces;
   /// Certified: nowhere on a face that could be refined is the difference between distance and
   /// interpolant larger. At most the tolerance, unless more faces would have been needed, or an
-  /// approximate field differs by more than half of it between the faces at a point.
+  /// approximate field was solved without mostMergedFor(tolerance).
   double errorBound = 0.0;
   /// Whether more faces would have been needed.
   bool stoppedAtMaximum = false;
@@ -78,13 +78,17 @@ struct RefinedMesh
 /// meets the tolerance, so that an edge follows where the distance bends. Where there is none, more
 /// of its edges are split, and then it is split into four.
 ///
-/// With an approximate field the distance is the computed one, which may differ on the two sides of
-/// an edge by the error of merging; see errorBound.
+/// With an approximate field the distance is the computed one. The faces at a point may differ by
+/// what was merged on their edge; that is taken off the tolerance, and counted in errorBound. It is
+/// small where the field was solved with mostMergedFor(tolerance).
 ///
 /// \param field with windows kept.
 /// \throws Error where the tolerance is not a positive number, or the field has no windows;
 ///         Aborted.
 RefinedMesh refine(const DistanceField& field, const RefinementOptions& options);
+
+/// The SolveOptions::mostMerged of an approximate field that is to be refined to a tolerance.
+double mostMergedFor(double tolerance);
 
 }
 

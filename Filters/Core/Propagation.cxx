@@ -512,8 +512,8 @@ void Propagation::merge(Worker& worker, Id side)
   }
   std::vector<Window>& merged = worker.merging;
   merged.assign(list.begin(), list.end());
-  const double error =
-    mergeNeighbours(merged, this->mesh_.length(side), this->options_.relativeError);
+  const double error = mergeNeighbours(
+    merged, this->mesh_.length(side), this->options_.relativeError, this->options_.mostMerged);
   worker.relativeError = std::max(worker.relativeError, error);
   this->waiting_.assign(side, { merged.data(), merged.data() + merged.size() }, worker.pool);
 }

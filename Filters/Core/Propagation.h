@@ -27,6 +27,11 @@ struct SolveOptions
   /// 0: exact. Otherwise the largest relative error of any distance against the exact one, for
   /// which windows are merged (paper, section 5).
   double relativeError = 0.0;
+  /// With a relative error: the most that merging the windows of one side may change the distance
+  /// there, in the surface's units. The distances of two faces at a point of their edge then differ
+  /// by no more. Where the field is to be refined, mostMergedFor(tolerance) in
+  /// AdaptiveRefinement.h.
+  double mostMerged = Infinity;
   /// Stop there, in the surface's units. Every face that has a point within the limit is complete:
   /// all its vertices (and its inside, where windows are kept) have exact values.
   double maximumDistance = Infinity;

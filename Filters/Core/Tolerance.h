@@ -110,6 +110,11 @@ constexpr double LeastAngleFraction = 0.6;
 constexpr double WorthThinParts = 2.5;
 constexpr double LeastAngleOfThinParts = 0.05;
 
+/// Of the tolerance of a refinement, what merging may change on one side: the faces at a point then
+/// differ by no more, which is left over from the tolerance for the triangles. With more, many more
+/// triangles are needed; with less, more windows.
+constexpr double MergedOfRefinement = 0.1;
+
 }
 
 #endif

@@ -139,7 +139,10 @@ void lowerToEnds(Window& w, const Pair& p)
   w.sigma -= std::max(excess, 0.0);
 }
 
-bool merge(const Window& left, const Window& right, double relativeError, Window& merged)
+/// \param added how far the left window, itself merged, may be below what it replaced; becomes that
+///        of the merged one.
+bool merge(const Window& left, const Window& right, double relativeError, double mostAdded,
+  double& added, Window& merged)
 {
   const Pair p = makePair(left, right);
   const double inherited = std::max(left.error, right.error);
@@ -174,28 +177,36 @@ bool merge(const Window& left, const Window& right, double relativeError, Window
   merged.end = p.end;
   merged.depth = std::max(left.depth, right.depth);
   lowerToEnds(merged, p);
-  merged.error = inherited + std::max(largestGap(left, merged), largestGap(right, merged));
-  return merged.error <= relativeError * merged.minimum();
+  const double gapLeft = largestGap(left, merged);
+  const double gapRight = largestGap(right, merged);
+  merged.error = inherited + std::max(gapLeft, gapRight);
+  added = std::max(added + gapLeft, gapRight);
+  return merged.error <= relativeError * merged.minimum() && added <= mostAdded;
 }
 
 } // anonymous namespace
 
-double mergeNeighbours(std::vector<Window>& windows, double sideLength, double relativeError)
+double mergeNeighbours(
+  std::vector<Window>& windows, double sideLength, double relativeError, double mostAdded)
 {
   double largest = 0.0;
+  double added = 0.0; // of the last window
   std::size_t last = 0;
   for (std::size_t i = 1; i < windows.size(); ++i)
   {
     Window merged;
+    double addedNow = added;
     const bool meet = windows[i].begin - windows[last].end <= tolerance::LeastWidth * sideLength;
-    if (meet && merge(windows[last], windows[i], relativeError, merged))
+    if (meet && merge(windows[last], windows[i], relativeError, mostAdded, addedNow, merged))
     {
       windows[last] = merged;
+      added = addedNow;
       largest = std::max(largest, merged.error / merged.minimum());
     }
     else
     {
       windows[++last] = windows[i];
+      added = 0.0;
     }
   }
   windows.resize(windows.empty() ? 0 : last + 1);

@@ -19,8 +19,12 @@ namespace geodesic
 /// \param windows sorted, without overlap; replaced by the merged list.
 /// \param sideLength length of the side.
 /// \param relativeError epsilon, > 0.
+/// \param mostAdded a merged window is nowhere below the windows that it replaces by more than
+/// this,
+///        however many they are; >= 0.
 /// \returns the largest error / minimum of the windows merged here; 0 where none was.
-double mergeNeighbours(std::vector<Window>& windows, double sideLength, double relativeError);
+double mergeNeighbours(std::vector<Window>& windows, double sideLength, double relativeError,
+  double mostAdded = Infinity);
 
 }
 

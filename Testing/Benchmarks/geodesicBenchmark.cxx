@@ -347,6 +347,10 @@ void run(const Options& options, vtkPolyData* mesh, const Source& source)
 
     geodesic::SolveOptions solveOptions;
     solveOptions.relativeError = options.relativeError;
+    if (options.refine > 0.0)
+    {
+      solveOptions.mostMerged = geodesic::mostMergedFor(options.refine * surface.diagonal());
+    }
     solveOptions.parallelFor = geodesic::smpParallelFor();
     solveOptions.keepWindows =
       options.refine > 0.0 ? geodesic::KeepWindows::All : geodesic::KeepWindows::None;

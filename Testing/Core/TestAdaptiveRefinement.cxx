@@ -37,12 +37,13 @@ namespace
 
 DistanceField solveKeepingAll(const TriangleMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves, double relativeError = 0.0,
-  double maximumDistance = geodesic::Infinity)
+  double maximumDistance = geodesic::Infinity, double refinementTolerance = geodesic::Infinity)
 {
   geodesic::SolveOptions options;
   options.keepWindows = geodesic::KeepWindows::All;
   options.relativeError = relativeError;
   options.maximumDistance = maximumDistance;
+  options.mostMerged = geodesic::mostMergedFor(refinementTolerance);
   return geodesic::solve(mesh, curves, options);
 }
 
@@ -299,6 +300,29 @@ bool equal(const RefinedMesh& a, const RefinedMesh& b)
     std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), samePoint);
 }
 
+/// An approximate field, solved for being refined, against itself.
+void meetsToleranceOfItsField(const PlainMesh& mesh, const Sources& sources, double relativeError,
+  double fraction, Random& random)
+{
+  const TriangleMesh engine = engineMesh(mesh);
+  const std::vector<geodesic::SourceCurve> source = engineCurves(engine, sources);
+  const DistanceField exact = geodesic::solve(engine, source);
+  const double largest = largestFinite(exact.vertexDistances());
+  const double tolerance = fraction * largest;
+  const DistanceField field =
+    solveKeepingAll(engine, source, relativeError, geodesic::Infinity, tolerance);
+  const RefinedMesh refined = refineTo(field, tolerance);
+  EXPECT_FALSE(refined.stoppedAtMaximum);
+  EXPECT_LE(refined.errorBound, tolerance);
+  const Samples samples = sample(field, refined, 3000, random);
+  std::vector<double> computed;
+  for (const MeshPoint& place : samples.places)
+  {
+    computed.push_back(field.distance(enginePoint(engine, place)));
+  }
+  EXPECT_LE(largestDifference(samples, computed), refined.errorBound + EngineAccuracy * largest);
+}
+
 //----------------------------------------------------------------------------
 class Refinement : public ::testing::TestWithParam<MeshKind>
 {
@@ -366,6 +390,41 @@ TEST_P(Refinement, SeesASourceThatIsStrictlyInsideOneFace)
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Refinement, ::testing::ValuesIn(meshKinds()),
   [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST_P(Refinement, OfAnApproximateFieldMeetsTheToleranceAtEveryEpsilon)
+{
+  constexpr std::uint64_t meshes = 3;
+  for (std::uint64_t seed = 0; seed < meshes; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 9000);
+    const PlainMesh mesh = GetParam().make(random.between(50, 250), random);
+    CurveMaker maker(mesh, random);
+    const std::vector<Polyline> curves = maker.anySource();
+    SCOPED_TRACE(describe(curves));
+    const Sources source = toSources(curves);
+    for (const double relativeError : { 1e-3, 1e-2, 1e-1 })
+    {
+      SCOPED_TRACE(relativeError);
+      meetsToleranceOfItsField(mesh, source, relativeError, random.uniform(0.002, 0.02), random);
+    }
+  }
+}
+
+// Wide windows, so that one merge changes much.
+TEST(RefinementOfACoarsePlane, OfAnApproximateFieldMeetsTheTolerance)
+{
+  Random random(1);
+  const PlainMesh plane = regularGrid(8, 8);
+  const Sources source{ { { 17, { 0.2, 0.3, 0.5 } } }, {} };
+  for (const double relativeError : { 1e-3, 1e-2, 1e-1 })
+  {
+    for (const double fraction : { 1e-2, 1e-3 })
+    {
+      meetsToleranceOfItsField(plane, source, relativeError, fraction, random);
+    }
+  }
+}
 
 TEST(RefinementOfBoundaryFields, IsNowhereOverTheTolerance)
 {
@@ -960,7 +1019,7 @@ TEST_F(RefinementOfASheet, OfAnApproximateFieldIsHeldAgainstThatField)
     const double tolerance = 2e-3 * largest_;
     const RefinedMesh refined = refineTo(field, tolerance, 100000);
     EXPECT_FALSE(refined.stoppedAtMaximum);
-    // faces may differ where they meet, by what merging has changed
+    // solved for no refinement, faces may differ where they meet by what merging has changed
     EXPECT_LE(refined.errorBound, tolerance + field.relativeErrorBound() * largest_);
     Random random(6);
     const Samples samples = sample(field, refined, 10000, random);

@@ -215,3 +215,49 @@ TEST(Approximate, MergedWindowsMeetTheOriginalsAtTheEndsAndAreNowhereAbove)
   }
   EXPECT_GT(merges, 1000);
 }
+
+// A chain of merges adds up; the limit is for all of it.
+TEST(Approximate, ManyNeighboursStayWithinTheLimitOfWhatIsMerged)
+{
+  Random random(18);
+  for (int i = 0; i < 300; ++i)
+  {
+    std::vector<Window> original;
+    const int count = 40;
+    double before = 0.0;
+    for (int k = 0; k < count; ++k)
+    {
+      // sources that go round, so that kinks close and distances agree at the joints
+      Window w{};
+      w.kind = Window::Kind::Circular;
+      w.begin = static_cast<double>(k) / count;
+      w.end = static_cast<double>(k + 1) / count;
+      w.sourceX = 0.5 - 0.02 * k + random.uniform(-0.01, 0.01);
+      w.sourceDepth = random.uniform(1.9, 2.1);
+      w.sigma = 0.0;
+      w.sigma = (k == 0 ? 5.0 : before) - w.distance(w.begin);
+      before = w.distance(w.end);
+      original.push_back(w);
+    }
+    const double epsilon = 0.1;
+    std::size_t fewer = 0;
+    for (const double limit : { geodesic::Infinity, 1e-3, 1e-4, 1e-6, 0.0 })
+    {
+      std::vector<Window> windows = original;
+      geodesic::mergeNeighbours(windows, 1.0, epsilon, limit);
+      EXPECT_GE(windows.size(), fewer) << "a smaller limit merges no more";
+      fewer = windows.size();
+      for (const Window& w : original)
+      {
+        for (const double x : { w.begin, 0.5 * (w.begin + w.end), w.end })
+        {
+          const auto merged = std::find_if(
+            windows.begin(), windows.end(), [x](const Window& m) { return x <= m.end; });
+          ASSERT_NE(merged, windows.end());
+          EXPECT_LE(w.distance(x) - merged->distance(x), limit + 1e-13);
+        }
+      }
+      EXPECT_TRUE(limit < geodesic::Infinity || windows.size() < 5);
+    }
+  }
+}
