@@ -375,10 +375,8 @@ geodesic::RefinedMesh vtkGeodesicDistanceField::vtkInternals::Refine(
   {
     vtkWarningWithObjectMacro(this->Self,
       "The refined surface meets a tolerance of "
-        << refined.errorBound << " instead of " << options.tolerance << ": with a RelativeError of "
-        << this->Self->RelativeError
-        << " the computed distance itself differs by as much between neighboring triangles. Lower "
-           "RelativeError or raise the tolerance.");
+        << refined.errorBound << " instead of " << options.tolerance
+        << ", which is near the rounding of distances. Raise the tolerance.");
   }
   return refined;
 }

@@ -277,9 +277,8 @@ public:
    * After an execution with RefineMesh: what is certified about the difference between the linear
    * interpolant of the output and the computed distance, anywhere on triangles that are reached and
    * have a point within MaximumDistance, in the units of the surface. At most the tolerance, unless
-   * MaximumNumberOfCells was reached, or RelativeError allows the computed distance to differ by
-   * more between neighboring triangles; a warning tells of both. Where the surface was not refined
-   * nothing is certified, and it is infinite.
+   * MaximumNumberOfCells was reached, or the tolerance is near the rounding of distances; a warning
+   * tells of both. Where the surface was not refined nothing is certified, and it is infinite.
    */
   vtkGetMacro(InterpolationErrorBound, double);
   ///@}

@@ -427,6 +427,26 @@ void CheckCap(Check& check)
   check.That(Contains(messages.Warning(), "is reached"), "an input at the cap");
 }
 
+// Merging wide windows would change the distance by more than the tolerance.
+void CheckApproximate(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(8));
+  filter->SetSourceData(Polyline({ { 0.33, 0.41, 0 } }));
+  filter->SetAccuracy(vtkGeodesicDistanceField::APPROXIMATE);
+  Messages messages(filter);
+  for (const double epsilon : { 1e-3, 1e-2, 1e-1 })
+  {
+    filter->SetRelativeError(epsilon);
+    messages.Update();
+    const std::string what = "approximate, " + std::to_string(epsilon);
+    check.That(messages.Warning().empty(), what + ": no warning, " + messages.Warning());
+    check.That(filter->GetInterpolationErrorBound() <= 1e-3 * std::sqrt(2.0),
+      what + ": the tolerance is met, " + std::to_string(filter->GetInterpolationErrorBound()));
+    CheckSquareIsWhole(check, filter->GetOutput(), what);
+  }
+}
+
 }
 
 int TestGeodesicRefinement(int, char*[])
@@ -442,5 +462,6 @@ int TestGeodesicRefinement(int, char*[])
   CheckDuplicateFaces(check, true);
   CheckLimit(check);
   CheckCap(check);
+  CheckApproximate(check);
   return check.Result();
 }
