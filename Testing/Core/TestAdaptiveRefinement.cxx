@@ -460,6 +460,26 @@ TEST(RefinementOfBoundaryFields, IsNowhereOverTheTolerance)
   }
 }
 
+// The source crosses two edges in the middle: split there and joined, it is an edge itself.
+TEST(RefinementOfOneFace, FollowsTheSourceFromEdgeToEdgeWithThreeTriangles)
+{
+  const PlainMesh mesh = { { { 0, 0, 0 }, { 4, 0, 0 }, { 1, 3, 0 } }, { { 0, 1, 2 } } };
+  const TriangleMesh engine = engineMesh(mesh);
+  const Sources source{ {}, { { 0, { 0.5, 0.5, 0.0 }, { 0.5, 0.0, 0.5 } } } };
+  const DistanceField field = solveKeepingAll(engine, engineCurves(engine, source));
+  const double tolerance = 0.5;
+  const RefinedMesh refined = refineTo(field, tolerance);
+  EXPECT_LE(refined.errorBound, tolerance);
+  EXPECT_EQ(refined.triangles.size(), 3u);
+  ASSERT_EQ(refined.points.size(), 2u);
+  EXPECT_NEAR(refined.points[0].distance, 0.0, EngineAccuracy);
+  EXPECT_NEAR(refined.points[1].distance, 0.0, EngineAccuracy);
+  const auto holdsBoth = [](const geodesic::Triangle& t)
+  { return std::count(t.begin(), t.end(), 3u) + std::count(t.begin(), t.end(), 4u) == 2; };
+  EXPECT_EQ(std::count_if(refined.triangles.begin(), refined.triangles.end(), holdsBoth), 2);
+  expectSameSurface(field, refined);
+}
+
 // All three edges are on the source, with distance 0 all along; the inside is not.
 TEST(RefinementOfOneFace, SeesALocalMaximumInside)
 {
