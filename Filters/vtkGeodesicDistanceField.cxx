@@ -315,7 +315,11 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkInternals::Solve(
   const std::vector<geodesic::SourceCurve>& curves, bool refine)
 {
   geodesic::SolveOptions options;
-  options.keepWindows = refine ? geodesic::KeepWindows::All : geodesic::KeepWindows::None;
+  if (refine)
+  {
+    options.keepWindows = geodesic::KeepWindows::WhereCurved;
+    options.flatTolerance = this->Tolerance();
+  }
   if (this->Self->Accuracy == APPROXIMATE)
   {
     options.relativeError = this->Self->RelativeError;

@@ -150,9 +150,7 @@ bool Refiner::isFrozen(Id face) const
       return true;
     }
   }
-  constexpr double third = 1.0 / 3.0;
-  return this->options_.maximumDistance < Infinity &&
-    !(this->field_.distance(SurfacePoint::inFace(face, third, third)) < Infinity);
+  return !this->field_.knowsInside(face);
 }
 
 std::vector<std::uint8_t> Refiner::findFrozen() const
@@ -167,6 +165,7 @@ std::vector<std::uint8_t> Refiner::findFrozen() const
 
 RefinedMesh Refiner::run()
 {
+  this->bound_ = this->field_.flatErrorBound();
   this->assessFaces();
   this->refineWorst();
   this->certifyRest();
@@ -735,6 +734,11 @@ void requireUsable(const DistanceField& field, const RefinementOptions& options)
   {
     throw Error("The refinement tolerance is " + std::to_string(options.tolerance) +
       "; give a positive number.");
+  }
+  if (options.tolerance < field.keptTolerance())
+  {
+    throw Error("The refinement tolerance is " + std::to_string(options.tolerance) +
+      ", but windows were kept for " + std::to_string(field.keptTolerance()) + " only.");
   }
   if (!options.cornerPoints.empty() && options.cornerPoints.size() != field.mesh().numberOfFaces())
   {

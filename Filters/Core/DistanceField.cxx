@@ -74,9 +74,9 @@ SurfacePoint onSide(const TriangleMesh& mesh, Id side, double fraction)
 
 void DistanceField::requireWindows() const
 {
-  if (!this->hasWindows())
+  if (!this->hasWindows() || !this->faceKept_.empty())
   {
-    throw Error("The distance inside faces was asked for, but the solve kept no windows.");
+    throw Error("The distance inside faces was asked for, but the solve did not keep all windows.");
   }
 }
 

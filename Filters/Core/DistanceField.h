@@ -40,6 +40,19 @@ public:
   /// Whether windows were kept, so that distance() and path() can be called.
   bool hasWindows() const { return this->windows_.isIndexed(); }
 
+  /// Whether the inside of a face is known: it is complete and its windows were kept.
+  bool knowsInside(Id face) const
+  {
+    return (this->faceComplete_.empty() || this->faceComplete_[face]) &&
+      (this->faceKept_.empty() || this->faceKept_[face]);
+  }
+
+  /// What windows of flat faces were dropped by; 0 where all were kept.
+  double keptTolerance() const { return this->keptTolerance_; }
+  /// Certified: in faces whose windows were dropped, no closure by triangles between points of the
+  /// edges differs by more from the distance.
+  double flatErrorBound() const { return this->flatErrorBound_; }
+
   /// Exact distance at a point of the surface; +infinity where the front did not come, which with a
   /// limit is every face without a point within it. Thread-safe.
   ///
@@ -84,6 +97,10 @@ private:
   std::vector<SourceInFace> sourcesInFaces_;
   /// With a limit: whether each face is complete. Empty where all are.
   std::vector<std::uint8_t> faceComplete_;
+  /// Whether each face has its windows. Empty where all have.
+  std::vector<std::uint8_t> faceKept_;
+  double keptTolerance_ = 0.0;
+  double flatErrorBound_ = 0.0;
 };
 
 /// Distance within the source's face to a point of that face.

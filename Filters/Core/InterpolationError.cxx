@@ -56,7 +56,139 @@ Gradient gradientOf(
   return g;
 }
 
+// How far the interpolant along a side is over the windows of that side: section 6.2 for each.
+bool belowOfSide(double length, const WindowRuns& windows, double atOrigin, double atDestination,
+  double limit, double& below)
+{
+  if (!(length > 0.0))
+  {
+    return true;
+  }
+  const double a = (atDestination - atOrigin) / length;
+  const double slope = (1.0 - a) * (1.0 + a);
+  const double shift = slope > 0.0 ? a / std::sqrt(slope) : 0.0;
+  for (const Window& w : windows)
+  {
+    double x = 0.0;
+    if (w.isLinear())
+    {
+      x = w.sourceX > a ? w.begin : w.end;
+    }
+    else
+    {
+      // with a steep interpolant the lowest is at an end
+      x = slope > 0.0 ? std::clamp(w.sourceX + shift * w.sourceDepth, w.begin, w.end)
+                      : (a > 0.0 ? w.end : w.begin);
+    }
+    below = std::max(below, atOrigin + a * x - w.distance(x));
+  }
+  return below <= limit;
+}
+
+// How far the distance along a side can be over its interpolant, from the windows of that side: a
+// window's difference is convex, so largest at an end; between windows that do not meet the
+// distance changes by no more than the way. Windows that are over the limit do not help: they have
+// been overtaken by later ones, or fill a gap of rounding.
+double aboveOfSide(
+  double length, const WindowRuns& windows, double atOrigin, double atDestination, double limit)
+{
+  if (!(length > 0.0))
+  {
+    return 0.0;
+  }
+  const double a = (atDestination - atOrigin) / length;
+  const auto acrossGap = [a](double from, double to, double gap)
+  {
+    const double meet = 0.5 * (to - from + (1.0 + a) * gap);
+    return meet > 0.0 && meet < gap ? from + (1.0 - a) * meet : std::max(from, to);
+  };
+  double covered = 0.0;
+  double atCovered = 0.0;
+  double above = 0.0;
+  for (const Window& w : windows)
+  {
+    if (w.end <= covered)
+    {
+      continue;
+    }
+    const double atBegin = w.distance(w.begin) - (atOrigin + a * w.begin);
+    const double atEnd = w.distance(w.end) - (atOrigin + a * w.end);
+    if (std::max(atBegin, atEnd) > limit)
+    {
+      continue;
+    }
+    const double between =
+      w.begin > covered ? acrossGap(atCovered, atBegin, w.begin - covered) : atBegin;
+    above = std::max({ above, between, atEnd });
+    covered = w.end;
+    atCovered = atEnd;
+  }
+  if (covered < length)
+  {
+    above = std::max(above, acrossGap(atCovered, 0.0, length - covered));
+  }
+  return above;
+}
+
+// What a gradient other than 1 adds: below, and above.
+struct Slack
+{
+  double steep;
+  double flat;
+};
+
+Slack slackOf(const FaceShape& shape, const std::array<double, 3>& d)
+{
+  const double longest = *std::max_element(shape.length.begin(), shape.length.end());
+  const Gradient g = gradientOf(shape.length[0] * shape.length[0], shape.cornerDot[0],
+    shape.length[2] * shape.length[2], shape.area2, d[1] - d[0], d[2] - d[0], longest);
+  return { std::max(0.0, g.length - 1.0) * longest, std::max(0.0, 1.0 - g.length) * g.chord };
+}
+
 } // anonymous namespace
+
+double belowThroughSide(
+  const TriangleMesh& mesh, Id side, const std::array<double, 3>& d, const WindowRuns& windows)
+{
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(side));
+  double below = 0.0;
+  belowOfSide(mesh.length(side), windows, d[side % 3], d[(side % 3 + 1) % 3], Infinity, below);
+  return below + slackOf(shape, d).steep;
+}
+
+FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
+  const std::array<WindowRuns, 3>& windows, double limit)
+{
+  const FaceShape& shape = mesh.shape(face);
+  if (!(shape.area2 > 0.0))
+  {
+    return {};
+  }
+  const Slack slack = slackOf(shape, d);
+  if (!(std::max(slack.steep, slack.flat) <= limit))
+  {
+    return {};
+  }
+  double below = 0.0;
+  double above = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const std::size_t next = (k + 1) % 3;
+    if (!belowOfSide(shape.length[k], windows[k], d[k], d[next], limit - slack.steep, below))
+    {
+      return {};
+    }
+    // along the normal into the face, l rises from the side's line to the opposite corner
+    const double length2 = shape.length[k] * shape.length[k];
+    const double onLine = d[k] * length2 + (d[next] - d[k]) * shape.cornerDot[k];
+    if (d[(k + 2) % 3] * length2 >= onLine)
+    {
+      above = std::max(
+        above, aboveOfSide(shape.length[k], windows[k], d[k], d[next], limit - slack.flat));
+    }
+  }
+  return { above + slack.flat, below + slack.steep };
+}
 
 InterpolationError::InterpolationError(const DistanceField& field)
   : field_(field)
@@ -99,7 +231,8 @@ double InterpolationError::ofFace(Id face, double limit, double known) const
   {
     const std::size_t next = (k + 1) % 3;
     const Id side = 3 * face + static_cast<Id>(k);
-    if (!this->belowOfSide(side, d[k], d[next], limit - steep, below))
+    if (!belowOfSide(
+          shape.length[k], this->field_.windowsOn(side), d[k], d[next], limit - steep, below))
     {
       return bySize;
     }
@@ -108,87 +241,12 @@ double InterpolationError::ofFace(Id face, double limit, double known) const
     const double onLine = d[k] * length2 + (d[next] - d[k]) * shape.cornerDot[k];
     if (d[(k + 2) % 3] * length2 >= onLine)
     {
-      above = std::max(above, this->aboveOfSide(side, d[k], d[next], limit - flat));
+      above = std::max(above,
+        aboveOfSide(shape.length[k], this->field_.windowsOn(side), d[k], d[next], limit - flat));
     }
   }
   const double bound = std::max(below + steep, above + flat);
   return bound <= limit ? std::min(bound, bySize) : bySize;
-}
-
-// How far the interpolant along a side is over the windows of that side: section 6.2 for each.
-bool InterpolationError::belowOfSide(
-  Id side, double atOrigin, double atDestination, double limit, double& below) const
-{
-  const double length = this->mesh_.length(side);
-  if (!(length > 0.0))
-  {
-    return true;
-  }
-  const double a = (atDestination - atOrigin) / length;
-  const double slope = (1.0 - a) * (1.0 + a);
-  const double shift = slope > 0.0 ? a / std::sqrt(slope) : 0.0;
-  for (const Window& w : this->field_.windowsOn(side))
-  {
-    double x = 0.0;
-    if (w.isLinear())
-    {
-      x = w.sourceX > a ? w.begin : w.end;
-    }
-    else
-    {
-      // with a steep interpolant the lowest is at an end
-      x = slope > 0.0 ? std::clamp(w.sourceX + shift * w.sourceDepth, w.begin, w.end)
-                      : (a > 0.0 ? w.end : w.begin);
-    }
-    below = std::max(below, atOrigin + a * x - w.distance(x));
-  }
-  return below <= limit;
-}
-
-// How far the distance along a side can be over its interpolant, from the windows of that side: a
-// window's difference is convex, so largest at an end; between windows that do not meet the
-// distance changes by no more than the way. Windows that are over the limit do not help: they have
-// been overtaken by later ones, or fill a gap of rounding.
-double InterpolationError::aboveOfSide(
-  Id side, double atOrigin, double atDestination, double limit) const
-{
-  const double length = this->mesh_.length(side);
-  if (!(length > 0.0))
-  {
-    return 0.0;
-  }
-  const double a = (atDestination - atOrigin) / length;
-  const auto acrossGap = [a](double from, double to, double gap)
-  {
-    const double meet = 0.5 * (to - from + (1.0 + a) * gap);
-    return meet > 0.0 && meet < gap ? from + (1.0 - a) * meet : std::max(from, to);
-  };
-  double covered = 0.0;
-  double atCovered = 0.0;
-  double above = 0.0;
-  for (const Window& w : this->field_.windowsOn(side))
-  {
-    if (w.end <= covered)
-    {
-      continue;
-    }
-    const double atBegin = w.distance(w.begin) - (atOrigin + a * w.begin);
-    const double atEnd = w.distance(w.end) - (atOrigin + a * w.end);
-    if (std::max(atBegin, atEnd) > limit)
-    {
-      continue;
-    }
-    const double between =
-      w.begin > covered ? acrossGap(atCovered, atBegin, w.begin - covered) : atBegin;
-    above = std::max({ above, between, atEnd });
-    covered = w.end;
-    atCovered = atEnd;
-  }
-  if (covered < length)
-  {
-    above = std::max(above, acrossGap(atCovered, 0.0, length - covered));
-  }
-  return above;
 }
 
 InterpolationError::Inside InterpolationError::ofTriangle(const FaceEnvelope& envelope,

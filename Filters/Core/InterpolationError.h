@@ -17,6 +17,25 @@ struct LinearPiece
   std::array<double, 3> values;
 };
 
+/// Bounds over a whole input face: how far the distance is over the linear interpolant of its
+/// corners, and how far under it.
+struct FaceBounds
+{
+  double above = Infinity;
+  double below = Infinity;
+};
+
+/// Such bounds from the windows of the face's sides as they are, no source being in the face and
+/// `d` being the distances at its corners. Infinite where one would be over the limit, which says
+/// nothing.
+FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
+  const std::array<WindowRuns, 3>& windows, double limit);
+
+/// How far the distance through windows of one side can be under the interpolant, anywhere in the
+/// face.
+double belowThroughSide(
+  const TriangleMesh& mesh, Id side, const std::array<double, 3>& d, const WindowRuns& windows);
+
 /// Certified bounds of |distance - linear interpolant| on whole triangles, beyond the paper, which
 /// looks at edges only. How, and why they hold, is told in the source.
 ///
@@ -58,9 +77,6 @@ private:
     std::array<std::size_t, 3> row;
   };
 
-  bool belowOfSide(
-    Id side, double atOrigin, double atDestination, double limit, double& below) const;
-  double aboveOfSide(Id side, double atOrigin, double atDestination, double limit) const;
   double belowAtSources(const FaceEnvelope& envelope, const LinearPiece& piece) const;
   Inside search(const FaceEnvelope& envelope, const LinearPiece& piece, double limit, bool tight);
   void chooseNear(const FaceEnvelope& envelope, const LinearPiece& piece);

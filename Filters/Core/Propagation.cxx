@@ -8,6 +8,7 @@
 #include "Tolerance.h"
 #include "VertexQueue.h"
 #include "WindowArchive.h"
+#include "WindowKeeper.h"
 #include "WindowList.h"
 #include "WindowMerge.h"
 
@@ -113,7 +114,7 @@ using namespace front;
 class Propagation
 {
 public:
-  Propagation(const TriangleMesh& mesh, const SolveOptions& options);
+  Propagation(const TriangleMesh& mesh, const SolveOptions& options, WindowKeeper* keeper);
 
   DistanceField run(const std::vector<SourceCurve>& sources);
 
@@ -156,6 +157,10 @@ private:
   void improve(const Improvement& improvement);
   void enqueue(Id vertex);
   double errorAt(Id vertex) const;
+  WindowKeeper::AtVertex distances() const
+  {
+    return [this](Id vertex) { return this->vertices_[vertex].distance; };
+  }
   void reportProgress();
 
   void finishLimited();
@@ -167,6 +172,8 @@ private:
 
   const TriangleMesh& mesh_;
   const SolveOptions& options_;
+  /// With WhereCurved.
+  WindowKeeper* keeper_;
   DistanceField field_;
 
   std::vector<VertexState> vertices_;
@@ -194,9 +201,11 @@ private:
   double reported_ = 0.0;
 };
 
-Propagation::Propagation(const TriangleMesh& mesh, const SolveOptions& options)
+Propagation::Propagation(
+  const TriangleMesh& mesh, const SolveOptions& options, WindowKeeper* keeper)
   : mesh_(mesh)
   , options_(options)
+  , keeper_(keeper)
   , vertices_(mesh.numberOfVertices())
   , waiting_(mesh.numberOfSides())
   , workers_(1)
@@ -267,6 +276,13 @@ void Propagation::start(const std::vector<SourceCurve>& sources)
     this->send(this->workers_[0], leaving.side, { &leaving.window, &leaving.window + 1 });
   }
   this->field_.sourcesInFaces_ = std::move(initial.inFaces);
+  if (this->keeper_ != nullptr)
+  {
+    for (const SourceInFace& source : this->field_.sourcesInFaces_)
+    {
+      this->keeper_->want(source.face);
+    }
+  }
   this->batch_.clear();
   this->runBatch();
 }
@@ -651,6 +667,15 @@ void Propagation::takeOver()
       }
       sides->clear();
     }
+    if (this->keeper_ != nullptr)
+    {
+      this->keeper_->take(worker.kept, this->distances());
+    }
+  }
+  if (this->keeper_ != nullptr)
+  {
+    this->keeper_->advance(this->batch_, this->front_, this->distances(),
+      [this](Id vertex) { return this->vertices_[vertex].processed; });
   }
 }
 
@@ -681,6 +706,10 @@ void Propagation::improve(const Improvement& improvement)
   }
   if (distance < this->vertices_[vertex].processed * (1.0 - tolerance::Tie))
   {
+    if (this->keeper_ != nullptr && this->vertices_[vertex].processed < Infinity)
+    {
+      this->keeper_->changeCorner(vertex);
+    }
     this->enqueue(vertex);
   }
 }
@@ -776,7 +805,7 @@ void Propagation::flush(double bound)
 double Propagation::neededDistance() const
 {
   double bound = 0.0;
-  const bool inside = this->options_.keepWindows == KeepWindows::All;
+  const bool inside = this->options_.keepWindows != KeepWindows::None;
   for (Id f = 0; f < this->mesh_.numberOfFaces(); ++f)
   {
     if (this->needed_[f])
@@ -825,7 +854,7 @@ void Propagation::keep(Worker& worker, Id side, const WindowRange& list)
       }
     }
   }
-  if (this->options_.keepWindows == KeepWindows::All)
+  if (this->options_.keepWindows != KeepWindows::None)
   {
     worker.kept.add(side, list);
   }
@@ -844,9 +873,19 @@ void Propagation::finish()
     this->field_.windowsPropagated_ += worker.propagated;
     this->field_.relativeErrorBound_ =
       std::max(this->field_.relativeErrorBound_, worker.relativeError);
+    if (this->keeper_ != nullptr)
+    {
+      this->keeper_->take(worker.kept, this->distances());
+    }
     this->field_.windows_.take(worker.kept);
   }
-  if (this->options_.keepWindows == KeepWindows::All)
+  if (this->keeper_ != nullptr)
+  {
+    this->keeper_->finish(this->field_.windows_, this->field_.faceKept_, this->distances());
+    this->field_.keptTolerance_ = this->options_.flatTolerance;
+    this->field_.flatErrorBound_ = this->keeper_->flatErrorBound();
+  }
+  if (this->options_.keepWindows != KeepWindows::None)
   {
     this->field_.windows_.index(this->mesh_.numberOfSides());
   }
@@ -860,7 +899,24 @@ DistanceField solve(
     throw Error("The relative error is " + std::to_string(options.relativeError) +
       "; give a number of at least 0.");
   }
-  return Propagation(mesh, options).run(sources);
+  if (options.keepWindows != KeepWindows::WhereCurved || options.relativeError > 0.0)
+  {
+    return Propagation(mesh, options, nullptr).run(sources);
+  }
+  std::vector<std::uint8_t> wanted(mesh.numberOfFaces(), 0);
+  while (true)
+  {
+    WindowKeeper keeper(mesh, options.flatTolerance, wanted);
+    DistanceField field = Propagation(mesh, options, &keeper).run(sources);
+    if (keeper.missed().empty())
+    {
+      return field;
+    }
+    for (const Id face : keeper.missed())
+    {
+      wanted[face] = 1;
+    }
+  }
 }
 
 }

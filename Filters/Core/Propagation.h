@@ -18,12 +18,17 @@ enum class KeepWindows
   /// None: distances at vertices only, the least memory.
   None,
   /// All: the distance can be evaluated at any surface point, and paths traced.
-  All
+  All,
+  /// Those of faces where the distance is not flat within a tolerance, and of the faces around
+  /// them: enough for refine(). In an approximate solve, as All.
+  WhereCurved
 };
 
 struct SolveOptions
 {
   KeepWindows keepWindows = KeepWindows::None;
+  /// With WhereCurved: the refinement's tolerance, in the surface's units.
+  double flatTolerance = 0.0;
   /// 0: exact. Otherwise the largest relative error of any distance against the exact one, for
   /// which windows are merged (paper, section 5).
   double relativeError = 0.0;

@@ -353,7 +353,8 @@ void run(const Options& options, vtkPolyData* mesh, const Source& source)
     }
     solveOptions.parallelFor = geodesic::smpParallelFor();
     solveOptions.keepWindows =
-      options.refine > 0.0 ? geodesic::KeepWindows::All : geodesic::KeepWindows::None;
+      options.refine > 0.0 ? geodesic::KeepWindows::WhereCurved : geodesic::KeepWindows::None;
+    solveOptions.flatTolerance = options.refine * surface.diagonal();
     const auto field = geodesic::solve(surface.mesh(), curves, solveOptions);
     const double solveSeconds = watch.lap();
 
@@ -383,7 +384,7 @@ void run(const Options& options, vtkPolyData* mesh, const Source& source)
          << ", \"relative_error_bound\": " << field.relativeErrorBound()
          << ", \"max_distance\": " << largestFinite(field.vertexDistances())
          << ", \"output_cells\": " << outputCells;
-    if (options.envelope && field.hasWindows())
+    if (options.envelope && field.hasWindows() && field.keptTolerance() == 0.0)
     {
       json << ", \"windows_per_edge\": " << windowsPerEdge(field);
     }

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WindowKeeper.h"
+
+#include "InterpolationError.h"
+#include "Tolerance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodesic
+{
+
+WindowKeeper::WindowKeeper(
+  const TriangleMesh& mesh, double tolerance, const std::vector<std::uint8_t>& wanted)
+  : mesh_(mesh)
+  , tolerance_(tolerance)
+  , state_(mesh.numberOfFaces(), State::Open)
+  , above_(mesh.numberOfFaces(), 0.0F)
+  , notFlat_(mesh.numberOfVertices(), 0)
+  , firstRun_(mesh.numberOfFaces(), NoId)
+{
+  for (Id face = 0; face < mesh.numberOfFaces(); ++face)
+  {
+    for (const Id vertex : mesh.triangle(face))
+    {
+      ++this->notFlat_[vertex];
+    }
+    if (wanted[face])
+    {
+      this->want(face);
+    }
+  }
+}
+
+void WindowKeeper::want(Id face)
+{
+  this->state_[face] = State::Curved;
+}
+
+std::array<double, 3> WindowKeeper::atCorners(Id face, const AtVertex& distances) const
+{
+  const Triangle& t = this->mesh_.triangle(face);
+  return { distances(t[0]), distances(t[1]), distances(t[2]) };
+}
+
+double WindowKeeper::rounding(const std::array<double, 3>& d) const
+{
+  constexpr double ties = 8.0;
+  return ties * tolerance::Tie * std::max({ d[0], d[1], d[2] });
+}
+
+void WindowKeeper::take(WindowArchive& lists, const AtVertex& distances)
+{
+  lists.drain(
+    [&](Id side, const WindowRange& list)
+    {
+      const Id face = TriangleMesh::faceOf(side);
+      const State state = this->state_[face];
+      if (state == State::Flat || state == State::Dropped)
+      {
+        const std::array<double, 3> d = this->atCorners(face, distances);
+        const double bound = static_cast<double>(this->above_[face]) + this->rounding(d) +
+          belowThroughSide(this->mesh_, side, d, { &list, &list + 1 });
+        if (bound <= this->tolerance_)
+        {
+          this->flatErrorBound_ = std::max(this->flatErrorBound_, bound);
+        }
+        else
+        {
+          this->setCurved(face);
+        }
+      }
+      if (this->state_[face] != State::Dropped)
+      {
+        this->add(side, list);
+      }
+    });
+}
+
+void WindowKeeper::add(Id side, const WindowRange& list)
+{
+  Id index = static_cast<Id>(this->runs_.size());
+  if (this->freeRuns_.empty())
+  {
+    this->runs_.emplace_back();
+  }
+  else
+  {
+    index = this->freeRuns_.back();
+    this->freeRuns_.pop_back();
+  }
+  Run& run = this->runs_[index];
+  run.windows.reset(new Window[list.size()]);
+  std::copy(list.begin(), list.end(), run.windows.get());
+  run.size = static_cast<Id>(list.size());
+  run.side = side;
+  run.next = NoId;
+  Id* last = &this->firstRun_[TriangleMesh::faceOf(side)];
+  while (*last != NoId)
+  {
+    last = &this->runs_[*last].next;
+  }
+  *last = index;
+}
+
+void WindowKeeper::changeCorner(Id vertex)
+{
+  for (const Id corner : this->mesh_.cornersAt(vertex))
+  {
+    const Id face = TriangleMesh::faceOf(corner);
+    if (this->state_[face] == State::Flat || this->state_[face] == State::Dropped)
+    {
+      this->setCurved(face);
+    }
+  }
+}
+
+void WindowKeeper::setCurved(Id face)
+{
+  if (this->state_[face] == State::Dropped)
+  {
+    this->missed_.push_back(face);
+  }
+  this->state_[face] = State::Curved;
+  for (const Id vertex : this->mesh_.triangle(face))
+  {
+    ++this->notFlat_[vertex];
+  }
+}
+
+// Late lists come seldom more than an edge behind the front.
+void WindowKeeper::advance(const std::vector<Id>& settled, double front,
+  const AtVertex& distances, const AtVertex& processed)
+{
+  for (const Id vertex : settled)
+  {
+    for (const Id corner : this->mesh_.cornersAt(vertex))
+    {
+      const Id face = TriangleMesh::faceOf(corner);
+      const std::array<double, 3> p = this->atCorners(face, processed);
+      if (this->state_[face] == State::Open && std::max({ p[0], p[1], p[2] }) < Infinity)
+      {
+        const std::array<double, 3>& length = this->mesh_.shape(face).length;
+        const double longest = *std::max_element(length.begin(), length.end());
+        this->state_[face] = State::Awaited;
+        this->awaited_.push({ std::max({ p[0], p[1], p[2] }) + longest, face });
+      }
+    }
+  }
+  while (!this->awaited_.empty() && this->awaited_.top().first < front)
+  {
+    const Id face = this->awaited_.top().second;
+    this->awaited_.pop();
+    this->test(face, distances);
+  }
+}
+
+void WindowKeeper::test(Id face, const AtVertex& distances)
+{
+  if (this->state_[face] != State::Open && this->state_[face] != State::Awaited)
+  {
+    return;
+  }
+  this->state_[face] = State::Curved;
+  const std::array<double, 3> d = this->atCorners(face, distances);
+  const double rounding = this->rounding(d);
+  if (!(rounding < this->tolerance_))
+  {
+    return;
+  }
+  std::array<std::vector<WindowRange>, 3> lists;
+  for (Id r = this->firstRun_[face]; r != NoId; r = this->runs_[r].next)
+  {
+    const Run& run = this->runs_[r];
+    lists[run.side % 3].push_back({ run.windows.get(), run.windows.get() + run.size });
+  }
+  std::array<WindowRuns, 3> windows;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    windows[k] = WindowRuns(lists[k].data(), lists[k].data() + lists[k].size());
+  }
+  const FaceBounds bounds =
+    boundsOfFace(this->mesh_, face, d, windows, this->tolerance_ - rounding);
+  const float above =
+    std::nextafter(static_cast<float>(bounds.above), std::numeric_limits<float>::infinity());
+  const double bound = static_cast<double>(above) + bounds.below + rounding;
+  if (!(bound <= this->tolerance_))
+  {
+    return;
+  }
+  this->flatErrorBound_ = std::max(this->flatErrorBound_, bound);
+  this->above_[face] = above;
+  this->state_[face] = State::Flat;
+  for (const Id vertex : this->mesh_.triangle(face))
+  {
+    --this->notFlat_[vertex];
+  }
+  for (const Id vertex : this->mesh_.triangle(face))
+  {
+    for (const Id corner : this->mesh_.cornersAt(vertex))
+    {
+      this->drop(TriangleMesh::faceOf(corner));
+    }
+  }
+}
+
+bool WindowKeeper::surroundedByFlat(Id face) const
+{
+  const Triangle& t = this->mesh_.triangle(face);
+  return this->notFlat_[t[0]] == 0 && this->notFlat_[t[1]] == 0 && this->notFlat_[t[2]] == 0;
+}
+
+void WindowKeeper::drop(Id face)
+{
+  if (this->state_[face] != State::Flat || !this->surroundedByFlat(face))
+  {
+    return;
+  }
+  this->state_[face] = State::Dropped;
+  for (Id r = this->firstRun_[face]; r != NoId; r = this->runs_[r].next)
+  {
+    this->runs_[r].windows.reset();
+    this->freeRuns_.push_back(r);
+  }
+  this->firstRun_[face] = NoId;
+}
+
+void WindowKeeper::finish(
+  WindowArchive& archive, std::vector<std::uint8_t>& faceKept, const AtVertex& distances)
+{
+  faceKept.assign(this->mesh_.numberOfFaces(), 1);
+  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  {
+    const std::array<double, 3> d = this->atCorners(face, distances);
+    if (std::max({ d[0], d[1], d[2] }) < Infinity)
+    {
+      this->test(face, distances);
+    }
+  }
+  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  {
+    faceKept[face] = this->state_[face] == State::Dropped ? 0 : 1;
+    for (Id r = this->firstRun_[face]; r != NoId; r = this->runs_[r].next)
+    {
+      Run& run = this->runs_[r];
+      archive.adopt(run.side, std::move(run.windows), run.size);
+    }
+  }
+}
+
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_WindowKeeper_h
+#define geodesic_WindowKeeper_h
+
+#include "TriangleMesh.h"
+#include "WindowArchive.h"
+
+#include <functional>
+#include <memory>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+
+/// Keeps the windows of faces that may have to be refined, and of the faces around them, and drops
+/// those of the others as the front passes.
+///
+/// Let A and B bound how far the distance is over and under the linear interpolant L of a face's
+/// corners. Where the face is closed by triangles between points of its edges, their values are
+/// exact, so that the closure l is over L by at most A and under it by at most B: |l - d| <= A + B.
+/// Where that is within the tolerance the face is flat. Windows that come later make d only
+/// smaller, so that A stays what it is; B is looked at again. Where it is too large then and the
+/// windows before are gone, the face is missed: the solve has to be done again with it wanted.
+class WindowKeeper
+{
+public:
+  /// A number of each vertex.
+  using AtVertex = std::function<double(Id)>;
+
+  /// \param wanted for each face, whether it is never dropped.
+  WindowKeeper(const TriangleMesh& mesh, double tolerance, const std::vector<std::uint8_t>& wanted);
+
+  void want(Id face);
+  /// Takes over lists that have gone through their sides.
+  void take(WindowArchive& lists, const AtVertex& distances);
+  /// A vertex that was settled has got a smaller distance.
+  void changeCorner(Id vertex);
+  /// The front has come to a key, having settled some vertices.
+  void advance(const std::vector<Id>& settled, double front, const AtVertex& distances,
+    const AtVertex& processed);
+  /// Hands over what is kept.
+  void finish(WindowArchive& archive, std::vector<std::uint8_t>& faceKept,
+    const AtVertex& distances);
+
+  const std::vector<Id>& missed() const { return this->missed_; }
+  double flatErrorBound() const { return this->flatErrorBound_; }
+
+private:
+  enum class State : std::uint8_t
+  {
+    Open,
+    /// The front is to come past it.
+    Awaited,
+    Curved,
+    Flat,
+    Dropped
+  };
+  struct Run
+  {
+    std::unique_ptr<Window[]> windows;
+    Id size = 0;
+    Id side = 0;
+    Id next = NoId;
+  };
+
+  std::array<double, 3> atCorners(Id face, const AtVertex& distances) const;
+  double rounding(const std::array<double, 3>& d) const;
+  void add(Id side, const WindowRange& list);
+  void test(Id face, const AtVertex& distances);
+  void setCurved(Id face);
+  void drop(Id face);
+  bool surroundedByFlat(Id face) const;
+
+  const TriangleMesh& mesh_;
+  double tolerance_;
+  std::vector<State> state_;
+  /// How far the distance can be over the interpolant in a flat face.
+  std::vector<float> above_;
+  /// How many faces at a vertex are not flat.
+  std::vector<Id> notFlat_;
+  std::vector<Run> runs_;
+  std::vector<Id> freeRuns_;
+  std::vector<Id> firstRun_;
+  using Awaited = std::pair<double, Id>;
+  std::priority_queue<Awaited, std::vector<Awaited>, std::greater<Awaited>> awaited_;
+  std::vector<Id> missed_;
+  double flatErrorBound_ = 0.0;
+};
+
+}
+
+#endif
