@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Windows that are dropped where the distance is flat, and refinement without them.
+#include "EngineSupport.h"
+#include "RandomCurves.h"
+#include "RandomMeshKinds.h"
+
+#include "AdaptiveRefinement.h"
+#include "Errors.h"
+#include "Propagation.h"
+#include "WindowKeeper.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+using namespace geodesictest;
+using geodesic::DistanceField;
+using geodesic::Id;
+using geodesic::RefinedMesh;
+using geodesic::TriangleMesh;
+using geodesic::Window;
+
+namespace
+{
+
+DistanceField solveFor(const TriangleMesh& mesh, const std::vector<geodesic::SourceCurve>& curves,
+  double tolerance, double limit = geodesic::Infinity)
+{
+  geodesic::SolveOptions options;
+  options.keepWindows = geodesic::KeepWindows::WhereCurved;
+  options.flatTolerance = tolerance;
+  options.maximumDistance = limit;
+  return geodesic::solve(mesh, curves, options);
+}
+
+std::size_t droppedFaces(const DistanceField& field)
+{
+  std::size_t count = 0;
+  for (Id face = 0; face < field.mesh().numberOfFaces(); ++face)
+  {
+    count += field.knowsInside(face) ? 0 : 1;
+  }
+  return count;
+}
+
+struct Place
+{
+  Id face;
+  Barycentric weights;
+  double interpolant;
+};
+
+/// Random places of the triangles, and every corner with its own value.
+std::vector<Place> places(
+  const DistanceField& field, const RefinedMesh& refined, std::size_t count, Random& random)
+{
+  const Id inputPoints = refined.numberOfInputPoints;
+  const auto at = [&](Id point)
+  {
+    return point < inputPoints ? geodesic::SurfacePoint::atVertex(point)
+                               : refined.points[point - inputPoints].place;
+  };
+  const auto add = [&](std::vector<Place>& to, std::size_t triangle, const Barycentric& inside)
+  {
+    Place place{ refined.faces[triangle], {}, 0.0 };
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id point = refined.triangles[triangle][k];
+      const Barycentric b = barycentric(field.mesh(), at(point), place.face);
+      const double d = point < inputPoints ? field.vertexDistances()[point]
+                                           : refined.points[point - inputPoints].distance;
+      for (std::size_t j = 0; j < 3; ++j)
+      {
+        place.weights[j] += inside[k] * b[j];
+      }
+      place.interpolant += inside[k] * d;
+    }
+    to.push_back(place);
+  };
+  std::vector<Place> result;
+  for (std::size_t t = 0; t < refined.triangles.size(); ++t)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      Barycentric corner{};
+      corner[k] = 1.0;
+      add(result, t, corner);
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double u = random.uniform(0.0, 1.0);
+    const double v = random.uniform(0.0, 1.0 - u);
+    add(result, random.below(refined.triangles.size()), { u, v, 1.0 - u - v });
+  }
+  return result;
+}
+
+/// \returns how many faces had lost their windows.
+std::size_t compare(const PlainMesh& mesh, const std::vector<Polyline>& curves, double fraction,
+  std::size_t samples, Random& random)
+{
+  const TriangleMesh engine = engineMesh(mesh);
+  const auto sources = engineCurves(engine, curves);
+  const double largest = largestFinite(geodesic::solve(engine, sources).vertexDistances());
+  const double tolerance = fraction * largest;
+  const DistanceField field = solveFor(engine, sources, tolerance);
+  geodesic::RefinementOptions options;
+  options.tolerance = tolerance;
+  const RefinedMesh refined = geodesic::refine(field, options);
+  EXPECT_LE(refined.errorBound, tolerance);
+  const std::vector<Place> all = places(field, refined, samples, random);
+  std::vector<MeshPoint> queries;
+  for (const Place& place : all)
+  {
+    queries.push_back({ place.face, place.weights });
+  }
+  const std::vector<double> truth = bruteForceDistances(mesh, toSources(curves), queries).queries;
+  double atPoints = 0.0;
+  double inside = 0.0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    double& worst = i < 3 * refined.triangles.size() ? atPoints : inside;
+    if (truth[i] < geodesic::Infinity)
+    {
+      worst = std::max(worst, std::abs(truth[i] - all[i].interpolant));
+    }
+  }
+  EXPECT_LE(atPoints, EngineAccuracy * largest);
+  EXPECT_LE(inside, refined.errorBound + EngineAccuracy * largest) << describe(curves);
+  return droppedFaces(field);
+}
+
+class KeptWindows : public ::testing::TestWithParam<MeshKind>
+{
+};
+
+/// A plane wave that runs over a grid.
+class WindowKeeperOfAGrid : public ::testing::Test
+{
+protected:
+  static constexpr double Tolerance = 0.01;
+  TriangleMesh mesh_ = engineMesh(regularGrid(4, 4));
+  std::vector<double> distances_ = planeWave();
+  geodesic::WindowKeeper keeper_{ mesh_, Tolerance,
+    std::vector<std::uint8_t>(mesh_.numberOfFaces(), 0) };
+
+  std::vector<double> planeWave() const
+  {
+    std::vector<double> result;
+    for (Id v = 0; v < this->mesh_.numberOfVertices(); ++v)
+    {
+      result.push_back(10.0 + this->mesh_.point(v)[0]);
+    }
+    return result;
+  }
+
+  /// A plane wave through the side, so much nearer than that of the corners.
+  void pass(Id side, double nearer)
+  {
+    const double length = this->mesh_.length(side);
+    const double atOrigin = this->distances_[this->mesh_.origin(side)] - nearer;
+    const double slope =
+      (this->distances_[this->mesh_.destination(side)] - nearer - atOrigin) / length;
+    const Window wave{ 0.0, length, slope, std::sqrt(std::max(0.0, 1.0 - slope * slope)), atOrigin,
+      0.0, Window::Kind::Linear, 1 };
+    geodesic::WindowArchive lists;
+    lists.add(side, { &wave, &wave + 1 });
+    this->keeper_.take(lists, this->distances_);
+  }
+
+  void passAll(double nearer)
+  {
+    for (Id side = 0; side < this->mesh_.numberOfSides(); ++side)
+    {
+      this->pass(side, nearer);
+    }
+  }
+
+  void bringFrontPast()
+  {
+    std::vector<Id> settled;
+    for (Id v = 0; v < this->mesh_.numberOfVertices(); ++v)
+    {
+      settled.push_back(v);
+    }
+    this->keeper_.advance(settled, 100.0, this->distances_, this->distances_);
+  }
+
+  std::size_t kept()
+  {
+    geodesic::WindowArchive archive;
+    std::vector<std::uint8_t> faceKept;
+    this->keeper_.finish(archive, faceKept, this->distances_);
+    return static_cast<std::size_t>(std::count(faceKept.begin(), faceKept.end(), 1));
+  }
+};
+
+}
+
+TEST_P(KeptWindows, AreEnoughForRefinementOnRandomMeshes)
+{
+  std::size_t dropped = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 9100);
+    const PlainMesh mesh = GetParam().make(random.between(50, 200), random);
+    CurveMaker maker(mesh, random);
+    const double fraction = std::pow(10.0, random.uniform(-2.0, -0.5));
+    dropped += compare(mesh, maker.anySource(), fraction, 2000, random);
+  }
+  std::cout << GetParam().name << ": " << dropped << " faces without windows\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, KeptWindows, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST_F(WindowKeeperOfAGrid, FlatFacesLoseTheirWindows)
+{
+  passAll(0.0);
+  bringFrontPast();
+  EXPECT_EQ(kept(), 0U);
+  EXPECT_TRUE(keeper_.missed().empty());
+}
+
+TEST_F(WindowKeeperOfAGrid, ALateListWithinTheToleranceIsHarmless)
+{
+  passAll(0.0);
+  bringFrontPast();
+  pass(0, 0.9 * Tolerance);
+  EXPECT_TRUE(keeper_.missed().empty());
+  EXPECT_GE(keeper_.flatErrorBound(), 0.9 * Tolerance);
+  EXPECT_LE(keeper_.flatErrorBound(), Tolerance);
+}
+
+TEST_F(WindowKeeperOfAGrid, ALateListOverTheToleranceIsMissed)
+{
+  passAll(0.0);
+  bringFrontPast();
+  pass(0, 1.1 * Tolerance);
+  EXPECT_EQ(keeper_.missed(), std::vector<Id>{ 0 });
+}
+
+TEST_F(WindowKeeperOfAGrid, ALateCornerMissesTheFacesAroundIt)
+{
+  passAll(0.0);
+  bringFrontPast();
+  keeper_.changeCorner(0);
+  EXPECT_EQ(keeper_.missed().size(), mesh_.cornersAt(0).size());
+}
+
+TEST_F(WindowKeeperOfAGrid, FacesAroundACurvedOneKeepTheirWindows)
+{
+  keeper_.want(0);
+  passAll(0.0);
+  bringFrontPast();
+  std::size_t around = 0;
+  for (Id face = 0; face < mesh_.numberOfFaces(); ++face)
+  {
+    bool touches = false;
+    for (const Id a : mesh_.triangle(face))
+    {
+      for (const Id b : mesh_.triangle(0))
+      {
+        touches = touches || a == b;
+      }
+    }
+    around += touches ? 1 : 0;
+  }
+  EXPECT_EQ(kept(), around);
+}
+
+TEST(KeptWindowsOfASheet, AreFewAndRefuseWhatTheyCannotTell)
+{
+  Random random(11);
+  const PlainMesh mesh = bumpySheet(16, 16, 0, 0.1, random);
+  const TriangleMesh engine = engineMesh(mesh);
+  const auto curves = engineCurves(engine, Sources{ { vertexPoint(mesh, 0) }, {} });
+  const DistanceField field = solveFor(engine, curves, 0.5);
+  EXPECT_GT(droppedFaces(field), engine.numberOfFaces() / 2);
+  EXPECT_THROW(static_cast<void>(field.distance(geodesic::SurfacePoint::inFace(0, 0.3, 0.3))),
+    geodesic::Error);
+  geodesic::RefinementOptions options;
+  options.tolerance = 0.25;
+  EXPECT_THROW(geodesic::refine(field, options), geodesic::Error);
+}
