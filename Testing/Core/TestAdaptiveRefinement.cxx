@@ -2,6 +2,7 @@
 // Refined meshes against the brute-force solver: nowhere over what is reported, nothing reported
 // over the tolerance, and the surface what it was.
 #include "EngineSupport.h"
+#include "MeshFiles.h"
 #include "RandomMeshKinds.h"
 
 #include "AdaptiveRefinement.h"
@@ -12,13 +13,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <set>
-#include <sstream>
 #include <string>
 #include <tuple>
 
@@ -1061,41 +1059,6 @@ TEST_F(RefinementOfASheet, OfAnApproximateFieldIsHeldAgainstThatField)
 namespace
 {
 
-/// Triangles of an OBJ file; points at one place become one.
-PlainMesh readTriangles(const std::string& fileName)
-{
-  PlainMesh mesh;
-  std::ifstream file(fileName);
-  std::map<Vec3, Index> vertexAt;
-  std::vector<Index> vertexOfLine;
-  std::string line;
-  while (std::getline(file, line))
-  {
-    std::istringstream words(line);
-    std::string key;
-    words >> key;
-    if (key == "v")
-    {
-      Vec3 p{};
-      words >> p[0] >> p[1] >> p[2];
-      const auto [found, isNew] = vertexAt.emplace(p, static_cast<Index>(mesh.points.size()));
-      if (isNew)
-      {
-        mesh.points.push_back(p);
-      }
-      vertexOfLine.push_back(found->second);
-    }
-    else if (key == "f")
-    {
-      std::array<std::string, 3> corner;
-      words >> corner[0] >> corner[1] >> corner[2];
-      mesh.triangles.push_back({ vertexOfLine.at(std::stoul(corner[0]) - 1),
-        vertexOfLine.at(std::stoul(corner[1]) - 1), vertexOfLine.at(std::stoul(corner[2]) - 1) });
-    }
-  }
-  return compacted(mesh);
-}
-
 double diagonal(const PlainMesh& mesh)
 {
   Vec3 least = mesh.points[0];
@@ -1143,13 +1106,12 @@ class RefinementOfRealMeshes : public ::testing::TestWithParam<const char*>
 
 TEST_P(RefinementOfRealMeshes, ShapesDoNotDecayWithDepth)
 {
-  const char* folder = std::getenv("GEODESIC_TEST_MESHES");
-  if (!folder)
+  if (meshFolder().empty())
   {
-    GTEST_SKIP() << "GEODESIC_TEST_MESHES names no folder with " << GetParam() << ".";
+    GTEST_SKIP() << noMeshFolder(GetParam());
   }
-  const PlainMesh mesh = readTriangles(std::string(folder) + "/" + GetParam());
-  ASSERT_FALSE(mesh.triangles.empty()) << "cannot read " << folder << "/" << GetParam();
+  const PlainMesh mesh = readMesh(GetParam());
+  ASSERT_FALSE(mesh.triangles.empty()) << "cannot read " << meshFolder() << "/" << GetParam();
   const TriangleMesh engine = engineMesh(mesh);
   const DistanceField field =
     solveKeepingAll(engine, engineCurves(engine, Sources{ { vertexPoint(mesh, 0) }, {} }));

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes that people use, from the folder that GEODESIC_TEST_MESHES names.
 #include "EngineSupport.h"
+#include "MeshFiles.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <map>
-#include <set>
-#include <sstream>
 #include <string>
 
 using namespace geodesictest;
@@ -18,64 +14,21 @@ using namespace geodesictest;
 namespace
 {
 
-/// Vertices and triangles of an OBJ file (polygons as fans); points at one place become one.
-PlainMesh readObj(const std::string& fileName)
-{
-  PlainMesh mesh;
-  std::ifstream file(fileName);
-  std::map<Vec3, Index> vertexAt;
-  std::vector<Index> vertexOfLine;
-  std::string line;
-  while (std::getline(file, line))
-  {
-    std::istringstream words(line);
-    std::string key;
-    words >> key;
-    if (key == "v")
-    {
-      Vec3 p{};
-      words >> p[0] >> p[1] >> p[2];
-      const auto [found, isNew] = vertexAt.emplace(p, static_cast<Index>(mesh.points.size()));
-      if (isNew)
-      {
-        mesh.points.push_back(p);
-      }
-      vertexOfLine.push_back(found->second);
-    }
-    else if (key == "f")
-    {
-      std::vector<Index> corners;
-      while (words >> key)
-      {
-        corners.push_back(vertexOfLine.at(std::stoul(key) - 1));
-      }
-      for (std::size_t i = 2; i < corners.size(); ++i)
-      {
-        mesh.triangles.push_back({ corners[0], corners[i - 1], corners[i] });
-      }
-    }
-  }
-  return compacted(mesh);
-}
-
 class RealMeshes : public ::testing::Test
 {
 protected:
   void SetUp() override
   {
-    const char* folder = std::getenv("GEODESIC_TEST_MESHES");
-    if (!folder)
+    if (meshFolder().empty())
     {
-      GTEST_SKIP() << "GEODESIC_TEST_MESHES names no folder with fandisk.obj, spot.obj, "
-                      "beetle-alt.obj.";
+      GTEST_SKIP() << noMeshFolder("fandisk.obj, spot.obj, beetle-alt.obj");
     }
-    this->folder_ = folder;
   }
 
-  PlainMesh read(const std::string& name) const
+  static PlainMesh read(const std::string& name)
   {
-    PlainMesh mesh = readObj(this->folder_ + "/" + name);
-    EXPECT_FALSE(mesh.triangles.empty()) << "cannot read " << this->folder_ << "/" << name;
+    PlainMesh mesh = readMesh(name);
+    EXPECT_FALSE(mesh.triangles.empty()) << "cannot read " << meshFolder() << "/" << name;
     return mesh;
   }
 
@@ -150,35 +103,33 @@ protected:
       expectBruteForce(mesh, engineCurves(engine, curves), toSources(curves), fraction, 100);
     }
   }
-
-  std::string folder_;
 };
 
 }
 
 TEST_F(RealMeshes, FandiskIsSymmetricBetweenVertices)
 {
-  expectSymmetry(this->read("fandisk.obj"));
+  expectSymmetry(read("fandisk.obj"));
 }
 
 TEST_F(RealMeshes, FandiskAgreesWithBruteForceNearTheSource)
 {
-  expectBruteForceFromRandomCurve(this->read("fandisk.obj"), 0.3);
+  expectBruteForceFromRandomCurve(read("fandisk.obj"), 0.3);
 }
 
 TEST_F(RealMeshes, SpotIsSymmetricBetweenVertices)
 {
-  expectSymmetry(this->read("spot.obj"));
+  expectSymmetry(read("spot.obj"));
 }
 
 TEST_F(RealMeshes, SpotAgreesWithBruteForceNearTheSource)
 {
-  expectBruteForceFromRandomCurve(this->read("spot.obj"), 0.3);
+  expectBruteForceFromRandomCurve(read("spot.obj"), 0.3);
 }
 
 TEST_F(RealMeshes, BeetlesBoundaryAgreesWithBruteForce)
 {
-  const PlainMesh mesh = this->read("beetle-alt.obj");
+  const PlainMesh mesh = read("beetle-alt.obj");
   const geodesic::TriangleMesh engine = engineMesh(mesh);
   Sources edges;
   for (Index f = 0; f < engine.numberOfFaces(); ++f)
@@ -199,5 +150,5 @@ TEST_F(RealMeshes, BeetlesBoundaryAgreesWithBruteForce)
 
 TEST_F(RealMeshes, BeetleIsSymmetricBetweenVertices)
 {
-  expectSymmetry(this->read("beetle-alt.obj"));
+  expectSymmetry(read("beetle-alt.obj"));
 }
