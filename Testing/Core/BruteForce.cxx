@@ -24,6 +24,9 @@ constexpr double BeatenSlack = 1e-10;
 constexpr double PencilSlack = 1e-12;
 // Rounding of the cross products that tell where a border ray meets an edge.
 constexpr double BorderSlack = 1e-14;
+// A point this close to a pencil's apex (relative to the edge between them) lies in no direction
+// that rounding leaves alone.
+constexpr double ApexSlack = 1e-14;
 // A vertex whose total angle is short of 2 pi by this still emits. Emitting is always right.
 constexpr double AngleSlack = 1e-7;
 // A face whose height is this small against its edge counts as flat: its vertices emit.
@@ -638,8 +641,19 @@ double outside(const Pencil& pencil, Plane p, bool left)
   return left ? beyond : -beyond;
 }
 
+/// Whether apex, edge and point are within rounding of each other, so that any angle is one.
+bool isAtApex(const Pencil& pencil, Plane p)
+{
+  const double rounding = ApexSlack * (size(pencil.left) + size(pencil.right));
+  return !pencil.strip && size(p) <= rounding && pencil.nearest - pencil.offset <= rounding;
+}
+
 bool reaches(const Pencil& pencil, Plane p)
 {
+  if (isAtApex(pencil, p))
+  {
+    return true;
+  }
   const double leftSlack =
     PencilSlack * (pencil.strip ? std::abs(p.x) + std::abs(p.y) : size(pencil.leftRay) * size(p));
   const double rightSlack =

@@ -3,11 +3,14 @@
 // against analytic distances.
 #include "AnalyticCases.h"
 #include "BruteForce.h"
+#include "RandomCurves.h"
+#include "RandomMeshKinds.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 using namespace geodesictest;
 
@@ -197,4 +200,81 @@ TEST(TestMeshes, OfTheBumpyKindHaveManySaddles)
     const PlainMesh sheet = bumpySheet(20, 20, 3, 0.5, random);
     EXPECT_GE(3 * countSaddles(sheet), sheet.points.size()) << "seed " << seed;
   }
+}
+
+TEST(BruteForce, IsZeroAtAPointSourceWithinRoundingOfAnEdge)
+{
+  // The source belongs to one face; the query is the same place on the edge of the other one.
+  Random random(1);
+  for (int round = 0; round < 1000; ++round)
+  {
+    PlainMesh mesh;
+    mesh.points = { { 0, 0, 0 }, { random.uniform(0.5, 2.0), random.uniform(), 0 },
+      { random.uniform(-0.5, 0.5), 1, random.uniform() }, { 0.5, -1, random.uniform() } };
+    mesh.triangles = { { 0, 1, 2 }, { 1, 0, 3 } };
+    const double t = random.uniform(0.01, 0.99);
+    const double off = std::pow(10.0, random.uniform(-20.0, -16.0));
+    Sources sources;
+    sources.points = { { 0, { 1.0 - t - off, t, off } } };
+    const BruteForceResult result =
+      bruteForceDistances(mesh, sources, { { 1, { t, 1.0 - t, 0.0 } } });
+    EXPECT_LE(result.queries[0], 1e-14) << "round " << round;
+  }
+}
+
+namespace
+{
+
+/// The places of other faces that a point within rounding of an edge cannot be told from.
+std::vector<MeshPoint> acrossTheEdge(const PlainMesh& mesh, const MeshPoint& point)
+{
+  std::vector<MeshPoint> places;
+  const Triangle& here = mesh.triangles[point.face];
+  for (Index k = 0; k < 3; ++k)
+  {
+    if (point.weights[k] > 1e-15)
+    {
+      continue;
+    }
+    const Index a = (k + 1) % 3;
+    const Index b = (k + 2) % 3;
+    for (Index face = 0; face < mesh.triangles.size(); ++face)
+    {
+      const Triangle& there = mesh.triangles[face];
+      const auto atA = std::find(there.begin(), there.end(), here[a]);
+      const auto atB = std::find(there.begin(), there.end(), here[b]);
+      if (atA != there.end() && atB != there.end())
+      {
+        MeshPoint place = { face, { 0.0, 0.0, 0.0 } };
+        place.weights[static_cast<std::size_t>(atA - there.begin())] = point.weights[a];
+        place.weights[static_cast<std::size_t>(atB - there.begin())] = point.weights[b];
+        places.push_back(place);
+      }
+    }
+  }
+  return places;
+}
+
+}
+
+TEST(BruteForce, IsZeroAtPointSourcesOfRandomPlanarMeshes)
+{
+  const auto planar = std::find_if(meshKinds().begin(), meshKinds().end(),
+    [](const MeshKind& kind) { return std::string(kind.name) == "RandomPlanar"; });
+  ASSERT_NE(planar, meshKinds().end());
+  std::size_t compared = 0;
+  for (std::uint64_t seed = 7000; seed < 7100; ++seed)
+  {
+    Random random(seed);
+    const PlainMesh mesh = planar->make(random.between(50, 250), random);
+    Sources sources;
+    sources.points = { randomPoint(mesh, random) };
+    const std::vector<MeshPoint> queries = acrossTheEdge(mesh, sources.points[0]);
+    for (double distance : bruteForceDistances(mesh, sources, queries).queries)
+    {
+      EXPECT_LE(distance, 1e-14) << "seed " << seed;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 0u);
 }
