@@ -19,8 +19,8 @@ enum class KeepWindows
   None,
   /// All: the distance can be evaluated at any surface point, and paths traced.
   All,
-  /// Those of faces where the distance is not flat within a tolerance, and of the faces around
-  /// them: enough for refine(). In an approximate solve, as All.
+  /// Those of faces where the distance is not flat within a tolerance: enough for refine(). In an
+  /// approximate solve, as All.
   WhereCurved
 };
 

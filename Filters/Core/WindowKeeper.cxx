@@ -16,15 +16,10 @@ WindowKeeper::WindowKeeper(
   , tolerance_(tolerance)
   , state_(mesh.numberOfFaces(), State::Open)
   , above_(mesh.numberOfFaces(), 0.0F)
-  , notFlat_(mesh.numberOfVertices(), 0)
   , firstRun_(mesh.numberOfFaces(), NoId)
 {
   for (Id face = 0; face < mesh.numberOfFaces(); ++face)
   {
-    for (const Id vertex : mesh.triangle(face))
-    {
-      ++this->notFlat_[vertex];
-    }
     if (wanted[face])
     {
       this->want(face);
@@ -55,8 +50,7 @@ void WindowKeeper::take(WindowArchive& lists, const AtVertex& distances)
     [&](Id side, const WindowRange& list)
     {
       const Id face = TriangleMesh::faceOf(side);
-      const State state = this->state_[face];
-      if (state == State::Flat || state == State::Dropped)
+      if (this->state_[face] == State::Flat)
       {
         const std::array<double, 3> d = this->atCorners(face, distances);
         const double bound = static_cast<double>(this->above_[face]) + this->rounding(d) +
@@ -67,10 +61,10 @@ void WindowKeeper::take(WindowArchive& lists, const AtVertex& distances)
         }
         else
         {
-          this->setCurved(face);
+          this->miss(face);
         }
       }
-      if (this->state_[face] != State::Dropped)
+      if (this->state_[face] != State::Flat)
       {
         this->add(side, list);
       }
@@ -108,29 +102,22 @@ void WindowKeeper::changeCorner(Id vertex)
   for (const Id corner : this->mesh_.cornersAt(vertex))
   {
     const Id face = TriangleMesh::faceOf(corner);
-    if (this->state_[face] == State::Flat || this->state_[face] == State::Dropped)
+    if (this->state_[face] == State::Flat)
     {
-      this->setCurved(face);
+      this->miss(face);
     }
   }
 }
 
-void WindowKeeper::setCurved(Id face)
+void WindowKeeper::miss(Id face)
 {
-  if (this->state_[face] == State::Dropped)
-  {
-    this->missed_.push_back(face);
-  }
+  this->missed_.push_back(face);
   this->state_[face] = State::Curved;
-  for (const Id vertex : this->mesh_.triangle(face))
-  {
-    ++this->notFlat_[vertex];
-  }
 }
 
 // Late lists come seldom more than an edge behind the front.
-void WindowKeeper::advance(const std::vector<Id>& settled, double front,
-  const AtVertex& distances, const AtVertex& processed)
+void WindowKeeper::advance(const std::vector<Id>& settled, double front, const AtVertex& distances,
+  const AtVertex& processed)
 {
   for (const Id vertex : settled)
   {
@@ -191,32 +178,6 @@ void WindowKeeper::test(Id face, const AtVertex& distances)
   this->flatErrorBound_ = std::max(this->flatErrorBound_, bound);
   this->above_[face] = above;
   this->state_[face] = State::Flat;
-  for (const Id vertex : this->mesh_.triangle(face))
-  {
-    --this->notFlat_[vertex];
-  }
-  for (const Id vertex : this->mesh_.triangle(face))
-  {
-    for (const Id corner : this->mesh_.cornersAt(vertex))
-    {
-      this->drop(TriangleMesh::faceOf(corner));
-    }
-  }
-}
-
-bool WindowKeeper::surroundedByFlat(Id face) const
-{
-  const Triangle& t = this->mesh_.triangle(face);
-  return this->notFlat_[t[0]] == 0 && this->notFlat_[t[1]] == 0 && this->notFlat_[t[2]] == 0;
-}
-
-void WindowKeeper::drop(Id face)
-{
-  if (this->state_[face] != State::Flat || !this->surroundedByFlat(face))
-  {
-    return;
-  }
-  this->state_[face] = State::Dropped;
   for (Id r = this->firstRun_[face]; r != NoId; r = this->runs_[r].next)
   {
     this->runs_[r].windows.reset();
@@ -239,7 +200,7 @@ void WindowKeeper::finish(
   }
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
-    faceKept[face] = this->state_[face] == State::Dropped ? 0 : 1;
+    faceKept[face] = this->state_[face] == State::Flat ? 0 : 1;
     for (Id r = this->firstRun_[face]; r != NoId; r = this->runs_[r].next)
     {
       Run& run = this->runs_[r];

@@ -14,8 +14,8 @@
 namespace geodesic
 {
 
-/// Keeps the windows of faces that may have to be refined, and of the faces around them, and drops
-/// those of the others as the front passes.
+/// Keeps the windows of faces that may have to be refined, and drops those of the others as the
+/// front passes.
 ///
 /// Let A and B bound how far the distance is over and under the linear interpolant L of a face's
 /// corners. Where the face is closed by triangles between points of its edges, their values are
@@ -41,8 +41,8 @@ public:
   void advance(const std::vector<Id>& settled, double front, const AtVertex& distances,
     const AtVertex& processed);
   /// Hands over what is kept.
-  void finish(WindowArchive& archive, std::vector<std::uint8_t>& faceKept,
-    const AtVertex& distances);
+  void finish(
+    WindowArchive& archive, std::vector<std::uint8_t>& faceKept, const AtVertex& distances);
 
   const std::vector<Id>& missed() const { return this->missed_; }
   double flatErrorBound() const { return this->flatErrorBound_; }
@@ -54,8 +54,8 @@ private:
     /// The front is to come past it.
     Awaited,
     Curved,
-    Flat,
-    Dropped
+    /// Its windows are gone.
+    Flat
   };
   struct Run
   {
@@ -69,17 +69,13 @@ private:
   double rounding(const std::array<double, 3>& d) const;
   void add(Id side, const WindowRange& list);
   void test(Id face, const AtVertex& distances);
-  void setCurved(Id face);
-  void drop(Id face);
-  bool surroundedByFlat(Id face) const;
+  void miss(Id face);
 
   const TriangleMesh& mesh_;
   double tolerance_;
   std::vector<State> state_;
   /// How far the distance can be over the interpolant in a flat face.
   std::vector<float> above_;
-  /// How many faces at a vertex are not flat.
-  std::vector<Id> notFlat_;
   std::vector<Run> runs_;
   std::vector<Id> freeRuns_;
   std::vector<Id> firstRun_;

@@ -147,6 +147,11 @@ protected:
   geodesic::WindowKeeper keeper_{ mesh_, Tolerance,
     std::vector<std::uint8_t>(mesh_.numberOfFaces(), 0) };
 
+  geodesic::WindowKeeper::AtVertex distance() const
+  {
+    return [this](Id vertex) { return this->distances_[vertex]; };
+  }
+
   std::vector<double> planeWave() const
   {
     std::vector<double> result;
@@ -168,7 +173,7 @@ protected:
       0.0, Window::Kind::Linear, 1 };
     geodesic::WindowArchive lists;
     lists.add(side, { &wave, &wave + 1 });
-    this->keeper_.take(lists, this->distances_);
+    this->keeper_.take(lists, this->distance());
   }
 
   void passAll(double nearer)
@@ -186,14 +191,14 @@ protected:
     {
       settled.push_back(v);
     }
-    this->keeper_.advance(settled, 100.0, this->distances_, this->distances_);
+    this->keeper_.advance(settled, 100.0, this->distance(), this->distance());
   }
 
   std::size_t kept()
   {
     geodesic::WindowArchive archive;
     std::vector<std::uint8_t> faceKept;
-    this->keeper_.finish(archive, faceKept, this->distances_);
+    this->keeper_.finish(archive, faceKept, this->distance());
     return static_cast<std::size_t>(std::count(faceKept.begin(), faceKept.end(), 1));
   }
 };
@@ -252,25 +257,12 @@ TEST_F(WindowKeeperOfAGrid, ALateCornerMissesTheFacesAroundIt)
   EXPECT_EQ(keeper_.missed().size(), mesh_.cornersAt(0).size());
 }
 
-TEST_F(WindowKeeperOfAGrid, FacesAroundACurvedOneKeepTheirWindows)
+TEST_F(WindowKeeperOfAGrid, AWantedFaceKeepsItsWindows)
 {
   keeper_.want(0);
   passAll(0.0);
   bringFrontPast();
-  std::size_t around = 0;
-  for (Id face = 0; face < mesh_.numberOfFaces(); ++face)
-  {
-    bool touches = false;
-    for (const Id a : mesh_.triangle(face))
-    {
-      for (const Id b : mesh_.triangle(0))
-      {
-        touches = touches || a == b;
-      }
-    }
-    around += touches ? 1 : 0;
-  }
-  EXPECT_EQ(kept(), around);
+  EXPECT_EQ(kept(), 1U);
 }
 
 TEST(KeptWindowsOfASheet, AreFewAndRefuseWhatTheyCannotTell)
