@@ -92,6 +92,8 @@ struct Worker
   std::vector<Id> begun;
   std::vector<Id> grown;
   WindowArchive kept;
+  /// Lists for the keeper.
+  std::vector<PassedList> passed;
   /// Sides with windows within the limit.
   std::vector<Id> withinLimit;
   std::uint64_t propagated = 0;
@@ -157,6 +159,8 @@ private:
   void improve(const Improvement& improvement);
   void enqueue(Id vertex);
   double errorAt(Id vertex) const;
+  // Blocks come back to the workers in turn, so that all of them find some.
+  WindowPool& anyPool() { return this->workers_[this->nextPool_++ % this->workers_.size()].pool; }
   WindowKeeper::AtVertex distances() const
   {
     return [this](Id vertex) { return this->vertices_[vertex].distance; };
@@ -198,6 +202,7 @@ private:
   std::vector<std::uint8_t> needed_;
   Id settled_ = 0;
   std::size_t sinceReport_ = 0;
+  std::size_t nextPool_ = 0;
   double reported_ = 0.0;
 };
 
@@ -669,13 +674,14 @@ void Propagation::takeOver()
     }
     if (this->keeper_ != nullptr)
     {
-      this->keeper_->take(worker.kept, this->distances());
+      this->keeper_->take(worker.passed, this->distances(), worker.pool);
     }
   }
   if (this->keeper_ != nullptr)
   {
-    this->keeper_->advance(this->batch_, this->front_, this->distances(),
-      [this](Id vertex) { return this->vertices_[vertex].processed; });
+    this->keeper_->advance(
+      this->batch_, this->front_, this->distances(),
+      [this](Id vertex) { return this->vertices_[vertex].processed; }, this->anyPool());
   }
 }
 
@@ -854,7 +860,11 @@ void Propagation::keep(Worker& worker, Id side, const WindowRange& list)
       }
     }
   }
-  if (this->options_.keepWindows != KeepWindows::None)
+  if (this->keeper_ != nullptr)
+  {
+    worker.passed.push_back({ side, worker.pool.copyOf(list) });
+  }
+  else if (this->options_.keepWindows != KeepWindows::None)
   {
     worker.kept.add(side, list);
   }
@@ -875,13 +885,14 @@ void Propagation::finish()
       std::max(this->field_.relativeErrorBound_, worker.relativeError);
     if (this->keeper_ != nullptr)
     {
-      this->keeper_->take(worker.kept, this->distances());
+      this->keeper_->take(worker.passed, this->distances(), worker.pool);
     }
     this->field_.windows_.take(worker.kept);
   }
   if (this->keeper_ != nullptr)
   {
-    this->keeper_->finish(this->field_.windows_, this->field_.faceKept_, this->distances());
+    this->keeper_->finish(
+      this->field_.windows_, this->field_.faceKept_, this->distances(), this->anyPool());
     this->field_.keptTolerance_ = this->options_.flatTolerance;
     this->field_.flatErrorBound_ = this->keeper_->flatErrorBound();
   }

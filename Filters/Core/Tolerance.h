@@ -115,6 +115,10 @@ constexpr double LeastAngleOfThinParts = 0.05;
 /// triangles are needed; with less, more windows.
 constexpr double MergedOfRefinement = 0.1;
 
+/// A face whose interpolant is off by no more than this many tolerances gets along with one split of
+/// its edges, which quarters the deviation where the distance is smooth and halves it at a kink.
+constexpr double SplitOnce = 2.0;
+
 }
 
 #endif

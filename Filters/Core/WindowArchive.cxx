@@ -30,12 +30,6 @@ void WindowArchive::add(Id side, const WindowRange& list)
   this->left_ -= size;
 }
 
-void WindowArchive::adopt(Id side, std::unique_ptr<Window[]> windows, std::size_t size)
-{
-  this->added_.push_back({ side, { windows.get(), windows.get() + size } });
-  this->chunks_.push_back(std::move(windows));
-}
-
 void WindowArchive::take(WindowArchive& other)
 {
   std::move(other.chunks_.begin(), other.chunks_.end(), std::back_inserter(this->chunks_));

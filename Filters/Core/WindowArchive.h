@@ -71,22 +71,8 @@ class WindowArchive
 public:
   /// Copies a list that is about to go through a side.
   void add(Id side, const WindowRange& list);
-  /// Takes over windows of a side.
-  void adopt(Id side, std::unique_ptr<Window[]> windows, std::size_t size);
   /// Takes over what another archive has; it is empty then.
   void take(WindowArchive& other);
-  /// Calls visit(side, list) for each list in the order in which they were added, and forgets them.
-  template <typename Visitor>
-  void drain(Visitor&& visit)
-  {
-    for (const Run& run : this->added_)
-    {
-      visit(run.side, run.windows);
-    }
-    this->added_.clear();
-    this->chunks_.clear();
-    this->left_ = 0;
-  }
   /// Makes at() work; nothing may be added after it.
   void index(Id numberOfSides);
   bool isIndexed() const { return !this->start_.empty(); }

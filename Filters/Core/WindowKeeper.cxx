@@ -16,6 +16,7 @@ WindowKeeper::WindowKeeper(
   , tolerance_(tolerance)
   , state_(mesh.numberOfFaces(), State::Open)
   , above_(mesh.numberOfFaces(), 0.0F)
+  , wants_(mesh.numberOfFaces(), 1)
   , firstRun_(mesh.numberOfFaces(), NoId)
 {
   for (Id face = 0; face < mesh.numberOfFaces(); ++face)
@@ -44,34 +45,40 @@ double WindowKeeper::rounding(const std::array<double, 3>& d) const
   return ties * tolerance::Tie * std::max({ d[0], d[1], d[2] });
 }
 
-void WindowKeeper::take(WindowArchive& lists, const AtVertex& distances)
+void WindowKeeper::take(std::vector<PassedList>& lists, const AtVertex& distances, WindowPool& pool)
 {
-  lists.drain(
-    [&](Id side, const WindowRange& list)
+  for (const PassedList& list : lists)
+  {
+    const Id face = TriangleMesh::faceOf(list.side);
+    const State state = this->state_[face];
+    if (state == State::Flat || state == State::Dropped)
     {
-      const Id face = TriangleMesh::faceOf(side);
-      if (this->state_[face] == State::Flat)
+      const std::array<double, 3> d = this->atCorners(face, distances);
+      const WindowRange windows = list.windows.range();
+      const double bound = static_cast<double>(this->above_[face]) + this->rounding(d) +
+        belowThroughSide(this->mesh_, list.side, d, { &windows, &windows + 1 });
+      if (bound <= this->tolerance_)
       {
-        const std::array<double, 3> d = this->atCorners(face, distances);
-        const double bound = static_cast<double>(this->above_[face]) + this->rounding(d) +
-          belowThroughSide(this->mesh_, side, d, { &list, &list + 1 });
-        if (bound <= this->tolerance_)
-        {
-          this->flatErrorBound_ = std::max(this->flatErrorBound_, bound);
-        }
-        else
-        {
-          this->miss(face);
-        }
+        this->flatErrorBound_ = std::max(this->flatErrorBound_, bound);
       }
-      if (this->state_[face] != State::Flat)
+      else
       {
-        this->add(side, list);
+        this->setCurved(face);
       }
-    });
+    }
+    if (this->state_[face] == State::Dropped)
+    {
+      pool.free(list.windows);
+    }
+    else
+    {
+      this->add(list);
+    }
+  }
+  lists.clear();
 }
 
-void WindowKeeper::add(Id side, const WindowRange& list)
+void WindowKeeper::add(const PassedList& list)
 {
   Id index = static_cast<Id>(this->runs_.size());
   if (this->freeRuns_.empty())
@@ -83,13 +90,8 @@ void WindowKeeper::add(Id side, const WindowRange& list)
     index = this->freeRuns_.back();
     this->freeRuns_.pop_back();
   }
-  Run& run = this->runs_[index];
-  run.windows.reset(new Window[list.size()]);
-  std::copy(list.begin(), list.end(), run.windows.get());
-  run.size = static_cast<Id>(list.size());
-  run.side = side;
-  run.next = NoId;
-  Id* last = &this->firstRun_[TriangleMesh::faceOf(side)];
+  this->runs_[index] = { list.windows, list.side, NoId };
+  Id* last = &this->firstRun_[TriangleMesh::faceOf(list.side)];
   while (*last != NoId)
   {
     last = &this->runs_[*last].next;
@@ -102,22 +104,25 @@ void WindowKeeper::changeCorner(Id vertex)
   for (const Id corner : this->mesh_.cornersAt(vertex))
   {
     const Id face = TriangleMesh::faceOf(corner);
-    if (this->state_[face] == State::Flat)
+    if (this->state_[face] == State::Flat || this->state_[face] == State::Dropped)
     {
-      this->miss(face);
+      this->setCurved(face);
     }
   }
 }
 
-void WindowKeeper::miss(Id face)
+void WindowKeeper::setCurved(Id face)
 {
-  this->missed_.push_back(face);
+  if (this->state_[face] == State::Dropped)
+  {
+    this->missed_.push_back(face);
+  }
   this->state_[face] = State::Curved;
 }
 
-// Late lists come seldom more than an edge behind the front.
+// Late lists come seldom more than an edge behind the front; one that is missed costs a solve.
 void WindowKeeper::advance(const std::vector<Id>& settled, double front, const AtVertex& distances,
-  const AtVertex& processed)
+  const AtVertex& processed, WindowPool& pool)
 {
   for (const Id vertex : settled)
   {
@@ -130,7 +135,8 @@ void WindowKeeper::advance(const std::vector<Id>& settled, double front, const A
         const std::array<double, 3>& length = this->mesh_.shape(face).length;
         const double longest = *std::max_element(length.begin(), length.end());
         this->state_[face] = State::Awaited;
-        this->awaited_.push({ std::max({ p[0], p[1], p[2] }) + longest, face });
+        constexpr double edges = 4.0;
+        this->awaited_.push({ std::max({ p[0], p[1], p[2] }) + edges * longest, face });
       }
     }
   }
@@ -138,11 +144,11 @@ void WindowKeeper::advance(const std::vector<Id>& settled, double front, const A
   {
     const Id face = this->awaited_.top().second;
     this->awaited_.pop();
-    this->test(face, distances);
+    this->test(face, distances, pool);
   }
 }
 
-void WindowKeeper::test(Id face, const AtVertex& distances)
+void WindowKeeper::test(Id face, const AtVertex& distances, WindowPool& pool)
 {
   if (this->state_[face] != State::Open && this->state_[face] != State::Awaited)
   {
@@ -159,7 +165,7 @@ void WindowKeeper::test(Id face, const AtVertex& distances)
   for (Id r = this->firstRun_[face]; r != NoId; r = this->runs_[r].next)
   {
     const Run& run = this->runs_[r];
-    lists[run.side % 3].push_back({ run.windows.get(), run.windows.get() + run.size });
+    lists[run.side % 3].push_back(run.windows.range());
   }
   std::array<WindowRuns, 3> windows;
   for (std::size_t k = 0; k < 3; ++k)
@@ -171,23 +177,67 @@ void WindowKeeper::test(Id face, const AtVertex& distances)
   const float above =
     std::nextafter(static_cast<float>(bounds.above), std::numeric_limits<float>::infinity());
   const double bound = static_cast<double>(above) + bounds.below + rounding;
-  if (!(bound <= this->tolerance_))
+  if (bound <= this->tolerance_)
+  {
+    this->flatErrorBound_ = std::max(this->flatErrorBound_, bound);
+    this->above_[face] = above;
+    this->state_[face] = State::Flat;
+    this->release(face, pool);
+    return;
+  }
+  // Split once, a face asks of those around it only to be halved.
+  const double once = tolerance::SplitOnce * this->tolerance_;
+  const FaceBounds wide = boundsOfFace(this->mesh_, face, d, windows, once);
+  if (std::max(wide.above, wide.below) + rounding <= once)
+  {
+    this->release(face, pool);
+  }
+}
+
+// The face does not want its neighbours' windows.
+void WindowKeeper::release(Id face, WindowPool& pool)
+{
+  this->wants_[face] = 0;
+  this->drop(face, pool);
+  for (Id side = 3 * face; side < 3 * face + 3; ++side)
+  {
+    for (Id s = this->mesh_.nextInRing(side); s != side; s = this->mesh_.nextInRing(s))
+    {
+      this->drop(TriangleMesh::faceOf(s), pool);
+    }
+  }
+}
+
+bool WindowKeeper::isWanted(Id face) const
+{
+  bool wanted = false;
+  for (Id side = 3 * face; side < 3 * face + 3; ++side)
+  {
+    for (Id s = this->mesh_.nextInRing(side); s != side; s = this->mesh_.nextInRing(s))
+    {
+      wanted = wanted || this->wants_[TriangleMesh::faceOf(s)] != 0;
+    }
+  }
+  return wanted;
+}
+
+void WindowKeeper::drop(Id face, WindowPool& pool)
+{
+  if (this->state_[face] != State::Flat || this->isWanted(face))
   {
     return;
   }
-  this->flatErrorBound_ = std::max(this->flatErrorBound_, bound);
-  this->above_[face] = above;
-  this->state_[face] = State::Flat;
+  this->state_[face] = State::Dropped;
   for (Id r = this->firstRun_[face]; r != NoId; r = this->runs_[r].next)
   {
-    this->runs_[r].windows.reset();
+    pool.free(this->runs_[r].windows);
     this->freeRuns_.push_back(r);
   }
   this->firstRun_[face] = NoId;
 }
 
-void WindowKeeper::finish(
-  WindowArchive& archive, std::vector<std::uint8_t>& faceKept, const AtVertex& distances)
+void WindowKeeper::finish(WindowArchive& archive, std::vector<std::uint8_t>& faceKept,
+  const AtVertex& distances, WindowPool& pool)
 {
   faceKept.assign(this->mesh_.numberOfFaces(), 1);
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
@@ -195,16 +245,16 @@ void WindowKeeper::finish(
     const std::array<double, 3> d = this->atCorners(face, distances);
     if (std::max({ d[0], d[1], d[2] }) < Infinity)
     {
-      this->test(face, distances);
+      this->test(face, distances, pool);
     }
   }
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
-    faceKept[face] = this->state_[face] == State::Flat ? 0 : 1;
+    faceKept[face] = this->state_[face] == State::Dropped ? 0 : 1;
     for (Id r = this->firstRun_[face]; r != NoId; r = this->runs_[r].next)
     {
-      Run& run = this->runs_[r];
-      archive.adopt(run.side, std::move(run.windows), run.size);
+      archive.add(this->runs_[r].side, this->runs_[r].windows.range());
+      pool.free(this->runs_[r].windows);
     }
   }
 }

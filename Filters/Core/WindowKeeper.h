@@ -4,6 +4,7 @@
 
 #include "TriangleMesh.h"
 #include "WindowArchive.h"
+#include "WindowList.h"
 
 #include <functional>
 #include <memory>
@@ -13,6 +14,13 @@
 
 namespace geodesic
 {
+
+/// A list that has gone through a side.
+struct PassedList
+{
+  Id side;
+  WindowBlock windows;
+};
 
 /// Keeps the windows of faces that may have to be refined, and drops those of the others as the
 /// front passes.
@@ -33,16 +41,17 @@ public:
   WindowKeeper(const TriangleMesh& mesh, double tolerance, const std::vector<std::uint8_t>& wanted);
 
   void want(Id face);
-  /// Takes over lists that have gone through their sides.
-  void take(WindowArchive& lists, const AtVertex& distances);
+  /// Takes over lists that have gone through their sides; they are gone then. What is dropped goes
+  /// back into the pool.
+  void take(std::vector<PassedList>& lists, const AtVertex& distances, WindowPool& pool);
   /// A vertex that was settled has got a smaller distance.
   void changeCorner(Id vertex);
   /// The front has come to a key, having settled some vertices.
   void advance(const std::vector<Id>& settled, double front, const AtVertex& distances,
-    const AtVertex& processed);
+    const AtVertex& processed, WindowPool& pool);
   /// Hands over what is kept.
-  void finish(
-    WindowArchive& archive, std::vector<std::uint8_t>& faceKept, const AtVertex& distances);
+  void finish(WindowArchive& archive, std::vector<std::uint8_t>& faceKept,
+    const AtVertex& distances, WindowPool& pool);
 
   const std::vector<Id>& missed() const { return this->missed_; }
   double flatErrorBound() const { return this->flatErrorBound_; }
@@ -54,28 +63,33 @@ private:
     /// The front is to come past it.
     Awaited,
     Curved,
-    /// Its windows are gone.
-    Flat
+    Flat,
+    /// Flat, and its windows are gone.
+    Dropped
   };
   struct Run
   {
-    std::unique_ptr<Window[]> windows;
-    Id size = 0;
+    WindowBlock windows;
     Id side = 0;
     Id next = NoId;
   };
 
   std::array<double, 3> atCorners(Id face, const AtVertex& distances) const;
   double rounding(const std::array<double, 3>& d) const;
-  void add(Id side, const WindowRange& list);
-  void test(Id face, const AtVertex& distances);
-  void miss(Id face);
+  void add(const PassedList& list);
+  void test(Id face, const AtVertex& distances, WindowPool& pool);
+  void setCurved(Id face);
+  void release(Id face, WindowPool& pool);
+  bool isWanted(Id face) const;
+  void drop(Id face, WindowPool& pool);
 
   const TriangleMesh& mesh_;
   double tolerance_;
   std::vector<State> state_;
   /// How far the distance can be over the interpolant in a flat face.
   std::vector<float> above_;
+  /// Whether a face may want the windows of flat neighbours.
+  std::vector<std::uint8_t> wants_;
   std::vector<Run> runs_;
   std::vector<Id> freeRuns_;
   std::vector<Id> firstRun_;

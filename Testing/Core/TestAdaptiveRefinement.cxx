@@ -1113,13 +1113,16 @@ TEST_P(RefinementOfRealMeshes, ShapesDoNotDecayWithDepth)
   const PlainMesh mesh = readMesh(GetParam());
   ASSERT_FALSE(mesh.triangles.empty()) << "cannot read " << meshFolder() << "/" << GetParam();
   const TriangleMesh engine = engineMesh(mesh);
-  const DistanceField field =
-    solveKeepingAll(engine, engineCurves(engine, Sources{ { vertexPoint(mesh, 0) }, {} }));
+  const auto curves = engineCurves(engine, Sources{ { vertexPoint(mesh, 0) }, {} });
+  const DistanceField field = solveKeepingAll(engine, curves);
   std::map<double, double> percentile;
   for (const double fraction : { 1e-3, 2.5e-4 })
   {
     const double tolerance = fraction * diagonal(mesh);
-    const RefinedMesh refined = refineTo(field, tolerance);
+    geodesic::SolveOptions options; // as the filter solves
+    options.keepWindows = geodesic::KeepWindows::WhereCurved;
+    options.flatTolerance = tolerance;
+    const RefinedMesh refined = refineTo(geodesic::solve(engine, curves, options), tolerance);
     EXPECT_LE(refined.errorBound, tolerance);
     const std::vector<double> angles = smallestAngles(field, refined);
     percentile[fraction] = angles[angles.size() / 100];

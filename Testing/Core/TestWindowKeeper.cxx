@@ -144,6 +144,7 @@ protected:
   static constexpr double Tolerance = 0.01;
   TriangleMesh mesh_ = engineMesh(regularGrid(4, 4));
   std::vector<double> distances_ = planeWave();
+  geodesic::WindowPool pool_;
   geodesic::WindowKeeper keeper_{ mesh_, Tolerance,
     std::vector<std::uint8_t>(mesh_.numberOfFaces(), 0) };
 
@@ -171,9 +172,8 @@ protected:
       (this->distances_[this->mesh_.destination(side)] - nearer - atOrigin) / length;
     const Window wave{ 0.0, length, slope, std::sqrt(std::max(0.0, 1.0 - slope * slope)), atOrigin,
       0.0, Window::Kind::Linear, 1 };
-    geodesic::WindowArchive lists;
-    lists.add(side, { &wave, &wave + 1 });
-    this->keeper_.take(lists, this->distance());
+    std::vector<geodesic::PassedList> lists{ { side, this->pool_.copyOf({ &wave, &wave + 1 }) } };
+    this->keeper_.take(lists, this->distance(), this->pool_);
   }
 
   void passAll(double nearer)
@@ -191,14 +191,14 @@ protected:
     {
       settled.push_back(v);
     }
-    this->keeper_.advance(settled, 100.0, this->distance(), this->distance());
+    this->keeper_.advance(settled, 100.0, this->distance(), this->distance(), this->pool_);
   }
 
   std::size_t kept()
   {
     geodesic::WindowArchive archive;
     std::vector<std::uint8_t> faceKept;
-    this->keeper_.finish(archive, faceKept, this->distance());
+    this->keeper_.finish(archive, faceKept, this->distance(), this->pool_);
     return static_cast<std::size_t>(std::count(faceKept.begin(), faceKept.end(), 1));
   }
 };
@@ -257,12 +257,17 @@ TEST_F(WindowKeeperOfAGrid, ALateCornerMissesTheFacesAroundIt)
   EXPECT_EQ(keeper_.missed().size(), mesh_.cornersAt(0).size());
 }
 
-TEST_F(WindowKeeperOfAGrid, AWantedFaceKeepsItsWindows)
+TEST_F(WindowKeeperOfAGrid, NeighboursOfAWantedFaceKeepTheirWindows)
 {
   keeper_.want(0);
   passAll(0.0);
   bringFrontPast();
-  EXPECT_EQ(kept(), 1U);
+  std::size_t neighbours = 0;
+  for (Id side = 0; side < 3; ++side)
+  {
+    neighbours += mesh_.isBoundary(side) ? 0 : 1;
+  }
+  EXPECT_EQ(kept(), 1 + neighbours);
 }
 
 TEST(KeptWindowsOfASheet, AreFewAndRefuseWhatTheyCannotTell)
