@@ -129,14 +129,19 @@ void WindowKeeper::advance(const std::vector<Id>& settled, double front, const A
     for (const Id corner : this->mesh_.cornersAt(vertex))
     {
       const Id face = TriangleMesh::faceOf(corner);
-      const std::array<double, 3> p = this->atCorners(face, processed);
-      if (this->state_[face] == State::Open && std::max({ p[0], p[1], p[2] }) < Infinity)
+      if (this->state_[face] != State::Open)
       {
+        continue;
+      }
+      const std::array<double, 3> p = this->atCorners(face, processed);
+      const double largest = std::max({ p[0], p[1], p[2] });
+      if (largest < Infinity)
+      {
+        constexpr double edges = 4.0;
         const std::array<double, 3>& length = this->mesh_.shape(face).length;
         const double longest = *std::max_element(length.begin(), length.end());
         this->state_[face] = State::Awaited;
-        constexpr double edges = 4.0;
-        this->awaited_.push({ std::max({ p[0], p[1], p[2] }) + edges * longest, face });
+        this->awaited_.push({ largest + edges * longest, face });
       }
     }
   }
