@@ -3,43 +3,162 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <exception>
+#include <memory>
 #include <mutex>
+#include <thread>
 
 namespace geodesic
 {
 
-decltype(SolveOptions::parallelFor) smpParallelFor()
+namespace
 {
-  if (vtkSMPTools::GetEstimatedNumberOfThreads() < 2)
+
+/// Threads of vtkSMPTools that stay for a whole solve. A solve has some ten thousand short parallel
+/// loops, and vtkSMPTools may start its threads anew for each, which takes longer than they do.
+///
+/// Tasks are taken one by one, by the caller too, who so never waits for a thread to start.
+class Team
+{
+public:
+  explicit Team(int helpers)
+    : helpers_(helpers)
   {
-    return {};
   }
-  return [](std::size_t count, const std::function<void(std::size_t)>& task)
+  ~Team()
   {
-    std::exception_ptr thrown;
-    std::mutex guard;
-    const auto run = [&](vtkIdType begin, vtkIdType end)
+    this->stop_.store(true);
+    if (this->host_.joinable())
     {
-      try
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          task(static_cast<std::size_t>(i));
-        }
-      }
-      catch (...) // it must not leave the thread
-      {
-        const std::lock_guard<std::mutex> lock(guard);
-        thrown = std::current_exception();
-      }
-    };
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1, run);
+      this->host_.join();
+    }
+  }
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  void run(std::size_t count, const std::function<void(std::size_t)>& task)
+  {
+    if (!this->host_.joinable())
+    {
+      this->host_ = std::thread([this]() { this->hire(); });
+    }
+    for (std::size_t first = 0; first < count; first += MostTasks)
+    {
+      this->runSome(first, std::min(count - first, MostTasks), task);
+    }
+  }
+
+private:
+  static constexpr std::size_t MostTasks = 0xffff;
+
+  // The loop's number, how many tasks it has and how many are taken, in one word, so that nobody
+  // takes a task of one loop for one of another.
+  static std::uint64_t pack(std::uint64_t loop, std::size_t count)
+  {
+    return loop << 32 | count << 16;
+  }
+  static std::size_t countOf(std::uint64_t word) { return word >> 16 & MostTasks; }
+  static std::size_t takenOf(std::uint64_t word) { return word & MostTasks; }
+
+  void runSome(std::size_t first, std::size_t count, const std::function<void(std::size_t)>& task)
+  {
+    this->task_.store(&task, std::memory_order_relaxed);
+    this->first_.store(first, std::memory_order_relaxed);
+    this->done_.store(0, std::memory_order_relaxed);
+    this->word_.store(pack(++this->loop_, count), std::memory_order_release);
+    while (this->takeOne())
+    {
+    }
+    while (this->done_.load(std::memory_order_acquire) < count)
+    {
+      std::this_thread::yield();
+    }
+    std::exception_ptr thrown;
+    std::swap(thrown, this->thrown_);
     if (thrown)
     {
       std::rethrow_exception(thrown);
     }
-  };
+  }
+
+  bool takeOne()
+  {
+    std::uint64_t word = this->word_.load(std::memory_order_acquire);
+    do
+    {
+      if (takenOf(word) >= countOf(word))
+      {
+        return false;
+      }
+    } while (!this->word_.compare_exchange_weak(word, word + 1, std::memory_order_acq_rel));
+    try
+    {
+      (*this->task_.load(std::memory_order_relaxed))(
+        this->first_.load(std::memory_order_relaxed) + takenOf(word));
+    }
+    catch (...) // it must not leave the thread
+    {
+      const std::lock_guard<std::mutex> lock(this->guard_);
+      this->thrown_ = std::current_exception();
+    }
+    this->done_.fetch_add(1, std::memory_order_release);
+    return true;
+  }
+
+  void hire()
+  {
+    const auto help = [this](vtkIdType, vtkIdType) { this->help(); };
+    vtkSMPTools::For(0, this->helpers_, 1, help);
+  }
+
+  // Between loops there is too little time to sleep; where nothing comes for longer, there is not.
+  void help()
+  {
+    constexpr int patience = 2000;
+    for (int idle = 0; !this->stop_.load(std::memory_order_relaxed);)
+    {
+      if (this->takeOne())
+      {
+        idle = 0;
+      }
+      else if (++idle < patience)
+      {
+        std::this_thread::yield();
+      }
+      else
+      {
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
+      }
+    }
+  }
+
+  int helpers_;
+  std::thread host_;
+  std::atomic<bool> stop_{ false };
+  std::atomic<std::uint64_t> word_{ 0 };
+  std::atomic<const std::function<void(std::size_t)>*> task_{ nullptr };
+  std::atomic<std::size_t> first_{ 0 };
+  std::atomic<std::size_t> done_{ 0 };
+  std::uint64_t loop_ = 0;
+  std::mutex guard_;
+  std::exception_ptr thrown_;
+};
+
+}
+
+decltype(SolveOptions::parallelFor) smpParallelFor()
+{
+  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  if (threads < 2)
+  {
+    return {};
+  }
+  const auto team = std::make_shared<Team>(threads - 1);
+  return [team](std::size_t count, const std::function<void(std::size_t)>& task)
+  { team->run(count, task); };
 }
 
 }

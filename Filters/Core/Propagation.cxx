@@ -87,7 +87,9 @@ struct Worker
   std::vector<LitSide> lit;
 
   std::vector<Delivery> deliveries;
+  /// Found while lists went through faces, and where they arrived.
   std::vector<Improvement> improvements;
+  std::vector<Improvement> arrivals;
   /// Sides whose lists were empty, and those whose lists have grown.
   std::vector<Id> begun;
   std::vector<Id> grown;
@@ -156,6 +158,7 @@ private:
   void receive(Worker& worker, std::size_t group);
   void mergeInto(Worker& worker, Id side, const WindowBlock& block);
   void takeOver();
+  void takeOverLists();
   void improve(const Improvement& improvement);
   void enqueue(Id vertex);
   double errorAt(Id vertex) const;
@@ -361,7 +364,7 @@ void Propagation::runBatch()
 // Tasks are cut by the number of items alone. Each has a worker of its own.
 void Propagation::runTasks(std::size_t count, const std::function<void(Worker&, std::size_t)>& item)
 {
-  constexpr std::size_t itemsPerTask = 64;
+  constexpr std::size_t itemsPerTask = 8;
   constexpr std::size_t mostTasks = 32;
   const std::size_t tasks =
     std::clamp<std::size_t>(count / itemsPerTask, 1, this->options_.parallelFor ? mostTasks : 1);
@@ -599,7 +602,7 @@ void Propagation::receive(Worker& worker, std::size_t group)
     const ApexView view = worker.passage.view(block.range(), position);
     if (view.distance < this->vertices_[apex].distance)
     {
-      worker.improvements.push_back({ apex, view.distance, view.error, { side, view.crossing } });
+      worker.arrivals.push_back({ apex, view.distance, view.error, { side, view.crossing } });
     }
     worker.propagated += block.size;
     this->mergeInto(worker, side, block);
@@ -632,6 +635,8 @@ void Propagation::mergeInto(Worker& worker, Id side, const WindowBlock& block)
   this->waiting_.assign(side, worker.merged.range(), worker.pool);
 }
 
+// Step by step over all workers, so that the order is the same however many there are: it decides
+// between equal paths.
 void Propagation::takeOver()
 {
   for (const Id vertex : this->batch_)
@@ -640,20 +645,15 @@ void Propagation::takeOver()
     this->vertices_[vertex].processed =
       std::min(this->vertices_[vertex].processed, this->vertices_[vertex].distance);
   }
-  for (Worker& worker : this->workers_)
+  for (std::vector<Improvement> Worker::*step : { &Worker::improvements, &Worker::arrivals })
   {
-    for (const Improvement& improvement : worker.improvements)
+    for (Worker& worker : this->workers_)
     {
-      this->improve(improvement);
-    }
-    worker.improvements.clear();
-    if (!this->needed_.empty())
-    {
-      for (const Id side : worker.withinLimit)
+      for (const Improvement& improvement : worker.*step)
       {
-        this->needed_[TriangleMesh::faceOf(side)] = 1;
+        this->improve(improvement);
       }
-      worker.withinLimit.clear();
+      (worker.*step).clear();
     }
   }
   for (Worker& worker : this->workers_)
@@ -664,13 +664,32 @@ void Propagation::takeOver()
       this->waiting_.setNext(side, facing);
       facing = side;
     }
-    for (std::vector<Id>* sides : { &worker.begun, &worker.grown })
+  }
+  for (std::vector<Id> Worker::*step : { &Worker::begun, &Worker::grown })
+  {
+    for (Worker& worker : this->workers_)
     {
-      for (const Id side : *sides)
+      for (const Id side : worker.*step)
       {
         this->enqueue(this->mesh_.opposite(side));
       }
-      sides->clear();
+      (worker.*step).clear();
+    }
+  }
+  this->takeOverLists();
+}
+
+void Propagation::takeOverLists()
+{
+  for (Worker& worker : this->workers_)
+  {
+    if (!this->needed_.empty())
+    {
+      for (const Id side : worker.withinLimit)
+      {
+        this->needed_[TriangleMesh::faceOf(side)] = 1;
+      }
+      worker.withinLimit.clear();
     }
     if (this->keeper_ != nullptr)
     {
