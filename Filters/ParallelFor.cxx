@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace geodesic
@@ -41,9 +43,10 @@ public:
 
   void run(std::size_t count, const std::function<void(std::size_t)>& task)
   {
-    if (!this->host_.joinable())
+    if (!this->hired_)
     {
-      this->host_ = std::thread([this]() { this->hire(); });
+      this->hired_ = true;
+      this->hire();
     }
     for (std::size_t first = 0; first < count; first += MostTasks)
     {
@@ -108,10 +111,22 @@ private:
     return true;
   }
 
+  // vtkSMPTools::For returns when the helpers have gone home, so that it needs a thread to wait in.
   void hire()
   {
-    const auto help = [this](vtkIdType, vtkIdType) { this->help(); };
-    vtkSMPTools::For(0, this->helpers_, 1, help);
+    const auto helpers = [this]()
+    {
+      const auto help = [this](vtkIdType, vtkIdType) { this->help(); };
+      vtkSMPTools::For(0, this->helpers_, 1, help);
+    };
+    try
+    {
+      this->host_ = std::thread(helpers);
+    }
+    catch (const std::system_error&)
+    {
+      // no thread to be had: the caller does everything
+    }
   }
 
   // Between loops there is too little time to sleep; where nothing comes for longer, there is not.
@@ -136,6 +151,7 @@ private:
   }
 
   int helpers_;
+  bool hired_ = false;
   std::thread host_;
   std::atomic<bool> stop_{ false };
   std::atomic<std::uint64_t> word_{ 0 };

@@ -107,6 +107,7 @@ private:
 
   double fractionDone(double worst) const;
   void report(double fraction);
+  void reportNow(double fraction);
   void putOut(RefinedMesh& result) const;
 
   const DistanceField& field_;
@@ -180,6 +181,7 @@ void Refiner::assessFaces()
 {
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
+    this->report(ShareOfFirstPass * face / this->mesh_.numberOfFaces());
     if (this->triangles_.isFrozen(face))
     {
       continue;
@@ -199,7 +201,6 @@ void Refiner::assessFaces()
     {
       this->assess(face);
     }
-    this->report(ShareOfFirstPass * face / this->mesh_.numberOfFaces());
   }
 }
 
@@ -635,11 +636,14 @@ double Refiner::distanceOnEdge(Id id, double weight)
 void Refiner::report(double fraction)
 {
   constexpr Id stepsPerReport = 256;
-  if (!this->options_.progress || ++this->sinceReport_ < stepsPerReport)
+  if (this->options_.progress && this->sinceReport_++ % stepsPerReport == 0)
   {
-    return;
+    this->reportNow(fraction);
   }
-  this->sinceReport_ = 0;
+}
+
+void Refiner::reportNow(double fraction)
+{
   this->reported_ = std::max(this->reported_, fraction);
   if (!this->options_.progress(std::min(this->reported_, 1.0)))
   {

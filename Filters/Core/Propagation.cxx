@@ -204,6 +204,7 @@ private:
   /// With a limit: faces that have a point within it.
   std::vector<std::uint8_t> needed_;
   Id settled_ = 0;
+  Id batches_ = 0;
   std::size_t sinceReport_ = 0;
   std::size_t nextPool_ = 0;
   double reported_ = 0.0;
@@ -338,6 +339,7 @@ void Propagation::popBatch(double limit)
 
 void Propagation::runBatch()
 {
+  ++this->batches_;
   constexpr std::size_t ahead = 4; // items whose faces are fetched while others are worked on
   this->runTasks(this->batch_.size(),
     [this](Worker& worker, std::size_t i)
@@ -885,7 +887,7 @@ void Propagation::keep(Worker& worker, Id side, const WindowRange& list)
   }
   else if (this->options_.keepWindows != KeepWindows::None)
   {
-    worker.kept.add(side, list);
+    worker.kept.add(side, list, this->batches_);
   }
 }
 

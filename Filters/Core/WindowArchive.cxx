@@ -11,7 +11,7 @@ namespace
 constexpr std::size_t ChunkWindows = std::size_t(1) << 12;
 }
 
-void WindowArchive::add(Id side, const WindowRange& list)
+void WindowArchive::add(Id side, const WindowRange& list, Id time)
 {
   const std::size_t size = list.size();
   if (size == 0)
@@ -25,7 +25,7 @@ void WindowArchive::add(Id side, const WindowRange& list)
     this->free_ = this->chunks_.back().get();
   }
   std::copy(list.begin(), list.end(), this->free_);
-  this->added_.push_back({ side, { this->free_, this->free_ + size } });
+  this->added_.push_back({ side, time, { this->free_, this->free_ + size } });
   this->free_ += size;
   this->left_ -= size;
 }
@@ -40,6 +40,11 @@ void WindowArchive::take(WindowArchive& other)
 
 void WindowArchive::index(Id numberOfSides)
 {
+  const auto earlier = [](const Run& a, const Run& b) { return a.time < b.time; };
+  if (!std::is_sorted(this->added_.begin(), this->added_.end(), earlier))
+  {
+    std::stable_sort(this->added_.begin(), this->added_.end(), earlier);
+  }
   this->start_.assign(static_cast<std::size_t>(numberOfSides) + 1, 0);
   for (const Run& run : this->added_)
   {

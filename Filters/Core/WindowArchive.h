@@ -70,7 +70,10 @@ class WindowArchive
 {
 public:
   /// Copies a list that is about to go through a side.
-  void add(Id side, const WindowRange& list);
+  ///
+  /// \param time never less than before in one archive; the lists of a side come in its order,
+  ///        whichever archive they were added to.
+  void add(Id side, const WindowRange& list, Id time = 0);
   /// Takes over what another archive has; it is empty then.
   void take(WindowArchive& other);
   /// Makes at() work; nothing may be added after it.
@@ -86,6 +89,7 @@ private:
   struct Run
   {
     Id side;
+    Id time;
     WindowRange windows;
   };
 
