@@ -107,7 +107,6 @@ private:
 
   double fractionDone(double worst) const;
   void report(double fraction);
-  void reportNow(double fraction);
   void putOut(RefinedMesh& result) const;
 
   const DistanceField& field_;
@@ -636,14 +635,10 @@ double Refiner::distanceOnEdge(Id id, double weight)
 void Refiner::report(double fraction)
 {
   constexpr Id stepsPerReport = 256;
-  if (this->options_.progress && this->sinceReport_++ % stepsPerReport == 0)
+  if (!this->options_.progress || this->sinceReport_++ % stepsPerReport != 0)
   {
-    this->reportNow(fraction);
+    return;
   }
-}
-
-void Refiner::reportNow(double fraction)
-{
   this->reported_ = std::max(this->reported_, fraction);
   if (!this->options_.progress(std::min(this->reported_, 1.0)))
   {
