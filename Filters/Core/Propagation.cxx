@@ -422,7 +422,6 @@ void Propagation::process(Worker& worker, Id vertex)
     this->enter(worker, side);
     side = next;
   }
-  this->vertices_[vertex].facing = NoId;
 }
 
 // Distances along edges are upper bounds, which the filter can use from the first window on.
@@ -646,6 +645,7 @@ void Propagation::takeOver()
     this->settled_ += this->vertices_[vertex].processed == Infinity ? 1 : 0;
     this->vertices_[vertex].processed =
       std::min(this->vertices_[vertex].processed, this->vertices_[vertex].distance);
+    this->vertices_[vertex].facing = NoId; // its lists are through; tasks look ahead at it
   }
   for (std::vector<Improvement> Worker::*step : { &Worker::improvements, &Worker::arrivals })
   {
