@@ -145,7 +145,110 @@ Slack slackOf(const FaceShape& shape, const std::array<double, 3>& d)
   return { std::max(0.0, g.length - 1.0) * longest, std::max(0.0, 1.0 - g.length) * g.chord };
 }
 
+// Along the normal into the face, l rises from the line of side k to the opposite corner: paths
+// against the gradient leave through such a side.
+bool risesFrom(std::size_t k, const FaceShape& shape, const std::array<double, 3>& d)
+{
+  const std::size_t next = (k + 1) % 3;
+  const double length2 = shape.length[k] * shape.length[k];
+  const double onLine = d[k] * length2 + (d[next] - d[k]) * shape.cornerDot[k];
+  return d[(k + 2) % 3] * length2 >= onLine;
+}
+
+/// A line along a side, and how far from it is near.
+struct Band
+{
+  double atOrigin;
+  double slope;
+  /// Of the rays whose distance rises like the line: the sine of their angle with the side.
+  double depth;
+  double limit;
+
+  double high(double x) const { return this->atOrigin + this->limit + this->slope * x; }
+  double low(double x) const { return this->atOrigin - this->limit + this->slope * x; }
+};
+
+// A window is convex, so highest over the line at an end.
+bool isUnder(const Window& w, const Band& band)
+{
+  const double overBegin = band.high(w.begin) - w.sigma;
+  const double overEnd = band.high(w.end) - w.sigma;
+  if (w.isLinear())
+  {
+    return w.sourceX * w.begin <= overBegin && w.sourceX * w.end <= overEnd;
+  }
+  const double b = w.begin - w.sourceX;
+  const double e = w.end - w.sourceX;
+  const double h2 = w.sourceDepth * w.sourceDepth;
+  return std::min(overBegin, overEnd) >= 0.0 && b * b + h2 <= overBegin * overBegin &&
+    e * e + h2 <= overEnd * overEnd;
+}
+
+// A circular window is over its tangent with the line's slope, which is all that most need.
+bool isOver(const Window& w, const Band& band)
+{
+  if (w.isLinear())
+  {
+    return w.distance(w.begin) >= band.low(w.begin) && w.distance(w.end) >= band.low(w.end);
+  }
+  if (w.sigma + w.sourceDepth * band.depth >= band.low(w.sourceX))
+  {
+    return true;
+  }
+  const double steepest = band.slope > 0.0 ? w.end : w.begin;
+  const double x = band.depth > 0.0
+    ? std::clamp(w.sourceX + w.sourceDepth * band.slope / band.depth, w.begin, w.end)
+    : steepest;
+  return w.distance(x) >= band.low(x);
+}
+
 } // anonymous namespace
+
+NearLine nearLine(
+  const WindowRange& windows, double length, double atOrigin, double atDestination, double limit)
+{
+  const double slope = (atDestination - atOrigin) / length;
+  const double squared = (1.0 - slope) * (1.0 + slope);
+  if (!(squared >= -tolerance::Tie)) // along a ray it is 0
+  {
+    return {};
+  }
+  const Band band = { atOrigin, slope, std::sqrt(std::max(0.0, squared)), limit };
+  const double gap = tolerance::NearLineGap * limit;
+  NearLine near = { true, true };
+  double covered = 0.0;
+  for (const Window& w : windows)
+  {
+    if (!isOver(w, band))
+    {
+      return {};
+    }
+    near.above = near.above && w.begin <= covered + gap && isUnder(w, band);
+    covered = w.end;
+  }
+  near.above = near.above && covered + gap >= length;
+  return near;
+}
+
+// In a gap the distance changes by no more than the way from its ends, and the line not more.
+FaceBounds boundsNearLines(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
+  const std::array<bool, 3>& above, double limit)
+{
+  const FaceShape& shape = mesh.shape(face);
+  if (!(shape.area2 > 0.0))
+  {
+    return {};
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (!above[k] && risesFrom(k, shape, d))
+    {
+      return {};
+    }
+  }
+  const Slack slack = slackOf(shape, d);
+  return { (1.0 + tolerance::NearLineGap) * limit + slack.flat, limit + slack.steep };
+}
 
 double belowThroughSide(
   const TriangleMesh& mesh, Id side, const std::array<double, 3>& d, const WindowRuns& windows)
@@ -178,10 +281,7 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
     {
       return {};
     }
-    // along the normal into the face, l rises from the side's line to the opposite corner
-    const double length2 = shape.length[k] * shape.length[k];
-    const double onLine = d[k] * length2 + (d[next] - d[k]) * shape.cornerDot[k];
-    if (d[(k + 2) % 3] * length2 >= onLine)
+    if (risesFrom(k, shape, d))
     {
       above = std::max(
         above, aboveOfSide(shape.length[k], windows[k], d[k], d[next], limit - slack.flat));
@@ -236,10 +336,7 @@ double InterpolationError::ofFace(Id face, double limit, double known) const
     {
       return bySize;
     }
-    // along the normal into the face, l rises from the side's line to the opposite corner
-    const double length2 = shape.length[k] * shape.length[k];
-    const double onLine = d[k] * length2 + (d[next] - d[k]) * shape.cornerDot[k];
-    if (d[(k + 2) % 3] * length2 >= onLine)
+    if (risesFrom(k, shape, d))
     {
       above = std::max(above,
         aboveOfSide(shape.length[k], this->field_.windowsOn(side), d[k], d[next], limit - flat));

@@ -31,6 +31,26 @@ struct FaceBounds
 FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
   const std::array<WindowRuns, 3>& windows, double limit);
 
+/// Whether the distances of a list stay near the linear interpolant along its side.
+struct NearLine
+{
+  /// No window is farther below it.
+  bool below = false;
+  /// The windows cover the side, and none is farther above it.
+  bool above = false;
+};
+
+/// \param limit how near. Told without square roots, for windows that are at hand: where it is not
+///        told it may be so nevertheless.
+NearLine nearLine(
+  const WindowRange& windows, double length, double atOrigin, double atDestination, double limit);
+
+/// Bounds for a face no list of which comes from farther below than the limit; `above` tells which
+/// of its sides have a list that covers them and is not farther above. Infinite where that says
+/// nothing.
+FaceBounds boundsNearLines(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
+  const std::array<bool, 3>& above, double limit);
+
 /// How far the distance through windows of one side can be under the interpolant, anywhere in the
 /// face.
 double belowThroughSide(

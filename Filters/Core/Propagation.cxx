@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "FacePassage.h"
+#include "InterpolationError.h"
 #include "SaddleWedge.h"
 #include "SourceWindows.h"
 #include "Tolerance.h"
@@ -174,7 +175,7 @@ private:
   void flush(double bound);
   double neededDistance() const;
   void dropIncomplete();
-  void keep(Worker& worker, Id side, const WindowRange& list);
+  void retire(Worker& worker, Id side, const std::array<double, 2>& ends);
   void finish();
 
   const TriangleMesh& mesh_;
@@ -494,7 +495,6 @@ void Propagation::enter(Worker& worker, Id side)
     this->waiting_.clear(side, worker.pool);
     return;
   }
-  this->keep(worker, side, list);
   const UnfoldedFace face = unfold(this->mesh_, side);
   const Id origin = this->mesh_.origin(side);
   const Id destination = this->mesh_.destination(side);
@@ -522,7 +522,7 @@ void Propagation::enter(Worker& worker, Id side)
 
   worker.passage.pass(list, face, { known(0), known(1), known(2) }, !this->mesh_.isBoundary(left),
     !this->mesh_.isBoundary(right), this->mesh_.numberOfFaces());
-  this->waiting_.clear(side, worker.pool);
+  this->retire(worker, side, { known(0), known(1) });
   this->send(worker, left, worker.passage.left());
   this->send(worker, right, worker.passage.right());
 }
@@ -797,7 +797,9 @@ void Propagation::finishLimited()
   this->flush(this->neededDistance());
   for (const Id side : this->waiting_.sides())
   {
-    this->keep(this->workers_[0], side, this->waiting_.at(side));
+    this->retire(this->workers_[0], side,
+      { this->vertices_[this->mesh_.origin(side)].distance,
+        this->vertices_[this->mesh_.destination(side)].distance });
   }
   this->dropIncomplete();
 }
@@ -865,8 +867,10 @@ void Propagation::dropIncomplete()
   this->field_.faceComplete_ = std::move(this->needed_);
 }
 
-void Propagation::keep(Worker& worker, Id side, const WindowRange& list)
+// The list of the side has gone on: it is kept as far as it is wanted, or freed.
+void Propagation::retire(Worker& worker, Id side, const std::array<double, 2>& ends)
 {
+  const WindowRange list = this->waiting_.at(side);
   if (!this->needed_.empty())
   {
     const bool within = std::any_of(list.begin(), list.end(),
@@ -883,12 +887,16 @@ void Propagation::keep(Worker& worker, Id side, const WindowRange& list)
   }
   if (this->keeper_ != nullptr)
   {
-    worker.passed.push_back({ side, worker.pool.copyOf(list) });
+    const NearLine near = nearLine(list, this->mesh_.length(side), ends[0], ends[1],
+      tolerance::NearLine * this->options_.flatTolerance);
+    worker.passed.push_back({ side, this->waiting_.release(side), near, ends });
+    return;
   }
-  else if (this->options_.keepWindows != KeepWindows::None)
+  if (this->options_.keepWindows != KeepWindows::None)
   {
     worker.kept.add(side, list, this->batches_);
   }
+  this->waiting_.clear(side, worker.pool);
 }
 
 void Propagation::finish()
@@ -916,6 +924,10 @@ void Propagation::finish()
       this->field_.windows_, this->field_.faceKept_, this->distances(), this->anyPool());
     this->field_.keptTolerance_ = this->options_.flatTolerance;
     this->field_.flatErrorBound_ = this->keeper_->flatErrorBound();
+    for (Worker& worker : this->workers_)
+    {
+      this->field_.windows_.own(worker.pool.release());
+    }
   }
   if (this->options_.keepWindows != KeepWindows::None)
   {

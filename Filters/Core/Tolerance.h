@@ -115,9 +115,17 @@ constexpr double LeastAngleOfThinParts = 0.05;
 /// triangles are needed; with less, more windows.
 constexpr double MergedOfRefinement = 0.1;
 
-/// A face whose interpolant is off by no more than this many tolerances gets along with one split of
-/// its edges, which quarters the deviation where the distance is smooth and halves it at a kink.
+/// A face whose interpolant is off by no more than this many tolerances gets along with one split
+/// of its edges, which quarters the deviation where the distance is smooth and halves it at a kink.
 constexpr double SplitOnce = 2.0;
+
+/// Of the refinement's tolerance: how near its interpolant the distance on the sides is to be for a
+/// face to be told flat without its windows being looked at again. It counts twice, above and
+/// below, and the gradient in the face adds to both.
+constexpr double NearLine = 0.25;
+
+/// Of that: the widest gap between windows of such a side.
+constexpr double NearLineGap = 0.25;
 
 }
 

@@ -25,14 +25,24 @@ void WindowArchive::add(Id side, const WindowRange& list, Id time)
     this->free_ = this->chunks_.back().get();
   }
   std::copy(list.begin(), list.end(), this->free_);
-  this->added_.push_back({ side, time, { this->free_, this->free_ + size } });
+  this->adopt(side, { this->free_, this->free_ + size }, time);
   this->free_ += size;
   this->left_ -= size;
 }
 
+void WindowArchive::adopt(Id side, const WindowRange& list, Id time)
+{
+  this->added_.push_back({ side, time, list });
+}
+
+void WindowArchive::own(std::vector<std::unique_ptr<Window[]>> chunks)
+{
+  std::move(chunks.begin(), chunks.end(), std::back_inserter(this->chunks_));
+}
+
 void WindowArchive::take(WindowArchive& other)
 {
-  std::move(other.chunks_.begin(), other.chunks_.end(), std::back_inserter(this->chunks_));
+  this->own(std::move(other.chunks_));
   this->added_.insert(this->added_.end(), other.added_.begin(), other.added_.end());
   this->left_ = 0;
   other = WindowArchive();
@@ -48,17 +58,17 @@ void WindowArchive::index(Id numberOfSides)
   this->start_.assign(static_cast<std::size_t>(numberOfSides) + 1, 0);
   for (const Run& run : this->added_)
   {
-    ++this->start_[run.side + 1];
+    ++this->start_[run.side];
   }
   for (std::size_t s = 1; s < this->start_.size(); ++s)
   {
     this->start_[s] += this->start_[s - 1];
   }
+  // from the end of each side's runs to their begin
   this->runs_.resize(this->added_.size());
-  std::vector<std::size_t> next(this->start_.begin(), this->start_.end() - 1);
-  for (const Run& run : this->added_)
+  for (auto run = this->added_.rbegin(); run != this->added_.rend(); ++run)
   {
-    this->runs_[next[run.side]++] = run.windows;
+    this->runs_[--this->start_[run->side]] = run->windows;
   }
   this->added_ = {};
 }

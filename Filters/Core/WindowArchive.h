@@ -65,7 +65,7 @@ private:
   const WindowRange* last_ = nullptr;
 };
 
-/// Windows as they went through their sides, written once and never moved.
+/// Windows as they went through their sides.
 class WindowArchive
 {
 public:
@@ -74,6 +74,9 @@ public:
   /// \param time never less than before in one archive; the lists of a side come in its order,
   ///        whichever archive they were added to.
   void add(Id side, const WindowRange& list, Id time = 0);
+  /// Refers to a list whose memory is handed over with own().
+  void adopt(Id side, const WindowRange& list, Id time = 0);
+  void own(std::vector<std::unique_ptr<Window[]>> chunks);
   /// Takes over what another archive has; it is empty then.
   void take(WindowArchive& other);
   /// Makes at() work; nothing may be added after it.

@@ -90,7 +90,7 @@ void WindowKeeper::add(const PassedList& list)
     index = this->freeRuns_.back();
     this->freeRuns_.pop_back();
   }
-  this->runs_[index] = { list.windows, list.side, NoId };
+  this->runs_[index] = { list, NoId };
   Id* last = &this->firstRun_[TriangleMesh::faceOf(list.side)];
   while (*last != NoId)
   {
@@ -137,7 +137,7 @@ void WindowKeeper::advance(const std::vector<Id>& settled, double front, const A
       const double largest = std::max({ p[0], p[1], p[2] });
       if (largest < Infinity)
       {
-        constexpr double edges = 4.0;
+        constexpr double edges = 2.0;
         const std::array<double, 3>& length = this->mesh_.shape(face).length;
         const double longest = *std::max_element(length.begin(), length.end());
         this->state_[face] = State::Awaited;
@@ -153,6 +153,41 @@ void WindowKeeper::advance(const std::vector<Id>& settled, double front, const A
   }
 }
 
+// From what was told of the lists as they went through.
+FaceBounds WindowKeeper::quickBounds(Id face, const std::array<double, 3>& d) const
+{
+  const double rounding = this->rounding(d);
+  std::array<bool, 3> above{};
+  for (Id r = this->firstRun_[face]; r != NoId; r = this->runs_[r].next)
+  {
+    const PassedList& list = this->runs_[r].list;
+    const std::size_t k = list.side % 3;
+    if (!list.near.below || !(std::abs(list.ends[0] - d[k]) <= rounding) ||
+      !(std::abs(list.ends[1] - d[(k + 1) % 3]) <= rounding))
+    {
+      return {};
+    }
+    above[k] = above[k] || list.near.above;
+  }
+  return boundsNearLines(this->mesh_, face, d, above, tolerance::NearLine * this->tolerance_);
+}
+
+FaceBounds WindowKeeper::bounds(Id face, const std::array<double, 3>& d, double limit) const
+{
+  std::array<std::vector<WindowRange>, 3> lists;
+  for (Id r = this->firstRun_[face]; r != NoId; r = this->runs_[r].next)
+  {
+    const PassedList& list = this->runs_[r].list;
+    lists[list.side % 3].push_back(list.windows.range());
+  }
+  std::array<WindowRuns, 3> windows;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    windows[k] = WindowRuns(lists[k].data(), lists[k].data() + lists[k].size());
+  }
+  return boundsOfFace(this->mesh_, face, d, windows, limit);
+}
+
 void WindowKeeper::test(Id face, const AtVertex& distances, WindowPool& pool)
 {
   if (this->state_[face] != State::Open && this->state_[face] != State::Awaited)
@@ -166,37 +201,34 @@ void WindowKeeper::test(Id face, const AtVertex& distances, WindowPool& pool)
   {
     return;
   }
-  std::array<std::vector<WindowRange>, 3> lists;
-  for (Id r = this->firstRun_[face]; r != NoId; r = this->runs_[r].next)
+  if (this->passes(face, this->quickBounds(face, d), rounding) ||
+    this->passes(face, this->bounds(face, d, this->tolerance_ - rounding), rounding))
   {
-    const Run& run = this->runs_[r];
-    lists[run.side % 3].push_back(run.windows.range());
-  }
-  std::array<WindowRuns, 3> windows;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    windows[k] = WindowRuns(lists[k].data(), lists[k].data() + lists[k].size());
-  }
-  const FaceBounds bounds =
-    boundsOfFace(this->mesh_, face, d, windows, this->tolerance_ - rounding);
-  const float above =
-    std::nextafter(static_cast<float>(bounds.above), std::numeric_limits<float>::infinity());
-  const double bound = static_cast<double>(above) + bounds.below + rounding;
-  if (bound <= this->tolerance_)
-  {
-    this->flatErrorBound_ = std::max(this->flatErrorBound_, bound);
-    this->above_[face] = above;
-    this->state_[face] = State::Flat;
     this->release(face, pool);
     return;
   }
   // Split once, a face asks of those around it only to be halved.
   const double once = tolerance::SplitOnce * this->tolerance_;
-  const FaceBounds wide = boundsOfFace(this->mesh_, face, d, windows, once);
+  const FaceBounds wide = this->bounds(face, d, once);
   if (std::max(wide.above, wide.below) + rounding <= once)
   {
     this->release(face, pool);
   }
+}
+
+bool WindowKeeper::passes(Id face, const FaceBounds& bounds, double rounding)
+{
+  const float above =
+    std::nextafter(static_cast<float>(bounds.above), std::numeric_limits<float>::infinity());
+  const double bound = static_cast<double>(above) + bounds.below + 2.0 * rounding;
+  if (!(bound <= this->tolerance_))
+  {
+    return false;
+  }
+  this->flatErrorBound_ = std::max(this->flatErrorBound_, bound);
+  this->above_[face] = above;
+  this->state_[face] = State::Flat;
+  return true;
 }
 
 // The face does not want its neighbours' windows.
@@ -235,7 +267,7 @@ void WindowKeeper::drop(Id face, WindowPool& pool)
   this->state_[face] = State::Dropped;
   for (Id r = this->firstRun_[face]; r != NoId; r = this->runs_[r].next)
   {
-    pool.free(this->runs_[r].windows);
+    pool.free(this->runs_[r].list.windows);
     this->freeRuns_.push_back(r);
   }
   this->firstRun_[face] = NoId;
@@ -258,8 +290,8 @@ void WindowKeeper::finish(WindowArchive& archive, std::vector<std::uint8_t>& fac
     faceKept[face] = this->state_[face] == State::Dropped ? 0 : 1;
     for (Id r = this->firstRun_[face]; r != NoId; r = this->runs_[r].next)
     {
-      archive.add(this->runs_[r].side, this->runs_[r].windows.range());
-      pool.free(this->runs_[r].windows);
+      const PassedList& list = this->runs_[r].list;
+      archive.adopt(list.side, list.windows.range());
     }
   }
 }

@@ -2,6 +2,7 @@
 #ifndef geodesic_WindowKeeper_h
 #define geodesic_WindowKeeper_h
 
+#include "InterpolationError.h"
 #include "TriangleMesh.h"
 #include "WindowArchive.h"
 #include "WindowList.h"
@@ -20,6 +21,9 @@ struct PassedList
 {
   Id side;
   WindowBlock windows;
+  /// Whether it is within tolerance::NearLine of the line between these values at the side's ends.
+  NearLine near = {};
+  std::array<double, 2> ends = {};
 };
 
 /// Keeps the windows of faces that may have to be refined, and drops those of the others as the
@@ -49,7 +53,7 @@ public:
   /// The front has come to a key, having settled some vertices.
   void advance(const std::vector<Id>& settled, double front, const AtVertex& distances,
     const AtVertex& processed, WindowPool& pool);
-  /// Hands over what is kept.
+  /// Hands over what is kept; its blocks are then the archive's.
   void finish(WindowArchive& archive, std::vector<std::uint8_t>& faceKept,
     const AtVertex& distances, WindowPool& pool);
 
@@ -69,15 +73,17 @@ private:
   };
   struct Run
   {
-    WindowBlock windows;
-    Id side = 0;
-    Id next = NoId;
+    PassedList list;
+    Id next;
   };
 
   std::array<double, 3> atCorners(Id face, const AtVertex& distances) const;
   double rounding(const std::array<double, 3>& d) const;
   void add(const PassedList& list);
   void test(Id face, const AtVertex& distances, WindowPool& pool);
+  FaceBounds quickBounds(Id face, const std::array<double, 3>& d) const;
+  FaceBounds bounds(Id face, const std::array<double, 3>& d, double limit) const;
+  bool passes(Id face, const FaceBounds& bounds, double rounding);
   void setCurved(Id face);
   void release(Id face, WindowPool& pool);
   bool isWanted(Id face) const;

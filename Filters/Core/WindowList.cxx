@@ -310,6 +310,13 @@ void WindowPool::free(const WindowBlock& block)
   this->freeBlocks_[sizeClass].push_back(block.data);
 }
 
+std::vector<std::unique_ptr<Window[]>> WindowPool::release()
+{
+  std::vector<std::unique_ptr<Window[]>> chunks = std::move(this->chunks_);
+  *this = WindowPool();
+  return chunks;
+}
+
 WindowBlock WindowPool::copyOf(const WindowRange& windows)
 {
   if (windows.size() >> 27 != 0)
@@ -358,8 +365,14 @@ void WaitingLists::assign(Id side, const WindowRange& windows, WindowPool& pool)
 
 void WaitingLists::clear(Id side, WindowPool& pool)
 {
-  pool.free(this->blockOf(side));
+  pool.free(this->release(side));
+}
+
+WindowBlock WaitingLists::release(Id side)
+{
+  const WindowBlock block = this->blockOf(side);
   this->lists_[side] = List();
+  return block;
 }
 
 std::vector<Id> WaitingLists::sides() const

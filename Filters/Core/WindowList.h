@@ -82,6 +82,8 @@ class WindowPool
 public:
   WindowBlock copyOf(const WindowRange& windows);
   void free(const WindowBlock& block);
+  /// Hands over the memory of all blocks cut from it.
+  std::vector<std::unique_ptr<Window[]>> release();
 
 private:
   Window* allocate(std::uint32_t sizeClass);
@@ -114,6 +116,8 @@ public:
   /// Replaces the list of the side; the windows must not be those of the side.
   void assign(Id side, const WindowRange& windows, WindowPool& pool);
   void clear(Id side, WindowPool& pool);
+  /// Takes the list of the side away; its block is the caller's.
+  WindowBlock release(Id side);
 
   /// The next side of the chain the side is in.
   Id next(Id side) const { return this->lists_[side].next; }

@@ -7,6 +7,7 @@
 #include "AdaptiveRefinement.h"
 #include "Errors.h"
 #include "Propagation.h"
+#include "Tolerance.h"
 #include "WindowKeeper.h"
 
 #include <gtest/gtest.h>
@@ -144,6 +145,8 @@ protected:
   static constexpr double Tolerance = 0.01;
   TriangleMesh mesh_ = engineMesh(regularGrid(4, 4));
   std::vector<double> distances_ = planeWave();
+  /// Whether lists come with what was told of them as they went through.
+  bool told_ = false;
   geodesic::WindowPool pool_;
   geodesic::WindowKeeper keeper_{ mesh_, Tolerance,
     std::vector<std::uint8_t>(mesh_.numberOfFaces(), 0) };
@@ -173,6 +176,13 @@ protected:
     const Window wave{ 0.0, length, slope, std::sqrt(std::max(0.0, 1.0 - slope * slope)), atOrigin,
       0.0, Window::Kind::Linear, 1 };
     std::vector<geodesic::PassedList> lists{ { side, this->pool_.copyOf({ &wave, &wave + 1 }) } };
+    if (this->told_)
+    {
+      lists[0].ends = { this->distances_[this->mesh_.origin(side)],
+        this->distances_[this->mesh_.destination(side)] };
+      lists[0].near = geodesic::nearLine({ &wave, &wave + 1 }, length, lists[0].ends[0],
+        lists[0].ends[1], geodesic::tolerance::NearLine * Tolerance);
+    }
     this->keeper_.take(lists, this->distance(), this->pool_);
   }
 
@@ -229,6 +239,83 @@ TEST_F(WindowKeeperOfAGrid, FlatFacesLoseTheirWindows)
   bringFrontPast();
   EXPECT_EQ(kept(), 0U);
   EXPECT_TRUE(keeper_.missed().empty());
+}
+
+TEST_F(WindowKeeperOfAGrid, FlatFacesLoseTheirWindowsByWhatWasToldOfTheLists)
+{
+  told_ = true;
+  passAll(0.0);
+  bringFrontPast();
+  EXPECT_GE(keeper_.flatErrorBound(), 2.0 * geodesic::tolerance::NearLine * Tolerance)
+    << "the windows were looked at";
+  pass(0, 0.6 * Tolerance);
+  EXPECT_TRUE(keeper_.missed().empty());
+  EXPECT_LE(keeper_.flatErrorBound(), Tolerance);
+  EXPECT_EQ(kept(), 0U);
+}
+
+TEST_F(WindowKeeperOfAGrid, WhatWasToldOfAListDoesNotCountForOtherCorners)
+{
+  told_ = true;
+  passAll(0.0);
+  for (double& distance : distances_)
+  {
+    distance += 2.0 * Tolerance; // the lists are that much nearer now
+  }
+  bringFrontPast();
+  EXPECT_EQ(kept(), mesh_.numberOfFaces());
+}
+
+TEST(NearLine, IsToldOnlyWhereItIsSo)
+{
+  Random random(12);
+  std::array<int, 2> told{};
+  for (int i = 0; i < 20000; ++i)
+  {
+    // Windows of sources side by side, with a gap now and then, held against the line of the ends.
+    const double limit = std::pow(10.0, random.uniform(-3.0, -0.5));
+    std::vector<Window> list;
+    double x = random.chance(0.8) ? 0.0 : random.uniform(0.0, 0.2);
+    while (x < 0.9)
+    {
+      Window w{};
+      w.kind = random.chance(0.3) ? Window::Kind::Linear : Window::Kind::Circular;
+      w.begin = x;
+      w.end = random.chance(0.3) ? 1.0 : std::min(1.0, x + random.uniform(0.2, 0.5));
+      w.sourceX = w.isLinear() ? random.uniform(-0.3, 0.3) : random.uniform(0.0, 1.0);
+      w.sourceDepth =
+        w.isLinear() ? std::sqrt(1.0 - w.sourceX * w.sourceX) : random.uniform(0.3, 9.0);
+      w.sigma = 10.0;
+      w.sigma += 10.0 - w.distance(w.begin) + random.uniform(-0.5, 0.5) * limit;
+      list.push_back(w);
+      x = w.end + (random.chance(0.1) ? 0.5 * random.uniform() * limit : 0.0);
+    }
+    const double atOrigin = 10.0 + random.uniform(-0.2, 0.2) * limit;
+    const double atEnd = list.back().distance(1.0) + random.uniform(-0.2, 0.2) * limit;
+    const geodesic::NearLine near =
+      geodesic::nearLine({ list.data(), list.data() + list.size() }, 1.0, atOrigin, atEnd, limit);
+    told[0] += near.below ? 1 : 0;
+    told[1] += near.above ? 1 : 0;
+    double covered = 0.0;
+    for (const Window& w : list)
+    {
+      const double gap = geodesic::tolerance::NearLineGap * limit;
+      EXPECT_TRUE(!near.above || w.begin - covered <= gap);
+      covered = w.end;
+      for (int k = 0; k <= 20; ++k)
+      {
+        const double at = w.begin + 0.05 * k * w.width();
+        const double over = w.distance(at) - (atOrigin + (atEnd - atOrigin) * at);
+        EXPECT_TRUE(!near.above || over <= limit + 1e-13) << over << " of " << limit;
+        EXPECT_TRUE(!near.below || -over <= limit + 1e-13) << over << " of " << limit;
+      }
+    }
+    EXPECT_TRUE(!near.above || 1.0 - covered <= limit);
+  }
+  EXPECT_GT(told[0], 1000);
+  EXPECT_LT(told[0], 19000);
+  EXPECT_GT(told[1], 1000);
+  EXPECT_LT(told[1], 19000);
 }
 
 TEST_F(WindowKeeperOfAGrid, ALateListWithinTheToleranceIsHarmless)
