@@ -2,12 +2,14 @@
 #include "BenchmarkPeers.h"
 
 #include "vtkDijkstraGraphGeodesicPath.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #ifdef GEODESIC_HAS_FAST_MARCHING
 #include "vtkFastMarchingGeodesicDistance.h"
 #include "vtkIdList.h"
+#include "vtkPointData.h"
 #endif
 
 #ifdef GEODESIC_HAS_CGAL
@@ -30,20 +32,35 @@ double secondsOfUpdate(Filter* filter)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+std::vector<double> numbersOf(vtkDataArray* array)
+{
+  std::vector<double> numbers(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    numbers[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
+  }
+  return numbers;
+}
+
 /// VTK's path along mesh edges. It visits all vertices where it does not stop at the end vertex.
-double dijkstra(vtkPolyData* mesh, vtkIdType vertex)
+PeerRun dijkstra(vtkPolyData* mesh, vtkIdType vertex)
 {
   vtkNew<vtkDijkstraGraphGeodesicPath> filter;
   filter->SetInputData(mesh);
   filter->SetStartVertex(vertex);
   filter->SetEndVertex(vertex);
   filter->StopWhenEndReachedOff();
-  return secondsOfUpdate(filter.Get());
+  PeerRun run;
+  run.seconds = secondsOfUpdate(filter.Get());
+  vtkNew<vtkDoubleArray> distances;
+  filter->GetCumulativeWeights(distances);
+  run.distances = numbersOf(distances);
+  return run;
 }
 
 #ifdef GEODESIC_HAS_FAST_MARCHING
 /// ParaView's GeodesicMeasurement plugin.
-double fastMarching(vtkPolyData* mesh, vtkIdType vertex)
+PeerRun fastMarching(vtkPolyData* mesh, vtkIdType vertex)
 {
   vtkNew<vtkFastMarchingGeodesicDistance> filter;
   vtkNew<vtkIdList> seeds;
@@ -51,14 +68,26 @@ double fastMarching(vtkPolyData* mesh, vtkIdType vertex)
   filter->SetInputData(mesh);
   filter->SetSeeds(seeds);
   filter->SetFieldDataName("FastMarching");
-  return secondsOfUpdate(filter.Get());
+  PeerRun run;
+  run.seconds = secondsOfUpdate(filter.Get());
+  run.distances = numbersOf(filter->GetOutput()->GetPointData()->GetArray("FastMarching"));
+  return run;
+}
+#endif
+
+#ifdef GEODESIC_HAS_CGAL
+PeerRun cgal(vtkPolyData* mesh, vtkIdType vertex)
+{
+  PeerRun run;
+  run.seconds = secondsOfCgal(mesh, vertex, run.distances);
+  return run;
 }
 #endif
 
 struct Peer
 {
   std::string name;
-  double (*seconds)(vtkPolyData*, vtkIdType);
+  PeerRun (*run)(vtkPolyData*, vtkIdType);
 };
 
 const std::vector<Peer>& peers()
@@ -69,7 +98,7 @@ const std::vector<Peer>& peers()
     { "fastmarching", fastMarching },
 #endif
 #ifdef GEODESIC_HAS_CGAL
-    { "cgal", secondsOfCgal },
+    { "cgal", cgal },
 #endif
   };
   return all;
@@ -98,7 +127,7 @@ std::string peerNames()
   return names;
 }
 
-double secondsOfPeer(const std::string& name, vtkPolyData* mesh, vtkIdType vertex)
+PeerRun runPeer(const std::string& name, vtkPolyData* mesh, vtkIdType vertex)
 {
-  return find(name)->seconds(mesh, vertex);
+  return find(name)->run(mesh, vertex);
 }

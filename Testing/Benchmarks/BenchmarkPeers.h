@@ -15,7 +15,15 @@ bool isPeer(const std::string& name);
 /// The peers that are built in, separated by commas.
 std::string peerNames();
 
-/// Seconds that a fresh filter takes for the distances of all vertices from one vertex.
-double secondsOfPeer(const std::string& name, vtkPolyData* mesh, vtkIdType vertex);
+struct PeerRun
+{
+  /// Of a fresh filter's Update(), or what comes nearest to it.
+  double seconds = 0.0;
+  /// Of each point.
+  std::vector<double> distances;
+};
+
+/// The distances of all points from one of them.
+PeerRun runPeer(const std::string& name, vtkPolyData* mesh, vtkIdType vertex);
 
 #endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Measures the engine on a mesh and prints a JSON object a run.
+#include "BenchmarkFilter.h"
 #include "BenchmarkMesh.h"
 #include "BenchmarkPeers.h"
 
@@ -45,7 +46,10 @@ const char* const Usage = R"(Measures geodesic distance fields and prints a JSON
   --refine T                refine until the interpolant is within this fraction of the diagonal
   --envelope                count the windows of the final lower envelope, too
   --threads N               threads that VTK may use
-  --repeat R                so many runs
+  --repeat R                so many runs; 0 with --write: none
+  --update                  and measure the whole filter's Update(), refining where --refine is given
+  --error                   and the largest relative error at points, against the exact field: of the
+                            run, and of the peers where the source is a vertex
   --against PEER,PEER...    and measure on the same mesh, from the vertex or else from vertex 0: )";
 
 struct Options
@@ -59,6 +63,8 @@ struct Options
   /// 0: none.
   double refine = 0.0;
   bool envelope = false;
+  bool update = false;
+  bool error = false;
   int threads = 0;
   int repeat = 1;
   std::vector<std::string> against;
@@ -85,6 +91,15 @@ std::vector<std::string> split(const std::string& text)
     parts.push_back(part);
   }
   return parts;
+}
+
+/// Sets an option that has no value; returns false where it is none.
+bool setFlag(Options& options, const std::string& name)
+{
+  options.envelope |= name == "--envelope";
+  options.update |= name == "--update";
+  options.error |= name == "--error";
+  return name == "--envelope" || name == "--update" || name == "--error";
 }
 
 void setOption(Options& options, const std::string& name, const std::string& value)
@@ -123,7 +138,7 @@ void setOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--repeat")
   {
-    options.repeat = static_cast<int>(toNumber(name, value, 1));
+    options.repeat = static_cast<int>(toNumber(name, value, 0));
   }
   else if (name == "--against")
   {
@@ -138,12 +153,10 @@ void setOption(Options& options, const std::string& name, const std::string& val
 Options parse(const std::vector<std::string>& arguments)
 {
   Options options;
-  for (std::size_t i = 0; i < arguments.size(); i += 2)
+  for (std::size_t i = 0; i < arguments.size(); ++i)
   {
-    if (arguments[i] == "--envelope")
+    if (setFlag(options, arguments[i]))
     {
-      options.envelope = true;
-      --i; // it has no value
       continue;
     }
     if (i + 1 == arguments.size())
@@ -151,6 +164,7 @@ Options parse(const std::vector<std::string>& arguments)
       throw std::runtime_error(arguments[i] + " needs a value");
     }
     setOption(options, arguments[i], arguments[i + 1]);
+    ++i;
   }
   if (options.mesh.empty())
   {
@@ -174,6 +188,8 @@ struct Source
   vtkSmartPointer<vtkPolyData> curves;
   /// Where peers, which know no curves, measure from.
   vtkIdType vertex = 0;
+  /// Whether that vertex is the source.
+  bool isVertex = false;
 };
 
 vtkIdType vertexId(const std::string& text, vtkPolyData* mesh)
@@ -207,6 +223,7 @@ Source makeSource(const std::string& text, vtkPolyData* mesh)
   if (kind == "vertex")
   {
     source.vertex = vertexId(value, mesh);
+    source.isVertex = true;
     vtkNew<vtkPoints> points;
     points->SetDataType(mesh->GetPoints()->GetDataType());
     points->InsertNextPoint(mesh->GetPoint(source.vertex));
@@ -331,73 +348,150 @@ double windowsPerEdge(const geodesic::DistanceField& field)
   return static_cast<double>(pieces) / static_cast<double>(mesh.numberOfEdges());
 }
 
-void run(const Options& options, vtkPolyData* mesh, const Source& source)
+/// JSON has no infinity: null.
+std::string numberOrNull(double value)
+{
+  std::ostringstream text;
+  text.precision(10);
+  text << value;
+  return std::isfinite(value) ? text.str() : "null";
+}
+
+/// Over all points that the exact field reaches, apart from the source itself.
+double largestRelativeError(const std::vector<double>& distances, const std::vector<double>& exact)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < exact.size(); ++i)
+  {
+    if (std::isfinite(exact[i]) && exact[i] > 0.0)
+    {
+      largest = std::max(largest, std::abs(distances[i] - exact[i]) / exact[i]);
+    }
+  }
+  return largest;
+}
+
+/// The distances of the mesh's points.
+std::vector<double> atPoints(
+  const geodesic::DistanceField& field, const geodesic::PolyDataSurface& surface)
+{
+  std::vector<double> distances(static_cast<std::size_t>(surface.numberOfPoints()));
+  for (std::size_t i = 0; i < distances.size(); ++i)
+  {
+    distances[i] = field.vertexDistances()[surface.vertexOf(static_cast<vtkIdType>(i))];
+  }
+  return distances;
+}
+
+/// As the filter sets them.
+geodesic::SolveOptions solveOptionsFor(const Options& options, double diagonal)
+{
+  geodesic::SolveOptions solveOptions;
+  solveOptions.relativeError = options.relativeError;
+  solveOptions.parallelFor = geodesic::smpParallelFor();
+  if (options.refine > 0.0)
+  {
+    solveOptions.mostMerged = geodesic::mostMergedFor(options.refine * diagonal);
+    solveOptions.keepWindows = geodesic::KeepWindows::WhereCurved;
+    solveOptions.flatTolerance = options.refine * diagonal;
+  }
+  return solveOptions;
+}
+
+/// The same, of the field of a solve; solves anew where not all windows were kept.
+double windowsPerEdge(const geodesic::DistanceField& field,
+  const std::vector<geodesic::SourceCurve>& curves, geodesic::SolveOptions options)
+{
+  if (field.hasWindows() && field.keptTolerance() == 0.0)
+  {
+    return windowsPerEdge(field);
+  }
+  options.keepWindows = geodesic::KeepWindows::All;
+  return windowsPerEdge(geodesic::solve(field.mesh(), curves, options));
+}
+
+geodesic::RefinedMesh refineField(const geodesic::DistanceField& field, double tolerance)
+{
+  geodesic::RefinementOptions options;
+  options.tolerance = tolerance;
+  return geodesic::refine(field, options);
+}
+
+/// The stages of the engine one by one. Returns the exact distances of the mesh's points where
+/// --error asks for them.
+std::vector<double> measureEngine(
+  const Options& options, vtkPolyData* mesh, const Source& source, std::ostream& json)
 {
   forgetPeakMemory();
   const std::uint64_t loaded = memory("VmRSS");
+  Stopwatch watch;
+  geodesic::PolyDataSurface surface(mesh, true);
+  const double buildSeconds = watch.lap();
+  const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
+  const double sourceSeconds = watch.lap();
+  const geodesic::SolveOptions solveOptions = solveOptionsFor(options, surface.diagonal());
+  const auto field = geodesic::solve(surface.mesh(), curves, solveOptions);
+  const double solveSeconds = watch.lap();
+  json << ", \"faces\": " << surface.mesh().numberOfFaces()
+       << ", \"edges\": " << surface.mesh().numberOfEdges() << ", \"build_s\": " << buildSeconds
+       << ", \"source_s\": " << sourceSeconds << ", \"solve_s\": " << solveSeconds;
+
+  std::size_t outputCells = surface.mesh().numberOfFaces();
+  double refineSeconds = 0.0;
+  if (options.refine > 0.0)
+  {
+    watch.lap();
+    const geodesic::RefinedMesh refined = refineField(field, options.refine * surface.diagonal());
+    refineSeconds = watch.lap();
+    outputCells = refined.triangles.size();
+    json << ", \"interpolation_error_bound\": " << refined.errorBound;
+  }
+  json << ", \"refine_s\": " << refineSeconds << ", \"loaded_rss_bytes\": " << loaded
+       << ", \"peak_rss_bytes\": " << memory("VmHWM")
+       << ", \"windows_propagated\": " << field.windowsPropagated()
+       << ", \"relative_error_bound\": " << field.relativeErrorBound()
+       << ", \"max_distance\": " << largestFinite(field.vertexDistances())
+       << ", \"output_cells\": " << outputCells;
+
+  if (options.envelope)
+  {
+    json << ", \"windows_per_edge\": " << windowsPerEdge(field, curves, solveOptions);
+  }
+  if (!options.error)
+  {
+    return {};
+  }
+  geodesic::SolveOptions exactOptions;
+  exactOptions.parallelFor = solveOptions.parallelFor;
+  const auto exact = atPoints(geodesic::solve(surface.mesh(), curves, exactOptions), surface);
+  json << ", \"max_relative_error\": "
+       << numberOrNull(largestRelativeError(atPoints(field, surface), exact));
+  return exact;
+}
+
+void run(const Options& options, vtkPolyData* mesh, const Source& source)
+{
   std::ostringstream json;
   json.precision(10);
-
-  Stopwatch watch;
+  json << "{\"mesh\": " << quoted(options.mesh) << ", \"source\": " << quoted(options.source)
+       << ", \"relative_error\": " << options.relativeError
+       << ", \"threads\": " << vtkSMPTools::GetEstimatedNumberOfThreads();
+  const std::vector<double> exact = measureEngine(options, mesh, source, json);
+  if (options.update)
   {
-    geodesic::PolyDataSurface surface(mesh, true);
-    const double buildSeconds = watch.lap();
-    const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
-    const double sourceSeconds = watch.lap();
-
-    geodesic::SolveOptions solveOptions;
-    solveOptions.relativeError = options.relativeError;
-    if (options.refine > 0.0)
-    {
-      solveOptions.mostMerged = geodesic::mostMergedFor(options.refine * surface.diagonal());
-    }
-    solveOptions.parallelFor = geodesic::smpParallelFor();
-    solveOptions.keepWindows =
-      options.refine > 0.0 ? geodesic::KeepWindows::WhereCurved : geodesic::KeepWindows::None;
-    solveOptions.flatTolerance = options.refine * surface.diagonal();
-    const auto field = geodesic::solve(surface.mesh(), curves, solveOptions);
-    const double solveSeconds = watch.lap();
-
-    json << "{\"mesh\": " << quoted(options.mesh)
-         << ", \"faces\": " << surface.mesh().numberOfFaces()
-         << ", \"edges\": " << surface.mesh().numberOfEdges()
-         << ", \"source\": " << quoted(options.source)
-         << ", \"relative_error\": " << options.relativeError
-         << ", \"threads\": " << vtkSMPTools::GetEstimatedNumberOfThreads()
-         << ", \"build_s\": " << buildSeconds << ", \"source_s\": " << sourceSeconds
-         << ", \"solve_s\": " << solveSeconds;
-
-    std::size_t outputCells = surface.mesh().numberOfFaces();
-    double refineSeconds = 0.0;
-    if (options.refine > 0.0)
-    {
-      geodesic::RefinementOptions refinement;
-      refinement.tolerance = options.refine * surface.diagonal();
-      const geodesic::RefinedMesh refined = geodesic::refine(field, refinement);
-      refineSeconds = watch.lap();
-      outputCells = refined.triangles.size();
-      json << ", \"interpolation_error_bound\": " << refined.errorBound;
-    }
-    json << ", \"refine_s\": " << refineSeconds << ", \"loaded_rss_bytes\": " << loaded
-         << ", \"peak_rss_bytes\": " << memory("VmHWM")
-         << ", \"windows_propagated\": " << field.windowsPropagated()
-         << ", \"relative_error_bound\": " << field.relativeErrorBound()
-         << ", \"max_distance\": " << largestFinite(field.vertexDistances())
-         << ", \"output_cells\": " << outputCells;
-    if (options.envelope && field.hasWindows() && field.keptTolerance() == 0.0)
-    {
-      json << ", \"windows_per_edge\": " << windowsPerEdge(field);
-    }
-    else if (options.envelope)
-    {
-      solveOptions.keepWindows = geodesic::KeepWindows::All;
-      json << ", \"windows_per_edge\": "
-           << windowsPerEdge(geodesic::solve(surface.mesh(), curves, solveOptions));
-    }
+    const FilterRun filter = runFilter(mesh, source.curves, options.relativeError, options.refine);
+    json << ", \"update_s\": " << filter.seconds
+         << ", \"update_output_cells\": " << filter.outputCells;
   }
-  for (const std::string& peer : options.against)
+  for (const std::string& name : options.against)
   {
-    json << ", \"" << peer << "_s\": " << secondsOfPeer(peer, mesh, source.vertex);
+    const PeerRun peer = runPeer(name, mesh, source.vertex);
+    json << ", \"" << name << "_s\": " << peer.seconds;
+    if (options.error && source.isVertex)
+    {
+      json << ", \"" << name << "_max_relative_error\": "
+           << numberOrNull(largestRelativeError(peer.distances, exact));
+    }
   }
   std::cout << json.str() << "}" << std::endl;
 }
