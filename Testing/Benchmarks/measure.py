@@ -1,0 +1,367 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Measures with geodesicBenchmark and prints tables in Markdown. README.md says what is in them."""
+
+import argparse
+import dataclasses
+import json
+import math
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+APPROXIMATE = ("--relative-error", "0.001")
+REFINED = ("--refine", "0.001")
+
+
+@dataclasses.dataclass(frozen=True)
+class Mesh:
+    """A file of the folder of meshes, or one made from it by subdivision and noise."""
+
+    name: str
+    file: str
+    levels: int = 0
+    noise: float = 0.0
+    # About; 0 where it is not known.
+    faces: int = 0
+    # A vertex far from vertex 0; 0 where none is known.
+    far: int = 0
+
+
+MESHES = {
+    mesh.name: mesh
+    for mesh in (
+        Mesh("fandisk", "fandisk.obj", faces=12_946, far=3_000),
+        Mesh("beetle-alt", "beetle-alt.obj", faces=38_656, far=9_000),
+        Mesh("bunny", "stanford-bunny.obj", faces=69_451, far=17_000),
+        Mesh("nefertiti", "nefertiti.obj", faces=99_938, far=25_000),
+        Mesh("igea", "igea.ply", faces=268_686, far=67_000),
+        Mesh("1.07M", "igea.ply", 1, 0.1, faces=1_074_744, far=270_000),
+        Mesh("4.3M", "igea.ply", 2, 0.1, faces=4_298_976),
+        Mesh("6.4M", "nefertiti.obj", 3, faces=6_396_032),
+        Mesh("9.9M", "beetle-alt.obj", 4, faces=9_895_936),
+        Mesh("13M", "fandisk.obj", 5, 0.1, faces=13_256_704),
+    )
+}
+SMALL = ("fandisk", "beetle-alt", "bunny", "nefertiti", "igea", "1.07M")
+LARGE = ("igea", "1.07M", "4.3M", "6.4M", "9.9M", "13M")
+
+
+class Row(dict):
+    """Numbers by name; those that were not measured are NaN."""
+
+    def __missing__(self, key):
+        return math.nan
+
+
+def summary(runs):
+    """The medians of the runs' numbers. Memory is the largest, which only a process's first run,
+    before any memory is kept for later, shows in full."""
+    row = Row()
+    for key, value in runs[0].items():
+        if isinstance(value, (int, float)):
+            row[key] = statistics.median(run[key] for run in runs)
+    row["bytes_per_face"] = max(
+        (run["peak_rss_bytes"] - run["loaded_rss_bytes"]) / run["faces"] for run in runs
+    )
+    return row
+
+
+class Benchmark:
+    """geodesicBenchmark, a fresh process for every call of run()."""
+
+    def __init__(self, arguments):
+        self.program = arguments.benchmark
+        self.folder = pathlib.Path(arguments.folder)
+        self.work = pathlib.Path(arguments.work)
+        self.repeat = arguments.repeat
+        self.log = arguments.log
+        usage = subprocess.run([self.program, "--help"], capture_output=True, text=True, check=True)
+        self.peers = usage.stdout.split()[-1].split(",")
+
+    def call(self, *arguments):
+        command = [str(self.program), *map(str, arguments)]
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        if result.returncode != 0:
+            print(f"{' '.join(command)}: {result.returncode}\n{result.stderr}", file=sys.stderr)
+            return None
+        return result.stdout
+
+    def path(self, mesh):
+        """The mesh's file, made where it is not there."""
+        source = self.folder / mesh.file
+        if mesh.levels == 0:
+            return source
+        noise = f"-noise{mesh.noise:g}" if mesh.noise else ""
+        file = self.work / f"{source.stem}-{mesh.levels}{noise}.ply"
+        if not file.exists():
+            self.work.mkdir(parents=True, exist_ok=True)
+            partial = file.with_name("partial-" + file.name)
+            made = self.call(
+                *("--mesh", source, "--subdivide", mesh.levels, "--noise", mesh.noise),
+                *("--write", partial, "--repeat", 0),
+            )
+            if made is None:
+                sys.exit(f"{file} cannot be made")
+            partial.rename(file)
+        return file
+
+    def run(self, mesh, *arguments, against=(), repeat=None, threads=1):
+        """What one process measures; an empty row where it fails."""
+        against = [peer for peer in against if peer in self.peers]
+        arguments = [
+            *("--mesh", self.path(mesh), "--threads", threads),
+            *("--repeat", repeat or self.repeat, *arguments),
+            *(("--against", ",".join(against)) if against else ()),
+        ]
+        runs = [json.loads(line) for line in (self.call(*arguments) or "").splitlines()]
+        if self.log:
+            with open(self.log, "a", encoding="ascii") as log:
+                log.writelines(json.dumps(run) + "\n" for run in runs)
+        return summary(runs) if runs else Row()
+
+
+def number(value, digits=2):
+    return "-" if math.isnan(value) else f"{value:.{digits}f}"
+
+
+def seconds(value):
+    return "-" if math.isnan(value) else f"{value:.3g}" if value < 100 else f"{value:.0f}"
+
+
+def error(value):
+    return "-" if math.isnan(value) else f"{value:.3g}"
+
+
+def count(value):
+    return "-" if math.isnan(value) else f"{value:,.0f}"
+
+
+def print_table(title, columns, rows):
+    """Prints each row as soon as it is there."""
+    print(f"\n### {title}\n\n| {' | '.join(columns)} |\n|{'---|' * len(columns)}", flush=True)
+    for row in rows:
+        print(f"| {' | '.join(row)} |", flush=True)
+
+
+def small(benchmark, meshes, _):
+    def rows():
+        for mesh in meshes:
+            exact = benchmark.run(mesh, against=["dijkstra"])
+            far = mesh.far or int(exact["faces"]) // 4
+            path = benchmark.run(mesh, "--source", f"path:0,{far}", against=["dijkstra"])
+            approximate = benchmark.run(mesh, *APPROXIMATE, against=["dijkstra"])
+            update = benchmark.run(mesh, "--update", against=["dijkstra"])
+            refined = benchmark.run(mesh, *REFINED, against=["dijkstra"])
+            marching = benchmark.run(mesh, against=["dijkstra", "fastmarching"])
+            yield (
+                mesh.name,
+                count(exact["faces"]),
+                seconds(exact["dijkstra_s"]),
+                number(exact["solve_s"] / exact["dijkstra_s"]),
+                number(path["solve_s"] / path["dijkstra_s"]),
+                number(approximate["solve_s"] / approximate["dijkstra_s"]),
+                number(exact["build_s"] / exact["dijkstra_s"]),
+                number(update["update_s"] / update["dijkstra_s"]),
+                number((refined["solve_s"] + refined["refine_s"]) / refined["dijkstra_s"]),
+                number(marching["fastmarching_s"] / marching["dijkstra_s"]),
+                number(exact["bytes_per_face"], 0),
+                number(approximate["bytes_per_face"], 0),
+            )
+
+    columns = ("mesh", "faces", "D, s", "exact / D", "path / D", "approximate / D", "build / D")
+    columns += ("Update / D", "refined / D", "fast marching / D", "exact, bytes a face")
+    print_table("Time over Dijkstra's", (*columns, "approximate, bytes a face"), rows())
+
+
+def errors(benchmark, meshes, _):
+    def rows():
+        for mesh in meshes:
+            exact = benchmark.run(mesh)
+            other = benchmark.run(
+                mesh, *APPROXIMATE, "--error", against=["dijkstra", "fastmarching"]
+            )
+            yield (
+                *(mesh.name, count(exact["faces"]), seconds(exact["solve_s"])),
+                *(seconds(other["solve_s"]), error(other["max_relative_error"])),
+                *(seconds(other["dijkstra_s"]), error(other["dijkstra_max_relative_error"])),
+                seconds(other["fastmarching_s"]),
+                error(other["fastmarching_max_relative_error"]),
+            )
+
+    columns = ("mesh", "faces", "exact, s", "approximate, s", "error", "Dijkstra, s", "error")
+    print_table("Error beside time", (*columns, "fast marching, s", "error"), rows())
+
+
+def large(benchmark, meshes, arguments):
+    reference = next((mesh for mesh in meshes if mesh.name == "igea"), meshes[0])
+    meshes = [reference] + [mesh for mesh in meshes if mesh is not reference]
+    modes = {"exact": (), "approximate": APPROXIMATE}
+
+    def rows():
+        first = {}
+        for mesh in meshes:
+            cells = []
+            for mode, options in modes.items():
+                run = benchmark.run(mesh, *options)
+                micro = 1e6 * run["solve_s"] / run["faces"]
+                first.setdefault(mode, micro)
+                cells += [seconds(run["solve_s"]), number(micro), number(micro / first[mode])]
+                cells += [number(run["bytes_per_face"], 0)]
+                if arguments.envelope:
+                    windows = benchmark.run(mesh, *options, "--envelope", repeat=1)
+                    cells += [number(windows["windows_per_edge"])]
+            yield (mesh.name, count(run["faces"]), *cells)
+
+    columns = ["mesh", "faces"]
+    for mode in modes:
+        columns += [f"{mode}, s", "us a face", f"over {reference.name}'s", "bytes a face"]
+        columns += ["windows an edge"] if arguments.envelope else []
+    print_table("Large meshes", columns, rows())
+
+
+def threads(benchmark, meshes, arguments):
+    numbers = [int(text) for text in arguments.threads.split(",")]
+
+    def rows():
+        for mesh in meshes:
+            for mode, options in {"exact": (), "approximate": APPROXIMATE}.items():
+                row = [mesh.name, mode]
+                first = math.nan
+                for n in numbers:
+                    run = benchmark.run(mesh, *options, against=["dijkstra"], threads=n)
+                    first = run["solve_s"] if math.isnan(first) else first
+                    row += [seconds(run["solve_s"]), number(run["solve_s"] / run["dijkstra_s"])]
+                    row += [number(first / run["solve_s"])]
+                yield row
+
+    columns = ["mesh", "mode"]
+    for n in numbers:
+        columns += [f"threads: {n}, s", "/ D", "speed-up"]
+    print_table("Threads", columns, rows())
+
+
+def approximation(benchmark, meshes, _):
+    def rows():
+        for mesh in meshes:
+            sources = ["vertex:0"] + (["boundary"] if mesh.name == "beetle-alt" else [])
+            for source in sources:
+                for epsilon in (0, 1e-4, 1e-3, 1e-2, 1e-1):
+                    options = ("--source", source, "--relative-error", epsilon)
+                    time = benchmark.run(mesh, *options, against=["dijkstra"])
+                    truth = benchmark.run(mesh, *options, "--error", "--envelope", repeat=1)
+                    yield (
+                        *(mesh.name, source, f"{epsilon:g}", seconds(time["solve_s"])),
+                        number(time["solve_s"] / time["dijkstra_s"]),
+                        error(truth["relative_error_bound"]),
+                        error(truth["max_relative_error"]),
+                        number(truth["windows_per_edge"]),
+                    )
+
+    columns = ("mesh", "source", "requested", "time, s", "/ D", "reported", "measured")
+    print_table("Approximation", (*columns, "windows an edge"), rows())
+
+
+def cgal(benchmark, meshes, _):
+    def rows():
+        for mesh in meshes:
+            run = benchmark.run(mesh, "--error", against=["dijkstra", "cgal"])
+            yield (
+                *(mesh.name, count(run["faces"]), seconds(run["solve_s"])),
+                *(seconds(run["cgal_s"]), number(run["cgal_s"] / run["solve_s"], 1)),
+                error(run["cgal_max_relative_error"]),
+            )
+
+    if "cgal" not in benchmark.peers:
+        print("\nCGAL is not built in: no table of it.", flush=True)
+        return
+    columns = ("mesh", "faces", "exact, s", "CGAL, s", "CGAL / exact", "largest difference")
+    print_table("CGAL's exact solver", columns, rows())
+
+
+# The function of each table and the meshes in it.
+TABLES = {
+    "small": (small, SMALL),
+    "errors": (errors, SMALL),
+    "large": (large, LARGE),
+    "threads": (threads, ("igea", "1.07M")),
+    "approximation": (approximation, SMALL[:-1]),
+    "cgal": (cgal, ("bunny",)),
+}
+
+
+def find_mesh(folder, name):
+    """A mesh by the name that it has here, else a file of the folder."""
+    if name in MESHES:
+        return MESHES[name]
+    for file in sorted(pathlib.Path(folder).glob(name + ".*")):
+        return Mesh(name, file.name)
+    sys.exit(f"{folder} has no mesh {name}; known besides its files: {', '.join(MESHES)}")
+
+
+def machine():
+    """What it runs on."""
+
+    def field(file, key):
+        with open(file, encoding="utf-8") as lines:
+            found = [line.split(":")[1].strip() for line in lines if line.startswith(key)]
+        return found[0] if found else "unknown"
+
+    memory = int(field("/proc/meminfo", "MemTotal").split()[0]) / 2**20
+    load = os.getloadavg()[0]
+    return (
+        f"{field('/proc/cpuinfo', 'model name')}, {os.cpu_count()} cores, {memory:.0f} GiB; "
+        f"load at the start {load:.2f}"
+    )
+
+
+def add_common_options(parser):
+    parser.add_argument(
+        "--benchmark",
+        default=HERE.parents[1] / "build" / "bin" / "geodesicBenchmark",
+        help="the program (build/bin/geodesicBenchmark)",
+    )
+    parser.add_argument(
+        "--work",
+        default=HERE.parents[1] / "build" / "benchmark-meshes",
+        help="folder of the meshes that are made from them (build/benchmark-meshes)",
+    )
+    parser.add_argument("--repeat", type=int, default=5, help="runs of which the median counts (5)")
+    parser.add_argument(
+        "--largest", type=int, metavar="FACES", help="leave out meshes with more faces"
+    )
+    parser.add_argument("--log", help="append the benchmark's JSON lines to this file")
+
+
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", help="the meshes: fandisk.obj, igea.ply, ...")
+    add_common_options(parser)
+    parser.add_argument("--table", choices=TABLES, help="this one only")
+    parser.add_argument(
+        "--only", metavar="NAME,NAME...", help="these meshes in place of each table's own"
+    )
+    parser.add_argument("--threads", default="1,2", help="numbers of threads to compare (1,2)")
+    parser.add_argument(
+        "--envelope", action="store_true", help="windows an edge of large meshes, too (memory!)"
+    )
+    return parser.parse_args()
+
+
+def main():
+    arguments = parse()
+    benchmark = Benchmark(arguments)
+    print(f"{machine()}; medians of {arguments.repeat} runs", flush=True)
+    for name, (table, own) in TABLES.items():
+        names = arguments.only.split(",") if arguments.only else own
+        meshes = [find_mesh(arguments.folder, name) for name in names]
+        meshes = [m for m in meshes if not arguments.largest or m.faces <= arguments.largest]
+        if meshes and arguments.table in (None, name):
+            table(benchmark, meshes, arguments)
+
+
+if __name__ == "__main__":
+    main()
