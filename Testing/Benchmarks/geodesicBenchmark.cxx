@@ -47,9 +47,9 @@ const char* const Usage = R"(Measures geodesic distance fields and prints a JSON
   --envelope                count the windows of the final lower envelope, too
   --threads N               threads that VTK may use
   --repeat R                so many runs; 0 with --write: none
-  --update                  and measure the whole filter's Update(), refining where --refine is given
-  --error                   and the largest relative error at points, against the exact field: of the
-                            run, and of the peers where the source is a vertex
+  --update                  and the whole filter's Update(), which refines where --refine is given
+  --error                   and the largest relative error at points, against the exact field: of
+                            the run, and of the peers where the source is a vertex
   --against PEER,PEER...    and measure on the same mesh, from the vertex or else from vertex 0: )";
 
 struct Options

@@ -153,7 +153,7 @@ def parse():
     parser.add_argument(
         "--output", default=measure.HERE, help="folder of growth.csv and growth.png (this one)"
     )
-    parser.add_argument("--draw-only", action="store_true", help="draw the growth.csv that is there")
+    parser.add_argument("--draw-only", action="store_true", help="draw what growth.csv holds")
     arguments = parser.parse_args()
     if not arguments.folder and not arguments.draw_only:
         parser.error("the folder of the meshes is missing")
