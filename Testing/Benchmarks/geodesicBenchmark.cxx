@@ -463,7 +463,7 @@ std::vector<double> measureEngine(
   }
   geodesic::SolveOptions exactOptions;
   exactOptions.parallelFor = solveOptions.parallelFor;
-  const auto exact = atPoints(geodesic::solve(surface.mesh(), curves, exactOptions), surface);
+  auto exact = atPoints(geodesic::solve(surface.mesh(), curves, exactOptions), surface);
   json << ", \"max_relative_error\": "
        << numberOrNull(largestRelativeError(atPoints(field, surface), exact));
   return exact;
