@@ -34,6 +34,7 @@ class Mesh:
 MESHES = {
     mesh.name: mesh
     for mesh in (
+        Mesh("plane", str(HERE.parents[1] / "Examples" / "plane.vtp"), faces=422),
         Mesh("fandisk", "fandisk.obj", faces=12_946, far=3_000),
         Mesh("beetle-alt", "beetle-alt.obj", faces=38_656, far=9_000),
         Mesh("bunny", "stanford-bunny.obj", faces=69_451, far=17_000),
@@ -47,6 +48,8 @@ MESHES = {
     )
 }
 SMALL = ("fandisk", "beetle-alt", "bunny", "nefertiti", "igea", "1.07M")
+# All windows of larger meshes are not kept at once.
+ENVELOPE_FACES = 2_000_000
 LARGE = ("igea", "1.07M", "4.3M", "6.4M", "9.9M", "13M")
 
 
@@ -170,11 +173,13 @@ def small(benchmark, meshes, _):
                 number(marching["fastmarching_s"] / marching["dijkstra_s"]),
                 number(exact["bytes_per_face"], 0),
                 number(approximate["bytes_per_face"], 0),
+                number(refined["bytes_per_face"], 0),
             )
 
     columns = ("mesh", "faces", "D, s", "exact / D", "path / D", "approximate / D", "build / D")
     columns += ("Update / D", "refined / D", "fast marching / D", "exact, bytes a face")
-    print_table("Time over Dijkstra's", (*columns, "approximate, bytes a face"), rows())
+    columns += ("approximate, bytes a face", "refined, bytes a face")
+    print_table("Time over Dijkstra's", columns, rows())
 
 
 def errors(benchmark, meshes, _):
@@ -265,6 +270,36 @@ def approximation(benchmark, meshes, _):
     print_table("Approximation", (*columns, "windows an edge"), rows())
 
 
+def paper(benchmark, meshes, _):
+    examples = HERE.parents[1] / "Examples"
+    sources = {
+        "plane": f"curve:{examples / 'plane-curve.vtp'}",
+        "fandisk": f"curve:{examples / 'fandisk-curve.vtp'}",
+        "beetle-alt": "boundary",
+        "6.4M": f"path:0,{MESHES['nefertiti'].far}",
+        "9.9M": "boundary",
+    }
+
+    def rows():
+        for mesh in meshes:
+            source = ("--source", sources.get(mesh.name, "vertex:0"))
+            cells = []
+            for options in ((), APPROXIMATE):
+                run = benchmark.run(mesh, *source, *options)
+                windows = Row()
+                if run["faces"] < ENVELOPE_FACES:
+                    windows = benchmark.run(mesh, *source, *options, "--envelope", repeat=1)
+                cells += [seconds(run["solve_s"]), number(windows["windows_per_edge"])]
+                cells += [number(run["windows_propagated"] / run["edges"])]
+            truth = benchmark.run(mesh, *source, *APPROXIMATE, "--error", repeat=1)
+            yield (mesh.name, count(run["faces"]), *cells, error(truth["max_relative_error"]))
+
+    columns = ["mesh", "faces"]
+    for mode in ("exact", "0.1 %"):
+        columns += [f"{mode}, s", "windows an edge", "made"]
+    print_table("Table 1 of the paper", (*columns, "largest error"), rows())
+
+
 def cgal(benchmark, meshes, _):
     def rows():
         for mesh in meshes:
@@ -289,6 +324,7 @@ TABLES = {
     "large": (large, LARGE),
     "threads": (threads, ("igea", "1.07M")),
     "approximation": (approximation, SMALL[:-1]),
+    "paper": (paper, ("plane", "fandisk", "beetle-alt", "6.4M", "9.9M")),
     "cgal": (cgal, ("bunny",)),
 }
 
