@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Propagation.h"
 
+#include "Deliveries.h"
 #include "Errors.h"
 #include "FacePassage.h"
 #include "InterpolationError.h"
@@ -29,13 +30,6 @@ struct Improvement
   double distance;
   double error;
   Arrival from;
-};
-
-/// Windows on their way to a side.
-struct Delivery
-{
-  Id side;
-  WindowBlock windows;
 };
 
 /// What a vertex sends out when the front comes to it.
@@ -144,10 +138,6 @@ private:
 
   void prefetchFacing(Id vertex) const;
   void prefetchReceiver(Id side) const;
-  Id sideOf(std::size_t group) const
-  {
-    return static_cast<Id>(this->order_[this->groups_[group]] >> 32);
-  }
   void process(Worker& worker, Id vertex);
   void relaxEdges(Worker& worker, Id vertex);
   void emit(Worker& worker, Id vertex);
@@ -196,11 +186,7 @@ private:
   double front_ = 0.0;
   std::vector<Worker> workers_;
   std::vector<Id> batch_;
-  std::vector<Delivery> deliveries_;
-  /// The deliveries in the order of their sides: side and number.
-  std::vector<std::uint64_t> order_;
-  /// Where the deliveries to one side begin; one more than groups.
-  std::vector<std::size_t> groups_;
+  Deliveries deliveries_;
 
   /// With a limit: faces that have a point within it.
   std::vector<std::uint8_t> needed_;
@@ -352,12 +338,12 @@ void Propagation::runBatch()
       this->process(worker, this->batch_[i]);
     });
   this->collectDeliveries();
-  this->runTasks(this->groups_.size() - 1,
+  this->runTasks(this->deliveries_.numberOfGroups(),
     [this](Worker& worker, std::size_t i)
     {
-      if (i + ahead < this->groups_.size() - 1)
+      if (i + ahead < this->deliveries_.numberOfGroups())
       {
-        this->prefetchReceiver(this->sideOf(i + ahead));
+        this->prefetchReceiver(this->deliveries_.side(i + ahead));
       }
       this->receive(worker, i);
     });
@@ -568,46 +554,30 @@ void Propagation::send(Worker& worker, Id side, const WindowRange& windows)
 void Propagation::collectDeliveries()
 {
   this->deliveries_.clear();
-  this->order_.clear();
   for (Worker& worker : this->workers_)
   {
-    for (const Delivery& delivery : worker.deliveries)
-    {
-      this->order_.push_back(
-        (static_cast<std::uint64_t>(delivery.side) << 32) | this->deliveries_.size());
-      this->deliveries_.push_back(delivery);
-    }
-    worker.deliveries.clear();
+    this->deliveries_.take(worker.deliveries);
   }
-  std::sort(this->order_.begin(), this->order_.end());
-  this->groups_.clear();
-  for (std::size_t i = 0; i < this->order_.size(); ++i)
-  {
-    if (i == 0 || (this->order_[i] >> 32) != (this->order_[i - 1] >> 32))
-    {
-      this->groups_.push_back(i);
-    }
-  }
-  this->groups_.push_back(this->order_.size());
+  this->deliveries_.group();
 }
 
 void Propagation::receive(Worker& worker, std::size_t group)
 {
-  const Id side = this->sideOf(group);
+  const Id side = this->deliveries_.side(group);
   const Id apex = this->mesh_.opposite(side);
   const Vec2 position = apexOf(this->mesh_, side);
   (this->waiting_.has(side) ? worker.grown : worker.begun).push_back(side);
-  for (std::size_t i = this->groups_[group]; i < this->groups_[group + 1]; ++i)
-  {
-    const WindowBlock& block = this->deliveries_[this->order_[i] & 0xffffffffu].windows;
-    const ApexView view = worker.passage.view(block.range(), position);
-    if (view.distance < this->vertices_[apex].distance)
+  this->deliveries_.forEach(group,
+    [&](const WindowBlock& block)
     {
-      worker.arrivals.push_back({ apex, view.distance, view.error, { side, view.crossing } });
-    }
-    worker.propagated += block.size;
-    this->mergeInto(worker, side, block);
-  }
+      const ApexView view = worker.passage.view(block.range(), position);
+      if (view.distance < this->vertices_[apex].distance)
+      {
+        worker.arrivals.push_back({ apex, view.distance, view.error, { side, view.crossing } });
+      }
+      worker.propagated += block.size;
+      this->mergeInto(worker, side, block);
+    });
 }
 
 void Propagation::mergeInto(Worker& worker, Id side, const WindowBlock& block)
