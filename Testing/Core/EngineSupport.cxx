@@ -83,20 +83,35 @@ std::vector<geodesic::SourceCurve> engineCurves(
   return engineCurves(mesh, curves);
 }
 
+geodesic::DistanceField solveKeepingAll(const geodesic::TriangleMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves, double relativeError, double maximumDistance,
+  double mostMerged)
+{
+  geodesic::SolveOptions options;
+  options.keepWindows = geodesic::KeepWindows::All;
+  options.relativeError = relativeError;
+  options.maximumDistance = maximumDistance;
+  options.mostMerged = mostMerged;
+  return geodesic::solve(mesh, curves, options);
+}
+
+EngineResult valuesOf(const geodesic::DistanceField& field, const std::vector<MeshPoint>& queries)
+{
+  EngineResult result;
+  result.vertices = field.vertexDistances();
+  for (const MeshPoint& query : queries)
+  {
+    result.queries.push_back(field.distance(enginePoint(field.mesh(), query)));
+  }
+  return result;
+}
+
 EngineResult engineDistances(const PlainMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves, const geodesic::TriangleMesh& engine,
   const std::vector<MeshPoint>& queries)
 {
-  geodesic::SolveOptions keepAll;
-  keepAll.keepWindows = geodesic::KeepWindows::All;
-  const geodesic::DistanceField field = geodesic::solve(engine, curves, keepAll);
-  EngineResult result;
-  result.vertices = field.vertexDistances();
+  const EngineResult result = valuesOf(solveKeepingAll(engine, curves), queries);
   EXPECT_EQ(result.vertices.size(), mesh.points.size());
-  for (const MeshPoint& query : queries)
-  {
-    result.queries.push_back(field.distance(enginePoint(engine, query)));
-  }
   const geodesic::DistanceField lean = geodesic::solve(engine, curves);
   EXPECT_FALSE(lean.hasWindows());
   EXPECT_LE(
@@ -150,6 +165,36 @@ double worstError(
     worst = std::max(worst, std::abs(computed[i] - truth[i]) / largest);
   }
   return worst;
+}
+
+double expectCertified(const geodesic::DistanceField& field, const std::vector<MeshPoint>& queries,
+  const EngineResult& exact)
+{
+  const EngineResult computed = valuesOf(field, queries);
+  const double largest = largestFinite(exact.vertices);
+  const double rounding = EngineAccuracy * largest;
+  double measured = 0.0;
+  const auto compare = [&](const std::vector<double>& approximate, const std::vector<double>& truth)
+  {
+    ASSERT_EQ(approximate.size(), truth.size());
+    for (std::size_t i = 0; i < truth.size(); ++i)
+    {
+      if (std::isinf(truth[i]))
+      {
+        EXPECT_TRUE(std::isinf(approximate[i])) << i;
+        continue;
+      }
+      EXPECT_LE(approximate[i], truth[i] + rounding) << i;
+      EXPECT_GE(approximate[i], truth[i] * (1.0 - field.relativeErrorBound()) - rounding) << i;
+      if (truth[i] > std::sqrt(EngineAccuracy) * largest)
+      {
+        measured = std::max(measured, (truth[i] - approximate[i]) / truth[i]);
+      }
+    }
+  };
+  compare(computed.vertices, exact.vertices);
+  compare(computed.queries, exact.queries);
+  return measured;
 }
 
 std::vector<MeshPoint> randomPoints(const PlainMesh& mesh, std::size_t count, Random& random)

@@ -31,12 +31,20 @@ std::vector<geodesic::SourceCurve> engineCurves(
 std::vector<geodesic::SourceCurve> engineCurves(
   const geodesic::TriangleMesh& mesh, const Sources& sources);
 
+/// Solves with all windows kept.
+geodesic::DistanceField solveKeepingAll(const geodesic::TriangleMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves, double relativeError = 0.0,
+  double maximumDistance = geodesic::Infinity, double mostMerged = geodesic::Infinity);
+
 /// What the engine computes, laid out like the brute force's result.
 struct EngineResult
 {
   std::vector<double> vertices;
   std::vector<double> queries;
 };
+
+/// A field with all windows kept, at the vertices and the queries.
+EngineResult valuesOf(const geodesic::DistanceField& field, const std::vector<MeshPoint>& queries);
 
 /// Solves with all windows kept, evaluates the queries and checks that a solve without windows
 /// gives the same values at vertices.
@@ -55,6 +63,12 @@ double largestFinite(const std::vector<double>& values);
 /// and the other is not.
 double worstError(
   const std::vector<double>& computed, const std::vector<double>& truth, double largest);
+
+/// What is certified about an approximate field: never over the exact distance, and never under it
+/// by more than the field's bound; rounding is allowed for as in the exact field. \returns the
+/// largest relative error, where distances are so large that rounding does not tell.
+double expectCertified(const geodesic::DistanceField& field, const std::vector<MeshPoint>& queries,
+  const EngineResult& exact);
 
 /// Random query points of all kinds.
 std::vector<MeshPoint> randomPoints(const PlainMesh& mesh, std::size_t count, Random& random);

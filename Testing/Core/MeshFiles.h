@@ -16,8 +16,12 @@ std::string meshFolder();
 /// What a test that needs a mesh of the folder says when there is none.
 std::string noMeshFolder(const std::string& wanted);
 
-/// Vertices and triangles of an OBJ file of the folder (polygons as fans); points at one place
-/// become one. Empty where the file cannot be read.
+/// The file's name without its ending, as a part of a test's name.
+std::string testName(const std::string& file);
+
+/// Vertices and triangles of a file of the folder: OBJ (polygons as fans), or PLY as binary
+/// triangle strips; points at one place become one, and triangles that this leaves without area go.
+/// Empty where the file cannot be read.
 PlainMesh readMesh(const std::string& name);
 
 }

@@ -33,18 +33,6 @@ using geodesic::TriangleMesh;
 namespace
 {
 
-DistanceField solveKeepingAll(const TriangleMesh& mesh,
-  const std::vector<geodesic::SourceCurve>& curves, double relativeError = 0.0,
-  double maximumDistance = geodesic::Infinity, double refinementTolerance = geodesic::Infinity)
-{
-  geodesic::SolveOptions options;
-  options.keepWindows = geodesic::KeepWindows::All;
-  options.relativeError = relativeError;
-  options.maximumDistance = maximumDistance;
-  options.mostMerged = geodesic::mostMergedFor(refinementTolerance);
-  return geodesic::solve(mesh, curves, options);
-}
-
 RefinedMesh refineTo(const DistanceField& field, double tolerance, std::uint64_t maximumFaces = 0)
 {
   RefinementOptions options;
@@ -307,8 +295,8 @@ void meetsToleranceOfItsField(const PlainMesh& mesh, const Sources& sources, dou
   const DistanceField exact = geodesic::solve(engine, source);
   const double largest = largestFinite(exact.vertexDistances());
   const double tolerance = fraction * largest;
-  const DistanceField field =
-    solveKeepingAll(engine, source, relativeError, geodesic::Infinity, tolerance);
+  const DistanceField field = solveKeepingAll(
+    engine, source, relativeError, geodesic::Infinity, geodesic::mostMergedFor(tolerance));
   const RefinedMesh refined = refineTo(field, tolerance);
   EXPECT_FALSE(refined.stoppedAtMaximum);
   EXPECT_LE(refined.errorBound, tolerance);
@@ -1146,10 +1134,4 @@ TEST_P(RefinementOfRealMeshes, ShapesDoNotDecayWithDepth)
 
 INSTANTIATE_TEST_SUITE_P(Files, RefinementOfRealMeshes,
   ::testing::Values("fandisk.obj", "beetle-alt.obj", "stanford-bunny.obj"),
-  [](const auto& instance)
-  {
-    std::string name = instance.param;
-    name = name.substr(0, name.find('.'));
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-  });
+  [](const auto& instance) { return testName(instance.param); });

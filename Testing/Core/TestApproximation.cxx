@@ -18,7 +18,6 @@
 
 using namespace geodesictest;
 using geodesic::DistanceField;
-using geodesic::SolveOptions;
 using geodesic::TriangleMesh;
 using geodesic::Window;
 
@@ -29,42 +28,15 @@ constexpr double Epsilons[] = { 1e-4, 1e-3, 1e-2, 1e-1 };
 constexpr std::uint64_t MeshesOfAKind = 12;
 constexpr std::size_t NumberOfQueries = 60;
 
-DistanceField approximate(
-  const TriangleMesh& mesh, const std::vector<geodesic::SourceCurve>& curves, double relativeError)
-{
-  SolveOptions options;
-  options.relativeError = relativeError;
-  options.keepWindows = geodesic::KeepWindows::All;
-  return geodesic::solve(mesh, curves, options);
-}
-
 class Approximation : public ::testing::TestWithParam<MeshKind>
 {
-protected:
-  // Rounding is allowed for as in the exact field.
-  void compare(double computed, double exact, double largest, double bound)
-  {
-    if (std::isinf(exact))
-    {
-      EXPECT_TRUE(std::isinf(computed));
-      return;
-    }
-    const double rounding = EngineAccuracy * largest;
-    EXPECT_LE(computed, exact + rounding);
-    EXPECT_GE(computed, exact * (1.0 - bound) - rounding);
-    if (exact > std::sqrt(EngineAccuracy) * largest)
-    {
-      this->measured_ = std::max(this->measured_, (exact - computed) / exact);
-    }
-  }
-
-  double measured_ = 0.0;
 };
 
 }
 
 TEST_P(Approximation, ErrorIsWithinTheBoundAndTheBoundWithinWhatWasAskedFor)
 {
+  double measured = 0.0;
   for (std::uint64_t seed = 1000; seed < 1000 + MeshesOfAKind; ++seed)
   {
     Random random(seed);
@@ -73,27 +45,18 @@ TEST_P(Approximation, ErrorIsWithinTheBoundAndTheBoundWithinWhatWasAskedFor)
     const std::vector<Polyline> curves = maker.anySource();
     const std::vector<MeshPoint> queries = randomPoints(mesh, NumberOfQueries, random);
     const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), queries);
-    const double largest = largestFinite(truth.vertices);
     const TriangleMesh engine = engineMesh(mesh);
     for (const double epsilon : Epsilons)
     {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", epsilon " + std::to_string(epsilon) + "\n" +
         describe(curves));
-      const DistanceField field = approximate(engine, engineCurves(engine, curves), epsilon);
-      const double bound = field.relativeErrorBound();
-      EXPECT_LE(bound, epsilon);
-      for (std::size_t v = 0; v < truth.vertices.size(); ++v)
-      {
-        this->compare(field.vertexDistances()[v], truth.vertices[v], largest, bound);
-      }
-      for (std::size_t q = 0; q < queries.size(); ++q)
-      {
-        const double computed = field.distance(enginePoint(engine, queries[q]));
-        this->compare(computed, truth.queries[q], largest, bound);
-      }
+      const DistanceField field = solveKeepingAll(engine, engineCurves(engine, curves), epsilon);
+      EXPECT_LE(field.relativeErrorBound(), epsilon);
+      measured =
+        std::max(measured, expectCertified(field, queries, { truth.vertices, truth.queries }));
     }
   }
-  std::cout << "largest relative error on " << GetParam().name << ": " << this->measured_ << "\n";
+  std::cout << "largest relative error on " << GetParam().name << ": " << measured << "\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Approximation, ::testing::ValuesIn(meshKinds()),
@@ -126,7 +89,7 @@ TEST(Approximate, WindowsFallWithEveryStepOfEpsilon)
   std::uint64_t last = geodesic::solve(mesh, fromFirstVertex).windowsPropagated();
   for (const double epsilon : Epsilons)
   {
-    const DistanceField field = approximate(mesh, fromFirstVertex, epsilon);
+    const DistanceField field = solveKeepingAll(mesh, fromFirstVertex, epsilon);
     EXPECT_LT(field.windowsPropagated(), last) << epsilon;
     EXPECT_GT(field.relativeErrorBound(), 0.0);
     last = field.windowsPropagated();
@@ -137,7 +100,7 @@ TEST(Approximate, EpsilonZeroIsTheExactField)
 {
   const TriangleMesh mesh = engineMesh(bumpySphere());
   const DistanceField exact = geodesic::solve(mesh, fromFirstVertex);
-  const DistanceField zero = approximate(mesh, fromFirstVertex, 0.0);
+  const DistanceField zero = solveKeepingAll(mesh, fromFirstVertex, 0.0);
   EXPECT_EQ(exact.vertexDistances(), zero.vertexDistances());
   EXPECT_EQ(zero.relativeErrorBound(), 0.0);
 }
@@ -146,7 +109,7 @@ TEST(Approximate, HugeEpsilonStillReachesAllWithinItsBound)
 {
   const TriangleMesh mesh = engineMesh(bumpySphere());
   const DistanceField exact = geodesic::solve(mesh, fromFirstVertex);
-  const DistanceField huge = approximate(mesh, fromFirstVertex, 1e6);
+  const DistanceField huge = solveKeepingAll(mesh, fromFirstVertex, 1e6);
   for (std::size_t v = 0; v < exact.vertexDistances().size(); ++v)
   {
     const double d = exact.vertexDistances()[v];
@@ -162,7 +125,7 @@ TEST(Approximate, NegativeInfiniteOrNanEpsilonIsRefused)
   for (const double epsilon :
     { -1e-3, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
   {
-    EXPECT_THROW(approximate(mesh, fromFirstVertex, epsilon), geodesic::Error);
+    EXPECT_THROW(solveKeepingAll(mesh, fromFirstVertex, epsilon), geodesic::Error);
   }
 }
 

@@ -46,15 +46,6 @@ double spaceDistance(const Vec3& a, const Vec3& b)
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-geodesic::DistanceField solveKeepingAll(const geodesic::TriangleMesh& mesh,
-  const std::vector<geodesic::SourceCurve>& curves, double maximumDistance = geodesic::Infinity)
-{
-  geodesic::SolveOptions options;
-  options.keepWindows = geodesic::KeepWindows::All;
-  options.maximumDistance = maximumDistance;
-  return geodesic::solve(mesh, curves, options);
-}
-
 /// Checks that two lists of curves have one distance field.
 void expectSameField(const PlainMesh& mesh, const std::vector<Polyline>& a,
   const std::vector<Polyline>& b, const std::vector<MeshPoint>& queries, const char* what)
@@ -469,7 +460,7 @@ TEST(Property, FacesWithAPointWithinTheMaximumDistanceAreExact)
     const geodesic::DistanceField whole = solveKeepingAll(engine, curves);
     const double largest = largestFinite(whole.vertexDistances());
     const double limit = random.uniform(0.05, 0.7) * largest;
-    const geodesic::DistanceField part = solveKeepingAll(engine, curves, limit);
+    const geodesic::DistanceField part = solveKeepingAll(engine, curves, 0.0, limit);
     geodesic::SolveOptions lean;
     lean.maximumDistance = limit;
     const geodesic::DistanceField leanPart = geodesic::solve(engine, curves, lean);

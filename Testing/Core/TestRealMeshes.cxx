@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
+#include <utility>
 
 using namespace geodesictest;
 
@@ -21,7 +23,7 @@ protected:
   {
     if (meshFolder().empty())
     {
-      GTEST_SKIP() << noMeshFolder("fandisk.obj, spot.obj, beetle-alt.obj");
+      GTEST_SKIP() << noMeshFolder("fandisk.obj, spot.obj, beetle-alt.obj, igea.ply");
     }
   }
 
@@ -105,6 +107,24 @@ protected:
   }
 };
 
+}
+
+// Its file is of strips, whose triangles turn alternately.
+TEST_F(RealMeshes, IgeaIsReadAsAClosedSurfaceOfOneOrientation)
+{
+  const PlainMesh mesh = read("igea.ply");
+  std::set<std::pair<Index, Index>> sides;
+  for (const Triangle& t : mesh.triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      EXPECT_TRUE(sides.emplace(t[k], t[(k + 1) % 3]).second) << t[k] << ", " << t[(k + 1) % 3];
+    }
+  }
+  for (const auto& [from, to] : sides)
+  {
+    EXPECT_EQ(sides.count({ to, from }), 1u) << from << ", " << to;
+  }
 }
 
 TEST_F(RealMeshes, FandiskIsSymmetricBetweenVertices)
