@@ -4,6 +4,7 @@
 #include "EngineSupport.h"
 #include "MeshFiles.h"
 #include "RandomMeshKinds.h"
+#include "RefinementSupport.h"
 
 #include "AdaptiveRefinement.h"
 #include "Errors.h"
@@ -12,13 +13,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <set>
 #include <string>
-#include <tuple>
 
 using namespace geodesictest;
 using geodesic::DistanceField;
@@ -32,248 +33,6 @@ using geodesic::TriangleMesh;
 
 namespace
 {
-
-RefinedMesh refineTo(const DistanceField& field, double tolerance, std::uint64_t maximumFaces = 0)
-{
-  RefinementOptions options;
-  options.tolerance = tolerance;
-  options.maximumFaces = maximumFaces;
-  return geodesic::refine(field, options);
-}
-
-/// What a result says about one of its points. Without labels: points are the mesh's vertices.
-class Points
-{
-public:
-  Points(const DistanceField& field, const RefinedMesh& refined)
-    : field_(field)
-    , refined_(refined)
-  {
-  }
-
-  SurfacePoint place(Id point) const
-  {
-    return this->isNew(point) ? this->newPoint(point).place : SurfacePoint::atVertex(point);
-  }
-  double distance(Id point) const
-  {
-    return this->isNew(point) ? this->newPoint(point).distance
-                              : this->field_.vertexDistances()[point];
-  }
-  Vec3 position(Id point) const
-  {
-    return this->isNew(point) ? this->newPoint(point).position : this->field_.mesh().point(point);
-  }
-  Barycentric weights(Id point, Id face) const
-  {
-    return barycentric(this->field_.mesh(), this->place(point), face);
-  }
-
-private:
-  bool isNew(Id point) const { return point >= this->refined_.numberOfInputPoints; }
-  const geodesic::RefinedPoint& newPoint(Id point) const
-  {
-    return this->refined_.points[point - this->refined_.numberOfInputPoints];
-  }
-
-  const DistanceField& field_;
-  const RefinedMesh& refined_;
-};
-
-/// Random places of a refined mesh and its interpolant there.
-struct Samples
-{
-  std::vector<MeshPoint> places;
-  std::vector<double> interpolant;
-};
-
-Samples sample(
-  const DistanceField& field, const RefinedMesh& refined, std::size_t count, Random& random)
-{
-  const Points points(field, refined);
-  Samples samples;
-  while (samples.places.size() < count)
-  {
-    const Index triangle = random.below(refined.triangles.size());
-    const Id face = refined.faces[triangle];
-    const Barycentric w = randomWeights(random);
-    MeshPoint place{ face, { 0.0, 0.0, 0.0 } };
-    double value = 0.0;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const Id corner = refined.triangles[triangle][k];
-      const Barycentric b = points.weights(corner, face);
-      for (std::size_t j = 0; j < 3; ++j)
-      {
-        place.weights[j] += w[k] * b[j];
-      }
-      value += w[k] == 0.0 ? 0.0 : w[k] * points.distance(corner);
-    }
-    samples.places.push_back(place);
-    samples.interpolant.push_back(value);
-  }
-  return samples;
-}
-
-double largestDifference(const Samples& samples, const std::vector<double>& truth)
-{
-  double largest = 0.0;
-  for (std::size_t i = 0; i < truth.size(); ++i)
-  {
-    const double value = samples.interpolant[i];
-    largest = std::isinf(truth[i]) && std::isinf(value)
-      ? largest
-      : std::max(largest, std::abs(value - truth[i]));
-  }
-  return largest;
-}
-
-double spaceDistance(const Vec3& a, const Vec3& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
-double determinant(const Barycentric& a, const Barycentric& b, const Barycentric& c)
-{
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-    a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
-
-/// The side of the face that both points lie on; NoId where there is none.
-Id commonSide(const Points& points, Id face, Id a, Id b)
-{
-  const Barycentric first = points.weights(a, face);
-  const Barycentric second = points.weights(b, face);
-  for (Id k = 0; k < 3; ++k)
-  {
-    if (first[k] == 0.0 && second[k] == 0.0)
-    {
-      return 3 * face + (k + 1) % 3;
-    }
-  }
-  return NoId;
-}
-
-/// Each face is cut into triangles of its orientation that cover it once.
-void expectFacesPartitioned(
-  const TriangleMesh& mesh, const RefinedMesh& refined, const Points& points)
-{
-  ASSERT_EQ(refined.faces.size(), refined.triangles.size());
-  EXPECT_TRUE(std::is_sorted(refined.faces.begin(), refined.faces.end()));
-  std::vector<double> covered(mesh.numberOfFaces(), 0.0);
-  for (std::size_t t = 0; t < refined.triangles.size(); ++t)
-  {
-    const Id face = refined.faces[t];
-    const geodesic::Triangle& c = refined.triangles[t];
-    for (const Id corner : c)
-    {
-      ASSERT_TRUE(contains(mesh, face, points.place(corner)));
-    }
-    const double part = determinant(
-      points.weights(c[0], face), points.weights(c[1], face), points.weights(c[2], face));
-    EXPECT_GT(part, 0.0) << "triangle " << t << " is turned over or empty";
-    covered[face] += part;
-  }
-  for (Id face = 0; face < mesh.numberOfFaces(); ++face)
-  {
-    EXPECT_NEAR(covered[face], 1.0, 1e-12) << "face " << face;
-  }
-}
-
-/// Around each edge are as many triangles as around the input edge that it lies on, two inside a
-/// face; the boundary is as long as it was.
-void expectWatertight(const TriangleMesh& mesh, const RefinedMesh& refined, const Points& points)
-{
-  struct Around
-  {
-    Id triangles = 0;
-    Id expected = 2;
-  };
-  std::map<std::pair<Id, Id>, Around> edges;
-  for (std::size_t t = 0; t < refined.triangles.size(); ++t)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const Id a = refined.triangles[t][k];
-      const Id b = refined.triangles[t][(k + 1) % 3];
-      Around& around = edges[std::minmax(a, b)];
-      ++around.triangles;
-      const Id side = commonSide(points, refined.faces[t], a, b);
-      if (side != NoId)
-      {
-        around.expected = 1;
-        for (Id s = mesh.nextInRing(side); s != side; s = mesh.nextInRing(s))
-        {
-          ++around.expected;
-        }
-      }
-    }
-  }
-  double boundary = 0.0;
-  for (const auto& [ends, around] : edges)
-  {
-    EXPECT_EQ(around.triangles, around.expected) << "edge " << ends.first << ", " << ends.second;
-    if (around.triangles == 1)
-    {
-      boundary += spaceDistance(points.position(ends.first), points.position(ends.second));
-    }
-  }
-  double boundaryBefore = 0.0;
-  for (Id side = 0; side < mesh.numberOfSides(); ++side)
-  {
-    boundaryBefore += mesh.isBoundary(side) ? mesh.length(side) : 0.0;
-  }
-  EXPECT_NEAR(boundary, boundaryBefore, 1e-12 * (1.0 + boundaryBefore));
-}
-
-/// New points have earlier parents, lie between them and on the surface, and carry the distance
-/// there; none is at the place of another.
-void expectPointsRight(const DistanceField& field, const RefinedMesh& refined, const Points& points)
-{
-  const TriangleMesh& mesh = field.mesh();
-  ASSERT_EQ(refined.numberOfInputPoints, mesh.numberOfVertices());
-  double largest = largestFinite(field.vertexDistances());
-  for (const geodesic::RefinedPoint& p : refined.points)
-  {
-    largest = std::max(largest, p.distance);
-  }
-  std::set<std::tuple<SurfacePoint::Kind, Id, double, double>> places;
-  for (std::size_t i = 0; i < refined.points.size(); ++i)
-  {
-    const geodesic::RefinedPoint& p = refined.points[i];
-    const Id id = refined.numberOfInputPoints + static_cast<Id>(i);
-    ASSERT_LT(p.parents[0], id);
-    ASSERT_LT(p.parents[1], id);
-    EXPECT_GE(p.weight, 0.25);
-    EXPECT_LE(p.weight, 0.75);
-    EXPECT_NE(p.place.kind, SurfacePoint::Kind::Vertex);
-    EXPECT_TRUE(places.emplace(p.place.kind, p.place.id, p.place.u, p.place.v).second)
-      << "two points at one place";
-    const Vec3 a = points.position(p.parents[0]);
-    const Vec3 b = points.position(p.parents[1]);
-    Vec3 between;
-    double size = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      between[axis] = a[axis] + p.weight * (b[axis] - a[axis]);
-      size = std::max({ size, std::abs(a[axis]), std::abs(b[axis]) });
-    }
-    EXPECT_LE(spaceDistance(p.position, between), 1e-13 * size);
-    EXPECT_EQ(p.position, position(mesh, p.place));
-    if (field.relativeErrorBound() == 0.0)
-    {
-      EXPECT_NEAR(p.distance, field.distance(p.place), EngineAccuracy * largest);
-    }
-  }
-}
-
-void expectSameSurface(const DistanceField& field, const RefinedMesh& refined)
-{
-  const Points points(field, refined);
-  expectFacesPartitioned(field.mesh(), refined, points);
-  expectWatertight(field.mesh(), refined, points);
-  expectPointsRight(field, refined, points);
-}
 
 bool equal(const RefinedMesh& a, const RefinedMesh& b)
 {
@@ -549,6 +308,31 @@ public:
     return result;
   }
 
+  std::vector<geodesic::Triangle> outputOf(Id wanted) const
+  {
+    std::vector<geodesic::Triangle> result;
+    this->triangles_.forEachTriangle(
+      [&](Id face, const geodesic::Triangle& corners)
+      {
+        if (face == wanted)
+        {
+          result.push_back(corners);
+        }
+      });
+    return result;
+  }
+
+  /// Of its face.
+  double fractionOf(Id face, const geodesic::Triangle& corners) const
+  {
+    std::array<Barycentric, 3> b;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      b[k] = barycentric(this->mesh_, this->triangles_.place(corners[k]), face);
+    }
+    return determinant(b[0], b[1], b[2]);
+  }
+
   /// Triangles around each edge of the output.
   std::map<std::pair<Id, Id>, Id> around() const
   {
@@ -722,6 +506,51 @@ TEST(RedGreen, AFrozenFaceIsOnlyClosed)
   for (const auto& [ends, triangles] : mesh.around())
   {
     EXPECT_LE(triangles, 2u) << ends.first << ", " << ends.second;
+  }
+}
+
+// However unevenly the edges are split around it.
+TEST(RedGreen, AFrozenFaceIsClosedBetweenManyPointsOfItsThreeEdges)
+{
+  for (const std::array<int, 3>& rounds :
+    { std::array<int, 3>{ 3, 3, 3 }, { 4, 2, 1 }, { 1, 4, 0 }, { 0, 1, 4 }, { 5, 5, 0 } })
+  {
+    ByHand mesh({ { 0, 1, 2 }, { 1, 0, 3 }, { 2, 1, 4 }, { 0, 2, 5 } }, { 1, 0, 0, 0 });
+    Id onEdges = 0;
+    for (Id k = 0; k < 3; ++k)
+    {
+      std::vector<Id> along = { mesh.edge(k + 1, 0) }; // the neighbours' edges to the frozen face
+      for (int round = 0; round < rounds[k]; ++round)
+      {
+        for (const Id edge : along)
+        {
+          ASSERT_EQ(mesh.triangles().edgeData(edge).split, NoId);
+        }
+        mesh.split(along);
+        onEdges += static_cast<Id>(along.size());
+        std::vector<Id> halves;
+        for (const Id edge : along)
+        {
+          const Id first = mesh.triangles().edgeData(edge).halves;
+          halves.insert(halves.end(), { first, first + 1 });
+        }
+        along = halves;
+      }
+    }
+    EXPECT_EQ(mesh.count()[0], onEdges + 1) << "each point of the edges is a corner";
+    const auto around = mesh.around();
+    double covered = 0.0;
+    for (const geodesic::Triangle& t : mesh.outputOf(0))
+    {
+      const double part = mesh.fractionOf(0, t);
+      EXPECT_GT(part, 0.0) << "turned over or empty";
+      covered += part;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        EXPECT_EQ(around.at(std::minmax(t[k], t[(k + 1) % 3])), 2u) << "a point on an edge";
+      }
+    }
+    EXPECT_NEAR(covered, 1.0, 1e-13);
   }
 }
 
@@ -958,29 +787,8 @@ TEST_F(RefinementOfASheet, FacesBeyondTheLimitAreLeftAsTheyAre)
   expectFacesPartitioned(engine_, refined, points);
   expectWatertight(engine_, refined, points);
 
-  const auto isComplete = [&](Id face)
-  { return std::isfinite(limited.distance(SurfacePoint::inFace(face, 0.3, 0.3))); };
-  std::vector<bool> besideComplete(engine_.numberOfFaces(), false);
-  for (Id side = 0; side < engine_.numberOfSides(); ++side)
-  {
-    const Id other = TriangleMesh::faceOf(engine_.nextInRing(side));
-    besideComplete[side / 3] = besideComplete[side / 3] || isComplete(other);
-  }
-  std::vector<Id> parts(engine_.numberOfFaces(), 0);
-  for (const Id face : refined.faces)
-  {
-    ++parts[face];
-  }
-  Id leftAlone = 0;
-  for (Id face = 0; face < engine_.numberOfFaces(); ++face)
-  {
-    if (!besideComplete[face] && !isComplete(face))
-    {
-      EXPECT_EQ(parts[face], 1u);
-      ++leftAlone;
-    }
-  }
-  EXPECT_GT(leftAlone, 10u);
+  const std::vector<bool> complete = completeFaces(limited);
+  EXPECT_GT(expectLeftAsTheyAre(engine_, refined, complete), 10u);
   for (const geodesic::RefinedPoint& p : refined.points)
   {
     EXPECT_TRUE(std::isfinite(p.distance));
@@ -988,15 +796,7 @@ TEST_F(RefinementOfASheet, FacesBeyondTheLimitAreLeftAsTheyAre)
 
   Random random(4);
   const Samples all = sample(limited, refined, 20000, random);
-  Samples inside;
-  for (std::size_t i = 0; i < all.places.size(); ++i)
-  {
-    if (isComplete(all.places[i].face))
-    {
-      inside.places.push_back(all.places[i]);
-      inside.interpolant.push_back(all.interpolant[i]);
-    }
-  }
+  const Samples inside = samplesIn(all, complete);
   ASSERT_GT(inside.places.size(), 1000u);
   const BruteForceResult truth = bruteForceDistances(mesh_, source_, inside.places);
   EXPECT_LE(

@@ -214,6 +214,11 @@ void addRandomCells(
 }
 
 //----------------------------------------------------------------------------
+double spaceDistance(const Vec3& a, const Vec3& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
 Vec3 position(const PlainMesh& mesh, const MeshPoint& point)
 {
   Vec3 sum = { 0.0, 0.0, 0.0 };

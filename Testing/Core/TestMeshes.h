@@ -43,6 +43,7 @@ struct MeshSegment
 };
 
 Vec3 position(const PlainMesh& mesh, const MeshPoint& point);
+double spaceDistance(const Vec3& a, const Vec3& b);
 
 /// Random numbers that are the same on every platform for one seed.
 class Random

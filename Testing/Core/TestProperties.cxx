@@ -41,11 +41,6 @@ PlainMesh someMesh(std::uint64_t seed, Random& random)
 
 constexpr std::uint64_t Rounds = 40;
 
-double spaceDistance(const Vec3& a, const Vec3& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 /// Checks that two lists of curves have one distance field.
 void expectSameField(const PlainMesh& mesh, const std::vector<Polyline>& a,
   const std::vector<Polyline>& b, const std::vector<MeshPoint>& queries, const char* what)
