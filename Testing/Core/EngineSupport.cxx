@@ -83,6 +83,22 @@ std::vector<geodesic::SourceCurve> engineCurves(
   return engineCurves(mesh, curves);
 }
 
+Sources boundarySources(const geodesic::TriangleMesh& mesh)
+{
+  Sources result;
+  for (geodesic::Id side = 0; side < mesh.numberOfSides(); ++side)
+  {
+    if (mesh.isBoundary(side))
+    {
+      MeshSegment edge{ mesh.inputFace(side / 3), { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
+      edge.from[side % 3] = 1.0;
+      edge.to[(side + 1) % 3] = 1.0;
+      result.segments.push_back(edge);
+    }
+  }
+  return result;
+}
+
 geodesic::DistanceField solveKeepingAll(const geodesic::TriangleMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves, double relativeError, double maximumDistance,
   double mostMerged)
@@ -205,6 +221,18 @@ std::vector<MeshPoint> randomPoints(const PlainMesh& mesh, std::size_t count, Ra
     points.push_back(randomPoint(mesh, random));
   }
   return points;
+}
+
+RandomCase randomCase(const MeshKind& kind, std::uint64_t seed, std::size_t numberOfQueries)
+{
+  Random random(seed);
+  RandomCase result;
+  result.mesh = kind.make(randomSize(random), random);
+  CurveMaker maker(result.mesh, random);
+  result.curves = maker.anySource();
+  result.queries = randomPoints(result.mesh, numberOfQueries, random);
+  result.truth = bruteForceDistances(result.mesh, toSources(result.curves), result.queries);
+  return result;
 }
 
 std::string describe(const std::vector<Polyline>& curves)

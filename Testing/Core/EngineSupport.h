@@ -4,6 +4,7 @@
 
 #include "BruteForce.h"
 #include "RandomCurves.h"
+#include "RandomMeshKinds.h"
 #include "TestMeshes.h"
 
 #include "Propagation.h"
@@ -30,6 +31,9 @@ std::vector<geodesic::SourceCurve> engineCurves(
   const geodesic::TriangleMesh& mesh, const std::vector<Polyline>& curves);
 std::vector<geodesic::SourceCurve> engineCurves(
   const geodesic::TriangleMesh& mesh, const Sources& sources);
+
+/// The boundary's edges.
+Sources boundarySources(const geodesic::TriangleMesh& mesh);
 
 /// Solves with all windows kept.
 geodesic::DistanceField solveKeepingAll(const geodesic::TriangleMesh& mesh,
@@ -72,6 +76,16 @@ double expectCertified(const geodesic::DistanceField& field, const std::vector<M
 
 /// Random query points of all kinds.
 std::vector<MeshPoint> randomPoints(const PlainMesh& mesh, std::size_t count, Random& random);
+
+/// A random mesh with random sources, and the true distances at the vertices and the queries.
+struct RandomCase
+{
+  PlainMesh mesh;
+  std::vector<Polyline> curves;
+  std::vector<MeshPoint> queries;
+  BruteForceResult truth;
+};
+RandomCase randomCase(const MeshKind& kind, std::uint64_t seed, std::size_t numberOfQueries);
 
 /// The sources in a form that can be pasted into a test.
 std::string describe(const std::vector<Polyline>& curves);

@@ -185,20 +185,9 @@ TEST(RefinementOfBoundaryFields, IsNowhereOverTheTolerance)
     const double tolerance = 0.01 * largest;
     const RefinedMesh refined = refineTo(field, tolerance);
     EXPECT_LE(refined.errorBound, tolerance);
-    Sources boundary;
-    for (Id side = 0; side < engine.numberOfSides(); ++side)
-    {
-      if (engine.isBoundary(side))
-      {
-        MeshSegment segment{ side / 3, {}, {} };
-        segment.from = segment.to = { 0.0, 0.0, 0.0 };
-        segment.from[side % 3] = 1.0;
-        segment.to[(side + 1) % 3] = 1.0;
-        boundary.segments.push_back(segment);
-      }
-    }
     const Samples samples = sample(field, refined, 10000, random);
-    const BruteForceResult truth = bruteForceDistances(mesh, boundary, samples.places);
+    const BruteForceResult truth =
+      bruteForceDistances(mesh, boundarySources(engine), samples.places);
     EXPECT_LE(
       largestDifference(samples, truth.queries), refined.errorBound + EngineAccuracy * largest);
     expectSameSurface(field, refined);

@@ -39,12 +39,7 @@ TEST_P(Approximation, ErrorIsWithinTheBoundAndTheBoundWithinWhatWasAskedFor)
   double measured = 0.0;
   for (std::uint64_t seed = 1000; seed < 1000 + MeshesOfAKind; ++seed)
   {
-    Random random(seed);
-    const PlainMesh mesh = GetParam().make(randomSize(random), random);
-    CurveMaker maker(mesh, random);
-    const std::vector<Polyline> curves = maker.anySource();
-    const std::vector<MeshPoint> queries = randomPoints(mesh, NumberOfQueries, random);
-    const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), queries);
+    const auto [mesh, curves, queries, truth] = randomCase(GetParam(), seed, NumberOfQueries);
     const TriangleMesh engine = engineMesh(mesh);
     for (const double epsilon : Epsilons)
     {

@@ -28,12 +28,7 @@ protected:
   /// The error at vertices and at random surface points, of the largest distance.
   void compare(std::uint64_t seed)
   {
-    Random random(seed);
-    const PlainMesh mesh = GetParam().make(randomSize(random), random);
-    CurveMaker maker(mesh, random);
-    const std::vector<Polyline> curves = maker.anySource();
-    const std::vector<MeshPoint> queries = randomPoints(mesh, NumberOfQueries, random);
-    const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), queries);
+    const auto [mesh, curves, queries, truth] = randomCase(GetParam(), seed, NumberOfQueries);
     const EngineResult result = engineDistances(mesh, curves, queries);
     const double largest = largestFinite(truth.vertices);
     const double atVertices = worstError(result.vertices, truth.vertices, largest);

@@ -151,21 +151,8 @@ TEST_F(RealMeshes, BeetlesBoundaryAgreesWithBruteForce)
 {
   const PlainMesh mesh = read("beetle-alt.obj");
   const geodesic::TriangleMesh engine = engineMesh(mesh);
-  Sources edges;
-  for (Index f = 0; f < engine.numberOfFaces(); ++f)
-  {
-    for (Index k = 0; k < 3; ++k)
-    {
-      if (engine.isBoundary(3 * f + k))
-      {
-        MeshSegment edge = { engine.inputFace(f), { 0, 0, 0 }, { 0, 0, 0 } };
-        edge.from[k] = 1.0;
-        edge.to[(k + 1) % 3] = 1.0;
-        edges.segments.push_back(edge);
-      }
-    }
-  }
-  expectBruteForce(mesh, geodesic::boundaryCurves(engine), edges, 1.0, mesh.points.size() / 3);
+  expectBruteForce(
+    mesh, geodesic::boundaryCurves(engine), boundarySources(engine), 1.0, mesh.points.size() / 3);
 }
 
 TEST_F(RealMeshes, BeetleIsSymmetricBetweenVertices)

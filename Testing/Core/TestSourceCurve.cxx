@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BruteForce.h"
+#include "EngineSupport.h"
+
 #include "Errors.h"
-#include "SourceCurve.h"
-#include "TestMeshes.h"
 
 #include <gtest/gtest.h>
 
@@ -15,17 +14,14 @@ namespace
 {
 
 using namespace geodesic;
+using geodesictest::engineMesh;
 using geodesictest::MeshPoint;
 using geodesictest::PlainMesh;
 using geodesictest::Random;
+using geodesictest::randomPoints;
 
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 constexpr double FloatEpsilon = std::numeric_limits<float>::epsilon();
-
-TriangleMesh engineMesh(const PlainMesh& mesh)
-{
-  return TriangleMesh(mesh.points, mesh.triangles);
-}
 
 Vec3 roundedToFloat(const Vec3& p)
 {
@@ -266,11 +262,7 @@ TEST(SourceCurve, ScaleDoesNotMatter)
 {
   Random random(6);
   const PlainMesh plain = geodesictest::bumpySheet(6, 6, 0, 0.4, random);
-  std::vector<MeshPoint> points;
-  for (int i = 0; i < 40; ++i)
-  {
-    points.push_back(geodesictest::randomPoint(plain, random));
-  }
+  const std::vector<MeshPoint> points = randomPoints(plain, 40, random);
   const auto put32 = [&](const PlainMesh& mesh)
   {
     std::vector<LocatedPolyline> lines;
@@ -610,11 +602,7 @@ TEST(SourceCurve, AClosedPolylineOfFarPointsIsAsLongAsItsShortestPaths)
   Random random(10);
   const PlainMesh plain = geodesictest::octasphere(6);
   const TriangleMesh mesh = engineMesh(plain);
-  std::vector<MeshPoint> points;
-  for (int i = 0; i < 5; ++i)
-  {
-    points.push_back(geodesictest::randomPoint(plain, random));
-  }
+  const std::vector<MeshPoint> points = randomPoints(plain, 5, random);
   double truth = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
@@ -687,11 +675,7 @@ TEST(SourceCurve, ProgressGoesFromZeroToOneAndNeverBack)
   Random random(11);
   const PlainMesh plain = geodesictest::octasphere(6);
   const TriangleMesh mesh = engineMesh(plain);
-  std::vector<MeshPoint> points;
-  for (int i = 0; i < 12; ++i)
-  {
-    points.push_back(geodesictest::randomPoint(plain, random));
-  }
+  const std::vector<MeshPoint> points = randomPoints(plain, 12, random);
   double last = 0.0;
   const auto progress = [&](double fraction)
   {
