@@ -14,6 +14,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
 #include "vtkTestErrorObserver.h"
 
 #include <algorithm>
@@ -29,6 +30,7 @@ namespace GeodesicTesting
 
 using Point = std::array<double, 3>;
 using Distance = std::function<double(const Point&)>;
+using Change = std::function<Point(const Point&)>;
 
 /// Counts and prints what does not hold.
 class Check
@@ -157,6 +159,31 @@ inline vtkSmartPointer<vtkPolyData> Square(
   return square;
 }
 
+/// Moves every point; nothing is told that it is modified.
+inline void MovePoints(vtkPolyData* data, const Change& change)
+{
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    data->GetPoint(i, p.data());
+    data->GetPoints()->SetPoint(i, change(p).data());
+  }
+}
+
+/// A sphere whose points were moved.
+inline vtkSmartPointer<vtkPolyData> ChangedSphere(
+  int thetaResolution, int phiResolution, const Change& change)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(thetaResolution);
+  sphere->SetPhiResolution(phiResolution);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  vtkSmartPointer<vtkPolyData> surface = sphere->GetOutput();
+  MovePoints(surface, change);
+  return surface;
+}
+
 /// Triangles that share no points, as an STL file has them.
 inline vtkSmartPointer<vtkPolyData> Soup(vtkPolyData* data)
 {
@@ -266,6 +293,41 @@ inline double DistanceToBoundaryOfSquare(const Point& p)
 inline vtkDataArray* Distances(vtkGeodesicDistanceField* filter)
 {
   return filter->GetOutput()->GetPointData()->GetArray(filter->GetDistanceArrayName());
+}
+
+/// Input about which the filter has something to say.
+struct Case
+{
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Surface;
+  vtkSmartPointer<vtkPolyData> Source;
+  /// All of these stand in the message.
+  std::vector<std::string> Words;
+  int SourceType = vtkGeodesicDistanceField::SOURCE_CURVE;
+};
+
+inline void CheckWords(Check& check, const Case& odd, const std::string& message)
+{
+  std::cout << odd.Name << ":\n" << message << "\n";
+  for (const std::string& word : odd.Words)
+  {
+    check.That(Contains(message, word), odd.Name + ": the message says \"" + word + "\"");
+  }
+}
+
+/// Runs the filter; what goes in stays as it is.
+inline void Run(Check& check, vtkGeodesicDistanceField* filter, Messages& messages, const Case& odd)
+{
+  // Times of modification, of which a change of anything changes one.
+  const auto timeOf = [](vtkPolyData* data) { return data ? data->GetMTime() : 0; };
+  filter->SetInputData(odd.Surface);
+  filter->SetSourceData(odd.Source);
+  filter->SetSourceType(odd.SourceType);
+  const vtkMTimeType surfaceTime = timeOf(odd.Surface);
+  const vtkMTimeType sourceTime = timeOf(odd.Source);
+  messages.Update();
+  check.That(timeOf(odd.Surface) == surfaceTime, odd.Name + " leaves the surface untouched");
+  check.That(timeOf(odd.Source) == sourceTime, odd.Name + " leaves the source untouched");
 }
 
 /// Checks the distances at all points against the truth, within a fraction of the largest.

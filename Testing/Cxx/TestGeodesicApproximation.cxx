@@ -3,8 +3,6 @@
 // than was asked for; what refinement may miss comes on top of that.
 #include "GeodesicTesting.h"
 
-#include "vtkSphereSource.h"
-
 using namespace GeodesicTesting;
 
 namespace
@@ -25,20 +23,12 @@ std::vector<double> Values(vtkGeodesicDistanceField* filter)
 /// A sphere whose radius changes, of many saddles.
 vtkSmartPointer<vtkPolyData> Bumpy()
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(60);
-  sphere->SetPhiResolution(40);
-  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  sphere->Update();
-  vtkPolyData* surface = sphere->GetOutput();
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    surface->GetPoint(i, p);
-    const double scale = 1.0 + 0.2 * std::sin(14.0 * p[0]) * std::cos(11.0 * p[1] + 9.0 * p[2]);
-    surface->GetPoints()->SetPoint(i, scale * p[0], scale * p[1], scale * p[2]);
-  }
-  return surface;
+  return ChangedSphere(60, 40,
+    [](const Point& p)
+    {
+      const double scale = 1.0 + 0.2 * std::sin(14.0 * p[0]) * std::cos(11.0 * p[1] + 9.0 * p[2]);
+      return Point{ scale * p[0], scale * p[1], scale * p[2] };
+    });
 }
 
 void CheckRelativeErrors(Check& check)

@@ -114,12 +114,7 @@ void CheckSurfaceIsReused(Check& check)
   expect(true, "when points are no longer merged");
 
   // A change in place counts, whether told by the points or by the surface.
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    surface->GetPoint(i, p);
-    surface->GetPoints()->SetPoint(i, 2 * p[0], 2 * p[1], 0);
-  }
+  MovePoints(surface, [](const Point& p) { return Point{ 2 * p[0], 2 * p[1], 0 }; });
   surface->Modified();
   expect(true, "after the surface changed");
   CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "the changed surface");

@@ -100,12 +100,10 @@ void CheckSurface(
 {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-1.5, 2.5);
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    surface->GetPoint(i, p);
-    surface->GetPoints()->SetPoint(i, scale * p[0], scale * p[1], scale * p[2]);
-  }
+  MovePoints(surface,
+    [&](const Point& p) {
+      return Point{ scale * p[0], scale * p[1], scale * p[2] };
+    });
   surface->GetPoints()->Modified();
   const double rounding = 1e-15 * surface->GetLength();
   vtkNew<vtkGeodesicDistanceField> filter;

@@ -25,10 +25,13 @@ vtkSmartPointer<vtkPolyData> NumberedCells(vtkSmartPointer<vtkPolyData> data)
   return data;
 }
 
-void Run(Messages& messages, vtkGeodesicDistanceField* filter, vtkPolyData* surface)
+/// Runs the filter without refinement.
+void Run(
+  Messages& messages, vtkGeodesicDistanceField* filter, vtkPolyData* surface, vtkPolyData* source)
 {
+  filter->RefineMeshOff();
   filter->SetInputData(surface);
-  filter->SetSourceData(Polyline(Line));
+  filter->SetSourceData(source);
   messages.Update();
 }
 
@@ -45,9 +48,8 @@ void CheckKinds(Check& check)
   {
     NumberedCells(surface);
     vtkNew<vtkGeodesicDistanceField> filter;
-    filter->RefineMeshOff();
     Messages messages(filter);
-    Run(messages, filter, surface);
+    Run(messages, filter, surface, Polyline(Line));
     CheckDistances(check, filter, DistanceTo(Line), name);
 
     vtkPolyData* output = filter->GetOutput();
@@ -63,9 +65,8 @@ void CheckCellData(Check& check, const std::string& name, vtkSmartPointer<vtkPol
 {
   NumberedCells(surface);
   vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
   Messages messages(filter);
-  Run(messages, filter, surface);
+  Run(messages, filter, surface, Polyline(Line));
   vtkPolyData* output = filter->GetOutput();
   vtkDataArray* numbers = output->GetCellData()->GetArray("Number");
   if (!numbers || numbers->GetNumberOfTuples() != output->GetNumberOfCells())
@@ -129,11 +130,8 @@ void CheckConcavePolygon(Check& check)
   polys->InsertNextCell({ 0, 1, 2, 3, 4, 5, 6, 7 });
   surface->SetPolys(polys);
   vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ { 1, 3, 0 } }));
   Messages messages(filter);
-  messages.Update();
+  Run(messages, filter, surface, PointSources({ { 1, 3, 0 } }));
   check.That(messages.Error().empty(), "a U as one polygon: " + messages.Error());
   check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPolys()), 6.0, "its triangles");
   const double around = Distances(filter) ? Distances(filter)->GetTuple1(3) : 0.0;
@@ -150,11 +148,8 @@ void CheckDegenerateQuads(Check& check)
   polys->InsertNextCell({ 0, 0, 1, 1 });
   surface->SetPolys(polys);
   vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ { 1, 0, 0 } }));
   Messages messages(filter);
-  messages.Update();
+  Run(messages, filter, surface, PointSources({ { 1, 0, 0 } }));
   CheckDistances(check, filter, DistanceTo({ { 1, 0, 0 } }), "quads with repeated corners");
   check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPolys()), 2.0,
     "triangles from quads with repeated corners");
@@ -169,11 +164,8 @@ void CheckPolygonsWithoutArea(Check& check)
   polys->InsertNextCell({ 0, 1, 3, 2 });
   surface->SetPolys(polys);
   vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
   Messages messages(filter);
-  messages.Update();
+  Run(messages, filter, surface, PointSources({ { 0, 0, 0 } }));
   check.That(messages.Error().empty(), "a quad without area: " + messages.Error());
   CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "a quad without area");
 }
@@ -181,12 +173,9 @@ void CheckPolygonsWithoutArea(Check& check)
 void CheckMerging(Check& check)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Soup(Square(4)));
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
   filter->MergeCoincidentPointsOff();
   Messages messages(filter);
-  messages.Update();
+  Run(messages, filter, Soup(Square(4)), PointSources({ { 0, 0, 0 } }));
   vtkIdType reached = 0;
   for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
   {
@@ -231,11 +220,8 @@ void CheckStripBesideVertex(Check& check)
   vertices->InsertNextCell({ 0 });
   surface->SetVerts(vertices);
   vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(NumberedCells(surface));
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
   Messages messages(filter);
-  messages.Update();
+  Run(messages, filter, NumberedCells(surface), PointSources({ { 0, 0, 0 } }));
   vtkPolyData* output = filter->GetOutput();
   check.Equal(static_cast<double>(output->GetNumberOfPolys()), 2.0, "triangles of a strip");
   vtkDataArray* numbers = output->GetCellData()->GetArray("Number");
@@ -249,35 +235,26 @@ void CheckUnreached(Check& check)
   auto surface = Square(2);
   const vtkIdType alone = surface->GetPoints()->InsertNextPoint(9, 9, 9);
   vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(surface);
-  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
   Messages messages(filter);
-  messages.Update();
+  Run(messages, filter, surface, PointSources({ { 0, 0, 0 } }));
   const double distance = Distances(filter)->GetTuple1(alone);
   check.That(std::isinf(distance) && distance > 0, "an isolated point is infinitely far");
 }
 
 vtkSmartPointer<vtkPolyData> Scaled(vtkSmartPointer<vtkPolyData> data, double scale)
 {
-  vtkPoints* points = data->GetPoints();
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    points->SetPoint(i, scale * p[0], scale * p[1], scale * p[2]);
-  }
+  MovePoints(data,
+    [&](const Point& p) {
+      return Point{ scale * p[0], scale * p[1], scale * p[2] };
+    });
   return data;
 }
 
 void CheckScale(Check& check, Cells cells, double scale)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
-  filter->RefineMeshOff();
-  filter->SetInputData(Scaled(Square(8, cells), scale));
-  filter->SetSourceData(Scaled(Polyline(Line), scale));
   Messages messages(filter);
-  messages.Update();
+  Run(messages, filter, Scaled(Square(8, cells), scale), Scaled(Polyline(Line), scale));
   std::vector<Point> line = Line;
   for (Point& p : line)
   {

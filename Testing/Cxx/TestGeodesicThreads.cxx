@@ -4,7 +4,6 @@
 
 #include "vtkCellData.h"
 #include "vtkSMPTools.h"
-#include "vtkSphereSource.h"
 
 #include <cstring>
 
@@ -15,19 +14,10 @@ namespace
 
 vtkSmartPointer<vtkPolyData> Ellipsoid()
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(150);
-  sphere->SetPhiResolution(100);
-  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  sphere->Update();
-  vtkPolyData* surface = sphere->GetOutput();
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    surface->GetPoint(i, p);
-    surface->GetPoints()->SetPoint(i, p[0] + 0.02 * std::sin(20.0 * p[1]), 0.6 * p[1], 1.7 * p[2]);
-  }
-  return surface;
+  return ChangedSphere(150, 100,
+    [](const Point& p) {
+      return Point{ p[0] + 0.02 * std::sin(20.0 * p[1]), 0.6 * p[1], 1.7 * p[2] };
+    });
 }
 
 vtkSmartPointer<vtkPolyData> Run(vtkPolyData* surface, bool approximate, bool refine)
