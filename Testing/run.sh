@@ -5,6 +5,7 @@
 #   paraview   everything against ParaView and its VTK: engine, filter, plugin, Python, GUI
 #   vtk        the module against plain VTK 9.1, without ParaView
 #   sanitize   the engine's tests under AddressSanitizer and UndefinedBehaviorSanitizer
+#   threads    those of the engine's tests that run on threads, under ThreadSanitizer
 #
 # Arguments go to CTest (-R NAME, -j N, ...). Plain VTK 9.1 is taken from VTK_DIR where that is set,
 # else from the system, else downloaded.
@@ -58,7 +59,8 @@ unset VTK_DIR
 build paraview
 build sanitize -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGEODESIC_CORE_ONLY=ON \
   -DGEODESIC_SANITIZE=address,undefined
-suites="paraview sanitize"
+build threads -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGEODESIC_CORE_ONLY=ON -DGEODESIC_SANITIZE=thread
+suites="paraview sanitize threads"
 if [ -n "$vtk" ]; then
   build vtk -DVTK_DIR="$vtk"
   suites+=" vtk"
