@@ -547,8 +547,7 @@ TEST(SourceCurve, AnyTwoPointsAreJoinedByAShortestPath)
       const SourceCurve curve = put(mesh, polylineOn(plain, { from, to })).curves[0];
       expectWhole(mesh, curve);
       expectCutsAtEdges(curve);
-      geodesictest::Sources sources;
-      sources.points = { from };
+      const geodesictest::Sources sources{ { from }, {} };
       const double truth = geodesictest::bruteForceDistances(plain, sources, { to }).queries[0];
       EXPECT_NEAR(length(mesh, curve), truth, 1e-9 * truth);
     }
@@ -606,8 +605,7 @@ TEST(SourceCurve, AClosedPolylineOfFarPointsIsAsLongAsItsShortestPaths)
   double truth = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    geodesictest::Sources sources;
-    sources.points = { points[i] };
+    const geodesictest::Sources sources{ { points[i] }, {} };
     const MeshPoint& next = points[(i + 1) % points.size()];
     truth += geodesictest::bruteForceDistances(plain, sources, { next }).queries[0];
   }
