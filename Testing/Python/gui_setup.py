@@ -1,10 +1,83 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run inside the ParaView GUI before the events: a square sheet, and a line down its middle."""
+"""Run inside the ParaView GUI before the events: a square sheet of two halves that share no points,
+a line along its seam and a ring in its left half. Writes down what the filter does."""
 
-from paraview import simple
+import itertools
+import os
+import pathlib
+import pickle
 
-sheet = simple.Plane(registrationName="Sheet", XResolution=20, YResolution=20)
-simple.PolyLineSource(registrationName="Curve", Points=[0, -0.5, 0, 0, 0.5, 0])
+import numpy as np
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+FOLDER = pathlib.Path(os.environ["GEODESIC_GUI_FOLDER"])
+RING = [(-0.25 + 0.15 * np.cos(angle), 0.15 * np.sin(angle), 0)
+        for angle in np.linspace(0, 2 * np.pi, 60, endpoint=False)]
+
+
+def flat(points):
+    return [x for point in points for x in point]
+
+
+def half(left):
+    """A sheet of squares between two lines of x."""
+    return simple.Plane(Origin=(left, -0.5, 0), Point1=(left + 0.5, -0.5, 0),
+                        Point2=(left, 0.5, 0), XResolution=10, YResolution=20)
+
+
+def properties_of(field):
+    """The values that the proxy has now; an input as the name of its source."""
+    names = {proxy.SMProxy: name for (name, _), proxy in simple.GetSources().items()}
+    values = {}
+    for name in field.ListProperties():
+        value = field.SMProxy.GetProperty(name)
+        if value.IsA("vtkSMInputProperty"):
+            values[name] = names.get(value.GetProxy(0))
+        elif not value.GetInformationOnly():
+            values[name] = value.GetElement(0)
+    return values
+
+
+def write_down(field, algorithm, number):
+    """What an execution of the filter was asked for, and its output."""
+    output = algorithm.GetOutputDataObject(0)
+    point_data, field_data = output.GetPointData(), output.GetFieldData()
+    arrays = [point_data.GetArray(i) for i in range(point_data.GetNumberOfArrays())]
+    said = [field_data.GetArray(i) for i in range(field_data.GetNumberOfArrays())]
+    record = {
+        "properties": properties_of(field),
+        "points": vtk_to_numpy(output.GetPoints().GetData()).astype(float),
+        "triangles": vtk_to_numpy(output.GetPolys().GetConnectivityArray()).reshape(-1, 3).copy(),
+        "arrays": {array.GetName(): vtk_to_numpy(array).copy() for array in arrays},
+        "field data": {array.GetName(): array.GetTuple1(0) for array in said},
+    }
+    with open(FOLDER / f"geodesic-gui-{number}.pickle", "wb") as file:
+        pickle.dump(record, file)
+
+
+def watch(field):
+    """Each execution of the filter is written down."""
+    algorithm = field.GetClientSideObject()
+    numbers = itertools.count()
+    algorithm.AddObserver("EndEvent", lambda *_: write_down(field, algorithm, next(numbers)))
+
+
+def look_for_field(*_):
+    for field in simple.GetSources().values():
+        if field.GetXMLName() == "GeodesicDistanceField" and field.SMProxy not in watched:
+            watched.append(field.SMProxy)
+            watch(field)
+
+
+watched = []
+manager = servermanager.ProxyManager().SMProxyManager
+manager.AddObserver("RegisterEvent", look_for_field)
+
+left, right = half(-0.5), half(0)
+simple.PolyLineSource(registrationName="Curve", Points=flat([(0, -0.5, 0), (0, 0.5, 0)]))
+simple.PolyLineSource(registrationName="Ring", Points=flat(RING), Closed=1)
+sheet = simple.AppendGeometry(registrationName="Sheet", Input=[left, right])
 view = simple.GetActiveViewOrCreate("RenderView")
 simple.Show(sheet, view)
 simple.ResetCamera(view)

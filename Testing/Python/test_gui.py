@@ -1,28 +1,34 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""In the real GUI the filter is in its menu, takes a source, applies and shows the field.
+"""In the real GUI the filter is in its menu, takes a source, applies and shows the field; every
+property of its panel, moved there, does what it says.
 
 usage: pvpython test_gui.py PARAVIEW FOLDER
 """
 
+import os
 import pathlib
+import pickle
 import subprocess
 import sys
 
 import numpy as np
 
+from geodesic_testing import FLOAT, assert_close, distance_to_segments
 from pixels import read_pixels
 
-paraview, folder = sys.argv[1:]
+paraview, folder = sys.argv[1], pathlib.Path(sys.argv[2])
 here = pathlib.Path(__file__).resolve().parent
-picture = pathlib.Path(folder) / "geodesic-gui.png"
+picture = folder / "geodesic-gui.png"
 picture.unlink(missing_ok=True)
+for old in folder.glob("geodesic-gui-*.pickle"):
+    old.unlink()
 
-# Each event that finds no widget ends ParaView with an error. timeout also ends what the launcher
-# has started.
+# Each event that finds no widget, and each check that does not hold, ends ParaView with an error.
+# timeout also ends what the launcher has started.
 subprocess.run(
     ["timeout", "100", paraview, "--dr", f"--test-directory={folder}",
      f"--script={here / 'gui_setup.py'}", f"--test-script={here / 'gui_events.xml'}", "--exit"],
-    check=True)
+    check=True, env={**os.environ, "GEODESIC_GUI_FOLDER": str(folder)})
 
 # On the sheet the distance is that from its middle line: from blue there to red at both sides, about
 # as much of one as of the other.
@@ -35,3 +41,109 @@ assert 0.5 < near.sum() / far.sum() < 2, f"near {near.mean():.1%}, far {far.mean
 middle = np.median(np.where(near | far)[1])
 offset_near, offset_far = (np.median(np.abs(np.where(part)[1] - middle)) for part in (near, far))
 assert offset_near < 0.5 * offset_far, f"blue is {offset_near} from the middle, red {offset_far}"
+
+# ------------------------------------------------------------------------------ what was applied
+SHEET = 800  # triangles
+DIAGONAL = np.sqrt(2)
+ANGLES = np.linspace(0, 2 * np.pi, 61)
+RING = [(-0.25 + 0.15 * np.cos(angle), 0.15 * np.sin(angle), 0) for angle in ANGLES]
+LINE = [(0, -0.5, 0), (0, 0.5, 0)]
+DEFAULTS = {"Input": "Sheet", "Source": None, "SourceType": 0, "Accuracy": 0, "RelativeError": 0.001,
+            "RefineMesh": 1, "RefinementTolerance": 0.001, "ToleranceIsAbsolute": 0,
+            "AbsoluteRefinementTolerance": 1, "MaximumNumberOfCells": 50000000,
+            "MaximumDistance": 0, "MergeCoincidentPoints": 1,
+            "DistanceArrayName": "GeodesicDistance"}
+
+
+class Applied:
+    """What an execution was asked for and gave."""
+
+    def __init__(self, number):
+        with open(folder / f"geodesic-gui-{number}.pickle", "rb") as file:
+            record = pickle.load(file)
+        self.properties = record["properties"]
+        self.points, self.triangles = record["points"], record["triangles"]
+        self.distances = record["arrays"].get(self.properties["DistanceArrayName"])
+        self.arrays = set(record["arrays"])
+        self.error = record["field data"]["RelativeErrorBound"]
+        self.interpolation = record["field data"]["InterpolationErrorBound"]
+
+    def to(self, curve):
+        return distance_to_segments(self.points, curve)
+
+    def to_sides(self):
+        """To the boundary of each half, the seam included."""
+        x, y = np.abs(self.points[:, 0]), np.abs(self.points[:, 1])
+        return np.minimum(np.minimum(x, 0.5 - x), 0.5 - y)
+
+    def measured(self, curve):
+        """The largest difference between interpolant and distance that occurs at some points."""
+        corners, values = self.points[self.triangles], self.distances[self.triangles]
+        worst = 0
+        for weights in np.random.default_rng(1).dirichlet((1, 1, 1), 30):
+            positions = np.einsum("k,tkj->tj", weights, corners)
+            truth = distance_to_segments(positions, curve)
+            worst = max(worst, np.max(np.abs(values @ weights - truth)))
+        return worst
+
+
+count = len(list(folder.glob("geodesic-gui-*.pickle")))
+assert count == 13, f"{count} executions"
+runs = [Applied(number) for number in range(count)]
+
+# Of two applies nothing but what was moved differs.
+asked = dict(DEFAULTS)
+for number, moved in enumerate((
+        {"Source": "Curve"}, {"Source": "Ring"}, {"RefinementTolerance": 0.005},
+        {"ToleranceIsAbsolute": 1, "AbsoluteRefinementTolerance": 0.0003},
+        {"MaximumNumberOfCells": 1500}, {"RefineMesh": 0}, {"Accuracy": 1}, {"RelativeError": 0.1},
+        {"Accuracy": 0, "MaximumDistance": 0.3}, {"MaximumDistance": 0, "MergeCoincidentPoints": 0},
+        {"DistanceArrayName": "Depth"}, {"SourceType": 1}, {"SourceType": 2})):
+    asked.update(moved)
+    assert runs[number].properties == asked, f"{number}: {runs[number].properties}"
+assert not DEFAULTS.keys() - {"Input"} - {
+    name for name in DEFAULTS if any(run.properties[name] != DEFAULTS[name] for run in runs)}
+
+assert_close(runs[0].distances, runs[0].to(LINE), FLOAT)
+for run in runs[1:6]:
+    assert_close(run.distances, run.to(RING), FLOAT)
+
+# The tolerances, the cap, and no refinement.
+fine, coarse, absolute, capped, plain = runs[1:6]
+for run, tolerance in ((fine, 0.001 * DIAGONAL), (coarse, 0.005 * DIAGONAL), (absolute, 0.0003)):
+    assert run.measured(RING) <= run.interpolation + FLOAT
+    assert run.interpolation <= tolerance, f"{run.interpolation} for {tolerance}"
+sizes = [len(run.triangles) for run in (plain, coarse, fine, absolute)]
+assert sizes[0] == SHEET and sizes == sorted(set(sizes)), sizes
+assert SHEET < len(capped.triangles) <= 1500, len(capped.triangles)
+assert 0.0003 < capped.interpolation and capped.measured(RING) <= capped.interpolation + FLOAT
+assert plain.interpolation == np.inf
+
+# Approximate: never over the exact distance, and as far under it as certified.
+for run, epsilon in ((runs[6], 0.001), (runs[7], 0.1)):
+    exact = run.to(RING)
+    assert 0 < run.error <= epsilon, run.error
+    assert np.all(run.distances <= exact + FLOAT)
+    assert np.all(exact - run.distances <= run.error * exact + FLOAT)
+assert runs[7].error > runs[6].error and all(run.error == 0 for run in runs[:6] + runs[8:])
+
+# Up to the maximum distance, in whole triangles.
+limited = runs[8]
+exact, reached = limited.to(RING), np.isfinite(limited.distances)
+assert_close(limited.distances[reached], exact[reached], FLOAT)
+touched = exact[limited.triangles].min(axis=1) < 0.3
+assert reached[limited.triangles[touched]].all() and not reached[exact > 0.4].any()
+
+# The halves share no points: without merging the ring's half alone is reached.
+is_left = np.isin(np.arange(len(plain.points)), plain.triangles[
+    plain.points[plain.triangles].mean(axis=1)[:, 0] < 0])
+assert_close(runs[9].distances, np.where(is_left, runs[9].to(RING), np.inf), FLOAT)
+
+named = runs[10]
+assert "Depth" in named.arrays and "GeodesicDistance" not in named.arrays, named.arrays
+np.testing.assert_array_equal(named.distances, runs[9].distances)
+
+boundary, both = runs[11:]
+assert_close(boundary.distances, boundary.to_sides(), FLOAT)
+expected = np.where(is_left, np.minimum(both.to_sides(), both.to(RING)), both.to_sides())
+assert_close(both.distances, expected, FLOAT)
