@@ -69,6 +69,16 @@ class Refinement(unittest.TestCase):
         absolute = self.field(ToleranceIsAbsolute=1, AbsoluteRefinementTolerance=0.002 * DIAGONAL)
         self.assertEqual(
             data(relative).GetNumberOfCells(), data(absolute).GetNumberOfCells())
+        self.assertLessEqual(measured(absolute), bound(absolute) + FLOAT)
+        self.assertLessEqual(bound(absolute), 0.002 * DIAGONAL)
+
+        absolute.AbsoluteRefinementTolerance = 0.0007
+        self.assertLessEqual(measured(absolute), bound(absolute) + FLOAT)
+        self.assertLessEqual(bound(absolute), 0.0007)
+        self.assertGreater(data(absolute).GetNumberOfCells(), data(relative).GetNumberOfCells())
+        before = data(absolute).GetNumberOfCells()
+        absolute.RefinementTolerance = 0.5
+        self.assertEqual(data(absolute).GetNumberOfCells(), before)
 
     def test_without_refinement_the_points_are_those_of_the_input(self):
         field = self.field(RefineMesh=0)
@@ -88,6 +98,46 @@ class Refinement(unittest.TestCase):
         self.assertIn("MaximumNumberOfCells (2000) is reached", window.GetOutput())
         self.assertLessEqual(data(field).GetNumberOfCells(), 2000)
         self.assertGreater(bound(field), 1e-9 * DIAGONAL)
+
+    def test_a_cap_of_0_is_none_and_one_below_the_surface_leaves_it_as_it_is(self):
+        field = self.field(RefinementTolerance=0.0002)
+        whole = data(field).GetNumberOfCells()
+        field.MaximumNumberOfCells = 0
+        self.assertEqual(data(field).GetNumberOfCells(), whole)
+
+        field.MaximumNumberOfCells = 95
+        with messages() as window:
+            field.UpdatePipeline()
+        self.assertIn("more than MaximumNumberOfCells (95)", window.GetOutput())
+        self.assertEqual(data(field).GetNumberOfCells(), 96)
+        self.assertEqual(bound(field), np.inf)
+        assert_close(distances(field), distance_to_segments(points(data(field)), BENT), FLOAT)
+
+    def test_up_to_the_maximum_distance_the_interpolant_is_within_the_tolerance(self):
+        field = self.field(MaximumDistance=0.4)
+        values = distances(field)[triangles(field)]
+        near = values.min(axis=1) < 0.4
+        middles = points(data(field))[triangles(field)][near].mean(axis=1)
+        np.testing.assert_allclose(values[near].mean(axis=1), distance_to_segments(middles, BENT),
+                                   rtol=0, atol=bound(field) + FLOAT)
+        self.assertLessEqual(bound(field), 0.001 * DIAGONAL)
+        self.assertTrue(0 < near.sum() < len(near))
+
+    def test_properties_moved_back_give_the_first_output_again(self):
+        field = self.field()
+        first, cells = distances(field).copy(), triangles(field).copy()
+        for name, value, before in (
+                ("Accuracy", "Approximate", "Exact"), ("RefineMesh", 0, 1),
+                ("RefinementTolerance", 0.01, 0.001), ("ToleranceIsAbsolute", 1, 0),
+                ("MaximumNumberOfCells", 200, 50000000), ("MaximumDistance", 0.5, 0),
+                ("SourceType", "Surface Boundary", "Source Curve")):
+            setattr(field, name, value)
+            with messages():
+                moved = distances(field)
+            self.assertFalse(len(moved) == len(first) and np.array_equal(moved, first), name)
+            setattr(field, name, before)
+            np.testing.assert_array_equal(distances(field), first, name)
+            np.testing.assert_array_equal(triangles(field), cells, name)
 
     def test_data_of_points_and_cells_is_carried_over(self):
         surface = simple.Calculator(
@@ -125,6 +175,21 @@ class Approximation(unittest.TestCase):
 
         field.RelativeError = 0
         np.testing.assert_array_equal(distances(field), exact)
+
+    def test_a_refined_field_is_within_both_bounds_of_the_distance(self):
+        ring = [(2 + np.cos(angle), 1.5 + np.sin(angle), 0)
+                for angle in np.linspace(0, 2 * np.pi, 61)]
+        for epsilon in (0.1, 0.001):
+            field = GeodesicDistanceField(Input=plane((8, 6)), Source=polyline(ring[:-1], closed=True),
+                                          Accuracy="Approximate", RelativeError=epsilon)
+            relative, absolute = bound(field, "RelativeErrorBound"), bound(field)
+            self.assertTrue(0 < relative <= epsilon, relative)
+            self.assertTrue(0 < absolute <= 0.001 * DIAGONAL, absolute)
+            corners, values = points(data(field))[triangles(field)], distances(field)[triangles(field)]
+            for weights in np.random.default_rng(2).dirichlet((1, 1, 1), 30):
+                exact = distance_to_segments(np.einsum("k,tkj->tj", weights, corners), ring)
+                excess = np.abs(values @ weights - exact) - relative * exact - absolute
+                self.assertLessEqual(np.max(excess), FLOAT)
 
     def test_a_relative_error_that_is_negative_or_nan_is_refused(self):
         for value in (-0.1, float("nan")):
