@@ -169,9 +169,8 @@ void requireFinite(vtkPoints* points, const std::vector<char>& used)
 
 /// The closest face of each used point, each point once however many curves share it.
 std::vector<Id> locate(vtkPoints* points, const std::vector<char>& used, PolyDataSurface& surface,
-  const std::function<bool(double)>& progress)
+  const ProgressCallback& progress)
 {
-  constexpr std::size_t pointsPerReport = 256;
   std::vector<std::size_t> ids;
   std::vector<Vec3> positions;
   for (std::size_t i = 0; i < used.size(); ++i)
@@ -187,12 +186,10 @@ std::vector<Id> locate(vtkPoints* points, const std::vector<char>& used, PolyDat
   std::vector<Id> faces(used.size(), NoId);
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
-    if (i % pointsPerReport == 0 &&
-      !progress(static_cast<double>(i) / static_cast<double>(ids.size())))
-    {
-      throw Aborted();
-    }
-    faces[ids[i]] = atCorners[i] != NoId ? atCorners[i] : surface.closestFace(positions[i]);
+    const auto fromHere = [&](double fraction)
+    { return progress((static_cast<double>(i) + fraction) / static_cast<double>(ids.size())); };
+    faces[ids[i]] =
+      atCorners[i] != NoId ? atCorners[i] : surface.closestFace(positions[i], fromHere);
   }
   return faces;
 }
@@ -200,7 +197,7 @@ std::vector<Id> locate(vtkPoints* points, const std::vector<char>& used, PolyDat
 }
 
 std::vector<LocatedPolyline> readSource(
-  vtkPolyData* source, PolyDataSurface& surface, const std::function<bool(double)>& progress)
+  vtkPolyData* source, PolyDataSurface& surface, const ProgressCallback& progress)
 {
   std::vector<Chain> chains = ChainReader(source).take();
   if (chains.empty())

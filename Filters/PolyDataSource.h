@@ -17,7 +17,7 @@ namespace geodesic
 /// \param progress called now and then with a fraction done; returning false throws Aborted.
 /// \throws SourceError where there is no point or one is not finite; Aborted.
 std::vector<LocatedPolyline> readSource(
-  vtkPolyData* source, PolyDataSurface& surface, const std::function<bool(double)>& progress);
+  vtkPolyData* source, PolyDataSurface& surface, const ProgressCallback& progress);
 
 /// What the coordinates' type allows.
 SnapOptions snapOptionsFor(vtkPolyData* source);

@@ -15,7 +15,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
-#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <cstring>
@@ -28,13 +27,16 @@ namespace geodesic
 namespace
 {
 
+/// Of the progress, where the triangles have been read.
+constexpr double TrianglesRead = 0.4;
+
 bool isFinite(const Vec3& p)
 {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
 /// \throws MeshError
-std::vector<Vec3> readPoints(vtkPoints* points)
+std::vector<Vec3> readPoints(vtkPoints* points, const LoopProgress& progress)
 {
   const vtkIdType count = points ? points->GetNumberOfPoints() : 0;
   if (count >= static_cast<vtkIdType>(NoId))
@@ -46,6 +48,7 @@ std::vector<Vec3> readPoints(vtkPoints* points)
   std::vector<vtkIdType> bad;
   for (vtkIdType i = 0; i < count; ++i)
   {
+    progress.at(static_cast<std::size_t>(i), result.size());
     Vec3& p = result[static_cast<std::size_t>(i)];
     points->GetPoint(i, p.data());
     if (!isFinite(p))
@@ -97,7 +100,8 @@ std::uint64_t hashOf(const Vec3& p)
 ///
 /// \param points in: all points; out: one a place.
 /// \param vertexOfPoint the place of each; left empty where no two points coincide.
-void mergeCoincident(std::vector<Vec3>& points, std::vector<Id>& vertexOfPoint)
+void mergeCoincident(
+  std::vector<Vec3>& points, std::vector<Id>& vertexOfPoint, const LoopProgress& progress)
 {
   std::size_t capacity = 16;
   while (capacity < 2 * points.size())
@@ -109,6 +113,7 @@ void mergeCoincident(std::vector<Vec3>& points, std::vector<Id>& vertexOfPoint)
   Id numberOfVertices = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
+    progress.at(i, points.size());
     std::size_t slot = hashOf(points[i]) & (capacity - 1);
     while (table[slot] != NoId && points[table[slot]] != points[i])
     {
@@ -249,12 +254,6 @@ private:
   vtkNew<vtkIdList> ears_;
 };
 
-bool hasZeroArea(const FaceShape& shape)
-{
-  const double longest = *std::max_element(shape.length.begin(), shape.length.end());
-  return shape.area2 <= tolerance::ZeroArea * longest * longest;
-}
-
 template <typename Visitor>
 void forEachCell(vtkCellArray* cells, Visitor&& visit)
 {
@@ -285,7 +284,8 @@ std::string listIds(const std::vector<vtkIdType>& ids)
   return text;
 }
 
-PolyDataSurface::PolyDataSurface(vtkPolyData* input, bool mergeCoincidentPoints)
+PolyDataSurface::PolyDataSurface(
+  vtkPolyData* input, bool mergeCoincidentPoints, const ProgressCallback& callback)
   : points_(input->GetPoints())
 {
   if (input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
@@ -294,14 +294,18 @@ PolyDataSurface::PolyDataSurface(vtkPolyData* input, bool mergeCoincidentPoints)
       "The surface (input port 0) has no faces. Connect a vtkPolyData with triangles or "
       "polygons, for example by the Extract Surface filter.");
   }
-  std::vector<Vec3> vertices = readPoints(this->points_);
+  LoopProgress progress(callback);
+  progress.nextUntil(0.1);
+  std::vector<Vec3> vertices = readPoints(this->points_, progress);
+  progress.nextUntil(0.25);
   if (mergeCoincidentPoints)
   {
-    mergeCoincident(vertices, this->vertexOfPoint_);
+    mergeCoincident(vertices, this->vertexOfPoint_, progress);
   }
 
   std::vector<Triangle> triangles;
-  this->readTriangles(input, triangles);
+  progress.nextUntil(TrianglesRead);
+  this->readTriangles(input, triangles, progress);
   if (triangles.empty())
   {
     throw MeshError("None of the " +
@@ -327,26 +331,34 @@ PolyDataSurface::PolyDataSurface(vtkPolyData* input, bool mergeCoincidentPoints)
       }
     }
   }
-  this->mesh_ = std::make_unique<TriangleMesh>(std::move(vertices), triangles);
+  this->mesh_ = std::make_unique<TriangleMesh>(std::move(vertices), triangles,
+    [&callback](double fraction)
+    { return !callback || callback(TrianglesRead + (1.0 - TrianglesRead) * fraction); });
 }
 
-PolyDataSurface::~PolyDataSurface() = default;
-
-void PolyDataSurface::readTriangles(vtkPolyData* input, std::vector<Triangle>& corners)
+void PolyDataSurface::readTriangles(
+  vtkPolyData* input, std::vector<Triangle>& corners, const LoopProgress& progress)
 {
   // vtkPolyData numbers its cells in the order vertices, lines, polygons, strips.
   this->report_.droppedVertexCells = input->GetNumberOfVerts();
   this->report_.droppedLineCells = input->GetNumberOfLines();
   this->report_.strips = input->GetNumberOfStrips();
-  vtkIdType cell = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  const vtkIdType first = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  const auto count = static_cast<std::size_t>(input->GetNumberOfCells() - first);
+  vtkIdType cell = first;
+  const auto next = [&]()
+  {
+    progress.at(static_cast<std::size_t>(cell - first), count);
+    return cell++;
+  };
 
   corners.reserve(static_cast<std::size_t>(input->GetNumberOfPolys()));
   this->inputCells_.reserve(static_cast<std::size_t>(input->GetNumberOfPolys()));
   Triangulator triangulator(this->points_, *this, corners, this->inputCells_);
   forEachCell(input->GetPolys(),
-    [&](vtkIdType size, const vtkIdType* ids) { triangulator.addPolygon(cell++, size, ids); });
+    [&](vtkIdType size, const vtkIdType* ids) { triangulator.addPolygon(next(), size, ids); });
   forEachCell(input->GetStrips(),
-    [&](vtkIdType size, const vtkIdType* ids) { triangulator.addStrip(cell++, size, ids); });
+    [&](vtkIdType size, const vtkIdType* ids) { triangulator.addStrip(next(), size, ids); });
   this->report_.facesWithRepeatedPoint = triangulator.facesWithRepeatedPoint();
   this->report_.polygons = triangulator.polygons();
 }
@@ -389,42 +401,6 @@ Triangle PolyDataSurface::triangle(Id triangle) const
   return { static_cast<Id>(points[0]), static_cast<Id>(points[1]), static_cast<Id>(points[2]) };
 }
 
-void PolyDataSurface::buildLocator()
-{
-  // Its cells are the mesh's faces, so that it answers in the mesh's numbers.
-  vtkSmartPointer<vtkCellArray> faces = this->triangles_;
-  if (static_cast<vtkIdType>(this->mesh_->numberOfFaces()) != faces->GetNumberOfCells())
-  {
-    faces = vtkSmartPointer<vtkCellArray>::New();
-    for (Id face = 0; face < this->mesh_->numberOfFaces(); ++face)
-    {
-      faces->InsertNextCell(3);
-      for (const Id vertex : this->mesh_->triangle(face))
-      {
-        faces->InsertCellPoint(
-          this->pointOfVertex_.empty() ? vertex : this->pointOfVertex_[vertex]);
-      }
-    }
-  }
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(this->points_);
-  surface->SetPolys(faces);
-  this->locator_ = vtkSmartPointer<vtkStaticCellLocator>::New();
-  this->locator_->SetDataSet(surface);
-  this->locator_->BuildLocator();
-
-  if (this->mesh_->report().zeroAreaFaces > 0)
-  {
-    for (Id face = 0; face < this->mesh_->numberOfFaces(); ++face)
-    {
-      if (hasZeroArea(this->mesh_->shape(face)))
-      {
-        this->zeroAreaFaces_.push_back(face);
-      }
-    }
-  }
-}
-
 std::vector<Id> PolyDataSurface::facesWithCornersAt(const std::vector<Vec3>& points) const
 {
   std::vector<std::size_t> order(points.size());
@@ -455,33 +431,17 @@ std::vector<Id> PolyDataSurface::facesWithCornersAt(const std::vector<Vec3>& poi
   return faces;
 }
 
-Id PolyDataSurface::closestFace(const Vec3& point)
+Id PolyDataSurface::closestFace(const Vec3& point, const ProgressCallback& progress)
 {
   if (!this->locator_)
   {
-    this->buildLocator();
+    this->locator_ = std::make_unique<FaceLocator>(*this->mesh_);
   }
-  Vec3 closest;
-  vtkIdType found = -1;
-  int subId = 0;
-  double distance2 = 0.0;
-  this->locator_->FindClosestPoint(point.data(), closest.data(), found, subId, distance2);
-
-  Id face = found < 0 ? NoId : static_cast<Id>(found);
-  double distance = found < 0 ? Infinity : std::sqrt(distance2);
-  for (const Id candidate : this->zeroAreaFaces_)
-  {
-    const double other = snapToFace(*this->mesh_, candidate, point, 0.0).distance;
-    if (other < distance)
-    {
-      face = candidate;
-      distance = other;
-    }
-  }
-  return face;
+  return this->locator_->closest(point, progress);
 }
 
-void PolyDataSurface::copyTo(vtkPolyData* input, vtkPolyData* output) const
+void PolyDataSurface::copyTo(
+  vtkPolyData* input, vtkPolyData* output, const ProgressCallback& callback) const
 {
   output->SetPoints(input->GetPoints());
   output->GetPointData()->PassData(input->GetPointData());
@@ -496,8 +456,11 @@ void PolyDataSurface::copyTo(vtkPolyData* input, vtkPolyData* output) const
   const auto count = static_cast<vtkIdType>(this->inputCells_.size());
   to->CopyGlobalIdsOff(); // the triangles of one polygon would share one
   to->CopyAllocate(from, count);
+  LoopProgress progress(callback);
+  progress.nextUntil(1.0);
   for (vtkIdType i = 0; i < count; ++i)
   {
+    progress.at(static_cast<std::size_t>(i), this->inputCells_.size());
     to->CopyData(from, this->inputCells_[static_cast<std::size_t>(i)], i);
   }
 }

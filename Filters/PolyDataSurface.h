@@ -2,6 +2,7 @@
 #ifndef geodesic_PolyDataSurface_h
 #define geodesic_PolyDataSurface_h
 
+#include "FaceLocator.h"
 #include "TriangleMesh.h"
 
 #include "vtkSmartPointer.h"
@@ -13,7 +14,6 @@
 class vtkCellArray;
 class vtkPoints;
 class vtkPolyData;
-class vtkStaticCellLocator;
 
 namespace geodesic
 {
@@ -36,10 +36,11 @@ public:
 
   /// Triangulates polygons and strips, and merges the points that lie at exactly one place.
   ///
+  /// \param progress called now and then; returning false throws Aborted.
   /// \throws MeshError where there is no face, a coordinate is not finite or a cell names a point
-  ///         that does not exist.
-  PolyDataSurface(vtkPolyData* input, bool mergeCoincidentPoints);
-  ~PolyDataSurface();
+  ///         that does not exist; Aborted.
+  PolyDataSurface(
+    vtkPolyData* input, bool mergeCoincidentPoints, const ProgressCallback& progress = {});
 
   const TriangleMesh& mesh() const { return *this->mesh_; }
   const Report& report() const { return this->report_; }
@@ -69,22 +70,20 @@ public:
     return this->inputCells_.empty() ? triangle : this->inputCells_[triangle];
   }
 
-  /// For each of some points a face that has a corner exactly there, or NoId. Needs no locator,
-  /// whose building would take as long as a third of a solve.
+  /// For each of some points a face that has a corner exactly there, or NoId. Needs no locator.
   std::vector<Id> facesWithCornersAt(const std::vector<Vec3>& points) const;
 
-  /// The face with the closest point of the surface. Not thread-safe in its first call, which
-  /// builds the locator.
-  Id closestFace(const Vec3& point);
+  /// The face with the closest point of the surface. Not thread-safe.
+  Id closestFace(const Vec3& point, const ProgressCallback& progress = {});
 
   /// Gives the output the input's points with their data, the triangles, and for each the data of
   /// the cell that it came from. The input is the one that this surface was made from.
-  void copyTo(vtkPolyData* input, vtkPolyData* output) const;
+  void copyTo(vtkPolyData* input, vtkPolyData* output, const ProgressCallback& progress = {}) const;
 
 private:
-  void readTriangles(vtkPolyData* input, std::vector<Triangle>& corners);
+  void readTriangles(
+    vtkPolyData* input, std::vector<Triangle>& corners, const LoopProgress& progress);
   void keepTriangles(vtkPolyData* input, const std::vector<Triangle>& corners);
-  void buildLocator();
 
   std::unique_ptr<TriangleMesh> mesh_;
   Report report_;
@@ -98,9 +97,7 @@ private:
   /// The input's cell that each triangle came from; empty where the triangles are the input's
   /// cells.
   std::vector<vtkIdType> inputCells_;
-  vtkSmartPointer<vtkStaticCellLocator> locator_;
-  /// Faces without area, which the locator passes over.
-  std::vector<Id> zeroAreaFaces_;
+  std::unique_ptr<FaceLocator> locator_;
 };
 
 /// The first few of some ids, for an error message: "3, 17, 20 and 5 more".

@@ -220,19 +220,24 @@ std::vector<Blend> blendsOf(const RefinedMesh& refined)
   return blends;
 }
 
-void takeNearest(vtkAbstractArray* array, const std::vector<Blend>& blends, vtkIdType first)
+void takeNearest(vtkAbstractArray* array, const std::vector<Blend>& blends, vtkIdType first,
+  const LoopProgress& progress)
 {
-  for (const Blend& blend : blends)
+  for (std::size_t i = 0; i < blends.size(); ++i)
   {
-    array->SetTuple(first++, blend.nearest(), array);
+    progress.at(i, blends.size());
+    array->SetTuple(first++, blends[i].nearest(), array);
   }
 }
 
-void interpolate(vtkAbstractArray* array, const std::vector<Blend>& blends, vtkIdType first)
+void interpolate(vtkAbstractArray* array, const std::vector<Blend>& blends, vtkIdType first,
+  const LoopProgress& progress)
 {
   vtkNew<vtkIdList> corners;
-  for (const Blend& blend : blends)
+  for (std::size_t i = 0; i < blends.size(); ++i)
   {
+    progress.at(i, blends.size());
+    const Blend& blend = blends[i];
     corners->SetNumberOfIds(static_cast<vtkIdType>(blend.count));
     for (std::size_t k = 0; k < blend.count; ++k)
     {
@@ -271,7 +276,8 @@ bool isGhostArray(vtkAbstractArray* array)
     vtkUnsignedCharArray::SafeDownCast(array);
 }
 
-void writePointData(const RefinedMesh& refined, vtkPointData* from, vtkPointData* to)
+void writePointData(const RefinedMesh& refined, vtkPointData* from, vtkPointData* to, double end,
+  LoopProgress& progress)
 {
   const auto old = static_cast<vtkIdType>(refined.numberOfInputPoints);
   const vtkIdType count = old + static_cast<vtkIdType>(refined.points.size());
@@ -288,6 +294,8 @@ void writePointData(const RefinedMesh& refined, vtkPointData* from, vtkPointData
   const std::vector<Blend> blends = blendsOf(refined);
   for (int i = 0; i < to->GetNumberOfArrays(); ++i)
   {
+    const int left = to->GetNumberOfArrays() - i;
+    progress.nextUntil(progress.end() + (end - progress.end()) / left);
     vtkAbstractArray* array = to->GetAbstractArray(i);
     if (isGhostArray(array))
     {
@@ -295,16 +303,17 @@ void writePointData(const RefinedMesh& refined, vtkPointData* from, vtkPointData
     }
     else if (isLabel(to, i))
     {
-      takeNearest(array, blends, old);
+      takeNearest(array, blends, old, progress);
     }
     else
     {
-      interpolate(array, blends, old);
+      interpolate(array, blends, old, progress);
     }
   }
 }
 
-void writePoints(const RefinedMesh& refined, vtkPoints* from, vtkPolyData* output)
+void writePoints(
+  const RefinedMesh& refined, vtkPoints* from, vtkPolyData* output, const LoopProgress& progress)
 {
   const auto old = static_cast<vtkIdType>(refined.numberOfInputPoints);
   const int type = from->GetDataType();
@@ -313,16 +322,16 @@ void writePoints(const RefinedMesh& refined, vtkPoints* from, vtkPolyData* outpu
   points->SetDataType(type == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
   points->SetNumberOfPoints(old + static_cast<vtkIdType>(refined.points.size()));
   points->GetData()->InsertTuples(0, old, 0, from->GetData());
-  vtkIdType next = old;
-  for (const RefinedPoint& point : refined.points)
+  for (std::size_t i = 0; i < refined.points.size(); ++i)
   {
-    points->SetPoint(next++, point.position.data());
+    progress.at(i, refined.points.size());
+    points->SetPoint(old + static_cast<vtkIdType>(i), refined.points[i].position.data());
   }
   output->SetPoints(points);
 }
 
 void writeCells(const PolyDataSurface& surface, const RefinedMesh& refined, vtkCellData* from,
-  vtkPolyData* output)
+  vtkPolyData* output, const LoopProgress& progress)
 {
   const auto count = static_cast<vtkIdType>(refined.triangles.size());
   vtkNew<vtkCellArray> triangles;
@@ -335,6 +344,7 @@ void writeCells(const PolyDataSurface& surface, const RefinedMesh& refined, vtkC
   to->CopyAllocate(from, count);
   for (vtkIdType i = 0; i < count; ++i)
   {
+    progress.at(static_cast<std::size_t>(i), refined.triangles.size());
     const Triangle& triangle = refined.triangles[static_cast<std::size_t>(i)];
     const vtkIdType cell = surface.inputCell(refined.faces[static_cast<std::size_t>(i)]);
     triangles->InsertNextCell({ static_cast<vtkIdType>(triangle[0]),
@@ -399,11 +409,16 @@ void addDuplicateFaces(
 }
 
 void writeRefined(const PolyDataSurface& surface, const RefinedMesh& refined, vtkPolyData* input,
-  vtkPolyData* output)
+  vtkPolyData* output, const ProgressCallback& callback)
 {
-  writePoints(refined, input->GetPoints(), output);
-  writePointData(refined, input->GetPointData(), output->GetPointData());
-  writeCells(surface, refined, input->GetCellData(), output);
+  constexpr double pointsDone = 0.1;
+  constexpr double pointDataDone = 0.5;
+  LoopProgress progress(callback);
+  progress.nextUntil(pointsDone);
+  writePoints(refined, input->GetPoints(), output, progress);
+  writePointData(refined, input->GetPointData(), output->GetPointData(), pointDataDone, progress);
+  progress.nextUntil(1.0);
+  writeCells(surface, refined, input->GetCellData(), output, progress);
 }
 
 }

@@ -25,8 +25,10 @@ void addDuplicateFaces(
 /// Numbers are interpolated linearly in the face. Strings, ids and bits are those of the nearest
 /// corner, a point is a ghost in the ways that all corners around it are, and global ids are
 /// dropped.
+///
+/// \param progress called now and then; returning false throws Aborted.
 void writeRefined(const PolyDataSurface& surface, const RefinedMesh& refined, vtkPolyData* input,
-  vtkPolyData* output);
+  vtkPolyData* output, const ProgressCallback& progress);
 
 }
 

@@ -38,7 +38,8 @@ constexpr double SurfaceDone = 0.15;
 constexpr double SourceLocated = 0.2;
 constexpr double SourceDone = 0.25;
 constexpr double FieldDoneBeforeRefinement = 0.55;
-constexpr double FieldDone = 0.95;
+constexpr double FieldDone = 0.9;
+constexpr double SurfaceWritten = 0.98;
 
 // A source farther from the surface than this fraction of its bounding box's diagonal was hardly
 // meant for it: the user is told.
@@ -136,6 +137,10 @@ private:
   };
 
   std::function<bool(double)> ProgressBetween(double begin, double end);
+  /// Tells that the execution has come so far.
+  ///
+  /// \throws geodesic::Aborted
+  void Reach(double fraction);
   void UpdateSurface(vtkPolyData* input);
   geodesic::SourceCurves CollectSources(vtkPolyData* source);
   void AddBoundary(bool hasCurve, std::vector<geodesic::SourceCurve>& curves);
@@ -167,6 +172,7 @@ void vtkGeodesicDistanceField::vtkInternals::Execute(
   const geodesic::SourceCurves sources = this->CollectSources(source);
   this->Self->SourceSnapDistance = sources.snapDistance;
   const Result result = this->Compute(sources.curves);
+  this->Reach(FieldDone);
 
   this->WriteSurface(result, input, output);
   addFieldData(output, "WindowsPropagatedPerEdge", this->Self->WindowsPropagatedPerEdge);
@@ -197,6 +203,15 @@ std::function<bool(double)> vtkGeodesicDistanceField::vtkInternals::ProgressBetw
 }
 
 //------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkInternals::Reach(double fraction)
+{
+  if (!this->ProgressBetween(fraction, fraction)(1.0))
+  {
+    throw geodesic::Aborted();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkInternals::UpdateSurface(vtkPolyData* input)
 {
   const bool merge = this->Self->MergeCoincidentPoints;
@@ -204,16 +219,14 @@ void vtkGeodesicDistanceField::vtkInternals::UpdateSurface(vtkPolyData* input)
     this->SurfaceMerged != merge)
   {
     this->ReleaseSurface();
-    this->Surface = std::make_unique<geodesic::PolyDataSurface>(input, merge);
+    this->Surface = std::make_unique<geodesic::PolyDataSurface>(
+      input, merge, this->ProgressBetween(0.0, SurfaceDone));
     this->SurfaceInput = input;
     this->SurfaceTime = input->GetMTime();
     this->SurfaceMerged = merge;
     noteSurface(*this->Surface, this->Told);
   }
-  if (!this->ProgressBetween(0.0, SurfaceDone)(1.0))
-  {
-    throw geodesic::Aborted();
-  }
+  this->Reach(SurfaceDone);
 }
 
 //------------------------------------------------------------------------------
@@ -389,9 +402,10 @@ geodesic::RefinedMesh vtkGeodesicDistanceField::vtkInternals::Refine(
 void vtkGeodesicDistanceField::vtkInternals::WriteSurface(
   const Result& result, vtkPolyData* input, vtkPolyData* output)
 {
+  const auto progress = this->ProgressBetween(FieldDone, SurfaceWritten);
   if (result.isRefined)
   {
-    geodesic::writeRefined(*this->Surface, result.refined, input, output);
+    geodesic::writeRefined(*this->Surface, result.refined, input, output, progress);
     if (input->GetCellData()->HasArray("OriginalCellIds"))
     {
       this->Told.add("The surface already has a cell array named OriginalCellIds; the output has "
@@ -400,7 +414,7 @@ void vtkGeodesicDistanceField::vtkInternals::WriteSurface(
   }
   else
   {
-    this->Surface->copyTo(input, output);
+    this->Surface->copyTo(input, output, progress);
   }
   this->WriteDistances(result, input, output);
 }

@@ -16,8 +16,9 @@ namespace geodesic
 namespace
 {
 
-/// Of the progress, for the first look at all faces.
+/// Of the progress, for the first look at all faces, and for the output.
 constexpr double ShareOfFirstPass = 0.3;
+constexpr double ShareOfOutput = 0.1;
 
 double angleBetween(Vec2 a, Vec2 b)
 {
@@ -107,7 +108,7 @@ private:
 
   double fractionDone(double worst) const;
   void report(double fraction);
-  void putOut(RefinedMesh& result) const;
+  void putOut(RefinedMesh& result);
 
   const DistanceField& field_;
   const TriangleMesh& mesh_;
@@ -446,7 +447,7 @@ double Refiner::fractionDone(double worst) const
   const double open = std::log(worst / this->tolerance_);
   const double openAtFirst = std::log(this->worstAtFirst_ / this->tolerance_);
   const double done = openAtFirst > 0.0 ? 1.0 - std::clamp(open / openAtFirst, 0.0, 1.0) : 0.0;
-  return ShareOfFirstPass + (1.0 - ShareOfFirstPass) * done;
+  return ShareOfFirstPass + (1.0 - ShareOfFirstPass - ShareOfOutput) * done;
 }
 
 // Splits the edges that are over the limit; where there are none, it is the inside, and one split
@@ -660,6 +661,7 @@ public:
   {
   }
 
+  /// Faces come one after another.
   Id numberOf(Id face, Id point)
   {
     const Id inputPoints = this->triangles_.numberOfInputPoints();
@@ -669,7 +671,30 @@ public:
       const std::size_t k = point == corners[0] ? 0 : point == corners[1] ? 1 : 2;
       return this->options_.cornerPoints[face][k];
     }
-    const RedGreenMesh::Point& split = this->triangles_.points()[point - inputPoints];
+    if (face != this->face_)
+    {
+      this->face_ = face;
+      this->inFace_ = {};
+    }
+    const auto known = this->inFace_.find(point);
+    if (known != this->inFace_.end())
+    {
+      return known->second;
+    }
+    const Id number = this->numberOfSplit(face, this->triangles_.points()[point - inputPoints]);
+    this->inFace_.emplace(point, number);
+    return number;
+  }
+
+  void add(const std::array<Id, 2>& parents, const RedGreenMesh::Point& split)
+  {
+    this->result_.points.push_back(
+      { parents, split.weight, split.place, position(this->mesh_, split.place), split.distance });
+  }
+
+private:
+  Id numberOfSplit(Id face, const RedGreenMesh::Point& split)
+  {
     const Id a = this->numberOf(face, split.parents[0]);
     const Id b = this->numberOf(face, split.parents[1]);
     const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32) | b;
@@ -682,25 +707,22 @@ public:
     return found->second;
   }
 
-  void add(const std::array<Id, 2>& parents, const RedGreenMesh::Point& split)
-  {
-    this->result_.points.push_back(
-      { parents, split.weight, split.place, position(this->mesh_, split.place), split.distance });
-  }
-
-private:
   const RedGreenMesh& triangles_;
   const TriangleMesh& mesh_;
   const RefinementOptions& options_;
   RefinedMesh& result_;
   std::unordered_map<std::uint64_t, Id> numbers_;
+  /// The numbers found in the face at hand: a point's ancestors are many times as many.
+  std::unordered_map<Id, Id> inFace_;
+  Id face_ = NoId;
 };
 
-void Refiner::putOut(RefinedMesh& result) const
+void Refiner::putOut(RefinedMesh& result)
 {
   const bool renumber = !this->options_.cornerPoints.empty();
   result.numberOfInputPoints =
     renumber ? this->options_.numberOfPoints : this->mesh_.numberOfVertices();
+  const auto count = static_cast<double>(this->triangles_.numberOfTriangles());
   result.triangles.reserve(this->triangles_.numberOfTriangles());
   result.faces.reserve(this->triangles_.numberOfTriangles());
   PointNumbering numbering(this->triangles_, this->mesh_, this->options_, result);
@@ -722,6 +744,7 @@ void Refiner::putOut(RefinedMesh& result) const
           corner = numbering.numberOf(face, corner);
         }
       }
+      this->report(1.0 - ShareOfOutput * (1.0 - static_cast<double>(result.faces.size()) / count));
       result.faces.push_back(face);
       result.triangles.push_back(corners);
     });

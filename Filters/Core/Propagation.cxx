@@ -160,6 +160,7 @@ private:
     return [this](Id vertex) { return this->vertices_[vertex].distance; };
   }
   void reportProgress();
+  void tellProgress();
 
   void finishLimited();
   void flush(double bound);
@@ -220,7 +221,9 @@ Propagation::Propagation(
 DistanceField Propagation::run(const std::vector<SourceCurve>& sources)
 {
   this->start(sources);
+  this->tellProgress();
   this->advance(this->options_.maximumDistance);
+  this->tellProgress();
   if (this->options_.maximumDistance < Infinity)
   {
     this->finishLimited();
@@ -733,11 +736,19 @@ void Propagation::reportProgress()
 {
   constexpr std::size_t verticesPerReport = 256;
   this->sinceReport_ += this->batch_.size();
-  if (!this->options_.progress || this->sinceReport_ < verticesPerReport)
+  if (this->sinceReport_ >= verticesPerReport)
+  {
+    this->sinceReport_ = 0;
+    this->tellProgress();
+  }
+}
+
+void Propagation::tellProgress()
+{
+  if (!this->options_.progress)
   {
     return;
   }
-  this->sinceReport_ = 0;
   const double settled =
     static_cast<double>(this->settled_) / static_cast<double>(this->mesh_.numberOfVertices());
   const double fraction = std::max(settled, this->front_ / this->options_.maximumDistance);
@@ -796,6 +807,7 @@ void Propagation::flush(double bound)
     this->batch_.erase(std::unique(this->batch_.begin(), this->batch_.end()), this->batch_.end());
     again = !this->batch_.empty();
     this->runBatch();
+    this->tellProgress();
   }
 }
 

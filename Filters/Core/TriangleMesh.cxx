@@ -44,24 +44,32 @@ void checkSize(std::size_t numberOfPoints, std::size_t numberOfTriangles)
 
 } // anonymous namespace
 
-TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles)
+TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
+  const ProgressCallback& callback)
   : points_(std::move(points))
 {
   checkSize(this->points_.size(), triangles.size());
   checkPoints(this->points_);
-  this->takeFaces(triangles);
-  this->linkRings();
-  this->dropDuplicateFaces();
-  this->linkCorners();
-  this->measureFaces();
-  this->findPseudoSources();
+  LoopProgress progress(callback);
+  progress.nextUntil(0.1);
+  this->takeFaces(triangles, progress);
+  progress.nextUntil(0.4);
+  this->linkRings(progress);
+  this->dropDuplicateFaces(progress);
+  progress.nextUntil(0.6);
+  this->linkCorners(progress);
+  progress.nextUntil(0.7);
+  this->measureFaces(progress);
+  progress.nextUntil(1.0);
+  this->findPseudoSources(progress);
 }
 
-void TriangleMesh::takeFaces(const std::vector<Triangle>& triangles)
+void TriangleMesh::takeFaces(const std::vector<Triangle>& triangles, const LoopProgress& progress)
 {
   this->faces_.reserve(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
+    progress.at(i, triangles.size());
     const Triangle& t = triangles[i];
     if (*std::max_element(t.begin(), t.end()) >= this->numberOfVertices())
     {
@@ -93,7 +101,7 @@ void TriangleMesh::takeFaces(const std::vector<Triangle>& triangles)
 
 // Sides are bucketed by their lower vertex, and a bucket sorted by the higher one, so that the
 // sides of one edge stand together.
-void TriangleMesh::linkRings()
+void TriangleMesh::linkRings(const LoopProgress& progress)
 {
   const Id sides = this->numberOfSides();
   const auto low = [this](Id s) { return std::min(this->origin(s), this->destination(s)); };
@@ -127,6 +135,7 @@ void TriangleMesh::linkRings()
   std::size_t first = 0;
   for (Id v = 0; v < this->numberOfVertices(); ++v)
   {
+    progress.at(v, this->points_.size());
     const std::size_t last = start[v]; // the fill has moved start[v] to the end of v's bucket
     std::sort(entries.begin() + static_cast<std::ptrdiff_t>(first),
       entries.begin() + static_cast<std::ptrdiff_t>(last));
@@ -147,12 +156,14 @@ void TriangleMesh::linkRings()
 }
 
 // Faces on the same three vertices share an edge and the vertex opposite it.
-void TriangleMesh::dropDuplicateFaces()
+void TriangleMesh::dropDuplicateFaces(LoopProgress& progress)
 {
+  progress.nextUntil(0.45);
   std::vector<std::uint8_t> drop(this->faces_.size(), 0);
   Id dropped = 0;
   for (Id f = 0; f < this->numberOfFaces(); ++f)
   {
+    progress.at(f, this->faces_.size());
     const Id s = 3 * f;
     for (Id t = this->nextInRing(s); t != s && !drop[f]; t = this->nextInRing(t))
     {
@@ -178,10 +189,11 @@ void TriangleMesh::dropDuplicateFaces()
   this->faces_ = std::move(kept);
   this->inputFaces_ = std::move(inputFaces);
   this->report_.duplicateFaces = dropped;
-  this->linkRings();
+  progress.nextUntil(0.55);
+  this->linkRings(progress);
 }
 
-void TriangleMesh::linkCorners()
+void TriangleMesh::linkCorners(const LoopProgress& progress)
 {
   this->cornerStart_.assign(this->points_.size() + 1, 0);
   for (const Face& face : this->faces_)
@@ -200,14 +212,16 @@ void TriangleMesh::linkCorners()
   std::vector<Id> next(this->cornerStart_.begin(), this->cornerStart_.end() - 1);
   for (Id corner = 0; corner < this->numberOfSides(); ++corner)
   {
+    progress.at(corner, this->numberOfSides());
     this->corners_[next[this->origin(corner)]++] = corner;
   }
 }
 
-void TriangleMesh::measureFaces()
+void TriangleMesh::measureFaces(const LoopProgress& progress)
 {
   for (Id f = 0; f < this->numberOfFaces(); ++f)
   {
+    progress.at(f, this->faces_.size());
     const Triangle& t = this->faces_[f].corners;
     std::array<Vec3, 3> edge;
     FaceShape& shape = this->faces_[f].shape;
@@ -246,11 +260,12 @@ double TriangleMesh::cornerAngle(Id corner) const
   return std::atan2(shape.area2, shape.cornerDot[corner % 3]);
 }
 
-void TriangleMesh::findPseudoSources()
+void TriangleMesh::findPseudoSources(const LoopProgress& progress)
 {
   this->pseudoSource_.assign(this->points_.size(), PseudoSource::None);
   for (Id v = 0; v < this->numberOfVertices(); ++v)
   {
+    progress.at(v, this->points_.size());
     const IdRange corners = this->cornersAt(v);
     double angle = 0.0;
     std::size_t boundarySpokes = 0;

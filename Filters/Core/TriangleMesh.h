@@ -2,6 +2,7 @@
 #ifndef geodesic_TriangleMesh_h
 #define geodesic_TriangleMesh_h
 
+#include "Progress.h"
 #include "Types.h"
 
 #include <vector>
@@ -61,9 +62,11 @@ public:
   ///
   /// \param points coordinates, finite.
   /// \param triangles three vertex ids a face, in any orientation.
+  /// \param progress called now and then; returning false throws Aborted.
   /// \throws MeshError where no face is left, an id is out of range or a coordinate is not finite;
-  ///         MeshTooLarge.
-  TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles);
+  ///         MeshTooLarge; Aborted.
+  TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
+    const ProgressCallback& progress = {});
 
   Id numberOfVertices() const { return static_cast<Id>(this->points_.size()); }
   Id numberOfFaces() const { return static_cast<Id>(this->faces_.size()); }
@@ -138,12 +141,12 @@ private:
     FaceShape shape;
   };
 
-  void takeFaces(const std::vector<Triangle>& triangles);
-  void measureFaces();
-  void linkCorners();
-  void linkRings();
-  void dropDuplicateFaces();
-  void findPseudoSources();
+  void takeFaces(const std::vector<Triangle>& triangles, const LoopProgress& progress);
+  void measureFaces(const LoopProgress& progress);
+  void linkCorners(const LoopProgress& progress);
+  void linkRings(const LoopProgress& progress);
+  void dropDuplicateFaces(LoopProgress& progress);
+  void findPseudoSources(const LoopProgress& progress);
   bool isOneFan(Id vertex) const;
 
   std::vector<Vec3> points_;

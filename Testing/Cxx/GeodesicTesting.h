@@ -3,6 +3,7 @@
 #ifndef GeodesicTesting_h
 #define GeodesicTesting_h
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
@@ -90,6 +91,26 @@ private:
   vtkAlgorithm* Filter;
   vtkNew<vtkTest::ErrorObserver> Observer;
   vtkNew<vtkTest::ErrorObserver> ExecutiveObserver;
+};
+
+/// Calls a function at an event of an object.
+class Listener
+{
+public:
+  Listener(vtkObject* object, unsigned long event, std::function<void()> function)
+    : Function(std::move(function))
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+      { static_cast<Listener*>(self)->Function(); });
+    object->AddObserver(event, this->Command);
+  }
+  Listener(const Listener&) = delete;
+  void operator=(const Listener&) = delete;
+
+private:
+  std::function<void()> Function;
+  vtkNew<vtkCallbackCommand> Command;
 };
 
 inline bool Contains(const std::string& text, const std::string& part)
@@ -355,6 +376,18 @@ inline void CheckDistances(Check& check, vtkGeodesicDistanceField* filter, const
   }
   check.That(worst <= tolerance * largest,
     what + ": wrong by " + std::to_string(worst / largest) + " of the largest distance");
+}
+
+inline void CheckOutputsEmpty(
+  Check& check, vtkGeodesicDistanceField* filter, const std::string& what)
+{
+  for (int port = 0; port < 2; ++port)
+  {
+    auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
+    check.That(output->GetNumberOfPoints() == 0 && output->GetNumberOfCells() == 0 &&
+        output->GetPointData()->GetNumberOfArrays() == 0,
+      what + " leaves output port " + std::to_string(port) + " empty");
+  }
 }
 
 }

@@ -3,34 +3,12 @@
 // did, reports progress that never falls, and obeys abort.
 #include "GeodesicTesting.h"
 
-#include "vtkCallbackCommand.h"
-
 #include <ctime>
 
 using namespace GeodesicTesting;
 
 namespace
 {
-
-/// Calls a function at an event of an object.
-class Listener
-{
-public:
-  Listener(vtkObject* object, unsigned long event, std::function<void()> function)
-    : Function(std::move(function))
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-      { static_cast<Listener*>(self)->Function(); });
-    object->AddObserver(event, this->Command);
-  }
-  Listener(const Listener&) = delete;
-  void operator=(const Listener&) = delete;
-
-private:
-  std::function<void()> Function;
-  vtkNew<vtkCallbackCommand> Command;
-};
 
 void CheckExecutesWhenSomethingChanged(Check& check)
 {
@@ -136,17 +114,6 @@ void CheckProgressNeverFalls(Check& check, bool refine)
   check.That(seen.size() >= 5, "progress is reported: " + std::to_string(seen.size()) + " times");
   check.That(std::is_sorted(seen.begin(), seen.end()), "progress never falls");
   check.That(!seen.empty() && seen.front() >= 0.0 && seen.back() == 1.0, "progress from 0 to 1");
-}
-
-void CheckOutputsEmpty(Check& check, vtkGeodesicDistanceField* filter, const std::string& what)
-{
-  for (int port = 0; port < 2; ++port)
-  {
-    auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
-    check.That(output->GetNumberOfPoints() == 0 && output->GetNumberOfCells() == 0 &&
-        output->GetPointData()->GetNumberOfArrays() == 0,
-      what + " leaves output port " + std::to_string(port) + " empty");
-  }
 }
 
 /// Aborts at the first progress of at least the given fraction.

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_Progress_h
+#define geodesic_Progress_h
+
+#include "Errors.h"
+
+#include <cstddef>
+#include <functional>
+
+namespace geodesic
+{
+
+/// Called now and then with the fraction done in [0, 1]; returning false asks to stop.
+using ProgressCallback = std::function<bool(double)>;
+
+/// Tells a callback how far a loop is, of several that follow each other.
+class LoopProgress
+{
+public:
+  explicit LoopProgress(const ProgressCallback& callback)
+    : callback_(callback)
+  {
+  }
+
+  /// What follows takes the work on to this fraction of the whole.
+  void nextUntil(double end)
+  {
+    this->begin_ = this->end_;
+    this->end_ = end;
+  }
+
+  double end() const { return this->end_; }
+
+  /// At an item of a loop over that many.
+  ///
+  /// \throws Aborted
+  void at(std::size_t item, std::size_t count) const
+  {
+    constexpr std::size_t itemsPerReport = 8192; // a power of two
+    if (item % itemsPerReport == 0 && this->callback_)
+    {
+      const double done = static_cast<double>(item) / static_cast<double>(count);
+      if (!this->callback_(this->begin_ + (this->end_ - this->begin_) * done))
+      {
+        throw Aborted();
+      }
+    }
+  }
+
+private:
+  const ProgressCallback& callback_;
+  double begin_ = 0.0;
+  double end_ = 0.0;
+};
+
+}
+
+#endif
