@@ -117,7 +117,14 @@ private:
     const auto helpers = [this]()
     {
       const auto help = [this](vtkIdType, vtkIdType) { this->help(); };
-      vtkSMPTools::For(0, this->helpers_, 1, help);
+      try
+      {
+        vtkSMPTools::For(0, this->helpers_, 1, help);
+      }
+      catch (const std::exception&)
+      {
+        // no threads or no memory for them: nobody helps
+      }
     };
     try
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyDataSource.h"
 
+#include "ArrayMemory.h"
 #include "Errors.h"
 
 #include "vtkCellArray.h"
@@ -243,6 +244,13 @@ SnapOptions snapOptionsFor(vtkPolyData* source)
 void writeCurves(
   const TriangleMesh& mesh, const std::vector<SourceCurve>& curves, vtkPolyData* output)
 {
+  vtkIdType size = 0;
+  for (const SourceCurve& curve : curves)
+  {
+    size += static_cast<vtkIdType>(curve.points.size());
+  }
+  // A point, its id and an offset, twice while an array grows to twice its size.
+  requireMemory(size, 4 * (3 * sizeof(double) + 2 * sizeof(vtkIdType)));
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
@@ -250,13 +258,13 @@ void writeCurves(
   for (const SourceCurve& curve : curves)
   {
     const bool closed = curve.isClosed();
-    const auto size = static_cast<vtkIdType>(curve.points.size());
+    const auto count = static_cast<vtkIdType>(curve.points.size());
     const vtkIdType first = points->GetNumberOfPoints();
-    vtkCellArray* cells = size > 1 ? lines : vertices;
-    cells->InsertNextCell(static_cast<int>(size));
-    for (vtkIdType i = 0; i < size; ++i)
+    vtkCellArray* cells = count > 1 ? lines : vertices;
+    cells->InsertNextCell(static_cast<int>(count));
+    for (vtkIdType i = 0; i < count; ++i)
     {
-      const bool isFirstAgain = closed && i > 0 && i + 1 == size;
+      const bool isFirstAgain = closed && i > 0 && i + 1 == count;
       cells->InsertCellPoint(isFirstAgain
           ? first
           : points->InsertNextPoint(

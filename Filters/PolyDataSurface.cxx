@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyDataSurface.h"
 
+#include "ArrayMemory.h"
 #include "Errors.h"
 #include "SurfaceSnap.h"
 #include "Tolerance.h"
@@ -373,6 +374,8 @@ void PolyDataSurface::keepTriangles(vtkPolyData* input, const std::vector<Triang
     this->inputCells_ = {};
     return;
   }
+  constexpr vtkIdType idsATriangle = 4; // three points and an offset
+  requireMemory(static_cast<vtkIdType>(corners.size()) + 1, idsATriangle * sizeof(vtkIdType));
   this->triangles_ = vtkSmartPointer<vtkCellArray>::New();
   this->triangles_->AllocateExact(
     static_cast<vtkIdType>(corners.size()), 3 * static_cast<vtkIdType>(corners.size()));
@@ -454,6 +457,7 @@ void PolyDataSurface::copyTo(
   vtkCellData* from = input->GetCellData();
   vtkCellData* to = output->GetCellData();
   const auto count = static_cast<vtkIdType>(this->inputCells_.size());
+  requireMemory(count, bytesATuple(from));
   to->CopyGlobalIdsOff(); // the triangles of one polygon would share one
   to->CopyAllocate(from, count);
   LoopProgress progress(callback);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RefinedPolyData.h"
 
+#include "ArrayMemory.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -281,6 +283,7 @@ void writePointData(const RefinedMesh& refined, vtkPointData* from, vtkPointData
 {
   const auto old = static_cast<vtkIdType>(refined.numberOfInputPoints);
   const vtkIdType count = old + static_cast<vtkIdType>(refined.points.size());
+  requireMemory(count, bytesATuple(from));
   to->CopyAllocate(from, count); // this leaves global ids out
   if (to->GetNumberOfArrays() == 0)
   {
@@ -320,6 +323,7 @@ void writePoints(
   vtkNew<vtkPoints> points;
   // Integers could not hold the new points.
   points->SetDataType(type == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
+  requireMemory(old + static_cast<vtkIdType>(refined.points.size()), 3 * sizeof(double));
   points->SetNumberOfPoints(old + static_cast<vtkIdType>(refined.points.size()));
   points->GetData()->InsertTuples(0, old, 0, from->GetData());
   for (std::size_t i = 0; i < refined.points.size(); ++i)
@@ -334,6 +338,8 @@ void writeCells(const PolyDataSurface& surface, const RefinedMesh& refined, vtkC
   vtkPolyData* output, const LoopProgress& progress)
 {
   const auto count = static_cast<vtkIdType>(refined.triangles.size());
+  constexpr vtkIdType idsATriangle = 5; // three points, an offset and the original cell
+  requireMemory(count + 1, idsATriangle * sizeof(vtkIdType) + bytesATuple(from));
   vtkNew<vtkCellArray> triangles;
   triangles->AllocateExact(count, 3 * count);
   vtkNew<vtkIdTypeArray> originals;

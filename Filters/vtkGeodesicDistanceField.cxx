@@ -2,6 +2,7 @@
 #include "vtkGeodesicDistanceField.h"
 
 #include "AdaptiveRefinement.h"
+#include "ArrayMemory.h"
 #include "Errors.h"
 #include "ParallelFor.h"
 #include "PolyDataSource.h"
@@ -40,6 +41,9 @@ constexpr double SourceDone = 0.25;
 constexpr double FieldDoneBeforeRefinement = 0.55;
 constexpr double FieldDone = 0.9;
 constexpr double SurfaceWritten = 0.98;
+
+// Below malloc's threshold for memory of its own, so that it is at hand when it is freed.
+constexpr std::size_t MemoryForMessages = 1 << 16;
 
 // A source farther from the surface than this fraction of its bounding box's diagonal was hardly
 // meant for it: the user is told.
@@ -425,6 +429,7 @@ void vtkGeodesicDistanceField::vtkInternals::WriteDistances(
 {
   const char* name = this->Self->DistanceArrayName;
   const vtkIdType count = input->GetNumberOfPoints();
+  geodesic::requireMemory(output->GetNumberOfPoints(), sizeof(double));
   vtkNew<vtkDoubleArray> distances;
   distances->SetName(name);
   distances->SetNumberOfTuples(output->GetNumberOfPoints());
@@ -540,31 +545,39 @@ int vtkGeodesicDistanceField::RequestData(vtkInformation* vtkNotUsed(request),
 
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* curves = vtkPolyData::GetData(outputVector, 1);
-  bool failed = true;
+  const auto release = [output, curves]()
+  {
+    output->Initialize();
+    curves->Initialize();
+  };
+  std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try
   {
+    reserve = std::make_unique<char[]>(MemoryForMessages);
     this->Internals->Execute(
       vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(inputVector[1]), output, curves);
     return 1;
   }
   catch (const geodesic::Aborted&)
   {
-    failed = false;
+    release();
+    return 1;
   }
   catch (const geodesic::Error& error)
   {
+    release();
     vtkErrorMacro(<< error.what());
   }
   catch (const std::bad_alloc&)
   {
+    release();
     this->Internals->ReleaseSurface();
+    reserve.reset();
     vtkErrorMacro(
       "There is not enough memory for this surface. Decimate it, cut it into parts, set "
       "MaximumDistance, switch RefineMesh off or set Accuracy to Approximate.");
   }
-  output->Initialize();
-  curves->Initialize();
-  return failed ? 0 : 1;
+  return 0;
 }
 
 //------------------------------------------------------------------------------

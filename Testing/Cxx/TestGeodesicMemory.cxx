@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Running out of memory, at whatever stage and on whatever thread, ends in an error with empty
+// outputs; with enough memory the next execution is right. Nothing is said but by the filter.
+#include "GeodesicTesting.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkSMPTools.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <new>
+#include <set>
+
+#ifdef __linux__
+#include <malloc.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+/// When armed, memory is refused to all threads but one.
+std::atomic<bool> RefuseToHelpers{ false };
+std::atomic<int> Refused{ 0 };
+thread_local bool IsMainThread = false;
+
+}
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete" // they match, but inlined one by one
+#endif
+
+void* operator new(std::size_t size)
+{
+  if (RefuseToHelpers.load(std::memory_order_relaxed) && !IsMainThread)
+  {
+    ++Refused;
+    throw std::bad_alloc();
+  }
+  if (void* memory = std::malloc(size > 0 ? size : 1))
+  {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+
+void operator delete(void* memory) noexcept
+{
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+
+namespace
+{
+
+const Point Source{ 0.3, 0.4, 0 };
+
+vtkSmartPointer<vtkPolyData> Surface()
+{
+  auto surface = Square(128);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Values");
+  values->SetNumberOfComponents(600); // so much that the output takes the most
+  values->SetNumberOfTuples(surface->GetNumberOfPoints());
+  values->Fill(1.0);
+  surface->GetPointData()->AddArray(values);
+  return surface;
+}
+
+void SetUp(vtkGeodesicDistanceField* filter, vtkPolyData* surface)
+{
+  filter->SetInputData(surface);
+  filter->SetSourceData(PointSources({ Source }));
+  filter->SetRefinementTolerance(0.00002);
+}
+
+void CheckRefused(
+  Check& check, vtkGeodesicDistanceField* filter, const Messages& messages, const std::string& what)
+{
+  check.That(Contains(messages.Error(), "not enough memory"), what + " is told as an error");
+  CheckOutputsEmpty(check, filter, what);
+}
+
+void CheckRight(Check& check, vtkGeodesicDistanceField* filter, const std::string& what)
+{
+  filter->Modified();
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Error().empty(), what + ": no error afterwards: " + messages.Error());
+  CheckDistances(check, filter, DistanceTo({ Source }), what + ", afterwards");
+}
+
+void SetThreads(int threads)
+{
+  vtkSMPTools::SetBackend(threads == 1 ? "Sequential" : "STDThread");
+  vtkSMPTools::Initialize(threads);
+}
+
+/// The engine's tasks get no memory on the threads that help.
+void CheckHelpers(Check& check)
+{
+  SetThreads(2);
+  const auto surface = Surface();
+  Refused = 0;
+  for (int run = 0; run < 20 && Refused == 0; ++run)
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    SetUp(filter, surface);
+    filter->RefineMeshOff();
+    filter->SetSourceTypeToSurfaceBoundary();
+    Messages messages(filter);
+    // From the solve on, when the threads are those of the team.
+    bool armed = true;
+    Listener listener(filter, vtkCommand::ProgressEvent,
+      [&] { RefuseToHelpers = armed && filter->GetProgress() > 0.25; });
+    messages.Update();
+    armed = false;
+    RefuseToHelpers = false;
+    if (Refused > 0)
+    {
+      CheckRefused(check, filter, messages, "no memory on a helping thread");
+      filter->SetSourceTypeToSourceCurve();
+      CheckRight(check, filter, "no memory on a helping thread");
+    }
+  }
+  check.That(Refused > 0, "a helping thread was refused memory");
+}
+
+#ifdef __linux__
+
+/// Lets the process have no more memory than it has and so much.
+class Limit
+{
+public:
+  explicit Limit(std::size_t more)
+  {
+    malloc_trim(0);
+    getrlimit(RLIMIT_AS, &this->Before);
+    rlimit limit = this->Before;
+    limit.rlim_cur = Size() + more;
+    setrlimit(RLIMIT_AS, &limit);
+  }
+  ~Limit() { setrlimit(RLIMIT_AS, &this->Before); }
+  Limit(const Limit&) = delete;
+  void operator=(const Limit&) = delete;
+
+private:
+  static std::size_t Size()
+  {
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  }
+
+  rlimit Before{};
+};
+
+std::string StageOf(double progress)
+{
+  return progress < 0.15 ? "mesh"
+    : progress < 0.25    ? "source"
+    : progress < 0.55    ? "solve"
+    : progress < 0.9     ? "refinement"
+                         : "output";
+}
+
+/// From no memory at all to enough, in steps small enough for every stage to fail once.
+void CheckLimits(Check& check, int threads, const std::vector<std::string>& expected)
+{
+  SetThreads(threads);
+  const auto surface = Surface();
+  std::set<std::string> stages;
+  bool enough = false;
+  for (std::size_t more = 0; !enough && more < (std::size_t(1) << 30);
+       more += (std::size_t(1) << 18) + more / 8)
+  {
+    const std::string name =
+      std::to_string(threads) + " threads with " + std::to_string(more >> 10) + " kB";
+    vtkNew<vtkGeodesicDistanceField> filter;
+    SetUp(filter, surface);
+    double progress = 0.0;
+    Listener listener(filter, vtkCommand::ProgressEvent,
+      [&] { progress = filter->GetProgress() < 1.0 ? filter->GetProgress() : progress; });
+    Messages messages(filter);
+    {
+      const Limit limit(more);
+      messages.Update();
+    }
+    enough = messages.Error().empty();
+    if (!enough)
+    {
+      CheckRefused(check, filter, messages, name);
+      if (stages.insert(StageOf(progress)).second)
+      {
+        CheckRight(check, filter, name);
+      }
+    }
+    else
+    {
+      CheckDistances(check, filter, DistanceTo({ Source }), name);
+    }
+  }
+  check.That(enough, "there is a limit that is enough");
+  for (const std::string& stage : expected)
+  {
+    check.That(stages.count(stage) > 0,
+      std::to_string(threads) + " threads: memory ran out in the stage: " + stage);
+  }
+}
+
+void CheckLimits(Check& check)
+{
+  // Freed memory goes back at once, and threads share what there is.
+  mallopt(M_MMAP_THRESHOLD, 1 << 17);
+  mallopt(M_TRIM_THRESHOLD, 1 << 17);
+  mallopt(M_ARENA_MAX, 1);
+  CheckLimits(check, 1, { "mesh", "solve", "refinement", "output" });
+  CheckLimits(check, 2, { "solve", "refinement", "output" });
+}
+
+#else
+
+void CheckLimits(Check&)
+{
+  std::cout << "The process's memory is not limited on this system: not all stages are tested.\n";
+}
+
+#endif
+
+}
+
+int TestGeodesicMemory(int, char*[])
+{
+  IsMainThread = true;
+  Check check;
+  CheckLimits(check);
+  CheckHelpers(check);
+  return check.Result();
+}
