@@ -75,8 +75,8 @@
  *
  * @par Execution:
  * The structure of the surface is kept, so that executing again with another source costs only the
- * propagation. Progress is reported, and abort is obeyed. After an abort or an error both outputs
- * are empty.
+ * propagation. Progress is reported, and abort is obeyed. After an abort or an error, such as that
+ * memory has run out, both outputs are empty.
  *
  * @warning
  * The surface must be whole in one process: with several MPI ranks the filter refuses to execute.

@@ -143,12 +143,13 @@ int TestGeodesicProgress(int, char*[])
     CheckNeverStill(check, run);
   }
 
-  // While the mesh is built, a source located, the front on its way, and refinement at work.
+  // While the mesh is built, a source located, the front on its way, refinement at work, and the
+  // output written.
   for (const double fraction : { 0.01, 0.1, 0.151, 0.3, 0.6, 0.85 })
   {
     CheckAbortAt(check, exact, fraction);
   }
-  for (const double fraction : { 0.3, 0.56, 0.7, 0.86 })
+  for (const double fraction : { 0.3, 0.56, 0.7, 0.86, 0.95 })
   {
     CheckAbortAt(check, refined, fraction);
   }
