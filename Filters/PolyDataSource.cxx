@@ -10,6 +10,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cfloat>
 #include <string>
 
@@ -184,13 +185,21 @@ std::vector<Id> locate(vtkPoints* points, const std::vector<char>& used, PolyDat
     }
   }
   const std::vector<Id> atCorners = surface.facesWithCornersAt(positions);
+  constexpr double located = 0.8; // where the locator has been built
+  if (std::find(atCorners.begin(), atCorners.end(), NoId) != atCorners.end())
+  {
+    surface.buildLocator([&](double fraction) { return progress(located * fraction); });
+  }
   std::vector<Id> faces(used.size(), NoId);
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
-    const auto fromHere = [&](double fraction)
-    { return progress((static_cast<double>(i) + fraction) / static_cast<double>(ids.size())); };
-    faces[ids[i]] =
-      atCorners[i] != NoId ? atCorners[i] : surface.closestFace(positions[i], fromHere);
+    constexpr std::size_t pointsPerReport = 256;
+    const double done = static_cast<double>(i) / static_cast<double>(ids.size());
+    if (i % pointsPerReport == 0 && !progress(located + (1.0 - located) * done))
+    {
+      throw Aborted();
+    }
+    faces[ids[i]] = atCorners[i] != NoId ? atCorners[i] : surface.closestFace(positions[i]);
   }
   return faces;
 }

@@ -434,13 +434,12 @@ std::vector<Id> PolyDataSurface::facesWithCornersAt(const std::vector<Vec3>& poi
   return faces;
 }
 
-Id PolyDataSurface::closestFace(const Vec3& point, const ProgressCallback& progress)
+void PolyDataSurface::buildLocator(const ProgressCallback& progress)
 {
   if (!this->locator_)
   {
-    this->locator_ = std::make_unique<FaceLocator>(*this->mesh_);
+    this->locator_ = std::make_unique<FaceLocator>(*this->mesh_, progress);
   }
-  return this->locator_->closest(point, progress);
 }
 
 void PolyDataSurface::copyTo(

@@ -173,7 +173,7 @@ public:
   ///@{
   /**
    * Whether triangles are split until the linear interpolant of the output is within a tolerance of
-   * the distance everywhere. On by default. Refinement keeps all windows in memory.
+   * the distance everywhere. On by default. Windows are kept in memory where this needs them.
    */
   vtkSetMacro(RefineMesh, bool);
   vtkGetMacro(RefineMesh, bool);

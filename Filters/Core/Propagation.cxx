@@ -929,11 +929,21 @@ DistanceField solve(
   {
     return Propagation(mesh, options, nullptr).run(sources);
   }
+  SolveOptions again = options;
+  double reported = 0.0;
+  if (options.progress)
+  {
+    again.progress = [&](double fraction) // never back, though it be solved once more
+    {
+      reported = std::max(reported, fraction);
+      return options.progress(reported);
+    };
+  }
   std::vector<std::uint8_t> wanted(mesh.numberOfFaces(), 0);
   while (true)
   {
     WindowKeeper keeper(mesh, options.flatTolerance, wanted);
-    DistanceField field = Propagation(mesh, options, &keeper).run(sources);
+    DistanceField field = Propagation(mesh, again, &keeper).run(sources);
     if (keeper.missed().empty())
     {
       return field;

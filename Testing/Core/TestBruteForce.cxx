@@ -122,7 +122,7 @@ TEST(BruteForce, IsTheSameWhenEveryVertexEmits)
       book(4, 6, 4, 0.5, random), moebius(20, 5), needleSheet(8, 8, 1e4, 0.3, random) };
     const PlainMesh& mesh = meshes[seed % 5];
     Sources sources;
-    sources.points = { randomPoint(mesh, random) };
+    sources.points.push_back(randomPoint(mesh, random));
     sources.segments = { { random.below(mesh.triangles.size()), randomWeights(random),
       randomWeights(random) } };
     BruteForceOptions everyVertex;
@@ -139,7 +139,7 @@ TEST(BruteForce, LeavesOtherComponentsUnreached)
   const PlainMesh grid = regularGrid(3, 3);
   const PlainMesh mesh = merged(grid, grid);
   Sources sources;
-  sources.points = { vertexPoint(mesh, 0) };
+  sources.points.push_back(vertexPoint(mesh, 0));
   const BruteForceResult result =
     bruteForceDistances(mesh, sources, { { 0, { 0.2, 0.3, 0.5 } }, { 20, { 0.2, 0.3, 0.5 } } });
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -155,7 +155,7 @@ TEST(BruteForce, IsExactUpToItsMaximumDistance)
   Random random(7);
   const PlainMesh mesh = bumpySheet(16, 16, 2, 0.5, random);
   Sources sources;
-  sources.points = { randomPoint(mesh, random) };
+  sources.points.push_back(randomPoint(mesh, random));
   BruteForceOptions limited;
   limited.maximumDistance = 5.0;
   const BruteForceResult whole = bruteForceDistances(mesh, sources);
@@ -181,7 +181,7 @@ TEST(BruteForce, ConductsThroughFacesOfZeroArea)
     { 1, 0.4, 0 } };
   mesh.triangles = { { 0, 1, 4 }, { 0, 4, 3 }, { 1, 4, 6 }, { 1, 2, 6 }, { 2, 5, 6 }, { 5, 4, 6 } };
   Sources sources;
-  sources.points = { { 1, { 0.2, 0.3, 0.5 } } };
+  sources.points.push_back({ 1, { 0.2, 0.3, 0.5 } });
   const Vec3 source = position(mesh, sources.points[0]);
   const BruteForceResult result = bruteForceDistances(mesh, sources);
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -215,7 +215,7 @@ TEST(BruteForce, IsZeroAtAPointSourceWithinRoundingOfAnEdge)
     const double t = random.uniform(0.01, 0.99);
     const double off = std::pow(10.0, random.uniform(-20.0, -16.0));
     Sources sources;
-    sources.points = { { 0, { 1.0 - t - off, t, off } } };
+    sources.points.push_back({ 0, { 1.0 - t - off, t, off } });
     const BruteForceResult result =
       bruteForceDistances(mesh, sources, { { 1, { t, 1.0 - t, 0.0 } } });
     EXPECT_LE(result.queries[0], 1e-14) << "round " << round;
@@ -268,7 +268,7 @@ TEST(BruteForce, IsZeroAtPointSourcesOfRandomPlanarMeshes)
     Random random(seed);
     const PlainMesh mesh = planar->make(random.between(50, 250), random);
     Sources sources;
-    sources.points = { randomPoint(mesh, random) };
+    sources.points.push_back(randomPoint(mesh, random));
     const std::vector<MeshPoint> queries = acrossTheEdge(mesh, sources.points[0]);
     for (double distance : bruteForceDistances(mesh, sources, queries).queries)
     {

@@ -7,6 +7,8 @@
 #include "vtkMath.h"
 #include "vtkSphereSource.h"
 
+#include <algorithm>
+#include <numeric>
 #include <random>
 
 using namespace GeodesicTesting;
@@ -95,6 +97,46 @@ vtkSmartPointer<vtkPolyData> SquareWithWhisker()
   return surface;
 }
 
+/// A square of 200 thousand triangles in an order without order, so that the locator has parts all
+/// over it; its snap distance is known.
+void CheckManyParts(Check& check)
+{
+  auto surface = Square(320);
+  const vtkIdType count = surface->GetNumberOfPolys();
+  std::vector<vtkIdType> order(static_cast<std::size_t>(count));
+  std::iota(order.begin(), order.end(), vtkIdType(0));
+  std::shuffle(order.begin(), order.end(), std::mt19937(8));
+  vtkNew<vtkCellArray> shuffled;
+  vtkNew<vtkIdList> ids;
+  for (const vtkIdType face : order)
+  {
+    surface->GetPolys()->GetCellAtId(face, ids);
+    shuffled->InsertNextCell(ids);
+  }
+  surface->SetPolys(shuffled);
+
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  filter->SetMaximumDistance(1e-3);
+  filter->SetInputData(surface);
+  Messages messages(filter);
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> coordinate(-1.5, 2.5);
+  for (int i = 0; i < 20; ++i)
+  {
+    const Point p = { coordinate(random), coordinate(random), (i % 2) * coordinate(random) };
+    const Point inside = { std::min(std::max(p[0], 0.0), 1.0), std::min(std::max(p[1], 0.0), 1.0),
+      0.0 };
+    const double expected = std::sqrt(vtkMath::Distance2BetweenPoints(p.data(), inside.data()));
+    filter->SetSourceData(PointSources({ p }));
+    messages.Update();
+    check.That(std::abs(filter->GetSourceSnapDistance() - expected) <= 1e-14,
+      "many parts: point " + std::to_string(i) + " is put " +
+        std::to_string(filter->GetSourceSnapDistance()) + " away instead of " +
+        std::to_string(expected));
+  }
+}
+
 void CheckSurface(
   Check& check, const std::string& name, vtkSmartPointer<vtkPolyData> surface, double scale)
 {
@@ -139,5 +181,6 @@ int TestGeodesicLocation(int, char*[])
     CheckSurface(check, "a square with a tail" + at, SquareWithTail(), scale);
     CheckSurface(check, "a square with a whisker" + at, SquareWithWhisker(), scale);
   }
+  CheckManyParts(check);
   return check.Result();
 }

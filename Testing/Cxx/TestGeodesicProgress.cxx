@@ -38,7 +38,7 @@ vtkSmartPointer<vtkPolyData> NoisySquare(int n, Cells cells = Cells::Triangles)
 }
 
 /// A run whose progress is watched.
-struct Run
+struct Watched
 {
   std::string name;
   vtkSmartPointer<vtkPolyData> surface;
@@ -48,7 +48,7 @@ struct Run
   bool approximate = false;
 };
 
-void SetUp(vtkGeodesicDistanceField* filter, const Run& run)
+void SetUp(vtkGeodesicDistanceField* filter, const Watched& run)
 {
   filter->SetInputData(run.surface);
   filter->SetSourceData(Polyline({ { 0.31, 0.42, 0 }, { 0.43, 0.33, 0 } })); // corners of no face
@@ -59,7 +59,7 @@ void SetUp(vtkGeodesicDistanceField* filter, const Run& run)
 }
 
 /// Watches the time that goes by between one report and the next.
-void CheckNeverStill(Check& check, const Run& run)
+void CheckNeverStill(Check& check, const Watched& run)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
   SetUp(filter, run);
@@ -92,7 +92,7 @@ void CheckNeverStill(Check& check, const Run& run)
 }
 
 /// Asks to abort at the first progress of at least the fraction.
-void CheckAbortAt(Check& check, const Run& run, double fraction)
+void CheckAbortAt(Check& check, const Watched& run, double fraction)
 {
   const std::string name = run.name + ", abort at " + std::to_string(fraction);
   vtkNew<vtkGeodesicDistanceField> filter;
@@ -126,19 +126,19 @@ int TestGeodesicProgress(int, char*[])
   Check check;
   const auto million = NoisySquare(720);
   const auto smaller = NoisySquare(330);
-  const Run exact{ "a million triangles", million };
-  Run limited{ "a near limit", million };
+  const Watched exact{ "a million triangles", million };
+  Watched limited{ "a near limit", million };
   limited.maximumDistance = 0.01;
-  Run approximate{ "approximate", million };
+  Watched approximate{ "approximate", million };
   approximate.approximate = true;
-  Run refined{ "refined", smaller };
+  Watched refined{ "refined", smaller };
   refined.refine = true;
   refined.tolerance = 0.0002;
-  Run soup{ "refined triangles without common points", Soup(NoisySquare(100)) };
+  Watched soup{ "refined triangles without common points", Soup(NoisySquare(100)) };
   soup.refine = true;
   soup.tolerance = 0.00005;
-  const Run quads{ "squares", NoisySquare(500, Cells::Quads) };
-  for (const Run& run : { exact, limited, approximate, refined, soup, quads })
+  const Watched quads{ "squares", NoisySquare(500, Cells::Quads) };
+  for (const Watched& run : { exact, limited, approximate, refined, soup, quads })
   {
     CheckNeverStill(check, run);
   }
