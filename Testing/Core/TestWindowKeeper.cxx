@@ -299,6 +299,13 @@ std::size_t countSolves(
   const std::size_t ofOne = batches;
   EXPECT_GT(ofOne, 0u);
   options.keepWindows = geodesic::KeepWindows::WhereCurved;
+  double progress = 0.0;
+  options.progress = [&](double fraction)
+  {
+    EXPECT_GE(fraction, progress);
+    progress = fraction;
+    return true;
+  };
   geodesic::solve(mesh, sources, options);
   return batches / std::max<std::size_t>(ofOne, 1) - 1;
 }
