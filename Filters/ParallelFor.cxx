@@ -12,6 +12,7 @@
 #include <mutex>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 namespace geodesic
 {
@@ -22,12 +23,16 @@ namespace
 /// Threads of vtkSMPTools that stay for a whole solve. A solve has some ten thousand short parallel
 /// loops, and vtkSMPTools may start its threads anew for each, which takes longer than they do.
 ///
-/// Tasks are taken one by one, by the caller too, who so never waits for a thread to start.
+/// Each member, the caller too, takes the tasks of a range of its own one by one, and then those
+/// that are left of the others', so that nobody waits for a thread to start. Ranges, because
+/// neighbouring tasks of one loop go on in neighbouring tasks of the next, whose data are then at
+/// hand.
 class Team
 {
 public:
   explicit Team(int helpers)
     : helpers_(helpers)
+    , ranges_(static_cast<std::size_t>(helpers) + 1)
   {
   }
   ~Team()
@@ -57,22 +62,33 @@ public:
 private:
   static constexpr std::size_t MostTasks = 0xffff;
 
-  // The loop's number, how many tasks it has and how many are taken, in one word, so that nobody
-  // takes a task of one loop for one of another.
-  static std::uint64_t pack(std::uint64_t loop, std::size_t count)
+  // The loop's number, the range's end and its next task, in one word, so that nobody takes a task
+  // of one loop for one of another.
+  struct alignas(64) Range
   {
-    return loop << 32 | count << 16;
+    std::atomic<std::uint64_t> word{ 0 };
+  };
+  static std::uint64_t pack(std::uint64_t loop, std::size_t end, std::size_t next)
+  {
+    return loop << 32 | end << 16 | next;
   }
-  static std::size_t countOf(std::uint64_t word) { return word >> 16 & MostTasks; }
-  static std::size_t takenOf(std::uint64_t word) { return word & MostTasks; }
+  static std::size_t endOf(std::uint64_t word) { return word >> 16 & MostTasks; }
+  static std::size_t nextOf(std::uint64_t word) { return word & MostTasks; }
 
   void runSome(std::size_t first, std::size_t count, const std::function<void(std::size_t)>& task)
   {
     this->task_.store(&task, std::memory_order_relaxed);
     this->first_.store(first, std::memory_order_relaxed);
     this->done_.store(0, std::memory_order_relaxed);
-    this->word_.store(pack(++this->loop_, count), std::memory_order_release);
-    while (this->takeOne())
+    ++this->loop_;
+    for (std::size_t i = 0; i < this->ranges_.size(); ++i)
+    {
+      Range& range = this->ranges_[i];
+      const std::size_t begin = i * count / this->ranges_.size();
+      const std::size_t end = (i + 1) * count / this->ranges_.size();
+      range.word.store(pack(this->loop_, end, begin), std::memory_order_release);
+    }
+    while (this->takeOne(0))
     {
     }
     while (this->done_.load(std::memory_order_acquire) < count)
@@ -87,20 +103,33 @@ private:
     }
   }
 
-  bool takeOne()
+  bool takeOne(std::size_t member)
   {
-    std::uint64_t word = this->word_.load(std::memory_order_acquire);
+    const std::size_t ranges = this->ranges_.size();
+    for (std::size_t i = 0; i < ranges; ++i)
+    {
+      if (this->takeOneOf(this->ranges_[(member + i) % ranges]))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool takeOneOf(Range& range)
+  {
+    std::uint64_t word = range.word.load(std::memory_order_acquire);
     do
     {
-      if (takenOf(word) >= countOf(word))
+      if (nextOf(word) >= endOf(word))
       {
         return false;
       }
-    } while (!this->word_.compare_exchange_weak(word, word + 1, std::memory_order_acq_rel));
+    } while (!range.word.compare_exchange_weak(word, word + 1, std::memory_order_acq_rel));
     try
     {
       (*this->task_.load(std::memory_order_relaxed))(
-        this->first_.load(std::memory_order_relaxed) + takenOf(word));
+        this->first_.load(std::memory_order_relaxed) + nextOf(word));
     }
     catch (...) // it must not leave the thread
     {
@@ -116,7 +145,8 @@ private:
   {
     const auto helpers = [this]()
     {
-      const auto help = [this](vtkIdType, vtkIdType) { this->help(); };
+      const auto help = [this](vtkIdType first, vtkIdType)
+      { this->help(static_cast<std::size_t>(first) + 1); };
       try
       {
         vtkSMPTools::For(0, this->helpers_, 1, help);
@@ -137,12 +167,12 @@ private:
   }
 
   // Between loops there is too little time to sleep; where nothing comes for longer, there is not.
-  void help()
+  void help(std::size_t member)
   {
     constexpr int patience = 2000;
     for (int idle = 0; !this->stop_.load(std::memory_order_relaxed);)
     {
-      if (this->takeOne())
+      if (this->takeOne(member))
       {
         idle = 0;
       }
@@ -161,7 +191,7 @@ private:
   bool hired_ = false;
   std::thread host_;
   std::atomic<bool> stop_{ false };
-  std::atomic<std::uint64_t> word_{ 0 };
+  std::vector<Range> ranges_;
   std::atomic<const std::function<void(std::size_t)>*> task_{ nullptr };
   std::atomic<std::size_t> first_{ 0 };
   std::atomic<std::size_t> done_{ 0 };

@@ -90,6 +90,40 @@ ApexView FacePassage::view(const WindowRange& list, Vec2 apex)
   return view;
 }
 
+// The first window that passes on the right is looked for by halving.
+ApexView glance(const WindowRange& list, Vec2 apex)
+{
+  const Window* first = list.begin();
+  for (std::size_t count = list.size(); count > 0;)
+  {
+    const std::size_t half = count / 2;
+    const bool isBefore = !first[half].passesRightOf(first[half].begin, apex);
+    first = isBefore ? first + half + 1 : first;
+    count = isBefore ? count - half - 1 : half;
+  }
+  ApexView view;
+  const auto take = [&view, apex](const Window& w)
+  {
+    const double distance = w.bentDistance(apex);
+    if (distance < view.distance)
+    {
+      view = { distance, w.crossing(apex), w.error };
+    }
+  };
+  if (first != list.end())
+  {
+    take(*first);
+  }
+  // back over those that hold the apex, to one that passes on the left
+  for (bool holds = true; holds && first != list.begin();)
+  {
+    --first;
+    take(*first);
+    holds = first->passesRightOf(first->end, apex);
+  }
+  return view;
+}
+
 namespace
 {
 

@@ -45,6 +45,11 @@ struct ApexView
   double error = 0.0;
 };
 
+/// The apex as seen at a glance through a sorted list: where rays of several windows cross below
+/// it, a shorter path may be overlooked. Enough to tell when the front comes to the apex; then the
+/// whole list is looked at.
+ApexView glance(const WindowRange& list, Vec2 apex);
+
 /// How a list of windows goes through a face (paper, sections 3.2 and 4.2.1; as a list after Qin et
 /// al. 2016, "Fast and exact discrete geodesic computation based on triangle-oriented wavefront
 /// propagation"). One is reused for many faces.

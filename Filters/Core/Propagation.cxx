@@ -573,7 +573,7 @@ void Propagation::receive(Worker& worker, std::size_t group)
   this->deliveries_.forEach(group,
     [&](const WindowBlock& block)
     {
-      const ApexView view = worker.passage.view(block.range(), position);
+      const ApexView view = glance(block.range(), position);
       if (view.distance < this->vertices_[apex].distance)
       {
         worker.arrivals.push_back({ apex, view.distance, view.error, { side, view.crossing } });
