@@ -201,8 +201,10 @@ void WindowKeeper::test(Id face, const AtVertex& distances, WindowPool& pool)
   {
     return;
   }
-  if (this->passes(face, this->quickBounds(face, d), rounding) ||
-    this->passes(face, this->bounds(face, d, this->tolerance_ - rounding), rounding))
+  // Quick bounds are wide: they are enough where they are not what is reported in the end.
+  if (this->passes(face, this->quickBounds(face, d), rounding, this->flatErrorBound_) ||
+    this->passes(
+      face, this->bounds(face, d, this->tolerance_ - rounding), rounding, this->tolerance_))
   {
     this->release(face, pool);
     return;
@@ -216,12 +218,12 @@ void WindowKeeper::test(Id face, const AtVertex& distances, WindowPool& pool)
   }
 }
 
-bool WindowKeeper::passes(Id face, const FaceBounds& bounds, double rounding)
+bool WindowKeeper::passes(Id face, const FaceBounds& bounds, double rounding, double limit)
 {
   const float above =
     std::nextafter(static_cast<float>(bounds.above), std::numeric_limits<float>::infinity());
   const double bound = static_cast<double>(above) + bounds.below + 2.0 * rounding;
-  if (!(bound <= this->tolerance_))
+  if (!(bound <= limit))
   {
     return false;
   }

@@ -83,7 +83,7 @@ private:
   void test(Id face, const AtVertex& distances, WindowPool& pool);
   FaceBounds quickBounds(Id face, const std::array<double, 3>& d) const;
   FaceBounds bounds(Id face, const std::array<double, 3>& d, double limit) const;
-  bool passes(Id face, const FaceBounds& bounds, double rounding);
+  bool passes(Id face, const FaceBounds& bounds, double rounding, double limit);
   void setCurved(Id face);
   void release(Id face, WindowPool& pool);
   bool isWanted(Id face) const;
