@@ -155,10 +155,12 @@ private:
   double errorAt(Id vertex) const;
   // Blocks come back to the workers in turn, so that all of them find some.
   WindowPool& anyPool() { return this->workers_[this->nextPool_++ % this->workers_.size()].pool; }
-  WindowKeeper::AtVertex distances() const
+  WindowKeeper::AtVertex each(double VertexState::*number) const
   {
-    return [this](Id vertex) { return this->vertices_[vertex].distance; };
+    static_assert(sizeof(VertexState) % sizeof(double) == 0);
+    return { &(this->vertices_.front().*number), sizeof(VertexState) / sizeof(double) };
   }
+  WindowKeeper::AtVertex distances() const { return this->each(&VertexState::distance); }
   void reportProgress();
   void tellProgress();
 
@@ -673,9 +675,8 @@ void Propagation::takeOverLists()
   }
   if (this->keeper_ != nullptr)
   {
-    this->keeper_->advance(
-      this->batch_, this->front_, this->distances(),
-      [this](Id vertex) { return this->vertices_[vertex].processed; }, this->anyPool());
+    this->keeper_->advance(this->batch_, this->front_, this->distances(),
+      this->each(&VertexState::processed), this->anyPool());
   }
 }
 

@@ -16,14 +16,28 @@ WindowKeeper::WindowKeeper(
   , tolerance_(tolerance)
   , state_(mesh.numberOfFaces(), State::Open)
   , above_(mesh.numberOfFaces(), 0.0F)
-  , wants_(mesh.numberOfFaces(), 1)
+  , wanting_(mesh.numberOfFaces(), 0)
   , firstRun_(mesh.numberOfFaces(), NoId)
 {
   for (Id face = 0; face < mesh.numberOfFaces(); ++face)
   {
+    this->forEachNeighbour(face, [this, face](Id) { ++this->wanting_[face]; });
     if (wanted[face])
     {
       this->want(face);
+    }
+  }
+}
+
+// Over the edges; once for each that they share.
+template <typename Visit>
+void WindowKeeper::forEachNeighbour(Id face, Visit&& visit) const
+{
+  for (Id side = 3 * face; side < 3 * face + 3; ++side)
+  {
+    for (Id s = this->mesh_.nextInRing(side); s != side; s = this->mesh_.nextInRing(s))
+    {
+      visit(TriangleMesh::faceOf(s));
     }
   }
 }
@@ -190,7 +204,7 @@ FaceBounds WindowKeeper::bounds(Id face, const std::array<double, 3>& d, double 
 
 void WindowKeeper::test(Id face, const AtVertex& distances, WindowPool& pool)
 {
-  if (this->state_[face] != State::Open && this->state_[face] != State::Awaited)
+  if (!this->isOpen(face))
   {
     return;
   }
@@ -236,33 +250,18 @@ bool WindowKeeper::passes(Id face, const FaceBounds& bounds, double rounding, do
 // The face does not want its neighbours' windows.
 void WindowKeeper::release(Id face, WindowPool& pool)
 {
-  this->wants_[face] = 0;
   this->drop(face, pool);
-  for (Id side = 3 * face; side < 3 * face + 3; ++side)
-  {
-    for (Id s = this->mesh_.nextInRing(side); s != side; s = this->mesh_.nextInRing(s))
+  this->forEachNeighbour(face,
+    [&](Id neighbour)
     {
-      this->drop(TriangleMesh::faceOf(s), pool);
-    }
-  }
-}
-
-bool WindowKeeper::isWanted(Id face) const
-{
-  bool wanted = false;
-  for (Id side = 3 * face; side < 3 * face + 3; ++side)
-  {
-    for (Id s = this->mesh_.nextInRing(side); s != side; s = this->mesh_.nextInRing(s))
-    {
-      wanted = wanted || this->wants_[TriangleMesh::faceOf(s)] != 0;
-    }
-  }
-  return wanted;
+      --this->wanting_[neighbour];
+      this->drop(neighbour, pool);
+    });
 }
 
 void WindowKeeper::drop(Id face, WindowPool& pool)
 {
-  if (this->state_[face] != State::Flat || this->isWanted(face))
+  if (this->state_[face] != State::Flat || this->wanting_[face] > 0)
   {
     return;
   }
@@ -281,10 +280,13 @@ void WindowKeeper::finish(WindowArchive& archive, std::vector<std::uint8_t>& fac
   faceKept.assign(this->mesh_.numberOfFaces(), 1);
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
-    const std::array<double, 3> d = this->atCorners(face, distances);
-    if (std::max({ d[0], d[1], d[2] }) < Infinity)
+    if (this->isOpen(face))
     {
-      this->test(face, distances, pool);
+      const std::array<double, 3> d = this->atCorners(face, distances);
+      if (std::max({ d[0], d[1], d[2] }) < Infinity)
+      {
+        this->test(face, distances, pool);
+      }
     }
   }
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)

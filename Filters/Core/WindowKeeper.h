@@ -7,7 +7,6 @@
 #include "WindowArchive.h"
 #include "WindowList.h"
 
-#include <functional>
 #include <memory>
 #include <queue>
 #include <utility>
@@ -38,8 +37,14 @@ struct PassedList
 class WindowKeeper
 {
 public:
-  /// A number of each vertex.
-  using AtVertex = std::function<double(Id)>;
+  /// A number of each vertex, which stands in a record of each.
+  struct AtVertex
+  {
+    const double* first;
+    /// From one to the next.
+    std::size_t stride = 1;
+    double operator()(Id vertex) const { return this->first[vertex * this->stride]; }
+  };
 
   /// \param wanted for each face, whether it is never dropped.
   WindowKeeper(const TriangleMesh& mesh, double tolerance, const std::vector<std::uint8_t>& wanted);
@@ -77,6 +82,12 @@ private:
     Id next;
   };
 
+  template <typename Visit>
+  void forEachNeighbour(Id face, Visit&& visit) const;
+  bool isOpen(Id face) const
+  {
+    return this->state_[face] == State::Open || this->state_[face] == State::Awaited;
+  }
   std::array<double, 3> atCorners(Id face, const AtVertex& distances) const;
   double rounding(const std::array<double, 3>& d) const;
   void add(const PassedList& list);
@@ -86,7 +97,6 @@ private:
   bool passes(Id face, const FaceBounds& bounds, double rounding, double limit);
   void setCurved(Id face);
   void release(Id face, WindowPool& pool);
-  bool isWanted(Id face) const;
   void drop(Id face, WindowPool& pool);
 
   const TriangleMesh& mesh_;
@@ -94,8 +104,8 @@ private:
   std::vector<State> state_;
   /// How far the distance can be over the interpolant in a flat face.
   std::vector<float> above_;
-  /// Whether a face may want the windows of flat neighbours.
-  std::vector<std::uint8_t> wants_;
+  /// The neighbours that may want the face's windows although it is flat.
+  std::vector<Id> wanting_;
   std::vector<Run> runs_;
   std::vector<Id> freeRuns_;
   std::vector<Id> firstRun_;

@@ -128,10 +128,7 @@ protected:
   geodesic::WindowKeeper keeper_{ mesh_, Tolerance,
     std::vector<std::uint8_t>(mesh_.numberOfFaces(), 0) };
 
-  geodesic::WindowKeeper::AtVertex distance() const
-  {
-    return [this](Id vertex) { return this->distances_[vertex]; };
-  }
+  geodesic::WindowKeeper::AtVertex distance() const { return { this->distances_.data() }; }
 
   std::vector<double> planeWave() const
   {
