@@ -10,6 +10,7 @@ RedGreenMesh::RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> f
   : mesh_(mesh)
   , faces_(mesh.numberOfFaces())
   , frozen_(std::move(frozen))
+  , hasEdges_(mesh.numberOfFaces(), 0)
   , partsOfFace_(mesh.numberOfFaces(), NoId)
   , numberOfTriangles_(mesh.numberOfFaces())
 {
@@ -49,16 +50,18 @@ void RedGreenMesh::setParts(Id triangle, Id parts)
   }
 }
 
-Id RedGreenMesh::existingInputEdge(Id side) const
-{
-  const auto found = this->inputEdges_.find(this->mesh_.edgeOf(side));
-  return found == this->inputEdges_.end() ? NoId : found->second;
-}
-
 Id RedGreenMesh::existingEdge(Id triangle, Id k) const
 {
-  return triangle < this->faces_ ? this->existingInputEdge(3 * triangle + k)
-                                 : this->part(triangle).edges[k];
+  if (triangle >= this->faces_)
+  {
+    return this->part(triangle).edges[k];
+  }
+  if (!this->hasEdges_[triangle])
+  {
+    return NoId;
+  }
+  const auto found = this->inputEdges_.find(this->mesh_.edgeOf(3 * triangle + k));
+  return found == this->inputEdges_.end() ? NoId : found->second;
 }
 
 Id RedGreenMesh::edge(Id triangle, Id k)
@@ -72,6 +75,12 @@ Id RedGreenMesh::edge(Id triangle, Id k)
   const Id edge = this->addEdge(this->mesh_.origin(side), this->mesh_.destination(side), NoId, side,
     TriangleMesh::faceOf(side));
   this->inputEdges_.emplace(side, edge);
+  Id around = side;
+  do
+  {
+    this->hasEdges_[TriangleMesh::faceOf(around)] = 1;
+    around = this->mesh_.nextInRing(around);
+  } while (around != side);
   this->journal_.push_back({ Change::InputEdge, side, NoId });
   return edge;
 }

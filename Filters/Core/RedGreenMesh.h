@@ -167,7 +167,6 @@ private:
   const Part& part(Id triangle) const { return this->parts_[triangle - this->faces_]; }
   /// The edge, where there is one already.
   Id existingEdge(Id triangle, Id k) const;
-  Id existingInputEdge(Id side) const;
   bool isSplit(Id edge) const { return edge != NoId && this->edges_[edge].split != NoId; }
   Id addEdge(Id a, Id b, Id parent, Id side, Id face);
   Id addPoint(const Edge& edge, const Placement& placement);
@@ -190,6 +189,8 @@ private:
   std::vector<Point> points_;
   std::vector<Edge> edges_;
   std::unordered_map<Id, Id> inputEdges_;
+  /// Input faces that may have some of these; most have none.
+  std::vector<std::uint8_t> hasEdges_;
   std::vector<Part> parts_;
   /// First of the four parts of each input face.
   std::vector<Id> partsOfFace_;
