@@ -595,17 +595,30 @@ void Propagation::mergeInto(Worker& worker, Id side, const WindowBlock& block)
   const WindowRange waiting = this->waiting_.at(side);
   worker.merged.reset(this->mesh_.length(side));
   const Window* old = waiting.begin();
+  bool lastIsOld = true;
+  const auto append = [&](const Window& w, bool isOld)
+  {
+    if (isOld == lastIsOld)
+    {
+      worker.merged.append(w);
+    }
+    else
+    {
+      worker.merged.appendOfOther(w);
+      lastIsOld = isOld;
+    }
+  };
   for (const Window& w : block.range())
   {
     for (; old != waiting.end() && old->begin <= w.begin; ++old)
     {
-      worker.merged.append(*old);
+      append(*old, true);
     }
-    worker.merged.append(w);
+    append(w, false);
   }
   for (; old != waiting.end(); ++old)
   {
-    worker.merged.append(*old);
+    append(*old, true);
   }
   worker.pool.free(block);
   this->waiting_.assign(side, worker.merged.range(), worker.pool);

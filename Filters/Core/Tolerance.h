@@ -28,6 +28,15 @@ constexpr double LeastWidth = 4.0 * Rounding;
 /// distances carry the rounding of every unfolding on their way, and a tie must stay.
 constexpr double Tie = 1e-12;
 
+/// Distances of two windows that differ by no more than this fraction are equal where they would
+/// be cut against each other: both carry the rounding of a sum and a root.
+constexpr double Evaluation = 8.0 * Rounding;
+
+/// Neighbouring windows whose sources differ by no more than this fraction of the source's distance
+/// are one: a pencil that a vertex in a flat part of the surface has split goes on in two, which
+/// some unfoldings around the vertex, each of a few roundings, bring to one source again.
+constexpr double SameSource = 64.0 * Rounding;
+
 /// A curve's point belongs to a vertex or an edge when nearer than this many roundings of the
 /// largest coordinate around. A filter that cuts the surface interpolates along an edge and rounds
 /// each coordinate once: sqrt(3)/2 of a rounding in space. The surface's own points may have been

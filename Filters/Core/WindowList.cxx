@@ -57,10 +57,28 @@ Lower lowerOfSameSigma(const Window& a, const Window& b, double lo, double hi)
   lower.firstIsA = aAtLo;
   if (aAtLo != aAtHi)
   {
+    const double dx = std::max(std::abs(lo - middle), std::abs(hi - middle));
+    const double least = 2.0 * tolerance::Evaluation * (dx * dx + a.sourceDepth * a.sourceDepth);
+    if (std::max(std::abs(atLo), std::abs(atHi)) <= least)
+    {
+      return {}; // equal throughout
+    }
     lower.cuts = 1;
     lower.cut[0] = std::clamp(middle - depths / slope, lo, hi);
   }
   return lower;
+}
+
+// Whether the two windows have the same distance throughout, as far as rounding tells. It would
+// tell of crossings all over, and the pieces between them of more.
+bool isTie(const Window& a, const Window& b, double lo, double hi)
+{
+  const auto same = [&](double x)
+  {
+    const double ofA = a.distance(x);
+    return std::abs(ofA - b.distance(x)) <= tolerance::Evaluation * ofA;
+  };
+  return same(lo) && same(hi) && same(0.5 * (lo + hi));
 }
 
 // Between crossings one of the two is smaller throughout; its middle tells which. The older one
@@ -140,7 +158,11 @@ Lower lowerOf(const Window& a, const Window& b, double lo, double hi)
   }
   const bool told = (atLo < 0.0 && atHi < 0.0 && staysAbove(b, ofB, ofA, lo, hi)) ||
     (atLo > 0.0 && atHi > 0.0 && staysAbove(a, ofA, ofB, lo, hi));
-  return told ? lower : lowerByCrossings(a, b, lo, hi);
+  if (told)
+  {
+    return lower;
+  }
+  return isTie(a, b, lo, hi) ? Lower() : lowerByCrossings(a, b, lo, hi);
 }
 
 } // anonymous namespace
@@ -261,6 +283,34 @@ void WindowListBuilder::appendPiece(const Window& window, double begin, double e
   {
     this->lastOwner_ = &window;
   }
+}
+
+namespace
+{
+
+// Most neighbours differ in the first or the second.
+bool isSameSource(const Window& a, const Window& b)
+{
+  const double scale = tolerance::SameSource * (std::abs(a.sourceX) + a.sourceDepth);
+  return std::abs(a.sourceX - b.sourceX) <= scale &&
+    std::abs(a.sigma - b.sigma) <= tolerance::SameSource * std::abs(a.sigma) + scale &&
+    std::abs(a.sourceDepth - b.sourceDepth) <= scale && a.kind == b.kind;
+}
+
+} // anonymous namespace
+
+void WindowListBuilder::appendOfOther(const Window& window)
+{
+  if (this->windows_.empty() || !isSameSource(this->windows_.back(), window) ||
+    window.begin - this->windows_.back().end > this->leastWidth_)
+  {
+    this->append(window);
+    return;
+  }
+  Window& last = this->windows_.back();
+  last.end = std::max(last.end, window.end);
+  last.error = std::max(last.error, window.error);
+  last.depth = std::max(last.depth, window.depth);
 }
 
 namespace

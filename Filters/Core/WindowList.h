@@ -31,6 +31,10 @@ public:
     }
   }
 
+  /// Adds a window of another list than the last one: where it goes on with that one's pencil, they
+  /// become one.
+  void appendOfOther(const Window& window);
+
   const std::vector<Window>& windows() const { return this->windows_; }
   WindowRange range() const
   {

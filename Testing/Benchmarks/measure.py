@@ -13,6 +13,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
+EXAMPLES = HERE.parents[1] / "Examples"
 APPROXIMATE = ("--relative-error", "0.001")
 REFINED = ("--refine", "0.001")
 
@@ -34,7 +35,7 @@ class Mesh:
 MESHES = {
     mesh.name: mesh
     for mesh in (
-        Mesh("plane", str(HERE.parents[1] / "Examples" / "plane.vtp"), faces=422),
+        Mesh("plane", str(EXAMPLES / "plane.vtp"), faces=422),
         Mesh("fandisk", "fandisk.obj", faces=12_946, far=3_000),
         Mesh("beetle-alt", "beetle-alt.obj", faces=38_656, far=9_000),
         Mesh("bunny", "stanford-bunny.obj", faces=69_451, far=17_000),
@@ -46,6 +47,14 @@ MESHES = {
         Mesh("9.9M", "beetle-alt.obj", 4, faces=9_895_936),
         Mesh("13M", "fandisk.obj", 5, 0.1, faces=13_256_704),
     )
+}
+# Curves in place of a vertex, as in the paper.
+SOURCES = {
+    "plane": f"curve:{EXAMPLES / 'plane-curve.vtp'}",
+    "fandisk": f"curve:{EXAMPLES / 'fandisk-curve.vtp'}",
+    "beetle-alt": "boundary",
+    "6.4M": f"path:0,{MESHES['nefertiti'].far}",
+    "9.9M": "boundary",
 }
 SMALL = ("fandisk", "beetle-alt", "bunny", "nefertiti", "igea", "1.07M")
 # All windows of larger meshes are not kept at once.
@@ -252,14 +261,15 @@ def threads(benchmark, meshes, arguments):
 def approximation(benchmark, meshes, _):
     def rows():
         for mesh in meshes:
-            sources = ["vertex:0"] + (["boundary"] if mesh.name == "beetle-alt" else [])
+            sources = ["vertex:0"] + ([SOURCES[mesh.name]] if mesh.name in SOURCES else [])
             for source in sources:
                 for epsilon in (0, 1e-4, 1e-3, 1e-2, 1e-1):
                     options = ("--source", source, "--relative-error", epsilon)
                     time = benchmark.run(mesh, *options, against=["dijkstra"])
                     truth = benchmark.run(mesh, *options, "--error", "--envelope", repeat=1)
                     yield (
-                        *(mesh.name, source, f"{epsilon:g}", seconds(time["solve_s"])),
+                        *(mesh.name, source.split("/")[-1]),
+                        *(f"{epsilon:g}", seconds(time["solve_s"])),
                         number(time["solve_s"] / time["dijkstra_s"]),
                         error(truth["relative_error_bound"]),
                         error(truth["max_relative_error"]),
@@ -271,18 +281,9 @@ def approximation(benchmark, meshes, _):
 
 
 def paper(benchmark, meshes, _):
-    examples = HERE.parents[1] / "Examples"
-    sources = {
-        "plane": f"curve:{examples / 'plane-curve.vtp'}",
-        "fandisk": f"curve:{examples / 'fandisk-curve.vtp'}",
-        "beetle-alt": "boundary",
-        "6.4M": f"path:0,{MESHES['nefertiti'].far}",
-        "9.9M": "boundary",
-    }
-
     def rows():
         for mesh in meshes:
-            source = ("--source", sources.get(mesh.name, "vertex:0"))
+            source = ("--source", SOURCES.get(mesh.name, "vertex:0"))
             cells = []
             for options in ((), APPROXIMATE):
                 run = benchmark.run(mesh, *source, *options)
