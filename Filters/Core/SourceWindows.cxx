@@ -329,8 +329,8 @@ private:
   }
 
   // Where on a side a ray passes says little of its direction when the point is close to the side.
-  // Its rays are then also sent through the faces behind, as if it lay on the edge, but from its
-  // place.
+  // Its rays are then also sent through the faces behind, from its place, in one step: between the
+  // rays through the ends of the edge, which hide what is beside them.
   void emitBeyond(Id side, Vec2 p)
   {
     const double length = this->mesh_.length(side);
@@ -340,14 +340,24 @@ private:
       const Window w = { 0.0, length, turned ? length - p.x : p.x, -p.y, 0.0, 0.0,
         Window::Kind::Circular, 0 };
       const UnfoldedFace face = unfold(this->mesh_, s);
-      this->addWhole(TriangleMesh::previousInFace(s), face.throughLeft(w, 0.0, face.leftLength));
-      this->addWhole(TriangleMesh::nextInFace(s), face.throughRight(w, 0.0, face.rightLength));
+      const bool toLeft = !w.passesRightOf(0.0, face.apex);
+      const bool toRight = w.passesRightOf(length, face.apex);
+      if (toLeft)
+      {
+        const double end = toRight ? face.leftLength : face.meetLeft(w, length);
+        this->addBeyond(TriangleMesh::previousInFace(s), face.throughLeft(w, 0.0, end));
+      }
+      if (toRight)
+      {
+        const double begin = toLeft ? 0.0 : face.meetRight(w, 0.0);
+        this->addBeyond(TriangleMesh::nextInFace(s), face.throughRight(w, begin, face.rightLength));
+      }
     }
   }
 
-  void addWhole(Id side, Window window)
+  void addBeyond(Id side, Window window)
   {
-    if (this->mesh_.isBoundary(side) || !(window.end > 0.0))
+    if (this->mesh_.isBoundary(side) || !(window.end > window.begin))
     {
       return;
     }

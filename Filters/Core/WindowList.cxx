@@ -288,13 +288,14 @@ void WindowListBuilder::appendPiece(const Window& window, double begin, double e
 namespace
 {
 
-// Most neighbours differ in the first or the second.
+// A linear window's source is a direction: its distance changes with the place on the side.
 bool isSameSource(const Window& a, const Window& b)
 {
-  const double scale = tolerance::SameSource * (std::abs(a.sourceX) + a.sourceDepth);
-  return std::abs(a.sourceX - b.sourceX) <= scale &&
-    std::abs(a.sigma - b.sigma) <= tolerance::SameSource * std::abs(a.sigma) + scale &&
-    std::abs(a.sourceDepth - b.sourceDepth) <= scale && a.kind == b.kind;
+  const double source = std::abs(a.sourceX) + a.sourceDepth;
+  const double length = a.isLinear() ? b.end : source;
+  return a.kind == b.kind && std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source &&
+    std::abs(a.sourceDepth - b.sourceDepth) <= tolerance::SameSource * source &&
+    std::abs(a.sigma - b.sigma) <= tolerance::SameSource * (std::abs(a.sigma) + length);
 }
 
 } // anonymous namespace

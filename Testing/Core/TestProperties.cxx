@@ -311,6 +311,31 @@ TEST(Property, DistanceScalesWithTheSurface)
     });
 }
 
+// Powers of two change no digit, so that any absolute tolerance would show.
+TEST(Property, DistanceScalesWithTheSurfaceToTheLastDigit)
+{
+  onMeshesOfAllCharacters(Rounds,
+    [](const PlainMesh& mesh, CurveMaker& maker, Random& random)
+    {
+      const std::vector<Polyline> curves = maker.anySource();
+      const std::vector<MeshPoint> queries = randomPoints(mesh, 40, random);
+      const EngineResult here = engineDistances(mesh, curves, queries);
+      for (const int exponent : { -60, 60 })
+      {
+        const double factor = std::ldexp(1.0, exponent);
+        const EngineResult there = engineDistances(scaled(mesh, factor), curves, queries);
+        for (std::size_t i = 0; i < here.vertices.size(); ++i)
+        {
+          ASSERT_EQ(there.vertices[i], factor * here.vertices[i]) << "2^" << exponent;
+        }
+        for (std::size_t i = 0; i < here.queries.size(); ++i)
+        {
+          ASSERT_EQ(there.queries[i], factor * here.queries[i]) << "2^" << exponent;
+        }
+      }
+    });
+}
+
 TEST(Property, ACurveIsTheLimitOfItsDensePoints)
 {
   onMeshesOfAllCharacters(Rounds / 2,

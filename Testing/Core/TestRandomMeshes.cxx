@@ -20,6 +20,7 @@ namespace
 
 constexpr std::uint64_t FixedMeshesOfAKind = 50;
 constexpr std::uint64_t FreshMeshesOfAKind = 10;
+constexpr std::uint64_t MeshesWithPointsBesideVertices = 20;
 constexpr std::size_t NumberOfQueries = 80;
 
 class RandomMeshes : public ::testing::TestWithParam<MeshKind>
@@ -28,7 +29,12 @@ protected:
   /// The error at vertices and at random surface points, of the largest distance.
   void compare(std::uint64_t seed)
   {
-    const auto [mesh, curves, queries, truth] = randomCase(GetParam(), seed, NumberOfQueries);
+    this->compare(seed, randomCase(GetParam(), seed, NumberOfQueries));
+  }
+
+  void compare(std::uint64_t seed, const RandomCase& theCase)
+  {
+    const auto& [mesh, curves, queries, truth] = theCase;
     const EngineResult result = engineDistances(mesh, curves, queries);
     const double largest = largestFinite(truth.vertices);
     const double atVertices = worstError(result.vertices, truth.vertices, largest);
@@ -66,6 +72,28 @@ TEST_P(RandomMeshes, FixedOnesAgreeWithBruteForce)
   for (std::uint64_t seed = 0; seed < FixedMeshesOfAKind; ++seed)
   {
     this->compare(seed);
+  }
+  this->report();
+}
+
+// Nearer to a vertex than most points, and some of them to both edges there.
+TEST_P(RandomMeshes, PointsBesideVerticesAgreeWithBruteForce)
+{
+  for (std::uint64_t seed = 0; seed < MeshesWithPointsBesideVertices; ++seed)
+  {
+    Random random(seed + 31000);
+    RandomCase theCase{ GetParam().make(random.between(20, 120), random), {}, {}, {} };
+    CurveMaker maker(theCase.mesh, random);
+    MeshPoint place = randomFacePoint(theCase.mesh, random);
+    const Index k = random.below(3);
+    const double a = std::pow(10.0, random.uniform(-9.0, -4.0));
+    place.weights[(k + 1) % 3] = a * random.uniform(0.1, 1.0);
+    place.weights[(k + 2) % 3] = a * random.uniform(0.1, 1.0);
+    place.weights[k] = 1.0 - place.weights[(k + 1) % 3] - place.weights[(k + 2) % 3];
+    theCase.curves.push_back(maker.point(place));
+    theCase.queries = randomPoints(theCase.mesh, NumberOfQueries, random);
+    theCase.truth = bruteForceDistances(theCase.mesh, toSources(theCase.curves), theCase.queries);
+    this->compare(seed, theCase);
   }
   this->report();
 }
