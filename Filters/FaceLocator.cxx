@@ -3,7 +3,6 @@
 
 #include "ArrayMemory.h"
 #include "SurfaceSnap.h"
-#include "Tolerance.h"
 
 #include "vtkCellArray.h"
 #include "vtkGenericCell.h"
@@ -24,12 +23,6 @@ namespace
 
 constexpr Id FacesInPart = Id(1) << 16;
 constexpr Id Samples = 4096;
-
-bool hasZeroArea(const FaceShape& shape)
-{
-  const double longest = *std::max_element(shape.length.begin(), shape.length.end());
-  return shape.area2 <= tolerance::ZeroArea * longest * longest;
-}
 
 }
 
@@ -55,7 +48,7 @@ FaceLocator::FaceLocator(const TriangleMesh& mesh, const ProgressCallback& progr
   }
   for (Id face = 0; face < mesh.numberOfFaces() && mesh.report().zeroAreaFaces > 0; ++face)
   {
-    if (hasZeroArea(mesh.shape(face)))
+    if (mesh.shape(face).hasZeroArea())
     {
       this->zeroAreaFaces_.push_back(face);
     }

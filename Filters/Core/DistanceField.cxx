@@ -17,9 +17,7 @@ using Barycentric = std::array<double, 3>;
 // The frame of side 0 serves for distances inside a face; another side's where that has no length.
 Id frameSide(const TriangleMesh& mesh, Id face)
 {
-  const std::array<double, 3>& length = mesh.shape(face).length;
-  const auto longest = std::max_element(length.begin(), length.end()) - length.begin();
-  return 3 * face + static_cast<Id>(longest);
+  return 3 * face + static_cast<Id>(mesh.shape(face).longestSide());
 }
 
 double distanceInFace(const TriangleMesh& mesh, Id face, const Barycentric& a, const Barycentric& b)

@@ -147,9 +147,7 @@ void FaceEnvelope::enter(Id face)
     return;
   }
   this->face_ = face;
-  const std::array<double, 3>& length = this->mesh_.shape(face).length;
-  const auto longest = std::max_element(length.begin(), length.end()) - length.begin();
-  this->frame_ = 3 * face + static_cast<Id>(longest);
+  this->frame_ = 3 * face + static_cast<Id>(this->mesh_.shape(face).longestSide());
   this->contributions_.clear();
   for (Id k = 0; k < 3; ++k)
   {

@@ -139,7 +139,7 @@ struct Slack
 
 Slack slackOf(const FaceShape& shape, const std::array<double, 3>& d)
 {
-  const double longest = *std::max_element(shape.length.begin(), shape.length.end());
+  const double longest = shape.longest();
   const Gradient g = gradientOf(shape.length[0] * shape.length[0], shape.cornerDot[0],
     shape.length[2] * shape.length[2], shape.area2, d[1] - d[0], d[2] - d[0], longest);
   return { std::max(0.0, g.length - 1.0) * longest, std::max(0.0, 1.0 - g.length) * g.chord };
@@ -305,44 +305,24 @@ double InterpolationError::ofFace(Id face, double limit, double known) const
   {
     d[k] = this->field_.vertexDistances()[corners[k]];
   }
-  const double longest = *std::max_element(shape.length.begin(), shape.length.end());
+  const double longest = shape.longest();
   const double bySize = longest <= limit ? longest : Infinity; // d changes by no more than the way
   if (bySize <= known || !(shape.area2 > 0.0))
   {
     return bySize;
   }
-  const Gradient g = gradientOf(shape.length[0] * shape.length[0], shape.cornerDot[0],
-    shape.length[2] * shape.length[2], shape.area2, d[1] - d[0], d[2] - d[0], longest);
-  const double steep = std::max(0.0, g.length - 1.0) * longest;
-  const double flat = std::max(0.0, 1.0 - g.length) * g.chord;
-  if (!(std::max(steep, flat) <= limit))
-  {
-    return bySize;
-  }
-
-  double below = 0.0;
+  const Id side = 3 * face;
+  const FaceBounds bounds = boundsOfFace(this->mesh_, face, d,
+    { this->field_.windowsOn(side), this->field_.windowsOn(side + 1),
+      this->field_.windowsOn(side + 2) },
+    limit);
+  double bound = std::max(bounds.above, bounds.below);
   for (const SourceInFace& source : this->field_.sourcesIn(face))
   {
-    below = std::max(below, source.a[0] * d[0] + source.a[1] * d[1] + source.a[2] * d[2]);
-    below = std::max(below, source.b[0] * d[0] + source.b[1] * d[1] + source.b[2] * d[2]);
+    const double atA = source.a[0] * d[0] + source.a[1] * d[1] + source.a[2] * d[2];
+    const double atB = source.b[0] * d[0] + source.b[1] * d[1] + source.b[2] * d[2];
+    bound = std::max(bound, std::max(atA, atB) + slackOf(shape, d).steep);
   }
-  double above = 0.0;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const std::size_t next = (k + 1) % 3;
-    const Id side = 3 * face + static_cast<Id>(k);
-    if (!belowOfSide(
-          shape.length[k], this->field_.windowsOn(side), d[k], d[next], limit - steep, below))
-    {
-      return bySize;
-    }
-    if (risesFrom(k, shape, d))
-    {
-      above = std::max(above,
-        aboveOfSide(shape.length[k], this->field_.windowsOn(side), d[k], d[next], limit - flat));
-    }
-  }
-  const double bound = std::max(below + steep, above + flat);
   return bound <= limit ? std::min(bound, bySize) : bySize;
 }
 

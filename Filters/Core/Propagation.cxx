@@ -836,10 +836,9 @@ double Propagation::neededDistance() const
     if (this->needed_[f])
     {
       const Triangle& t = this->mesh_.triangle(f);
-      const std::array<double, 3>& length = this->mesh_.shape(f).length;
       const auto [least, most] = std::minmax({ this->vertices_[t[0]].distance,
         this->vertices_[t[1]].distance, this->vertices_[t[2]].distance });
-      const double reach = least + *std::max_element(length.begin(), length.end());
+      const double reach = least + this->mesh_.shape(f).longest();
       bound = std::max(bound, inside ? reach : most);
     }
   }

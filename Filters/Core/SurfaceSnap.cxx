@@ -43,12 +43,7 @@ public:
   {
     return std::min(this->length(k), this->length((k + 2) % 3));
   }
-  std::size_t longestSide() const
-  {
-    const auto& length = this->shape_.length;
-    return static_cast<std::size_t>(
-      std::max_element(length.begin(), length.end()) - length.begin());
-  }
+  std::size_t longestSide() const { return this->shape_.longestSide(); }
 
   /// From corner k to the point with these barycentric coordinates, which sum to one.
   Vec3 fromCorner(std::size_t k, const std::array<double, 3>& weights) const

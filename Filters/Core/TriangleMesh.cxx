@@ -44,6 +44,12 @@ void checkSize(std::size_t numberOfPoints, std::size_t numberOfTriangles)
 
 } // anonymous namespace
 
+bool FaceShape::hasZeroArea() const
+{
+  const double longest = this->longest();
+  return this->area2 <= tolerance::ZeroArea * longest * longest;
+}
+
 TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
   const ProgressCallback& callback)
   : points_(std::move(points))
@@ -235,12 +241,9 @@ void TriangleMesh::measureFaces(const LoopProgress& progress)
       shape.cornerDot[k] = -dot(edge[k], edge[(k + 2) % 3]);
     }
     // Of the three equal cross products the one of the two shorter edges has the least rounding.
-    const std::size_t longest = static_cast<std::size_t>(
-      std::max_element(shape.length.begin(), shape.length.end()) - shape.length.begin());
+    const std::size_t longest = shape.longestSide();
     shape.area2 = norm(cross(edge[(longest + 1) % 3], edge[(longest + 2) % 3]));
-    const double longestLength = shape.length[longest];
-    this->report_.zeroAreaFaces +=
-      shape.area2 <= tolerance::ZeroArea * longestLength * longestLength ? 1 : 0;
+    this->report_.zeroAreaFaces += shape.hasZeroArea() ? 1 : 0;
   }
 }
 

@@ -5,6 +5,7 @@
 #include "Progress.h"
 #include "Types.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace geodesic
@@ -30,6 +31,16 @@ struct FaceShape
   std::array<double, 3> cornerDot;
   /// Twice the area.
   double area2;
+
+  /// Which side is the longest, and its length.
+  std::size_t longestSide() const
+  {
+    return static_cast<std::size_t>(
+      std::max_element(this->length.begin(), this->length.end()) - this->length.begin());
+  }
+  double longest() const { return this->length[this->longestSide()]; }
+  /// By tolerance::ZeroArea.
+  bool hasZeroArea() const;
 };
 
 /// An indexed triangle mesh of any topology: with boundary, several components, edges of three and

@@ -152,10 +152,8 @@ void WindowKeeper::advance(const std::vector<Id>& settled, double front, const A
       if (largest < Infinity)
       {
         constexpr double edges = 2.0;
-        const std::array<double, 3>& length = this->mesh_.shape(face).length;
-        const double longest = *std::max_element(length.begin(), length.end());
         this->state_[face] = State::Awaited;
-        this->awaited_.push({ largest + edges * longest, face });
+        this->awaited_.push({ largest + edges * this->mesh_.shape(face).longest(), face });
       }
     }
   }

@@ -69,16 +69,23 @@ Lower lowerOfSameSigma(const Window& a, const Window& b, double lo, double hi)
   return lower;
 }
 
+/// Distances of a window at the ends of an interval.
+struct AtEnds
+{
+  double lo;
+  double hi;
+};
+
 // Whether the two windows have the same distance throughout, as far as rounding tells. It would
 // tell of crossings all over, and the pieces between them of more.
-bool isTie(const Window& a, const Window& b, double lo, double hi)
+bool isTie(
+  const Window& a, const Window& b, const AtEnds& ofA, const AtEnds& ofB, double lo, double hi)
 {
-  const auto same = [&](double x)
-  {
-    const double ofA = a.distance(x);
-    return std::abs(ofA - b.distance(x)) <= tolerance::Evaluation * ofA;
-  };
-  return same(lo) && same(hi) && same(0.5 * (lo + hi));
+  const auto same = [](double first, double second)
+  { return std::abs(first - second) <= tolerance::Evaluation * first; };
+  const double middle = 0.5 * (lo + hi);
+  return same(ofA.lo, ofB.lo) && same(ofA.hi, ofB.hi) &&
+    same(a.distance(middle), b.distance(middle));
 }
 
 // Between crossings one of the two is smaller throughout; its middle tells which. The older one
@@ -107,13 +114,6 @@ Lower lowerByCrossings(const Window& a, const Window& b, double lo, double hi)
   }
   return lower;
 }
-
-/// Distances of a window at the ends of an interval.
-struct AtEnds
-{
-  double lo;
-  double hi;
-};
 
 // Whether the higher of two windows stays above the lower one, told from the ends. Distances are
 // convex: the higher one is above its tangent at an end, the lower one below its chord.
@@ -162,7 +162,7 @@ Lower lowerOf(const Window& a, const Window& b, double lo, double hi)
   {
     return lower;
   }
-  return isTie(a, b, lo, hi) ? Lower() : lowerByCrossings(a, b, lo, hi);
+  return isTie(a, b, ofA, ofB, lo, hi) ? Lower() : lowerByCrossings(a, b, lo, hi);
 }
 
 } // anonymous namespace
