@@ -140,7 +140,7 @@ private:
     geodesic::RefinedMesh refined;
   };
 
-  std::function<bool(double)> ProgressBetween(double begin, double end);
+  geodesic::ProgressCallback ProgressBetween(double begin, double end);
   /// Tells that the execution has come so far.
   ///
   /// \throws geodesic::Aborted
@@ -192,7 +192,7 @@ void vtkGeodesicDistanceField::vtkInternals::Execute(
 }
 
 //------------------------------------------------------------------------------
-std::function<bool(double)> vtkGeodesicDistanceField::vtkInternals::ProgressBetween(
+geodesic::ProgressCallback vtkGeodesicDistanceField::vtkInternals::ProgressBetween(
   double begin, double end)
 {
   return [this, begin, end](double fraction)

@@ -3,12 +3,12 @@
 #define geodesic_AdaptiveRefinement_h
 
 #include "DistanceField.h"
+#include "Progress.h"
 #include "SurfacePoint.h"
 #include "TriangleMesh.h"
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace geodesic
@@ -30,7 +30,7 @@ struct RefinementOptions
   /// How many points the caller has; ignored without cornerPoints.
   Id numberOfPoints = 0;
   /// Called now and then with the fraction done in [0, 1]; returning false stops with Aborted.
-  std::function<bool(double)> progress;
+  ProgressCallback progress;
 };
 
 /// A point that refinement has added.

@@ -3,6 +3,7 @@
 #define geodesic_Propagation_h
 
 #include "DistanceField.h"
+#include "Progress.h"
 #include "SourceCurve.h"
 #include "TriangleMesh.h"
 
@@ -45,7 +46,7 @@ struct SolveOptions
   std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)> parallelFor;
   /// Called now and then, at least ten times a second, with the fraction done in [0, 1]; returning
   /// false stops the solve with Aborted.
-  std::function<bool(double)> progress;
+  ProgressCallback progress;
 };
 
 /// Computes the geodesic distance to the curves, exact or within a relative error (paper, sections

@@ -14,13 +14,11 @@ namespace geodesic
 namespace
 {
 
-using Progress = std::function<bool(double)>;
-
 /// Steps of a walk over the mesh between two calls of the progress callback: well under a tenth of
 /// a second.
 constexpr std::size_t StepsPerReport = 4096;
 
-void report(const Progress& progress, double fraction)
+void report(const ProgressCallback& progress, double fraction)
 {
   if (progress && !progress(fraction))
   {
@@ -83,7 +81,7 @@ public:
 
   /// The length of the shortest path to the target by way of one of the goals, from each of which
   /// it is straight.
-  double run(const std::vector<Id>& goals, const Progress& progress)
+  double run(const std::vector<Id>& goals, const ProgressCallback& progress)
   {
     double best = Infinity;
     for (std::size_t step = 1; !this->queue_.empty(); ++step)
@@ -136,7 +134,7 @@ private:
 
 /// The length of a path from one point to the other along mesh edges; infinite where there is none.
 double boundAlongEdges(const TriangleMesh& mesh, const SurfacePoint& first,
-  const SurfacePoint& second, std::vector<double>& lengthTo, const Progress& progress)
+  const SurfacePoint& second, std::vector<double>& lengthTo, const ProgressCallback& progress)
 {
   const Vec3 start = position(mesh, first);
   EdgeSearch search(mesh, position(mesh, second), lengthTo);
@@ -262,8 +260,8 @@ public:
   PatchSearch(const PatchSearch&) = delete;
   PatchSearch& operator=(const PatchSearch&) = delete;
 
-  Patch run(
-    const SurfacePoint& first, const SurfacePoint& second, double bound, const Progress& progress)
+  Patch run(const SurfacePoint& first, const SurfacePoint& second, double bound,
+    const ProgressCallback& progress)
   {
     const Vec3 p = position(this->mesh_, first);
     const Vec3 q = position(this->mesh_, second);
@@ -324,7 +322,7 @@ private:
 
 /// A shortest path in a patch, from the engine's field around the first point.
 std::vector<SurfacePoint> pathInPatch(const TriangleMesh& patch, const SurfacePoint& first,
-  const SurfacePoint& second, double bound, const Progress& progress)
+  const SurfacePoint& second, double bound, const ProgressCallback& progress)
 {
   SourceCurve source;
   source.points = { first };
@@ -376,7 +374,7 @@ void checkWhole(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path)
 } // anonymous namespace
 
 std::vector<SurfacePoint> ShortestPathFinder::between(
-  const SurfacePoint& first, const SurfacePoint& second, const Progress& progress)
+  const SurfacePoint& first, const SurfacePoint& second, const ProgressCallback& progress)
 {
   if (commonFace(this->mesh_, first, second) != NoId)
   {

@@ -2,10 +2,10 @@
 #ifndef geodesic_ShortestPath_h
 #define geodesic_ShortestPath_h
 
+#include "Progress.h"
 #include "SurfacePoint.h"
 #include "TriangleMesh.h"
 
-#include <functional>
 #include <vector>
 
 namespace geodesic
@@ -29,8 +29,8 @@ public:
   /// Empty where no path joins them.
   ///
   /// \param progress called now and then with a fraction done; returning false throws Aborted.
-  std::vector<SurfacePoint> between(const SurfacePoint& first, const SurfacePoint& second,
-    const std::function<bool(double)>& progress = {});
+  std::vector<SurfacePoint> between(
+    const SurfacePoint& first, const SurfacePoint& second, const ProgressCallback& progress = {});
 
 private:
   const TriangleMesh& mesh_;

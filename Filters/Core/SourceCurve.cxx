@@ -14,8 +14,6 @@ namespace geodesic
 namespace
 {
 
-using Progress = std::function<bool(double)>;
-
 /// Points put onto the surface between two calls of the progress callback.
 constexpr std::size_t PointsPerReport = 256;
 
@@ -57,8 +55,8 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
 class CurveBuilder
 {
 public:
-  CurveBuilder(const TriangleMesh& mesh, const SnapOptions& options, const Progress& progress,
-    std::size_t numberOfPoints)
+  CurveBuilder(const TriangleMesh& mesh, const SnapOptions& options,
+    const ProgressCallback& progress, std::size_t numberOfPoints)
     : mesh_(mesh)
     , options_(options)
     , progress_(progress)
@@ -96,7 +94,7 @@ private:
 
   const TriangleMesh& mesh_;
   const SnapOptions& options_;
-  const Progress& progress_;
+  const ProgressCallback& progress_;
   const double numberOfPoints_;
   std::size_t pointsPlaced_ = 0;
   /// Points of the polylines that are finished.
@@ -322,7 +320,7 @@ bool SourceCurve::isClosed() const
 }
 
 SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedPolyline>& polylines,
-  const SnapOptions& options, const std::function<bool(double)>& progress)
+  const SnapOptions& options, const ProgressCallback& progress)
 {
   std::size_t numberOfPoints = 0;
   for (const LocatedPolyline& polyline : polylines)

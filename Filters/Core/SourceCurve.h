@@ -2,10 +2,10 @@
 #ifndef geodesic_SourceCurve_h
 #define geodesic_SourceCurve_h
 
+#include "Progress.h"
 #include "SurfacePoint.h"
 #include "TriangleMesh.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -67,7 +67,7 @@ struct SourceCurves
 /// \throws SourceError where a polyline has no points, a point is not finite or has no face, or
 ///         consecutive points are in different components; Aborted.
 SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedPolyline>& polylines,
-  const SnapOptions& options, const std::function<bool(double)>& progress = {});
+  const SnapOptions& options, const ProgressCallback& progress = {});
 
 /// The whole boundary of the surface: one closed curve along mesh edges a loop. Where not exactly
 /// two boundary edges meet at a vertex, curves end there (they may begin there, too). Every
