@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <string>
+#include <iostream>
 
 using namespace geodesictest;
 using geodesic::Id;
@@ -90,7 +90,7 @@ TEST(FlatParts, PencilsStayWhole)
 {
   for (const double bend : { 0.0, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, -1e-3, -1e-4, -1e-6, -1e-8 })
   {
-    SCOPED_TRACE("bend " + std::to_string(bend));
+    SCOPED_TRACE(::testing::Message() << "bend " << bend);
     Random random(5);
     const Strip strip(200, 30, bend, random);
     const geodesic::TriangleMesh mesh = engineMesh(strip.mesh());
