@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceField.h"
 
-#include "AdaptiveRefinement.h"
-#include "ArrayMemory.h"
+#include "refinement/AdaptiveRefinement.h"
+#include "refinement/SolveForRefinement.h"
+#include "PolyData/ArrayMemory.h"
 #include "Errors.h"
-#include "ParallelFor.h"
-#include "PolyDataSource.h"
-#include "PolyDataSurface.h"
-#include "Propagation.h"
-#include "RefinedPolyData.h"
+#include "PolyData/ParallelFor.h"
+#include "PolyData/PolyDataSource.h"
+#include "PolyData/PolyDataSurface.h"
+#include "field/Solve.h"
+#include "PolyData/RefinedPolyData.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -331,19 +332,10 @@ vtkGeodesicDistanceField::vtkInternals::Result vtkGeodesicDistanceField::vtkInte
 geodesic::DistanceField vtkGeodesicDistanceField::vtkInternals::Solve(
   const std::vector<geodesic::SourceCurve>& curves, bool refine)
 {
-  geodesic::SolveOptions options;
-  if (refine)
-  {
-    options.keepWindows = geodesic::KeepWindows::WhereCurved;
-    options.flatTolerance = this->Tolerance();
-  }
+  geodesic::FrontOptions options;
   if (this->Self->Accuracy == APPROXIMATE)
   {
     options.relativeError = this->Self->RelativeError;
-    if (refine)
-    {
-      options.mostMerged = geodesic::mostMergedFor(this->Tolerance());
-    }
   }
   if (this->Self->MaximumDistance > 0.0)
   {
@@ -352,7 +344,9 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkInternals::Solve(
   options.parallelFor = geodesic::smpParallelFor();
   options.progress =
     this->ProgressBetween(SourceDone, refine ? FieldDoneBeforeRefinement : FieldDone);
-  return geodesic::solve(this->Surface->mesh(), curves, options);
+  const geodesic::TriangleMesh& mesh = this->Surface->mesh();
+  return refine ? geodesic::solveForRefinement(mesh, curves, this->Tolerance(), options)
+                : geodesic::solve(mesh, curves, options);
 }
 
 //------------------------------------------------------------------------------

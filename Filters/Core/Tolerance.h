@@ -11,7 +11,7 @@ namespace geodesic::tolerance
 /// Rounding of one operation in double precision.
 constexpr double Rounding = std::numeric_limits<double>::epsilon();
 
-/// A face has zero area when twice its area is below this fraction of its longest side squared: the
+/// A face has zero area when twice its area is below this fraction of its longest halfedge squared: the
 /// cross product of collinear corners leaves a few roundings. Only counted, never treated apart.
 constexpr double ZeroArea = 8.0 * Rounding;
 
@@ -20,7 +20,7 @@ constexpr double ZeroArea = 8.0 * Rounding;
 /// by more than this fraction.
 constexpr double FlatAngle = 1e-13;
 
-/// A window narrower than this fraction of its side is not kept: its ends cannot be told apart
+/// A window narrower than this fraction of its halfedge is not kept: its ends cannot be told apart
 /// after rounding, and a gap of this width moves no distance by more than itself.
 constexpr double LeastWidth = 4.0 * Rounding;
 
@@ -56,25 +56,25 @@ constexpr double PathAtVertex = 64.0 * Rounding;
 /// rounding of millions of terms cannot put it below the distance.
 constexpr double BoundMargin = 1e-9;
 
-/// A source is taken to lie at least this fraction of a side's length below the side it shines
+/// A source is taken to lie at least this fraction of a halfedge's length below the halfedge it shines
 /// through: in a face without area its rays would otherwise have no direction. Moves it by
 /// rounding.
 constexpr double SourceDepth = 8.0 * Rounding;
 
 /// A vertex nearer to a source's point than this fraction of a face emits as a pseudo-source.
-/// Windows of the point have ends rounded to a fraction Rounding of a side, so that as seen from
+/// Windows of the point have ends rounded to a fraction Rounding of a halfedge, so that as seen from
 /// the vertex gaps of an angle Rounding / NearVertex may open between them; the vertex covers
 /// these.
 constexpr double NearVertex = 1e-5;
 
-/// A merged window's source lies at least this fraction of its width below the side: the directions
-/// of its rays are told from sourceDepth, and near the side rounding would turn them.
+/// A merged window's source lies at least this fraction of its width below the halfedge: the directions
+/// of its rays are told from sourceDepth, and near the halfedge rounding would turn them.
 constexpr double MergedDepth = 1e-6;
 
-/// A source's point is near a side when nearer than this fraction of its length. The ends of
-/// windows on the side are rounded to a fraction Rounding of it, which seen from the point is an
-/// angle of Rounding / NearSide: from nearer its rays are sent through the face behind in one step.
-constexpr double NearSide = 1e-6;
+/// A source's point is near a halfedge when nearer than this fraction of its length. The ends of
+/// windows on the halfedge are rounded to a fraction Rounding of it, which seen from the point is an
+/// angle of Rounding / NearEdge: from nearer its rays are sent through the face behind in one step.
+constexpr double NearEdge = 1e-6;
 
 /// In one face, distances from its windows are compared up to this fraction: each is a tie off, and
 /// a few are added up.
@@ -91,7 +91,7 @@ constexpr double PencilMargin = 1e-12;
 /// joint's place carries the rounding of the crossing that was solved for it.
 constexpr double JointFraction = 1e-9;
 
-/// Rays that meet their side at a smaller angle (about the root of the rounding) run along it: the
+/// Rays that meet their halfedge at a smaller angle (about the root of the rounding) run along it: the
 /// cosine of such an angle is 1 to the last digit, so that rounding alone would tell where they go.
 constexpr double GrazingAngle = 1e-8;
 
@@ -119,7 +119,7 @@ constexpr double LeastAngleFraction = 0.6;
 constexpr double WorthThinParts = 2.5;
 constexpr double LeastAngleOfThinParts = 0.05;
 
-/// Of the tolerance of a refinement, what merging may change on one side: the faces at a point then
+/// Of the tolerance of a refinement, what merging may change on one halfedge: the faces at a point then
 /// differ by no more, which is left over from the tolerance for the triangles. With more, many more
 /// triangles are needed; with less, more windows.
 constexpr double MergedOfRefinement = 0.1;
@@ -128,12 +128,12 @@ constexpr double MergedOfRefinement = 0.1;
 /// of its edges, which quarters the deviation where the distance is smooth and halves it at a kink.
 constexpr double SplitOnce = 2.0;
 
-/// Of the refinement's tolerance: how near its interpolant the distance on the sides is to be for a
+/// Of the refinement's tolerance: how near its interpolant the distance on the halfedges is to be for a
 /// face to be told flat without its windows being looked at again. It counts twice, above and
 /// below, and the gradient in the face adds to both.
 constexpr double NearLine = 0.25;
 
-/// Of that: the widest gap between windows of such a side.
+/// Of that: the widest gap between windows of such a halfedge.
 constexpr double NearLineGap = 0.25;
 
 }

@@ -10,7 +10,7 @@
 namespace geodesic
 {
 
-/// Id of a vertex, a face or a side. 32 bits hold the sides of 1.4 billion faces; TriangleMesh
+/// Id of a vertex, a face or a halfedge. 32 bits hold the halfedges of 1.4 billion faces; TriangleMesh
 /// refuses more with MeshTooLarge. Counts of windows are 64-bit.
 using Id = std::uint32_t;
 

@@ -4,12 +4,13 @@
 #include "BenchmarkMesh.h"
 #include "BenchmarkPeers.h"
 
-#include "AdaptiveRefinement.h"
-#include "FaceEnvelope.h"
-#include "ParallelFor.h"
-#include "PolyDataSource.h"
-#include "PolyDataSurface.h"
-#include "Propagation.h"
+#include "refinement/AdaptiveRefinement.h"
+#include "refinement/SolveForRefinement.h"
+#include "field/FaceEnvelope.h"
+#include "PolyData/ParallelFor.h"
+#include "PolyData/PolyDataSource.h"
+#include "PolyData/PolyDataSurface.h"
+#include "field/Solve.h"
 
 #include "vtkDijkstraGraphGeodesicPath.h"
 #include "vtkNew.h"
@@ -328,7 +329,7 @@ double windowsPerEdge(const geodesic::DistanceField& field)
   const geodesic::TriangleMesh& mesh = field.mesh();
   geodesic::FaceEnvelope envelope(field);
   std::size_t pieces = 0;
-  for (geodesic::Id side = 0; side < mesh.numberOfSides(); ++side)
+  for (geodesic::Id side = 0; side < mesh.numberOfHalfedges(); ++side)
   {
     const geodesic::Id face = geodesic::TriangleMesh::faceOf(side);
     const auto& distances = field.vertexDistances();
@@ -384,30 +385,33 @@ std::vector<double> atPoints(
 }
 
 /// As the filter sets them.
-geodesic::SolveOptions solveOptionsFor(const Options& options, double diagonal)
+geodesic::FrontOptions frontOptionsFor(const Options& options)
 {
-  geodesic::SolveOptions solveOptions;
-  solveOptions.relativeError = options.relativeError;
-  solveOptions.parallelFor = geodesic::smpParallelFor();
-  if (options.refine > 0.0)
-  {
-    solveOptions.mostMerged = geodesic::mostMergedFor(options.refine * diagonal);
-    solveOptions.keepWindows = geodesic::KeepWindows::WhereCurved;
-    solveOptions.flatTolerance = options.refine * diagonal;
-  }
-  return solveOptions;
+  geodesic::FrontOptions frontOptions;
+  frontOptions.relativeError = options.relativeError;
+  frontOptions.parallelFor = geodesic::smpParallelFor();
+  return frontOptions;
+}
+
+geodesic::DistanceField solveField(const geodesic::TriangleMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves, double refinementTolerance,
+  const geodesic::FrontOptions& options)
+{
+  return refinementTolerance > 0.0
+    ? geodesic::solveForRefinement(mesh, curves, refinementTolerance, options)
+    : geodesic::solve(mesh, curves, options);
 }
 
 /// The same, of the field of a solve; solves anew where not all windows were kept.
 double windowsPerEdge(const geodesic::DistanceField& field,
-  const std::vector<geodesic::SourceCurve>& curves, geodesic::SolveOptions options)
+  const std::vector<geodesic::SourceCurve>& curves, const geodesic::FrontOptions& options)
 {
-  if (field.hasWindows() && field.keptTolerance() == 0.0)
+  if (field.hasWindows() && field.droppedTolerance() == 0.0)
   {
     return windowsPerEdge(field);
   }
-  options.keepWindows = geodesic::KeepWindows::All;
-  return windowsPerEdge(geodesic::solve(field.mesh(), curves, options));
+  return windowsPerEdge(
+    geodesic::solve(field.mesh(), curves, options, geodesic::KeepWindows::All));
 }
 
 geodesic::RefinedMesh refineField(const geodesic::DistanceField& field, double tolerance)
@@ -429,8 +433,9 @@ std::vector<double> measureEngine(
   const double buildSeconds = watch.lap();
   const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
   const double sourceSeconds = watch.lap();
-  const geodesic::SolveOptions solveOptions = solveOptionsFor(options, surface.diagonal());
-  const auto field = geodesic::solve(surface.mesh(), curves, solveOptions);
+  const geodesic::FrontOptions frontOptions = frontOptionsFor(options);
+  const auto field =
+    solveField(surface.mesh(), curves, options.refine * surface.diagonal(), frontOptions);
   const double solveSeconds = watch.lap();
   json << ", \"faces\": " << surface.mesh().numberOfFaces()
        << ", \"edges\": " << surface.mesh().numberOfEdges() << ", \"build_s\": " << buildSeconds
@@ -455,14 +460,14 @@ std::vector<double> measureEngine(
 
   if (options.envelope)
   {
-    json << ", \"windows_per_edge\": " << windowsPerEdge(field, curves, solveOptions);
+    json << ", \"windows_per_edge\": " << windowsPerEdge(field, curves, frontOptions);
   }
   if (!options.error)
   {
     return {};
   }
-  geodesic::SolveOptions exactOptions;
-  exactOptions.parallelFor = solveOptions.parallelFor;
+  geodesic::FrontOptions exactOptions;
+  exactOptions.parallelFor = frontOptions.parallelFor;
   auto exact = atPoints(geodesic::solve(surface.mesh(), curves, exactOptions), surface);
   json << ", \"max_relative_error\": "
        << numberOrNull(largestRelativeError(atPoints(field, surface), exact));

@@ -86,13 +86,13 @@ std::vector<geodesic::SourceCurve> engineCurves(
 Sources boundarySources(const geodesic::TriangleMesh& mesh)
 {
   Sources result;
-  for (geodesic::Id side = 0; side < mesh.numberOfSides(); ++side)
+  for (geodesic::Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
   {
-    if (mesh.isBoundary(side))
+    if (mesh.isBoundary(halfedge))
     {
-      MeshSegment edge{ mesh.inputFace(side / 3), { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
-      edge.from[side % 3] = 1.0;
-      edge.to[(side + 1) % 3] = 1.0;
+      MeshSegment edge{ mesh.inputFace(halfedge / 3), { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
+      edge.from[halfedge % 3] = 1.0;
+      edge.to[(halfedge + 1) % 3] = 1.0;
       result.segments.push_back(edge);
     }
   }
@@ -101,14 +101,13 @@ Sources boundarySources(const geodesic::TriangleMesh& mesh)
 
 geodesic::DistanceField solveKeepingAll(const geodesic::TriangleMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves, double relativeError, double maximumDistance,
-  double mostMerged)
+  double maximumMerged)
 {
-  geodesic::SolveOptions options;
-  options.keepWindows = geodesic::KeepWindows::All;
+  geodesic::FrontOptions options;
   options.relativeError = relativeError;
   options.maximumDistance = maximumDistance;
-  options.mostMerged = mostMerged;
-  return geodesic::solve(mesh, curves, options);
+  options.maximumMerged = maximumMerged;
+  return geodesic::solve(mesh, curves, options, geodesic::KeepWindows::All);
 }
 
 EngineResult valuesOf(const geodesic::DistanceField& field, const std::vector<MeshPoint>& queries)

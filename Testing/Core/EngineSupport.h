@@ -2,15 +2,15 @@
 #ifndef geodesictest_EngineSupport_h
 #define geodesictest_EngineSupport_h
 
-#include "BruteForce.h"
-#include "RandomCurves.h"
-#include "RandomMeshKinds.h"
-#include "TestMeshes.h"
+#include "truth/BruteForce.h"
+#include "truth/RandomCurves.h"
+#include "truth/RandomMeshKinds.h"
+#include "truth/TestMeshes.h"
 
-#include "Propagation.h"
-#include "SourceCurve.h"
-#include "SurfacePoint.h"
-#include "TriangleMesh.h"
+#include "field/Solve.h"
+#include "source/SourceCurve.h"
+#include "mesh/SurfacePoint.h"
+#include "mesh/TriangleMesh.h"
 
 #include <string>
 #include <vector>
@@ -38,7 +38,7 @@ Sources boundarySources(const geodesic::TriangleMesh& mesh);
 /// Solves with all windows kept.
 geodesic::DistanceField solveKeepingAll(const geodesic::TriangleMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves, double relativeError = 0.0,
-  double maximumDistance = geodesic::Infinity, double mostMerged = geodesic::Infinity);
+  double maximumDistance = geodesic::Infinity, double maximumMerged = geodesic::Infinity);
 
 /// What the engine computes, laid out like the brute force's result.
 struct EngineResult

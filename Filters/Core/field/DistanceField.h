@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_DistanceField_h
+#define geodesic_DistanceField_h
+
+#include "front/Front.h"
+#include "front/Retention.h"
+#include "mesh/SurfacePoint.h"
+#include "mesh/TriangleMesh.h"
+#include "window/WindowArchive.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace geodesic
+{
+
+/// The geodesic distance to the sources: at the vertices, and where windows were kept at any point
+/// of the surface. Made by solve(); the mesh must outlive it.
+class DistanceField
+{
+public:
+  DistanceField(const TriangleMesh& mesh, FrontResult front, KeptWindows kept);
+
+  /// Distance at each vertex, in the surface's units; +infinity where the front did not come.
+  const std::vector<double>& vertexDistances() const { return this->front_.vertexDistances; }
+
+  /// What is certified about the relative error: no distance is larger than the exact one, and none
+  /// smaller by more than this fraction of it. 0 in the exact field.
+  double relativeErrorBound() const { return this->front_.relativeErrorBound; }
+
+  /// Number of windows put on halfedges during the solve.
+  std::uint64_t windowsPropagated() const { return this->front_.windowsPropagated; }
+
+  /// The windows that enter the halfedge's face through it, in no order; several may overlap. Empty
+  /// where none were kept.
+  WindowRuns windowsOn(Id halfedge) const;
+
+  /// The sources that lie in a face.
+  std::vector<SourceInFace> sourcesIn(Id face) const;
+
+  const TriangleMesh& mesh() const { return *this->mesh_; }
+
+  /// Whether windows were kept, so that distance() and path() can be called.
+  bool hasWindows() const { return this->kept_.windows.isIndexed(); }
+
+  /// Whether the inside of a face is known: it is complete and its windows were kept.
+  bool knowsInside(Id face) const
+  {
+    return this->isComplete(face) && (this->kept_.faces.empty() || this->kept_.faces[face]);
+  }
+
+  /// What windows of flat faces were dropped by; 0 where all were kept.
+  double droppedTolerance() const { return this->kept_.droppedTolerance; }
+  /// Certified: in faces whose windows were dropped, no closure by triangles between points of the
+  /// edges differs by more from the distance.
+  double droppedErrorBound() const { return this->kept_.droppedErrorBound; }
+
+  /// Exact distance at a point of the surface; +infinity where the front did not come, which with a
+  /// limit is every face without a point within it. Thread-safe.
+  ///
+  /// \throws Error where no windows were kept.
+  double distance(const SurfacePoint& point) const;
+
+  /// The shortest path from the point back to the source, as points of the surface: the point, a
+  /// point on every edge it crosses, the vertices it passes, its end on the source. One of them
+  /// where there are several. Empty where the point was not reached.
+  ///
+  /// \throws Error where no windows were kept.
+  std::vector<SurfacePoint> path(const SurfacePoint& from) const;
+
+private:
+  /// The last straight piece of a shortest path to a point: it comes through one face from `from`.
+  struct LastPiece
+  {
+    double distance = Infinity;
+    /// Length of the piece.
+    double length = 0.0;
+    SurfacePoint from;
+    bool fromSource = false;
+    /// The face of the piece.
+    Id face = NoId;
+  };
+
+  bool isComplete(Id face) const
+  {
+    return this->front_.completeFaces.empty() || this->front_.completeFaces[face];
+  }
+  void requireWindows() const;
+  LastPiece arrive(const SurfacePoint& point, const std::vector<Id>& crossed) const;
+  void arriveThrough(Id face, const SurfacePoint& point, bool ownHalfedges, LastPiece& best) const;
+  void arriveFromCorners(
+    Id face, const SurfacePoint& point, const std::array<double, 3>& b, LastPiece& best) const;
+  void arriveFromSources(Id face, const std::array<double, 3>& b, LastPiece& best) const;
+  void arriveThroughHalfedge(Id halfedge, const std::array<double, 3>& b, LastPiece& best) const;
+
+  const TriangleMesh* mesh_ = nullptr;
+  FrontResult front_;
+  KeptWindows kept_;
+};
+
+}
+
+#endif

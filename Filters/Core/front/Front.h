@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_Front_h
+#define geodesic_Front_h
+
+#include "Progress.h"
+#include "front/Retention.h"
+#include "mesh/TriangleMesh.h"
+#include "source/SourceCurve.h"
+#include "source/SourceWindows.h"
+
+#include <functional>
+#include <vector>
+
+namespace geodesic
+{
+
+/// Runs task(0) to task(count - 1), in any order and at the same time if it likes, and returns when
+/// all are done.
+using ParallelFor =
+  std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
+
+struct FrontOptions
+{
+  /// 0: exact. Otherwise the largest relative error of any distance against the exact one, for
+  /// which windows are merged (paper, section 5).
+  double relativeError = 0.0;
+  /// With a relative error: the most that merging the windows of one halfedge may change the
+  /// distance there, in the surface's units. The distances of two faces at a point of their edge
+  /// then differ by no more.
+  double maximumMerged = Infinity;
+  /// Stop there, in the surface's units. Every face that has a point within the limit is complete:
+  /// all its vertices (and its inside, where the retention needs it) have exact values.
+  double maximumDistance = Infinity;
+  /// Absent: one task after another. The result does not depend on it.
+  ParallelFor parallelFor;
+  /// Called now and then, at least ten times a second, with the fraction done in [0, 1]; returning
+  /// false stops the front with Aborted.
+  ProgressCallback progress;
+};
+
+/// What the front leaves behind, besides the windows that the retention has kept.
+struct FrontResult
+{
+  /// Distance at each vertex, in the surface's units; +infinity where the front did not come.
+  std::vector<double> vertexDistances;
+  /// The sources that lie in faces, in the order of the faces.
+  std::vector<SourceInFace> sourcesInFaces;
+  /// With a limit: whether each face is complete. Empty where all are.
+  std::vector<std::uint8_t> completeFaces;
+  /// Certified: no distance is larger than the exact one, and none smaller by more than this
+  /// fraction of it. 0 in the exact field.
+  double relativeErrorBound = 0.0;
+  /// Number of windows put on halfedges.
+  std::uint64_t windowsPropagated = 0;
+};
+
+/// Computes the geodesic distance to the curves at the vertices, exact or within a relative error
+/// (paper, sections 3 to 5), and hands the windows that have passed to the retention.
+///
+/// \throws SourceError where there is no curve; Error where the relative error is not a number >= 0;
+///         Aborted.
+FrontResult propagate(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
+  const FrontOptions& options, Retention& retention);
+
+}
+
+#endif

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "front/SaddleWedge.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// A corner that a walk around the vertex came to, and whether it came across the corner's first
+/// spoke (the halfedge that begins at the vertex) or its second (the one that ends there).
+struct Stop
+{
+  Id corner = NoId;
+  bool acrossFirst = true;
+
+  Id leavingSpoke() const
+  {
+    return this->acrossFirst ? TriangleMesh::previousInFace(this->corner) : this->corner;
+  }
+};
+
+/// Where the straight continuation of the arriving path leaves through the halfedge opposite a corner.
+struct Continuation
+{
+  enum class Found
+  {
+    Yes,
+    /// The boundary comes before it.
+    No,
+    Unknown
+  };
+  Found found = Found::Unknown;
+  Stop stop;
+  double x = 0.0;
+
+  /// The part of the halfedge on the far side of the continuation.
+  EmittedInterval lit(double length) const
+  {
+    return this->stop.acrossFirst ? EmittedInterval{ this->stop.corner, this->x, length }
+                                  : EmittedInterval{ this->stop.corner, 0.0, this->x };
+  }
+};
+
+// Rotations are unit complex numbers, so that no angle has to be computed.
+Vec2 unit(Vec2 v)
+{
+  return (1.0 / norm(v)) * v;
+}
+
+Vec2 rotated(Vec2 v, Vec2 by)
+{
+  return { v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x };
+}
+
+Vec2 rotationOf(const TriangleMesh& mesh, Id corner)
+{
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(corner));
+  return unit({ shape.cornerDot[corner % 3], shape.area2 });
+}
+
+Stop across(const TriangleMesh& mesh, Id vertex, Id spoke)
+{
+  const Id other = mesh.nextSibling(spoke);
+  return mesh.origin(other) == vertex ? Stop{ other, true }
+                                      : Stop{ TriangleMesh::nextInFace(other), false };
+}
+
+// Where the ray that leaves the vertex at a direction from the spoke that was crossed meets the
+// opposite halfedge.
+double meet(const TriangleMesh& mesh, const Stop& stop, Vec2 direction)
+{
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(stop.corner));
+  const double spoke =
+    mesh.length(stop.acrossFirst ? stop.corner : TriangleMesh::previousInFace(stop.corner));
+  const Vec2 other = (1.0 / spoke) * Vec2{ shape.cornerDot[stop.corner % 3], shape.area2 };
+  const double before = direction.y * spoke;
+  const double behind = direction.x * other.y - direction.y * other.x;
+  const double t = std::clamp(before / (before + behind), 0.0, 1.0);
+  return mesh.length(TriangleMesh::nextInFace(stop.corner)) * (stop.acrossFirst ? t : 1.0 - t);
+}
+
+// Walks away from the arriving path, whose angle to the first spoke to be crossed is given, until
+// the angle is pi.
+Continuation continueAcross(const TriangleMesh& mesh, Id vertex, Id spoke, Vec2 angle)
+{
+  Continuation result;
+  for (std::size_t left = mesh.cornersAt(vertex).size(); left > 0; --left)
+  {
+    if (mesh.isBoundary(spoke))
+    {
+      result.found = Continuation::Found::No;
+      return result;
+    }
+    if (!mesh.isInner(spoke))
+    {
+      return result;
+    }
+    result.stop = across(mesh, vertex, spoke);
+    if (!(mesh.shape(TriangleMesh::faceOf(result.stop.corner)).area2 > 0.0))
+    {
+      return result;
+    }
+    const Vec2 next = rotated(angle, rotationOf(mesh, result.stop.corner));
+    if (next.y < 0.0 || (next.y == 0.0 && next.x < 0.0))
+    {
+      result.found = Continuation::Found::Yes;
+      result.x = meet(mesh, result.stop, { -angle.x, angle.y });
+      return result;
+    }
+    angle = { next.x, next.y };
+    spoke = result.stop.leavingSpoke();
+  }
+  return result;
+}
+
+// Lights what is behind a continuation up to the other one, or to the boundary: whether it came to
+// the other one.
+bool light(const TriangleMesh& mesh, Id vertex, const Continuation& from, const Continuation& to,
+  std::vector<EmittedInterval>& lit)
+{
+  const auto length = [&mesh](Id corner) { return mesh.length(TriangleMesh::nextInFace(corner)); };
+  const bool closed = to.found == Continuation::Found::Yes;
+  EmittedInterval part = from.lit(length(from.stop.corner));
+  Stop stop = from.stop;
+  for (std::size_t left = mesh.cornersAt(vertex).size(); left > 0; --left)
+  {
+    if (closed && stop.corner == to.stop.corner)
+    {
+      const EmittedInterval end = to.lit(length(stop.corner));
+      lit.push_back({ stop.corner, std::max(part.begin, end.begin), std::min(part.end, end.end) });
+      return true;
+    }
+    lit.push_back(part);
+    const Id spoke = stop.leavingSpoke();
+    if (mesh.isBoundary(spoke))
+    {
+      break;
+    }
+    stop = across(mesh, vertex, spoke);
+    part = { stop.corner, 0.0, length(stop.corner) };
+  }
+  return false;
+}
+
+} // anonymous namespace
+
+bool findSaddleWedge(
+  const TriangleMesh& mesh, Id vertex, const Arrival& arrival, std::vector<EmittedInterval>& lit)
+{
+  lit.clear();
+  if (arrival.halfedge == NoId)
+  {
+    return false;
+  }
+  const Id corner = TriangleMesh::previousInFace(arrival.halfedge);
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(corner));
+  const double first = mesh.length(corner);
+  if (!(shape.area2 > 0.0))
+  {
+    return false;
+  }
+  // In the corner's frame: its first spoke along the x axis.
+  const Vec2 second = (1.0 / first) * Vec2{ shape.cornerDot[corner % 3], shape.area2 };
+  const double t = arrival.x / mesh.length(arrival.halfedge);
+  const Vec2 back = unit(Vec2{ first, 0.0 } + t * (second - Vec2{ first, 0.0 }));
+  const Vec2 toSecond = rotated(unit(second), { back.x, -back.y });
+  const auto positive = [](Vec2 v) { return Vec2{ v.x, std::max(v.y, 0.0) }; };
+  const Continuation onSecond =
+    continueAcross(mesh, vertex, TriangleMesh::previousInFace(corner), positive(toSecond));
+  const Continuation onFirst = continueAcross(mesh, vertex, corner, positive(back));
+  using Found = Continuation::Found;
+  if (onSecond.found == Found::Unknown || onFirst.found == Found::Unknown)
+  {
+    return false;
+  }
+  const bool met = onSecond.found == Found::Yes && light(mesh, vertex, onSecond, onFirst, lit);
+  if (onFirst.found == Found::Yes && !met)
+  {
+    light(mesh, vertex, onFirst, onSecond, lit);
+  }
+  return true;
+}
+
+}

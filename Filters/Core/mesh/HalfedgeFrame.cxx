@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/HalfedgeFrame.h"
+
+namespace geodesic
+{
+
+Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& point)
+{
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
+  const std::size_t k = halfedge % 3;
+  const std::size_t next = (k + 1) % 3;
+  const std::size_t previous = (k + 2) % 3;
+  const double length = shape.length[k];
+  if (length == 0.0)
+  {
+    return { 0.0, point[previous] * shape.length[next] };
+  }
+  return { point[next] * length + point[previous] * shape.cornerDot[k] / length,
+    point[previous] * shape.area2 / length };
+}
+
+Vec2 apexOf(const TriangleMesh& mesh, Id halfedge)
+{
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
+  const double length = shape.length[halfedge % 3];
+  return { shape.cornerDot[halfedge % 3] / length, shape.area2 / length };
+}
+
+Id longestHalfedge(const TriangleMesh& mesh, Id face)
+{
+  return 3 * face + static_cast<Id>(mesh.shape(face).longestEdge());
+}
+
+double distanceInFace(const TriangleMesh& mesh, Id face, const Barycentric& a, const Barycentric& b)
+{
+  const Id halfedge = longestHalfedge(mesh, face);
+  return norm(inHalfedgeFrame(mesh, halfedge, a) - inHalfedgeFrame(mesh, halfedge, b));
+}
+
+}

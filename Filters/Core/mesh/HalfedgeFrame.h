@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_HalfedgeFrame_h
+#define geodesic_HalfedgeFrame_h
+
+#include "mesh/TriangleMesh.h"
+
+namespace geodesic
+{
+
+/// Barycentric coordinates of a point of a face.
+using Barycentric = std::array<double, 3>;
+
+/// A point of a face in the frame of one of its halfedges: the halfedge along the x axis from its
+/// origin, the face above.
+Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& point);
+
+/// The apex of that frame: the vertex opposite the halfedge, which must have a length.
+Vec2 apexOf(const TriangleMesh& mesh, Id halfedge);
+
+/// The face's longest halfedge, whose frame serves for the whole face.
+Id longestHalfedge(const TriangleMesh& mesh, Id face);
+
+/// The straight distance within a face.
+double distanceInFace(
+  const TriangleMesh& mesh, Id face, const Barycentric& a, const Barycentric& b);
+
+}
+
+#endif

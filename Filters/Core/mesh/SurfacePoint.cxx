@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/SurfacePoint.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// The corner (0, 1, 2) of the face at a vertex; NoId where the face does not have it.
+Id cornerWith(const TriangleMesh& mesh, Id face, Id vertex)
+{
+  const Triangle& corners = mesh.triangle(face);
+  for (Id k = 0; k < 3; ++k)
+  {
+    if (corners[k] == vertex)
+    {
+      return k;
+    }
+  }
+  return NoId;
+}
+
+/// The point on the halfedge opposite corner k; a vertex where the fraction cannot be told from 0 or 1.
+SurfacePoint onEdgeOpposite(
+  const TriangleMesh& mesh, Id face, Id k, const std::array<double, 3>& weights)
+{
+  const Id halfedge = 3 * face + (k + 1) % 3;
+  const double begin = weights[(k + 1) % 3];
+  const double end = weights[(k + 2) % 3];
+  const double fraction = end / (begin + end);
+  if (!(fraction > 0.0))
+  {
+    return SurfacePoint::atVertex(mesh.origin(halfedge));
+  }
+  if (!(fraction < 1.0))
+  {
+    return SurfacePoint::atVertex(mesh.destination(halfedge));
+  }
+  return SurfacePoint::onEdge(halfedge, fraction);
+}
+
+/// Whether two halfedges are of one edge.
+bool sameEdge(const TriangleMesh& mesh, Id a, Id b)
+{
+  return std::minmax({ mesh.origin(a), mesh.destination(a) }) ==
+    std::minmax({ mesh.origin(b), mesh.destination(b) });
+}
+
+bool sameEdgePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
+{
+  if (!sameEdge(mesh, a.id, b.id))
+  {
+    return false;
+  }
+  if (mesh.origin(a.id) == mesh.origin(b.id))
+  {
+    return a.u == b.u;
+  }
+  return std::abs(a.u - (1.0 - b.u)) <= std::numeric_limits<double>::epsilon();
+}
+
+}
+
+SurfacePoint fromBarycentric(
+  const TriangleMesh& mesh, Id face, const std::array<double, 3>& coordinates)
+{
+  std::array<double, 3> weights;
+  for (int k = 0; k < 3; ++k)
+  {
+    weights[k] = std::max(coordinates[k], 0.0);
+  }
+  const double sum = weights[0] + weights[1] + weights[2];
+  const double u = weights[1] / sum;
+  const double v = weights[2] / sum;
+  // Corner 0's coordinate is stored as 1 - u - v: too small a one is lost there, and is zero.
+  const std::array<bool, 3> isZero = { weights[0] == 0.0 || 1.0 - u - v <= 0.0, u == 0.0,
+    v == 0.0 };
+
+  const auto zeros = std::count(isZero.begin(), isZero.end(), true);
+  if (zeros == 0)
+  {
+    return SurfacePoint::inFace(face, u, v);
+  }
+  if (zeros == 1)
+  {
+    const auto k = std::find(isZero.begin(), isZero.end(), true) - isZero.begin();
+    return onEdgeOpposite(mesh, face, static_cast<Id>(k), weights);
+  }
+  const auto largest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+  return SurfacePoint::atVertex(mesh.triangle(face)[static_cast<std::size_t>(largest)]);
+}
+
+SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    return point;
+  }
+  const Id face =
+    point.kind == SurfacePoint::Kind::Face ? point.id : TriangleMesh::faceOf(point.id);
+  return fromBarycentric(mesh, face, barycentric(mesh, point, face));
+}
+
+std::array<double, 3> barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id face)
+{
+  std::array<double, 3> result = { 0.0, 0.0, 0.0 };
+  switch (point.kind)
+  {
+    case SurfacePoint::Kind::Vertex:
+      result[cornerWith(mesh, face, point.id)] = 1.0;
+      break;
+    case SurfacePoint::Kind::Edge:
+      // By vertex, as halfedges of one edge may run either way.
+      result[cornerWith(mesh, face, mesh.origin(point.id))] = 1.0 - point.u;
+      result[cornerWith(mesh, face, mesh.destination(point.id))] = point.u;
+      break;
+    case SurfacePoint::Kind::Face:
+      result = { 1.0 - point.u - point.v, point.u, point.v };
+      break;
+  }
+  return result;
+}
+
+bool contains(const TriangleMesh& mesh, Id face, const SurfacePoint& point)
+{
+  switch (point.kind)
+  {
+    case SurfacePoint::Kind::Vertex:
+      return cornerWith(mesh, face, point.id) != NoId;
+    case SurfacePoint::Kind::Edge:
+      return cornerWith(mesh, face, mesh.origin(point.id)) != NoId &&
+        cornerWith(mesh, face, mesh.destination(point.id)) != NoId;
+    case SurfacePoint::Kind::Face:
+      break;
+  }
+  return face == point.id;
+}
+
+Id someFace(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  switch (point.kind)
+  {
+    case SurfacePoint::Kind::Vertex:
+    {
+      const IdRange corners = mesh.cornersAt(point.id);
+      return corners.size() == 0 ? NoId : TriangleMesh::faceOf(*corners.begin());
+    }
+    case SurfacePoint::Kind::Edge:
+      return TriangleMesh::faceOf(point.id);
+    case SurfacePoint::Kind::Face:
+      break;
+  }
+  return point.id;
+}
+
+Id commonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
+{
+  Id lowest = NoId;
+  forEachFace(mesh, a,
+    [&](Id face)
+    {
+      if (face < lowest && contains(mesh, face, b))
+      {
+        lowest = face;
+      }
+    });
+  return lowest;
+}
+
+bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
+{
+  if (a.kind != b.kind)
+  {
+    return false;
+  }
+  if (a.kind == SurfacePoint::Kind::Edge)
+  {
+    return sameEdgePlace(mesh, a, b);
+  }
+  return a.id == b.id && a.u == b.u && a.v == b.v;
+}
+
+Vec3 position(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  switch (point.kind)
+  {
+    case SurfacePoint::Kind::Vertex:
+      return mesh.point(point.id);
+    case SurfacePoint::Kind::Edge:
+    {
+      const Vec3& origin = mesh.point(mesh.origin(point.id));
+      return origin + point.u * (mesh.point(mesh.destination(point.id)) - origin);
+    }
+    case SurfacePoint::Kind::Face:
+      break;
+  }
+  const Triangle& corners = mesh.triangle(point.id);
+  const Vec3& origin = mesh.point(corners[0]);
+  return origin + point.u * (mesh.point(corners[1]) - origin) +
+    point.v * (mesh.point(corners[2]) - origin);
+}
+
+}

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/SurfaceSnap.h"
+
+#include "Tolerance.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// A face in space. Positions are always relative to one of its corners, so that little is lost far
+/// from the origin.
+class Face
+{
+public:
+  Face(const TriangleMesh& mesh, Id face)
+    : shape_(mesh.shape(face))
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      this->corner_[k] = mesh.point(mesh.triangle(face)[k]);
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      this->edge_[k] = this->corner_[(k + 1) % 3] - this->corner_[k];
+    }
+  }
+
+  const Vec3& corner(std::size_t k) const { return this->corner_[k]; }
+  /// From corner k to corner k + 1.
+  const Vec3& edge(std::size_t k) const { return this->edge_[k]; }
+  double length(std::size_t k) const { return this->shape_.length[k]; }
+  /// Of corner k over the halfedge opposite.
+  double altitude(std::size_t k) const
+  {
+    const double base = this->shape_.length[(k + 1) % 3];
+    return base > 0.0 ? this->shape_.area2 / base : 0.0;
+  }
+  double shorterLengthAt(std::size_t k) const
+  {
+    return std::min(this->length(k), this->length((k + 2) % 3));
+  }
+  std::size_t longestEdge() const { return this->shape_.longestEdge(); }
+
+  /// From corner k to the point with these barycentric coordinates, which sum to one.
+  Vec3 fromCorner(std::size_t k, const std::array<double, 3>& weights) const
+  {
+    return weights[(k + 1) % 3] * this->edge_[k] - weights[(k + 2) % 3] * this->edge_[(k + 2) % 3];
+  }
+
+private:
+  const FaceShape& shape_;
+  std::array<Vec3, 3> corner_;
+  std::array<Vec3, 3> edge_;
+};
+
+/// A point of the face and how far the given point is from it.
+struct Candidate
+{
+  std::array<double, 3> weights{};
+  double distance = Infinity;
+};
+
+/// The fraction of the way along halfedge k of the point nearest to the one at `fromOrigin` from corner
+/// k.
+double fractionAlong(const Face& face, std::size_t k, const Vec3& fromOrigin)
+{
+  const Vec3& edge = face.edge(k);
+  const double t = dot(fromOrigin, edge) / dot(edge, edge);
+  return t > 0.0 ? std::min(t, 1.0) : 0.0; // not a number where the halfedge has no length: 0
+}
+
+Candidate closestOnEdge(const Face& face, std::size_t k, const Vec3& point)
+{
+  const Vec3 fromOrigin = point - face.corner(k);
+  const double t = fractionAlong(face, k, fromOrigin);
+  Candidate result;
+  result.weights[k] = 1.0 - t;
+  result.weights[(k + 1) % 3] = t;
+  const Vec3& nearEnd = face.corner(t < 0.5 ? k : (k + 1) % 3);
+  const Vec3 rest = (t < 0.5 ? t : t - 1.0) * face.edge(k);
+  result.distance = norm(point - nearEnd - rest);
+  return result;
+}
+
+/// The foot of the perpendicular onto the face's plane, where it is inside the face; a candidate at
+/// infinity elsewhere, and where the face has no plane.
+Candidate closestInside(const Face& face, const Vec3& point)
+{
+  const std::size_t longest = face.longestEdge();
+  const Vec3 normal = cross(face.edge((longest + 1) % 3), face.edge((longest + 2) % 3));
+  Candidate result;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const std::size_t halfedge = (k + 1) % 3;
+    const Vec3 fromEdge = point - face.corner(halfedge);
+    result.weights[k] = dot(normal, cross(face.edge(halfedge), fromEdge));
+    if (!(result.weights[k] > 0.0))
+    {
+      return {};
+    }
+    sum += result.weights[k];
+  }
+  for (double& weight : result.weights)
+  {
+    weight /= sum;
+  }
+  const Vec3 fromCorner = point - face.corner(0);
+  result.distance = norm(fromCorner - face.fromCorner(0, result.weights));
+  return result;
+}
+
+/// Of all candidates the nearest, by measured distance: in a needle the foot may be wrong by
+/// rounding, but then a halfedge is measured to be nearer.
+Candidate closestPoint(const Face& face, const Vec3& point)
+{
+  Candidate best = closestOnEdge(face, 0, point);
+  for (std::size_t k = 1; k < 3; ++k)
+  {
+    const Candidate candidate = closestOnEdge(face, k, point);
+    best = candidate.distance < best.distance ? candidate : best;
+  }
+  const Candidate inside = closestInside(face, point);
+  return inside.distance <= best.distance ? inside : best;
+}
+
+double largestCoordinate(const Face& face, const Vec3& point)
+{
+  double largest = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      largest = std::max(largest, std::abs(face.corner(k)[axis]));
+    }
+    largest = std::max(largest, std::abs(point[axis]));
+  }
+  return largest;
+}
+
+/// Moves the point onto the nearest vertex within the precision; false where there is none.
+bool snapToVertex(const Face& face, double precision, std::array<double, 3>& weights)
+{
+  double nearest = Infinity;
+  std::size_t vertex = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double distance = norm(face.fromCorner(k, weights));
+    const double reach = std::min(precision, tolerance::SnapFraction * face.shorterLengthAt(k));
+    if (distance <= reach && distance < nearest)
+    {
+      nearest = distance;
+      vertex = k;
+    }
+  }
+  if (nearest < Infinity)
+  {
+    weights = { 0.0, 0.0, 0.0 };
+    weights[vertex] = 1.0;
+    return true;
+  }
+  return false;
+}
+
+/// Moves the point straight onto the nearest halfedge within the precision, if there is one.
+void snapToEdge(const Face& face, double precision, std::array<double, 3>& weights)
+{
+  double nearest = Infinity;
+  const std::array<double, 3> given = weights;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double altitude = face.altitude(k);
+    const double distance = given[k] * altitude;
+    if (distance > std::min(precision, tolerance::SnapFraction * altitude) || distance >= nearest)
+    {
+      continue;
+    }
+    const std::size_t halfedge = (k + 1) % 3;
+    const double t = fractionAlong(face, halfedge, face.fromCorner(halfedge, given));
+    if (t > 0.0 && t < 1.0)
+    {
+      nearest = distance;
+      weights[k] = 0.0;
+      weights[halfedge] = 1.0 - t;
+      weights[(halfedge + 1) % 3] = t;
+    }
+  }
+}
+
+} // anonymous namespace
+
+SnappedPoint snapToFace(
+  const TriangleMesh& mesh, Id faceId, const Vec3& point, double coordinatePrecision)
+{
+  const Face face(mesh, faceId);
+  Candidate closest = closestPoint(face, point);
+  const double precision =
+    tolerance::SnapRoundings * coordinatePrecision * largestCoordinate(face, point);
+  if (!snapToVertex(face, precision, closest.weights))
+  {
+    snapToEdge(face, precision, closest.weights);
+  }
+
+  SnappedPoint result;
+  result.place = fromBarycentric(mesh, faceId, closest.weights);
+  result.distance = norm(point - position(mesh, result.place));
+  const double shortest = std::min({ face.length(0), face.length(1), face.length(2) });
+  result.tolerance = std::min(precision, tolerance::SnapFraction * shortest);
+  return result;
+}
+
+}

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_TriangleMesh_h
+#define geodesic_TriangleMesh_h
+
+#include "Progress.h"
+#include "Types.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace geodesic
+{
+
+/// A range of ids in an array of the mesh.
+struct IdRange
+{
+  const Id* first;
+  const Id* last;
+  const Id* begin() const { return this->first; }
+  const Id* end() const { return this->last; }
+  std::size_t size() const { return static_cast<std::size_t>(this->last - this->first); }
+};
+
+/// The metric of one face: what unfolding needs, taken from differences of coordinates so that it
+/// stays accurate in needles (lengths alone would lose half the digits).
+struct FaceShape
+{
+  /// Length of halfedge k, from corner k to corner k + 1.
+  std::array<double, 3> length;
+  /// At corner k: (p[k+1] - p[k]) . (p[k+2] - p[k]).
+  std::array<double, 3> cornerDot;
+  /// Twice the area.
+  double area2;
+
+  /// Which halfedge is the longest, and its length.
+  std::size_t longestEdge() const
+  {
+    return static_cast<std::size_t>(
+      std::max_element(this->length.begin(), this->length.end()) - this->length.begin());
+  }
+  double longest() const { return this->length[this->longestEdge()]; }
+  /// By tolerance::ZeroArea.
+  bool hasZeroArea() const;
+};
+
+/// An indexed triangle mesh of any topology: with boundary, several components, edges of three and
+/// more faces, bow-tie vertices, inconsistent orientation, zero-area faces.
+///
+/// A halfedge is one edge of one face, numbered 3 * face + k for the edge from corner k to corner k + 1
+/// (mod 3). The halfedges of one edge form a ring (nextSibling): a boundary edge's ring is its only
+/// halfedge, an inner edge's has two, a non-manifold edge's more. Nothing else about topology is
+/// stored.
+class TriangleMesh
+{
+public:
+  /// What the constructor found in its input and left out or noticed.
+  struct Report
+  {
+    /// Faces that name a vertex twice; left out.
+    Id facesWithRepeatedVertex = 0;
+    /// Faces on the same three vertices as an earlier one; left out.
+    Id duplicateFaces = 0;
+    /// Faces without area (their corners are collinear or coincide); kept, they conduct.
+    Id zeroAreaFaces = 0;
+    /// Vertices that no kept face uses; their distance stays infinite.
+    Id isolatedVertices = 0;
+    /// Edges of three and more faces.
+    Id nonManifoldEdges = 0;
+  };
+
+  /// Builds the mesh. Vertices are the points; the caller has merged those that are one for
+  /// connectivity.
+  ///
+  /// \param points coordinates, finite.
+  /// \param triangles three vertex ids a face, in any orientation.
+  /// \param progress called now and then; returning false throws Aborted.
+  /// \throws MeshError where no face is left, an id is out of range or a coordinate is not finite;
+  ///         MeshTooLarge; Aborted.
+  TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
+    const ProgressCallback& progress = {});
+
+  Id numberOfVertices() const { return static_cast<Id>(this->points_.size()); }
+  Id numberOfFaces() const { return static_cast<Id>(this->faces_.size()); }
+  Id numberOfHalfedges() const { return 3 * this->numberOfFaces(); }
+  Id numberOfEdges() const { return this->numberOfEdges_; }
+  const Report& report() const { return this->report_; }
+
+  const Vec3& point(Id vertex) const { return this->points_[vertex]; }
+  const Triangle& triangle(Id face) const { return this->faces_[face].corners; }
+  const FaceShape& shape(Id face) const { return this->faces_[face].shape; }
+  /// The index in the constructor's `triangles` that this face came from.
+  Id inputFace(Id face) const { return this->inputFaces_.empty() ? face : this->inputFaces_[face]; }
+
+  static Id faceOf(Id halfedge) { return halfedge / 3; }
+  static Id cornerOf(Id halfedge) { return halfedge % 3; }
+  /// The next halfedge of the same face, which begins where this one ends.
+  static Id nextInFace(Id halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
+  static Id previousInFace(Id halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
+
+  /// The next halfedge of the same edge; the halfedge itself on a boundary edge.
+  Id nextSibling(Id halfedge) const { return this->faces_[halfedge / 3].ring[halfedge % 3]; }
+  bool isBoundary(Id halfedge) const { return this->nextSibling(halfedge) == halfedge; }
+  /// Whether the halfedge's edge has exactly two faces.
+  bool isInner(Id halfedge) const
+  {
+    const Id other = this->nextSibling(halfedge);
+    return other != halfedge && this->nextSibling(other) == halfedge;
+  }
+  Id origin(Id halfedge) const { return this->faces_[halfedge / 3].corners[halfedge % 3]; }
+  Id destination(Id halfedge) const { return this->origin(nextInFace(halfedge)); }
+  /// The vertex opposite the halfedge in its face.
+  Id opposite(Id halfedge) const { return this->origin(previousInFace(halfedge)); }
+  double length(Id halfedge) const { return this->faces_[halfedge / 3].shape.length[halfedge % 3]; }
+  /// Side of the edge with the lowest number: the edge's name.
+  Id edgeOf(Id halfedge) const;
+
+  /// The corners (numbered as halfedges: 3 * face + k is corner k) at a vertex.
+  IdRange cornersAt(Id vertex) const
+  {
+    const Id* data = this->corners_.data();
+    return { data + this->cornerStart_[vertex], data + this->cornerStart_[vertex + 1] };
+  }
+  /// The angle of a face at corner 3 * face + k, in radians.
+  double cornerAngle(Id corner) const;
+
+  /// Why a geodesic may bend at a vertex, so that it becomes a pseudo-source (paper, section 3).
+  enum class PseudoSource : std::uint8_t
+  {
+    None,
+    /// One fan of faces with a total angle over 2 pi, on the boundary over pi.
+    Saddle,
+    /// Several fans, or an edge of three and more faces: angles say nothing.
+    Irregular
+  };
+  PseudoSource pseudoSource(Id vertex) const { return this->pseudoSource_[vertex]; }
+  bool isPseudoSource(Id vertex) const { return this->pseudoSource_[vertex] != PseudoSource::None; }
+
+  /// The connected component (by shared vertices) of each vertex; computed on first use by the
+  /// caller, who keeps it.
+  std::vector<Id> components() const;
+
+  /// Fetches a face ahead of its use. The faces along a front lie all over the memory.
+  void prefetch(Id face) const { geodesic::prefetch(this->faces_.data() + face); }
+
+private:
+  /// All of a face, together because it is used together.
+  struct Face
+  {
+    Triangle corners;
+    /// The next halfedge around the edge of each halfedge.
+    std::array<Id, 3> ring;
+    FaceShape shape;
+  };
+
+  void takeFaces(const std::vector<Triangle>& triangles, const LoopProgress& progress);
+  void measureFaces(const LoopProgress& progress);
+  void linkCorners(const LoopProgress& progress);
+  void linkSiblings(const LoopProgress& progress);
+  void dropDuplicateFaces(LoopProgress& progress);
+  void findPseudoSources(const LoopProgress& progress);
+  bool isOneFan(Id vertex) const;
+
+  std::vector<Vec3> points_;
+  std::vector<Id> inputFaces_;
+  std::vector<Face> faces_;
+  std::vector<Id> cornerStart_;
+  std::vector<Id> corners_;
+  std::vector<PseudoSource> pseudoSource_;
+  Id numberOfEdges_ = 0;
+  Report report_;
+};
+
+}
+
+#endif

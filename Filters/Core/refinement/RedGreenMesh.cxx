@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement/RedGreenMesh.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+RedGreenMesh::RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen)
+  : mesh_(mesh)
+  , faces_(mesh.numberOfFaces())
+  , frozen_(std::move(frozen))
+  , hasEdges_(mesh.numberOfFaces(), 0)
+  , partsOfFace_(mesh.numberOfFaces(), NoId)
+  , numberOfTriangles_(mesh.numberOfFaces())
+{
+}
+
+SurfacePoint RedGreenMesh::place(Id point) const
+{
+  const Id inputPoints = this->numberOfInputPoints();
+  return point < inputPoints ? SurfacePoint::atVertex(point)
+                             : this->points_[point - inputPoints].place;
+}
+
+Id RedGreenMesh::faceOf(Id triangle) const
+{
+  return triangle < this->faces_ ? triangle : this->part(triangle).face;
+}
+
+Triangle RedGreenMesh::corners(Id triangle) const
+{
+  return triangle < this->faces_ ? this->mesh_.triangle(triangle) : this->part(triangle).corners;
+}
+
+Id RedGreenMesh::partsOf(Id triangle) const
+{
+  return triangle < this->faces_ ? this->partsOfFace_[triangle] : this->part(triangle).parts;
+}
+
+void RedGreenMesh::setParts(Id triangle, Id parts)
+{
+  if (triangle < this->faces_)
+  {
+    this->partsOfFace_[triangle] = parts;
+  }
+  else
+  {
+    this->parts_[triangle - this->faces_].parts = parts;
+  }
+}
+
+Id RedGreenMesh::existingEdge(Id triangle, Id k) const
+{
+  if (triangle >= this->faces_)
+  {
+    return this->part(triangle).edges[k];
+  }
+  if (!this->hasEdges_[triangle])
+  {
+    return NoId;
+  }
+  const auto found = this->inputEdges_.find(this->mesh_.edgeOf(3 * triangle + k));
+  return found == this->inputEdges_.end() ? NoId : found->second;
+}
+
+Id RedGreenMesh::edge(Id triangle, Id k)
+{
+  const Id existing = this->existingEdge(triangle, k);
+  if (existing != NoId)
+  {
+    return existing;
+  }
+  const Id halfedge = this->mesh_.edgeOf(3 * triangle + k);
+  const Id edge = this->addEdge(this->mesh_.origin(halfedge), this->mesh_.destination(halfedge), NoId, halfedge,
+    TriangleMesh::faceOf(halfedge));
+  this->inputEdges_.emplace(halfedge, edge);
+  Id around = halfedge;
+  do
+  {
+    this->hasEdges_[TriangleMesh::faceOf(around)] = 1;
+    around = this->mesh_.nextSibling(around);
+  } while (around != halfedge);
+  this->journal_.push_back({ Change::InputEdge, halfedge, NoId });
+  return edge;
+}
+
+Id RedGreenMesh::addEdge(Id a, Id b, Id parent, Id halfedge, Id face)
+{
+  Edge edge;
+  edge.ends = { a, b };
+  edge.parent = parent;
+  edge.halfedge = halfedge;
+  edge.face = face;
+  this->edges_.push_back(edge);
+  return static_cast<Id>(this->edges_.size() - 1);
+}
+
+Id RedGreenMesh::splitEdges(Id triangle) const
+{
+  Id count = 0;
+  for (Id k = 0; k < 3; ++k)
+  {
+    count += this->isSplit(this->existingEdge(triangle, k)) ? 1 : 0;
+  }
+  return count;
+}
+
+Id RedGreenMesh::wayOf(Id triangle) const
+{
+  if (triangle >= this->faces_)
+  {
+    return this->part(triangle).way;
+  }
+  const auto found = this->waysOfFaces_.find(triangle);
+  return found == this->waysOfFaces_.end() ? 0 : found->second;
+}
+
+void RedGreenMesh::setWay(Id triangle, Id way)
+{
+  if (triangle >= this->faces_)
+  {
+    this->parts_[triangle - this->faces_].way = way;
+  }
+  else if (way != this->wayOf(triangle))
+  {
+    this->waysOfFaces_[triangle] = way;
+  }
+}
+
+RedGreenMesh::Closing RedGreenMesh::closing(Id triangle, Id way) const
+{
+  using Indices = std::array<Id, 3>;
+  const Triangle c = this->corners(triangle);
+  const Id splits = this->splitEdges(triangle);
+  // the polygon begins at the corner before the split edges; three of them differ by flips only
+  Id begin = splits == 3 ? (way + 2) % 3 : 0;
+  while (splits > 0 && splits < 3 &&
+    !(this->isSplit(this->existingEdge(triangle, begin)) &&
+      (splits == 1 || this->isSplit(this->existingEdge(triangle, (begin + 1) % 3)))))
+  {
+    ++begin;
+  }
+  Closing closing;
+  for (Id i = 0; i < 3; ++i)
+  {
+    const Id k = (begin + i) % 3;
+    const Id edge = this->existingEdge(triangle, k);
+    const auto add = [&](Id point, Id from)
+    {
+      closing.points[closing.size] = point;
+      closing.edges[closing.size] = from;
+      closing.along[closing.size] = k;
+      ++closing.size;
+    };
+    add(c[k], this->isSplit(edge) ? this->halfAt(edge, c[k]) : edge);
+    if (this->isSplit(edge))
+    {
+      add(this->edges_[edge].split, this->halfAt(edge, c[(k + 1) % 3]));
+    }
+  }
+  closing.count = 1 + splits;
+  if (splits == 0)
+  {
+    closing.triangles = { Indices{ 0, 1, 2 } };
+  }
+  else if (splits == 1)
+  {
+    closing.triangles = { Indices{ 0, 1, 3 }, Indices{ 1, 2, 3 } };
+  }
+  else if (splits == 2 && way == 0)
+  {
+    closing.triangles = { Indices{ 1, 2, 3 }, Indices{ 0, 1, 3 }, Indices{ 0, 3, 4 } };
+  }
+  else if (splits == 2)
+  {
+    closing.triangles = { Indices{ 1, 2, 3 }, Indices{ 0, 1, 4 }, Indices{ 1, 3, 4 } };
+  }
+  else if (way == 0)
+  {
+    closing.triangles = { Indices{ 0, 1, 5 }, Indices{ 1, 2, 3 }, Indices{ 5, 3, 4 },
+      Indices{ 1, 3, 5 } };
+  }
+  else
+  {
+    closing.triangles = { Indices{ 0, 1, 3 }, Indices{ 0, 3, 5 }, Indices{ 1, 2, 3 },
+      Indices{ 5, 3, 4 } };
+  }
+  return closing;
+}
+
+SurfacePoint RedGreenMesh::between(const Edge& edge, double weight) const
+{
+  const auto mean = [weight](double a, double b) { return a + weight * (b - a); };
+  const SurfacePoint a = this->place(edge.ends[0]);
+  const SurfacePoint b = this->place(edge.ends[1]);
+  if (edge.halfedge != NoId)
+  {
+    const double from = a.kind == SurfacePoint::Kind::Edge ? a.u : 0.0;
+    const double to = b.kind == SurfacePoint::Kind::Edge ? b.u : 1.0;
+    return SurfacePoint::onEdge(edge.halfedge, mean(from, to));
+  }
+  const std::array<double, 3> from = barycentric(this->mesh_, a, edge.face);
+  const std::array<double, 3> to = barycentric(this->mesh_, b, edge.face);
+  return SurfacePoint::inFace(edge.face, mean(from[1], to[1]), mean(from[2], to[2]));
+}
+
+Id RedGreenMesh::addPoint(const Edge& edge, const Placement& placement)
+{
+  this->points_.push_back(
+    { edge.ends, placement.weight, this->between(edge, placement.weight), placement.distance });
+  return this->numberOfInputPoints() + static_cast<Id>(this->points_.size() - 1);
+}
+
+Id RedGreenMesh::frozenFacesAt(const Edge& edge) const
+{
+  Id count = 0;
+  if (edge.halfedge != NoId)
+  {
+    Id halfedge = edge.halfedge;
+    do
+    {
+      count += this->frozen_[TriangleMesh::faceOf(halfedge)];
+      halfedge = this->mesh_.nextSibling(halfedge);
+    } while (halfedge != edge.halfedge);
+  }
+  return count;
+}
+
+void RedGreenMesh::split(Id id, const Place& place)
+{
+  const Placement placement = place(id);
+  const Edge edge = this->edges_[id];
+  const Id middle = this->addPoint(edge, placement);
+  const Id first = this->addEdge(edge.ends[0], middle, id, edge.halfedge, edge.face);
+  this->addEdge(middle, edge.ends[1], id, edge.halfedge, edge.face);
+  this->edges_[id].split = middle;
+  this->edges_[id].halves = first;
+  this->journal_.push_back({ Change::EdgeSplit, id, NoId });
+
+  this->numberOfTriangles_ += this->frozenFacesAt(edge);
+  this->forEachLeafAt(id,
+    [this](Id triangle)
+    {
+      ++this->numberOfTriangles_;
+      this->touched_.push_back(triangle);
+    });
+  if (edge.parent != NoId)
+  {
+    this->forEachLeafAt(edge.parent, [this](Id triangle) { this->touched_.push_back(triangle); });
+  }
+}
+
+Id RedGreenMesh::halfAt(Id edge, Id end) const
+{
+  const Edge& e = this->edges_[edge];
+  return e.ends[0] == end ? e.halves : e.halves + 1;
+}
+
+Id RedGreenMesh::addPart(Id face, const Triangle& corners, const std::array<Id, 3>& edges)
+{
+  const Id index = static_cast<Id>(this->parts_.size());
+  Part part{ face, corners, edges, {} };
+  for (Id k = 0; k < 3; ++k)
+  {
+    Edge& edge = this->edges_[edges[k]];
+    part.nextCorner[k] = edge.firstCorner;
+    this->journal_.push_back({ Change::FirstCorner, edges[k], edge.firstCorner });
+    edge.firstCorner = 3 * index + k;
+  }
+  this->parts_.push_back(part);
+  const Id triangle = this->faces_ + index;
+  this->touched_.push_back(triangle);
+  this->numberOfTriangles_ += 1 + this->splitEdges(triangle);
+  return index;
+}
+
+void RedGreenMesh::splitRed(Id triangle, const Place& place)
+{
+  const Triangle c = this->corners(triangle);
+  const Id face = this->faceOf(triangle);
+  std::array<Id, 3> e;
+  std::array<Id, 3> m;
+  for (Id k = 0; k < 3; ++k)
+  {
+    e[k] = this->edge(triangle, k);
+    if (!this->isSplit(e[k]))
+    {
+      this->split(e[k], place);
+    }
+    m[k] = this->edges_[e[k]].split;
+  }
+  std::array<Id, 3> inner; // opposite to the part at corner k
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    inner[k] = this->addEdge(m[(k + 2) % 3], m[k], NoId, NoId, face);
+  }
+  this->numberOfTriangles_ -= 4;
+  const Id first = this->addPart(
+    face, { c[0], m[0], m[2] }, { this->halfAt(e[0], c[0]), inner[0], this->halfAt(e[2], c[0]) });
+  this->addPart(
+    face, { m[0], c[1], m[1] }, { this->halfAt(e[0], c[1]), this->halfAt(e[1], c[1]), inner[1] });
+  this->addPart(
+    face, { m[2], m[1], c[2] }, { inner[2], this->halfAt(e[1], c[2]), this->halfAt(e[2], c[2]) });
+  this->addPart(face, { m[0], m[1], m[2] }, { inner[1], inner[2], inner[0] });
+  this->setParts(triangle, first);
+  this->journal_.push_back({ Change::TriangleSplit, triangle, NoId });
+}
+
+bool RedGreenMesh::isSplitTwice(Id triangle) const
+{
+  for (Id k = 0; k < 3; ++k)
+  {
+    const Id edge = this->existingEdge(triangle, k);
+    if (this->isSplit(edge))
+    {
+      const Id halves = this->edges_[edge].halves;
+      if (this->isSplit(halves) || this->isSplit(halves + 1))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void RedGreenMesh::closeTouched(
+  const Place& place, const MayClose& mayClose, std::vector<Id>& changed)
+{
+  while (!this->touched_.empty())
+  {
+    const Id triangle = this->touched_.back();
+    this->touched_.pop_back();
+    if (!this->isLeaf(triangle))
+    {
+      continue;
+    }
+    if (this->isSplitTwice(triangle) || (this->splitEdges(triangle) > 1 && !mayClose(triangle)))
+    {
+      this->splitRed(triangle, place);
+    }
+    else
+    {
+      changed.push_back(triangle);
+    }
+  }
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  changed.erase(std::remove_if(changed.begin(), changed.end(),
+                  [this](Id triangle) { return !this->isLeaf(triangle); }),
+    changed.end());
+}
+
+std::vector<Id> RedGreenMesh::close(const Place& place, const MayClose& mayClose)
+{
+  constexpr int rounds = 2;
+  std::vector<Id> changed;
+  this->closeTouched(place, mayClose, changed);
+  for (int round = 0; round < rounds; ++round)
+  {
+    const std::vector<Id> bisected = changed;
+    for (const Id triangle : bisected)
+    {
+      if (this->isLeaf(triangle) && this->splitEdges(triangle) == 1 && !mayClose(triangle))
+      {
+        this->splitRed(triangle, place);
+      }
+    }
+    this->closeTouched(place, mayClose, changed);
+  }
+  return changed;
+}
+
+void RedGreenMesh::begin()
+{
+  this->journal_.clear();
+  this->pointsBefore_ = this->points_.size();
+  this->edgesBefore_ = this->edges_.size();
+  this->partsBefore_ = this->parts_.size();
+  this->trianglesBefore_ = this->numberOfTriangles_;
+}
+
+void RedGreenMesh::rollBack()
+{
+  for (auto undo = this->journal_.rbegin(); undo != this->journal_.rend(); ++undo)
+  {
+    switch (undo->change)
+    {
+      case Change::EdgeSplit:
+        this->edges_[undo->id].split = NoId;
+        this->edges_[undo->id].halves = NoId;
+        break;
+      case Change::FirstCorner:
+        this->edges_[undo->id].firstCorner = undo->old;
+        break;
+      case Change::TriangleSplit:
+        this->setParts(undo->id, NoId);
+        break;
+      case Change::InputEdge:
+        this->inputEdges_.erase(undo->id);
+        break;
+    }
+  }
+  this->journal_.clear();
+  this->points_.resize(this->pointsBefore_);
+  this->edges_.resize(this->edgesBefore_);
+  this->parts_.resize(this->partsBefore_);
+  this->numberOfTriangles_ = this->trianglesBefore_;
+  this->touched_.clear();
+}
+
+double RedGreenMesh::lengthOf(Id a, Id b) const
+{
+  return norm(position(this->mesh_, this->place(b)) - position(this->mesh_, this->place(a)));
+}
+
+}

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_RedGreenMesh_h
+#define geodesic_RedGreenMesh_h
+
+#include "field/FaceEnvelope.h"
+#include "mesh/SurfacePoint.h"
+#include "mesh/TriangleMesh.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
+#include <vector>
+
+namespace geodesic
+{
+
+/// A triangle mesh under red-green refinement (Bank, Sherman & Weiser 1983, "Refinement algorithms
+/// and data structures for regular local mesh refinement"; the paper's one-to-four splits).
+///
+/// Only red triangles are kept: input faces and the four parts of a red triangle whose edges were
+/// split (figure 7). A leaf with split edges is closed when the mesh is put out, and only then: by
+/// a bisection, or with two or three split edges into three or four triangles whose inner edges may
+/// be flipped. When more of it is to be split, those green triangles have never been, so that they
+/// are never split again. close() restores what must hold between splits: no leaf has an edge that
+/// was split twice, nor two split edges where the caller wants that completed to four triangles.
+///
+/// Points are the mesh's vertices and then the splits, in order. A triangle is an input face or
+/// `number of faces + i` for part i. Edges along an input edge are shared by all faces around it,
+/// so that no T-vertex can arise.
+class RedGreenMesh
+{
+public:
+  struct Point
+  {
+    /// Ends of the edge it splits, and the fraction of the way from the first to the second.
+    std::array<Id, 2> parents;
+    double weight;
+    SurfacePoint place;
+    double distance;
+  };
+
+  struct Edge
+  {
+    std::array<Id, 2> ends;
+    /// The point that splits it, and its halves (the second one follows): from ends[0] to the point
+    /// and on to ends[1].
+    Id split = NoId;
+    Id halves = NoId;
+    /// The edge that it is a half of.
+    Id parent = NoId;
+    /// The input edge that it lies along (the edge's name); NoId inside a face.
+    Id halfedge;
+    /// A face that holds it.
+    Id face;
+    /// First of the corners of parts at which it begins: 3 * part + k.
+    Id firstCorner = NoId;
+    /// For the caller.
+    Deviation deviation;
+    bool measured = false;
+  };
+
+  /// Where an edge is split, and the distance there.
+  struct Placement
+  {
+    double weight;
+    double distance;
+  };
+  /// Called for each edge that is to be split.
+  using Place = std::function<Placement(Id edge)>;
+  /// Whether a leaf with split edges, each of them once, may stay one.
+  using MayClose = std::function<bool(Id triangle)>;
+
+  /// The triangles that a leaf is put out as: a leaf with split edges is a polygon of corners and
+  /// splits.
+  struct Closing
+  {
+    Id size = 0;
+    /// The polygon's points and, from each to the next, the edge (NoId: not made yet) and the k of
+    /// the leaf's edge that it is or is half of.
+    std::array<Id, 6> points;
+    std::array<Id, 6> edges;
+    std::array<Id, 6> along;
+    /// Indices into the polygon.
+    Id count = 0;
+    std::array<std::array<Id, 3>, 4> triangles;
+  };
+
+  /// \param frozen faces that are not refined; where a neighbour splits one of their edges, they
+  ///        are only closed.
+  RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen);
+
+  Id numberOfInputPoints() const { return this->mesh_.numberOfVertices(); }
+  const std::vector<Point>& points() const { return this->points_; }
+  SurfacePoint place(Id point) const;
+
+  bool isFrozen(Id face) const { return this->frozen_[face] != 0; }
+  bool isLeaf(Id triangle) const { return this->partsOf(triangle) == NoId; }
+  Id faceOf(Id triangle) const;
+  /// Corners in the order of the input face.
+  Triangle corners(Id triangle) const;
+  /// The edge from corner k to corner k + 1. May move the data of others.
+  Id edge(Id triangle, Id k);
+  Edge& edgeData(Id edge) { return this->edges_[edge]; }
+  /// How many edges of a leaf are split.
+  Id splitEdges(Id triangle) const;
+  /// In how many ways a leaf with so many split edges can be cut: they differ by flips of edges
+  /// inside it.
+  static Id waysToClose(Id splitEdges) { return splitEdges < 2 ? 1 : 2 * splitEdges - 2; }
+  Closing closing(Id triangle, Id way) const;
+  /// The way in which a leaf is put out.
+  Id wayOf(Id triangle) const;
+  void setWay(Id triangle, Id way);
+
+  /// The leaves (none of them frozen) with this edge as it is, unsplit or not.
+  template <typename Visitor>
+  void forEachLeafAt(Id edge, Visitor&& visit) const;
+
+  /// Splits an edge that is not split yet.
+  void split(Id edge, const Place& place);
+  /// Splits a leaf into four.
+  void splitRed(Id triangle, const Place& place);
+  /// Splits leaves into four: those with an edge that was split twice, those with two split edges
+  /// or more that may not be closed, and in two rounds bisected ones that may not be: what the
+  /// second bisects in turn stays, so that it does not spread. \returns the leaves that are new or
+  /// whose edges were split since the last call, ascending.
+  std::vector<Id> close(const Place& place, const MayClose& mayClose);
+
+  /// Number of triangles that are put out.
+  std::uint64_t numberOfTriangles() const { return this->numberOfTriangles_; }
+
+  /// Between begin() and rollBack() everything is undone.
+  void begin();
+  void rollBack();
+
+  /// Calls emit(face, corners) for every triangle, face by face.
+  template <typename Emit>
+  void forEachTriangle(Emit&& emit) const;
+
+private:
+  struct Part
+  {
+    Id face;
+    Triangle corners;
+    std::array<Id, 3> edges;
+    std::array<Id, 3> nextCorner;
+    Id parts = NoId;
+    Id way = 0;
+  };
+
+  enum class Change : std::uint32_t
+  {
+    EdgeSplit,
+    FirstCorner,
+    TriangleSplit,
+    InputEdge
+  };
+  struct Undo
+  {
+    Change change;
+    Id id;
+    Id old;
+  };
+
+  Id partsOf(Id triangle) const;
+  void setParts(Id triangle, Id parts);
+  const Part& part(Id triangle) const { return this->parts_[triangle - this->faces_]; }
+  /// The edge, where there is one already.
+  Id existingEdge(Id triangle, Id k) const;
+  bool isSplit(Id edge) const { return edge != NoId && this->edges_[edge].split != NoId; }
+  Id addEdge(Id a, Id b, Id parent, Id halfedge, Id face);
+  Id addPoint(const Edge& edge, const Placement& placement);
+  SurfacePoint between(const Edge& edge, double weight) const;
+  Id halfAt(Id edge, Id end) const;
+  Id addPart(Id face, const Triangle& corners, const std::array<Id, 3>& edges);
+  bool isSplitTwice(Id triangle) const;
+  void closeTouched(const Place& place, const MayClose& mayClose, std::vector<Id>& changed);
+  Id frozenFacesAt(const Edge& edge) const;
+  template <typename Emit>
+  void closeLeaf(Id triangle, Emit&& emit) const;
+  template <typename Emit>
+  void closeFrozen(
+    Id face, const Triangle& corners, const std::array<Id, 3>& edges, Emit&& emit) const;
+  double lengthOf(Id a, Id b) const;
+
+  const TriangleMesh& mesh_;
+  Id faces_;
+  std::vector<std::uint8_t> frozen_;
+  std::vector<Point> points_;
+  std::vector<Edge> edges_;
+  std::unordered_map<Id, Id> inputEdges_;
+  /// Input faces that may have some of these; most have none.
+  std::vector<std::uint8_t> hasEdges_;
+  std::vector<Part> parts_;
+  /// First of the four parts of each input face.
+  std::vector<Id> partsOfFace_;
+  /// The ways in which input faces are closed, where not the first.
+  std::unordered_map<Id, Id> waysOfFaces_;
+  std::vector<Id> touched_;
+  std::uint64_t numberOfTriangles_;
+
+  std::vector<Undo> journal_;
+  std::size_t pointsBefore_ = 0;
+  std::size_t edgesBefore_ = 0;
+  std::size_t partsBefore_ = 0;
+  std::uint64_t trianglesBefore_ = 0;
+};
+
+}
+
+#include "refinement/RedGreenMesh.txx"
+
+#endif

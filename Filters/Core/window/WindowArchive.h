@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_WindowArchive_h
+#define geodesic_WindowArchive_h
+
+#include "window/Window.h"
+
+#include <iterator>
+#include <memory>
+#include <vector>
+
+namespace geodesic
+{
+
+/// The windows of one halfedge in a WindowArchive: those of several lists, one after another.
+class WindowRuns
+{
+public:
+  class Iterator
+  {
+  public:
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = Window;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const Window*;
+    using reference = const Window&;
+
+    explicit Iterator(const WindowRange* run)
+      : run_(run)
+    {
+    }
+    reference operator*() const { return this->run_->first[this->index_]; }
+    pointer operator->() const { return &**this; }
+    Iterator& operator++()
+    {
+      if (++this->index_ == this->run_->size())
+      {
+        ++this->run_;
+        this->index_ = 0;
+      }
+      return *this;
+    }
+    bool operator==(const Iterator& other) const
+    {
+      return this->run_ == other.run_ && this->index_ == other.index_;
+    }
+    bool operator!=(const Iterator& other) const { return !(*this == other); }
+
+  private:
+    const WindowRange* run_;
+    std::size_t index_ = 0;
+  };
+
+  WindowRuns() = default;
+  WindowRuns(const WindowRange* first, const WindowRange* last)
+    : first_(first)
+    , last_(last)
+  {
+  }
+  Iterator begin() const { return Iterator(this->first_); }
+  Iterator end() const { return Iterator(this->last_); }
+  bool empty() const { return this->first_ == this->last_; }
+
+private:
+  const WindowRange* first_ = nullptr;
+  const WindowRange* last_ = nullptr;
+};
+
+/// Windows as they went through their halfedges.
+class WindowArchive
+{
+public:
+  /// Copies a list that is about to go through a halfedge.
+  ///
+  /// \param time never less than before in one archive; the lists of a halfedge come in its order,
+  ///        whichever archive they were added to.
+  void add(Id halfedge, const WindowRange& list, Id time = 0);
+  /// Refers to a list whose memory is handed over with own().
+  void adopt(Id halfedge, const WindowRange& list, Id time = 0);
+  void own(std::vector<std::unique_ptr<Window[]>> chunks);
+  /// Takes over what another archive has; it is empty then.
+  void take(WindowArchive& other);
+  /// Makes at() work; nothing may be added after it.
+  void index(Id numberOfHalfedges);
+  bool isIndexed() const { return !this->start_.empty(); }
+  /// The windows of a halfedge, in the order in which they were added.
+  WindowRuns at(Id halfedge) const
+  {
+    return { this->runs_.data() + this->start_[halfedge], this->runs_.data() + this->start_[halfedge + 1] };
+  }
+
+private:
+  struct Run
+  {
+    Id halfedge;
+    Id time;
+    WindowRange windows;
+  };
+
+  std::vector<std::unique_ptr<Window[]>> chunks_;
+  Window* free_ = nullptr;
+  std::size_t left_ = 0;
+  std::vector<Run> added_;
+  std::vector<WindowRange> runs_;
+  std::vector<std::size_t> start_;
+};
+
+}
+
+#endif

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The approximate field against the brute-force solver: never over the exact distance, never under
+// it by more than is certified, and certified within what was asked for.
+#include "EngineSupport.h"
+#include "truth/RandomMeshKinds.h"
+
+#include "Errors.h"
+#include "front/Front.h"
+#include "window/WindowMerge.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <string>
+
+using namespace geodesictest;
+using geodesic::DistanceField;
+using geodesic::TriangleMesh;
+using geodesic::Window;
+
+namespace
+{
+
+constexpr double Epsilons[] = { 1e-4, 1e-3, 1e-2, 1e-1 };
+constexpr std::uint64_t MeshesOfAKind = 12;
+constexpr std::size_t NumberOfQueries = 60;
+
+class Approximation : public ::testing::TestWithParam<MeshKind>
+{
+};
+
+}
+
+TEST_P(Approximation, ErrorIsWithinTheBoundAndTheBoundWithinWhatWasAskedFor)
+{
+  double measured = 0.0;
+  for (std::uint64_t seed = 1000; seed < 1000 + MeshesOfAKind; ++seed)
+  {
+    const auto [mesh, curves, queries, truth] = randomCase(GetParam(), seed, NumberOfQueries);
+    const TriangleMesh engine = engineMesh(mesh);
+    for (const double epsilon : Epsilons)
+    {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", epsilon " + std::to_string(epsilon) + "\n" +
+        describe(curves));
+      const DistanceField field = solveKeepingAll(engine, engineCurves(engine, curves), epsilon);
+      EXPECT_LE(field.relativeErrorBound(), epsilon);
+      measured =
+        std::max(measured, expectCertified(field, queries, { truth.vertices, truth.queries }));
+    }
+  }
+  std::cout << "largest relative error on " << GetParam().name << ": " << measured << "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Approximation, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });
+
+namespace
+{
+
+PlainMesh bumpySphere()
+{
+  Random random(5);
+  PlainMesh mesh = octasphere(24);
+  for (Vec3& p : mesh.points)
+  {
+    const double factor = 1.0 + 0.05 * random.uniform();
+    p = { factor * p[0], factor * p[1], factor * p[2] };
+  }
+  return mesh;
+}
+
+const std::vector<geodesic::SourceCurve> fromFirstVertex = {
+  { { geodesic::SurfacePoint::atVertex(0) }, {}, { 0 } }
+};
+
+}
+
+TEST(Approximate, WindowsFallWithEveryStepOfEpsilon)
+{
+  const TriangleMesh mesh = engineMesh(bumpySphere());
+  std::uint64_t last = geodesic::solve(mesh, fromFirstVertex).windowsPropagated();
+  for (const double epsilon : Epsilons)
+  {
+    const DistanceField field = solveKeepingAll(mesh, fromFirstVertex, epsilon);
+    EXPECT_LT(field.windowsPropagated(), last) << epsilon;
+    EXPECT_GT(field.relativeErrorBound(), 0.0);
+    last = field.windowsPropagated();
+  }
+}
+
+TEST(Approximate, EpsilonZeroIsTheExactField)
+{
+  const TriangleMesh mesh = engineMesh(bumpySphere());
+  const DistanceField exact = geodesic::solve(mesh, fromFirstVertex);
+  const DistanceField zero = solveKeepingAll(mesh, fromFirstVertex, 0.0);
+  EXPECT_EQ(exact.vertexDistances(), zero.vertexDistances());
+  EXPECT_EQ(zero.relativeErrorBound(), 0.0);
+}
+
+TEST(Approximate, HugeEpsilonStillReachesAllWithinItsBound)
+{
+  const TriangleMesh mesh = engineMesh(bumpySphere());
+  const DistanceField exact = geodesic::solve(mesh, fromFirstVertex);
+  const DistanceField huge = solveKeepingAll(mesh, fromFirstVertex, 1e6);
+  for (std::size_t v = 0; v < exact.vertexDistances().size(); ++v)
+  {
+    const double d = exact.vertexDistances()[v];
+    EXPECT_LE(huge.vertexDistances()[v], d * (1.0 + EngineAccuracy));
+    EXPECT_LE(
+      d, huge.vertexDistances()[v] * (1.0 + huge.relativeErrorBound()) * (1.0 + EngineAccuracy));
+  }
+}
+
+TEST(Approximate, NegativeInfiniteOrNanEpsilonIsRefused)
+{
+  const TriangleMesh mesh = engineMesh(bumpySphere());
+  for (const double epsilon :
+    { -1e-3, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
+  {
+    EXPECT_THROW(solveKeepingAll(mesh, fromFirstVertex, epsilon), geodesic::Error);
+  }
+}
+
+TEST(Approximate, MergedWindowsMeetTheOriginalsAtTheEndsAndAreNowhereAbove)
+{
+  Random random(17);
+  int merges = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    // Two pencils that agree at the joint, the kink closing there.
+    const double joint = random.uniform(0.2, 0.8);
+    const auto pencil = [&](double begin, double end)
+    {
+      const bool linear = random.chance(0.3);
+      Window w{};
+      w.begin = begin;
+      w.end = end;
+      w.kind = linear ? Window::Kind::Linear : Window::Kind::Circular;
+      w.sourceX = linear ? random.uniform(-0.9, 0.9) : random.uniform(-3.0, 4.0);
+      w.sourceDepth = linear ? std::sqrt(1.0 - w.sourceX * w.sourceX) : random.uniform(0.5, 4.0);
+      w.sigma = 0.0;
+      w.sigma = 6.0 - w.distance(joint);
+      return w;
+    };
+    const Window left = pencil(0.0, joint);
+    const Window right = pencil(joint, 1.0);
+    if ((left.sigma < 0.0 && !left.isLinear()) || (right.sigma < 0.0 && !right.isLinear()))
+    {
+      continue;
+    }
+    std::vector<Window> windows = { left, right };
+    const double epsilon = 0.3;
+    const double reported = geodesic::mergeNeighbours(windows, 1.0, epsilon);
+    if (windows.size() != 1)
+    {
+      continue;
+    }
+    ++merges;
+    const Window& merged = windows[0];
+    EXPECT_LE(reported, epsilon);
+    EXPECT_NEAR(merged.distance(0.0), left.distance(0.0), 1e-12);
+    EXPECT_NEAR(merged.distance(1.0), right.distance(1.0), 1e-12);
+    for (int k = 0; k <= 100; ++k)
+    {
+      const double x = 0.01 * k;
+      const double original = x <= joint ? left.distance(x) : right.distance(x);
+      EXPECT_LE(merged.distance(x), original + 1e-12);
+      EXPECT_LE(original, merged.distance(x) + merged.error + 1e-12);
+    }
+  }
+  EXPECT_GT(merges, 1000);
+}
+
+// A chain of merges adds up; the limit is for all of it.
+TEST(Approximate, ManyNeighboursStayWithinTheLimitOfWhatIsMerged)
+{
+  Random random(18);
+  for (int i = 0; i < 300; ++i)
+  {
+    std::vector<Window> original;
+    const int count = 40;
+    double before = 0.0;
+    for (int k = 0; k < count; ++k)
+    {
+      // sources that go round, so that kinks close and distances agree at the joints
+      Window w{};
+      w.kind = Window::Kind::Circular;
+      w.begin = static_cast<double>(k) / count;
+      w.end = static_cast<double>(k + 1) / count;
+      w.sourceX = 0.5 - 0.02 * k + random.uniform(-0.01, 0.01);
+      w.sourceDepth = random.uniform(1.9, 2.1);
+      w.sigma = 0.0;
+      w.sigma = (k == 0 ? 5.0 : before) - w.distance(w.begin);
+      before = w.distance(w.end);
+      original.push_back(w);
+    }
+    const double epsilon = 0.1;
+    std::size_t fewer = 0;
+    for (const double limit : { geodesic::Infinity, 1e-3, 1e-4, 1e-6, 0.0 })
+    {
+      std::vector<Window> windows = original;
+      geodesic::mergeNeighbours(windows, 1.0, epsilon, limit);
+      EXPECT_GE(windows.size(), fewer) << "a smaller limit merges no more";
+      fewer = windows.size();
+      for (const Window& w : original)
+      {
+        for (const double x : { w.begin, 0.5 * (w.begin + w.end), w.end })
+        {
+          const auto merged = std::find_if(
+            windows.begin(), windows.end(), [x](const Window& m) { return x <= m.end; });
+          ASSERT_NE(merged, windows.end());
+          EXPECT_LE(w.distance(x) - merged->distance(x), limit + 1e-13);
+        }
+      }
+      EXPECT_TRUE(limit < geodesic::Infinity || windows.size() < 5);
+    }
+  }
+}

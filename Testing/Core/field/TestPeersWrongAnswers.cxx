@@ -1,0 +1,568 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Inputs on which other solvers are known to crash, hang or answer wrongly.
+#include "truth/AnalyticDistances.h"
+#include "EngineSupport.h"
+
+#include "Errors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+
+using namespace geodesictest;
+
+namespace
+{
+
+geodesic::SourceCurve enginePointSource(const geodesic::SurfacePoint& place)
+{
+  geodesic::SourceCurve curve;
+  curve.points = { place };
+  curve.isCut = { 0 };
+  return curve;
+}
+
+geodesic::SourceCurve vertexSource(Index vertex)
+{
+  return enginePointSource(geodesic::SurfacePoint::atVertex(vertex));
+}
+
+std::vector<double> vertexDistances(const PlainMesh& mesh, Index source)
+{
+  const geodesic::TriangleMesh engine = engineMesh(mesh);
+  return geodesic::solve(engine, { vertexSource(source) }).vertexDistances();
+}
+
+/// Straight lines in space, for meshes that lie flat and convex.
+std::vector<double> straightDistances(const PlainMesh& mesh, Index source)
+{
+  std::vector<double> result;
+  const Vec3& s = mesh.points[source];
+  for (const Vec3& p : mesh.points)
+  {
+    result.push_back(std::hypot(p[0] - s[0], p[1] - s[1], p[2] - s[2]));
+  }
+  return result;
+}
+
+std::string scientific(double value)
+{
+  std::ostringstream text;
+  text << std::scientific << value;
+  return text.str();
+}
+
+void expectNear(
+  const std::vector<double>& computed, const std::vector<double>& truth, const std::string& what)
+{
+  EXPECT_LE(worstError(computed, truth, largestFinite(truth)), EngineAccuracy) << what;
+}
+
+void expectBruteForce(const PlainMesh& mesh, Index source, const std::string& what)
+{
+  Sources sources;
+  sources.points = { vertexPoint(mesh, source) };
+  expectNear(vertexDistances(mesh, source), bruteForceDistances(mesh, sources).vertices, what);
+}
+
+/// The place of a regular grid of n x n cells at these coordinates.
+MeshPoint gridPoint(Index n, double x, double y)
+{
+  const double i = std::min(std::floor(x), n - 1.0);
+  const double j = std::min(std::floor(y), n - 1.0);
+  const Index cell = 2 * (static_cast<Index>(j) * n + static_cast<Index>(i));
+  const double u = x - i;
+  const double v = y - j;
+  // The lower face's corners are (0, 0), (1, 0), (1, 1), the upper one's (0, 0), (1, 1), (0, 1).
+  return u >= v ? MeshPoint{ cell, { 1.0 - u, u - v, v } }
+                : MeshPoint{ cell + 1, { 1.0 - v, u, v - u } };
+}
+
+/// The message that building the mesh throws.
+std::string meshErrorOf(const PlainMesh& mesh)
+{
+  try
+  {
+    engineMesh(mesh);
+  }
+  catch (const geodesic::MeshError& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+}
+
+TEST(PeersWrongAnswers, TiesOnARegularGridLoseNoVertex)
+{
+  const PlainMesh grid = regularGrid(64, 64);
+  for (Index source : { 0u, 64u, 32u * 65u + 32u, 10u * 65u + 55u })
+  {
+    expectNear(vertexDistances(grid, source), straightDistances(grid, source),
+      "from vertex " + std::to_string(source));
+  }
+}
+
+TEST(PeersWrongAnswers, TiesOnAnOctasphereLoseNoVertex)
+{
+  for (Index n : { 1u, 2u, 4u, 8u, 12u })
+  {
+    const PlainMesh sphere = octasphere(n);
+    // A pole, a point of an octant's edge, a point inside an octant.
+    for (Index source : { 0u, 1u, static_cast<Index>(sphere.points.size() / 2) })
+    {
+      expectBruteForce(sphere, source, "octasphere of " + std::to_string(n));
+    }
+  }
+}
+
+TEST(PeersWrongAnswers, MirrorImagesOnAnOctasphereHaveOneDistance)
+{
+  const PlainMesh sphere = octasphere(8);
+  const Index pole = 0;
+  const std::vector<double> distances = vertexDistances(sphere, pole);
+  for (std::size_t v = 0; v < sphere.points.size(); ++v)
+  {
+    for (std::size_t w = 0; w < v; ++w)
+    {
+      const Vec3& p = sphere.points[v];
+      const Vec3& q = sphere.points[w];
+      if (p[0] == q[0] && std::abs(p[1]) == std::abs(q[1]) && std::abs(p[2]) == std::abs(q[2]))
+      {
+        EXPECT_NEAR(distances[v], distances[w], 1e-12) << "vertices " << v << ", " << w;
+      }
+    }
+  }
+}
+
+TEST(PeersWrongAnswers, ABowTieConducts)
+{
+  const PlainMesh a = regularGrid(5, 5);
+  const PlainMesh mesh = joinedAtVertex(a, 14, a, 7);
+  const std::vector<double> distances = vertexDistances(mesh, 0);
+  const std::vector<double> inFirst = straightDistances(mesh, 0);
+  const std::vector<double> fromKnot = straightDistances(mesh, 14);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    const bool first = v < a.points.size();
+    EXPECT_NEAR(distances[v], first ? inFirst[v] : inFirst[14] + fromKnot[v], 1e-12)
+      << "vertex " << v;
+  }
+}
+
+TEST(PeersWrongAnswers, DistanceGoesAroundBoundaryVertices)
+{
+  const PlainMesh mesh = lShape(12, 12);
+  for (Index source : { 0u, 12u, static_cast<Index>(mesh.points.size() - 1) })
+  {
+    const Vec2 s = { mesh.points[source][0], mesh.points[source][1] };
+    std::vector<Vec2> targets;
+    for (const Vec3& p : mesh.points)
+    {
+      targets.push_back({ p[0], p[1] });
+    }
+    expectNear(vertexDistances(mesh, source), planarDomain(mesh).distances(s, s, targets),
+      "from vertex " + std::to_string(source));
+  }
+}
+
+TEST(PeersWrongAnswers, ANonManifoldEdgeConductsIntoEveryFace)
+{
+  // Three squares on one edge.
+  PlainMesh mesh;
+  mesh.points = { { 0, 0, 0 }, { 0, 0, 1 } };
+  for (double angle : { 0.3, 2.0, 4.5 })
+  {
+    const Index first = static_cast<Index>(mesh.points.size());
+    mesh.points.push_back({ std::cos(angle), std::sin(angle), 0.0 });
+    mesh.points.push_back({ std::cos(angle), std::sin(angle), 1.0 });
+    mesh.triangles.push_back({ 0, 1, first });
+    mesh.triangles.push_back({ 1, first, first + 1 });
+  }
+  const std::vector<double> distances = vertexDistances(mesh, 2);
+  const std::vector<double> truth = { 1.0, std::sqrt(2.0), 0.0, 1.0, 2.0, std::sqrt(5.0), 2.0,
+    std::sqrt(5.0) };
+  expectNear(distances, truth, "three pages");
+}
+
+TEST(PeersWrongAnswers, APolylineAcrossANonManifoldEdgeIsExactOnEveryPage)
+{
+  // Straight from page 0 to page 1: for page 2 it bends at the spine.
+  Random random(3);
+  const PlainMesh mesh = book(3, 4, 3, 0.0, random);
+  const geodesic::TriangleMesh engine = engineMesh(mesh);
+  const MeshPoint p = { 2, { 0.2, 0.5, 0.3 } };
+  const MeshPoint q = { 2 * 4 * 3 + 6, { 0.3, 0.3, 0.4 } };
+  geodesic::LocatedPolyline line;
+  line.points = { position(mesh, p), position(mesh, q) };
+  line.faces = { p.face, q.face };
+  line.name = "the line";
+  const geodesic::SourceCurves put = geodesic::putOntoSurface(engine, { line }, {});
+  ASSERT_EQ(put.curves.size(), 1u);
+  // Both ends and the place on the spine where the straight line crosses it, page by page.
+  const auto page = [&mesh](const MeshPoint& x, double halfedge) -> Vec2
+  {
+    const Vec3 y = position(mesh, x);
+    return { halfedge * std::hypot(y[0], y[1]), y[2] };
+  };
+  const Vec2 a = page(p, 1.0);
+  const Vec2 b = page(q, -1.0);
+  const double t = a[0] / (a[0] - b[0]);
+  const Vec2 spine = { 0.0, a[1] + t * (b[1] - a[1]) };
+  std::vector<double> truth;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    const Vec3& x = mesh.points[v];
+    const double r = std::hypot(x[0], x[1]);
+    const std::size_t onPage = v < 5 ? 0 : (v - 5) / 15; // the spine has 5 vertices, a page 15 more
+    // The part on the same page is on the same side, the other one opposite.
+    const Vec2 toA = { onPage == 0 ? r : -r, x[2] };
+    const Vec2 toB = { onPage == 1 ? -r : r, x[2] };
+    truth.push_back(std::min(distanceToSegment(toA, a, spine), distanceToSegment(toB, b, spine)));
+  }
+  expectNear(geodesic::solve(engine, put.curves).vertexDistances(), truth, "line across the spine");
+}
+
+TEST(PeersWrongAnswers, AnEdgeWithoutLengthConducts)
+{
+  // An inner vertex moved onto its neighbour: the surface is the same, two faces lose their area.
+  PlainMesh mesh = regularGrid(8, 8);
+  mesh.points[4 * 9 + 4] = mesh.points[4 * 9 + 5];
+  mesh.points[2 * 9 + 2] = mesh.points[3 * 9 + 3];
+  const geodesic::TriangleMesh engine = engineMesh(mesh);
+  EXPECT_EQ(engine.report().zeroAreaFaces, 4u);
+  for (Index source : { 0u, 40u, 41u, 80u, 20u })
+  {
+    expectNear(vertexDistances(mesh, source), straightDistances(mesh, source),
+      "from vertex " + std::to_string(source));
+  }
+}
+
+TEST(PeersWrongAnswers, FacesWithoutAreaConduct)
+{
+  // Corners in one line: a T-joint filled with a flat face, on every second edge of a grid.
+  const PlainMesh grid = regularGrid(6, 6);
+  PlainMesh mesh;
+  mesh.points = grid.points;
+  for (std::size_t f = 0; f < grid.triangles.size(); f += 2)
+  {
+    // The cell's diagonal a-c gets a middle for its upper face only.
+    const Triangle& lower = grid.triangles[f];
+    const Triangle& upper = grid.triangles[f + 1];
+    const Index a = lower[0];
+    const Index c = lower[2];
+    const Index middle = static_cast<Index>(mesh.points.size());
+    mesh.points.push_back({ 0.5 * (mesh.points[a][0] + mesh.points[c][0]),
+      0.5 * (mesh.points[a][1] + mesh.points[c][1]), 0.0 });
+    mesh.triangles.push_back(lower);
+    mesh.triangles.push_back({ a, middle, c });
+    mesh.triangles.push_back({ a, middle, upper[2] });
+    mesh.triangles.push_back({ middle, c, upper[2] });
+  }
+  EXPECT_EQ(engineMesh(mesh).report().zeroAreaFaces, 36u);
+  for (Index source : { 0u, 24u, 48u, 55u, 60u })
+  {
+    expectNear(vertexDistances(mesh, source), straightDistances(mesh, source),
+      "from vertex " + std::to_string(source));
+  }
+}
+
+TEST(PeersWrongAnswers, FacesThatRepeatAVertexAndDuplicateFacesChangeNothing)
+{
+  Random random(8);
+  const PlainMesh good = bumpySheet(8, 8, 1, 0.5, random);
+  PlainMesh bad = good;
+  bad.triangles.insert(bad.triangles.begin() + 5, { 3, 3, 9 });
+  bad.triangles.push_back({ 7, 12, 7 });
+  bad.triangles.push_back({ 11, 11, 11 });
+  for (std::size_t f : { 1, 20, 40 })
+  {
+    const Triangle t = good.triangles[f];
+    bad.triangles.push_back({ t[1], t[2], t[0] });
+    bad.triangles.push_back({ t[2], t[1], t[0] });
+  }
+  EXPECT_EQ(engineMesh(bad).report().facesWithRepeatedVertex, 3u);
+  EXPECT_EQ(engineMesh(bad).report().duplicateFaces, 6u);
+  expectNear(vertexDistances(bad, 17), vertexDistances(good, 17), "with bad faces");
+  expectBruteForce(bad, 30, "with bad faces");
+}
+
+TEST(PeersWrongAnswers, OtherComponentsAndIsolatedVerticesAreInfinitelyFar)
+{
+  const PlainMesh grid = regularGrid(4, 4);
+  PlainMesh mesh = merged(grid, grid);
+  mesh.points.push_back({ 0.5, 0.5, 0.0 });
+  EXPECT_EQ(engineMesh(mesh).report().isolatedVertices, 1u);
+  const std::vector<double> distances = vertexDistances(mesh, 3);
+  const std::vector<double> truth = straightDistances(mesh, 3);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    if (v < grid.points.size())
+    {
+      EXPECT_NEAR(distances[v], truth[v], 1e-12) << "vertex " << v;
+    }
+    else
+    {
+      EXPECT_EQ(distances[v], geodesic::Infinity) << "vertex " << v;
+    }
+  }
+}
+
+TEST(PeersWrongAnswers, OfASoupOfTrianglesOnlyTheSourcesFaceIsReached)
+{
+  const PlainMesh grid = regularGrid(3, 3);
+  PlainMesh soup;
+  for (const Triangle& t : grid.triangles)
+  {
+    const Index first = static_cast<Index>(soup.points.size());
+    for (Index v : t)
+    {
+      soup.points.push_back(grid.points[v]);
+    }
+    soup.triangles.push_back({ first, first + 1, first + 2 });
+  }
+  const std::vector<double> distances = vertexDistances(soup, 4);
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+  {
+    EXPECT_EQ(std::isfinite(distances[v]), v / 3 == 1) << "vertex " << v;
+  }
+}
+
+TEST(PeersWrongAnswers, CoordinatesThatAreNotFiniteAreRefusedByName)
+{
+  for (double bad : { std::numeric_limits<double>::quiet_NaN(),
+         std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })
+  {
+    for (Index axis = 0; axis < 3; ++axis)
+    {
+      PlainMesh mesh = regularGrid(4, 4);
+      mesh.points[13][axis] = bad;
+      EXPECT_NE(meshErrorOf(mesh).find("13"), std::string::npos) << meshErrorOf(mesh);
+    }
+  }
+}
+
+TEST(PeersWrongAnswers, InconsistentOrientationChangesNothing)
+{
+  Random random(5);
+  const PlainMesh good = bumpySheet(9, 9, 1, 0.5, random);
+  const PlainMesh mixed = withFlippedFaces(good, random);
+  for (Index source : { 0u, 40u })
+  {
+    expectNear(vertexDistances(mixed, source), vertexDistances(good, source), "flipped");
+    expectBruteForce(mixed, source, "flipped");
+  }
+  expectBruteForce(moebius(30, 4), 7, "not orientable");
+}
+
+TEST(PeersWrongAnswers, TinyAndHugeCoordinatesAreAsExact)
+{
+  Random random(9);
+  const PlainMesh sheet = bumpySheet(9, 9, 1, 0.5, random);
+  const PlainMesh grid = regularGrid(20, 20);
+  for (double factor : { 1e-9, 1e9 })
+  {
+    expectBruteForce(scaled(sheet, factor), 33, "scaled by " + scientific(factor));
+    const PlainMesh small = scaled(grid, factor);
+    expectNear(
+      vertexDistances(small, 21), straightDistances(small, 21), "scaled by " + scientific(factor));
+  }
+}
+
+TEST(PeersWrongAnswers, ASourceWithinRoundingOfAVertexIsAtThatVertex)
+{
+  const PlainMesh grid = regularGrid(6, 6);
+  const geodesic::TriangleMesh engine = engineMesh(grid);
+  const Index vertex = 24;
+  const std::vector<double> truth = straightDistances(grid, vertex);
+  for (Index f = 0; f < grid.triangles.size(); ++f)
+  {
+    for (Index k = 0; k < 3; ++k)
+    {
+      if (grid.triangles[f][k] != vertex)
+      {
+        continue;
+      }
+      for (double off : { 1e-17, 1e-16, 1e-14, 1e-11 })
+      {
+        Barycentric inside = { off, off, off };
+        inside[k] = 1.0 - 2.0 * off;
+        const std::vector<double> distances = geodesic::solve(
+          engine, { enginePointSource(geodesic::SurfacePoint::inFace(f, inside[1], inside[2])) })
+                                                .vertexDistances();
+        expectNear(distances, truth, "in a face, off by " + scientific(off));
+        const std::vector<double> onEdge = geodesic::solve(
+          engine, { enginePointSource(geodesic::SurfacePoint::onEdge(3 * f + k, off)) })
+                                             .vertexDistances();
+        expectNear(onEdge, truth, "on an edge, off by " + scientific(off));
+      }
+    }
+  }
+}
+
+TEST(PeersWrongAnswers, ASourceWithinRoundingOfAnEdgeShinesToBothSides)
+{
+  const PlainMesh grid = regularGrid(6, 6);
+  const geodesic::TriangleMesh engine = engineMesh(grid);
+  for (Index f : { 20u, 21u, 35u, 36u })
+  {
+    for (Index k = 0; k < 3; ++k)
+    {
+      for (double off : { 1e-18, 1e-17, 1e-15, 1e-12, 1e-11 })
+      {
+        Barycentric w{};
+        w[k] = 0.7;
+        w[(k + 1) % 3] = 0.3;
+        w[(k + 2) % 3] = off;
+        const Vec3 s = position(grid, { f, w });
+        std::vector<double> truth;
+        for (const Vec3& p : grid.points)
+        {
+          truth.push_back(std::hypot(p[0] - s[0], p[1] - s[1]));
+        }
+        const std::vector<double> distances = geodesic::solve(
+          engine, { enginePointSource(geodesic::SurfacePoint::inFace(f, w[1], w[2])) })
+                                                .vertexDistances();
+        expectNear(distances, truth, "off by " + scientific(off));
+      }
+    }
+  }
+}
+
+TEST(PeersWrongAnswers, APolylineThatBeginsWithinRoundingOfAnEdgeShinesToBothSides)
+{
+  const PlainMesh grid = regularGrid(6, 6);
+  for (Index k = 0; k < 3; ++k)
+  {
+    for (double off : { 1e-18, 1e-16, 1e-14, 1e-12, 1e-10, 1e-8 })
+    {
+      Barycentric start{};
+      start[k] = 0.7;
+      start[(k + 1) % 3] = 0.3 - off;
+      start[(k + 2) % 3] = off;
+      const Barycentric end = { 0.3, 0.25, 0.45 };
+      const Polyline curve = { { { 30, start, end } }, {} };
+      const EngineResult result = engineDistances(grid, { curve });
+      const Vec3 a = position(grid, { 30, start });
+      const Vec3 b = position(grid, { 30, end });
+      std::vector<double> truth;
+      for (const Vec3& p : grid.points)
+      {
+        truth.push_back(distanceToSegment({ p[0], p[1] }, { a[0], a[1] }, { b[0], b[1] }));
+      }
+      const double error = worstError(result.vertices, truth, largestFinite(truth));
+      EXPECT_LE(error, EngineAccuracy) << "halfedge " << k << ", off by " << off;
+    }
+  }
+}
+
+TEST(PeersWrongAnswers, NoRayIsMissingBetweenThePencilsOfAPolylinesEnd)
+{
+  // Queries close to the border between the parallel rays of a segment and the circular ones of its
+  // end, which leaves at a right angle, with the end at any distance from an edge.
+  const Index n = 8;
+  const PlainMesh grid = regularGrid(n, n);
+  const Index face = 2 * (4 * n + 3);
+  for (Index k = 0; k < 3; ++k)
+  {
+    for (double off :
+      { 0.0, 1e-18, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6, 1e-3, 0.1 })
+    {
+      Barycentric start{};
+      start[k] = 0.6;
+      start[(k + 1) % 3] = 0.4 - off;
+      start[(k + 2) % 3] = off;
+      const Barycentric end = { 0.3, 0.25, 0.45 };
+      const Vec3 a = position(grid, { face, start });
+      const Vec3 b = position(grid, { face, end });
+      const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+      const Vec2 along = { (b[0] - a[0]) / length, (b[1] - a[1]) / length };
+      std::vector<MeshPoint> queries;
+      std::vector<double> truth;
+      for (double halfedge : { -1.0, 1.0 })
+      {
+        for (double angle :
+          { 0.0, 1e-14, 1e-11, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.5, 1.0 })
+        {
+          for (double radius : { 0.3, 1.1, 2.3 })
+          {
+            const double out = halfedge * radius * std::cos(angle);
+            const double back = -radius * std::sin(angle);
+            const double x = a[0] + back * along[0] - out * along[1];
+            const double y = a[1] + back * along[1] + out * along[0];
+            queries.push_back(gridPoint(n, x, y));
+            truth.push_back(distanceToSegment({ x, y }, { a[0], a[1] }, { b[0], b[1] }));
+          }
+        }
+      }
+      const EngineResult result =
+        engineDistances(grid, std::vector<Polyline>{ { { { face, start, end } }, {} } }, queries);
+      EXPECT_LE(worstError(result.queries, truth, n), EngineAccuracy)
+        << "halfedge " << k << ", off by " << off;
+    }
+  }
+}
+
+TEST(PeersWrongAnswers, AQueryWithinRoundingOfAVertexHasThatVertexsDistance)
+{
+  Random random(12);
+  const PlainMesh mesh = bumpySheet(8, 8, 0, 0.5, random);
+  const MeshPoint source = randomFacePoint(mesh, random);
+  std::vector<MeshPoint> queries;
+  for (Index f = 0; f < mesh.triangles.size(); ++f)
+  {
+    queries.push_back({ f, { 1.0, 1e-17, 1e-17 } });
+  }
+  Sources sources;
+  sources.points = { source };
+  const EngineResult result = engineDistances(mesh, sources, queries);
+  for (Index f = 0; f < mesh.triangles.size(); ++f)
+  {
+    EXPECT_NEAR(result.queries[f], result.vertices[mesh.triangles[f][0]], 1e-12) << "face " << f;
+  }
+}
+
+TEST(PeersWrongAnswers, APointGivenInAFaceWhoseCoordinatesAreThoseOfAnEdgeIsOnThatEdge)
+{
+  // u + v = 1, exactly and up to rounding: the coordinate of corner 0 is zero or just below.
+  const PlainMesh grid = regularGrid(6, 6);
+  const geodesic::TriangleMesh engine = engineMesh(grid);
+  for (const auto& [u, v] :
+    { std::pair(0.5, 0.5), std::pair(0.64239925514211993, 0.35760074485788007), std::pair(0.0, 0.3),
+      std::pair(0.3, 0.0), std::pair(1.0, 0.0), std::pair(0.0, 0.0) })
+  {
+    for (Index f : { 28u, 29u, 40u })
+    {
+      const geodesic::SurfacePoint point = geodesic::SurfacePoint::inFace(f, u, v);
+      const Vec3 x = position(grid, { f, { 1.0 - u - v, u, v } });
+      const geodesic::DistanceField fromPoint =
+        solveKeepingAll(engine, { enginePointSource(point) });
+      for (Index vertex = 0; vertex < grid.points.size(); ++vertex)
+      {
+        const Vec3& p = grid.points[vertex];
+        const double truth = std::hypot(p[0] - x[0], p[1] - x[1]);
+        EXPECT_NEAR(fromPoint.vertexDistances()[vertex], truth, 1e-12)
+          << "source in face " << f << " at " << u << ", " << v << ", vertex " << vertex;
+        EXPECT_NEAR(
+          solveKeepingAll(engine, { vertexSource(vertex) }).distance(point), truth, 1e-12)
+          << "query in face " << f << " at " << u << ", " << v << ", from vertex " << vertex;
+      }
+    }
+  }
+}
+
+TEST(PeersWrongAnswers, PropagationEndsOnMeshesWithBoundary)
+{
+  // One face, a strip one face wide, a sheet full of holes.
+  Random random(10);
+  const PlainMesh face = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
+  expectNear(vertexDistances(face, 0), { 0.0, 1.0, 1.0 }, "one face");
+  const PlainMesh strip = regularGrid(200, 1);
+  expectNear(vertexDistances(strip, 0), straightDistances(strip, 0), "strip");
+  expectBruteForce(bumpySheet(20, 20, 12, 0.6, random), 5, "holes");
+}

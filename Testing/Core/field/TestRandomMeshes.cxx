@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The engine against the brute-force solver on random meshes with random sources: a fixed set, and
+// others from a seed that is new in each run (and printed; GEODESIC_TEST_SEED repeats it).
+#include "EngineSupport.h"
+#include "truth/RandomMeshKinds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <string>
+
+using namespace geodesictest;
+
+namespace
+{
+
+constexpr std::uint64_t FixedMeshesOfAKind = 50;
+constexpr std::uint64_t FreshMeshesOfAKind = 10;
+constexpr std::uint64_t MeshesWithPointsBesideVertices = 20;
+constexpr std::size_t NumberOfQueries = 80;
+
+class RandomMeshes : public ::testing::TestWithParam<MeshKind>
+{
+protected:
+  /// The error at vertices and at random surface points, of the largest distance.
+  void compare(std::uint64_t seed)
+  {
+    this->compare(seed, randomCase(GetParam(), seed, NumberOfQueries));
+  }
+
+  void compare(std::uint64_t seed, const RandomCase& theCase)
+  {
+    const auto& [mesh, curves, queries, truth] = theCase;
+    const EngineResult result = engineDistances(mesh, curves, queries);
+    const double largest = largestFinite(truth.vertices);
+    const double atVertices = worstError(result.vertices, truth.vertices, largest);
+    const double atQueries = worstError(result.queries, truth.queries, largest);
+    EXPECT_LE(std::max(atVertices, atQueries), EngineAccuracy)
+      << GetParam().name << ", seed " << seed << ", " << mesh.triangles.size()
+      << " faces, error at vertices " << atVertices << ", at surface points " << atQueries
+      << ", sources:\n"
+      << describe(curves);
+    this->worst_ = std::max({ this->worst_, atVertices, atQueries });
+  }
+
+  void report() const
+  {
+    std::cout << "worst relative error on " << GetParam().name << ": " << this->worst_ << "\n";
+  }
+
+  double worst_ = 0.0;
+};
+
+std::uint64_t freshSeed()
+{
+  if (const char* wanted = std::getenv("GEODESIC_TEST_SEED"))
+  {
+    return std::strtoull(wanted, nullptr, 10);
+  }
+  std::random_device device;
+  return device();
+}
+
+}
+
+TEST_P(RandomMeshes, FixedOnesAgreeWithBruteForce)
+{
+  for (std::uint64_t seed = 0; seed < FixedMeshesOfAKind; ++seed)
+  {
+    this->compare(seed);
+  }
+  this->report();
+}
+
+// Nearer to a vertex than most points, and some of them to both edges there.
+TEST_P(RandomMeshes, PointsBesideVerticesAgreeWithBruteForce)
+{
+  for (std::uint64_t seed = 0; seed < MeshesWithPointsBesideVertices; ++seed)
+  {
+    Random random(seed + 31000);
+    RandomCase theCase{ GetParam().make(random.between(20, 120), random), {}, {}, {} };
+    CurveMaker maker(theCase.mesh, random);
+    MeshPoint place = randomFacePoint(theCase.mesh, random);
+    const Index k = random.below(3);
+    const double a = std::pow(10.0, random.uniform(-9.0, -4.0));
+    place.weights[(k + 1) % 3] = a * random.uniform(0.1, 1.0);
+    place.weights[(k + 2) % 3] = a * random.uniform(0.1, 1.0);
+    place.weights[k] = 1.0 - place.weights[(k + 1) % 3] - place.weights[(k + 2) % 3];
+    theCase.curves.push_back(maker.point(place));
+    theCase.queries = randomPoints(theCase.mesh, NumberOfQueries, random);
+    theCase.truth = bruteForceDistances(theCase.mesh, toSources(theCase.curves), theCase.queries);
+    this->compare(seed, theCase);
+  }
+  this->report();
+}
+
+TEST_P(RandomMeshes, FreshOnesAgreeWithBruteForce)
+{
+  const std::uint64_t first = freshSeed();
+  std::cout << "fresh seed: GEODESIC_TEST_SEED=" << first << "\n";
+  for (std::uint64_t i = 0; i < FreshMeshesOfAKind; ++i)
+  {
+    this->compare(first + i);
+  }
+  this->report();
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, RandomMeshes, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });

@@ -1,0 +1,926 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Refined meshes against the brute-force solver: nowhere over what is reported, nothing reported
+// over the tolerance, and the surface what it was.
+#include "EngineSupport.h"
+#include "truth/MeshFiles.h"
+#include "truth/RandomMeshKinds.h"
+#include "refinement/RefinementSupport.h"
+
+#include "Tolerance.h"
+#include "refinement/AdaptiveRefinement.h"
+#include "refinement/SolveForRefinement.h"
+#include "Errors.h"
+#include "refinement/RedGreenMesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+
+using namespace geodesictest;
+using geodesic::DistanceField;
+using geodesic::Id;
+using geodesic::NoId;
+using geodesic::RedGreenMesh;
+using geodesic::RefinedMesh;
+using geodesic::RefinementOptions;
+using geodesic::SurfacePoint;
+using geodesic::TriangleMesh;
+
+namespace
+{
+
+bool equal(const RefinedMesh& a, const RefinedMesh& b)
+{
+  const auto samePoint = [](const geodesic::RefinedPoint& p, const geodesic::RefinedPoint& q)
+  {
+    return p.parents == q.parents && p.weight == q.weight && p.position == q.position &&
+      p.distance == q.distance;
+  };
+  return a.triangles == b.triangles && a.faces == b.faces && a.errorBound == b.errorBound &&
+    std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), samePoint);
+}
+
+/// An approximate field, solved for being refined, against itself.
+void meetsToleranceOfItsField(const PlainMesh& mesh, const Sources& sources, double relativeError,
+  double fraction, Random& random)
+{
+  const TriangleMesh engine = engineMesh(mesh);
+  const std::vector<geodesic::SourceCurve> source = engineCurves(engine, sources);
+  const DistanceField exact = geodesic::solve(engine, source);
+  const double largest = largestFinite(exact.vertexDistances());
+  const double tolerance = fraction * largest;
+  const DistanceField field = solveKeepingAll(engine, source, relativeError, geodesic::Infinity,
+    geodesic::tolerance::MergedOfRefinement * tolerance);
+  const RefinedMesh refined = refineTo(field, tolerance);
+  EXPECT_FALSE(refined.stoppedAtMaximum);
+  EXPECT_LE(refined.errorBound, tolerance);
+  const Samples samples = sample(field, refined, 3000, random);
+  std::vector<double> computed;
+  for (const MeshPoint& place : samples.places)
+  {
+    computed.push_back(field.distance(enginePoint(engine, place)));
+  }
+  EXPECT_LE(largestDifference(samples, computed), refined.errorBound + EngineAccuracy * largest);
+}
+
+//----------------------------------------------------------------------------
+class Refinement : public ::testing::TestWithParam<MeshKind>
+{
+protected:
+  /// One mesh at one tolerance. \returns measured error over tolerance.
+  static double compare(const PlainMesh& mesh, const std::vector<Polyline>& curves, double fraction,
+    std::size_t count, Random& random)
+  {
+    const TriangleMesh engine = engineMesh(mesh);
+    const DistanceField field = solveKeepingAll(engine, engineCurves(engine, curves));
+    const double largest = largestFinite(field.vertexDistances());
+    const double tolerance = fraction * largest;
+    const RefinedMesh refined = refineTo(field, tolerance);
+    EXPECT_FALSE(refined.stoppedAtMaximum);
+    EXPECT_LE(refined.errorBound, tolerance);
+    const Samples samples = sample(field, refined, count, random);
+    const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), samples.places);
+    const double measured = largestDifference(samples, truth.queries);
+    const double rounding = EngineAccuracy * largest;
+    EXPECT_LE(measured, refined.errorBound + rounding)
+      << refined.triangles.size() << " triangles of " << mesh.triangles.size()
+      << " faces, tolerance " << tolerance << "\n"
+      << describe(curves);
+    expectSameSurface(field, refined);
+    return measured / tolerance;
+  }
+};
+
+}
+
+TEST_P(Refinement, IsNowhereOverTheToleranceOnRandomMeshes)
+{
+  constexpr std::uint64_t meshes = 12;
+  constexpr std::size_t samples = 10000;
+  double worst = 0.0;
+  for (std::uint64_t seed = 0; seed < meshes; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 7000);
+    const PlainMesh mesh = GetParam().make(random.between(50, 250), random);
+    CurveMaker maker(mesh, random);
+    const double fraction = std::pow(10.0, random.uniform(-3.0, -1.0));
+    worst = std::max(worst, compare(mesh, maker.anySource(), fraction, samples, random));
+  }
+  std::cout << "worst error over tolerance on " << GetParam().name << ": " << worst << "\n";
+}
+
+TEST_P(Refinement, SeesASourceThatIsStrictlyInsideOneFace)
+{
+  constexpr std::uint64_t meshes = 6;
+  constexpr std::size_t samples = 3000;
+  for (std::uint64_t seed = 0; seed < meshes; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 8000);
+    const PlainMesh mesh = GetParam().make(random.between(50, 120), random);
+    const Index face = random.below(mesh.triangles.size());
+    const double size = seed == 0 ? 0.0 : random.uniform(0.001, 0.1);
+    const Barycentric from = { 0.5, 0.3, 0.2 };
+    const Barycentric to = { 0.5 - size, 0.3 + 0.4 * size, 0.2 + 0.6 * size };
+    const std::vector<Polyline> source = { { { { face, from, to } }, {} } };
+    compare(mesh, source, random.uniform(0.003, 0.03), samples, random);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Refinement, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST_P(Refinement, OfAnApproximateFieldMeetsTheToleranceAtEveryEpsilon)
+{
+  constexpr std::uint64_t meshes = 3;
+  for (std::uint64_t seed = 0; seed < meshes; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 9000);
+    const PlainMesh mesh = GetParam().make(random.between(50, 250), random);
+    CurveMaker maker(mesh, random);
+    const std::vector<Polyline> curves = maker.anySource();
+    SCOPED_TRACE(describe(curves));
+    const Sources source = toSources(curves);
+    for (const double relativeError : { 1e-3, 1e-2, 1e-1 })
+    {
+      SCOPED_TRACE(relativeError);
+      meetsToleranceOfItsField(mesh, source, relativeError, random.uniform(0.002, 0.02), random);
+    }
+  }
+}
+
+// Wide windows, so that one merge changes much.
+TEST(RefinementOfACoarsePlane, OfAnApproximateFieldMeetsTheTolerance)
+{
+  Random random(1);
+  const PlainMesh plane = regularGrid(8, 8);
+  const Sources source{ { { 17, { 0.2, 0.3, 0.5 } } }, {} };
+  for (const double relativeError : { 1e-3, 1e-2, 1e-1 })
+  {
+    for (const double fraction : { 1e-2, 1e-3 })
+    {
+      meetsToleranceOfItsField(plane, source, relativeError, fraction, random);
+    }
+  }
+}
+
+TEST(RefinementOfBoundaryFields, IsNowhereOverTheTolerance)
+{
+  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const PlainMesh mesh =
+      seed % 2 == 0 ? bumpySheet(7, 8, 2, 0.5, random) : planarWithHoles(8, 7, 2, random);
+    const TriangleMesh engine = engineMesh(mesh);
+    const DistanceField field = solveKeepingAll(engine, geodesic::boundaryCurves(engine));
+    const double largest = largestFinite(field.vertexDistances());
+    const double tolerance = 0.01 * largest;
+    const RefinedMesh refined = refineTo(field, tolerance);
+    EXPECT_LE(refined.errorBound, tolerance);
+    const Samples samples = sample(field, refined, 10000, random);
+    const BruteForceResult truth =
+      bruteForceDistances(mesh, boundarySources(engine), samples.places);
+    EXPECT_LE(
+      largestDifference(samples, truth.queries), refined.errorBound + EngineAccuracy * largest);
+    expectSameSurface(field, refined);
+  }
+}
+
+// The source crosses two edges in the middle: split there and joined, it is an edge itself.
+TEST(RefinementOfOneFace, FollowsTheSourceFromEdgeToEdgeWithThreeTriangles)
+{
+  const PlainMesh mesh = { { { 0, 0, 0 }, { 4, 0, 0 }, { 1, 3, 0 } }, { { 0, 1, 2 } } };
+  const TriangleMesh engine = engineMesh(mesh);
+  const Sources source{ {}, { { 0, { 0.5, 0.5, 0.0 }, { 0.5, 0.0, 0.5 } } } };
+  const DistanceField field = solveKeepingAll(engine, engineCurves(engine, source));
+  const double tolerance = 0.5;
+  const RefinedMesh refined = refineTo(field, tolerance);
+  EXPECT_LE(refined.errorBound, tolerance);
+  EXPECT_EQ(refined.triangles.size(), 3u);
+  ASSERT_EQ(refined.points.size(), 2u);
+  EXPECT_NEAR(refined.points[0].distance, 0.0, EngineAccuracy);
+  EXPECT_NEAR(refined.points[1].distance, 0.0, EngineAccuracy);
+  const auto holdsBoth = [](const geodesic::Triangle& t)
+  { return std::count(t.begin(), t.end(), 3u) + std::count(t.begin(), t.end(), 4u) == 2; };
+  EXPECT_EQ(std::count_if(refined.triangles.begin(), refined.triangles.end(), holdsBoth), 2);
+  expectSameSurface(field, refined);
+}
+
+// All three edges are on the source, with distance 0 all along; the inside is not.
+TEST(RefinementOfOneFace, SeesALocalMaximumInside)
+{
+  const PlainMesh mesh = { { { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 } }, { { 0, 1, 2 } } };
+  const TriangleMesh engine = engineMesh(mesh);
+  const DistanceField field = solveKeepingAll(engine, geodesic::boundaryCurves(engine));
+  Random random(1);
+  for (const double tolerance : { 2.0, 0.5, 0.1, 0.01 })
+  {
+    const RefinedMesh refined = refineTo(field, tolerance);
+    EXPECT_LE(refined.errorBound, tolerance);
+    const double inradius = 1.0;
+    EXPECT_EQ(refined.triangles.size() > 1, tolerance < inradius);
+    const Samples samples = sample(field, refined, 20000, random);
+    double measured = 0.0;
+    for (std::size_t i = 0; i < samples.places.size(); ++i)
+    {
+      const Vec3 p = position(mesh, samples.places[i]);
+      const double truth = std::min({ p[0], p[1], (12.0 - 4.0 * p[0] - 3.0 * p[1]) / 5.0 });
+      measured = std::max(measured, std::abs(truth - samples.interpolant[i]));
+    }
+    EXPECT_LE(measured, refined.errorBound * (1.0 + EngineAccuracy));
+    EXPECT_GE(measured, tolerance < inradius ? 0.5 * refined.errorBound : 0.0);
+    expectSameSurface(field, refined);
+  }
+}
+
+//----------------------------------------------------------------------------
+// One-to-four completion on meshes made by hand.
+namespace
+{
+
+/// A mesh under refinement whose edges are split in the middle, and nothing measured.
+class ByHand
+{
+public:
+  explicit ByHand(const std::vector<geodesic::Triangle>& triangles, Id vertices = 8)
+    : mesh_(somePoints(vertices), triangles)
+    , triangles_(this->mesh_, std::vector<std::uint8_t>(triangles.size(), 0))
+  {
+  }
+  ByHand(const std::vector<geodesic::Triangle>& triangles, std::vector<std::uint8_t> frozen)
+    : mesh_(somePoints(8), triangles)
+    , triangles_(this->mesh_, std::move(frozen))
+  {
+  }
+
+  RedGreenMesh& triangles() { return this->triangles_; }
+  Id edge(Id triangle, Id k) { return this->triangles_.edge(triangle, k); }
+
+  void split(const std::vector<Id>& edges)
+  {
+    for (const Id edge : edges)
+    {
+      this->triangles_.split(edge, middle);
+    }
+    this->triangles_.close(
+      middle, [this](Id triangle) { return this->triangles_.splitEdges(triangle) == 1; });
+  }
+
+  /// How many triangles are put out in each face.
+  std::vector<Id> count() const
+  {
+    std::vector<Id> count(this->mesh_.numberOfFaces(), 0);
+    Id total = 0;
+    this->triangles_.forEachTriangle(
+      [&](Id face, const geodesic::Triangle&)
+      {
+        ++count[face];
+        ++total;
+      });
+    EXPECT_EQ(this->triangles_.numberOfTriangles(), total);
+    return count;
+  }
+
+  std::vector<geodesic::Triangle> output() const
+  {
+    std::vector<geodesic::Triangle> result;
+    this->triangles_.forEachTriangle(
+      [&](Id, const geodesic::Triangle& corners) { result.push_back(corners); });
+    return result;
+  }
+
+  std::vector<geodesic::Triangle> outputOf(Id wanted) const
+  {
+    std::vector<geodesic::Triangle> result;
+    this->triangles_.forEachTriangle(
+      [&](Id face, const geodesic::Triangle& corners)
+      {
+        if (face == wanted)
+        {
+          result.push_back(corners);
+        }
+      });
+    return result;
+  }
+
+  /// Of its face.
+  double fractionOf(Id face, const geodesic::Triangle& corners) const
+  {
+    std::array<Barycentric, 3> b;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      b[k] = barycentric(this->mesh_, this->triangles_.place(corners[k]), face);
+    }
+    return determinant(b[0], b[1], b[2]);
+  }
+
+  /// Triangles around each edge of the output.
+  std::map<std::pair<Id, Id>, Id> around() const
+  {
+    std::map<std::pair<Id, Id>, Id> edges;
+    for (const geodesic::Triangle& t : this->output())
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        ++edges[std::minmax(t[k], t[(k + 1) % 3])];
+      }
+    }
+    return edges;
+  }
+
+  static RedGreenMesh::Placement middle(Id) { return { 0.5, 0.0 }; }
+
+private:
+  static std::vector<geodesic::Vec3> somePoints(Id count)
+  {
+    Random random(3);
+    std::vector<geodesic::Vec3> points(count);
+    for (geodesic::Vec3& p : points)
+    {
+      p = { random.uniform(), random.uniform(), random.uniform() };
+    }
+    return points;
+  }
+
+  TriangleMesh mesh_;
+  RedGreenMesh triangles_;
+};
+
+using Counts = std::vector<Id>;
+
+// 0 1 2 and 2 1 3 share the edge 1 2.
+const std::vector<geodesic::Triangle> TwoFaces = { { 0, 1, 2 }, { 2, 1, 3 } };
+
+}
+
+TEST(RedGreen, OneSplitEdgeBisectsTheFacesAroundIt)
+{
+  ByHand alone(TwoFaces);
+  alone.split({ alone.edge(0, 0) });
+  EXPECT_EQ(alone.count(), (Counts{ 2, 1 }));
+  ByHand shared(TwoFaces);
+  shared.split({ shared.edge(0, 1) });
+  EXPECT_EQ(shared.count(), (Counts{ 2, 2 }));
+  EXPECT_EQ(shared.triangles().points().size(), 1u);
+}
+
+TEST(RedGreen, TwoSplitEdgesAreCompletedToFourTriangles)
+{
+  ByHand mesh(TwoFaces);
+  mesh.split({ mesh.edge(0, 0), mesh.edge(0, 2) });
+  EXPECT_EQ(mesh.count(), (Counts{ 4, 2 })); // the third edge is shared
+  EXPECT_EQ(mesh.triangles().points().size(), 3u);
+}
+
+TEST(RedGreen, ThreeSplitEdgesAreFourTriangles)
+{
+  ByHand mesh({ { 0, 1, 2 } });
+  mesh.split({ mesh.edge(0, 0), mesh.edge(0, 1), mesh.edge(0, 2) });
+  EXPECT_EQ(mesh.count(), (Counts{ 4 }));
+  const std::vector<geodesic::Triangle> output = mesh.output();
+  const Id first = mesh.triangles().numberOfInputPoints();
+  const std::set<std::set<Id>> expected = { { 0, first, first + 2 }, { 1, first, first + 1 },
+    { 2, first + 1, first + 2 }, { first, first + 1, first + 2 } };
+  std::set<std::set<Id>> found;
+  for (const geodesic::Triangle& t : output)
+  {
+    found.insert({ t[0], t[1], t[2] });
+  }
+  EXPECT_EQ(found, expected);
+}
+
+TEST(RedGreen, CompletionGoesOnToNeighboursThatHaveTwoSplitEdgesByIt)
+{
+  // a strip: completing the first face splits the second edge of the next one, and so on
+  ByHand mesh({ { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 }, { 4, 3, 5 } });
+  mesh.split({ mesh.edge(0, 0), mesh.edge(0, 2), mesh.edge(1, 1) });
+  EXPECT_EQ(mesh.count(), (Counts{ 4, 4, 2, 1 }));
+}
+
+TEST(RedGreen, ANonManifoldEdgeIsSplitOnceForAllItsFaces)
+{
+  ByHand mesh({ { 0, 1, 2 }, { 0, 1, 3 }, { 1, 0, 4 }, { 5, 0, 1 } });
+  mesh.split({ mesh.edge(0, 0) });
+  EXPECT_EQ(mesh.count(), (Counts{ 2, 2, 2, 2 }));
+  EXPECT_EQ(mesh.triangles().points().size(), 1u);
+  const Id middle = mesh.triangles().numberOfInputPoints();
+  const std::pair<Id, Id> half = { 0, middle };
+  EXPECT_EQ(mesh.around().at(half), 4u);
+}
+
+TEST(RedGreen, AnEdgeSplitTwiceSplitsTheTriangleBesideItIntoFour)
+{
+  ByHand mesh(TwoFaces);
+  mesh.split({ mesh.edge(0, 0), mesh.edge(0, 1), mesh.edge(0, 2) });
+  EXPECT_EQ(mesh.count(), (Counts{ 4, 2 }));
+  // part 1 of the first face has corner 1 and half of the shared edge
+  const Id part = 2 + 1;
+  mesh.split({ mesh.edge(part, 1) });
+  EXPECT_EQ(mesh.count(), (Counts{ 5, 5 }));
+}
+
+TEST(RedGreen, ABisectedTriangleIsSplitIntoFourAsIfItHadNeverBeen)
+{
+  ByHand mesh({ { 0, 1, 2 } });
+  mesh.split({ mesh.edge(0, 0) });
+  EXPECT_EQ(mesh.count(), (Counts{ 2 }));
+  const Id middle = mesh.triangles().numberOfInputPoints();
+  const std::pair<Id, Id> bisector = { 2, middle };
+  EXPECT_EQ(mesh.around().count(bisector), 1u);
+  mesh.split({ mesh.edge(0, 1) });
+  EXPECT_EQ(mesh.count(), (Counts{ 4 }));
+  EXPECT_EQ(mesh.around().count(bisector), 0u);
+}
+
+TEST(RedGreen, ThinBisectionsAreReplacedInTwoRounds)
+{
+  ByHand mesh({ { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 }, { 4, 3, 5 } });
+  mesh.triangles().split(mesh.edge(0, 0), ByHand::middle);
+  mesh.triangles().close(ByHand::middle, [](Id) { return false; });
+  EXPECT_EQ(mesh.count(), (Counts{ 4, 4, 2, 1 }));
+}
+
+TEST(RedGreen, WhatMayBeClosedIsPutOutInEveryWayAsAPartitionOfTheLeaf)
+{
+  for (const std::vector<Id>& edges :
+    { std::vector<Id>{ 0, 1 }, { 1, 2 }, { 2, 0 }, { 0 }, { 1 }, { 2 }, { 0, 1, 2 } })
+  {
+    ByHand mesh(TwoFaces);
+    for (const Id k : edges)
+    {
+      mesh.triangles().split(mesh.edge(0, k), ByHand::middle);
+    }
+    mesh.triangles().close(ByHand::middle, [](Id) { return true; });
+    const Id splits = static_cast<Id>(edges.size());
+    const Id ways = RedGreenMesh::waysToClose(splits);
+    std::set<std::set<std::set<Id>>> different;
+    for (Id way = 0; way < ways; ++way)
+    {
+      mesh.triangles().setWay(0, way);
+      const bool sharedToo = std::count(edges.begin(), edges.end(), 1u) > 0;
+      EXPECT_EQ(mesh.count(), (Counts{ 1 + splits, sharedToo ? 2u : 1u }));
+      // both faces together have a boundary of four input edges, of which splits are halved
+      std::size_t boundary = 0;
+      for (const auto& [ends, triangles] : mesh.around())
+      {
+        EXPECT_LE(triangles, 2u);
+        boundary += triangles == 1 ? 1 : 0;
+      }
+      EXPECT_EQ(boundary, 4 + edges.size() - (sharedToo ? 1 : 0));
+      std::set<std::set<Id>> output;
+      for (const geodesic::Triangle& t : mesh.output())
+      {
+        output.insert({ t[0], t[1], t[2] });
+      }
+      different.insert(output);
+    }
+    EXPECT_EQ(different.size(), ways);
+  }
+}
+
+TEST(RedGreen, AFrozenFaceIsOnlyClosed)
+{
+  ByHand mesh(TwoFaces, { 0, 1 });
+  mesh.split({ mesh.edge(0, 0), mesh.edge(0, 1), mesh.edge(0, 2) });
+  mesh.split({ mesh.edge(2 + 1, 1) });
+  EXPECT_EQ(mesh.count(), (Counts{ 5, 3 }));
+  for (const auto& [ends, triangles] : mesh.around())
+  {
+    EXPECT_LE(triangles, 2u) << ends.first << ", " << ends.second;
+  }
+}
+
+// However unevenly the edges are split around it.
+TEST(RedGreen, AFrozenFaceIsClosedBetweenManyPointsOfItsThreeEdges)
+{
+  for (const std::array<int, 3>& rounds :
+    { std::array<int, 3>{ 3, 3, 3 }, { 4, 2, 1 }, { 1, 4, 0 }, { 0, 1, 4 }, { 5, 5, 0 } })
+  {
+    ByHand mesh({ { 0, 1, 2 }, { 1, 0, 3 }, { 2, 1, 4 }, { 0, 2, 5 } }, { 1, 0, 0, 0 });
+    Id onEdges = 0;
+    for (Id k = 0; k < 3; ++k)
+    {
+      std::vector<Id> along = { mesh.edge(k + 1, 0) }; // the neighbours' edges to the frozen face
+      for (int round = 0; round < rounds[k]; ++round)
+      {
+        for (const Id edge : along)
+        {
+          ASSERT_EQ(mesh.triangles().edgeData(edge).split, NoId);
+        }
+        mesh.split(along);
+        onEdges += static_cast<Id>(along.size());
+        std::vector<Id> halves;
+        for (const Id edge : along)
+        {
+          const Id first = mesh.triangles().edgeData(edge).halves;
+          halves.insert(halves.end(), { first, first + 1 });
+        }
+        along = halves;
+      }
+    }
+    EXPECT_EQ(mesh.count()[0], onEdges + 1) << "each point of the edges is a corner";
+    const auto around = mesh.around();
+    double covered = 0.0;
+    for (const geodesic::Triangle& t : mesh.outputOf(0))
+    {
+      const double part = mesh.fractionOf(0, t);
+      EXPECT_GT(part, 0.0) << "turned over or empty";
+      covered += part;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        EXPECT_EQ(around.at(std::minmax(t[k], t[(k + 1) % 3])), 2u) << "a point on an edge";
+      }
+    }
+    EXPECT_NEAR(covered, 1.0, 1e-13);
+  }
+}
+
+TEST(RedGreen, RollingBackUndoesEverythingSinceTheBeginning)
+{
+  ByHand mesh({ { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 } });
+  mesh.split({ mesh.edge(0, 0), mesh.edge(0, 2) });
+  const std::vector<geodesic::Triangle> before = mesh.output();
+  const auto splitMore = [&mesh]() { mesh.split({ mesh.edge(1, 1), mesh.edge(3, 1) }); };
+  mesh.triangles().begin();
+  splitMore();
+  const std::vector<geodesic::Triangle> after = mesh.output();
+  EXPECT_NE(before, after);
+  mesh.triangles().rollBack();
+  EXPECT_EQ(mesh.output(), before);
+  EXPECT_EQ(mesh.count(), (Counts{ 4, 2, 1 }));
+  splitMore();
+  EXPECT_EQ(mesh.output(), after);
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+
+/// A field on a random sheet that takes some refining.
+class RefinementOfASheet : public ::testing::Test
+{
+protected:
+  PlainMesh mesh_ = makeMesh();
+  TriangleMesh engine_ = engineMesh(mesh_);
+  Sources source_{ { { 17, { 0.2, 0.3, 0.5 } }, vertexPoint(mesh_, 100) }, {} };
+  DistanceField field_ = solveKeepingAll(engine_, engineCurves(engine_, source_));
+  double largest_ = largestFinite(field_.vertexDistances());
+
+  static PlainMesh makeMesh()
+  {
+    Random random(5);
+    return bumpySheet(12, 12, 2, 0.5, random);
+  }
+};
+
+}
+
+TEST_F(RefinementOfASheet, TheCapIsKeptAndWhatWasMetIsReported)
+{
+  const double tolerance = 1e-3 * largest_;
+  const RefinedMesh whole = refineTo(field_, tolerance);
+  EXPECT_FALSE(whole.stoppedAtMaximum);
+  double before = std::numeric_limits<double>::infinity();
+  for (const double share : { 0.05, 0.2, 0.5, 0.8 })
+  {
+    const auto added = static_cast<double>(whole.triangles.size() - mesh_.triangles.size());
+    const std::uint64_t most = mesh_.triangles.size() + static_cast<std::uint64_t>(share * added);
+    const RefinedMesh capped = refineTo(field_, tolerance, most);
+    EXPECT_LE(capped.triangles.size(), most);
+    EXPECT_GE(static_cast<double>(capped.triangles.size()), 0.9 * static_cast<double>(most));
+    EXPECT_TRUE(capped.stoppedAtMaximum);
+    EXPECT_GT(capped.errorBound, tolerance);
+    EXPECT_LE(capped.errorBound, before) << "worst ones come first";
+    before = 1.05 * capped.errorBound;
+    Random random(most);
+    const Samples samples = sample(field_, capped, 10000, random);
+    const BruteForceResult truth = bruteForceDistances(mesh_, source_, samples.places);
+    const double measured = largestDifference(samples, truth.queries);
+    EXPECT_LE(measured, capped.errorBound + EngineAccuracy * largest_);
+    EXPECT_GE(measured, 0.6 * capped.errorBound) << "the bound says what it is";
+    expectSameSurface(field_, capped);
+  }
+}
+
+TEST_F(RefinementOfASheet, AnInputOverTheCapStaysAsItIs)
+{
+  const RefinedMesh capped = refineTo(field_, 1e-3 * largest_, 10);
+  EXPECT_EQ(capped.triangles.size(), mesh_.triangles.size());
+  EXPECT_TRUE(capped.points.empty());
+  EXPECT_TRUE(capped.stoppedAtMaximum);
+  Random random(2);
+  const Samples samples = sample(field_, capped, 10000, random);
+  const BruteForceResult truth = bruteForceDistances(mesh_, source_, samples.places);
+  EXPECT_LE(
+    largestDifference(samples, truth.queries), capped.errorBound + EngineAccuracy * largest_);
+}
+
+TEST_F(RefinementOfASheet, ALargeToleranceLeavesTheMeshAsItIs)
+{
+  const RefinedMesh same = refineTo(field_, 10.0 * largest_, 10);
+  EXPECT_EQ(same.triangles.size(), mesh_.triangles.size());
+  EXPECT_FALSE(same.stoppedAtMaximum) << "nothing more was needed";
+  Random random(2);
+  const Samples samples = sample(field_, same, 10000, random);
+  const BruteForceResult truth = bruteForceDistances(mesh_, source_, samples.places);
+  EXPECT_LE(largestDifference(samples, truth.queries), same.errorBound);
+}
+
+TEST_F(RefinementOfASheet, ATighterToleranceIsMetByASmallerError)
+{
+  std::size_t triangles = 0;
+  for (const double fraction : { 1e-1, 1e-2, 1e-3, 1e-4 })
+  {
+    const RefinedMesh refined = refineTo(field_, fraction * largest_);
+    EXPECT_LE(refined.errorBound, fraction * largest_);
+    EXPECT_GT(refined.triangles.size(), triangles);
+    triangles = refined.triangles.size();
+  }
+}
+
+TEST_F(RefinementOfASheet, AToleranceThatIsNoPositiveNumberIsRefused)
+{
+  for (const double tolerance : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
+         std::numeric_limits<double>::infinity() })
+  {
+    EXPECT_THROW(refineTo(field_, tolerance), geodesic::Error) << tolerance;
+  }
+}
+
+TEST_F(RefinementOfASheet, AFieldWithoutWindowsIsRefused)
+{
+  const DistanceField lean = geodesic::solve(engine_, engineCurves(engine_, source_));
+  EXPECT_THROW(refineTo(lean, 0.1), geodesic::Error);
+}
+
+TEST_F(RefinementOfASheet, LabelsForAnotherNumberOfFacesAreRefused)
+{
+  RefinementOptions options;
+  options.tolerance = 0.1;
+  options.cornerPoints.assign(3, { 0, 1, 2 });
+  options.numberOfPoints = 3;
+  EXPECT_THROW(geodesic::refine(field_, options), geodesic::Error);
+}
+
+TEST_F(RefinementOfASheet, ProgressGoesFromZeroToOneAndStops)
+{
+  RefinementOptions options;
+  options.tolerance = 1e-4 * largest_;
+  std::vector<double> fractions;
+  options.progress = [&](double fraction)
+  {
+    fractions.push_back(fraction);
+    return true;
+  };
+  geodesic::refine(field_, options);
+  ASSERT_GT(fractions.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_GE(fractions.front(), 0.0);
+  EXPECT_LE(fractions.back(), 1.0);
+  options.progress = [](double) { return false; };
+  EXPECT_THROW(geodesic::refine(field_, options), geodesic::Aborted);
+}
+
+TEST_F(RefinementOfASheet, IsTheSameEachTimeAndAtAnyScale)
+{
+  const RefinedMesh refined = refineTo(field_, 2e-3 * largest_);
+  EXPECT_TRUE(equal(refined, refineTo(field_, 2e-3 * largest_)));
+  for (const double factor : { 0x1p-30, 0x1p30 })
+  {
+    const PlainMesh other = scaled(mesh_, factor);
+    const TriangleMesh engine = engineMesh(other);
+    const DistanceField field = solveKeepingAll(engine, engineCurves(engine, source_));
+    const RefinedMesh same = refineTo(field, 2e-3 * largest_ * factor);
+    EXPECT_EQ(same.triangles, refined.triangles) << factor;
+    EXPECT_EQ(same.errorBound, factor * refined.errorBound) << factor;
+  }
+}
+
+// Where the caller's points are doubled along a seam, so are those of split edges, and nothing else
+// changes.
+TEST_F(RefinementOfASheet, SplitEdgesOfASeamHaveAPointASide)
+{
+  const double tolerance = 2e-3 * largest_;
+  const RefinedMesh plain = refineTo(field_, tolerance);
+  const Id vertices = engine_.numberOfVertices();
+  RefinementOptions options;
+  options.tolerance = tolerance;
+  options.numberOfPoints = 2 * vertices;
+  std::vector<Id> part(engine_.numberOfFaces());
+  for (Id face = 0; face < engine_.numberOfFaces(); ++face)
+  {
+    const geodesic::Triangle& c = engine_.triangle(face);
+    part[face] = engine_.point(c[0])[0] + engine_.point(c[1])[0] > 12.0 ? vertices : 0;
+    options.cornerPoints.push_back({ c[0] + part[face], c[1] + part[face], c[2] + part[face] });
+  }
+  const RefinedMesh seamed = geodesic::refine(field_, options);
+  ASSERT_EQ(seamed.numberOfInputPoints, 2 * vertices);
+  ASSERT_EQ(seamed.faces, plain.faces);
+  EXPECT_EQ(seamed.errorBound, plain.errorBound);
+  const Points points(field_, plain);
+  std::map<std::pair<Id, Id>, Id> pointOf; // plain point and part of the surface
+  for (std::size_t t = 0; t < seamed.triangles.size(); ++t)
+  {
+    const Id halfedge = part[seamed.faces[t]];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id corner = plain.triangles[t][k];
+      const Id label = seamed.triangles[t][k];
+      const auto [found, isNew] = pointOf.emplace(std::make_pair(corner, halfedge), label);
+      EXPECT_EQ(found->second, label);
+      if (corner < vertices)
+      {
+        EXPECT_EQ(label, corner + halfedge);
+        continue;
+      }
+      const geodesic::RefinedPoint& p = seamed.points[label - seamed.numberOfInputPoints];
+      EXPECT_EQ(p.position, points.position(corner));
+      EXPECT_EQ(p.distance, points.distance(corner));
+      EXPECT_LT(std::max(p.parents[0], p.parents[1]), label);
+    }
+  }
+  std::set<Id> labels;
+  std::size_t doubled = 0;
+  for (const auto& [corner, label] : pointOf)
+  {
+    labels.insert(label);
+    doubled +=
+      corner.second == 0 && corner.first >= vertices && pointOf.count({ corner.first, vertices })
+      ? 1
+      : 0;
+  }
+  EXPECT_EQ(labels.size(), pointOf.size()) << "one point for two halfedges";
+  EXPECT_EQ(seamed.points.size(), plain.points.size() + doubled);
+  EXPECT_GT(doubled, 3u);
+}
+
+TEST_F(RefinementOfASheet, FacesBeyondTheLimitAreLeftAsTheyAre)
+{
+  const double limit = 0.4 * largest_;
+  const DistanceField limited =
+    solveKeepingAll(engine_, engineCurves(engine_, source_), 0.0, limit);
+  RefinementOptions options;
+  options.tolerance = 1e-3 * largest_;
+  options.maximumDistance = limit;
+  const RefinedMesh refined = geodesic::refine(limited, options);
+  EXPECT_LE(refined.errorBound, options.tolerance);
+  const Points points(limited, refined);
+  expectFacesPartitioned(engine_, refined, points);
+  expectWatertight(engine_, refined, points);
+
+  const std::vector<bool> complete = completeFaces(limited);
+  EXPECT_GT(expectLeftAsTheyAre(engine_, refined, complete), 10u);
+  for (const geodesic::RefinedPoint& p : refined.points)
+  {
+    EXPECT_TRUE(std::isfinite(p.distance));
+  }
+
+  Random random(4);
+  const Samples all = sample(limited, refined, 20000, random);
+  const Samples inside = samplesIn(all, complete);
+  ASSERT_GT(inside.places.size(), 1000u);
+  const BruteForceResult truth = bruteForceDistances(mesh_, source_, inside.places);
+  EXPECT_LE(
+    largestDifference(inside, truth.queries), refined.errorBound + EngineAccuracy * largest_);
+}
+
+TEST_F(RefinementOfASheet, AComponentWithoutSourceIsLeftAsItIs)
+{
+  const PlainMesh two = merged(mesh_, octasphere(3));
+  const TriangleMesh engine = engineMesh(two);
+  const DistanceField field = solveKeepingAll(engine, engineCurves(engine, source_));
+  const RefinedMesh refined = refineTo(field, 2e-3 * largest_);
+  EXPECT_LE(refined.errorBound, 2e-3 * largest_);
+  const RefinedMesh alone = refineTo(field_, 2e-3 * largest_);
+  EXPECT_EQ(refined.triangles.size(), alone.triangles.size() + octasphere(3).triangles.size());
+  expectSameSurface(field, refined);
+}
+
+TEST_F(RefinementOfASheet, OfAnApproximateFieldIsHeldAgainstThatField)
+{
+  for (const double relativeError : { 1e-4, 1e-3, 1e-2, 1e-1 })
+  {
+    SCOPED_TRACE(relativeError);
+    const DistanceField field =
+      solveKeepingAll(engine_, engineCurves(engine_, source_), relativeError);
+    const double tolerance = 2e-3 * largest_;
+    const RefinedMesh refined = refineTo(field, tolerance, 100000);
+    EXPECT_FALSE(refined.stoppedAtMaximum);
+    // solved for no refinement, faces may differ where they meet by what merging has changed
+    EXPECT_LE(refined.errorBound, tolerance + field.relativeErrorBound() * largest_);
+    Random random(6);
+    const Samples samples = sample(field, refined, 10000, random);
+    std::vector<double> computed;
+    for (const MeshPoint& place : samples.places)
+    {
+      computed.push_back(field.distance(enginePoint(engine_, place)));
+    }
+    const double rounding = EngineAccuracy * largest_;
+    EXPECT_LE(largestDifference(samples, computed), refined.errorBound + rounding);
+    const BruteForceResult truth = bruteForceDistances(mesh_, source_, samples.places);
+    EXPECT_LE(largestDifference(samples, truth.queries),
+      refined.errorBound + field.relativeErrorBound() * largest_ + rounding);
+    expectSameSurface(field, refined);
+  }
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+
+double diagonal(const PlainMesh& mesh)
+{
+  Vec3 least = mesh.points[0];
+  Vec3 most = least;
+  for (const Vec3& p : mesh.points)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      least[axis] = std::min(least[axis], p[axis]);
+      most[axis] = std::max(most[axis], p[axis]);
+    }
+  }
+  return spaceDistance(least, most);
+}
+
+/// The smallest angle of each triangle, in degrees, ascending.
+std::vector<double> smallestAngles(const DistanceField& field, const RefinedMesh& refined)
+{
+  constexpr double degrees = 57.29577951308232;
+  const Points points(field, refined);
+  std::vector<double> angles;
+  for (const geodesic::Triangle& t : refined.triangles)
+  {
+    double least = 180.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const geodesic::Vec3 p = points.position(t[k]);
+      const geodesic::Vec3 q = points.position(t[(k + 1) % 3]);
+      const geodesic::Vec3 r = points.position(t[(k + 2) % 3]);
+      using namespace geodesic;
+      const double angle = std::atan2(norm(cross(q - p, r - p)), dot(q - p, r - p));
+      least = std::min(least, degrees * angle);
+    }
+    angles.push_back(least);
+  }
+  std::sort(angles.begin(), angles.end());
+  return angles;
+}
+
+class RefinementOfRealMeshes : public ::testing::TestWithParam<const char*>
+{
+};
+
+}
+
+TEST_P(RefinementOfRealMeshes, ShapesDoNotDecayWithDepth)
+{
+  if (meshFolder().empty())
+  {
+    GTEST_SKIP() << noMeshFolder(GetParam());
+  }
+  const PlainMesh mesh = readMesh(GetParam());
+  ASSERT_FALSE(mesh.triangles.empty()) << "cannot read " << meshFolder() << "/" << GetParam();
+  const TriangleMesh engine = engineMesh(mesh);
+  const auto curves = engineCurves(engine, Sources{ { vertexPoint(mesh, 0) }, {} });
+  const DistanceField field = solveKeepingAll(engine, curves);
+  std::map<double, double> percentile;
+  for (const double fraction : { 1e-3, 2.5e-4 })
+  {
+    const double tolerance = fraction * diagonal(mesh);
+    const RefinedMesh refined = // as the filter solves
+      refineTo(geodesic::solveForRefinement(engine, curves, tolerance), tolerance);
+    EXPECT_LE(refined.errorBound, tolerance);
+    const std::vector<double> angles = smallestAngles(field, refined);
+    percentile[fraction] = angles[angles.size() / 100];
+    std::cout << GetParam() << " at " << fraction
+              << " of the diagonal: " << refined.triangles.size() << " triangles of "
+              << mesh.triangles.size() << " faces, angles: smallest " << angles.front()
+              << ", 1st percentile " << percentile[fraction] << ", median "
+              << angles[angles.size() / 2] << "\n";
+    Random random(1);
+    const Samples samples = sample(field, refined, 100000, random);
+    double measured = 0.0;
+    for (std::size_t i = 0; i < samples.places.size(); ++i)
+    {
+      const double truth = field.distance(enginePoint(engine, samples.places[i]));
+      measured = std::max(measured, std::abs(samples.interpolant[i] - truth));
+    }
+    EXPECT_LE(measured, refined.errorBound);
+  }
+  EXPECT_GE(percentile[2.5e-4], 0.8 * percentile[1e-3]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RefinementOfRealMeshes,
+  ::testing::Values("fandisk.obj", "beetle-alt.obj", "stanford-bunny.obj"),
+  [](const auto& instance) { return testName(instance.param); });

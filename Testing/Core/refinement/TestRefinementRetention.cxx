@@ -1,0 +1,514 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Windows that are dropped where the distance is flat, and refinement without them.
+#include "EngineSupport.h"
+#include "truth/RandomCurves.h"
+#include "truth/RandomMeshKinds.h"
+#include "refinement/RefinementSupport.h"
+
+#include "refinement/AdaptiveRefinement.h"
+#include "Errors.h"
+#include "front/Front.h"
+#include "Tolerance.h"
+#include "refinement/CurvedRetention.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <set>
+
+using namespace geodesictest;
+using geodesic::DistanceField;
+using geodesic::Id;
+using geodesic::RefinedMesh;
+using geodesic::TriangleMesh;
+using geodesic::Window;
+
+namespace
+{
+
+DistanceField solveFor(const TriangleMesh& mesh, const std::vector<geodesic::SourceCurve>& curves,
+  double tolerance, double limit = geodesic::Infinity)
+{
+  geodesic::SolveOptions options;
+  options.keepWindows = geodesic::KeepWindows::WhereCurved;
+  options.flatTolerance = tolerance;
+  options.maximumDistance = limit;
+  return geodesic::solve(mesh, curves, options);
+}
+
+std::size_t droppedFaces(const DistanceField& field)
+{
+  std::size_t count = 0;
+  for (Id face = 0; face < field.mesh().numberOfFaces(); ++face)
+  {
+    count += field.knowsInside(face) ? 0 : 1;
+  }
+  return count;
+}
+
+/// The most points that refinement has put onto the edges of a face without windows that got some
+/// on all three.
+std::size_t mostPointsAround(const DistanceField& field, const RefinedMesh& refined)
+{
+  const Points points(field, refined);
+  std::vector<std::set<Id>> onHalfedge(field.mesh().numberOfHalfedges());
+  for (std::size_t t = 0; t < refined.triangles.size(); ++t)
+  {
+    const Id face = refined.faces[t];
+    for (const Id corner : refined.triangles[t])
+    {
+      const Barycentric w = points.weights(corner, face);
+      for (Id k = 0; k < 3 && !field.knowsInside(face); ++k)
+      {
+        if (w[k] != 0.0 && w[(k + 1) % 3] != 0.0 && w[(k + 2) % 3] == 0.0)
+        {
+          onHalfedge[3 * face + k].insert(corner);
+        }
+      }
+    }
+  }
+  std::size_t most = 0;
+  for (Id halfedge = 0; halfedge < field.mesh().numberOfHalfedges(); halfedge += 3)
+  {
+    const std::array<std::size_t, 3> n = { onHalfedge[halfedge].size(), onHalfedge[halfedge + 1].size(),
+      onHalfedge[halfedge + 2].size() };
+    most = *std::min_element(n.begin(), n.end()) > 0 ? std::max(most, n[0] + n[1] + n[2]) : most;
+  }
+  return most;
+}
+
+/// What was found where refinement with few windows was right.
+struct Found
+{
+  std::size_t facesWithoutWindows;
+  std::size_t pointsAroundOne;
+};
+
+/// Refines to a fraction of the largest distance and compares with brute force.
+Found compare(const PlainMesh& mesh, const std::vector<Polyline>& curves, double fraction,
+  std::size_t count, Random& random)
+{
+  const TriangleMesh engine = engineMesh(mesh);
+  const auto sources = engineCurves(engine, curves);
+  const DistanceField all = solveKeepingAll(engine, sources);
+  const double largest = largestFinite(all.vertexDistances());
+  const double tolerance = fraction * largest;
+  const DistanceField field = solveFor(engine, sources, tolerance);
+  EXPECT_EQ(field.vertexDistances(), all.vertexDistances());
+  const RefinedMesh refined = refineTo(field, tolerance);
+  EXPECT_FALSE(refined.stoppedAtMaximum);
+  EXPECT_LE(refined.errorBound, tolerance);
+  expectSameSurface(all, refined);
+  const Samples samples = sample(field, refined, count, random);
+  const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), samples.places);
+  EXPECT_LE(
+    largestDifference(samples, truth.queries), refined.errorBound + EngineAccuracy * largest)
+    << describe(curves);
+  return { droppedFaces(field), mostPointsAround(field, refined) };
+}
+
+class KeptWindows : public ::testing::TestWithParam<MeshKind>
+{
+};
+
+/// A plane wave that runs over a grid.
+class WindowKeeperOfAGrid : public ::testing::Test
+{
+protected:
+  static constexpr double Tolerance = 0.01;
+  TriangleMesh mesh_ = engineMesh(regularGrid(4, 4));
+  std::vector<double> distances_ = planeWave();
+  /// Whether lists come with what was told of them as they went through.
+  bool told_ = false;
+  bool wrongly_ = false;
+  geodesic::WindowPool pool_;
+  geodesic::CurvedRetention keeper_{ mesh_, Tolerance,
+    std::vector<std::uint8_t>(mesh_.numberOfFaces(), 0) };
+
+  geodesic::CurvedRetention::AtVertex distance() const { return { this->distances_.data() }; }
+
+  std::vector<double> planeWave() const
+  {
+    std::vector<double> result;
+    for (Id v = 0; v < this->mesh_.numberOfVertices(); ++v)
+    {
+      result.push_back(10.0 + this->mesh_.point(v)[0]);
+    }
+    return result;
+  }
+
+  /// A plane wave through the halfedge, so much nearer than that of the corners.
+  void pass(Id halfedge, double nearer)
+  {
+    const double length = this->mesh_.length(halfedge);
+    const double atOrigin = this->distances_[this->mesh_.origin(halfedge)] - nearer;
+    const double slope =
+      (this->distances_[this->mesh_.destination(halfedge)] - nearer - atOrigin) / length;
+    const Window wave{ 0.0, length, slope, std::sqrt(std::max(0.0, 1.0 - slope * slope)), atOrigin,
+      0.0, Window::Kind::Linear, 1 };
+    std::vector<geodesic::PassedList> lists{ { halfedge, this->pool_.copyOf({ &wave, &wave + 1 }) } };
+    if (this->told_)
+    {
+      lists[0].ends = { this->distances_[this->mesh_.origin(halfedge)],
+        this->distances_[this->mesh_.destination(halfedge)] };
+      lists[0].near = geodesic::nearLine({ &wave, &wave + 1 }, length, lists[0].ends[0],
+        lists[0].ends[1], geodesic::tolerance::NearLine * Tolerance);
+      lists[0].near = this->wrongly_ ? geodesic::NearLine{ true, true } : lists[0].near;
+    }
+    this->keeper_.take(lists, this->distance(), this->pool_);
+  }
+
+  void passAll(double nearer)
+  {
+    for (Id halfedge = 0; halfedge < this->mesh_.numberOfHalfedges(); ++halfedge)
+    {
+      this->pass(halfedge, nearer);
+    }
+  }
+
+  /// Lists that are not what is told of them, which shows what is asked, but in the first face.
+  void passAllToldWrongly(double nearerInFirstFace)
+  {
+    for (Id halfedge = 0; halfedge < this->mesh_.numberOfHalfedges(); ++halfedge)
+    {
+      const bool first = TriangleMesh::faceOf(halfedge) == 0;
+      this->told_ = !first;
+      this->wrongly_ = !first;
+      this->pass(halfedge, first ? nearerInFirstFace : 2.5 * Tolerance);
+    }
+  }
+
+  void bringFrontPast()
+  {
+    std::vector<Id> settled;
+    for (Id v = 0; v < this->mesh_.numberOfVertices(); ++v)
+    {
+      settled.push_back(v);
+    }
+    this->keeper_.advance(settled, 100.0, this->distance(), this->distance(), this->pool_);
+  }
+
+  std::size_t kept()
+  {
+    geodesic::WindowArchive archive;
+    std::vector<std::uint8_t> faceKept;
+    this->keeper_.finish(archive, faceKept, this->distance(), this->pool_);
+    return static_cast<std::size_t>(std::count(faceKept.begin(), faceKept.end(), 1));
+  }
+};
+
+}
+
+TEST_P(KeptWindows, AreEnoughForRefinementOnRandomMeshes)
+{
+  std::size_t dropped = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 9100);
+    const PlainMesh mesh = GetParam().make(random.between(50, 200), random);
+    CurveMaker maker(mesh, random);
+    const double fraction = std::pow(10.0, random.uniform(-2.0, -0.5));
+    dropped += compare(mesh, maker.anySource(), fraction, 2000, random).facesWithoutWindows;
+  }
+  std::cout << GetParam().name << ": " << dropped << " faces without windows\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, KeptWindows, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });
+
+// Within the limit the output is as good as without one, and wholly beyond it is left as it is.
+TEST_P(KeptWindows, AreEnoughForRefinementUpToALimit)
+{
+  std::size_t leftAlone = 0;
+  std::size_t dropped = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 9200);
+    const PlainMesh mesh = GetParam().make(random.between(100, 300), random);
+    CurveMaker maker(mesh, random);
+    const std::vector<Polyline> curves = { maker.any() };
+    SCOPED_TRACE(describe(curves));
+    const TriangleMesh engine = engineMesh(mesh);
+    const auto sources = engineCurves(engine, curves);
+    const double largest = largestFinite(solveKeepingAll(engine, sources).vertexDistances());
+    const double limit = random.uniform(0.2, 0.6) * largest;
+    const double tolerance = std::pow(10.0, random.uniform(-2.5, -1.0)) * limit;
+    const DistanceField field = solveFor(engine, sources, tolerance, limit);
+    geodesic::RefinementOptions options;
+    options.tolerance = tolerance;
+    options.maximumDistance = limit;
+    const RefinedMesh refined = geodesic::refine(field, options);
+    EXPECT_LE(refined.errorBound, tolerance);
+    const Points points(field, refined);
+    expectFacesPartitioned(engine, refined, points);
+    expectWatertight(engine, refined, points);
+
+    const DistanceField all = solveKeepingAll(engine, sources, 0.0, limit);
+    EXPECT_EQ(field.vertexDistances(), all.vertexDistances());
+    const std::vector<bool> complete = completeFaces(all);
+    const Samples inside = samplesIn(sample(field, refined, 4000, random), complete);
+    const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), inside.places);
+    EXPECT_LE(
+      largestDifference(inside, truth.queries), refined.errorBound + EngineAccuracy * largest);
+    leftAlone += expectLeftAsTheyAre(engine, refined, complete);
+    for (Id face = 0; face < engine.numberOfFaces(); ++face)
+    {
+      dropped += complete[face] && !field.knowsInside(face) ? 1 : 0;
+    }
+  }
+  std::cout << GetParam().name << ": " << leftAlone << " faces beyond the limit, " << dropped
+            << " within it without windows\n";
+  EXPECT_GT(leftAlone, 0u);
+}
+
+// Its neighbours split its edges, and there is nothing to tell what is inside: its parts are
+// between points of the edges alone.
+TEST(KeptWindowsOfRandomMeshes, AFaceWithoutWindowsIsClosedBetweenManyPointsOfItsEdges)
+{
+  std::size_t facesWithMany = 0;
+  for (const MeshKind& kind : meshKinds())
+  {
+    for (const std::uint64_t seed : { 9125, 9127, 9132, 9133, 9136 })
+    {
+      SCOPED_TRACE(std::string(kind.name) + ", seed " + std::to_string(seed));
+      Random random(seed);
+      const PlainMesh mesh = kind.make(random.between(50, 400), random);
+      CurveMaker maker(mesh, random);
+      const Found found = compare(mesh, maker.anySource(), 0.003, 2000, random);
+      facesWithMany += found.pointsAroundOne > 3 ? 1 : 0;
+    }
+  }
+  std::cout << facesWithMany << " meshes with such a face\n";
+  EXPECT_GT(facesWithMany, 0u) << "with more than a point on each edge";
+}
+
+namespace
+{
+
+/// How often a solve goes over the mesh, told by its batches of tasks.
+std::size_t countSolves(
+  const TriangleMesh& mesh, const std::vector<geodesic::SourceCurve>& sources, double tolerance)
+{
+  std::size_t batches = 0;
+  geodesic::SolveOptions options;
+  options.flatTolerance = tolerance;
+  options.parallelFor = [&](std::size_t count, const std::function<void(std::size_t)>& task)
+  {
+    ++batches;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      task(i);
+    }
+  };
+  options.keepWindows = geodesic::KeepWindows::All;
+  geodesic::solve(mesh, sources, options);
+  const std::size_t ofOne = batches;
+  EXPECT_GT(ofOne, 0u);
+  options.keepWindows = geodesic::KeepWindows::WhereCurved;
+  double progress = 0.0;
+  options.progress = [&](double fraction)
+  {
+    EXPECT_GE(fraction, progress);
+    progress = fraction;
+    return true;
+  };
+  geodesic::solve(mesh, sources, options);
+  return batches / std::max<std::size_t>(ofOne, 1) - 1;
+}
+
+struct NeedlesOfASheet
+{
+  std::uint64_t seed;
+  Index cells;
+  double aspect;
+  double amplitude;
+  /// The tolerance, of the largest distance.
+  double fraction;
+};
+
+}
+
+// A front that goes through needles comes to vertices long after it has passed around them: faces
+// that were taken to be flat are not, and their windows are gone. What is left of them is off by a
+// third more than is reported in the first two cases.
+TEST(KeptWindowsOfNeedles, AreSolvedForAgainWhereTheyWereMissed)
+{
+  const std::vector<NeedlesOfASheet> cases = { { 18, 8, 20.0, 3.0, 0.001 },
+    { 36, 12, 3.0, 0.3, 0.001 }, { 1, 12, 20.0, 3.0, 0.05 }, { 2, 12, 20.0, 3.0, 0.05 },
+    { 3, 12, 20.0, 3.0, 0.05 }, { 4, 12, 20.0, 3.0, 0.05 }, { 5, 12, 20.0, 3.0, 0.05 } };
+  std::size_t again = 0;
+  for (const NeedlesOfASheet& sheet : cases)
+  {
+    SCOPED_TRACE("seed " + std::to_string(sheet.seed));
+    Random random(sheet.seed);
+    const PlainMesh needles =
+      needleSheet(sheet.cells, sheet.cells, sheet.aspect, sheet.amplitude, random);
+    const PlainMesh mesh = withSplitFaces(withSplitFaces(needles, 0.5, random), 0.5, random);
+    CurveMaker maker(mesh, random);
+    const std::vector<Polyline> curves = { maker.point() };
+    const TriangleMesh engine = engineMesh(mesh);
+    const auto sources = engineCurves(engine, curves);
+    const double largest = largestFinite(geodesic::solve(engine, sources).vertexDistances());
+    const std::size_t solves = countSolves(engine, sources, sheet.fraction * largest);
+    EXPECT_GE(solves, 1u);
+    again += solves > 1 ? 1 : 0;
+    compare(mesh, curves, sheet.fraction, 10000, random);
+  }
+  std::cout << again << " of " << cases.size() << " fields solved for again\n";
+  EXPECT_GT(again, 1u) << "few had a window that came too late";
+}
+
+TEST_F(WindowKeeperOfAGrid, FlatFacesLoseTheirWindows)
+{
+  passAll(0.0);
+  bringFrontPast();
+  EXPECT_EQ(kept(), 0U);
+  EXPECT_TRUE(keeper_.missed().empty());
+}
+
+// What is told of lists as they go through is a wide bound.
+TEST_F(WindowKeeperOfAGrid, WhatIsToldOfListsDoesNotWidenTheBound)
+{
+  told_ = true;
+  passAll(0.0);
+  bringFrontPast();
+  EXPECT_LE(keeper_.flatErrorBound(), 1e-6 * Tolerance);
+  EXPECT_EQ(kept(), 0U);
+}
+
+TEST_F(WindowKeeperOfAGrid, WhatIsToldOfListsIsNotAskedWhereItWouldWidenTheBound)
+{
+  passAllToldWrongly(0.0);
+  bringFrontPast();
+  EXPECT_EQ(kept(), mesh_.numberOfFaces());
+}
+
+TEST_F(WindowKeeperOfAGrid, WhatIsToldOfListsIsEnoughUnderTheBound)
+{
+  passAllToldWrongly(0.9 * Tolerance);
+  bringFrontPast();
+  EXPECT_EQ(kept(), 0U);
+}
+
+TEST_F(WindowKeeperOfAGrid, WhatWasToldOfAListDoesNotCountForOtherCorners)
+{
+  told_ = true;
+  passAll(0.0);
+  for (double& distance : distances_)
+  {
+    distance += 2.0 * Tolerance; // the lists are that much nearer now
+  }
+  bringFrontPast();
+  EXPECT_EQ(kept(), mesh_.numberOfFaces());
+}
+
+TEST(NearLine, IsToldOnlyWhereItIsSo)
+{
+  Random random(12);
+  std::array<int, 2> told{};
+  for (int i = 0; i < 20000; ++i)
+  {
+    // Windows of sources halfedge by halfedge, with a gap now and then, held against the line of the ends.
+    const double limit = std::pow(10.0, random.uniform(-3.0, -0.5));
+    std::vector<Window> list;
+    double x = random.chance(0.8) ? 0.0 : random.uniform(0.0, 0.2);
+    while (x < 0.9)
+    {
+      Window w{};
+      w.kind = random.chance(0.3) ? Window::Kind::Linear : Window::Kind::Circular;
+      w.begin = x;
+      w.end = random.chance(0.3) ? 1.0 : std::min(1.0, x + random.uniform(0.2, 0.5));
+      w.sourceX = w.isLinear() ? random.uniform(-0.3, 0.3) : random.uniform(0.0, 1.0);
+      w.sourceDepth =
+        w.isLinear() ? std::sqrt(1.0 - w.sourceX * w.sourceX) : random.uniform(0.3, 9.0);
+      w.sigma = 10.0;
+      w.sigma += 10.0 - w.distance(w.begin) + random.uniform(-0.5, 0.5) * limit;
+      list.push_back(w);
+      x = w.end + (random.chance(0.1) ? 0.5 * random.uniform() * limit : 0.0);
+    }
+    const double atOrigin = 10.0 + random.uniform(-0.2, 0.2) * limit;
+    const double atEnd = list.back().distance(1.0) + random.uniform(-0.2, 0.2) * limit;
+    const geodesic::NearLine near =
+      geodesic::nearLine({ list.data(), list.data() + list.size() }, 1.0, atOrigin, atEnd, limit);
+    told[0] += near.below ? 1 : 0;
+    told[1] += near.above ? 1 : 0;
+    double covered = 0.0;
+    for (const Window& w : list)
+    {
+      const double gap = geodesic::tolerance::NearLineGap * limit;
+      EXPECT_TRUE(!near.above || w.begin - covered <= gap);
+      covered = w.end;
+      for (int k = 0; k <= 20; ++k)
+      {
+        const double at = w.begin + 0.05 * k * w.width();
+        const double over = w.distance(at) - (atOrigin + (atEnd - atOrigin) * at);
+        EXPECT_TRUE(!near.above || over <= limit + 1e-13) << over << " of " << limit;
+        EXPECT_TRUE(!near.below || -over <= limit + 1e-13) << over << " of " << limit;
+      }
+    }
+    EXPECT_TRUE(!near.above || 1.0 - covered <= limit);
+  }
+  EXPECT_GT(told[0], 1000);
+  EXPECT_LT(told[0], 19000);
+  EXPECT_GT(told[1], 1000);
+  EXPECT_LT(told[1], 19000);
+}
+
+TEST_F(WindowKeeperOfAGrid, ALateListWithinTheToleranceIsHarmless)
+{
+  passAll(0.0);
+  bringFrontPast();
+  pass(0, 0.9 * Tolerance);
+  EXPECT_TRUE(keeper_.missed().empty());
+  EXPECT_GE(keeper_.flatErrorBound(), 0.9 * Tolerance);
+  EXPECT_LE(keeper_.flatErrorBound(), Tolerance);
+}
+
+TEST_F(WindowKeeperOfAGrid, ALateListOverTheToleranceIsMissed)
+{
+  passAll(0.0);
+  bringFrontPast();
+  pass(0, 1.1 * Tolerance);
+  EXPECT_EQ(keeper_.missed(), std::vector<Id>{ 0 });
+}
+
+TEST_F(WindowKeeperOfAGrid, ALateCornerMissesTheFacesAroundIt)
+{
+  passAll(0.0);
+  bringFrontPast();
+  keeper_.changeCorner(0);
+  EXPECT_EQ(keeper_.missed().size(), mesh_.cornersAt(0).size());
+}
+
+TEST_F(WindowKeeperOfAGrid, NeighboursOfAWantedFaceKeepTheirWindows)
+{
+  keeper_.want(0);
+  passAll(0.0);
+  bringFrontPast();
+  std::size_t neighbours = 0;
+  for (Id halfedge = 0; halfedge < 3; ++halfedge)
+  {
+    neighbours += mesh_.isBoundary(halfedge) ? 0 : 1;
+  }
+  EXPECT_EQ(kept(), 1 + neighbours);
+}
+
+TEST(KeptWindowsOfASheet, AreFewAndRefuseWhatTheyCannotTell)
+{
+  Random random(11);
+  const PlainMesh mesh = bumpySheet(16, 16, 0, 0.1, random);
+  const TriangleMesh engine = engineMesh(mesh);
+  const auto curves = engineCurves(engine, Sources{ { vertexPoint(mesh, 0) }, {} });
+  const DistanceField field = solveFor(engine, curves, 0.5);
+  EXPECT_GT(droppedFaces(field), engine.numberOfFaces() / 2);
+  EXPECT_THROW(static_cast<void>(field.distance(geodesic::SurfacePoint::inFace(0, 0.3, 0.3))),
+    geodesic::Error);
+  geodesic::RefinementOptions options;
+  options.tolerance = 0.25;
+  EXPECT_THROW(geodesic::refine(field, options), geodesic::Error);
+}

@@ -1,0 +1,772 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EngineSupport.h"
+
+#include "Errors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace
+{
+
+using namespace geodesic;
+using geodesictest::engineMesh;
+using geodesictest::MeshPoint;
+using geodesictest::PlainMesh;
+using geodesictest::Random;
+using geodesictest::randomPoints;
+
+constexpr double Epsilon = std::numeric_limits<double>::epsilon();
+constexpr double FloatEpsilon = std::numeric_limits<float>::epsilon();
+
+Vec3 roundedToFloat(const Vec3& p)
+{
+  return { static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]) };
+}
+
+PlainMesh changed(PlainMesh mesh, const std::function<Vec3(const Vec3&)>& change)
+{
+  std::transform(mesh.points.begin(), mesh.points.end(), mesh.points.begin(), change);
+  return mesh;
+}
+
+LocatedPolyline polyline(
+  const std::vector<Vec3>& points, const std::vector<Id>& faces, bool closed = false)
+{
+  LocatedPolyline result;
+  result.points = points;
+  result.faces = faces;
+  result.closed = closed;
+  result.name = "line 7 of the source";
+  return result;
+}
+
+LocatedPolyline polylineOn(
+  const PlainMesh& mesh, const std::vector<MeshPoint>& points, bool closed = false)
+{
+  LocatedPolyline result = polyline({}, {}, closed);
+  for (const MeshPoint& point : points)
+  {
+    result.points.push_back(position(mesh, point));
+    result.faces.push_back(point.face);
+  }
+  return result;
+}
+
+SourceCurves put(const TriangleMesh& mesh, const LocatedPolyline& line, double precision = Epsilon)
+{
+  return putOntoSurface(mesh, { line }, { precision });
+}
+
+/// The place of a single point.
+SurfacePoint placed(
+  const TriangleMesh& mesh, const Vec3& point, Id face, double precision = Epsilon)
+{
+  const SourceCurves result = put(mesh, polyline({ point }, { face }), precision);
+  EXPECT_EQ(result.curves.size(), 1u);
+  EXPECT_EQ(result.curves[0].points.size(), 1u);
+  EXPECT_TRUE(result.curves[0].faces.empty());
+  EXPECT_FALSE(result.curves[0].isClosed());
+  return result.curves[0].points[0];
+}
+
+std::string messageFrom(const TriangleMesh& mesh, const LocatedPolyline& line)
+{
+  try
+  {
+    put(mesh, line);
+  }
+  catch (const SourceError& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+bool mentions(const std::string& message, const std::string& words)
+{
+  return message.find(words) != std::string::npos;
+}
+
+double length(const TriangleMesh& mesh, const SourceCurve& curve)
+{
+  double sum = 0.0;
+  for (std::size_t i = 1; i < curve.points.size(); ++i)
+  {
+    sum += norm(position(mesh, curve.points[i]) - position(mesh, curve.points[i - 1]));
+  }
+  return sum;
+}
+
+/// What holds for every curve.
+void expectWhole(const TriangleMesh& mesh, const SourceCurve& curve)
+{
+  ASSERT_FALSE(curve.points.empty());
+  ASSERT_EQ(curve.faces.size() + 1, curve.points.size());
+  ASSERT_EQ(curve.isCut.size(), curve.points.size());
+  EXPECT_FALSE(curve.isCut.front());
+  EXPECT_FALSE(curve.isCut.back());
+  for (std::size_t i = 0; i < curve.faces.size(); ++i)
+  {
+    ASSERT_LT(curve.faces[i], mesh.numberOfFaces());
+    EXPECT_TRUE(contains(mesh, curve.faces[i], curve.points[i]));
+    EXPECT_TRUE(contains(mesh, curve.faces[i], curve.points[i + 1]));
+    EXPECT_FALSE(samePlace(mesh, curve.points[i], curve.points[i + 1]));
+    const bool isCutInside = curve.isCut[i] && curve.points[i].kind != SurfacePoint::Kind::Edge;
+    EXPECT_FALSE(isCutInside);
+  }
+}
+
+//----------------------------------------------------------------------------
+// Places of single points.
+
+/// Of all points c of a convex set the closest to p is the one with (p - c) . (x - c) <= 0 for all
+/// x in the set; for a triangle the corners are enough.
+void expectClosest(const TriangleMesh& mesh, Id face, const Vec3& p, const SurfacePoint& place)
+{
+  ASSERT_TRUE(contains(mesh, face, place));
+  const Vec3 c = position(mesh, place);
+  double size = 0.0;
+  for (const Id vertex : mesh.triangle(face))
+  {
+    size = std::max({ size, norm(mesh.point(vertex)), norm(p) });
+  }
+  for (const Id vertex : mesh.triangle(face))
+  {
+    const Vec3 toCorner = mesh.point(vertex) - c;
+    EXPECT_LE(dot(p - c, toCorner), 64.0 * Epsilon * size * (norm(toCorner) + norm(p - c)));
+  }
+}
+
+Vec3 randomVector(Random& random, double size)
+{
+  return { random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size) };
+}
+
+TEST(SourceCurve, APointGoesToTheClosestPointOfItsFace)
+{
+  Random random(1);
+  for (int i = 0; i < 2000; ++i)
+  {
+    const double far = std::pow(10.0, random.uniform(-3.0, 3.0));
+    const TriangleMesh mesh(
+      { randomVector(random, 1.0), randomVector(random, 1.0), randomVector(random, 1.0) },
+      { { 0, 1, 2 } });
+    const Vec3 p = randomVector(random, far);
+    expectClosest(mesh, 0, p, placed(mesh, p, 0));
+  }
+}
+
+TEST(SourceCurve, APointGoesToTheClosestPointOfANeedle)
+{
+  Random random(2);
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Vec3 a = randomVector(random, 1.0);
+    const Vec3 b = randomVector(random, 1.0);
+    const double thickness = std::pow(10.0, random.uniform(-18.0, -3.0));
+    const Vec3 c = a + random.uniform(-0.5, 1.5) * (b - a) + thickness * randomVector(random, 1.0);
+    const TriangleMesh mesh({ a, b, c }, { { 0, 1, 2 } });
+    const Vec3 p = randomVector(random, 1.0);
+    expectClosest(mesh, 0, p, placed(mesh, p, 0));
+  }
+}
+
+TEST(SourceCurve, APointGoesToTheClosestPointOfAFaceWithoutArea)
+{
+  const std::vector<std::vector<Vec3>> faces = { { { 0, 0, 0 }, { 3, 0, 0 }, { 1, 0, 0 } },
+    { { 0, 0, 0 }, { 0, 0, 0 }, { 1, 1, 1 } }, { { 2, 2, 2 }, { 2, 2, 2 }, { 2, 2, 2 } } };
+  Random random(3);
+  for (const std::vector<Vec3>& corners : faces)
+  {
+    const TriangleMesh mesh(corners, { { 0, 1, 2 } });
+    for (int i = 0; i < 50; ++i)
+    {
+      const Vec3 p = randomVector(random, 3.0);
+      const SurfacePoint place = placed(mesh, p, 0);
+      EXPECT_NE(place.kind, SurfacePoint::Kind::Face);
+      expectClosest(mesh, 0, p, place);
+    }
+  }
+}
+
+TEST(SourceCurve, TheSnapDistanceIsTheLargest)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(4, 1));
+  const std::vector<Vec3> points = { { 0.6, 0.2, 0.25 }, { 0.7, 0.2, -2.0 }, { 0.8, 0.2, 1.0 } };
+  EXPECT_DOUBLE_EQ(put(mesh, polyline(points, { 0, 0, 0 })).snapDistance, 2.0);
+}
+
+TEST(SourceCurve, ACurveOf64BitsIsNotMovedByMoreThanRounding)
+{
+  const PlainMesh plain = geodesictest::regularGrid(3, 3);
+  const TriangleMesh mesh = engineMesh(plain);
+  Random random(4);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const MeshPoint at = geodesictest::randomPoint(plain, random);
+    const Vec3 p = position(plain, at);
+    const Vec3 q = position(mesh, placed(mesh, p, at.face));
+    EXPECT_LE(norm(q - p), 16.0 * Epsilon * 3.0);
+  }
+  const SurfacePoint beside = placed(mesh, { 1.5, 1e-9, 0.0 }, 2);
+  EXPECT_EQ(beside.kind, SurfacePoint::Kind::Face);
+}
+
+TEST(SourceCurve, RoundingPutsAPointOntoTheVertexOrEdgeItWasMadeFrom)
+{
+  const PlainMesh plain = geodesictest::octasphere(5);
+  const TriangleMesh mesh = engineMesh(plain);
+  Random random(5);
+  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+  {
+    const SurfacePoint given = SurfacePoint::onEdge(halfedge, random.uniform(0.1, 0.9));
+    const Vec3 p = position(mesh, given);
+    const Id face = TriangleMesh::faceOf(halfedge);
+    const SurfacePoint double64 = placed(mesh, p, face);
+    const SurfacePoint float32 = placed(mesh, roundedToFloat(p), face, FloatEpsilon);
+    for (const SurfacePoint& place : { double64, float32 })
+    {
+      EXPECT_EQ(place.kind, SurfacePoint::Kind::Edge);
+      EXPECT_EQ(mesh.edgeOf(place.id), mesh.edgeOf(halfedge));
+    }
+    const SurfacePoint vertex =
+      placed(mesh, roundedToFloat(mesh.point(mesh.origin(halfedge))), face, FloatEpsilon);
+    EXPECT_TRUE(samePlace(mesh, vertex, SurfacePoint::atVertex(mesh.origin(halfedge))));
+  }
+}
+
+TEST(SourceCurve, FarFromTheOriginNoFaceCollapses)
+{
+  const Vec3 away = { 3e6, -5e6, 1e6 };
+  const PlainMesh plain =
+    changed(geodesictest::regularGrid(2, 2), [&](const Vec3& p) { return p + away; });
+  const TriangleMesh mesh = engineMesh(plain);
+  // Roundings of 32 bits are half an edge long there.
+  const LocatedPolyline line = polylineOn(plain,
+    { { 0, { 0.5, 0.25, 0.25 } }, { 0, { 0.25, 0.5, 0.25 } }, { 0, { 0.25, 0.25, 0.5 } } }, true);
+  const SourceCurves result = put(mesh, line, FloatEpsilon);
+  EXPECT_EQ(result.repeatedPoints, 0u);
+  ASSERT_EQ(result.curves[0].points.size(), 4u);
+  for (const SurfacePoint& point : result.curves[0].points)
+  {
+    EXPECT_EQ(point.kind, SurfacePoint::Kind::Face);
+  }
+}
+
+TEST(SourceCurve, ScaleDoesNotMatter)
+{
+  Random random(6);
+  const PlainMesh plain = geodesictest::bumpySheet(6, 6, 0, 0.4, random);
+  const std::vector<MeshPoint> points = randomPoints(plain, 40, random);
+  const auto put32 = [&](const PlainMesh& mesh)
+  {
+    std::vector<LocatedPolyline> lines;
+    for (const MeshPoint& point : points)
+    {
+      lines.push_back(polylineOn(mesh, { point }));
+    }
+    return putOntoSurface(engineMesh(mesh), lines, { FloatEpsilon });
+  };
+  const SourceCurves expected = put32(plain);
+  for (const double scale : { 0x1p-30, 0x1p30 })
+  {
+    const SourceCurves result = put32(geodesictest::scaled(plain, scale));
+    EXPECT_EQ(result.snapDistance, scale * expected.snapDistance);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const SurfacePoint& a = result.curves[i].points[0];
+      const SurfacePoint& b = expected.curves[i].points[0];
+      EXPECT_TRUE(a.kind == b.kind && a.id == b.id && a.u == b.u && a.v == b.v);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+// Polylines.
+
+/// The section of a height field over the plane with x = at, ordered by y, as a filter for surfaces
+/// with 32-bit points makes it: each point with one of the faces of its edge.
+LocatedPolyline sectionOf(const TriangleMesh& mesh, double at)
+{
+  std::map<double, std::pair<Vec3, Id>> byY;
+  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+  {
+    const Vec3& a = mesh.point(mesh.origin(halfedge));
+    const Vec3& b = mesh.point(mesh.destination(halfedge));
+    if (halfedge == mesh.edgeOf(halfedge) && (a[0] < at) != (b[0] < at))
+    {
+      const Vec3 p = roundedToFloat(a + ((at - a[0]) / (b[0] - a[0])) * (b - a));
+      byY[p[1]] = { p, TriangleMesh::faceOf(halfedge % 2 ? halfedge : mesh.nextSibling(halfedge)) };
+    }
+  }
+  LocatedPolyline result = polyline({}, {});
+  for (const auto& entry : byY)
+  {
+    result.points.push_back(entry.second.first);
+    result.faces.push_back(entry.second.second);
+  }
+  return result;
+}
+
+TEST(SourceCurve, ASectionOf32BitsCrossesEachEdgeAtOnePoint)
+{
+  Random random(7);
+  for (const double offset : { 0.0, 1.0, 300.0, 5000.0 })
+  {
+    const PlainMesh plain = changed(geodesictest::bumpySheet(20, 20, 0, 0.4, random),
+      [&](const Vec3& p) {
+        return roundedToFloat(p + Vec3{ offset, offset, offset });
+      });
+    const TriangleMesh mesh = engineMesh(plain);
+    const LocatedPolyline line = sectionOf(mesh, offset + 7.37);
+    ASSERT_GT(line.points.size(), 20u);
+    const SourceCurves result = put(mesh, line, FloatEpsilon);
+    const SourceCurve& curve = result.curves[0];
+    expectWhole(mesh, curve);
+    EXPECT_EQ(curve.points.size(), line.points.size());
+    EXPECT_LE(result.snapDistance, 4.0 * FloatEpsilon * (offset + 20.0));
+    std::set<Id> edges;
+    for (const SurfacePoint& point : curve.points)
+    {
+      ASSERT_EQ(point.kind, SurfacePoint::Kind::Edge);
+      EXPECT_TRUE(edges.insert(mesh.edgeOf(point.id)).second);
+    }
+  }
+}
+
+TEST(SourceCurve, ASectionThroughVerticesPassesEachOnce)
+{
+  // The grid's line x = 2, cut beside it by less than the rounding of 32 bits.
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(4, 4));
+  const LocatedPolyline line = sectionOf(mesh, 2.0 + 1e-8);
+  const SourceCurves result = put(mesh, line, FloatEpsilon);
+  expectWhole(mesh, result.curves[0]);
+  ASSERT_EQ(result.curves[0].points.size(), 5u);
+  for (std::size_t i = 0; i < 5; ++i)
+  {
+    const SurfacePoint expected = SurfacePoint::atVertex(static_cast<Id>(5 * i + 2));
+    EXPECT_TRUE(samePlace(mesh, result.curves[0].points[i], expected));
+  }
+}
+
+TEST(SourceCurve, RepeatedPointsAreLeftOutAndCounted)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(2, 2));
+  const Vec3 a = { 0.5, 0.25, 0.0 };
+  const Vec3 b = { 0.75, 0.25, 0.0 };
+  const SourceCurves result = put(mesh, polyline({ a, a, b, b, b, a }, { 0, 0, 0, 0, 0, 0 }));
+  EXPECT_EQ(result.repeatedPoints, 3u);
+  ASSERT_EQ(result.curves[0].points.size(), 3u);
+  expectWhole(mesh, result.curves[0]);
+  EXPECT_TRUE(result.curves[0].isClosed());
+}
+
+TEST(SourceCurve, PointsCloserThanTheirPrecisionAreOne)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(2, 2));
+  const Vec3 a = { 0.5, 0.25, 0.0 };
+  const Vec3 b = { 0.5 + 0.5 * FloatEpsilon, 0.25, 0.0 };
+  const LocatedPolyline line = polyline({ a, b }, { 0, 0 });
+  EXPECT_EQ(put(mesh, line, FloatEpsilon).repeatedPoints, 1u);
+  EXPECT_EQ(put(mesh, line, Epsilon).repeatedPoints, 0u);
+}
+
+TEST(SourceCurve, APolylineOfOnePlaceIsAPoint)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(2, 2));
+  const Vec3 a = { 0.5, 0.25, 0.0 };
+  for (const bool closed : { false, true })
+  {
+    const SourceCurves result = put(mesh, polyline({ a, a, a }, { 0, 0, 0 }, closed));
+    EXPECT_EQ(result.repeatedPoints, 2u);
+    ASSERT_EQ(result.curves.size(), 1u);
+    EXPECT_EQ(result.curves[0].points.size(), 1u);
+    expectWhole(mesh, result.curves[0]);
+    EXPECT_FALSE(result.curves[0].isClosed());
+  }
+}
+
+TEST(SourceCurve, AClosedPolylineEndsWithItsFirstPoint)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(2, 2));
+  const Vec3 a = { 0.5, 0.25, 0.0 };
+  const Vec3 b = { 0.75, 0.25, 0.0 };
+  const Vec3 c = { 0.75, 0.5, 0.0 };
+  const SourceCurves implied = put(mesh, polyline({ a, b, c }, { 0, 0, 0 }, true));
+  const SourceCurves repeated = put(mesh, polyline({ a, b, c, a }, { 0, 0, 0, 0 }, true));
+  const SourceCurves written = put(mesh, polyline({ a, b, c, a }, { 0, 0, 0, 0 }, false));
+  EXPECT_EQ(implied.repeatedPoints, 0u);
+  EXPECT_EQ(repeated.repeatedPoints, 1u);
+  EXPECT_EQ(written.repeatedPoints, 0u);
+  for (const SourceCurves& result : { implied, repeated, written })
+  {
+    expectWhole(mesh, result.curves[0]);
+    EXPECT_EQ(result.curves[0].points.size(), 4u);
+    EXPECT_TRUE(result.curves[0].isClosed());
+  }
+  EXPECT_FALSE(put(mesh, polyline({ a, b, c }, { 0, 0, 0 })).curves[0].isClosed());
+}
+
+TEST(SourceCurve, ASegmentAlongAnEdgeHasAFaceOfTheEdge)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(2, 2));
+  // Along y = 1 from inside one edge, by way of the middle vertex, to inside the next; located in
+  // faces on both sides of it.
+  const std::vector<Vec3> points = { { 0.25, 1.0, 0.0 }, { 1.0, 1.0, 0.0 }, { 1.75, 1.0, 0.0 } };
+  const SourceCurves result = put(mesh, polyline(points, { 1, 0, 6 }));
+  expectWhole(mesh, result.curves[0]);
+  ASSERT_EQ(result.curves[0].points.size(), 3u);
+  EXPECT_EQ(result.curves[0].points[0].kind, SurfacePoint::Kind::Edge);
+  EXPECT_EQ(result.curves[0].points[1].kind, SurfacePoint::Kind::Vertex);
+  EXPECT_EQ(result.curves[0].points[2].kind, SurfacePoint::Kind::Edge);
+}
+
+//----------------------------------------------------------------------------
+// Joining points that share no face.
+
+/// Whether the edges crossed in between are marked as cuts, and vertices are not.
+void expectCutsAtEdges(const SourceCurve& curve)
+{
+  for (std::size_t i = 1; i + 1 < curve.points.size(); ++i)
+  {
+    EXPECT_EQ(curve.isCut[i] != 0, curve.points[i].kind == SurfacePoint::Kind::Edge);
+  }
+}
+
+TEST(SourceCurve, PointsOfAConvexPlaneAreJoinedByTheStraightSegment)
+{
+  Random random(8);
+  for (int i = 0; i < 30; ++i)
+  {
+    const PlainMesh plain = geodesictest::randomPlanar(8, 6, random);
+    const TriangleMesh mesh = engineMesh(plain);
+    const MeshPoint from = geodesictest::randomPoint(plain, random);
+    const MeshPoint to = geodesictest::randomPoint(plain, random);
+    const Vec3 p = position(plain, from);
+    const Vec3 q = position(plain, to);
+    const SourceCurve curve = put(mesh, polylineOn(plain, { from, to })).curves[0];
+    expectWhole(mesh, curve);
+    expectCutsAtEdges(curve);
+    const double whole = norm(q - p);
+    EXPECT_NEAR(length(mesh, curve), whole, 1e-12 * whole);
+    for (const SurfacePoint& point : curve.points)
+    {
+      const Vec3 x = position(mesh, point);
+      EXPECT_NEAR(norm(x - p) + norm(x - q), whole, 1e-12 * whole);
+    }
+  }
+}
+
+TEST(SourceCurve, ASegmentThroughVerticesOfAPlanePassesThem)
+{
+  Random random(15);
+  for (int i = 0; i < 20; ++i)
+  {
+    // From corner to corner of 6 x 3 squares: through a vertex at every second column, and across
+    // edges between. The rotation leaves the vertices beside the segment by rounding.
+    const PlainMesh plain = geodesictest::moved(geodesictest::regularGrid(6, 3), random);
+    const TriangleMesh mesh = engineMesh(plain);
+    const MeshPoint from = geodesictest::vertexPoint(plain, 0);
+    const MeshPoint to = geodesictest::vertexPoint(plain, 27);
+    const SourceCurve curve = put(mesh, polylineOn(plain, { from, to })).curves[0];
+    expectWhole(mesh, curve);
+    std::vector<Id> vertices;
+    for (const SurfacePoint& point : curve.points)
+    {
+      if (point.kind == SurfacePoint::Kind::Vertex)
+      {
+        vertices.push_back(point.id);
+      }
+    }
+    EXPECT_EQ(vertices, (std::vector<Id>{ 0, 9, 18, 27 }));
+    EXPECT_EQ(curve.points.size(), 7u);
+  }
+}
+
+TEST(SourceCurve, PointsOnTwoSidesOfABoxAreJoinedStraightInTheUnfolding)
+{
+  const PlainMesh plain = geodesictest::box({ 4.0, 3.0, 2.0 }, { 5, 4, 3 });
+  const TriangleMesh mesh = engineMesh(plain);
+  const Vec3 p = { 1.3, 2.5, 2.0 }; // half a unit from the edge y = 3, z = 2
+  const Vec3 q = { 2.9, 3.0, 1.1 };
+  const auto faceAt = [&](const Vec3& x)
+  {
+    Id best = 0;
+    double nearest = Infinity;
+    for (Id face = 0; face < mesh.numberOfFaces(); ++face)
+    {
+      const double distance = put(mesh, polyline({ x }, { face })).snapDistance;
+      best = distance < nearest ? face : best;
+      nearest = std::min(nearest, distance);
+    }
+    return best;
+  };
+  const SourceCurve curve = put(mesh, polyline({ p, q }, { faceAt(p), faceAt(q) })).curves[0];
+  expectWhole(mesh, curve);
+  expectCutsAtEdges(curve);
+  EXPECT_NEAR(length(mesh, curve), std::hypot(1.6, 0.5 + 0.9), 1e-12);
+}
+
+/// Surfaces of every kind.
+std::vector<PlainMesh> allKinds(Random& random)
+{
+  std::vector<PlainMesh> meshes;
+  meshes.push_back(geodesictest::bumpySheet(7, 7, 2, 0.7, random));
+  meshes.push_back(geodesictest::lShape(6, 6));
+  meshes.push_back(geodesictest::octasphere(4));
+  meshes.push_back(geodesictest::book(4, 3, 3, 0.4, random));
+  meshes.push_back(geodesictest::moebius(9, 2));
+  meshes.push_back(geodesictest::needleSheet(5, 5, 200.0, 0.3, random));
+  meshes.push_back(geodesictest::fan(8, 1.0, 3));
+  const PlainMesh sheet = geodesictest::bumpySheet(4, 4, 0, 0.5, random);
+  meshes.push_back(
+    geodesictest::joinedAtVertex(sheet, 12, geodesictest::bumpySheet(4, 4, 0, 0.5, random), 7));
+  const std::size_t count = meshes.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    meshes.push_back(geodesictest::withFlippedFaces(meshes[i], random));
+  }
+  return meshes;
+}
+
+TEST(SourceCurve, AnyTwoPointsAreJoinedByAShortestPath)
+{
+  Random random(9);
+  for (const PlainMesh& plain : allKinds(random))
+  {
+    const TriangleMesh mesh = engineMesh(plain);
+    for (int i = 0; i < 4; ++i)
+    {
+      const MeshPoint from = geodesictest::randomPoint(plain, random);
+      const MeshPoint to = geodesictest::randomPoint(plain, random);
+      const SourceCurve curve = put(mesh, polylineOn(plain, { from, to })).curves[0];
+      expectWhole(mesh, curve);
+      expectCutsAtEdges(curve);
+      const geodesictest::Sources sources{ { from }, {} };
+      const double truth = geodesictest::bruteForceDistances(plain, sources, { to }).queries[0];
+      EXPECT_NEAR(length(mesh, curve), truth, 1e-9 * truth);
+    }
+  }
+}
+
+TEST(SourceCurve, SheetsThatTouchInAVertexAreJoinedThroughIt)
+{
+  const PlainMesh sheet = geodesictest::regularGrid(2, 2);
+  PlainMesh shifted = sheet;
+  for (Vec3& p : shifted.points)
+  {
+    p = p + Vec3{ 2.0, 2.0, 0.0 };
+  }
+  const PlainMesh plain = geodesictest::joinedAtVertex(sheet, 8, shifted, 0);
+  const TriangleMesh mesh = engineMesh(plain);
+  const MeshPoint from = { 0, { 0.2, 0.5, 0.3 } };
+  const MeshPoint to = { static_cast<Id>(plain.triangles.size() - 1), { 0.2, 0.5, 0.3 } };
+  const SourceCurve curve = put(mesh, polylineOn(plain, { from, to })).curves[0];
+  expectWhole(mesh, curve);
+  std::size_t vertices = 0;
+  for (std::size_t i = 0; i < curve.points.size(); ++i)
+  {
+    const SurfacePoint& point = curve.points[i];
+    const bool isMeeting = samePlace(mesh, point, SurfacePoint::atVertex(8));
+    vertices += isMeeting && !curve.isCut[i] ? 1 : 0;
+  }
+  EXPECT_EQ(vertices, 1u);
+  const Vec3 meeting = mesh.point(8);
+  const double truth = norm(position(plain, from) - meeting) + norm(position(plain, to) - meeting);
+  EXPECT_NEAR(length(mesh, curve), truth, 1e-12 * truth);
+}
+
+TEST(SourceCurve, AFaceWithoutAreaIsCrossed)
+{
+  // The unit square twice, one above the other; the seam has a vertex in the middle for the upper
+  // one only, and a face without area between.
+  const PlainMesh plain = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5, 1, 0 }, { 1, 1, 0 },
+                              { 0, 2, 0 }, { 1, 2, 0 } },
+    { { 0, 1, 4 }, { 0, 4, 2 }, { 2, 4, 3 }, { 2, 3, 5 }, { 3, 6, 5 }, { 3, 4, 6 } } };
+  const TriangleMesh mesh = engineMesh(plain);
+  const Vec3 p = { 0.3, 0.4, 0.0 };
+  const Vec3 q = { 0.2, 1.3, 0.0 };
+  const SourceCurve curve = put(mesh, polyline({ p, q }, { 1, 3 })).curves[0];
+  expectWhole(mesh, curve);
+  EXPECT_NEAR(length(mesh, curve), norm(q - p), 1e-12);
+}
+
+TEST(SourceCurve, AClosedPolylineOfFarPointsIsAsLongAsItsShortestPaths)
+{
+  Random random(10);
+  const PlainMesh plain = geodesictest::octasphere(6);
+  const TriangleMesh mesh = engineMesh(plain);
+  const std::vector<MeshPoint> points = randomPoints(plain, 5, random);
+  double truth = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const geodesictest::Sources sources{ { points[i] }, {} };
+    const MeshPoint& next = points[(i + 1) % points.size()];
+    truth += geodesictest::bruteForceDistances(plain, sources, { next }).queries[0];
+  }
+  const SourceCurve curve = put(mesh, polylineOn(plain, points, true)).curves[0];
+  expectWhole(mesh, curve);
+  EXPECT_TRUE(curve.isClosed());
+  EXPECT_NEAR(length(mesh, curve), truth, 1e-9 * truth);
+}
+
+//----------------------------------------------------------------------------
+// Errors and abort.
+
+TEST(SourceCurve, APointThatIsNotFiniteIsNamed)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(1, 1));
+  for (const double bad : { std::nan(""), Infinity, -Infinity })
+  {
+    const std::string message =
+      messageFrom(mesh, polyline({ { 0, 0, 0 }, { 0.5, bad, 0 } }, { 0, 0 }));
+    EXPECT_TRUE(mentions(message, "Point 1 of line 7 of the source")) << message;
+  }
+}
+
+TEST(SourceCurve, AnEmptyPolylineIsNamed)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(1, 1));
+  const std::string message = messageFrom(mesh, polyline({}, {}));
+  EXPECT_TRUE(mentions(message, "line 7 of the source")) << message;
+}
+
+TEST(SourceCurve, APointOutsideEveryFaceOfTheMeshIsNamed)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(1, 1));
+  const std::string message = messageFrom(mesh, polyline({ { 0, 0, 0 } }, { 2 }));
+  EXPECT_TRUE(mentions(message, "Point 0 of line 7 of the source")) << message;
+}
+
+TEST(SourceCurve, PointsInDifferentComponentsAreNamed)
+{
+  const PlainMesh sheet = geodesictest::regularGrid(1, 1);
+  const PlainMesh plain = geodesictest::merged(sheet, sheet);
+  const TriangleMesh mesh = engineMesh(plain);
+  const std::string message = messageFrom(mesh,
+    polylineOn(plain, { { 0, { 0.5, 0.3, 0.2 } }, { 0, { 0.3, 0.5, 0.2 } }, { 2, { 1, 0, 0 } } }));
+  EXPECT_TRUE(mentions(message, "Points 1 and 2 of line 7 of the source")) << message;
+}
+
+TEST(SourceCurve, AFalseProgressAborts)
+{
+  const PlainMesh plain = geodesictest::octasphere(6);
+  const TriangleMesh mesh = engineMesh(plain);
+  const LocatedPolyline line =
+    polylineOn(plain, { { 0, { 0.5, 0.3, 0.2 } }, { 150, { 0.5, 0.3, 0.2 } } });
+  for (const int allowed : { 0, 1 })
+  {
+    int calls = 0;
+    const auto progress = [&](double) { return calls++ < allowed; };
+    EXPECT_THROW(putOntoSurface(mesh, { line }, {}, progress), Aborted);
+    EXPECT_EQ(calls, allowed + 1);
+  }
+}
+
+TEST(SourceCurve, ProgressGoesFromZeroToOneAndNeverBack)
+{
+  Random random(11);
+  const PlainMesh plain = geodesictest::octasphere(6);
+  const TriangleMesh mesh = engineMesh(plain);
+  const std::vector<MeshPoint> points = randomPoints(plain, 12, random);
+  double last = 0.0;
+  const auto progress = [&](double fraction)
+  {
+    EXPECT_GE(fraction, last);
+    EXPECT_LE(fraction, 1.0);
+    last = fraction;
+    return true;
+  };
+  putOntoSurface(
+    mesh, { polylineOn(plain, points, true), polylineOn(plain, points) }, {}, progress);
+  EXPECT_GT(last, 0.5);
+}
+
+//----------------------------------------------------------------------------
+// The boundary.
+
+/// Every boundary edge is in the curves once, and nothing else is.
+void expectCoversBoundary(const PlainMesh& plain, const std::vector<SourceCurve>& curves)
+{
+  const TriangleMesh mesh = engineMesh(plain);
+  std::multiset<std::pair<Id, Id>> expected;
+  for (const auto& [a, b] : geodesictest::boundaryEdges(plain))
+  {
+    expected.insert(std::minmax({ a, b }));
+  }
+  std::multiset<std::pair<Id, Id>> found;
+  for (const SourceCurve& curve : curves)
+  {
+    expectWhole(mesh, curve);
+    for (std::size_t i = 1; i < curve.points.size(); ++i)
+    {
+      ASSERT_EQ(curve.points[i].kind, SurfacePoint::Kind::Vertex);
+      EXPECT_FALSE(curve.isCut[i]);
+      found.insert(std::minmax({ curve.points[i - 1].id, curve.points[i].id }));
+    }
+  }
+  EXPECT_EQ(found, expected);
+}
+
+TEST(SourceCurve, TheBoundaryIsCoveredOnce)
+{
+  Random random(12);
+  for (const PlainMesh& plain : allKinds(random))
+  {
+    expectCoversBoundary(plain, boundaryCurves(engineMesh(plain)));
+  }
+}
+
+TEST(SourceCurve, EachBoundaryLoopIsOneClosedCurve)
+{
+  const auto countClosed = [](const PlainMesh& plain)
+  {
+    const std::vector<SourceCurve> curves = boundaryCurves(engineMesh(plain));
+    for (const SourceCurve& curve : curves)
+    {
+      EXPECT_TRUE(curve.isClosed());
+    }
+    return curves.size();
+  };
+  Random random(13);
+  PlainMesh ring = geodesictest::regularGrid(3, 3);
+  ring.triangles.erase(ring.triangles.begin() + 8, ring.triangles.begin() + 10);
+  EXPECT_EQ(countClosed(geodesictest::tetrahedron(2)), 0u);
+  EXPECT_EQ(countClosed(geodesictest::regularGrid(3, 2)), 1u);
+  EXPECT_EQ(countClosed(ring), 2u);
+  EXPECT_EQ(countClosed(geodesictest::withFlippedFaces(ring, random)), 2u);
+  EXPECT_EQ(countClosed(geodesictest::openCylinder(5, 3, 1.0)), 2u);
+  EXPECT_EQ(countClosed(geodesictest::moebius(7, 2)), 1u);
+}
+
+TEST(SourceCurve, ABoundaryCurveEndsWhereTheBoundaryBranches)
+{
+  const PlainMesh sheet = geodesictest::regularGrid(2, 2);
+  const PlainMesh plain = geodesictest::joinedAtVertex(sheet, 8, sheet, 0);
+  const std::vector<SourceCurve> curves = boundaryCurves(engineMesh(plain));
+  expectCoversBoundary(plain, curves);
+  ASSERT_EQ(curves.size(), 2u);
+  for (const SourceCurve& curve : curves)
+  {
+    EXPECT_EQ(curve.points.front().id, 8u);
+    EXPECT_EQ(curve.points.back().id, 8u);
+  }
+
+  Random random(14);
+  // Three pages: at either end of the spine three boundary edges meet.
+  const PlainMesh pages = geodesictest::book(3, 2, 2, 0.2, random);
+  const std::vector<SourceCurve> outlines = boundaryCurves(engineMesh(pages));
+  expectCoversBoundary(pages, outlines);
+  ASSERT_EQ(outlines.size(), 3u);
+  for (const SourceCurve& curve : outlines)
+  {
+    EXPECT_FALSE(curve.isClosed());
+  }
+}
+
+} // anonymous namespace
