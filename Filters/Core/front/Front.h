@@ -57,7 +57,8 @@ struct FrontResult
 /// Computes the geodesic distance to the curves at the vertices, exact or within a relative error
 /// (paper, sections 3 to 5), and hands the windows that have passed to the retention.
 ///
-/// \throws SourceError where there is no curve; Error where the relative error is not a number >= 0;
+/// \throws SourceError where there is no curve; Error where the relative error is not a number >=
+/// 0;
 ///         Aborted.
 FrontResult propagate(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options, Retention& retention);

@@ -6,25 +6,25 @@
 
 #include <vector>
 
-namespace geodesic::front
+namespace geodesic
 {
 
 /// A list that is sent to a halfedge.
-struct Delivery
+struct SentList
 {
   Id halfedge;
   WindowBlock windows;
 };
 
-/// The lists that a batch sends, grouped by the halfedges that get them: groups in the order in which
-/// their halfedges were first sent to, the lists of a group in the order in which they were sent.
-/// Sorting them by halfedge would cost several times as much.
+/// The lists that a batch sends, grouped by the halfedges that get them: groups in the order in
+/// which their halfedges were first sent to, the lists of a group in the order in which they were
+/// sent. Sorting them by halfedge would cost several times as much.
 class Outbox
 {
 public:
   /// Takes over what was sent, one after another; nothing is grouped until group().
   void clear() { this->sent_.clear(); }
-  void take(std::vector<Delivery>& sent)
+  void take(std::vector<SentList>& sent)
   {
     this->sent_.insert(this->sent_.end(), sent.begin(), sent.end());
     sent.clear();
@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  std::vector<Delivery> sent_;
+  std::vector<SentList> sent_;
   /// The next one to the same halfedge.
   std::vector<Id> next_;
   /// The first one of each group.

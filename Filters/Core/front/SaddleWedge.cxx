@@ -10,19 +10,20 @@ namespace
 {
 
 /// A corner that a walk around the vertex came to, and whether it came across the corner's first
-/// spoke (the halfedge that begins at the vertex) or its second (the one that ends there).
+/// edge (the halfedge that leaves the vertex) or its second (the one that comes to it).
 struct Stop
 {
   Id corner = NoId;
-  bool acrossFirst = true;
+  bool acrossOutgoing = true;
 
-  Id leavingSpoke() const
+  Id leavingEdge() const
   {
-    return this->acrossFirst ? TriangleMesh::previousInFace(this->corner) : this->corner;
+    return this->acrossOutgoing ? TriangleMesh::previousInFace(this->corner) : this->corner;
   }
 };
 
-/// Where the straight continuation of the arriving path leaves through the halfedge opposite a corner.
+/// Where the straight continuation of the arriving path leaves through the halfedge opposite a
+/// corner.
 struct Continuation
 {
   enum class Found
@@ -37,10 +38,10 @@ struct Continuation
   double x = 0.0;
 
   /// The part of the halfedge on the far side of the continuation.
-  EmittedInterval lit(double length) const
+  EmittedInterval beyond(double length) const
   {
-    return this->stop.acrossFirst ? EmittedInterval{ this->stop.corner, this->x, length }
-                                  : EmittedInterval{ this->stop.corner, 0.0, this->x };
+    return this->stop.acrossOutgoing ? EmittedInterval{ this->stop.corner, this->x, length }
+                                     : EmittedInterval{ this->stop.corner, 0.0, this->x };
   }
 };
 
@@ -61,44 +62,44 @@ Vec2 rotationOf(const TriangleMesh& mesh, Id corner)
   return unit({ shape.cornerDot[corner % 3], shape.area2 });
 }
 
-Stop across(const TriangleMesh& mesh, Id vertex, Id spoke)
+Stop across(const TriangleMesh& mesh, Id vertex, Id edge)
 {
-  const Id other = mesh.nextSibling(spoke);
+  const Id other = mesh.nextSibling(edge);
   return mesh.origin(other) == vertex ? Stop{ other, true }
                                       : Stop{ TriangleMesh::nextInFace(other), false };
 }
 
-// Where the ray that leaves the vertex at a direction from the spoke that was crossed meets the
+// Where the ray that leaves the vertex at a direction from the edge that was crossed meets the
 // opposite halfedge.
 double meet(const TriangleMesh& mesh, const Stop& stop, Vec2 direction)
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(stop.corner));
-  const double spoke =
-    mesh.length(stop.acrossFirst ? stop.corner : TriangleMesh::previousInFace(stop.corner));
-  const Vec2 other = (1.0 / spoke) * Vec2{ shape.cornerDot[stop.corner % 3], shape.area2 };
-  const double before = direction.y * spoke;
+  const double edge =
+    mesh.length(stop.acrossOutgoing ? stop.corner : TriangleMesh::previousInFace(stop.corner));
+  const Vec2 other = (1.0 / edge) * Vec2{ shape.cornerDot[stop.corner % 3], shape.area2 };
+  const double before = direction.y * edge;
   const double behind = direction.x * other.y - direction.y * other.x;
   const double t = std::clamp(before / (before + behind), 0.0, 1.0);
-  return mesh.length(TriangleMesh::nextInFace(stop.corner)) * (stop.acrossFirst ? t : 1.0 - t);
+  return mesh.length(TriangleMesh::nextInFace(stop.corner)) * (stop.acrossOutgoing ? t : 1.0 - t);
 }
 
-// Walks away from the arriving path, whose angle to the first spoke to be crossed is given, until
+// Walks away from the arriving path, whose angle to the first edge to be crossed is given, until
 // the angle is pi.
-Continuation continueAcross(const TriangleMesh& mesh, Id vertex, Id spoke, Vec2 angle)
+Continuation continueAcross(const TriangleMesh& mesh, Id vertex, Id edge, Vec2 angle)
 {
   Continuation result;
   for (std::size_t left = mesh.cornersAt(vertex).size(); left > 0; --left)
   {
-    if (mesh.isBoundary(spoke))
+    if (mesh.isBoundary(edge))
     {
       result.found = Continuation::Found::No;
       return result;
     }
-    if (!mesh.isInner(spoke))
+    if (!mesh.isInner(edge))
     {
       return result;
     }
-    result.stop = across(mesh, vertex, spoke);
+    result.stop = across(mesh, vertex, edge);
     if (!(mesh.shape(TriangleMesh::faceOf(result.stop.corner)).area2 > 0.0))
     {
       return result;
@@ -111,35 +112,36 @@ Continuation continueAcross(const TriangleMesh& mesh, Id vertex, Id spoke, Vec2 
       return result;
     }
     angle = { next.x, next.y };
-    spoke = result.stop.leavingSpoke();
+    edge = result.stop.leavingEdge();
   }
   return result;
 }
 
-// Lights what is behind a continuation up to the other one, or to the boundary: whether it came to
-// the other one.
-bool light(const TriangleMesh& mesh, Id vertex, const Continuation& from, const Continuation& to,
-  std::vector<EmittedInterval>& lit)
+// Adds what is behind a continuation up to the other one, or to the boundary. Returns whether it
+// came to the other one.
+bool addShadow(const TriangleMesh& mesh, Id vertex, const Continuation& from,
+  const Continuation& to, std::vector<EmittedInterval>& shadow)
 {
   const auto length = [&mesh](Id corner) { return mesh.length(TriangleMesh::nextInFace(corner)); };
   const bool closed = to.found == Continuation::Found::Yes;
-  EmittedInterval part = from.lit(length(from.stop.corner));
+  EmittedInterval part = from.beyond(length(from.stop.corner));
   Stop stop = from.stop;
   for (std::size_t left = mesh.cornersAt(vertex).size(); left > 0; --left)
   {
     if (closed && stop.corner == to.stop.corner)
     {
-      const EmittedInterval end = to.lit(length(stop.corner));
-      lit.push_back({ stop.corner, std::max(part.begin, end.begin), std::min(part.end, end.end) });
+      const EmittedInterval end = to.beyond(length(stop.corner));
+      shadow.push_back(
+        { stop.corner, std::max(part.begin, end.begin), std::min(part.end, end.end) });
       return true;
     }
-    lit.push_back(part);
-    const Id spoke = stop.leavingSpoke();
-    if (mesh.isBoundary(spoke))
+    shadow.push_back(part);
+    const Id edge = stop.leavingEdge();
+    if (mesh.isBoundary(edge))
     {
       break;
     }
-    stop = across(mesh, vertex, spoke);
+    stop = across(mesh, vertex, edge);
     part = { stop.corner, 0.0, length(stop.corner) };
   }
   return false;
@@ -148,9 +150,9 @@ bool light(const TriangleMesh& mesh, Id vertex, const Continuation& from, const 
 } // anonymous namespace
 
 bool findSaddleWedge(
-  const TriangleMesh& mesh, Id vertex, const Arrival& arrival, std::vector<EmittedInterval>& lit)
+  const TriangleMesh& mesh, Id vertex, const Arrival& arrival, std::vector<EmittedInterval>& shadow)
 {
-  lit.clear();
+  shadow.clear();
   if (arrival.halfedge == NoId)
   {
     return false;
@@ -162,7 +164,7 @@ bool findSaddleWedge(
   {
     return false;
   }
-  // In the corner's frame: its first spoke along the x axis.
+  // In the corner's frame: its first edge along the x axis.
   const Vec2 second = (1.0 / first) * Vec2{ shape.cornerDot[corner % 3], shape.area2 };
   const double t = arrival.x / mesh.length(arrival.halfedge);
   const Vec2 back = unit(Vec2{ first, 0.0 } + t * (second - Vec2{ first, 0.0 }));
@@ -176,10 +178,11 @@ bool findSaddleWedge(
   {
     return false;
   }
-  const bool met = onSecond.found == Found::Yes && light(mesh, vertex, onSecond, onFirst, lit);
+  const bool met =
+    onSecond.found == Found::Yes && addShadow(mesh, vertex, onSecond, onFirst, shadow);
   if (onFirst.found == Found::Yes && !met)
   {
-    light(mesh, vertex, onFirst, onSecond, lit);
+    addShadow(mesh, vertex, onFirst, onSecond, shadow);
   }
   return true;
 }

@@ -9,9 +9,9 @@
 namespace geodesic
 {
 
-/// Where a path comes from to a vertex: its last straight piece runs through the face of `halfedge`,
-/// which lies opposite the vertex, from the point at x on that halfedge (0 and the halfedge's length: along
-/// an edge).
+/// Where a path comes from to a vertex: its last straight piece runs through the face of
+/// `halfedge`, which lies opposite the vertex, from the point at x on that halfedge (0 and the
+/// halfedge's length: along an edge).
 struct Arrival
 {
   /// NoId where it is not known.
@@ -27,16 +27,18 @@ struct EmittedInterval
   double end;
 };
 
-/// What a pseudo-source has to light: a shortest path that bends at a vertex leaves an angle of at
-/// least pi on both sides of the bend (a boundary counts as more than that), so that it goes on
-/// between the two straight continuations of the path that came (paper, section 3; Mitchell, Mount
-/// and Papadimitriou 1987, "The discrete geodesic problem").
+/// The shadow behind a saddle vertex, into which it emits as a pseudo-source: a shortest path that
+/// bends at a vertex leaves an angle of at least pi on both sides of the bend (a boundary counts as
+/// more than that), so that it goes on between the two straight continuations of the path that came
+/// (paper, section 3; Mitchell, Mount and Papadimitriou 1987, "The discrete geodesic problem").
 ///
-/// \param lit the lit parts of the halfedges opposite the vertex's corners; replaced.
+/// \param shadow the parts of the halfedges opposite the vertex's corners that are in the shadow;
+///        replaced.
 /// \returns false where the faces around the vertex do not form one fan, have no area, or the
-///          arrival is not known: then anything may be lit, and `lit` means nothing.
-bool findSaddleWedge(
-  const TriangleMesh& mesh, Id vertex, const Arrival& arrival, std::vector<EmittedInterval>& lit);
+///          arrival is not known: then the vertex has to emit everywhere, and `shadow` means
+///          nothing.
+bool findSaddleWedge(const TriangleMesh& mesh, Id vertex, const Arrival& arrival,
+  std::vector<EmittedInterval>& shadow);
 
 }
 

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "front/BatchTasks.h"
+
+#include "Tolerance.h"
+#include "window/WindowMerge.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+void BatchTasks::prefetchFacing(Id vertex) const
+{
+  const Id halfedge = this->vertices_[vertex].facing;
+  if (halfedge != NoId)
+  {
+    this->prefetchReceiver(halfedge);
+  }
+}
+
+void BatchTasks::prefetchReceiver(Id halfedge) const
+{
+  this->mesh_.prefetch(TriangleMesh::faceOf(halfedge));
+  this->waiting_.prefetch(halfedge);
+}
+
+void BatchTasks::process(FrontWorker& worker, Id vertex, Id batch)
+{
+  if (this->vertices_[vertex].isShorter())
+  {
+    this->relaxEdges(worker, vertex);
+    if (this->vertices_[vertex].emission != Emission::Nothing)
+    {
+      this->emit(worker, vertex);
+    }
+  }
+  for (Id halfedge = this->vertices_[vertex].facing; halfedge != NoId;)
+  {
+    const Id next = this->waiting_.next(halfedge);
+    this->propagate(worker, halfedge, batch);
+    halfedge = next;
+  }
+}
+
+// Distances along edges are upper bounds, which the filter can use from the first window on.
+void BatchTasks::relaxEdges(FrontWorker& worker, Id vertex) const
+{
+  const double distance = this->vertices_.distance(vertex);
+  const double error = this->vertices_.error(vertex);
+  const auto relax = [&](Id halfedge, Id other, const Arrival& from)
+  {
+    const double along = distance + this->mesh_.length(halfedge);
+    if (along < this->vertices_.distance(other))
+    {
+      worker.updates.push_back({ other, along, error, from });
+    }
+  };
+  for (const Id corner : this->mesh_.cornersAt(vertex))
+  {
+    const Id before = TriangleMesh::previousInFace(corner);
+    relax(corner, this->mesh_.destination(corner), { before, this->mesh_.length(before) });
+    relax(before, this->mesh_.origin(before), { corner, 0.0 });
+  }
+}
+
+void BatchTasks::emit(FrontWorker& worker, Id vertex) const
+{
+  const VertexState& state = this->vertices_[vertex];
+  findEmittedIntervals(this->mesh_, vertex, state.emission, state.arrival(), worker.emitted);
+  for (const EmittedInterval& interval : worker.emitted)
+  {
+    this->emit(worker, vertex, interval);
+  }
+}
+
+void BatchTasks::emit(FrontWorker& worker, Id vertex, const EmittedInterval& interval) const
+{
+  const Id halfedge = TriangleMesh::nextInFace(interval.corner);
+  const double length = this->mesh_.length(halfedge);
+  if (this->mesh_.isBoundary(halfedge) ||
+    !(interval.end - interval.begin > tolerance::LeastWidth * length))
+  {
+    return;
+  }
+  Window w = emittedWindow(this->mesh_, interval, this->vertices_.distance(vertex));
+  w.error = this->vertices_.error(vertex);
+  const double atBegin = this->vertices_.distance(this->mesh_.destination(halfedge));
+  const double atEnd = this->vertices_.distance(this->mesh_.origin(halfedge));
+  if (!isBeaten(w, w.end, atBegin + w.end) && !isBeaten(w, w.begin, atEnd + (length - w.begin)))
+  {
+    this->send(worker, halfedge, { &w, &w + 1 });
+  }
+}
+
+// Sends the list of a halfedge through its face.
+void BatchTasks::propagate(FrontWorker& worker, Id halfedge, Id batch) const
+{
+  this->mergeNeighboursOf(worker, halfedge);
+  const WindowRange list = this->waiting_.at(halfedge);
+  if (list.size() == 0)
+  {
+    this->waiting_.clear(halfedge, worker.pool);
+    return;
+  }
+  const UnfoldedFace face = unfold(this->mesh_, halfedge);
+  const ApexDistance apex = worker.propagation.view(list, face.apex);
+  const Window& first = *list.begin();
+  const Window& last = *(list.end() - 1);
+  // Along the halfedge: bounds only, no shortest path comes so to a corner.
+  const DistanceUpdate found[] = { { this->mesh_.origin(halfedge),
+                                     first.distance(first.begin) + first.begin, first.error, {} },
+    { this->mesh_.destination(halfedge), last.distance(last.end) + (face.length - last.end),
+      last.error, {} },
+    { this->mesh_.opposite(halfedge), apex.distance, apex.error, { halfedge, apex.crossing } } };
+  for (const DistanceUpdate& update : found)
+  {
+    if (update.distance < this->vertices_.distance(update.vertex))
+    {
+      worker.updates.push_back(update);
+    }
+  }
+  const auto known = [&](std::size_t i)
+  { return std::min(this->vertices_.distance(found[i].vertex), found[i].distance); };
+
+  const Id left = TriangleMesh::previousInFace(halfedge);
+  const Id right = TriangleMesh::nextInFace(halfedge);
+  worker.propagation.pass(list, face, { known(0), known(1), known(2) },
+    !this->mesh_.isBoundary(left), !this->mesh_.isBoundary(right), this->mesh_.numberOfFaces());
+  this->retire(worker, halfedge, { known(0), known(1) }, batch);
+  this->send(worker, left, worker.propagation.left());
+  this->send(worker, right, worker.propagation.right());
+}
+
+// A list is merged when it is complete and about to go on, so that each window is once a face
+// (paper, section 5).
+void BatchTasks::mergeNeighboursOf(FrontWorker& worker, Id halfedge) const
+{
+  const WindowRange list = this->waiting_.at(halfedge);
+  if (!(this->options_.relativeError > 0.0) || list.size() < 2)
+  {
+    return;
+  }
+  std::vector<Window>& merged = worker.merging;
+  merged.assign(list.begin(), list.end());
+  const double error = mergeNeighbours(merged, this->mesh_.length(halfedge),
+    this->options_.relativeError, this->options_.maximumMerged);
+  worker.relativeError = std::max(worker.relativeError, error);
+  this->waiting_.assign(halfedge, { merged.data(), merged.data() + merged.size() }, worker.pool);
+}
+
+void BatchTasks::send(FrontWorker& worker, Id halfedge, const WindowRange& windows) const
+{
+  if (windows.size() == 0)
+  {
+    return;
+  }
+  for (Id s = this->mesh_.nextSibling(halfedge); s != halfedge; s = this->mesh_.nextSibling(s))
+  {
+    const WindowBlock block = worker.pool.copyOf(windows);
+    if (this->mesh_.origin(s) != this->mesh_.destination(halfedge))
+    {
+      const double length = this->mesh_.length(halfedge);
+      std::reverse(block.data, block.data + block.size);
+      std::transform(block.data, block.data + block.size, block.data,
+        [length](const Window& w) { return reversed(w, length); });
+    }
+    worker.sent.push_back({ s, block });
+  }
+}
+
+void BatchTasks::receive(FrontWorker& worker, const Outbox& outbox, std::size_t group)
+{
+  const Id halfedge = outbox.halfedge(group);
+  const Id apex = this->mesh_.opposite(halfedge);
+  const Vec2 position = apexOf(this->mesh_, halfedge);
+  (this->waiting_.has(halfedge) ? worker.changedLists : worker.newLists).push_back(halfedge);
+  outbox.forEach(group,
+    [&](const WindowBlock& block)
+    {
+      const ApexDistance found = quickApexDistance(block.range(), position);
+      if (found.distance < this->vertices_.distance(apex))
+      {
+        worker.arrivals.push_back(
+          { apex, found.distance, found.error, { halfedge, found.crossing } });
+      }
+      worker.propagated += block.size;
+      this->mergeInto(worker, halfedge, block);
+    });
+}
+
+void BatchTasks::mergeInto(FrontWorker& worker, Id halfedge, const WindowBlock& block) const
+{
+  if (!this->waiting_.has(halfedge))
+  {
+    this->waiting_.adopt(halfedge, block);
+    return;
+  }
+  const WindowRange waiting = this->waiting_.at(halfedge);
+  worker.merged.reset(this->mesh_.length(halfedge));
+  const Window* old = waiting.begin();
+  bool lastIsOld = true;
+  const auto append = [&](const Window& w, bool isOld)
+  {
+    if (isOld == lastIsOld)
+    {
+      worker.merged.append(w);
+    }
+    else
+    {
+      worker.merged.appendOfOther(w);
+      lastIsOld = isOld;
+    }
+  };
+  for (const Window& w : block.range())
+  {
+    for (; old != waiting.end() && old->begin <= w.begin; ++old)
+    {
+      append(*old, true);
+    }
+    append(w, false);
+  }
+  for (; old != waiting.end(); ++old)
+  {
+    append(*old, true);
+  }
+  worker.pool.free(block);
+  this->waiting_.assign(halfedge, worker.merged.range(), worker.pool);
+}
+
+void BatchTasks::retire(
+  FrontWorker& worker, Id halfedge, const std::array<double, 2>& ends, Id batch) const
+{
+  if (this->complete_.isLimited())
+  {
+    const WindowRange list = this->waiting_.at(halfedge);
+    const bool within = std::any_of(
+      list.begin(), list.end(), [this](const Window& w) { return this->complete_.isWithin(w); });
+    if (within)
+    {
+      worker.withinLimit.push_back(halfedge);
+    }
+  }
+  this->retention_.pass(
+    worker.number, { halfedge, this->waiting_.release(halfedge), ends }, batch, worker.pool);
+}
+
+}

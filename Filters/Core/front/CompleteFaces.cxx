@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "front/CompleteFaces.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+void CompleteFaces::addAround(Id halfedge)
+{
+  Id around = halfedge;
+  do
+  {
+    this->add(TriangleMesh::faceOf(around));
+    around = this->mesh_.nextSibling(around);
+  } while (around != halfedge);
+}
+
+void CompleteFaces::addAroundReachedVertices(const VertexStates& vertices)
+{
+  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  {
+    for (const Id vertex : this->mesh_.triangle(face))
+    {
+      if (vertices.distance(vertex) <= this->limit_)
+      {
+        this->add(face);
+      }
+    }
+  }
+}
+
+double CompleteFaces::neededDistance(const VertexStates& vertices, bool inside) const
+{
+  double bound = 0.0;
+  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  {
+    if (this->needed_[face])
+    {
+      const Triangle& t = this->mesh_.triangle(face);
+      const auto [least, most] =
+        std::minmax({ vertices.distance(t[0]), vertices.distance(t[1]), vertices.distance(t[2]) });
+      const double reach = least + this->mesh_.shape(face).longest();
+      bound = std::max(bound, inside ? reach : most);
+    }
+  }
+  return bound;
+}
+
+void CompleteFaces::dropIncomplete(VertexStates& vertices) const
+{
+  std::vector<std::uint8_t> complete(this->mesh_.numberOfVertices(), 0);
+  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  {
+    for (const Id vertex : this->mesh_.triangle(face))
+    {
+      complete[vertex] |= this->needed_[face];
+    }
+  }
+  for (Id vertex = 0; vertex < this->mesh_.numberOfVertices(); ++vertex)
+  {
+    if (!complete[vertex])
+    {
+      vertices[vertex].distance = Infinity;
+    }
+  }
+}
+
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_CompleteFaces_h
+#define geodesic_CompleteFaces_h
+
+#include "front/VertexStates.h"
+#include "mesh/TriangleMesh.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// With a distance limit: which faces have a point within it and have to be complete.
+class CompleteFaces
+{
+public:
+  /// Without a limit nothing is kept and every face counts.
+  CompleteFaces(const TriangleMesh& mesh, double limit)
+    : mesh_(mesh)
+    , limit_(limit)
+    , needed_(limit < Infinity ? mesh.numberOfFaces() : 0, 0)
+  {
+  }
+
+  bool isLimited() const { return !this->needed_.empty(); }
+  double limit() const { return this->limit_; }
+  bool isWithin(const Window& window) const { return window.minimum() <= this->limit_; }
+
+  void add(Id face) { this->needed_[face] = 1; }
+  /// The faces around an edge that a window within the limit has come to.
+  void addAround(Id halfedge);
+  void addAroundReachedVertices(const VertexStates& vertices);
+
+  /// How far the front must come for the needed faces to be complete: to their farthest corner, or
+  /// where the inside counts too, as far as any point of them can be.
+  double neededDistance(const VertexStates& vertices, bool inside) const;
+
+  /// Takes the distances away from vertices of which no face is complete.
+  void dropIncomplete(VertexStates& vertices) const;
+
+  std::vector<std::uint8_t> release() { return std::move(this->needed_); }
+
+private:
+  const TriangleMesh& mesh_;
+  double limit_;
+  std::vector<std::uint8_t> needed_;
+};
+
+}
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_FrontProgress_h
+#define geodesic_FrontProgress_h
+
+#include "Progress.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+/// Tells how far the front is: by the vertices it has come to, or by the distance where there is a
+/// limit. Never falls.
+class FrontProgress
+{
+public:
+  FrontProgress(const ProgressCallback& callback, Id numberOfVertices, double limit)
+    : callback_(callback)
+    , numberOfVertices_(numberOfVertices)
+    , limit_(limit)
+  {
+  }
+
+  void settle(std::size_t vertices) { this->settled_ += vertices; }
+
+  /// After each batch; not every one is told of.
+  ///
+  /// \throws Aborted
+  void afterBatch(std::size_t vertices, double key)
+  {
+    constexpr std::size_t verticesPerReport = 256;
+    this->sinceReport_ += vertices;
+    if (this->sinceReport_ >= verticesPerReport)
+    {
+      this->sinceReport_ = 0;
+      this->report(key);
+    }
+  }
+
+  /// \throws Aborted
+  void report(double key)
+  {
+    if (!this->callback_)
+    {
+      return;
+    }
+    const double settled =
+      static_cast<double>(this->settled_) / static_cast<double>(this->numberOfVertices_);
+    const double fraction = std::max(settled, key / this->limit_);
+    this->reported_ = std::clamp(fraction, this->reported_, 1.0);
+    if (!this->callback_(this->reported_))
+    {
+      throw Aborted();
+    }
+  }
+
+private:
+  const ProgressCallback& callback_;
+  Id numberOfVertices_;
+  double limit_;
+  std::size_t settled_ = 0;
+  std::size_t sinceReport_ = 0;
+  double reported_ = 0.0;
+};
+
+}
+
+#endif

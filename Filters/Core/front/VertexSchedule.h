@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_VertexSchedule_h
+#define geodesic_VertexSchedule_h
+
+#include "front/VertexQueue.h"
+#include "front/VertexStates.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace geodesic
+{
+
+/// The order in which vertices are processed: in batches of nearly equal distance, the nearest
+/// first.
+class VertexSchedule
+{
+  auto isCurrent() const
+  {
+    return [this](const VertexQueue::Entry& entry)
+    { return entry.key == this->states_[entry.vertex].key; };
+  }
+  // Vertices belong into one batch when none is farther than another by about an edge there: then
+  // windows that one sends out seldom come to another. From 0.25 to 2 edges the number of windows
+  // hardly changes.
+  auto reachOf() const
+  {
+    return [this](Id vertex) { return 0.5 * static_cast<double>(this->states_[vertex].edge); };
+  }
+
+public:
+  explicit VertexSchedule(VertexStates& states)
+    : states_(states)
+  {
+  }
+
+  /// The key at which the last batch began: no path that is still to be found is shorter.
+  double key() const { return this->key_; }
+
+  /// Lets the vertex wait for being processed.
+  void add(Id vertex)
+  {
+    // Windows that come to a vertex behind the front go on with it, in the same batches.
+    VertexState& state = this->states_[vertex];
+    const double key = std::max(state.distance, this->key_);
+    if (key < state.key)
+    {
+      state.key = key;
+      if (key > this->key_)
+      {
+        this->queue_.push(key, vertex);
+      }
+      else
+      {
+        this->behind_.push_back(vertex);
+      }
+    }
+  }
+
+  /// Moves on to the next batch; false where no vertex waits up to the limit.
+  bool moveOn(double limit)
+  {
+    if (this->behind_.empty())
+    {
+      const double least = this->queue_.least(this->isCurrent(), this->reachOf());
+      if (!(least <= limit) || least == Infinity)
+      {
+        return false;
+      }
+      this->key_ = std::max(this->key_, least);
+    }
+    return true;
+  }
+
+  /// Takes the vertices of the batch at the key out, up to the limit.
+  void takeBatch(double limit, std::vector<Id>& batch)
+  {
+    batch.clear();
+    double last = limit;
+    const auto take = [this, &batch](Id vertex)
+    {
+      this->states_[vertex].key = Infinity;
+      batch.push_back(vertex);
+    };
+    const auto reachOf = this->reachOf();
+    for (const Id vertex : this->behind_)
+    {
+      if (this->states_[vertex].key == this->key_)
+      {
+        last = std::min(last, this->key_ + reachOf(vertex));
+        take(vertex);
+      }
+    }
+    this->behind_.clear();
+    this->queue_.takeBatch(last, this->isCurrent(), reachOf, take);
+  }
+
+private:
+  VertexStates& states_;
+  double key_ = 0.0;
+  /// Vertices beyond the front, and those at it or behind.
+  VertexQueue queue_;
+  std::vector<Id> behind_;
+};
+
+}
+
+#endif

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_VertexStates_h
+#define geodesic_VertexStates_h
+
+#include "Tolerance.h"
+#include "front/PseudoSource.h"
+#include "front/Retention.h"
+#include "front/SaddleWedge.h"
+#include "mesh/TriangleMesh.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace geodesic
+{
+
+/// A path to a vertex that may be shorter than those known.
+struct DistanceUpdate
+{
+  Id vertex;
+  double distance;
+  /// How much longer the path behind the distance can be.
+  double error;
+  Arrival from;
+};
+
+/// What is known of a vertex, together because it is used together.
+struct VertexState
+{
+  double distance = Infinity;
+  /// The distance with which it was last processed, and the key it waits with in the queue.
+  double processed = Infinity;
+  double key = Infinity;
+  /// Where the path behind its distance comes from (an Arrival without its padding).
+  double arrivalX = 0.0;
+  Id arrivalHalfedge = NoId;
+  /// The first of the halfedges opposite it that have a list.
+  Id facing = NoId;
+  /// The length of some edge at it.
+  float edge = 0.0F;
+  Emission emission = Emission::Nothing;
+
+  Arrival arrival() const { return { this->arrivalHalfedge, this->arrivalX }; }
+  /// Whether its distance is shorter than the one it was processed with, by more than a tie.
+  bool isShorter() const { return this->distance < this->processed * (1.0 - tolerance::Tie); }
+};
+
+/// The distances found so far, at all vertices.
+class VertexStates
+{
+public:
+  /// \param withErrors whether distances may be merged ones, whose errors are kept.
+  VertexStates(const TriangleMesh& mesh, bool withErrors);
+
+  Id size() const { return static_cast<Id>(this->states_.size()); }
+  const VertexState& operator[](Id vertex) const { return this->states_[vertex]; }
+  VertexState& operator[](Id vertex) { return this->states_[vertex]; }
+  double distance(Id vertex) const { return this->states_[vertex].distance; }
+  /// How much longer the path behind a vertex's distance can be: 0 in the exact solve.
+  double error(Id vertex) const { return this->errors_.empty() ? 0.0 : this->errors_[vertex]; }
+
+  /// Takes a path over where it is shorter than the one known. \returns whether it was.
+  bool shorten(const DistanceUpdate& update);
+
+  VertexNumbers distances() const { return this->each(&VertexState::distance); }
+  VertexNumbers processed() const { return this->each(&VertexState::processed); }
+
+private:
+  VertexNumbers each(double VertexState::*number) const
+  {
+    static_assert(sizeof(VertexState) % sizeof(double) == 0);
+    return { &(this->states_.front().*number), sizeof(VertexState) / sizeof(double) };
+  }
+
+  std::vector<VertexState> states_;
+  /// Empty in the exact solve.
+  std::vector<double> errors_;
+};
+
+inline VertexStates::VertexStates(const TriangleMesh& mesh, bool withErrors)
+  : states_(mesh.numberOfVertices())
+  , errors_(withErrors ? mesh.numberOfVertices() : 0, 0.0)
+{
+  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    VertexState& state = this->states_[vertex];
+    state.emission = emissionOf(mesh.pseudoSource(vertex));
+    const IdRange corners = mesh.cornersAt(vertex);
+    state.edge = corners.size() > 0 ? static_cast<float>(mesh.length(*corners.begin())) : 0.0F;
+  }
+}
+
+inline bool VertexStates::shorten(const DistanceUpdate& update)
+{
+  // A linear window's distance may be a rounding below 0 at its source.
+  const double distance = std::max(update.distance, 0.0);
+  VertexState& state = this->states_[update.vertex];
+  if (!(distance < state.distance))
+  {
+    return false;
+  }
+  const bool isTie = distance >= state.distance * (1.0 - tolerance::Tie);
+  state.distance = distance;
+  if (!this->errors_.empty())
+  {
+    this->errors_[update.vertex] = update.error;
+  }
+  if (!isTie || state.arrivalHalfedge == NoId)
+  {
+    state.arrivalHalfedge = update.from.halfedge;
+    state.arrivalX = update.from.x;
+  }
+  return true;
+}
+
+}
+
+#endif
