@@ -155,7 +155,8 @@ void DistanceField::arriveThroughHalfedge(Id halfedge, const Barycentric& b, Las
     const double distance = std::max(window.distance(x), 0.0) + length;
     if (distance < best.distance)
     {
-      best = { distance, length, onHalfedge(*this->mesh_, halfedge, x / this->mesh_->length(halfedge)), false };
+      best = { distance, length,
+        onHalfedge(*this->mesh_, halfedge, x / this->mesh_->length(halfedge)), false };
     }
   }
 }

@@ -35,6 +35,9 @@ public:
   /// where none were kept.
   WindowRuns windowsOn(Id halfedge) const;
 
+  /// Where a shortest path comes to each vertex from; empty where the solve did not keep it.
+  const std::vector<Arrival>& arrivals() const { return this->front_.arrivals; }
+
   /// The sources that lie in a face.
   std::vector<SourceInFace> sourcesIn(Id face) const;
 

@@ -13,8 +13,8 @@ namespace geodesic
 namespace
 {
 
-/// Whether a window's rays run along its halfedge. Such a pencil has no inside, and points of the halfedge
-/// before it and behind it would be told apart by rounding alone.
+/// Whether a window's rays run along its halfedge. Such a pencil has no inside, and points of the
+/// halfedge before it and behind it would be told apart by rounding alone.
 bool isGrazing(const Window& w)
 {
   if (w.isLinear())
@@ -329,7 +329,8 @@ bool FaceEnvelope::buildAlong(Vec2 p, Vec2 u, double length, bool withBent)
   return continuous;
 }
 
-void FaceEnvelope::addPieces(const DistanceCandidate& c, Vec2 p, Vec2 u, double length, bool withBent)
+void FaceEnvelope::addPieces(
+  const DistanceCandidate& c, Vec2 p, Vec2 u, double length, bool withBent)
 {
   switch (c.kind)
   {
@@ -388,7 +389,8 @@ Window linearAlong(double sigma, double slope, double depth, Interval interval)
 
 } // anonymous namespace
 
-void FaceEnvelope::addWindow(const DistanceCandidate& c, Vec2 p, Vec2 u, double length, bool withBent)
+void FaceEnvelope::addWindow(
+  const DistanceCandidate& c, Vec2 p, Vec2 u, double length, bool withBent)
 {
   const bool linear = c.kind == DistanceCandidate::Kind::Linear;
   const Vec2 first = linear ? c.source : c.begin - c.source;

@@ -34,8 +34,8 @@ struct DistanceCandidate
   Kind kind;
   double sigma;
   Vec2 source;
-  /// The ends of the window on its halfedge, the face to the left of the way from begin to end, and the
-  /// distances there.
+  /// The ends of the window on its halfedge, the face to the left of the way from begin to end, and
+  /// the distances there.
   Vec2 begin;
   Vec2 end;
   double atBegin;
@@ -69,9 +69,10 @@ Deviation largestDeviation(
 /// Where an edge is split whose largest deviation is at the fraction t: the table of section 6.2.
 double splitPosition(double t);
 
-/// The exact piecewise distance along any segment of a face, from the windows of the face's halfedges,
-/// its corners and the sources in it: a segment splits a pencil of rays like an edge does, so that
-/// no propagation is needed (paper, section 6). One face suffices for its own edges, too.
+/// The exact piecewise distance along any segment of a face, from the windows of the face's
+/// halfedges, its corners and the sources in it: a segment splits a pencil of rays like an edge
+/// does, so that no propagation is needed (paper, section 6). One face suffices for its own edges,
+/// too.
 ///
 /// Keeps the data of one face at a time.
 class FaceEnvelope

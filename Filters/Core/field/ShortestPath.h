@@ -2,44 +2,29 @@
 #ifndef geodesic_ShortestPath_h
 #define geodesic_ShortestPath_h
 
-#include "Progress.h"
+#include "front/Front.h"
 #include "mesh/SurfacePoint.h"
-#include "mesh/TriangleMesh.h"
 
 #include <vector>
 
 namespace geodesic
 {
 
-/// Finds shortest paths between pairs of points of one surface, looking only at the part of the
-/// surface that the path can reach: a shortest path along mesh edges gives an upper bound of its
-/// length, and a path no longer than that stays in the faces whose distances in space to both
-/// points add up to no more. The engine then solves on these faces alone.
-class ShortestPathFinder
-{
-public:
-  /// The mesh must outlive the finder.
-  explicit ShortestPathFinder(const TriangleMesh& mesh)
-    : mesh_(mesh)
-  {
-  }
-
-  /// A shortest path (one of them where there are several): the first point, a point on every edge
-  /// it crosses, the vertices it passes, the second point. Consecutive points have a common face.
-  /// Empty where no path joins them.
-  ///
-  /// \param progress called now and then with a fraction done; returning false throws Aborted.
-  std::vector<SurfacePoint> between(
-    const SurfacePoint& first, const SurfacePoint& second, const ProgressCallback& progress = {});
-
-private:
-  const TriangleMesh& mesh_;
-  /// Work arrays, one entry a vertex or a face, allocated with the first path and always left
-  /// clean.
-  std::vector<double> lengthTo_;
-  std::vector<Id> patchVertex_;
-  std::vector<std::uint8_t> faceSeen_;
-};
+/// A shortest path between two points of a surface, found from both of them.
+///
+/// A front from the second point goes half the way and leaves the distances at vertices. Another
+/// one from the first point then goes on into that half only where a path can still be as short as
+/// the best one known, which is a strip of few faces. So two discs of half the radius are looked at
+/// in place of one of the whole, and no windows are kept: the path is traced by the directions in
+/// which it came to vertices.
+///
+/// \param length an upper bound of the path's length; all faces that a path of that length can
+/// touch
+///        must be in the mesh.
+/// \returns the path from the first point to the second, see PathTracer; empty where there is none.
+std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePoint& first,
+  const SurfacePoint& second, double length, const ParallelFor& parallelFor,
+  const ProgressCallback& progress);
 
 }
 

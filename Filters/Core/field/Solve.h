@@ -22,7 +22,8 @@ enum class KeepWindows
 /// that is to be refined solveForRefinement() needs less memory.
 ///
 /// \param mesh must outlive the field.
-/// \throws SourceError where there is no curve; Error where the relative error is not a number >= 0;
+/// \throws SourceError where there is no curve; Error where the relative error is not a number >=
+/// 0;
 ///         Aborted.
 DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);

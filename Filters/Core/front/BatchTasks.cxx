@@ -26,7 +26,7 @@ void BatchTasks::prefetchReceiver(Id halfedge) const
 
 void BatchTasks::process(FrontWorker& worker, Id vertex, Id batch)
 {
-  if (this->vertices_[vertex].isShorter())
+  if (this->vertices_[vertex].isShorter() && !this->isOutsideCorridor(vertex))
   {
     this->relaxEdges(worker, vertex);
     if (this->vertices_[vertex].emission != Emission::Nothing)
@@ -49,17 +49,18 @@ void BatchTasks::relaxEdges(FrontWorker& worker, Id vertex) const
   const double error = this->vertices_.error(vertex);
   const auto relax = [&](Id halfedge, Id other, const Arrival& from)
   {
-    const double along = distance + this->mesh_.length(halfedge);
-    if (along < this->vertices_.distance(other))
+    const DistanceUpdate update = { other, distance + this->mesh_.length(halfedge), error, from };
+    if (this->vertices_.isNews(update))
     {
-      worker.updates.push_back({ other, along, error, from });
+      worker.updates.push_back(update);
     }
   };
   for (const Id corner : this->mesh_.cornersAt(vertex))
   {
     const Id before = TriangleMesh::previousInFace(corner);
-    relax(corner, this->mesh_.destination(corner), { before, this->mesh_.length(before) });
-    relax(before, this->mesh_.origin(before), { corner, 0.0 });
+    relax(
+      corner, this->mesh_.destination(corner), { before, this->mesh_.length(before), vertex, {} });
+    relax(before, this->mesh_.origin(before), { corner, 0.0, vertex, {} });
   }
 }
 
@@ -111,10 +112,11 @@ void BatchTasks::propagate(FrontWorker& worker, Id halfedge, Id batch) const
                                      first.distance(first.begin) + first.begin, first.error, {} },
     { this->mesh_.destination(halfedge), last.distance(last.end) + (face.length - last.end),
       last.error, {} },
-    { this->mesh_.opposite(halfedge), apex.distance, apex.error, { halfedge, apex.crossing } } };
+    { this->mesh_.opposite(halfedge), apex.distance, apex.error,
+      { halfedge, apex.crossing, apex.origin, apex.direction } } };
   for (const DistanceUpdate& update : found)
   {
-    if (update.distance < this->vertices_.distance(update.vertex))
+    if (this->vertices_.isNews(update))
     {
       worker.updates.push_back(update);
     }
@@ -150,7 +152,7 @@ void BatchTasks::mergeNeighboursOf(FrontWorker& worker, Id halfedge) const
 
 void BatchTasks::send(FrontWorker& worker, Id halfedge, const WindowRange& windows) const
 {
-  if (windows.size() == 0)
+  if (windows.size() == 0 || this->isOutsideCorridor(halfedge, windows))
   {
     return;
   }
@@ -168,6 +170,22 @@ void BatchTasks::send(FrontWorker& worker, Id halfedge, const WindowRange& windo
   }
 }
 
+// A point of the edge is nearer to one of its ends than its length, and no nearer to the target
+// than that end by more than the way.
+bool BatchTasks::isOutsideCorridor(Id halfedge, const WindowRange& windows) const
+{
+  const Corridor* corridor = this->options_.corridor;
+  if (corridor == nullptr)
+  {
+    return false;
+  }
+  const double atOrigin = corridor->lowerBounds[this->mesh_.origin(halfedge)];
+  const double atDestination = corridor->lowerBounds[this->mesh_.destination(halfedge)];
+  const double left = 0.5 * (atOrigin + atDestination - this->mesh_.length(halfedge));
+  return std::none_of(windows.begin(), windows.end(),
+    [&](const Window& w) { return w.minimum() + left <= corridor->length; });
+}
+
 void BatchTasks::receive(FrontWorker& worker, const Outbox& outbox, std::size_t group)
 {
   const Id halfedge = outbox.halfedge(group);
@@ -178,10 +196,11 @@ void BatchTasks::receive(FrontWorker& worker, const Outbox& outbox, std::size_t 
     [&](const WindowBlock& block)
     {
       const ApexDistance found = quickApexDistance(block.range(), position);
-      if (found.distance < this->vertices_.distance(apex))
+      const DistanceUpdate update = { apex, found.distance, found.error,
+        { halfedge, found.crossing, found.origin, found.direction } };
+      if (this->vertices_.isNews(update))
       {
-        worker.arrivals.push_back(
-          { apex, found.distance, found.error, { halfedge, found.crossing } });
+        worker.arrivals.push_back(update);
       }
       worker.propagated += block.size;
       this->mergeInto(worker, halfedge, block);

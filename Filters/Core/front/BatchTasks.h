@@ -34,6 +34,14 @@ public:
   /// Step (2) for a group of the outbox.
   void receive(FrontWorker& worker, const Outbox& outbox, std::size_t group);
 
+  /// Whether no path that is looked for passes the vertex, by the distance known.
+  bool isOutsideCorridor(Id vertex) const
+  {
+    const Corridor* corridor = this->options_.corridor;
+    return corridor != nullptr &&
+      this->vertices_.distance(vertex) + corridor->lowerBounds[vertex] > corridor->length;
+  }
+
   /// Sends windows that leave a face through a halfedge to its siblings.
   void send(FrontWorker& worker, Id halfedge, const WindowRange& windows) const;
   /// Hands the list of a halfedge over to the retention.
@@ -46,6 +54,7 @@ public:
   void prefetchReceiver(Id halfedge) const;
 
 private:
+  bool isOutsideCorridor(Id halfedge, const WindowRange& windows) const;
   void relaxEdges(FrontWorker& worker, Id vertex) const;
   void emit(FrontWorker& worker, Id vertex) const;
   void emit(FrontWorker& worker, Id vertex, const EmittedInterval& interval) const;

@@ -79,7 +79,7 @@ Front::Front(const TriangleMesh& mesh, const FrontOptions& options, Retention& r
   : mesh_(mesh)
   , options_(options)
   , retention_(retention)
-  , vertices_(mesh, options.relativeError > 0.0)
+  , vertices_(mesh, options.relativeError > 0.0, options.keepArrivals)
   , schedule_(vertices_)
   , waiting_(mesh.numberOfHalfedges())
   , complete_(mesh, options.maximumDistance)
@@ -94,6 +94,10 @@ FrontResult Front::run(const std::vector<SourceCurve>& sources)
   this->progress_.report(this->schedule_.key());
   this->advance(this->options_.maximumDistance);
   this->progress_.report(this->schedule_.key());
+  if (this->retention_.reach() < Infinity)
+  {
+    this->flush(std::min(this->retention_.reach(), this->options_.maximumDistance));
+  }
   if (this->complete_.isLimited())
   {
     this->finishLimited();
@@ -158,7 +162,7 @@ void Front::startFaces(const SourceWindows& initial)
 
 void Front::advance(double limit)
 {
-  while (this->schedule_.moveOn(limit))
+  while (this->schedule_.moveOn(std::min(limit, this->retention_.reach())))
   {
     this->schedule_.takeBatch(limit, this->batch_);
     this->runBatch();
@@ -268,7 +272,10 @@ void Front::shorten(const DistanceUpdate& update)
   {
     this->retention_.shortenDistance(update.vertex);
   }
-  this->schedule_.add(update.vertex);
+  if (!this->tasks_.isOutsideCorridor(update.vertex))
+  {
+    this->schedule_.add(update.vertex);
+  }
 }
 
 void Front::commitLists()
@@ -363,6 +370,7 @@ void Front::finish()
   {
     this->result_.vertexDistances.push_back(this->vertices_.distance(vertex));
   }
+  this->result_.arrivals = this->vertices_.releaseArrivals();
   for (const FrontWorker& worker : this->workers_)
   {
     this->result_.windowsPropagated += worker.propagated;

@@ -4,6 +4,7 @@
 
 #include "Progress.h"
 #include "front/Retention.h"
+#include "front/SaddleWedge.h"
 #include "mesh/TriangleMesh.h"
 #include "source/SourceCurve.h"
 #include "source/SourceWindows.h"
@@ -19,6 +20,16 @@ namespace geodesic
 using ParallelFor =
   std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
 
+/// A search for one path: windows that no path to the target within the length goes through are
+/// dropped. Vertices that such a path cannot pass may then have distances that are too large.
+struct Corridor
+{
+  /// For each vertex: no path from it to the target is shorter.
+  std::vector<double> lowerBounds;
+  /// The most that the path can measure.
+  double length = Infinity;
+};
+
 struct FrontOptions
 {
   /// 0: exact. Otherwise the largest relative error of any distance against the exact one, for
@@ -31,6 +42,10 @@ struct FrontOptions
   /// Stop there, in the surface's units. Every face that has a point within the limit is complete:
   /// all its vertices (and its inside, where the retention needs it) have exact values.
   double maximumDistance = Infinity;
+  /// Absent: the front goes everywhere.
+  const Corridor* corridor = nullptr;
+  /// Whether FrontResult::arrivals is wanted, which takes 24 bytes a vertex. Changes no distance.
+  bool keepArrivals = false;
   /// Absent: one task after another. The result does not depend on it.
   ParallelFor parallelFor;
   /// Called now and then, at least ten times a second, with the fraction done in [0, 1]; returning
@@ -43,6 +58,9 @@ struct FrontResult
 {
   /// Distance at each vertex, in the surface's units; +infinity where the front did not come.
   std::vector<double> vertexDistances;
+  /// Where a shortest path comes to each vertex from, where that was asked for; no halfedge on the
+  /// source and where the path comes straight from a source in a face at the vertex.
+  std::vector<Arrival> arrivals;
   /// The sources that lie in faces, in the order of the faces.
   std::vector<SourceInFace> sourcesInFaces;
   /// With a limit: whether each face is complete. Empty where all are.

@@ -42,6 +42,7 @@ Window emittedWindow(const TriangleMesh& mesh, const EmittedInterval& interval, 
   Window window = vertexWindow(mesh, interval.corner, sigma).window;
   window.begin = length - interval.end;
   window.end = length - interval.begin;
+  window.origin = mesh.origin(interval.corner);
   return window;
 }
 

@@ -50,7 +50,8 @@ class VertexStates
 {
 public:
   /// \param withErrors whether distances may be merged ones, whose errors are kept.
-  VertexStates(const TriangleMesh& mesh, bool withErrors);
+  /// \param withArrivals whether arrivals are kept for whoever traces paths.
+  VertexStates(const TriangleMesh& mesh, bool withErrors, bool withArrivals);
 
   Id size() const { return static_cast<Id>(this->states_.size()); }
   const VertexState& operator[](Id vertex) const { return this->states_[vertex]; }
@@ -59,8 +60,18 @@ public:
   /// How much longer the path behind a vertex's distance can be: 0 in the exact solve.
   double error(Id vertex) const { return this->errors_.empty() ? 0.0 : this->errors_[vertex]; }
 
+  /// Whether a path tells something new: it is shorter, or where arrivals are kept the first one
+  /// known as long as that whose arrival is not known.
+  bool isNews(const DistanceUpdate& update) const
+  {
+    return update.distance < this->distance(update.vertex) || this->isMissingArrival(update);
+  }
+
   /// Takes a path over where it is shorter than the one known. \returns whether it was.
   bool shorten(const DistanceUpdate& update);
+
+  /// What is kept of them; gone then.
+  std::vector<Arrival> releaseArrivals() { return std::move(this->arrivals_); }
 
   VertexNumbers distances() const { return this->each(&VertexState::distance); }
   VertexNumbers processed() const { return this->each(&VertexState::processed); }
@@ -72,14 +83,24 @@ private:
     return { &(this->states_.front().*number), sizeof(VertexState) / sizeof(double) };
   }
 
+  bool isMissingArrival(const DistanceUpdate& update) const
+  {
+    return !this->arrivals_.empty() && update.from.halfedge != NoId &&
+      this->arrivals_[update.vertex].halfedge == NoId &&
+      update.distance <= this->distance(update.vertex) * (1.0 + tolerance::Tie);
+  }
+
   std::vector<VertexState> states_;
   /// Empty in the exact solve.
   std::vector<double> errors_;
+  /// Empty where they are not asked for.
+  std::vector<Arrival> arrivals_;
 };
 
-inline VertexStates::VertexStates(const TriangleMesh& mesh, bool withErrors)
+inline VertexStates::VertexStates(const TriangleMesh& mesh, bool withErrors, bool withArrivals)
   : states_(mesh.numberOfVertices())
   , errors_(withErrors ? mesh.numberOfVertices() : 0, 0.0)
+  , arrivals_(withArrivals ? mesh.numberOfVertices() : 0)
 {
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
@@ -95,11 +116,16 @@ inline bool VertexStates::shorten(const DistanceUpdate& update)
   // A linear window's distance may be a rounding below 0 at its source.
   const double distance = std::max(update.distance, 0.0);
   VertexState& state = this->states_[update.vertex];
+  const bool isTie = distance >= state.distance * (1.0 - tolerance::Tie);
+  if (this->isMissingArrival(update) ||
+    (!this->arrivals_.empty() && distance < state.distance && !isTie))
+  {
+    this->arrivals_[update.vertex] = update.from;
+  }
   if (!(distance < state.distance))
   {
     return false;
   }
-  const bool isTie = distance >= state.distance * (1.0 - tolerance::Tie);
   state.distance = distance;
   if (!this->errors_.empty())
   {

@@ -2,7 +2,7 @@
 #include "source/SourceCurve.h"
 
 #include "Errors.h"
-#include "field/ShortestPath.h"
+#include "field/ShortestPathFinder.h"
 #include "mesh/SurfaceSnap.h"
 
 #include <algorithm>

@@ -79,6 +79,8 @@ ApexDistance FacePropagation::view(const WindowRange& list, Vec2 apex)
   {
     view.crossing = nearest->crossing(apex);
     view.error = nearest->error;
+    view.origin = nearest->origin;
+    view.direction = nearest->direction(view.crossing);
   }
   return view;
 }
@@ -100,7 +102,8 @@ ApexDistance quickApexDistance(const WindowRange& list, Vec2 apex)
     const double distance = w.bentDistance(apex);
     if (distance < view.distance)
     {
-      view = { distance, w.crossing(apex), w.error };
+      const double x = w.crossing(apex);
+      view = { distance, x, w.error, w.origin, w.direction(x) };
     }
   };
   if (first != list.end())

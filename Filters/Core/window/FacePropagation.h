@@ -42,11 +42,14 @@ struct ApexDistance
   double distance = Infinity;
   double crossing = 0.0;
   double error = 0.0;
+  /// The origin of that window, and the direction of its ray there.
+  Id origin = NoId;
+  Vec2 direction = {};
 };
 
-/// The apex as seen at a quickApexDistance through a sorted list: where rays of several windows cross below
-/// it, a shorter path may be overlooked. Enough to tell when the front comes to the apex; then the
-/// whole list is looked at.
+/// The apex as seen at a quickApexDistance through a sorted list: where rays of several windows
+/// cross below it, a shorter path may be overlooked. Enough to tell when the front comes to the
+/// apex; then the whole list is looked at.
 ApexDistance quickApexDistance(const WindowRange& list, Vec2 apex);
 
 /// How a list of windows goes through a face (paper, sections 3.2 and 4.2.1; as a list after Qin et
@@ -61,13 +64,14 @@ public:
   /// Sends the list that was viewed last through the face. Windows that a path through a corner
   /// beats are dropped.
   ///
-  /// \param maximumFacesCrossed windows that have crossed so many faces are dropped: a shortest path crosses
+  /// \param maximumFacesCrossed windows that have crossed so many faces are dropped: a shortest
+  /// path crosses
   ///        none twice.
   void pass(const WindowRange& list, const UnfoldedFace& face, const CornerDistances& distances,
     bool toLeft, bool toRight, Id maximumFacesCrossed);
 
-  /// The windows that left through the edge from the halfedge's origin to the apex, and through the one
-  /// from the apex to the halfedge's destination, in the leaving frames.
+  /// The windows that left through the edge from the halfedge's origin to the apex, and through the
+  /// one from the apex to the halfedge's destination, in the leaving frames.
   WindowRange left() const { return this->left_.range(); }
   WindowRange right() const { return this->right_.range(); }
 

@@ -9,17 +9,21 @@
 namespace geodesic
 {
 
-/// A window: an interval of a halfedge together with the pencil of rays that enters the halfedge's face
-/// through it (paper, sections 3.2 and 4.2.1).
+/// The most faces that a window can have crossed.
+constexpr Id MaximumDepth = 0x7fffffffU;
+
+/// A window: an interval of a halfedge together with the pencil of rays that enters the halfedge's
+/// face through it (paper, sections 3.2 and 4.2.1).
 ///
-/// Coordinates are those of the halfedge: its edge is the x axis from its origin, its face lies above
-/// it, the unfolded source below or on it. A window keeps the source itself instead of the
+/// Coordinates are those of the halfedge: its edge is the x axis from its origin, its face lies
+/// above it, the unfolded source below or on it. A window keeps the source itself instead of the
 /// distances at its ends: recomputing the source from them, as in section 3.2, loses most digits
 /// where the interval is narrow. The pseudo-source's distance sigma of a linear window is folded
 /// into its distance function.
 struct Window
 {
-  enum class Kind : std::uint32_t
+  // Not a class, as GCC 12 cannot initialise bit-fields of those by braces.
+  enum Kind : std::uint32_t
   {
     /// Rays leave the point (sourceX, -sourceDepth) whose own distance is sigma.
     Circular,
@@ -35,10 +39,13 @@ struct Window
   double sigma;
   /// How much longer than this window tells the path behind it can be: 0 in the exact field.
   double error;
-  Kind kind;
+  Kind kind : 1;
   /// Number of faces crossed since the source: a shortest path crosses no face twice, which bounds
   /// it, and with it every propagation.
-  Id depth;
+  Id depth : 31;
+  /// The vertex that its rays leave from; NoId where they come straight from a source that is not a
+  /// vertex. Distances do not depend on it.
+  Id origin = NoId;
 
   bool isLinear() const { return this->kind == Kind::Linear; }
   double width() const { return this->end - this->begin; }
@@ -79,7 +86,8 @@ struct Window
     return d.x * p.y > d.y * (p.x - x);
   }
 
-  /// Where the ray to p crosses the halfedge, moved to the nearest end of the interval when outside.
+  /// Where the ray to p crosses the halfedge, moved to the nearest end of the interval when
+  /// outside.
   double crossing(Vec2 p) const;
 
   /// Length of the shortest path to p through the interval: straight where the pencil holds p, bent
@@ -101,6 +109,8 @@ struct Window
   }
 };
 
+static_assert(sizeof(Window) == 56, "there are hundreds of millions of them");
+
 /// Windows that stand together in memory.
 struct WindowRange
 {
@@ -117,8 +127,8 @@ Window reversed(const Window& window, double length);
 /// A halfedge's face unfolded above the halfedge, ready for windows to go through.
 struct UnfoldedFace
 {
-  /// Length of the entered halfedge and of the two that are left through: from its origin to the apex,
-  /// from the apex to its destination.
+  /// Length of the entered halfedge and of the two that are left through: from its origin to the
+  /// apex, from the apex to its destination.
   double length;
   double leftLength;
   double rightLength;
@@ -129,12 +139,13 @@ struct UnfoldedFace
   Vec2 leftAxis;
   Vec2 rightAxis;
 
-  /// Where the ray of a window through x meets the left edge, as a distance from the halfedge's origin.
+  /// Where the ray of a window through x meets the left edge, as a distance from the halfedge's
+  /// origin.
   double meetLeft(const Window& window, double x) const;
   /// Where it meets the right edge, as a distance from the apex.
   double meetRight(const Window& window, double x) const;
-  /// The window with its source in the frame of the left edge (x axis from the halfedge's origin to the
-  /// apex, the face below), on the given interval.
+  /// The window with its source in the frame of the left edge (x axis from the halfedge's origin to
+  /// the apex, the face below), on the given interval.
   Window throughLeft(const Window& window, double begin, double end) const;
   /// The same for the right edge (x axis from the apex to the halfedge's destination).
   Window throughRight(const Window& window, double begin, double end) const;
@@ -175,7 +186,7 @@ inline Window moved(const Window& window, Vec2 origin, Vec2 axis)
     w.sourceDepth = dx * axis.y + dy * axis.x;
   }
   w.sourceDepth = std::max(w.sourceDepth, 0.0);
-  w.depth = window.depth + 1;
+  w.depth = (window.depth + 1) & MaximumDepth;
   return w;
 }
 

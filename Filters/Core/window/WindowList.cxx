@@ -293,7 +293,8 @@ bool isSameSource(const Window& a, const Window& b)
 {
   const double source = std::abs(a.sourceX) + a.sourceDepth;
   const double length = a.isLinear() ? b.end : source;
-  return a.kind == b.kind && std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source &&
+  return a.kind == b.kind && a.origin == b.origin &&
+    std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source &&
     std::abs(a.sourceDepth - b.sourceDepth) <= tolerance::SameSource * source &&
     std::abs(a.sigma - b.sigma) <= tolerance::SameSource * (std::abs(a.sigma) + length);
 }
@@ -311,7 +312,7 @@ void WindowListBuilder::appendOfOther(const Window& window)
   Window& last = this->windows_.back();
   last.end = std::max(last.end, window.end);
   last.error = std::max(last.error, window.error);
-  last.depth = std::max(last.depth, window.depth);
+  last.depth = std::max<Id>(last.depth, window.depth) & MaximumDepth;
 }
 
 namespace

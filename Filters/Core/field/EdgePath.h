@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_EdgePath_h
+#define geodesic_EdgePath_h
+
+#include "Progress.h"
+#include "mesh/SurfacePoint.h"
+#include "mesh/TriangleMesh.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// The length of a path from one point to another along mesh edges, by best-first search: an upper
+/// bound of the geodesic distance; infinite where there is none.
+///
+/// \param lengthTo work space, one entry a vertex; made where it is empty, and left clean.
+/// \param progress called now and then with 0; returning false throws Aborted.
+double lengthAlongEdges(const TriangleMesh& mesh, const SurfacePoint& first,
+  const SurfacePoint& second, std::vector<double>& lengthTo, const ProgressCallback& progress);
+
+}
+
+#endif

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field/PathTracer.h"
+
+#include "Errors.h"
+#include "Tolerance.h"
+#include "window/FacePropagation.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+Barycentric cornerWeights(std::size_t k)
+{
+  Barycentric weights{};
+  weights[k] = 1.0;
+  return weights;
+}
+
+/// How a path comes to a point of a face: from a corner or through a window.
+struct LastPiece
+{
+  double distance = Infinity;
+  Id corner = NoId;
+  Arrival window;
+};
+
+void comeFromCorners(const DistanceField& field, Id face, const SurfacePoint& point,
+  const Barycentric& weights, LastPiece& best)
+{
+  const TriangleMesh& mesh = field.mesh();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Id vertex = mesh.triangle(face)[k];
+    const bool isPoint = point.kind == SurfacePoint::Kind::Vertex && point.id == vertex;
+    const double distance =
+      field.vertexDistances()[vertex] + distanceInFace(mesh, face, cornerWeights(k), weights);
+    if (!isPoint && distance < best.distance)
+    {
+      best = { distance, vertex, {} };
+    }
+  }
+}
+
+// Halfedges that hold the point tell its distance, but no piece of the path across the face.
+void comeThroughWindows(
+  const DistanceField& field, Id face, const Barycentric& weights, LastPiece& best)
+{
+  for (Id k = 0; k < 3; ++k)
+  {
+    if (weights[(k + 2) % 3] == 0.0)
+    {
+      continue;
+    }
+    const Id halfedge = 3 * face + k;
+    const Vec2 p = inHalfedgeFrame(field.mesh(), halfedge, weights);
+    for (const Window& window : field.windowsOn(halfedge))
+    {
+      const double x = window.crossing(p);
+      const double distance = std::max(window.distance(x), 0.0) + norm(p - Vec2{ x, 0.0 });
+      if (distance < best.distance)
+      {
+        best = { distance, NoId, { halfedge, x, window.origin, window.direction(x) } };
+      }
+    }
+  }
+}
+
+LastPiece comeThrough(const DistanceField& field, Id face, const SurfacePoint& point)
+{
+  LastPiece best;
+  const Barycentric weights = barycentric(field.mesh(), point, face);
+  comeFromCorners(field, face, point, weights, best);
+  comeThroughWindows(field, face, weights, best);
+  return best;
+}
+
+double distanceAt(const DistanceField& field, const SurfacePoint& point)
+{
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    return field.vertexDistances()[point.id];
+  }
+  double least = Infinity;
+  forEachFace(field.mesh(), point,
+    [&](Id face)
+    {
+      const Barycentric weights = barycentric(field.mesh(), point, face);
+      for (const SourceInFace& source : field.sourcesIn(face))
+      {
+        least = std::min(least, distanceToSource(field.mesh(), source, weights));
+      }
+      least = std::min(least, comeThrough(field, face, point).distance);
+    });
+  return least;
+}
+
+} // anonymous namespace
+
+std::vector<SurfacePoint> PathTracer::trace(const SurfacePoint& from) const
+{
+  Path path;
+  path.points = { normalized(this->mesh_, from) };
+  path.whole = distanceAt(this->field_, path.points.front());
+  path.left = path.whole;
+  if (!(path.whole < Infinity))
+  {
+    return {};
+  }
+  while (!path.isWhole)
+  {
+    const double before = path.left;
+    this->goOn(path);
+    if (!path.isWhole && !(path.left < before))
+    {
+      throw Error("A shortest path could not be followed to the source.");
+    }
+  }
+  return std::move(path.points);
+}
+
+void PathTracer::goOn(Path& path) const
+{
+  const SurfacePoint& last = path.points.back();
+  if (!(path.left > 0.0))
+  {
+    path.isWhole = true;
+  }
+  else if (last.kind == SurfacePoint::Kind::Vertex)
+  {
+    this->goOnFromVertex(last.id, path);
+  }
+  else
+  {
+    this->goOnThroughWindows(NoId, path);
+  }
+}
+
+void PathTracer::goOnFromVertex(Id vertex, Path& path) const
+{
+  for (const Id corner : this->mesh_.cornersAt(vertex))
+  {
+    if (this->endInFace(TriangleMesh::faceOf(corner), path))
+    {
+      return;
+    }
+  }
+  const Arrival& arrival = this->field_.arrivals()[vertex];
+  if (arrival.halfedge == NoId)
+  {
+    this->goToNeighbour(vertex, path);
+    return;
+  }
+  const Id corner = TriangleMesh::previousInFace(arrival.halfedge);
+  const Vec2 from = inHalfedgeFrame(this->mesh_, arrival.halfedge, cornerWeights(corner % 3));
+  this->follow(this->legTo(from, arrival), path);
+}
+
+void PathTracer::goOnThroughWindows(Id without, Path& path) const
+{
+  const SurfacePoint point = path.points.back();
+  LastPiece best;
+  bool isDone = false;
+  forEachFace(this->mesh_, point,
+    [&](Id face)
+    {
+      if (face != without && !isDone)
+      {
+        const LastPiece piece = comeThrough(this->field_, face, point);
+        best = piece.distance < best.distance ? piece : best;
+        isDone = this->endInFace(face, path);
+      }
+    });
+  if (isDone)
+  {
+    return;
+  }
+  if (best.corner != NoId)
+  {
+    this->goToVertex(best.corner, path);
+    return;
+  }
+  if (best.window.halfedge == NoId)
+  {
+    throw Error("A shortest path was to be followed through a face whose windows are not known.");
+  }
+  const Barycentric weights =
+    barycentric(this->mesh_, point, TriangleMesh::faceOf(best.window.halfedge));
+  const Vec2 from = inHalfedgeFrame(this->mesh_, best.window.halfedge, weights);
+  this->follow(this->legTo(from, best.window), path);
+}
+
+// From face to face, until the path comes to a vertex, to an edge of three and more faces or to its
+// end.
+void PathTracer::follow(Leg leg, Path& path) const
+{
+  for (;;)
+  {
+    const Id corner = this->cornerOn(leg, path);
+    if (corner != NoId)
+    {
+      this->goToVertex(corner, path);
+      return;
+    }
+    path.points.push_back(this->exitOf(leg));
+    path.left -= norm(leg.to - leg.from);
+    const Id sibling = this->mesh_.nextSibling(leg.exit);
+    if (!(path.left > 0.0) || sibling == leg.exit)
+    {
+      throw Error("A shortest path could not be followed: it leaves the surface.");
+    }
+    if (!this->mesh_.isInner(leg.exit))
+    {
+      this->goOnThroughWindows(TriangleMesh::faceOf(leg.exit), path);
+      return;
+    }
+    if (this->endInFace(TriangleMesh::faceOf(sibling), path))
+    {
+      return;
+    }
+    leg = this->legBeyond(leg, sibling);
+  }
+}
+
+// From a point of a face, in the frame of the halfedge that the path comes through, back to there.
+PathTracer::Leg PathTracer::legTo(Vec2 from, const Arrival& arrival) const
+{
+  Leg leg;
+  leg.frame = arrival.halfedge;
+  leg.from = from;
+  leg.to = { arrival.x, 0.0 };
+  leg.exit = arrival.halfedge;
+  leg.origin = arrival.origin;
+  const double length = norm(arrival.direction);
+  leg.ray.kind = Window::Kind::Linear;
+  leg.ray.begin = this->mesh_.length(arrival.halfedge) - arrival.x;
+  leg.ray.end = leg.ray.begin;
+  // The way back, in a frame that is turned by half a turn.
+  leg.ray.sourceX = arrival.direction.x / length;
+  leg.ray.sourceDepth = arrival.direction.y / length;
+  return leg;
+}
+
+// The unfolding of windows (paper, section 3.2), for one ray.
+PathTracer::Leg PathTracer::legBeyond(const Leg& leg, Id sibling) const
+{
+  const bool isOpposed = this->mesh_.origin(sibling) == this->mesh_.destination(leg.exit);
+  const Window ray = isOpposed ? leg.ray : reversed(leg.ray, this->mesh_.length(leg.exit));
+  const UnfoldedFace face = unfold(this->mesh_, sibling);
+  Leg next;
+  next.frame = sibling;
+  next.from = { ray.begin, 0.0 };
+  next.origin = leg.origin;
+  if (ray.passesRightOf(ray.begin, face.apex))
+  {
+    const double x = face.meetRight(ray, ray.begin);
+    next.exit = TriangleMesh::nextInFace(sibling);
+    next.to = face.apex + x * face.rightAxis;
+    next.ray = face.throughRight(ray, x, x);
+  }
+  else
+  {
+    const double x = face.meetLeft(ray, ray.begin);
+    next.exit = TriangleMesh::previousInFace(sibling);
+    next.to = x * face.leftAxis;
+    next.ray = face.throughLeft(ray, x, x);
+  }
+  return next;
+}
+
+SurfacePoint PathTracer::exitOf(const Leg& leg) const
+{
+  const double fraction = 1.0 - leg.ray.begin / this->mesh_.length(leg.exit);
+  return fraction <= 0.0 ? SurfacePoint::atVertex(this->mesh_.origin(leg.exit))
+    : fraction >= 1.0    ? SurfacePoint::atVertex(this->mesh_.destination(leg.exit))
+                         : SurfacePoint::onEdge(leg.exit, fraction);
+}
+
+// The nearest corner that the path goes through: on the leg, or where it is straight from, by as
+// much as the unfolding through many faces is rounded; and no farther than the length that is left.
+Id PathTracer::cornerOn(const Leg& leg, const Path& path) const
+{
+  const Id face = TriangleMesh::faceOf(leg.frame);
+  const Vec2 along = leg.to - leg.from;
+  const double way = norm(along);
+  const SurfacePoint& last = path.points.back();
+  double nearest = Infinity;
+  Id found = NoId;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Id vertex = this->mesh_.triangle(face)[k];
+    if (last.kind == SurfacePoint::Kind::Vertex && last.id == vertex)
+    {
+      continue;
+    }
+    const Vec2 toCorner = inHalfedgeFrame(this->mesh_, leg.frame, cornerWeights(k)) - leg.from;
+    const double length = norm(toCorner);
+    const double distance = this->field_.vertexDistances()[vertex];
+    const bool isStraightFrom = vertex == leg.origin || distance == 0.0;
+    const bool isOnLeg = dot(toCorner, along) >= 0.0 &&
+      std::abs(cross(toCorner, along)) <= tolerance::PathAtVertex * path.whole * way;
+    if ((isStraightFrom || isOnLeg) && length < nearest &&
+      distance + length <= path.left + tolerance::Tie * path.whole)
+    {
+      nearest = length;
+      found = vertex;
+    }
+  }
+  return found;
+}
+
+// Ends the path where a source in the face is as near as the path is long.
+bool PathTracer::endInFace(Id face, Path& path) const
+{
+  double nearest = path.left + tolerance::Tie * path.whole;
+  Barycentric end{};
+  for (const SourceInFace& source : this->field_.sourcesIn(face))
+  {
+    const Barycentric from = barycentric(this->mesh_, path.points.back(), face);
+    const Barycentric point = nearestOnSource(this->mesh_, source, from);
+    const double length = distanceInFace(this->mesh_, face, point, from);
+    if (length <= nearest)
+    {
+      nearest = length;
+      end = point;
+      path.isWhole = true;
+    }
+  }
+  if (path.isWhole)
+  {
+    path.points.push_back(fromBarycentric(this->mesh_, face, end));
+    path.left = 0.0;
+  }
+  return path.isWhole;
+}
+
+void PathTracer::goToVertex(Id vertex, Path& path) const
+{
+  path.points.push_back(SurfacePoint::atVertex(vertex));
+  path.left = this->field_.vertexDistances()[vertex];
+}
+
+// Along an edge, to the vertex that is nearest to the source by way of it.
+void PathTracer::goToNeighbour(Id vertex, Path& path) const
+{
+  double nearest = path.left + tolerance::Tie * path.whole;
+  Id found = NoId;
+  const auto look = [&](Id halfedge, Id other)
+  {
+    const double distance = this->field_.vertexDistances()[other] + this->mesh_.length(halfedge);
+    if (distance <= nearest)
+    {
+      nearest = distance;
+      found = other;
+    }
+  };
+  for (const Id corner : this->mesh_.cornersAt(vertex))
+  {
+    const Id before = TriangleMesh::previousInFace(corner);
+    look(corner, this->mesh_.destination(corner));
+    look(before, this->mesh_.origin(before));
+  }
+  if (found == NoId)
+  {
+    throw Error("A shortest path could not be followed beyond a vertex.");
+  }
+  this->goToVertex(found, path);
+}
+
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field/RetentionAround.h"
+
+#include "Tolerance.h"
+#include "mesh/HalfedgeFrame.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+RetentionAround::RetentionAround(const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets)
+  : mesh_(mesh)
+  , targets_(targets)
+{
+  this->kept_.faces.assign(mesh.numberOfFaces(), 0);
+  for (SurfacePoint& target : this->targets_)
+  {
+    target = normalized(mesh, target);
+    if (target.kind != SurfacePoint::Kind::Vertex)
+    {
+      forEachFace(mesh, target, [this](Id face) { this->kept_.faces[face] = 1; });
+    }
+  }
+  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+  {
+    if (!mesh.isBoundary(halfedge) && !mesh.isInner(halfedge))
+    {
+      this->kept_.faces[TriangleMesh::faceOf(halfedge)] = 1;
+    }
+  }
+}
+
+void RetentionAround::pass(std::size_t worker, const PassedList& list, Id batch, WindowPool& pool)
+{
+  if (this->kept_.faces[TriangleMesh::faceOf(list.halfedge)])
+  {
+    this->passed_[worker].add(list.halfedge, list.windows.range(), batch);
+  }
+  pool.free(list.windows);
+}
+
+double RetentionAround::upperBound(const SurfacePoint& target, const VertexNumbers& distances) const
+{
+  if (target.kind == SurfacePoint::Kind::Vertex)
+  {
+    return distances(target.id);
+  }
+  double least = Infinity;
+  forEachFace(this->mesh_, target,
+    [&](Id face)
+    {
+      const Barycentric weights = barycentric(this->mesh_, target, face);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        Barycentric corner{};
+        corner[k] = 1.0;
+        least = std::min(least,
+          distances(this->mesh_.triangle(face)[k]) +
+            distanceInFace(this->mesh_, face, corner, weights));
+      }
+    });
+  return least;
+}
+
+// Bounds fall as the front comes nearer; they are looked at again halfway.
+void RetentionAround::advance(const FrontState& front)
+{
+  while (this->seen_ < this->targets_.size() &&
+    this->upperBound(this->targets_[this->seen_], front.distances) < Infinity)
+  {
+    ++this->seen_;
+  }
+  if (this->seen_ < this->targets_.size() || front.key < this->nextLook_)
+  {
+    return;
+  }
+  double farthest = 0.0;
+  for (const SurfacePoint& target : this->targets_)
+  {
+    farthest = std::max(farthest, this->upperBound(target, front.distances));
+  }
+  this->reach_ = (1.0 + tolerance::Tie) * farthest;
+  this->nextLook_ = front.key + 0.5 * std::max(0.0, this->reach_ - front.key);
+}
+
+void RetentionAround::finish(const FrontState&)
+{
+  for (WindowArchive& passed : this->passed_)
+  {
+    this->kept_.windows.take(passed);
+  }
+  this->kept_.windows.index(this->mesh_.numberOfHalfedges());
+}
+
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_RetentionAround_h
+#define geodesic_RetentionAround_h
+
+#include "front/Retention.h"
+#include "mesh/SurfacePoint.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// Keeps the windows that PathTracer needs for paths from some targets, and lets the front stop
+/// when all targets are settled: those of the faces around targets that are not vertices, and of
+/// the faces around edges of three and more.
+class RetentionAround : public Retention
+{
+public:
+  RetentionAround(const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets);
+
+  bool needsInside() const override { return true; }
+  double reach() const override { return this->reach_; }
+  void setNumberOfWorkers(std::size_t count) override { this->passed_.resize(count); }
+  void pass(std::size_t worker, const PassedList& list, Id batch, WindowPool& pool) override;
+  void advance(const FrontState& front) override;
+  void finish(const FrontState& front) override;
+
+  KeptWindows release() { return std::move(this->kept_); }
+
+private:
+  double upperBound(const SurfacePoint& target, const VertexNumbers& distances) const;
+
+  const TriangleMesh& mesh_;
+  std::vector<SurfacePoint> targets_;
+  /// How many of the targets, from the first on, the front has come near to.
+  std::size_t seen_ = 0;
+  double reach_ = Infinity;
+  /// The key at which the reach is looked at again.
+  double nextLook_ = 0.0;
+  std::vector<WindowArchive> passed_;
+  KeptWindows kept_;
+};
+
+}
+
+#endif
