@@ -50,6 +50,8 @@ struct LeavingWindows
 /// wavefront propagation"). Windows that a path through a corner beats are dropped.
 ///
 /// \param apex what the full query of the apex found for the list; it names the list.
+/// \param distances each no more than what the list itself gives: at the ends of the halfedge along
+///        it, at the apex as the query says.
 /// \param maximumFacesCrossed windows that have crossed so many faces are dropped: a shortest path
 ///        crosses none twice.
 /// \param leaving the windows behind the open edges; replaced.

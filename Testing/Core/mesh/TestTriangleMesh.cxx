@@ -4,6 +4,7 @@
 #include "EngineSupport.h"
 
 #include "Errors.h"
+#include "Tolerance.h"
 
 #include <gtest/gtest.h>
 
@@ -159,6 +160,99 @@ TEST(TriangleMesh, NeedlesHaveArea)
 {
   Random random(5);
   EXPECT_EQ(engineMesh(needleSheet(6, 6, 1e5, 0.3, random)).report().zeroAreaFaces, 0u);
+}
+
+TEST(TriangleMesh, AreasOfNeedlesAreExactButForRounding)
+{
+  // Coordinates of few bits: differences are exact, and so is the area in extended precision.
+  Random random(7);
+  const auto coordinate = [&random](double size) { return std::floor(random.uniform(0.0, size)); };
+  for (int i = 0; i < 1000; ++i)
+  {
+    const double length = 1048576.0;
+    const Vec3 along = { coordinate(length), coordinate(length), coordinate(length) };
+    const Vec3 beside = { coordinate(16.0) + 1.0, coordinate(16.0), coordinate(16.0) };
+    const PlainMesh plain = { { { 0, 0, 0 }, along, beside }, { { 0, 1, 2 } } };
+    long double squared = 0.0L;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::size_t m = (k + 1) % 3;
+      const long double c = static_cast<long double>(along[k]) * beside[m] -
+        static_cast<long double>(along[m]) * beside[k];
+      squared += c * c;
+    }
+    const double area2 = static_cast<double>(std::sqrt(squared));
+    // of the product of the two shorter edges, not of two long ones
+    const double rounding = 4.0 * geodesic::tolerance::Rounding *
+      spaceDistance(along, { 0, 0, 0 }) * spaceDistance(beside, { 0, 0, 0 });
+    for (Index first = 0; first < 3; ++first)
+    {
+      PlainMesh turned = plain;
+      turned.triangles = { { first, (first + 1) % 3, (first + 2) % 3 } };
+      ASSERT_NEAR(engineMesh(turned).shape(0).area2, area2, rounding) << i;
+    }
+  }
+}
+
+TEST(TriangleMesh, AFaceIsCountedAsWithoutAreaUpToRoundingOnly)
+{
+  const auto counted = [](double h)
+  {
+    const PlainMesh plain = { { { 0, 0, 0 }, { 2, 0, 0 }, { 1, h, 0 } }, { { 0, 1, 2 } } };
+    return engineMesh(plain).report().zeroAreaFaces == 1;
+  };
+  EXPECT_TRUE(counted(0.0));
+  EXPECT_TRUE(counted(1e-15));
+  EXPECT_FALSE(counted(4e-15));
+}
+
+TEST(TriangleMesh, AFlatVertexIsNoSaddleAndAnExcessBeyondRoundingIsOne)
+{
+  // In a plane the angles sum to 2 pi up to rounding.
+  Random random(8);
+  for (int i = 0; i < 20; ++i)
+  {
+    const PlainMesh plain = moved(randomPlanar(8, 8, random), random);
+    const TriangleMesh mesh = engineMesh(plain);
+    std::set<Index> boundary;
+    for (const auto& edge : boundaryEdges(plain))
+    {
+      boundary.insert({ edge.first, edge.second });
+    }
+    for (geodesic::Id v = 0; v < mesh.numberOfVertices(); ++v)
+    {
+      EXPECT_FALSE(isPseudoSource(mesh, v) && boundary.count(v) == 0) << "vertex " << v;
+    }
+  }
+  // Points around that are up and down by turns: an excess of about 1e-10.
+  PlainMesh fan = { { { 0, 0, 0 } }, {} };
+  constexpr Index spokes = 8;
+  long double angle = 0.0L;
+  const auto at = [](Index i)
+  {
+    const double a = 2.0 * Pi * i / spokes;
+    return Vec3{ std::cos(a), std::sin(a), i % 2 == 0 ? 3e-6 : -3e-6 };
+  };
+  for (Index i = 0; i < spokes; ++i)
+  {
+    const Vec3 p = at(i);
+    const Vec3 q = at((i + 1) % spokes);
+    fan.points.push_back(p);
+    fan.triangles.push_back({ 0, 1 + i, 1 + (i + 1) % spokes });
+    const long double x =
+      p[1] * static_cast<long double>(q[2]) - p[2] * static_cast<long double>(q[1]);
+    const long double y =
+      p[2] * static_cast<long double>(q[0]) - p[0] * static_cast<long double>(q[2]);
+    const long double z =
+      p[0] * static_cast<long double>(q[1]) - p[1] * static_cast<long double>(q[0]);
+    const long double dot = p[0] * static_cast<long double>(q[0]) +
+      p[1] * static_cast<long double>(q[1]) + p[2] * static_cast<long double>(q[2]);
+    angle += std::atan2(std::sqrt(x * x + y * y + z * z), dot);
+  }
+  const double excess = static_cast<double>(angle) / (2.0 * Pi) - 1.0;
+  ASSERT_GT(excess, 1e-12);
+  ASSERT_LT(excess, 1e-9);
+  EXPECT_EQ(engineMesh(fan).pseudoSource(0), TriangleMesh::PseudoSource::Saddle);
 }
 
 TEST(TriangleMesh, OnASphereNoVertexIsAPseudoSource)
