@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "Tolerance.h"
+#include "window/Interval.h"
 
 #include <algorithm>
 #include <iterator>
@@ -349,37 +350,6 @@ void FaceEnvelope::addPieces(
 
 namespace
 {
-
-struct Interval
-{
-  double begin;
-  double end;
-
-  // Keeps where c0 + c1 x >= 0.
-  void clip(double c0, double c1)
-  {
-    if (c1 > 0.0)
-    {
-      this->begin = std::max(this->begin, -c0 / c1);
-    }
-    else if (c1 < 0.0)
-    {
-      this->end = std::min(this->end, -c0 / c1);
-    }
-    else if (c0 < 0.0)
-    {
-      this->end = this->begin;
-    }
-  }
-  void widen(double margin, double length)
-  {
-    if (this->end > this->begin)
-    {
-      this->begin = std::max(0.0, this->begin - margin);
-      this->end = std::min(length, this->end + margin);
-    }
-  }
-};
 
 Window linearAlong(double sigma, double slope, double depth, Interval interval)
 {

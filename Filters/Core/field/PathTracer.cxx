@@ -3,7 +3,7 @@
 
 #include "Errors.h"
 #include "Tolerance.h"
-#include "window/FacePropagation.h"
+#include "window/UnfoldedFace.h"
 
 #include <algorithm>
 

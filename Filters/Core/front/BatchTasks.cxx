@@ -104,7 +104,7 @@ void BatchTasks::propagate(FrontWorker& worker, Id halfedge, Id batch) const
     return;
   }
   const UnfoldedFace face = unfold(this->mesh_, halfedge);
-  const ApexDistance apex = worker.propagation.view(list, face.apex);
+  const ApexQuery apex = fullApexQuery(list, face.apex, worker.apexSides);
   const Window& first = *list.begin();
   const Window& last = *(list.end() - 1);
   // Along the halfedge: bounds only, no shortest path comes so to a corner.
@@ -112,8 +112,8 @@ void BatchTasks::propagate(FrontWorker& worker, Id halfedge, Id batch) const
                                      first.distance(first.begin) + first.begin, first.error, {} },
     { this->mesh_.destination(halfedge), last.distance(last.end) + (face.length - last.end),
       last.error, {} },
-    { this->mesh_.opposite(halfedge), apex.distance, apex.error,
-      { halfedge, apex.crossing, apex.origin, apex.direction } } };
+    { this->mesh_.opposite(halfedge), apex.shortest.distance, apex.shortest.error,
+      { halfedge, apex.shortest.crossing, apex.shortest.origin, apex.shortest.direction } } };
   for (const DistanceUpdate& update : found)
   {
     if (this->vertices_.isNews(update))
@@ -126,11 +126,12 @@ void BatchTasks::propagate(FrontWorker& worker, Id halfedge, Id batch) const
 
   const Id left = TriangleMesh::previousInFace(halfedge);
   const Id right = TriangleMesh::nextInFace(halfedge);
-  worker.propagation.pass(list, face, { known(0), known(1), known(2) },
-    !this->mesh_.isBoundary(left), !this->mesh_.isBoundary(right), this->mesh_.numberOfFaces());
+  propagateThroughFace(apex, face, { known(0), known(1), known(2) },
+    { !this->mesh_.isBoundary(left), !this->mesh_.isBoundary(right) }, this->mesh_.numberOfFaces(),
+    worker.leaving);
   this->retire(worker, halfedge, { known(0), known(1) }, batch);
-  this->send(worker, left, worker.propagation.left());
-  this->send(worker, right, worker.propagation.right());
+  this->send(worker, left, worker.leaving.left.range());
+  this->send(worker, right, worker.leaving.right.range());
 }
 
 // A list is merged when it is complete and about to go on, so that each window is once a face
@@ -195,7 +196,7 @@ void BatchTasks::receive(FrontWorker& worker, const Outbox& outbox, std::size_t 
   outbox.forEach(group,
     [&](const WindowBlock& block)
     {
-      const ApexDistance found = quickApexDistance(block.range(), position);
+      const ApexDistance found = quickApexQuery(block.range(), position);
       const DistanceUpdate update = { apex, found.distance, found.error,
         { halfedge, found.crossing, found.origin, found.direction } };
       if (this->vertices_.isNews(update))

@@ -7,6 +7,7 @@
 #include "front/FrontWorker.h"
 #include "front/Outbox.h"
 #include "front/VertexStates.h"
+#include "front/WaitingLists.h"
 
 namespace geodesic
 {

@@ -108,7 +108,9 @@ FrontResult Front::run(const std::vector<SourceCurve>& sources)
 
 void Front::start(const std::vector<SourceCurve>& sources)
 {
-  SourceWindows initial = makeSourceWindows(this->mesh_, sources);
+  // Short beside what follows: it can be stopped, and counts as no progress.
+  SourceWindows initial = makeSourceWindows(this->mesh_, sources,
+    [this](double) { return !this->options_.progress || this->options_.progress(0.0); });
   if (initial.inFaces.empty() && initial.vertices.empty())
   {
     throw SourceError("There is no source. Give at least one point on the surface.");

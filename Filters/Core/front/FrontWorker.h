@@ -7,6 +7,7 @@
 #include "front/VertexStates.h"
 #include "window/FacePropagation.h"
 #include "window/WindowList.h"
+#include "window/WindowPool.h"
 
 #include <vector>
 
@@ -21,7 +22,8 @@ struct FrontWorker
   std::size_t number = 0;
 
   /// Work space.
-  FacePropagation propagation;
+  std::vector<ApexSide> apexSides;
+  LeavingWindows leaving;
   WindowListBuilder merged;
   WindowPool pool;
   std::vector<Window> merging;

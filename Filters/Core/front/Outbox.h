@@ -2,7 +2,7 @@
 #ifndef geodesic_Outbox_h
 #define geodesic_Outbox_h
 
-#include "window/WindowList.h"
+#include "window/WindowPool.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "front/PseudoSource.h"
 
-#include "source/SourceWindows.h"
+#include "source/LeavingWindow.h"
 
 namespace geodesic
 {

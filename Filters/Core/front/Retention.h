@@ -5,7 +5,7 @@
 #include "mesh/TriangleMesh.h"
 #include "source/SourceWindows.h"
 #include "window/WindowArchive.h"
-#include "window/WindowList.h"
+#include "window/WindowPool.h"
 
 #include <cstdint>
 #include <vector>

@@ -23,7 +23,8 @@ Id cornerWith(const TriangleMesh& mesh, Id face, Id vertex)
   return NoId;
 }
 
-/// The point on the halfedge opposite corner k; a vertex where the fraction cannot be told from 0 or 1.
+/// The point on the halfedge opposite corner k; a vertex where the fraction cannot be told from 0
+/// or 1.
 SurfacePoint onEdgeOpposite(
   const TriangleMesh& mesh, Id face, Id k, const std::array<double, 3>& weights)
 {

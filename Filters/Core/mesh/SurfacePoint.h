@@ -22,10 +22,11 @@ struct SurfacePoint
   };
 
   Kind kind = Kind::Vertex;
-  /// The vertex, one halfedge of the edge (3 * face + k, from corner k to corner k + 1), or the face.
+  /// The vertex, one halfedge of the edge (3 * face + k, from corner k to corner k + 1), or the
+  /// face.
   Id id = NoId;
-  /// Edge: the fraction of the way along the halfedge, in (0, 1). Face: the barycentric coordinate of
-  /// corner 1.
+  /// Edge: the fraction of the way along the halfedge, in (0, 1). Face: the barycentric coordinate
+  /// of corner 1.
   double u = 0.0;
   /// Face: the barycentric coordinate of corner 2; corner 0 has 1 - u - v.
   double v = 0.0;

@@ -64,8 +64,8 @@ struct Candidate
   double distance = Infinity;
 };
 
-/// The fraction of the way along halfedge k of the point nearest to the one at `fromOrigin` from corner
-/// k.
+/// The fraction of the way along halfedge k of the point nearest to the one at `fromOrigin` from
+/// corner k.
 double fractionAlong(const Face& face, std::size_t k, const Vec3& fromOrigin)
 {
   const Vec3& edge = face.edge(k);

@@ -105,7 +105,7 @@ void TriangleMesh::takeFaces(const std::vector<Triangle>& triangles, const LoopP
   }
 }
 
-// Sides are bucketed by their lower vertex, and a bucket sorted by the higher one, so that the
+// Halfedges are bucketed by their lower vertex, and a bucket sorted by the higher one, so that the
 // halfedges of one edge stand together.
 void TriangleMesh::linkSiblings(const LoopProgress& progress)
 {
@@ -135,7 +135,8 @@ void TriangleMesh::linkSiblings(const LoopProgress& progress)
     entries[start[std::min(a, b)]++] = { std::max(a, b), s };
   }
 
-  const auto ring = [this](Id halfedge) -> Id& { return this->faces_[halfedge / 3].ring[halfedge % 3]; };
+  const auto next = [this](Id halfedge) -> Id&
+  { return this->faces_[halfedge / 3].nextSibling[halfedge % 3]; };
   this->numberOfEdges_ = 0;
   this->report_.nonManifoldEdges = 0;
   std::size_t first = 0;
@@ -150,10 +151,10 @@ void TriangleMesh::linkSiblings(const LoopProgress& progress)
       std::size_t end = first + 1;
       while (end < last && entries[end].high == entries[first].high)
       {
-        ring(entries[end - 1].halfedge) = entries[end].halfedge;
+        next(entries[end - 1].halfedge) = entries[end].halfedge;
         ++end;
       }
-      ring(entries[end - 1].halfedge) = entries[first].halfedge;
+      next(entries[end - 1].halfedge) = entries[first].halfedge;
       ++this->numberOfEdges_;
       this->report_.nonManifoldEdges += end - first > 2 ? 1 : 0;
       first = end;
@@ -271,21 +272,21 @@ void TriangleMesh::findPseudoSources(const LoopProgress& progress)
     progress.at(v, this->points_.size());
     const IdRange corners = this->cornersAt(v);
     double angle = 0.0;
-    std::size_t boundarySpokes = 0;
+    std::size_t boundaryEdges = 0;
     bool manifold = true;
     for (const Id corner : corners)
     {
       angle += this->cornerAngle(corner);
-      for (const Id spoke : { corner, previousInFace(corner) })
+      for (const Id halfedge : { corner, previousInFace(corner) })
       {
-        const Id other = this->nextSibling(spoke);
-        boundarySpokes += other == spoke ? 1 : 0;
-        manifold = manifold && this->nextSibling(other) == spoke;
+        const Id other = this->nextSibling(halfedge);
+        boundaryEdges += other == halfedge ? 1 : 0;
+        manifold = manifold && this->nextSibling(other) == halfedge;
       }
     }
-    const double straight = boundarySpokes == 0 ? 2.0 * Pi : Pi;
+    const double straight = boundaryEdges == 0 ? 2.0 * Pi : Pi;
     const bool bends = angle > straight * (1.0 + tolerance::FlatAngle);
-    const bool several = !manifold || boundarySpokes > 2 || !this->isOneFan(v);
+    const bool several = !manifold || boundaryEdges > 2 || !this->isOneFan(v);
     this->pseudoSource_[v] = corners.size() == 0 ? PseudoSource::None
       : several                                  ? PseudoSource::Irregular
       : bends                                    ? PseudoSource::Saddle
@@ -293,8 +294,8 @@ void TriangleMesh::findPseudoSources(const LoopProgress& progress)
   }
 }
 
-// Walks from corner to corner across shared spokes; every corner is met where there is one fan.
-// Only called where spokes have one or two halfedges.
+// Walks from corner to corner across the edges at the vertex; every corner is met where there is
+// one fan. Only called where these edges have one or two halfedges.
 bool TriangleMesh::isOneFan(Id vertex) const
 {
   const IdRange corners = this->cornersAt(vertex);
@@ -302,27 +303,28 @@ bool TriangleMesh::isOneFan(Id vertex) const
   {
     return true;
   }
-  // Begin at a boundary spoke where there is one, so that one walk meets the whole fan.
-  Id spoke = *corners.begin();
+  // Begin at a boundary edge where there is one, so that one walk meets the whole fan.
+  Id entered = *corners.begin();
   for (const Id corner : corners)
   {
     for (const Id s : { corner, previousInFace(corner) })
     {
-      spoke = this->isBoundary(s) ? s : spoke;
+      entered = this->isBoundary(s) ? s : entered;
     }
   }
-  const Id first = spoke;
+  const Id first = entered;
   std::size_t met = 0;
   do
   {
     ++met;
-    const Id across = this->origin(spoke) == vertex ? previousInFace(spoke) : nextInFace(spoke);
-    spoke = this->nextSibling(across);
-    if (spoke == across)
+    const Id across =
+      this->origin(entered) == vertex ? previousInFace(entered) : nextInFace(entered);
+    entered = this->nextSibling(across);
+    if (entered == across)
     {
       break;
     }
-  } while (spoke != first && met <= corners.size());
+  } while (entered != first && met <= corners.size());
   return met == corners.size();
 }
 

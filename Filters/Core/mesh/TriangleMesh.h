@@ -46,10 +46,10 @@ struct FaceShape
 /// An indexed triangle mesh of any topology: with boundary, several components, edges of three and
 /// more faces, bow-tie vertices, inconsistent orientation, zero-area faces.
 ///
-/// A halfedge is one edge of one face, numbered 3 * face + k for the edge from corner k to corner k + 1
-/// (mod 3). The halfedges of one edge form a ring (nextSibling): a boundary edge's ring is its only
-/// halfedge, an inner edge's has two, a non-manifold edge's more. Nothing else about topology is
-/// stored.
+/// A halfedge is one edge of one face, numbered 3 * face + k for the edge from corner k to corner
+/// k + 1 (mod 3). The halfedges of one edge are siblings (after geometry-central) and stand in a
+/// circle (nextSibling): a boundary edge has one halfedge, an inner edge two, a non-manifold edge
+/// more; siblings may run in either direction. Nothing else about topology is stored.
 class TriangleMesh
 {
 public:
@@ -92,13 +92,12 @@ public:
   Id inputFace(Id face) const { return this->inputFaces_.empty() ? face : this->inputFaces_[face]; }
 
   static Id faceOf(Id halfedge) { return halfedge / 3; }
-  static Id cornerOf(Id halfedge) { return halfedge % 3; }
   /// The next halfedge of the same face, which begins where this one ends.
   static Id nextInFace(Id halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
   static Id previousInFace(Id halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
 
   /// The next halfedge of the same edge; the halfedge itself on a boundary edge.
-  Id nextSibling(Id halfedge) const { return this->faces_[halfedge / 3].ring[halfedge % 3]; }
+  Id nextSibling(Id halfedge) const { return this->faces_[halfedge / 3].nextSibling[halfedge % 3]; }
   bool isBoundary(Id halfedge) const { return this->nextSibling(halfedge) == halfedge; }
   /// Whether the halfedge's edge has exactly two faces.
   bool isInner(Id halfedge) const
@@ -111,7 +110,7 @@ public:
   /// The vertex opposite the halfedge in its face.
   Id opposite(Id halfedge) const { return this->origin(previousInFace(halfedge)); }
   double length(Id halfedge) const { return this->faces_[halfedge / 3].shape.length[halfedge % 3]; }
-  /// Side of the edge with the lowest number: the edge's name.
+  /// The halfedge of the edge with the lowest number, which names the edge.
   Id edgeOf(Id halfedge) const;
 
   /// The corners (numbered as halfedges: 3 * face + k is corner k) at a vertex.
@@ -133,10 +132,9 @@ public:
     Irregular
   };
   PseudoSource pseudoSource(Id vertex) const { return this->pseudoSource_[vertex]; }
-  bool isPseudoSource(Id vertex) const { return this->pseudoSource_[vertex] != PseudoSource::None; }
 
-  /// The connected component (by shared vertices) of each vertex; computed on first use by the
-  /// caller, who keeps it.
+  /// The number of the connected component (by shared vertices) of each vertex. Walks the whole
+  /// mesh at every call.
   std::vector<Id> components() const;
 
   /// Fetches a face ahead of its use. The faces along a front lie all over the memory.
@@ -147,8 +145,8 @@ private:
   struct Face
   {
     Triangle corners;
-    /// The next halfedge around the edge of each halfedge.
-    std::array<Id, 3> ring;
+    /// Of each halfedge.
+    std::array<Id, 3> nextSibling;
     FaceShape shape;
   };
 

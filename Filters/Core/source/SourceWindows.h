@@ -2,23 +2,16 @@
 #ifndef geodesic_SourceWindows_h
 #define geodesic_SourceWindows_h
 
+#include "Progress.h"
+#include "mesh/TriangleMesh.h"
+#include "source/LeavingWindow.h"
 #include "source/SourceCurve.h"
 #include "source/SourceInFace.h"
-#include "mesh/TriangleMesh.h"
-#include "window/Window.h"
 
 #include <vector>
 
 namespace geodesic
 {
-
-/// A window that leaves a face. Its coordinates are those of the face's halfedge seen from outside: x
-/// axis from the halfedge's destination to its origin, the face below.
-struct LeavingWindow
-{
-  Id halfedge;
-  Window window;
-};
 
 /// What the sources give the front to begin with (paper, sections 4.1 and 4.2).
 struct SourceWindows
@@ -33,13 +26,14 @@ struct SourceWindows
   std::vector<Id> nearVertices;
 };
 
-/// Linear windows from both sides of every segment, and circular windows from every vertex of a
-/// curve into its wedge: the directions at right angles or more to all its segments. Where a curve
-/// is only cut by a mesh edge there is no wedge.
-SourceWindows makeSourceWindows(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves);
-
-/// The window through the halfedge opposite a corner, of rays that leave the vertex there.
-LeavingWindow vertexWindow(const TriangleMesh& mesh, Id corner, double sigma);
+/// Linear windows to both sides of every segment, and circular windows from every vertex of a curve
+/// into its wedge: the directions at right angles or more to all its segments. Where a curve is
+/// only cut by a mesh edge there is no wedge. Takes time in proportion to the segments and to the
+/// faces around their ends.
+///
+/// \param progress called now and then with a fraction done; returning false throws Aborted.
+SourceWindows makeSourceWindows(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves,
+  const ProgressCallback& progress = {});
 
 }
 

@@ -10,16 +10,16 @@ namespace geodesic
 {
 
 /// The most faces that a window can have crossed.
-constexpr Id MaximumDepth = 0x7fffffffU;
+constexpr Id MaximumFacesCrossed = 0x7fffffffU;
 
 /// A window: an interval of a halfedge together with the pencil of rays that enters the halfedge's
 /// face through it (paper, sections 3.2 and 4.2.1).
 ///
-/// Coordinates are those of the halfedge: its edge is the x axis from its origin, its face lies
-/// above it, the unfolded source below or on it. A window keeps the source itself instead of the
-/// distances at its ends: recomputing the source from them, as in section 3.2, loses most digits
-/// where the interval is narrow. The pseudo-source's distance sigma of a linear window is folded
-/// into its distance function.
+/// Coordinates are those of the halfedge: it is the x axis from its origin, its face lies above it,
+/// the unfolded source below or on it. A window keeps the source itself instead of the distances at
+/// its ends: recomputing the source from them, as in section 3.2, loses most digits where the
+/// interval is narrow. The pseudo-source's distance sigma of a linear window is folded into its
+/// distance function.
 struct Window
 {
   // Not a class, as GCC 12 cannot initialise bit-fields of those by braces.
@@ -42,9 +42,9 @@ struct Window
   Kind kind : 1;
   /// Number of faces crossed since the source: a shortest path crosses no face twice, which bounds
   /// it, and with it every propagation.
-  Id depth : 31;
-  /// The vertex that its rays leave from; NoId where they come straight from a source that is not a
-  /// vertex. Distances do not depend on it.
+  Id facesCrossed : 31;
+  /// The vertex that its rays leave from as a pseudo-source; NoId where they come straight from a
+  /// source. Distances do not depend on it.
   Id origin = NoId;
 
   bool isLinear() const { return this->kind == Kind::Linear; }
@@ -79,7 +79,7 @@ struct Window
     return { this->isLinear() ? this->sourceX : x - this->sourceX, this->sourceDepth };
   }
 
-  /// Whether the ray through x leaves the point p (above the halfedge) on its left.
+  /// Whether the ray through x passes on the right of the point p, which lies above the halfedge.
   bool passesRightOf(double x, Vec2 p) const
   {
     const Vec2 d = this->direction(x);
@@ -121,99 +121,9 @@ struct WindowRange
   std::size_t size() const { return static_cast<std::size_t>(this->last - this->first); }
 };
 
-/// The window as seen along the reversed edge of the given length.
+/// The same window in the frame that begins where a halfedge of this length ends and runs against
+/// it.
 Window reversed(const Window& window, double length);
-
-/// A halfedge's face unfolded above the halfedge, ready for windows to go through.
-struct UnfoldedFace
-{
-  /// Length of the entered halfedge and of the two that are left through: from its origin to the
-  /// apex, from the apex to its destination.
-  double length;
-  double leftLength;
-  double rightLength;
-  /// The apex, and its distance along the halfedge from the destination.
-  Vec2 apex;
-  double apexFromEnd;
-  /// Unit vectors along the left and the right edge.
-  Vec2 leftAxis;
-  Vec2 rightAxis;
-
-  /// Where the ray of a window through x meets the left edge, as a distance from the halfedge's
-  /// origin.
-  double meetLeft(const Window& window, double x) const;
-  /// Where it meets the right edge, as a distance from the apex.
-  double meetRight(const Window& window, double x) const;
-  /// The window with its source in the frame of the left edge (x axis from the halfedge's origin to
-  /// the apex, the face below), on the given interval.
-  Window throughLeft(const Window& window, double begin, double end) const;
-  /// The same for the right edge (x axis from the apex to the halfedge's destination).
-  Window throughRight(const Window& window, double begin, double end) const;
-};
-
-inline double UnfoldedFace::meetLeft(const Window& window, double x) const
-{
-  const Vec2 d = window.direction(x);
-  const double denominator = d.y * this->apex.x - d.x * this->apex.y;
-  const double t = denominator > 0.0 ? x * d.y / denominator : 0.0;
-  return std::clamp(t, 0.0, 1.0) * this->leftLength;
-}
-
-inline double UnfoldedFace::meetRight(const Window& window, double x) const
-{
-  const Vec2 d = window.direction(x);
-  const double denominator = d.y * this->apexFromEnd + d.x * this->apex.y;
-  const double t = denominator > 0.0 ? (this->length - x) * d.y / denominator : 0.0;
-  return (1.0 - std::clamp(t, 0.0, 1.0)) * this->rightLength;
-}
-
-/// The window with its source in another frame. Unfolding is a rigid motion: the source is carried
-/// along, not computed anew.
-inline Window moved(const Window& window, Vec2 origin, Vec2 axis)
-{
-  Window w = window;
-  if (window.isLinear())
-  {
-    w.sigma = window.straightDistance(origin);
-    w.sourceX = window.sourceX * axis.x + window.sourceDepth * axis.y;
-    w.sourceDepth = window.sourceDepth * axis.x - window.sourceX * axis.y;
-  }
-  else
-  {
-    const double dx = window.sourceX - origin.x;
-    const double dy = window.sourceDepth + origin.y;
-    w.sourceX = dx * axis.x - dy * axis.y;
-    w.sourceDepth = dx * axis.y + dy * axis.x;
-  }
-  w.sourceDepth = std::max(w.sourceDepth, 0.0);
-  w.depth = (window.depth + 1) & MaximumDepth;
-  return w;
-}
-
-inline Window UnfoldedFace::throughLeft(const Window& window, double begin, double end) const
-{
-  Window w = moved(window, { 0.0, 0.0 }, this->leftAxis);
-  w.begin = begin;
-  w.end = end;
-  return w;
-}
-
-inline Window UnfoldedFace::throughRight(const Window& window, double begin, double end) const
-{
-  Window w = moved(window, this->apex, this->rightAxis);
-  w.begin = begin;
-  w.end = end;
-  return w;
-}
-
-/// The points of (lo, hi) where the distances of two windows are equal: none, one or two,
-/// ascending. May hold points where they are not (from squaring); the caller compares between them.
-struct Crossings
-{
-  int count = 0;
-  std::array<double, 2> at{};
-};
-Crossings crossings(const Window& a, const Window& b, double lo, double hi);
 
 }
 

@@ -85,7 +85,8 @@ public:
   /// The windows of a halfedge, in the order in which they were added.
   WindowRuns at(Id halfedge) const
   {
-    return { this->runs_.data() + this->start_[halfedge], this->runs_.data() + this->start_[halfedge + 1] };
+    return { this->runs_.data() + this->start_[halfedge],
+      this->runs_.data() + this->start_[halfedge + 1] };
   }
 
 private:

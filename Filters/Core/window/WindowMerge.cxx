@@ -175,7 +175,7 @@ bool merge(const Window& left, const Window& right, double relativeError, double
   }
   merged.begin = p.begin;
   merged.end = p.end;
-  merged.depth = std::max<Id>(left.depth, right.depth) & MaximumDepth;
+  merged.facesCrossed = std::max<Id>(left.facesCrossed, right.facesCrossed) & MaximumFacesCrossed;
   lowerToEnds(merged, p);
   const double gapLeft = largestGap(left, merged);
   const double gapRight = largestGap(right, merged);

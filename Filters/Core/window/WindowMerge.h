@@ -10,7 +10,7 @@ namespace geodesic
 {
 
 /// Merges neighbours of a sorted list of one halfedge as long as the result stays within the error
-/// (paper, section 5; the bound is ours, see Approximation.md).
+/// (paper, section 5; the bound is ours, see Merging.md).
 ///
 /// A merged window equals the originals at its two ends and is nowhere above them, so that
 /// distances are only ever underestimated. Its `error` is how far it can be below a real path.
@@ -20,8 +20,7 @@ namespace geodesic
 /// \param edgeLength length of the halfedge.
 /// \param relativeError epsilon, > 0.
 /// \param maximumAdded a merged window is nowhere below the windows that it replaces by more than
-/// this,
-///        however many they are; >= 0.
+///        this, however many they are; >= 0.
 /// \returns the largest error / minimum of the windows merged here; 0 where none was.
 double mergeNeighbours(std::vector<Window>& windows, double edgeLength, double relativeError,
   double maximumAdded = Infinity);

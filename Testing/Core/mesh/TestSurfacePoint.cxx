@@ -58,8 +58,8 @@ std::vector<Id> facesOf(const TriangleMesh& mesh, const SurfacePoint& point)
   return faces;
 }
 
-/// The halfedges of an edge in the faces that have both its vertices, found without the ring.
-std::vector<Id> sidesBetween(const TriangleMesh& mesh, Id a, Id b)
+/// The halfedges of an edge in the faces that have both its vertices, found without siblings.
+std::vector<Id> halfedgesBetween(const TriangleMesh& mesh, Id a, Id b)
 {
   std::vector<Id> result;
   for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
@@ -94,7 +94,8 @@ TEST(SurfacePoint, EveryFaceThatHoldsAPointIsVisitedOnce)
   }
   EXPECT_EQ(facesOf(mesh, SurfacePoint::atVertex(0)).size(), 3u);
   EXPECT_EQ(facesOf(mesh, SurfacePoint::atVertex(2)).size(), 2u);
-  EXPECT_EQ(facesOf(mesh, SurfacePoint::onEdge(sidesBetween(mesh, 0, 1).front(), 0.5)).size(), 3u);
+  EXPECT_EQ(
+    facesOf(mesh, SurfacePoint::onEdge(halfedgesBetween(mesh, 0, 1).front(), 0.5)).size(), 3u);
 }
 
 TEST(SurfacePoint, BarycentricCoordinatesGiveThePositionInEveryFaceAround)
@@ -125,13 +126,13 @@ TEST(SurfacePoint, BarycentricCoordinatesGiveThePointBack)
   }
 }
 
-TEST(SurfacePoint, AnEdgePointIsOnePlaceFromEverySideOfItsRing)
+TEST(SurfacePoint, AnEdgePointIsOnePlaceFromEveryHalfedgeOfItsEdge)
 {
   const TriangleMesh mesh = bookWithBowTie();
   const double u = 0.3;
   for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
   {
-    for (const Id other : sidesBetween(mesh, mesh.origin(halfedge), mesh.destination(halfedge)))
+    for (const Id other : halfedgesBetween(mesh, mesh.origin(halfedge), mesh.destination(halfedge)))
     {
       const bool alike = mesh.origin(halfedge) == mesh.origin(other);
       const SurfacePoint a = SurfacePoint::onEdge(halfedge, u);

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "source/CurveWedge.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+constexpr double RightAngle = 1.57079632679489661923;
+
+/// The corner of a face (as a halfedge: the one that begins there) at a vertex of the face.
+Id cornerAt(const TriangleMesh& mesh, Id face, Id vertex)
+{
+  Id corner = 3 * face;
+  while (mesh.origin(corner) != vertex)
+  {
+    ++corner;
+  }
+  return corner;
+}
+
+/// The halfedge of a face that is on the edge of the given halfedge.
+Id siblingInFace(const TriangleMesh& mesh, Id halfedge, Id face)
+{
+  Id s = halfedge;
+  while (TriangleMesh::faceOf(s) != face)
+  {
+    s = mesh.nextSibling(s);
+  }
+  return s;
+}
+
+struct ByFace
+{
+  bool operator()(const WedgeBound& a, const WedgeBound& b) const
+  {
+    return TriangleMesh::faceOf(a.halfedge) < TriangleMesh::faceOf(b.halfedge);
+  }
+};
+
+} // anonymous namespace
+
+void CurveWedge::assign(
+  const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const std::function<void()>& step)
+{
+  this->bounds_.clear();
+  this->leaving_.clear();
+  for (const SegmentEnd& end : ends)
+  {
+    switch (point.kind)
+    {
+      case SurfacePoint::Kind::Face:
+        this->bounds_.push_back(this->inOwnFace(end, 0));
+        break;
+      case SurfacePoint::Kind::Edge:
+        this->addAroundEdge(end);
+        break;
+      case SurfacePoint::Kind::Vertex:
+        this->startAroundVertex(end);
+        break;
+    }
+  }
+  if (!this->leaving_.empty())
+  {
+    this->addAroundVertex(point.id, step);
+  }
+  std::stable_sort(this->bounds_.begin(), this->bounds_.end(), ByFace());
+}
+
+CurveWedge::Bounds CurveWedge::boundsIn(Id face) const
+{
+  const auto range = std::equal_range(this->bounds_.data(),
+    this->bounds_.data() + this->bounds_.size(), WedgeBound{ 3 * face, {} }, ByFace());
+  return { range.first, range.second };
+}
+
+// In the frame of the first halfedge with a length from k on.
+WedgeBound CurveWedge::inOwnFace(const SegmentEnd& end, std::size_t k) const
+{
+  while (this->mesh_.shape(end.face).length[k] == 0.0)
+  {
+    k = (k + 1) % 3;
+  }
+  const Id halfedge = 3 * end.face + static_cast<Id>(k);
+  const Vec2 from =
+    inHalfedgeFrame(this->mesh_, halfedge, barycentric(this->mesh_, end.from, end.face));
+  const Vec2 to =
+    inHalfedgeFrame(this->mesh_, halfedge, barycentric(this->mesh_, end.to, end.face));
+  const Vec2 d = to - from;
+  const double length = norm(d);
+  return { halfedge, length > 0.0 ? (1.0 / length) * d : d };
+}
+
+// The faces across the edge unfold into the plane of the segment: there it has the same direction,
+// seen from behind the edge.
+void CurveWedge::addAroundEdge(const SegmentEnd& end)
+{
+  const Id halfedge = siblingInFace(this->mesh_, end.from.id, end.face);
+  const WedgeBound own = this->inOwnFace(end, halfedge % 3);
+  this->bounds_.push_back(own);
+  const Vec2 u = own.direction;
+  for (Id s = this->mesh_.nextSibling(halfedge); s != halfedge; s = this->mesh_.nextSibling(s))
+  {
+    const bool opposed = this->mesh_.origin(s) == this->mesh_.destination(halfedge);
+    this->bounds_.push_back({ s, { opposed ? -u.x : u.x, -u.y } });
+  }
+}
+
+// The face of the segment is left to both sides of the segment.
+void CurveWedge::startAroundVertex(const SegmentEnd& end)
+{
+  const Id corner = cornerAt(this->mesh_, end.face, end.from.id);
+  const WedgeBound own = this->inOwnFace(end, corner % 3);
+  this->bounds_.push_back(own);
+  if (own.halfedge != corner)
+  {
+    return; // a halfedge without length: its neighbours emit too, which costs time only
+  }
+  const double angle = std::max(0.0, std::atan2(own.direction.y, own.direction.x));
+  this->leaving_.push_back({ corner, angle });
+  this->leaving_.push_back({ TriangleMesh::previousInFace(corner),
+    std::max(0.0, this->mesh_.cornerAngle(corner) - angle) });
+}
+
+// In a face that is entered across an edge, the nearest segment on that way is the one that bounds.
+void CurveWedge::addAroundVertex(Id vertex, const std::function<void()>& step)
+{
+  for (const EdgeAngle& entered :
+    this->angles_.find(this->mesh_, vertex, this->leaving_, RightAngle, step))
+  {
+    // In the frame of the halfedge the vertex is at the origin or at the end of the x axis.
+    const double x = std::cos(entered.angle);
+    const bool atOrigin = this->mesh_.origin(entered.halfedge) == vertex;
+    this->bounds_.push_back({ entered.halfedge, { atOrigin ? x : -x, -std::sin(entered.angle) } });
+  }
+}
+
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_CurveWedge_h
+#define geodesic_CurveWedge_h
+
+#include "mesh/HalfedgeFrame.h"
+#include "mesh/SurfacePoint.h"
+#include "source/AnglesAroundVertex.h"
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+
+/// An end of a curve's segment: the segment runs from it to another point of the same face.
+struct SegmentEnd
+{
+  SurfacePoint from;
+  SurfacePoint to;
+  Id face;
+};
+
+/// The direction of a segment that ends at a point, in a face around the point: a unit vector in
+/// the frame of a halfedge of the face. Rays at less than a right angle to it start at the wrong
+/// point: they are shorter from inside the segment.
+struct WedgeBound
+{
+  Id halfedge;
+  Vec2 direction;
+};
+
+/// The wedge of directions into which a point of a curve emits: those at a right angle or more to
+/// all its segments there, measured around the point across any of the faces (paper, section 4.2).
+///
+/// Keeps its memory from one point to the next.
+class CurveWedge
+{
+public:
+  explicit CurveWedge(const TriangleMesh& mesh)
+    : mesh_(mesh)
+  {
+  }
+
+  /// Goes to a point of a curve.
+  ///
+  /// \param ends the ends of all segments there; for a vertex those of all curves.
+  /// \param step called now and then, as the faces around a vertex may be many; may throw.
+  void assign(const SurfacePoint& point, const std::vector<SegmentEnd>& ends,
+    const std::function<void()>& step);
+
+  /// What bounds the wedge in a face around the point.
+  using Bounds = std::pair<const WedgeBound*, const WedgeBound*>;
+  Bounds boundsIn(Id face) const;
+
+private:
+  WedgeBound inOwnFace(const SegmentEnd& end, std::size_t k) const;
+  void addAroundEdge(const SegmentEnd& end);
+  void startAroundVertex(const SegmentEnd& end);
+  void addAroundVertex(Id vertex, const std::function<void()>& step);
+
+  const TriangleMesh& mesh_;
+  /// In the order of the faces.
+  std::vector<WedgeBound> bounds_;
+  AnglesAroundVertex angles_;
+  std::vector<EdgeAngle> leaving_;
+};
+
+}
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "window/ApexQuery.h"
+
+namespace geodesic
+{
+
+ApexQuery fullApexQuery(const WindowRange& list, Vec2 apex, std::vector<ApexSide>& sides)
+{
+  sides.resize(list.size());
+  ApexQuery query;
+  query.list = list;
+  query.sides = sides.data();
+  const Window* nearest = nullptr;
+  const auto consider = [&query, &nearest](double distance, const Window& w)
+  {
+    if (distance < query.shortest.distance)
+    {
+      query.shortest.distance = distance;
+      nearest = &w;
+    }
+  };
+  double straight = Infinity;
+  ApexSide previous = ApexSide::Left; // as if a window before the first one passed on the left
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    const Window& w = list.first[i];
+    const ApexSide side = w.passesRightOf(w.begin, apex) ? ApexSide::Right
+      : w.passesRightOf(w.end, apex)                     ? ApexSide::Both
+                                                         : ApexSide::Left;
+    sides[i] = side;
+    if (side == ApexSide::Both)
+    {
+      const double distance = w.straightDistance(apex);
+      consider(distance, w);
+      if (distance < straight)
+      {
+        straight = distance;
+        query.first = i;
+      }
+    }
+    // Between a window that passes on the left and one on the right, the apex is in a gap.
+    if (side == ApexSide::Right && previous == ApexSide::Left)
+    {
+      consider(w.bentDistance(apex), w);
+      if (i > 0)
+      {
+        consider(list.first[i - 1].bentDistance(apex), list.first[i - 1]);
+      }
+    }
+    if (side == ApexSide::Left && i + 1 == list.size())
+    {
+      consider(w.bentDistance(apex), w);
+    }
+    previous = side;
+  }
+  if (nearest != nullptr)
+  {
+    query.shortest.crossing = nearest->crossing(apex);
+    query.shortest.error = nearest->error;
+    query.shortest.origin = nearest->origin;
+    query.shortest.direction = nearest->direction(query.shortest.crossing);
+  }
+  return query;
+}
+
+// The first window that passes on the right is looked for by halving.
+ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
+{
+  const Window* first = list.begin();
+  for (std::size_t count = list.size(); count > 0;)
+  {
+    const std::size_t half = count / 2;
+    const bool isBefore = !first[half].passesRightOf(first[half].begin, apex);
+    first = isBefore ? first + half + 1 : first;
+    count = isBefore ? count - half - 1 : half;
+  }
+  ApexDistance shortest;
+  const auto consider = [&shortest, apex](const Window& w)
+  {
+    const double distance = w.bentDistance(apex);
+    if (distance < shortest.distance)
+    {
+      const double x = w.crossing(apex);
+      shortest = { distance, x, w.error, w.origin, w.direction(x) };
+    }
+  };
+  if (first != list.end())
+  {
+    consider(*first);
+  }
+  // back over those that hold the apex, to one that passes on the left
+  for (bool holds = true; holds && first != list.begin();)
+  {
+    --first;
+    consider(*first);
+    holds = first->passesRightOf(first->end, apex);
+  }
+  return shortest;
+}
+
+}

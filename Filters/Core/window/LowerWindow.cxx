@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "window/LowerWindow.h"
+
+#include "Tolerance.h"
+#include "window/WindowCrossings.h"
+
+namespace geodesic
+{
+
+namespace
+{
+
+// The commonest overlap: with one sigma the squares can be compared, whose difference is linear.
+LowerParts lowerOfSameSigma(const Window& a, const Window& b, double lo, double hi)
+{
+  const double slope = 2.0 * (b.sourceX - a.sourceX);
+  const double middle = 0.5 * (a.sourceX + b.sourceX);
+  const double depths = (a.sourceDepth - b.sourceDepth) * (a.sourceDepth + b.sourceDepth);
+  const double atLo = slope * (lo - middle) + depths;
+  const double atHi = slope * (hi - middle) + depths;
+  const bool aAtLo = atLo < 0.0 || (atLo == 0.0 && atHi <= 0.0);
+  const bool aAtHi = atHi < 0.0 || (atHi == 0.0 && atLo <= 0.0);
+  LowerParts lower;
+  lower.firstIsA = aAtLo;
+  if (aAtLo != aAtHi)
+  {
+    const double dx = std::max(std::abs(lo - middle), std::abs(hi - middle));
+    const double least = 2.0 * tolerance::Evaluation * (dx * dx + a.sourceDepth * a.sourceDepth);
+    if (std::max(std::abs(atLo), std::abs(atHi)) <= least)
+    {
+      return {}; // equal throughout
+    }
+    lower.cuts = 1;
+    lower.cut[0] = std::clamp(middle - depths / slope, lo, hi);
+  }
+  return lower;
+}
+
+/// Distances of a window at the ends of an interval.
+struct AtEnds
+{
+  double lo;
+  double hi;
+};
+
+// Whether the two windows have the same distance throughout, as far as rounding tells. It would
+// tell of crossings all over, and the pieces between them of more.
+bool isTie(
+  const Window& a, const Window& b, const AtEnds& ofA, const AtEnds& ofB, double lo, double hi)
+{
+  const auto same = [](double first, double second)
+  { return std::abs(first - second) <= tolerance::Evaluation * first; };
+  const double middle = 0.5 * (lo + hi);
+  return same(ofA.lo, ofB.lo) && same(ofA.hi, ofB.hi) &&
+    same(a.distance(middle), b.distance(middle));
+}
+
+// Between crossings one of the two is smaller throughout; its middle tells which. The older one
+// keeps what is equal.
+LowerParts lowerByCrossings(const Window& a, const Window& b, double lo, double hi)
+{
+  const Crossings cross = crossings(a, b, lo, hi);
+  LowerParts lower;
+  bool currentIsA = true;
+  double begin = lo;
+  for (int i = 0; i <= cross.count; ++i)
+  {
+    const double end = i < cross.count ? cross.at[static_cast<std::size_t>(i)] : hi;
+    const double middle = 0.5 * (begin + end);
+    const bool isA = a.distance(middle) <= b.distance(middle);
+    if (i == 0)
+    {
+      lower.firstIsA = isA;
+    }
+    else if (isA != currentIsA)
+    {
+      lower.cut[static_cast<std::size_t>(lower.cuts++)] = begin;
+    }
+    currentIsA = isA;
+    begin = end;
+  }
+  return lower;
+}
+
+// Whether the higher of two windows stays above the lower one, told from the ends. Distances are
+// convex: the higher one is above its tangent at an end, the lower one below its chord.
+bool staysAbove(const Window& above, const AtEnds& high, const AtEnds& low, double lo, double hi)
+{
+  const double width = hi - lo;
+  if (above.isLinear())
+  {
+    return true; // the tangent is the window
+  }
+  return (high.lo - above.sigma) * (high.lo - low.hi) + (lo - above.sourceX) * width > 0.0 ||
+    (high.hi - above.sigma) * (high.hi - low.lo) - (hi - above.sourceX) * width > 0.0;
+}
+
+} // anonymous namespace
+
+LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi)
+{
+  if (a.sigma == b.sigma && !a.isLinear() && !b.isLinear())
+  {
+    return lowerOfSameSigma(a, b, lo, hi);
+  }
+  const AtEnds ofA = { a.distance(lo), a.distance(hi) };
+  const AtEnds ofB = { b.distance(lo), b.distance(hi) };
+  const double atLo = ofA.lo - ofB.lo;
+  const double atHi = ofA.hi - ofB.hi;
+  LowerParts lower;
+  lower.firstIsA = atLo < 0.0;
+  // Only what is more than rounding is a change of sign, which has a crossing inside.
+  const double least = tolerance::Tie * (ofA.lo + ofA.hi);
+  if ((atLo < -least && atHi > least) || (atLo > least && atHi < -least))
+  {
+    const Crossings cross = crossings(a, b, lo, hi);
+    for (int i = 0; i < cross.count; ++i) // one may be false from squaring
+    {
+      const double x = cross.at[static_cast<std::size_t>(i)];
+      if (std::abs(a.distance(x) - b.distance(x)) <= least)
+      {
+        lower.cuts = 1;
+        lower.cut[0] = x;
+        return lower;
+      }
+    }
+  }
+  const bool told = (atLo < 0.0 && atHi < 0.0 && staysAbove(b, ofB, ofA, lo, hi)) ||
+    (atLo > 0.0 && atHi > 0.0 && staysAbove(a, ofA, ofB, lo, hi));
+  if (told)
+  {
+    return lower;
+  }
+  return isTie(a, b, ofA, ofB, lo, hi) ? LowerParts() : lowerByCrossings(a, b, lo, hi);
+}
+
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_WindowCrossings_h
+#define geodesic_WindowCrossings_h
+
+#include "window/Window.h"
+
+namespace geodesic
+{
+
+/// Points of a halfedge, ascending.
+struct Crossings
+{
+  int count = 0;
+  std::array<double, 2> at{};
+};
+
+/// The points of (lo, hi) where the distances of two windows are equal (paper, sections 3.3 and
+/// 4.2.2, corrected: with different sigma there may be two). Every such point is found; a point may
+/// be found twice, or be false where squaring brought it in, so that the caller compares the
+/// distances between them. Windows that are equal throughout have none.
+Crossings crossings(const Window& a, const Window& b, double lo, double hi);
+
+}
+
+#endif

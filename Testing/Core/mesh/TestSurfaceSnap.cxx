@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A point in space goes to the closest point of its face, and from there onto a vertex or an edge
+// within its precision.
+#include "EngineSupport.h"
+
+#include "mesh/SurfaceSnap.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace geodesictest;
+using geodesic::SnappedPoint;
+using geodesic::snapToFace;
+using geodesic::SurfacePoint;
+using geodesic::TriangleMesh;
+
+namespace
+{
+
+constexpr double Epsilon = std::numeric_limits<double>::epsilon();
+constexpr double FloatEpsilon = std::numeric_limits<float>::epsilon();
+
+/// The least distance to a face, over halved intervals of its two coordinates (it is convex).
+double closest(const PlainMesh& mesh, const Vec3& p)
+{
+  const auto distance = [&](long double u, long double v)
+  {
+    return spaceDistance(p,
+      position(mesh,
+        { 0,
+          { static_cast<double>(1.0L - u - v), static_cast<double>(u), static_cast<double>(v) } }));
+  };
+  const auto least = [](const auto& f, long double lo, long double hi)
+  {
+    for (int i = 0; i < 100; ++i)
+    {
+      const long double a = lo + (hi - lo) / 3.0L;
+      const long double b = hi - (hi - lo) / 3.0L;
+      (f(a) < f(b) ? hi : lo) = f(a) < f(b) ? b : a;
+    }
+    return f(0.5L * (lo + hi));
+  };
+  return least([&](long double u)
+    { return least([&](long double v) { return distance(u, v); }, 0.0L, 1.0L - u); },
+    0.0L, 1.0L);
+}
+
+}
+
+TEST(SurfaceSnap, APointGoesToTheClosestPointOfItsFace)
+{
+  Random random(1);
+  std::array<int, 3> kinds{};
+  for (int i = 0; i < 60; ++i)
+  {
+    PlainMesh plain;
+    for (int k = 0; k < 3; ++k)
+    {
+      plain.points.push_back(
+        { random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1) });
+    }
+    plain.triangles = { { 0, 1, 2 } };
+    const TriangleMesh mesh = engineMesh(plain);
+    const Vec3 p = { random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2) };
+    const SnappedPoint snapped = snapToFace(mesh, 0, p, Epsilon);
+    EXPECT_NEAR(snapped.distance, closest(plain, p), 1e-9);
+    EXPECT_NEAR(snapped.distance, spaceDistance(position(mesh, snapped.place), p), 4 * Epsilon);
+    ++kinds[static_cast<std::size_t>(snapped.place.kind)];
+  }
+  EXPECT_GT(*std::min_element(kinds.begin(), kinds.end()), 5);
+}
+
+TEST(SurfaceSnap, WithinItsPrecisionAPointGoesOntoAVertexOrAnEdgeAndNotBeyond)
+{
+  const PlainMesh plain = { { { 1, 1, 1 }, { 3, 1, 1 }, { 1, 3, 1 } }, { { 0, 1, 2 } } };
+  const TriangleMesh mesh = engineMesh(plain);
+  const double precision = 4.0 * FloatEpsilon * 3.0; // SnapRoundings, of the largest coordinate
+  const auto kind = [&](const Vec3& p) { return snapToFace(mesh, 0, p, FloatEpsilon).place.kind; };
+  EXPECT_EQ(kind({ 1 + 0.6 * precision, 1 + 0.6 * precision, 1 }), SurfacePoint::Kind::Vertex);
+  EXPECT_EQ(kind({ 1 + 1.1 * precision, 1 + 0.5 * precision, 1 }), SurfacePoint::Kind::Edge);
+  EXPECT_EQ(kind({ 2, 1 + 0.9 * precision, 1 }), SurfacePoint::Kind::Edge);
+  EXPECT_EQ(kind({ 1.5, 1 + 1.1 * precision, 1 }), SurfacePoint::Kind::Face);
+  EXPECT_EQ(kind({ 2.0 - precision, 2.0, 1 }), SurfacePoint::Kind::Edge);
+}
+
+TEST(SurfaceSnap, OfTwoEdgesWithinThePrecisionTheNearerOneIsTaken)
+{
+  // The two long edges of a needle, with an angle of .1 between them, around a point nearer to one.
+  const PlainMesh plain = { { { 0, 0, 0 }, { 10, 0, 0 }, { 10, 1, 0 } }, { { 0, 1, 2 } } };
+  for (Index first = 0; first < 3; ++first)
+  {
+    PlainMesh turned = plain;
+    const Triangle t = { first, (first + 1) % 3, (first + 2) % 3 };
+    turned.triangles = { t };
+    const TriangleMesh mesh = engineMesh(turned);
+    const double width = 0.1; // of the needle at x = 1
+    // Both are within the precision, and neither beyond a tenth of the face's altitude over it.
+    const double precision = 0.09 / 4.0 / 10.0;
+    for (const double y : { 0.3 * width, 0.7 * width })
+    {
+      const SnappedPoint snapped = snapToFace(mesh, 0, { 1, y, 0 }, precision);
+      ASSERT_EQ(snapped.place.kind, SurfacePoint::Kind::Edge);
+      const auto ends =
+        std::minmax({ mesh.origin(snapped.place.id), mesh.destination(snapped.place.id) });
+      EXPECT_EQ(ends.first, 0u);
+      EXPECT_EQ(ends.second, y < 0.5 * width ? 1u : 2u) << "first corner " << first;
+      EXPECT_NEAR(snapped.distance, 0.3 * width, 0.01 * width);
+    }
+  }
+}
+
+TEST(SurfaceSnap, FarFromTheOriginAPointKeepsItsPlaceInTheFace)
+{
+  // The precision is as large as the face; no point but those beside vertices and edges is moved.
+  const double far = 1.0 / FloatEpsilon;
+  const PlainMesh plain = { { { far, 0, 0 }, { far + 1, 0, 0 }, { far, 1, 0 } }, { { 0, 1, 2 } } };
+  const TriangleMesh mesh = engineMesh(plain);
+  const SnappedPoint inside = snapToFace(mesh, 0, { far + 0.25, 0.25, 0 }, FloatEpsilon);
+  EXPECT_EQ(inside.place.kind, SurfacePoint::Kind::Face);
+  EXPECT_LE(inside.tolerance, 0.1);
+  EXPECT_EQ(snapToFace(mesh, 0, { far + 0.05, 0.05, 0 }, FloatEpsilon).place.kind,
+    SurfacePoint::Kind::Vertex);
+}
+
+TEST(SurfaceSnap, AFaceWithoutAreaHasAClosestPoint)
+{
+  const PlainMesh plain = { { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 } }, { { 0, 1, 2 } } };
+  const TriangleMesh mesh = engineMesh(plain);
+  const SnappedPoint snapped = snapToFace(mesh, 0, { 0.5, 0.75, 0 }, Epsilon);
+  EXPECT_DOUBLE_EQ(snapped.distance, 0.75);
+  EXPECT_NE(snapped.place.kind, SurfacePoint::Kind::Face);
+  const PlainMesh point = { { { 1, 1, 1 }, { 1, 1, 1 }, { 1, 1, 1 } }, { { 0, 1, 2 } } };
+  EXPECT_DOUBLE_EQ(snapToFace(engineMesh(point), 0, { 1, 1, 3 }, Epsilon).distance, 2.0);
+}
