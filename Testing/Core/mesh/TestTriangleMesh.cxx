@@ -169,7 +169,7 @@ TEST(TriangleMesh, AreasOfNeedlesAreExactButForRounding)
   const auto coordinate = [&random](double size) { return std::floor(random.uniform(0.0, size)); };
   for (int i = 0; i < 1000; ++i)
   {
-    const double length = 1048576.0;
+    const double length = 1099511627776.0; // products of two such round
     const Vec3 along = { coordinate(length), coordinate(length), coordinate(length) };
     const Vec3 beside = { coordinate(16.0) + 1.0, coordinate(16.0), coordinate(16.0) };
     const PlainMesh plain = { { { 0, 0, 0 }, along, beside }, { { 0, 1, 2 } } };

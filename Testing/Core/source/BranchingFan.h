@@ -48,9 +48,10 @@ public:
   {
     const Vec3& p = this->mesh.points[1];
     const Vec3& q = this->mesh.points[this->stages_ + 2];
-    return std::atan2(std::sqrt((p[1] * q[2] - p[2] * q[1]) * (p[1] * q[2] - p[2] * q[1]) +
-                        (p[2] * q[0] - p[0] * q[2]) * (p[2] * q[0] - p[0] * q[2]) +
-                        (p[0] * q[1] - p[1] * q[0]) * (p[0] * q[1] - p[1] * q[0])),
+    const Vec3 normal = { p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+      p[0] * q[1] - p[1] * q[0] };
+    return std::atan2(
+      std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]),
       p[0] * q[0] + p[1] * q[1] + p[2] * q[2]);
   }
 

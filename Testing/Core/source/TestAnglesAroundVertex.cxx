@@ -55,8 +55,6 @@ void expectLeastAngles(const TriangleMesh& mesh, Id vertex, const std::vector<Ed
   {
     EXPECT_TRUE(found.insert({ entered.halfedge, entered.angle }).second) << "entered twice";
   }
-  // Ways that turn back into a face that they came through are not looked for: what they enter is
-  // entered across the other edge at a smaller angle.
   for (const auto& [halfedge, angle] : truth)
   {
     const auto entered = found.find(halfedge);
