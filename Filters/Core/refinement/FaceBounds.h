@@ -10,7 +10,7 @@ namespace geodesic
 {
 
 /// Bounds over a whole input face: how far the distance is over the linear interpolant of its
-/// corners, and how far under it. How, and why they hold: Bounds.md.
+/// corners, and how far under it. Why they hold: Bounds.md.
 struct FaceBounds
 {
   double above = Infinity;

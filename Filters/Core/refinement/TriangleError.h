@@ -9,7 +9,7 @@ namespace geodesic
 {
 
 /// Certified bounds of |distance - linear interpolant| on whole triangles, beyond the paper, which
-/// looks at edges only. How, and why they hold: Bounds.md.
+/// looks at edges only. Why they hold: Bounds.md.
 ///
 /// Bounds are up to the rounding of distances.
 class TriangleError

@@ -82,9 +82,10 @@ protected:
     EXPECT_FALSE(refined.stoppedAtMaximum);
     EXPECT_LE(refined.errorBound, tolerance);
     const Samples samples = sample(field, refined, count, random);
+    const double rounding = EngineAccuracy * largest;
+    expectRefinedPointsRight(engine, refined, mesh, toSources(curves), 1e-11 * largest);
     const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), samples.places);
     const double measured = largestDifference(samples, truth.queries);
-    const double rounding = EngineAccuracy * largest;
     EXPECT_LE(measured, refined.errorBound + rounding)
       << refined.triangles.size() << " triangles of " << mesh.triangles.size()
       << " faces, tolerance " << tolerance << "\n"
@@ -237,6 +238,112 @@ TEST(RefinementOfOneFace, SeesALocalMaximumInside)
     EXPECT_GE(measured, tolerance < inradius ? 0.5 * refined.errorBound : 0.0);
     expectSameSurface(field, refined);
   }
+}
+
+// What is wrong with the linear interpolant of one face is known: the distance from its corner is
+// over 1/sqrt(2) on the opposite edge, where the interpolant is 1.
+TEST(RefinementOfOneFace, ReportsTheErrorThatItHas)
+{
+  const PlainMesh mesh = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
+  const TriangleMesh engine = engineMesh(mesh);
+  const Sources source{ { vertexPoint(mesh, 0) }, {} };
+  const DistanceField field = solveKeepingAll(engine, engineCurves(engine, source));
+  const double error = 1.0 - std::sqrt(0.5);
+  for (const double tolerance : { 1.01 * error, 1.5 * error, 10.0 })
+  {
+    const RefinedMesh refined = refineTo(field, tolerance);
+    EXPECT_EQ(refined.triangles.size(), 1u);
+    EXPECT_GE(refined.errorBound, error);
+    EXPECT_LE(refined.errorBound, tolerance < 10.0 ? error * (1.0 + 1e-9) : std::sqrt(2.0));
+  }
+}
+
+// Where windows were dropped nothing is looked at again: what the solve says about them is the
+// least that is reported.
+TEST(RefinementOfACoarsePlane, ReportsWhatIsLostWhereWindowsWereDropped)
+{
+  const PlainMesh plane = regularGrid(8, 8);
+  const TriangleMesh engine = engineMesh(plane);
+  const Sources source{ { vertexPoint(plane, 0) }, {} };
+  const double tolerance = 1.0;
+  const DistanceField field =
+    geodesic::solveForRefinement(engine, engineCurves(engine, source), tolerance);
+  const RefinedMesh refined = refineTo(field, tolerance);
+  EXPECT_EQ(refined.triangles.size(), plane.triangles.size());
+  EXPECT_GT(field.droppedErrorBound(), 0.0);
+  EXPECT_GE(refined.errorBound, field.droppedErrorBound());
+  Random random(3);
+  const Samples samples = sample(field, refined, 20000, random);
+  double measured = 0.0;
+  for (std::size_t i = 0; i < samples.places.size(); ++i)
+  {
+    const Vec3 p = position(plane, samples.places[i]);
+    measured = std::max(measured, std::abs(samples.interpolant[i] - std::hypot(p[0], p[1])));
+  }
+  EXPECT_GT(measured, 0.05);
+  EXPECT_LE(measured, refined.errorBound);
+}
+
+// The point shines on nothing but the face it is in, whose corners are all as far from it as from
+// the line.
+TEST(RefinementOfThreeFaces, SeesAPointThatMakesNoCornerNearer)
+{
+  const PlainMesh mesh = { { { -10, 0, 0 }, { 10, 0, 0 }, { 0, 1, 0 }, { -10, -0.1, 0 },
+                             { 10, -0.1, 0 } },
+    { { 0, 1, 2 }, { 3, 4, 1 }, { 3, 1, 0 } } };
+  const TriangleMesh engine = engineMesh(mesh);
+  // (3, 0.6) in the first face
+  const Sources source{ { { 0, { 0.05, 0.35, 0.6 } } },
+    { { 1, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } } } };
+  const DistanceField field = solveKeepingAll(engine, engineCurves(engine, source));
+  for (const double tolerance : { 0.1, 0.3 })
+  {
+    const RefinedMesh refined = refineTo(field, tolerance);
+    EXPECT_LE(refined.errorBound, tolerance);
+    Random random(1);
+    const Samples samples = sample(field, refined, 20000, random);
+    const BruteForceResult truth = bruteForceDistances(mesh, source, samples.places);
+    EXPECT_LE(largestDifference(samples, truth.queries), refined.errorBound);
+  }
+  const RefinedMesh same = refineTo(field, 10.0);
+  EXPECT_GE(same.errorBound, 0.7) << "the interpolant at the point";
+}
+
+// The distance to a side of a plane is linear on every face, so that all that is off is rounding:
+// of unfolding from face to face, which what is known about one face does not show.
+TEST(RefinementOfACoarsePlane, RoundingIsPartOfTheBound)
+{
+  constexpr Index n = 24;
+  const PlainMesh flat = regularGrid(n, n);
+  Random random(5);
+  const PlainMesh plane = geodesictest::moved(flat, random);
+  const TriangleMesh engine = engineMesh(plane);
+  Sources side;
+  for (Index face = 0; face < flat.triangles.size(); ++face)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Triangle& t = flat.triangles[face];
+      if (flat.points[t[k]][0] == 0.0 && flat.points[t[(k + 1) % 3]][0] == 0.0)
+      {
+        MeshSegment segment{ face, {}, {} };
+        segment.from[k] = 1.0;
+        segment.to[(k + 1) % 3] = 1.0;
+        side.segments.push_back(segment);
+      }
+    }
+  }
+  ASSERT_EQ(side.segments.size(), n);
+  const DistanceField field = solveKeepingAll(engine, engineCurves(engine, side));
+  const RefinedMesh refined = refineTo(field, 1e-9);
+  EXPECT_EQ(refined.triangles.size(), plane.triangles.size());
+  double measured = 0.0;
+  for (Index v = 0; v < flat.points.size(); ++v)
+  {
+    measured = std::max(measured, std::abs(field.vertexDistances()[v] - flat.points[v][0]));
+  }
+  EXPECT_GT(measured, 0.0);
+  EXPECT_LE(measured, refined.errorBound);
 }
 
 //----------------------------------------------------------------------------
@@ -557,6 +664,39 @@ class RefinementOfRealMeshes : public ::testing::TestWithParam<const char*>
 {
 };
 
+PlainMesh bumpySphere()
+{
+  Random random(5);
+  PlainMesh mesh = octasphere(16);
+  for (Vec3& p : mesh.points)
+  {
+    const double factor = 1.0 + 0.05 * random.uniform();
+    p = { factor * p[0], factor * p[1], factor * p[2] };
+  }
+  return mesh;
+}
+
+}
+
+TEST(RefinementOfABumpySphere, ShapesDoNotDecayWithDepth)
+{
+  const PlainMesh mesh = bumpySphere();
+  const TriangleMesh engine = engineMesh(mesh);
+  const DistanceField field =
+    solveKeepingAll(engine, engineCurves(engine, Sources{ { vertexPoint(mesh, 0) }, {} }));
+  std::vector<double> percentiles;
+  for (const double fraction : { 1e-3, 2.5e-4, 1e-4 })
+  {
+    const RefinedMesh refined = refineTo(field, fraction * diagonal(mesh));
+    const std::vector<double> angles = smallestAngles(field, refined);
+    percentiles.push_back(angles[angles.size() / 100]);
+    std::cout << fraction << " of the diagonal: " << refined.triangles.size() << " triangles of "
+              << mesh.triangles.size() << " faces, angles: smallest " << angles.front()
+              << ", 1st percentile " << percentiles.back() << ", median "
+              << angles[angles.size() / 2] << "\n";
+  }
+  EXPECT_GE(percentiles[1], 0.8 * percentiles[0]);
+  EXPECT_GE(percentiles[2], 0.8 * percentiles[0]);
 }
 
 TEST_P(RefinementOfRealMeshes, ShapesDoNotDecayWithDepth)

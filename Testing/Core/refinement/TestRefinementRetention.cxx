@@ -100,7 +100,9 @@ Found compare(const PlainMesh& mesh, const std::vector<Polyline>& curves, double
   const RefinedMesh refined = refineTo(field, tolerance);
   EXPECT_FALSE(refined.stoppedAtMaximum);
   EXPECT_LE(refined.errorBound, tolerance);
+  EXPECT_GE(refined.errorBound, field.droppedErrorBound());
   expectSameSurface(all, refined);
+  expectRefinedPointsRight(engine, refined, mesh, toSources(curves), 1e-11 * largest);
   const Samples samples = sample(field, refined, count, random);
   const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), samples.places);
   EXPECT_LE(
@@ -255,6 +257,7 @@ TEST_P(KeptWindows, AreEnoughForRefinementUpToALimit)
     options.tolerance = tolerance;
     const RefinedMesh refined = geodesic::refine(field, options);
     EXPECT_LE(refined.errorBound, tolerance);
+    EXPECT_GE(refined.errorBound, field.droppedErrorBound());
     const Points points(field, refined);
     expectFacesPartitioned(engine, refined, points);
     expectWatertight(engine, refined, points);
