@@ -91,10 +91,6 @@ constexpr double PencilMargin = 1e-12;
 /// joint's place carries the rounding of the crossing that was solved for it.
 constexpr double JointFraction = 1e-9;
 
-/// Rays that meet their halfedge at a smaller angle (about the root of the rounding) run along it: the
-/// cosine of such an angle is 1 to the last digit, so that rounding alone would tell where they go.
-constexpr double GrazingAngle = 1e-8;
-
 }
 
 #endif

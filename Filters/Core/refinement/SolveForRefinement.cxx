@@ -18,10 +18,6 @@ namespace
 // more triangles are needed; with less, more windows.
 constexpr double MergedOfTolerance = 0.1;
 
-// A solve is repeated where faces were dropped too early. One repetition is nearly always enough,
-// as what is missing is kept then; each further one is for faces that came to be missed by it.
-constexpr int MaximumSolvesThatDrop = 4;
-
 DistanceField solveApproximate(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   double refinementTolerance, const FrontOptions& options)
 {
@@ -56,7 +52,7 @@ double maximumMergedFor(double refinementTolerance)
 }
 
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
-  double refinementTolerance, const FrontOptions& options)
+  double refinementTolerance, const FrontOptions& options, int maximumDroppingSolves)
 {
   if (options.relativeError > 0.0)
   {
@@ -73,7 +69,7 @@ DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<Sou
     };
   }
   std::vector<std::uint8_t> pinned(mesh.numberOfFaces(), 0);
-  for (int solves = 0; solves < MaximumSolvesThatDrop; ++solves)
+  for (int solves = 0; solves < maximumDroppingSolves; ++solves)
   {
     std::optional<DistanceField> field =
       solveAndDrop(mesh, sources, refinementTolerance, again, pinned);
