@@ -366,10 +366,6 @@ geodesic::RefinedMesh vtkGeodesicDistanceField::vtkInternals::Refine(
       static_cast<std::uint64_t>(this->Surface->numberOfTriangles()) - mesh.numberOfFaces();
     options.maximumFaces = most - duplicates;
   }
-  if (this->Self->MaximumDistance > 0.0)
-  {
-    options.maximumDistance = this->Self->MaximumDistance;
-  }
   if (this->Surface->hasMergedPoints())
   {
     options.cornerPoints.reserve(mesh.numberOfFaces());

@@ -91,51 +91,6 @@ constexpr double PencilMargin = 1e-12;
 /// joint's place carries the rounding of the crossing that was solved for it.
 constexpr double JointFraction = 1e-9;
 
-/// Rays that meet their halfedge at a smaller angle (about the root of the rounding) run along it: the
-/// cosine of such an angle is 1 to the last digit, so that rounding alone would tell where they go.
-constexpr double GrazingAngle = 1e-8;
-
-/// The search for the error inside one triangle ends after so many pieces, or halvings: it is
-/// cheaper then to refine the triangle.
-constexpr unsigned MostPieces = 200;
-constexpr unsigned MostHalvings = 14;
-
-/// A tight search ends when the bound is over an error that occurs by no more than this fraction:
-/// what is reported need not be sharper, and halving the gap takes several times the pieces.
-constexpr double TightFraction = 0.05;
-
-/// A refinement makes no angle (in radians) smaller than this (14 degrees) and than this fraction
-/// of the input face's smallest: edges are split nearer to their middle than the table of
-/// section 6.2 has it, and triangles into four instead of two or three. With less, the worst of a
-/// hundred angles decays from level to level by more than a fifth; with more, many more triangles
-/// are needed, and what closes these is thin again.
-constexpr double LeastAngle = 0.25;
-constexpr double LeastAngleFraction = 0.6;
-
-/// But where an edge's deviation is over this multiple of the refinement's tolerance, the smallest
-/// angle may be this (3 degrees), as a split exactly where the distance bends saves levels of
-/// triangles there. Under the multiple it saves about one, and most triangles of a refined surface
-/// are from there, so that their shapes are what counts.
-constexpr double WorthThinParts = 2.5;
-constexpr double LeastAngleOfThinParts = 0.05;
-
-/// Of the tolerance of a refinement, what merging may change on one halfedge: the faces at a point then
-/// differ by no more, which is left over from the tolerance for the triangles. With more, many more
-/// triangles are needed; with less, more windows.
-constexpr double MergedOfRefinement = 0.1;
-
-/// A face whose interpolant is off by no more than this many tolerances gets along with one split
-/// of its edges, which quarters the deviation where the distance is smooth and halves it at a kink.
-constexpr double SplitOnce = 2.0;
-
-/// Of the refinement's tolerance: how near its interpolant the distance on the halfedges is to be for a
-/// face to be told flat without its windows being looked at again. It counts twice, above and
-/// below, and the gradient in the face adds to both.
-constexpr double NearLine = 0.25;
-
-/// Of that: the widest gap between windows of such a halfedge.
-constexpr double NearLineGap = 0.25;
-
 }
 
 #endif

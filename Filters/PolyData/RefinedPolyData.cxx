@@ -16,18 +16,12 @@
 
 #include <algorithm>
 #include <cstring>
-#include <unordered_map>
 
 namespace geodesic
 {
 
 namespace
 {
-
-std::uint64_t keyOf(Id a, Id b)
-{
-  return (static_cast<std::uint64_t>(a) << 32) | b;
-}
 
 /// Takes the parts of one face over to another on the same vertices.
 class FaceTwin
@@ -36,6 +30,7 @@ public:
   FaceTwin(const PolyDataSurface& surface, RefinedMesh& refined)
     : Surface(surface)
     , Refined(refined)
+    , Numbering(refined)
   {
   }
 
@@ -108,35 +103,15 @@ private:
     {
       return point;
     }
-    this->numberPoints();
-    const auto [found, isNew] = this->numbers_.emplace(keyOf(copy.parents[0], copy.parents[1]),
-      inputPoints + static_cast<Id>(this->Refined.points.size()));
-    if (isNew)
-    {
-      this->Refined.points.push_back(copy);
-    }
-    return found->second;
-  }
-
-  void numberPoints()
-  {
-    if (!this->numbers_.empty())
-    {
-      return;
-    }
-    Id number = this->Refined.numberOfInputPoints;
-    for (const RefinedPoint& point : this->Refined.points)
-    {
-      this->numbers_.emplace(keyOf(point.parents[0], point.parents[1]), number++);
-    }
+    return this->Numbering.numberOf(copy);
   }
 
   const PolyDataSurface& Surface;
   RefinedMesh& Refined;
+  SplitPointNumbering Numbering;
   Triangle from_{};
   Triangle to_{};
   bool flipped_ = false;
-  std::unordered_map<std::uint64_t, Id> numbers_;
 };
 
 /// Where the parts of each face begin among the refined triangles.

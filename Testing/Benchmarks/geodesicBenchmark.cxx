@@ -6,8 +6,8 @@
 
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
-#include "field/FaceEnvelope.h"
 #include "field/JoinPoints.h"
+#include "field/SegmentEnvelope.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataSource.h"
 #include "PolyData/PolyDataSurface.h"
@@ -330,7 +330,7 @@ std::vector<geodesic::SourceCurve> makeCurves(
 double windowsPerEdge(const geodesic::DistanceField& field)
 {
   const geodesic::TriangleMesh& mesh = field.mesh();
-  geodesic::FaceEnvelope envelope(field);
+  geodesic::SegmentEnvelope envelope;
   std::size_t pieces = 0;
   for (geodesic::Id side = 0; side < mesh.numberOfHalfedges(); ++side)
   {
@@ -345,8 +345,8 @@ double windowsPerEdge(const geodesic::DistanceField& field)
       std::array<double, 3> end{};
       begin[side % 3] = 1.0;
       end[(side + 1 - 3 * face) % 3] = 1.0;
-      envelope.enter(face);
-      pieces += envelope.along(envelope.inPlane(begin), envelope.inPlane(end)).size();
+      const geodesic::FaceDistance distance(field, face);
+      pieces += envelope.along(distance, distance.inPlane(begin), distance.inPlane(end)).size();
     }
   }
   return static_cast<double>(pieces) / static_cast<double>(mesh.numberOfEdges());

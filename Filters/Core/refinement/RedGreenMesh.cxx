@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/RedGreenMesh.h"
 
+#include "mesh/HalfedgeFrame.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -21,6 +23,12 @@ SurfacePoint RedGreenMesh::place(Id point) const
   const Id inputPoints = this->numberOfInputPoints();
   return point < inputPoints ? SurfacePoint::atVertex(point)
                              : this->points_[point - inputPoints].place;
+}
+
+Vec2 RedGreenMesh::inPlane(Id point, Id face) const
+{
+  return inHalfedgeFrame(this->mesh_, longestHalfedge(this->mesh_, face),
+    barycentric(this->mesh_, this->place(point), face));
 }
 
 Id RedGreenMesh::faceOf(Id triangle) const
@@ -72,8 +80,8 @@ Id RedGreenMesh::edge(Id triangle, Id k)
     return existing;
   }
   const Id halfedge = this->mesh_.edgeOf(3 * triangle + k);
-  const Id edge = this->addEdge(this->mesh_.origin(halfedge), this->mesh_.destination(halfedge), NoId, halfedge,
-    TriangleMesh::faceOf(halfedge));
+  const Id edge = this->addEdge(this->mesh_.origin(halfedge), this->mesh_.destination(halfedge),
+    NoId, halfedge, TriangleMesh::faceOf(halfedge));
   this->inputEdges_.emplace(halfedge, edge);
   Id around = halfedge;
   do
@@ -128,12 +136,38 @@ void RedGreenMesh::setWay(Id triangle, Id way)
   }
 }
 
+namespace
+{
+
+using Indices = std::array<Id, 3>;
+
+/// The triangles of a polygon that begins at the corner before the split edges; with three of them
+/// the ways differ by flips, and for all but the first by where the polygon begins.
+std::array<Indices, 4> trianglesOf(Id splits, Id way)
+{
+  switch (splits)
+  {
+    case 0:
+      return { Indices{ 0, 1, 2 } };
+    case 1:
+      return { Indices{ 0, 1, 3 }, Indices{ 1, 2, 3 } };
+    case 2:
+      return way == 0
+        ? std::array<Indices, 4>{ Indices{ 1, 2, 3 }, Indices{ 0, 1, 3 }, Indices{ 0, 3, 4 } }
+        : std::array<Indices, 4>{ Indices{ 1, 2, 3 }, Indices{ 0, 1, 4 }, Indices{ 1, 3, 4 } };
+    default:
+      return way == 0 ? std::array<Indices, 4>{ Indices{ 0, 1, 5 }, Indices{ 1, 2, 3 },
+        Indices{ 5, 3, 4 }, Indices{ 1, 3, 5 } }
+                      : std::array<Indices, 4>{ Indices{ 0, 1, 3 }, Indices{ 0, 3, 5 },
+                          Indices{ 1, 2, 3 }, Indices{ 5, 3, 4 } };
+  }
+}
+
+} // anonymous namespace
+
 RedGreenMesh::Closing RedGreenMesh::closing(Id triangle, Id way) const
 {
-  using Indices = std::array<Id, 3>;
-  const Triangle c = this->corners(triangle);
   const Id splits = this->splitEdges(triangle);
-  // the polygon begins at the corner before the split edges; three of them differ by flips only
   Id begin = splits == 3 ? (way + 2) % 3 : 0;
   while (splits > 0 && splits < 3 &&
     !(this->isSplit(this->existingEdge(triangle, begin)) &&
@@ -142,6 +176,15 @@ RedGreenMesh::Closing RedGreenMesh::closing(Id triangle, Id way) const
     ++begin;
   }
   Closing closing;
+  this->addPolygon(triangle, begin, closing);
+  closing.count = 1 + splits;
+  closing.triangles = trianglesOf(splits, way);
+  return closing;
+}
+
+void RedGreenMesh::addPolygon(Id triangle, Id begin, Closing& closing) const
+{
+  const Triangle c = this->corners(triangle);
   for (Id i = 0; i < 3; ++i)
   {
     const Id k = (begin + i) % 3;
@@ -159,34 +202,6 @@ RedGreenMesh::Closing RedGreenMesh::closing(Id triangle, Id way) const
       add(this->edges_[edge].split, this->halfAt(edge, c[(k + 1) % 3]));
     }
   }
-  closing.count = 1 + splits;
-  if (splits == 0)
-  {
-    closing.triangles = { Indices{ 0, 1, 2 } };
-  }
-  else if (splits == 1)
-  {
-    closing.triangles = { Indices{ 0, 1, 3 }, Indices{ 1, 2, 3 } };
-  }
-  else if (splits == 2 && way == 0)
-  {
-    closing.triangles = { Indices{ 1, 2, 3 }, Indices{ 0, 1, 3 }, Indices{ 0, 3, 4 } };
-  }
-  else if (splits == 2)
-  {
-    closing.triangles = { Indices{ 1, 2, 3 }, Indices{ 0, 1, 4 }, Indices{ 1, 3, 4 } };
-  }
-  else if (way == 0)
-  {
-    closing.triangles = { Indices{ 0, 1, 5 }, Indices{ 1, 2, 3 }, Indices{ 5, 3, 4 },
-      Indices{ 1, 3, 5 } };
-  }
-  else
-  {
-    closing.triangles = { Indices{ 0, 1, 3 }, Indices{ 0, 3, 5 }, Indices{ 1, 2, 3 },
-      Indices{ 5, 3, 4 } };
-  }
-  return closing;
 }
 
 SurfacePoint RedGreenMesh::between(const Edge& edge, double weight) const
@@ -227,9 +242,8 @@ Id RedGreenMesh::frozenFacesAt(const Edge& edge) const
   return count;
 }
 
-void RedGreenMesh::split(Id id, const Place& place)
+void RedGreenMesh::split(Id id, const Placement& placement)
 {
-  const Placement placement = place(id);
   const Edge edge = this->edges_[id];
   const Id middle = this->addPoint(edge, placement);
   const Id first = this->addEdge(edge.ends[0], middle, id, edge.halfedge, edge.face);
@@ -275,7 +289,7 @@ Id RedGreenMesh::addPart(Id face, const Triangle& corners, const std::array<Id, 
   return index;
 }
 
-void RedGreenMesh::splitRed(Id triangle, const Place& place)
+void RedGreenMesh::splitIntoFour(Id triangle)
 {
   const Triangle c = this->corners(triangle);
   const Id face = this->faceOf(triangle);
@@ -283,11 +297,7 @@ void RedGreenMesh::splitRed(Id triangle, const Place& place)
   std::array<Id, 3> m;
   for (Id k = 0; k < 3; ++k)
   {
-    e[k] = this->edge(triangle, k);
-    if (!this->isSplit(e[k]))
-    {
-      this->split(e[k], place);
-    }
+    e[k] = this->existingEdge(triangle, k);
     m[k] = this->edges_[e[k]].split;
   }
   std::array<Id, 3> inner; // opposite to the part at corner k
@@ -324,51 +334,15 @@ bool RedGreenMesh::isSplitTwice(Id triangle) const
   return false;
 }
 
-void RedGreenMesh::closeTouched(
-  const Place& place, const MayClose& mayClose, std::vector<Id>& changed)
+Id RedGreenMesh::takeTouched()
 {
-  while (!this->touched_.empty())
+  if (this->touched_.empty())
   {
-    const Id triangle = this->touched_.back();
-    this->touched_.pop_back();
-    if (!this->isLeaf(triangle))
-    {
-      continue;
-    }
-    if (this->isSplitTwice(triangle) || (this->splitEdges(triangle) > 1 && !mayClose(triangle)))
-    {
-      this->splitRed(triangle, place);
-    }
-    else
-    {
-      changed.push_back(triangle);
-    }
+    return NoId;
   }
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-  changed.erase(std::remove_if(changed.begin(), changed.end(),
-                  [this](Id triangle) { return !this->isLeaf(triangle); }),
-    changed.end());
-}
-
-std::vector<Id> RedGreenMesh::close(const Place& place, const MayClose& mayClose)
-{
-  constexpr int rounds = 2;
-  std::vector<Id> changed;
-  this->closeTouched(place, mayClose, changed);
-  for (int round = 0; round < rounds; ++round)
-  {
-    const std::vector<Id> bisected = changed;
-    for (const Id triangle : bisected)
-    {
-      if (this->isLeaf(triangle) && this->splitEdges(triangle) == 1 && !mayClose(triangle))
-      {
-        this->splitRed(triangle, place);
-      }
-    }
-    this->closeTouched(place, mayClose, changed);
-  }
-  return changed;
+  const Id triangle = this->touched_.back();
+  this->touched_.pop_back();
+  return triangle;
 }
 
 void RedGreenMesh::begin()

@@ -2,13 +2,11 @@
 #ifndef geodesic_RedGreenMesh_h
 #define geodesic_RedGreenMesh_h
 
-#include "field/FaceEnvelope.h"
 #include "mesh/SurfacePoint.h"
 #include "mesh/TriangleMesh.h"
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <unordered_map>
 #include <vector>
 
@@ -19,11 +17,13 @@ namespace geodesic
 /// and data structures for regular local mesh refinement"; the paper's one-to-four splits).
 ///
 /// Only red triangles are kept: input faces and the four parts of a red triangle whose edges were
-/// split (figure 7). A leaf with split edges is closed when the mesh is put out, and only then: by
-/// a bisection, or with two or three split edges into three or four triangles whose inner edges may
+/// split (figure 7). A leaf with split edges is closed in the output, and only there: by a
+/// bisection, or with two or three split edges into three or four triangles whose inner edges may
 /// be flipped. When more of it is to be split, those green triangles have never been, so that they
-/// are never split again. close() restores what must hold between splits: no leaf has an edge that
-/// was split twice, nor two split edges where the caller wants that completed to four triangles.
+/// are never split again.
+///
+/// This is the structure, with single operations. Which edges are split, and that no leaf is left
+/// that cannot be closed, is the work of RedGreenClosure.
 ///
 /// Points are the mesh's vertices and then the splits, in order. A triangle is an input face or
 /// `number of faces + i` for part i. Edges along an input edge are shared by all faces around it,
@@ -55,9 +55,6 @@ public:
     Id face;
     /// First of the corners of parts at which it begins: 3 * part + k.
     Id firstCorner = NoId;
-    /// For the caller.
-    Deviation deviation;
-    bool measured = false;
   };
 
   /// Where an edge is split, and the distance there.
@@ -66,13 +63,9 @@ public:
     double weight;
     double distance;
   };
-  /// Called for each edge that is to be split.
-  using Place = std::function<Placement(Id edge)>;
-  /// Whether a leaf with split edges, each of them once, may stay one.
-  using MayClose = std::function<bool(Id triangle)>;
 
-  /// The triangles that a leaf is put out as: a leaf with split edges is a polygon of corners and
-  /// splits.
+  /// The triangles that a leaf is in the output: a leaf with split edges is a polygon of corners
+  /// and splits.
   struct Closing
   {
     Id size = 0;
@@ -90,9 +83,12 @@ public:
   ///        are only closed.
   RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen);
 
+  const TriangleMesh& mesh() const { return this->mesh_; }
   Id numberOfInputPoints() const { return this->mesh_.numberOfVertices(); }
   const std::vector<Point>& points() const { return this->points_; }
   SurfacePoint place(Id point) const;
+  /// A point of a face in the face's plane, as in FaceDistance.
+  Vec2 inPlane(Id point, Id face) const;
 
   bool isFrozen(Id face) const { return this->frozen_[face] != 0; }
   bool isLeaf(Id triangle) const { return this->partsOf(triangle) == NoId; }
@@ -101,14 +97,18 @@ public:
   Triangle corners(Id triangle) const;
   /// The edge from corner k to corner k + 1. May move the data of others.
   Id edge(Id triangle, Id k);
-  Edge& edgeData(Id edge) { return this->edges_[edge]; }
+  const Edge& edgeData(Id edge) const { return this->edges_[edge]; }
+  Id numberOfEdges() const { return static_cast<Id>(this->edges_.size()); }
+  bool isSplit(Id edge) const { return edge != NoId && this->edges_[edge].split != NoId; }
   /// How many edges of a leaf are split.
   Id splitEdges(Id triangle) const;
+  /// Whether an edge of it is split and a half of that, too.
+  bool isSplitTwice(Id triangle) const;
   /// In how many ways a leaf with so many split edges can be cut: they differ by flips of edges
   /// inside it.
   static Id waysToClose(Id splitEdges) { return splitEdges < 2 ? 1 : 2 * splitEdges - 2; }
   Closing closing(Id triangle, Id way) const;
-  /// The way in which a leaf is put out.
+  /// The way in which a leaf is cut in the output.
   Id wayOf(Id triangle) const;
   void setWay(Id triangle, Id way);
 
@@ -117,19 +117,18 @@ public:
   void forEachLeafAt(Id edge, Visitor&& visit) const;
 
   /// Splits an edge that is not split yet.
-  void split(Id edge, const Place& place);
-  /// Splits a leaf into four.
-  void splitRed(Id triangle, const Place& place);
-  /// Splits leaves into four: those with an edge that was split twice, those with two split edges
-  /// or more that may not be closed, and in two rounds bisected ones that may not be: what the
-  /// second bisects in turn stays, so that it does not spread. \returns the leaves that are new or
-  /// whose edges were split since the last call, ascending.
-  std::vector<Id> close(const Place& place, const MayClose& mayClose);
+  void split(Id edge, const Placement& placement);
+  /// Splits a leaf whose three edges are split into four.
+  void splitIntoFour(Id triangle);
+  /// A triangle that is new, or that an edge of has been split (or a half of one) since it was last
+  /// taken; NoId where there is none. The last one first; a triangle may come several times, and it
+  /// may be no leaf any more.
+  Id takeTouched();
 
-  /// Number of triangles that are put out.
+  /// Number of triangles in the output.
   std::uint64_t numberOfTriangles() const { return this->numberOfTriangles_; }
 
-  /// Between begin() and rollBack() everything is undone.
+  /// What was done since begin() is undone by rollBack(); edges made since then are gone.
   void begin();
   void rollBack();
 
@@ -167,14 +166,12 @@ private:
   const Part& part(Id triangle) const { return this->parts_[triangle - this->faces_]; }
   /// The edge, where there is one already.
   Id existingEdge(Id triangle, Id k) const;
-  bool isSplit(Id edge) const { return edge != NoId && this->edges_[edge].split != NoId; }
   Id addEdge(Id a, Id b, Id parent, Id halfedge, Id face);
   Id addPoint(const Edge& edge, const Placement& placement);
   SurfacePoint between(const Edge& edge, double weight) const;
   Id halfAt(Id edge, Id end) const;
   Id addPart(Id face, const Triangle& corners, const std::array<Id, 3>& edges);
-  bool isSplitTwice(Id triangle) const;
-  void closeTouched(const Place& place, const MayClose& mayClose, std::vector<Id>& changed);
+  void addPolygon(Id triangle, Id begin, Closing& closing) const;
   Id frozenFacesAt(const Edge& edge) const;
   template <typename Emit>
   void closeLeaf(Id triangle, Emit&& emit) const;

@@ -4,8 +4,10 @@
 
 #include "front/Retention.h"
 #include "mesh/TriangleMesh.h"
-#include "refinement/InterpolationError.h"
+#include "refinement/LinearFaceTest.h"
+#include "refinement/PassedLists.h"
 
+#include <functional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -16,13 +18,12 @@ namespace geodesic
 /// Keeps the windows of faces that may have to be refined, and drops those of the others as the
 /// front passes.
 ///
-/// Let A and B bound how far the distance is over and under the linear interpolant L of a face's
-/// corners. Where the face is closed by triangles between points of its edges, their values are
-/// exact, so that the closure l is over L by at most A and under it by at most B: |l - d| <= A + B.
-/// Where that is within the tolerance the distance counts as linear in the face. Windows that come
-/// later make d only smaller, so that A stays what it is; B is looked at again. Where it is too
-/// large then and the windows before are gone, the face was dropped too early: the solve has to be
-/// done again with the face pinned.
+/// A face is tested when the front is past it. Where the distance in it is linear within the
+/// tolerance it needs no windows, unless a neighbour that is refined will split its edges. Windows
+/// that come later make the distance only smaller, so that how far it is above the interpolant
+/// stays what it is; how far it is below is looked at again. Where that is too much then and the
+/// windows before are gone, the face was dropped too early: the solve has to be done again with the
+/// face pinned.
 class RefinementRetention : public Retention
 {
 public:
@@ -53,18 +54,6 @@ private:
     /// Linear, and its windows are gone.
     Dropped
   };
-  /// A list, and whether it is within tolerance::NearLine of the line between the distances at its
-  /// ends.
-  struct MeasuredList
-  {
-    PassedList list;
-    NearLine near;
-  };
-  struct Run
-  {
-    MeasuredList measured;
-    Id next;
-  };
 
   template <typename Visit>
   void forEachNeighbour(Id face, Visit&& visit) const;
@@ -72,19 +61,22 @@ private:
   {
     return this->state_[face] == State::Open || this->state_[face] == State::Awaited;
   }
+  bool isLinear(Id face) const
+  {
+    return this->state_[face] == State::Linear || this->state_[face] == State::Dropped;
+  }
   std::array<double, 3> atCorners(Id face, const VertexNumbers& distances) const;
-  double rounding(const std::array<double, 3>& d) const;
-  void take(
-    std::vector<MeasuredList>& lists, const VertexNumbers& distances, WindowPool& pool);
-  void add(const MeasuredList& measured);
+  bool isReached(Id face, const VertexNumbers& distances) const;
+  void takePassed(const FrontState& front);
+  void take(const MeasuredList& measured, const VertexNumbers& distances, WindowPool& pool);
+  void testAgain(Id face, const PassedList& late, const VertexNumbers& distances);
   void awaitFacesAround(Id vertex, const VertexNumbers& processed);
   void test(Id face, const VertexNumbers& distances, WindowPool& pool);
-  FaceBounds quickBounds(Id face, const std::array<double, 3>& d) const;
-  FaceBounds bounds(Id face, const std::array<double, 3>& d, double limit) const;
-  bool passes(Id face, const FaceBounds& bounds, double rounding, double limit);
+  void raiseBound(double bound);
   void keep(Id face);
-  void release(Id face, WindowPool& pool);
-  void drop(Id face, WindowPool& pool);
+  void doWithoutNeighbours(Id face, WindowPool& pool);
+  void dropIfUnneeded(Id face, WindowPool& pool);
+  void handOver(const FrontState& front);
   // Blocks go back to the workers in turn, so that all of them find some.
   WindowPool& anyPool(const FrontState& front)
   {
@@ -93,14 +85,13 @@ private:
 
   const TriangleMesh& mesh_;
   double tolerance_;
+  LinearFaceTest test_;
   std::vector<State> state_;
   /// How far the distance can be over the interpolant in a linear face.
   std::vector<float> above_;
   /// How many neighbours may need the face's windows although it is linear.
   std::vector<Id> neededBy_;
-  std::vector<Run> runs_;
-  std::vector<Id> freeRuns_;
-  std::vector<Id> firstRun_;
+  PassedLists lists_;
   using Awaited = std::pair<double, Id>;
   std::priority_queue<Awaited, std::vector<Awaited>, std::greater<Awaited>> awaited_;
   std::vector<Id> droppedTooEarly_;

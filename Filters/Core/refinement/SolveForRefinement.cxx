@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/SolveForRefinement.h"
 
-#include "Tolerance.h"
 #include "field/Solve.h"
 #include "refinement/RefinementRetention.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace geodesic
 {
@@ -13,19 +13,46 @@ namespace geodesic
 namespace
 {
 
+// Of the tolerance of a refinement, what merging may change on one halfedge: the faces at a point
+// then differ by no more, which is left over from the tolerance for the triangles. With more, many
+// more triangles are needed; with less, more windows.
+constexpr double MergedOfTolerance = 0.1;
+
 DistanceField solveApproximate(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   double refinementTolerance, const FrontOptions& options)
 {
   FrontOptions merging = options;
-  merging.maximumMerged =
-    std::min(options.maximumMerged, tolerance::MergedOfRefinement * refinementTolerance);
+  merging.maximumMerged = std::min(options.maximumMerged, maximumMergedFor(refinementTolerance));
   return solve(mesh, sources, merging, KeepWindows::All);
+}
+
+/// Solves with windows dropped; empty where some were dropped too early, which are pinned then.
+std::optional<DistanceField> solveAndDrop(const TriangleMesh& mesh,
+  const std::vector<SourceCurve>& sources, double refinementTolerance, const FrontOptions& options,
+  std::vector<std::uint8_t>& pinned)
+{
+  RefinementRetention retention(mesh, refinementTolerance, pinned);
+  FrontResult front = propagate(mesh, sources, options, retention);
+  for (const Id face : retention.droppedTooEarly())
+  {
+    pinned[face] = 1;
+  }
+  if (!retention.droppedTooEarly().empty())
+  {
+    return std::nullopt;
+  }
+  return DistanceField(mesh, std::move(front), retention.release());
 }
 
 } // anonymous namespace
 
+double maximumMergedFor(double refinementTolerance)
+{
+  return MergedOfTolerance * refinementTolerance;
+}
+
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
-  double refinementTolerance, const FrontOptions& options)
+  double refinementTolerance, const FrontOptions& options, int maximumDroppingSolves)
 {
   if (options.relativeError > 0.0)
   {
@@ -42,19 +69,16 @@ DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<Sou
     };
   }
   std::vector<std::uint8_t> pinned(mesh.numberOfFaces(), 0);
-  while (true)
+  for (int solves = 0; solves < maximumDroppingSolves; ++solves)
   {
-    RefinementRetention retention(mesh, refinementTolerance, pinned);
-    FrontResult front = propagate(mesh, sources, again, retention);
-    if (retention.droppedTooEarly().empty())
+    std::optional<DistanceField> field =
+      solveAndDrop(mesh, sources, refinementTolerance, again, pinned);
+    if (field)
     {
-      return { mesh, std::move(front), retention.release() };
-    }
-    for (const Id face : retention.droppedTooEarly())
-    {
-      pinned[face] = 1;
+      return std::move(*field);
     }
   }
+  return solve(mesh, sources, again, KeepWindows::All);
 }
 
 }

@@ -10,14 +10,26 @@ namespace geodesic
 {
 
 /// Computes a field that refine() can refine to a tolerance or a larger one, keeping windows only
-/// where the distance is not linear within it. In an approximate solve all are kept, and the windows
-/// of one halfedge are merged by no more than a tenth of the tolerance, whatever the relative error.
+/// where the distance is not linear within it. In an approximate solve all are kept, and the
+/// windows of one halfedge are merged by no more than maximumMergedFor(tolerance), whatever the
+/// relative error.
+///
+/// Where windows were dropped that turn out to be needed, it is solved again with these kept. One
+/// repetition is nearly always enough, as what was missing is kept then; each further one is for
+/// faces that came to be missed by it. To be sure of an end, the last one keeps all.
 ///
 /// \param mesh must outlive the field.
 /// \param tolerance in the surface's units, positive.
+/// \param maximumDroppingSolves how often it is solved with windows dropped, before it is solved
+/// with
+///        all of them kept: there is one solve more at most.
 /// \throws as solve().
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
-  double tolerance, const FrontOptions& options = {});
+  double tolerance, const FrontOptions& options = {}, int maximumDroppingSolves = 4);
+
+/// What merging may change on one halfedge of an approximate field that is refined to a tolerance:
+/// a tenth of it (window/Merging.md).
+double maximumMergedFor(double tolerance);
 
 }
 

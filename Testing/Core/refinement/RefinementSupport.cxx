@@ -117,6 +117,25 @@ Samples sample(
   return samples;
 }
 
+void expectRefinedPointsRight(const TriangleMesh& engine, const RefinedMesh& refined,
+  const PlainMesh& mesh, const Sources& sources, double accuracy)
+{
+  std::vector<MeshPoint> places;
+  for (const geodesic::RefinedPoint& p : refined.points)
+  {
+    const bool onEdge = p.place.kind == SurfacePoint::Kind::Edge;
+    const Id face = onEdge ? TriangleMesh::faceOf(p.place.id) : p.place.id;
+    places.push_back({ face, barycentric(engine, p.place, face) });
+  }
+  const BruteForceResult truth = bruteForceDistances(mesh, sources, places);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    worst = std::max(worst, std::abs(refined.points[i].distance - truth.queries[i]));
+  }
+  EXPECT_LE(worst, accuracy);
+}
+
 Samples samplesIn(const Samples& samples, const std::vector<bool>& faces)
 {
   Samples result;

@@ -62,6 +62,11 @@ struct Samples
 Samples sample(const geodesic::DistanceField& field, const geodesic::RefinedMesh& refined,
   std::size_t count, Random& random);
 
+/// The distances at the points that refinement has added are those of the brute-force solver.
+void expectRefinedPointsRight(const geodesic::TriangleMesh& engine,
+  const geodesic::RefinedMesh& refined, const PlainMesh& mesh, const Sources& sources,
+  double accuracy);
+
 /// Those whose faces are marked.
 Samples samplesIn(const Samples& samples, const std::vector<bool>& faces);
 

@@ -4,9 +4,9 @@
 #include "truth/RandomCurves.h"
 #include "truth/RandomMeshKinds.h"
 
+#include "front/Front.h"
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
-#include "front/Front.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@
 
 using namespace geodesictest;
 using geodesic::DistanceField;
+using geodesic::FrontOptions;
 using geodesic::KeepWindows;
 using geodesic::RefinedMesh;
-using geodesic::FrontOptions;
 using geodesic::TriangleMesh;
 
 namespace

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Windows that are dropped where the distance is flat, and refinement without them.
+// Windows that are dropped where the distance is linear, and refinement without them.
 #include "EngineSupport.h"
+#include "refinement/RefinementSupport.h"
 #include "truth/RandomCurves.h"
 #include "truth/RandomMeshKinds.h"
-#include "refinement/RefinementSupport.h"
 
-#include "refinement/AdaptiveRefinement.h"
 #include "Errors.h"
-#include "front/Front.h"
-#include "Tolerance.h"
-#include "refinement/CurvedRetention.h"
+#include "refinement/AdaptiveRefinement.h"
+#include "refinement/RefinementRetention.h"
+#include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +16,8 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <memory>
+#include <numeric>
 #include <set>
 
 using namespace geodesictest;
@@ -32,11 +33,9 @@ namespace
 DistanceField solveFor(const TriangleMesh& mesh, const std::vector<geodesic::SourceCurve>& curves,
   double tolerance, double limit = geodesic::Infinity)
 {
-  geodesic::SolveOptions options;
-  options.keepWindows = geodesic::KeepWindows::WhereCurved;
-  options.flatTolerance = tolerance;
+  geodesic::FrontOptions options;
   options.maximumDistance = limit;
-  return geodesic::solve(mesh, curves, options);
+  return geodesic::solveForRefinement(mesh, curves, tolerance, options);
 }
 
 std::size_t droppedFaces(const DistanceField& field)
@@ -73,8 +72,8 @@ std::size_t mostPointsAround(const DistanceField& field, const RefinedMesh& refi
   std::size_t most = 0;
   for (Id halfedge = 0; halfedge < field.mesh().numberOfHalfedges(); halfedge += 3)
   {
-    const std::array<std::size_t, 3> n = { onHalfedge[halfedge].size(), onHalfedge[halfedge + 1].size(),
-      onHalfedge[halfedge + 2].size() };
+    const std::array<std::size_t, 3> n = { onHalfedge[halfedge].size(),
+      onHalfedge[halfedge + 1].size(), onHalfedge[halfedge + 2].size() };
     most = *std::min_element(n.begin(), n.end()) > 0 ? std::max(most, n[0] + n[1] + n[2]) : most;
   }
   return most;
@@ -101,7 +100,9 @@ Found compare(const PlainMesh& mesh, const std::vector<Polyline>& curves, double
   const RefinedMesh refined = refineTo(field, tolerance);
   EXPECT_FALSE(refined.stoppedAtMaximum);
   EXPECT_LE(refined.errorBound, tolerance);
+  EXPECT_GE(refined.errorBound, field.droppedErrorBound());
   expectSameSurface(all, refined);
+  expectRefinedPointsRight(engine, refined, mesh, toSources(curves), 1e-11 * largest);
   const Samples samples = sample(field, refined, count, random);
   const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), samples.places);
   EXPECT_LE(
@@ -114,21 +115,28 @@ class KeptWindows : public ::testing::TestWithParam<MeshKind>
 {
 };
 
-/// A plane wave that runs over a grid.
-class WindowKeeperOfAGrid : public ::testing::Test
+/// A plane wave that runs over a grid, 10 before it, and what is kept of it for a refinement.
+class RetentionOfAGrid : public ::testing::Test
 {
 protected:
   static constexpr double Tolerance = 0.01;
   TriangleMesh mesh_ = engineMesh(regularGrid(4, 4));
   std::vector<double> distances_ = planeWave();
-  /// Whether lists come with what was told of them as they went through.
-  bool told_ = false;
-  bool wrongly_ = false;
   geodesic::WindowPool pool_;
-  geodesic::CurvedRetention keeper_{ mesh_, Tolerance,
-    std::vector<std::uint8_t>(mesh_.numberOfFaces(), 0) };
+  std::vector<geodesic::WindowPool*> pools_{ &this->pool_ };
+  std::unique_ptr<geodesic::RefinementRetention> retention_ = retentionWith({});
 
-  geodesic::CurvedRetention::AtVertex distance() const { return { this->distances_.data() }; }
+  std::unique_ptr<geodesic::RefinementRetention> retentionWith(const std::vector<Id>& pinned) const
+  {
+    std::vector<std::uint8_t> flags(this->mesh_.numberOfFaces(), 0);
+    for (const Id face : pinned)
+    {
+      flags[face] = 1;
+    }
+    auto retention = std::make_unique<geodesic::RefinementRetention>(this->mesh_, Tolerance, flags);
+    retention->setNumberOfWorkers(1);
+    return retention;
+  }
 
   std::vector<double> planeWave() const
   {
@@ -144,59 +152,65 @@ protected:
   void pass(Id halfedge, double nearer)
   {
     const double length = this->mesh_.length(halfedge);
-    const double atOrigin = this->distances_[this->mesh_.origin(halfedge)] - nearer;
-    const double slope =
-      (this->distances_[this->mesh_.destination(halfedge)] - nearer - atOrigin) / length;
-    const Window wave{ 0.0, length, slope, std::sqrt(std::max(0.0, 1.0 - slope * slope)), atOrigin,
-      0.0, Window::Kind::Linear, 1 };
-    std::vector<geodesic::PassedList> lists{ { halfedge, this->pool_.copyOf({ &wave, &wave + 1 }) } };
-    if (this->told_)
-    {
-      lists[0].ends = { this->distances_[this->mesh_.origin(halfedge)],
-        this->distances_[this->mesh_.destination(halfedge)] };
-      lists[0].near = geodesic::nearLine({ &wave, &wave + 1 }, length, lists[0].ends[0],
-        lists[0].ends[1], geodesic::tolerance::NearLine * Tolerance);
-      lists[0].near = this->wrongly_ ? geodesic::NearLine{ true, true } : lists[0].near;
-    }
-    this->keeper_.take(lists, this->distance(), this->pool_);
+    const double atOrigin = this->distances_[this->mesh_.origin(halfedge)];
+    const double atEnd = this->distances_[this->mesh_.destination(halfedge)];
+    const double slope = (atEnd - atOrigin) / length;
+    const Window wave{ 0.0, length, slope, std::sqrt(std::max(0.0, 1.0 - slope * slope)),
+      atOrigin - nearer, 0.0, Window::Kind::Linear, 1 };
+    this->retention_->pass(0,
+      { halfedge, this->pool_.copyOf({ &wave, &wave + 1 }), { atOrigin, atEnd } }, 0, this->pool_);
   }
 
-  void passAll(double nearer)
+  /// Through every halfedge, but those of the first face.
+  void passAll(double nearer, double nearerInFirstFace)
   {
     for (Id halfedge = 0; halfedge < this->mesh_.numberOfHalfedges(); ++halfedge)
     {
-      this->pass(halfedge, nearer);
+      this->pass(halfedge, halfedge < 3 ? nearerInFirstFace : nearer);
     }
   }
+  void passAll(double nearer) { this->passAll(nearer, nearer); }
 
-  /// Lists that are not what is told of them, which shows what is asked, but in the first face.
-  void passAllToldWrongly(double nearerInFirstFace)
+  void advance(const std::vector<Id>& settled)
   {
-    for (Id halfedge = 0; halfedge < this->mesh_.numberOfHalfedges(); ++halfedge)
-    {
-      const bool first = TriangleMesh::faceOf(halfedge) == 0;
-      this->told_ = !first;
-      this->wrongly_ = !first;
-      this->pass(halfedge, first ? nearerInFirstFace : 2.5 * Tolerance);
-    }
+    const geodesic::VertexNumbers distances{ this->distances_.data() };
+    this->retention_->advance({ 100.0, settled, distances, distances, this->pools_ });
   }
 
   void bringFrontPast()
   {
-    std::vector<Id> settled;
-    for (Id v = 0; v < this->mesh_.numberOfVertices(); ++v)
-    {
-      settled.push_back(v);
-    }
-    this->keeper_.advance(settled, 100.0, this->distance(), this->distance(), this->pool_);
+    std::vector<Id> all(this->mesh_.numberOfVertices());
+    std::iota(all.begin(), all.end(), Id(0));
+    this->advance(all);
   }
 
-  std::size_t kept()
+  void passLate(Id halfedge, double nearer)
   {
-    geodesic::WindowArchive archive;
-    std::vector<std::uint8_t> faceKept;
-    this->keeper_.finish(archive, faceKept, this->distance(), this->pool_);
-    return static_cast<std::size_t>(std::count(faceKept.begin(), faceKept.end(), 1));
+    this->pass(halfedge, nearer);
+    this->advance({});
+  }
+
+  geodesic::KeptWindows finish()
+  {
+    const geodesic::VertexNumbers distances{ this->distances_.data() };
+    this->retention_->finish({ 100.0, {}, distances, distances, this->pools_ });
+    return this->retention_->release();
+  }
+
+  Id kept()
+  {
+    const std::vector<std::uint8_t> faces = this->finish().faces;
+    return static_cast<Id>(std::count(faces.begin(), faces.end(), 1));
+  }
+
+  Id neighboursOfFirstFace() const
+  {
+    Id count = 0;
+    for (Id halfedge = 0; halfedge < 3; ++halfedge)
+    {
+      count += this->mesh_.isBoundary(halfedge) ? 0 : 1;
+    }
+    return count;
   }
 };
 
@@ -241,9 +255,9 @@ TEST_P(KeptWindows, AreEnoughForRefinementUpToALimit)
     const DistanceField field = solveFor(engine, sources, tolerance, limit);
     geodesic::RefinementOptions options;
     options.tolerance = tolerance;
-    options.maximumDistance = limit;
     const RefinedMesh refined = geodesic::refine(field, options);
     EXPECT_LE(refined.errorBound, tolerance);
+    EXPECT_GE(refined.errorBound, field.droppedErrorBound());
     const Points points(field, refined);
     expectFacesPartitioned(engine, refined, points);
     expectWatertight(engine, refined, points);
@@ -290,13 +304,12 @@ TEST(KeptWindowsOfRandomMeshes, AFaceWithoutWindowsIsClosedBetweenManyPointsOfIt
 namespace
 {
 
-/// How often a solve goes over the mesh, told by its batches of tasks.
-std::size_t countSolves(
-  const TriangleMesh& mesh, const std::vector<geodesic::SourceCurve>& sources, double tolerance)
+/// How often solveForRefinement() solves, told by its batches of tasks.
+std::size_t countSolves(const TriangleMesh& mesh, const std::vector<geodesic::SourceCurve>& sources,
+  double tolerance, int maximumDroppingSolves)
 {
   std::size_t batches = 0;
-  geodesic::SolveOptions options;
-  options.flatTolerance = tolerance;
+  geodesic::FrontOptions options;
   options.parallelFor = [&](std::size_t count, const std::function<void(std::size_t)>& task)
   {
     ++batches;
@@ -305,11 +318,9 @@ std::size_t countSolves(
       task(i);
     }
   };
-  options.keepWindows = geodesic::KeepWindows::All;
-  geodesic::solve(mesh, sources, options);
+  geodesic::solve(mesh, sources, options, geodesic::KeepWindows::All);
   const std::size_t ofOne = batches;
   EXPECT_GT(ofOne, 0u);
-  options.keepWindows = geodesic::KeepWindows::WhereCurved;
   double progress = 0.0;
   options.progress = [&](double fraction)
   {
@@ -317,7 +328,7 @@ std::size_t countSolves(
     progress = fraction;
     return true;
   };
-  geodesic::solve(mesh, sources, options);
+  geodesic::solveForRefinement(mesh, sources, tolerance, options, maximumDroppingSolves);
   return batches / std::max<std::size_t>(ofOne, 1) - 1;
 }
 
@@ -334,9 +345,9 @@ struct NeedlesOfASheet
 }
 
 // A front that goes through needles comes to vertices long after it has passed around them: faces
-// that were taken to be flat are not, and their windows are gone. What is left of them is off by a
-// third more than is reported in the first two cases.
-TEST(KeptWindowsOfNeedles, AreSolvedForAgainWhereTheyWereMissed)
+// that were taken to be linear are not, and their windows are gone. What is left of them is off by
+// a third more than is reported in the first two cases.
+TEST(KeptWindowsOfNeedles, AreSolvedForAgainWhereTheyWereDroppedTooEarly)
 {
   const std::vector<NeedlesOfASheet> cases = { { 18, 8, 20.0, 3.0, 0.001 },
     { 36, 12, 3.0, 0.3, 0.001 }, { 1, 12, 20.0, 3.0, 0.05 }, { 2, 12, 20.0, 3.0, 0.05 },
@@ -354,8 +365,9 @@ TEST(KeptWindowsOfNeedles, AreSolvedForAgainWhereTheyWereMissed)
     const TriangleMesh engine = engineMesh(mesh);
     const auto sources = engineCurves(engine, curves);
     const double largest = largestFinite(geodesic::solve(engine, sources).vertexDistances());
-    const std::size_t solves = countSolves(engine, sources, sheet.fraction * largest);
+    const std::size_t solves = countSolves(engine, sources, sheet.fraction * largest, 4);
     EXPECT_GE(solves, 1u);
+    EXPECT_LE(solves, 5u);
     again += solves > 1 ? 1 : 0;
     compare(mesh, curves, sheet.fraction, 10000, random);
   }
@@ -363,41 +375,57 @@ TEST(KeptWindowsOfNeedles, AreSolvedForAgainWhereTheyWereMissed)
   EXPECT_GT(again, 1u) << "few had a window that came too late";
 }
 
-TEST_F(WindowKeeperOfAGrid, FlatFacesLoseTheirWindows)
+// The last solve has nothing that could be missing.
+TEST(KeptWindowsOfNeedles, AreAllAfterTheSolvesThatMayDropSome)
+{
+  Random random(18);
+  const PlainMesh needles = needleSheet(8, 8, 20.0, 3.0, random);
+  const PlainMesh mesh = withSplitFaces(withSplitFaces(needles, 0.5, random), 0.5, random);
+  CurveMaker maker(mesh, random);
+  const std::vector<Polyline> curves = { maker.point() };
+  const TriangleMesh engine = engineMesh(mesh);
+  const auto sources = engineCurves(engine, curves);
+  const double largest = largestFinite(geodesic::solve(engine, sources).vertexDistances());
+  const double tolerance = 0.001 * largest;
+  ASSERT_GT(countSolves(engine, sources, tolerance, 100), 1u) << "nothing came too late";
+  EXPECT_EQ(countSolves(engine, sources, tolerance, 1), 2u);
+  EXPECT_EQ(countSolves(engine, sources, tolerance, 0), 1u);
+  const DistanceField field = geodesic::solveForRefinement(engine, sources, tolerance, {}, 1);
+  EXPECT_EQ(droppedFaces(field), 0u);
+  EXPECT_EQ(field.droppedErrorBound(), 0.0);
+  const RefinedMesh refined = refineTo(field, tolerance);
+  EXPECT_LE(refined.errorBound, tolerance);
+  const Samples samples = sample(field, refined, 10000, random);
+  const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), samples.places);
+  EXPECT_LE(
+    largestDifference(samples, truth.queries), refined.errorBound + EngineAccuracy * largest);
+}
+
+TEST_F(RetentionOfAGrid, LinearFacesLoseTheirWindows)
 {
   passAll(0.0);
   bringFrontPast();
-  EXPECT_EQ(kept(), 0U);
-  EXPECT_TRUE(keeper_.missed().empty());
+  EXPECT_EQ(kept(), 0u);
+  EXPECT_TRUE(retention_->droppedTooEarly().empty());
 }
 
-// What is told of lists as they go through is a wide bound.
-TEST_F(WindowKeeperOfAGrid, WhatIsToldOfListsDoesNotWidenTheBound)
+// What is found of lists as they pass is a wide bound.
+TEST_F(RetentionOfAGrid, WhereTheDistanceIsLinearTheBoundSaysSo)
 {
-  told_ = true;
   passAll(0.0);
   bringFrontPast();
-  EXPECT_LE(keeper_.flatErrorBound(), 1e-6 * Tolerance);
-  EXPECT_EQ(kept(), 0U);
+  EXPECT_LE(finish().droppedErrorBound, 1e-6 * Tolerance);
 }
 
-TEST_F(WindowKeeperOfAGrid, WhatIsToldOfListsIsNotAskedWhereItWouldWidenTheBound)
+TEST_F(RetentionOfAGrid, ListsThatAreFartherThanTheToleranceAreKept)
 {
-  passAllToldWrongly(0.0);
+  passAll(1.1 * Tolerance);
   bringFrontPast();
   EXPECT_EQ(kept(), mesh_.numberOfFaces());
 }
 
-TEST_F(WindowKeeperOfAGrid, WhatIsToldOfListsIsEnoughUnderTheBound)
+TEST_F(RetentionOfAGrid, WhatWasFoundOfAListDoesNotCountForOtherCorners)
 {
-  passAllToldWrongly(0.9 * Tolerance);
-  bringFrontPast();
-  EXPECT_EQ(kept(), 0U);
-}
-
-TEST_F(WindowKeeperOfAGrid, WhatWasToldOfAListDoesNotCountForOtherCorners)
-{
-  told_ = true;
   passAll(0.0);
   for (double& distance : distances_)
   {
@@ -407,95 +435,75 @@ TEST_F(WindowKeeperOfAGrid, WhatWasToldOfAListDoesNotCountForOtherCorners)
   EXPECT_EQ(kept(), mesh_.numberOfFaces());
 }
 
-TEST(NearLine, IsToldOnlyWhereItIsSo)
-{
-  Random random(12);
-  std::array<int, 2> told{};
-  for (int i = 0; i < 20000; ++i)
-  {
-    // Windows of sources halfedge by halfedge, with a gap now and then, held against the line of the ends.
-    const double limit = std::pow(10.0, random.uniform(-3.0, -0.5));
-    std::vector<Window> list;
-    double x = random.chance(0.8) ? 0.0 : random.uniform(0.0, 0.2);
-    while (x < 0.9)
-    {
-      Window w{};
-      w.kind = random.chance(0.3) ? Window::Kind::Linear : Window::Kind::Circular;
-      w.begin = x;
-      w.end = random.chance(0.3) ? 1.0 : std::min(1.0, x + random.uniform(0.2, 0.5));
-      w.sourceX = w.isLinear() ? random.uniform(-0.3, 0.3) : random.uniform(0.0, 1.0);
-      w.sourceDepth =
-        w.isLinear() ? std::sqrt(1.0 - w.sourceX * w.sourceX) : random.uniform(0.3, 9.0);
-      w.sigma = 10.0;
-      w.sigma += 10.0 - w.distance(w.begin) + random.uniform(-0.5, 0.5) * limit;
-      list.push_back(w);
-      x = w.end + (random.chance(0.1) ? 0.5 * random.uniform() * limit : 0.0);
-    }
-    const double atOrigin = 10.0 + random.uniform(-0.2, 0.2) * limit;
-    const double atEnd = list.back().distance(1.0) + random.uniform(-0.2, 0.2) * limit;
-    const geodesic::NearLine near =
-      geodesic::nearLine({ list.data(), list.data() + list.size() }, 1.0, atOrigin, atEnd, limit);
-    told[0] += near.below ? 1 : 0;
-    told[1] += near.above ? 1 : 0;
-    double covered = 0.0;
-    for (const Window& w : list)
-    {
-      const double gap = geodesic::tolerance::NearLineGap * limit;
-      EXPECT_TRUE(!near.above || w.begin - covered <= gap);
-      covered = w.end;
-      for (int k = 0; k <= 20; ++k)
-      {
-        const double at = w.begin + 0.05 * k * w.width();
-        const double over = w.distance(at) - (atOrigin + (atEnd - atOrigin) * at);
-        EXPECT_TRUE(!near.above || over <= limit + 1e-13) << over << " of " << limit;
-        EXPECT_TRUE(!near.below || -over <= limit + 1e-13) << over << " of " << limit;
-      }
-    }
-    EXPECT_TRUE(!near.above || 1.0 - covered <= limit);
-  }
-  EXPECT_GT(told[0], 1000);
-  EXPECT_LT(told[0], 19000);
-  EXPECT_GT(told[1], 1000);
-  EXPECT_LT(told[1], 19000);
-}
-
-TEST_F(WindowKeeperOfAGrid, ALateListWithinTheToleranceIsHarmless)
+TEST_F(RetentionOfAGrid, ALateListWithinTheToleranceIsHarmless)
 {
   passAll(0.0);
   bringFrontPast();
-  pass(0, 0.9 * Tolerance);
-  EXPECT_TRUE(keeper_.missed().empty());
-  EXPECT_GE(keeper_.flatErrorBound(), 0.9 * Tolerance);
-  EXPECT_LE(keeper_.flatErrorBound(), Tolerance);
+  passLate(0, 0.9 * Tolerance);
+  EXPECT_TRUE(retention_->droppedTooEarly().empty());
+  const double bound = finish().droppedErrorBound;
+  EXPECT_GE(bound, 0.9 * Tolerance);
+  EXPECT_LE(bound, Tolerance);
 }
 
-TEST_F(WindowKeeperOfAGrid, ALateListOverTheToleranceIsMissed)
+TEST_F(RetentionOfAGrid, ALateListOverTheToleranceTellsThatItsFaceWasDroppedTooEarly)
 {
   passAll(0.0);
   bringFrontPast();
-  pass(0, 1.1 * Tolerance);
-  EXPECT_EQ(keeper_.missed(), std::vector<Id>{ 0 });
+  passLate(0, 1.1 * Tolerance);
+  EXPECT_EQ(retention_->droppedTooEarly(), std::vector<Id>{ 0 });
 }
 
-TEST_F(WindowKeeperOfAGrid, ALateCornerMissesTheFacesAroundIt)
+// Between points of the edges, whose values are half a tolerance over the interpolant, the distance
+// of the late list is as much under it as it says.
+TEST_F(RetentionOfAGrid, ALateListCountsTogetherWithWhatIsAbove)
+{
+  passAll(-0.5 * Tolerance);
+  bringFrontPast();
+  passLate(0, 0.4 * Tolerance);
+  EXPECT_TRUE(retention_->droppedTooEarly().empty());
+  passLate(0, 0.9 * Tolerance);
+  EXPECT_EQ(retention_->droppedTooEarly(), std::vector<Id>{ 0 });
+}
+
+TEST_F(RetentionOfAGrid, ACornerThatGetsNearerLateMissesTheFacesAroundIt)
 {
   passAll(0.0);
   bringFrontPast();
-  keeper_.changeCorner(0);
-  EXPECT_EQ(keeper_.missed().size(), mesh_.cornersAt(0).size());
+  retention_->shortenDistance(0);
+  EXPECT_EQ(retention_->droppedTooEarly().size(), mesh_.cornersAt(0).size());
 }
 
-TEST_F(WindowKeeperOfAGrid, NeighboursOfAWantedFaceKeepTheirWindows)
+TEST_F(RetentionOfAGrid, NeighboursOfAPinnedFaceKeepTheirWindows)
 {
-  keeper_.want(0);
+  retention_ = retentionWith({ 0 });
   passAll(0.0);
   bringFrontPast();
-  std::size_t neighbours = 0;
-  for (Id halfedge = 0; halfedge < 3; ++halfedge)
-  {
-    neighbours += mesh_.isBoundary(halfedge) ? 0 : 1;
-  }
-  EXPECT_EQ(kept(), 1 + neighbours);
+  EXPECT_EQ(kept(), 1 + neighboursOfFirstFace());
+}
+
+TEST_F(RetentionOfAGrid, NeighboursOfAFaceWithASourceKeepTheirWindows)
+{
+  const Barycentric inside = { 0.3, 0.3, 0.4 };
+  retention_->start({ { 0, inside, inside } });
+  passAll(0.0);
+  bringFrontPast();
+  EXPECT_EQ(kept(), 1 + neighboursOfFirstFace());
+}
+
+// One split halves a deviation, at least: the edges of the neighbours are split no further.
+TEST_F(RetentionOfAGrid, NeighboursOfAFaceThatOneSplitRefinesLoseTheirWindows)
+{
+  passAll(0.0, 1.9 * Tolerance);
+  bringFrontPast();
+  EXPECT_EQ(kept(), 1u);
+}
+
+TEST_F(RetentionOfAGrid, NeighboursOfAFaceThatTakesMoreSplitsKeepTheirWindows)
+{
+  passAll(0.0, 2.1 * Tolerance);
+  bringFrontPast();
+  EXPECT_EQ(kept(), 1 + neighboursOfFirstFace());
 }
 
 TEST(KeptWindowsOfASheet, AreFewAndRefuseWhatTheyCannotTell)

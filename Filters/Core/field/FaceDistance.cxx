@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field/FaceDistance.h"
+
+#include "Errors.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+double squaredNorm(Vec2 v)
+{
+  return dot(v, v);
+}
+
+Vec2 nearestOnSegment(Vec2 a, Vec2 b, Vec2 p)
+{
+  const Vec2 ab = b - a;
+  const double squared = squaredNorm(ab);
+  const double t = squared > 0.0 ? std::clamp(dot(p - a, ab) / squared, 0.0, 1.0) : 0.0;
+  return a + t * ab;
+}
+
+} // anonymous namespace
+
+double DistanceCandidate::distance(Vec2 p) const
+{
+  if (this->kind == Kind::Cone)
+  {
+    return this->sigma + norm(p - this->source);
+  }
+  if (this->kind == Kind::Segment)
+  {
+    return norm(p - nearestOnSegment(this->begin, this->end, p));
+  }
+  const bool linear = this->kind == Kind::Linear;
+  const Vec2 fromBegin = p - this->begin;
+  if (cross(linear ? this->source : this->begin - this->source, fromBegin) > 0.0)
+  {
+    return this->atBegin + norm(fromBegin);
+  }
+  const Vec2 fromEnd = p - this->end;
+  if (cross(linear ? this->source : this->end - this->source, fromEnd) < 0.0)
+  {
+    return this->atEnd + norm(fromEnd);
+  }
+  return this->sigma + (linear ? dot(this->source, p) : norm(p - this->source));
+}
+
+FaceDistance::FaceDistance(
+  const DistanceField& field, Id face, std::vector<DistanceCandidate> memory)
+  : mesh_(&field.mesh())
+  , exact_(field.relativeErrorBound() == 0.0)
+  , face_(face)
+  , frame_(longestHalfedge(field.mesh(), face))
+  , candidates_(std::move(memory))
+{
+  if (!field.hasWindows())
+  {
+    throw Error("The distance inside faces was asked for, but the solve kept no windows.");
+  }
+  this->candidates_.clear();
+  for (Id k = 0; k < 3; ++k)
+  {
+    this->addHalfedge(field, 3 * face + k);
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    Barycentric corner{};
+    corner[k] = 1.0;
+    const double sigma = field.vertexDistances()[this->mesh_->triangle(face)[k]];
+    this->candidates_.push_back(
+      { DistanceCandidate::Kind::Cone, sigma, this->inPlane(corner), {}, {}, 0.0, 0.0 });
+  }
+  for (const SourceInFace& source : field.sourcesIn(face))
+  {
+    this->addSource(source);
+  }
+}
+
+Vec2 FaceDistance::inPlane(const Barycentric& point) const
+{
+  return inHalfedgeFrame(*this->mesh_, this->frame_, point);
+}
+
+void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge)
+{
+  const WindowRuns windows = field.windowsOn(halfedge);
+  const double length = this->mesh_->length(halfedge);
+  if (windows.empty() || !(length > 0.0))
+  {
+    return;
+  }
+  Barycentric corner{};
+  corner[halfedge % 3] = 1.0;
+  const Vec2 origin = this->inPlane(corner);
+  corner = {};
+  corner[(halfedge % 3 + 1) % 3] = 1.0;
+  const Vec2 along = (1.0 / length) * (this->inPlane(corner) - origin);
+  const Vec2 into = { -along.y, along.x };
+  for (const Window& w : windows)
+  {
+    DistanceCandidate c;
+    c.begin = origin + w.begin * along;
+    c.end = origin + w.end * along;
+    c.atBegin = std::max(w.distance(w.begin), 0.0);
+    c.atEnd = std::max(w.distance(w.end), 0.0);
+    if (w.isLinear())
+    {
+      c.kind = DistanceCandidate::Kind::Linear;
+      c.source = w.sourceX * along + w.sourceDepth * into;
+      c.sigma = w.sigma - dot(c.source, origin);
+    }
+    else
+    {
+      c.kind = DistanceCandidate::Kind::Circular;
+      c.source = origin + w.sourceX * along - w.sourceDepth * into;
+      c.sigma = w.sigma;
+    }
+    this->candidates_.push_back(c);
+  }
+}
+
+void FaceDistance::addSource(const SourceInFace& source)
+{
+  const Vec2 a = this->inPlane(source.a);
+  const Vec2 b = this->inPlane(source.b);
+  if (source.a == source.b)
+  {
+    this->candidates_.push_back({ DistanceCandidate::Kind::Cone, 0.0, a, a, a, 0.0, 0.0 });
+    return;
+  }
+  this->candidates_.push_back({ DistanceCandidate::Kind::Segment, 0.0, {}, a, b, 0.0, 0.0 });
+}
+
+double FaceDistance::distance(Vec2 p) const
+{
+  double least = Infinity;
+  for (const DistanceCandidate& c : this->candidates_)
+  {
+    least = std::min(least, c.distance(p));
+  }
+  return std::max(least, 0.0);
+}
+
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_FaceDistance_h
+#define geodesic_FaceDistance_h
+
+#include "field/DistanceField.h"
+#include "mesh/HalfedgeFrame.h"
+
+#include <array>
+#include <vector>
+
+namespace geodesic
+{
+
+/// One way in which the distance comes to the points of a face: through a window of one of its
+/// halfedges, from a corner, or from a source in the face. Coordinates are those of FaceDistance.
+///
+/// As a function of the point its length is convex and changes by no more than the way, and it is
+/// nowhere below the distance: the distance is the least of them.
+struct DistanceCandidate
+{
+  enum class Kind : std::uint32_t
+  {
+    /// A circular window; `source` is the unfolded source.
+    Circular,
+    /// A linear window; `source` is the unit direction of its rays, `sigma` the distance at the
+    /// origin.
+    Linear,
+    /// A corner or a source's point at `source`.
+    Cone,
+    /// A source's segment from `begin` to `end`.
+    Segment
+  };
+
+  Kind kind;
+  double sigma;
+  Vec2 source;
+  /// The ends of the window on its halfedge, the face to the left of the way from begin to end, and
+  /// the distances there.
+  Vec2 begin;
+  Vec2 end;
+  double atBegin;
+  double atEnd;
+
+  /// Length of the shortest path to a point of the face: straight where the pencil holds it, bent
+  /// at an end of the window elsewhere.
+  double distance(Vec2 p) const;
+};
+
+/// The distance in one face, as the least of its candidates.
+///
+/// Coordinates are those of one plane that holds the face, the frame of its longest halfedge.
+class FaceDistance
+{
+public:
+  /// \param field with windows kept; must outlive this.
+  /// \param face one whose corners have finite distances.
+  /// \param memory for the candidates, which spares asking for new one.
+  /// \throws Error where no windows were kept.
+  FaceDistance(const DistanceField& field, Id face, std::vector<DistanceCandidate> memory = {});
+
+  Id face() const { return this->face_; }
+
+  /// Whether the field is exact. In an approximate one the faces at a point may differ.
+  bool isExact() const { return this->exact_; }
+
+  /// A point of the face in the plane.
+  Vec2 inPlane(const Barycentric& point) const;
+
+  const std::vector<DistanceCandidate>& candidates() const { return this->candidates_; }
+  std::vector<DistanceCandidate> releaseMemory() { return std::move(this->candidates_); }
+
+  /// The distance at a point of the face.
+  double distance(Vec2 p) const;
+
+private:
+  void addHalfedge(const DistanceField& field, Id halfedge);
+  void addSource(const SourceInFace& source);
+
+  const TriangleMesh* mesh_;
+  bool exact_;
+  Id face_;
+  Id frame_;
+  std::vector<DistanceCandidate> candidates_;
+};
+
+}
+
+#endif

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field/SegmentEnvelope.h"
+
+#include "Tolerance.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace geodesic
+{
+
+namespace
+{
+
+double jointSlack(double length, double distance)
+{
+  return tolerance::JointFraction * length + tolerance::FaceRounding * distance;
+}
+
+/// A part of the segment.
+struct Part
+{
+  double begin;
+  double end;
+
+  /// Keeps where c0 + c1 x >= 0.
+  void keepPositive(double c0, double c1)
+  {
+    if (c1 > 0.0)
+    {
+      this->begin = std::max(this->begin, -c0 / c1);
+    }
+    else if (c1 < 0.0)
+    {
+      this->end = std::min(this->end, -c0 / c1);
+    }
+    else if (c0 < 0.0)
+    {
+      this->end = this->begin;
+    }
+  }
+  void widen(double margin, double length)
+  {
+    if (this->end > this->begin)
+    {
+      this->begin = std::max(0.0, this->begin - margin);
+      this->end = std::min(length, this->end + margin);
+    }
+  }
+};
+
+} // anonymous namespace
+
+// In the exact field bent paths only fill gaps of rounding; merged windows may need them.
+const std::vector<Window>& SegmentEnvelope::along(const FaceDistance& face, Vec2 p, Vec2 q)
+{
+  const double length = norm(q - p);
+  this->envelope_.clear();
+  if (!(length > 0.0))
+  {
+    return this->envelope_;
+  }
+  const double atMiddle = this->chooseNear(face, 0.5 * (p + q), length);
+  const Segment segment = { p, (1.0 / length) * (q - p), length };
+  const bool done = face.isExact() && this->build(segment, false) &&
+    this->reaches(0.5 * length, atMiddle) && this->reaches(0.0, this->leastNear(p)) &&
+    this->reaches(length, this->leastNear(q));
+  if (!done)
+  {
+    this->build(segment, true);
+  }
+  return this->envelope_;
+}
+
+// A candidate that is longer in the middle by the length is so throughout. Returns the distance in
+// the middle.
+double SegmentEnvelope::chooseNear(const FaceDistance& face, Vec2 middle, double length)
+{
+  const std::vector<DistanceCandidate>& candidates = face.candidates();
+  this->inMiddle_.clear();
+  double least = Infinity;
+  for (const DistanceCandidate& c : candidates)
+  {
+    this->inMiddle_.push_back(c.distance(middle));
+    least = std::min(least, this->inMiddle_.back());
+  }
+  const double bound = (least + length) * (1.0 + tolerance::Tie);
+  this->near_.clear();
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    if (this->inMiddle_[i] <= bound)
+    {
+      this->near_.push_back(&candidates[i]);
+    }
+  }
+  return least;
+}
+
+double SegmentEnvelope::leastNear(Vec2 p) const
+{
+  double least = Infinity;
+  for (const DistanceCandidate* c : this->near_)
+  {
+    least = std::min(least, c->distance(p));
+  }
+  return least;
+}
+
+// Whether the envelope comes down to the distance at x: a segment along a ray at the end of a
+// pencil may be lost to rounding.
+bool SegmentEnvelope::reaches(double x, double distance) const
+{
+  const auto window = std::find_if(this->envelope_.begin(), this->envelope_.end() - 1,
+    [x](const Window& w) { return x <= w.end; });
+  return window->distance(x) <= distance + jointSlack(this->envelope_.back().end, distance);
+}
+
+// Returns whether neighbours are equal where they meet.
+bool SegmentEnvelope::build(const Segment& segment, bool withBent)
+{
+  this->pieces_.clear();
+  for (const DistanceCandidate* c : this->near_)
+  {
+    this->addPieces(*c, segment, withBent);
+  }
+  this->takePieces(segment);
+  return this->joinNeighbours(segment.length);
+}
+
+// What fills a gap of rounding may be far above; the neighbours stand for it.
+void SegmentEnvelope::takePieces(const Segment& segment)
+{
+  std::sort(this->pieces_.begin(), this->pieces_.end(),
+    [](const Window& a, const Window& b) { return a.begin < b.begin; });
+  this->builder_.reset(segment.length);
+  for (const Window& piece : this->pieces_)
+  {
+    this->builder_.append(piece);
+  }
+  this->envelope_.clear();
+  std::copy_if(this->builder_.windows().begin(), this->builder_.windows().end(),
+    std::back_inserter(this->envelope_),
+    [&segment](const Window& w) { return w.width() > tolerance::PencilMargin * segment.length; });
+}
+
+bool SegmentEnvelope::joinNeighbours(double length)
+{
+  if (this->envelope_.empty())
+  {
+    return false;
+  }
+  bool continuous = true;
+  this->envelope_.front().begin = 0.0;
+  this->envelope_.back().end = length;
+  for (std::size_t i = 1; i < this->envelope_.size(); ++i)
+  {
+    Window& left = this->envelope_[i - 1];
+    const Window& right = this->envelope_[i];
+    left.end = right.begin;
+    const double value = right.distance(right.begin);
+    const double slack = jointSlack(length, value);
+    continuous = continuous && std::abs(left.distance(left.end) - value) <= slack;
+  }
+  return continuous;
+}
+
+void SegmentEnvelope::addPieces(const DistanceCandidate& c, const Segment& segment, bool withBent)
+{
+  switch (c.kind)
+  {
+    case DistanceCandidate::Kind::Cone:
+      this->addCone(c.source, c.sigma, segment, 0.0, segment.length);
+      break;
+    case DistanceCandidate::Kind::Segment:
+      this->addSource(c, segment);
+      break;
+    case DistanceCandidate::Kind::Circular:
+    case DistanceCandidate::Kind::Linear:
+      this->addPencil(c, segment, withBent);
+      break;
+  }
+}
+
+// Where the segment is between the rays through the window's ends, and beyond them the paths that
+// bend there.
+void SegmentEnvelope::addPencil(const DistanceCandidate& c, const Segment& segment, bool withBent)
+{
+  const auto& [p, u, length] = segment;
+  const bool linear = c.kind == DistanceCandidate::Kind::Linear;
+  const Vec2 first = linear ? c.source : c.begin - c.source;
+  const Vec2 last = linear ? c.source : c.end - c.source;
+  const double leftOfBegin = cross(first, p - c.begin);
+  const double leftOfBeginSlope = cross(first, u);
+  const double leftOfEnd = cross(last, p - c.end);
+  const double leftOfEndSlope = cross(last, u);
+  const double margin = tolerance::PencilMargin * length;
+  Part straight{ 0.0, length };
+  straight.keepPositive(-leftOfBegin, -leftOfBeginSlope);
+  straight.keepPositive(leftOfEnd, leftOfEndSlope);
+  straight.widen(margin, length);
+  if (linear)
+  {
+    this->addLinear(c.sigma + dot(c.source, p), dot(c.source, u), cross(c.source, u),
+      straight.begin, straight.end);
+  }
+  else
+  {
+    this->addCone(c.source, c.sigma, segment, straight.begin, straight.end);
+  }
+  if (withBent)
+  {
+    Part before{ 0.0, length };
+    before.keepPositive(leftOfBegin, leftOfBeginSlope);
+    before.widen(margin, length);
+    this->addCone(c.begin, c.atBegin, segment, before.begin, before.end);
+    Part behind{ 0.0, length };
+    behind.keepPositive(-leftOfEnd, -leftOfEndSlope);
+    behind.widen(margin, length);
+    this->addCone(c.end, c.atEnd, segment, behind.begin, behind.end);
+  }
+}
+
+// Parallel rays to both sides of the source, and its two ends.
+void SegmentEnvelope::addSource(const DistanceCandidate& c, const Segment& segment)
+{
+  const auto& [p, u, length] = segment;
+  this->addCone(c.begin, 0.0, segment, 0.0, length);
+  this->addCone(c.end, 0.0, segment, 0.0, length);
+  const double sourceLength = norm(c.end - c.begin);
+  if (!(sourceLength > 0.0))
+  {
+    return;
+  }
+  const Vec2 t = (1.0 / sourceLength) * (c.end - c.begin);
+  const double along = dot(p - c.begin, t);
+  const double alongSlope = dot(u, t);
+  Part strip{ 0.0, length };
+  strip.keepPositive(along, alongSlope);
+  strip.keepPositive(sourceLength - along, -alongSlope);
+  strip.widen(tolerance::PencilMargin * length, length);
+  for (const double sign : { 1.0, -1.0 })
+  {
+    const double height = sign * cross(t, p - c.begin);
+    const double slope = sign * cross(t, u);
+    Part oneSide = strip;
+    oneSide.keepPositive(height, slope);
+    this->addLinear(height, slope, alongSlope, oneSide.begin, oneSide.end);
+  }
+}
+
+void SegmentEnvelope::addLinear(double sigma, double slope, double depth, double begin, double end)
+{
+  if (end > begin)
+  {
+    this->pieces_.push_back(
+      { begin, end, slope, std::abs(depth), sigma, 0.0, Window::Kind::Linear, 0 });
+  }
+}
+
+void SegmentEnvelope::addCone(
+  Vec2 apex, double sigma, const Segment& segment, double begin, double end)
+{
+  if (end > begin)
+  {
+    const Vec2 toApex = apex - segment.p;
+    this->pieces_.push_back({ begin, end, dot(toApex, segment.u),
+      std::abs(cross(toApex, segment.u)), sigma, 0.0, Window::Kind::Circular, 0 });
+  }
+}
+
+}

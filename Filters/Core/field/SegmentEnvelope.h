@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_SegmentEnvelope_h
+#define geodesic_SegmentEnvelope_h
+
+#include "field/FaceDistance.h"
+#include "window/WindowList.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// Builds the exact piecewise distance along any segment of a face: a segment splits a pencil of
+/// rays like an edge does, so that no propagation is needed (paper, section 6). One face suffices
+/// for its own edges, too.
+///
+/// One builder is reused for many segments, for the memory that it holds.
+class SegmentEnvelope
+{
+public:
+  /// The distance along the segment from p to q in the plane of the face: windows from x = 0 at p
+  /// to x = |q - p| that meet, without gaps, no value below the distance but for rounding. Empty
+  /// where p is q. Valid until the next call.
+  const std::vector<Window>& along(const FaceDistance& face, Vec2 p, Vec2 q);
+
+private:
+  /// The segment from p along the unit vector u.
+  struct Segment
+  {
+    Vec2 p;
+    Vec2 u;
+    double length;
+  };
+
+  double chooseNear(const FaceDistance& face, Vec2 middle, double length);
+  double leastNear(Vec2 p) const;
+  bool reaches(double x, double distance) const;
+  bool build(const Segment& segment, bool withBent);
+  void takePieces(const Segment& segment);
+  bool joinNeighbours(double length);
+
+  void addPieces(const DistanceCandidate& c, const Segment& segment, bool withBent);
+  void addPencil(const DistanceCandidate& c, const Segment& segment, bool withBent);
+  void addSource(const DistanceCandidate& c, const Segment& segment);
+  void addLinear(double sigma, double slope, double depth, double begin, double end);
+  void addCone(Vec2 apex, double sigma, const Segment& segment, double begin, double end);
+
+  std::vector<const DistanceCandidate*> near_;
+  std::vector<double> inMiddle_;
+  std::vector<Window> pieces_;
+  WindowListBuilder builder_;
+  std::vector<Window> envelope_;
+};
+
+}
+
+#endif

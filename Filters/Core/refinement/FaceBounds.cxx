@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement/FaceBounds.h"
+
+#include "refinement/LinearPiece.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+GradientSlack slackOf(const FaceShape& shape, const std::array<double, 3>& d)
+{
+  const double longest = shape.longest();
+  const Gradient g = gradientOf(shape.length[0] * shape.length[0], shape.cornerDot[0],
+    shape.length[2] * shape.length[2], shape.area2, d[1] - d[0], d[2] - d[0], longest);
+  return { std::max(0.0, g.length - 1.0) * longest, std::max(0.0, 1.0 - g.length) * g.chord };
+}
+
+// Along the normal into the face, from the line of the halfedge to the opposite corner.
+bool risesFrom(std::size_t k, const FaceShape& shape, const std::array<double, 3>& d)
+{
+  const std::size_t next = (k + 1) % 3;
+  const double length2 = shape.length[k] * shape.length[k];
+  const double onLine = d[k] * length2 + (d[next] - d[k]) * shape.cornerDot[k];
+  return d[(k + 2) % 3] * length2 >= onLine;
+}
+
+namespace
+{
+
+// How far the interpolant along a halfedge is over its windows: section 6.2 for each. Returns
+// whether that is within the limit.
+bool belowOfHalfedge(double length, const WindowRuns& windows, double atOrigin,
+  double atDestination, double limit, double& below)
+{
+  if (!(length > 0.0))
+  {
+    return true;
+  }
+  const double a = (atDestination - atOrigin) / length;
+  const double slope = (1.0 - a) * (1.0 + a);
+  const double shift = slope > 0.0 ? a / std::sqrt(slope) : 0.0;
+  for (const Window& w : windows)
+  {
+    double x = 0.0;
+    if (w.isLinear())
+    {
+      x = w.sourceX > a ? w.begin : w.end;
+    }
+    else
+    {
+      // with a steep interpolant the lowest is at an end
+      x = slope > 0.0 ? std::clamp(w.sourceX + shift * w.sourceDepth, w.begin, w.end)
+                      : (a > 0.0 ? w.end : w.begin);
+    }
+    below = std::max(below, atOrigin + a * x - w.distance(x));
+  }
+  return below <= limit;
+}
+
+// How far the distance along a halfedge can be over its interpolant, from its windows: a window's
+// difference is convex, so largest at an end; between windows that do not meet the distance changes
+// by no more than the way. Windows that are over the limit do not help: they have been overtaken by
+// later ones, or fill a gap of rounding.
+double aboveOfHalfedge(
+  double length, const WindowRuns& windows, double atOrigin, double atDestination, double limit)
+{
+  if (!(length > 0.0))
+  {
+    return 0.0;
+  }
+  const double a = (atDestination - atOrigin) / length;
+  const auto acrossGap = [a](double from, double to, double gap)
+  {
+    const double meet = 0.5 * (to - from + (1.0 + a) * gap);
+    return meet > 0.0 && meet < gap ? from + (1.0 - a) * meet : std::max(from, to);
+  };
+  double covered = 0.0;
+  double atCovered = 0.0;
+  double above = 0.0;
+  for (const Window& w : windows)
+  {
+    if (w.end <= covered)
+    {
+      continue;
+    }
+    const double atBegin = w.distance(w.begin) - (atOrigin + a * w.begin);
+    const double atEnd = w.distance(w.end) - (atOrigin + a * w.end);
+    if (std::max(atBegin, atEnd) > limit)
+    {
+      continue;
+    }
+    const double between =
+      w.begin > covered ? acrossGap(atCovered, atBegin, w.begin - covered) : atBegin;
+    above = std::max({ above, between, atEnd });
+    covered = w.end;
+    atCovered = atEnd;
+  }
+  if (covered < length)
+  {
+    above = std::max(above, acrossGap(atCovered, 0.0, length - covered));
+  }
+  return above;
+}
+
+} // anonymous namespace
+
+double belowThroughHalfedge(
+  const TriangleMesh& mesh, Id halfedge, const std::array<double, 3>& d, const WindowRuns& windows)
+{
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
+  const std::size_t k = halfedge % 3;
+  double below = 0.0;
+  belowOfHalfedge(shape.length[k], windows, d[k], d[(k + 1) % 3], Infinity, below);
+  return below + slackOf(shape, d).below;
+}
+
+FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
+  const std::array<WindowRuns, 3>& windows, double limit)
+{
+  const FaceShape& shape = mesh.shape(face);
+  if (!(shape.area2 > 0.0))
+  {
+    return {};
+  }
+  const GradientSlack slack = slackOf(shape, d);
+  if (!(std::max(slack.below, slack.above) <= limit))
+  {
+    return {};
+  }
+  double below = 0.0;
+  double above = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const std::size_t next = (k + 1) % 3;
+    if (!belowOfHalfedge(shape.length[k], windows[k], d[k], d[next], limit - slack.below, below))
+    {
+      return {};
+    }
+    if (risesFrom(k, shape, d))
+    {
+      above = std::max(
+        above, aboveOfHalfedge(shape.length[k], windows[k], d[k], d[next], limit - slack.above));
+    }
+  }
+  return { above + slack.above, below + slack.below };
+}
+
+double quickErrorOfFace(const DistanceField& field, Id face, double limit, double known)
+{
+  const TriangleMesh& mesh = field.mesh();
+  const Triangle& corners = mesh.triangle(face);
+  const FaceShape& shape = mesh.shape(face);
+  std::array<double, 3> d;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    d[k] = field.vertexDistances()[corners[k]];
+  }
+  const double longest = shape.longest();
+  const double bySize = longest <= limit ? longest : Infinity; // d changes by no more than the way
+  if (bySize <= known || !(shape.area2 > 0.0))
+  {
+    return bySize;
+  }
+  const Id halfedge = 3 * face;
+  const FaceBounds bounds = boundsOfFace(mesh, face, d,
+    { field.windowsOn(halfedge), field.windowsOn(halfedge + 1), field.windowsOn(halfedge + 2) },
+    limit);
+  double bound = std::max(bounds.above, bounds.below);
+  for (const SourceInFace& source : field.sourcesIn(face))
+  {
+    const double atA = source.a[0] * d[0] + source.a[1] * d[1] + source.a[2] * d[2];
+    const double atB = source.b[0] * d[0] + source.b[1] * d[1] + source.b[2] * d[2];
+    bound = std::max(bound, std::max(atA, atB) + slackOf(shape, d).below);
+  }
+  return bound <= limit ? std::min(bound, bySize) : bySize;
+}
+
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement/LinearFaceTest.h"
+
+#include "Tolerance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace geodesic
+{
+
+namespace
+{
+
+// Of the tolerance: half the width of the band around the interpolant in which the distance on the
+// halfedges is to be for a face to be linear without its windows being looked at again. It counts
+// twice, above and below, and the gradient in the face adds to both.
+constexpr double BandOfTolerance = 0.25;
+
+// A face whose interpolant is off by no more than this many tolerances gets along with one split of
+// its edges, which quarters the deviation where the distance is smooth and halves it at a kink.
+constexpr double SplitOnce = 2.0;
+
+double roundingOf(const std::array<double, 3>& d)
+{
+  return tolerance::FaceRounding * std::max({ d[0], d[1], d[2] });
+}
+
+float roundedUp(double value)
+{
+  return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
+}
+
+double sumOf(const FaceBounds& bounds, double rounding)
+{
+  return static_cast<double>(roundedUp(bounds.above)) + bounds.below + 2.0 * rounding;
+}
+
+} // anonymous namespace
+
+MeasuredList LinearFaceTest::measure(const PassedList& list) const
+{
+  return { list,
+    listInBand(list.windows.range(), this->mesh_.length(list.halfedge), list.ends[0], list.ends[1],
+      BandOfTolerance * this->tolerance_) };
+}
+
+LinearFaceTest::Result LinearFaceTest::test(
+  Id face, const std::array<double, 3>& d, const PassedLists& lists, double known) const
+{
+  const double rounding = roundingOf(d);
+  if (!(rounding < this->tolerance_))
+  {
+    return {};
+  }
+  const FaceBounds quick = this->boundsByBand(face, d, lists);
+  if (sumOf(quick, rounding) <= known)
+  {
+    return { true, sumOf(quick, rounding), roundedUp(quick.above), true };
+  }
+  const FaceBounds bounds = this->boundsByWindows(face, d, lists, this->tolerance_ - rounding);
+  if (sumOf(bounds, rounding) <= this->tolerance_)
+  {
+    return { true, sumOf(bounds, rounding), roundedUp(bounds.above), true };
+  }
+  const double once = SplitOnce * this->tolerance_;
+  const FaceBounds wide = this->boundsByWindows(face, d, lists, once);
+  return { false, Infinity, 0.0F, std::max(wide.above, wide.below) + rounding <= once };
+}
+
+double LinearFaceTest::boundWith(
+  const PassedList& late, float above, const std::array<double, 3>& d) const
+{
+  const WindowRange windows = late.windows.range();
+  return static_cast<double>(above) + roundingOf(d) +
+    belowThroughHalfedge(this->mesh_, late.halfedge, d, { &windows, &windows + 1 });
+}
+
+// From what was found of the lists as they passed.
+FaceBounds LinearFaceTest::boundsByBand(
+  Id face, const std::array<double, 3>& d, const PassedLists& lists) const
+{
+  const double rounding = roundingOf(d);
+  std::array<bool, 3> notAbove{};
+  const bool inBand = lists.forEach(face,
+    [&](const MeasuredList& measured)
+    {
+      const std::array<double, 2>& ends = measured.list.ends;
+      const std::size_t k = measured.list.halfedge % 3;
+      notAbove[k] = notAbove[k] || measured.inBand.notAbove;
+      return measured.inBand.notBelow && std::abs(ends[0] - d[k]) <= rounding &&
+        std::abs(ends[1] - d[(k + 1) % 3]) <= rounding;
+    });
+  return inBand
+    ? boundsFromBands(this->mesh_, face, d, notAbove, BandOfTolerance * this->tolerance_)
+    : FaceBounds();
+}
+
+FaceBounds LinearFaceTest::boundsByWindows(
+  Id face, const std::array<double, 3>& d, const PassedLists& lists, double limit) const
+{
+  std::array<std::vector<WindowRange>, 3> ranges;
+  lists.forEach(face,
+    [&](const MeasuredList& measured)
+    {
+      ranges[measured.list.halfedge % 3].push_back(measured.list.windows.range());
+      return true;
+    });
+  std::array<WindowRuns, 3> windows;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    windows[k] = WindowRuns(ranges[k].data(), ranges[k].data() + ranges[k].size());
+  }
+  return boundsOfFace(this->mesh_, face, d, windows, limit);
+}
+
+}

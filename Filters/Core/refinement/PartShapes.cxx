@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement/PartShapes.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+// A refinement makes no angle (in radians) smaller than this (14 degrees) and than this fraction of
+// the input face's smallest. With less, the worst of a hundred angles decays from level to level by
+// more than a fifth; with more, many more triangles are needed, and what closes these is thin
+// again.
+constexpr double LeastAngle = 0.25;
+constexpr double LeastAngleFraction = 0.6;
+
+// But where an edge's deviation is over this multiple of the tolerance, the smallest angle may be
+// this (3 degrees), as a split exactly where the distance bends saves levels of triangles there.
+// Under the multiple it saves about one, and most triangles of a refined surface are from there, so
+// that their shapes are what counts.
+constexpr double WorthThinParts = 2.5;
+constexpr double LeastAngleOfThinParts = 0.05;
+
+double angleBetween(Vec2 a, Vec2 b)
+{
+  return std::atan2(std::abs(cross(a, b)), dot(a, b));
+}
+
+double leastAngle(Vec2 a, Vec2 b, Vec2 c)
+{
+  return std::min(
+    { angleBetween(b - a, c - a), angleBetween(c - b, a - b), angleBetween(a - c, b - c) });
+}
+
+} // anonymous namespace
+
+double PartShapes::wantedAngle(Id face, double deviation) const
+{
+  const Triangle& corners = this->triangles_.mesh().triangle(face);
+  const double least = leastAngle(this->triangles_.inPlane(corners[0], face),
+    this->triangles_.inPlane(corners[1], face), this->triangles_.inPlane(corners[2], face));
+  const double wanted =
+    deviation > WorthThinParts * this->tolerance_ ? LeastAngleOfThinParts : LeastAngle;
+  return std::min(wanted, LeastAngleFraction * least);
+}
+
+double PartShapes::smallestAngle(Id face, const RedGreenMesh::Closing& closing) const
+{
+  std::array<Vec2, 6> p;
+  for (std::size_t i = 0; i < closing.size; ++i)
+  {
+    p[i] = this->triangles_.inPlane(closing.points[i], face);
+  }
+  double least = Infinity;
+  for (Id i = 0; i < closing.count; ++i)
+  {
+    const std::array<Id, 3>& t = closing.triangles[i];
+    least = std::min(least, leastAngle(p[t[0]], p[t[1]], p[t[2]]));
+  }
+  return least;
+}
+
+double PartShapes::smallestAngleOfFour(Id triangle, Id splitEdge, double weight)
+{
+  const Id face = this->triangles_.faceOf(triangle);
+  const Triangle corners = this->triangles_.corners(triangle);
+  std::array<Vec2, 3> c;
+  std::array<Vec2, 3> m;
+  for (Id k = 0; k < 3; ++k)
+  {
+    c[k] = this->triangles_.inPlane(corners[k], face);
+  }
+  for (Id k = 0; k < 3; ++k)
+  {
+    const Id id = this->triangles_.edge(triangle, k);
+    const RedGreenMesh::Edge& edge = this->triangles_.edgeData(id);
+    double t = id == splitEdge ? weight : 0.5;
+    t = edge.ends[0] == corners[k] ? t : 1.0 - t;
+    m[k] = this->triangles_.isSplit(id) ? this->triangles_.inPlane(edge.split, face)
+                                        : c[k] + t * (c[(k + 1) % 3] - c[k]);
+  }
+  return std::min({ leastAngle(c[0], m[0], m[2]), leastAngle(m[0], c[1], m[1]),
+    leastAngle(m[2], m[1], c[2]), leastAngle(m[0], m[1], m[2]) });
+}
+
+bool PartShapes::maySplit(Id edge, double weight, double deviation)
+{
+  bool allowed = true;
+  this->triangles_.forEachLeafAt(edge,
+    [&](Id triangle)
+    {
+      allowed = allowed &&
+        this->smallestAngleOfFour(triangle, edge, weight) >=
+          this->wantedAngle(this->triangles_.faceOf(triangle), deviation);
+    });
+  return allowed;
+}
+
+bool PartShapes::mayClose(Id triangle, double deviation) const
+{
+  const Id face = this->triangles_.faceOf(triangle);
+  const double wanted = this->wantedAngle(face, deviation);
+  const Id ways = RedGreenMesh::waysToClose(this->triangles_.splitEdges(triangle));
+  for (Id way = 0; way < ways; ++way)
+  {
+    if (this->smallestAngle(face, this->triangles_.closing(triangle, way)) >= wanted)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_RefinementProgress_h
+#define geodesic_RefinementProgress_h
+
+#include "Progress.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+/// Tells a callback how far a refinement is, never less than before.
+class RefinementProgress
+{
+public:
+  explicit RefinementProgress(const ProgressCallback& callback)
+    : callback_(callback)
+  {
+  }
+
+  /// Called once a step with the fraction done, as far as one can tell.
+  ///
+  /// \throws Aborted
+  void at(double fraction)
+  {
+    constexpr unsigned stepsPerReport = 256;
+    if (!this->callback_ || this->steps_++ % stepsPerReport != 0)
+    {
+      return;
+    }
+    this->reported_ = std::max(this->reported_, fraction);
+    if (!this->callback_(std::min(this->reported_, 1.0)))
+    {
+      throw Aborted();
+    }
+  }
+
+private:
+  const ProgressCallback& callback_;
+  double reported_ = 0.0;
+  unsigned steps_ = 0;
+};
+
+}
+
+#endif

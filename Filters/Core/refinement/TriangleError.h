@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_TriangleError_h
+#define geodesic_TriangleError_h
+
+#include "refinement/Deviation.h"
+#include "refinement/ExcessSearch.h"
+
+namespace geodesic
+{
+
+/// Certified bounds of |distance - linear interpolant| on whole triangles, beyond the paper, which
+/// looks at edges only. Why they hold: Bounds.md.
+///
+/// Bounds are up to the rounding of distances.
+class TriangleError
+{
+public:
+  /// \param field must outlive this.
+  explicit TriangleError(const DistanceField& field)
+    : field_(field)
+  {
+  }
+
+  /// The differences inside a triangle, those on its edges being given.
+  ///
+  /// \param face the face that holds the triangle.
+  /// \param onEdges largest deviations on the edges.
+  /// \param limit the search for a bound ends when it is not over the limit, or a sample is.
+  /// \param tight go on until the bound is near the sample.
+  ErrorInside of(const FaceDistance& face, const LinearPiece& piece, const Deviation& onEdges,
+    double limit, bool tight = false);
+
+private:
+  ErrorInside above(
+    const FaceDistance& face, const LinearPiece& piece, double onEdges, double limit, bool tight);
+  double belowAtSources(const FaceDistance& face, const LinearPiece& piece) const;
+
+  const DistanceField& field_;
+  ExcessSearch search_;
+};
+
+}
+
+#endif

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The distance in a face as the least of its candidates, and along its segments as windows.
+#include "EngineSupport.h"
+#include "truth/RandomMeshKinds.h"
+
+#include "Errors.h"
+#include "field/SegmentEnvelope.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+using namespace geodesictest;
+using geodesic::FaceDistance;
+using geodesic::SegmentEnvelope;
+using geodesic::Window;
+
+namespace
+{
+
+/// Envelopes may be off by what neighbours may differ by where they meet.
+constexpr double SegmentAccuracy = 1e-9;
+
+class SegmentEnvelopes : public ::testing::TestWithParam<MeshKind>
+{
+};
+
+double at(const std::vector<Window>& envelope, double x)
+{
+  const auto window =
+    std::find_if(envelope.begin(), envelope.end(), [x](const Window& w) { return x <= w.end; });
+  return (window == envelope.end() ? envelope.back() : *window).distance(x);
+}
+
+/// Ends of a segment in a face: anywhere, or along one of its edges, whole or in part.
+std::array<Barycentric, 2> randomSegment(Random& random)
+{
+  std::array<Barycentric, 2> ends = { randomWeights(random), randomWeights(random) };
+  if (random.chance(0.4))
+  {
+    const Index k = random.below(3);
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const double u = random.chance(0.5) ? static_cast<double>(i) : random.uniform();
+      ends[i] = { 0.0, 0.0, 0.0 };
+      ends[i][k] = 1.0 - u;
+      ends[i][(k + 1) % 3] = u;
+    }
+  }
+  return ends;
+}
+
+/// A segment in a face, and what the engine has along it.
+struct Along
+{
+  Index face;
+  std::array<Barycentric, 2> ends;
+  double length;
+  std::vector<Window> windows;
+};
+
+Barycentric between(const Along& along, double t)
+{
+  Barycentric place;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    place[k] = (1.0 - t) * along.ends[0][k] + t * along.ends[1][k];
+  }
+  return place;
+}
+
+void expectGapless(const Along& along)
+{
+  ASSERT_FALSE(along.windows.empty());
+  EXPECT_EQ(along.windows.front().begin, 0.0);
+  EXPECT_EQ(along.windows.back().end, along.length);
+  for (std::size_t w = 1; w < along.windows.size(); ++w)
+  {
+    EXPECT_EQ(along.windows[w - 1].end, along.windows[w].begin);
+    EXPECT_LT(along.windows[w].begin, along.windows[w].end);
+  }
+}
+
+/// The envelope against the least of all candidates, densely.
+void expectLeastOfCandidates(const Along& along, const FaceDistance& face, double accuracy)
+{
+  constexpr int samples = 200;
+  const geodesic::Vec2 p = face.inPlane(along.ends[0]);
+  const geodesic::Vec2 q = face.inPlane(along.ends[1]);
+  for (int s = 0; s <= samples; ++s)
+  {
+    const double t = static_cast<double>(s) / samples;
+    double least = geodesic::Infinity;
+    for (const geodesic::DistanceCandidate& candidate : face.candidates())
+    {
+      least = std::min(least, candidate.distance(p + t * (q - p)));
+    }
+    ASSERT_NEAR(at(along.windows, t * along.length), std::max(least, 0.0), accuracy)
+      << "face " << along.face << ", t " << t;
+  }
+}
+
+constexpr int SamplesOfASegment = 16;
+
+/// Where the envelopes are compared with brute force, segment by segment.
+std::vector<MeshPoint> samplesOf(const std::vector<Along>& all)
+{
+  std::vector<MeshPoint> places;
+  for (const Along& along : all)
+  {
+    for (int s = 0; s <= SamplesOfASegment; ++s)
+    {
+      places.push_back({ along.face, between(along, static_cast<double>(s) / SamplesOfASegment) });
+    }
+  }
+  return places;
+}
+
+/// \returns the largest error.
+double compare(const std::vector<Along>& all, const std::vector<double>& truth)
+{
+  double worst = 0.0;
+  std::size_t i = 0;
+  for (const Along& along : all)
+  {
+    for (int s = 0; s <= SamplesOfASegment; ++s)
+    {
+      const double value = at(along.windows, along.length * s / SamplesOfASegment);
+      worst = std::max(worst, std::abs(value - truth[i++]));
+    }
+  }
+  return worst;
+}
+
+}
+
+TEST_P(SegmentEnvelopes, AreTheDistanceAlongAnySegmentOfAnyFace)
+{
+  constexpr std::uint64_t meshes = 12;
+  constexpr int segments = 80;
+  double worst = 0.0;
+  for (std::uint64_t seed = 0; seed < meshes; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 500);
+    const PlainMesh mesh = GetParam().make(random.between(50, 300), random);
+    CurveMaker maker(mesh, random);
+    const std::vector<Polyline> curves = maker.anySource();
+    const geodesic::TriangleMesh engine = engineMesh(mesh);
+    const geodesic::DistanceField field = solveKeepingAll(engine, engineCurves(engine, curves));
+    const double largest = largestFinite(field.vertexDistances());
+    SegmentEnvelope envelope;
+    std::vector<Along> all;
+    for (int i = 0; i < segments; ++i)
+    {
+      const Index id = i < 10 ? curves[0].segments[0].face : random.below(engine.numberOfFaces());
+      if (std::isinf(field.vertexDistances()[engine.triangle(id)[0]]))
+      {
+        continue;
+      }
+      const FaceDistance face(field, id);
+      const std::array<Barycentric, 2> ends = randomSegment(random);
+      const geodesic::Vec2 p = face.inPlane(ends[0]);
+      const geodesic::Vec2 q = face.inPlane(ends[1]);
+      const Along along{ id, ends, norm(q - p), envelope.along(face, p, q) };
+      if (!(along.length > 0.0))
+      {
+        EXPECT_TRUE(along.windows.empty());
+        continue;
+      }
+      expectGapless(along);
+      expectLeastOfCandidates(along, face, SegmentAccuracy * largest);
+      all.push_back(along);
+    }
+    const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), samplesOf(all));
+    const double error = compare(all, truth.queries) / largest;
+    EXPECT_LE(error, SegmentAccuracy) << describe(curves);
+    worst = std::max(worst, error);
+  }
+  std::cout << "worst relative error on " << GetParam().name << ": " << worst << "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, SegmentEnvelopes, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST(FaceDistance, IsRefusedWithoutWindows)
+{
+  const PlainMesh mesh = regularGrid(2, 2);
+  const geodesic::TriangleMesh engine = engineMesh(mesh);
+  const Sources corner{ { vertexPoint(mesh, 0) }, {} };
+  const geodesic::DistanceField field = geodesic::solve(engine, engineCurves(engine, corner));
+  EXPECT_THROW(FaceDistance(field, 0), geodesic::Error);
+}
+
+TEST(FaceDistance, OneMadeInTheMemoryOfAnotherIsTheSame)
+{
+  const PlainMesh mesh = regularGrid(4, 4);
+  const geodesic::TriangleMesh engine = engineMesh(mesh);
+  const Sources source{ { { 7, { 0.2, 0.3, 0.5 } } }, {} };
+  const geodesic::DistanceField field = solveKeepingAll(engine, engineCurves(engine, source));
+  FaceDistance other(field, 7);
+  const FaceDistance again(field, 20, other.releaseMemory());
+  const FaceDistance fresh(field, 20);
+  ASSERT_EQ(again.candidates().size(), fresh.candidates().size());
+  const Barycentric place = { 0.2, 0.5, 0.3 };
+  EXPECT_EQ(again.distance(again.inPlane(place)), fresh.distance(fresh.inPlane(place)));
+}

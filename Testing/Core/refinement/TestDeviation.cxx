@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The deviation of a distance from linear, and the table of section 6.2.
+#include "truth/TestMeshes.h"
+
+#include "refinement/Deviation.h"
+#include "window/WindowList.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace geodesictest;
+using geodesic::Deviation;
+using geodesic::largestDeviation;
+using geodesic::Window;
+
+namespace
+{
+
+constexpr double Rounding = 1e-12;
+
+Window randomWindow(double length, Random& random)
+{
+  Window w{};
+  w.begin = random.uniform(0.0, 0.8) * length;
+  w.end = w.begin + random.uniform(0.1, 1.0) * (length - w.begin);
+  w.sigma = random.uniform(0.0, length);
+  if (random.chance(0.4))
+  {
+    w.kind = Window::Kind::Linear;
+    w.sourceX = random.uniform(-1.0, 1.0);
+    w.sourceDepth = std::sqrt(1.0 - w.sourceX * w.sourceX);
+    return w;
+  }
+  w.kind = Window::Kind::Circular;
+  w.sourceX = random.uniform(-1.0, 2.0) * length;
+  w.sourceDepth = random.chance(0.1) ? 0.0 : std::pow(10.0, random.uniform(-3.0, 2.0)) * length;
+  return w;
+}
+
+/// Windows that cover [0, length] without a gap, but not continuously.
+std::vector<Window> randomEnvelope(double length, Random& random)
+{
+  geodesic::WindowListBuilder builder;
+  builder.reset(length);
+  Window whole = randomWindow(length, random);
+  whole.begin = 0.0;
+  whole.end = length;
+  builder.append(whole);
+  for (Index i = random.below(6); i > 0; --i)
+  {
+    builder.append(randomWindow(length, random));
+  }
+  return builder.windows();
+}
+
+double at(const std::vector<Window>& envelope, double x)
+{
+  const auto window =
+    std::find_if(envelope.begin(), envelope.end(), [x](const Window& w) { return x <= w.end; });
+  return (window == envelope.end() ? envelope.back() : *window).distance(x);
+}
+
+/// Whether some window has this difference to the line at x: two meet at a break point.
+bool occurs(const std::vector<Window>& envelope, double x, double line, double difference)
+{
+  const double slack = Rounding * envelope.back().end;
+  return std::any_of(envelope.begin(), envelope.end(),
+    [&](const Window& w)
+    {
+      return x >= w.begin - slack && x <= w.end + slack &&
+        std::abs(w.distance(x) - line - difference) <= 4.0 * slack;
+    });
+}
+
+long double preciseDistance(const Window& w, long double x)
+{
+  const long double dx = x - w.sourceX;
+  return w.isLinear()
+    ? w.sigma + w.sourceX * x
+    : w.sigma + std::sqrt(dx * dx + static_cast<long double>(w.sourceDepth) * w.sourceDepth);
+}
+
+/// Where a window is least over a line of this slope, by bisection.
+double lowestAgainstLine(const Window& w, double slope)
+{
+  long double lo = w.begin;
+  long double hi = w.end;
+  for (int i = 0; i < 100; ++i)
+  {
+    const long double x = 0.5L * (lo + hi);
+    const long double dx = x - w.sourceX;
+    const long double rises = w.isLinear()
+      ? w.sourceX
+      : dx / std::sqrt(dx * dx + static_cast<long double>(w.sourceDepth) * w.sourceDepth);
+    (rises < slope ? lo : hi) = x;
+  }
+  return static_cast<double>(lo);
+}
+
+}
+
+TEST(SplitPosition, EachRowOfTheTableOfSection62)
+{
+  using geodesic::splitPosition;
+  for (const double t : { 0.0, 0.05, 0.1249 })
+  {
+    EXPECT_EQ(splitPosition(t), 0.25) << t;
+  }
+  for (const double t : { 0.125, 0.18, 0.2499 })
+  {
+    EXPECT_EQ(splitPosition(t), 2.0 * t) << t;
+  }
+  for (const double t : { 0.25, 0.3, 0.5, 0.75 })
+  {
+    EXPECT_EQ(splitPosition(t), t) << t;
+  }
+  for (const double t : { 0.7501, 0.8, 0.8749 })
+  {
+    EXPECT_EQ(splitPosition(t), 2.0 * t - 1.0) << t;
+  }
+  for (const double t : { 0.875, 0.95, 1.0 })
+  {
+    EXPECT_EQ(splitPosition(t), 0.75) << t;
+  }
+}
+
+TEST(Deviation, ClosedFormIsTheLargestOfDenseSamples)
+{
+  constexpr int samples = 2000;
+  for (std::uint64_t seed = 0; seed < 3000; ++seed)
+  {
+    Random random(seed);
+    const double length = std::pow(10.0, random.uniform(-9.0, 9.0));
+    const std::vector<Window> envelope = randomEnvelope(length, random);
+    const double atBegin = random.uniform(0.0, 2.0) * length;
+    // slopes beyond one come from rounding and from approximate fields
+    const double slope = random.uniform(-1.1, 1.1);
+    const double atEnd = atBegin + slope * length;
+    const Deviation d = largestDeviation(envelope, length, atBegin, atEnd);
+    for (int i = 0; i <= samples; ++i)
+    {
+      const double x = length * i / samples;
+      const double difference = at(envelope, x) - (atBegin + slope * x);
+      ASSERT_LE(difference, d.above + Rounding * length) << "seed " << seed << ", x " << x;
+      ASSERT_GE(difference, -d.below - Rounding * length) << "seed " << seed << ", x " << x;
+    }
+    if (d.above > 0.0)
+    {
+      const double x = d.aboveAt * length;
+      EXPECT_TRUE(occurs(envelope, x, atBegin + slope * x, d.above)) << "seed " << seed;
+    }
+    if (d.below > 0.0)
+    {
+      const double x = d.belowAt * length;
+      EXPECT_TRUE(occurs(envelope, x, atBegin + slope * x, -d.below)) << "seed " << seed;
+    }
+    EXPECT_EQ(d.largest(), std::max(d.above, d.below));
+    EXPECT_EQ(d.at(), d.above >= d.below ? d.aboveAt : d.belowAt);
+  }
+}
+
+// A window's difference to a line is convex: its least is where its slope is zero, which bisection
+// finds without a formula.
+TEST(Deviation, ExtremaAreThoseThatBisectionFinds)
+{
+  for (std::uint64_t seed = 0; seed < 3000; ++seed)
+  {
+    Random random(seed + 10000);
+    const double length = std::pow(10.0, random.uniform(-9.0, 9.0));
+    const std::vector<Window> envelope = randomEnvelope(length, random);
+    const double atBegin = random.uniform(0.0, 2.0) * length;
+    const double slope = random.uniform(-1.1, 1.1);
+    const Deviation d = largestDeviation(envelope, length, atBegin, atBegin + slope * length);
+    long double above = 0.0L;
+    long double below = 0.0L;
+    for (const Window& w : envelope)
+    {
+      for (const double x : { w.begin, w.end, lowestAgainstLine(w, slope) })
+      {
+        const long double e =
+          preciseDistance(w, x) - (atBegin + static_cast<long double>(slope) * x);
+        above = std::max(above, e);
+        below = std::max(below, -e);
+      }
+    }
+    EXPECT_NEAR(d.above / length, static_cast<double>(above / length), Rounding) << "seed " << seed;
+    EXPECT_NEAR(d.below / length, static_cast<double>(below / length), Rounding) << "seed " << seed;
+  }
+}
+
+TEST(Deviation, WideningTakesTheLargerOfEachSideWithItsPlace)
+{
+  Deviation d{ 1.0, 0.1, 2.0, 0.2 };
+  d.widen({ 3.0, 0.3, 1.0, 0.4 });
+  EXPECT_EQ(d.above, 3.0);
+  EXPECT_EQ(d.aboveAt, 0.3);
+  EXPECT_EQ(d.below, 2.0);
+  EXPECT_EQ(d.belowAt, 0.2);
+}
+
+TEST(Deviation, ExtremumOfACircularWindowIsWhereTheCorrectedFormulaPutsIt)
+{
+  // distance sqrt(x^2 + 1) on [-1, 3] shifted to begin at 0, against its chord
+  const Window w = { 0.0, 4.0, 1.0, 1.0, 0.0, 0.0, Window::Kind::Circular, 0 };
+  const Deviation d = largestDeviation({ w }, 4.0, std::sqrt(2.0), std::sqrt(10.0));
+  const double a = (std::sqrt(10.0) - std::sqrt(2.0)) / 4.0;
+  const double q = 1.0 + a / std::sqrt(1.0 - a * a);
+  EXPECT_NEAR(d.belowAt, q / 4.0, 1e-15);
+  EXPECT_NEAR(d.below, std::sqrt(2.0) + a * q - std::hypot(q - 1.0, 1.0), 1e-15);
+  EXPECT_NEAR(d.above, 0.0, 1e-15);
+}

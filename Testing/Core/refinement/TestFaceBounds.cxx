@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bounds over a whole face against the distance through its windows, point by point.
+#include "EngineSupport.h"
+
+#include "refinement/FaceBounds.h"
+#include "refinement/LinearBand.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+using namespace geodesictest;
+using geodesic::FaceBounds;
+using geodesic::ListInBand;
+using geodesic::TriangleMesh;
+using geodesic::Window;
+using geodesic::WindowRange;
+using geodesic::WindowRuns;
+
+namespace
+{
+
+constexpr double Rounding = 1e-12;
+
+using Corners = std::array<double, 3>;
+using Lists = std::array<std::vector<Window>, 3>;
+
+/// One face in the xy plane, of any shape.
+PlainMesh randomFace(Random& random)
+{
+  return { { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 },
+             { random.uniform(-0.5, 1.5), random.uniform(0.05, 1.5), 0.0 } },
+    { { 0, 1, 2 } } };
+}
+
+/// Points of the face, its border included.
+std::vector<Barycentric> pointsOfFace()
+{
+  constexpr int steps = 24;
+  std::vector<Barycentric> points;
+  for (int i = 0; i <= steps; ++i)
+  {
+    for (int j = 0; i + j <= steps; ++j)
+    {
+      const double u = static_cast<double>(i) / steps;
+      const double v = static_cast<double>(j) / steps;
+      points.push_back({ 1.0 - u - v, u, v });
+    }
+  }
+  return points;
+}
+
+/// A window on a halfedge of the length from 0 to 1, from a source at most so far.
+Window randomWindow(double begin, double end, double farthest, Random& random)
+{
+  Window w{};
+  w.begin = begin;
+  w.end = end;
+  w.kind = Window::Kind::Circular;
+  w.sourceX = random.uniform(-1.0, 2.0) * (farthest > 5.0 ? 0.3 * farthest : 1.0);
+  w.sourceDepth = random.uniform(0.01, farthest);
+  w.sigma = random.uniform(0.0, 0.3);
+  return w;
+}
+
+/// The shortest way through the window to a point given as its place along the halfedge and height
+/// over it.
+double throughWindow(const Window& w, double x, double height)
+{
+  const double straight = w.sourceX + (x - w.sourceX) * w.sourceDepth / (w.sourceDepth + height);
+  const double at = std::clamp(straight, w.begin, w.end);
+  return w.sigma + std::hypot(at - w.sourceX, w.sourceDepth) + std::hypot(x - at, height);
+}
+
+double throughHalfedge(const PlainMesh& mesh, std::size_t k, const std::vector<Window>& windows,
+  const Barycentric& place)
+{
+  const Vec3& a = mesh.points[k];
+  const Vec3& b = mesh.points[(k + 1) % 3];
+  const Vec3 p = position(mesh, MeshPoint{ 0, place });
+  const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+  const Vec2 along = { (b[0] - a[0]) / length, (b[1] - a[1]) / length };
+  const Vec2 to = { p[0] - a[0], p[1] - a[1] };
+  const double x = to[0] * along[0] + to[1] * along[1];
+  const double height = std::max(0.0, along[0] * to[1] - along[1] * to[0]);
+  double least = geodesic::Infinity;
+  for (const Window& w : windows)
+  {
+    least = std::min(least, throughWindow(w, x, height));
+  }
+  return least;
+}
+
+double throughFace(const PlainMesh& mesh, const Lists& lists, const Barycentric& place)
+{
+  double least = geodesic::Infinity;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    least = std::min(least, throughHalfedge(mesh, k, lists[k], place));
+  }
+  return least;
+}
+
+Corners atCorners(const PlainMesh& mesh, const Lists& lists)
+{
+  return { throughFace(mesh, lists, { 1.0, 0.0, 0.0 }), throughFace(mesh, lists, { 0.0, 1.0, 0.0 }),
+    throughFace(mesh, lists, { 0.0, 0.0, 1.0 }) };
+}
+
+double interpolant(const Corners& d, const Barycentric& place)
+{
+  return place[0] * d[0] + place[1] * d[1] + place[2] * d[2];
+}
+
+/// How far the distance is over the interpolant anywhere, and under it.
+FaceBounds measured(const PlainMesh& mesh, const Lists& lists, const Corners& d)
+{
+  FaceBounds largest{ 0.0, 0.0 };
+  for (const Barycentric& place : pointsOfFace())
+  {
+    const double over = throughFace(mesh, lists, place) - interpolant(d, place);
+    largest.above = std::max(largest.above, over);
+    largest.below = std::max(largest.below, -over);
+  }
+  return largest;
+}
+
+/// One to three windows on some of the halfedges, at least one.
+Lists randomLists(const TriangleMesh& mesh, double farthest, Random& random)
+{
+  Lists lists;
+  do
+  {
+    for (geodesic::Id k = 0; k < 3; ++k)
+    {
+      const double length = mesh.length(k);
+      for (Index i = random.below(3); i > 0; --i)
+      {
+        const double begin = random.chance(0.6) ? 0.0 : random.uniform(0.0, 0.5) * length;
+        const double end = random.chance(0.6) ? length : random.uniform(0.6, 1.0) * length;
+        lists[k].push_back(randomWindow(begin, end, farthest, random));
+      }
+    }
+  } while (lists[0].empty() && lists[1].empty() && lists[2].empty());
+  return lists;
+}
+
+}
+
+TEST(FaceBounds, HoldWhereverTheWindowsComeFrom)
+{
+  int steep = 0;
+  for (std::uint64_t seed = 0; seed < 4000; ++seed)
+  {
+    Random random(seed);
+    const PlainMesh plain = randomFace(random);
+    const TriangleMesh mesh = engineMesh(plain);
+    const Lists lists = randomLists(mesh, seed % 2 == 0 ? 2.0 : 50.0, random);
+    const Corners d = atCorners(plain, lists);
+    std::array<WindowRange, 3> ranges;
+    std::array<WindowRuns, 3> runs;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      ranges[k] = { lists[k].data(), lists[k].data() + lists[k].size() };
+      runs[k] = lists[k].empty() ? WindowRuns() : WindowRuns(&ranges[k], &ranges[k] + 1);
+    }
+    const FaceBounds known = measured(plain, lists, d);
+    const FaceBounds bounds = geodesic::boundsOfFace(mesh, 0, d, runs, geodesic::Infinity);
+    EXPECT_LE(known.above, bounds.above + Rounding) << "seed " << seed;
+    EXPECT_LE(known.below, bounds.below + Rounding) << "seed " << seed;
+    for (const double limit : { 0.01, 0.1, 0.5 })
+    {
+      const FaceBounds limited = geodesic::boundsOfFace(mesh, 0, d, runs, limit);
+      EXPECT_LE(known.above, limited.above + Rounding) << "seed " << seed;
+      EXPECT_LE(known.below, limited.below + Rounding) << "seed " << seed;
+    }
+    steep += geodesic::slackOf(mesh.shape(0), d).below > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(steep, 100) << "few had an interpolant steeper than a distance";
+}
+
+// Also where the corners have got nearer since: nothing is said about them then.
+TEST(FaceBounds, NothingThroughAHalfedgeIsFartherBelowWhateverTheCorners)
+{
+  int inside = 0;
+  for (std::uint64_t seed = 0; seed < 4000; ++seed)
+  {
+    Random random(seed + 20000);
+    const PlainMesh plain = randomFace(random);
+    const TriangleMesh mesh = engineMesh(plain);
+    const auto k = static_cast<geodesic::Id>(random.below(3));
+    Lists lists;
+    lists[k].push_back(randomWindow(0.0, mesh.length(k), 2.0, random));
+    Corners d = atCorners(plain, lists);
+    for (double& distance : d)
+    {
+      distance += random.uniform(-0.5, 0.5);
+    }
+    const WindowRange range{ lists[k].data(), lists[k].data() + 1 };
+    const double bound = geodesic::belowThroughHalfedge(mesh, k, d, { &range, &range + 1 });
+    double onHalfedge = 0.0;
+    double anywhere = 0.0;
+    for (const Barycentric& place : pointsOfFace())
+    {
+      const double below = interpolant(d, place) - throughHalfedge(plain, k, lists[k], place);
+      anywhere = std::max(anywhere, below);
+      onHalfedge = place[(k + 2) % 3] == 0.0 ? std::max(onHalfedge, below) : onHalfedge;
+    }
+    EXPECT_LE(anywhere, bound + Rounding) << "seed " << seed;
+    inside += anywhere > onHalfedge + 0.01 ? 1 : 0;
+  }
+  EXPECT_GT(inside, 100) << "few were farther below inside than on the halfedge";
+}
+
+namespace
+{
+
+/// A list that covers a halfedge but for small gaps, at distances of about 10, each window so far
+/// off the line between the ends.
+std::vector<Window> listNearLine(double length, double off, Random& random)
+{
+  std::vector<Window> list;
+  const double slope = random.uniform(-0.9, 0.9);
+  double x = random.chance(0.8) ? 0.0 : random.uniform(0.0, off);
+  while (x < 0.9 * length)
+  {
+    Window w{};
+    w.begin = x;
+    w.end = random.chance(0.3) ? length : std::min(length, x + random.uniform(0.2, 0.5) * length);
+    const double depth = std::sqrt(1.0 - slope * slope);
+    const double distance = random.uniform(2.0, 9.0);
+    w.kind = random.chance(0.3) ? Window::Kind::Linear : Window::Kind::Circular;
+    w.sourceX = w.isLinear() ? slope : 0.5 * (w.begin + w.end) - slope * distance;
+    w.sourceDepth = w.isLinear() ? depth : depth * distance;
+    w.sigma = 10.0 + slope * w.begin - w.distance(w.begin) + random.uniform(-0.5, 0.5) * off;
+    list.push_back(w);
+    x = w.end + (random.chance(0.1) ? 0.5 * random.uniform() * off : 0.0);
+  }
+  return list;
+}
+
+}
+
+TEST(ListInBand, SaysYesOnlyOfListsThatStayInTheBand)
+{
+  std::array<int, 2> found{};
+  for (std::uint64_t seed = 0; seed < 20000; ++seed)
+  {
+    Random random(seed);
+    const double limit = std::pow(10.0, random.uniform(-3.0, -0.5));
+    const std::vector<Window> list = listNearLine(1.0, limit, random);
+    const double atOrigin = list.front().distance(0.0) + random.uniform(-0.2, 0.2) * limit;
+    const double atEnd = list.back().distance(1.0) + random.uniform(-0.2, 0.2) * limit;
+    const ListInBand inBand =
+      geodesic::listInBand({ list.data(), list.data() + list.size() }, 1.0, atOrigin, atEnd, limit);
+    found[0] += inBand.notBelow ? 1 : 0;
+    found[1] += inBand.notAbove ? 1 : 0;
+    double covered = 0.0;
+    for (const Window& w : list)
+    {
+      EXPECT_TRUE(!inBand.notAbove || w.begin - covered <= 0.25 * limit) << "a wide gap";
+      covered = w.end;
+      for (int k = 0; k <= 20; ++k)
+      {
+        const double x = w.begin + 0.05 * k * w.width();
+        const double over = w.distance(x) - (atOrigin + (atEnd - atOrigin) * x);
+        EXPECT_TRUE(!inBand.notAbove || over <= limit + Rounding) << over << " of " << limit;
+        EXPECT_TRUE(!inBand.notBelow || -over <= limit + Rounding) << over << " of " << limit;
+      }
+    }
+    EXPECT_TRUE(!inBand.notAbove || 1.0 - covered <= 0.25 * limit);
+  }
+  for (const int count : found)
+  {
+    EXPECT_GT(count, 1000);
+    EXPECT_LT(count, 19000);
+  }
+}
+
+// A front that is nearly plane, from beyond one halfedge or two, a little off now and then.
+TEST(ListInBand, BoundsOfTheFaceHoldWhereItsListsAreInTheirBands)
+{
+  int finite = 0;
+  double nearest = 0.0;
+  for (std::uint64_t seed = 0; seed < 20000; ++seed)
+  {
+    Random random(seed);
+    const PlainMesh plain = randomFace(random);
+    const TriangleMesh mesh = engineMesh(plain);
+    const double limit = std::pow(10.0, random.uniform(-2.0, 0.0));
+    Lists lists;
+    for (geodesic::Id k = 0; k < 3; ++k)
+    {
+      if (k == seed % 3 || random.chance(0.3))
+      {
+        Window w = randomWindow(0.0, mesh.length(k), 20.0, random);
+        w.sigma = 20.0 - w.distance(0.5 * w.end) + random.uniform(-1.0, 1.0) * limit;
+        lists[k].push_back(w);
+      }
+    }
+    Corners d = atCorners(plain, lists);
+    for (double& distance : d)
+    {
+      distance += random.uniform(-0.9, 0.9) * limit;
+    }
+    std::array<bool, 3> notAbove{};
+    bool notBelow = true;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (!lists[k].empty())
+      {
+        const WindowRange range{ lists[k].data(), lists[k].data() + 1 };
+        const ListInBand inBand = geodesic::listInBand(
+          range, mesh.length(static_cast<geodesic::Id>(k)), d[k], d[(k + 1) % 3], limit);
+        notBelow = notBelow && inBand.notBelow;
+        notAbove[k] = inBand.notAbove;
+      }
+    }
+    const FaceBounds bounds = geodesic::boundsFromBands(mesh, 0, d, notAbove, limit);
+    if (!notBelow || !(bounds.above < geodesic::Infinity))
+    {
+      continue;
+    }
+    ++finite;
+    const FaceBounds known = measured(plain, lists, d);
+    EXPECT_LE(known.above, bounds.above + Rounding) << "seed " << seed;
+    EXPECT_LE(known.below, bounds.below + Rounding) << "seed " << seed;
+    nearest = std::max({ nearest, known.above / bounds.above, known.below / bounds.below });
+  }
+  EXPECT_GT(finite, 1000);
+  EXPECT_GT(nearest, 0.8) << "no face came near its bound";
+}
