@@ -173,7 +173,7 @@ void Refiner::assess(Id triangle)
 ClosingCheck::Result Refiner::closeBest(Id triangle)
 {
   const Id face = this->triangles_.faceOf(triangle);
-  const double wanted = this->shapes_.wantedAngle(face, this->rules_.largestAround(triangle));
+  const double allowed = this->shapes_.allowedAngle(face, this->rules_.largestAround(triangle));
   const Id ways = RedGreenMesh::waysToClose(this->triangles_.splitEdges(triangle));
   std::array<std::pair<double, Id>, 4> order;
   for (Id way = 0; way < ways; ++way)
@@ -183,7 +183,7 @@ ClosingCheck::Result Refiner::closeBest(Id triangle)
   }
   std::sort(order.begin(), order.begin() + ways);
   ClosingCheck::Result best;
-  for (Id i = 0; i < ways && (i == 0 || -order[i].first >= wanted); ++i)
+  for (Id i = 0; i < ways && (i == 0 || -order[i].first >= allowed); ++i)
   {
     const Id way = order[i].second;
     const ClosingCheck::Result check =

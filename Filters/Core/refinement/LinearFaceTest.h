@@ -38,7 +38,7 @@ public:
   {
   }
 
-  /// A list with what of the test can be told while its windows are at hand.
+  /// A list, with what can be found out while its windows are at hand.
   MeasuredList measure(const PassedList& list) const;
 
   /// \param d distances at the corners, all finite; no source is in the face.

@@ -36,14 +36,14 @@ double leastAngle(Vec2 a, Vec2 b, Vec2 c)
 
 } // anonymous namespace
 
-double PartShapes::wantedAngle(Id face, double deviation) const
+double PartShapes::allowedAngle(Id face, double deviation) const
 {
   const Triangle& corners = this->triangles_.mesh().triangle(face);
   const double least = leastAngle(this->triangles_.inPlane(corners[0], face),
     this->triangles_.inPlane(corners[1], face), this->triangles_.inPlane(corners[2], face));
-  const double wanted =
+  const double allowed =
     deviation > WorthThinParts * this->tolerance_ ? LeastAngleOfThinParts : LeastAngle;
-  return std::min(wanted, LeastAngleFraction * least);
+  return std::min(allowed, LeastAngleFraction * least);
 }
 
 double PartShapes::smallestAngle(Id face, const RedGreenMesh::Closing& closing) const
@@ -93,7 +93,7 @@ bool PartShapes::maySplit(Id edge, double weight, double deviation)
     {
       allowed = allowed &&
         this->smallestAngleOfFour(triangle, edge, weight) >=
-          this->wantedAngle(this->triangles_.faceOf(triangle), deviation);
+          this->allowedAngle(this->triangles_.faceOf(triangle), deviation);
     });
   return allowed;
 }
@@ -101,11 +101,11 @@ bool PartShapes::maySplit(Id edge, double weight, double deviation)
 bool PartShapes::mayClose(Id triangle, double deviation) const
 {
   const Id face = this->triangles_.faceOf(triangle);
-  const double wanted = this->wantedAngle(face, deviation);
+  const double allowed = this->allowedAngle(face, deviation);
   const Id ways = RedGreenMesh::waysToClose(this->triangles_.splitEdges(triangle));
   for (Id way = 0; way < ways; ++way)
   {
-    if (this->smallestAngle(face, this->triangles_.closing(triangle, way)) >= wanted)
+    if (this->smallestAngle(face, this->triangles_.closing(triangle, way)) >= allowed)
     {
       return true;
     }

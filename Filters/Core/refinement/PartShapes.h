@@ -22,9 +22,9 @@ public:
   {
   }
 
-  /// The smallest angle that is wanted of the parts of a face, when an edge of such a deviation is
+  /// How small an angle may be in the parts of a face, when an edge of such a deviation is
   /// split.
-  double wantedAngle(Id face, double deviation) const;
+  double allowedAngle(Id face, double deviation) const;
 
   /// The smallest angle of the triangles that close a leaf of the face.
   double smallestAngle(Id face, const RedGreenMesh::Closing& closing) const;

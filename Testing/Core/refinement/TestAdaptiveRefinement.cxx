@@ -258,6 +258,61 @@ TEST(RefinementOfOneFace, ReportsTheErrorThatItHas)
   }
 }
 
+namespace
+{
+
+/// By how much the interpolant of a face is over the distance from its first corner: most on the
+/// opposite edge, where both are compared with more digits.
+long double errorFromFirstCorner(const TriangleMesh& mesh)
+{
+  using Long = long double;
+  const auto difference = [&mesh](Long t)
+  {
+    std::array<Long, 3> squared{}; // of both corners, and of the point between them
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const Long b = static_cast<Long>(mesh.point(1)[axis]) - mesh.point(0)[axis];
+      const Long c = static_cast<Long>(mesh.point(2)[axis]) - mesh.point(0)[axis];
+      const Long p = b + t * (c - b);
+      squared[0] += b * b;
+      squared[1] += c * c;
+      squared[2] += p * p;
+    }
+    return (1.0L - t) * std::sqrt(squared[0]) + t * std::sqrt(squared[1]) - std::sqrt(squared[2]);
+  };
+  Long lo = 0.0L;
+  Long hi = 1.0L;
+  for (int i = 0; i < 200; ++i)
+  {
+    const Long a = lo + (hi - lo) / 3.0L;
+    const Long b = hi - (hi - lo) / 3.0L;
+    (difference(a) < difference(b) ? lo : hi) = difference(a) < difference(b) ? a : b;
+  }
+  return difference(lo);
+}
+
+}
+
+TEST(RefinementOfOneFace, TheBoundHoldsToTheLastDigit)
+{
+  for (std::uint64_t seed = 0; seed < 300; ++seed)
+  {
+    Random random(seed);
+    PlainMesh mesh = { {}, { { 0, 1, 2 } } };
+    for (int i = 0; i < 3; ++i)
+    {
+      mesh.points.push_back({ random.uniform(), random.uniform(), random.uniform() });
+    }
+    const TriangleMesh engine = engineMesh(mesh);
+    const Sources source{ { vertexPoint(mesh, 0) }, {} };
+    const DistanceField field = solveKeepingAll(engine, engineCurves(engine, source));
+    const long double error = errorFromFirstCorner(engine);
+    const RefinedMesh refined = refineTo(field, static_cast<double>(1.01L * error));
+    EXPECT_EQ(refined.triangles.size(), 1u) << "seed " << seed;
+    EXPECT_GE(static_cast<long double>(refined.errorBound), error) << "seed " << seed;
+  }
+}
+
 // Where windows were dropped nothing is looked at again: what the solve says about them is the
 // least that is reported.
 TEST(RefinementOfACoarsePlane, ReportsWhatIsLostWhereWindowsWereDropped)
@@ -309,9 +364,9 @@ TEST(RefinementOfThreeFaces, SeesAPointThatMakesNoCornerNearer)
   EXPECT_GE(same.errorBound, 0.7) << "the interpolant at the point";
 }
 
-// The distance to a side of a plane is linear on every face, so that all that is off is rounding:
-// of unfolding from face to face, which what is known about one face does not show.
-TEST(RefinementOfACoarsePlane, RoundingIsPartOfTheBound)
+// The distance to a side of a plane is linear on every face, also along edges that its rays run
+// along: all that is off is rounding.
+TEST(RefinementOfACoarsePlane, AFieldThatIsLinearIsNotRefined)
 {
   constexpr Index n = 24;
   const PlainMesh flat = regularGrid(n, n);
