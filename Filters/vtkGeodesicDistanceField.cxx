@@ -3,11 +3,13 @@
 
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
+#include "source/BoundaryCurves.h"
 #include "PolyData/ArrayMemory.h"
 #include "Errors.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataSource.h"
 #include "PolyData/PolyDataSurface.h"
+#include "field/JoinPoints.h"
 #include "field/Solve.h"
 #include "PolyData/RefinedPolyData.h"
 
@@ -249,7 +251,8 @@ geodesic::SourceCurves vtkGeodesicDistanceField::vtkInternals::CollectSources(vt
     const auto lines = geodesic::readSource(
       source, *this->Surface, this->ProgressBetween(SurfaceDone, SourceLocated));
     sources = geodesic::putOntoSurface(this->Surface->mesh(), lines,
-      geodesic::snapOptionsFor(source), this->ProgressBetween(SourceLocated, SourceDone));
+      geodesic::snapOptionsFor(source), geodesic::joinByShortestPaths(this->Surface->mesh()),
+      this->ProgressBetween(SourceLocated, SourceDone));
     noteSource(*this->Surface, sources, this->Told);
   }
   if (type != SOURCE_CURVE)

@@ -3,7 +3,7 @@
 #define geodesic_PolyDataSource_h
 
 #include "PolyData/PolyDataSurface.h"
-#include "source/SourceCurve.h"
+#include "source/PolylineOnSurface.h"
 
 class vtkPolyData;
 

@@ -7,10 +7,12 @@
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
 #include "field/FaceEnvelope.h"
+#include "field/JoinPoints.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataSource.h"
 #include "PolyData/PolyDataSurface.h"
 #include "field/Solve.h"
+#include "source/BoundaryCurves.h"
 
 #include "vtkDijkstraGraphGeodesicPath.h"
 #include "vtkNew.h"
@@ -319,7 +321,8 @@ std::vector<geodesic::SourceCurve> makeCurves(
     return geodesic::boundaryCurves(surface.mesh());
   }
   const auto lines = geodesic::readSource(source.curves, surface, [](double) { return true; });
-  return geodesic::putOntoSurface(surface.mesh(), lines, geodesic::snapOptionsFor(source.curves))
+  return geodesic::putOntoSurface(surface.mesh(), lines, geodesic::snapOptionsFor(source.curves),
+    geodesic::joinByShortestPaths(surface.mesh()))
     .curves;
 }
 

@@ -8,7 +8,9 @@
 #include "truth/TestMeshes.h"
 
 #include "field/Solve.h"
-#include "source/SourceCurve.h"
+#include "field/JoinPoints.h"
+#include "source/BoundaryCurves.h"
+#include "source/PolylineOnSurface.h"
 #include "mesh/SurfacePoint.h"
 #include "mesh/TriangleMesh.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Inputs on which other solvers are known to crash, hang or answer wrongly.
-#include "truth/AnalyticDistances.h"
 #include "EngineSupport.h"
+#include "truth/AnalyticDistances.h"
 
 #include "Errors.h"
 
@@ -202,7 +202,8 @@ TEST(PeersWrongAnswers, APolylineAcrossANonManifoldEdgeIsExactOnEveryPage)
   line.points = { position(mesh, p), position(mesh, q) };
   line.faces = { p.face, q.face };
   line.name = "the line";
-  const geodesic::SourceCurves put = geodesic::putOntoSurface(engine, { line }, {});
+  const geodesic::SourceCurves put =
+    geodesic::putOntoSurface(engine, { line }, {}, geodesic::joinByShortestPaths(engine));
   ASSERT_EQ(put.curves.size(), 1u);
   // Both ends and the place on the spine where the straight line crosses it, page by page.
   const auto page = [&mesh](const MeshPoint& x, double halfedge) -> Vec2
@@ -548,8 +549,7 @@ TEST(PeersWrongAnswers, APointGivenInAFaceWhoseCoordinatesAreThoseOfAnEdgeIsOnTh
         const double truth = std::hypot(p[0] - x[0], p[1] - x[1]);
         EXPECT_NEAR(fromPoint.vertexDistances()[vertex], truth, 1e-12)
           << "source in face " << f << " at " << u << ", " << v << ", vertex " << vertex;
-        EXPECT_NEAR(
-          solveKeepingAll(engine, { vertexSource(vertex) }).distance(point), truth, 1e-12)
+        EXPECT_NEAR(solveKeepingAll(engine, { vertexSource(vertex) }).distance(point), truth, 1e-12)
           << "query in face " << f << " at " << u << ", " << v << ", from vertex " << vertex;
       }
     }

@@ -59,7 +59,7 @@ LocatedPolyline polylineOn(
 
 SourceCurves put(const TriangleMesh& mesh, const LocatedPolyline& line, double precision = Epsilon)
 {
-  return putOntoSurface(mesh, { line }, { precision });
+  return putOntoSurface(mesh, { line }, { precision }, joinByShortestPaths(mesh));
 }
 
 /// The place of a single point.
@@ -270,7 +270,8 @@ TEST(SourceCurve, ScaleDoesNotMatter)
     {
       lines.push_back(polylineOn(mesh, { point }));
     }
-    return putOntoSurface(engineMesh(mesh), lines, { FloatEpsilon });
+    const TriangleMesh engine = engineMesh(mesh);
+    return putOntoSurface(engine, lines, { FloatEpsilon }, joinByShortestPaths(engine));
   };
   const SourceCurves expected = put32(plain);
   for (const double scale : { 0x1p-30, 0x1p30 })
@@ -663,7 +664,7 @@ TEST(SourceCurve, AFalseProgressAborts)
   {
     int calls = 0;
     const auto progress = [&](double) { return calls++ < allowed; };
-    EXPECT_THROW(putOntoSurface(mesh, { line }, {}, progress), Aborted);
+    EXPECT_THROW(putOntoSurface(mesh, { line }, {}, joinByShortestPaths(mesh), progress), Aborted);
     EXPECT_EQ(calls, allowed + 1);
   }
 }
@@ -682,8 +683,8 @@ TEST(SourceCurve, ProgressGoesFromZeroToOneAndNeverBack)
     last = fraction;
     return true;
   };
-  putOntoSurface(
-    mesh, { polylineOn(plain, points, true), polylineOn(plain, points) }, {}, progress);
+  putOntoSurface(mesh, { polylineOn(plain, points, true), polylineOn(plain, points) }, {},
+    joinByShortestPaths(mesh), progress);
   EXPECT_GT(last, 0.5);
 }
 
