@@ -169,41 +169,6 @@ void requireFinite(vtkPoints* points, const std::vector<char>& used)
   }
 }
 
-/// The closest face of each used point, each point once however many curves share it.
-std::vector<Id> locate(vtkPoints* points, const std::vector<char>& used, PolyDataSurface& surface,
-  const ProgressCallback& progress)
-{
-  std::vector<std::size_t> ids;
-  std::vector<Vec3> positions;
-  for (std::size_t i = 0; i < used.size(); ++i)
-  {
-    if (used[i])
-    {
-      ids.push_back(i);
-      Vec3& p = positions.emplace_back();
-      points->GetPoint(static_cast<vtkIdType>(i), p.data());
-    }
-  }
-  const std::vector<Id> atCorners = surface.facesWithCornersAt(positions);
-  constexpr double located = 0.8; // where the locator has been built
-  if (std::find(atCorners.begin(), atCorners.end(), NoId) != atCorners.end())
-  {
-    surface.buildLocator([&](double fraction) { return progress(located * fraction); });
-  }
-  std::vector<Id> faces(used.size(), NoId);
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    constexpr std::size_t pointsPerReport = 256;
-    const double done = static_cast<double>(i) / static_cast<double>(ids.size());
-    if (i % pointsPerReport == 0 && !progress(located + (1.0 - located) * done))
-    {
-      throw Aborted();
-    }
-    faces[ids[i]] = atCorners[i] != NoId ? atCorners[i] : surface.closestFace(positions[i]);
-  }
-  return faces;
-}
-
 }
 
 std::vector<LocatedPolyline> readSource(
@@ -219,7 +184,6 @@ std::vector<LocatedPolyline> readSource(
   vtkPoints* points = source->GetPoints();
   const std::vector<char> used = usedPoints(chains, source->GetNumberOfPoints());
   requireFinite(points, used);
-  const std::vector<Id> faces = locate(points, used, surface, progress);
 
   std::vector<LocatedPolyline> result;
   result.reserve(chains.size());
@@ -233,10 +197,10 @@ std::vector<LocatedPolyline> readSource(
       Vec3 p;
       points->GetPoint(point, p.data());
       line.points.push_back(p);
-      line.faces.push_back(faces[static_cast<std::size_t>(point)]);
     }
     result.push_back(std::move(line));
   }
+  surface.locator().locate(result, snapOptionsFor(source).coordinatePrecision, progress);
   return result;
 }
 

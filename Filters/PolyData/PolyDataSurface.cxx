@@ -6,7 +6,6 @@
 #include "mesh/SurfaceSnap.h"
 #include "Tolerance.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -335,6 +334,7 @@ PolyDataSurface::PolyDataSurface(
   this->mesh_ = std::make_unique<TriangleMesh>(std::move(vertices), triangles,
     [&callback](double fraction)
     { return !callback || callback(TrianglesRead + (1.0 - TrianglesRead) * fraction); });
+  this->locator_ = std::make_unique<PolylineLocator>(*this->mesh_);
 }
 
 void PolyDataSurface::readTriangles(
@@ -402,44 +402,6 @@ Triangle PolyDataSurface::triangle(Id triangle) const
   const vtkIdType* points = nullptr;
   this->triangles_->GetCellAtId(triangle, size, points);
   return { static_cast<Id>(points[0]), static_cast<Id>(points[1]), static_cast<Id>(points[2]) };
-}
-
-std::vector<Id> PolyDataSurface::facesWithCornersAt(const std::vector<Vec3>& points) const
-{
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(),
-    [&points](std::size_t a, std::size_t b) { return points[a] < points[b]; });
-  std::vector<Id> faces(points.size(), NoId);
-  vtkBoundingBox box;
-  for (const Vec3& p : points)
-  {
-    box.AddPoint(p[0], p[1], p[2]);
-  }
-  for (Id vertex = 0; vertex < this->mesh_->numberOfVertices(); ++vertex)
-  {
-    const Vec3& p = this->mesh_->point(vertex);
-    const IdRange corners = this->mesh_->cornersAt(vertex);
-    if (!box.ContainsPoint(p[0], p[1], p[2]) || corners.size() == 0)
-    {
-      continue;
-    }
-    auto at = std::lower_bound(order.begin(), order.end(), p,
-      [&points](std::size_t i, const Vec3& q) { return points[i] < q; });
-    for (; at != order.end() && points[*at] == p; ++at)
-    {
-      faces[*at] = TriangleMesh::faceOf(*corners.begin());
-    }
-  }
-  return faces;
-}
-
-void PolyDataSurface::buildLocator(const ProgressCallback& progress)
-{
-  if (!this->locator_)
-  {
-    this->locator_ = std::make_unique<FaceLocator>(*this->mesh_, progress);
-  }
 }
 
 void PolyDataSurface::copyTo(

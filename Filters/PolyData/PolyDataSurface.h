@@ -2,8 +2,8 @@
 #ifndef geodesic_PolyDataSurface_h
 #define geodesic_PolyDataSurface_h
 
-#include "PolyData/FaceLocator.h"
 #include "mesh/TriangleMesh.h"
+#include "source/PolylineLocator.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -70,15 +70,8 @@ public:
     return this->inputCells_.empty() ? triangle : this->inputCells_[triangle];
   }
 
-  /// For each of some points a face that has a corner exactly there, or NoId. Needs no locator.
-  std::vector<Id> facesWithCornersAt(const std::vector<Vec3>& points) const;
-
-  /// Makes closestFace() quick; takes as long as a third of a solve.
-  ///
-  /// \param progress called now and then; returning false throws Aborted.
-  void buildLocator(const ProgressCallback& progress);
-  /// The face with the closest point of the surface. Not thread-safe, and needs the locator.
-  Id closestFace(const Vec3& point) { return this->locator_->closest(point); }
+  /// Finds places on the surface; what that takes is built when it is needed, and kept.
+  PolylineLocator& locator() { return *this->locator_; }
 
   /// Gives the output the input's points with their data, the triangles, and for each the data of
   /// the cell that it came from. The input is the one that this surface was made from.
@@ -101,7 +94,7 @@ private:
   /// The input's cell that each triangle came from; empty where the triangles are the input's
   /// cells.
   std::vector<vtkIdType> inputCells_;
-  std::unique_ptr<FaceLocator> locator_;
+  std::unique_ptr<PolylineLocator> locator_;
 };
 
 /// The first few of some ids, for an error message: "3, 17, 20 and 5 more".

@@ -3,9 +3,14 @@
 
 #include "Errors.h"
 #include "mesh/SurfaceSnap.h"
+#include "source/PlaceChoice.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
 
 namespace geodesic
 {
@@ -22,9 +27,14 @@ struct PlacedPoint
   SurfacePoint point;
   Vec3 position;
   double tolerance;
+  /// From the point in space.
+  double distance;
   /// Index in the given polyline.
   std::size_t index;
 };
+
+/// Consecutive points of a polyline, joined on the surface.
+using PlacedLine = std::vector<PlacedPoint>;
 
 /// Checks one polyline before any work is done with it.
 void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
@@ -42,7 +52,9 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
       throw SourceError("Point " + std::to_string(i) + " of " + polyline.name +
         " has a coordinate that is not finite. Remove or repair the point.");
     }
-    if (i >= polyline.faces.size() || polyline.faces[i] >= mesh.numberOfFaces())
+    const auto isMissing = [&mesh](Id face) { return face >= mesh.numberOfFaces(); };
+    if (i >= polyline.faces.size() || polyline.faces[i].empty() ||
+      std::any_of(polyline.faces[i].begin(), polyline.faces[i].end(), isMissing))
     {
       throw SourceError("Point " + std::to_string(i) + " of " + polyline.name +
         " has not been located on a face of the surface.");
@@ -97,94 +109,6 @@ private:
   double reported_ = 0.0;
 };
 
-/// Puts the points of polylines onto the surface and leaves out those that repeat the one before.
-class PointPlacer
-{
-public:
-  /// \param totals where the snap distance and the repeated points are told.
-  PointPlacer(const TriangleMesh& mesh, const SnapOptions& options, PointProgress& progress,
-    SourceCurves& totals)
-    : mesh_(mesh)
-    , options_(options)
-    , progress_(progress)
-    , totals_(totals)
-  {
-  }
-
-  std::vector<PlacedPoint> run(const LocatedPolyline& polyline)
-  {
-    std::vector<PlacedPoint> placed;
-    for (std::size_t i = 0; i < polyline.points.size(); ++i)
-    {
-      this->progress_.countPlaced();
-      const PlacedPoint next = this->place(polyline, i);
-      if (!placed.empty() && this->isOnePlace(placed.back(), next))
-      {
-        this->leaveOut(polyline, next, placed.back());
-        continue;
-      }
-      placed.push_back(next);
-    }
-    this->close(polyline, placed);
-    return placed;
-  }
-
-private:
-  PlacedPoint place(const LocatedPolyline& polyline, std::size_t index)
-  {
-    const SnappedPoint snapped = snapToFace(this->mesh_, polyline.faces[index],
-      polyline.points[index], this->options_.coordinatePrecision);
-    this->totals_.snapDistance = std::max(this->totals_.snapDistance, snapped.distance);
-    return { snapped.place, position(this->mesh_, snapped.place), snapped.tolerance, index };
-  }
-
-  /// Whether two places cannot be told apart: the direction from one to the other would be
-  /// rounding. Two vertices always can.
-  bool isOnePlace(const PlacedPoint& a, const PlacedPoint& b) const
-  {
-    if (samePlace(this->mesh_, a.point, b.point))
-    {
-      return true;
-    }
-    const bool areVertices =
-      a.point.kind == SurfacePoint::Kind::Vertex && b.point.kind == SurfacePoint::Kind::Vertex;
-    return !areVertices && norm(a.position - b.position) <= std::min(a.tolerance, b.tolerance) &&
-      commonFace(this->mesh_, a.point, b.point) != NoId;
-  }
-
-  void leaveOut(
-    const LocatedPolyline& polyline, const PlacedPoint& repeated, const PlacedPoint& kept)
-  {
-    ++this->totals_.repeatedPoints;
-    this->totals_.snapDistance =
-      std::max(this->totals_.snapDistance, norm(polyline.points[repeated.index] - kept.position));
-  }
-
-  /// Ends a closed polyline, and an open one that comes back to its first place, exactly there.
-  void close(const LocatedPolyline& polyline, std::vector<PlacedPoint>& placed)
-  {
-    const bool comesBack = placed.size() > 1 && this->isOnePlace(placed.front(), placed.back());
-    if (comesBack)
-    {
-      const PlacedPoint last = placed.back();
-      placed.pop_back();
-      this->leaveOut(polyline, last, placed.front());
-      // An open polyline has its last point given; a closed one repeats its first point with it.
-      this->totals_.repeatedPoints -= polyline.closed ? 0 : 1;
-    }
-    if (comesBack || (polyline.closed && placed.size() > 1))
-    {
-      placed.push_back(placed.front());
-      placed.back().index = comesBack && !polyline.closed ? polyline.points.size() - 1 : 0;
-    }
-  }
-
-  const TriangleMesh& mesh_;
-  const SnapOptions& options_;
-  PointProgress& progress_;
-  SourceCurves& totals_;
-};
-
 /// Joins placed points to curves.
 class CurveJoiner
 {
@@ -197,19 +121,50 @@ public:
   }
 
   /// \param name of the polyline, for error messages.
-  SourceCurve run(const std::vector<PlacedPoint>& placed, const std::string& name)
+  SourceCurve run(const PlacedLine& line, const std::string& name)
   {
     SourceCurve curve;
-    curve.points = { placed.front().point };
+    curve.points = { line.front().point };
     curve.isCut = { 0 };
-    for (std::size_t i = 1; i < placed.size(); ++i)
+    for (std::size_t i = 1; i < line.size(); ++i)
     {
-      this->append(this->pathBetween(placed[i - 1], placed[i], name), curve);
+      this->append(this->pathBetween(line[i - 1], line[i], name), curve);
     }
     return curve;
   }
 
+  /// The length of the path that joins two points without a common face. The path is kept for
+  /// run().
+  double lengthBetween(const PlacedPoint& from, const PlacedPoint& to, const std::string& name)
+  {
+    const JoinKey key = keyOf(from, to);
+    auto measured = this->measured_.find(key);
+    if (measured == this->measured_.end())
+    {
+      measured = this->measured_.emplace(key, this->joinFar(from, to, name)).first;
+    }
+    const std::vector<SurfacePoint>& path = measured->second;
+    double length = 0.0;
+    for (std::size_t i = 1; i < path.size(); ++i)
+    {
+      length += norm(position(this->mesh_, path[i]) - position(this->mesh_, path[i - 1]));
+    }
+    return length;
+  }
+
+  /// At the end of a polyline: forgets the paths kept.
+  void finish() { this->measured_.clear(); }
+
 private:
+  using PlaceKey = std::tuple<SurfacePoint::Kind, Id, double, double>;
+  using JoinKey = std::pair<PlaceKey, PlaceKey>;
+
+  static JoinKey keyOf(const PlacedPoint& from, const PlacedPoint& to)
+  {
+    const auto key = [](const SurfacePoint& p) { return PlaceKey(p.kind, p.id, p.u, p.v); };
+    return { key(from.point), key(to.point) };
+  }
+
   std::vector<SurfacePoint> pathBetween(
     const PlacedPoint& from, const PlacedPoint& to, const std::string& name)
   {
@@ -217,6 +172,13 @@ private:
     {
       return { from.point, to.point };
     }
+    const auto measured = this->measured_.find(keyOf(from, to));
+    return measured != this->measured_.end() ? measured->second : this->joinFar(from, to, name);
+  }
+
+  std::vector<SurfacePoint> joinFar(
+    const PlacedPoint& from, const PlacedPoint& to, const std::string& name)
+  {
     const auto report = [&](double fraction)
     {
       this->progress_.report(static_cast<double>(from.index) + fraction);
@@ -250,6 +212,185 @@ private:
   const TriangleMesh& mesh_;
   const JoinPoints& join_;
   PointProgress& progress_;
+  /// Paths of the polyline whose length was asked for.
+  std::map<JoinKey, std::vector<SurfacePoint>> measured_;
+};
+
+/// Puts the points of a polyline into their places.
+class PointPlacer
+{
+public:
+  PointPlacer(const TriangleMesh& mesh, double coordinatePrecision, PointProgress& progress,
+    CurveJoiner& joiner)
+    : mesh_(mesh)
+    , coordinatePrecision_(coordinatePrecision)
+    , progress_(progress)
+    , joiner_(joiner)
+    , components_(mesh)
+  {
+  }
+
+  /// The polyline on the surface: more than one line where it changes from one sheet to another. A
+  /// closed polyline that is whole ends in the point that it begins with.
+  std::vector<PlacedLine> run(const LocatedPolyline& polyline)
+  {
+    std::vector<PlacedLine> places; // of each point
+    for (std::size_t i = 0; i < polyline.points.size(); ++i)
+    {
+      this->progress_.countPlaced();
+      places.push_back(this->placesOf(polyline, i));
+    }
+    return this->linesThrough(places, this->choose(places, polyline), polyline.closed);
+  }
+
+private:
+  /// The different places that the faces of a point give: faces that meet in its vertex or edge
+  /// give the same.
+  std::vector<PlacedPoint> placesOf(const LocatedPolyline& polyline, std::size_t index) const
+  {
+    std::vector<PlacedPoint> places;
+    std::set<std::pair<SurfacePoint::Kind, Id>> elements;
+    for (const Id face : polyline.faces[index])
+    {
+      const SnappedPoint snapped =
+        snapToFace(this->mesh_, face, polyline.points[index], this->coordinatePrecision_);
+      const SurfacePoint& place = snapped.place;
+      const Id element =
+        place.kind == SurfacePoint::Kind::Edge ? this->mesh_.edgeOf(place.id) : place.id;
+      if (elements.emplace(place.kind, element).second)
+      {
+        places.push_back(
+          { place, position(this->mesh_, place), snapped.tolerance, snapped.distance, index });
+      }
+    }
+    return places;
+  }
+
+  std::vector<ChosenPlaces> choose(
+    const std::vector<std::vector<PlacedPoint>>& places, const LocatedPolyline& polyline)
+  {
+    std::vector<PossiblePlaces> possible(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      for (const PlacedPoint& place : places[i])
+      {
+        possible[i].push_back(place.point);
+      }
+    }
+    const LengthBetween lengthBetween = [&](std::size_t point, std::size_t from, std::size_t to)
+    {
+      return this->joiner_.lengthBetween(
+        places[point][from], places[(point + 1) % places.size()][to], polyline.name);
+    };
+    return choosePlaces(this->mesh_, possible, polyline.closed, this->components_, lengthBetween);
+  }
+
+  /// Cuts the polyline where it changes from one place of a point to another.
+  static std::vector<PlacedLine> linesThrough(const std::vector<std::vector<PlacedPoint>>& places,
+    const std::vector<ChosenPlaces>& chosen, bool closed)
+  {
+    const std::size_t count = places.size();
+    const auto isChange = [](const ChosenPlaces& c) { return c.arrival != c.departure; };
+    const auto change = std::find_if(chosen.begin(), chosen.end(), isChange);
+    const bool isCutOpen = closed && change != chosen.end();
+    const std::size_t first =
+      isCutOpen ? static_cast<std::size_t>(change - chosen.begin()) : std::size_t(0);
+    std::vector<PlacedLine> lines(1);
+    lines.back().push_back(places[first][chosen[first].departure]);
+    for (std::size_t i = 1; i < count + (isCutOpen ? 1 : 0); ++i)
+    {
+      const std::size_t at = (first + i) % count;
+      lines.back().push_back(places[at][chosen[at].arrival]);
+      if (isChange(chosen[at]) && i < count)
+      {
+        lines.push_back({ places[at][chosen[at].departure] });
+      }
+    }
+    return lines;
+  }
+
+  const TriangleMesh& mesh_;
+  const double coordinatePrecision_;
+  PointProgress& progress_;
+  CurveJoiner& joiner_;
+  PlaceComponents components_;
+};
+
+/// Leaves out points that repeat the one before, and closes lines.
+class RepeatRemover
+{
+public:
+  explicit RepeatRemover(const TriangleMesh& mesh)
+    : mesh_(mesh)
+  {
+  }
+
+  Id repeatedPoints() const { return this->repeatedPoints_; }
+  double snapDistance() const { return this->snapDistance_; }
+
+  /// \param closed whether the line's last point joins its first.
+  PlacedLine run(const LocatedPolyline& polyline, const PlacedLine& line, bool closed)
+  {
+    PlacedLine kept;
+    for (const PlacedPoint& next : line)
+    {
+      this->snapDistance_ = std::max(this->snapDistance_, next.distance);
+      if (!kept.empty() && this->isOnePlace(kept.back(), next))
+      {
+        this->leaveOut(polyline, next, kept.back());
+        continue;
+      }
+      kept.push_back(next);
+    }
+    this->close(polyline, closed, kept);
+    return kept;
+  }
+
+private:
+  /// Whether two places cannot be told apart: the direction from one to the other would be
+  /// rounding. Two vertices always can.
+  bool isOnePlace(const PlacedPoint& a, const PlacedPoint& b) const
+  {
+    if (samePlace(this->mesh_, a.point, b.point))
+    {
+      return true;
+    }
+    const bool areVertices =
+      a.point.kind == SurfacePoint::Kind::Vertex && b.point.kind == SurfacePoint::Kind::Vertex;
+    return !areVertices && norm(a.position - b.position) <= std::min(a.tolerance, b.tolerance) &&
+      commonFace(this->mesh_, a.point, b.point) != NoId;
+  }
+
+  void leaveOut(
+    const LocatedPolyline& polyline, const PlacedPoint& repeated, const PlacedPoint& kept)
+  {
+    ++this->repeatedPoints_;
+    this->snapDistance_ =
+      std::max(this->snapDistance_, norm(polyline.points[repeated.index] - kept.position));
+  }
+
+  /// Ends a closed line, and an open one that comes back to its first place, exactly there.
+  void close(const LocatedPolyline& polyline, bool closed, PlacedLine& kept)
+  {
+    const bool comesBack = kept.size() > 1 && this->isOnePlace(kept.front(), kept.back());
+    if (comesBack)
+    {
+      const PlacedPoint last = kept.back();
+      kept.back() = kept.front();
+      kept.back().index = last.index;
+      this->leaveOut(polyline, last, kept.front());
+      // An open line has its last point given; a closed one repeats its first point with it.
+      this->repeatedPoints_ -= closed ? 0 : 1;
+    }
+    else if (closed && kept.size() > 1)
+    {
+      kept.push_back(kept.front());
+    }
+  }
+
+  const TriangleMesh& mesh_;
+  Id repeatedPoints_ = 0;
+  double snapDistance_ = 0.0;
 };
 
 } // anonymous namespace
@@ -265,13 +406,23 @@ SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedP
   }
   SourceCurves result;
   PointProgress pointProgress(progress, numberOfPoints);
-  PointPlacer placer(mesh, options, pointProgress, result);
   CurveJoiner joiner(mesh, join, pointProgress);
+  PointPlacer placer(mesh, options.coordinatePrecision, pointProgress, joiner);
+  RepeatRemover remover(mesh);
   for (const LocatedPolyline& polyline : polylines)
   {
-    result.curves.push_back(joiner.run(placer.run(polyline), polyline.name));
+    const std::vector<PlacedLine> lines = placer.run(polyline);
+    const bool isWhole = lines.size() == 1;
+    for (const PlacedLine& line : lines)
+    {
+      const PlacedLine kept = remover.run(polyline, line, isWhole && polyline.closed);
+      result.curves.push_back(joiner.run(kept, polyline.name));
+    }
+    joiner.finish();
     pointProgress.finish(polyline);
   }
+  result.snapDistance = remover.snapDistance();
+  result.repeatedPoints = remover.repeatedPoints();
   return result;
 }
 

@@ -20,8 +20,9 @@ struct LocatedPolyline
 {
   /// The points in space as the user gave them.
   std::vector<Vec3> points;
-  /// The face with the closest point of the surface to each.
-  std::vector<Id> faces;
+  /// The faces that are equally close to each (one at least; more where the surface touches or
+  /// overlaps itself), the first choice first.
+  std::vector<std::vector<Id>> faces;
   /// Whether the last point joins the first.
   bool closed = false;
   /// Name for error messages, such as "line 3 of the source".
@@ -57,7 +58,14 @@ using JoinPoints = std::function<std::vector<SurfacePoint>(
 /// Puts polylines onto the surface: each point goes to the closest point of its face, and onto a
 /// vertex or an edge when within a tolerance of it (Tolerance.h); consecutive points in one face
 /// are joined straight, others as `join` has it, cut at every edge that is crossed. Points that
-/// their precision cannot tell apart are one. One curve a polyline, in their order.
+/// their precision cannot tell apart are one.
+///
+/// Where a point has several faces, those are taken in which consecutive points share a face
+/// (choosePlaces); a single point takes its first one.
+///
+/// One curve a polyline, in their order, or several: where a polyline passes from one sheet of the
+/// surface to another that touches it there and is not connected with it in the point, a curve ends
+/// and the next begins.
 ///
 /// \param join a shortest path between points that share no face.
 /// \param progress called now and then with a fraction done; returning false throws Aborted.

@@ -200,7 +200,7 @@ TEST(PeersWrongAnswers, APolylineAcrossANonManifoldEdgeIsExactOnEveryPage)
   const MeshPoint q = { 2 * 4 * 3 + 6, { 0.3, 0.3, 0.4 } };
   geodesic::LocatedPolyline line;
   line.points = { position(mesh, p), position(mesh, q) };
-  line.faces = { p.face, q.face };
+  line.faces = { { p.face }, { q.face } };
   line.name = "the line";
   const geodesic::SourceCurves put =
     geodesic::putOntoSurface(engine, { line }, {}, geodesic::joinByShortestPaths(engine));

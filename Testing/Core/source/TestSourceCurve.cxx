@@ -39,7 +39,10 @@ LocatedPolyline polyline(
 {
   LocatedPolyline result;
   result.points = points;
-  result.faces = faces;
+  for (const Id face : faces)
+  {
+    result.faces.push_back({ face });
+  }
   result.closed = closed;
   result.name = "line 7 of the source";
   return result;
@@ -52,7 +55,7 @@ LocatedPolyline polylineOn(
   for (const MeshPoint& point : points)
   {
     result.points.push_back(position(mesh, point));
-    result.faces.push_back(point.face);
+    result.faces.push_back({ point.face });
   }
   return result;
 }
@@ -309,7 +312,7 @@ LocatedPolyline sectionOf(const TriangleMesh& mesh, double at)
   for (const auto& entry : byY)
   {
     result.points.push_back(entry.second.first);
-    result.faces.push_back(entry.second.second);
+    result.faces.push_back({ entry.second.second });
   }
   return result;
 }

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/FaceLocator.h"
+
+#include "Tolerance.h"
+#include "mesh/SurfaceSnap.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace geodesic
+{
+
+namespace
+{
+
+constexpr Id FacesInLeaf = 8;
+
+/// A node's part holds at least this fraction of its faces, so that the tree is never deep.
+constexpr std::ptrdiff_t LeastPart = 8;
+
+double largestOf(const Vec3& p)
+{
+  return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+}
+
+/// A face that was among the closest when it was looked at.
+struct Found
+{
+  Id face;
+  double distance;
+  /// By how much it may be farther than the closest face, by the coordinates' precision and by
+  /// rounding alone.
+  double precision;
+  double rounding;
+};
+
+}
+
+struct FaceLocator::Search
+{
+  const Vec3& point;
+  const double coordinatePrecision;
+  const ProgressCallback& progress;
+  double distance;
+  std::vector<Found> found;
+  /// The fraction of the faces that the search has left aside while the tree grows.
+  double done;
+
+  double precisionFor(double largestCoordinate) const
+  {
+    return tolerance::SnapRoundings * this->coordinatePrecision *
+      std::max(largestCoordinate, largestOf(this->point));
+  }
+
+  /// The faces of the answer, in its order.
+  std::vector<Id> answer()
+  {
+    const auto isRounding = [this](const Found& f)
+    { return f.distance <= this->distance + f.rounding; };
+    const auto isOver = [this](const Found& f)
+    { return f.distance > this->distance + f.precision; };
+    this->found.erase(
+      std::remove_if(this->found.begin(), this->found.end(), isOver), this->found.end());
+    std::sort(this->found.begin(), this->found.end(),
+      [&](const Found& a, const Found& b)
+      {
+        const bool aFirst = isRounding(a);
+        const bool bFirst = isRounding(b);
+        return aFirst != bFirst ? aFirst : a.face < b.face;
+      });
+    std::vector<Id> faces(this->found.size());
+    std::transform(
+      this->found.begin(), this->found.end(), faces.begin(), [](const Found& f) { return f.face; });
+    return faces;
+  }
+};
+
+void FaceLocator::Box::add(const Vec3& point)
+{
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    this->low[k] = std::min(this->low[k], point[k]);
+    this->high[k] = std::max(this->high[k], point[k]);
+  }
+}
+
+double FaceLocator::Box::distanceTo(const Vec3& point) const
+{
+  Vec3 outside;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    outside[k] = std::max({ this->low[k] - point[k], point[k] - this->high[k], 0.0 });
+  }
+  return norm(outside);
+}
+
+double FaceLocator::Box::largestCoordinate() const
+{
+  return std::max(largestOf(this->low), largestOf(this->high));
+}
+
+FaceLocator::FaceLocator(const TriangleMesh& mesh)
+  : mesh_(mesh)
+  , faces_(mesh.numberOfFaces())
+{
+  std::iota(this->faces_.begin(), this->faces_.end(), Id(0));
+  this->nodes_.push_back(this->makeNode(0, mesh.numberOfFaces()));
+}
+
+std::vector<Id> FaceLocator::closest(
+  const Vec3& point, double coordinatePrecision, const ProgressCallback& progress)
+{
+  Search search{ point, coordinatePrecision, progress, Infinity, {}, 0.0 };
+  this->search(search, 0);
+  return search.answer();
+}
+
+// Three times the centre: only the order among the faces counts.
+double FaceLocator::centre(Id face, std::size_t axis) const
+{
+  const Triangle& corners = this->mesh_.triangle(face);
+  return this->mesh_.point(corners[0])[axis] + this->mesh_.point(corners[1])[axis] +
+    this->mesh_.point(corners[2])[axis];
+}
+
+FaceLocator::Node FaceLocator::makeNode(Id first, Id last) const
+{
+  Node node{ {}, first, last };
+  for (Id i = first; i < last; ++i)
+  {
+    for (const Id corner : this->mesh_.triangle(this->faces_[i]))
+    {
+      node.box.add(this->mesh_.point(corner));
+    }
+  }
+  return node;
+}
+
+// Sorts the faces of a node into two parts: at the middle of its box where that leaves a fair share
+// on both sides, else with half of the faces in each.
+Id FaceLocator::findMiddle(const Node& node)
+{
+  const Vec3 size = node.box.high - node.box.low;
+  const auto axis =
+    static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  const auto first = this->faces_.begin() + node.first;
+  const auto last = this->faces_.begin() + node.last;
+  const double middle = 1.5 * (node.box.low[axis] + node.box.high[axis]);
+  const auto cut =
+    std::partition(first, last, [&](Id face) { return this->centre(face, axis) < middle; });
+  if (std::min(cut - first, last - cut) >= (last - first) / LeastPart)
+  {
+    return static_cast<Id>(cut - this->faces_.begin());
+  }
+  const auto half = first + (last - first) / 2;
+  std::nth_element(
+    first, half, last, [&](Id a, Id b) { return this->centre(a, axis) < this->centre(b, axis); });
+  return static_cast<Id>(half - this->faces_.begin());
+}
+
+void FaceLocator::split(Id node, Search& search)
+{
+  const Node whole = this->nodes_[node];
+  const double size = static_cast<double>(whole.last - whole.first);
+  search.done = std::max(search.done, 1.0 - size / static_cast<double>(this->faces_.size()));
+  if (search.progress && !search.progress(search.done))
+  {
+    throw Aborted();
+  }
+  const Id middle = this->findMiddle(whole);
+  const auto parts = static_cast<Id>(this->nodes_.size());
+  this->nodes_.push_back(this->makeNode(whole.first, middle));
+  this->nodes_.push_back(this->makeNode(middle, whole.last));
+  this->nodes_[node].parts = parts;
+}
+
+void FaceLocator::search(Search& search, Id node)
+{
+  const Box& box = this->nodes_[node].box;
+  if (box.distanceTo(search.point) > search.distance + search.precisionFor(box.largestCoordinate()))
+  {
+    return;
+  }
+  const Id first = this->nodes_[node].first;
+  const Id last = this->nodes_[node].last;
+  if (last - first <= FacesInLeaf)
+  {
+    for (Id i = first; i < last; ++i)
+    {
+      this->tryFace(search, this->faces_[i]);
+    }
+    return;
+  }
+  if (this->nodes_[node].parts == NoId)
+  {
+    this->split(node, search);
+  }
+  const Id parts = this->nodes_[node].parts;
+  const bool secondFirst = this->nodes_[parts + 1].box.distanceTo(search.point) <
+    this->nodes_[parts].box.distanceTo(search.point);
+  this->search(search, secondFirst ? parts + 1 : parts);
+  this->search(search, secondFirst ? parts : parts + 1);
+}
+
+void FaceLocator::tryFace(Search& search, Id face) const
+{
+  const double distance = snapToFace(this->mesh_, face, search.point, 0.0).distance;
+  double largest = largestOf(search.point);
+  for (const Id corner : this->mesh_.triangle(face))
+  {
+    largest = std::max(largest, largestOf(this->mesh_.point(corner)));
+  }
+  // Far from the origin roundings may be as large as faces: there the closest counts.
+  const double most = tolerance::SnapFraction * this->mesh_.shape(face).longest();
+  const double precision = std::min(search.precisionFor(largest), most);
+  if (distance <= search.distance + precision)
+  {
+    const double rounding = tolerance::SnapRoundings * tolerance::Rounding * largest;
+    search.distance = std::min(search.distance, distance);
+    search.found.push_back({ face, distance, precision, rounding });
+  }
+}
+
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_FaceLocator_h
+#define geodesic_FaceLocator_h
+
+#include "Progress.h"
+#include "mesh/TriangleMesh.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// Finds all faces that are equally close to a point: where a surface touches or overlaps itself
+/// there are several, and no one of them is the right one by itself. A tree of boxes that is built
+/// where points are looked for: a few points cost about as much as a look at every face, many no
+/// more than the whole tree.
+class FaceLocator
+{
+public:
+  /// \param mesh must outlive the locator.
+  explicit FaceLocator(const TriangleMesh& mesh);
+
+  /// The faces whose distance to a point is the least, within the precision of coordinates as
+  /// snapToFace takes it, but never more than SnapFraction of a face's longest edge. First those
+  /// that are as close up to rounding, by number, then the others, by number. Faces without area
+  /// count as all others. Not thread-safe.
+  ///
+  /// \param coordinatePrecision relative precision of the point's coordinates.
+  /// \param progress called now and then while the tree grows; returning false throws Aborted.
+  std::vector<Id> closest(
+    const Vec3& point, double coordinatePrecision, const ProgressCallback& progress = {});
+
+private:
+  struct Box
+  {
+    Vec3 low{ Infinity, Infinity, Infinity };
+    Vec3 high{ -Infinity, -Infinity, -Infinity };
+
+    void add(const Vec3& point);
+    double distanceTo(const Vec3& point) const;
+    double largestCoordinate() const;
+  };
+  struct Node
+  {
+    Box box;
+    /// A range of faces_.
+    Id first;
+    Id last;
+    /// The first of its two parts, which follow each other; NoId while there are none.
+    Id parts = NoId;
+  };
+  struct Search;
+
+  double centre(Id face, std::size_t axis) const;
+  Node makeNode(Id first, Id last) const;
+  Id findMiddle(const Node& node);
+  void split(Id node, Search& search);
+  void search(Search& search, Id node);
+  void tryFace(Search& search, Id face) const;
+
+  const TriangleMesh& mesh_;
+  std::vector<Id> faces_;
+  std::vector<Node> nodes_;
+};
+
+}
+
+#endif

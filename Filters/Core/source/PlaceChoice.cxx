@@ -1,0 +1,508 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "source/PlaceChoice.h"
+
+#include "Tolerance.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// Where more joins than this are equally good so far, their lengths are not asked for: each is a
+/// solve, and the first is taken.
+constexpr std::size_t MaximumJoins = 16;
+
+/// A closed polyline is begun at so many of its first point's places at most.
+constexpr std::size_t MaximumBeginnings = 16;
+
+/// How a way along the polyline is broken, the worst first.
+struct Breaks
+{
+  /// Consecutive points that no path joins.
+  Id disconnected = 0;
+  /// Consecutive points that share no face.
+  Id gaps = 0;
+  /// Points where the way changes from one place to another.
+  Id changes = 0;
+
+  auto key() const { return std::tie(this->disconnected, this->gaps, this->changes); }
+  bool operator<(const Breaks& other) const { return this->key() < other.key(); }
+  bool operator==(const Breaks& other) const { return this->key() == other.key(); }
+  Breaks operator+(const Breaks& other) const
+  {
+    return { this->disconnected + other.disconnected, this->gaps + other.gaps,
+      this->changes + other.changes };
+  }
+};
+
+constexpr Breaks Disconnected{ 1, 0, 0 };
+constexpr Breaks Gap{ 0, 1, 0 };
+constexpr Breaks Change{ 0, 0, 1 };
+/// Of a place that is not to be used: more than any polyline has.
+constexpr Breaks Never{ NoId / 2, 0, 0 };
+
+/// What counts between ways that are broken alike.
+struct Way
+{
+  double length = Infinity;
+  /// The sum of the dimensions (vertex, edge, face) that its places are inside of.
+  std::uint64_t dimensions = 0;
+
+  bool isBetterThan(const Way& other) const
+  {
+    constexpr double margin = 1.0 - tolerance::Tie;
+    const bool isShorter = this->length < margin * other.length;
+    const bool isLonger = other.length < margin * this->length;
+    return isShorter || (!isLonger && this->dimensions < other.dimensions);
+  }
+  Way to(double more, const SurfacePoint& place) const
+  {
+    return { this->length + more, this->dimensions + static_cast<std::uint64_t>(place.kind) };
+  }
+};
+
+/// Places of two consecutive points.
+struct Pair
+{
+  std::size_t from;
+  std::size_t to;
+};
+
+/// The pairs that share a face.
+std::vector<Pair> pairsInOneFace(
+  const TriangleMesh& mesh, const PossiblePlaces& from, const PossiblePlaces& to)
+{
+  std::vector<std::pair<Id, std::size_t>> faces;
+  for (std::size_t b = 0; b < to.size(); ++b)
+  {
+    forEachFace(mesh, to[b], [&](Id face) { faces.emplace_back(face, b); });
+  }
+  std::sort(faces.begin(), faces.end());
+  std::vector<Pair> pairs;
+  std::vector<std::size_t> found;
+  for (std::size_t a = 0; a < from.size(); ++a)
+  {
+    found.clear();
+    forEachFace(mesh, from[a],
+      [&](Id face)
+      {
+        auto at =
+          std::lower_bound(faces.begin(), faces.end(), std::make_pair(face, std::size_t(0)));
+        for (; at != faces.end() && at->first == face; ++at)
+        {
+          found.push_back(at->second);
+        }
+      });
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    for (const std::size_t b : found)
+    {
+      pairs.push_back({ a, b });
+    }
+  }
+  return pairs;
+}
+
+const Breaks& leastOf(const std::vector<Breaks>& breaks)
+{
+  return *std::min_element(breaks.begin(), breaks.end());
+}
+
+/// The best way through the places of a row of points, which begins at any of the first point's
+/// places with the given breaks and ends at any of the last's. Two passes: the fewest breaks from
+/// either end (dynamic programming), then the best way among those with the fewest.
+class RowOfPoints
+{
+public:
+  struct Result
+  {
+    Breaks breaks;
+    Way way;
+    std::vector<ChosenPlaces> places;
+  };
+
+  RowOfPoints(const TriangleMesh& mesh, const std::vector<const PossiblePlaces*>& places,
+    PlaceComponents& components, const LengthBetween& lengthBetween)
+    : places_(places)
+    , components_(components)
+    , lengthBetween_(lengthBetween)
+  {
+    for (std::size_t i = 0; i + 1 < places.size(); ++i)
+    {
+      this->pairs_.push_back(pairsInOneFace(mesh, *places[i], *places[i + 1]));
+    }
+  }
+
+  /// \param beginning the breaks of departing from each of the first point's places.
+  /// \param end the breaks after arriving at each of the last point's places.
+  Result run(const std::vector<Breaks>& beginning, const std::vector<Breaks>& end)
+  {
+    this->countForwards(beginning);
+    this->countBackwards(end);
+    this->findWays();
+    return this->trace();
+  }
+
+private:
+  std::size_t last() const { return this->places_.size() - 1; }
+  std::size_t countAt(std::size_t i) const { return this->places_[i]->size(); }
+  const SurfacePoint& place(std::size_t i, std::size_t a) const { return (*this->places_[i])[a]; }
+  Id component(std::size_t i, std::size_t a) const
+  {
+    return this->components_.of(this->place(i, a));
+  }
+
+  void countForwards(const std::vector<Breaks>& beginning);
+  void countBackwards(const std::vector<Breaks>& end);
+  std::vector<Breaks> afterChange(const std::vector<Breaks>& breaks) const;
+  void joinAcross(std::size_t fromPoint, const std::vector<Breaks>& from, std::size_t toPoint,
+    std::vector<Breaks>& to) const;
+  void findWays();
+  void findArrivals(std::size_t i);
+  void findDepartures(std::size_t i);
+  std::vector<Pair> bestJoins(std::size_t i) const;
+  void improveArrival(std::size_t i, const Pair& pair, double length);
+  Result trace() const;
+
+  const std::vector<const PossiblePlaces*>& places_;
+  PlaceComponents& components_;
+  const LengthBetween& lengthBetween_;
+  /// For each point but the last.
+  std::vector<std::vector<Pair>> pairs_;
+
+  /// The fewest breaks, for each point and place, to arrive there and to depart from there, and
+  /// from there to the end.
+  std::vector<std::vector<Breaks>> toArrival_;
+  std::vector<std::vector<Breaks>> toDeparture_;
+  std::vector<std::vector<Breaks>> fromArrival_;
+  std::vector<std::vector<Breaks>> fromDeparture_;
+  Breaks fewest_;
+
+  /// The best way to arrive at and to depart from a place, and the place that it comes from: of the
+  /// point before, and of the same point.
+  std::vector<std::vector<Way>> arrival_;
+  std::vector<std::vector<Way>> departure_;
+  std::vector<std::vector<std::size_t>> arrivalFrom_;
+  std::vector<std::vector<std::size_t>> departureFrom_;
+};
+
+/// The fewest breaks where the way may change from one place of a point to another.
+std::vector<Breaks> RowOfPoints::afterChange(const std::vector<Breaks>& breaks) const
+{
+  const Breaks changed = leastOf(breaks) + Change;
+  std::vector<Breaks> result = breaks;
+  for (Breaks& b : result)
+  {
+    b = std::min(b, changed);
+  }
+  return result;
+}
+
+/// Allows for joins between places without a common face: within a component a gap, and no path
+/// from one component to another.
+void RowOfPoints::joinAcross(std::size_t fromPoint, const std::vector<Breaks>& from,
+  std::size_t toPoint, std::vector<Breaks>& to) const
+{
+  const Breaks least = leastOf(from);
+  const auto mayImprove = [&](const Breaks& b) { return least + Gap < b; };
+  if (std::none_of(to.begin(), to.end(), mayImprove))
+  {
+    return;
+  }
+  std::map<Id, Breaks> leastOfComponent;
+  for (std::size_t a = 0; a < from.size(); ++a)
+  {
+    Breaks& b = leastOfComponent.emplace(this->component(fromPoint, a), from[a]).first->second;
+    b = std::min(b, from[a]);
+  }
+  for (std::size_t b = 0; b < to.size(); ++b)
+  {
+    to[b] = std::min(to[b], least + Disconnected);
+    const auto found = leastOfComponent.find(this->component(toPoint, b));
+    if (found != leastOfComponent.end())
+    {
+      to[b] = std::min(to[b], found->second + Gap);
+    }
+  }
+}
+
+void RowOfPoints::countForwards(const std::vector<Breaks>& beginning)
+{
+  this->toArrival_.assign(this->places_.size(), {});
+  this->toDeparture_.assign(this->places_.size(), {});
+  this->toDeparture_[0] = beginning;
+  for (std::size_t i = 0; i < this->last(); ++i)
+  {
+    const std::vector<Breaks>& from = this->toDeparture_[i];
+    std::vector<Breaks> to(this->countAt(i + 1), Never);
+    for (const Pair& pair : this->pairs_[i])
+    {
+      to[pair.to] = std::min(to[pair.to], from[pair.from]);
+    }
+    this->joinAcross(i, from, i + 1, to);
+    this->toDeparture_[i + 1] = this->afterChange(to);
+    this->toArrival_[i + 1] = std::move(to);
+  }
+}
+
+void RowOfPoints::countBackwards(const std::vector<Breaks>& end)
+{
+  this->fromArrival_.assign(this->places_.size(), {});
+  this->fromDeparture_.assign(this->places_.size(), {});
+  this->fromArrival_[this->last()] = end;
+  for (std::size_t i = this->last(); i-- > 0;)
+  {
+    const std::vector<Breaks>& from = this->fromArrival_[i + 1];
+    std::vector<Breaks> to(this->countAt(i), Never);
+    for (const Pair& pair : this->pairs_[i])
+    {
+      to[pair.from] = std::min(to[pair.from], from[pair.to]);
+    }
+    this->joinAcross(i + 1, from, i, to);
+    this->fromArrival_[i] = this->afterChange(to);
+    this->fromDeparture_[i] = std::move(to);
+  }
+}
+
+void RowOfPoints::findWays()
+{
+  this->arrival_.assign(this->places_.size(), {});
+  this->departure_.assign(this->places_.size(), {});
+  this->arrivalFrom_.assign(this->places_.size(), {});
+  this->departureFrom_.assign(this->places_.size(), {});
+  this->fewest_ = Never;
+  for (std::size_t a = 0; a < this->countAt(0); ++a)
+  {
+    this->fewest_ = std::min(this->fewest_, this->toDeparture_[0][a] + this->fromDeparture_[0][a]);
+  }
+  for (std::size_t a = 0; a < this->countAt(0); ++a)
+  {
+    const bool isBest = this->toDeparture_[0][a] + this->fromDeparture_[0][a] == this->fewest_;
+    this->departure_[0].push_back(isBest ? Way{ 0.0, 0 }.to(0.0, this->place(0, a)) : Way{});
+    this->departureFrom_[0].push_back(a);
+  }
+  for (std::size_t i = 1; i <= this->last(); ++i)
+  {
+    this->findArrivals(i);
+    this->findDepartures(i);
+  }
+}
+
+/// The joins from point i to the next, without a common face, that ways with the fewest breaks
+/// take.
+std::vector<Pair> RowOfPoints::bestJoins(std::size_t i) const
+{
+  std::vector<Pair> joins;
+  const std::vector<Breaks>& to = this->toDeparture_[i];
+  const std::vector<Breaks>& from = this->fromArrival_[i + 1];
+  for (const Breaks& kind : { Gap, Disconnected })
+  {
+    if (this->fewest_ < leastOf(to) + kind + leastOf(from))
+    {
+      continue;
+    }
+    for (std::size_t a = 0; a < to.size(); ++a)
+    {
+      for (std::size_t b = 0; b < from.size(); ++b)
+      {
+        const bool areConnected = this->component(i, a) == this->component(i + 1, b);
+        if (to[a] + kind + from[b] == this->fewest_ && areConnected == (kind == Gap))
+        {
+          joins.push_back({ a, b });
+        }
+      }
+    }
+  }
+  return joins;
+}
+
+void RowOfPoints::improveArrival(std::size_t i, const Pair& pair, double length)
+{
+  const Way way = this->departure_[i - 1][pair.from].to(length, this->place(i, pair.to));
+  if (way.isBetterThan(this->arrival_[i][pair.to]))
+  {
+    this->arrival_[i][pair.to] = way;
+    this->arrivalFrom_[i][pair.to] = pair.from;
+  }
+}
+
+void RowOfPoints::findArrivals(std::size_t i)
+{
+  this->arrival_[i].assign(this->countAt(i), {});
+  this->arrivalFrom_[i].assign(this->countAt(i), 0);
+  std::vector<Pair> straight;
+  for (const Pair& pair : this->pairs_[i - 1])
+  {
+    if (this->toDeparture_[i - 1][pair.from] + this->fromArrival_[i][pair.to] == this->fewest_)
+    {
+      straight.push_back(pair);
+    }
+  }
+  const std::vector<Pair> joins = this->bestJoins(i - 1);
+  const bool isChoice = straight.size() + joins.size() > 1 && joins.size() <= MaximumJoins;
+  for (const Pair& pair : straight)
+  {
+    this->improveArrival(i, pair, 0.0); // places of one point are as good as at one point in space
+  }
+  for (const Pair& pair : joins)
+  {
+    this->improveArrival(i, pair, isChoice ? this->lengthBetween_(i - 1, pair.from, pair.to) : 0.0);
+  }
+}
+
+void RowOfPoints::findDepartures(std::size_t i)
+{
+  const std::size_t count = this->countAt(i);
+  this->departure_[i].assign(count, {});
+  this->departureFrom_[i].assign(count, 0);
+  // Who changes comes from a place with the fewest breaks: one of those is as good as all.
+  std::size_t bestToLeave = count;
+  const Breaks least = leastOf(this->toArrival_[i]);
+  for (std::size_t a = 0; a < count; ++a)
+  {
+    if (this->toArrival_[i][a] == least &&
+      (bestToLeave == count || this->arrival_[i][a].isBetterThan(this->arrival_[i][bestToLeave])))
+    {
+      bestToLeave = a;
+    }
+  }
+  for (std::size_t a = 0; i < this->last() && a < count; ++a)
+  {
+    if (this->toArrival_[i][a] + this->fromDeparture_[i][a] == this->fewest_)
+    {
+      this->departure_[i][a] = this->arrival_[i][a];
+      this->departureFrom_[i][a] = a;
+    }
+    if (least + Change + this->fromDeparture_[i][a] == this->fewest_)
+    {
+      const Way changed = this->arrival_[i][bestToLeave].to(0.0, this->place(i, a));
+      if (changed.isBetterThan(this->departure_[i][a]))
+      {
+        this->departure_[i][a] = changed;
+        this->departureFrom_[i][a] = bestToLeave;
+      }
+    }
+  }
+}
+
+RowOfPoints::Result RowOfPoints::trace() const
+{
+  std::size_t place = 0;
+  const std::vector<Way>& ends = this->arrival_[this->last()];
+  for (std::size_t a = 1; a < ends.size(); ++a)
+  {
+    place = ends[a].isBetterThan(ends[place]) ? a : place;
+  }
+  Result result{ this->fewest_, ends[place], std::vector<ChosenPlaces>(this->places_.size()) };
+  result.places.back().arrival = place;
+  for (std::size_t i = this->last(); i > 0; --i)
+  {
+    result.places[i].arrival = place;
+    place = this->arrivalFrom_[i][place];
+    result.places[i - 1].departure = place;
+    place = this->departureFrom_[i - 1][place];
+  }
+  result.places[0].arrival = result.places[0].departure;
+  result.places.back().departure = result.places.back().arrival;
+  return result;
+}
+
+/// A row whose last point is its first one again: it departs from a place and would come back
+/// there.
+RowOfPoints::Result bestLoop(RowOfPoints& row, std::size_t numberOfBeginnings)
+{
+  RowOfPoints::Result best;
+  for (std::size_t a = 0; a < std::min(numberOfBeginnings, MaximumBeginnings); ++a)
+  {
+    std::vector<Breaks> beginning(numberOfBeginnings, Never);
+    std::vector<Breaks> end(numberOfBeginnings, Change);
+    beginning[a] = {};
+    end[a] = {};
+    RowOfPoints::Result result = row.run(beginning, end);
+    if (a == 0 || result.breaks < best.breaks ||
+      (result.breaks == best.breaks && result.way.isBetterThan(best.way)))
+    {
+      best = std::move(result);
+    }
+  }
+  return best;
+}
+
+} // anonymous namespace
+
+Id PlaceComponents::of(const SurfacePoint& place)
+{
+  if (this->componentOfVertex_.empty())
+  {
+    this->componentOfVertex_ = this->mesh_.components();
+  }
+  const Id vertex = place.kind == SurfacePoint::Kind::Vertex
+    ? place.id
+    : this->mesh_.triangle(someFace(this->mesh_, place))[0];
+  return this->componentOfVertex_[vertex];
+}
+
+std::vector<ChosenPlaces> choosePlaces(const TriangleMesh& mesh,
+  const std::vector<PossiblePlaces>& places, bool closed, PlaceComponents& components,
+  const LengthBetween& lengthBetween)
+{
+  const std::size_t count = places.size();
+  std::vector<ChosenPlaces> result(count);
+  if (count < 2)
+  {
+    return result;
+  }
+  // A closed polyline begins, and ends, at a point with as few places as possible.
+  const auto fewest = std::min_element(places.begin(), places.end(),
+    [](const PossiblePlaces& a, const PossiblePlaces& b) { return a.size() < b.size(); });
+  const auto first = closed ? static_cast<std::size_t>(fewest - places.begin()) : std::size_t(0);
+  const auto at = [&](std::size_t i) { return (first + i) % count; };
+  const std::size_t last = closed ? count : count - 1;
+
+  // Where a point has just one place, what comes after it does not depend on what came before.
+  std::size_t begin = 0;
+  for (std::size_t end = 1; end <= last; ++end)
+  {
+    if (end < last && places[at(end)].size() > 1)
+    {
+      continue;
+    }
+    std::vector<const PossiblePlaces*> rowPlaces;
+    for (std::size_t i = begin; i <= end; ++i)
+    {
+      rowPlaces.push_back(&places[at(i)]);
+    }
+    const bool isChoice = std::any_of(
+      rowPlaces.begin(), rowPlaces.end(), [](const PossiblePlaces* p) { return p->size() > 1; });
+    if (isChoice)
+    {
+      const LengthBetween lengthInRow = [&](std::size_t point, std::size_t from, std::size_t to)
+      { return lengthBetween(at(begin + point), from, to); };
+      RowOfPoints row(mesh, rowPlaces, components, lengthInRow);
+      const bool isLoop = closed && begin == 0 && end == last;
+      const RowOfPoints::Result best = isLoop
+        ? bestLoop(row, rowPlaces.front()->size())
+        : row.run(std::vector<Breaks>(rowPlaces.front()->size()),
+            std::vector<Breaks>(rowPlaces.back()->size()));
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        result[at(i)].departure = best.places[i - begin].departure;
+        result[at(i + 1)].arrival = best.places[i + 1 - begin].arrival;
+      }
+    }
+    begin = end;
+  }
+  if (!closed)
+  {
+    result.front().arrival = result.front().departure;
+    result.back().departure = result.back().arrival;
+  }
+  return result;
+}
+
+}
