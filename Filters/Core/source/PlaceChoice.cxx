@@ -165,7 +165,7 @@ private:
   void findWays();
   void findArrivals(std::size_t i);
   void findDepartures(std::size_t i);
-  std::vector<Pair> bestJoins(std::size_t i) const;
+  std::vector<Pair> bestJoins(std::size_t i, const Breaks& kind) const;
   void improveArrival(std::size_t i, const Pair& pair, double length);
   Result trace() const;
 
@@ -293,28 +293,25 @@ void RowOfPoints::findWays()
   }
 }
 
-/// The joins from point i to the next, without a common face, that ways with the fewest breaks
-/// take.
-std::vector<Pair> RowOfPoints::bestJoins(std::size_t i) const
+/// The joins of one kind from point i to the next, without a common face, that ways with the fewest
+/// breaks take.
+std::vector<Pair> RowOfPoints::bestJoins(std::size_t i, const Breaks& kind) const
 {
   std::vector<Pair> joins;
   const std::vector<Breaks>& to = this->toDeparture_[i];
   const std::vector<Breaks>& from = this->fromArrival_[i + 1];
-  for (const Breaks& kind : { Gap, Disconnected })
+  if (this->fewest_ < leastOf(to) + kind + leastOf(from))
   {
-    if (this->fewest_ < leastOf(to) + kind + leastOf(from))
+    return joins;
+  }
+  for (std::size_t a = 0; a < to.size(); ++a)
+  {
+    for (std::size_t b = 0; b < from.size(); ++b)
     {
-      continue;
-    }
-    for (std::size_t a = 0; a < to.size(); ++a)
-    {
-      for (std::size_t b = 0; b < from.size(); ++b)
+      const bool areConnected = this->component(i, a) == this->component(i + 1, b);
+      if (to[a] + kind + from[b] == this->fewest_ && areConnected == (kind == Gap))
       {
-        const bool areConnected = this->component(i, a) == this->component(i + 1, b);
-        if (to[a] + kind + from[b] == this->fewest_ && areConnected == (kind == Gap))
-        {
-          joins.push_back({ a, b });
-        }
+        joins.push_back({ a, b });
       }
     }
   }
@@ -343,15 +340,21 @@ void RowOfPoints::findArrivals(std::size_t i)
       straight.push_back(pair);
     }
   }
-  const std::vector<Pair> joins = this->bestJoins(i - 1);
-  const bool isChoice = straight.size() + joins.size() > 1 && joins.size() <= MaximumJoins;
+  const std::vector<Pair> hopeless = this->bestJoins(i - 1, Disconnected);
+  const std::vector<Pair> joins = this->bestJoins(i - 1, Gap);
+  const bool areMeasured = joins.size() <= MaximumJoins;
   for (const Pair& pair : straight)
   {
-    this->improveArrival(i, pair, 0.0); // places of one point are as good as at one point in space
+    this->improveArrival(i, pair, 0.0); // all places of a point are at one point in space
+  }
+  for (const Pair& pair : hopeless)
+  {
+    this->improveArrival(i, pair, 0.0);
   }
   for (const Pair& pair : joins)
   {
-    this->improveArrival(i, pair, isChoice ? this->lengthBetween_(i - 1, pair.from, pair.to) : 0.0);
+    this->improveArrival(
+      i, pair, areMeasured ? this->lengthBetween_(i - 1, pair.from, pair.to) : 0.0);
   }
 }
 

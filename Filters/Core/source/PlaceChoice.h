@@ -53,7 +53,8 @@ using LengthBetween = std::function<double(std::size_t point, std::size_t from, 
 ///
 /// \param places of each point, one at least.
 /// \param closed whether the last point joins the first.
-/// \param lengthBetween asked for points without a common face, and only where it decides.
+/// \param lengthBetween asked for connected places without a common face, on ways with the fewest
+///        breaks only.
 std::vector<ChosenPlaces> choosePlaces(const TriangleMesh& mesh,
   const std::vector<PossiblePlaces>& places, bool closed, PlaceComponents& components,
   const LengthBetween& lengthBetween);

@@ -2,6 +2,7 @@
 #include "EngineSupport.h"
 
 #include "Errors.h"
+#include "source/PolylineLocator.h"
 
 #include <gtest/gtest.h>
 
@@ -617,6 +618,199 @@ TEST(SourceCurve, AClosedPolylineOfFarPointsIsAsLongAsItsShortestPaths)
   expectWhole(mesh, curve);
   EXPECT_TRUE(curve.isClosed());
   EXPECT_NEAR(length(mesh, curve), truth, 1e-9 * truth);
+}
+
+//----------------------------------------------------------------------------
+// A surface that touches or overlaps itself.
+
+/// Two grids of 3 x 1 squares, one above the other; faces 0 to 5 and 6 to 11.
+PlainMesh twoSheets(double height)
+{
+  const PlainMesh sheet = geodesictest::regularGrid(3, 1);
+  return geodesictest::merged(sheet,
+    changed(sheet,
+      [=](const Vec3& p) {
+        return p + Vec3{ 0.0, 0.0, height };
+      }));
+}
+
+TEST(SourceCurve, PointsOfSheetsNearerThanTheirPrecisionAreNotOnePlace)
+{
+  // Joined at one end, and 1e-9 apart at the other.
+  const PlainMesh plain = { { { 0, 0, 0 }, { 4, -1, 0 }, { 4, 1, 0 }, { 4, -1, 1e-9 },
+                              { 4, 1, 1e-9 } },
+    { { 0, 1, 2 }, { 0, 3, 4 } } };
+  const TriangleMesh mesh = engineMesh(plain);
+  const Vec3 below = { 3.0, 0.25, 0.0 };
+  const Vec3 above = { 3.0, 0.25, 0.75e-9 };
+  const SourceCurves result =
+    put(mesh, polyline({ below, above, below }, { 0, 1, 0 }), FloatEpsilon);
+  EXPECT_EQ(result.repeatedPoints, 0u);
+  expectWhole(mesh, result.curves[0]);
+  // By way of the vertex that they share.
+  EXPECT_EQ(result.curves[0].points.size(), 5u);
+  EXPECT_NEAR(length(mesh, result.curves[0]), 4.0 * norm(below), 1e-6);
+}
+
+TEST(SourceCurve, TwoVerticesNearerThanTheirPrecisionStayTwo)
+{
+  // Each is found by a large face that has no short edge.
+  const TriangleMesh mesh(
+    { { 0, 0, 0 }, { 1e-9, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 }, { 1, -1, 0 } },
+    { { 0, 1, 2 }, { 0, 3, 4 }, { 1, 4, 5 } });
+  const SourceCurves result =
+    put(mesh, polyline({ mesh.point(0), mesh.point(1) }, { 1, 2 }), FloatEpsilon);
+  EXPECT_EQ(result.repeatedPoints, 0u);
+  ASSERT_EQ(result.curves[0].points.size(), 2u);
+  EXPECT_TRUE(samePlace(mesh, result.curves[0].points[0], SurfacePoint::atVertex(0)));
+  EXPECT_TRUE(samePlace(mesh, result.curves[0].points[1], SurfacePoint::atVertex(1)));
+}
+
+/// The faces that hold all of a curve's segments.
+std::set<Id> facesOf(const SourceCurve& curve)
+{
+  return { curve.faces.begin(), curve.faces.end() };
+}
+
+TEST(SourceCurve, OfTwoSheetsAPolylineKeepsToTheOneWhereItsPointsShareFaces)
+{
+  const TriangleMesh mesh = engineMesh(twoSheets(0.0));
+  // Points inside faces, but for one at the diagonal of the middle squares.
+  LocatedPolyline line =
+    polyline({ { 1.75, 0.25, 0.0 }, { 1.5, 0.5, 0.0 }, { 1.25, 0.75, 0.0 } }, { 0, 0, 0 });
+  for (const bool closed : { false, true })
+  {
+    line.closed = closed;
+    line.faces = { { 2, 8 }, { 2, 3, 8, 9 }, { 9 } };
+    const SourceCurve upper = put(mesh, line).curves[0];
+    EXPECT_EQ(facesOf(upper), (std::set<Id>{ 8, 9 }));
+    line.faces = { { 8, 2 }, { 8, 9, 2, 3 }, { 3 } };
+    const SourceCurve lower = put(mesh, line).curves[0];
+    EXPECT_EQ(facesOf(lower), (std::set<Id>{ 2, 3 }));
+    for (const SourceCurve& curve : { upper, lower })
+    {
+      expectWhole(mesh, curve);
+      EXPECT_EQ(curve.isClosed(), closed);
+      EXPECT_NEAR(length(mesh, curve), (closed ? 2.0 : 1.0) * std::sqrt(0.5), 1e-15);
+    }
+  }
+}
+
+TEST(SourceCurve, FarPointsAreJoinedOnTheSheetWhereTheWayIsShortest)
+{
+  // A strip of length 6, folded over in the middle: faces 0 to 5 lie under faces 6 to 11.
+  const PlainMesh plain = changed(geodesictest::regularGrid(6, 1),
+    [](const Vec3& p) {
+      return Vec3{ p[0] <= 3.0 ? p[0] : 6.0 - p[0], p[1], p[2] };
+    });
+  const TriangleMesh mesh = engineMesh(plain);
+  const Vec3 p = { 0.25, 0.5, 0.0 };
+  const Vec3 q = { 2.25, 0.5, 0.0 };
+  LocatedPolyline line = polyline({ p, q }, { 0, 0 });
+  for (const bool firstBelow : { false, true })
+  {
+    std::vector<LocatedPolyline> lines = { line };
+    PolylineLocator(mesh).locate(lines, Epsilon);
+    ASSERT_EQ(lines[0].faces[0].size(), 2u);
+    if (firstBelow)
+    {
+      std::swap(lines[0].faces[0][0], lines[0].faces[0][1]);
+    }
+    const SourceCurve curve = put(mesh, lines[0]).curves[0];
+    expectWhole(mesh, curve);
+    EXPECT_NEAR(length(mesh, curve), 2.0, 1e-14);
+  }
+}
+
+TEST(SourceCurve, APolylineIsCutWhereItChangesToASheetThatIsNotConnected)
+{
+  // Two squares side by side that share no points, closed around and open.
+  const PlainMesh square = geodesictest::regularGrid(1, 1);
+  const PlainMesh plain = geodesictest::merged(square,
+    changed(square,
+      [](const Vec3& p) {
+        return p + Vec3{ 1.0, 0.0, 0.0 };
+      }));
+  const TriangleMesh mesh = engineMesh(plain);
+  const std::vector<Vec3> around = { { 0.75, 0.25, 0.0 }, { 1.0, 0.25, 0.0 }, { 1.125, 0.5, 0.0 },
+    { 1.0, 0.75, 0.0 }, { 0.875, 0.75, 0.0 }, { 0.75, 0.75, 0.0 } };
+  for (const bool closed : { false, true })
+  {
+    std::vector<LocatedPolyline> lines = { polyline(around, {}, closed) };
+    PolylineLocator(mesh).locate(lines, Epsilon);
+    const SourceCurves result = put(mesh, lines[0]);
+    double whole = 0.0;
+    for (const SourceCurve& curve : result.curves)
+    {
+      expectWhole(mesh, curve);
+      EXPECT_FALSE(curve.isClosed());
+      whole += length(mesh, curve);
+    }
+    double expected = 0.0;
+    for (std::size_t i = closed ? 0 : 1; i < around.size(); ++i)
+    {
+      expected += norm(around[i] - around[(i + around.size() - 1) % around.size()]);
+    }
+    EXPECT_NEAR(whole, expected, 1e-14);
+    EXPECT_EQ(result.curves.size(), closed ? 2u : 3u);
+    EXPECT_EQ(result.repeatedPoints, 0u);
+  }
+}
+
+TEST(SourceCurve, ASinglePointTakesItsFirstFace)
+{
+  const TriangleMesh mesh = engineMesh(twoSheets(0.0));
+  LocatedPolyline line = polyline({ { 1.5, 0.5, 0.0 } }, { 0 });
+  line.faces = { { 8, 3 } };
+  EXPECT_TRUE(contains(mesh, 8, put(mesh, line).curves[0].points[0]));
+  line.faces = { { 3, 8 } };
+  EXPECT_TRUE(contains(mesh, 3, put(mesh, line).curves[0].points[0]));
+}
+
+/// A flat sheet with one triangle turned over, and the section of it that walks from face to face.
+TEST(SourceCurve, ASectionOfASheetWithATurnedTriangleIsTheSourceThatItWas)
+{
+  Random random(31);
+  for (int i = 0; i < 20; ++i)
+  {
+    PlainMesh plain = geodesictest::regularGrid(6, 6);
+    plain.points[24] = { 4.0 + random.uniform(0.1, 0.3), 3.0 + random.uniform(0.3, 0.6), 0.0 };
+    const TriangleMesh mesh = engineMesh(plain);
+    const double height = plain.points[24][1] + random.uniform(-0.1, 0.1);
+    std::vector<LocatedPolyline> lines;
+    geodesictest::Sources truth;
+    for (Id face = 0; face < mesh.numberOfFaces(); ++face)
+    {
+      std::vector<Vec3> ends;
+      std::vector<geodesictest::Barycentric> weights;
+      for (Id k = 0; k < 3; ++k)
+      {
+        const Vec3& a = plain.points[plain.triangles[face][k]];
+        const Vec3& b = plain.points[plain.triangles[face][(k + 1) % 3]];
+        if ((a[1] < height) != (b[1] < height))
+        {
+          const double t = (height - a[1]) / (b[1] - a[1]);
+          ends.push_back(a + t * (b - a));
+          geodesictest::Barycentric& w = weights.emplace_back();
+          w = { 0.0, 0.0, 0.0 };
+          w[k] = 1.0 - t;
+          w[(k + 1) % 3] = t;
+        }
+      }
+      if (ends.size() == 2)
+      {
+        lines.push_back(polyline(ends, {}));
+        truth.segments.push_back({ face, weights[0], weights[1] });
+      }
+    }
+    PolylineLocator(mesh).locate(lines, Epsilon);
+    const SourceCurves result = putOntoSurface(mesh, lines, { Epsilon }, joinByShortestPaths(mesh));
+    const std::vector<double> expected =
+      geodesictest::bruteForceDistances(plain, truth, {}).vertices;
+    const std::vector<double> actual =
+      geodesictest::engineDistances(plain, result.curves, mesh, {}).vertices;
+    EXPECT_LE(geodesictest::worstError(actual, expected, 6.0), 1e-12);
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The locator finds all faces that are equally close, as a look at every face does.
+#include "EngineSupport.h"
+
+#include "Errors.h"
+#include "mesh/FaceLocator.h"
+#include "mesh/SurfaceSnap.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace
+{
+
+using namespace geodesic;
+using geodesictest::engineMesh;
+using geodesictest::PlainMesh;
+using geodesictest::Random;
+
+constexpr double Epsilon = std::numeric_limits<double>::epsilon();
+constexpr double FloatEpsilon = std::numeric_limits<float>::epsilon();
+
+double distanceOf(const TriangleMesh& mesh, Id face, const Vec3& point)
+{
+  return snapToFace(mesh, face, point, 0.0).distance;
+}
+
+double leastDistance(const TriangleMesh& mesh, const Vec3& point)
+{
+  double least = Infinity;
+  for (Id face = 0; face < mesh.numberOfFaces(); ++face)
+  {
+    least = std::min(least, distanceOf(mesh, face, point));
+  }
+  return least;
+}
+
+Vec3 randomPoint(Random& random, double size)
+{
+  return { random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size) };
+}
+
+/// All faces that are as close as the closest up to half a rounding are found (or up to less than a
+/// tenth of their longest edge), and none that is farther by more than some roundings.
+void expectAllClosest(
+  const TriangleMesh& mesh, FaceLocator& locator, const Vec3& point, double precision, double size)
+{
+  const std::vector<Id> found = locator.closest(point, precision);
+  const double least = leastDistance(mesh, point);
+  for (Id face = 0; face < mesh.numberOfFaces(); ++face)
+  {
+    const double over = distanceOf(mesh, face, point) - least;
+    const bool isFound = std::find(found.begin(), found.end(), face) != found.end();
+    const double surely = std::min(0.5 * Epsilon * size, 0.09 * mesh.shape(face).longest());
+    EXPECT_TRUE(isFound || over > surely);
+    EXPECT_TRUE(!isFound || over <= 8.0 * precision * size);
+  }
+  EXPECT_EQ(locator.closest(point, precision), found);
+}
+
+void expectAllClosest(const TriangleMesh& mesh, double size)
+{
+  FaceLocator locator(mesh);
+  Random random(11);
+  for (int i = 0; i < 200; ++i)
+  {
+    const auto vertex = static_cast<Id>(random.uniform(0.0, 1.0) * mesh.numberOfVertices());
+    const Vec3 point = i % 4 == 0 ? mesh.point(vertex) : randomPoint(random, 1.5 * size);
+    expectAllClosest(mesh, locator, point, i % 2 == 0 ? Epsilon : FloatEpsilon, 2.0 * size);
+  }
+}
+
+/// A strip of triangles whose size falls by a factor from one to the next.
+TriangleMesh shrinkingStrip(Id count, double factor)
+{
+  std::vector<Vec3> points;
+  double x = 1.0;
+  for (Id i = 0; i < count + 2; ++i, x *= factor)
+  {
+    points.push_back({ x, i % 2 == 0 ? 0.0 : x, 0.5 * x });
+  }
+  std::vector<Triangle> triangles;
+  for (Id i = 0; i < count; ++i)
+  {
+    triangles.push_back({ i, i + 1, i + 2 });
+  }
+  return { points, triangles };
+}
+
+TEST(FaceLocator, FindsAllClosestFacesOfACrowdedStrip)
+{
+  expectAllClosest(shrinkingStrip(300, 0.9), 1.0);
+  expectAllClosest(shrinkingStrip(300, 0.5), 1.0);
+}
+
+TEST(FaceLocator, FindsAllClosestFacesOfASphereAndOfSheetsThatCross)
+{
+  expectAllClosest(engineMesh(geodesictest::octasphere(6)), 1.0);
+  Random random(12);
+  PlainMesh sheets = geodesictest::bumpySheet(8, 8, 0, 0.4, random);
+  sheets = geodesictest::merged(sheets, geodesictest::moved(sheets, random));
+  sheets = geodesictest::merged(sheets, sheets);
+  expectAllClosest(engineMesh(sheets), 8.0);
+}
+
+TEST(FaceLocator, AtAVertexItsFacesAreFoundInOrder)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(4, 4));
+  FaceLocator locator(mesh);
+  std::vector<Id> around;
+  for (const Id corner : mesh.cornersAt(12))
+  {
+    around.push_back(TriangleMesh::faceOf(corner));
+  }
+  std::sort(around.begin(), around.end());
+  EXPECT_EQ(locator.closest(mesh.point(12), Epsilon), around);
+}
+
+TEST(FaceLocator, FacesWithoutAreaCountAsAllOthers)
+{
+  // The second lies in the first's edge, the third is by itself.
+  const TriangleMesh mesh({ { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 0 }, { 1, 0, 0 },
+                            { 2, 0, 0 }, { 0, 5, 0 }, { 1, 5, 0 }, { 0, 5, 0 } },
+    { { 0, 1, 2 }, { 3, 4, 5 }, { 6, 7, 8 } });
+  FaceLocator locator(mesh);
+  EXPECT_EQ(locator.closest({ 0.7, 0.0, 0.0 }, Epsilon), (std::vector<Id>{ 0, 1 }));
+  EXPECT_EQ(locator.closest({ 0.7, -0.2, 0.1 }, Epsilon), (std::vector<Id>{ 0, 1 }));
+  EXPECT_EQ(locator.closest({ 0.7, 0.3, 0.0 }, Epsilon), (std::vector<Id>{ 0 }));
+  EXPECT_EQ(locator.closest({ 0.5, 5.1, 0.0 }, Epsilon), (std::vector<Id>{ 2 }));
+}
+
+TEST(FaceLocator, HalfwayBetweenSheetsBothAreFound)
+{
+  PlainMesh sheet = geodesictest::regularGrid(3, 3);
+  PlainMesh above = sheet;
+  for (Vec3& p : above.points)
+  {
+    p[2] = 1.0;
+  }
+  const TriangleMesh mesh = engineMesh(geodesictest::merged(sheet, above));
+  FaceLocator locator(mesh);
+  EXPECT_EQ(locator.closest({ 0.6, 0.2, 0.5 }, Epsilon), (std::vector<Id>{ 0, 18 }));
+  EXPECT_EQ(locator.closest({ 0.6, 0.2, 0.4 }, Epsilon), (std::vector<Id>{ 0 }));
+}
+
+TEST(FaceLocator, ThePrecisionOfThePointTellsWhatIsEquallyClose)
+{
+  for (const double scale : { 0x1p-60, 1.0, 0x1p60 })
+  {
+    PlainMesh sheet = geodesictest::regularGrid(3, 3);
+    PlainMesh above = sheet;
+    for (Vec3& p : above.points)
+    {
+      p[2] = 1e-9;
+    }
+    const TriangleMesh mesh =
+      engineMesh(geodesictest::scaled(geodesictest::merged(above, sheet), scale));
+    FaceLocator locator(mesh);
+    const Vec3 point{ 0.6 * scale, 0.2 * scale, 0.0 };
+    EXPECT_EQ(locator.closest(point, Epsilon), (std::vector<Id>{ 18 }));
+    // First the one that is closer.
+    EXPECT_EQ(locator.closest(point, FloatEpsilon), (std::vector<Id>{ 18, 0 }));
+  }
+}
+
+TEST(FaceLocator, FarFromTheOriginTheClosestFaceComesFirstAndFarOnesAreNoChoice)
+{
+  PlainMesh plain = geodesictest::regularGrid(6, 6);
+  for (Vec3& p : plain.points)
+  {
+    p = p + Vec3{ 3e6, -5e6, 1e6 };
+  }
+  const TriangleMesh mesh = engineMesh(plain);
+  FaceLocator locator(mesh);
+  // Roundings of 32 bits are over an edge long there.
+  const Vec3 point = mesh.point(0) + Vec3{ 2.6, 3.3, 0.0 };
+  const std::vector<Id> found = locator.closest(point, FloatEpsilon);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(distanceOf(mesh, found.front(), point), 0.0);
+  for (const Id face : found)
+  {
+    EXPECT_LE(distanceOf(mesh, face, point), 0.1 * std::sqrt(2.0));
+  }
+}
+
+TEST(FaceLocator, ProgressNeverFallsAndStopsTheSearch)
+{
+  const TriangleMesh mesh = shrinkingStrip(2000, 0.99);
+  std::vector<double> seen;
+  const Vec3 point{ 0.3, 0.2, 0.1 };
+  FaceLocator(mesh).closest(point, Epsilon,
+    [&](double fraction)
+    {
+      seen.push_back(fraction);
+      return true;
+    });
+  ASSERT_GT(seen.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_GE(seen.front(), 0.0);
+  EXPECT_LE(seen.back(), 1.0);
+  FaceLocator locator(mesh);
+  EXPECT_THROW(locator.closest(point, Epsilon, [](double) { return false; }), Aborted);
+  expectAllClosest(mesh, locator, point, Epsilon, 1.0);
+}
+
+}

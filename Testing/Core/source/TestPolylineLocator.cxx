@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points of polylines are given the faces that they are closest to.
+#include "EngineSupport.h"
+
+#include "Errors.h"
+#include "source/PolylineLocator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace
+{
+
+using namespace geodesic;
+using geodesictest::engineMesh;
+using geodesictest::PlainMesh;
+
+constexpr double Epsilon = std::numeric_limits<double>::epsilon();
+
+using Faces = std::vector<std::vector<Id>>;
+
+Faces locate(PolylineLocator& locator, const std::vector<Vec3>& points, bool closed = false)
+{
+  std::vector<LocatedPolyline> lines(1);
+  lines[0].points = points;
+  lines[0].closed = closed;
+  locator.locate(lines, Epsilon);
+  return lines[0].faces;
+}
+
+/// The faces at a vertex, by number.
+std::vector<Id> around(const TriangleMesh& mesh, Id vertex)
+{
+  std::vector<Id> faces;
+  for (const Id corner : mesh.cornersAt(vertex))
+  {
+    faces.push_back(TriangleMesh::faceOf(corner));
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+TEST(PolylineLocator, AlongEdgesEachPointHasAFaceOfItsVertex)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(4, 4));
+  PolylineLocator locator(mesh);
+  const std::vector<Vec3> points = { mesh.point(6), mesh.point(7), mesh.point(12), mesh.point(6) };
+  for (const bool closed : { false, true })
+  {
+    const Faces faces = locate(locator, points, closed);
+    ASSERT_EQ(faces.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      ASSERT_EQ(faces[i].size(), 1u);
+    }
+    EXPECT_TRUE(contains(mesh, faces[1][0], SurfacePoint::atVertex(7)));
+    EXPECT_TRUE(contains(mesh, faces[2][0], SurfacePoint::atVertex(12)));
+  }
+  EXPECT_EQ(locate(locator, { mesh.point(7) })[0].size(), 1u);
+}
+
+TEST(PolylineLocator, WhereAPolylineLeavesTheEdgesAllItsPointsHaveAllFaces)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(4, 4));
+  PolylineLocator locator(mesh);
+  const std::vector<Vec3> points = { mesh.point(6), mesh.point(7), mesh.point(8) };
+  // Only the way back from the last point leaves the edges; a point inside a face does; so does
+  // a step across a square.
+  const Faces closed = locate(locator, points, true);
+  const Faces inside = locate(locator, { points[0], points[1], points[1] + Vec3{ 0.3, 0.2, 0.0 } });
+  const Faces across = locate(locator, { points[0], points[1], mesh.point(18) });
+  for (const Faces& faces : { closed, inside, across })
+  {
+    EXPECT_EQ(faces[0], around(mesh, 6));
+    EXPECT_EQ(faces[1], around(mesh, 7));
+  }
+  EXPECT_EQ(inside[2].size(), 1u);
+}
+
+TEST(PolylineLocator, VerticesOfSeveralSheetsAreAllFound)
+{
+  const PlainMesh sheet = geodesictest::regularGrid(2, 2);
+  const TriangleMesh mesh = engineMesh(geodesictest::merged(sheet, sheet));
+  PolylineLocator locator(mesh);
+  for (const std::vector<Id>& faces : locate(locator, { mesh.point(3), mesh.point(4) }))
+  {
+    ASSERT_EQ(faces.size(), 2u);
+    EXPECT_LT(faces[0], 8u);
+    EXPECT_EQ(faces[1], faces[0] + 8);
+  }
+}
+
+TEST(PolylineLocator, PointsAtOnePlaceHaveTheSameFaces)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(3, 3));
+  std::vector<LocatedPolyline> lines(2);
+  lines[0].points = { { 0.7, 0.1, 0.0 }, { 2.0, 1.5, 0.0 } };
+  lines[1].points = { { 2.0, 1.5, 0.0 }, { 0.7, 0.1, 0.0 }, { -0.0, 0.0, 0.0 } };
+  PolylineLocator(mesh).locate(lines, Epsilon);
+  EXPECT_EQ(lines[0].faces[0], lines[1].faces[1]);
+  EXPECT_EQ(lines[0].faces[1], lines[1].faces[0]);
+  EXPECT_EQ(lines[0].faces[1].size(), 2u);
+  EXPECT_EQ(lines[1].faces[2], around(mesh, 0));
+}
+
+TEST(PolylineLocator, ProgressNeverFallsAndAborts)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::octasphere(20));
+  std::vector<LocatedPolyline> lines(1);
+  for (int i = 0; i < 1000; ++i)
+  {
+    lines[0].points.push_back({ std::cos(0.1 * i), std::sin(0.1 * i), 0.001 * i });
+  }
+  std::vector<double> seen;
+  PolylineLocator locator(mesh);
+  locator.locate(lines, Epsilon,
+    [&seen](double fraction)
+    {
+      seen.push_back(fraction);
+      return true;
+    });
+  ASSERT_GT(seen.size(), 8u);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_EQ(seen.front(), 0.0);
+  EXPECT_LE(seen.back(), 1.0);
+  for (std::size_t allowed = 0; allowed < 4; ++allowed)
+  {
+    std::size_t calls = 0;
+    EXPECT_THROW(
+      PolylineLocator(mesh).locate(lines, Epsilon, [&](double) { return calls++ < allowed; }),
+      Aborted);
+    EXPECT_EQ(calls, allowed + 1);
+  }
+}
+
+}
