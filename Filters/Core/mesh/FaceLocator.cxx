@@ -204,18 +204,23 @@ void FaceLocator::search(Search& search, Id node)
 
 void FaceLocator::tryFace(Search& search, Id face) const
 {
-  const double distance = snapToFace(this->mesh_, face, search.point, 0.0).distance;
-  double largest = largestOf(search.point);
+  Box box;
   for (const Id corner : this->mesh_.triangle(face))
   {
-    largest = std::max(largest, largestOf(this->mesh_.point(corner)));
+    box.add(this->mesh_.point(corner));
   }
+  const double byCoordinates = search.precisionFor(box.largestCoordinate());
+  if (box.distanceTo(search.point) > search.distance + byCoordinates)
+  {
+    return; // measuring takes several times as long
+  }
+  const double distance = snapToFace(this->mesh_, face, search.point, 0.0).distance;
   // Far from the origin roundings may be as large as faces: there the closest counts.
-  const double most = tolerance::SnapFraction * this->mesh_.shape(face).longest();
-  const double precision = std::min(search.precisionFor(largest), most);
+  const double precision =
+    std::min(byCoordinates, tolerance::SnapFraction * this->mesh_.shape(face).longest());
   if (distance <= search.distance + precision)
   {
-    const double rounding = tolerance::SnapRoundings * tolerance::Rounding * largest;
+    const double rounding = byCoordinates / search.coordinatePrecision * tolerance::Rounding;
     search.distance = std::min(search.distance, distance);
     search.found.push_back({ face, distance, precision, rounding });
   }

@@ -436,6 +436,26 @@ RowOfPoints::Result bestLoop(RowOfPoints& row, std::size_t numberOfBeginnings)
   return best;
 }
 
+/// \param isLoop whether the row's last point is its first one again.
+std::vector<ChosenPlaces> chooseInRow(const TriangleMesh& mesh,
+  const std::vector<const PossiblePlaces*>& places, bool isLoop, PlaceComponents& components,
+  const LengthBetween& lengthBetween)
+{
+  const auto isChoice = [](const PossiblePlaces* p) { return p->size() > 1; };
+  if (std::none_of(places.begin(), places.end(), isChoice))
+  {
+    return std::vector<ChosenPlaces>(places.size());
+  }
+  RowOfPoints row(mesh, places, components, lengthBetween);
+  if (isLoop)
+  {
+    return bestLoop(row, places.front()->size()).places;
+  }
+  const std::vector<Breaks> beginning(places.front()->size());
+  const std::vector<Breaks> end(places.back()->size());
+  return row.run(beginning, end).places;
+}
+
 } // anonymous namespace
 
 Id PlaceComponents::of(const SurfacePoint& place)
@@ -468,37 +488,26 @@ std::vector<ChosenPlaces> choosePlaces(const TriangleMesh& mesh,
   const std::size_t last = closed ? count : count - 1;
 
   // Where a point has just one place, what comes after it does not depend on what came before.
-  std::size_t begin = 0;
-  for (std::size_t end = 1; end <= last; ++end)
+  for (std::size_t begin = 0, end = 1; begin < last; begin = end, ++end)
   {
-    if (end < last && places[at(end)].size() > 1)
+    while (end < last && places[at(end)].size() > 1)
     {
-      continue;
+      ++end;
     }
-    std::vector<const PossiblePlaces*> rowPlaces;
+    std::vector<const PossiblePlaces*> row;
     for (std::size_t i = begin; i <= end; ++i)
     {
-      rowPlaces.push_back(&places[at(i)]);
+      row.push_back(&places[at(i)]);
     }
-    const bool isChoice = std::any_of(
-      rowPlaces.begin(), rowPlaces.end(), [](const PossiblePlaces* p) { return p->size() > 1; });
-    if (isChoice)
+    const auto lengthInRow = [&](std::size_t point, std::size_t from, std::size_t to)
+    { return lengthBetween(at(begin + point), from, to); };
+    const bool isLoop = closed && end - begin == last;
+    const std::vector<ChosenPlaces> best = chooseInRow(mesh, row, isLoop, components, lengthInRow);
+    for (std::size_t i = begin; i < end; ++i)
     {
-      const LengthBetween lengthInRow = [&](std::size_t point, std::size_t from, std::size_t to)
-      { return lengthBetween(at(begin + point), from, to); };
-      RowOfPoints row(mesh, rowPlaces, components, lengthInRow);
-      const bool isLoop = closed && begin == 0 && end == last;
-      const RowOfPoints::Result best = isLoop
-        ? bestLoop(row, rowPlaces.front()->size())
-        : row.run(std::vector<Breaks>(rowPlaces.front()->size()),
-            std::vector<Breaks>(rowPlaces.back()->size()));
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        result[at(i)].departure = best.places[i - begin].departure;
-        result[at(i + 1)].arrival = best.places[i + 1 - begin].arrival;
-      }
+      result[at(i)].departure = best[i - begin].departure;
+      result[at(i + 1)].arrival = best[i + 1 - begin].arrival;
     }
-    begin = end;
   }
   if (!closed)
   {
