@@ -8,9 +8,9 @@
 #include "truth/TestMeshes.h"
 
 #include "field/Solve.h"
-#include "source/SourceCurve.h"
 #include "mesh/SurfacePoint.h"
 #include "mesh/TriangleMesh.h"
+#include "source/SourceCurve.h"
 
 #include <string>
 #include <vector>
@@ -19,8 +19,11 @@
 namespace geodesictest
 {
 
-/// The accuracy asked of the engine, of the largest distance.
+/// An accuracy that the engine keeps on any mesh, of the largest distance.
 constexpr double EngineAccuracy = 1e-9;
+
+/// What it keeps on a kind of mesh.
+double accuracyOn(const MeshKind& kind);
 
 geodesic::TriangleMesh engineMesh(const PlainMesh& mesh);
 
