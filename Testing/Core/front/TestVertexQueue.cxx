@@ -2,22 +2,28 @@
 // The queue of vertices against a plain list of what waits.
 #include "front/VertexQueue.h"
 
-#include "truth/TestMeshes.h"
+#include "EngineSupport.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <functional>
+#include <future>
+#include <iostream>
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
 using geodesic::Id;
 using geodesic::Infinity;
 using geodesic::VertexQueue;
-using geodesictest::Random;
+using namespace geodesictest;
 
 namespace
 {
@@ -146,7 +152,7 @@ TEST(VertexQueue, RandomPushesAndBatchesAreThoseOfASortedList)
     for (int step = 0; step < 300; ++step)
     {
       // As in the front: nothing is pushed before it, and keys only fall.
-      for (geodesictest::Index pushes = random.below(20); pushes > 0; --pushes)
+      for (Index pushes = random.below(20); pushes > 0; --pushes)
       {
         const Id vertex = random.below(count);
         const double key = front + (random.chance(0.3) ? 1.0 : random.uniform(1e-3, 60.0));
@@ -219,5 +225,49 @@ TEST(VertexQueue, WhatHasNoReachStillComesNear)
     EXPECT_EQ(queue.takeBatch(Infinity).size(), 3U) << "equal keys are in one batch";
     ASSERT_EQ(queue.least(), 2.0 * key);
     EXPECT_EQ(queue.takeBatch(Infinity), std::vector<Id>{ 3 });
+  }
+}
+
+namespace
+{
+
+/// Runs a function and ends the program where it takes longer than a minute.
+template <typename Run>
+auto withinAMinute(Run run)
+{
+  std::packaged_task<decltype(run())()> task(std::move(run));
+  auto result = task.get_future();
+  std::thread thread(std::move(task));
+  if (result.wait_for(std::chrono::minutes(1)) != std::future_status::ready)
+  {
+    std::cout << "[  FAILED  ] no end within a minute" << std::endl;
+    std::_Exit(EXIT_FAILURE); // nothing else stops the thread
+  }
+  thread.join();
+  return result.get();
+}
+
+}
+
+// Every second column lies where the last one does, so that edges across have no length, and from
+// many vertices nothing is within reach but what is equally far. The surface is a flat strip still.
+TEST(VertexQueue, TheFrontEndsWhereEdgesHaveNoLength)
+{
+  for (std::uint64_t seed = 0; seed < 20; ++seed)
+  {
+    Random random(seed);
+    PlainMesh mesh = renumbered(regularGrid(40, 40), random).mesh;
+    for (Vec3& p : mesh.points)
+    {
+      p[0] = 2.0 * std::floor(0.5 * p[0]);
+    }
+    Sources sources;
+    sources.points = { vertexPoint(mesh, 0) };
+    const EngineResult result = withinAMinute([&]() { return engineDistances(mesh, sources); });
+    for (Index v = 0; v < mesh.points.size(); ++v)
+    {
+      EXPECT_NEAR(result.vertices[v], spaceDistance(mesh.points[v], mesh.points[0]), 1e-12)
+        << "seed " << seed << ", vertex " << v;
+    }
   }
 }
