@@ -14,7 +14,7 @@ namespace geodesictest
 double accuracyOn(const MeshKind& kind)
 {
   const std::string name = kind.name;
-  return name == "ThinNeedles" ? 2e-10 : name == "Needles" ? 1e-10 : OrdinaryAccuracy;
+  return name == "ThinNeedles" ? 5e-10 : name == "Needles" ? 3e-10 : OrdinaryAccuracy;
 }
 
 geodesic::TriangleMesh engineMesh(const PlainMesh& mesh)

@@ -29,7 +29,8 @@ constexpr double EngineAccuracy = 1e-9;
 constexpr double OrdinaryAccuracy = 2e-12;
 
 /// What it keeps on a kind of mesh. On needles a rounding of the long edges is that much more of
-/// the short way across them; their worst was 2.5e-11, with aspects of 1e4 to 1e5 3.9e-11.
+/// the short way across them; the
+/// worst of 4,000 fields of a kind was 8e-11, with aspects of 1e4 to 1e5 1.4e-10.
 double accuracyOn(const MeshKind& kind);
 
 geodesic::TriangleMesh engineMesh(const PlainMesh& mesh);
