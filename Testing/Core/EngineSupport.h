@@ -24,13 +24,13 @@ constexpr double EngineAccuracy = 1e-9;
 
 /// What it keeps where no face is much longer than it is high. Two paths to a vertex that differ by
 /// less than a tie (1e-12 of the distance) are one to the engine, and what has gone on from the
-/// vertex stays. The worst of 170,000 fields around vertices, points and segments was off by 4e-13;
+/// vertex stays. The worst of 130,000 fields around vertices, points and segments was off by 4e-13;
 /// most are off by a few roundings.
 constexpr double OrdinaryAccuracy = 2e-12;
 
 /// What it keeps on a kind of mesh. On needles a rounding of the long edges is that much more of
-/// the short way across them; the
-/// worst of 4,000 fields of a kind was 8e-11, with aspects of 1e4 to 1e5 1.4e-10.
+/// the short way across them: the worst of 7,000 fields was 8e-11, with aspects of 1e4 to
+/// 1e5 1.4e-10.
 double accuracyOn(const MeshKind& kind);
 
 geodesic::TriangleMesh engineMesh(const PlainMesh& mesh);

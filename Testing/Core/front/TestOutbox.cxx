@@ -12,10 +12,10 @@
 #include <vector>
 
 using geodesic::Id;
+using geodesic::Outbox;
+using geodesic::SentList;
 using geodesic::Window;
 using geodesic::WindowBlock;
-using geodesic::front::Delivery;
-using geodesic::front::Outbox;
 using geodesictest::Random;
 
 namespace
@@ -34,9 +34,9 @@ using Groups = std::vector<std::pair<Id, std::vector<const Window*>>>;
 
 /// Sorted by halfedge, what is equal in the order in which it was sent; then the groups in the
 /// order of their first list.
-Groups sortedGroups(const std::vector<Delivery>& sent)
+Groups sortedGroups(const std::vector<SentList>& sent)
 {
-  std::vector<std::pair<Delivery, std::size_t>> sorted;
+  std::vector<std::pair<SentList, std::size_t>> sorted;
   for (std::size_t i = 0; i < sent.size(); ++i)
   {
     sorted.push_back({ sent[i], i });
@@ -77,11 +77,11 @@ Groups groupsOf(const Outbox& outbox)
 void expectSorted(Outbox& outbox, const std::vector<Id>& halfedges, std::size_t workers)
 {
   std::vector<Window> windows(halfedges.size());
-  std::vector<Delivery> all;
+  std::vector<SentList> all;
   outbox.clear();
   for (std::size_t worker = 0; worker < workers; ++worker)
   {
-    std::vector<Delivery> sent;
+    std::vector<SentList> sent;
     for (std::size_t i = worker * halfedges.size() / workers;
          i < (worker + 1) * halfedges.size() / workers; ++i)
     {
