@@ -39,7 +39,7 @@ protected:
     const double largest = largestFinite(truth.vertices);
     const double atVertices = worstError(result.vertices, truth.vertices, largest);
     const double atQueries = worstError(result.queries, truth.queries, largest);
-    EXPECT_LE(std::max(atVertices, atQueries), EngineAccuracy)
+    EXPECT_LE(std::max(atVertices, atQueries), accuracyOn(GetParam()))
       << GetParam().name << ", seed " << seed << ", " << mesh.triangles.size()
       << " faces, error at vertices " << atVertices << ", at surface points " << atQueries
       << ", sources:\n"

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The front on several threads against the brute-force solver.
+#include "EngineSupport.h"
+#include "truth/RandomMeshKinds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+#include <thread>
+
+using namespace geodesictest;
+using geodesic::DistanceField;
+using geodesic::KeepWindows;
+using geodesic::TriangleMesh;
+
+namespace
+{
+
+/// Counts how often there was more than one task to share.
+class Threads
+{
+public:
+  geodesic::ParallelFor parallelFor()
+  {
+    return [this](std::size_t count, const std::function<void(std::size_t)>& task)
+    {
+      ++this->shared_;
+      std::atomic<std::size_t> next{ 0 };
+      const auto work = [&]()
+      {
+        for (std::size_t i = next++; i < count; i = next++)
+        {
+          task(i);
+        }
+      };
+      std::thread first(work);
+      std::thread second(work);
+      work();
+      first.join();
+      second.join();
+    };
+  }
+  std::size_t shared() const { return this->shared_; }
+
+private:
+  std::size_t shared_ = 0;
+};
+
+class ParallelFront : public ::testing::TestWithParam<MeshKind>
+{
+};
+
+}
+
+TEST_P(ParallelFront, AgreesWithBruteForce)
+{
+  Threads threads;
+  for (std::uint64_t seed = 0; seed < 4; ++seed)
+  {
+    Random random(seed + 81000);
+    const PlainMesh mesh = GetParam().make(600, random);
+    CurveMaker maker(mesh, random);
+    const std::vector<Polyline> curves = maker.anySource();
+    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + describe(curves));
+    const std::vector<MeshPoint> queries = randomPoints(mesh, 60, random);
+    const BruteForceResult truth = bruteForceDistances(mesh, toSources(curves), queries);
+    const TriangleMesh engine = engineMesh(mesh);
+    const double largest = largestFinite(truth.vertices);
+
+    geodesic::FrontOptions options;
+    options.parallelFor = threads.parallelFor();
+    const EngineResult exact = valuesOf(
+      geodesic::solve(engine, engineCurves(engine, curves), options, KeepWindows::All), queries);
+    EXPECT_LE(worstError(exact.vertices, truth.vertices, largest), accuracyOn(GetParam()));
+    EXPECT_LE(worstError(exact.queries, truth.queries, largest), accuracyOn(GetParam()));
+    const DistanceField lean = geodesic::solve(engine, engineCurves(engine, curves), options);
+    EXPECT_LE(worstError(lean.vertexDistances(), truth.vertices, largest), accuracyOn(GetParam()))
+      << "without windows";
+
+    options.relativeError = 0.01;
+    const DistanceField merged =
+      geodesic::solve(engine, engineCurves(engine, curves), options, KeepWindows::All);
+    EXPECT_LE(merged.relativeErrorBound(), 0.01);
+    expectCertified(merged, queries, { truth.vertices, truth.queries }, accuracyOn(GetParam()));
+  }
+  EXPECT_GT(threads.shared(), 20U) << "hardly a batch was shared";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, ParallelFront, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });
