@@ -59,6 +59,9 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
   "geodesic-distance ${same_version}, python3-paraview, "
   "python3 (>= ${CPACK_GEODESIC_PYTHON}), python3 (<< ${CPACK_GEODESIC_NEXT_PYTHON})")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+  "${CMAKE_CURRENT_LIST_DIR}/python3/postinst;${CMAKE_CURRENT_LIST_DIR}/python3/prerm")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "geodesic distance on triangle meshes, Python module
 ${what_it_is}
 .
