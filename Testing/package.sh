@@ -33,8 +33,7 @@ chmod 755 "$root"
 
 remove_root()
 {
-  umount -R "$root/proc" "$root/dev" 2> /dev/null || true
-  # Never look below what is still mounted.
+  umount "$root/proc" 2> /dev/null || true
   rm -rf --one-file-system "$root"
 }
 trap remove_root EXIT
@@ -52,8 +51,6 @@ rm "$root.log"
 printf '%s\n' "$sources" > "$root/etc/apt/sources.list"
 apt-config dump | grep -i '^Acquire::https\?::Proxy' > "$root/etc/apt/apt.conf.d/90proxy" || true
 mount -t proc proc "$root/proc"
-mount --rbind /dev "$root/dev"
-mount --make-rslave "$root/dev"
 
 # --------------------------------------------------------------------------- installed, and at work
 mkdir "$root/packages" "$root/checks"
