@@ -49,7 +49,10 @@ debootstrap --variant=minbase --include=ca-certificates bookworm "$root" "$mirro
   give_up "debootstrap failed; the end of $root.log:" "$(tail -n 5 "$root.log")"
 rm "$root.log"
 printf '%s\n' "$sources" > "$root/etc/apt/sources.list"
-apt-config dump | grep -i '^Acquire::https\?::Proxy' > "$root/etc/apt/apt.conf.d/90proxy" || true
+{
+  apt-config dump | grep -i '^Acquire::https\?::Proxy' || true
+  echo 'Dpkg::Use-Pty "0";' # there are no terminals
+} > "$root/etc/apt/apt.conf.d/90clean-debian"
 mount -t proc proc "$root/proc"
 
 # --------------------------------------------------------------------------- installed, and at work
@@ -97,7 +100,8 @@ printf '\n== And taking them away again ==\n'
 # shellcheck disable=SC2016 # expanded there
 on_clean_debian '
   apt-get purge -y -qq geodesic-distance geodesic-distance-doc > /install.log
-  left=$(find /usr /etc -iname "*geodesicdistance*" -o -iname "*geodesic-distance*" -o -name paraview.conf)
+  left=$(find /usr /etc -name "*FiltersGeodesic*" -o -name "GeodesicDistance*" \
+    -o -name "*geodesicdistance*" -o -name "geodesic-distance*" -o -name paraview.conf)
   [ -z "$left" ] || { echo "Left behind: $left"; exit 1; }'
 
 printf '\nThe packages:\n'
