@@ -15,7 +15,7 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 builds=$top/build-testing
 
 install_missing "${build_packages[@]}" libgtest-dev openmpi-bin libvtk9.1 libtbb-dev \
-  libglew-dev libgl-dev libfreetype-dev libpng-dev libtiff-dev libjpeg-dev
+  libglew-dev libgl-dev libfreetype-dev libpng-dev libtiff-dev libjpeg-dev doxygen dpkg-dev file lintian
 
 # Prints the first folder that a pattern finds and that holds a VTK to build against.
 vtk_below()

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
+install(
+  FILES
+    "${CMAKE_CURRENT_SOURCE_DIR}/README.md"
+    "${CMAKE_CURRENT_SOURCE_DIR}/CHANGELOG.md"
+    "${CMAKE_CURRENT_SOURCE_DIR}/CITATION.cff"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+  COMPONENT   documentation)
+install(
+  DIRECTORY   "${CMAKE_CURRENT_SOURCE_DIR}/Examples/"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples"
+  COMPONENT   documentation
+  PATTERN     "*.sh" EXCLUDE
+  PATTERN     "__pycache__" EXCLUDE)
+
+# API pages: `cmake --build build --target docs` writes docs/html/index.html into the build folder.
+# Where Doxygen is installed they are a part of the whole build, so that packages have them. What
+# Doxygen complains about is printed, and a test fails on it.
+find_package(Doxygen QUIET)
+option(GEODESIC_BUILD_DOCS "Build the API pages with everything else" "${DOXYGEN_FOUND}")
+
+if (NOT DOXYGEN_FOUND)
+  if (GEODESIC_BUILD_DOCS)
+    message(FATAL_ERROR "GEODESIC_BUILD_DOCS needs Doxygen (Debian: doxygen).")
+  endif ()
+  message(STATUS "Doxygen not found (Debian: doxygen): there are no API pages.")
+  add_custom_target(docs
+    COMMAND "${CMAKE_COMMAND}" -E echo "The API pages need Doxygen (Debian: doxygen); then configure again."
+    COMMAND "${CMAKE_COMMAND}" -E false
+    VERBATIM)
+  return ()
+endif ()
+
+set(geodesic_docs_dir "${CMAKE_BINARY_DIR}/docs")
+foreach (name IN ITEMS Doxyfile DoxyfilePublic)
+  configure_file("${CMAKE_CURRENT_LIST_DIR}/${name}.in" "${geodesic_docs_dir}/${name}" @ONLY)
+endforeach ()
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*.h" "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*.md")
+add_custom_command(
+  OUTPUT  "${geodesic_docs_dir}/warnings.txt"
+  COMMAND "${CMAKE_COMMAND}" -E rm -rf "${geodesic_docs_dir}/html"
+  COMMAND Doxygen::doxygen "${geodesic_docs_dir}/Doxyfile"
+  COMMAND "${CMAKE_COMMAND}" -E cat "${geodesic_docs_dir}/warnings.txt"
+  DEPENDS "${geodesic_docs_dir}/Doxyfile" ${headers}
+  COMMENT "Writing the API pages into ${geodesic_docs_dir}/html"
+  VERBATIM)
+set(all)
+if (GEODESIC_BUILD_DOCS)
+  set(all ALL)
+endif ()
+add_custom_target(docs ${all} DEPENDS "${geodesic_docs_dir}/warnings.txt")
+
+install(
+  DIRECTORY   "${geodesic_docs_dir}/html"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+  COMPONENT   documentation
+  OPTIONAL)

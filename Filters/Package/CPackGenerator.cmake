@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Read by CPack once for each kind of package. All files go into one archive; Debian gets
+#
+#   geodesic-distance          the library and the ParaView plugin, loaded at the start
+#   python3-geodesicdistance   the Python module
+#   geodesic-distance-dev      headers and the CMake package
+#   geodesic-distance-doc      API pages and examples
+if (NOT CPACK_GENERATOR STREQUAL "DEB")
+  return ()
+endif ()
+if (NOT CPACK_GEODESIC_PLUGINS_FILE OR NOT CPACK_GEODESIC_PYTHON_DESTINATION)
+  message(FATAL_ERROR "Debian packages are made of a build with the ParaView plugin and the Python "
+    "module (GEODESIC_BUILD_PLUGIN, GEODESIC_BUILD_PYTHON).")
+endif ()
+
+set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+set(CPACK_COMPONENTS_ALL runtime plugin python development documentation)
+set(CPACK_COMPONENT_RUNTIME_GROUP application)
+set(CPACK_COMPONENT_PLUGIN_GROUP application)
+
+# ----------------------------------------------------------------------------------- all packages
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_SOURCE "geodesic-distance")
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CPACK_GEODESIC_LIBRARIES}")
+set(same_version "(= ${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+
+# A description's first line is the summary: CPack's own would come before it.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY)
+set(what_it_is
+  "The length of the shortest path on a surface of triangles to points, polylines
+or the boundary: exact, or faster within a certified error, on a mesh that is
+refined until linear interpolation is within a tolerance.")
+
+# ----------------------------------------------------------------------------- library and plugin
+set(CPACK_DEBIAN_APPLICATION_PACKAGE_NAME "geodesic-distance")
+set(CPACK_DEBIAN_APPLICATION_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_APPLICATION_PACKAGE_RECOMMENDS "python3-paraview")
+set(CPACK_DEBIAN_APPLICATION_PACKAGE_SUGGESTS
+  "python3-geodesicdistance, geodesic-distance-dev, geodesic-distance-doc")
+set(CPACK_DEBIAN_APPLICATION_PACKAGE_CONTROL_EXTRA
+  "${CPACK_GEODESIC_CONTROL_DIR}/shlibs;${CPACK_GEODESIC_CONTROL_DIR}/triggers")
+set(CPACK_DEBIAN_APPLICATION_DESCRIPTION
+  "geodesic distance on triangle meshes, ParaView plugin
+${what_it_is}
+.
+This package has the VTK filters and the ParaView plugin, which ParaView loads
+when it starts: Filters > Geodesic.")
+
+# ----------------------------------------------------------------------------------------- Python
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME "python3-geodesicdistance")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+  "geodesic-distance ${same_version}, python3-paraview, "
+  "python3 (>= ${CPACK_GEODESIC_PYTHON}), python3 (<< ${CPACK_GEODESIC_NEXT_PYTHON})")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+  "${CMAKE_CURRENT_LIST_DIR}/python3/postinst;${CMAKE_CURRENT_LIST_DIR}/python3/prerm")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "geodesic distance on triangle meshes, Python module
+${what_it_is}
+.
+This package has the VTK filters as a Python module.")
+
+# ------------------------------------------------------------------------------------ development
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME "geodesic-distance-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "geodesic-distance ${same_version}, paraview-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "geodesic distance on triangle meshes, C++ headers
+${what_it_is}
+.
+This package has the headers and the CMake package GeodesicDistance.")
+
+# ---------------------------------------------------------------------------------- documentation
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_NAME "geodesic-distance-doc")
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SUGGESTS "geodesic-distance")
+set(CPACK_DEBIAN_DOCUMENTATION_DESCRIPTION "geodesic distance on triangle meshes, documentation
+${what_it_is}
+.
+This package has the API pages and examples in C++ and Python.")
+
+# Debian's own files are made where CPack has put together those of the packages.
+set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/DebianFiles.cmake")

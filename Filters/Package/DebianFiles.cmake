@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Run by CPack when the files of the Debian packages lie in their folders, a folder a component:
+# puts them where Debian wants them, and adds what only Debian has.
+set(packages "${CPACK_TEMPORARY_DIRECTORY}")
+set(docs "usr/share/doc")
+
+# The dynamic linker finds the library in its folder; a path of our own is not needed.
+file(GLOB_RECURSE libraries "${packages}/*.so" "${packages}/*.so.*")
+foreach (library IN LISTS libraries)
+  if (NOT IS_SYMLINK "${library}")
+    file(RPATH_REMOVE FILE "${library}")
+  endif ()
+endforeach ()
+
+# Debian has one folder of modules for all versions of Python 3.
+set(modules "${packages}/python/usr/lib/python3/dist-packages")
+file(MAKE_DIRECTORY "${modules}")
+file(RENAME "${packages}/python/usr/${CPACK_GEODESIC_PYTHON_DESTINATION}/geodesicdistance"
+  "${modules}/geodesicdistance")
+file(REMOVE_RECURSE "${packages}/python/usr/lib/python${CPACK_GEODESIC_PYTHON}")
+
+# A by-product of the plugin's build, of use to nobody who has the plugin.
+file(GLOB archives "${packages}/development/usr/${CPACK_GEODESIC_LIBDIR}/*.a")
+file(REMOVE ${archives})
+
+# ParaView reads bin/paraview.conf, where Debian's has none: it lists files that list plugins. Ours
+# says that the plugin is loaded at the start.
+file(RELATIVE_PATH plugins_file "/usr/bin" "/usr/${CPACK_GEODESIC_PLUGINS_FILE}")
+file(WRITE "${packages}/application/usr/bin/paraview.conf" "${plugins_file}\n")
+
+# ------------------------------------------------------------------------- copyright and changelogs
+file(READ "${CPACK_GEODESIC_SOURCE_DIR}/LICENSE" license)
+string(STRIP "${license}" license)
+string(REGEX REPLACE "^BSD 3-Clause License\n+" "" license "${license}")
+string(REGEX MATCH "Copyright \\(c\\) ([^\n]*)" holders "${license}")
+set(holders "${CMAKE_MATCH_1}")
+string(REGEX REPLACE "\n\n" "\n.\n" license "${license}")
+string(REPLACE "\n" "\n " license "${license}")
+file(WRITE "${packages}/copyright"
+"Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
+Upstream-Name: Geodesic Distance
+
+Files: *
+Copyright: 2026 ${holders}
+License: BSD-3-Clause
+
+License: BSD-3-Clause
+ ${license}
+")
+
+string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
+file(WRITE "${packages}/changelog.Debian"
+"geodesic-distance (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
+
+  * Packages of version ${CPACK_PACKAGE_VERSION}; what has changed is told in changelog.gz.
+
+ -- ${CPACK_PACKAGE_CONTACT}  ${now}
+")
+configure_file("${CPACK_GEODESIC_SOURCE_DIR}/CHANGELOG.md" "${packages}/changelog" COPYONLY)
+
+# -n: no time in the file, so that the same build gives the same bytes.
+execute_process(
+  COMMAND gzip -9nf changelog changelog.Debian
+  WORKING_DIRECTORY "${packages}"
+  RESULT_VARIABLE result)
+if (result)
+  message(FATAL_ERROR "gzip failed: ${result}")
+endif ()
+foreach (package IN ITEMS
+    application:geodesic-distance
+    python:python3-geodesicdistance
+    development:geodesic-distance-dev
+    documentation:geodesic-distance-doc)
+  string(REPLACE ":" ";" package "${package}")
+  list(GET package 0 component)
+  list(GET package 1 name)
+  file(COPY "${packages}/copyright" "${packages}/changelog.gz" "${packages}/changelog.Debian.gz"
+    DESTINATION "${packages}/${component}/${docs}/${name}"
+    FILE_PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
+endforeach ()

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Packages: after a build `cpack -G TGZ` and `cpack -G DEB` in its folder, or `cpack` for both.
+# Installed files belong to the components runtime (the library), plugin, python, development,
+# documentation and licenses. The archive has all of them; Debian's packages are made of them in
+# CPackGenerator.cmake.
+set(CPACK_PACKAGE_NAME "geodesic-distance")
+set(CPACK_PACKAGE_VENDOR "Geodesic Distance authors")
+set(CPACK_PACKAGE_CONTACT "Geodesic Distance authors <authors@geodesic-distance.invalid>"
+  CACHE STRING "Name and address of whoever makes the packages")
+mark_as_advanced(CPACK_PACKAGE_CONTACT)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
+set(CPACK_RESOURCE_FILE_README "${PROJECT_SOURCE_DIR}/README.md")
+set(CPACK_PACKAGE_FILE_NAME
+  "geodesic-distance-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_GENERATOR TGZ)
+if (EXISTS "/etc/debian_version" AND ParaView_FOUND)
+  list(APPEND CPACK_GENERATOR DEB)
+endif ()
+set(CPACK_PROJECT_CONFIG_FILE "${CMAKE_CURRENT_LIST_DIR}/CPackGenerator.cmake")
+
+# What the scripts that CPack runs have to know of this build.
+set(CPACK_GEODESIC_SOURCE_DIR "${PROJECT_SOURCE_DIR}")
+set(CPACK_GEODESIC_LIBRARIES "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
+set(CPACK_GEODESIC_LIBDIR "${CMAKE_INSTALL_LIBDIR}")
+set(CPACK_GEODESIC_PLUGINS_FILE)
+if (GEODESIC_BUILD_PLUGIN)
+  set(CPACK_GEODESIC_PLUGINS_FILE
+    "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/${geodesic_plugins_file}")
+endif ()
+set(CPACK_GEODESIC_PYTHON_DESTINATION)
+if (GEODESIC_BUILD_PYTHON)
+  set(CPACK_GEODESIC_PYTHON_DESTINATION "${GEODESIC_PYTHON_DESTINATION}")
+endif ()
+set(CPACK_GEODESIC_PYTHON "${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}")
+set(CPACK_GEODESIC_NEXT_PYTHON)
+if (Python3_FOUND)
+  math(EXPR minor "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_GEODESIC_NEXT_PYTHON "${Python3_VERSION_MAJOR}.${minor}")
+endif ()
+
+# Which package has the library, for packages that link it; and that installing it tells the linker.
+set(CPACK_GEODESIC_CONTROL_DIR "${CMAKE_BINARY_DIR}/Module/Debian")
+get_target_property(soversion FiltersGeodesic SOVERSION)
+if (NOT soversion)
+  set(soversion "${PROJECT_VERSION}")
+endif ()
+file(WRITE "${CPACK_GEODESIC_CONTROL_DIR}/shlibs"
+  "libvtkFiltersGeodesic ${soversion} geodesic-distance (>= ${PROJECT_VERSION})\n")
+file(WRITE "${CPACK_GEODESIC_CONTROL_DIR}/triggers" "activate-noawait ldconfig\n")
+
+include(CPack)
