@@ -93,12 +93,12 @@
 #define vtkGeodesicDistanceField_h
 
 #include "vtkFiltersGeodesicModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkGeodesicAlgorithm.h"
 
 #include <limits> // for std::numeric_limits
-#include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
-class VTKFILTERSGEODESIC_EXPORT vtkGeodesicDistanceField : public vtkPolyDataAlgorithm
+class VTKFILTERSGEODESIC_EXPORT vtkGeodesicDistanceField : public vtkGeodesicAlgorithm
 {
 public:
   ///@{
@@ -106,38 +106,8 @@ public:
    * Standard methods for construction, type information and printing.
    */
   static vtkGeodesicDistanceField* New();
-  vtkTypeMacro(vtkGeodesicDistanceField, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkGeodesicDistanceField, vtkGeodesicAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
-
-  ///@{
-  /**
-   * The source on port 1: curves and points. Not needed when the boundary is the source.
-   */
-  void SetSourceConnection(vtkAlgorithmOutput* output);
-  void SetSourceData(vtkPolyData* source);
-  ///@}
-
-  /**
-   * What distances are measured from.
-   */
-  enum SourceTypes
-  {
-    SOURCE_CURVE = 0,
-    SURFACE_BOUNDARY = 1,
-    CURVE_AND_BOUNDARY = 2
-  };
-
-  ///@{
-  /**
-   * Measure distances from the curves and points on port 1 (the default), from the boundary of the
-   * surface, or from both.
-   */
-  vtkSetClampMacro(SourceType, int, SOURCE_CURVE, CURVE_AND_BOUNDARY);
-  vtkGetMacro(SourceType, int);
-  void SetSourceTypeToSourceCurve() { this->SetSourceType(SOURCE_CURVE); }
-  void SetSourceTypeToSurfaceBoundary() { this->SetSourceType(SURFACE_BOUNDARY); }
-  void SetSourceTypeToCurveAndBoundary() { this->SetSourceType(CURVE_AND_BOUNDARY); }
   ///@}
 
   /**
@@ -231,17 +201,6 @@ public:
 
   ///@{
   /**
-   * Whether points at exactly one place are one point, so that faces around it are connected. On by
-   * default: formats without shared points (STL) or with seams (OBJ) need it. The output keeps the
-   * points of the input in either case.
-   */
-  vtkSetMacro(MergeCoincidentPoints, bool);
-  vtkGetMacro(MergeCoincidentPoints, bool);
-  vtkBooleanMacro(MergeCoincidentPoints, bool);
-  ///@}
-
-  ///@{
-  /**
    * Name of the point data array with the distances. Default: GeodesicDistance.
    */
   vtkSetStringMacro(DistanceArrayName);
@@ -287,18 +246,16 @@ protected:
   vtkGeodesicDistanceField();
   ~vtkGeodesicDistanceField() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  std::string FindWrongProperty() const override;
+  void ResetResults() override;
+  void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
 
 private:
   vtkGeodesicDistanceField(const vtkGeodesicDistanceField&) = delete;
   void operator=(const vtkGeodesicDistanceField&) = delete;
 
-  /// Says what is wrong with a property; null where all are right.
-  const char* FindWrongProperty() const;
+  class vtkWorker;
 
-  int SourceType = SOURCE_CURVE;
   int Accuracy = EXACT;
   double RelativeError = 0.001;
   bool RefineMesh = true;
@@ -307,15 +264,11 @@ private:
   double AbsoluteRefinementTolerance = 1.0;
   vtkIdType MaximumNumberOfCells = 50000000;
   double MaximumDistance = 0.0;
-  bool MergeCoincidentPoints = true;
   char* DistanceArrayName = nullptr;
   double WindowsPropagatedPerEdge = 0.0;
   double SourceSnapDistance = 0.0;
   double RelativeErrorBound = 0.0;
   double InterpolationErrorBound = std::numeric_limits<double>::infinity();
-
-  class vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/FilterExecution.h"
+
+#include "PolyData/PolyDataSource.h"
+#include "vtkGeodesicAlgorithm.h"
+
+#include "vtkVersionMacros.h"
+
+#include <iterator>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+// Where the stages end, as fractions of the whole.
+constexpr double SurfaceRead = 0.15;
+constexpr double SourceLocated = 0.2;
+
+}
+
+FilterExecution::FilterExecution(
+  vtkGeodesicAlgorithm* filter, SurfaceCache& cache, vtkDataObject* surface, vtkDataObject* source)
+  : filter_(filter)
+  , cache_(cache)
+  , surfaceInput_(surface)
+  , sourceInput_(source)
+{
+}
+
+void FilterExecution::readInputs()
+{
+  this->surfaceBlocks_ = polyDataBlocks(this->surfaceInput_, "the surface (input port 0)");
+  this->cache_.update(this->surfaceInput_, this->surfaceBlocks_,
+    this->filter_->GetMergeCoincidentPoints(), this->progressBetween(0.0, SurfaceRead));
+  if (this->cache_.isNoteDue())
+  {
+    noteSurface(this->surface(), this->notes_);
+  }
+  this->reach(SurfaceRead);
+  this->readSources();
+}
+
+void FilterExecution::readSources()
+{
+  const int type = this->filter_->GetSourceType();
+  if (type == vtkGeodesicAlgorithm::SOURCE_CURVE && !this->sourceInput_)
+  {
+    throw SourceError("There is no source: connect a curve to input port 1 (SetSourceConnection or "
+                      "SetSourceData; Source in ParaView), or set SourceType to Surface Boundary.");
+  }
+  const bool hasCurve = type != vtkGeodesicAlgorithm::SURFACE_BOUNDARY && this->sourceInput_;
+  if (hasCurve)
+  {
+    const std::vector<PolyDataBlock> blocks =
+      polyDataBlocks(this->sourceInput_, "the source (input port 1)");
+    const std::vector<LocatedPolyline> lines =
+      readSource(blocks, this->locator(), this->progressBetween(SurfaceRead, SourceLocated));
+    this->sources_ = putOntoSurface(this->surface().mesh(), lines, snapOptionsFor(blocks),
+      this->progressBetween(SourceLocated, InputsRead));
+    noteSource(this->surface(), this->sources_, this->notes_);
+  }
+  if (type != vtkGeodesicAlgorithm::SOURCE_CURVE)
+  {
+    this->addBoundary(hasCurve);
+  }
+}
+
+void FilterExecution::addBoundary(bool hasCurve)
+{
+  std::vector<SourceCurve> boundary = boundaryCurves(this->surface().mesh());
+  if (boundary.empty() && !hasCurve)
+  {
+    throw SourceError(
+      "The surface (input port 0) is closed: it has no boundary to measure from. Set "
+      "SourceType to Source Curve and connect a curve to input port 1.");
+  }
+  if (boundary.empty())
+  {
+    this->notes_.add("The surface is closed, without boundary: the curve alone is the source.");
+  }
+  if (!hasCurve && this->filter_->GetSourceType() == vtkGeodesicAlgorithm::CURVE_AND_BOUNDARY)
+  {
+    this->notes_.add("No curve is connected to input port 1: the boundary alone is the source.");
+  }
+  std::move(boundary.begin(), boundary.end(), std::back_inserter(this->sources_.curves));
+}
+
+ProgressCallback FilterExecution::progressBetween(double begin, double end) const
+{
+  return [filter = this->filter_, begin, end](double fraction)
+  {
+    filter->UpdateProgress(begin + fraction * (end - begin));
+#if VTK_VERSION_NUMBER >= 90220220630ULL
+    return !filter->CheckAbort();
+#else
+    return !filter->GetAbortExecute();
+#endif
+  };
+}
+
+void FilterExecution::reach(double fraction) const
+{
+  if (!this->progressBetween(fraction, fraction)(1.0))
+  {
+    throw Aborted();
+  }
+}
+
+void FilterExecution::giveNotes()
+{
+  this->cache_.setNoteGiven();
+  if (!this->notes_.text().empty())
+  {
+    vtkWarningWithObjectMacro(this->filter_, "About the input:" << this->notes_.text());
+  }
+}
+
+}
