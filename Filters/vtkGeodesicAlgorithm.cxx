@@ -6,11 +6,16 @@
 #include "PolyData/SurfaceCache.h"
 
 #include "vtkDataObject.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
+#include <exception>
 #include <new>
 
 namespace
@@ -18,6 +23,21 @@ namespace
 
 // Below malloc's threshold for memory of its own, so that it is at hand when it is freed.
 constexpr std::size_t MemoryForMessages = 1 << 16;
+
+int NumberOfProcesses(vtkMultiProcessController* controller)
+{
+  return controller ? controller->GetNumberOfProcesses() : 1;
+}
+
+/// The piece that is asked of the output port from which the request comes.
+int PieceAskedFor(vtkInformation* request, vtkInformationVector* outputVector)
+{
+  const int port = request->Has(vtkExecutive::FROM_OUTPUT_PORT())
+    ? std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()))
+    : 0;
+  vtkInformation* info = outputVector->GetInformationObject(port);
+  return info ? vtkStreamingDemandDrivenPipeline::GetUpdatePiece(info) : 0;
+}
 
 void EmptyOutputs(vtkInformationVector* outputVector)
 {
@@ -34,6 +54,9 @@ class vtkGeodesicAlgorithm::vtkInternals
 {
 public:
   geodesic::SurfaceCache Cache;
+  /// The user's controller; the global one unless one was set.
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  bool HasController = false;
 };
 
 //------------------------------------------------------------------------------
@@ -76,27 +99,89 @@ std::string vtkGeodesicAlgorithm::FindWrongProperty() const
 }
 
 //------------------------------------------------------------------------------
-int vtkGeodesicAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkGeodesicAlgorithm::SetController(vtkMultiProcessController* controller)
 {
-  this->ResetResults();
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller && controller->GetNumberOfProcesses() > 1)
+  if (!this->Internals->HasController || this->Internals->Controller != controller)
   {
+    this->Internals->HasController = true;
+    this->Internals->Controller = controller;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkGeodesicAlgorithm::GetController()
+{
+  return this->Internals->HasController ? this->Internals->Controller.Get()
+                                        : vtkMultiProcessController::GetGlobalController();
+}
+
+//------------------------------------------------------------------------------
+int vtkGeodesicAlgorithm::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    outputVector->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGeodesicAlgorithm::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+{
+  if (NumberOfProcesses(this->GetController()) > 1)
+  {
+    return 1;
+  }
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = inputVector[port]->GetInformationObject(i);
+      info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGeodesicAlgorithm::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int processes = NumberOfProcesses(this->GetController());
+  if (processes > 1)
+  {
+    this->ResetResults();
     vtkErrorMacro("The surface may be distributed over "
-      << controller->GetNumberOfProcesses()
+      << processes
       << " MPI ranks, but distances are computed in one process only and would be wrong. Run with "
-         "one "
-         "rank.");
+         "one rank, or, where every rank that executes has the whole surface, call "
+         "SetController(nullptr).");
     return 0;
   }
+  if (PieceAskedFor(request, outputVector) > 0)
+  {
+    return 1; // piece 0 has everything
+  }
+  this->ResetResults();
   const std::string wrong = this->FindWrongProperty();
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong);
     return 0;
   }
+  return this->ComputeOrExplain(inputVector, outputVector) ? 1 : 0;
+}
 
+//------------------------------------------------------------------------------
+bool vtkGeodesicAlgorithm::ComputeOrExplain(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try
   {
@@ -105,12 +190,12 @@ int vtkGeodesicAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
       vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]));
     this->Compute(execution, outputVector);
     execution.giveNotes();
-    return 1;
+    return true;
   }
   catch (const geodesic::Aborted&)
   {
     EmptyOutputs(outputVector);
-    return 1;
+    return true;
   }
   catch (const geodesic::Error& error)
   {
@@ -126,7 +211,25 @@ int vtkGeodesicAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
       "There is not enough memory for this surface. Decimate it, cut it into parts, set "
       "MaximumDistance, switch RefineMesh off or set Accuracy to Approximate.");
   }
-  return 0;
+  catch (const std::exception& error)
+  {
+    EmptyOutputs(outputVector);
+    this->Internals->Cache.release();
+    vtkErrorMacro("The distance could not be computed, for a reason that was not foreseen: "
+      << error.what()
+      << ". Please report this with the surface and the source, unless an observer of this filter "
+         "has thrown it.");
+  }
+  catch (...)
+  {
+    EmptyOutputs(outputVector);
+    this->Internals->Cache.release();
+    vtkErrorMacro(
+      "The distance could not be computed, for a reason that was not foreseen and has no "
+      "description. Please report this with the surface and the source, unless an "
+      "observer of this filter has thrown it.");
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -135,4 +238,6 @@ void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SourceType: " << this->SourceType << "\n";
   os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
+  os << indent << "Controller: " << (this->Internals->HasController ? "" : "(global) ")
+     << this->Internals->Controller.Get() << "\n";
 }

@@ -21,6 +21,8 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
+class vtkMultiProcessController;
+
 namespace geodesic
 {
 class FilterExecution;
@@ -78,11 +80,26 @@ public:
   vtkBooleanMacro(MergeCoincidentPoints, bool);
   ///@}
 
+  ///@{
+  /**
+   * The processes among which the surface may be distributed. By default these are those of the
+   * global controller. With null this process works alone: a filter that is executed on one rank
+   * only, or on whole data on each, needs that. With more than one process executing is an error.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
 protected:
   vtkGeodesicAlgorithm();
   ~vtkGeodesicAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  /// In one process asks for the whole of every input, whatever piece is asked of this.
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   /// Calls what a subclass has overridden below, and hands its exceptions to vtkErrorMacro.
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -98,6 +115,9 @@ protected:
 private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
   void operator=(const vtkGeodesicAlgorithm&) = delete;
+
+  /// Does the work and turns exceptions into errors. Returns whether all went well.
+  bool ComputeOrExplain(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
   int SourceType = SOURCE_CURVE;
   bool MergeCoincidentPoints = true;

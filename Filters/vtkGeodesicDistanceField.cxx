@@ -349,6 +349,17 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
     return "AbsoluteRefinementTolerance is not a positive number: set the largest difference that "
            "is allowed, in the units of the surface, or switch RefineMesh off.";
   }
+  if (this->RefineMesh && this->MaximumNumberOfCells < 0)
+  {
+    return "MaximumNumberOfCells is negative: set the largest number of triangles that the refined "
+           "surface may have, or 0 for no limit.";
+  }
+  if (!(this->MaximumDistance >= 0.0))
+  {
+    return "MaximumDistance is not a number of at least 0: set the distance to stop at, in the "
+           "units "
+           "of the surface, or 0 for no limit.";
+  }
   return this->Superclass::FindWrongProperty();
 }
 

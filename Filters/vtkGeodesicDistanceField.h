@@ -153,8 +153,8 @@ public:
   ///@{
   /**
    * The largest difference between the linear interpolant of the output and the computed distance,
-   * as a fraction of the diagonal of the surface's bounding box. Default: 0.001. Used unless
-   * ToleranceIsAbsolute is on. Anything but a positive number is an error.
+   * as a fraction of the diagonal of the bounding box of the points that faces use. Default: 0.001.
+   * Used unless ToleranceIsAbsolute is on. Anything but a positive number is an error.
    */
   vtkSetMacro(RefinementTolerance, double);
   vtkGetMacro(RefinementTolerance, double);
@@ -183,9 +183,10 @@ public:
   /**
    * Refinement stops before the output has more triangles than this; 0 is no limit. Triangles with
    * the largest error are split first, and a warning says which tolerance was met. A surface
-   * that has more triangles already is not refined, with a warning. Default: 50,000,000.
+   * that has more triangles already is not refined, with a warning. Default: 50,000,000. A negative
+   * number is an error.
    */
-  vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 0, VTK_ID_MAX);
+  vtkSetMacro(MaximumNumberOfCells, vtkIdType);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
   ///@}
 
@@ -193,9 +194,10 @@ public:
   /**
    * Stop at this distance, in the units of the surface; 0, the default, is no limit. Every face
    * that has a point within the limit gets exact values at all its points, so that contours inside
-   * the limit are whole. Points beyond that are infinitely far.
+   * the limit are whole. Points beyond that are infinitely far. A negative value or NaN is an
+   * error.
    */
-  vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
   ///@}
 

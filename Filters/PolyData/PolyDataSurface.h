@@ -57,12 +57,13 @@ public:
   /// \param mesh its vertices are the points, or what vertexOfPoint says; its input faces are the
   ///        triangles of all blocks.
   /// \param vertexOfPoint the vertex that stands for each point; empty where each is its own.
-  /// \param diagonal of the bounding box.
+  /// \param diagonal of the bounding box of the points that triangles use.
   PolyDataSurface(std::unique_ptr<TriangleMesh> mesh, std::vector<Id> vertexOfPoint,
     std::vector<SurfaceBlock> blocks, double diagonal, const Report& report);
 
   const TriangleMesh& mesh() const { return *this->mesh_; }
   const Report& report() const { return this->report_; }
+  /// Of the bounding box of the points that triangles use.
   double diagonal() const { return this->diagonal_; }
   const std::vector<SurfaceBlock>& blocks() const { return this->blocks_; }
 

@@ -32,16 +32,22 @@ bool isFinite(const Vec3& p)
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-double diagonalOf(const std::vector<Vec3>& points)
+/// The diagonal of the bounding box of the points that triangles use: others are not surface, and
+/// may lie anywhere.
+double diagonalOf(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
 {
-  Vec3 low = points.front();
+  Vec3 low = points[triangles.front()[0]];
   Vec3 high = low;
-  for (const Vec3& p : points)
+  for (const Triangle& triangle : triangles)
   {
-    for (std::size_t k = 0; k < 3; ++k)
+    for (const Id corner : triangle)
     {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
+      const Vec3& p = points[corner];
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        low[k] = std::min(low[k], p[k]);
+        high[k] = std::max(high[k], p[k]);
+      }
     }
   }
   return norm(high - low);
@@ -88,7 +94,8 @@ public:
     {
       this->keepTriangles(i);
     }
-    const double diagonal = diagonalOf(this->vertices_);
+    this->nameVertices();
+    const double diagonal = diagonalOf(this->vertices_, this->triangles_.corners);
     std::unique_ptr<TriangleMesh> mesh = this->makeMesh();
     return { std::move(mesh), std::move(this->vertexOfPoint_), std::move(this->blocks_), diagonal,
       this->report_ };
@@ -101,6 +108,7 @@ private:
   void readTriangles(vtkIdType faces);
   void readTriangles(std::size_t block, const std::function<void()>& next);
   void keepTriangles(std::size_t block);
+  void nameVertices();
   std::unique_ptr<TriangleMesh> makeMesh();
 
   const std::vector<PolyDataBlock>& inputs_;
@@ -260,18 +268,26 @@ void SurfaceReader::keepTriangles(std::size_t index)
     cells + static_cast<std::ptrdiff_t>(first), cells + static_cast<std::ptrdiff_t>(last));
 }
 
-std::unique_ptr<TriangleMesh> SurfaceReader::makeMesh()
+/// From here on the corners of the triangles are vertices in place of points.
+void SurfaceReader::nameVertices()
 {
   this->triangles_.cells = {};
-  std::vector<Triangle>& triangles = this->triangles_.corners;
-  for (std::size_t i = 0; i < triangles.size() && !this->vertexOfPoint_.empty(); ++i)
+  if (this->vertexOfPoint_.empty())
   {
-    for (Id& corner : triangles[i])
+    return;
+  }
+  for (Triangle& triangle : this->triangles_.corners)
+  {
+    for (Id& corner : triangle)
     {
       corner = this->vertexOfPoint_[corner];
     }
   }
-  return std::make_unique<TriangleMesh>(std::move(this->vertices_), triangles,
+}
+
+std::unique_ptr<TriangleMesh> SurfaceReader::makeMesh()
+{
+  return std::make_unique<TriangleMesh>(std::move(this->vertices_), this->triangles_.corners,
     [this](double fraction) {
       return !this->callback_ || this->callback_(TrianglesRead + (1.0 - TrianglesRead) * fraction);
     });
