@@ -6,6 +6,7 @@
 #include "PolyData/SurfaceCache.h"
 
 #include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -76,15 +77,15 @@ void vtkGeodesicAlgorithm::SetSourceConnection(vtkAlgorithmOutput* output)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicAlgorithm::SetSourceData(vtkPolyData* source)
+void vtkGeodesicAlgorithm::SetSourceData(vtkDataObject* source)
 {
-  this->SetInputData(1, source);
+  this->SetInputDataInternal(1, source);
 }
 
 //------------------------------------------------------------------------------
 int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -114,6 +115,40 @@ vtkMultiProcessController* vtkGeodesicAlgorithm::GetController()
 {
   return this->Internals->HasController ? this->Internals->Controller.Get()
                                         : vtkMultiProcessController::GetGlobalController();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkGeodesicAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->RequestDataObject(request, inputVector, outputVector);
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkGeodesicAlgorithm::RequestDataObject(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  const char* type = this->GetOutputPortInformation(0)->Get(vtkDataObject::DATA_TYPE_NAME());
+  if (!info || std::string(type) != "vtkDataObject")
+  {
+    return 1; // the executive makes what is always of one kind
+  }
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  const bool isComposite = input && input->IsA("vtkCompositeDataSet");
+  const std::string wanted = isComposite ? input->GetClassName() : "vtkPolyData";
+  if (!output || output->GetClassName() != wanted)
+  {
+    const auto made =
+      vtk::TakeSmartPointer<vtkDataObject>(isComposite ? input->NewInstance() : vtkPolyData::New());
+    info->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -166,7 +201,13 @@ int vtkGeodesicAlgorithm::RequestData(
   }
   if (PieceAskedFor(request, outputVector) > 0)
   {
-    return 1; // piece 0 has everything
+    // Piece 0 has everything; the others have the same blocks.
+    vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+    if (output->IsA("vtkCompositeDataSet"))
+    {
+      geodesic::makeBlocksLike(vtkDataObject::GetData(inputVector[0]), output);
+    }
+    return 1;
   }
   this->ResetResults();
   const std::string wrong = this->FindWrongProperty();

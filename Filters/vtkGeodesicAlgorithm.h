@@ -41,10 +41,11 @@ public:
 
   ///@{
   /**
-   * The source on port 1: curves and points. Not needed when the boundary is the source.
+   * The source on port 1: curves and points, a vtkPolyData or a composite data set of these. Not
+   * needed when the boundary is the source.
    */
   void SetSourceConnection(vtkAlgorithmOutput* output);
-  void SetSourceData(vtkPolyData* source);
+  void SetSourceData(vtkDataObject* source);
   ///@}
 
   /**
@@ -94,7 +95,13 @@ protected:
   vtkGeodesicAlgorithm();
   ~vtkGeodesicAlgorithm() override;
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  /// Makes output 0 an object of the kind of the surface where it may be any (see
+  /// FillOutputPortInformation()).
+  virtual int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   /// In one process asks for the whole of every input, whatever piece is asked of this.

@@ -113,7 +113,7 @@ double vtkGeodesicDistanceField::vtkWorker::Tolerance() const
 bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
 {
   const vtkIdType most = this->Self->MaximumNumberOfCells;
-  const vtkIdType count = this->Execution.surface().numberOfTriangles();
+  const vtkIdType count = this->Execution.surface().numberOfOwnTriangles();
   if (!this->Self->RefineMesh || !(this->Tolerance() > 0.0))
   {
     return false; // a surface without extent has nothing to refine
@@ -177,7 +177,7 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
   options.tolerance = this->Tolerance();
   if (this->Self->MaximumNumberOfCells > 0)
   {
-    const geodesic::Id duplicates = surface.numberOfTriangles() - surface.mesh().numberOfFaces();
+    const geodesic::Id duplicates = surface.numberOfOwnTriangles() - surface.mesh().numberOfFaces();
     options.maximumFaces =
       static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells) - duplicates;
   }
@@ -247,6 +247,7 @@ void vtkGeodesicDistanceField::vtkWorker::WriteSurface(
       geodesic::writeWhole(blocks[i], inputs[i].data, outputs[i], progress);
     }
     this->WriteDistances(result, i, outputs[i]);
+    outputs[i]->GetFieldData()->PassData(inputs[i].data->GetFieldData());
     this->WriteFieldData(outputs[i]);
   }
   this->WriteFieldData(output);
@@ -321,6 +322,13 @@ vtkGeodesicDistanceField::vtkGeodesicDistanceField()
 vtkGeodesicDistanceField::~vtkGeodesicDistanceField()
 {
   this->SetDistanceArrayName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkGeodesicDistanceField::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataObject" : "vtkPolyData");
+  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -248,6 +248,7 @@ protected:
   vtkGeodesicDistanceField();
   ~vtkGeodesicDistanceField() override;
 
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   std::string FindWrongProperty() const override;
   void ResetResults() override;
   void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;

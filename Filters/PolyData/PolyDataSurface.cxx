@@ -15,13 +15,23 @@ vtkIdType SurfaceBlock::numberOfTriangles() const
 }
 
 PolyDataSurface::PolyDataSurface(std::unique_ptr<TriangleMesh> mesh, std::vector<Id> vertexOfPoint,
-  std::vector<SurfaceBlock> blocks, double diagonal, const Report& report)
+  std::vector<SurfaceBlock> blocks, std::vector<std::uint8_t> isCopy, double diagonal,
+  const Report& report)
   : mesh_(std::move(mesh))
   , vertexOfPoint_(std::move(vertexOfPoint))
   , blocks_(std::move(blocks))
+  , isCopy_(std::move(isCopy))
   , diagonal_(diagonal)
   , report_(report)
 {
+  for (std::size_t i = 0; i < this->isCopy_.size(); ++i)
+  {
+    if (this->isCopy_[i] == 0)
+    {
+      this->ownTriangles_.push_back(static_cast<Id>(i));
+    }
+  }
+  this->numberOfCopies_ = static_cast<Id>(this->isCopy_.size() - this->ownTriangles_.size());
 }
 
 Id PolyDataSurface::numberOfPoints() const

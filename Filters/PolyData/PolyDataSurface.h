@@ -7,6 +7,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -55,11 +56,15 @@ public:
   };
 
   /// \param mesh its vertices are the points, or what vertexOfPoint says; its input faces are the
-  ///        triangles of all blocks.
+  ///        triangles of all blocks, without copies.
   /// \param vertexOfPoint the vertex that stands for each point; empty where each is its own.
+  /// \param isCopy whether a triangle is marked as a duplicate, by a ghost array, of another that
+  /// is
+  ///        here: it is not among the input faces of the mesh. Empty where there are none.
   /// \param diagonal of the bounding box of the points that triangles use.
   PolyDataSurface(std::unique_ptr<TriangleMesh> mesh, std::vector<Id> vertexOfPoint,
-    std::vector<SurfaceBlock> blocks, double diagonal, const Report& report);
+    std::vector<SurfaceBlock> blocks, std::vector<std::uint8_t> isCopy, double diagonal,
+    const Report& report);
 
   const TriangleMesh& mesh() const { return *this->mesh_; }
   const Report& report() const { return this->report_; }
@@ -79,10 +84,17 @@ public:
   /// The triangles that the output has where it is not refined. Of those on the same vertices the
   /// mesh has one: triangleOf() tells which.
   Id numberOfTriangles() const;
+  /// Of these, the ones that are surface; the others are copies by ghost arrays.
+  Id numberOfOwnTriangles() const { return this->numberOfTriangles() - this->numberOfCopies_; }
+  bool isCopy(Id triangle) const { return !this->isCopy_.empty() && this->isCopy_[triangle] != 0; }
   /// The input's points at a triangle's corners.
   Triangle triangle(Id triangle) const;
   /// The triangle that a face of the mesh came from.
-  Id triangleOf(Id face) const { return this->mesh_->inputFace(face); }
+  Id triangleOf(Id face) const
+  {
+    const Id input = this->mesh_->inputFace(face);
+    return this->ownTriangles_.empty() ? input : this->ownTriangles_[input];
+  }
   /// The input's points at the corners of a face of the mesh.
   Triangle cornerPoints(Id face) const { return this->triangle(this->triangleOf(face)); }
   /// The block that a point or a triangle belongs to.
@@ -93,6 +105,10 @@ private:
   std::unique_ptr<TriangleMesh> mesh_;
   std::vector<Id> vertexOfPoint_;
   std::vector<SurfaceBlock> blocks_;
+  std::vector<std::uint8_t> isCopy_;
+  /// The triangles without copies; empty where there are none.
+  std::vector<Id> ownTriangles_;
+  Id numberOfCopies_ = 0;
   double diagonal_;
   Report report_;
 };

@@ -175,9 +175,9 @@ void addDuplicateFaces(
   const std::vector<Id> faces = facesOfTriangles(surface, parts);
   const std::vector<Id> first = firstParts(refined.faces, mesh.numberOfFaces());
   std::uint64_t total = 0;
-  for (const Id face : faces)
+  for (Id i = 0; i < faces.size(); ++i)
   {
-    total += first[face + 1] - first[face];
+    total += surface.isCopy(i) ? 0 : first[faces[i] + 1] - first[faces[i]];
   }
   const bool whole = maximumFaces > 0 && total > maximumFaces;
 
@@ -188,7 +188,8 @@ void addDuplicateFaces(
     const Id face = faces[i];
     const bool isDuplicate = surface.triangleOf(face) != i;
     const Triangle own = surface.triangle(i);
-    if (isDuplicate && (whole || first[face + 1] - first[face] == 1))
+    const bool staysWhole = whole && !surface.isCopy(i);
+    if (isDuplicate && (staysWhole || first[face + 1] - first[face] == 1))
     {
       triangles.push_back(own);
       parents.push_back(i);

@@ -13,7 +13,8 @@ namespace geodesic
 
 /// The mesh has one of the faces on the same corners, the surface has them all: gives the others
 /// the parts of the first, so that they still fit to their neighbours. Where that would make more
-/// than maximumFaces triangles (0: no limit) they stay whole.
+/// than maximumFaces triangles (0: no limit) they stay whole. Copies by ghost arrays do not count,
+/// and always look like their originals.
 ///
 /// After the call RefinedMesh::faces has numbers of the surface's triangles.
 void addDuplicateFaces(

@@ -2,7 +2,9 @@
 #include "PolyData/SurfaceReader.h"
 
 #include "PolyData/ArrayMemory.h"
+#include "PolyData/GhostCells.h"
 #include "PolyData/PointMerger.h"
+#include "PolyData/SeamMerger.h"
 #include "PolyData/Triangulator.h"
 
 #include "vtkCellArray.h"
@@ -11,7 +13,9 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -90,6 +94,11 @@ public:
     }
     this->progress_.nextUntil(TrianglesRead);
     this->readTriangles(faces);
+    if (mergeCoincidentPoints)
+    {
+      this->mergeSeams();
+    }
+    this->findCopies();
     for (std::size_t i = 0; i < this->blocks_.size(); ++i)
     {
       this->keepTriangles(i);
@@ -97,8 +106,8 @@ public:
     this->nameVertices();
     const double diagonal = diagonalOf(this->vertices_, this->triangles_.corners);
     std::unique_ptr<TriangleMesh> mesh = this->makeMesh();
-    return { std::move(mesh), std::move(this->vertexOfPoint_), std::move(this->blocks_), diagonal,
-      this->report_ };
+    return { std::move(mesh), std::move(this->vertexOfPoint_), std::move(this->blocks_),
+      std::move(this->isCopy_), diagonal, this->report_ };
   }
 
 private:
@@ -107,6 +116,11 @@ private:
   void readPoints(const PolyDataBlock& input);
   void readTriangles(vtkIdType faces);
   void readTriangles(std::size_t block, const std::function<void()>& next);
+  Triangle verticesOf(const Triangle& points) const;
+  std::size_t endOfTriangles(std::size_t block) const;
+  void mergeSeams();
+  void takeOver(const std::vector<Id>& same);
+  void findCopies();
   void keepTriangles(std::size_t block);
   void nameVertices();
   std::unique_ptr<TriangleMesh> makeMesh();
@@ -118,8 +132,10 @@ private:
   std::vector<Vec3> vertices_;
   std::vector<Id> vertexOfPoint_;
   TriangleList triangles_;
-  /// Cells of more than three corners in each block.
-  std::vector<vtkIdType> polygons_;
+  /// Whether a block has cells that are no triangles.
+  std::vector<bool> hasOtherCells_;
+  /// Whether a triangle is a copy of another; empty where none is.
+  std::vector<std::uint8_t> isCopy_;
   PolyDataSurface::Report report_;
 };
 
@@ -214,28 +230,116 @@ void SurfaceReader::readTriangles(vtkIdType faces)
 void SurfaceReader::readTriangles(std::size_t block, const std::function<void()>& next)
 {
   const PolyDataBlock& input = this->inputs_[block];
+  const GhostCells ghosts(input.data);
   Triangulator triangulator(
     input, this->blocks_[block].firstPoint, this->vertexOfPoint_, this->triangles_);
+  this->report_.droppedVertexCells += ghosts.countOwn(0, input.data->GetNumberOfVerts());
   // vtkPolyData numbers its cells in the order vertices, lines, polygons, strips.
-  vtkIdType cell = input.data->GetNumberOfVerts() + input.data->GetNumberOfLines();
-  forEachCell(input.data->GetPolys(),
-    [&](vtkIdType size, const vtkIdType* ids)
+  vtkIdType cell = input.data->GetNumberOfVerts();
+  this->report_.droppedLineCells += ghosts.countOwn(cell, cell + input.data->GetNumberOfLines());
+  cell += input.data->GetNumberOfLines();
+  const auto read = [&](vtkCellArray* cells, auto add)
+  {
+    forEachCell(cells,
+      [&](vtkIdType size, const vtkIdType* ids)
+      {
+        next();
+        if (!ghosts.isHidden(cell))
+        {
+          (triangulator.*add)({ cell, ghosts.isDuplicate(cell) }, size, ids);
+        }
+        ++cell;
+      });
+  };
+  read(input.data->GetPolys(), &Triangulator::addPolygon);
+  read(input.data->GetStrips(), &Triangulator::addStrip);
+  this->hasOtherCells_.push_back(triangulator.hasOtherCells());
+  this->report_.facesWithRepeatedPoint += triangulator.report().facesWithRepeatedPoint;
+  this->report_.polygons += triangulator.report().polygons;
+  this->report_.strips += triangulator.report().strips;
+}
+
+/// A triangle's corners, as vertices.
+Triangle SurfaceReader::verticesOf(const Triangle& points) const
+{
+  const auto vertexOf = [this](Id point)
+  { return this->vertexOfPoint_.empty() ? point : this->vertexOfPoint_[point]; };
+  return { vertexOf(points[0]), vertexOf(points[1]), vertexOf(points[2]) };
+}
+
+std::size_t SurfaceReader::endOfTriangles(std::size_t block) const
+{
+  return block + 1 < this->blocks_.size() ? this->blocks_[block + 1].firstTriangle
+                                          : this->triangles_.corners.size();
+}
+
+/// Connects blocks whose boundaries meet within the rounding of their coordinates.
+void SurfaceReader::mergeSeams()
+{
+  if (this->blocks_.size() < 2)
+  {
+    return;
+  }
+  std::vector<SeamBlock> seams(this->blocks_.size());
+  for (std::size_t i = 0; i < seams.size(); ++i)
+  {
+    vtkPoints* points = this->inputs_[i].data->GetPoints();
+    seams[i].precision = points && points->GetDataType() == VTK_FLOAT ? FLT_EPSILON : DBL_EPSILON;
+    for (std::size_t t = this->blocks_[i].firstTriangle; t < this->endOfTriangles(i); ++t)
     {
-      next();
-      triangulator.addPolygon(cell++, size, ids);
-    });
-  forEachCell(input.data->GetStrips(),
-    [&](vtkIdType size, const vtkIdType* ids)
+      if (!this->triangles_.isDuplicate[t])
+      {
+        seams[i].triangles.push_back(this->verticesOf(this->triangles_.corners[t]));
+      }
+    }
+  }
+  const std::vector<Id> same = geodesic::mergeSeams(this->vertices_, seams);
+  if (!same.empty())
+  {
+    this->takeOver(same);
+  }
+}
+
+/// Makes one vertex of those that are the same.
+///
+/// \param same the lowest vertex that each is the same as.
+void SurfaceReader::takeOver(const std::vector<Id>& same)
+{
+  std::vector<Id> numbers(same.size());
+  Id count = 0;
+  for (Id vertex = 0; vertex < same.size(); ++vertex)
+  {
+    if (same[vertex] == vertex)
     {
-      next();
-      triangulator.addStrip(cell++, size, ids);
-    });
-  this->polygons_.push_back(triangulator.polygons());
-  this->report_.facesWithRepeatedPoint += triangulator.facesWithRepeatedPoint();
-  this->report_.polygons += triangulator.polygons();
-  this->report_.droppedVertexCells += input.data->GetNumberOfVerts();
-  this->report_.droppedLineCells += input.data->GetNumberOfLines();
-  this->report_.strips += input.data->GetNumberOfStrips();
+      this->vertices_[count] = this->vertices_[vertex];
+      numbers[vertex] = count++;
+    }
+    else
+    {
+      numbers[vertex] = numbers[same[vertex]];
+    }
+  }
+  this->vertices_.resize(count);
+  if (this->vertexOfPoint_.empty())
+  {
+    this->vertexOfPoint_ = std::move(numbers);
+    return;
+  }
+  for (Id& vertex : this->vertexOfPoint_)
+  {
+    vertex = numbers[vertex];
+  }
+}
+
+/// Finds the triangles that are not surface because they are copies of others.
+void SurfaceReader::findCopies()
+{
+  const auto& marks = this->triangles_.isDuplicate;
+  if (std::find(marks.begin(), marks.end(), true) != marks.end())
+  {
+    this->isCopy_ = geodesic::findCopies(this->vertexOfPoint_, this->blocks_, this->triangles_);
+  }
+  this->triangles_.isDuplicate = {};
 }
 
 /// Gives a block its triangles: the input's own cells where these are the same.
@@ -244,11 +348,9 @@ void SurfaceReader::keepTriangles(std::size_t index)
   vtkPolyData* input = this->inputs_[index].data;
   SurfaceBlock& block = this->blocks_[index];
   const std::size_t first = block.firstTriangle;
-  const std::size_t last = index + 1 < this->blocks_.size() ? this->blocks_[index + 1].firstTriangle
-                                                            : this->triangles_.corners.size();
+  const std::size_t last = this->endOfTriangles(index);
   const auto count = static_cast<vtkIdType>(last - first);
-  if (this->polygons_[index] == 0 && input->GetNumberOfStrips() == 0 &&
-    count == input->GetNumberOfCells())
+  if (!this->hasOtherCells_[index] && count == input->GetNumberOfCells())
   {
     block.triangles = input->GetPolys();
     return;
@@ -268,21 +370,21 @@ void SurfaceReader::keepTriangles(std::size_t index)
     cells + static_cast<std::ptrdiff_t>(first), cells + static_cast<std::ptrdiff_t>(last));
 }
 
-/// From here on the corners of the triangles are vertices in place of points.
+/// From here on the triangles are those of the mesh, with vertices at their corners: without
+/// copies.
 void SurfaceReader::nameVertices()
 {
   this->triangles_.cells = {};
-  if (this->vertexOfPoint_.empty())
+  std::vector<Triangle>& triangles = this->triangles_.corners;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    return;
-  }
-  for (Triangle& triangle : this->triangles_.corners)
-  {
-    for (Id& corner : triangle)
+    if (this->isCopy_.empty() || this->isCopy_[i] == 0)
     {
-      corner = this->vertexOfPoint_[corner];
+      triangles[count++] = this->verticesOf(triangles[i]);
     }
   }
+  triangles.resize(count);
 }
 
 std::unique_ptr<TriangleMesh> SurfaceReader::makeMesh()

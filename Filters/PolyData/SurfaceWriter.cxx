@@ -21,6 +21,10 @@ namespace
 void writePoints(
   const RefinedMesh& refined, vtkPoints* from, vtkPolyData* output, const LoopProgress& progress)
 {
+  if (!from)
+  {
+    return; // an empty block
+  }
   const auto old = static_cast<vtkIdType>(refined.numberOfInputPoints);
   const int type = from->GetDataType();
   vtkNew<vtkPoints> points;

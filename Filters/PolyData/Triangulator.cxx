@@ -22,7 +22,7 @@ Triangulator::Triangulator(const PolyDataBlock& block, Id firstPoint,
 
 Triangulator::~Triangulator() = default;
 
-void Triangulator::addPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
+void Triangulator::addPolygon(const Cell& cell, vtkIdType size, const vtkIdType* ids)
 {
   this->check(cell, size, ids);
   if (size == 3)
@@ -30,7 +30,8 @@ void Triangulator::addPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* i
     this->addTriangle(cell, ids[0], ids[1], ids[2]);
     return;
   }
-  ++this->polygons_;
+  this->hasOtherCells_ = true;
+  this->report_.polygons += cell.isDuplicate ? 0 : 1;
   this->outline_.clear();
   for (vtkIdType i = 0; i < size; ++i)
   {
@@ -41,15 +42,17 @@ void Triangulator::addPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* i
   }
   if (this->outline_.size() < 3)
   {
-    ++this->facesWithRepeatedPoint_;
+    this->leaveOut(cell);
     return;
   }
   this->cutEars(cell);
 }
 
-void Triangulator::addStrip(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
+void Triangulator::addStrip(const Cell& cell, vtkIdType size, const vtkIdType* ids)
 {
   this->check(cell, size, ids);
+  this->hasOtherCells_ = true;
+  this->report_.strips += cell.isDuplicate ? 0 : 1;
   for (vtkIdType i = 0; i + 2 < size; ++i)
   {
     const vtkIdType odd = i % 2;
@@ -57,35 +60,41 @@ void Triangulator::addStrip(vtkIdType cell, vtkIdType size, const vtkIdType* ids
   }
 }
 
-void Triangulator::check(vtkIdType cell, vtkIdType size, const vtkIdType* ids) const
+void Triangulator::check(const Cell& cell, vtkIdType size, const vtkIdType* ids) const
 {
   const vtkIdType count = this->block_.data->GetNumberOfPoints();
   for (vtkIdType i = 0; i < size; ++i)
   {
     if (ids[i] < 0 || ids[i] >= count)
     {
-      throw MeshError("Cell " + std::to_string(cell) + " of " + this->block_.name +
+      throw MeshError("Cell " + std::to_string(cell.number) + " of " + this->block_.name +
         " names point " + std::to_string(ids[i]) + ", but there are only " + std::to_string(count) +
         " points. Repair the cells upstream.");
     }
   }
 }
 
-void Triangulator::addTriangle(vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
+void Triangulator::addTriangle(const Cell& cell, vtkIdType a, vtkIdType b, vtkIdType c)
 {
   const Id va = this->vertexOf(a);
   const Id vb = this->vertexOf(b);
   const Id vc = this->vertexOf(c);
   if (va == vb || vb == vc || vc == va)
   {
-    ++this->facesWithRepeatedPoint_;
+    this->leaveOut(cell);
     return;
   }
   this->triangles_.corners.push_back({ this->pointOf(a), this->pointOf(b), this->pointOf(c) });
-  this->triangles_.cells.push_back(cell);
+  this->triangles_.cells.push_back(cell.number);
+  this->triangles_.isDuplicate.push_back(cell.isDuplicate);
 }
 
-void Triangulator::cutEars(vtkIdType cell)
+void Triangulator::leaveOut(const Cell& cell)
+{
+  this->report_.facesWithRepeatedPoint += cell.isDuplicate ? 0 : 1;
+}
+
+void Triangulator::cutEars(const Cell& cell)
 {
   const auto size = static_cast<vtkIdType>(this->outline_.size());
   this->polygon_->Initialize(static_cast<int>(size), this->outline_.data(), this->points_);
@@ -111,7 +120,7 @@ vtkIdType Triangulator::corner(vtkIdType i) const
   return this->outline_[static_cast<std::size_t>(this->ears_->GetId(i))];
 }
 
-void Triangulator::addFan(vtkIdType cell)
+void Triangulator::addFan(const Cell& cell)
 {
   for (std::size_t i = 1; i + 1 < this->outline_.size(); ++i)
   {

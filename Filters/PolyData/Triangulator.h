@@ -24,6 +24,8 @@ struct TriangleList
   std::vector<Triangle> corners;
   /// The cell of its block that each triangle came from.
   std::vector<vtkIdType> cells;
+  /// Whether that cell is marked as a duplicate by a ghost array.
+  std::vector<bool> isDuplicate;
 };
 
 /// Collects the triangles of one block's cells, without those that have two corners at one vertex.
@@ -38,15 +40,31 @@ public:
     TriangleList& triangles);
   ~Triangulator();
 
+  /// A cell's number in its block, and whether a ghost array marks it as a duplicate: it is not
+  /// counted then.
+  struct Cell
+  {
+    vtkIdType number;
+    bool isDuplicate;
+  };
+
   /// Adds a triangle, or cuts a polygon into triangles.
   ///
   /// \throws MeshError where the cell names a point that does not exist.
-  void addPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* ids);
-  void addStrip(vtkIdType cell, vtkIdType size, const vtkIdType* ids);
+  void addPolygon(const Cell& cell, vtkIdType size, const vtkIdType* ids);
+  void addStrip(const Cell& cell, vtkIdType size, const vtkIdType* ids);
 
-  vtkIdType facesWithRepeatedPoint() const { return this->facesWithRepeatedPoint_; }
-  /// Cells of more than three corners.
-  vtkIdType polygons() const { return this->polygons_; }
+  /// What was added, without duplicates.
+  struct Report
+  {
+    vtkIdType polygons = 0;
+    vtkIdType strips = 0;
+    /// Faces with two corners at one vertex, which were left out.
+    vtkIdType facesWithRepeatedPoint = 0;
+  };
+  const Report& report() const { return this->report_; }
+  /// Whether there was a cell other than a triangle, duplicate or not.
+  bool hasOtherCells() const { return this->hasOtherCells_; }
 
 private:
   Id pointOf(vtkIdType id) const { return this->firstPoint_ + static_cast<Id>(id); }
@@ -55,19 +73,20 @@ private:
     return this->vertexOfPoint_.empty() ? this->pointOf(id)
                                         : this->vertexOfPoint_[this->pointOf(id)];
   }
-  void check(vtkIdType cell, vtkIdType size, const vtkIdType* ids) const;
-  void addTriangle(vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c);
-  void cutEars(vtkIdType cell);
+  void check(const Cell& cell, vtkIdType size, const vtkIdType* ids) const;
+  void addTriangle(const Cell& cell, vtkIdType a, vtkIdType b, vtkIdType c);
+  void leaveOut(const Cell& cell);
+  void cutEars(const Cell& cell);
   vtkIdType corner(vtkIdType i) const;
-  void addFan(vtkIdType cell);
+  void addFan(const Cell& cell);
 
   const PolyDataBlock& block_;
   vtkPoints* points_;
   Id firstPoint_;
   const std::vector<Id>& vertexOfPoint_;
   TriangleList& triangles_;
-  vtkIdType facesWithRepeatedPoint_ = 0;
-  vtkIdType polygons_ = 0;
+  Report report_;
+  bool hasOtherCells_ = false;
   std::vector<vtkIdType> outline_;
   vtkNew<vtkPolygon> polygon_;
   vtkNew<vtkIdList> ears_;
