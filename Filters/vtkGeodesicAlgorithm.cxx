@@ -40,6 +40,15 @@ int PieceAskedFor(vtkInformation* request, vtkInformationVector* outputVector)
   return info ? vtkStreamingDemandDrivenPipeline::GetUpdatePiece(info) : 0;
 }
 
+std::string MemoryNumbers(const geodesic::NotEnoughMemory& error)
+{
+  constexpr int mega = 20;
+  const std::string available = std::to_string(error.available() >> mega) + " MB are available";
+  return error.needed() > 0
+    ? " It takes " + std::to_string(error.needed() >> mega) + " MB more, and " + available + "."
+    : " Only " + available + ".";
+}
+
 void EmptyOutputs(vtkInformationVector* outputVector)
 {
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
@@ -223,14 +232,26 @@ int vtkGeodesicAlgorithm::RequestData(
 bool vtkGeodesicAlgorithm::ComputeOrExplain(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  geodesic::Stage stage = geodesic::Stage::ReadingSurface;
+  const auto explainMemory = [&](const std::string& numbers)
+  {
+    vtkErrorMacro("There is not enough memory for this surface: it ran out while "
+      << geodesic::describe(stage) << "." << numbers
+      << " Nothing of this is kept. Decimate the surface, cut it into parts, set MaximumDistance, "
+         "switch RefineMesh off or set Accuracy to Approximate.");
+  };
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try
   {
     reserve = std::make_unique<char[]>(MemoryForMessages);
-    geodesic::FilterExecution execution(this, this->Internals->Cache,
+    geodesic::FilterExecution execution(this, this->Internals->Cache, stage,
       vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]));
     this->Compute(execution, outputVector);
     execution.giveNotes();
+    if (this->GetReleaseDataFlag() || vtkDataObject::GetGlobalReleaseDataFlag())
+    {
+      this->Internals->Cache.release();
+    }
     return true;
   }
   catch (const geodesic::Aborted&)
@@ -243,14 +264,18 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
     EmptyOutputs(outputVector);
     vtkErrorMacro(<< error.what());
   }
+  catch (const geodesic::NotEnoughMemory& error)
+  {
+    EmptyOutputs(outputVector);
+    this->Internals->Cache.release();
+    explainMemory(MemoryNumbers(error));
+  }
   catch (const std::bad_alloc&)
   {
     EmptyOutputs(outputVector);
     this->Internals->Cache.release();
     reserve.reset();
-    vtkErrorMacro(
-      "There is not enough memory for this surface. Decimate it, cut it into parts, set "
-      "MaximumDistance, switch RefineMesh off or set Accuracy to Approximate.");
+    explainMemory("");
   }
   catch (const std::exception& error)
   {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceField.h"
 
-#include "PolyData/ArrayMemory.h"
 #include "PolyData/FilterExecution.h"
+#include "PolyData/Memory.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataSource.h"
 #include "PolyData/RefinedPolyData.h"
@@ -95,6 +95,7 @@ void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData
   this->Self->SourceSnapDistance = this->Execution.sources().snapDistance;
   const Result result = this->Compute();
   this->Execution.reach(FieldDone);
+  this->Execution.enter(geodesic::Stage::WritingOutputs);
 
   this->NoteReplacedArrays(result.isRefined);
   this->WriteSurface(result, output);
@@ -133,6 +134,7 @@ bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
 vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker::Compute()
 {
   Result result;
+  this->Execution.enter(geodesic::Stage::ComputingDistances);
   result.isRefined = this->CanRefine();
   const geodesic::DistanceField field = this->Solve(result.isRefined);
   this->Self->WindowsPropagatedPerEdge = static_cast<double>(field.windowsPropagated()) /
@@ -140,6 +142,7 @@ vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker:
   this->Self->RelativeErrorBound = field.relativeErrorBound();
   if (result.isRefined)
   {
+    this->Execution.enter(geodesic::Stage::Refining);
     geodesic::RefinedMesh refined = this->Refine(field);
     this->Self->InterpolationErrorBound = refined.errorBound;
     result.refined = geodesic::partsByBlock(this->Execution.surface(), std::move(refined));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/FaceLocator.h"
 
-#include "PolyData/ArrayMemory.h"
+#include "PolyData/Memory.h"
 #include "mesh/SurfaceSnap.h"
 
 #include "vtkCellArray.h"

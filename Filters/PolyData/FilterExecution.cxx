@@ -21,10 +21,29 @@ constexpr double SourceLocated = 0.2;
 
 }
 
-FilterExecution::FilterExecution(
-  vtkGeodesicAlgorithm* filter, SurfaceCache& cache, vtkDataObject* surface, vtkDataObject* source)
+const char* describe(Stage stage)
+{
+  switch (stage)
+  {
+    case Stage::ReadingSurface:
+      return "reading the surface";
+    case Stage::ReadingSource:
+      return "putting the source onto the surface, after reading the surface";
+    case Stage::ComputingDistances:
+      return "computing the distances, after reading the surface and the source";
+    case Stage::Refining:
+      return "refining the surface, after computing the distances";
+    case Stage::WritingOutputs:
+      return "writing the outputs, after all was computed";
+  }
+  return "";
+}
+
+FilterExecution::FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
+  vtkDataObject* surface, vtkDataObject* source)
   : filter_(filter)
   , cache_(cache)
+  , stage_(stage)
   , surfaceInput_(surface)
   , sourceInput_(source)
 {
@@ -32,14 +51,16 @@ FilterExecution::FilterExecution(
 
 void FilterExecution::readInputs()
 {
+  this->enter(Stage::ReadingSurface);
   this->surfaceBlocks_ = polyDataBlocks(this->surfaceInput_, "the surface (input port 0)");
-  this->cache_.update(this->surfaceInput_, this->surfaceBlocks_,
-    this->filter_->GetMergeCoincidentPoints(), this->progressBetween(0.0, SurfaceRead));
+  this->cache_.update(this->surfaceBlocks_, this->filter_->GetMergeCoincidentPoints(),
+    this->progressBetween(0.0, SurfaceRead));
   if (this->cache_.isNoteDue())
   {
     noteSurface(this->surface(), this->notes_);
   }
   this->reach(SurfaceRead);
+  this->enter(Stage::ReadingSource);
   this->readSources();
 }
 
@@ -88,10 +109,11 @@ void FilterExecution::addBoundary(bool hasCurve)
   std::move(boundary.begin(), boundary.end(), std::back_inserter(this->sources_.curves));
 }
 
-ProgressCallback FilterExecution::progressBetween(double begin, double end) const
+ProgressCallback FilterExecution::progressBetween(double begin, double end)
 {
-  return [filter = this->filter_, begin, end](double fraction)
+  return [filter = this->filter_, &memory = this->memory_, begin, end](double fraction)
   {
+    memory.look();
     filter->UpdateProgress(begin + fraction * (end - begin));
 #if VTK_VERSION_NUMBER >= 90220220630ULL
     return !filter->CheckAbort();
@@ -101,7 +123,7 @@ ProgressCallback FilterExecution::progressBetween(double begin, double end) cons
   };
 }
 
-void FilterExecution::reach(double fraction) const
+void FilterExecution::reach(double fraction)
 {
   if (!this->progressBetween(fraction, fraction)(1.0))
   {

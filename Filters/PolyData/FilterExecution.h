@@ -2,6 +2,7 @@
 #ifndef geodesic_FilterExecution_h
 #define geodesic_FilterExecution_h
 
+#include "PolyData/Memory.h"
 #include "PolyData/Notes.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/SurfaceCache.h"
@@ -16,6 +17,19 @@ class vtkGeodesicAlgorithm;
 namespace geodesic
 {
 
+/// What an execution is doing.
+enum class Stage
+{
+  ReadingSurface,
+  ReadingSource,
+  ComputingDistances,
+  Refining,
+  WritingOutputs
+};
+
+/// "computing the distances, after reading the surface and the source", for messages.
+const char* describe(Stage stage);
+
 /// What all filters do in one execution: read the surface and the source, report progress, obey
 /// abort, and collect what the user should know.
 class FilterExecution
@@ -26,10 +40,11 @@ public:
 
   /// \param filter whose properties count and whose progress it is.
   /// \param cache with the surface of the last execution.
+  /// \param stage told what is being done, for the one who catches an exception.
   /// \param surface on input port 0.
   /// \param source on input port 1, or null.
-  FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, vtkDataObject* surface,
-    vtkDataObject* source);
+  FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
+    vtkDataObject* surface, vtkDataObject* source);
 
   /// Reads the surface, and the source as SourceType has it, up to InputsRead.
   ///
@@ -43,12 +58,15 @@ public:
   SurfaceLocator& locator() const { return this->cache_.locator(); }
   const SourceCurves& sources() const { return this->sources_; }
 
-  /// A callback for a stage of the work, from one fraction of the whole to another.
-  ProgressCallback progressBetween(double begin, double end) const;
+  /// What follows is this.
+  void enter(Stage stage) { this->stage_ = stage; }
+  /// A callback for a part of the work, from one fraction of the whole to another. It throws
+  /// NotEnoughMemory where the system has hardly any left.
+  ProgressCallback progressBetween(double begin, double end);
   /// Reports that the work has come so far.
   ///
   /// \throws Aborted
-  void reach(double fraction) const;
+  void reach(double fraction);
 
   Notes& notes() { return this->notes_; }
   /// Says in one warning what is in the notes.
@@ -60,6 +78,8 @@ private:
 
   vtkGeodesicAlgorithm* filter_;
   SurfaceCache& cache_;
+  Stage& stage_;
+  MemoryWatch memory_;
   vtkDataObject* surfaceInput_;
   vtkDataObject* sourceInput_;
   std::vector<PolyDataBlock> surfaceBlocks_;

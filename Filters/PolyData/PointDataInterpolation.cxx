@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/PointDataInterpolation.h"
 
-#include "PolyData/ArrayMemory.h"
+#include "PolyData/Memory.h"
 
 #include "vtkDataArray.h"
 #include "vtkIdList.h"

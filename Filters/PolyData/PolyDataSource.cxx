@@ -2,7 +2,7 @@
 #include "PolyData/PolyDataSource.h"
 
 #include "Errors.h"
-#include "PolyData/ArrayMemory.h"
+#include "PolyData/Memory.h"
 #include "PolyData/PolyDataSurface.h"
 
 #include "vtkCellArray.h"

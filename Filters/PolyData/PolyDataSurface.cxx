@@ -2,6 +2,7 @@
 #include "PolyData/PolyDataSurface.h"
 
 #include "vtkCellArray.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <utility>
@@ -32,6 +33,17 @@ PolyDataSurface::PolyDataSurface(std::unique_ptr<TriangleMesh> mesh, std::vector
     }
   }
   this->numberOfCopies_ = static_cast<Id>(this->isCopy_.size() - this->ownTriangles_.size());
+}
+
+void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)
+{
+  for (std::size_t i = 0; i < this->blocks_.size(); ++i)
+  {
+    if (this->blocks_[i].areInputCells)
+    {
+      this->blocks_[i].triangles = inputs[i].data->GetPolys();
+    }
+  }
 }
 
 Id PolyDataSurface::numberOfPoints() const

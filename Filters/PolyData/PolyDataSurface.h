@@ -2,6 +2,7 @@
 #ifndef geodesic_PolyDataSurface_h
 #define geodesic_PolyDataSurface_h
 
+#include "PolyData/PolyDataBlocks.h"
 #include "mesh/TriangleMesh.h"
 
 #include "vtkSmartPointer.h"
@@ -25,17 +26,17 @@ struct SurfaceBlock
   Id numberOfPoints = 0;
   /// Its triangles among those of all blocks.
   Id firstTriangle = 0;
-  /// The triangles, with the block's own points; the input's cells where these are triangles.
+  /// The triangles, with the block's own points.
   vtkSmartPointer<vtkCellArray> triangles;
-  /// The input's cell that each triangle came from; empty where the triangles are the input's
-  /// cells.
+  /// Whether these are the cells of the input.
+  bool areInputCells = false;
+  /// Otherwise the input's cell that each triangle came from.
   std::vector<vtkIdType> inputCells;
 
   vtkIdType numberOfTriangles() const;
   vtkIdType inputCell(vtkIdType triangle) const
   {
-    return this->inputCells.empty() ? triangle
-                                    : this->inputCells[static_cast<std::size_t>(triangle)];
+    return this->areInputCells ? triangle : this->inputCells[static_cast<std::size_t>(triangle)];
   }
 };
 
@@ -71,6 +72,9 @@ public:
   /// Of the bounding box of the points that triangles use.
   double diagonal() const { return this->diagonal_; }
   const std::vector<SurfaceBlock>& blocks() const { return this->blocks_; }
+  /// Takes the cells of an input with the same content for those of the input that this was made
+  /// of, which need not be kept any longer then.
+  void useCellsOf(const std::vector<PolyDataBlock>& inputs);
 
   /// The vertex that stands for a point of the input.
   Id vertexOf(Id point) const

@@ -3,17 +3,16 @@
 
 #include "PolyData/SurfaceReader.h"
 
-#include "vtkDataObject.h"
-
 namespace geodesic
 {
 
-void SurfaceCache::update(vtkDataObject* input, const std::vector<PolyDataBlock>& blocks,
-  bool mergeCoincidentPoints, const ProgressCallback& progress)
+void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+  const ProgressCallback& progress)
 {
-  if (this->surface_ && this->input_ == input && this->time_ == input->GetMTime() &&
-    this->isMerged_ == mergeCoincidentPoints)
+  const ContentKey key = contentKey(blocks);
+  if (this->surface_ && this->key_ == key && this->isMerged_ == mergeCoincidentPoints)
   {
+    this->surface_->useCellsOf(blocks);
     return;
   }
   this->release();
@@ -21,8 +20,7 @@ void SurfaceCache::update(vtkDataObject* input, const std::vector<PolyDataBlock>
     std::make_unique<PolyDataSurface>(readSurface(blocks, mergeCoincidentPoints, progress));
   this->locator_ = std::make_unique<SurfaceLocator>(this->surface_->mesh());
   this->isNoteDue_ = true;
-  this->input_ = input;
-  this->time_ = input->GetMTime();
+  this->key_ = key;
   this->isMerged_ = mergeCoincidentPoints;
 }
 

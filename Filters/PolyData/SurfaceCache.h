@@ -2,17 +2,14 @@
 #ifndef geodesic_SurfaceCache_h
 #define geodesic_SurfaceCache_h
 
+#include "PolyData/ContentKey.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PolyDataSurface.h"
 #include "PolyData/SurfaceLocator.h"
 #include "Progress.h"
 
-#include "vtkType.h"
-
 #include <memory>
 #include <vector>
-
-class vtkDataObject;
 
 namespace geodesic
 {
@@ -21,12 +18,11 @@ namespace geodesic
 class SurfaceCache
 {
 public:
-  /// Reads the surface, unless the one that is kept is the same.
+  /// Reads the surface, unless the one that is kept is the same, by ContentKey.
   ///
-  /// \param input the data object that the blocks are of.
   /// \throws what readSurface() throws; nothing is kept then.
-  void update(vtkDataObject* input, const std::vector<PolyDataBlock>& blocks,
-    bool mergeCoincidentPoints, const ProgressCallback& progress);
+  void update(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+    const ProgressCallback& progress);
 
   /// What update() has read. Valid until the next update() or release().
   const PolyDataSurface& surface() const { return *this->surface_; }
@@ -43,10 +39,8 @@ private:
   std::unique_ptr<PolyDataSurface> surface_;
   std::unique_ptr<SurfaceLocator> locator_;
   bool isNoteDue_ = false;
-  /// What the surface was made from. Never dereferenced: the time of modification, which no two
-  /// objects share, tells whether it is still the same.
-  const vtkDataObject* input_ = nullptr;
-  vtkMTimeType time_ = 0;
+  /// What the surface was made from.
+  ContentKey key_;
   bool isMerged_ = false;
 };
 

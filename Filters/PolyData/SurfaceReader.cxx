@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/SurfaceReader.h"
 
-#include "PolyData/ArrayMemory.h"
 #include "PolyData/GhostCells.h"
+#include "PolyData/Memory.h"
 #include "PolyData/PointMerger.h"
 #include "PolyData/SeamMerger.h"
 #include "PolyData/Triangulator.h"
@@ -353,6 +353,7 @@ void SurfaceReader::keepTriangles(std::size_t index)
   if (!this->hasOtherCells_[index] && count == input->GetNumberOfCells())
   {
     block.triangles = input->GetPolys();
+    block.areInputCells = true;
     return;
   }
   constexpr vtkIdType idsATriangle = 4; // three points and an offset

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/SurfaceWriter.h"
 
-#include "PolyData/ArrayMemory.h"
+#include "PolyData/Memory.h"
 #include "PolyData/PointDataInterpolation.h"
 
 #include "vtkCellArray.h"
@@ -77,7 +77,7 @@ void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* outp
   output->SetPoints(input->GetPoints());
   output->GetPointData()->PassData(input->GetPointData());
   output->SetPolys(block.triangles);
-  if (block.inputCells.empty())
+  if (block.areInputCells)
   {
     output->GetCellData()->PassData(input->GetCellData());
     return;

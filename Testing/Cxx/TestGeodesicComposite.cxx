@@ -429,6 +429,39 @@ void CheckErrors(Check& check)
     check, filter->GetOutputDataObject(0), 3, DistanceTo({ { 0, 0, 0 } }), "after an error");
 }
 
+/// A block without faces is no surface, but stays a block.
+void CheckBlockOfLines(Check& check)
+{
+  for (const bool refine : { false, true })
+  {
+    auto lines = Polyline({ { 3, 0, 0 }, { 4, 0, 0 } });
+    vtkNew<vtkDoubleArray> numbers;
+    numbers->SetName("Number");
+    numbers->InsertNextValue(1.0);
+    lines->GetCellData()->AddArray(numbers);
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetRefineMesh(refine);
+    filter->SetInputDataObject(0, TwoSquares(Square(2), lines));
+    filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+    Messages messages(filter);
+    messages.Update();
+    check.That(messages.Error().empty(), "a block of lines: " + messages.Error());
+    vtkPolyData* block = Leaves(filter->GetOutputDataObject(0)).at(1);
+    vtkDataArray* handed = block->GetCellData()->GetArray("Number");
+    check.That(block->GetNumberOfPoints() == 2 && block->GetNumberOfCells() == 0 &&
+        (!handed || handed->GetNumberOfTuples() == 0),
+      "a block of lines keeps its points and has no cells");
+    check.That(std::isinf(block->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(0)),
+      "its points are infinitely far");
+    // Executing again takes the structure that was kept.
+    filter->SetSourceData(PointSources({ { 1, 0, 0 } }));
+    messages.Update();
+    check.Equal(
+      static_cast<double>(Leaves(filter->GetOutputDataObject(0)).at(1)->GetNumberOfCells()), 0.0,
+      "cells of a block of lines, again");
+  }
+}
+
 void CheckPieces(Check& check)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
@@ -458,6 +491,7 @@ int TestGeodesicComposite(int, char*[])
   CheckSeamsWithinRoundings(check, VTK_FLOAT);
   CheckOneBlockIsNotMerged(check);
   CheckErrors(check);
+  CheckBlockOfLines(check);
   CheckPieces(check);
   return check.Result();
 }
