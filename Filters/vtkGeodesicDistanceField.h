@@ -20,8 +20,8 @@
  * boundary: there the front emits circular windows anew. The result is exact up to the rounding of
  * double-precision numbers, on any triangulation: accuracy does not depend on the shape or size of
  * the triangles. Of Xin and Wang (2009) come the tests by which windows are dropped that a path
- * through a vertex beats, of Qin et al. (2016) the order of the front by vertices, which handles the
- * windows around a vertex together.
+ * through a vertex beats, of Qin et al. (2016) the order of the front by vertices, which handles
+ * the windows around a vertex together.
  *
  * @par
  * In approximate mode (SetAccuracy()) neighboring windows are merged as long as that makes no
@@ -83,8 +83,8 @@
  * cell. New points have the precision of the input's points. Triangles that are not reached or
  * lie wholly beyond MaximumDistance are not refined, but closed against refined neighbors. Where
  * several points of the input are at one place (see MergeCoincidentPoints), a split edge between
- * them has as many points as it had on the input; where blocks meet, these have the same coordinates
- * and distances on both sides. Faces on the same points as another are refined like it.
+ * them has as many points as it had on the input; where blocks meet, these have the same
+ * coordinates and distances on both sides. Faces on the same points as another are refined like it.
  * @par
  * Port 1 has the source as it lies on the surface: polylines with a point at every mesh edge that
  * they cross, and a vertex for each point source.
@@ -98,13 +98,13 @@
  * outputs are empty.
  *
  * @par Threads:
- * The propagation runs on the threads that vtkSMPTools is set to use. The result is the same, to the
- * last bit, for any number of them.
+ * The propagation runs on the threads that vtkSMPTools is set to use. The result is the same, to
+ * the last bit, for any number of them.
  *
  * @par Pieces:
  * A piece of a surface has other distances than the whole. Whatever piece is asked for, the filter
- * asks for the whole of its inputs; piece 0 of its outputs has everything, and the others are empty,
- * so that pieces that are written and read back hold each cell once.
+ * asks for the whole of its inputs; piece 0 of its outputs has everything, and the others are
+ * empty, so that pieces that are written and read back hold each cell once.
  *
  * @warning
  * The surface must be whole in one process: with several MPI ranks the filter refuses to execute,
