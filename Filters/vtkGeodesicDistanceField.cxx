@@ -1,32 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceField.h"
 
-#include "refinement/AdaptiveRefinement.h"
-#include "refinement/SolveForRefinement.h"
-#include "source/BoundaryCurves.h"
-#include "PolyData/ArrayMemory.h"
-#include "Errors.h"
+#include "PolyData/FilterExecution.h"
+#include "PolyData/Memory.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataSource.h"
-#include "PolyData/PolyDataSurface.h"
-#include "field/JoinPoints.h"
-#include "field/Solve.h"
 #include "PolyData/RefinedPolyData.h"
+#include "PolyData/SurfaceWriter.h"
+#include "field/Solve.h"
+#include "refinement/AdaptiveRefinement.h"
+#include "refinement/SolveForRefinement.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkVersionMacros.h"
 
-#include <new>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -35,76 +29,12 @@ vtkStandardNewMacro(vtkGeodesicDistanceField);
 namespace
 {
 
-using geodesic::SourceError;
-
-// Where the stages of an execution end, as fractions of the whole.
-constexpr double SurfaceDone = 0.15;
-constexpr double SourceLocated = 0.2;
-constexpr double SourceDone = 0.25;
+// Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
 constexpr double FieldDoneBeforeRefinement = 0.55;
 constexpr double FieldDone = 0.9;
 constexpr double SurfaceWritten = 0.98;
 
-// Below malloc's threshold for memory of its own, so that it is at hand when it is freed.
-constexpr std::size_t MemoryForMessages = 1 << 16;
-
-// A source farther from the surface than this fraction of its bounding box's diagonal was hardly
-// meant for it: the user is told.
-constexpr double FarSourceFraction = 0.01;
-
-/// Collects what the user should know into one warning.
-class Notes
-{
-public:
-  template <typename Count>
-  void add(Count count, const char* one, const char* many, const char* what)
-  {
-    if (count > 0)
-    {
-      this->text_ << "\n  " << count << ' ' << (count == 1 ? one : many) << ' ' << what;
-    }
-  }
-  void add(const std::string& sentence) { this->text_ << "\n  " << sentence; }
-  std::string text() const { return this->text_.str(); }
-
-private:
-  std::ostringstream text_;
-};
-
-void noteSurface(const geodesic::PolyDataSurface& surface, Notes& notes)
-{
-  const auto& read = surface.report();
-  const auto& mesh = surface.mesh().report();
-  notes.add(read.polygons, "polygon", "polygons", "of the surface triangulated.");
-  notes.add(read.strips, "triangle strip", "triangle strips", "of the surface triangulated.");
-  notes.add(read.droppedLineCells, "line", "lines", "among the surface's cells dropped.");
-  notes.add(
-    read.droppedVertexCells, "vertex cell", "vertex cells", "among the surface's cells dropped.");
-  notes.add(
-    read.facesWithRepeatedPoint, "face", "faces", "with two corners at one point left out.");
-  notes.add(mesh.duplicateFaces, "duplicate face", "duplicate faces",
-    "(on the points of another face), without effect on the distance.");
-  notes.add(mesh.zeroAreaFaces, "face", "faces", "without area, kept.");
-  notes.add(
-    mesh.isolatedVertices, "point", "points", "of the surface used by no face: infinitely far.");
-}
-
-void noteSource(
-  const geodesic::PolyDataSurface& surface, const geodesic::SourceCurves& source, Notes& notes)
-{
-  notes.add(source.repeatedPoints, "point", "points",
-    "of the source at the place of the one before, left out.");
-  if (source.snapDistance > FarSourceFraction * surface.diagonal())
-  {
-    std::ostringstream sentence;
-    sentence << "The source is up to " << source.snapDistance
-             << " away from the surface; it was put onto the surface's closest points. See output "
-                "port 1 for the result.";
-    notes.add(sentence.str());
-  }
-}
-
-void addFieldData(vtkPolyData* output, const char* name, double value)
+void addFieldData(vtkDataObject* output, const char* name, double value)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
@@ -119,19 +49,18 @@ bool isPositive(double value)
 
 }
 
-/// One execution's work, and the surface that the next one may reuse.
-class vtkGeodesicDistanceField::vtkInternals
+/// The work of one execution.
+class vtkGeodesicDistanceField::vtkWorker
 {
 public:
-  explicit vtkInternals(vtkGeodesicDistanceField* self)
+  vtkWorker(vtkGeodesicDistanceField* self, geodesic::FilterExecution& execution)
     : Self(self)
+    , Execution(execution)
   {
   }
 
   /// \throws geodesic::Error
-  void Execute(vtkPolyData* input, vtkPolyData* source, vtkPolyData* output, vtkPolyData* curves);
-
-  void ReleaseSurface() { this->Surface.reset(); }
+  void Run(vtkDataObject* output, vtkPolyData* curves);
 
 private:
   /// What is known at points after the solve and after refinement.
@@ -140,163 +69,52 @@ private:
     std::vector<double> vertexDistances;
     /// Whether there is a refined mesh.
     bool isRefined = false;
-    geodesic::RefinedMesh refined;
+    /// The refined mesh, by blocks of the surface.
+    std::vector<geodesic::RefinedMesh> refined;
   };
 
-  geodesic::ProgressCallback ProgressBetween(double begin, double end);
-  /// Tells that the execution has come so far.
-  ///
-  /// \throws geodesic::Aborted
-  void Reach(double fraction);
-  void UpdateSurface(vtkPolyData* input);
-  geodesic::SourceCurves CollectSources(vtkPolyData* source);
-  void AddBoundary(bool hasCurve, std::vector<geodesic::SourceCurve>& curves);
-  bool CanRefine();
+  bool CanRefine() const;
   double Tolerance() const;
-  Result Compute(const std::vector<geodesic::SourceCurve>& curves);
-  geodesic::DistanceField Solve(const std::vector<geodesic::SourceCurve>& curves, bool refine);
-  geodesic::RefinedMesh Refine(const geodesic::DistanceField& field);
-  void WriteSurface(const Result& result, vtkPolyData* input, vtkPolyData* output);
-  void WriteDistances(const Result& result, vtkPolyData* input, vtkPolyData* output);
+  Result Compute();
+  geodesic::DistanceField Solve(bool refine) const;
+  geodesic::RefinementOptions RefinementOptions() const;
+  geodesic::RefinedMesh Refine(const geodesic::DistanceField& field) const;
+  void WriteSurface(const Result& result, vtkDataObject* output) const;
+  void WriteDistances(const Result& result, std::size_t block, vtkPolyData* output) const;
+  void WriteFieldData(vtkDataObject* output) const;
+  void NoteReplacedArrays(bool isRefined) const;
 
   vtkGeodesicDistanceField* Self;
-  Notes Told;
-
-  std::unique_ptr<geodesic::PolyDataSurface> Surface;
-  /// What Surface was made from. Never dereferenced: the time of modification, which no two objects
-  /// share, tells whether it is still the same.
-  const vtkPolyData* SurfaceInput = nullptr;
-  vtkMTimeType SurfaceTime = 0;
-  bool SurfaceMerged = false;
+  geodesic::FilterExecution& Execution;
 };
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkInternals::Execute(
-  vtkPolyData* input, vtkPolyData* source, vtkPolyData* output, vtkPolyData* curves)
+void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData* curves)
 {
-  this->Told = Notes();
-  this->UpdateSurface(input);
-  const geodesic::SourceCurves sources = this->CollectSources(source);
-  this->Self->SourceSnapDistance = sources.snapDistance;
-  const Result result = this->Compute(sources.curves);
-  this->Reach(FieldDone);
+  this->Execution.readInputs();
+  this->Self->SourceSnapDistance = this->Execution.sources().snapDistance;
+  const Result result = this->Compute();
+  this->Execution.reach(FieldDone);
+  this->Execution.enter(geodesic::Stage::WritingOutputs);
 
-  this->WriteSurface(result, input, output);
-  addFieldData(output, "WindowsPropagatedPerEdge", this->Self->WindowsPropagatedPerEdge);
-  addFieldData(output, "SourceSnapDistance", this->Self->SourceSnapDistance);
-  addFieldData(output, "RelativeErrorBound", this->Self->RelativeErrorBound);
-  addFieldData(output, "InterpolationErrorBound", this->Self->InterpolationErrorBound);
-  geodesic::writeCurves(this->Surface->mesh(), sources.curves, curves);
-
-  if (!this->Told.text().empty())
-  {
-    vtkWarningWithObjectMacro(this->Self, "About the input:" << this->Told.text());
-  }
+  this->NoteReplacedArrays(result.isRefined);
+  this->WriteSurface(result, output);
+  geodesic::writeCurves(this->Execution.surface().mesh(), this->Execution.sources().curves, curves);
 }
 
 //------------------------------------------------------------------------------
-geodesic::ProgressCallback vtkGeodesicDistanceField::vtkInternals::ProgressBetween(
-  double begin, double end)
-{
-  return [this, begin, end](double fraction)
-  {
-    this->Self->UpdateProgress(begin + fraction * (end - begin));
-#if VTK_VERSION_NUMBER >= 90220220630ULL
-    return !this->Self->CheckAbort();
-#else
-    return !this->Self->GetAbortExecute();
-#endif
-  };
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkInternals::Reach(double fraction)
-{
-  if (!this->ProgressBetween(fraction, fraction)(1.0))
-  {
-    throw geodesic::Aborted();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkInternals::UpdateSurface(vtkPolyData* input)
-{
-  const bool merge = this->Self->MergeCoincidentPoints;
-  if (!this->Surface || this->SurfaceInput != input || this->SurfaceTime != input->GetMTime() ||
-    this->SurfaceMerged != merge)
-  {
-    this->ReleaseSurface();
-    this->Surface = std::make_unique<geodesic::PolyDataSurface>(
-      input, merge, this->ProgressBetween(0.0, SurfaceDone));
-    this->SurfaceInput = input;
-    this->SurfaceTime = input->GetMTime();
-    this->SurfaceMerged = merge;
-    noteSurface(*this->Surface, this->Told);
-  }
-  this->Reach(SurfaceDone);
-}
-
-//------------------------------------------------------------------------------
-geodesic::SourceCurves vtkGeodesicDistanceField::vtkInternals::CollectSources(vtkPolyData* source)
-{
-  const int type = this->Self->SourceType;
-  if (type == SOURCE_CURVE && !source)
-  {
-    throw SourceError("There is no source: connect a curve to input port 1 (SetSourceConnection or "
-                      "SetSourceData; Source in ParaView), or set SourceType to Surface Boundary.");
-  }
-  geodesic::SourceCurves sources;
-  if (type != SURFACE_BOUNDARY && source)
-  {
-    const auto lines = geodesic::readSource(
-      source, *this->Surface, this->ProgressBetween(SurfaceDone, SourceLocated));
-    sources = geodesic::putOntoSurface(this->Surface->mesh(), lines,
-      geodesic::snapOptionsFor(source), geodesic::joinByShortestPaths(this->Surface->mesh()),
-      this->ProgressBetween(SourceLocated, SourceDone));
-    noteSource(*this->Surface, sources, this->Told);
-  }
-  if (type != SOURCE_CURVE)
-  {
-    this->AddBoundary(source && type == CURVE_AND_BOUNDARY, sources.curves);
-  }
-  return sources;
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkInternals::AddBoundary(
-  bool hasCurve, std::vector<geodesic::SourceCurve>& curves)
-{
-  std::vector<geodesic::SourceCurve> boundary = geodesic::boundaryCurves(this->Surface->mesh());
-  if (boundary.empty() && !hasCurve)
-  {
-    throw SourceError(
-      "The surface (input port 0) is closed: it has no boundary to measure from. Set "
-      "SourceType to Source Curve and connect a curve to input port 1.");
-  }
-  if (boundary.empty())
-  {
-    this->Told.add("The surface is closed, without boundary: the curve alone is the source.");
-  }
-  if (!hasCurve && this->Self->SourceType == CURVE_AND_BOUNDARY)
-  {
-    this->Told.add("No curve is connected to input port 1: the boundary alone is the source.");
-  }
-  std::move(boundary.begin(), boundary.end(), std::back_inserter(curves));
-}
-
-//------------------------------------------------------------------------------
-double vtkGeodesicDistanceField::vtkInternals::Tolerance() const
+double vtkGeodesicDistanceField::vtkWorker::Tolerance() const
 {
   return this->Self->ToleranceIsAbsolute
     ? this->Self->AbsoluteRefinementTolerance
-    : this->Self->RefinementTolerance * this->Surface->diagonal();
+    : this->Self->RefinementTolerance * this->Execution.surface().diagonal();
 }
 
 //------------------------------------------------------------------------------
-bool vtkGeodesicDistanceField::vtkInternals::CanRefine()
+bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
 {
   const vtkIdType most = this->Self->MaximumNumberOfCells;
-  const vtkIdType count = this->Surface->numberOfTriangles();
+  const vtkIdType count = this->Execution.surface().numberOfOwnTriangles();
   if (!this->Self->RefineMesh || !(this->Tolerance() > 0.0))
   {
     return false; // a surface without extent has nothing to refine
@@ -313,27 +131,28 @@ bool vtkGeodesicDistanceField::vtkInternals::CanRefine()
 }
 
 //------------------------------------------------------------------------------
-vtkGeodesicDistanceField::vtkInternals::Result vtkGeodesicDistanceField::vtkInternals::Compute(
-  const std::vector<geodesic::SourceCurve>& curves)
+vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker::Compute()
 {
   Result result;
+  this->Execution.enter(geodesic::Stage::ComputingDistances);
   result.isRefined = this->CanRefine();
-  const geodesic::DistanceField field = this->Solve(curves, result.isRefined);
+  const geodesic::DistanceField field = this->Solve(result.isRefined);
   this->Self->WindowsPropagatedPerEdge = static_cast<double>(field.windowsPropagated()) /
-    static_cast<double>(this->Surface->mesh().numberOfEdges());
+    static_cast<double>(this->Execution.surface().mesh().numberOfEdges());
   this->Self->RelativeErrorBound = field.relativeErrorBound();
   if (result.isRefined)
   {
-    result.refined = this->Refine(field);
-    this->Self->InterpolationErrorBound = result.refined.errorBound;
+    this->Execution.enter(geodesic::Stage::Refining);
+    geodesic::RefinedMesh refined = this->Refine(field);
+    this->Self->InterpolationErrorBound = refined.errorBound;
+    result.refined = geodesic::partsByBlock(this->Execution.surface(), std::move(refined));
   }
   result.vertexDistances = field.vertexDistances();
   return result;
 }
 
 //------------------------------------------------------------------------------
-geodesic::DistanceField vtkGeodesicDistanceField::vtkInternals::Solve(
-  const std::vector<geodesic::SourceCurve>& curves, bool refine)
+geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::Solve(bool refine) const
 {
   geodesic::FrontOptions options;
   if (this->Self->Accuracy == APPROXIMATE)
@@ -345,43 +164,52 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkInternals::Solve(
     options.maximumDistance = this->Self->MaximumDistance;
   }
   options.parallelFor = geodesic::smpParallelFor();
-  options.progress =
-    this->ProgressBetween(SourceDone, refine ? FieldDoneBeforeRefinement : FieldDone);
-  const geodesic::TriangleMesh& mesh = this->Surface->mesh();
+  options.progress = this->Execution.progressBetween(
+    geodesic::FilterExecution::InputsRead, refine ? FieldDoneBeforeRefinement : FieldDone);
+  const geodesic::TriangleMesh& mesh = this->Execution.surface().mesh();
+  const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
   return refine ? geodesic::solveForRefinement(mesh, curves, this->Tolerance(), options)
                 : geodesic::solve(mesh, curves, options);
 }
 
 //------------------------------------------------------------------------------
-geodesic::RefinedMesh vtkGeodesicDistanceField::vtkInternals::Refine(
-  const geodesic::DistanceField& field)
+geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptions() const
 {
-  const geodesic::TriangleMesh& mesh = this->Surface->mesh();
-  const auto most = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells);
+  const geodesic::PolyDataSurface& surface = this->Execution.surface();
   geodesic::RefinementOptions options;
   options.tolerance = this->Tolerance();
-  if (most > 0)
+  if (this->Self->MaximumNumberOfCells > 0)
   {
-    const auto duplicates =
-      static_cast<std::uint64_t>(this->Surface->numberOfTriangles()) - mesh.numberOfFaces();
-    options.maximumFaces = most - duplicates;
+    const geodesic::Id duplicates = surface.numberOfOwnTriangles() - surface.mesh().numberOfFaces();
+    options.maximumFaces =
+      static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells) - duplicates;
   }
-  if (this->Surface->hasMergedPoints())
+  if (surface.hasMergedPoints())
   {
-    options.cornerPoints.reserve(mesh.numberOfFaces());
-    for (geodesic::Id face = 0; face < mesh.numberOfFaces(); ++face)
+    options.cornerPoints.reserve(surface.mesh().numberOfFaces());
+    for (geodesic::Id face = 0; face < surface.mesh().numberOfFaces(); ++face)
     {
-      options.cornerPoints.push_back(this->Surface->cornerPoints(face));
+      options.cornerPoints.push_back(surface.cornerPoints(face));
     }
-    options.numberOfPoints = static_cast<geodesic::Id>(this->Surface->numberOfPoints());
+    options.numberOfPoints = surface.numberOfPoints();
   }
-  options.progress = this->ProgressBetween(FieldDoneBeforeRefinement, FieldDone);
+  options.progress = this->Execution.progressBetween(FieldDoneBeforeRefinement, FieldDone);
+  return options;
+}
+
+//------------------------------------------------------------------------------
+geodesic::RefinedMesh vtkGeodesicDistanceField::vtkWorker::Refine(
+  const geodesic::DistanceField& field) const
+{
+  const geodesic::RefinementOptions options = this->RefinementOptions();
   geodesic::RefinedMesh refined = geodesic::refine(field, options);
-  geodesic::addDuplicateFaces(*this->Surface, most, refined);
+  geodesic::addDuplicateFaces(this->Execution.surface(),
+    static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells), refined);
   if (refined.stoppedAtMaximum)
   {
     vtkWarningWithObjectMacro(this->Self,
-      "MaximumNumberOfCells (" << most << ") is reached: the refined surface meets a tolerance of "
+      "MaximumNumberOfCells (" << this->Self->MaximumNumberOfCells
+                               << ") is reached: the refined surface meets a tolerance of "
                                << refined.errorBound << " instead of " << options.tolerance
                                << ". Raise MaximumNumberOfCells or the tolerance.");
   }
@@ -396,59 +224,95 @@ geodesic::RefinedMesh vtkGeodesicDistanceField::vtkInternals::Refine(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkInternals::WriteSurface(
-  const Result& result, vtkPolyData* input, vtkPolyData* output)
+void vtkGeodesicDistanceField::vtkWorker::WriteSurface(
+  const Result& result, vtkDataObject* output) const
 {
-  const auto progress = this->ProgressBetween(FieldDone, SurfaceWritten);
-  if (result.isRefined)
+  const std::vector<geodesic::PolyDataBlock>& inputs = this->Execution.surfaceBlocks();
+  const std::vector<geodesic::SurfaceBlock>& blocks = this->Execution.surface().blocks();
+  const std::vector<vtkPolyData*> outputs =
+    geodesic::makeBlocksLike(this->Execution.surfaceInput(), output);
+  const auto count = static_cast<double>(blocks.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    geodesic::writeRefined(*this->Surface, result.refined, input, output, progress);
-    if (input->GetCellData()->HasArray("OriginalCellIds"))
+    const auto place = [&](std::size_t block)
+    { return FieldDone + (SurfaceWritten - FieldDone) * static_cast<double>(block) / count; };
+    const auto progress = this->Execution.progressBetween(place(i), place(i + 1));
+    if (result.isRefined)
     {
-      this->Told.add("The surface already has a cell array named OriginalCellIds; the output has "
-                     "the input's cells in its place.");
+      geodesic::writeRefined(blocks[i], result.refined[i], inputs[i].data, outputs[i], progress);
     }
+    else
+    {
+      geodesic::writeWhole(blocks[i], inputs[i].data, outputs[i], progress);
+    }
+    this->WriteDistances(result, i, outputs[i]);
+    outputs[i]->GetFieldData()->PassData(inputs[i].data->GetFieldData());
+    this->WriteFieldData(outputs[i]);
   }
-  else
-  {
-    this->Surface->copyTo(input, output, progress);
-  }
-  this->WriteDistances(result, input, output);
+  this->WriteFieldData(output);
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkInternals::WriteDistances(
-  const Result& result, vtkPolyData* input, vtkPolyData* output)
+void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
+  const Result& result, std::size_t index, vtkPolyData* output) const
 {
-  const char* name = this->Self->DistanceArrayName;
-  const vtkIdType count = input->GetNumberOfPoints();
+  const geodesic::PolyDataSurface& surface = this->Execution.surface();
+  const geodesic::SurfaceBlock& block = surface.blocks()[index];
   geodesic::requireMemory(output->GetNumberOfPoints(), sizeof(double));
   vtkNew<vtkDoubleArray> distances;
-  distances->SetName(name);
+  distances->SetName(this->Self->DistanceArrayName);
   distances->SetNumberOfTuples(output->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < count; ++i)
+  vtkIdType next = 0;
+  for (geodesic::Id i = 0; i < block.numberOfPoints; ++i)
   {
-    distances->SetValue(i, result.vertexDistances[this->Surface->vertexOf(i)]);
+    distances->SetValue(next++, result.vertexDistances[surface.vertexOf(block.firstPoint + i)]);
   }
-  vtkIdType next = count;
-  for (const geodesic::RefinedPoint& point : result.refined.points)
+  if (result.isRefined)
   {
-    distances->SetValue(next++, point.distance);
-  }
-  if (input->GetPointData()->HasArray(name))
-  {
-    this->Told.add(std::string("The surface already has a point array named ") + name +
-      "; the output has the distance in its place. Change DistanceArrayName to keep both.");
+    for (const geodesic::RefinedPoint& point : result.refined[index].points)
+    {
+      distances->SetValue(next++, point.distance);
+    }
   }
   output->GetPointData()->AddArray(distances);
-  output->GetPointData()->SetActiveScalars(name);
+  output->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(vtkDataObject* output) const
+{
+  addFieldData(output, "WindowsPropagatedPerEdge", this->Self->WindowsPropagatedPerEdge);
+  addFieldData(output, "SourceSnapDistance", this->Self->SourceSnapDistance);
+  addFieldData(output, "RelativeErrorBound", this->Self->RelativeErrorBound);
+  addFieldData(output, "InterpolationErrorBound", this->Self->InterpolationErrorBound);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) const
+{
+  const char* name = this->Self->DistanceArrayName;
+  bool hasOriginals = false;
+  bool hasDistances = false;
+  for (const geodesic::PolyDataBlock& block : this->Execution.surfaceBlocks())
+  {
+    hasOriginals = hasOriginals || block.data->GetCellData()->HasArray("OriginalCellIds");
+    hasDistances = hasDistances || block.data->GetPointData()->HasArray(name);
+  }
+  if (isRefined && hasOriginals)
+  {
+    this->Execution.notes().add("The surface already has a cell array named OriginalCellIds; the "
+                                "output has the input's cells in its place.");
+  }
+  if (hasDistances)
+  {
+    this->Execution.notes().add(std::string("The surface already has a point array named ") + name +
+      "; the output has the distance in its place. Change DistanceArrayName to keep both.");
+  }
 }
 
 //------------------------------------------------------------------------------
 vtkGeodesicDistanceField::vtkGeodesicDistanceField()
-  : Internals(new vtkInternals(this))
 {
-  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
   this->SetDistanceArrayName("GeodesicDistance");
 }
@@ -460,30 +324,14 @@ vtkGeodesicDistanceField::~vtkGeodesicDistanceField()
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::SetSourceConnection(vtkAlgorithmOutput* output)
+int vtkGeodesicDistanceField::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::SetSourceData(vtkPolyData* source)
-{
-  this->SetInputData(1, source);
-}
-
-//------------------------------------------------------------------------------
-int vtkGeodesicDistanceField::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port == 1)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataObject" : "vtkPolyData");
   return 1;
 }
 
 //------------------------------------------------------------------------------
-const char* vtkGeodesicDistanceField::FindWrongProperty() const
+std::string vtkGeodesicDistanceField::FindWrongProperty() const
 {
   if (!this->DistanceArrayName || !*this->DistanceArrayName)
   {
@@ -508,76 +356,41 @@ const char* vtkGeodesicDistanceField::FindWrongProperty() const
     return "AbsoluteRefinementTolerance is not a positive number: set the largest difference that "
            "is allowed, in the units of the surface, or switch RefineMesh off.";
   }
-  return nullptr;
+  if (this->RefineMesh && this->MaximumNumberOfCells < 0)
+  {
+    return "MaximumNumberOfCells is negative: set the largest number of triangles that the refined "
+           "surface may have, or 0 for no limit.";
+  }
+  if (!(this->MaximumDistance >= 0.0))
+  {
+    return "MaximumDistance is not a number of at least 0: set the distance to stop at, in the "
+           "units "
+           "of the surface, or 0 for no limit.";
+  }
+  return this->Superclass::FindWrongProperty();
 }
 
 //------------------------------------------------------------------------------
-int vtkGeodesicDistanceField::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkGeodesicDistanceField::ResetResults()
 {
   this->WindowsPropagatedPerEdge = 0.0;
   this->SourceSnapDistance = 0.0;
   this->RelativeErrorBound = 0.0;
   this->InterpolationErrorBound = geodesic::Infinity;
+}
 
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller && controller->GetNumberOfProcesses() > 1)
-  {
-    vtkErrorMacro("The surface may be distributed over "
-      << controller->GetNumberOfProcesses()
-      << " MPI ranks, but distances are computed in one process only and would be wrong. Run with "
-         "one "
-         "rank.");
-    return 0;
-  }
-  if (const char* wrong = this->FindWrongProperty())
-  {
-    vtkErrorMacro(<< wrong);
-    return 0;
-  }
-
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* curves = vtkPolyData::GetData(outputVector, 1);
-  const auto release = [output, curves]()
-  {
-    output->Initialize();
-    curves->Initialize();
-  };
-  std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
-  try
-  {
-    reserve = std::make_unique<char[]>(MemoryForMessages);
-    this->Internals->Execute(
-      vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(inputVector[1]), output, curves);
-    return 1;
-  }
-  catch (const geodesic::Aborted&)
-  {
-    release();
-    return 1;
-  }
-  catch (const geodesic::Error& error)
-  {
-    release();
-    vtkErrorMacro(<< error.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    release();
-    this->Internals->ReleaseSurface();
-    reserve.reset();
-    vtkErrorMacro(
-      "There is not enough memory for this surface. Decimate it, cut it into parts, set "
-      "MaximumDistance, switch RefineMesh off or set Accuracy to Approximate.");
-  }
-  return 0;
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::Compute(
+  geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
+{
+  vtkWorker(this, execution)
+    .Run(vtkDataObject::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 1));
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SourceType: " << this->SourceType << "\n";
   os << indent << "Accuracy: " << (this->Accuracy == EXACT ? "Exact" : "Approximate") << "\n";
   os << indent << "RelativeError: " << this->RelativeError << "\n";
   os << indent << "RefineMesh: " << (this->RefineMesh ? "On" : "Off") << "\n";
@@ -586,7 +399,6 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AbsoluteRefinementTolerance: " << this->AbsoluteRefinementTolerance << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
-  os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
   os << indent
      << "DistanceArrayName: " << (this->DistanceArrayName ? this->DistanceArrayName : "(none)")
      << "\n";

@@ -19,7 +19,9 @@
  * shorter. Shortest paths bend only at vertices of negative curvature and at reflex corners of the
  * boundary: there the front emits circular windows anew. The result is exact up to the rounding of
  * double-precision numbers, on any triangulation: accuracy does not depend on the shape or size of
- * the triangles.
+ * the triangles. Of Xin and Wang (2009) come the tests by which windows are dropped that a path
+ * through a vertex beats, of Qin et al. (2016) the order of the front by vertices, which handles
+ * the windows around a vertex together.
  *
  * @par
  * In approximate mode (SetAccuracy()) neighboring windows are merged as long as that makes no
@@ -51,15 +53,29 @@
  * each point of a vertex cell a point source, polygons stand for their outlines, and a vtkPolyData
  * without cells gives all its points as point sources. Inputs are never modified.
  *
+ * @par Composite inputs:
+ * Each port takes a vtkPolyData, or a vtkMultiBlockDataSet, vtkPartitionedDataSet or
+ * vtkPartitionedDataSetCollection of these, nested or with null and empty blocks. The blocks of a
+ * surface are one surface with one distance field: with MergeCoincidentPoints they are joined where
+ * points coincide, on the boundaries of two blocks also where they differ by a few roundings of
+ * their coordinates. All blocks of a source are one source, and give one surface. Blocks of another
+ * type are an error that names the block; the Extract Surface filter makes them usable.
+ * @par
+ * Cells that a ghost array marks as duplicates are not surface: they get the values, and the
+ * refinement, of what they duplicate. A duplicate without an original counts once. Hidden cells are
+ * holes.
+ *
  * @par Output:
  * Port 0 has the surface as triangles, with all points of the input, unchanged and in order, then
- * those that refinement has added, and
+ * those that refinement has added. Of a composite surface it has the structure and the names
+ * (GetOutputDataObject(0); GetOutput() is null then), and each block has its own points and arrays.
+ * There are
  * - point data array `GeodesicDistance` (or DistanceArrayName): the distance, in double precision;
  *   infinite at points that no path connects to the source, or beyond MaximumDistance,
- * - cell data array `OriginalCellIds`, where RefineMesh was done: the cell of the input that each
- *   triangle is a part of,
+ * - cell data array `OriginalCellIds`, where RefineMesh was done: the cell of the input (of the
+ *   block) that each triangle is a part of,
  * - field data arrays `WindowsPropagatedPerEdge`, `SourceSnapDistance`, `RelativeErrorBound` and
- *   `InterpolationErrorBound`: see the getters of these names.
+ *   `InterpolationErrorBound`, on the whole and on each block: see the getters of these names.
  * @par
  * Point data is interpolated linearly to new points, in the face; strings, ids (vtkIdTypeArray and
  * pedigree ids) and bits are those of the nearest corner, a new point is a ghost in the ways that
@@ -67,23 +83,43 @@
  * cell. New points have the precision of the input's points. Triangles that are not reached or
  * lie wholly beyond MaximumDistance are not refined, but closed against refined neighbors. Where
  * several points of the input are at one place (see MergeCoincidentPoints), a split edge between
- * them has as many points as it had on the input. Faces on the same points as another are refined
- * like it.
+ * them has as many points as it had on the input; where blocks meet, these have the same
+ * coordinates and distances on both sides. Faces on the same points as another are refined like it.
  * @par
  * Port 1 has the source as it lies on the surface: polylines with a point at every mesh edge that
  * they cross, and a vertex for each point source.
  *
  * @par Execution:
  * The structure of the surface is kept, so that executing again with another source costs only the
- * propagation. Progress is reported, and abort is obeyed. After an abort or an error, such as that
- * memory has run out, both outputs are empty.
+ * propagation. It is built anew when coordinates, cells, ghost flags or global ids have changed
+ * (these are compared each time, also where nothing says that they were modified), not when other
+ * arrays have, and is released after each execution where ReleaseDataFlag is set. Progress is
+ * reported, and abort is obeyed. After an abort or an error, such as that memory has run out, both
+ * outputs are empty.
+ *
+ * @par Threads:
+ * The propagation runs on the threads that vtkSMPTools is set to use. The result is the same, to
+ * the last bit, for any number of them.
+ *
+ * @par Pieces:
+ * A piece of a surface has other distances than the whole. Whatever piece is asked for, the filter
+ * asks for the whole of its inputs; piece 0 of its outputs has everything, and the others are
+ * empty, so that pieces that are written and read back hold each cell once.
  *
  * @warning
- * The surface must be whole in one process: with several MPI ranks the filter refuses to execute.
+ * The surface must be whole in one process: with several MPI ranks the filter refuses to execute,
+ * unless SetController() was called with null.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
  * Curves on Triangle Meshes", Proceedings of Vision, Modeling, and Visualization (VMV) 2007.
+ * @par
+ * Shi-Qing Xin and Guo-Jin Wang, "Improving Chen and Han's Algorithm on the Discrete Geodesic
+ * Problem", ACM Transactions on Graphics 28 (4), 2009, doi:10.1145/1559755.1559761.
+ * @par
+ * Yipeng Qin, Xiaoguang Han, Hongchuan Yu, Yizhou Yu and Jianjun Zhang, "Fast and Exact Discrete
+ * Geodesic Computation Based on Triangle-Oriented Wavefront Propagation", ACM Transactions on
+ * Graphics 35 (4), 2016, doi:10.1145/2897824.2925930.
  *
  * @sa
  * vtkDijkstraGraphGeodesicPath vtkDistancePolyDataFilter vtkFeatureEdges vtkCutter
@@ -93,12 +129,12 @@
 #define vtkGeodesicDistanceField_h
 
 #include "vtkFiltersGeodesicModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkGeodesicAlgorithm.h"
 
 #include <limits> // for std::numeric_limits
-#include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
-class VTKFILTERSGEODESIC_EXPORT vtkGeodesicDistanceField : public vtkPolyDataAlgorithm
+class VTKFILTERSGEODESIC_EXPORT vtkGeodesicDistanceField : public vtkGeodesicAlgorithm
 {
 public:
   ///@{
@@ -106,38 +142,8 @@ public:
    * Standard methods for construction, type information and printing.
    */
   static vtkGeodesicDistanceField* New();
-  vtkTypeMacro(vtkGeodesicDistanceField, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkGeodesicDistanceField, vtkGeodesicAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
-
-  ///@{
-  /**
-   * The source on port 1: curves and points. Not needed when the boundary is the source.
-   */
-  void SetSourceConnection(vtkAlgorithmOutput* output);
-  void SetSourceData(vtkPolyData* source);
-  ///@}
-
-  /**
-   * What distances are measured from.
-   */
-  enum SourceTypes
-  {
-    SOURCE_CURVE = 0,
-    SURFACE_BOUNDARY = 1,
-    CURVE_AND_BOUNDARY = 2
-  };
-
-  ///@{
-  /**
-   * Measure distances from the curves and points on port 1 (the default), from the boundary of the
-   * surface, or from both.
-   */
-  vtkSetClampMacro(SourceType, int, SOURCE_CURVE, CURVE_AND_BOUNDARY);
-  vtkGetMacro(SourceType, int);
-  void SetSourceTypeToSourceCurve() { this->SetSourceType(SOURCE_CURVE); }
-  void SetSourceTypeToSurfaceBoundary() { this->SetSourceType(SURFACE_BOUNDARY); }
-  void SetSourceTypeToCurveAndBoundary() { this->SetSourceType(CURVE_AND_BOUNDARY); }
   ///@}
 
   /**
@@ -183,8 +189,8 @@ public:
   ///@{
   /**
    * The largest difference between the linear interpolant of the output and the computed distance,
-   * as a fraction of the diagonal of the surface's bounding box. Default: 0.001. Used unless
-   * ToleranceIsAbsolute is on. Anything but a positive number is an error.
+   * as a fraction of the diagonal of the bounding box of the points that faces use. Default: 0.001.
+   * Used unless ToleranceIsAbsolute is on. Anything but a positive number is an error.
    */
   vtkSetMacro(RefinementTolerance, double);
   vtkGetMacro(RefinementTolerance, double);
@@ -213,9 +219,10 @@ public:
   /**
    * Refinement stops before the output has more triangles than this; 0 is no limit. Triangles with
    * the largest error are split first, and a warning says which tolerance was met. A surface
-   * that has more triangles already is not refined, with a warning. Default: 50,000,000.
+   * that has more triangles already is not refined, with a warning. Default: 50,000,000. A negative
+   * number is an error.
    */
-  vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 0, VTK_ID_MAX);
+  vtkSetMacro(MaximumNumberOfCells, vtkIdType);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
   ///@}
 
@@ -223,21 +230,11 @@ public:
   /**
    * Stop at this distance, in the units of the surface; 0, the default, is no limit. Every face
    * that has a point within the limit gets exact values at all its points, so that contours inside
-   * the limit are whole. Points beyond that are infinitely far.
+   * the limit are whole. Points beyond that are infinitely far. A negative value or NaN is an
+   * error.
    */
-  vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether points at exactly one place are one point, so that faces around it are connected. On by
-   * default: formats without shared points (STL) or with seams (OBJ) need it. The output keeps the
-   * points of the input in either case.
-   */
-  vtkSetMacro(MergeCoincidentPoints, bool);
-  vtkGetMacro(MergeCoincidentPoints, bool);
-  vtkBooleanMacro(MergeCoincidentPoints, bool);
   ///@}
 
   ///@{
@@ -287,18 +284,17 @@ protected:
   vtkGeodesicDistanceField();
   ~vtkGeodesicDistanceField() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  std::string FindWrongProperty() const override;
+  void ResetResults() override;
+  void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
 
 private:
   vtkGeodesicDistanceField(const vtkGeodesicDistanceField&) = delete;
   void operator=(const vtkGeodesicDistanceField&) = delete;
 
-  /// Says what is wrong with a property; null where all are right.
-  const char* FindWrongProperty() const;
+  class vtkWorker;
 
-  int SourceType = SOURCE_CURVE;
   int Accuracy = EXACT;
   double RelativeError = 0.001;
   bool RefineMesh = true;
@@ -307,15 +303,11 @@ private:
   double AbsoluteRefinementTolerance = 1.0;
   vtkIdType MaximumNumberOfCells = 50000000;
   double MaximumDistance = 0.0;
-  bool MergeCoincidentPoints = true;
   char* DistanceArrayName = nullptr;
   double WindowsPropagatedPerEdge = 0.0;
   double SourceSnapDistance = 0.0;
   double RelativeErrorBound = 0.0;
   double InterpolationErrorBound = std::numeric_limits<double>::infinity();
-
-  class vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

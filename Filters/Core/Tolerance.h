@@ -48,6 +48,15 @@ constexpr double SnapRoundings = 4.0;
 /// there.
 constexpr double SnapFraction = 0.1;
 
+/// Points on the boundaries of two parts of a surface are one when nearer than this many roundings of
+/// the largest coordinate around: each part has computed or stored the same place on its own, with a
+/// few roundings.
+constexpr double SeamRoundings = 4.0;
+
+/// But never farther than this fraction of an edge of the boundary at either: far from the origin
+/// roundings may be as large as faces, and an edge must not collapse there.
+constexpr double SeamFraction = 0.1;
+
 /// A traced path passes a vertex, not an edge beside it, when nearer than this fraction of its
 /// length: the rounding of unfolding it through some dozens of faces.
 constexpr double PathAtVertex = 64.0 * Rounding;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/PolyDataSource.h"
 
-#include "PolyData/ArrayMemory.h"
 #include "Errors.h"
+#include "PolyData/Memory.h"
+#include "PolyData/PolyDataSurface.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -20,35 +21,42 @@ namespace geodesic
 namespace
 {
 
-/// The points of one curve of the source.
+/// The points of one curve of the source, numbered through all blocks.
 struct Chain
 {
-  std::vector<vtkIdType> points;
+  std::vector<std::size_t> points;
   bool closed = false;
   std::string name;
 };
 
-/// Takes the curves out of the cells.
+/// Takes the curves out of the cells of one block.
 class ChainReader
 {
 public:
-  explicit ChainReader(vtkPolyData* source)
-    : numberOfPoints_(source->GetNumberOfPoints())
+  /// \param firstPoint the number of the block's point 0 among those of all blocks.
+  /// \param chains to which curves are added.
+  ChainReader(const PolyDataBlock& block, std::size_t firstPoint, std::vector<Chain>& chains)
+    : block_(block)
+    , firstPoint_(firstPoint)
+    , chains_(chains)
   {
+  }
+
+  void read()
+  {
+    vtkPolyData* source = this->block_.data;
     this->read(source->GetVerts(), &ChainReader::addVertices);
     this->read(source->GetLines(), &ChainReader::addLine);
     this->read(source->GetPolys(), &ChainReader::addPolygon);
     this->read(source->GetStrips(), &ChainReader::addStrip);
     if (source->GetNumberOfCells() == 0)
     {
-      for (vtkIdType i = 0; i < this->numberOfPoints_; ++i)
+      for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i)
       {
         this->addPoint(i);
       }
     }
   }
-
-  std::vector<Chain>&& take() { return std::move(this->chains_); }
 
 private:
   using Adder = void (ChainReader::*)(vtkIdType, const vtkIdType*);
@@ -72,22 +80,27 @@ private:
 
   void check(vtkIdType size, const vtkIdType* ids) const
   {
+    const vtkIdType count = this->block_.data->GetNumberOfPoints();
     for (vtkIdType i = 0; i < size; ++i)
     {
-      if (ids[i] < 0 || ids[i] >= this->numberOfPoints_)
+      if (ids[i] < 0 || ids[i] >= count)
       {
-        throw SourceError("Cell " + std::to_string(this->cell_) +
-          " of the source (input port 1) names point " + std::to_string(ids[i]) +
-          ", but there are only " + std::to_string(this->numberOfPoints_) +
-          " points. Repair the cells upstream.");
+        throw SourceError("Cell " + std::to_string(this->cell_) + " of " + this->block_.name +
+          " names point " + std::to_string(ids[i]) + ", but there are only " +
+          std::to_string(count) + " points. Repair the cells upstream.");
       }
     }
   }
 
+  std::size_t pointOf(vtkIdType id) const
+  {
+    return this->firstPoint_ + static_cast<std::size_t>(id);
+  }
+
   void addPoint(vtkIdType point)
   {
-    this->chains_.push_back(
-      { { point }, false, "point " + std::to_string(point) + " of the source" });
+    this->chains_.push_back({ { this->pointOf(point) }, false,
+      "point " + std::to_string(point) + " of " + this->block_.name });
   }
 
   void addVertices(vtkIdType size, const vtkIdType* ids)
@@ -98,11 +111,15 @@ private:
     }
   }
 
-  void addChain(std::vector<vtkIdType> points, bool closed)
+  void addChain(const std::vector<vtkIdType>& ids, bool closed)
   {
-    const bool isClosed = closed && points.size() > 2;
-    this->chains_.push_back(
-      { std::move(points), isClosed, "cell " + std::to_string(this->cell_) + " of the source" });
+    Chain& chain = this->chains_.emplace_back();
+    for (const vtkIdType id : ids)
+    {
+      chain.points.push_back(this->pointOf(id));
+    }
+    chain.closed = closed && ids.size() > 2;
+    chain.name = "cell " + std::to_string(this->cell_) + " of " + this->block_.name;
   }
 
   void addLine(vtkIdType size, const vtkIdType* ids)
@@ -128,62 +145,79 @@ private:
     {
       outline.push_back(ids[i]);
     }
-    this->addChain(std::move(outline), true);
+    this->addChain(outline, true);
   }
 
-  vtkIdType numberOfPoints_;
+  const PolyDataBlock& block_;
+  std::size_t firstPoint_;
+  std::vector<Chain>& chains_;
   vtkIdType cell_ = 0;
-  std::vector<Chain> chains_;
 };
 
-std::vector<char> usedPoints(const std::vector<Chain>& chains, vtkIdType numberOfPoints)
+std::vector<char> usedPoints(const std::vector<Chain>& chains, std::size_t numberOfPoints)
 {
-  std::vector<char> used(static_cast<std::size_t>(numberOfPoints), 0);
+  std::vector<char> used(numberOfPoints, 0);
   for (const Chain& chain : chains)
   {
-    for (const vtkIdType point : chain.points)
+    for (const std::size_t point : chain.points)
     {
-      used[static_cast<std::size_t>(point)] = 1;
+      used[point] = 1;
     }
   }
   return used;
 }
 
+/// \param firstPoint the number of the block's point 0 among those of all blocks.
 /// \throws SourceError
-void requireFinite(vtkPoints* points, const std::vector<char>& used)
+void requireFinite(
+  const PolyDataBlock& block, std::size_t firstPoint, const std::vector<char>& used)
 {
   std::vector<vtkIdType> bad;
-  for (std::size_t i = 0; i < used.size(); ++i)
+  for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
   {
-    const double* p = points->GetPoint(static_cast<vtkIdType>(i));
-    if (used[i] && !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
+    const double* p = block.data->GetPoint(i);
+    if (used[firstPoint + static_cast<std::size_t>(i)] &&
+      !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
     {
-      bad.push_back(static_cast<vtkIdType>(i));
+      bad.push_back(i);
     }
   }
   if (!bad.empty())
   {
-    throw SourceError(
-      "The source (input port 1) has coordinates that are NaN or infinite, at point " +
-      listIds(bad) + ". Remove or repair these points upstream.");
+    throw SourceError(capitalized(block.name) +
+      " has coordinates that are NaN or infinite, at point " + listIds(bad) +
+      ". Remove or repair these points upstream.");
   }
 }
 
 }
 
-std::vector<LocatedPolyline> readSource(
-  vtkPolyData* source, PolyDataSurface& surface, const ProgressCallback& progress)
+std::vector<LocatedPolyline> readSource(const std::vector<PolyDataBlock>& source,
+  PolylineLocator& locator, const ProgressCallback& progress)
 {
-  std::vector<Chain> chains = ChainReader(source).take();
+  std::vector<Chain> chains;
+  std::vector<Vec3> points;
+  std::vector<std::size_t> firstPoints;
+  for (const PolyDataBlock& block : source)
+  {
+    firstPoints.push_back(points.size());
+    ChainReader(block, points.size(), chains).read();
+    for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
+    {
+      block.data->GetPoint(i, points.emplace_back().data());
+    }
+  }
   if (chains.empty())
   {
     throw SourceError("The source (input port 1) is empty: it has no points that a line or vertex "
                       "uses. Connect a curve with at least one point, or choose the surface's "
                       "boundary as the source.");
   }
-  vtkPoints* points = source->GetPoints();
-  const std::vector<char> used = usedPoints(chains, source->GetNumberOfPoints());
-  requireFinite(points, used);
+  const std::vector<char> used = usedPoints(chains, points.size());
+  for (std::size_t i = 0; i < source.size(); ++i)
+  {
+    requireFinite(source[i], firstPoints[i], used);
+  }
 
   std::vector<LocatedPolyline> result;
   result.reserve(chains.size());
@@ -192,24 +226,25 @@ std::vector<LocatedPolyline> readSource(
     LocatedPolyline line;
     line.closed = chain.closed;
     line.name = std::move(chain.name);
-    for (const vtkIdType point : chain.points)
+    for (const std::size_t point : chain.points)
     {
-      Vec3 p;
-      points->GetPoint(point, p.data());
-      line.points.push_back(p);
+      line.points.push_back(points[point]);
     }
     result.push_back(std::move(line));
   }
-  surface.locator().locate(result, snapOptionsFor(source).coordinatePrecision, progress);
+  locator.locate(result, snapOptionsFor(source).coordinatePrecision, progress);
   return result;
 }
 
-SnapOptions snapOptionsFor(vtkPolyData* source)
+SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source)
 {
   SnapOptions options;
-  if (source->GetPoints()->GetDataType() == VTK_FLOAT)
+  for (const PolyDataBlock& block : source)
   {
-    options.coordinatePrecision = FLT_EPSILON;
+    if (block.data->GetNumberOfPoints() > 0 && block.data->GetPoints()->GetDataType() == VTK_FLOAT)
+    {
+      options.coordinatePrecision = FLT_EPSILON;
+    }
   }
   return options;
 }

@@ -2,7 +2,8 @@
 #ifndef geodesic_PolyDataSource_h
 #define geodesic_PolyDataSource_h
 
-#include "PolyData/PolyDataSurface.h"
+#include "PolyData/PolyDataBlocks.h"
+#include "source/PolylineLocator.h"
 #include "source/PolylineOnSurface.h"
 
 class vtkPolyData;
@@ -10,17 +11,17 @@ class vtkPolyData;
 namespace geodesic
 {
 
-/// Reads the curves of a vtkPolyData and locates their points on the surface: every line and
-/// polyline is a curve, every point of a vertex cell a point source, polygons and strips stand for
-/// their outlines, and points without any cell are all point sources.
+/// Reads the curves of all blocks and locates their points on the surface: every line and polyline
+/// is a curve, every point of a vertex cell a point source, polygons and strips stand for their
+/// outlines, and points of a block without any cell are all point sources.
 ///
 /// \param progress called now and then with a fraction done; returning false throws Aborted.
 /// \throws SourceError where there is no point or one is not finite; Aborted.
-std::vector<LocatedPolyline> readSource(
-  vtkPolyData* source, PolyDataSurface& surface, const ProgressCallback& progress);
+std::vector<LocatedPolyline> readSource(const std::vector<PolyDataBlock>& source,
+  PolylineLocator& locator, const ProgressCallback& progress);
 
-/// What the coordinates' type allows.
-SnapOptions snapOptionsFor(vtkPolyData* source);
+/// What the coordinates' type allows: that of the least precise block.
+SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source);
 
 /// The curves as cells: a polyline each, a vertex where a curve is one point.
 void writeCurves(

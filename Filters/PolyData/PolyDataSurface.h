@@ -2,24 +2,46 @@
 #ifndef geodesic_PolyDataSurface_h
 #define geodesic_PolyDataSurface_h
 
+#include "PolyData/PolyDataBlocks.h"
 #include "mesh/TriangleMesh.h"
-#include "source/PolylineLocator.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkCellArray;
-class vtkPoints;
-class vtkPolyData;
 
 namespace geodesic
 {
 
-/// The surface of a vtkPolyData as the engine takes it, and the way back to the input's points and
-/// cells. It holds the input's points (never changing them) but not the input.
+/// The part of a surface that is one vtkPolyData.
+struct SurfaceBlock
+{
+  /// Its points among those of all blocks.
+  Id firstPoint = 0;
+  Id numberOfPoints = 0;
+  /// Its triangles among those of all blocks.
+  Id firstTriangle = 0;
+  /// The triangles, with the block's own points.
+  vtkSmartPointer<vtkCellArray> triangles;
+  /// Whether these are the cells of the input.
+  bool areInputCells = false;
+  /// Otherwise the input's cell that each triangle came from.
+  std::vector<vtkIdType> inputCells;
+
+  vtkIdType numberOfTriangles() const;
+  vtkIdType inputCell(vtkIdType triangle) const
+  {
+    return this->areInputCells ? triangle : this->inputCells[static_cast<std::size_t>(triangle)];
+  }
+};
+
+/// A surface of one or more vtkPolyData as the engine takes it, and the way back to their points
+/// and cells. Points and triangles are numbered through all blocks. Made by readSurface().
 class PolyDataSurface
 {
 public:
@@ -34,67 +56,65 @@ public:
     vtkIdType facesWithRepeatedPoint = 0;
   };
 
-  /// Triangulates polygons and strips, and merges the points that lie at exactly one place.
-  ///
-  /// \param progress called now and then; returning false throws Aborted.
-  /// \throws MeshError where there is no face, a coordinate is not finite or a cell names a point
-  ///         that does not exist; Aborted.
-  PolyDataSurface(
-    vtkPolyData* input, bool mergeCoincidentPoints, const ProgressCallback& progress = {});
+  /// \param mesh its vertices are the points, or what vertexOfPoint says; its input faces are the
+  ///        triangles of all blocks, without copies.
+  /// \param vertexOfPoint the vertex that stands for each point; empty where each is its own.
+  /// \param isCopy whether a triangle is marked as a duplicate, by a ghost array, of another that
+  /// is
+  ///        here: it is not among the input faces of the mesh. Empty where there are none.
+  /// \param diagonal of the bounding box of the points that triangles use.
+  PolyDataSurface(std::unique_ptr<TriangleMesh> mesh, std::vector<Id> vertexOfPoint,
+    std::vector<SurfaceBlock> blocks, std::vector<std::uint8_t> isCopy, double diagonal,
+    const Report& report);
 
   const TriangleMesh& mesh() const { return *this->mesh_; }
   const Report& report() const { return this->report_; }
+  /// Of the bounding box of the points that triangles use.
   double diagonal() const { return this->diagonal_; }
+  const std::vector<SurfaceBlock>& blocks() const { return this->blocks_; }
+  /// Takes the cells of an input with the same content for those of the input that this was made
+  /// of, which need not be kept any longer then.
+  void useCellsOf(const std::vector<PolyDataBlock>& inputs);
 
   /// The vertex that stands for a point of the input.
-  Id vertexOf(vtkIdType point) const
+  Id vertexOf(Id point) const
   {
-    return this->vertexOfPoint_.empty() ? static_cast<Id>(point)
-                                        : this->vertexOfPoint_[static_cast<std::size_t>(point)];
+    return this->vertexOfPoint_.empty() ? point : this->vertexOfPoint_[point];
   }
-
-  vtkIdType numberOfPoints() const;
+  Id numberOfPoints() const;
   /// Whether some of the input's points are one vertex.
   bool hasMergedPoints() const { return !this->vertexOfPoint_.empty(); }
 
   /// The triangles that the output has where it is not refined. Of those on the same vertices the
-  /// mesh has one: TriangleMesh::inputFace tells which.
-  vtkIdType numberOfTriangles() const;
+  /// mesh has one: triangleOf() tells which.
+  Id numberOfTriangles() const;
+  /// Of these, the ones that are surface; the others are copies by ghost arrays.
+  Id numberOfOwnTriangles() const { return this->numberOfTriangles() - this->numberOfCopies_; }
+  bool isCopy(Id triangle) const { return !this->isCopy_.empty() && this->isCopy_[triangle] != 0; }
   /// The input's points at a triangle's corners.
   Triangle triangle(Id triangle) const;
-  /// The input's points at the corners of a face of the mesh.
-  Triangle cornerPoints(Id face) const { return this->triangle(this->mesh_->inputFace(face)); }
-  /// The input's cell that a triangle came from.
-  vtkIdType inputCell(Id triangle) const
+  /// The triangle that a face of the mesh came from.
+  Id triangleOf(Id face) const
   {
-    return this->inputCells_.empty() ? triangle : this->inputCells_[triangle];
+    const Id input = this->mesh_->inputFace(face);
+    return this->ownTriangles_.empty() ? input : this->ownTriangles_[input];
   }
-
-  /// Finds places on the surface; what that takes is built when it is needed, and kept.
-  PolylineLocator& locator() { return *this->locator_; }
-
-  /// Gives the output the input's points with their data, the triangles, and for each the data of
-  /// the cell that it came from. The input is the one that this surface was made from.
-  void copyTo(vtkPolyData* input, vtkPolyData* output, const ProgressCallback& progress = {}) const;
+  /// The input's points at the corners of a face of the mesh.
+  Triangle cornerPoints(Id face) const { return this->triangle(this->triangleOf(face)); }
+  /// The block that a point or a triangle belongs to.
+  std::size_t blockOfPoint(Id point) const;
+  std::size_t blockOfTriangle(Id triangle) const;
 
 private:
-  void readTriangles(
-    vtkPolyData* input, std::vector<Triangle>& corners, const LoopProgress& progress);
-  void keepTriangles(vtkPolyData* input, const std::vector<Triangle>& corners);
-
   std::unique_ptr<TriangleMesh> mesh_;
-  Report report_;
-  double diagonal_ = 0.0;
-  vtkSmartPointer<vtkPoints> points_;
-  /// Empty where every point is a vertex of its own.
   std::vector<Id> vertexOfPoint_;
-  /// Empty where every point is a vertex of its own.
-  std::vector<vtkIdType> pointOfVertex_;
-  vtkSmartPointer<vtkCellArray> triangles_;
-  /// The input's cell that each triangle came from; empty where the triangles are the input's
-  /// cells.
-  std::vector<vtkIdType> inputCells_;
-  std::unique_ptr<PolylineLocator> locator_;
+  std::vector<SurfaceBlock> blocks_;
+  std::vector<std::uint8_t> isCopy_;
+  /// The triangles without copies; empty where there are none.
+  std::vector<Id> ownTriangles_;
+  Id numberOfCopies_ = 0;
+  double diagonal_;
+  Report report_;
 };
 
 /// The first few of some ids, for an error message: "3, 17, 20 and 5 more".

@@ -1,21 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/RefinedPolyData.h"
 
-#include "PolyData/ArrayMemory.h"
-
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
-
 #include <algorithm>
-#include <cstring>
+#include <utility>
 
 namespace geodesic
 {
@@ -23,11 +10,11 @@ namespace geodesic
 namespace
 {
 
-/// Takes the parts of one face over to another on the same vertices.
-class FaceTwin
+/// Gives a triangle the parts of the face on the same vertices.
+class FaceParts
 {
 public:
-  FaceTwin(const PolyDataSurface& surface, RefinedMesh& refined)
+  FaceParts(const PolyDataSurface& surface, RefinedMesh& refined)
     : Surface(surface)
     , Refined(refined)
     , Numbering(refined)
@@ -130,211 +117,19 @@ std::vector<Id> firstParts(const std::vector<Id>& faces, Id numberOfFaces)
 }
 
 /// The mesh's face for each triangle of the surface; for a duplicate that of the first one.
-std::vector<Id> facesOfTriangles(const PolyDataSurface& surface, const FaceTwin& twin)
+std::vector<Id> facesOfTriangles(const PolyDataSurface& surface, const FaceParts& parts)
 {
   const TriangleMesh& mesh = surface.mesh();
-  std::vector<Id> faces(static_cast<std::size_t>(surface.numberOfTriangles()), NoId);
+  std::vector<Id> faces(surface.numberOfTriangles(), NoId);
   for (Id face = 0; face < mesh.numberOfFaces(); ++face)
   {
-    faces[mesh.inputFace(face)] = face;
+    faces[surface.triangleOf(face)] = face;
   }
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    faces[i] = faces[i] == NoId ? twin.faceLike(surface.triangle(static_cast<Id>(i))) : faces[i];
+    faces[i] = faces[i] == NoId ? parts.faceLike(surface.triangle(static_cast<Id>(i))) : faces[i];
   }
   return faces;
-}
-
-/// How a new point lies among the corners of the face around it.
-struct Blend
-{
-  std::array<Id, 3> corners{};
-  std::array<double, 3> weights{};
-  std::size_t count = 0;
-
-  void add(Id corner, double weight)
-  {
-    const auto end = this->corners.begin() + static_cast<std::ptrdiff_t>(this->count);
-    const auto k = static_cast<std::size_t>(
-      std::find(this->corners.begin(), end, corner) - this->corners.begin());
-    if (k == this->count)
-    {
-      this->corners[this->count++] = corner;
-    }
-    this->weights[k] += weight;
-  }
-
-  vtkIdType nearest() const
-  {
-    const auto end = this->weights.begin() + static_cast<std::ptrdiff_t>(this->count);
-    const auto k = std::max_element(this->weights.begin(), end) - this->weights.begin();
-    return this->corners[static_cast<std::size_t>(k)];
-  }
-};
-
-std::vector<Blend> blendsOf(const RefinedMesh& refined)
-{
-  std::vector<Blend> blends(refined.points.size());
-  for (std::size_t i = 0; i < blends.size(); ++i)
-  {
-    const RefinedPoint& point = refined.points[i];
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      const double weight = k == 0 ? 1.0 - point.weight : point.weight;
-      const Id parent = point.parents[k];
-      if (parent < refined.numberOfInputPoints)
-      {
-        blends[i].add(parent, weight);
-        continue;
-      }
-      const Blend& other = blends[parent - refined.numberOfInputPoints];
-      for (std::size_t j = 0; j < other.count; ++j)
-      {
-        blends[i].add(other.corners[j], weight * other.weights[j]);
-      }
-    }
-  }
-  return blends;
-}
-
-void takeNearest(vtkAbstractArray* array, const std::vector<Blend>& blends, vtkIdType first,
-  const LoopProgress& progress)
-{
-  for (std::size_t i = 0; i < blends.size(); ++i)
-  {
-    progress.at(i, blends.size());
-    array->SetTuple(first++, blends[i].nearest(), array);
-  }
-}
-
-void interpolate(vtkAbstractArray* array, const std::vector<Blend>& blends, vtkIdType first,
-  const LoopProgress& progress)
-{
-  vtkNew<vtkIdList> corners;
-  for (std::size_t i = 0; i < blends.size(); ++i)
-  {
-    progress.at(i, blends.size());
-    const Blend& blend = blends[i];
-    corners->SetNumberOfIds(static_cast<vtkIdType>(blend.count));
-    for (std::size_t k = 0; k < blend.count; ++k)
-    {
-      corners->SetId(static_cast<vtkIdType>(k), blend.corners[k]);
-    }
-    std::array<double, 3> weights = blend.weights;
-    array->InterpolateTuple(first++, corners, array, weights.data());
-  }
-}
-
-void keepGhosts(vtkUnsignedCharArray* array, const std::vector<Blend>& blends, vtkIdType first)
-{
-  for (const Blend& blend : blends)
-  {
-    unsigned char flags = 0xff;
-    for (std::size_t k = 0; k < blend.count; ++k)
-    {
-      flags = static_cast<unsigned char>(flags & array->GetValue(blend.corners[k]));
-    }
-    array->SetValue(first++, flags);
-  }
-}
-
-bool isLabel(vtkPointData* data, int index)
-{
-  vtkAbstractArray* array = data->GetAbstractArray(index);
-  const int type = array->GetDataType();
-  return !vtkDataArray::SafeDownCast(array) || type == VTK_ID_TYPE || type == VTK_BIT ||
-    data->IsArrayAnAttribute(index) == vtkDataSetAttributes::PEDIGREEIDS;
-}
-
-bool isGhostArray(vtkAbstractArray* array)
-{
-  return array->GetName() &&
-    std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) == 0 &&
-    vtkUnsignedCharArray::SafeDownCast(array);
-}
-
-void writePointData(const RefinedMesh& refined, vtkPointData* from, vtkPointData* to, double end,
-  LoopProgress& progress)
-{
-  const auto old = static_cast<vtkIdType>(refined.numberOfInputPoints);
-  const vtkIdType count = old + static_cast<vtkIdType>(refined.points.size());
-  requireMemory(count, bytesATuple(from));
-  to->CopyAllocate(from, count); // this leaves global ids out
-  if (to->GetNumberOfArrays() == 0)
-  {
-    return;
-  }
-  for (int i = 0; i < to->GetNumberOfArrays(); ++i)
-  {
-    to->GetAbstractArray(i)->SetNumberOfTuples(count);
-  }
-  to->CopyData(from, 0, old, 0);
-  const std::vector<Blend> blends = blendsOf(refined);
-  for (int i = 0; i < to->GetNumberOfArrays(); ++i)
-  {
-    const int left = to->GetNumberOfArrays() - i;
-    progress.nextUntil(progress.end() + (end - progress.end()) / left);
-    vtkAbstractArray* array = to->GetAbstractArray(i);
-    if (isGhostArray(array))
-    {
-      keepGhosts(vtkUnsignedCharArray::SafeDownCast(array), blends, old);
-    }
-    else if (isLabel(to, i))
-    {
-      takeNearest(array, blends, old, progress);
-    }
-    else
-    {
-      interpolate(array, blends, old, progress);
-    }
-  }
-}
-
-void writePoints(
-  const RefinedMesh& refined, vtkPoints* from, vtkPolyData* output, const LoopProgress& progress)
-{
-  const auto old = static_cast<vtkIdType>(refined.numberOfInputPoints);
-  const int type = from->GetDataType();
-  vtkNew<vtkPoints> points;
-  // Integers could not hold the new points.
-  points->SetDataType(type == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
-  requireMemory(old + static_cast<vtkIdType>(refined.points.size()), 3 * sizeof(double));
-  points->SetNumberOfPoints(old + static_cast<vtkIdType>(refined.points.size()));
-  points->GetData()->InsertTuples(0, old, 0, from->GetData());
-  for (std::size_t i = 0; i < refined.points.size(); ++i)
-  {
-    progress.at(i, refined.points.size());
-    points->SetPoint(old + static_cast<vtkIdType>(i), refined.points[i].position.data());
-  }
-  output->SetPoints(points);
-}
-
-void writeCells(const PolyDataSurface& surface, const RefinedMesh& refined, vtkCellData* from,
-  vtkPolyData* output, const LoopProgress& progress)
-{
-  const auto count = static_cast<vtkIdType>(refined.triangles.size());
-  constexpr vtkIdType idsATriangle = 5; // three points, an offset and the original cell
-  requireMemory(count + 1, idsATriangle * sizeof(vtkIdType) + bytesATuple(from));
-  vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(count, 3 * count);
-  vtkNew<vtkIdTypeArray> originals;
-  originals->SetName("OriginalCellIds");
-  originals->SetNumberOfTuples(count);
-  vtkCellData* to = output->GetCellData();
-  to->CopyGlobalIdsOff();
-  to->CopyAllocate(from, count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    progress.at(static_cast<std::size_t>(i), refined.triangles.size());
-    const Triangle& triangle = refined.triangles[static_cast<std::size_t>(i)];
-    const vtkIdType cell = surface.inputCell(refined.faces[static_cast<std::size_t>(i)]);
-    triangles->InsertNextCell({ static_cast<vtkIdType>(triangle[0]),
-      static_cast<vtkIdType>(triangle[1]), static_cast<vtkIdType>(triangle[2]) });
-    originals->SetValue(i, cell);
-    to->CopyData(from, cell, i);
-  }
-  output->SetPolys(triangles);
-  to->AddArray(originals);
 }
 
 }
@@ -343,21 +138,21 @@ void addDuplicateFaces(
   const PolyDataSurface& surface, std::uint64_t maximumFaces, RefinedMesh& refined)
 {
   const TriangleMesh& mesh = surface.mesh();
-  if (surface.numberOfTriangles() == static_cast<vtkIdType>(mesh.numberOfFaces()))
+  if (surface.numberOfTriangles() == mesh.numberOfFaces())
   {
     for (Id& face : refined.faces)
     {
-      face = mesh.inputFace(face);
+      face = surface.triangleOf(face);
     }
     return;
   }
-  FaceTwin twin(surface, refined);
-  const std::vector<Id> faces = facesOfTriangles(surface, twin);
+  FaceParts parts(surface, refined);
+  const std::vector<Id> faces = facesOfTriangles(surface, parts);
   const std::vector<Id> first = firstParts(refined.faces, mesh.numberOfFaces());
   std::uint64_t total = 0;
-  for (const Id face : faces)
+  for (Id i = 0; i < faces.size(); ++i)
   {
-    total += first[face + 1] - first[face];
+    total += surface.isCopy(i) ? 0 : first[faces[i] + 1] - first[faces[i]];
   }
   const bool whole = maximumFaces > 0 && total > maximumFaces;
 
@@ -366,9 +161,10 @@ void addDuplicateFaces(
   for (Id i = 0; i < faces.size(); ++i)
   {
     const Id face = faces[i];
-    const bool isDuplicate = mesh.inputFace(face) != i;
+    const bool isDuplicate = surface.triangleOf(face) != i;
     const Triangle own = surface.triangle(i);
-    if (isDuplicate && (whole || first[face + 1] - first[face] == 1))
+    const bool staysWhole = whole && !surface.isCopy(i);
+    if (isDuplicate && (staysWhole || first[face + 1] - first[face] == 1))
     {
       triangles.push_back(own);
       parents.push_back(i);
@@ -376,12 +172,12 @@ void addDuplicateFaces(
     }
     if (isDuplicate)
     {
-      twin.begin(face, own);
+      parts.begin(face, own);
     }
     for (Id part = first[face]; part < first[face + 1]; ++part)
     {
       const Triangle& like = refined.triangles[part];
-      triangles.push_back(isDuplicate ? twin.partLike(like) : like);
+      triangles.push_back(isDuplicate ? parts.partLike(like) : like);
       parents.push_back(i);
     }
   }
@@ -389,17 +185,60 @@ void addDuplicateFaces(
   refined.faces = std::move(parents);
 }
 
-void writeRefined(const PolyDataSurface& surface, const RefinedMesh& refined, vtkPolyData* input,
-  vtkPolyData* output, const ProgressCallback& callback)
+std::vector<RefinedMesh> partsByBlock(const PolyDataSurface& surface, RefinedMesh refined)
 {
-  constexpr double pointsDone = 0.1;
-  constexpr double pointDataDone = 0.5;
-  LoopProgress progress(callback);
-  progress.nextUntil(pointsDone);
-  writePoints(refined, input->GetPoints(), output, progress);
-  writePointData(refined, input->GetPointData(), output->GetPointData(), pointDataDone, progress);
-  progress.nextUntil(1.0);
-  writeCells(surface, refined, input->GetCellData(), output, progress);
+  std::vector<RefinedMesh> parts;
+  if (surface.blocks().size() == 1)
+  {
+    parts.push_back(std::move(refined));
+    return parts;
+  }
+  parts.resize(surface.blocks().size());
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    parts[i].numberOfInputPoints = surface.blocks()[i].numberOfPoints;
+  }
+  // For each new point its block and its number there, of which it needs those of its parents.
+  std::vector<std::size_t> blocks;
+  std::vector<Id> numbers;
+  blocks.reserve(refined.points.size());
+  numbers.reserve(refined.points.size());
+  const auto blockOf = [&](Id point)
+  {
+    return point < refined.numberOfInputPoints ? surface.blockOfPoint(point)
+                                               : blocks[point - refined.numberOfInputPoints];
+  };
+  const auto numberOf = [&](Id point, const SurfaceBlock& block)
+  {
+    return point < refined.numberOfInputPoints ? point - block.firstPoint
+                                               : numbers[point - refined.numberOfInputPoints];
+  };
+  for (RefinedPoint& point : refined.points)
+  {
+    const std::size_t index = blockOf(point.parents[0]);
+    RefinedMesh& part = parts[index];
+    for (Id& parent : point.parents)
+    {
+      parent = numberOf(parent, surface.blocks()[index]);
+    }
+    blocks.push_back(index);
+    numbers.push_back(part.numberOfInputPoints + static_cast<Id>(part.points.size()));
+    part.points.push_back(point);
+  }
+  refined.points = {};
+  for (std::size_t i = 0; i < refined.triangles.size(); ++i)
+  {
+    const std::size_t index = surface.blockOfTriangle(refined.faces[i]);
+    const SurfaceBlock& block = surface.blocks()[index];
+    Triangle triangle = refined.triangles[i];
+    for (Id& corner : triangle)
+    {
+      corner = numberOf(corner, block);
+    }
+    parts[index].triangles.push_back(triangle);
+    parts[index].faces.push_back(refined.faces[i] - block.firstTriangle);
+  }
+  return parts;
 }
 
 }

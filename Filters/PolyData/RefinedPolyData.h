@@ -2,33 +2,28 @@
 #ifndef geodesic_RefinedPolyData_h
 #define geodesic_RefinedPolyData_h
 
-#include "refinement/AdaptiveRefinement.h"
 #include "PolyData/PolyDataSurface.h"
+#include "refinement/AdaptiveRefinement.h"
 
-class vtkPolyData;
+#include <cstdint>
+#include <vector>
 
 namespace geodesic
 {
 
 /// The mesh has one of the faces on the same corners, the surface has them all: gives the others
 /// the parts of the first, so that they still fit to their neighbours. Where that would make more
-/// than maximumFaces triangles (0: no limit) they stay whole.
+/// than maximumFaces triangles (0: no limit) they stay whole. Copies by ghost arrays do not count,
+/// and always look like their originals.
 ///
 /// After the call RefinedMesh::faces has numbers of the surface's triangles.
 void addDuplicateFaces(
   const PolyDataSurface& surface, std::uint64_t maximumFaces, RefinedMesh& refined);
 
-/// Gives the output the refined surface (after addDuplicateFaces): the input's points with their
-/// data, the new points with interpolated data, and the triangles with the data of the cells that
-/// they are parts of and those cells' numbers as OriginalCellIds.
-///
-/// Numbers are interpolated linearly in the face. Strings, ids and bits are those of the nearest
-/// corner, a point is a ghost in the ways that all corners around it are, and global ids are
-/// dropped.
-///
-/// \param progress called now and then; returning false throws Aborted.
-void writeRefined(const PolyDataSurface& surface, const RefinedMesh& refined, vtkPolyData* input,
-  vtkPolyData* output, const ProgressCallback& progress);
+/// What of a refined mesh (after addDuplicateFaces) belongs to each block of the surface, in
+/// numbers of the block: points, and triangles as RefinedMesh::faces has them. Each edge of the
+/// surface is an edge between points of one block, so that every new point belongs to one, too.
+std::vector<RefinedMesh> partsByBlock(const PolyDataSurface& surface, RefinedMesh refined);
 
 }
 

@@ -4,14 +4,14 @@
 #include "BenchmarkMesh.h"
 #include "BenchmarkPeers.h"
 
-#include "refinement/AdaptiveRefinement.h"
-#include "refinement/SolveForRefinement.h"
-#include "field/JoinPoints.h"
-#include "field/SegmentEnvelope.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataSource.h"
-#include "PolyData/PolyDataSurface.h"
+#include "PolyData/SurfaceReader.h"
+#include "field/JoinPoints.h"
+#include "field/SegmentEnvelope.h"
 #include "field/Solve.h"
+#include "refinement/AdaptiveRefinement.h"
+#include "refinement/SolveForRefinement.h"
 #include "source/BoundaryCurves.h"
 
 #include "vtkDijkstraGraphGeodesicPath.h"
@@ -314,15 +314,18 @@ double largestFinite(const std::vector<double>& distances)
 }
 
 std::vector<geodesic::SourceCurve> makeCurves(
-  const Source& source, geodesic::PolyDataSurface& surface)
+  const Source& source, const geodesic::PolyDataSurface& surface)
 {
   if (source.boundary)
   {
     return geodesic::boundaryCurves(surface.mesh());
   }
-  const auto lines = geodesic::readSource(source.curves, surface, [](double) { return true; });
-  return geodesic::putOntoSurface(surface.mesh(), lines, geodesic::snapOptionsFor(source.curves),
-    geodesic::joinByShortestPaths(surface.mesh()))
+  const std::vector<geodesic::PolyDataBlock> blocks =
+    geodesic::polyDataBlocks(source.curves, "the source");
+  geodesic::PolylineLocator locator(surface.mesh());
+  const auto lines = geodesic::readSource(blocks, locator, [](double) { return true; });
+  return geodesic::putOntoSurface(surface.mesh(), lines, geodesic::snapOptionsFor(blocks),
+    geodesic::joinByShortestPaths(surface.mesh(), geodesic::smpParallelFor()))
     .curves;
 }
 
@@ -379,10 +382,10 @@ double largestRelativeError(const std::vector<double>& distances, const std::vec
 std::vector<double> atPoints(
   const geodesic::DistanceField& field, const geodesic::PolyDataSurface& surface)
 {
-  std::vector<double> distances(static_cast<std::size_t>(surface.numberOfPoints()));
+  std::vector<double> distances(surface.numberOfPoints());
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
-    distances[i] = field.vertexDistances()[surface.vertexOf(static_cast<vtkIdType>(i))];
+    distances[i] = field.vertexDistances()[surface.vertexOf(static_cast<geodesic::Id>(i))];
   }
   return distances;
 }
@@ -413,8 +416,7 @@ double windowsPerEdge(const geodesic::DistanceField& field,
   {
     return windowsPerEdge(field);
   }
-  return windowsPerEdge(
-    geodesic::solve(field.mesh(), curves, options, geodesic::KeepWindows::All));
+  return windowsPerEdge(geodesic::solve(field.mesh(), curves, options, geodesic::KeepWindows::All));
 }
 
 geodesic::RefinedMesh refineField(const geodesic::DistanceField& field, double tolerance)
@@ -432,7 +434,8 @@ std::vector<double> measureEngine(
   forgetPeakMemory();
   const std::uint64_t loaded = memory("VmRSS");
   Stopwatch watch;
-  geodesic::PolyDataSurface surface(mesh, true);
+  const geodesic::PolyDataSurface surface =
+    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), true);
   const double buildSeconds = watch.lap();
   const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
   const double sourceSeconds = watch.lap();

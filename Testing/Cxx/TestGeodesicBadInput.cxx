@@ -5,6 +5,9 @@
 
 #include "vtkMath.h"
 
+#include <stdexcept>
+#include <utility>
+
 using namespace GeodesicTesting;
 
 namespace
@@ -208,6 +211,63 @@ void CheckWrongNumbers(Check& check)
     expect("RelativeError is not a finite number", "a relative error" + value);
     filter->SetAccuracyToExact();
   }
+  for (const double wrong : { -1e-9, -vtkMath::Inf(), vtkMath::Nan() })
+  {
+    filter->SetMaximumDistance(wrong);
+    expect("MaximumDistance is not a number of at least 0",
+      "a maximum distance of " + std::to_string(wrong));
+  }
+  filter->SetMaximumDistance(vtkMath::Inf());
+  expect("", "an infinite maximum distance");
+  filter->SetMaximumDistance(0.0);
+  filter->SetMaximumNumberOfCells(-1);
+  expect("MaximumNumberOfCells is negative", "a negative number of cells");
+  filter->RefineMeshOff();
+  expect("", "a negative number of cells that is not used");
+}
+
+/// Whatever an execution throws is an error of the filter; the next execution is right.
+void CheckForeignExceptions(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(8));
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  Messages messages(filter);
+  int kind = 0;
+  Listener listener(filter, vtkCommand::ProgressEvent,
+    [&]
+    {
+      const int thrown = filter->GetProgress() > 0.5 ? std::exchange(kind, 0) : 0;
+      if (thrown == 1)
+      {
+        throw std::runtime_error("of an observer");
+      }
+      if (thrown == 2)
+      {
+        throw thrown;
+      }
+    });
+  for (const int which : { 1, 2 })
+  {
+    const std::string name = which == 1 ? "an exception of an observer" : "a number thrown";
+    kind = which;
+    filter->Modified();
+    try
+    {
+      messages.Update();
+    }
+    catch (...)
+    {
+      check.That(false, name + " crosses the pipeline");
+    }
+    check.That(Contains(messages.Error(), "not foreseen"), name + ": " + messages.Error());
+    check.That(which == 2 || Contains(messages.Error(), "of an observer"), name + ": what it says");
+    CheckOutputsEmpty(check, filter, name);
+    filter->Modified();
+    messages.Update();
+    check.That(messages.Error().empty(), "no error after " + name);
+    CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "after " + name);
+  }
 }
 
 void CheckManyBadPointsAreCounted(Check& check)
@@ -238,6 +298,7 @@ int TestGeodesicBadInput(int, char*[])
   CheckNoSurface(check);
   CheckEmptyName(check);
   CheckWrongNumbers(check);
+  CheckForeignExceptions(check);
   CheckManyBadPointsAreCounted(check);
   return check.Result();
 }

@@ -3,7 +3,11 @@
 // did, reports progress that never falls, and obeys abort.
 #include "GeodesicTesting.h"
 
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <ctime>
 
@@ -102,6 +106,95 @@ void CheckSurfaceIsReused(Check& check)
   expect(true, "for another surface");
 }
 
+template <typename Array>
+vtkSmartPointer<Array> Filled(const char* name, vtkIdType tuples, double value)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfTuples(tuples);
+  array->Fill(value);
+  return array;
+}
+
+/// The structure depends on coordinates, cells, ghost flags and global ids, and on nothing else;
+/// values count, whether or not anything tells that they are modified.
+void CheckWhatTheStructureDependsOn(Check& check)
+{
+  auto surface = Square(8, Cells::Quads);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  Messages messages(filter);
+  const auto expect = [&](vtkPolyData* input, bool built, const std::string& what)
+  {
+    filter->SetInputData(input);
+    filter->Modified();
+    messages.Update();
+    check.That(Contains(messages.Warning(), "64 polygons") == built,
+      "the structure is " + std::string(built ? "" : "not ") + "built " + what);
+    check.That(messages.Error().empty(), what + ": " + messages.Error());
+  };
+  expect(surface, true, "the first time");
+  vtkNew<vtkPolyData> withArrays;
+  withArrays->ShallowCopy(surface);
+  withArrays->GetPointData()->AddArray(Filled<vtkDoubleArray>("Heat", 81, 1.0));
+  withArrays->GetCellData()->SetScalars(Filled<vtkDoubleArray>("Number", 64, 2.0));
+  expect(withArrays, false, "for more arrays upstream");
+  check.That(filter->GetOutput()->GetPointData()->HasArray("Heat") &&
+      filter->GetOutput()->GetCellData()->HasArray("Number"),
+    "which are passed on");
+  vtkNew<vtkPolyData> copy;
+  copy->DeepCopy(withArrays);
+  expect(copy, false, "for a copy");
+
+  copy->GetPoints()->SetPoint(40, 0.5, 0.5, 0.25);
+  expect(copy, true, "after a coordinate changed in place");
+  copy->GetPoints()->SetPoint(40, 0.5, 0.5, 0.0);
+  expect(copy, true, "after it changed back");
+  vtkNew<vtkIdList> turned;
+  for (const vtkIdType id : { 1, 10, 9, 0 })
+  {
+    turned->InsertNextId(id);
+  }
+  copy->GetPolys()->ReplaceCellAtId(0, turned);
+  expect(copy, true, "after a cell changed in place");
+  auto ghosts = Filled<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), 64, 0.0);
+  copy->GetCellData()->AddArray(ghosts);
+  expect(copy, true, "with ghost flags");
+  ghosts->SetValue(63, vtkDataSetAttributes::DUPLICATECELL);
+  filter->SetInputData(copy);
+  filter->Modified();
+  messages.Update();
+  check.That(Contains(messages.Warning(), "63 polygons"), "after a ghost flag changed in place");
+  ghosts->SetValue(63, 0);
+  expect(copy, true, "after it changed back");
+  auto ids = Filled<vtkIdTypeArray>("Ids", 81, 0.0);
+  copy->GetPointData()->SetGlobalIds(ids);
+  expect(copy, true, "with global ids");
+  ids->SetValue(5, 5);
+  expect(copy, true, "after a global id changed in place");
+  expect(copy, false, "without a change");
+}
+
+void CheckStructureIsReleasedWithTheOutput(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  filter->SetInputData(Square(8, Cells::Quads));
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  Messages messages(filter);
+  for (const bool isReleased : { false, true })
+  {
+    filter->SetReleaseDataFlag(isReleased ? 1 : 0);
+    filter->Modified();
+    messages.Update();
+    filter->Modified();
+    messages.Update();
+    check.That(Contains(messages.Warning(), "64 polygons") == isReleased,
+      std::string("the structure is ") + (isReleased ? "released" : "kept") + " with the output");
+  }
+}
+
 void CheckProgressNeverFalls(Check& check, bool refine)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
@@ -164,6 +257,8 @@ int TestGeodesicExecution(int, char*[])
   Check check;
   CheckExecutesWhenSomethingChanged(check);
   CheckSurfaceIsReused(check);
+  CheckWhatTheStructureDependsOn(check);
+  CheckStructureIsReleasedWithTheOutput(check);
   CheckProgressNeverFalls(check, false);
   CheckProgressNeverFalls(check, true);
   for (const double fraction : { 0.1, 0.16, 0.5, 0.8 })

@@ -216,6 +216,63 @@ void CheckLimits(Check& check, int threads, const std::vector<std::string>& expe
   }
 }
 
+std::size_t MemoryOfTheSystem()
+{
+  std::ifstream stream("/proc/meminfo");
+  for (std::string line; std::getline(stream, line);)
+  {
+    const std::string word = "MemAvailable:";
+    if (line.compare(0, word.size(), word) == 0)
+    {
+      return std::stoull(line.substr(word.size())) * 1024;
+    }
+  }
+  return 0;
+}
+
+/// The system hands out more memory than it has: what the output is to take is compared with what
+/// is there before it is used. The input's values are never touched, so that they take no memory.
+void CheckMoreThanThereIs(Check& check)
+{
+  SetThreads(1);
+  const std::size_t available = MemoryOfTheSystem();
+  if (available == 0)
+  {
+    std::cout << "The system does not say how much memory there is: not tested.\n";
+    return;
+  }
+  auto surface = Square(16);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Values");
+  values->SetNumberOfComponents(static_cast<int>(
+    available / sizeof(double) / static_cast<std::size_t>(surface->GetNumberOfPoints())));
+  double* memory = static_cast<double*>(std::malloc(available));
+  if (!memory)
+  {
+    std::cout << "The system hands out no more memory than it has: not tested.\n";
+    return;
+  }
+  values->SetArray(memory,
+    static_cast<vtkIdType>(values->GetNumberOfComponents()) * surface->GetNumberOfPoints(), 1);
+  surface->GetPointData()->AddArray(values);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceData(PointSources({ Source }));
+  Messages messages(filter);
+  messages.Update();
+  CheckRefused(check, filter, messages, "more memory than there is");
+  for (const char* words :
+    { "writing the outputs, after all was computed", "MB more", "available" })
+  {
+    check.That(Contains(messages.Error(), words),
+      std::string("the error says \"") + words + "\": " + messages.Error());
+  }
+  surface->GetPointData()->RemoveArray("Values");
+  CheckRight(check, filter, "more memory than there is");
+  values->Initialize();
+  std::free(memory);
+}
+
 void CheckLimits(Check& check)
 {
   // Freed memory goes back at once, and threads share what there is.
@@ -227,6 +284,11 @@ void CheckLimits(Check& check)
 }
 
 #else
+
+void CheckMoreThanThereIs(Check&)
+{
+  std::cout << "The memory of this system is not looked at: not tested.\n";
+}
 
 void CheckLimits(Check&)
 {
@@ -241,6 +303,7 @@ int TestGeodesicMemory(int, char*[])
 {
   IsMainThread = true;
   Check check;
+  CheckMoreThanThereIs(check);
   CheckLimits(check);
   CheckHelpers(check);
   return check.Result();

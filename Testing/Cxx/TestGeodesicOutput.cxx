@@ -148,8 +148,7 @@ void CheckPropertiesAndPrinting(Check& check)
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetSourceType(7);
   check.Equal(filter->GetSourceType(), 2, "a source type beyond the last");
-  filter->SetMaximumDistance(-1.0);
-  check.Equal(filter->GetMaximumDistance(), 0.0, "a negative limit");
+  check.Equal(filter->GetMaximumDistance(), 0.0, "the limit by default");
   check.That(filter->GetMergeCoincidentPoints(), "points are merged by default");
   check.Equal(filter->GetAccuracy(), 0, "accuracy by default");
   check.Equal(filter->GetRelativeError(), 0.001, "relative error by default");
@@ -161,14 +160,15 @@ void CheckPropertiesAndPrinting(Check& check)
   filter->SetRelativeError(0.25);
   filter->RefineMeshOff();
   filter->ToleranceIsAbsoluteOn();
-  filter->SetMaximumNumberOfCells(-1);
+  filter->SetMaximumNumberOfCells(7);
   std::ostringstream text;
   filter->Print(text);
   for (const char* name :
     { "SourceType: 2", "Accuracy: Approximate", "RelativeError: 0.25", "RefineMesh: Off",
       "RefinementTolerance: 0.001", "ToleranceIsAbsolute: On", "AbsoluteRefinementTolerance: 1",
-      "MaximumNumberOfCells: 0", "RelativeErrorBound: 0", "InterpolationErrorBound: inf",
-      "MaximumDistance: 0", "MergeCoincidentPoints: On", "DistanceArrayName: GeodesicDistance",
+      "MaximumNumberOfCells: 7", "RelativeErrorBound: 0", "InterpolationErrorBound: inf",
+      "MaximumDistance: 0", "MergeCoincidentPoints: On", "Controller: (global)",
+      "DistanceArrayName: GeodesicDistance",
       "WindowsPropagatedPerEdge: 0", "SourceSnapDistance: 0" })
   {
     check.That(Contains(text.str(), name), std::string("printing says ") + name);

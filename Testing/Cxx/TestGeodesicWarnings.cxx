@@ -133,6 +133,41 @@ void CheckSilence(Check& check)
   check.That(messages.Warning().empty(), "nothing is said of plain input: " + messages.Warning());
 }
 
+/// What was noticed of the surface is told with the first execution that gives a result.
+void CheckWarningsAfterFailure(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(2, Cells::Quads));
+  Messages messages(filter);
+  messages.Update();
+  check.That(Contains(messages.Error(), "no source"), "the first execution fails");
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  messages.Update();
+  check.That(Contains(messages.Warning(), "4 polygons of the surface triangulated"),
+    "after a failed execution the surface's warnings are told");
+  filter->SetSourceData(PointSources({ { 1, 0, 0 } }));
+  messages.Update();
+  check.That(messages.Warning().empty(), "they are told once: " + messages.Warning());
+}
+
+/// Lengths are fractions of the extent of the surface, to which points that no face uses do not
+/// belong.
+void CheckUnusedPointsDoNotCount(Check& check)
+{
+  auto surface = Square(10);
+  surface->GetPoints()->InsertNextPoint(1e4, 0.0, 0.0);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceData(PointSources({ { 0, 0, 0.1 } }));
+  Messages messages(filter);
+  messages.Update();
+  check.That(Contains(messages.Warning(), "up to 0.1 away from the surface"),
+    "beside an unused point a far source is far: " + messages.Warning());
+  check.That(filter->GetInterpolationErrorBound() <= 0.001 * std::sqrt(2.0),
+    "beside an unused point the surface is refined: to " +
+      std::to_string(filter->GetInterpolationErrorBound()));
+}
+
 void CheckHalfMeantSources(Check& check)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
@@ -165,5 +200,7 @@ int TestGeodesicWarnings(int, char*[])
   CheckExistingArray(check);
   CheckSilence(check);
   CheckHalfMeantSources(check);
+  CheckWarningsAfterFailure(check);
+  CheckUnusedPointsDoNotCount(check);
   return check.Result();
 }

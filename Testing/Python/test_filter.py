@@ -194,15 +194,63 @@ class Results(unittest.TestCase):
         curve.Points = [x for point in moved for x in point]
         assert_close(distances(field), distance_to_segments(positions, moved), FLOAT)
 
-    def test_each_surface_of_a_composite_gets_its_own_distance(self):
-        surfaces = simple.GroupDatasets(Input=[plane(), plane(resolution=(7, 5))])
-        field = GeodesicDistanceField(Input=surfaces, Source=polyline(BENT))
+    def blocks(self, field):
+        """The blocks of a composite output that are a vtkPolyData."""
         output = data(field)
-        self.assertEqual(output.GetNumberOfBlocks(), 2)
-        for block in (output.GetBlock(0), output.GetBlock(1)):
+        self.assertTrue(output.IsA("vtkCompositeDataSet"), output.GetClassName())
+        iterator = output.NewIterator()
+        iterator.InitTraversal()
+        result = []
+        while not iterator.IsDoneWithTraversal():
+            result.append(iterator.GetCurrentDataObject())
+            iterator.GoToNextItem()
+        return result
+
+    def assert_blocks_close(self, field, curve):
+        for block in self.blocks(field):
             array = block.GetPointData().GetArray("GeodesicDistance")
             actual = np.array([array.GetTuple1(i) for i in range(array.GetNumberOfTuples())])
-            assert_close(actual, distance_to_segments(points(block), BENT), FLOAT)
+            assert_close(actual, distance_to_segments(points(block), curve), FLOAT)
+
+    def test_the_surfaces_of_a_composite_are_one_with_one_field(self):
+        surfaces = simple.GroupDatasets(Input=[plane(), plane(origin=(4, 0, 0))])
+        field = GeodesicDistanceField(Input=surfaces, Source=polyline(BENT))
+        self.assertEqual(len(self.blocks(field)), 2)
+        self.assert_blocks_close(field, BENT)
+
+    def test_the_curves_of_a_composite_are_one_source_and_give_one_surface(self):
+        curves = simple.GroupDatasets(Input=[polyline(BENT[:2]), polyline(BENT[1:])])
+        field = GeodesicDistanceField(Input=plane(), Source=curves)
+        self.assertTrue(data(field).IsA("vtkPolyData"))
+        assert_close(distances(field), distance_to_segments(points(data(field)), BENT), FLOAT)
+        self.assertEqual(data(field, port=1).GetNumberOfLines(), 2)
+
+    def test_surface_and_source_can_both_be_composite(self):
+        surfaces = simple.GroupDatasets(Input=[plane(), plane(origin=(4, 0, 0))])
+        curves = simple.GroupDatasets(Input=[polyline(BENT[:2]), polyline(BENT[1:])])
+        self.assert_blocks_close(GeodesicDistanceField(Input=surfaces, Source=curves), BENT)
+
+    def test_a_collection_of_partitioned_surfaces_keeps_its_kind(self):
+        surfaces = simple.ConvertToPartitionedDataSetCollection(
+            Input=simple.GroupDatasets(Input=[plane(), plane(origin=(4, 0, 0))]))
+        field = GeodesicDistanceField(Input=surfaces, Source=polyline(BENT))
+        self.assertEqual(data(field).GetClassName(), "vtkPartitionedDataSetCollection")
+        self.assert_blocks_close(field, BENT)
+
+    def test_composite_inputs_are_offered_by_the_domains_and_volumes_are_not(self):
+        field = GeodesicDistanceField(Input=plane(), Source=polyline(BENT))
+        surfaces = simple.GroupDatasets(Input=[plane(), plane()])
+        volume = simple.Wavelet()
+        for proxy in (surfaces, volume):
+            proxy.UpdatePipeline()
+        for name in ("Input", "Source"):
+            prop = field.SMProxy.GetProperty(name)
+            domain = prop.GetDomain("input_type")
+            for proxy, expected in ((surfaces, 1), (volume, 0)):
+                prop.RemoveAllUncheckedProxies()
+                prop.AddUncheckedInputConnection(proxy.SMProxy, 0)
+                self.assertEqual(domain.IsInDomain(prop), expected, name)
+            prop.ClearUncheckedElements()
 
 
 class Errors(unittest.TestCase):

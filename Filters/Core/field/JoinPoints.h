@@ -2,15 +2,41 @@
 #ifndef geodesic_JoinPoints_h
 #define geodesic_JoinPoints_h
 
+#include "front/Front.h"
 #include "mesh/TriangleMesh.h"
 #include "source/PolylineOnSurface.h"
+
+#include <map>
+#include <tuple>
+#include <vector>
 
 namespace geodesic
 {
 
 /// Joins the far points of polylines by shortest paths (ShortestPathFinder), whose work arrays all
 /// joins share. The mesh must outlive the result.
-JoinPoints joinByShortestPaths(const TriangleMesh& mesh);
+JoinPoints joinByShortestPaths(const TriangleMesh& mesh, const ParallelFor& parallelFor = {});
+
+/// The paths that have joined far points of a mesh's curves, kept from one use to the next: where one
+/// point of a polyline has moved, the other segments need not be joined again.
+class JoinedPaths
+{
+public:
+  /// A use begins: paths that it does not ask for are forgotten when it ends.
+  void beginUse() { this->used_.clear(); }
+  void endUse() { this->kept_ = std::move(this->used_); }
+
+  /// Joins points as `join` does, unless the path is kept. This object must outlive the result.
+  JoinPoints reusedBy(JoinPoints join);
+
+private:
+  using Place = std::tuple<SurfacePoint::Kind, Id, double, double>;
+  using Ends = std::pair<Place, Place>;
+  using Paths = std::map<Ends, std::vector<SurfacePoint>>;
+
+  Paths kept_;
+  Paths used_;
+};
 
 }
 

@@ -7,7 +7,7 @@
 #include "truth/AnalyticCases.h"
 #include "truth/RandomMeshKinds.h"
 
-#include "field/ShortestPath.h"
+#include "field/ShortestPathFinder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/FilterExecution.h"
+
+#include "PolyData/ParallelFor.h"
+#include "PolyData/PolyDataSource.h"
+#include "field/JoinPoints.h"
+#include "source/BoundaryCurves.h"
+#include "vtkGeodesicAlgorithm.h"
+
+#include "vtkVersionMacros.h"
+
+#include <iterator>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+// Where the stages end, as fractions of the whole.
+constexpr double SurfaceRead = 0.15;
+constexpr double SourceLocated = 0.2;
+
+}
+
+const char* describe(Stage stage)
+{
+  switch (stage)
+  {
+    case Stage::ReadingSurface:
+      return "reading the surface";
+    case Stage::ReadingSource:
+      return "putting the source onto the surface, after reading the surface";
+    case Stage::ComputingDistances:
+      return "computing the distances, after reading the surface and the source";
+    case Stage::Refining:
+      return "refining the surface, after computing the distances";
+    case Stage::WritingOutputs:
+      return "writing the outputs, after all was computed";
+  }
+  return "";
+}
+
+FilterExecution::FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
+  vtkDataObject* surface, vtkDataObject* source)
+  : filter_(filter)
+  , cache_(cache)
+  , stage_(stage)
+  , surfaceInput_(surface)
+  , sourceInput_(source)
+{
+}
+
+void FilterExecution::readInputs()
+{
+  this->enter(Stage::ReadingSurface);
+  this->surfaceBlocks_ = polyDataBlocks(this->surfaceInput_, "the surface (input port 0)");
+  this->cache_.update(this->surfaceBlocks_, this->filter_->GetMergeCoincidentPoints(),
+    this->progressBetween(0.0, SurfaceRead));
+  if (this->cache_.isNoteDue())
+  {
+    noteSurface(this->surface(), this->notes_);
+  }
+  this->reach(SurfaceRead);
+  this->enter(Stage::ReadingSource);
+  this->readSources();
+}
+
+void FilterExecution::readSources()
+{
+  const int type = this->filter_->GetSourceType();
+  if (type == vtkGeodesicAlgorithm::SOURCE_CURVE && !this->sourceInput_)
+  {
+    throw SourceError("There is no source: connect a curve to input port 1 (SetSourceConnection or "
+                      "SetSourceData; Source in ParaView), or set SourceType to Surface Boundary.");
+  }
+  const bool hasCurve = type != vtkGeodesicAlgorithm::SURFACE_BOUNDARY && this->sourceInput_;
+  if (hasCurve)
+  {
+    const std::vector<PolyDataBlock> blocks =
+      polyDataBlocks(this->sourceInput_, "the source (input port 1)");
+    const std::vector<LocatedPolyline> lines =
+      readSource(blocks, this->locator(), this->progressBetween(SurfaceRead, SourceLocated));
+    JoinedPaths& paths = this->cache_.joinedPaths();
+    paths.beginUse();
+    this->sources_ = putOntoSurface(this->surface().mesh(), lines, snapOptionsFor(blocks),
+      paths.reusedBy(joinByShortestPaths(this->surface().mesh(), smpParallelFor())),
+      this->progressBetween(SourceLocated, InputsRead));
+    paths.endUse();
+    noteSource(this->surface(), this->sources_, this->notes_);
+  }
+  if (type != vtkGeodesicAlgorithm::SOURCE_CURVE)
+  {
+    this->addBoundary(hasCurve);
+  }
+}
+
+void FilterExecution::addBoundary(bool hasCurve)
+{
+  std::vector<SourceCurve> boundary = boundaryCurves(this->surface().mesh());
+  if (boundary.empty() && !hasCurve)
+  {
+    throw SourceError(
+      "The surface (input port 0) is closed: it has no boundary to measure from. Set "
+      "SourceType to Source Curve and connect a curve to input port 1.");
+  }
+  if (boundary.empty())
+  {
+    this->notes_.add("The surface is closed, without boundary: the curve alone is the source.");
+  }
+  if (!hasCurve && this->filter_->GetSourceType() == vtkGeodesicAlgorithm::CURVE_AND_BOUNDARY)
+  {
+    this->notes_.add("No curve is connected to input port 1: the boundary alone is the source.");
+  }
+  std::move(boundary.begin(), boundary.end(), std::back_inserter(this->sources_.curves));
+}
+
+ProgressCallback FilterExecution::progressBetween(double begin, double end)
+{
+  return [filter = this->filter_, &memory = this->memory_, begin, end](double fraction)
+  {
+    memory.look();
+    filter->UpdateProgress(begin + fraction * (end - begin));
+#if VTK_VERSION_NUMBER >= 90220220630ULL
+    return !filter->CheckAbort();
+#else
+    return !filter->GetAbortExecute();
+#endif
+  };
+}
+
+void FilterExecution::reach(double fraction)
+{
+  if (!this->progressBetween(fraction, fraction)(1.0))
+  {
+    throw Aborted();
+  }
+}
+
+void FilterExecution::giveNotes()
+{
+  this->cache_.setNoteGiven();
+  if (!this->notes_.text().empty())
+  {
+    vtkWarningWithObjectMacro(this->filter_, "About the input:" << this->notes_.text());
+  }
+}
+
+}

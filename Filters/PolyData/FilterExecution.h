@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_FilterExecution_h
+#define geodesic_FilterExecution_h
+
+#include "PolyData/Memory.h"
+#include "PolyData/Notes.h"
+#include "PolyData/PolyDataBlocks.h"
+#include "PolyData/SurfaceCache.h"
+#include "Progress.h"
+#include "source/PolylineOnSurface.h"
+
+#include <vector>
+
+class vtkDataObject;
+class vtkGeodesicAlgorithm;
+
+namespace geodesic
+{
+
+/// What an execution is doing.
+enum class Stage
+{
+  ReadingSurface,
+  ReadingSource,
+  ComputingDistances,
+  Refining,
+  WritingOutputs
+};
+
+/// "computing the distances, after reading the surface and the source", for messages.
+const char* describe(Stage stage);
+
+/// What all filters do in one execution: read the surface and the source, report progress, obey
+/// abort, and collect what the user should know.
+class FilterExecution
+{
+public:
+  /// Where reading the inputs ends, as a fraction of the whole.
+  static constexpr double InputsRead = 0.25;
+
+  /// \param filter whose properties count and whose progress it is.
+  /// \param cache with the surface of the last execution.
+  /// \param stage told what is being done, for the one who catches an exception.
+  /// \param surface on input port 0.
+  /// \param source on input port 1, or null.
+  FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
+    vtkDataObject* surface, vtkDataObject* source);
+
+  /// Reads the surface, and the source as SourceType has it, up to InputsRead.
+  ///
+  /// \throws geodesic::Error where one of them cannot be used; Aborted.
+  void readInputs();
+
+  vtkDataObject* surfaceInput() const { return this->surfaceInput_; }
+  /// The blocks of the surface's input, as in PolyDataSurface::blocks().
+  const std::vector<PolyDataBlock>& surfaceBlocks() const { return this->surfaceBlocks_; }
+  const PolyDataSurface& surface() const { return this->cache_.surface(); }
+  PolylineLocator& locator() const { return this->cache_.locator(); }
+  const SourceCurves& sources() const { return this->sources_; }
+
+  /// What follows is this.
+  void enter(Stage stage) { this->stage_ = stage; }
+  /// A callback for a part of the work, from one fraction of the whole to another. It throws
+  /// NotEnoughMemory where the system has hardly any left.
+  ProgressCallback progressBetween(double begin, double end);
+  /// Reports that the work has come so far.
+  ///
+  /// \throws Aborted
+  void reach(double fraction);
+
+  Notes& notes() { return this->notes_; }
+  /// Says in one warning what is in the notes.
+  void giveNotes();
+
+private:
+  void readSources();
+  void addBoundary(bool hasCurve);
+
+  vtkGeodesicAlgorithm* filter_;
+  SurfaceCache& cache_;
+  Stage& stage_;
+  MemoryWatch memory_;
+  vtkDataObject* surfaceInput_;
+  vtkDataObject* sourceInput_;
+  std::vector<PolyDataBlock> surfaceBlocks_;
+  SourceCurves sources_;
+  Notes notes_;
+};
+
+}
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_Memory_h
+#define geodesic_Memory_h
+
+#include "vtkType.h"
+
+#include <cstdint>
+#include <limits>
+#include <new>
+
+class vtkFieldData;
+
+namespace geodesic
+{
+
+/// Memory will not do, found before it was taken: the system hands out more than it has, and ends a
+/// process that uses it.
+class NotEnoughMemory : public std::bad_alloc
+{
+public:
+  /// \param needed how many bytes more; 0 where that is not known.
+  /// \param available how many bytes there are.
+  NotEnoughMemory(std::uint64_t needed, std::uint64_t available)
+    : needed_(needed)
+    , available_(available)
+  {
+  }
+  const char* what() const noexcept override { return "not enough memory"; }
+  std::uint64_t needed() const { return this->needed_; }
+  std::uint64_t available() const { return this->available_; }
+
+private:
+  std::uint64_t needed_;
+  std::uint64_t available_;
+};
+
+/// How many bytes this process can still have, as the system says: what is free or can be freed
+/// with what is left of swap, and the limits of the control groups that the process is in (a
+/// container's). Limits of address space are not in it. Where the system says nothing, the largest
+/// number.
+std::uint64_t availableMemory();
+
+/// Asks for the memory that VTK's arrays are about to take. Where one of them gets none, VTK ends
+/// the process, unless it was compiled with NDEBUG, which distributions do not do.
+///
+/// \throws NotEnoughMemory where less is available; std::bad_alloc where there is not so much
+///         address space.
+void requireMemory(vtkIdType tuples, vtkIdType bytesATuple);
+
+/// Ends a computation before the system ends the process.
+class MemoryWatch
+{
+public:
+  /// Looks at the memory that is available, if the last look was some time ago.
+  ///
+  /// \throws NotEnoughMemory where hardly any is left.
+  void look();
+
+private:
+  std::int64_t nextLook_ = std::numeric_limits<std::int64_t>::min();
+};
+
+/// What one tuple of all arrays takes.
+vtkIdType bytesATuple(vtkFieldData* data);
+
+}
+
+#endif

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/SeamMerger.h"
+
+#include "Tolerance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+using Edge = std::pair<Id, Id>;
+
+/// The edges that a block has once.
+std::vector<Edge> boundaryEdges(const std::vector<Triangle>& triangles)
+{
+  std::vector<Edge> edges;
+  edges.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      edges.push_back(std::minmax(t[k], t[(k + 1) % 3]));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<Edge> boundary;
+  for (auto first = edges.begin(); first != edges.end();)
+  {
+    const auto last = std::upper_bound(first, edges.end(), *first);
+    if (last - first == 1)
+    {
+      boundary.push_back(*first);
+    }
+    first = last;
+  }
+  return boundary;
+}
+
+/// A vertex on the boundary of a block.
+struct BoundaryVertex
+{
+  Id vertex = NoId;
+  /// The blocks on whose boundary it is, ascending.
+  std::vector<std::size_t> blocks;
+  /// The rounding of coordinates around.
+  double rounding = 0.0;
+  double shortestEdge = Infinity;
+};
+
+class BoundaryVertices
+{
+public:
+  explicit BoundaryVertices(const std::vector<Vec3>& vertices)
+    : vertices_(vertices)
+    , numbers_(vertices.size(), NoId)
+  {
+  }
+
+  void addBlock(std::size_t block, const SeamBlock& data)
+  {
+    for (const auto& [a, b] : boundaryEdges(data.triangles))
+    {
+      const double length = norm(this->vertices_[b] - this->vertices_[a]);
+      const double largest = std::max(largestCoordinate(a), largestCoordinate(b));
+      for (const Id vertex : { a, b })
+      {
+        BoundaryVertex& entry = this->entryOf(vertex);
+        entry.rounding = std::max(entry.rounding, data.precision * largest);
+        entry.shortestEdge = std::min(entry.shortestEdge, length);
+        if (entry.blocks.empty() || entry.blocks.back() != block)
+        {
+          entry.blocks.push_back(block);
+        }
+      }
+    }
+  }
+
+  std::vector<BoundaryVertex>&& take() { return std::move(this->entries_); }
+
+private:
+  double largestCoordinate(Id vertex) const
+  {
+    const Vec3& p = this->vertices_[vertex];
+    return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+  }
+
+  BoundaryVertex& entryOf(Id vertex)
+  {
+    Id& number = this->numbers_[vertex];
+    if (number == NoId)
+    {
+      number = static_cast<Id>(this->entries_.size());
+      this->entries_.emplace_back().vertex = vertex;
+    }
+    return this->entries_[number];
+  }
+
+  const std::vector<Vec3>& vertices_;
+  std::vector<Id> numbers_;
+  std::vector<BoundaryVertex> entries_;
+};
+
+/// Finds pairs of boundary vertices that are close. A vertex is looked for among those whose
+/// tolerance is as large or larger: for each power of two there is a grid of cells that large, so
+/// that the coarse coordinates of one block do not crowd the fine ones of another into one cell.
+class ClosePairs
+{
+public:
+  struct Pair
+  {
+    double distance;
+    std::size_t a;
+    std::size_t b;
+    bool operator<(const Pair& other) const
+    {
+      return std::tie(this->distance, this->a, this->b) <
+        std::tie(other.distance, other.a, other.b);
+    }
+  };
+
+  ClosePairs(const std::vector<Vec3>& vertices, const std::vector<BoundaryVertex>& entries)
+    : vertices_(vertices)
+    , entries_(entries)
+  {
+    for (std::size_t i = 0; i < entries.size(); ++i)
+    {
+      const int level = levelOf(entries[i]);
+      this->cells_[this->cellOf(i, level, { 0, 0, 0 })].push_back(i);
+      this->levels_.push_back(level);
+    }
+    std::sort(this->levels_.begin(), this->levels_.end());
+    this->levels_.erase(
+      std::unique(this->levels_.begin(), this->levels_.end()), this->levels_.end());
+  }
+
+  /// Nearest first.
+  std::vector<Pair> find()
+  {
+    for (std::size_t i = 0; i < this->entries_.size(); ++i)
+    {
+      for (const int level : this->levels_)
+      {
+        if (level >= levelOf(this->entries_[i]))
+        {
+          this->lookAround(i, level);
+        }
+      }
+    }
+    std::sort(this->pairs_.begin(), this->pairs_.end());
+    return std::move(this->pairs_);
+  }
+
+private:
+  using Cell = std::array<std::int64_t, 4>;
+  struct Hash
+  {
+    std::size_t operator()(const Cell& cell) const
+    {
+      std::uint64_t hash = 0;
+      for (const std::int64_t x : cell)
+      {
+        hash = (hash ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15ULL;
+        hash ^= hash >> 32;
+      }
+      return static_cast<std::size_t>(hash);
+    }
+  };
+
+  static double toleranceOf(const BoundaryVertex& entry)
+  {
+    return tolerance::SeamRoundings * entry.rounding;
+  }
+
+  /// The least power of two that is over the tolerance.
+  static int levelOf(const BoundaryVertex& entry) { return std::ilogb(toleranceOf(entry)) + 1; }
+
+  Cell cellOf(std::size_t i, int level, const std::array<int, 3>& step) const
+  {
+    const Vec3& p = this->vertices_[this->entries_[i].vertex];
+    Cell cell{};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      cell[k] = static_cast<std::int64_t>(std::floor(std::ldexp(p[k], -level))) + step[k];
+    }
+    cell[3] = level;
+    return cell;
+  }
+
+  void lookAround(std::size_t i, int level)
+  {
+    for (int step = 0; step < 27; ++step)
+    {
+      const auto cell =
+        this->cells_.find(this->cellOf(i, level, { step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1 }));
+      if (cell == this->cells_.end())
+      {
+        continue;
+      }
+      for (const std::size_t j : cell->second)
+      {
+        this->tryPair(i, j);
+      }
+    }
+  }
+
+  void tryPair(std::size_t i, std::size_t j)
+  {
+    const BoundaryVertex& a = this->entries_[i];
+    const BoundaryVertex& b = this->entries_[j];
+    const double distance = norm(this->vertices_[a.vertex] - this->vertices_[b.vertex]);
+    const double limit = std::min(std::max(toleranceOf(a), toleranceOf(b)),
+      tolerance::SeamFraction * std::min(a.shortestEdge, b.shortestEdge));
+    if (i != j && distance <= limit)
+    {
+      this->pairs_.push_back({ distance, std::min(i, j), std::max(i, j) });
+    }
+  }
+
+  const std::vector<Vec3>& vertices_;
+  const std::vector<BoundaryVertex>& entries_;
+  std::unordered_map<Cell, std::vector<std::size_t>, Hash> cells_;
+  std::vector<int> levels_;
+  std::vector<Pair> pairs_;
+};
+
+/// Groups of boundary vertices that are one, no two of one block.
+class Groups
+{
+public:
+  explicit Groups(std::vector<BoundaryVertex>& entries)
+    : entries_(entries)
+    , parents_(entries.size())
+  {
+    std::iota(this->parents_.begin(), this->parents_.end(), std::size_t(0));
+  }
+
+  std::size_t rootOf(std::size_t i)
+  {
+    while (this->parents_[i] != i)
+    {
+      i = this->parents_[i] = this->parents_[this->parents_[i]];
+    }
+    return i;
+  }
+
+  void join(std::size_t a, std::size_t b)
+  {
+    std::size_t low = this->rootOf(a);
+    std::size_t high = this->rootOf(b);
+    if (low == high)
+    {
+      return;
+    }
+    if (this->entries_[high].vertex < this->entries_[low].vertex)
+    {
+      std::swap(low, high);
+    }
+    std::vector<std::size_t>& blocks = this->entries_[low].blocks;
+    const std::vector<std::size_t>& others = this->entries_[high].blocks;
+    std::vector<std::size_t> both;
+    std::set_union(
+      blocks.begin(), blocks.end(), others.begin(), others.end(), std::back_inserter(both));
+    if (both.size() < blocks.size() + others.size())
+    {
+      return; // two of one block
+    }
+    blocks = std::move(both);
+    this->parents_[high] = low;
+  }
+
+private:
+  std::vector<BoundaryVertex>& entries_;
+  std::vector<std::size_t> parents_;
+};
+
+}
+
+std::vector<Id> mergeSeams(const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks)
+{
+  BoundaryVertices boundary(vertices);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    boundary.addBlock(i, blocks[i]);
+  }
+  std::vector<BoundaryVertex> entries = boundary.take();
+  const std::vector<ClosePairs::Pair> pairs = ClosePairs(vertices, entries).find();
+  if (pairs.empty())
+  {
+    return {};
+  }
+  Groups groups(entries);
+  for (const ClosePairs::Pair& pair : pairs)
+  {
+    groups.join(pair.a, pair.b);
+  }
+  std::vector<Id> result(vertices.size());
+  std::iota(result.begin(), result.end(), Id(0));
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    result[entries[i].vertex] = entries[groups.rootOf(i)].vertex;
+  }
+  return result;
+}
+
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/SurfaceCache.h"
+
+#include "PolyData/SurfaceReader.h"
+
+namespace geodesic
+{
+
+void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+  const ProgressCallback& progress)
+{
+  const ContentKey key = contentKey(blocks);
+  if (this->surface_ && this->key_ == key && this->isMerged_ == mergeCoincidentPoints)
+  {
+    this->surface_->useCellsOf(blocks);
+    return;
+  }
+  this->release();
+  this->surface_ =
+    std::make_unique<PolyDataSurface>(readSurface(blocks, mergeCoincidentPoints, progress));
+  this->locator_ = std::make_unique<PolylineLocator>(this->surface_->mesh());
+  this->isNoteDue_ = true;
+  this->key_ = key;
+  this->isMerged_ = mergeCoincidentPoints;
+}
+
+void SurfaceCache::release()
+{
+  this->joinedPaths_ = JoinedPaths();
+  this->locator_.reset();
+  this->surface_.reset();
+}
+
+}

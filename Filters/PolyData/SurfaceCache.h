@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_SurfaceCache_h
+#define geodesic_SurfaceCache_h
+
+#include "PolyData/ContentKey.h"
+#include "PolyData/PolyDataBlocks.h"
+#include "PolyData/PolyDataSurface.h"
+#include "Progress.h"
+#include "field/JoinPoints.h"
+#include "source/PolylineLocator.h"
+
+#include <memory>
+#include <vector>
+
+namespace geodesic
+{
+
+/// The surface of the last execution, with its locator and the paths that joined far
+/// points of curves, for the next one to use again.
+class SurfaceCache
+{
+public:
+  /// Reads the surface, unless the one that is kept is the same, by ContentKey.
+  ///
+  /// \throws what readSurface() throws; nothing is kept then.
+  void update(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+    const ProgressCallback& progress);
+
+  /// What update() has read. Valid until the next update() or release().
+  const PolyDataSurface& surface() const { return *this->surface_; }
+  PolylineLocator& locator() const { return *this->locator_; }
+  /// The paths between far points of curves on it.
+  JoinedPaths& joinedPaths() { return this->joinedPaths_; }
+
+  /// Whether the user has yet to be told of what was noticed when the surface was read.
+  bool isNoteDue() const { return this->isNoteDue_; }
+  void setNoteGiven() { this->isNoteDue_ = false; }
+
+  /// Gives its memory back.
+  void release();
+
+private:
+  std::unique_ptr<PolyDataSurface> surface_;
+  std::unique_ptr<PolylineLocator> locator_;
+  JoinedPaths joinedPaths_;
+  bool isNoteDue_ = false;
+  /// What the surface was made from.
+  ContentKey key_;
+  bool isMerged_ = false;
+};
+
+}
+
+#endif

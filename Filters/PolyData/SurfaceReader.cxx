@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/SurfaceReader.h"
+
+#include "PolyData/GhostCells.h"
+#include "PolyData/Memory.h"
+#include "PolyData/PointMerger.h"
+#include "PolyData/SeamMerger.h"
+#include "PolyData/Triangulator.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+// Where the stages end, as fractions of the whole.
+constexpr double PointsRead = 0.1;
+constexpr double PointsMerged = 0.25;
+constexpr double TrianglesRead = 0.4;
+
+bool isFinite(const Vec3& p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+/// The diagonal of the bounding box of the points that triangles use: others are not surface, and
+/// may lie anywhere.
+double diagonalOf(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
+{
+  Vec3 low = points[triangles.front()[0]];
+  Vec3 high = low;
+  for (const Triangle& triangle : triangles)
+  {
+    for (const Id corner : triangle)
+    {
+      const Vec3& p = points[corner];
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        low[k] = std::min(low[k], p[k]);
+        high[k] = std::max(high[k], p[k]);
+      }
+    }
+  }
+  return norm(high - low);
+}
+
+template <typename Visitor>
+void forEachCell(vtkCellArray* cells, Visitor&& visit)
+{
+  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    iterator->GetCurrentCell(size, ids);
+    visit(size, ids);
+  }
+}
+
+/// Reads the blocks of one surface, stage by stage.
+class SurfaceReader
+{
+public:
+  SurfaceReader(const std::vector<PolyDataBlock>& inputs, const ProgressCallback& callback)
+    : inputs_(inputs)
+    , callback_(callback)
+    , progress_(callback)
+    , blocks_(inputs.size())
+  {
+  }
+
+  PolyDataSurface read(bool mergeCoincidentPoints)
+  {
+    const vtkIdType faces = this->requireFaces();
+    this->progress_.nextUntil(PointsRead);
+    this->readPoints();
+    this->progress_.nextUntil(PointsMerged);
+    if (mergeCoincidentPoints)
+    {
+      geodesic::mergeCoincidentPoints(this->vertices_, this->vertexOfPoint_, this->progress_);
+    }
+    this->progress_.nextUntil(TrianglesRead);
+    this->readTriangles(faces);
+    if (mergeCoincidentPoints)
+    {
+      this->mergeSeams();
+    }
+    this->findCopies();
+    for (std::size_t i = 0; i < this->blocks_.size(); ++i)
+    {
+      this->keepTriangles(i);
+    }
+    this->nameVertices();
+    const double diagonal = diagonalOf(this->vertices_, this->triangles_.corners);
+    std::unique_ptr<TriangleMesh> mesh = this->makeMesh();
+    return { std::move(mesh), std::move(this->vertexOfPoint_), std::move(this->blocks_),
+      std::move(this->isCopy_), diagonal, this->report_ };
+  }
+
+private:
+  vtkIdType requireFaces() const;
+  void readPoints();
+  void readPoints(const PolyDataBlock& input);
+  void readTriangles(vtkIdType faces);
+  void readTriangles(std::size_t block, const std::function<void()>& next);
+  Triangle verticesOf(const Triangle& points) const;
+  std::size_t endOfTriangles(std::size_t block) const;
+  void mergeSeams();
+  void takeOver(const std::vector<Id>& same);
+  void findCopies();
+  void keepTriangles(std::size_t block);
+  void nameVertices();
+  std::unique_ptr<TriangleMesh> makeMesh();
+
+  const std::vector<PolyDataBlock>& inputs_;
+  const ProgressCallback& callback_;
+  LoopProgress progress_;
+  std::vector<SurfaceBlock> blocks_;
+  std::vector<Vec3> vertices_;
+  std::vector<Id> vertexOfPoint_;
+  TriangleList triangles_;
+  /// Whether a block has cells that are no triangles.
+  std::vector<bool> hasOtherCells_;
+  /// Whether a triangle is a copy of another; empty where none is.
+  std::vector<std::uint8_t> isCopy_;
+  PolyDataSurface::Report report_;
+};
+
+/// How many cells are faces.
+///
+/// \throws MeshError where there are none.
+vtkIdType SurfaceReader::requireFaces() const
+{
+  vtkIdType faces = 0;
+  for (const PolyDataBlock& input : this->inputs_)
+  {
+    faces += input.data->GetNumberOfPolys() + input.data->GetNumberOfStrips();
+  }
+  if (faces == 0)
+  {
+    throw MeshError("The surface (input port 0) has no faces. Connect a vtkPolyData with triangles "
+                    "or polygons, for example by the Extract Surface filter.");
+  }
+  return faces;
+}
+
+void SurfaceReader::readPoints()
+{
+  vtkIdType count = 0;
+  for (std::size_t i = 0; i < this->inputs_.size(); ++i)
+  {
+    const vtkIdType own = this->inputs_[i].data->GetNumberOfPoints();
+    this->blocks_[i].firstPoint = static_cast<Id>(count);
+    this->blocks_[i].numberOfPoints = static_cast<Id>(own);
+    count += own;
+    if (count >= static_cast<vtkIdType>(NoId))
+    {
+      throw MeshTooLarge("The surface (input port 0) has " + std::to_string(count) +
+        " points, more than 32-bit ids can number. Decimate it or cut it into parts.");
+    }
+  }
+  this->vertices_.reserve(static_cast<std::size_t>(count));
+  for (const PolyDataBlock& input : this->inputs_)
+  {
+    this->readPoints(input);
+  }
+}
+
+/// \throws MeshError where a coordinate is not finite.
+void SurfaceReader::readPoints(const PolyDataBlock& input)
+{
+  vtkPoints* points = input.data->GetPoints();
+  const vtkIdType count = input.data->GetNumberOfPoints();
+  std::vector<vtkIdType> bad;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    this->progress_.at(this->vertices_.size(), this->vertices_.capacity());
+    Vec3& p = this->vertices_.emplace_back();
+    points->GetPoint(i, p.data());
+    if (!isFinite(p))
+    {
+      bad.push_back(i);
+    }
+  }
+  if (!bad.empty())
+  {
+    throw MeshError(capitalized(input.name) +
+      " has coordinates that are NaN or infinite, at point " + listIds(bad) +
+      ". Remove or repair these points upstream.");
+  }
+}
+
+void SurfaceReader::readTriangles(vtkIdType faces)
+{
+  vtkIdType polygons = 0;
+  for (const PolyDataBlock& input : this->inputs_)
+  {
+    polygons += input.data->GetNumberOfPolys();
+  }
+  this->triangles_.corners.reserve(static_cast<std::size_t>(polygons));
+  this->triangles_.cells.reserve(static_cast<std::size_t>(polygons));
+  std::size_t done = 0;
+  const auto next = [&]() { this->progress_.at(done++, static_cast<std::size_t>(faces)); };
+  for (std::size_t i = 0; i < this->inputs_.size(); ++i)
+  {
+    this->blocks_[i].firstTriangle = static_cast<Id>(this->triangles_.corners.size());
+    this->readTriangles(i, next);
+  }
+  if (this->triangles_.corners.empty())
+  {
+    throw MeshError("None of the " + std::to_string(faces) +
+      " faces of the surface (input port 0) has three different corners. Connect a surface with "
+      "triangles or polygons.");
+  }
+}
+
+void SurfaceReader::readTriangles(std::size_t block, const std::function<void()>& next)
+{
+  const PolyDataBlock& input = this->inputs_[block];
+  const GhostCells ghosts(input.data);
+  Triangulator triangulator(
+    input, this->blocks_[block].firstPoint, this->vertexOfPoint_, this->triangles_);
+  this->report_.droppedVertexCells += ghosts.countOwn(0, input.data->GetNumberOfVerts());
+  // vtkPolyData numbers its cells in the order vertices, lines, polygons, strips.
+  vtkIdType cell = input.data->GetNumberOfVerts();
+  this->report_.droppedLineCells += ghosts.countOwn(cell, cell + input.data->GetNumberOfLines());
+  cell += input.data->GetNumberOfLines();
+  const auto read = [&](vtkCellArray* cells, auto add)
+  {
+    forEachCell(cells,
+      [&](vtkIdType size, const vtkIdType* ids)
+      {
+        next();
+        if (!ghosts.isHidden(cell))
+        {
+          (triangulator.*add)({ cell, ghosts.isDuplicate(cell) }, size, ids);
+        }
+        ++cell;
+      });
+  };
+  read(input.data->GetPolys(), &Triangulator::addPolygon);
+  read(input.data->GetStrips(), &Triangulator::addStrip);
+  this->hasOtherCells_.push_back(triangulator.hasOtherCells());
+  this->report_.facesWithRepeatedPoint += triangulator.report().facesWithRepeatedPoint;
+  this->report_.polygons += triangulator.report().polygons;
+  this->report_.strips += triangulator.report().strips;
+}
+
+/// A triangle's corners, as vertices.
+Triangle SurfaceReader::verticesOf(const Triangle& points) const
+{
+  const auto vertexOf = [this](Id point)
+  { return this->vertexOfPoint_.empty() ? point : this->vertexOfPoint_[point]; };
+  return { vertexOf(points[0]), vertexOf(points[1]), vertexOf(points[2]) };
+}
+
+std::size_t SurfaceReader::endOfTriangles(std::size_t block) const
+{
+  return block + 1 < this->blocks_.size() ? this->blocks_[block + 1].firstTriangle
+                                          : this->triangles_.corners.size();
+}
+
+/// Connects blocks whose boundaries meet within the rounding of their coordinates.
+void SurfaceReader::mergeSeams()
+{
+  if (this->blocks_.size() < 2)
+  {
+    return;
+  }
+  std::vector<SeamBlock> seams(this->blocks_.size());
+  for (std::size_t i = 0; i < seams.size(); ++i)
+  {
+    vtkPoints* points = this->inputs_[i].data->GetPoints();
+    seams[i].precision = points && points->GetDataType() == VTK_FLOAT ? FLT_EPSILON : DBL_EPSILON;
+    for (std::size_t t = this->blocks_[i].firstTriangle; t < this->endOfTriangles(i); ++t)
+    {
+      if (!this->triangles_.isDuplicate[t])
+      {
+        seams[i].triangles.push_back(this->verticesOf(this->triangles_.corners[t]));
+      }
+    }
+  }
+  const std::vector<Id> same = geodesic::mergeSeams(this->vertices_, seams);
+  if (!same.empty())
+  {
+    this->takeOver(same);
+  }
+}
+
+/// Makes one vertex of those that are the same.
+///
+/// \param same the lowest vertex that each is the same as.
+void SurfaceReader::takeOver(const std::vector<Id>& same)
+{
+  std::vector<Id> numbers(same.size());
+  Id count = 0;
+  for (Id vertex = 0; vertex < same.size(); ++vertex)
+  {
+    if (same[vertex] == vertex)
+    {
+      this->vertices_[count] = this->vertices_[vertex];
+      numbers[vertex] = count++;
+    }
+    else
+    {
+      numbers[vertex] = numbers[same[vertex]];
+    }
+  }
+  this->vertices_.resize(count);
+  if (this->vertexOfPoint_.empty())
+  {
+    this->vertexOfPoint_ = std::move(numbers);
+    return;
+  }
+  for (Id& vertex : this->vertexOfPoint_)
+  {
+    vertex = numbers[vertex];
+  }
+}
+
+/// Finds the triangles that are not surface because they are copies of others.
+void SurfaceReader::findCopies()
+{
+  const auto& marks = this->triangles_.isDuplicate;
+  if (std::find(marks.begin(), marks.end(), true) != marks.end())
+  {
+    this->isCopy_ = geodesic::findCopies(this->vertexOfPoint_, this->blocks_, this->triangles_);
+  }
+  this->triangles_.isDuplicate = {};
+}
+
+/// Gives a block its triangles: the input's own cells where these are the same.
+void SurfaceReader::keepTriangles(std::size_t index)
+{
+  vtkPolyData* input = this->inputs_[index].data;
+  SurfaceBlock& block = this->blocks_[index];
+  const std::size_t first = block.firstTriangle;
+  const std::size_t last = this->endOfTriangles(index);
+  const auto count = static_cast<vtkIdType>(last - first);
+  if (!this->hasOtherCells_[index] && count == input->GetNumberOfCells())
+  {
+    block.triangles = input->GetPolys();
+    block.areInputCells = true;
+    return;
+  }
+  constexpr vtkIdType idsATriangle = 4; // three points and an offset
+  requireMemory(count + 1, idsATriangle * sizeof(vtkIdType));
+  block.triangles = vtkSmartPointer<vtkCellArray>::New();
+  block.triangles->AllocateExact(count, 3 * count);
+  const auto own = [&block](Id point) { return static_cast<vtkIdType>(point - block.firstPoint); };
+  for (std::size_t i = first; i < last; ++i)
+  {
+    const Triangle& t = this->triangles_.corners[i];
+    block.triangles->InsertNextCell({ own(t[0]), own(t[1]), own(t[2]) });
+  }
+  const auto cells = this->triangles_.cells.begin();
+  block.inputCells.assign(
+    cells + static_cast<std::ptrdiff_t>(first), cells + static_cast<std::ptrdiff_t>(last));
+}
+
+/// From here on the triangles are those of the mesh, with vertices at their corners: without
+/// copies.
+void SurfaceReader::nameVertices()
+{
+  this->triangles_.cells = {};
+  std::vector<Triangle>& triangles = this->triangles_.corners;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    if (this->isCopy_.empty() || this->isCopy_[i] == 0)
+    {
+      triangles[count++] = this->verticesOf(triangles[i]);
+    }
+  }
+  triangles.resize(count);
+}
+
+std::unique_ptr<TriangleMesh> SurfaceReader::makeMesh()
+{
+  return std::make_unique<TriangleMesh>(std::move(this->vertices_), this->triangles_.corners,
+    [this](double fraction) {
+      return !this->callback_ || this->callback_(TrianglesRead + (1.0 - TrianglesRead) * fraction);
+    });
+}
+
+}
+
+PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+  const ProgressCallback& progress)
+{
+  return SurfaceReader(blocks, progress).read(mergeCoincidentPoints);
+}
+
+}

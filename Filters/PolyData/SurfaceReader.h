@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_SurfaceReader_h
+#define geodesic_SurfaceReader_h
+
+#include "PolyData/PolyDataBlocks.h"
+#include "PolyData/PolyDataSurface.h"
+#include "Progress.h"
+
+namespace geodesic
+{
+
+/// Makes one surface of all blocks: triangulates polygons and strips, and merges the points that
+/// lie at exactly one place.
+///
+/// \param blocks the vtkPolyData of the surface, which stay as they are.
+/// \param mergeCoincidentPoints whether points are merged; blocks are not connected without that.
+/// \param progress called now and then with a fraction done; returning false throws Aborted.
+/// \throws MeshError where there is no face, a coordinate is not finite or a cell names a point
+/// that
+///         does not exist; MeshTooLarge; Aborted.
+PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+  const ProgressCallback& progress = {});
+
+}
+
+#endif

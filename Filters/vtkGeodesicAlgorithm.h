@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGeodesicAlgorithm
+ * @brief   what filters that measure geodesic distance on a surface have in common
+ *
+ * vtkGeodesicAlgorithm is the superclass of filters that take a surface on input port 0 and,
+ * optionally, a source on input port 1, from which distances on the surface are measured. It reads
+ * both, keeps the structure of the surface from one execution to the next, and turns what goes
+ * wrong into VTK's errors with empty outputs. See vtkGeodesicDistanceField for what inputs may be.
+ *
+ * @sa
+ * vtkGeodesicDistanceField
+ */
+
+#ifndef vtkGeodesicAlgorithm_h
+#define vtkGeodesicAlgorithm_h
+
+#include "vtkFiltersGeodesicModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+
+class vtkMultiProcessController;
+
+namespace geodesic
+{
+class FilterExecution;
+}
+
+class VTKFILTERSGEODESIC_EXPORT vtkGeodesicAlgorithm : public vtkPolyDataAlgorithm
+{
+public:
+  ///@{
+  /**
+   * Standard methods for type information and printing.
+   */
+  vtkTypeMacro(vtkGeodesicAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
+
+  ///@{
+  /**
+   * The source on port 1: curves and points, a vtkPolyData or a composite data set of these. Not
+   * needed when the boundary is the source.
+   */
+  void SetSourceConnection(vtkAlgorithmOutput* output);
+  void SetSourceData(vtkDataObject* source);
+  ///@}
+
+  /**
+   * What distances are measured from.
+   */
+  enum SourceTypes
+  {
+    SOURCE_CURVE = 0,
+    SURFACE_BOUNDARY = 1,
+    CURVE_AND_BOUNDARY = 2
+  };
+
+  ///@{
+  /**
+   * Measure distances from the curves and points on port 1 (the default), from the boundary of the
+   * surface, or from both.
+   */
+  vtkSetClampMacro(SourceType, int, SOURCE_CURVE, CURVE_AND_BOUNDARY);
+  vtkGetMacro(SourceType, int);
+  void SetSourceTypeToSourceCurve() { this->SetSourceType(SOURCE_CURVE); }
+  void SetSourceTypeToSurfaceBoundary() { this->SetSourceType(SURFACE_BOUNDARY); }
+  void SetSourceTypeToCurveAndBoundary() { this->SetSourceType(CURVE_AND_BOUNDARY); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether points at exactly one place are one point, so that faces around it are connected. On by
+   * default: formats without shared points (STL) or with seams (OBJ) need it. The output keeps the
+   * points of the input in either case.
+   */
+  vtkSetMacro(MergeCoincidentPoints, bool);
+  vtkGetMacro(MergeCoincidentPoints, bool);
+  vtkBooleanMacro(MergeCoincidentPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The processes among which the surface may be distributed. By default these are those of the
+   * global controller. With null this process works alone: a filter that is executed on one rank
+   * only, or on whole data on each, needs that. With more than one process executing is an error.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
+protected:
+  vtkGeodesicAlgorithm();
+  ~vtkGeodesicAlgorithm() override;
+
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  /// Makes output 0 an object of the kind of the surface where it may be any (see
+  /// FillOutputPortInformation()).
+  virtual int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  /// In one process asks for the whole of every input, whatever piece is asked of this.
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  /// Calls what a subclass has overridden below, and hands its exceptions to vtkErrorMacro.
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  /// Says what is wrong with a property and what to do; empty where all are right.
+  virtual std::string FindWrongProperty() const;
+  /// Sets what getters tell of an execution to what it is before.
+  virtual void ResetResults() = 0;
+  /// Reads the inputs (geodesic::FilterExecution::readInputs()) and fills the outputs. May throw.
+  virtual void Compute(
+    geodesic::FilterExecution& execution, vtkInformationVector* outputVector) = 0;
+
+private:
+  vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
+  void operator=(const vtkGeodesicAlgorithm&) = delete;
+
+  /// Does the work and turns exceptions into errors. Returns whether all went well.
+  bool ComputeOrExplain(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
+  int SourceType = SOURCE_CURVE;
+  bool MergeCoincidentPoints = true;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif
