@@ -11,8 +11,9 @@ namespace geodesic::tolerance
 /// Rounding of one operation in double precision.
 constexpr double Rounding = std::numeric_limits<double>::epsilon();
 
-/// A face has zero area when twice its area is below this fraction of its longest halfedge squared: the
-/// cross product of collinear corners leaves a few roundings. Only counted, never treated apart.
+/// A face has zero area when twice its area is below this fraction of its longest halfedge squared:
+/// the cross product of collinear corners leaves a few roundings. Only counted, never treated
+/// apart.
 constexpr double ZeroArea = 8.0 * Rounding;
 
 /// A vertex whose total angle is over the straight angle by less than this fraction is flat: the
@@ -48,9 +49,9 @@ constexpr double SnapRoundings = 4.0;
 /// there.
 constexpr double SnapFraction = 0.1;
 
-/// Points on the boundaries of two parts of a surface are one when nearer than this many roundings of
-/// the largest coordinate around: each part has computed or stored the same place on its own, with a
-/// few roundings.
+/// Points on the boundaries of two parts of a surface are one when nearer than this many roundings
+/// of the largest coordinate around: each part has computed or stored the same place on its own,
+/// with a few roundings.
 constexpr double SeamRoundings = 4.0;
 
 /// But never farther than this fraction of an edge of the boundary at either: far from the origin
@@ -61,28 +62,42 @@ constexpr double SeamFraction = 0.1;
 /// length: the rounding of unfolding it through some dozens of faces.
 constexpr double PathAtVertex = 64.0 * Rounding;
 
+/// A traced path is straight in the unfolding, and its length right to a fraction Tie: it comes to
+/// its end, or beside it by no more than this fraction of its length, about the root of that.
+constexpr double BesideEnd = 1e-6;
+
+/// A traced path may be longer than the distance by this fraction: the points at its edges are each
+/// rounded, and in needles what unfolding rounds is many times as much.
+constexpr double TracedLength = 1e-11;
+
+/// Lengths between two places in a face are rounded to this fraction of its longest edge: places
+/// are kept as barycentric coordinates.
+constexpr double PlaceRounding = 16.0 * Rounding;
+
 /// An upper bound of a distance, summed along mesh edges, is raised by this fraction, so that the
 /// rounding of millions of terms cannot put it below the distance.
 constexpr double BoundMargin = 1e-9;
 
-/// A source is taken to lie at least this fraction of a halfedge's length below the halfedge it shines
-/// through: in a face without area its rays would otherwise have no direction. Moves it by
+/// A source is taken to lie at least this fraction of a halfedge's length below the halfedge it
+/// shines through: in a face without area its rays would otherwise have no direction. Moves it by
 /// rounding.
 constexpr double SourceDepth = 8.0 * Rounding;
 
 /// A vertex nearer to a source's point than this fraction of a face emits as a pseudo-source.
-/// Windows of the point have ends rounded to a fraction Rounding of a halfedge, so that as seen from
-/// the vertex gaps of an angle Rounding / NearVertex may open between them; the vertex covers
+/// Windows of the point have ends rounded to a fraction Rounding of a halfedge, so that as seen
+/// from the vertex gaps of an angle Rounding / NearVertex may open between them; the vertex covers
 /// these.
 constexpr double NearVertex = 1e-5;
 
-/// A merged window's source lies at least this fraction of its width below the halfedge: the directions
-/// of its rays are told from sourceDepth, and near the halfedge rounding would turn them.
+/// A merged window's source lies at least this fraction of its width below the halfedge: the
+/// directions of its rays are told from sourceDepth, and near the halfedge rounding would turn
+/// them.
 constexpr double MergedDepth = 1e-6;
 
 /// A source's point is near a halfedge when nearer than this fraction of its length. The ends of
-/// windows on the halfedge are rounded to a fraction Rounding of it, which seen from the point is an
-/// angle of Rounding / NearEdge: from nearer its rays are sent through the face behind in one step.
+/// windows on the halfedge are rounded to a fraction Rounding of it, which seen from the point is
+/// an angle of Rounding / NearEdge: from nearer its rays are sent through the face behind in one
+/// step.
 constexpr double NearEdge = 1e-6;
 
 /// In one face, distances from its windows are compared up to this fraction: each is a tie off, and
@@ -99,6 +114,11 @@ constexpr double PencilMargin = 1e-12;
 /// meet, and so may an envelope and the distance; more tells of a gap. Well over PencilMargin, as a
 /// joint's place carries the rounding of the crossing that was solved for it.
 constexpr double JointFraction = 1e-9;
+
+/// Rays that meet their halfedge at a smaller angle (about the root of the rounding) run along it:
+/// the cosine of such an angle is 1 to the last digit, so that rounding alone would tell where they
+/// go.
+constexpr double GrazingAngle = 1e-8;
 
 }
 

@@ -2,11 +2,29 @@
 #include "field/FaceDistance.h"
 
 #include "Errors.h"
+#include "Tolerance.h"
 
 #include <algorithm>
 
 namespace geodesic
 {
+
+namespace
+{
+
+/// Whether a window's rays run along its halfedge. Such a pencil has no inside, and points of the
+/// halfedge before it and behind it would be told apart by rounding alone.
+bool isGrazing(const Window& w)
+{
+  if (w.isLinear())
+  {
+    return w.sourceDepth <= tolerance::GrazingAngle;
+  }
+  const double before = std::max(w.begin - w.sourceX, w.sourceX - w.end);
+  return before > 0.0 && w.sourceDepth <= tolerance::GrazingAngle * before;
+}
+
+} // anonymous namespace
 
 namespace
 {
@@ -108,7 +126,13 @@ void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge)
     c.end = origin + w.end * along;
     c.atBegin = std::max(w.distance(w.begin), 0.0);
     c.atEnd = std::max(w.distance(w.end), 0.0);
-    if (w.isLinear())
+    if (isGrazing(w))
+    {
+      c.kind = DistanceCandidate::Kind::Cone; // with the same values on the halfedge
+      c.source = c.atBegin < c.atEnd ? c.begin : c.end;
+      c.sigma = std::min(c.atBegin, c.atEnd);
+    }
+    else if (w.isLinear())
     {
       c.kind = DistanceCandidate::Kind::Linear;
       c.source = w.sourceX * along + w.sourceDepth * into;

@@ -23,8 +23,8 @@ JoinPoints JoinedPaths::reusedBy(JoinPoints join)
   {
     const Ends ends(place(first), place(second));
     const auto kept = this->kept_.find(ends);
-    return this->used_[ends] = kept != this->kept_.end() ? kept->second
-                                                         : join(first, second, progress);
+    return this->used_[ends] =
+             kept != this->kept_.end() ? kept->second : join(first, second, progress);
   };
 }
 

@@ -17,8 +17,8 @@ namespace geodesic
 /// joins share. The mesh must outlive the result.
 JoinPoints joinByShortestPaths(const TriangleMesh& mesh, const ParallelFor& parallelFor = {});
 
-/// The paths that have joined far points of a mesh's curves, kept from one use to the next: where one
-/// point of a polyline has moved, the other segments need not be joined again.
+/// The paths that have joined far points of a mesh's curves, kept from one use to the next: where
+/// one point of a polyline has moved, the other segments need not be joined again.
 class JoinedPaths
 {
 public:

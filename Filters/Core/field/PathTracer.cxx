@@ -110,26 +110,40 @@ std::vector<SurfacePoint> PathTracer::trace(const SurfacePoint& from) const
   {
     return {};
   }
-  while (!path.isWhole)
+  // A piece may be shorter than rounding, so that what is left need not fall with each step; but a
+  // shortest path comes to no vertex twice.
+  for (Id steps = 0; !path.isWhole; ++steps)
   {
-    const double before = path.left;
-    this->goOn(path);
-    if (!path.isWhole && !(path.left < before))
+    if (steps > this->mesh_.numberOfVertices())
     {
-      throw Error("A shortest path could not be followed to the source.");
+      throw PathLost("A shortest path could not be followed to the source.");
     }
+    this->goOn(path);
   }
+  this->requireLength(path);
   return std::move(path.points);
+}
+
+// A ray that comes to a place beside its end, or passed a vertex on the wrong side by rounding, has
+// not been the path.
+void PathTracer::requireLength(const Path& path) const
+{
+  double length = 0.0;
+  for (std::size_t i = 1; i < path.points.size(); ++i)
+  {
+    length +=
+      norm(position(this->mesh_, path.points[i]) - position(this->mesh_, path.points[i - 1]));
+  }
+  if (!(length <= (1.0 + tolerance::TracedLength) * path.whole))
+  {
+    throw PathLost("A shortest path could not be followed: it has become too long.");
+  }
 }
 
 void PathTracer::goOn(Path& path) const
 {
   const SurfacePoint& last = path.points.back();
-  if (!(path.left > 0.0))
-  {
-    path.isWhole = true;
-  }
-  else if (last.kind == SurfacePoint::Kind::Vertex)
+  if (last.kind == SurfacePoint::Kind::Vertex)
   {
     this->goOnFromVertex(last.id, path);
   }
@@ -141,6 +155,11 @@ void PathTracer::goOn(Path& path) const
 
 void PathTracer::goOnFromVertex(Id vertex, Path& path) const
 {
+  if (!(this->field_.vertexDistances()[vertex] > 0.0))
+  {
+    path.isWhole = true;
+    return;
+  }
   for (const Id corner : this->mesh_.cornersAt(vertex))
   {
     if (this->endInFace(TriangleMesh::faceOf(corner), path))
@@ -185,7 +204,8 @@ void PathTracer::goOnThroughWindows(Id without, Path& path) const
   }
   if (best.window.halfedge == NoId)
   {
-    throw Error("A shortest path was to be followed through a face whose windows are not known.");
+    throw PathLost(
+      "A shortest path was to be followed through a face whose windows are not known.");
   }
   const Barycentric weights =
     barycentric(this->mesh_, point, TriangleMesh::faceOf(best.window.halfedge));
@@ -197,6 +217,8 @@ void PathTracer::goOnThroughWindows(Id without, Path& path) const
 // end.
 void PathTracer::follow(Leg leg, Path& path) const
 {
+  constexpr int LegsBesideEnd = 3; // as many faces as may lie between the path and its end
+  int steps = 0;
   for (;;)
   {
     const Id corner = this->cornerOn(leg, path);
@@ -206,11 +228,19 @@ void PathTracer::follow(Leg leg, Path& path) const
       return;
     }
     path.points.push_back(this->exitOf(leg));
-    path.left -= norm(leg.to - leg.from);
-    const Id sibling = this->mesh_.nextSibling(leg.exit);
-    if (!(path.left > 0.0) || sibling == leg.exit)
+    path.left = std::max(0.0, path.left - norm(leg.to - leg.from));
+    if (this->endInFace(TriangleMesh::faceOf(leg.exit), path))
     {
-      throw Error("A shortest path could not be followed: it leaves the surface.");
+      return;
+    }
+    const Id sibling = this->mesh_.nextSibling(leg.exit);
+    if (sibling == leg.exit)
+    {
+      throw PathLost("A shortest path could not be followed: it leaves the surface.");
+    }
+    if (!(path.left > 0.0) && ++steps > LegsBesideEnd)
+    {
+      throw PathLost("A shortest path could not be followed: it passes its end.");
     }
     if (!this->mesh_.isInner(leg.exit))
     {
@@ -279,14 +309,17 @@ SurfacePoint PathTracer::exitOf(const Leg& leg) const
                          : SurfacePoint::onEdge(leg.exit, fraction);
 }
 
-// The nearest corner that the path goes through: on the leg, or where it is straight from, by as
-// much as the unfolding through many faces is rounded; and no farther than the length that is left.
+// The nearest corner that the path goes through: the one that it comes straight from, or one on the
+// leg, as far as the unfolding through many faces is rounded, and no farther than the length left.
 Id PathTracer::cornerOn(const Leg& leg, const Path& path) const
 {
   const Id face = TriangleMesh::faceOf(leg.frame);
   const Vec2 along = leg.to - leg.from;
   const double way = norm(along);
   const SurfacePoint& last = path.points.back();
+  const std::array<double, 3>& lengths = this->mesh_.shape(face).length;
+  const double reach = std::min(tolerance::PathAtVertex * path.whole,
+    tolerance::SnapFraction * *std::min_element(lengths.begin(), lengths.end()));
   double nearest = Infinity;
   Id found = NoId;
   for (std::size_t k = 0; k < 3; ++k)
@@ -299,11 +332,11 @@ Id PathTracer::cornerOn(const Leg& leg, const Path& path) const
     const Vec2 toCorner = inHalfedgeFrame(this->mesh_, leg.frame, cornerWeights(k)) - leg.from;
     const double length = norm(toCorner);
     const double distance = this->field_.vertexDistances()[vertex];
-    const bool isStraightFrom = vertex == leg.origin || distance == 0.0;
-    const bool isOnLeg = dot(toCorner, along) >= 0.0 &&
-      std::abs(cross(toCorner, along)) <= tolerance::PathAtVertex * path.whole * way;
-    if ((isStraightFrom || isOnLeg) && length < nearest &&
-      distance + length <= path.left + tolerance::Tie * path.whole)
+    const bool isOnLeg =
+      dot(toCorner, along) >= 0.0 && std::abs(cross(toCorner, along)) <= reach * way;
+    const bool isOnPath =
+      (distance == 0.0 || isOnLeg) && distance + length <= path.left + this->slack(face, path);
+    if ((vertex == leg.origin || isOnPath) && length < nearest)
     {
       nearest = length;
       found = vertex;
@@ -312,10 +345,19 @@ Id PathTracer::cornerOn(const Leg& leg, const Path& path) const
   return found;
 }
 
+// By how much lengths in a face may be off: the path carries the rounding of its unfolding, and
+// places in the face that of their coordinates. A path whose length is used up may have come to a
+// place beside its end: its length depends on that only by the square.
+double PathTracer::slack(Id face, const Path& path) const
+{
+  const double ofPath = path.left > 0.0 ? tolerance::Tie : tolerance::BesideEnd;
+  return ofPath * path.whole + tolerance::PlaceRounding * this->mesh_.shape(face).longest();
+}
+
 // Ends the path where a source in the face is as near as the path is long.
 bool PathTracer::endInFace(Id face, Path& path) const
 {
-  double nearest = path.left + tolerance::Tie * path.whole;
+  double nearest = path.left + this->slack(face, path);
   Barycentric end{};
   for (const SourceInFace& source : this->field_.sourcesIn(face))
   {
@@ -346,7 +388,8 @@ void PathTracer::goToVertex(Id vertex, Path& path) const
 // Along an edge, to the vertex that is nearest to the source by way of it.
 void PathTracer::goToNeighbour(Id vertex, Path& path) const
 {
-  double nearest = path.left + tolerance::Tie * path.whole;
+  const Id face = TriangleMesh::faceOf(*this->mesh_.cornersAt(vertex).begin());
+  double nearest = path.left + this->slack(face, path);
   Id found = NoId;
   const auto look = [&](Id halfedge, Id other)
   {
@@ -365,7 +408,7 @@ void PathTracer::goToNeighbour(Id vertex, Path& path) const
   }
   if (found == NoId)
   {
-    throw Error("A shortest path could not be followed beyond a vertex.");
+    throw PathLost("A shortest path could not be followed beyond a vertex.");
   }
   this->goToVertex(found, path);
 }

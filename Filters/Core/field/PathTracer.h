@@ -2,12 +2,21 @@
 #ifndef geodesic_PathTracer_h
 #define geodesic_PathTracer_h
 
+#include "Errors.h"
 #include "field/DistanceField.h"
 
 #include <vector>
 
 namespace geodesic
 {
+
+/// A path that could not be followed to its end, or has come out longer than it is: it ran so close
+/// to vertices that rounding has decided about its way. A field with all windows kept tells it.
+class PathLost : public Error
+{
+public:
+  using Error::Error;
+};
 
 /// Traces shortest paths of a field that was solved with FrontOptions::keepArrivals.
 ///
@@ -30,7 +39,7 @@ public:
   /// a point on every edge that it crosses, the vertices that it passes, its end on the source.
   /// Empty where the point was not reached. Thread-safe.
   ///
-  /// \throws Error where the path cannot be followed, such as from a face whose windows were not
+  /// \throws PathLost where the path cannot be followed, such as from a face whose windows were not
   ///         kept.
   std::vector<SurfacePoint> trace(const SurfacePoint& from) const;
 
@@ -59,6 +68,7 @@ private:
     bool isWhole = false;
   };
 
+  void requireLength(const Path& path) const;
   void goOn(Path& path) const;
   void goOnFromVertex(Id vertex, Path& path) const;
   void goOnThroughWindows(Id without, Path& path) const;
@@ -69,6 +79,7 @@ private:
   SurfacePoint exitOf(const Leg& leg) const;
   Id cornerOn(const Leg& leg, const Path& path) const;
 
+  double slack(Id face, const Path& path) const;
   bool endInFace(Id face, Path& path) const;
   void goToVertex(Id vertex, Path& path) const;
   void goToNeighbour(Id vertex, Path& path) const;

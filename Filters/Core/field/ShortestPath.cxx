@@ -5,6 +5,7 @@
 #include "field/DistanceField.h"
 #include "field/PathTracer.h"
 #include "field/RetentionAround.h"
+#include "field/Solve.h"
 
 #include <algorithm>
 
@@ -103,6 +104,16 @@ std::vector<double> lowerBounds(const TriangleMesh& mesh, const SurfacePoint& fi
   return bounds;
 }
 
+/// The path by windows that are all kept, in the corridor alone.
+std::vector<SurfacePoint> pathThroughWindows(const TriangleMesh& mesh, const SurfacePoint& first,
+  const SurfacePoint& second, const Corridor& corridor, const ParallelFor& parallelFor)
+{
+  FrontOptions options;
+  options.corridor = &corridor;
+  options.parallelFor = parallelFor;
+  return solve(mesh, pointSource(first), options, KeepWindows::All).path(second);
+}
+
 } // anonymous namespace
 
 std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePoint& first,
@@ -124,7 +135,15 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   OtherHalf otherHalf(mesh, second, toSecond, corridor);
   FrontResult front = propagate(mesh, pointSource(first), options, otherHalf);
   const DistanceField field(mesh, std::move(front), otherHalf.release());
-  std::vector<SurfacePoint> path = PathTracer(field).trace(second);
+  std::vector<SurfacePoint> path;
+  try
+  {
+    path = PathTracer(field).trace(second);
+  }
+  catch (const PathLost&)
+  {
+    path = pathThroughWindows(mesh, first, second, corridor, parallelFor);
+  }
   std::reverse(path.begin(), path.end());
   return path;
 }

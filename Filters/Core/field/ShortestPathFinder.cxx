@@ -42,7 +42,10 @@ std::vector<SurfacePoint> cleaned(const TriangleMesh& mesh, const std::vector<Su
   std::vector<SurfacePoint> result = { first };
   for (std::size_t i = 1; i + 1 < path.size(); ++i)
   {
-    const SurfacePoint point = atVertexWithin(mesh, path[i], tolerance::PathAtVertex * length);
+    const SurfacePoint atVertex = atVertexWithin(mesh, path[i], tolerance::PathAtVertex * length);
+    const bool isKept = commonFace(mesh, result.back(), atVertex) != NoId &&
+      commonFace(mesh, atVertex, path[i + 1]) != NoId;
+    const SurfacePoint& point = isKept ? atVertex : path[i];
     if (!samePlace(mesh, point, result.back()))
     {
       result.push_back(point);

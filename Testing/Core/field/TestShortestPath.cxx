@@ -420,6 +420,18 @@ TEST(ShortestPath, GoesThroughTheVertexOfABowTie)
   expectAnalyticPaths(bowTieCase);
 }
 
+// (1 - 1.8e-15, 9e-16, 9e-16) in a face, two faces away from the vertex that is the source.
+TEST(ShortestPath, ToAPointARoundingBesideAVertexIsFound)
+{
+  Random random(83);
+  const AnalyticCase c = geodesictest::boxCase(random);
+  const TriangleMesh mesh = engineMesh(c.mesh);
+  geodesic::ShortestPathFinder finder(mesh);
+  const std::vector<SurfacePoint> path =
+    finder.between(enginePoint(mesh, c.sources.points[0]), enginePoint(mesh, c.queries[18]));
+  EXPECT_GE(path.size(), 2U);
+}
+
 // Rounding of the long way to the edge is a large part of it. Moving the crossing to the edge's end
 // would turn the path by half a right angle behind it.
 TEST(ShortestPath, CrossesATinyEdgeAtTheEndOfALongWayWhereTheStraightLineDoes)
