@@ -341,7 +341,7 @@ void expectAnalyticPaths(AnalyticCase (*makeCase)(Random&))
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const AnalyticCase c = makeCase(random);
-    const double slack = 1e-12 * largestFinite(c.vertexTruth);
+    const double slack = OrdinaryAccuracy * largestFinite(c.vertexTruth);
     const TriangleMesh engine = engineMesh(c.mesh);
     expectPathsToTheSource(
       c.mesh, engineCurves(engine, c.sources), engine, c.sources, c.queries, c.queryTruth, slack);
