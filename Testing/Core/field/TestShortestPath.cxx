@@ -56,11 +56,9 @@ public:
 
   std::vector<PathPoint> plain(const std::vector<SurfacePoint>& path) const
   {
-    std::vector<PathPoint> result;
-    for (const SurfacePoint& p : path)
-    {
-      result.push_back(this->plain(p));
-    }
+    std::vector<PathPoint> result(path.size());
+    std::transform(path.begin(), path.end(), result.begin(),
+      [this](const SurfacePoint& p) { return this->plain(p); });
     return result;
   }
 
