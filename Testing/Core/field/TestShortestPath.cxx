@@ -56,11 +56,9 @@ public:
 
   std::vector<PathPoint> plain(const std::vector<SurfacePoint>& path) const
   {
-    std::vector<PathPoint> result;
-    for (const SurfacePoint& p : path)
-    {
-      result.push_back(this->plain(p));
-    }
+    std::vector<PathPoint> result(path.size());
+    std::transform(path.begin(), path.end(), result.begin(),
+      [this](const SurfacePoint& p) { return this->plain(p); });
     return result;
   }
 
@@ -341,7 +339,7 @@ void expectAnalyticPaths(AnalyticCase (*makeCase)(Random&))
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const AnalyticCase c = makeCase(random);
-    const double slack = 1e-12 * largestFinite(c.vertexTruth);
+    const double slack = OrdinaryAccuracy * largestFinite(c.vertexTruth);
     const TriangleMesh engine = engineMesh(c.mesh);
     expectPathsToTheSource(
       c.mesh, engineCurves(engine, c.sources), engine, c.sources, c.queries, c.queryTruth, slack);

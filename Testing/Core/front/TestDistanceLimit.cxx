@@ -19,8 +19,8 @@ using geodesic::TriangleMesh;
 namespace
 {
 
-constexpr Index PiecesOfAnEdge = 24;
-constexpr Index PointsInsideAFace = 6;
+constexpr std::size_t PiecesOfAnEdge = 24;
+constexpr std::size_t PointsInsideAFace = 6;
 
 /// The true distances at the vertices, and in each face at points of its edges and of its inside.
 class SampledTruth
@@ -95,7 +95,7 @@ private:
   {
     for (Index k = 0; k < 3; ++k)
     {
-      for (Index i = 0; i <= PiecesOfAnEdge; ++i)
+      for (std::size_t i = 0; i <= PiecesOfAnEdge; ++i)
       {
         Barycentric w{};
         w[(k + 1) % 3] = static_cast<double>(i) / PiecesOfAnEdge;
@@ -103,7 +103,7 @@ private:
         this->points_.push_back({ face, w });
       }
     }
-    for (Index i = 0; i < PointsInsideAFace; ++i)
+    for (std::size_t i = 0; i < PointsInsideAFace; ++i)
     {
       const double u = random.uniform(0.05, 0.9);
       const double v = random.uniform(0.05, 0.95) * (1.0 - u);
@@ -120,7 +120,7 @@ private:
       const double step =
         spaceDistance(this->mesh_.points[t[k]], this->mesh_.points[t[(k + 1) % 3]]) /
         PiecesOfAnEdge;
-      for (Index i = 0; i < PiecesOfAnEdge; ++i)
+      for (std::size_t i = 0; i < PiecesOfAnEdge; ++i)
       {
         const auto at = static_cast<std::size_t>(first) + k * (PiecesOfAnEdge + 1) + i;
         const double between =
@@ -222,7 +222,7 @@ std::vector<Promise> expectLimitKept(const PlainMesh& mesh, const std::vector<Po
 {
   SCOPED_TRACE(::testing::Message() << "limit " << limit << ", sources:\n" << describe(curves));
   const double slack = accuracy * truth.largest();
-  const std::vector<Promise> faces = promisesOfFaces(mesh, truth, limit, slack);
+  std::vector<Promise> faces = promisesOfFaces(mesh, truth, limit, slack);
   const std::vector<Promise> vertices = promisesOfVertices(mesh, faces);
   const TriangleMesh engine = engineMesh(mesh);
   const DistanceField field = solveKeepingAll(engine, engineCurves(engine, curves), 0.0, limit);

@@ -39,7 +39,7 @@ Groups sortedGroups(const std::vector<SentList>& sent)
   std::vector<std::pair<SentList, std::size_t>> sorted;
   for (std::size_t i = 0; i < sent.size(); ++i)
   {
-    sorted.push_back({ sent[i], i });
+    sorted.emplace_back(sent[i], i);
   }
   std::stable_sort(sorted.begin(), sorted.end(),
     [](const auto& a, const auto& b) { return a.first.halfedge < b.first.halfedge; });

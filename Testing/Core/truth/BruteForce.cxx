@@ -684,6 +684,13 @@ void Solver::push(Pencil pencil)
   }
   const Plane leftmost = borderPoint(pencil, true);
   const Plane rightmost = borderPoint(pencil, false);
+  // An edge that stands on an end of the segment at a right angle leans over it by rounding. Below
+  // the segment that is no ray.
+  const double lowest = std::min(leftmost.y, rightmost.y);
+  if (pencil.strip && lowest < -PencilSlack * (size(pencil.left) + size(pencil.right)))
+  {
+    return;
+  }
   if (this->isBeaten(pencil, leftmost, rightmost))
   {
     return;

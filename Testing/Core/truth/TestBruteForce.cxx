@@ -278,3 +278,34 @@ TEST(BruteForce, IsZeroAtPointSourcesOfRandomPlanarMeshes)
   }
   EXPECT_GT(compared, 0u);
 }
+
+// The other leg of a right angle leans over the segment by rounding, in one of several faces.
+TEST(BruteForce, NoDistanceIsNegativeWhereASegmentEndsAtARightAngle)
+{
+  for (std::uint64_t seed = 0; seed < 2000; ++seed)
+  {
+    Random random(seed);
+    const PlainMesh mesh =
+      box({ random.uniform(0.5, 5.0), random.uniform(0.5, 5.0), random.uniform(0.5, 5.0) },
+        { 1, 2, 3 });
+    const Index face = random.below(mesh.triangles.size());
+    const Index k = random.below(3);
+    Barycentric from = { 0.0, 0.0, 0.0 };
+    from[k] = random.uniform(0.1, 1.0);
+    from[(k + 1) % 3] = 1.0 - from[k];
+    Barycentric to = { 0.0, 0.0, 0.0 };
+    to[(k + 1) % 3] = 1.0;
+    std::vector<MeshPoint> queries;
+    for (Index other = 0; other < mesh.triangles.size(); ++other)
+    {
+      queries.push_back({ other, { 0.5, 0.5, 0.0 } });
+      queries.push_back({ other, { 0.0, 0.5, 0.5 } });
+      queries.push_back({ other, { 0.5, 0.0, 0.5 } });
+    }
+    Sources sources;
+    sources.segments = { { face, from, to }, { face, to, from } };
+    const BruteForceResult result = bruteForceDistances(mesh, sources, queries);
+    EXPECT_GE(*std::min_element(result.queries.begin(), result.queries.end()), -1e-14) << seed;
+    EXPECT_GE(*std::min_element(result.vertices.begin(), result.vertices.end()), 0.0) << seed;
+  }
+}
