@@ -163,13 +163,12 @@ void CheckPropertiesAndPrinting(Check& check)
   filter->SetMaximumNumberOfCells(7);
   std::ostringstream text;
   filter->Print(text);
-  for (const char* name :
-    { "SourceType: 2", "Accuracy: Approximate", "RelativeError: 0.25", "RefineMesh: Off",
-      "RefinementTolerance: 0.001", "ToleranceIsAbsolute: On", "AbsoluteRefinementTolerance: 1",
-      "MaximumNumberOfCells: 7", "RelativeErrorBound: 0", "InterpolationErrorBound: inf",
-      "MaximumDistance: 0", "MergeCoincidentPoints: On", "Controller: (global)",
-      "DistanceArrayName: GeodesicDistance",
-      "WindowsPropagatedPerEdge: 0", "SourceSnapDistance: 0" })
+  for (const char* name : { "SourceType: 2", "Accuracy: Approximate", "RelativeError: 0.25",
+         "RefineMesh: Off", "RefinementTolerance: 0.001", "ToleranceIsAbsolute: On",
+         "AbsoluteRefinementTolerance: 1", "MaximumNumberOfCells: 7", "RelativeErrorBound: 0",
+         "InterpolationErrorBound: inf", "MaximumDistance: 0", "MergeCoincidentPoints: On",
+         "Controller: (global)", "DistanceArrayName: GeodesicDistance",
+         "WindowsPropagatedPerEdge: 0", "SourceSnapDistance: 0" })
   {
     check.That(Contains(text.str(), name), std::string("printing says ") + name);
   }
