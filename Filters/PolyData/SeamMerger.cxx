@@ -30,7 +30,8 @@ std::vector<Edge> boundaryEdges(const std::vector<Triangle>& triangles)
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      edges.push_back(std::minmax(t[k], t[(k + 1) % 3]));
+      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+      edges.emplace_back(low, high);
     }
   }
   std::sort(edges.begin(), edges.end());
