@@ -21,6 +21,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -76,6 +77,7 @@ private:
   bool CanRefine() const;
   double Tolerance() const;
   Result Compute();
+  void ScaleToUser(Result& result) const;
   geodesic::DistanceField Solve(bool refine) const;
   geodesic::RefinementOptions RefinementOptions() const;
   geodesic::RefinedMesh Refine(const geodesic::DistanceField& field) const;
@@ -92,21 +94,23 @@ private:
 void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData* curves)
 {
   this->Execution.readInputs();
-  this->Self->SourceSnapDistance = this->Execution.sources().snapDistance;
+  this->Self->SourceSnapDistance =
+    this->Execution.surface().scale().toUser(this->Execution.sources().snapDistance);
   const Result result = this->Compute();
   this->Execution.reach(FieldDone);
   this->Execution.enter(geodesic::Stage::WritingOutputs);
 
   this->NoteReplacedArrays(result.isRefined);
   this->WriteSurface(result, output);
-  geodesic::writeCurves(this->Execution.surface().mesh(), this->Execution.sources().curves, curves);
+  geodesic::writeCurves(this->Execution.surface().mesh(), this->Execution.surface().scale(),
+    this->Execution.sources().curves, curves);
 }
 
 //------------------------------------------------------------------------------
 double vtkGeodesicDistanceField::vtkWorker::Tolerance() const
 {
   return this->Self->ToleranceIsAbsolute
-    ? this->Self->AbsoluteRefinementTolerance
+    ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteRefinementTolerance)
     : this->Self->RefinementTolerance * this->Execution.surface().diagonal();
 }
 
@@ -144,11 +148,43 @@ vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker:
   {
     this->Execution.enter(geodesic::Stage::Refining);
     geodesic::RefinedMesh refined = this->Refine(field);
-    this->Self->InterpolationErrorBound = refined.errorBound;
+    this->Self->InterpolationErrorBound =
+      this->Execution.surface().scale().toUser(refined.errorBound);
     result.refined = geodesic::partsByBlock(this->Execution.surface(), std::move(refined));
   }
   result.vertexDistances = field.vertexDistances();
+  this->ScaleToUser(result);
   return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkWorker::ScaleToUser(Result& result) const
+{
+  const geodesic::PowerOfTwoScale& scale = this->Execution.surface().scale();
+  if (scale.isOne())
+  {
+    return;
+  }
+  const auto toUser = [&scale](double& distance)
+  {
+    const bool isReached = distance < geodesic::Infinity;
+    distance = scale.toUser(distance);
+    if (isReached && !(distance < geodesic::Infinity))
+    {
+      throw geodesic::MeshError(
+        "Distances on the surface (input port 0) are larger than numbers can "
+        "be. Scale the surface and the source upstream.");
+    }
+  };
+  std::for_each(result.vertexDistances.begin(), result.vertexDistances.end(), toUser);
+  for (geodesic::RefinedMesh& refined : result.refined)
+  {
+    for (geodesic::RefinedPoint& point : refined.points)
+    {
+      toUser(point.distance);
+      point.position = scale.toUser(point.position);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -161,7 +197,8 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::Solve(bool refine) 
   }
   if (this->Self->MaximumDistance > 0.0)
   {
-    options.maximumDistance = this->Self->MaximumDistance;
+    options.maximumDistance =
+      this->Execution.surface().scale().toEngine(this->Self->MaximumDistance);
   }
   options.parallelFor = geodesic::smpParallelFor();
   options.progress = this->Execution.progressBetween(
@@ -201,6 +238,7 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
 geodesic::RefinedMesh vtkGeodesicDistanceField::vtkWorker::Refine(
   const geodesic::DistanceField& field) const
 {
+  const geodesic::PowerOfTwoScale& scale = this->Execution.surface().scale();
   const geodesic::RefinementOptions options = this->RefinementOptions();
   geodesic::RefinedMesh refined = geodesic::refine(field, options);
   geodesic::addDuplicateFaces(this->Execution.surface(),
@@ -210,14 +248,15 @@ geodesic::RefinedMesh vtkGeodesicDistanceField::vtkWorker::Refine(
     vtkWarningWithObjectMacro(this->Self,
       "MaximumNumberOfCells (" << this->Self->MaximumNumberOfCells
                                << ") is reached: the refined surface meets a tolerance of "
-                               << refined.errorBound << " instead of " << options.tolerance
+                               << scale.toUser(refined.errorBound) << " instead of "
+                               << scale.toUser(options.tolerance)
                                << ". Raise MaximumNumberOfCells or the tolerance.");
   }
   else if (refined.errorBound > options.tolerance)
   {
     vtkWarningWithObjectMacro(this->Self,
       "The refined surface meets a tolerance of "
-        << refined.errorBound << " instead of " << options.tolerance
+        << scale.toUser(refined.errorBound) << " instead of " << scale.toUser(options.tolerance)
         << ", which is near the rounding of distances. Raise the tolerance.");
   }
   return refined;

@@ -80,8 +80,8 @@ void FilterExecution::readSources()
   {
     const std::vector<PolyDataBlock> blocks =
       polyDataBlocks(this->sourceInput_, "the source (input port 1)");
-    const std::vector<LocatedPolyline> lines =
-      readSource(blocks, this->locator(), this->progressBetween(SurfaceRead, SourceLocated));
+    const std::vector<LocatedPolyline> lines = readSource(blocks, this->surface().scale(),
+      this->locator(), this->progressBetween(SurfaceRead, SourceLocated));
     JoinedPaths& paths = this->cache_.joinedPaths();
     paths.beginUse();
     this->sources_ = putOntoSurface(this->surface().mesh(), lines, snapOptionsFor(blocks),

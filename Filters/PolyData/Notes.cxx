@@ -41,7 +41,7 @@ void noteSource(const PolyDataSurface& surface, const SourceCurves& sources, Not
   if (sources.snapDistance > FarSourceFraction * surface.diagonal())
   {
     std::ostringstream sentence;
-    sentence << "The source is up to " << sources.snapDistance
+    sentence << "The source is up to " << surface.scale().toUser(sources.snapDistance)
              << " away from the surface; it was put onto the surface's closest points. See output "
                 "port 1 for the result.";
     notes.add(sentence.str());

@@ -193,7 +193,7 @@ void requireFinite(
 }
 
 std::vector<LocatedPolyline> readSource(const std::vector<PolyDataBlock>& source,
-  PolylineLocator& locator, const ProgressCallback& progress)
+  const PowerOfTwoScale& scale, PolylineLocator& locator, const ProgressCallback& progress)
 {
   std::vector<Chain> chains;
   std::vector<Vec3> points;
@@ -228,7 +228,12 @@ std::vector<LocatedPolyline> readSource(const std::vector<PolyDataBlock>& source
     line.name = std::move(chain.name);
     for (const std::size_t point : chain.points)
     {
-      line.points.push_back(points[point]);
+      line.points.push_back(scale.toEngine(points[point]));
+      if (!(norm(line.points.back()) < Infinity))
+      {
+        throw SourceError("Point " + std::to_string(line.points.size() - 1) + " of " + line.name +
+          " is too far from the surface for its size. Scale or move the source upstream.");
+      }
     }
     result.push_back(std::move(line));
   }
@@ -249,8 +254,8 @@ SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source)
   return options;
 }
 
-void writeCurves(
-  const TriangleMesh& mesh, const std::vector<SourceCurve>& curves, vtkPolyData* output)
+void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
+  const std::vector<SourceCurve>& curves, vtkPolyData* output)
 {
   vtkIdType size = 0;
   for (const SourceCurve& curve : curves)
@@ -276,7 +281,7 @@ void writeCurves(
       cells->InsertCellPoint(isFirstAgain
           ? first
           : points->InsertNextPoint(
-              position(mesh, curve.points[static_cast<std::size_t>(i)]).data()));
+              scale.toUser(position(mesh, curve.points[static_cast<std::size_t>(i)])).data()));
     }
   }
   output->SetPoints(points);

@@ -3,6 +3,7 @@
 #define geodesic_PolyDataSource_h
 
 #include "PolyData/PolyDataBlocks.h"
+#include "PolyData/PowerOfTwoScale.h"
 #include "source/PolylineLocator.h"
 #include "source/PolylineOnSurface.h"
 
@@ -15,17 +16,18 @@ namespace geodesic
 /// is a curve, every point of a vertex cell a point source, polygons and strips stand for their
 /// outlines, and points of a block without any cell are all point sources.
 ///
+/// \param scale of the surface that they are located on; the polylines have it too.
 /// \param progress called now and then with a fraction done; returning false throws Aborted.
 /// \throws SourceError where there is no point or one is not finite; Aborted.
 std::vector<LocatedPolyline> readSource(const std::vector<PolyDataBlock>& source,
-  PolylineLocator& locator, const ProgressCallback& progress);
+  const PowerOfTwoScale& scale, PolylineLocator& locator, const ProgressCallback& progress);
 
 /// What the coordinates' type allows: that of the least precise block.
 SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source);
 
 /// The curves as cells: a polyline each, a vertex where a curve is one point.
-void writeCurves(
-  const TriangleMesh& mesh, const std::vector<SourceCurve>& curves, vtkPolyData* output);
+void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
+  const std::vector<SourceCurve>& curves, vtkPolyData* output);
 
 }
 

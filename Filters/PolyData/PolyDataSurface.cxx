@@ -16,12 +16,13 @@ vtkIdType SurfaceBlock::numberOfTriangles() const
 }
 
 PolyDataSurface::PolyDataSurface(std::unique_ptr<TriangleMesh> mesh, std::vector<Id> vertexOfPoint,
-  std::vector<SurfaceBlock> blocks, std::vector<std::uint8_t> isCopy, double diagonal,
-  const Report& report)
+  std::vector<SurfaceBlock> blocks, std::vector<std::uint8_t> isCopy, const PowerOfTwoScale& scale,
+  double diagonal, const Report& report)
   : mesh_(std::move(mesh))
   , vertexOfPoint_(std::move(vertexOfPoint))
   , blocks_(std::move(blocks))
   , isCopy_(std::move(isCopy))
+  , scale_(scale)
   , diagonal_(diagonal)
   , report_(report)
 {

@@ -3,6 +3,7 @@
 #define geodesic_PolyDataSurface_h
 
 #include "PolyData/PolyDataBlocks.h"
+#include "PolyData/PowerOfTwoScale.h"
 #include "mesh/TriangleMesh.h"
 
 #include "vtkSmartPointer.h"
@@ -62,14 +63,17 @@ public:
   /// \param isCopy whether a triangle is marked as a duplicate, by a ghost array, of another that
   /// is
   ///        here: it is not among the input faces of the mesh. Empty where there are none.
+  /// \param scale of the mesh against the points.
   /// \param diagonal of the bounding box of the points that triangles use.
   PolyDataSurface(std::unique_ptr<TriangleMesh> mesh, std::vector<Id> vertexOfPoint,
-    std::vector<SurfaceBlock> blocks, std::vector<std::uint8_t> isCopy, double diagonal,
-    const Report& report);
+    std::vector<SurfaceBlock> blocks, std::vector<std::uint8_t> isCopy,
+    const PowerOfTwoScale& scale, double diagonal, const Report& report);
 
   const TriangleMesh& mesh() const { return *this->mesh_; }
   const Report& report() const { return this->report_; }
-  /// Of the bounding box of the points that triangles use.
+  /// What the mesh, and all that is computed on it, is larger by than the input.
+  const PowerOfTwoScale& scale() const { return this->scale_; }
+  /// Of the bounding box of the points that triangles use, on the mesh.
   double diagonal() const { return this->diagonal_; }
   const std::vector<SurfaceBlock>& blocks() const { return this->blocks_; }
   /// Takes the cells of an input with the same content for those of the input that this was made
@@ -113,6 +117,7 @@ private:
   /// The triangles without copies; empty where there are none.
   std::vector<Id> ownTriangles_;
   Id numberOfCopies_ = 0;
+  PowerOfTwoScale scale_;
   double diagonal_;
   Report report_;
 };

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -94,6 +95,7 @@ public:
     }
     this->progress_.nextUntil(TrianglesRead);
     this->readTriangles(faces);
+    this->scaleVertices();
     if (mergeCoincidentPoints)
     {
       this->mergeSeams();
@@ -107,7 +109,7 @@ public:
     const double diagonal = diagonalOf(this->vertices_, this->triangles_.corners);
     std::unique_ptr<TriangleMesh> mesh = this->makeMesh();
     return { std::move(mesh), std::move(this->vertexOfPoint_), std::move(this->blocks_),
-      std::move(this->isCopy_), diagonal, this->report_ };
+      std::move(this->isCopy_), this->scale_, diagonal, this->report_ };
   }
 
 private:
@@ -118,6 +120,7 @@ private:
   void readTriangles(std::size_t block, const std::function<void()>& next);
   Triangle verticesOf(const Triangle& points) const;
   std::size_t endOfTriangles(std::size_t block) const;
+  void scaleVertices();
   void mergeSeams();
   void takeOver(const std::vector<Id>& same);
   void findCopies();
@@ -136,6 +139,7 @@ private:
   std::vector<bool> hasOtherCells_;
   /// Whether a triangle is a copy of another; empty where none is.
   std::vector<std::uint8_t> isCopy_;
+  PowerOfTwoScale scale_;
   PolyDataSurface::Report report_;
 };
 
@@ -271,6 +275,47 @@ std::size_t SurfaceReader::endOfTriangles(std::size_t block) const
 {
   return block + 1 < this->blocks_.size() ? this->blocks_[block + 1].firstTriangle
                                           : this->triangles_.corners.size();
+}
+
+/// Brings the vertices to a size that the engine can compute with. Points that no triangle uses may
+/// be anywhere, and are no more than finite then.
+///
+/// \throws MeshError where there is no such size.
+void SurfaceReader::scaleVertices()
+{
+  constexpr double largestOfAll = 1e290;
+  double largest = 0.0;
+  for (const Triangle& triangle : this->triangles_.corners)
+  {
+    for (const Id vertex : this->verticesOf(triangle))
+    {
+      for (const double x : this->vertices_[vertex])
+      {
+        largest = std::max(largest, std::abs(x));
+      }
+    }
+  }
+  if (largest > largestOfAll || (largest > 0.0 && largest < 1.0 / largestOfAll))
+  {
+    std::ostringstream message;
+    message
+      << "The largest coordinate of the surface (input port 0) is " << largest
+      << ". Distances can be computed where it is between 1e-290 and 1e290: scale the surface "
+         "and the source upstream, for example by the Transform filter.";
+    throw MeshError(message.str());
+  }
+  this->scale_ = PowerOfTwoScale(largest);
+  if (!this->scale_.isOne())
+  {
+    for (Vec3& p : this->vertices_)
+    {
+      p = this->scale_.toEngine(p);
+      for (double& x : p)
+      {
+        x = std::clamp(x, -DBL_MAX, DBL_MAX);
+      }
+    }
+  }
 }
 
 /// Connects blocks whose boundaries meet within the rounding of their coordinates.

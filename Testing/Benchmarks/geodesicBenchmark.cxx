@@ -323,7 +323,8 @@ std::vector<geodesic::SourceCurve> makeCurves(
   const std::vector<geodesic::PolyDataBlock> blocks =
     geodesic::polyDataBlocks(source.curves, "the source");
   geodesic::PolylineLocator locator(surface.mesh());
-  const auto lines = geodesic::readSource(blocks, locator, [](double) { return true; });
+  const auto lines =
+    geodesic::readSource(blocks, surface.scale(), locator, [](double) { return true; });
   return geodesic::putOntoSurface(surface.mesh(), lines, geodesic::snapOptionsFor(blocks),
     geodesic::joinByShortestPaths(surface.mesh(), geodesic::smpParallelFor()))
     .curves;

@@ -364,43 +364,6 @@ TEST(RefinementOfThreeFaces, SeesAPointThatMakesNoCornerNearer)
   EXPECT_GE(same.errorBound, 0.7) << "the interpolant at the point";
 }
 
-// The distance to a side of a plane is linear on every face, also along edges that its rays run
-// along: all that is off is rounding.
-TEST(RefinementOfACoarsePlane, AFieldThatIsLinearIsNotRefined)
-{
-  constexpr Index n = 24;
-  const PlainMesh flat = regularGrid(n, n);
-  Random random(5);
-  const PlainMesh plane = geodesictest::moved(flat, random);
-  const TriangleMesh engine = engineMesh(plane);
-  Sources side;
-  for (Index face = 0; face < flat.triangles.size(); ++face)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const Triangle& t = flat.triangles[face];
-      if (flat.points[t[k]][0] == 0.0 && flat.points[t[(k + 1) % 3]][0] == 0.0)
-      {
-        MeshSegment segment{ face, {}, {} };
-        segment.from[k] = 1.0;
-        segment.to[(k + 1) % 3] = 1.0;
-        side.segments.push_back(segment);
-      }
-    }
-  }
-  ASSERT_EQ(side.segments.size(), n);
-  const DistanceField field = solveKeepingAll(engine, engineCurves(engine, side));
-  const RefinedMesh refined = refineTo(field, 1e-9);
-  EXPECT_EQ(refined.triangles.size(), plane.triangles.size());
-  double measured = 0.0;
-  for (Index v = 0; v < flat.points.size(); ++v)
-  {
-    measured = std::max(measured, std::abs(field.vertexDistances()[v] - flat.points[v][0]));
-  }
-  EXPECT_GT(measured, 0.0);
-  EXPECT_LE(measured, refined.errorBound);
-}
-
 //----------------------------------------------------------------------------
 namespace
 {
