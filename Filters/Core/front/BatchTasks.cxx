@@ -47,20 +47,19 @@ void BatchTasks::relaxEdges(FrontWorker& worker, Id vertex) const
 {
   const double distance = this->vertices_.distance(vertex);
   const double error = this->vertices_.error(vertex);
-  const auto relax = [&](Id halfedge, Id other, const Arrival& from)
+  const auto relax = [&](Id halfedge, Id other, Id opposite, double x)
   {
-    const DistanceUpdate update = { other, distance + this->mesh_.length(halfedge), error, from };
-    if (this->vertices_.isNews(update))
+    const double along = distance + this->mesh_.length(halfedge);
+    if (this->vertices_.isNews(other, along))
     {
-      worker.updates.push_back(update);
+      worker.updates.push_back({ other, along, error, { opposite, x, vertex, {} } });
     }
   };
   for (const Id corner : this->mesh_.cornersAt(vertex))
   {
     const Id before = TriangleMesh::previousInFace(corner);
-    relax(
-      corner, this->mesh_.destination(corner), { before, this->mesh_.length(before), vertex, {} });
-    relax(before, this->mesh_.origin(before), { corner, 0.0, vertex, {} });
+    relax(corner, this->mesh_.destination(corner), before, this->mesh_.length(before));
+    relax(before, this->mesh_.origin(before), corner, 0.0);
   }
 }
 
@@ -116,7 +115,7 @@ void BatchTasks::propagate(FrontWorker& worker, Id halfedge, Id batch) const
       { halfedge, apex.shortest.crossing, apex.shortest.origin, apex.shortest.direction } } };
   for (const DistanceUpdate& update : found)
   {
-    if (this->vertices_.isNews(update))
+    if (this->vertices_.isNews(update.vertex, update.distance, update.from.halfedge != NoId))
     {
       worker.updates.push_back(update);
     }
@@ -197,11 +196,10 @@ void BatchTasks::receive(FrontWorker& worker, const Outbox& outbox, std::size_t 
     [&](const WindowBlock& block)
     {
       const ApexDistance found = quickApexQuery(block.range(), position);
-      const DistanceUpdate update = { apex, found.distance, found.error,
-        { halfedge, found.crossing, found.origin, found.direction } };
-      if (this->vertices_.isNews(update))
+      if (this->vertices_.isNews(apex, found.distance))
       {
-        worker.arrivals.push_back(update);
+        worker.arrivals.push_back({ apex, found.distance, found.error,
+          { halfedge, found.crossing, found.origin, found.direction } });
       }
       worker.propagated += block.size;
       this->mergeInto(worker, halfedge, block);

@@ -62,9 +62,10 @@ public:
 
   /// Whether a path tells something new: it is shorter, or where arrivals are kept the first one
   /// known as long as that whose arrival is not known.
-  bool isNews(const DistanceUpdate& update) const
+  bool isNews(Id vertex, double distance, bool hasArrival = true) const
   {
-    return update.distance < this->distance(update.vertex) || this->isMissingArrival(update);
+    return distance < this->distance(vertex) ||
+      (hasArrival && this->isArrivalMissing(vertex, distance));
   }
 
   /// Takes a path over where it is shorter than the one known. \returns whether it was.
@@ -83,11 +84,10 @@ private:
     return { &(this->states_.front().*number), sizeof(VertexState) / sizeof(double) };
   }
 
-  bool isMissingArrival(const DistanceUpdate& update) const
+  bool isArrivalMissing(Id vertex, double distance) const
   {
-    return !this->arrivals_.empty() && update.from.halfedge != NoId &&
-      this->arrivals_[update.vertex].halfedge == NoId &&
-      update.distance <= this->distance(update.vertex) * (1.0 + tolerance::Tie);
+    return !this->arrivals_.empty() && this->arrivals_[vertex].halfedge == NoId &&
+      distance <= this->distance(vertex) * (1.0 + tolerance::Tie);
   }
 
   std::vector<VertexState> states_;
@@ -116,13 +116,14 @@ inline bool VertexStates::shorten(const DistanceUpdate& update)
   // A linear window's distance may be a rounding below 0 at its source.
   const double distance = std::max(update.distance, 0.0);
   VertexState& state = this->states_[update.vertex];
+  const bool isShorter = distance < state.distance;
   const bool isTie = distance >= state.distance * (1.0 - tolerance::Tie);
-  if (this->isMissingArrival(update) ||
-    (!this->arrivals_.empty() && distance < state.distance && !isTie))
+  if (!this->arrivals_.empty() &&
+    ((isShorter && !isTie) || this->isArrivalMissing(update.vertex, distance)))
   {
     this->arrivals_[update.vertex] = update.from;
   }
-  if (!(distance < state.distance))
+  if (!isShorter)
   {
     return false;
   }

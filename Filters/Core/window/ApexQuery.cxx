@@ -4,6 +4,23 @@
 namespace geodesic
 {
 
+namespace
+{
+
+/// The rest of what is told of the window that gives the distance.
+inline void describe(const Window* nearest, Vec2 apex, ApexDistance& shortest)
+{
+  if (nearest != nullptr)
+  {
+    shortest.crossing = nearest->crossing(apex);
+    shortest.error = nearest->error;
+    shortest.origin = nearest->origin;
+    shortest.direction = nearest->direction(shortest.crossing);
+  }
+}
+
+} // anonymous namespace
+
 ApexQuery fullApexQuery(const WindowRange& list, Vec2 apex, std::vector<ApexSide>& sides)
 {
   sides.resize(list.size());
@@ -53,13 +70,7 @@ ApexQuery fullApexQuery(const WindowRange& list, Vec2 apex, std::vector<ApexSide
     }
     previous = side;
   }
-  if (nearest != nullptr)
-  {
-    query.shortest.crossing = nearest->crossing(apex);
-    query.shortest.error = nearest->error;
-    query.shortest.origin = nearest->origin;
-    query.shortest.direction = nearest->direction(query.shortest.crossing);
-  }
+  describe(nearest, apex, query.shortest);
   return query;
 }
 
@@ -75,13 +86,14 @@ ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
     count = isBefore ? count - half - 1 : half;
   }
   ApexDistance shortest;
-  const auto consider = [&shortest, apex](const Window& w)
+  const Window* nearest = nullptr;
+  const auto consider = [&shortest, &nearest, apex](const Window& w)
   {
     const double distance = w.bentDistance(apex);
     if (distance < shortest.distance)
     {
-      const double x = w.crossing(apex);
-      shortest = { distance, x, w.error, w.origin, w.direction(x) };
+      shortest.distance = distance;
+      nearest = &w;
     }
   };
   if (first != list.end())
@@ -95,6 +107,7 @@ ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
     consider(*first);
     holds = first->passesRightOf(first->end, apex);
   }
+  describe(nearest, apex, shortest);
   return shortest;
 }
 
