@@ -65,6 +65,14 @@
  * refinement, of what they duplicate. A duplicate without an original counts once. Hidden cells are
  * holes.
  *
+ * @par
+ * Where the surface touches or overlaps itself, a point of a curve is equally close to several
+ * faces: those are taken that consecutive points have in common, so that a section of the surface
+ * comes out as it went in. Where a curve passes between sheets that are not connected, it is cut in
+ * two there.
+ * @par
+ * Coordinates may have any size between 1e-290 and 1e290; beyond that there is an error.
+ *
  * @par Output:
  * Port 0 has the surface as triangles, with all points of the input, unchanged and in order, then
  * those that refinement has added. Of a composite surface it has the structure and the names
