@@ -55,11 +55,13 @@ bool isTie(
     same(a.distance(middle), b.distance(middle));
 }
 
-// Between crossings one of the two is smaller throughout; its middle tells which. The older one
-// keeps what is equal.
+// Between crossings one of the two is smaller throughout; its middle tells which, or the ends where
+// they tie in the middle: one source may lie on the way from the other. The older one keeps what is
+// equal.
 LowerParts lowerByCrossings(const Window& a, const Window& b, double lo, double hi)
 {
   const Crossings cross = crossings(a, b, lo, hi);
+  const auto difference = [&](double x) { return a.distance(x) - b.distance(x); };
   LowerParts lower;
   bool currentIsA = true;
   double begin = lo;
@@ -67,7 +69,12 @@ LowerParts lowerByCrossings(const Window& a, const Window& b, double lo, double 
   {
     const double end = i < cross.count ? cross.at[static_cast<std::size_t>(i)] : hi;
     const double middle = 0.5 * (begin + end);
-    const bool isA = a.distance(middle) <= b.distance(middle);
+    const double inMiddle = difference(middle);
+    const double atEnds = difference(begin) + difference(end);
+    const double distance = a.distance(middle);
+    const bool tie = std::abs(inMiddle) <= tolerance::Evaluation * distance &&
+      std::abs(atEnds) > tolerance::JointFraction * distance;
+    const bool isA = (tie ? atEnds : inMiddle) <= 0.0;
     if (i == 0)
     {
       lower.firstIsA = isA;

@@ -318,6 +318,27 @@ TEST(WindowCrossings, EqualWindowsHaveNoneAndTheFirstKeepsAll)
   }
 }
 
+TEST(LowerWindow, ATieOnAPartDoesNotHideWhoIsLowerOnTheRest)
+{
+  // The source of one lies on the way from that of the other, along the halfedge: from there on
+  // they tie, before it they do not.
+  const double sigma = 1.0;
+  for (const double x : { 0.3, 0.4, 0.5 })
+  {
+    const Window from = circularWindow(0.0, 1.0, -0.25, 0.0, sigma);
+    const Window on = circularWindow(0.0, 1.0, x, 0.0, from.distance(x));
+    for (const bool swap : { false, true })
+    {
+      const Window& a = swap ? on : from;
+      const Window& b = swap ? from : on;
+      const LowerParts parts = lowerOf(a, b, 0.0, 1.0);
+      const bool first = parts.firstIsA;
+      EXPECT_EQ(first, !swap) << "at the begin the straight one is lower";
+      EXPECT_TRUE(parts.cuts == 0 || parts.cut[0] >= x - 1e-12);
+    }
+  }
+}
+
 TEST(LowerWindow, WindowsThatTieButForRoundingAreNotCut)
 {
   Random random(3);
