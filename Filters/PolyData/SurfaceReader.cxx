@@ -122,7 +122,7 @@ private:
   std::size_t endOfTriangles(std::size_t block) const;
   void scaleVertices();
   void mergeSeams();
-  void takeOver(const std::vector<Id>& same);
+  void joinVertices(const std::vector<Id>& same);
   void findCopies();
   void keepTriangles(std::size_t block);
   void nameVertices();
@@ -341,14 +341,14 @@ void SurfaceReader::mergeSeams()
   const std::vector<Id> same = geodesic::mergeSeams(this->vertices_, seams);
   if (!same.empty())
   {
-    this->takeOver(same);
+    this->joinVertices(same);
   }
 }
 
 /// Makes one vertex of those that are the same.
 ///
 /// \param same the lowest vertex that each is the same as.
-void SurfaceReader::takeOver(const std::vector<Id>& same)
+void SurfaceReader::joinVertices(const std::vector<Id>& same)
 {
   std::vector<Id> numbers(same.size());
   Id count = 0;

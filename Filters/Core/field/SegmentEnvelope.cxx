@@ -2,6 +2,7 @@
 #include "field/SegmentEnvelope.h"
 
 #include "Tolerance.h"
+#include "window/Interval.h"
 
 #include <algorithm>
 #include <iterator>
@@ -16,38 +17,6 @@ double jointSlack(double length, double distance)
 {
   return tolerance::JointFraction * length + tolerance::FaceRounding * distance;
 }
-
-/// A part of the segment.
-struct Part
-{
-  double begin;
-  double end;
-
-  /// Keeps where c0 + c1 x >= 0.
-  void keepPositive(double c0, double c1)
-  {
-    if (c1 > 0.0)
-    {
-      this->begin = std::max(this->begin, -c0 / c1);
-    }
-    else if (c1 < 0.0)
-    {
-      this->end = std::min(this->end, -c0 / c1);
-    }
-    else if (c0 < 0.0)
-    {
-      this->end = this->begin;
-    }
-  }
-  void widen(double margin, double length)
-  {
-    if (this->end > this->begin)
-    {
-      this->begin = std::max(0.0, this->begin - margin);
-      this->end = std::min(length, this->end + margin);
-    }
-  }
-};
 
 } // anonymous namespace
 
@@ -194,9 +163,9 @@ void SegmentEnvelope::addPencil(const DistanceCandidate& c, const Segment& segme
   const double leftOfEnd = cross(last, p - c.end);
   const double leftOfEndSlope = cross(last, u);
   const double margin = tolerance::PencilMargin * length;
-  Part straight{ 0.0, length };
-  straight.keepPositive(-leftOfBegin, -leftOfBeginSlope);
-  straight.keepPositive(leftOfEnd, leftOfEndSlope);
+  Interval straight{ 0.0, length };
+  straight.clip(-leftOfBegin, -leftOfBeginSlope);
+  straight.clip(leftOfEnd, leftOfEndSlope);
   straight.widen(margin, length);
   if (linear)
   {
@@ -209,12 +178,12 @@ void SegmentEnvelope::addPencil(const DistanceCandidate& c, const Segment& segme
   }
   if (withBent)
   {
-    Part before{ 0.0, length };
-    before.keepPositive(leftOfBegin, leftOfBeginSlope);
+    Interval before{ 0.0, length };
+    before.clip(leftOfBegin, leftOfBeginSlope);
     before.widen(margin, length);
     this->addCone(c.begin, c.atBegin, segment, before.begin, before.end);
-    Part behind{ 0.0, length };
-    behind.keepPositive(-leftOfEnd, -leftOfEndSlope);
+    Interval behind{ 0.0, length };
+    behind.clip(-leftOfEnd, -leftOfEndSlope);
     behind.widen(margin, length);
     this->addCone(c.end, c.atEnd, segment, behind.begin, behind.end);
   }
@@ -234,16 +203,16 @@ void SegmentEnvelope::addSource(const DistanceCandidate& c, const Segment& segme
   const Vec2 t = (1.0 / sourceLength) * (c.end - c.begin);
   const double along = dot(p - c.begin, t);
   const double alongSlope = dot(u, t);
-  Part strip{ 0.0, length };
-  strip.keepPositive(along, alongSlope);
-  strip.keepPositive(sourceLength - along, -alongSlope);
+  Interval strip{ 0.0, length };
+  strip.clip(along, alongSlope);
+  strip.clip(sourceLength - along, -alongSlope);
   strip.widen(tolerance::PencilMargin * length, length);
   for (const double sign : { 1.0, -1.0 })
   {
     const double height = sign * cross(t, p - c.begin);
     const double slope = sign * cross(t, u);
-    Part oneSide = strip;
-    oneSide.keepPositive(height, slope);
+    Interval oneSide = strip;
+    oneSide.clip(height, slope);
     this->addLinear(height, slope, alongSlope, oneSide.begin, oneSide.end);
   }
 }

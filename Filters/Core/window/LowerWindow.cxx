@@ -89,7 +89,7 @@ LowerParts lowerByCrossings(const Window& a, const Window& b, double lo, double 
   return lower;
 }
 
-// Whether the higher of two windows stays above the lower one, told from the ends. Distances are
+// Whether the higher of two windows stays above the lower one, as its ends tell. Distances are
 // convex: the higher one is above its tangent at an end, the lower one below its chord.
 bool staysAbove(const Window& above, const AtEnds& high, const AtEnds& low, double lo, double hi)
 {
@@ -132,9 +132,9 @@ LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi)
       }
     }
   }
-  const bool told = (atLo < 0.0 && atHi < 0.0 && staysAbove(b, ofB, ofA, lo, hi)) ||
+  const bool isClear = (atLo < 0.0 && atHi < 0.0 && staysAbove(b, ofB, ofA, lo, hi)) ||
     (atLo > 0.0 && atHi > 0.0 && staysAbove(a, ofA, ofB, lo, hi));
-  if (told)
+  if (isClear)
   {
     return lower;
   }

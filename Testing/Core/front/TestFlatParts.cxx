@@ -2,8 +2,8 @@
 // In flat parts of a surface a vertex splits a pencil of rays in two that are still one, and rays
 // of segments with nearly one direction are nearly equal over long ways. Neither may break windows
 // into more and more pieces.
-#include "truth/AnalyticDistances.h"
 #include "EngineSupport.h"
+#include "truth/AnalyticDistances.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@ namespace
 {
 
 using geodesic::Arrival;
-using geodesic::Id;
 using geodesic::EmittedInterval;
+using geodesic::Id;
 using geodesic::TriangleMesh;
 using geodesic::Vec2;
 using geodesic::Vec3;
@@ -19,7 +19,7 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double AngleAccuracy = 1e-9;
 
 /// Triangles around vertex 0, closed or with a gap, every third one in the other orientation where
-/// asked for. Directions at vertex 0 are counted as angles from the first spoke.
+/// asked for. Directions at vertex 0 are counted as angles from the first edge.
 class Fan
 {
 public:
@@ -57,7 +57,7 @@ public:
   }
 
   /// What findSaddleWedge lights, as one flag for each of many directions.
-  std::vector<bool> lit(const std::vector<EmittedInterval>& halfedges, int directions) const
+  std::vector<bool> inShadow(const std::vector<EmittedInterval>& halfedges, int directions) const
   {
     std::vector<bool> result(static_cast<std::size_t>(directions), false);
     for (const EmittedInterval& part : halfedges)
@@ -110,13 +110,13 @@ private:
   std::vector<double> start_;
 };
 
-// What is lit is exactly what leaves at least pi on both sides of the bend.
+// What is in the shadow is exactly what leaves at least pi on both sides of the bend.
 void expectWedge(const Fan& fan, bool closed, const Arrival& from)
 {
   constexpr int directions = 997;
   std::vector<EmittedInterval> halfedges;
   ASSERT_TRUE(findSaddleWedge(fan.mesh(), 0, from, halfedges));
-  const std::vector<bool> lit = fan.lit(halfedges, directions);
+  const std::vector<bool> inShadow = fan.inShadow(halfedges, directions);
   const double arrival = fan.angle(from.halfedge, from.x);
   for (int i = 0; i < directions; ++i)
   {
@@ -124,7 +124,7 @@ void expectWedge(const Fan& fan, bool closed, const Arrival& from)
     const double smaller = closed ? std::min(turn, fan.total() - turn) : turn;
     if (std::abs(smaller - Pi) > AngleAccuracy)
     {
-      EXPECT_EQ(lit[static_cast<std::size_t>(i)], smaller > Pi)
+      EXPECT_EQ(inShadow[static_cast<std::size_t>(i)], smaller > Pi)
         << "arrival at " << arrival << ", direction " << fan.direction(i, directions);
     }
   }
