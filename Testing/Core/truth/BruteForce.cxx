@@ -686,8 +686,9 @@ void Solver::push(Pencil pencil)
   const Plane rightmost = borderPoint(pencil, false);
   // An edge that stands on an end of the segment at a right angle leans over it by rounding. Below
   // the segment that is no ray.
-  const double lowest = std::min(leftmost.y, rightmost.y);
-  if (pencil.strip && lowest < -PencilSlack * (size(pencil.left) + size(pencil.right)))
+  const auto [lowest, highest] = std::minmax({ leftmost.y, rightmost.y });
+  const double slack = PencilSlack * (size(pencil.left) + size(pencil.right));
+  if (pencil.strip && lowest < -slack && highest <= slack)
   {
     return;
   }
