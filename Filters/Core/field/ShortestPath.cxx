@@ -15,8 +15,12 @@ namespace geodesic
 namespace
 {
 
-/// Of the progress, for the front from the second point.
-constexpr double ShareOfFirstHalf = 0.4;
+/// Of the progress, for the search.
+constexpr double ShareOfSearch = 0.7;
+
+/// Relative error of the search. The strip that it leaves is as wide as the root of that; with
+/// less, the search takes longer, with more what follows.
+constexpr double SearchError = 1e-3;
 
 std::vector<SourceCurve> pointSource(const SurfacePoint& point)
 {
@@ -45,26 +49,12 @@ std::vector<double> distancesInSpace(const TriangleMesh& mesh, const SurfacePoin
   return distances;
 }
 
-/// Goes half the way and keeps nothing.
-class HalfWay : public KeepNone
+/// Keeps what tracing from the second point needs, and narrows the corridor: the sum of what is
+/// known of both ways bounds the length of a path.
+class StripRetention : public RetentionAround
 {
 public:
-  explicit HalfWay(double reach)
-    : reach_(reach)
-  {
-  }
-  double reach() const override { return this->reach_; }
-
-private:
-  double reach_;
-};
-
-/// Keeps what tracing from the second point needs, and narrows the corridor: where both distances
-/// are known, their sum is the length of a path.
-class OtherHalf : public RetentionAround
-{
-public:
-  OtherHalf(const TriangleMesh& mesh, const SurfacePoint& second,
+  StripRetention(const TriangleMesh& mesh, const SurfacePoint& second,
     const std::vector<double>& toSecond, Corridor& corridor)
     : RetentionAround(mesh, { second })
     , toSecond_(toSecond)
@@ -77,7 +67,7 @@ public:
     RetentionAround::advance(front);
     for (const Id vertex : front.settled)
     {
-      const double length = front.distances(vertex) + this->toSecond_[vertex];
+      const double length = front.distances(vertex) + (1.0 + SearchError) * this->toSecond_[vertex];
       this->corridor_.length =
         std::min(this->corridor_.length, (1.0 + tolerance::BoundMargin) * length);
     }
@@ -88,17 +78,18 @@ private:
   Corridor& corridor_;
 };
 
-/// Lower bounds of the way to the second point. The front from there has come half the way, and
-/// left out what is no part of a path within the length: where its distance is too large for that
-/// reason, the true one is over what the way from the first point leaves.
+/// Lower bounds of the way to the second point: what the search from there has found is nowhere too
+/// large, save where it has left out what is no part of a path within the length. There, the true
+/// distance is over what the way from the first point leaves. Farther than it went nothing is
+/// nearer.
 std::vector<double> lowerBounds(const TriangleMesh& mesh, const SurfacePoint& first,
-  const SurfacePoint& second, const std::vector<double>& toSecond, double length, double halfWay)
+  const SurfacePoint& second, const std::vector<double>& toSecond, double length, double reach)
 {
   const std::vector<double> fromFirst = distancesInSpace(mesh, first);
   std::vector<double> bounds = distancesInSpace(mesh, second);
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
-    const double found = std::min({ toSecond[vertex], halfWay, length - fromFirst[vertex] });
+    const double found = std::min({ toSecond[vertex], reach, length - fromFirst[vertex] });
     bounds[vertex] = std::max(bounds[vertex], (1.0 - tolerance::BoundMargin) * found);
   }
   return bounds;
@@ -124,17 +115,20 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   FrontOptions options;
   options.corridor = &corridor;
   options.parallelFor = parallelFor;
-  options.progress = part(progress, 0.0, ShareOfFirstHalf);
-  HalfWay halfWay(0.5 * length);
+  options.progress = part(progress, 0.0, ShareOfSearch);
+  options.relativeError = SearchError;
+  RetentionAround search(mesh, { first });
   const std::vector<double> toSecond =
-    propagate(mesh, pointSource(second), options, halfWay).vertexDistances;
+    propagate(mesh, pointSource(second), options, search).vertexDistances;
 
-  corridor.lowerBounds = lowerBounds(mesh, first, second, toSecond, length, halfWay.reach());
+  corridor.lowerBounds = lowerBounds(mesh, first, second, toSecond, length, search.reach());
+  corridor.length = std::min(length, (1.0 + SearchError) * search.reach());
+  options.relativeError = 0.0;
   options.keepArrivals = true;
-  options.progress = part(progress, ShareOfFirstHalf, 1.0);
-  OtherHalf otherHalf(mesh, second, toSecond, corridor);
-  FrontResult front = propagate(mesh, pointSource(first), options, otherHalf);
-  const DistanceField field(mesh, std::move(front), otherHalf.release());
+  options.progress = part(progress, ShareOfSearch, 1.0);
+  StripRetention strip(mesh, second, toSecond, corridor);
+  FrontResult front = propagate(mesh, pointSource(first), options, strip);
+  const DistanceField field(mesh, std::move(front), strip.release());
   std::vector<SurfacePoint> path;
   try
   {

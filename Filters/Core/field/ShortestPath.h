@@ -10,13 +10,12 @@
 namespace geodesic
 {
 
-/// A shortest path between two points of a surface, found from both of them.
+/// A shortest path between two points of a surface.
 ///
-/// A front from the second point goes half the way and leaves the distances at vertices. Another
-/// one from the first point then goes on into that half only where a path can still be as short as
-/// the best one known, which is a strip of few faces. So two discs of half the radius are looked at
-/// in place of one of the whole, and no windows are kept: the path is traced by the directions in
-/// which it came to vertices.
+/// An approximate front from the second point, which costs a fraction of an exact one, leaves lower
+/// bounds of the way to that point. An exact one from the first point then goes only where a path
+/// can still be as short as the best one known, which is a strip of few faces. No windows are kept:
+/// the path is traced by the directions in which it came to vertices.
 ///
 /// \param length an upper bound of the path's length; all faces that a path of that length can
 /// touch
