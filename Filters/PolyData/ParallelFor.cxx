@@ -22,6 +22,8 @@ namespace
 
 /// Threads of vtkSMPTools that stay for a whole solve. A solve has some ten thousand short parallel
 /// loops, and vtkSMPTools may start its threads anew for each, which takes longer than they do.
+/// With a loop of vtkSMPTools for each in its place, an exact solve on 269 thousand faces takes
+/// about 1.9 times as long on two threads (STDThread, medians of three).
 ///
 /// Each member, the caller too, takes the tasks of a range of its own one by one, and then those
 /// that are left of the others', so that nobody waits for a thread to start. Ranges, because
