@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The front on several threads against the brute-force solver.
 #include "EngineSupport.h"
+#include "OnThreads.h"
 #include "truth/RandomMeshKinds.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <string>
-#include <thread>
 
 using namespace geodesictest;
 using geodesic::DistanceField;
@@ -27,19 +26,7 @@ public:
     return [this](std::size_t count, const std::function<void(std::size_t)>& task)
     {
       ++this->shared_;
-      std::atomic<std::size_t> next{ 0 };
-      const auto work = [&]()
-      {
-        for (std::size_t i = next++; i < count; i = next++)
-        {
-          task(i);
-        }
-      };
-      std::thread first(work);
-      std::thread second(work);
-      work();
-      first.join();
-      second.join();
+      onThreads(count, task);
     };
   }
   std::size_t shared() const { return this->shared_; }

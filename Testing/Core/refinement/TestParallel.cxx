@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The result is the same to the last bit however many tasks run, in whatever order.
 #include "EngineSupport.h"
+#include "OnThreads.h"
 #include "truth/RandomCurves.h"
 #include "truth/RandomMeshKinds.h"
 
@@ -9,9 +10,6 @@
 #include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>
-
-#include <atomic>
-#include <thread>
 
 using namespace geodesictest;
 using geodesic::DistanceField;
@@ -31,23 +29,6 @@ void lastToFirst(std::size_t count, const std::function<void(std::size_t)>& task
   {
     task(--count);
   }
-}
-
-void onThreads(std::size_t count, const std::function<void(std::size_t)>& task)
-{
-  std::atomic<std::size_t> next{ 0 };
-  const auto work = [&]()
-  {
-    for (std::size_t i = next++; i < count; i = next++)
-    {
-      task(i);
-    }
-  };
-  std::thread first(work);
-  std::thread second(work);
-  work();
-  first.join();
-  second.join();
 }
 
 struct Mode
