@@ -134,9 +134,7 @@ void DistanceField::arriveFromCorners(
     {
       continue;
     }
-    Barycentric corner{};
-    corner[k] = 1.0;
-    const double length = distanceInFace(*this->mesh_, face, corner, b);
+    const double length = distanceInFace(*this->mesh_, face, cornerWeights(k), b);
     const double distance = this->front_.vertexDistances[vertex] + length;
     if (distance < best.distance)
     {

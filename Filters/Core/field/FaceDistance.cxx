@@ -87,11 +87,9 @@ FaceDistance::FaceDistance(
   }
   for (std::size_t k = 0; k < 3; ++k)
   {
-    Barycentric corner{};
-    corner[k] = 1.0;
     const double sigma = field.vertexDistances()[this->mesh_->triangle(face)[k]];
     this->candidates_.push_back(
-      { DistanceCandidate::Kind::Cone, sigma, this->inPlane(corner), {}, {}, 0.0, 0.0 });
+      { DistanceCandidate::Kind::Cone, sigma, this->inPlane(cornerWeights(k)), {}, {}, 0.0, 0.0 });
   }
   for (const SourceInFace& source : field.sourcesIn(face))
   {

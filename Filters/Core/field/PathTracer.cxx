@@ -13,13 +13,6 @@ namespace geodesic
 namespace
 {
 
-Barycentric cornerWeights(std::size_t k)
-{
-  Barycentric weights{};
-  weights[k] = 1.0;
-  return weights;
-}
-
 /// How a path comes to a point of a face: from a corner or through a window.
 struct LastPiece
 {

@@ -53,11 +53,9 @@ double RetentionAround::upperBound(const SurfacePoint& target, const VertexNumbe
       const Barycentric weights = barycentric(this->mesh_, target, face);
       for (std::size_t k = 0; k < 3; ++k)
       {
-        Barycentric corner{};
-        corner[k] = 1.0;
         least = std::min(least,
           distances(this->mesh_.triangle(face)[k]) +
-            distanceInFace(this->mesh_, face, corner, weights));
+            distanceInFace(this->mesh_, face, cornerWeights(k), weights));
       }
     });
   return least;

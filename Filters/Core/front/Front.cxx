@@ -151,9 +151,8 @@ void Front::startFaces(const SourceWindows& initial)
     const Triangle& corners = this->mesh_.triangle(source.face);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      Barycentric corner{};
-      corner[k] = 1.0;
-      this->shorten({ corners[k], distanceToSource(this->mesh_, source, corner), 0.0, {} });
+      this->shorten(
+        { corners[k], distanceToSource(this->mesh_, source, cornerWeights(k)), 0.0, {} });
     }
     if (this->complete_.isLimited())
     {

@@ -10,6 +10,14 @@ namespace geodesic
 /// Barycentric coordinates of a point of a face.
 using Barycentric = std::array<double, 3>;
 
+/// Those of corner k.
+inline Barycentric cornerWeights(std::size_t k)
+{
+  Barycentric weights{};
+  weights[k] = 1.0;
+  return weights;
+}
+
 /// A point of a face in the frame of one of its halfedges: the halfedge along the x axis from its
 /// origin, the face above.
 Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& point);
