@@ -80,16 +80,19 @@ void FilterExecution::readSources()
   {
     const std::vector<PolyDataBlock> blocks =
       polyDataBlocks(this->sourceInput_, "the source (input port 1)");
-    const std::vector<LocatedPolyline> lines = readSource(blocks, this->surface().scale(),
-      this->locator(), this->progressBetween(SurfaceRead, SourceLocated));
+    const SourcePolylines source = readSource(blocks, this->surface().scale(), this->locator(),
+      this->progressBetween(SurfaceRead, SourceLocated));
     JoinedPaths& paths = this->cache_.joinedPaths();
     paths.beginUse();
-    this->sources_ = putOntoSurface(this->surface().mesh(), lines, snapOptionsFor(blocks),
-      paths.reusedBy(joinByShortestPaths(this->surface().mesh(), smpParallelFor())),
-      this->progressBetween(SourceLocated, InputsRead));
+    this->sources_ =
+      putOntoSurface(this->surface().mesh(), source.polylines, snapOptionsFor(blocks),
+        paths.reusedBy(joinByShortestPaths(this->surface().mesh(), smpParallelFor())),
+        this->progressBetween(SourceLocated, InputsRead));
     paths.endUse();
+    this->numberOfSources_ = source.numberOfSources;
     noteSource(this->surface(), this->sources_, this->notes_);
   }
+  this->firstBoundarySource_ = this->numberOfSources_;
   if (type != vtkGeodesicAlgorithm::SOURCE_CURVE)
   {
     this->addBoundary(hasCurve);
@@ -112,6 +115,10 @@ void FilterExecution::addBoundary(bool hasCurve)
   if (!hasCurve && this->filter_->GetSourceType() == vtkGeodesicAlgorithm::CURVE_AND_BOUNDARY)
   {
     this->notes_.add("No curve is connected to input port 1: the boundary alone is the source.");
+  }
+  for (SourceCurve& loop : boundary)
+  {
+    loop.source = this->numberOfSources_++;
   }
   std::move(boundary.begin(), boundary.end(), std::back_inserter(this->sources_.curves));
 }

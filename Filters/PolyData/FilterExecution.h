@@ -57,6 +57,11 @@ public:
   const PolyDataSurface& surface() const { return this->cache_.surface(); }
   PolylineLocator& locator() const { return this->cache_.locator(); }
   const SourceCurves& sources() const { return this->sources_; }
+  /// How many parts the source has: the cells of port 1 (points where there are no cells), then the
+  /// loops of the boundary. SourceCurve::source of each curve is below.
+  Id numberOfSources() const { return this->numberOfSources_; }
+  /// From which of them on they are loops of the boundary.
+  Id firstBoundarySource() const { return this->firstBoundarySource_; }
 
   /// What follows is this.
   void enter(Stage stage) { this->stage_ = stage; }
@@ -84,6 +89,8 @@ private:
   vtkDataObject* sourceInput_;
   std::vector<PolyDataBlock> surfaceBlocks_;
   SourceCurves sources_;
+  Id numberOfSources_ = 0;
+  Id firstBoundarySource_ = 0;
   Notes notes_;
 };
 

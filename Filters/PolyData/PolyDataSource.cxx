@@ -7,6 +7,8 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -27,6 +29,7 @@ struct Chain
   std::vector<std::size_t> points;
   bool closed = false;
   std::string name;
+  Id source = 0;
 };
 
 /// Takes the curves out of the cells of one block.
@@ -34,15 +37,20 @@ class ChainReader
 {
 public:
   /// \param firstPoint the number of the block's point 0 among those of all blocks.
+  /// \param firstSource SourceCurve::source of the block's first cell, or of its first point where
+  ///        it has no cells.
   /// \param chains to which curves are added.
-  ChainReader(const PolyDataBlock& block, std::size_t firstPoint, std::vector<Chain>& chains)
+  ChainReader(
+    const PolyDataBlock& block, std::size_t firstPoint, Id firstSource, std::vector<Chain>& chains)
     : block_(block)
     , firstPoint_(firstPoint)
+    , firstSource_(firstSource)
     , chains_(chains)
   {
   }
 
-  void read()
+  /// \returns how many sources there are: cells, or points where there are no cells.
+  Id read()
   {
     vtkPolyData* source = this->block_.data;
     this->read(source->GetVerts(), &ChainReader::addVertices);
@@ -51,11 +59,12 @@ public:
     this->read(source->GetStrips(), &ChainReader::addStrip);
     if (source->GetNumberOfCells() == 0)
     {
-      for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i)
+      for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i, ++this->cell_)
       {
         this->addPoint(i);
       }
     }
+    return static_cast<Id>(this->cell_);
   }
 
 private:
@@ -97,10 +106,12 @@ private:
     return this->firstPoint_ + static_cast<std::size_t>(id);
   }
 
+  Id source() const { return this->firstSource_ + static_cast<Id>(this->cell_); }
+
   void addPoint(vtkIdType point)
   {
     this->chains_.push_back({ { this->pointOf(point) }, false,
-      "point " + std::to_string(point) + " of " + this->block_.name });
+      "point " + std::to_string(point) + " of " + this->block_.name, this->source() });
   }
 
   void addVertices(vtkIdType size, const vtkIdType* ids)
@@ -120,6 +131,7 @@ private:
     }
     chain.closed = closed && ids.size() > 2;
     chain.name = "cell " + std::to_string(this->cell_) + " of " + this->block_.name;
+    chain.source = this->source();
   }
 
   void addLine(vtkIdType size, const vtkIdType* ids)
@@ -150,6 +162,7 @@ private:
 
   const PolyDataBlock& block_;
   std::size_t firstPoint_;
+  Id firstSource_;
   std::vector<Chain>& chains_;
   vtkIdType cell_ = 0;
 };
@@ -192,16 +205,17 @@ void requireFinite(
 
 }
 
-std::vector<LocatedPolyline> readSource(const std::vector<PolyDataBlock>& source,
-  const PowerOfTwoScale& scale, PolylineLocator& locator, const ProgressCallback& progress)
+SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale,
+  PolylineLocator& locator, const ProgressCallback& progress)
 {
   std::vector<Chain> chains;
   std::vector<Vec3> points;
   std::vector<std::size_t> firstPoints;
+  Id numberOfSources = 0;
   for (const PolyDataBlock& block : source)
   {
     firstPoints.push_back(points.size());
-    ChainReader(block, points.size(), chains).read();
+    numberOfSources += ChainReader(block, points.size(), numberOfSources, chains).read();
     for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
     {
       block.data->GetPoint(i, points.emplace_back().data());
@@ -219,13 +233,15 @@ std::vector<LocatedPolyline> readSource(const std::vector<PolyDataBlock>& source
     requireFinite(source[i], firstPoints[i], used);
   }
 
-  std::vector<LocatedPolyline> result;
-  result.reserve(chains.size());
+  SourcePolylines result;
+  result.numberOfSources = numberOfSources;
+  result.polylines.reserve(chains.size());
   for (Chain& chain : chains)
   {
     LocatedPolyline line;
     line.closed = chain.closed;
     line.name = std::move(chain.name);
+    line.source = chain.source;
     for (const std::size_t point : chain.points)
     {
       line.points.push_back(scale.toEngine(points[point]));
@@ -235,9 +251,9 @@ std::vector<LocatedPolyline> readSource(const std::vector<PolyDataBlock>& source
           " is too far from the surface for its size. Scale or move the source upstream.");
       }
     }
-    result.push_back(std::move(line));
+    result.polylines.push_back(std::move(line));
   }
-  locator.locate(result, snapOptionsFor(source).coordinatePrecision, progress);
+  locator.locate(result.polylines, snapOptionsFor(source).coordinatePrecision, progress);
   return result;
 }
 
@@ -268,12 +284,15 @@ void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
   vtkNew<vtkCellArray> lines;
+  std::vector<Id> sourcesOfVertices;
+  std::vector<Id> sourcesOfLines;
   for (const SourceCurve& curve : curves)
   {
     const bool closed = curve.isClosed();
     const auto count = static_cast<vtkIdType>(curve.points.size());
     const vtkIdType first = points->GetNumberOfPoints();
     vtkCellArray* cells = count > 1 ? lines : vertices;
+    (count > 1 ? sourcesOfLines : sourcesOfVertices).push_back(curve.source);
     cells->InsertNextCell(static_cast<int>(count));
     for (vtkIdType i = 0; i < count; ++i)
     {
@@ -287,6 +306,17 @@ void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
   output->SetPoints(points);
   output->SetVerts(vertices);
   output->SetLines(lines);
+
+  vtkNew<vtkIdTypeArray> sources; // in the order of the cells: vertices come first
+  sources->SetName("SourceId");
+  for (const std::vector<Id>* ids : { &sourcesOfVertices, &sourcesOfLines })
+  {
+    for (const Id id : *ids)
+    {
+      sources->InsertNextValue(static_cast<vtkIdType>(id));
+    }
+  }
+  output->GetCellData()->AddArray(sources);
 }
 
 }

@@ -12,20 +12,31 @@ class vtkPolyData;
 namespace geodesic
 {
 
+/// What was read of a source.
+struct SourcePolylines
+{
+  std::vector<LocatedPolyline> polylines;
+  /// Their LocatedPolyline::source are below; a cell without points has no polyline.
+  Id numberOfSources = 0;
+};
+
 /// Reads the curves of all blocks and locates their points on the surface: every line and polyline
 /// is a curve, every point of a vertex cell a point source, polygons and strips stand for their
-/// outlines, and points of a block without any cell are all point sources.
+/// outlines, and points of a block without any cell are all point sources. A polyline's `source` is
+/// the number of its cell, or of its point where a block has no cells, over all blocks in their
+/// order.
 ///
 /// \param scale of the surface that they are located on; the polylines have it too.
 /// \param progress called now and then with a fraction done; returning false throws Aborted.
 /// \throws SourceError where there is no point or one is not finite; Aborted.
-std::vector<LocatedPolyline> readSource(const std::vector<PolyDataBlock>& source,
-  const PowerOfTwoScale& scale, PolylineLocator& locator, const ProgressCallback& progress);
+SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale,
+  PolylineLocator& locator, const ProgressCallback& progress);
 
 /// What the coordinates' type allows: that of the least precise block.
 SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source);
 
-/// The curves as cells: a polyline each, a vertex where a curve is one point.
+/// The curves as cells: a polyline each, a vertex where a curve is one point. The cell array
+/// SourceId has SourceCurve::source of each.
 void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
   const std::vector<SourceCurve>& curves, vtkPolyData* output);
 

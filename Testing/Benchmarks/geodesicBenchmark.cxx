@@ -323,9 +323,9 @@ std::vector<geodesic::SourceCurve> makeCurves(
   const std::vector<geodesic::PolyDataBlock> blocks =
     geodesic::polyDataBlocks(source.curves, "the source");
   geodesic::PolylineLocator locator(surface.mesh());
-  const auto lines =
+  const geodesic::SourcePolylines read =
     geodesic::readSource(blocks, surface.scale(), locator, [](double) { return true; });
-  return geodesic::putOntoSurface(surface.mesh(), lines, geodesic::snapOptionsFor(blocks),
+  return geodesic::putOntoSurface(surface.mesh(), read.polylines, geodesic::snapOptionsFor(blocks),
     geodesic::joinByShortestPaths(surface.mesh(), geodesic::smpParallelFor()))
     .curves;
 }

@@ -417,6 +417,7 @@ SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedP
     {
       const PlacedLine kept = remover.run(polyline, line, isWhole && polyline.closed);
       result.curves.push_back(joiner.run(kept, polyline.name));
+      result.curves.back().source = polyline.source;
     }
     joiner.finish();
     pointProgress.finish(polyline);

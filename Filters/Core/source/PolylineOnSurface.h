@@ -27,6 +27,8 @@ struct LocatedPolyline
   bool closed = false;
   /// Name for error messages, such as "line 3 of the source".
   std::string name;
+  /// SourceCurve::source of its curves.
+  Id source = 0;
 };
 
 /// How located points are put onto the surface.

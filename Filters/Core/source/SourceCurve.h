@@ -21,6 +21,8 @@ struct SourceCurve
   /// Whether point i only cuts a straight segment at a mesh edge: no wedge and no circular windows
   /// there. One a point.
   std::vector<std::uint8_t> isCut;
+  /// The number of the part of the source that it belongs to, such as a cell's.
+  Id source = 0;
 
   bool isClosed() const;
 };
