@@ -50,7 +50,7 @@ WindowRuns DistanceField::windowsOn(Id halfedge) const
 std::vector<SourceInFace> DistanceField::sourcesIn(Id face) const
 {
   const auto [first, last] = std::equal_range(this->front_.sourcesInFaces.begin(),
-    this->front_.sourcesInFaces.end(), SourceInFace{ face, {}, {} },
+    this->front_.sourcesInFaces.end(), SourceInFace{ face },
     [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; });
   return { first, last };
 }

@@ -56,7 +56,8 @@ void comeThroughWindows(
       const double distance = std::max(window.distance(x), 0.0) + norm(p - Vec2{ x, 0.0 });
       if (distance < best.distance)
       {
-        best = { distance, NoId, { halfedge, x, window.origin, window.direction(x) } };
+        best = { distance, NoId,
+          { halfedge, window.origin, x, window.direction(x), window.placeOf({ x, 0.0 }) } };
       }
     }
   }

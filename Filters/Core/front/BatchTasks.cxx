@@ -9,6 +9,16 @@
 namespace geodesic
 {
 
+namespace
+{
+
+Arrival arrivalThrough(Id halfedge, const ApexDistance& apex)
+{
+  return { halfedge, apex.origin, apex.crossing, apex.direction, apex.place };
+}
+
+} // anonymous namespace
+
 void BatchTasks::prefetchFacing(Id vertex) const
 {
   const Id halfedge = this->vertices_[vertex].facing;
@@ -52,7 +62,7 @@ void BatchTasks::relaxEdges(FrontWorker& worker, Id vertex) const
     const double along = distance + this->mesh_.length(halfedge);
     if (this->vertices_.isNews(other, along))
     {
-      worker.updates.push_back({ other, along, error, { opposite, x, vertex, {} } });
+      worker.updates.push_back({ other, along, error, { opposite, vertex, x, {} } });
     }
   };
   for (const Id corner : this->mesh_.cornersAt(vertex))
@@ -112,7 +122,7 @@ void BatchTasks::propagate(FrontWorker& worker, Id halfedge, Id batch) const
     { this->mesh_.destination(halfedge), last.distance(last.end) + (face.length - last.end),
       last.error, {} },
     { this->mesh_.opposite(halfedge), apex.shortest.distance, apex.shortest.error,
-      { halfedge, apex.shortest.crossing, apex.shortest.origin, apex.shortest.direction } } };
+      arrivalThrough(halfedge, apex.shortest) } };
   for (const DistanceUpdate& update : found)
   {
     if (this->vertices_.isNews(update.vertex, update.distance, update.from.halfedge != NoId))
@@ -198,8 +208,8 @@ void BatchTasks::receive(FrontWorker& worker, const Outbox& outbox, std::size_t 
       const ApexDistance found = quickApexQuery(block.range(), position);
       if (this->vertices_.isNews(apex, found.distance))
       {
-        worker.arrivals.push_back({ apex, found.distance, found.error,
-          { halfedge, found.crossing, found.origin, found.direction } });
+        worker.arrivals.push_back(
+          { apex, found.distance, found.error, arrivalThrough(halfedge, found) });
       }
       worker.propagated += block.size;
       this->mergeInto(worker, halfedge, block);

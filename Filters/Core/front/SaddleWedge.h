@@ -16,13 +16,14 @@ struct Arrival
 {
   /// NoId where it is not known.
   Id halfedge = NoId;
-  double x = 0.0;
-  /// The pseudo-source that the piece comes from, which may be some faces farther; NoId where it
-  /// comes from the source.
+  /// What the piece comes from, which may be some faces farther: Window::origin.
   Id origin = NoId;
+  double x = 0.0;
   /// The direction of the piece, in the halfedge's frame, of any length: where the vertex is close
   /// to the halfedge the two places do not tell it well. Zero along an edge.
   Vec2 direction = {};
+  /// Where along a curve it comes from: Window::place.
+  double place = 0.0;
 };
 
 /// A part of the halfedge opposite a corner.

@@ -40,7 +40,7 @@ struct VertexState
   float edge = 0.0F;
   Emission emission = Emission::Nothing;
 
-  Arrival arrival() const { return { this->arrivalHalfedge, this->arrivalX }; }
+  Arrival arrival() const { return { this->arrivalHalfedge, NoId, this->arrivalX }; }
   /// Whether its distance is shorter than the one it was processed with, by more than a tie.
   bool isShorter() const { return this->distance < this->processed * (1.0 - tolerance::Tie); }
 };

@@ -26,6 +26,24 @@ Vec2 apexOf(const TriangleMesh& mesh, Id halfedge)
   return { shape.cornerDot[halfedge % 3] / length, shape.area2 / length };
 }
 
+// By the cosine and the sine of the angle between the two halfedges.
+Vec2 turned(const TriangleMesh& mesh, Vec2 direction, Id fromHalfedge, Id toHalfedge)
+{
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(fromHalfedge));
+  const std::size_t from = fromHalfedge % 3;
+  const std::size_t to = toHalfedge % 3;
+  const double scale = shape.length[from] * shape.length[to];
+  if (from == to || !(scale > 0.0))
+  {
+    return direction;
+  }
+  const bool isNext = from == (to + 1) % 3;
+  const Vec2 axis = { -shape.cornerDot[isNext ? from : to] / scale,
+    (isNext ? shape.area2 : -shape.area2) / scale };
+  return { direction.x * axis.x - direction.y * axis.y,
+    direction.x * axis.y + direction.y * axis.x };
+}
+
 Id longestHalfedge(const TriangleMesh& mesh, Id face)
 {
   return 3 * face + static_cast<Id>(mesh.shape(face).longestEdge());

@@ -25,6 +25,9 @@ Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& p
 /// The apex of that frame: the vertex opposite the halfedge, which must have a length.
 Vec2 apexOf(const TriangleMesh& mesh, Id halfedge);
 
+/// A direction in the frame of another halfedge of the same face.
+Vec2 turned(const TriangleMesh& mesh, Vec2 direction, Id fromHalfedge, Id toHalfedge);
+
 /// The face's longest halfedge, whose frame serves for the whole face.
 Id longestHalfedge(const TriangleMesh& mesh, Id face);
 

@@ -5,6 +5,7 @@
 #include "mesh/HalfedgeFrame.h"
 #include "mesh/SurfacePoint.h"
 #include "source/AnglesAroundVertex.h"
+#include "source/SegmentEnd.h"
 
 #include <functional>
 #include <utility>
@@ -12,14 +13,6 @@
 
 namespace geodesic
 {
-
-/// An end of a curve's segment: the segment runs from it to another point of the same face.
-struct SegmentEnd
-{
-  SurfacePoint from;
-  SurfacePoint to;
-  Id face;
-};
 
 /// The direction of a segment that ends at a point, in a face around the point: a unit vector in
 /// the frame of a halfedge of the face. Rays at less than a right angle to it start at the wrong

@@ -13,14 +13,16 @@ Vec2 inLeavingFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& po
 }
 
 void addLeavingWindow(const TriangleMesh& mesh, Id halfedge, const Interval& interval,
-  Window::Kind kind, Vec2 source, double sigma, std::vector<LeavingWindow>& windows)
+  const Window& window, std::vector<LeavingWindow>& windows)
 {
   const double length = mesh.length(halfedge);
   const double begin = std::max(interval.begin, 0.0);
   const double end = std::min(interval.end, length);
-  if (end - begin > tolerance::LeastWidth * length && source.y > 0.0)
+  if (end - begin > tolerance::LeastWidth * length && window.sourceDepth > 0.0)
   {
-    windows.push_back({ halfedge, { begin, end, source.x, source.y, sigma, 0.0, kind, 0 } });
+    LeavingWindow& leaving = windows.emplace_back(LeavingWindow{ halfedge, window });
+    leaving.window.begin = begin;
+    leaving.window.end = end;
   }
 }
 

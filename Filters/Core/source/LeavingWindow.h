@@ -23,12 +23,12 @@ struct LeavingWindow
 /// about the middle of the halfedge.
 Vec2 inLeavingFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& point);
 
-/// Adds a window of no error on the part of the interval that lies on the halfedge, unless that is
-/// too narrow or the rays run along the halfedge.
+/// Adds a window on the part of the interval that lies on the halfedge, unless that is too narrow
+/// or the rays run along the halfedge.
 ///
-/// \param source what the window has as sourceX and sourceDepth.
+/// \param window all of it but its interval.
 void addLeavingWindow(const TriangleMesh& mesh, Id halfedge, const Interval& interval,
-  Window::Kind kind, Vec2 source, double sigma, std::vector<LeavingWindow>& windows);
+  const Window& window, std::vector<LeavingWindow>& windows);
 
 /// The window through the halfedge opposite a corner, of rays that leave the vertex there.
 LeavingWindow vertexWindow(const TriangleMesh& mesh, Id corner, double sigma);

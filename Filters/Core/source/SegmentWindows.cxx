@@ -12,12 +12,14 @@ namespace
 {
 
 // The rays through one halfedge: the strip beside the segment, cut off by the rays at its two ends.
-void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const Barycentric& a,
-  const Barycentric& b, std::vector<LeavingWindow>& windows)
+void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFace& segment,
+  std::vector<LeavingWindow>& windows)
 {
-  Vec2 from = inLeavingFrame(mesh, halfedge, a);
-  Vec2 to = inLeavingFrame(mesh, halfedge, b);
-  if (from.x > to.x)
+  Vec2 from = inLeavingFrame(mesh, halfedge, segment.a);
+  Vec2 to = inLeavingFrame(mesh, halfedge, segment.b);
+  // Rays go up: seen along a segment from left to right they leave to its left.
+  const bool isRight = from.x > to.x;
+  if (isRight)
   {
     std::swap(from, to);
   }
@@ -34,20 +36,25 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const Barycentric
   // Where the segment touches the halfedge, rays leave the face up to there only.
   const double sigma = -cross(t, from);
   interval.clip(sigma + tolerance::SourceDepth * mesh.length(halfedge), -t.y);
-  addLeavingWindow(mesh, halfedge, interval, Window::Kind::Linear, { -t.y, t.x }, sigma, windows);
+  const double place = isRight ? segment.placeOfB + origin : segment.placeOfA - origin;
+  addLeavingWindow(mesh, halfedge, interval,
+    { 0.0, 0.0, -t.y, t.x, sigma, 0.0, Window::Kind::Linear, 0,
+      CurveSide{ segment.curve, isRight }.origin(mesh.numberOfVertices()), place },
+    windows);
 }
 
 } // anonymous namespace
 
-void addSegmentWindows(const TriangleMesh& mesh, Id face, const Barycentric& a,
-  const Barycentric& b, std::vector<LeavingWindow>& windows)
+void addSegmentWindows(
+  const TriangleMesh& mesh, const SourceInFace& segment, std::vector<LeavingWindow>& windows)
 {
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const Id halfedge = 3 * face + static_cast<Id>(k);
-    if (!runsAlong(k, a, b) && !mesh.isBoundary(halfedge) && mesh.length(halfedge) > 0.0)
+    const Id halfedge = 3 * segment.face + static_cast<Id>(k);
+    if (!runsAlong(k, segment.a, segment.b) && !mesh.isBoundary(halfedge) &&
+      mesh.length(halfedge) > 0.0)
     {
-      addThroughHalfedge(mesh, halfedge, a, b, windows);
+      addThroughHalfedge(mesh, halfedge, segment, windows);
     }
   }
 }

@@ -3,14 +3,15 @@
 #define geodesic_SegmentWindows_h
 
 #include "source/LeavingWindow.h"
+#include "source/SourceInFace.h"
 
 namespace geodesic
 {
 
-/// Adds the linear windows of a segment from a to b in a face: its rays leave at right angles to
-/// both sides and go out through the face's halfedges (paper, section 4.2 and figure 6).
-void addSegmentWindows(const TriangleMesh& mesh, Id face, const Barycentric& a,
-  const Barycentric& b, std::vector<LeavingWindow>& windows);
+/// Adds the linear windows of a segment in a face: its rays leave at right angles to both sides and
+/// go out through the face's halfedges (paper, section 4.2 and figure 6).
+void addSegmentWindows(
+  const TriangleMesh& mesh, const SourceInFace& segment, std::vector<LeavingWindow>& windows);
 
 /// Whether a segment from a to b of a face runs along its halfedge k.
 inline bool runsAlong(std::size_t k, const Barycentric& a, const Barycentric& b)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/SourceCurve.h"
 
+#include "mesh/HalfedgeFrame.h"
+
 namespace geodesic
 {
 
@@ -13,6 +15,19 @@ bool SourceCurve::isClosed() const
   const SurfacePoint& first = this->points.front();
   const SurfacePoint& last = this->points.back();
   return first.kind == last.kind && first.id == last.id && first.u == last.u && first.v == last.v;
+}
+
+std::vector<double> placesAlong(const TriangleMesh& mesh, const SourceCurve& curve)
+{
+  std::vector<double> places = { 0.0 };
+  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
+  {
+    const Id face = curve.faces[i];
+    places.push_back(places.back() +
+      distanceInFace(mesh, face, barycentric(mesh, curve.points[i], face),
+        barycentric(mesh, curve.points[i + 1], face)));
+  }
+  return places;
 }
 
 }

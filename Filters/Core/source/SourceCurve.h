@@ -27,6 +27,9 @@ struct SourceCurve
   bool isClosed() const;
 };
 
+/// Where the points of a curve are along it: lengths from its beginning.
+std::vector<double> placesAlong(const TriangleMesh& mesh, const SourceCurve& curve);
+
 }
 
 #endif

@@ -6,7 +6,7 @@
 namespace geodesic
 {
 
-Barycentric nearestOnSource(
+double nearestAlongSource(
   const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& point)
 {
   const Id frame = longestHalfedge(mesh, source.face);
@@ -14,7 +14,13 @@ Barycentric nearestOnSource(
   const Vec2 ab = inHalfedgeFrame(mesh, frame, source.b) - a;
   const double squared = dot(ab, ab);
   const double along = dot(inHalfedgeFrame(mesh, frame, point) - a, ab);
-  const double t = squared > 0.0 ? std::clamp(along / squared, 0.0, 1.0) : 0.0;
+  return squared > 0.0 ? std::clamp(along / squared, 0.0, 1.0) : 0.0;
+}
+
+Barycentric nearestOnSource(
+  const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& point)
+{
+  const double t = nearestAlongSource(mesh, source, point);
   Barycentric nearest;
   for (std::size_t k = 0; k < 3; ++k)
   {

@@ -60,6 +60,14 @@ std::size_t numberOfPoints(const std::vector<SourceCurve>& curves)
   return count;
 }
 
+/// A mesh vertex that is a point of a curve.
+struct VertexOnCurve
+{
+  Id vertex;
+  Id curve;
+  double place;
+};
+
 class Maker
 {
 public:
@@ -67,6 +75,7 @@ public:
     : mesh_(mesh)
     , progress_(progress)
     , wedge_(mesh)
+    , sectors_(mesh)
   {
   }
 
@@ -78,8 +87,10 @@ public:
       {
         point = normalized(this->mesh_, point);
       }
+      this->places_ = placesAlong(this->mesh_, curve);
       this->addSegments(curve);
       this->addPoints(curve);
+      ++this->curve_;
     }
     this->emitFromVertices();
     const auto byFace = [](const SourceInFace& a, const SourceInFace& b)
@@ -98,7 +109,7 @@ private:
       const SurfacePoint& p = curve.points[i];
       const SurfacePoint& q = curve.points[i + 1];
       const Id face = curve.faces[i];
-      this->addSegment(face, p, q);
+      this->addSegment(face, p, q, i);
       const Barycentric a = barycentric(this->mesh_, p, face);
       const Barycentric b = barycentric(this->mesh_, q, face);
       for (std::size_t k = 0; k < 3; ++k)
@@ -107,18 +118,17 @@ private:
         for (Id s = this->mesh_.nextSibling(halfedge); runsAlong(k, a, b) && s != halfedge;
              s = this->mesh_.nextSibling(s))
         {
-          this->addSegment(TriangleMesh::faceOf(s), p, q);
+          this->addSegment(TriangleMesh::faceOf(s), p, q, i);
         }
       }
     }
   }
 
-  void addSegment(Id face, const SurfacePoint& p, const SurfacePoint& q)
+  void addSegment(Id face, const SurfacePoint& p, const SurfacePoint& q, std::size_t i)
   {
-    const Barycentric a = barycentric(this->mesh_, p, face);
-    const Barycentric b = barycentric(this->mesh_, q, face);
-    this->result_.inFaces.push_back({ face, a, b });
-    addSegmentWindows(this->mesh_, face, a, b, this->result_.windows);
+    this->result_.inFaces.push_back({ face, barycentric(this->mesh_, p, face),
+      barycentric(this->mesh_, q, face), this->curve_, this->places_[i], this->places_[i + 1] });
+    addSegmentWindows(this->mesh_, this->result_.inFaces.back(), this->result_.windows);
   }
 
   void addPoints(const SourceCurve& curve)
@@ -135,46 +145,26 @@ private:
         this->progress_.nextPoint();
         continue;
       }
-      const std::vector<SegmentEnd> ends = this->segmentEndsAt(curve, i);
+      const std::vector<SegmentEnd> ends =
+        segmentEndsAt(this->mesh_, curve, this->curve_, this->places_, i);
       if (p.kind == SurfacePoint::Kind::Vertex)
       {
-        this->result_.vertices.push_back(p.id);
+        this->vertices_.push_back({ p.id, this->curve_, this->places_[i] });
         this->vertexEnds_.insert(this->vertexEnds_.end(), ends.begin(), ends.end());
         continue;
       }
-      this->emitFromPoint(p, ends);
+      this->emitFromPoint(p, ends, this->curve_, this->places_[i]);
     }
   }
 
-  // Segment i runs from point i to point i + 1.
-  std::vector<SegmentEnd> segmentEndsAt(const SourceCurve& curve, std::size_t i) const
-  {
-    const std::size_t count = curve.points.size();
-    std::vector<SegmentEnd> ends;
-    const auto add = [&](std::size_t to, std::size_t segment)
-    {
-      if (!samePlace(this->mesh_, curve.points[i], curve.points[to]))
-      {
-        ends.push_back({ curve.points[i], curve.points[to], curve.faces[segment] });
-      }
-    };
-    if (i + 1 < count)
-    {
-      add(i + 1, i);
-    }
-    if (i > 0 || curve.isClosed())
-    {
-      const std::size_t before = i > 0 ? i - 1 : count - 2;
-      add(before, before);
-    }
-    return ends;
-  }
-
-  void emitFromPoint(const SurfacePoint& p, const std::vector<SegmentEnd>& ends)
+  void emitFromPoint(
+    const SurfacePoint& p, const std::vector<SegmentEnd>& ends, Id curve, double place)
   {
     this->progress_.nextPoint();
     const auto step = [this] { this->progress_.step(); };
     this->wedge_.assign(p, ends, step);
+    this->sectors_.assign(
+      p, ends, { CurveSide{ curve, false }.origin(this->mesh_.numberOfVertices()), place });
     forEachFace(this->mesh_, p,
       [&](Id face)
       {
@@ -182,10 +172,10 @@ private:
         const Barycentric b = barycentric(this->mesh_, p, face);
         if (p.kind != SurfacePoint::Kind::Vertex)
         {
-          this->result_.inFaces.push_back({ face, b, b });
+          this->result_.inFaces.push_back({ face, b, b, curve, place, place });
           this->findNearVertices(face, b);
         }
-        addPointWindows(this->mesh_, face, b, this->wedge_, this->result_.windows);
+        addPointWindows(this->mesh_, face, b, this->wedge_, this->sectors_, this->result_.windows);
       });
   }
 
@@ -203,9 +193,12 @@ private:
   // Several curves may meet in one vertex: all their segments bound its wedges together.
   void emitFromVertices()
   {
-    std::vector<Id>& vertices = this->result_.vertices;
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    std::vector<VertexOnCurve>& vertices = this->vertices_;
+    std::stable_sort(vertices.begin(), vertices.end(),
+      [](const VertexOnCurve& a, const VertexOnCurve& b) { return a.vertex < b.vertex; });
+    const auto isSame = [](const VertexOnCurve& a, const VertexOnCurve& b)
+    { return a.vertex == b.vertex; };
+    vertices.erase(std::unique(vertices.begin(), vertices.end(), isSame), vertices.end());
     const auto key = [](const SegmentEnd& s)
     { return std::make_tuple(s.from.id, s.face, s.to.kind, s.to.id, s.to.u, s.to.v); };
     const auto less = [&](const SegmentEnd& a, const SegmentEnd& b) { return key(a) < key(b); };
@@ -213,14 +206,15 @@ private:
     std::sort(ends.begin(), ends.end(), less);
 
     auto first = ends.cbegin();
-    for (const Id vertex : vertices)
+    for (const VertexOnCurve& v : vertices)
     {
+      this->result_.vertices.push_back(v.vertex);
       auto last = first;
-      while (last != ends.cend() && last->from.id == vertex)
+      while (last != ends.cend() && last->from.id == v.vertex)
       {
         ++last;
       }
-      this->emitFromPoint(SurfacePoint::atVertex(vertex), { first, last });
+      this->emitFromPoint(SurfacePoint::atVertex(v.vertex), { first, last }, v.curve, v.place);
       first = last;
     }
   }
@@ -228,7 +222,12 @@ private:
   const TriangleMesh& mesh_;
   StepProgress& progress_;
   CurveWedge wedge_;
+  CurveSectors sectors_;
   SourceWindows result_;
+  /// The number of the curve at hand, and where its points are along it.
+  Id curve_ = 0;
+  std::vector<double> places_;
+  std::vector<VertexOnCurve> vertices_;
   /// Of all curves.
   std::vector<SegmentEnd> vertexEnds_;
 };

@@ -15,6 +15,7 @@ inline void describe(const Window* nearest, Vec2 apex, ApexDistance& shortest)
     shortest.crossing = nearest->crossing(apex);
     shortest.error = nearest->error;
     shortest.origin = nearest->origin;
+    shortest.place = nearest->placeOf({ shortest.crossing, 0.0 });
     shortest.direction = nearest->direction(shortest.crossing);
   }
 }

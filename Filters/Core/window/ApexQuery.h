@@ -19,8 +19,9 @@ struct ApexDistance
   double crossing = 0.0;
   /// The error of the window that gives it.
   double error = 0.0;
-  /// The origin of that window, and the direction of its ray there.
+  /// The origin of that window, where its ray there comes from, and the ray's direction.
   Id origin = NoId;
+  double place = 0.0;
   Vec2 direction = {};
 };
 

@@ -64,6 +64,7 @@ inline Window moved(const Window& window, Vec2 origin, Vec2 axis)
   if (window.isLinear())
   {
     w.sigma = window.straightDistance(origin);
+    w.place = window.placeOf(origin);
     w.sourceX = window.sourceX * axis.x + window.sourceDepth * axis.y;
     w.sourceDepth = window.sourceDepth * axis.x - window.sourceX * axis.y;
   }

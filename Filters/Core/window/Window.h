@@ -12,6 +12,30 @@ namespace geodesic
 /// The most faces that a window can have crossed.
 constexpr Id MaximumFacesCrossed = 0x7fffffffU;
 
+/// A side of a curve as Window::origin has it: after the numbers of the vertices, two numbers a
+/// curve, of which the left-hand side has the even one. Left is so as seen with the normals of the
+/// faces towards the viewer.
+struct CurveSide
+{
+  Id curve = NoId;
+  bool isRight = false;
+
+  /// The number of the first curve's left-hand side.
+  static Id first(Id numberOfVertices) { return numberOfVertices + numberOfVertices % 2; }
+  static bool isOne(Id origin, Id numberOfVertices)
+  {
+    return origin != NoId && origin >= numberOfVertices;
+  }
+  static CurveSide of(Id origin, Id numberOfVertices)
+  {
+    return { (origin - first(numberOfVertices)) / 2, (origin & 1U) != 0 };
+  }
+  Id origin(Id numberOfVertices) const
+  {
+    return first(numberOfVertices) + 2 * this->curve + (this->isRight ? 1 : 0);
+  }
+};
+
 /// A window: an interval of a halfedge together with the pencil of rays that enters the halfedge's
 /// face through it (paper, sections 3.2 and 4.2.1).
 ///
@@ -43,9 +67,12 @@ struct Window
   /// Number of faces crossed since the source: a shortest path crosses no face twice, which bounds
   /// it, and with it every propagation.
   Id facesCrossed : 31;
-  /// The vertex that its rays leave from as a pseudo-source; NoId where they come straight from a
-  /// source. Distances do not depend on it.
+  /// What its rays come straight from: a vertex as a pseudo-source, or one side of a curve
+  /// (CurveSide). Distances do not depend on it.
   Id origin = NoId;
+  /// Where along the curve, as the length from its beginning: its source, or of a linear window
+  /// what the ray through the halfedge's origin comes from. 0 for a pseudo-source.
+  double place = 0.0;
 
   bool isLinear() const { return this->kind == Kind::Linear; }
   double width() const { return this->end - this->begin; }
@@ -71,6 +98,15 @@ struct Window
     const double dx = p.x - this->sourceX;
     const double dy = p.y + this->sourceDepth;
     return this->sigma + std::sqrt(dx * dx + dy * dy);
+  }
+
+  /// Where along the curve the ray through a point of the face's plane comes from. On the left-hand
+  /// side of the curve its rays are the curve's direction turned to the left.
+  double placeOf(Vec2 p) const
+  {
+    const double along = this->sourceDepth * p.x - this->sourceX * p.y;
+    return this->isLinear() ? this->place + ((this->origin & 1U) == 0 ? along : -along)
+                            : this->place;
   }
 
   /// Direction of the ray through x, not normalised.
@@ -109,7 +145,7 @@ struct Window
   }
 };
 
-static_assert(sizeof(Window) == 56, "there are hundreds of millions of them");
+static_assert(sizeof(Window) == 64, "there are hundreds of millions of them");
 
 /// Windows that stand together in memory.
 struct WindowRange

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "source/CurveSectors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodesic
+{
+
+namespace
+{
+
+constexpr double FullAngle = 6.28318530717958647692;
+
+} // anonymous namespace
+
+void CurveSectors::assign(
+  const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const CurveOrigin& whole)
+{
+  this->whole_ = whole;
+  this->frames_.clear();
+  this->totals_.clear();
+  this->ends_.clear();
+  for (const SegmentEnd& end : ends)
+  {
+    if (this->frameOf(end.face) == nullptr)
+    {
+      this->addFan(point, end.face);
+    }
+    this->addEnd(end);
+  }
+  std::stable_sort(this->ends_.begin(), this->ends_.end());
+  this->findChanges();
+}
+
+void CurveSectors::addFan(const SurfacePoint& point, Id face)
+{
+  const std::size_t fan = this->totals_.size();
+  this->totals_.push_back(Infinity);
+  switch (point.kind)
+  {
+    case SurfacePoint::Kind::Face:
+      this->frames_.push_back({ longestHalfedge(this->mesh_, face), { fan, 0.0 }, FullAngle });
+      this->totals_.back() = FullAngle;
+      break;
+    case SurfacePoint::Kind::Edge:
+    {
+      Id halfedge = point.id;
+      while (TriangleMesh::faceOf(halfedge) != face)
+      {
+        halfedge = this->mesh_.nextSibling(halfedge);
+      }
+      this->addFanAroundEdge(halfedge);
+      break;
+    }
+    case SurfacePoint::Kind::Vertex:
+    {
+      Id corner = 3 * face;
+      while (this->mesh_.origin(corner) != point.id)
+      {
+        ++corner;
+      }
+      this->addFanAroundVertex(corner);
+      break;
+    }
+  }
+  std::sort(this->frames_.begin(), this->frames_.end(),
+    [](const Frame& a, const Frame& b) { return a.halfedge < b.halfedge; });
+}
+
+// The halfedge across an edge of two faces of one orientation; NoId elsewhere.
+Id CurveSectors::acrossEdge(Id halfedge) const
+{
+  const Id other = this->mesh_.nextSibling(halfedge);
+  const bool goesOn =
+    this->mesh_.isInner(halfedge) && this->mesh_.origin(other) == this->mesh_.destination(halfedge);
+  return goesOn ? other : NoId;
+}
+
+void CurveSectors::addFanAroundEdge(Id halfedge)
+{
+  const std::size_t fan = this->totals_.size() - 1;
+  this->frames_.push_back({ halfedge, { fan, 0.0 }, 0.5 * FullAngle });
+  const Id other = this->acrossEdge(halfedge);
+  if (other != NoId)
+  {
+    this->frames_.push_back({ other, { fan, 0.5 * FullAngle }, 0.5 * FullAngle });
+    this->totals_.back() = FullAngle;
+  }
+}
+
+// Counterclockwise as far as faces follow, and clockwise from the beginning where that is not all
+// around.
+void CurveSectors::addFanAroundVertex(Id corner)
+{
+  const std::size_t fan = this->totals_.size() - 1;
+  double angle = 0.0;
+  for (Id c = corner; c != NoId;)
+  {
+    const double width = this->mesh_.cornerAngle(c);
+    this->frames_.push_back({ c, { fan, angle }, width });
+    angle += width;
+    c = this->acrossEdge(TriangleMesh::previousInFace(c));
+    if (c == corner)
+    {
+      this->totals_.back() = angle;
+      return;
+    }
+  }
+  angle = 0.0;
+  for (Id before = this->acrossEdge(corner); before != NoId;)
+  {
+    const Id c = TriangleMesh::nextInFace(before);
+    const double width = this->mesh_.cornerAngle(c);
+    angle -= width;
+    this->frames_.push_back({ c, { fan, angle }, width });
+    before = this->acrossEdge(c);
+  }
+}
+
+void CurveSectors::addEnd(const SegmentEnd& end)
+{
+  const Frame& frame = *this->frameOf(end.face);
+  const Id vertices = this->mesh_.numberOfVertices();
+  const Vec2 from =
+    inHalfedgeFrame(this->mesh_, frame.halfedge, barycentric(this->mesh_, end.from, end.face));
+  const Vec2 to =
+    inHalfedgeFrame(this->mesh_, frame.halfedge, barycentric(this->mesh_, end.to, end.face));
+  // What lies counterclockwise from a segment that begins here is to its left.
+  const CurveSide after = { end.curve, !end.isBeginning };
+  const CurveSide before = { end.curve, end.isBeginning };
+  this->ends_.push_back({ this->angleIn(frame, to - from), { after.origin(vertices), end.place },
+    { before.origin(vertices), end.place } });
+}
+
+// In the middle between two segments that follow one another.
+void CurveSectors::findChanges()
+{
+  this->changes_.clear();
+  std::size_t first = 0; // of the fan
+  for (std::size_t i = 0; i < this->ends_.size(); ++i)
+  {
+    const End& end = this->ends_[i];
+    const std::size_t fan = end.at.fan;
+    first = this->ends_[first].at.fan == fan ? first : i;
+    const bool isLast = i + 1 == this->ends_.size() || this->ends_[i + 1].at.fan != fan;
+    const End& next = isLast ? this->ends_[first] : this->ends_[i + 1];
+    const double nextAngle = next.at.angle + (isLast ? this->total(fan) : 0.0);
+    if (nextAngle < Infinity && end.after != next.before)
+    {
+      const double middle = 0.5 * (end.at.angle + nextAngle);
+      this->changes_.push_back(
+        { fan, middle < this->total(fan) ? middle : middle - this->total(fan) });
+    }
+  }
+  std::sort(this->changes_.begin(), this->changes_.end());
+}
+
+const CurveSectors::Frame* CurveSectors::frameOf(Id face) const
+{
+  const auto frame = std::lower_bound(this->frames_.begin(), this->frames_.end(), 3 * face,
+    [](const Frame& f, Id halfedge) { return f.halfedge < halfedge; });
+  const bool isThere =
+    frame != this->frames_.end() && TriangleMesh::faceOf(frame->halfedge) == face;
+  return isThere ? &*frame : nullptr;
+}
+
+// The direction of a halfedge that begins at the point may be a rounding below it.
+CurveSectors::FanAngle CurveSectors::angleIn(const Frame& frame, Vec2 direction) const
+{
+  const double angle = std::atan2(direction.y, direction.x);
+  double around = frame.axis.angle + (angle < -0.25 * FullAngle ? angle + FullAngle : angle);
+  const double total = this->total(frame.axis.fan);
+  if (total < Infinity)
+  {
+    around -= total * std::floor(around / total);
+  }
+  return { frame.axis.fan, around };
+}
+
+CurveOrigin CurveSectors::of(Id halfedge, Vec2 direction) const
+{
+  const Frame* frame = this->frameOf(TriangleMesh::faceOf(halfedge));
+  if (frame == nullptr || !(dot(direction, direction) > 0.0))
+  {
+    return this->whole_;
+  }
+  const FanAngle at =
+    this->angleIn(*frame, turned(this->mesh_, direction, halfedge, frame->halfedge));
+  const auto begin =
+    std::lower_bound(this->ends_.begin(), this->ends_.end(), End{ { at.fan, -Infinity }, {}, {} });
+  const auto end = std::upper_bound(begin, this->ends_.end(), End{ { at.fan, Infinity }, {}, {} });
+  const auto next = std::upper_bound(begin, end, End{ at, {}, {} });
+  // The segments before and behind the direction, across the beginning where the faces close.
+  const double total = this->total(at.fan);
+  const End& before = next != begin ? *(next - 1) : *(end - 1);
+  const End& behind = next != end ? *next : *begin;
+  const double turn = at.angle - before.at.angle + (next != begin ? 0.0 : total);
+  const double turnBack = behind.at.angle - at.angle + (next != end ? 0.0 : total);
+  return turn <= turnBack ? before.after : behind.before;
+}
+
+std::vector<Vec2> CurveSectors::changesIn(Id halfedge) const
+{
+  std::vector<Vec2> changes;
+  const Frame* frame = this->frameOf(TriangleMesh::faceOf(halfedge));
+  if (frame == nullptr || this->changes_.empty())
+  {
+    return changes;
+  }
+  const double total = this->total(frame->axis.fan);
+  for (const double shift : { 0.0, total })
+  {
+    if (!(shift < Infinity))
+    {
+      continue;
+    }
+    const FanAngle axis = { frame->axis.fan, frame->axis.angle - shift };
+    for (auto change = std::lower_bound(this->changes_.begin(), this->changes_.end(), axis);
+         change != this->changes_.end() && change->fan == axis.fan &&
+         change->angle <= axis.angle + frame->width;
+         ++change)
+    {
+      const double turn = change->angle - axis.angle;
+      changes.push_back(
+        turned(this->mesh_, { std::cos(turn), std::sin(turn) }, frame->halfedge, halfedge));
+    }
+  }
+  return changes;
+}
+
+}
