@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field/LastPiece.h"
+
+#include "Errors.h"
+#include "Tolerance.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// The direction in which a path comes to a point p from x on a halfedge of this length, where the
+/// ray through x has a direction: that of the ray, unless the point lies beside it and the path
+/// bends at x, as it does at a corner that a window ends at.
+Vec2 directionTo(Vec2 p, double x, Vec2 ray, double length)
+{
+  const Vec2 d = p - Vec2{ x, 0.0 };
+  const double aside = std::abs(cross(ray, d)) / norm(ray);
+  return aside > tolerance::PlaceRounding * length ? d : ray;
+}
+
+/// Looks for the shortest way to one point.
+class LastPieceSearch
+{
+public:
+  LastPieceSearch(const DistanceField& field, const SurfacePoint& point)
+    : field_(field)
+    , mesh_(field.mesh())
+    , point_(point)
+  {
+  }
+
+  void comeFromSources(Id face)
+  {
+    const Barycentric weights = barycentric(this->mesh_, this->point_, face);
+    for (const SourceInFace& source : this->field_.sourcesIn(face))
+    {
+      const Barycentric nearest = nearestOnSource(this->mesh_, source, weights);
+      const double distance = distanceInFace(this->mesh_, face, nearest, weights);
+      if (this->improve(LastPiece::Kind::Source, distance, distance))
+      {
+        this->setDirection(face, nearest, weights);
+        this->best_.source = source;
+        this->best_.along = nearestAlongSource(this->mesh_, source, weights);
+      }
+    }
+  }
+
+  void comeFromCorners(Id face)
+  {
+    const Barycentric weights = barycentric(this->mesh_, this->point_, face);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id vertex = this->mesh_.triangle(face)[k];
+      const double length = distanceInFace(this->mesh_, face, cornerWeights(k), weights);
+      const bool isPoint =
+        this->point_.kind == SurfacePoint::Kind::Vertex && this->point_.id == vertex;
+      const double distance = this->field_.vertexDistances()[vertex] + length;
+      if (!isPoint && this->improve(LastPiece::Kind::Corner, distance, length))
+      {
+        this->setDirection(face, cornerWeights(k), weights);
+        this->best_.origin = vertex;
+      }
+    }
+  }
+
+  /// Windows of a halfedge that holds the point have come through the face behind it.
+  void comeThroughWindows(Id face)
+  {
+    const Barycentric weights = barycentric(this->mesh_, this->point_, face);
+    for (Id k = 0; k < 3; ++k)
+    {
+      const Id halfedge = 3 * face + k;
+      const bool isOnIt = weights[(k + 2) % 3] == 0.0;
+      // Behind an edge of three and more faces it may be any of the others.
+      const bool isUnsure = isOnIt && !this->mesh_.isInner(halfedge);
+      const Vec2 p = inHalfedgeFrame(this->mesh_, halfedge, weights);
+      for (const Window& w : this->field_.windowsOn(halfedge))
+      {
+        const double x = w.crossing(p);
+        const double distance = std::max(w.distance(x), 0.0) + norm(p - Vec2{ x, 0.0 });
+        const double straight = w.isLinear() ? distance : distance - w.sigma;
+        if (this->improve(LastPiece::Kind::Window, distance, isUnsure ? 0.0 : straight))
+        {
+          this->best_.frame = halfedge;
+          this->best_.direction =
+            directionTo(p, x, w.direction(x), this->mesh_.shape(face).longest());
+          this->best_.origin = w.origin;
+          this->best_.place = w.placeOf({ x, 0.0 });
+          if (isOnIt)
+          {
+            this->turnToFaceBehind(halfedge);
+          }
+        }
+      }
+    }
+  }
+
+  /// As the vertex remembers it.
+  void comeAsRemembered()
+  {
+    const Arrival& arrival = this->field_.arrivals()[this->point_.id];
+    const Id face = TriangleMesh::faceOf(arrival.halfedge);
+    this->best_.distance = this->field_.vertexDistances()[this->point_.id];
+    this->best_.origin = arrival.origin;
+    this->best_.place = arrival.place;
+    if (dot(arrival.direction, arrival.direction) > 0.0)
+    {
+      this->best_.kind = LastPiece::Kind::Window;
+      this->best_.frame = arrival.halfedge;
+      this->best_.direction = directionTo(apexOf(this->mesh_, arrival.halfedge), arrival.x,
+        arrival.direction, this->mesh_.shape(face).longest());
+      return;
+    }
+    this->best_.kind = LastPiece::Kind::Corner;
+    this->setDirection(face, barycentric(this->mesh_, SurfacePoint::atVertex(arrival.origin), face),
+      barycentric(this->mesh_, this->point_, face));
+  }
+
+  const LastPiece& best() const { return this->best_; }
+
+private:
+  // Of ways as long but for rounding the one that is straight the longest tells the direction best:
+  // from a corner a rounding beside the point there is none.
+  bool improve(LastPiece::Kind kind, double distance, double straight)
+  {
+    const double shortest = this->best_.distance;
+    const bool isTie = std::abs(distance - shortest) <= tolerance::Evaluation * distance;
+    if (!(isTie ? straight > this->straight_ : distance < shortest))
+    {
+      return false;
+    }
+    this->best_ = LastPiece();
+    this->best_.kind = kind;
+    this->best_.distance = std::min(distance, shortest);
+    this->straight_ = straight;
+    return true;
+  }
+
+  void setDirection(Id face, const Barycentric& from, const Barycentric& to)
+  {
+    this->best_.frame = longestHalfedge(this->mesh_, face);
+    this->best_.direction = inHalfedgeFrame(this->mesh_, this->best_.frame, to) -
+      inHalfedgeFrame(this->mesh_, this->best_.frame, from);
+  }
+
+  // In the frame of a halfedge that runs against it, a ray into the face runs the other way; one
+  // that runs along it sees the ray in a mirror.
+  void turnToFaceBehind(Id halfedge)
+  {
+    const Id behind = this->mesh_.nextSibling(halfedge);
+    const bool isOpposed = this->mesh_.origin(behind) == this->mesh_.destination(halfedge);
+    const Vec2 d = this->best_.direction;
+    this->best_.frame = behind;
+    this->best_.direction = { isOpposed ? -d.x : d.x, -d.y };
+  }
+
+  const DistanceField& field_;
+  const TriangleMesh& mesh_;
+  const SurfacePoint& point_;
+  LastPiece best_;
+  /// Length of the straight way that ends with it.
+  double straight_ = 0.0;
+};
+
+LastPiece lastPieceToVertex(const DistanceField& field, const SurfacePoint& point)
+{
+  if (field.arrivals().empty())
+  {
+    throw Error("The path to a vertex was asked for, but the solve did not keep arrivals.");
+  }
+  LastPieceSearch search(field, point);
+  const double distance = field.vertexDistances()[point.id];
+  if (!(distance < Infinity))
+  {
+    return search.best();
+  }
+  if (field.arrivals()[point.id].halfedge != NoId)
+  {
+    search.comeAsRemembered();
+  }
+  else
+  {
+    forEachFace(field.mesh(), point, [&](Id face) { search.comeFromSources(face); });
+  }
+  return search.best();
+}
+
+} // anonymous namespace
+
+LastPiece lastPieceTo(const DistanceField& field, const SurfacePoint& point)
+{
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    return lastPieceToVertex(field, point);
+  }
+  LastPieceSearch search(field, point);
+  bool isKnown = false;
+  forEachFace(field.mesh(), point,
+    [&](Id face)
+    {
+      if (field.knowsInside(face))
+      {
+        isKnown = true;
+        search.comeFromSources(face);
+        search.comeFromCorners(face);
+        search.comeThroughWindows(face);
+      }
+    });
+  if (!isKnown && !field.hasWindows())
+  {
+    throw Error("The path to a point was asked for, but the solve kept no windows there.");
+  }
+  return search.best();
+}
+
+Vec3 inSpace(const TriangleMesh& mesh, Id halfedge, Vec2 direction)
+{
+  const Vec3& origin = mesh.point(mesh.origin(halfedge));
+  const double length = mesh.length(halfedge);
+  const double size = norm(direction);
+  if (!(length > 0.0) || !(size > 0.0))
+  {
+    return {};
+  }
+  const Vec3 x = (1.0 / length) * (mesh.point(mesh.destination(halfedge)) - origin);
+  const Vec2 apex = apexOf(mesh, halfedge);
+  Vec3 result = (direction.x / size) * x;
+  if (apex.y > 0.0)
+  {
+    const Vec3 y = (1.0 / apex.y) * (mesh.point(mesh.opposite(halfedge)) - origin - apex.x * x);
+    result = result + (direction.y / size) * y;
+  }
+  const double unit = norm(result);
+  return unit > 0.0 ? (1.0 / unit) * result : Vec3{};
+}
+
+Vec3 gradientOf(const TriangleMesh& mesh, const LastPiece& piece)
+{
+  return piece.kind == LastPiece::Kind::None ? Vec3{} : inSpace(mesh, piece.frame, piece.direction);
+}
+
+}

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field/NearestSource.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+NearestSource::NearestSource(
+  const DistanceField& field, std::vector<SourceCurve> curves, const ProgressCallback& callback)
+  : field_(field)
+  , mesh_(field.mesh())
+  , curves_(std::move(curves))
+  , sectors_(field.mesh())
+{
+  this->findVertices();
+  this->origins_.assign(this->mesh_.numberOfVertices(), CurveOrigin());
+  LoopProgress progress(callback);
+  progress.nextUntil(0.5);
+  this->findBesideVertices(progress);
+  progress.nextUntil(1.0);
+  this->findOthers(progress);
+}
+
+void NearestSource::findVertices()
+{
+  const Id count = this->mesh_.numberOfVertices();
+  for (std::size_t c = 0; c < this->curves_.size(); ++c)
+  {
+    const auto number = static_cast<Id>(c);
+    SourceCurve& curve = this->curves_[c];
+    for (SurfacePoint& point : curve.points)
+    {
+      point = normalized(this->mesh_, point);
+    }
+    this->places_.push_back(placesAlong(this->mesh_, curve));
+    const std::vector<double>& places = this->places_.back();
+    const std::size_t points = curve.points.size() - (curve.isClosed() ? 1 : 0);
+    for (std::size_t i = 0; i < points; ++i)
+    {
+      if (curve.points[i].kind == SurfacePoint::Kind::Vertex)
+      {
+        this->vertices_.push_back(
+          { curve.points[i].id, { CurveSide{ number, false }.origin(count), places[i] } });
+        const std::vector<SegmentEnd> ends = segmentEndsAt(this->mesh_, curve, number, places, i);
+        this->vertexEnds_.insert(this->vertexEnds_.end(), ends.begin(), ends.end());
+      }
+    }
+  }
+  std::stable_sort(this->vertices_.begin(), this->vertices_.end());
+  const auto isSame = [](const VertexOnCurve& a, const VertexOnCurve& b)
+  { return a.vertex == b.vertex; };
+  this->vertices_.erase(
+    std::unique(this->vertices_.begin(), this->vertices_.end(), isSame), this->vertices_.end());
+  std::stable_sort(this->vertexEnds_.begin(), this->vertexEnds_.end(),
+    [](const SegmentEnd& a, const SegmentEnd& b) { return a.from.id < b.from.id; });
+}
+
+const NearestSource::VertexOnCurve* NearestSource::onCurve(Id vertex) const
+{
+  const auto found =
+    std::lower_bound(this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex, {} });
+  return found != this->vertices_.end() && found->vertex == vertex ? &*found : nullptr;
+}
+
+// The side of the curve is told from the direction at the vertex: all that come from one vertex
+// together.
+void NearestSource::findBesideVertices(const LoopProgress& progress)
+{
+  std::vector<std::pair<Id, Id>> beside; // the vertex on a curve, and the one beside it
+  const std::vector<Arrival>& arrivals = this->field_.arrivals();
+  for (Id vertex = 0; vertex < arrivals.size(); ++vertex)
+  {
+    progress.at(vertex, arrivals.size());
+    const Arrival& arrival = arrivals[vertex];
+    const VertexOnCurve* on = this->onCurve(vertex);
+    if (on != nullptr)
+    {
+      this->origins_[vertex] = on->origin;
+    }
+    else if (arrival.halfedge != NoId && dot(arrival.direction, arrival.direction) == 0.0 &&
+      this->onCurve(arrival.origin) != nullptr)
+    {
+      beside.emplace_back(arrival.origin, vertex);
+    }
+  }
+  std::sort(beside.begin(), beside.end());
+  for (const auto& [on, vertex] : beside)
+  {
+    const LastPiece piece = lastPieceTo(this->field_, SurfacePoint::atVertex(vertex));
+    this->origins_[vertex] = this->originOf(piece);
+  }
+}
+
+void NearestSource::findOthers(const LoopProgress& progress)
+{
+  for (Id vertex = 0; vertex < this->mesh_.numberOfVertices(); ++vertex)
+  {
+    progress.at(vertex, this->mesh_.numberOfVertices());
+    if (this->field_.vertexDistances()[vertex] < Infinity)
+    {
+      this->follow(vertex);
+    }
+  }
+}
+
+// Back from pseudo-source to pseudo-source, and forth again. Vertices at one place may name each
+// other: the way back ends there.
+void NearestSource::follow(Id vertex)
+{
+  std::vector<Id> way;
+  CurveOrigin found = this->origins_[vertex];
+  while (found.origin == NoId)
+  {
+    const LastPiece piece = lastPieceTo(this->field_, SurfacePoint::atVertex(vertex));
+    way.push_back(vertex);
+    const bool isFromVertex = piece.origin != NoId && piece.kind != LastPiece::Kind::Source &&
+      !CurveSide::isOne(piece.origin, this->mesh_.numberOfVertices());
+    if (!isFromVertex)
+    {
+      found = this->originOf(piece);
+      break;
+    }
+    vertex = piece.origin;
+    found = this->origins_[vertex];
+    if (std::find(way.begin(), way.end(), vertex) != way.end())
+    {
+      break;
+    }
+  }
+  for (const Id passed : way)
+  {
+    this->origins_[passed] = found;
+  }
+}
+
+Foot NearestSource::of(const LastPiece& piece)
+{
+  return this->footOf(this->originOf(piece));
+}
+
+CurveOrigin NearestSource::originOf(const LastPiece& piece)
+{
+  switch (piece.kind)
+  {
+    case LastPiece::Kind::None:
+      return {};
+    case LastPiece::Kind::Source:
+      return this->atSource(piece);
+    case LastPiece::Kind::Corner:
+    case LastPiece::Kind::Window:
+      break;
+  }
+  if (CurveSide::isOne(piece.origin, this->mesh_.numberOfVertices()))
+  {
+    return { piece.origin, piece.place };
+  }
+  if (piece.kind == LastPiece::Kind::Corner && this->onCurve(piece.origin) != nullptr)
+  {
+    this->goToVertex(piece.origin);
+    return this->sectors_.of(piece.frame, piece.direction);
+  }
+  return this->origins_[piece.origin];
+}
+
+// Beside a segment its line tells the side, at its ends the segments that meet there.
+CurveOrigin NearestSource::atSource(const LastPiece& piece)
+{
+  const SourceInFace& source = piece.source;
+  const double place = source.placeOfA + piece.along * (source.placeOfB - source.placeOfA);
+  if (piece.along > 0.0 && piece.along < 1.0)
+  {
+    const Vec2 along = inHalfedgeFrame(this->mesh_, piece.frame, source.b) -
+      inHalfedgeFrame(this->mesh_, piece.frame, source.a);
+    const CurveSide side = { source.curve, cross(along, piece.direction) < 0.0 };
+    return { side.origin(this->mesh_.numberOfVertices()), place };
+  }
+  const std::vector<double>& places = this->places_[source.curve];
+  const auto at = std::lower_bound(places.begin(), places.end(), place);
+  const auto i = static_cast<std::size_t>(at - places.begin());
+  this->goToPoint(source.curve, std::min(i, places.size() - 1));
+  return this->sectors_.of(piece.frame, piece.direction);
+}
+
+void NearestSource::goToVertex(Id vertex)
+{
+  if (vertex == this->sectorsVertex_)
+  {
+    return;
+  }
+  const auto before = [](const SegmentEnd& end, Id id) { return end.from.id < id; };
+  const auto first =
+    std::lower_bound(this->vertexEnds_.begin(), this->vertexEnds_.end(), vertex, before);
+  auto last = first;
+  while (last != this->vertexEnds_.end() && last->from.id == vertex)
+  {
+    ++last;
+  }
+  this->sectors_.assign(
+    SurfacePoint::atVertex(vertex), { first, last }, this->onCurve(vertex)->origin);
+  this->sectorsVertex_ = vertex;
+}
+
+void NearestSource::goToPoint(Id number, std::size_t i)
+{
+  const SourceCurve& curve = this->curves_[number];
+  const SurfacePoint& point = curve.points[i];
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    this->goToVertex(point.id);
+    return;
+  }
+  const std::vector<double>& places = this->places_[number];
+  const CurveOrigin whole = { CurveSide{ number, false }.origin(this->mesh_.numberOfVertices()),
+    places[i] };
+  // A closed curve begins and ends in one point.
+  const std::size_t first = curve.isClosed() && i + 1 == curve.points.size() ? 0 : i;
+  this->sectors_.assign(point, segmentEndsAt(this->mesh_, curve, number, places, first), whole);
+  this->sectorsVertex_ = NoId;
+}
+
+Foot NearestSource::footOf(const CurveOrigin& origin) const
+{
+  if (origin.origin == NoId)
+  {
+    return {};
+  }
+  const CurveSide side = CurveSide::of(origin.origin, this->mesh_.numberOfVertices());
+  return { side.curve, side.isRight, origin.place };
+}
+
+SurfacePoint NearestSource::pointOf(const Foot& foot) const
+{
+  const SourceCurve& curve = this->curves_[foot.curve];
+  const std::vector<double>& places = this->places_[foot.curve];
+  const auto behind = std::upper_bound(places.begin(), places.end(), foot.place);
+  if (behind == places.begin())
+  {
+    return curve.points.front();
+  }
+  const auto i = static_cast<std::size_t>(behind - places.begin()) - 1;
+  if (i + 1 == places.size() || foot.place == places[i])
+  {
+    return curve.points[i];
+  }
+  const double t = (foot.place - places[i]) / (places[i + 1] - places[i]);
+  const Id face = curve.faces[i];
+  const Barycentric a = barycentric(this->mesh_, curve.points[i], face);
+  const Barycentric b = barycentric(this->mesh_, curve.points[i + 1], face);
+  Barycentric at;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    at[k] = (1.0 - t) * a[k] + t * b[k];
+  }
+  return fromBarycentric(this->mesh_, face, at);
+}
+
+}

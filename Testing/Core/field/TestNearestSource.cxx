@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is nearest, where on it a shortest path ends, from which side it comes, and the gradient:
+// against the brute force from one curve alone, from the foot alone, and at steps against the
+// gradient.
+#include "EngineSupport.h"
+#include "truth/RandomMeshKinds.h"
+
+#include "field/NearestSource.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+
+using namespace geodesictest;
+using geodesic::Foot;
+using geodesic::Id;
+using geodesic::LastPiece;
+using geodesic::NearestSource;
+using geodesic::SurfacePoint;
+
+namespace
+{
+
+constexpr std::uint64_t MeshesOfAKind = 25;
+constexpr std::size_t NumberOfQueries = 40;
+constexpr std::size_t FeetTried = 6;
+
+geodesic::DistanceField solveWithArrivals(const geodesic::TriangleMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves, double maximumDistance = geodesic::Infinity)
+{
+  geodesic::FrontOptions options;
+  options.keepArrivals = true;
+  options.maximumDistance = maximumDistance;
+  return geodesic::solve(mesh, curves, options, geodesic::KeepWindows::All);
+}
+
+MeshPoint plainPoint(const geodesic::TriangleMesh& mesh, const SurfacePoint& point)
+{
+  const Id face = geodesic::someFace(mesh, point);
+  return { face, geodesic::barycentric(mesh, point, face) };
+}
+
+/// A random case, solved, and what is asked for at all vertices and queries.
+struct Solved
+{
+  RandomCase plain;
+  geodesic::TriangleMesh mesh;
+  std::vector<geodesic::SourceCurve> curves;
+  geodesic::DistanceField field;
+  NearestSource nearest;
+  std::vector<SurfacePoint> points;
+  std::vector<double> truth;
+  double largest;
+
+  Solved(const MeshKind& kind, std::uint64_t seed)
+    : plain(randomCase(kind, seed, NumberOfQueries))
+    , mesh(engineMesh(plain.mesh))
+    , curves(engineCurves(mesh, plain.curves))
+    , field(solveWithArrivals(mesh, curves))
+    , nearest(field, curves)
+    , truth(plain.truth.vertices)
+    , largest(largestFinite(plain.truth.vertices))
+  {
+    for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+    {
+      points.push_back(SurfacePoint::atVertex(vertex));
+    }
+    for (const MeshPoint& query : plain.queries)
+    {
+      points.push_back(geodesic::normalized(mesh, enginePoint(mesh, query)));
+    }
+    truth.insert(truth.end(), plain.truth.queries.begin(), plain.truth.queries.end());
+  }
+
+  Foot footAt(std::size_t i)
+  {
+    return points[i].kind == SurfacePoint::Kind::Vertex
+      ? nearest.atVertex(points[i].id)
+      : nearest.of(geodesic::lastPieceTo(field, points[i]));
+  }
+};
+
+class NearestSources : public ::testing::TestWithParam<MeshKind>
+{
+};
+
+} // anonymous namespace
+
+// The distance from the curve that is named, alone, is the field's.
+TEST_P(NearestSources, AreAsFarAsTheField)
+{
+  double worst = 0.0;
+  for (std::uint64_t seed = 0; seed < MeshesOfAKind; ++seed)
+  {
+    Solved s(GetParam(), seed);
+    std::vector<BruteForceResult> alone;
+    for (const Polyline& curve : s.plain.curves)
+    {
+      alone.push_back(bruteForceDistances(s.plain.mesh, toSources({ curve }), s.plain.queries));
+    }
+    for (std::size_t i = 0; i < s.points.size(); ++i)
+    {
+      const Foot foot = s.footAt(i);
+      ASSERT_EQ(foot.isKnown(), s.truth[i] < geodesic::Infinity)
+        << GetParam().name << ", seed " << seed << ", point " << i;
+      if (!foot.isKnown())
+      {
+        continue;
+      }
+      const BruteForceResult& of = alone[foot.curve];
+      const std::size_t vertices = of.vertices.size();
+      const double distance = i < vertices ? of.vertices[i] : of.queries[i - vertices];
+      const double error = std::abs(distance - s.truth[i]) / s.largest;
+      EXPECT_LE(error, accuracyOn(GetParam()))
+        << GetParam().name << ", seed " << seed << ", point " << i << ", curve " << foot.curve;
+      worst = std::max(worst, error);
+    }
+  }
+  std::cout << "worst relative error of the named curve on " << GetParam().name << ": " << worst
+            << "\n";
+}
+
+// The distance from the foot, as a point, is the field's.
+TEST_P(NearestSources, HaveTheirFeetAsFarAsTheField)
+{
+  double worst = 0.0;
+  for (std::uint64_t seed = 0; seed < MeshesOfAKind; ++seed)
+  {
+    Solved s(GetParam(), seed);
+    Random random(seed);
+    for (std::size_t n = 0; n < FeetTried; ++n)
+    {
+      const std::size_t i = random.below(s.points.size());
+      const Foot foot = s.footAt(i);
+      if (!foot.isKnown())
+      {
+        continue;
+      }
+      const SurfacePoint at = s.nearest.pointOf(foot);
+      Sources source;
+      source.points = { plainPoint(s.mesh, at) };
+      const double distance =
+        bruteForceDistances(s.plain.mesh, source, { plainPoint(s.mesh, s.points[i]) }).queries[0];
+      const double error = std::abs(distance - s.truth[i]) / s.largest;
+      EXPECT_LE(error, accuracyOn(GetParam()))
+        << GetParam().name << ", seed " << seed << ", point " << i << ", curve " << foot.curve
+        << " at " << foot.place << ", distance " << distance << ", truth " << s.truth[i];
+      worst = std::max(worst, error);
+    }
+  }
+  std::cout << "worst relative error of the foot on " << GetParam().name << ": " << worst << "\n";
+}
+
+// A short step against the gradient, in the face that the path comes through, lowers the distance
+// by its length.
+TEST_P(NearestSources, AreComeNearerToAgainstTheGradient)
+{
+  double worst = 0.0;
+  for (std::uint64_t seed = 0; seed < MeshesOfAKind; ++seed)
+  {
+    Solved s(GetParam(), seed);
+    std::vector<MeshPoint> steps;
+    std::vector<std::size_t> of;
+    std::vector<double> lengths;
+    for (std::size_t i = 0; i < s.points.size(); ++i)
+    {
+      const LastPiece piece = geodesic::lastPieceTo(s.field, s.points[i]);
+      const geodesic::Vec3 gradient = geodesic::gradientOf(s.mesh, piece);
+      const bool isOff = s.truth[i] < geodesic::Infinity && s.truth[i] > 1e-9 * s.largest;
+      if (!isOff)
+      {
+        continue;
+      }
+      const double size = geodesic::norm(gradient);
+      ASSERT_NEAR(size, 1.0, 1e-14) << GetParam().name << ", seed " << seed << ", point " << i;
+      // The step in barycentric coordinates, by the frame of the piece.
+      const Id face = geodesic::TriangleMesh::faceOf(piece.frame);
+      const geodesic::Barycentric at = geodesic::barycentric(s.mesh, s.points[i], face);
+      const double pieceLength = geodesic::norm(piece.direction);
+      const geodesic::FaceShape& shape = s.mesh.shape(face);
+      const double step = 1e-3 * std::min(shape.area2 / shape.longest(), s.truth[i]);
+      geodesic::Vec2 corners[3];
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        corners[k] = geodesic::inHalfedgeFrame(s.mesh, piece.frame, geodesic::cornerWeights(k));
+      }
+      const geodesic::Vec2 move = (-step / pieceLength) * piece.direction;
+      geodesic::Barycentric change;
+      double part = 1.0; // of the step, to stay in the face
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const geodesic::Vec2 edge = corners[(k + 2) % 3] - corners[(k + 1) % 3];
+        change[k] = geodesic::cross(edge, move) / shape.area2;
+        part = at[k] + change[k] < -1e-12 ? std::min(part, -at[k] / change[k]) : part;
+      }
+      // A point may lie a rounding beside an edge or a vertex, but a vertex has all of its step.
+      const bool isVertex = s.points[i].kind == SurfacePoint::Kind::Vertex;
+      EXPECT_GE(part, isVertex ? 1.0 - 1e-6 : 0.0)
+        << "the step leaves the face: " << GetParam().name << ", seed " << seed << ", point " << i;
+      geodesic::Barycentric moved;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        moved[k] = std::max(at[k] + part * change[k], 0.0);
+      }
+      steps.push_back({ face, moved });
+      of.push_back(i);
+      lengths.push_back(part * step);
+    }
+    const BruteForceResult truth =
+      bruteForceDistances(s.plain.mesh, toSources(s.plain.curves), steps);
+    for (std::size_t n = 0; n < of.size(); ++n)
+    {
+      const double lowered = s.truth[of[n]] - truth.queries[n];
+      const double error = std::abs(lowered - lengths[n]) / s.largest;
+      EXPECT_LE(error, accuracyOn(GetParam()))
+        << GetParam().name << ", seed " << seed << ", point " << of[n] << ": lowered by " << lowered
+        << ", step " << lengths[n];
+      worst = std::max(worst, error);
+    }
+  }
+  std::cout << "worst relative error of a step on " << GetParam().name << ": " << worst << "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, NearestSources, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });
