@@ -12,14 +12,21 @@ namespace geodesic
 namespace
 {
 
-/// The direction in which a path comes to a point p from x on a halfedge of this length, where the
-/// ray through x has a direction: that of the ray, unless the point lies beside it and the path
-/// bends at x, as it does at a corner that a window ends at.
-Vec2 directionTo(Vec2 p, double x, Vec2 ray, double length)
+bool isZero(Vec2 v)
+{
+  return v.x == 0.0 && v.y == 0.0; // squares of tiny numbers are zero, too
+}
+
+/// The direction in which a path comes to a point p from x on a halfedge of a face so long, where
+/// the ray through x has a direction: that of the ray, unless it is far shorter than the way from x
+/// to p, or the point lies beside it and the path bends at x, as it does at a corner that a window
+/// ends at.
+Vec2 directionTo(Vec2 p, double x, Vec2 ray, double longest)
 {
   const Vec2 d = p - Vec2{ x, 0.0 };
-  const double aside = std::abs(cross(ray, d)) / norm(ray);
-  return aside > tolerance::PlaceRounding * length ? d : ray;
+  const double length = norm(ray);
+  const bool isBent = std::abs(cross(ray, d)) > tolerance::PlaceRounding * longest * length;
+  return isBent || length < tolerance::NearEdge * norm(d) ? d : ray;
 }
 
 /// Looks for the shortest way to one point.
@@ -107,7 +114,7 @@ public:
     this->best_.distance = this->field_.vertexDistances()[this->point_.id];
     this->best_.origin = arrival.origin;
     this->best_.place = arrival.place;
-    if (dot(arrival.direction, arrival.direction) > 0.0)
+    if (!isZero(arrival.direction))
     {
       this->best_.kind = LastPiece::Kind::Window;
       this->best_.frame = arrival.halfedge;
@@ -184,7 +191,14 @@ LastPiece lastPieceToVertex(const DistanceField& field, const SurfacePoint& poin
   }
   else
   {
-    forEachFace(field.mesh(), point, [&](Id face) { search.comeFromSources(face); });
+    // Straight from a source in a face, or so near to a corner that rounding has hidden the
+    // arrival.
+    forEachFace(field.mesh(), point,
+      [&](Id face)
+      {
+        search.comeFromSources(face);
+        search.comeFromCorners(face);
+      });
   }
   return search.best();
 }
@@ -214,7 +228,9 @@ LastPiece lastPieceTo(const DistanceField& field, const SurfacePoint& point)
   {
     throw Error("The path to a point was asked for, but the solve kept no windows there.");
   }
-  return search.best();
+  const LastPiece& best = search.best();
+  const bool isAtCorner = best.kind == LastPiece::Kind::Corner && isZero(best.direction);
+  return isAtCorner ? lastPieceToVertex(field, SurfacePoint::atVertex(best.origin)) : best;
 }
 
 Vec3 inSpace(const TriangleMesh& mesh, Id halfedge, Vec2 direction)
@@ -240,7 +256,9 @@ Vec3 inSpace(const TriangleMesh& mesh, Id halfedge, Vec2 direction)
 
 Vec3 gradientOf(const TriangleMesh& mesh, const LastPiece& piece)
 {
-  return piece.kind == LastPiece::Kind::None ? Vec3{} : inSpace(mesh, piece.frame, piece.direction);
+  return piece.kind != LastPiece::Kind::None && piece.distance > 0.0
+    ? inSpace(mesh, piece.frame, piece.direction)
+    : Vec3{};
 }
 
 }

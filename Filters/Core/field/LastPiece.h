@@ -47,7 +47,7 @@ LastPiece lastPieceTo(const DistanceField& field, const SurfacePoint& point);
 Vec3 inSpace(const TriangleMesh& mesh, Id halfedge, Vec2 direction);
 
 /// The gradient of the distance at a point whose shortest path ends so: a unit vector in the plane
-/// of the face that the path comes through; zero where there is no piece.
+/// of the face that the path comes through; zero on the source and where there is no piece.
 Vec3 gradientOf(const TriangleMesh& mesh, const LastPiece& piece);
 
 }

@@ -78,7 +78,7 @@ void NearestSource::findBesideVertices(const LoopProgress& progress)
     {
       this->origins_[vertex] = on->origin;
     }
-    else if (arrival.halfedge != NoId && dot(arrival.direction, arrival.direction) == 0.0 &&
+    else if (arrival.halfedge != NoId && arrival.direction.x == 0.0 && arrival.direction.y == 0.0 &&
       this->onCurve(arrival.origin) != nullptr)
     {
       beside.emplace_back(arrival.origin, vertex);
