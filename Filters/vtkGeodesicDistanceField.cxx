@@ -6,6 +6,7 @@
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataSource.h"
 #include "PolyData/RefinedPolyData.h"
+#include "PolyData/SourceArrays.h"
 #include "PolyData/SurfaceWriter.h"
 #include "field/Solve.h"
 #include "refinement/AdaptiveRefinement.h"
@@ -22,6 +23,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,6 +34,8 @@ namespace
 
 // Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
 constexpr double FieldDoneBeforeRefinement = 0.55;
+constexpr double FieldDoneBeforeExactOne = 0.6;
+constexpr double FieldDoneBeforeSources = 0.85;
 constexpr double FieldDone = 0.9;
 constexpr double SurfaceWritten = 0.98;
 
@@ -57,6 +61,11 @@ public:
   vtkWorker(vtkGeodesicDistanceField* self, geodesic::FilterExecution& execution)
     : Self(self)
     , Execution(execution)
+    , Choice{ self->GenerateSourceIds, self->GenerateClosestPoints, self->GenerateGradients,
+      self->GenerateSignedDistance }
+    , DistancesDone(!this->Choice.isAny() ? FieldDone
+          : this->IsApproximate()         ? FieldDoneBeforeExactOne
+                                          : FieldDoneBeforeSources)
   {
   }
 
@@ -72,13 +81,21 @@ private:
     bool isRefined = false;
     /// The refined mesh, by blocks of the surface.
     std::vector<geodesic::RefinedMesh> refined;
+    /// What the arrays beside the distance hold, at vertices and, by blocks, at refined points.
+    geodesic::SourceValues atVertices;
+    std::vector<geodesic::SourceValues> atRefinedPoints;
   };
 
   bool CanRefine() const;
   double Tolerance() const;
   Result Compute();
   void ScaleToUser(Result& result) const;
+  geodesic::FrontOptions FrontOptions(double endOfProgress) const;
   geodesic::DistanceField Solve(bool refine) const;
+  geodesic::DistanceField SolveExactly(const Result& result) const;
+  void RequireSides() const;
+  void FindSources(const geodesic::DistanceField& field, Result& result) const;
+  geodesic::SourceArrays Arrays() const;
   geodesic::RefinementOptions RefinementOptions() const;
   geodesic::RefinedMesh Refine(const geodesic::DistanceField& field) const;
   void WriteSurface(const Result& result, vtkDataObject* output) const;
@@ -86,8 +103,16 @@ private:
   void WriteFieldData(vtkDataObject* output) const;
   void NoteReplacedArrays(bool isRefined) const;
 
+  bool IsApproximate() const
+  {
+    return this->Self->Accuracy == APPROXIMATE && this->Self->RelativeError > 0.0;
+  }
+
   vtkGeodesicDistanceField* Self;
   geodesic::FilterExecution& Execution;
+  /// Which arrays are asked for, and where the work on them begins, as a fraction of the whole.
+  const geodesic::SourceArrayChoice Choice;
+  const double DistancesDone;
 };
 
 //------------------------------------------------------------------------------
@@ -138,6 +163,7 @@ bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
 vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker::Compute()
 {
   Result result;
+  this->RequireSides();
   this->Execution.enter(geodesic::Stage::ComputingDistances);
   result.isRefined = this->CanRefine();
   const geodesic::DistanceField field = this->Solve(result.isRefined);
@@ -153,8 +179,93 @@ vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker:
     result.refined = geodesic::partsByBlock(this->Execution.surface(), std::move(refined));
   }
   result.vertexDistances = field.vertexDistances();
+  if (this->Choice.isAny())
+  {
+    this->FindSources(field, result);
+  }
   this->ScaleToUser(result);
   return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkWorker::RequireSides() const
+{
+  const geodesic::PolyDataSurface& surface = this->Execution.surface();
+  const geodesic::Id face =
+    this->Choice.signedDistances ? geodesic::findFaceWithoutSides(surface.mesh()) : geodesic::NoId;
+  if (face == geodesic::NoId)
+  {
+    return;
+  }
+  const geodesic::Id triangle = surface.triangleOf(face);
+  const std::size_t index = surface.blockOfTriangle(triangle);
+  const geodesic::SurfaceBlock& block = surface.blocks()[index];
+  throw geodesic::MeshError("GenerateSignedDistance needs a surface whose faces have one "
+                            "orientation and whose edges have at most two faces: cell " +
+    std::to_string(block.inputCell(static_cast<vtkIdType>(triangle - block.firstTriangle))) +
+    " of " + this->Execution.surfaceBlocks()[index].name +
+    " and a neighbor do not fit. Orient the surface upstream (Generate Surface Normals with "
+    "Consistency), split it, or switch GenerateSignedDistance off.");
+}
+
+//------------------------------------------------------------------------------
+// In approximate mode the exact field has to tell the feet: a merged window has many.
+geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveExactly(
+  const Result& result) const
+{
+  const geodesic::TriangleMesh& mesh = this->Execution.surface().mesh();
+  geodesic::FrontOptions options = this->FrontOptions(FieldDoneBeforeSources);
+  options.progress =
+    this->Execution.progressBetween(FieldDoneBeforeExactOne, FieldDoneBeforeSources);
+  options.relativeError = 0.0;
+  // A distance within the limit is that much smaller than the exact one at most.
+  options.maximumDistance /= 1.0 - std::min(this->Self->RelativeErrorBound, 0.5);
+  std::vector<std::uint8_t> faces(mesh.numberOfFaces(), 0);
+  for (const geodesic::RefinedMesh& part : result.refined)
+  {
+    for (const geodesic::RefinedPoint& point : part.points)
+    {
+      geodesic::forEachFace(mesh, point.place, [&](geodesic::Id face) { faces[face] = 1; });
+    }
+  }
+  geodesic::KeepFaces retention(mesh, std::move(faces));
+  geodesic::FrontResult front =
+    geodesic::propagate(mesh, this->Execution.sources().curves, options, retention);
+  return { mesh, std::move(front), retention.release() };
+}
+
+//------------------------------------------------------------------------------
+geodesic::SourceArrays vtkGeodesicDistanceField::vtkWorker::Arrays() const
+{
+  return geodesic::SourceArrays(this->Execution.surface(), this->Execution.sources().curves,
+    this->Execution.firstBoundarySource(), this->Choice);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkWorker::FindSources(
+  const geodesic::DistanceField& field, Result& result) const
+{
+  this->Execution.enter(geodesic::Stage::ComputingDistances);
+  std::optional<geodesic::DistanceField> other;
+  if (this->IsApproximate() && this->Choice.areFeetNeeded())
+  {
+    other.emplace(this->SolveExactly(result));
+  }
+  const geodesic::DistanceField& exact = other ? *other : field;
+  const double step = (FieldDone - FieldDoneBeforeSources) / 3.0;
+  const auto part = [&](int i)
+  {
+    const double begin = FieldDoneBeforeSources + i * step;
+    return this->Execution.progressBetween(begin, begin + step);
+  };
+  geodesic::NearestSource nearest(exact, this->Execution.sources().curves, part(0));
+  const geodesic::SourceArrays arrays = this->Arrays();
+  result.atVertices = arrays.atVertices(field, exact, nearest, part(1));
+  for (const geodesic::RefinedMesh& refined : result.refined)
+  {
+    result.atRefinedPoints.push_back(
+      arrays.atPoints(refined.points, field, exact, nearest, part(2)));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -188,7 +299,7 @@ void vtkGeodesicDistanceField::vtkWorker::ScaleToUser(Result& result) const
 }
 
 //------------------------------------------------------------------------------
-geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::Solve(bool refine) const
+geodesic::FrontOptions vtkGeodesicDistanceField::vtkWorker::FrontOptions(double endOfProgress) const
 {
   geodesic::FrontOptions options;
   if (this->Self->Accuracy == APPROXIMATE)
@@ -200,9 +311,18 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::Solve(bool refine) 
     options.maximumDistance =
       this->Execution.surface().scale().toEngine(this->Self->MaximumDistance);
   }
+  options.keepArrivals = this->Choice.isAny();
   options.parallelFor = geodesic::smpParallelFor();
-  options.progress = this->Execution.progressBetween(
-    geodesic::FilterExecution::InputsRead, refine ? FieldDoneBeforeRefinement : FieldDone);
+  options.progress =
+    this->Execution.progressBetween(geodesic::FilterExecution::InputsRead, endOfProgress);
+  return options;
+}
+
+//------------------------------------------------------------------------------
+geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::Solve(bool refine) const
+{
+  const geodesic::FrontOptions options =
+    this->FrontOptions(refine ? FieldDoneBeforeRefinement : this->DistancesDone);
   const geodesic::TriangleMesh& mesh = this->Execution.surface().mesh();
   const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
   return refine ? geodesic::solveForRefinement(mesh, curves, this->Tolerance(), options)
@@ -230,7 +350,8 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
     }
     options.numberOfPoints = surface.numberOfPoints();
   }
-  options.progress = this->Execution.progressBetween(FieldDoneBeforeRefinement, FieldDone);
+  options.progress =
+    this->Execution.progressBetween(FieldDoneBeforeRefinement, this->DistancesDone);
   return options;
 }
 
@@ -313,6 +434,12 @@ void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
       distances->SetValue(next++, point.distance);
     }
   }
+  if (this->Choice.isAny())
+  {
+    this->Arrays().write(block, result.atVertices,
+      result.isRefined ? result.atRefinedPoints[index] : geodesic::SourceValues(),
+      distances->GetPointer(0), output);
+  }
   output->GetPointData()->AddArray(distances);
   output->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
 }
@@ -347,6 +474,17 @@ void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) con
     this->Execution.notes().add(std::string("The surface already has a point array named ") + name +
       "; the output has the distance in its place. Change DistanceArrayName to keep both.");
   }
+  for (const char* added : this->Arrays().names())
+  {
+    const auto hasIt = [added](const geodesic::PolyDataBlock& block)
+    { return block.data->GetPointData()->HasArray(added) != 0; };
+    const std::vector<geodesic::PolyDataBlock>& blocks = this->Execution.surfaceBlocks();
+    if (std::any_of(blocks.begin(), blocks.end(), hasIt))
+    {
+      this->Execution.notes().add(std::string("The surface already has a point array named ") +
+        added + "; the output has the filter's in its place. Rename it upstream to keep both.");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -375,6 +513,16 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
   if (!this->DistanceArrayName || !*this->DistanceArrayName)
   {
     return "DistanceArrayName is empty: set a name for the distance array.";
+  }
+  const geodesic::SourceArrayChoice choice = { this->GenerateSourceIds, this->GenerateClosestPoints,
+    this->GenerateGradients, this->GenerateSignedDistance };
+  for (const char* name : geodesic::namesOf(choice))
+  {
+    if (std::string(name) == this->DistanceArrayName)
+    {
+      return std::string("DistanceArrayName is ") + name +
+        ", which is the name of another array that is asked for: set another name.";
+    }
   }
   if (this->Accuracy == APPROXIMATE &&
     !(this->RelativeError >= 0.0 && this->RelativeError < geodesic::Infinity))
@@ -441,6 +589,11 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent
      << "DistanceArrayName: " << (this->DistanceArrayName ? this->DistanceArrayName : "(none)")
      << "\n";
+  const auto onOff = [](bool value) { return value ? "On" : "Off"; };
+  os << indent << "GenerateSourceIds: " << onOff(this->GenerateSourceIds) << "\n";
+  os << indent << "GenerateClosestPoints: " << onOff(this->GenerateClosestPoints) << "\n";
+  os << indent << "GenerateGradients: " << onOff(this->GenerateGradients) << "\n";
+  os << indent << "GenerateSignedDistance: " << onOff(this->GenerateSignedDistance) << "\n";
   os << indent << "WindowsPropagatedPerEdge: " << this->WindowsPropagatedPerEdge << "\n";
   os << indent << "SourceSnapDistance: " << this->SourceSnapDistance << "\n";
   os << indent << "RelativeErrorBound: " << this->RelativeErrorBound << "\n";

@@ -255,6 +255,64 @@ public:
 
   ///@{
   /**
+   * Whether the output has the point array SourceId (vtkIdType): which part of the source is
+   * nearest, as the number of a cell on port 1 (over all blocks in their order), or of a point
+   * where a block has no cells; the loops of the boundary, where that is a source, are numbered
+   * after these. -1 where a point is not reached. Off by default. Output port 1 always has a cell
+   * array of that name and meaning.
+   *
+   * Where several shortest paths tie, the four arrays are those of one of them. They never change
+   * the distance. In approximate mode SourceId, ClosestSourcePoint and the sign are those of the
+   * exact field, which is computed in addition: that the named source is within RelativeError of
+   * the nearest could not be told from merged windows.
+   */
+  vtkSetMacro(GenerateSourceIds, bool);
+  vtkGetMacro(GenerateSourceIds, bool);
+  vtkBooleanMacro(GenerateSourceIds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output has the point array ClosestSourcePoint (3 doubles): the point of the source
+   * where a shortest path ends, in space; the point itself where it is not reached. It lies on the
+   * part of the source that SourceId names. Off by default.
+   */
+  vtkSetMacro(GenerateClosestPoints, bool);
+  vtkGetMacro(GenerateClosestPoints, bool);
+  vtkBooleanMacro(GenerateClosestPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output has the point array DistanceGradient (3 doubles): a unit vector away from
+   * the source, in the plane of the face that a shortest path (of the computed field) comes through
+   * to the point; zero on the source and where a point is not reached. Off by default.
+   */
+  vtkSetMacro(GenerateGradients, bool);
+  vtkGetMacro(GenerateGradients, bool);
+  vtkBooleanMacro(GenerateGradients, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output has the point array SignedGeodesicDistance: the distance, positive where a
+   * shortest path meets the curve from the left of its direction, seen with the normals of the
+   * faces towards the viewer, and negative on its right. The sides of an open curve part behind its
+   * ends, in the middle of the directions there. Points and the boundary as sources have no sides:
+   * the distance from them is positive. 0 on the source, +infinity where a point is not reached.
+   * Off by default.
+   *
+   * The sign jumps behind open ends and where paths from both sides tie:
+   * GetInterpolationErrorBound() does not cover this array. A surface with edges of three and more
+   * faces, or faces of opposite orientation side by side, is an error.
+   */
+  vtkSetMacro(GenerateSignedDistance, bool);
+  vtkGetMacro(GenerateSignedDistance, bool);
+  vtkBooleanMacro(GenerateSignedDistance, bool);
+  ///@}
+
+  ///@{
+  /**
    * After an execution: the number of windows that the propagation handled, divided by the number
    * of mesh edges. It tells how hard the surface was.
    */
@@ -312,6 +370,10 @@ private:
   vtkIdType MaximumNumberOfCells = 50000000;
   double MaximumDistance = 0.0;
   char* DistanceArrayName = nullptr;
+  bool GenerateSourceIds = false;
+  bool GenerateClosestPoints = false;
+  bool GenerateGradients = false;
+  bool GenerateSignedDistance = false;
   double WindowsPropagatedPerEdge = 0.0;
   double SourceSnapDistance = 0.0;
   double RelativeErrorBound = 0.0;

@@ -17,16 +17,25 @@ bool isZero(Vec2 v)
   return v.x == 0.0 && v.y == 0.0; // squares of tiny numbers are zero, too
 }
 
-/// The direction in which a path comes to a point p from x on a halfedge of a face so long, where
-/// the ray through x has a direction: that of the ray, unless it is far shorter than the way from x
-/// to p, or the point lies beside it and the path bends at x, as it does at a corner that a window
-/// ends at.
-Vec2 directionTo(Vec2 p, double x, Vec2 ray, double longest)
+/// A path to a point p of a face from x on a halfedge of it, where the ray through x has a
+/// direction.
+struct WayFrom
+{
+  /// Whether the path bends at x, as it does at a corner that a window ends at.
+  bool isBent;
+  /// The direction in which it comes to the point: that of the ray, unless it bends or the ray is
+  /// far shorter than the way from x to p.
+  Vec2 direction;
+};
+
+/// \param longest edge of the face.
+WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest)
 {
   const Vec2 d = p - Vec2{ x, 0.0 };
   const double length = norm(ray);
-  const bool isBent = std::abs(cross(ray, d)) > tolerance::PlaceRounding * longest * length;
-  return isBent || length < tolerance::NearEdge * norm(d) ? d : ray;
+  const double rounding = tolerance::PlaceRounding * longest * length;
+  const bool isBent = std::abs(cross(ray, d)) > rounding || dot(ray, d) < -rounding;
+  return { isBent, isBent || length < tolerance::NearEdge * norm(d) ? d : ray };
 }
 
 /// Looks for the shortest way to one point.
@@ -39,6 +48,9 @@ public:
     , point_(point)
   {
   }
+
+  /// Goes to a face around the point.
+  void enter(Id face) { this->faceSize_ = this->mesh_.shape(face).longest(); }
 
   void comeFromSources(Id face)
   {
@@ -89,12 +101,13 @@ public:
       {
         const double x = w.crossing(p);
         const double distance = std::max(w.distance(x), 0.0) + norm(p - Vec2{ x, 0.0 });
+        const WayFrom way = wayFrom(x, p, w.direction(x), this->faceSize_);
         const double straight = w.isLinear() ? distance : distance - w.sigma;
-        if (this->improve(LastPiece::Kind::Window, distance, isUnsure ? 0.0 : straight))
+        if (this->improve(
+              LastPiece::Kind::Window, distance, isUnsure || way.isBent ? 0.0 : straight))
         {
           this->best_.frame = halfedge;
-          this->best_.direction =
-            directionTo(p, x, w.direction(x), this->mesh_.shape(face).longest());
+          this->best_.direction = way.direction;
           this->best_.origin = w.origin;
           this->best_.place = w.placeOf({ x, 0.0 });
           if (isOnIt)
@@ -118,8 +131,9 @@ public:
     {
       this->best_.kind = LastPiece::Kind::Window;
       this->best_.frame = arrival.halfedge;
-      this->best_.direction = directionTo(apexOf(this->mesh_, arrival.halfedge), arrival.x,
-        arrival.direction, this->mesh_.shape(face).longest());
+      this->best_.direction = wayFrom(arrival.x, apexOf(this->mesh_, arrival.halfedge),
+        arrival.direction, this->mesh_.shape(face).longest())
+                                .direction;
       return;
     }
     this->best_.kind = LastPiece::Kind::Corner;
@@ -135,7 +149,8 @@ private:
   bool improve(LastPiece::Kind kind, double distance, double straight)
   {
     const double shortest = this->best_.distance;
-    const bool isTie = std::abs(distance - shortest) <= tolerance::Evaluation * distance;
+    const bool isTie =
+      std::abs(distance - shortest) <= tolerance::Tie * (distance + this->faceSize_);
     if (!(isTie ? straight > this->straight_ : distance < shortest))
     {
       return false;
@@ -171,6 +186,8 @@ private:
   LastPiece best_;
   /// Length of the straight way that ends with it.
   double straight_ = 0.0;
+  /// The longest edge of the face at hand.
+  double faceSize_ = 0.0;
 };
 
 LastPiece lastPieceToVertex(const DistanceField& field, const SurfacePoint& point)
@@ -196,6 +213,7 @@ LastPiece lastPieceToVertex(const DistanceField& field, const SurfacePoint& poin
     forEachFace(field.mesh(), point,
       [&](Id face)
       {
+        search.enter(face);
         search.comeFromSources(face);
         search.comeFromCorners(face);
       });
@@ -219,6 +237,7 @@ LastPiece lastPieceTo(const DistanceField& field, const SurfacePoint& point)
       if (field.knowsInside(face))
       {
         isKnown = true;
+        search.enter(face);
         search.comeFromSources(face);
         search.comeFromCorners(face);
         search.comeThroughWindows(face);

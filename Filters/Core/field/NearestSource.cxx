@@ -78,10 +78,13 @@ void NearestSource::findBesideVertices(const LoopProgress& progress)
     {
       this->origins_[vertex] = on->origin;
     }
-    else if (arrival.halfedge != NoId && arrival.direction.x == 0.0 && arrival.direction.y == 0.0 &&
-      this->onCurve(arrival.origin) != nullptr)
+    else if (arrival.isKnown() && arrival.direction.x == 0.0 && arrival.direction.y == 0.0)
     {
-      beside.emplace_back(arrival.origin, vertex);
+      const LastPiece piece = lastPieceTo(this->field_, SurfacePoint::atVertex(vertex));
+      if (piece.kind == LastPiece::Kind::Corner && this->onCurve(piece.origin) != nullptr)
+      {
+        beside.emplace_back(piece.origin, vertex);
+      }
     }
   }
   std::sort(beside.begin(), beside.end());
@@ -114,9 +117,7 @@ void NearestSource::follow(Id vertex)
   {
     const LastPiece piece = lastPieceTo(this->field_, SurfacePoint::atVertex(vertex));
     way.push_back(vertex);
-    const bool isFromVertex = piece.origin != NoId && piece.kind != LastPiece::Kind::Source &&
-      !CurveSide::isOne(piece.origin, this->mesh_.numberOfVertices());
-    if (!isFromVertex)
+    if (this->isFromCurve(piece))
     {
       found = this->originOf(piece);
       break;
@@ -137,6 +138,20 @@ void NearestSource::follow(Id vertex)
 Foot NearestSource::of(const LastPiece& piece)
 {
   return this->footOf(this->originOf(piece));
+}
+
+// Not from a pseudo-source, whose foot is its own.
+bool NearestSource::isFromCurve(const LastPiece& piece) const
+{
+  switch (piece.kind)
+  {
+    case LastPiece::Kind::Corner:
+      return this->onCurve(piece.origin) != nullptr;
+    case LastPiece::Kind::Window:
+      return CurveSide::isOne(piece.origin, this->mesh_.numberOfVertices());
+    default:
+      return true;
+  }
 }
 
 CurveOrigin NearestSource::originOf(const LastPiece& piece)
@@ -167,14 +182,15 @@ CurveOrigin NearestSource::originOf(const LastPiece& piece)
 CurveOrigin NearestSource::atSource(const LastPiece& piece)
 {
   const SourceInFace& source = piece.source;
-  const double place = source.placeOfA + piece.along * (source.placeOfB - source.placeOfA);
   if (piece.along > 0.0 && piece.along < 1.0)
   {
+    const double place = source.placeOfA + piece.along * (source.placeOfB - source.placeOfA);
     const Vec2 along = inHalfedgeFrame(this->mesh_, piece.frame, source.b) -
       inHalfedgeFrame(this->mesh_, piece.frame, source.a);
     const CurveSide side = { source.curve, cross(along, piece.direction) < 0.0 };
     return { side.origin(this->mesh_.numberOfVertices()), place };
   }
+  const double place = piece.along > 0.0 ? source.placeOfB : source.placeOfA;
   const std::vector<double>& places = this->places_[source.curve];
   const auto at = std::lower_bound(places.begin(), places.end(), place);
   const auto i = static_cast<std::size_t>(at - places.begin());

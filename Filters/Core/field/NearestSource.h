@@ -62,6 +62,7 @@ private:
   void findOthers(const LoopProgress& progress);
   void follow(Id vertex);
   const VertexOnCurve* onCurve(Id vertex) const;
+  bool isFromCurve(const LastPiece& piece) const;
   CurveOrigin originOf(const LastPiece& piece);
   CurveOrigin atSource(const LastPiece& piece);
   void goToVertex(Id vertex);

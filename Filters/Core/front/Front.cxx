@@ -149,10 +149,11 @@ void Front::startFaces(const SourceWindows& initial)
   for (const SourceInFace& source : initial.inFaces)
   {
     const Triangle& corners = this->mesh_.triangle(source.face);
+    const Id origin = CurveSide{ source.curve, false }.origin(this->mesh_.numberOfVertices());
     for (std::size_t k = 0; k < 3; ++k)
     {
-      this->shorten(
-        { corners[k], distanceToSource(this->mesh_, source, cornerWeights(k)), 0.0, {} });
+      this->shorten({ corners[k], distanceToSource(this->mesh_, source, cornerWeights(k)), 0.0,
+        { NoId, origin } });
     }
     if (this->complete_.isLimited())
     {

@@ -44,7 +44,7 @@ struct FrontOptions
   double maximumDistance = Infinity;
   /// Absent: the front goes everywhere.
   const Corridor* corridor = nullptr;
-  /// Whether FrontResult::arrivals is wanted, which takes 24 bytes a vertex. Changes no distance.
+  /// Whether FrontResult::arrivals is wanted, which takes 40 bytes a vertex. Changes no distance.
   bool keepArrivals = false;
   /// Absent: one task after another. The result does not depend on it.
   ParallelFor parallelFor;

@@ -100,6 +100,44 @@ public:
   }
 };
 
+/// Keeps the windows of some faces: the distance can be evaluated, and paths begin, in these.
+class KeepFaces : public Retention
+{
+public:
+  /// \param faces whether the windows of each face are kept.
+  KeepFaces(const TriangleMesh& mesh, std::vector<std::uint8_t> faces)
+    : mesh_(mesh)
+  {
+    this->kept_.faces = std::move(faces);
+  }
+
+  bool needsInside() const override { return true; }
+  void setNumberOfWorkers(std::size_t count) override { this->passed_.resize(count); }
+  void pass(std::size_t worker, const PassedList& list, Id batch, WindowPool& pool) override
+  {
+    if (this->kept_.faces[TriangleMesh::faceOf(list.halfedge)])
+    {
+      this->passed_[worker].add(list.halfedge, list.windows.range(), batch);
+    }
+    pool.free(list.windows);
+  }
+  void finish(const FrontState&) override
+  {
+    for (WindowArchive& passed : this->passed_)
+    {
+      this->kept_.windows.take(passed);
+    }
+    this->kept_.windows.index(this->mesh_.numberOfHalfedges());
+  }
+
+  KeptWindows release() { return std::move(this->kept_); }
+
+private:
+  const TriangleMesh& mesh_;
+  std::vector<WindowArchive> passed_;
+  KeptWindows kept_;
+};
+
 /// Keeps all windows: the distance can be evaluated at any surface point, and paths traced.
 class KeepAll : public Retention
 {

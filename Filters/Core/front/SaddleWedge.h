@@ -14,7 +14,7 @@ namespace geodesic
 /// halfedge's length: along an edge).
 struct Arrival
 {
-  /// NoId where it is not known.
+  /// NoId where it is not known, and where the piece comes from a source in a face at the vertex.
   Id halfedge = NoId;
   /// What the piece comes from, which may be some faces farther: Window::origin.
   Id origin = NoId;
@@ -24,6 +24,10 @@ struct Arrival
   Vec2 direction = {};
   /// Where along a curve it comes from: Window::place.
   double place = 0.0;
+
+  /// Whether anything is known; without a halfedge the piece comes from a source in a face at the
+  /// vertex.
+  bool isKnown() const { return this->halfedge != NoId || this->origin != NoId; }
 };
 
 /// A part of the halfedge opposite a corner.

@@ -86,7 +86,7 @@ private:
 
   bool isArrivalMissing(Id vertex, double distance) const
   {
-    return !this->arrivals_.empty() && this->arrivals_[vertex].halfedge == NoId &&
+    return !this->arrivals_.empty() && !this->arrivals_[vertex].isKnown() &&
       distance <= this->distance(vertex) * (1.0 + tolerance::Tie);
   }
 

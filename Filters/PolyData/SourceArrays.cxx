@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/SourceArrays.h"
+
+#include "PolyData/Memory.h"
+#include "refinement/RefinedMesh.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+namespace geodesic
+{
+
+namespace
+{
+
+constexpr const char* SourceIdName = "SourceId";
+constexpr const char* ClosestPointName = "ClosestSourcePoint";
+constexpr const char* GradientName = "DistanceGradient";
+constexpr const char* SignedDistanceName = "SignedGeodesicDistance";
+
+/// Calls fill(tuple, values, index) for all points of a block: with the values at vertices, then
+/// with those at new points.
+template <typename Fill>
+void forEachPoint(const PolyDataSurface& surface, const SurfaceBlock& block,
+  const SourceValues& atVertices, const SourceValues& atNewPoints, vtkIdType count, Fill&& fill)
+{
+  for (Id i = 0; i < block.numberOfPoints; ++i)
+  {
+    fill(static_cast<vtkIdType>(i), atVertices, surface.vertexOf(block.firstPoint + i));
+  }
+  for (vtkIdType i = static_cast<vtkIdType>(block.numberOfPoints); i < count; ++i)
+  {
+    fill(i, atNewPoints, static_cast<std::size_t>(i) - block.numberOfPoints);
+  }
+}
+
+template <typename Array>
+vtkNew<Array> makeArray(const char* name, int components, vtkIdType tuples)
+{
+  requireMemory(tuples, components * static_cast<vtkIdType>(sizeof(double)));
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+} // anonymous namespace
+
+std::vector<const char*> namesOf(const SourceArrayChoice& choice)
+{
+  std::vector<const char*> names;
+  const std::pair<bool, const char*> all[] = { { choice.sourceIds, SourceIdName },
+    { choice.closestPoints, ClosestPointName }, { choice.gradients, GradientName },
+    { choice.signedDistances, SignedDistanceName } };
+  for (const auto& [isAskedFor, name] : all)
+  {
+    if (isAskedFor)
+    {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+void SourceArrays::reserve(std::size_t count, SourceValues& values) const
+{
+  values.sources.reserve(this->choice_.sourceIds ? count : 0);
+  values.closestPoints.reserve(this->choice_.closestPoints ? count : 0);
+  values.gradients.reserve(this->choice_.gradients ? count : 0);
+  values.isOnRight.reserve(this->choice_.signedDistances ? count : 0);
+}
+
+void SourceArrays::add(const Foot& foot, const NearestSource& nearest, SourceValues& values) const
+{
+  if (this->choice_.sourceIds)
+  {
+    values.sources.push_back(foot.isKnown() ? this->curves_[foot.curve].source : NoId);
+  }
+  if (this->choice_.closestPoints)
+  {
+    values.closestPoints.push_back(foot.isKnown()
+        ? this->surface_.scale().toUser(position(this->surface_.mesh(), nearest.pointOf(foot)))
+        : Vec3{});
+  }
+  if (this->choice_.signedDistances)
+  {
+    const bool hasSides = foot.isKnown() && this->curves_[foot.curve].points.size() > 1 &&
+      this->curves_[foot.curve].source < this->firstBoundarySource_;
+    values.isOnRight.push_back(hasSides && foot.isRight ? 1 : 0);
+  }
+}
+
+SourceValues SourceArrays::atVertices(const DistanceField& computed, const DistanceField& exact,
+  NearestSource& nearest, const ProgressCallback& callback) const
+{
+  SourceValues values;
+  LoopProgress progress(callback);
+  progress.nextUntil(1.0);
+  const Id count = exact.mesh().numberOfVertices();
+  this->reserve(count, values);
+  for (Id vertex = 0; vertex < count; ++vertex)
+  {
+    progress.at(vertex, count);
+    if (this->choice_.areFeetNeeded())
+    {
+      this->add(nearest.atVertex(vertex), nearest, values);
+    }
+    if (this->choice_.gradients)
+    {
+      values.gradients.push_back(
+        gradientOf(computed.mesh(), lastPieceTo(computed, SurfacePoint::atVertex(vertex))));
+    }
+  }
+  return values;
+}
+
+SourceValues SourceArrays::atPoints(const std::vector<RefinedPoint>& points,
+  const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
+  const ProgressCallback& callback) const
+{
+  SourceValues values;
+  LoopProgress progress(callback);
+  progress.nextUntil(1.0);
+  this->reserve(points.size(), values);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    progress.at(i, points.size());
+    const bool isReached = points[i].distance < Infinity;
+    const LastPiece piece = isReached ? lastPieceTo(exact, points[i].place) : LastPiece();
+    if (this->choice_.areFeetNeeded())
+    {
+      this->add(nearest.of(piece), nearest, values);
+    }
+    if (this->choice_.gradients)
+    {
+      const bool isOther = isReached && &computed != &exact;
+      values.gradients.push_back(
+        gradientOf(computed.mesh(), isOther ? lastPieceTo(computed, points[i].place) : piece));
+    }
+  }
+  return values;
+}
+
+void SourceArrays::write(const SurfaceBlock& block, const SourceValues& atVertices,
+  const SourceValues& atNewPoints, const double* distances, vtkPolyData* output) const
+{
+  const vtkIdType count = output->GetNumberOfPoints();
+  const auto fillAll = [&](auto&& fill)
+  { forEachPoint(this->surface_, block, atVertices, atNewPoints, count, fill); };
+  if (this->choice_.sourceIds)
+  {
+    const auto array = makeArray<vtkIdTypeArray>(SourceIdName, 1, count);
+    fillAll(
+      [&](vtkIdType i, const SourceValues& from, std::size_t at)
+      {
+        const Id source = from.sources[at];
+        array->SetValue(i, source == NoId ? -1 : static_cast<vtkIdType>(source));
+      });
+    output->GetPointData()->AddArray(array);
+  }
+  if (this->choice_.closestPoints)
+  {
+    const auto array = makeArray<vtkDoubleArray>(ClosestPointName, 3, count);
+    fillAll(
+      [&](vtkIdType i, const SourceValues& from, std::size_t at)
+      {
+        const bool isReached = distances[i] < Infinity;
+        array->SetTuple(i, isReached ? from.closestPoints[at].data() : output->GetPoint(i));
+      });
+    output->GetPointData()->AddArray(array);
+  }
+  if (this->choice_.gradients)
+  {
+    const auto array = makeArray<vtkDoubleArray>(GradientName, 3, count);
+    fillAll(
+      [&](vtkIdType i, const SourceValues& from, std::size_t at)
+      {
+        // A point on the source may lie a rounding beside it.
+        array->SetTuple(i, (distances[i] > 0.0 ? from.gradients[at] : Vec3{}).data());
+      });
+    output->GetPointData()->AddArray(array);
+  }
+  if (this->choice_.signedDistances)
+  {
+    const auto array = makeArray<vtkDoubleArray>(SignedDistanceName, 1, count);
+    fillAll(
+      [&](vtkIdType i, const SourceValues& from, std::size_t at)
+      {
+        const double d = distances[i];
+        array->SetValue(i, from.isOnRight[at] != 0 && d > 0.0 ? -d : d);
+      });
+    output->GetPointData()->AddArray(array);
+  }
+}
+
+Id findFaceWithoutSides(const TriangleMesh& mesh)
+{
+  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+  {
+    const bool isOpposed = mesh.isInner(halfedge) &&
+      mesh.origin(mesh.nextSibling(halfedge)) == mesh.destination(halfedge);
+    if (!mesh.isBoundary(halfedge) && !isOpposed)
+    {
+      return TriangleMesh::faceOf(halfedge);
+    }
+  }
+  return NoId;
+}
+
+}

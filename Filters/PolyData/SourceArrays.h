@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_SourceArrays_h
+#define geodesic_SourceArrays_h
+
+#include "PolyData/PolyDataSurface.h"
+#include "Progress.h"
+#include "field/NearestSource.h"
+
+#include <cstdint>
+#include <vector>
+
+class vtkPolyData;
+
+namespace geodesic
+{
+
+struct RefinedPoint;
+
+/// Which arrays beside the distance are asked for.
+struct SourceArrayChoice
+{
+  bool sourceIds = false;
+  bool closestPoints = false;
+  bool gradients = false;
+  bool signedDistances = false;
+
+  bool areFeetNeeded() const
+  {
+    return this->sourceIds || this->closestPoints || this->signedDistances;
+  }
+  bool isAny() const { return this->areFeetNeeded() || this->gradients; }
+};
+
+/// The names of the arrays that are asked for.
+std::vector<const char*> namesOf(const SourceArrayChoice& choice);
+
+/// What the arrays hold for some points, one entry a point in each of those that are asked for.
+struct SourceValues
+{
+  /// SourceCurve::source; NoId where the point was not reached.
+  std::vector<Id> sources;
+  /// In the user's scale; not told where the point was not reached.
+  std::vector<Vec3> closestPoints;
+  std::vector<Vec3> gradients;
+  /// Whether the shortest path comes from the right-hand side of a curve.
+  std::vector<std::uint8_t> isOnRight;
+};
+
+/// Computes the arrays that tell more of a field than its distance.
+class SourceArrays
+{
+public:
+  /// \param curves of the source.
+  /// \param firstBoundarySource SourceCurve::source from which on curves are loops of the boundary,
+  ///        whose distances have no sign.
+  SourceArrays(const PolyDataSurface& surface, const std::vector<SourceCurve>& curves,
+    Id firstBoundarySource, const SourceArrayChoice& choice)
+    : surface_(surface)
+    , curves_(curves)
+    , firstBoundarySource_(firstBoundarySource)
+    , choice_(choice)
+  {
+  }
+
+  /// Of every vertex of the mesh.
+  ///
+  /// \param computed the field that gradients are of, with arrivals.
+  /// \param exact the field that feet are of, with arrivals; the same or another.
+  SourceValues atVertices(const DistanceField& computed, const DistanceField& exact,
+    NearestSource& nearest, const ProgressCallback& progress) const;
+  /// Of the points that refinement has added.
+  SourceValues atPoints(const std::vector<RefinedPoint>& points, const DistanceField& computed,
+    const DistanceField& exact, NearestSource& nearest, const ProgressCallback& progress) const;
+
+  /// Adds the arrays of one block to its points: those of the input, then those that were added.
+  ///
+  /// \param distances of the same points.
+  void write(const SurfaceBlock& block, const SourceValues& atVertices,
+    const SourceValues& atNewPoints, const double* distances, vtkPolyData* output) const;
+
+  std::vector<const char*> names() const { return namesOf(this->choice_); }
+
+private:
+  void reserve(std::size_t count, SourceValues& values) const;
+  void add(const Foot& foot, const NearestSource& nearest, SourceValues& values) const;
+
+  const PolyDataSurface& surface_;
+  const std::vector<SourceCurve>& curves_;
+  Id firstBoundarySource_;
+  SourceArrayChoice choice_;
+};
+
+/// A face whose neighbours do not tell left from right with it: across an edge of three and more
+/// faces, or one whose faces run along it in one direction. NoId where there is none.
+Id findFaceWithoutSides(const TriangleMesh& mesh);
+
+}
+
+#endif

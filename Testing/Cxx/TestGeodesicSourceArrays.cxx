@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which source is nearest, where on it a shortest path ends, the gradient and the sign: in closed
+// form on a plane, where all of them are those of the straight line to the nearest segment.
+#include "GeodesicTesting.h"
+
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMultiBlockDataSet.h"
+
+#include <limits>
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+
+/// What is nearest to a point in the plane z = 0.
+struct Nearest
+{
+  double Distance = Infinite;
+  vtkIdType Source = -1;
+  Point Foot = {};
+  /// Positive on the left; near 0 where the sides part.
+  double Side = 0.0;
+};
+
+using Line = std::vector<Point>;
+
+Point Minus(const Point& a, const Point& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+double Length(const Point& a)
+{
+  return std::hypot(a[0], a[1], a[2]);
+}
+
+double Cross(const Point& a, const Point& b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+Point Unit(const Point& a)
+{
+  const double length = Length(a);
+  return { a[0] / length, a[1] / length, a[2] / length };
+}
+
+Point Along(const Line& line, std::size_t segment)
+{
+  return Unit(Minus(line[segment + 1], line[segment]));
+}
+
+/// The side of a bend is that of the sum of its two directions.
+double SideAtPoint(const Line& line, std::size_t i, const Point& p)
+{
+  const bool closed = line.front() == line.back();
+  const std::size_t last = line.size() - 1;
+  double side = 0.0;
+  if (i < last || closed)
+  {
+    side += Cross(Along(line, i < last ? i : 0), Minus(p, line[i]));
+  }
+  if (i > 0 || closed)
+  {
+    side += Cross(Along(line, i > 0 ? i - 1 : last - 1), Minus(p, line[i]));
+  }
+  return side;
+}
+
+void Consider(const Line& line, vtkIdType source, const Point& p, Nearest& nearest)
+{
+  for (std::size_t i = 0; i + 1 < std::max<std::size_t>(line.size(), 2); ++i)
+  {
+    const Point& a = line[i];
+    const Point& b = line[std::min(i + 1, line.size() - 1)];
+    const Point ab = Minus(b, a);
+    const double squared = ab[0] * ab[0] + ab[1] * ab[1];
+    const Point ap = Minus(p, a);
+    const double t =
+      squared > 0.0 ? std::clamp((ap[0] * ab[0] + ap[1] * ab[1]) / squared, 0.0, 1.0) : 0.0;
+    const Point foot = { a[0] + t * ab[0], a[1] + t * ab[1], 0.0 };
+    const double distance = Length(Minus(p, foot));
+    if (distance < nearest.Distance)
+    {
+      const double side = line.size() == 1 ? 1.0
+        : t > 0.0 && t < 1.0               ? Cross(Unit(ab), ap)
+                                           : SideAtPoint(line, t > 0.0 ? i + 1 : i, p);
+      nearest = { distance, source, foot, side };
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> SourceOf(const std::vector<Line>& lines)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkCellArray> cells;
+  for (const Line& line : lines)
+  {
+    vtkNew<vtkIdList> ids;
+    for (const Point& p : line)
+    {
+      ids->InsertNextId(points->InsertNextPoint(p.data()));
+    }
+    (line.size() > 1 ? cells : vertices)->InsertNextCell(ids);
+  }
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+  data->SetLines(cells);
+  return data;
+}
+
+vtkDataArray* Array(vtkGeodesicDistanceField* filter, const char* name)
+{
+  return filter->GetOutput()->GetPointData()->GetArray(name);
+}
+
+void SwitchAllOn(vtkGeodesicDistanceField* filter)
+{
+  filter->GenerateSourceIdsOn();
+  filter->GenerateClosestPointsOn();
+  filter->GenerateGradientsOn();
+  filter->GenerateSignedDistanceOn();
+}
+
+/// Compares all arrays with the plane's. \returns how many points have no sign but by rounding.
+int CheckArrays(Check& check, const std::string& name, vtkGeodesicDistanceField* filter,
+  const std::vector<Line>& lines)
+{
+  vtkDataArray* distances = Distances(filter);
+  vtkDataArray* ids = Array(filter, "SourceId");
+  vtkDataArray* feet = Array(filter, "ClosestSourcePoint");
+  vtkDataArray* gradients = Array(filter, "DistanceGradient");
+  vtkDataArray* sides = Array(filter, "SignedGeodesicDistance");
+  check.That(ids && feet && gradients && sides, name + ": all arrays are there");
+  if (!ids || !feet || !gradients || !sides)
+  {
+    return 0;
+  }
+  check.That(vtkIdTypeArray::SafeDownCast(ids) != nullptr, name + ": SourceId is of vtkIdType");
+  constexpr double tolerance = 1e-12;
+  int withoutSign = 0;
+  for (vtkIdType i = 0; i < distances->GetNumberOfTuples(); ++i)
+  {
+    Point p;
+    filter->GetOutput()->GetPoint(i, p.data());
+    Nearest nearest;
+    for (std::size_t l = 0; l < lines.size(); ++l)
+    {
+      Consider(lines[l], static_cast<vtkIdType>(l), p, nearest);
+    }
+    const std::string at = name + ", point " + std::to_string(i);
+    const double d = distances->GetTuple1(i);
+    Point foot;
+    feet->GetTuple(i, foot.data());
+    Point gradient;
+    gradients->GetTuple(i, gradient.data());
+    // Ties may give any of the nearest.
+    Nearest named;
+    Consider(lines[static_cast<std::size_t>(ids->GetTuple1(i))], 0, p, named);
+    check.That(std::abs(named.Distance - nearest.Distance) <= tolerance, at + ": SourceId");
+    check.That(std::abs(Length(Minus(p, foot)) - nearest.Distance) <= tolerance,
+      at + ": distance from ClosestSourcePoint");
+    Nearest onLine;
+    Consider(lines[static_cast<std::size_t>(ids->GetTuple1(i))], 0, foot, onLine);
+    check.That(onLine.Distance <= tolerance, at + ": ClosestSourcePoint lies on the source");
+    const Point expected = d > 1e-9 ? Unit(Minus(p, foot)) : gradient;
+    check.That(Length(Minus(gradient, expected)) <= 1e-9, at + ": DistanceGradient");
+    check.That(d > 0.0 || Length(gradient) == 0.0, at + ": no gradient on the source");
+    const double side = sides->GetTuple1(i);
+    check.That(std::abs(side) == d && !(d == 0.0 && std::signbit(side)), at + ": |signed|");
+    // The side of the line that the filter has chosen.
+    const bool isTie = Length(Minus(foot, named.Foot)) > 1e-9;
+    const bool hasSign = !isTie && d > 0.0 && std::abs(named.Side) > 1e-9;
+    withoutSign += hasSign ? 0 : 1;
+    check.That(!hasSign || (side > 0.0) == (named.Side > 0.0), at + ": sign");
+  }
+  return withoutSign;
+}
+
+void CheckPlane(Check& check, const std::string& name, const std::vector<Line>& lines)
+{
+  for (const bool refine : { false, true })
+  {
+    for (const Cells cells : { Cells::Triangles, Cells::Quads })
+    {
+      const std::string of = name + (refine ? ", refined" : "");
+      vtkNew<vtkGeodesicDistanceField> filter;
+      filter->SetRefineMesh(refine);
+      filter->SetRefinementTolerance(2e-3);
+      filter->SetInputData(Square(8, cells));
+      filter->SetSourceData(SourceOf(lines));
+      Messages messages(filter);
+      messages.Update();
+      std::vector<double> plain;
+      for (vtkIdType i = 0; i < Distances(filter)->GetNumberOfTuples(); ++i)
+      {
+        plain.push_back(Distances(filter)->GetTuple1(i));
+      }
+      SwitchAllOn(filter);
+      messages.Update();
+      check.That(messages.Error().empty(), of + ": " + messages.Error());
+      const int withoutSign = CheckArrays(check, of, filter, lines);
+      const auto count = static_cast<int>(Distances(filter)->GetNumberOfTuples());
+      check.That(withoutSign < count / 2, of + ": most points have a sign");
+      check.Equal(
+        count, static_cast<double>(plain.size()), of + ": points with and without arrays");
+      for (int i = 0; i < count; ++i)
+      {
+        check.That(Distances(filter)->GetTuple1(i) == plain[static_cast<std::size_t>(i)],
+          of + ": the arrays change no distance");
+      }
+    }
+  }
+}
+
+Line Reversed(Line line)
+{
+  std::reverse(line.begin(), line.end());
+  return line;
+}
+
+void CheckPlanes(Check& check)
+{
+  const Line bent = { { 0.21, 0.13, 0 }, { 0.83, 0.27, 0 }, { 0.75, 0.625, 0 }, { 0.31, 0.55, 0 } };
+  const Line sharp = { { 0.1, 0.5, 0 }, { 0.7, 0.55, 0 }, { 0.2, 0.6, 0 } };
+  const Line closed = { { 0.3, 0.3, 0 }, { 0.7, 0.25, 0 }, { 0.65, 0.7, 0 }, { 0.3, 0.3, 0 } };
+  const Line alongEdges = { { 0.25, 0.25, 0 }, { 0.75, 0.25, 0 }, { 0.75, 0.75, 0 } };
+  const Line throughVertices = { { 0.125, 0.25, 0 }, { 0.5, 0.5, 0 }, { 0.5, 0.875, 0 } };
+  for (const Line& line : { bent, sharp, closed, alongEdges, throughVertices })
+  {
+    const std::string name =
+      "line " + std::to_string(line[0][0]) + " " + std::to_string(line[0][1]);
+    CheckPlane(check, name, { line });
+    CheckPlane(check, name + " reversed", { Reversed(line) });
+  }
+  CheckPlane(check, "a point", { { { 0.3, 0.4, 0 } } });
+  CheckPlane(check, "points, a line and a loop",
+    { { { 0.1, 0.9, 0 } }, { { 0.5, 0.5, 0 } }, { { 0.7, 0.1, 0 }, { 0.9, 0.3, 0 } },
+      { { 0.2, 0.2, 0 }, { 0.3, 0.2, 0 }, { 0.25, 0.35, 0 }, { 0.2, 0.2, 0 } } });
+  CheckPlane(check, "lines that share ends",
+    { { { 0.25, 0.5, 0 }, { 0.5, 0.5, 0 } }, { { 0.5, 0.5, 0 }, { 0.75, 0.8, 0 } },
+      { { 0.5, 0.5, 0 }, { 0.6, 0.2, 0 } } });
+  CheckPlane(check, "lines that cross",
+    { { { 0.2, 0.3, 0 }, { 0.8, 0.7, 0 } }, { { 0.3, 0.8, 0 }, { 0.6, 0.1, 0 } } });
+}
+
+void CheckIds(Check& check)
+{
+  // Cells of several blocks, polylines of several points, a block without cells.
+  vtkNew<vtkMultiBlockDataSet> source;
+  source->SetBlock(0, SourceOf({ { { 0.1, 0.1, 0 } }, { { 0.9, 0.1, 0 }, { 0.9, 0.3, 0 } } }));
+  source->SetBlock(1, PointSources({ { 0.1, 0.9, 0 }, { 0.9, 0.9, 0 } }));
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  filter->SetInputData(Square(8));
+  filter->SetSourceData(source);
+  filter->GenerateSourceIdsOn();
+  filter->Update();
+  vtkDataArray* ids = Array(filter, "SourceId");
+  const auto idAt = [&](int i, int j) { return ids->GetTuple1(9 * j + i); };
+  check.Equal(idAt(0, 0), 0, "the vertex cell");
+  check.Equal(idAt(8, 0), 1, "the line");
+  check.Equal(idAt(0, 8), 2, "the first point without cell");
+  check.Equal(idAt(8, 8), 3, "the second point without cell");
+  check.That(!Array(filter, "ClosestSourcePoint") && !Array(filter, "DistanceGradient") &&
+      !Array(filter, "SignedGeodesicDistance"),
+    "no array that was not asked for");
+  auto* curves = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+  vtkDataArray* ofCurves = curves->GetCellData()->GetArray("SourceId");
+  const double expected[] = { 0, 2, 3, 1 }; // vertices come first
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    check.Equal(ofCurves->GetTuple1(i), expected[i], "SourceId of curve " + std::to_string(i));
+  }
+
+  filter->SetSourceTypeToCurveAndBoundary();
+  filter->GenerateSignedDistanceOn();
+  filter->Update();
+  check.Equal(Array(filter, "SourceId")->GetTuple1(0), 4, "the boundary comes after the cells");
+  check.Equal(Array(filter, "SourceId")->GetTuple1(9 * 7 + 4), 4, "near the boundary");
+  double least = Infinite;
+  for (vtkIdType i = 0; i < 81; ++i)
+  {
+    least = std::min(least, Array(filter, "SignedGeodesicDistance")->GetTuple1(i));
+  }
+  check.Equal(least, 0.0, "distances from the boundary and from points are positive");
+}
+
+void CheckLimit(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(16));
+  filter->SetSourceData(SourceOf({ { { 0.1, 0.1, 0 }, { 0.2, 0.1, 0 } } }));
+  filter->SetMaximumDistance(0.3);
+  SwitchAllOn(filter);
+  filter->Update();
+  int unreached = 0;
+  for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    const double d = Distances(filter)->GetTuple1(i);
+    const bool isReached = d < Infinite;
+    unreached += isReached ? 0 : 1;
+    Point p;
+    Point foot;
+    Point gradient;
+    filter->GetOutput()->GetPoint(i, p.data());
+    Array(filter, "ClosestSourcePoint")->GetTuple(i, foot.data());
+    Array(filter, "DistanceGradient")->GetTuple(i, gradient.data());
+    check.Equal(Array(filter, "SourceId")->GetTuple1(i), isReached ? 0 : -1, "SourceId");
+    check.That(isReached || foot == p, "an unreached point is its own closest one");
+    check.That(isReached || Length(gradient) == 0.0, "no gradient where not reached");
+    check.That(isReached || Array(filter, "SignedGeodesicDistance")->GetTuple1(i) == d,
+      "the sign of what is not reached");
+  }
+  check.That(unreached > 0, "some points are beyond the limit");
+}
+
+/// The named source and the foot are within the error that was asked for.
+void CheckApproximate(Check& check)
+{
+  const std::vector<Line> lines = { { { 0.5, 0.8, 0 } }, { { 0.21, 0.13, 0 }, { 0.83, 0.27, 0 } } };
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(16));
+  filter->SetSourceData(SourceOf(lines));
+  filter->SetAccuracyToApproximate();
+  filter->SetRelativeError(0.05);
+  filter->SetMaximumDistance(0.4);
+  SwitchAllOn(filter);
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Error().empty(), messages.Error());
+  for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    const double d = Distances(filter)->GetTuple1(i);
+    if (!(d < Infinite))
+    {
+      continue;
+    }
+    Point p;
+    Point foot;
+    filter->GetOutput()->GetPoint(i, p.data());
+    Array(filter, "ClosestSourcePoint")->GetTuple(i, foot.data());
+    const double fromFoot = Length(Minus(p, foot));
+    const auto isWithin = [d](double distance)
+    { return distance >= d - 1e-12 && distance <= d / 0.95 + 1e-12; };
+    check.That(isWithin(fromFoot), "point " + std::to_string(i) + ": from the foot");
+    Nearest named;
+    Consider(lines[static_cast<std::size_t>(Array(filter, "SourceId")->GetTuple1(i))], 0, p, named);
+    check.That(isWithin(named.Distance), "point " + std::to_string(i) + ": from the named source");
+  }
+}
+
+/// A closed curve around a sphere parts it in two.
+void CheckSphere(Check& check)
+{
+  auto sphere = ChangedSphere(24, 17, [](const Point& p) { return p; });
+  Line equator;
+  for (int i = 0; i <= 24; ++i)
+  {
+    const double angle = 2.0 * 3.14159265358979323846 * (i % 24) / 24.0;
+    equator.push_back({ 0.5 * std::cos(angle), 0.5 * std::sin(angle), 0.0 });
+  }
+  for (const bool reverse : { false, true })
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(sphere);
+    filter->SetSourceData(SourceOf({ reverse ? Reversed(equator) : equator }));
+    filter->GenerateSignedDistanceOn();
+    filter->Update();
+    for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      Point p;
+      filter->GetOutput()->GetPoint(i, p.data());
+      const double side = Array(filter, "SignedGeodesicDistance")->GetTuple1(i);
+      const double north = reverse ? -side : side;
+      check.That(std::abs(p[2]) < 1e-6 || (north > 0.0) == (p[2] > 0.0),
+        "the north is on the left of the way to the east");
+    }
+  }
+}
+
+void CheckOrientation(Check& check)
+{
+  auto flipped = Square(2);
+  vtkNew<vtkCellArray> polys;
+  for (vtkIdType f = 0; f < flipped->GetNumberOfPolys(); ++f)
+  {
+    vtkNew<vtkIdList> ids;
+    flipped->GetPolys()->GetCellAtId(f, ids);
+    if (f == 5)
+    {
+      const vtkIdType first = ids->GetId(0);
+      ids->SetId(0, ids->GetId(1));
+      ids->SetId(1, first);
+    }
+    polys->InsertNextCell(ids);
+  }
+  flipped->SetPolys(polys);
+  auto fin = Square(2);
+  fin->GetPoints()->InsertNextPoint(0.5, 0.5, 1.0);
+  fin->GetPolys()->InsertNextCell({ 4, 1, 9 });
+  for (vtkPolyData* surface : { flipped.Get(), fin.Get() })
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(surface);
+    filter->SetSourceData(SourceOf({ { { 0.1, 0.1, 0 }, { 0.9, 0.3, 0 } } }));
+    filter->GenerateSignedDistanceOn();
+    Messages messages(filter);
+    messages.Update();
+    check.That(
+      Contains(messages.Error(), "GenerateSignedDistance") && Contains(messages.Error(), "cell "),
+      "an error names a cell: " + messages.Error());
+    check.That(filter->GetOutput()->GetNumberOfPoints() == 0, "the output is empty");
+    filter->GenerateSignedDistanceOff();
+    filter->GenerateSourceIdsOn();
+    messages.Update();
+    check.That(messages.Error().empty(), "without the sign it works: " + messages.Error());
+  }
+}
+
+void CheckNames(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(2));
+  filter->SetSourceData(SourceOf({ { { 0.1, 0.1, 0 } } }));
+  filter->GenerateSourceIdsOn();
+  filter->SetDistanceArrayName("SourceId");
+  Messages messages(filter);
+  messages.Update();
+  check.That(Contains(messages.Error(), "DistanceArrayName is SourceId"), messages.Error());
+}
+
+}
+
+int TestGeodesicSourceArrays(int, char*[])
+{
+  Check check;
+  CheckPlanes(check);
+  CheckIds(check);
+  CheckLimit(check);
+  CheckApproximate(check);
+  CheckSphere(check);
+  CheckOrientation(check);
+  CheckNames(check);
+  return check.Result();
+}
