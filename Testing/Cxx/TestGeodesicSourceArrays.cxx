@@ -247,6 +247,10 @@ void CheckPlanes(Check& check)
   CheckPlane(check, "lines that share ends",
     { { { 0.25, 0.5, 0 }, { 0.5, 0.5, 0 } }, { { 0.5, 0.5, 0 }, { 0.75, 0.8, 0 } },
       { { 0.5, 0.5, 0 }, { 0.6, 0.2, 0 } } });
+  CheckPlane(check, "a line of many cells, some of them the other way",
+    { { { 0.2, 0.3, 0 }, { 0.3, 0.35, 0 } }, { { 0.4, 0.4, 0 }, { 0.3, 0.35, 0 } },
+      { { 0.4, 0.4, 0 }, { 0.5, 0.5, 0 }, { 0.55, 0.6, 0 } },
+      { { 0.7, 0.8, 0 }, { 0.55, 0.6, 0 } } });
   CheckPlane(check, "lines that cross",
     { { { 0.2, 0.3, 0 }, { 0.8, 0.7, 0 } }, { { 0.3, 0.8, 0 }, { 0.6, 0.1, 0 } } });
 }

@@ -6,11 +6,11 @@
 namespace geodesic
 {
 
-NearestSource::NearestSource(
-  const DistanceField& field, std::vector<SourceCurve> curves, const ProgressCallback& callback)
+NearestSource::NearestSource(const DistanceField& field, const std::vector<SourceCurve>& curves,
+  const ProgressCallback& callback)
   : field_(field)
   , mesh_(field.mesh())
-  , curves_(std::move(curves))
+  , chains_(field.mesh(), curves)
   , sectors_(field.mesh())
 {
   this->findVertices();
@@ -25,16 +25,10 @@ NearestSource::NearestSource(
 void NearestSource::findVertices()
 {
   const Id count = this->mesh_.numberOfVertices();
-  for (std::size_t c = 0; c < this->curves_.size(); ++c)
+  for (Id number = 0; number < this->chains_.curves().size(); ++number)
   {
-    const auto number = static_cast<Id>(c);
-    SourceCurve& curve = this->curves_[c];
-    for (SurfacePoint& point : curve.points)
-    {
-      point = normalized(this->mesh_, point);
-    }
-    this->places_.push_back(placesAlong(this->mesh_, curve));
-    const std::vector<double>& places = this->places_.back();
+    const SourceCurve& curve = this->chains_.curves()[number];
+    const std::vector<double>& places = this->chains_.places(number);
     const std::size_t points = curve.points.size() - (curve.isClosed() ? 1 : 0);
     for (std::size_t i = 0; i < points; ++i)
     {
@@ -191,7 +185,7 @@ CurveOrigin NearestSource::atSource(const LastPiece& piece)
     return { side.origin(this->mesh_.numberOfVertices()), place };
   }
   const double place = piece.along > 0.0 ? source.placeOfB : source.placeOfA;
-  const std::vector<double>& places = this->places_[source.curve];
+  const std::vector<double>& places = this->chains_.places(source.curve);
   const auto at = std::lower_bound(places.begin(), places.end(), place);
   const auto i = static_cast<std::size_t>(at - places.begin());
   this->goToPoint(source.curve, std::min(i, places.size() - 1));
@@ -219,14 +213,14 @@ void NearestSource::goToVertex(Id vertex)
 
 void NearestSource::goToPoint(Id number, std::size_t i)
 {
-  const SourceCurve& curve = this->curves_[number];
+  const SourceCurve& curve = this->chains_.curves()[number];
   const SurfacePoint& point = curve.points[i];
   if (point.kind == SurfacePoint::Kind::Vertex)
   {
     this->goToVertex(point.id);
     return;
   }
-  const std::vector<double>& places = this->places_[number];
+  const std::vector<double>& places = this->chains_.places(number);
   const CurveOrigin whole = { CurveSide{ number, false }.origin(this->mesh_.numberOfVertices()),
     places[i] };
   // A closed curve begins and ends in one point.
@@ -242,13 +236,14 @@ Foot NearestSource::footOf(const CurveOrigin& origin) const
     return {};
   }
   const CurveSide side = CurveSide::of(origin.origin, this->mesh_.numberOfVertices());
-  return { side.curve, side.isRight, origin.place };
+  const CurveChains::Link& link = this->chains_.linkAt(side.curve, origin.place);
+  return { link.curve, side.isRight != link.isReversed, side.curve, origin.place };
 }
 
 SurfacePoint NearestSource::pointOf(const Foot& foot) const
 {
-  const SourceCurve& curve = this->curves_[foot.curve];
-  const std::vector<double>& places = this->places_[foot.curve];
+  const SourceCurve& curve = this->chains_.curves()[foot.chain];
+  const std::vector<double>& places = this->chains_.places(foot.chain);
   const auto behind = std::upper_bound(places.begin(), places.end(), foot.place);
   if (behind == places.begin())
   {

@@ -3,6 +3,7 @@
 #define geodesic_NearestSource_h
 
 #include "field/LastPiece.h"
+#include "source/CurveChains.h"
 #include "source/CurveSectors.h"
 #include "source/SourceCurve.h"
 
@@ -21,7 +22,8 @@ struct Foot
   /// towards the viewer and along the curve. At an open end the sides part behind the curve. A
   /// point has a left-hand side only; on the curve it is either.
   bool isRight = false;
-  /// Where along the curve, as the length from its beginning.
+  /// The chain that the curve is in, and where along it, as the length from the chain's beginning.
+  Id chain = NoId;
   double place = 0.0;
 
   bool isKnown() const { return this->curve != NoId; }
@@ -38,7 +40,7 @@ public:
   /// \param field an exact one, with arrivals (FrontOptions::keepArrivals); must outlive this.
   /// \param curves those that the field was solved for.
   /// \param progress called now and then; returning false throws Aborted.
-  NearestSource(const DistanceField& field, std::vector<SourceCurve> curves,
+  NearestSource(const DistanceField& field, const std::vector<SourceCurve>& curves,
     const ProgressCallback& progress = {});
 
   /// The foot of the shortest path to a vertex.
@@ -71,9 +73,8 @@ private:
 
   const DistanceField& field_;
   const TriangleMesh& mesh_;
-  std::vector<SourceCurve> curves_;
-  /// Where the points of each curve are along it.
-  std::vector<std::vector<double>> places_;
+  /// The curves, whose numbers windows have.
+  CurveChains chains_;
   /// Mesh vertices on curves, ascending, each once; and the segments that end there.
   std::vector<VertexOnCurve> vertices_;
   std::vector<SegmentEnd> vertexEnds_;

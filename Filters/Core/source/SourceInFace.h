@@ -13,7 +13,7 @@ struct SourceInFace
   Id face = NoId;
   Barycentric a = {};
   Barycentric b = {};
-  /// The curve's number, and where along it the ends are.
+  /// The number of the chain that its curve is in (CurveChains), and where along it the ends are.
   Id curve = 0;
   double placeOfA = 0.0;
   double placeOfB = 0.0;

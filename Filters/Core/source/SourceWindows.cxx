@@ -2,6 +2,7 @@
 #include "source/SourceWindows.h"
 
 #include "Tolerance.h"
+#include "source/CurveChains.h"
 #include "source/CurveWedge.h"
 #include "source/PointWindows.h"
 #include "source/SegmentWindows.h"
@@ -79,15 +80,11 @@ public:
   {
   }
 
-  SourceWindows make(const std::vector<SourceCurve>& curves)
+  SourceWindows make(const CurveChains& chains)
   {
-    for (SourceCurve curve : curves)
+    for (const SourceCurve& curve : chains.curves())
     {
-      for (SurfacePoint& point : curve.points)
-      {
-        point = normalized(this->mesh_, point);
-      }
-      this->places_ = placesAlong(this->mesh_, curve);
+      this->places_ = chains.places(this->curve_);
       this->addSegments(curve);
       this->addPoints(curve);
       ++this->curve_;
@@ -238,7 +235,7 @@ SourceWindows makeSourceWindows(const TriangleMesh& mesh, const std::vector<Sour
   const ProgressCallback& callback)
 {
   StepProgress progress(callback, numberOfPoints(curves));
-  return Maker(mesh, progress).make(curves);
+  return Maker(mesh, progress).make(CurveChains(mesh, curves));
 }
 
 }

@@ -26,6 +26,9 @@ struct SourceWindows
   std::vector<Id> nearVertices;
 };
 
+/// The curves are joined at their ends (CurveChains) and numbered so in windows and in
+/// SourceInFace.
+///
 /// Linear windows to both sides of every segment, and circular windows from every vertex of a curve
 /// into its wedge: the directions at right angles or more to all its segments. Where a curve is
 /// only cut by a mesh edge there is no wedge. Takes time in proportion to the segments and to the

@@ -226,3 +226,55 @@ TEST_P(NearestSources, AreComeNearerToAgainstTheGradient)
 
 INSTANTIATE_TEST_SUITE_P(Kinds, NearestSources, ::testing::ValuesIn(meshKinds()),
   [](const auto& instance) { return std::string(instance.param.name); });
+
+// Parallel rays of neighbors stay one window: cells of a line cost no more than the line.
+TEST(NearestSource, ALineOfManyCurvesIsOneToTheFront)
+{
+  const geodesic::TriangleMesh mesh = engineMesh(regularGrid(16, 16));
+  const auto along = [&](double from, double to)
+  {
+    geodesic::SourceCurve curve;
+    curve.points = { SurfacePoint::inFace(0, 0.0, 0.0), SurfacePoint::inFace(0, 0.0, 0.0) };
+    const geodesic::Barycentric a = { 0.7 - 0.4 * from, 0.1 + 0.4 * from, 0.2 };
+    const geodesic::Barycentric b = { 0.7 - 0.4 * to, 0.1 + 0.4 * to, 0.2 };
+    curve.points[0] = geodesic::fromBarycentric(mesh, 0, a);
+    curve.points[1] = geodesic::fromBarycentric(mesh, 0, b);
+    curve.faces = { 0 };
+    curve.isCut = { 0, 0 };
+    return curve;
+  };
+  constexpr int count = 20;
+  std::vector<geodesic::SourceCurve> parts;
+  for (int i = 0; i < count; ++i)
+  {
+    const double begin = i / static_cast<double>(count);
+    const double end = (i + 1) / static_cast<double>(count);
+    parts.push_back(i % 3 == 1 ? along(end, begin) : along(begin, end));
+  }
+  const geodesic::DistanceField whole = solveWithArrivals(mesh, { along(0.0, 1.0) });
+  const geodesic::DistanceField field = solveWithArrivals(mesh, parts);
+  // Each part goes through the few edges of its face on its own.
+  EXPECT_LE(field.windowsPropagated(), whole.windowsPropagated() + 8 * count);
+  EXPECT_LE(worstError(field.vertexDistances(), whole.vertexDistances(), 16.0), OrdinaryAccuracy);
+
+  // Each of the parts is the nearest to what lies beside its middle, on the side that it sees.
+  NearestSource nearest(field, parts);
+  for (int i = 0; i < count; ++i)
+  {
+    const double middle = (i + 0.5) / count;
+    for (const bool above : { false, true })
+    {
+      geodesic::Barycentric place = { 0.7 - 0.4 * middle, 0.1 + 0.4 * middle, 0.2 };
+      const double change = above ? 0.05 : -0.05; // at right angles to the first halfedge
+      const geodesic::FaceShape& shape = mesh.shape(0);
+      const double foot = shape.cornerDot[0] / (shape.length[0] * shape.length[0]);
+      place[2] += change;
+      place[1] -= change * foot;
+      place[0] -= change * (1.0 - foot);
+      const Foot found =
+        nearest.of(geodesic::lastPieceTo(field, geodesic::fromBarycentric(mesh, 0, place)));
+      EXPECT_EQ(found.curve, static_cast<Id>(i));
+      EXPECT_EQ(found.isRight, above == (i % 3 == 1)) << "part " << i << (above ? " above" : "");
+    }
+  }
+}

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "source/CurveChains.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// One end of a curve: its beginning or its last point.
+struct CurveEnd
+{
+  std::size_t curve;
+  bool isLast;
+  CurveEnd other() const { return { this->curve, !this->isLast }; }
+};
+
+constexpr std::size_t NoCurve = static_cast<std::size_t>(-1);
+
+/// Which end of which curve goes on at an end of a curve.
+class EndPairs
+{
+public:
+  EndPairs(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
+    : partners_(2 * curves.size(), { NoCurve, false })
+  {
+    using Key = std::tuple<SurfacePoint::Kind, Id, double, double>;
+    std::map<Key, std::vector<CurveEnd>> meeting;
+    for (std::size_t c = 0; c < curves.size(); ++c)
+    {
+      const SourceCurve& curve = curves[c];
+      if (curve.points.size() < 2 || curve.isClosed())
+      {
+        continue;
+      }
+      for (const bool isLast : { false, true })
+      {
+        const SurfacePoint p =
+          normalized(mesh, isLast ? curve.points.back() : curve.points.front());
+        meeting[{ p.kind, p.id, p.u, p.v }].push_back({ c, isLast });
+      }
+    }
+    for (const auto& [place, ends] : meeting)
+    {
+      if (ends.size() == 2)
+      {
+        this->at(ends[0]) = ends[1];
+        this->at(ends[1]) = ends[0];
+      }
+    }
+  }
+
+  /// Its curve is NoCurve where none goes on.
+  CurveEnd partner(const CurveEnd& end) const
+  {
+    return this->partners_[2 * end.curve + end.isLast];
+  }
+
+private:
+  CurveEnd& at(const CurveEnd& end) { return this->partners_[2 * end.curve + end.isLast]; }
+
+  std::vector<CurveEnd> partners_;
+};
+
+/// The first end of the chain that a curve is in: back from curve to curve, or around a loop.
+CurveEnd firstOfChain(const EndPairs& pairs, std::size_t curve)
+{
+  CurveEnd first = { curve, false };
+  for (CurveEnd before = pairs.partner(first); before.curve != NoCurve && before.curve != curve;
+       before = pairs.partner(first))
+  {
+    first = before.other();
+  }
+  return first;
+}
+
+} // anonymous namespace
+
+CurveChains::CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
+{
+  const EndPairs pairs(mesh, curves);
+  std::vector<std::uint8_t> isDone(curves.size(), 0);
+  for (std::size_t c = 0; c < curves.size(); ++c)
+  {
+    if (isDone[c])
+    {
+      continue;
+    }
+    this->chains_.emplace_back().source = curves[c].source;
+    std::vector<std::pair<Id, bool>> order;
+    std::vector<std::size_t> firstPoints;
+    for (CurveEnd end = firstOfChain(pairs, c); end.curve != NoCurve && !isDone[end.curve];
+         end = pairs.partner(end.other()))
+    {
+      isDone[end.curve] = 1;
+      firstPoints.push_back(std::max<std::size_t>(this->chains_.back().points.size(), 1) - 1);
+      order.emplace_back(static_cast<Id>(end.curve), end.isLast);
+      this->append(curves[end.curve], end.isLast);
+    }
+    for (SurfacePoint& point : this->chains_.back().points)
+    {
+      point = normalized(mesh, point);
+    }
+    this->places_.push_back(placesAlong(mesh, this->chains_.back()));
+    std::vector<Link>& links = this->links_.emplace_back();
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      links.push_back({ order[i].first, order[i].second, this->places_.back()[firstPoints[i]] });
+    }
+  }
+}
+
+// To the chain at hand; its last point is the curve's first.
+void CurveChains::append(const SourceCurve& curve, bool isReversed)
+{
+  SourceCurve next = curve;
+  if (isReversed)
+  {
+    std::reverse(next.points.begin(), next.points.end());
+    std::reverse(next.faces.begin(), next.faces.end());
+    std::reverse(next.isCut.begin(), next.isCut.end());
+  }
+  SourceCurve& chain = this->chains_.back();
+  const std::ptrdiff_t shared = chain.points.empty() ? 0 : 1;
+  chain.points.insert(chain.points.end(), next.points.begin() + shared, next.points.end());
+  chain.faces.insert(chain.faces.end(), next.faces.begin(), next.faces.end());
+  chain.isCut.insert(chain.isCut.end(), next.isCut.begin() + shared, next.isCut.end());
+}
+
+const CurveChains::Link& CurveChains::linkAt(Id chain, double place) const
+{
+  const std::vector<Link>& links = this->links_[chain];
+  const auto behind = std::upper_bound(
+    links.begin(), links.end(), place, [](double p, const Link& link) { return p < link.begin; });
+  return behind == links.begin() ? links.front() : *(behind - 1);
+}
+
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_CurveChains_h
+#define geodesic_CurveChains_h
+
+#include "source/SourceCurve.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// Curves joined at their ends: a line that came as many cells is one curve to the front, whose
+/// parallel rays stay together.
+class CurveChains
+{
+public:
+  /// A curve in a chain.
+  struct Link
+  {
+    /// Its number among the curves, and whether the chain runs against it.
+    Id curve = NoId;
+    bool isReversed = false;
+    /// Where it begins along the chain.
+    double begin = 0.0;
+  };
+
+  /// Two curves are joined where the end of one is the end of the other and of no third.
+  CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves);
+
+  /// The chains as curves with normalized points; SourceCurve::source is that of the first.
+  const std::vector<SourceCurve>& curves() const { return this->chains_; }
+  /// Where the points of a chain are along it.
+  const std::vector<double>& places(Id chain) const { return this->places_[chain]; }
+  /// The curve at a place of a chain; at a joint either.
+  const Link& linkAt(Id chain, double place) const;
+
+private:
+  void append(const SourceCurve& curve, bool isReversed);
+
+  std::vector<SourceCurve> chains_;
+  std::vector<std::vector<double>> places_;
+  /// Of each chain in their order along it.
+  std::vector<std::vector<Link>> links_;
+};
+
+}
+
+#endif
