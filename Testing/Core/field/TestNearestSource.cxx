@@ -6,6 +6,8 @@
 #include "truth/RandomMeshKinds.h"
 
 #include "field/NearestSource.h"
+#include "refinement/AdaptiveRefinement.h"
+#include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +26,11 @@ using geodesic::SurfacePoint;
 namespace
 {
 
-constexpr std::uint64_t MeshesOfAKind = 25;
+constexpr std::uint64_t MeshesOfAKind = 12;
 constexpr std::size_t NumberOfQueries = 40;
 constexpr std::size_t FeetTried = 6;
+/// Of unit edges.
+constexpr double RefinementTolerance = 0.02;
 
 geodesic::DistanceField solveWithArrivals(const geodesic::TriangleMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves, double maximumDistance = geodesic::Infinity)
@@ -43,7 +47,25 @@ MeshPoint plainPoint(const geodesic::TriangleMesh& mesh, const SurfacePoint& poi
   return { face, geodesic::barycentric(mesh, point, face) };
 }
 
-/// A random case, solved, and what is asked for at all vertices and queries.
+enum class At
+{
+  /// All vertices and the queries of the case.
+  VerticesAndQueries,
+  /// Points that refinement adds, some of them, with the windows that it keeps.
+  RefinedPoints
+};
+
+geodesic::DistanceField solveFor(
+  At at, const geodesic::TriangleMesh& mesh, const std::vector<geodesic::SourceCurve>& curves)
+{
+  geodesic::FrontOptions options;
+  options.keepArrivals = true;
+  return at == At::RefinedPoints
+    ? geodesic::solveForRefinement(mesh, curves, RefinementTolerance, options)
+    : geodesic::solve(mesh, curves, options, geodesic::KeepWindows::All);
+}
+
+/// A random case, solved, and the points that are asked for.
 struct Solved
 {
   RandomCase plain;
@@ -55,15 +77,20 @@ struct Solved
   std::vector<double> truth;
   double largest;
 
-  Solved(const MeshKind& kind, std::uint64_t seed)
+  Solved(const MeshKind& kind, std::uint64_t seed, At at)
     : plain(randomCase(kind, seed, NumberOfQueries))
     , mesh(engineMesh(plain.mesh))
     , curves(engineCurves(mesh, plain.curves))
-    , field(solveWithArrivals(mesh, curves))
+    , field(solveFor(at, mesh, curves))
     , nearest(field, curves)
-    , truth(plain.truth.vertices)
     , largest(largestFinite(plain.truth.vertices))
   {
+    if (at == At::RefinedPoints)
+    {
+      takeRefinedPoints();
+      return;
+    }
+    truth = plain.truth.vertices;
     for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
     {
       points.push_back(SurfacePoint::atVertex(vertex));
@@ -75,6 +102,33 @@ struct Solved
     truth.insert(truth.end(), plain.truth.queries.begin(), plain.truth.queries.end());
   }
 
+  void takeRefinedPoints()
+  {
+    geodesic::RefinementOptions options;
+    options.tolerance = RefinementTolerance;
+    options.maximumFaces = 20 * mesh.numberOfFaces();
+    const geodesic::RefinedMesh refined = geodesic::refine(field, options);
+    const std::size_t step = refined.points.size() / NumberOfQueries + 1;
+    std::vector<MeshPoint> places;
+    for (std::size_t i = 0; i < refined.points.size(); i += step)
+    {
+      points.push_back(refined.points[i].place);
+      places.push_back(plainPoint(mesh, refined.points[i].place));
+    }
+    truth = bruteForceDistances(plain.mesh, toSources(plain.curves), places).queries;
+  }
+
+  /// The true distances of the points from one of the curves.
+  std::vector<double> distancesFrom(const Polyline& curve) const
+  {
+    std::vector<MeshPoint> places;
+    for (const SurfacePoint& point : points)
+    {
+      places.push_back(plainPoint(mesh, point));
+    }
+    return bruteForceDistances(plain.mesh, toSources({ curve }), places).queries;
+  }
+
   Foot footAt(std::size_t i)
   {
     return points[i].kind == SurfacePoint::Kind::Vertex
@@ -83,8 +137,14 @@ struct Solved
   }
 };
 
-class NearestSources : public ::testing::TestWithParam<MeshKind>
+class NearestSources : public ::testing::TestWithParam<std::tuple<MeshKind, At>>
 {
+protected:
+  const MeshKind& kind() const { return kind_; }
+  At at() const { return std::get<1>(GetParam()); }
+
+private:
+  const MeshKind kind_ = std::get<0>(GetParam());
 };
 
 } // anonymous namespace
@@ -95,31 +155,28 @@ TEST_P(NearestSources, AreAsFarAsTheField)
   double worst = 0.0;
   for (std::uint64_t seed = 0; seed < MeshesOfAKind; ++seed)
   {
-    Solved s(GetParam(), seed);
-    std::vector<BruteForceResult> alone;
+    Solved s(kind(), seed, at());
+    std::vector<std::vector<double>> alone;
     for (const Polyline& curve : s.plain.curves)
     {
-      alone.push_back(bruteForceDistances(s.plain.mesh, toSources({ curve }), s.plain.queries));
+      alone.push_back(s.distancesFrom(curve));
     }
     for (std::size_t i = 0; i < s.points.size(); ++i)
     {
       const Foot foot = s.footAt(i);
       ASSERT_EQ(foot.isKnown(), s.truth[i] < geodesic::Infinity)
-        << GetParam().name << ", seed " << seed << ", point " << i;
+        << kind().name << ", seed " << seed << ", point " << i;
       if (!foot.isKnown())
       {
         continue;
       }
-      const BruteForceResult& of = alone[foot.curve];
-      const std::size_t vertices = of.vertices.size();
-      const double distance = i < vertices ? of.vertices[i] : of.queries[i - vertices];
-      const double error = std::abs(distance - s.truth[i]) / s.largest;
-      EXPECT_LE(error, accuracyOn(GetParam()))
-        << GetParam().name << ", seed " << seed << ", point " << i << ", curve " << foot.curve;
+      const double error = std::abs(alone[foot.curve][i] - s.truth[i]) / s.largest;
+      EXPECT_LE(error, accuracyOn(kind()))
+        << kind().name << ", seed " << seed << ", point " << i << ", curve " << foot.curve;
       worst = std::max(worst, error);
     }
   }
-  std::cout << "worst relative error of the named curve on " << GetParam().name << ": " << worst
+  std::cout << "worst relative error of the named curve on " << kind().name << ": " << worst
             << "\n";
 }
 
@@ -129,7 +186,7 @@ TEST_P(NearestSources, HaveTheirFeetAsFarAsTheField)
   double worst = 0.0;
   for (std::uint64_t seed = 0; seed < MeshesOfAKind; ++seed)
   {
-    Solved s(GetParam(), seed);
+    Solved s(kind(), seed, at());
     Random random(seed);
     for (std::size_t n = 0; n < FeetTried; ++n)
     {
@@ -145,13 +202,13 @@ TEST_P(NearestSources, HaveTheirFeetAsFarAsTheField)
       const double distance =
         bruteForceDistances(s.plain.mesh, source, { plainPoint(s.mesh, s.points[i]) }).queries[0];
       const double error = std::abs(distance - s.truth[i]) / s.largest;
-      EXPECT_LE(error, accuracyOn(GetParam()))
-        << GetParam().name << ", seed " << seed << ", point " << i << ", curve " << foot.curve
-        << " at " << foot.place << ", distance " << distance << ", truth " << s.truth[i];
+      EXPECT_LE(error, accuracyOn(kind()))
+        << kind().name << ", seed " << seed << ", point " << i << ", curve " << foot.curve << " at "
+        << foot.place << ", distance " << distance << ", truth " << s.truth[i];
       worst = std::max(worst, error);
     }
   }
-  std::cout << "worst relative error of the foot on " << GetParam().name << ": " << worst << "\n";
+  std::cout << "worst relative error of the foot on " << kind().name << ": " << worst << "\n";
 }
 
 // A short step against the gradient, in the face that the path comes through, lowers the distance
@@ -161,7 +218,7 @@ TEST_P(NearestSources, AreComeNearerToAgainstTheGradient)
   double worst = 0.0;
   for (std::uint64_t seed = 0; seed < MeshesOfAKind; ++seed)
   {
-    Solved s(GetParam(), seed);
+    Solved s(kind(), seed, at());
     std::vector<MeshPoint> steps;
     std::vector<std::size_t> of;
     std::vector<double> lengths;
@@ -175,7 +232,7 @@ TEST_P(NearestSources, AreComeNearerToAgainstTheGradient)
         continue;
       }
       const double size = geodesic::norm(gradient);
-      ASSERT_NEAR(size, 1.0, 1e-14) << GetParam().name << ", seed " << seed << ", point " << i;
+      ASSERT_NEAR(size, 1.0, 1e-14) << kind().name << ", seed " << seed << ", point " << i;
       // The step in barycentric coordinates, by the frame of the piece.
       const Id face = geodesic::TriangleMesh::faceOf(piece.frame);
       const geodesic::Barycentric at = geodesic::barycentric(s.mesh, s.points[i], face);
@@ -199,7 +256,7 @@ TEST_P(NearestSources, AreComeNearerToAgainstTheGradient)
       // A point may lie a rounding beside an edge or a vertex, but a vertex has all of its step.
       const bool isVertex = s.points[i].kind == SurfacePoint::Kind::Vertex;
       EXPECT_GE(part, isVertex ? 1.0 - 1e-6 : 0.0)
-        << "the step leaves the face: " << GetParam().name << ", seed " << seed << ", point " << i;
+        << "the step leaves the face: " << kind().name << ", seed " << seed << ", point " << i;
       geodesic::Barycentric moved;
       for (std::size_t k = 0; k < 3; ++k)
       {
@@ -215,17 +272,23 @@ TEST_P(NearestSources, AreComeNearerToAgainstTheGradient)
     {
       const double lowered = s.truth[of[n]] - truth.queries[n];
       const double error = std::abs(lowered - lengths[n]) / s.largest;
-      EXPECT_LE(error, accuracyOn(GetParam()))
-        << GetParam().name << ", seed " << seed << ", point " << of[n] << ": lowered by " << lowered
+      EXPECT_LE(error, accuracyOn(kind()))
+        << kind().name << ", seed " << seed << ", point " << of[n] << ": lowered by " << lowered
         << ", step " << lengths[n];
       worst = std::max(worst, error);
     }
   }
-  std::cout << "worst relative error of a step on " << GetParam().name << ": " << worst << "\n";
+  std::cout << "worst relative error of a step on " << kind().name << ": " << worst << "\n";
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, NearestSources, ::testing::ValuesIn(meshKinds()),
-  [](const auto& instance) { return std::string(instance.param.name); });
+INSTANTIATE_TEST_SUITE_P(Kinds, NearestSources,
+  ::testing::Combine(
+    ::testing::ValuesIn(meshKinds()), ::testing::Values(At::VerticesAndQueries, At::RefinedPoints)),
+  [](const auto& instance)
+  {
+    const bool isRefined = std::get<1>(instance.param) == At::RefinedPoints;
+    return std::string(std::get<0>(instance.param).name) + (isRefined ? "Refined" : "");
+  });
 
 // Parallel rays of neighbors stay one window: cells of a line cost no more than the line.
 TEST(NearestSource, ALineOfManyCurvesIsOneToTheFront)
