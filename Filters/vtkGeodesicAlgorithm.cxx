@@ -244,8 +244,10 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   try
   {
     reserve = std::make_unique<char[]>(MemoryForMessages);
+    const bool hasTargets = this->GetNumberOfInputPorts() > 2;
     geodesic::FilterExecution execution(this, this->Internals->Cache, stage,
-      vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]));
+      vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]),
+      hasTargets ? vtkDataObject::GetData(inputVector[2]) : nullptr);
     this->Compute(execution, outputVector);
     execution.giveNotes();
     if (this->GetReleaseDataFlag() || vtkDataObject::GetGlobalReleaseDataFlag())
