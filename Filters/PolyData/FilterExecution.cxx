@@ -70,9 +70,9 @@ void FilterExecution::readInputs()
   this->readSources();
 }
 
-void FilterExecution::requireTargets() const
+void FilterExecution::requireTargets(bool sourcesAreTargets) const
 {
-  if (!this->targetsInput_)
+  if (!this->targetsInput_ && !(sourcesAreTargets && this->sourceInput_))
   {
     throw InputError(
       "There are no targets: connect points to input port 2 (SetTargetsConnection or "
@@ -83,8 +83,8 @@ void FilterExecution::requireTargets() const
 Targets FilterExecution::readTargets(double end)
 {
   this->enter(Stage::ReadingTargets);
-  const std::string name =
-    this->targetsInput_ ? "the targets (input port 2)" : "the targets (the points of input port 1)";
+  const std::string name = this->targetsInput_ ? "the set of targets (input port 2)"
+                                               : "the set of targets (points of input port 1)";
   vtkDataObject* input = this->targetsInput_ ? this->targetsInput_ : this->sourceInput_;
   Targets targets = geodesic::readTargets(polyDataBlocks(input, name), name, this->surface(),
     this->locator(), this->progressBetween(InputsRead, end));
@@ -115,7 +115,8 @@ void FilterExecution::readSources()
         this->progressBetween(SourceLocated, InputsRead));
     paths.endUse();
     this->numberOfSources_ = source.numberOfSources;
-    noteSource(this->surface(), this->sources_, this->notes_);
+    noteSource(
+      this->surface(), this->sources_, this->filter_->GetNumberOfOutputPorts() > 1, this->notes_);
   }
   this->firstBoundarySource_ = this->numberOfSources_;
   if (type != vtkGeodesicAlgorithm::SOURCE_CURVE)

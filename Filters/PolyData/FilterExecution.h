@@ -59,8 +59,9 @@ public:
   /// \param end what is reached then, as a fraction of the whole.
   /// \throws geodesic::Error where they cannot be used; Aborted.
   Targets readTargets(double end);
+  /// \param sourcesAreTargets whether the points of the source will do in their place.
   /// \throws InputError where no targets are connected.
-  void requireTargets() const;
+  void requireTargets(bool sourcesAreTargets = false) const;
 
   vtkDataObject* surfaceInput() const { return this->surfaceInput_; }
   /// The blocks of the surface's input, as in PolyDataSurface::blocks().

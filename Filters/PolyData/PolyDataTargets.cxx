@@ -79,7 +79,7 @@ Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string&
   if (points.empty())
   {
     throw InputError(
-      capitalized(name) + " are empty: there are no points. Connect at least one point.");
+      capitalized(name) + " is empty: there are no points. Connect at least one point.");
   }
   const double precision = snapOptionsFor(blocks).coordinatePrecision;
   locator.locate(points, precision,

@@ -24,7 +24,7 @@ struct Targets
 /// edge when within the precision of the coordinates: the same place as for a source that is one
 /// point.
 ///
-/// \param name as messages call the input: "the targets (input port 2)".
+/// \param name as messages call the input: "the set of targets (input port 2)".
 /// \param progress called now and then with a fraction done; returning false throws Aborted.
 /// \throws InputError where there is no point, or one is not finite or too far away; Aborted.
 Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
