@@ -109,6 +109,12 @@ std::string vtkGeodesicAlgorithm::FindWrongProperty() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkGeodesicAlgorithm::AdviceOnMemory() const
+{
+  return "Decimate the surface or cut it into parts.";
+}
+
+//------------------------------------------------------------------------------
 void vtkGeodesicAlgorithm::SetController(vtkMultiProcessController* controller)
 {
   if (!this->Internals->HasController || this->Internals->Controller != controller)
@@ -236,9 +242,8 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   const auto explainMemory = [&](const std::string& numbers)
   {
     vtkErrorMacro("There is not enough memory for this surface: it ran out while "
-      << geodesic::describe(stage) << "." << numbers
-      << " Nothing of this is kept. Decimate the surface, cut it into parts, set MaximumDistance, "
-         "switch RefineMesh off or set Accuracy to Approximate.");
+      << geodesic::describe(stage) << "." << numbers << " Nothing of this is kept. "
+      << this->AdviceOnMemory());
   };
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try

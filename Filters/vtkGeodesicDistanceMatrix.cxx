@@ -117,6 +117,13 @@ std::string vtkGeodesicDistanceMatrix::FindWrongProperty() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkGeodesicDistanceMatrix::AdviceOnMemory() const
+{
+  return "Decimate the surface, cut it into parts, set MaximumDistance, or use fewer threads or "
+         "targets.";
+}
+
+//------------------------------------------------------------------------------
 void vtkGeodesicDistanceMatrix::ResetResults() {}
 
 //------------------------------------------------------------------------------
