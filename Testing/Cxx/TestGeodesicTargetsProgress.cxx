@@ -23,13 +23,13 @@ vtkSmartPointer<vtkPolyData> Cloud(int count)
 }
 
 /// A filter with its inputs.
-struct Run
+struct Query
 {
   std::string Name;
   vtkSmartPointer<vtkGeodesicAlgorithm> Filter;
 };
 
-std::vector<Run> MakeRuns(vtkPolyData* surface)
+std::vector<Query> MakeQueries(vtkPolyData* surface)
 {
   const auto paths = vtkSmartPointer<vtkGeodesicPaths>::New();
   paths->SetInputData(surface);
@@ -43,7 +43,7 @@ std::vector<Run> MakeRuns(vtkPolyData* surface)
 }
 
 /// Watches the time that goes by between one report and the next.
-void CheckNeverStill(Check& check, const Run& run)
+void CheckNeverStill(Check& check, const Query& run)
 {
   std::vector<double> times = { ProcessorTime() };
   std::vector<double> progress;
@@ -69,7 +69,7 @@ void CheckNeverStill(Check& check, const Run& run)
 }
 
 /// Asks to abort at the first progress of at least the fraction.
-void CheckAbortAt(Check& check, const Run& run, double fraction)
+void CheckAbortAt(Check& check, const Query& run, double fraction)
 {
   const std::string name = run.Name + ", abort at " + std::to_string(fraction);
   double asked = 0.0;
@@ -100,7 +100,7 @@ int TestGeodesicTargetsProgress(int, char*[])
   vtkSMPTools::SetBackend("Sequential"); // one thread's processor time counts
   Check check;
   const auto million = NoisySquare(720);
-  for (const Run& run : MakeRuns(million))
+  for (const Query& run : MakeQueries(million))
   {
     CheckNeverStill(check, run);
   }
@@ -108,7 +108,7 @@ int TestGeodesicTargetsProgress(int, char*[])
   // traced.
   for (const double fraction : { 0.1, 0.24, 0.28, 0.4, 0.7 })
   {
-    for (const Run& run : MakeRuns(million))
+    for (const Query& run : MakeQueries(million))
     {
       CheckAbortAt(check, run, fraction);
     }

@@ -104,7 +104,7 @@ TEST_P(DistanceMatrices, BetweenPointsAreSymmetricAndTrue)
   std::cout << "worst asymmetry on " << GetParam().name << ": " << worst << "\n";
 }
 
-TEST_P(DistanceMatrices, HaveTheBitsOfTheFieldOfEachSourceForAnyTargetsAndThreads)
+TEST_P(DistanceMatrices, HaveTheBitsOfTheFieldOfEachSourceForAnyTargetsAndInParallel)
 {
   for (std::uint64_t seed = 0; seed < 5; ++seed)
   {

@@ -30,6 +30,7 @@ std::vector<SurfacePoint> enginePoints(
   const TriangleMesh& engine, const std::vector<MeshPoint>& points)
 {
   std::vector<SurfacePoint> result;
+  result.reserve(points.size());
   for (const MeshPoint& point : points)
   {
     result.push_back(enginePoint(engine, point));
@@ -207,7 +208,7 @@ TEST_P(PathsToSourceOn, InWindowsAreAsLongAsTheBruteForceDistance)
 }
 
 // The front stops sooner for one target than for all.
-TEST_P(PathsToSourceOn, OfOneTargetIsThatOfManyAndOfManyThreads)
+TEST_P(PathsToSourceOn, OfOneTargetAndInParallelAreThoseOfManyTargets)
 {
   for (std::uint64_t seed = 0; seed < 5; ++seed)
   {
