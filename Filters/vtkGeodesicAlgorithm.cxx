@@ -109,6 +109,12 @@ std::string vtkGeodesicAlgorithm::FindWrongProperty() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkGeodesicAlgorithm::AdviceOnMemory() const
+{
+  return "Decimate the surface or cut it into parts.";
+}
+
+//------------------------------------------------------------------------------
 void vtkGeodesicAlgorithm::SetController(vtkMultiProcessController* controller)
 {
   if (!this->Internals->HasController || this->Internals->Controller != controller)
@@ -236,16 +242,17 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   const auto explainMemory = [&](const std::string& numbers)
   {
     vtkErrorMacro("There is not enough memory for this surface: it ran out while "
-      << geodesic::describe(stage) << "." << numbers
-      << " Nothing of this is kept. Decimate the surface, cut it into parts, set MaximumDistance, "
-         "switch RefineMesh off or set Accuracy to Approximate.");
+      << geodesic::describe(stage) << "." << numbers << " Nothing of this is kept. "
+      << this->AdviceOnMemory());
   };
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try
   {
     reserve = std::make_unique<char[]>(MemoryForMessages);
+    const bool hasTargets = this->GetNumberOfInputPorts() > 2;
     geodesic::FilterExecution execution(this, this->Internals->Cache, stage,
-      vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]));
+      vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]),
+      hasTargets ? vtkDataObject::GetData(inputVector[2]) : nullptr);
     this->Compute(execution, outputVector);
     execution.giveNotes();
     if (this->GetReleaseDataFlag() || vtkDataObject::GetGlobalReleaseDataFlag())

@@ -113,6 +113,8 @@ protected:
 
   /// Says what is wrong with a property and what to do; empty where all are right.
   virtual std::string FindWrongProperty() const;
+  /// What the user can do where memory has run out, as a sentence.
+  virtual std::string AdviceOnMemory() const;
   /// Sets what getters tell of an execution to what it is before.
   virtual void ResetResults() = 0;
   /// Reads the inputs (geodesic::FilterExecution::readInputs()) and fills the outputs. May throw.

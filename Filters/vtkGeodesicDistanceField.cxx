@@ -558,6 +558,14 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkGeodesicDistanceField::AdviceOnMemory() const
+{
+  return "Decimate the surface, cut it into parts, set MaximumDistance, switch RefineMesh off or "
+         "set "
+         "Accuracy to Approximate.";
+}
+
+//------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::ResetResults()
 {
   this->WindowsPropagatedPerEdge = 0.0;

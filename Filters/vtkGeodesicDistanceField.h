@@ -352,6 +352,7 @@ protected:
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   std::string FindWrongProperty() const override;
+  std::string AdviceOnMemory() const override;
   void ResetResults() override;
   void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
 

@@ -66,9 +66,9 @@ constexpr double PathAtVertex = 64.0 * Rounding;
 /// its end, or beside it by no more than this fraction of its length, about the root of that.
 constexpr double BesideEnd = 1e-6;
 
-/// A traced path may be longer than the distance by this fraction: the points at its edges are each
-/// rounded, and in needles what unfolding rounds is many times as much.
-constexpr double TracedLength = 1e-11;
+/// A traced path may be longer than the distance by this fraction, a tie: the points at its edges
+/// are each rounded. In needles what unfolding rounds may be more: such a path is found in windows.
+constexpr double TracedLength = 1e-12;
 
 /// Lengths between two places in a face are rounded to this fraction of its longest edge: places
 /// are kept as barycentric coordinates.

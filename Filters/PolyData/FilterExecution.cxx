@@ -32,6 +32,8 @@ const char* describe(Stage stage)
       return "reading the surface";
     case Stage::ReadingSource:
       return "putting the source onto the surface, after reading the surface";
+    case Stage::ReadingTargets:
+      return "putting the targets onto the surface, after reading the surface and the source";
     case Stage::ComputingDistances:
       return "computing the distances, after reading the surface and the source";
     case Stage::Refining:
@@ -43,12 +45,13 @@ const char* describe(Stage stage)
 }
 
 FilterExecution::FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
-  vtkDataObject* surface, vtkDataObject* source)
+  vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets)
   : filter_(filter)
   , cache_(cache)
   , stage_(stage)
   , surfaceInput_(surface)
   , sourceInput_(source)
+  , targetsInput_(targets)
 {
 }
 
@@ -65,6 +68,28 @@ void FilterExecution::readInputs()
   this->reach(SurfaceRead);
   this->enter(Stage::ReadingSource);
   this->readSources();
+}
+
+void FilterExecution::requireTargets(bool sourcesAreTargets) const
+{
+  if (!this->targetsInput_ && !(sourcesAreTargets && this->sourceInput_))
+  {
+    throw InputError(
+      "There are no targets: connect points to input port 2 (SetTargetsConnection or "
+      "SetTargetsData; Targets in ParaView).");
+  }
+}
+
+Targets FilterExecution::readTargets(double end)
+{
+  this->enter(Stage::ReadingTargets);
+  const std::string name = this->targetsInput_ ? "the set of targets (input port 2)"
+                                               : "the set of targets (points of input port 1)";
+  vtkDataObject* input = this->targetsInput_ ? this->targetsInput_ : this->sourceInput_;
+  Targets targets = geodesic::readTargets(polyDataBlocks(input, name), name, this->surface(),
+    this->locator(), this->progressBetween(InputsRead, end));
+  this->reach(end);
+  return targets;
 }
 
 void FilterExecution::readSources()
@@ -90,7 +115,8 @@ void FilterExecution::readSources()
         this->progressBetween(SourceLocated, InputsRead));
     paths.endUse();
     this->numberOfSources_ = source.numberOfSources;
-    noteSource(this->surface(), this->sources_, this->notes_);
+    noteSource(
+      this->surface(), this->sources_, this->filter_->GetNumberOfOutputPorts() > 1, this->notes_);
   }
   this->firstBoundarySource_ = this->numberOfSources_;
   if (type != vtkGeodesicAlgorithm::SOURCE_CURVE)

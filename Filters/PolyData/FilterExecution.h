@@ -5,6 +5,7 @@
 #include "PolyData/Memory.h"
 #include "PolyData/Notes.h"
 #include "PolyData/PolyDataBlocks.h"
+#include "PolyData/PolyDataTargets.h"
 #include "PolyData/SurfaceCache.h"
 #include "Progress.h"
 #include "source/PolylineOnSurface.h"
@@ -22,6 +23,7 @@ enum class Stage
 {
   ReadingSurface,
   ReadingSource,
+  ReadingTargets,
   ComputingDistances,
   Refining,
   WritingOutputs
@@ -43,13 +45,23 @@ public:
   /// \param stage told what is being done, for the one who catches an exception.
   /// \param surface on input port 0.
   /// \param source on input port 1, or null.
+  /// \param targets on input port 2, or null.
   FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
-    vtkDataObject* surface, vtkDataObject* source);
+    vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets);
 
   /// Reads the surface, and the source as SourceType has it, up to InputsRead.
   ///
   /// \throws geodesic::Error where one of them cannot be used; Aborted.
   void readInputs();
+  /// Puts the points of the targets onto the surface, after readInputs(); those of the source where
+  /// no targets are connected.
+  ///
+  /// \param end what is reached then, as a fraction of the whole.
+  /// \throws geodesic::Error where they cannot be used; Aborted.
+  Targets readTargets(double end);
+  /// \param sourcesAreTargets whether the points of the source will do in their place.
+  /// \throws InputError where no targets are connected.
+  void requireTargets(bool sourcesAreTargets = false) const;
 
   vtkDataObject* surfaceInput() const { return this->surfaceInput_; }
   /// The blocks of the surface's input, as in PolyDataSurface::blocks().
@@ -87,6 +99,7 @@ private:
   MemoryWatch memory_;
   vtkDataObject* surfaceInput_;
   vtkDataObject* sourceInput_;
+  vtkDataObject* targetsInput_;
   std::vector<PolyDataBlock> surfaceBlocks_;
   SourceCurves sources_;
   Id numberOfSources_ = 0;

@@ -34,7 +34,8 @@ void noteSurface(const PolyDataSurface& surface, Notes& notes)
     mesh.isolatedVertices, "point", "points", "of the surface used by no face: infinitely far.");
 }
 
-void noteSource(const PolyDataSurface& surface, const SourceCurves& sources, Notes& notes)
+void noteSource(
+  const PolyDataSurface& surface, const SourceCurves& sources, bool isShown, Notes& notes)
 {
   notes.add(sources.repeatedPoints, "point", "points",
     "of the source at the place of the one before, left out.");
@@ -42,8 +43,8 @@ void noteSource(const PolyDataSurface& surface, const SourceCurves& sources, Not
   {
     std::ostringstream sentence;
     sentence << "The source is up to " << surface.scale().toUser(sources.snapDistance)
-             << " away from the surface; it was put onto the surface's closest points. See output "
-                "port 1 for the result.";
+             << " away from the surface; it was put onto the surface's closest points."
+             << (isShown ? " See output port 1 for the result." : "");
     notes.add(sentence.str());
   }
 }

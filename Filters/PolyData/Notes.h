@@ -35,7 +35,10 @@ private:
 void noteSurface(const PolyDataSurface& surface, Notes& notes);
 
 /// What was noticed when the source was put onto the surface.
-void noteSource(const PolyDataSurface& surface, const SourceCurves& sources, Notes& notes);
+///
+/// \param isShown whether output port 1 has the source as it lies there.
+void noteSource(
+  const PolyDataSurface& surface, const SourceCurves& sources, bool isShown, Notes& notes);
 
 }
 

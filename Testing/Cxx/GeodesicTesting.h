@@ -21,8 +21,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <iostream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -178,6 +180,31 @@ inline vtkSmartPointer<vtkPolyData> Square(
   square->SetPolys(polys);
   square->SetStrips(strips);
   return square;
+}
+
+/// Of this process, in seconds.
+inline double ProcessorTime()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// A square of n x n with every point moved a little, so that there are saddles everywhere.
+inline vtkSmartPointer<vtkPolyData> NoisySquare(int n, Cells cells = Cells::Triangles)
+{
+  auto surface = Square(n, cells);
+  std::mt19937_64 random(2007);
+  std::uniform_real_distribution<double> offset(-0.15 / n, 0.15 / n);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    for (double& x : p)
+    {
+      x += offset(random);
+    }
+    surface->GetPoints()->SetPoint(i, p);
+  }
+  return surface;
 }
 
 /// Moves every point; nothing is told that it is modified.

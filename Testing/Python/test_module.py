@@ -4,7 +4,8 @@
 import math
 import unittest
 
-from geodesicdistance import vtkGeodesicDistanceField
+from geodesicdistance import (vtkGeodesicDistanceField, vtkGeodesicDistanceMatrix,
+                             vtkGeodesicPaths)
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
@@ -24,7 +25,28 @@ def octahedron():
     return surface
 
 
+def point(x, y, z):
+    points = vtkPoints()
+    points.InsertNextPoint(x, y, z)
+    data = vtkPolyData()
+    data.SetPoints(points)
+    return data
+
+
 class Module(unittest.TestCase):
+    def test_paths_and_matrices_on_the_octahedron_go_over_its_unfolding(self):
+        for vtk_class in (vtkGeodesicPaths, vtkGeodesicDistanceMatrix):
+            query = vtk_class()
+            query.SetInputData(octahedron())
+            query.SetSourceData(point(1, 0, 0))
+            query.SetTargetsData(point(-1, 0, 0))
+            query.Update()
+            output = query.GetOutput()
+            array = (output.GetCellData().GetArray("GeodesicDistance")
+                     if vtk_class is vtkGeodesicPaths else output.GetColumnByName("Source0"))
+            self.assertEqual(array.GetNumberOfTuples(), 1)
+            self.assertAlmostEqual(array.GetTuple1(0), math.sqrt(6), delta=1e-12)
+
     def test_distances_on_the_octahedron_from_a_vertex_are_those_of_its_unfolding(self):
         source = vtkPolyData()
         points = vtkPoints()

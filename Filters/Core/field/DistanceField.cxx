@@ -38,7 +38,7 @@ void DistanceField::requireWindows() const
 {
   if (!this->hasWindows() || !this->kept_.faces.empty())
   {
-    throw Error("The distance inside faces was asked for, but the solve did not keep all windows.");
+    throw Error("A path through faces was asked for, but the solve did not keep all windows.");
   }
 }
 
@@ -57,7 +57,6 @@ std::vector<SourceInFace> DistanceField::sourcesIn(Id face) const
 
 double DistanceField::distance(const SurfacePoint& point) const
 {
-  this->requireWindows();
   const SurfacePoint p = normalized(*this->mesh_, point);
   if (p.kind == SurfacePoint::Kind::Vertex)
   {
@@ -65,14 +64,24 @@ double DistanceField::distance(const SurfacePoint& point) const
   }
   // One complete face tells all: on its edge, windows that come in through the edge are there.
   LastPiece best;
+  bool isKnown = false;
+  bool isDropped = false;
   forEachFace(*this->mesh_, p,
     [&](Id face)
     {
-      if (this->isComplete(face))
+      const bool isInsideKnown = this->hasWindows() && this->knowsInside(face);
+      isDropped = isDropped || (!isInsideKnown && this->isComplete(face));
+      if (isInsideKnown)
       {
+        isKnown = true;
         this->arriveThrough(face, p, true, best);
       }
     });
+  if (isDropped && !isKnown)
+  {
+    throw Error("The distance inside a face was asked for, but the solve did not keep the windows "
+                "there.");
+  }
   return best.distance;
 }
 

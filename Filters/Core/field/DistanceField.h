@@ -59,16 +59,17 @@ public:
   double droppedErrorBound() const { return this->kept_.droppedErrorBound; }
 
   /// Exact distance at a point of the surface; +infinity where the front did not come, which with a
-  /// limit is every face without a point within it. Thread-safe.
+  /// limit is every face without a point within it. Known at every vertex, and elsewhere where the
+  /// windows of a face around the point were kept. Thread-safe.
   ///
-  /// \throws Error where no windows were kept.
+  /// \throws Error where they were not.
   double distance(const SurfacePoint& point) const;
 
   /// The shortest path from the point back to the source, as points of the surface: the point, a
   /// point on every edge it crosses, the vertices it passes, its end on the source. One of them
   /// where there are several. Empty where the point was not reached.
   ///
-  /// \throws Error where no windows were kept.
+  /// \throws Error where not all windows were kept.
   std::vector<SurfacePoint> path(const SurfacePoint& from) const;
 
 private:

@@ -9,9 +9,12 @@
 namespace geodesic
 {
 
-RetentionAround::RetentionAround(const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets)
+RetentionAround::RetentionAround(
+  const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets, Purpose purpose, double limit)
   : mesh_(mesh)
   , targets_(targets)
+  , limit_((1.0 + tolerance::Tie) * limit)
+  , reach_(this->limit_)
 {
   this->kept_.faces.assign(mesh.numberOfFaces(), 0);
   for (SurfacePoint& target : this->targets_)
@@ -22,9 +25,17 @@ RetentionAround::RetentionAround(const TriangleMesh& mesh, const std::vector<Sur
       forEachFace(mesh, target, [this](Id face) { this->kept_.faces[face] = 1; });
     }
   }
-  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+  if (purpose == Purpose::Paths && mesh.report().nonManifoldEdges > 0)
   {
-    if (!mesh.isBoundary(halfedge) && !mesh.isInner(halfedge))
+    this->keepAroundIrregularEdges();
+  }
+}
+
+void RetentionAround::keepAroundIrregularEdges()
+{
+  for (Id halfedge = 0; halfedge < this->mesh_.numberOfHalfedges(); ++halfedge)
+  {
+    if (!this->mesh_.isBoundary(halfedge) && !this->mesh_.isInner(halfedge))
     {
       this->kept_.faces[TriangleMesh::faceOf(halfedge)] = 1;
     }
@@ -78,7 +89,7 @@ void RetentionAround::advance(const FrontState& front)
   {
     farthest = std::max(farthest, this->upperBound(target, front.distances));
   }
-  this->reach_ = (1.0 + tolerance::Tie) * farthest;
+  this->reach_ = std::min((1.0 + tolerance::Tie) * farthest, this->limit_);
   this->nextLook_ = front.key + 0.5 * std::max(0.0, this->reach_ - front.key);
 }
 

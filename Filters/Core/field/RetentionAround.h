@@ -10,13 +10,21 @@
 namespace geodesic
 {
 
-/// Keeps the windows that PathTracer needs for paths from some targets, and lets the front stop
-/// when all targets are settled: those of the faces around targets that are not vertices, and of
-/// the faces around edges of three and more.
+/// Keeps windows around some targets, and lets the front stop when all targets are settled. For
+/// distances, these are the windows of the faces around targets that are not vertices; for paths
+/// (PathTracer) also those of the faces around edges of three and more.
 class RetentionAround : public Retention
 {
 public:
-  RetentionAround(const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets);
+  enum class Purpose
+  {
+    Distances,
+    Paths
+  };
+
+  /// \param limit targets farther than this need not be settled.
+  RetentionAround(const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets,
+    Purpose purpose = Purpose::Paths, double limit = Infinity);
 
   bool needsInside() const override { return true; }
   double reach() const override { return this->reach_; }
@@ -28,13 +36,15 @@ public:
   KeptWindows release() { return std::move(this->kept_); }
 
 private:
+  void keepAroundIrregularEdges();
   double upperBound(const SurfacePoint& target, const VertexNumbers& distances) const;
 
   const TriangleMesh& mesh_;
   std::vector<SurfacePoint> targets_;
   /// How many of the targets, from the first on, the front has come near to.
   std::size_t seen_ = 0;
-  double reach_ = Infinity;
+  double limit_;
+  double reach_;
   /// The key at which the reach is looked at again.
   double nextLook_ = 0.0;
   std::vector<WindowArchive> passed_;

@@ -22,14 +22,6 @@ constexpr double ShareOfSearch = 0.7;
 /// less, the search takes longer, with more what follows.
 constexpr double SearchError = 1e-3;
 
-std::vector<SourceCurve> pointSource(const SurfacePoint& point)
-{
-  SourceCurve source;
-  source.points = { point };
-  source.isCut = { 0 };
-  return { source };
-}
-
 ProgressCallback part(const ProgressCallback& progress, double begin, double end)
 {
   return progress ? [&progress, begin, end](double fraction)
@@ -102,7 +94,7 @@ std::vector<SurfacePoint> pathThroughWindows(const TriangleMesh& mesh, const Sur
   FrontOptions options;
   options.corridor = &corridor;
   options.parallelFor = parallelFor;
-  return solve(mesh, pointSource(first), options, KeepWindows::All).path(second);
+  return solve(mesh, { pointCurve(first) }, options, KeepWindows::All).path(second);
 }
 
 } // anonymous namespace
@@ -119,7 +111,7 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   options.relativeError = SearchError;
   RetentionAround search(mesh, { first });
   const std::vector<double> toSecond =
-    propagate(mesh, pointSource(second), options, search).vertexDistances;
+    propagate(mesh, { pointCurve(second) }, options, search).vertexDistances;
 
   corridor.lowerBounds = lowerBounds(mesh, first, second, toSecond, length, search.reach());
   corridor.length = std::min(length, (1.0 + SearchError) * search.reach());
@@ -127,7 +119,7 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   options.keepArrivals = true;
   options.progress = part(progress, ShareOfSearch, 1.0);
   StripRetention strip(mesh, second, toSecond, corridor);
-  FrontResult front = propagate(mesh, pointSource(first), options, strip);
+  FrontResult front = propagate(mesh, { pointCurve(first) }, options, strip);
   const DistanceField field(mesh, std::move(front), strip.release());
   std::vector<SurfacePoint> path;
   try

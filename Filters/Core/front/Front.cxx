@@ -38,6 +38,8 @@ private:
   void startVertices(const SourceWindows& initial);
   void startFaces(const SourceWindows& initial);
   void advance(double limit);
+  bool isSettled();
+  bool isWithin(Id vertex, double reach) const;
   void runBatch();
   template <typename Item>
   void runTasks(std::size_t items, Item&& item);
@@ -72,6 +74,8 @@ private:
   /// The vertices of the batch at hand, and how many batches there were.
   std::vector<Id> batch_;
   Id batches_ = 0;
+  /// A vertex that was last found to have something within the retention's reach.
+  Id unsettled_ = NoId;
   std::vector<WindowPool*> pools_;
 };
 
@@ -94,10 +98,6 @@ FrontResult Front::run(const std::vector<SourceCurve>& sources)
   this->progress_.report(this->schedule_.key());
   this->advance(this->options_.maximumDistance);
   this->progress_.report(this->schedule_.key());
-  if (this->retention_.reach() < Infinity)
-  {
-    this->flush(std::min(this->retention_.reach(), this->options_.maximumDistance));
-  }
   if (this->complete_.isLimited())
   {
     this->finishLimited();
@@ -164,12 +164,51 @@ void Front::startFaces(const SourceWindows& initial)
 
 void Front::advance(double limit)
 {
-  while (this->schedule_.moveOn(std::min(limit, this->retention_.reach())))
+  while (this->schedule_.moveOn(limit) && !this->isSettled())
   {
     this->schedule_.takeBatch(limit, this->batch_);
     this->runBatch();
     this->progress_.afterBatch(this->batch_.size(), this->schedule_.key());
   }
+}
+
+// Whether nothing is left within the retention's reach. Windows there may still wait for a far
+// vertex: the front goes on in its order until they are through, so that distances within the reach
+// are those of a front that goes everywhere, to the last bit.
+bool Front::isSettled()
+{
+  const double reach = this->retention_.reach();
+  if (!(this->schedule_.key() > reach))
+  {
+    return false;
+  }
+  if (this->unsettled_ != NoId && this->isWithin(this->unsettled_, reach))
+  {
+    return false;
+  }
+  this->unsettled_ = NoId;
+  return !this->schedule_.isAnyWaiting(
+    [&](Id vertex)
+    {
+      const bool isWithin = this->isWithin(vertex, reach);
+      this->unsettled_ = isWithin ? vertex : this->unsettled_;
+      return isWithin;
+    });
+}
+
+// Whether a vertex that waits has windows within a distance, or will emit some.
+bool Front::isWithin(Id vertex, double reach) const
+{
+  const VertexState& state = this->vertices_[vertex];
+  bool isWithin = state.isShorter() && state.distance <= reach;
+  for (Id halfedge = state.facing; halfedge != NoId && !isWithin;
+       halfedge = this->waiting_.next(halfedge))
+  {
+    const WindowRange list = this->waiting_.at(halfedge);
+    isWithin = std::any_of(
+      list.begin(), list.end(), [reach](const Window& w) { return w.minimum() <= reach; });
+  }
+  return isWithin;
 }
 
 void Front::runBatch()

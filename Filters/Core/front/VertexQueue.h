@@ -100,6 +100,14 @@ public:
     this->near_.resize(kept);
   }
 
+  /// Calls visit(const Entry&) for each entry, current or not, in no order.
+  template <typename Visit>
+  void forEach(const Visit& visit) const
+  {
+    std::for_each(this->near_.begin(), this->near_.end(), visit);
+    std::for_each(this->far_.entries().begin(), this->far_.entries().end(), visit);
+  }
+
 private:
   template <typename ReachOf>
   void comeNear(const ReachOf& reachOf)
@@ -114,8 +122,14 @@ private:
     }
   }
 
+  /// A queue that can be looked through.
+  struct Heap : std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>
+  {
+    const std::vector<Entry>& entries() const { return this->c; }
+  };
+
   std::vector<Entry> near_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> far_;
+  Heap far_;
   double horizon_ = 0.0;
 };
 

@@ -95,6 +95,17 @@ public:
     this->queue_.takeBatch(last, this->isCurrent(), reachOf, take);
   }
 
+  /// Whether some vertex that waits fulfils a condition: (Id vertex) -> bool.
+  template <typename Condition>
+  bool isAnyWaiting(const Condition& condition) const
+  {
+    bool found = std::any_of(this->behind_.begin(), this->behind_.end(), condition);
+    const auto isCurrent = this->isCurrent();
+    this->queue_.forEach([&](const VertexQueue::Entry& entry)
+      { found = found || (isCurrent(entry) && condition(entry.vertex)); });
+    return found;
+  }
+
 private:
   VertexStates& states_;
   double key_ = 0.0;

@@ -30,4 +30,12 @@ std::vector<double> placesAlong(const TriangleMesh& mesh, const SourceCurve& cur
   return places;
 }
 
+SourceCurve pointCurve(const SurfacePoint& point)
+{
+  SourceCurve curve;
+  curve.points = { point };
+  curve.isCut = { 0 };
+  return curve;
+}
+
 }

@@ -30,6 +30,9 @@ struct SourceCurve
 /// Where the points of a curve are along it: lengths from its beginning.
 std::vector<double> placesAlong(const TriangleMesh& mesh, const SourceCurve& curve);
 
+/// A source that is one point.
+SourceCurve pointCurve(const SurfacePoint& point);
+
 }
 
 #endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_DistanceMatrix_h
+#define geodesic_DistanceMatrix_h
+
+#include "front/Front.h"
+#include "mesh/SurfacePoint.h"
+#include "source/SourceCurve.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+struct MatrixOptions
+{
+  /// Larger distances are infinite, in the surface's units.
+  double maximumDistance = Infinity;
+  /// Absent: one source after another. The result does not depend on it.
+  ParallelFor parallelFor;
+  /// Called from the calling thread, many times a second, with the fraction done in [0, 1];
+  /// returning false throws Aborted.
+  ProgressCallback progress;
+};
+
+/// The distance from each of several sources, every one alone, to each of some targets. Sources are
+/// solved side by side on one mesh structure, each in one thread; a solve stops when its targets
+/// are settled. Distances are those of the field of that source, to the last bit.
+///
+/// \param curves of all sources; those with the same SourceCurve::source, below numberOfSources,
+/// are
+///        one source.
+/// \returns for each source the distances of the targets; infinite where no path leads, or the
+///          source has no curve.
+/// \throws Aborted
+std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh,
+  const std::vector<SourceCurve>& curves, Id numberOfSources,
+  const std::vector<SurfacePoint>& targets, const MatrixOptions& options = {});
+
+}
+
+#endif

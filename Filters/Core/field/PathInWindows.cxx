@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field/PathInWindows.h"
+
+#include "Tolerance.h"
+#include "field/DistanceField.h"
+#include "field/Solve.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// Notes which faces windows have gone through. A task writes only the face of its halfedge, and
+/// always the same: but two tasks may write one face, so each worker has its own list.
+class NotePassedFaces : public Retention
+{
+public:
+  bool needsInside() const override { return false; }
+  void setNumberOfWorkers(std::size_t count) override { this->passed_.resize(count); }
+  void pass(std::size_t worker, const PassedList& list, Id, WindowPool& pool) override
+  {
+    this->passed_[worker].push_back(TriangleMesh::faceOf(list.halfedge));
+    pool.free(list.windows);
+  }
+
+  /// Calls visit(Id face) for each, several times maybe.
+  template <typename Visit>
+  void forEachFace(const Visit& visit) const
+  {
+    for (const std::vector<Id>& faces : this->passed_)
+    {
+      std::for_each(faces.begin(), faces.end(), visit);
+    }
+  }
+
+private:
+  std::vector<std::vector<Id>> passed_;
+};
+
+/// The way back from the target: what no path goes through is left out.
+struct WayBack
+{
+  std::vector<double> atVertices;
+  NotePassedFaces strip;
+};
+
+WayBack findWayBack(const TriangleMesh& mesh, const SurfacePoint& target, double length,
+  const KnownDistances& known, FrontOptions options)
+{
+  Corridor corridor{ known.atVertices, length };
+  for (double& bound : corridor.lowerBounds)
+  {
+    bound = (1.0 - tolerance::BoundMargin) * std::min(bound, known.reach);
+  }
+  options.corridor = &corridor;
+  WayBack back;
+  back.atVertices = propagate(mesh, { pointCurve(target) }, options, back.strip).vertexDistances;
+  return back;
+}
+
+/// Lower bounds of the way from vertices of the strip to the target; elsewhere there is none. A
+/// path may also run along edges, from vertex to vertex, where no window goes.
+std::vector<double> boundsInStrip(const TriangleMesh& mesh, const SurfacePoint& target,
+  double length, const KnownDistances& known, const WayBack& back)
+{
+  std::vector<double> bounds(mesh.numberOfVertices(), Infinity);
+  const Vec3 place = position(mesh, target);
+  const auto open = [&](Id vertex)
+  { bounds[vertex] = (1.0 - tolerance::BoundMargin) * norm(mesh.point(vertex) - place); };
+  const auto openFace = [&](Id face)
+  {
+    const Triangle& corners = mesh.triangle(face);
+    std::for_each(corners.begin(), corners.end(), open);
+  };
+  forEachFace(mesh, target, openFace);
+  back.strip.forEachFace(openFace);
+  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    const double toSource = std::min(known.atVertices[vertex], known.reach);
+    if ((1.0 - tolerance::BoundMargin) * toSource + back.atVertices[vertex] <= length)
+    {
+      open(vertex);
+    }
+  }
+  return bounds;
+}
+
+} // anonymous namespace
+
+std::vector<SurfacePoint> pathInWindows(const TriangleMesh& mesh,
+  const std::vector<SourceCurve>& sources, const SurfacePoint& target, double distance,
+  const KnownDistances& known, const ParallelFor& parallelFor, const ProgressCallback& progress)
+{
+  FrontOptions options;
+  options.parallelFor = parallelFor;
+  options.progress = progress;
+  const double length = (1.0 + tolerance::BoundMargin) * distance;
+  const WayBack back = findWayBack(mesh, target, length, known, options);
+  const Corridor strip{ boundsInStrip(mesh, target, length, known, back), length };
+  options.corridor = &strip;
+  return solve(mesh, sources, options, KeepWindows::All).path(target);
+}
+
+}

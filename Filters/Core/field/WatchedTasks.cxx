@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field/WatchedTasks.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <future>
+#include <mutex>
+#include <system_error>
+
+namespace geodesic
+{
+
+namespace
+{
+
+class Tasks
+{
+public:
+  Tasks(std::size_t count, const WatchedTask& task)
+    : count_(count)
+    , task_(task)
+  {
+  }
+
+  /// One after another, in the calling thread.
+  void runHere(const ProgressCallback& progress)
+  {
+    const auto count = static_cast<double>(this->count_);
+    for (std::size_t i = 0; i < this->count_; ++i)
+    {
+      const auto before = static_cast<double>(i);
+      this->task_(
+        i, [&](double fraction) { return !progress || progress((before + fraction) / count); });
+    }
+  }
+
+  /// Side by side, in other threads.
+  ///
+  /// \throws std::system_error where there is no thread to be had; nothing is done then.
+  void runAside(const ParallelFor& parallelFor, const ProgressCallback& progress)
+  {
+    std::future<void> done = std::async(std::launch::async,
+      [&]() { parallelFor(this->count_, [this](std::size_t number) { this->runOne(number); }); });
+    constexpr std::chrono::milliseconds betweenReports(20);
+    while (done.wait_for(betweenReports) != std::future_status::ready)
+    {
+      this->report(progress);
+    }
+    done.get();
+    if (this->thrown_)
+    {
+      std::rethrow_exception(this->thrown_);
+    }
+  }
+
+private:
+  static constexpr double Units = 1e6; // of one task
+
+  void report(const ProgressCallback& progress)
+  {
+    const double all = Units * static_cast<double>(this->count_);
+    const double fraction = std::min(1.0, static_cast<double>(this->done_.load()) / all);
+    try
+    {
+      if (progress && !progress(fraction))
+      {
+        throw Aborted();
+      }
+    }
+    catch (...)
+    {
+      this->keepException(); // the tasks still use what is here
+    }
+  }
+
+  void runOne(std::size_t number)
+  {
+    std::uint64_t reported = 0;
+    const auto reach = [&](double fraction)
+    {
+      const auto units = static_cast<std::uint64_t>(Units * std::clamp(fraction, 0.0, 1.0));
+      this->done_ += units > reported ? units - reported : 0;
+      reported = std::max(reported, units);
+      return !this->stops_.load(std::memory_order_relaxed);
+    };
+    try
+    {
+      if (reach(0.0))
+      {
+        this->task_(number, reach);
+        reach(1.0);
+      }
+    }
+    catch (...)
+    {
+      this->keepException();
+    }
+  }
+
+  // The first one; others may follow from its stopping the tasks.
+  void keepException()
+  {
+    const std::lock_guard<std::mutex> lock(this->guard_);
+    if (!this->thrown_)
+    {
+      this->thrown_ = std::current_exception();
+    }
+    this->stops_.store(true);
+  }
+
+  std::size_t count_;
+  const WatchedTask& task_;
+  std::atomic<std::uint64_t> done_{ 0 };
+  std::atomic<bool> stops_{ false };
+  std::mutex guard_;
+  std::exception_ptr thrown_;
+};
+
+} // anonymous namespace
+
+void runWatched(std::size_t count, const WatchedTask& task, const ParallelFor& parallelFor,
+  const ProgressCallback& progress)
+{
+  Tasks tasks(count, task);
+  if (parallelFor && count > 1)
+  {
+    try
+    {
+      tasks.runAside(parallelFor, progress);
+      return;
+    }
+    catch (const std::system_error&)
+    {
+      // no thread to be had
+    }
+  }
+  tasks.runHere(progress);
+}
+
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "source/CurvesInFaces.h"
+
+#include "source/SegmentWindows.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+CurvesInFaces::CurvesInFaces(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
+  : mesh_(mesh)
+{
+  for (const SourceCurve& curve : curves)
+  {
+    for (std::size_t i = 0; i < curve.faces.size(); ++i)
+    {
+      this->add(curve.faces[i], normalized(mesh, curve.points[i]),
+        normalized(mesh, curve.points[i + 1]), curve.source);
+    }
+    if (curve.points.size() == 1)
+    {
+      const SurfacePoint point = normalized(mesh, curve.points.front());
+      forEachFace(mesh, point, [&](Id face) { this->add(face, point, point, curve.source); });
+    }
+  }
+  std::stable_sort(this->pieces_.begin(), this->pieces_.end(),
+    [](const Piece& a, const Piece& b) { return a.place.face < b.place.face; });
+}
+
+// A segment along an edge is one of all faces there.
+void CurvesInFaces::add(Id face, const SurfacePoint& p, const SurfacePoint& q, Id source)
+{
+  const Barycentric a = barycentric(this->mesh_, p, face);
+  const Barycentric b = barycentric(this->mesh_, q, face);
+  this->pieces_.push_back({ { face, a, b }, source });
+  for (std::size_t k = 0; k < 3 && !samePlace(this->mesh_, p, q); ++k)
+  {
+    const Id halfedge = 3 * face + static_cast<Id>(k);
+    for (Id s = this->mesh_.nextSibling(halfedge); runsAlong(k, a, b) && s != halfedge;
+         s = this->mesh_.nextSibling(s))
+    {
+      const Id other = TriangleMesh::faceOf(s);
+      this->pieces_.push_back(
+        { { other, barycentric(this->mesh_, p, other), barycentric(this->mesh_, q, other) },
+          source });
+    }
+  }
+}
+
+Id CurvesInFaces::sourceAt(const SurfacePoint& point) const
+{
+  double nearest = Infinity;
+  Id source = NoId;
+  const auto isBefore = [](const Piece& piece, Id face) { return piece.place.face < face; };
+  forEachFace(this->mesh_, point,
+    [&](Id face)
+    {
+      const Barycentric weights = barycentric(this->mesh_, point, face);
+      for (auto piece =
+             std::lower_bound(this->pieces_.begin(), this->pieces_.end(), face, isBefore);
+           piece != this->pieces_.end() && piece->place.face == face; ++piece)
+      {
+        const double distance = distanceToSource(this->mesh_, piece->place, weights);
+        if (distance < nearest)
+        {
+          nearest = distance;
+          source = piece->source;
+        }
+      }
+    });
+  return source;
+}
+
+}

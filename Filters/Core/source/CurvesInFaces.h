@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_CurvesInFaces_h
+#define geodesic_CurvesInFaces_h
+
+#include "mesh/TriangleMesh.h"
+#include "source/SourceCurve.h"
+#include "source/SourceInFace.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// Tells which curve of a source goes through a point of the surface.
+class CurvesInFaces
+{
+public:
+  /// \param mesh must outlive this.
+  CurvesInFaces(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves);
+
+  /// SourceCurve::source of the curve that is nearest to a point on the source, in the faces around
+  /// it: where several go through the point, one of them. NoId where none goes through these faces.
+  Id sourceAt(const SurfacePoint& point) const;
+
+private:
+  struct Piece
+  {
+    SourceInFace place;
+    Id source;
+  };
+
+  void add(Id face, const SurfacePoint& p, const SurfacePoint& q, Id source);
+
+  const TriangleMesh& mesh_;
+  /// In the order of the faces.
+  std::vector<Piece> pieces_;
+};
+
+}
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/PolyDataTargets.h"
+
+#include "PolyData/PolyDataSource.h"
+#include "mesh/SurfaceSnap.h"
+
+#include "vtkPolyData.h"
+
+#include <cmath>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// The share of the progress for finding the closest faces.
+constexpr double Located = 0.8;
+
+/// Adds the points of a block.
+void addPoints(
+  const PolyDataBlock& block, const PowerOfTwoScale& scale, std::vector<LocatedPolyline>& points)
+{
+  std::vector<vtkIdType> bad;
+  for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
+  {
+    Vec3 p;
+    block.data->GetPoint(i, p.data());
+    if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
+    {
+      bad.push_back(i);
+      continue;
+    }
+    LocatedPolyline& point = points.emplace_back();
+    point.points = { scale.toEngine(p) };
+    if (!(norm(point.points.front()) < Infinity))
+    {
+      throw InputError("Point " + std::to_string(i) + " of " + block.name +
+        " is too far from the surface for its size. Scale or move it upstream.");
+    }
+  }
+  if (!bad.empty())
+  {
+    throw InputError(capitalized(block.name) +
+      " has coordinates that are NaN or infinite, at point " + listIds(bad) +
+      ". Remove or repair these points upstream.");
+  }
+}
+
+/// Of equally close faces the one in which the point lies on a vertex, or else on an edge, and else
+/// the first: what putOntoSurface() does with a single point.
+SnappedPoint snapped(
+  const TriangleMesh& mesh, const LocatedPolyline& point, double coordinatePrecision)
+{
+  SnappedPoint best;
+  bool isFirst = true;
+  for (const Id face : point.faces.front())
+  {
+    const SnappedPoint here = snapToFace(mesh, face, point.points.front(), coordinatePrecision);
+    if (isFirst || here.place.kind < best.place.kind)
+    {
+      best = here;
+    }
+    isFirst = false;
+  }
+  return best;
+}
+
+}
+
+Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
+  const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress)
+{
+  std::vector<LocatedPolyline> points;
+  for (const PolyDataBlock& block : blocks)
+  {
+    addPoints(block, surface.scale(), points);
+  }
+  if (points.empty())
+  {
+    throw InputError(
+      capitalized(name) + " is empty: there are no points. Connect at least one point.");
+  }
+  const double precision = snapOptionsFor(blocks).coordinatePrecision;
+  locator.locate(points, precision,
+    [&progress](double fraction) { return !progress || progress(Located * fraction); });
+  Targets targets;
+  LoopProgress loop(progress);
+  loop.nextUntil(Located);
+  loop.nextUntil(1.0);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    loop.at(i, points.size());
+    const SnappedPoint point = snapped(surface.mesh(), points[i], precision);
+    targets.places.push_back(point.place);
+    targets.snapDistances.push_back(point.distance);
+  }
+  return targets;
+}
+
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_PolyDataTargets_h
+#define geodesic_PolyDataTargets_h
+
+#include "PolyData/PolyDataBlocks.h"
+#include "PolyData/PolyDataSurface.h"
+#include "mesh/SurfacePoint.h"
+#include "source/PolylineLocator.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// Points of an input, put onto the surface. They are numbered over all blocks in their order.
+struct Targets
+{
+  std::vector<SurfacePoint> places;
+  /// From each point in space to its place, on the mesh's scale.
+  std::vector<double> snapDistances;
+};
+
+/// Puts every point of all blocks onto the closest point of the surface, and onto a vertex or an
+/// edge when within the precision of the coordinates: the same place as for a source that is one
+/// point.
+///
+/// \param name as messages call the input: "the set of targets (input port 2)".
+/// \param progress called now and then with a fraction done; returning false throws Aborted.
+/// \throws InputError where there is no point, or one is not finite or too far away; Aborted.
+Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
+  const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress);
+
+}
+
+#endif

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGeodesicDistanceMatrix.h"
+
+#include "PolyData/FilterExecution.h"
+#include "PolyData/Memory.h"
+#include "PolyData/ParallelFor.h"
+#include "field/DistanceMatrix.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkTable.h"
+
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkGeodesicDistanceMatrix);
+
+namespace
+{
+
+// Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
+constexpr double TargetsRead = 0.3;
+constexpr double MatrixDone = 0.98;
+
+void AddTargetIds(vtkIdType count, vtkTable* table)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("TargetId");
+  ids->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    ids->SetValue(i, i);
+  }
+  table->AddColumn(ids);
+}
+
+/// Adds the column of a source; what it had is gone then.
+void AddSource(std::size_t source, std::vector<double>& distances,
+  const geodesic::PowerOfTwoScale& scale, vtkTable* table)
+{
+  vtkNew<vtkDoubleArray> column;
+  column->SetName(("Source" + std::to_string(source)).c_str());
+  column->SetNumberOfTuples(static_cast<vtkIdType>(distances.size()));
+  for (std::size_t i = 0; i < distances.size(); ++i)
+  {
+    const double distance = scale.toUser(distances[i]);
+    if (distances[i] < geodesic::Infinity && !(distance < geodesic::Infinity))
+    {
+      throw geodesic::MeshError("Distances on the surface (input port 0) are larger than numbers "
+                                "can be. Scale the surface, the source and the targets upstream.");
+    }
+    column->SetValue(static_cast<vtkIdType>(i), distance);
+  }
+  distances = {};
+  table->AddColumn(column);
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicDistanceMatrix::vtkGeodesicDistanceMatrix()
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicDistanceMatrix::~vtkGeodesicDistanceMatrix() = default;
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceMatrix::SetTargetsConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(2, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceMatrix::SetTargetsData(vtkDataObject* targets)
+{
+  this->SetInputDataInternal(2, targets);
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkGeodesicDistanceMatrix::GetOutput()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+//------------------------------------------------------------------------------
+int vtkGeodesicDistanceMatrix::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 2)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
+int vtkGeodesicDistanceMatrix::FillOutputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGeodesicDistanceMatrix::FindWrongProperty() const
+{
+  if (!(this->MaximumDistance >= 0.0))
+  {
+    return "MaximumDistance is not a number of at least 0: set the distance to stop at, in the "
+           "units of the surface, or 0 for no limit.";
+  }
+  return this->Superclass::FindWrongProperty();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGeodesicDistanceMatrix::AdviceOnMemory() const
+{
+  return "Decimate the surface, cut it into parts, set MaximumDistance, or use fewer threads or "
+         "targets.";
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceMatrix::ResetResults() {}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceMatrix::Compute(
+  geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
+{
+  execution.requireTargets(true);
+  execution.readInputs();
+  const geodesic::Targets targets = execution.readTargets(TargetsRead);
+  const auto rows = static_cast<vtkIdType>(targets.places.size());
+  const geodesic::Id numberOfSources = execution.numberOfSources();
+
+  execution.enter(geodesic::Stage::ComputingDistances);
+  // Once as they are computed, once as they are put out.
+  geodesic::requireMemory(rows,
+    static_cast<vtkIdType>(sizeof(vtkIdType)) +
+      2 * static_cast<vtkIdType>(sizeof(double)) * numberOfSources);
+  const geodesic::PowerOfTwoScale& scale = execution.surface().scale();
+  geodesic::MatrixOptions options;
+  if (this->MaximumDistance > 0.0)
+  {
+    options.maximumDistance = scale.toEngine(this->MaximumDistance);
+  }
+  options.parallelFor = geodesic::smpParallelFor();
+  options.progress = execution.progressBetween(TargetsRead, MatrixDone);
+  std::vector<std::vector<double>> matrix = geodesic::distanceMatrix(execution.surface().mesh(),
+    execution.sources().curves, numberOfSources, targets.places, options);
+  execution.reach(MatrixDone);
+
+  execution.enter(geodesic::Stage::WritingOutputs);
+  vtkTable* table = vtkTable::GetData(outputVector);
+  AddTargetIds(rows, table);
+  for (std::size_t source = 0; source < matrix.size(); ++source)
+  {
+    AddSource(source, matrix[source], scale, table);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+}

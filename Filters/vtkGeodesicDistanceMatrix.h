@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGeodesicDistanceMatrix
+ * @brief   exact geodesic distances from each of several sources to each of several targets
+ *
+ * vtkGeodesicDistanceMatrix measures the length of the shortest path *on* a triangle mesh from each
+ * of several sources, every one alone, to each of several targets, and puts these numbers into a
+ * table. Distances are exact up to the rounding of double-precision numbers: those that
+ * vtkGeodesicDistanceField gives for that source alone, at vertices to the last bit.
+ *
+ * @par Algorithm:
+ * For each source a front goes out (see vtkGeodesicDistanceField), until all targets are settled:
+ * of targets near the source the rest of the surface costs nothing. Sources are solved side by side
+ * on the threads that vtkSMPTools is set to use, one thread a source, with one structure of the
+ * surface in common; each of the threads takes the memory of one solve.
+ *
+ * @par Input:
+ * Port 0 takes the surface, as vtkGeodesicDistanceField does. Port 1 takes the sources: each cell
+ * of a vtkPolyData is one (a line, a polyline, a polygon, which stands for its outline, or a vertex
+ * cell with all its points), each point where there are no cells. With SourceType the boundary of
+ * the surface takes their place or comes in addition, each of its loops as a source of its own.
+ * Port 2, optional, takes the targets: every point of a vtkPolyData, put onto the closest point of
+ * the surface. Where it is not connected the targets are all points of port 1. Each port takes
+ * composite data sets too, whose blocks count one after another. Inputs are never modified.
+ *
+ * @par Output:
+ * A vtkTable with one row a target, in their order, and the columns
+ * - `TargetId` (vtkIdType): the target, by its point id on its port; with a composite data set ids
+ *   go on from block to block,
+ * - `Source0`, `Source1`, ... (double): the distance from each source, in the order of the cells
+ * (of the points where there are no cells); loops of the boundary follow. Infinite where no path
+ * leads from the source to the target, beyond MaximumDistance, and for a cell without points.
+ *
+ * @par Execution:
+ * The structure of the surface is kept between executions, progress is reported, abort is obeyed,
+ * and pieces and composite surfaces are handled as by vtkGeodesicDistanceField. The numbers are the
+ * same, to the last bit, for any number of threads and whatever other sources and targets there
+ * are. After an abort or an error the output is empty.
+ *
+ * @par Thanks:
+ * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
+ * Curves on Triangle Meshes", Proceedings of Vision, Modeling, and Visualization (VMV) 2007.
+ *
+ * @sa
+ * vtkGeodesicDistanceField vtkGeodesicPaths
+ */
+
+#ifndef vtkGeodesicDistanceMatrix_h
+#define vtkGeodesicDistanceMatrix_h
+
+#include "vtkFiltersGeodesicModule.h" // for the export macro
+#include "vtkGeodesicAlgorithm.h"
+
+class vtkTable;
+
+class VTKFILTERSGEODESIC_EXPORT vtkGeodesicDistanceMatrix : public vtkGeodesicAlgorithm
+{
+public:
+  ///@{
+  /**
+   * Standard methods for construction, type information and printing.
+   */
+  static vtkGeodesicDistanceMatrix* New();
+  vtkTypeMacro(vtkGeodesicDistanceMatrix, vtkGeodesicAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
+
+  ///@{
+  /**
+   * The targets on port 2: every point of a vtkPolyData, or of all blocks of a composite data set.
+   * Without them the points of port 1 are the targets.
+   */
+  void SetTargetsConnection(vtkAlgorithmOutput* output);
+  void SetTargetsData(vtkDataObject* targets);
+  ///@}
+
+  ///@{
+  /**
+   * Distances are measured up to this one, in the units of the surface; larger ones are infinite.
+   * 0, the default, is no limit. A negative value or NaN is an error.
+   */
+  vtkSetMacro(MaximumDistance, double);
+  vtkGetMacro(MaximumDistance, double);
+  ///@}
+
+  /**
+   * The output: a table, where the superclass has a vtkPolyData.
+   */
+  vtkTable* GetOutput();
+
+protected:
+  vtkGeodesicDistanceMatrix();
+  ~vtkGeodesicDistanceMatrix() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  std::string FindWrongProperty() const override;
+  std::string AdviceOnMemory() const override;
+  void ResetResults() override;
+  void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
+
+private:
+  vtkGeodesicDistanceMatrix(const vtkGeodesicDistanceMatrix&) = delete;
+  void operator=(const vtkGeodesicDistanceMatrix&) = delete;
+
+  double MaximumDistance = 0.0;
+};
+
+#endif

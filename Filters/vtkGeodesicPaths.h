@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGeodesicPaths
+ * @brief   exact shortest paths on a surface from points to the nearest point of a source
+ *
+ * vtkGeodesicPaths finds for each of its targets the shortest path *on* a triangle mesh to the
+ * nearest point of a source, which is made of points, polylines, the surface's boundary, or any mix
+ * of them, as for vtkGeodesicDistanceField. Paths are exact up to the rounding of double-precision
+ * numbers: they go straight through faces and bend only at vertices of negative curvature and at
+ * reflex corners of the boundary.
+ *
+ * @par Algorithm:
+ * One front goes from the source (see vtkGeodesicDistanceField), until all targets are settled: a
+ * target nearby costs a small part of the whole surface. Each vertex remembers the direction in
+ * which its shortest path came, and windows are kept around the targets only. A path is then
+ * followed backwards, straight through face after face to the pseudo-source or the source that its
+ * rays left. Where a path runs so close to vertices that rounding would decide about its way, it is
+ * found again through the windows of the few faces around it.
+ *
+ * @par Input:
+ * Port 0 takes the surface and port 1, optional, the source, as vtkGeodesicDistanceField does. Port
+ * 2 takes the targets: every point of a vtkPolyData is one, whatever its cells are, of all blocks
+ * where it is a composite data set. A target may be anywhere; it is put onto the closest point of
+ * the surface, and onto a vertex or an edge when within the precision of its coordinates. Inputs
+ * are never modified.
+ *
+ * @par Output:
+ * A vtkPolyData with one polyline for each target that is reached, in the order of the targets,
+ * from the target to the source. It has a point at every mesh edge that it crosses, and no others
+ * but its ends and the vertices that it passes; each piece lies in one face. A target on the source
+ * gives two equal points. Where there are several shortest paths, it is one of them. Lines do not
+ * share points. There are
+ * - cell data array `TargetId` (vtkIdType): the target, by its point id on port 2; with a composite
+ *   data set ids go on from block to block,
+ * - cell data array `SourceId` (vtkIdType): the part of the source that the path ends on: the cell
+ *   id on port 1 (point id where it has no cells), over all blocks; a loop of the boundary has the
+ *   number of the source's cells plus that of the loop. Where several parts hold the end it is one
+ *   of them,
+ * - cell data array `GeodesicDistance`: the length of the path,
+ * - cell data array `TargetSnapDistance`: how far the target was from the surface,
+ * - point data array `GeodesicDistance`: what is left of the path from the point on; 0 at its end.
+ * @par
+ * Targets that no path joins to the source have no line; one warning counts them.
+ *
+ * @par Execution:
+ * The structure of the surface is kept between executions, progress is reported, abort is obeyed,
+ * and threads, pieces and composite surfaces are handled as by vtkGeodesicDistanceField. The output
+ * is the same, to the last bit, for any number of threads, and each path the same whatever other
+ * targets there are. After an abort or an error the output is empty.
+ *
+ * @par Thanks:
+ * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
+ * Curves on Triangle Meshes", Proceedings of Vision, Modeling, and Visualization (VMV) 2007.
+ *
+ * @sa
+ * vtkGeodesicDistanceField vtkGeodesicDistanceMatrix vtkDijkstraGraphGeodesicPath
+ */
+
+#ifndef vtkGeodesicPaths_h
+#define vtkGeodesicPaths_h
+
+#include "vtkFiltersGeodesicModule.h" // for the export macro
+#include "vtkGeodesicAlgorithm.h"
+
+class VTKFILTERSGEODESIC_EXPORT vtkGeodesicPaths : public vtkGeodesicAlgorithm
+{
+public:
+  ///@{
+  /**
+   * Standard methods for construction, type information and printing.
+   */
+  static vtkGeodesicPaths* New();
+  vtkTypeMacro(vtkGeodesicPaths, vtkGeodesicAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
+
+  ///@{
+  /**
+   * The targets on port 2: every point of a vtkPolyData, or of all blocks of a composite data set.
+   * Without targets there is an error.
+   */
+  void SetTargetsConnection(vtkAlgorithmOutput* output);
+  void SetTargetsData(vtkDataObject* targets);
+  ///@}
+
+protected:
+  vtkGeodesicPaths();
+  ~vtkGeodesicPaths() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void ResetResults() override;
+  void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
+
+private:
+  vtkGeodesicPaths(const vtkGeodesicPaths&) = delete;
+  void operator=(const vtkGeodesicPaths&) = delete;
+};
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesictest_PathChecker_h
+#define geodesictest_PathChecker_h
+
+#include "truth/BruteForce.h"
+#include "truth/TestMeshes.h"
+
+#include "mesh/SurfacePoint.h"
+
+#include <set>
+#include <vector>
+
+namespace geodesictest
+{
+
+/// A point of a path by what the plain mesh knows: its place, and the vertices of the smallest
+/// vertex, edge or face that holds it.
+struct PathPoint
+{
+  Vec3 place;
+  std::set<Index> support;
+};
+
+/// Checks shortest paths against what is known of any, worked out from the plain mesh.
+class PathChecker
+{
+public:
+  explicit PathChecker(const PlainMesh& mesh);
+
+  std::vector<PathPoint> plain(const std::vector<geodesic::SurfacePoint>& path) const;
+  PathPoint plain(const geodesic::SurfacePoint& p) const;
+
+  /// Checks everything that holds of a shortest path of this length.
+  ///
+  /// \param slack by how much the length may be off, and a bend may be longer than the straight
+  /// way.
+  ///        Lengths tell no more: a point that is off the straight way by a fraction of its length
+  ///        makes it longer by the square of that.
+  void expectShortest(const std::vector<PathPoint>& path, double length, double slack) const;
+
+  /// The sum of the lengths of the pieces.
+  static double length(const std::vector<PathPoint>& path);
+
+  std::vector<Index> commonFaces(const PathPoint& a, const PathPoint& b) const;
+
+private:
+  double bend(const PathPoint& before, const PathPoint& p, const PathPoint& after) const;
+  double turn(
+    Index f, const PathPoint& before, const PathPoint& p, Index g, const PathPoint& after) const;
+  std::vector<Index> fanAround(Index vertex) const;
+  double leastAngle(Index vertex, const PathPoint& before, const PathPoint& after) const;
+
+  const PlainMesh& mesh_;
+  std::vector<std::vector<Index>> facesOfVertex_;
+};
+
+/// How far a place is from the nearest source, through space.
+double distanceInSpace(const PlainMesh& mesh, const Vec3& place, const Sources& sources);
+
+}
+
+#endif

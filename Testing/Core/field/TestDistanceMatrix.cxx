@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Distances from several sources to several targets, against brute force, each other and the field
+// of each source alone.
+#include "EngineSupport.h"
+#include "OnThreads.h"
+
+#include "Errors.h"
+#include "field/DistanceMatrix.h"
+#include "field/WatchedTasks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+using namespace geodesictest;
+using geodesic::Id;
+using geodesic::SurfacePoint;
+using geodesic::TriangleMesh;
+
+namespace
+{
+
+constexpr std::size_t Points = 12;
+
+class DistanceMatrices : public ::testing::TestWithParam<MeshKind>
+{
+};
+
+/// A random mesh with points on it, as sources and as targets.
+struct MatrixCase
+{
+  MatrixCase(const MeshKind& kind, std::uint64_t seed)
+    : random(seed)
+    , plain(kind.make(random.between(20, 300), random))
+    , mesh(engineMesh(plain))
+    , points(randomPoints(plain, Points, random))
+  {
+    for (const MeshPoint& point : points)
+    {
+      targets.push_back(enginePoint(mesh, point));
+      curves.push_back(geodesic::pointCurve(targets.back()));
+      curves.back().source = static_cast<Id>(curves.size() - 1);
+    }
+  }
+
+  std::vector<std::vector<double>> matrix(const geodesic::MatrixOptions& options = {}) const
+  {
+    return geodesic::distanceMatrix(mesh, curves, Points, targets, options);
+  }
+
+  Random random;
+  PlainMesh plain;
+  TriangleMesh mesh;
+  std::vector<MeshPoint> points;
+  std::vector<SurfacePoint> targets;
+  std::vector<geodesic::SourceCurve> curves;
+};
+
+double largestFinite(const std::vector<std::vector<double>>& matrix)
+{
+  double largest = 0.0;
+  for (const std::vector<double>& row : matrix)
+  {
+    largest = std::max(largest, geodesictest::largestFinite(row));
+  }
+  return largest;
+}
+
+}
+
+TEST_P(DistanceMatrices, BetweenPointsAreSymmetricAndTrue)
+{
+  double worst = 0.0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const MatrixCase c(GetParam(), seed + 91000);
+    const std::vector<std::vector<double>> matrix = c.matrix();
+    const double largest = largestFinite(matrix);
+    for (std::size_t i = 0; i < Points; ++i)
+    {
+      Sources source;
+      source.points = { c.points[i] };
+      const BruteForceResult truth = bruteForceDistances(c.plain, source, c.points);
+      EXPECT_LE(
+        worstError(matrix[i], truth.queries, std::max(largest, 1e-300)), accuracyOn(GetParam()));
+      for (std::size_t j = 0; j < Points; ++j)
+      {
+        if (matrix[i][j] == matrix[j][i])
+        {
+          continue; // both may be infinite
+        }
+        const double difference = std::abs(matrix[i][j] - matrix[j][i]) / largest;
+        worst = std::max(worst, difference);
+        EXPECT_LE(difference, accuracyOn(GetParam())) << i << ", " << j;
+      }
+    }
+  }
+  std::cout << "worst asymmetry on " << GetParam().name << ": " << worst << "\n";
+}
+
+TEST_P(DistanceMatrices, HaveTheBitsOfTheFieldOfEachSourceForAnyTargetsAndInParallel)
+{
+  for (std::uint64_t seed = 0; seed < 5; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const MatrixCase c(GetParam(), seed + 92000);
+    const std::vector<std::vector<double>> matrix = c.matrix();
+    geodesic::MatrixOptions options;
+    options.parallelFor = onThreads;
+    EXPECT_EQ(c.matrix(options), matrix);
+    for (std::size_t i = 0; i < Points; ++i)
+    {
+      const geodesic::DistanceField field = solveKeepingAll(c.mesh, { c.curves[i] });
+      for (std::size_t j = 0; j < Points; ++j)
+      {
+        EXPECT_EQ(matrix[i][j], field.distance(c.targets[j]));
+        const auto alone =
+          geodesic::distanceMatrix(c.mesh, { c.curves[i] }, Points, { c.targets[j] });
+        EXPECT_EQ(matrix[i][j], alone[i].front()) << "without other sources and targets";
+      }
+    }
+  }
+}
+
+TEST_P(DistanceMatrices, AreInfiniteBeyondTheMaximumAndTheSameWithin)
+{
+  std::size_t within = 0;
+  std::size_t beyond = 0;
+  for (std::uint64_t seed = 0; seed < 5; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const MatrixCase c(GetParam(), seed + 93000);
+    const std::vector<std::vector<double>> matrix = c.matrix();
+    geodesic::MatrixOptions options;
+    options.maximumDistance = 0.3 * largestFinite(matrix);
+    const std::vector<std::vector<double>> limited = c.matrix(options);
+    for (std::size_t i = 0; i < Points; ++i)
+    {
+      for (std::size_t j = 0; j < Points; ++j)
+      {
+        const bool isWithin = matrix[i][j] <= options.maximumDistance;
+        EXPECT_EQ(limited[i][j], isWithin ? matrix[i][j] : geodesic::Infinity);
+        ++(isWithin ? within : beyond);
+      }
+    }
+  }
+  EXPECT_GT(within, 0U);
+  EXPECT_GT(beyond, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, DistanceMatrices, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST(DistanceMatrix, TakesCurvesWithOneNumberForOneSourceAndNumbersWithoutCurvesForNone)
+{
+  PlainMesh mesh;
+  mesh.points = { { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 } };
+  mesh.triangles = { { 0, 1, 2 } };
+  const TriangleMesh engine = engineMesh(mesh);
+  std::vector<geodesic::SourceCurve> curves = { geodesic::pointCurve(SurfacePoint::atVertex(1)),
+    geodesic::pointCurve(SurfacePoint::atVertex(2)),
+    geodesic::pointCurve(SurfacePoint::atVertex(0)) };
+  curves[0].source = 2;
+  curves[1].source = 2;
+  curves[2].source = 0;
+  const auto matrix = geodesic::distanceMatrix(
+    engine, curves, 3, { SurfacePoint::atVertex(0), SurfacePoint::onEdge(1, 0.2) });
+  EXPECT_EQ(matrix[0].front(), 0.0);
+  EXPECT_EQ(matrix[1], std::vector<double>(2, geodesic::Infinity));
+  EXPECT_EQ(matrix[2].front(), 3.0);
+  EXPECT_NEAR(matrix[2].back(), 1.0, 1e-15);
+}
+
+// One task takes much longer than the others, and does nothing but ask.
+TEST(WatchedTasksInParallel, AreReportedAndStoppedFromTheCallingThreadWhileTheyRun)
+{
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<bool> isStopped{ false };
+  const auto task = [&](std::size_t number, const geodesic::ProgressCallback& progress)
+  {
+    for (double fraction = 0.0; number == 3; fraction = 0.5)
+    {
+      if (!progress(fraction))
+      {
+        isStopped = true;
+        throw geodesic::Aborted();
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  };
+  std::vector<double> reports;
+  const auto progress = [&](double fraction)
+  {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    reports.push_back(fraction);
+    return reports.size() < 5;
+  };
+  EXPECT_THROW(geodesic::runWatched(10, task, onThreads, progress), geodesic::Aborted);
+  EXPECT_TRUE(isStopped);
+  EXPECT_EQ(reports.size(), 5U);
+  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+  EXPECT_GT(reports.back(), 0.5);
+  EXPECT_LT(reports.back(), 1.0);
+}
+
+TEST(WatchedTasksInParallel, EndWithTheFirstExceptionOfOne)
+{
+  const auto task = [&](std::size_t number, const geodesic::ProgressCallback& progress)
+  {
+    if (number == 0)
+    {
+      throw std::runtime_error("the first");
+    }
+    while (progress(0.1))
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    throw geodesic::Aborted();
+  };
+  try
+  {
+    geodesic::runWatched(6, task, onThreads, {});
+    FAIL() << "nothing was thrown";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_STREQ(error.what(), "the first");
+  }
+}
+
+TEST(WatchedTasks, OneAfterAnotherAreReportedAsOne)
+{
+  std::vector<double> reports;
+  const auto task = [](std::size_t, const geodesic::ProgressCallback& progress) { progress(0.5); };
+  geodesic::runWatched(4, task, {},
+    [&](double fraction)
+    {
+      reports.push_back(fraction);
+      return true;
+    });
+  EXPECT_EQ(reports, (std::vector<double>{ 0.125, 0.375, 0.625, 0.875 }));
+}
