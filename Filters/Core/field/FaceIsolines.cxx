@@ -69,27 +69,51 @@ void FaceIsolines::draw(const FaceDistance& face, double level, Id valueId,
   this->size_ = std::max({ norm(whole.corners[1] - whole.corners[0]),
     norm(whole.corners[2] - whole.corners[1]), norm(whole.corners[0] - whole.corners[2]) });
   this->parts_ = 1;
-  this->findRegions();
-  this->drawPart(whole);
+  this->gap_ = tolerance::IsolineGap * std::min(this->size_, level);
+  this->findRegions(false);
+  if (!this->drawAtOnce(whole))
+  {
+    this->findRegions(true);
+    this->drawPart(whole);
+  }
 }
 
-// Each with a value of its own, see tolerance::CurveOffset.
-void FaceIsolines::findRegions()
+// Each with a value of its own, see tolerance::CurveOffset. Paths that bend at a window's end only
+// fill gaps that rounding leaves between pencils.
+void FaceIsolines::findRegions(bool withBent)
 {
+  const std::vector<DistanceCandidate>& candidates = this->face_->candidates();
   this->regions_.clear();
   this->curves_.clear();
-  const double offset = tolerance::CurveOffset * (this->level_ + this->size_);
-  const double margin = tolerance::PencilMargin * this->size_;
-  double value = this->level_;
-  for (const DistanceCandidate& candidate : this->face_->candidates())
+  this->bent_.clear();
+  for (const DistanceCandidate& c : candidates)
   {
-    const LevelRegion region(candidate, this->regions_.size(), value, margin);
-    if (!region.isEmpty())
+    this->addRegion(c);
+    const bool hasPencil =
+      c.kind == DistanceCandidate::Kind::Circular || c.kind == DistanceCandidate::Kind::Linear;
+    if (withBent && hasPencil)
     {
-      region.addCurves(this->curves_);
-      this->regions_.push_back(region);
-      value -= offset;
+      using Kind = DistanceCandidate::Kind;
+      this->bent_.push_back({ Kind::Cone, c.atBegin, c.begin, {}, {}, 0.0, 0.0 });
+      this->bent_.push_back({ Kind::Cone, c.atEnd, c.end, {}, {}, 0.0, 0.0 });
     }
+  }
+  for (const DistanceCandidate& c : this->bent_)
+  {
+    this->addRegion(c);
+  }
+}
+
+void FaceIsolines::addRegion(const DistanceCandidate& candidate)
+{
+  const double offset = tolerance::CurveOffset * (this->level_ + this->size_);
+  const std::size_t number = this->regions_.size();
+  const LevelRegion region(candidate, number, this->level_ - static_cast<double>(number) * offset,
+    tolerance::PencilMargin * this->size_);
+  if (!region.isEmpty())
+  {
+    region.addCurves(this->curves_);
+    this->regions_.push_back(region);
   }
 }
 
@@ -104,18 +128,29 @@ bool FaceIsolines::isBelowThroughout(const Part& part) const
     });
 }
 
-void FaceIsolines::drawPart(const Part& part)
+// Returns whether that could be done.
+bool FaceIsolines::drawAtOnce(const Part& part)
 {
   if (part.outline.empty() && part.below && this->isBelowThroughout(part))
   {
-    return;
+    return true;
   }
   this->findRemainders(part);
-  if (this->joinEnds(part))
+  if (!this->joinEnds(part))
   {
-    this->addLines(part);
+    return false;
   }
-  else if (part.depth == MaximumDepth || this->parts_ >= MaximumParts)
+  this->addLines(part);
+  return true;
+}
+
+void FaceIsolines::drawPart(const Part& part)
+{
+  if (this->drawAtOnce(part))
+  {
+    return;
+  }
+  if (part.depth == MaximumDepth || this->parts_ >= MaximumParts)
   {
     this->crossStraight(part);
   }
@@ -251,7 +286,7 @@ bool FaceIsolines::joinEnds(const Part& part)
 // Whether a line may go straight from one end to another.
 bool FaceIsolines::isJoint(Vec2 a, Vec2 b) const
 {
-  if (norm(b - a) <= tolerance::IsolineGap * this->size_)
+  if (norm(b - a) <= this->gap_)
   {
     return true;
   }

@@ -115,8 +115,10 @@ private:
     std::size_t to;
   };
 
-  void findRegions();
+  void findRegions(bool withBent);
+  void addRegion(const DistanceCandidate& candidate);
   bool isBelowThroughout(const Part& part) const;
+  bool drawAtOnce(const Part& part);
   void drawPart(const Part& part);
   void findRemainders(const Part& part);
   void cutCurve(std::size_t curve, const Part& part);
@@ -140,9 +142,13 @@ private:
   /// Of the face and value at hand.
   const FaceDistance* face_ = nullptr;
   double level_ = 0.0;
+  /// The face's longest edge, and what ends may be apart.
   double size_ = 0.0;
+  double gap_ = 0.0;
   Id valueId_ = 0;
   std::size_t parts_ = 0;
+  /// Paths that bend at the ends of windows.
+  std::vector<DistanceCandidate> bent_;
   std::vector<LevelRegion> regions_;
   std::vector<LevelCurve> curves_;
 

@@ -142,7 +142,7 @@ void IsolineJoin::dropShortChords(Isolines& result) const
 
 // A line that passes a vertex has a point there from each edge around. In a face pieces may meet a
 // rounding apart.
-bool IsolineJoin::isShort(const SurfacePoint& a, const SurfacePoint& b, Id face) const
+bool IsolineJoin::isShort(const SurfacePoint& a, const SurfacePoint& b, Id face, double level) const
 {
   using Kind = SurfacePoint::Kind;
   if (a.kind == Kind::Vertex && b.kind == Kind::Vertex)
@@ -153,8 +153,22 @@ bool IsolineJoin::isShort(const SurfacePoint& a, const SurfacePoint& b, Id face)
   {
     return false; // neither point can be spared
   }
-  const double least = tolerance::IsolineGap * this->mesh_.shape(face).longest();
+  const double least = tolerance::IsolineGap * std::min(this->mesh_.shape(face).longest(), level);
   return norm(position(this->mesh_, b) - position(this->mesh_, a)) <= least;
+}
+
+// Round a vertex at exactly the value, or a vertex that is beyond it by rounding alone.
+bool IsolineJoin::isSpeck(const std::vector<SurfacePoint>& points, const Isoline& line) const
+{
+  const Vec3 first = position(this->mesh_, points[line.points.front()]);
+  double longest = 0.0;
+  double extent = 0.0;
+  for (std::size_t i = 0; i < line.faces.size(); ++i)
+  {
+    longest = std::max(longest, this->mesh_.shape(line.faces[i]).longest());
+    extent = std::max(extent, norm(position(this->mesh_, points[line.points[i + 1]]) - first));
+  }
+  return extent <= tolerance::IsolineGap * std::min(longest, this->levels_[line.value]);
 }
 
 // Returns whether anything is left of the line. The face of a chord still holds both of its ends:
@@ -168,7 +182,8 @@ bool IsolineJoin::shorten(const std::vector<SurfacePoint>& points, Isoline& line
   for (std::size_t i = 0; i < whole.faces.size(); ++i)
   {
     const Id next = whole.points[i + 1];
-    if (!this->isShort(points[line.points.back()], points[next], whole.faces[i]))
+    if (!this->isShort(
+          points[line.points.back()], points[next], whole.faces[i], this->levels_[line.value]))
     {
       line.points.push_back(next);
       line.faces.push_back(whole.faces[i]);
@@ -178,12 +193,8 @@ bool IsolineJoin::shorten(const std::vector<SurfacePoint>& points, Isoline& line
       line.points.back() = next; // the one that is needed, or that other lines may share
     }
   }
-  if (line.points.size() == 1)
-  {
-    return false;
-  }
   line.points.front() = whole.points.front();
-  return true;
+  return !this->isSpeck(points, line);
 }
 
 void IsolineJoin::dropUnusedPoints(Isolines& result)

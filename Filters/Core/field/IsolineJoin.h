@@ -14,9 +14,11 @@ namespace geodesic
 class IsolineJoin
 {
 public:
+  /// \param levels the values, must outlive this.
   /// \param edgePoints how many points there are on edges; their ids are the first ones.
-  IsolineJoin(const TriangleMesh& mesh, Id edgePoints)
+  IsolineJoin(const TriangleMesh& mesh, const std::vector<double>& levels, Id edgePoints)
     : mesh_(mesh)
+    , levels_(levels)
     , edgePoints_(edgePoints)
   {
   }
@@ -45,11 +47,13 @@ private:
   void follow(PieceEnd begin, Isolines& result);
   void addPiece(PieceEnd begin, Isoline& line) const;
   void dropShortChords(Isolines& result) const;
-  bool isShort(const SurfacePoint& a, const SurfacePoint& b, Id face) const;
+  bool isShort(const SurfacePoint& a, const SurfacePoint& b, Id face, double level) const;
+  bool isSpeck(const std::vector<SurfacePoint>& points, const Isoline& line) const;
   bool shorten(const std::vector<SurfacePoint>& points, Isoline& line) const;
   static void dropUnusedPoints(Isolines& result);
 
   const TriangleMesh& mesh_;
+  const std::vector<double>& levels_;
   Id edgePoints_;
   std::vector<IsolinePieces::Piece> pieces_;
   std::vector<Id> ids_;

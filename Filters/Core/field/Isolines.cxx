@@ -104,7 +104,7 @@ Isolines Drawing::run()
   std::vector<Drawn> drawn = this->forTasks<Drawn>(EdgesDone, 1.0,
     [this](std::size_t first, std::size_t last, Drawn& result)
     { result.pieces = this->drawFaces(first, last, result.straight); });
-  IsolineJoin join(this->mesh_, static_cast<Id>(this->edgePoints_.size()));
+  IsolineJoin join(this->mesh_, this->levels_, static_cast<Id>(this->edgePoints_.size()));
   std::size_t straight = 0;
   for (Drawn& each : drawn)
   {

@@ -113,6 +113,12 @@ GridTruth::GridTruth(const PlainMesh& mesh, const Sources& sources, Index cells)
 {
   for (Index face = 0; face < mesh.triangles.size(); ++face)
   {
+    const Triangle& t = mesh.triangles[face];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      this->spacing_ = std::max(
+        this->spacing_, spaceDistance(mesh.points[t[k]], mesh.points[t[(k + 1) % 3]]) / cells);
+    }
     for (Index i = 0; i < cells; ++i)
     {
       for (Index j = 0; i + j < cells; ++j)

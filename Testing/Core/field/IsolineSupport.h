@@ -56,6 +56,9 @@ public:
   /// \param cells in which each edge is cut.
   GridTruth(const PlainMesh& mesh, const Sources& sources, Index cells);
 
+  /// The longest edge of the grid.
+  double spacing() const { return this->spacing_; }
+
   /// The lines of equal interpolated distance. They end where not two grid faces meet at an edge.
   LineCount countLines(double value) const;
 
@@ -64,6 +67,7 @@ private:
 
   const PlainMesh& mesh_;
   Index cells_;
+  double spacing_ = 0.0;
   std::vector<Triangle> triangles_;
   std::vector<MeshPoint> places_;
   std::vector<double> distances_;
