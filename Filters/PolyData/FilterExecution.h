@@ -24,6 +24,7 @@ enum class Stage
   ReadingSource,
   ComputingDistances,
   Refining,
+  DrawingLines,
   WritingOutputs
 };
 
