@@ -129,6 +129,9 @@ constexpr double IsolineAtVertex = 4.0 * BelowValue;
 /// evaluating a distance, so that which of them is in front is not left to rounding.
 constexpr double CurveOffset = 8.0 * Rounding;
 
+/// The same where that is just what the curves are apart.
+constexpr double LargerCurveOffset = 40.0 * CurveOffset;
+
 /// Two ends of an isoline's pieces in a face are one when nearer than this fraction of the face, or
 /// when between them the distance is the value up to IsolineValue: where curves or edges are
 /// tangent, the place where they meet is known only to the root of the rounding.

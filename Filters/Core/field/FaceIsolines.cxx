@@ -69,18 +69,34 @@ void FaceIsolines::draw(const FaceDistance& face, double level, Id valueId,
   this->size_ = std::max({ norm(whole.corners[1] - whole.corners[0]),
     norm(whole.corners[2] - whole.corners[1]), norm(whole.corners[0] - whole.corners[2]) });
   this->parts_ = 1;
+  this->slack_ = tolerance::IsolineValue * (this->level_ + this->size_);
   this->gap_ = tolerance::IsolineGap * std::min(this->size_, level);
-  this->findRegions(false);
-  if (!this->drawAtOnce(whole))
+  if (!this->drawWhole(whole))
   {
-    this->findRegions(true);
     this->drawPart(whole);
   }
 }
 
-// Each with a value of its own, see tolerance::CurveOffset. Paths that bend at a window's end only
-// fill gaps that rounding leaves between pencils.
-void FaceIsolines::findRegions(bool withBent)
+// Paths that bend at a window's end only fill gaps that rounding leaves between pencils. Curves may
+// be apart by just what tells them apart; with more than that they are in order.
+bool FaceIsolines::drawWhole(const Part& whole)
+{
+  for (const bool withBent : { false, true })
+  {
+    for (const double offset : { tolerance::CurveOffset, tolerance::LargerCurveOffset })
+    {
+      this->findRegions(withBent, offset);
+      if (this->drawAtOnce(whole))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// Each with a value of its own, see tolerance::CurveOffset.
+void FaceIsolines::findRegions(bool withBent, double offset)
 {
   const std::vector<DistanceCandidate>& candidates = this->face_->candidates();
   this->regions_.clear();
@@ -88,7 +104,7 @@ void FaceIsolines::findRegions(bool withBent)
   this->bent_.clear();
   for (const DistanceCandidate& c : candidates)
   {
-    this->addRegion(c);
+    this->addRegion(c, offset);
     const bool hasPencil =
       c.kind == DistanceCandidate::Kind::Circular || c.kind == DistanceCandidate::Kind::Linear;
     if (withBent && hasPencil)
@@ -100,15 +116,15 @@ void FaceIsolines::findRegions(bool withBent)
   }
   for (const DistanceCandidate& c : this->bent_)
   {
-    this->addRegion(c);
+    this->addRegion(c, offset);
   }
 }
 
-void FaceIsolines::addRegion(const DistanceCandidate& candidate)
+void FaceIsolines::addRegion(const DistanceCandidate& candidate, double offset)
 {
-  const double offset = tolerance::CurveOffset * (this->level_ + this->size_);
   const std::size_t number = this->regions_.size();
-  const LevelRegion region(candidate, number, this->level_ - static_cast<double>(number) * offset,
+  const LevelRegion region(candidate, number,
+    this->level_ - static_cast<double>(number) * offset * (this->level_ + this->size_),
     tolerance::PencilMargin * this->size_);
   if (!region.isEmpty())
   {
@@ -232,7 +248,8 @@ bool FaceIsolines::remains(const LevelCurve& curve, Vec2 p, const Part& part) co
       return false;
     }
   }
-  return true;
+  // Between pencils that rounding has parted, a path that bends at one of them is shorter.
+  return this->face_->distance(p) >= this->level_ - this->slack_;
 }
 
 // The nearest ones first. Returns whether all ends found another where the line goes on.
@@ -290,10 +307,9 @@ bool FaceIsolines::isJoint(Vec2 a, Vec2 b) const
   {
     return true;
   }
-  const double slack = tolerance::IsolineValue * (this->level_ + this->size_);
   for (const double t : { 0.25, 0.5, 0.75 })
   {
-    if (!(std::abs(this->face_->distance(a + t * (b - a)) - this->level_) <= slack))
+    if (!(std::abs(this->face_->distance(a + t * (b - a)) - this->level_) <= this->slack_))
     {
       return false;
     }

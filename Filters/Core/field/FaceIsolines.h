@@ -115,8 +115,9 @@ private:
     std::size_t to;
   };
 
-  void findRegions(bool withBent);
-  void addRegion(const DistanceCandidate& candidate);
+  bool drawWhole(const Part& whole);
+  void findRegions(bool withBent, double offset);
+  void addRegion(const DistanceCandidate& candidate, double offset);
   bool isBelowThroughout(const Part& part) const;
   bool drawAtOnce(const Part& part);
   void drawPart(const Part& part);
@@ -145,6 +146,8 @@ private:
   /// The face's longest edge, and what ends may be apart.
   double size_ = 0.0;
   double gap_ = 0.0;
+  /// How much the distance may differ from the level by rounding.
+  double slack_ = 0.0;
   Id valueId_ = 0;
   std::size_t parts_ = 0;
   /// Paths that bend at the ends of windows.
