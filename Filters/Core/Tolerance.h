@@ -115,6 +115,32 @@ constexpr double PencilMargin = 1e-12;
 /// joint's place carries the rounding of the crossing that was solved for it.
 constexpr double JointFraction = 1e-9;
 
+/// An isoline is drawn where the distance is smaller than its value by this fraction: so vertices at
+/// exactly the value, which carry the rounding of every unfolding on their way, are all beyond the
+/// line, and it passes on one side of them.
+constexpr double BelowValue = 1e-13;
+
+/// A point of an isoline on an edge is at a vertex when nearer than this fraction of the value and
+/// the edge: so the points of all edges around a vertex at exactly the value are one place.
+constexpr double IsolineAtVertex = 4.0 * BelowValue;
+
+/// Inside a face the curves on which two ways have one length may coincide. Each further one is
+/// drawn for a value that is smaller by this fraction of the value and the face, a few roundings of
+/// evaluating a distance, so that which of them is in front is not left to rounding.
+constexpr double CurveOffset = 8.0 * Rounding;
+
+/// The same where that is just what the curves are apart.
+constexpr double LargerCurveOffset = 40.0 * CurveOffset;
+
+/// Two ends of an isoline's pieces in a face are one when nearer than this fraction of the face, or
+/// when between them the distance is the value up to IsolineValue: where curves or edges are
+/// tangent, the place where they meet is known only to the root of the rounding.
+constexpr double IsolineGap = 1e-9;
+
+/// How much the distance may differ from the value between such ends, as a fraction of the value
+/// and the face: the rounding of every unfolding on the way.
+constexpr double IsolineValue = Tie;
+
 /// Rays that meet their halfedge at a smaller angle (about the root of the rounding) run along it:
 /// the cosine of such an angle is 1 to the last digit, so that rounding alone would tell where they
 /// go.

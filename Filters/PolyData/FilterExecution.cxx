@@ -38,6 +38,8 @@ const char* describe(Stage stage)
       return "computing the distances, after reading the surface and the source";
     case Stage::Refining:
       return "refining the surface, after computing the distances";
+    case Stage::DrawingLines:
+      return "drawing the lines, after computing the distances";
     case Stage::WritingOutputs:
       return "writing the outputs, after all was computed";
   }

@@ -26,6 +26,7 @@ enum class Stage
   ReadingTargets,
   ComputingDistances,
   Refining,
+  DrawingLines,
   WritingOutputs
 };
 

@@ -102,6 +102,11 @@ Vec2 FaceDistance::inPlane(const Barycentric& point) const
   return inHalfedgeFrame(*this->mesh_, this->frame_, point);
 }
 
+Barycentric FaceDistance::fromPlane(Vec2 p) const
+{
+  return fromHalfedgeFrame(*this->mesh_, this->frame_, p);
+}
+
 void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge)
 {
   const WindowRuns windows = field.windowsOn(halfedge);

@@ -65,6 +65,8 @@ public:
 
   /// A point of the face in the plane.
   Vec2 inPlane(const Barycentric& point) const;
+  /// The coordinates in the face of a point of the plane.
+  Barycentric fromPlane(Vec2 p) const;
 
   const std::vector<DistanceCandidate>& candidates() const { return this->candidates_; }
   std::vector<DistanceCandidate> releaseMemory() { return std::move(this->candidates_); }

@@ -19,6 +19,23 @@ Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& p
     point[previous] * shape.area2 / length };
 }
 
+Barycentric fromHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, Vec2 point)
+{
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
+  const std::size_t k = halfedge % 3;
+  const double length = shape.length[k];
+  Barycentric weights{};
+  if (length > 0.0)
+  {
+    const double height = shape.area2 / length;
+    const double atApex = height > 0.0 ? point.y / height : 0.0;
+    weights[(k + 2) % 3] = atApex;
+    weights[(k + 1) % 3] = (point.x - atApex * shape.cornerDot[k] / length) / length;
+  }
+  weights[k] = 1.0 - weights[(k + 1) % 3] - weights[(k + 2) % 3];
+  return weights;
+}
+
 Vec2 apexOf(const TriangleMesh& mesh, Id halfedge)
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));

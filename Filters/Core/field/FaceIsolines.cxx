@@ -1,0 +1,490 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field/FaceIsolines.h"
+
+#include "Tolerance.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+// Arcs are cut at least so often that a circle looks like one.
+constexpr double LargestStep = 3.14159265358979323846 / 6.0;
+
+// How often a face may be cut in four: parts of a millionth of it are crossed straight.
+constexpr int MaximumDepth = 20;
+// And into how many parts in all: decisions that are left to rounding are few, and lie at points.
+constexpr std::size_t MaximumParts = 4096;
+
+double angleOfChord(double radius, double chordTolerance)
+{
+  const double cosine = 1.0 - chordTolerance / radius;
+  return cosine > 0.0 ? std::min(LargestStep, 2.0 * std::acos(cosine)) : LargestStep;
+}
+
+void addTo(
+  std::vector<OutlinePoint>& outline, std::size_t edge, const std::vector<OutlinePoint>& points)
+{
+  for (OutlinePoint point : points)
+  {
+    point.edge = edge;
+    outline.push_back(point);
+  }
+}
+
+/// The points that a neighbour has on its edge 1, seen from the other side.
+void addReversed(
+  std::vector<OutlinePoint>& outline, std::size_t edge, const std::vector<OutlinePoint>& neighbour)
+{
+  for (auto point = neighbour.rbegin(); point != neighbour.rend(); ++point)
+  {
+    if (point->edge == 1)
+    {
+      outline.push_back({ point->at, point->id, edge, !point->leaves });
+    }
+  }
+}
+
+} // anonymous namespace
+
+void FaceIsolines::draw(const FaceDistance& face, double level, Id valueId,
+  const std::vector<OutlinePoint>& outline, bool below)
+{
+  Part whole;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    whole.corners[k] = face.inPlane(cornerWeights(k));
+  }
+  whole.outline = outline;
+  whole.below = below;
+  whole.depth = 0;
+  this->face_ = &face;
+  this->level_ = level;
+  this->valueId_ = valueId;
+  this->size_ = std::max({ norm(whole.corners[1] - whole.corners[0]),
+    norm(whole.corners[2] - whole.corners[1]), norm(whole.corners[0] - whole.corners[2]) });
+  this->parts_ = 1;
+  this->slack_ = tolerance::IsolineValue * (this->level_ + this->size_);
+  this->gap_ = tolerance::IsolineGap * std::min(this->size_, level);
+  if (!this->drawWhole(whole))
+  {
+    this->drawPart(whole);
+  }
+}
+
+// Paths that bend at a window's end only fill gaps that rounding leaves between pencils. Curves may
+// be apart by just what tells them apart; with more than that they are in order.
+bool FaceIsolines::drawWhole(const Part& whole)
+{
+  for (const bool withBent : { false, true })
+  {
+    for (const double offset : { tolerance::CurveOffset, tolerance::LargerCurveOffset })
+    {
+      this->findRegions(withBent, offset);
+      if (this->drawAtOnce(whole))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// Each with a value of its own, see tolerance::CurveOffset.
+void FaceIsolines::findRegions(bool withBent, double offset)
+{
+  const std::vector<DistanceCandidate>& candidates = this->face_->candidates();
+  this->regions_.clear();
+  this->curves_.clear();
+  this->bent_.clear();
+  for (const DistanceCandidate& c : candidates)
+  {
+    this->addRegion(c, offset);
+    const bool hasPencil =
+      c.kind == DistanceCandidate::Kind::Circular || c.kind == DistanceCandidate::Kind::Linear;
+    if (withBent && hasPencil)
+    {
+      using Kind = DistanceCandidate::Kind;
+      this->bent_.push_back({ Kind::Cone, c.atBegin, c.begin, {}, {}, 0.0, 0.0 });
+      this->bent_.push_back({ Kind::Cone, c.atEnd, c.end, {}, {}, 0.0, 0.0 });
+    }
+  }
+  for (const DistanceCandidate& c : this->bent_)
+  {
+    this->addRegion(c, offset);
+  }
+}
+
+void FaceIsolines::addRegion(const DistanceCandidate& candidate, double offset)
+{
+  const std::size_t number = this->regions_.size();
+  const LevelRegion region(candidate, number,
+    this->level_ - static_cast<double>(number) * offset * (this->level_ + this->size_),
+    tolerance::PencilMargin * this->size_);
+  if (!region.isEmpty())
+  {
+    region.addCurves(this->curves_);
+    this->regions_.push_back(region);
+  }
+}
+
+// The regions are convex.
+bool FaceIsolines::isBelowThroughout(const Part& part) const
+{
+  return std::any_of(this->regions_.begin(), this->regions_.end(),
+    [&part](const LevelRegion& region)
+    {
+      return std::all_of(part.corners.begin(), part.corners.end(),
+        [&region](Vec2 corner) { return region.contains(corner); });
+    });
+}
+
+// Returns whether that could be done.
+bool FaceIsolines::drawAtOnce(const Part& part)
+{
+  if (part.outline.empty() && part.below && this->isBelowThroughout(part))
+  {
+    return true;
+  }
+  this->findRemainders(part);
+  if (!this->joinEnds(part))
+  {
+    return false;
+  }
+  this->addLines(part);
+  return true;
+}
+
+void FaceIsolines::drawPart(const Part& part)
+{
+  if (this->drawAtOnce(part))
+  {
+    return;
+  }
+  if (part.depth == MaximumDepth || this->parts_ >= MaximumParts)
+  {
+    this->crossStraight(part);
+  }
+  else
+  {
+    this->split(part);
+  }
+}
+
+void FaceIsolines::findRemainders(const Part& part)
+{
+  this->remainders_.clear();
+  for (std::size_t i = 0; i < this->curves_.size(); ++i)
+  {
+    this->cutCurve(i, part);
+  }
+}
+
+void FaceIsolines::cutCurve(std::size_t index, const Part& part)
+{
+  const LevelCurve& curve = this->curves_[index];
+  this->places_.clear();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vec2 begin = part.corners[k];
+    const Vec2 edge = part.corners[(k + 1) % 3] - begin;
+    const double length = norm(edge);
+    if (length > 0.0)
+    {
+      addMeetings(curve, { begin, (1.0 / length) * edge }, this->places_);
+    }
+  }
+  for (const LevelRegion& region : this->regions_)
+  {
+    region.addMeetings(curve, this->places_);
+  }
+  std::sort(this->places_.begin(), this->places_.end());
+  this->places_.push_back(curve.extent);
+  double begin = 0.0;
+  bool goesOn = false;
+  for (const double end : this->places_)
+  {
+    if (end > begin)
+    {
+      const bool remains = this->remains(curve, curve.at(0.5 * (begin + end)), part);
+      if (remains && goesOn)
+      {
+        this->remainders_.back().end = end;
+      }
+      else if (remains)
+      {
+        this->remainders_.push_back({ index, begin, end });
+      }
+      goesOn = remains;
+      begin = end;
+    }
+  }
+}
+
+// Whether a point of a curve is in the part, in its pencil, and outside of all other regions.
+bool FaceIsolines::remains(const LevelCurve& curve, Vec2 p, const Part& part) const
+{
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vec2 begin = part.corners[k];
+    if (cross(part.corners[(k + 1) % 3] - begin, p - begin) < 0.0)
+    {
+      return false;
+    }
+  }
+  if (!this->regions_[curve.candidate].isInPencil(p))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < this->regions_.size(); ++i)
+  {
+    if (i != curve.candidate && this->regions_[i].contains(p))
+    {
+      return false;
+    }
+  }
+  // Between pencils that rounding has parted, a path that bends at one of them is shorter.
+  return this->face_->distance(p) >= this->level_ - this->slack_;
+}
+
+// The nearest ones first. Returns whether all ends found another where the line goes on.
+bool FaceIsolines::joinEnds(const Part& part)
+{
+  this->from_.clear();
+  this->to_.clear();
+  for (std::size_t i = 0; i < this->remainders_.size(); ++i)
+  {
+    const Remainder& r = this->remainders_[i];
+    this->from_.push_back({ this->curves_[r.curve].at(r.end), i });
+    this->to_.push_back({ this->curves_[r.curve].at(r.begin), i });
+  }
+  const std::size_t owners = this->remainders_.size() + part.outline.size();
+  for (std::size_t i = 0; i < part.outline.size(); ++i)
+  {
+    (part.outline[i].leaves ? this->to_ : this->from_)
+      .push_back({ part.outline[i].at, this->remainders_.size() + i });
+  }
+  this->next_.assign(owners, None);
+  if (this->from_.size() != this->to_.size())
+  {
+    return false;
+  }
+  this->pairs_.clear();
+  for (std::size_t i = 0; i < this->from_.size(); ++i)
+  {
+    for (std::size_t j = 0; j < this->to_.size(); ++j)
+    {
+      this->pairs_.push_back({ norm(this->to_[j].at - this->from_[i].at), i, j });
+    }
+  }
+  std::stable_sort(this->pairs_.begin(), this->pairs_.end(),
+    [](const Pair& a, const Pair& b) { return a.gap < b.gap; });
+  this->used_.assign(this->to_.size(), 0);
+  bool allMeet = true;
+  for (const Pair& pair : this->pairs_)
+  {
+    const LooseEnd& from = this->from_[pair.from];
+    const LooseEnd& to = this->to_[pair.to];
+    if (this->next_[from.owner] == None && !this->used_[pair.to])
+    {
+      allMeet = allMeet && this->isJoint(from.at, to.at);
+      this->next_[from.owner] = to.owner;
+      this->used_[pair.to] = 1;
+    }
+  }
+  return allMeet;
+}
+
+// Whether a line may go straight from one end to another.
+bool FaceIsolines::isJoint(Vec2 a, Vec2 b) const
+{
+  if (norm(b - a) <= this->gap_)
+  {
+    return true;
+  }
+  for (const double t : { 0.25, 0.5, 0.75 })
+  {
+    if (!(std::abs(this->face_->distance(a + t * (b - a)) - this->level_) <= this->slack_))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// First those that cross the part, then the closed ones that are left.
+void FaceIsolines::addLines(const Part& part)
+{
+  const std::size_t remainders = this->remainders_.size();
+  this->used_.assign(remainders + part.outline.size(), 0);
+  for (std::size_t i = 0; i < part.outline.size(); ++i)
+  {
+    if (!part.outline[i].leaves)
+    {
+      this->result_.ids.push_back(part.outline[i].id);
+      this->addLineFrom(remainders + i, part);
+      this->closePiece();
+    }
+  }
+  for (std::size_t i = 0; i < remainders; ++i)
+  {
+    if (!this->used_[i])
+    {
+      const std::size_t begin = this->result_.ids.size();
+      const Remainder& last = this->remainders_[i];
+      const Id first = this->addPoint(this->curves_[last.curve].at(last.end));
+      this->result_.ids.push_back(first);
+      this->addLineFrom(i, part);
+      this->result_.ids.back() = first; // around
+      if (this->result_.ids.size() - begin > 2)
+      {
+        this->closePiece();
+      }
+      else
+      {
+        this->result_.ids.resize(begin); // a scrap between two places that rounding tells apart
+      }
+    }
+  }
+}
+
+// From the end of the owner to an exit, or to the end of the owner again.
+void FaceIsolines::addLineFrom(std::size_t owner, const Part& part)
+{
+  const std::size_t remainders = this->remainders_.size();
+  std::size_t at = this->next_[owner];
+  while (at < remainders)
+  {
+    const Remainder& remainder = this->remainders_[at];
+    this->used_[at] = 1;
+    this->addInnerPoints(remainder);
+    if (at == owner)
+    {
+      this->result_.ids.push_back(NoId); // where it began
+      return;
+    }
+    const std::size_t next = this->next_[at];
+    this->result_.ids.push_back(this->addPoint(this->curves_[remainder.curve].at(remainder.end)));
+    if (next >= remainders)
+    {
+      this->result_.ids.pop_back(); // the exit stands for it
+      this->result_.points.pop_back();
+    }
+    at = next;
+  }
+  this->result_.ids.push_back(part.outline[at - remainders].id);
+}
+
+void FaceIsolines::addInnerPoints(const Remainder& remainder)
+{
+  const LevelCurve& curve = this->curves_[remainder.curve];
+  if (!curve.isArc)
+  {
+    return;
+  }
+  const double angle = remainder.end - remainder.begin;
+  const double chords = std::ceil(angle / angleOfChord(curve.radius, this->chordTolerance_));
+  for (double i = 1.0; i < chords; i += 1.0)
+  {
+    this->result_.ids.push_back(this->addPoint(curve.at(remainder.begin + i / chords * angle)));
+  }
+}
+
+void FaceIsolines::closePiece()
+{
+  this->result_.pieces.push_back({ this->face_->face(), this->valueId_, this->result_.ids.size() });
+}
+
+Id FaceIsolines::addPoint(Vec2 p)
+{
+  this->result_.points.push_back({ this->face_->face(), this->face_->fromPlane(p) });
+  return this->firstNewId_ + static_cast<Id>(this->result_.points.size() - 1);
+}
+
+// The parts share points on the segments between them.
+void FaceIsolines::split(const Part& part)
+{
+  std::array<Vec2, 3> middles;
+  std::array<std::uint8_t, 3> cornerBelow{};
+  std::array<std::uint8_t, 3> middleBelow{};
+  /// Of each edge, before and behind its middle.
+  std::array<std::array<std::vector<OutlinePoint>, 2>, 3> halves;
+  bool below = part.below;
+  auto point = part.outline.begin();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vec2 edge = part.corners[(k + 1) % 3] - part.corners[k];
+    middles[k] = part.corners[k] + 0.5 * edge;
+    cornerBelow[k] = below;
+    middleBelow[k] = below;
+    for (; point != part.outline.end() && point->edge == k; ++point)
+    {
+      const bool isBefore = dot(point->at - middles[k], edge) < 0.0 && halves[k][1].empty();
+      below = !point->leaves;
+      middleBelow[k] = isBefore ? below : middleBelow[k];
+      halves[k][isBefore ? 0 : 1].push_back(*point);
+    }
+  }
+  std::array<Part, 4> parts;
+  this->parts_ += parts.size();
+  Part& center = parts[3];
+  center = { middles, {}, middleBelow[0] != 0, part.depth + 1 };
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const std::size_t before = (k + 2) % 3;
+    Part& corner = parts[k];
+    corner = { { part.corners[k], middles[k], middles[before] }, {}, cornerBelow[k] != 0,
+      part.depth + 1 };
+    addTo(corner.outline, 0, halves[k][0]);
+    addTo(corner.outline, 1,
+      this->pointsBetween(
+        middles[k], middles[before], middleBelow[k] != 0, middleBelow[before] != 0));
+    addTo(corner.outline, 2, halves[before][1]);
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    addReversed(center.outline, k, parts[(k + 1) % 3].outline);
+  }
+  for (const Part& each : parts)
+  {
+    this->drawPart(each);
+  }
+}
+
+std::vector<OutlinePoint> FaceIsolines::pointsBetween(Vec2 a, Vec2 b, bool aIsBelow, bool bIsBelow)
+{
+  this->crossings_.clear();
+  findCrossings(
+    this->envelope_.along(*this->face_, a, b), this->level_, aIsBelow, bIsBelow, this->crossings_);
+  const double length = norm(b - a);
+  std::vector<OutlinePoint> points;
+  for (const SegmentCrossing& crossing : this->crossings_)
+  {
+    const Vec2 at = length > 0.0 ? a + (crossing.at / length) * (b - a) : a;
+    points.push_back({ at, this->addPoint(at), 1, crossing.rises });
+  }
+  return points;
+}
+
+// Each entry with the exit beside it, so that no two lines cross.
+void FaceIsolines::crossStraight(const Part& part)
+{
+  ++this->partsCrossedStraight_;
+  const std::size_t count = part.outline.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (!part.outline[i].leaves)
+    {
+      this->result_.ids.push_back(part.outline[i].id);
+      this->result_.ids.push_back(part.outline[(i + 1) % count].id);
+      this->closePiece();
+    }
+  }
+}
+
+}

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field/LevelCurves.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+Vec2 leftOf(Vec2 v)
+{
+  return { -v.y, v.x };
+}
+
+Vec2 unitOr(Vec2 v, Vec2 otherwise)
+{
+  const double length = norm(v);
+  return length > 0.0 ? (1.0 / length) * v : otherwise;
+}
+
+Vec2 turnedClockwise(Vec2 v, double angle)
+{
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return { c * v.x + s * v.y, c * v.y - s * v.x };
+}
+
+/// The clockwise angle from one unit vector to another direction, in [0, 2 pi).
+double clockwiseAngle(Vec2 from, Vec2 to)
+{
+  const double angle = std::atan2(cross(to, from), dot(from, to));
+  return angle < 0.0 ? angle + 2.0 * Pi : angle;
+}
+
+void addPlace(const LevelCurve& curve, Vec2 p, std::vector<double>& places)
+{
+  const double t =
+    curve.isArc ? clockwiseAngle(curve.axis, p - curve.origin) : dot(curve.axis, p - curve.origin);
+  if (t > 0.0 && t < curve.extent)
+  {
+    places.push_back(t);
+  }
+}
+
+LevelCurve fullCircle(std::size_t candidate, Vec2 center, double radius)
+{
+  return { candidate, true, center, { 1.0, 0.0 }, radius, 2.0 * Pi };
+}
+
+} // anonymous namespace
+
+Vec2 LevelCurve::at(double t) const
+{
+  return this->isArc ? this->origin + this->radius * turnedClockwise(this->axis, t)
+                     : this->origin + t * this->axis;
+}
+
+void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& places)
+{
+  if (!curve.isArc)
+  {
+    const double slope = cross(line.along, curve.axis);
+    if (slope != 0.0)
+    {
+      const double t = cross(line.along, line.point - curve.origin) / slope;
+      addPlace(curve, curve.at(t), places);
+    }
+    return;
+  }
+  const Vec2 toCenter = curve.origin - line.point;
+  const double aside = cross(line.along, toCenter);
+  const double squared = (curve.radius - aside) * (curve.radius + aside);
+  if (squared < 0.0)
+  {
+    return;
+  }
+  const double half = std::sqrt(squared);
+  for (const double along : { dot(line.along, toCenter) - half, dot(line.along, toCenter) + half })
+  {
+    addPlace(curve, line.point + along * line.along, places);
+  }
+}
+
+void addMeetings(const LevelCurve& curve, Vec2 center, double radius, std::vector<double>& places)
+{
+  const Vec2 toCenter = center - curve.origin;
+  if (!curve.isArc)
+  {
+    const double aside = cross(curve.axis, toCenter);
+    const double squared = (radius - aside) * (radius + aside);
+    if (squared >= 0.0)
+    {
+      const double half = std::sqrt(squared);
+      addPlace(curve, curve.at(dot(curve.axis, toCenter) - half), places);
+      addPlace(curve, curve.at(dot(curve.axis, toCenter) + half), places);
+    }
+    return;
+  }
+  const double between = norm(toCenter);
+  if (!(between > 0.0))
+  {
+    return;
+  }
+  const double along =
+    0.5 * (between + (curve.radius - radius) * (curve.radius + radius) / between);
+  const double squared = (curve.radius - along) * (curve.radius + along);
+  if (squared >= 0.0)
+  {
+    const Vec2 axis = (1.0 / between) * toCenter;
+    const Vec2 foot = curve.origin + along * axis;
+    const Vec2 aside = std::sqrt(squared) * leftOf(axis);
+    addPlace(curve, foot + aside, places);
+    addPlace(curve, foot - aside, places);
+  }
+}
+
+LevelRegion::LevelRegion(
+  const DistanceCandidate& candidate, std::size_t number, double value, double margin)
+  : candidate_(&candidate)
+  , number_(number)
+  , level_(value - candidate.sigma)
+  , margin_(margin)
+{
+  const Vec2 along = unitOr(candidate.end - candidate.begin, { 1.0, 0.0 });
+  if (candidate.kind == DistanceCandidate::Kind::Linear)
+  {
+    this->first_ = candidate.source;
+    this->last_ = candidate.source;
+    this->isEmpty_ = !(std::min(candidate.atBegin, candidate.atEnd) < value);
+    return;
+  }
+  this->isEmpty_ = !(this->level_ > 0.0);
+  if (candidate.kind == DistanceCandidate::Kind::Circular)
+  {
+    this->first_ = unitOr(candidate.begin - candidate.source, -1.0 * along);
+    this->last_ = unitOr(candidate.end - candidate.source, along);
+    // The point of the window that is nearest to the source.
+    const double x = std::clamp(
+      dot(candidate.source - candidate.begin, along), 0.0, norm(candidate.end - candidate.begin));
+    this->isEmpty_ =
+      this->isEmpty_ || !(norm(candidate.begin + x * along - candidate.source) < this->level_);
+  }
+}
+
+bool LevelRegion::isInPencil(Vec2 p) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  return !this->hasPencil() ||
+    (cross(this->first_, p - c.begin) <= this->margin_ &&
+      cross(this->last_, p - c.end) >= -this->margin_);
+}
+
+bool LevelRegion::contains(Vec2 p) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  switch (c.kind)
+  {
+    case DistanceCandidate::Kind::Linear:
+      return dot(c.source, p) < this->level_ && this->isInPencil(p);
+    case DistanceCandidate::Kind::Segment:
+      return c.distance(p) < this->level_;
+    case DistanceCandidate::Kind::Cone:
+    case DistanceCandidate::Kind::Circular:
+      break;
+  }
+  return norm(p - c.source) < this->level_ && this->isInPencil(p);
+}
+
+void LevelRegion::addCurves(std::vector<LevelCurve>& curves) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  switch (c.kind)
+  {
+    case DistanceCandidate::Kind::Cone:
+      curves.push_back(fullCircle(this->number_, c.source, this->level_));
+      break;
+    case DistanceCandidate::Kind::Circular:
+      this->addArc(curves);
+      break;
+    case DistanceCandidate::Kind::Linear:
+      this->addStraight(curves);
+      break;
+    case DistanceCandidate::Kind::Segment:
+      this->addOutline(curves);
+      break;
+  }
+}
+
+// From a little before the one ray to a little behind the other.
+void LevelRegion::addArc(std::vector<LevelCurve>& curves) const
+{
+  const double beyond = std::asin(std::min(1.0, 2.0 * this->margin_ / this->level_));
+  const double between = clockwiseAngle(this->first_, this->last_);
+  // Rays that nearly coincide may seem to turn the other way.
+  const double angle = (between > 1.5 * Pi ? 0.0 : between) + 2.0 * beyond;
+  curves.push_back({ this->number_, true, this->candidate_->source,
+    turnedClockwise(this->first_, -beyond), this->level_, std::min(angle, 2.0 * Pi) });
+}
+
+void LevelRegion::addStraight(std::vector<LevelCurve>& curves) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  const Vec2 along = -1.0 * leftOf(c.source);
+  const double beyond = 2.0 * this->margin_;
+  const double length = dot(along, c.end - c.begin) + 2.0 * beyond;
+  const Vec2 begin = c.begin + (this->level_ - dot(c.source, c.begin)) * c.source;
+  if (length > 0.0)
+  {
+    curves.push_back({ this->number_, false, begin - beyond * along, along, 0.0, length });
+  }
+}
+
+// Straight along both sides of the segment, round its ends.
+void LevelRegion::addOutline(std::vector<LevelCurve>& curves) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  const double length = norm(c.end - c.begin);
+  const Vec2 along = unitOr(c.end - c.begin, { 1.0, 0.0 });
+  const Vec2 left = leftOf(along);
+  const double r = this->level_;
+  curves.push_back({ this->number_, false, c.begin + r * left, along, 0.0, length });
+  curves.push_back({ this->number_, true, c.end, left, r, Pi });
+  curves.push_back({ this->number_, false, c.end - r * left, -1.0 * along, 0.0, length });
+  curves.push_back({ this->number_, true, c.begin, -1.0 * left, r, Pi });
+}
+
+void LevelRegion::addMeetings(const LevelCurve& curve, std::vector<double>& places) const
+{
+  using geodesic::addMeetings;
+  const DistanceCandidate& c = *this->candidate_;
+  if (this->hasPencil())
+  {
+    addMeetings(curve, { c.begin + this->margin_ * leftOf(this->first_), this->first_ }, places);
+    addMeetings(curve, { c.end - this->margin_ * leftOf(this->last_), this->last_ }, places);
+  }
+  if (c.kind == DistanceCandidate::Kind::Linear)
+  {
+    addMeetings(curve, { this->level_ * c.source, leftOf(c.source) }, places);
+  }
+  else if (c.kind == DistanceCandidate::Kind::Segment)
+  {
+    const Vec2 along = unitOr(c.end - c.begin, { 1.0, 0.0 });
+    const Vec2 aside = this->level_ * leftOf(along);
+    addMeetings(curve, { c.begin + aside, along }, places);
+    addMeetings(curve, { c.begin - aside, along }, places);
+    addMeetings(curve, c.begin, this->level_, places);
+    addMeetings(curve, c.end, this->level_, places);
+  }
+  else
+  {
+    addMeetings(curve, c.source, this->level_, places);
+  }
+}
+
+}

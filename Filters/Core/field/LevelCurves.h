@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_LevelCurves_h
+#define geodesic_LevelCurves_h
+
+#include "field/FaceDistance.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// A part of the curve on which one distance candidate has a value: an arc of a circle or a
+/// straight piece, which runs so that the distance grows to its left.
+struct LevelCurve
+{
+  /// Which candidate of the face it is.
+  std::size_t candidate;
+  bool isArc;
+  /// The centre of an arc; where a straight piece begins.
+  Vec2 origin;
+  /// A unit vector: from the centre to where an arc begins; along a straight piece.
+  Vec2 axis;
+  double radius;
+  /// The angle of an arc, clockwise; the length of a straight piece.
+  double extent;
+
+  /// The point at t, from 0 to extent.
+  Vec2 at(double t) const;
+  /// The way between two such places.
+  double wayBetween(double t0, double t1) const
+  {
+    return (t1 - t0) * (this->isArc ? this->radius : 1.0);
+  }
+};
+
+/// A line through a point along a unit vector.
+struct PlaneLine
+{
+  Vec2 point;
+  Vec2 along;
+};
+
+/// Appends where the curve meets a line or a circle, in no order.
+void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& places);
+void addMeetings(const LevelCurve& curve, Vec2 center, double radius, std::vector<double>& places);
+
+/// Where one distance candidate is below a value: the points that it reaches straight, a convex
+/// region bounded by the rays at the ends of its window and by level curves.
+class LevelRegion
+{
+public:
+  /// \param candidate must outlive this.
+  /// \param margin by which the pencil is widened, so that those of neighbours leave no gap.
+  LevelRegion(const DistanceCandidate& candidate, std::size_t number, double value, double margin);
+
+  /// Whether there is none in the face.
+  bool isEmpty() const { return this->isEmpty_; }
+  bool contains(Vec2 p) const;
+  /// Whether a point of the level curve bounds the region, and not only goes on with it.
+  bool isInPencil(Vec2 p) const;
+
+  /// Appends the curves that bound it, a little longer than they are at the rays.
+  void addCurves(std::vector<LevelCurve>& curves) const;
+  /// Appends the places where a curve may enter or leave the region, and others.
+  void addMeetings(const LevelCurve& curve, std::vector<double>& places) const;
+
+private:
+  bool hasPencil() const
+  {
+    return this->candidate_->kind == DistanceCandidate::Kind::Circular ||
+      this->candidate_->kind == DistanceCandidate::Kind::Linear;
+  }
+  void addArc(std::vector<LevelCurve>& curves) const;
+  void addStraight(std::vector<LevelCurve>& curves) const;
+  void addOutline(std::vector<LevelCurve>& curves) const;
+
+  const DistanceCandidate* candidate_;
+  std::size_t number_;
+  /// How far from the source it reaches; with parallel rays, along these from the origin.
+  double level_;
+  double margin_;
+  /// Along the rays at the window's ends.
+  Vec2 first_;
+  Vec2 last_;
+  bool isEmpty_ = false;
+};
+
+}
+
+#endif

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGeodesicContour.h"
+
+#include "PolyData/FilterExecution.h"
+#include "PolyData/IsolineWriter.h"
+#include "PolyData/ParallelFor.h"
+#include "field/Isolines.h"
+#include "field/SolveForIsolines.h"
+
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkGeodesicContour);
+
+namespace
+{
+
+// Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
+constexpr double FieldDone = 0.75;
+constexpr double LinesDrawn = 0.95;
+
+bool isPositive(double value)
+{
+  return value > 0.0 && value < geodesic::Infinity;
+}
+
+}
+
+/// The work of one execution.
+class vtkGeodesicContour::vtkWorker
+{
+public:
+  vtkWorker(vtkGeodesicContour* self, geodesic::FilterExecution& execution)
+    : Self(self)
+    , Execution(execution)
+  {
+  }
+
+  /// \throws geodesic::Error
+  void Run(vtkPolyData* output);
+
+private:
+  void FindValues();
+  double ChordTolerance() const;
+  geodesic::Isolines Draw() const;
+
+  vtkGeodesicContour* Self;
+  geodesic::FilterExecution& Execution;
+  /// Ascending, each once: those over 0 in the user's units and in the engine's.
+  std::vector<double> Values;
+  std::vector<double> EngineValues;
+  bool HasZero = false;
+};
+
+//------------------------------------------------------------------------------
+void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
+{
+  this->Execution.readInputs();
+  this->FindValues();
+  const geodesic::Isolines isolines = this->Draw();
+  if (isolines.linesWithoutDirection > 0)
+  {
+    this->Execution.notes().add(isolines.linesWithoutDirection, "line crosses", "lines cross",
+      "faces of opposite orientation: the direction of such a line says nothing.");
+  }
+  this->Execution.reach(LinesDrawn);
+  this->Execution.enter(geodesic::Stage::WritingOutputs);
+  const geodesic::PolyDataSurface& surface = this->Execution.surface();
+  geodesic::writeIsolines(surface.mesh(), surface.scale(), isolines, this->Values,
+    this->HasZero ? this->Execution.sources().curves : std::vector<geodesic::SourceCurve>(), output,
+    this->Execution.progressBetween(LinesDrawn, 1.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicContour::vtkWorker::FindValues()
+{
+  std::vector<double> values;
+  for (vtkIdType i = 0; i < this->Self->GetNumberOfContours(); ++i)
+  {
+    values.push_back(this->Self->GetValue(static_cast<int>(i)));
+  }
+  std::sort(values.begin(), values.end());
+  for (const double value : values)
+  {
+    const double inEngine = this->Execution.surface().scale().toEngine(value);
+    if (!(inEngine > 0.0))
+    {
+      this->HasZero = true;
+    }
+    // The next one as the engine has it, which of tiny numbers drops digits; none beyond its range.
+    else if (inEngine < geodesic::Infinity &&
+      (this->EngineValues.empty() || inEngine > this->EngineValues.back()))
+    {
+      this->Values.push_back(value);
+      this->EngineValues.push_back(inEngine);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkGeodesicContour::vtkWorker::ChordTolerance() const
+{
+  return this->Self->ToleranceIsAbsolute
+    ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteChordTolerance)
+    : this->Self->ChordTolerance * this->Execution.surface().diagonal();
+}
+
+//------------------------------------------------------------------------------
+geodesic::Isolines vtkGeodesicContour::vtkWorker::Draw() const
+{
+  geodesic::IsolineOptions options;
+  options.values = this->EngineValues;
+  options.chordTolerance = this->ChordTolerance();
+  // On a surface without extent nothing but the source is at any distance.
+  if (this->EngineValues.empty() || !(options.chordTolerance > 0.0))
+  {
+    return {};
+  }
+  this->Execution.enter(geodesic::Stage::ComputingDistances);
+  geodesic::FrontOptions front;
+  front.parallelFor = geodesic::smpParallelFor();
+  front.progress =
+    this->Execution.progressBetween(geodesic::FilterExecution::InputsRead, FieldDone);
+  const geodesic::DistanceField field = geodesic::solveForIsolines(
+    this->Execution.surface().mesh(), this->Execution.sources().curves, options.values, front);
+  this->Execution.reach(FieldDone);
+  this->Execution.enter(geodesic::Stage::DrawingLines);
+  options.parallelFor = front.parallelFor;
+  options.progress = this->Execution.progressBetween(FieldDone, LinesDrawn);
+  return geodesic::drawIsolines(field, options);
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicContour::vtkGeodesicContour()
+{
+  this->ContourValues->SetNumberOfContours(0);
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicContour::~vtkGeodesicContour() = default;
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkGeodesicContour::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->ContourValues->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGeodesicContour::FindWrongProperty() const
+{
+  const vtkIdType count = this->ContourValues->GetNumberOfContours();
+  if (count < 1)
+  {
+    return "There is no value to draw lines at: set at least one distance (SetValue, "
+           "GenerateValues; Distances in ParaView).";
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double value = this->ContourValues->GetValue(static_cast<int>(i));
+    if (!(value >= 0.0 && value < geodesic::Infinity))
+    {
+      std::ostringstream text;
+      text << "Value " << i << " is " << value
+           << ": set distances that are finite numbers of at least 0, in the units of the surface.";
+      return text.str();
+    }
+  }
+  if (!this->ToleranceIsAbsolute && !isPositive(this->ChordTolerance))
+  {
+    return "ChordTolerance is not a positive number: set the largest distance of a chord from its "
+           "arc, as a fraction of the surface's bounding box diagonal, such as 0.0001.";
+  }
+  if (this->ToleranceIsAbsolute && !isPositive(this->AbsoluteChordTolerance))
+  {
+    return "AbsoluteChordTolerance is not a positive number: set the largest distance of a chord "
+           "from its arc, in the units of the surface.";
+  }
+  return this->Superclass::FindWrongProperty();
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicContour::Compute(
+  geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
+{
+  vtkWorker(this, execution).Run(vtkPolyData::GetData(outputVector, 0));
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicContour::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ContourValues:\n";
+  this->ContourValues->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
+  os << indent << "ToleranceIsAbsolute: " << (this->ToleranceIsAbsolute ? "On" : "Off") << "\n";
+  os << indent << "AbsoluteChordTolerance: " << this->AbsoluteChordTolerance << "\n";
+}

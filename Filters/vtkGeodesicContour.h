@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGeodesicContour
+ * @brief   exact lines of equal geodesic distance: offset curves on a triangle mesh
+ *
+ * vtkGeodesicContour draws on a surface the lines whose points have a given geodesic distance (the
+ * length of the shortest path *on* the surface) to the nearest point of a source: points, open and
+ * closed polylines, the surface's boundary, or any mix of them. They are the offset curves of the
+ * source, such as tool paths at equal steps.
+ *
+ * @par Algorithm:
+ * In a face the distance is the least of a few functions, each of which is the distance from an
+ * unfolded point or, where a segment of a curve is nearest, from a line (Bommes and Kobbelt 2007,
+ * see vtkGeodesicDistanceField). So the lines are made of arcs of circles and straight pieces, with
+ * corners where two paths are equally long. They are drawn face by face from the windows, not from
+ * an interpolant: no mesh is refined, and all points are exactly at the value, up to rounding of
+ * double-precision numbers. Only the arcs between them are replaced by chords, which are nowhere
+ * farther from their arc than ChordTolerance. A point on an edge of the mesh is solved once for all
+ * faces around, so that lines join without a tolerance.
+ *
+ * @par Input:
+ * That of vtkGeodesicDistanceField: port 0 takes the surface, port 1, optional, the source.
+ *
+ * @par Output:
+ * A vtkPolyData, also of composite inputs, with a polyline for each line; a closed one has its
+ * first point again at the end. Lines that meet share points. They run so that the distance grows
+ * to their left, seen with the normals of the faces towards the viewer; where the surface is not
+ * consistently oriented their direction says nothing, with a warning. They end at the boundary and,
+ * in shared points, at edges of three and more faces. Lines are in the ascending order of their
+ * values. Values over the largest distance give no lines. A value of 0 gives the source as it lies
+ * on the surface, curves in their own direction and a vertex for each point. There are
+ * - cell data array and point data array `GeodesicDistance`: the value.
+ *
+ * @par
+ * A vertex of the surface at exactly a value counts as beyond it: the line passes it, at less than
+ * a rounding of the distance, on the side that is nearer to the source.
+ *
+ * @par Execution:
+ * As of vtkGeodesicDistanceField. The propagation stops beyond the largest value, and keeps windows
+ * only of faces that may hold a value. It runs, like the drawing, on the threads that vtkSMPTools
+ * is set to use, with the same result for any number of them.
+ *
+ * @warning
+ * The surface must be whole in one process: with several MPI ranks the filter refuses to execute,
+ * unless SetController() was called with null.
+ *
+ * @par Thanks:
+ * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
+ * Curves on Triangle Meshes", Proceedings of Vision, Modeling, and Visualization (VMV) 2007.
+ *
+ * @sa
+ * vtkGeodesicDistanceField vtkContourFilter vtkContourValues
+ */
+
+#ifndef vtkGeodesicContour_h
+#define vtkGeodesicContour_h
+
+#include "vtkContourValues.h"         // for the inline functions
+#include "vtkFiltersGeodesicModule.h" // for the export macro
+#include "vtkGeodesicAlgorithm.h"
+#include "vtkNew.h" // for vtkNew
+
+#include <string> // for std::string
+
+class VTKFILTERSGEODESIC_EXPORT vtkGeodesicContour : public vtkGeodesicAlgorithm
+{
+public:
+  ///@{
+  /**
+   * Standard methods for construction, type information and printing.
+   */
+  static vtkGeodesicContour* New();
+  vtkTypeMacro(vtkGeodesicContour, vtkGeodesicAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
+
+  ///@{
+  /**
+   * The distances to draw lines at, in the units of the surface, as vtkContourFilter has its
+   * values: number i, all of them, or so many at equal steps from the first to the last of a range.
+   * There are none by default, and without any there is an error, as there is for a value that is
+   * negative, infinite or NaN. Their order does not matter, and equal ones count once.
+   */
+  void SetValue(int i, double value) { this->ContourValues->SetValue(i, value); }
+  double GetValue(int i) { return this->ContourValues->GetValue(i); }
+  double* GetValues() VTK_SIZEHINT(GetNumberOfContours())
+  {
+    return this->ContourValues->GetValues();
+  }
+  void GetValues(double* values) { this->ContourValues->GetValues(values); }
+  void SetNumberOfContours(int number) { this->ContourValues->SetNumberOfContours(number); }
+  vtkIdType GetNumberOfContours() { return this->ContourValues->GetNumberOfContours(); }
+  void GenerateValues(int number, double range[2])
+  {
+    this->ContourValues->GenerateValues(number, range);
+  }
+  void GenerateValues(int number, double first, double last)
+  {
+    this->ContourValues->GenerateValues(number, first, last);
+  }
+  ///@}
+
+  ///@{
+  /**
+   * The largest distance of a chord from the arc that it stands for, as a fraction of the diagonal
+   * of the bounding box of the points that faces use. Default: 0.0001. Used unless
+   * ToleranceIsAbsolute is on. Anything but a positive number is an error.
+   */
+  vtkSetMacro(ChordTolerance, double);
+  vtkGetMacro(ChordTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether AbsoluteChordTolerance is used in place of ChordTolerance. Off by default.
+   */
+  vtkSetMacro(ToleranceIsAbsolute, bool);
+  vtkGetMacro(ToleranceIsAbsolute, bool);
+  vtkBooleanMacro(ToleranceIsAbsolute, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The largest distance of a chord from the arc that it stands for, in the units of the surface.
+   * Default: 1. Used where ToleranceIsAbsolute is on. Anything but a positive number is an error.
+   */
+  vtkSetMacro(AbsoluteChordTolerance, double);
+  vtkGetMacro(AbsoluteChordTolerance, double);
+  ///@}
+
+  /**
+   * Also newer when a value has changed.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkGeodesicContour();
+  ~vtkGeodesicContour() override;
+
+  std::string FindWrongProperty() const override;
+  void ResetResults() override {}
+  void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
+
+private:
+  vtkGeodesicContour(const vtkGeodesicContour&) = delete;
+  void operator=(const vtkGeodesicContour&) = delete;
+
+  class vtkWorker;
+
+  vtkNew<vtkContourValues> ContourValues;
+  double ChordTolerance = 0.0001;
+  bool ToleranceIsAbsolute = false;
+  double AbsoluteChordTolerance = 1.0;
+};
+
+#endif

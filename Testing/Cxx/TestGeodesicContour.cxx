@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkGeodesicContour in a pipeline: its values, arrays and lines, what is wrong with properties,
+// composite input, abort and progress.
+#include "GeodesicTesting.h"
+
+#include "vtkCellData.h"
+#include "vtkGeodesicContour.h"
+#include "vtkIdList.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkSMPTools.h"
+
+#include <limits>
+#include <map>
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+struct Line
+{
+  std::vector<vtkIdType> Points;
+  double Value = 0.0;
+  double Length = 0.0;
+  bool IsClosed() const { return this->Points.front() == this->Points.back(); }
+};
+
+std::vector<Line> LinesOf(Check& check, vtkPolyData* output)
+{
+  std::vector<Line> lines;
+  vtkDataArray* atCells = output->GetCellData()->GetArray("GeodesicDistance");
+  vtkDataArray* atPoints = output->GetPointData()->GetArray("GeodesicDistance");
+  if (!atCells || !atPoints || atCells->GetNumberOfTuples() != output->GetNumberOfCells() ||
+    atPoints->GetNumberOfTuples() != output->GetNumberOfPoints())
+  {
+    check.That(output->GetNumberOfCells() == 0, "every cell and point has its value");
+    return lines;
+  }
+  check.That(atCells->GetDataType() == VTK_DOUBLE, "values are doubles");
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < output->GetNumberOfLines(); ++i)
+  {
+    output->GetLines()->GetCellAtId(i, ids);
+    Line line;
+    line.Value = atCells->GetTuple1(output->GetNumberOfVerts() + i);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      line.Points.push_back(ids->GetId(k));
+      check.That(atPoints->GetTuple1(ids->GetId(k)) == line.Value, "a point has its line's value");
+      if (k > 0)
+      {
+        Point a;
+        Point b;
+        output->GetPoint(ids->GetId(k - 1), a.data());
+        output->GetPoint(ids->GetId(k), b.data());
+        line.Length += DistanceToSegment(a, b, b);
+      }
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+void SetUp(vtkGeodesicContour* filter, vtkPolyData* surface, vtkPolyData* source,
+  const std::vector<double>& values)
+{
+  filter->SetInputData(surface);
+  filter->SetSourceData(source);
+  filter->SetNumberOfContours(static_cast<int>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    filter->SetValue(static_cast<int>(i), values[i]);
+  }
+}
+
+void CheckPointsAtValues(
+  Check& check, vtkPolyData* output, const Distance& truth, const std::string& what)
+{
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    output->GetPoint(i, p.data());
+    worst = std::max(worst,
+      std::abs(truth(p) - output->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(i)));
+  }
+  check.That(worst <= 1e-12, what + ": points are wrong by " + std::to_string(worst));
+}
+
+void CheckCircles(Check& check)
+{
+  vtkNew<vtkGeodesicContour> filter;
+  const Point center = { 0.47, 0.52, 0.0 };
+  // Neither in order nor different.
+  SetUp(filter, Square(16), PointSources({ center }), { 0.4, 0.1, 0.4, 0.25, 7.0 });
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  const std::vector<Line> lines = LinesOf(check, output);
+  check.Equal(static_cast<double>(lines.size()), 3, "lines of three values within the square");
+  const double tolerance = 0.0001 * std::sqrt(2.0);
+  const std::vector<double> values = { 0.1, 0.25, 0.4 };
+  for (std::size_t i = 0; i < lines.size() && i < values.size(); ++i)
+  {
+    check.Equal(lines[i].Value, values[i], "lines are in the order of the values");
+    check.That(lines[i].IsClosed(), "a circle is closed");
+    const double circle = 2.0 * Pi * values[i];
+    check.That(lines[i].Length <= circle * (1.0 + 1e-12) &&
+        lines[i].Length >= circle * (1.0 - tolerance / (2.9 * values[i])),
+      "chords are within their tolerance of the circle");
+    check.That(output->GetPointData()->GetScalars() && output->GetCellData()->GetScalars(),
+      "the value is the active scalars");
+    // The distance grows to the left: round the centre with the clock.
+    Point a;
+    Point b;
+    output->GetPoint(lines[i].Points[0], a.data());
+    output->GetPoint(lines[i].Points[1], b.data());
+    check.That(
+      (a[0] - center[0]) * (b[1] - center[1]) - (a[1] - center[1]) * (b[0] - center[0]) < 0,
+      "the distance grows to the left");
+  }
+  CheckPointsAtValues(check, output, DistanceTo({ center }), "circles");
+  filter->SetChordTolerance(0.01);
+  filter->Update();
+  const vtkIdType coarse = filter->GetOutput()->GetNumberOfPoints();
+  filter->ToleranceIsAbsoluteOn();
+  filter->SetAbsoluteChordTolerance(1e-6);
+  filter->Update();
+  check.That(filter->GetOutput()->GetNumberOfPoints() > 4 * coarse,
+    "a smaller tolerance asks for more points");
+}
+
+void CheckValues(Check& check)
+{
+  vtkNew<vtkGeodesicContour> filter;
+  check.Equal(static_cast<double>(filter->GetNumberOfContours()), 0, "no value by default");
+  filter->GenerateValues(5, 0.1, 0.5);
+  check.Equal(static_cast<double>(filter->GetNumberOfContours()), 5, "generated values");
+  check.Equal(filter->GetValue(0), 0.1, "first value");
+  check.Equal(filter->GetValues()[4], 0.5, "last value");
+  double range[2] = { 1.0, 2.0 };
+  filter->GenerateValues(3, range);
+  double values[3];
+  filter->GetValues(values);
+  check.Equal(values[1], 1.5, "a value in the middle");
+  const vtkMTimeType before = filter->GetMTime();
+  filter->SetValue(1, 1.5);
+  check.That(filter->GetMTime() == before, "the same value modifies nothing");
+  filter->SetValue(1, 1.6);
+  check.That(filter->GetMTime() > before, "another value modifies the filter");
+  std::ostringstream text;
+  filter->Print(text);
+  check.That(Contains(text.str(), "ChordTolerance: 0.0001"), "PrintSelf tells the tolerance");
+}
+
+void CheckValueZero(Check& check)
+{
+  auto source = Polyline({ { 0.2, 0.3, 0 }, { 0.6, 0.31, 0 }, { 0.7, 0.72, 0 } });
+  vtkNew<vtkCellArray> vertices;
+  const vtkIdType alone = source->GetPoints()->InsertNextPoint(0.1, 0.9, 0.0);
+  vertices->InsertNextCell({ alone });
+  source->SetVerts(vertices);
+  vtkNew<vtkGeodesicContour> filter;
+  SetUp(filter, Square(8), source, { 0.0 });
+  filter->Update();
+  const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
+  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfVerts()), 1, "a vertex at 0");
+  check.Equal(static_cast<double>(lines.size()), 1, "the curve at 0");
+  Point first;
+  Point last;
+  filter->GetOutput()->GetPoint(lines[0].Points.front(), first.data());
+  filter->GetOutput()->GetPoint(lines[0].Points.back(), last.data());
+  check.That(first[0] < 0.21 && last[0] > 0.69, "the curve in its own direction");
+  check.That(std::abs(lines[0].Length - std::hypot(0.4, 0.01) - std::hypot(0.1, 0.41)) < 1e-12,
+    "the whole curve");
+  filter->SetNumberOfContours(2);
+  filter->SetValue(1, 0.05);
+  filter->Update();
+  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfVerts()), 1, "0 among others");
+  check.Equal(static_cast<double>(LinesOf(check, filter->GetOutput()).size()), 3,
+    "the curve, and a line round it and round the point");
+}
+
+void CheckBoundary(Check& check)
+{
+  vtkNew<vtkGeodesicContour> filter;
+  SetUp(filter, Square(7), nullptr, { 0.1, 0.2, 0.45, 0.55 });
+  filter->SetSourceTypeToSurfaceBoundary();
+  filter->Update();
+  const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
+  check.Equal(static_cast<double>(lines.size()), 3, "squares inside the square");
+  for (const Line& line : lines)
+  {
+    check.That(line.IsClosed() && std::abs(line.Length - 4.0 * (1.0 - 2.0 * line.Value)) < 1e-12,
+      "a smaller square");
+  }
+  CheckPointsAtValues(check, filter->GetOutput(), DistanceToBoundaryOfSquare, "squares");
+}
+
+// Two halves that touch are one surface, and lines go on from one to the other.
+void CheckComposite(Check& check)
+{
+  auto right = Square(8);
+  MovePoints(right, [](const Point& p) { return Point{ p[0] + 1.0, p[1], p[2] }; });
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, Square(8));
+  blocks->SetBlock(2, right);
+  vtkNew<vtkGeodesicContour> filter;
+  filter->SetInputData(blocks);
+  filter->SetSourceData(PointSources({ { 0.9, 0.47, 0.0 } }));
+  filter->SetValue(0, 0.3);
+  filter->Update();
+  const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
+  check.Equal(static_cast<double>(lines.size()), 1, "one line over both blocks");
+  check.That(!lines.empty() && lines[0].IsClosed(), "it is closed");
+}
+
+// In a size in which squares of areas leave the range of numbers.
+void CheckScale(Check& check)
+{
+  for (const double scale : { 1e-120, 1e120 })
+  {
+    auto surface = Square(8);
+    MovePoints(surface,
+      [scale](const Point& p) {
+        return Point{ scale * p[0], scale * p[1], scale * p[2] };
+      });
+    vtkNew<vtkGeodesicContour> filter;
+    SetUp(filter, surface, PointSources({ { 0.5 * scale, 0.5 * scale, 0.0 } }), { 0.3 * scale });
+    filter->Update();
+    const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
+    check.Equal(static_cast<double>(lines.size()), 1, "a line at any scale");
+    check.That(!lines.empty() && lines[0].Value == 0.3 * scale &&
+        std::abs(lines[0].Length / scale - 0.6 * Pi) < 1e-3,
+      "in the units of the surface");
+  }
+}
+
+void CheckBadProperties(Check& check)
+{
+  const auto expect = [&](const std::string& words, auto&& change)
+  {
+    vtkNew<vtkGeodesicContour> filter;
+    SetUp(filter, Square(4), PointSources({ { 0.4, 0.4, 0 } }), { 0.2 });
+    filter->Update();
+    change(filter.Get());
+    Messages messages(filter);
+    messages.Update();
+    check.That(Contains(messages.Error(), words), "\"" + messages.Error() + "\" says " + words);
+    check.That(
+      filter->GetOutput()->GetNumberOfPoints() == 0 && filter->GetOutput()->GetNumberOfCells() == 0,
+      "the output is empty: " + words);
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  expect("no value", [](vtkGeodesicContour* f) { f->SetNumberOfContours(0); });
+  expect("Value 0 is -0.1", [](vtkGeodesicContour* f) { f->SetValue(0, -0.1); });
+  expect("Value 1 is nan", [nan](vtkGeodesicContour* f) { f->SetValue(1, nan); });
+  expect("Value 0 is inf", [infinity](vtkGeodesicContour* f) { f->SetValue(0, infinity); });
+  expect("ChordTolerance is not", [](vtkGeodesicContour* f) { f->SetChordTolerance(0.0); });
+  expect("ChordTolerance is not", [nan](vtkGeodesicContour* f) { f->SetChordTolerance(nan); });
+  expect("AbsoluteChordTolerance is not",
+    [](vtkGeodesicContour* f)
+    {
+      f->ToleranceIsAbsoluteOn();
+      f->SetAbsoluteChordTolerance(-1.0);
+    });
+  expect("no source", [](vtkGeodesicContour* f) { f->SetSourceData(nullptr); });
+}
+
+void CheckDirectionWarning(Check& check)
+{
+  auto surface = Square(6);
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType f = 0; f < surface->GetNumberOfPolys(); ++f)
+  {
+    surface->GetPolys()->GetCellAtId(f, ids);
+    const std::array<vtkIdType, 3> t = { ids->GetId(0), ids->GetId(1), ids->GetId(2) };
+    f % 5 == 0 ? polys->InsertNextCell({ t[0], t[2], t[1] })
+               : polys->InsertNextCell({ t[0], t[1], t[2] });
+  }
+  surface->SetPolys(polys);
+  vtkNew<vtkGeodesicContour> filter;
+  SetUp(filter, surface, PointSources({ { 0.5, 0.48, 0 } }), { 0.3 });
+  Messages messages(filter);
+  messages.Update();
+  check.That(Contains(messages.Warning(), "opposite orientation"), "a direction that says nothing");
+  const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
+  check.That(lines.size() == 1 && lines[0].IsClosed(), "the line is whole all the same");
+}
+
+void CheckProgressAndAbort(Check& check)
+{
+  vtkNew<vtkGeodesicContour> filter;
+  SetUp(filter, Square(150), PointSources({ { 0.31, 0.42, 0 } }), { 0.1, 0.2, 0.3, 0.4, 0.5, 0.6 });
+  std::vector<double> progress;
+  Listener listener(
+    filter, vtkCommand::ProgressEvent, [&] { progress.push_back(filter->GetProgress()); });
+  filter->Update();
+  check.That(std::is_sorted(progress.begin(), progress.end()), "progress never falls");
+  double largestStep = 0.0;
+  for (std::size_t i = 1; i < progress.size(); ++i)
+  {
+    largestStep = std::max(largestStep, progress[i] - progress[i - 1]);
+  }
+  check.That(progress.size() > 20 && largestStep <= 0.2, "progress comes in small steps");
+  for (const double when : { 0.1, 0.5, 0.8 })
+  {
+    vtkNew<vtkGeodesicContour> aborted;
+    SetUp(aborted, Square(150), PointSources({ { 0.31, 0.42, 0 } }), { 0.1, 0.3, 0.5 });
+    Listener stop(aborted, vtkCommand::ProgressEvent,
+      [&]
+      {
+        if (aborted->GetProgress() >= when)
+        {
+          aborted->SetAbortExecute(1);
+        }
+      });
+    aborted->Update();
+    check.That(aborted->GetOutput()->GetNumberOfPoints() == 0, "an aborted output is empty");
+  }
+}
+
+void CheckThreads(Check& check)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> outputs;
+  for (const int threads : { 1, 3 })
+  {
+    vtkSMPTools::Initialize(threads);
+    vtkNew<vtkGeodesicContour> filter;
+    SetUp(filter, Square(60), Polyline({ { 0.3, 0.3, 0 }, { 0.5, 0.6, 0 } }), { 0.1, 0.2, 0.3 });
+    filter->Update();
+    outputs.emplace_back(filter->GetOutput());
+  }
+  vtkSMPTools::Initialize();
+  const vtkIdType count = outputs[0]->GetNumberOfPoints();
+  bool isSame = count > 0 && outputs[1]->GetNumberOfPoints() == count;
+  for (vtkIdType i = 0; isSame && i < count; ++i)
+  {
+    Point a;
+    Point b;
+    outputs[0]->GetPoint(i, a.data());
+    outputs[1]->GetPoint(i, b.data());
+    isSame = a == b;
+  }
+  check.That(isSame, "the same points on threads");
+}
+
+}
+
+int TestGeodesicContour(int, char*[])
+{
+  Check check;
+  CheckCircles(check);
+  CheckValues(check);
+  CheckValueZero(check);
+  CheckBoundary(check);
+  CheckComposite(check);
+  CheckScale(check);
+  CheckBadProperties(check);
+  CheckDirectionWarning(check);
+  CheckProgressAndAbort(check);
+  CheckThreads(check);
+  return check.Result();
+}
