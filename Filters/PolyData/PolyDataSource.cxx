@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <sstream>
 #include <string>
 
 namespace geodesic
@@ -255,6 +256,40 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
   }
   locator.locate(result.polylines, snapOptionsFor(source).coordinatePrecision, progress);
   return result;
+}
+
+void requireOutsideBarriers(const PolyDataSurface& surface,
+  const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
+  double coordinatePrecision)
+{
+  if (!surface.barriers())
+  {
+    return;
+  }
+  for (const LocatedPolyline& line : polylines)
+  {
+    for (std::size_t i = 0; i < line.points.size(); ++i)
+    {
+      const Id face =
+        surface.barriers()->barrierAt(line.points[i], line.faces[i], coordinatePrecision);
+      if (face == NoId)
+      {
+        continue;
+      }
+      const Id triangle = surface.triangleOfBarrier(face);
+      const std::size_t index = surface.blockOfTriangle(triangle);
+      const SurfaceBlock& block = surface.blocks()[index];
+      const Vec3 place = surface.scale().toUser(line.points[i]);
+      std::ostringstream message;
+      message << "Point " << i << " of " << line.name << ", at (" << place[0] << ", " << place[1]
+              << ", " << place[2]
+              << "), lies in a barrier (BarrierArrayName): it is closest to cell "
+              << block.inputCell(triangle - block.firstTriangle) << " of "
+              << surfaceBlocks[index].name
+              << ", which no path may leave. Move it out of the barrier, or onto its rim.";
+      throw SourceError(message.str());
+    }
+  }
 }
 
 SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source)
