@@ -35,6 +35,10 @@ BarrierClosure::BarrierClosure(
   {
     this->splits_[edge];
   }
+  if (this->splits_.empty())
+  {
+    return;
+  }
   const TriangleMesh& mesh = surface.mesh();
   for (std::size_t i = 0; i < refined.points.size(); ++i)
   {

@@ -172,7 +172,9 @@ class Barriers(unittest.TestCase):
         return surface
 
     def test_there_are_none_by_default_though_cells_have_active_scalars(self):
-        field = GeodesicDistanceField(Input=self.walled(), SourceType="Surface Boundary")
+        surface = self.walled()
+        self.assertEqual(data(surface).GetCellData().GetScalars().GetName(), "Wall")
+        field = GeodesicDistanceField(Input=surface, SourceType="Surface Boundary")
         self.assertEqual(field.BarrierArrayName, "None")
         assert_close(distances(field), distance_to_sides(points(data(field))), FLOAT)
 
