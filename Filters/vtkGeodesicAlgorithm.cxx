@@ -77,7 +77,10 @@ vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
 }
 
 //------------------------------------------------------------------------------
-vtkGeodesicAlgorithm::~vtkGeodesicAlgorithm() = default;
+vtkGeodesicAlgorithm::~vtkGeodesicAlgorithm()
+{
+  this->SetBarrierArrayName(nullptr);
+}
 
 //------------------------------------------------------------------------------
 void vtkGeodesicAlgorithm::SetSourceConnection(vtkAlgorithmOutput* output)
@@ -311,6 +314,9 @@ void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SourceType: " << this->SourceType << "\n";
   os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
+  os << indent
+     << "BarrierArrayName: " << (this->BarrierArrayName ? this->BarrierArrayName : "(none)")
+     << "\n";
   os << indent << "Controller: " << (this->Internals->HasController ? "" : "(global) ")
      << this->Internals->Controller.Get() << "\n";
 }

@@ -83,6 +83,26 @@ public:
 
   ///@{
   /**
+   * Name of a cell array of the surface that says where its barriers are: no path passes through
+   * faces where it is not 0. Empty (null), the default, and "None" stand for no barriers, also
+   * where the surface has active cell scalars. The array is numeric and has one component. Blocks
+   * of a composite surface without it have no barriers; an array that no block has, or that is not
+   * numeric, has several components or NaN, is an error.
+   *
+   * Distances are those on the surface without its barriers, as if they were holes: paths may run
+   * along a barrier's rim and bend around its corners, points that belong to barriers only are not
+   * reached, and a point that belongs to another face, too, is reached over that face. Outputs that
+   * show the surface have the barriers. Their rims are not boundary of the surface. Of
+   * SURFACE_BOUNDARY the parts that belong to barriers only are left out, as no path leaves them; a
+   * curve on port 1 with a point in a barrier (not on its rim) is an error that names it. Points of
+   * a curve on both sides of a barrier are joined by the shortest path around it.
+   */
+  vtkSetStringMacro(BarrierArrayName);
+  vtkGetStringMacro(BarrierArrayName);
+  ///@}
+
+  ///@{
+  /**
    * The processes among which the surface may be distributed. By default these are those of the
    * global controller. With null this process works alone: a filter that is executed on one rank
    * only, or on whole data on each, needs that. With more than one process executing is an error.
@@ -130,6 +150,7 @@ private:
 
   int SourceType = SOURCE_CURVE;
   bool MergeCoincidentPoints = true;
+  char* BarrierArrayName = nullptr;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceField.h"
 
+#include "PolyData/BarrierClosure.h"
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Memory.h"
 #include "PolyData/ParallelFor.h"
@@ -350,6 +351,7 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
     }
     options.numberOfPoints = surface.numberOfPoints();
   }
+  options.trianglesBeside = geodesic::barriersAtEdges(surface);
   options.progress =
     this->Execution.progressBetween(FieldDoneBeforeRefinement, this->DistancesDone);
   return options;
@@ -362,7 +364,7 @@ geodesic::RefinedMesh vtkGeodesicDistanceField::vtkWorker::Refine(
   const geodesic::PowerOfTwoScale& scale = this->Execution.surface().scale();
   const geodesic::RefinementOptions options = this->RefinementOptions();
   geodesic::RefinedMesh refined = geodesic::refine(field, options);
-  geodesic::addDuplicateFaces(this->Execution.surface(),
+  geodesic::addOtherTriangles(this->Execution.surface(),
     static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells), refined);
   if (refined.stoppedAtMaximum)
   {

@@ -65,6 +65,12 @@
  * refinement, of what they duplicate. A duplicate without an original counts once. Hidden cells are
  * holes.
  *
+ * @par Barriers:
+ * Faces that BarrierArrayName marks are there but cannot be entered: paths go around them, or along
+ * their rims. In the output they have all their cells and points. Points that belong to barriers
+ * only are infinitely far; barriers are not refined, but cut where refinement has split their rims,
+ * and what is certified is so outside of them.
+ *
  * @par
  * Where the surface touches or overlaps itself, a point of a curve is equally close to several
  * faces: those are taken that consecutive points have in common, so that a section of the surface
@@ -79,7 +85,8 @@
  * (GetOutputDataObject(0); GetOutput() is null then), and each block has its own points and arrays.
  * There are
  * - point data array `GeodesicDistance` (or DistanceArrayName): the distance, in double precision;
- *   infinite at points that no path connects to the source, or beyond MaximumDistance,
+ *   infinite at points that no path connects to the source, inside barriers, or beyond
+ *   MaximumDistance,
  * - cell data array `OriginalCellIds`, where RefineMesh was done: the cell of the input (of the
  *   block) that each triangle is a part of,
  * - field data arrays `WindowsPropagatedPerEdge`, `SourceSnapDistance`, `RelativeErrorBound` and
@@ -99,7 +106,7 @@
  *
  * @par Execution:
  * The structure of the surface is kept, so that executing again with another source costs only the
- * propagation. It is built anew when coordinates, cells, ghost flags or global ids have changed
+ * propagation. It is built anew when coordinates, cells, barriers, ghost flags or global ids have changed
  * (these are compared each time, also where nothing says that they were modified), not when other
  * arrays have, and is released after each execution where ReleaseDataFlag is set. Progress is
  * reported, and abort is obeyed. After an abort or an error, such as that memory has run out, both

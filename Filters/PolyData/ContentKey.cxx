@@ -50,7 +50,8 @@ public:
     this->add(static_cast<std::uint64_t>(array->GetDataType()));
     this->add(static_cast<std::uint64_t>(array->GetNumberOfComponents()));
     this->add(static_cast<std::uint64_t>(array->GetNumberOfTuples()));
-    if (array->HasStandardMemoryLayout())
+    const bool areBytes = array->GetDataTypeSize() > 0; // not bits
+    if (areBytes && array->HasStandardMemoryLayout())
     {
       this->addBytes(array->GetVoidPointer(0),
         static_cast<std::size_t>(array->GetNumberOfValues()) *
@@ -86,12 +87,12 @@ private:
 
 }
 
-ContentKey contentKey(const std::vector<PolyDataBlock>& blocks)
+ContentKey contentKey(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers)
 {
   Mixer mixer;
-  for (const PolyDataBlock& block : blocks)
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    vtkPolyData* data = block.data;
+    vtkPolyData* data = blocks[i].data;
     mixer.addArray(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
     // Of lines and vertices only the number counts, by which the cells after them are numbered.
     mixer.add(static_cast<std::uint64_t>(data->GetNumberOfVerts()));
@@ -102,6 +103,7 @@ ContentKey contentKey(const std::vector<PolyDataBlock>& blocks)
     mixer.addArray(data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
     mixer.addArray(data->GetCellData()->GetGlobalIds());
     mixer.addArray(data->GetPointData()->GetGlobalIds());
+    mixer.addArray(barriers.of(i));
   }
   return mixer.key();
 }

@@ -2,6 +2,7 @@
 #ifndef geodesic_ContentKey_h
 #define geodesic_ContentKey_h
 
+#include "PolyData/BarrierArrays.h"
 #include "PolyData/PolyDataBlocks.h"
 
 #include <array>
@@ -12,8 +13,8 @@ namespace geodesic
 {
 
 /// A fingerprint of all that the structure of a surface depends on: the coordinates, the cells, and
-/// the arrays of ghost flags and global ids of each block. Two surfaces with one key are taken to
-/// be the same.
+/// the arrays of ghost flags, global ids and barriers of each block. Two surfaces with one key are
+/// taken to be the same.
 ///
 /// Values are read, not times of modification: values changed in place, followed by Modified() on
 /// the data set, change no time of its points or cells. Reading takes a few percent of what
@@ -30,7 +31,7 @@ struct ContentKey
   bool operator==(const ContentKey& other) const { return this->halves == other.halves; }
 };
 
-ContentKey contentKey(const std::vector<PolyDataBlock>& blocks);
+ContentKey contentKey(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers = {});
 
 }
 

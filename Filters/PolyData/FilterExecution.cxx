@@ -61,7 +61,8 @@ void FilterExecution::readInputs()
 {
   this->enter(Stage::ReadingSurface);
   this->surfaceBlocks_ = polyDataBlocks(this->surfaceInput_, "the surface (input port 0)");
-  this->cache_.update(this->surfaceBlocks_, this->filter_->GetMergeCoincidentPoints(),
+  const BarrierArrays barriers(this->surfaceBlocks_, this->filter_->GetBarrierArrayName());
+  this->cache_.update(this->surfaceBlocks_, barriers, this->filter_->GetMergeCoincidentPoints(),
     this->progressBetween(0.0, SurfaceRead));
   if (this->cache_.isNoteDue())
   {
@@ -109,12 +110,14 @@ void FilterExecution::readSources()
       polyDataBlocks(this->sourceInput_, "the source (input port 1)");
     const SourcePolylines source = readSource(blocks, this->surface().scale(), this->locator(),
       this->progressBetween(SurfaceRead, SourceLocated));
+    const SnapOptions snapping = snapOptionsFor(blocks);
+    requireOutsideBarriers(
+      this->surface(), this->surfaceBlocks_, source.polylines, snapping.coordinatePrecision);
     JoinedPaths& paths = this->cache_.joinedPaths();
     paths.beginUse();
-    this->sources_ =
-      putOntoSurface(this->surface().mesh(), source.polylines, snapOptionsFor(blocks),
-        paths.reusedBy(joinByShortestPaths(this->surface().mesh(), smpParallelFor())),
-        this->progressBetween(SourceLocated, InputsRead));
+    this->sources_ = putOntoSurface(this->surface().mesh(), source.polylines, snapping,
+      paths.reusedBy(joinByShortestPaths(this->surface().mesh(), smpParallelFor())),
+      this->progressBetween(SourceLocated, InputsRead));
     paths.endUse();
     this->numberOfSources_ = source.numberOfSources;
     noteSource(
@@ -127,26 +130,48 @@ void FilterExecution::readSources()
   }
 }
 
+std::vector<SourceCurve> FilterExecution::numberedBoundary(const TriangleMesh& mesh)
+{
+  std::vector<SourceCurve> boundary = boundaryCurves(mesh);
+  for (SourceCurve& loop : boundary)
+  {
+    loop.source = this->numberOfSources_++;
+  }
+  return boundary;
+}
+
 void FilterExecution::addBoundary(bool hasCurve)
 {
-  std::vector<SourceCurve> boundary = boundaryCurves(this->surface().mesh());
+  // Rims of barriers are no boundary: loops are those of the whole surface, numbered as if it had
+  // no barriers.
+  const bool hasBarriers = this->surface().barriers() != nullptr;
+  std::vector<SourceCurve> boundary = this->numberedBoundary(hasBarriers
+      ? *this->surface().meshWithBarriers(
+          this->progressBetween(hasCurve ? InputsRead : SurfaceRead, InputsRead))
+      : this->surface().mesh());
+  const bool isClosed = boundary.empty();
+  if (hasBarriers)
+  {
+    boundary = boundaryOutsideBarriers(boundary, this->surface().mesh());
+  }
+  const std::string nothing = isClosed
+    ? "The surface (input port 0) is closed: it has no boundary to measure from."
+    : "The whole boundary of the surface (input port 0) belongs to barriers (BarrierArrayName), "
+      "which no path may leave.";
   if (boundary.empty() && !hasCurve)
   {
     throw SourceError(
-      "The surface (input port 0) is closed: it has no boundary to measure from. Set "
-      "SourceType to Source Curve and connect a curve to input port 1.");
+      nothing + " Set SourceType to Source Curve and connect a curve to input port 1.");
   }
   if (boundary.empty())
   {
-    this->notes_.add("The surface is closed, without boundary: the curve alone is the source.");
+    this->notes_.add(isClosed
+        ? "The surface is closed, without boundary: the curve alone is the source."
+        : "The whole boundary belongs to barriers: the curve alone is the source.");
   }
   if (!hasCurve && this->filter_->GetSourceType() == vtkGeodesicAlgorithm::CURVE_AND_BOUNDARY)
   {
     this->notes_.add("No curve is connected to input port 1: the boundary alone is the source.");
-  }
-  for (SourceCurve& loop : boundary)
-  {
-    loop.source = this->numberOfSources_++;
   }
   std::move(boundary.begin(), boundary.end(), std::back_inserter(this->sources_.curves));
 }

@@ -92,6 +92,7 @@ public:
 
 private:
   void readSources();
+  std::vector<SourceCurve> numberedBoundary(const TriangleMesh& mesh);
   void addBoundary(bool hasCurve);
 
   vtkGeodesicAlgorithm* filter_;

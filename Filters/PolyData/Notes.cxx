@@ -14,6 +14,22 @@ namespace
 // hardly meant for it: the user is told.
 constexpr double FarSourceFraction = 0.01;
 
+/// How many vertices have barriers around them only.
+Id countInBarriers(const PolyDataSurface& surface)
+{
+  Id count = 0;
+  if (surface.barriers())
+  {
+    const TriangleMesh& mesh = surface.mesh();
+    for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+    {
+      const bool isInBarrier = surface.barriers()->mesh().cornersAt(vertex).size() > 0;
+      count += isInBarrier && mesh.cornersAt(vertex).size() == 0 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 }
 
 void noteSurface(const PolyDataSurface& surface, Notes& notes)
@@ -30,8 +46,8 @@ void noteSurface(const PolyDataSurface& surface, Notes& notes)
   notes.add(mesh.duplicateFaces, "duplicate face", "duplicate faces",
     "(on the points of another face), without effect on the distance.");
   notes.add(mesh.zeroAreaFaces, "face", "faces", "without area, kept.");
-  notes.add(
-    mesh.isolatedVertices, "point", "points", "of the surface used by no face: infinitely far.");
+  notes.add(mesh.isolatedVertices - countInBarriers(surface), "point", "points",
+    "of the surface used by no face: infinitely far.");
 }
 
 void noteSource(

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <sstream>
 #include <string>
 
 namespace geodesic
@@ -167,6 +168,32 @@ private:
   vtkIdType cell_ = 0;
 };
 
+std::string textOf(const Vec3& p)
+{
+  std::ostringstream text;
+  text << '(' << p[0] << ", " << p[1] << ", " << p[2] << ')';
+  return text.str();
+}
+
+/// "Point 3 of cell 2 of the source", "Point 5 of the source" where it is a curve of its own.
+std::string nameOfPoint(const LocatedPolyline& line, std::size_t point)
+{
+  const bool isNamed = line.name.compare(0, 5, "point") == 0;
+  return isNamed ? 'P' + line.name.substr(1)
+                 : "Point " + std::to_string(point) + " of " + line.name;
+}
+
+/// "cell 17 of the surface (input port 0)"
+std::string cellOfBarrier(
+  const PolyDataSurface& surface, const std::vector<PolyDataBlock>& surfaceBlocks, Id face)
+{
+  const Id triangle = surface.triangleOfBarrier(face);
+  const std::size_t index = surface.blockOfTriangle(triangle);
+  const SurfaceBlock& block = surface.blocks()[index];
+  return "cell " + std::to_string(block.inputCell(triangle - block.firstTriangle)) + " of " +
+    surfaceBlocks[index].name;
+}
+
 std::vector<char> usedPoints(const std::vector<Chain>& chains, std::size_t numberOfPoints)
 {
   std::vector<char> used(numberOfPoints, 0);
@@ -255,6 +282,32 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
   }
   locator.locate(result.polylines, snapOptionsFor(source).coordinatePrecision, progress);
   return result;
+}
+
+void requireOutsideBarriers(const PolyDataSurface& surface,
+  const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
+  double coordinatePrecision)
+{
+  if (!surface.barriers())
+  {
+    return;
+  }
+  for (const LocatedPolyline& line : polylines)
+  {
+    for (std::size_t i = 0; i < line.points.size(); ++i)
+    {
+      const Id face =
+        surface.barriers()->barrierAt(line.points[i], line.faces[i], coordinatePrecision);
+      if (face != NoId)
+      {
+        throw SourceError(nameOfPoint(line, i) + ", at " +
+          textOf(surface.scale().toUser(line.points[i])) +
+          ", lies in a barrier (BarrierArrayName): it is closest to " +
+          cellOfBarrier(surface, surfaceBlocks, face) +
+          ", which no path may leave. Move it out of the barrier, or onto its rim.");
+      }
+    }
+  }
 }
 
 SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source)

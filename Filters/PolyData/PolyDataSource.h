@@ -12,6 +12,8 @@ class vtkPolyData;
 namespace geodesic
 {
 
+class PolyDataSurface;
+
 /// What was read of a source.
 struct SourcePolylines
 {
@@ -31,6 +33,16 @@ struct SourcePolylines
 /// \throws SourceError where there is no point or one is not finite; Aborted.
 SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale,
   PolylineLocator& locator, const ProgressCallback& progress);
+
+/// Where a surface has barriers, makes sure that no point of a source lies in one: no path could
+/// leave it.
+///
+/// \param surfaceBlocks what the surface was made of, for the message.
+/// \param coordinatePrecision relative precision of the points' coordinates.
+/// \throws SourceError that names the polyline, the point and the cell.
+void requireOutsideBarriers(const PolyDataSurface& surface,
+  const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
+  double coordinatePrecision);
 
 /// What the coordinates' type allows: that of the least precise block.
 SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source);

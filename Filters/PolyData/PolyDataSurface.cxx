@@ -15,25 +15,55 @@ vtkIdType SurfaceBlock::numberOfTriangles() const
   return this->triangles->GetNumberOfCells();
 }
 
-PolyDataSurface::PolyDataSurface(std::unique_ptr<TriangleMesh> mesh, std::vector<Id> vertexOfPoint,
-  std::vector<SurfaceBlock> blocks, std::vector<std::uint8_t> isCopy, const PowerOfTwoScale& scale,
+PolyDataSurface::PolyDataSurface(std::unique_ptr<TriangleMesh> mesh,
+  std::unique_ptr<BarrierFaces> barriers, std::vector<Id> vertexOfPoint,
+  std::vector<SurfaceBlock> blocks, std::vector<TriangleRole> roles, const PowerOfTwoScale& scale,
   double diagonal, const Report& report)
   : mesh_(std::move(mesh))
+  , barriers_(std::move(barriers))
   , vertexOfPoint_(std::move(vertexOfPoint))
   , blocks_(std::move(blocks))
-  , isCopy_(std::move(isCopy))
+  , roles_(std::move(roles))
   , scale_(scale)
   , diagonal_(diagonal)
   , report_(report)
 {
-  for (std::size_t i = 0; i < this->isCopy_.size(); ++i)
+  for (Id i = 0; i < this->roles_.size(); ++i)
   {
-    if (this->isCopy_[i] == 0)
+    switch (this->roles_[i])
     {
-      this->ownTriangles_.push_back(static_cast<Id>(i));
+      case TriangleRole::Open:
+        this->openTriangles_.push_back(i);
+        break;
+      case TriangleRole::Barrier:
+        this->barrierTriangles_.push_back(i);
+        break;
+      case TriangleRole::Copy:
+        ++this->numberOfCopies_;
+        break;
     }
   }
-  this->numberOfCopies_ = static_cast<Id>(this->isCopy_.size() - this->ownTriangles_.size());
+}
+
+std::unique_ptr<TriangleMesh> PolyDataSurface::meshWithBarriers(
+  const ProgressCallback& progress) const
+{
+  std::vector<Vec3> points;
+  points.reserve(this->mesh_->numberOfVertices());
+  for (Id vertex = 0; vertex < this->mesh_->numberOfVertices(); ++vertex)
+  {
+    points.push_back(this->mesh_->point(vertex));
+  }
+  std::vector<Triangle> triangles;
+  triangles.reserve(this->numberOfOwnTriangles());
+  for (Id i = 0; i < this->numberOfTriangles(); ++i)
+  {
+    if (!this->isCopy(i))
+    {
+      triangles.push_back(this->verticesOf(this->triangle(i)));
+    }
+  }
+  return std::make_unique<TriangleMesh>(std::move(points), triangles, progress);
 }
 
 void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)

@@ -4,6 +4,7 @@
 
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PowerOfTwoScale.h"
+#include "mesh/BarrierFaces.h"
 #include "mesh/TriangleMesh.h"
 
 #include "vtkSmartPointer.h"
@@ -41,8 +42,22 @@ struct SurfaceBlock
   }
 };
 
+/// What a triangle of a surface is.
+enum class TriangleRole : std::uint8_t
+{
+  /// A face that paths may enter: one of the input faces of the mesh.
+  Open,
+  /// A face that they may not enter: one of the input faces of BarrierFaces.
+  Barrier,
+  /// Marked as a duplicate, by a ghost array, of another triangle that is here: no face.
+  Copy
+};
+
 /// A surface of one or more vtkPolyData as the engine takes it, and the way back to their points
 /// and cells. Points and triangles are numbered through all blocks. Made by readSurface().
+///
+/// Barriers are triangles of the surface, of which outputs have all, but no faces of the mesh: see
+/// BarrierFaces.
 class PolyDataSurface
 {
 public:
@@ -58,18 +73,25 @@ public:
   };
 
   /// \param mesh its vertices are the points, or what vertexOfPoint says; its input faces are the
-  ///        triangles of all blocks, without copies.
+  ///        open triangles of all blocks.
+  /// \param barriers whose input faces are the triangles that are barriers; null where none is.
   /// \param vertexOfPoint the vertex that stands for each point; empty where each is its own.
-  /// \param isCopy whether a triangle is marked as a duplicate, by a ghost array, of another that
-  /// is
-  ///        here: it is not among the input faces of the mesh. Empty where there are none.
+  /// \param roles of the triangles; empty where all are open.
   /// \param scale of the mesh against the points.
   /// \param diagonal of the bounding box of the points that triangles use.
-  PolyDataSurface(std::unique_ptr<TriangleMesh> mesh, std::vector<Id> vertexOfPoint,
-    std::vector<SurfaceBlock> blocks, std::vector<std::uint8_t> isCopy,
-    const PowerOfTwoScale& scale, double diagonal, const Report& report);
+  PolyDataSurface(std::unique_ptr<TriangleMesh> mesh, std::unique_ptr<BarrierFaces> barriers,
+    std::vector<Id> vertexOfPoint, std::vector<SurfaceBlock> blocks,
+    std::vector<TriangleRole> roles, const PowerOfTwoScale& scale, double diagonal,
+    const Report& report);
 
+  /// The faces that paths may enter.
   const TriangleMesh& mesh() const { return *this->mesh_; }
+  /// The others; null where there are none.
+  BarrierFaces* barriers() const { return this->barriers_.get(); }
+  /// Makes a mesh of all faces, barriers or not, on the same vertices.
+  ///
+  /// \param progress called now and then; returning false throws Aborted.
+  std::unique_ptr<TriangleMesh> meshWithBarriers(const ProgressCallback& progress) const;
   const Report& report() const { return this->report_; }
   /// What the mesh, and all that is computed on it, is larger by than the input.
   const PowerOfTwoScale& scale() const { return this->scale_; }
@@ -85,6 +107,11 @@ public:
   {
     return this->vertexOfPoint_.empty() ? point : this->vertexOfPoint_[point];
   }
+  /// The vertices at the corners of a triangle that is given by points.
+  Triangle verticesOf(const Triangle& points) const
+  {
+    return { this->vertexOf(points[0]), this->vertexOf(points[1]), this->vertexOf(points[2]) };
+  }
   Id numberOfPoints() const;
   /// Whether some of the input's points are one vertex.
   bool hasMergedPoints() const { return !this->vertexOfPoint_.empty(); }
@@ -94,14 +121,25 @@ public:
   Id numberOfTriangles() const;
   /// Of these, the ones that are surface; the others are copies by ghost arrays.
   Id numberOfOwnTriangles() const { return this->numberOfTriangles() - this->numberOfCopies_; }
-  bool isCopy(Id triangle) const { return !this->isCopy_.empty() && this->isCopy_[triangle] != 0; }
+  TriangleRole role(Id triangle) const
+  {
+    return this->roles_.empty() ? TriangleRole::Open : this->roles_[triangle];
+  }
+  bool isCopy(Id triangle) const { return this->role(triangle) == TriangleRole::Copy; }
   /// The input's points at a triangle's corners.
   Triangle triangle(Id triangle) const;
   /// The triangle that a face of the mesh came from.
   Id triangleOf(Id face) const
   {
     const Id input = this->mesh_->inputFace(face);
-    return this->ownTriangles_.empty() ? input : this->ownTriangles_[input];
+    return this->openTriangles_.empty() ? input : this->openTriangles_[input];
+  }
+  /// The triangles that are barriers.
+  const std::vector<Id>& barrierTriangles() const { return this->barrierTriangles_; }
+  /// The triangle that a face of the barriers' mesh came from.
+  Id triangleOfBarrier(Id face) const
+  {
+    return this->barrierTriangles_[this->barriers_->mesh().inputFace(face)];
   }
   /// The input's points at the corners of a face of the mesh.
   Triangle cornerPoints(Id face) const { return this->triangle(this->triangleOf(face)); }
@@ -111,11 +149,13 @@ public:
 
 private:
   std::unique_ptr<TriangleMesh> mesh_;
+  std::unique_ptr<BarrierFaces> barriers_;
   std::vector<Id> vertexOfPoint_;
   std::vector<SurfaceBlock> blocks_;
-  std::vector<std::uint8_t> isCopy_;
-  /// The triangles without copies; empty where there are none.
-  std::vector<Id> ownTriangles_;
+  std::vector<TriangleRole> roles_;
+  /// Of all triangles the open ones; empty where all are.
+  std::vector<Id> openTriangles_;
+  std::vector<Id> barrierTriangles_;
   Id numberOfCopies_ = 0;
   PowerOfTwoScale scale_;
   double diagonal_;

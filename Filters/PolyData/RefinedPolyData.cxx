@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/RefinedPolyData.h"
 
+#include "PolyData/BarrierClosure.h"
+#include "PolyData/TrianglePoints.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -14,18 +17,17 @@ namespace
 class FaceParts
 {
 public:
-  FaceParts(const PolyDataSurface& surface, RefinedMesh& refined)
-    : Surface(surface)
-    , Refined(refined)
-    , Numbering(refined)
+  FaceParts(const PolyDataSurface& surface, TrianglePoints& points)
+    : surface_(surface)
+    , points_(points)
   {
   }
 
-  /// The face of the mesh on the triangle's vertices.
+  /// The face of the mesh on the triangle's vertices; NoId where there is none, as in a barrier.
   Id faceLike(const Triangle& triangle) const
   {
-    const TriangleMesh& mesh = this->Surface.mesh();
-    Triangle wanted = this->vertices(triangle);
+    const TriangleMesh& mesh = this->surface_.mesh();
+    Triangle wanted = this->surface_.verticesOf(triangle);
     std::sort(wanted.begin(), wanted.end());
     for (const Id corner : mesh.cornersAt(wanted[0]))
     {
@@ -41,16 +43,11 @@ public:
 
   void begin(Id face, const Triangle& triangle)
   {
-    const Triangle& vertices = this->Surface.mesh().triangle(face);
-    const Triangle own = this->vertices(triangle);
-    this->from_ = this->Surface.cornerPoints(face);
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const auto place = std::find(own.begin(), own.end(), vertices[k]) - own.begin();
-      this->to_[k] = triangle[static_cast<std::size_t>(place)];
-    }
-    const std::size_t first = this->to_[0] == triangle[0] ? 0 : this->to_[0] == triangle[1] ? 1 : 2;
-    this->flipped_ = this->to_[1] != triangle[(first + 1) % 3];
+    this->points_.begin(triangle);
+    const Triangle& own = this->points_.vertices();
+    const Triangle& vertices = this->surface_.mesh().triangle(face);
+    const std::size_t first = vertices[0] == own[0] ? 0 : vertices[0] == own[1] ? 1 : 2;
+    this->flipped_ = vertices[1] != own[(first + 1) % 3];
   }
 
   Triangle partLike(const Triangle& part)
@@ -58,7 +55,7 @@ public:
     Triangle result;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      result[k] = this->pointLike(part[k]);
+      result[k] = this->points_.like(part[k]);
     }
     if (this->flipped_)
     {
@@ -68,36 +65,8 @@ public:
   }
 
 private:
-  Triangle vertices(const Triangle& triangle) const
-  {
-    return { this->Surface.vertexOf(triangle[0]), this->Surface.vertexOf(triangle[1]),
-      this->Surface.vertexOf(triangle[2]) };
-  }
-
-  /// The same point, or one more beside it where the two faces have points of their own.
-  Id pointLike(Id point)
-  {
-    const Id inputPoints = this->Refined.numberOfInputPoints;
-    if (point < inputPoints)
-    {
-      const auto k = std::find(this->from_.begin(), this->from_.end(), point) - this->from_.begin();
-      return this->to_[static_cast<std::size_t>(k)];
-    }
-    RefinedPoint copy = this->Refined.points[point - inputPoints];
-    const std::array<Id, 2> parents = copy.parents;
-    copy.parents = { this->pointLike(parents[0]), this->pointLike(parents[1]) };
-    if (copy.parents == parents)
-    {
-      return point;
-    }
-    return this->Numbering.numberOf(copy);
-  }
-
-  const PolyDataSurface& Surface;
-  RefinedMesh& Refined;
-  SplitPointNumbering Numbering;
-  Triangle from_{};
-  Triangle to_{};
+  const PolyDataSurface& surface_;
+  TrianglePoints& points_;
   bool flipped_ = false;
 };
 
@@ -116,7 +85,8 @@ std::vector<Id> firstParts(const std::vector<Id>& faces, Id numberOfFaces)
   return first;
 }
 
-/// The mesh's face for each triangle of the surface; for a duplicate that of the first one.
+/// The mesh's face for each triangle of the surface; for a duplicate that of the first one, for a
+/// barrier NoId.
 std::vector<Id> facesOfTriangles(const PolyDataSurface& surface, const FaceParts& parts)
 {
   const TriangleMesh& mesh = surface.mesh();
@@ -134,7 +104,7 @@ std::vector<Id> facesOfTriangles(const PolyDataSurface& surface, const FaceParts
 
 }
 
-void addDuplicateFaces(
+void addOtherTriangles(
   const PolyDataSurface& surface, std::uint64_t maximumFaces, RefinedMesh& refined)
 {
   const TriangleMesh& mesh = surface.mesh();
@@ -146,13 +116,17 @@ void addDuplicateFaces(
     }
     return;
   }
-  FaceParts parts(surface, refined);
+  TrianglePoints points(surface, refined);
+  FaceParts parts(surface, points);
+  BarrierClosure barriers(surface, refined, points);
   const std::vector<Id> faces = facesOfTriangles(surface, parts);
   const std::vector<Id> first = firstParts(refined.faces, mesh.numberOfFaces());
   std::uint64_t total = 0;
   for (Id i = 0; i < faces.size(); ++i)
   {
-    total += surface.isCopy(i) ? 0 : first[faces[i] + 1] - first[faces[i]];
+    const Id count = faces[i] == NoId ? barriers.count(surface.triangle(i))
+                                      : first[faces[i] + 1] - first[faces[i]];
+    total += surface.isCopy(i) ? 0 : count;
   }
   const bool whole = maximumFaces > 0 && total > maximumFaces;
 
@@ -161,6 +135,12 @@ void addDuplicateFaces(
   for (Id i = 0; i < faces.size(); ++i)
   {
     const Id face = faces[i];
+    if (face == NoId)
+    {
+      barriers.close(surface.triangle(i), triangles);
+      parents.resize(triangles.size(), i);
+      continue;
+    }
     const bool isDuplicate = surface.triangleOf(face) != i;
     const Triangle own = surface.triangle(i);
     const bool staysWhole = whole && !surface.isCopy(i);

@@ -6,18 +6,18 @@
 namespace geodesic
 {
 
-void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
-  const ProgressCallback& progress)
+void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
+  bool mergeCoincidentPoints, const ProgressCallback& progress)
 {
-  const ContentKey key = contentKey(blocks);
+  const ContentKey key = contentKey(blocks, barriers);
   if (this->surface_ && this->key_ == key && this->isMerged_ == mergeCoincidentPoints)
   {
     this->surface_->useCellsOf(blocks);
     return;
   }
   this->release();
-  this->surface_ =
-    std::make_unique<PolyDataSurface>(readSurface(blocks, mergeCoincidentPoints, progress));
+  this->surface_ = std::make_unique<PolyDataSurface>(
+    readSurface(blocks, barriers, mergeCoincidentPoints, progress));
   this->locator_ = std::make_unique<PolylineLocator>(this->surface_->mesh());
   this->isNoteDue_ = true;
   this->key_ = key;

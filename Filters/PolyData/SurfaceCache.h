@@ -23,8 +23,8 @@ public:
   /// Reads the surface, unless the one that is kept is the same, by ContentKey.
   ///
   /// \throws what readSurface() throws; nothing is kept then.
-  void update(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
-    const ProgressCallback& progress);
+  void update(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
+    bool mergeCoincidentPoints, const ProgressCallback& progress);
 
   /// What update() has read. Valid until the next update() or release().
   const PolyDataSurface& surface() const { return *this->surface_; }

@@ -75,8 +75,10 @@ void forEachCell(vtkCellArray* cells, Visitor&& visit)
 class SurfaceReader
 {
 public:
-  SurfaceReader(const std::vector<PolyDataBlock>& inputs, const ProgressCallback& callback)
+  SurfaceReader(const std::vector<PolyDataBlock>& inputs, const BarrierArrays& barriers,
+    const ProgressCallback& callback)
     : inputs_(inputs)
+    , barriers_(barriers)
     , callback_(callback)
     , progress_(callback)
     , blocks_(inputs.size())
@@ -101,15 +103,19 @@ public:
       this->mergeSeams();
     }
     this->findCopies();
+    this->findBarriers();
     for (std::size_t i = 0; i < this->blocks_.size(); ++i)
     {
       this->keepTriangles(i);
     }
     this->nameVertices();
     const double diagonal = diagonalOf(this->vertices_, this->triangles_.corners);
+    const std::vector<Triangle> barriers = this->takeBarriers();
     std::unique_ptr<TriangleMesh> mesh = this->makeMesh();
-    return { std::move(mesh), std::move(this->vertexOfPoint_), std::move(this->blocks_),
-      std::move(this->isCopy_), this->scale_, diagonal, this->report_ };
+    auto barrierFaces =
+      barriers.empty() ? nullptr : std::make_unique<BarrierFaces>(*mesh, barriers);
+    return { std::move(mesh), std::move(barrierFaces), std::move(this->vertexOfPoint_),
+      std::move(this->blocks_), std::move(this->roles_), this->scale_, diagonal, this->report_ };
   }
 
 private:
@@ -124,11 +130,14 @@ private:
   void mergeSeams();
   void joinVertices(const std::vector<Id>& same);
   void findCopies();
+  void findBarriers();
   void keepTriangles(std::size_t block);
   void nameVertices();
+  std::vector<Triangle> takeBarriers();
   std::unique_ptr<TriangleMesh> makeMesh();
 
   const std::vector<PolyDataBlock>& inputs_;
+  const BarrierArrays& barriers_;
   const ProgressCallback& callback_;
   LoopProgress progress_;
   std::vector<SurfaceBlock> blocks_;
@@ -137,8 +146,8 @@ private:
   TriangleList triangles_;
   /// Whether a block has cells that are no triangles.
   std::vector<bool> hasOtherCells_;
-  /// Whether a triangle is a copy of another; empty where none is.
-  std::vector<std::uint8_t> isCopy_;
+  /// Empty where all are open.
+  std::vector<TriangleRole> roles_;
   PowerOfTwoScale scale_;
   PolyDataSurface::Report report_;
 };
@@ -382,9 +391,53 @@ void SurfaceReader::findCopies()
   const auto& marks = this->triangles_.isDuplicate;
   if (std::find(marks.begin(), marks.end(), true) != marks.end())
   {
-    this->isCopy_ = geodesic::findCopies(this->vertexOfPoint_, this->blocks_, this->triangles_);
+    const std::vector<std::uint8_t> isCopy =
+      geodesic::findCopies(this->vertexOfPoint_, this->blocks_, this->triangles_);
+    for (const std::uint8_t copy : isCopy)
+    {
+      this->roles_.push_back(copy != 0 ? TriangleRole::Copy : TriangleRole::Open);
+    }
   }
   this->triangles_.isDuplicate = {};
+}
+
+/// Finds the triangles that no path enters. One with two corners at a vertex has no inside: it is
+/// left to the mesh, which leaves it out.
+///
+/// \throws MeshError where no other is left.
+void SurfaceReader::findBarriers()
+{
+  if (!this->barriers_.isGiven())
+  {
+    return;
+  }
+  this->roles_.resize(this->triangles_.corners.size(), TriangleRole::Open);
+  for (std::size_t block = 0; block < this->blocks_.size(); ++block)
+  {
+    for (std::size_t i = this->blocks_[block].firstTriangle; i < this->endOfTriangles(block); ++i)
+    {
+      const Triangle t = this->verticesOf(this->triangles_.corners[i]);
+      const bool hasInside = t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+      if (hasInside && this->roles_[i] == TriangleRole::Open &&
+        this->barriers_.isBarrier(block, this->triangles_.cells[i]))
+      {
+        this->roles_[i] = TriangleRole::Barrier;
+      }
+    }
+  }
+  const auto hasRole = [this](TriangleRole role)
+  { return std::find(this->roles_.begin(), this->roles_.end(), role) != this->roles_.end(); };
+  if (!hasRole(TriangleRole::Open))
+  {
+    throw MeshError("All faces of the surface (input port 0) are barriers: the cell array " +
+      this->barriers_.name() +
+      " (BarrierArrayName) is 0 at none of them. Set it to 0 where paths may pass, or choose no "
+      "barrier array.");
+  }
+  if (!hasRole(TriangleRole::Barrier) && !hasRole(TriangleRole::Copy))
+  {
+    this->roles_ = {};
+  }
 }
 
 /// Gives a block its triangles: the input's own cells where these are the same.
@@ -416,8 +469,7 @@ void SurfaceReader::keepTriangles(std::size_t index)
     cells + static_cast<std::ptrdiff_t>(first), cells + static_cast<std::ptrdiff_t>(last));
 }
 
-/// From here on the triangles are those of the mesh, with vertices at their corners: without
-/// copies.
+/// From here on the triangles are without copies and have vertices at their corners.
 void SurfaceReader::nameVertices()
 {
   this->triangles_.cells = {};
@@ -425,12 +477,34 @@ void SurfaceReader::nameVertices()
   std::size_t count = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    if (this->isCopy_.empty() || this->isCopy_[i] == 0)
+    if (this->roles_.empty() || this->roles_[i] != TriangleRole::Copy)
     {
       triangles[count++] = this->verticesOf(triangles[i]);
     }
   }
   triangles.resize(count);
+}
+
+/// Takes the barriers out of the triangles, which are those of the mesh from here on.
+std::vector<Triangle> SurfaceReader::takeBarriers()
+{
+  std::vector<Triangle> barriers;
+  std::vector<Triangle>& triangles = this->triangles_.corners;
+  std::size_t next = 0;
+  std::size_t count = 0;
+  for (const TriangleRole role : this->roles_)
+  {
+    if (role == TriangleRole::Open)
+    {
+      triangles[count++] = triangles[next++];
+    }
+    else if (role == TriangleRole::Barrier)
+    {
+      barriers.push_back(triangles[next++]);
+    }
+  }
+  triangles.resize(this->roles_.empty() ? triangles.size() : count);
+  return barriers;
 }
 
 std::unique_ptr<TriangleMesh> SurfaceReader::makeMesh()
@@ -443,10 +517,10 @@ std::unique_ptr<TriangleMesh> SurfaceReader::makeMesh()
 
 }
 
-PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
-  const ProgressCallback& progress)
+PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
+  bool mergeCoincidentPoints, const ProgressCallback& progress)
 {
-  return SurfaceReader(blocks, progress).read(mergeCoincidentPoints);
+  return SurfaceReader(blocks, barriers, progress).read(mergeCoincidentPoints);
 }
 
 }

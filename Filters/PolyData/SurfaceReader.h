@@ -2,6 +2,7 @@
 #ifndef geodesic_SurfaceReader_h
 #define geodesic_SurfaceReader_h
 
+#include "PolyData/BarrierArrays.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PolyDataSurface.h"
 #include "Progress.h"
@@ -13,13 +14,14 @@ namespace geodesic
 /// lie at exactly one place.
 ///
 /// \param blocks the vtkPolyData of the surface, which stay as they are.
+/// \param barriers of these blocks.
 /// \param mergeCoincidentPoints whether points are merged; blocks are not connected without that.
 /// \param progress called now and then with a fraction done; returning false throws Aborted.
-/// \throws MeshError where there is no face, a coordinate is not finite or a cell names a point
-/// that
+/// \throws MeshError where there is no face that is no barrier, a coordinate is not finite or a
+/// cell names a point that
 ///         does not exist; MeshTooLarge; Aborted.
-PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
-  const ProgressCallback& progress = {});
+PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
+  bool mergeCoincidentPoints, const ProgressCallback& progress = {});
 
 }
 

@@ -436,7 +436,7 @@ std::vector<double> measureEngine(
   const std::uint64_t loaded = memory("VmRSS");
   Stopwatch watch;
   const geodesic::PolyDataSurface surface =
-    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), true);
+    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), {}, true);
   const double buildSeconds = watch.lap();
   const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
   const double sourceSeconds = watch.lap();

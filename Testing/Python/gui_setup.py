@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Run inside the ParaView GUI before the events: a square sheet of two halves that share no points,
-a line along its seam and a ring in its left half. Writes down what the filter does."""
+with a cell array that marks a strip of its right half, a line along its seam and a ring in its left
+half. Writes down what the filter does."""
 
 import itertools
 import os
@@ -77,7 +78,11 @@ manager.AddObserver("RegisterEvent", look_for_field)
 left, right = half(-0.5), half(0)
 simple.PolyLineSource(registrationName="Curve", Points=flat([(0, -0.5, 0), (0, 0.5, 0)]))
 simple.PolyLineSource(registrationName="Ring", Points=flat(RING), Closed=1)
-sheet = simple.AppendGeometry(registrationName="Sheet", Input=[left, right])
+halves = simple.AppendGeometry(registrationName="Halves", Input=[left, right])
+# Marked where x is 0.25, and as cells around that.
+marked = simple.Calculator(registrationName="Marked", Input=halves, ResultArrayName="Wall",
+                           Function="if(abs(coordsX - 0.25) < 0.01, 1, 0)")
+sheet = simple.PointDatatoCellData(registrationName="Sheet", Input=marked)
 view = simple.GetActiveViewOrCreate("RenderView")
 simple.Show(sheet, view)
 simple.ResetCamera(view)

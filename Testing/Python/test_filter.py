@@ -91,6 +91,7 @@ class Properties(unittest.TestCase):
         self.assertEqual(field.SourceType, "Source Curve")
         self.assertEqual(field.MaximumDistance, 0)
         self.assertEqual(field.MergeCoincidentPoints, 1)
+        self.assertEqual(field.BarrierArrayName, "None")
         self.assertEqual(field.DistanceArrayName, "GeodesicDistance")
 
     def test_every_property_has_help_text(self):
@@ -158,6 +159,54 @@ class Properties(unittest.TestCase):
         positions = points(data(field))
         assert_close(distances(field, "Depth"), distance_to_segments(positions, BENT), FLOAT)
         np.testing.assert_array_equal(distances(height, "Depth"), before)
+
+
+class Barriers(unittest.TestCase):
+    def walled(self):
+        """A sheet whose cells from x = 2 to 3 and up to y = 2 are marked, by their active scalars."""
+        marked = simple.Calculator(
+            Input=plane(), ResultArrayName="Wall",
+            Function="if(abs(coordsX - 2.5) < 0.4 & coordsY < 1.9, 1, 0)")
+        surface = simple.PointDatatoCellData(Input=marked)
+        surface.UpdatePipeline()  # domains know the arrays then
+        return surface
+
+    def test_there_are_none_by_default_though_cells_have_active_scalars(self):
+        surface = self.walled()
+        self.assertEqual(data(surface).GetCellData().GetScalars().GetName(), "Wall")
+        field = GeodesicDistanceField(Input=surface, SourceType="Surface Boundary")
+        self.assertEqual(field.BarrierArrayName, "None")
+        assert_close(distances(field), distance_to_sides(points(data(field))), FLOAT)
+
+    def test_surfaces_without_cell_arrays_can_be_used(self):
+        for surface in (plane(), simple.GroupDatasets(Input=[plane(), self.walled()])):
+            surface.UpdatePipeline()
+            field = GeodesicDistanceField(Input=surface)
+            self.assertTrue(field.GetProperty("Input").SMProperty.IsInDomains())
+
+    def test_the_list_offers_the_cell_arrays_of_the_surface(self):
+        field = GeodesicDistanceField(Input=self.walled())
+        self.assertEqual(list(field.GetProperty("BarrierArrayName").GetAvailable()), ["None", "Wall"])
+
+    def test_paths_go_around_the_array_that_is_chosen(self):
+        source = simple.PointSource(NumberOfPoints=1, Radius=0, Center=(1.5, 0.5, 0))
+        field = GeodesicDistanceField(
+            Input=self.walled(), Source=source, BarrierArrayName="Wall", RefineMesh=0)
+        positions, actual = points(data(field)), distances(field)
+        behind = (positions[:, 0] >= 3) & (positions[:, 1] <= 2)
+        expected = (np.hypot(0.5, 1.5) + 1 +
+                    np.hypot(positions[behind, 0] - 3, positions[behind, 1] - 2))
+        assert_close(actual[behind], expected, FLOAT)
+        inside = (positions[:, 0] > 2) & (positions[:, 0] < 3) & (positions[:, 1] < 2)
+        self.assertTrue(np.all(np.isinf(actual[inside])) and inside.any())
+        self.assertTrue(np.all(np.isfinite(actual[~inside])))
+
+    def test_a_source_in_a_barrier_is_named(self):
+        source = simple.PointSource(NumberOfPoints=1, Radius=0, Center=(2.4, 0.5, 0))
+        field = GeodesicDistanceField(Input=self.walled(), Source=source, BarrierArrayName="Wall")
+        with messages() as said:
+            field.UpdatePipeline()
+        self.assertIn("lies in a barrier", said.GetOutput())
 
 
 class Results(unittest.TestCase):

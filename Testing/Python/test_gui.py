@@ -52,6 +52,7 @@ DEFAULTS = {"Input": "Sheet", "Source": None, "SourceType": 0, "Accuracy": 0, "R
             "RefineMesh": 1, "RefinementTolerance": 0.001, "ToleranceIsAbsolute": 0,
             "AbsoluteRefinementTolerance": 1, "MaximumNumberOfCells": 50000000,
             "MaximumDistance": 0, "MergeCoincidentPoints": 1,
+            "BarrierArrayName": "None",
             "DistanceArrayName": "GeodesicDistance"}
 
 
@@ -88,7 +89,7 @@ class Applied:
 
 
 count = len(list(folder.glob("geodesic-gui-*.pickle")))
-assert count == 13, f"{count} executions"
+assert count == 14, f"{count} executions"
 runs = [Applied(number) for number in range(count)]
 
 # Of two applies nothing but what was moved differs.
@@ -98,7 +99,8 @@ for number, moved in enumerate((
         {"ToleranceIsAbsolute": 1, "AbsoluteRefinementTolerance": 0.0003},
         {"MaximumNumberOfCells": 1500}, {"RefineMesh": 0}, {"Accuracy": 1}, {"RelativeError": 0.1},
         {"Accuracy": 0, "MaximumDistance": 0.3}, {"MaximumDistance": 0, "MergeCoincidentPoints": 0},
-        {"DistanceArrayName": "Depth"}, {"SourceType": 1}, {"SourceType": 2})):
+        {"DistanceArrayName": "Depth"}, {"SourceType": 1}, {"SourceType": 2},
+        {"BarrierArrayName": "Wall"})):
     asked.update(moved)
     assert runs[number].properties == asked, f"{number}: {runs[number].properties}"
 assert not DEFAULTS.keys() - {"Input"} - {
@@ -143,7 +145,13 @@ named = runs[10]
 assert "Depth" in named.arrays and "GeodesicDistance" not in named.arrays, named.arrays
 np.testing.assert_array_equal(named.distances, runs[9].distances)
 
-boundary, both = runs[11:]
+boundary, both, walled = runs[11:]
 assert_close(boundary.distances, boundary.to_sides(), FLOAT)
 expected = np.where(is_left, np.minimum(both.to_sides(), both.to(RING)), both.to_sides())
 assert_close(both.distances, expected, FLOAT)
+
+# The strip between 0.2 and 0.3 is a barrier, which parts the right half in two.
+x, y = walled.points[:, 0], np.abs(walled.points[:, 1])
+to_end = np.where(x < 0.25, x, 0.5 - x)
+right = np.where((x > 0.2 + FLOAT) & (x < 0.3 - FLOAT), np.inf, np.minimum(to_end, 0.5 - y))
+assert_close(walled.distances, np.where(is_left, expected, right), FLOAT)

@@ -72,6 +72,7 @@ class Module(unittest.TestCase):
                                      ("MaximumNumberOfCells", 50000000, 0),
                                      ("MaximumDistance", 0.0, 1.5),
                                      ("MergeCoincidentPoints", True, False),
+                                     ("BarrierArrayName", None, "walls"),
                                      ("DistanceArrayName", "GeodesicDistance", "Depth")):
             self.assertEqual(getattr(field, "Get" + name)(), default, name)
             getattr(field, "Set" + name)(other)

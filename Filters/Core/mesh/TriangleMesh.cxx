@@ -258,6 +258,19 @@ Id TriangleMesh::edgeOf(Id halfedge) const
   return lowest;
 }
 
+Id TriangleMesh::halfedgeBetween(Id a, Id b) const
+{
+  for (const Id corner : this->cornersAt(a))
+  {
+    const Id incoming = previousInFace(corner);
+    if (this->destination(corner) == b || this->origin(incoming) == b)
+    {
+      return this->destination(corner) == b ? corner : incoming;
+    }
+  }
+  return NoId;
+}
+
 double TriangleMesh::cornerAngle(Id corner) const
 {
   const FaceShape& shape = this->shape(corner / 3);

@@ -112,6 +112,8 @@ public:
   double length(Id halfedge) const { return this->faces_[halfedge / 3].shape.length[halfedge % 3]; }
   /// The halfedge of the edge with the lowest number, which names the edge.
   Id edgeOf(Id halfedge) const;
+  /// A halfedge of the edge between two vertices, in either direction; NoId where they have none.
+  Id halfedgeBetween(Id a, Id b) const;
 
   /// The corners (numbered as halfedges: 3 * face + k is corner k) at a vertex.
   IdRange cornersAt(Id vertex) const

@@ -7,6 +7,7 @@
 #include "refinement/RefinedMesh.h"
 
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace geodesic
@@ -17,7 +18,7 @@ struct RefinementOptions
   /// Largest difference between the distance and the linear interpolant of the result, anywhere, in
   /// the surface's units.
   double tolerance = 0.0;
-  /// Most triangles of the result; 0: no limit.
+  /// Most triangles of the result, with those beside it (below); 0: no limit.
   std::uint64_t maximumFaces = 0;
   /// For each face of the mesh, the ids of the caller's points at its corners, where these are not
   /// the mesh's vertices: several points may be one vertex (a seam). The result is then in terms of
@@ -25,6 +26,10 @@ struct RefinementOptions
   std::vector<Triangle> cornerPoints;
   /// How many points the caller has; ignored without cornerPoints.
   Id numberOfPoints = 0;
+  /// How many triangles that are none of the mesh's the caller will close against the splits of an
+  /// edge, by the edge's name (TriangleMesh::edgeOf); edges without such have no entry. What these
+  /// come to counts for maximumFaces.
+  std::unordered_map<Id, Id> trianglesBeside;
   /// Called now and then with the fraction done in [0, 1]; returning false stops with Aborted.
   ProgressCallback progress;
 };

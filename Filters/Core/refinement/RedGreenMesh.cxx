@@ -8,10 +8,12 @@
 namespace geodesic
 {
 
-RedGreenMesh::RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen)
+RedGreenMesh::RedGreenMesh(
+  const TriangleMesh& mesh, std::vector<std::uint8_t> frozen, std::unordered_map<Id, Id> beside)
   : mesh_(mesh)
   , faces_(mesh.numberOfFaces())
   , frozen_(std::move(frozen))
+  , beside_(std::move(beside))
   , hasEdges_(mesh.numberOfFaces(), 0)
   , partsOfFace_(mesh.numberOfFaces(), NoId)
   , numberOfTriangles_(mesh.numberOfFaces())
@@ -227,6 +229,12 @@ Id RedGreenMesh::addPoint(const Edge& edge, const Placement& placement)
   return this->numberOfInputPoints() + static_cast<Id>(this->points_.size() - 1);
 }
 
+Id RedGreenMesh::trianglesBeside(const Edge& edge) const
+{
+  const auto found = this->beside_.find(edge.halfedge); // nothing is beside NoId
+  return found == this->beside_.end() ? 0 : found->second;
+}
+
 Id RedGreenMesh::frozenFacesAt(const Edge& edge) const
 {
   Id count = 0;
@@ -252,7 +260,7 @@ void RedGreenMesh::split(Id id, const Placement& placement)
   this->edges_[id].halves = first;
   this->journal_.push_back({ Change::EdgeSplit, id, NoId });
 
-  this->numberOfTriangles_ += this->frozenFacesAt(edge);
+  this->numberOfTriangles_ += this->frozenFacesAt(edge) + this->trianglesBeside(edge);
   this->forEachLeafAt(id,
     [this](Id triangle)
     {

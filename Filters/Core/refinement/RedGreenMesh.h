@@ -81,7 +81,10 @@ public:
 
   /// \param frozen faces that are not refined; where a neighbour splits one of their edges, they
   ///        are only closed.
-  RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen);
+  /// \param beside how many triangles outside of the mesh are closed with it at an edge
+  ///        (RefinementOptions::trianglesBeside).
+  RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen,
+    std::unordered_map<Id, Id> beside = {});
 
   const TriangleMesh& mesh() const { return this->mesh_; }
   Id numberOfInputPoints() const { return this->mesh_.numberOfVertices(); }
@@ -125,7 +128,7 @@ public:
   /// may be no leaf any more.
   Id takeTouched();
 
-  /// Number of triangles in the output.
+  /// Number of triangles in the output, with the cuts of those beside it.
   std::uint64_t numberOfTriangles() const { return this->numberOfTriangles_; }
 
   /// What was done since begin() is undone by rollBack(); edges made since then are gone.
@@ -172,6 +175,7 @@ private:
   Id halfAt(Id edge, Id end) const;
   Id addPart(Id face, const Triangle& corners, const std::array<Id, 3>& edges);
   void addPolygon(Id triangle, Id begin, Closing& closing) const;
+  Id trianglesBeside(const Edge& edge) const;
   Id frozenFacesAt(const Edge& edge) const;
   template <typename Emit>
   void closeLeaf(Id triangle, Emit&& emit) const;
@@ -183,6 +187,7 @@ private:
   const TriangleMesh& mesh_;
   Id faces_;
   std::vector<std::uint8_t> frozen_;
+  std::unordered_map<Id, Id> beside_;
   std::vector<Point> points_;
   std::vector<Edge> edges_;
   std::unordered_map<Id, Id> inputEdges_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/BoundaryCurves.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace geodesic
@@ -99,11 +100,97 @@ private:
   std::vector<SourceCurve> curves_;
 };
 
+/// Cuts a boundary curve of a whole surface into what the faces of a mesh have of it.
+class CurveCutter
+{
+public:
+  CurveCutter(const SourceCurve& curve, const TriangleMesh& mesh)
+    : curve_(curve)
+    , mesh_(mesh)
+    , count_(curve.faces.size())
+  {
+    for (std::size_t i = 0; i < this->count_; ++i)
+    {
+      const Id halfedge = mesh.halfedgeBetween(curve.points[i].id, curve.points[i + 1].id);
+      this->faces_.push_back(halfedge == NoId ? NoId : TriangleMesh::faceOf(halfedge));
+    }
+  }
+
+  void run(std::vector<SourceCurve>& pieces) const
+  {
+    const auto gap = std::find(this->faces_.begin(), this->faces_.end(), NoId);
+    if (gap == this->faces_.end())
+    {
+      pieces.push_back(this->curve_);
+      pieces.back().faces = this->faces_;
+      return;
+    }
+    // A loop is cut open behind a segment that is left out; after the last one it begins again.
+    const bool isLoop = this->curve_.isClosed();
+    const auto first = isLoop ? static_cast<std::size_t>(gap - this->faces_.begin()) + 1 : 0;
+    SourceCurve piece = this->begin(first);
+    for (std::size_t i = 0; i < this->count_; ++i)
+    {
+      const std::size_t segment = (first + i) % this->count_;
+      if (this->faces_[segment] != NoId)
+      {
+        piece.points.push_back(this->curve_.points[segment + 1]);
+        piece.faces.push_back(this->faces_[segment]);
+        continue;
+      }
+      this->add(std::move(piece), pieces);
+      piece = this->begin(segment + 1);
+    }
+    if (!isLoop)
+    {
+      this->add(std::move(piece), pieces);
+    }
+  }
+
+private:
+  SourceCurve begin(std::size_t point) const
+  {
+    SourceCurve piece;
+    piece.points = { this->curve_.points[isLast(point) ? 0 : point] };
+    piece.source = this->curve_.source;
+    return piece;
+  }
+
+  /// Whether a loop's first point, which it repeats.
+  bool isLast(std::size_t point) const { return point == this->count_ && this->curve_.isClosed(); }
+
+  void add(SourceCurve piece, std::vector<SourceCurve>& pieces) const
+  {
+    if (this->mesh_.cornersAt(piece.points.front().id).size() > 0)
+    {
+      piece.isCut.assign(piece.points.size(), 0);
+      pieces.push_back(std::move(piece));
+    }
+  }
+
+  const SourceCurve& curve_;
+  const TriangleMesh& mesh_;
+  std::size_t count_;
+  /// The mesh's face at each segment; NoId where there is none.
+  std::vector<Id> faces_;
+};
+
 } // anonymous namespace
 
 std::vector<SourceCurve> boundaryCurves(const TriangleMesh& mesh)
 {
   return BoundaryChains(mesh).run();
+}
+
+std::vector<SourceCurve> boundaryOutsideBarriers(
+  const std::vector<SourceCurve>& boundary, const TriangleMesh& mesh)
+{
+  std::vector<SourceCurve> pieces;
+  for (const SourceCurve& curve : boundary)
+  {
+    CurveCutter(curve, mesh).run(pieces);
+  }
+  return pieces;
 }
 
 }

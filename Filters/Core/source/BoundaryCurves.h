@@ -15,6 +15,16 @@ namespace geodesic
 /// boundary edge is in one curve, once. Empty for a closed surface.
 std::vector<SourceCurve> boundaryCurves(const TriangleMesh& mesh);
 
+/// What faces that are no barriers have of the boundary of a surface: the pieces along their edges,
+/// and single vertices where they touch the boundary in a point only. The rest is left out, as no
+/// path leaves it. Pieces have the `source` of their curve; a curve that is kept whole stays as it
+/// is.
+///
+/// \param boundary curves of the whole surface, by boundaryCurves().
+/// \param mesh the faces that are no barriers, with the same vertices.
+std::vector<SourceCurve> boundaryOutsideBarriers(
+  const std::vector<SourceCurve>& boundary, const TriangleMesh& mesh);
+
 }
 
 #endif

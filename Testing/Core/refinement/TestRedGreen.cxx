@@ -159,6 +159,26 @@ const std::vector<geodesic::Triangle> TwoFaces = { { 0, 1, 2 }, { 2, 1, 3 } };
 
 }
 
+TEST(RedGreen, TrianglesBesideTheMeshCountWithEverySplitOfTheirEdge)
+{
+  const geodesic::TriangleMesh mesh(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, TwoFaces);
+  const Id rim = mesh.edgeOf(mesh.halfedgeBetween(0, 1));
+  RedGreenMesh triangles(mesh, { 0, 0 }, { { rim, 2 } });
+  MiddleRules rules([](Id) { return true; });
+  geodesic::RedGreenClosure closure(triangles, rules);
+  triangles.begin();
+  const Id edge = triangles.edge(0, 0);
+  closure.split(edge);
+  closure.close();
+  EXPECT_EQ(triangles.numberOfTriangles(), 3u + 2u);
+  closure.split(triangles.edgeData(edge).halves);
+  closure.close(); // splits the face into four, which is beside a bisected one then
+  EXPECT_EQ(triangles.numberOfTriangles(), 5u + 2u + 4u);
+  triangles.rollBack();
+  EXPECT_EQ(triangles.numberOfTriangles(), 2u);
+}
+
 TEST(RedGreen, OneSplitEdgeBisectsTheFacesAroundIt)
 {
   ByHand alone(TwoFaces);

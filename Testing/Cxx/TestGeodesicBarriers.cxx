@@ -1,0 +1,810 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// No path passes through faces that a cell array marks: distances are those of the brute-force
+// solver on the surface without them, and around a wall those of the plane. The output has them.
+#include "BarrierTesting.h"
+
+#include "truth/BruteForce.h"
+#include "truth/RandomCurves.h"
+#include "truth/RandomMeshKinds.h"
+
+#include "vtkBitArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <map>
+#include <set>
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+using geodesictest::Index;
+using geodesictest::PlainMesh;
+using geodesictest::Random;
+
+/// A random mesh with random barriers, and what is left without them.
+struct RandomBarriers
+{
+  PlainMesh whole;
+  std::vector<bool> isBarrier;
+  PlainMesh open;
+};
+
+/// Single faces, patches around vertices, or nearly all.
+RandomBarriers MakeBarriers(const geodesictest::MeshKind& kind, Random& random)
+{
+  RandomBarriers made;
+  made.whole = kind.make(random.between(30, 200), random);
+  const std::size_t faces = made.whole.triangles.size();
+  made.isBarrier.assign(faces, false);
+  const double share = random.uniform(0.02, 0.5);
+  const bool arePatches = random.chance(0.5);
+  std::vector<bool> isMarked(made.whole.points.size(), false);
+  for (std::size_t i = 0; i < isMarked.size(); ++i)
+  {
+    isMarked[i] = random.chance(0.3 * share);
+  }
+  for (std::size_t f = 0; f < faces; ++f)
+  {
+    const geodesictest::Triangle& t = made.whole.triangles[f];
+    made.isBarrier[f] =
+      arePatches ? isMarked[t[0]] || isMarked[t[1]] || isMarked[t[2]] : random.chance(share);
+  }
+  made.isBarrier[random.below(faces)] = false;
+  made.open.points = made.whole.points;
+  for (std::size_t f = 0; f < faces; ++f)
+  {
+    if (!made.isBarrier[f])
+    {
+      made.open.triangles.push_back(made.whole.triangles[f]);
+    }
+  }
+  return made;
+}
+
+vtkSmartPointer<vtkPolyData> SurfaceOf(const RandomBarriers& made)
+{
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const geodesictest::Vec3& p : made.whole.points)
+  {
+    points->InsertNextPoint(p.data());
+  }
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIntArray> barriers;
+  barriers->SetName("barrier");
+  for (std::size_t f = 0; f < made.whole.triangles.size(); ++f)
+  {
+    const geodesictest::Triangle& t = made.whole.triangles[f];
+    polys->InsertNextCell({ t[0], t[1], t[2] });
+    barriers->InsertNextValue(made.isBarrier[f] ? -3 : 0);
+  }
+  surface->SetPoints(points);
+  surface->SetPolys(polys);
+  surface->GetCellData()->AddArray(barriers);
+  return surface;
+}
+
+Point PositionOf(const PlainMesh& mesh, const geodesictest::MeshPoint& point)
+{
+  return geodesictest::position(mesh, point);
+}
+
+/// Segments of faces that are no barriers, and points of these.
+geodesictest::Sources RandomSources(const PlainMesh& open, Random& random)
+{
+  geodesictest::Sources sources;
+  const Index points = random.below(3);
+  for (Index i = 0; i < points; ++i)
+  {
+    sources.points.push_back(random.chance(0.5) ? geodesictest::randomVertexPoint(open, random)
+                                                : geodesictest::randomFacePoint(open, random));
+  }
+  const Index segments = random.between(points == 0 ? 1 : 0, 2);
+  for (Index i = 0; i < segments; ++i)
+  {
+    sources.segments.push_back({ random.below(open.triangles.size()),
+      geodesictest::randomWeights(random), geodesictest::randomWeights(random) });
+  }
+  return sources;
+}
+
+vtkSmartPointer<vtkPolyData> SourceOf(const PlainMesh& open, const geodesictest::Sources& sources)
+{
+  auto source = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkCellArray> lines;
+  for (const geodesictest::MeshPoint& point : sources.points)
+  {
+    vertices->InsertNextCell({ points->InsertNextPoint(PositionOf(open, point).data()) });
+  }
+  for (const geodesictest::MeshSegment& segment : sources.segments)
+  {
+    const vtkIdType from =
+      points->InsertNextPoint(PositionOf(open, { segment.face, segment.from }).data());
+    const vtkIdType to =
+      points->InsertNextPoint(PositionOf(open, { segment.face, segment.to }).data());
+    lines->InsertNextCell({ from, to });
+  }
+  source->SetPoints(points);
+  source->SetVerts(vertices);
+  source->SetLines(lines);
+  return source;
+}
+
+/// What faces without barriers have of the boundary of the whole: edges, and single vertices.
+void AddBoundary(const RandomBarriers& made, geodesictest::Sources& sources)
+{
+  std::map<std::pair<Index, Index>, std::pair<Index, Index>> faceAt;
+  std::map<Index, Index> faceOfVertex;
+  for (Index f = 0; f < made.open.triangles.size(); ++f)
+  {
+    const geodesictest::Triangle& t = made.open.triangles[f];
+    for (Index k = 0; k < 3; ++k)
+    {
+      faceAt[std::minmax({ t[k], t[(k + 1) % 3] })] = { f, k };
+      faceOfVertex[t[k]] = f;
+    }
+  }
+  for (const auto& [a, b] : geodesictest::boundaryEdges(made.whole))
+  {
+    const auto at = faceAt.find(std::minmax({ a, b }));
+    if (at != faceAt.end())
+    {
+      geodesictest::MeshSegment edge{ at->second.first, { 0, 0, 0 }, { 0, 0, 0 } };
+      edge.from[at->second.second] = 1.0;
+      edge.to[(at->second.second + 1) % 3] = 1.0;
+      sources.segments.push_back(edge);
+    }
+    for (const Index vertex : { a, b })
+    {
+      if (faceOfVertex.count(vertex) > 0)
+      {
+        sources.points.push_back(geodesictest::vertexPoint(made.open, vertex));
+      }
+    }
+  }
+}
+
+/// Whether vertices are at one place, as where two fans coincide: which of them a source is put
+/// onto is open then.
+bool TouchesItself(const PlainMesh& mesh)
+{
+  const std::set<geodesictest::Vec3> places(mesh.points.begin(), mesh.points.end());
+  return places.size() < mesh.points.size();
+}
+
+/// A filter for a random surface with barriers and a random source.
+struct RandomCase
+{
+  std::string name;
+  RandomBarriers made;
+  geodesictest::Sources sources;
+  vtkNew<vtkGeodesicDistanceField> filter;
+  /// Of the largest distance.
+  double accuracy;
+
+  RandomCase(const geodesictest::MeshKind& kind, std::uint64_t seed)
+    : name(std::string(kind.name) + ", seed " + std::to_string(seed))
+    , accuracy(Contains(kind.name, "Needles") ? 5e-10 : 2e-12)
+  {
+    Random random(seed);
+    this->made = MakeBarriers(kind, random);
+    this->filter->SetSourceType(static_cast<int>(random.below(3)));
+    if (this->filter->GetSourceType() != vtkGeodesicDistanceField::SURFACE_BOUNDARY)
+    {
+      this->sources = RandomSources(this->made.open, random);
+      this->filter->SetSourceData(SourceOf(this->made.open, this->sources));
+    }
+    if (this->filter->GetSourceType() != vtkGeodesicDistanceField::SOURCE_CURVE)
+    {
+      AddBoundary(this->made, this->sources);
+    }
+    this->filter->MergeCoincidentPointsOff();
+    this->filter->SetBarrierArrayName("barrier");
+    this->filter->SetInputData(SurfaceOf(this->made));
+  }
+
+  /// Whether there is a source, and it is clear where it lies.
+  bool CanRun(Check& check)
+  {
+    Messages messages(this->filter);
+    if (TouchesItself(this->made.whole))
+    {
+      std::cout << this->name << " touches itself: left out\n";
+      return false;
+    }
+    messages.Update();
+    if (this->sources.points.empty() && this->sources.segments.empty())
+    {
+      check.That(Contains(messages.Error(), "boundary"), this->name + ": " + messages.Error());
+      return false;
+    }
+    check.That(messages.Error().empty(), this->name + ": " + messages.Error());
+    return messages.Error().empty();
+  }
+
+  double DistanceAt(std::size_t point) const
+  {
+    return Distances(this->filter)->GetTuple1(static_cast<vtkIdType>(point));
+  }
+};
+
+double LargestFinite(const std::vector<double>& values)
+{
+  double largest = 0.0;
+  for (const double value : values)
+  {
+    largest = std::isinf(value) ? largest : std::max(largest, value);
+  }
+  return largest;
+}
+
+double ErrorOf(double actual, double expected)
+{
+  return std::isinf(actual) && std::isinf(expected) ? 0.0 : std::abs(actual - expected);
+}
+
+/// \returns the error, of the largest distance.
+double CompareWithBruteForce(Check& check, const geodesictest::MeshKind& kind, std::uint64_t seed)
+{
+  RandomCase one(kind, seed);
+  one.filter->RefineMeshOff();
+  if (!one.CanRun(check))
+  {
+    return 0.0;
+  }
+  check.Equal(static_cast<double>(one.filter->GetOutput()->GetNumberOfCells()),
+    static_cast<double>(one.made.whole.triangles.size()), one.name + ": cells");
+  const std::vector<double> truth =
+    geodesictest::bruteForceDistances(one.made.open, one.sources).vertices;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+  {
+    worst = std::max(worst, ErrorOf(one.DistanceAt(i), truth[i]));
+  }
+  const double largest = LargestFinite(truth);
+  worst = largest > 0.0 ? worst / largest : worst;
+  check.That(worst <= one.accuracy, one.name + ": wrong by " + std::to_string(worst));
+  return worst;
+}
+
+/// Where a point of a face is in it.
+geodesictest::Barycentric WeightsIn(const PlainMesh& mesh, Index face, const Point& p)
+{
+  const geodesictest::Triangle& t = mesh.triangles[face];
+  const auto minus = [](const Point& a, const Point& b) {
+    return Point{ a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+  };
+  const auto dot = [](const Point& a, const Point& b)
+  { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  const auto cross = [](const Point& a, const Point& b)
+  {
+    return Point{ a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+  };
+  const Point u = minus(mesh.points[t[1]], mesh.points[t[0]]);
+  const Point v = minus(mesh.points[t[2]], mesh.points[t[0]]);
+  const Point w = minus(p, mesh.points[t[0]]);
+  const Point normal = cross(u, v);
+  const double a = dot(cross(w, v), normal) / dot(normal, normal);
+  const double b = dot(cross(u, w), normal) / dot(normal, normal);
+  // Clamped, as new points on edges are off by rounding.
+  const double second = std::clamp(a, 0.0, 1.0);
+  const double third = std::clamp(b, 0.0, 1.0 - second);
+  return { 1.0 - second - third, second, third };
+}
+
+/// Refined neighbours fit, barriers are whole, and new points have the true distance.
+void CheckRefinedRandom(Check& check, const geodesictest::MeshKind& kind, std::uint64_t seed)
+{
+  RandomCase one(kind, seed);
+  one.filter->SetRefinementTolerance(0.003);
+  one.filter->SetMaximumNumberOfCells(20000);
+  if (!one.CanRun(check))
+  {
+    return;
+  }
+  vtkPolyData* input = vtkPolyData::SafeDownCast(one.filter->GetInputDataObject(0, 0));
+  vtkPolyData* output = one.filter->GetOutput();
+  check.That(EdgeLengthsDiffer(input, output) < 1e-9, one.name + ": refined neighbours fit");
+  check.That(AreaError(input, output) < 1e-9, one.name + ": each cell is covered by its parts");
+
+  std::vector<Index> openFaces; // of the whole's
+  for (Index f = 0, next = 0; f < one.made.whole.triangles.size(); ++f)
+  {
+    openFaces.push_back(one.made.isBarrier[f] ? 0 : next++);
+  }
+  vtkDataArray* originals = output->GetCellData()->GetArray("OriginalCellIds");
+  std::map<vtkIdType, geodesictest::MeshPoint> places; // of new points that an open face has
+  std::set<vtkIdType> inBarriers;
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    const auto face = static_cast<std::size_t>(originals->GetTuple1(cell));
+    vtkNew<vtkIdList> ids;
+    output->GetCellPoints(cell, ids);
+    for (const vtkIdType id : { ids->GetId(0), ids->GetId(1), ids->GetId(2) })
+    {
+      if (id < input->GetNumberOfPoints())
+      {
+        continue;
+      }
+      if (one.made.isBarrier[face])
+      {
+        inBarriers.insert(id);
+        continue;
+      }
+      Point p;
+      output->GetPoint(id, p.data());
+      places[id] = { openFaces[face], WeightsIn(one.made.open, openFaces[face], p) };
+    }
+  }
+  for (const vtkIdType id : inBarriers)
+  {
+    check.That(places.count(id) > 0, one.name + ": new points of barriers are on their rims");
+  }
+  std::vector<geodesictest::MeshPoint> queries;
+  std::vector<vtkIdType> ids;
+  const std::size_t step = std::max<std::size_t>(1, places.size() / 80);
+  for (auto place = places.begin(); place != places.end();)
+  {
+    ids.push_back(place->first);
+    queries.push_back(place->second);
+    for (std::size_t i = 0; i < step && place != places.end(); ++i)
+    {
+      ++place;
+    }
+  }
+  const auto truth = geodesictest::bruteForceDistances(one.made.open, one.sources, queries);
+  const double largest = LargestFinite(truth.vertices);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    worst =
+      std::max(worst, ErrorOf(one.DistanceAt(static_cast<std::size_t>(ids[i])), truth.queries[i]));
+  }
+  // Places are found again from coordinates, in needles from rounded ones.
+  check.That(worst <= 10.0 * one.accuracy * largest,
+    one.name + ": refined points are wrong by " + std::to_string(worst / largest));
+}
+
+void CheckRandomMeshes(Check& check)
+{
+  constexpr std::uint64_t meshesOfAKind = 40;
+  constexpr std::uint64_t refinedMeshesOfAKind = 8;
+  for (const geodesictest::MeshKind& kind : geodesictest::meshKinds())
+  {
+    double worst = 0.0;
+    for (std::uint64_t seed = 0; seed < meshesOfAKind; ++seed)
+    {
+      worst = std::max(worst, CompareWithBruteForce(check, kind, seed));
+    }
+    for (std::uint64_t seed = 0; seed < refinedMeshesOfAKind; ++seed)
+    {
+      CheckRefinedRandom(check, kind, seed);
+    }
+    std::cout << "worst relative error with barriers on " << kind.name << ": " << worst << "\n";
+  }
+}
+
+/// A wall in the unit square, from below: paths go around its two upper corners.
+constexpr double WallBegin = 0.5;
+constexpr double WallEnd = 0.625;
+constexpr double WallTop = 0.75;
+
+bool IsInWall(const Point& p)
+{
+  return p[0] > WallBegin && p[0] < WallEnd && p[1] < WallTop;
+}
+
+/// Whether the straight way passes beside the wall or along its rim.
+bool IsFree(const Point& a, const Point& b)
+{
+  double first = 0.0;
+  double last = 1.0;
+  const auto clip = [&](double from, double to, double bound, bool isBelow)
+  {
+    const double begin = isBelow ? bound - from : from - bound;
+    const double change = isBelow ? from - to : to - from; // of what is inside
+    if (change == 0.0)
+    {
+      last = begin > 0.0 ? last : -1.0;
+    }
+    else if (change > 0.0)
+    {
+      first = std::max(first, -begin / change);
+    }
+    else
+    {
+      last = std::min(last, begin / -change);
+    }
+  };
+  clip(a[0], b[0], WallBegin, false);
+  clip(a[0], b[0], WallEnd, true);
+  clip(a[1], b[1], WallTop, true);
+  return last - first <= 1e-12;
+}
+
+double Length(const Point& a, const Point& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+/// The distance from a point in the square with the wall.
+Distance AroundWall(const Point& source)
+{
+  return [source](const Point& p)
+  {
+    const Point corners[] = { { WallBegin, WallTop, 0 }, { WallEnd, WallTop, 0 } };
+    const double infinity = std::numeric_limits<double>::infinity();
+    if (IsInWall(p))
+    {
+      return infinity;
+    }
+    double least = IsFree(source, p) ? Length(source, p) : infinity;
+    for (int k = 0; k < 2; ++k)
+    {
+      const Point& near = corners[k];
+      const Point& far = corners[1 - k];
+      const double toNear = IsFree(source, near) ? Length(source, near) : infinity;
+      least = IsFree(near, p) ? std::min(least, toNear + Length(near, p)) : least;
+      least =
+        IsFree(far, p) ? std::min(least, toNear + WallEnd - WallBegin + Length(far, p)) : least;
+    }
+    return least;
+  };
+}
+
+vtkSmartPointer<vtkPolyData> SquareWithWall(int n, Cells cells = Cells::Triangles)
+{
+  return WithBarriers(Square(n, cells), IsInWall);
+}
+
+/// Distances at all points are the truth's, infinity included.
+void CheckTruth(Check& check, vtkPolyData* output, const Distance& truth, const std::string& what)
+{
+  double worst = 0.0;
+  bool areInfinite = true;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    output->GetPoint(i, p.data());
+    const double expected = truth(p);
+    const double actual = output->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(i);
+    areInfinite = areInfinite && std::isinf(expected) == std::isinf(actual);
+    worst = std::isinf(expected) ? worst : std::max(worst, std::abs(actual - expected));
+  }
+  check.That(areInfinite, what + ": points inside barriers, and no others, are not reached");
+  check.That(worst <= 1e-12, what + ": wrong by " + std::to_string(worst));
+}
+
+void CheckWall(Check& check)
+{
+  const Point source{ 0.125, 0.1875, 0 };
+  for (const Cells cells : { Cells::Triangles, Cells::Quads })
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->RefineMeshOff();
+    filter->SetInputData(SquareWithWall(16, cells));
+    filter->SetSourceData(PointSources({ source }));
+    filter->SetBarrierArrayName("barrier");
+    Messages messages(filter);
+    messages.Update();
+    check.That(messages.Error().empty(), "a wall: " + messages.Error());
+    check.That(!Contains(messages.Warning(), "used by no face"),
+      "points of barriers are not called unused: " + messages.Warning());
+    check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfCells()), 512.0,
+      "cells of a square with a wall");
+    CheckTruth(check, filter->GetOutput(), AroundWall(source), "a wall");
+  }
+}
+
+void CheckRefinedWall(Check& check)
+{
+  const Point source{ 0.125, 0.1875, 0 };
+  const Distance truth = AroundWall(source);
+  for (const Cells cells : { Cells::Triangles, Cells::Quads })
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(SquareWithWall(16, cells));
+    filter->SetSourceData(PointSources({ source }));
+    filter->SetBarrierArrayName("barrier");
+    filter->ToleranceIsAbsoluteOn();
+    filter->SetAbsoluteRefinementTolerance(0.0005);
+    Messages messages(filter);
+    messages.Update();
+    check.That(messages.Error().empty(), "a refined wall: " + messages.Error());
+    vtkPolyData* output = filter->GetOutput();
+    CheckTruth(check, output, truth, "a refined wall");
+    check.That(CountBarrierParts(output, IsInWall) > 48, "the rim of a barrier is split");
+    check.Equal(CountHangingPoints({ output }), 0.0, "hanging points around a barrier");
+    check.That(AreaError(SquareWithWall(16, cells), output) < 1e-13,
+      "each cell is covered by its parts, barriers too");
+    check.That(InterpolationError(output, IsInWall, truth) <= filter->GetInterpolationErrorBound(),
+      "the tolerance is met beside a barrier");
+    check.That(filter->GetInterpolationErrorBound() <= 0.0005, "the bound is met");
+  }
+}
+
+/// Also with the barrier in another block, whose points are its own.
+void CheckBlocks(Check& check)
+{
+  const Point source{ 0.125, 0.1875, 0 };
+  const auto isLeft = [](const Point& p) { return p[0] < WallBegin; };
+  const auto isRight = [](const Point& p) { return p[0] > WallBegin; };
+  for (const bool refine : { false, true })
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetRefineMesh(refine);
+    auto left = Part(Square(16), isLeft); // without the array
+    auto right = WithBarriers(Part(Square(16), isRight), IsInWall);
+    filter->SetInputDataObject(0, Blocks({ left, right }));
+    filter->SetSourceData(PointSources({ source }));
+    filter->SetBarrierArrayName("barrier");
+    Messages messages(filter);
+    messages.Update();
+    check.That(messages.Error().empty(), "blocks: " + messages.Error());
+    std::vector<vtkPolyData*> outputs;
+    for (const unsigned int i : { 0u, 1u })
+    {
+      outputs.push_back(Block(filter, i));
+      CheckTruth(check, outputs.back(), AroundWall(source), "block " + std::to_string(i));
+    }
+    check.Equal(CountHangingPoints(outputs), 0.0, "hanging points in blocks");
+    check.That(!refine || CountBarrierParts(outputs[1], IsInWall) > 48,
+      "the rim is split in a block of its own");
+  }
+}
+
+/// Copies by ghost arrays of what is a barrier look like it; whether they are marked does not
+/// matter.
+void CheckGhosts(Check& check)
+{
+  const Point source{ 0.125, 0.1875, 0 };
+  const double seam = 0.5625; // through the wall
+  const auto isBefore = [](const Point& p) { return p[0] < 0.5625; };
+  const auto isAfter = [](const Point& p) { return p[0] > 0.5625; };
+  const auto none = [](const Point&) { return false; };
+  const auto execute = [&](vtkGeodesicDistanceField* filter, vtkDataObject* surface)
+  {
+    filter->SetInputDataObject(0, surface);
+    filter->SetSourceData(PointSources({ source }));
+    filter->SetBarrierArrayName("barrier");
+    Messages messages(filter);
+    messages.Update();
+    check.That(messages.Error().empty(), "ghosts: " + messages.Error());
+  };
+  vtkNew<vtkGeodesicDistanceField> plain;
+  execute(plain,
+    Blocks({ WithBarriers(Part(Square(16), isBefore), IsInWall),
+      WithBarriers(Part(Square(16), isAfter), IsInWall) }));
+  vtkNew<vtkGeodesicDistanceField> ghosted;
+  execute(ghosted,
+    Blocks({ WithGhosts(WithBarriers(
+                          Part(Square(16), [](const Point& p) { return p[0] < 0.6875; }), IsInWall),
+               isAfter),
+      WithGhosts(WithBarriers(Part(Square(16), [](const Point& p) { return p[0] > 0.4375; }), none),
+        isBefore) }));
+  // The second block's own half of the wall is open there, and its copies are not marked.
+  const auto trianglesOf = [&](vtkGeodesicDistanceField* filter, unsigned int block, double begin,
+                             double end) { return TrianglesIn(Block(filter, block), begin, end); };
+  check.That(trianglesOf(ghosted, 1, 0.4375, seam) == trianglesOf(ghosted, 0, 0.4375, seam),
+    "copies of a barrier look like it");
+  check.That(trianglesOf(ghosted, 0, seam, 0.6875) == trianglesOf(ghosted, 1, seam, 0.6875),
+    "copies of what is open look like it");
+
+  vtkNew<vtkGeodesicDistanceField> same;
+  execute(same,
+    Blocks({ WithGhosts(WithBarriers(
+                          Part(Square(16), [](const Point& p) { return p[0] < 0.6875; }), IsInWall),
+               isAfter),
+      WithBarriers(Part(Square(16), isAfter), IsInWall) }));
+  check.That(trianglesOf(same, 0, 0.0, seam) == trianglesOf(plain, 0, 0.0, seam) &&
+      trianglesOf(same, 1, seam, 1.0) == trianglesOf(plain, 1, seam, 1.0),
+    "barriers with ghosts and without");
+}
+
+/// The boundary is that of the whole; what barriers have of it is left out.
+void CheckBoundary(Check& check)
+{
+  const auto expect = [&](const std::function<bool(const Point&)>& isBarrier, const Distance& truth,
+                        const std::string& what)
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->RefineMeshOff();
+    filter->SetInputData(WithBarriers(Square(8), isBarrier));
+    filter->SetSourceTypeToSurfaceBoundary();
+    filter->SetBarrierArrayName("barrier");
+    Messages messages(filter);
+    messages.Update();
+    check.That(messages.Error().empty() && messages.Warning().empty(),
+      what + ": " + messages.Error() + messages.Warning());
+    CheckTruth(check, filter->GetOutput(), truth, what);
+    vtkDataArray* ids = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1))
+                          ->GetCellData()
+                          ->GetArray("SourceId");
+    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+    {
+      check.Equal(ids->GetTuple1(i), 0.0, what + ": the loop's number");
+    }
+  };
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto isInside = [](const Point& p)
+  { return p[0] > 0.25 && p[0] < 0.75 && p[1] > 0.25 && p[1] < 0.75; };
+  expect(
+    isInside,
+    [=](const Point& p) { return isInside(p) ? infinity : DistanceToBoundaryOfSquare(p); },
+    "a barrier away from the boundary");
+  expect([](const Point& p) { return p[0] < 0.25; },
+    [=](const Point& p) {
+      return p[0] < 0.25 ? infinity : std::min({ 1.0 - p[0], p[1], 1.0 - p[1] });
+    },
+    "a barrier along one side");
+}
+
+void CheckCurveIsJoinedAround(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  filter->SetInputData(SquareWithWall(16));
+  filter->SetBarrierArrayName("barrier");
+  const Point left{ 0.4, 0.7, 0 };
+  const Point right{ 0.7, 0.7, 0 };
+  filter->SetSourceData(Polyline({ left, { WallBegin, 0.7, 0 }, right }));
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Error().empty(), "a curve through a wall: " + messages.Error());
+  auto* curve = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+  double length = 0.0;
+  for (vtkIdType i = 1; i < curve->GetNumberOfPoints(); ++i)
+  {
+    Point a;
+    Point b;
+    curve->GetPoint(i - 1, a.data());
+    curve->GetPoint(i, b.data());
+    length += Length(a, b);
+  }
+  const double around = 0.1 + 0.05 + (WallEnd - WallBegin) + std::hypot(0.7 - WallEnd, 0.05);
+  check.That(std::abs(length - around) < 1e-12,
+    "points on both sides of a wall are joined around it: " + std::to_string(length));
+}
+
+/// The cap is of all cells, those of barriers too.
+void CheckCap(Check& check)
+{
+  for (const vtkIdType most : { 530, 560, 600, 700 })
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(SquareWithWall(16));
+    filter->SetBarrierArrayName("barrier");
+    filter->SetSourceData(PointSources({ { 0.4375, 0.3, 0 } }));
+    filter->SetMaximumNumberOfCells(most);
+    filter->SetRefinementTolerance(1e-5);
+    Messages messages(filter);
+    messages.Update();
+    const vtkIdType cells = filter->GetOutput()->GetNumberOfCells();
+    check.That(cells <= most && cells > 512, "cells under a cap: " + std::to_string(cells));
+    check.That(Contains(messages.Warning(), "is reached"), "the cap: " + messages.Warning());
+    check.Equal(CountHangingPoints({ filter->GetOutput() }), 0.0, "hanging points under a cap");
+  }
+}
+
+/// Empty, null and "None" are no barriers, though cells have active scalars.
+void CheckNone(Check& check)
+{
+  auto surface = SquareWithWall(16);
+  surface->GetCellData()->SetActiveScalars("barrier");
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  filter->SetInputData(surface);
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  check.That(!filter->GetBarrierArrayName(), "no barriers by default");
+  for (const char* name : { static_cast<const char*>(nullptr), "", "None" })
+  {
+    filter->SetBarrierArrayName("barrier");
+    filter->Update();
+    check.That(std::isinf(LargestDistance(filter)), "with barriers");
+    filter->SetBarrierArrayName(name);
+    filter->Update();
+    CheckDistances(
+      check, filter, DistanceTo({ { 0, 0, 0 } }), std::string("none: ") + (name ? name : "null"));
+  }
+}
+
+template <typename Array>
+void CheckType(Check& check)
+{
+  auto surface = SquareWithWall(16);
+  vtkDataArray* values = surface->GetCellData()->GetArray("barrier");
+  vtkNew<Array> array;
+  array->SetName("other");
+  array->SetNumberOfTuples(values->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    array->SetComponent(i, 0, values->GetComponent(i, 0));
+  }
+  surface->GetCellData()->AddArray(array);
+  const Point source{ 0.125, 0.1875, 0 };
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  filter->SetInputData(surface);
+  filter->SetSourceData(PointSources({ source }));
+  filter->SetBarrierArrayName("other");
+  filter->Update();
+  CheckTruth(check, filter->GetOutput(), AroundWall(source), array->GetClassName());
+  // Changed in place, told by the surface alone.
+  array->Fill(0);
+  surface->Modified();
+  filter->Update();
+  CheckDistances(check, filter, DistanceTo({ source }),
+    std::string("changed in place: ") + array->GetClassName());
+}
+
+/// The structure is built anew when barriers change, not when other arrays do. That polygons were
+/// triangulated is told when it is built.
+void CheckCache(Check& check)
+{
+  auto surface = SquareWithWall(8, Cells::Quads);
+  vtkNew<vtkDoubleArray> other;
+  other->SetName("other");
+  other->SetNumberOfTuples(surface->GetNumberOfCells());
+  other->Fill(0);
+  surface->GetCellData()->AddArray(other);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  filter->SetInputData(surface);
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  Messages messages(filter);
+  const auto expect = [&](bool built, const std::string& what)
+  {
+    messages.Update();
+    check.That(messages.Error().empty(), what + ": " + messages.Error());
+    check.That(Contains(messages.Warning(), "64 polygons") == built,
+      "the structure is " + std::string(built ? "" : "not ") + "built " + what);
+  };
+  expect(true, "the first time");
+  other->SetValue(3, 1.0);
+  surface->Modified();
+  expect(false, "when another array changes, without barriers");
+  filter->SetBarrierArrayName("barrier");
+  expect(true, "when barriers are chosen");
+  other->SetValue(3, 2.0);
+  other->Modified();
+  surface->Modified();
+  expect(false, "when another array changes");
+  filter->SetSourceData(PointSources({ { 1, 1, 0 } }));
+  expect(false, "for another source");
+  vtkDataArray* barriers = surface->GetCellData()->GetArray("barrier");
+  barriers->SetComponent(56, 0, 1.0);
+  surface->Modified();
+  expect(true, "when a barrier's value changes in place");
+  filter->SetBarrierArrayName("None");
+  expect(true, "when barriers are gone");
+  CheckDistances(check, filter, DistanceTo({ { 1, 1, 0 } }), "when barriers are gone");
+}
+
+}
+
+int TestGeodesicBarriers(int, char*[])
+{
+  Check check;
+  CheckRandomMeshes(check);
+  CheckWall(check);
+  CheckRefinedWall(check);
+  CheckBlocks(check);
+  CheckGhosts(check);
+  CheckBoundary(check);
+  CheckCurveIsJoinedAround(check);
+  CheckCap(check);
+  CheckNone(check);
+  CheckType<vtkDoubleArray>(check);
+  CheckType<vtkUnsignedCharArray>(check);
+  CheckType<vtkBitArray>(check);
+  CheckCache(check);
+  return check.Result();
+}
