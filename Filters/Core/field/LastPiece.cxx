@@ -127,7 +127,7 @@ public:
     this->best_.distance = this->field_.vertexDistances()[this->point_.id];
     this->best_.origin = arrival.origin;
     this->best_.place = arrival.place;
-    if (!isZero(arrival.direction))
+    if (arrival.isThroughWindow())
     {
       this->best_.kind = LastPiece::Kind::Window;
       this->best_.frame = arrival.halfedge;

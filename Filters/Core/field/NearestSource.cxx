@@ -72,7 +72,7 @@ void NearestSource::findBesideVertices(const LoopProgress& progress)
     {
       this->origins_[vertex] = on->origin;
     }
-    else if (arrival.isKnown() && arrival.direction.x == 0.0 && arrival.direction.y == 0.0)
+    else if (arrival.isKnown() && !arrival.isThroughWindow())
     {
       const LastPiece piece = lastPieceTo(this->field_, SurfacePoint::atVertex(vertex));
       if (piece.kind == LastPiece::Kind::Corner && this->onCurve(piece.origin) != nullptr)
@@ -101,6 +101,21 @@ void NearestSource::findOthers(const LoopProgress& progress)
   }
 }
 
+// The last piece to a vertex, through a window without its direction, which takes no face to know.
+LastPiece NearestSource::originTo(Id vertex) const
+{
+  const Arrival& arrival = this->field_.arrivals()[vertex];
+  if (!arrival.isThroughWindow())
+  {
+    return lastPieceTo(this->field_, SurfacePoint::atVertex(vertex));
+  }
+  LastPiece piece;
+  piece.kind = LastPiece::Kind::Window;
+  piece.origin = arrival.origin;
+  piece.place = arrival.place;
+  return piece;
+}
+
 // Back from pseudo-source to pseudo-source, and forth again. Vertices at one place may name each
 // other: the way back ends there.
 void NearestSource::follow(Id vertex)
@@ -109,7 +124,7 @@ void NearestSource::follow(Id vertex)
   CurveOrigin found = this->origins_[vertex];
   while (found.origin == NoId)
   {
-    const LastPiece piece = lastPieceTo(this->field_, SurfacePoint::atVertex(vertex));
+    const LastPiece piece = this->originTo(vertex);
     way.push_back(vertex);
     if (this->isFromCurve(piece))
     {

@@ -62,6 +62,7 @@ private:
   void findVertices();
   void findBesideVertices(const LoopProgress& progress);
   void findOthers(const LoopProgress& progress);
+  LastPiece originTo(Id vertex) const;
   void follow(Id vertex);
   const VertexOnCurve* onCurve(Id vertex) const;
   bool isFromCurve(const LastPiece& piece) const;

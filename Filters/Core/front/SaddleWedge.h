@@ -28,6 +28,11 @@ struct Arrival
   /// Whether anything is known; without a halfedge the piece comes from a source in a face at the
   /// vertex.
   bool isKnown() const { return this->halfedge != NoId || this->origin != NoId; }
+  /// Whether the piece came through a window, not along an edge or from a source in a face.
+  bool isThroughWindow() const
+  {
+    return this->halfedge != NoId && (this->direction.x != 0.0 || this->direction.y != 0.0);
+  }
 };
 
 /// A part of the halfedge opposite a corner.
