@@ -12,6 +12,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <limits>
 #include <map>
 #include <set>
 
@@ -47,6 +48,79 @@ inline vtkSmartPointer<vtkPolyData> WithBarriers(
   }
   data->GetCellData()->AddArray(barriers);
   return data;
+}
+
+/// A wall in the unit square, from below: paths go around its two upper corners.
+constexpr double WallBegin = 0.5;
+constexpr double WallEnd = 0.625;
+constexpr double WallTop = 0.75;
+
+inline bool IsInWall(const Point& p)
+{
+  return p[0] > WallBegin && p[0] < WallEnd && p[1] < WallTop;
+}
+
+/// Whether the straight way passes beside the wall or along its rim.
+inline bool IsFree(const Point& a, const Point& b)
+{
+  double first = 0.0;
+  double last = 1.0;
+  const auto clip = [&](double from, double to, double bound, bool isBelow)
+  {
+    const double begin = isBelow ? bound - from : from - bound;
+    const double change = isBelow ? from - to : to - from; // of what is inside
+    if (change == 0.0)
+    {
+      last = begin > 0.0 ? last : -1.0;
+    }
+    else if (change > 0.0)
+    {
+      first = std::max(first, -begin / change);
+    }
+    else
+    {
+      last = std::min(last, begin / -change);
+    }
+  };
+  clip(a[0], b[0], WallBegin, false);
+  clip(a[0], b[0], WallEnd, true);
+  clip(a[1], b[1], WallTop, true);
+  return last - first <= 1e-12;
+}
+
+inline double Length(const Point& a, const Point& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+/// The distance from a point in the square with the wall.
+inline Distance AroundWall(const Point& source)
+{
+  return [source](const Point& p)
+  {
+    const Point corners[] = { { WallBegin, WallTop, 0 }, { WallEnd, WallTop, 0 } };
+    const double infinity = std::numeric_limits<double>::infinity();
+    if (IsInWall(p))
+    {
+      return infinity;
+    }
+    double least = IsFree(source, p) ? Length(source, p) : infinity;
+    for (int k = 0; k < 2; ++k)
+    {
+      const Point& near = corners[k];
+      const Point& far = corners[1 - k];
+      const double toNear = IsFree(source, near) ? Length(source, near) : infinity;
+      least = IsFree(near, p) ? std::min(least, toNear + Length(near, p)) : least;
+      least =
+        IsFree(far, p) ? std::min(least, toNear + WallEnd - WallBegin + Length(far, p)) : least;
+    }
+    return least;
+  };
+}
+
+inline vtkSmartPointer<vtkPolyData> SquareWithWall(int n, Cells cells = Cells::Triangles)
+{
+  return WithBarriers(Square(n, cells), IsInWall);
 }
 
 /// Marks cells by their centre as duplicates.

@@ -392,79 +392,6 @@ void CheckRandomMeshes(Check& check)
   }
 }
 
-/// A wall in the unit square, from below: paths go around its two upper corners.
-constexpr double WallBegin = 0.5;
-constexpr double WallEnd = 0.625;
-constexpr double WallTop = 0.75;
-
-bool IsInWall(const Point& p)
-{
-  return p[0] > WallBegin && p[0] < WallEnd && p[1] < WallTop;
-}
-
-/// Whether the straight way passes beside the wall or along its rim.
-bool IsFree(const Point& a, const Point& b)
-{
-  double first = 0.0;
-  double last = 1.0;
-  const auto clip = [&](double from, double to, double bound, bool isBelow)
-  {
-    const double begin = isBelow ? bound - from : from - bound;
-    const double change = isBelow ? from - to : to - from; // of what is inside
-    if (change == 0.0)
-    {
-      last = begin > 0.0 ? last : -1.0;
-    }
-    else if (change > 0.0)
-    {
-      first = std::max(first, -begin / change);
-    }
-    else
-    {
-      last = std::min(last, begin / -change);
-    }
-  };
-  clip(a[0], b[0], WallBegin, false);
-  clip(a[0], b[0], WallEnd, true);
-  clip(a[1], b[1], WallTop, true);
-  return last - first <= 1e-12;
-}
-
-double Length(const Point& a, const Point& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
-}
-
-/// The distance from a point in the square with the wall.
-Distance AroundWall(const Point& source)
-{
-  return [source](const Point& p)
-  {
-    const Point corners[] = { { WallBegin, WallTop, 0 }, { WallEnd, WallTop, 0 } };
-    const double infinity = std::numeric_limits<double>::infinity();
-    if (IsInWall(p))
-    {
-      return infinity;
-    }
-    double least = IsFree(source, p) ? Length(source, p) : infinity;
-    for (int k = 0; k < 2; ++k)
-    {
-      const Point& near = corners[k];
-      const Point& far = corners[1 - k];
-      const double toNear = IsFree(source, near) ? Length(source, near) : infinity;
-      least = IsFree(near, p) ? std::min(least, toNear + Length(near, p)) : least;
-      least =
-        IsFree(far, p) ? std::min(least, toNear + WallEnd - WallBegin + Length(far, p)) : least;
-    }
-    return least;
-  };
-}
-
-vtkSmartPointer<vtkPolyData> SquareWithWall(int n, Cells cells = Cells::Triangles)
-{
-  return WithBarriers(Square(n, cells), IsInWall);
-}
-
 /// Distances at all points are the truth's, infinity included.
 void CheckTruth(Check& check, vtkPolyData* output, const Distance& truth, const std::string& what)
 {
@@ -528,6 +455,48 @@ void CheckRefinedWall(Check& check)
     check.That(InterpolationError(output, IsInWall, truth) <= filter->GetInterpolationErrorBound(),
       "the tolerance is met beside a barrier");
     check.That(filter->GetInterpolationErrorBound() <= 0.0005, "the bound is met");
+  }
+}
+
+/// What is nearest has no value inside barriers, and has one on their rims.
+void CheckArrays(Check& check)
+{
+  const Point source{ 0.125, 0.1875, 0 };
+  for (const bool refine : { false, true })
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetRefineMesh(refine);
+    filter->SetInputData(SquareWithWall(16));
+    filter->SetSourceData(PointSources({ source }));
+    filter->SetBarrierArrayName("barrier");
+    filter->GenerateSourceIdsOn();
+    filter->GenerateClosestPointsOn();
+    filter->GenerateGradientsOn();
+    filter->GenerateSignedDistanceOn();
+    Messages messages(filter);
+    messages.Update();
+    check.That(messages.Error().empty(), "arrays: " + messages.Error());
+    vtkPolyData* output = filter->GetOutput();
+    const auto array = [&](const char* name) { return output->GetPointData()->GetArray(name); };
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      Point p;
+      Point closest;
+      Point gradient;
+      output->GetPoint(i, p.data());
+      array("ClosestSourcePoint")->GetTuple(i, closest.data());
+      array("DistanceGradient")->GetTuple(i, gradient.data());
+      const bool isReached = !IsInWall(p);
+      const bool isSource = p == source;
+      check.Equal(array("SourceId")->GetTuple1(i), isReached ? 0.0 : -1.0, "the source's id");
+      check.That(
+        Length(closest, isReached ? source : p) < 1e-14, "the closest point of the source");
+      check.That(std::abs(std::hypot(gradient[0], gradient[1]) -
+                   (isReached && !isSource ? 1.0 : 0.0)) < 1e-12,
+        "the gradient's length");
+      check.Equal(array("SignedGeodesicDistance")->GetTuple1(i),
+        array("GeodesicDistance")->GetTuple1(i), "the sign of an isolated point");
+    }
   }
 }
 
@@ -796,6 +765,7 @@ int TestGeodesicBarriers(int, char*[])
   CheckRandomMeshes(check);
   CheckWall(check);
   CheckRefinedWall(check);
+  CheckArrays(check);
   CheckBlocks(check);
   CheckGhosts(check);
   CheckBoundary(check);
