@@ -69,6 +69,30 @@ if (cells LESS 100 OR bound GREATER 0.00346411 OR bound LESS 0.0001)
   message(FATAL_ERROR "${cells} cells with a bound of ${bound}")
 endif ()
 
+# What is asked of a field: eight paths, three isolines, which are one loop each, a table of four
+# rows, and arrays.
+run_benchmark(json --mesh "${mesh}" --paths 8 --contour 3 --matrix 2x4 --arrays --refine 0.001)
+require_value("${json}" paths_output_cells 8)
+require_value("${json}" matrix_output_cells 4)
+require_value("${json}" field_output_cells 8)
+require_value("${json}" arrays_output_cells 8)
+foreach (query IN ITEMS paths contour refined_contour matrix field arrays)
+  foreach (key IN ITEMS s loaded_rss_bytes peak_rss_bytes)
+    require_value("${json}" "${query}_${key}" "[0-9.e+-]+")
+  endforeach ()
+endforeach ()
+string(JSON lines GET "${json}" contour_output_cells)
+string(JSON points GET "${json}" contour_output_points)
+string(JSON refined GET "${json}" refined_contour_output_points)
+if (NOT lines EQUAL 3 OR NOT points LESS refined)
+  message(FATAL_ERROR "${lines} isolines of ${points} points instead of ${refined}")
+endif ()
+
+# Near targets only, of which the farthest is among them.
+run_benchmark(json --mesh "${mesh}" --subdivide 3 --paths 1 --matrix 3x3 --reach 0.3)
+require_value("${json}" paths_output_cells 1)
+require_value("${json}" matrix_output_cells 3)
+
 # Approximate: the bound is reported and kept, with fewer windows than exactly.
 run_benchmark(json --mesh "${mesh}" --subdivide 4 --noise 0.2 --envelope)
 string(JSON exact GET "${json}" windows_per_edge)

@@ -2,7 +2,9 @@
 // Measures the engine on a mesh and prints a JSON object a run.
 #include "BenchmarkFilter.h"
 #include "BenchmarkMesh.h"
+#include "BenchmarkMeter.h"
 #include "BenchmarkPeers.h"
+#include "BenchmarkQueries.h"
 
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataSource.h"
@@ -20,17 +22,11 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
-#include <chrono>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace
 {
@@ -51,6 +47,13 @@ const char* const Usage = R"(Measures geodesic distance fields and prints a JSON
   --threads N               threads that VTK may use
   --repeat R                so many runs; 0 with --write: none
   --update                  and the whole filter's Update(), which refines where --refine is given
+  --arrays                  and the filter's Update() without and with all arrays that it can make
+  --paths N                 and shortest paths from N random targets
+  --contour N               and isolines of N distances at equal steps; where --refine is given with
+                            that tolerance of chords, and beside it by vtkContourFilter
+  --matrix NxM              and the distances of N random sources and M random targets
+  --reach FRACTION          take targets (and sources of a matrix: any two of them) within this
+                            fraction of the largest distance; the farthest is among them
   --error                   and the largest relative error at points, against the exact field: of
                             the run, and of the peers where the source is a vertex
   --against PEER,PEER...    and measure on the same mesh, from the vertex or else from vertex 0: )";
@@ -68,6 +71,13 @@ struct Options
   bool envelope = false;
   bool update = false;
   bool error = false;
+  bool arrays = false;
+  /// 0: none, as for the next ones.
+  int paths = 0;
+  int contour = 0;
+  int matrixSources = 0;
+  int matrixTargets = 0;
+  double reach = 1.0;
   int threads = 0;
   int repeat = 1;
   std::vector<std::string> against;
@@ -102,7 +112,40 @@ bool setFlag(Options& options, const std::string& name)
   options.envelope |= name == "--envelope";
   options.update |= name == "--update";
   options.error |= name == "--error";
-  return name == "--envelope" || name == "--update" || name == "--error";
+  options.arrays |= name == "--arrays";
+  return name == "--envelope" || name == "--update" || name == "--error" || name == "--arrays";
+}
+
+/// Sets an option of what is asked of a field; returns false where it is none.
+bool setQuery(Options& options, const std::string& name, const std::string& value)
+{
+  if (name == "--paths")
+  {
+    options.paths = static_cast<int>(toNumber(name, value, 1));
+  }
+  else if (name == "--contour")
+  {
+    options.contour = static_cast<int>(toNumber(name, value, 1));
+  }
+  else if (name == "--matrix")
+  {
+    const std::size_t times = value.find('x');
+    if (times == std::string::npos)
+    {
+      throw std::runtime_error("--matrix takes SOURCESxTARGETS, such as 100x100, not " + value);
+    }
+    options.matrixSources = static_cast<int>(toNumber(name, value.substr(0, times), 1));
+    options.matrixTargets = static_cast<int>(toNumber(name, value.substr(times + 1), 1));
+  }
+  else if (name == "--reach")
+  {
+    options.reach = toNumber(name, value, 0);
+  }
+  else
+  {
+    return false;
+  }
+  return true;
 }
 
 void setOption(Options& options, const std::string& name, const std::string& value)
@@ -147,7 +190,7 @@ void setOption(Options& options, const std::string& name, const std::string& val
   {
     options.against = split(value);
   }
-  else
+  else if (!setQuery(options, name, value))
   {
     throw std::runtime_error("unknown option " + name);
   }
@@ -254,29 +297,6 @@ Source makeSource(const std::string& text, vtkPolyData* mesh)
   return source;
 }
 
-/// A value of /proc/self/status, in bytes; 0 where there is none.
-std::uint64_t memory(const std::string& key)
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-  {
-    if (line.compare(0, key.size() + 1, key + ":") == 0)
-    {
-      return std::stoull(line.substr(key.size() + 1)) * 1024;
-    }
-  }
-  return 0;
-}
-
-/// Returns what is free to the system and lets the peak begin anew, as far as that can be done.
-void forgetPeakMemory()
-{
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-  std::ofstream("/proc/self/clear_refs") << 5;
-}
-
 std::string quoted(const std::string& text)
 {
   std::string result = "\"";
@@ -286,22 +306,6 @@ std::string quoted(const std::string& text)
   }
   return result + '"';
 }
-
-class Stopwatch
-{
-public:
-  /// Seconds since the last call.
-  double lap()
-  {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - this->start_).count();
-    this->start_ = now;
-    return seconds;
-  }
-
-private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 double largestFinite(const std::vector<double>& distances)
 {
@@ -427,9 +431,16 @@ geodesic::RefinedMesh refineField(const geodesic::DistanceField& field, double t
   return geodesic::refine(field, options);
 }
 
-/// The stages of the engine one by one. Returns the exact distances of the mesh's points where
-/// --error asks for them.
-std::vector<double> measureEngine(
+/// The distances of the mesh's points.
+struct EngineRun
+{
+  std::vector<double> distances;
+  /// The exact ones, where --error asks for them.
+  std::vector<double> exact;
+};
+
+/// The stages of the engine one by one.
+EngineRun measureEngine(
   const Options& options, vtkPolyData* mesh, const Source& source, std::ostream& json)
 {
   forgetPeakMemory();
@@ -469,16 +480,58 @@ std::vector<double> measureEngine(
   {
     json << ", \"windows_per_edge\": " << windowsPerEdge(field, curves, frontOptions);
   }
-  if (!options.error)
+  EngineRun run;
+  run.distances = atPoints(field, surface);
+  if (options.error)
   {
-    return {};
+    geodesic::FrontOptions exactOptions;
+    exactOptions.parallelFor = frontOptions.parallelFor;
+    run.exact = atPoints(geodesic::solve(surface.mesh(), curves, exactOptions), surface);
+    json << ", \"max_relative_error\": "
+         << numberOrNull(largestRelativeError(run.distances, run.exact));
   }
-  geodesic::FrontOptions exactOptions;
-  exactOptions.parallelFor = frontOptions.parallelFor;
-  auto exact = atPoints(geodesic::solve(surface.mesh(), curves, exactOptions), surface);
-  json << ", \"max_relative_error\": "
-       << numberOrNull(largestRelativeError(atPoints(field, surface), exact));
-  return exact;
+  return run;
+}
+
+void write(const std::string& name, const QueryRun& run, std::ostream& json)
+{
+  json << ", \"" << name << "_s\": " << run.seconds << ", \"" << name
+       << "_loaded_rss_bytes\": " << run.loadedBytes << ", \"" << name
+       << "_peak_rss_bytes\": " << run.peakBytes << ", \"" << name
+       << "_output_points\": " << run.outputPoints << ", \"" << name
+       << "_output_cells\": " << run.outputCells;
+}
+
+/// What can be asked of a field.
+void measureQueries(const Options& options, const QuerySubject& subject, std::ostream& json)
+{
+  const double reach = options.reach * subject.largestDistance;
+  if (options.arrays)
+  {
+    write("field", runField(subject, false), json);
+    write("arrays", runField(subject, true), json);
+  }
+  if (options.paths > 0)
+  {
+    write("paths", runPaths(subject, randomPoints(subject, reach, options.paths, 1)), json);
+  }
+  if (options.contour > 0)
+  {
+    write("contour", runContour(subject, options.contour, options.refine), json);
+  }
+  if (options.contour > 0 && options.refine > 0.0)
+  {
+    write("refined_contour", runRefinedContour(subject, options.contour, options.refine), json);
+  }
+  if (options.matrixSources > 0)
+  {
+    // Any two points within half of it are as near to each other as that.
+    const double half = options.reach < 1.0 ? 0.5 * reach : reach;
+    write("matrix",
+      runMatrix(subject.surface, randomPoints(subject, half, options.matrixSources, 2),
+        randomPoints(subject, half, options.matrixTargets, 3)),
+      json);
+  }
 }
 
 void run(const Options& options, vtkPolyData* mesh, const Source& source)
@@ -488,13 +541,15 @@ void run(const Options& options, vtkPolyData* mesh, const Source& source)
   json << "{\"mesh\": " << quoted(options.mesh) << ", \"source\": " << quoted(options.source)
        << ", \"relative_error\": " << options.relativeError
        << ", \"threads\": " << vtkSMPTools::GetEstimatedNumberOfThreads();
-  const std::vector<double> exact = measureEngine(options, mesh, source, json);
+  const EngineRun engine = measureEngine(options, mesh, source, json);
   if (options.update)
   {
     const FilterRun filter = runFilter(mesh, source.curves, options.relativeError, options.refine);
     json << ", \"update_s\": " << filter.seconds
          << ", \"update_output_cells\": " << filter.outputCells;
   }
+  measureQueries(
+    options, { mesh, source.curves, engine.distances, largestFinite(engine.distances) }, json);
   for (const std::string& name : options.against)
   {
     const PeerRun peer = runPeer(name, mesh, source.vertex);
@@ -502,7 +557,7 @@ void run(const Options& options, vtkPolyData* mesh, const Source& source)
     if (options.error && source.isVertex)
     {
       json << ", \"" << name << "_max_relative_error\": "
-           << numberOrNull(largestRelativeError(peer.distances, exact));
+           << numberOrNull(largestRelativeError(peer.distances, engine.exact));
     }
   }
   std::cout << json.str() << "}" << std::endl;
