@@ -39,12 +39,13 @@ void AddTargetIds(vtkIdType count, vtkTable* table)
 }
 
 /// Adds the column of a source; what it had is gone then.
-void AddSource(std::size_t source, std::vector<double>& distances,
+void AddSource(std::size_t source, std::vector<double>& distances, const geodesic::Targets& targets,
   const geodesic::PowerOfTwoScale& scale, vtkTable* table)
 {
   vtkNew<vtkDoubleArray> column;
   column->SetName(("Source" + std::to_string(source)).c_str());
-  column->SetNumberOfTuples(static_cast<vtkIdType>(distances.size()));
+  column->SetNumberOfTuples(static_cast<vtkIdType>(targets.count));
+  column->Fill(geodesic::Infinity);
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
     const double distance = scale.toUser(distances[i]);
@@ -53,7 +54,7 @@ void AddSource(std::size_t source, std::vector<double>& distances,
       throw geodesic::MeshError("Distances on the surface (input port 0) are larger than numbers "
                                 "can be. Scale the surface, the source and the targets upstream.");
     }
-    column->SetValue(static_cast<vtkIdType>(i), distance);
+    column->SetValue(static_cast<vtkIdType>(targets.numbers[i]), distance);
   }
   distances = {};
   table->AddColumn(column);
@@ -133,7 +134,7 @@ void vtkGeodesicDistanceMatrix::Compute(
   execution.requireTargets(true);
   execution.readInputs();
   const geodesic::Targets targets = execution.readTargets(TargetsRead);
-  const auto rows = static_cast<vtkIdType>(targets.places.size());
+  const auto rows = static_cast<vtkIdType>(targets.count);
   const geodesic::Id numberOfSources = execution.numberOfSources();
 
   execution.enter(geodesic::Stage::ComputingDistances);
@@ -158,7 +159,7 @@ void vtkGeodesicDistanceMatrix::Compute(
   AddTargetIds(rows, table);
   for (std::size_t source = 0; source < matrix.size(); ++source)
   {
-    AddSource(source, matrix[source], scale, table);
+    AddSource(source, matrix[source], targets, scale, table);
   }
 }
 

@@ -29,7 +29,8 @@
  *   go on from block to block,
  * - `Source0`, `Source1`, ... (double): the distance from each source, in the order of the cells
  * (of the points where there are no cells); loops of the boundary follow. Infinite where no path
- * leads from the source to the target, beyond MaximumDistance, and for a cell without points.
+ * leads from the source to the target, as to one in a barrier (BarrierArrayName), beyond
+ * MaximumDistance, and for a cell without points.
  *
  * @par Execution:
  * The structure of the surface is kept between executions, progress is reported, abort is obeyed,

@@ -76,8 +76,9 @@ void vtkGeodesicPaths::Compute(
   execution.reach(PathsFound);
 
   execution.enter(geodesic::Stage::WritingOutputs);
-  const auto isMissing = [](const geodesic::PathToSource& path) { return path.points.empty(); };
-  execution.notes().add(std::count_if(paths.begin(), paths.end(), isMissing), "target", "targets",
+  const auto isFound = [](const geodesic::PathToSource& path) { return !path.points.empty(); };
+  const auto found = static_cast<std::size_t>(std::count_if(paths.begin(), paths.end(), isFound));
+  execution.notes().add(targets.count - found, "target", "targets",
     "not reached: no path on the surface leads from there to the source.");
   geodesic::writePaths(surface.mesh(), surface.scale(), targets, paths,
     vtkPolyData::GetData(outputVector, 0), execution.progressBetween(PathsFound, 1.0));

@@ -40,7 +40,8 @@
  * - cell data array `TargetSnapDistance`: how far the target was from the surface,
  * - point data array `GeodesicDistance`: what is left of the path from the point on; 0 at its end.
  * @par
- * Targets that no path joins to the source have no line; one warning counts them.
+ * Targets that no path joins to the source, such as those in a barrier (BarrierArrayName), have no
+ * line; one warning counts them.
  *
  * @par Execution:
  * The structure of the surface is kept between executions, progress is reported, abort is obeyed,

@@ -134,7 +134,7 @@ void writePaths(const TriangleMesh& mesh, const PowerOfTwoScale& scale, const Ta
   {
     if (!paths[i].points.empty())
     {
-      arrays.add(static_cast<vtkIdType>(i), paths[i], targets.snapDistances[i]);
+      arrays.add(static_cast<vtkIdType>(targets.numbers[i]), paths[i], targets.snapDistances[i]);
       for (std::size_t k = 0; k < paths[i].points.size(); ++k)
       {
         progress.at(done++, static_cast<std::size_t>(points));

@@ -85,13 +85,21 @@ Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string&
   locator.locate(points, precision,
     [&progress](double fraction) { return !progress || progress(Located * fraction); });
   Targets targets;
+  targets.count = points.size();
   LoopProgress loop(progress);
   loop.nextUntil(Located);
   loop.nextUntil(1.0);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     loop.at(i, points.size());
+    if (surface.barriers() &&
+      surface.barriers()->barrierAt(points[i].points.front(), points[i].faces.front(), precision) !=
+        NoId)
+    {
+      continue;
+    }
     const SnappedPoint point = snapped(surface.mesh(), points[i], precision);
+    targets.numbers.push_back(i);
     targets.places.push_back(point.place);
     targets.snapDistances.push_back(point.distance);
   }

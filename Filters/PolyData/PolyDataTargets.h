@@ -15,8 +15,13 @@ namespace geodesic
 /// Points of an input, put onto the surface. They are numbered over all blocks in their order.
 struct Targets
 {
+  /// How many there are.
+  std::size_t count = 0;
+  /// The numbers of those that paths may reach; points that lie in a barrier are left out.
+  std::vector<std::size_t> numbers;
+  /// Of these.
   std::vector<SurfacePoint> places;
-  /// From each point in space to its place, on the mesh's scale.
+  /// From each of these in space to its place, on the mesh's scale.
   std::vector<double> snapDistances;
 };
 
