@@ -27,8 +27,9 @@
  * to their left, seen with the normals of the faces towards the viewer; where the surface is not
  * consistently oriented their direction says nothing, with a warning. They end at the boundary and,
  * in shared points, at edges of three and more faces. Lines are in the ascending order of their
- * values. Values over the largest distance give no lines. A value of 0 gives the source as it lies
- * on the surface, curves in their own direction and a vertex for each point. There are
+ * values, behind those of 0. Values over the largest distance give no lines. A value of 0 gives the
+ * source as it lies on the surface, curves in their own direction and a vertex for each point.
+ * There are
  * - cell data array and point data array `GeodesicDistance`: the value.
  *
  * @par
