@@ -143,32 +143,6 @@ void vtkGeodesicContour::vtkWorker::FindValues()
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicContour::vtkWorker::FindValues()
-{
-  std::vector<double> values;
-  for (vtkIdType i = 0; i < this->Self->GetNumberOfContours(); ++i)
-  {
-    values.push_back(this->Self->GetValue(static_cast<int>(i)));
-  }
-  std::sort(values.begin(), values.end());
-  for (const double value : values)
-  {
-    const double inEngine = this->Execution.surface().scale().toEngine(value);
-    if (!(inEngine > 0.0))
-    {
-      this->HasZero = true;
-    }
-    // The next one as the engine has it, which of tiny numbers drops digits; none beyond its range.
-    else if (inEngine < geodesic::Infinity &&
-      (this->EngineValues.empty() || inEngine > this->EngineValues.back()))
-    {
-      this->Values.push_back(value);
-      this->EngineValues.push_back(inEngine);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 double vtkGeodesicContour::vtkWorker::ChordTolerance() const
 {
   return this->Self->ToleranceIsAbsolute
