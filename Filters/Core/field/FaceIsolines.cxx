@@ -27,6 +27,16 @@ double angleOfChord(double radius, double chordTolerance)
   return cosine > 0.0 ? std::min(LargestStep, 2.0 * std::acos(cosine)) : LargestStep;
 }
 
+// With room for what rounding may move.
+PlaneBox boxAround(const std::array<Vec2, 3>& corners, double size)
+{
+  constexpr double room = 1e-3;
+  const auto [lowX, highX] = std::minmax({ corners[0].x, corners[1].x, corners[2].x });
+  const auto [lowY, highY] = std::minmax({ corners[0].y, corners[1].y, corners[2].y });
+  return { { lowX - room * size, lowY - room * size },
+    { highX + room * size, highY + room * size } };
+}
+
 void addTo(
   std::vector<OutlinePoint>& outline, std::size_t edge, const std::vector<OutlinePoint>& points)
 {
@@ -71,6 +81,7 @@ void FaceIsolines::draw(const FaceDistance& face, double level, Id valueId,
   this->parts_ = 1;
   this->slack_ = tolerance::IsolineValue * (this->level_ + this->size_);
   this->gap_ = tolerance::IsolineGap * std::min(this->size_, level);
+  this->places_.box = boxAround(whole.corners, this->size_);
   if (!this->drawWhole(whole))
   {
     this->drawPart(whole);
@@ -125,10 +136,10 @@ void FaceIsolines::addRegion(const DistanceCandidate& candidate, double offset)
   const std::size_t number = this->regions_.size();
   const LevelRegion region(candidate, number,
     this->level_ - static_cast<double>(number) * offset * (this->level_ + this->size_),
-    tolerance::PencilMargin * this->size_);
+    tolerance::PencilMargin * this->size_, this->places_.box);
   if (!region.isEmpty())
   {
-    region.addCurves(this->curves_);
+    region.addCurves(this->places_.box, this->curves_);
     this->regions_.push_back(region);
   }
 }
@@ -188,7 +199,7 @@ void FaceIsolines::findRemainders(const Part& part)
 void FaceIsolines::cutCurve(std::size_t index, const Part& part)
 {
   const LevelCurve& curve = this->curves_[index];
-  this->places_.clear();
+  this->places_.at.clear();
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Vec2 begin = part.corners[k];
@@ -203,11 +214,11 @@ void FaceIsolines::cutCurve(std::size_t index, const Part& part)
   {
     region.addMeetings(curve, this->places_);
   }
-  std::sort(this->places_.begin(), this->places_.end());
-  this->places_.push_back(curve.extent);
+  std::sort(this->places_.at.begin(), this->places_.at.end());
+  this->places_.at.push_back(curve.extent);
   double begin = 0.0;
   bool goesOn = false;
-  for (const double end : this->places_)
+  for (const double end : this->places_.at)
   {
     if (end > begin)
     {

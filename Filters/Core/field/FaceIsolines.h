@@ -164,7 +164,7 @@ private:
   std::vector<std::size_t> next_;
   std::vector<std::uint8_t> used_;
 
-  std::vector<double> places_;
+  CurvePlaces places_;
   SegmentEnvelope envelope_;
   std::vector<SegmentCrossing> crossings_;
 };
