@@ -37,6 +37,30 @@ PlaneBox boxAround(const std::array<Vec2, 3>& corners, double size)
     { highX + room * size, highY + room * size } };
 }
 
+/// Around a part of a curve.
+PlaneBox boxAround(const LevelCurve& curve, double begin, double end, double room)
+{
+  const Vec2 a = curve.at(begin);
+  const Vec2 b = curve.at(end);
+  const double way = curve.wayBetween(begin, end);
+  // An arc is not farther from its chord than this, nor than its own length.
+  const double aside = room + (curve.isArc ? std::min(way, 0.125 * way * way / curve.radius) : 0.0);
+  return { { std::min(a.x, b.x) - aside, std::min(a.y, b.y) - aside },
+    { std::max(a.x, b.x) + aside, std::max(a.y, b.y) + aside } };
+}
+
+bool isInside(const std::array<Vec2, 3>& corners, Vec2 p)
+{
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (cross(corners[(k + 1) % 3] - corners[k], p - corners[k]) < 0.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 void addTo(
   std::vector<OutlinePoint>& outline, std::size_t edge, const std::vector<OutlinePoint>& points)
 {
@@ -196,6 +220,7 @@ void FaceIsolines::findRemainders(const Part& part)
   }
 }
 
+// First to where it is in the part and in its own pencil, then by the regions that come near there.
 void FaceIsolines::cutCurve(std::size_t index, const Part& part)
 {
   const LevelCurve& curve = this->curves_[index];
@@ -210,19 +235,47 @@ void FaceIsolines::cutCurve(std::size_t index, const Part& part)
       addMeetings(curve, { begin, (1.0 / length) * edge }, this->places_);
     }
   }
-  for (const LevelRegion& region : this->regions_)
-  {
-    region.addMeetings(curve, this->places_);
-  }
+  const LevelRegion& own = this->regions_[curve.candidate];
+  own.addRayMeetings(curve, this->places_);
   std::sort(this->places_.at.begin(), this->places_.at.end());
   this->places_.at.push_back(curve.extent);
   double begin = 0.0;
-  bool goesOn = false;
   for (const double end : this->places_.at)
   {
+    const Vec2 middle = curve.at(0.5 * (begin + end));
+    if (end > begin && isInside(part.corners, middle) && own.isInPencil(middle))
+    {
+      this->cutCurveBetween(index, begin, end);
+    }
+    begin = std::max(begin, end);
+  }
+}
+
+void FaceIsolines::cutCurveBetween(std::size_t index, double first, double last)
+{
+  const LevelCurve& curve = this->curves_[index];
+  CurvePlaces& places = this->innerPlaces_;
+  places.at.clear();
+  places.box = boxAround(curve, first, last, this->gap_);
+  this->near_.clear();
+  for (std::size_t i = 0; i < this->regions_.size(); ++i)
+  {
+    if (i != curve.candidate && !this->regions_[i].misses(places.box))
+    {
+      this->near_.push_back(i);
+      this->regions_[i].addMeetings(curve, places);
+    }
+  }
+  std::sort(places.at.begin(), places.at.end());
+  places.at.push_back(last);
+  double begin = first;
+  bool goesOn = false;
+  for (const double place : places.at)
+  {
+    const double end = std::min(place, last);
     if (end > begin)
     {
-      const bool remains = this->remains(curve, curve.at(0.5 * (begin + end)), part);
+      const bool remains = this->remains(curve.at(0.5 * (begin + end)));
       if (remains && goesOn)
       {
         this->remainders_.back().end = end;
@@ -237,30 +290,13 @@ void FaceIsolines::cutCurve(std::size_t index, const Part& part)
   }
 }
 
-// Whether a point of a curve is in the part, in its pencil, and outside of all other regions.
-bool FaceIsolines::remains(const LevelCurve& curve, Vec2 p, const Part& part) const
+// Whether a point of a curve is outside of the regions near there. Between pencils that rounding
+// has parted, a path that bends at one of them is shorter.
+bool FaceIsolines::remains(Vec2 p) const
 {
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const Vec2 begin = part.corners[k];
-    if (cross(part.corners[(k + 1) % 3] - begin, p - begin) < 0.0)
-    {
-      return false;
-    }
-  }
-  if (!this->regions_[curve.candidate].isInPencil(p))
-  {
-    return false;
-  }
-  for (std::size_t i = 0; i < this->regions_.size(); ++i)
-  {
-    if (i != curve.candidate && this->regions_[i].contains(p))
-    {
-      return false;
-    }
-  }
-  // Between pencils that rounding has parted, a path that bends at one of them is shorter.
-  return this->face_->distance(p) >= this->level_ - this->slack_;
+  return std::none_of(this->near_.begin(), this->near_.end(),
+           [&](std::size_t i) { return this->regions_[i].contains(p); }) &&
+    this->face_->distance(p) >= this->level_ - this->slack_;
 }
 
 // The nearest ones first. Returns whether all ends found another where the line goes on.

@@ -123,7 +123,8 @@ private:
   void drawPart(const Part& part);
   void findRemainders(const Part& part);
   void cutCurve(std::size_t curve, const Part& part);
-  bool remains(const LevelCurve& curve, Vec2 p, const Part& part) const;
+  void cutCurveBetween(std::size_t curve, double first, double last);
+  bool remains(Vec2 p) const;
   bool joinEnds(const Part& part);
   bool isJoint(Vec2 a, Vec2 b) const;
   void addLines(const Part& part);
@@ -165,6 +166,9 @@ private:
   std::vector<std::uint8_t> used_;
 
   CurvePlaces places_;
+  CurvePlaces innerPlaces_;
+  /// The regions near the part of a curve that is cut.
+  std::vector<std::size_t> near_;
   SegmentEnvelope envelope_;
   std::vector<SegmentCrossing> crossings_;
 };

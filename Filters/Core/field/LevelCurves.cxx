@@ -273,7 +273,7 @@ void LevelRegion::addOutline(std::vector<LevelCurve>& curves) const
   curves.push_back({ this->number_, true, c.begin, -1.0 * left, r, Pi });
 }
 
-void LevelRegion::addMeetings(const LevelCurve& curve, CurvePlaces& places) const
+void LevelRegion::addRayMeetings(const LevelCurve& curve, CurvePlaces& places) const
 {
   using geodesic::addMeetings;
   const DistanceCandidate& c = *this->candidate_;
@@ -282,6 +282,13 @@ void LevelRegion::addMeetings(const LevelCurve& curve, CurvePlaces& places) cons
     addMeetings(curve, { c.begin + this->margin_ * leftOf(this->first_), this->first_ }, places);
     addMeetings(curve, { c.end - this->margin_ * leftOf(this->last_), this->last_ }, places);
   }
+}
+
+void LevelRegion::addMeetings(const LevelCurve& curve, CurvePlaces& places) const
+{
+  using geodesic::addMeetings;
+  const DistanceCandidate& c = *this->candidate_;
+  this->addRayMeetings(curve, places);
   if (c.kind == DistanceCandidate::Kind::Linear)
   {
     addMeetings(curve, { this->level_ * c.source, leftOf(c.source) }, places);

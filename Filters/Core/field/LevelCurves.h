@@ -90,6 +90,10 @@ public:
 
   /// Appends the curves that bound it in the box, a little longer than they are at the rays.
   void addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const;
+  /// Whether one of the lines that bound it parts it from a box; it may miss others, too.
+  bool misses(const PlaneBox& box) const;
+  /// Appends the places where a curve may enter or leave the pencil.
+  void addRayMeetings(const LevelCurve& curve, CurvePlaces& places) const;
   /// Appends the places where a curve may enter or leave the region, and others.
   void addMeetings(const LevelCurve& curve, CurvePlaces& places) const;
 
@@ -99,7 +103,6 @@ private:
     return this->candidate_->kind == DistanceCandidate::Kind::Circular ||
       this->candidate_->kind == DistanceCandidate::Kind::Linear;
   }
-  bool misses(const PlaneBox& box) const;
   void addArc(std::vector<LevelCurve>& curves) const;
   void addStraight(std::vector<LevelCurve>& curves) const;
   void addOutline(std::vector<LevelCurve>& curves) const;
