@@ -321,17 +321,29 @@ bool FaceIsolines::joinEnds(const Part& part)
   {
     return false;
   }
+  this->used_.assign(this->to_.size(), 0);
+  return this->joinEndsWithin(this->gap_) || this->joinEndsWithin(Infinity);
+}
+
+// Joins ends that have no other yet and are no farther apart. Returns whether all have one where
+// the line goes on.
+bool FaceIsolines::joinEndsWithin(double largestGap)
+{
   this->pairs_.clear();
   for (std::size_t i = 0; i < this->from_.size(); ++i)
   {
     for (std::size_t j = 0; j < this->to_.size(); ++j)
     {
-      this->pairs_.push_back({ norm(this->to_[j].at - this->from_[i].at), i, j });
+      const double gap = norm(this->to_[j].at - this->from_[i].at);
+      const bool isLoose = this->next_[this->from_[i].owner] == None && !this->used_[j];
+      if (isLoose && gap <= largestGap)
+      {
+        this->pairs_.push_back({ gap, i, j });
+      }
     }
   }
   std::stable_sort(this->pairs_.begin(), this->pairs_.end(),
     [](const Pair& a, const Pair& b) { return a.gap < b.gap; });
-  this->used_.assign(this->to_.size(), 0);
   bool allMeet = true;
   for (const Pair& pair : this->pairs_)
   {
@@ -344,7 +356,9 @@ bool FaceIsolines::joinEnds(const Part& part)
       this->used_[pair.to] = 1;
     }
   }
-  return allMeet;
+  return allMeet &&
+    std::all_of(
+      this->used_.begin(), this->used_.end(), [](std::uint8_t used) { return used != 0; });
 }
 
 // Whether a line may go straight from one end to another.

@@ -126,6 +126,7 @@ private:
   void cutCurveBetween(std::size_t curve, double first, double last);
   bool remains(Vec2 p) const;
   bool joinEnds(const Part& part);
+  bool joinEndsWithin(double largestGap);
   bool isJoint(Vec2 a, Vec2 b) const;
   void addLines(const Part& part);
   void addLineFrom(std::size_t owner, const Part& part);

@@ -55,14 +55,14 @@ LevelCurve fullCircle(std::size_t candidate, Vec2 center, double radius)
 
 double PlaneBox::nearest(Vec2 p) const
 {
-  return std::hypot(std::max({ this->low.x - p.x, 0.0, p.x - this->high.x }),
-    std::max({ this->low.y - p.y, 0.0, p.y - this->high.y }));
+  return norm(Vec2{ std::max({ this->low.x - p.x, 0.0, p.x - this->high.x }),
+    std::max({ this->low.y - p.y, 0.0, p.y - this->high.y }) });
 }
 
 double PlaneBox::farthest(Vec2 p) const
 {
-  return std::hypot(std::max(p.x - this->low.x, this->high.x - p.x),
-    std::max(p.y - this->low.y, this->high.y - p.y));
+  return norm(Vec2{ std::max(p.x - this->low.x, this->high.x - p.x),
+    std::max(p.y - this->low.y, this->high.y - p.y) });
 }
 
 Vec2 LevelCurve::at(double t) const
