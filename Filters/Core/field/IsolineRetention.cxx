@@ -47,15 +47,16 @@ void IsolineRetention::advance(const FrontState& front)
   ++this->batch_;
 }
 
-// Distances beyond the front may still fall, down to its key.
+// Distances beyond the front may still fall, down to its key; beyond the reach they are never sure.
 void IsolineRetention::takePassed(const FrontState& front)
 {
+  const double certain = std::min(front.key, this->reach_);
   for (std::size_t worker = 0; worker < this->passed_.size(); ++worker)
   {
     for (const PassedList& list : this->passed_[worker])
     {
       const Id face = TriangleMesh::faceOf(list.halfedge);
-      if (this->pinned_[face] || this->mayHoldValue(face, front.distances, front.key))
+      if (this->pinned_[face] || this->mayHoldValue(face, front.distances, certain))
       {
         this->kept_.windows.add(list.halfedge, list.windows.range(), this->batch_);
       }
