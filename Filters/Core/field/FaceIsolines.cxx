@@ -42,7 +42,7 @@ PlaneBox boxAround(const LevelCurve& curve, double begin, double end, double roo
 {
   const Vec2 a = curve.at(begin);
   const Vec2 b = curve.at(end);
-  const double way = curve.wayBetween(begin, end);
+  const double way = curve.wayBound(begin, end);
   // An arc is not farther from its chord than this, nor than its own length.
   const double aside = room + (curve.isArc ? std::min(way, 0.125 * way * way / curve.radius) : 0.0);
   return { { std::min(a.x, b.x) - aside, std::min(a.y, b.y) - aside },
@@ -220,30 +220,36 @@ void FaceIsolines::findRemainders(const Part& part)
   }
 }
 
-// First to where it is in the part and in its own pencil, then by the regions that come near there.
+// First to where it is in the part, then by the regions that come near there.
 void FaceIsolines::cutCurve(std::size_t index, const Part& part)
 {
   const LevelCurve& curve = this->curves_[index];
   this->places_.at.clear();
+  const std::array<Vec2, 4> box = boxAround(curve, 0.0, curve.extent, this->gap_).corners();
+  bool isWithin = true;
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Vec2 begin = part.corners[k];
     const Vec2 edge = part.corners[(k + 1) % 3] - begin;
-    const double length = norm(edge);
-    if (length > 0.0)
+    const auto outside =
+      std::count_if(box.begin(), box.end(), [&](Vec2 p) { return cross(edge, p - begin) < 0.0; });
+    if (outside == 4)
     {
+      return;
+    }
+    const double length = norm(edge);
+    if (outside > 0 && length > 0.0)
+    {
+      isWithin = false;
       addMeetings(curve, { begin, (1.0 / length) * edge }, this->places_);
     }
   }
-  const LevelRegion& own = this->regions_[curve.candidate];
-  own.addRayMeetings(curve, this->places_);
   std::sort(this->places_.at.begin(), this->places_.at.end());
   this->places_.at.push_back(curve.extent);
   double begin = 0.0;
   for (const double end : this->places_.at)
   {
-    const Vec2 middle = curve.at(0.5 * (begin + end));
-    if (end > begin && isInside(part.corners, middle) && own.isInPencil(middle))
+    if (end > begin && (isWithin || isInside(part.corners, curve.at(0.5 * (begin + end)))))
     {
       this->cutCurveBetween(index, begin, end);
     }
@@ -448,11 +454,13 @@ void FaceIsolines::addInnerPoints(const Remainder& remainder)
   {
     return;
   }
-  const double angle = remainder.end - remainder.begin;
+  const double first = 2.0 * std::atan(remainder.begin);
+  const double angle = 2.0 * std::atan(remainder.end) - first;
   const double chords = std::ceil(angle / angleOfChord(curve.radius, this->chordTolerance_));
   for (double i = 1.0; i < chords; i += 1.0)
   {
-    this->result_.ids.push_back(this->addPoint(curve.at(remainder.begin + i / chords * angle)));
+    this->result_.ids.push_back(
+      this->addPoint(curve.at(std::tan(0.5 * (first + i / chords * angle)))));
   }
 }
 

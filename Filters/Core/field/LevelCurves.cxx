@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/LevelCurves.h"
 
+#include "Tolerance.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -22,33 +24,44 @@ Vec2 unitOr(Vec2 v, Vec2 otherwise)
   return length > 0.0 ? (1.0 / length) * v : otherwise;
 }
 
-Vec2 turnedClockwise(Vec2 v, double angle)
+/// By the angle whose half has this tangent.
+Vec2 turnedClockwise(Vec2 v, double halfTangent)
 {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
+  const double squared = halfTangent * halfTangent;
+  const double c = (1.0 - squared) / (1.0 + squared);
+  const double s = 2.0 * halfTangent / (1.0 + squared);
   return { c * v.x + s * v.y, c * v.y - s * v.x };
 }
 
-/// The clockwise angle from one unit vector to another direction, in [0, 2 pi).
+/// The clockwise angle from one unit vector to another, in [0, 2 pi).
 double clockwiseAngle(Vec2 from, Vec2 to)
 {
   const double angle = std::atan2(cross(to, from), dot(from, to));
   return angle < 0.0 ? angle + 2.0 * Pi : angle;
 }
 
+/// Appends an arc in parts of a right angle at most.
+void addArcs(std::size_t candidate, Vec2 center, double radius, Vec2 axis, double angle,
+  std::vector<LevelCurve>& curves)
+{
+  const double parts = std::ceil(angle / (0.5 * Pi) - tolerance::Tie);
+  const double halfTangent = std::tan(0.5 * angle / parts);
+  for (double i = 0.0; i < parts; i += 1.0)
+  {
+    curves.push_back({ candidate, true, center, axis, radius, halfTangent });
+    axis = turnedClockwise(axis, halfTangent);
+  }
+}
+
 void addPlace(const LevelCurve& curve, Vec2 p, CurvePlaces& places)
 {
-  const double t =
-    curve.isArc ? clockwiseAngle(curve.axis, p - curve.origin) : dot(curve.axis, p - curve.origin);
+  const Vec2 v = p - curve.origin;
+  const double along = dot(curve.axis, v);
+  const double t = curve.isArc ? cross(v, curve.axis) / std::max(along + curve.radius, 0.0) : along;
   if (t > 0.0 && t < curve.extent)
   {
     places.at.push_back(t);
   }
-}
-
-LevelCurve fullCircle(std::size_t candidate, Vec2 center, double radius)
-{
-  return { candidate, true, center, { 1.0, 0.0 }, radius, 2.0 * Pi };
 }
 
 } // anonymous namespace
@@ -221,7 +234,7 @@ void LevelRegion::addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves
   switch (c.kind)
   {
     case DistanceCandidate::Kind::Cone:
-      curves.push_back(fullCircle(this->number_, c.source, this->level_));
+      addArcs(this->number_, c.source, this->level_, { 1.0, 0.0 }, 2.0 * Pi, curves);
       break;
     case DistanceCandidate::Kind::Circular:
       this->addArc(curves);
@@ -235,22 +248,39 @@ void LevelRegion::addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves
   }
 }
 
-// From a little before the one ray to a little behind the other.
+// From the margin before the one ray to that behind the other; the rays pass through the centre.
 void LevelRegion::addArc(std::vector<LevelCurve>& curves) const
 {
-  const double beyond = std::asin(std::min(1.0, 2.0 * this->margin_ / this->level_));
+  const double sine = this->margin_ / this->level_;
+  const double beyond =
+    sine < 1e-3 ? sine * (1.0 + sine * sine / 6.0) : std::asin(std::min(1.0, sine));
+  const Vec2 axis = turnedClockwise(this->first_, -std::tan(0.5 * beyond));
+  const double cosine = dot(this->first_, this->last_);
+  const double side = cross(this->last_, this->first_);
+  if (cosine > 0.0 && beyond < 0.1)
+  {
+    // A narrow pencil. Rays that nearly coincide may seem to turn the other way.
+    const double half = std::max(0.0, side / (1.0 + cosine));
+    const double more = std::tan(beyond);
+    const double halfTangent = (half + more) / (1.0 - half * more);
+    if (halfTangent <= 1.0)
+    {
+      curves.push_back(
+        { this->number_, true, this->candidate_->source, axis, this->level_, halfTangent });
+      return;
+    }
+  }
   const double between = clockwiseAngle(this->first_, this->last_);
-  // Rays that nearly coincide may seem to turn the other way.
   const double angle = (between > 1.5 * Pi ? 0.0 : between) + 2.0 * beyond;
-  curves.push_back({ this->number_, true, this->candidate_->source,
-    turnedClockwise(this->first_, -beyond), this->level_, std::min(angle, 2.0 * Pi) });
+  addArcs(
+    this->number_, this->candidate_->source, this->level_, axis, std::min(angle, 2.0 * Pi), curves);
 }
 
 void LevelRegion::addStraight(std::vector<LevelCurve>& curves) const
 {
   const DistanceCandidate& c = *this->candidate_;
   const Vec2 along = -1.0 * leftOf(c.source);
-  const double beyond = 2.0 * this->margin_;
+  const double beyond = this->margin_;
   const double length = dot(along, c.end - c.begin) + 2.0 * beyond;
   const Vec2 begin = c.begin + (this->level_ - dot(c.source, c.begin)) * c.source;
   if (length > 0.0)
@@ -268,9 +298,9 @@ void LevelRegion::addOutline(std::vector<LevelCurve>& curves) const
   const Vec2 left = leftOf(along);
   const double r = this->level_;
   curves.push_back({ this->number_, false, c.begin + r * left, along, 0.0, length });
-  curves.push_back({ this->number_, true, c.end, left, r, Pi });
+  addArcs(this->number_, c.end, r, left, Pi, curves);
   curves.push_back({ this->number_, false, c.end - r * left, -1.0 * along, 0.0, length });
-  curves.push_back({ this->number_, true, c.begin, -1.0 * left, r, Pi });
+  addArcs(this->number_, c.begin, r, -1.0 * left, Pi, curves);
 }
 
 void LevelRegion::addRayMeetings(const LevelCurve& curve, CurvePlaces& places) const

@@ -22,15 +22,17 @@ struct LevelCurve
   /// A unit vector: from the centre to where an arc begins; along a straight piece.
   Vec2 axis;
   double radius;
-  /// The angle of an arc, clockwise; the length of a straight piece.
+  /// How far it goes: the tangent of half the angle of an arc, clockwise, at most 1; the length of
+  /// a straight piece. Places between are told in the same way, which on an arc takes no
+  /// trigonometry.
   double extent;
 
   /// The point at t, from 0 to extent.
   Vec2 at(double t) const;
-  /// The way between two such places.
-  double wayBetween(double t0, double t1) const
+  /// The way between two such places is no longer than this.
+  double wayBound(double t0, double t1) const
   {
-    return (t1 - t0) * (this->isArc ? this->radius : 1.0);
+    return (t1 - t0) * (this->isArc ? 2.0 * this->radius : 1.0);
   }
 };
 
@@ -85,15 +87,10 @@ public:
   /// Whether there is none in the face.
   bool isEmpty() const { return this->isEmpty_; }
   bool contains(Vec2 p) const;
-  /// Whether a point of the level curve bounds the region, and not only goes on with it.
-  bool isInPencil(Vec2 p) const;
-
-  /// Appends the curves that bound it in the box, a little longer than they are at the rays.
+  /// Appends the curves that bound it in the box, each as far as the widened pencil goes.
   void addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const;
   /// Whether one of the lines that bound it parts it from a box; it may miss others, too.
   bool misses(const PlaneBox& box) const;
-  /// Appends the places where a curve may enter or leave the pencil.
-  void addRayMeetings(const LevelCurve& curve, CurvePlaces& places) const;
   /// Appends the places where a curve may enter or leave the region, and others.
   void addMeetings(const LevelCurve& curve, CurvePlaces& places) const;
 
@@ -103,6 +100,8 @@ private:
     return this->candidate_->kind == DistanceCandidate::Kind::Circular ||
       this->candidate_->kind == DistanceCandidate::Kind::Linear;
   }
+  bool isInPencil(Vec2 p) const;
+  void addRayMeetings(const LevelCurve& curve, CurvePlaces& places) const;
   void addArc(std::vector<LevelCurve>& curves) const;
   void addStraight(std::vector<LevelCurve>& curves) const;
   void addOutline(std::vector<LevelCurve>& curves) const;
