@@ -393,75 +393,118 @@ void FaceIsolines::addLines(const Part& part)
   {
     if (!part.outline[i].leaves)
     {
-      this->result_.ids.push_back(part.outline[i].id);
-      this->addLineFrom(remainders + i, part);
-      this->closePiece();
+      this->line_ = { { part.outline[i].at, part.outline[i].id } };
+      this->followFrom(remainders + i, part);
+      this->addLine(false);
     }
   }
   for (std::size_t i = 0; i < remainders; ++i)
   {
     if (!this->used_[i])
     {
-      const std::size_t begin = this->result_.ids.size();
       const Remainder& last = this->remainders_[i];
-      const Id first = this->addPoint(this->curves_[last.curve].at(last.end));
-      this->result_.ids.push_back(first);
-      this->addLineFrom(i, part);
-      this->result_.ids.back() = first; // around
-      if (this->result_.ids.size() - begin > 2)
+      this->line_ = { { this->curves_[last.curve].at(last.end) } };
+      this->followFrom(i, part);
+      if (this->line_.size() > 3) // others are scraps between two places that rounding tells apart
       {
-        this->closePiece();
-      }
-      else
-      {
-        this->result_.ids.resize(begin); // a scrap between two places that rounding tells apart
+        this->addLine(true);
       }
     }
   }
 }
 
 // From the end of the owner to an exit, or to the end of the owner again.
-void FaceIsolines::addLineFrom(std::size_t owner, const Part& part)
+void FaceIsolines::followFrom(std::size_t owner, const Part& part)
 {
   const std::size_t remainders = this->remainders_.size();
   std::size_t at = this->next_[owner];
   while (at < remainders)
   {
-    const Remainder& remainder = this->remainders_[at];
     this->used_[at] = 1;
-    this->addInnerPoints(remainder);
+    this->followRemainder(this->remainders_[at]);
     if (at == owner)
     {
-      this->result_.ids.push_back(NoId); // where it began
       return;
     }
-    const std::size_t next = this->next_[at];
-    this->result_.ids.push_back(this->addPoint(this->curves_[remainder.curve].at(remainder.end)));
-    if (next >= remainders)
-    {
-      this->result_.ids.pop_back(); // the exit stands for it
-      this->result_.points.pop_back();
-    }
-    at = next;
+    at = this->next_[at];
   }
-  this->result_.ids.push_back(part.outline[at - remainders].id);
+  if (this->line_.size() > 1)
+  {
+    this->line_.pop_back(); // the exit stands for it
+  }
+  this->line_.push_back({ part.outline[at - remainders].at, part.outline[at - remainders].id });
 }
 
-void FaceIsolines::addInnerPoints(const Remainder& remainder)
+// To its end. No chord is farther from an arc than the tolerance.
+void FaceIsolines::followRemainder(const Remainder& remainder)
 {
   const LevelCurve& curve = this->curves_[remainder.curve];
-  if (!curve.isArc)
+  if (curve.isArc)
   {
-    return;
+    const double first = 2.0 * std::atan(remainder.begin);
+    const double angle = 2.0 * std::atan(remainder.end) - first;
+    const double chords =
+      std::max(1.0, std::ceil(angle / angleOfChord(curve.radius, this->chordTolerance_)));
+    const double sine = std::sin(0.25 * angle / chords);
+    const double sagitta = 2.0 * curve.radius * sine * sine;
+    this->line_.back().sagitta = sagitta;
+    for (double i = 1.0; i < chords; i += 1.0)
+    {
+      const double place = std::tan(0.5 * (first + i / chords * angle));
+      this->line_.push_back({ curve.at(place), NoId, sagitta });
+    }
   }
-  const double first = 2.0 * std::atan(remainder.begin);
-  const double angle = 2.0 * std::atan(remainder.end) - first;
-  const double chords = std::ceil(angle / angleOfChord(curve.radius, this->chordTolerance_));
-  for (double i = 1.0; i < chords; i += 1.0)
+  this->line_.push_back({ curve.at(remainder.end) });
+}
+
+// Without the points that chords within the tolerance can do without.
+void FaceIsolines::addLine(bool isClosed)
+{
+  std::vector<Id>& ids = this->result_.ids;
+  const std::size_t begin = ids.size();
+  const std::size_t last = this->line_.size() - 1;
+  const auto idOf = [this](std::size_t i)
   {
-    this->result_.ids.push_back(
-      this->addPoint(curve.at(std::tan(0.5 * (first + i / chords * angle)))));
+    const LinePoint& p = this->line_[i];
+    return p.id == NoId ? this->addPoint(p.at) : p.id;
+  };
+  ids.push_back(idOf(0));
+  for (std::size_t at = 0; at < last;)
+  {
+    // A closed line has three corners at least.
+    const std::size_t third = at < last / 3 ? last / 3 : at < 2 * last / 3 ? 2 * last / 3 : last;
+    const std::size_t next = std::min(this->chordFrom(at), isClosed ? third : last);
+    ids.push_back(isClosed && next == last ? ids[begin] : idOf(next));
+    at = next;
   }
+  this->closePiece();
+}
+
+// The end of the longest chord from a point that is near enough to all of the line below it.
+std::size_t FaceIsolines::chordFrom(std::size_t first) const
+{
+  const auto isNear = [&](std::size_t end)
+  {
+    const Vec2 chord = this->line_[end].at - this->line_[first].at;
+    const double squared = dot(chord, chord);
+    for (std::size_t i = first + 1; i < end; ++i)
+    {
+      const Vec2 p = this->line_[i].at - this->line_[first].at;
+      const double t = squared > 0.0 ? std::clamp(dot(p, chord) / squared, 0.0, 1.0) : 0.0;
+      const double sagitta = std::max(this->line_[i - 1].sagitta, this->line_[i].sagitta);
+      if (!(norm(p - t * chord) + sagitta <= this->chordTolerance_))
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  std::size_t end = first + 1;
+  while (end + 1 < this->line_.size() && isNear(end + 1))
+  {
+    ++end;
+  }
+  return end;
 }
 
 void FaceIsolines::closePiece()

@@ -108,6 +108,15 @@ private:
     /// Of the remainders, and behind these of the outline's points.
     std::size_t owner;
   };
+  /// A point of a line: where parts of level curves meet, or one inside an arc.
+  struct LinePoint
+  {
+    Vec2 at;
+    /// NoId for a new one.
+    Id id = NoId;
+    /// How far the line from here to the next one is from its chord.
+    double sagitta = 0.0;
+  };
   struct Pair
   {
     double gap;
@@ -129,8 +138,10 @@ private:
   bool joinEndsWithin(double largestGap);
   bool isJoint(Vec2 a, Vec2 b) const;
   void addLines(const Part& part);
-  void addLineFrom(std::size_t owner, const Part& part);
-  void addInnerPoints(const Remainder& remainder);
+  void followFrom(std::size_t owner, const Part& part);
+  void followRemainder(const Remainder& remainder);
+  void addLine(bool isClosed);
+  std::size_t chordFrom(std::size_t first) const;
   void closePiece();
   Id addPoint(Vec2 p);
   void split(const Part& part);
@@ -165,6 +176,7 @@ private:
   /// What follows each owner.
   std::vector<std::size_t> next_;
   std::vector<std::uint8_t> used_;
+  std::vector<LinePoint> line_;
 
   CurvePlaces places_;
   CurvePlaces innerPlaces_;

@@ -106,6 +106,29 @@ TEST(Isolines, RoundAPointOfAPlaneAreCircles)
   }
 }
 
+// Within a large tolerance lines go straight from edge to edge; a fine one needs more points.
+TEST(Isolines, HaveOnlyThePointsThatTheToleranceNeeds)
+{
+  Random random(3);
+  const PlainMesh plain = bumpySheet(8, 8, 0, 0.4, random);
+  const geodesic::TriangleMesh mesh = engineMesh(plain);
+  CurveMaker maker(plain, random);
+  const std::vector<geodesic::SourceCurve> curves = engineCurves(mesh, { maker.walk(4) });
+  const std::vector<double> values = { 1.3, 2.1, 3.7 };
+  std::size_t coarse = 0;
+  for (const double tolerance : { 100.0, 1e-2, 1e-4 })
+  {
+    const geodesic::Isolines isolines = isolinesOf(mesh, curves, values, tolerance);
+    ASSERT_FALSE(isolines.lines.empty());
+    for (const geodesic::SurfacePoint& point : isolines.points)
+    {
+      EXPECT_TRUE(tolerance < 1.0 || point.kind != geodesic::SurfacePoint::Kind::Face);
+    }
+    EXPECT_GT(isolines.points.size(), coarse);
+    coarse = isolines.points.size();
+  }
+}
+
 TEST(Isolines, RoundASegmentAreStadiums)
 {
   const TriangleMesh mesh = engineMesh(oneFace());
