@@ -11,24 +11,38 @@ FAR = (0.22, 0.26, 0.58)
 UNREACHED = (0.75, 0.75, 0.75)
 
 
-def _mix(a, b, t):
+def mix(a, b, t):
     return [x + t * (y - x) for x, y in zip(a, b)]
 
 
 def _color(t):
-    return _mix(NEAR, MIDDLE, 2 * t) if t < 0.5 else _mix(MIDDLE, FAR, 2 * t - 1)
+    return mix(NEAR, MIDDLE, 2 * t) if t < 0.5 else mix(MIDDLE, FAR, 2 * t - 1)
 
 
 def color_by_stripes(display, array, count=24):
     """Colors a display by a distance array of its points, every second stripe darker."""
     simple.ColorBy(display, ("POINTS", array))
     largest = display.LookupTable.RGBPoints[-4]
+    color_by_steps(display, ("POINTS", array), 0, largest, striped(shades(count)))
+
+
+def shades(count):
+    """Colors from near to far."""
+    return [_color(i / (count - 1)) for i in range(count)]
+
+
+def striped(colors, darkness=0.28):
+    """Every second color darker."""
+    return [mix(color, (0, 0, 0), darkness) if i % 2 else color for i, color in enumerate(colors)]
+
+
+def color_by_steps(display, array, low, high, colors):
+    """Colors a display by an array in equal steps from a low to a high value."""
+    simple.ColorBy(display, array)
     steps = []
-    for i in range(count):
-        color = _color(i / (count - 1))
-        if i % 2:
-            color = _mix(color, (0, 0, 0), 0.28)
-        steps += [largest * i / count, *color, largest * (i + 1) / count, *color]
+    for i, color in enumerate(colors):
+        for end in (i, i + 1):
+            steps += [low + (high - low) * end / len(colors), *color]
     table = display.LookupTable
     table.ColorSpace = "RGB"
     table.RGBPoints = steps
@@ -79,15 +93,36 @@ def show(view, field, array, direction, upward=(0, 0, 1), edges=False):
         surface.SetRepresentationType("Surface With Edges")
         surface.EdgeColor = (0.1, 0.1, 0.1)
 
-    curve = simple.Show(simple.OutputPort(field, 1), view)
-    simple.ColorBy(curve, ("POINTS", None))
-    curve.AmbientColor = curve.DiffuseColor = (1, 1, 1)
-    curve.LineWidth = 3 if edges else 7
-    curve.PointSize = 2 * curve.LineWidth
-    curve.RenderLinesAsTubes = 1
-    curve.RenderPointsAsSpheres = 1
-
+    show_lines(view, simple.OutputPort(field, 1), width=3 if edges else 7)
     look_along(view, direction, simple.servermanager.Fetch(field), upward)
+
+
+def show_plain(view, surface, color):
+    """Shows a surface in one color."""
+    display = simple.Show(surface, view)
+    simple.ColorBy(display, ("POINTS", None))
+    display.AmbientColor = display.DiffuseColor = color
+    display.Ambient = 0.15
+    return display
+
+
+def show_lines(view, lines, color=(1, 1, 1), width=7):
+    """Shows lines as tubes and points as balls, in one color."""
+    display = simple.Show(lines, view)
+    simple.ColorBy(display, ("POINTS", None))
+    display.AmbientColor = display.DiffuseColor = color
+    display.LineWidth = width
+    display.PointSize = 2 * width
+    display.RenderLinesAsTubes = 1
+    display.RenderPointsAsSpheres = 1
+    return display
+
+
+def show_thin_lines(view, lines, color=(1, 1, 1), width=2):
+    """Shows lines in one color, whatever the light."""
+    display = show_lines(view, lines, color, width)
+    display.Ambient, display.Diffuse = 1, 0
+    return display
 
 
 def draw(field, array, file_name, size=(1200, 800), direction=(0.45, -0.85, 0.75)):
@@ -116,7 +151,14 @@ def zoom(view, center, factor):
     view.CameraParallelScale /= factor
 
 
+def save(view, file_name):
+    """Writes what a view shows, and closes it."""
+    simple.SaveScreenshot(file_name, view, ImageResolution=view.ViewSize, CompressionLevel="9")
+    simple.Delete(view)
+
+
 def save_pair(views, file_name):
+    """Writes what two views show, side by side, and closes them."""
     layout = simple.CreateLayout()
     layout.SplitHorizontal(0, 0.5)
     for place, view in enumerate(views, start=1):
@@ -125,3 +167,5 @@ def save_pair(views, file_name):
     size = (2 * columns, rows)
     layout.SetSize(*size)
     simple.SaveScreenshot(file_name, layout, ImageResolution=size, CompressionLevel="9")
+    for view in views:
+        simple.Delete(view)
