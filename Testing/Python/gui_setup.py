@@ -4,6 +4,7 @@ with a cell array that marks a strip of its right half, a line along its seam an
 half. Writes down what the filter does."""
 
 import itertools
+import json
 import os
 import pathlib
 import pickle
@@ -57,23 +58,51 @@ def write_down(field, algorithm, number):
         pickle.dump(record, file)
 
 
-def watch(field):
-    """Each execution of the filter is written down."""
-    algorithm = field.GetClientSideObject()
-    numbers = itertools.count()
-    algorithm.AddObserver("EndEvent", lambda *_: write_down(field, algorithm, next(numbers)))
+def write_answer_down(proxy, algorithm):
+    """What another filter was asked for, and its lines or its table."""
+    output = algorithm.GetOutputDataObject(0)
+    if output.IsA("vtkTable"):
+        data, points = output.GetRowData(), None
+    else:
+        data, points = output.GetCellData(), vtk_to_numpy(output.GetPoints().GetData()).astype(float)
+    arrays = [data.GetArray(i) for i in range(data.GetNumberOfArrays())]
+    record = {
+        "properties": properties_of(proxy),
+        "points": points,
+        "arrays": {array.GetName(): vtk_to_numpy(array).copy() for array in arrays},
+    }
+    with open(FOLDER / f"geodesic-gui-{proxy.GetXMLName()}.pickle", "wb") as file:
+        pickle.dump(record, file)
 
 
-def look_for_field(*_):
-    for field in simple.GetSources().values():
-        if field.GetXMLName() == "GeodesicDistanceField" and field.SMProxy not in watched:
-            watched.append(field.SMProxy)
-            watch(field)
+def watch(proxy):
+    """Each execution of the field is written down, of the other filters the last one."""
+    algorithm = proxy.GetClientSideObject()
+    if proxy.GetXMLName() == "GeodesicDistanceField":
+        numbers = itertools.count()
+        algorithm.AddObserver("EndEvent", lambda *_: write_down(proxy, algorithm, next(numbers)))
+    else:
+        algorithm.AddObserver("EndEvent", lambda *_: write_answer_down(proxy, algorithm))
+
+
+def look_around(*_):
+    """Watches new filters, and writes down which views there are, and what colors of lines show."""
+    for proxy in simple.GetSources().values():
+        if proxy.GetXMLName().startswith("Geodesic") and proxy.SMProxy not in watched:
+            watched.append(proxy.SMProxy)
+            watch(proxy)
+    shown = {"views": sorted(view.GetXMLName() for view in simple.GetViews()), "colors": {}}
+    for proxy in simple.GetSources().values():
+        display = servermanager.GetRepresentation(proxy, view)
+        if display:
+            shown["colors"][proxy.GetXMLName()] = list(display.ColorArrayName)
+    (FOLDER / "geodesic-gui-shown.json").write_text(json.dumps(shown))
 
 
 watched = []
+view = simple.GetActiveViewOrCreate("RenderView")
 manager = servermanager.ProxyManager().SMProxyManager
-manager.AddObserver("RegisterEvent", look_for_field)
+manager.AddObserver("RegisterEvent", look_around)
 
 left, right = half(-0.5), half(0)
 simple.PolyLineSource(registrationName="Curve", Points=flat([(0, -0.5, 0), (0, 0.5, 0)]))
@@ -83,7 +112,6 @@ halves = simple.AppendGeometry(registrationName="Halves", Input=[left, right])
 marked = simple.Calculator(registrationName="Marked", Input=halves, ResultArrayName="Wall",
                            Function="if(abs(coordsX - 0.25) < 0.01, 1, 0)")
 sheet = simple.PointDatatoCellData(registrationName="Sheet", Input=marked)
-view = simple.GetActiveViewOrCreate("RenderView")
 simple.Show(sheet, view)
 simple.ResetCamera(view)
 simple.SetActiveSource(sheet)

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""In the real GUI the filter is in its menu, takes a source, applies and shows the field; every
-property of its panel, moved there, does what it says.
+"""In the real GUI the field's filter is in its menu, takes a source, applies and shows the field;
+every property of its panel, moved there, does what it says. The other filters are in the menu, take
+a source and targets on their panels, and show lines by distance, or a table.
 
 usage: pvpython test_gui.py PARAVIEW FOLDER
 """
 
+import json
 import os
 import pathlib
 import pickle
@@ -20,7 +22,7 @@ paraview, folder = sys.argv[1], pathlib.Path(sys.argv[2])
 here = pathlib.Path(__file__).resolve().parent
 picture = folder / "geodesic-gui.png"
 picture.unlink(missing_ok=True)
-for old in folder.glob("geodesic-gui-*.pickle"):
+for old in folder.glob("geodesic-gui-*.*"):
     old.unlink()
 
 # Each event that finds no widget, and each check that does not hold, ends ParaView with an error.
@@ -53,7 +55,9 @@ DEFAULTS = {"Input": "Sheet", "Source": None, "SourceType": 0, "Accuracy": 0, "R
             "AbsoluteRefinementTolerance": 1, "MaximumNumberOfCells": 50000000,
             "MaximumDistance": 0, "MergeCoincidentPoints": 1,
             "BarrierArrayName": "None",
-            "DistanceArrayName": "GeodesicDistance"}
+            "DistanceArrayName": "GeodesicDistance",
+            "GenerateSourceIds": 0, "GenerateClosestPoints": 0, "GenerateGradients": 0,
+            "GenerateSignedDistance": 0}
 
 
 class Applied:
@@ -88,8 +92,8 @@ class Applied:
         return worst
 
 
-count = len(list(folder.glob("geodesic-gui-*.pickle")))
-assert count == 14, f"{count} executions"
+count = len(list(folder.glob("geodesic-gui-[0-9]*.pickle")))
+assert count == 18, f"{count} executions"
 runs = [Applied(number) for number in range(count)]
 
 # Of two applies nothing but what was moved differs.
@@ -100,7 +104,8 @@ for number, moved in enumerate((
         {"MaximumNumberOfCells": 1500}, {"RefineMesh": 0}, {"Accuracy": 1}, {"RelativeError": 0.1},
         {"Accuracy": 0, "MaximumDistance": 0.3}, {"MaximumDistance": 0, "MergeCoincidentPoints": 0},
         {"DistanceArrayName": "Depth"}, {"SourceType": 1}, {"SourceType": 2},
-        {"BarrierArrayName": "Wall"})):
+        {"BarrierArrayName": "Wall"}, {"GenerateSourceIds": 1}, {"GenerateClosestPoints": 1},
+        {"GenerateGradients": 1}, {"GenerateSignedDistance": 1})):
     asked.update(moved)
     assert runs[number].properties == asked, f"{number}: {runs[number].properties}"
 assert not DEFAULTS.keys() - {"Input"} - {
@@ -145,7 +150,7 @@ named = runs[10]
 assert "Depth" in named.arrays and "GeodesicDistance" not in named.arrays, named.arrays
 np.testing.assert_array_equal(named.distances, runs[9].distances)
 
-boundary, both, walled = runs[11:]
+boundary, both, walled = runs[11:14]
 assert_close(boundary.distances, boundary.to_sides(), FLOAT)
 expected = np.where(is_left, np.minimum(both.to_sides(), both.to(RING)), both.to_sides())
 assert_close(both.distances, expected, FLOAT)
@@ -155,3 +160,40 @@ x, y = walled.points[:, 0], np.abs(walled.points[:, 1])
 to_end = np.where(x < 0.25, x, 0.5 - x)
 right = np.where((x > 0.2 + FLOAT) & (x < 0.3 - FLOAT), np.inf, np.minimum(to_end, 0.5 - y))
 assert_close(walled.distances, np.where(is_left, expected, right), FLOAT)
+
+# Each array comes with its property, and changes no distance.
+for before, after, name in zip(runs[13:], runs[14:], (
+        "SourceId", "ClosestSourcePoint", "DistanceGradient", "SignedGeodesicDistance")):
+    assert after.arrays == before.arrays | {name}, after.arrays
+    np.testing.assert_array_equal(after.distances, walled.distances)
+
+
+# ----------------------------------------------------------------------------- the other filters
+def answer(name, **asked):
+    """What another filter has given, having been asked for that."""
+    with open(folder / f"geodesic-gui-{name}.pickle", "rb") as file:
+        record = pickle.load(file)
+    asked.update({"Input": "Sheet", "Source": "Curve", "SourceType": 0, "BarrierArrayName": "None"})
+    wrong = {key: record["properties"].get(key) for key in asked
+             if record["properties"].get(key) != asked[key]}
+    assert not wrong, f"{name}: {wrong}"
+    return record["arrays"], record["points"]
+
+
+# A tenth of the sheet's side at both sides of the line along its seam.
+arrays, points = answer("GeodesicContour", Distances=0.1, ToleranceIsAbsolute=0, SignedDistances=0)
+np.testing.assert_array_equal(arrays["GeodesicDistance"], [0.1, 0.1])
+assert_close(np.abs(points[:, 0]), np.full(len(points), 0.1), FLOAT)
+
+ring = np.array(RING[:-1])
+arrays, points = answer("GeodesicPaths", Targets="Ring")
+assert_close(arrays["GeodesicDistance"], -ring[arrays["TargetId"], 0], FLOAT)
+assert len(arrays["TargetId"]) == len(ring)
+
+arrays, _ = answer("GeodesicDistanceMatrix", Targets="Ring", MaximumDistance=0)
+assert list(arrays) == ["TargetId", "Source0"], list(arrays)
+assert_close(arrays["Source0"], -ring[:, 0], FLOAT)
+shown = json.loads((folder / "geodesic-gui-shown.json").read_text())
+assert shown["views"] == ["RenderView", "SpreadSheetView"], shown
+for name in ("GeodesicContour", "GeodesicPaths"):
+    assert shown["colors"][name] == ["POINTS", "GeodesicDistance"], shown
