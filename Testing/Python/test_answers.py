@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The example of what the filters answer draws its pictures, and the answers agree with each other.
+"""The example of what the filters answer draws its pictures, the answers agree with each other, and
+the lines that README shows of it run.
 
 usage: pvpython test_answers.py EXAMPLES
 """
 
+import os
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -16,7 +19,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from geodesic_testing import data, distance_to_segments, distances, points
 from pixels import read_pixels
 
-sys.path.insert(0, sys.argv.pop())
+EXAMPLES = pathlib.Path(sys.argv.pop()).resolve()
+sys.path.insert(0, str(EXAMPLES))
 import answers  # noqa: E402
 import geodesic_distance  # noqa: E402
 
@@ -123,6 +127,34 @@ class Answers(unittest.TestCase):
         lengths = cell_array(data(simple.GeodesicPaths(Input=ball, Source=first, Targets=cloud)),
                              "GeodesicDistance")
         np.testing.assert_allclose(table[:, 0], lengths, rtol=0, atol=EXACT * table.max())
+
+
+class Readme(unittest.TestCase):
+    def test_its_lines_run_as_they_stand(self):
+        text = (EXAMPLES.parent / "README.md").read_text()
+        section = text.split("\n## What it answers\n")[1].split("\n## ")[0]
+        blocks = re.findall(r"```python\n(.*?)```", section, re.DOTALL)
+        self.assertEqual(len(blocks), len(answers.ANSWERS))
+
+        lines = answers.curves().Input.Input
+        names = {**vars(simple), "lines": [answers.on_hills(line) for line in lines],
+                 "hills": answers.hills(), "plate": answers.plate(), "dome": answers.labyrinth(),
+                 "ball": answers.ball(), "seam": answers.seam()}
+        names["corner"] = answers.corner(names["ball"], answers.FROM)
+        self.addCleanup(os.chdir, os.getcwd())
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            simple.SaveData("part.vtp", names["ball"], DataMode="Binary")
+            for block in blocks:
+                exec(block.replace("fandisk.obj", "part.vtp"), names)
+            self.assertTrue(pathlib.Path("offsets.vtp").is_file())
+        simple.Delete(simple.GetActiveView())
+
+        for name, array in (("paths", "GeodesicDistance"), ("regions", "SourceId"),
+                            ("offsets", "GeodesicDistance"), ("sides", "SignedGeodesicDistance"),
+                            ("around", "GeodesicDistance")):
+            self.assertTrue(data(names[name]).GetPointData().HasArray(array), name)
+        self.assertEqual(names["distances"].shape, (40, 40))
 
 
 class Pictures(unittest.TestCase):
