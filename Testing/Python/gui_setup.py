@@ -86,15 +86,18 @@ def watch(proxy):
 
 
 def look_around(*_):
-    """Watches new filters, and writes down which views there are, and what colors of lines show."""
+    """Watches new filters, and writes down which views there are, which data are visible, and what
+    their colors show."""
     for proxy in simple.GetSources().values():
         if proxy.GetXMLName().startswith("Geodesic") and proxy.SMProxy not in watched:
             watched.append(proxy.SMProxy)
             watch(proxy)
-    shown = {"views": sorted(view.GetXMLName() for view in simple.GetViews()), "colors": {}}
+    shown = {"views": sorted(view.GetXMLName() for view in simple.GetViews()),
+             "visible": {}, "colors": {}}
     for proxy in simple.GetSources().values():
         display = servermanager.GetRepresentation(proxy, view)
         if display:
+            shown["visible"][proxy.GetXMLName()] = bool(display.Visibility)
             shown["colors"][proxy.GetXMLName()] = list(display.ColorArrayName)
     (FOLDER / "geodesic-gui-shown.json").write_text(json.dumps(shown))
 

@@ -197,3 +197,4 @@ shown = json.loads((folder / "geodesic-gui-shown.json").read_text())
 assert shown["views"] == ["RenderView", "SpreadSheetView"], shown
 for name in ("GeodesicContour", "GeodesicPaths"):
     assert shown["colors"][name] == ["POINTS", "GeodesicDistance"], shown
+    assert shown["visible"][name], shown
