@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 
 namespace geodesic
 {
@@ -126,10 +127,15 @@ private:
         const double done = TracingDone + (1.0 - TracingDone) * static_cast<double>(i) / count;
         this->report(done);
         const double distance = field.distance(this->targets_[i]);
-        this->take(i,
-          pathInWindows(this->mesh_, this->sources_, this->targets_[i], distance, known,
-            this->options_.parallelFor, this->part(done, done)),
-          distance);
+        const std::vector<SurfacePoint> points = pathInWindows(this->mesh_, this->sources_,
+          this->targets_[i], distance, known, this->options_.parallelFor, this->part(done, done));
+        if (points.empty())
+        {
+          throw Error("The shortest path from target " + std::to_string(i) +
+            " could not be followed. Please report this with the surface, the source and the "
+            "targets.");
+        }
+        this->take(i, points, distance);
       }
     }
   }

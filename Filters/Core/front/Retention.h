@@ -71,8 +71,8 @@ public:
   /// Whether the inside of faces must be complete within a distance limit, not only their vertices.
   virtual bool needsInside() const = 0;
   /// No path that is longer matters: the front stops when all that is nearer is done, with the
-  /// bits of a front that goes everywhere. May fall as the front goes on. Other than with a distance
-  /// limit, faces need not be complete.
+  /// bits of a front that goes everywhere. May fall as the front goes on. Other than with a
+  /// distance limit, faces need not be complete.
   virtual double reach() const { return Infinity; }
   /// There will be workers up to this number; never fewer than before.
   virtual void setNumberOfWorkers(std::size_t) {}
