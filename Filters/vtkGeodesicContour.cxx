@@ -4,6 +4,8 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/IsolineWriter.h"
 #include "PolyData/ParallelFor.h"
+#include "PolyData/SourceArrays.h"
+#include "field/IsolineSides.h"
 #include "field/Isolines.h"
 #include "field/SolveForIsolines.h"
 
@@ -23,6 +25,8 @@ namespace
 
 // Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
 constexpr double FieldDone = 0.75;
+constexpr double LinesDrawnBeforeSides = 0.85;
+constexpr double SidesKnown = 0.9;
 constexpr double LinesDrawn = 0.95;
 
 bool isPositive(double value)
@@ -46,60 +50,95 @@ public:
   void Run(vtkPolyData* output);
 
 private:
+  /// A value of the user's and in the engine.
+  struct Value
+  {
+    double User;
+    double Engine;
+  };
+
+  void RequireSides() const;
   void FindValues();
   double ChordTolerance() const;
   geodesic::Isolines Draw() const;
+  geodesic::Isolines OnSides(
+    const geodesic::DistanceField& field, const geodesic::Isolines& isolines) const;
 
   vtkGeodesicContour* Self;
   geodesic::FilterExecution& Execution;
-  /// Ascending, each once: those over 0 in the user's units and in the engine's.
-  std::vector<double> Values;
-  std::vector<double> EngineValues;
+  /// Ascending, each once, without 0.
+  std::vector<Value> Values;
   bool HasZero = false;
+  /// The distances of all values, ascending, each once; and which values each stands for.
+  std::vector<double> Distances;
+  std::vector<geodesic::SidedValue> Sides;
 };
 
 //------------------------------------------------------------------------------
 void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
 {
   this->Execution.readInputs();
+  this->RequireSides();
   this->FindValues();
   const geodesic::Isolines isolines = this->Draw();
-  if (isolines.linesWithoutDirection > 0)
-  {
-    this->Execution.notes().add(isolines.linesWithoutDirection, "line crosses", "lines cross",
-      "faces of opposite orientation: the direction of such a line says nothing.");
-  }
+  this->Execution.notes().add(isolines.linesWithoutDirection, "line crosses", "lines cross",
+    "faces of opposite orientation: the direction of such a line says nothing.");
   this->Execution.reach(LinesDrawn);
   this->Execution.enter(geodesic::Stage::WritingOutputs);
+  std::vector<double> values;
+  for (const Value& value : this->Values)
+  {
+    values.push_back(value.User);
+  }
   const geodesic::PolyDataSurface& surface = this->Execution.surface();
-  geodesic::writeIsolines(surface.mesh(), surface.scale(), isolines, this->Values,
+  geodesic::writeIsolines(surface.mesh(), surface.scale(), isolines, values,
     this->HasZero ? this->Execution.sources().curves : std::vector<geodesic::SourceCurve>(), output,
     this->Execution.progressBetween(LinesDrawn, 1.0));
 }
 
 //------------------------------------------------------------------------------
+void vtkGeodesicContour::vtkWorker::RequireSides() const
+{
+  if (this->Self->SignedDistances)
+  {
+    geodesic::requireSides(
+      this->Execution.surface(), this->Execution.surfaceBlocks(), "SignedDistances");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Values that the engine cannot tell apart, which drops digits of tiny ones, are one.
 void vtkGeodesicContour::vtkWorker::FindValues()
 {
-  std::vector<double> values;
+  std::vector<double> sorted;
   for (vtkIdType i = 0; i < this->Self->GetNumberOfContours(); ++i)
   {
-    values.push_back(this->Self->GetValue(static_cast<int>(i)));
+    sorted.push_back(this->Self->GetValue(static_cast<int>(i)));
   }
-  std::sort(values.begin(), values.end());
-  for (const double value : values)
+  std::sort(sorted.begin(), sorted.end());
+  for (const double value : sorted)
   {
     const double inEngine = this->Execution.surface().scale().toEngine(value);
-    if (!(inEngine > 0.0))
+    this->HasZero = this->HasZero || inEngine == 0.0;
+    const bool isRepeated = !this->Values.empty() && this->Values.back().Engine == inEngine;
+    if (inEngine != 0.0 && std::abs(inEngine) < geodesic::Infinity && !isRepeated)
     {
-      this->HasZero = true;
+      this->Values.push_back({ value, inEngine });
+      this->Distances.push_back(std::abs(inEngine));
     }
-    // The next one as the engine has it, which of tiny numbers drops digits; none beyond its range.
-    else if (inEngine < geodesic::Infinity &&
-      (this->EngineValues.empty() || inEngine > this->EngineValues.back()))
-    {
-      this->Values.push_back(value);
-      this->EngineValues.push_back(inEngine);
-    }
+  }
+  std::sort(this->Distances.begin(), this->Distances.end());
+  this->Distances.erase(
+    std::unique(this->Distances.begin(), this->Distances.end()), this->Distances.end());
+  this->Sides.resize(this->Distances.size());
+  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  {
+    const double inEngine = this->Values[i].Engine;
+    const auto at =
+      std::lower_bound(this->Distances.begin(), this->Distances.end(), std::abs(inEngine));
+    geodesic::SidedValue& sides =
+      this->Sides[static_cast<std::size_t>(at - this->Distances.begin())];
+    (inEngine < 0.0 ? sides.right : sides.left) = i;
   }
 }
 
@@ -115,16 +154,17 @@ double vtkGeodesicContour::vtkWorker::ChordTolerance() const
 geodesic::Isolines vtkGeodesicContour::vtkWorker::Draw() const
 {
   geodesic::IsolineOptions options;
-  options.values = this->EngineValues;
+  options.values = this->Distances;
   options.chordTolerance = this->ChordTolerance();
   // On a surface without extent nothing but the source is at any distance.
-  if (this->EngineValues.empty() || !(options.chordTolerance > 0.0))
+  if (options.values.empty() || !(options.chordTolerance > 0.0))
   {
     return {};
   }
   this->Execution.enter(geodesic::Stage::ComputingDistances);
   geodesic::FrontOptions front;
   front.parallelFor = geodesic::smpParallelFor();
+  front.keepArrivals = this->Self->SignedDistances;
   front.progress =
     this->Execution.progressBetween(geodesic::FilterExecution::InputsRead, FieldDone);
   const geodesic::DistanceField field = geodesic::solveForIsolines(
@@ -132,8 +172,23 @@ geodesic::Isolines vtkGeodesicContour::vtkWorker::Draw() const
   this->Execution.reach(FieldDone);
   this->Execution.enter(geodesic::Stage::DrawingLines);
   options.parallelFor = front.parallelFor;
-  options.progress = this->Execution.progressBetween(FieldDone, LinesDrawn);
-  return geodesic::drawIsolines(field, options);
+  options.progress = this->Execution.progressBetween(
+    FieldDone, this->Self->SignedDistances ? LinesDrawnBeforeSides : LinesDrawn);
+  geodesic::Isolines isolines = geodesic::drawIsolines(field, options);
+  return this->Self->SignedDistances ? this->OnSides(field, isolines) : isolines;
+}
+
+//------------------------------------------------------------------------------
+geodesic::Isolines vtkGeodesicContour::vtkWorker::OnSides(
+  const geodesic::DistanceField& field, const geodesic::Isolines& isolines) const
+{
+  const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
+  geodesic::NearestSource nearest(
+    field, curves, this->Execution.progressBetween(LinesDrawnBeforeSides, SidesKnown));
+  const auto isOnRight = [&](const geodesic::Foot& foot)
+  { return geodesic::isOnRight(foot, curves, this->Execution.firstBoundarySource()); };
+  return geodesic::linesOnSides(field, nearest, isOnRight, isolines, this->Sides,
+    this->Execution.progressBetween(SidesKnown, LinesDrawn));
 }
 
 //------------------------------------------------------------------------------
@@ -163,11 +218,12 @@ std::string vtkGeodesicContour::FindWrongProperty() const
   for (vtkIdType i = 0; i < count; ++i)
   {
     const double value = this->ContourValues->GetValue(static_cast<int>(i));
-    if (!(value >= 0.0 && value < geodesic::Infinity))
+    const bool isFinite = std::abs(value) < geodesic::Infinity;
+    if (!isFinite || (value < 0.0 && !this->SignedDistances))
     {
       std::ostringstream text;
-      text << "Value " << i << " is " << value
-           << ": set distances that are finite numbers of at least 0, in the units of the surface.";
+      text << "Value " << i << " is " << value << ": set distances that are finite numbers"
+           << (isFinite ? " of at least 0, or switch SignedDistances on." : ".");
       return text.str();
     }
   }
@@ -200,4 +256,5 @@ void vtkGeodesicContour::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
   os << indent << "ToleranceIsAbsolute: " << (this->ToleranceIsAbsolute ? "On" : "Off") << "\n";
   os << indent << "AbsoluteChordTolerance: " << this->AbsoluteChordTolerance << "\n";
+  os << indent << "SignedDistances: " << (this->SignedDistances ? "On" : "Off") << "\n";
 }

@@ -27,8 +27,9 @@
  * to their left, seen with the normals of the faces towards the viewer; where the surface is not
  * consistently oriented their direction says nothing, with a warning. They end at the boundary and,
  * in shared points, at edges of three and more faces. Lines are in the ascending order of their
- * values. Values over the largest distance give no lines. A value of 0 gives the source as it lies
- * on the surface, curves in their own direction and a vertex for each point. There are
+ * values, behind those of 0. Values over the largest distance give no lines. A value of 0 gives the
+ * source as it lies on the surface, curves in their own direction and a vertex for each point.
+ * There are
  * - cell data array and point data array `GeodesicDistance`: the value.
  *
  * @par
@@ -79,7 +80,8 @@ public:
    * The distances to draw lines at, in the units of the surface, as vtkContourFilter has its
    * values: number i, all of them, or so many at equal steps from the first to the last of a range.
    * There are none by default, and without any there is an error, as there is for a value that is
-   * negative, infinite or NaN. Their order does not matter, and equal ones count once.
+   * infinite, NaN or, unless SignedDistances is on, negative. Their order does not matter, and
+   * equal ones count once.
    */
   void SetValue(int i, double value) { this->ContourValues->SetValue(i, value); }
   double GetValue(int i) { return this->ContourValues->GetValue(i); }
@@ -128,6 +130,22 @@ public:
   vtkGetMacro(AbsoluteChordTolerance, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether a value means one side of the curves only: a positive one the points whose shortest
+   * path comes from the left of the oriented curve, seen with the normals of the faces towards the
+   * viewer, a negative one those on its right, at the distance of its absolute value. Off by
+   * default. Sides are those of vtkGeodesicDistanceField::SetGenerateSignedDistance(): points and
+   * the boundary have a positive side only. Lines end where the sign jumps, such as beyond open
+   * ends of a curve, and run so that the signed distance grows to their left, which is the curve's
+   * own direction. An edge of three and more faces, or faces of opposite orientation side by side,
+   * is an error.
+   */
+  vtkSetMacro(SignedDistances, bool);
+  vtkGetMacro(SignedDistances, bool);
+  vtkBooleanMacro(SignedDistances, bool);
+  ///@}
+
   /**
    * Also newer when a value has changed.
    */
@@ -151,6 +169,7 @@ private:
   double ChordTolerance = 0.0001;
   bool ToleranceIsAbsolute = false;
   double AbsoluteChordTolerance = 1.0;
+  bool SignedDistances = false;
 };
 
 #endif

@@ -191,22 +191,11 @@ vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker:
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkWorker::RequireSides() const
 {
-  const geodesic::PolyDataSurface& surface = this->Execution.surface();
-  const geodesic::Id face =
-    this->Choice.signedDistances ? geodesic::findFaceWithoutSides(surface.mesh()) : geodesic::NoId;
-  if (face == geodesic::NoId)
+  if (this->Choice.signedDistances)
   {
-    return;
+    geodesic::requireSides(
+      this->Execution.surface(), this->Execution.surfaceBlocks(), "GenerateSignedDistance");
   }
-  const geodesic::Id triangle = surface.triangleOf(face);
-  const std::size_t index = surface.blockOfTriangle(triangle);
-  const geodesic::SurfaceBlock& block = surface.blocks()[index];
-  throw geodesic::MeshError("GenerateSignedDistance needs a surface whose faces have one "
-                            "orientation and whose edges have at most two faces: cell " +
-    std::to_string(block.inputCell(static_cast<vtkIdType>(triangle - block.firstTriangle))) +
-    " of " + this->Execution.surfaceBlocks()[index].name +
-    " and a neighbor do not fit. Orient the surface upstream (Generate Surface Normals with "
-    "Consistency), split it, or switch GenerateSignedDistance off.");
 }
 
 //------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/SourceArrays.h"
 
+#include "Errors.h"
 #include "PolyData/Memory.h"
 #include "refinement/RefinedMesh.h"
 
@@ -88,9 +89,7 @@ void SourceArrays::add(const Foot& foot, const NearestSource& nearest, SourceVal
   }
   if (this->choice_.signedDistances)
   {
-    const bool hasSides = foot.isKnown() && this->curves_[foot.curve].points.size() > 1 &&
-      this->curves_[foot.curve].source < this->firstBoundarySource_;
-    values.isOnRight.push_back(hasSides && foot.isRight ? 1 : 0);
+    values.isOnRight.push_back(isOnRight(foot, this->curves_, this->firstBoundarySource_) ? 1 : 0);
   }
 }
 
@@ -209,6 +208,33 @@ Id findFaceWithoutSides(const TriangleMesh& mesh)
     }
   }
   return NoId;
+}
+
+void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,
+  const std::string& property)
+{
+  const Id face = findFaceWithoutSides(surface.mesh());
+  if (face == NoId)
+  {
+    return;
+  }
+  const Id triangle = surface.triangleOf(face);
+  const std::size_t index = surface.blockOfTriangle(triangle);
+  const SurfaceBlock& block = surface.blocks()[index];
+  throw MeshError(property +
+    " needs a surface whose faces have one orientation and whose edges have at most two faces: "
+    "cell " +
+    std::to_string(block.inputCell(static_cast<vtkIdType>(triangle - block.firstTriangle))) +
+    " of " + inputs[index].name +
+    " and a neighbor do not fit. Orient the surface upstream (Generate Surface Normals with "
+    "Consistency), split it, or switch " +
+    property + " off.");
+}
+
+bool isOnRight(const Foot& foot, const std::vector<SourceCurve>& curves, Id firstBoundarySource)
+{
+  return foot.isKnown() && foot.isRight && curves[foot.curve].points.size() > 1 &&
+    curves[foot.curve].source < firstBoundarySource;
 }
 
 }

@@ -7,6 +7,7 @@
 #include "field/NearestSource.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 class vtkPolyData;
@@ -93,6 +94,16 @@ private:
 /// A face whose neighbours do not tell left from right with it: across an edge of three and more
 /// faces, or one whose faces run along it in one direction. NoId where there is none.
 Id findFaceWithoutSides(const TriangleMesh& mesh);
+
+/// \param inputs the blocks that the surface was read from.
+/// \param property what needs sides, for the message.
+/// \throws MeshError where findFaceWithoutSides() finds one.
+void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,
+  const std::string& property);
+
+/// Whether the distance from a foot has the sign of a curve's right-hand side: points and loops of
+/// the boundary have none.
+bool isOnRight(const Foot& foot, const std::vector<SourceCurve>& curves, Id firstBoundarySource);
 
 }
 

@@ -269,7 +269,7 @@ void CheckBadProperties(Check& check)
   expect("no source", [](vtkGeodesicContour* f) { f->SetSourceData(nullptr); });
 }
 
-void CheckDirectionWarning(Check& check)
+vtkSmartPointer<vtkPolyData> WithTurnedFaces()
 {
   auto surface = Square(6);
   vtkNew<vtkCellArray> polys;
@@ -282,13 +282,58 @@ void CheckDirectionWarning(Check& check)
                : polys->InsertNextCell({ t[0], t[1], t[2] });
   }
   surface->SetPolys(polys);
+  return surface;
+}
+
+void CheckDirectionWarning(Check& check)
+{
   vtkNew<vtkGeodesicContour> filter;
-  SetUp(filter, surface, PointSources({ { 0.5, 0.48, 0 } }), { 0.3 });
+  SetUp(filter, WithTurnedFaces(), PointSources({ { 0.5, 0.48, 0 } }), { 0.3 });
   Messages messages(filter);
   messages.Update();
   check.That(Contains(messages.Warning(), "opposite orientation"), "a direction that says nothing");
   const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
   check.That(lines.size() == 1 && lines[0].IsClosed(), "the line is whole all the same");
+}
+
+// A curve from one end of the square to the other: its left is above it.
+void CheckSigned(Check& check)
+{
+  auto source = Polyline({ { 0.0, 0.4, 0 }, { 1.0, 0.4, 0 } });
+  vtkNew<vtkGeodesicContour> filter;
+  SetUp(filter, Square(8), source, { 0.2, -0.1, -0.2, 0.0, 0.5 });
+  filter->SignedDistancesOn();
+  filter->Update();
+  const std::vector<Line> lines = LinesOf(check, filter->GetOutput());
+  const std::vector<double> values = { 0.0, -0.2, -0.1, 0.2, 0.5 };
+  check.Equal(static_cast<double>(lines.size()), 5, "a line a signed value");
+  for (std::size_t i = 0; i < lines.size() && i < values.size(); ++i)
+  {
+    check.Equal(lines[i].Value, values[i], "the signed value");
+    Point first;
+    Point last;
+    filter->GetOutput()->GetPoint(lines[i].Points.front(), first.data());
+    filter->GetOutput()->GetPoint(lines[i].Points.back(), last.data());
+    check.That(std::abs(first[1] - 0.4 - values[i]) < 1e-12, "on its side of the curve");
+    check.That(first[0] < 0.01 && last[0] > 0.99, "in the curve's direction");
+    check.That(std::abs(lines[i].Length - 1.0) < 1e-12, "as long as the curve");
+  }
+  // The boundary has no right-hand side.
+  filter->SetSourceTypeToSurfaceBoundary();
+  filter->SetNumberOfContours(2);
+  filter->SetValue(0, -0.1);
+  filter->SetValue(1, 0.2);
+  filter->Update();
+  const std::vector<Line> inside = LinesOf(check, filter->GetOutput());
+  check.That(inside.size() == 1 && inside[0].Value == 0.2, "the boundary is positive");
+
+  SetUp(filter, WithTurnedFaces(), source, { 0.1 });
+  filter->SetSourceTypeToSourceCurve();
+  Messages messages(filter);
+  messages.Update();
+  check.That(Contains(messages.Error(), "SignedDistances needs a surface whose faces have one"),
+    "sides need one orientation");
+  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfCells()), 0, "no lines then");
 }
 
 void CheckProgressAndAbort(Check& check)
@@ -361,6 +406,7 @@ int TestGeodesicContour(int, char*[])
   CheckScale(check);
   CheckBadProperties(check);
   CheckDirectionWarning(check);
+  CheckSigned(check);
   CheckProgressAndAbort(check);
   CheckThreads(check);
   return check.Result();

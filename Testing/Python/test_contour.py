@@ -77,6 +77,16 @@ class Lines(unittest.TestCase):
         self.assertLess(counts[0], counts[1])
         self.assertLess(counts[1], counts[2])
 
+    def test_signed_distances_are_on_one_side_of_the_curve(self):
+        source = polyline([(0.5, 1.5, 0), (3.5, 1.5, 0)])
+        contour = GeodesicContour(Input=plane(), Source=source, Distances=[-0.5, 0.25])
+        contour.SignedDistances = 1
+        found = lines(contour)
+        self.assertEqual([value for value, _ in found], [-0.5, 0.25])
+        for value, line in found:
+            self.assertTrue(np.all((line[:, 1] - 1.5) * value > -1e-6))
+            self.assertAlmostEqual(length(line), 3 + np.pi * abs(value), delta=1e-3)
+
     def test_wrong_distances_are_an_error_that_says_so(self):
         source = polyline([(1, 1, 0), (3, 2, 0)])
         for wrong, words in (([], "no value"), ([-1], "Value 0 is -1"), ([float("nan")], "nan")):

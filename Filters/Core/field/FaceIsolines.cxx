@@ -27,6 +27,40 @@ double angleOfChord(double radius, double chordTolerance)
   return cosine > 0.0 ? std::min(LargestStep, 2.0 * std::acos(cosine)) : LargestStep;
 }
 
+// With room for what rounding may move.
+PlaneBox boxAround(const std::array<Vec2, 3>& corners, double size)
+{
+  constexpr double room = 1e-3;
+  const auto [lowX, highX] = std::minmax({ corners[0].x, corners[1].x, corners[2].x });
+  const auto [lowY, highY] = std::minmax({ corners[0].y, corners[1].y, corners[2].y });
+  return { { lowX - room * size, lowY - room * size },
+    { highX + room * size, highY + room * size } };
+}
+
+/// Around a part of a curve.
+PlaneBox boxAround(const LevelCurve& curve, double begin, double end, double room)
+{
+  const Vec2 a = curve.at(begin);
+  const Vec2 b = curve.at(end);
+  const double way = curve.wayBetween(begin, end);
+  // An arc is not farther from its chord than this, nor than its own length.
+  const double aside = room + (curve.isArc ? std::min(way, 0.125 * way * way / curve.radius) : 0.0);
+  return { { std::min(a.x, b.x) - aside, std::min(a.y, b.y) - aside },
+    { std::max(a.x, b.x) + aside, std::max(a.y, b.y) + aside } };
+}
+
+bool isInside(const std::array<Vec2, 3>& corners, Vec2 p)
+{
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (cross(corners[(k + 1) % 3] - corners[k], p - corners[k]) < 0.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 void addTo(
   std::vector<OutlinePoint>& outline, std::size_t edge, const std::vector<OutlinePoint>& points)
 {
@@ -71,6 +105,7 @@ void FaceIsolines::draw(const FaceDistance& face, double level, Id valueId,
   this->parts_ = 1;
   this->slack_ = tolerance::IsolineValue * (this->level_ + this->size_);
   this->gap_ = tolerance::IsolineGap * std::min(this->size_, level);
+  this->places_.box = boxAround(whole.corners, this->size_);
   if (!this->drawWhole(whole))
   {
     this->drawPart(whole);
@@ -125,10 +160,10 @@ void FaceIsolines::addRegion(const DistanceCandidate& candidate, double offset)
   const std::size_t number = this->regions_.size();
   const LevelRegion region(candidate, number,
     this->level_ - static_cast<double>(number) * offset * (this->level_ + this->size_),
-    tolerance::PencilMargin * this->size_);
+    tolerance::PencilMargin * this->size_, this->places_.box);
   if (!region.isEmpty())
   {
-    region.addCurves(this->curves_);
+    region.addCurves(this->places_.box, this->curves_);
     this->regions_.push_back(region);
   }
 }
@@ -185,10 +220,11 @@ void FaceIsolines::findRemainders(const Part& part)
   }
 }
 
+// First to where it is in the part and in its own pencil, then by the regions that come near there.
 void FaceIsolines::cutCurve(std::size_t index, const Part& part)
 {
   const LevelCurve& curve = this->curves_[index];
-  this->places_.clear();
+  this->places_.at.clear();
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Vec2 begin = part.corners[k];
@@ -199,19 +235,47 @@ void FaceIsolines::cutCurve(std::size_t index, const Part& part)
       addMeetings(curve, { begin, (1.0 / length) * edge }, this->places_);
     }
   }
-  for (const LevelRegion& region : this->regions_)
-  {
-    region.addMeetings(curve, this->places_);
-  }
-  std::sort(this->places_.begin(), this->places_.end());
-  this->places_.push_back(curve.extent);
+  const LevelRegion& own = this->regions_[curve.candidate];
+  own.addRayMeetings(curve, this->places_);
+  std::sort(this->places_.at.begin(), this->places_.at.end());
+  this->places_.at.push_back(curve.extent);
   double begin = 0.0;
-  bool goesOn = false;
-  for (const double end : this->places_)
+  for (const double end : this->places_.at)
   {
+    const Vec2 middle = curve.at(0.5 * (begin + end));
+    if (end > begin && isInside(part.corners, middle) && own.isInPencil(middle))
+    {
+      this->cutCurveBetween(index, begin, end);
+    }
+    begin = std::max(begin, end);
+  }
+}
+
+void FaceIsolines::cutCurveBetween(std::size_t index, double first, double last)
+{
+  const LevelCurve& curve = this->curves_[index];
+  CurvePlaces& places = this->innerPlaces_;
+  places.at.clear();
+  places.box = boxAround(curve, first, last, this->gap_);
+  this->near_.clear();
+  for (std::size_t i = 0; i < this->regions_.size(); ++i)
+  {
+    if (i != curve.candidate && !this->regions_[i].misses(places.box))
+    {
+      this->near_.push_back(i);
+      this->regions_[i].addMeetings(curve, places);
+    }
+  }
+  std::sort(places.at.begin(), places.at.end());
+  places.at.push_back(last);
+  double begin = first;
+  bool goesOn = false;
+  for (const double place : places.at)
+  {
+    const double end = std::min(place, last);
     if (end > begin)
     {
-      const bool remains = this->remains(curve, curve.at(0.5 * (begin + end)), part);
+      const bool remains = this->remains(curve.at(0.5 * (begin + end)));
       if (remains && goesOn)
       {
         this->remainders_.back().end = end;
@@ -226,30 +290,13 @@ void FaceIsolines::cutCurve(std::size_t index, const Part& part)
   }
 }
 
-// Whether a point of a curve is in the part, in its pencil, and outside of all other regions.
-bool FaceIsolines::remains(const LevelCurve& curve, Vec2 p, const Part& part) const
+// Whether a point of a curve is outside of the regions near there. Between pencils that rounding
+// has parted, a path that bends at one of them is shorter.
+bool FaceIsolines::remains(Vec2 p) const
 {
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const Vec2 begin = part.corners[k];
-    if (cross(part.corners[(k + 1) % 3] - begin, p - begin) < 0.0)
-    {
-      return false;
-    }
-  }
-  if (!this->regions_[curve.candidate].isInPencil(p))
-  {
-    return false;
-  }
-  for (std::size_t i = 0; i < this->regions_.size(); ++i)
-  {
-    if (i != curve.candidate && this->regions_[i].contains(p))
-    {
-      return false;
-    }
-  }
-  // Between pencils that rounding has parted, a path that bends at one of them is shorter.
-  return this->face_->distance(p) >= this->level_ - this->slack_;
+  return std::none_of(this->near_.begin(), this->near_.end(),
+           [&](std::size_t i) { return this->regions_[i].contains(p); }) &&
+    this->face_->distance(p) >= this->level_ - this->slack_;
 }
 
 // The nearest ones first. Returns whether all ends found another where the line goes on.
@@ -274,17 +321,29 @@ bool FaceIsolines::joinEnds(const Part& part)
   {
     return false;
   }
+  this->used_.assign(this->to_.size(), 0);
+  return this->joinEndsWithin(this->gap_) || this->joinEndsWithin(Infinity);
+}
+
+// Joins ends that have no other yet and are no farther apart. Returns whether all have one where
+// the line goes on.
+bool FaceIsolines::joinEndsWithin(double largestGap)
+{
   this->pairs_.clear();
   for (std::size_t i = 0; i < this->from_.size(); ++i)
   {
     for (std::size_t j = 0; j < this->to_.size(); ++j)
     {
-      this->pairs_.push_back({ norm(this->to_[j].at - this->from_[i].at), i, j });
+      const double gap = norm(this->to_[j].at - this->from_[i].at);
+      const bool isLoose = this->next_[this->from_[i].owner] == None && !this->used_[j];
+      if (isLoose && gap <= largestGap)
+      {
+        this->pairs_.push_back({ gap, i, j });
+      }
     }
   }
   std::stable_sort(this->pairs_.begin(), this->pairs_.end(),
     [](const Pair& a, const Pair& b) { return a.gap < b.gap; });
-  this->used_.assign(this->to_.size(), 0);
   bool allMeet = true;
   for (const Pair& pair : this->pairs_)
   {
@@ -297,7 +356,9 @@ bool FaceIsolines::joinEnds(const Part& part)
       this->used_[pair.to] = 1;
     }
   }
-  return allMeet;
+  return allMeet &&
+    std::all_of(
+      this->used_.begin(), this->used_.end(), [](std::uint8_t used) { return used != 0; });
 }
 
 // Whether a line may go straight from one end to another.

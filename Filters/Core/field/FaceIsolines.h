@@ -123,8 +123,10 @@ private:
   void drawPart(const Part& part);
   void findRemainders(const Part& part);
   void cutCurve(std::size_t curve, const Part& part);
-  bool remains(const LevelCurve& curve, Vec2 p, const Part& part) const;
+  void cutCurveBetween(std::size_t curve, double first, double last);
+  bool remains(Vec2 p) const;
   bool joinEnds(const Part& part);
+  bool joinEndsWithin(double largestGap);
   bool isJoint(Vec2 a, Vec2 b) const;
   void addLines(const Part& part);
   void addLineFrom(std::size_t owner, const Part& part);
@@ -164,7 +166,10 @@ private:
   std::vector<std::size_t> next_;
   std::vector<std::uint8_t> used_;
 
-  std::vector<double> places_;
+  CurvePlaces places_;
+  CurvePlaces innerPlaces_;
+  /// The regions near the part of a curve that is cut.
+  std::vector<std::size_t> near_;
   SegmentEnvelope envelope_;
   std::vector<SegmentCrossing> crossings_;
 };

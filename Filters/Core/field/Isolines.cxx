@@ -81,6 +81,54 @@ void checkOptions(const IsolineOptions& options)
   }
 }
 
+/// Where a condition ends to hold, between one place where it holds and another.
+template <typename Condition>
+double bisect(double holds, double fails, Condition&& condition)
+{
+  constexpr int halvings = 60;
+  for (int i = 0; i < halvings; ++i)
+  {
+    const double middle = 0.5 * (holds + fails);
+    (condition(middle) ? holds : fails) = middle;
+  }
+  return fails;
+}
+
+/// A segment of a face, along a unit vector.
+struct Segment
+{
+  Vec2 begin;
+  Vec2 along;
+  double length;
+};
+
+// Windows of an envelope may differ where they meet, by tolerance::JointFraction. The distance in
+// the face tells the place then.
+double placeByDistance(const FaceDistance& face, const Segment& segment, double level, double place)
+{
+  const auto above = [&](double x)
+  { return face.distance(segment.begin + x * segment.along) - level; };
+  const double off = above(place);
+  if (std::abs(off) <= tolerance::IsolineValue * (level + segment.length))
+  {
+    return place;
+  }
+  constexpr int doublings = 8;
+  double reach = std::abs(off);
+  for (int i = 0; i < doublings; ++i, reach *= 2.0)
+  {
+    for (const double other :
+      { std::max(0.0, place - reach), std::min(segment.length, place + reach) })
+    {
+      if ((above(other) < 0.0) != (off < 0.0))
+      {
+        return bisect(place, other, [&](double x) { return (above(x) < 0.0) == (off < 0.0); });
+      }
+    }
+  }
+  return place;
+}
+
 Drawing::Drawing(const DistanceField& field, const IsolineOptions& options)
   : field_(field)
   , mesh_(field.mesh())
@@ -258,9 +306,10 @@ void Drawing::addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePo
     {
       distance.emplace(this->field_, face);
     }
-    const std::vector<Window>& envelope =
-      memory.along(*distance, distance->inPlane(cornerWeights(halfedge % 3)),
-        distance->inPlane(cornerWeights((halfedge + 1) % 3)));
+    const Vec2 p = distance->inPlane(cornerWeights(halfedge % 3));
+    const Vec2 q = distance->inPlane(cornerWeights((halfedge + 1) % 3));
+    const std::vector<Window>& envelope = memory.along(*distance, p, q);
+    const Segment segment = { p, length > 0.0 ? (1.0 / length) * (q - p) : Vec2{}, length };
     for (std::size_t value = first; value < last; ++value)
     {
       crossings.clear();
@@ -268,7 +317,8 @@ void Drawing::addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePo
         this->isBelow(ends[1], value), crossings);
       for (const SegmentCrossing& crossing : crossings)
       {
-        const double fraction = length > 0.0 ? std::min(1.0, crossing.at / length) : 0.5;
+        const double at = placeByDistance(*distance, segment, this->levels_[value], crossing.at);
+        const double fraction = length > 0.0 ? std::min(1.0, at / length) : 0.5;
         points.push_back({ halfedge, static_cast<Id>(value), fraction, crossing.rises });
       }
     }

@@ -36,13 +36,13 @@ double clockwiseAngle(Vec2 from, Vec2 to)
   return angle < 0.0 ? angle + 2.0 * Pi : angle;
 }
 
-void addPlace(const LevelCurve& curve, Vec2 p, std::vector<double>& places)
+void addPlace(const LevelCurve& curve, Vec2 p, CurvePlaces& places)
 {
   const double t =
     curve.isArc ? clockwiseAngle(curve.axis, p - curve.origin) : dot(curve.axis, p - curve.origin);
   if (t > 0.0 && t < curve.extent)
   {
-    places.push_back(t);
+    places.at.push_back(t);
   }
 }
 
@@ -53,13 +53,25 @@ LevelCurve fullCircle(std::size_t candidate, Vec2 center, double radius)
 
 } // anonymous namespace
 
+double PlaneBox::nearest(Vec2 p) const
+{
+  return norm(Vec2{ std::max({ this->low.x - p.x, 0.0, p.x - this->high.x }),
+    std::max({ this->low.y - p.y, 0.0, p.y - this->high.y }) });
+}
+
+double PlaneBox::farthest(Vec2 p) const
+{
+  return norm(Vec2{ std::max(p.x - this->low.x, this->high.x - p.x),
+    std::max(p.y - this->low.y, this->high.y - p.y) });
+}
+
 Vec2 LevelCurve::at(double t) const
 {
   return this->isArc ? this->origin + this->radius * turnedClockwise(this->axis, t)
                      : this->origin + t * this->axis;
 }
 
-void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& places)
+void addMeetings(const LevelCurve& curve, const PlaneLine& line, CurvePlaces& places)
 {
   if (!curve.isArc)
   {
@@ -85,7 +97,7 @@ void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<dou
   }
 }
 
-void addMeetings(const LevelCurve& curve, Vec2 center, double radius, std::vector<double>& places)
+void addMeetings(const LevelCurve& curve, Vec2 center, double radius, CurvePlaces& places)
 {
   const Vec2 toCenter = center - curve.origin;
   if (!curve.isArc)
@@ -118,8 +130,8 @@ void addMeetings(const LevelCurve& curve, Vec2 center, double radius, std::vecto
   }
 }
 
-LevelRegion::LevelRegion(
-  const DistanceCandidate& candidate, std::size_t number, double value, double margin)
+LevelRegion::LevelRegion(const DistanceCandidate& candidate, std::size_t number, double value,
+  double margin, const PlaneBox& box)
   : candidate_(&candidate)
   , number_(number)
   , level_(value - candidate.sigma)
@@ -130,7 +142,7 @@ LevelRegion::LevelRegion(
   {
     this->first_ = candidate.source;
     this->last_ = candidate.source;
-    this->isEmpty_ = !(std::min(candidate.atBegin, candidate.atEnd) < value);
+    this->isEmpty_ = !(std::min(candidate.atBegin, candidate.atEnd) < value) || this->misses(box);
     return;
   }
   this->isEmpty_ = !(this->level_ > 0.0);
@@ -144,6 +156,33 @@ LevelRegion::LevelRegion(
     this->isEmpty_ =
       this->isEmpty_ || !(norm(candidate.begin + x * along - candidate.source) < this->level_);
   }
+  this->isEmpty_ = this->isEmpty_ || this->misses(box);
+}
+
+// Whether one of the lines that bound it parts it from the box.
+bool LevelRegion::misses(const PlaneBox& box) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  const std::array<Vec2, 4> corners = box.corners();
+  const auto all = [&corners](auto&& outside)
+  { return std::all_of(corners.begin(), corners.end(), outside); };
+  if (this->hasPencil() &&
+    (all([&](Vec2 p) { return cross(this->first_, p - c.begin) > this->margin_; }) ||
+      all([&](Vec2 p) { return cross(this->last_, p - c.end) < -this->margin_; })))
+  {
+    return true;
+  }
+  switch (c.kind)
+  {
+    case DistanceCandidate::Kind::Linear:
+      return all([&](Vec2 p) { return dot(c.source, p) > this->level_; });
+    case DistanceCandidate::Kind::Segment:
+      return false;
+    case DistanceCandidate::Kind::Cone:
+    case DistanceCandidate::Kind::Circular:
+      break;
+  }
+  return box.nearest(c.source) > this->level_;
 }
 
 bool LevelRegion::isInPencil(Vec2 p) const
@@ -170,9 +209,15 @@ bool LevelRegion::contains(Vec2 p) const
   return norm(p - c.source) < this->level_ && this->isInPencil(p);
 }
 
-void LevelRegion::addCurves(std::vector<LevelCurve>& curves) const
+void LevelRegion::addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const
 {
   const DistanceCandidate& c = *this->candidate_;
+  const bool isRound =
+    c.kind == DistanceCandidate::Kind::Cone || c.kind == DistanceCandidate::Kind::Circular;
+  if (isRound && box.farthest(c.source) < this->level_)
+  {
+    return;
+  }
   switch (c.kind)
   {
     case DistanceCandidate::Kind::Cone:
@@ -228,7 +273,7 @@ void LevelRegion::addOutline(std::vector<LevelCurve>& curves) const
   curves.push_back({ this->number_, true, c.begin, -1.0 * left, r, Pi });
 }
 
-void LevelRegion::addMeetings(const LevelCurve& curve, std::vector<double>& places) const
+void LevelRegion::addRayMeetings(const LevelCurve& curve, CurvePlaces& places) const
 {
   using geodesic::addMeetings;
   const DistanceCandidate& c = *this->candidate_;
@@ -237,6 +282,13 @@ void LevelRegion::addMeetings(const LevelCurve& curve, std::vector<double>& plac
     addMeetings(curve, { c.begin + this->margin_ * leftOf(this->first_), this->first_ }, places);
     addMeetings(curve, { c.end - this->margin_ * leftOf(this->last_), this->last_ }, places);
   }
+}
+
+void LevelRegion::addMeetings(const LevelCurve& curve, CurvePlaces& places) const
+{
+  using geodesic::addMeetings;
+  const DistanceCandidate& c = *this->candidate_;
+  this->addRayMeetings(curve, places);
   if (c.kind == DistanceCandidate::Kind::Linear)
   {
     addMeetings(curve, { this->level_ * c.source, leftOf(c.source) }, places);

@@ -4,6 +4,7 @@
 
 #include "field/FaceDistance.h"
 
+#include <array>
 #include <vector>
 
 namespace geodesic
@@ -33,6 +34,32 @@ struct LevelCurve
   }
 };
 
+/// A rectangle around a face: what is outside of it does not matter.
+struct PlaneBox
+{
+  Vec2 low;
+  Vec2 high;
+
+  bool contains(Vec2 p) const
+  {
+    return p.x >= this->low.x && p.x <= this->high.x && p.y >= this->low.y && p.y <= this->high.y;
+  }
+  std::array<Vec2, 4> corners() const
+  {
+    return { this->low, { this->high.x, this->low.y }, this->high, { this->low.x, this->high.y } };
+  }
+  /// The least distance of its points from p, and the largest.
+  double nearest(Vec2 p) const;
+  double farthest(Vec2 p) const;
+};
+
+/// Places on a curve, within a box.
+struct CurvePlaces
+{
+  PlaneBox box;
+  std::vector<double> at;
+};
+
 /// A line through a point along a unit vector.
 struct PlaneLine
 {
@@ -41,8 +68,8 @@ struct PlaneLine
 };
 
 /// Appends where the curve meets a line or a circle, in no order.
-void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& places);
-void addMeetings(const LevelCurve& curve, Vec2 center, double radius, std::vector<double>& places);
+void addMeetings(const LevelCurve& curve, const PlaneLine& line, CurvePlaces& places);
+void addMeetings(const LevelCurve& curve, Vec2 center, double radius, CurvePlaces& places);
 
 /// Where one distance candidate is below a value: the points that it reaches straight, a convex
 /// region bounded by the rays at the ends of its window and by level curves.
@@ -51,7 +78,9 @@ class LevelRegion
 public:
   /// \param candidate must outlive this.
   /// \param margin by which the pencil is widened, so that those of neighbours leave no gap.
-  LevelRegion(const DistanceCandidate& candidate, std::size_t number, double value, double margin);
+  /// \param box around the face.
+  LevelRegion(const DistanceCandidate& candidate, std::size_t number, double value, double margin,
+    const PlaneBox& box);
 
   /// Whether there is none in the face.
   bool isEmpty() const { return this->isEmpty_; }
@@ -59,10 +88,14 @@ public:
   /// Whether a point of the level curve bounds the region, and not only goes on with it.
   bool isInPencil(Vec2 p) const;
 
-  /// Appends the curves that bound it, a little longer than they are at the rays.
-  void addCurves(std::vector<LevelCurve>& curves) const;
+  /// Appends the curves that bound it in the box, a little longer than they are at the rays.
+  void addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const;
+  /// Whether one of the lines that bound it parts it from a box; it may miss others, too.
+  bool misses(const PlaneBox& box) const;
+  /// Appends the places where a curve may enter or leave the pencil.
+  void addRayMeetings(const LevelCurve& curve, CurvePlaces& places) const;
   /// Appends the places where a curve may enter or leave the region, and others.
-  void addMeetings(const LevelCurve& curve, std::vector<double>& places) const;
+  void addMeetings(const LevelCurve& curve, CurvePlaces& places) const;
 
 private:
   bool hasPencil() const

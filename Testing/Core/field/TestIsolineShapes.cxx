@@ -5,6 +5,7 @@
 #include "truth/RandomMeshKinds.h"
 
 #include "Errors.h"
+#include "field/IsolineSides.h"
 #include "field/SolveForIsolines.h"
 
 #include <gtest/gtest.h>
@@ -479,4 +480,117 @@ TEST(IsolinesWithoutDirection, AreCountedWhereFacesAreTurned)
   point.isCut = { 0 };
   EXPECT_EQ(isolinesOf(turned, { point }, { 2.7 }, 1e-3).linesWithoutDirection, 1U);
   EXPECT_EQ(isolinesOf(engineMesh(sheet), { point }, { 2.7 }, 1e-3).linesWithoutDirection, 0U);
+}
+
+namespace
+{
+
+/// The lines on the left-hand and right-hand side, as values 0 and 1.
+Isolines linesOfSides(const TriangleMesh& mesh, const std::vector<geodesic::SourceCurve>& curves,
+  double value, double chordTolerance)
+{
+  geodesic::FrontOptions front;
+  front.keepArrivals = true;
+  geodesic::IsolineOptions options;
+  options.values = { value };
+  options.chordTolerance = chordTolerance;
+  const geodesic::DistanceField field =
+    geodesic::solveForIsolines(mesh, curves, options.values, front);
+  geodesic::NearestSource nearest(field, curves);
+  return geodesic::linesOnSides(field, nearest,
+    [](const geodesic::Foot& foot) { return foot.isRight; }, geodesic::drawIsolines(field, options),
+    { { 0, 1 } });
+}
+
+}
+
+// Beside a straight open curve each side has half of the stadium, which ends on the curve's line.
+TEST(IsolineSides, OfAnOpenCurveEndWhereTheSignJumpsBehindItsEnds)
+{
+  const TriangleMesh mesh = engineMesh(oneFace());
+  Polyline curve;
+  curve.segments = { { 0, inOneFace(1.0, 0.8).weights, inOneFace(1.5, 0.8).weights } };
+  const double v = 0.3;
+  const Isolines lines =
+    linesOfSides(mesh, engineCurves(mesh, std::vector<Polyline>{ curve }), v, 1e-6);
+  ASSERT_EQ(lines.lines.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    EXPECT_EQ(lines.lines[i].value, i);
+    EXPECT_FALSE(lines.lines[i].isClosed());
+    expectArcs(lengthOf(mesh, lines, i), Pi * v, 0.5, v, 1e-6);
+    const Vec3 first = geodesic::position(mesh, lines.points[lines.lines[i].points.front()]);
+    const Vec3 last = geodesic::position(mesh, lines.points[lines.lines[i].points.back()]);
+    // In the direction of the curve on both sides.
+    EXPECT_NEAR(first[0], 1.0 - v, 1e-11);
+    EXPECT_NEAR(last[0], 1.5 + v, 1e-11);
+    EXPECT_NEAR(first[1], 0.8, 1e-11);
+    EXPECT_NEAR(last[1], 0.8, 1e-11);
+    for (std::size_t k = 1; k + 1 < lines.lines[i].points.size(); ++k)
+    {
+      const double y = geodesic::position(mesh, lines.points[lines.lines[i].points[k]])[1];
+      EXPECT_TRUE(i == 0 ? y > 0.8 : y < 0.8);
+    }
+  }
+}
+
+TEST(IsolineSides, OfAClosedCurveAreInsideAndOutside)
+{
+  const TriangleMesh mesh = engineMesh(oneFace());
+  const std::array<MeshPoint, 4> corners = { inOneFace(0.8, 0.8), inOneFace(1.4, 0.8),
+    inOneFace(1.4, 1.4), inOneFace(0.8, 1.4) };
+  Polyline square;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    square.segments.push_back({ 0, corners[i].weights, corners[(i + 1) % 4].weights });
+  }
+  for (const bool isTurned : { false, true })
+  {
+    const Isolines lines = linesOfSides(mesh,
+      engineCurves(mesh, std::vector<Polyline>{ isTurned ? reversed(square) : square }), 0.2, 1e-7);
+    ASSERT_EQ(lines.lines.size(), 2U);
+    EXPECT_TRUE(lines.lines[0].isClosed() && lines.lines[1].isClosed());
+    EXPECT_EQ(lines.lines[0].value, 0U);
+    EXPECT_EQ(lines.lines[1].value, 1U);
+    const std::size_t inside = isTurned ? 1 : 0; // with the curve against the clock its left
+    EXPECT_NEAR(lengthOf(mesh, lines, inside), 4.0 * (0.6 - 0.4), 1e-11);
+    expectArcs(lengthOf(mesh, lines, 1 - inside), 2.0 * Pi * 0.2, 2.4, 0.2, 1e-7);
+  }
+}
+
+// Both sides together are the unsigned lines, and each point has the side of its part.
+TEST_P(IsolinesOfKinds, OnTheSidesOfCurvesAreTheUnsignedOnesCut)
+{
+  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  {
+    Random random(seed + 79500);
+    const PlainMesh plain = GetParam().make(random.between(30, 200), random);
+    const TriangleMesh mesh = engineMesh(plain);
+    CurveMaker maker(plain, random);
+    const std::vector<Polyline> polylines = { maker.straight(5), maker.closed() };
+    const std::vector<geodesic::SourceCurve> curves = engineCurves(mesh, polylines);
+    const double largest = largestFinite(geodesic::solve(mesh, curves).vertexDistances());
+    const double value = random.uniform(0.05, 0.8) * largest;
+    const Isolines unsignedLines = isolinesOf(mesh, curves, { value }, 1e-4 * largest);
+    const Isolines lines = linesOfSides(mesh, curves, value, 1e-4 * largest);
+    const double length = totalLength(mesh, unsignedLines, 0);
+    EXPECT_NEAR(totalLength(mesh, lines, 0) + totalLength(mesh, lines, 1), length, 1e-3 * length)
+      << GetParam().name << ", seed " << seed;
+    expectChordsInFaces(mesh, lines);
+    std::vector<MeshPoint> places;
+    for (const Isoline& line : lines.lines)
+    {
+      for (const Id point : line.points)
+      {
+        places.push_back(testPoint(mesh, lines.points[point]));
+      }
+    }
+    const std::vector<double> truth =
+      bruteForceDistances(plain, toSources(polylines), places).queries;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      EXPECT_NEAR(truth[i], value, std::max(1e-11, accuracyOn(GetParam())) * largest)
+        << GetParam().name << ", seed " << seed;
+    }
+  }
 }

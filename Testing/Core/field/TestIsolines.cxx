@@ -136,6 +136,7 @@ TEST_P(RandomIsolines, PointsAreAtTheValueAndChordsNearIt)
     worstPoint = std::max(worstPoint, atPoints);
     worstChord = std::max(worstChord, atChords);
   }
+  EXPECT_EQ(straight, 0U);
   std::cout << GetParam().name << ": points " << worstPoint << ", chords " << worstChord
             << " of the largest distance; parts crossed straight " << straight << "\n";
 }
