@@ -87,6 +87,9 @@
  * - point data array `GeodesicDistance` (or DistanceArrayName): the distance, in double precision;
  *   infinite at points that no path connects to the source, inside barriers, or beyond
  *   MaximumDistance,
+ * - where they are asked for, point data arrays `SourceId`, `ClosestSourcePoint`,
+ * `DistanceGradient` and `SignedGeodesicDistance`: see SetGenerateSourceIds() and those that follow
+ * it,
  * - cell data array `OriginalCellIds`, where RefineMesh was done: the cell of the input (of the
  *   block) that each triangle is a part of,
  * - field data arrays `WindowsPropagatedPerEdge`, `SourceSnapDistance`, `RelativeErrorBound` and
@@ -102,13 +105,14 @@
  * coordinates and distances on both sides. Faces on the same points as another are refined like it.
  * @par
  * Port 1 has the source as it lies on the surface: polylines with a point at every mesh edge that
- * they cross, and a vertex for each point source.
+ * they cross, and a vertex for each point source, with the cell data array `SourceId`: the part of
+ * the source that each comes from, as SetGenerateSourceIds() numbers them.
  *
  * @par Execution:
  * The structure of the surface is kept, so that executing again with another source costs only the
- * propagation. It is built anew when coordinates, cells, barriers, ghost flags or global ids have changed
- * (these are compared each time, also where nothing says that they were modified), not when other
- * arrays have, and is released after each execution where ReleaseDataFlag is set. Progress is
+ * propagation. It is built anew when coordinates, cells, barriers, ghost flags or global ids have
+ * changed (these are compared each time, also where nothing says that they were modified), not when
+ * other arrays have, and is released after each execution where ReleaseDataFlag is set. Progress is
  * reported, and abort is obeyed. After an abort or an error, such as that memory has run out, both
  * outputs are empty.
  *

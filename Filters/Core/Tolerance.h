@@ -115,9 +115,9 @@ constexpr double PencilMargin = 1e-12;
 /// joint's place carries the rounding of the crossing that was solved for it.
 constexpr double JointFraction = 1e-9;
 
-/// An isoline is drawn where the distance is smaller than its value by this fraction: so vertices at
-/// exactly the value, which carry the rounding of every unfolding on their way, are all beyond the
-/// line, and it passes on one side of them.
+/// An isoline is drawn where the distance is smaller than its value by this fraction: so vertices
+/// at exactly the value, which carry the rounding of every unfolding on their way, are all beyond
+/// the line, and it passes on one side of them.
 constexpr double BelowValue = 1e-13;
 
 /// A point of an isoline on an edge is at a vertex when nearer than this fraction of the value and

@@ -33,7 +33,8 @@ WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest)
 {
   const Vec2 d = p - Vec2{ x, 0.0 };
   const double length = norm(ray);
-  const double rounding = tolerance::PlaceRounding * longest * length;
+  // Of the places on both: a ray from beside a corner is hardly longer than these.
+  const double rounding = tolerance::PlaceRounding * longest * (length + norm(d));
   const bool isBent = std::abs(cross(ray, d)) > rounding || dot(ray, d) < -rounding;
   return { isBent, isBent || length < tolerance::NearEdge * norm(d) ? d : ray };
 }

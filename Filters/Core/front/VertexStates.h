@@ -87,9 +87,18 @@ private:
   bool isArrivalMissing(Id vertex, double distance) const
   {
     return !this->arrivals_.empty() && !this->arrivals_[vertex].isKnown() &&
-      distance <= this->distance(vertex) * (1.0 + tolerance::Tie);
+      (distance <= this->distance(vertex) * (1.0 + tolerance::Tie) ||
+        distance <= this->distance(vertex) + this->tieAround(vertex));
   }
+  /// A bound along an edge says nothing of the arrival: one a rounding longer is its own.
+  bool isArrivalKept(const DistanceUpdate& update) const
+  {
+    return !update.from.isKnown() && this->arrivals_[update.vertex].isKnown() &&
+      this->distance(update.vertex) - update.distance <= this->tieAround(update.vertex);
+  }
+  double tieAround(Id vertex) const;
 
+  const TriangleMesh& mesh_;
   std::vector<VertexState> states_;
   /// Empty in the exact solve.
   std::vector<double> errors_;
@@ -98,7 +107,8 @@ private:
 };
 
 inline VertexStates::VertexStates(const TriangleMesh& mesh, bool withErrors, bool withArrivals)
-  : states_(mesh.numberOfVertices())
+  : mesh_(mesh)
+  , states_(mesh.numberOfVertices())
   , errors_(withErrors ? mesh.numberOfVertices() : 0, 0.0)
   , arrivals_(withArrivals ? mesh.numberOfVertices() : 0)
 {
@@ -111,6 +121,17 @@ inline VertexStates::VertexStates(const TriangleMesh& mesh, bool withErrors, boo
   }
 }
 
+// A way across a needle carries the rounding of its long edges.
+inline double VertexStates::tieAround(Id vertex) const
+{
+  double longest = 0.0;
+  for (const Id corner : this->mesh_.cornersAt(vertex))
+  {
+    longest = std::max(longest, this->mesh_.length(corner));
+  }
+  return tolerance::Tie * (this->distance(vertex) + longest);
+}
+
 inline bool VertexStates::shorten(const DistanceUpdate& update)
 {
   // A linear window's distance may be a rounding below 0 at its source.
@@ -119,7 +140,8 @@ inline bool VertexStates::shorten(const DistanceUpdate& update)
   const bool isShorter = distance < state.distance;
   const bool isTie = distance >= state.distance * (1.0 - tolerance::Tie);
   if (!this->arrivals_.empty() &&
-    ((isShorter && !isTie) || this->isArrivalMissing(update.vertex, distance)))
+    ((isShorter && !isTie && !this->isArrivalKept(update)) ||
+      this->isArrivalMissing(update.vertex, distance)))
   {
     this->arrivals_[update.vertex] = update.from;
   }

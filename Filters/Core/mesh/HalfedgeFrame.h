@@ -22,8 +22,8 @@ inline Barycentric cornerWeights(std::size_t k)
 /// origin, the face above.
 Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& point);
 
-/// The way back: the coordinates of a point of the plane, some of them negative outside of the face.
-/// In a face without height those of the nearest point of the halfedge's line.
+/// The way back: the coordinates of a point of the plane, some of them negative outside of the
+/// face. In a face without height those of the nearest point of the halfedge's line.
 Barycentric fromHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, Vec2 point);
 
 /// The apex of that frame: the vertex opposite the halfedge, which must have a length.

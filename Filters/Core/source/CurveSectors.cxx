@@ -133,7 +133,7 @@ void CurveSectors::addEnd(const SegmentEnd& end)
     { before.origin(vertices), end.place } });
 }
 
-// In the middle between two segments that follow one another.
+// At the segments themselves, and in the middle between two that follow one another.
 void CurveSectors::findChanges()
 {
   this->changes_.clear();
@@ -141,6 +141,7 @@ void CurveSectors::findChanges()
   for (std::size_t i = 0; i < this->ends_.size(); ++i)
   {
     const End& end = this->ends_[i];
+    this->changes_.push_back(end.at);
     const std::size_t fan = end.at.fan;
     first = this->ends_[first].at.fan == fan ? first : i;
     const bool isLast = i + 1 == this->ends_.size() || this->ends_[i + 1].at.fan != fan;

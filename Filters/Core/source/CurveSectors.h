@@ -52,8 +52,7 @@ public:
   /// What a direction in the frame of a halfedge belongs to.
   CurveOrigin of(Id halfedge, Vec2 direction) const;
 
-  /// The directions in a face, in the frame of a halfedge of it, where what they belong to changes,
-  /// save along segments themselves.
+  /// The directions in a face, in the frame of a halfedge of it, where what they belong to changes.
   std::vector<Vec2> changesIn(Id halfedge) const;
 
 private:

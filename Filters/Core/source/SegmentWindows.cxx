@@ -11,6 +11,18 @@ namespace geodesic
 namespace
 {
 
+// Whether rays to one side of the segment may leave through a halfedge. From a corner that the
+// segment ends in, one halfedge lies on its left and one on its right: through that on the other
+// side rounding would let pass a sliver.
+bool isSideOf(std::size_t k, const SourceInFace& segment, bool isRight)
+{
+  const auto isCorner = [](const Barycentric& p, std::size_t corner)
+  { return p[(corner + 1) % 3] == 0.0 && p[(corner + 2) % 3] == 0.0; };
+  const bool isOnRight = isCorner(segment.a, k) || isCorner(segment.b, (k + 1) % 3);
+  const bool isOnLeft = isCorner(segment.b, k) || isCorner(segment.a, (k + 1) % 3);
+  return isRight ? !isOnLeft : !isOnRight;
+}
+
 // The rays through one halfedge: the strip beside the segment, cut off by the rays at its two ends.
 void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFace& segment,
   std::vector<LeavingWindow>& windows)
@@ -19,6 +31,10 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFac
   Vec2 to = inLeavingFrame(mesh, halfedge, segment.b);
   // Rays go up: seen along a segment from left to right they leave to its left.
   const bool isRight = from.x > to.x;
+  if (!isSideOf(halfedge % 3, segment, isRight))
+  {
+    return;
+  }
   if (isRight)
   {
     std::swap(from, to);

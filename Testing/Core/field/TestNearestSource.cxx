@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <numeric>
 #include <string>
 
 using namespace geodesictest;
@@ -63,6 +64,22 @@ geodesic::DistanceField solveFor(
   return at == At::RefinedPoints
     ? geodesic::solveForRefinement(mesh, curves, RefinementTolerance, options)
     : geodesic::solve(mesh, curves, options, geodesic::KeepWindows::All);
+}
+
+/// A point of a face as it is; one of another face, which lies a rounding beside a corner, as that.
+SurfacePoint inFaceOrAtCorner(
+  const geodesic::TriangleMesh& mesh, const SurfacePoint& point, Id face)
+{
+  if (geodesic::contains(mesh, face, point))
+  {
+    return point;
+  }
+  const Id own = geodesic::someFace(mesh, point);
+  const geodesic::Barycentric weights = geodesic::barycentric(mesh, point, own);
+  const auto largest = std::max_element(weights.begin(), weights.end());
+  EXPECT_GT(*largest, 1.0 - 1e-12);
+  return SurfacePoint::atVertex(
+    mesh.triangle(own)[static_cast<std::size_t>(largest - weights.begin())]);
 }
 
 /// A random case, solved, and the points that are asked for.
@@ -136,6 +153,29 @@ struct Solved
       : nearest.of(geodesic::lastPieceTo(field, points[i]));
   }
 };
+
+/// Some, and what has been hard to tell: at a spine a ray from a rounding beside a corner, in a
+/// face of its own a point a rounding beside a vertex, across needles a path shorter than the
+/// rounding of their edges.
+std::vector<std::uint64_t> seedsOf(const MeshKind& kind)
+{
+  std::vector<std::uint64_t> seeds(MeshesOfAKind);
+  std::iota(seeds.begin(), seeds.end(), std::uint64_t(0));
+  const std::string name = kind.name;
+  if (name == "Book" || name == "FlatBook")
+  {
+    seeds.push_back(502006);
+  }
+  if (name == "WildSheet")
+  {
+    seeds.push_back(503009);
+  }
+  if (name == "Needles")
+  {
+    seeds.push_back(511006);
+  }
+  return seeds;
+}
 
 class NearestSources : public ::testing::TestWithParam<std::tuple<MeshKind, At>>
 {
@@ -216,7 +256,7 @@ TEST_P(NearestSources, HaveTheirFeetAsFarAsTheField)
 TEST_P(NearestSources, AreComeNearerToAgainstTheGradient)
 {
   double worst = 0.0;
-  for (std::uint64_t seed = 0; seed < MeshesOfAKind; ++seed)
+  for (const std::uint64_t seed : seedsOf(kind()))
   {
     Solved s(kind(), seed, at());
     std::vector<MeshPoint> steps;
@@ -235,7 +275,8 @@ TEST_P(NearestSources, AreComeNearerToAgainstTheGradient)
       ASSERT_NEAR(size, 1.0, 1e-14) << kind().name << ", seed " << seed << ", point " << i;
       // The step in barycentric coordinates, by the frame of the piece.
       const Id face = geodesic::TriangleMesh::faceOf(piece.frame);
-      const geodesic::Barycentric at = geodesic::barycentric(s.mesh, s.points[i], face);
+      const geodesic::Barycentric at =
+        geodesic::barycentric(s.mesh, inFaceOrAtCorner(s.mesh, s.points[i], face), face);
       const double pieceLength = geodesic::norm(piece.direction);
       const geodesic::FaceShape& shape = s.mesh.shape(face);
       const double step = 1e-3 * std::min(shape.area2 / shape.longest(), s.truth[i]);
