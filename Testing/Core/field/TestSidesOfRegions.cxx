@@ -11,6 +11,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -102,69 +103,62 @@ private:
     return { std::min(a, b), std::max(a, b) };
   }
 
-  // With the region to the left a segment leaves where the value rises, and ends where it falls, on
-  // the way around the face: rotated by a quarter, the gradient points to its left.
+  // Along edges at 0 between a face of the region and one outside, and through faces.
   void findSegments()
   {
-    std::map<Place, Index> negativeBeside; // faces beyond edges at 0, by the halfedge of the other
-    for (Index f = 0; f < mesh_.triangles.size(); ++f)
+    std::set<Place> outside; // the halfedges of faces outside
+    for (const Triangle& t : mesh_.triangles)
     {
-      const Triangle& t = mesh_.triangles[f];
       if (std::none_of(t.begin(), t.end(), [&](Index v) { return values_[v] > 0.0; }))
       {
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          negativeBeside[{ t[(k + 1) % 3], t[k] }] = f;
-        }
+        outside.insert({ { t[0], t[1] }, { t[1], t[2] }, { t[2], t[0] } });
       }
     }
     for (Index f = 0; f < mesh_.triangles.size(); ++f)
     {
       const Triangle& t = mesh_.triangles[f];
-      const auto value = [&](std::size_t k) { return values_[t[k % 3]]; };
-      Segment segment;
-      segment.inFace = { f, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
-      bool isThere = false;
       for (std::size_t k = 0; k < 3; ++k)
       {
-        if (value(k) == 0.0 && value(k + 1) == 0.0 && value(k + 2) > 0.0)
+        const bool isAtZero = values_[t[k]] == 0.0 && values_[t[(k + 1) % 3]] == 0.0;
+        if (isAtZero && values_[t[(k + 2) % 3]] > 0.0 &&
+          outside.count({ t[(k + 1) % 3], t[k] }) != 0)
         {
-          if (negativeBeside.count({ t[k], t[(k + 1) % 3] }) != 0)
-          {
-            segment.from = addEnd(f, k, segment.inFace.from);
-            segment.to = addEnd(f, (k + 1) % 3, segment.inFace.to);
-            segments_.push_back(segment);
-          }
-        }
-      }
-      const bool hasPositive = value(0) > 0.0 || value(1) > 0.0 || value(2) > 0.0;
-      const bool hasNegative = value(0) < 0.0 || value(1) < 0.0 || value(2) < 0.0;
-      if (!hasPositive || !hasNegative)
-      {
-        continue;
-      }
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        // Out of the region along the halfedge: the segment begins there, as the region is then to
-        // the left of the way across the face.
-        const bool falls = (value(k) > 0.0 && value(k + 1) < 0.0) ||
-          (value(k) == 0.0 && value(k + 1) < 0.0 && value(k + 2) > 0.0);
-        const bool rises = (value(k) < 0.0 && value(k + 1) > 0.0) ||
-          (value(k) == 0.0 && value(k + 1) > 0.0 && value(k + 2) < 0.0);
-        if (falls)
-        {
+          Segment segment{ { f, {}, {} }, {}, {} };
           segment.from = addEnd(f, k, segment.inFace.from);
-          isThere = true;
-        }
-        if (rises)
-        {
-          segment.to = addEnd(f, k, segment.inFace.to);
+          segment.to = addEnd(f, (k + 1) % 3, segment.inFace.to);
+          segments_.push_back(segment);
         }
       }
-      if (isThere)
+      addSegmentThrough(f);
+    }
+  }
+
+  // With the region to its left the segment begins where, on the way around the face, the value
+  // falls through 0, and ends where it rises.
+  void addSegmentThrough(Index f)
+  {
+    const Triangle& t = mesh_.triangles[f];
+    const auto value = [&](std::size_t k) { return values_[t[k % 3]]; };
+    Segment segment{ { f, {}, {} }, {}, {} };
+    int ends = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double before = value(k) == 0.0 ? value(k + 2) : value(k);
+      const bool falls = before > 0.0 && value(k + 1) < 0.0;
+      const bool rises = before < 0.0 && value(k + 1) > 0.0;
+      if (falls)
       {
-        segments_.push_back(segment);
+        segment.from = addEnd(f, k, segment.inFace.from);
       }
+      if (rises)
+      {
+        segment.to = addEnd(f, k, segment.inFace.to);
+      }
+      ends += falls || rises ? 1 : 0;
+    }
+    if (ends == 2)
+    {
+      segments_.push_back(segment);
     }
   }
 
@@ -355,11 +349,16 @@ TEST_P(SidesOfRegions, AreInsideAndOutside)
     options.keepArrivals = true;
     const geodesic::DistanceField field =
       geodesic::solve(mesh, curves, options, geodesic::KeepWindows::All);
-    const double largest = largestFinite(field.vertexDistances());
+    // What lies a rounding beside the rim may be on either side of it.
+    double least = 1e-9 * largestFinite(field.vertexDistances());
+    for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+    {
+      least = std::max(least, 1e-12 * mesh.length(halfedge));
+    }
     NearestSource nearest(field, curves);
     const auto expectSide = [&](const MeshPoint& point, const Foot& foot, double distance)
     {
-      if (!foot.isKnown() || distance < 1e-9 * largest)
+      if (!foot.isKnown() || distance < least)
       {
         return;
       }
