@@ -106,7 +106,8 @@ public:
   /**
    * The largest distance of a chord from the arc that it stands for, as a fraction of the diagonal
    * of the bounding box of the points that faces use. Default: 0.0001. Used unless
-   * ToleranceIsAbsolute is on. Anything but a positive number is an error.
+   * ToleranceIsAbsolute is on. Anything but a positive number is an error. Less than 1e-12 of an
+   * arc's radius counts as that: points are not more exact.
    */
   vtkSetMacro(ChordTolerance, double);
   vtkGetMacro(ChordTolerance, double);

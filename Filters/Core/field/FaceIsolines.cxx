@@ -21,10 +21,11 @@ constexpr int MaximumDepth = 20;
 // And into how many parts in all: decisions that are left to rounding are few, and lie at points.
 constexpr std::size_t MaximumParts = 4096;
 
+// Points are at the value up to a tie: nearer to its arc than that no chord need be.
 double angleOfChord(double radius, double chordTolerance)
 {
-  const double cosine = 1.0 - chordTolerance / radius;
-  return cosine > 0.0 ? std::min(LargestStep, 2.0 * std::acos(cosine)) : LargestStep;
+  const double sagitta = std::clamp(chordTolerance / radius, tolerance::Tie, 1.0);
+  return std::min(LargestStep, 4.0 * std::asin(std::sqrt(0.5 * sagitta)));
 }
 
 // With room for what rounding may move.
@@ -448,9 +449,10 @@ void FaceIsolines::followRemainder(const Remainder& remainder)
     const double sine = std::sin(0.25 * angle / chords);
     const double sagitta = 2.0 * curve.radius * sine * sine;
     this->line_.back().sagitta = sagitta;
-    for (double i = 1.0; i < chords; i += 1.0)
+    const auto count = static_cast<std::size_t>(chords);
+    for (std::size_t i = 1; i < count; ++i)
     {
-      const double place = std::tan(0.5 * (first + i / chords * angle));
+      const double place = std::tan(0.5 * (first + static_cast<double>(i) / chords * angle));
       this->line_.push_back({ curve.at(place), NoId, sagitta });
     }
   }

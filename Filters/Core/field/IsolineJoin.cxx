@@ -175,8 +175,7 @@ bool IsolineJoin::isSpeck(const std::vector<SurfacePoint>& points, const Isoline
 // a point inside a face has both chords in it, a vertex is in all faces around.
 bool IsolineJoin::shorten(const std::vector<SurfacePoint>& points, Isoline& line) const
 {
-  const Isoline whole = std::move(line);
-  line.value = whole.value;
+  const Isoline whole = line;
   line.points = { whole.points.front() };
   line.faces.clear();
   for (std::size_t i = 0; i < whole.faces.size(); ++i)

@@ -46,7 +46,7 @@ void addArcs(std::size_t candidate, Vec2 center, double radius, Vec2 axis, doubl
 {
   const double parts = std::ceil(angle / (0.5 * Pi) - tolerance::Tie);
   const double halfTangent = std::tan(0.5 * angle / parts);
-  for (double i = 0.0; i < parts; i += 1.0)
+  for (int i = 0; i < static_cast<int>(parts); ++i)
   {
     curves.push_back({ candidate, true, center, axis, radius, halfTangent });
     axis = turnedClockwise(axis, halfTangent);

@@ -129,6 +129,20 @@ TEST(Isolines, HaveOnlyThePointsThatTheToleranceNeeds)
   }
 }
 
+// Points are not more exact than that.
+TEST(Isolines, WithATinyToleranceHaveChordsAtARoundingOfTheArc)
+{
+  const PlainMesh mesh = regularGrid(2, 2);
+  const TriangleMesh engine = engineMesh(mesh);
+  Sources source;
+  source.points = { { 0, { 0.4, 0.3, 0.3 } } };
+  const Isolines isolines = isolinesOf(engine, engineCurves(engine, source), { 0.02 }, 1e-300);
+  ASSERT_EQ(isolines.lines.size(), 1U);
+  EXPECT_TRUE(isolines.lines[0].isClosed());
+  EXPECT_GT(isolines.points.size(), 1000000U);
+  EXPECT_LT(isolines.points.size(), 4000000U);
+}
+
 TEST(Isolines, RoundASegmentAreStadiums)
 {
   const TriangleMesh mesh = engineMesh(oneFace());

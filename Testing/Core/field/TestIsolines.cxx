@@ -99,6 +99,10 @@ TEST_P(RandomIsolines, PointsAreAtTheValueAndChordsNearIt)
   {
     Random random(seed + 77000);
     const Drawn drawn(GetParam(), random.between(30, 300), random);
+    if (!(drawn.largest > 0.0))
+    {
+      continue; // the source goes through all vertices
+    }
     const Isolines isolines = drawn.draw();
     straight += isolines.partsCrossedStraight;
     expectChordsInFaces(drawn.mesh, isolines);
@@ -148,6 +152,10 @@ TEST_P(RandomIsolines, AreAsManyAndAsClosedAsTheSublevelSetsHaveBoundaries)
   {
     Random random(seed + 78000);
     const Drawn drawn(GetParam(), random.between(8, 60), random);
+    if (!(drawn.largest > 0.0))
+    {
+      continue; // the source goes through all vertices
+    }
     const Isolines isolines = drawn.draw();
     const GridTruth coarse(drawn.plain, toSources(drawn.curves), 8);
     const GridTruth fine(drawn.plain, toSources(drawn.curves), 13);
