@@ -4,6 +4,7 @@
 
 #include "Errors.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -12,6 +13,21 @@ namespace geodesic
 
 /// Called now and then with the fraction done in [0, 1]; returning false asks to stop.
 using ProgressCallback = std::function<bool(double)>;
+
+/// The same without steps back: for work that may have to be done once more. The callback must
+/// outlive it.
+inline ProgressCallback ascending(const ProgressCallback& callback)
+{
+  if (!callback)
+  {
+    return {};
+  }
+  return [&callback, reported = 0.0](double fraction) mutable
+  {
+    reported = std::max(reported, fraction);
+    return callback(reported);
+  };
+}
 
 /// Tells a callback how far a loop is, of several that follow each other.
 class LoopProgress

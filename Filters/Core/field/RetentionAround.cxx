@@ -11,18 +11,17 @@ namespace geodesic
 
 RetentionAround::RetentionAround(
   const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets, Purpose purpose, double limit)
-  : mesh_(mesh)
+  : KeepFaces(mesh, std::vector<std::uint8_t>(mesh.numberOfFaces(), 0))
   , targets_(targets)
   , limit_((1.0 + tolerance::Tie) * limit)
   , reach_(this->limit_)
 {
-  this->kept_.faces.assign(mesh.numberOfFaces(), 0);
   for (SurfacePoint& target : this->targets_)
   {
     target = normalized(mesh, target);
     if (target.kind != SurfacePoint::Kind::Vertex)
     {
-      forEachFace(mesh, target, [this](Id face) { this->kept_.faces[face] = 1; });
+      forEachFace(mesh, target, [this](Id face) { this->keep(face); });
     }
   }
   if (purpose == Purpose::Paths && mesh.report().nonManifoldEdges > 0)
@@ -33,22 +32,13 @@ RetentionAround::RetentionAround(
 
 void RetentionAround::keepAroundIrregularEdges()
 {
-  for (Id halfedge = 0; halfedge < this->mesh_.numberOfHalfedges(); ++halfedge)
+  for (Id halfedge = 0; halfedge < this->mesh().numberOfHalfedges(); ++halfedge)
   {
-    if (!this->mesh_.isBoundary(halfedge) && !this->mesh_.isInner(halfedge))
+    if (!this->mesh().isBoundary(halfedge) && !this->mesh().isInner(halfedge))
     {
-      this->kept_.faces[TriangleMesh::faceOf(halfedge)] = 1;
+      this->keep(TriangleMesh::faceOf(halfedge));
     }
   }
-}
-
-void RetentionAround::pass(std::size_t worker, const PassedList& list, Id batch, WindowPool& pool)
-{
-  if (this->kept_.faces[TriangleMesh::faceOf(list.halfedge)])
-  {
-    this->passed_[worker].add(list.halfedge, list.windows.range(), batch);
-  }
-  pool.free(list.windows);
 }
 
 double RetentionAround::upperBound(const SurfacePoint& target, const VertexNumbers& distances) const
@@ -58,15 +48,15 @@ double RetentionAround::upperBound(const SurfacePoint& target, const VertexNumbe
     return distances(target.id);
   }
   double least = Infinity;
-  forEachFace(this->mesh_, target,
+  forEachFace(this->mesh(), target,
     [&](Id face)
     {
-      const Barycentric weights = barycentric(this->mesh_, target, face);
+      const Barycentric weights = barycentric(this->mesh(), target, face);
       for (std::size_t k = 0; k < 3; ++k)
       {
         least = std::min(least,
-          distances(this->mesh_.triangle(face)[k]) +
-            distanceInFace(this->mesh_, face, cornerWeights(k), weights));
+          distances(this->mesh().triangle(face)[k]) +
+            distanceInFace(this->mesh(), face, cornerWeights(k), weights));
       }
     });
   return least;
@@ -91,15 +81,6 @@ void RetentionAround::advance(const FrontState& front)
   }
   this->reach_ = std::min((1.0 + tolerance::Tie) * farthest, this->limit_);
   this->nextLook_ = front.key + 0.5 * std::max(0.0, this->reach_ - front.key);
-}
-
-void RetentionAround::finish(const FrontState&)
-{
-  for (WindowArchive& passed : this->passed_)
-  {
-    this->kept_.windows.take(passed);
-  }
-  this->kept_.windows.index(this->mesh_.numberOfHalfedges());
 }
 
 }

@@ -13,7 +13,7 @@ namespace geodesic
 /// Keeps windows around some targets, and lets the front stop when all targets are settled. For
 /// distances, these are the windows of the faces around targets that are not vertices; for paths
 /// (PathTracer) also those of the faces around edges of three and more.
-class RetentionAround : public Retention
+class RetentionAround : public KeepFaces
 {
 public:
   enum class Purpose
@@ -26,20 +26,13 @@ public:
   RetentionAround(const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets,
     Purpose purpose = Purpose::Paths, double limit = Infinity);
 
-  bool needsInside() const override { return true; }
   double reach() const override { return this->reach_; }
-  void setNumberOfWorkers(std::size_t count) override { this->passed_.resize(count); }
-  void pass(std::size_t worker, const PassedList& list, Id batch, WindowPool& pool) override;
   void advance(const FrontState& front) override;
-  void finish(const FrontState& front) override;
-
-  KeptWindows release() { return std::move(this->kept_); }
 
 private:
   void keepAroundIrregularEdges();
   double upperBound(const SurfacePoint& target, const VertexNumbers& distances) const;
 
-  const TriangleMesh& mesh_;
   std::vector<SurfacePoint> targets_;
   /// How many of the targets, from the first on, the front has come near to.
   std::size_t seen_ = 0;
@@ -47,8 +40,6 @@ private:
   double reach_;
   /// The key at which the reach is looked at again.
   double nextLook_ = 0.0;
-  std::vector<WindowArchive> passed_;
-  KeptWindows kept_;
 };
 
 }

@@ -13,15 +13,7 @@ DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<Sourc
   const std::vector<double>& values, const FrontOptions& options, int maximumDroppingSolves)
 {
   FrontOptions again = options;
-  double reported = 0.0;
-  if (options.progress)
-  {
-    again.progress = [&](double fraction) // never back, though it be solved once more
-    {
-      reported = std::max(reported, fraction);
-      return options.progress(reported);
-    };
-  }
+  again.progress = ascending(options.progress);
   std::vector<std::uint8_t> pinned(mesh.numberOfFaces(), 0);
   for (int solves = 0; solves < maximumDroppingSolves; ++solves)
   {

@@ -105,7 +105,7 @@ public:
 class KeepFaces : public Retention
 {
 public:
-  /// \param faces whether the windows of each face are kept.
+  /// \param faces whether the windows of each face are kept; empty: of all.
   KeepFaces(const TriangleMesh& mesh, std::vector<std::uint8_t> faces)
     : mesh_(mesh)
   {
@@ -116,7 +116,7 @@ public:
   void setNumberOfWorkers(std::size_t count) override { this->passed_.resize(count); }
   void pass(std::size_t worker, const PassedList& list, Id batch, WindowPool& pool) override
   {
-    if (this->kept_.faces[TriangleMesh::faceOf(list.halfedge)])
+    if (this->kept_.faces.empty() || this->kept_.faces[TriangleMesh::faceOf(list.halfedge)])
     {
       this->passed_[worker].add(list.halfedge, list.windows.range(), batch);
     }
@@ -133,6 +133,11 @@ public:
 
   KeptWindows release() { return std::move(this->kept_); }
 
+protected:
+  const TriangleMesh& mesh() const { return this->mesh_; }
+  /// Before the front begins.
+  void keep(Id face) { this->kept_.faces[face] = 1; }
+
 private:
   const TriangleMesh& mesh_;
   std::vector<WindowArchive> passed_;
@@ -140,36 +145,13 @@ private:
 };
 
 /// Keeps all windows: the distance can be evaluated at any surface point, and paths traced.
-class KeepAll : public Retention
+class KeepAll : public KeepFaces
 {
 public:
   explicit KeepAll(const TriangleMesh& mesh)
-    : mesh_(mesh)
+    : KeepFaces(mesh, {})
   {
   }
-
-  bool needsInside() const override { return true; }
-  void setNumberOfWorkers(std::size_t count) override { this->passed_.resize(count); }
-  void pass(std::size_t worker, const PassedList& list, Id batch, WindowPool& pool) override
-  {
-    this->passed_[worker].add(list.halfedge, list.windows.range(), batch);
-    pool.free(list.windows);
-  }
-  void finish(const FrontState&) override
-  {
-    for (WindowArchive& passed : this->passed_)
-    {
-      this->kept_.windows.take(passed);
-    }
-    this->kept_.windows.index(this->mesh_.numberOfHalfedges());
-  }
-
-  KeptWindows release() { return std::move(this->kept_); }
-
-private:
-  const TriangleMesh& mesh_;
-  std::vector<WindowArchive> passed_;
-  KeptWindows kept_;
 };
 
 }

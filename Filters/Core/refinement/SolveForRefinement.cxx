@@ -59,15 +59,7 @@ DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<Sou
     return solveApproximate(mesh, sources, refinementTolerance, options);
   }
   FrontOptions again = options;
-  double reported = 0.0;
-  if (options.progress)
-  {
-    again.progress = [&](double fraction) // never back, though it be solved once more
-    {
-      reported = std::max(reported, fraction);
-      return options.progress(reported);
-    };
-  }
+  again.progress = ascending(options.progress);
   std::vector<std::uint8_t> pinned(mesh.numberOfFaces(), 0);
   for (int solves = 0; solves < maximumDroppingSolves; ++solves)
   {
