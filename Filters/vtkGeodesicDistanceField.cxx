@@ -250,7 +250,7 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(
   };
   geodesic::NearestSource nearest(exact, this->Execution.sources().curves, part(0));
   const geodesic::SourceArrays arrays = this->Arrays();
-  result.atVertices = arrays.atVertices(field, exact, nearest, part(1));
+  result.atVertices = arrays.atVertices(field, nearest, part(1));
   for (const geodesic::RefinedMesh& refined : result.refined)
   {
     result.atRefinedPoints.push_back(

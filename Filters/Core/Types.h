@@ -45,6 +45,11 @@ inline double norm(const Vec3& a)
   return std::sqrt(dot(a, a));
 }
 
+inline bool isFinite(const Vec3& a)
+{
+  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
+
 /// A point or vector in the plane of an unfolded face.
 struct Vec2
 {

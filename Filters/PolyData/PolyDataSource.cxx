@@ -215,9 +215,9 @@ void requireFinite(
   std::vector<vtkIdType> bad;
   for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
   {
-    const double* p = block.data->GetPoint(i);
-    if (used[firstPoint + static_cast<std::size_t>(i)] &&
-      !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
+    Vec3 p;
+    block.data->GetPoint(i, p.data());
+    if (used[firstPoint + static_cast<std::size_t>(i)] && !isFinite(p))
     {
       bad.push_back(i);
     }

@@ -26,7 +26,7 @@ void addPoints(
   {
     Vec3 p;
     block.data->GetPoint(i, p.data());
-    if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
+    if (!isFinite(p))
     {
       bad.push_back(i);
       continue;

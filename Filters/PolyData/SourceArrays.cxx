@@ -93,13 +93,13 @@ void SourceArrays::add(const Foot& foot, const NearestSource& nearest, SourceVal
   }
 }
 
-SourceValues SourceArrays::atVertices(const DistanceField& computed, const DistanceField& exact,
-  NearestSource& nearest, const ProgressCallback& callback) const
+SourceValues SourceArrays::atVertices(const DistanceField& computed, const NearestSource& nearest,
+  const ProgressCallback& callback) const
 {
   SourceValues values;
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  const Id count = exact.mesh().numberOfVertices();
+  const Id count = computed.mesh().numberOfVertices();
   this->reserve(count, values);
   for (Id vertex = 0; vertex < count; ++vertex)
   {
@@ -200,9 +200,7 @@ Id findFaceWithoutSides(const TriangleMesh& mesh)
 {
   for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
   {
-    const bool isOpposed = mesh.isInner(halfedge) &&
-      mesh.origin(mesh.nextSibling(halfedge)) == mesh.destination(halfedge);
-    if (!mesh.isBoundary(halfedge) && !isOpposed)
+    if (!mesh.isBoundary(halfedge) && mesh.acrossOriented(halfedge) == NoId)
     {
       return TriangleMesh::faceOf(halfedge);
     }

@@ -66,10 +66,11 @@ public:
   /// Of every vertex of the mesh.
   ///
   /// \param computed the field that gradients are of, with arrivals.
-  /// \param exact the field that feet are of, with arrivals; the same or another.
-  SourceValues atVertices(const DistanceField& computed, const DistanceField& exact,
-    NearestSource& nearest, const ProgressCallback& progress) const;
+  SourceValues atVertices(const DistanceField& computed, const NearestSource& nearest,
+    const ProgressCallback& progress) const;
   /// Of the points that refinement has added.
+  ///
+  /// \param exact the field that feet are of, with arrivals; the computed one or another.
   SourceValues atPoints(const std::vector<RefinedPoint>& points, const DistanceField& computed,
     const DistanceField& exact, NearestSource& nearest, const ProgressCallback& progress) const;
 

@@ -32,11 +32,6 @@ constexpr double PointsRead = 0.1;
 constexpr double PointsMerged = 0.25;
 constexpr double TrianglesRead = 0.4;
 
-bool isFinite(const Vec3& p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 /// The diagonal of the bounding box of the points that triangles use: others are not surface, and
 /// may lie anywhere.
 double diagonalOf(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)

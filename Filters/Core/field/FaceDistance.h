@@ -41,6 +41,9 @@ struct DistanceCandidate
   double atBegin;
   double atEnd;
 
+  /// Whether it reaches only what lies between the rays at the ends of a window.
+  bool hasPencil() const { return this->kind == Kind::Circular || this->kind == Kind::Linear; }
+
   /// Length of the shortest path to a point of the face: straight where the pencil holds it, bent
   /// at an end of the window elsewhere.
   double distance(Vec2 p) const;

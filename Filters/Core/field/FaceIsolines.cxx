@@ -141,9 +141,7 @@ void FaceIsolines::findRegions(bool withBent, double offset)
   for (const DistanceCandidate& c : candidates)
   {
     this->addRegion(c, offset);
-    const bool hasPencil =
-      c.kind == DistanceCandidate::Kind::Circular || c.kind == DistanceCandidate::Kind::Linear;
-    if (withBent && hasPencil)
+    if (withBent && c.hasPencil())
     {
       using Kind = DistanceCandidate::Kind;
       this->bent_.push_back({ Kind::Cone, c.atBegin, c.begin, {}, {}, 0.0, 0.0 });

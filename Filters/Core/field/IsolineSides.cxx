@@ -61,12 +61,7 @@ Barycentric Cutter::onChord(const Isoline& line, std::size_t chord, double t) co
   const Barycentric a = barycentric(this->mesh_, this->result_.points[line.points[chord]], face);
   const Barycentric b =
     barycentric(this->mesh_, this->result_.points[line.points[chord + 1]], face);
-  Barycentric place;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    place[k] = (1.0 - t) * a[k] + t * b[k];
-  }
-  return place;
+  return between(a, b, t);
 }
 
 LastPiece Cutter::pieceTo(const Isoline& line, std::size_t chord, double t) const

@@ -251,15 +251,7 @@ std::vector<Result> Drawing::forTasks(double begin, double end, Task&& task) con
       task(at, std::min(at + FacesPerTask, count), results[first + i]);
     };
     const std::size_t tasks = std::min(TasksPerReport, results.size() - first);
-    if (this->options_.parallelFor)
-    {
-      this->options_.parallelFor(tasks, run);
-      continue;
-    }
-    for (std::size_t i = 0; i < tasks; ++i)
-    {
-      run(i);
-    }
+    forAll(this->options_.parallelFor, tasks, run);
   }
   return results;
 }

@@ -179,7 +179,7 @@ bool LevelRegion::misses(const PlaneBox& box) const
   const std::array<Vec2, 4> corners = box.corners();
   const auto all = [&corners](auto&& outside)
   { return std::all_of(corners.begin(), corners.end(), outside); };
-  if (this->hasPencil() &&
+  if (this->candidate_->hasPencil() &&
     (all([&](Vec2 p) { return cross(this->first_, p - c.begin) > this->margin_; }) ||
       all([&](Vec2 p) { return cross(this->last_, p - c.end) < -this->margin_; })))
   {
@@ -201,7 +201,7 @@ bool LevelRegion::misses(const PlaneBox& box) const
 bool LevelRegion::isInPencil(Vec2 p) const
 {
   const DistanceCandidate& c = *this->candidate_;
-  return !this->hasPencil() ||
+  return !this->candidate_->hasPencil() ||
     (cross(this->first_, p - c.begin) <= this->margin_ &&
       cross(this->last_, p - c.end) >= -this->margin_);
 }
@@ -307,7 +307,7 @@ void LevelRegion::addRayMeetings(const LevelCurve& curve, CurvePlaces& places) c
 {
   using geodesic::addMeetings;
   const DistanceCandidate& c = *this->candidate_;
-  if (this->hasPencil())
+  if (this->candidate_->hasPencil())
   {
     addMeetings(curve, { c.begin + this->margin_ * leftOf(this->first_), this->first_ }, places);
     addMeetings(curve, { c.end - this->margin_ * leftOf(this->last_), this->last_ }, places);

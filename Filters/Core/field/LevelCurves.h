@@ -95,11 +95,6 @@ public:
   void addMeetings(const LevelCurve& curve, CurvePlaces& places) const;
 
 private:
-  bool hasPencil() const
-  {
-    return this->candidate_->kind == DistanceCandidate::Kind::Circular ||
-      this->candidate_->kind == DistanceCandidate::Kind::Linear;
-  }
   bool isInPencil(Vec2 p) const;
   void addRayMeetings(const LevelCurve& curve, CurvePlaces& places) const;
   void addArc(std::vector<LevelCurve>& curves) const;

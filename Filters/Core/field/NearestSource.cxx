@@ -11,50 +11,15 @@ NearestSource::NearestSource(const DistanceField& field, const std::vector<Sourc
   : field_(field)
   , mesh_(field.mesh())
   , chains_(field.mesh(), curves)
+  , onCurves_(field.mesh(), this->chains_)
   , sectors_(field.mesh())
 {
-  this->findVertices();
   this->origins_.assign(this->mesh_.numberOfVertices(), CurveOrigin());
   LoopProgress progress(callback);
   progress.nextUntil(0.5);
   this->findBesideVertices(progress);
   progress.nextUntil(1.0);
   this->findOthers(progress);
-}
-
-void NearestSource::findVertices()
-{
-  const Id count = this->mesh_.numberOfVertices();
-  for (Id number = 0; number < this->chains_.curves().size(); ++number)
-  {
-    const SourceCurve& curve = this->chains_.curves()[number];
-    const std::vector<double>& places = this->chains_.places(number);
-    const std::size_t points = curve.points.size() - (curve.isClosed() ? 1 : 0);
-    for (std::size_t i = 0; i < points; ++i)
-    {
-      if (curve.points[i].kind == SurfacePoint::Kind::Vertex)
-      {
-        this->vertices_.push_back(
-          { curve.points[i].id, { CurveSide{ number, false }.origin(count), places[i] } });
-        const std::vector<SegmentEnd> ends = segmentEndsAt(this->mesh_, curve, number, places, i);
-        this->vertexEnds_.insert(this->vertexEnds_.end(), ends.begin(), ends.end());
-      }
-    }
-  }
-  std::stable_sort(this->vertices_.begin(), this->vertices_.end());
-  const auto isSame = [](const VertexOnCurve& a, const VertexOnCurve& b)
-  { return a.vertex == b.vertex; };
-  this->vertices_.erase(
-    std::unique(this->vertices_.begin(), this->vertices_.end(), isSame), this->vertices_.end());
-  std::stable_sort(this->vertexEnds_.begin(), this->vertexEnds_.end(),
-    [](const SegmentEnd& a, const SegmentEnd& b) { return a.from.id < b.from.id; });
-}
-
-const NearestSource::VertexOnCurve* NearestSource::onCurve(Id vertex) const
-{
-  const auto found =
-    std::lower_bound(this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex, {} });
-  return found != this->vertices_.end() && found->vertex == vertex ? &*found : nullptr;
 }
 
 // The side of the curve is told from the direction at the vertex: all that come from one vertex
@@ -67,15 +32,15 @@ void NearestSource::findBesideVertices(const LoopProgress& progress)
   {
     progress.at(vertex, arrivals.size());
     const Arrival& arrival = arrivals[vertex];
-    const VertexOnCurve* on = this->onCurve(vertex);
+    const VertexOnCurve* on = this->onCurves_.find(vertex);
     if (on != nullptr)
     {
-      this->origins_[vertex] = on->origin;
+      this->origins_[vertex] = CurveOrigin::onLeft(this->mesh_, on->curve, on->place);
     }
     else if (arrival.isKnown() && !arrival.isThroughWindow())
     {
       const LastPiece piece = lastPieceTo(this->field_, SurfacePoint::atVertex(vertex));
-      if (piece.kind == LastPiece::Kind::Corner && this->onCurve(piece.origin) != nullptr)
+      if (piece.kind == LastPiece::Kind::Corner && this->onCurves_.find(piece.origin) != nullptr)
       {
         beside.emplace_back(piece.origin, vertex);
       }
@@ -155,7 +120,7 @@ bool NearestSource::isFromCurve(const LastPiece& piece) const
   switch (piece.kind)
   {
     case LastPiece::Kind::Corner:
-      return this->onCurve(piece.origin) != nullptr;
+      return this->onCurves_.find(piece.origin) != nullptr;
     case LastPiece::Kind::Window:
       return CurveSide::isOne(piece.origin, this->mesh_.numberOfVertices());
     default:
@@ -179,7 +144,7 @@ CurveOrigin NearestSource::originOf(const LastPiece& piece)
   {
     return { piece.origin, piece.place };
   }
-  if (piece.kind == LastPiece::Kind::Corner && this->onCurve(piece.origin) != nullptr)
+  if (piece.kind == LastPiece::Kind::Corner && this->onCurves_.find(piece.origin) != nullptr)
   {
     this->goToVertex(piece.origin);
     return this->sectors_.of(piece.frame, piece.direction);
@@ -213,16 +178,9 @@ void NearestSource::goToVertex(Id vertex)
   {
     return;
   }
-  const auto before = [](const SegmentEnd& end, Id id) { return end.from.id < id; };
-  const auto first =
-    std::lower_bound(this->vertexEnds_.begin(), this->vertexEnds_.end(), vertex, before);
-  auto last = first;
-  while (last != this->vertexEnds_.end() && last->from.id == vertex)
-  {
-    ++last;
-  }
-  this->sectors_.assign(
-    SurfacePoint::atVertex(vertex), { first, last }, this->onCurve(vertex)->origin);
+  const VertexOnCurve& on = *this->onCurves_.find(vertex);
+  this->sectors_.assign(SurfacePoint::atVertex(vertex), this->onCurves_.endsAt(vertex),
+    CurveOrigin::onLeft(this->mesh_, on.curve, on.place));
   this->sectorsVertex_ = vertex;
 }
 
@@ -236,11 +194,10 @@ void NearestSource::goToPoint(Id number, std::size_t i)
     return;
   }
   const std::vector<double>& places = this->chains_.places(number);
-  const CurveOrigin whole = { CurveSide{ number, false }.origin(this->mesh_.numberOfVertices()),
-    places[i] };
   // A closed curve begins and ends in one point.
   const std::size_t first = curve.isClosed() && i + 1 == curve.points.size() ? 0 : i;
-  this->sectors_.assign(point, segmentEndsAt(this->mesh_, curve, number, places, first), whole);
+  this->sectors_.assign(point, segmentEndsAt(this->mesh_, curve, number, places, first),
+    CurveOrigin::onLeft(this->mesh_, number, places[i]));
   this->sectorsVertex_ = NoId;
 }
 
@@ -273,12 +230,7 @@ SurfacePoint NearestSource::pointOf(const Foot& foot) const
   const Id face = curve.faces[i];
   const Barycentric a = barycentric(this->mesh_, curve.points[i], face);
   const Barycentric b = barycentric(this->mesh_, curve.points[i + 1], face);
-  Barycentric at;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    at[k] = (1.0 - t) * a[k] + t * b[k];
-  }
-  return fromBarycentric(this->mesh_, face, at);
+  return fromBarycentric(this->mesh_, face, between(a, b, t));
 }
 
 }

@@ -6,6 +6,7 @@
 #include "source/CurveChains.h"
 #include "source/CurveSectors.h"
 #include "source/SourceCurve.h"
+#include "source/VerticesOnCurves.h"
 
 #include <utility>
 #include <vector>
@@ -52,19 +53,10 @@ public:
   SurfacePoint pointOf(const Foot& foot) const;
 
 private:
-  struct VertexOnCurve
-  {
-    Id vertex;
-    CurveOrigin origin;
-    bool operator<(const VertexOnCurve& other) const { return this->vertex < other.vertex; }
-  };
-
-  void findVertices();
   void findBesideVertices(const LoopProgress& progress);
   void findOthers(const LoopProgress& progress);
   LastPiece originTo(Id vertex) const;
   void follow(Id vertex);
-  const VertexOnCurve* onCurve(Id vertex) const;
   bool isFromCurve(const LastPiece& piece) const;
   CurveOrigin originOf(const LastPiece& piece);
   CurveOrigin atSource(const LastPiece& piece);
@@ -76,9 +68,7 @@ private:
   const TriangleMesh& mesh_;
   /// The curves, whose numbers windows have.
   CurveChains chains_;
-  /// Mesh vertices on curves, ascending, each once; and the segments that end there.
-  std::vector<VertexOnCurve> vertices_;
-  std::vector<SegmentEnd> vertexEnds_;
+  VerticesOnCurves onCurves_;
   /// Those of each vertex.
   std::vector<CurveOrigin> origins_;
   /// Around the curve's point that was asked for last.

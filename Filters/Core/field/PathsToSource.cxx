@@ -92,15 +92,7 @@ private:
           this->trace(field, tracer, i);
         }
       };
-      if (this->options_.parallelFor)
-      {
-        this->options_.parallelFor(tasks, task);
-        continue;
-      }
-      for (std::size_t number = 0; number < tasks; ++number)
-      {
-        task(number);
-      }
+      forAll(this->options_.parallelFor, tasks, task);
     }
   }
 

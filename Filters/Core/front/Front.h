@@ -20,6 +20,21 @@ namespace geodesic
 using ParallelFor =
   std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
 
+/// The same with one task after another where there is no ParallelFor.
+template <typename Task>
+void forAll(const ParallelFor& parallelFor, std::size_t count, const Task& task)
+{
+  if (parallelFor)
+  {
+    parallelFor(count, task);
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    task(i);
+  }
+}
+
 /// A search for one path: windows that no path to the target within the length goes through are
 /// dropped. Vertices that such a path cannot pass may then have distances that are too large.
 struct Corridor

@@ -18,6 +18,17 @@ inline Barycentric cornerWeights(std::size_t k)
   return weights;
 }
 
+/// The point at a fraction t of the way from a to b.
+inline Barycentric between(const Barycentric& a, const Barycentric& b, double t)
+{
+  Barycentric point;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    point[k] = (1.0 - t) * a[k] + t * b[k];
+  }
+  return point;
+}
+
 /// A point of a face in the frame of one of its halfedges: the halfedge along the x axis from its
 /// origin, the face above.
 Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& point);

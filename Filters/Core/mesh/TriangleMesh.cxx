@@ -20,7 +20,7 @@ void checkPoints(const std::vector<Vec3>& points)
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const Vec3& p = points[i];
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    if (!isFinite(p))
     {
       throw MeshError("Point " + std::to_string(i) +
         " of the surface has a coordinate that is not finite. Remove or repair the point.");

@@ -110,6 +110,33 @@ public:
   /// The vertex opposite the halfedge in its face.
   Id opposite(Id halfedge) const { return this->origin(previousInFace(halfedge)); }
   double length(Id halfedge) const { return this->faces_[halfedge / 3].shape.length[halfedge % 3]; }
+  /// The other halfedge of an edge of two faces of one orientation; NoId elsewhere.
+  Id acrossOriented(Id halfedge) const
+  {
+    const Id other = this->nextSibling(halfedge);
+    const bool isOpposed =
+      this->isInner(halfedge) && this->origin(other) == this->destination(halfedge);
+    return isOpposed ? other : NoId;
+  }
+  /// The halfedge of a face that is on the edge of the given halfedge; there must be one.
+  Id siblingInFace(Id halfedge, Id face) const
+  {
+    while (faceOf(halfedge) != face)
+    {
+      halfedge = this->nextSibling(halfedge);
+    }
+    return halfedge;
+  }
+  /// The corner of a face at a vertex of the face, as the halfedge that begins there.
+  Id cornerAt(Id face, Id vertex) const
+  {
+    Id corner = 3 * face;
+    while (this->origin(corner) != vertex)
+    {
+      ++corner;
+    }
+    return corner;
+  }
   /// The halfedge of the edge with the lowest number, which names the edge.
   Id edgeOf(Id halfedge) const;
   /// A halfedge of the edge between two vertices, in either direction; NoId where they have none.

@@ -44,44 +44,21 @@ void CurveSectors::addFan(const SurfacePoint& point, Id face)
       this->totals_.back() = FullAngle;
       break;
     case SurfacePoint::Kind::Edge:
-    {
-      Id halfedge = point.id;
-      while (TriangleMesh::faceOf(halfedge) != face)
-      {
-        halfedge = this->mesh_.nextSibling(halfedge);
-      }
-      this->addFanAroundEdge(halfedge);
+      this->addFanAroundEdge(this->mesh_.siblingInFace(point.id, face));
       break;
-    }
     case SurfacePoint::Kind::Vertex:
-    {
-      Id corner = 3 * face;
-      while (this->mesh_.origin(corner) != point.id)
-      {
-        ++corner;
-      }
-      this->addFanAroundVertex(corner);
+      this->addFanAroundVertex(this->mesh_.cornerAt(face, point.id));
       break;
-    }
   }
   std::sort(this->frames_.begin(), this->frames_.end(),
     [](const Frame& a, const Frame& b) { return a.halfedge < b.halfedge; });
-}
-
-// The halfedge across an edge of two faces of one orientation; NoId elsewhere.
-Id CurveSectors::acrossEdge(Id halfedge) const
-{
-  const Id other = this->mesh_.nextSibling(halfedge);
-  const bool goesOn =
-    this->mesh_.isInner(halfedge) && this->mesh_.origin(other) == this->mesh_.destination(halfedge);
-  return goesOn ? other : NoId;
 }
 
 void CurveSectors::addFanAroundEdge(Id halfedge)
 {
   const std::size_t fan = this->totals_.size() - 1;
   this->frames_.push_back({ halfedge, { fan, 0.0 }, 0.5 * FullAngle });
-  const Id other = this->acrossEdge(halfedge);
+  const Id other = this->mesh_.acrossOriented(halfedge);
   if (other != NoId)
   {
     this->frames_.push_back({ other, { fan, 0.5 * FullAngle }, 0.5 * FullAngle });
@@ -100,7 +77,7 @@ void CurveSectors::addFanAroundVertex(Id corner)
     const double width = this->mesh_.cornerAngle(c);
     this->frames_.push_back({ c, { fan, angle }, width });
     angle += width;
-    c = this->acrossEdge(TriangleMesh::previousInFace(c));
+    c = this->mesh_.acrossOriented(TriangleMesh::previousInFace(c));
     if (c == corner)
     {
       this->totals_.back() = angle;
@@ -108,13 +85,13 @@ void CurveSectors::addFanAroundVertex(Id corner)
     }
   }
   angle = 0.0;
-  for (Id before = this->acrossEdge(corner); before != NoId;)
+  for (Id before = this->mesh_.acrossOriented(corner); before != NoId;)
   {
     const Id c = TriangleMesh::nextInFace(before);
     const double width = this->mesh_.cornerAngle(c);
     angle -= width;
     this->frames_.push_back({ c, { fan, angle }, width });
-    before = this->acrossEdge(c);
+    before = this->mesh_.acrossOriented(c);
   }
 }
 

@@ -17,6 +17,12 @@ struct CurveOrigin
   Id origin = NoId;
   double place = 0.0;
 
+  /// A place of a curve, on its left-hand side.
+  static CurveOrigin onLeft(const TriangleMesh& mesh, Id curve, double place)
+  {
+    return { CurveSide{ curve, false }.origin(mesh.numberOfVertices()), place };
+  }
+
   bool operator==(const CurveOrigin& other) const
   {
     return this->origin == other.origin && this->place == other.place;
@@ -45,9 +51,6 @@ public:
   /// \param whole what all directions belong to where there is no segment.
   void assign(
     const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const CurveOrigin& whole);
-
-  /// Whether all directions belong to one side of one curve.
-  bool isWhole() const { return this->ends_.empty(); }
 
   /// What a direction in the frame of a halfedge belongs to.
   CurveOrigin of(Id halfedge, Vec2 direction) const;
@@ -89,7 +92,6 @@ private:
   void addFanAroundVertex(Id corner);
   void addEnd(const SegmentEnd& end);
   void findChanges();
-  Id acrossEdge(Id halfedge) const;
   const Frame* frameOf(Id face) const;
   double total(std::size_t fan) const { return this->totals_[fan]; }
   FanAngle angleIn(const Frame& frame, Vec2 direction) const;

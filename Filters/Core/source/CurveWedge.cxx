@@ -11,28 +11,6 @@ namespace
 
 constexpr double RightAngle = 1.57079632679489661923;
 
-/// The corner of a face (as a halfedge: the one that begins there) at a vertex of the face.
-Id cornerAt(const TriangleMesh& mesh, Id face, Id vertex)
-{
-  Id corner = 3 * face;
-  while (mesh.origin(corner) != vertex)
-  {
-    ++corner;
-  }
-  return corner;
-}
-
-/// The halfedge of a face that is on the edge of the given halfedge.
-Id siblingInFace(const TriangleMesh& mesh, Id halfedge, Id face)
-{
-  Id s = halfedge;
-  while (TriangleMesh::faceOf(s) != face)
-  {
-    s = mesh.nextSibling(s);
-  }
-  return s;
-}
-
 struct ByFace
 {
   bool operator()(const WedgeBound& a, const WedgeBound& b) const
@@ -98,7 +76,7 @@ WedgeBound CurveWedge::inOwnFace(const SegmentEnd& end, std::size_t k) const
 // seen from behind the edge.
 void CurveWedge::addAroundEdge(const SegmentEnd& end)
 {
-  const Id halfedge = siblingInFace(this->mesh_, end.from.id, end.face);
+  const Id halfedge = this->mesh_.siblingInFace(end.from.id, end.face);
   const WedgeBound own = this->inOwnFace(end, halfedge % 3);
   this->bounds_.push_back(own);
   const Vec2 u = own.direction;
@@ -112,7 +90,7 @@ void CurveWedge::addAroundEdge(const SegmentEnd& end)
 // The face of the segment is left to both sides of the segment.
 void CurveWedge::startAroundVertex(const SegmentEnd& end)
 {
-  const Id corner = cornerAt(this->mesh_, end.face, end.from.id);
+  const Id corner = this->mesh_.cornerAt(end.face, end.from.id);
   const WedgeBound own = this->inOwnFace(end, corner % 3);
   this->bounds_.push_back(own);
   if (own.halfedge != corner)

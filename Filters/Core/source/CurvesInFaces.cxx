@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/CurvesInFaces.h"
 
-#include "source/SegmentWindows.h"
-
 #include <algorithm>
 
 namespace geodesic
@@ -15,8 +13,10 @@ CurvesInFaces::CurvesInFaces(const TriangleMesh& mesh, const std::vector<SourceC
   {
     for (std::size_t i = 0; i < curve.faces.size(); ++i)
     {
-      this->add(curve.faces[i], normalized(mesh, curve.points[i]),
-        normalized(mesh, curve.points[i + 1]), curve.source);
+      const SurfacePoint p = normalized(mesh, curve.points[i]);
+      const SurfacePoint q = normalized(mesh, curve.points[i + 1]);
+      forEachFaceOfSegment(
+        mesh, curve.faces[i], p, q, [&](Id face) { this->add(face, p, q, curve.source); });
     }
     if (curve.points.size() == 1)
     {
@@ -28,24 +28,10 @@ CurvesInFaces::CurvesInFaces(const TriangleMesh& mesh, const std::vector<SourceC
     [](const Piece& a, const Piece& b) { return a.place.face < b.place.face; });
 }
 
-// A segment along an edge is one of all faces there.
 void CurvesInFaces::add(Id face, const SurfacePoint& p, const SurfacePoint& q, Id source)
 {
-  const Barycentric a = barycentric(this->mesh_, p, face);
-  const Barycentric b = barycentric(this->mesh_, q, face);
-  this->pieces_.push_back({ { face, a, b }, source });
-  for (std::size_t k = 0; k < 3 && !samePlace(this->mesh_, p, q); ++k)
-  {
-    const Id halfedge = 3 * face + static_cast<Id>(k);
-    for (Id s = this->mesh_.nextSibling(halfedge); runsAlong(k, a, b) && s != halfedge;
-         s = this->mesh_.nextSibling(s))
-    {
-      const Id other = TriangleMesh::faceOf(s);
-      this->pieces_.push_back(
-        { { other, barycentric(this->mesh_, p, other), barycentric(this->mesh_, q, other) },
-          source });
-    }
-  }
+  this->pieces_.push_back(
+    { { face, barycentric(this->mesh_, p, face), barycentric(this->mesh_, q, face) }, source });
 }
 
 Id CurvesInFaces::sourceAt(const SurfacePoint& point) const

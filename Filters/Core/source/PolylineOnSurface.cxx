@@ -47,7 +47,7 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
   for (std::size_t i = 0; i < polyline.points.size(); ++i)
   {
     const Vec3& p = polyline.points[i];
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    if (!isFinite(p))
     {
       throw SourceError("Point " + std::to_string(i) + " of " + polyline.name +
         " has a coordinate that is not finite. Remove or repair the point.");

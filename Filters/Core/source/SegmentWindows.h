@@ -13,12 +13,6 @@ namespace geodesic
 void addSegmentWindows(
   const TriangleMesh& mesh, const SourceInFace& segment, std::vector<LeavingWindow>& windows);
 
-/// Whether a segment from a to b of a face runs along its halfedge k.
-inline bool runsAlong(std::size_t k, const Barycentric& a, const Barycentric& b)
-{
-  return a[(k + 2) % 3] == 0.0 && b[(k + 2) % 3] == 0.0;
-}
-
 }
 
 #endif

@@ -20,13 +20,7 @@ double nearestAlongSource(
 Barycentric nearestOnSource(
   const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& point)
 {
-  const double t = nearestAlongSource(mesh, source, point);
-  Barycentric nearest;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    nearest[k] = (1.0 - t) * source.a[k] + t * source.b[k];
-  }
-  return nearest;
+  return between(source.a, source.b, nearestAlongSource(mesh, source, point));
 }
 
 double distanceToSource(

@@ -6,9 +6,9 @@
 #include "source/CurveWedge.h"
 #include "source/PointWindows.h"
 #include "source/SegmentWindows.h"
+#include "source/VerticesOnCurves.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace geodesic
 {
@@ -61,14 +61,6 @@ std::size_t numberOfPoints(const std::vector<SourceCurve>& curves)
   return count;
 }
 
-/// A mesh vertex that is a point of a curve.
-struct VertexOnCurve
-{
-  Id vertex;
-  Id curve;
-  double place;
-};
-
 class Maker
 {
 public:
@@ -89,7 +81,7 @@ public:
       this->addPoints(curve);
       ++this->curve_;
     }
-    this->emitFromVertices();
+    this->emitFromVertices(VerticesOnCurves(this->mesh_, chains));
     const auto byFace = [](const SourceInFace& a, const SourceInFace& b)
     { return a.face < b.face; };
     std::stable_sort(this->result_.inFaces.begin(), this->result_.inFaces.end(), byFace);
@@ -97,7 +89,6 @@ public:
   }
 
 private:
-  // A segment along an edge is one of all faces there.
   void addSegments(const SourceCurve& curve)
   {
     for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
@@ -105,19 +96,8 @@ private:
       this->progress_.step();
       const SurfacePoint& p = curve.points[i];
       const SurfacePoint& q = curve.points[i + 1];
-      const Id face = curve.faces[i];
-      this->addSegment(face, p, q, i);
-      const Barycentric a = barycentric(this->mesh_, p, face);
-      const Barycentric b = barycentric(this->mesh_, q, face);
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        const Id halfedge = 3 * face + static_cast<Id>(k);
-        for (Id s = this->mesh_.nextSibling(halfedge); runsAlong(k, a, b) && s != halfedge;
-             s = this->mesh_.nextSibling(s))
-        {
-          this->addSegment(TriangleMesh::faceOf(s), p, q, i);
-        }
-      }
+      forEachFaceOfSegment(
+        this->mesh_, curve.faces[i], p, q, [&](Id face) { this->addSegment(face, p, q, i); });
     }
   }
 
@@ -140,17 +120,12 @@ private:
       if (straight)
       {
         this->progress_.nextPoint();
-        continue;
       }
-      const std::vector<SegmentEnd> ends =
-        segmentEndsAt(this->mesh_, curve, this->curve_, this->places_, i);
-      if (p.kind == SurfacePoint::Kind::Vertex)
+      else if (p.kind != SurfacePoint::Kind::Vertex)
       {
-        this->vertices_.push_back({ p.id, this->curve_, this->places_[i] });
-        this->vertexEnds_.insert(this->vertexEnds_.end(), ends.begin(), ends.end());
-        continue;
+        this->emitFromPoint(p, segmentEndsAt(this->mesh_, curve, this->curve_, this->places_, i),
+          this->curve_, this->places_[i]);
       }
-      this->emitFromPoint(p, ends, this->curve_, this->places_[i]);
     }
   }
 
@@ -160,8 +135,7 @@ private:
     this->progress_.nextPoint();
     const auto step = [this] { this->progress_.step(); };
     this->wedge_.assign(p, ends, step);
-    this->sectors_.assign(
-      p, ends, { CurveSide{ curve, false }.origin(this->mesh_.numberOfVertices()), place });
+    this->sectors_.assign(p, ends, CurveOrigin::onLeft(this->mesh_, curve, place));
     forEachFace(this->mesh_, p,
       [&](Id face)
       {
@@ -188,31 +162,13 @@ private:
   }
 
   // Several curves may meet in one vertex: all their segments bound its wedges together.
-  void emitFromVertices()
+  void emitFromVertices(const VerticesOnCurves& onCurves)
   {
-    std::vector<VertexOnCurve>& vertices = this->vertices_;
-    std::stable_sort(vertices.begin(), vertices.end(),
-      [](const VertexOnCurve& a, const VertexOnCurve& b) { return a.vertex < b.vertex; });
-    const auto isSame = [](const VertexOnCurve& a, const VertexOnCurve& b)
-    { return a.vertex == b.vertex; };
-    vertices.erase(std::unique(vertices.begin(), vertices.end(), isSame), vertices.end());
-    const auto key = [](const SegmentEnd& s)
-    { return std::make_tuple(s.from.id, s.face, s.to.kind, s.to.id, s.to.u, s.to.v); };
-    const auto less = [&](const SegmentEnd& a, const SegmentEnd& b) { return key(a) < key(b); };
-    std::vector<SegmentEnd>& ends = this->vertexEnds_;
-    std::sort(ends.begin(), ends.end(), less);
-
-    auto first = ends.cbegin();
-    for (const VertexOnCurve& v : vertices)
+    for (const VertexOnCurve& v : onCurves.vertices())
     {
       this->result_.vertices.push_back(v.vertex);
-      auto last = first;
-      while (last != ends.cend() && last->from.id == v.vertex)
-      {
-        ++last;
-      }
-      this->emitFromPoint(SurfacePoint::atVertex(v.vertex), { first, last }, v.curve, v.place);
-      first = last;
+      this->emitFromPoint(
+        SurfacePoint::atVertex(v.vertex), onCurves.endsAt(v.vertex), v.curve, v.place);
     }
   }
 
@@ -224,9 +180,6 @@ private:
   /// The number of the curve at hand, and where its points are along it.
   Id curve_ = 0;
   std::vector<double> places_;
-  std::vector<VertexOnCurve> vertices_;
-  /// Of all curves.
-  std::vector<SegmentEnd> vertexEnds_;
 };
 
 } // anonymous namespace
