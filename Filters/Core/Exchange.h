@@ -24,6 +24,11 @@ public:
   using Error::Error;
 };
 
+/// The user has stopped another rank.
+class AbortedElsewhere : public Aborted
+{
+};
+
 /// How ranks that have one surface together talk to each other. There is one way only, a step that
 /// all ranks take together (a superstep: Valiant 1990), so that none can wait for another that does
 /// something else: a rank that fails takes the next step as a failed one.
@@ -41,9 +46,8 @@ public:
   /// \param messages one a rank, also to oneself.
   /// \param least as many numbers on every rank.
   /// \returns what each rank has sent to this one.
-  /// \throws FailedElsewhere, Aborted where a rank has called fail() in place of this.
-  virtual std::vector<Message> step(
-    std::vector<Message> messages, std::vector<double>& least) = 0;
+  /// \throws FailedElsewhere, AbortedElsewhere where a rank has called fail() in place of this.
+  virtual std::vector<Message> step(std::vector<Message> messages, std::vector<double>& least) = 0;
 
   /// Tells all ranks in their next step that this one ends here.
   ///

@@ -67,6 +67,10 @@ void BatchTasks::relaxEdges(FrontWorker& worker, Id vertex) const
   };
   for (const Id corner : this->mesh_.cornersAt(vertex))
   {
+    if (!this->isOwn(TriangleMesh::faceOf(corner)))
+    {
+      continue;
+    }
     const Id before = TriangleMesh::previousInFace(corner);
     relax(corner, this->mesh_.destination(corner), before, this->mesh_.length(before));
     relax(before, this->mesh_.origin(before), corner, 0.0);
@@ -87,13 +91,14 @@ void BatchTasks::emit(FrontWorker& worker, Id vertex, const EmittedInterval& int
 {
   const Id halfedge = TriangleMesh::nextInFace(interval.corner);
   const double length = this->mesh_.length(halfedge);
-  if (this->mesh_.isBoundary(halfedge) ||
+  if (!this->isOwn(TriangleMesh::faceOf(halfedge)) || this->mesh_.isBoundary(halfedge) ||
     !(interval.end - interval.begin > tolerance::LeastWidth * length))
   {
     return;
   }
   Window w = emittedWindow(this->mesh_, interval, this->vertices_.distance(vertex));
   w.error = this->vertices_.error(vertex);
+  w.origin = this->options_.part ? this->options_.part->numberInWhole(vertex) : vertex;
   const double atBegin = this->vertices_.distance(this->mesh_.destination(halfedge));
   const double atEnd = this->vertices_.distance(this->mesh_.origin(halfedge));
   if (!isBeaten(w, w.end, atBegin + w.end) && !isBeaten(w, w.begin, atEnd + (length - w.begin)))
@@ -136,7 +141,7 @@ void BatchTasks::propagate(FrontWorker& worker, Id halfedge, Id batch) const
   const Id left = TriangleMesh::previousInFace(halfedge);
   const Id right = TriangleMesh::nextInFace(halfedge);
   propagateThroughFace(apex, face, { known(0), known(1), known(2) },
-    { !this->mesh_.isBoundary(left), !this->mesh_.isBoundary(right) }, this->mesh_.numberOfFaces(),
+    { !this->mesh_.isBoundary(left), !this->mesh_.isBoundary(right) }, this->mostFaces_,
     worker.leaving);
   this->retire(worker, halfedge, { known(0), known(1) }, batch);
   this->send(worker, left, worker.leaving.left.range());

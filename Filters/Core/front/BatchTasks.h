@@ -27,6 +27,7 @@ public:
     , complete_(complete)
     , waiting_(waiting)
     , retention_(retention)
+    , mostFaces_(options.part ? options.part->numberOfFacesOfWhole() : mesh.numberOfFaces())
   {
   }
 
@@ -56,6 +57,11 @@ public:
 
 private:
   bool isOutsideCorridor(Id halfedge, const WindowRange& windows) const;
+  /// Whether the face is worked on here, not on another rank.
+  bool isOwn(Id face) const
+  {
+    return this->options_.part == nullptr || this->options_.part->isOwn(face);
+  }
   void relaxEdges(FrontWorker& worker, Id vertex) const;
   void emit(FrontWorker& worker, Id vertex) const;
   void emit(FrontWorker& worker, Id vertex, const EmittedInterval& interval) const;
@@ -69,6 +75,8 @@ private:
   const CompleteFaces& complete_;
   WaitingLists& waiting_;
   Retention& retention_;
+  /// How many faces a shortest path can cross.
+  Id mostFaces_;
 };
 
 }

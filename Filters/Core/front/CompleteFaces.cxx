@@ -18,7 +18,7 @@ void CompleteFaces::addAround(Id halfedge)
 
 void CompleteFaces::addAroundReachedVertices(const VertexStates& vertices)
 {
-  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  for (Id face = this->firstFace_; face < this->endOfFaces_; ++face)
   {
     for (const Id vertex : this->mesh_.triangle(face))
     {
@@ -33,7 +33,7 @@ void CompleteFaces::addAroundReachedVertices(const VertexStates& vertices)
 double CompleteFaces::neededDistance(const VertexStates& vertices, bool inside) const
 {
   double bound = 0.0;
-  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  for (Id face = this->firstFace_; face < this->endOfFaces_; ++face)
   {
     if (this->needed_[face])
     {
@@ -47,23 +47,17 @@ double CompleteFaces::neededDistance(const VertexStates& vertices, bool inside) 
   return bound;
 }
 
-void CompleteFaces::dropIncomplete(VertexStates& vertices) const
+std::vector<std::uint8_t> CompleteFaces::completeVertices() const
 {
   std::vector<std::uint8_t> complete(this->mesh_.numberOfVertices(), 0);
-  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  for (Id face = this->firstFace_; face < this->endOfFaces_; ++face)
   {
     for (const Id vertex : this->mesh_.triangle(face))
     {
       complete[vertex] |= this->needed_[face];
     }
   }
-  for (Id vertex = 0; vertex < this->mesh_.numberOfVertices(); ++vertex)
-  {
-    if (!complete[vertex])
-    {
-      vertices[vertex].distance = Infinity;
-    }
-  }
+  return complete;
 }
 
 }

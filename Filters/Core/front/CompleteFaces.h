@@ -3,7 +3,7 @@
 #define geodesic_CompleteFaces_h
 
 #include "front/VertexStates.h"
-#include "mesh/TriangleMesh.h"
+#include "mesh/SurfacePart.h"
 
 #include <vector>
 
@@ -15,8 +15,12 @@ class CompleteFaces
 {
 public:
   /// Without a limit nothing is kept and every face counts.
-  CompleteFaces(const TriangleMesh& mesh, double limit)
+  ///
+  /// \param part null: the front has all faces of the mesh, not only those that it owns.
+  CompleteFaces(const TriangleMesh& mesh, const SurfacePart* part, double limit)
     : mesh_(mesh)
+    , firstFace_(part ? part->firstOwnFace() : 0)
+    , endOfFaces_(part ? part->endOfOwnFaces() : mesh.numberOfFaces())
     , limit_(limit)
     , needed_(limit < Infinity ? mesh.numberOfFaces() : 0, 0)
   {
@@ -27,6 +31,7 @@ public:
   bool isWithin(const Window& window) const { return window.minimum() <= this->limit_; }
 
   void add(Id face) { this->needed_[face] = 1; }
+  bool isNeeded(Id face) const { return this->needed_[face] != 0; }
   /// The faces around an edge that a window within the limit has come to.
   void addAround(Id halfedge);
   void addAroundReachedVertices(const VertexStates& vertices);
@@ -35,13 +40,15 @@ public:
   /// where the inside counts too, as far as any point of them can be.
   double neededDistance(const VertexStates& vertices, bool inside) const;
 
-  /// Takes the distances away from vertices of which no face is complete.
-  void dropIncomplete(VertexStates& vertices) const;
+  /// Whether some face at each vertex is complete.
+  std::vector<std::uint8_t> completeVertices() const;
 
   std::vector<std::uint8_t> release() { return std::move(this->needed_); }
 
 private:
   const TriangleMesh& mesh_;
+  Id firstFace_;
+  Id endOfFaces_;
   double limit_;
   std::vector<std::uint8_t> needed_;
 };

@@ -4,6 +4,7 @@
 #include "Errors.h"
 #include "front/BatchTasks.h"
 #include "front/CompleteFaces.h"
+#include "front/FrontExchange.h"
 #include "front/FrontProgress.h"
 #include "front/FrontWorker.h"
 #include "front/Outbox.h"
@@ -26,29 +27,38 @@ namespace
 /// are those of BatchTasks, in parallel; (3) what they found is committed, one after another in an
 /// order that does not depend on how the tasks were run: distances are shortened, new lists are
 /// linked to the vertices they face, and the schedule is filled.
+///
+/// Where ranks have the surface together, a batch is a superstep with two exchanges: of windows and
+/// distances after (1), of distances and of what comes next after (3). All ranks have the same key
+/// and the same last key of a batch.
 class Front
 {
 public:
   Front(const TriangleMesh& mesh, const FrontOptions& options, Retention& retention);
 
-  FrontResult run(const std::vector<SourceCurve>& sources);
+  /// Takes the sources' windows along; ends with SourceError where there are none, on no rank.
+  FrontResult run(SourceWindows sources);
 
 private:
-  void start(const std::vector<SourceCurve>& sources);
+  void start(SourceWindows initial);
   void startVertices(const SourceWindows& initial);
   void startFaces(const SourceWindows& initial);
   void advance(double limit);
+  bool moveOn(double limit);
   bool isSettled();
+  bool isAnyWithin(double reach);
   bool isWithin(Id vertex, double reach) const;
   void runBatch();
   template <typename Item>
   void runTasks(std::size_t items, Item&& item);
+  void exchangeLists();
   void collectOutbox();
 
   void commit();
   void commitVertices();
   void commitUpdates(std::vector<DistanceUpdate> FrontWorker::*updates);
   void commitLists();
+  void exchangeArrivals();
   void shorten(const DistanceUpdate& update);
   FrontState state();
 
@@ -69,11 +79,15 @@ private:
   BatchTasks tasks_;
   FrontWorkers workers_;
   Outbox outbox_;
+  FrontExchange ranks_;
   FrontProgress progress_;
 
   /// The vertices of the batch at hand, and how many batches there were.
   std::vector<Id> batch_;
   Id batches_ = 0;
+  /// What comes next over all ranks, and the largest reach of their retentions.
+  VertexSchedule::Outlook next_;
+  double reach_ = Infinity;
   /// A vertex that was last found to have something within the retention's reach.
   Id unsettled_ = NoId;
   std::vector<WindowPool*> pools_;
@@ -86,15 +100,16 @@ Front::Front(const TriangleMesh& mesh, const FrontOptions& options, Retention& r
   , vertices_(mesh, options.relativeError > 0.0, options.keepArrivals)
   , schedule_(vertices_)
   , waiting_(mesh.numberOfHalfedges())
-  , complete_(mesh, options.maximumDistance)
+  , complete_(mesh, options.part, options.maximumDistance)
   , tasks_(mesh, options, vertices_, complete_, waiting_, retention)
+  , ranks_(options.part)
   , progress_(options.progress, mesh.numberOfVertices(), options.maximumDistance)
 {
 }
 
-FrontResult Front::run(const std::vector<SourceCurve>& sources)
+FrontResult Front::run(SourceWindows sources)
 {
-  this->start(sources);
+  this->start(std::move(sources));
   this->progress_.report(this->schedule_.key());
   this->advance(this->options_.maximumDistance);
   this->progress_.report(this->schedule_.key());
@@ -106,12 +121,9 @@ FrontResult Front::run(const std::vector<SourceCurve>& sources)
   return std::move(this->result_);
 }
 
-void Front::start(const std::vector<SourceCurve>& sources)
+void Front::start(SourceWindows initial)
 {
-  // Short beside what follows: it can be stopped, and counts as no progress.
-  SourceWindows initial = makeSourceWindows(this->mesh_, sources,
-    [this](double) { return !this->options_.progress || this->options_.progress(0.0); });
-  if (initial.inFaces.empty() && initial.vertices.empty())
+  if (!this->ranks_.isTrueAnywhere(!initial.inFaces.empty() || !initial.vertices.empty()))
   {
     throw SourceError("There is no source. Give at least one point on the surface.");
   }
@@ -146,14 +158,21 @@ void Front::startVertices(const SourceWindows& initial)
 
 void Front::startFaces(const SourceWindows& initial)
 {
+  const Id numberOfVertices = this->options_.part ? this->options_.part->numberOfVerticesOfWhole()
+                                                  : this->mesh_.numberOfVertices();
   for (const SourceInFace& source : initial.inFaces)
   {
     const Triangle& corners = this->mesh_.triangle(source.face);
-    const Id origin = CurveSide{ source.curve, false }.origin(this->mesh_.numberOfVertices());
+    const Id origin = CurveSide{ source.curve, false }.origin(numberOfVertices);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      this->shorten({ corners[k], distanceToSource(this->mesh_, source, cornerWeights(k)), 0.0,
-        { NoId, origin } });
+      const DistanceUpdate found = { corners[k],
+        distanceToSource(this->mesh_, source, cornerWeights(k)), 0.0, { NoId, origin } };
+      this->shorten(found);
+      if (!this->ranks_.isAlone())
+      {
+        this->ranks_.tell(found);
+      }
     }
     if (this->complete_.isLimited())
     {
@@ -164,12 +183,29 @@ void Front::startFaces(const SourceWindows& initial)
 
 void Front::advance(double limit)
 {
-  while (this->schedule_.moveOn(limit) && !this->isSettled())
+  while (this->moveOn(limit) && !this->isSettled())
   {
-    this->schedule_.takeBatch(limit, this->batch_);
+    this->schedule_.takeBatch(std::min(limit, this->next_.last), this->batch_);
     this->runBatch();
     this->progress_.afterBatch(this->batch_.size(), this->schedule_.key());
   }
+}
+
+// Moves on to the next batch; false where no vertex waits up to the limit.
+bool Front::moveOn(double limit)
+{
+  if (this->ranks_.isAlone())
+  {
+    this->next_ = this->schedule_.outlook();
+    this->reach_ = this->retention_.reach();
+  }
+  const double least = this->next_.least;
+  if (!(least <= limit) || least == Infinity)
+  {
+    return false;
+  }
+  this->schedule_.moveOn(least);
+  return true;
 }
 
 // Whether nothing is left within the retention's reach. Windows there may still wait for a far
@@ -177,17 +213,18 @@ void Front::advance(double limit)
 // are those of a front that goes everywhere, to the last bit.
 bool Front::isSettled()
 {
-  const double reach = this->retention_.reach();
-  if (!(this->schedule_.key() > reach))
-  {
-    return false;
-  }
+  return this->schedule_.key() > this->reach_ &&
+    !this->ranks_.isTrueAnywhere(this->isAnyWithin(this->reach_));
+}
+
+bool Front::isAnyWithin(double reach)
+{
   if (this->unsettled_ != NoId && this->isWithin(this->unsettled_, reach))
   {
-    return false;
+    return true;
   }
   this->unsettled_ = NoId;
-  return !this->schedule_.isAnyWaiting(
+  return this->schedule_.isAnyWaiting(
     [&](Id vertex)
     {
       const bool isWithin = this->isWithin(vertex, reach);
@@ -224,6 +261,10 @@ void Front::runBatch()
       }
       this->tasks_.process(worker, this->batch_[i], this->batches_);
     });
+  if (!this->ranks_.isAlone())
+  {
+    this->exchangeLists();
+  }
   this->collectOutbox();
   this->runTasks(this->outbox_.numberOfGroups(),
     [this](FrontWorker& worker, std::size_t i)
@@ -250,6 +291,26 @@ void Front::runTasks(std::size_t items, Item&& item)
   this->workers_.run(items, tasks, this->options_.parallelFor, item);
 }
 
+void Front::exchangeLists()
+{
+  for (FrontWorker& worker : this->workers_)
+  {
+    this->ranks_.take(worker.sent, worker.pool);
+    for (const DistanceUpdate& update : worker.updates)
+    {
+      this->ranks_.tell(update);
+    }
+  }
+  FrontWorker& first = this->workers_.first();
+  FrontWorker& last = *(this->workers_.end() - 1);
+  std::vector<double> nothing;
+  const FrontExchange::Received received = this->ranks_.step(nothing, first.pool);
+  last.sent.insert(last.sent.end(), received.lists.begin(), received.lists.end());
+  // All ranks take distances over in one order, so that equal paths are told apart alike.
+  first.updates.insert(first.updates.begin(), received.fromLower.begin(), received.fromLower.end());
+  last.updates.insert(last.updates.end(), received.fromHigher.begin(), received.fromHigher.end());
+}
+
 void Front::collectOutbox()
 {
   this->outbox_.clear();
@@ -266,6 +327,13 @@ void Front::commit()
 {
   this->commitVertices();
   this->commitUpdates(&FrontWorker::updates);
+  for (const FrontWorker& worker : this->workers_)
+  {
+    for (std::size_t i = 0; i < worker.arrivals.size() && !this->ranks_.isAlone(); ++i)
+    {
+      this->ranks_.tell(worker.arrivals[i]);
+    }
+  }
   this->commitUpdates(&FrontWorker::arrivals);
   this->commitLists();
   for (FrontWorker& worker : this->workers_)
@@ -276,7 +344,29 @@ void Front::commit()
     }
     worker.withinLimit.clear();
   }
+  if (!this->ranks_.isAlone())
+  {
+    this->exchangeArrivals();
+  }
   this->retention_.advance(this->state());
+}
+
+// A vertex that another rank tells of waits there with the same key: what comes next is known
+// before it is told.
+void Front::exchangeArrivals()
+{
+  this->next_ = this->schedule_.outlook();
+  std::vector<double> least = { this->next_.least, this->next_.last, -this->retention_.reach() };
+  const FrontExchange::Received received = this->ranks_.step(least, this->workers_.first().pool);
+  this->next_ = { least[0], least[1] };
+  this->reach_ = -least[2];
+  for (const auto* updates : { &received.fromLower, &received.fromHigher })
+  {
+    for (const DistanceUpdate& update : *updates)
+    {
+      this->shorten(update);
+    }
+  }
 }
 
 void Front::commitVertices()
@@ -360,7 +450,9 @@ void Front::finishLimited()
 {
   this->flush(this->complete_.limit());
   this->complete_.addAroundReachedVertices(this->vertices_);
-  this->flush(this->complete_.neededDistance(this->vertices_, this->retention_.needsInside()));
+  this->ranks_.shareNeeded(this->complete_);
+  this->flush(this->ranks_.largestOf(
+    this->complete_.neededDistance(this->vertices_, this->retention_.needsInside())));
   for (const Id halfedge : this->waiting_.halfedges())
   {
     this->tasks_.retire(this->workers_.first(), halfedge,
@@ -368,7 +460,15 @@ void Front::finishLimited()
         this->vertices_.distance(this->mesh_.destination(halfedge)) },
       this->batches_);
   }
-  this->complete_.dropIncomplete(this->vertices_);
+  std::vector<std::uint8_t> complete = this->complete_.completeVertices();
+  this->ranks_.shareMarks(complete);
+  for (Id vertex = 0; vertex < this->vertices_.size(); ++vertex)
+  {
+    if (!complete[vertex])
+    {
+      this->vertices_[vertex].distance = Infinity;
+    }
+  }
 }
 
 // Sends on every window and pseudo-source nearer than the bound, also those that would wait for a
@@ -381,7 +481,7 @@ void Front::flush(double bound)
     this->batch_ = this->verticesWithListsWithin(bound);
     this->runBatch();
     this->progress_.report(this->schedule_.key());
-  } while (!this->batch_.empty());
+  } while (this->ranks_.isTrueAnywhere(!this->batch_.empty()));
 }
 
 std::vector<Id> Front::verticesWithListsWithin(double bound) const
@@ -418,6 +518,8 @@ void Front::finish()
     this->result_.relativeErrorBound =
       std::max(this->result_.relativeErrorBound, worker.relativeError);
   }
+  this->result_.windowsPropagated = this->ranks_.sumOf(this->result_.windowsPropagated);
+  this->result_.relativeErrorBound = this->ranks_.largestOf(this->result_.relativeErrorBound);
   this->retention_.finish(this->state());
 }
 
@@ -426,12 +528,22 @@ void Front::finish()
 FrontResult propagate(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options, Retention& retention)
 {
+  // Short beside what follows: it can be stopped, and counts as no progress.
+  return propagate(mesh,
+    makeSourceWindows(
+      mesh, sources, [&](double) { return !options.progress || options.progress(0.0); }),
+    options, retention);
+}
+
+FrontResult propagate(const TriangleMesh& mesh, SourceWindows sources, const FrontOptions& options,
+  Retention& retention)
+{
   if (!(options.relativeError >= 0.0) || !(options.relativeError < Infinity))
   {
     throw Error("The relative error is " + std::to_string(options.relativeError) +
       "; give a number of at least 0.");
   }
-  return Front(mesh, options, retention).run(sources);
+  return Front(mesh, options, retention).run(std::move(sources));
 }
 
 }

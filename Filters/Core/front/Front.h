@@ -5,6 +5,7 @@
 #include "Progress.h"
 #include "front/Retention.h"
 #include "front/SaddleWedge.h"
+#include "mesh/SurfacePart.h"
 #include "mesh/TriangleMesh.h"
 #include "source/SourceCurve.h"
 #include "source/SourceWindows.h"
@@ -61,6 +62,10 @@ struct FrontOptions
   const Corridor* corridor = nullptr;
   /// Whether FrontResult::arrivals is wanted, which takes 40 bytes a vertex. Changes no distance.
   bool keepArrivals = false;
+  /// Where the surface is distributed over ranks: this one's part of it, of which the mesh is. All
+  /// ranks call together, with their own callbacks, and get the distances of the whole at the
+  /// vertices of the faces that they own; windows are numbered as in the whole (Window::origin).
+  const SurfacePart* part = nullptr;
   /// Absent: one task after another. The result does not depend on it.
   ParallelFor parallelFor;
   /// Called now and then, at least ten times a second, with the fraction done in [0, 1]; returning
@@ -95,6 +100,11 @@ struct FrontResult
 ///         Aborted.
 FrontResult propagate(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options, Retention& retention);
+
+/// The same from what the sources give to begin with, on a part of a surface: what faces owned by
+/// the part have of it.
+FrontResult propagate(const TriangleMesh& mesh, SourceWindows sources, const FrontOptions& options,
+  Retention& retention);
 
 }
 

@@ -3,6 +3,7 @@
 #define geodesic_FrontProgress_h
 
 #include "Progress.h"
+#include "Types.h"
 
 #include <algorithm>
 
@@ -16,7 +17,7 @@ class FrontProgress
 public:
   FrontProgress(const ProgressCallback& callback, Id numberOfVertices, double limit)
     : callback_(callback)
-    , numberOfVertices_(numberOfVertices)
+    , numberOfVertices_(std::max<Id>(numberOfVertices, 1))
     , limit_(limit)
   {
   }

@@ -71,13 +71,11 @@ public:
     }
   }
 
-  /// Takes out the current entries up to a key that no entry's reach ends before.
-  ///
-  /// \param last the largest key to be taken.
-  /// \param take (Id vertex) is called for each.
-  template <typename IsCurrent, typename ReachOf, typename Take>
-  void takeBatch(double last, const IsCurrent& isCurrent, const ReachOf& reachOf, const Take& take)
+  /// The key that no current entry's reach ends before, after least(): the last of a batch.
+  template <typename IsCurrent, typename ReachOf>
+  double lastOfBatch(const IsCurrent& isCurrent, const ReachOf& reachOf) const
   {
+    double last = Infinity;
     for (const Entry& entry : this->near_)
     {
       if (entry.key <= last && isCurrent(entry))
@@ -85,6 +83,15 @@ public:
         last = std::min(last, entry.key + reachOf(entry.vertex));
       }
     }
+    return last;
+  }
+
+  /// Takes out the current entries up to a key.
+  ///
+  /// \param take (Id vertex) is called for each.
+  template <typename IsCurrent, typename Take>
+  void takeBatch(double last, const IsCurrent& isCurrent, const Take& take)
+  {
     std::size_t kept = 0;
     for (const Entry& entry : this->near_)
     {

@@ -57,42 +57,45 @@ public:
     }
   }
 
-  /// Moves on to the next batch; false where no vertex waits up to the limit.
-  bool moveOn(double limit)
+  /// What comes next: the least key of a vertex that waits, infinite where none does, and the last
+  /// key of its batch.
+  struct Outlook
   {
+    double least = Infinity;
+    double last = Infinity;
+  };
+  Outlook outlook()
+  {
+    const auto reachOf = this->reachOf();
+    Outlook next;
+    for (const Id vertex : this->behind_)
+    {
+      next.least = this->key_;
+      next.last = std::min(next.last, this->key_ + reachOf(vertex));
+    }
     if (this->behind_.empty())
     {
-      const double least = this->queue_.least(this->isCurrent(), this->reachOf());
-      if (!(least <= limit) || least == Infinity)
-      {
-        return false;
-      }
-      this->key_ = std::max(this->key_, least);
+      next.least = this->queue_.least(this->isCurrent(), reachOf);
     }
-    return true;
+    next.last = std::min(next.last, this->queue_.lastOfBatch(this->isCurrent(), reachOf));
+    return next;
   }
 
-  /// Takes the vertices of the batch at the key out, up to the limit.
-  void takeBatch(double limit, std::vector<Id>& batch)
+  /// Moves on to the batch that begins at a key.
+  void moveOn(double least) { this->key_ = std::max(this->key_, least); }
+
+  /// Takes the vertices of the batch at the key out, up to its last one.
+  void takeBatch(double last, std::vector<Id>& batch)
   {
     batch.clear();
-    double last = limit;
     const auto take = [this, &batch](Id vertex)
     {
       this->states_[vertex].key = Infinity;
       batch.push_back(vertex);
     };
-    const auto reachOf = this->reachOf();
-    for (const Id vertex : this->behind_)
-    {
-      if (this->states_[vertex].key == this->key_)
-      {
-        last = std::min(last, this->key_ + reachOf(vertex));
-        take(vertex);
-      }
-    }
+    std::for_each(this->behind_.begin(), this->behind_.end(), take);
     this->behind_.clear();
-    this->queue_.takeBatch(last, this->isCurrent(), reachOf, take);
+    this->queue_.takeBatch(last, this->isCurrent(), take);
   }
 
   /// Whether some vertex that waits fulfils a condition: (Id vertex) -> bool.

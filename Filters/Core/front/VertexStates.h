@@ -81,7 +81,8 @@ private:
   VertexNumbers each(double VertexState::*number) const
   {
     static_assert(sizeof(VertexState) % sizeof(double) == 0);
-    return { &(this->states_.front().*number), sizeof(VertexState) / sizeof(double) };
+    const double* first = this->states_.empty() ? nullptr : &(this->states_.front().*number);
+    return { first, sizeof(VertexState) / sizeof(double) };
   }
 
   bool isArrivalMissing(Id vertex, double distance) const

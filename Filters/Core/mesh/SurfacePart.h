@@ -40,7 +40,8 @@ public:
   /// \param keys one a point: points of different ranks are one vertex where their keys are equal,
   ///        and lie where the lowest of these ranks has it. A rank has each key once.
   /// \param exchange must outlive this.
-  /// \throws MeshError where the whole has no face, MeshTooLarge; what TriangleMesh throws; Aborted.
+  /// \throws MeshError where the whole has no face, MeshTooLarge; what TriangleMesh throws;
+  /// Aborted.
   SurfacePart(std::vector<Vec3> points, std::vector<Triangle> triangles,
     const std::vector<std::uint64_t>& keys, Exchange& exchange,
     const ProgressCallback& progress = {});
@@ -64,9 +65,9 @@ public:
   /// Where a face of the halo is owned.
   RankAddress ownerOf(Id face) const
   {
-    return this->halo_[face < this->firstOwnFace_
-        ? face
-        : face - (this->endOfOwnFaces_ - this->firstOwnFace_)];
+    return this
+      ->halo_[face < this->firstOwnFace_ ? face
+                                         : face - (this->endOfOwnFaces_ - this->firstOwnFace_)];
   }
   /// The copy in this part's halo of a face that another rank owns; NoId where there is none.
   Id copyOf(const RankAddress& face) const;
@@ -91,8 +92,7 @@ public:
   /// Whether no lower rank has the vertex: it is counted here.
   bool isCountedHere(Id vertex) const
   {
-    return !this->isShared(vertex) ||
-      this->othersWith(vertex).first->rank > this->exchange_.rank();
+    return !this->isShared(vertex) || this->othersWith(vertex).first->rank > this->exchange_.rank();
   }
 
   /// The number of a vertex in the whole, the same on all ranks.

@@ -68,6 +68,9 @@ public:
     Id nonManifoldEdges = 0;
   };
 
+  /// A mesh without vertices and faces: the part of a rank that has none.
+  TriangleMesh() = default;
+
   /// Builds the mesh. Vertices are the points; the caller has merged those that are one for
   /// connectivity.
   ///

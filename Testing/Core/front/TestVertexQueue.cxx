@@ -53,7 +53,9 @@ public:
   std::vector<Id> takeBatch(double last)
   {
     std::vector<Id> taken;
-    this->queue_.takeBatch(last, this->isCurrent(), this->reachOf(),
+    this->queue_.takeBatch(
+      std::min(last, this->queue_.lastOfBatch(this->isCurrent(), this->reachOf())),
+      this->isCurrent(),
       [&](Id vertex)
       {
         taken.push_back(vertex);

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "front/FrontExchange.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+std::size_t indexOf(int rank)
+{
+  return static_cast<std::size_t>(rank);
+}
+
+} // anonymous namespace
+
+FrontExchange::FrontExchange(const SurfacePart* part)
+  : part_(part)
+{
+  if (part != nullptr)
+  {
+    this->lists_ = part->exchange().noMessages();
+    this->updates_.resize(this->lists_.size());
+  }
+}
+
+void FrontExchange::take(std::vector<SentList>& sent, WindowPool& pool)
+{
+  std::size_t kept = 0;
+  for (const SentList& list : sent)
+  {
+    const Id face = TriangleMesh::faceOf(list.halfedge);
+    if (this->part_->isOwn(face))
+    {
+      sent[kept++] = list;
+      continue;
+    }
+    const RankAddress owner = this->part_->ownerOf(face);
+    Message& message = this->lists_[indexOf(owner.rank)];
+    put(message, 3 * owner.id + list.halfedge % 3);
+    put(message, static_cast<std::uint32_t>(list.windows.size));
+    put(message, list.windows.data, list.windows.size);
+    pool.free(list.windows);
+  }
+  sent.resize(kept);
+}
+
+void FrontExchange::tell(const DistanceUpdate& update)
+{
+  for (const RankAddress& other : this->part_->othersWith(update.vertex))
+  {
+    DistanceUpdate& told = this->updates_[indexOf(other.rank)].emplace_back(update);
+    told.vertex = other.id;
+  }
+}
+
+FrontExchange::Received FrontExchange::step(std::vector<double>& least, WindowPool& pool)
+{
+  std::vector<Message> messages = this->part_->exchange().noMessages();
+  for (std::size_t rank = 0; rank < messages.size(); ++rank)
+  {
+    std::vector<DistanceUpdate>& updates = this->updates_[rank];
+    if (!updates.empty() || !this->lists_[rank].empty())
+    {
+      put(messages[rank], updates.size());
+      put(messages[rank], updates.data(), updates.size());
+      put(messages[rank], this->lists_[rank].data(), this->lists_[rank].size());
+      updates.clear();
+      this->lists_[rank].clear();
+    }
+  }
+  messages = this->part_->exchange().step(std::move(messages), least);
+
+  Received received;
+  std::vector<Window> windows;
+  for (std::size_t rank = 0; rank < messages.size(); ++rank)
+  {
+    if (messages[rank].empty())
+    {
+      continue;
+    }
+    const auto sender = static_cast<int>(rank);
+    MessageReader reader(messages[rank]);
+    std::vector<DistanceUpdate>& updates =
+      sender < this->part_->exchange().rank() ? received.fromLower : received.fromHigher;
+    for (auto left = reader.get<std::size_t>(); left > 0; --left)
+    {
+      updates.push_back(this->translated(sender, reader.get<DistanceUpdate>()));
+    }
+    while (!reader.isAtEnd())
+    {
+      const Id halfedge = reader.get<Id>();
+      windows.resize(reader.get<std::uint32_t>());
+      reader.get(windows.data(), windows.size());
+      received.lists.push_back(
+        { halfedge, pool.copyOf({ windows.data(), windows.data() + windows.size() }) });
+    }
+  }
+  return received;
+}
+
+// A path comes to a vertex through a face that the sender owns; whoever has the vertex has a copy.
+DistanceUpdate FrontExchange::translated(int sender, DistanceUpdate update) const
+{
+  Id& halfedge = update.from.halfedge;
+  if (halfedge != NoId)
+  {
+    halfedge = 3 * this->part_->copyOf({ sender, TriangleMesh::faceOf(halfedge) }) + halfedge % 3;
+  }
+  return update;
+}
+
+std::uint64_t FrontExchange::sumOf(std::uint64_t number)
+{
+  if (this->isAlone())
+  {
+    return number;
+  }
+  Message message;
+  put(message, number);
+  std::uint64_t sum = 0;
+  readEach(this->part_->exchange().tellAll(message),
+    [&](int, MessageReader& reader) { sum += reader.get<std::uint64_t>(); });
+  return sum;
+}
+
+void FrontExchange::shareNeeded(CompleteFaces& faces)
+{
+  if (this->isAlone())
+  {
+    return;
+  }
+  std::vector<Message> messages = this->part_->exchange().noMessages();
+  for (Id face = 0; face < this->part_->mesh().numberOfFaces(); ++face)
+  {
+    if (faces.isNeeded(face) && !this->part_->isOwn(face))
+    {
+      const RankAddress owner = this->part_->ownerOf(face);
+      put(messages[indexOf(owner.rank)], owner.id);
+    }
+  }
+  readEach(this->part_->exchange().step(std::move(messages)),
+    [&](int, MessageReader& reader) { faces.add(reader.get<Id>()); });
+}
+
+void FrontExchange::shareMarks(std::vector<std::uint8_t>& marks)
+{
+  if (this->isAlone())
+  {
+    return;
+  }
+  std::vector<Message> messages = this->part_->exchange().noMessages();
+  for (Id vertex = 0; vertex < this->part_->numberOfOwnVertices(); ++vertex)
+  {
+    for (const RankAddress& other : this->part_->othersWith(vertex))
+    {
+      if (marks[vertex])
+      {
+        put(messages[indexOf(other.rank)], other.id);
+      }
+    }
+  }
+  readEach(this->part_->exchange().step(std::move(messages)),
+    [&](int, MessageReader& reader) { marks[reader.get<Id>()] = 1; });
+}
+
+}

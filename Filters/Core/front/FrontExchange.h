@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_FrontExchange_h
+#define geodesic_FrontExchange_h
+
+#include "front/CompleteFaces.h"
+#include "front/Outbox.h"
+#include "front/VertexStates.h"
+#include "mesh/SurfacePart.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// What the fronts of several ranks tell each other. Each processes the batch's vertices that it
+/// has, in the faces that it owns: windows that leave through a seam go to the owners of the faces
+/// there, distances found at vertices of several ranks to all of these. Without other ranks there
+/// is nothing to tell.
+class FrontExchange
+{
+public:
+  /// \param part null where the surface is not distributed.
+  explicit FrontExchange(const SurfacePart* part);
+
+  bool isAlone() const { return this->part_ == nullptr; }
+
+  /// Takes the lists that go to other ranks out of those that were sent.
+  void take(std::vector<SentList>& sent, WindowPool& pool);
+  /// Tells the other ranks that have the vertex.
+  void tell(const DistanceUpdate& update);
+
+  /// What has come in a step: lists in the order of the ranks, their blocks from the pool, and
+  /// distances, first those of the lower ranks.
+  struct Received
+  {
+    std::vector<SentList> lists;
+    std::vector<DistanceUpdate> fromLower;
+    std::vector<DistanceUpdate> fromHigher;
+  };
+  /// Sends what was taken and told, gets what others have sent, and finds the least of each number
+  /// over all ranks.
+  Received step(std::vector<double>& least, WindowPool& pool);
+
+  bool isTrueAnywhere(bool condition)
+  {
+    return this->isAlone() ? condition : this->part_->exchange().isTrueAnywhere(condition);
+  }
+  double largestOf(double number)
+  {
+    return this->isAlone() ? number : this->part_->exchange().largestOf(number);
+  }
+  std::uint64_t sumOf(std::uint64_t number);
+
+  /// Faces that have to be complete here are so for their owners.
+  void shareNeeded(CompleteFaces& faces);
+  /// A vertex that is marked here is marked on all ranks that have it.
+  void shareMarks(std::vector<std::uint8_t>& marks);
+
+private:
+  DistanceUpdate translated(int sender, DistanceUpdate update) const;
+
+  const SurfacePart* part_;
+  /// What is to be sent to each rank.
+  std::vector<std::vector<DistanceUpdate>> updates_;
+  std::vector<Message> lists_;
+};
+
+}
+
+#endif

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "source/SourceWindowsOfPart.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// What windows on the patch come from, by numbers of the whole.
+Id originInWhole(const SurfacePart& part, const SurfacePatch& patch, Id origin)
+{
+  const Id vertices = patch.mesh().numberOfVertices();
+  return CurveSide::isOne(origin, vertices)
+    ? CurveSide::of(origin, vertices).origin(part.numberOfVerticesOfWhole())
+    : patch.numberInWhole(origin);
+}
+
+std::vector<Id> verticesOfPart(const SurfacePatch& patch, const std::vector<Id>& vertices)
+{
+  std::vector<Id> result;
+  for (const Id vertex : vertices)
+  {
+    if (patch.vertexOfPart(vertex) != NoId)
+    {
+      result.push_back(patch.vertexOfPart(vertex));
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+} // anonymous namespace
+
+SourceWindows sourceWindowsOfPart(
+  const SurfacePart& part, const SurfacePatch& patch, const SourceWindows& onPatch)
+{
+  SourceWindows result;
+  const auto ownFace = [&](Id face)
+  {
+    const Id own = patch.faceOfPart(face);
+    return own != NoId && part.isOwn(own) ? own : NoId;
+  };
+  for (const LeavingWindow& leaving : onPatch.windows)
+  {
+    const Id face = ownFace(TriangleMesh::faceOf(leaving.halfedge));
+    if (face != NoId)
+    {
+      result.windows.push_back({ 3 * face + leaving.halfedge % 3, leaving.window });
+      result.windows.back().window.origin = originInWhole(part, patch, leaving.window.origin);
+    }
+  }
+  for (const SourceInFace& source : onPatch.inFaces)
+  {
+    const Id face = ownFace(source.face);
+    if (face != NoId)
+    {
+      result.inFaces.push_back(source);
+      result.inFaces.back().face = face;
+    }
+  }
+  result.vertices = verticesOfPart(patch, onPatch.vertices);
+  result.nearVertices = verticesOfPart(patch, onPatch.nearVertices);
+  return result;
+}
+
+}

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RanksSupport.h"
+
+#include "source/SourceWindowsOfPart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <mutex>
+
+namespace geodesictest
+{
+
+namespace
+{
+
+/// What one rank has of a cut mesh.
+struct Piece
+{
+  std::vector<geodesic::Vec3> points;
+  std::vector<geodesic::Triangle> triangles;
+  std::vector<std::uint64_t> keys;
+  std::vector<Index> wholeVertices;
+  std::vector<Index> wholeFaces;
+};
+
+Piece pieceOf(const CutMesh& cut, int rank)
+{
+  Piece piece;
+  std::map<Index, geodesic::Id> vertexOf;
+  for (Index face = 0; face < cut.mesh.triangles.size(); ++face)
+  {
+    if (cut.rankOfFace[face] != rank)
+    {
+      continue;
+    }
+    geodesic::Triangle triangle;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Index whole = cut.mesh.triangles[face][k];
+      const auto found =
+        vertexOf.try_emplace(whole, static_cast<geodesic::Id>(piece.points.size()));
+      if (found.second)
+      {
+        const Vec3& p = cut.mesh.points[whole];
+        piece.points.push_back({ p[0], p[1], p[2] });
+        piece.keys.push_back(std::uint64_t(1) << 40 | whole);
+        piece.wholeVertices.push_back(whole);
+      }
+      triangle[k] = found.first->second;
+    }
+    piece.triangles.push_back(triangle);
+    piece.wholeFaces.push_back(face);
+  }
+  return piece;
+}
+
+/// The face that each face of the whole is on the rank that owns it; all ranks find out together.
+std::vector<geodesic::RankAddress> facesOnRanks(
+  const CutMesh& cut, const Piece& piece, const geodesic::SurfacePart& part)
+{
+  geodesic::Message message;
+  for (std::size_t i = 0; i < piece.wholeFaces.size(); ++i)
+  {
+    geodesic::put(message, piece.wholeFaces[i]);
+    geodesic::put(message, part.faceOfTriangle(static_cast<geodesic::Id>(i)));
+  }
+  std::vector<geodesic::RankAddress> result(cut.mesh.triangles.size());
+  geodesic::readEach(part.exchange().tellAll(message),
+    [&](int rank, geodesic::MessageReader& reader)
+    {
+      const auto face = reader.get<Index>();
+      result[face] = { rank, reader.get<geodesic::Id>() };
+    });
+  return result;
+}
+
+std::vector<Polyline> onPatch(std::vector<Polyline> curves, const geodesic::SurfacePatch& patch,
+  const std::vector<geodesic::RankAddress>& faces)
+{
+  for (Polyline& curve : curves)
+  {
+    for (MeshSegment& segment : curve.segments)
+    {
+      segment.face = patch.faceAt(faces[segment.face]);
+    }
+  }
+  return curves;
+}
+
+CutMesh cutBy(const PlainMesh& mesh, int numberOfRanks, const std::function<int(Index)>& rankOf)
+{
+  CutMesh cut = { mesh, numberOfRanks, {} };
+  for (Index face = 0; face < mesh.triangles.size(); ++face)
+  {
+    cut.rankOfFace.push_back(rankOf(face));
+  }
+  return cut;
+}
+
+} // anonymous namespace
+
+CutMesh cutAtRandom(const PlainMesh& mesh, int numberOfRanks, Random& random)
+{
+  return cutBy(mesh, numberOfRanks,
+    [&](Index) { return static_cast<int>(random.below(static_cast<std::size_t>(numberOfRanks))); });
+}
+
+CutMesh cutInSpace(const PlainMesh& mesh, int numberOfRanks, Random& random)
+{
+  std::vector<Vec3> centres;
+  for (int rank = 0; rank < numberOfRanks; ++rank)
+  {
+    centres.push_back(mesh.points[random.below(mesh.points.size())]);
+  }
+  return cutBy(mesh, numberOfRanks,
+    [&](Index face)
+    {
+      const Vec3& p = mesh.points[mesh.triangles[face][0]];
+      const auto nearest = std::min_element(centres.begin(), centres.end(),
+        [&](const Vec3& a, const Vec3& b) { return spaceDistance(a, p) < spaceDistance(b, p); });
+      return static_cast<int>(nearest - centres.begin());
+    });
+}
+
+void onRanks(const CutMesh& cut, const std::vector<Polyline>& curves, std::uint64_t disorder,
+  const std::function<void(const RankOfRun&)>& work)
+{
+  MemoryRanks ranks(cut.numberOfRanks, disorder);
+  ranks.run(
+    [&](geodesic::Exchange& exchange)
+    {
+      const Piece piece = pieceOf(cut, exchange.rank());
+      const geodesic::SurfacePart part(piece.points, piece.triangles, piece.keys, exchange);
+      const std::vector<geodesic::RankAddress> faces = facesOnRanks(cut, piece, part);
+      std::vector<geodesic::Id> selected;
+      for (const Polyline& curve : curves)
+      {
+        for (const MeshSegment& segment : curve.segments)
+        {
+          if (faces[segment.face].rank == exchange.rank() && part.isOwn(faces[segment.face].id))
+          {
+            selected.push_back(faces[segment.face].id);
+          }
+        }
+      }
+      const geodesic::SurfacePatch patch(part, selected);
+      const std::vector<geodesic::SourceCurve> curvesOnPatch =
+        engineCurves(patch.mesh(), onPatch(curves, patch, faces));
+      const geodesic::SourceWindows sources =
+        sourceWindowsOfPart(part, patch, makeSourceWindows(patch.mesh(), curvesOnPatch));
+      work(
+        { exchange, part, piece.wholeVertices, piece.wholeFaces, patch, curvesOnPatch, sources });
+    });
+}
+
+RanksResult distancesOnRanks(const CutMesh& cut, const std::vector<Polyline>& curves,
+  const geodesic::FrontOptions& options, std::uint64_t disorder)
+{
+  RanksResult result;
+  result.vertices.assign(cut.mesh.points.size(), std::numeric_limits<double>::infinity());
+  std::vector<std::uint8_t> isKnown(cut.mesh.points.size(), 0);
+  std::mutex mutex;
+  onRanks(cut, curves, disorder,
+    [&](const RankOfRun& rank)
+    {
+      geodesic::FrontOptions own = options;
+      own.part = &rank.part;
+      geodesic::KeepNone none;
+      const geodesic::FrontResult front = propagate(rank.part.mesh(), rank.sources, own, none);
+      const std::lock_guard<std::mutex> lock(mutex);
+      for (std::size_t i = 0; i < rank.wholeVertices.size(); ++i)
+      {
+        double& value = result.vertices[rank.wholeVertices[i]];
+        const bool isSame = !isKnown[rank.wholeVertices[i]] || value == front.vertexDistances[i];
+        value = isSame ? front.vertexDistances[i] : std::nan("");
+        isKnown[rank.wholeVertices[i]] = 1;
+      }
+      result.relativeErrorBound = front.relativeErrorBound;
+      result.windowsPropagated = front.windowsPropagated;
+    });
+  return result;
+}
+
+}

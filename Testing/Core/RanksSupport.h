@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesictest_RanksSupport_h
+#define geodesictest_RanksSupport_h
+
+#include "EngineSupport.h"
+#include "MemoryRanks.h"
+
+#include "front/Front.h"
+#include "mesh/SurfacePart.h"
+#include "mesh/SurfacePatch.h"
+
+#include <functional>
+#include <vector>
+
+namespace geodesictest
+{
+
+/// A mesh cut into parts: the rank that owns each face.
+struct CutMesh
+{
+  const PlainMesh& mesh;
+  int numberOfRanks;
+  std::vector<int> rankOfFace;
+};
+
+/// Each face goes to any rank.
+CutMesh cutAtRandom(const PlainMesh& mesh, int numberOfRanks, Random& random);
+/// Each face goes to the nearest of random points, one a rank: ranks may have none.
+CutMesh cutInSpace(const PlainMesh& mesh, int numberOfRanks, Random& random);
+
+/// One rank of a run: its part of the surface, and what the sources are to it.
+struct RankOfRun
+{
+  geodesic::Exchange& exchange;
+  const geodesic::SurfacePart& part;
+  /// The vertices and faces of the whole mesh that the part's vertices and owned triangles are.
+  const std::vector<Index>& wholeVertices;
+  const std::vector<Index>& wholeFaces;
+  /// The curves on a patch that all ranks have, and what they give this part's front.
+  const geodesic::SurfacePatch& patch;
+  const std::vector<geodesic::SourceCurve>& curvesOnPatch;
+  const geodesic::SourceWindows& sources;
+};
+
+/// Runs the work on every rank of a cut mesh, with sources given on the whole one.
+///
+/// \param disorder as of MemoryRanks.
+void onRanks(const CutMesh& cut, const std::vector<Polyline>& curves, std::uint64_t disorder,
+  const std::function<void(const RankOfRun&)>& work);
+
+/// What a front over ranks finds.
+struct RanksResult
+{
+  /// At the whole mesh's vertices; not a number where ranks that share one have found different
+  /// ones.
+  std::vector<double> vertices;
+  double relativeErrorBound = 0.0;
+  std::uint64_t windowsPropagated = 0;
+};
+RanksResult distancesOnRanks(const CutMesh& cut, const std::vector<Polyline>& curves,
+  const geodesic::FrontOptions& options, std::uint64_t disorder = 0);
+
+}
+
+#endif

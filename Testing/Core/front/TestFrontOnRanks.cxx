@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The front over several ranks in one process: the field of the whole, whatever the cut.
+#include "RanksSupport.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <set>
+
+using namespace geodesictest;
+
+namespace
+{
+
+constexpr std::uint64_t MeshesOfAKind = 12;
+
+class FrontOnRanks : public ::testing::TestWithParam<MeshKind>
+{
+};
+
+/// What the front finds where the surface is in one piece.
+std::vector<double> inOnePiece(const RandomCase& c, const geodesic::FrontOptions& options)
+{
+  const geodesic::TriangleMesh mesh = engineMesh(c.mesh);
+  return solve(mesh, engineCurves(mesh, c.curves), options).vertexDistances();
+}
+
+std::size_t countDifferent(const std::vector<double>& a, const std::vector<double>& b)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    count += a[i] == b[i] ? 0 : 1;
+  }
+  return count;
+}
+
+}
+
+TEST_P(FrontOnRanks, FindsTheFieldOfTheWholeHoweverItIsCut)
+{
+  double worst = 0.0;
+  std::size_t different = 0;
+  std::size_t compared = 0;
+  for (std::uint64_t seed = 0; seed < MeshesOfAKind; ++seed)
+  {
+    const RandomCase c = randomCase(GetParam(), seed, 0);
+    const std::vector<double> whole = inOnePiece(c, {});
+    const double largest = largestFinite(c.truth.vertices);
+    Random random(seed);
+    for (const int ranks : { 1, 2, 3, 4, 7 })
+    {
+      for (const bool inSpace : { false, true })
+      {
+        const CutMesh cut =
+          inSpace ? cutInSpace(c.mesh, ranks, random) : cutAtRandom(c.mesh, ranks, random);
+        const RanksResult result = distancesOnRanks(cut, c.curves, {});
+        const std::string what = std::string(GetParam().name) + ", seed " + std::to_string(seed) +
+          ", " + std::to_string(ranks) + (inSpace ? " ranks in space" : " ranks at random");
+        EXPECT_LE(worstError(result.vertices, c.truth.vertices, largest), accuracyOn(GetParam()))
+          << what;
+        const double error = worstError(result.vertices, whole, largest);
+        EXPECT_LE(error, 1e-12) << what;
+        worst = std::max(worst, error);
+        different += countDifferent(result.vertices, whole);
+        compared += whole.size();
+      }
+    }
+  }
+  std::cout << GetParam().name << ": worst difference from one piece " << worst << ", " << different
+            << " of " << compared << " distances have other bits\n";
+}
+
+TEST_P(FrontOnRanks, DoesNotDependOnWhichRankComesFirst)
+{
+  const RandomCase c = randomCase(GetParam(), 100, 0);
+  Random random(1);
+  const CutMesh cut = cutAtRandom(c.mesh, 4, random);
+  const RanksResult ordered = distancesOnRanks(cut, c.curves, {});
+  for (const std::uint64_t disorder : { 1, 2, 3 })
+  {
+    const RanksResult other = distancesOnRanks(cut, c.curves, {}, disorder);
+    EXPECT_EQ(ordered.vertices, other.vertices);
+    EXPECT_EQ(ordered.windowsPropagated, other.windowsPropagated);
+  }
+}
+
+TEST_P(FrontOnRanks, KeepsTheCertifiedBound)
+{
+  geodesic::FrontOptions options;
+  options.relativeError = 0.01;
+  for (std::uint64_t seed = 0; seed < 4; ++seed)
+  {
+    const RandomCase c = randomCase(GetParam(), seed, 0);
+    const double rounding = accuracyOn(GetParam()) * largestFinite(c.truth.vertices);
+    Random random(seed);
+    for (const int ranks : { 2, 7 })
+    {
+      const RanksResult result =
+        distancesOnRanks(cutInSpace(c.mesh, ranks, random), c.curves, options);
+      EXPECT_LE(result.relativeErrorBound, options.relativeError);
+      for (std::size_t i = 0; i < result.vertices.size(); ++i)
+      {
+        const double truth = c.truth.vertices[i];
+        ASSERT_EQ(std::isfinite(result.vertices[i]), std::isfinite(truth)) << "vertex " << i;
+        if (std::isfinite(truth))
+        {
+          ASSERT_LE(result.vertices[i], truth + rounding) << "vertex " << i;
+          ASSERT_GE(result.vertices[i], truth * (1.0 - result.relativeErrorBound) - rounding)
+            << "vertex " << i;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(FrontOnRanks, StopsAtALimitWhereTheWholeDoes)
+{
+  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  {
+    const RandomCase c = randomCase(GetParam(), seed, 0);
+    const double largest = largestFinite(c.truth.vertices);
+    geodesic::FrontOptions options;
+    options.maximumDistance = 0.3 * largest;
+    const std::vector<double> whole = inOnePiece(c, options);
+    Random random(seed);
+    for (const int ranks : { 2, 4 })
+    {
+      const RanksResult result =
+        distancesOnRanks(cutInSpace(c.mesh, ranks, random), c.curves, options);
+      EXPECT_LE(worstError(result.vertices, whole, largest), 1e-12) << "seed " << seed;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FrontOnRanks, ::testing::ValuesIn(meshKinds()),
+  [](const auto& kind) { return std::string(kind.param.name); });
+
+TEST(Ranks, AllEndWithTheMessageOfTheOneThatFails)
+{
+  MemoryRanks ranks(3);
+  const auto thrown = ranks.tryRun(
+    [](geodesic::Exchange& exchange)
+    {
+      exchange.leastOf(1.0);
+      if (exchange.rank() == 1)
+      {
+        throw geodesic::MeshError("a point is missing");
+      }
+      exchange.leastOf(2.0);
+    });
+  for (const std::exception_ptr& e : thrown)
+  {
+    ASSERT_TRUE(e);
+    try
+    {
+      std::rethrow_exception(e);
+    }
+    catch (const geodesic::Error& error)
+    {
+      EXPECT_STREQ(error.what(), "a point is missing");
+    }
+  }
+}
+
+TEST(Ranks, AnAbortOnOneStopsAll)
+{
+  RandomCase c = randomCase(meshKinds().front(), 1, 0);
+  Random random(1);
+  const CutMesh cut = cutInSpace(c.mesh, 3, random);
+  EXPECT_THROW(onRanks(cut, c.curves, 0,
+                 [](const RankOfRun& rank)
+                 {
+                   geodesic::FrontOptions options;
+                   options.part = &rank.part;
+                   options.progress = [&](double) { return rank.exchange.rank() != 2; };
+                   geodesic::KeepNone none;
+                   propagate(rank.part.mesh(), rank.sources, options, none);
+                 }),
+    geodesic::Aborted);
+}
+
+TEST(Ranks, FacesOnTheSameVerticesAreOneFaceOfTheLowerRank)
+{
+  // Both ranks have the triangle 0 1 2, rank 1 also its neighbour.
+  MemoryRanks ranks(2);
+  ranks.run(
+    [](geodesic::Exchange& exchange)
+    {
+      const bool isFirst = exchange.rank() == 0;
+      std::vector<geodesic::Vec3> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+      std::vector<geodesic::Triangle> triangles = { { 0, 1, 2 } };
+      std::vector<std::uint64_t> keys = { 7, 8, 9 };
+      if (!isFirst)
+      {
+        points.push_back({ 1, 1, 0 });
+        triangles = { { 2, 0, 1 }, { 1, 3, 2 } };
+        keys.push_back(10);
+      }
+      const geodesic::SurfacePart part(points, triangles, keys, exchange);
+      EXPECT_EQ(part.mesh().numberOfFaces(), 2U);
+      EXPECT_EQ(part.numberOfFacesOfWhole(), 2U);
+      EXPECT_EQ(part.numberOfVerticesOfWhole(), 4U);
+      EXPECT_EQ(part.faceOfTriangle(0), 0U);
+      EXPECT_EQ(part.isOwn(0), isFirst);
+      EXPECT_EQ(part.isOwn(1), !isFirst);
+    });
+}
