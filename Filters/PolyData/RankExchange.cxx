@@ -89,6 +89,13 @@ RankExchange::RankExchange(vtkMultiProcessController* controller)
 
 RankExchange::~RankExchange() = default;
 
+bool RankExchange::isWith(vtkMultiProcessController* controller) const
+{
+  return this->controller_ == controller &&
+    this->rank_ == controller->GetLocalProcessId() &&
+    this->numberOfRanks_ == controller->GetNumberOfProcesses();
+}
+
 void RankExchange::begin()
 {
   this->hasFailed_ = false;

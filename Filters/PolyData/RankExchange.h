@@ -32,7 +32,8 @@ public:
 
   int rank() const override { return this->rank_; }
   int numberOfRanks() const override { return this->numberOfRanks_; }
-  vtkMultiProcessController* controller() const { return this->controller_; }
+  /// Whether it is one between the processes of a controller, which may have become others.
+  bool isWith(vtkMultiProcessController* controller) const;
 
   using Exchange::step;
   std::vector<Message> step(std::vector<Message> messages, std::vector<double>& least) override;
