@@ -132,7 +132,11 @@ void vtkGeodesicDistanceMatrix::Compute(
   geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
 {
   execution.requireTargets(true);
-  execution.readInputs();
+  execution.readInputs(geodesic::FilterExecution::Pieces::Refused);
+  if (execution.surfacePlace() == geodesic::SurfacePlace::Elsewhere)
+  {
+    return;
+  }
   const geodesic::Targets targets = execution.readTargets(TargetsRead);
   const auto rows = static_cast<vtkIdType>(targets.count);
   const geodesic::Id numberOfSources = execution.numberOfSources();
