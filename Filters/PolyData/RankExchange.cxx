@@ -204,7 +204,7 @@ void RankExchange::throwFailure() const
 {
   if (this->failure_.empty())
   {
-    throw Aborted();
+    throw AbortedElsewhere();
   }
   throw FailedElsewhere(this->failure_);
 }
