@@ -26,7 +26,7 @@ public:
   {
   }
 
-  bool isLimited() const { return !this->needed_.empty(); }
+  bool isLimited() const { return this->limit_ < Infinity; }
   double limit() const { return this->limit_; }
   bool isWithin(const Window& window) const { return window.minimum() <= this->limit_; }
 
