@@ -80,7 +80,7 @@ void FilterExecution::readInputs(Pieces pieces)
   if (this->exchange_)
   {
     this->gatherInputs();
-    this->findSurface(barriers);
+    this->findSurface(barriers, pieces);
   }
   if (this->place_ == SurfacePlace::Elsewhere)
   {
@@ -106,7 +106,7 @@ void FilterExecution::readInputs(Pieces pieces)
 }
 
 /// Finds out who has what of the surface.
-void FilterExecution::findSurface(const BarrierArrays& barriers)
+void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
 {
   struct Piece
   {
@@ -147,7 +147,8 @@ void FilterExecution::findSurface(const BarrierArrays& barriers)
     all.begin(), all.end(), [&](const Piece& piece) { return piece == all.front(); });
   if (areAlike && this->isSameOnAllRanks(barriers))
   {
-    this->place_ = SurfacePlace::Here;
+    const bool isWorker = pieces == Pieces::Taken || this->isFirstRank();
+    this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::Elsewhere;
     return;
   }
   this->place_ = SurfacePlace::InPieces;
@@ -208,6 +209,17 @@ void FilterExecution::shareNumbers(const std::vector<double*>& numbers)
       return;
     }
   }
+}
+
+std::vector<Message> FilterExecution::sendToFirst(const Message& message)
+{
+  if (!this->exchange_)
+  {
+    return {};
+  }
+  std::vector<Message> messages = this->exchange_->noMessages();
+  messages.front() = message;
+  return this->exchange_->step(std::move(messages));
 }
 
 void FilterExecution::finish()

@@ -304,7 +304,7 @@ void TestCuts(Check& check, Ranks ranks, vtkPolyData* surface)
     { "with nothing on the last rank",
       [&](vtkIdType face) { return AtRandom(std::max(1, ranks.Count - 1))(face); } },
     { "with nothing on the first rank",
-      [&](vtkIdType face) { return 1 % ranks.Count + AtRandom(ranks.Count - 1)(face); } },
+      [&](vtkIdType face) { return ranks.Count == 1 ? 0 : 1 + AtRandom(ranks.Count - 1)(face); } },
     { "all on the last rank", [&](vtkIdType) { return ranks.Count - 1; } },
   };
   for (const auto& [name, cut] : cuts)
