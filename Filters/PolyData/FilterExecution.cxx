@@ -4,6 +4,7 @@
 #include "PolyData/ContentKey.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataSource.h"
+#include "field/FacesBetweenPoints.h"
 #include "field/JoinPoints.h"
 #include "source/BoundaryCurves.h"
 #include "vtkGeodesicAlgorithm.h"
@@ -25,17 +26,7 @@ namespace
 // Where the stages end, as fractions of the whole.
 constexpr double SurfaceRead = 0.15;
 constexpr double SourceLocated = 0.2;
-
-/// Joins no points: the path may leave the patch that is there.
-std::vector<SurfacePoint> refuseToJoin(
-  const SurfacePoint&, const SurfacePoint&, const ProgressCallback&)
-{
-  throw SourceError(
-    "A segment of the source (input port 1) has its ends in different faces of the surface, and "
-    "the surface is distributed over several ranks, where no shortest path between them can be "
-    "found. Give the curve points in every face that it passes, as a section of the surface has "
-    "them, or have the whole surface on one rank.");
-}
+constexpr double FarPointsSearched = 0.24;
 
 std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& name)
 {
@@ -89,7 +80,7 @@ void FilterExecution::readInputs(Pieces pieces)
   if (this->exchange_)
   {
     this->gatherInputs();
-    this->findSurface(barriers);
+    this->findSurface(barriers, pieces);
   }
   if (this->place_ == SurfacePlace::Elsewhere)
   {
@@ -115,7 +106,7 @@ void FilterExecution::readInputs(Pieces pieces)
 }
 
 /// Finds out who has what of the surface.
-void FilterExecution::findSurface(const BarrierArrays& barriers)
+void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
 {
   struct Piece
   {
@@ -156,7 +147,8 @@ void FilterExecution::findSurface(const BarrierArrays& barriers)
     all.begin(), all.end(), [&](const Piece& piece) { return piece == all.front(); });
   if (areAlike && this->isSameOnAllRanks(barriers))
   {
-    this->place_ = SurfacePlace::Here;
+    const bool isWorker = pieces == Pieces::Taken || this->isFirstRank();
+    this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::Elsewhere;
     return;
   }
   this->place_ = SurfacePlace::InPieces;
@@ -217,6 +209,17 @@ void FilterExecution::shareNumbers(const std::vector<double*>& numbers)
       return;
     }
   }
+}
+
+std::vector<Message> FilterExecution::sendToFirst(const Message& message)
+{
+  if (!this->exchange_)
+  {
+    return {};
+  }
+  std::vector<Message> messages = this->exchange_->noMessages();
+  messages.front() = message;
+  return this->exchange_->step(std::move(messages));
 }
 
 void FilterExecution::finish()
@@ -333,8 +336,17 @@ void FilterExecution::putCurvesOntoPatch(SourcePolylines& source, const SnapOpti
     this->cache_.locatorOnRanks(), this->progressBetween(SurfaceRead, SourceLocated));
   this->onRanks_->makePatch();
   this->onRanks_->locateOnPatch(source.polylines);
-  this->sources_ = putOntoSurface(this->meshOfSources(), source.polylines, snapping, refuseToJoin,
-    this->progressBetween(SourceLocated, InputsRead));
+  if (this->onRanks_->addFaces(facesBetweenPoints(*this->surface().part(), this->patch(),
+        source.polylines, snapping, smpParallelFor(),
+        this->progressBetween(SourceLocated, FarPointsSearched))))
+  {
+    this->onRanks_->makePatch();
+    this->onRanks_->locateOnPatch(source.polylines);
+  }
+  const TriangleMesh& mesh = this->meshOfSources();
+  this->sources_ = putOntoSurface(mesh, source.polylines, snapping,
+    joinByShortestPaths(mesh, smpParallelFor()),
+    this->progressBetween(FarPointsSearched, InputsRead));
 }
 
 std::vector<SourceCurve> FilterExecution::numberedBoundary(const TriangleMesh& mesh)

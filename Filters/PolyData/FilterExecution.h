@@ -71,7 +71,8 @@ public:
   FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
     vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, RankExchange* exchange);
 
-  /// Whether a filter can have a surface of which each rank has a piece.
+  /// Whether a filter can have a surface of which each rank has a piece. Where each has the whole
+  /// of it, all work alone, or the first one only.
   enum class Pieces
   {
     Taken,
@@ -86,6 +87,12 @@ public:
   /// Gives ranks where the surface is Elsewhere the numbers that the working rank has found. All
   /// ranks call this.
   void shareNumbers(const std::vector<double*>& numbers);
+  /// Whether this is the rank that puts out what is there once: the first one.
+  bool isFirstRank() const { return !this->exchange_ || this->exchange_->rank() == 0; }
+  /// Sends something to the first rank. All ranks call this.
+  ///
+  /// \returns there, what others have sent it.
+  std::vector<Message> sendToFirst(const Message& message);
   /// Waits until all ranks have come to their end; nothing can fail after it.
   ///
   /// \throws Error, Aborted where another rank has failed.
@@ -136,7 +143,7 @@ public:
   void giveNotes();
 
 private:
-  void findSurface(const BarrierArrays& barriers);
+  void findSurface(const BarrierArrays& barriers, Pieces pieces);
   bool isSameOnAllRanks(const BarrierArrays& barriers) const;
   void gatherInputs();
   void requireSource() const;

@@ -3,12 +3,12 @@
 
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
-#include "vtkTimerLog.h"
 #if VTK_MODULE_ENABLE_VTK_ParallelMPI
 #include "vtkMPIController.h"
 #endif
 
 #include <algorithm>
+#include <chrono>
 #include <new>
 #include <utility>
 
@@ -63,16 +63,21 @@ class Stopwatch
 public:
   explicit Stopwatch(double& seconds)
     : seconds_(seconds)
-    , begin_(vtkTimerLog::GetUniversalTime())
+    , begin_(Clock::now())
   {
   }
   Stopwatch(const Stopwatch&) = delete;
   void operator=(const Stopwatch&) = delete;
-  ~Stopwatch() { this->seconds_ += vtkTimerLog::GetUniversalTime() - this->begin_; }
+  ~Stopwatch()
+  {
+    this->seconds_ += std::chrono::duration<double>(Clock::now() - this->begin_).count();
+  }
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   double& seconds_;
-  double begin_;
+  Clock::time_point begin_;
 };
 
 }
@@ -127,7 +132,7 @@ std::vector<Message> RankExchange::step(std::vector<Message> messages, std::vect
     this->shareFailure(failed, {});
     this->throwFailure();
   }
-  this->findLeast(least);
+  this->takeLeast(least);
 
   std::vector<Message> received = this->makeRoom();
   std::vector<std::byte*> places;
@@ -204,12 +209,12 @@ void RankExchange::throwFailure() const
 {
   if (this->failure_.empty())
   {
-    throw Aborted();
+    throw AbortedElsewhere();
   }
   throw FailedElsewhere(this->failure_);
 }
 
-void RankExchange::findLeast(std::vector<double>& least)
+void RankExchange::takeLeast(std::vector<double>& least)
 {
   const auto count = static_cast<double>(least.size());
   for (int rank = 0; rank < this->numberOfRanks_; ++rank)

@@ -61,7 +61,7 @@ private:
   int firstFailed() const;
   void shareFailure(int failed, const std::string& why);
   [[noreturn]] void throwFailure() const;
-  void findLeast(std::vector<double>& least);
+  void takeLeast(std::vector<double>& least);
   std::size_t bytesToReceive(int rank) const;
   std::vector<Message> makeRoom();
   void transfer(const std::vector<Message>& messages, const std::vector<std::byte*>& received);

@@ -183,6 +183,15 @@ void SourceOnRanks::addBoundary()
   }
 }
 
+bool SourceOnRanks::addFaces(const std::vector<Id>& faces)
+{
+  for (const Id face : faces)
+  {
+    this->isChosen_[face] = 1;
+  }
+  return this->part_.exchange().isTrueAnywhere(!faces.empty());
+}
+
 void SourceOnRanks::makePatch()
 {
   std::vector<Id> faces;

@@ -70,10 +70,13 @@ public:
     LocatorOnRanks& locator, const ProgressCallback& progress);
   /// Adds the whole boundary.
   void addBoundary();
-  /// Makes the patch, once all is added.
+  /// Adds faces that this rank owns.
+  ///
+  /// \returns whether any rank has added one.
+  bool addFaces(const std::vector<Id>& faces);
+  /// Makes the patch of all that was added.
   void makePatch();
 
-  /// Around all that was added.
   const SurfacePatch& patch() const { return *this->patch_; }
   /// Sets the faces of the curves' points, as faces of the patch.
   void locateOnPatch(std::vector<LocatedPolyline>& polylines) const;
