@@ -3,17 +3,21 @@
 
 #include "Errors.h"
 #include "PolyData/FilterExecution.h"
+#include "PolyData/Notes.h"
 #include "PolyData/SurfaceCache.h"
 
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <exception>
@@ -57,6 +61,36 @@ void EmptyOutputs(vtkInformationVector* outputVector)
   }
 }
 
+/// Where an algorithm fails it has said why; its executive adds a second message, of addresses and
+/// information keys. An error of an object that is observed goes to its observers in place of the
+/// output window: this one observes an executive until that message or the next request.
+class ExecutiveSilencer : public vtkCommand
+{
+public:
+  static ExecutiveSilencer* New() { return new ExecutiveSilencer; }
+  ~ExecutiveSilencer() override { this->Stop(); }
+
+  void Start(vtkExecutive* executive)
+  {
+    this->Stop();
+    this->Executive = executive;
+    this->Tag = executive->AddObserver(vtkCommand::ErrorEvent, this);
+  }
+  void Stop()
+  {
+    if (this->Executive)
+    {
+      this->Executive->RemoveObserver(this->Tag);
+      this->Executive = nullptr;
+    }
+  }
+  void Execute(vtkObject*, unsigned long, void*) override { this->Stop(); }
+
+private:
+  vtkWeakPointer<vtkExecutive> Executive;
+  unsigned long Tag = 0;
+};
+
 }
 
 /// What is kept from one execution to the next.
@@ -64,9 +98,11 @@ class vtkGeodesicAlgorithm::vtkInternals
 {
 public:
   geodesic::SurfaceCache Cache;
+  geodesic::GivenNotes Given;
   /// The user's controller; the global one unless one was set.
   vtkSmartPointer<vtkMultiProcessController> Controller;
   bool HasController = false;
+  vtkNew<ExecutiveSilencer> Silencer;
 };
 
 //------------------------------------------------------------------------------
@@ -139,6 +175,7 @@ vtkMultiProcessController* vtkGeodesicAlgorithm::GetController()
 vtkTypeBool vtkGeodesicAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  this->Internals->Silencer->Stop();
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
     return this->RequestDataObject(request, inputVector, outputVector);
@@ -206,6 +243,18 @@ int vtkGeodesicAlgorithm::RequestUpdateExtent(vtkInformation* vtkNotUsed(request
 int vtkGeodesicAlgorithm::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (this->ExecuteOrExplain(request, inputVector, outputVector))
+  {
+    return 1;
+  }
+  this->Internals->Silencer->Start(this->GetExecutive());
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGeodesicAlgorithm::ExecuteOrExplain(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   const int processes = NumberOfProcesses(this->GetController());
   if (processes > 1)
   {
@@ -215,7 +264,7 @@ int vtkGeodesicAlgorithm::RequestData(
       << " MPI ranks, but distances are computed in one process only and would be wrong. Run with "
          "one rank, or, where every rank that executes has the whole surface, call "
          "SetController(nullptr).");
-    return 0;
+    return false;
   }
   if (PieceAskedFor(request, outputVector) > 0)
   {
@@ -225,16 +274,16 @@ int vtkGeodesicAlgorithm::RequestData(
     {
       geodesic::makeBlocksLike(vtkDataObject::GetData(inputVector[0]), output);
     }
-    return 1;
+    return true;
   }
   this->ResetResults();
   const std::string wrong = this->FindWrongProperty();
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong);
-    return 0;
+    return false;
   }
-  return this->ComputeOrExplain(inputVector, outputVector) ? 1 : 0;
+  return this->ComputeOrExplain(inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -257,7 +306,11 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
       vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]),
       hasTargets ? vtkDataObject::GetData(inputVector[2]) : nullptr);
     this->Compute(execution, outputVector);
-    execution.giveNotes();
+    const std::string said = this->Internals->Given.take(execution.notes(), this);
+    if (!said.empty())
+    {
+      vtkWarningMacro(<< said);
+    }
     if (this->GetReleaseDataFlag() || vtkDataObject::GetGlobalReleaseDataFlag())
     {
       this->Internals->Cache.release();

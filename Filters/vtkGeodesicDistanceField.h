@@ -49,9 +49,12 @@
  * Port 0 takes the surface. It may have boundary and holes, several components, edges of three and
  * more faces, vertices where several sheets meet, and inconsistent orientation. Polygons and strips
  * are triangulated; lines and vertices are dropped with a warning; faces with two equal corners are
- * left out with a warning. Port 1, optional, takes the source: each line or polyline is a curve,
- * each point of a vertex cell a point source, polygons stand for their outlines, and a vtkPolyData
- * without cells gives all its points as point sources. Inputs are never modified.
+ * left out with a warning. A source that is farther than a hundredth of the surface's size from it
+ * gives a warning that names the points. A warning is not repeated as long as its cause is there
+ * and the input that it is about stays connected. Port 1, optional, takes the source: each line or
+ * polyline is a curve, each point of a vertex cell a point source, polygons stand for their
+ * outlines, and a vtkPolyData without cells gives all its points as point sources. Inputs are never
+ * modified.
  *
  * @par Composite inputs:
  * Each port takes a vtkPolyData, or a vtkMultiBlockDataSet, vtkPartitionedDataSet or
@@ -85,8 +88,8 @@
  * (GetOutputDataObject(0); GetOutput() is null then), and each block has its own points and arrays.
  * There are
  * - point data array `GeodesicDistance` (or DistanceArrayName): the distance, in double precision;
- *   infinite at points that no path connects to the source, inside barriers, or beyond
- *   MaximumDistance,
+ *   infinite (or UnreachedValue) at points that no path connects to the source, inside barriers, or
+ *   beyond MaximumDistance,
  * - where they are asked for, point data arrays `SourceId`, `ClosestSourcePoint`,
  * `DistanceGradient` and `SignedGeodesicDistance`: see SetGenerateSourceIds() and those that follow
  * it,
@@ -256,6 +259,53 @@ public:
   vtkGetMacro(MaximumDistance, double);
   ///@}
 
+  /**
+   * What points that are not reached have for a distance.
+   */
+  enum UnreachedValues
+  {
+    UNREACHED_INFINITY = 0,
+    UNREACHED_NAN = 1,
+    UNREACHED_CUSTOM = 2
+  };
+
+  ///@{
+  /**
+   * What stands in the distance array, and in SignedGeodesicDistance, at points that no path
+   * connects to the source, inside barriers and beyond MaximumDistance: +infinity (the default),
+   * which contours, thresholds and color maps can work with; NaN, which color maps show in a color
+   * of their own; or CustomUnreachedValue, for filters and files that need finite numbers (warping
+   * by the distance moves points by infinity else). Nothing else depends on this: the other
+   * arrays say which points are not reached in their own ways.
+   */
+  vtkSetClampMacro(UnreachedValue, int, UNREACHED_INFINITY, UNREACHED_CUSTOM);
+  vtkGetMacro(UnreachedValue, int);
+  void SetUnreachedValueToInfinity() { this->SetUnreachedValue(UNREACHED_INFINITY); }
+  void SetUnreachedValueToNaN() { this->SetUnreachedValue(UNREACHED_NAN); }
+  void SetUnreachedValueToCustom() { this->SetUnreachedValue(UNREACHED_CUSTOM); }
+  ///@}
+
+  ///@{
+  /**
+   * The distance of points that are not reached where UnreachedValue is UNREACHED_CUSTOM. Any
+   * number; default: -1, which no reached point has.
+   */
+  vtkSetMacro(CustomUnreachedValue, double);
+  vtkGetMacro(CustomUnreachedValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether points that no triangle of the output uses are left out of port 0, of each block of a
+   * composite one. The others keep their order and all of their data, new points of a refined
+   * surface after those of the input. Off by default: then the output has all points of the input,
+   * with their numbers. Unused points do not change distances in either case.
+   */
+  vtkSetMacro(RemoveUnusedPoints, bool);
+  vtkGetMacro(RemoveUnusedPoints, bool);
+  vtkBooleanMacro(RemoveUnusedPoints, bool);
+  ///@}
+
   ///@{
   /**
    * Name of the point data array with the distances. Default: GeodesicDistance.
@@ -310,8 +360,8 @@ public:
    * shortest path meets the curve from the left of its direction, seen with the normals of the
    * faces towards the viewer, and negative on its right. The sides of an open curve part behind its
    * ends, in the middle of the directions there. Points and the boundary as sources have no sides:
-   * the distance from them is positive. 0 on the source, +infinity where a point is not reached.
-   * Off by default.
+   * the distance from them is positive. 0 on the source, UnreachedValue where a point is not
+   * reached. Off by default.
    *
    * The sign jumps behind open ends and where paths from both sides tie:
    * GetInterpolationErrorBound() does not cover this array. A surface with edges of three and more
@@ -381,6 +431,9 @@ private:
   double AbsoluteRefinementTolerance = 1.0;
   vtkIdType MaximumNumberOfCells = 50000000;
   double MaximumDistance = 0.0;
+  int UnreachedValue = UNREACHED_INFINITY;
+  double CustomUnreachedValue = -1.0;
+  bool RemoveUnusedPoints = false;
   char* DistanceArrayName = nullptr;
   bool GenerateSourceIds = false;
   bool GenerateClosestPoints = false;

@@ -64,10 +64,7 @@ void FilterExecution::readInputs()
   const BarrierArrays barriers(this->surfaceBlocks_, this->filter_->GetBarrierArrayName());
   this->cache_.update(this->surfaceBlocks_, barriers, this->filter_->GetMergeCoincidentPoints(),
     this->progressBetween(0.0, SurfaceRead));
-  if (this->cache_.isNoteDue())
-  {
-    noteSurface(this->surface(), this->notes_);
-  }
+  noteSurface(this->surface(), this->notes_);
   this->reach(SurfaceRead);
   this->enter(Stage::ReadingSource);
   this->readSources();
@@ -78,8 +75,7 @@ void FilterExecution::requireTargets(bool sourcesAreTargets) const
   if (!this->targetsInput_ && !(sourcesAreTargets && this->sourceInput_))
   {
     throw InputError(
-      "There are no targets: connect points to input port 2 (SetTargetsConnection or "
-      "SetTargetsData; Targets in ParaView).");
+      "There are no targets (input port 2): choose a data set with points as Targets.");
   }
 }
 
@@ -100,8 +96,8 @@ void FilterExecution::readSources()
   const int type = this->filter_->GetSourceType();
   if (type == vtkGeodesicAlgorithm::SOURCE_CURVE && !this->sourceInput_)
   {
-    throw SourceError("There is no source: connect a curve to input port 1 (SetSourceConnection or "
-                      "SetSourceData; Source in ParaView), or set SourceType to Surface Boundary.");
+    throw SourceError(
+      "There is no source (port 1): choose a Source, or set Source Type to Surface Boundary.");
   }
   const bool hasCurve = type != vtkGeodesicAlgorithm::SURFACE_BOUNDARY && this->sourceInput_;
   if (hasCurve)
@@ -120,8 +116,7 @@ void FilterExecution::readSources()
       this->progressBetween(SourceLocated, InputsRead));
     paths.endUse();
     this->numberOfSources_ = source.numberOfSources;
-    noteSource(
-      this->surface(), this->sources_, this->filter_->GetNumberOfOutputPorts() > 1, this->notes_);
+    noteSource(this->surface(), source, this->sources_, this->notes_);
   }
   this->firstBoundarySource_ = this->numberOfSources_;
   if (type != vtkGeodesicAlgorithm::SOURCE_CURVE)
@@ -160,18 +155,18 @@ void FilterExecution::addBoundary(bool hasCurve)
       "which no path may leave.";
   if (boundary.empty() && !hasCurve)
   {
-    throw SourceError(
-      nothing + " Set SourceType to Source Curve and connect a curve to input port 1.");
+    throw SourceError(nothing + " Set Source Type to Source Curve and choose a Source (port 1).");
   }
   if (boundary.empty())
   {
-    this->notes_.add(isClosed
-        ? "The surface is closed, without boundary: the curve alone is the source."
-        : "The whole boundary belongs to barriers: the curve alone is the source.");
+    this->notes_.add(NoteOn::Surface, "no boundary",
+      isClosed ? "The surface is closed, without boundary: the curve alone is the source."
+               : "The whole boundary belongs to barriers: the curve alone is the source.");
   }
   if (!hasCurve && this->filter_->GetSourceType() == vtkGeodesicAlgorithm::CURVE_AND_BOUNDARY)
   {
-    this->notes_.add("No curve is connected to input port 1: the boundary alone is the source.");
+    this->notes_.add(NoteOn::Source, "no curve",
+      "No curve is connected as Source (port 1): the boundary alone is the source.");
   }
   std::move(boundary.begin(), boundary.end(), std::back_inserter(this->sources_.curves));
 }
@@ -195,15 +190,6 @@ void FilterExecution::reach(double fraction)
   if (!this->progressBetween(fraction, fraction)(1.0))
   {
     throw Aborted();
-  }
-}
-
-void FilterExecution::giveNotes()
-{
-  this->cache_.setNoteGiven();
-  if (!this->notes_.text().empty())
-  {
-    vtkWarningWithObjectMacro(this->filter_, "About the input:" << this->notes_.text());
   }
 }
 

@@ -86,9 +86,8 @@ public:
   /// \throws Aborted
   void reach(double fraction);
 
+  /// What the user should know.
   Notes& notes() { return this->notes_; }
-  /// Says in one warning what is in the notes.
-  void giveNotes();
 
 private:
   void readSources();

@@ -7,6 +7,9 @@
 #include "source/PolylineLocator.h"
 #include "source/PolylineOnSurface.h"
 
+#include <string>
+#include <vector>
+
 class vtkPolyData;
 
 namespace geodesic
@@ -43,6 +46,9 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
 void requireOutsideBarriers(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
   double coordinatePrecision);
+
+/// "point 3 of cell 2 of the source", "point 5 of the source" where it is a curve of its own.
+std::string nameOfPoint(const LocatedPolyline& line, std::size_t point);
 
 /// What the coordinates' type allows: that of the least precise block.
 SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source);
