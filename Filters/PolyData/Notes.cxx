@@ -26,6 +26,13 @@ constexpr double FarSourceFraction = 0.01;
 // Enough to find the others by.
 constexpr std::size_t PointsNamed = 3;
 
+/// "point 3 of cell 2", as the message has named the source.
+std::string shortNameOfPoint(const LocatedPolyline& line, std::size_t point)
+{
+  const std::string name = nameOfPoint(line, point);
+  return name.substr(0, name.rfind(" of the source"));
+}
+
 /// The points of a source that are farther from the surface than they should be.
 struct FarPoints
 {
@@ -52,7 +59,7 @@ FarPoints farPointsOf(
       }
       if (far.count++ < PointsNamed)
       {
-        far.names += (far.names.empty() ? "" : ", ") + nameOfPoint(line, i);
+        far.names += (far.names.empty() ? "" : ", ") + shortNameOfPoint(line, i);
       }
     }
   }
