@@ -118,7 +118,7 @@ void noteSurface(const PolyDataSurface& surface, Notes& notes)
   notes.add(NoteOn::Surface, read.droppedVertexCells, "vertex cell", "vertex cells",
     "among the surface's cells dropped.");
   notes.add(NoteOn::Surface, read.facesWithRepeatedPoint, "face", "faces",
-    "of the surface with two corners at one point left out.");
+    "with two corners at one point left out.");
 }
 
 void noteSource(const PolyDataSurface& surface, const SourcePolylines& source,
