@@ -49,9 +49,7 @@
  * Port 0 takes the surface. It may have boundary and holes, several components, edges of three and
  * more faces, vertices where several sheets meet, and inconsistent orientation. Polygons and strips
  * are triangulated; lines and vertices are dropped with a warning; faces with two equal corners are
- * left out with a warning. A source that is farther than a hundredth of the surface's size from it
- * gives a warning that names the points. A warning is not repeated as long as its cause is there
- * and the input that it is about stays connected. Port 1, optional, takes the source: each line or
+ * left out with a warning. Port 1, optional, takes the source: each line or
  * polyline is a curve, each point of a vertex cell a point source, polygons stand for their
  * outlines, and a vtkPolyData without cells gives all its points as point sources. Inputs are never
  * modified.
@@ -274,9 +272,10 @@ public:
    * What stands in the distance array, and in SignedGeodesicDistance, at points that no path
    * connects to the source, inside barriers and beyond MaximumDistance: +infinity (the default),
    * which contours, thresholds and color maps can work with; NaN, which color maps show in a color
-   * of their own; or CustomUnreachedValue, for filters and files that need finite numbers (warping
-   * by the distance moves points by infinity else). Nothing else depends on this: the other
-   * arrays say which points are not reached in their own ways.
+   * of their own; or CustomUnreachedValue, for filters and files that need finite numbers. A
+   * surface that is warped by the distance is not drawn at all with infinity, and where it is
+   * reached with NaN. Nothing else depends on this: the other arrays say which points are not
+   * reached in their own ways.
    */
   vtkSetClampMacro(UnreachedValue, int, UNREACHED_INFINITY, UNREACHED_CUSTOM);
   vtkGetMacro(UnreachedValue, int);

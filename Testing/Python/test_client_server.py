@@ -19,20 +19,19 @@ CLIENT = pathlib.Path(__file__).resolve().with_name("client_of_server.py")
 def start_server(log):
     """A server, which ends with its client or in time, and its port, one that was free."""
     for port in range(20000 + os.getpid() % 20000, 60000, 37):
-        log.seek(0)
-        log.truncate()
-        server = subprocess.Popen(
-            ["timeout", str(SECONDS), sys.argv[1], f"--server-port={port}"],
-            stdout=log, stderr=subprocess.STDOUT)
+        with open(log, "w") as written:
+            server = subprocess.Popen(
+                ["timeout", str(SECONDS), sys.argv[1], f"--server-port={port}"],
+                stdout=written, stderr=subprocess.STDOUT)
         while server.poll() is None:
-            log.seek(0)
-            if "Accepting connection" in log.read():
+            if "Accepting connection" in log.read_text():
                 return server, port
             time.sleep(0.1)
-    raise RuntimeError("no server could be started")
+    raise RuntimeError("no server could be started: " + log.read_text())
 
 
-with tempfile.TemporaryFile("w+") as log:
+with tempfile.TemporaryDirectory() as folder:
+    log = pathlib.Path(folder) / "server.log"
     server, port = start_server(log)
     try:
         subprocess.run(["timeout", str(SECONDS), sys.argv[2], str(CLIENT), str(port)], check=True)
@@ -41,5 +40,4 @@ with tempfile.TemporaryFile("w+") as log:
         if server.poll() is None:
             server.terminate()  # which timeout hands on
             server.wait(10)
-        log.seek(0)
-        print(log.read())
+        print(log.read_text())
