@@ -49,10 +49,9 @@
  * Port 0 takes the surface. It may have boundary and holes, several components, edges of three and
  * more faces, vertices where several sheets meet, and inconsistent orientation. Polygons and strips
  * are triangulated; lines and vertices are dropped with a warning; faces with two equal corners are
- * left out with a warning. Port 1, optional, takes the source: each line or
- * polyline is a curve, each point of a vertex cell a point source, polygons stand for their
- * outlines, and a vtkPolyData without cells gives all its points as point sources. Inputs are never
- * modified.
+ * left out with a warning. Port 1, optional, takes the source: each line or polyline is a curve,
+ * each point of a vertex cell a point source, polygons stand for their outlines, and a vtkPolyData
+ * without cells gives all its points as point sources. Inputs are never modified.
  *
  * @par Composite inputs:
  * Each port takes a vtkPolyData, or a vtkMultiBlockDataSet, vtkPartitionedDataSet or
