@@ -116,7 +116,10 @@ void FilterExecution::readSources()
       this->progressBetween(SourceLocated, InputsRead));
     paths.endUse();
     this->numberOfSources_ = source.numberOfSources;
-    noteSource(this->surface(), source, this->sources_, this->notes_);
+    if (!this->isSourceDrawn_)
+    {
+      noteSource(this->surface(), source, this->sources_, this->notes_);
+    }
   }
   this->firstBoundarySource_ = this->numberOfSources_;
   if (type != vtkGeodesicAlgorithm::SOURCE_CURVE)

@@ -50,6 +50,9 @@ public:
   FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
     vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets);
 
+  /// The source was drawn by hand and is meant to be put onto the surface: how far it was from
+  /// there is then no news.
+  void expectDrawnSource() { this->isSourceDrawn_ = true; }
   /// Reads the surface, and the source as SourceType has it, up to InputsRead.
   ///
   /// \throws geodesic::Error where one of them cannot be used; Aborted.
@@ -103,6 +106,7 @@ private:
   vtkDataObject* targetsInput_;
   std::vector<PolyDataBlock> surfaceBlocks_;
   SourceCurves sources_;
+  bool isSourceDrawn_ = false;
   Id numberOfSources_ = 0;
   Id firstBoundarySource_ = 0;
   Notes notes_;
