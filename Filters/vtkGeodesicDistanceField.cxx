@@ -9,6 +9,7 @@
 #include "PolyData/RefinedPolyData.h"
 #include "PolyData/SourceArrays.h"
 #include "PolyData/SurfaceWriter.h"
+#include "PolyData/UnusedPoints.h"
 #include "field/Solve.h"
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
@@ -25,7 +26,9 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -106,6 +109,7 @@ private:
   geodesic::RefinementOptions RefinementOptions() const;
   geodesic::RefinedMesh Refine(const geodesic::DistanceField& field) const;
   void WriteSurface(const Result& result, vtkDataObject* output) const;
+  double UnreachedValue() const;
   void WriteDistances(const Result& result, std::size_t block, vtkPolyData* output) const;
   void WriteFieldData(vtkDataObject* output) const;
   void NoteReplacedArrays(bool isRefined) const;
@@ -197,10 +201,10 @@ bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
   }
   if (most > 0 && count > most)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      "The surface has " << count << " triangles, more than MaximumNumberOfCells (" << most
-                         << "): it is not refined. Raise MaximumNumberOfCells to refine it, or "
-                            "switch RefineMesh off.");
+    this->Execution.notes().add(geodesic::NoteOn::Surface, "over " + std::to_string(most),
+      "The surface has " + std::to_string(count) + " triangles, more than MaximumNumberOfCells (" +
+        std::to_string(most) +
+        "): it is not refined. Raise MaximumNumberOfCells to refine it, or switch RefineMesh off.");
     return false;
   }
   return true;
@@ -443,19 +447,21 @@ geodesic::RefinedMesh vtkGeodesicDistanceField::vtkWorker::Refine(
     static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells), refined);
   if (refined.stoppedAtMaximum)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      "MaximumNumberOfCells (" << this->Self->MaximumNumberOfCells
-                               << ") is reached: the refined surface meets a tolerance of "
-                               << scale.toUser(refined.errorBound) << " instead of "
-                               << scale.toUser(options.tolerance)
-                               << ". Raise MaximumNumberOfCells or the tolerance.");
+    std::ostringstream text;
+    text << "MaximumNumberOfCells (" << this->Self->MaximumNumberOfCells
+         << ") is reached: the refined surface meets a tolerance of "
+         << scale.toUser(refined.errorBound) << " instead of " << scale.toUser(options.tolerance)
+         << ". Raise MaximumNumberOfCells or the tolerance.";
+    this->Execution.notes().add(geodesic::NoteOn::Surface,
+      "reached " + std::to_string(this->Self->MaximumNumberOfCells), text.str());
   }
   else if (refined.errorBound > options.tolerance)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      "The refined surface meets a tolerance of "
-        << scale.toUser(refined.errorBound) << " instead of " << scale.toUser(options.tolerance)
-        << ", which is near the rounding of distances. Raise the tolerance.");
+    std::ostringstream text;
+    text << "The refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
+         << " instead of " << scale.toUser(options.tolerance)
+         << ", which is near the rounding of distances. Raise the tolerance.";
+    this->Execution.notes().add(geodesic::NoteOn::Surface, "rounding", text.str());
   }
   return refined;
 }
@@ -483,10 +489,28 @@ void vtkGeodesicDistanceField::vtkWorker::WriteSurface(
       geodesic::writeWhole(blocks[i], inputs[i].data, outputs[i], progress);
     }
     this->WriteDistances(result, i, outputs[i]);
+    if (this->Self->RemoveUnusedPoints)
+    {
+      geodesic::removeUnusedPoints(outputs[i]);
+    }
     outputs[i]->GetFieldData()->PassData(inputs[i].data->GetFieldData());
     this->WriteFieldData(outputs[i]);
   }
   this->WriteFieldData(output);
+}
+
+//------------------------------------------------------------------------------
+double vtkGeodesicDistanceField::vtkWorker::UnreachedValue() const
+{
+  switch (this->Self->UnreachedValue)
+  {
+    case UNREACHED_NAN:
+      return std::numeric_limits<double>::quiet_NaN();
+    case UNREACHED_CUSTOM:
+      return this->Self->CustomUnreachedValue;
+    default:
+      return geodesic::Infinity;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -511,12 +535,15 @@ void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
       distances->SetValue(next++, point.distance);
     }
   }
+  const double unreached = this->UnreachedValue();
   if (this->Choice.isAny())
   {
     this->Arrays().write(block, result.atVertices,
       result.isRefined ? result.atRefinedPoints[index] : geodesic::SourceValues(),
-      distances->GetPointer(0), output);
+      distances->GetPointer(0), unreached, output);
   }
+  double* first = distances->GetPointer(0);
+  std::replace(first, first + distances->GetNumberOfTuples(), geodesic::Infinity, unreached);
   output->GetPointData()->AddArray(distances);
   output->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
 }
@@ -536,6 +563,10 @@ void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(vtkDataObject* output) 
 void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) const
 {
   const char* name = this->Self->DistanceArrayName;
+  const auto noteOn = [this](const char* array, const std::string& text)
+  {
+    this->Execution.notes().add(geodesic::NoteOn::Surface, std::string("replaced: ") + array, text);
+  };
   bool hasOriginals = false;
   bool hasDistances = false;
   for (const geodesic::PolyDataBlock& block : this->Execution.surfaceBlocks())
@@ -545,13 +576,15 @@ void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) con
   }
   if (isRefined && hasOriginals)
   {
-    this->Execution.notes().add("The surface already has a cell array named OriginalCellIds; the "
-                                "output has the input's cells in its place.");
+    noteOn("OriginalCellIds",
+      "The surface already has a cell array named OriginalCellIds; the output has the input's "
+      "cells in its place.");
   }
   if (hasDistances)
   {
-    this->Execution.notes().add(std::string("The surface already has a point array named ") + name +
-      "; the output has the distance in its place. Change DistanceArrayName to keep both.");
+    noteOn(name,
+      std::string("The surface already has a point array named ") + name +
+        "; the output has the distance in its place. Change DistanceArrayName to keep both.");
   }
   for (const char* added : this->Arrays().names())
   {
@@ -560,8 +593,9 @@ void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) con
     const std::vector<geodesic::PolyDataBlock>& blocks = this->Execution.surfaceBlocks();
     if (std::any_of(blocks.begin(), blocks.end(), hasIt))
     {
-      this->Execution.notes().add(std::string("The surface already has a point array named ") +
-        added + "; the output has the filter's in its place. Rename it upstream to keep both.");
+      noteOn(added,
+        std::string("The surface already has a point array named ") + added +
+          "; the output has the filter's in its place. Rename it upstream to keep both.");
     }
   }
 }
@@ -674,6 +708,13 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AbsoluteRefinementTolerance: " << this->AbsoluteRefinementTolerance << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "UnreachedValue: "
+     << (this->UnreachedValue == UNREACHED_NAN         ? "NaN"
+            : this->UnreachedValue == UNREACHED_CUSTOM ? "Custom"
+                                                       : "Infinity")
+     << "\n";
+  os << indent << "CustomUnreachedValue: " << this->CustomUnreachedValue << "\n";
+  os << indent << "RemoveUnusedPoints: " << (this->RemoveUnusedPoints ? "On" : "Off") << "\n";
   os << indent
      << "DistanceArrayName: " << (this->DistanceArrayName ? this->DistanceArrayName : "(none)")
      << "\n";
