@@ -218,6 +218,20 @@ std::string nameOf(int ranks, bool inSpace)
   return std::to_string(ranks) + (inSpace ? " ranks in space" : " ranks at random");
 }
 
+void expectSame(const RefinedMesh& a, const RefinedMesh& b)
+{
+  EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_EQ(a.faces, b.faces);
+  EXPECT_EQ(a.errorBound, b.errorBound);
+  EXPECT_EQ(a.stoppedAtMaximum, b.stoppedAtMaximum);
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for (std::size_t i = 0; i < a.points.size(); ++i)
+  {
+    EXPECT_EQ(a.points[i].position, b.points[i].position);
+    EXPECT_EQ(a.points[i].distance, b.points[i].distance);
+  }
+}
+
 class RefinementOnRanks : public ::testing::TestWithParam<MeshKind>
 {
 protected:
@@ -281,5 +295,191 @@ TEST_P(RefinementOnRanks, FitsTogetherAndIsNowhereOverTheToleranceHoweverItIsCut
             << " times the triangles of one piece\n";
 }
 
+TEST_P(RefinementOnRanks, LeavesWhatIsBeyondALimitAsItIs)
+{
+  Random random(400);
+  const Case c = makeCase(random);
+  const TriangleMesh whole = engineMesh(c.mesh);
+  Task task = { c.mesh, c.curves, 0.005 * c.largest };
+  task.front.maximumDistance = 0.3 * c.largest;
+  const std::vector<bool> complete = completeFaces(
+    solveKeepingAll(whole, engineCurves(whole, c.curves), 0.0, task.front.maximumDistance));
+  for (const int ranks : { 2, 3, 7 })
+  {
+    for (const bool inSpace : { false, true })
+    {
+      SCOPED_TRACE(nameOf(ranks, inSpace));
+      const Joined joined = refineOnRanks(cutOf(c.mesh, ranks, inSpace, random), task);
+      EXPECT_LE(joined.refined.errorBound, task.tolerance);
+      expectFitTogether(whole, joined);
+      expectLeftAsTheyAre(whole, joined.refined, complete);
+      const Samples there = samplesIn(samplesOf(whole, joined, 500, random), complete);
+      const BruteForceResult truth = bruteForceDistances(c.mesh, toSources(c.curves), there.places);
+      EXPECT_LE(largestDifference(there, truth.queries),
+        joined.refined.errorBound + EngineAccuracy * c.largest);
+    }
+  }
+}
+
+TEST_P(RefinementOnRanks, OfAnApproximateFieldMeetsTheTolerance)
+{
+  Random random(500);
+  const Case c = makeCase(random);
+  const TriangleMesh whole = engineMesh(c.mesh);
+  Task task = { c.mesh, c.curves, 0.01 * c.largest };
+  task.front.relativeError = 0.01;
+  for (const int ranks : { 2, 4, 7 })
+  {
+    for (const bool inSpace : { false, true })
+    {
+      SCOPED_TRACE(nameOf(ranks, inSpace));
+      const Joined joined = refineOnRanks(cutOf(c.mesh, ranks, inSpace, random), task);
+      EXPECT_LE(joined.refined.errorBound, task.tolerance);
+      EXPECT_LE(joined.relativeErrorBound, task.front.relativeError);
+      expectFitTogether(whole, joined);
+      const Samples there = samplesOf(whole, joined, 500, random);
+      const BruteForceResult truth = bruteForceDistances(c.mesh, toSources(c.curves), there.places);
+      for (std::size_t i = 0; i < truth.queries.size(); ++i)
+      {
+        const double bound =
+          joined.refined.errorBound + joined.relativeErrorBound * truth.queries[i];
+        const double value = there.interpolant[i];
+        EXPECT_TRUE(value == truth.queries[i] ||
+          std::abs(value - truth.queries[i]) <= bound + EngineAccuracy * c.largest)
+          << value << " in place of " << truth.queries[i];
+      }
+    }
+  }
+}
+
+TEST_P(RefinementOnRanks, StopsAtAMaximumOfAllRanksTogether)
+{
+  Random random(600);
+  const Case c = makeCase(random);
+  const TriangleMesh whole = engineMesh(c.mesh);
+  Task task = { c.mesh, c.curves, 1e-4 * c.largest };
+  const auto faces = static_cast<std::uint64_t>(whole.numberOfFaces());
+  task.maximumFaces = 3 * faces;
+  const double inOnePiece =
+    refineTo(solveForRefinement(whole, engineCurves(whole, c.curves), task.tolerance),
+      task.tolerance, task.maximumFaces)
+      .errorBound;
+  double largestRatio = 0.0;
+  for (const int ranks : { 1, 2, 3, 7 })
+  {
+    for (const bool inSpace : { false, true })
+    {
+      SCOPED_TRACE(nameOf(ranks, inSpace));
+      const Joined joined = refineOnRanks(cutOf(c.mesh, ranks, inSpace, random), task);
+      EXPECT_TRUE(joined.refined.stoppedAtMaximum);
+      EXPECT_LE(joined.refined.triangles.size(), task.maximumFaces);
+      // What one leaf more would have come to is not known; half of the room is used at least.
+      EXPECT_GE(joined.refined.triangles.size(), 2 * faces);
+      expectFitTogether(whole, joined);
+      const Samples there = samplesOf(whole, joined, 500, random);
+      const BruteForceResult truth = bruteForceDistances(c.mesh, toSources(c.curves), there.places);
+      EXPECT_LE(largestDifference(there, truth.queries),
+        joined.refined.errorBound + EngineAccuracy * c.largest);
+      largestRatio = std::max(largestRatio, joined.refined.errorBound / inOnePiece);
+    }
+  }
+  std::cout << GetParam().name << ": at most " << largestRatio << " times the bound of one piece\n";
+}
+
+TEST_P(RefinementOnRanks, DoesNotDependOnWhichRankComesFirst)
+{
+  Random random(700);
+  const Case c = makeCase(random);
+  const TriangleMesh whole = engineMesh(c.mesh);
+  Task task = { c.mesh, c.curves, 0.01 * c.largest };
+  for (const std::uint64_t maximumFaces : { 0, 400 })
+  {
+    task.maximumFaces = maximumFaces;
+    const CutMesh cut = cutAtRandom(c.mesh, 4, random);
+    const RefinedMesh ordered = refineOnRanks(cut, task).refined;
+    for (const std::uint64_t disorder : { 1, 2 })
+    {
+      expectSame(refineOnRanks(cut, task, disorder).refined, ordered);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, RefinementOnRanks, ::testing::ValuesIn(meshKinds()),
   [](const auto& kind) { return std::string(kind.param.name); });
+
+namespace
+{
+
+/// Rows of a grid, each of them a rank's.
+CutMesh inBands(const PlainMesh& mesh, int ranks)
+{
+  CutMesh cut = { mesh, ranks, {} };
+  for (std::size_t face = 0; face < mesh.triangles.size(); ++face)
+  {
+    cut.rankOfFace.push_back(
+      static_cast<int>(face * static_cast<std::size_t>(ranks) / mesh.triangles.size()));
+  }
+  return cut;
+}
+
+}
+
+// Faces on seams keep their windows, others do not.
+TEST(RefinementOfAPart, KeepsFewWindowsWhereTheDistanceIsLinear)
+{
+  const PlainMesh grid = regularGrid(20, 20);
+  const std::vector<Polyline> curves = { { { { 0, { 1, 0, 0 }, { 0, 1, 0 } } }, {} } };
+  onRanks(inBands(grid, 2), curves, 0,
+    [&](const RankOfRun& rank)
+    {
+      geodesic::FrontOptions front;
+      front.part = &rank.part;
+      const double tolerance = 1.0;
+      const DistanceField field =
+        solveForRefinement(rank.part.mesh(), rank.sources, tolerance, front);
+      int kept = 0;
+      for (Id face = 0; face < rank.part.mesh().numberOfFaces(); ++face)
+      {
+        kept += field.knowsInside(face) ? 1 : 0;
+        EXPECT_TRUE(!field.knowsInside(face) || rank.part.isOwn(face));
+      }
+      const int atSeam = 20;
+      EXPECT_GE(kept, atSeam);
+      EXPECT_LE(kept, 3 * atSeam);
+    });
+}
+
+// Rank 1 owns nothing: it takes part in every step.
+TEST(RefinementOfAPart, ArrivesWhereARankHasNoFaces)
+{
+  const PlainMesh grid = regularGrid(4, 4);
+  const std::vector<Polyline> curves = { { { { 0, { 1, 0, 0 }, { 1, 0, 0 } } }, {} } };
+  CutMesh cut = inBands(grid, 2);
+  std::replace(cut.rankOfFace.begin(), cut.rankOfFace.end(), 1, 2);
+  cut.numberOfRanks = 3;
+  const Task task = { grid, curves, 0.01 };
+  const Joined joined = refineOnRanks(cut, task);
+  EXPECT_LE(joined.refined.errorBound, task.tolerance);
+  EXPECT_GT(joined.refined.triangles.size(), grid.triangles.size());
+  expectFitTogether(engineMesh(grid), joined);
+}
+
+TEST(RefinementOfAPart, EndsOnAllRanksWhenOneIsStopped)
+{
+  const PlainMesh grid = regularGrid(10, 10);
+  const std::vector<Polyline> curves = { { { { 0, { 1, 0, 0 }, { 1, 0, 0 } } }, {} } };
+  EXPECT_THROW(
+    onRanks(inBands(grid, 3), curves, 0,
+      [](const RankOfRun& rank)
+      {
+        geodesic::FrontOptions front;
+        front.part = &rank.part;
+        const DistanceField field = solveForRefinement(rank.part.mesh(), rank.sources, 1e-3, front);
+        geodesic::RefinementOptions options;
+        options.tolerance = 1e-3;
+        options.part = &rank.part;
+        options.progress = [&](double done) { return rank.exchange.rank() != 2 || done < 0.5; };
+        refine(field, options);
+      }),
+    geodesic::Aborted);
+}
