@@ -14,6 +14,9 @@ namespace
 // would have mended; with a larger fraction there are more steps between ranks.
 constexpr double NearWorst = 0.5;
 
+// The same where there is not room for all, so that it goes to the worst.
+constexpr double NearWorstWithLittleRoom = 0.9;
+
 } // anonymous namespace
 
 bool ViolationQueue::isOpen(const Violation& violation) const
@@ -56,7 +59,8 @@ bool ViolationQueue::takeBatch()
   {
     return false;
   }
-  while (this->isAnyOpen() && this->waiting_.top().error >= NearWorst * this->worst_)
+  const double least = this->worst_ * (this->hasLittleRoom() ? NearWorstWithLittleRoom : NearWorst);
+  while (this->isAnyOpen() && this->waiting_.top().error >= least)
   {
     this->takeWorst();
   }

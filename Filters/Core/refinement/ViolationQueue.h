@@ -69,6 +69,9 @@ public:
   }
 
 private:
+  static constexpr std::uint64_t NoLimit = std::numeric_limits<std::uint64_t>::max();
+
+  bool hasLittleRoom() const { return this->mostInBatch_ < NoLimit; }
   bool isAnyOpen();
   void takeWorst();
   void keepShare();
@@ -80,7 +83,7 @@ private:
   double worst_ = 0.0;
   /// How many the batch has on all ranks, and may have.
   std::uint64_t batchOfAll_ = 0;
-  std::uint64_t mostInBatch_ = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t mostInBatch_ = NoLimit;
 };
 
 }
