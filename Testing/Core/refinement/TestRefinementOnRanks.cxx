@@ -4,6 +4,7 @@
 #include "RanksSupport.h"
 #include "refinement/RefinementSupport.h"
 
+#include "refinement/RefinedFaces.h"
 #include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>
@@ -401,6 +402,106 @@ TEST_P(RefinementOnRanks, DoesNotDependOnWhichRankComesFirst)
     {
       expectSame(refineOnRanks(cut, task, disorder).refined, ordered);
     }
+  }
+}
+
+namespace
+{
+
+/// A triangle as it lies in space, with the numbers in the whole of corners that are vertices and
+/// the distances of others.
+using Placed = std::array<std::pair<geodesic::Vec3, double>, 3>;
+using PlacedFaces = std::map<geodesic::RankAddress, std::vector<Placed>>;
+
+std::pair<geodesic::Vec3, double> placeOfVertex(const geodesic::SurfacePart& part, Id vertex)
+{
+  return { part.mesh().point(vertex), part.numberInWhole(vertex) };
+}
+
+/// The faces that a rank owns.
+void addOwn(const RankOfRun& rank, const RefinedMesh& refined, PlacedFaces& faces)
+{
+  const auto placeOf = [&](Id point) -> std::pair<geodesic::Vec3, double>
+  {
+    if (point < refined.numberOfInputPoints)
+    {
+      return placeOfVertex(rank.part, point);
+    }
+    const RefinedPoint& added = refined.points[point - refined.numberOfInputPoints];
+    return { added.position, added.distance };
+  };
+  for (std::size_t i = 0; i < refined.triangles.size(); ++i)
+  {
+    const geodesic::Triangle& t = refined.triangles[i];
+    faces[{ rank.exchange.rank(), refined.faces[i] }].push_back(
+      { placeOf(t[0]), placeOf(t[1]), placeOf(t[2]) });
+  }
+}
+
+/// The faces of other ranks around those that a rank owns.
+PlacedFaces findOthers(const RankOfRun& rank, const RefinedMesh& refined)
+{
+  std::vector<geodesic::RankAddress> addresses;
+  for (Id face = 0; face < rank.part.mesh().numberOfFaces(); ++face)
+  {
+    if (!rank.part.isOwn(face))
+    {
+      addresses.push_back(rank.part.ownerOf(face));
+    }
+  }
+  const std::vector<geodesic::RefinedFace> answers =
+    findRefinedFaces(addresses, rank.part, refined, {});
+  PlacedFaces faces;
+  for (std::size_t i = 0; i < addresses.size(); ++i)
+  {
+    const geodesic::Triangle& corners = rank.part.mesh().triangle(rank.part.copyOf(addresses[i]));
+    const auto placeOf = [&](Id point) -> std::pair<geodesic::Vec3, double>
+    {
+      if (point < 3)
+      {
+        return placeOfVertex(rank.part, corners[point]);
+      }
+      const RefinedPoint& added = answers[i].points[point - 3];
+      return { added.position, added.distance };
+    };
+    for (const geodesic::Triangle& t : answers[i].triangles)
+    {
+      faces[addresses[i]].push_back({ placeOf(t[0]), placeOf(t[1]), placeOf(t[2]) });
+    }
+  }
+  return faces;
+}
+
+}
+
+TEST_P(RefinementOnRanks, TellsHowFacesOfOtherRanksAreRefined)
+{
+  Random random(800);
+  const Case c = makeCase(random);
+  const CutMesh cut = cutInSpace(c.mesh, 3, random);
+  PlacedFaces own;
+  PlacedFaces others;
+  std::mutex mutex;
+  onRanks(cut, c.curves, 0,
+    [&](const RankOfRun& rank)
+    {
+      geodesic::FrontOptions front;
+      front.part = &rank.part;
+      geodesic::RefinementOptions options;
+      options.tolerance = 0.01 * c.largest;
+      options.part = &rank.part;
+      const DistanceField field =
+        solveForRefinement(rank.part.mesh(), rank.sources, options.tolerance, front);
+      const RefinedMesh refined = refine(field, options);
+      const PlacedFaces found = findOthers(rank, refined);
+      const std::lock_guard<std::mutex> lock(mutex);
+      addOwn(rank, refined, own);
+      others.insert(found.begin(), found.end());
+    });
+  EXPECT_FALSE(others.empty());
+  for (const auto& [address, triangles] : others)
+  {
+    EXPECT_EQ(triangles, own.at(address));
   }
 }
 
