@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "PolyData/FilterExecution.h"
+#include "PolyData/RankExchange.h"
 #include "PolyData/SurfaceCache.h"
 
 #include "vtkDataObject.h"
@@ -30,14 +31,26 @@ int NumberOfProcesses(vtkMultiProcessController* controller)
   return controller ? controller->GetNumberOfProcesses() : 1;
 }
 
-/// The piece that is asked of the output port from which the request comes.
-int PieceAskedFor(vtkInformation* request, vtkInformationVector* outputVector)
+/// Whether what is asked of the output port from which the request comes is the one piece that has
+/// all that this process has. One process has it in piece 0; of several, each in the first of the
+/// pieces that are its share, and where there are no more pieces than processes, always.
+bool IsPieceWithData(
+  vtkInformation* request, vtkInformationVector* outputVector, vtkMultiProcessController* ranks)
 {
   const int port = request->Has(vtkExecutive::FROM_OUTPUT_PORT())
     ? std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()))
     : 0;
   vtkInformation* info = outputVector->GetInformationObject(port);
-  return info ? vtkStreamingDemandDrivenPipeline::GetUpdatePiece(info) : 0;
+  const int piece = info ? vtkStreamingDemandDrivenPipeline::GetUpdatePiece(info) : 0;
+  const vtkIdType processes = NumberOfProcesses(ranks);
+  if (processes == 1)
+  {
+    return piece <= 0;
+  }
+  const vtkIdType pieces =
+    info ? vtkStreamingDemandDrivenPipeline::GetUpdateNumberOfPieces(info) : 1;
+  const vtkIdType rank = ranks->GetLocalProcessId();
+  return pieces <= processes || piece == (rank * pieces + processes - 1) / processes;
 }
 
 std::string MemoryNumbers(const geodesic::NotEnoughMemory& error)
@@ -64,9 +77,31 @@ class vtkGeodesicAlgorithm::vtkInternals
 {
 public:
   geodesic::SurfaceCache Cache;
+  /// With the other processes of the controller; null where there is one.
+  std::unique_ptr<geodesic::RankExchange> Exchange;
   /// The user's controller; the global one unless one was set.
   vtkSmartPointer<vtkMultiProcessController> Controller;
   bool HasController = false;
+
+  /// Makes the exchange fit to the processes of a controller, for one execution.
+  geodesic::RankExchange* BeginExchange(vtkMultiProcessController* controller)
+  {
+    const bool isWanted = NumberOfProcesses(controller) > 1;
+    if (this->Exchange && !(isWanted && this->Exchange->isWith(controller)))
+    {
+      this->Cache.release(); // which may hold it
+      this->Exchange.reset();
+    }
+    if (isWanted && !this->Exchange)
+    {
+      this->Exchange = std::make_unique<geodesic::RankExchange>(controller);
+    }
+    if (this->Exchange)
+    {
+      this->Exchange->begin();
+    }
+    return this->Exchange.get();
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -184,19 +219,20 @@ int vtkGeodesicAlgorithm::RequestInformation(vtkInformation* vtkNotUsed(request)
 int vtkGeodesicAlgorithm::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
 {
-  if (NumberOfProcesses(this->GetController()) > 1)
-  {
-    return 1;
-  }
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkMultiProcessController* controller = this->GetController();
+  const int processes = NumberOfProcesses(controller);
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
     {
       vtkInformation* info = inputVector[port]->GetInformationObject(i);
-      info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-      info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-      info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      info->Set(Pipeline::UPDATE_PIECE_NUMBER(), processes > 1 ? controller->GetLocalProcessId() : 0);
+      info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), processes);
+      if (processes == 1 || port > 0) // ghost cells of a piece get their values, too
+      {
+        info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      }
     }
   }
   return 1;
@@ -206,20 +242,9 @@ int vtkGeodesicAlgorithm::RequestUpdateExtent(vtkInformation* vtkNotUsed(request
 int vtkGeodesicAlgorithm::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const int processes = NumberOfProcesses(this->GetController());
-  if (processes > 1)
+  if (!IsPieceWithData(request, outputVector, this->GetController()))
   {
-    this->ResetResults();
-    vtkErrorMacro("The surface may be distributed over "
-      << processes
-      << " MPI ranks, but distances are computed in one process only and would be wrong. Run with "
-         "one rank, or, where every rank that executes has the whole surface, call "
-         "SetController(nullptr).");
-    return 0;
-  }
-  if (PieceAskedFor(request, outputVector) > 0)
-  {
-    // Piece 0 has everything; the others have the same blocks.
+    // One piece has everything; the others have the same blocks.
     vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
     if (output->IsA("vtkCompositeDataSet"))
     {
@@ -228,12 +253,6 @@ int vtkGeodesicAlgorithm::RequestData(
     return 1;
   }
   this->ResetResults();
-  const std::string wrong = this->FindWrongProperty();
-  if (!wrong.empty())
-  {
-    vtkErrorMacro(<< wrong);
-    return 0;
-  }
   return this->ComputeOrExplain(inputVector, outputVector) ? 1 : 0;
 }
 
@@ -241,22 +260,33 @@ int vtkGeodesicAlgorithm::RequestData(
 bool vtkGeodesicAlgorithm::ComputeOrExplain(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  geodesic::RankExchange* exchange = nullptr;
   geodesic::Stage stage = geodesic::Stage::ReadingSurface;
+  bool isAborted = false;
+  bool isCacheKept = true;
+  std::string message;
   const auto explainMemory = [&](const std::string& numbers)
   {
-    vtkErrorMacro("There is not enough memory for this surface: it ran out while "
-      << geodesic::describe(stage) << "." << numbers << " Nothing of this is kept. "
-      << this->AdviceOnMemory());
+    message = std::string("There is not enough memory for this surface: it ran out while ") +
+      geodesic::describe(stage) + "." + numbers + " Nothing of this is kept. " +
+      this->AdviceOnMemory();
   };
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try
   {
+    exchange = this->Internals->BeginExchange(this->GetController());
     reserve = std::make_unique<char[]>(MemoryForMessages);
+    const std::string wrong = this->FindWrongProperty();
+    if (!wrong.empty())
+    {
+      throw geodesic::InputError(wrong);
+    }
     const bool hasTargets = this->GetNumberOfInputPorts() > 2;
     geodesic::FilterExecution execution(this, this->Internals->Cache, stage,
       vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]),
-      hasTargets ? vtkDataObject::GetData(inputVector[2]) : nullptr);
+      hasTargets ? vtkDataObject::GetData(inputVector[2]) : nullptr, exchange);
     this->Compute(execution, outputVector);
+    execution.finish();
     execution.giveNotes();
     if (this->GetReleaseDataFlag() || vtkDataObject::GetGlobalReleaseDataFlag())
     {
@@ -266,46 +296,55 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   }
   catch (const geodesic::Aborted&)
   {
-    EmptyOutputs(outputVector);
-    return true;
+    isAborted = true;
   }
   catch (const geodesic::Error& error)
   {
-    EmptyOutputs(outputVector);
-    vtkErrorMacro(<< error.what());
+    message = error.what();
   }
   catch (const geodesic::NotEnoughMemory& error)
   {
-    EmptyOutputs(outputVector);
-    this->Internals->Cache.release();
+    isCacheKept = false;
     explainMemory(MemoryNumbers(error));
   }
   catch (const std::bad_alloc&)
   {
-    EmptyOutputs(outputVector);
-    this->Internals->Cache.release();
+    isCacheKept = false;
     reserve.reset();
     explainMemory("");
   }
   catch (const std::exception& error)
   {
-    EmptyOutputs(outputVector);
-    this->Internals->Cache.release();
-    vtkErrorMacro("The distance could not be computed, for a reason that was not foreseen: "
-      << error.what()
-      << ". Please report this with the surface and the source, unless an observer of this filter "
-         "has thrown it.");
+    isCacheKept = false;
+    message =
+      std::string("The distance could not be computed, for a reason that was not foreseen: ") +
+      error.what() +
+      ". Please report this with the surface and the source, unless an observer of this filter "
+      "has thrown it.";
   }
   catch (...)
   {
-    EmptyOutputs(outputVector);
-    this->Internals->Cache.release();
-    vtkErrorMacro(
+    isCacheKept = false;
+    message =
       "The distance could not be computed, for a reason that was not foreseen and has no "
       "description. Please report this with the surface and the source, unless an "
-      "observer of this filter has thrown it.");
+      "observer of this filter has thrown it.";
   }
-  return false;
+  EmptyOutputs(outputVector);
+  if (!isCacheKept || exchange)
+  {
+    this->Internals->Cache.release();
+  }
+  if (exchange)
+  {
+    message = exchange->fail(message);
+    isAborted = message.empty();
+  }
+  if (!isAborted)
+  {
+    vtkErrorMacro(<< message);
+  }
+  return isAborted;
 }
 
 //------------------------------------------------------------------------------

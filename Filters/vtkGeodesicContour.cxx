@@ -77,7 +77,11 @@ private:
 //------------------------------------------------------------------------------
 void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
 {
-  this->Execution.readInputs();
+  this->Execution.readInputs(geodesic::FilterExecution::Pieces::Refused);
+  if (this->Execution.surfacePlace() == geodesic::SurfacePlace::Elsewhere)
+  {
+    return;
+  }
   this->RequireSides();
   this->FindValues();
   const geodesic::Isolines isolines = this->Draw();

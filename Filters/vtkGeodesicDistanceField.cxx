@@ -12,6 +12,7 @@
 #include "field/Solve.h"
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
+#include "source/SourceWindowsOfPart.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -25,6 +26,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -89,10 +91,14 @@ private:
 
   bool CanRefine() const;
   double Tolerance() const;
+  void ShareNumbers() const;
+  void WriteNothing(vtkDataObject* output) const;
+  void RequirePlainField() const;
   Result Compute();
   void ScaleToUser(Result& result) const;
   geodesic::FrontOptions FrontOptions(double endOfProgress) const;
   geodesic::DistanceField Solve(bool refine) const;
+  geodesic::DistanceField SolveInPieces() const;
   geodesic::DistanceField SolveExactly(const Result& result) const;
   void RequireSides() const;
   void FindSources(const geodesic::DistanceField& field, Result& result) const;
@@ -119,17 +125,57 @@ private:
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData* curves)
 {
-  this->Execution.readInputs();
-  this->Self->SourceSnapDistance =
-    this->Execution.surface().scale().toUser(this->Execution.sources().snapDistance);
-  const Result result = this->Compute();
-  this->Execution.reach(FieldDone);
+  this->Execution.readInputs(geodesic::FilterExecution::Pieces::Taken);
+  const bool isElsewhere = this->Execution.surfacePlace() == geodesic::SurfacePlace::Elsewhere;
+  Result result;
+  if (!isElsewhere)
+  {
+    this->Self->SourceSnapDistance =
+      this->Execution.surface().scale().toUser(this->Execution.sources().snapDistance);
+    this->Self->SeamPointsJoined = this->Execution.surface().report().joinedSeamPoints;
+    result = this->Compute();
+    this->Execution.reach(FieldDone);
+  }
+  this->ShareNumbers();
   this->Execution.enter(geodesic::Stage::WritingOutputs);
-
+  if (isElsewhere)
+  {
+    this->WriteNothing(output);
+    return;
+  }
   this->NoteReplacedArrays(result.isRefined);
   this->WriteSurface(result, output);
-  geodesic::writeCurves(this->Execution.surface().mesh(), this->Execution.surface().scale(),
-    this->Execution.sources().curves, curves);
+  if (this->Execution.hasSourceOutput())
+  {
+    geodesic::writeCurves(this->Execution.meshOfSources(), this->Execution.surface().scale(),
+      this->Execution.sources().curves, curves);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Where another rank has had all the work, this one tells the same of it.
+void vtkGeodesicDistanceField::vtkWorker::ShareNumbers() const
+{
+  double joined = static_cast<double>(this->Self->SeamPointsJoined);
+  this->Execution.shareNumbers({ &this->Self->WindowsPropagatedPerEdge,
+    &this->Self->SourceSnapDistance, &this->Self->RelativeErrorBound,
+    &this->Self->InterpolationErrorBound, &joined });
+  this->Self->SeamPointsJoined = static_cast<vtkIdType>(joined);
+}
+
+//------------------------------------------------------------------------------
+// Of a rank without surface: the arrays that other ranks have, without values.
+void vtkGeodesicDistanceField::vtkWorker::WriteNothing(vtkDataObject* output) const
+{
+  for (vtkPolyData* block : geodesic::makeBlocksLike(this->Execution.surfaceInput(), output))
+  {
+    vtkNew<vtkDoubleArray> distances;
+    distances->SetName(this->Self->DistanceArrayName);
+    block->GetPointData()->AddArray(distances);
+    block->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
+    this->WriteFieldData(block);
+  }
+  this->WriteFieldData(output);
 }
 
 //------------------------------------------------------------------------------
@@ -164,12 +210,13 @@ bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
 vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker::Compute()
 {
   Result result;
+  this->RequirePlainField();
   this->RequireSides();
   this->Execution.enter(geodesic::Stage::ComputingDistances);
   result.isRefined = this->CanRefine();
   const geodesic::DistanceField field = this->Solve(result.isRefined);
   this->Self->WindowsPropagatedPerEdge = static_cast<double>(field.windowsPropagated()) /
-    static_cast<double>(this->Execution.surface().mesh().numberOfEdges());
+    static_cast<double>(this->Execution.surface().report().edges);
   this->Self->RelativeErrorBound = field.relativeErrorBound();
   if (result.isRefined)
   {
@@ -184,8 +231,30 @@ vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker:
   {
     this->FindSources(field, result);
   }
+  this->Execution.surface().completeValues(geodesic::Infinity, result.vertexDistances);
   this->ScaleToUser(result);
   return result;
+}
+
+//------------------------------------------------------------------------------
+// What cannot be had of a surface that is distributed over ranks.
+void vtkGeodesicDistanceField::vtkWorker::RequirePlainField() const
+{
+  if (!this->Execution.surface().part())
+  {
+    return;
+  }
+  const std::string where = " where the surface (input port 0) is distributed over several ranks. ";
+  if (this->Self->RefineMesh)
+  {
+    throw geodesic::InputError("RefineMesh cannot be done" + where +
+      "Switch it off, or have the whole surface on one rank.");
+  }
+  if (this->Choice.isAny())
+  {
+    throw geodesic::InputError(std::string(this->Arrays().names().front()) + " cannot be had" +
+      where + "Switch it off, or have the whole surface on one rank.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -315,8 +384,25 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::Solve(bool refine) 
     this->FrontOptions(refine ? FieldDoneBeforeRefinement : this->DistancesDone);
   const geodesic::TriangleMesh& mesh = this->Execution.surface().mesh();
   const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
+  if (this->Execution.surface().part())
+  {
+    return this->SolveInPieces();
+  }
   return refine ? geodesic::solveForRefinement(mesh, curves, this->Tolerance(), options)
                 : geodesic::solve(mesh, curves, options);
+}
+
+//------------------------------------------------------------------------------
+geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveInPieces() const
+{
+  const geodesic::SurfacePart& part = *this->Execution.surface().part();
+  const geodesic::SurfacePatch& patch = this->Execution.patch();
+  geodesic::FrontOptions options = this->FrontOptions(this->DistancesDone);
+  options.part = &part;
+  geodesic::SourceWindows windows = geodesic::sourceWindowsOfPart(part, patch,
+    geodesic::makeSourceWindows(patch.mesh(), this->Execution.sources().curves));
+  geodesic::KeepNone none;
+  return { part.mesh(), geodesic::propagate(part.mesh(), std::move(windows), options, none), {} };
 }
 
 //------------------------------------------------------------------------------
@@ -442,6 +528,8 @@ void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(vtkDataObject* output) 
   addFieldData(output, "SourceSnapDistance", this->Self->SourceSnapDistance);
   addFieldData(output, "RelativeErrorBound", this->Self->RelativeErrorBound);
   addFieldData(output, "InterpolationErrorBound", this->Self->InterpolationErrorBound);
+  addFieldData(
+    output, "SeamPointsJoined", static_cast<double>(this->Self->SeamPointsJoined));
 }
 
 //------------------------------------------------------------------------------
@@ -563,6 +651,7 @@ void vtkGeodesicDistanceField::ResetResults()
   this->SourceSnapDistance = 0.0;
   this->RelativeErrorBound = 0.0;
   this->InterpolationErrorBound = geodesic::Infinity;
+  this->SeamPointsJoined = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -597,4 +686,5 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SourceSnapDistance: " << this->SourceSnapDistance << "\n";
   os << indent << "RelativeErrorBound: " << this->RelativeErrorBound << "\n";
   os << indent << "InterpolationErrorBound: " << this->InterpolationErrorBound << "\n";
+  os << indent << "SeamPointsJoined: " << this->SeamPointsJoined << "\n";
 }

@@ -357,6 +357,15 @@ public:
   vtkGetMacro(InterpolationErrorBound, double);
   ///@}
 
+  ///@{
+  /**
+   * After an execution: how many points on the boundaries of blocks, or of the pieces of several
+   * ranks, were made one with another from which they differ by a few roundings. Points that
+   * coincide do not count.
+   */
+  vtkGetMacro(SeamPointsJoined, vtkIdType);
+  ///@}
+
 protected:
   vtkGeodesicDistanceField();
   ~vtkGeodesicDistanceField() override;
@@ -390,6 +399,7 @@ private:
   double SourceSnapDistance = 0.0;
   double RelativeErrorBound = 0.0;
   double InterpolationErrorBound = std::numeric_limits<double>::infinity();
+  vtkIdType SeamPointsJoined = 0;
 };
 
 #endif

@@ -60,6 +60,38 @@ void AddSource(std::size_t source, std::vector<double>& distances, const geodesi
   table->AddColumn(column);
 }
 
+/// Where another rank than the first has made the table, hands it over: all columns but the first,
+/// which says nothing new. All ranks call this.
+void MoveToFirstRank(geodesic::FilterExecution& execution, vtkTable* table)
+{
+  geodesic::Message message;
+  if (!execution.isFirstRank() && table->GetNumberOfColumns() > 0)
+  {
+    const vtkIdType rows = table->GetNumberOfRows();
+    geodesic::put(message, rows);
+    for (vtkIdType column = 1; column < table->GetNumberOfColumns(); ++column)
+    {
+      auto* values = vtkDoubleArray::SafeDownCast(table->GetColumn(column));
+      geodesic::put(message, values->GetPointer(0), static_cast<std::size_t>(rows));
+    }
+    table->Initialize();
+  }
+  geodesic::readEach(execution.sendToFirst(message),
+    [table](int, geodesic::MessageReader& reader)
+    {
+      const auto rows = reader.get<vtkIdType>();
+      AddTargetIds(rows, table);
+      for (int source = 0; !reader.isAtEnd(); ++source)
+      {
+        vtkNew<vtkDoubleArray> column;
+        column->SetName(("Source" + std::to_string(source)).c_str());
+        column->SetNumberOfTuples(rows);
+        reader.get(column->GetPointer(0), static_cast<std::size_t>(rows));
+        table->AddColumn(column);
+      }
+    });
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -132,7 +164,19 @@ void vtkGeodesicDistanceMatrix::Compute(
   geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
 {
   execution.requireTargets(true);
-  execution.readInputs();
+  execution.readInputs(geodesic::FilterExecution::Pieces::Refused);
+  vtkTable* table = vtkTable::GetData(outputVector);
+  if (execution.surfacePlace() != geodesic::SurfacePlace::Elsewhere)
+  {
+    this->ComputeTable(execution, table);
+  }
+  MoveToFirstRank(execution, table);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceMatrix::ComputeTable(
+  geodesic::FilterExecution& execution, vtkTable* table) const
+{
   const geodesic::Targets targets = execution.readTargets(TargetsRead);
   const auto rows = static_cast<vtkIdType>(targets.count);
   const geodesic::Id numberOfSources = execution.numberOfSources();
@@ -155,7 +199,6 @@ void vtkGeodesicDistanceMatrix::Compute(
   execution.reach(MatrixDone);
 
   execution.enter(geodesic::Stage::WritingOutputs);
-  vtkTable* table = vtkTable::GetData(outputVector);
   AddTargetIds(rows, table);
   for (std::size_t source = 0; source < matrix.size(); ++source)
   {

@@ -63,7 +63,11 @@ void vtkGeodesicPaths::Compute(
   geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
 {
   execution.requireTargets();
-  execution.readInputs();
+  execution.readInputs(geodesic::FilterExecution::Pieces::Refused);
+  if (execution.surfacePlace() == geodesic::SurfacePlace::Elsewhere)
+  {
+    return;
+  }
   const geodesic::Targets targets = execution.readTargets(TargetsRead);
 
   execution.enter(geodesic::Stage::ComputingDistances);

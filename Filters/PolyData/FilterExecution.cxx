@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/FilterExecution.h"
 
+#include "PolyData/ContentKey.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataSource.h"
+#include "field/FacesBetweenPoints.h"
 #include "field/JoinPoints.h"
 #include "source/BoundaryCurves.h"
 #include "vtkGeodesicAlgorithm.h"
 
+#include "vtkPolyData.h"
 #include "vtkVersionMacros.h"
 
+#include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -21,6 +26,15 @@ namespace
 // Where the stages end, as fractions of the whole.
 constexpr double SurfaceRead = 0.15;
 constexpr double SourceLocated = 0.2;
+constexpr double FarPointsSearched = 0.24;
+
+std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& name)
+{
+  return input ? polyDataBlocks(input, name) : std::vector<PolyDataBlock>();
+}
+
+const char* const SourceName = "the source (input port 1)";
+const char* const TargetsName = "the set of targets (input port 2)";
 
 }
 
@@ -47,23 +61,41 @@ const char* describe(Stage stage)
 }
 
 FilterExecution::FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
-  vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets)
+  vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, RankExchange* exchange)
   : filter_(filter)
   , cache_(cache)
   , stage_(stage)
   , surfaceInput_(surface)
   , sourceInput_(source)
   , targetsInput_(targets)
+  , exchange_(exchange)
 {
 }
 
-void FilterExecution::readInputs()
+void FilterExecution::readInputs(Pieces pieces)
 {
   this->enter(Stage::ReadingSurface);
   this->surfaceBlocks_ = polyDataBlocks(this->surfaceInput_, "the surface (input port 0)");
   const BarrierArrays barriers(this->surfaceBlocks_, this->filter_->GetBarrierArrayName());
+  if (this->exchange_)
+  {
+    this->gatherInputs();
+    this->findSurface(barriers, pieces);
+  }
+  if (this->place_ == SurfacePlace::Elsewhere)
+  {
+    return;
+  }
+  const bool isInPieces = this->place_ == SurfacePlace::InPieces;
+  if (isInPieces && pieces == Pieces::Refused)
+  {
+    throw InputError(std::string("The surface (input port 0) is distributed over several ranks, "
+                                 "of which ") +
+      this->filter_->GetClassName() +
+      " needs all on one. Run with one rank, or have the whole surface on one rank or on each.");
+  }
   this->cache_.update(this->surfaceBlocks_, barriers, this->filter_->GetMergeCoincidentPoints(),
-    this->progressBetween(0.0, SurfaceRead));
+    isInPieces ? this->exchange_ : nullptr, this->progressBetween(0.0, SurfaceRead));
   if (this->cache_.isNoteDue())
   {
     noteSurface(this->surface(), this->notes_);
@@ -71,6 +103,136 @@ void FilterExecution::readInputs()
   this->reach(SurfaceRead);
   this->enter(Stage::ReadingSource);
   this->readSources();
+}
+
+/// Finds out who has what of the surface.
+void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
+{
+  struct Piece
+  {
+    vtkTypeInt64 points = 0;
+    vtkTypeInt64 faces = 0;
+    vtkTypeInt64 hasBarriers = 0;
+    bool isEmpty() const { return this->points == 0 && this->faces == 0; }
+    bool operator==(const Piece& other) const
+    {
+      return this->points == other.points && this->faces == other.faces;
+    }
+  };
+  Piece own;
+  for (const PolyDataBlock& block : this->surfaceBlocks_)
+  {
+    own.points += block.data->GetNumberOfPoints();
+    own.faces += block.data->GetNumberOfPolys() + block.data->GetNumberOfStrips();
+  }
+  own.hasBarriers = barriers.isGiven() ? 1 : 0;
+  Message message;
+  put(message, own);
+  std::vector<Piece> all;
+  readEach(this->exchange_->tellAll(message),
+    [&all](int, MessageReader& reader) { all.push_back(reader.get<Piece>()); });
+
+  const auto isEmpty = [](const Piece& piece) { return piece.isEmpty(); };
+  const auto emptyOnes = std::count_if(all.begin(), all.end(), isEmpty);
+  if (emptyOnes + 1 >= this->exchange_->numberOfRanks())
+  {
+    // Where all are empty, rank 0 says so.
+    const bool isWorker = own.isEmpty() ? this->exchange_->rank() == 0 &&
+        emptyOnes == this->exchange_->numberOfRanks()
+                                        : true;
+    this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::Elsewhere;
+    return;
+  }
+  const bool areAlike = std::all_of(
+    all.begin(), all.end(), [&](const Piece& piece) { return piece == all.front(); });
+  if (areAlike && this->isSameOnAllRanks(barriers))
+  {
+    const bool isWorker = pieces == Pieces::Taken || this->isFirstRank();
+    this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::Elsewhere;
+    return;
+  }
+  this->place_ = SurfacePlace::InPieces;
+  if (std::any_of(all.begin(), all.end(), [](const Piece& p) { return p.hasBarriers != 0; }))
+  {
+    throw InputError("The surface (input port 0) is distributed over several ranks, where barriers "
+                     "cannot be used. Choose no barrier array (BarrierArrayName), or have the "
+                     "whole surface on one rank.");
+  }
+}
+
+bool FilterExecution::isSameOnAllRanks(const BarrierArrays& barriers) const
+{
+  Message message;
+  put(message, contentKey(this->surfaceBlocks_, barriers));
+  const std::vector<Message> keys = this->exchange_->tellAll(message);
+  return std::all_of(
+    keys.begin(), keys.end(), [&keys](const Message& key) { return key == keys.front(); });
+}
+
+void FilterExecution::gatherInputs()
+{
+  if (this->sourceInput_)
+  {
+    this->gatheredSource_ =
+      GatheredBlocks(blocksOf(this->sourceInput_, SourceName), SourceName, *this->exchange_);
+  }
+  if (this->targetsInput_)
+  {
+    this->gatheredTargets_ =
+      GatheredBlocks(blocksOf(this->targetsInput_, TargetsName), TargetsName, *this->exchange_);
+  }
+}
+
+void FilterExecution::shareNumbers(const std::vector<double*>& numbers)
+{
+  if (!this->exchange_)
+  {
+    return;
+  }
+  Message message;
+  for (const double* number : numbers)
+  {
+    if (this->place_ != SurfacePlace::Elsewhere)
+    {
+      put(message, *number);
+    }
+  }
+  for (const Message& other : this->exchange_->tellAll(message))
+  {
+    if (!other.empty())
+    {
+      MessageReader reader(other);
+      for (double* number : numbers)
+      {
+        *number = reader.get<double>();
+      }
+      return;
+    }
+  }
+}
+
+std::vector<Message> FilterExecution::sendToFirst(const Message& message)
+{
+  if (!this->exchange_)
+  {
+    return {};
+  }
+  std::vector<Message> messages = this->exchange_->noMessages();
+  messages.front() = message;
+  return this->exchange_->step(std::move(messages));
+}
+
+void FilterExecution::finish()
+{
+  if (this->exchange_)
+  {
+    this->exchange_->step(this->exchange_->noMessages());
+  }
+}
+
+const TriangleMesh& FilterExecution::meshOfSources() const
+{
+  return this->onRanks_ ? this->onRanks_->patch().mesh() : this->surface().mesh();
 }
 
 void FilterExecution::requireTargets(bool sourcesAreTargets) const
@@ -86,31 +248,73 @@ void FilterExecution::requireTargets(bool sourcesAreTargets) const
 Targets FilterExecution::readTargets(double end)
 {
   this->enter(Stage::ReadingTargets);
-  const std::string name = this->targetsInput_ ? "the set of targets (input port 2)"
-                                               : "the set of targets (points of input port 1)";
+  const std::string name =
+    this->targetsInput_ ? TargetsName : "the set of targets (points of input port 1)";
   vtkDataObject* input = this->targetsInput_ ? this->targetsInput_ : this->sourceInput_;
-  Targets targets = geodesic::readTargets(polyDataBlocks(input, name), name, this->surface(),
-    this->locator(), this->progressBetween(InputsRead, end));
+  const GatheredBlocks& gathered =
+    this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;
+  const std::vector<PolyDataBlock> blocks =
+    this->exchange_ ? gathered.blocks() : polyDataBlocks(input, name);
+  Targets targets = geodesic::readTargets(blocks, name, this->surface(), this->locator(),
+    this->progressBetween(InputsRead, end));
   this->reach(end);
   return targets;
 }
 
-void FilterExecution::readSources()
+/// \throws SourceError where there is none.
+void FilterExecution::requireSource() const
 {
-  const int type = this->filter_->GetSourceType();
-  if (type == vtkGeodesicAlgorithm::SOURCE_CURVE && !this->sourceInput_)
+  if (this->filter_->GetSourceType() == vtkGeodesicAlgorithm::SOURCE_CURVE && !this->sourceInput_)
   {
     throw SourceError("There is no source: connect a curve to input port 1 (SetSourceConnection or "
                       "SetSourceData; Source in ParaView), or set SourceType to Surface Boundary.");
   }
+}
+
+void FilterExecution::readSources()
+{
+  this->requireSource();
+  const int type = this->filter_->GetSourceType();
   const bool hasCurve = type != vtkGeodesicAlgorithm::SURFACE_BOUNDARY && this->sourceInput_;
+  const bool hasBoundary = type != vtkGeodesicAlgorithm::SOURCE_CURVE;
+  if (this->place_ == SurfacePlace::InPieces)
+  {
+    this->onRanks_.emplace(*this->surface().part());
+    if (hasBoundary)
+    {
+      this->onRanks_->addBoundary();
+    }
+  }
   if (hasCurve)
   {
-    const std::vector<PolyDataBlock> blocks =
-      polyDataBlocks(this->sourceInput_, "the source (input port 1)");
-    const SourcePolylines source = readSource(blocks, this->surface().scale(), this->locator(),
+    this->readCurves();
+  }
+  else if (this->onRanks_)
+  {
+    this->onRanks_->makePatch();
+  }
+  this->firstBoundarySource_ = this->numberOfSources_;
+  if (hasBoundary)
+  {
+    this->addBoundary(hasCurve);
+  }
+}
+
+void FilterExecution::readCurves()
+{
+  const std::vector<PolyDataBlock> blocks = this->exchange_
+    ? this->gatheredSource_.blocks()
+    : polyDataBlocks(this->sourceInput_, SourceName);
+  SourcePolylines source = readSource(blocks, this->surface().scale());
+  const SnapOptions snapping = snapOptionsFor(blocks);
+  if (this->onRanks_)
+  {
+    this->putCurvesOntoPatch(source, snapping);
+  }
+  else
+  {
+    this->locator().locate(source.polylines, snapping.coordinatePrecision,
       this->progressBetween(SurfaceRead, SourceLocated));
-    const SnapOptions snapping = snapOptionsFor(blocks);
     requireOutsideBarriers(
       this->surface(), this->surfaceBlocks_, source.polylines, snapping.coordinatePrecision);
     JoinedPaths& paths = this->cache_.joinedPaths();
@@ -119,20 +323,36 @@ void FilterExecution::readSources()
       paths.reusedBy(joinByShortestPaths(this->surface().mesh(), smpParallelFor())),
       this->progressBetween(SourceLocated, InputsRead));
     paths.endUse();
-    this->numberOfSources_ = source.numberOfSources;
-    noteSource(
-      this->surface(), this->sources_, this->filter_->GetNumberOfOutputPorts() > 1, this->notes_);
   }
-  this->firstBoundarySource_ = this->numberOfSources_;
-  if (type != vtkGeodesicAlgorithm::SOURCE_CURVE)
+  this->numberOfSources_ = source.numberOfSources;
+  noteSource(
+    this->surface(), this->sources_, this->filter_->GetNumberOfOutputPorts() > 1, this->notes_);
+}
+
+/// The same on all ranks.
+void FilterExecution::putCurvesOntoPatch(SourcePolylines& source, const SnapOptions& snapping)
+{
+  this->onRanks_->addCurves(source.polylines, snapping.coordinatePrecision,
+    this->cache_.locatorOnRanks(), this->progressBetween(SurfaceRead, SourceLocated));
+  this->onRanks_->makePatch();
+  this->onRanks_->locateOnPatch(source.polylines);
+  if (this->onRanks_->addFaces(facesBetweenPoints(*this->surface().part(), this->patch(),
+        source.polylines, snapping, smpParallelFor(),
+        this->progressBetween(SourceLocated, FarPointsSearched))))
   {
-    this->addBoundary(hasCurve);
+    this->onRanks_->makePatch();
+    this->onRanks_->locateOnPatch(source.polylines);
   }
+  const TriangleMesh& mesh = this->meshOfSources();
+  this->sources_ = putOntoSurface(mesh, source.polylines, snapping,
+    joinByShortestPaths(mesh, smpParallelFor()),
+    this->progressBetween(FarPointsSearched, InputsRead));
 }
 
 std::vector<SourceCurve> FilterExecution::numberedBoundary(const TriangleMesh& mesh)
 {
-  std::vector<SourceCurve> boundary = boundaryCurves(mesh);
+  std::vector<SourceCurve> boundary =
+    this->onRanks_ ? this->onRanks_->boundary() : boundaryCurves(mesh);
   for (SourceCurve& loop : boundary)
   {
     loop.source = this->numberOfSources_++;
@@ -201,7 +421,10 @@ void FilterExecution::reach(double fraction)
 void FilterExecution::giveNotes()
 {
   this->cache_.setNoteGiven();
-  if (!this->notes_.text().empty())
+  // Where ranks work together they all have the same notes.
+  const bool isGivenElsewhere =
+    this->place_ == SurfacePlace::InPieces && this->exchange_->rank() > 0;
+  if (!isGivenElsewhere && !this->notes_.text().empty())
   {
     vtkWarningWithObjectMacro(this->filter_, "About the input:" << this->notes_.text());
   }

@@ -2,14 +2,20 @@
 #ifndef geodesic_FilterExecution_h
 #define geodesic_FilterExecution_h
 
+#include "PolyData/GatheredBlocks.h"
 #include "PolyData/Memory.h"
 #include "PolyData/Notes.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PolyDataTargets.h"
+#include "PolyData/RankExchange.h"
+#include "PolyData/SourceOnRanks.h"
 #include "PolyData/SurfaceCache.h"
 #include "Progress.h"
 #include "source/PolylineOnSurface.h"
 
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 class vtkDataObject;
@@ -17,6 +23,8 @@ class vtkGeodesicAlgorithm;
 
 namespace geodesic
 {
+
+struct SourcePolylines;
 
 /// What an execution is doing.
 enum class Stage
@@ -33,6 +41,17 @@ enum class Stage
 /// "computing the distances, after reading the surface and the source", for messages.
 const char* describe(Stage stage);
 
+/// Where the surface is.
+enum class SurfacePlace
+{
+  /// Whole in this process, which works alone.
+  Here,
+  /// Whole on another rank, which works alone: this one has nothing of it.
+  Elsewhere,
+  /// Each rank has a piece, or nothing, and all work together.
+  InPieces
+};
+
 /// What all filters do in one execution: read the surface and the source, report progress, obey
 /// abort, and collect what the user should know.
 class FilterExecution
@@ -47,13 +66,37 @@ public:
   /// \param surface on input port 0.
   /// \param source on input port 1, or null.
   /// \param targets on input port 2, or null.
+  /// \param exchange with the other ranks, all of which have such an execution; null where there is
+  ///        one process only.
   FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
-    vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets);
+    vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, RankExchange* exchange);
 
-  /// Reads the surface, and the source as SourceType has it, up to InputsRead.
+  /// Whether a filter can have a surface of which each rank has a piece. Where each has the whole
+  /// of it, all work alone, or the first one only.
+  enum class Pieces
+  {
+    Taken,
+    Refused
+  };
+  /// Reads the surface, and the source as SourceType has it, up to InputsRead. Where the surface is
+  /// Elsewhere there is nothing to read; everything is empty then.
   ///
   /// \throws geodesic::Error where one of them cannot be used; Aborted.
-  void readInputs();
+  void readInputs(Pieces pieces);
+  SurfacePlace surfacePlace() const { return this->place_; }
+  /// Gives ranks where the surface is Elsewhere the numbers that the working rank has found. All
+  /// ranks call this.
+  void shareNumbers(const std::vector<double*>& numbers);
+  /// Whether this is the rank that puts out what is there once: the first one.
+  bool isFirstRank() const { return !this->exchange_ || this->exchange_->rank() == 0; }
+  /// Sends something to the first rank. All ranks call this.
+  ///
+  /// \returns there, what others have sent it.
+  std::vector<Message> sendToFirst(const Message& message);
+  /// Waits until all ranks have come to their end; nothing can fail after it.
+  ///
+  /// \throws Error, Aborted where another rank has failed.
+  void finish();
   /// Puts the points of the targets onto the surface, after readInputs(); those of the source where
   /// no targets are connected.
   ///
@@ -70,6 +113,15 @@ public:
   const PolyDataSurface& surface() const { return this->cache_.surface(); }
   PolylineLocator& locator() const { return this->cache_.locator(); }
   const SourceCurves& sources() const { return this->sources_; }
+  /// Whether this rank puts out what all have of the source.
+  bool hasSourceOutput() const
+  {
+    return this->place_ == SurfacePlace::Here || this->exchange_->rank() == 0;
+  }
+  /// On which the curves of sources() lie: the surface's, or that of a patch() around them.
+  const TriangleMesh& meshOfSources() const;
+  /// Where the surface is in pieces: what all ranks have of it around the source.
+  const SurfacePatch& patch() const { return this->onRanks_->patch(); }
   /// How many parts the source has: the cells of port 1 (points where there are no cells), then the
   /// loops of the boundary. SourceCurve::source of each curve is below.
   Id numberOfSources() const { return this->numberOfSources_; }
@@ -91,7 +143,13 @@ public:
   void giveNotes();
 
 private:
+  void findSurface(const BarrierArrays& barriers, Pieces pieces);
+  bool isSameOnAllRanks(const BarrierArrays& barriers) const;
+  void gatherInputs();
+  void requireSource() const;
   void readSources();
+  void readCurves();
+  void putCurvesOntoPatch(SourcePolylines& source, const SnapOptions& snapping);
   std::vector<SourceCurve> numberedBoundary(const TriangleMesh& mesh);
   void addBoundary(bool hasCurve);
 
@@ -102,7 +160,13 @@ private:
   vtkDataObject* surfaceInput_;
   vtkDataObject* sourceInput_;
   vtkDataObject* targetsInput_;
+  RankExchange* exchange_;
+  SurfacePlace place_ = SurfacePlace::Here;
   std::vector<PolyDataBlock> surfaceBlocks_;
+  /// Those of all ranks.
+  GatheredBlocks gatheredSource_;
+  GatheredBlocks gatheredTargets_;
+  std::optional<SourceOnRanks> onRanks_;
   SourceCurves sources_;
   Id numberOfSources_ = 0;
   Id firstBoundarySource_ = 0;

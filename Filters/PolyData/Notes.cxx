@@ -14,28 +14,11 @@ namespace
 // hardly meant for it: the user is told.
 constexpr double FarSourceFraction = 0.01;
 
-/// How many vertices have barriers around them only.
-Id countInBarriers(const PolyDataSurface& surface)
-{
-  Id count = 0;
-  if (surface.barriers())
-  {
-    const TriangleMesh& mesh = surface.mesh();
-    for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
-    {
-      const bool isInBarrier = surface.barriers()->mesh().cornersAt(vertex).size() > 0;
-      count += isInBarrier && mesh.cornersAt(vertex).size() == 0 ? 1 : 0;
-    }
-  }
-  return count;
-}
-
 }
 
 void noteSurface(const PolyDataSurface& surface, Notes& notes)
 {
   const PolyDataSurface::Report& read = surface.report();
-  const TriangleMesh::Report& mesh = surface.mesh().report();
   notes.add(read.polygons, "polygon", "polygons", "of the surface triangulated.");
   notes.add(read.strips, "triangle strip", "triangle strips", "of the surface triangulated.");
   notes.add(read.droppedLineCells, "line", "lines", "among the surface's cells dropped.");
@@ -43,10 +26,10 @@ void noteSurface(const PolyDataSurface& surface, Notes& notes)
     read.droppedVertexCells, "vertex cell", "vertex cells", "among the surface's cells dropped.");
   notes.add(
     read.facesWithRepeatedPoint, "face", "faces", "with two corners at one point left out.");
-  notes.add(mesh.duplicateFaces, "duplicate face", "duplicate faces",
+  notes.add(read.duplicateFaces, "duplicate face", "duplicate faces",
     "(on the points of another face), without effect on the distance.");
-  notes.add(mesh.zeroAreaFaces, "face", "faces", "without area, kept.");
-  notes.add(mesh.isolatedVertices - countInBarriers(surface), "point", "points",
+  notes.add(read.zeroAreaFaces, "face", "faces", "without area, kept.");
+  notes.add(read.isolatedPoints, "point", "points",
     "of the surface used by no face: infinitely far.");
 }
 

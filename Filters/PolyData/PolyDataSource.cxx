@@ -232,8 +232,8 @@ void requireFinite(
 
 }
 
-SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale,
-  PolylineLocator& locator, const ProgressCallback& progress)
+SourcePolylines readSource(
+  const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale)
 {
   std::vector<Chain> chains;
   std::vector<Vec3> points;
@@ -280,7 +280,6 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
     }
     result.polylines.push_back(std::move(line));
   }
-  locator.locate(result.polylines, snapOptionsFor(source).coordinatePrecision, progress);
   return result;
 }
 

@@ -4,7 +4,6 @@
 
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PowerOfTwoScale.h"
-#include "source/PolylineLocator.h"
 #include "source/PolylineOnSurface.h"
 
 class vtkPolyData;
@@ -22,17 +21,16 @@ struct SourcePolylines
   Id numberOfSources = 0;
 };
 
-/// Reads the curves of all blocks and locates their points on the surface: every line and polyline
-/// is a curve, every point of a vertex cell a point source, polygons and strips stand for their
+/// Reads the curves of all blocks, whose points are yet to be located: every line and polyline is a
+/// curve, every point of a vertex cell a point source, polygons and strips stand for their
 /// outlines, and points of a block without any cell are all point sources. A polyline's `source` is
 /// the number of its cell, or of its point where a block has no cells, over all blocks in their
 /// order.
 ///
-/// \param scale of the surface that they are located on; the polylines have it too.
-/// \param progress called now and then with a fraction done; returning false throws Aborted.
-/// \throws SourceError where there is no point or one is not finite; Aborted.
-SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale,
-  PolylineLocator& locator, const ProgressCallback& progress);
+/// \param scale of the surface that they belong to; the polylines have it too.
+/// \throws SourceError where there is no point or one is not finite.
+SourcePolylines readSource(
+  const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale);
 
 /// Where a surface has barriers, makes sure that no point of a source lies in one: no path could
 /// leave it.

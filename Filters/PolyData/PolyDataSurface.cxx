@@ -28,6 +28,37 @@ PolyDataSurface::PolyDataSurface(std::unique_ptr<TriangleMesh> mesh,
   , diagonal_(diagonal)
   , report_(report)
 {
+  this->sortRoles();
+}
+
+PolyDataSurface::PolyDataSurface(std::unique_ptr<SurfacePart> part, BorrowedVertices borrowed,
+  std::vector<Id> vertexOfPoint, std::vector<SurfaceBlock> blocks, std::vector<TriangleRole> roles,
+  const PowerOfTwoScale& scale, double diagonal, const Report& report)
+  : part_(std::move(part))
+  , borrowed_(std::move(borrowed))
+  , vertexOfPoint_(std::move(vertexOfPoint))
+  , blocks_(std::move(blocks))
+  , roles_(std::move(roles))
+  , scale_(scale)
+  , diagonal_(diagonal)
+  , report_(report)
+{
+  this->sortRoles();
+}
+
+void PolyDataSurface::Report::add(const Report& other)
+{
+  for (vtkIdType Report::*count :
+    { &Report::polygons, &Report::strips, &Report::droppedVertexCells, &Report::droppedLineCells,
+      &Report::facesWithRepeatedPoint, &Report::joinedSeamPoints, &Report::duplicateFaces,
+      &Report::zeroAreaFaces, &Report::isolatedPoints, &Report::edges })
+  {
+    this->*count += other.*count;
+  }
+}
+
+void PolyDataSurface::sortRoles()
+{
   for (Id i = 0; i < this->roles_.size(); ++i)
   {
     switch (this->roles_[i])
@@ -79,13 +110,16 @@ void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)
 
 Id PolyDataSurface::numberOfPoints() const
 {
-  return this->blocks_.back().firstPoint + this->blocks_.back().numberOfPoints;
+  return this->blocks_.empty()
+    ? 0
+    : this->blocks_.back().firstPoint + this->blocks_.back().numberOfPoints;
 }
 
 Id PolyDataSurface::numberOfTriangles() const
 {
-  return this->blocks_.back().firstTriangle +
-    static_cast<Id>(this->blocks_.back().numberOfTriangles());
+  return this->blocks_.empty() ? 0
+                               : this->blocks_.back().firstTriangle +
+      static_cast<Id>(this->blocks_.back().numberOfTriangles());
 }
 
 Triangle PolyDataSurface::triangle(Id triangle) const

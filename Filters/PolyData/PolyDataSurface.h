@@ -3,8 +3,10 @@
 #define geodesic_PolyDataSurface_h
 
 #include "PolyData/PolyDataBlocks.h"
+#include "PolyData/BorrowedVertices.h"
 #include "PolyData/PowerOfTwoScale.h"
 #include "mesh/BarrierFaces.h"
+#include "mesh/SurfacePart.h"
 #include "mesh/TriangleMesh.h"
 
 #include "vtkSmartPointer.h"
@@ -12,6 +14,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,8 +73,23 @@ public:
     vtkIdType droppedLineCells = 0;
     /// Faces with two corners at one point, before or after merging; left out.
     vtkIdType facesWithRepeatedPoint = 0;
+    /// Vertices on the boundaries of blocks or of ranks' pieces that are one with another within
+    /// the precision of coordinates.
+    vtkIdType joinedSeamPoints = 0;
+    /// See TriangleMesh::Report.
+    vtkIdType duplicateFaces = 0;
+    vtkIdType zeroAreaFaces = 0;
+    /// Points that no face uses, barrier or not.
+    vtkIdType isolatedPoints = 0;
+    /// The edges of the mesh.
+    vtkIdType edges = 0;
+
+    /// Adds what another rank's piece has.
+    void add(const Report& other);
   };
 
+  /// A surface that is whole in this process.
+  ///
   /// \param mesh its vertices are the points, or what vertexOfPoint says; its input faces are the
   ///        open triangles of all blocks.
   /// \param barriers whose input faces are the triangles that are barriers; null where none is.
@@ -83,19 +101,44 @@ public:
     std::vector<Id> vertexOfPoint, std::vector<SurfaceBlock> blocks,
     std::vector<TriangleRole> roles, const PowerOfTwoScale& scale, double diagonal,
     const Report& report);
+  /// A piece of a surface that several ranks have together, without barriers.
+  ///
+  /// \param part its input triangles are the open triangles of all blocks.
+  /// \param borrowed the vertices that are not the part's own: their numbers follow those of the
+  ///        part's mesh.
+  PolyDataSurface(std::unique_ptr<SurfacePart> part, BorrowedVertices borrowed,
+    std::vector<Id> vertexOfPoint, std::vector<SurfaceBlock> blocks,
+    std::vector<TriangleRole> roles, const PowerOfTwoScale& scale, double diagonal,
+    const Report& report);
 
-  /// The faces that paths may enter.
-  const TriangleMesh& mesh() const { return *this->mesh_; }
+  /// The faces that paths may enter; of a piece with those around it.
+  const TriangleMesh& mesh() const { return this->part_ ? this->part_->mesh() : *this->mesh_; }
+  /// What this rank has of a surface that several ranks have together; null where it is whole.
+  const SurfacePart* part() const { return this->part_.get(); }
+  /// Of a piece, gives values at the mesh's vertices one at each vertex that vertexOf() names. All
+  /// ranks call this together. Does nothing where the surface is whole.
+  ///
+  /// \param none the value where there is no face.
+  template <typename Value>
+  void completeValues(const Value& none, std::vector<Value>& values) const
+  {
+    if (this->part_)
+    {
+      values.resize(this->part_->mesh().numberOfVertices(), none);
+      this->borrowed_->append(none, values, this->part_->exchange());
+    }
+  }
   /// The others; null where there are none.
   BarrierFaces* barriers() const { return this->barriers_.get(); }
   /// Makes a mesh of all faces, barriers or not, on the same vertices.
   ///
   /// \param progress called now and then; returning false throws Aborted.
   std::unique_ptr<TriangleMesh> meshWithBarriers(const ProgressCallback& progress) const;
+  /// Of all ranks together.
   const Report& report() const { return this->report_; }
   /// What the mesh, and all that is computed on it, is larger by than the input.
   const PowerOfTwoScale& scale() const { return this->scale_; }
-  /// Of the bounding box of the points that triangles use, on the mesh.
+  /// Of the bounding box of the points that triangles use, on the mesh; of the whole surface.
   double diagonal() const { return this->diagonal_; }
   const std::vector<SurfaceBlock>& blocks() const { return this->blocks_; }
   /// Takes the cells of an input with the same content for those of the input that this was made
@@ -128,7 +171,7 @@ public:
   bool isCopy(Id triangle) const { return this->role(triangle) == TriangleRole::Copy; }
   /// The input's points at a triangle's corners.
   Triangle triangle(Id triangle) const;
-  /// The triangle that a face of the mesh came from.
+  /// The triangle that a face of the mesh came from; not of a piece.
   Id triangleOf(Id face) const
   {
     const Id input = this->mesh_->inputFace(face);
@@ -148,7 +191,11 @@ public:
   std::size_t blockOfTriangle(Id triangle) const;
 
 private:
+  void sortRoles();
+
   std::unique_ptr<TriangleMesh> mesh_;
+  std::unique_ptr<SurfacePart> part_;
+  std::optional<BorrowedVertices> borrowed_;
   std::unique_ptr<BarrierFaces> barriers_;
   std::vector<Id> vertexOfPoint_;
   std::vector<SurfaceBlock> blocks_;

@@ -48,17 +48,7 @@ std::vector<Edge> boundaryEdges(const std::vector<Triangle>& triangles)
   return boundary;
 }
 
-/// A vertex on the boundary of a block.
-struct BoundaryVertex
-{
-  Id vertex = NoId;
-  /// The blocks on whose boundary it is, ascending.
-  std::vector<std::size_t> blocks;
-  /// The rounding of coordinates around.
-  double rounding = 0.0;
-  double shortestEdge = Infinity;
-};
-
+/// Collects the vertices on the boundaries of blocks.
 class BoundaryVertices
 {
 public:
@@ -76,7 +66,7 @@ public:
       const double largest = std::max(largestCoordinate(a), largestCoordinate(b));
       for (const Id vertex : { a, b })
       {
-        BoundaryVertex& entry = this->entryOf(vertex);
+        SeamVertex& entry = this->entryOf(vertex);
         entry.rounding = std::max(entry.rounding, data.precision * largest);
         entry.shortestEdge = std::min(entry.shortestEdge, length);
         if (entry.blocks.empty() || entry.blocks.back() != block)
@@ -87,7 +77,7 @@ public:
     }
   }
 
-  std::vector<BoundaryVertex>&& take() { return std::move(this->entries_); }
+  std::vector<SeamVertex>&& take() { return std::move(this->entries_); }
 
 private:
   double largestCoordinate(Id vertex) const
@@ -96,20 +86,22 @@ private:
     return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
   }
 
-  BoundaryVertex& entryOf(Id vertex)
+  SeamVertex& entryOf(Id vertex)
   {
     Id& number = this->numbers_[vertex];
     if (number == NoId)
     {
       number = static_cast<Id>(this->entries_.size());
-      this->entries_.emplace_back().vertex = vertex;
+      SeamVertex& entry = this->entries_.emplace_back();
+      entry.vertex = vertex;
+      entry.position = this->vertices_[vertex];
     }
     return this->entries_[number];
   }
 
   const std::vector<Vec3>& vertices_;
   std::vector<Id> numbers_;
-  std::vector<BoundaryVertex> entries_;
+  std::vector<SeamVertex> entries_;
 };
 
 /// Finds pairs of boundary vertices that are close. A vertex is looked for among those whose
@@ -130,9 +122,8 @@ public:
     }
   };
 
-  ClosePairs(const std::vector<Vec3>& vertices, const std::vector<BoundaryVertex>& entries)
-    : vertices_(vertices)
-    , entries_(entries)
+  explicit ClosePairs(const std::vector<SeamVertex>& entries)
+    : entries_(entries)
   {
     for (std::size_t i = 0; i < entries.size(); ++i)
     {
@@ -178,17 +169,12 @@ private:
     }
   };
 
-  static double toleranceOf(const BoundaryVertex& entry)
-  {
-    return tolerance::SeamRoundings * entry.rounding;
-  }
-
   /// The least power of two that is over the tolerance.
-  static int levelOf(const BoundaryVertex& entry) { return std::ilogb(toleranceOf(entry)) + 1; }
+  static int levelOf(const SeamVertex& entry) { return std::ilogb(entry.tolerance()) + 1; }
 
   Cell cellOf(std::size_t i, int level, const std::array<int, 3>& step) const
   {
-    const Vec3& p = this->vertices_[this->entries_[i].vertex];
+    const Vec3& p = this->entries_[i].position;
     Cell cell{};
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -217,10 +203,10 @@ private:
 
   void tryPair(std::size_t i, std::size_t j)
   {
-    const BoundaryVertex& a = this->entries_[i];
-    const BoundaryVertex& b = this->entries_[j];
-    const double distance = norm(this->vertices_[a.vertex] - this->vertices_[b.vertex]);
-    const double limit = std::min(std::max(toleranceOf(a), toleranceOf(b)),
+    const SeamVertex& a = this->entries_[i];
+    const SeamVertex& b = this->entries_[j];
+    const double distance = norm(a.position - b.position);
+    const double limit = std::min(std::max(a.tolerance(), b.tolerance()),
       tolerance::SeamFraction * std::min(a.shortestEdge, b.shortestEdge));
     if (i != j && distance <= limit)
     {
@@ -228,8 +214,7 @@ private:
     }
   }
 
-  const std::vector<Vec3>& vertices_;
-  const std::vector<BoundaryVertex>& entries_;
+  const std::vector<SeamVertex>& entries_;
   std::unordered_map<Cell, std::vector<std::size_t>, Hash> cells_;
   std::vector<int> levels_;
   std::vector<Pair> pairs_;
@@ -239,7 +224,7 @@ private:
 class Groups
 {
 public:
-  explicit Groups(std::vector<BoundaryVertex>& entries)
+  explicit Groups(std::vector<SeamVertex>& entries)
     : entries_(entries)
     , parents_(entries.size())
   {
@@ -281,21 +266,31 @@ public:
   }
 
 private:
-  std::vector<BoundaryVertex>& entries_;
+  std::vector<SeamVertex>& entries_;
   std::vector<std::size_t> parents_;
 };
 
 }
 
-std::vector<Id> mergeSeams(const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks)
+double SeamVertex::tolerance() const
+{
+  return tolerance::SeamRoundings * this->rounding;
+}
+
+std::vector<SeamVertex> findSeamVertices(
+  const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks)
 {
   BoundaryVertices boundary(vertices);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     boundary.addBlock(i, blocks[i]);
   }
-  std::vector<BoundaryVertex> entries = boundary.take();
-  const std::vector<ClosePairs::Pair> pairs = ClosePairs(vertices, entries).find();
+  return boundary.take();
+}
+
+std::vector<std::size_t> joinSeamVertices(std::vector<SeamVertex> entries)
+{
+  const std::vector<ClosePairs::Pair> pairs = ClosePairs(entries).find();
   if (pairs.empty())
   {
     return {};
@@ -305,11 +300,27 @@ std::vector<Id> mergeSeams(const std::vector<Vec3>& vertices, const std::vector<
   {
     groups.join(pair.a, pair.b);
   }
+  std::vector<std::size_t> result(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    result[i] = groups.rootOf(i);
+  }
+  return result;
+}
+
+std::vector<Id> mergeSeams(const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks)
+{
+  const std::vector<SeamVertex> entries = findSeamVertices(vertices, blocks);
+  const std::vector<std::size_t> roots = joinSeamVertices(entries);
+  if (roots.empty())
+  {
+    return {};
+  }
   std::vector<Id> result(vertices.size());
   std::iota(result.begin(), result.end(), Id(0));
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
-    result[entries[i].vertex] = entries[groups.rootOf(i)].vertex;
+    result[entries[i].vertex] = static_cast<Id>(entries[roots[i]].vertex);
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include "PolyData/ContentKey.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PolyDataSurface.h"
+#include "PolyData/SourceOnRanks.h"
 #include "Progress.h"
 #include "field/JoinPoints.h"
 #include "source/PolylineLocator.h"
@@ -22,13 +23,16 @@ class SurfaceCache
 public:
   /// Reads the surface, unless the one that is kept is the same, by ContentKey.
   ///
+  /// \param exchange see readSurface(). With one, all ranks keep theirs or none does.
   /// \throws what readSurface() throws; nothing is kept then.
   void update(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
-    bool mergeCoincidentPoints, const ProgressCallback& progress);
+    bool mergeCoincidentPoints, Exchange* exchange, const ProgressCallback& progress);
 
   /// What update() has read. Valid until the next update() or release().
   const PolyDataSurface& surface() const { return *this->surface_; }
   PolylineLocator& locator() const { return *this->locator_; }
+  /// Of a surface in pieces.
+  LocatorOnRanks& locatorOnRanks();
   /// The paths between far points of curves on it.
   JoinedPaths& joinedPaths() { return this->joinedPaths_; }
 
@@ -42,11 +46,14 @@ public:
 private:
   std::unique_ptr<PolyDataSurface> surface_;
   std::unique_ptr<PolylineLocator> locator_;
+  std::unique_ptr<LocatorOnRanks> locatorOnRanks_;
   JoinedPaths joinedPaths_;
   bool isNoteDue_ = false;
   /// What the surface was made from.
   ContentKey key_;
   bool isMerged_ = false;
+  /// Null where the surface is whole.
+  Exchange* exchange_ = nullptr;
 };
 
 }

@@ -4,11 +4,15 @@
 #include "PolyData/GhostCells.h"
 #include "PolyData/Memory.h"
 #include "PolyData/PointMerger.h"
+#include "PolyData/RankCopies.h"
+#include "PolyData/RankSeams.h"
 #include "PolyData/SeamMerger.h"
 #include "PolyData/Triangulator.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -17,6 +21,8 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -34,10 +40,11 @@ constexpr double TrianglesRead = 0.4;
 
 /// The diagonal of the bounding box of the points that triangles use: others are not surface, and
 /// may lie anywhere.
-double diagonalOf(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
+double diagonalOf(
+  const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, Exchange* exchange)
 {
-  Vec3 low = points[triangles.front()[0]];
-  Vec3 high = low;
+  Vec3 low{ Infinity, Infinity, Infinity };
+  Vec3 high{ -Infinity, -Infinity, -Infinity };
   for (const Triangle& triangle : triangles)
   {
     for (const Id corner : triangle)
@@ -49,6 +56,13 @@ double diagonalOf(const std::vector<Vec3>& points, const std::vector<Triangle>& 
         high[k] = std::max(high[k], p[k]);
       }
     }
+  }
+  if (exchange)
+  {
+    std::vector<double> least = { low[0], low[1], low[2], -high[0], -high[1], -high[2] };
+    exchange->findLeast(least);
+    low = { least[0], least[1], least[2] };
+    high = { -least[3], -least[4], -least[5] };
   }
   return norm(high - low);
 }
@@ -71,9 +85,10 @@ class SurfaceReader
 {
 public:
   SurfaceReader(const std::vector<PolyDataBlock>& inputs, const BarrierArrays& barriers,
-    const ProgressCallback& callback)
+    Exchange* exchange, const ProgressCallback& callback)
     : inputs_(inputs)
     , barriers_(barriers)
+    , exchange_(exchange)
     , callback_(callback)
     , progress_(callback)
     , blocks_(inputs.size())
@@ -97,6 +112,10 @@ public:
     {
       this->mergeSeams();
     }
+    if (this->exchange_)
+    {
+      this->joinRanks(mergeCoincidentPoints);
+    }
     this->findCopies();
     this->findBarriers();
     for (std::size_t i = 0; i < this->blocks_.size(); ++i)
@@ -104,17 +123,24 @@ public:
       this->keepTriangles(i);
     }
     this->nameVertices();
-    const double diagonal = diagonalOf(this->vertices_, this->triangles_.corners);
+    const double diagonal =
+      diagonalOf(this->vertices_, this->triangles_.corners, this->exchange_);
+    if (this->exchange_)
+    {
+      return this->makePiece(diagonal);
+    }
     const std::vector<Triangle> barriers = this->takeBarriers();
     std::unique_ptr<TriangleMesh> mesh = this->makeMesh();
     auto barrierFaces =
       barriers.empty() ? nullptr : std::make_unique<BarrierFaces>(*mesh, barriers);
+    this->reportMesh(*mesh, barrierFaces.get());
     return { std::move(mesh), std::move(barrierFaces), std::move(this->vertexOfPoint_),
       std::move(this->blocks_), std::move(this->roles_), this->scale_, diagonal, this->report_ };
   }
 
 private:
   vtkIdType requireFaces() const;
+  bool isTrueOnAll(bool condition) const;
   void readPoints();
   void readPoints(const PolyDataBlock& input);
   void readTriangles(vtkIdType faces);
@@ -124,20 +150,32 @@ private:
   void scaleVertices();
   void mergeSeams();
   void joinVertices(const std::vector<Id>& same);
+  void joinRanks(bool mergeCoincidentPoints);
+  SeamBlock wholePiece() const;
+  std::vector<std::pair<std::int64_t, Id>> globalIds() const;
+  void joinVerticesWithOneLabel();
   void findCopies();
   void findBarriers();
   void keepTriangles(std::size_t block);
   void nameVertices();
   std::vector<Triangle> takeBarriers();
   std::unique_ptr<TriangleMesh> makeMesh();
+  void reportMesh(const TriangleMesh& mesh, const BarrierFaces* barriers);
+  PolyDataSurface makePiece(double diagonal);
+  std::vector<Id> numberUsedVertices();
+  void reportPiece(const SurfacePart& part, const BorrowedVertices& borrowed);
+  ProgressCallback meshProgress() const;
 
   const std::vector<PolyDataBlock>& inputs_;
   const BarrierArrays& barriers_;
+  Exchange* exchange_;
   const ProgressCallback& callback_;
   LoopProgress progress_;
   std::vector<SurfaceBlock> blocks_;
   std::vector<Vec3> vertices_;
   std::vector<Id> vertexOfPoint_;
+  /// Of the vertices, where there are several ranks.
+  RankLabels labels_;
   TriangleList triangles_;
   /// Whether a block has cells that are no triangles.
   std::vector<bool> hasOtherCells_;
@@ -157,12 +195,18 @@ vtkIdType SurfaceReader::requireFaces() const
   {
     faces += input.data->GetNumberOfPolys() + input.data->GetNumberOfStrips();
   }
-  if (faces == 0)
+  if (this->isTrueOnAll(faces == 0))
   {
     throw MeshError("The surface (input port 0) has no faces. Connect a vtkPolyData with triangles "
                     "or polygons, for example by the Extract Surface filter.");
   }
   return faces;
+}
+
+/// With one process, whether it is true.
+bool SurfaceReader::isTrueOnAll(bool condition) const
+{
+  return this->exchange_ ? !this->exchange_->isTrueAnywhere(!condition) : condition;
 }
 
 void SurfaceReader::readPoints()
@@ -227,10 +271,10 @@ void SurfaceReader::readTriangles(vtkIdType faces)
     this->blocks_[i].firstTriangle = static_cast<Id>(this->triangles_.corners.size());
     this->readTriangles(i, next);
   }
-  if (this->triangles_.corners.empty())
+  if (this->isTrueOnAll(this->triangles_.corners.empty()))
   {
-    throw MeshError("None of the " + std::to_string(faces) +
-      " faces of the surface (input port 0) has three different corners. Connect a surface with "
+    throw MeshError("None of the " + (this->exchange_ ? std::string() : std::to_string(faces) + " ") +
+      "faces of the surface (input port 0) has three different corners. Connect a surface with "
       "triangles or polygons.");
   }
 }
@@ -299,6 +343,10 @@ void SurfaceReader::scaleVertices()
       }
     }
   }
+  if (this->exchange_)
+  {
+    largest = this->exchange_->largestOf(largest);
+  }
   if (largest > largestOfAll || (largest > 0.0 && largest < 1.0 / largestOfAll))
   {
     std::ostringstream message;
@@ -345,7 +393,9 @@ void SurfaceReader::mergeSeams()
   const std::vector<Id> same = geodesic::mergeSeams(this->vertices_, seams);
   if (!same.empty())
   {
+    const std::size_t before = this->vertices_.size();
     this->joinVertices(same);
+    this->report_.joinedSeamPoints = static_cast<vtkIdType>(before - this->vertices_.size());
   }
 }
 
@@ -380,14 +430,124 @@ void SurfaceReader::joinVertices(const std::vector<Id>& same)
   }
 }
 
+/// Gives the vertices labels: those of different ranks that are one get the same.
+void SurfaceReader::joinRanks(bool mergeCoincidentPoints)
+{
+  RankSeams seams(this->vertices_, *this->exchange_);
+  seams.joinSame(mergeCoincidentPoints, this->globalIds());
+  if (mergeCoincidentPoints)
+  {
+    const auto joined = static_cast<vtkIdType>(seams.joinNear(this->wholePiece()));
+    // Each rank has counted what its own blocks have; this is counted once.
+    this->report_.joinedSeamPoints += this->exchange_->rank() == 0 ? joined : 0;
+  }
+  this->labels_ = seams.take();
+  this->joinVerticesWithOneLabel();
+}
+
+/// All faces of this rank that no ghost array marks.
+SeamBlock SurfaceReader::wholePiece() const
+{
+  SeamBlock piece;
+  for (const PolyDataBlock& input : this->inputs_)
+  {
+    vtkPoints* points = input.data->GetPoints();
+    piece.precision = std::max(piece.precision,
+      points && points->GetDataType() == VTK_FLOAT ? double(FLT_EPSILON) : DBL_EPSILON);
+  }
+  for (std::size_t i = 0; i < this->triangles_.corners.size(); ++i)
+  {
+    if (!this->triangles_.isDuplicate[i])
+    {
+      piece.triangles.push_back(this->verticesOf(this->triangles_.corners[i]));
+    }
+  }
+  return piece;
+}
+
+/// Of all points with their vertices; empty where a rank has points without.
+std::vector<std::pair<std::int64_t, Id>> SurfaceReader::globalIds() const
+{
+  std::vector<std::pair<std::int64_t, Id>> ids;
+  bool isComplete = true;
+  for (std::size_t block = 0; block < this->blocks_.size(); ++block)
+  {
+    vtkPolyData* data = this->inputs_[block].data;
+    vtkDataArray* array = data->GetPointData()->GetGlobalIds();
+    if (!array)
+    {
+      array = data->GetPointData()->GetArray("GlobalPointIds");
+    }
+    const vtkIdType count = data->GetNumberOfPoints();
+    if (count > 0 && (!array || array->GetNumberOfTuples() < count))
+    {
+      isComplete = false;
+      break;
+    }
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const Id point = this->blocks_[block].firstPoint + static_cast<Id>(i);
+      ids.emplace_back(static_cast<std::int64_t>(array->GetComponent(i, 0)),
+        this->vertexOfPoint_.empty() ? point : this->vertexOfPoint_[point]);
+    }
+  }
+  if (!this->isTrueOnAll(isComplete))
+  {
+    ids.clear();
+  }
+  return ids;
+}
+
+/// Where several vertices of this rank are one with the same vertex of another, they are one.
+void SurfaceReader::joinVerticesWithOneLabel()
+{
+  std::map<RankLabels::Label, Id> first;
+  std::vector<Id> same(this->vertices_.size());
+  bool isAnySame = false;
+  for (Id vertex = 0; vertex < same.size(); ++vertex)
+  {
+    same[vertex] = vertex;
+    if (this->labels_.isShared[vertex])
+    {
+      same[vertex] = first.emplace(this->labels_.labels[vertex], vertex).first->second;
+      isAnySame = isAnySame || same[vertex] != vertex;
+    }
+  }
+  if (!isAnySame)
+  {
+    return;
+  }
+  Id count = 0;
+  for (Id vertex = 0; vertex < same.size(); ++vertex)
+  {
+    if (same[vertex] == vertex)
+    {
+      this->labels_.labels[count] = this->labels_.labels[vertex];
+      this->labels_.isShared[count++] = this->labels_.isShared[vertex];
+    }
+  }
+  this->labels_.labels.resize(count);
+  this->labels_.isShared.resize(count);
+  this->joinVertices(same);
+}
+
 /// Finds the triangles that are not surface because they are copies of others.
 void SurfaceReader::findCopies()
 {
   const auto& marks = this->triangles_.isDuplicate;
+  std::vector<std::uint8_t> isCopy;
   if (std::find(marks.begin(), marks.end(), true) != marks.end())
   {
-    const std::vector<std::uint8_t> isCopy =
-      geodesic::findCopies(this->vertexOfPoint_, this->blocks_, this->triangles_);
+    isCopy = geodesic::findCopies(this->vertexOfPoint_, this->blocks_, this->triangles_);
+  }
+  if (this->exchange_)
+  {
+    isCopy.resize(this->triangles_.corners.size(), 0);
+    findCopiesOfOthers(this->labels_, this->vertexOfPoint_, this->blocks_, this->triangles_, isCopy,
+      *this->exchange_);
+  }
+  if (std::find(isCopy.begin(), isCopy.end(), 1) != isCopy.end())
+  {
     for (const std::uint8_t copy : isCopy)
     {
       this->roles_.push_back(copy != 0 ? TriangleRole::Copy : TriangleRole::Open);
@@ -504,18 +664,137 @@ std::vector<Triangle> SurfaceReader::takeBarriers()
 
 std::unique_ptr<TriangleMesh> SurfaceReader::makeMesh()
 {
-  return std::make_unique<TriangleMesh>(std::move(this->vertices_), this->triangles_.corners,
-    [this](double fraction) {
-      return !this->callback_ || this->callback_(TrianglesRead + (1.0 - TrianglesRead) * fraction);
-    });
+  return std::make_unique<TriangleMesh>(
+    std::move(this->vertices_), this->triangles_.corners, this->meshProgress());
+}
+
+ProgressCallback SurfaceReader::meshProgress() const
+{
+  return [this](double fraction)
+  { return !this->callback_ || this->callback_(TrianglesRead + (1.0 - TrianglesRead) * fraction); };
+}
+
+void SurfaceReader::reportMesh(const TriangleMesh& mesh, const BarrierFaces* barriers)
+{
+  Id inBarriers = 0;
+  if (barriers)
+  {
+    for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+    {
+      const bool isInBarrier = barriers->mesh().cornersAt(vertex).size() > 0;
+      inBarriers += isInBarrier && mesh.cornersAt(vertex).size() == 0 ? 1 : 0;
+    }
+  }
+  this->report_.duplicateFaces = mesh.report().duplicateFaces;
+  this->report_.zeroAreaFaces = mesh.report().zeroAreaFaces;
+  this->report_.isolatedPoints = mesh.report().isolatedVertices - inBarriers;
+  this->report_.edges = mesh.numberOfEdges();
+}
+
+/// Numbers the vertices that triangles use anew and drops the others. From here on triangles have
+/// the new numbers.
+///
+/// \returns the new number of each vertex, or NoId.
+std::vector<Id> SurfaceReader::numberUsedVertices()
+{
+  std::vector<Id> numbers(this->vertices_.size(), NoId);
+  for (const Triangle& triangle : this->triangles_.corners)
+  {
+    for (const Id vertex : triangle)
+    {
+      numbers[vertex] = 0;
+    }
+  }
+  Id count = 0;
+  for (Id vertex = 0; vertex < numbers.size(); ++vertex)
+  {
+    if (numbers[vertex] != NoId)
+    {
+      this->vertices_[count] = this->vertices_[vertex];
+      numbers[vertex] = count++;
+    }
+  }
+  this->vertices_.resize(count);
+  for (Triangle& triangle : this->triangles_.corners)
+  {
+    for (Id& vertex : triangle)
+    {
+      vertex = numbers[vertex];
+    }
+  }
+  return numbers;
+}
+
+PolyDataSurface SurfaceReader::makePiece(double diagonal)
+{
+  std::vector<Id> numbers = this->numberUsedVertices();
+  BorrowedVertices borrowed(this->labels_, numbers, *this->exchange_);
+  std::vector<std::uint64_t> keys;
+  keys.reserve(this->vertices_.size());
+  for (Id vertex = 0; vertex < numbers.size(); ++vertex)
+  {
+    if (numbers[vertex] != NoId)
+    {
+      keys.push_back(this->labels_.labels[vertex]);
+    }
+  }
+  this->labels_ = {};
+  auto part = std::make_unique<SurfacePart>(std::move(this->vertices_), this->triangles_.corners,
+    keys, *this->exchange_, this->meshProgress());
+  this->reportPiece(*part, borrowed);
+  Id next = part->mesh().numberOfVertices();
+  for (Id& number : numbers)
+  {
+    number = number != NoId ? number : next++;
+  }
+  if (this->vertexOfPoint_.empty())
+  {
+    this->vertexOfPoint_ = std::move(numbers);
+  }
+  else
+  {
+    for (Id& vertex : this->vertexOfPoint_)
+    {
+      vertex = numbers[vertex];
+    }
+  }
+  return { std::move(part), std::move(borrowed), std::move(this->vertexOfPoint_),
+    std::move(this->blocks_), std::move(this->roles_), this->scale_, diagonal, this->report_ };
+}
+
+/// Counts over all ranks.
+void SurfaceReader::reportPiece(const SurfacePart& part, const BorrowedVertices& borrowed)
+{
+  const TriangleMesh& mesh = part.mesh();
+  PolyDataSurface::Report& own = this->report_;
+  own.duplicateFaces = static_cast<vtkIdType>(this->triangles_.corners.size());
+  own.duplicateFaces -= part.endOfOwnFaces() - part.firstOwnFace();
+  for (const Triangle& t : this->triangles_.corners)
+  {
+    own.duplicateFaces -= t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ? 1 : 0;
+  }
+  for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
+  {
+    own.zeroAreaFaces += mesh.shape(face).hasZeroArea() ? 1 : 0;
+    for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+    {
+      own.edges += mesh.edgeOf(halfedge) == halfedge ? 1 : 0;
+    }
+  }
+  Message message;
+  put(message, own);
+  own = {};
+  readEach(this->exchange_->tellAll(message),
+    [&own](int, MessageReader& reader) { own.add(reader.get<PolyDataSurface::Report>()); });
+  own.isolatedPoints = borrowed.numberWithoutFace();
 }
 
 }
 
 PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
-  bool mergeCoincidentPoints, const ProgressCallback& progress)
+  bool mergeCoincidentPoints, Exchange* exchange, const ProgressCallback& progress)
 {
-  return SurfaceReader(blocks, barriers, progress).read(mergeCoincidentPoints);
+  return SurfaceReader(blocks, barriers, exchange, progress).read(mergeCoincidentPoints);
 }
 
 }

@@ -5,6 +5,7 @@
 #include "PolyData/BarrierArrays.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PolyDataSurface.h"
+#include "Exchange.h"
 #include "Progress.h"
 
 namespace geodesic
@@ -17,11 +18,13 @@ namespace geodesic
 /// \param barriers of these blocks.
 /// \param mergeCoincidentPoints whether points are merged; blocks are not connected without that.
 /// \param progress called now and then with a fraction done; returning false throws Aborted.
+/// \param exchange where the blocks are one rank's piece of a surface that several ranks have
+///        together, which all read it now; else null. It must outlive the surface.
 /// \throws MeshError where there is no face that is no barrier, a coordinate is not finite or a
 /// cell names a point that
 ///         does not exist; MeshTooLarge; Aborted.
 PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
-  bool mergeCoincidentPoints, const ProgressCallback& progress = {});
+  bool mergeCoincidentPoints, Exchange* exchange, const ProgressCallback& progress = {});
 
 }
 

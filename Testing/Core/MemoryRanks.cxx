@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <ctime>
 #include <mutex>
 #include <random>
 #include <string>
@@ -25,7 +26,17 @@ struct Brought
   std::vector<double> numbers;
   bool hasFailed = false;
   std::string why;
+  /// The processor's seconds since its last step.
+  double work = 0.0;
 };
+
+/// The processor's seconds of this thread.
+double threadSeconds()
+{
+  std::timespec time = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 /// What it takes away.
 struct Taken
@@ -90,17 +101,36 @@ private:
         common.least[i] = std::min(common.least[i], brought.numbers[i]);
       }
     }
+    this->count();
     for (std::size_t to = 0; to < this->size(); ++to)
     {
       this->taken_[to] = common;
       for (std::size_t from = 0; from < this->size() && !common.hasFailed; ++from)
       {
-        Message& message = this->brought_[from].messages[to];
-        this->counts.messages += message.empty() || from == to ? 0 : 1;
-        this->counts.bytes += from == to ? 0 : message.size();
-        this->taken_[to].messages.push_back(std::move(message));
+        this->taken_[to].messages.push_back(std::move(this->brought_[from].messages[to]));
       }
     }
+  }
+
+  void count()
+  {
+    std::vector<std::uint64_t> bytes(this->size(), 0);
+    double busiest = 0.0;
+    for (std::size_t from = 0; from < this->size(); ++from)
+    {
+      for (std::size_t to = 0; to < this->brought_[from].messages.size(); ++to)
+      {
+        const std::size_t size = from == to ? 0 : this->brought_[from].messages[to].size();
+        this->counts.messages += size > 0 ? 1 : 0;
+        this->counts.bytes += size;
+        bytes[from] += size;
+        bytes[to] += size;
+      }
+      this->counts.work += this->brought_[from].work;
+      busiest = std::max(busiest, this->brought_[from].work);
+    }
+    this->counts.busiest += busiest;
+    this->counts.busiestBytes += *std::max_element(bytes.begin(), bytes.end());
     ++this->counts.steps;
   }
 
@@ -155,9 +185,11 @@ public:
 private:
   Taken meet(Brought brought)
   {
+    brought.work = threadSeconds() - this->lastStep_;
     this->dawdle();
     Taken taken = this->hub_.step(static_cast<std::size_t>(this->rank_), std::move(brought));
     this->dawdle();
+    this->lastStep_ = threadSeconds();
     return taken;
   }
 
@@ -172,6 +204,8 @@ private:
   Hub& hub_;
   int rank_;
   std::mt19937_64 random_;
+  /// On the processor's clock of its thread.
+  double lastStep_ = threadSeconds();
 };
 
 MemoryRanks::MemoryRanks(int numberOfRanks, std::uint64_t disorder)

@@ -19,6 +19,12 @@ struct ExchangeCounts
   std::uint64_t steps = 0;
   std::uint64_t messages = 0;
   std::uint64_t bytes = 0;
+  /// The processor's seconds between the steps, of all ranks together, and those of the busiest
+  /// rank of each step: what the run would take with a processor a rank and messages in no time.
+  double work = 0.0;
+  double busiest = 0.0;
+  /// The bytes that the rank with most of them sends or gets, of each step.
+  std::uint64_t busiestBytes = 0;
 };
 
 /// Ranks in one process, a thread each, that exchange messages through memory.
@@ -37,6 +43,7 @@ public:
   /// The same; throws what the lowest rank has thrown.
   void run(const std::function<void(geodesic::Exchange&)>& work);
 
+  /// Rank 0 may ask between its steps.
   const ExchangeCounts& counts() const;
 
 private:

@@ -149,41 +149,25 @@ void CheckProcesses(Check& check)
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputData(Square(4));
   filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
-  Messages messages(filter);
-  const auto expect = [&](bool refused, const std::string& what)
+  const auto run = [&](const std::string& what)
   {
-    messages.Update();
-    check.That(Contains(messages.Error(), "2 MPI ranks") == refused, what + messages.Error());
-    if (refused)
-    {
-      CheckOutputsEmpty(check, filter, what);
-    }
-    else
-    {
-      CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), what);
-    }
+    filter->Update();
+    CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), what);
   };
   check.That(
     filter->GetController() == vtkMultiProcessController::GetGlobalController(), "the default");
-  expect(false, "without a controller");
+  run("without a controller");
   filter->SetController(two);
   check.That(filter->GetController() == two.Get(), "the controller that was set");
-  expect(true, "two processes");
   filter->SetController(nullptr);
-  expect(false, "this process alone");
+  run("this process alone");
 
   vtkMultiProcessController* before = vtkMultiProcessController::GetGlobalController();
   vtkMultiProcessController::SetGlobalController(two);
   filter->Modified();
-  expect(false, "this process alone under a global controller of two");
+  run("this process alone under a global controller of two");
   vtkNew<vtkGeodesicDistanceField> other;
   check.That(other->GetController() == two.Get(), "by default the global controller");
-  other->SetInputData(Square(4));
-  other->SetSourceTypeToSurfaceBoundary();
-  Messages said(other);
-  said.Update();
-  check.That(Contains(said.Error(), "2 MPI ranks") && Contains(said.Error(), "SetController"),
-    "a global controller of two processes: " + said.Error());
   vtkMultiProcessController::SetGlobalController(before);
 }
 

@@ -1,37 +1,319 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by several ranks of pvbatch: each refuses with a clear error and gives no field, unless it is
-told to work alone."""
+"""Run by one or several ranks of pvbatch: a surface of which each rank has a piece has the distance
+field of the whole in one process."""
 
+import os
 import sys
+import traceback
 
+import numpy as np
 from paraview import simple
-from geodesic_testing import load_plugin, messages, plane
+from geodesic_testing import data, load_plugin, messages, points
 from geodesicdistance import vtkGeodesicDistanceField
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOGeometry import vtkOBJReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-ranks = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
-if ranks < 2:
-    sys.exit(f"this test is for several ranks, not for {ranks}")
+GeodesicDistanceField = load_plugin()
+controller = vtkMultiProcessController.GetGlobalController()
+RANK, RANKS = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
+FOLDER = sys.argv[1]
+failures = []
 
-field = load_plugin()(Input=plane(), SourceType="Surface Boundary")
-with messages() as window:
-    field.UpdatePipeline()
-said = window.GetOutput()
-if "rank" not in said and "process" not in said:
-    sys.exit(f"no clear error, but: {said!r}")
-if field.PointData.GetArray("GeodesicDistance"):
-    sys.exit("a distance was given all the same")
+# One process has it to the last bits; so should several.
+EXACT = 1e-12
+# Coordinates that pieces have computed by themselves, in 32 bits.
+ROUNDED = 2e-6
 
-# A filter that is told to work alone does so on whichever rank executes it.
-if vtkMultiProcessController.GetGlobalController().GetLocalProcessId() == 1:
-    sphere = vtkSphereSource()
-    sphere.SetEndTheta(180)
+
+def check(holds, what):
+    if not holds:
+        failures.append(what)
+        print(f"FAILED on rank {RANK}: {what}", flush=True)
+
+
+def whole_field(surface, source=None, **properties):
+    """Distances of a vtkPolyData in this process alone, as (points, distances)."""
     alone = vtkGeodesicDistanceField()
-    alone.SetInputConnection(sphere.GetOutputPort())
-    alone.SetSourceTypeToSurfaceBoundary()
     alone.SetController(None)
+    alone.SetInputData(surface)
+    alone.RefineMeshOff()
+    if source is None:
+        alone.SetSourceTypeToSurfaceBoundary()
+    else:
+        alone.SetSourceData(source)
+    for name, value in properties.items():
+        getattr(alone, "Set" + name)(value)
     alone.Update()
-    if not alone.GetOutput().GetPointData().GetArray("GeodesicDistance"):
-        sys.exit("alone on rank 1 it gave no distance")
-print("every rank has refused")
+    output = alone.GetOutput()
+    return (vtk_to_numpy(output.GetPoints().GetData()).astype(float),
+            vtk_to_numpy(output.GetPointData().GetArray("GeodesicDistance")))
+
+
+def polys(dataset):
+    return dataset.GetNumberOfPolys() if dataset else 0
+
+
+def total(number):
+    """The sum over all ranks."""
+    from vtkmodules.vtkCommonCore import vtkDoubleArray
+    mine, summed = vtkDoubleArray(), vtkDoubleArray()
+    mine.InsertNextValue(number)
+    summed.SetNumberOfValues(1)
+    controller.AllReduce(mine, summed, 2)  # vtkCommunicator.SUM_OP
+    return summed.GetValue(0)
+
+
+def leaves(dataset):
+    """The vtkPolyData of which a data set is made."""
+    if not dataset.IsA("vtkCompositeDataSet"):
+        return [dataset]
+    found, at = [], dataset.NewIterator()
+    at.InitTraversal()
+    while not at.IsDoneWithTraversal():
+        found.append(at.GetCurrentDataObject())
+        at.GoToNextItem()
+    return found
+
+
+def compare(output, whole, tolerance, what):
+    """The distances of a rank's output against those of the whole at the same places."""
+    for piece in leaves(output):
+        values = piece.GetPointData().GetArray("GeodesicDistance")
+        check(values is not None, f"{what}: there is a distance")
+        if values is None or piece.GetNumberOfPoints() == 0:
+            continue
+        places, expected = whole
+        if tolerance == EXACT:
+            at = {tuple(p): d for p, d in zip(places, expected)}
+            there = np.array([at[tuple(p)] for p in points(piece)])
+        else:
+            there = np.array([expected[np.argmin(((places - p) ** 2).sum(axis=1))]
+                              for p in points(piece)])
+        both = np.isfinite(there)
+        ours = vtk_to_numpy(values)
+        check(np.array_equal(both, np.isfinite(ours)), f"{what}: the same points are reached")
+        largest = expected[np.isfinite(expected)].max()
+        worst = np.abs(ours - there)[both].max(initial=0.0) / largest
+        check(worst <= tolerance, f"{what}: wrong by {worst} of the largest distance")
+
+
+def pieces(surface, partitions=0):
+    """A surface spread over the ranks by place."""
+    spread = simple.RedistributeDataSet(Input=surface)
+    spread.NumberOfPartitions = partitions
+    return simple.ExtractSurface(Input=spread)
+
+
+def mesh(name):
+    """A mesh of GEODESIC_TEST_MESHES as (proxy, vtkPolyData), or None."""
+    folder = os.environ.get("GEODESIC_TEST_MESHES", "")
+    path = os.path.join(folder, name)
+    if not folder or not os.path.exists(path):
+        if RANK == 0:
+            print(f"Skipped: GEODESIC_TEST_MESHES names no folder with {name}.")
+        return None
+    reader = vtkOBJReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return simple.WavefrontOBJReader(FileName=path), reader.GetOutput()
+
+
+def point_cloud(places):
+    """Points on every rank, as a source."""
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+    cloud = vtkPoints()
+    cloud.SetDataTypeToDouble()
+    for place in places:
+        cloud.InsertNextPoint(place)
+    result = vtkPolyData()
+    result.SetPoints(cloud)
+    producer = simple.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(result)
+    return producer, result
+
+
+def distributed(name):
+    """A mesh as (pieces, whole), or None where it is not there or was not spread as it is."""
+    found = mesh(name)
+    if not found:
+        return None
+    proxy, whole = found
+    spread = pieces(proxy)
+    count = total(polys(data(spread)))
+    if count != whole.GetNumberOfPolys():
+        if RANK == 0:
+            print(f"Skipped: RedistributeDataSet has made {count} faces of "
+                  f"{whole.GetNumberOfPolys()} of {name}.")
+        return None
+    return spread, whole
+
+
+def real_meshes():
+    for name in ("fandisk.obj", "beetle-alt.obj"):
+        found = distributed(name)
+        if not found:
+            continue
+        spread, whole = found
+        cells = polys(data(spread))
+        check(RANKS == 1 or cells < whole.GetNumberOfPolys(), f"{name} is spread")
+        at = [whole.GetPoint(i * whole.GetNumberOfPoints() // 7) for i in range(7)]
+        producer, cloud = point_cloud(at)
+        field = GeodesicDistanceField(Input=spread, Source=producer, RefineMesh=0)
+        compare(data(field), whole_field(whole, cloud), EXACT, f"{name}, from points")
+        field.MaximumDistance = 0.1
+        compare(data(field), whole_field(whole, cloud, MaximumDistance=0.1), EXACT,
+                f"{name}, from points within a limit")
+    found = distributed("beetle-alt.obj")
+    if found:
+        field = GeodesicDistanceField(Input=found[0], SourceType="Surface Boundary", RefineMesh=0)
+        compare(data(field), whole_field(found[1]), EXACT, "beetle-alt.obj, from its boundary")
+
+
+def curve_across_seams():
+    found = distributed("fandisk.obj")
+    if not found:
+        return
+    spread, whole = found
+    far = [whole.GetPoint(10), whole.GetPoint(3000), whole.GetPoint(6000)]
+    curve = simple.PolyLineSource(Points=[x for p in far for x in p])
+    on_rank_0 = data(curve)
+    field = GeodesicDistanceField(Input=spread, Source=curve, RefineMesh=0)
+    output = data(field)
+    # The curve is on rank 0 only; all others know it, too.
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+    copy = vtkPolyData()
+    copy.DeepCopy(on_rank_0)
+    controller.Broadcast(copy, 0)
+    compare(output, whole_field(whole, copy), EXACT, "a curve whose points are far apart")
+    snap = vtk_to_numpy(output.GetFieldData().GetArray("SourceSnapDistance"))[0]
+    check(snap < 1e-6, f"the curve lies on the surface up to {snap}")
+
+
+def generated_surfaces():
+    sphere = simple.Sphere(ThetaResolution=40, PhiResolution=30)
+    source = vtkSphereSource()
+    source.SetThetaResolution(40)
+    source.SetPhiResolution(30)
+    source.Update()
+    producer, cloud = point_cloud([(0.5, 0, 0), (0, 0, 0.5)])
+    field = GeodesicDistanceField(Input=sphere, Source=producer, RefineMesh=0)
+    compare(data(field), whole_field(source.GetOutput(), cloud), ROUNDED, "a sphere in pieces")
+    joined = vtk_to_numpy(data(field).GetFieldData().GetArray("SeamPointsJoined"))[0]
+    check(joined > 0 or RANKS == 1, "a sphere's seams are joined within roundings")
+    # A section in pieces of a surface in pieces.
+    section = simple.Slice(Input=sphere)
+    section.SliceType.Origin = (0, 0, 0.123)
+    section.SliceType.Normal = (0, 0, 1)
+    field = GeodesicDistanceField(Input=sphere, Source=section, RefineMesh=0)
+    from vtkmodules.vtkCommonDataModel import vtkPlane
+    from vtkmodules.vtkFiltersCore import vtkCutter
+    cutter, plane = vtkCutter(), vtkPlane()
+    plane.SetOrigin(0, 0, 0.123)
+    plane.SetNormal(0, 0, 1)
+    cutter.SetCutFunction(plane)
+    cutter.SetInputConnection(source.GetOutputPort())
+    cutter.Update()
+    compare(data(field), whole_field(source.GetOutput(), cutter.GetOutput()), ROUNDED,
+            "from a section in pieces")
+
+
+def ghosts_and_empty_ranks():
+    found = mesh("spot.obj")
+    if not found:
+        return
+    proxy, whole = found
+    producer, cloud = point_cloud([whole.GetPoint(i) for i in (5, 700, 1500, 2900)])
+    truth = whole_field(whole, cloud)
+    if RANKS > 1:
+        few = pieces(proxy, RANKS - 1)
+        field = GeodesicDistanceField(Input=few, Source=producer, RefineMesh=0)
+        compare(data(field), truth, EXACT, "spot on all ranks but one")
+    spread = pieces(proxy)
+    with_ghosts = simple.GhostCellsGenerator(Input=spread)
+    with_ghosts.BuildIfRequired = 0
+    output = data(GeodesicDistanceField(Input=with_ghosts, Source=producer, RefineMesh=0))
+    more = sum(polys(piece) for piece in leaves(output)) - polys(data(spread))
+    check(RANKS == 1 or total(more) > 0, "there are ghost cells")
+    compare(output, truth, EXACT, "spot with ghost cells")
+    # Not spread at all: a reader that knows no pieces has all on rank 0.
+    field = GeodesicDistanceField(Input=proxy, Source=producer, RefineMesh=1)
+    ours = data(field)
+    check(polys(ours) >= whole.GetNumberOfPolys() if RANK == 0 else polys(ours) == 0,
+          "data on rank 0 only stays there, and is refined")
+
+
+def written_and_read():
+    sphere = simple.Sphere(ThetaResolution=24, PhiResolution=16)
+    producer, _ = point_cloud([(0.5, 0, 0)])
+    field = GeodesicDistanceField(Input=sphere, Source=producer, RefineMesh=0)
+    before = data(field)
+    path = os.path.join(FOLDER, f"field{RANKS}.pvtp")
+    # Some builds cannot read appended data, and none infinite numbers as text.
+    simple.SaveData(path, proxy=field, DataMode="Binary")
+    controller.Barrier()
+    read = simple.XMLPartitionedPolydataReader(FileName=[path])
+    after = data(read)
+    check(total(polys(after)) == total(polys(before)), "each cell is written once")
+    values = after.GetPointData().GetArray("GeodesicDistance")
+    check(values is not None and values.GetRange()[1] < 1.6, "distances are read again")
+    again = GeodesicDistanceField(Input=read, Source=producer, RefineMesh=0)
+    again.DistanceArrayName = "Again"
+    with messages():
+        there = data(again)
+    ours = vtk_to_numpy(there.GetPointData().GetArray("Again"))
+    check(np.allclose(ours, vtk_to_numpy(there.GetPointData().GetArray("GeodesicDistance")),
+                      rtol=0, atol=ROUNDED), "a surface that was read in pieces is one")
+
+
+def errors():
+    sphere = simple.Sphere(ThetaResolution=12, PhiResolution=8)
+    spoilt = simple.ProgrammableFilter(Input=sphere)
+    spoilt.OutputDataSetType = "vtkPolyData"
+    spoilt.Script = """
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+ranks = vtkMultiProcessController.GetGlobalController()
+output.DeepCopy(self.GetInputDataObject(0, 0))
+if ranks.GetLocalProcessId() == ranks.GetNumberOfProcesses() - 1:
+    output.GetPoints().SetPoint(3, float("nan"), 0, 0)
+"""
+    producer, _ = point_cloud([(0.5, 0, 0)])
+    field = GeodesicDistanceField(Input=spoilt, Source=producer, RefineMesh=0)
+    with messages() as window:
+        field.UpdatePipeline()
+    said = window.GetOutput()
+    check("NaN" in said and "at point 3" in said, f"all ranks say what one has: {said!r}")
+    output = field.GetClientSideObject().GetOutputDataObject(0)
+    check(output.GetNumberOfPoints() == 0, "and none has a field")
+
+
+def alone():
+    """A filter that is told to work alone does so on whichever rank executes it."""
+    if RANK == RANKS - 1:
+        sphere = vtkSphereSource()
+        sphere.SetEndTheta(180)
+        field = vtkGeodesicDistanceField()
+        field.SetInputConnection(sphere.GetOutputPort())
+        field.SetSourceTypeToSurfaceBoundary()
+        field.SetController(None)
+        field.Update()
+        check(field.GetOutput().GetPointData().GetArray("GeodesicDistance") is not None,
+              "alone on one rank it gives a distance")
+
+
+try:
+    for case in (real_meshes, curve_across_seams, generated_surfaces, ghosts_and_empty_ranks,
+                 written_and_read, errors, alone):
+        case()
+        controller.Barrier()
+        if RANK == 0:
+            print(f"{case.__name__} done", flush=True)
+except BaseException:  # pylint: disable=broad-except
+    traceback.print_exc()
+    sys.stderr.flush()
+    os._exit(1)  # mpirun then ends the others, which may wait for this one
+if total(len(failures)):
+    sys.stdout.flush()
+    os._exit(1)

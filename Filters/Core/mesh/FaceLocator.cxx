@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace geodesic
 {
@@ -23,17 +24,6 @@ double largestOf(const Vec3& p)
   return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
 }
 
-/// A face that was among the closest when it was looked at.
-struct Found
-{
-  Id face;
-  double distance;
-  /// By how much it may be farther than the closest face, by the coordinates' precision and by
-  /// rounding alone.
-  double precision;
-  double rounding;
-};
-
 }
 
 struct FaceLocator::Search
@@ -42,7 +32,7 @@ struct FaceLocator::Search
   const double coordinatePrecision;
   const ProgressCallback& progress;
   double distance;
-  std::vector<Found> found;
+  std::vector<Candidate> found;
   /// The fraction of the faces that the search has left aside while the tree grows.
   double done;
 
@@ -55,22 +45,19 @@ struct FaceLocator::Search
   /// The faces of the answer, in its order.
   std::vector<Id> answer()
   {
-    const auto isRounding = [this](const Found& f)
-    { return f.distance <= this->distance + f.rounding; };
-    const auto isOver = [this](const Found& f)
-    { return f.distance > this->distance + f.precision; };
+    const auto isOver = [this](const Candidate& f) { return !f.isClosest(this->distance); };
     this->found.erase(
       std::remove_if(this->found.begin(), this->found.end(), isOver), this->found.end());
     std::sort(this->found.begin(), this->found.end(),
-      [&](const Found& a, const Found& b)
+      [&](const Candidate& a, const Candidate& b)
       {
-        const bool aFirst = isRounding(a);
-        const bool bFirst = isRounding(b);
+        const bool aFirst = a.isClosestUpToRounding(this->distance);
+        const bool bFirst = b.isClosestUpToRounding(this->distance);
         return aFirst != bFirst ? aFirst : a.face < b.face;
       });
     std::vector<Id> faces(this->found.size());
     std::transform(
-      this->found.begin(), this->found.end(), faces.begin(), [](const Found& f) { return f.face; });
+      this->found.begin(), this->found.end(), faces.begin(), [](const Candidate& f) { return f.face; });
     return faces;
   }
 };
@@ -113,6 +100,14 @@ std::vector<Id> FaceLocator::closest(
   Search search{ point, coordinatePrecision, progress, Infinity, {}, 0.0 };
   this->search(search, 0);
   return search.answer();
+}
+
+std::vector<FaceLocator::Candidate> FaceLocator::candidates(
+  const Vec3& point, double coordinatePrecision, const ProgressCallback& progress)
+{
+  Search search{ point, coordinatePrecision, progress, Infinity, {}, 0.0 };
+  this->search(search, 0);
+  return std::move(search.found);
 }
 
 // Three times the centre: only the order among the faces counts.

@@ -30,6 +30,28 @@ public:
   std::vector<Id> closest(
     const Vec3& point, double coordinatePrecision, const ProgressCallback& progress = {});
 
+  /// A face that may be among the closest to a point.
+  struct Candidate
+  {
+    Id face;
+    double distance;
+    /// By how much it may be farther than the closest face, by the coordinates' precision and by
+    /// rounding alone.
+    double precision;
+    double rounding;
+
+    bool isClosest(double least) const { return this->distance <= least + this->precision; }
+    bool isClosestUpToRounding(double least) const
+    {
+      return this->distance <= least + this->rounding;
+    }
+  };
+
+  /// The faces from which closest() chooses, by the least of their distances: for a caller who
+  /// knows of more faces, by which that may be less. In no order.
+  std::vector<Candidate> candidates(
+    const Vec3& point, double coordinatePrecision, const ProgressCallback& progress = {});
+
 private:
   struct Box
   {

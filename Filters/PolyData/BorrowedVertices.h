@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_BorrowedVertices_h
+#define geodesic_BorrowedVertices_h
+
+#include "Exchange.h"
+#include "PolyData/RankSeams.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// The vertices of a rank's points that none of its own faces has: corners of duplicates of other
+/// ranks' faces, and points that no face uses here. Their values come from the lowest rank that has
+/// a face there.
+class BorrowedVertices
+{
+public:
+  /// All ranks make theirs together.
+  ///
+  /// \param labels of all vertices of this rank.
+  /// \param ownNumbers what each is in values at vertices; NoId for those to be borrowed.
+  BorrowedVertices(
+    const RankLabels& labels, const std::vector<Id>& ownNumbers, Exchange& exchange);
+
+  /// How many this rank borrows.
+  Id count() const { return this->count_; }
+  /// How many of them belong to no face of any rank, all ranks together; each is counted once.
+  Id numberWithoutFace() const { return this->numberWithoutFace_; }
+
+  /// Appends the values of borrowed vertices, in the order of the constructor's, to those of a
+  /// rank's own. All ranks call this together.
+  ///
+  /// \param none the value where no rank has a face.
+  template <typename Value>
+  void append(const Value& none, std::vector<Value>& values, Exchange& exchange) const
+  {
+    std::vector<Message> messages = exchange.noMessages();
+    for (std::size_t rank = 0; rank < messages.size(); ++rank)
+    {
+      for (const Id vertex : this->lent_[rank])
+      {
+        put(messages[rank], values[vertex]);
+      }
+    }
+    const std::size_t own = values.size();
+    values.resize(own + this->count_, none);
+    std::vector<std::size_t> next(messages.size(), 0);
+    readEach(exchange.step(std::move(messages)),
+      [&](int rank, MessageReader& reader)
+      {
+        const auto from = static_cast<std::size_t>(rank);
+        values[own + this->borrowed_[from][next[from]++]] = reader.get<Value>();
+      });
+  }
+
+private:
+  Id count_ = 0;
+  Id numberWithoutFace_ = 0;
+  /// For each rank, the vertices of this one that it borrows, and the borrowed ones whose values it
+  /// gives, in the same order there.
+  std::vector<std::vector<Id>> lent_;
+  std::vector<std::vector<Id>> borrowed_;
+};
+
+}
+
+#endif

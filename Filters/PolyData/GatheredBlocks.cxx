@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/GatheredBlocks.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace geodesic
+{
+
+namespace
+{
+
+void putCells(vtkCellArray* cells, Message& message)
+{
+  put(message, static_cast<std::int64_t>(cells->GetNumberOfCells()));
+  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    iterator->GetCurrentCell(size, ids);
+    put(message, static_cast<std::int64_t>(size));
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      put(message, static_cast<std::int64_t>(ids[i]));
+    }
+  }
+}
+
+vtkSmartPointer<vtkCellArray> getCells(MessageReader& reader)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (auto count = reader.get<std::int64_t>(); count > 0; --count)
+  {
+    const auto size = reader.get<std::int64_t>();
+    cells->InsertNextCell(static_cast<int>(size));
+    for (std::int64_t i = 0; i < size; ++i)
+    {
+      cells->InsertCellPoint(static_cast<vtkIdType>(reader.get<std::int64_t>()));
+    }
+  }
+  return cells;
+}
+
+/// Coordinates keep their precision.
+template <typename Value>
+void putPoints(vtkPoints* points, Message& message)
+{
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    for (const double x : p)
+    {
+      put(message, static_cast<Value>(x));
+    }
+  }
+}
+
+template <typename Value>
+void getPoints(MessageReader& reader, vtkPoints* points)
+{
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    Value p[3];
+    reader.get(p, 3);
+    points->SetPoint(i, static_cast<double>(p[0]), static_cast<double>(p[1]),
+      static_cast<double>(p[2]));
+  }
+}
+
+void putBlock(const PolyDataBlock& block, Message& message)
+{
+  put(message, static_cast<std::int64_t>(block.name.size()));
+  put(message, block.name.data(), block.name.size());
+  vtkPolyData* data = block.data;
+  const vtkIdType count = data->GetNumberOfPoints();
+  const bool isFloat = count > 0 && data->GetPoints()->GetDataType() == VTK_FLOAT;
+  put(message, static_cast<std::int64_t>(isFloat));
+  put(message, static_cast<std::int64_t>(count));
+  if (count > 0)
+  {
+    isFloat ? putPoints<float>(data->GetPoints(), message)
+            : putPoints<double>(data->GetPoints(), message);
+  }
+  for (vtkCellArray* cells :
+    { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
+  {
+    putCells(cells, message);
+  }
+}
+
+}
+
+GatheredBlocks::GatheredBlocks(
+  const std::vector<PolyDataBlock>& own, const std::string& name, Exchange& exchange)
+{
+  Message message;
+  for (const PolyDataBlock& block : own)
+  {
+    const bool isEmpty = block.data->GetNumberOfPoints() == 0 && block.data->GetNumberOfCells() == 0;
+    if (!isEmpty)
+    {
+      putBlock(block, message);
+    }
+  }
+  const std::vector<Message> all = exchange.tellAll(message);
+  const auto isFull = [](const Message& m) { return !m.empty(); };
+  const bool isOnOneRank = std::count_if(all.begin(), all.end(), isFull) <= 1;
+  const bool areCopies = std::all_of(
+    all.begin(), all.end(), [&all](const Message& m) { return m == all.front(); });
+  for (std::size_t rank = 0; rank < all.size(); ++rank)
+  {
+    this->firstOfRank_.push_back(this->blocks_.size());
+    if (rank == 0 || !areCopies)
+    {
+      this->unpack(all[rank],
+        isOnOneRank || areCopies ? std::string() : " on rank " + std::to_string(rank));
+    }
+  }
+  this->firstOfRank_.push_back(this->blocks_.size());
+  if (this->blocks_.empty())
+  {
+    this->data_.push_back(vtkSmartPointer<vtkPolyData>::New());
+    this->blocks_.push_back({ this->data_.back(), name });
+  }
+}
+
+void GatheredBlocks::unpack(const Message& message, const std::string& suffix)
+{
+  MessageReader reader(message);
+  while (!reader.isAtEnd())
+  {
+    std::string name(static_cast<std::size_t>(reader.get<std::int64_t>()), ' ');
+    reader.get(&name[0], name.size());
+    const bool isFloat = reader.get<std::int64_t>() != 0;
+    const auto data = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    points->SetDataType(isFloat ? VTK_FLOAT : VTK_DOUBLE);
+    points->SetNumberOfPoints(static_cast<vtkIdType>(reader.get<std::int64_t>()));
+    isFloat ? getPoints<float>(reader, points) : getPoints<double>(reader, points);
+    data->SetPoints(points);
+    data->SetVerts(getCells(reader));
+    data->SetLines(getCells(reader));
+    data->SetPolys(getCells(reader));
+    data->SetStrips(getCells(reader));
+    this->data_.push_back(data);
+    this->blocks_.push_back({ data, name + suffix });
+  }
+}
+
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_RankExchange_h
+#define geodesic_RankExchange_h
+
+#include "Exchange.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkMultiProcessController;
+
+namespace geodesic
+{
+
+/// The exchange between the processes of a controller.
+///
+/// In each step all ranks first gather one header of each: whether it fails, the numbers of which
+/// the least is wanted, and how much it sends to whom. So every rank knows of every failure before
+/// it waits for any message, and which messages will come. Messages then go at the same time where
+/// the controller is one of MPI, else from one rank to the next in an order in which none waits for
+/// a rank that waits for it.
+class RankExchange : public Exchange
+{
+public:
+  /// \param controller of two and more processes, all of which make such an exchange.
+  explicit RankExchange(vtkMultiProcessController* controller);
+  ~RankExchange() override;
+
+  int rank() const override { return this->rank_; }
+  int numberOfRanks() const override { return this->numberOfRanks_; }
+  /// Whether it is one between the processes of a controller, which may have become others.
+  bool isWith(vtkMultiProcessController* controller) const;
+
+  using Exchange::step;
+  std::vector<Message> step(std::vector<Message> messages, std::vector<double>& least) override;
+
+  /// Where a rank has failed already, so that this one knows of it, nothing is said any more.
+  std::string fail(const std::string& why) override;
+
+  /// Forgets a failure, for the next execution.
+  void begin();
+
+  /// How often and how much was exchanged.
+  struct Report
+  {
+    vtkTypeInt64 steps = 0;
+    /// Sent by this rank to others.
+    vtkTypeInt64 bytes = 0;
+    /// Seconds in steps, with waiting for other ranks.
+    double seconds = 0.0;
+  };
+  const Report& report() const { return this->report_; }
+
+private:
+  const double* headerOf(int rank) const;
+  void gatherHeaders(bool fails, std::size_t messageLength);
+  int firstFailed() const;
+  void shareFailure(int failed, const std::string& why);
+  [[noreturn]] void throwFailure() const;
+  void takeLeast(std::vector<double>& least);
+  std::size_t bytesToReceive(int rank) const;
+  std::vector<Message> makeRoom();
+  void transfer(const std::vector<Message>& messages, const std::vector<std::byte*>& received);
+  void transferInOrder(
+    const std::vector<Message>& messages, const std::vector<std::byte*>& received);
+  bool transferAtOnce(
+    const std::vector<Message>& messages, const std::vector<std::byte*>& received);
+  std::size_t sizeBetween(int sender, int receiver) const;
+
+  vtkSmartPointer<vtkMultiProcessController> controller_;
+  int rank_;
+  int numberOfRanks_;
+  /// This rank's header, and those of all ranks one after another.
+  std::vector<double> header_;
+  std::vector<double> headers_;
+  /// Room for small messages, which is there before they are promised.
+  std::vector<std::byte> room_;
+  bool hasFailed_ = false;
+  /// Why; empty where the user has asked to stop.
+  std::string failure_;
+  Report report_;
+};
+
+}
+
+#endif

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/SourceOnRanks.h"
+
+#include "Tolerance.h"
+#include "source/BoundaryCurves.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// A found face, as it is told to all ranks.
+struct ToldFace
+{
+  std::uint64_t place;
+  RankAddress face;
+  std::uint64_t isUpToRounding;
+};
+
+constexpr std::size_t PointsPerReport = 256;
+
+double largestCoordinate(const Vec3& p)
+{
+  return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+}
+
+}
+
+LocatorOnRanks::LocatorOnRanks(const SurfacePart& part)
+  : part_(part)
+  , locator_(part.mesh())
+{
+  const TriangleMesh& mesh = part.mesh();
+  for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
+  {
+    for (const Id vertex : mesh.triangle(face))
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        this->low_[k] = std::min(this->low_[k], mesh.point(vertex)[k]);
+        this->high_[k] = std::max(this->high_[k], mesh.point(vertex)[k]);
+      }
+    }
+  }
+}
+
+/// Of a point to the box of this rank's faces; infinite where it has none.
+double LocatorOnRanks::distanceToBox(const Vec3& point) const
+{
+  Vec3 outside;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    outside[k] = std::max({ this->low_[k] - point[k], point[k] - this->high_[k], 0.0 });
+  }
+  return norm(outside);
+}
+
+std::vector<std::vector<LocatorOnRanks::Found>> LocatorOnRanks::locate(
+  const std::vector<Vec3>& points, double coordinatePrecision, const ProgressCallback& progress)
+{
+  std::vector<Candidates> candidates(points.size());
+  std::vector<double> least(points.size(), Infinity);
+  const auto search = [&](std::size_t i)
+  {
+    candidates[i] = this->locator_.candidates(points[i], coordinatePrecision, progress);
+    for (const FaceLocator::Candidate& candidate : candidates[i])
+    {
+      least[i] = std::min(least[i], candidate.distance);
+    }
+  };
+  // First those ranks search in whose box a point is: most others need not then.
+  for (const bool isInBox : { true, false })
+  {
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      if (i % PointsPerReport == 0 && progress && !progress(isInBox ? 0.0 : 0.5))
+      {
+        throw Aborted();
+      }
+      const double distance = this->distanceToBox(points[i]);
+      const double slack = tolerance::SnapRoundings * coordinatePrecision *
+        std::max({ largestCoordinate(points[i]), largestCoordinate(this->low_),
+          largestCoordinate(this->high_) });
+      const bool isSearched =
+        isInBox ? distance == 0.0 : distance > 0.0 && distance <= least[i] + slack;
+      if (isSearched && distance < Infinity)
+      {
+        search(i);
+      }
+    }
+    this->part_.exchange().findLeast(least);
+  }
+
+  Message message;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (const FaceLocator::Candidate& candidate : candidates[i])
+    {
+      if (candidate.isClosest(least[i]) && this->part_.isOwn(candidate.face))
+      {
+        put(message,
+          ToldFace{ i, { this->part_.exchange().rank(), candidate.face },
+            candidate.isClosestUpToRounding(least[i]) ? std::uint64_t(1) : 0 });
+      }
+    }
+  }
+  std::vector<std::vector<Found>> found(points.size());
+  readEach(this->part_.exchange().tellAll(message),
+    [&](int, MessageReader& reader)
+    {
+      const auto told = reader.get<ToldFace>();
+      found[told.place].push_back({ told.face, told.isUpToRounding != 0 });
+    });
+  for (std::vector<Found>& faces : found)
+  {
+    std::sort(faces.begin(), faces.end());
+  }
+  return found;
+}
+
+SourceOnRanks::SourceOnRanks(const SurfacePart& part)
+  : part_(part)
+  , isChosen_(part.mesh().numberOfFaces(), 0)
+{
+}
+
+void SourceOnRanks::addCurves(const std::vector<LocatedPolyline>& polylines,
+  double coordinatePrecision, LocatorOnRanks& locator, const ProgressCallback& progress)
+{
+  for (const LocatedPolyline& polyline : polylines)
+  {
+    this->places_.insert(this->places_.end(), polyline.points.begin(), polyline.points.end());
+  }
+  std::sort(this->places_.begin(), this->places_.end());
+  this->places_.erase(
+    std::unique(this->places_.begin(), this->places_.end()), this->places_.end());
+  this->faces_ = locator.locate(this->places_, coordinatePrecision, progress);
+  for (const std::vector<LocatorOnRanks::Found>& faces : this->faces_)
+  {
+    for (const LocatorOnRanks::Found& found : faces)
+    {
+      const Id face = found.face.rank == this->part_.exchange().rank()
+        ? found.face.id
+        : this->part_.copyOf(found.face);
+      if (face != NoId)
+      {
+        this->addFacesAround(face);
+      }
+    }
+  }
+}
+
+/// Segments of a curve lie in the faces of its points, and points may be put onto their vertices:
+/// all faces there belong to the patch.
+void SourceOnRanks::addFacesAround(Id face)
+{
+  const TriangleMesh& mesh = this->part_.mesh();
+  for (const Id vertex : mesh.triangle(face))
+  {
+    for (const Id corner : mesh.cornersAt(vertex))
+    {
+      this->isChosen_[TriangleMesh::faceOf(corner)] = 1;
+    }
+  }
+}
+
+void SourceOnRanks::addBoundary()
+{
+  const TriangleMesh& mesh = this->part_.mesh();
+  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+  {
+    // At the vertices of faces that this rank owns the part is as the whole.
+    const bool isKnown = mesh.origin(halfedge) < this->part_.numberOfOwnVertices() ||
+      mesh.destination(halfedge) < this->part_.numberOfOwnVertices();
+    if (mesh.isBoundary(halfedge) && isKnown)
+    {
+      this->addFacesAround(TriangleMesh::faceOf(halfedge));
+    }
+  }
+}
+
+bool SourceOnRanks::addFaces(const std::vector<Id>& faces)
+{
+  for (const Id face : faces)
+  {
+    this->isChosen_[face] = 1;
+  }
+  return this->part_.exchange().isTrueAnywhere(!faces.empty());
+}
+
+void SourceOnRanks::makePatch()
+{
+  std::vector<Id> faces;
+  for (Id face = this->part_.firstOwnFace(); face < this->part_.endOfOwnFaces(); ++face)
+  {
+    if (this->isChosen_[face])
+    {
+      faces.push_back(face);
+    }
+  }
+  this->patch_ = std::make_unique<SurfacePatch>(this->part_, faces);
+}
+
+void SourceOnRanks::locateOnPatch(std::vector<LocatedPolyline>& polylines) const
+{
+  for (LocatedPolyline& polyline : polylines)
+  {
+    polyline.faces.clear();
+    for (const Vec3& point : polyline.points)
+    {
+      const auto at = std::lower_bound(this->places_.begin(), this->places_.end(), point);
+      std::vector<Id>& faces = polyline.faces.emplace_back();
+      for (const LocatorOnRanks::Found& found :
+        this->faces_[static_cast<std::size_t>(at - this->places_.begin())])
+      {
+        faces.push_back(this->patch_->faceAt(found.face));
+      }
+    }
+  }
+}
+
+std::vector<SourceCurve> SourceOnRanks::boundary() const
+{
+  const TriangleMesh& mesh = this->patch_->mesh();
+  std::vector<SourceCurve> curves = boundaryCurves(mesh);
+  // A curve is boundary of the whole or the end of the patch, as the patch has all faces at each
+  // vertex on the boundary.
+  const auto isEndOfPatch = [&](const SourceCurve& curve)
+  {
+    const Id halfedge = mesh.halfedgeBetween(curve.points[0].id, curve.points[1].id);
+    return !this->patch_->isBoundaryOfWhole(halfedge);
+  };
+  curves.erase(std::remove_if(curves.begin(), curves.end(), isEndOfPatch), curves.end());
+  return curves;
+}
+
+}

@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measures the front on a surface that ranks have in pieces, and prints a JSON object a run: in one
+// process, with what the ranks tell each other counted, or under mpirun, with the time and memory
+// that they take.
+#include "BenchmarkMesh.h"
+#include "BenchmarkMeter.h"
+#include "MemoryRanks.h"
+#include "RankPieces.h"
+
+#include "front/Front.h"
+#include "mesh/SurfacePatch.h"
+#include "source/BoundaryCurves.h"
+#include "source/SourceWindowsOfPart.h"
+
+#include "vtkDijkstraGraphGeodesicPath.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+
+#ifdef GEODESIC_HAS_MPI
+#include "PolyData/RankExchange.h"
+
+#include "vtkMPIController.h"
+#endif
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace
+{
+
+using namespace geodesic;
+
+const char* const Usage =
+  R"(Measures the front on a surface in pieces and prints a JSON object a run.
+
+  --mesh FILE               the surface: obj, ply, stl or vtp
+  --subdivide LEVELS        refine it by Loop subdivision first
+  --noise FRACTION          and move its vertices at random, by a fraction of the mean edge length
+  --source vertex:ID        measure from a vertex (the default: vertex:0)
+           boundary         from the boundary
+           path:ID,ID       from the polyline along mesh edges between two vertices
+  --pieces N                cut it into so many pieces along a space-filling curve, a rank each
+  --write PREFIX            and write them, in place of measuring in this process
+  --read PREFIX             under mpirun: read this rank's piece, and measure
+  --relative-error E        the largest relative error; 0, exact, is the default
+  --repeat R                so many runs
+)";
+
+struct Options
+{
+  std::map<std::string, std::string> values = { { "--source", "vertex:0" }, { "--pieces", "1" },
+    { "--subdivide", "0" }, { "--noise", "0" }, { "--relative-error", "0" }, { "--repeat", "1" },
+    { "--mesh", "" }, { "--write", "" }, { "--read", "" } };
+
+  const std::string& operator[](const std::string& name) const { return this->values.at(name); }
+  double number(const std::string& name) const
+  {
+    std::istringstream stream((*this)[name]);
+    double value = 0.0;
+    if (!(stream >> value) || !stream.eof() || !(value >= 0.0))
+    {
+      throw std::runtime_error(name + " takes a number, not " + (*this)[name]);
+    }
+    return value;
+  }
+  int count(const std::string& name) const { return static_cast<int>(this->number(name)); }
+};
+
+Options parse(const std::vector<std::string>& arguments)
+{
+  Options options;
+  for (std::size_t i = 0; i < arguments.size(); i += 2)
+  {
+    const auto known = options.values.find(arguments[i]);
+    if (known == options.values.end() || i + 1 == arguments.size())
+    {
+      throw std::runtime_error(arguments[i] + " is no option, or has no value; see --help");
+    }
+    known->second = arguments[i + 1];
+  }
+  return options;
+}
+
+RankSource makeSource(const std::string& text, vtkPolyData* mesh)
+{
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  std::istringstream value(colon == std::string::npos ? "" : text.substr(colon + 1));
+  RankSource source;
+  source.isBoundary = kind == "boundary";
+  std::uint64_t from = 0;
+  std::uint64_t to = 0;
+  char comma = ' ';
+  if (kind == "vertex" && value >> from)
+  {
+    source.points = { from };
+  }
+  else if (kind == "path" && value >> from >> comma >> to)
+  {
+    vtkNew<vtkDijkstraGraphGeodesicPath> path;
+    path->SetInputData(mesh);
+    path->SetStartVertex(static_cast<vtkIdType>(from));
+    path->SetEndVertex(static_cast<vtkIdType>(to));
+    path->StopWhenEndReachedOn();
+    path->Update();
+    vtkIdList* ids = path->GetIdList();
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      source.points.push_back(static_cast<std::uint64_t>(ids->GetId(i)));
+    }
+  }
+  else if (!source.isBoundary)
+  {
+    throw std::runtime_error("--source takes vertex:ID, boundary or path:ID,ID, not " + text);
+  }
+  return source;
+}
+
+/// Which of the source's points each of the piece's is.
+std::unordered_map<std::uint64_t, std::size_t> placesIn(const RankSource& source)
+{
+  std::unordered_map<std::uint64_t, std::size_t> places;
+  for (std::size_t i = 0; i < source.points.size(); ++i)
+  {
+    places[source.points[i]] = i;
+  }
+  return places;
+}
+
+/// The faces that are owned here and touch the source.
+std::vector<Id> facesAt(const SurfacePart& part, const RankPiece& piece, const RankSource& source)
+{
+  const auto places = placesIn(source);
+  const TriangleMesh& mesh = part.mesh();
+  std::vector<Id> faces;
+  for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
+  {
+    bool touches = false;
+    for (Id k = 0; k < 3; ++k)
+    {
+      const Id vertex = mesh.triangle(face)[k];
+      touches = touches || (source.isBoundary && mesh.isBoundary(3 * face + k)) ||
+        places.count(piece.keys[vertex]) > 0;
+    }
+    if (touches)
+    {
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
+/// The source on a patch, the same on all ranks.
+std::vector<SourceCurve> curvesOn(const SurfacePart& part, const SurfacePatch& patch,
+  const RankPiece& piece, const RankSource& source)
+{
+  const TriangleMesh& mesh = patch.mesh();
+  std::vector<SourceCurve> curves;
+  if (source.isBoundary)
+  {
+    for (SourceCurve& curve : boundaryCurves(mesh))
+    {
+      const Id halfedge = mesh.halfedgeBetween(curve.points[0].id, curve.points[1].id);
+      if (patch.isBoundaryOfWhole(halfedge))
+      {
+        curves.push_back(std::move(curve));
+      }
+    }
+    return curves;
+  }
+  const auto places = placesIn(source);
+  Message message;
+  for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
+  {
+    const auto place = places.find(piece.keys[vertex]);
+    if (place != places.end())
+    {
+      put(message, place->second);
+      put(message, part.numberInWhole(vertex));
+    }
+  }
+  std::unordered_map<Id, std::size_t> placeOfNumber;
+  readEach(part.exchange().tellAll(message),
+    [&](int, MessageReader& reader)
+    {
+      const auto place = reader.get<std::size_t>();
+      placeOfNumber[reader.get<Id>()] = place;
+    });
+  SourceCurve curve;
+  curve.points.resize(source.points.size());
+  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    const auto place = placeOfNumber.find(patch.numberInWhole(vertex));
+    if (place != placeOfNumber.end())
+    {
+      curve.points[place->second] = SurfacePoint::atVertex(vertex);
+    }
+  }
+  for (std::size_t i = 1; i < curve.points.size(); ++i)
+  {
+    curve.faces.push_back(commonFace(mesh, curve.points[i - 1], curve.points[i]));
+  }
+  curve.isCut.assign(curve.points.size(), 0);
+  return { curve };
+}
+
+/// What a run took on one rank.
+struct RankRun
+{
+  double buildSeconds = 0.0;
+  double solveSeconds = 0.0;
+  Id faces = 0;
+  Id haloFaces = 0;
+  Id facesOfWhole = 0;
+  std::uint64_t windows = 0;
+  double maximumDistance = 0.0;
+};
+
+/// \param beforeFront called when the front begins.
+template <typename BeforeFront>
+RankRun measureRank(Exchange& exchange, const RankPiece& piece, const RankSource& source,
+  double relativeError, const BeforeFront& beforeFront)
+{
+  RankRun run;
+  Stopwatch watch;
+  const SurfacePart part(piece.points, piece.triangles, piece.keys, exchange);
+  const SurfacePatch patch(part, facesAt(part, piece, source));
+  const SourceWindows windows = sourceWindowsOfPart(
+    part, patch, makeSourceWindows(patch.mesh(), curvesOn(part, patch, piece, source)));
+  run.buildSeconds = watch.lap();
+  beforeFront();
+  FrontOptions options;
+  options.part = &part;
+  options.relativeError = relativeError;
+  KeepNone none;
+  const FrontResult result = propagate(part.mesh(), windows, options, none);
+  run.solveSeconds = watch.lap();
+  run.faces = part.endOfOwnFaces() - part.firstOwnFace();
+  run.haloFaces = part.mesh().numberOfFaces() - run.faces;
+  run.facesOfWhole = part.numberOfFacesOfWhole();
+  run.windows = result.windowsPropagated;
+  for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
+  {
+    const double distance = result.vertexDistances[vertex];
+    run.maximumDistance =
+      distance < Infinity ? std::max(run.maximumDistance, distance) : run.maximumDistance;
+  }
+  run.maximumDistance = exchange.largestOf(run.maximumDistance);
+  return run;
+}
+
+/// All ranks in this process, a thread each.
+void measureInMemory(
+  const std::vector<RankPiece>& pieces, const RankSource& source, double relativeError)
+{
+  geodesictest::MemoryRanks ranks(static_cast<int>(pieces.size()));
+  std::vector<RankRun> runs(pieces.size());
+  geodesictest::ExchangeCounts before;
+  ranks.run(
+    [&](Exchange& exchange)
+    {
+      const auto rank = static_cast<std::size_t>(exchange.rank());
+      runs[rank] = measureRank(exchange, pieces[rank], source, relativeError,
+        [&]
+        {
+          exchange.isTrueAnywhere(false);
+          if (rank == 0)
+          {
+            before = ranks.counts();
+          }
+        });
+    });
+  const geodesictest::ExchangeCounts& after = ranks.counts();
+  RankRun most;
+  for (const RankRun& run : runs)
+  {
+    most.faces = std::max(most.faces, run.faces);
+    most.haloFaces = std::max(most.haloFaces, run.haloFaces);
+  }
+  std::cout << "{\"ranks\": " << pieces.size() << ", \"faces\": " << runs[0].facesOfWhole
+            << ", \"largest_part\": " << most.faces << ", \"largest_halo\": " << most.haloFaces
+            << ", \"relative_error\": " << relativeError
+            << ", \"windows_propagated\": " << runs[0].windows
+            << ", \"max_distance\": " << runs[0].maximumDistance
+            << ", \"steps\": " << after.steps - before.steps
+            << ", \"messages\": " << after.messages - before.messages
+            << ", \"bytes\": " << after.bytes - before.bytes
+            << ", \"busiest_bytes\": " << after.busiestBytes - before.busiestBytes
+            << ", \"work_s\": " << after.work - before.work
+            << ", \"busiest_s\": " << after.busiest - before.busiest << "}" << std::endl;
+}
+
+void measureMesh(const Options& options)
+{
+  vtkSmartPointer<vtkPolyData> mesh = plainTriangles(readMesh(options["--mesh"]));
+  mesh = options.count("--subdivide") > 0 ? subdivide(mesh, options.count("--subdivide")) : mesh;
+  mesh = options.number("--noise") > 0.0 ? addNoise(mesh, options.number("--noise")) : mesh;
+  const RankSource source = makeSource(options["--source"], mesh);
+  const std::vector<RankPiece> pieces = cutIntoPieces(mesh, std::max(1, options.count("--pieces")));
+  for (std::size_t i = 0; i < pieces.size() && !options["--write"].empty(); ++i)
+  {
+    writePiece(options["--write"], static_cast<int>(i), pieces[i], source);
+  }
+  for (int i = 0; i < options.count("--repeat") && options["--write"].empty(); ++i)
+  {
+    measureInMemory(pieces, source, options.number("--relative-error"));
+  }
+}
+
+#ifdef GEODESIC_HAS_MPI
+/// What the ranks tell rank 0 of a run.
+struct ToldRun
+{
+  RankRun run;
+  std::uint64_t loaded;
+  std::uint64_t peak;
+  vtkTypeInt64 steps;
+  vtkTypeInt64 bytes;
+  double secondsInSteps;
+};
+
+void printRuns(const std::vector<ToldRun>& runs, double relativeError)
+{
+  std::uint64_t largest = 0;
+  double most = 0.0;
+  double least = Infinity;
+  vtkTypeInt64 bytes = 0;
+  double solve = 0.0;
+  double build = 0.0;
+  for (const ToldRun& told : runs)
+  {
+    largest = std::max(largest, told.peak > told.loaded ? told.peak - told.loaded : 0);
+    most = std::max(most, told.secondsInSteps);
+    least = std::min(least, told.secondsInSteps);
+    bytes += told.bytes;
+    solve = std::max(solve, told.run.solveSeconds);
+    build = std::max(build, told.run.buildSeconds);
+  }
+  std::cout << "{\"ranks\": " << runs.size() << ", \"faces\": " << runs[0].run.facesOfWhole
+            << ", \"relative_error\": " << relativeError << ", \"build_s\": " << build
+            << ", \"solve_s\": " << solve << ", \"most_in_steps_s\": " << most
+            << ", \"least_in_steps_s\": " << least << ", \"steps\": " << runs[0].steps
+            << ", \"bytes\": " << bytes << ", \"largest_bytes\": " << largest
+            << ", \"bytes_per_face\": "
+            << static_cast<double>(largest) / static_cast<double>(runs[0].run.facesOfWhole)
+            << ", \"windows_propagated\": " << runs[0].run.windows
+            << ", \"max_distance\": " << runs[0].run.maximumDistance << "}" << std::endl;
+}
+
+/// One process of mpirun.
+void measureUnderMpi(const Options& options, vtkMPIController* controller)
+{
+  RankPiece piece;
+  RankSource source;
+  readPiece(options["--read"], controller->GetLocalProcessId(), piece, source);
+  for (int i = 0; i < options.count("--repeat"); ++i)
+  {
+    controller->Barrier();
+    forgetPeakMemory();
+    ToldRun told = { {}, memory("VmRSS"), 0, 0, 0, 0.0 };
+    if (controller->GetNumberOfProcesses() == 1)
+    {
+      geodesictest::MemoryRanks alone(1);
+      alone.run(
+        [&](Exchange& exchange) {
+          told.run =
+            measureRank(exchange, piece, source, options.number("--relative-error"), [] {});
+        });
+      told.peak = memory("VmHWM");
+      printRuns({ told }, options.number("--relative-error"));
+      continue;
+    }
+    RankExchange exchange(controller);
+    RankExchange::Report before;
+    told.run = measureRank(exchange, piece, source, options.number("--relative-error"),
+      [&] { before = exchange.report(); });
+    told.peak = memory("VmHWM");
+    told.steps = exchange.report().steps - before.steps;
+    told.bytes = exchange.report().bytes - before.bytes;
+    told.secondsInSteps = exchange.report().seconds - before.seconds;
+    Message message;
+    put(message, told);
+    std::vector<ToldRun> runs;
+    readEach(exchange.tellAll(message),
+      [&](int, MessageReader& reader) { runs.push_back(reader.get<ToldRun>()); });
+    if (exchange.rank() == 0)
+    {
+      printRuns(runs, options.number("--relative-error"));
+    }
+  }
+}
+#endif
+
+}
+
+int main(int argc, char* argv[])
+{
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (arguments.empty() || arguments[0] == "--help")
+  {
+    std::cout << Usage;
+    return arguments.empty() ? 1 : 0;
+  }
+  try
+  {
+    const Options options = parse(arguments);
+    if (options["--read"].empty())
+    {
+      measureMesh(options);
+      return 0;
+    }
+#ifdef GEODESIC_HAS_MPI
+    vtkNew<vtkMPIController> controller;
+    controller->Initialize(&argc, &argv);
+    measureUnderMpi(options, controller);
+    controller->Finalize();
+#else
+    throw std::runtime_error("--read needs a VTK with MPI");
+#endif
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "geodesicRanksBenchmark: " << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}

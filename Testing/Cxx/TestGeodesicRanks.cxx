@@ -1,0 +1,671 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Under MPI: a surface of which each rank has a piece has one distance field, that of the whole in
+// one process.
+#include "GeodesicTesting.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkGeodesicDistanceMatrix.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMPIController.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+/// The rank that has a face; the number of ranks: none.
+using Cut = std::function<int(vtkIdType face)>;
+
+struct Ranks
+{
+  int Rank;
+  int Count;
+};
+
+Point Centre(vtkPolyData* surface, vtkIdType face)
+{
+  vtkNew<vtkIdList> ids;
+  surface->GetPolys()->GetCellAtId(face, ids);
+  Point sum{};
+  for (vtkIdType k = 0; k < 3; ++k)
+  {
+    Point p;
+    surface->GetPoint(ids->GetId(k), p.data());
+    for (std::size_t x = 0; x < 3; ++x)
+    {
+      sum[x] += p[x] / 3.0;
+    }
+  }
+  return sum;
+}
+
+/// Strips along the first axis of something as large as the unit square.
+Cut Strips(vtkPolyData* surface, int count)
+{
+  return [surface, count](vtkIdType face)
+  { return std::clamp(static_cast<int>(Centre(surface, face)[0] * count), 0, count - 1); };
+}
+
+Cut AtRandom(int count)
+{
+  return [count](vtkIdType face)
+  {
+    std::mt19937_64 random(static_cast<std::uint64_t>(face) + 17);
+    return static_cast<int>(random() % static_cast<unsigned>(count));
+  };
+}
+
+/// Some faces of a surface with the points that they use, which have global ids if that is asked
+/// for.
+vtkSmartPointer<vtkPolyData> Part(
+  vtkPolyData* surface, const std::vector<vtkIdType>& faces, bool hasGlobalIds = false)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(surface->GetPoints()->GetDataType());
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIdTypeArray> globalIds;
+  globalIds->SetName("GlobalPointIds");
+  std::map<vtkIdType, vtkIdType> numbers;
+  for (const vtkIdType face : faces)
+  {
+    vtkNew<vtkIdList> ids;
+    surface->GetPolys()->GetCellAtId(face, ids);
+    polys->InsertNextCell(3);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      const auto [at, isNew] = numbers.emplace(ids->GetId(k), points->GetNumberOfPoints());
+      if (isNew)
+      {
+        points->InsertNextPoint(surface->GetPoint(ids->GetId(k)));
+        globalIds->InsertNextValue(ids->GetId(k));
+      }
+      polys->InsertCellPoint(at->second);
+    }
+  }
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  part->SetPoints(points);
+  part->SetPolys(polys);
+  if (hasGlobalIds)
+  {
+    part->GetPointData()->SetGlobalIds(globalIds);
+  }
+  return part;
+}
+
+std::vector<vtkIdType> FacesOf(vtkPolyData* surface, const Cut& cut, int rank)
+{
+  std::vector<vtkIdType> faces;
+  for (vtkIdType face = 0; face < surface->GetNumberOfPolys(); ++face)
+  {
+    if (cut(face) == rank)
+    {
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
+/// A rank's faces, then copies of all others around their points, which a ghost array marks.
+vtkSmartPointer<vtkPolyData> PartWithGhosts(vtkPolyData* surface, const Cut& cut, int rank)
+{
+  std::vector<vtkIdType> faces = FacesOf(surface, cut, rank);
+  const std::size_t own = faces.size();
+  std::vector<char> isOwnPoint(static_cast<std::size_t>(surface->GetNumberOfPoints()), 0);
+  const auto corners = [&](vtkIdType face)
+  {
+    vtkNew<vtkIdList> ids;
+    surface->GetPolys()->GetCellAtId(face, ids);
+    return std::array<std::size_t, 3>{ static_cast<std::size_t>(ids->GetId(0)),
+      static_cast<std::size_t>(ids->GetId(1)), static_cast<std::size_t>(ids->GetId(2)) };
+  };
+  for (const vtkIdType face : faces)
+  {
+    for (const std::size_t point : corners(face))
+    {
+      isOwnPoint[point] = 1;
+    }
+  }
+  for (vtkIdType face = 0; face < surface->GetNumberOfPolys(); ++face)
+  {
+    const auto ids = corners(face);
+    if (cut(face) != rank &&
+      std::any_of(ids.begin(), ids.end(), [&](std::size_t id) { return isOwnPoint[id] != 0; }))
+    {
+      faces.push_back(face);
+    }
+  }
+  auto part = Part(surface, faces);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    ghosts->InsertNextValue(i < own ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+  }
+  part->GetCellData()->AddArray(ghosts);
+  return part;
+}
+
+/// What is asked of the filter.
+struct Question
+{
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Source;
+  int SourceType = vtkGeodesicDistanceField::SOURCE_CURVE;
+  double MaximumDistance = 0.0;
+  bool IsApproximate = false;
+};
+
+void Ask(vtkGeodesicDistanceField* filter, const Question& question)
+{
+  filter->RefineMeshOff();
+  filter->SetSourceData(question.Source);
+  filter->SetSourceType(question.SourceType);
+  filter->SetMaximumDistance(question.MaximumDistance);
+  if (question.IsApproximate)
+  {
+    filter->SetAccuracyToApproximate();
+    filter->SetRelativeError(0.01);
+  }
+}
+
+/// The distances of a surface in one process, by place.
+class Whole
+{
+public:
+  Whole(vtkPolyData* surface, const Question& question)
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetController(nullptr);
+    filter->SetInputData(surface);
+    Ask(filter, question);
+    filter->Update();
+    vtkDataArray* distances = Distances(filter);
+    for (vtkIdType i = 0; distances && i < surface->GetNumberOfPoints(); ++i)
+    {
+      Point p;
+      surface->GetPoint(i, p.data());
+      const double distance = distances->GetTuple1(i);
+      this->At[p] = distance;
+      this->Largest = std::isfinite(distance) ? std::max(this->Largest, distance) : this->Largest;
+    }
+    this->SnapDistance = filter->GetSourceSnapDistance();
+    this->WindowsPerEdge = filter->GetWindowsPropagatedPerEdge();
+  }
+
+  std::map<Point, double> At;
+  double Largest = 0.0;
+  double SnapDistance = 0.0;
+  double WindowsPerEdge = 0.0;
+};
+
+void CompareData(Check& check, vtkPolyData* output, const Whole& whole, double tolerance,
+  const std::string& what)
+{
+  vtkDataArray* distances = output->GetPointData()->GetArray("GeodesicDistance");
+  if (!distances || distances->GetNumberOfTuples() != output->GetNumberOfPoints())
+  {
+    check.That(false, what + ": no distance at every point");
+    return;
+  }
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    output->GetPoint(i, p.data());
+    const auto expected = whole.At.find(p);
+    check.That(expected != whole.At.end(), what + ": a point that the surface does not have");
+    if (expected == whole.At.end() || expected->second == distances->GetTuple1(i))
+    {
+      continue;
+    }
+    const double error = std::abs(distances->GetTuple1(i) - expected->second);
+    worst = std::isnan(worst) || error <= worst ? worst : error;
+  }
+  check.That(worst <= tolerance * whole.Largest,
+    what + ": wrong by " + std::to_string(worst / whole.Largest) + " of the largest distance");
+}
+
+/// Runs the filter with this rank's piece and compares with the surface in one process.
+void Compare(Check& check, vtkDataObject* piece, vtkPolyData* surface, const Question& question,
+  const std::string& name)
+{
+  const std::string what = name + ", " + question.Name;
+  const Whole whole(surface, question);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputDataObject(piece);
+  Ask(filter, question);
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Error().empty(), what + ": " + messages.Error());
+  const double tolerance = question.IsApproximate ? 0.02 : 1e-12;
+  if (auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)))
+  {
+    auto* input = vtkPolyData::SafeDownCast(piece);
+    check.That(output->GetNumberOfPoints() == input->GetNumberOfPoints() &&
+        output->GetNumberOfPolys() == input->GetNumberOfPolys(),
+      what + ": the output is the rank's own piece");
+    CompareData(check, output, whole, tolerance, what);
+  }
+  else
+  {
+    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    {
+      CompareData(check, vtkPolyData::SafeDownCast(blocks->GetBlock(i)), whole, tolerance, what);
+    }
+  }
+  check.That(std::abs(filter->GetSourceSnapDistance() - whole.SnapDistance) <= 1e-12,
+    what + ": the source is as far away as in one process");
+  if (!question.IsApproximate)
+  {
+    check.That(std::abs(filter->GetWindowsPropagatedPerEdge() - whole.WindowsPerEdge) <=
+        0.05 * whole.WindowsPerEdge,
+      what + ": windows are counted over all ranks, " +
+        std::to_string(filter->GetWindowsPropagatedPerEdge()) + " instead of " +
+        std::to_string(whole.WindowsPerEdge) + " an edge");
+  }
+}
+
+std::vector<Question> Questions()
+{
+  Question point{ "a point", PointSources({ { 0.3, 0.4, 0.0 } }) };
+  Question points{ "points", PointSources({ { 0.1, 0.1, 0 }, { 0.9, 0.2, 0 }, { 0.5, 0.9, 0 } }) };
+  Question curve{ "a curve through all", Polyline({ { 0.05, 0.3, 0 }, { 0.95, 0.6, 0 } }) };
+  Question loop{ "a loop", Polyline({ { 0.3, 0.3, 0 }, { 0.7, 0.35, 0 }, { 0.5, 0.8, 0 } }, true) };
+  Question boundary{ "the boundary", nullptr, vtkGeodesicDistanceField::SURFACE_BOUNDARY };
+  Question both = point;
+  both.Name = "a point and the boundary";
+  both.SourceType = vtkGeodesicDistanceField::CURVE_AND_BOUNDARY;
+  Question limited = point;
+  limited.Name = "a point within a limit";
+  limited.MaximumDistance = 0.3;
+  Question approximate = curve;
+  approximate.Name = "a curve, approximately";
+  approximate.IsApproximate = true;
+  return { point, points, curve, loop, boundary, both, limited, approximate };
+}
+
+/// Every way to cut a surface.
+void TestCuts(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  const std::vector<std::pair<std::string, Cut>> cuts = {
+    { "in strips", Strips(surface, ranks.Count) },
+    { "at random", AtRandom(ranks.Count) },
+    { "with nothing on the last rank",
+      [&](vtkIdType face) { return AtRandom(std::max(1, ranks.Count - 1))(face); } },
+    { "with nothing on the first rank",
+      [&](vtkIdType face) { return ranks.Count == 1 ? 0 : 1 + AtRandom(ranks.Count - 1)(face); } },
+    { "all on the last rank", [&](vtkIdType) { return ranks.Count - 1; } },
+  };
+  for (const auto& [name, cut] : cuts)
+  {
+    const auto piece = Part(surface, FacesOf(surface, cut, ranks.Rank));
+    for (const Question& question : Questions())
+    {
+      Compare(check, piece, surface, question, name);
+    }
+  }
+  for (const Question& question : Questions())
+  {
+    Compare(check, surface, surface, question, "a copy on every rank");
+  }
+}
+
+void TestGhosts(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  for (const Cut& cut : { Strips(surface, ranks.Count), AtRandom(ranks.Count) })
+  {
+    const auto piece = PartWithGhosts(surface, cut, ranks.Rank);
+    for (const Question& question : Questions())
+    {
+      Compare(check, piece, surface, question, "with ghost cells");
+    }
+  }
+}
+
+/// A rank has two blocks, which are joined as all others are.
+void TestBlocks(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  const Cut cut = AtRandom(2 * ranks.Count);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (int i = 0; i < 2; ++i)
+  {
+    blocks->SetBlock(static_cast<unsigned int>(i),
+      Part(surface, FacesOf(surface, cut, 2 * ranks.Rank + i)));
+  }
+  for (const Question& question : Questions())
+  {
+    Compare(check, blocks, surface, question, "blocks on each rank");
+  }
+}
+
+/// With points that coincide left apart, global ids join the pieces.
+void TestGlobalIds(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  const Question question = Questions().front();
+  const Whole whole(surface, question);
+  const std::vector<vtkIdType> faces = FacesOf(surface, AtRandom(ranks.Count), ranks.Rank);
+  for (const bool hasGlobalIds : { true, false })
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(Part(surface, faces, hasGlobalIds));
+    filter->MergeCoincidentPointsOff();
+    Ask(filter, question);
+    filter->Update();
+    if (hasGlobalIds)
+    {
+      CompareData(check, filter->GetOutput(), whole, 1e-12, "joined by global ids");
+      continue;
+    }
+    const double farthest = Distances(filter)->GetRange()[1];
+    check.That(ranks.Count == 1 || farthest == std::numeric_limits<double>::infinity(),
+      "without global ids and merging the pieces are not connected");
+  }
+}
+
+/// Seam points that differ by a rounding are one.
+void TestRoundings(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  const Question question = Questions().front();
+  const Whole whole(surface, question);
+  auto piece = Part(surface, FacesOf(surface, Strips(surface, ranks.Count), ranks.Rank));
+  vtkNew<vtkPolyData> moved;
+  moved->DeepCopy(piece);
+  MovePoints(moved,
+    [&](const Point& p)
+    {
+      const double up = ranks.Rank % 2 == 1 ? 2.0 : 0.0;
+      return Point{ std::nextafter(p[0], up), std::nextafter(p[1], up), p[2] };
+    });
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(moved);
+  Ask(filter, question);
+  filter->Update();
+  vtkDataArray* distances = Distances(filter);
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    piece->GetPoint(i, p.data());
+    worst = std::max(worst, std::abs(distances->GetTuple1(i) - whole.At.at(p)));
+  }
+  check.That(worst < 1e-12, "seam points that differ by a rounding are one");
+  check.That(ranks.Count == 1 || filter->GetSeamPointsJoined() > 0, "and are counted");
+}
+
+/// Half planes that meet in one edge, each on one rank or cut; fans that meet in one vertex.
+void TestBranches(Check& check, Ranks ranks)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polys;
+  constexpr int sheets = 5;
+  constexpr double pi = 3.14159265358979323846;
+  for (int sheet = 0; sheet < sheets; ++sheet)
+  {
+    const double angle = 2.0 * pi * sheet / sheets;
+    for (int i = 0; i <= 4; ++i)
+    {
+      for (int j = 0; j <= 3; ++j)
+      {
+        points->InsertNextPoint(0.1 * j * std::cos(angle), 0.1 * j * std::sin(angle), 0.1 * i);
+      }
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        const vtkIdType a = sheet * 20 + i * 4 + j;
+        InsertSquare(polys, Cells::Triangles, { a, a + 1, a + 5, a + 4 });
+      }
+    }
+  }
+  // A second fan at the end of the common edge.
+  const vtkIdType tip = points->InsertNextPoint(0.0, 0.0, 0.4);
+  const vtkIdType left = points->InsertNextPoint(-0.1, 0.0, 0.6);
+  const vtkIdType right = points->InsertNextPoint(0.1, 0.02, 0.6);
+  polys->InsertNextCell({ tip, left, right });
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(points);
+  surface->SetPolys(polys);
+  Question point{ "a point on one sheet", PointSources({ { 0.25, 0.0, 0.05 } }) };
+  Question boundary{ "the boundary", nullptr, vtkGeodesicDistanceField::SURFACE_BOUNDARY };
+  const Cut bySheets = [&](vtkIdType face) { return static_cast<int>(face / 24) % ranks.Count; };
+  for (const Cut& cut : { bySheets, AtRandom(ranks.Count) })
+  {
+    const auto piece = Part(surface, FacesOf(surface, cut, ranks.Rank));
+    Compare(check, piece, surface, point, "sheets that meet in an edge");
+    Compare(check, piece, surface, boundary, "sheets that meet in an edge");
+  }
+}
+
+/// The source in pieces, on one rank, on every rank: ids and distances are the same.
+void TestSourcesOnRanks(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  std::vector<Point> all;
+  for (int rank = 0; rank < ranks.Count; ++rank)
+  {
+    all.push_back({ 0.1 + 0.8 * rank / ranks.Count, 0.3, 0.0 });
+  }
+  Question question{ "points", PointSources(all) };
+  const Whole whole(surface, question);
+  const auto piece = Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank));
+  const auto own = static_cast<std::size_t>(ranks.Rank);
+  const std::vector<std::pair<std::string, vtkSmartPointer<vtkPolyData>>> sources = {
+    { "one on each rank", PointSources({ all[own] }) },
+    { "all on each rank", PointSources(all) },
+    { "all on rank 0", PointSources(ranks.Rank == 0 ? all : std::vector<Point>()) },
+  };
+  for (const auto& [name, source] : sources)
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(piece);
+    question.Source = source;
+    Ask(filter, question);
+    filter->Update();
+    CompareData(check, filter->GetOutput(), whole, 1e-12, name);
+    vtkPolyData* curves = filter->GetOutput(1);
+    check.Equal(static_cast<double>(curves->GetNumberOfCells()),
+      ranks.Rank == 0 ? ranks.Count : 0, name + ": rank 0 puts out the source");
+    for (vtkIdType i = 0; i < curves->GetNumberOfCells(); ++i)
+    {
+      check.Equal(curves->GetCellData()->GetArray("SourceId")->GetTuple1(i),
+        static_cast<double>(i), name + ": ids follow the ranks");
+    }
+  }
+}
+
+/// An error or an abort on one rank is one on all.
+void TestFailures(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  auto piece = Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank));
+  const Question question = Questions().front();
+  vtkNew<vtkPolyData> bad;
+  bad->DeepCopy(piece);
+  if (ranks.Rank == ranks.Count - 1)
+  {
+    bad->GetPoints()->SetPoint(5, std::nan(""), 0.0, 0.0);
+  }
+  vtkNew<vtkGeodesicDistanceField> filter;
+  Ask(filter, question);
+  Messages messages(filter);
+  filter->SetInputData(bad);
+  messages.Update();
+  check.That(Contains(messages.Error(), "at point 5"),
+    "all ranks say what is wrong on one: " + messages.Error());
+  CheckOutputsEmpty(check, filter, "an error on one rank");
+
+  filter->SetInputData(piece);
+  {
+    const bool isStopped = ranks.Rank == ranks.Count - 1;
+    Listener listener(filter, vtkCommand::ProgressEvent,
+      [&]()
+      {
+        if (isStopped && filter->GetProgress() > 0.25)
+        {
+          filter->SetAbortExecute(1);
+        }
+      });
+    messages.Update();
+    check.That(messages.Error().empty(), "an abort is no error: " + messages.Error());
+    CheckOutputsEmpty(check, filter, "an abort on one rank");
+    filter->RemoveObservers(vtkCommand::ProgressEvent);
+  }
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  messages.Update();
+  CompareData(check, filter->GetOutput(), Whole(surface, question), 1e-12, "after an abort");
+
+  filter->SetSourceData(PointSources({}));
+  messages.Update();
+  check.That(Contains(messages.Error(), "is empty"), "no source anywhere: " + messages.Error());
+  vtkNew<vtkPolyData> nothing;
+  filter->SetInputData(nothing);
+  filter->SetSourceData(question.Source);
+  messages.Update();
+  check.That(Contains(messages.Error(), "no faces"), "no surface anywhere: " + messages.Error());
+}
+
+/// Executing again, with what has changed on one rank only.
+void TestAgain(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  const auto piece = Part(surface, FacesOf(surface, Strips(surface, ranks.Count), ranks.Rank));
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(piece);
+  for (const Question& question : Questions())
+  {
+    Question exact = question;
+    exact.IsApproximate = false;
+    Ask(filter, exact);
+    filter->Update();
+    CompareData(
+      check, filter->GetOutput(), Whole(surface, exact), 1e-12, "again, with " + question.Name);
+  }
+  vtkNew<vtkPolyData> changed;
+  changed->DeepCopy(surface);
+  const auto change = [](const Point& p)
+  { return p[0] < 0.1 ? Point{ p[0] - 0.3, p[1], p[2] } : p; };
+  MovePoints(changed, change);
+  MovePoints(piece, change);
+  piece->Modified();
+  filter->Modified();
+  const Question question = Questions().front();
+  Ask(filter, question);
+  filter->Update();
+  CompareData(check, filter->GetOutput(), Whole(changed, question), 1e-12,
+    "again, where points of one rank have moved");
+}
+
+/// Whatever piece is asked for, a rank has its own; of more pieces than ranks one has it.
+void TestPieces(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  const auto piece = Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank));
+  const Question question = Questions().front();
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(piece);
+  Ask(filter, question);
+  const int pieces = 3 * ranks.Count;
+  vtkIdType cells = 0;
+  for (int i = 3 * ranks.Rank; i < 3 * ranks.Rank + 3; ++i)
+  {
+    filter->UpdatePiece(i, pieces, 0);
+    cells += filter->GetOutput()->GetNumberOfCells();
+  }
+  check.Equal(static_cast<double>(cells), static_cast<double>(piece->GetNumberOfCells()),
+    "of three pieces a rank each cell is in one");
+  // A source that makes pieces itself is asked for the rank's.
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(24);
+  sphere->SetPhiResolution(15);
+  vtkNew<vtkGeodesicDistanceField> onSphere;
+  onSphere->SetInputConnection(sphere->GetOutputPort());
+  onSphere->SetSourceData(PointSources({ { 0.0, 0.0, 0.5 } }));
+  onSphere->RefineMeshOff();
+  onSphere->Update();
+  const double* range = Distances(onSphere)->GetRange();
+  check.That(range[0] == 0.0 && range[1] > 1.4 && range[1] < 1.58,
+    "a sphere in pieces is one, pole to pole " + std::to_string(range[1]));
+  check.That(ranks.Count == 1 || onSphere->GetOutput()->GetNumberOfCells() < 24 * 26,
+    "and each rank has a part of it");
+}
+
+void TestMatrix(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  const auto points = PointSources({ { 0.1, 0.1, 0 }, { 0.9, 0.2, 0 }, { 0.5, 0.9, 0 } });
+  vtkNew<vtkGeodesicDistanceMatrix> alone;
+  alone->SetController(nullptr);
+  alone->SetInputData(surface);
+  alone->SetSourceData(points);
+  alone->Update();
+  const auto compare = [&](vtkPolyData* piece, const std::string& what)
+  {
+    vtkNew<vtkGeodesicDistanceMatrix> matrix;
+    matrix->SetInputData(piece);
+    matrix->SetSourceData(points);
+    matrix->Update();
+    vtkTable* table = matrix->GetOutput();
+    check.Equal(static_cast<double>(table->GetNumberOfRows()), ranks.Rank == 0 ? 3 : 0,
+      what + ": rank 0 has the rows");
+    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+    {
+      for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+      {
+        check.Equal(table->GetValue(row, column).ToDouble(),
+          alone->GetOutput()->GetValue(row, column).ToDouble(), what + ": the matrix");
+      }
+    }
+  };
+  compare(surface, "the surface on every rank");
+  vtkNew<vtkPolyData> nothing;
+  compare(ranks.Rank == ranks.Count - 1 ? surface : nothing.Get(), "the surface on one rank");
+
+  if (ranks.Count > 1)
+  {
+    vtkNew<vtkGeodesicDistanceMatrix> matrix;
+    matrix->SetInputData(Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank)));
+    matrix->SetSourceData(points);
+    Messages messages(matrix);
+    messages.Update();
+    check.That(Contains(messages.Error(), "distributed over several ranks"),
+      "a matrix of a surface in pieces is refused: " + messages.Error());
+  }
+}
+
+}
+
+int TestGeodesicRanks(int argc, char* argv[])
+{
+  vtkNew<vtkMPIController> controller;
+  controller->Initialize(&argc, &argv);
+  vtkMultiProcessController::SetGlobalController(controller);
+  const Ranks ranks{ controller->GetLocalProcessId(), controller->GetNumberOfProcesses() };
+  Check check;
+  const auto surface = NoisySquare(12);
+  TestCuts(check, ranks, surface);
+  TestGhosts(check, ranks, surface);
+  TestBlocks(check, ranks, surface);
+  TestGlobalIds(check, ranks, surface);
+  TestRoundings(check, ranks, surface);
+  TestBranches(check, ranks);
+  TestSourcesOnRanks(check, ranks, surface);
+  TestFailures(check, ranks, surface);
+  TestAgain(check, ranks, surface);
+  TestPieces(check, ranks, surface);
+  TestMatrix(check, ranks, surface);
+  const int failures = check.Result() == EXIT_SUCCESS ? 0 : 1;
+  int all = 0;
+  controller->AllReduce(&failures, &all, 1, vtkCommunicator::SUM_OP);
+  vtkMultiProcessController::SetGlobalController(nullptr);
+  controller->Finalize();
+  return all == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
