@@ -36,6 +36,7 @@ public:
     copy.parents = { this->of(copy.parents[0]), this->of(copy.parents[1]) };
     copy.place = {};
     this->face_.points.push_back(copy);
+    this->face_.numbersThere.push_back(point);
     return this->numbers_[point] = 2 + static_cast<Id>(this->face_.points.size());
   }
 
@@ -97,6 +98,7 @@ std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
         refined, id, cornerPoints.empty() ? part.mesh().triangle(id) : cornerPoints[id]);
       Message& answer = answers[static_cast<std::size_t>(rank)];
       putAll(answer, face.points);
+      putAll(answer, face.numbersThere);
       putAll(answer, face.triangles);
     });
   std::vector<RefinedFace> result(faces.size());
@@ -107,6 +109,7 @@ std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
       const auto owner = static_cast<std::size_t>(rank);
       RefinedFace& face = result[asked[owner][next[owner]++]];
       getAll(reader, face.points);
+      getAll(reader, face.numbersThere);
       getAll(reader, face.triangles);
     });
   return result;
