@@ -6,6 +6,7 @@
 #include "PolyData/Memory.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataSource.h"
+#include "PolyData/RefinedPiece.h"
 #include "PolyData/RefinedPolyData.h"
 #include "PolyData/SourceArrays.h"
 #include "PolyData/SurfaceWriter.h"
@@ -101,7 +102,7 @@ private:
   void ScaleToUser(Result& result) const;
   geodesic::FrontOptions FrontOptions(double endOfProgress) const;
   geodesic::DistanceField Solve(bool refine) const;
-  geodesic::DistanceField SolveInPieces() const;
+  geodesic::DistanceField SolveInPieces(bool refine) const;
   geodesic::DistanceField SolveExactly(const Result& result) const;
   void RequireSides() const;
   void FindSources(const geodesic::DistanceField& field, Result& result) const;
@@ -193,12 +194,12 @@ double vtkGeodesicDistanceField::vtkWorker::Tolerance() const
 //------------------------------------------------------------------------------
 bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
 {
-  const vtkIdType most = this->Self->MaximumNumberOfCells;
-  const vtkIdType count = this->Execution.surface().numberOfOwnTriangles();
   if (!this->Self->RefineMesh || !(this->Tolerance() > 0.0))
   {
     return false; // a surface without extent has nothing to refine
   }
+  const vtkIdType most = this->Self->MaximumNumberOfCells;
+  const auto count = static_cast<vtkIdType>(geodesic::countOwnTriangles(this->Execution.surface()));
   if (most > 0 && count > most)
   {
     this->Execution.notes().add(geodesic::NoteOn::Surface, "over " + std::to_string(most),
@@ -249,11 +250,6 @@ void vtkGeodesicDistanceField::vtkWorker::RequirePlainField() const
     return;
   }
   const std::string where = " where the surface (input port 0) is distributed over several ranks. ";
-  if (this->Self->RefineMesh)
-  {
-    throw geodesic::InputError("RefineMesh cannot be done" + where +
-      "Switch it off, or have the whole surface on one rank.");
-  }
   if (this->Choice.isAny())
   {
     throw geodesic::InputError(std::string(this->Arrays().names().front()) + " cannot be had" +
@@ -390,21 +386,26 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::Solve(bool refine) 
   const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
   if (this->Execution.surface().part())
   {
-    return this->SolveInPieces();
+    return this->SolveInPieces(refine);
   }
   return refine ? geodesic::solveForRefinement(mesh, curves, this->Tolerance(), options)
                 : geodesic::solve(mesh, curves, options);
 }
 
 //------------------------------------------------------------------------------
-geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveInPieces() const
+geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveInPieces(bool refine) const
 {
   const geodesic::SurfacePart& part = *this->Execution.surface().part();
   const geodesic::SurfacePatch& patch = this->Execution.patch();
-  geodesic::FrontOptions options = this->FrontOptions(this->DistancesDone);
+  geodesic::FrontOptions options =
+    this->FrontOptions(refine ? FieldDoneBeforeRefinement : this->DistancesDone);
   options.part = &part;
   geodesic::SourceWindows windows = geodesic::sourceWindowsOfPart(part, patch,
     geodesic::makeSourceWindows(patch.mesh(), this->Execution.sources().curves));
+  if (refine)
+  {
+    return geodesic::solveForRefinement(part.mesh(), windows, this->Tolerance(), options);
+  }
   geodesic::KeepNone none;
   return { part.mesh(), geodesic::propagate(part.mesh(), std::move(windows), options, none), {} };
 }
@@ -415,13 +416,20 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
   const geodesic::PolyDataSurface& surface = this->Execution.surface();
   geodesic::RefinementOptions options;
   options.tolerance = this->Tolerance();
+  options.part = surface.part();
   if (this->Self->MaximumNumberOfCells > 0)
   {
-    const geodesic::Id duplicates = surface.numberOfOwnTriangles() - surface.mesh().numberOfFaces();
-    options.maximumFaces =
-      static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells) - duplicates;
+    const std::uint64_t faces = surface.part() ? surface.part()->numberOfFacesOfWhole()
+                                               : surface.mesh().numberOfFaces();
+    options.maximumFaces = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells) -
+      (geodesic::countOwnTriangles(surface) - faces);
   }
-  if (surface.hasMergedPoints())
+  if (surface.part())
+  {
+    options.cornerPoints = geodesic::cornerPointsOfPiece(surface);
+    options.numberOfPoints = surface.numberOfPoints();
+  }
+  else if (surface.hasMergedPoints())
   {
     options.cornerPoints.reserve(surface.mesh().numberOfFaces());
     for (geodesic::Id face = 0; face < surface.mesh().numberOfFaces(); ++face)
@@ -443,8 +451,16 @@ geodesic::RefinedMesh vtkGeodesicDistanceField::vtkWorker::Refine(
   const geodesic::PowerOfTwoScale& scale = this->Execution.surface().scale();
   const geodesic::RefinementOptions options = this->RefinementOptions();
   geodesic::RefinedMesh refined = geodesic::refine(field, options);
-  geodesic::addOtherTriangles(this->Execution.surface(),
-    static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells), refined);
+  const auto most = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells);
+  if (options.part)
+  {
+    geodesic::addOtherTrianglesOfPiece(
+      this->Execution.surface(), most, options.cornerPoints, refined);
+  }
+  else
+  {
+    geodesic::addOtherTriangles(this->Execution.surface(), most, refined);
+  }
   if (refined.stoppedAtMaximum)
   {
     std::ostringstream text;
