@@ -117,9 +117,9 @@ void CheckWithoutPoints(Check& check)
   check.That(p == Point{ 0, 0, 0 }, "a point that is not there is the origin");
   check.That(Contains(messages.Error(), "no point 0"), "asked for: " + messages.Error());
   field->SetCurvePoint(-1, 0, 0, 0);
-  check.Equal(field->GetNumberOfCurvePoints(), 0, "no point before the first");
+  check.That(field->GetNumberOfCurvePoints() == 0, "no point before the first");
   field->SetNumberOfCurvePoints(-2);
-  check.Equal(field->GetNumberOfCurvePoints(), 0, "no fewer points than none");
+  check.That(field->GetNumberOfCurvePoints() == 0, "no fewer points than none");
 }
 
 void CheckExchangedExecutive(Check& check)
