@@ -311,7 +311,7 @@ std::vector<OtherTriangle> findOtherTriangles(const PolyDataSurface& surface,
   {
     if (faceOfTriangle[i] == NoId)
     {
-      others.push_back({ i });
+      others.emplace_back().triangle = i;
     }
   }
   if (!surface.part()->exchange().isTrueAnywhere(!others.empty()))
