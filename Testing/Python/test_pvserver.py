@@ -27,7 +27,10 @@ def main():
     port = free_port()
     command = [MPIRUN, "--allow-run-as-root", "--oversubscribe", "-np", "2", PVSERVER,
                f"--server-port={port}", "--force-offscreen-rendering"]
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL) as server:
+    # pvpython may have started MPI, which mpirun must not take for its own.
+    environment = {name: value for name, value in os.environ.items()
+                   if not name.startswith(("OMPI_", "PMIX_", "ORTE_"))}
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, env=environment) as server:
         try:
             for _ in range(100):
                 time.sleep(0.2)
