@@ -110,8 +110,9 @@ public:
   ///@{
   /**
    * The processes among which the surface may be distributed. By default these are those of the
-   * global controller. With null this process works alone: a filter that is executed on one rank
-   * only, or on whole data on each, needs that. With more than one process executing is an error.
+   * global controller. With more than one process executing is collective: all of them execute, and
+   * every port is asked for this rank's piece. With null this process works alone: a filter that is
+   * executed on one rank only, or on a surface of its own on each, needs that.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
@@ -130,7 +131,8 @@ protected:
     vtkInformationVector* outputVector);
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  /// In one process asks for the whole of every input, whatever piece is asked of this.
+  /// In one process asks for the whole of every input, whatever piece is asked of this, in several
+  /// for the rank's piece.
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   /// Calls what a subclass has overridden below, and hands its exceptions to vtkErrorMacro.

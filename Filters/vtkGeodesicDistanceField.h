@@ -92,8 +92,8 @@
  * it,
  * - cell data array `OriginalCellIds`, where RefineMesh was done: the cell of the input (of the
  *   block) that each triangle is a part of,
- * - field data arrays `WindowsPropagatedPerEdge`, `SourceSnapDistance`, `RelativeErrorBound` and
- *   `InterpolationErrorBound`, on the whole and on each block: see the getters of these names.
+ * - field data arrays `WindowsPropagatedPerEdge`, `SourceSnapDistance`, `RelativeErrorBound`,
+ *   `InterpolationErrorBound` and `SeamPointsJoined`, on the whole and on each block: see the getters of these names.
  * @par
  * Point data is interpolated linearly to new points, in the face; strings, ids (vtkIdTypeArray and
  * pedigree ids) and bits are those of the nearest corner, a new point is a ghost in the ways that
@@ -125,9 +125,26 @@
  * asks for the whole of its inputs; piece 0 of its outputs has everything, and the others are
  * empty, so that pieces that are written and read back hold each cell once.
  *
+ * @par Ranks:
+ * Where the controller (SetController()) has several processes, executing is collective: every rank
+ * executes, also one without cells. Each port is asked for this rank's piece, whatever piece is
+ * asked for downstream, and output port 0 has the rank's own piece, with its points and arrays, of
+ * the one distance field over all pieces. Ranks exchange what passes their seams: no rank needs
+ * memory for the whole surface, and distances are those of one process, to the last bits.
+ * - Points of different pieces are one where their coordinates are equal or, on the boundaries of
+ *   both, differ by a few roundings (with MergeCoincidentPoints; GetSeamPointsJoined() counts the
+ *   latter), and where their global ids are equal, if all pieces have these.
+ * - Ghost cells are treated as those of blocks, over all ranks. Boundary, counts and the numbers in
+ *   field data are those of the whole, the same on every rank.
+ * - Sources of all ranks are gathered; ids follow the ranks, then the blocks and the cells of each.
+ *   Where all ranks have the same source it counts once. Port 1 is put out by rank 0.
+ * - Where one rank has the whole surface and the others have nothing it works as a process alone,
+ *   and where all have the same surface each does.
+ * - An error on one rank is given by all, with one message; an abort on one aborts all.
+ *
  * @warning
- * The surface must be whole in one process: with several MPI ranks the filter refuses to execute,
- * unless SetController() was called with null.
+ * On a surface that is distributed over ranks, the filter gives an error where RefineMesh, barriers
+ * or arrays other than the distance are asked for.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal

@@ -5,7 +5,6 @@ import os
 import socket
 import subprocess
 import sys
-import time
 
 from paraview import servermanager, simple
 
@@ -23,20 +22,26 @@ def distance_range(field):
     return field.PointData.GetArray("GeodesicDistance").GetRange()
 
 
-def main():
-    port = free_port()
-    command = [MPIRUN, "--allow-run-as-root", "--oversubscribe", "-np", "2", PVSERVER,
-               f"--server-port={port}", "--force-offscreen-rendering"]
+def start(port):
+    """A pvserver of two ranks that waits for its client."""
     # pvpython may have started MPI, which mpirun must not take for its own.
     environment = {name: value for name, value in os.environ.items()
                    if not name.startswith(("OMPI_", "PMIX_", "ORTE_"))}
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL, env=environment) as server:
+    server = subprocess.Popen(
+        [MPIRUN, "--allow-run-as-root", "--oversubscribe", "-np", "2", PVSERVER,
+         f"--server-port={port}", "--force-offscreen-rendering"],
+        stdout=subprocess.PIPE, env=environment, text=True)
+    for line in server.stdout:
+        if "Accepting connection" in line:
+            break
+    return server
+
+
+def main():
+    port = free_port()
+    with start(port) as server:
         try:
-            for _ in range(100):
-                time.sleep(0.2)
-                if simple.Connect("localhost", port):
-                    break
-            else:
+            if not simple.Connect("localhost", port):
                 return "pvserver does not answer"
             simple.LoadPlugin(os.environ["GEODESIC_PLUGIN"], remote=True)
             simple.LoadPlugin(os.environ["GEODESIC_PLUGIN"], remote=False, ns=vars(simple))
@@ -59,9 +64,11 @@ def main():
                 return "with another source the distance is wrong"
             return ""
         finally:
-            simple.Disconnect()
-            server.terminate()
-            server.wait(20)
+            simple.Disconnect()  # which ends the server
+            try:
+                server.wait(20)
+            except subprocess.TimeoutExpired:
+                server.terminate()
 
 
 problem = main()
