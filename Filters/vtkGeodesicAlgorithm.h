@@ -8,6 +8,12 @@
  * both, keeps the structure of the surface from one execution to the next, and turns what goes
  * wrong into VTK's errors with empty outputs. See vtkGeodesicDistanceField for what inputs may be.
  *
+ * Each thing that goes wrong gives one error: the executive, which would add that the algorithm has
+ * failed, is kept quiet where nothing observes its errors. A warning, such as that the source is
+ * farther than a hundredth of the surface's size from it, is given when the execution before had
+ * no reason for it or something else has been connected to the port that it is about: not at every
+ * time step.
+ *
  * @sa
  * vtkGeodesicDistanceField
  */
@@ -147,6 +153,9 @@ private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
   void operator=(const vtkGeodesicAlgorithm&) = delete;
 
+  /// Does what is asked, or says in one error why not. Returns whether all went well.
+  bool ExecuteOrExplain(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
   /// Does the work and turns exceptions into errors. Returns whether all went well.
   bool ComputeOrExplain(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 

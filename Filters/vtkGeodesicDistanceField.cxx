@@ -6,9 +6,11 @@
 #include "PolyData/Memory.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataSource.h"
+#include "PolyData/RefinedPiece.h"
 #include "PolyData/RefinedPolyData.h"
 #include "PolyData/SourceArrays.h"
 #include "PolyData/SurfaceWriter.h"
+#include "PolyData/UnusedPoints.h"
 #include "field/Solve.h"
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
@@ -25,7 +27,9 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -98,7 +102,7 @@ private:
   void ScaleToUser(Result& result) const;
   geodesic::FrontOptions FrontOptions(double endOfProgress) const;
   geodesic::DistanceField Solve(bool refine) const;
-  geodesic::DistanceField SolveInPieces() const;
+  geodesic::DistanceField SolveInPieces(bool refine) const;
   geodesic::DistanceField SolveExactly(const Result& result) const;
   void RequireSides() const;
   void FindSources(const geodesic::DistanceField& field, Result& result) const;
@@ -106,6 +110,7 @@ private:
   geodesic::RefinementOptions RefinementOptions() const;
   geodesic::RefinedMesh Refine(const geodesic::DistanceField& field) const;
   void WriteSurface(const Result& result, vtkDataObject* output) const;
+  double UnreachedValue() const;
   void WriteDistances(const Result& result, std::size_t block, vtkPolyData* output) const;
   void WriteFieldData(vtkDataObject* output) const;
   void NoteReplacedArrays(bool isRefined) const;
@@ -189,18 +194,18 @@ double vtkGeodesicDistanceField::vtkWorker::Tolerance() const
 //------------------------------------------------------------------------------
 bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
 {
-  const vtkIdType most = this->Self->MaximumNumberOfCells;
-  const vtkIdType count = this->Execution.surface().numberOfOwnTriangles();
   if (!this->Self->RefineMesh || !(this->Tolerance() > 0.0))
   {
     return false; // a surface without extent has nothing to refine
   }
+  const vtkIdType most = this->Self->MaximumNumberOfCells;
+  const auto count = static_cast<vtkIdType>(geodesic::countOwnTriangles(this->Execution.surface()));
   if (most > 0 && count > most)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      "The surface has " << count << " triangles, more than MaximumNumberOfCells (" << most
-                         << "): it is not refined. Raise MaximumNumberOfCells to refine it, or "
-                            "switch RefineMesh off.");
+    this->Execution.notes().add(geodesic::NoteOn::Surface, "over " + std::to_string(most),
+      "The surface has " + std::to_string(count) + " triangles, more than MaximumNumberOfCells (" +
+        std::to_string(most) +
+        "): it is not refined. Raise MaximumNumberOfCells to refine it, or switch RefineMesh off.");
     return false;
   }
   return true;
@@ -245,11 +250,6 @@ void vtkGeodesicDistanceField::vtkWorker::RequirePlainField() const
     return;
   }
   const std::string where = " where the surface (input port 0) is distributed over several ranks. ";
-  if (this->Self->RefineMesh)
-  {
-    throw geodesic::InputError("RefineMesh cannot be done" + where +
-      "Switch it off, or have the whole surface on one rank.");
-  }
   if (this->Choice.isAny())
   {
     throw geodesic::InputError(std::string(this->Arrays().names().front()) + " cannot be had" +
@@ -386,21 +386,26 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::Solve(bool refine) 
   const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
   if (this->Execution.surface().part())
   {
-    return this->SolveInPieces();
+    return this->SolveInPieces(refine);
   }
   return refine ? geodesic::solveForRefinement(mesh, curves, this->Tolerance(), options)
                 : geodesic::solve(mesh, curves, options);
 }
 
 //------------------------------------------------------------------------------
-geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveInPieces() const
+geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveInPieces(bool refine) const
 {
   const geodesic::SurfacePart& part = *this->Execution.surface().part();
   const geodesic::SurfacePatch& patch = this->Execution.patch();
-  geodesic::FrontOptions options = this->FrontOptions(this->DistancesDone);
+  geodesic::FrontOptions options =
+    this->FrontOptions(refine ? FieldDoneBeforeRefinement : this->DistancesDone);
   options.part = &part;
   geodesic::SourceWindows windows = geodesic::sourceWindowsOfPart(part, patch,
     geodesic::makeSourceWindows(patch.mesh(), this->Execution.sources().curves));
+  if (refine)
+  {
+    return geodesic::solveForRefinement(part.mesh(), windows, this->Tolerance(), options);
+  }
   geodesic::KeepNone none;
   return { part.mesh(), geodesic::propagate(part.mesh(), std::move(windows), options, none), {} };
 }
@@ -411,13 +416,20 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
   const geodesic::PolyDataSurface& surface = this->Execution.surface();
   geodesic::RefinementOptions options;
   options.tolerance = this->Tolerance();
+  options.part = surface.part();
   if (this->Self->MaximumNumberOfCells > 0)
   {
-    const geodesic::Id duplicates = surface.numberOfOwnTriangles() - surface.mesh().numberOfFaces();
-    options.maximumFaces =
-      static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells) - duplicates;
+    const std::uint64_t faces = surface.part() ? surface.part()->numberOfFacesOfWhole()
+                                               : surface.mesh().numberOfFaces();
+    options.maximumFaces = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells) -
+      (geodesic::countOwnTriangles(surface) - faces);
   }
-  if (surface.hasMergedPoints())
+  if (surface.part())
+  {
+    options.cornerPoints = geodesic::cornerPointsOfPiece(surface);
+    options.numberOfPoints = surface.numberOfPoints();
+  }
+  else if (surface.hasMergedPoints())
   {
     options.cornerPoints.reserve(surface.mesh().numberOfFaces());
     for (geodesic::Id face = 0; face < surface.mesh().numberOfFaces(); ++face)
@@ -439,23 +451,33 @@ geodesic::RefinedMesh vtkGeodesicDistanceField::vtkWorker::Refine(
   const geodesic::PowerOfTwoScale& scale = this->Execution.surface().scale();
   const geodesic::RefinementOptions options = this->RefinementOptions();
   geodesic::RefinedMesh refined = geodesic::refine(field, options);
-  geodesic::addOtherTriangles(this->Execution.surface(),
-    static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells), refined);
+  const auto most = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells);
+  if (options.part)
+  {
+    geodesic::addOtherTrianglesOfPiece(
+      this->Execution.surface(), most, options.cornerPoints, refined);
+  }
+  else
+  {
+    geodesic::addOtherTriangles(this->Execution.surface(), most, refined);
+  }
   if (refined.stoppedAtMaximum)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      "MaximumNumberOfCells (" << this->Self->MaximumNumberOfCells
-                               << ") is reached: the refined surface meets a tolerance of "
-                               << scale.toUser(refined.errorBound) << " instead of "
-                               << scale.toUser(options.tolerance)
-                               << ". Raise MaximumNumberOfCells or the tolerance.");
+    std::ostringstream text;
+    text << "MaximumNumberOfCells (" << this->Self->MaximumNumberOfCells
+         << ") is reached: the refined surface meets a tolerance of "
+         << scale.toUser(refined.errorBound) << " instead of " << scale.toUser(options.tolerance)
+         << ". Raise MaximumNumberOfCells or the tolerance.";
+    this->Execution.notes().add(geodesic::NoteOn::Surface,
+      "reached " + std::to_string(this->Self->MaximumNumberOfCells), text.str());
   }
   else if (refined.errorBound > options.tolerance)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      "The refined surface meets a tolerance of "
-        << scale.toUser(refined.errorBound) << " instead of " << scale.toUser(options.tolerance)
-        << ", which is near the rounding of distances. Raise the tolerance.");
+    std::ostringstream text;
+    text << "The refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
+         << " instead of " << scale.toUser(options.tolerance)
+         << ", which is near the rounding of distances. Raise the tolerance.";
+    this->Execution.notes().add(geodesic::NoteOn::Surface, "rounding", text.str());
   }
   return refined;
 }
@@ -483,10 +505,28 @@ void vtkGeodesicDistanceField::vtkWorker::WriteSurface(
       geodesic::writeWhole(blocks[i], inputs[i].data, outputs[i], progress);
     }
     this->WriteDistances(result, i, outputs[i]);
+    if (this->Self->RemoveUnusedPoints)
+    {
+      geodesic::removeUnusedPoints(outputs[i]);
+    }
     outputs[i]->GetFieldData()->PassData(inputs[i].data->GetFieldData());
     this->WriteFieldData(outputs[i]);
   }
   this->WriteFieldData(output);
+}
+
+//------------------------------------------------------------------------------
+double vtkGeodesicDistanceField::vtkWorker::UnreachedValue() const
+{
+  switch (this->Self->UnreachedValue)
+  {
+    case UNREACHED_NAN:
+      return std::numeric_limits<double>::quiet_NaN();
+    case UNREACHED_CUSTOM:
+      return this->Self->CustomUnreachedValue;
+    default:
+      return geodesic::Infinity;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -511,12 +551,15 @@ void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
       distances->SetValue(next++, point.distance);
     }
   }
+  const double unreached = this->UnreachedValue();
   if (this->Choice.isAny())
   {
     this->Arrays().write(block, result.atVertices,
       result.isRefined ? result.atRefinedPoints[index] : geodesic::SourceValues(),
-      distances->GetPointer(0), output);
+      distances->GetPointer(0), unreached, output);
   }
+  double* first = distances->GetPointer(0);
+  std::replace(first, first + distances->GetNumberOfTuples(), geodesic::Infinity, unreached);
   output->GetPointData()->AddArray(distances);
   output->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
 }
@@ -536,6 +579,10 @@ void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(vtkDataObject* output) 
 void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) const
 {
   const char* name = this->Self->DistanceArrayName;
+  const auto noteOn = [this](const char* array, const std::string& text)
+  {
+    this->Execution.notes().add(geodesic::NoteOn::Surface, std::string("replaced: ") + array, text);
+  };
   bool hasOriginals = false;
   bool hasDistances = false;
   for (const geodesic::PolyDataBlock& block : this->Execution.surfaceBlocks())
@@ -545,13 +592,15 @@ void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) con
   }
   if (isRefined && hasOriginals)
   {
-    this->Execution.notes().add("The surface already has a cell array named OriginalCellIds; the "
-                                "output has the input's cells in its place.");
+    noteOn("OriginalCellIds",
+      "The surface already has a cell array named OriginalCellIds; the output has the input's "
+      "cells in its place.");
   }
   if (hasDistances)
   {
-    this->Execution.notes().add(std::string("The surface already has a point array named ") + name +
-      "; the output has the distance in its place. Change DistanceArrayName to keep both.");
+    noteOn(name,
+      std::string("The surface already has a point array named ") + name +
+        "; the output has the distance in its place. Change DistanceArrayName to keep both.");
   }
   for (const char* added : this->Arrays().names())
   {
@@ -560,8 +609,9 @@ void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) con
     const std::vector<geodesic::PolyDataBlock>& blocks = this->Execution.surfaceBlocks();
     if (std::any_of(blocks.begin(), blocks.end(), hasIt))
     {
-      this->Execution.notes().add(std::string("The surface already has a point array named ") +
-        added + "; the output has the filter's in its place. Rename it upstream to keep both.");
+      noteOn(added,
+        std::string("The surface already has a point array named ") + added +
+          "; the output has the filter's in its place. Rename it upstream to keep both.");
     }
   }
 }
@@ -674,6 +724,13 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AbsoluteRefinementTolerance: " << this->AbsoluteRefinementTolerance << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "UnreachedValue: "
+     << (this->UnreachedValue == UNREACHED_NAN         ? "NaN"
+            : this->UnreachedValue == UNREACHED_CUSTOM ? "Custom"
+                                                       : "Infinity")
+     << "\n";
+  os << indent << "CustomUnreachedValue: " << this->CustomUnreachedValue << "\n";
+  os << indent << "RemoveUnusedPoints: " << (this->RemoveUnusedPoints ? "On" : "Off") << "\n";
   os << indent
      << "DistanceArrayName: " << (this->DistanceArrayName ? this->DistanceArrayName : "(none)")
      << "\n";

@@ -85,8 +85,8 @@
  * (GetOutputDataObject(0); GetOutput() is null then), and each block has its own points and arrays.
  * There are
  * - point data array `GeodesicDistance` (or DistanceArrayName): the distance, in double precision;
- *   infinite at points that no path connects to the source, inside barriers, or beyond
- *   MaximumDistance,
+ *   infinite (or UnreachedValue) at points that no path connects to the source, inside barriers, or
+ *   beyond MaximumDistance,
  * - where they are asked for, point data arrays `SourceId`, `ClosestSourcePoint`,
  * `DistanceGradient` and `SignedGeodesicDistance`: see SetGenerateSourceIds() and those that follow
  * it,
@@ -273,6 +273,54 @@ public:
   vtkGetMacro(MaximumDistance, double);
   ///@}
 
+  /**
+   * What points that are not reached have for a distance.
+   */
+  enum UnreachedValues
+  {
+    UNREACHED_INFINITY = 0,
+    UNREACHED_NAN = 1,
+    UNREACHED_CUSTOM = 2
+  };
+
+  ///@{
+  /**
+   * What stands in the distance array, and in SignedGeodesicDistance, at points that no path
+   * connects to the source, inside barriers and beyond MaximumDistance: +infinity (the default),
+   * which contours, thresholds and color maps can work with; NaN, which color maps show in a color
+   * of their own; or CustomUnreachedValue, for filters and files that need finite numbers. A
+   * surface that is warped by the distance is not drawn at all with infinity, and where it is
+   * reached with NaN. Nothing else depends on this: the other arrays say which points are not
+   * reached in their own ways.
+   */
+  vtkSetClampMacro(UnreachedValue, int, UNREACHED_INFINITY, UNREACHED_CUSTOM);
+  vtkGetMacro(UnreachedValue, int);
+  void SetUnreachedValueToInfinity() { this->SetUnreachedValue(UNREACHED_INFINITY); }
+  void SetUnreachedValueToNaN() { this->SetUnreachedValue(UNREACHED_NAN); }
+  void SetUnreachedValueToCustom() { this->SetUnreachedValue(UNREACHED_CUSTOM); }
+  ///@}
+
+  ///@{
+  /**
+   * The distance of points that are not reached where UnreachedValue is UNREACHED_CUSTOM. Any
+   * number; default: -1, which no reached point has.
+   */
+  vtkSetMacro(CustomUnreachedValue, double);
+  vtkGetMacro(CustomUnreachedValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether points that no triangle of the output uses are left out of port 0, of each block of a
+   * composite one. The others keep their order and all of their data, new points of a refined
+   * surface after those of the input. Off by default: then the output has all points of the input,
+   * with their numbers. Unused points do not change distances in either case.
+   */
+  vtkSetMacro(RemoveUnusedPoints, bool);
+  vtkGetMacro(RemoveUnusedPoints, bool);
+  vtkBooleanMacro(RemoveUnusedPoints, bool);
+  ///@}
+
   ///@{
   /**
    * Name of the point data array with the distances. Default: GeodesicDistance.
@@ -327,8 +375,8 @@ public:
    * shortest path meets the curve from the left of its direction, seen with the normals of the
    * faces towards the viewer, and negative on its right. The sides of an open curve part behind its
    * ends, in the middle of the directions there. Points and the boundary as sources have no sides:
-   * the distance from them is positive. 0 on the source, +infinity where a point is not reached.
-   * Off by default.
+   * the distance from them is positive. 0 on the source, UnreachedValue where a point is not
+   * reached. Off by default.
    *
    * The sign jumps behind open ends and where paths from both sides tie:
    * GetInterpolationErrorBound() does not cover this array. A surface with edges of three and more
@@ -407,6 +455,9 @@ private:
   double AbsoluteRefinementTolerance = 1.0;
   vtkIdType MaximumNumberOfCells = 50000000;
   double MaximumDistance = 0.0;
+  int UnreachedValue = UNREACHED_INFINITY;
+  double CustomUnreachedValue = -1.0;
+  bool RemoveUnusedPoints = false;
   char* DistanceArrayName = nullptr;
   bool GenerateSourceIds = false;
   bool GenerateClosestPoints = false;

@@ -6,6 +6,9 @@
 #include "PolyData/PowerOfTwoScale.h"
 #include "source/PolylineOnSurface.h"
 
+#include <string>
+#include <vector>
+
 class vtkPolyData;
 
 namespace geodesic
@@ -41,6 +44,9 @@ SourcePolylines readSource(
 void requireOutsideBarriers(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
   double coordinatePrecision);
+
+/// "point 3 of cell 2 of the source", "point 5 of the source" where it is a curve of its own.
+std::string nameOfPoint(const LocatedPolyline& line, std::size_t point);
 
 /// What the coordinates' type allows: that of the least precise block.
 SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source);

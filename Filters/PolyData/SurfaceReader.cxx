@@ -141,6 +141,7 @@ public:
 private:
   vtkIdType requireFaces() const;
   bool isTrueOnAll(bool condition) const;
+  std::string whatThereIsInsteadOfFaces() const;
   void readPoints();
   void readPoints(const PolyDataBlock& input);
   void readTriangles(vtkIdType faces);
@@ -197,8 +198,7 @@ vtkIdType SurfaceReader::requireFaces() const
   }
   if (this->isTrueOnAll(faces == 0))
   {
-    throw MeshError("The surface (input port 0) has no faces. Connect a vtkPolyData with triangles "
-                    "or polygons, for example by the Extract Surface filter.");
+    throw MeshError(this->whatThereIsInsteadOfFaces());
   }
   return faces;
 }
@@ -207,6 +207,30 @@ vtkIdType SurfaceReader::requireFaces() const
 bool SurfaceReader::isTrueOnAll(bool condition) const
 {
   return this->exchange_ ? !this->exchange_->isTrueAnywhere(!condition) : condition;
+}
+
+std::string SurfaceReader::whatThereIsInsteadOfFaces() const
+{
+  const std::string name = "The surface (input port 0) ";
+  const std::string advice = "Connect a surface with triangles or polygons.";
+  vtkIdType points = 0;
+  vtkIdType cells = 0;
+  for (const PolyDataBlock& input : this->inputs_)
+  {
+    points += input.data->GetNumberOfPoints();
+    cells += input.data->GetNumberOfCells();
+  }
+  if (cells > 0)
+  {
+    return name + "has no faces, but lines or vertices: is it the source? " + advice;
+  }
+  if (points > 0)
+  {
+    return name + "has " + std::to_string(points) +
+      " points and no faces. PLY files of triangle strips are read so: save them as triangles. " +
+      advice;
+  }
+  return name + "is empty: it has no faces. " + advice;
 }
 
 void SurfaceReader::readPoints()

@@ -9,10 +9,12 @@
 #include "refinement/RedGreenClosure.h"
 #include "refinement/RefinementOutput.h"
 #include "refinement/RefinementProgress.h"
+#include "refinement/SeamSplits.h"
+#include "refinement/ViolationQueue.h"
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
+#include <optional>
 #include <string>
 
 namespace geodesic
@@ -37,17 +39,23 @@ bool isFrozen(const DistanceField& field, Id face)
   return !field.knowsInside(face);
 }
 
-std::vector<std::uint8_t> findFrozen(const DistanceField& field)
+/// The faces of other ranks are all frozen.
+std::vector<std::uint8_t> findFrozen(const DistanceField& field, const SurfacePart* part)
 {
   std::vector<std::uint8_t> frozen(field.mesh().numberOfFaces());
   for (Id face = 0; face < field.mesh().numberOfFaces(); ++face)
   {
-    frozen[face] = isFrozen(field, face) ? 1 : 0;
+    const bool isElsewhere = part != nullptr && !part->isOwn(face);
+    frozen[face] = isElsewhere || isFrozen(field, face) ? 1 : 0;
   }
   return frozen;
 }
 
 /// Refines the worst leaf until none is over the tolerance.
+///
+/// Where ranks have the surface together they refine a batch of leaves, each its own, exchange
+/// splits of seams until none needs another, and then look at all that has changed: whether there
+/// is room for the batch, and what is over the tolerance now.
 class Refiner
 {
 public:
@@ -55,35 +63,31 @@ public:
   RefinedMesh run();
 
 private:
-  /// A leaf over the tolerance, when it had so many split edges.
-  struct Violation
-  {
-    double error;
-    Id triangle;
-    Id splitEdges;
-    double limit;
-    bool operator<(const Violation& other) const
-    {
-      return this->error != other.error ? this->error < other.error
-                                        : this->triangle > other.triangle;
-    }
-  };
-
   void assessFaces();
   void assess(Id triangle);
   ClosingCheck::Result closeBest(Id triangle);
   void refineWorst();
-  bool isOpen(const Violation& violation) const;
+  bool refineBatch();
+  bool settleSeams();
   void refine(const Violation& violation);
+  void close(int round = 0);
+  void collectChanged();
+  bool hasTooMany() const;
+  bool isRoomForAll() const;
   void certifyRest();
   void raiseBound(double bound) { this->bound_ = std::max(this->bound_, bound); }
+  double largestOf(double number) const;
+  Id numberOfCallersPoints() const;
   double fractionDone(double worst) const;
   std::uint64_t maximumTriangles() const;
 
   const DistanceField& field_;
   const RefinementOptions& options_;
   double tolerance_;
+  Exchange* exchange_;
   RedGreenMesh triangles_;
+  /// Where ranks have the surface together.
+  std::optional<SeamSplits> seams_;
   FaceDistanceCache faces_;
   EdgeDistances distances_;
   PartShapes shapes_;
@@ -91,7 +95,9 @@ private:
   RedGreenClosure closure_;
   ClosingCheck check_;
   RefinementProgress progress_;
-  std::priority_queue<Violation> violations_;
+  ViolationQueue violations_;
+  /// The leaves that the batch at hand has changed.
+  std::vector<Id> changed_;
   double bound_;
   bool stopped_ = false;
   double worstAtFirst_ = 0.0;
@@ -101,15 +107,19 @@ Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
   : field_(field)
   , options_(options)
   , tolerance_(options.tolerance)
-  , triangles_(field.mesh(), findFrozen(field), options.trianglesBeside)
+  , exchange_(options.part ? &options.part->exchange() : nullptr)
+  , triangles_(field.mesh(), findFrozen(field, options.part), options.trianglesBeside, options.part)
+  , seams_(
+      options.part ? std::make_optional<SeamSplits>(*options.part, this->triangles_) : std::nullopt)
   , faces_(field)
   , distances_(field, this->triangles_, this->faces_)
   , shapes_(this->triangles_, options.tolerance)
   , rules_(this->triangles_, this->distances_, this->shapes_, options.tolerance)
-  , closure_(this->triangles_, this->rules_)
+  , closure_(this->triangles_, this->rules_, this->seams_ ? &*this->seams_ : nullptr)
   , check_(field, this->triangles_, this->distances_, this->faces_, options.tolerance)
   , progress_(options.progress)
-  , bound_(field.droppedErrorBound())
+  , violations_(this->triangles_, this->exchange_)
+  , bound_(this->largestOf(field.droppedErrorBound()))
 {
 }
 
@@ -119,10 +129,10 @@ RefinedMesh Refiner::run()
   this->refineWorst();
   this->certifyRest();
   RefinedMesh result;
-  result.errorBound = this->bound_;
+  result.errorBound = this->largestOf(this->bound_);
   result.stoppedAtMaximum = this->stopped_;
   writeOutput(
-    this->triangles_, { this->options_.cornerPoints, this->options_.numberOfPoints },
+    this->triangles_, { this->options_.cornerPoints, this->numberOfCallersPoints() },
     [this](double written) { this->progress_.at(1.0 - ShareOfOutput * (1.0 - written)); }, result);
   return result;
 }
@@ -130,9 +140,11 @@ RefinedMesh Refiner::run()
 void Refiner::assessFaces()
 {
   const TriangleMesh& mesh = this->field_.mesh();
-  for (Id face = 0; face < mesh.numberOfFaces(); ++face)
+  const Id first = this->triangles_.firstFace();
+  const Id end = this->triangles_.endOfFaces();
+  for (Id face = first; face < end; ++face)
   {
-    this->progress_.at(ShareOfFirstPass * face / mesh.numberOfFaces());
+    this->progress_.at(ShareOfFirstPass * (face - first) / (end - first));
     if (this->triangles_.isFrozen(face))
     {
       continue;
@@ -203,34 +215,140 @@ ClosingCheck::Result Refiner::closeBest(Id triangle)
 
 void Refiner::refineWorst()
 {
-  const std::uint64_t limit = this->maximumTriangles();
-  this->worstAtFirst_ = this->violations_.empty() ? 0.0 : this->violations_.top().error;
-  while (!this->violations_.empty())
+  while (this->violations_.takeBatch())
   {
-    const Violation worst = this->violations_.top();
-    if (!this->isOpen(worst))
-    {
-      this->violations_.pop();
-      continue;
-    }
+    this->worstAtFirst_ = std::max(this->worstAtFirst_, this->violations_.worst());
     const Id edgesBefore = this->triangles_.numberOfEdges();
     this->triangles_.begin();
-    this->refine(worst);
-    const std::vector<Id> changed = this->closure_.close();
-    if (this->triangles_.numberOfTriangles() > limit)
+    if (!this->refineBatch())
     {
       this->triangles_.rollBack();
       this->distances_.forget(edgesBefore);
-      this->stopped_ = true;
-      return;
+      this->closure_.forget();
+      if (!this->violations_.putBack())
+      {
+        this->stopped_ = true;
+        return;
+      }
+      continue;
     }
-    this->violations_.pop();
-    for (const Id triangle : changed)
+    for (const Id triangle : this->changed_)
     {
       this->assess(triangle);
     }
-    this->progress_.at(this->fractionDone(worst.error));
+    this->progress_.at(this->fractionDone(this->violations_.worst()));
   }
+}
+
+// Returns whether there is room for what has come of it.
+bool Refiner::refineBatch()
+{
+  this->changed_.clear();
+  for (const Violation& violation : this->violations_.batch())
+  {
+    if (this->violations_.isOpen(violation) && !this->hasTooMany())
+    {
+      this->refine(violation);
+      this->close();
+    }
+  }
+  if (!this->seams_)
+  {
+    return !this->hasTooMany();
+  }
+  if (!this->settleSeams() || !this->isRoomForAll())
+  {
+    return false;
+  }
+  this->collectChanged();
+  return true;
+}
+
+// Until no rank asks for a split or has made one. Returns whether none has too many triangles.
+bool Refiner::settleSeams()
+{
+  SeamSplits::State state = SeamSplits::State::Going;
+  while (state == SeamSplits::State::Going)
+  {
+    int last = 0;
+    const auto inRound = [&](int round)
+    {
+      if (round != last)
+      {
+        this->close(last);
+        last = round;
+      }
+    };
+    state = this->seams_->exchange(
+      this->hasTooMany(),
+      [&](Id edge, int round, const RedGreenMesh::Placement& placement)
+      {
+        inRound(round);
+        this->triangles_.split(edge, placement);
+      },
+      [&](Id edge, int round)
+      {
+        inRound(round);
+        if (!this->triangles_.isSplit(edge))
+        {
+          this->closure_.split(edge, round);
+        }
+      });
+    this->close(last);
+  }
+  return state == SeamSplits::State::Settled;
+}
+
+void Refiner::close(int round)
+{
+  const std::vector<Id> changed = this->closure_.close(round);
+  this->changed_.insert(this->changed_.end(), changed.begin(), changed.end());
+}
+
+// Each leaf once, and none that was split after it had been changed.
+void Refiner::collectChanged()
+{
+  std::sort(this->changed_.begin(), this->changed_.end());
+  this->changed_.erase(
+    std::unique(this->changed_.begin(), this->changed_.end()), this->changed_.end());
+  this->changed_.erase(std::remove_if(this->changed_.begin(), this->changed_.end(),
+                         [this](Id triangle) { return !this->triangles_.isLeaf(triangle); }),
+    this->changed_.end());
+}
+
+bool Refiner::hasTooMany() const
+{
+  return this->triangles_.numberOfTriangles() > this->maximumTriangles();
+}
+
+// On all ranks together.
+bool Refiner::isRoomForAll() const
+{
+  if (this->options_.maximumFaces == 0)
+  {
+    return true;
+  }
+  Message message;
+  put(message, this->triangles_.numberOfTriangles());
+  std::uint64_t all = 0;
+  readEach(this->exchange_->tellAll(message),
+    [&](int, MessageReader& reader) { all += reader.get<std::uint64_t>(); });
+  return all <= this->options_.maximumFaces;
+}
+
+Id Refiner::numberOfCallersPoints() const
+{
+  if (!this->options_.cornerPoints.empty())
+  {
+    return this->options_.numberOfPoints;
+  }
+  return this->options_.part != nullptr ? this->options_.part->numberOfOwnVertices()
+                                        : this->field_.mesh().numberOfVertices();
+}
+
+double Refiner::largestOf(double number) const
+{
+  return this->exchange_ == nullptr ? number : this->exchange_->largestOf(number);
 }
 
 std::uint64_t Refiner::maximumTriangles() const
@@ -238,13 +356,6 @@ std::uint64_t Refiner::maximumTriangles() const
   constexpr std::uint64_t numberable = NoId / 5; // ids are 3 * part + k, and parts have parts
   return this->options_.maximumFaces > 0 ? std::min(this->options_.maximumFaces, numberable)
                                          : numberable;
-}
-
-// It may have been split or assessed again since.
-bool Refiner::isOpen(const Violation& violation) const
-{
-  return this->triangles_.isLeaf(violation.triangle) &&
-    this->triangles_.splitEdges(violation.triangle) == violation.splitEdges;
 }
 
 // Splits the edges that are over the limit; where there are none, it is the inside, and one split
@@ -272,16 +383,13 @@ void Refiner::refine(const Violation& violation)
 // Where refinement has stopped at its maximum.
 void Refiner::certifyRest()
 {
-  for (; !this->violations_.empty(); this->violations_.pop())
-  {
-    const Violation& rest = this->violations_.top();
-    if (this->isOpen(rest))
+  this->violations_.takeAll(
+    [this](const Violation& rest)
     {
       const Id way = this->triangles_.wayOf(rest.triangle);
       const RedGreenMesh::Closing closing = this->triangles_.closing(rest.triangle, way);
       this->raiseBound(this->check_.check(rest.triangle, closing, true).bound);
-    }
-  }
+    });
 }
 
 // The errors fall from the worst at first to the tolerance, by about the same factor with each

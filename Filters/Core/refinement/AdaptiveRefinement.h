@@ -18,7 +18,7 @@ struct RefinementOptions
   /// Largest difference between the distance and the linear interpolant of the result, anywhere, in
   /// the surface's units.
   double tolerance = 0.0;
-  /// Most triangles of the result, with those beside it (below); 0: no limit.
+  /// Most triangles of the result, with those beside it (below), over all ranks; 0: no limit.
   std::uint64_t maximumFaces = 0;
   /// For each face of the mesh, the ids of the caller's points at its corners, where these are not
   /// the mesh's vertices: several points may be one vertex (a seam). The result is then in terms of
@@ -30,6 +30,10 @@ struct RefinementOptions
   /// edge, by the edge's name (TriangleMesh::edgeOf); edges without such have no entry. What these
   /// come to counts for maximumFaces.
   std::unordered_map<Id, Id> trianglesBeside;
+  /// Where the surface is distributed over ranks: this one's part of it, of which the field's mesh
+  /// is. All ranks call together, with the same tolerance and maximum, and get the faces that they
+  /// own refined. What is said of faces of other ranks is not looked at.
+  const SurfacePart* part = nullptr;
   /// Called now and then with the fraction done in [0, 1]; returning false stops with Aborted.
   ProgressCallback progress;
 };
@@ -52,6 +56,12 @@ struct RefinementOptions
 ///
 /// Faces in which the field has no exact values, as beyond the limit of a solve, are left as they
 /// are, but for what their neighbours' splits ask for.
+///
+/// Over ranks the refined parts fit together: points on edges of several ranks have the same place
+/// along the edge (RefinedPoint::weight), position and distance on all of them, bit for bit. The
+/// maximum of triangles counts all ranks' together; errorBound and stoppedAtMaximum are those of
+/// the whole, and the same everywhere. Which triangles there are depends on the cut, as leaves are
+/// refined in batches then.
 ///
 /// \param field with windows kept.
 /// \throws Error where the tolerance is not a positive number, or the field has no windows;

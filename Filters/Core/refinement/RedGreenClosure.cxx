@@ -6,46 +6,66 @@
 namespace geodesic
 {
 
-void RedGreenClosure::split(Id edge)
+bool RedGreenClosure::split(Id edge, int round)
 {
+  if (this->seams_ != nullptr && !this->seams_->isDecidedHere(edge))
+  {
+    this->seams_->ask(edge, round);
+    return false;
+  }
   this->mesh_.split(edge, this->rules_.place(edge));
+  if (this->seams_ != nullptr)
+  {
+    this->seams_->tell(edge, round);
+  }
+  return true;
 }
 
-void RedGreenClosure::splitIntoFour(Id triangle)
+void RedGreenClosure::splitIntoFour(Id triangle, int round)
 {
+  bool areSplit = true;
   for (Id k = 0; k < 3; ++k)
   {
     const Id edge = this->mesh_.edge(triangle, k);
     if (!this->mesh_.isSplit(edge))
     {
-      this->split(edge);
+      areSplit = this->split(edge, round) && areSplit;
     }
   }
-  this->mesh_.splitIntoFour(triangle);
+  if (areSplit)
+  {
+    this->waiting_.erase(triangle);
+    this->mesh_.splitIntoFour(triangle);
+  }
+  else
+  {
+    this->waiting_.insert(triangle);
+  }
 }
 
-std::vector<Id> RedGreenClosure::close()
+std::vector<Id> RedGreenClosure::close(int round)
 {
   constexpr int rounds = 2;
   std::vector<Id> changed;
-  this->closeTouched(changed);
-  for (int round = 0; round < rounds; ++round)
+  this->closeTouched(round, changed);
+  while (round < rounds)
   {
+    ++round;
     const std::vector<Id> bisected = changed;
     for (const Id triangle : bisected)
     {
       if (this->mesh_.isLeaf(triangle) && this->mesh_.splitEdges(triangle) == 1 &&
-        !this->rules_.mayClose(triangle))
+        !this->isWaiting(triangle) && !this->rules_.mayClose(triangle))
       {
-        this->splitIntoFour(triangle);
+        this->splitIntoFour(triangle, round);
       }
     }
-    this->closeTouched(changed);
+    this->closeTouched(round, changed);
   }
   return changed;
 }
 
-void RedGreenClosure::closeTouched(std::vector<Id>& changed)
+void RedGreenClosure::closeTouched(int round, std::vector<Id>& changed)
 {
   for (Id triangle = this->mesh_.takeTouched(); triangle != NoId;
        triangle = this->mesh_.takeTouched())
@@ -54,10 +74,10 @@ void RedGreenClosure::closeTouched(std::vector<Id>& changed)
     {
       continue;
     }
-    if (this->mesh_.isSplitTwice(triangle) ||
+    if (this->isWaiting(triangle) || this->mesh_.isSplitTwice(triangle) ||
       (this->mesh_.splitEdges(triangle) > 1 && !this->rules_.mayClose(triangle)))
     {
-      this->splitIntoFour(triangle);
+      this->splitIntoFour(triangle, round);
     }
     else
     {

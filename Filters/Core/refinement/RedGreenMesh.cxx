@@ -8,15 +8,17 @@
 namespace geodesic
 {
 
-RedGreenMesh::RedGreenMesh(
-  const TriangleMesh& mesh, std::vector<std::uint8_t> frozen, std::unordered_map<Id, Id> beside)
+RedGreenMesh::RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen,
+  std::unordered_map<Id, Id> beside, const SurfacePart* part)
   : mesh_(mesh)
   , faces_(mesh.numberOfFaces())
+  , firstFace_(part ? part->firstOwnFace() : 0)
+  , endOfFaces_(part ? part->endOfOwnFaces() : mesh.numberOfFaces())
   , frozen_(std::move(frozen))
   , beside_(std::move(beside))
   , hasEdges_(mesh.numberOfFaces(), 0)
   , partsOfFace_(mesh.numberOfFaces(), NoId)
-  , numberOfTriangles_(mesh.numberOfFaces())
+  , numberOfTriangles_(endOfFaces_ - firstFace_)
 {
 }
 
@@ -243,7 +245,9 @@ Id RedGreenMesh::frozenFacesAt(const Edge& edge) const
     Id halfedge = edge.halfedge;
     do
     {
-      count += this->frozen_[TriangleMesh::faceOf(halfedge)];
+      const Id face = TriangleMesh::faceOf(halfedge);
+      const bool isOutput = face - this->firstFace_ < this->endOfFaces_ - this->firstFace_;
+      count += isOutput && this->isFrozen(face) ? 1 : 0;
       halfedge = this->mesh_.nextSibling(halfedge);
     } while (halfedge != edge.halfedge);
   }

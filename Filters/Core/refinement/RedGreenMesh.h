@@ -2,6 +2,7 @@
 #ifndef geodesic_RedGreenMesh_h
 #define geodesic_RedGreenMesh_h
 
+#include "mesh/SurfacePart.h"
 #include "mesh/SurfacePoint.h"
 #include "mesh/TriangleMesh.h"
 
@@ -83,10 +84,15 @@ public:
   ///        are only closed.
   /// \param beside how many triangles outside of the mesh are closed with it at an edge
   ///        (RefinementOptions::trianglesBeside).
+  /// \param part null: all faces of the mesh are refined and in the output, else those that this
+  ///        part of a surface owns; the others must be frozen.
   RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen,
-    std::unordered_map<Id, Id> beside = {});
+    std::unordered_map<Id, Id> beside = {}, const SurfacePart* part = nullptr);
 
   const TriangleMesh& mesh() const { return this->mesh_; }
+  /// The faces of the output are those from the first to before the end.
+  Id firstFace() const { return this->firstFace_; }
+  Id endOfFaces() const { return this->endOfFaces_; }
   Id numberOfInputPoints() const { return this->mesh_.numberOfVertices(); }
   const std::vector<Point>& points() const { return this->points_; }
   SurfacePoint place(Id point) const;
@@ -101,6 +107,12 @@ public:
   /// The edge from corner k to corner k + 1. May move the data of others.
   Id edge(Id triangle, Id k);
   const Edge& edgeData(Id edge) const { return this->edges_[edge]; }
+  /// Where a split edge is split.
+  Placement placementOf(Id edge) const
+  {
+    const Point& split = this->points_[this->edges_[edge].split - this->numberOfInputPoints()];
+    return { split.weight, split.distance };
+  }
   Id numberOfEdges() const { return static_cast<Id>(this->edges_.size()); }
   bool isSplit(Id edge) const { return edge != NoId && this->edges_[edge].split != NoId; }
   /// How many edges of a leaf are split.
@@ -186,6 +198,8 @@ private:
 
   const TriangleMesh& mesh_;
   Id faces_;
+  Id firstFace_;
+  Id endOfFaces_;
   std::vector<std::uint8_t> frozen_;
   std::unordered_map<Id, Id> beside_;
   std::vector<Point> points_;

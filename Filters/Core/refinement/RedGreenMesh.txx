@@ -39,7 +39,7 @@ template <typename Emit>
 void RedGreenMesh::forEachTriangle(Emit&& emit) const
 {
   std::vector<Id> stack;
-  for (Id face = 0; face < this->faces_; ++face)
+  for (Id face = this->firstFace_; face < this->endOfFaces_; ++face)
   {
     if (this->isFrozen(face))
     {

@@ -93,19 +93,23 @@ void writeOutput(const RedGreenMesh& triangles, const CallersPoints& points,
   const std::function<void(double)>& progress, RefinedMesh& result)
 {
   const TriangleMesh& mesh = triangles.mesh();
+  result.numberOfInputPoints = points.count;
   if (points.atCorners.empty())
   {
-    result.numberOfInputPoints = mesh.numberOfVertices();
+    const Id left = mesh.numberOfVertices() - points.count;
+    const auto numberOf = [&](Id point) { return point < points.count ? point : point - left; };
     result.points.reserve(triangles.points().size());
     for (const RedGreenMesh::Point& split : triangles.points())
     {
-      result.points.push_back(refinedPoint(mesh, split, split.parents));
+      result.points.push_back(
+        refinedPoint(mesh, split, { numberOf(split.parents[0]), numberOf(split.parents[1]) }));
     }
-    writeTriangles(
-      triangles, progress, result, [](Id, const Triangle& corners) { return corners; });
+    writeTriangles(triangles, progress, result,
+      [&](Id, const Triangle& c) {
+        return Triangle{ numberOf(c[0]), numberOf(c[1]), numberOf(c[2]) };
+      });
     return;
   }
-  result.numberOfInputPoints = points.count;
   CallersNumbers numbers(triangles, points.atCorners, result);
   writeTriangles(triangles, progress, result,
     [&numbers](Id face, const Triangle& corners) { return numbers.of(face, corners); });

@@ -16,7 +16,7 @@ struct CallersPoints
 {
   /// For each face the ids of the points at its corners; empty: the mesh's vertices.
   const std::vector<Triangle>& atCorners;
-  /// How many points there are.
+  /// How many points there are: fewer than vertices where the last of these are other ranks'.
   Id count;
 };
 

@@ -6,9 +6,10 @@
 namespace geodesic
 {
 
-RefinementRetention::RefinementRetention(
-  const TriangleMesh& mesh, double tolerance, const std::vector<std::uint8_t>& pinned)
+RefinementRetention::RefinementRetention(const TriangleMesh& mesh, double tolerance,
+  const std::vector<std::uint8_t>& pinned, const SurfacePart* part)
   : mesh_(mesh)
+  , part_(part)
   , tolerance_(tolerance)
   , test_(mesh, tolerance)
   , state_(mesh.numberOfFaces(), State::Open)
@@ -19,7 +20,7 @@ RefinementRetention::RefinementRetention(
   for (Id face = 0; face < mesh.numberOfFaces(); ++face)
   {
     this->forEachNeighbour(face, [this, face](Id) { ++this->neededBy_[face]; });
-    if (pinned[face])
+    if (pinned[face] || this->isElsewhere(face))
     {
       this->state_[face] = State::Kept;
     }
@@ -233,7 +234,8 @@ void RefinementRetention::handOver(const FrontState& front)
   this->kept_.faces.assign(this->mesh_.numberOfFaces(), 1);
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
-    this->kept_.faces[face] = this->state_[face] == State::Dropped ? 0 : 1;
+    const bool isKept = this->state_[face] != State::Dropped && !this->isElsewhere(face);
+    this->kept_.faces[face] = isKept ? 1 : 0;
     this->lists_.forEach(face,
       [this](const MeasuredList& measured)
       {

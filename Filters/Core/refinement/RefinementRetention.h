@@ -3,6 +3,7 @@
 #define geodesic_RefinementRetention_h
 
 #include "front/Retention.h"
+#include "mesh/SurfacePart.h"
 #include "mesh/TriangleMesh.h"
 #include "refinement/LinearFaceTest.h"
 #include "refinement/PassedLists.h"
@@ -24,12 +25,16 @@ namespace geodesic
 /// stays what it is; how far it is below is looked at again. Where that is too much then and the
 /// windows before are gone, the face was dropped too early: the solve has to be done again with the
 /// face pinned.
+///
+/// On a part of a surface only the faces that it owns are looked after. Nothing is known of the
+/// others, so that faces beside them keep their windows.
 class RefinementRetention : public Retention
 {
 public:
   /// \param pinned for each face, whether its windows are never dropped.
-  RefinementRetention(
-    const TriangleMesh& mesh, double tolerance, const std::vector<std::uint8_t>& pinned);
+  /// \param part null: the mesh is the whole surface.
+  RefinementRetention(const TriangleMesh& mesh, double tolerance,
+    const std::vector<std::uint8_t>& pinned, const SurfacePart* part = nullptr);
 
   bool needsInside() const override { return true; }
   void setNumberOfWorkers(std::size_t count) override { this->passed_.resize(count); }
@@ -49,6 +54,7 @@ private:
     Open,
     /// The front is to come past it.
     Awaited,
+    /// Its windows are never dropped, or it is another rank's.
     Kept,
     Linear,
     /// Linear, and its windows are gone.
@@ -57,6 +63,7 @@ private:
 
   template <typename Visit>
   void forEachNeighbour(Id face, Visit&& visit) const;
+  bool isElsewhere(Id face) const { return this->part_ != nullptr && !this->part_->isOwn(face); }
   bool isOpen(Id face) const
   {
     return this->state_[face] == State::Open || this->state_[face] == State::Awaited;
@@ -84,6 +91,7 @@ private:
   }
 
   const TriangleMesh& mesh_;
+  const SurfacePart* part_;
   double tolerance_;
   LinearFaceTest test_;
   std::vector<State> state_;

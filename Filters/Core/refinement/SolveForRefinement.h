@@ -27,6 +27,12 @@ namespace geodesic
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   double tolerance, const FrontOptions& options = {}, int maximumDroppingSolves = 4);
 
+/// The same on a part of a surface (FrontOptions::part), from what the sources give to begin with.
+/// All ranks call together, and solve again together. The field is known in the faces that the part
+/// owns.
+DistanceField solveForRefinement(const TriangleMesh& mesh, const SourceWindows& sources,
+  double tolerance, const FrontOptions& options, int maximumDroppingSolves = 4);
+
 /// What merging may change on one halfedge of an approximate field that is refined to a tolerance:
 /// a tenth of it (window/Merging.md).
 double maximumMergedFor(double tolerance);

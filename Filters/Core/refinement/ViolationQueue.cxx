@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement/ViolationQueue.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodesic
+{
+
+namespace
+{
+
+// Of the worst error, the least in a batch. What is refined too early is what a split beside it
+// would have mended; with a larger fraction there are more steps between ranks.
+constexpr double NearWorst = 0.5;
+
+// The same where there is not room for all, so that it goes to the worst.
+constexpr double NearWorstWithLittleRoom = 0.9;
+
+} // anonymous namespace
+
+bool ViolationQueue::isOpen(const Violation& violation) const
+{
+  return this->triangles_.isLeaf(violation.triangle) &&
+    this->triangles_.splitEdges(violation.triangle) == violation.splitEdges;
+}
+
+bool ViolationQueue::isAnyOpen()
+{
+  while (!this->waiting_.empty() && !this->isOpen(this->waiting_.top()))
+  {
+    this->waiting_.pop();
+  }
+  return !this->waiting_.empty();
+}
+
+void ViolationQueue::takeWorst()
+{
+  this->batch_.push_back(this->waiting_.top());
+  this->waiting_.pop();
+}
+
+bool ViolationQueue::takeBatch()
+{
+  this->batch_.clear();
+  const bool isAny = this->isAnyOpen();
+  this->worst_ = isAny ? this->waiting_.top().error : 0.0;
+  if (this->exchange_ == nullptr)
+  {
+    if (isAny)
+    {
+      this->takeWorst();
+      this->batchOfAll_ = 1;
+    }
+    return isAny;
+  }
+  this->worst_ = this->exchange_->largestOf(this->worst_);
+  if (!(this->worst_ > 0.0))
+  {
+    return false;
+  }
+  const double least = this->worst_ * (this->hasLittleRoom() ? NearWorstWithLittleRoom : NearWorst);
+  while (this->isAnyOpen() && this->waiting_.top().error >= least)
+  {
+    this->takeWorst();
+  }
+  this->keepShare();
+  return true;
+}
+
+// Each rank keeps a share in proportion to what it has.
+void ViolationQueue::keepShare()
+{
+  Message message;
+  put(message, static_cast<std::uint64_t>(this->batch_.size()));
+  std::uint64_t before = 0;
+  std::uint64_t all = 0;
+  readEach(this->exchange_->tellAll(message),
+    [&](int rank, MessageReader& reader)
+    {
+      const auto count = reader.get<std::uint64_t>();
+      before += rank < this->exchange_->rank() ? count : 0;
+      all += count;
+    });
+  this->batchOfAll_ = std::min(all, this->mostInBatch_);
+  if (all <= this->mostInBatch_)
+  {
+    return;
+  }
+  const auto upTo = [&](std::uint64_t count)
+  {
+    const double fraction = static_cast<double>(count) / static_cast<double>(all);
+    return static_cast<std::size_t>(std::floor(fraction * static_cast<double>(this->mostInBatch_)));
+  };
+  const std::size_t share = upTo(before + this->batch_.size()) - upTo(before);
+  for (std::size_t i = share; i < this->batch_.size(); ++i)
+  {
+    this->waiting_.push(this->batch_[i]);
+  }
+  this->batch_.resize(share);
+}
+
+bool ViolationQueue::putBack()
+{
+  for (const Violation& violation : this->batch_)
+  {
+    this->waiting_.push(violation);
+  }
+  this->batch_.clear();
+  this->mostInBatch_ = this->batchOfAll_ / 2;
+  return this->mostInBatch_ > 0;
+}
+
+}

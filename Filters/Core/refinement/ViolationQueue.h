@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_ViolationQueue_h
+#define geodesic_ViolationQueue_h
+
+#include "Exchange.h"
+#include "refinement/RedGreenMesh.h"
+
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <vector>
+
+namespace geodesic
+{
+
+/// A leaf over the tolerance, when it had so many split edges.
+struct Violation
+{
+  double error;
+  Id triangle;
+  Id splitEdges;
+  double limit;
+  bool operator<(const Violation& other) const
+  {
+    return this->error != other.error ? this->error < other.error : this->triangle > other.triangle;
+  }
+};
+
+/// The leaves over the tolerance, and which of them are refined next: the worst one. Where ranks
+/// refine together it is a batch of those that are nearly as bad as the worst of all ranks, so that
+/// there are few steps; a batch that was too much is tried again with half as many leaves.
+class ViolationQueue
+{
+public:
+  /// \param triangles must outlive this, as must the exchange.
+  /// \param exchange null: without other ranks.
+  ViolationQueue(const RedGreenMesh& triangles, Exchange* exchange)
+    : triangles_(triangles)
+    , exchange_(exchange)
+  {
+  }
+
+  void push(const Violation& violation) { this->waiting_.push(violation); }
+  /// Whether it was neither split nor assessed again since.
+  bool isOpen(const Violation& violation) const;
+
+  /// Makes the next batch; all ranks call together. \returns false where no rank has any left.
+  bool takeBatch();
+  /// Of this rank, the worst first.
+  const std::vector<Violation>& batch() const { return this->batch_; }
+  /// The largest error in the batch, over all ranks.
+  double worst() const { return this->worst_; }
+
+  /// Puts back a batch that was too much, once the mesh is as it was. \returns whether a smaller
+  /// one can be tried.
+  bool putBack();
+
+  /// Calls visit(violation) for each that is open, and forgets all.
+  template <typename Visit>
+  void takeAll(Visit&& visit)
+  {
+    for (; !this->waiting_.empty(); this->waiting_.pop())
+    {
+      if (this->isOpen(this->waiting_.top()))
+      {
+        visit(this->waiting_.top());
+      }
+    }
+  }
+
+private:
+  static constexpr std::uint64_t NoLimit = std::numeric_limits<std::uint64_t>::max();
+
+  bool hasLittleRoom() const { return this->mostInBatch_ < NoLimit; }
+  bool isAnyOpen();
+  void takeWorst();
+  void keepShare();
+
+  const RedGreenMesh& triangles_;
+  Exchange* exchange_;
+  std::priority_queue<Violation> waiting_;
+  std::vector<Violation> batch_;
+  double worst_ = 0.0;
+  /// How many the batch has on all ranks, and may have.
+  std::uint64_t batchOfAll_ = 0;
+  std::uint64_t mostInBatch_ = NoLimit;
+};
+
+}
+
+#endif
