@@ -264,7 +264,8 @@ int vtkGeodesicAlgorithm::RequestUpdateExtent(vtkInformation* vtkNotUsed(request
     for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
     {
       vtkInformation* info = inputVector[port]->GetInformationObject(i);
-      info->Set(Pipeline::UPDATE_PIECE_NUMBER(), processes > 1 ? controller->GetLocalProcessId() : 0);
+      info->Set(
+        Pipeline::UPDATE_PIECE_NUMBER(), processes > 1 ? controller->GetLocalProcessId() : 0);
       info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), processes);
       if (processes == 1 || port > 0) // ghost cells of a piece get their values, too
       {
@@ -381,10 +382,9 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   catch (...)
   {
     isCacheKept = false;
-    message =
-      "The distance could not be computed, for a reason that was not foreseen and has no "
-      "description. Please report this with the surface and the source, unless an "
-      "observer of this filter has thrown it.";
+    message = "The distance could not be computed, for a reason that was not foreseen and has no "
+              "description. Please report this with the surface and the source, unless an "
+              "observer of this filter has thrown it.";
   }
   EmptyOutputs(outputVector);
   if (!isCacheKept || exchange)

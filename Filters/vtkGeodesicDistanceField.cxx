@@ -162,9 +162,9 @@ void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData
 void vtkGeodesicDistanceField::vtkWorker::ShareNumbers() const
 {
   double joined = static_cast<double>(this->Self->SeamPointsJoined);
-  this->Execution.shareNumbers({ &this->Self->WindowsPropagatedPerEdge,
-    &this->Self->SourceSnapDistance, &this->Self->RelativeErrorBound,
-    &this->Self->InterpolationErrorBound, &joined });
+  this->Execution.shareNumbers(
+    { &this->Self->WindowsPropagatedPerEdge, &this->Self->SourceSnapDistance,
+      &this->Self->RelativeErrorBound, &this->Self->InterpolationErrorBound, &joined });
   this->Self->SeamPointsJoined = static_cast<vtkIdType>(joined);
 }
 
@@ -400,8 +400,8 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveInPieces(bool 
   geodesic::FrontOptions options =
     this->FrontOptions(refine ? FieldDoneBeforeRefinement : this->DistancesDone);
   options.part = &part;
-  geodesic::SourceWindows windows = geodesic::sourceWindowsOfPart(part, patch,
-    geodesic::makeSourceWindows(patch.mesh(), this->Execution.sources().curves));
+  geodesic::SourceWindows windows = geodesic::sourceWindowsOfPart(
+    part, patch, geodesic::makeSourceWindows(patch.mesh(), this->Execution.sources().curves));
   if (refine)
   {
     return geodesic::solveForRefinement(part.mesh(), windows, this->Tolerance(), options);
@@ -419,8 +419,8 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
   options.part = surface.part();
   if (this->Self->MaximumNumberOfCells > 0)
   {
-    const std::uint64_t faces = surface.part() ? surface.part()->numberOfFacesOfWhole()
-                                               : surface.mesh().numberOfFaces();
+    const std::uint64_t faces =
+      surface.part() ? surface.part()->numberOfFacesOfWhole() : surface.mesh().numberOfFaces();
     options.maximumFaces = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells) -
       (geodesic::countOwnTriangles(surface) - faces);
   }
@@ -571,8 +571,7 @@ void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(vtkDataObject* output) 
   addFieldData(output, "SourceSnapDistance", this->Self->SourceSnapDistance);
   addFieldData(output, "RelativeErrorBound", this->Self->RelativeErrorBound);
   addFieldData(output, "InterpolationErrorBound", this->Self->InterpolationErrorBound);
-  addFieldData(
-    output, "SeamPointsJoined", static_cast<double>(this->Self->SeamPointsJoined));
+  addFieldData(output, "SeamPointsJoined", static_cast<double>(this->Self->SeamPointsJoined));
 }
 
 //------------------------------------------------------------------------------

@@ -93,7 +93,8 @@
  * - cell data array `OriginalCellIds`, where RefineMesh was done: the cell of the input (of the
  *   block) that each triangle is a part of,
  * - field data arrays `WindowsPropagatedPerEdge`, `SourceSnapDistance`, `RelativeErrorBound`,
- *   `InterpolationErrorBound` and `SeamPointsJoined`, on the whole and on each block: see the getters of these names.
+ *   `InterpolationErrorBound` and `SeamPointsJoined`, on the whole and on each block: see the
+ * getters of these names.
  * @par
  * Point data is interpolated linearly to new points, in the face; strings, ids (vtkIdTypeArray and
  * pedigree ids) and bits are those of the nearest corner, a new point is a ghost in the ways that
@@ -143,8 +144,8 @@
  * - An error on one rank is given by all, with one message; an abort on one aborts all.
  *
  * @warning
- * On a surface that is distributed over ranks, the filter gives an error where RefineMesh, barriers
- * or arrays other than the distance are asked for.
+ * On a surface that is distributed over ranks, the filter gives an error where barriers or arrays
+ * other than the distance are asked for.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal

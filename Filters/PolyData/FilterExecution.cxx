@@ -134,14 +134,14 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
   if (emptyOnes + 1 >= this->exchange_->numberOfRanks())
   {
     // Where all are empty, rank 0 says so.
-    const bool isWorker = own.isEmpty() ? this->exchange_->rank() == 0 &&
-        emptyOnes == this->exchange_->numberOfRanks()
-                                        : true;
+    const bool isWorker = own.isEmpty()
+      ? this->exchange_->rank() == 0 && emptyOnes == this->exchange_->numberOfRanks()
+      : true;
     this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::Elsewhere;
     return;
   }
-  const bool areAlike = std::all_of(
-    all.begin(), all.end(), [&](const Piece& piece) { return piece == all.front(); });
+  const bool areAlike =
+    std::all_of(all.begin(), all.end(), [&](const Piece& piece) { return piece == all.front(); });
   if (areAlike && this->isSameOnAllRanks(barriers))
   {
     const bool isWorker = pieces == Pieces::Taken || this->isFirstRank();
@@ -251,8 +251,8 @@ Targets FilterExecution::readTargets(double end)
     this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;
   const std::vector<PolyDataBlock> blocks =
     this->exchange_ ? gathered.blocks() : polyDataBlocks(input, name);
-  Targets targets = geodesic::readTargets(blocks, name, this->surface(), this->locator(),
-    this->progressBetween(InputsRead, end));
+  Targets targets = geodesic::readTargets(
+    blocks, name, this->surface(), this->locator(), this->progressBetween(InputsRead, end));
   this->reach(end);
   return targets;
 }
@@ -334,17 +334,17 @@ void FilterExecution::putCurvesOntoPatch(SourcePolylines& source, const SnapOpti
     this->cache_.locatorOnRanks(), this->progressBetween(SurfaceRead, SourceLocated));
   this->onRanks_->makePatch();
   this->onRanks_->locateOnPatch(source.polylines);
-  if (this->onRanks_->addFaces(facesBetweenPoints(*this->surface().part(), this->patch(),
-        source.polylines, snapping, smpParallelFor(),
-        this->progressBetween(SourceLocated, FarPointsSearched))))
+  if (this->onRanks_->addFaces(
+        facesBetweenPoints(*this->surface().part(), this->patch(), source.polylines, snapping,
+          smpParallelFor(), this->progressBetween(SourceLocated, FarPointsSearched))))
   {
     this->onRanks_->makePatch();
     this->onRanks_->locateOnPatch(source.polylines);
   }
   const TriangleMesh& mesh = this->meshOfSources();
-  this->sources_ = putOntoSurface(mesh, source.polylines, snapping,
-    joinByShortestPaths(mesh, smpParallelFor()),
-    this->progressBetween(FarPointsSearched, InputsRead));
+  this->sources_ =
+    putOntoSurface(mesh, source.polylines, snapping, joinByShortestPaths(mesh, smpParallelFor()),
+      this->progressBetween(FarPointsSearched, InputsRead));
 }
 
 std::vector<SourceCurve> FilterExecution::numberedBoundary(const TriangleMesh& mesh)

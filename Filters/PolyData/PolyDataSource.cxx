@@ -230,8 +230,7 @@ std::string nameOfPoint(const LocatedPolyline& line, std::size_t point)
   return isNamed ? line.name : "point " + std::to_string(point) + " of " + line.name;
 }
 
-SourcePolylines readSource(
-  const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale)
+SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale)
 {
   std::vector<Chain> chains;
   std::vector<Vec3> points;

@@ -32,8 +32,7 @@ struct SourcePolylines
 ///
 /// \param scale of the surface that they belong to; the polylines have it too.
 /// \throws SourceError where there is no point or one is not finite.
-SourcePolylines readSource(
-  const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale);
+SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale);
 
 /// Where a surface has barriers, makes sure that no point of a source lies in one: no path could
 /// leave it.

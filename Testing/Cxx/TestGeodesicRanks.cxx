@@ -208,8 +208,8 @@ public:
   double WindowsPerEdge = 0.0;
 };
 
-void CompareData(Check& check, vtkPolyData* output, const Whole& whole, double tolerance,
-  const std::string& what)
+void CompareData(
+  Check& check, vtkPolyData* output, const Whole& whole, double tolerance, const std::string& what)
 {
   vtkDataArray* distances = output->GetPointData()->GetArray("GeodesicDistance");
   if (!distances || distances->GetNumberOfTuples() != output->GetNumberOfPoints())
@@ -340,8 +340,8 @@ void TestBlocks(Check& check, Ranks ranks, vtkPolyData* surface)
   vtkNew<vtkMultiBlockDataSet> blocks;
   for (int i = 0; i < 2; ++i)
   {
-    blocks->SetBlock(static_cast<unsigned int>(i),
-      Part(surface, FacesOf(surface, cut, 2 * ranks.Rank + i)));
+    blocks->SetBlock(
+      static_cast<unsigned int>(i), Part(surface, FacesOf(surface, cut, 2 * ranks.Rank + i)));
   }
   for (const Question& question : Questions())
   {
@@ -475,12 +475,12 @@ void TestSourcesOnRanks(Check& check, Ranks ranks, vtkPolyData* surface)
     filter->Update();
     CompareData(check, filter->GetOutput(), whole, 1e-12, name);
     vtkPolyData* curves = filter->GetOutput(1);
-    check.Equal(static_cast<double>(curves->GetNumberOfCells()),
-      ranks.Rank == 0 ? ranks.Count : 0, name + ": rank 0 puts out the source");
+    check.Equal(static_cast<double>(curves->GetNumberOfCells()), ranks.Rank == 0 ? ranks.Count : 0,
+      name + ": rank 0 puts out the source");
     for (vtkIdType i = 0; i < curves->GetNumberOfCells(); ++i)
     {
-      check.Equal(curves->GetCellData()->GetArray("SourceId")->GetTuple1(i),
-        static_cast<double>(i), name + ": ids follow the ranks");
+      check.Equal(curves->GetCellData()->GetArray("SourceId")->GetTuple1(i), static_cast<double>(i),
+        name + ": ids follow the ranks");
     }
   }
 }
@@ -553,8 +553,9 @@ void TestAgain(Check& check, Ranks ranks, vtkPolyData* surface)
   }
   vtkNew<vtkPolyData> changed;
   changed->DeepCopy(surface);
-  const auto change = [](const Point& p)
-  { return p[0] < 0.1 ? Point{ p[0] - 0.3, p[1], p[2] } : p; };
+  const auto change = [](const Point& p) {
+    return p[0] < 0.1 ? Point{ p[0] - 0.3, p[1], p[2] } : p;
+  };
   MovePoints(changed, change);
   MovePoints(piece, change);
   piece->Modified();

@@ -132,7 +132,7 @@ class Numbers(unittest.TestCase):
             Input=plane(), Source=polyline([(2, 0, 0.01), (2.5, 3, 0)]), Accuracy="Approximate")
         said = data(field).GetFieldData()
         for name in ("SourceSnapDistance", "WindowsPropagatedPerEdge", "RelativeErrorBound",
-                     "InterpolationErrorBound"):
+                     "InterpolationErrorBound", "SeamPointsJoined"):
             self.assertEqual(getattr(field, name), said.GetArray(name).GetTuple1(0), name)
 
     def test_they_cannot_be_set(self):
