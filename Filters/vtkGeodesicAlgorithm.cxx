@@ -336,12 +336,10 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
       vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]),
       hasTargets ? vtkDataObject::GetData(inputVector[2]) : nullptr, exchange);
     this->Compute(execution, outputVector);
-    execution.finish();
     const std::string said = this->Internals->Given.take(execution.notes(), this);
-    // Where ranks work together they all have the same notes.
-    const bool isSaidElsewhere =
-      execution.surfacePlace() == geodesic::SurfacePlace::InPieces && !execution.isFirstRank();
-    if (!said.empty() && !isSaidElsewhere)
+    execution.finish();
+    exchange = nullptr; // what goes wrong from here on is no concern of other ranks
+    if (!said.empty() && execution.isNoteGiver())
     {
       vtkWarningMacro(<< said);
     }

@@ -140,6 +140,7 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
     this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::Elsewhere;
     return;
   }
+  this->haveAllRanksNotes_ = true;
   const bool areAlike =
     std::all_of(all.begin(), all.end(), [&](const Piece& piece) { return piece == all.front(); });
   if (areAlike && this->isSameOnAllRanks(barriers))

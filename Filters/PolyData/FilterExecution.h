@@ -143,6 +143,8 @@ public:
 
   /// What the user should know.
   Notes& notes() { return this->notes_; }
+  /// Whether this rank tells the user what is in the notes: of several that have the same, one does.
+  bool isNoteGiver() const { return !this->haveAllRanksNotes_ || this->isFirstRank(); }
 
 private:
   void findSurface(const BarrierArrays& barriers, Pieces pieces);
@@ -164,6 +166,7 @@ private:
   vtkDataObject* targetsInput_;
   RankExchange* exchange_;
   SurfacePlace place_ = SurfacePlace::Here;
+  bool haveAllRanksNotes_ = false;
   std::vector<PolyDataBlock> surfaceBlocks_;
   /// Those of all ranks.
   GatheredBlocks gatheredSource_;
