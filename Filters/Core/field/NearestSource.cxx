@@ -28,8 +28,8 @@ NearestSource::NearestSource(const DistanceField& field, const SurfacePatch& pat
   , meshOfCurves_(patch.mesh())
   , chains_(patch.mesh(), curves)
   , onCurves_(patch.mesh(), this->chains_)
-  , sectors_(patch.mesh())
   , vertices_(std::make_unique<VerticesOfWhole>(*field.part()))
+  , sectors_(patch.mesh())
 {
   this->find(callback);
   this->elsewhere_ =
