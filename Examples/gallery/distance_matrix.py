@@ -35,7 +35,7 @@ picture.Script = """import numpy
 rows = numpy.column_stack(inputs[1].RowData.values()[1:])
 output.CellData.append(rows.ravel(), "Distance")"""
 
-view = look.view([cone, picture], direction=(0, -1, 0.25), size=(720, 400))
+view = look.view([cone, picture], direction=(0, -1, 0.25), size=(840, 460))
 look.plain(Show(cone, view))
 balls = Show(GenerateIds(Input=points), view)
 look.lines(balls, width=7)

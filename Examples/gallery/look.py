@@ -10,9 +10,9 @@ import sys
 
 import numpy as np
 from paraview import simple
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import small_png
 
 NEAR, MIDDLE, FAR = (0.98, 0.84, 0.42), (0.87, 0.36, 0.38), (0.22, 0.26, 0.58)
 RED, BLUE = (0.86, 0.36, 0.30), (0.25, 0.42, 0.70)
@@ -101,6 +101,10 @@ def shade(display):
     display.Interpolation = "Flat"  # normals that were made before the surface was bent are wrong
 
 
+def smooth(display):
+    display.Interpolation = "Gouraud"
+
+
 def lines(display, color=WHITE, width=5):
     """Shows lines as tubes and points as balls, in one color."""
     plain(display, color)
@@ -130,7 +134,7 @@ def round_lines(display, width):
 
 
 # ----------------------------------------------------------------------------------------- camera
-def view(surfaces, direction=(0.45, -0.85, 0.75), upward=(0, 0, 1), size=(720, 480)):
+def view(surfaces, direction=(0.45, -0.85, 0.75), upward=(0, 0, 1), size=(840, 560)):
     """A white view that looks at a surface, or several, from a direction, and is filled by them."""
     new = simple.CreateView("RenderView")
     new.ViewSize = size
@@ -160,15 +164,6 @@ def look_along(view, surfaces, direction, upward):
     view.CameraViewUp = up
     columns, rows = view.ViewSize
     view.CameraParallelScale = 0.52 * max(height, width * rows / columns)
-
-
-def zoom(view, center, factor):
-    """Closes in on a point; without one, on the middle of the view."""
-    if center is not None:
-        back = np.subtract(view.CameraPosition, view.CameraFocalPoint)
-        view.CameraFocalPoint = center
-        view.CameraPosition = center + back
-    view.CameraParallelScale /= factor
 
 
 def points_of(proxy):
@@ -201,8 +196,9 @@ def save(view, script, times=()):
 
 
 def save_picture(view, file_name):
-    """Writes what a view or a layout shows."""
-    simple.SaveScreenshot(file_name, view, ImageResolution=view.ViewSize, CompressionLevel="9")
+    """Writes what a view shows."""
+    simple.SaveScreenshot(file_name, view, ImageResolution=view.ViewSize)
+    small_png.write(small_png.read(file_name), file_name)
 
 
 def save_film(view, times, file_name):
@@ -211,29 +207,8 @@ def save_film(view, times, file_name):
     pictures = []
     for time in times:
         scene.AnimationTime = time
-        save_picture(view, file_name)
-        pictures.append(read_pixels(file_name))
+        simple.SaveScreenshot(file_name, view, ImageResolution=view.ViewSize)
+        pictures.append(small_png.read(file_name))
     scene.AnimationTime = times[0]
     rows = [np.concatenate(pictures[i:i + 2], axis=1) for i in range(0, len(pictures), 2)]
-    write_pixels(np.concatenate(rows), file_name)
-
-
-def read_pixels(file_name):
-    """A picture as an array of rows from the top, columns and colors."""
-    reader = vtkPNGReader()
-    reader.SetFileName(str(file_name))
-    reader.Update()
-    columns, rows, _ = reader.GetOutput().GetDimensions()
-    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(rows, columns, -1)[::-1]
-
-
-def write_pixels(pixels, file_name):
-    rows, columns, colors = pixels.shape
-    image = vtkImageData()
-    image.SetDimensions(columns, rows, 1)
-    image.GetPointData().SetScalars(numpy_to_vtk(pixels[::-1].reshape(-1, colors), deep=1))
-    writer = vtkPNGWriter()
-    writer.SetFileName(str(file_name))
-    writer.SetCompressionLevel(9)
-    writer.SetInputData(image)
-    writer.Write()
+    small_png.write(np.concatenate(rows), file_name)

@@ -23,6 +23,8 @@ curve = bumpy(PolyLineSource(Points=[x for i in range(120) for x in seam(2*pi*i/
 field = GeodesicDistanceField(Input=ball, Source=curve, GenerateSignedDistance=1)
 
 view = look.view(field)
-look.sides(Show(field, view))
+shown = Show(field, view)
+look.sides(shown)
+look.smooth(shown)
 look.lines(Show(OutputPort(field, 1), view), color=look.DARK)
 look.save(view, globals())

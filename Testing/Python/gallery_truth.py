@@ -70,16 +70,25 @@ class Outline:
 
 
 class Bent:
-    """A sheet over x and y that is bent along x only, and straight between the given places."""
+    """A sheet that is bent along x and z only, given by points that begin with a row along these."""
 
     def __init__(self, sheet):
         positions = points(data(sheet))
-        _, first = np.unique(np.round(positions[:, 0], 5), return_index=True)
-        self.x = positions[first, 0]
-        self.along = lengths_along(positions[first][:, [0, 2]])
+        row = positions[positions[:, 1] == positions[0, 1]][:, [0, 2]]
+        self.starts, self.steps = row[:-1], np.diff(row, axis=0)
+        self.along = lengths_along(row)
 
     def unrolled(self, positions):
-        return np.stack((np.interp(positions[..., 0], self.x, self.along), positions[..., 1]), axis=-1)
+        """How far along the closest place of the row is, and y."""
+        nearest = np.full(positions.shape[:-1], np.inf)
+        along = np.zeros(positions.shape[:-1])
+        for start, step, before in zip(self.starts, self.steps, self.along):
+            from_start = positions[..., [0, 2]] - start
+            t = np.clip(from_start @ step / (step @ step), 0, 1)
+            away = np.linalg.norm(from_start - t[..., None] * step, axis=-1)
+            along = np.where(away < nearest, before + t * np.linalg.norm(step), along)
+            nearest = np.minimum(nearest, away)
+        return np.stack((along, positions[..., 1]), axis=-1)
 
 
 # ---------------------------------------------------------------------------- a function a script
@@ -130,6 +139,19 @@ def boundary(names):
     rim = sheet.unrolled(segments(data(names["field"], 1)))
     expected = to_segments(sheet.unrolled(points(data(names["field"]))), rim)
     assert_close(distances(names["field"]), expected, 3 * FLOAT)
+
+
+def drawn_curve(names):
+    """In the unrolled plane, from the points that were drawn, joined by straight lines."""
+    roll = Bent(names["roll"])
+    ends = roll.unrolled(segments(data(names["field"], 1)))
+    expected = to_segments(roll.unrolled(points(data(names["field"]))), ends)
+    assert_close(distances(names["field"]), expected, 3 * FLOAT)
+
+    drawn = np.reshape(list(names["field"].Points), (-1, 3))
+    length = np.sum(np.linalg.norm(np.diff(roll.unrolled(drawn), axis=0), axis=1))
+    found = np.sum(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))
+    assert abs(found - length) < 3 * FLOAT * length
 
 
 def stripes(names):
