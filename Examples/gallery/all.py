@@ -15,7 +15,8 @@ def main(folder):
     for script in sorted(pathlib.Path(__file__).resolve().parent.glob("*.py")):
         if script.stem not in NO_SCRIPTS:
             print(script.stem, flush=True)
-            subprocess.run(["pvpython", str(script), folder], check=True)
+            # --dr: the color map that a script imports is not kept with the user's settings.
+            subprocess.run(["pvpython", "--dr", str(script), folder], check=True)
 
 
 if __name__ == "__main__":

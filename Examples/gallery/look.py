@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 import numpy as np
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import small_png
@@ -19,6 +19,10 @@ RED, BLUE = (0.86, 0.36, 0.30), (0.25, 0.42, 0.70)
 WHITE, PALE, GRAY, DARK = (0.97, 0.96, 0.94), (0.87, 0.87, 0.85), (0.75, 0.75, 0.75), (0.2, 0.2, 0.22)
 REGIONS = ((0.98, 0.80, 0.40), (0.87, 0.42, 0.40), (0.45, 0.66, 0.55),
            (0.36, 0.42, 0.68), (0.72, 0.56, 0.76), (0.66, 0.80, 0.90))
+
+
+# The color map that comes with the plugin, and how many stripes it has.
+COLOR_MAP, COUNT = "Geodesic Distance Stripes", 32
 
 
 def load_plugin():
@@ -55,6 +59,18 @@ def stripes(display, largest=None, count=24, array="GeodesicDistance"):
     simple.ColorBy(display, ("POINTS", array))
     largest = largest or display.LookupTable.RGBPoints[-4]
     steps(display, ("POINTS", array), 0, largest, striped(shades(count)))
+
+
+def import_color_map():
+    """Makes COLOR_MAP known to ParaView, which keeps what is imported with the user's settings."""
+    if servermanager.vtkSMTransferFunctionPresets.GetInstance().HasPreset(COLOR_MAP):
+        return
+    # In the source tree, or where the package has put it.
+    places = [folder / place / "GeodesicDistanceStripes.json"
+              for folder in pathlib.Path(__file__).resolve().parents
+              for place in ("ParaViewPlugin", "share/geodesic-distance")]
+    found = next((file for file in places if file.is_file()), None)
+    simple.ImportPresets(filename=str(found or sys.exit(f"There is no {places[0].name} above this script.")))
 
 
 def sides(display, count=12, array="SignedGeodesicDistance"):
@@ -102,6 +118,7 @@ def shade(display):
 
 
 def smooth(display):
+    display.Ambient = 0.25
     display.Interpolation = "Gouraud"
 
 
@@ -168,7 +185,7 @@ def look_along(view, surfaces, direction, upward):
 
 def points_of(proxy):
     """All points of what a filter puts out, of all blocks."""
-    data = simple.servermanager.Fetch(proxy)
+    data = servermanager.Fetch(proxy)
     blocks = [data] if data.IsA("vtkPointSet") else [
         data.GetBlock(i) for i in range(data.GetNumberOfBlocks())]
     return np.concatenate([vtk_to_numpy(block.GetPoints().GetData()) for block in blocks]).astype(float)
@@ -182,7 +199,7 @@ def save(view, script, times=()):
     picture is of the view, or, two in a row, of the view at several times.
     """
     for name, value in script.items():
-        if isinstance(value, simple.servermanager.Proxy) and value.GetXMLGroup() in ("sources", "filters"):
+        if isinstance(value, servermanager.Proxy) and value.GetXMLGroup() in ("sources", "filters"):
             simple.RenameSource(name, value)
     if len(sys.argv) < 2:
         return

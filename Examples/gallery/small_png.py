@@ -20,7 +20,7 @@ def read(file_name):
     return pixels.reshape(rows, columns, -1)[::-1, :, :3]
 
 
-def write(pixels, file_name, colors=160):
+def write(pixels, file_name, colors=240):
     """Writes a picture with a palette of so many colors."""
     indices, palette = few_colors(pixels, colors)
     rows, columns = indices.shape

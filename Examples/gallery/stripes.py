@@ -6,6 +6,8 @@ from math import cos, pi, sin
 import look
 from paraview.simple import *
 
+STEP = 0.03
+
 ring = Clean(Input=Superquadric(Toroidal=1, Size=1, Thickness=3/7, ThetaRoundness=1, PhiRoundness=1,
                                 ThetaResolution=120, PhiResolution=240))
 
@@ -28,7 +30,13 @@ field = GeodesicDistanceField(Input=bumpy(ring), Source=bumpy(curve))
 
 view = look.view(field, direction=(0.45, 1, 0.85), upward=(0, 1, 0))
 shown = Show(field, view)
-look.stripes(shown)
 look.smooth(shown)
+
+# The color map that comes with the plugin has 32 stripes: each is STEP wide.
+look.import_color_map()
+ColorBy(shown, ("POINTS", "GeodesicDistance"))
+shown.LookupTable.ApplyPreset("Geodesic Distance Stripes", True)
+shown.LookupTable.RescaleTransferFunction(0, 32*STEP)
+shown.InterpolateScalarsBeforeMapping = 1
 look.lines(Show(OutputPort(field, 1), view))
 look.save(view, globals())

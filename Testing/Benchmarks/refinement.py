@@ -135,7 +135,7 @@ def save_pair(views, file_name):
     for view in views:
         simple.SaveScreenshot(file_name, view, ImageResolution=view.ViewSize)
         pictures.append(small_png.read(file_name))
-    small_png.write(np.concatenate(pictures, axis=1), file_name, colors=250)
+    small_png.write(np.concatenate(pictures, axis=1), file_name)
 
 
 def plane(output):

@@ -137,8 +137,9 @@ def boundary(names):
     """In the unrolled plane."""
     sheet = Bent(names["bent"])
     rim = sheet.unrolled(segments(data(names["field"], 1)))
-    expected = to_segments(sheet.unrolled(points(data(names["field"]))), rim)
-    assert_close(distances(names["field"]), expected, 3 * FLOAT)
+    some = slice(None, None, 5)
+    expected = to_segments(sheet.unrolled(points(data(names["field"]))[some]), rim)
+    assert_close(distances(names["field"])[some], expected, 3 * FLOAT)
 
 
 def drawn_curve(names):
@@ -155,15 +156,14 @@ def drawn_curve(names):
 
 
 def stripes(names):
-    """The source is where the distance is zero, and colors change at equal steps."""
+    """The source is where the distance is zero; colors change at equal steps, and reach the largest distance."""
     from_source = distances(simple.GeodesicPaths(
         Input=names["field"].Input, Source=names["field"].Source, Targets=simple.OutputPort(names["field"], 1)))
     largest = distances(names["field"]).max()
     assert from_source.max() < FLOAT * largest
     colors = simple.GetColorTransferFunction("GeodesicDistance").RGBPoints
-    ends = np.reshape(colors, (-1, 4))[:, 0]
-    np.testing.assert_allclose(ends[::2], np.arange(24) * largest / 24, rtol=0, atol=1e-9)
-    np.testing.assert_array_equal(ends[1:-1:2], ends[2::2])
+    np.testing.assert_allclose(np.reshape(colors, (-1, 4))[:, 0], names["STEP"] * np.arange(33), atol=1e-9)
+    assert 0.8 * 32 < largest / names["STEP"] < 32
 
 
 def offset_curves(names):
@@ -238,10 +238,11 @@ def barriers(names):
     wall = cell_array(data(names["plan"]), "Wall").reshape(80, 120) > 0
     plan = WallPlan(wall, 0.1)
     door = np.array([(0, 3.6), (0, 4.4)])
-    expected = plan.ways_to(points(data(names["field"]))[:, :2], door)
     found = distances(names["field"])
     reached = np.isfinite(found)
-    assert_close(found[reached], expected[reached], 3 * FLOAT)
+    some = np.flatnonzero(reached)[::5]
+    expected = plan.ways_to(points(data(names["field"]))[some, :2], door)
+    assert_close(found[some], expected, 3 * FLOAT)
 
     rows, columns = np.indices(wall.shape)
     corners = np.zeros((81, 121), int)
