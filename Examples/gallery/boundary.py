@@ -6,7 +6,7 @@ from paraview.simple import *
 
 # A sheet with the array Leaf, which is positive inside an outline with teeth; bent, then cut out.
 sheet = Plane(Origin=(-1.6, -1, 0), Point1=(1.6, -1, 0), Point2=(-1.6, 1, 0),
-              XResolution=160, YResolution=100)
+              XResolution=160, YResolution=101)
 outline = "(1 - (coordsX/1.5)^2)*(1 + 0.3*coordsX)*(0.85 - 0.18*abs(sin(8*coordsX))) - abs(coordsY)"
 marked = Calculator(Input=sheet, ResultArrayName="Leaf", Function=outline)
 bent = Calculator(Input=marked, CoordinateResults=1,

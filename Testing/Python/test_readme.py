@@ -11,6 +11,7 @@ import sys
 import tempfile
 import unittest
 
+import geodesicdistance  # noqa: F401, before Python meets one of its objects, whose class it would not know
 import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
