@@ -12,7 +12,7 @@ def on_hills(flat):
                                " + 0.09*(sin(3*coordsX + 1)*cos(4*coordsY) + sin(5*coordsX*coordsY))*kHat")
 
 
-sheet = Plane(Origin=(-1.5, -1, 0), Point1=(1.5, -1, 0), Point2=(-1.5, 1, 0), XResolution=210, YResolution=140)
+sheet = Plane(Origin=(-1.5, -1, 0), Point1=(1.5, -1, 0), Point2=(-1.5, 1, 0), XResolution=150, YResolution=100)
 hills = on_hills(Triangulate(Input=sheet))
 lines = [PolyLineSource(Points=points) for points in (
     [-1.3, 0.8, 0, -0.9, 0.3, 0, -0.4, 0.75, 0],
@@ -24,7 +24,7 @@ lines = [PolyLineSource(Points=points) for points in (
 curves = on_hills(AppendGeometry(Input=lines))
 
 field = GeodesicDistanceField(Input=hills, Source=curves, GenerateSourceIds=1)
-rings = GeodesicContour(Input=hills, Source=curves, Distances=[0.05 * i for i in range(1, 40)])
+rings = GeodesicContour(Input=hills, Source=curves, Distances=[0.05 * i for i in range(1, 20)])
 
 view = look.view(field, direction=(0.2, -0.7, 0.9))
 look.regions(Show(field, view), "SourceId")

@@ -9,7 +9,7 @@ from paraview.simple import *
 STEP = 0.03
 
 ring = Clean(Input=Superquadric(Toroidal=1, Size=1, Thickness=3/7, ThetaRoundness=1, PhiRoundness=1,
-                                ThetaResolution=120, PhiResolution=240))
+                                ThetaResolution=80, PhiResolution=160))
 
 
 def bumpy(data):
@@ -25,7 +25,7 @@ def winding(t):
     return (0.7 + 0.3*cos(v))*cos(u), 0.3*sin(v), (0.7 + 0.3*cos(v))*sin(u)
 
 
-curve = PolyLineSource(Points=[x for i in range(400) for x in winding(i / 399)])
+curve = PolyLineSource(Points=[x for i in range(200) for x in winding(i / 199)])
 field = GeodesicDistanceField(Input=bumpy(ring), Source=bumpy(curve))
 
 view = look.view(field, direction=(0.45, 1, 0.85), upward=(0, 1, 0))
