@@ -39,7 +39,7 @@ class Readme(unittest.TestCase):
     def test_the_lines_for_pvpython_run(self):
         names = {}
         for block in blocks("In pvpython"):
-            if "Connect(" not in block:  # test_pvserver.py does that with a server
+            if "Connect(" not in block:  # test_client_server.py has a server
                 exec(block, names)
         self.addCleanup(simple.Delete, simple.GetActiveView())
         largest = distances(names["field"]).max()
