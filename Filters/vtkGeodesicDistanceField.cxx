@@ -19,6 +19,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -95,8 +96,8 @@ private:
 
   bool CanRefine() const;
   double Tolerance() const;
-  void ShareNumbers() const;
-  void WriteNothing(vtkDataObject* output) const;
+  void ShareNumbers(Result& result) const;
+  void WriteNothing(bool isRefined, vtkDataObject* output) const;
   void RequirePlainField() const;
   Result Compute();
   void ScaleToUser(Result& result) const;
@@ -141,11 +142,11 @@ void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData
     result = this->Compute();
     this->Execution.reach(FieldDone);
   }
-  this->ShareNumbers();
+  this->ShareNumbers(result);
   this->Execution.enter(geodesic::Stage::WritingOutputs);
   if (isElsewhere)
   {
-    this->WriteNothing(output);
+    this->WriteNothing(result.isRefined, output);
     return;
   }
   this->NoteReplacedArrays(result.isRefined);
@@ -159,18 +160,20 @@ void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData
 
 //------------------------------------------------------------------------------
 // Where another rank has had all the work, this one tells the same of it.
-void vtkGeodesicDistanceField::vtkWorker::ShareNumbers() const
+void vtkGeodesicDistanceField::vtkWorker::ShareNumbers(Result& result) const
 {
   double joined = static_cast<double>(this->Self->SeamPointsJoined);
+  double isRefined = result.isRefined ? 1.0 : 0.0;
   this->Execution.shareNumbers(
     { &this->Self->WindowsPropagatedPerEdge, &this->Self->SourceSnapDistance,
-      &this->Self->RelativeErrorBound, &this->Self->InterpolationErrorBound, &joined });
+      &this->Self->RelativeErrorBound, &this->Self->InterpolationErrorBound, &joined, &isRefined });
   this->Self->SeamPointsJoined = static_cast<vtkIdType>(joined);
+  result.isRefined = isRefined > 0.0;
 }
 
 //------------------------------------------------------------------------------
 // Of a rank without surface: the arrays that other ranks have, without values.
-void vtkGeodesicDistanceField::vtkWorker::WriteNothing(vtkDataObject* output) const
+void vtkGeodesicDistanceField::vtkWorker::WriteNothing(bool isRefined, vtkDataObject* output) const
 {
   for (vtkPolyData* block : geodesic::makeBlocksLike(this->Execution.surfaceInput(), output))
   {
@@ -178,6 +181,12 @@ void vtkGeodesicDistanceField::vtkWorker::WriteNothing(vtkDataObject* output) co
     distances->SetName(this->Self->DistanceArrayName);
     block->GetPointData()->AddArray(distances);
     block->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
+    if (isRefined)
+    {
+      vtkNew<vtkIdTypeArray> originals;
+      originals->SetName("OriginalCellIds");
+      block->GetCellData()->AddArray(originals);
+    }
     this->WriteFieldData(block);
   }
   this->WriteFieldData(output);

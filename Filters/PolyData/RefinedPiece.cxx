@@ -85,7 +85,7 @@ std::vector<Id> facesOfTriangles(const PolyDataSurface& surface)
 /// A triangle of a piece that is no face that the piece owns, and what it has to look like.
 struct OtherTriangle
 {
-  Id triangle;
+  Id triangle = NoId;
   /// By their numbers in the whole.
   Triangle vertices{};
   FaceOfWhole face;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The color map that comes with the plugin has stripes of one width, and the example draws them as
-wide as it is asked to.
+"""The color map that comes with the plugin has stripes of one width, and shows them as wide as it is
+scaled to.
 
 usage: pvpython --dr test_color_map.py EXAMPLES
 
@@ -17,17 +17,17 @@ from paraview import servermanager, simple
 from geodesic_testing import load_plugin, plane, polyline
 from pixels import read_pixels
 
-sys.path.insert(0, sys.argv[1])
-import color_map  # noqa: E402
-
 load_plugin()
+sys.path.insert(0, f"{sys.argv[1]}/gallery")
+import look  # noqa: E402
+
 LENGTH = 4.0  # of the sheet, away from the source
 
 
 def edges_of(picture):
     """Where stripes meet along the row in the middle of a picture of the sheet, and its ends."""
     colors = read_pixels(picture)
-    row = colors[colors.shape[0] // 2]  # above the legend
+    row = colors[colors.shape[0] // 2]
     on_sheet = np.flatnonzero(np.any(row != row[0], axis=1))
     sheet = row[on_sheet[0]:on_sheet[-1] + 1]
     return np.flatnonzero(np.abs(np.diff(sheet, axis=0)).max(axis=1) > 8) + 1, len(sheet)
@@ -41,13 +41,25 @@ def check_stripes(picture, width):
     assert np.max(np.abs(edges - expected)) <= 1.5, np.column_stack((edges, expected))
 
 
+def draw(field, picture, width):
+    view = simple.CreateView("RenderView")
+    view.ViewSize = (900, 700)
+    view.OrientationAxesVisibility = 0
+    display = simple.Show(field, view)
+    simple.ColorBy(display, ("POINTS", "GeodesicDistance"))
+    display.LookupTable.ApplyPreset(look.COLOR_MAP, True)
+    display.LookupTable.RescaleTransferFunction(0, look.COUNT * width)
+    simple.ResetCamera(view)
+    simple.SaveScreenshot(str(picture), view, ImageResolution=view.ViewSize)
+
+
 # Stripes of one width, every second one darker than its neighbors.
-simple.ImportPresets(filename=str(color_map.find_color_map()))
+look.import_color_map()
 table = simple.GetColorTransferFunction("Any")
-assert servermanager.vtkSMTransferFunctionPresets.GetInstance().HasPreset(color_map.STRIPES)
-table.ApplyPreset(color_map.STRIPES, False)
+assert servermanager.vtkSMTransferFunctionPresets.GetInstance().HasPreset(look.COLOR_MAP)
+table.ApplyPreset(look.COLOR_MAP, False)
 nodes = np.reshape(table.RGBPoints, (-1, 4))  # in a table of steps each has the color before it
-assert len(nodes) == color_map.COUNT + 1 and table.ColorSpace == "Step"
+assert len(nodes) == look.COUNT + 1 and table.ColorSpace == "Step"
 steps = np.linspace(nodes[0, 0], nodes[-1, 0], len(nodes))
 np.testing.assert_allclose(nodes[:, 0], steps, rtol=0, atol=1e-12)
 bright = nodes[1:, 1:].sum(axis=1)
@@ -57,9 +69,7 @@ assert np.all(bright[1::2] < 0.85 * bright[::2]) and np.all(bright[1:-1:2] < 0.8
 side = polyline([(0, 0, 0), (0, 3, 0)])
 field = simple.GeodesicDistanceField(Input=plane(), Source=side)
 with tempfile.TemporaryDirectory() as folder:
-    file, picture = pathlib.Path(folder) / "field.vtp", pathlib.Path(folder) / "stripes.png"
-    simple.SaveData(str(file), field, DataMode="Binary")
-    color_map.main(str(file), str(picture))
-    check_stripes(picture, LENGTH / color_map.COUNT)
-    color_map.main(str(file), str(picture), "0.25")
-    check_stripes(picture, 0.25)
+    picture = pathlib.Path(folder) / "stripes.png"
+    for width in (LENGTH / look.COUNT, 0.25):
+        draw(field, picture, width)
+        check_stripes(picture, width)
