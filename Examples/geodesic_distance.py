@@ -13,18 +13,8 @@ import sys
 
 from paraview import simple
 
-import stripes
-
-
-def load_plugin():
-    """Makes GeodesicDistanceField known to paraview.simple."""
-    if hasattr(simple, "GeodesicDistanceField"):
-        return
-    build = pathlib.Path(__file__).resolve().parent.parent / "build"
-    plugin = next(build.rglob("GeodesicDistance.so"), None)
-    if not plugin:
-        sys.exit(f"There is no plugin below {build}: build it, or set PV_PLUGIN_PATH to its folder.")
-    simple.LoadPlugin(str(plugin), remote=False, ns=vars(simple))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "gallery"))
+import look  # noqa: E402, which loads the plugin
 
 
 def read(file_name):
@@ -41,7 +31,6 @@ def read(file_name):
 
 
 def main(surface_file, curve_file, output):
-    load_plugin()
     field = simple.GeodesicDistanceField(Input=read(surface_file), Source=read(curve_file))
     field.UpdatePipeline()
     array = field.PointData.GetArray(field.DistanceArrayName)
@@ -51,7 +40,15 @@ def main(surface_file, curve_file, output):
     print(f"largest distance: {largest:g}" + (" (not all was reached)" if math.isinf(largest) else ""))
 
     simple.SaveData(output + ".vtp", field, DataMode="Binary")
-    stripes.draw(field, field.DistanceArrayName, output + ".png")
+    draw(field, output + ".png")
+
+
+def draw(field, file_name):
+    """Draws the field with stripes, and the source on top of it."""
+    view = look.view(field, size=(1200, 800))
+    look.stripes(simple.Show(field, view))
+    look.lines(simple.Show(simple.OutputPort(field, 1), view), width=7)
+    look.save_picture(view, file_name)
 
 
 if __name__ == "__main__":

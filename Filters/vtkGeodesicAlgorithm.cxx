@@ -3,18 +3,22 @@
 
 #include "Errors.h"
 #include "PolyData/FilterExecution.h"
+#include "PolyData/Notes.h"
 #include "PolyData/RankExchange.h"
 #include "PolyData/SurfaceCache.h"
 
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <exception>
@@ -70,6 +74,36 @@ void EmptyOutputs(vtkInformationVector* outputVector)
   }
 }
 
+/// Where an algorithm fails it has said why; its executive adds a second message, of addresses and
+/// information keys. An error of an object that is observed goes to its observers in place of the
+/// output window: this one observes an executive until that message or the next request.
+class ExecutiveSilencer : public vtkCommand
+{
+public:
+  static ExecutiveSilencer* New() { return new ExecutiveSilencer; }
+  ~ExecutiveSilencer() override { this->Stop(); }
+
+  void Start(vtkExecutive* executive)
+  {
+    this->Stop();
+    this->Executive = executive;
+    this->Tag = executive->AddObserver(vtkCommand::ErrorEvent, this);
+  }
+  void Stop()
+  {
+    if (this->Executive)
+    {
+      this->Executive->RemoveObserver(this->Tag);
+      this->Executive = nullptr;
+    }
+  }
+  void Execute(vtkObject*, unsigned long, void*) override { this->Stop(); }
+
+private:
+  vtkWeakPointer<vtkExecutive> Executive;
+  unsigned long Tag = 0;
+};
+
 }
 
 /// What is kept from one execution to the next.
@@ -79,6 +113,8 @@ public:
   geodesic::SurfaceCache Cache;
   /// With the other processes of the controller; null where there is one.
   std::unique_ptr<geodesic::RankExchange> Exchange;
+  geodesic::GivenNotes Given;
+  vtkNew<ExecutiveSilencer> Silencer;
   /// The user's controller; the global one unless one was set.
   vtkSmartPointer<vtkMultiProcessController> Controller;
   bool HasController = false;
@@ -174,6 +210,7 @@ vtkMultiProcessController* vtkGeodesicAlgorithm::GetController()
 vtkTypeBool vtkGeodesicAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  this->Internals->Silencer->Stop();
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
     return this->RequestDataObject(request, inputVector, outputVector);
@@ -227,7 +264,8 @@ int vtkGeodesicAlgorithm::RequestUpdateExtent(vtkInformation* vtkNotUsed(request
     for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
     {
       vtkInformation* info = inputVector[port]->GetInformationObject(i);
-      info->Set(Pipeline::UPDATE_PIECE_NUMBER(), processes > 1 ? controller->GetLocalProcessId() : 0);
+      info->Set(
+        Pipeline::UPDATE_PIECE_NUMBER(), processes > 1 ? controller->GetLocalProcessId() : 0);
       info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), processes);
       if (processes == 1 || port > 0) // ghost cells of a piece get their values, too
       {
@@ -242,6 +280,18 @@ int vtkGeodesicAlgorithm::RequestUpdateExtent(vtkInformation* vtkNotUsed(request
 int vtkGeodesicAlgorithm::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (this->ExecuteOrExplain(request, inputVector, outputVector))
+  {
+    return 1;
+  }
+  this->Internals->Silencer->Start(this->GetExecutive());
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGeodesicAlgorithm::ExecuteOrExplain(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   if (!IsPieceWithData(request, outputVector, this->GetController()))
   {
     // One piece has everything; the others have the same blocks.
@@ -250,10 +300,10 @@ int vtkGeodesicAlgorithm::RequestData(
     {
       geodesic::makeBlocksLike(vtkDataObject::GetData(inputVector[0]), output);
     }
-    return 1;
+    return true;
   }
   this->ResetResults();
-  return this->ComputeOrExplain(inputVector, outputVector) ? 1 : 0;
+  return this->ComputeOrExplain(inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -287,7 +337,14 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
       hasTargets ? vtkDataObject::GetData(inputVector[2]) : nullptr, exchange);
     this->Compute(execution, outputVector);
     execution.finish();
-    execution.giveNotes();
+    const std::string said = this->Internals->Given.take(execution.notes(), this);
+    // Where ranks work together they all have the same notes.
+    const bool isSaidElsewhere =
+      execution.surfacePlace() == geodesic::SurfacePlace::InPieces && !execution.isFirstRank();
+    if (!said.empty() && !isSaidElsewhere)
+    {
+      vtkWarningMacro(<< said);
+    }
     if (this->GetReleaseDataFlag() || vtkDataObject::GetGlobalReleaseDataFlag())
     {
       this->Internals->Cache.release();
@@ -325,10 +382,9 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   catch (...)
   {
     isCacheKept = false;
-    message =
-      "The distance could not be computed, for a reason that was not foreseen and has no "
-      "description. Please report this with the surface and the source, unless an "
-      "observer of this filter has thrown it.";
+    message = "The distance could not be computed, for a reason that was not foreseen and has no "
+              "description. Please report this with the surface and the source, unless an "
+              "observer of this filter has thrown it.";
   }
   EmptyOutputs(outputVector);
   if (!isCacheKept || exchange)

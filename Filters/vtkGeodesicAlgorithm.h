@@ -8,6 +8,12 @@
  * both, keeps the structure of the surface from one execution to the next, and turns what goes
  * wrong into VTK's errors with empty outputs. See vtkGeodesicDistanceField for what inputs may be.
  *
+ * Each thing that goes wrong gives one error: the executive, which would add that the algorithm has
+ * failed, is kept quiet where nothing observes its errors. A warning, such as that the source is
+ * farther than a hundredth of the surface's size from it, is given when the execution before had
+ * no reason for it or something else has been connected to the port that it is about: not at every
+ * time step.
+ *
  * @sa
  * vtkGeodesicDistanceField
  */
@@ -104,8 +110,9 @@ public:
   ///@{
   /**
    * The processes among which the surface may be distributed. By default these are those of the
-   * global controller. With null this process works alone: a filter that is executed on one rank
-   * only, or on whole data on each, needs that. With more than one process executing is an error.
+   * global controller. With more than one process executing is collective: all of them execute, and
+   * every port is asked for this rank's piece. With null this process works alone: a filter that is
+   * executed on one rank only, or on a surface of its own on each, needs that.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
@@ -124,7 +131,8 @@ protected:
     vtkInformationVector* outputVector);
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  /// In one process asks for the whole of every input, whatever piece is asked of this.
+  /// In one process asks for the whole of every input, whatever piece is asked of this, in several
+  /// for the rank's piece.
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   /// Calls what a subclass has overridden below, and hands its exceptions to vtkErrorMacro.
@@ -145,6 +153,9 @@ private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
   void operator=(const vtkGeodesicAlgorithm&) = delete;
 
+  /// Does what is asked, or says in one error why not. Returns whether all went well.
+  bool ExecuteOrExplain(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
   /// Does the work and turns exceptions into errors. Returns whether all went well.
   bool ComputeOrExplain(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 

@@ -85,7 +85,8 @@ void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
   this->RequireSides();
   this->FindValues();
   const geodesic::Isolines isolines = this->Draw();
-  this->Execution.notes().add(isolines.linesWithoutDirection, "line crosses", "lines cross",
+  this->Execution.notes().add(geodesic::NoteOn::Surface, isolines.linesWithoutDirection,
+    "line crosses", "lines cross",
     "faces of opposite orientation: the direction of such a line says nothing.");
   this->Execution.reach(LinesDrawn);
   this->Execution.enter(geodesic::Stage::WritingOutputs);

@@ -42,8 +42,9 @@
  * is set to use, with the same result for any number of them.
  *
  * @warning
- * The surface must be whole in one process: with several MPI ranks the filter refuses to execute,
- * unless SetController() was called with null.
+ * A surface that is distributed over several MPI ranks is an error. With several ranks executing is
+ * collective: sources are gathered, and where the whole surface is on one rank that rank has the
+ * lines; where each rank has the whole, rank 0 has them.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal

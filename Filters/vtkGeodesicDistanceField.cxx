@@ -10,6 +10,7 @@
 #include "PolyData/RefinedPolyData.h"
 #include "PolyData/SourceArrays.h"
 #include "PolyData/SurfaceWriter.h"
+#include "PolyData/UnusedPoints.h"
 #include "field/Solve.h"
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
@@ -27,7 +28,9 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -108,6 +111,7 @@ private:
   geodesic::RefinementOptions RefinementOptions() const;
   geodesic::RefinedMesh Refine(const geodesic::DistanceField& field) const;
   void WriteSurface(const Result& result, vtkDataObject* output) const;
+  double UnreachedValue() const;
   void WriteDistances(const Result& result, std::size_t block, vtkPolyData* output) const;
   void WriteFieldData(vtkDataObject* output) const;
   void NoteReplacedArrays(bool isRefined) const;
@@ -160,17 +164,16 @@ void vtkGeodesicDistanceField::vtkWorker::ShareNumbers(Result& result) const
 {
   double joined = static_cast<double>(this->Self->SeamPointsJoined);
   double isRefined = result.isRefined ? 1.0 : 0.0;
-  this->Execution.shareNumbers({ &this->Self->WindowsPropagatedPerEdge,
-    &this->Self->SourceSnapDistance, &this->Self->RelativeErrorBound,
-    &this->Self->InterpolationErrorBound, &joined, &isRefined });
+  this->Execution.shareNumbers(
+    { &this->Self->WindowsPropagatedPerEdge, &this->Self->SourceSnapDistance,
+      &this->Self->RelativeErrorBound, &this->Self->InterpolationErrorBound, &joined, &isRefined });
   this->Self->SeamPointsJoined = static_cast<vtkIdType>(joined);
   result.isRefined = isRefined > 0.0;
 }
 
 //------------------------------------------------------------------------------
 // Of a rank without surface: the arrays that other ranks have, without values.
-void vtkGeodesicDistanceField::vtkWorker::WriteNothing(
-  bool isRefined, vtkDataObject* output) const
+void vtkGeodesicDistanceField::vtkWorker::WriteNothing(bool isRefined, vtkDataObject* output) const
 {
   for (vtkPolyData* block : geodesic::makeBlocksLike(this->Execution.surfaceInput(), output))
   {
@@ -208,10 +211,10 @@ bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
   const auto count = static_cast<vtkIdType>(geodesic::countOwnTriangles(this->Execution.surface()));
   if (most > 0 && count > most)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      "The surface has " << count << " triangles, more than MaximumNumberOfCells (" << most
-                         << "): it is not refined. Raise MaximumNumberOfCells to refine it, or "
-                            "switch RefineMesh off.");
+    this->Execution.notes().add(geodesic::NoteOn::Surface, "over " + std::to_string(most),
+      "The surface has " + std::to_string(count) + " triangles, more than MaximumNumberOfCells (" +
+        std::to_string(most) +
+        "): it is not refined. Raise MaximumNumberOfCells to refine it, or switch RefineMesh off.");
     return false;
   }
   return true;
@@ -406,8 +409,8 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveInPieces(bool 
   geodesic::FrontOptions options =
     this->FrontOptions(refine ? FieldDoneBeforeRefinement : this->DistancesDone);
   options.part = &part;
-  geodesic::SourceWindows windows = geodesic::sourceWindowsOfPart(part, patch,
-    geodesic::makeSourceWindows(patch.mesh(), this->Execution.sources().curves));
+  geodesic::SourceWindows windows = geodesic::sourceWindowsOfPart(
+    part, patch, geodesic::makeSourceWindows(patch.mesh(), this->Execution.sources().curves));
   if (refine)
   {
     return geodesic::solveForRefinement(part.mesh(), windows, this->Tolerance(), options);
@@ -425,8 +428,8 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
   options.part = surface.part();
   if (this->Self->MaximumNumberOfCells > 0)
   {
-    const std::uint64_t faces = surface.part() ? surface.part()->numberOfFacesOfWhole()
-                                               : surface.mesh().numberOfFaces();
+    const std::uint64_t faces =
+      surface.part() ? surface.part()->numberOfFacesOfWhole() : surface.mesh().numberOfFaces();
     options.maximumFaces = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells) -
       (geodesic::countOwnTriangles(surface) - faces);
   }
@@ -469,19 +472,21 @@ geodesic::RefinedMesh vtkGeodesicDistanceField::vtkWorker::Refine(
   }
   if (refined.stoppedAtMaximum)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      "MaximumNumberOfCells (" << this->Self->MaximumNumberOfCells
-                               << ") is reached: the refined surface meets a tolerance of "
-                               << scale.toUser(refined.errorBound) << " instead of "
-                               << scale.toUser(options.tolerance)
-                               << ". Raise MaximumNumberOfCells or the tolerance.");
+    std::ostringstream text;
+    text << "MaximumNumberOfCells (" << this->Self->MaximumNumberOfCells
+         << ") is reached: the refined surface meets a tolerance of "
+         << scale.toUser(refined.errorBound) << " instead of " << scale.toUser(options.tolerance)
+         << ". Raise MaximumNumberOfCells or the tolerance.";
+    this->Execution.notes().add(geodesic::NoteOn::Surface,
+      "reached " + std::to_string(this->Self->MaximumNumberOfCells), text.str());
   }
   else if (refined.errorBound > options.tolerance)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      "The refined surface meets a tolerance of "
-        << scale.toUser(refined.errorBound) << " instead of " << scale.toUser(options.tolerance)
-        << ", which is near the rounding of distances. Raise the tolerance.");
+    std::ostringstream text;
+    text << "The refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
+         << " instead of " << scale.toUser(options.tolerance)
+         << ", which is near the rounding of distances. Raise the tolerance.";
+    this->Execution.notes().add(geodesic::NoteOn::Surface, "rounding", text.str());
   }
   return refined;
 }
@@ -509,10 +514,28 @@ void vtkGeodesicDistanceField::vtkWorker::WriteSurface(
       geodesic::writeWhole(blocks[i], inputs[i].data, outputs[i], progress);
     }
     this->WriteDistances(result, i, outputs[i]);
+    if (this->Self->RemoveUnusedPoints)
+    {
+      geodesic::removeUnusedPoints(outputs[i]);
+    }
     outputs[i]->GetFieldData()->PassData(inputs[i].data->GetFieldData());
     this->WriteFieldData(outputs[i]);
   }
   this->WriteFieldData(output);
+}
+
+//------------------------------------------------------------------------------
+double vtkGeodesicDistanceField::vtkWorker::UnreachedValue() const
+{
+  switch (this->Self->UnreachedValue)
+  {
+    case UNREACHED_NAN:
+      return std::numeric_limits<double>::quiet_NaN();
+    case UNREACHED_CUSTOM:
+      return this->Self->CustomUnreachedValue;
+    default:
+      return geodesic::Infinity;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -537,12 +560,15 @@ void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
       distances->SetValue(next++, point.distance);
     }
   }
+  const double unreached = this->UnreachedValue();
   if (this->Choice.isAny())
   {
     this->Arrays().write(block, result.atVertices,
       result.isRefined ? result.atRefinedPoints[index] : geodesic::SourceValues(),
-      distances->GetPointer(0), output);
+      distances->GetPointer(0), unreached, output);
   }
+  double* first = distances->GetPointer(0);
+  std::replace(first, first + distances->GetNumberOfTuples(), geodesic::Infinity, unreached);
   output->GetPointData()->AddArray(distances);
   output->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
 }
@@ -554,14 +580,17 @@ void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(vtkDataObject* output) 
   addFieldData(output, "SourceSnapDistance", this->Self->SourceSnapDistance);
   addFieldData(output, "RelativeErrorBound", this->Self->RelativeErrorBound);
   addFieldData(output, "InterpolationErrorBound", this->Self->InterpolationErrorBound);
-  addFieldData(
-    output, "SeamPointsJoined", static_cast<double>(this->Self->SeamPointsJoined));
+  addFieldData(output, "SeamPointsJoined", static_cast<double>(this->Self->SeamPointsJoined));
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) const
 {
   const char* name = this->Self->DistanceArrayName;
+  const auto noteOn = [this](const char* array, const std::string& text)
+  {
+    this->Execution.notes().add(geodesic::NoteOn::Surface, std::string("replaced: ") + array, text);
+  };
   bool hasOriginals = false;
   bool hasDistances = false;
   for (const geodesic::PolyDataBlock& block : this->Execution.surfaceBlocks())
@@ -571,13 +600,15 @@ void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) con
   }
   if (isRefined && hasOriginals)
   {
-    this->Execution.notes().add("The surface already has a cell array named OriginalCellIds; the "
-                                "output has the input's cells in its place.");
+    noteOn("OriginalCellIds",
+      "The surface already has a cell array named OriginalCellIds; the output has the input's "
+      "cells in its place.");
   }
   if (hasDistances)
   {
-    this->Execution.notes().add(std::string("The surface already has a point array named ") + name +
-      "; the output has the distance in its place. Change DistanceArrayName to keep both.");
+    noteOn(name,
+      std::string("The surface already has a point array named ") + name +
+        "; the output has the distance in its place. Change DistanceArrayName to keep both.");
   }
   for (const char* added : this->Arrays().names())
   {
@@ -586,8 +617,9 @@ void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) con
     const std::vector<geodesic::PolyDataBlock>& blocks = this->Execution.surfaceBlocks();
     if (std::any_of(blocks.begin(), blocks.end(), hasIt))
     {
-      this->Execution.notes().add(std::string("The surface already has a point array named ") +
-        added + "; the output has the filter's in its place. Rename it upstream to keep both.");
+      noteOn(added,
+        std::string("The surface already has a point array named ") + added +
+          "; the output has the filter's in its place. Rename it upstream to keep both.");
     }
   }
 }
@@ -700,6 +732,13 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AbsoluteRefinementTolerance: " << this->AbsoluteRefinementTolerance << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "UnreachedValue: "
+     << (this->UnreachedValue == UNREACHED_NAN         ? "NaN"
+            : this->UnreachedValue == UNREACHED_CUSTOM ? "Custom"
+                                                       : "Infinity")
+     << "\n";
+  os << indent << "CustomUnreachedValue: " << this->CustomUnreachedValue << "\n";
+  os << indent << "RemoveUnusedPoints: " << (this->RemoveUnusedPoints ? "On" : "Off") << "\n";
   os << indent
      << "DistanceArrayName: " << (this->DistanceArrayName ? this->DistanceArrayName : "(none)")
      << "\n";

@@ -85,15 +85,16 @@
  * (GetOutputDataObject(0); GetOutput() is null then), and each block has its own points and arrays.
  * There are
  * - point data array `GeodesicDistance` (or DistanceArrayName): the distance, in double precision;
- *   infinite at points that no path connects to the source, inside barriers, or beyond
- *   MaximumDistance,
+ *   infinite (or UnreachedValue) at points that no path connects to the source, inside barriers, or
+ *   beyond MaximumDistance,
  * - where they are asked for, point data arrays `SourceId`, `ClosestSourcePoint`,
  * `DistanceGradient` and `SignedGeodesicDistance`: see SetGenerateSourceIds() and those that follow
  * it,
  * - cell data array `OriginalCellIds`, where RefineMesh was done: the cell of the input (of the
  *   block) that each triangle is a part of,
- * - field data arrays `WindowsPropagatedPerEdge`, `SourceSnapDistance`, `RelativeErrorBound` and
- *   `InterpolationErrorBound`, on the whole and on each block: see the getters of these names.
+ * - field data arrays `WindowsPropagatedPerEdge`, `SourceSnapDistance`, `RelativeErrorBound`,
+ *   `InterpolationErrorBound` and `SeamPointsJoined`, on the whole and on each block: see the
+ * getters of these names.
  * @par
  * Point data is interpolated linearly to new points, in the face; strings, ids (vtkIdTypeArray and
  * pedigree ids) and bits are those of the nearest corner, a new point is a ghost in the ways that
@@ -125,9 +126,26 @@
  * asks for the whole of its inputs; piece 0 of its outputs has everything, and the others are
  * empty, so that pieces that are written and read back hold each cell once.
  *
+ * @par Ranks:
+ * Where the controller (SetController()) has several processes, executing is collective: every rank
+ * executes, also one without cells. Each port is asked for this rank's piece, whatever piece is
+ * asked for downstream, and output port 0 has the rank's own piece, with its points and arrays, of
+ * the one distance field over all pieces. Ranks exchange what passes their seams: no rank needs
+ * memory for the whole surface, and distances are those of one process, to the last bits.
+ * - Points of different pieces are one where their coordinates are equal or, on the boundaries of
+ *   both, differ by a few roundings (with MergeCoincidentPoints; GetSeamPointsJoined() counts the
+ *   latter), and where their global ids are equal, if all pieces have these.
+ * - Ghost cells are treated as those of blocks, over all ranks. Boundary, counts and the numbers in
+ *   field data are those of the whole, the same on every rank.
+ * - Sources of all ranks are gathered; ids follow the ranks, then the blocks and the cells of each.
+ *   Where all ranks have the same source it counts once. Port 1 is put out by rank 0.
+ * - Where one rank has the whole surface and the others have nothing it works as a process alone,
+ *   and where all have the same surface each does.
+ * - An error on one rank is given by all, with one message; an abort on one aborts all.
+ *
  * @warning
- * The surface must be whole in one process: with several MPI ranks the filter refuses to execute,
- * unless SetController() was called with null.
+ * On a surface that is distributed over ranks, the filter gives an error where barriers or arrays
+ * other than the distance are asked for.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
@@ -256,6 +274,54 @@ public:
   vtkGetMacro(MaximumDistance, double);
   ///@}
 
+  /**
+   * What points that are not reached have for a distance.
+   */
+  enum UnreachedValues
+  {
+    UNREACHED_INFINITY = 0,
+    UNREACHED_NAN = 1,
+    UNREACHED_CUSTOM = 2
+  };
+
+  ///@{
+  /**
+   * What stands in the distance array, and in SignedGeodesicDistance, at points that no path
+   * connects to the source, inside barriers and beyond MaximumDistance: +infinity (the default),
+   * which contours, thresholds and color maps can work with; NaN, which color maps show in a color
+   * of their own; or CustomUnreachedValue, for filters and files that need finite numbers. A
+   * surface that is warped by the distance is not drawn at all with infinity, and where it is
+   * reached with NaN. Nothing else depends on this: the other arrays say which points are not
+   * reached in their own ways.
+   */
+  vtkSetClampMacro(UnreachedValue, int, UNREACHED_INFINITY, UNREACHED_CUSTOM);
+  vtkGetMacro(UnreachedValue, int);
+  void SetUnreachedValueToInfinity() { this->SetUnreachedValue(UNREACHED_INFINITY); }
+  void SetUnreachedValueToNaN() { this->SetUnreachedValue(UNREACHED_NAN); }
+  void SetUnreachedValueToCustom() { this->SetUnreachedValue(UNREACHED_CUSTOM); }
+  ///@}
+
+  ///@{
+  /**
+   * The distance of points that are not reached where UnreachedValue is UNREACHED_CUSTOM. Any
+   * number; default: -1, which no reached point has.
+   */
+  vtkSetMacro(CustomUnreachedValue, double);
+  vtkGetMacro(CustomUnreachedValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether points that no triangle of the output uses are left out of port 0, of each block of a
+   * composite one. The others keep their order and all of their data, new points of a refined
+   * surface after those of the input. Off by default: then the output has all points of the input,
+   * with their numbers. Unused points do not change distances in either case.
+   */
+  vtkSetMacro(RemoveUnusedPoints, bool);
+  vtkGetMacro(RemoveUnusedPoints, bool);
+  vtkBooleanMacro(RemoveUnusedPoints, bool);
+  ///@}
+
   ///@{
   /**
    * Name of the point data array with the distances. Default: GeodesicDistance.
@@ -310,8 +376,8 @@ public:
    * shortest path meets the curve from the left of its direction, seen with the normals of the
    * faces towards the viewer, and negative on its right. The sides of an open curve part behind its
    * ends, in the middle of the directions there. Points and the boundary as sources have no sides:
-   * the distance from them is positive. 0 on the source, +infinity where a point is not reached.
-   * Off by default.
+   * the distance from them is positive. 0 on the source, UnreachedValue where a point is not
+   * reached. Off by default.
    *
    * The sign jumps behind open ends and where paths from both sides tie:
    * GetInterpolationErrorBound() does not cover this array. A surface with edges of three and more
@@ -390,6 +456,9 @@ private:
   double AbsoluteRefinementTolerance = 1.0;
   vtkIdType MaximumNumberOfCells = 50000000;
   double MaximumDistance = 0.0;
+  int UnreachedValue = UNREACHED_INFINITY;
+  double CustomUnreachedValue = -1.0;
+  bool RemoveUnusedPoints = false;
   char* DistanceArrayName = nullptr;
   bool GenerateSourceIds = false;
   bool GenerateClosestPoints = false;

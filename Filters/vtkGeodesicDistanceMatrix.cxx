@@ -80,9 +80,11 @@ void MoveToFirstRank(geodesic::FilterExecution& execution, vtkTable* table)
     [table](int, geodesic::MessageReader& reader)
     {
       const auto rows = reader.get<vtkIdType>();
+      geodesic::requireMemory(rows, sizeof(vtkIdType));
       AddTargetIds(rows, table);
       for (int source = 0; !reader.isAtEnd(); ++source)
       {
+        geodesic::requireMemory(rows, sizeof(double));
         vtkNew<vtkDoubleArray> column;
         column->SetName(("Source" + std::to_string(source)).c_str());
         column->SetNumberOfTuples(rows);

@@ -38,6 +38,10 @@
  * same, to the last bit, for any number of threads and whatever other sources and targets there
  * are. After an abort or an error the output is empty.
  *
+ * @par Ranks:
+ * With several MPI ranks executing is collective: sources and targets are gathered, and rank 0 has
+ * the rows. The whole surface must be on one rank, or on each; one that is distributed is an error.
+ *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
  * Curves on Triangle Meshes", Proceedings of Vision, Modeling, and Visualization (VMV) 2007.

@@ -82,7 +82,7 @@ void vtkGeodesicPaths::Compute(
   execution.enter(geodesic::Stage::WritingOutputs);
   const auto isFound = [](const geodesic::PathToSource& path) { return !path.points.empty(); };
   const auto found = static_cast<std::size_t>(std::count_if(paths.begin(), paths.end(), isFound));
-  execution.notes().add(targets.count - found, "target", "targets",
+  execution.notes().add(geodesic::NoteOn::Targets, targets.count - found, "target", "targets",
     "not reached: no path on the surface leads from there to the source.");
   geodesic::writePaths(surface.mesh(), surface.scale(), targets, paths,
     vtkPolyData::GetData(outputVector, 0), execution.progressBetween(PathsFound, 1.0));

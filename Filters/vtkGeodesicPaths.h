@@ -49,6 +49,11 @@
  * is the same, to the last bit, for any number of threads, and each path the same whatever other
  * targets there are. After an abort or an error the output is empty.
  *
+ * @warning
+ * A surface that is distributed over several MPI ranks is an error. With several ranks executing is
+ * collective: sources and targets are gathered, and where the whole surface is on one rank that
+ * rank has the paths; where each rank has the whole, rank 0 has them.
+ *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
  * Curves on Triangle Meshes", Proceedings of Vision, Modeling, and Visualization (VMV) 2007.

@@ -36,6 +36,16 @@ set(geodesic_docs_dir "${CMAKE_BINARY_DIR}/docs")
 foreach (name IN ITEMS Doxyfile DoxyfilePublic)
   configure_file("${CMAKE_CURRENT_LIST_DIR}/${name}.in" "${geodesic_docs_dir}/${name}" @ONLY)
 endforeach ()
+# The gallery as a page, whose links lead to the examples beside the pages, also where these are installed.
+set(examples "${CMAKE_CURRENT_SOURCE_DIR}/Examples")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${examples}/README.md")
+file(READ "${examples}/README.md" page)
+string(REGEX REPLACE "\\]\\((gallery/[a-z_]+\\.(py|pvsm))\\)" "](../examples/\\1)" page "${page}")
+string(REGEX REPLACE "\\[([a-z ]+)\\]\\(#[a-z-]+\\)" "\\1" page "${page}")
+string(REPLACE "\n# Gallery\n" "\n# Gallery {#gallery}\n" page "\n${page}")
+file(CONFIGURE OUTPUT "${geodesic_docs_dir}/Gallery.md" CONTENT "${page}" @ONLY)
+file(CREATE_LINK "${examples}" "${geodesic_docs_dir}/examples" SYMBOLIC COPY_ON_ERROR)
+
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*.h" "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*.md")
 add_custom_command(
@@ -43,7 +53,7 @@ add_custom_command(
   COMMAND "${CMAKE_COMMAND}" -E rm -rf "${geodesic_docs_dir}/html"
   COMMAND Doxygen::doxygen "${geodesic_docs_dir}/Doxyfile"
   COMMAND "${CMAKE_COMMAND}" -E cat "${geodesic_docs_dir}/warnings.txt"
-  DEPENDS "${geodesic_docs_dir}/Doxyfile" ${headers}
+  DEPENDS "${geodesic_docs_dir}/Doxyfile" "${geodesic_docs_dir}/Gallery.md" ${headers}
   COMMENT "Writing the API pages into ${geodesic_docs_dir}/html"
   VERBATIM)
 set(all)

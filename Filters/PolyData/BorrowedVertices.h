@@ -20,8 +20,7 @@ public:
   ///
   /// \param labels of all vertices of this rank.
   /// \param ownNumbers what each is in values at vertices; NoId for those to be borrowed.
-  BorrowedVertices(
-    const RankLabels& labels, const std::vector<Id>& ownNumbers, Exchange& exchange);
+  BorrowedVertices(const RankLabels& labels, const std::vector<Id>& ownNumbers, Exchange& exchange);
 
   /// How many this rank borrows.
   Id count() const { return this->count_; }

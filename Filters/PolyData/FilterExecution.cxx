@@ -96,10 +96,7 @@ void FilterExecution::readInputs(Pieces pieces)
   }
   this->cache_.update(this->surfaceBlocks_, barriers, this->filter_->GetMergeCoincidentPoints(),
     isInPieces ? this->exchange_ : nullptr, this->progressBetween(0.0, SurfaceRead));
-  if (this->cache_.isNoteDue())
-  {
-    noteSurface(this->surface(), this->notes_);
-  }
+  noteSurface(this->surface(), this->notes_);
   this->reach(SurfaceRead);
   this->enter(Stage::ReadingSource);
   this->readSources();
@@ -137,14 +134,14 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
   if (emptyOnes + 1 >= this->exchange_->numberOfRanks())
   {
     // Where all are empty, rank 0 says so.
-    const bool isWorker = own.isEmpty() ? this->exchange_->rank() == 0 &&
-        emptyOnes == this->exchange_->numberOfRanks()
-                                        : true;
+    const bool isWorker = own.isEmpty()
+      ? this->exchange_->rank() == 0 && emptyOnes == this->exchange_->numberOfRanks()
+      : true;
     this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::Elsewhere;
     return;
   }
-  const bool areAlike = std::all_of(
-    all.begin(), all.end(), [&](const Piece& piece) { return piece == all.front(); });
+  const bool areAlike =
+    std::all_of(all.begin(), all.end(), [&](const Piece& piece) { return piece == all.front(); });
   if (areAlike && this->isSameOnAllRanks(barriers))
   {
     const bool isWorker = pieces == Pieces::Taken || this->isFirstRank();
@@ -240,8 +237,7 @@ void FilterExecution::requireTargets(bool sourcesAreTargets) const
   if (!this->targetsInput_ && !(sourcesAreTargets && this->sourceInput_))
   {
     throw InputError(
-      "There are no targets: connect points to input port 2 (SetTargetsConnection or "
-      "SetTargetsData; Targets in ParaView).");
+      "There are no targets (input port 2): choose a data set with points as Targets.");
   }
 }
 
@@ -255,8 +251,8 @@ Targets FilterExecution::readTargets(double end)
     this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;
   const std::vector<PolyDataBlock> blocks =
     this->exchange_ ? gathered.blocks() : polyDataBlocks(input, name);
-  Targets targets = geodesic::readTargets(blocks, name, this->surface(), this->locator(),
-    this->progressBetween(InputsRead, end));
+  Targets targets = geodesic::readTargets(
+    blocks, name, this->surface(), this->locator(), this->progressBetween(InputsRead, end));
   this->reach(end);
   return targets;
 }
@@ -266,8 +262,8 @@ void FilterExecution::requireSource() const
 {
   if (this->filter_->GetSourceType() == vtkGeodesicAlgorithm::SOURCE_CURVE && !this->sourceInput_)
   {
-    throw SourceError("There is no source: connect a curve to input port 1 (SetSourceConnection or "
-                      "SetSourceData; Source in ParaView), or set SourceType to Surface Boundary.");
+    throw SourceError(
+      "There is no source (port 1): choose a Source, or set Source Type to Surface Boundary.");
   }
 }
 
@@ -325,8 +321,10 @@ void FilterExecution::readCurves()
     paths.endUse();
   }
   this->numberOfSources_ = source.numberOfSources;
-  noteSource(
-    this->surface(), this->sources_, this->filter_->GetNumberOfOutputPorts() > 1, this->notes_);
+  if (!this->isSourceDrawn_)
+  {
+    noteSource(this->surface(), this->meshOfSources(), source, this->sources_, this->notes_);
+  }
 }
 
 /// The same on all ranks.
@@ -336,17 +334,17 @@ void FilterExecution::putCurvesOntoPatch(SourcePolylines& source, const SnapOpti
     this->cache_.locatorOnRanks(), this->progressBetween(SurfaceRead, SourceLocated));
   this->onRanks_->makePatch();
   this->onRanks_->locateOnPatch(source.polylines);
-  if (this->onRanks_->addFaces(facesBetweenPoints(*this->surface().part(), this->patch(),
-        source.polylines, snapping, smpParallelFor(),
-        this->progressBetween(SourceLocated, FarPointsSearched))))
+  if (this->onRanks_->addFaces(
+        facesBetweenPoints(*this->surface().part(), this->patch(), source.polylines, snapping,
+          smpParallelFor(), this->progressBetween(SourceLocated, FarPointsSearched))))
   {
     this->onRanks_->makePatch();
     this->onRanks_->locateOnPatch(source.polylines);
   }
   const TriangleMesh& mesh = this->meshOfSources();
-  this->sources_ = putOntoSurface(mesh, source.polylines, snapping,
-    joinByShortestPaths(mesh, smpParallelFor()),
-    this->progressBetween(FarPointsSearched, InputsRead));
+  this->sources_ =
+    putOntoSurface(mesh, source.polylines, snapping, joinByShortestPaths(mesh, smpParallelFor()),
+      this->progressBetween(FarPointsSearched, InputsRead));
 }
 
 std::vector<SourceCurve> FilterExecution::numberedBoundary(const TriangleMesh& mesh)
@@ -380,18 +378,18 @@ void FilterExecution::addBoundary(bool hasCurve)
       "which no path may leave.";
   if (boundary.empty() && !hasCurve)
   {
-    throw SourceError(
-      nothing + " Set SourceType to Source Curve and connect a curve to input port 1.");
+    throw SourceError(nothing + " Set Source Type to Source Curve and choose a Source (port 1).");
   }
   if (boundary.empty())
   {
-    this->notes_.add(isClosed
-        ? "The surface is closed, without boundary: the curve alone is the source."
-        : "The whole boundary belongs to barriers: the curve alone is the source.");
+    this->notes_.add(NoteOn::Surface, "no boundary",
+      isClosed ? "The surface is closed, without boundary: the curve alone is the source."
+               : "The whole boundary belongs to barriers: the curve alone is the source.");
   }
   if (!hasCurve && this->filter_->GetSourceType() == vtkGeodesicAlgorithm::CURVE_AND_BOUNDARY)
   {
-    this->notes_.add("No curve is connected to input port 1: the boundary alone is the source.");
+    this->notes_.add(NoteOn::Source, "no curve",
+      "No curve is connected as Source (port 1): the boundary alone is the source.");
   }
   std::move(boundary.begin(), boundary.end(), std::back_inserter(this->sources_.curves));
 }
@@ -415,18 +413,6 @@ void FilterExecution::reach(double fraction)
   if (!this->progressBetween(fraction, fraction)(1.0))
   {
     throw Aborted();
-  }
-}
-
-void FilterExecution::giveNotes()
-{
-  this->cache_.setNoteGiven();
-  // Where ranks work together they all have the same notes.
-  const bool isGivenElsewhere =
-    this->place_ == SurfacePlace::InPieces && this->exchange_->rank() > 0;
-  if (!isGivenElsewhere && !this->notes_.text().empty())
-  {
-    vtkWarningWithObjectMacro(this->filter_, "About the input:" << this->notes_.text());
   }
 }
 

@@ -78,6 +78,9 @@ public:
     Taken,
     Refused
   };
+  /// The source was drawn by hand and is meant to be put onto the surface: how far it was from
+  /// there is then no news.
+  void expectDrawnSource() { this->isSourceDrawn_ = true; }
   /// Reads the surface, and the source as SourceType has it, up to InputsRead. Where the surface is
   /// Elsewhere there is nothing to read; everything is empty then.
   ///
@@ -138,9 +141,8 @@ public:
   /// \throws Aborted
   void reach(double fraction);
 
+  /// What the user should know.
   Notes& notes() { return this->notes_; }
-  /// Says in one warning what is in the notes.
-  void giveNotes();
 
 private:
   void findSurface(const BarrierArrays& barriers, Pieces pieces);
@@ -168,6 +170,7 @@ private:
   GatheredBlocks gatheredTargets_;
   std::optional<SourceOnRanks> onRanks_;
   SourceCurves sources_;
+  bool isSourceDrawn_ = false;
   Id numberOfSources_ = 0;
   Id firstBoundarySource_ = 0;
   Notes notes_;

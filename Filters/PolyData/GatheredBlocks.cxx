@@ -70,8 +70,8 @@ void getPoints(MessageReader& reader, vtkPoints* points)
   {
     Value p[3];
     reader.get(p, 3);
-    points->SetPoint(i, static_cast<double>(p[0]), static_cast<double>(p[1]),
-      static_cast<double>(p[2]));
+    points->SetPoint(
+      i, static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
   }
 }
 
@@ -104,7 +104,8 @@ GatheredBlocks::GatheredBlocks(
   Message message;
   for (const PolyDataBlock& block : own)
   {
-    const bool isEmpty = block.data->GetNumberOfPoints() == 0 && block.data->GetNumberOfCells() == 0;
+    const bool isEmpty =
+      block.data->GetNumberOfPoints() == 0 && block.data->GetNumberOfCells() == 0;
     if (!isEmpty)
     {
       putBlock(block, message);
@@ -113,15 +114,15 @@ GatheredBlocks::GatheredBlocks(
   const std::vector<Message> all = exchange.tellAll(message);
   const auto isFull = [](const Message& m) { return !m.empty(); };
   const bool isOnOneRank = std::count_if(all.begin(), all.end(), isFull) <= 1;
-  const bool areCopies = std::all_of(
-    all.begin(), all.end(), [&all](const Message& m) { return m == all.front(); });
+  const bool areCopies =
+    std::all_of(all.begin(), all.end(), [&all](const Message& m) { return m == all.front(); });
   for (std::size_t rank = 0; rank < all.size(); ++rank)
   {
     this->firstOfRank_.push_back(this->blocks_.size());
     if (rank == 0 || !areCopies)
     {
-      this->unpack(all[rank],
-        isOnOneRank || areCopies ? std::string() : " on rank " + std::to_string(rank));
+      this->unpack(
+        all[rank], isOnOneRank || areCopies ? std::string() : " on rank " + std::to_string(rank));
     }
   }
   this->firstOfRank_.push_back(this->blocks_.size());

@@ -2,33 +2,87 @@
 #ifndef geodesic_Notes_h
 #define geodesic_Notes_h
 
-#include <sstream>
+#include "vtkWeakPointer.h"
+
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkAlgorithmOutput;
 
 namespace geodesic
 {
 
 class PolyDataSurface;
+class TriangleMesh;
 struct SourceCurves;
+struct SourcePolylines;
 
-/// Collects what the user should know into one warning.
+/// The input, by its port, that a note is about.
+enum class NoteOn
+{
+  Surface = 0,
+  Source = 1,
+  Targets = 2
+};
+
+/// What the user should know of an execution whose result is right: that something was left out,
+/// is not as asked for, or looks like a mistake. What every data set may have and what has no
+/// effect (polygons, strips, unused points, faces that repeat another or have no area, points that
+/// repeat the one before) is no note.
 class Notes
 {
 public:
+  struct Note
+  {
+    NoteOn input;
+    /// The same from one execution to the next as long as the reason is, whatever the numbers in
+    /// the text.
+    std::string cause;
+    std::string text;
+  };
+
   /// "2 lines among the surface's cells dropped."; nothing where the count is 0.
   template <typename Count>
-  void add(Count count, const char* one, const char* many, const char* what)
+  void add(NoteOn input, Count count, const char* one, const char* many, const char* what)
   {
     if (count > 0)
     {
-      this->text_ << "\n  " << count << ' ' << (count == 1 ? one : many) << ' ' << what;
+      this->add(input, what, std::to_string(count) + ' ' + (count == 1 ? one : many) + ' ' + what);
     }
   }
-  void add(const std::string& sentence) { this->text_ << "\n  " << sentence; }
-  std::string text() const { return this->text_.str(); }
+  void add(NoteOn input, const std::string& cause, const std::string& text)
+  {
+    this->notes_.push_back({ input, cause, text });
+  }
+  /// Adds a note that stands before all others.
+  void addFirst(NoteOn input, const std::string& cause, const std::string& text)
+  {
+    this->notes_.insert(this->notes_.begin(), { input, cause, text });
+  }
+  const std::vector<Note>& all() const { return this->notes_; }
 
 private:
-  std::ostringstream text_;
+  std::vector<Note> notes_;
+};
+
+/// Remembers which notes the user has been given, so that none is said again at every time step or
+/// Apply. A note is said when the execution before had none of its cause, or when something else
+/// has been connected to the input port that it is about.
+class GivenNotes
+{
+public:
+  /// What of the notes of an execution has to be said, a line each; empty where nothing has. They
+  /// are given then.
+  std::string take(const Notes& notes, vtkAlgorithm* filter);
+
+private:
+  void forgetNewInputs(vtkAlgorithm* filter);
+
+  std::set<std::pair<NoteOn, std::string>> given_;
+  std::vector<vtkWeakPointer<vtkAlgorithmOutput>> connections_;
 };
 
 /// What was noticed when the surface was read.
@@ -36,9 +90,10 @@ void noteSurface(const PolyDataSurface& surface, Notes& notes);
 
 /// What was noticed when the source was put onto the surface.
 ///
-/// \param isShown whether output port 1 has the source as it lies there.
-void noteSource(
-  const PolyDataSurface& surface, const SourceCurves& sources, bool isShown, Notes& notes);
+/// \param mesh on which the source was located.
+/// \param source before, and onSurface after that.
+void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
+  const SourcePolylines& source, const SourceCurves& onSurface, Notes& notes);
 
 }
 

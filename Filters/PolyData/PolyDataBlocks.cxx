@@ -18,9 +18,9 @@ namespace geodesic
 namespace
 {
 
-const char* const WhatToDo =
-  ". Use the Extract Surface filter (vtkDataSetSurfaceFilter, vtkGeometryFilter) upstream to make "
-  "one of it.";
+const char* const WhatToDo = ": apply Extract Surface to it first. A vtkPolyData, or a composite "
+                             "data set of these, is needed; "
+                             "vtkDataSetSurfaceFilter and vtkGeometryFilter make one.";
 
 /// Goes through the blocks of a composite data set, those of nested ones too, and calls them by
 /// their number (as ParaView's composite index) and the name that a file or the user has given.
@@ -93,8 +93,7 @@ std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const std::strin
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   if (!composite)
   {
-    throw InputError(capitalized(name) + " is a " + input->GetClassName() +
-      ", where a vtkPolyData or a composite data set of these is needed" + WhatToDo);
+    throw InputError(capitalized(name) + " is a " + input->GetClassName() + WhatToDo);
   }
   std::vector<PolyDataBlock> blocks;
   BlockVisitor visitor(name);
@@ -104,8 +103,7 @@ std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const std::strin
       auto* data = vtkPolyData::SafeDownCast(block);
       if (!data)
       {
-        throw InputError(capitalized(visitor.name()) + " is a " + block->GetClassName() +
-          ", not a vtkPolyData" + WhatToDo);
+        throw InputError(capitalized(visitor.name()) + " is a " + block->GetClassName() + WhatToDo);
       }
       blocks.push_back({ data, visitor.name() });
     });

@@ -175,14 +175,6 @@ std::string textOf(const Vec3& p)
   return text.str();
 }
 
-/// "Point 3 of cell 2 of the source", "Point 5 of the source" where it is a curve of its own.
-std::string nameOfPoint(const LocatedPolyline& line, std::size_t point)
-{
-  const bool isNamed = line.name.compare(0, 5, "point") == 0;
-  return isNamed ? 'P' + line.name.substr(1)
-                 : "Point " + std::to_string(point) + " of " + line.name;
-}
-
 /// "cell 17 of the surface (input port 0)"
 std::string cellOfBarrier(
   const PolyDataSurface& surface, const std::vector<PolyDataBlock>& surfaceBlocks, Id face)
@@ -232,8 +224,13 @@ void requireFinite(
 
 }
 
-SourcePolylines readSource(
-  const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale)
+std::string nameOfPoint(const LocatedPolyline& line, std::size_t point)
+{
+  const bool isNamed = line.name.compare(0, 5, "point") == 0;
+  return isNamed ? line.name : "point " + std::to_string(point) + " of " + line.name;
+}
+
+SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale)
 {
   std::vector<Chain> chains;
   std::vector<Vec3> points;
@@ -251,8 +248,8 @@ SourcePolylines readSource(
   if (chains.empty())
   {
     throw SourceError("The source (input port 1) is empty: it has no points that a line or vertex "
-                      "uses. Connect a curve with at least one point, or choose the surface's "
-                      "boundary as the source.");
+                      "uses. Connect a curve with at least one point, or set Source Type to "
+                      "Surface Boundary.");
   }
   const std::vector<char> used = usedPoints(chains, points.size());
   for (std::size_t i = 0; i < source.size(); ++i)
@@ -299,7 +296,7 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
         surface.barriers()->barrierAt(line.points[i], line.faces[i], coordinatePrecision);
       if (face != NoId)
       {
-        throw SourceError(nameOfPoint(line, i) + ", at " +
+        throw SourceError('P' + nameOfPoint(line, i).substr(1) + ", at " +
           textOf(surface.scale().toUser(line.points[i])) +
           ", lies in a barrier (BarrierArrayName): it is closest to " +
           cellOfBarrier(surface, surfaceBlocks, face) +

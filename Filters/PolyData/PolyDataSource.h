@@ -6,6 +6,9 @@
 #include "PolyData/PowerOfTwoScale.h"
 #include "source/PolylineOnSurface.h"
 
+#include <string>
+#include <vector>
+
 class vtkPolyData;
 
 namespace geodesic
@@ -29,8 +32,7 @@ struct SourcePolylines
 ///
 /// \param scale of the surface that they belong to; the polylines have it too.
 /// \throws SourceError where there is no point or one is not finite.
-SourcePolylines readSource(
-  const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale);
+SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale);
 
 /// Where a surface has barriers, makes sure that no point of a source lies in one: no path could
 /// leave it.
@@ -41,6 +43,9 @@ SourcePolylines readSource(
 void requireOutsideBarriers(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
   double coordinatePrecision);
+
+/// "point 3 of cell 2 of the source", "point 5 of the source" where it is a curve of its own.
+std::string nameOfPoint(const LocatedPolyline& line, std::size_t point);
 
 /// What the coordinates' type allows: that of the least precise block.
 SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source);

@@ -48,10 +48,9 @@ PolyDataSurface::PolyDataSurface(std::unique_ptr<SurfacePart> part, BorrowedVert
 
 void PolyDataSurface::Report::add(const Report& other)
 {
-  for (vtkIdType Report::*count :
-    { &Report::polygons, &Report::strips, &Report::droppedVertexCells, &Report::droppedLineCells,
-      &Report::facesWithRepeatedPoint, &Report::joinedSeamPoints, &Report::duplicateFaces,
-      &Report::zeroAreaFaces, &Report::isolatedPoints, &Report::edges })
+  for (vtkIdType Report::*count : { &Report::polygons, &Report::strips, &Report::droppedVertexCells,
+         &Report::droppedLineCells, &Report::facesWithRepeatedPoint, &Report::joinedSeamPoints,
+         &Report::duplicateFaces, &Report::zeroAreaFaces, &Report::isolatedPoints, &Report::edges })
   {
     this->*count += other.*count;
   }

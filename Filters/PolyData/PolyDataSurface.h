@@ -2,8 +2,8 @@
 #ifndef geodesic_PolyDataSurface_h
 #define geodesic_PolyDataSurface_h
 
-#include "PolyData/PolyDataBlocks.h"
 #include "PolyData/BorrowedVertices.h"
+#include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PowerOfTwoScale.h"
 #include "mesh/BarrierFaces.h"
 #include "mesh/SurfacePart.h"

@@ -96,8 +96,7 @@ RankExchange::~RankExchange() = default;
 
 bool RankExchange::isWith(vtkMultiProcessController* controller) const
 {
-  return this->controller_ == controller &&
-    this->rank_ == controller->GetLocalProcessId() &&
+  return this->controller_ == controller && this->rank_ == controller->GetLocalProcessId() &&
     this->numberOfRanks_ == controller->GetNumberOfProcesses();
 }
 
@@ -118,8 +117,8 @@ std::vector<Message> RankExchange::step(std::vector<Message> messages, std::vect
   ++this->report_.steps;
   const auto self = static_cast<std::size_t>(this->rank_);
   this->header_[CountOfNumbers] = static_cast<double>(least.size());
-  std::copy_n(least.begin(), std::min(least.size(), NumbersInHeader),
-    this->header_.begin() + FirstNumber);
+  std::copy_n(
+    least.begin(), std::min(least.size(), NumbersInHeader), this->header_.begin() + FirstNumber);
   for (std::size_t i = 0; i < messages.size(); ++i)
   {
     const std::size_t size = i == self ? 0 : messages[i].size();

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/RankSeams.h"
 
+#include "Tolerance.h"
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <tuple>
@@ -66,8 +69,8 @@ std::vector<Box> boxesOfOthers(const Box& own, Exchange& exchange)
 
 bool isNearAny(const std::vector<Box>& boxes, const Vec3& point, double margin = 0.0)
 {
-  return std::any_of(boxes.begin(), boxes.end(),
-    [&](const Box& box) { return box.isWithin(point, margin); });
+  return std::any_of(
+    boxes.begin(), boxes.end(), [&](const Box& box) { return box.isWithin(point, margin); });
 }
 
 std::uint64_t hashOfKey(const Vec3& p)
@@ -125,8 +128,8 @@ std::vector<Message> answers(const std::vector<Message>& told)
   {
     const auto last = std::find_if(
       first, entries.end(), [&](const auto& e) { return !(e.first.key == first->first.key); });
-    const bool isShared = std::any_of(
-      first, last, [&](const auto& e) { return e.second.rank != first->second.rank; });
+    const bool isShared =
+      std::any_of(first, last, [&](const auto& e) { return e.second.rank != first->second.rank; });
     for (auto at = first; at != last; ++at)
     {
       replies[static_cast<std::size_t>(at->second.rank)][at->second.index] =
@@ -270,8 +273,8 @@ std::vector<SeamVertex> RankSeams::gatherBoundary(const SeamBlock& piece) const
     if (isNearAny(boxes, vertex.position, vertex.tolerance()))
     {
       put(message,
-        Entry{ vertex.position, this->labels_.labels[static_cast<Id>(vertex.vertex)], vertex.rounding,
-          vertex.shortestEdge });
+        Entry{ vertex.position, this->labels_.labels[static_cast<Id>(vertex.vertex)],
+          vertex.rounding, vertex.shortestEdge });
     }
   }
   std::map<Label, SeamVertex> all;
@@ -301,9 +304,39 @@ std::vector<SeamVertex> RankSeams::gatherBoundary(const SeamBlock& piece) const
   return sorted;
 }
 
-std::uint64_t RankSeams::joinNear(const SeamBlock& piece)
+/// Those faces that can have a vertex near one of another rank. Edges that are boundary among these
+/// only are not near any.
+SeamBlock RankSeams::facesNearOthers(SeamBlock piece) const
 {
-  const std::vector<SeamVertex> boundary = this->gatherBoundary(piece);
+  double largest = 0.0;
+  for (const Vec3& p : this->vertices_)
+  {
+    largest = std::max({ largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+  }
+  const double margin = tolerance::SeamRoundings * piece.precision * largest;
+  Box own;
+  for (const Triangle& triangle : piece.triangles)
+  {
+    for (const Id vertex : triangle)
+    {
+      own.add(this->vertices_[vertex], margin);
+    }
+  }
+  const std::vector<Box> boxes = boxesOfOthers(own, this->exchange_);
+  const auto isFar = [&](const Triangle& triangle)
+  {
+    return std::none_of(triangle.begin(), triangle.end(),
+      [&](Id vertex) { return isNearAny(boxes, this->vertices_[vertex], margin); });
+  };
+  piece.triangles.erase(
+    std::remove_if(piece.triangles.begin(), piece.triangles.end(), isFar), piece.triangles.end());
+  return piece;
+}
+
+std::uint64_t RankSeams::joinNear(SeamBlock piece)
+{
+  const std::vector<SeamVertex> boundary =
+    this->gatherBoundary(this->facesNearOthers(std::move(piece)));
   const std::vector<std::size_t> roots = joinSeamVertices(boundary);
   std::map<Label, Label> joined;
   for (std::size_t i = 0; i < roots.size(); ++i)

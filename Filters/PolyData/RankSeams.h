@@ -47,7 +47,7 @@ public:
   ///
   /// \param piece the faces of this rank.
   /// \returns how many vertices were made one with another, on all ranks.
-  std::uint64_t joinNear(const SeamBlock& piece);
+  std::uint64_t joinNear(SeamBlock piece);
 
   RankLabels take() { return std::move(this->labels_); }
 
@@ -64,6 +64,7 @@ private:
   std::vector<Id> verticesNearOthers() const;
   template <typename Key>
   bool shareLeast(const std::vector<std::pair<Key, Id>>& items);
+  SeamBlock facesNearOthers(SeamBlock piece) const;
   std::vector<SeamVertex> gatherBoundary(const SeamBlock& piece) const;
 
   const std::vector<Vec3>& vertices_;

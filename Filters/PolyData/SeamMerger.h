@@ -41,9 +41,11 @@ std::vector<SeamVertex> findSeamVertices(
   const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks);
 
 /// Finds those of different blocks that are one within the precision of the coordinates
-/// (tolerance::SeamRoundings, SeamFraction), the nearest first. Two of one block are never made one.
+/// (tolerance::SeamRoundings, SeamFraction), the nearest first. Two of one block are never made
+/// one.
 ///
-/// \returns for each the one with the lowest number that it is one with; empty where there are none.
+/// \returns for each the one with the lowest number that it is one with; empty where there are
+/// none.
 std::vector<std::size_t> joinSeamVertices(std::vector<SeamVertex> vertices);
 
 /// Where blocks of one surface meet, their points may differ by roundings: each block may have

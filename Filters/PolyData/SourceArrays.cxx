@@ -145,7 +145,8 @@ SourceValues SourceArrays::atPoints(const std::vector<RefinedPoint>& points,
 }
 
 void SourceArrays::write(const SurfaceBlock& block, const SourceValues& atVertices,
-  const SourceValues& atNewPoints, const double* distances, vtkPolyData* output) const
+  const SourceValues& atNewPoints, const double* distances, double unreached,
+  vtkPolyData* output) const
 {
   const vtkIdType count = output->GetNumberOfPoints();
   const auto fillAll = [&](auto&& fill)
@@ -190,7 +191,8 @@ void SourceArrays::write(const SurfaceBlock& block, const SourceValues& atVertic
       [&](vtkIdType i, const SourceValues& from, std::size_t at)
       {
         const double d = distances[i];
-        array->SetValue(i, from.isOnRight[at] != 0 && d > 0.0 ? -d : d);
+        const double signedDistance = from.isOnRight[at] != 0 && d > 0.0 ? -d : d;
+        array->SetValue(i, d < Infinity ? signedDistance : unreached);
       });
     output->GetPointData()->AddArray(array);
   }

@@ -76,9 +76,11 @@ public:
 
   /// Adds the arrays of one block to its points: those of the input, then those that were added.
   ///
-  /// \param distances of the same points.
+  /// \param distances of the same points; infinite where a point is not reached.
+  /// \param unreached what the signed distance is there.
   void write(const SurfaceBlock& block, const SourceValues& atVertices,
-    const SourceValues& atNewPoints, const double* distances, vtkPolyData* output) const;
+    const SourceValues& atNewPoints, const double* distances, double unreached,
+    vtkPolyData* output) const;
 
   std::vector<const char*> names() const { return namesOf(this->choice_); }
 

@@ -136,8 +136,7 @@ void SourceOnRanks::addCurves(const std::vector<LocatedPolyline>& polylines,
     this->places_.insert(this->places_.end(), polyline.points.begin(), polyline.points.end());
   }
   std::sort(this->places_.begin(), this->places_.end());
-  this->places_.erase(
-    std::unique(this->places_.begin(), this->places_.end()), this->places_.end());
+  this->places_.erase(std::unique(this->places_.begin(), this->places_.end()), this->places_.end());
   this->faces_ = locator.locate(this->places_, coordinatePrecision, progress);
   for (const std::vector<LocatorOnRanks::Found>& faces : this->faces_)
   {

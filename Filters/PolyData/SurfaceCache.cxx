@@ -25,7 +25,6 @@ void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, const Barrie
   this->surface_ = std::make_unique<PolyDataSurface>(
     readSurface(blocks, barriers, mergeCoincidentPoints, exchange, progress));
   this->locator_ = std::make_unique<PolylineLocator>(this->surface_->mesh());
-  this->isNoteDue_ = true;
   this->key_ = key;
   this->isMerged_ = mergeCoincidentPoints;
   this->exchange_ = exchange;

@@ -36,10 +36,6 @@ public:
   /// The paths between far points of curves on it.
   JoinedPaths& joinedPaths() { return this->joinedPaths_; }
 
-  /// Whether the user has yet to be told of what was noticed when the surface was read.
-  bool isNoteDue() const { return this->isNoteDue_; }
-  void setNoteGiven() { this->isNoteDue_ = false; }
-
   /// Gives its memory back.
   void release();
 
@@ -48,7 +44,6 @@ private:
   std::unique_ptr<PolylineLocator> locator_;
   std::unique_ptr<LocatorOnRanks> locatorOnRanks_;
   JoinedPaths joinedPaths_;
-  bool isNoteDue_ = false;
   /// What the surface was made from.
   ContentKey key_;
   bool isMerged_ = false;

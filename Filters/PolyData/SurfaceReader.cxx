@@ -123,8 +123,7 @@ public:
       this->keepTriangles(i);
     }
     this->nameVertices();
-    const double diagonal =
-      diagonalOf(this->vertices_, this->triangles_.corners, this->exchange_);
+    const double diagonal = diagonalOf(this->vertices_, this->triangles_.corners, this->exchange_);
     if (this->exchange_)
     {
       return this->makePiece(diagonal);
@@ -141,6 +140,7 @@ public:
 private:
   vtkIdType requireFaces() const;
   bool isTrueOnAll(bool condition) const;
+  std::string whatThereIsInsteadOfFaces() const;
   void readPoints();
   void readPoints(const PolyDataBlock& input);
   void readTriangles(vtkIdType faces);
@@ -197,8 +197,7 @@ vtkIdType SurfaceReader::requireFaces() const
   }
   if (this->isTrueOnAll(faces == 0))
   {
-    throw MeshError("The surface (input port 0) has no faces. Connect a vtkPolyData with triangles "
-                    "or polygons, for example by the Extract Surface filter.");
+    throw MeshError(this->whatThereIsInsteadOfFaces());
   }
   return faces;
 }
@@ -207,6 +206,30 @@ vtkIdType SurfaceReader::requireFaces() const
 bool SurfaceReader::isTrueOnAll(bool condition) const
 {
   return this->exchange_ ? !this->exchange_->isTrueAnywhere(!condition) : condition;
+}
+
+std::string SurfaceReader::whatThereIsInsteadOfFaces() const
+{
+  const std::string name = "The surface (input port 0) ";
+  const std::string advice = "Connect a surface with triangles or polygons.";
+  vtkIdType points = 0;
+  vtkIdType cells = 0;
+  for (const PolyDataBlock& input : this->inputs_)
+  {
+    points += input.data->GetNumberOfPoints();
+    cells += input.data->GetNumberOfCells();
+  }
+  if (cells > 0)
+  {
+    return name + "has no faces, but lines or vertices: is it the source? " + advice;
+  }
+  if (points > 0)
+  {
+    return name + "has " + std::to_string(points) +
+      " points and no faces. PLY files of triangle strips are read so: save them as triangles. " +
+      advice;
+  }
+  return name + "is empty: it has no faces. " + advice;
 }
 
 void SurfaceReader::readPoints()
@@ -273,7 +296,8 @@ void SurfaceReader::readTriangles(vtkIdType faces)
   }
   if (this->isTrueOnAll(this->triangles_.corners.empty()))
   {
-    throw MeshError("None of the " + (this->exchange_ ? std::string() : std::to_string(faces) + " ") +
+    throw MeshError("None of the " +
+      (this->exchange_ ? std::string() : std::to_string(faces) + " ") +
       "faces of the surface (input port 0) has three different corners. Connect a surface with "
       "triangles or polygons.");
   }
@@ -739,8 +763,13 @@ PolyDataSurface SurfaceReader::makePiece(double diagonal)
     }
   }
   this->labels_ = {};
-  auto part = std::make_unique<SurfacePart>(std::move(this->vertices_), this->triangles_.corners,
-    keys, *this->exchange_, this->meshProgress());
+  const auto hasInside = [](const Triangle& t)
+  { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; };
+  const std::vector<Triangle>& triangles = this->triangles_.corners;
+  this->report_.duplicateFaces = static_cast<vtkIdType>(
+    std::count_if(triangles.begin(), triangles.end(), hasInside)); // less what the part has
+  auto part = std::make_unique<SurfacePart>(std::move(this->vertices_),
+    std::move(this->triangles_.corners), keys, *this->exchange_, this->meshProgress());
   this->reportPiece(*part, borrowed);
   Id next = part->mesh().numberOfVertices();
   for (Id& number : numbers)
@@ -767,12 +796,7 @@ void SurfaceReader::reportPiece(const SurfacePart& part, const BorrowedVertices&
 {
   const TriangleMesh& mesh = part.mesh();
   PolyDataSurface::Report& own = this->report_;
-  own.duplicateFaces = static_cast<vtkIdType>(this->triangles_.corners.size());
   own.duplicateFaces -= part.endOfOwnFaces() - part.firstOwnFace();
-  for (const Triangle& t : this->triangles_.corners)
-  {
-    own.duplicateFaces -= t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ? 1 : 0;
-  }
   for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
   {
     own.zeroAreaFaces += mesh.shape(face).hasZeroArea() ? 1 : 0;

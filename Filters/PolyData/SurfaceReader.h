@@ -2,10 +2,10 @@
 #ifndef geodesic_SurfaceReader_h
 #define geodesic_SurfaceReader_h
 
+#include "Exchange.h"
 #include "PolyData/BarrierArrays.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PolyDataSurface.h"
-#include "Exchange.h"
 #include "Progress.h"
 
 namespace geodesic

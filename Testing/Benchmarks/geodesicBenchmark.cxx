@@ -15,6 +15,7 @@
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
 #include "source/BoundaryCurves.h"
+#include "source/PolylineLocator.h"
 
 #include "vtkDijkstraGraphGeodesicPath.h"
 #include "vtkNew.h"
@@ -326,10 +327,11 @@ std::vector<geodesic::SourceCurve> makeCurves(
   }
   const std::vector<geodesic::PolyDataBlock> blocks =
     geodesic::polyDataBlocks(source.curves, "the source");
-  geodesic::PolylineLocator locator(surface.mesh());
-  const geodesic::SourcePolylines read =
-    geodesic::readSource(blocks, surface.scale(), locator, [](double) { return true; });
-  return geodesic::putOntoSurface(surface.mesh(), read.polylines, geodesic::snapOptionsFor(blocks),
+  geodesic::SourcePolylines read = geodesic::readSource(blocks, surface.scale());
+  const geodesic::SnapOptions snapping = geodesic::snapOptionsFor(blocks);
+  geodesic::PolylineLocator(surface.mesh())
+    .locate(read.polylines, snapping.coordinatePrecision, [](double) { return true; });
+  return geodesic::putOntoSurface(surface.mesh(), read.polylines, snapping,
     geodesic::joinByShortestPaths(surface.mesh(), geodesic::smpParallelFor()))
     .curves;
 }
@@ -447,7 +449,7 @@ EngineRun measureEngine(
   const std::uint64_t loaded = memory("VmRSS");
   Stopwatch watch;
   const geodesic::PolyDataSurface surface =
-    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), {}, true);
+    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), {}, true, nullptr);
   const double buildSeconds = watch.lap();
   const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
   const double sourceSeconds = watch.lap();

@@ -13,7 +13,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-EXAMPLES = HERE.parents[1] / "Examples"
+DATA = HERE / "data"
 APPROXIMATE = ("--relative-error", "0.001")
 REFINED = ("--refine", "0.001")
 
@@ -35,7 +35,7 @@ class Mesh:
 MESHES = {
     mesh.name: mesh
     for mesh in (
-        Mesh("plane", str(EXAMPLES / "plane.vtp"), faces=422),
+        Mesh("plane", str(DATA / "plane.vtp"), faces=422),
         Mesh("fandisk", "fandisk.obj", faces=12_946, far=3_000),
         Mesh("beetle-alt", "beetle-alt.obj", faces=38_656, far=9_000),
         Mesh("bunny", "stanford-bunny.obj", faces=69_451, far=17_000),
@@ -50,8 +50,8 @@ MESHES = {
 }
 # Curves in place of a vertex, as in the paper.
 SOURCES = {
-    "plane": f"curve:{EXAMPLES / 'plane-curve.vtp'}",
-    "fandisk": f"curve:{EXAMPLES / 'fandisk-curve.vtp'}",
+    "plane": f"curve:{DATA / 'plane-curve.vtp'}",
+    "fandisk": f"curve:{DATA / 'fandisk-curve.vtp'}",
     "beetle-alt": "boundary",
     "6.4M": f"path:0,{MESHES['nefertiti'].far}",
     "9.9M": "boundary",

@@ -124,6 +124,20 @@ CutMesh cutInSpace(const PlainMesh& mesh, int numberOfRanks, Random& random)
     });
 }
 
+const std::vector<std::pair<int, bool>>& someCuts()
+{
+  static const std::vector<std::pair<int, bool>> cuts = { { 2, false }, { 3, true }, { 4, false },
+    { 7, true }, { 7, false } };
+  return cuts;
+}
+
+Index wholeFaceOf(const RankOfRun& rank, const geodesic::RankAddress& face)
+{
+  const auto found = std::find_if(rank.facesOnRanks.begin(), rank.facesOnRanks.end(),
+    [&face](const geodesic::RankAddress& f) { return f.rank == face.rank && f.id == face.id; });
+  return static_cast<Index>(found - rank.facesOnRanks.begin());
+}
+
 void onRanks(const CutMesh& cut, const std::vector<Polyline>& curves, std::uint64_t disorder,
   const std::function<void(const RankOfRun&)>& work)
 {
@@ -150,8 +164,8 @@ void onRanks(const CutMesh& cut, const std::vector<Polyline>& curves, std::uint6
         engineCurves(patch.mesh(), onPatch(curves, patch, faces));
       const geodesic::SourceWindows sources =
         sourceWindowsOfPart(part, patch, makeSourceWindows(patch.mesh(), curvesOnPatch));
-      work(
-        { exchange, part, piece.wholeVertices, piece.wholeFaces, patch, curvesOnPatch, sources });
+      work({ exchange, part, piece.wholeVertices, piece.wholeFaces, faces, patch, curvesOnPatch,
+        sources });
     });
 }
 

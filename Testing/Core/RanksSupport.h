@@ -28,6 +28,9 @@ CutMesh cutAtRandom(const PlainMesh& mesh, int numberOfRanks, Random& random);
 /// Each face goes to the nearest of random points, one a rank: ranks may have none.
 CutMesh cutInSpace(const PlainMesh& mesh, int numberOfRanks, Random& random);
 
+/// Numbers of ranks, and whether they are cut in space or at random.
+const std::vector<std::pair<int, bool>>& someCuts();
+
 /// One rank of a run: its part of the surface, and what the sources are to it.
 struct RankOfRun
 {
@@ -36,11 +39,16 @@ struct RankOfRun
   /// The vertices and faces of the whole mesh that the part's vertices and owned triangles are.
   const std::vector<Index>& wholeVertices;
   const std::vector<Index>& wholeFaces;
+  /// What each face of the whole mesh is on the rank that has it.
+  const std::vector<geodesic::RankAddress>& facesOnRanks;
   /// The curves on a patch that all ranks have, and what they give this part's front.
   const geodesic::SurfacePatch& patch;
   const std::vector<geodesic::SourceCurve>& curvesOnPatch;
   const geodesic::SourceWindows& sources;
 };
+
+/// The face of the whole mesh that a face of any rank is.
+Index wholeFaceOf(const RankOfRun& rank, const geodesic::RankAddress& face);
 
 /// Runs the work on every rank of a cut mesh, with sources given on the whole one.
 ///

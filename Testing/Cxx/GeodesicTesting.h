@@ -26,6 +26,7 @@
 #include <iostream>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace GeodesicTesting
@@ -113,6 +114,39 @@ public:
 private:
   std::function<void()> Function;
   vtkNew<vtkCallbackCommand> Command;
+};
+
+/// Tells in which executions a filter has built the structure of the surface: reading that is the
+/// first part of the work, of which there is no progress where the structure is used again.
+class BuildWatch
+{
+public:
+  explicit BuildWatch(vtkAlgorithm* filter)
+    : Filter(filter)
+    , Begin(filter, vtkCommand::StartEvent, [this] { this->IsCounted = false; })
+    , Progress(filter, vtkCommand::ProgressEvent, [this] { this->Look(); })
+  {
+  }
+  /// How often since this was asked last.
+  int Count() { return std::exchange(this->Times, 0); }
+
+private:
+  void Look()
+  {
+    constexpr double surfaceRead = 0.15;
+    const double progress = this->Filter->GetProgress();
+    if (progress > 0.0 && progress < surfaceRead && !this->IsCounted)
+    {
+      this->IsCounted = true;
+      ++this->Times;
+    }
+  }
+
+  vtkAlgorithm* Filter;
+  Listener Begin;
+  Listener Progress;
+  bool IsCounted = false;
+  int Times = 0;
 };
 
 inline bool Contains(const std::string& text, const std::string& part)

@@ -115,7 +115,7 @@ void CheckSources(Check& check)
         WithBarriers(Square(8),
           [](const Point& p)
           { return p[0] < 0.125 || p[0] > 0.875 || p[1] < 0.125 || p[1] > 0.875; }),
-        nullptr, { "The whole boundary", "barriers", "SourceType" }, boundary },
+        nullptr, { "The whole boundary", "barriers", "Source Type" }, boundary },
       { "a closed surface", WithBarriers(Tetrahedron(), [](const Point& p) { return p[2] == 0; }),
         nullptr, { "is closed" }, boundary },
     });

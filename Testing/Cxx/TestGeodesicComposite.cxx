@@ -150,7 +150,23 @@ void CheckMultiBlock(Check& check, bool refine)
     check.Equal(handed->GetTuple1(cell), 100.0 + originals->GetTuple1(cell),
       name + ": the data of the original cell in the block");
   }
-  check.That(Contains(messages.Warning(), "64 polygons"), name + ": warnings count all blocks");
+}
+
+void CheckWarningsCountAllBlocks(Check& check)
+{
+  const auto withFlatFace = [](vtkSmartPointer<vtkPolyData> data)
+  {
+    data->GetPolys()->InsertNextCell({ 0, 1, 1 });
+    return data;
+  };
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputDataObject(
+    0, TwoSquares(withFlatFace(Square(2)), withFlatFace(Moved(Square(2), Shift(1.0)))));
+  filter->SetSourceData(Polyline(Line));
+  Messages messages(filter);
+  messages.Update();
+  check.That(Contains(messages.Warning(), "2 faces with two corners"),
+    "warnings count all blocks: " + messages.Warning());
 }
 
 /// The points at x = 1 of a block, with their distances.
@@ -482,6 +498,7 @@ void CheckPieces(Check& check)
 int TestGeodesicComposite(int, char*[])
 {
   Check check;
+  CheckWarningsCountAllBlocks(check);
   CheckMultiBlock(check, false);
   CheckMultiBlock(check, true);
   CheckRefinedSeams(check);

@@ -374,7 +374,7 @@ void CheckBadInput(Check& check)
   blocks->SetBlock(1, PointSources({ { 0, 0, 0 }, { vtkMath::Inf(), 0, 0 } }));
   vtkNew<vtkTable> table;
   const std::vector<BadTargets> cases = {
-    { "no targets", nullptr, { "no targets", "port 2", "SetTargetsConnection" } },
+    { "no targets", nullptr, { "no targets", "port 2", "Targets" } },
     { "empty targets", vtkSmartPointer<vtkPolyData>::New(), { "port 2", "empty" } },
     { "NaN targets", PointSources({ { 0, 0, 0 }, { 1, 1, 0 }, { 0, nan, 0 } }),
       { "port 2", "NaN", "point 2", "Remove" } },

@@ -97,9 +97,7 @@ void CheckPiecesWrittenAndReadBack(Check& check, int mode, const std::string& na
 {
   Pipeline p;
   p.Filter->SetRefineMesh(refine);
-  int built = 0;
-  Messages messages(p.Filter);
-  Listener listener(p.Filter, vtkCommand::WarningEvent, [&] { ++built; });
+  BuildWatch builds(p.Filter);
   int read = 0;
   Listener upstream(p.Sphere, vtkCommand::StartEvent, [&] { ++read; });
   vtkNew<vtkXMLPolyDataWriter> writer;
@@ -108,7 +106,7 @@ void CheckPiecesWrittenAndReadBack(Check& check, int mode, const std::string& na
   writer->SetDataMode(mode);
   writer->WriteToOutputStringOn();
   writer->Write();
-  check.Equal(built, 1, name + ": times that the surface was told of");
+  check.Equal(builds.Count(), 1, name + ": times that the surface was read");
   check.Equal(read, 1, name + ": times that upstream was executed");
 
   vtkNew<vtkXMLPolyDataReader> reader;

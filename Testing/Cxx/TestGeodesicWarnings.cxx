@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the filter keeps working with but the user should know is counted in a warning, once.
+// What the filter keeps working with but the user should know is counted in a warning, once; what
+// every data set may have is not mentioned.
 #include "GeodesicTesting.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkTrivialProducer.h"
 
 using namespace GeodesicTesting;
 
@@ -59,26 +61,45 @@ std::vector<Case> Cases()
   const Point origin = { 0, 0, 0 };
   const auto corner = PointSources({ origin });
   return {
-    { "quads", Square(2, Cells::Quads), corner, { "4 polygons of the surface triangulated" } },
-    { "a polygon", WithPolygon(Square(2)), corner, { "1 polygon of the surface triangulated" } },
-    { "strips", Square(2, Cells::Strips), corner,
-      { "2 triangle strips of the surface triangulated" } },
     { "lines", WithLinesAndVertices(Square(2)), corner,
       { "2 lines among the surface's cells dropped" } },
     { "vertices", WithLinesAndVertices(Square(2)), corner,
       { "3 vertex cells among the surface's cells dropped" } },
     { "faces a,a,b", WithFaces(Square(2), { { 0, 0, 1 }, { 3, 4, 3 } }), corner,
       { "2 faces with two corners at one point left out" } },
-    { "a duplicate face", WithFaces(Square(2), { { 1, 4, 0 } }), corner, { "1 duplicate face" } },
-    { "a face without area", WithFaces(Square(2), { { 0, 1, 2 } }), corner,
-      { "1 face without area, kept" } },
-    { "isolated points", WithPoints(Square(2), 3), corner,
-      { "3 points of the surface used by no face" } },
+    { "a point far from the surface", Square(2), PointSources({ { 0, 0, 0.75 } }),
+      { "up to 0.75 away from the surface (53 % of its size), at 1 of 1 points: point 0." } },
+    { "a curve far from the surface", Square(2),
+      Polyline({ origin, { 0.5, 0, 0.25 }, { 0.5, 0.5, 0.5 }, { 0.5, 0.5, 0.01 } }),
+      { "up to 0.5 away from the surface (35 % of its size)", "at 2 of 4 points",
+        "point 1 of cell 0, point 2 of cell 0." } },
+    { "many points far from the surface", Square(2),
+      PointSources({ origin, { 0, 0, 1 }, { 0, 0, 2 }, { 0, 0, 3 }, { 0, 0, 4 }, { 0, 0, 5 } }),
+      { "up to 5 away", "at 5 of 6 points: point 1, point 2, point 3 and 2 more." } },
+  };
+}
+
+/// Nothing is wrong with these.
+std::vector<Case> QuietCases()
+{
+  const Point origin = { 0, 0, 0 };
+  const auto corner = PointSources({ origin });
+  const std::vector<Point> ring = { { 0.2, 0.2, 0 }, { 0.8, 0.2, 0 }, { 0.5, 0.8, 0 } };
+  std::vector<Point> ringAgain = ring;
+  ringAgain.push_back(ring.front());
+  return {
+    { "quads", Square(2, Cells::Quads), corner, {} },
+    { "a polygon", WithPolygon(Square(2)), corner, {} },
+    { "strips", Square(2, Cells::Strips), corner, {} },
+    { "a duplicate face", WithFaces(Square(2), { { 1, 4, 0 } }), corner, {} },
+    { "a face without area", WithFaces(Square(2), { { 0, 1, 2 } }), corner, {} },
+    { "unused points", WithPoints(Square(2), 3), corner, {} },
     { "repeated curve points", Square(2),
-      Polyline({ origin, origin, { 0.5, 0, 0 }, { 0.5, 0, 0 }, { 1, 0, 0 } }),
-      { "2 points of the source at the place of the one before" } },
-    { "a curve far from the surface", Square(2), PointSources({ { 0, 0, 0.75 } }),
-      { "up to 0.75 away from the surface" } },
+      Polyline({ origin, origin, { 0.5, 0, 0 }, { 0.5, 0, 0 }, { 1, 0, 0 } }), {} },
+    { "a closed curve", Square(2), Polyline(ring, true), {} },
+    { "a closed curve with its first point twice", Square(2), Polyline(ringAgain), {} },
+    { "a curve a little beside the surface", Square(2),
+      Polyline({ { 0.1, 0.1, 0.014 }, { 0.9, 0.1, -0.014 } }), {} },
   };
 }
 
@@ -92,6 +113,17 @@ void CheckCase(Check& check, const Case& odd)
   const double reached = Distances(filter) ? Distances(filter)->GetTuple1(8) : -1.0;
   check.That(odd.Source->GetNumberOfPoints() > 1 || std::abs(reached - std::sqrt(2.0)) < 1e-15,
     odd.Name + ": the distance to the opposite corner");
+}
+
+void CheckQuietCase(Check& check, const Case& plain)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  Messages messages(filter);
+  Run(check, filter, messages, plain);
+  check.That(messages.Error().empty() && messages.Warning().empty(),
+    plain.Name + " is not worth a word: " + messages.Error() + messages.Warning());
+  check.That(Distances(filter) && std::isfinite(Distances(filter)->GetTuple1(8)),
+    plain.Name + ": there is a distance");
 }
 
 void CheckExistingArray(Check& check)
@@ -137,17 +169,89 @@ void CheckSilence(Check& check)
 void CheckWarningsAfterFailure(Check& check)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
-  filter->SetInputData(Square(2, Cells::Quads));
+  filter->SetInputData(WithLinesAndVertices(Square(2)));
   Messages messages(filter);
   messages.Update();
   check.That(Contains(messages.Error(), "no source"), "the first execution fails");
   filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
   messages.Update();
-  check.That(Contains(messages.Warning(), "4 polygons of the surface triangulated"),
+  check.That(Contains(messages.Warning(), "2 lines among the surface's cells"),
     "after a failed execution the surface's warnings are told");
   filter->SetSourceData(PointSources({ { 1, 0, 0 } }));
   messages.Update();
   check.That(messages.Warning().empty(), "they are told once: " + messages.Warning());
+}
+
+/// As with time steps: what is connected stays, its data change.
+void CheckNothingIsSaidTwice(Check& check)
+{
+  vtkNew<vtkTrivialProducer> surface;
+  vtkNew<vtkTrivialProducer> source;
+  surface->SetOutput(WithLinesAndVertices(Square(2)));
+  source->SetOutput(PointSources({ { 0, 0, 0.5 } }));
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputConnection(surface->GetOutputPort());
+  filter->SetSourceConnection(source->GetOutputPort());
+  Messages messages(filter);
+  const auto expect = [&](bool ofSurface, bool ofSource, const std::string& what)
+  {
+    messages.Update();
+    const std::string said = messages.Warning();
+    check.That(Contains(said, "2 lines") == ofSurface && Contains(said, "away") == ofSource &&
+        said.empty() == !(ofSurface || ofSource),
+      what + ": " + said);
+  };
+  expect(true, true, "the first time step");
+  check.That(messages.Warning().find("away") < messages.Warning().find("2 lines"),
+    "a source far away comes first: " + messages.Warning());
+  source->SetOutput(PointSources({ { 0, 0, 0.75 } }));
+  expect(false, false, "a source that moves, farther off");
+  surface->SetOutput(WithLinesAndVertices(Square(4)));
+  expect(false, false, "a surface that changes");
+  filter->SetRefinementTolerance(0.01);
+  expect(false, false, "another property");
+  source->SetOutput(PointSources({ { 0, 0, 0 } }));
+  expect(false, false, "a source on the surface");
+  source->SetOutput(PointSources({ { 0, 0, 0.75 } }));
+  expect(false, true, "a source that moves off again");
+
+  filter->SetMaximumDistance(-1.0);
+  messages.Update();
+  filter->SetMaximumDistance(0.0);
+  expect(false, false, "after an error in between");
+  vtkNew<vtkTrivialProducer> other;
+  other->SetOutput(PointSources({ { 0, 0, 0.75 } }));
+  filter->SetSourceConnection(other->GetOutputPort());
+  expect(false, true, "another source connected");
+  filter->SetInputData(WithLinesAndVertices(Square(2)));
+  expect(true, false, "another surface connected");
+}
+
+/// What a property is the cause of is told for each of its values.
+void CheckWarningsOfProperties(Check& check)
+{
+  vtkNew<vtkTrivialProducer> source;
+  source->SetOutput(PointSources({ { 0, 0, 0 } }));
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Square(4));
+  filter->SetSourceConnection(source->GetOutputPort());
+  filter->SetMaximumNumberOfCells(10);
+  Messages messages(filter);
+  const auto expect = [&](const std::string& words, const std::string& what)
+  {
+    messages.Update();
+    check.That(words.empty() == messages.Warning().empty() && Contains(messages.Warning(), words),
+      what + ": " + messages.Warning());
+  };
+  expect("more than MaximumNumberOfCells (10)", "a surface that is not refined");
+  source->SetOutput(PointSources({ { 1, 0, 0 } }));
+  expect("", "at the next time step");
+  filter->SetMaximumNumberOfCells(40);
+  expect("MaximumNumberOfCells (40) is reached", "a cap that is reached");
+  source->SetOutput(PointSources({ { 1, 1, 0 } }));
+  expect("", "at the next time step");
+  filter->SetMaximumNumberOfCells(45);
+  expect("MaximumNumberOfCells (45) is reached", "another cap");
 }
 
 /// Lengths are fractions of the extent of the surface, to which points that no face uses do not
@@ -197,6 +301,12 @@ int TestGeodesicWarnings(int, char*[])
   {
     CheckCase(check, odd);
   }
+  for (const Case& plain : QuietCases())
+  {
+    CheckQuietCase(check, plain);
+  }
+  CheckNothingIsSaidTwice(check);
+  CheckWarningsOfProperties(check);
   CheckExistingArray(check);
   CheckSilence(check);
   CheckHalfMeantSources(check);

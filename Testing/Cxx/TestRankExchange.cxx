@@ -97,8 +97,7 @@ void SendAtRandom(RankExchange& exchange, Checks& check)
     for (int from = 0; from < ranks; ++from)
     {
       check.That(received[static_cast<std::size_t>(from)] == MessageBetween(from, rank, step),
-        "step " + std::to_string(step) + " brings what rank " + std::to_string(from) +
-          " has sent");
+        "step " + std::to_string(step) + " brings what rank " + std::to_string(from) + " has sent");
     }
     for (std::size_t i = 0; i < least.size(); ++i)
     {

@@ -275,9 +275,9 @@ def errors():
     spoilt.Script = """
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 ranks = vtkMultiProcessController.GetGlobalController()
-output.DeepCopy(self.GetInputDataObject(0, 0))
+output.VTKObject.DeepCopy(self.GetInputDataObject(0, 0))
 if ranks.GetLocalProcessId() == ranks.GetNumberOfProcesses() - 1:
-    output.GetPoints().SetPoint(3, float("nan"), 0, 0)
+    output.VTKObject.GetPoints().SetPoint(3, float("nan"), 0, 0)
 """
     producer, _ = point_cloud([(0.5, 0, 0)])
     field = GeodesicDistanceField(Input=spoilt, Source=producer, RefineMesh=0)

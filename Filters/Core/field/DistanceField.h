@@ -43,6 +43,19 @@ public:
 
   const TriangleMesh& mesh() const { return *this->mesh_; }
 
+  /// The part that the mesh is of where ranks have the surface together; null: the mesh is all.
+  const SurfacePart* part() const { return this->front_.part; }
+  /// A vertex as windows name it (Window::origin), and how many there are.
+  Id numberInWhole(Id vertex) const
+  {
+    return this->part() != nullptr ? this->part()->numberInWhole(vertex) : vertex;
+  }
+  Id numberOfVerticesOfWhole() const
+  {
+    return this->part() != nullptr ? this->part()->numberOfVerticesOfWhole()
+                                   : this->mesh_->numberOfVertices();
+  }
+
   /// Whether windows were kept, so that distance() and path() can be called.
   bool hasWindows() const { return this->kept_.windows.isIndexed(); }
 

@@ -43,7 +43,12 @@ Id IsolineJoin::pointAt(PieceEnd end) const
 
 void IsolineJoin::linkEnds()
 {
+  constexpr Id more = 3; // than meet where a line goes on
   this->nodes_.assign(this->edgePoints_ + this->points_.size(), {});
+  for (const Id point : this->ends_)
+  {
+    this->nodes_[point].count = more;
+  }
   for (PieceEnd end = 0; end < 2 * this->pieces_.size(); ++end)
   {
     Node& node = this->nodes_[this->pointAt(end)];
@@ -193,7 +198,15 @@ bool IsolineJoin::shorten(const std::vector<SurfacePoint>& points, Isoline& line
     }
   }
   line.points.front() = whole.points.front();
-  return !this->isSpeck(points, line);
+  return this->goesOnElsewhere(line) ? !line.faces.empty() : !this->isSpeck(points, line);
+}
+
+// Then it may be more than a speck.
+bool IsolineJoin::goesOnElsewhere(const Isoline& line) const
+{
+  const auto isEnd = [this](Id point)
+  { return std::binary_search(this->ends_.begin(), this->ends_.end(), point); };
+  return !this->ends_.empty() && (isEnd(line.points.front()) || isEnd(line.points.back()));
 }
 
 void IsolineJoin::dropUnusedPoints(Isolines& result)

@@ -23,6 +23,9 @@ public:
   {
   }
 
+  /// Lines end at a point on an edge, where other ranks' go on.
+  void endAt(Id edgePoint) { this->ends_.push_back(edgePoint); }
+
   /// Adds the pieces of some faces, behind those of lower ones.
   void add(const IsolinePieces& pieces);
 
@@ -49,12 +52,14 @@ private:
   void dropShortChords(Isolines& result) const;
   bool isShort(const SurfacePoint& a, const SurfacePoint& b, Id face, double level) const;
   bool isSpeck(const std::vector<SurfacePoint>& points, const Isoline& line) const;
+  bool goesOnElsewhere(const Isoline& line) const;
   bool shorten(const std::vector<SurfacePoint>& points, Isoline& line) const;
   static void dropUnusedPoints(Isolines& result);
 
   const TriangleMesh& mesh_;
   const std::vector<double>& levels_;
   Id edgePoints_;
+  std::vector<Id> ends_;
   std::vector<IsolinePieces::Piece> pieces_;
   std::vector<Id> ids_;
   std::vector<IsolinePieces::NewPoint> points_;

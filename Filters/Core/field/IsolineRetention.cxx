@@ -9,9 +9,11 @@
 namespace geodesic
 {
 
-IsolineRetention::IsolineRetention(const TriangleMesh& mesh, const std::vector<double>& values,
-  const std::vector<std::uint8_t>& pinned)
+IsolineRetention::IsolineRetention(const TriangleMesh& mesh, const SurfacePart* part,
+  const std::vector<double>& values, const std::vector<std::uint8_t>& pinned)
   : mesh_(mesh)
+  , firstFace_(part ? part->firstOwnFace() : 0)
+  , endOfFaces_(part ? part->endOfOwnFaces() : mesh.numberOfFaces())
   , values_(values)
   , pinned_(pinned)
   , reach_(values.back() * (1.0 + tolerance::BoundMargin))
@@ -74,7 +76,7 @@ void IsolineRetention::finish(const FrontState& front)
 {
   this->takePassed(front);
   this->kept_.faces.assign(this->mesh_.numberOfFaces(), 0);
-  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  for (Id face = this->firstFace_; face < this->endOfFaces_; ++face)
   {
     const bool isWhole = (this->marks_[face] & Dropped) == 0;
     this->kept_.faces[face] = isWhole ? 1 : 0;

@@ -3,6 +3,7 @@
 #define geodesic_IsolineRetention_h
 
 #include "front/Retention.h"
+#include "mesh/SurfacePart.h"
 
 #include <vector>
 
@@ -18,10 +19,11 @@ namespace geodesic
 class IsolineRetention : public Retention
 {
 public:
+  /// \param part null: faces of all the mesh count, not only those that it owns.
   /// \param values ascending, must outlive this.
   /// \param pinned for each face, whether its windows are never dropped; must outlive this.
-  IsolineRetention(const TriangleMesh& mesh, const std::vector<double>& values,
-    const std::vector<std::uint8_t>& pinned);
+  IsolineRetention(const TriangleMesh& mesh, const SurfacePart* part,
+    const std::vector<double>& values, const std::vector<std::uint8_t>& pinned);
 
   bool needsInside() const override { return true; }
   double reach() const override { return this->reach_; }
@@ -47,6 +49,8 @@ private:
   void takePassed(const FrontState& front);
 
   const TriangleMesh& mesh_;
+  Id firstFace_;
+  Id endOfFaces_;
   const std::vector<double>& values_;
   const std::vector<std::uint8_t>& pinned_;
   double reach_;

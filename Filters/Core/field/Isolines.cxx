@@ -48,6 +48,8 @@ private:
   std::vector<Result> forTasks(double begin, double end, Task&& task) const;
 
   void findEdgePoints();
+  void exchangeEdgePoints();
+  void countTurnsAtSeams(Isolines& isolines) const;
   void addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePoint>& points) const;
   IsolinePieces drawFaces(std::size_t first, std::size_t last, std::size_t& straight) const;
   void findOutline(Id face, std::size_t value, std::vector<OutlinePoint>& outline) const;
@@ -102,6 +104,23 @@ struct Segment
   double length;
 };
 
+/// Whether a face is this rank's to draw in.
+bool isDrawn(const DistanceField& field, Id face)
+{
+  return field.part() == nullptr || field.part()->isOwn(face);
+}
+
+/// Whether other ranks draw at an edge, too.
+bool isAtSeam(const DistanceField& field, Id halfedge)
+{
+  bool isSeam = !isDrawn(field, TriangleMesh::faceOf(halfedge));
+  for (Id s = field.mesh().nextSibling(halfedge); s != halfedge; s = field.mesh().nextSibling(s))
+  {
+    isSeam = isSeam || !isDrawn(field, TriangleMesh::faceOf(s));
+  }
+  return isSeam;
+}
+
 // Windows of an envelope may differ where they meet, by tolerance::JointFraction. The distance in
 // the face tells the place then.
 double placeByDistance(const FaceDistance& face, const Segment& segment, double level, double place)
@@ -153,6 +172,13 @@ Isolines Drawing::run()
     [this](std::size_t first, std::size_t last, Drawn& result)
     { result.pieces = this->drawFaces(first, last, result.straight); });
   IsolineJoin join(this->mesh_, this->levels_, static_cast<Id>(this->edgePoints_.size()));
+  for (Id point = 0; point < this->edgePoints_.size(); ++point)
+  {
+    if (isAtSeam(this->field_, this->edgePoints_[point].halfedge))
+    {
+      join.endAt(point);
+    }
+  }
   std::size_t straight = 0;
   for (Drawn& each : drawn)
   {
@@ -168,7 +194,24 @@ Isolines Drawing::run()
   }
   Isolines result = join.finish(std::move(onEdges));
   result.partsCrossedStraight = straight;
+  this->countTurnsAtSeams(result);
   return result;
+}
+
+// Where the faces of a seam are of opposite orientation, lines run against each other there.
+void Drawing::countTurnsAtSeams(Isolines& isolines) const
+{
+  const auto turns = [&](const SurfacePoint& end)
+  {
+    return end.kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(end.id) &&
+      this->mesh_.acrossOriented(end.id) == NoId;
+  };
+  for (const Isoline& line : isolines.lines)
+  {
+    const bool isTurned = !line.isClosed() &&
+      (turns(isolines.points[line.points.front()]) || turns(isolines.points[line.points.back()]));
+    isolines.linesWithoutDirection += isTurned ? 1 : 0;
+  }
 }
 
 // At a vertex where it cannot be told from it.
@@ -195,12 +238,16 @@ void Drawing::findFaces()
     const DistanceRange range = this->rangeOf(face);
     if (range.least < Infinity && range.holdsOneOf(this->levels_))
     {
+      this->isChosen_[face] = 1;
+      if (!isDrawn(this->field_, face))
+      {
+        continue;
+      }
       if (!this->field_.knowsInside(face))
       {
         throw Error("Isolines were asked for in face " + std::to_string(face) +
           ", whose windows the solve did not keep.");
       }
-      this->isChosen_[face] = 1;
       this->faces_.push_back(face);
     }
   }
@@ -272,6 +319,44 @@ void Drawing::findEdgePoints()
   {
     this->edgePoints_.insert(this->edgePoints_.end(), points.begin(), points.end());
   }
+  if (this->field_.part() != nullptr)
+  {
+    this->exchangeEdgePoints();
+  }
+}
+
+// Faces stand in one order on all ranks, so that they agree about the designated one of an edge. Its
+// owner tells the other ranks there.
+void Drawing::exchangeEdgePoints()
+{
+  const SurfacePart& part = *this->field_.part();
+  std::vector<Message> messages = part.exchange().noMessages();
+  for (const EdgePoint& p : this->edgePoints_)
+  {
+    std::vector<int> told;
+    for (Id s = this->mesh_.nextSibling(p.halfedge); s != p.halfedge;
+         s = this->mesh_.nextSibling(s))
+    {
+      const RankAddress face = part.addressOf(TriangleMesh::faceOf(s));
+      const bool isOther = !part.isOwn(TriangleMesh::faceOf(s));
+      if (isOther && std::find(told.begin(), told.end(), face.rank) == told.end())
+      {
+        put(messages[static_cast<std::size_t>(face.rank)], p);
+        told.push_back(face.rank);
+      }
+    }
+  }
+  readEach(part.exchange().step(std::move(messages)),
+    [&](int rank, MessageReader& reader)
+    {
+      auto p = reader.get<EdgePoint>();
+      const Id face = part.copyOf({ rank, TriangleMesh::faceOf(p.halfedge) });
+      p.halfedge = 3 * face + p.halfedge % 3;
+      this->edgePoints_.push_back(p);
+    });
+  std::stable_sort(this->edgePoints_.begin(), this->edgePoints_.end(),
+    [](const EdgePoint& a, const EdgePoint& b)
+    { return a.halfedge != b.halfedge ? a.halfedge < b.halfedge : a.value < b.value; });
 }
 
 // Those of its edges whose designated face it is.

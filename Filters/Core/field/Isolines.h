@@ -56,6 +56,9 @@ struct Isolines
 /// Lines end at the boundary and at edges of three and more faces, there in a shared point. A
 /// vertex at exactly the value counts as beyond it. Values over the largest distance give no lines.
 ///
+/// Where ranks have the surface together, all draw together, each in the faces that it owns. Lines
+/// end at seams, where another rank's go on from a point with the same coordinates.
+///
 /// \param field one of solveForIsolines() for these values, or with all windows kept.
 /// \throws Error where the values or the tolerance are not what they must be, or windows that are
 ///         needed were not kept; Aborted.

@@ -82,7 +82,8 @@ public:
       if (!isPoint && this->improve(LastPiece::Kind::Corner, distance, length))
       {
         this->setDirection(face, cornerWeights(k), weights);
-        this->best_.origin = vertex;
+        this->best_.origin = this->field_.numberInWhole(vertex);
+        this->corner_ = vertex;
       }
     }
   }
@@ -138,11 +139,17 @@ public:
       return;
     }
     this->best_.kind = LastPiece::Kind::Corner;
-    this->setDirection(face, barycentric(this->mesh_, SurfacePoint::atVertex(arrival.origin), face),
+    this->setDirection(face, cornerWeights(this->cornerWithNumber(face, arrival.origin)),
       barycentric(this->mesh_, this->point_, face));
   }
 
   const LastPiece& best() const { return this->best_; }
+  /// Of the best: whether it is a way without length from a corner, and that corner.
+  bool isAtCorner() const
+  {
+    return this->best_.kind == LastPiece::Kind::Corner && isZero(this->best_.direction);
+  }
+  SurfacePoint corner() const { return SurfacePoint::atVertex(this->corner_); }
 
 private:
   // Of ways as long but for rounding the one that is straight the longest tells the direction best:
@@ -161,6 +168,14 @@ private:
     this->best_.distance = std::min(distance, shortest);
     this->straight_ = straight;
     return true;
+  }
+
+  std::size_t cornerWithNumber(Id face, Id numberInWhole) const
+  {
+    const Triangle& t = this->mesh_.triangle(face);
+    return this->field_.numberInWhole(t[0]) == numberInWhole ? 0
+      : this->field_.numberInWhole(t[1]) == numberInWhole    ? 1
+                                                             : 2;
   }
 
   void setDirection(Id face, const Barycentric& from, const Barycentric& to)
@@ -185,6 +200,8 @@ private:
   const TriangleMesh& mesh_;
   const SurfacePoint& point_;
   LastPiece best_;
+  /// That the last piece comes from, where it does.
+  Id corner_ = NoId;
   /// Length of the straight way that ends with it.
   double straight_ = 0.0;
   /// The longest edge of the face at hand.
@@ -248,9 +265,7 @@ LastPiece lastPieceTo(const DistanceField& field, const SurfacePoint& point)
   {
     throw Error("The path to a point was asked for, but the solve kept no windows there.");
   }
-  const LastPiece& best = search.best();
-  const bool isAtCorner = best.kind == LastPiece::Kind::Corner && isZero(best.direction);
-  return isAtCorner ? lastPieceToVertex(field, SurfacePoint::atVertex(best.origin)) : best;
+  return search.isAtCorner() ? lastPieceToVertex(field, search.corner()) : search.best();
 }
 
 Vec3 inSpace(const TriangleMesh& mesh, Id halfedge, Vec2 direction)

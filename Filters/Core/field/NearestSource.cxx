@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/NearestSource.h"
 
+#include "field/OriginsElsewhere.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -10,9 +12,33 @@ NearestSource::NearestSource(const DistanceField& field, const std::vector<Sourc
   const ProgressCallback& callback)
   : field_(field)
   , mesh_(field.mesh())
+  , meshOfCurves_(field.mesh())
   , chains_(field.mesh(), curves)
   , onCurves_(field.mesh(), this->chains_)
   , sectors_(field.mesh())
+{
+  this->find(callback);
+}
+
+NearestSource::NearestSource(const DistanceField& field, const SurfacePatch& patch,
+  const std::vector<SourceCurve>& curves, const ProgressCallback& callback)
+  : field_(field)
+  , mesh_(field.mesh())
+  , patch_(&patch)
+  , meshOfCurves_(patch.mesh())
+  , chains_(patch.mesh(), curves)
+  , onCurves_(patch.mesh(), this->chains_)
+  , vertices_(std::make_unique<VerticesOfWhole>(*field.part()))
+  , sectors_(patch.mesh())
+{
+  this->find(callback);
+  this->elsewhere_ =
+    std::make_unique<OriginsElsewhere>(this->field_, *this->vertices_, this->origins_);
+}
+
+NearestSource::~NearestSource() = default;
+
+void NearestSource::find(const ProgressCallback& callback)
 {
   this->origins_.assign(this->mesh_.numberOfVertices(), CurveOrigin());
   LoopProgress progress(callback);
@@ -22,30 +48,42 @@ NearestSource::NearestSource(const DistanceField& field, const std::vector<Sourc
   this->findOthers(progress);
 }
 
+// Calls visit(Id vertex) for the vertices that this rank tells the origins of.
+template <typename Visit>
+void NearestSource::forEachVertex(const LoopProgress& progress, const Visit& visit) const
+{
+  const std::size_t count =
+    this->vertices_ ? this->vertices_->here().size() : this->mesh_.numberOfVertices();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    progress.at(i, count);
+    visit(this->vertices_ ? this->vertices_->here()[i] : static_cast<Id>(i));
+  }
+}
+
 // The side of the curve is told from the direction at the vertex: all that come from one vertex
 // together.
 void NearestSource::findBesideVertices(const LoopProgress& progress)
 {
   std::vector<std::pair<Id, Id>> beside; // the vertex on a curve, and the one beside it
-  const std::vector<Arrival>& arrivals = this->field_.arrivals();
-  for (Id vertex = 0; vertex < arrivals.size(); ++vertex)
-  {
-    progress.at(vertex, arrivals.size());
-    const Arrival& arrival = arrivals[vertex];
-    const VertexOnCurve* on = this->onCurves_.find(vertex);
-    if (on != nullptr)
+  this->forEachVertex(progress,
+    [&](Id vertex)
     {
-      this->origins_[vertex] = CurveOrigin::onLeft(this->mesh_, on->curve, on->place);
-    }
-    else if (arrival.isKnown() && !arrival.isThroughWindow())
-    {
-      const LastPiece piece = lastPieceTo(this->field_, SurfacePoint::atVertex(vertex));
-      if (piece.kind == LastPiece::Kind::Corner && this->onCurves_.find(piece.origin) != nullptr)
+      const Arrival& arrival = this->field_.arrivals()[vertex];
+      const VertexOnCurve* on = this->onCurveAt(this->field_.numberInWhole(vertex));
+      if (on != nullptr)
       {
-        beside.emplace_back(piece.origin, vertex);
+        this->origins_[vertex] = this->onLeft(on->curve, on->place);
       }
-    }
-  }
+      else if (arrival.isKnown() && !arrival.isThroughWindow())
+      {
+        const LastPiece piece = lastPieceTo(this->field_, SurfacePoint::atVertex(vertex));
+        if (piece.kind == LastPiece::Kind::Corner && this->onCurveAt(piece.origin) != nullptr)
+        {
+          beside.emplace_back(piece.origin, vertex);
+        }
+      }
+    });
   std::sort(beside.begin(), beside.end());
   for (const auto& [on, vertex] : beside)
   {
@@ -56,14 +94,14 @@ void NearestSource::findBesideVertices(const LoopProgress& progress)
 
 void NearestSource::findOthers(const LoopProgress& progress)
 {
-  for (Id vertex = 0; vertex < this->mesh_.numberOfVertices(); ++vertex)
-  {
-    progress.at(vertex, this->mesh_.numberOfVertices());
-    if (this->field_.vertexDistances()[vertex] < Infinity)
+  this->forEachVertex(progress,
+    [this](Id vertex)
     {
-      this->follow(vertex);
-    }
-  }
+      if (this->field_.vertexDistances()[vertex] < Infinity)
+      {
+        this->follow(vertex);
+      }
+    });
 }
 
 // The last piece to a vertex, through a window without its direction, which takes no face to know.
@@ -82,7 +120,7 @@ LastPiece NearestSource::originTo(Id vertex) const
 }
 
 // Back from pseudo-source to pseudo-source, and forth again. Vertices at one place may name each
-// other: the way back ends there.
+// other: the way back ends there, as it does at a vertex that another rank counts.
 void NearestSource::follow(Id vertex)
 {
   std::vector<Id> way;
@@ -96,7 +134,12 @@ void NearestSource::follow(Id vertex)
       found = this->originOf(piece);
       break;
     }
-    vertex = piece.origin;
+    if (this->isElsewhere(piece.origin))
+    {
+      found = { piece.origin };
+      break;
+    }
+    vertex = this->vertices_ ? this->vertices_->vertexAt(piece.origin) : piece.origin;
     found = this->origins_[vertex];
     if (std::find(way.begin(), way.end(), vertex) != way.end())
     {
@@ -120,9 +163,9 @@ bool NearestSource::isFromCurve(const LastPiece& piece) const
   switch (piece.kind)
   {
     case LastPiece::Kind::Corner:
-      return this->onCurves_.find(piece.origin) != nullptr;
+      return this->onCurveAt(piece.origin) != nullptr;
     case LastPiece::Kind::Window:
-      return CurveSide::isOne(piece.origin, this->mesh_.numberOfVertices());
+      return CurveSide::isOne(piece.origin, this->field_.numberOfVerticesOfWhole());
     default:
       return true;
   }
@@ -140,16 +183,18 @@ CurveOrigin NearestSource::originOf(const LastPiece& piece)
     case LastPiece::Kind::Window:
       break;
   }
-  if (CurveSide::isOne(piece.origin, this->mesh_.numberOfVertices()))
+  if (CurveSide::isOne(piece.origin, this->field_.numberOfVerticesOfWhole()))
   {
     return { piece.origin, piece.place };
   }
-  if (piece.kind == LastPiece::Kind::Corner && this->onCurves_.find(piece.origin) != nullptr)
+  const VertexOnCurve* on =
+    piece.kind == LastPiece::Kind::Corner ? this->onCurveAt(piece.origin) : nullptr;
+  if (on != nullptr)
   {
-    this->goToVertex(piece.origin);
-    return this->sectors_.of(piece.frame, piece.direction);
+    this->goToVertex(on->vertex);
+    return this->inSector(piece);
   }
-  return this->origins_[piece.origin];
+  return this->ofVertex(piece.origin);
 }
 
 // Beside a segment its line tells the side, at its ends the segments that meet there.
@@ -162,14 +207,55 @@ CurveOrigin NearestSource::atSource(const LastPiece& piece)
     const Vec2 along = inHalfedgeFrame(this->mesh_, piece.frame, source.b) -
       inHalfedgeFrame(this->mesh_, piece.frame, source.a);
     const CurveSide side = { source.curve, cross(along, piece.direction) < 0.0 };
-    return { side.origin(this->mesh_.numberOfVertices()), place };
+    return { side.origin(this->field_.numberOfVerticesOfWhole()), place };
   }
   const double place = piece.along > 0.0 ? source.placeOfB : source.placeOfA;
   const std::vector<double>& places = this->chains_.places(source.curve);
   const auto at = std::lower_bound(places.begin(), places.end(), place);
   const auto i = static_cast<std::size_t>(at - places.begin());
   this->goToPoint(source.curve, std::min(i, places.size() - 1));
-  return this->sectors_.of(piece.frame, piece.direction);
+  return this->inSector(piece);
+}
+
+// What the direction belongs to at the point that the sectors are around.
+CurveOrigin NearestSource::inSector(const LastPiece& piece) const
+{
+  if (this->patch_ == nullptr)
+  {
+    return this->sectors_.of(piece.frame, piece.direction);
+  }
+  const Id face =
+    this->patch_->faceAt(this->field_.part()->addressOf(TriangleMesh::faceOf(piece.frame)));
+  const CurveOrigin onPatch = this->sectors_.of(3 * face + piece.frame % 3, piece.direction);
+  const CurveSide side = CurveSide::of(onPatch.origin, this->meshOfCurves_.numberOfVertices());
+  return { side.origin(this->field_.numberOfVerticesOfWhole()), onPatch.place };
+}
+
+CurveOrigin NearestSource::onLeft(Id curve, double place) const
+{
+  return { CurveSide{ curve, false }.origin(this->field_.numberOfVerticesOfWhole()), place };
+}
+
+CurveOrigin NearestSource::ofVertex(Id numberInWhole) const
+{
+  if (this->vertices_ == nullptr)
+  {
+    return this->origins_[numberInWhole];
+  }
+  return this->vertices_->isHere(numberInWhole)
+    ? this->origins_[this->vertices_->vertexAt(numberInWhole)]
+    : this->elsewhere_->of(numberInWhole);
+}
+
+bool NearestSource::isElsewhere(Id numberInWhole) const
+{
+  return this->vertices_ != nullptr && !this->vertices_->isHere(numberInWhole);
+}
+
+const VertexOnCurve* NearestSource::onCurveAt(Id numberInWhole) const
+{
+  return this->onCurves_.find(
+    this->patch_ ? this->patch_->vertexAt(numberInWhole) : numberInWhole);
 }
 
 void NearestSource::goToVertex(Id vertex)
@@ -180,7 +266,7 @@ void NearestSource::goToVertex(Id vertex)
   }
   const VertexOnCurve& on = *this->onCurves_.find(vertex);
   this->sectors_.assign(SurfacePoint::atVertex(vertex), this->onCurves_.endsAt(vertex),
-    CurveOrigin::onLeft(this->mesh_, on.curve, on.place));
+    CurveOrigin::onLeft(this->meshOfCurves_, on.curve, on.place));
   this->sectorsVertex_ = vertex;
 }
 
@@ -196,8 +282,8 @@ void NearestSource::goToPoint(Id number, std::size_t i)
   const std::vector<double>& places = this->chains_.places(number);
   // A closed curve begins and ends in one point.
   const std::size_t first = curve.isClosed() && i + 1 == curve.points.size() ? 0 : i;
-  this->sectors_.assign(point, segmentEndsAt(this->mesh_, curve, number, places, first),
-    CurveOrigin::onLeft(this->mesh_, number, places[i]));
+  this->sectors_.assign(point, segmentEndsAt(this->meshOfCurves_, curve, number, places, first),
+    CurveOrigin::onLeft(this->meshOfCurves_, number, places[i]));
   this->sectorsVertex_ = NoId;
 }
 
@@ -207,7 +293,7 @@ Foot NearestSource::footOf(const CurveOrigin& origin) const
   {
     return {};
   }
-  const CurveSide side = CurveSide::of(origin.origin, this->mesh_.numberOfVertices());
+  const CurveSide side = CurveSide::of(origin.origin, this->field_.numberOfVerticesOfWhole());
   const CurveChains::Link& link = this->chains_.linkAt(side.curve, origin.place);
   return { link.curve, side.isRight != link.isReversed, side.curve, origin.place };
 }
@@ -228,9 +314,9 @@ SurfacePoint NearestSource::pointOf(const Foot& foot) const
   }
   const double t = (foot.place - places[i]) / (places[i + 1] - places[i]);
   const Id face = curve.faces[i];
-  const Barycentric a = barycentric(this->mesh_, curve.points[i], face);
-  const Barycentric b = barycentric(this->mesh_, curve.points[i + 1], face);
-  return fromBarycentric(this->mesh_, face, between(a, b, t));
+  const Barycentric a = barycentric(this->meshOfCurves_, curve.points[i], face);
+  const Barycentric b = barycentric(this->meshOfCurves_, curve.points[i + 1], face);
+  return fromBarycentric(this->meshOfCurves_, face, between(a, b, t));
 }
 
 }

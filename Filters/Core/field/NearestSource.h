@@ -3,16 +3,21 @@
 #define geodesic_NearestSource_h
 
 #include "field/LastPiece.h"
+#include "mesh/SurfacePatch.h"
 #include "source/CurveChains.h"
 #include "source/CurveSectors.h"
 #include "source/SourceCurve.h"
 #include "source/VerticesOnCurves.h"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace geodesic
 {
+
+class OriginsElsewhere;
+class VerticesOfWhole;
 
 /// Where on the source a shortest path ends, and from which side of the curve it comes.
 struct Foot
@@ -34,6 +39,8 @@ struct Foot
 /// come from, and what comes from a pseudo-source has the pseudo-source's own foot. Where several
 /// shortest paths tie it is that of one of them.
 ///
+/// Where ranks have the surface together, each tells it of the points of the faces that it owns.
+///
 /// Takes 16 bytes a vertex.
 class NearestSource
 {
@@ -43,16 +50,29 @@ public:
   /// \param progress called now and then; returning false throws Aborted.
   NearestSource(const DistanceField& field, const std::vector<SourceCurve>& curves,
     const ProgressCallback& progress = {});
+  /// The same of a field on this rank's part of a surface. All ranks together find the feet of what
+  /// comes over their seams; asking is each rank's own then.
+  ///
+  /// \param patch that the curves lie on; must outlive this.
+  NearestSource(const DistanceField& field, const SurfacePatch& patch,
+    const std::vector<SourceCurve>& curves, const ProgressCallback& progress = {});
+  ~NearestSource();
+
+  /// What curves and feet are points of: the field's mesh, or that of the patch.
+  const TriangleMesh& meshOfCurves() const { return this->meshOfCurves_; }
 
   /// The foot of the shortest path to a vertex.
   Foot atVertex(Id vertex) const { return this->footOf(this->origins_[vertex]); }
   /// That of a path that ends with a piece: lastPieceTo() of the same field.
   Foot of(const LastPiece& piece);
 
-  /// A foot's place on the surface.
+  /// A foot's place on the surface, a point of meshOfCurves().
   SurfacePoint pointOf(const Foot& foot) const;
 
 private:
+  void find(const ProgressCallback& progress);
+  template <typename Visit>
+  void forEachVertex(const LoopProgress& progress, const Visit& visit) const;
   void findBesideVertices(const LoopProgress& progress);
   void findOthers(const LoopProgress& progress);
   LastPiece originTo(Id vertex) const;
@@ -60,17 +80,27 @@ private:
   bool isFromCurve(const LastPiece& piece) const;
   CurveOrigin originOf(const LastPiece& piece);
   CurveOrigin atSource(const LastPiece& piece);
+  CurveOrigin inSector(const LastPiece& piece) const;
+  CurveOrigin onLeft(Id curve, double place) const;
+  CurveOrigin ofVertex(Id numberInWhole) const;
+  bool isElsewhere(Id numberInWhole) const;
+  const VertexOnCurve* onCurveAt(Id numberInWhole) const;
   void goToVertex(Id vertex);
   void goToPoint(Id curve, std::size_t i);
   Foot footOf(const CurveOrigin& origin) const;
 
   const DistanceField& field_;
   const TriangleMesh& mesh_;
+  const SurfacePatch* patch_ = nullptr;
+  const TriangleMesh& meshOfCurves_;
   /// The curves, whose numbers windows have.
   CurveChains chains_;
   VerticesOnCurves onCurves_;
-  /// Those of each vertex.
+  /// Of each vertex, by numbers of the whole. A number that is a vertex's: see OriginsElsewhere.
   std::vector<CurveOrigin> origins_;
+  /// On a part; else null.
+  std::unique_ptr<VerticesOfWhole> vertices_;
+  std::unique_ptr<OriginsElsewhere> elsewhere_;
   /// Around the curve's point that was asked for last.
   CurveSectors sectors_;
   Id sectorsVertex_ = NoId;

@@ -3,6 +3,7 @@
 
 #include "Tolerance.h"
 #include "field/DistanceField.h"
+#include "field/NotePassedFaces.h"
 #include "field/Solve.h"
 
 #include <algorithm>
@@ -12,33 +13,6 @@ namespace geodesic
 
 namespace
 {
-
-/// Notes which faces windows have gone through. A task writes only the face of its halfedge, and
-/// always the same: but two tasks may write one face, so each worker has its own list.
-class NotePassedFaces : public Retention
-{
-public:
-  bool needsInside() const override { return false; }
-  void setNumberOfWorkers(std::size_t count) override { this->passed_.resize(count); }
-  void pass(std::size_t worker, const PassedList& list, Id, WindowPool& pool) override
-  {
-    this->passed_[worker].push_back(TriangleMesh::faceOf(list.halfedge));
-    pool.free(list.windows);
-  }
-
-  /// Calls visit(Id face) for each, several times maybe.
-  template <typename Visit>
-  void forEachFace(const Visit& visit) const
-  {
-    for (const std::vector<Id>& faces : this->passed_)
-    {
-      std::for_each(faces.begin(), faces.end(), visit);
-    }
-  }
-
-private:
-  std::vector<std::vector<Id>> passed_;
-};
 
 /// The way back from the target: what no path goes through is left out.
 struct WayBack
@@ -50,11 +24,7 @@ struct WayBack
 WayBack findWayBack(const TriangleMesh& mesh, const SurfacePoint& target, double length,
   const KnownDistances& known, FrontOptions options)
 {
-  Corridor corridor{ known.atVertices, length };
-  for (double& bound : corridor.lowerBounds)
-  {
-    bound = (1.0 - tolerance::BoundMargin) * std::min(bound, known.reach);
-  }
+  const Corridor corridor = corridorTo(length, known);
   options.corridor = &corridor;
   WayBack back;
   back.atVertices = propagate(mesh, { pointCurve(target) }, options, back.strip).vertexDistances;
@@ -89,6 +59,16 @@ std::vector<double> boundsInStrip(const TriangleMesh& mesh, const SurfacePoint& 
 }
 
 } // anonymous namespace
+
+Corridor corridorTo(double length, const KnownDistances& known)
+{
+  Corridor corridor{ known.atVertices, length };
+  for (double& bound : corridor.lowerBounds)
+  {
+    bound = (1.0 - tolerance::BoundMargin) * std::min(bound, known.reach);
+  }
+  return corridor;
+}
 
 std::vector<SurfacePoint> pathInWindows(const TriangleMesh& mesh,
   const std::vector<SourceCurve>& sources, const SurfacePoint& target, double distance,

@@ -18,6 +18,9 @@ struct KnownDistances
   double reach = Infinity;
 };
 
+/// Where a path of a length from the source can be, for a front from its other end.
+Corridor corridorTo(double length, const KnownDistances& known);
+
 /// A shortest path by the windows of the faces that it goes through: slower than tracing it by
 /// arrivals (PathTracer), but rounding cannot lead it astray.
 ///

@@ -96,46 +96,128 @@ double distanceAt(const DistanceField& field, const SurfacePoint& point)
 
 std::vector<SurfacePoint> PathTracer::trace(const SurfacePoint& from) const
 {
-  Path path;
-  path.points = { normalized(this->mesh_, from) };
-  path.whole = distanceAt(this->field_, path.points.front());
-  path.left = path.whole;
-  if (!(path.whole < Infinity))
+  TracedPath path = this->begin(from);
+  if (!path.points.empty())
   {
-    return {};
+    this->follow(path);
   }
-  // A piece may be shorter than rounding, so that what is left need not fall with each step; but a
-  // shortest path comes to no vertex twice.
-  for (Id steps = 0; !path.isWhole; ++steps)
+  return std::move(path.points);
+}
+
+TracedPath PathTracer::begin(const SurfacePoint& from) const
+{
+  TracedPath path;
+  const SurfacePoint point = normalized(this->mesh_, from);
+  // On an edge only the field tells what comes through faces of other ranks.
+  const bool isAtSeam = this->field_.part() != nullptr && point.kind == SurfacePoint::Kind::Edge;
+  path.whole = isAtSeam ? this->field_.distance(point) : distanceAt(this->field_, point);
+  path.left = path.whole;
+  if (path.whole < Infinity)
   {
-    if (steps > this->mesh_.numberOfVertices())
+    path.points = { point };
+    path.faces = { someFace(this->mesh_, point) };
+  }
+  return path;
+}
+
+bool PathTracer::isOwn(Id face) const
+{
+  return this->field_.part() == nullptr || this->field_.part()->isOwn(face);
+}
+
+Id PathTracer::follow(TracedPath& path) const
+{
+  while (!path.isWhole())
+  {
+    const Id elsewhere = this->placeToGoOn(path);
+    if (elsewhere != NoId)
     {
-      throw PathLost("A shortest path could not be followed to the source.");
+      return elsewhere;
     }
-    this->goOn(path);
+    switch (path.next)
+    {
+      case TracedPath::Next::Point:
+        this->goOn(path);
+        break;
+      case TracedPath::Next::Leg:
+        this->crossFace(path);
+        break;
+      case TracedPath::Next::BehindExit:
+        this->enterFaceBehind(path);
+        break;
+      case TracedPath::Next::Search:
+      {
+        bool isAllHere = true;
+        forEachFace(this->mesh_, path.points.back(),
+          [&](Id face) { isAllHere = isAllHere && this->isOwn(face); });
+        if (!isAllHere)
+        {
+          return NoId;
+        }
+        this->goOnHere(path);
+        break;
+      }
+      case TracedPath::Next::End:
+        break;
+    }
   }
   this->requireLength(path);
-  return std::move(path.points);
+  return NoId;
+}
+
+// A face of another rank that the path has come to; NoId where it goes on here.
+Id PathTracer::placeToGoOn(const TracedPath& path) const
+{
+  const SurfacePart* part = this->field_.part();
+  if (part == nullptr)
+  {
+    return NoId;
+  }
+  if (path.next == TracedPath::Next::BehindExit)
+  {
+    const Id face = TriangleMesh::faceOf(this->mesh_.nextSibling(path.leg.exit));
+    return part->isOwn(face) ? NoId : face;
+  }
+  const SurfacePoint& last = path.points.back();
+  if (path.next != TracedPath::Next::Point || last.kind != SurfacePoint::Kind::Vertex)
+  {
+    return NoId;
+  }
+  if (last.id >= part->numberOfOwnVertices())
+  {
+    return TriangleMesh::faceOf(*this->mesh_.cornersAt(last.id).begin());
+  }
+  const Id halfedge = this->field_.arrivals()[last.id].halfedge;
+  return halfedge == NoId || part->isOwn(TriangleMesh::faceOf(halfedge))
+    ? NoId
+    : TriangleMesh::faceOf(halfedge);
 }
 
 // A ray that comes to a place beside its end, or passed a vertex on the wrong side by rounding, has
 // not been the path.
-void PathTracer::requireLength(const Path& path) const
+void PathTracer::requireLength(const TracedPath& path) const
 {
-  double length = 0.0;
-  for (std::size_t i = 1; i < path.points.size(); ++i)
-  {
-    length +=
-      norm(position(this->mesh_, path.points[i]) - position(this->mesh_, path.points[i - 1]));
-  }
-  if (!(length <= (1.0 + tolerance::TracedLength) * path.whole))
+  if (!(path.length <= (1.0 + tolerance::TracedLength) * path.whole))
   {
     throw PathLost("A shortest path could not be followed: it has become too long.");
   }
 }
 
-void PathTracer::goOn(Path& path) const
+void PathTracer::add(TracedPath& path, Id face, const SurfacePoint& point) const
 {
+  path.length += norm(position(this->mesh_, point) - position(this->mesh_, path.points.back()));
+  path.points.push_back(point);
+  path.faces.push_back(face);
+}
+
+// A piece may be shorter than rounding, so that what is left need not fall with each step; but a
+// shortest path comes to no vertex twice.
+void PathTracer::goOn(TracedPath& path) const
+{
+  if (path.steps++ > this->field_.numberOfVerticesOfWhole())
+  {
+    throw PathLost("A shortest path could not be followed to the source.");
+  }
   const SurfacePoint& last = path.points.back();
   if (last.kind == SurfacePoint::Kind::Vertex)
   {
@@ -143,15 +225,16 @@ void PathTracer::goOn(Path& path) const
   }
   else
   {
-    this->goOnThroughWindows(NoId, path);
+    path.without = NoId;
+    this->search(path);
   }
 }
 
-void PathTracer::goOnFromVertex(Id vertex, Path& path) const
+void PathTracer::goOnFromVertex(Id vertex, TracedPath& path) const
 {
   if (!(this->field_.vertexDistances()[vertex] > 0.0))
   {
-    path.isWhole = true;
+    path.next = TracedPath::Next::End;
     return;
   }
   for (const Id corner : this->mesh_.cornersAt(vertex))
@@ -169,31 +252,58 @@ void PathTracer::goOnFromVertex(Id vertex, Path& path) const
   }
   const Id corner = TriangleMesh::previousInFace(arrival.halfedge);
   const Vec2 from = inHalfedgeFrame(this->mesh_, arrival.halfedge, cornerWeights(corner % 3));
-  this->follow(this->legTo(from, arrival), path);
+  path.leg = this->legTo(from, arrival);
+  path.stepsBesideEnd = 0;
+  path.next = TracedPath::Next::Leg;
 }
 
-void PathTracer::goOnThroughWindows(Id without, Path& path) const
+// Looks for an end in the faces around the last point before windows are asked.
+void PathTracer::search(TracedPath& path) const
 {
+  path.next = TracedPath::Next::Search;
   const SurfacePoint point = path.points.back();
-  LastPiece best;
-  bool isDone = false;
   forEachFace(this->mesh_, point,
     [&](Id face)
     {
-      if (face != without && !isDone)
+      if (face != path.without && !path.isWhole())
       {
-        const LastPiece piece = comeThrough(this->field_, face, point);
-        best = piece.distance < best.distance ? piece : best;
-        isDone = this->endInFace(face, path);
+        this->endInFace(face, path);
       }
     });
-  if (isDone)
-  {
-    return;
-  }
+}
+
+double PathTracer::searchHere(const TracedPath& path) const
+{
+  double least = Infinity;
+  forEachFace(this->mesh_, path.points.back(),
+    [&](Id face)
+    {
+      if (face != path.without && this->isOwn(face))
+      {
+        least = std::min(least, comeThrough(this->field_, face, path.points.back()).distance);
+      }
+    });
+  return least;
+}
+
+void PathTracer::goOnHere(TracedPath& path) const
+{
+  const SurfacePoint point = path.points.back();
+  LastPiece best;
+  Id through = NoId;
+  forEachFace(this->mesh_, point,
+    [&](Id face)
+    {
+      if (face != path.without && this->isOwn(face))
+      {
+        const LastPiece piece = comeThrough(this->field_, face, point);
+        through = piece.distance < best.distance ? face : through;
+        best = piece.distance < best.distance ? piece : best;
+      }
+    });
   if (best.corner != NoId)
   {
-    this->goToVertex(best.corner, path);
+    this->goToVertex(best.corner, through, path);
     return;
   }
   if (best.window.halfedge == NoId)
@@ -201,58 +311,62 @@ void PathTracer::goOnThroughWindows(Id without, Path& path) const
     throw PathLost(
       "A shortest path was to be followed through a face whose windows are not known.");
   }
-  const Barycentric weights =
-    barycentric(this->mesh_, point, TriangleMesh::faceOf(best.window.halfedge));
+  const Barycentric weights = barycentric(this->mesh_, point, through);
   const Vec2 from = inHalfedgeFrame(this->mesh_, best.window.halfedge, weights);
-  this->follow(this->legTo(from, best.window), path);
+  path.leg = this->legTo(from, best.window);
+  path.stepsBesideEnd = 0;
+  path.next = TracedPath::Next::Leg;
 }
 
-// From face to face, until the path comes to a vertex, to an edge of three and more faces or to its
-// end.
-void PathTracer::follow(Leg leg, Path& path) const
+// To a vertex, to an edge of three and more faces, to the end or into the next face.
+void PathTracer::crossFace(TracedPath& path) const
 {
   constexpr int LegsBesideEnd = 3; // as many faces as may lie between the path and its end
-  int steps = 0;
-  for (;;)
+  const PathLeg& leg = path.leg;
+  const Id face = TriangleMesh::faceOf(leg.exit);
+  const Id corner = this->cornerOn(leg, path);
+  if (corner != NoId)
   {
-    const Id corner = this->cornerOn(leg, path);
-    if (corner != NoId)
-    {
-      this->goToVertex(corner, path);
-      return;
-    }
-    path.points.push_back(this->exitOf(leg));
-    path.left = std::max(0.0, path.left - norm(leg.to - leg.from));
-    if (this->endInFace(TriangleMesh::faceOf(leg.exit), path))
-    {
-      return;
-    }
-    const Id sibling = this->mesh_.nextSibling(leg.exit);
-    if (sibling == leg.exit)
-    {
-      throw PathLost("A shortest path could not be followed: it leaves the surface.");
-    }
-    if (!(path.left > 0.0) && ++steps > LegsBesideEnd)
-    {
-      throw PathLost("A shortest path could not be followed: it passes its end.");
-    }
-    if (!this->mesh_.isInner(leg.exit))
-    {
-      this->goOnThroughWindows(TriangleMesh::faceOf(leg.exit), path);
-      return;
-    }
-    if (this->endInFace(TriangleMesh::faceOf(sibling), path))
-    {
-      return;
-    }
-    leg = this->legBeyond(leg, sibling);
+    this->goToVertex(corner, face, path);
+    return;
+  }
+  this->add(path, face, this->exitOf(leg));
+  path.left = std::max(0.0, path.left - norm(leg.to - leg.from));
+  if (this->endInFace(face, path))
+  {
+    return;
+  }
+  const Id sibling = this->mesh_.nextSibling(leg.exit);
+  if (sibling == leg.exit)
+  {
+    throw PathLost("A shortest path could not be followed: it leaves the surface.");
+  }
+  if (!(path.left > 0.0) && ++path.stepsBesideEnd > LegsBesideEnd)
+  {
+    throw PathLost("A shortest path could not be followed: it passes its end.");
+  }
+  if (!this->mesh_.isInner(leg.exit))
+  {
+    path.without = face;
+    this->search(path);
+    return;
+  }
+  if (!this->endInFace(TriangleMesh::faceOf(sibling), path))
+  {
+    path.next = TracedPath::Next::BehindExit;
   }
 }
 
-// From a point of a face, in the frame of the halfedge that the path comes through, back to there.
-PathTracer::Leg PathTracer::legTo(Vec2 from, const Arrival& arrival) const
+void PathTracer::enterFaceBehind(TracedPath& path) const
 {
-  Leg leg;
+  path.leg = this->legBeyond(path.leg, this->mesh_.nextSibling(path.leg.exit));
+  path.next = TracedPath::Next::Leg;
+}
+
+// From a point of a face, in the frame of the halfedge that the path comes through, back to there.
+PathLeg PathTracer::legTo(Vec2 from, const Arrival& arrival) const
+{
+  PathLeg leg;
   leg.frame = arrival.halfedge;
   leg.from = from;
   leg.to = { arrival.x, 0.0 };
@@ -269,12 +383,12 @@ PathTracer::Leg PathTracer::legTo(Vec2 from, const Arrival& arrival) const
 }
 
 // The unfolding of windows (paper, section 3.2), for one ray.
-PathTracer::Leg PathTracer::legBeyond(const Leg& leg, Id sibling) const
+PathLeg PathTracer::legBeyond(const PathLeg& leg, Id sibling) const
 {
   const bool isOpposed = this->mesh_.origin(sibling) == this->mesh_.destination(leg.exit);
   const Window ray = isOpposed ? leg.ray : reversed(leg.ray, this->mesh_.length(leg.exit));
   const UnfoldedFace face = unfold(this->mesh_, sibling);
-  Leg next;
+  PathLeg next;
   next.frame = sibling;
   next.from = { ray.begin, 0.0 };
   next.origin = leg.origin;
@@ -295,7 +409,7 @@ PathTracer::Leg PathTracer::legBeyond(const Leg& leg, Id sibling) const
   return next;
 }
 
-SurfacePoint PathTracer::exitOf(const Leg& leg) const
+SurfacePoint PathTracer::exitOf(const PathLeg& leg) const
 {
   const double fraction = 1.0 - leg.ray.begin / this->mesh_.length(leg.exit);
   return fraction <= 0.0 ? SurfacePoint::atVertex(this->mesh_.origin(leg.exit))
@@ -305,7 +419,7 @@ SurfacePoint PathTracer::exitOf(const Leg& leg) const
 
 // The nearest corner that the path goes through: the one that it comes straight from, or one on the
 // leg, as far as the unfolding through many faces is rounded, and no farther than the length left.
-Id PathTracer::cornerOn(const Leg& leg, const Path& path) const
+Id PathTracer::cornerOn(const PathLeg& leg, const TracedPath& path) const
 {
   const Id face = TriangleMesh::faceOf(leg.frame);
   const Vec2 along = leg.to - leg.from;
@@ -330,7 +444,7 @@ Id PathTracer::cornerOn(const Leg& leg, const Path& path) const
       dot(toCorner, along) >= 0.0 && std::abs(cross(toCorner, along)) <= reach * way;
     const bool isOnPath =
       (distance == 0.0 || isOnLeg) && distance + length <= path.left + this->slack(face, path);
-    if ((vertex == leg.origin || isOnPath) && length < nearest)
+    if ((this->field_.numberInWhole(vertex) == leg.origin || isOnPath) && length < nearest)
     {
       nearest = length;
       found = vertex;
@@ -342,14 +456,14 @@ Id PathTracer::cornerOn(const Leg& leg, const Path& path) const
 // By how much lengths in a face may be off: the path carries the rounding of its unfolding, and
 // places in the face that of their coordinates. A path whose length is used up may have come to a
 // place beside its end: its length depends on that only by the square.
-double PathTracer::slack(Id face, const Path& path) const
+double PathTracer::slack(Id face, const TracedPath& path) const
 {
   const double ofPath = path.left > 0.0 ? tolerance::Tie : tolerance::BesideEnd;
   return ofPath * path.whole + tolerance::PlaceRounding * this->mesh_.shape(face).longest();
 }
 
 // Ends the path where a source in the face is as near as the path is long.
-bool PathTracer::endInFace(Id face, Path& path) const
+bool PathTracer::endInFace(Id face, TracedPath& path) const
 {
   double nearest = path.left + this->slack(face, path);
   Barycentric end{};
@@ -362,29 +476,31 @@ bool PathTracer::endInFace(Id face, Path& path) const
     {
       nearest = length;
       end = point;
-      path.isWhole = true;
+      path.next = TracedPath::Next::End;
     }
   }
-  if (path.isWhole)
+  if (path.isWhole())
   {
-    path.points.push_back(fromBarycentric(this->mesh_, face, end));
+    this->add(path, face, fromBarycentric(this->mesh_, face, end));
     path.left = 0.0;
   }
-  return path.isWhole;
+  return path.isWhole();
 }
 
-void PathTracer::goToVertex(Id vertex, Path& path) const
+void PathTracer::goToVertex(Id vertex, Id face, TracedPath& path) const
 {
-  path.points.push_back(SurfacePoint::atVertex(vertex));
+  this->add(path, face, SurfacePoint::atVertex(vertex));
+  path.next = TracedPath::Next::Point;
   path.left = this->field_.vertexDistances()[vertex];
 }
 
 // Along an edge, to the vertex that is nearest to the source by way of it.
-void PathTracer::goToNeighbour(Id vertex, Path& path) const
+void PathTracer::goToNeighbour(Id vertex, TracedPath& path) const
 {
   const Id face = TriangleMesh::faceOf(*this->mesh_.cornersAt(vertex).begin());
   double nearest = path.left + this->slack(face, path);
   Id found = NoId;
+  Id faceOfFound = NoId;
   const auto look = [&](Id halfedge, Id other)
   {
     const double distance = this->field_.vertexDistances()[other] + this->mesh_.length(halfedge);
@@ -392,6 +508,7 @@ void PathTracer::goToNeighbour(Id vertex, Path& path) const
     {
       nearest = distance;
       found = other;
+      faceOfFound = TriangleMesh::faceOf(halfedge);
     }
   };
   for (const Id corner : this->mesh_.cornersAt(vertex))
@@ -404,7 +521,7 @@ void PathTracer::goToNeighbour(Id vertex, Path& path) const
   {
     throw PathLost("A shortest path could not be followed beyond a vertex.");
   }
-  this->goToVertex(found, path);
+  this->goToVertex(found, faceOfFound, path);
 }
 
 }

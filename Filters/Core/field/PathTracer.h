@@ -18,6 +18,58 @@ public:
   using Error::Error;
 };
 
+/// A straight piece of a path across one face, away from the point traced.
+struct PathLeg
+{
+  /// Its ends in the frame of a halfedge of the face.
+  Id frame = NoId;
+  Vec2 from;
+  Vec2 to;
+  /// The halfedge that it leaves the face through, and the ray behind it as a linear window
+  /// without width, in the leaving frame: the x axis runs against the halfedge.
+  Id exit = NoId;
+  Window ray = {};
+  /// What the path comes straight from: Window::origin, or NoId.
+  Id origin = NoId;
+};
+
+/// A path as far as it was followed.
+struct TracedPath
+{
+  /// What is to be done next.
+  enum class Next : std::uint8_t
+  {
+    /// To go on from the last point, which is a vertex or the beginning.
+    Point,
+    /// To follow the leg through its face.
+    Leg,
+    /// To go on behind the leg's exit.
+    BehindExit,
+    /// To find the face around the last point, on an edge, that the path comes through.
+    Search,
+    /// Nothing: it has come to its end.
+    End
+  };
+
+  /// Each with a face that holds it and the point before.
+  std::vector<SurfacePoint> points;
+  std::vector<Id> faces;
+  /// Length that is left from the last point, that of the whole, and of what has been followed.
+  double left = 0.0;
+  double whole = 0.0;
+  double length = 0.0;
+  /// How many vertices it has come to, and how many faces since it should have ended.
+  Id steps = 0;
+  int stepsBesideEnd = 0;
+
+  Next next = Next::Point;
+  PathLeg leg;
+  /// The face that a search leaves out, from which the path has come; NoId: none.
+  Id without = NoId;
+
+  bool isWhole() const { return this->next == Next::End; }
+};
+
 /// Traces shortest paths of a field that was solved with FrontOptions::keepArrivals.
 ///
 /// Between its bends a shortest path is straight in the unfolding, and each vertex remembers the
@@ -25,6 +77,8 @@ public:
 /// pseudo-source that its windows left or the source. No windows are needed for that, save in the
 /// faces of the point that the path begins at, and in those around edges of three and more faces,
 /// where they tell in which one it goes on: RetentionAround keeps these.
+///
+/// Where ranks have the surface together, each follows paths through the faces that it owns.
 class PathTracer
 {
 public:
@@ -43,46 +97,40 @@ public:
   ///         kept.
   std::vector<SurfacePoint> trace(const SurfacePoint& from) const;
 
+  /// A path before its first step; its points are empty where the point was not reached.
+  TracedPath begin(const SurfacePoint& from) const;
+  /// Follows it to its end, or on a part of a surface as far as this rank can.
+  ///
+  /// \returns the face where it goes on; NoId where it is whole, or has to search around its last
+  ///          point (TracedPath::Next::Search) in faces of several ranks.
+  /// \throws PathLost
+  Id follow(TracedPath& path) const;
+  /// How long a path is that comes to the last point through one of this rank's faces, the one of
+  /// a search left out.
+  double searchHere(const TracedPath& path) const;
+  /// Goes on from a search through the best of this rank's faces.
+  void goOnHere(TracedPath& path) const;
+
 private:
-  /// A straight piece across one face, away from the point traced.
-  struct Leg
-  {
-    /// Its ends in the frame of a halfedge of the face.
-    Id frame = NoId;
-    Vec2 from;
-    Vec2 to;
-    /// The halfedge that it leaves the face through, and the ray behind it as a linear window
-    /// without width, in the leaving frame: the x axis runs against the halfedge.
-    Id exit = NoId;
-    Window ray = {};
-    /// The vertex that the path comes straight from; NoId where it comes straight from a source.
-    Id origin = NoId;
-  };
-  /// A path as far as it was followed.
-  struct Path
-  {
-    std::vector<SurfacePoint> points;
-    /// Length that is left from the last point, and that of the whole.
-    double left = 0.0;
-    double whole = 0.0;
-    bool isWhole = false;
-  };
+  Id placeToGoOn(const TracedPath& path) const;
+  bool isOwn(Id face) const;
+  void requireLength(const TracedPath& path) const;
+  void add(TracedPath& path, Id face, const SurfacePoint& point) const;
+  void goOn(TracedPath& path) const;
+  void goOnFromVertex(Id vertex, TracedPath& path) const;
+  void search(TracedPath& path) const;
+  void crossFace(TracedPath& path) const;
+  void enterFaceBehind(TracedPath& path) const;
 
-  void requireLength(const Path& path) const;
-  void goOn(Path& path) const;
-  void goOnFromVertex(Id vertex, Path& path) const;
-  void goOnThroughWindows(Id without, Path& path) const;
-  void follow(Leg leg, Path& path) const;
+  PathLeg legTo(Vec2 from, const Arrival& arrival) const;
+  PathLeg legBeyond(const PathLeg& leg, Id sibling) const;
+  SurfacePoint exitOf(const PathLeg& leg) const;
+  Id cornerOn(const PathLeg& leg, const TracedPath& path) const;
 
-  Leg legTo(Vec2 from, const Arrival& arrival) const;
-  Leg legBeyond(const Leg& leg, Id sibling) const;
-  SurfacePoint exitOf(const Leg& leg) const;
-  Id cornerOn(const Leg& leg, const Path& path) const;
-
-  double slack(Id face, const Path& path) const;
-  bool endInFace(Id face, Path& path) const;
-  void goToVertex(Id vertex, Path& path) const;
-  void goToNeighbour(Id vertex, Path& path) const;
+  double slack(Id face, const TracedPath& path) const;
+  bool endInFace(Id face, TracedPath& path) const;
+  void goToVertex(Id vertex, Id face, TracedPath& path) const;
+  void goToNeighbour(Id vertex, TracedPath& path) const;
 
   const DistanceField& field_;
   const TriangleMesh& mesh_;

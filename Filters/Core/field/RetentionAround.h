@@ -26,6 +26,9 @@ public:
   RetentionAround(const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets,
     Purpose purpose = Purpose::Paths, double limit = Infinity);
 
+  /// Keeps the windows of a face for a target of another rank; before the front begins.
+  void keepForOthers(Id face) { this->keep(face); }
+
   double reach() const override { return this->reach_; }
   void advance(const FrontState& front) override;
 

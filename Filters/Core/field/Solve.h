@@ -28,6 +28,10 @@ enum class KeepWindows
 DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);
 
+/// The same from what the sources give to begin with; on a part of a surface see propagate().
+DistanceField solve(const TriangleMesh& mesh, SourceWindows sources,
+  const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);
+
 }
 
 #endif

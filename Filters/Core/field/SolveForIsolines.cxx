@@ -9,7 +9,11 @@
 namespace geodesic
 {
 
-DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
+namespace
+{
+
+template <typename Sources>
+DistanceField solveFrom(const TriangleMesh& mesh, const Sources& sources,
   const std::vector<double>& values, const FrontOptions& options, int maximumDroppingSolves)
 {
   FrontOptions again = options;
@@ -17,9 +21,10 @@ DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<Sourc
   std::vector<std::uint8_t> pinned(mesh.numberOfFaces(), 0);
   for (int solves = 0; solves < maximumDroppingSolves; ++solves)
   {
-    IsolineRetention retention(mesh, values, pinned);
+    IsolineRetention retention(mesh, options.part, values, pinned);
     FrontResult front = propagate(mesh, sources, again, retention);
-    if (retention.droppedTooEarly().empty())
+    const bool isIncomplete = !retention.droppedTooEarly().empty();
+    if (!(options.part ? options.part->exchange().isTrueAnywhere(isIncomplete) : isIncomplete))
     {
       return { mesh, std::move(front), retention.release() };
     }
@@ -29,6 +34,20 @@ DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<Sourc
     }
   }
   return solve(mesh, sources, again, KeepWindows::All);
+}
+
+} // anonymous namespace
+
+DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
+  const std::vector<double>& values, const FrontOptions& options, int maximumDroppingSolves)
+{
+  return solveFrom(mesh, sources, values, options, maximumDroppingSolves);
+}
+
+DistanceField solveForIsolines(const TriangleMesh& mesh, const SourceWindows& sources,
+  const std::vector<double>& values, const FrontOptions& options, int maximumDroppingSolves)
+{
+  return solveFrom(mesh, sources, values, options, maximumDroppingSolves);
 }
 
 }

@@ -24,6 +24,12 @@ DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<Sourc
   const std::vector<double>& values, const FrontOptions& options = {},
   int maximumDroppingSolves = 3);
 
+/// The same from what the sources give to begin with; on a part of a surface (FrontOptions::part)
+/// all ranks solve together.
+DistanceField solveForIsolines(const TriangleMesh& mesh, const SourceWindows& sources,
+  const std::vector<double>& values, const FrontOptions& options = {},
+  int maximumDroppingSolves = 3);
+
 }
 
 #endif

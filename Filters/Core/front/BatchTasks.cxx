@@ -57,12 +57,13 @@ void BatchTasks::relaxEdges(FrontWorker& worker, Id vertex) const
 {
   const double distance = this->vertices_.distance(vertex);
   const double error = this->vertices_.error(vertex);
+  const Id number = this->numberInWhole(vertex);
   const auto relax = [&](Id halfedge, Id other, Id opposite, double x)
   {
     const double along = distance + this->mesh_.length(halfedge);
     if (this->vertices_.isNews(other, along))
     {
-      worker.updates.push_back({ other, along, error, { opposite, vertex, x, {} } });
+      worker.updates.push_back({ other, along, error, { opposite, number, x, {} } });
     }
   };
   for (const Id corner : this->mesh_.cornersAt(vertex))
@@ -98,7 +99,7 @@ void BatchTasks::emit(FrontWorker& worker, Id vertex, const EmittedInterval& int
   }
   Window w = emittedWindow(this->mesh_, interval, this->vertices_.distance(vertex));
   w.error = this->vertices_.error(vertex);
-  w.origin = this->options_.part ? this->options_.part->numberInWhole(vertex) : vertex;
+  w.origin = this->numberInWhole(vertex);
   const double atBegin = this->vertices_.distance(this->mesh_.destination(halfedge));
   const double atEnd = this->vertices_.distance(this->mesh_.origin(halfedge));
   if (!isBeaten(w, w.end, atBegin + w.end) && !isBeaten(w, w.begin, atEnd + (length - w.begin)))

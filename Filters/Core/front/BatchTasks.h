@@ -62,6 +62,10 @@ private:
   {
     return this->options_.part == nullptr || this->options_.part->isOwn(face);
   }
+  Id numberInWhole(Id vertex) const
+  {
+    return this->options_.part == nullptr ? vertex : this->options_.part->numberInWhole(vertex);
+  }
   void relaxEdges(FrontWorker& worker, Id vertex) const;
   void emit(FrontWorker& worker, Id vertex) const;
   void emit(FrontWorker& worker, Id vertex, const EmittedInterval& interval) const;

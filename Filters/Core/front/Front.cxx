@@ -43,6 +43,7 @@ private:
   void start(SourceWindows initial);
   void startVertices(const SourceWindows& initial);
   void startFaces(const SourceWindows& initial);
+  void addSourcesInHalo(const std::vector<SourceInFace>& inHalo);
   void advance(double limit);
   bool moveOn(double limit);
   bool isSettled();
@@ -137,6 +138,7 @@ void Front::start(SourceWindows initial)
   this->result_.sourcesInFaces = std::move(initial.inFaces);
   this->retention_.setNumberOfWorkers(this->workers_.size());
   this->retention_.start(this->result_.sourcesInFaces);
+  this->addSourcesInHalo(initial.inHalo);
   this->batch_.clear();
   this->runBatch();
 }
@@ -179,6 +181,14 @@ void Front::startFaces(const SourceWindows& initial)
       this->complete_.add(source.face);
     }
   }
+}
+
+void Front::addSourcesInHalo(const std::vector<SourceInFace>& inHalo)
+{
+  std::vector<SourceInFace>& sources = this->result_.sourcesInFaces;
+  sources.insert(sources.end(), inHalo.begin(), inHalo.end());
+  std::stable_sort(sources.begin(), sources.end(),
+    [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; });
 }
 
 void Front::advance(double limit)
@@ -511,6 +521,8 @@ void Front::finish()
   {
     this->result_.vertexDistances.push_back(this->vertices_.distance(vertex));
   }
+  this->result_.part = this->options_.part;
+  this->ranks_.completeHalo(this->result_.vertexDistances);
   this->result_.arrivals = this->vertices_.releaseArrivals();
   for (const FrontWorker& worker : this->workers_)
   {

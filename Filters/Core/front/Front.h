@@ -81,8 +81,10 @@ struct FrontResult
   /// Where a shortest path comes to each vertex from, where that was asked for; no halfedge on the
   /// source and where the path comes straight from a source in a face at the vertex.
   std::vector<Arrival> arrivals;
-  /// The sources that lie in faces, in the order of the faces.
+  /// The sources that lie in faces, in the order of the faces; on a part also in its halo.
   std::vector<SourceInFace> sourcesInFaces;
+  /// FrontOptions::part. Distances are known at all its vertices, also those of the halo.
+  const SurfacePart* part = nullptr;
   /// With a limit: whether each face is complete. Empty where all are.
   std::vector<std::uint8_t> completeFaces;
   /// Certified: no distance is larger than the exact one, and none smaller by more than this

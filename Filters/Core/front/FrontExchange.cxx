@@ -167,4 +167,39 @@ void FrontExchange::shareMarks(std::vector<std::uint8_t>& marks)
     [&](int, MessageReader& reader) { marks[reader.get<Id>()] = 1; });
 }
 
+void FrontExchange::completeHalo(std::vector<double>& distances)
+{
+  if (this->isAlone())
+  {
+    return;
+  }
+  const TriangleMesh& mesh = this->part_->mesh();
+  const Id firstOfHalo = this->part_->numberOfOwnVertices();
+  std::vector<Message> asked = this->part_->exchange().noMessages();
+  std::vector<std::vector<Id>> vertices(asked.size());
+  std::vector<std::uint8_t> isAsked(mesh.numberOfVertices() - firstOfHalo, 0);
+  for (Id corner = 0; corner < mesh.numberOfHalfedges(); ++corner)
+  {
+    const Id vertex = mesh.origin(corner);
+    if (vertex >= firstOfHalo && !isAsked[vertex - firstOfHalo])
+    {
+      const RankAddress owner = this->part_->ownerOf(TriangleMesh::faceOf(corner));
+      put(asked[indexOf(owner.rank)], 3 * owner.id + corner % 3);
+      vertices[indexOf(owner.rank)].push_back(vertex);
+      isAsked[vertex - firstOfHalo] = 1;
+    }
+  }
+  std::vector<Message> answers = this->part_->exchange().noMessages();
+  readEach(this->part_->exchange().step(std::move(asked)),
+    [&](int rank, MessageReader& reader)
+    { put(answers[indexOf(rank)], distances[mesh.origin(reader.get<Id>())]); });
+  std::vector<std::size_t> next(vertices.size(), 0);
+  readEach(this->part_->exchange().step(std::move(answers)),
+    [&](int rank, MessageReader& reader)
+    {
+      const Id vertex = vertices[indexOf(rank)][next[indexOf(rank)]++];
+      distances[vertex] = reader.get<double>();
+    });
+}
+
 }

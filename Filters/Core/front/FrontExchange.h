@@ -53,6 +53,8 @@ public:
 
   /// Faces that have to be complete here are so for their owners.
   void shareNeeded(CompleteFaces& faces);
+  /// Distances at vertices that only the halo has, from the owners of its faces.
+  void completeHalo(std::vector<double>& distances);
   /// A vertex that is marked here is marked on all ranks that have it.
   void shareMarks(std::vector<std::uint8_t>& marks);
 

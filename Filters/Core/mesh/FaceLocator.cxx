@@ -56,8 +56,8 @@ struct FaceLocator::Search
         return aFirst != bFirst ? aFirst : a.face < b.face;
       });
     std::vector<Id> faces(this->found.size());
-    std::transform(
-      this->found.begin(), this->found.end(), faces.begin(), [](const Candidate& f) { return f.face; });
+    std::transform(this->found.begin(), this->found.end(), faces.begin(),
+      [](const Candidate& f) { return f.face; });
     return faces;
   }
 };

@@ -69,6 +69,11 @@ public:
       ->halo_[face < this->firstOwnFace_ ? face
                                          : face - (this->endOfOwnFaces_ - this->firstOwnFace_)];
   }
+  /// The same of any face.
+  RankAddress addressOf(Id face) const
+  {
+    return this->isOwn(face) ? RankAddress{ this->exchange_.rank(), face } : this->ownerOf(face);
+  }
   /// The copy in this part's halo of a face that another rank owns; NoId where there is none.
   Id copyOf(const RankAddress& face) const;
 
@@ -95,7 +100,8 @@ public:
     return !this->isShared(vertex) || this->othersWith(vertex).first->rank > this->exchange_.rank();
   }
 
-  /// The number of a vertex in the whole, the same on all ranks.
+  /// The number of a vertex in the whole, the same on all ranks. Those that a rank counts follow one
+  /// another, behind those that lower ranks count.
   Id numberInWhole(Id vertex) const { return this->numberInWhole_[vertex]; }
   Id numberOfVerticesOfWhole() const { return this->verticesOfWhole_; }
   Id numberOfFacesOfWhole() const { return this->facesOfWhole_; }

@@ -29,6 +29,8 @@ public:
   Id numberInWhole(Id vertex) const { return this->numberInWhole_[vertex]; }
   /// The face of the patch that a face of the whole has become; NoId where it has not.
   Id faceAt(const RankAddress& face) const;
+  /// The same of a vertex, by its number in the whole.
+  Id vertexAt(Id numberInWhole) const;
 
   /// Whether an edge of one of the faces asked for is boundary of the whole. The patch has boundary
   /// of its own where it ends.

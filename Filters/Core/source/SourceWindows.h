@@ -19,6 +19,9 @@ struct SourceWindows
   std::vector<LeavingWindow> windows;
   /// In the order of the faces.
   std::vector<SourceInFace> inFaces;
+  /// On a part of a surface that ranks have together: those in the halo, in the same order. Their
+  /// owners start from them.
+  std::vector<SourceInFace> inHalo;
   /// Mesh vertices on a source, ascending, each once.
   std::vector<Id> vertices;
   /// Vertices so near to a source's point that the directions around them cannot be told apart in

@@ -54,11 +54,12 @@ SourceWindows sourceWindowsOfPart(
   }
   for (const SourceInFace& source : onPatch.inFaces)
   {
-    const Id face = ownFace(source.face);
+    const Id face = patch.faceOfPart(source.face);
     if (face != NoId)
     {
-      result.inFaces.push_back(source);
-      result.inFaces.back().face = face;
+      std::vector<SourceInFace>& sources = part.isOwn(face) ? result.inFaces : result.inHalo;
+      sources.push_back(source);
+      sources.back().face = face;
     }
   }
   result.vertices = verticesOfPart(patch, onPatch.vertices);

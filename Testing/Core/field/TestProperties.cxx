@@ -499,7 +499,7 @@ TEST(Property, TheBoundaryAsSourceIsAllItsEdges)
 TEST(Property, TheSourceMustNotBeEmpty)
 {
   const geodesic::TriangleMesh mesh = engineMesh(regularGrid(2, 2));
-  EXPECT_THROW(geodesic::solve(mesh, {}), geodesic::SourceError);
+  EXPECT_THROW(geodesic::solve(mesh, std::vector<geodesic::SourceCurve>()), geodesic::SourceError);
 }
 
 TEST(Property, TheCallerCanStopTheSolveAndSeesItsProgress)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of exact distance on a refined mesh, and how accurate refinement makes it.
 
-usage: pvpython figures.py OUTPUT
-       pvpython figures.py OUTPUT --surface FILE [--curve FILE] [more: see --help]
+usage: pvpython refinement.py OUTPUT
+       pvpython refinement.py OUTPUT --surface FILE [--curve FILE] [more: see --help]
 
-Without a surface, refines the plane beside this script for each of two curves to 2, 4 and 8 times the
+Without a surface, refines the plane in data/ for each of two curves to 2, 4 and 8 times the
 faces, and prints by which factor the largest error over 100,000 random points falls; the picture is of
 the first. With a surface, measures from the curve, or without it from the surface's boundary. OUTPUT.png
 has stripes at equal distance and the edges of the refined mesh.
@@ -12,13 +12,18 @@ has stripes at equal distance and the edges of the refined mesh.
 
 import argparse
 import pathlib
+import sys
 
 import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-import stripes
-from geodesic_distance import load_plugin, read
+HERE = pathlib.Path(__file__).resolve().parent
+EXAMPLES = HERE.parents[1] / "Examples"
+sys.path[:0] = [str(EXAMPLES), str(EXAMPLES / "gallery")]
+import look  # noqa: E402
+import small_png  # noqa: E402
+from geodesic_distance import read  # noqa: E402
 
 SAMPLES = 100000
 
@@ -103,15 +108,44 @@ def refine_plane(surface, curve):
     return original, fields[4]
 
 
+def view_of(field, edges, direction, upward):
+    """A view of the field with stripes, and with the edges of its triangles or not."""
+    view = look.view(field, direction, upward, (500, 500))
+    display = simple.Show(field, view)
+    look.stripes(display)
+    if edges:
+        display.SetRepresentationType("Surface With Edges")
+        display.EdgeColor = (0.1, 0.1, 0.1)
+    look.lines(simple.Show(simple.OutputPort(field, 1), view), width=3 if edges else 7)
+    return view
+
+
+def zoom(view, center, factor):
+    """Closes in on a point; without one, on the middle of the view."""
+    if center is not None:
+        back = np.subtract(view.CameraPosition, view.CameraFocalPoint)
+        view.CameraFocalPoint = center
+        view.CameraPosition = center + back
+    view.CameraParallelScale /= factor
+
+
+def save_pair(views, file_name):
+    """Writes what two views show, side by side."""
+    pictures = []
+    for view in views:
+        simple.SaveScreenshot(file_name, view, ImageResolution=view.ViewSize)
+        pictures.append(small_png.read(file_name))
+    small_png.write(np.concatenate(pictures, axis=1), file_name)
+
+
 def plane(output):
-    here = pathlib.Path(__file__).resolve().parent
-    surface = read(str(here / "plane.vtp"))
+    surface = read(str(HERE / "data" / "plane.vtp"))
     pairs = []
     for name in ("plane-curve.vtp", "plane-zigzag.vtp"):
         print(name)
-        pairs.append(refine_plane(surface, read(str(here / name))))
-    views = stripes.new_pair(pairs[0], pairs[0][0].DistanceArrayName, (1, 1), (0, 0, 1), (0, 1, 0))
-    stripes.save_pair(views, output + ".png")
+        pairs.append(refine_plane(surface, read(str(HERE / "data" / name))))
+    views = [view_of(field, True, (0, 0, 1), (0, 1, 0)) for field in pairs[0]]
+    save_pair(views, output + ".png")
 
 
 def surface(arguments):
@@ -123,11 +157,9 @@ def surface(arguments):
         field.SourceType = "Surface Boundary"
     faces = number_of_faces(field.Input)
     print(f"{faces} faces, {number_of_faces(field)} when refined, certified error {bound(field):.3g}")
-    views = stripes.new_pair(
-        (field, field), field.DistanceArrayName, (0, 1), arguments.view_from, arguments.upward
-    )
-    stripes.zoom(views[1], arguments.center, arguments.zoom)
-    stripes.save_pair(views, arguments.output + ".png")
+    views = [view_of(field, edges, arguments.view_from, arguments.upward) for edges in (False, True)]
+    zoom(views[1], arguments.center, arguments.zoom)
+    save_pair(views, arguments.output + ".png")
 
 
 def main():
@@ -143,7 +175,6 @@ def main():
     usage.add_argument("--center", help="the middle of the close-up of the refined mesh", **direction)
     usage.add_argument("--zoom", type=float, default=3.0, help="of the close-up")
     arguments = usage.parse_args()
-    load_plugin()
     if arguments.surface:
         surface(arguments)
     else:

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The source given by its points: open, closed and of one point, changed between executions, far
+// from the surface, missing, and kept when the executive is exchanged.
+#include "GeodesicTesting.h"
+
+#include "vtkCompositeDataPipeline.h"
+#include "vtkGeodesicDistanceFieldFromDrawnCurve.h"
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+using DrawnField = vtkGeodesicDistanceFieldFromDrawnCurve;
+
+void Draw(DrawnField* field, const std::vector<Point>& curve)
+{
+  field->SetNumberOfCurvePoints(static_cast<vtkIdType>(curve.size()));
+  for (std::size_t i = 0; i < curve.size(); ++i)
+  {
+    field->SetCurvePoint(static_cast<vtkIdType>(i), curve[i][0], curve[i][1], curve[i][2]);
+  }
+}
+
+std::vector<Point> Closed(std::vector<Point> curve)
+{
+  curve.push_back(curve.front());
+  return curve;
+}
+
+void CheckCurves(Check& check)
+{
+  vtkNew<DrawnField> field;
+  field->SetInputData(Square(6));
+  const std::vector<Point> bent = { { 0.2, 0.1, 0 }, { 0.9, 0.3, 0 }, { 0.4, 0.8, 0 } };
+  Draw(field, bent);
+  field->Update();
+  CheckDistances(check, field, DistanceTo(bent), "open");
+
+  field->CurveClosedOn();
+  field->Update();
+  CheckDistances(check, field, DistanceTo(Closed(bent)), "closed");
+
+  std::vector<Point> moved = bent;
+  moved[1] = { 0.7, 0.05, 0 };
+  field->SetCurvePoint(1, 0.7, 0.05, 0);
+  field->Update();
+  CheckDistances(check, field, DistanceTo(Closed(moved)), "closed, a point moved");
+
+  moved.push_back({ 0.1, 0.9, 0 });
+  field->SetCurvePoint(3, 0.1, 0.9, 0);
+  field->Update();
+  CheckDistances(check, field, DistanceTo(Closed(moved)), "closed, a point more");
+
+  field->SetNumberOfCurvePoints(2);
+  field->Update();
+  CheckDistances(check, field, DistanceTo({ moved[0], moved[1] }), "two points are not closed");
+
+  field->SetNumberOfCurvePoints(1);
+  field->Update();
+  CheckDistances(check, field, DistanceTo({ moved[0] }), "one point");
+
+  Point p;
+  field->GetCurvePoint(0, p.data());
+  check.That(p == moved[0] && field->GetNumberOfCurvePoints() == 1, "the point can be asked for");
+}
+
+void CheckExecutesWhenTheCurveChanges(Check& check)
+{
+  vtkNew<DrawnField> field;
+  field->SetInputData(Square(4));
+  Draw(field, { { 0, 0.5, 0 }, { 1, 0.5, 0 } });
+  int executions = 0;
+  const Listener listener(field, vtkCommand::EndEvent, [&executions]() { ++executions; });
+  field->Update();
+  Draw(field, { { 0, 0.5, 0 }, { 1, 0.5, 0 } });
+  field->SetCurveClosed(false);
+  field->Update();
+  check.Equal(executions, 1, "setting what is there does nothing");
+  field->SetCurvePoint(0, 0, 0.25, 0);
+  field->Update();
+  check.Equal(executions, 2, "a point");
+  field->SetCurveClosed(true);
+  field->Update();
+  check.Equal(executions, 3, "closed");
+}
+
+/// Nothing is said of a curve in the air: that is how curves are drawn.
+void CheckFarCurve(Check& check)
+{
+  vtkNew<DrawnField> field;
+  field->SetInputData(Square(4));
+  Draw(field, { { 0.25, -3, 7 }, { 0.75, 0.5, 2 } });
+  Messages messages(field);
+  messages.Update();
+  check.That(messages.Warning().empty(), "no warning: " + messages.Warning());
+  CheckDistances(check, field, DistanceTo({ { 0.25, 0, 0 }, { 0.75, 0.5, 0 } }), "a far curve");
+  check.Equal(field->GetSourceSnapDistance(), std::hypot(3.0, 7.0), "how far it was");
+}
+
+void CheckWithoutPoints(Check& check)
+{
+  vtkNew<DrawnField> field;
+  field->SetInputData(Square(4));
+  Messages messages(field);
+  messages.Update();
+  check.That(Contains(messages.Error(), "curve has no points"), "no points: " + messages.Error());
+  CheckOutputsEmpty(check, field, "a curve without points");
+
+  field->SetSourceTypeToSurfaceBoundary();
+  messages.Update();
+  check.That(messages.Error().empty(), "the boundary will do: " + messages.Error());
+  CheckDistances(check, field, DistanceToBoundaryOfSquare, "from the boundary");
+
+  Point p = { 1, 1, 1 };
+  field->GetCurvePoint(0, p.data());
+  check.That(p == Point{ 0, 0, 0 }, "a point that is not there is the origin");
+  check.That(Contains(messages.Error(), "no point 0"), "asked for: " + messages.Error());
+  field->SetCurvePoint(-1, 0, 0, 0);
+  check.That(field->GetNumberOfCurvePoints() == 0, "no point before the first");
+  field->SetNumberOfCurvePoints(-2);
+  check.That(field->GetNumberOfCurvePoints() == 0, "no fewer points than none");
+}
+
+void CheckExchangedExecutive(Check& check)
+{
+  vtkNew<DrawnField> field;
+  const std::vector<Point> line = { { 0.5, 0, 0 }, { 0.5, 1, 0 } };
+  Draw(field, line);
+  vtkNew<vtkCompositeDataPipeline> executive;
+  field->SetExecutive(executive);
+  field->SetInputData(Square(4));
+  field->Update();
+  CheckDistances(check, field, DistanceTo(line), "another executive");
+}
+
+}
+
+int TestGeodesicDrawnCurve(int, char*[])
+{
+  Check check;
+  CheckCurves(check);
+  CheckExecutesWhenTheCurveChanges(check);
+  CheckFarCurve(check);
+  CheckWithoutPoints(check);
+  CheckExchangedExecutive(check);
+  return check.Result();
+}

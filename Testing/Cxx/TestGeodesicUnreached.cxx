@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What stands at points that are not reached, and whether points that no face uses are put out.
+#include "GeodesicTesting.h"
+
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <limits>
+#include <sstream>
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+constexpr double Custom = -7.25;
+
+/// A square from x = first on, in the plane z = 0.
+void AppendSquare(double first, vtkPolyData* data)
+{
+  const auto square = Square(4);
+  const vtkIdType offset = data->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < square->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    square->GetPoint(i, p);
+    data->GetPoints()->InsertNextPoint(first + p[0], p[1], p[2]);
+  }
+  for (vtkIdType f = 0; f < square->GetNumberOfPolys(); ++f)
+  {
+    vtkNew<vtkIdList> ids;
+    square->GetPolys()->GetCellAtId(f, ids);
+    data->GetPolys()->InsertNextCell(
+      { ids->GetId(0) + offset, ids->GetId(1) + offset, ids->GetId(2) + offset });
+  }
+}
+
+/// A point that no face uses, a square, another such point, and a square apart.
+vtkSmartPointer<vtkPolyData> TwoSquaresAndUnusedPoints()
+{
+  auto data = PointSources({ { -1, -1, 0 } });
+  vtkNew<vtkCellArray> polys;
+  data->SetPolys(polys);
+  AppendSquare(0.0, data);
+  data->GetPoints()->InsertNextPoint(9.0, 9.0, 9.0);
+  AppendSquare(3.0, data);
+  return data;
+}
+
+/// A line across the first square, whose left side is that of greater x.
+vtkSmartPointer<vtkPolyData> Line()
+{
+  return Polyline({ { 0.4, 1, 0 }, { 0.4, 0, 0 } });
+}
+
+/// Whether two numbers are the same, NaN and NaN too.
+bool IsSame(double a, double b)
+{
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+vtkDataArray* ArrayOf(vtkGeodesicDistanceField* filter, const char* name)
+{
+  return filter->GetOutput()->GetPointData()->GetArray(name);
+}
+
+void ChooseAll(vtkGeodesicDistanceField* filter)
+{
+  filter->SetInputData(TwoSquaresAndUnusedPoints());
+  filter->SetSourceData(Line());
+  filter->GenerateSourceIdsOn();
+  filter->GenerateClosestPointsOn();
+  filter->GenerateGradientsOn();
+  filter->GenerateSignedDistanceOn();
+}
+
+/// Against the same with infinity: what is finite is the same, what is infinite is the value, in
+/// the distance and the signed one; nothing else changes.
+void CheckValue(
+  Check& check, vtkGeodesicDistanceField* filter, double value, const std::string& what)
+{
+  vtkNew<vtkGeodesicDistanceField> infinite;
+  ChooseAll(infinite);
+  infinite->SetRefineMesh(filter->GetRefineMesh());
+  infinite->SetMaximumDistance(filter->GetMaximumDistance());
+  infinite->SetRemoveUnusedPoints(filter->GetRemoveUnusedPoints());
+  infinite->Update();
+  filter->Update();
+  const vtkIdType count = infinite->GetOutput()->GetNumberOfPoints();
+  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPoints()),
+    static_cast<double>(count), what + ": points");
+  vtkIdType unreached = 0;
+  for (const char* name : { "GeodesicDistance", "SignedGeodesicDistance" })
+  {
+    vtkDataArray* before = ArrayOf(infinite, name);
+    vtkDataArray* after = ArrayOf(filter, name);
+    bool isRight = true;
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const double old = before->GetTuple1(i);
+      unreached += old == Infinite ? 1 : 0;
+      isRight = isRight && IsSame(after->GetTuple1(i), old == Infinite ? value : old);
+    }
+    check.That(isRight, what + ": " + name);
+  }
+  check.That(unreached > 0 && unreached < 2 * count, what + ": some points are not reached");
+  for (const char* name : { "SourceId", "ClosestSourcePoint", "DistanceGradient" })
+  {
+    vtkDataArray* before = ArrayOf(infinite, name);
+    vtkDataArray* after = ArrayOf(filter, name);
+    bool isSame = true;
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      for (int k = 0; k < before->GetNumberOfComponents(); ++k)
+      {
+        isSame = isSame && before->GetComponent(i, k) == after->GetComponent(i, k);
+      }
+    }
+    check.That(isSame, what + ": " + name + " does not change");
+  }
+  check.Equal(filter->GetInterpolationErrorBound(), infinite->GetInterpolationErrorBound(),
+    what + ": the bound");
+}
+
+void CheckUnreachedValues(Check& check)
+{
+  for (const bool refine : { false, true })
+  {
+    for (const double limit : { 0.0, 0.3 })
+    {
+      for (const bool remove : { false, true })
+      {
+        vtkNew<vtkGeodesicDistanceField> filter;
+        ChooseAll(filter);
+        filter->SetRefineMesh(refine);
+        filter->SetMaximumDistance(limit);
+        filter->SetRemoveUnusedPoints(remove);
+        std::ostringstream what;
+        what << (refine ? "refined" : "plain") << ", maximum " << limit
+             << (remove ? ", used points" : "");
+        CheckValue(check, filter, Infinite, "Infinity, " + what.str());
+        filter->SetUnreachedValueToNaN();
+        CheckValue(check, filter, vtkMath::Nan(), "NaN, " + what.str());
+        filter->SetCustomUnreachedValue(Custom);
+        filter->SetUnreachedValueToCustom();
+        CheckValue(check, filter, Custom, "Custom, " + what.str());
+        filter->SetCustomUnreachedValue(12.0); // has no sign of a side
+        CheckValue(check, filter, 12.0, "Custom above 0, " + what.str());
+        filter->SetUnreachedValueToInfinity();
+        CheckValue(check, filter, Infinite, "Infinity again, " + what.str());
+      }
+    }
+  }
+}
+
+void CheckDefaults(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  check.Equal(filter->GetUnreachedValue(), 0, "the default is Infinity");
+  check.That(!filter->GetRemoveUnusedPoints(), "unused points stay by default");
+  filter->SetUnreachedValue(17);
+  check.Equal(
+    filter->GetUnreachedValue(), vtkGeodesicDistanceField::UNREACHED_CUSTOM, "values are clamped");
+  filter->SetCustomUnreachedValue(0.125);
+  filter->RemoveUnusedPointsOn();
+  std::ostringstream printed;
+  filter->Print(printed);
+  for (const char* words :
+    { "UnreachedValue: Custom", "CustomUnreachedValue: 0.125", "RemoveUnusedPoints: On" })
+  {
+    check.That(Contains(printed.str(), words), std::string("printed: ") + words);
+  }
+}
+
+/// Point data of all kinds that say which point of the input each was.
+vtkSmartPointer<vtkPolyData> WithNumbers(vtkSmartPointer<vtkPolyData> data)
+{
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("Number");
+  vtkNew<vtkStringArray> names;
+  names->SetName("Name");
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("Id");
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    numbers->InsertNextValue(static_cast<int>(i));
+    names->InsertNextValue("p" + std::to_string(i));
+    ids->InsertNextValue(1000 + i);
+  }
+  data->GetPointData()->AddArray(numbers);
+  data->GetPointData()->AddArray(names);
+  data->GetPointData()->SetGlobalIds(ids);
+  return data;
+}
+
+/// The points of the output of one block: those of the input that faces use, in their order.
+void CheckUsedPoints(Check& check, vtkPolyData* input, vtkPolyData* output, const std::string& what)
+{
+  std::vector<bool> isUsed(static_cast<std::size_t>(input->GetNumberOfPoints()), false);
+  for (vtkIdType f = 0; f < input->GetNumberOfPolys(); ++f)
+  {
+    vtkNew<vtkIdList> ids;
+    input->GetPolys()->GetCellAtId(f, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      isUsed[static_cast<std::size_t>(ids->GetId(k))] = true;
+    }
+  }
+  vtkDataArray* numbers = output->GetPointData()->GetArray("Number");
+  auto* names = vtkStringArray::SafeDownCast(output->GetPointData()->GetAbstractArray("Name"));
+  check.That(output->GetPointData()->GetScalars() &&
+      std::string(output->GetPointData()->GetScalars()->GetName()) == "GeodesicDistance",
+    what + ": the distance is the active array");
+  vtkIdType next = 0;
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    if (!isUsed[static_cast<std::size_t>(i)])
+    {
+      continue;
+    }
+    const bool isThere = next < output->GetNumberOfPoints();
+    Point was;
+    Point is = {};
+    input->GetPoint(i, was.data());
+    if (isThere)
+    {
+      output->GetPoint(next, is.data());
+    }
+    check.That(isThere && was == is && numbers->GetTuple1(next) == static_cast<double>(i) &&
+        names->GetValue(next) == "p" + std::to_string(i),
+      what + ": point " + std::to_string(i) + " of the input");
+    ++next;
+  }
+  std::vector<bool> isUsedNow(static_cast<std::size_t>(output->GetNumberOfPoints()), false);
+  for (vtkIdType f = 0; f < output->GetNumberOfPolys(); ++f)
+  {
+    vtkNew<vtkIdList> ids;
+    output->GetPolys()->GetCellAtId(f, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      isUsedNow[static_cast<std::size_t>(ids->GetId(k))] = true;
+    }
+  }
+  check.That(std::find(isUsedNow.begin(), isUsedNow.end(), false) == isUsedNow.end(),
+    what + ": every point of the output is used");
+}
+
+/// Every triangle is at its place.
+void CheckSameTriangles(
+  Check& check, vtkPolyData* whole, vtkPolyData* used, const std::string& what)
+{
+  check.Equal(static_cast<double>(used->GetNumberOfPolys()),
+    static_cast<double>(whole->GetNumberOfPolys()), what + ": triangles");
+  bool isSame = true;
+  for (vtkIdType f = 0; f < whole->GetNumberOfPolys(); ++f)
+  {
+    vtkNew<vtkIdList> a;
+    vtkNew<vtkIdList> b;
+    whole->GetPolys()->GetCellAtId(f, a);
+    used->GetPolys()->GetCellAtId(f, b);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      Point p;
+      Point q;
+      whole->GetPoint(a->GetId(k), p.data());
+      used->GetPoint(b->GetId(k), q.data());
+      isSame = isSame && p == q &&
+        IsSame(whole->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(a->GetId(k)),
+          used->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(b->GetId(k)));
+    }
+  }
+  check.That(isSame, what + ": corners and their distances");
+}
+
+void CheckRemoval(Check& check)
+{
+  for (const bool refine : { false, true })
+  {
+    const std::string what = refine ? "refined" : "plain";
+    const auto input = WithNumbers(TwoSquaresAndUnusedPoints());
+    const vtkMTimeType time = input->GetMTime();
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(input);
+    filter->SetSourceData(Line());
+    filter->SetRefineMesh(refine);
+    filter->Update();
+    vtkNew<vtkPolyData> whole;
+    whole->DeepCopy(filter->GetOutput());
+    vtkNew<vtkPolyData> curves;
+    curves->DeepCopy(filter->GetOutputDataObject(1));
+    check.Equal(
+      static_cast<double>(whole->GetPointData()->GetArray("GeodesicDistance")->GetTuple1(0)),
+      Infinite, what + ": an unused point is infinitely far");
+
+    filter->RemoveUnusedPointsOn();
+    filter->Update();
+    vtkPolyData* used = filter->GetOutput();
+    check.Equal(static_cast<double>(used->GetNumberOfPoints()),
+      static_cast<double>(whole->GetNumberOfPoints() - 2), what + ": two points are left out");
+    CheckUsedPoints(check, input, used, what);
+    CheckSameTriangles(check, whole, used, what);
+    check.That(input->GetMTime() == time && input->GetNumberOfPoints() == 52 &&
+        input->GetPointData()->GetArray("Number")->GetNumberOfTuples() == 52,
+      what + ": the input stays as it is");
+    check.That(refine ||
+        (used->GetPointData()->GetGlobalIds() &&
+          used->GetPointData()->GetGlobalIds()->GetTuple1(0) == 1001.0),
+      what + ": global ids go with their points");
+    auto* line = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+    check.Equal(static_cast<double>(line->GetNumberOfPoints()),
+      static_cast<double>(curves->GetNumberOfPoints()), what + ": output port 1 stays as it is");
+  }
+}
+
+void CheckNothingToRemove(Check& check)
+{
+  const auto input = Square(4);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(input);
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  filter->RefineMeshOff();
+  filter->RemoveUnusedPointsOn();
+  filter->Update();
+  check.That(filter->GetOutput()->GetPoints() == input->GetPoints() &&
+      filter->GetOutput()->GetPolys() == input->GetPolys(),
+    "where all points are used, they are shared with the input");
+}
+
+/// Each block for itself; a block without faces has no points then.
+void CheckComposite(Check& check)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  const auto first = WithNumbers(TwoSquaresAndUnusedPoints());
+  const auto second = WithNumbers(Square(4));
+  MovePoints(second, [](const Point& p) { return Point{ p[0] - 1.0, p[1], p[2] }; });
+  blocks->SetBlock(0, first);
+  blocks->SetBlock(1, second);
+  blocks->SetBlock(3, PointSources({ { 5, 5, 5 } }));
+  for (const bool refine : { false, true })
+  {
+    const std::string what = refine ? "composite, refined" : "composite";
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputDataObject(blocks);
+    filter->SetSourceData(Line());
+    filter->SetRefineMesh(refine);
+    filter->RemoveUnusedPointsOn();
+    filter->Update();
+    auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    check.Equal(output->GetNumberOfBlocks(), 4, what + ": blocks");
+    CheckUsedPoints(check, first, vtkPolyData::SafeDownCast(output->GetBlock(0)), what + ", 0");
+    CheckUsedPoints(check, second, vtkPolyData::SafeDownCast(output->GetBlock(1)), what + ", 1");
+    auto* empty = vtkPolyData::SafeDownCast(output->GetBlock(3));
+    check.That(empty && empty->GetNumberOfPoints() == 0, what + ": a block without faces");
+  }
+}
+
+/// Barriers are faces, too; what ghost flags hide is not.
+void CheckBarriersAndHiddenCells(Check& check)
+{
+  const auto input = WithNumbers(TwoSquaresAndUnusedPoints());
+  vtkNew<vtkIntArray> barrier;
+  barrier->SetName("Barrier");
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    const bool isSecond = cell >= input->GetNumberOfCells() / 2;
+    barrier->InsertNextValue(isSecond ? 1 : 0);
+    ghosts->InsertNextValue(0);
+  }
+  input->GetCellData()->AddArray(barrier);
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(input);
+  filter->SetSourceData(Line());
+  filter->SetBarrierArrayName("Barrier");
+  filter->RemoveUnusedPointsOn();
+  filter->RefineMeshOff();
+  filter->Update();
+  CheckUsedPoints(check, input, filter->GetOutput(), "barriers");
+
+  for (vtkIdType cell = input->GetNumberOfCells() / 2; cell < input->GetNumberOfCells(); ++cell)
+  {
+    ghosts->SetValue(cell, vtkDataSetAttributes::HIDDENCELL);
+  }
+  input->GetCellData()->AddArray(ghosts);
+  input->Modified();
+  filter->SetBarrierArrayName(nullptr);
+  filter->Update();
+  check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPoints()), 25.0,
+    "points of hidden cells are not used");
+}
+
+}
+
+int TestGeodesicUnreached(int, char*[])
+{
+  Check check;
+  CheckDefaults(check);
+  CheckUnreachedValues(check);
+  CheckRemoval(check);
+  CheckNothingToRemove(check);
+  CheckComposite(check);
+  CheckBarriersAndHiddenCells(check);
+  return check.Result();
+}

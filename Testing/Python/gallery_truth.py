@@ -1,0 +1,377 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What must hold for each script of the gallery: a function a script, which takes its variables.
+
+Most surfaces of the gallery unroll into the plane without stretching, where distances are those of
+points and segments: these are computed here, from nothing of the filters' but the points.
+"""
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from geodesic_testing import FLOAT, assert_close, data, distances, points
+
+# A fraction of the largest distance.
+EXACT = 1e-12
+
+
+# ---------------------------------------------------------------------------------------- helpers
+def lines(output):
+    """The points of each line."""
+    offsets = vtk_to_numpy(output.GetLines().GetOffsetsArray())
+    ids = vtk_to_numpy(output.GetLines().GetConnectivityArray())
+    return [points(output)[ids[a:b]] for a, b in zip(offsets, offsets[1:])]
+
+
+def segments(output):
+    """The two ends of each segment of all lines, as an array of segments, ends and coordinates."""
+    return np.concatenate([np.stack((line[:-1], line[1:]), axis=1) for line in lines(output)])
+
+
+def cell_array(output, name):
+    return vtk_to_numpy(output.GetCellData().GetArray(name))
+
+
+def point_array(output, name):
+    return vtk_to_numpy(output.GetPointData().GetArray(name))
+
+
+def to_segments(positions, ends):
+    """Euclidean distance of each position to the nearest of some segments."""
+    nearest = np.full(len(positions), np.inf)
+    for a, b in ends:
+        along = b - a
+        t = np.clip((positions - a) @ along / max(along @ along, 1e-300), 0, 1)
+        nearest = np.minimum(nearest, np.linalg.norm(positions - a - t[:, None] * along, axis=1))
+    return nearest
+
+
+def lengths_along(corners):
+    """How far along a polyline each of its corners is."""
+    return np.append(0, np.cumsum(np.linalg.norm(np.diff(corners, axis=0), axis=1)))
+
+
+class Outline:
+    """A closed polygon around the origin of a plane, which sees all of it, and lengths along it."""
+
+    def __init__(self, corners):
+        angle = np.arctan2(corners[:, 1], corners[:, 0]) % (2 * np.pi)
+        _, first = np.unique(np.round(angle, 5), return_index=True)
+        self.angles, self.corners = angle[first], corners[first]
+        self.along = lengths_along(np.concatenate((self.corners, self.corners[:1])))
+        self.length = self.along[-1]
+
+    def place(self, positions):
+        """How far along the polygon positions on it are."""
+        angle = np.arctan2(positions[..., 1], positions[..., 0]) % (2 * np.pi)
+        # A corner belongs to the segment after it, also where its angle is rounded down.
+        segment = np.searchsorted(self.angles, angle + 1e-5) - 1
+        return self.along[segment] + np.linalg.norm(positions - self.corners[segment], axis=-1)
+
+
+class Bent:
+    """A sheet that is bent along x and z only, given by points that begin with a row along these."""
+
+    def __init__(self, sheet):
+        positions = points(data(sheet))
+        row = positions[positions[:, 1] == positions[0, 1]][:, [0, 2]]
+        self.starts, self.steps = row[:-1], np.diff(row, axis=0)
+        self.along = lengths_along(row)
+
+    def unrolled(self, positions):
+        """How far along the closest place of the row is, and y."""
+        nearest = np.full(positions.shape[:-1], np.inf)
+        along = np.zeros(positions.shape[:-1])
+        for start, step, before in zip(self.starts, self.steps, self.along):
+            from_start = positions[..., [0, 2]] - start
+            t = np.clip(from_start @ step / (step @ step), 0, 1)
+            away = np.linalg.norm(from_start - t[..., None] * step, axis=-1)
+            along = np.where(away < nearest, before + t * np.linalg.norm(step), along)
+            nearest = np.minimum(nearest, away)
+        return np.stack((along, positions[..., 1]), axis=-1)
+
+
+# ---------------------------------------------------------------------------- a function a script
+def section(names):
+    """Around the column and along it, in the unrolled plane, which repeats."""
+    column = Outline(points(data(names["fluted"]))[:, [0, 2]])
+
+    def unrolled(positions):
+        return np.stack((column.place(positions[..., [0, 2]]), positions[..., 1]), axis=-1)
+
+    cut = unrolled(segments(data(names["section"])))
+    # Of a segment that ends where lengths begin again, both ends on one side.
+    wraps = np.abs(cut[:, 0, 0] - cut[:, 1, 0]) > column.length / 2
+    cut[wraps, :, 0] += column.length * (cut[wraps, :, 0] < column.length / 2)
+    output = data(names["field"])
+    positions = unrolled(points(output))
+    expected = np.min([to_segments(positions, cut + (shift * column.length, 0)) for shift in (-1, 0, 1)], axis=0)
+    assert_close(distances(names["field"]), expected, 3 * FLOAT)
+
+
+def feature_edges(names):
+    """In the plane on top and bottom; on the walls up, down or around."""
+    positions, found = points(data(names["field"])), distances(names["field"])
+    ends = segments(data(names["edges"]))
+    top = 0.5
+    expected = np.minimum(positions[:, 2], top - positions[:, 2])
+    for height in (0, top):
+        level = np.abs(positions[:, 2] - height) < FLOAT
+        rims = ends[np.all(np.abs(ends[:, :, 2] - height) < FLOAT, axis=1)]
+        expected[level] = to_segments(positions[level], rims)
+
+    # The walls of the teeth have upright edges, too.
+    on_top = ends[:, 0][np.abs(ends[:, 0, 2] - top) < FLOAT, :2]
+    rim = Outline(on_top[np.linalg.norm(on_top, axis=1) > 0.5])
+    upright = ends[np.abs(ends[:, 0, 2] - ends[:, 1, 2]) > FLOAT]
+    assert len(upright) == 4 * 12
+    outer = np.linalg.norm(positions[:, :2], axis=1) > 0.5
+    outer &= (positions[:, 2] > FLOAT) & (positions[:, 2] < top - FLOAT)
+    apart = np.abs(rim.place(positions[outer, :2])[:, None] - rim.place(upright[:, 0, :2]))
+    around = np.min(np.minimum(apart, rim.length - apart), axis=1)
+    expected[outer] = np.minimum(expected[outer], around)
+    assert_close(found, expected, 3 * FLOAT)
+
+
+def boundary(names):
+    """In the unrolled plane."""
+    sheet = Bent(names["bent"])
+    rim = sheet.unrolled(segments(data(names["field"], 1)))
+    some = slice(None, None, 5)
+    expected = to_segments(sheet.unrolled(points(data(names["field"]))[some]), rim)
+    assert_close(distances(names["field"])[some], expected, 3 * FLOAT)
+
+
+def drawn_curve(names):
+    """In the unrolled plane, from the points that were drawn, joined by straight lines."""
+    roll = Bent(names["roll"])
+    ends = roll.unrolled(segments(data(names["field"], 1)))
+    expected = to_segments(roll.unrolled(points(data(names["field"]))), ends)
+    assert_close(distances(names["field"]), expected, 3 * FLOAT)
+
+    drawn = np.reshape(list(names["field"].Points), (-1, 3))
+    length = np.sum(np.linalg.norm(np.diff(roll.unrolled(drawn), axis=0), axis=1))
+    found = np.sum(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))
+    assert abs(found - length) < 3 * FLOAT * length
+
+
+def stripes(names):
+    """The source is where the distance is zero; colors change at equal steps, and reach the largest distance."""
+    from_source = distances(simple.GeodesicPaths(
+        Input=names["field"].Input, Source=names["field"].Source, Targets=simple.OutputPort(names["field"], 1)))
+    largest = distances(names["field"]).max()
+    assert from_source.max() < FLOAT * largest
+    colors = simple.GetColorTransferFunction("GeodesicDistance").RGBPoints
+    np.testing.assert_allclose(np.reshape(colors, (-1, 4))[:, 0], names["STEP"] * np.arange(33), atol=1e-9)
+    assert 0.8 * 32 < largest / names["STEP"] < 32
+
+
+def offset_curves(names):
+    """Closed, and in the unrolled plane at equal steps from the rim."""
+    sheet = Bent(names["bent"])
+    rim = sheet.unrolled(segments(data(names["rim"])))
+    output = data(names["offsets"])
+    values = cell_array(output, "GeodesicDistance")
+    assert len(set(values)) > 10
+    np.testing.assert_allclose(sorted(set(values)), names["STEP"] * np.arange(1, len(set(values)) + 1))
+    for line in lines(output):
+        np.testing.assert_array_equal(line[0], line[-1])
+    expected = to_segments(sheet.unrolled(points(output)), rim)
+    assert_close(point_array(output, "GeodesicDistance"), expected, 3 * FLOAT)
+
+
+def nearest_curve(names):
+    """As near as the nearest line alone, which is that of the region."""
+    output = data(names["field"])
+    count = data(names["hills"]).GetNumberOfPoints()
+    together = distances(names["field"])[:count]
+    nearest = point_array(output, "SourceId")[:count]
+    alone = np.array([
+        distances(simple.GeodesicDistanceField(
+            Input=names["hills"], Source=names["on_hills"](line), RefineMesh=0))
+        for line in names["lines"]])
+    assert set(nearest) == set(range(6))
+    assert_close(together, alone.min(axis=0), EXACT)
+    assert_close(alone[nearest, np.arange(count)], together, EXACT)
+
+
+def shortest_paths(names):
+    """Straight in the unfolded plane, where a step's depth and height add up."""
+    output = data(names["paths"])
+    found = cell_array(output, "GeodesicDistance")
+    assert output.GetNumberOfLines() == len(found) == 60
+    for line, length in zip(lines(output), found):
+        unfolded = np.stack((line[:, 0], line[:, 1] + line[:, 2]), axis=1)
+        straight = unfolded[-1] - unfolded[0]
+        np.testing.assert_allclose(unfolded[-1], (0.4, 0.2), rtol=0, atol=FLOAT)
+        assert abs(length - np.linalg.norm(straight)) < 4 * FLOAT
+        assert to_segments(unfolded, [(unfolded[0], unfolded[-1])]).max() < 4 * FLOAT
+
+
+def signed_side(names):
+    """Of one sign where the seam winds around, projected from a pole that it does not wind around."""
+    output = data(names["field"])
+    signed = point_array(output, "SignedGeodesicDistance")
+    np.testing.assert_array_equal(np.abs(signed), distances(names["field"]))
+    t = 2 * np.pi * np.arange(120) / 120
+    seam = np.array([names["seam"](at) for at in t])
+    height = points(output)[:, 2] / np.linalg.norm(points(output), axis=1)
+    far = (np.abs(signed) > 0.05) & (height < 0.999)
+    assert far.mean() > 0.8
+
+    def projected(positions):
+        """From (0, 0, 1) to the plane of complex numbers."""
+        x, y, z = (positions / np.linalg.norm(positions, axis=1)[:, None]).T
+        return (x + 1j * y) / (1 - z)
+
+    corners = projected(np.concatenate((seam, seam[:1])))
+    around = corners - projected(points(output)[far])[:, None]
+    turns = np.round(np.sum(np.angle(around[:, 1:] / around[:, :-1]), axis=1) / (2 * np.pi))
+    inside = np.abs(turns) == 1
+    assert 0.2 < inside.mean() < 0.8
+    # From above the plane is seen as the ball is from inside: what is on the left is on the right.
+    np.testing.assert_array_equal(signed[far] > 0, inside == (turns[inside][0] < 0))
+
+
+def barriers(names):
+    """Along straight lines from corner to corner of the walls."""
+    wall = cell_array(data(names["plan"]), "Wall").reshape(80, 120) > 0
+    plan = WallPlan(wall, 0.1)
+    door = np.array([(0, 3.6), (0, 4.4)])
+    found = distances(names["field"])
+    reached = np.isfinite(found)
+    some = np.flatnonzero(reached)[::5]
+    expected = plan.ways_to(points(data(names["field"]))[some, :2], door)
+    assert_close(found[some], expected, 3 * FLOAT)
+
+    rows, columns = np.indices(wall.shape)
+    corners = np.zeros((81, 121), int)
+    for i in (0, 1):
+        for j in (0, 1):
+            np.add.at(corners, (rows + i, columns + j), ~wall)
+    np.testing.assert_array_equal(reached[:corners.size], corners.ravel() > 0)
+    from_people = plan.ways_to(points(data(names["people"]))[:, :2], door)
+    assert_close(cell_array(data(names["paths"]), "GeodesicDistance"), from_people, 3 * FLOAT)
+
+
+class WallPlan:
+    """Walls as rectangles of cells on a floor, and their corners."""
+
+    def __init__(self, wall, size):
+        rectangles = self.runs(wall) + [(y, x) for x, y in self.runs(wall.T)]
+        self.rectangles = size * np.array(rectangles, float)  # of each the range of x, then of y
+        # Between a wall at the floor's edge and that edge is no way.
+        edge = size * np.array(wall.shape[::-1])[:, None]
+        self.rectangles = np.where(self.rectangles == 0, -1, self.rectangles)
+        self.rectangles = np.where(self.rectangles == edge, edge + 1, self.rectangles)
+        around = np.pad(wall, 1).astype(int)
+        count = around[1:, 1:] + around[:-1, 1:] + around[1:, :-1] + around[:-1, :-1]
+        rows, columns = np.nonzero(count == 1)
+        within = (rows > 0) & (rows < wall.shape[0]) & (columns > 0) & (columns < wall.shape[1])
+        self.corners = size * np.stack((columns[within], rows[within]), axis=1).astype(float)
+
+    @staticmethod
+    def runs(wall):
+        """The ranges of columns and of rows of rectangles whose rows are alike."""
+        rows = [np.flatnonzero(np.diff(np.pad(row.astype(int), 1))).reshape(-1, 2) for row in wall]
+        found, open_runs = [], {}
+        for number, row in enumerate([*rows, []]):
+            now = {tuple(run) for run in row}
+            found += [(run, (start, number)) for run, start in open_runs.items() if run not in now]
+            open_runs = {run: open_runs.get(run, number) for run in now}
+        return found
+
+    def sees(self, a, b):
+        """Whether no wall is between a and b, for arrays of both."""
+        free = np.ones(np.broadcast(a[..., 0], b[..., 0]).shape, bool)
+        for rectangle in self.rectangles:
+            enter, leave = np.zeros(free.shape), np.ones(free.shape)
+            for axis, (low, high) in enumerate(rectangle):
+                start, along = a[..., axis], b[..., axis] - a[..., axis]
+                with np.errstate(divide="ignore", invalid="ignore"):
+                    ends = np.sort([(low + 1e-4 - start) / along, (high - 1e-4 - start) / along], axis=0)
+                inside = (start > low + 1e-4) & (start < high - 1e-4)
+                still = np.broadcast_to(np.abs(along) < 1e-9, free.shape)
+                enter = np.maximum(enter, np.where(still, np.where(inside, 0, 2), ends[0]))
+                leave = np.minimum(leave, np.where(still, np.where(inside, 1, -1), ends[1]))
+            free &= enter >= leave
+        return free
+
+    def straight_to(self, positions, segment):
+        """The length of the shortest straight line to a segment that meets no wall."""
+        a, b = segment
+        t = np.clip((positions - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
+        nearest = np.full(len(positions), np.inf)
+        for at in (t, 0 * t, 0 * t + 1):
+            ends = a + at[:, None] * (b - a)
+            length = np.linalg.norm(positions - ends, axis=1)
+            nearest = np.minimum(nearest, np.where(self.sees(positions, ends), length, np.inf))
+        return nearest
+
+    def ways_to(self, positions, segment):
+        """The length of the shortest way to a segment around the walls."""
+        lengths, shorter = None, self.straight_to(self.corners, segment)
+        while not np.array_equal(lengths, shorter):
+            lengths, shorter = shorter, np.minimum(shorter, self.by_corners(self.corners, shorter))
+        return np.minimum(self.straight_to(positions, segment), self.by_corners(positions, lengths))
+
+    def by_corners(self, positions, lengths):
+        way = np.linalg.norm(positions[:, None] - self.corners, axis=2)
+        seen = self.sees(positions[:, None], self.corners[None])
+        return np.min(np.where(seen, way + lengths, np.inf), axis=1)
+
+
+def distance_matrix(names):
+    """Between points of a slit and flattened cone: chords, as its angle is less than half a turn."""
+    field = simple.GeodesicDistanceField(Input=names["cone"], Source=names["points"], RefineMesh=0)
+    x, y, z = points(data(field, 1)).T
+    sides, radius, slant = 96, 1, np.sqrt(5)
+    facet_angle = 2 * np.arcsin(radius * np.sin(np.pi / sides) / slant)
+    turn = np.arctan2(y, x) % (2 * np.pi) * sides / (2 * np.pi)
+    # Within a facet, from its middle line.
+    facet = np.floor(turn)
+    to_middle = (turn - facet - 0.5) * 2 * np.pi / sides
+    across = np.hypot(x, y) * np.sin(to_middle)
+    down = np.hypot(np.hypot(x, y) * np.cos(to_middle), 2 - z)
+    angle = (facet + 0.5) * facet_angle + np.arctan2(across, down)
+    reach = np.hypot(across, down)
+
+    apart = np.abs(angle[:, None] - angle)
+    apart = np.minimum(apart, sides * facet_angle - apart)
+    squares = reach[:, None] ** 2 + reach ** 2 - 2 * reach[:, None] * reach * np.cos(apart)
+    table = names["distances"]
+    assert (table.shape, table.dtype) == ((40, 40), float)
+    np.testing.assert_array_equal(np.diag(table), 0)
+    assert_close(table.ravel(), np.sqrt(np.maximum(squares, 0)).ravel(), 3 * FLOAT)
+    np.testing.assert_array_equal(cell_array(data(names["picture"]), "Distance"), table.ravel())
+
+
+def moving_source(names):
+    """At each time in the unrolled plane, from where the point has come to."""
+    sheet = Bent(names["sheet"])
+    places = []
+    for time in (0, 0.3, 1):
+        names["scene"].AnimationTime = time
+        source = points(data(names["field"], 1))
+        places.append(source[0, 0])
+        away = sheet.unrolled(points(data(names["field"]))) - sheet.unrolled(source)
+        assert_close(distances(names["field"]), np.linalg.norm(away, axis=1), 3 * FLOAT)
+    names["scene"].AnimationTime = 0
+    assert places[0] < -1 and places[0] < places[1] < places[2] and places[2] > 1
+
+
+def assembly(names):
+    """Up the walls, and up the roof or over its edge from a gable."""
+    output = data(names["field"])
+    blocks = [output.GetBlock(i) for i in range(output.GetNumberOfBlocks())]
+    assert len(blocks) == 6
+    slope = np.hypot(1, 0.8)
+    sine, cosine = 0.8 / slope, 1 / slope
+    for number, block in enumerate(blocks):
+        x, y, z = points(block).T
+        expected = z
+        if number in (2, 3):
+            along = (1 - np.abs(y)) * slope
+            over_gables = [along * sine + from_gable * cosine for from_gable in (x, 3 - x)]
+            expected = 1 + np.min([along, *over_gables], axis=0)
+        assert_close(point_array(block, "GeodesicDistance"), expected, 3 * FLOAT)
