@@ -3,6 +3,7 @@
 // certified holds for the whole.
 #include "RanksSupport.h"
 #include "refinement/RefinementSupport.h"
+#include "truth/MeshFiles.h"
 
 #include "refinement/RefinedFaces.h"
 #include "refinement/SolveForRefinement.h"
@@ -584,3 +585,45 @@ TEST(RefinementOfAPart, EndsOnAllRanksWhenOneIsStopped)
       }),
     geodesic::Aborted);
 }
+
+namespace
+{
+
+class RefinementOfRealMeshesOnRanks : public ::testing::TestWithParam<const char*>
+{
+};
+
+}
+
+TEST_P(RefinementOfRealMeshesOnRanks, FitsTogetherWithAsManyTrianglesAsInOnePiece)
+{
+  if (meshFolder().empty())
+  {
+    GTEST_SKIP() << noMeshFolder(GetParam());
+  }
+  const PlainMesh mesh = readMesh(GetParam());
+  ASSERT_FALSE(mesh.triangles.empty());
+  const TriangleMesh whole = engineMesh(mesh);
+  const std::vector<Polyline> curves = { { { { 0, { 1, 0, 0 }, { 0, 1, 0 } } }, {} } };
+  const DistanceField plain = geodesic::solve(whole, engineCurves(whole, curves));
+  const Task task = { mesh, curves, 2e-4 * largestFinite(plain.vertexDistances()) };
+  const RefinedMesh inOnePiece = refineTo(
+    solveForRefinement(whole, engineCurves(whole, curves), task.tolerance), task.tolerance);
+  Random random(1);
+  for (const int ranks : { 2, 5 })
+  {
+    SCOPED_TRACE(ranks);
+    const Joined joined = refineOnRanks(cutInSpace(mesh, ranks, random), task);
+    EXPECT_LE(joined.refined.errorBound, task.tolerance);
+    expectFitTogether(whole, joined);
+    const double ratio = static_cast<double>(joined.refined.triangles.size()) /
+      static_cast<double>(inOnePiece.triangles.size());
+    EXPECT_NEAR(ratio, 1.0, 0.02);
+    std::cout << testName(GetParam()) << ": " << joined.refined.triangles.size() << " triangles of "
+              << mesh.triangles.size() << " faces, " << ratio << " times those of one piece\n";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, RefinementOfRealMeshesOnRanks,
+  ::testing::Values("spot.obj", "fandisk.obj"),
+  [](const auto& file) { return testName(file.param); });
