@@ -325,8 +325,8 @@ void Drawing::findEdgePoints()
   }
 }
 
-// Faces stand in one order on all ranks, so that they agree about the designated one of an edge. Its
-// owner tells the other ranks there.
+// Faces stand in one order on all ranks, so that they agree about the designated one of an edge.
+// Its owner tells the other ranks there.
 void Drawing::exchangeEdgePoints()
 {
   const SurfacePart& part = *this->field_.part();

@@ -30,7 +30,8 @@ struct LastPiece
   /// face that it comes through. Zero where the piece has no length.
   Id frame = NoId;
   Vec2 direction = {};
-  /// The corner (DistanceField::numberInWhole()); of a window its Window::origin, and where along a curve the ray comes from.
+  /// The corner (DistanceField::numberInWhole()); of a window its Window::origin, and where along a
+  /// curve the ray comes from.
   Id origin = NoId;
   double place = 0.0;
   /// The source, and how far along it the piece begins: nearestAlongSource().

@@ -254,8 +254,7 @@ bool NearestSource::isElsewhere(Id numberInWhole) const
 
 const VertexOnCurve* NearestSource::onCurveAt(Id numberInWhole) const
 {
-  return this->onCurves_.find(
-    this->patch_ ? this->patch_->vertexAt(numberInWhole) : numberInWhole);
+  return this->onCurves_.find(this->patch_ ? this->patch_->vertexAt(numberInWhole) : numberInWhole);
 }
 
 void NearestSource::goToVertex(Id vertex)

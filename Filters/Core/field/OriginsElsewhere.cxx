@@ -15,8 +15,8 @@ constexpr int MaximumSteps = 33;
 
 } // anonymous namespace
 
-OriginsElsewhere::OriginsElsewhere(const DistanceField& field, const VerticesOfWhole& vertices,
-  std::vector<CurveOrigin>& atVertices)
+OriginsElsewhere::OriginsElsewhere(
+  const DistanceField& field, const VerticesOfWhole& vertices, std::vector<CurveOrigin>& atVertices)
   : field_(field)
   , vertices_(vertices)
 {
@@ -90,8 +90,7 @@ bool OriginsElsewhere::ask(std::vector<CurveOrigin>& atVertices)
   {
     if (this->isOpen(this->origins_[i]))
     {
-      const auto rank =
-        static_cast<std::size_t>(this->vertices_.rankOf(this->origins_[i].origin));
+      const auto rank = static_cast<std::size_t>(this->vertices_.rankOf(this->origins_[i].origin));
       put(questions[rank], this->origins_[i].origin);
       asked[rank].push_back(i);
     }

@@ -20,7 +20,8 @@ class OriginsElsewhere
 public:
   /// All ranks together find it.
   ///
-  /// \param field on this rank's part, with arrivals. Known after it are the origins of all vertices
+  /// \param field on this rank's part, with arrivals. Known after it are the origins of all
+  /// vertices
   ///        of the part that are not counted here, and of those that its windows name.
   /// \param vertices of that part.
   /// \param atVertices for each vertex of the part: of those counted here the source, as Window has

@@ -58,8 +58,8 @@ private:
 
 void StripSearch::findWayBack(const KnownDistances& known, FrontOptions options)
 {
-  const SurfacePatch around(
-    this->part_, this->isTargetHere() ? std::vector<Id>{ this->target_.face.id } : std::vector<Id>());
+  const SurfacePatch around(this->part_,
+    this->isTargetHere() ? std::vector<Id>{ this->target_.face.id } : std::vector<Id>());
   const SurfacePoint target =
     fromBarycentric(around.mesh(), around.faceAt(this->target_.face), this->target_.weights);
   const Corridor corridor = corridorTo(this->length_, known);

@@ -23,8 +23,8 @@ struct TargetOnRank
 /// A shortest path by windows where ranks have the surface together: see pathInWindows(). All ranks
 /// together call it for one target.
 ///
-/// The front from the target goes over all ranks. The strip of faces that it leaves is gathered, and
-/// there the target's rank finds the path.
+/// The front from the target goes over all ranks. The strip of faces that it leaves is gathered,
+/// and there the target's rank finds the path.
 ///
 /// \param known of this rank's part; the reach of all ranks.
 /// \returns the path on the target's rank; none elsewhere.

@@ -222,8 +222,7 @@ void Journeys::run()
     for (std::size_t rank = 0; rank < messages.size(); ++rank)
     {
       least.front() = handedOver[rank].empty() ? least.front() : 0.0;
-      messages[rank].insert(
-        messages[rank].end(), handedOver[rank].begin(), handedOver[rank].end());
+      messages[rank].insert(messages[rank].end(), handedOver[rank].begin(), handedOver[rank].end());
     }
     readEach(exchange.step(std::move(messages), least),
       [this](int, MessageReader& reader)
@@ -358,10 +357,9 @@ Id Journeys::sourceAtEnd(const TracedPath& path) const
 {
   const Id face = path.faces.back();
   const Id onPatch = this->patch_.faceAt(this->part_.addressOf(face));
-  return onPatch == NoId
-    ? NoId
-    : this->curves_.sourceAt(fromBarycentric(this->patch_.mesh(), onPatch,
-        barycentric(this->part_.mesh(), path.points.back(), face)));
+  return onPatch == NoId ? NoId
+                         : this->curves_.sourceAt(fromBarycentric(this->patch_.mesh(), onPatch,
+                             barycentric(this->part_.mesh(), path.points.back(), face)));
 }
 
 void Journeys::takeReport(MessageReader& reader)
@@ -413,16 +411,16 @@ void keepAroundSeams(
 }
 
 /// The targets whose paths are lost on any rank, in one order on all.
-std::vector<std::pair<TargetOnRank, Id>> gatherLost(const DistanceField& field,
-  const std::vector<SurfacePoint>& targets, const std::vector<Id>& lost)
+std::vector<std::pair<TargetOnRank, Id>> gatherLost(
+  const DistanceField& field, const std::vector<SurfacePoint>& targets, const std::vector<Id>& lost)
 {
   const SurfacePart& part = *field.part();
   Message message;
   for (const Id target : lost)
   {
     Id own = NoId;
-    forEachFace(part.mesh(), targets[target],
-      [&](Id face) { own = part.isOwn(face) ? face : own; });
+    forEachFace(
+      part.mesh(), targets[target], [&](Id face) { own = part.isOwn(face) ? face : own; });
     put(message, target);
     put(message,
       TargetOnRank{ part.addressOf(own), barycentric(part.mesh(), targets[target], own),
@@ -468,8 +466,7 @@ std::vector<PathInSpace> pathsOnRanks(const SurfacePart& part, const SurfacePatc
   { return !options.progress || options.progress(1.0); };
   for (const auto& [target, number] : gatherLost(field, targets, journeys.lost()))
   {
-    PathInSpace path =
-      pathInStrip(part, patch, curves, target, known, options.parallelFor, atEnd);
+    PathInSpace path = pathInStrip(part, patch, curves, target, known, options.parallelFor, atEnd);
     if (target.face.rank != part.exchange().rank())
     {
       continue;

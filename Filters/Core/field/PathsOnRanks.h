@@ -23,8 +23,8 @@ struct PathInSpace
 /// asks for it: see pathsToSource(). All ranks together call it.
 ///
 /// One front goes from the source until the targets of all ranks are settled. A path is followed as
-/// a ray by the rank that owns the faces it goes through, which hands it over at a seam, with what is
-/// known of it, and tells the target's rank what it has found.
+/// a ray by the rank that owns the faces it goes through, which hands it over at a seam, with what
+/// is known of it, and tells the target's rank what it has found.
 ///
 /// \param curves on the patch.
 /// \param targets in faces that this rank owns; maybe none.

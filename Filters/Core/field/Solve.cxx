@@ -31,8 +31,8 @@ DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& so
   return solveFrom(mesh, sources, options, keep);
 }
 
-DistanceField solve(const TriangleMesh& mesh, SourceWindows sources, const FrontOptions& options,
-  KeepWindows keep)
+DistanceField solve(
+  const TriangleMesh& mesh, SourceWindows sources, const FrontOptions& options, KeepWindows keep)
 {
   return solveFrom(mesh, std::move(sources), options, keep);
 }

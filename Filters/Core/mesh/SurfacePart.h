@@ -100,8 +100,8 @@ public:
     return !this->isShared(vertex) || this->othersWith(vertex).first->rank > this->exchange_.rank();
   }
 
-  /// The number of a vertex in the whole, the same on all ranks. Those that a rank counts follow one
-  /// another, behind those that lower ranks count.
+  /// The number of a vertex in the whole, the same on all ranks. Those that a rank counts follow
+  /// one another, behind those that lower ranks count.
   Id numberInWhole(Id vertex) const { return this->numberInWhole_[vertex]; }
   Id numberOfVerticesOfWhole() const { return this->verticesOfWhole_; }
   Id numberOfFacesOfWhole() const { return this->facesOfWhole_; }

@@ -160,8 +160,8 @@ Id SurfacePatch::faceAt(const RankAddress& face) const
 
 Id SurfacePatch::vertexAt(Id numberInWhole) const
 {
-  const auto found = std::lower_bound(
-    this->numberInWhole_.begin(), this->numberInWhole_.end(), numberInWhole);
+  const auto found =
+    std::lower_bound(this->numberInWhole_.begin(), this->numberInWhole_.end(), numberInWhole);
   return found == this->numberInWhole_.end() || numberInWhole < *found
     ? NoId
     : static_cast<Id>(found - this->numberInWhole_.begin());

@@ -9,8 +9,8 @@
 namespace geodesic
 {
 
-/// Finds vertices of a surface that ranks have together by their numbers in the whole: the rank that
-/// counts a vertex, and on that rank the vertex.
+/// Finds vertices of a surface that ranks have together by their numbers in the whole: the rank
+/// that counts a vertex, and on that rank the vertex.
 class VerticesOfWhole
 {
 public:

@@ -9,7 +9,8 @@ namespace geodesic
 {
 
 /// What sources on a patch that all ranks have give the front of this rank's part: the windows that
-/// leave faces owned here, the sources in these faces and in the halo, and the vertices of the part.
+/// leave faces owned here, the sources in these faces and in the halo, and the vertices of the
+/// part.
 ///
 /// \param onPatch of curves whose points lie in faces that were asked for when the patch was made.
 SourceWindows sourceWindowsOfPart(

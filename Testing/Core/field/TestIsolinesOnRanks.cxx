@@ -188,8 +188,7 @@ std::vector<PlainLine> linesInOnePiece(const CaseWithValues& c, bool sided)
 {
   const geodesic::TriangleMesh mesh = engineMesh(c.plain.mesh);
   const std::vector<geodesic::SourceCurve> curves = engineCurves(mesh, c.plain.curves);
-  const geodesic::DistanceField field =
-    solveForIsolines(mesh, curves, c.values, withArrivals());
+  const geodesic::DistanceField field = solveForIsolines(mesh, curves, c.values, withArrivals());
   Isolines isolines = drawIsolines(field, c.options());
   if (sided)
   {
@@ -208,8 +207,8 @@ std::vector<PlainLine> linesOnRanks(
     [&](const RankOfRun& rank)
     {
       const geodesic::TriangleMesh& mesh = rank.part.mesh();
-      const geodesic::DistanceField field = solveForIsolines(
-        mesh, rank.sources, c.values, withArrivals(&rank.part), droppingSolves);
+      const geodesic::DistanceField field =
+        solveForIsolines(mesh, rank.sources, c.values, withArrivals(&rank.part), droppingSolves);
       Isolines isolines = drawIsolines(field, c.options());
       if (sided)
       {
@@ -226,7 +225,9 @@ std::vector<PlainLine> linesOnRanks(
         }
       }
       const std::vector<PlainLine> own = plainLines(mesh, isolines,
-        [&](Id face) { return wholeFaceOf(rank, { rank.exchange.rank(), face }); });
+        [&](Id face) {
+          return wholeFaceOf(rank, { rank.exchange.rank(), face });
+        });
       lines.insert(lines.end(), own.begin(), own.end());
     });
   return lines;
@@ -251,8 +252,8 @@ void expectAtValues(
   }
 }
 
-void expectSame(const CaseWithValues& c, const std::vector<PlainLine>& lines,
-  const std::vector<PlainLine>& whole)
+void expectSame(
+  const CaseWithValues& c, const std::vector<PlainLine>& lines, const std::vector<PlainLine>& whole)
 {
   for (std::size_t value = 0; value < c.values.size(); ++value)
   {

@@ -87,7 +87,8 @@ std::vector<Told> toldInOnePiece(const RandomCase& c)
   return told;
 }
 
-/// The same by all ranks: of a vertex by each that has it, of a query by the one that owns its face.
+/// The same by all ranks: of a vertex by each that has it, of a query by the one that owns its
+/// face.
 class ToldOnRanks
 {
 public:
@@ -113,8 +114,8 @@ private:
     for (geodesic::Id vertex = 0; vertex < rank.wholeVertices.size(); ++vertex)
     {
       const LastPiece piece = geodesic::lastPieceTo(field, SurfacePoint::atVertex(vertex));
-      this->add(rank, rank.wholeVertices[vertex],
-        tell(nearest.atVertex(vertex), nearest, piece, mesh));
+      this->add(
+        rank, rank.wholeVertices[vertex], tell(nearest.atVertex(vertex), nearest, piece, mesh));
     }
     for (std::size_t i = 0; i < this->case_.queries.size(); ++i)
     {
@@ -122,10 +123,10 @@ private:
       const geodesic::RankAddress face = rank.facesOnRanks[query.face];
       if (face.rank == rank.exchange.rank() && rank.part.isOwn(face.id))
       {
-        const LastPiece piece = geodesic::lastPieceTo(
-          field, geodesic::fromBarycentric(mesh, face.id, query.weights));
-        this->add(rank, this->case_.mesh.points.size() + i,
-          tell(nearest.of(piece), nearest, piece, mesh));
+        const LastPiece piece =
+          geodesic::lastPieceTo(field, geodesic::fromBarycentric(mesh, face.id, query.weights));
+        this->add(
+          rank, this->case_.mesh.points.size() + i, tell(nearest.of(piece), nearest, piece, mesh));
       }
     }
   }
@@ -249,8 +250,7 @@ private:
     {
       ++this->directionsElsewhere_;
     }
-    if (told.curve != one.curve ||
-      spaceDistance(told.place, one.place) > 1e-6 * this->largest_)
+    if (told.curve != one.curve || spaceDistance(told.place, one.place) > 1e-6 * this->largest_)
     {
       ++this->feetElsewhere_;
       this->checkFoot(i, told);

@@ -61,18 +61,18 @@ bool isInFace(const PlainMesh& mesh, Index face, const Vec3& place, double slack
 {
   using geodesic::operator-;
   const Triangle& t = mesh.triangles[face];
-  const auto corner = [&](std::size_t k) -> geodesic::Vec3
-  { return { mesh.points[t[k]][0], mesh.points[t[k]][1], mesh.points[t[k]][2] }; };
+  const auto corner = [&](std::size_t k) -> geodesic::Vec3 {
+    return { mesh.points[t[k]][0], mesh.points[t[k]][1], mesh.points[t[k]][2] };
+  };
   const geodesic::Vec3 p = { place[0], place[1], place[2] };
-  const geodesic::Vec3 normal =
-    geodesic::cross(corner(1) - corner(0), corner(2) - corner(0));
+  const geodesic::Vec3 normal = geodesic::cross(corner(1) - corner(0), corner(2) - corner(0));
   const double area2 = geodesic::norm(normal);
   double out = std::abs(geodesic::dot(p - corner(0), normal)) / area2;
   for (std::size_t k = 0; k < 3; ++k)
   {
     const geodesic::Vec3 edge = corner((k + 1) % 3) - corner(k);
-    const double above = geodesic::dot(geodesic::cross(edge, p - corner(k)), normal) /
-      (area2 * geodesic::norm(edge));
+    const double above =
+      geodesic::dot(geodesic::cross(edge, p - corner(k)), normal) / (area2 * geodesic::norm(edge));
     out = std::max(out, -above);
   }
   return out <= slack;
@@ -266,8 +266,7 @@ TEST_P(PathsOnRanks, InStripsAreShortest)
         {
           ++tried;
           const geodesic::RankAddress face = rank.facesOnRanks[c.queries[i].face];
-          const geodesic::TargetOnRank target = { face, c.queries[i].weights,
-            c.truth.queries[i] };
+          const geodesic::TargetOnRank target = { face, c.queries[i].weights, c.truth.queries[i] };
           const PathInSpace path = geodesic::pathInStrip(
             rank.part, rank.patch, numbered(rank.curvesOnPatch), target, known, {}, {});
           const std::lock_guard<std::mutex> lock(mutex);
