@@ -98,12 +98,12 @@ private:
   double Tolerance() const;
   void ShareNumbers(Result& result) const;
   void WriteNothing(bool isRefined, vtkDataObject* output) const;
-  void RequirePlainField() const;
   Result Compute();
   void ScaleToUser(Result& result) const;
   geodesic::FrontOptions FrontOptions(double endOfProgress) const;
   geodesic::DistanceField Solve(bool refine) const;
   geodesic::DistanceField SolveInPieces(bool refine) const;
+  geodesic::SourceWindows SourcesOfPiece() const;
   geodesic::DistanceField SolveExactly(const Result& result) const;
   void RequireSides() const;
   void FindSources(const geodesic::DistanceField& field, Result& result) const;
@@ -181,6 +181,7 @@ void vtkGeodesicDistanceField::vtkWorker::WriteNothing(bool isRefined, vtkDataOb
     distances->SetName(this->Self->DistanceArrayName);
     block->GetPointData()->AddArray(distances);
     block->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
+    geodesic::addEmptyArrays(this->Choice, block);
     if (isRefined)
     {
       vtkNew<vtkIdTypeArray> originals;
@@ -224,7 +225,6 @@ bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
 vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker::Compute()
 {
   Result result;
-  this->RequirePlainField();
   this->RequireSides();
   this->Execution.enter(geodesic::Stage::ComputingDistances);
   result.isRefined = this->CanRefine();
@@ -244,26 +244,11 @@ vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker:
   if (this->Choice.isAny())
   {
     this->FindSources(field, result);
+    this->Arrays().completeValues(result.atVertices);
   }
   this->Execution.surface().completeValues(geodesic::Infinity, result.vertexDistances);
   this->ScaleToUser(result);
   return result;
-}
-
-//------------------------------------------------------------------------------
-// What cannot be had of a surface that is distributed over ranks.
-void vtkGeodesicDistanceField::vtkWorker::RequirePlainField() const
-{
-  if (!this->Execution.surface().part())
-  {
-    return;
-  }
-  const std::string where = " where the surface (input port 0) is distributed over several ranks. ";
-  if (this->Choice.isAny())
-  {
-    throw geodesic::InputError(std::string(this->Arrays().names().front()) + " cannot be had" +
-      where + "Switch it off, or have the whole surface on one rank.");
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -297,8 +282,10 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveExactly(
     }
   }
   geodesic::KeepFaces retention(mesh, std::move(faces));
-  geodesic::FrontResult front =
-    geodesic::propagate(mesh, this->Execution.sources().curves, options, retention);
+  options.part = this->Execution.surface().part();
+  geodesic::FrontResult front = options.part
+    ? geodesic::propagate(mesh, this->SourcesOfPiece(), options, retention)
+    : geodesic::propagate(mesh, this->Execution.sources().curves, options, retention);
   return { mesh, std::move(front), retention.release() };
 }
 
@@ -326,7 +313,10 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(
     const double begin = FieldDoneBeforeSources + i * step;
     return this->Execution.progressBetween(begin, begin + step);
   };
-  geodesic::NearestSource nearest(exact, this->Execution.sources().curves, part(0));
+  const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
+  geodesic::NearestSource nearest = this->Execution.surface().part()
+    ? geodesic::NearestSource(exact, this->Execution.patch(), curves, part(0))
+    : geodesic::NearestSource(exact, curves, part(0));
   const geodesic::SourceArrays arrays = this->Arrays();
   result.atVertices = arrays.atVertices(field, nearest, part(1));
   for (const geodesic::RefinedMesh& refined : result.refined)
@@ -405,18 +395,25 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::Solve(bool refine) 
 geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveInPieces(bool refine) const
 {
   const geodesic::SurfacePart& part = *this->Execution.surface().part();
-  const geodesic::SurfacePatch& patch = this->Execution.patch();
   geodesic::FrontOptions options =
     this->FrontOptions(refine ? FieldDoneBeforeRefinement : this->DistancesDone);
   options.part = &part;
-  geodesic::SourceWindows windows = geodesic::sourceWindowsOfPart(
-    part, patch, geodesic::makeSourceWindows(patch.mesh(), this->Execution.sources().curves));
   if (refine)
   {
-    return geodesic::solveForRefinement(part.mesh(), windows, this->Tolerance(), options);
+    return geodesic::solveForRefinement(
+      part.mesh(), this->SourcesOfPiece(), this->Tolerance(), options);
   }
   geodesic::KeepNone none;
-  return { part.mesh(), geodesic::propagate(part.mesh(), std::move(windows), options, none), {} };
+  return { part.mesh(), geodesic::propagate(part.mesh(), this->SourcesOfPiece(), options, none),
+    {} };
+}
+
+//------------------------------------------------------------------------------
+geodesic::SourceWindows vtkGeodesicDistanceField::vtkWorker::SourcesOfPiece() const
+{
+  const geodesic::SurfacePatch& patch = this->Execution.patch();
+  return geodesic::sourceWindowsOfPart(*this->Execution.surface().part(), patch,
+    geodesic::makeSourceWindows(patch.mesh(), this->Execution.sources().curves));
 }
 
 //------------------------------------------------------------------------------
@@ -463,8 +460,15 @@ geodesic::RefinedMesh vtkGeodesicDistanceField::vtkWorker::Refine(
   const auto most = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells);
   if (options.part)
   {
-    geodesic::addOtherTrianglesOfPiece(
-      this->Execution.surface(), most, options.cornerPoints, refined);
+    const bool hasCopies = !geodesic::addOtherTrianglesOfPiece(
+      this->Execution.surface(), most, options.cornerPoints, refined)
+                              .empty();
+    if (this->Choice.isAny() && options.part->exchange().isTrueAnywhere(hasCopies))
+    {
+      throw geodesic::InputError(std::string(this->Arrays().names().front()) +
+        " cannot be had at the new points of ghost cells of a surface (input port 0) that is "
+        "distributed over several ranks. Switch it or RefineMesh off, or remove the ghost cells.");
+    }
   }
   else
   {

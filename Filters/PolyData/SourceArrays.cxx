@@ -67,6 +67,40 @@ std::vector<const char*> namesOf(const SourceArrayChoice& choice)
   return names;
 }
 
+void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output)
+{
+  for (const char* name : namesOf(choice))
+  {
+    if (name == std::string(SourceIdName))
+    {
+      output->GetPointData()->AddArray(makeArray<vtkIdTypeArray>(name, 1, 0));
+      continue;
+    }
+    const int components = name == std::string(SignedDistanceName) ? 1 : 3;
+    output->GetPointData()->AddArray(makeArray<vtkDoubleArray>(name, components, 0));
+  }
+}
+
+void SourceArrays::completeValues(SourceValues& atVertices) const
+{
+  if (this->choice_.sourceIds)
+  {
+    this->surface_.completeValues(NoId, atVertices.sources);
+  }
+  if (this->choice_.closestPoints)
+  {
+    this->surface_.completeValues(Vec3{}, atVertices.closestPoints);
+  }
+  if (this->choice_.gradients)
+  {
+    this->surface_.completeValues(Vec3{}, atVertices.gradients);
+  }
+  if (this->choice_.signedDistances)
+  {
+    this->surface_.completeValues(std::uint8_t(0), atVertices.isOnRight);
+  }
+}
+
 void SourceArrays::reserve(std::size_t count, SourceValues& values) const
 {
   values.sources.reserve(this->choice_.sourceIds ? count : 0);
@@ -84,7 +118,7 @@ void SourceArrays::add(const Foot& foot, const NearestSource& nearest, SourceVal
   if (this->choice_.closestPoints)
   {
     values.closestPoints.push_back(foot.isKnown()
-        ? this->surface_.scale().toUser(position(this->surface_.mesh(), nearest.pointOf(foot)))
+        ? this->surface_.scale().toUser(position(nearest.meshOfCurves(), nearest.pointOf(foot)))
         : Vec3{});
   }
   if (this->choice_.signedDistances)
@@ -99,7 +133,8 @@ SourceValues SourceArrays::atVertices(const DistanceField& computed, const Neare
   SourceValues values;
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  const Id count = computed.mesh().numberOfVertices();
+  const Id count = this->surface_.part() ? this->surface_.part()->numberOfOwnVertices()
+                                         : computed.mesh().numberOfVertices();
   this->reserve(count, values);
   for (Id vertex = 0; vertex < count; ++vertex)
   {
@@ -198,9 +233,9 @@ void SourceArrays::write(const SurfaceBlock& block, const SourceValues& atVertic
   }
 }
 
-Id findFaceWithoutSides(const TriangleMesh& mesh)
+Id findFaceWithoutSides(const TriangleMesh& mesh, Id first, Id end)
 {
-  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+  for (Id halfedge = 3 * first; halfedge < 3 * end; ++halfedge)
   {
     if (!mesh.isBoundary(halfedge) && mesh.acrossOriented(halfedge) == NoId)
     {
@@ -213,10 +248,23 @@ Id findFaceWithoutSides(const TriangleMesh& mesh)
 void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,
   const std::string& property)
 {
-  const Id face = findFaceWithoutSides(surface.mesh());
+  const SurfacePart* part = surface.part();
+  const Id face = part
+    ? findFaceWithoutSides(surface.mesh(), part->firstOwnFace(), part->endOfOwnFaces())
+    : findFaceWithoutSides(surface.mesh(), 0, surface.mesh().numberOfFaces());
   if (face == NoId)
   {
     return;
+  }
+  if (part)
+  {
+    throw MeshError(property +
+      " needs a surface whose faces have one orientation and whose edges have at most two faces, "
+      "which faces of this one (input port 0) on rank " +
+      std::to_string(part->exchange().rank()) +
+      " do not fit. Orient the surface upstream (Generate Surface Normals with Consistency), split "
+      "it, or switch " +
+      property + " off.");
   }
   const Id triangle = surface.triangleOf(face);
   const std::size_t index = surface.blockOfTriangle(triangle);

@@ -35,6 +35,9 @@ struct SourceArrayChoice
 /// The names of the arrays that are asked for.
 std::vector<const char*> namesOf(const SourceArrayChoice& choice);
 
+/// Adds the arrays that are asked for, without values.
+void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output);
+
 /// What the arrays hold for some points, one entry a point in each of those that are asked for.
 struct SourceValues
 {
@@ -68,6 +71,9 @@ public:
   /// \param computed the field that gradients are of, with arrivals.
   SourceValues atVertices(const DistanceField& computed, const NearestSource& nearest,
     const ProgressCallback& progress) const;
+  /// Of a piece, gives values at the mesh's vertices at each vertex that points have, see
+  /// PolyDataSurface. All ranks call this together.
+  void completeValues(SourceValues& atVertices) const;
   /// Of the points that refinement has added.
   ///
   /// \param exact the field that feet are of, with arrivals; the computed one or another.
@@ -95,8 +101,9 @@ private:
 };
 
 /// A face whose neighbours do not tell left from right with it: across an edge of three and more
-/// faces, or one whose faces run along it in one direction. NoId where there is none.
-Id findFaceWithoutSides(const TriangleMesh& mesh);
+/// faces, or one whose faces run along it in one direction. NoId where there is none of the faces
+/// from the first to before the end.
+Id findFaceWithoutSides(const TriangleMesh& mesh, Id first, Id end);
 
 /// \param inputs the blocks that the surface was read from.
 /// \param property what needs sides, for the message.
