@@ -61,6 +61,7 @@ private:
   void FindValues();
   double ChordTolerance() const;
   geodesic::Isolines Draw() const;
+  geodesic::DistanceField Solve(geodesic::FrontOptions options) const;
   geodesic::Isolines OnSides(
     const geodesic::DistanceField& field, const geodesic::Isolines& isolines) const;
 
@@ -77,16 +78,17 @@ private:
 //------------------------------------------------------------------------------
 void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
 {
-  this->Execution.readInputs(geodesic::FilterExecution::Pieces::Refused);
+  this->Execution.readInputs(geodesic::FilterExecution::Pieces::Taken);
   if (this->Execution.surfacePlace() == geodesic::SurfacePlace::Elsewhere)
   {
+    geodesic::addEmptyIsolineArrays(output);
     return;
   }
   this->RequireSides();
   this->FindValues();
   const geodesic::Isolines isolines = this->Draw();
-  this->Execution.notes().add(geodesic::NoteOn::Surface, isolines.linesWithoutDirection,
-    "line crosses", "lines cross",
+  this->Execution.notes().add(geodesic::NoteOn::Surface,
+    this->Execution.sumOverPieces(isolines.linesWithoutDirection), "line crosses", "lines cross",
     "faces of opposite orientation: the direction of such a line says nothing.");
   this->Execution.reach(LinesDrawn);
   this->Execution.enter(geodesic::Stage::WritingOutputs);
@@ -96,9 +98,11 @@ void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
     values.push_back(value.User);
   }
   const geodesic::PolyDataSurface& surface = this->Execution.surface();
-  geodesic::writeIsolines(surface.mesh(), surface.scale(), isolines, values,
-    this->HasZero ? this->Execution.sources().curves : std::vector<geodesic::SourceCurve>(), output,
-    this->Execution.progressBetween(LinesDrawn, 1.0));
+  const bool hasCurves = this->HasZero && this->Execution.hasSourceOutput();
+  geodesic::writeIsolines({ surface.mesh(), isolines, values },
+    { this->Execution.meshOfSources(),
+      hasCurves ? this->Execution.sources().curves : std::vector<geodesic::SourceCurve>() },
+    surface.scale(), output, this->Execution.progressBetween(LinesDrawn, 1.0));
 }
 
 //------------------------------------------------------------------------------
@@ -172,8 +176,7 @@ geodesic::Isolines vtkGeodesicContour::vtkWorker::Draw() const
   front.keepArrivals = this->Self->SignedDistances;
   front.progress =
     this->Execution.progressBetween(geodesic::FilterExecution::InputsRead, FieldDone);
-  const geodesic::DistanceField field = geodesic::solveForIsolines(
-    this->Execution.surface().mesh(), this->Execution.sources().curves, options.values, front);
+  const geodesic::DistanceField field = this->Solve(front);
   this->Execution.reach(FieldDone);
   this->Execution.enter(geodesic::Stage::DrawingLines);
   options.parallelFor = front.parallelFor;
@@ -184,12 +187,25 @@ geodesic::Isolines vtkGeodesicContour::vtkWorker::Draw() const
 }
 
 //------------------------------------------------------------------------------
+geodesic::DistanceField vtkGeodesicContour::vtkWorker::Solve(geodesic::FrontOptions options) const
+{
+  const geodesic::PolyDataSurface& surface = this->Execution.surface();
+  options.part = surface.part();
+  return options.part ? geodesic::solveForIsolines(surface.mesh(), this->Execution.sourcesOfPiece(),
+                          this->Distances, options)
+                      : geodesic::solveForIsolines(surface.mesh(), this->Execution.sources().curves,
+                          this->Distances, options);
+}
+
+//------------------------------------------------------------------------------
 geodesic::Isolines vtkGeodesicContour::vtkWorker::OnSides(
   const geodesic::DistanceField& field, const geodesic::Isolines& isolines) const
 {
   const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
-  geodesic::NearestSource nearest(
-    field, curves, this->Execution.progressBetween(LinesDrawnBeforeSides, SidesKnown));
+  const auto progress = this->Execution.progressBetween(LinesDrawnBeforeSides, SidesKnown);
+  geodesic::NearestSource nearest = this->Execution.surface().part()
+    ? geodesic::NearestSource(field, this->Execution.patch(), curves, progress)
+    : geodesic::NearestSource(field, curves, progress);
   const auto isOnRight = [&](const geodesic::Foot& foot)
   { return geodesic::isOnRight(foot, curves, this->Execution.firstBoundarySource()); };
   return geodesic::linesOnSides(field, nearest, isOnRight, isolines, this->Sides,

@@ -14,7 +14,6 @@
 #include "field/Solve.h"
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
-#include "source/SourceWindowsOfPart.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -103,7 +102,6 @@ private:
   geodesic::FrontOptions FrontOptions(double endOfProgress) const;
   geodesic::DistanceField Solve(bool refine) const;
   geodesic::DistanceField SolveInPieces(bool refine) const;
-  geodesic::SourceWindows SourcesOfPiece() const;
   geodesic::DistanceField SolveExactly(const Result& result) const;
   void RequireSides() const;
   void FindSources(const geodesic::DistanceField& field, Result& result) const;
@@ -284,7 +282,7 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveExactly(
   geodesic::KeepFaces retention(mesh, std::move(faces));
   options.part = this->Execution.surface().part();
   geodesic::FrontResult front = options.part
-    ? geodesic::propagate(mesh, this->SourcesOfPiece(), options, retention)
+    ? geodesic::propagate(mesh, this->Execution.sourcesOfPiece(), options, retention)
     : geodesic::propagate(mesh, this->Execution.sources().curves, options, retention);
   return { mesh, std::move(front), retention.release() };
 }
@@ -401,19 +399,11 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveInPieces(bool 
   if (refine)
   {
     return geodesic::solveForRefinement(
-      part.mesh(), this->SourcesOfPiece(), this->Tolerance(), options);
+      part.mesh(), this->Execution.sourcesOfPiece(), this->Tolerance(), options);
   }
   geodesic::KeepNone none;
-  return { part.mesh(), geodesic::propagate(part.mesh(), this->SourcesOfPiece(), options, none),
-    {} };
-}
-
-//------------------------------------------------------------------------------
-geodesic::SourceWindows vtkGeodesicDistanceField::vtkWorker::SourcesOfPiece() const
-{
-  const geodesic::SurfacePatch& patch = this->Execution.patch();
-  return geodesic::sourceWindowsOfPart(*this->Execution.surface().part(), patch,
-    geodesic::makeSourceWindows(patch.mesh(), this->Execution.sources().curves));
+  return { part.mesh(),
+    geodesic::propagate(part.mesh(), this->Execution.sourcesOfPiece(), options, none), {} };
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "field/FacesBetweenPoints.h"
 #include "field/JoinPoints.h"
 #include "source/BoundaryCurves.h"
+#include "source/SourceWindowsOfPart.h"
 #include "vtkGeodesicAlgorithm.h"
 
 #include "vtkPolyData.h"
@@ -226,6 +227,26 @@ void FilterExecution::finish()
   {
     this->exchange_->step(this->exchange_->noMessages());
   }
+}
+
+SourceWindows FilterExecution::sourcesOfPiece() const
+{
+  return sourceWindowsOfPart(*this->surface().part(), this->patch(),
+    makeSourceWindows(this->patch().mesh(), this->sources_.curves));
+}
+
+std::size_t FilterExecution::sumOverPieces(std::size_t number) const
+{
+  if (this->place_ != SurfacePlace::InPieces)
+  {
+    return number;
+  }
+  Message message;
+  put(message, number);
+  std::size_t sum = 0;
+  readEach(this->exchange_->tellAll(message),
+    [&sum](int, MessageReader& reader) { sum += reader.get<std::size_t>(); });
+  return sum;
 }
 
 const TriangleMesh& FilterExecution::meshOfSources() const

@@ -12,6 +12,7 @@
 #include "PolyData/SurfaceCache.h"
 #include "Progress.h"
 #include "source/PolylineOnSurface.h"
+#include "source/SourceWindows.h"
 
 #include <memory>
 #include <optional>
@@ -125,6 +126,10 @@ public:
   const TriangleMesh& meshOfSources() const;
   /// Where the surface is in pieces: what all ranks have of it around the source.
   const SurfacePatch& patch() const { return this->onRanks_->patch(); }
+  /// What the sources give the front of a piece to begin with.
+  SourceWindows sourcesOfPiece() const;
+  /// The sum over all ranks where each has a piece, which call this together; else the number.
+  std::size_t sumOverPieces(std::size_t number) const;
   /// How many parts the source has: the cells of port 1 (points where there are no cells), then the
   /// loops of the boundary. SourceCurve::source of each curve is below.
   Id numberOfSources() const { return this->numberOfSources_; }
@@ -143,7 +148,8 @@ public:
 
   /// What the user should know.
   Notes& notes() { return this->notes_; }
-  /// Whether this rank tells the user what is in the notes: of several that have the same, one does.
+  /// Whether this rank tells the user what is in the notes: of several that have the same, one
+  /// does.
   bool isNoteGiver() const { return !this->haveAllRanksNotes_ || this->isFirstRank(); }
 
 private:

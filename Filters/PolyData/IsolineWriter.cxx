@@ -22,37 +22,37 @@ constexpr const char* ArrayName = "GeodesicDistance";
 class Writer
 {
 public:
-  Writer(const TriangleMesh& mesh, const PowerOfTwoScale& scale)
-    : mesh_(mesh)
-    , scale_(scale)
+  explicit Writer(const PowerOfTwoScale& scale)
+    : scale_(scale)
   {
     this->points_->SetDataTypeToDouble();
     this->atPoints_->SetName(ArrayName);
     this->atCells_->SetName(ArrayName);
   }
 
-  vtkIdType addPoint(const SurfacePoint& point, double value)
+  vtkIdType addPoint(const TriangleMesh& mesh, const SurfacePoint& point, double value)
   {
     this->atPoints_->InsertNextValue(value);
-    return this->points_->InsertNextPoint(this->scale_.toUser(position(this->mesh_, point)).data());
+    return this->points_->InsertNextPoint(this->scale_.toUser(position(mesh, point)).data());
   }
 
   // Vertices come before lines in the order of the cells.
-  void addPointSources(const std::vector<SourceCurve>& curves)
+  void addPointSources(const WrittenCurves& sources)
   {
-    for (const SourceCurve& curve : curves)
+    for (const SourceCurve& curve : sources.curves)
     {
       if (curve.points.size() == 1)
       {
-        this->vertices_->InsertNextCell({ this->addPoint(curve.points.front(), 0.0) });
+        this->vertices_->InsertNextCell(
+          { this->addPoint(sources.mesh, curve.points.front(), 0.0) });
         this->atCells_->InsertNextValue(0.0);
       }
     }
   }
 
-  void addCurves(const std::vector<SourceCurve>& curves)
+  void addCurves(const WrittenCurves& sources)
   {
-    for (const SourceCurve& curve : curves)
+    for (const SourceCurve& curve : sources.curves)
     {
       if (curve.points.size() > 1)
       {
@@ -63,26 +63,27 @@ public:
         {
           const bool isFirstAgain = closed && i + 1 == curve.points.size();
           this->lines_->InsertCellPoint(
-            isFirstAgain ? first : this->addPoint(curve.points[i], 0.0));
+            isFirstAgain ? first : this->addPoint(sources.mesh, curve.points[i], 0.0));
         }
       }
     }
   }
 
-  void addIsolines(
-    const Isolines& isolines, const std::vector<double>& values, const LoopProgress& progress)
+  void addIsolines(const WrittenIsolines& written, const LoopProgress& progress)
   {
+    const Isolines& isolines = written.isolines;
     std::vector<vtkIdType> numbers(isolines.points.size(), -1);
     for (std::size_t i = 0; i < isolines.lines.size(); ++i)
     {
       progress.at(i, isolines.lines.size());
       const Isoline& line = isolines.lines[i];
-      this->beginLine(line.points.size(), values[line.value]);
+      this->beginLine(line.points.size(), written.values[line.value]);
       for (const Id point : line.points)
       {
         if (numbers[point] < 0)
         {
-          numbers[point] = this->addPoint(isolines.points[point], values[line.value]);
+          numbers[point] =
+            this->addPoint(written.mesh, isolines.points[point], written.values[line.value]);
         }
         this->lines_->InsertCellPoint(numbers[point]);
       }
@@ -105,7 +106,6 @@ private:
     this->atCells_->InsertNextValue(value);
   }
 
-  const TriangleMesh& mesh_;
   const PowerOfTwoScale& scale_;
   vtkNew<vtkPoints> points_;
   vtkNew<vtkCellArray> vertices_;
@@ -116,12 +116,11 @@ private:
 
 }
 
-void writeIsolines(const TriangleMesh& mesh, const PowerOfTwoScale& scale, const Isolines& isolines,
-  const std::vector<double>& values, const std::vector<SourceCurve>& atZero, vtkPolyData* output,
-  const ProgressCallback& callback)
+void writeIsolines(const WrittenIsolines& lines, const WrittenCurves& atZero,
+  const PowerOfTwoScale& scale, vtkPolyData* output, const ProgressCallback& callback)
 {
-  std::size_t size = isolines.points.size();
-  for (const SourceCurve& curve : atZero)
+  std::size_t size = lines.isolines.points.size();
+  for (const SourceCurve& curve : atZero.curves)
   {
     size += curve.points.size();
   }
@@ -129,11 +128,16 @@ void writeIsolines(const TriangleMesh& mesh, const PowerOfTwoScale& scale, const
   requireMemory(static_cast<vtkIdType>(size), 4 * (4 * sizeof(double) + 2 * sizeof(vtkIdType)));
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  Writer writer(mesh, scale);
+  Writer writer(scale);
   writer.addPointSources(atZero);
   writer.addCurves(atZero);
-  writer.addIsolines(isolines, values, progress);
+  writer.addIsolines(lines, progress);
   writer.finish(output);
+}
+
+void addEmptyIsolineArrays(vtkPolyData* output)
+{
+  Writer(PowerOfTwoScale()).finish(output);
 }
 
 }

@@ -13,17 +13,32 @@ class vtkPolyData;
 namespace geodesic
 {
 
+/// Lines on a mesh, with their values in the user's units.
+struct WrittenIsolines
+{
+  const TriangleMesh& mesh;
+  const Isolines& isolines;
+  const std::vector<double>& values;
+};
+
+/// Curves on a mesh, which may be another one.
+struct WrittenCurves
+{
+  const TriangleMesh& mesh;
+  std::vector<SourceCurve> curves;
+};
+
 /// Gives an output lines as polylines that share points, with the value of each as cell and point
 /// array `GeodesicDistance`, the active scalars.
 ///
-/// \param values of the lines, in the user's units.
 /// \param atZero the source, put out as the lines of the value 0: a polyline a curve, a vertex
-/// where
-///        a curve is one point.
+///        where a curve is one point.
 /// \param progress called now and then; returning false throws Aborted.
-void writeIsolines(const TriangleMesh& mesh, const PowerOfTwoScale& scale, const Isolines& isolines,
-  const std::vector<double>& values, const std::vector<SourceCurve>& atZero, vtkPolyData* output,
-  const ProgressCallback& progress);
+void writeIsolines(const WrittenIsolines& lines, const WrittenCurves& atZero,
+  const PowerOfTwoScale& scale, vtkPolyData* output, const ProgressCallback& progress);
+
+/// The same arrays without lines.
+void addEmptyIsolineArrays(vtkPolyData* output);
 
 }
 
