@@ -229,6 +229,23 @@ void FilterExecution::finish()
   }
 }
 
+int FilterExecution::rankOfTarget(std::size_t number) const
+{
+  const GatheredBlocks& gathered =
+    this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;
+  std::size_t block = 0;
+  for (std::size_t points = 0; block < gathered.blocks().size(); ++block)
+  {
+    points += static_cast<std::size_t>(gathered.blocks()[block].data->GetNumberOfPoints());
+    if (number < points)
+    {
+      break;
+    }
+  }
+  const std::vector<std::size_t>& first = gathered.firstOfRank();
+  return static_cast<int>(std::upper_bound(first.begin(), first.end(), block) - first.begin()) - 1;
+}
+
 SourceWindows FilterExecution::sourcesOfPiece() const
 {
   return sourceWindowsOfPart(*this->surface().part(), this->patch(),
@@ -273,8 +290,10 @@ Targets FilterExecution::readTargets(double end)
     this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;
   const std::vector<PolyDataBlock> blocks =
     this->exchange_ ? gathered.blocks() : polyDataBlocks(input, name);
-  Targets targets = geodesic::readTargets(
-    blocks, name, this->surface(), this->locator(), this->progressBetween(InputsRead, end));
+  const ProgressCallback progress = this->progressBetween(InputsRead, end);
+  Targets targets = this->place_ == SurfacePlace::InPieces
+    ? readTargetsOfPiece(blocks, name, this->surface(), this->cache_.locatorOnRanks(), progress)
+    : geodesic::readTargets(blocks, name, this->surface(), this->locator(), progress);
   this->reach(end);
   return targets;
 }

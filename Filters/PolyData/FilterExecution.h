@@ -126,6 +126,8 @@ public:
   const TriangleMesh& meshOfSources() const;
   /// Where the surface is in pieces: what all ranks have of it around the source.
   const SurfacePatch& patch() const { return this->onRanks_->patch(); }
+  /// The rank whose input had a target, by its number; 0 where all had it.
+  int rankOfTarget(std::size_t number) const;
   /// What the sources give the front of a piece to begin with.
   SourceWindows sourcesOfPiece() const;
   /// The sum over all ranks where each has a piece, which call this together; else the number.

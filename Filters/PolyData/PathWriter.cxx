@@ -12,8 +12,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-
 namespace geodesic
 {
 
@@ -24,9 +22,8 @@ namespace
 class PathArrays
 {
 public:
-  PathArrays(const TriangleMesh& mesh, const PowerOfTwoScale& scale)
-    : mesh_(mesh)
-    , scale_(scale)
+  explicit PathArrays(const PowerOfTwoScale& scale)
+    : scale_(scale)
   {
     this->points_->SetDataTypeToDouble();
     this->left_->SetName("GeodesicDistance");
@@ -50,16 +47,16 @@ public:
     this->snapDistances_->Allocate(paths);
   }
 
-  void add(vtkIdType target, const PathToSource& path, double snapDistance)
+  void add(const PathOfTarget& path)
   {
-    const auto count = static_cast<vtkIdType>(path.points.size());
+    const std::vector<Vec3>& places = path.points;
+    const auto count = static_cast<vtkIdType>(places.size());
     const vtkIdType first = this->nextPoint_;
     this->lines_->InsertNextCell(static_cast<int>(count));
-    std::vector<Vec3> places;
     for (vtkIdType i = 0; i < count; ++i)
     {
-      places.push_back(position(this->mesh_, path.points[static_cast<std::size_t>(i)]));
-      this->points_->SetPoint(first + i, this->scale_.toUser(places.back()).data());
+      this->points_->SetPoint(
+        first + i, this->scale_.toUser(places[static_cast<std::size_t>(i)]).data());
       this->lines_->InsertCellPoint(first + i);
     }
     double left = 0.0;
@@ -70,10 +67,10 @@ public:
       this->left_->SetValue(first + i, this->toUser(left));
     }
     this->lengths_->InsertNextValue(this->toUser(left));
-    this->targetIds_->InsertNextValue(target);
+    this->targetIds_->InsertNextValue(static_cast<vtkIdType>(path.target));
     this->sourceIds_->InsertNextValue(
       path.source == NoId ? vtkIdType(-1) : static_cast<vtkIdType>(path.source));
-    this->snapDistances_->InsertNextValue(this->scale_.toUser(snapDistance));
+    this->snapDistances_->InsertNextValue(this->scale_.toUser(path.snapDistance));
     this->nextPoint_ += count;
   }
 
@@ -101,7 +98,6 @@ private:
     return result;
   }
 
-  const TriangleMesh& mesh_;
   const PowerOfTwoScale& scale_;
   vtkIdType nextPoint_ = 0;
   vtkNew<vtkPoints> points_;
@@ -113,35 +109,63 @@ private:
   vtkNew<vtkDoubleArray> snapDistances_;
 };
 
-}
-
-void writePaths(const TriangleMesh& mesh, const PowerOfTwoScale& scale, const Targets& targets,
-  const std::vector<PathToSource>& paths, vtkPolyData* output, const ProgressCallback& callback)
+/// \param sizeOf (i) -> how many points path i has; 0: it is left out.
+/// \param pathAt (i) -> PathOfTarget.
+template <typename SizeOf, typename PathAt>
+void writeAll(std::size_t count, const SizeOf& sizeOf, const PathAt& pathAt,
+  const PowerOfTwoScale& scale, vtkPolyData* output, const ProgressCallback& callback)
 {
-  vtkIdType count = 0;
+  vtkIdType paths = 0;
   vtkIdType points = 0;
-  for (const PathToSource& path : paths)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    count += path.points.empty() ? 0 : 1;
-    points += static_cast<vtkIdType>(path.points.size());
+    paths += sizeOf(i) > 0 ? 1 : 0;
+    points += static_cast<vtkIdType>(sizeOf(i));
   }
-  PathArrays arrays(mesh, scale);
-  arrays.allocate(count, points);
+  PathArrays arrays(scale);
+  arrays.allocate(paths, points);
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
   std::size_t done = 0; // points: paths may be long
-  for (std::size_t i = 0; i < paths.size(); ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    if (!paths[i].points.empty())
+    if (sizeOf(i) > 0)
     {
-      arrays.add(static_cast<vtkIdType>(targets.numbers[i]), paths[i], targets.snapDistances[i]);
-      for (std::size_t k = 0; k < paths[i].points.size(); ++k)
+      arrays.add(pathAt(i));
+      for (std::size_t k = 0; k < sizeOf(i); ++k)
       {
         progress.at(done++, static_cast<std::size_t>(points));
       }
     }
   }
   arrays.giveTo(output);
+}
+
+}
+
+void writePaths(const TriangleMesh& mesh, const PowerOfTwoScale& scale, const Targets& targets,
+  const std::vector<PathToSource>& paths, vtkPolyData* output, const ProgressCallback& progress)
+{
+  const auto pathAt = [&](std::size_t i)
+  {
+    PathOfTarget path = { targets.numbers[i], targets.snapDistances[i], {}, paths[i].source };
+    for (const SurfacePoint& point : paths[i].points)
+    {
+      path.points.push_back(position(mesh, point));
+    }
+    return path;
+  };
+  writeAll(
+    paths.size(), [&](std::size_t i) { return paths[i].points.size(); }, pathAt, scale, output,
+    progress);
+}
+
+void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,
+  vtkPolyData* output, const ProgressCallback& progress)
+{
+  writeAll(
+    paths.size(), [&](std::size_t i) { return paths[i].points.size(); },
+    [&](std::size_t i) { return paths[i]; }, scale, output, progress);
 }
 
 }

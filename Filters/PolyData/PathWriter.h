@@ -6,6 +6,8 @@
 #include "PolyData/PowerOfTwoScale.h"
 #include "field/PathsToSource.h"
 
+#include <vector>
+
 class vtkPolyData;
 
 namespace geodesic
@@ -20,6 +22,21 @@ namespace geodesic
 /// \throws MeshError where a length is larger than numbers can be.
 void writePaths(const TriangleMesh& mesh, const PowerOfTwoScale& scale, const Targets& targets,
   const std::vector<PathToSource>& paths, vtkPolyData* output, const ProgressCallback& progress);
+
+/// A path of a target, by places in space on the mesh's scale.
+struct PathOfTarget
+{
+  /// Number of the target.
+  std::size_t target = 0;
+  double snapDistance = 0.0;
+  std::vector<Vec3> points;
+  /// SourceCurve::source of a curve that the end lies on.
+  Id source = NoId;
+};
+
+/// The same of such paths, in their order.
+void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,
+  vtkPolyData* output, const ProgressCallback& progress);
 
 }
 

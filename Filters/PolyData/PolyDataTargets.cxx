@@ -47,6 +47,22 @@ void addPoints(
   }
 }
 
+std::vector<LocatedPolyline> readPoints(
+  const std::vector<PolyDataBlock>& blocks, const std::string& name, const PowerOfTwoScale& scale)
+{
+  std::vector<LocatedPolyline> points;
+  for (const PolyDataBlock& block : blocks)
+  {
+    addPoints(block, scale, points);
+  }
+  if (points.empty())
+  {
+    throw InputError(
+      capitalized(name) + " is empty: there are no points. Connect at least one point.");
+  }
+  return points;
+}
+
 /// Of equally close faces the one in which the point lies on a vertex, or else on an edge, and else
 /// the first: what putOntoSurface() does with a single point.
 SnappedPoint snapped(
@@ -71,16 +87,7 @@ SnappedPoint snapped(
 Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
   const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress)
 {
-  std::vector<LocatedPolyline> points;
-  for (const PolyDataBlock& block : blocks)
-  {
-    addPoints(block, surface.scale(), points);
-  }
-  if (points.empty())
-  {
-    throw InputError(
-      capitalized(name) + " is empty: there are no points. Connect at least one point.");
-  }
+  std::vector<LocatedPolyline> points = readPoints(blocks, name, surface.scale());
   const double precision = snapOptionsFor(blocks).coordinatePrecision;
   locator.locate(points, precision,
     [&progress](double fraction) { return !progress || progress(Located * fraction); });
@@ -102,6 +109,58 @@ Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string&
     targets.numbers.push_back(i);
     targets.places.push_back(point.place);
     targets.snapDistances.push_back(point.distance);
+  }
+  return targets;
+}
+
+Targets readTargetsOfPiece(const std::vector<PolyDataBlock>& blocks, const std::string& name,
+  const PolyDataSurface& surface, LocatorOnRanks& locator, const ProgressCallback& progress)
+{
+  std::vector<LocatedPolyline> points = readPoints(blocks, name, surface.scale());
+  const double precision = snapOptionsFor(blocks).coordinatePrecision;
+  std::vector<Vec3> places;
+  for (const LocatedPolyline& point : points)
+  {
+    places.push_back(point.points.front());
+  }
+  const std::vector<std::vector<LocatorOnRanks::Found>> found =
+    locator.locate(places, precision, progress);
+  const SurfacePart& part = *surface.part();
+  Targets targets;
+  targets.count = points.size();
+  // A target's face is the one that snapped() takes: vertices come first, then edges. The rank that
+  // owns it has the target.
+  std::vector<double> best(points.size(), Infinity);
+  std::vector<SnappedPoint> own(points.size());
+  std::vector<double> ranked(points.size(), Infinity);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (std::size_t k = 0; k < found[i].size(); ++k)
+    {
+      const RankAddress& face = found[i][k].face;
+      if (face.rank == part.exchange().rank())
+      {
+        const SnappedPoint here = snapToFace(part.mesh(), face.id, places[i], precision);
+        const double order =
+          static_cast<double>(static_cast<std::size_t>(here.place.kind) * found[i].size() + k);
+        if (order < ranked[i])
+        {
+          ranked[i] = order;
+          own[i] = here;
+        }
+      }
+    }
+    best[i] = ranked[i];
+  }
+  part.exchange().findLeast(best);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (ranked[i] == best[i] && best[i] < Infinity)
+    {
+      targets.numbers.push_back(i);
+      targets.places.push_back(own[i].place);
+      targets.snapDistances.push_back(own[i].distance);
+    }
   }
   return targets;
 }

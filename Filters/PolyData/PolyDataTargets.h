@@ -4,6 +4,7 @@
 
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PolyDataSurface.h"
+#include "PolyData/SourceOnRanks.h"
 #include "mesh/SurfacePoint.h"
 #include "source/PolylineLocator.h"
 
@@ -34,6 +35,11 @@ struct Targets
 /// \throws InputError where there is no point, or one is not finite or too far away; Aborted.
 Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
   const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress);
+
+/// The same for a surface that ranks have in pieces, which all call this together with the same
+/// points: each gets the targets whose places are in faces that it owns, a target one rank.
+Targets readTargetsOfPiece(const std::vector<PolyDataBlock>& blocks, const std::string& name,
+  const PolyDataSurface& surface, LocatorOnRanks& locator, const ProgressCallback& progress);
 
 }
 
