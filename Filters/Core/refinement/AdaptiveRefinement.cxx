@@ -78,7 +78,7 @@ private:
   void raiseBound(double bound) { this->bound_ = std::max(this->bound_, bound); }
   double largestOf(double number) const;
   Id numberOfCallersPoints() const;
-  double fractionDone(double worst) const;
+  void report();
   std::uint64_t maximumTriangles() const;
 
   const DistanceField& field_;
@@ -235,8 +235,11 @@ void Refiner::refineWorst()
     for (const Id triangle : this->changed_)
     {
       this->assess(triangle);
+      if (this->seams_)
+      {
+        this->report(); // there are many
+      }
     }
-    this->progress_.at(this->fractionDone(this->violations_.worst()));
   }
 }
 
@@ -250,6 +253,7 @@ bool Refiner::refineBatch()
     {
       this->refine(violation);
       this->close();
+      this->report();
     }
   }
   if (!this->seams_)
@@ -285,6 +289,7 @@ bool Refiner::settleSeams()
       {
         inRound(round);
         this->triangles_.split(edge, placement);
+        this->report();
       },
       [&](Id edge, int round)
       {
@@ -394,12 +399,12 @@ void Refiner::certifyRest()
 
 // The errors fall from the worst at first to the tolerance, by about the same factor with each
 // level.
-double Refiner::fractionDone(double worst) const
+void Refiner::report()
 {
-  const double open = std::log(worst / this->tolerance_);
+  const double open = std::log(this->violations_.worst() / this->tolerance_);
   const double openAtFirst = std::log(this->worstAtFirst_ / this->tolerance_);
   const double done = openAtFirst > 0.0 ? 1.0 - std::clamp(open / openAtFirst, 0.0, 1.0) : 0.0;
-  return ShareOfFirstPass + (1.0 - ShareOfFirstPass - ShareOfOutput) * done;
+  this->progress_.at(ShareOfFirstPass + (1.0 - ShareOfFirstPass - ShareOfOutput) * done);
 }
 
 void requireUsable(const DistanceField& field, const RefinementOptions& options)

@@ -34,6 +34,7 @@ public:
   void ask(Id edge, int round);
   /// Tells the other ranks that have an edge that this one, which decides, has split it.
   void tell(Id edge, int round);
+
   enum class State
   {
     /// No rank had anything to say.
