@@ -9,7 +9,7 @@ import traceback
 import numpy as np
 from paraview import simple
 from geodesic_testing import data, load_plugin, messages, points
-from geodesicdistance import vtkGeodesicDistanceField
+from geodesicdistance import vtkGeodesicContour, vtkGeodesicDistanceField, vtkGeodesicPaths
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJReader
@@ -220,6 +220,103 @@ def generated_surfaces():
             "from a section in pieces")
 
 
+def whole_sphere():
+    source = vtkSphereSource()
+    source.SetThetaResolution(40)
+    source.SetPhiResolution(30)
+    source.Update()
+    return source.GetOutput()
+
+
+def alone_with(filter_class, surface, source, **properties):
+    """The output of a filter in this process alone."""
+    alone = filter_class()
+    alone.SetController(None)
+    alone.SetInputData(surface)
+    alone.SetSourceData(source)
+    for name, value in properties.items():
+        getattr(alone, "Set" + name)(value)
+    alone.Update()
+    return alone.GetOutput()
+
+
+def arrays_beside_the_distance():
+    """What is nearest to each point, and where, is what one process finds."""
+    sphere = simple.Sphere(ThetaResolution=40, PhiResolution=30)
+    producer, cloud = point_cloud([(0.5, 0, 0.01), (-0.2, 0.4, 0.2), (0.1, -0.1, -0.5)])
+    switches = {"GenerateSourceIds": 1, "GenerateClosestPoints": 1, "GenerateGradients": 1}
+    output = data(GeodesicDistanceField(Input=sphere, Source=producer, RefineMesh=0, **switches))
+    whole = alone_with(vtkGeodesicDistanceField, whole_sphere(), cloud, RefineMesh=0, **switches)
+    if output.GetNumberOfPoints() == 0:
+        return
+    nearest = [np.argmin(((points(whole) - p) ** 2).sum(axis=1)) for p in points(output)]
+
+    def both(name):
+        return (vtk_to_numpy(output.GetPointData().GetArray(name)),
+                vtk_to_numpy(whole.GetPointData().GetArray(name))[nearest])
+    ids, expected = both("SourceId")
+    same = ids == expected
+    check(same.mean() > 0.98, f"the same source is nearest, where none ties: {same.mean()}")
+    check(set(ids) <= {0, 1, 2}, f"sources are numbered over all ranks: {set(ids)}")
+    for name, tolerance in (("ClosestSourcePoint", ROUNDED), ("DistanceGradient", 1e-3)):
+        ours, theirs = both(name)
+        far = np.linalg.norm(ours - theirs, axis=1)[same] > tolerance
+        # Where two ways to a source are equally long either may be told.
+        check(far.mean() < 0.02, f"{name} is that of one process but at {far.sum()} points")
+
+
+def lines_over_seams():
+    """Lines of all ranks together are those of one process; they meet at seams."""
+    sphere = simple.Sphere(ThetaResolution=40, PhiResolution=30)
+    producer, cloud = point_cloud([(0.5, 0, 0.01), (-0.2, 0.4, 0.2)])
+    values = [0.1, 0.4, 0.7]
+    ours = data(simple.GeodesicContour(Input=sphere, Source=producer, Distances=values))
+    alone = vtkGeodesicContour()
+    alone.SetController(None)
+    alone.SetInputData(whole_sphere())
+    alone.SetSourceData(cloud)
+    for i, value in enumerate(values):
+        alone.SetValue(i, value)
+    alone.Update()
+
+    def lengths(lines):
+        found = dict.fromkeys(values, 0.0)
+        for i in range(lines.GetNumberOfCells()):
+            p = vtk_to_numpy(lines.GetCell(i).GetPoints().GetData())
+            value = lines.GetCellData().GetArray("GeodesicDistance").GetValue(i)
+            found[value] += np.linalg.norm(np.diff(p, axis=0), axis=1).sum()
+        return found
+    whole = lengths(alone.GetOutput())
+    for value, length in lengths(ours).items():
+        summed = total(length)
+        check(abs(summed - whole[value]) < 1e-5 * whole[value],
+              f"lines at {value} measure {summed}, not {whole[value]}")
+
+
+def paths_over_seams():
+    """Every target has its path, of the length that one process finds, on the rank it was on."""
+    sphere = simple.Sphere(ThetaResolution=40, PhiResolution=30)
+    producer, cloud = point_cloud([(0.5, 0, 0.01)])
+    targets, places = point_cloud([(-0.5, 0, 0), (0, 0.5, 0), (0.1, -0.3, 0.4), (0, 0, -0.5)])
+    ours = data(simple.GeodesicPaths(Input=sphere, Source=producer, Targets=targets))
+    alone = vtkGeodesicPaths()
+    alone.SetController(None)
+    alone.SetInputData(whole_sphere())
+    alone.SetSourceData(cloud)
+    alone.SetTargetsData(places)
+    alone.Update()
+    whole = vtk_to_numpy(alone.GetOutput().GetCellData().GetArray("GeodesicDistance"))
+    check(total(ours.GetNumberOfCells()) == 4, "there is a path for each target")
+    check(RANK == 0 or ours.GetNumberOfCells() == 0, "targets that all have are of the first rank")
+    for i in range(ours.GetNumberOfCells()):
+        target = int(ours.GetCellData().GetArray("TargetId").GetValue(i))
+        length = ours.GetCellData().GetArray("GeodesicDistance").GetValue(i)
+        check(abs(length - whole[target]) < 1e-5, f"path {target} measures {length}")
+        p = vtk_to_numpy(ours.GetCell(i).GetPoints().GetData())
+        measured = np.linalg.norm(np.diff(p, axis=0), axis=1).sum()
+        check(abs(measured - length) < 1e-12, f"path {target} is as long as it says")
+
+
 def ghosts_and_empty_ranks():
     found = mesh("spot.obj")
     if not found:
@@ -304,8 +401,9 @@ def alone():
 
 
 try:
-    for case in (real_meshes, curve_across_seams, generated_surfaces, ghosts_and_empty_ranks,
-                 written_and_read, errors, alone):
+    for case in (real_meshes, curve_across_seams, generated_surfaces, arrays_beside_the_distance,
+                 lines_over_seams, paths_over_seams, ghosts_and_empty_ranks, written_and_read,
+                 errors, alone):
         case()
         controller.Barrier()
         if RANK == 0:
