@@ -41,10 +41,10 @@
  * only of faces that may hold a value. It runs, like the drawing, on the threads that vtkSMPTools
  * is set to use, with the same result for any number of them.
  *
- * @warning
- * A surface that is distributed over several MPI ranks is an error. With several ranks executing is
- * collective: sources are gathered, and where the whole surface is on one rank that rank has the
- * lines; where each rank has the whole, rank 0 has them.
+ * @par Ranks:
+ * With several MPI ranks executing is collective, as of vtkGeodesicDistanceField. Each rank has the
+ * lines in its piece of the surface; they end at seams, where those of another rank go on from
+ * points with the same coordinates. The source itself, at a value of 0, is on rank 0.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal

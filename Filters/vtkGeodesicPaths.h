@@ -49,10 +49,10 @@
  * is the same, to the last bit, for any number of threads, and each path the same whatever other
  * targets there are. After an abort or an error the output is empty.
  *
- * @warning
- * A surface that is distributed over several MPI ranks is an error. With several ranks executing is
- * collective: sources and targets are gathered, and where the whole surface is on one rank that
- * rank has the paths; where each rank has the whole, rank 0 has them.
+ * @par Ranks:
+ * With several MPI ranks executing is collective, as of vtkGeodesicDistanceField. Targets of all
+ * ranks are gathered and numbered as sources are; a path, which may run over all pieces of the
+ * surface, is put out by the rank where its target was, by rank 0 where all had the same targets.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal
