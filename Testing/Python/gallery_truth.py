@@ -375,3 +375,11 @@ def assembly(names):
             over_gables = [along * sine + from_gable * cosine for from_gable in (x, 3 - x)]
             expected = 1 + np.min([along, *over_gables], axis=0)
         assert_close(point_array(block, "GeodesicDistance"), expected, 3 * FLOAT)
+
+
+def several_ranks(names):
+    """In the unrolled sheet, from the curve as it lies there, whose points are joined straight."""
+    sheet = Bent(names["bent"])
+    ends = sheet.unrolled(segments(data(names["field"], 1)))
+    expected = to_segments(sheet.unrolled(points(data(names["field"]))), ends)
+    assert_close(distances(names["field"]), expected, 3 * FLOAT)
