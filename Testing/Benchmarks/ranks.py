@@ -136,7 +136,10 @@ def read_counts(file):
 
 
 def seconds(line, step):
-    """The model: in each step the busiest rank's work, the largest rank's bytes, and the step."""
+    """The model: in each step the busiest rank's work, the largest rank's bytes, and the step. One
+    rank alone takes no steps."""
+    if line["ranks"] == 1:
+        return line["work_s"]
     return line["busiest_s"] + line["steps"] * step + line["busiest_bytes"] / BYTES_A_SECOND
 
 
