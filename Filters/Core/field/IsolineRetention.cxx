@@ -29,9 +29,9 @@ void IsolineRetention::start(const std::vector<SourceInFace>& sources)
   }
 }
 
-void IsolineRetention::pass(std::size_t worker, const PassedList& list, Id, WindowPool&)
+void IsolineRetention::pass(std::size_t district, const PassedList& list, Id, WindowPool&)
 {
-  this->passed_[worker].push_back(list);
+  this->passed_[district].push_back(list);
 }
 
 bool IsolineRetention::mayHoldValue(Id face, const VertexNumbers& distances, double certain) const
@@ -53,9 +53,9 @@ void IsolineRetention::advance(const FrontState& front)
 void IsolineRetention::takePassed(const FrontState& front)
 {
   const double certain = std::min(front.key, this->reach_);
-  for (std::size_t worker = 0; worker < this->passed_.size(); ++worker)
+  for (std::size_t district = 0; district < this->passed_.size(); ++district)
   {
-    for (const PassedList& list : this->passed_[worker])
+    for (const PassedList& list : this->passed_[district])
     {
       const Id face = TriangleMesh::faceOf(list.halfedge);
       if (this->pinned_[face] || this->mayHoldValue(face, front.distances, certain))
@@ -66,9 +66,9 @@ void IsolineRetention::takePassed(const FrontState& front)
       {
         this->marks_[face] |= Dropped;
       }
-      front.pools[worker]->free(list.windows);
+      front.pool(district).free(list.windows);
     }
-    this->passed_[worker].clear();
+    this->passed_[district].clear();
   }
 }
 

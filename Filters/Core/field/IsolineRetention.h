@@ -27,9 +27,9 @@ public:
 
   bool needsInside() const override { return true; }
   double reach() const override { return this->reach_; }
-  void setNumberOfWorkers(std::size_t count) override { this->passed_.resize(count); }
+  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
   void start(const std::vector<SourceInFace>& sources) override;
-  void pass(std::size_t worker, const PassedList& list, Id batch, WindowPool& pool) override;
+  void pass(std::size_t district, const PassedList& list, Id batch, WindowPool& pool) override;
   void advance(const FrontState& front) override;
   void finish(const FrontState& front) override;
 
@@ -55,7 +55,7 @@ private:
   const std::vector<std::uint8_t>& pinned_;
   double reach_;
   std::vector<std::uint8_t> marks_;
-  /// What each worker has handed over in this batch.
+  /// What each district has handed over in this batch.
   std::vector<std::vector<PassedList>> passed_;
   Id batch_ = 0;
   std::vector<Id> droppedTooEarly_;

@@ -11,15 +11,15 @@ namespace geodesic
 {
 
 /// Notes which faces windows have gone through. A task writes only the face of its halfedge, and
-/// always the same: but two tasks may write one face, so each worker has its own list.
+/// always the same: but two tasks may write one face, so each district has its own list.
 class NotePassedFaces : public Retention
 {
 public:
   bool needsInside() const override { return false; }
-  void setNumberOfWorkers(std::size_t count) override { this->passed_.resize(count); }
-  void pass(std::size_t worker, const PassedList& list, Id, WindowPool& pool) override
+  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
+  void pass(std::size_t district, const PassedList& list, Id, WindowPool& pool) override
   {
-    this->passed_[worker].push_back(TriangleMesh::faceOf(list.halfedge));
+    this->passed_[district].push_back(TriangleMesh::faceOf(list.halfedge));
     pool.free(list.windows);
   }
 

@@ -19,41 +19,60 @@ Arrival arrivalThrough(Id halfedge, const ApexDistance& apex)
 
 } // anonymous namespace
 
-void BatchTasks::prefetchFacing(Id vertex) const
+void BatchTasks::prefetchFacing(const District& district, Id vertex) const
 {
-  const Id halfedge = this->vertices_[vertex].facing;
-  if (halfedge != NoId)
+  const Id list = this->vertices_[vertex].facing;
+  if (list != NoId)
   {
-    this->prefetchReceiver(halfedge);
+    this->mesh_.prefetch(TriangleMesh::faceOf(district.lists.halfedge(list)));
   }
 }
 
-void BatchTasks::prefetchReceiver(Id halfedge) const
+void BatchTasks::process(FrontWorker& worker, District& district, Id batch)
 {
-  this->mesh_.prefetch(TriangleMesh::faceOf(halfedge));
-  this->waiting_.prefetch(halfedge);
+  constexpr std::size_t ahead = 4; // vertices whose faces are fetched while others are worked on
+  const std::vector<Id>& vertices = district.batch;
+  district.settled = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    if (i + ahead < vertices.size())
+    {
+      this->prefetchFacing(district, vertices[i + ahead]);
+    }
+    this->process(worker, district, vertices[i], batch);
+  }
 }
 
-void BatchTasks::process(FrontWorker& worker, Id vertex, Id batch)
+void BatchTasks::process(FrontWorker& worker, District& district, Id vertex, Id batch)
 {
-  if (this->vertices_[vertex].isShorter() && !this->isOutsideCorridor(vertex))
+  VertexState& state = this->vertices_[vertex];
+  if (state.isShorter() && !this->isOutsideCorridor(vertex))
   {
-    this->relaxEdges(worker, vertex);
-    if (this->vertices_[vertex].emission != Emission::Nothing)
+    this->relaxEdges(district, vertex);
+    if (state.emission != Emission::Nothing)
     {
-      this->emit(worker, vertex);
+      this->emit(worker, district, vertex);
     }
   }
-  for (Id halfedge = this->vertices_[vertex].facing; halfedge != NoId;)
+  for (Id list = state.facing; list != NoId;)
   {
-    const Id next = this->waiting_.next(halfedge);
-    this->propagate(worker, halfedge, batch);
-    halfedge = next;
+    const Id next = district.lists.next(list);
+    this->propagate(worker, district, list, batch);
+    list = next;
   }
+  district.settled += state.processed == Infinity ? 1 : 0;
+  state.processed = std::min(state.processed, state.distance);
+  state.facing = NoId;
+}
+
+// Between two steps nobody reads or writes mail, so that a path may go to any district.
+void BatchTasks::tell(District& sender, const DistanceUpdate& update)
+{
+  this->post_.to(sender.number, this->districts_.of(update.vertex)).updates.push_back(update);
 }
 
 // Distances along edges are upper bounds, which the filter can use from the first window on.
-void BatchTasks::relaxEdges(FrontWorker& worker, Id vertex) const
+void BatchTasks::relaxEdges(District& district, Id vertex)
 {
   const double distance = this->vertices_.distance(vertex);
   const double error = this->vertices_.error(vertex);
@@ -63,7 +82,7 @@ void BatchTasks::relaxEdges(FrontWorker& worker, Id vertex) const
     const double along = distance + this->mesh_.length(halfedge);
     if (this->vertices_.isNews(other, along))
     {
-      worker.updates.push_back({ other, along, error, { opposite, number, x, {} } });
+      this->tell(district, { other, along, error, { opposite, number, x, {} } });
     }
   };
   for (const Id corner : this->mesh_.cornersAt(vertex))
@@ -78,17 +97,18 @@ void BatchTasks::relaxEdges(FrontWorker& worker, Id vertex) const
   }
 }
 
-void BatchTasks::emit(FrontWorker& worker, Id vertex) const
+void BatchTasks::emit(FrontWorker& worker, District& district, Id vertex)
 {
   const VertexState& state = this->vertices_[vertex];
   findEmittedIntervals(this->mesh_, vertex, state.emission, state.arrival(), worker.emitted);
   for (const EmittedInterval& interval : worker.emitted)
   {
-    this->emit(worker, vertex, interval);
+    this->emit(worker, district, vertex, interval);
   }
 }
 
-void BatchTasks::emit(FrontWorker& worker, Id vertex, const EmittedInterval& interval) const
+void BatchTasks::emit(
+  FrontWorker& worker, District& district, Id vertex, const EmittedInterval& interval)
 {
   const Id halfedge = TriangleMesh::nextInFace(interval.corner);
   const double length = this->mesh_.length(halfedge);
@@ -104,18 +124,20 @@ void BatchTasks::emit(FrontWorker& worker, Id vertex, const EmittedInterval& int
   const double atEnd = this->vertices_.distance(this->mesh_.origin(halfedge));
   if (!isBeaten(w, w.end, atBegin + w.end) && !isBeaten(w, w.begin, atEnd + (length - w.begin)))
   {
-    this->send(worker, halfedge, { &w, &w + 1 });
+    this->send(worker, district, halfedge, { &w, &w + 1 });
   }
 }
 
-// Sends the list of a halfedge through its face.
-void BatchTasks::propagate(FrontWorker& worker, Id halfedge, Id batch) const
+// Sends a list through the face of its halfedge.
+void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, Id batch)
 {
-  this->mergeNeighboursOf(worker, halfedge);
-  const WindowRange list = this->waiting_.at(halfedge);
+  this->mergeNeighboursOf(worker, district, number);
+  const Id halfedge = district.lists.halfedge(number);
+  const WindowBlock block = district.lists.remove(number);
+  const WindowRange list = block.range();
   if (list.size() == 0)
   {
-    this->waiting_.clear(halfedge, worker.pool);
+    worker.pool.free(block);
     return;
   }
   const UnfoldedFace face = unfold(this->mesh_, halfedge);
@@ -133,7 +155,7 @@ void BatchTasks::propagate(FrontWorker& worker, Id halfedge, Id batch) const
   {
     if (this->vertices_.isNews(update.vertex, update.distance, update.from.halfedge != NoId))
     {
-      worker.updates.push_back(update);
+      this->tell(district, update);
     }
   }
   const auto known = [&](std::size_t i)
@@ -144,29 +166,30 @@ void BatchTasks::propagate(FrontWorker& worker, Id halfedge, Id batch) const
   propagateThroughFace(apex, face, { known(0), known(1), known(2) },
     { !this->mesh_.isBoundary(left), !this->mesh_.isBoundary(right) }, this->mostFaces_,
     worker.leaving);
-  this->retire(worker, halfedge, { known(0), known(1) }, batch);
-  this->send(worker, left, worker.leaving.left.range());
-  this->send(worker, right, worker.leaving.right.range());
+  this->retire(worker, district, { halfedge, block, { known(0), known(1) } }, batch);
+  this->send(worker, district, left, worker.leaving.left.range());
+  this->send(worker, district, right, worker.leaving.right.range());
 }
 
 // A list is merged when it is complete and about to go on, so that each window is once a face
 // (paper, section 5).
-void BatchTasks::mergeNeighboursOf(FrontWorker& worker, Id halfedge) const
+void BatchTasks::mergeNeighboursOf(FrontWorker& worker, District& district, Id number) const
 {
-  const WindowRange list = this->waiting_.at(halfedge);
+  const WindowRange list = district.lists.at(number);
   if (!(this->options_.relativeError > 0.0) || list.size() < 2)
   {
     return;
   }
   std::vector<Window>& merged = worker.merging;
   merged.assign(list.begin(), list.end());
-  const double error = mergeNeighbours(merged, this->mesh_.length(halfedge),
+  const double error = mergeNeighbours(merged, this->mesh_.length(district.lists.halfedge(number)),
     this->options_.relativeError, this->options_.maximumMerged);
   worker.relativeError = std::max(worker.relativeError, error);
-  this->waiting_.assign(halfedge, { merged.data(), merged.data() + merged.size() }, worker.pool);
+  district.lists.assign(number, { merged.data(), merged.data() + merged.size() }, worker.pool);
 }
 
-void BatchTasks::send(FrontWorker& worker, Id halfedge, const WindowRange& windows) const
+void BatchTasks::send(
+  FrontWorker& worker, District& sender, Id halfedge, const WindowRange& windows)
 {
   if (windows.size() == 0 || this->isOutsideCorridor(halfedge, windows))
   {
@@ -182,7 +205,10 @@ void BatchTasks::send(FrontWorker& worker, Id halfedge, const WindowRange& windo
       std::transform(block.data, block.data + block.size, block.data,
         [length](const Window& w) { return reversed(w, length); });
     }
-    worker.sent.push_back({ s, block });
+    std::vector<SentList>& lists = this->isOwn(TriangleMesh::faceOf(s))
+      ? this->post_.to(sender.number, this->districts_.of(this->mesh_.opposite(s))).lists
+      : sender.leaving;
+    lists.push_back({ s, block });
   }
 }
 
@@ -202,35 +228,96 @@ bool BatchTasks::isOutsideCorridor(Id halfedge, const WindowRange& windows) cons
     [&](const Window& w) { return w.minimum() + left <= corridor->length; });
 }
 
-void BatchTasks::receive(FrontWorker& worker, const Outbox& outbox, std::size_t group)
+void BatchTasks::shorten(District& district, const DistanceUpdate& update)
 {
-  const Id halfedge = outbox.halfedge(group);
-  const Id apex = this->mesh_.opposite(halfedge);
-  const Vec2 position = apexOf(this->mesh_, halfedge);
-  (this->waiting_.has(halfedge) ? worker.changedLists : worker.newLists).push_back(halfedge);
-  outbox.forEach(group,
-    [&](const WindowBlock& block)
-    {
-      const ApexDistance found = quickApexQuery(block.range(), position);
-      if (this->vertices_.isNews(apex, found.distance))
-      {
-        worker.arrivals.push_back(
-          { apex, found.distance, found.error, arrivalThrough(halfedge, found) });
-      }
-      worker.propagated += block.size;
-      this->mergeInto(worker, halfedge, block);
-    });
-}
-
-void BatchTasks::mergeInto(FrontWorker& worker, Id halfedge, const WindowBlock& block) const
-{
-  if (!this->waiting_.has(halfedge))
+  const VertexState& state = this->vertices_[update.vertex];
+  if (!this->vertices_.shorten(update) || !state.isShorter())
   {
-    this->waiting_.adopt(halfedge, block);
     return;
   }
-  const WindowRange waiting = this->waiting_.at(halfedge);
-  worker.merged.reset(this->mesh_.length(halfedge));
+  if (state.processed < Infinity)
+  {
+    district.shortened.push_back(update.vertex);
+  }
+  if (!this->isOutsideCorridor(update.vertex))
+  {
+    district.schedule.add(update.vertex);
+  }
+}
+
+// Distances of lower ranks, of here and of higher ranks: so all ranks take them over in one order,
+// and equal paths are told apart alike.
+void BatchTasks::receive(FrontWorker& worker, District& district)
+{
+  const auto takeUpdates = [&](Mail& mail)
+  {
+    for (const DistanceUpdate& update : mail.updates)
+    {
+      this->shorten(district, update);
+    }
+  };
+  takeUpdates(district.fromLower);
+  this->post_.forEach(district.number, takeUpdates);
+  takeUpdates(district.fromHigher);
+  const auto takeLists = [&](Mail& mail) { this->receiveLists(worker, district, mail.lists); };
+  takeLists(district.fromLower);
+  this->post_.forEach(district.number, takeLists);
+  takeLists(district.fromHigher);
+  district.fromLower.clear();
+  district.fromHigher.clear();
+  this->post_.clear(district.number);
+}
+
+void BatchTasks::receiveLists(
+  FrontWorker& worker, District& district, const std::vector<SentList>& lists)
+{
+  constexpr std::size_t ahead = 4; // lists whose faces are fetched while others are worked on
+  for (std::size_t i = 0; i < lists.size(); ++i)
+  {
+    if (i + ahead < lists.size())
+    {
+      this->mesh_.prefetch(TriangleMesh::faceOf(lists[i + ahead].halfedge));
+    }
+    this->receive(worker, district, lists[i]);
+  }
+}
+
+void BatchTasks::receive(FrontWorker& worker, District& district, const SentList& sent)
+{
+  const Id apex = this->mesh_.opposite(sent.halfedge);
+  const ApexDistance found =
+    quickApexQuery(sent.windows.range(), apexOf(this->mesh_, sent.halfedge));
+  if (this->vertices_.isNews(apex, found.distance))
+  {
+    const DistanceUpdate arrival = { apex, found.distance, found.error,
+      arrivalThrough(sent.halfedge, found) };
+    this->shorten(district, arrival);
+    if (this->options_.part != nullptr)
+    {
+      district.arrivals.push_back(arrival);
+    }
+  }
+  worker.propagated += sent.windows.size;
+  const Id list = district.lists.find(sent.halfedge);
+  if (list != NoId)
+  {
+    this->mergeInto(worker, district, list, sent.windows);
+  }
+  else
+  {
+    Id& facing = this->vertices_[apex].facing;
+    const Id added = district.lists.add(sent.halfedge, sent.windows);
+    district.lists.setNext(added, facing);
+    facing = added;
+  }
+  district.schedule.add(apex);
+}
+
+void BatchTasks::mergeInto(
+  FrontWorker& worker, District& district, Id list, const WindowBlock& block) const
+{
+  const WindowRange waiting = district.lists.at(list);
+  worker.merged.reset(this->mesh_.length(district.lists.halfedge(list)));
   const Window* old = waiting.begin();
   bool lastIsOld = true;
   const auto append = [&](const Window& w, bool isOld)
@@ -258,24 +345,23 @@ void BatchTasks::mergeInto(FrontWorker& worker, Id halfedge, const WindowBlock& 
     append(*old, true);
   }
   worker.pool.free(block);
-  this->waiting_.assign(halfedge, worker.merged.range(), worker.pool);
+  district.lists.assign(list, worker.merged.range(), worker.pool);
 }
 
 void BatchTasks::retire(
-  FrontWorker& worker, Id halfedge, const std::array<double, 2>& ends, Id batch) const
+  FrontWorker& worker, District& district, const PassedList& list, Id batch) const
 {
-  if (this->complete_.isLimited())
+  if (this->complete_.isLimited() && !this->complete_.isNeededAround(list.halfedge))
   {
-    const WindowRange list = this->waiting_.at(halfedge);
-    const bool within = std::any_of(
-      list.begin(), list.end(), [this](const Window& w) { return this->complete_.isWithin(w); });
+    const WindowRange windows = list.windows.range();
+    const bool within = std::any_of(windows.begin(), windows.end(),
+      [this](const Window& w) { return this->complete_.isWithin(w); });
     if (within)
     {
-      worker.withinLimit.push_back(halfedge);
+      district.withinLimit.push_back(list.halfedge);
     }
   }
-  this->retention_.pass(
-    worker.number, { halfedge, this->waiting_.release(halfedge), ends }, batch, worker.pool);
+  this->retention_.pass(district.number, list, batch, worker.pool);
 }
 
 }

@@ -3,39 +3,52 @@
 #define geodesic_BatchTasks_h
 
 #include "front/CompleteFaces.h"
+#include "front/District.h"
+#include "front/Districts.h"
 #include "front/Front.h"
 #include "front/FrontWorker.h"
-#include "front/Outbox.h"
+#include "front/Post.h"
 #include "front/VertexStates.h"
-#include "front/WaitingLists.h"
 
 namespace geodesic
 {
 
 /// What the tasks of a batch do (paper, section 3.1; as lists after Qin et al. 2016): (1) each
 /// vertex sends the lists that face it through their faces, (2) each halfedge merges the lists that
-/// were sent to it into its own. Tasks read the distances and write only what is theirs: the lists
-/// of the halfedges at hand and their worker. So they may run at the same time.
+/// were sent to it into its own. In both a task reads the mesh and the distances that (1) found
+/// unchanged, and writes what is its district's and its worker's; so tasks of several districts may
+/// run at the same time.
 class BatchTasks
 {
 public:
-  BatchTasks(const TriangleMesh& mesh, const FrontOptions& options, const VertexStates& vertices,
-    const CompleteFaces& complete, WaitingLists& waiting, Retention& retention)
+  BatchTasks(const TriangleMesh& mesh, const FrontOptions& options, const Districts& districts,
+    VertexStates& vertices, const CompleteFaces& complete, Post& post, Retention& retention)
     : mesh_(mesh)
     , options_(options)
+    , districts_(districts)
     , vertices_(vertices)
     , complete_(complete)
-    , waiting_(waiting)
+    , post_(post)
     , retention_(retention)
     , mostFaces_(options.part ? options.part->numberOfFacesOfWhole() : mesh.numberOfFaces())
   {
   }
 
-  /// Step (1) for a vertex.
-  void process(FrontWorker& worker, Id vertex, Id batch);
-  /// Step (2) for a group of the outbox.
-  void receive(FrontWorker& worker, const Outbox& outbox, std::size_t group);
+  /// Step (1) for the vertices of a district that are in the batch.
+  void process(FrontWorker& worker, District& district, Id batch);
+  /// Step (2) for the mail of a district: distances first, which may make lists needless.
+  void receive(FrontWorker& worker, District& district);
 
+  /// Takes a path over where it is shorter than the one known.
+  void shorten(District& district, const DistanceUpdate& update);
+  /// Sends windows that leave a face through a halfedge to its siblings.
+  void send(FrontWorker& worker, District& sender, Id halfedge, const WindowRange& windows);
+  /// Hands a list that was taken from its halfedge over to the retention.
+  ///
+  /// \param ends the distances at the halfedge's ends.
+  void retire(FrontWorker& worker, District& district, const PassedList& list, Id batch) const;
+
+private:
   /// Whether no path that is looked for passes the vertex, by the distance known.
   bool isOutsideCorridor(Id vertex) const
   {
@@ -44,18 +57,6 @@ public:
       this->vertices_.distance(vertex) + corridor->lowerBounds[vertex] > corridor->length;
   }
 
-  /// Sends windows that leave a face through a halfedge to its siblings.
-  void send(FrontWorker& worker, Id halfedge, const WindowRange& windows) const;
-  /// Hands the list of a halfedge over to the retention.
-  ///
-  /// \param ends the distances at the halfedge's ends.
-  void retire(FrontWorker& worker, Id halfedge, const std::array<double, 2>& ends, Id batch) const;
-
-  /// Fetch what step (1) and step (2) will need.
-  void prefetchFacing(Id vertex) const;
-  void prefetchReceiver(Id halfedge) const;
-
-private:
   bool isOutsideCorridor(Id halfedge, const WindowRange& windows) const;
   /// Whether the face is worked on here, not on another rank.
   bool isOwn(Id face) const
@@ -66,18 +67,25 @@ private:
   {
     return this->options_.part == nullptr ? vertex : this->options_.part->numberInWhole(vertex);
   }
-  void relaxEdges(FrontWorker& worker, Id vertex) const;
-  void emit(FrontWorker& worker, Id vertex) const;
-  void emit(FrontWorker& worker, Id vertex, const EmittedInterval& interval) const;
-  void propagate(FrontWorker& worker, Id halfedge, Id batch) const;
-  void mergeNeighboursOf(FrontWorker& worker, Id halfedge) const;
-  void mergeInto(FrontWorker& worker, Id halfedge, const WindowBlock& block) const;
+  void process(FrontWorker& worker, District& district, Id vertex, Id batch);
+  void tell(District& sender, const DistanceUpdate& update);
+  void relaxEdges(District& district, Id vertex);
+  void emit(FrontWorker& worker, District& district, Id vertex);
+  void emit(FrontWorker& worker, District& district, Id vertex, const EmittedInterval& interval);
+  void propagate(FrontWorker& worker, District& district, Id list, Id batch);
+  void mergeNeighboursOf(FrontWorker& worker, District& district, Id list) const;
+  void receive(FrontWorker& worker, District& district, const SentList& sent);
+  void receiveLists(FrontWorker& worker, District& district, const std::vector<SentList>& lists);
+  void mergeInto(FrontWorker& worker, District& district, Id list, const WindowBlock& block) const;
+  /// Fetch what the steps will need.
+  void prefetchFacing(const District& district, Id vertex) const;
 
   const TriangleMesh& mesh_;
   const FrontOptions& options_;
-  const VertexStates& vertices_;
+  const Districts& districts_;
+  VertexStates& vertices_;
   const CompleteFaces& complete_;
-  WaitingLists& waiting_;
+  Post& post_;
   Retention& retention_;
   /// How many faces a shortest path can cross.
   Id mostFaces_;

@@ -16,6 +16,18 @@ void CompleteFaces::addAround(Id halfedge)
   } while (around != halfedge);
 }
 
+bool CompleteFaces::isNeededAround(Id halfedge) const
+{
+  bool isNeeded = true;
+  Id around = halfedge;
+  do
+  {
+    isNeeded = isNeeded && this->isNeeded(TriangleMesh::faceOf(around));
+    around = this->mesh_.nextSibling(around);
+  } while (around != halfedge);
+  return isNeeded;
+}
+
 void CompleteFaces::addAroundReachedVertices(const VertexStates& vertices)
 {
   for (Id face = this->firstFace_; face < this->endOfFaces_; ++face)

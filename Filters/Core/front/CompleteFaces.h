@@ -34,6 +34,7 @@ public:
   bool isNeeded(Id face) const { return this->needed_[face] != 0; }
   /// The faces around an edge that a window within the limit has come to.
   void addAround(Id halfedge);
+  bool isNeededAround(Id halfedge) const;
   void addAroundReachedVertices(const VertexStates& vertices);
 
   /// How far the front must come for the needed faces to be complete: to their farthest corner, or

@@ -4,14 +4,16 @@
 #include "Errors.h"
 #include "front/BatchTasks.h"
 #include "front/CompleteFaces.h"
+#include "front/District.h"
+#include "front/Districts.h"
 #include "front/FrontExchange.h"
 #include "front/FrontProgress.h"
 #include "front/FrontWorker.h"
-#include "front/Outbox.h"
-#include "front/VertexSchedule.h"
+#include "front/Post.h"
 #include "front/VertexStates.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
@@ -19,17 +21,25 @@ namespace geodesic
 namespace
 {
 
+bool isAnyWindowWithin(const WindowRange& windows, double distance)
+{
+  return std::any_of(windows.begin(), windows.end(),
+    [distance](const Window& w) { return w.minimum() <= distance; });
+}
+
 /// The front (paper, section 3.1, in the order of Qin et al. 2016): the queue holds vertices;
 /// windows wait in sorted lists on halfedges, and a list goes through its face when the vertex
 /// opposite is processed.
 ///
-/// Vertices are processed in batches of nearly equal distance. A batch has three steps: (1) and (2)
-/// are those of BatchTasks, in parallel; (3) what they found is committed, one after another in an
-/// order that does not depend on how the tasks were run: distances are shortened, new lists are
-/// linked to the vertices they face, and the schedule is filled.
+/// Vertices are processed in batches of nearly equal distance, and in districts (Districts), each
+/// with its own schedule and lists. A batch has two steps, those of BatchTasks, each for all
+/// districts at the same time: (1) vertices send lists and distances, by the Post; (2) each
+/// district takes over what was sent to it, in an order that does not depend on how the tasks were
+/// run. In between and afterwards little is left to do for the whole: to find where the next batch
+/// begins and ends.
 ///
 /// Where ranks have the surface together, a batch is a superstep with two exchanges: of windows and
-/// distances after (1), of distances and of what comes next after (3). All ranks have the same key
+/// distances after (1), of distances and of what comes next after (2). All ranks have the same key
 /// and the same last key of a batch.
 class Front
 {
@@ -49,23 +59,28 @@ private:
   bool isSettled();
   bool isAnyWithin(double reach);
   bool isWithin(Id vertex, double reach) const;
-  void runBatch();
-  template <typename Item>
-  void runTasks(std::size_t items, Item&& item);
+  template <typename Fill>
+  void runBatch(const Fill& fill);
+  void activateUpTo(double last);
+  template <typename Task>
+  void runTasks(const Task& task);
+  void finishBatch();
+  void tellShortened(District& district);
   void exchangeLists();
-  void collectOutbox();
-
-  void commit();
-  void commitVertices();
-  void commitUpdates(std::vector<DistanceUpdate> FrontWorker::*updates);
-  void commitLists();
+  void deliver(const std::vector<DistanceUpdate>& updates, Mail District::*mail);
   void exchangeArrivals();
-  void shorten(const DistanceUpdate& update);
   FrontState state();
+  void shorten(const DistanceUpdate& update);
+  District& districtOf(Id vertex) { return this->districts_[this->numbers_.of(vertex)]; }
+  const District& districtOf(Id vertex) const
+  {
+    return this->districts_[this->numbers_.of(vertex)];
+  }
 
   void finishLimited();
   void flush(double bound);
-  std::vector<Id> verticesWithListsWithin(double bound) const;
+  void takeVerticesWithin(double bound, District& district) const;
+  void retireAll();
   void finish();
 
   const TriangleMesh& mesh_;
@@ -73,20 +88,26 @@ private:
   Retention& retention_;
   FrontResult result_;
 
+  Districts numbers_;
   VertexStates vertices_;
-  VertexSchedule schedule_;
-  WaitingLists waiting_;
+  std::vector<District> districts_;
+  /// What comes next in each district.
+  std::vector<VertexSchedule::Outlook> outlooks_;
   CompleteFaces complete_;
+  Post post_;
   BatchTasks tasks_;
   FrontWorkers workers_;
-  Outbox outbox_;
   FrontExchange ranks_;
   FrontProgress progress_;
 
   /// The vertices of the batch at hand, and how many batches there were.
   std::vector<Id> batch_;
   Id batches_ = 0;
-  /// What comes next over all ranks, and the largest reach of their retentions.
+  /// The key at which it began: no path that is still to be found is shorter.
+  double key_ = 0.0;
+  /// Districts at work in the step at hand.
+  std::vector<Id> active_;
+  /// What comes next over all districts and ranks, and the largest reach of their retentions.
   VertexSchedule::Outlook next_;
   double reach_ = Infinity;
   /// A vertex that was last found to have something within the retention's reach.
@@ -98,22 +119,29 @@ Front::Front(const TriangleMesh& mesh, const FrontOptions& options, Retention& r
   : mesh_(mesh)
   , options_(options)
   , retention_(retention)
+  , numbers_(mesh)
   , vertices_(mesh, options.relativeError > 0.0, options.keepArrivals)
-  , schedule_(vertices_)
-  , waiting_(mesh.numberOfHalfedges())
+  , outlooks_(numbers_.size())
   , complete_(mesh, options.part, options.maximumDistance)
-  , tasks_(mesh, options, vertices_, complete_, waiting_, retention)
+  , post_(numbers_.size())
+  , tasks_(mesh, options, numbers_, vertices_, complete_, post_, retention)
+  , workers_(options.parallelFor)
   , ranks_(options.part)
   , progress_(options.progress, mesh.numberOfVertices(), options.maximumDistance)
 {
+  this->districts_.reserve(this->numbers_.size());
+  for (Id number = 0; number < this->numbers_.size(); ++number)
+  {
+    this->districts_.emplace_back(number, this->vertices_);
+  }
 }
 
 FrontResult Front::run(SourceWindows sources)
 {
   this->start(std::move(sources));
-  this->progress_.report(this->schedule_.key());
+  this->progress_.report(this->key_);
   this->advance(this->options_.maximumDistance);
-  this->progress_.report(this->schedule_.key());
+  this->progress_.report(this->key_);
   if (this->complete_.isLimited())
   {
     this->finishLimited();
@@ -132,15 +160,15 @@ void Front::start(SourceWindows initial)
   this->startFaces(initial);
   for (const LeavingWindow& leaving : initial.windows)
   {
-    this->tasks_.send(
-      this->workers_.first(), leaving.halfedge, { &leaving.window, &leaving.window + 1 });
+    this->tasks_.send(this->workers_.first(), this->districts_.front(), leaving.halfedge,
+      { &leaving.window, &leaving.window + 1 });
   }
   this->result_.sourcesInFaces = std::move(initial.inFaces);
-  this->retention_.setNumberOfWorkers(this->workers_.size());
+  this->retention_.setNumberOfDistricts(this->districts_.size());
   this->retention_.start(this->result_.sourcesInFaces);
   this->addSourcesInHalo(initial.inHalo);
-  this->batch_.clear();
-  this->runBatch();
+  this->post_.call(this->districts_.front().number);
+  this->runBatch([](District&) {}); // takes over what was sent
 }
 
 void Front::startVertices(const SourceWindows& initial)
@@ -195,26 +223,23 @@ void Front::advance(double limit)
 {
   while (this->moveOn(limit) && !this->isSettled())
   {
-    this->schedule_.takeBatch(std::min(limit, this->next_.last), this->batch_);
-    this->runBatch();
-    this->progress_.afterBatch(this->batch_.size(), this->schedule_.key());
+    const double last = std::min(limit, this->next_.last);
+    this->activateUpTo(last);
+    this->runBatch(
+      [last](District& district) { district.schedule.takeBatch(last, district.batch); });
+    this->progress_.afterBatch(this->batch_.size(), this->key_);
   }
 }
 
 // Moves on to the next batch; false where no vertex waits up to the limit.
 bool Front::moveOn(double limit)
 {
-  if (this->ranks_.isAlone())
-  {
-    this->next_ = this->schedule_.outlook();
-    this->reach_ = this->retention_.reach();
-  }
   const double least = this->next_.least;
   if (!(least <= limit) || least == Infinity)
   {
     return false;
   }
-  this->schedule_.moveOn(least);
+  this->key_ = std::max(this->key_, least);
   return true;
 }
 
@@ -223,8 +248,7 @@ bool Front::moveOn(double limit)
 // are those of a front that goes everywhere, to the last bit.
 bool Front::isSettled()
 {
-  return this->schedule_.key() > this->reach_ &&
-    !this->ranks_.isTrueAnywhere(this->isAnyWithin(this->reach_));
+  return this->key_ > this->reach_ && !this->ranks_.isTrueAnywhere(this->isAnyWithin(this->reach_));
 }
 
 bool Front::isAnyWithin(double reach)
@@ -234,138 +258,174 @@ bool Front::isAnyWithin(double reach)
     return true;
   }
   this->unsettled_ = NoId;
-  return this->schedule_.isAnyWaiting(
-    [&](Id vertex)
-    {
-      const bool isWithin = this->isWithin(vertex, reach);
-      this->unsettled_ = isWithin ? vertex : this->unsettled_;
-      return isWithin;
-    });
+  const auto isUnsettled = [&](Id vertex)
+  {
+    const bool isWithin = this->isWithin(vertex, reach);
+    this->unsettled_ = isWithin ? vertex : this->unsettled_;
+    return isWithin;
+  };
+  return std::any_of(this->districts_.begin(), this->districts_.end(),
+    [&](const District& district) { return district.schedule.isAnyWaiting(isUnsettled); });
 }
 
 // Whether a vertex that waits has windows within a distance, or will emit some.
 bool Front::isWithin(Id vertex, double reach) const
 {
   const VertexState& state = this->vertices_[vertex];
+  const WaitingLists& lists = this->districtOf(vertex).lists;
   bool isWithin = state.isShorter() && state.distance <= reach;
-  for (Id halfedge = state.facing; halfedge != NoId && !isWithin;
-       halfedge = this->waiting_.next(halfedge))
+  for (Id list = state.facing; list != NoId && !isWithin; list = lists.next(list))
   {
-    const WindowRange list = this->waiting_.at(halfedge);
-    isWithin = std::any_of(
-      list.begin(), list.end(), [reach](const Window& w) { return w.minimum() <= reach; });
+    isWithin = isAnyWindowWithin(lists.at(list), reach);
   }
   return isWithin;
 }
 
-void Front::runBatch()
+/// \param fill gives a district its vertices of the batch: (District&) -> void.
+template <typename Fill>
+void Front::runBatch(const Fill& fill)
 {
   ++this->batches_;
-  constexpr std::size_t ahead = 4; // items whose faces are fetched while others are worked on
-  this->runTasks(this->batch_.size(),
-    [this](FrontWorker& worker, std::size_t i)
+  this->runTasks(
+    [&](FrontWorker& worker, District& district)
     {
-      if (i + ahead < this->batch_.size())
-      {
-        this->tasks_.prefetchFacing(this->batch_[i + ahead]);
-      }
-      this->tasks_.process(worker, this->batch_[i], this->batches_);
+      district.schedule.moveOn(this->key_);
+      fill(district);
+      this->tasks_.process(worker, district, this->batches_);
+      this->post_.call(district.number);
     });
   if (!this->ranks_.isAlone())
   {
     this->exchangeLists();
   }
-  this->collectOutbox();
-  this->runTasks(this->outbox_.numberOfGroups(),
-    [this](FrontWorker& worker, std::size_t i)
+  this->post_.takeReceivers(this->active_);
+  this->runTasks(
+    [this](FrontWorker& worker, District& district)
     {
-      if (i + ahead < this->outbox_.numberOfGroups())
-      {
-        this->tasks_.prefetchReceiver(this->outbox_.halfedge(i + ahead));
-      }
-      this->tasks_.receive(worker, this->outbox_, i);
+      district.schedule.moveOn(this->key_);
+      this->tasks_.receive(worker, district);
+      this->outlooks_[district.number] = district.schedule.outlook();
     });
-  this->commit();
+  this->finishBatch();
 }
 
-template <typename Item>
-void Front::runTasks(std::size_t items, Item&& item)
+void Front::activateUpTo(double last)
 {
-  const bool parallel = static_cast<bool>(this->options_.parallelFor);
-  const std::size_t tasks = FrontWorkers::numberOfTasks(items, parallel);
-  if (this->workers_.size() < tasks)
+  this->active_.clear();
+  for (Id number = 0; number < this->outlooks_.size(); ++number)
   {
-    this->workers_.resize(tasks);
-    this->retention_.setNumberOfWorkers(tasks);
-  }
-  this->workers_.run(items, tasks, this->options_.parallelFor, item);
-}
-
-void Front::exchangeLists()
-{
-  for (FrontWorker& worker : this->workers_)
-  {
-    this->ranks_.take(worker.sent, worker.pool);
-    for (const DistanceUpdate& update : worker.updates)
+    if (this->outlooks_[number].least <= last)
     {
-      this->ranks_.tell(update);
+      this->active_.push_back(number);
     }
   }
-  FrontWorker& first = this->workers_.first();
-  FrontWorker& last = *(this->workers_.end() - 1);
-  std::vector<double> nothing;
-  const FrontExchange::Received received = this->ranks_.step(nothing, first.pool);
-  last.sent.insert(last.sent.end(), received.lists.begin(), received.lists.end());
-  // All ranks take distances over in one order, so that equal paths are told apart alike.
-  first.updates.insert(first.updates.begin(), received.fromLower.begin(), received.fromLower.end());
-  last.updates.insert(last.updates.end(), received.fromHigher.begin(), received.fromHigher.end());
 }
 
-void Front::collectOutbox()
+// Runs a task for each active district.
+template <typename Task>
+void Front::runTasks(const Task& task)
 {
-  this->outbox_.clear();
-  for (FrontWorker& worker : this->workers_)
-  {
-    this->outbox_.take(worker.sent);
-  }
-  this->outbox_.group();
+  this->workers_.run(this->active_.size(),
+    [&](FrontWorker& worker, std::size_t i) { task(worker, this->districts_[this->active_[i]]); });
 }
 
-// Step by step over all workers, so that the order is the same however many there are: it decides
-// between equal paths.
-void Front::commit()
+// What is left to do for all districts together.
+void Front::finishBatch()
 {
-  this->commitVertices();
-  this->commitUpdates(&FrontWorker::updates);
-  for (const FrontWorker& worker : this->workers_)
+  this->batch_.clear();
+  this->next_ = {};
+  for (const Id number : this->active_)
   {
-    for (std::size_t i = 0; i < worker.arrivals.size() && !this->ranks_.isAlone(); ++i)
-    {
-      this->ranks_.tell(worker.arrivals[i]);
-    }
-  }
-  this->commitUpdates(&FrontWorker::arrivals);
-  this->commitLists();
-  for (FrontWorker& worker : this->workers_)
-  {
-    for (const Id halfedge : worker.withinLimit)
+    District& district = this->districts_[number];
+    this->batch_.insert(this->batch_.end(), district.batch.begin(), district.batch.end());
+    district.batch.clear();
+    this->progress_.settle(district.settled);
+    district.settled = 0;
+    this->tellShortened(district);
+    for (const Id halfedge : district.withinLimit)
     {
       this->complete_.addAround(halfedge);
     }
-    worker.withinLimit.clear();
+    district.withinLimit.clear();
+  }
+  for (const VertexSchedule::Outlook& outlook : this->outlooks_)
+  {
+    this->next_.least = std::min(this->next_.least, outlook.least);
+    this->next_.last = std::min(this->next_.last, outlook.last);
   }
   if (!this->ranks_.isAlone())
   {
     this->exchangeArrivals();
   }
   this->retention_.advance(this->state());
+  if (this->ranks_.isAlone())
+  {
+    this->reach_ = this->retention_.reach();
+  }
+}
+
+void Front::tellShortened(District& district)
+{
+  for (const Id vertex : district.shortened)
+  {
+    this->retention_.shortenDistance(vertex);
+  }
+  district.shortened.clear();
+}
+
+void Front::exchangeLists()
+{
+  WindowPool& pool = this->workers_.first().pool;
+  for (District& district : this->districts_)
+  {
+    for (const SentList& list : district.leaving)
+    {
+      this->ranks_.take(list, pool);
+    }
+    district.leaving.clear();
+    this->post_.forEachOf(district.number,
+      [this](const Mail& mail)
+      {
+        for (const DistanceUpdate& update : mail.updates)
+        {
+          this->ranks_.tell(update);
+        }
+      });
+  }
+  std::vector<double> nothing;
+  const FrontExchange::Received received = this->ranks_.step(nothing, pool);
+  this->deliver(received.fromLower, &District::fromLower);
+  this->deliver(received.fromHigher, &District::fromHigher);
+  for (const SentList& list : received.lists)
+  {
+    District& district = this->districtOf(this->mesh_.opposite(list.halfedge));
+    district.fromHigher.lists.push_back(list);
+    this->post_.call(district.number);
+  }
+}
+
+void Front::deliver(const std::vector<DistanceUpdate>& updates, Mail District::*mail)
+{
+  for (const DistanceUpdate& update : updates)
+  {
+    District& district = this->districtOf(update.vertex);
+    (district.*mail).updates.push_back(update);
+    this->post_.call(district.number);
+  }
 }
 
 // A vertex that another rank tells of waits there with the same key: what comes next is known
 // before it is told.
 void Front::exchangeArrivals()
 {
-  this->next_ = this->schedule_.outlook();
+  for (District& district : this->districts_)
+  {
+    for (const DistanceUpdate& arrival : district.arrivals)
+    {
+      this->ranks_.tell(arrival);
+    }
+    district.arrivals.clear();
+  }
   std::vector<double> least = { this->next_.least, this->next_.last, -this->retention_.reach() };
   const FrontExchange::Received received = this->ranks_.step(least, this->workers_.first().pool);
   this->next_ = { least[0], least[1] };
@@ -379,79 +439,22 @@ void Front::exchangeArrivals()
   }
 }
 
-void Front::commitVertices()
-{
-  for (const Id vertex : this->batch_)
-  {
-    VertexState& state = this->vertices_[vertex];
-    this->progress_.settle(state.processed == Infinity ? 1 : 0);
-    state.processed = std::min(state.processed, state.distance);
-    state.facing = NoId; // its lists are through; tasks look ahead at it
-  }
-}
-
-void Front::commitUpdates(std::vector<DistanceUpdate> FrontWorker::*updates)
-{
-  for (FrontWorker& worker : this->workers_)
-  {
-    for (const DistanceUpdate& update : worker.*updates)
-    {
-      this->shorten(update);
-    }
-    (worker.*updates).clear();
-  }
-}
-
-void Front::shorten(const DistanceUpdate& update)
-{
-  const VertexState& state = this->vertices_[update.vertex];
-  if (!this->vertices_.shorten(update) || !state.isShorter())
-  {
-    return;
-  }
-  if (state.processed < Infinity)
-  {
-    this->retention_.shortenDistance(update.vertex);
-  }
-  if (!this->tasks_.isOutsideCorridor(update.vertex))
-  {
-    this->schedule_.add(update.vertex);
-  }
-}
-
-void Front::commitLists()
-{
-  for (const FrontWorker& worker : this->workers_)
-  {
-    for (const Id halfedge : worker.newLists)
-    {
-      Id& facing = this->vertices_[this->mesh_.opposite(halfedge)].facing;
-      this->waiting_.setNext(halfedge, facing);
-      facing = halfedge;
-    }
-  }
-  for (std::vector<Id> FrontWorker::*lists : { &FrontWorker::newLists, &FrontWorker::changedLists })
-  {
-    for (FrontWorker& worker : this->workers_)
-    {
-      for (const Id halfedge : worker.*lists)
-      {
-        this->schedule_.add(this->mesh_.opposite(halfedge));
-      }
-      (worker.*lists).clear();
-    }
-  }
-}
-
 FrontState Front::state()
 {
   this->pools_.clear();
-  for (FrontWorker& worker : this->workers_)
-  {
-    this->pools_.push_back(&worker.pool);
-  }
-  return { this->schedule_.key(), this->batch_, this->vertices_.distances(),
-    this->vertices_.processed(), this->pools_ };
+  this->workers_.forEach([this](FrontWorker& worker) { this->pools_.push_back(&worker.pool); });
+  return { this->key_, this->batch_, this->vertices_.distances(), this->vertices_.processed(),
+    this->pools_ };
+}
+
+// From outside of the tasks.
+void Front::shorten(const DistanceUpdate& update)
+{
+  District& district = this->districtOf(update.vertex);
+  district.schedule.moveOn(this->key_);
+  this->tasks_.shorten(district, update);
+  this->outlooks_[district.number] = district.schedule.outlook();
+  this->tellShortened(district);
 }
 
 // A face with a point within the limit has exact values when no waiting window and no pseudo-source
@@ -463,13 +466,7 @@ void Front::finishLimited()
   this->ranks_.shareNeeded(this->complete_);
   this->flush(this->ranks_.largestOf(
     this->complete_.neededDistance(this->vertices_, this->retention_.needsInside())));
-  for (const Id halfedge : this->waiting_.halfedges())
-  {
-    this->tasks_.retire(this->workers_.first(), halfedge,
-      { this->vertices_.distance(this->mesh_.origin(halfedge)),
-        this->vertices_.distance(this->mesh_.destination(halfedge)) },
-      this->batches_);
-  }
+  this->retireAll();
   std::vector<std::uint8_t> complete = this->complete_.completeVertices();
   this->ranks_.shareMarks(complete);
   for (Id vertex = 0; vertex < this->vertices_.size(); ++vertex)
@@ -481,40 +478,60 @@ void Front::finishLimited()
   }
 }
 
+// Hands over what still waits.
+void Front::retireAll()
+{
+  for (District& district : this->districts_)
+  {
+    std::vector<std::pair<Id, WindowBlock>> left;
+    district.lists.forEach(
+      [&](Id halfedge, const WindowBlock& block) { left.emplace_back(halfedge, block); });
+    district.lists = WaitingLists();
+    std::sort(
+      left.begin(), left.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [halfedge, block] : left)
+    {
+      const PassedList list = { halfedge, block,
+        { this->vertices_.distance(this->mesh_.origin(halfedge)),
+          this->vertices_.distance(this->mesh_.destination(halfedge)) } };
+      this->tasks_.retire(this->workers_.first(), district, list, this->batches_);
+    }
+  }
+}
+
 // Sends on every window and pseudo-source nearer than the bound, also those that would wait for a
 // far vertex.
 void Front::flush(double bound)
 {
-  do
+  bool isAny = true;
+  while (isAny)
   {
     this->advance(bound);
-    this->batch_ = this->verticesWithListsWithin(bound);
-    this->runBatch();
-    this->progress_.report(this->schedule_.key());
-  } while (this->ranks_.isTrueAnywhere(!this->batch_.empty()));
+    this->activateUpTo(Infinity);
+    this->runBatch([&](District& district) { this->takeVerticesWithin(bound, district); });
+    isAny = this->ranks_.isTrueAnywhere(!this->batch_.empty());
+    this->progress_.report(this->key_);
+  }
 }
 
-std::vector<Id> Front::verticesWithListsWithin(double bound) const
+void Front::takeVerticesWithin(double bound, District& district) const
 {
-  std::vector<Id> vertices;
-  for (const Id halfedge : this->waiting_.halfedges())
-  {
-    const WindowRange list = this->waiting_.at(halfedge);
-    const bool within = std::any_of(
-      list.begin(), list.end(), [bound](const Window& w) { return w.minimum() <= bound; });
-    if (within)
+  std::vector<Id>& vertices = district.batch;
+  district.lists.forEach(
+    [&](Id halfedge, const WindowBlock& block)
     {
-      vertices.push_back(this->mesh_.opposite(halfedge));
-    }
-  }
+      if (isAnyWindowWithin(block.range(), bound))
+      {
+        vertices.push_back(this->mesh_.opposite(halfedge));
+      }
+    });
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
 }
 
 void Front::finish()
 {
-  this->waiting_ = WaitingLists(0);
+  this->districts_.clear();
   this->result_.completeFaces = this->complete_.release();
   this->result_.vertexDistances.reserve(this->vertices_.size());
   for (Id vertex = 0; vertex < this->vertices_.size(); ++vertex)
@@ -524,12 +541,13 @@ void Front::finish()
   this->result_.part = this->options_.part;
   this->ranks_.completeHalo(this->result_.vertexDistances);
   this->result_.arrivals = this->vertices_.releaseArrivals();
-  for (const FrontWorker& worker : this->workers_)
-  {
-    this->result_.windowsPropagated += worker.propagated;
-    this->result_.relativeErrorBound =
-      std::max(this->result_.relativeErrorBound, worker.relativeError);
-  }
+  this->workers_.forEach(
+    [this](const FrontWorker& worker)
+    {
+      this->result_.windowsPropagated += worker.propagated;
+      this->result_.relativeErrorBound =
+        std::max(this->result_.relativeErrorBound, worker.relativeError);
+    });
   this->result_.windowsPropagated = this->ranks_.sumOf(this->result_.windowsPropagated);
   this->result_.relativeErrorBound = this->ranks_.largestOf(this->result_.relativeErrorBound);
   this->retention_.finish(this->state());

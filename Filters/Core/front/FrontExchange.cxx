@@ -27,25 +27,14 @@ FrontExchange::FrontExchange(const SurfacePart* part)
   }
 }
 
-void FrontExchange::take(std::vector<SentList>& sent, WindowPool& pool)
+void FrontExchange::take(const SentList& list, WindowPool& pool)
 {
-  std::size_t kept = 0;
-  for (const SentList& list : sent)
-  {
-    const Id face = TriangleMesh::faceOf(list.halfedge);
-    if (this->part_->isOwn(face))
-    {
-      sent[kept++] = list;
-      continue;
-    }
-    const RankAddress owner = this->part_->ownerOf(face);
-    Message& message = this->lists_[indexOf(owner.rank)];
-    put(message, 3 * owner.id + list.halfedge % 3);
-    put(message, static_cast<std::uint32_t>(list.windows.size));
-    put(message, list.windows.data, list.windows.size);
-    pool.free(list.windows);
-  }
-  sent.resize(kept);
+  const RankAddress owner = this->part_->ownerOf(TriangleMesh::faceOf(list.halfedge));
+  Message& message = this->lists_[indexOf(owner.rank)];
+  put(message, 3 * owner.id + list.halfedge % 3);
+  put(message, static_cast<std::uint32_t>(list.windows.size));
+  put(message, list.windows.data, list.windows.size);
+  pool.free(list.windows);
 }
 
 void FrontExchange::tell(const DistanceUpdate& update)

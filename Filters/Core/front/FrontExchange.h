@@ -3,7 +3,7 @@
 #define geodesic_FrontExchange_h
 
 #include "front/CompleteFaces.h"
-#include "front/Outbox.h"
+#include "front/Post.h"
 #include "front/VertexStates.h"
 #include "mesh/SurfacePart.h"
 
@@ -24,8 +24,8 @@ public:
 
   bool isAlone() const { return this->part_ == nullptr; }
 
-  /// Takes the lists that go to other ranks out of those that were sent.
-  void take(std::vector<SentList>& sent, WindowPool& pool);
+  /// Takes a list along that goes to another rank.
+  void take(const SentList& list, WindowPool& pool);
   /// Tells the other ranks that have the vertex.
   void tell(const DistanceUpdate& update);
 

@@ -2,26 +2,22 @@
 #ifndef geodesic_FrontWorker_h
 #define geodesic_FrontWorker_h
 
-#include "front/Outbox.h"
+#include "front/Front.h"
 #include "front/SaddleWedge.h"
-#include "front/VertexStates.h"
 #include "window/FacePropagation.h"
 #include "window/WindowList.h"
 #include "window/WindowPool.h"
 
+#include <atomic>
 #include <vector>
 
 namespace geodesic
 {
 
-/// What one task of a batch works with and leaves behind. Nothing in it depends on which thread
-/// runs the task.
+/// What a task of a batch works with: memory, and sums for which it does not matter who adds. So it
+/// does not matter which worker a task gets.
 struct FrontWorker
 {
-  /// Its number among the workers.
-  std::size_t number = 0;
-
-  /// Work space.
   std::vector<ApexSide> apexSides;
   LeavingWindows leaving;
   WindowListBuilder merged;
@@ -29,76 +25,96 @@ struct FrontWorker
   std::vector<Window> merging;
   std::vector<EmittedInterval> emitted;
 
-  /// The lists that it sends to halfedges.
-  std::vector<SentList> sent;
-  /// Paths found while lists went through faces, and where lists have come to.
-  std::vector<DistanceUpdate> updates;
-  std::vector<DistanceUpdate> arrivals;
-  /// Halfedges that had no list, and those whose lists have changed.
-  std::vector<Id> newLists;
-  std::vector<Id> changedLists;
-  /// Halfedges with windows within the distance limit.
-  std::vector<Id> withinLimit;
-
   /// Over the whole solve: windows put on halfedges, and the largest relative error of a merge.
   std::uint64_t propagated = 0;
   double relativeError = 0.0;
 };
 
-/// The workers of a front. Tasks are cut by the number of items alone, and each has a worker of its
-/// own.
+/// The workers of a front: as many as there are threads, so that memory that one task gives back is
+/// there for the next.
 class FrontWorkers
 {
 public:
-  FrontWorkers()
-    : workers_(1)
+  explicit FrontWorkers(const ParallelFor& parallelFor)
+    : parallelFor_(parallelFor)
+    , desks_(parallelFor ? MostThreads : 1)
   {
+    this->desks_.front().isUsed = true;
   }
 
-  std::size_t size() const { return this->workers_.size(); }
-  auto begin() { return this->workers_.begin(); }
-  auto end() { return this->workers_.end(); }
-  FrontWorker& first() { return this->workers_.front(); }
+  /// For work outside of tasks.
+  FrontWorker& first() { return this->desks_.front().worker; }
 
-  /// Into how many tasks a loop is cut.
-  static std::size_t numberOfTasks(std::size_t items, bool parallel)
+  /// Calls visit(FrontWorker&) for each that has worked.
+  template <typename Visit>
+  void forEach(Visit&& visit)
   {
-    constexpr std::size_t itemsPerTask = 8;
-    constexpr std::size_t maximumTasks = 32;
-    return parallel ? std::clamp<std::size_t>(items / itemsPerTask, 1, maximumTasks) : 1;
-  }
-
-  void resize(std::size_t count)
-  {
-    this->workers_.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
+    for (Desk& desk : this->desks_)
     {
-      this->workers_[i].number = i;
+      if (desk.isUsed)
+      {
+        visit(desk.worker);
+      }
     }
   }
 
-  /// Runs item(worker, i) for i below `items`, in so many tasks.
-  template <typename ParallelFor, typename Item>
-  void run(std::size_t items, std::size_t tasks, const ParallelFor& parallelFor, Item&& item)
+  /// Runs item(worker, i) for i below `items`, at the same time where there are several.
+  template <typename Item>
+  void run(std::size_t items, Item&& item)
   {
-    const auto task = [&](std::size_t number)
+    if (!this->parallelFor_ || items == 1)
     {
-      const std::size_t last = (number + 1) * items / tasks;
-      for (std::size_t i = number * items / tasks; i < last; ++i)
+      for (std::size_t i = 0; i < items; ++i)
       {
-        item(this->workers_[number], i);
+        item(this->first(), i);
       }
-    };
-    if (tasks == 1)
-    {
-      task(0);
       return;
     }
-    parallelFor(tasks, task);
+    this->parallelFor_(items,
+      [&](std::size_t i)
+      {
+        const Seat seat(this->desks_);
+        item(seat.worker(), i);
+      });
   }
 
 private:
-  std::vector<FrontWorker> workers_;
+  /// More threads than this wait for one another.
+  static constexpr std::size_t MostThreads = 64;
+
+  struct alignas(64) Desk
+  {
+    FrontWorker worker;
+    std::atomic<bool> isTaken{ false };
+    bool isUsed = false;
+  };
+
+  /// Takes a desk for a task. A thread tries the same one first each time, whose memory is near.
+  class Seat
+  {
+  public:
+    explicit Seat(std::vector<Desk>& desks)
+    {
+      thread_local std::size_t last = 0;
+      while (desks[last].isTaken.exchange(true, std::memory_order_acquire))
+      {
+        last = (last + 1) % desks.size();
+      }
+      this->desk_ = &desks[last];
+      this->desk_->isUsed = true;
+    }
+    ~Seat() { this->desk_->isTaken.store(false, std::memory_order_release); }
+    Seat(const Seat&) = delete;
+    Seat& operator=(const Seat&) = delete;
+
+    FrontWorker& worker() const { return this->desk_->worker; }
+
+  private:
+    Desk* desk_;
+  };
+
+  const ParallelFor& parallelFor_;
+  std::vector<Desk> desks_;
 };
 
 }

@@ -41,8 +41,11 @@ struct FrontState
   /// The distances found so far, and those with which vertices were last processed.
   VertexNumbers distances;
   VertexNumbers processed;
-  /// Where the blocks of each worker's lists came from. A block may be freed into any of them.
+  /// Where the blocks of lists came from: one or more. A block may be freed into any of them.
   const std::vector<WindowPool*>& pools;
+
+  /// One of them; others for other numbers, so that all find free blocks again.
+  WindowPool& pool(std::size_t number) const { return *this->pools[number % this->pools.size()]; }
 };
 
 /// What a solve has kept of its windows.
@@ -61,8 +64,10 @@ struct KeptWindows
 /// Decides what becomes of the windows behind the front. The front hands each list over once it has
 /// gone through its face; distances at vertices need none of them.
 ///
-/// pass() is called from the tasks of a batch, each with its own worker number, the rest between
-/// batches from one thread.
+/// pass() is called from the tasks of a batch, each for a district of its own (front/Districts.h);
+/// the rest between batches from one thread. Districts depend on the mesh alone: lists that are
+/// taken in their order, and of each as they were passed, are in one order for any number of
+/// threads.
 class Retention
 {
 public:
@@ -74,14 +79,14 @@ public:
   /// bits of a front that goes everywhere. May fall as the front goes on. Other than with a
   /// distance limit, faces need not be complete.
   virtual double reach() const { return Infinity; }
-  /// There will be workers up to this number; never fewer than before.
-  virtual void setNumberOfWorkers(std::size_t) {}
+  /// Before the first batch.
+  virtual void setNumberOfDistricts(std::size_t) {}
   /// The sources that lie in faces, before the first batch.
   virtual void start(const std::vector<SourceInFace>&) {}
-  /// Takes a list over. Its block is the retention's from now on; the pool is the worker's.
+  /// Takes a list over. Its block is the retention's from now on; the pool is the calling task's.
   ///
   /// \param batch number of the batch, ascending.
-  virtual void pass(std::size_t worker, const PassedList& list, Id batch, WindowPool& pool) = 0;
+  virtual void pass(std::size_t district, const PassedList& list, Id batch, WindowPool& pool) = 0;
   /// A vertex that was processed has got a smaller distance.
   virtual void shortenDistance(Id) {}
   /// A batch has ended.
@@ -113,12 +118,12 @@ public:
   }
 
   bool needsInside() const override { return true; }
-  void setNumberOfWorkers(std::size_t count) override { this->passed_.resize(count); }
-  void pass(std::size_t worker, const PassedList& list, Id batch, WindowPool& pool) override
+  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
+  void pass(std::size_t district, const PassedList& list, Id batch, WindowPool& pool) override
   {
     if (this->kept_.faces.empty() || this->kept_.faces[TriangleMesh::faceOf(list.halfedge)])
     {
-      this->passed_[worker].add(list.halfedge, list.windows.range(), batch);
+      this->passed_[district].add(list.halfedge, list.windows.range(), batch);
     }
     pool.free(list.windows);
   }

@@ -43,47 +43,42 @@ public:
     }
   }
 
-  /// The least key of a current entry; infinite where there is none.
-  ///
+  /// What comes next: the least key of a current entry, and the last of its batch, which no current
+  /// entry's reach ends before; both infinite where there is none.
+  struct Outlook
+  {
+    double least = Infinity;
+    double last = Infinity;
+  };
+
   /// \param isCurrent (const Entry&) -> bool.
   /// \param reachOf (Id vertex) -> how much farther than a vertex those in its batch may be.
   template <typename IsCurrent, typename ReachOf>
-  double least(const IsCurrent& isCurrent, const ReachOf& reachOf)
+  Outlook outlook(const IsCurrent& isCurrent, const ReachOf& reachOf)
   {
     for (;;)
     {
-      double least = Infinity;
+      Outlook next;
       std::size_t kept = 0;
       for (const Entry& entry : this->near_)
       {
         if (isCurrent(entry))
         {
-          least = std::min(least, entry.key);
+          next.least = std::min(next.least, entry.key);
+          if (entry.key <= next.last)
+          {
+            next.last = std::min(next.last, entry.key + reachOf(entry.vertex));
+          }
           this->near_[kept++] = entry;
         }
       }
       this->near_.resize(kept);
       if (kept > 0 || this->far_.empty())
       {
-        return least;
+        return next;
       }
       this->comeNear(reachOf);
     }
-  }
-
-  /// The key that no current entry's reach ends before, after least(): the last of a batch.
-  template <typename IsCurrent, typename ReachOf>
-  double lastOfBatch(const IsCurrent& isCurrent, const ReachOf& reachOf) const
-  {
-    double last = Infinity;
-    for (const Entry& entry : this->near_)
-    {
-      if (entry.key <= last && isCurrent(entry))
-      {
-        last = std::min(last, entry.key + reachOf(entry.vertex));
-      }
-    }
-    return last;
   }
 
   /// Takes out the current entries up to a key.

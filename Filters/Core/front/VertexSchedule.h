@@ -57,27 +57,17 @@ public:
     }
   }
 
-  /// What comes next: the least key of a vertex that waits, infinite where none does, and the last
-  /// key of its batch.
-  struct Outlook
-  {
-    double least = Infinity;
-    double last = Infinity;
-  };
+  /// What comes next: the least key of a vertex that waits, and the last key of its batch.
+  using Outlook = VertexQueue::Outlook;
   Outlook outlook()
   {
     const auto reachOf = this->reachOf();
-    Outlook next;
+    Outlook next = this->queue_.outlook(this->isCurrent(), reachOf);
     for (const Id vertex : this->behind_)
     {
       next.least = this->key_;
       next.last = std::min(next.last, this->key_ + reachOf(vertex));
     }
-    if (this->behind_.empty())
-    {
-      next.least = this->queue_.least(this->isCurrent(), reachOf);
-    }
-    next.last = std::min(next.last, this->queue_.lastOfBatch(this->isCurrent(), reachOf));
     return next;
   }
 

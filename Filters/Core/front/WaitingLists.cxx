@@ -1,64 +1,137 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "front/WaitingLists.h"
 
+#include <algorithm>
+
 namespace geodesic
 {
 
-WindowBlock WaitingLists::blockOf(Id halfedge) const
+WindowBlock WaitingLists::blockOf(Id list) const
 {
-  const List& list = this->lists_[halfedge];
   WindowBlock block;
-  block.data = list.data;
-  block.size = list.size;
-  block.sizeClass = list.sizeClass;
+  block.data = this->lists_[list].data;
+  block.size = this->lists_[list].size;
+  block.sizeClass = this->lists_[list].sizeClass;
   return block;
 }
 
-void WaitingLists::adopt(Id halfedge, const WindowBlock& block)
+void WaitingLists::setBlock(Id list, const WindowBlock& block)
 {
-  List& list = this->lists_[halfedge];
-  list.data = block.data;
-  list.size = block.size;
-  list.sizeClass = block.sizeClass;
+  this->lists_[list].data = block.data;
+  this->lists_[list].size = block.size;
+  this->lists_[list].sizeClass = block.sizeClass;
 }
 
-void WaitingLists::assign(Id halfedge, const WindowRange& windows, WindowPool& pool)
+std::size_t WaitingLists::homeOf(Id halfedge) const
 {
-  List& list = this->lists_[halfedge];
-  if (windows.size() <= (std::size_t(1) << list.sizeClass))
+  constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U; // Fibonacci hashing (Knuth, 6.4)
+  return (halfedge * golden) >> (64 - this->bits_);
+}
+
+Id WaitingLists::find(Id halfedge) const
+{
+  if (this->count_ == 0)
   {
-    std::copy(windows.begin(), windows.end(), list.data);
-    list.size = static_cast<std::uint32_t>(windows.size()) & 0x7ffffffu;
+    return NoId;
+  }
+  std::size_t place = this->homeOf(halfedge);
+  while (this->table_[place] != NoId && this->halfedge(this->table_[place]) != halfedge)
+  {
+    place = (place + 1) & this->mask();
+  }
+  return this->table_[place];
+}
+
+Id WaitingLists::newList()
+{
+  if (this->unused_ == NoId)
+  {
+    this->lists_.emplace_back();
+    return static_cast<Id>(this->lists_.size() - 1);
+  }
+  const Id list = this->unused_;
+  this->unused_ = this->next(list);
+  return list;
+}
+
+Id WaitingLists::add(Id halfedge, const WindowBlock& block)
+{
+  if (2 * (this->count_ + 1) > this->table_.size())
+  {
+    this->grow();
+  }
+  const Id list = this->newList();
+  this->lists_[list].halfedge = halfedge;
+  this->lists_[list].next = NoId;
+  this->setBlock(list, block);
+  this->enter(list);
+  ++this->count_;
+  return list;
+}
+
+void WaitingLists::enter(Id list)
+{
+  std::size_t place = this->homeOf(this->halfedge(list));
+  while (this->table_[place] != NoId)
+  {
+    place = (place + 1) & this->mask();
+  }
+  this->table_[place] = list;
+}
+
+void WaitingLists::grow()
+{
+  constexpr unsigned leastBits = 5;
+  this->bits_ = std::max(leastBits, this->bits_ + 1);
+  std::vector<Id> old(std::size_t(1) << this->bits_, NoId);
+  old.swap(this->table_);
+  for (const Id list : old)
+  {
+    if (list != NoId)
+    {
+      this->enter(list);
+    }
+  }
+}
+
+// Lists behind the gap come forward where their homes allow it, so that none is cut off from its
+// home (Knuth, 6.4, algorithm R).
+WindowBlock WaitingLists::remove(Id list)
+{
+  std::size_t gap = this->homeOf(this->halfedge(list));
+  while (this->table_[gap] != list)
+  {
+    gap = (gap + 1) & this->mask();
+  }
+  for (std::size_t place = (gap + 1) & this->mask(); this->table_[place] != NoId;
+       place = (place + 1) & this->mask())
+  {
+    const std::size_t home = this->homeOf(this->halfedge(this->table_[place]));
+    if (((place - home) & this->mask()) >= ((place - gap) & this->mask()))
+    {
+      this->table_[gap] = this->table_[place];
+      gap = place;
+    }
+  }
+  this->table_[gap] = NoId;
+  --this->count_;
+  this->setNext(list, this->unused_);
+  this->unused_ = list;
+  return this->blockOf(list);
+}
+
+void WaitingLists::assign(Id list, const WindowRange& windows, WindowPool& pool)
+{
+  List& changed = this->lists_[list];
+  if (windows.size() <= (std::size_t(1) << changed.sizeClass))
+  {
+    std::copy(windows.begin(), windows.end(), changed.data);
+    changed.size = static_cast<std::uint32_t>(windows.size()) & 0x7ffffffu;
     return;
   }
   const WindowBlock block = pool.copyOf(windows);
-  pool.free(this->blockOf(halfedge));
-  this->adopt(halfedge, block);
-}
-
-void WaitingLists::clear(Id halfedge, WindowPool& pool)
-{
-  pool.free(this->release(halfedge));
-}
-
-WindowBlock WaitingLists::release(Id halfedge)
-{
-  const WindowBlock block = this->blockOf(halfedge);
-  this->lists_[halfedge] = List();
-  return block;
-}
-
-std::vector<Id> WaitingLists::halfedges() const
-{
-  std::vector<Id> result;
-  for (std::size_t halfedge = 0; halfedge < this->lists_.size(); ++halfedge)
-  {
-    if (this->lists_[halfedge].data != nullptr)
-    {
-      result.push_back(static_cast<Id>(halfedge));
-    }
-  }
-  return result;
+  pool.free(this->blockOf(list));
+  this->setBlock(list, block);
 }
 
 }

@@ -48,9 +48,9 @@ void RefinementRetention::start(const std::vector<SourceInFace>& sources)
   }
 }
 
-void RefinementRetention::pass(std::size_t worker, const PassedList& list, Id, WindowPool&)
+void RefinementRetention::pass(std::size_t district, const PassedList& list, Id, WindowPool&)
 {
-  this->passed_[worker].push_back(this->test_.measure(list));
+  this->passed_[district].push_back(this->test_.measure(list));
 }
 
 std::array<double, 3> RefinementRetention::atCorners(Id face, const VertexNumbers& distances) const
@@ -67,13 +67,13 @@ bool RefinementRetention::isReached(Id face, const VertexNumbers& distances) con
 
 void RefinementRetention::takePassed(const FrontState& front)
 {
-  for (std::size_t worker = 0; worker < this->passed_.size(); ++worker)
+  for (std::size_t district = 0; district < this->passed_.size(); ++district)
   {
-    for (const MeasuredList& measured : this->passed_[worker])
+    for (const MeasuredList& measured : this->passed_[district])
     {
-      this->take(measured, front.distances, *front.pools[worker]);
+      this->take(measured, front.distances, front.pool(district));
     }
-    this->passed_[worker].clear();
+    this->passed_[district].clear();
   }
 }
 

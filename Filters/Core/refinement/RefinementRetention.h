@@ -37,9 +37,9 @@ public:
     const std::vector<std::uint8_t>& pinned, const SurfacePart* part = nullptr);
 
   bool needsInside() const override { return true; }
-  void setNumberOfWorkers(std::size_t count) override { this->passed_.resize(count); }
+  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
   void start(const std::vector<SourceInFace>& sources) override;
-  void pass(std::size_t worker, const PassedList& list, Id batch, WindowPool& pool) override;
+  void pass(std::size_t district, const PassedList& list, Id batch, WindowPool& pool) override;
   void shortenDistance(Id vertex) override;
   void advance(const FrontState& front) override;
   void finish(const FrontState& front) override;
@@ -84,10 +84,10 @@ private:
   void doWithoutNeighbours(Id face, WindowPool& pool);
   void dropIfUnneeded(Id face, WindowPool& pool);
   void handOver(const FrontState& front);
-  // Blocks go back to the workers in turn, so that all of them find some.
+  // Blocks go back to the pools in turn, so that all tasks find some.
   WindowPool& anyPool(const FrontState& front)
   {
-    return *front.pools[this->nextPool_++ % front.pools.size()];
+    return front.pool(this->nextPool_++);
   }
 
   const TriangleMesh& mesh_;
@@ -103,7 +103,7 @@ private:
   using Awaited = std::pair<double, Id>;
   std::priority_queue<Awaited, std::vector<Awaited>, std::greater<Awaited>> awaited_;
   std::vector<Id> droppedTooEarly_;
-  /// What each worker has handed over in this batch.
+  /// What each district has handed over in this batch.
   std::vector<std::vector<MeasuredList>> passed_;
   std::size_t nextPool_ = 0;
   KeptWindows kept_;

@@ -48,13 +48,13 @@ public:
     this->queue_.push(key, vertex);
   }
 
-  double least() { return this->queue_.least(this->isCurrent(), this->reachOf()); }
+  double least() { return this->queue_.outlook(this->isCurrent(), this->reachOf()).least; }
 
   std::vector<Id> takeBatch(double last)
   {
     std::vector<Id> taken;
     this->queue_.takeBatch(
-      std::min(last, this->queue_.lastOfBatch(this->isCurrent(), this->reachOf())),
+      std::min(last, this->queue_.outlook(this->isCurrent(), this->reachOf()).last),
       this->isCurrent(),
       [&](Id vertex)
       {

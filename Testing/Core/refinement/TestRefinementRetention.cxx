@@ -134,7 +134,7 @@ protected:
       flags[face] = 1;
     }
     auto retention = std::make_unique<geodesic::RefinementRetention>(this->mesh_, Tolerance, flags);
-    retention->setNumberOfWorkers(1);
+    retention->setNumberOfDistricts(1);
     return retention;
   }
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The districts that the front works in.
+#include "front/Districts.h"
+
+#include "EngineSupport.h"
+#include "truth/TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+using namespace geodesictest;
+using geodesic::Districts;
+using geodesic::Id;
+using geodesic::TriangleMesh;
+
+namespace
+{
+
+std::vector<Id> sizesOf(const Districts& districts, Id vertices)
+{
+  std::vector<Id> sizes(districts.size(), 0);
+  for (Id vertex = 0; vertex < vertices; ++vertex)
+  {
+    ++sizes[districts.of(vertex)];
+  }
+  return sizes;
+}
+
+}
+
+TEST(Districts, OfATinyMeshThereIsOne)
+{
+  EXPECT_EQ(Districts(TriangleMesh()).size(), 1U);
+  const TriangleMesh mesh = engineMesh(regularGrid(3, 3));
+  const Districts districts(mesh);
+  EXPECT_EQ(districts.size(), 1U);
+  EXPECT_EQ(sizesOf(districts, mesh.numberOfVertices())[0], mesh.numberOfVertices());
+}
+
+TEST(Districts, OfALargeMeshThereAreNotMoreThanMost)
+{
+  const TriangleMesh mesh(std::vector<geodesic::Vec3>(1200000), { { 0, 1, 2 } });
+  EXPECT_EQ(Districts(mesh).size(), Districts::Most);
+}
+
+TEST(Districts, AreOfNearlyEqualSize)
+{
+  const TriangleMesh mesh = engineMesh(regularGrid(200, 150));
+  const Districts districts(mesh);
+  ASSERT_GE(districts.size(), 8U);
+  const std::vector<Id> sizes = sizesOf(districts, mesh.numberOfVertices());
+  const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
+  EXPECT_LE(*most, 1.2 * *least);
+}
+
+TEST(Districts, MostNeighboursAreOfOne)
+{
+  const TriangleMesh mesh = engineMesh(regularGrid(200, 150));
+  const Districts districts(mesh);
+  Id crossed = 0;
+  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+  {
+    crossed +=
+      districts.of(mesh.origin(halfedge)) != districts.of(mesh.destination(halfedge)) ? 1 : 0;
+  }
+  EXPECT_LE(crossed, 0.15 * mesh.numberOfHalfedges());
+}
+
+TEST(Districts, VerticesOfOnePlaceAreOneDistrict)
+{
+  const std::vector<geodesic::Vec3> points(10000, geodesic::Vec3{ 1.0, 2.0, 3.0 });
+  const TriangleMesh mesh(points, { { 0, 1, 2 } });
+  const Districts districts(mesh);
+  for (Id vertex = 1; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    ASSERT_EQ(districts.of(vertex), districts.of(0));
+  }
+}
