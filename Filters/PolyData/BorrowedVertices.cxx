@@ -48,8 +48,7 @@ std::vector<Message> findHolders(const std::vector<Message>& told)
       if (entry.isHolder == 0)
       {
         const auto found = holders.find(entry.label);
-        put(answers[static_cast<std::size_t>(rank)],
-          found != holders.end() ? found->second : Holder());
+        put(answers[indexOf(rank)], found != holders.end() ? found->second : Holder());
       }
     });
   return answers;
@@ -69,7 +68,7 @@ BorrowedVertices::BorrowedVertices(
     if (labels.isShared[vertex])
     {
       const Label label = labels.labels[vertex];
-      const auto rank = static_cast<std::size_t>(RankSeams::rankOf(label));
+      const auto rank = indexOf(RankSeams::rankOf(label));
       put(messages[rank], ToldHolder{ label, ownNumbers[vertex], isHolder ? Id(1) : Id(0) });
       if (!isHolder)
       {
@@ -94,26 +93,23 @@ BorrowedVertices::BorrowedVertices(
   readEach(exchange.step(findHolders(told)),
     [&](int rank, MessageReader& reader)
     {
-      const auto from = static_cast<std::size_t>(rank);
+      const auto from = indexOf(rank);
       const Id borrowed = asked[from][next[from]++];
       const auto holder = reader.get<Holder>();
       if (holder.rank >= 0)
       {
-        put(orders[static_cast<std::size_t>(holder.rank)], holder.vertex);
-        this->borrowed_[static_cast<std::size_t>(holder.rank)].push_back(borrowed);
+        put(orders[indexOf(holder.rank)], holder.vertex);
+        this->borrowed_[indexOf(holder.rank)].push_back(borrowed);
       }
       else
       {
-        withoutFace += from == static_cast<std::size_t>(exchange.rank()) ? 1 : 0;
+        withoutFace += from == indexOf(exchange.rank()) ? 1 : 0;
       }
     });
   readEach(exchange.step(std::move(orders)),
     [&](int rank, MessageReader& reader)
-    { this->lent_[static_cast<std::size_t>(rank)].push_back(reader.get<Id>()); });
-  Message message;
-  put(message, withoutFace);
-  readEach(exchange.tellAll(message),
-    [&](int, MessageReader& reader) { this->numberWithoutFace_ += reader.get<Id>(); });
+    { this->lent_[indexOf(rank)].push_back(reader.get<Id>()); });
+  this->numberWithoutFace_ = static_cast<Id>(sumOverRanks(exchange, withoutFace).all);
 }
 
 }

@@ -48,7 +48,7 @@ public:
     readEach(exchange.step(std::move(messages)),
       [&](int rank, MessageReader& reader)
       {
-        const auto from = static_cast<std::size_t>(rank);
+        const auto from = indexOf(rank);
         values[own + this->borrowed_[from][next[from]++]] = reader.get<Value>();
       });
   }

@@ -118,7 +118,7 @@ std::vector<Message> judge(const std::vector<Message>& told)
       bool& taken = isTaken[cell.key];
       const std::uint8_t isCopy = cell.isMarked != 0 && taken ? 1 : 0;
       taken = true;
-      put(answers[static_cast<std::size_t>(rank)], isCopy);
+      put(answers[indexOf(rank)], isCopy);
     });
   return answers;
 }
@@ -149,7 +149,7 @@ void findCopiesOfOthers(const RankLabels& labels, const std::vector<Id>& vertexO
   readEach(exchange.step(judge(told)),
     [&](int rank, MessageReader& reader)
     {
-      const auto from = static_cast<std::size_t>(rank);
+      const auto from = indexOf(rank);
       const CellOnRank& cell = cells[asked[from][next[from]++]];
       if (reader.get<std::uint8_t>() != 0)
       {

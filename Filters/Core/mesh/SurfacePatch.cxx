@@ -100,7 +100,7 @@ std::vector<Id> ownWithNeighbours(const SurfacePart& part, const std::vector<Id>
       continue;
     }
     const RankAddress owner = part.ownerOf(face);
-    put(told[static_cast<std::size_t>(owner.rank)], owner.id);
+    put(told[indexOf(owner.rank)], owner.id);
   }
   readEach(part.exchange().step(std::move(told)),
     [&](int, MessageReader& reader) { own.push_back(reader.get<Id>()); });
