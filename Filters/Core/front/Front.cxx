@@ -52,6 +52,7 @@ private:
   void runBatch();
   template <typename Item>
   void runTasks(std::size_t items, Item&& item);
+  void tellUpdates(std::vector<DistanceUpdate> FrontWorker::*updates);
   void exchangeLists();
   void collectOutbox();
 
@@ -305,16 +306,24 @@ void Front::runTasks(std::size_t items, Item&& item)
   this->workers_.run(items, tasks, this->options_.parallelFor, item);
 }
 
+void Front::tellUpdates(std::vector<DistanceUpdate> FrontWorker::*updates)
+{
+  for (const FrontWorker& worker : this->workers_)
+  {
+    for (const DistanceUpdate& update : worker.*updates)
+    {
+      this->ranks_.tell(update);
+    }
+  }
+}
+
 void Front::exchangeLists()
 {
   for (FrontWorker& worker : this->workers_)
   {
     this->ranks_.take(worker.sent, worker.pool);
-    for (const DistanceUpdate& update : worker.updates)
-    {
-      this->ranks_.tell(update);
-    }
   }
+  this->tellUpdates(&FrontWorker::updates);
   FrontWorker& first = this->workers_.first();
   FrontWorker& last = *(this->workers_.end() - 1);
   std::vector<double> nothing;
@@ -341,12 +350,9 @@ void Front::commit()
 {
   this->commitVertices();
   this->commitUpdates(&FrontWorker::updates);
-  for (const FrontWorker& worker : this->workers_)
+  if (!this->ranks_.isAlone())
   {
-    for (std::size_t i = 0; i < worker.arrivals.size() && !this->ranks_.isAlone(); ++i)
-    {
-      this->ranks_.tell(worker.arrivals[i]);
-    }
+    this->tellUpdates(&FrontWorker::arrivals);
   }
   this->commitUpdates(&FrontWorker::arrivals);
   this->commitLists();
