@@ -5,6 +5,7 @@
 #include "Errors.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <type_traits>
@@ -16,6 +17,12 @@ namespace geodesic
 
 /// What one rank tells another in one step.
 using Message = std::vector<std::byte>;
+
+/// A rank's place in what there is one of for each rank, such as messages.
+inline std::size_t indexOf(int rank)
+{
+  return static_cast<std::size_t>(rank);
+}
 
 /// Another rank has failed, with this message; this one can only say the same.
 class FailedElsewhere : public Error
@@ -158,6 +165,41 @@ void readEach(const std::vector<Message>& messages, Visit&& visit)
       visit(static_cast<int>(rank), reader);
     }
   }
+}
+
+/// A step in which every rank tells all others one value.
+///
+/// \returns the values of all ranks, also this one's, in their order.
+template <typename Value>
+std::vector<Value> valuesOfRanks(Exchange& exchange, const Value& own)
+{
+  Message message;
+  put(message, own);
+  std::vector<Value> values;
+  values.reserve(indexOf(exchange.numberOfRanks()));
+  readEach(exchange.tellAll(message),
+    [&](int, MessageReader& reader) { values.push_back(reader.get<Value>()); });
+  return values;
+}
+
+/// How much the ranks before this one have of something, and how much all have.
+struct SumsOverRanks
+{
+  std::uint64_t before = 0;
+  std::uint64_t all = 0;
+};
+
+/// A step that sums up a number that every rank has.
+inline SumsOverRanks sumOverRanks(Exchange& exchange, std::uint64_t own)
+{
+  const std::vector<std::uint64_t> numbers = valuesOfRanks(exchange, own);
+  SumsOverRanks sums;
+  for (std::size_t rank = 0; rank < numbers.size(); ++rank)
+  {
+    sums.before += rank < indexOf(exchange.rank()) ? numbers[rank] : 0;
+    sums.all += numbers[rank];
+  }
+  return sums;
 }
 
 }

@@ -124,12 +124,7 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
     own.faces += block.data->GetNumberOfPolys() + block.data->GetNumberOfStrips();
   }
   own.hasBarriers = barriers.isGiven() ? 1 : 0;
-  Message message;
-  put(message, own);
-  std::vector<Piece> all;
-  readEach(this->exchange_->tellAll(message),
-    [&all](int, MessageReader& reader) { all.push_back(reader.get<Piece>()); });
-
+  const std::vector<Piece> all = valuesOfRanks(*this->exchange_, own);
   const auto isEmpty = [](const Piece& piece) { return piece.isEmpty(); };
   const auto emptyOnes = std::count_if(all.begin(), all.end(), isEmpty);
   if (emptyOnes + 1 >= this->exchange_->numberOfRanks())
@@ -254,16 +249,9 @@ SourceWindows FilterExecution::sourcesOfPiece() const
 
 std::size_t FilterExecution::sumOverPieces(std::size_t number) const
 {
-  if (this->place_ != SurfacePlace::InPieces)
-  {
-    return number;
-  }
-  Message message;
-  put(message, number);
-  std::size_t sum = 0;
-  readEach(this->exchange_->tellAll(message),
-    [&sum](int, MessageReader& reader) { sum += reader.get<std::size_t>(); });
-  return sum;
+  return this->place_ == SurfacePlace::InPieces
+    ? static_cast<std::size_t>(sumOverRanks(*this->exchange_, number).all)
+    : number;
 }
 
 const TriangleMesh& FilterExecution::meshOfSources() const

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/GhostCells.h"
 
-#include "PolyData/PolyDataSurface.h"
-#include "PolyData/Triangulator.h"
+#include "PolyData/CellTriangles.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -124,25 +123,14 @@ private:
   template <typename Visitor>
   void forEachCut(bool marked, Visitor&& visit)
   {
-    for (std::size_t block = 0; block < this->blocks_.size(); ++block)
-    {
-      const std::size_t end = block + 1 < this->blocks_.size()
-        ? this->blocks_[block + 1].firstTriangle
-        : this->triangles_.corners.size();
-      for (std::size_t first = this->blocks_[block].firstTriangle; first < end;)
+    forEachCell(this->blocks_, this->triangles_,
+      [&](std::size_t first, std::size_t last)
       {
-        std::size_t last = first + 1;
-        while (last < end && this->triangles_.cells[last] == this->triangles_.cells[first])
-        {
-          ++last;
-        }
         if (last > first + 1 && this->triangles_.isDuplicate[first] == marked)
         {
           visit(first, last);
         }
-        first = last;
-      }
-    }
+      });
   }
 
   std::vector<Id> verticesOf(std::size_t first, std::size_t last) const

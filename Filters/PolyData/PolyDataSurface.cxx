@@ -15,13 +15,10 @@ vtkIdType SurfaceBlock::numberOfTriangles() const
   return this->triangles->GetNumberOfCells();
 }
 
-PolyDataSurface::PolyDataSurface(std::unique_ptr<TriangleMesh> mesh,
-  std::unique_ptr<BarrierFaces> barriers, std::vector<Id> vertexOfPoint,
-  std::vector<SurfaceBlock> blocks, std::vector<TriangleRole> roles, const PowerOfTwoScale& scale,
-  double diagonal, const Report& report)
-  : mesh_(std::move(mesh))
-  , barriers_(std::move(barriers))
-  , vertexOfPoint_(std::move(vertexOfPoint))
+PolyDataSurface::PolyDataSurface(std::vector<Id> vertexOfPoint, std::vector<SurfaceBlock> blocks,
+  std::vector<TriangleRole> roles, const PowerOfTwoScale& scale, double diagonal,
+  const Report& report)
+  : vertexOfPoint_(std::move(vertexOfPoint))
   , blocks_(std::move(blocks))
   , roles_(std::move(roles))
   , scale_(scale)
@@ -31,19 +28,25 @@ PolyDataSurface::PolyDataSurface(std::unique_ptr<TriangleMesh> mesh,
   this->sortRoles();
 }
 
+PolyDataSurface::PolyDataSurface(std::unique_ptr<TriangleMesh> mesh,
+  std::unique_ptr<BarrierFaces> barriers, std::vector<Id> vertexOfPoint,
+  std::vector<SurfaceBlock> blocks, std::vector<TriangleRole> roles, const PowerOfTwoScale& scale,
+  double diagonal, const Report& report)
+  : PolyDataSurface(
+      std::move(vertexOfPoint), std::move(blocks), std::move(roles), scale, diagonal, report)
+{
+  this->mesh_ = std::move(mesh);
+  this->barriers_ = std::move(barriers);
+}
+
 PolyDataSurface::PolyDataSurface(std::unique_ptr<SurfacePart> part, BorrowedVertices borrowed,
   std::vector<Id> vertexOfPoint, std::vector<SurfaceBlock> blocks, std::vector<TriangleRole> roles,
   const PowerOfTwoScale& scale, double diagonal, const Report& report)
-  : part_(std::move(part))
-  , borrowed_(std::move(borrowed))
-  , vertexOfPoint_(std::move(vertexOfPoint))
-  , blocks_(std::move(blocks))
-  , roles_(std::move(roles))
-  , scale_(scale)
-  , diagonal_(diagonal)
-  , report_(report)
+  : PolyDataSurface(
+      std::move(vertexOfPoint), std::move(blocks), std::move(roles), scale, diagonal, report)
 {
-  this->sortRoles();
+  this->part_ = std::move(part);
+  this->borrowed_ = std::move(borrowed);
 }
 
 void PolyDataSurface::Report::add(const Report& other)

@@ -191,6 +191,10 @@ public:
   std::size_t blockOfTriangle(Id triangle) const;
 
 private:
+  /// What pieces and whole surfaces have in common.
+  PolyDataSurface(std::vector<Id> vertexOfPoint, std::vector<SurfaceBlock> blocks,
+    std::vector<TriangleRole> roles, const PowerOfTwoScale& scale, double diagonal,
+    const Report& report);
   void sortRoles();
 
   std::unique_ptr<TriangleMesh> mesh_;

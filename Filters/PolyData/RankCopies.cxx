@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/RankCopies.h"
 
+#include "PolyData/CellTriangles.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -47,25 +49,14 @@ public:
   std::vector<CellOnRank> find(const std::vector<std::uint8_t>& isCopy) const
   {
     std::vector<CellOnRank> cells;
-    for (std::size_t block = 0; block < this->blocks_.size(); ++block)
-    {
-      const std::size_t end = block + 1 < this->blocks_.size()
-        ? this->blocks_[block + 1].firstTriangle
-        : this->triangles_.corners.size();
-      for (std::size_t first = this->blocks_[block].firstTriangle; first < end;)
+    forEachCell(this->blocks_, this->triangles_,
+      [&](std::size_t first, std::size_t last)
       {
-        std::size_t last = first + 1;
-        while (last < end && this->triangles_.cells[last] == this->triangles_.cells[first])
-        {
-          ++last;
-        }
         if (!isCopy[first])
         {
           this->add(first, last, cells);
         }
-        first = last;
-      }
-    }
+      });
     return cells;
   }
 
@@ -118,7 +109,7 @@ std::vector<Message> judge(const std::vector<Message>& told)
       bool& taken = isTaken[cell.key];
       const std::uint8_t isCopy = cell.isMarked != 0 && taken ? 1 : 0;
       taken = true;
-      put(answers[static_cast<std::size_t>(rank)], isCopy);
+      put(answers[indexOf(rank)], isCopy);
     });
   return answers;
 }
@@ -149,7 +140,7 @@ void findCopiesOfOthers(const RankLabels& labels, const std::vector<Id>& vertexO
   readEach(exchange.step(judge(told)),
     [&](int rank, MessageReader& reader)
     {
-      const auto from = static_cast<std::size_t>(rank);
+      const auto from = indexOf(rank);
       const CellOnRank& cell = cells[asked[from][next[from]++]];
       if (reader.get<std::uint8_t>() != 0)
       {

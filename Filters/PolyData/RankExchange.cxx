@@ -115,7 +115,7 @@ std::vector<Message> RankExchange::step(std::vector<Message> messages, std::vect
   }
   const Stopwatch watch(this->report_.seconds);
   ++this->report_.steps;
-  const auto self = static_cast<std::size_t>(this->rank_);
+  const auto self = indexOf(this->rank_);
   this->header_[CountOfNumbers] = static_cast<double>(least.size());
   std::copy_n(
     least.begin(), std::min(least.size(), NumbersInHeader), this->header_.begin() + FirstNumber);
@@ -167,7 +167,7 @@ std::string RankExchange::fail(const std::string& why)
 
 const double* RankExchange::headerOf(int rank) const
 {
-  return this->headers_.data() + static_cast<std::size_t>(rank) * this->header_.size();
+  return this->headers_.data() + indexOf(rank) * this->header_.size();
 }
 
 void RankExchange::gatherHeaders(bool fails, std::size_t messageLength)
@@ -275,7 +275,7 @@ std::vector<Message> RankExchange::makeRoom()
   {
     for (int sender = 0; sender < this->numberOfRanks_; ++sender)
     {
-      received[static_cast<std::size_t>(sender)].resize(this->sizeBetween(sender, this->rank_));
+      received[indexOf(sender)].resize(this->sizeBetween(sender, this->rank_));
     }
   }
   catch (const std::bad_alloc&)
@@ -363,8 +363,8 @@ bool RankExchange::transferAtOnce(
       forEachPiece(this->sizeBetween(rank, this->rank_),
         [&](std::size_t begin, int length)
         {
-          controller->NoBlockReceive(bytesOf(received[static_cast<std::size_t>(rank)] + begin),
-            length, rank, Tag, requests.emplace_back());
+          controller->NoBlockReceive(
+            bytesOf(received[indexOf(rank)] + begin), length, rank, Tag, requests.emplace_back());
         });
     }
   }
@@ -372,7 +372,7 @@ bool RankExchange::transferAtOnce(
   {
     if (rank != this->rank_)
     {
-      const Message& message = messages[static_cast<std::size_t>(rank)];
+      const Message& message = messages[indexOf(rank)];
       forEachPiece(message.size(),
         [&](std::size_t begin, int length)
         {

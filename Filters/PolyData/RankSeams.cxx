@@ -52,18 +52,8 @@ struct Box
 /// The boxes of the other ranks.
 std::vector<Box> boxesOfOthers(const Box& own, Exchange& exchange)
 {
-  Message message;
-  put(message, own);
-  std::vector<Box> boxes;
-  readEach(exchange.tellAll(message),
-    [&](int rank, MessageReader& reader)
-    {
-      const Box box = reader.get<Box>();
-      if (rank != exchange.rank())
-      {
-        boxes.push_back(box);
-      }
-    });
+  std::vector<Box> boxes = valuesOfRanks(exchange, own);
+  boxes.erase(boxes.begin() + exchange.rank());
   return boxes;
 }
 
@@ -114,7 +104,7 @@ std::vector<Message> answers(const std::vector<Message>& told)
   readEach(told,
     [&](int rank, MessageReader& reader)
     {
-      std::vector<Label>& own = replies[static_cast<std::size_t>(rank)];
+      std::vector<Label>& own = replies[indexOf(rank)];
       entries.push_back({ reader.get<KeyedLabel<Key>>(), { rank, own.size() } });
       own.push_back(entries.back().first.label);
     });
@@ -132,7 +122,7 @@ std::vector<Message> answers(const std::vector<Message>& told)
       std::any_of(first, last, [&](const auto& e) { return e.second.rank != first->second.rank; });
     for (auto at = first; at != last; ++at)
     {
-      replies[static_cast<std::size_t>(at->second.rank)][at->second.index] =
+      replies[indexOf(at->second.rank)][at->second.index] =
         first->first.label | (isShared ? SharedFlag : 0);
     }
     first = last;
@@ -232,7 +222,7 @@ bool RankSeams::shareLeast(const std::vector<std::pair<Key, Id>>& items)
   readEach(this->exchange_.step(answers<Key>(told)),
     [&](int rank, MessageReader& reader)
     {
-      const auto from = static_cast<std::size_t>(rank);
+      const auto from = indexOf(rank);
       const Id vertex = asked[from][next[from]++];
       const Label answer = reader.get<Label>();
       const Label label = answer & ~SharedFlag;
@@ -288,9 +278,9 @@ std::vector<SeamVertex> RankSeams::gatherBoundary(const SeamBlock& piece) const
         vertex.vertex = entry.label;
         vertex.position = entry.position;
       }
-      if (vertex.blocks.empty() || vertex.blocks.back() != static_cast<std::size_t>(rank))
+      if (vertex.blocks.empty() || vertex.blocks.back() != indexOf(rank))
       {
-        vertex.blocks.push_back(static_cast<std::size_t>(rank));
+        vertex.blocks.push_back(indexOf(rank));
       }
       vertex.rounding = std::max(vertex.rounding, entry.rounding);
       vertex.shortestEdge = std::min(vertex.shortestEdge, entry.shortestEdge);

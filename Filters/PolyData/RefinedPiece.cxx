@@ -26,16 +26,6 @@ Triangle sorted(Triangle t)
   return t;
 }
 
-std::uint64_t sumOver(Exchange& exchange, std::uint64_t count)
-{
-  Message message;
-  put(message, count);
-  std::uint64_t sum = 0;
-  readEach(exchange.tellAll(message),
-    [&sum](int, MessageReader& reader) { sum += reader.get<std::uint64_t>(); });
-  return sum;
-}
-
 /// Calls visit(triangle, face) for each triangle of a piece that is open, with its face or the copy
 /// of the face that stands for it.
 template <typename Visit>
@@ -128,7 +118,7 @@ public:
       const RankAddress holder = this->otherHolder(here);
       if (other.face.address.id == NoId && holder.id != NoId)
       {
-        const auto rank = static_cast<std::size_t>(holder.rank);
+        const auto rank = indexOf(holder.rank);
         put(questions[rank], holder.id);
         put(questions[rank], sorted(other.vertices));
         asked[rank].push_back(&other);
@@ -138,7 +128,7 @@ public:
     readEach(this->part_.exchange().step(this->answer(std::move(questions))),
       [&](int rank, MessageReader& reader)
       {
-        const auto from = static_cast<std::size_t>(rank);
+        const auto from = indexOf(rank);
         asked[from][next[from]++]->face = reader.get<FaceOfWhole>();
       });
   }
@@ -152,10 +142,7 @@ private:
 
   FaceOfWhole faceOfWhole(Id face) const
   {
-    const RankAddress address = this->part_.isOwn(face)
-      ? RankAddress{ this->part_.exchange().rank(), face }
-      : this->part_.ownerOf(face);
-    return { address, this->numbersOf(this->part_.mesh().triangle(face)) };
+    return { this->part_.addressOf(face), this->numbersOf(this->part_.mesh().triangle(face)) };
   }
 
   /// A face of the part's mesh, owned or not.
@@ -216,8 +203,7 @@ private:
       [&](int rank, MessageReader& reader)
       {
         const Id vertex = reader.get<Id>();
-        put(answers[static_cast<std::size_t>(rank)],
-          this->findAround(vertex, reader.get<Triangle>()));
+        put(answers[indexOf(rank)], this->findAround(vertex, reader.get<Triangle>()));
       });
     return answers;
   }
@@ -348,7 +334,7 @@ bool areTooMany(const PolyDataSurface& surface, const std::vector<OtherTriangle>
   {
     total += surface.isCopy(other.triangle) ? 0 : other.parts.triangles.size();
   }
-  return sumOver(surface.part()->exchange(), total) > maximumFaces && maximumFaces > 0;
+  return sumOverRanks(surface.part()->exchange(), total).all > maximumFaces && maximumFaces > 0;
 }
 
 } // anonymous namespace
@@ -366,8 +352,9 @@ std::vector<Triangle> cornerPointsOfPiece(const PolyDataSurface& surface)
 
 std::uint64_t countOwnTriangles(const PolyDataSurface& surface)
 {
-  return surface.part() ? sumOver(surface.part()->exchange(), surface.numberOfOwnTriangles())
-                        : surface.numberOfOwnTriangles();
+  return surface.part()
+    ? sumOverRanks(surface.part()->exchange(), surface.numberOfOwnTriangles()).all
+    : surface.numberOfOwnTriangles();
 }
 
 std::vector<RankAddress> addOtherTrianglesOfPiece(const PolyDataSurface& surface,

@@ -805,11 +805,12 @@ void SurfaceReader::reportPiece(const SurfacePart& part, const BorrowedVertices&
       own.edges += mesh.edgeOf(halfedge) == halfedge ? 1 : 0;
     }
   }
-  Message message;
-  put(message, own);
+  const std::vector<PolyDataSurface::Report> reports = valuesOfRanks(*this->exchange_, own);
   own = {};
-  readEach(this->exchange_->tellAll(message),
-    [&own](int, MessageReader& reader) { own.add(reader.get<PolyDataSurface::Report>()); });
+  for (const PolyDataSurface::Report& report : reports)
+  {
+    own.add(report);
+  }
   own.isolatedPoints = borrowed.numberWithoutFace();
 }
 

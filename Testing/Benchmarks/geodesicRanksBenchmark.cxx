@@ -384,11 +384,7 @@ void measureUnderMpi(const Options& options, vtkMPIController* controller)
     told.steps = exchange.report().steps - before.steps;
     told.bytes = exchange.report().bytes - before.bytes;
     told.secondsInSteps = exchange.report().seconds - before.seconds;
-    Message message;
-    put(message, told);
-    std::vector<ToldRun> runs;
-    readEach(exchange.tellAll(message),
-      [&](int, MessageReader& reader) { runs.push_back(reader.get<ToldRun>()); });
+    const std::vector<ToldRun> runs = valuesOfRanks(exchange, told);
     if (exchange.rank() == 0)
     {
       printRuns(runs, options.number("--relative-error"));

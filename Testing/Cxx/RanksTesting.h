@@ -7,6 +7,8 @@
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMPIController.h"
+#include "vtkMultiProcessController.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <functional>
@@ -109,7 +111,23 @@ inline std::vector<vtkIdType> FacesOf(vtkPolyData* surface, const Cut& cut, int 
   return faces;
 }
 
-/// A rank's faces, then copies of all others around their points, which a ghost array marks.
+/// Some faces of a surface, of which those after the first few are copies of other ranks'; a ghost
+/// array marks them.
+inline vtkSmartPointer<vtkPolyData> PartWithGhosts(
+  vtkPolyData* surface, const std::vector<vtkIdType>& faces, std::size_t own)
+{
+  auto part = Part(surface, faces);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    ghosts->InsertNextValue(i < own ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+  }
+  part->GetCellData()->AddArray(ghosts);
+  return part;
+}
+
+/// A rank's faces, then copies of all others around their points.
 inline vtkSmartPointer<vtkPolyData> PartWithGhosts(vtkPolyData* surface, const Cut& cut, int rank)
 {
   std::vector<vtkIdType> faces = FacesOf(surface, cut, rank);
@@ -138,15 +156,24 @@ inline vtkSmartPointer<vtkPolyData> PartWithGhosts(vtkPolyData* surface, const C
       faces.push_back(face);
     }
   }
-  auto part = Part(surface, faces);
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    ghosts->InsertNextValue(i < own ? 0 : vtkDataSetAttributes::DUPLICATECELL);
-  }
-  part->GetCellData()->AddArray(ghosts);
-  return part;
+  return PartWithGhosts(surface, faces, own);
+}
+
+/// Runs a test under MPI: tests(Check&, Ranks) on every rank. It fails on all where it does on one.
+template <typename Tests>
+int RunOnRanks(int argc, char* argv[], Tests&& tests)
+{
+  vtkNew<vtkMPIController> controller;
+  controller->Initialize(&argc, &argv);
+  vtkMultiProcessController::SetGlobalController(controller);
+  Check check;
+  tests(check, Ranks{ controller->GetLocalProcessId(), controller->GetNumberOfProcesses() });
+  const int failures = check.Result() == EXIT_SUCCESS ? 0 : 1;
+  int all = 0;
+  controller->AllReduce(&failures, &all, 1, vtkCommunicator::SUM_OP);
+  vtkMultiProcessController::SetGlobalController(nullptr);
+  controller->Finalize();
+  return all == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }

@@ -7,9 +7,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkGeodesicDistanceMatrix.h"
-#include "vtkMPIController.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkMultiProcessController.h"
 #include "vtkTable.h"
 
 #include <cmath>
@@ -512,27 +510,20 @@ void TestMatrix(Check& check, Ranks ranks, vtkPolyData* surface)
 
 int TestGeodesicRanks(int argc, char* argv[])
 {
-  vtkNew<vtkMPIController> controller;
-  controller->Initialize(&argc, &argv);
-  vtkMultiProcessController::SetGlobalController(controller);
-  const Ranks ranks{ controller->GetLocalProcessId(), controller->GetNumberOfProcesses() };
-  Check check;
-  const auto surface = NoisySquare(12);
-  TestCuts(check, ranks, surface);
-  TestGhosts(check, ranks, surface);
-  TestBlocks(check, ranks, surface);
-  TestGlobalIds(check, ranks, surface);
-  TestRoundings(check, ranks, surface);
-  TestBranches(check, ranks);
-  TestSourcesOnRanks(check, ranks, surface);
-  TestFailures(check, ranks, surface);
-  TestAgain(check, ranks, surface);
-  TestPieces(check, ranks, surface);
-  TestMatrix(check, ranks, surface);
-  const int failures = check.Result() == EXIT_SUCCESS ? 0 : 1;
-  int all = 0;
-  controller->AllReduce(&failures, &all, 1, vtkCommunicator::SUM_OP);
-  vtkMultiProcessController::SetGlobalController(nullptr);
-  controller->Finalize();
-  return all == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return RunOnRanks(argc, argv,
+    [](Check& check, Ranks ranks)
+    {
+      const auto surface = NoisySquare(12);
+      TestCuts(check, ranks, surface);
+      TestGhosts(check, ranks, surface);
+      TestBlocks(check, ranks, surface);
+      TestGlobalIds(check, ranks, surface);
+      TestRoundings(check, ranks, surface);
+      TestBranches(check, ranks);
+      TestSourcesOnRanks(check, ranks, surface);
+      TestFailures(check, ranks, surface);
+      TestAgain(check, ranks, surface);
+      TestPieces(check, ranks, surface);
+      TestMatrix(check, ranks, surface);
+    });
 }

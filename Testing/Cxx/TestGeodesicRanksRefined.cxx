@@ -5,7 +5,6 @@
 #include "RanksTesting.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkMPIController.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 
@@ -261,14 +260,7 @@ void TestFarGhosts(Check& check, Ranks ranks, vtkPolyData* surface)
       faces.push_back(face);
     }
   }
-  auto piece = Part(surface, faces);
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    ghosts->InsertNextValue(i < own ? 0 : vtkDataSetAttributes::DUPLICATECELL);
-  }
-  piece->GetCellData()->AddArray(ghosts);
+  const auto piece = PartWithGhosts(surface, faces, own);
   Compare(check, piece, surface, 3e-4, 0.0, "the whole on each rank, mostly ghosts");
 }
 
@@ -329,21 +321,14 @@ void TestMaximum(Check& check, Ranks ranks, vtkPolyData* surface)
 
 int TestGeodesicRanksRefined(int argc, char* argv[])
 {
-  vtkNew<vtkMPIController> controller;
-  controller->Initialize(&argc, &argv);
-  vtkMultiProcessController::SetGlobalController(controller);
-  const Ranks ranks{ controller->GetLocalProcessId(), controller->GetNumberOfProcesses() };
-  Check check;
-  const auto surface = NoisySquare(8);
-  TestCuts(check, ranks, surface);
-  TestBlocks(check, ranks, surface);
-  TestFarGhosts(check, ranks, surface);
-  TestDuplicates(check, ranks, surface);
-  TestMaximum(check, ranks, surface);
-  const int failures = check.Result() == EXIT_SUCCESS ? 0 : 1;
-  int all = 0;
-  controller->AllReduce(&failures, &all, 1, vtkCommunicator::SUM_OP);
-  vtkMultiProcessController::SetGlobalController(nullptr);
-  controller->Finalize();
-  return all == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return RunOnRanks(argc, argv,
+    [](Check& check, Ranks ranks)
+    {
+      const auto surface = NoisySquare(8);
+      TestCuts(check, ranks, surface);
+      TestBlocks(check, ranks, surface);
+      TestFarGhosts(check, ranks, surface);
+      TestDuplicates(check, ranks, surface);
+      TestMaximum(check, ranks, surface);
+    });
 }

@@ -341,7 +341,7 @@ void Drawing::exchangeEdgePoints()
       const bool isOther = !part.isOwn(TriangleMesh::faceOf(s));
       if (isOther && std::find(told.begin(), told.end(), face.rank) == told.end())
       {
-        put(messages[static_cast<std::size_t>(face.rank)], p);
+        put(messages[indexOf(face.rank)], p);
         told.push_back(face.rank);
       }
     }

@@ -90,7 +90,7 @@ bool OriginsElsewhere::ask(std::vector<CurveOrigin>& atVertices)
   {
     if (this->isOpen(this->origins_[i]))
     {
-      const auto rank = static_cast<std::size_t>(this->vertices_.rankOf(this->origins_[i].origin));
+      const auto rank = indexOf(this->vertices_.rankOf(this->origins_[i].origin));
       put(questions[rank], this->origins_[i].origin);
       asked[rank].push_back(i);
     }
@@ -108,14 +108,13 @@ bool OriginsElsewhere::ask(std::vector<CurveOrigin>& atVertices)
     [&](int rank, MessageReader& reader)
     {
       const CurveOrigin& origin = atVertices[this->vertices_.vertexAt(reader.get<Id>())];
-      put(answers[static_cast<std::size_t>(rank)],
-        this->isOpen(origin) ? this->of(origin.origin) : origin);
+      put(answers[indexOf(rank)], this->isOpen(origin) ? this->of(origin.origin) : origin);
     });
   std::vector<std::size_t> next(asked.size(), 0);
   readEach(exchange.step(std::move(answers)),
     [&](int rank, MessageReader& reader)
     {
-      const auto from = static_cast<std::size_t>(rank);
+      const auto from = indexOf(rank);
       this->origins_[asked[from][next[from]++]] = reader.get<CurveOrigin>();
     });
   return true;

@@ -346,7 +346,7 @@ void Journeys::send(const Journey& journey, const Outcome& outcome, std::vector<
   put(message, outcome.status == Status::Whole ? this->sourceAtEnd(path) : NoId);
   if (outcome.status == Status::OnItsWay)
   {
-    Message& next = handedOver[static_cast<std::size_t>(outcome.rank)];
+    Message& next = handedOver[indexOf(outcome.rank)];
     put(next, false);
     putJourney(next, this->part_, journey, outcome.face);
   }
@@ -402,7 +402,7 @@ void keepAroundSeams(
         [&](Id face)
         {
           const RankAddress address = part.addressOf(face);
-          put(messages[static_cast<std::size_t>(address.rank)], address.id);
+          put(messages[indexOf(address.rank)], address.id);
         });
     }
   }

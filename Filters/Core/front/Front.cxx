@@ -213,6 +213,10 @@ void Front::startFaces(const SourceWindows& initial)
 
 void Front::addSourcesInHalo(const std::vector<SourceInFace>& inHalo)
 {
+  if (inHalo.empty())
+  {
+    return; // the others are in the order of their faces
+  }
   std::vector<SourceInFace>& sources = this->result_.sourcesInFaces;
   sources.insert(sources.end(), inHalo.begin(), inHalo.end());
   std::stable_sort(sources.begin(), sources.end(),

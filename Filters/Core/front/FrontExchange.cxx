@@ -7,16 +7,6 @@
 namespace geodesic
 {
 
-namespace
-{
-
-std::size_t indexOf(int rank)
-{
-  return static_cast<std::size_t>(rank);
-}
-
-} // anonymous namespace
-
 FrontExchange::FrontExchange(const SurfacePart* part)
   : part_(part)
 {
@@ -100,20 +90,6 @@ DistanceUpdate FrontExchange::translated(int sender, DistanceUpdate update) cons
     halfedge = 3 * this->part_->copyOf({ sender, TriangleMesh::faceOf(halfedge) }) + halfedge % 3;
   }
   return update;
-}
-
-std::uint64_t FrontExchange::sumOf(std::uint64_t number)
-{
-  if (this->isAlone())
-  {
-    return number;
-  }
-  Message message;
-  put(message, number);
-  std::uint64_t sum = 0;
-  readEach(this->part_->exchange().tellAll(message),
-    [&](int, MessageReader& reader) { sum += reader.get<std::uint64_t>(); });
-  return sum;
 }
 
 void FrontExchange::shareNeeded(CompleteFaces& faces)

@@ -49,7 +49,10 @@ public:
   {
     return this->isAlone() ? number : this->part_->exchange().largestOf(number);
   }
-  std::uint64_t sumOf(std::uint64_t number);
+  std::uint64_t sumOf(std::uint64_t number)
+  {
+    return this->isAlone() ? number : sumOverRanks(this->part_->exchange(), number).all;
+  }
 
   /// Faces that have to be complete here are so for their owners.
   void shareNeeded(CompleteFaces& faces);

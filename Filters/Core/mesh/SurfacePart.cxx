@@ -11,11 +11,6 @@ namespace geodesic
 namespace
 {
 
-std::size_t indexOf(int rank)
-{
-  return static_cast<std::size_t>(rank);
-}
-
 /// A point that a rank has, at the rank that looks after its key.
 struct KeyedVertex
 {
@@ -27,28 +22,6 @@ struct KeyedVertex
     return this->key != other.key ? this->key < other.key : this->vertex < other.vertex;
   }
 };
-
-/// How many of something the lower ranks have, and all.
-struct Counted
-{
-  std::uint64_t before = 0;
-  std::uint64_t all = 0;
-};
-
-Counted countOver(Exchange& exchange, std::uint64_t own)
-{
-  Message message;
-  put(message, own);
-  Counted counted;
-  readEach(exchange.tellAll(message),
-    [&](int rank, MessageReader& reader)
-    {
-      const auto count = reader.get<std::uint64_t>();
-      counted.before += rank < exchange.rank() ? count : 0;
-      counted.all += count;
-    });
-  return counted;
-}
 
 Id checkedId(std::uint64_t number, const char* what)
 {
@@ -163,7 +136,7 @@ void SurfacePart::numberVertices(std::vector<Vec3>& points)
   {
     counted += this->isCountedHere(vertex) ? 1 : 0;
   }
-  const Counted vertices = countOver(this->exchange_, counted);
+  const SumsOverRanks vertices = sumOverRanks(this->exchange_, counted);
   this->verticesOfWhole_ = checkedId(vertices.all, "points");
   auto number = static_cast<Id>(vertices.before);
   this->numberInWhole_.resize(this->numberOfOwnVertices_);
@@ -278,7 +251,7 @@ void SurfacePart::makeMesh(std::vector<Vec3> points, const std::vector<Triangle>
   {
     add(halo[i]);
   }
-  const std::uint64_t faces = countOver(this->exchange_, triangles.size()).all;
+  const std::uint64_t faces = sumOverRanks(this->exchange_, triangles.size()).all;
   if (faces == 0)
   {
     throw MeshError("The surface has no faces on any rank. Give a surface of triangles.");
@@ -289,8 +262,8 @@ void SurfacePart::makeMesh(std::vector<Vec3> points, const std::vector<Triangle>
   }
   this->firstHolder_.resize(this->numberInWhole_.size() + 1, this->firstHolder_.back());
   this->findFacesOfTriangles(triangles, static_cast<Id>(next));
-  this->facesOfWhole_ =
-    checkedId(countOver(this->exchange_, this->endOfOwnFaces_ - this->firstOwnFace_).all, "faces");
+  this->facesOfWhole_ = checkedId(
+    sumOverRanks(this->exchange_, this->endOfOwnFaces_ - this->firstOwnFace_).all, "faces");
 }
 
 // The mesh leaves out faces that name a vertex twice and all but the first of those on the same

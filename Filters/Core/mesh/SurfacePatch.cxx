@@ -100,7 +100,7 @@ std::vector<Id> ownWithNeighbours(const SurfacePart& part, const std::vector<Id>
       continue;
     }
     const RankAddress owner = part.ownerOf(face);
-    put(told[static_cast<std::size_t>(owner.rank)], owner.id);
+    put(told[indexOf(owner.rank)], owner.id);
   }
   readEach(part.exchange().step(std::move(told)),
     [&](int, MessageReader& reader) { own.push_back(reader.get<Id>()); });
@@ -119,9 +119,7 @@ std::vector<SurfacePatch::Face> SurfacePatch::gather(const std::vector<Id>& face
   for (const Id id : around)
   {
     const bool isOwn = this->part_.isOwn(id);
-    Face face = {
-      isOwn ? RankAddress{ this->part_.exchange().rank(), id } : this->part_.ownerOf(id), {}, {}, 0
-    };
+    Face face = { this->part_.addressOf(id), {}, {}, 0 };
     for (Id k = 0; k < 3; ++k)
     {
       const Id vertex = mesh.triangle(id)[k];

@@ -15,16 +15,13 @@ VerticesOfWhole::VerticesOfWhole(const SurfacePart& part)
       this->here_.push_back(vertex);
     }
   }
-  Message message;
-  put(message, static_cast<Id>(this->here_.size()));
   Id first = 0;
-  readEach(part.exchange().tellAll(message),
-    [&](int, MessageReader& reader)
-    {
-      this->firstOfRank_.push_back(first);
-      first += reader.get<Id>();
-    });
-  this->first_ = this->firstOfRank_[static_cast<std::size_t>(part.exchange().rank())];
+  for (const Id count : valuesOfRanks(part.exchange(), static_cast<Id>(this->here_.size())))
+  {
+    this->firstOfRank_.push_back(first);
+    first += count;
+  }
+  this->first_ = this->firstOfRank_[indexOf(part.exchange().rank())];
 }
 
 // Ranks that count none begin where the next one does.

@@ -333,12 +333,8 @@ bool Refiner::isRoomForAll() const
   {
     return true;
   }
-  Message message;
-  put(message, this->triangles_.numberOfTriangles());
-  std::uint64_t all = 0;
-  readEach(this->exchange_->tellAll(message),
-    [&](int, MessageReader& reader) { all += reader.get<std::uint64_t>(); });
-  return all <= this->options_.maximumFaces;
+  return sumOverRanks(*this->exchange_, this->triangles_.numberOfTriangles()).all <=
+    this->options_.maximumFaces;
 }
 
 Id Refiner::numberOfCallersPoints() const

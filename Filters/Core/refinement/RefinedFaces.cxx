@@ -36,7 +36,7 @@ public:
     copy.parents = { this->of(copy.parents[0]), this->of(copy.parents[1]) };
     copy.place = {};
     this->face_.points.push_back(copy);
-    this->face_.numbersThere.push_back(point);
+    this->face_.numbersThere.push_back(point - this->refined_.numberOfInputPoints);
     return this->numbers_[point] = 2 + static_cast<Id>(this->face_.points.size());
   }
 
@@ -85,7 +85,7 @@ std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
   std::vector<std::vector<std::size_t>> asked(questions.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    const auto owner = static_cast<std::size_t>(faces[i].rank);
+    const auto owner = indexOf(faces[i].rank);
     put(questions[owner], faces[i].id);
     asked[owner].push_back(i);
   }
@@ -96,7 +96,7 @@ std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
       const Id id = reader.get<Id>();
       const RefinedFace face = refinedFace(
         refined, id, cornerPoints.empty() ? part.mesh().triangle(id) : cornerPoints[id]);
-      Message& answer = answers[static_cast<std::size_t>(rank)];
+      Message& answer = answers[indexOf(rank)];
       putAll(answer, face.points);
       putAll(answer, face.numbersThere);
       putAll(answer, face.triangles);
@@ -106,7 +106,7 @@ std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
   readEach(exchange.step(std::move(answers)),
     [&](int rank, MessageReader& reader)
     {
-      const auto owner = static_cast<std::size_t>(rank);
+      const auto owner = indexOf(rank);
       RefinedFace& face = result[asked[owner][next[owner]++]];
       getAll(reader, face.points);
       getAll(reader, face.numbersThere);

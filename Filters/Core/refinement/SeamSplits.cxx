@@ -35,7 +35,7 @@ void SeamSplits::shareFrozen()
         if (std::find(told.begin(), told.end(), other.rank) == told.end())
         {
           told.push_back(other.rank);
-          geodesic::put(messages[static_cast<std::size_t>(other.rank)], face);
+          geodesic::put(messages[indexOf(other.rank)], face);
         }
       }
     }
@@ -48,7 +48,7 @@ void SeamSplits::shareFrozen()
 
 int SeamSplits::ownerOf(Id face) const
 {
-  return this->part_.isOwn(face) ? this->part_.exchange().rank() : this->part_.ownerOf(face).rank;
+  return this->part_.addressOf(face).rank;
 }
 
 // Faces stand in the order of the ranks, and siblings in that of the faces. NoId where all are
@@ -78,7 +78,7 @@ void SeamSplits::ask(Id edge, int round)
 {
   const Id halfedge = this->triangles_.edgeData(edge).halfedge;
   const int decider = this->ownerOf(this->firstRefinedFaceAt(halfedge));
-  this->put(this->messages_[static_cast<std::size_t>(decider)], Kind::Request, edge, round);
+  this->put(this->messages_[indexOf(decider)], Kind::Request, edge, round);
 }
 
 void SeamSplits::tell(Id edge, int round)
@@ -95,7 +95,7 @@ void SeamSplits::tell(Id edge, int round)
     const int owner = this->ownerOf(TriangleMesh::faceOf(halfedge));
     if (owner != last && owner != this->part_.exchange().rank())
     {
-      Message& message = this->messages_[static_cast<std::size_t>(owner)];
+      Message& message = this->messages_[indexOf(owner)];
       this->put(message, Kind::Decision, edge, round);
       geodesic::put(message, this->triangles_.placementOf(edge));
     }
@@ -116,10 +116,8 @@ void SeamSplits::put(Message& message, Kind kind, Id edge, int round) const
   }
   const Id halfedge = this->triangles_.edgeData(ancestor).halfedge;
   const Id face = TriangleMesh::faceOf(halfedge);
-  const RankAddress address = this->part_.isOwn(face)
-    ? RankAddress{ this->part_.exchange().rank(), face }
-    : this->part_.ownerOf(face);
-  geodesic::put(message, Entry{ kind, round, address, halfedge % 3, static_cast<Id>(path.size()) });
+  geodesic::put(message,
+    Entry{ kind, round, this->part_.addressOf(face), halfedge % 3, static_cast<Id>(path.size()) });
   std::reverse(path.begin(), path.end());
   geodesic::put(message, path.data(), path.size());
 }

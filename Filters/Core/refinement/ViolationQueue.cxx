@@ -71,28 +71,18 @@ bool ViolationQueue::takeBatch()
 // Each rank keeps a share in proportion to what it has.
 void ViolationQueue::keepShare()
 {
-  Message message;
-  put(message, static_cast<std::uint64_t>(this->batch_.size()));
-  std::uint64_t before = 0;
-  std::uint64_t all = 0;
-  readEach(this->exchange_->tellAll(message),
-    [&](int rank, MessageReader& reader)
-    {
-      const auto count = reader.get<std::uint64_t>();
-      before += rank < this->exchange_->rank() ? count : 0;
-      all += count;
-    });
-  this->batchOfAll_ = std::min(all, this->mostInBatch_);
-  if (all <= this->mostInBatch_)
+  const SumsOverRanks found = sumOverRanks(*this->exchange_, this->batch_.size());
+  this->batchOfAll_ = std::min(found.all, this->mostInBatch_);
+  if (found.all <= this->mostInBatch_)
   {
     return;
   }
   const auto upTo = [&](std::uint64_t count)
   {
-    const double fraction = static_cast<double>(count) / static_cast<double>(all);
+    const double fraction = static_cast<double>(count) / static_cast<double>(found.all);
     return static_cast<std::size_t>(std::floor(fraction * static_cast<double>(this->mostInBatch_)));
   };
-  const std::size_t share = upTo(before + this->batch_.size()) - upTo(before);
+  const std::size_t share = upTo(found.before + this->batch_.size()) - upTo(found.before);
   for (std::size_t i = share; i < this->batch_.size(); ++i)
   {
     this->waiting_.push(this->batch_[i]);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -26,6 +27,24 @@ geodesic::Isolines isolinesOf(const geodesic::TriangleMesh& mesh,
   options.values = values;
   options.chordTolerance = chordTolerance;
   return geodesic::drawIsolines(geodesic::solveForIsolines(mesh, curves, values), options);
+}
+
+std::vector<double> randomValues(const std::vector<double>& distances, double largest,
+  const std::vector<double>& leastShares, Random& random)
+{
+  std::vector<double> values;
+  for (const double least : leastShares)
+  {
+    values.push_back(largest * random.uniform(least, 1.02));
+  }
+  const double atVertex = distances[random.below(distances.size())];
+  if (atVertex > 0.0 && std::isfinite(atVertex))
+  {
+    values.push_back(atVertex);
+  }
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
 }
 
 double lengthOf(

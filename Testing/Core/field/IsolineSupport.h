@@ -23,6 +23,11 @@ geodesic::Isolines isolinesOf(const geodesic::TriangleMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves, const std::vector<double>& values,
   double chordTolerance);
 
+/// Ascending values to draw: one between each of the shares of the largest distance and a little
+/// more than it, and the distance of a vertex.
+std::vector<double> randomValues(const std::vector<double>& distances, double largest,
+  const std::vector<double>& leastShares, Random& random);
+
 /// The length of a line, chord by chord.
 double lengthOf(
   const geodesic::TriangleMesh& mesh, const geodesic::Isolines& isolines, std::size_t line);

@@ -48,17 +48,7 @@ struct Drawn
       geodesic::solve(this->mesh, engineCurves(this->mesh, this->curves));
     const std::vector<double>& distances = field.vertexDistances();
     this->largest = largestFinite(distances);
-    for (const double least : { 0.001, 0.1, 0.4, 0.8 })
-    {
-      this->values.push_back(this->largest * random.uniform(least, 1.02));
-    }
-    const double atVertex = distances[random.below(distances.size())];
-    if (atVertex > 0.0 && std::isfinite(atVertex))
-    {
-      this->values.push_back(atVertex);
-    }
-    std::sort(this->values.begin(), this->values.end());
-    this->values.erase(std::unique(this->values.begin(), this->values.end()), this->values.end());
+    this->values = randomValues(distances, this->largest, { 0.001, 0.1, 0.4, 0.8 }, random);
   }
 
   Isolines draw() const

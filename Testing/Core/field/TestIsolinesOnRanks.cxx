@@ -138,17 +138,7 @@ struct CaseWithValues
     const geodesic::TriangleMesh mesh = engineMesh(this->plain.mesh);
     const std::vector<double> distances =
       geodesic::solve(mesh, engineCurves(mesh, this->plain.curves)).vertexDistances();
-    for (const double least : { 0.01, 0.3, 0.8 })
-    {
-      this->values.push_back(this->largest * random.uniform(least, 1.02));
-    }
-    const double atVertex = distances[random.below(distances.size())];
-    if (atVertex > 0.0 && std::isfinite(atVertex))
-    {
-      this->values.push_back(atVertex);
-    }
-    std::sort(this->values.begin(), this->values.end());
-    this->values.erase(std::unique(this->values.begin(), this->values.end()), this->values.end());
+    this->values = randomValues(distances, this->largest, { 0.01, 0.3, 0.8 }, random);
   }
 
   geodesic::IsolineOptions options() const
