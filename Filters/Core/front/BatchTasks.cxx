@@ -17,6 +17,25 @@ Arrival arrivalThrough(Id halfedge, const ApexDistance& apex)
   return { halfedge, apex.origin, apex.crossing, apex.direction, apex.place };
 }
 
+/// Works on items one after another, while what the next ones need is fetched.
+template <typename Prefetch, typename Work>
+void workAhead(std::size_t count, const Prefetch& prefetch, const Work& work)
+{
+  constexpr std::size_t ahead = 4;
+  for (std::size_t i = 0; i < std::min(ahead, count); ++i)
+  {
+    prefetch(i);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (i + ahead < count)
+    {
+      prefetch(i + ahead);
+    }
+    work(i);
+  }
+}
+
 } // anonymous namespace
 
 void BatchTasks::prefetchFacing(const District& district, Id vertex) const
@@ -30,17 +49,11 @@ void BatchTasks::prefetchFacing(const District& district, Id vertex) const
 
 void BatchTasks::process(FrontWorker& worker, District& district, Id batch)
 {
-  constexpr std::size_t ahead = 4; // vertices whose faces are fetched while others are worked on
   const std::vector<Id>& vertices = district.batch;
   district.settled = 0;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-  {
-    if (i + ahead < vertices.size())
-    {
-      this->prefetchFacing(district, vertices[i + ahead]);
-    }
-    this->process(worker, district, vertices[i], batch);
-  }
+  workAhead(
+    vertices.size(), [&](std::size_t i) { this->prefetchFacing(district, vertices[i]); },
+    [&](std::size_t i) { this->process(worker, district, vertices[i], batch); });
 }
 
 void BatchTasks::process(FrontWorker& worker, District& district, Id vertex, Id batch)
@@ -271,15 +284,10 @@ void BatchTasks::receive(FrontWorker& worker, District& district)
 void BatchTasks::receiveLists(
   FrontWorker& worker, District& district, const std::vector<SentList>& lists)
 {
-  constexpr std::size_t ahead = 4; // lists whose faces are fetched while others are worked on
-  for (std::size_t i = 0; i < lists.size(); ++i)
-  {
-    if (i + ahead < lists.size())
-    {
-      this->mesh_.prefetch(TriangleMesh::faceOf(lists[i + ahead].halfedge));
-    }
-    this->receive(worker, district, lists[i]);
-  }
+  workAhead(
+    lists.size(),
+    [&](std::size_t i) { this->mesh_.prefetch(TriangleMesh::faceOf(lists[i].halfedge)); },
+    [&](std::size_t i) { this->receive(worker, district, lists[i]); });
 }
 
 void BatchTasks::receive(FrontWorker& worker, District& district, const SentList& sent)

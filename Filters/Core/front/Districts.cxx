@@ -67,7 +67,7 @@ private:
 // work.
 Id numberOfDistricts(Id vertices)
 {
-  constexpr double rootsEach = 4.0;
+  constexpr double rootsEach = 8.0;
   const double count = std::sqrt(static_cast<double>(vertices)) / rootsEach;
   return std::clamp<Id>(static_cast<Id>(count), 1, Districts::Most);
 }

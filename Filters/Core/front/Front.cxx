@@ -160,14 +160,15 @@ void Front::start(SourceWindows initial)
   this->startFaces(initial);
   for (const LeavingWindow& leaving : initial.windows)
   {
-    this->tasks_.send(this->workers_.first(), this->districts_.front(), leaving.halfedge,
+    District& sender = this->districtOf(this->mesh_.origin(leaving.halfedge));
+    this->tasks_.send(this->workers_.first(), sender, leaving.halfedge,
       { &leaving.window, &leaving.window + 1 });
+    this->post_.call(sender.number);
   }
   this->result_.sourcesInFaces = std::move(initial.inFaces);
   this->retention_.setNumberOfDistricts(this->districts_.size());
   this->retention_.start(this->result_.sourcesInFaces);
   this->addSourcesInHalo(initial.inHalo);
-  this->post_.call(this->districts_.front().number);
   this->runBatch([](District&) {}); // takes over what was sent
 }
 
@@ -441,6 +442,11 @@ void Front::exchangeArrivals()
       this->shorten(update);
     }
   }
+  this->post_.takeReceivers(this->active_);
+  for (const Id number : this->active_)
+  {
+    this->outlooks_[number] = this->districts_[number].schedule.outlook();
+  }
 }
 
 FrontState Front::state()
@@ -451,14 +457,14 @@ FrontState Front::state()
     this->pools_ };
 }
 
-// From outside of the tasks.
+// From outside of the tasks; what comes next in the district is to be found anew.
 void Front::shorten(const DistanceUpdate& update)
 {
   District& district = this->districtOf(update.vertex);
   district.schedule.moveOn(this->key_);
   this->tasks_.shorten(district, update);
-  this->outlooks_[district.number] = district.schedule.outlook();
   this->tellShortened(district);
+  this->post_.call(district.number);
 }
 
 // A face with a point within the limit has exact values when no waiting window and no pseudo-source

@@ -33,7 +33,7 @@ std::vector<Id> sizesOf(const Districts& districts, Id vertices)
 TEST(Districts, OfATinyMeshThereIsOne)
 {
   EXPECT_EQ(Districts(TriangleMesh()).size(), 1U);
-  const TriangleMesh mesh = engineMesh(regularGrid(3, 3));
+  const TriangleMesh mesh = engineMesh(regularGrid(8, 8));
   const Districts districts(mesh);
   EXPECT_EQ(districts.size(), 1U);
   EXPECT_EQ(sizesOf(districts, mesh.numberOfVertices())[0], mesh.numberOfVertices());
@@ -41,13 +41,13 @@ TEST(Districts, OfATinyMeshThereIsOne)
 
 TEST(Districts, OfALargeMeshThereAreNotMoreThanMost)
 {
-  const TriangleMesh mesh(std::vector<geodesic::Vec3>(1200000), { { 0, 1, 2 } });
+  const TriangleMesh mesh(std::vector<geodesic::Vec3>(4400000), { { 0, 1, 2 } });
   EXPECT_EQ(Districts(mesh).size(), Districts::Most);
 }
 
 TEST(Districts, AreOfNearlyEqualSize)
 {
-  const TriangleMesh mesh = engineMesh(regularGrid(200, 150));
+  const TriangleMesh mesh = engineMesh(regularGrid(300, 250));
   const Districts districts(mesh);
   ASSERT_GE(districts.size(), 8U);
   const std::vector<Id> sizes = sizesOf(districts, mesh.numberOfVertices());
@@ -57,7 +57,7 @@ TEST(Districts, AreOfNearlyEqualSize)
 
 TEST(Districts, MostNeighboursAreOfOne)
 {
-  const TriangleMesh mesh = engineMesh(regularGrid(200, 150));
+  const TriangleMesh mesh = engineMesh(regularGrid(300, 250));
   const Districts districts(mesh);
   Id crossed = 0;
   for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
