@@ -11,6 +11,7 @@
 
 using namespace geodesictest;
 using geodesic::DistanceField;
+using geodesic::Id;
 using geodesic::KeepWindows;
 using geodesic::TriangleMesh;
 
@@ -73,6 +74,46 @@ TEST_P(ParallelFront, AgreesWithBruteForce)
     expectCertified(merged, queries, { truth.vertices, truth.queries }, accuracyOn(GetParam()));
   }
   EXPECT_GT(threads.shared(), 20U) << "hardly a batch was shared";
+}
+
+// On meshes of several districts, also with windows kept and within a limit.
+TEST_P(ParallelFront, GivesTheBitsOfOneThread)
+{
+  Threads threads;
+  for (std::uint64_t seed = 0; seed < 3; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 82000);
+    const PlainMesh mesh = GetParam().make(4000, random);
+    CurveMaker maker(mesh, random);
+    const TriangleMesh engine = engineMesh(mesh);
+    const std::vector<geodesic::SourceCurve> curves = engineCurves(engine, maker.anySource());
+    const std::vector<MeshPoint> queries = randomPoints(mesh, 200, random);
+    for (const double relativeError : { 0.0, 0.01 })
+    {
+      geodesic::FrontOptions options;
+      options.relativeError = relativeError;
+      options.keepArrivals = true;
+      const DistanceField alone = geodesic::solve(engine, curves, options, KeepWindows::All);
+      options.parallelFor = threads.parallelFor();
+      const DistanceField shared = geodesic::solve(engine, curves, options, KeepWindows::All);
+      EXPECT_EQ(alone.vertexDistances(), shared.vertexDistances());
+      EXPECT_EQ(alone.relativeErrorBound(), shared.relativeErrorBound());
+      EXPECT_EQ(alone.windowsPropagated(), shared.windowsPropagated());
+      EXPECT_EQ(valuesOf(alone, queries).queries, valuesOf(shared, queries).queries);
+      for (Id vertex = 0; vertex < engine.numberOfVertices(); ++vertex)
+      {
+        ASSERT_EQ(alone.arrivals()[vertex].halfedge, shared.arrivals()[vertex].halfedge);
+        ASSERT_EQ(alone.arrivals()[vertex].x, shared.arrivals()[vertex].x);
+      }
+      options.maximumDistance = 0.3 * largestFinite(alone.vertexDistances());
+      const DistanceField sharedLimited = geodesic::solve(engine, curves, options);
+      options.parallelFor = {};
+      const DistanceField limited = geodesic::solve(engine, curves, options);
+      EXPECT_EQ(limited.vertexDistances(), sharedLimited.vertexDistances());
+    }
+  }
+  EXPECT_GT(threads.shared(), 100U) << "hardly a batch was shared";
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ParallelFront, ::testing::ValuesIn(meshKinds()),
