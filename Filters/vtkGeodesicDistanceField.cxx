@@ -93,6 +93,20 @@ private:
     std::vector<geodesic::SourceValues> atRefinedPoints;
   };
 
+  /// The surface after refinement, before it is divided into blocks.
+  struct RefinedSurface
+  {
+    geodesic::RefinedMesh mesh;
+    /// Of a piece: the points of other ranks' refinements that the last of the mesh's are copies
+    /// of. They have distances, but no places.
+    std::vector<geodesic::RankAddress> copied;
+
+    std::size_t numberOfPointsWithPlaces() const
+    {
+      return this->mesh.points.size() - this->copied.size();
+    }
+  };
+
   bool CanRefine() const;
   double Tolerance() const;
   void ShareNumbers(Result& result) const;
@@ -102,12 +116,14 @@ private:
   geodesic::FrontOptions FrontOptions(double endOfProgress) const;
   geodesic::DistanceField Solve(bool refine) const;
   geodesic::DistanceField SolveInPieces(bool refine) const;
-  geodesic::DistanceField SolveExactly(const Result& result) const;
+  geodesic::DistanceField SolveExactly(const RefinedSurface& refined) const;
   void RequireSides() const;
-  void FindSources(const geodesic::DistanceField& field, Result& result) const;
+  void FindSources(
+    const geodesic::DistanceField& field, const RefinedSurface& refined, Result& result) const;
   geodesic::SourceArrays Arrays() const;
   geodesic::RefinementOptions RefinementOptions() const;
-  geodesic::RefinedMesh Refine(const geodesic::DistanceField& field) const;
+  RefinedSurface Refine(const geodesic::DistanceField& field) const;
+  void NoteToleranceNotMet(const geodesic::RefinedMesh& refined) const;
   void WriteSurface(const Result& result, vtkDataObject* output) const;
   double UnreachedValue() const;
   void WriteDistances(const Result& result, std::size_t block, vtkPolyData* output) const;
@@ -230,19 +246,23 @@ vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker:
   this->Self->WindowsPropagatedPerEdge = static_cast<double>(field.windowsPropagated()) /
     static_cast<double>(this->Execution.surface().report().edges);
   this->Self->RelativeErrorBound = field.relativeErrorBound();
+  RefinedSurface refined;
   if (result.isRefined)
   {
     this->Execution.enter(geodesic::Stage::Refining);
-    geodesic::RefinedMesh refined = this->Refine(field);
+    refined = this->Refine(field);
     this->Self->InterpolationErrorBound =
-      this->Execution.surface().scale().toUser(refined.errorBound);
-    result.refined = geodesic::partsByBlock(this->Execution.surface(), std::move(refined));
+      this->Execution.surface().scale().toUser(refined.mesh.errorBound);
   }
   result.vertexDistances = field.vertexDistances();
   if (this->Choice.isAny())
   {
-    this->FindSources(field, result);
+    this->FindSources(field, refined, result);
     this->Arrays().completeValues(result.atVertices);
+  }
+  if (result.isRefined)
+  {
+    result.refined = geodesic::partsByBlock(this->Execution.surface(), std::move(refined.mesh));
   }
   this->Execution.surface().completeValues(geodesic::Infinity, result.vertexDistances);
   this->ScaleToUser(result);
@@ -262,7 +282,7 @@ void vtkGeodesicDistanceField::vtkWorker::RequireSides() const
 //------------------------------------------------------------------------------
 // In approximate mode the exact field has to tell the feet: a merged window has many.
 geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveExactly(
-  const Result& result) const
+  const RefinedSurface& refined) const
 {
   const geodesic::TriangleMesh& mesh = this->Execution.surface().mesh();
   geodesic::FrontOptions options = this->FrontOptions(FieldDoneBeforeSources);
@@ -272,12 +292,10 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveExactly(
   // A distance within the limit is that much smaller than the exact one at most.
   options.maximumDistance /= 1.0 - std::min(this->Self->RelativeErrorBound, 0.5);
   std::vector<std::uint8_t> faces(mesh.numberOfFaces(), 0);
-  for (const geodesic::RefinedMesh& part : result.refined)
+  for (std::size_t i = 0; i < refined.numberOfPointsWithPlaces(); ++i)
   {
-    for (const geodesic::RefinedPoint& point : part.points)
-    {
-      geodesic::forEachFace(mesh, point.place, [&](geodesic::Id face) { faces[face] = 1; });
-    }
+    geodesic::forEachFace(
+      mesh, refined.mesh.points[i].place, [&](geodesic::Id face) { faces[face] = 1; });
   }
   geodesic::KeepFaces retention(mesh, std::move(faces));
   options.part = this->Execution.surface().part();
@@ -296,13 +314,13 @@ geodesic::SourceArrays vtkGeodesicDistanceField::vtkWorker::Arrays() const
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkWorker::FindSources(
-  const geodesic::DistanceField& field, Result& result) const
+  const geodesic::DistanceField& field, const RefinedSurface& refined, Result& result) const
 {
   this->Execution.enter(geodesic::Stage::ComputingDistances);
   std::optional<geodesic::DistanceField> other;
   if (this->IsApproximate() && this->Choice.areFeetNeeded())
   {
-    other.emplace(this->SolveExactly(result));
+    other.emplace(this->SolveExactly(refined));
   }
   const geodesic::DistanceField& exact = other ? *other : field;
   const double step = (FieldDone - FieldDoneBeforeSources) / 3.0;
@@ -317,10 +335,12 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(
     : geodesic::NearestSource(exact, curves, part(0));
   const geodesic::SourceArrays arrays = this->Arrays();
   result.atVertices = arrays.atVertices(field, nearest, part(1));
-  for (const geodesic::RefinedMesh& refined : result.refined)
+  if (result.isRefined)
   {
-    result.atRefinedPoints.push_back(
-      arrays.atPoints(refined.points, field, exact, nearest, part(2)));
+    geodesic::SourceValues values = arrays.atPoints(
+      refined.mesh.points, refined.numberOfPointsWithPlaces(), field, exact, nearest, part(2));
+    arrays.appendCopies(refined.copied, values);
+    result.atRefinedPoints = arrays.valuesByBlock(std::move(values), refined.mesh);
   }
 }
 
@@ -441,48 +461,48 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
 }
 
 //------------------------------------------------------------------------------
-geodesic::RefinedMesh vtkGeodesicDistanceField::vtkWorker::Refine(
+vtkGeodesicDistanceField::vtkWorker::RefinedSurface vtkGeodesicDistanceField::vtkWorker::Refine(
   const geodesic::DistanceField& field) const
 {
-  const geodesic::PowerOfTwoScale& scale = this->Execution.surface().scale();
   const geodesic::RefinementOptions options = this->RefinementOptions();
-  geodesic::RefinedMesh refined = geodesic::refine(field, options);
+  RefinedSurface refined{ geodesic::refine(field, options), {} };
   const auto most = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells);
   if (options.part)
   {
-    const bool hasCopies = !geodesic::addOtherTrianglesOfPiece(
-      this->Execution.surface(), most, options.cornerPoints, refined)
-                              .empty();
-    if (this->Choice.isAny() && options.part->exchange().isTrueAnywhere(hasCopies))
-    {
-      throw geodesic::InputError(std::string(this->Arrays().names().front()) +
-        " cannot be had at the new points of ghost cells of a surface (input port 0) that is "
-        "distributed over several ranks. Switch it or RefineMesh off, or remove the ghost cells.");
-    }
+    refined.copied = geodesic::addOtherTrianglesOfPiece(
+      this->Execution.surface(), most, options.cornerPoints, refined.mesh);
   }
   else
   {
-    geodesic::addOtherTriangles(this->Execution.surface(), most, refined);
+    geodesic::addOtherTriangles(this->Execution.surface(), most, refined.mesh);
   }
+  this->NoteToleranceNotMet(refined.mesh);
+  return refined;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkWorker::NoteToleranceNotMet(
+  const geodesic::RefinedMesh& refined) const
+{
+  const geodesic::PowerOfTwoScale& scale = this->Execution.surface().scale();
   if (refined.stoppedAtMaximum)
   {
     std::ostringstream text;
     text << "MaximumNumberOfCells (" << this->Self->MaximumNumberOfCells
          << ") is reached: the refined surface meets a tolerance of "
-         << scale.toUser(refined.errorBound) << " instead of " << scale.toUser(options.tolerance)
+         << scale.toUser(refined.errorBound) << " instead of " << scale.toUser(this->Tolerance())
          << ". Raise MaximumNumberOfCells or the tolerance.";
     this->Execution.notes().add(geodesic::NoteOn::Surface,
       "reached " + std::to_string(this->Self->MaximumNumberOfCells), text.str());
   }
-  else if (refined.errorBound > options.tolerance)
+  else if (refined.errorBound > this->Tolerance())
   {
     std::ostringstream text;
     text << "The refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
-         << " instead of " << scale.toUser(options.tolerance)
+         << " instead of " << scale.toUser(this->Tolerance())
          << ", which is near the rounding of distances. Raise the tolerance.";
     this->Execution.notes().add(geodesic::NoteOn::Surface, "rounding", text.str());
   }
-  return refined;
 }
 
 //------------------------------------------------------------------------------

@@ -12,13 +12,6 @@ namespace
 
 using Label = RankLabels::Label;
 
-/// A vertex on a rank that has faces there.
-struct Holder
-{
-  int rank = -1;
-  Id vertex = NoId;
-};
-
 /// What is told to the rank that looks after a label: who has faces at the vertex.
 struct ToldHolder
 {
@@ -30,14 +23,14 @@ struct ToldHolder
 /// Answers each question with the lowest holder of its label.
 std::vector<Message> findHolders(const std::vector<Message>& told)
 {
-  std::unordered_map<Label, Holder> holders;
+  std::unordered_map<Label, RankAddress> holders;
   readEach(told,
     [&](int rank, MessageReader& reader)
     {
       const auto entry = reader.get<ToldHolder>();
       if (entry.isHolder != 0)
       {
-        holders.emplace(entry.label, Holder{ rank, entry.vertex }); // ranks ascend
+        holders.emplace(entry.label, RankAddress{ rank, entry.vertex }); // ranks ascend
       }
     });
   std::vector<Message> answers(told.size());
@@ -48,7 +41,8 @@ std::vector<Message> findHolders(const std::vector<Message>& told)
       if (entry.isHolder == 0)
       {
         const auto found = holders.find(entry.label);
-        put(answers[indexOf(rank)], found != holders.end() ? found->second : Holder());
+        put(
+          answers[indexOf(rank)], found != holders.end() ? found->second : RankAddress{ -1, NoId });
       }
     });
   return answers;
@@ -81,34 +75,23 @@ BorrowedVertices::BorrowedVertices(
     }
     this->count_ += isHolder ? 0 : 1;
   }
-  this->lent_.resize(messages.size());
-  this->borrowed_.resize(messages.size());
   if (!exchange.isTrueAnywhere(this->count_ > 0))
   {
     return;
   }
   const std::vector<Message> told = exchange.step(std::move(messages));
-  std::vector<Message> orders = exchange.noMessages();
+  std::vector<RankAddress> holders(this->count_, { -1, NoId });
   std::vector<std::size_t> next(asked.size(), 0);
   readEach(exchange.step(findHolders(told)),
     [&](int rank, MessageReader& reader)
     {
       const auto from = indexOf(rank);
       const Id borrowed = asked[from][next[from]++];
-      const auto holder = reader.get<Holder>();
-      if (holder.rank >= 0)
-      {
-        put(orders[indexOf(holder.rank)], holder.vertex);
-        this->borrowed_[indexOf(holder.rank)].push_back(borrowed);
-      }
-      else
-      {
-        withoutFace += from == indexOf(exchange.rank()) ? 1 : 0;
-      }
+      holders[borrowed] = reader.get<RankAddress>();
+      const bool isCountedHere = from == indexOf(exchange.rank());
+      withoutFace += holders[borrowed].id == NoId && isCountedHere ? 1 : 0;
     });
-  readEach(exchange.step(std::move(orders)),
-    [&](int rank, MessageReader& reader)
-    { this->lent_[indexOf(rank)].push_back(reader.get<Id>()); });
+  this->values_ = BorrowedValues(holders, exchange);
   this->numberWithoutFace_ = static_cast<Id>(sumOverRanks(exchange, withoutFace).all);
 }
 

@@ -3,6 +3,7 @@
 #define geodesic_BorrowedVertices_h
 
 #include "Exchange.h"
+#include "PolyData/BorrowedValues.h"
 #include "PolyData/RankSeams.h"
 
 #include <vector>
@@ -34,32 +35,13 @@ public:
   template <typename Value>
   void append(const Value& none, std::vector<Value>& values, Exchange& exchange) const
   {
-    std::vector<Message> messages = exchange.noMessages();
-    for (std::size_t rank = 0; rank < messages.size(); ++rank)
-    {
-      for (const Id vertex : this->lent_[rank])
-      {
-        put(messages[rank], values[vertex]);
-      }
-    }
-    const std::size_t own = values.size();
-    values.resize(own + this->count_, none);
-    std::vector<std::size_t> next(messages.size(), 0);
-    readEach(exchange.step(std::move(messages)),
-      [&](int rank, MessageReader& reader)
-      {
-        const auto from = indexOf(rank);
-        values[own + this->borrowed_[from][next[from]++]] = reader.get<Value>();
-      });
+    this->values_.append(none, values, exchange);
   }
 
 private:
   Id count_ = 0;
   Id numberWithoutFace_ = 0;
-  /// For each rank, the vertices of this one that it borrows, and the borrowed ones whose values it
-  /// gives, in the same order there.
-  std::vector<std::vector<Id>> lent_;
-  std::vector<std::vector<Id>> borrowed_;
+  BorrowedValues values_;
 };
 
 }

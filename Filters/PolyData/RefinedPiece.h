@@ -24,9 +24,9 @@ std::uint64_t countOwnTriangles(const PolyDataSurface& surface);
 ///
 /// \param maximumFaces over all ranks.
 /// \param cornerPoints those of the refinement.
-/// \returns for each point that this has added to those of the refinement, in their order, the
-///          point of another rank's refinement, or of this one's, that it is a copy of; the places
-///          of those points are not set.
+/// \returns for each point that this has added behind those of the refinement, in their order,
+///          which of RefinedMesh::points it is a copy of, of another rank's refinement or of this
+///          one's; the places of the added points are not set.
 std::vector<RankAddress> addOtherTrianglesOfPiece(const PolyDataSurface& surface,
   std::uint64_t maximumFaces, const std::vector<Triangle>& cornerPoints, RefinedMesh& refined);
 

@@ -165,6 +165,21 @@ void addOtherTriangles(
   refined.faces = std::move(parents);
 }
 
+std::vector<std::size_t> blocksOfNewPoints(
+  const PolyDataSurface& surface, const RefinedMesh& refined)
+{
+  std::vector<std::size_t> blocks;
+  blocks.reserve(refined.points.size());
+  for (const RefinedPoint& point : refined.points)
+  {
+    const Id parent = point.parents[0];
+    blocks.push_back(parent < refined.numberOfInputPoints
+        ? surface.blockOfPoint(parent)
+        : blocks[parent - refined.numberOfInputPoints]);
+  }
+  return blocks;
+}
+
 std::vector<RefinedMesh> partsByBlock(const PolyDataSurface& surface, RefinedMesh refined)
 {
   std::vector<RefinedMesh> parts;
@@ -178,16 +193,10 @@ std::vector<RefinedMesh> partsByBlock(const PolyDataSurface& surface, RefinedMes
   {
     parts[i].numberOfInputPoints = surface.blocks()[i].numberOfPoints;
   }
-  // For each new point its block and its number there, of which it needs those of its parents.
-  std::vector<std::size_t> blocks;
+  const std::vector<std::size_t> blocks = blocksOfNewPoints(surface, refined);
+  // For each new point its number in its block, of which it needs those of its parents.
   std::vector<Id> numbers;
-  blocks.reserve(refined.points.size());
   numbers.reserve(refined.points.size());
-  const auto blockOf = [&](Id point)
-  {
-    return point < refined.numberOfInputPoints ? surface.blockOfPoint(point)
-                                               : blocks[point - refined.numberOfInputPoints];
-  };
   const auto numberOf = [&](Id point, const SurfaceBlock& block)
   {
     return point < refined.numberOfInputPoints ? point - block.firstPoint
@@ -195,13 +204,12 @@ std::vector<RefinedMesh> partsByBlock(const PolyDataSurface& surface, RefinedMes
   };
   for (RefinedPoint& point : refined.points)
   {
-    const std::size_t index = blockOf(point.parents[0]);
+    const std::size_t index = blocks[numbers.size()];
     RefinedMesh& part = parts[index];
     for (Id& parent : point.parents)
     {
       parent = numberOf(parent, surface.blocks()[index]);
     }
-    blocks.push_back(index);
     numbers.push_back(part.numberOfInputPoints + static_cast<Id>(part.points.size()));
     part.points.push_back(point);
   }

@@ -5,6 +5,7 @@
 #include "PolyData/PolyDataSurface.h"
 #include "refinement/AdaptiveRefinement.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,10 @@ namespace geodesic
 /// After the call RefinedMesh::faces has numbers of the surface's triangles.
 void addOtherTriangles(
   const PolyDataSurface& surface, std::uint64_t maximumFaces, RefinedMesh& refined);
+
+/// The block of the surface that each new point of a refined mesh belongs to.
+std::vector<std::size_t> blocksOfNewPoints(
+  const PolyDataSurface& surface, const RefinedMesh& refined);
 
 /// What of a refined mesh (after addOtherTriangles) belongs to each block of the surface, in
 /// numbers of the block: points, and triangles as RefinedMesh::faces has them. Each edge of the

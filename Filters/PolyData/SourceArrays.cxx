@@ -2,14 +2,17 @@
 #include "PolyData/SourceArrays.h"
 
 #include "Errors.h"
+#include "PolyData/BorrowedValues.h"
 #include "PolyData/Memory.h"
-#include "refinement/RefinedMesh.h"
+#include "PolyData/RefinedPolyData.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+
+#include <utility>
 
 namespace geodesic
 {
@@ -81,32 +84,73 @@ void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output)
   }
 }
 
-void SourceArrays::completeValues(SourceValues& atVertices) const
+// Calls visit(member, none) for the values that are asked for: where SourceValues has them, and the
+// value of a point without a face.
+template <typename Visit>
+void SourceArrays::forEachKind(const Visit& visit) const
 {
   if (this->choice_.sourceIds)
   {
-    this->surface_.completeValues(NoId, atVertices.sources);
+    visit(&SourceValues::sources, NoId);
   }
   if (this->choice_.closestPoints)
   {
-    this->surface_.completeValues(Vec3{}, atVertices.closestPoints);
+    visit(&SourceValues::closestPoints, Vec3{});
   }
   if (this->choice_.gradients)
   {
-    this->surface_.completeValues(Vec3{}, atVertices.gradients);
+    visit(&SourceValues::gradients, Vec3{});
   }
   if (this->choice_.signedDistances)
   {
-    this->surface_.completeValues(std::uint8_t(0), atVertices.isOnRight);
+    visit(&SourceValues::isOnRight, std::uint8_t(0));
   }
+}
+
+void SourceArrays::completeValues(SourceValues& atVertices) const
+{
+  this->forEachKind(
+    [&](auto kind, const auto& none) { this->surface_.completeValues(none, atVertices.*kind); });
+}
+
+void SourceArrays::appendCopies(
+  const std::vector<RankAddress>& copied, SourceValues& atNewPoints) const
+{
+  if (!this->surface_.part() || !this->surface_.part()->exchange().isTrueAnywhere(!copied.empty()))
+  {
+    return;
+  }
+  Exchange& exchange = this->surface_.part()->exchange();
+  const BorrowedValues copies(copied, exchange);
+  this->forEachKind(
+    [&](auto kind, const auto& none) { copies.append(none, atNewPoints.*kind, exchange); });
+}
+
+std::vector<SourceValues> SourceArrays::valuesByBlock(
+  SourceValues atNewPoints, const RefinedMesh& refined) const
+{
+  std::vector<SourceValues> values(this->surface_.blocks().size());
+  if (values.size() == 1)
+  {
+    values.front() = std::move(atNewPoints);
+    return values;
+  }
+  const std::vector<std::size_t> blocks = blocksOfNewPoints(this->surface_, refined);
+  this->forEachKind(
+    [&](auto kind, const auto&)
+    {
+      const auto ofAll = std::move(atNewPoints.*kind);
+      for (std::size_t i = 0; i < blocks.size(); ++i)
+      {
+        (values[blocks[i]].*kind).push_back(ofAll[i]);
+      }
+    });
+  return values;
 }
 
 void SourceArrays::reserve(std::size_t count, SourceValues& values) const
 {
-  values.sources.reserve(this->choice_.sourceIds ? count : 0);
-  values.closestPoints.reserve(this->choice_.closestPoints ? count : 0);
-  values.gradients.reserve(this->choice_.gradients ? count : 0);
-  values.isOnRight.reserve(this->choice_.signedDistances ? count : 0);
+  this->forEachKind([&](auto kind, const auto&) { (values.*kind).reserve(count); });
 }
 
 void SourceArrays::add(const Foot& foot, const NearestSource& nearest, SourceValues& values) const
@@ -152,17 +196,17 @@ SourceValues SourceArrays::atVertices(const DistanceField& computed, const Neare
   return values;
 }
 
-SourceValues SourceArrays::atPoints(const std::vector<RefinedPoint>& points,
+SourceValues SourceArrays::atPoints(const std::vector<RefinedPoint>& points, std::size_t count,
   const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
   const ProgressCallback& callback) const
 {
   SourceValues values;
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  this->reserve(points.size(), values);
-  for (std::size_t i = 0; i < points.size(); ++i)
+  this->reserve(count, values);
+  for (std::size_t i = 0; i < count; ++i)
   {
-    progress.at(i, points.size());
+    progress.at(i, count);
     const bool isReached = points[i].distance < Infinity;
     const LastPiece piece = isReached ? lastPieceTo(exact, points[i].place) : LastPiece();
     if (this->choice_.areFeetNeeded())

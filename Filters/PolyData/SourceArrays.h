@@ -15,6 +15,7 @@ class vtkPolyData;
 namespace geodesic
 {
 
+struct RefinedMesh;
 struct RefinedPoint;
 
 /// Which arrays beside the distance are asked for.
@@ -74,11 +75,23 @@ public:
   /// Of a piece, gives values at the mesh's vertices at each vertex that points have, see
   /// PolyDataSurface. All ranks call this together.
   void completeValues(SourceValues& atVertices) const;
-  /// Of the points that refinement has added.
+  /// Of points that refinement has added.
   ///
+  /// \param count of the first points: those whose places on the mesh are known.
   /// \param exact the field that feet are of, with arrivals; the computed one or another.
-  SourceValues atPoints(const std::vector<RefinedPoint>& points, const DistanceField& computed,
-    const DistanceField& exact, NearestSource& nearest, const ProgressCallback& progress) const;
+  SourceValues atPoints(const std::vector<RefinedPoint>& points, std::size_t count,
+    const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
+    const ProgressCallback& progress) const;
+  /// Of a piece, appends to the values at its own new points those at copies of other ranks'
+  /// points, from these. All ranks call this together. Does nothing where the surface is whole.
+  ///
+  /// \param copied what addOtherTrianglesOfPiece() returns.
+  void appendCopies(const std::vector<RankAddress>& copied, SourceValues& atNewPoints) const;
+  /// The values at the new points of each block: see partsByBlock().
+  ///
+  /// \param refined the mesh whose points they are at.
+  std::vector<SourceValues> valuesByBlock(
+    SourceValues atNewPoints, const RefinedMesh& refined) const;
 
   /// Adds the arrays of one block to its points: those of the input, then those that were added.
   ///
@@ -91,6 +104,8 @@ public:
   std::vector<const char*> names() const { return namesOf(this->choice_); }
 
 private:
+  template <typename Visit>
+  void forEachKind(const Visit& visit) const;
   void reserve(std::size_t count, SourceValues& values) const;
   void add(const Foot& foot, const NearestSource& nearest, SourceValues& values) const;
 

@@ -36,7 +36,7 @@ public:
     copy.parents = { this->of(copy.parents[0]), this->of(copy.parents[1]) };
     copy.place = {};
     this->face_.points.push_back(copy);
-    this->face_.numbersThere.push_back(point);
+    this->face_.numbersThere.push_back(point - this->refined_.numberOfInputPoints);
     return this->numbers_[point] = 2 + static_cast<Id>(this->face_.points.size());
   }
 

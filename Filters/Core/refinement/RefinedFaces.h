@@ -17,7 +17,7 @@ struct RefinedFace
   /// The points that were added to it, each after its parents. Here and in the triangles the face's
   /// corners have the numbers 0, 1, 2, and these points follow. Their places are not told.
   std::vector<RefinedPoint> points;
-  /// What number each of these has in the owner's RefinedMesh.
+  /// Which of the owner's RefinedMesh::points each of these is.
   std::vector<Id> numbersThere;
   std::vector<Triangle> triangles;
 };
