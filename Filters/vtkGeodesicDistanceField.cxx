@@ -13,6 +13,7 @@
 #include "PolyData/UnusedPoints.h"
 #include "field/Solve.h"
 #include "refinement/AdaptiveRefinement.h"
+#include "refinement/SeamPoints.h"
 #include "refinement/SolveForRefinement.h"
 
 #include "vtkCellData.h"
@@ -337,9 +338,17 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(
   result.atVertices = arrays.atVertices(field, nearest, part(1));
   if (result.isRefined)
   {
-    geodesic::SourceValues values = arrays.atPoints(
-      refined.mesh.points, refined.numberOfPointsWithPlaces(), field, exact, nearest, part(2));
-    arrays.appendCopies(refined.copied, values);
+    const std::size_t count = refined.numberOfPointsWithPlaces();
+    geodesic::SourceValues values =
+      arrays.atPoints(refined.mesh.points, count, field, exact, nearest, part(2));
+    if (const geodesic::SurfacePart* piece = this->Execution.surface().part())
+    {
+      const auto isKnown = [&](geodesic::Id face)
+      { return field.knowsInside(face) && exact.knowsInside(face); };
+      arrays.replaceAtSeams(
+        geodesic::findSeamPoints(refined.mesh.points, count, *piece, isKnown), values);
+      arrays.appendCopies(refined.copied, values);
+    }
     result.atRefinedPoints = arrays.valuesByBlock(std::move(values), refined.mesh);
   }
 }

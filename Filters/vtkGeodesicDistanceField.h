@@ -144,8 +144,7 @@
  * - An error on one rank is given by all, with one message; an abort on one aborts all.
  *
  * @warning
- * On a surface that is distributed over ranks, barriers are an error, and so are arrays other than
- * the distance at points that refinement adds to ghost cells.
+ * On a surface that is distributed over ranks, barriers are an error.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal

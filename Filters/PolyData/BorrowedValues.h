@@ -51,6 +51,21 @@ public:
       });
   }
 
+  /// The same, but puts the copies in place of some of the rank's own values.
+  ///
+  /// \param which of its own values, in the order of the constructor's.
+  template <typename Value>
+  void replace(const std::vector<Id>& which, std::vector<Value>& values, Exchange& exchange) const
+  {
+    const std::size_t own = values.size();
+    this->append(Value(), values, exchange);
+    for (std::size_t i = 0; i < which.size(); ++i)
+    {
+      values[which[i]] = values[own + i];
+    }
+    values.resize(own);
+  }
+
 private:
   std::size_t count_ = 0;
   /// For each rank, the values of this one that it borrows, and the copies that it gives this one,

@@ -5,6 +5,7 @@
 #include "PolyData/BorrowedValues.h"
 #include "PolyData/Memory.h"
 #include "PolyData/RefinedPolyData.h"
+#include "refinement/SeamPoints.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -113,13 +114,17 @@ void SourceArrays::completeValues(SourceValues& atVertices) const
     [&](auto kind, const auto& none) { this->surface_.completeValues(none, atVertices.*kind); });
 }
 
+void SourceArrays::replaceAtSeams(const SeamPoints& seams, SourceValues& atNewPoints) const
+{
+  Exchange& exchange = this->surface_.part()->exchange();
+  const BorrowedValues told(seams.there, exchange);
+  this->forEachKind(
+    [&](auto kind, const auto&) { told.replace(seams.here, atNewPoints.*kind, exchange); });
+}
+
 void SourceArrays::appendCopies(
   const std::vector<RankAddress>& copied, SourceValues& atNewPoints) const
 {
-  if (!this->surface_.part() || !this->surface_.part()->exchange().isTrueAnywhere(!copied.empty()))
-  {
-    return;
-  }
   Exchange& exchange = this->surface_.part()->exchange();
   const BorrowedValues copies(copied, exchange);
   this->forEachKind(

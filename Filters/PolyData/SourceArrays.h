@@ -17,6 +17,7 @@ namespace geodesic
 
 struct RefinedMesh;
 struct RefinedPoint;
+struct SeamPoints;
 
 /// Which arrays beside the distance are asked for.
 struct SourceArrayChoice
@@ -82,8 +83,11 @@ public:
   SourceValues atPoints(const std::vector<RefinedPoint>& points, std::size_t count,
     const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
     const ProgressCallback& progress) const;
+  /// Of a piece, gives points on seams the values that one rank tells of them. All ranks call this
+  /// together.
+  void replaceAtSeams(const SeamPoints& seams, SourceValues& atNewPoints) const;
   /// Of a piece, appends to the values at its own new points those at copies of other ranks'
-  /// points, from these. All ranks call this together. Does nothing where the surface is whole.
+  /// points, from these. All ranks call this together.
   ///
   /// \param copied what addOtherTrianglesOfPiece() returns.
   void appendCopies(const std::vector<RankAddress>& copied, SourceValues& atNewPoints) const;

@@ -270,6 +270,41 @@ def arrays_beside_the_distance():
         check(far.mean() < 0.02, f"{name} is that of one process but at {far.sum()} points")
 
 
+def arrays_of_refined_ghost_cells():
+    """New points of ghost cells have sources, feet and directions, too."""
+    whole = whole_sphere()
+    at = np.array([whole.GetPoint(i) for i in (100, 500, 900)])
+    producer, _ = point_cloud(at)
+    spread = pieces(whole)
+    with_ghosts = simple.GhostCellsGenerator(Input=spread)
+    with_ghosts.BuildIfRequired = 0
+    field = GeodesicDistanceField(Input=with_ghosts, Source=producer, RefineMesh=1,
+                                  RefinementTolerance=0.003, GenerateSourceIds=1,
+                                  GenerateClosestPoints=1, GenerateGradients=1)
+    with messages() as window:
+        field.UpdatePipeline()
+    check("ERR" not in window.GetOutput(), f"refined ghost cells: {window.GetOutput()!r}")
+    ghosts = 0
+    for piece in leaves(data(field)):
+        flags = piece.GetCellData().GetArray("vtkGhostType")
+        ghosts += np.count_nonzero(vtk_to_numpy(flags)) if flags else 0
+        if piece.GetNumberOfPoints() == 0:
+            continue
+        distances, ids, feet, gradients = (
+            vtk_to_numpy(piece.GetPointData().GetArray(name)) for name in
+            ("GeodesicDistance", "SourceId", "ClosestSourcePoint", "DistanceGradient"))
+        check(ids.min() >= 0, "each point has a source")
+        check(np.abs(feet - at[ids]).max() < ROUNDED, "the foot is the point with that number")
+        # Points of the source lie on the sphere: no way is shorter than straight.
+        straight = np.linalg.norm(points(piece) - feet, axis=1)
+        check((distances > straight - ROUNDED).all(), "no distance is shorter than straight")
+        lengths = np.linalg.norm(gradients, axis=1)[distances > ROUNDED]
+        check(np.abs(lengths - 1).max() < 1e-9, "gradients have length 1")
+    before = sum(np.count_nonzero(vtk_to_numpy(piece.GetCellData().GetArray("vtkGhostType")))
+                 for piece in leaves(data(with_ghosts)) if polys(piece))
+    check(RANKS == 1 or total(ghosts) > total(before), "ghost cells are refined")
+
+
 def lines_over_seams():
     """Lines of all ranks together are those of one process; they meet at seams."""
     sphere = simple.Sphere(ThetaResolution=40, PhiResolution=30)
@@ -407,7 +442,7 @@ def alone():
 
 try:
     for case in (real_meshes, curve_across_seams, generated_surfaces, arrays_beside_the_distance,
-                 lines_over_seams, paths_over_seams, ghosts_and_empty_ranks, written_and_read,
+                 arrays_of_refined_ghost_cells, lines_over_seams, paths_over_seams, ghosts_and_empty_ranks, written_and_read,
                  errors, alone):
         case()
         controller.Barrier()

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement/SeamPoints.h"
+
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// A place on an edge, the same on all ranks that have one of its faces: the face with the edge's
+/// lowest halfedge, the halfedge's number there, and the fraction of the way along it, which
+/// refinement computes from the same splits everywhere.
+using PlaceOnSeam = std::tuple<RankAddress, Id, double>;
+
+/// What a rank that knows a face at a place tells the others there.
+struct ToldPoint
+{
+  RankAddress face;
+  Id halfedge;
+  Id point;
+  double fraction;
+
+  PlaceOnSeam place() const { return { this->face, this->halfedge, this->fraction }; }
+};
+
+/// This rank's points at one place; there are several where the caller's points at a vertex are.
+struct PointsAtPlace
+{
+  std::vector<Id> here;
+  /// The lowest rank that tells of them, where one does, and its point.
+  bool isTold = false;
+  RankAddress there{ -1, NoId };
+};
+
+/// Who has faces at an edge.
+struct FacesAtEdge
+{
+  bool isKnownHere = false;
+  /// In their order, each once.
+  std::vector<int> otherRanks;
+};
+
+FacesAtEdge facesAtEdge(
+  Id edge, const SurfacePart& part, const std::function<bool(Id face)>& isKnown)
+{
+  FacesAtEdge faces;
+  Id halfedge = edge;
+  do
+  {
+    const Id face = TriangleMesh::faceOf(halfedge);
+    if (part.isOwn(face))
+    {
+      faces.isKnownHere = faces.isKnownHere || isKnown(face);
+    }
+    else if (const int rank = part.ownerOf(face).rank;
+             faces.otherRanks.empty() || faces.otherRanks.back() != rank)
+    {
+      faces.otherRanks.push_back(rank); // faces of one rank follow each other
+    }
+    halfedge = part.mesh().nextSibling(halfedge);
+  } while (halfedge != edge);
+  return faces;
+}
+
+/// This rank's points on edges of several ranks' faces. Puts what it tells the others into
+/// messages.
+std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& points,
+  std::size_t count, const SurfacePart& part, const std::function<bool(Id face)>& isKnown,
+  std::vector<Message>& messages)
+{
+  std::map<PlaceOnSeam, PointsAtPlace> places;
+  for (Id i = 0; i < count; ++i)
+  {
+    const SurfacePoint& place = points[i].place;
+    if (place.kind != SurfacePoint::Kind::Edge)
+    {
+      continue;
+    }
+    const FacesAtEdge faces = facesAtEdge(place.id, part, isKnown);
+    if (faces.otherRanks.empty())
+    {
+      continue;
+    }
+    const RankAddress face = part.addressOf(TriangleMesh::faceOf(place.id));
+    const ToldPoint told = { face, place.id % 3, i, place.u };
+    PointsAtPlace& at = places[told.place()];
+    at.here.push_back(i);
+    if (faces.isKnownHere && !at.isTold)
+    {
+      at.isTold = true;
+      at.there = { part.exchange().rank(), i };
+      for (const int rank : faces.otherRanks)
+      {
+        put(messages[indexOf(rank)], told);
+      }
+    }
+  }
+  return places;
+}
+
+} // anonymous namespace
+
+SeamPoints findSeamPoints(const std::vector<RefinedPoint>& points, std::size_t count,
+  const SurfacePart& part, const std::function<bool(Id face)>& isKnown)
+{
+  std::vector<Message> messages = part.exchange().noMessages();
+  std::map<PlaceOnSeam, PointsAtPlace> places = collect(points, count, part, isKnown, messages);
+  readEach(part.exchange().step(std::move(messages)),
+    [&](int rank, MessageReader& reader)
+    {
+      const auto told = reader.get<ToldPoint>();
+      const auto found = places.find(told.place());
+      if (found != places.end() && (!found->second.isTold || rank < found->second.there.rank))
+      {
+        found->second.isTold = true;
+        found->second.there = { rank, told.point };
+      }
+    });
+  SeamPoints result;
+  for (const auto& [place, at] : places)
+  {
+    const bool isElsewhere = at.isTold && at.there.rank != part.exchange().rank();
+    for (std::size_t i = 0; i < at.here.size() && isElsewhere; ++i)
+    {
+      result.here.push_back(at.here[i]);
+      result.there.push_back(at.there);
+    }
+  }
+  return result;
+}
+
+}
