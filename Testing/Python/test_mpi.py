@@ -442,8 +442,8 @@ def alone():
 
 try:
     for case in (real_meshes, curve_across_seams, generated_surfaces, arrays_beside_the_distance,
-                 arrays_of_refined_ghost_cells, lines_over_seams, paths_over_seams, ghosts_and_empty_ranks, written_and_read,
-                 errors, alone):
+                 arrays_of_refined_ghost_cells, lines_over_seams, paths_over_seams,
+                 ghosts_and_empty_ranks, written_and_read, errors, alone):
         case()
         controller.Barrier()
         if RANK == 0:
