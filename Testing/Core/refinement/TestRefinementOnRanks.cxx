@@ -6,6 +6,7 @@
 #include "truth/MeshFiles.h"
 
 #include "refinement/RefinedFaces.h"
+#include "refinement/SeamPoints.h"
 #include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>
@@ -504,6 +505,108 @@ TEST_P(RefinementOnRanks, TellsHowFacesOfOtherRanksAreRefined)
   {
     EXPECT_EQ(triangles, own.at(address));
   }
+}
+
+namespace
+{
+
+/// A point that a rank has added to an edge, and the one that it takes for it.
+struct PointOnEdge
+{
+  geodesic::RankAddress own;
+  geodesic::RankAddress taken;
+  bool isKnown;
+};
+/// By the ends of the edge in the whole and the place in space: refined parts fit together, so that
+/// ranks have the same.
+using PointsOnEdges =
+  std::map<std::tuple<std::size_t, std::size_t, geodesic::Vec3>, std::vector<PointOnEdge>>;
+
+void addPointsOnEdges(const RankOfRun& rank, const DistanceField& field, const RefinedMesh& refined,
+  const geodesic::SeamPoints& seams, PointsOnEdges& points)
+{
+  std::vector<geodesic::RankAddress> taken;
+  for (Id i = 0; i < refined.points.size(); ++i)
+  {
+    taken.push_back({ rank.exchange.rank(), i });
+  }
+  for (std::size_t i = 0; i < seams.here.size(); ++i)
+  {
+    taken[seams.here[i]] = seams.there[i];
+  }
+  for (Id i = 0; i < refined.points.size(); ++i)
+  {
+    const SurfacePoint& place = refined.points[i].place;
+    if (place.kind == SurfacePoint::Kind::Edge)
+    {
+      const auto ends = std::minmax(rank.wholeVertices.at(rank.part.mesh().origin(place.id)),
+        rank.wholeVertices.at(rank.part.mesh().destination(place.id)));
+      bool isKnown = false;
+      forEachFace(rank.part.mesh(), place,
+        [&](Id face) { isKnown = isKnown || (rank.part.isOwn(face) && field.knowsInside(face)); });
+      points[{ ends.first, ends.second, refined.points[i].position }].push_back(
+        { { rank.exchange.rank(), i }, taken[i], isKnown });
+    }
+  }
+}
+
+bool areSame(const geodesic::RankAddress& a, const geodesic::RankAddress& b)
+{
+  return a.rank == b.rank && a.id == b.id;
+}
+
+/// \returns how many points are of several ranks.
+int expectToldByTheLowestThatKnows(const PointsOnEdges& points)
+{
+  int shared = 0;
+  for (const auto& [place, ofRanks] : points)
+  {
+    const PointOnEdge* teller = nullptr;
+    for (const PointOnEdge& point : ofRanks)
+    {
+      const bool isLower = teller == nullptr || point.own < teller->own;
+      teller = point.isKnown && isLower ? &point : teller;
+    }
+    for (const PointOnEdge& point : ofRanks)
+    {
+      EXPECT_TRUE(areSame(point.taken, teller != nullptr ? teller->own : point.own));
+    }
+    shared += ofRanks.size() > 1 ? 1 : 0;
+  }
+  return shared;
+}
+
+}
+
+TEST_P(RefinementOnRanks, TellsOfAPointOnASeamByTheLowestRankThatKnows)
+{
+  Random random(900);
+  const Case c = makeCase(random);
+  int shared = 0;
+  for (const double limit : { geodesic::Infinity, 0.3 * c.largest })
+  {
+    PointsOnEdges points;
+    std::mutex mutex;
+    onRanks(cutAtRandom(c.mesh, 4, random), c.curves, 0,
+      [&](const RankOfRun& rank)
+      {
+        geodesic::FrontOptions front;
+        front.maximumDistance = limit;
+        front.part = &rank.part;
+        geodesic::RefinementOptions options;
+        options.tolerance = 0.01 * c.largest;
+        options.part = &rank.part;
+        const DistanceField field =
+          solveForRefinement(rank.part.mesh(), rank.sources, options.tolerance, front);
+        const RefinedMesh refined = refine(field, options);
+        const geodesic::SeamPoints seams = findSeamPoints(refined.points, refined.points.size(),
+          rank.part, [&field](Id face) { return field.knowsInside(face); });
+        const std::lock_guard<std::mutex> lock(mutex);
+        addPointsOnEdges(rank, field, refined, seams, points);
+      });
+    shared += expectToldByTheLowestThatKnows(points);
+  }
+  EXPECT_GT(shared, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, RefinementOnRanks, ::testing::ValuesIn(meshKinds()),
