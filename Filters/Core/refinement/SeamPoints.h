@@ -28,8 +28,7 @@ struct SeamPoints
 ///
 /// \param points those of this rank's refinement.
 /// \param count of the first points: those whose places on the mesh are known.
-/// \param isKnown whether a face that this rank owns is known inside: beyond a distance limit a
-/// rank
+/// \param isKnown whether a face that this rank owns is known inside. Near a distance limit a rank
 ///        may have no such face at an edge that another has split.
 SeamPoints findSeamPoints(const std::vector<RefinedPoint>& points, std::size_t count,
   const SurfacePart& part, const std::function<bool(Id face)>& isKnown);
