@@ -106,8 +106,20 @@ void BatchTasks::relaxEdges(District& district, Id vertex)
     }
     const Id before = TriangleMesh::previousInFace(corner);
     relax(corner, this->mesh_.destination(corner), before, this->mesh_.length(before));
-    relax(before, this->mesh_.origin(before), corner, 0.0);
+    if (!this->isOutgoingBeyond(before, vertex))
+    {
+      relax(before, this->mesh_.origin(before), corner, 0.0);
+    }
   }
+}
+
+// Whether the edge of a halfedge that comes to a vertex is that of one that leaves it in the face
+// beyond, which is relaxed there.
+bool BatchTasks::isOutgoingBeyond(Id halfedge, Id vertex) const
+{
+  const Id beyond = this->mesh_.nextSibling(halfedge);
+  return beyond != halfedge && this->mesh_.origin(beyond) == vertex &&
+    this->isOwn(TriangleMesh::faceOf(beyond));
 }
 
 void BatchTasks::emit(FrontWorker& worker, District& district, Id vertex)

@@ -70,6 +70,7 @@ private:
   void process(FrontWorker& worker, District& district, Id vertex, Id batch);
   void tell(District& sender, const DistanceUpdate& update);
   void relaxEdges(District& district, Id vertex);
+  bool isOutgoingBeyond(Id halfedge, Id vertex) const;
   void emit(FrontWorker& worker, District& district, Id vertex);
   void emit(FrontWorker& worker, District& district, Id vertex, const EmittedInterval& interval);
   void propagate(FrontWorker& worker, District& district, Id list, Id batch);
