@@ -61,8 +61,19 @@ inline Cut AtRandom(int count)
   };
 }
 
-/// Some faces of a surface with the points that they use, which have global ids if that is asked
-/// for.
+/// All barriers, by the array "barrier", on the last rank, which has nothing else where there are
+/// several; the other faces at random.
+inline Cut BarriersApart(vtkPolyData* surface, int count)
+{
+  return [surface, count](vtkIdType face)
+  {
+    const bool isBarrier = surface->GetCellData()->GetArray("barrier")->GetTuple1(face) != 0.0;
+    return isBarrier ? count - 1 : AtRandom(std::max(1, count - 1))(face);
+  };
+}
+
+/// Some faces of a surface with their arrays and the points that they use, which have global ids if
+/// that is asked for.
 inline vtkSmartPointer<vtkPolyData> Part(
   vtkPolyData* surface, const std::vector<vtkIdType>& faces, bool hasGlobalIds = false)
 {
@@ -91,6 +102,11 @@ inline vtkSmartPointer<vtkPolyData> Part(
   auto part = vtkSmartPointer<vtkPolyData>::New();
   part->SetPoints(points);
   part->SetPolys(polys);
+  part->GetCellData()->CopyAllocate(surface->GetCellData());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    part->GetCellData()->CopyData(surface->GetCellData(), faces[i], static_cast<vtkIdType>(i));
+  }
   if (hasGlobalIds)
   {
     part->GetPointData()->SetGlobalIds(globalIds);
