@@ -464,6 +464,7 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
     options.numberOfPoints = surface.numberOfPoints();
   }
   options.trianglesBeside = geodesic::barriersAtEdges(surface);
+  options.parallelFor = geodesic::smpParallelFor();
   options.progress =
     this->Execution.progressBetween(FieldDoneBeforeRefinement, this->DistancesDone);
   return options;

@@ -24,6 +24,8 @@ class GhostCells
 public:
   explicit GhostCells(vtkPolyData* data);
 
+  /// Whether any cell may be marked.
+  bool areAny() const { return this->flags_ != nullptr; }
   /// Whether a cell is marked as a duplicate of one of another block or piece.
   bool isDuplicate(vtkIdType cell) const;
   /// Whether a cell is hidden: it is not surface.

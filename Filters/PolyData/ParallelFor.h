@@ -2,7 +2,7 @@
 #ifndef geodesic_ParallelFor_h
 #define geodesic_ParallelFor_h
 
-#include "front/Front.h"
+#include "Tasks.h"
 
 namespace geodesic
 {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/PointMerger.h"
 
+#include "mesh/GroupedItems.h"
+
+#include <algorithm>
 #include <cstring>
-#include <utility>
 
 namespace geodesic
 {
@@ -24,41 +26,81 @@ std::uint64_t hashOf(const Vec3& p)
   return hash;
 }
 
+/// For each point the first one at its place.
+UninitializedVector<Id> findFirstAtPlaces(
+  const std::vector<Vec3>& points, const LoopProgress& progress, const ParallelFor& parallelFor)
+{
+  const auto count = static_cast<Id>(points.size());
+  Id keys = 1;
+  while (keys < count && keys < (NoId >> 1))
+  {
+    keys *= 2;
+  }
+  UninitializedVector<Id> hashes(count);
+  forRanges(parallelFor, count, progress,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        hashes[i] = static_cast<Id>(hashOf(points[i]) & (keys - 1));
+      }
+    });
+  const GroupedItems byHash =
+    groupItems(count, keys, parallelFor, [&hashes](Id point) { return hashes[point]; });
+  UninitializedVector<Id>& first = hashes; // no longer needed
+  forRanges(parallelFor, keys,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (Id key = static_cast<Id>(begin); key < end; ++key)
+      {
+        for (const Id point : byHash.at(key))
+        {
+          const auto isThere = [&](Id other)
+          { return other == point || (first[other] == other && points[other] == points[point]); };
+          const IdRange candidates = byHash.at(key);
+          first[point] = *std::find_if(candidates.begin(), candidates.end(), isThere);
+        }
+      }
+    });
+  return hashes;
 }
 
-// A hash table rather than a point locator, whose buckets degenerate where most points crowd in a
+}
+
+// By hashes rather than a point locator, whose buckets degenerate where most points crowd in a
 // corner of the bounding box.
-void mergeCoincidentPoints(
-  std::vector<Vec3>& points, std::vector<Id>& vertexOfPoint, const LoopProgress& progress)
+void mergeCoincidentPoints(std::vector<Vec3>& points, std::vector<Id>& vertexOfPoint,
+  const LoopProgress& progress, const ParallelFor& parallelFor)
 {
-  std::size_t capacity = 16;
-  while (capacity < 2 * points.size())
+  const UninitializedVector<Id> first = findFirstAtPlaces(points, progress, parallelFor);
+  const std::vector<Id> merged = resultsOfRanges(parallelFor, points.size(),
+    [&first](std::size_t begin, std::size_t end)
+    {
+      Id count = 0;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        count += first[i] != i ? 1 : 0;
+      }
+      return count;
+    });
+  if (std::all_of(merged.begin(), merged.end(), [](Id count) { return count == 0; }))
   {
-    capacity *= 2;
+    return;
   }
-  std::vector<Id> table(capacity, NoId);
-  std::vector<Id> vertex(points.size());
+  vertexOfPoint.resize(points.size());
   Id numberOfVertices = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    progress.at(i, points.size());
-    std::size_t slot = hashOf(points[i]) & (capacity - 1);
-    while (table[slot] != NoId && points[table[slot]] != points[i])
+    if (first[i] == i)
     {
-      slot = (slot + 1) & (capacity - 1);
+      points[numberOfVertices] = points[i];
+      vertexOfPoint[i] = numberOfVertices++;
     }
-    if (table[slot] == NoId)
+    else
     {
-      table[slot] = numberOfVertices;
-      points[numberOfVertices++] = points[i];
+      vertexOfPoint[i] = vertexOfPoint[first[i]];
     }
-    vertex[i] = table[slot];
   }
-  if (numberOfVertices < points.size())
-  {
-    points.resize(numberOfVertices);
-    vertexOfPoint = std::move(vertex);
-  }
+  points.resize(numberOfVertices);
 }
-
 }

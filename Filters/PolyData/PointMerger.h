@@ -3,6 +3,7 @@
 #define geodesic_PointMerger_h
 
 #include "Progress.h"
+#include "Tasks.h"
 #include "Types.h"
 
 #include <vector>
@@ -15,8 +16,9 @@ namespace geodesic
 /// \param points in: all points; out: one a place.
 /// \param vertexOfPoint out: the place of each; left empty where no two points coincide.
 /// \param progress its current stretch.
-void mergeCoincidentPoints(
-  std::vector<Vec3>& points, std::vector<Id>& vertexOfPoint, const LoopProgress& progress);
+/// \param parallelFor absent: one thread.
+void mergeCoincidentPoints(std::vector<Vec3>& points, std::vector<Id>& vertexOfPoint,
+  const LoopProgress& progress, const ParallelFor& parallelFor);
 
 }
 

@@ -3,6 +3,7 @@
 
 #include "PolyData/GhostCells.h"
 #include "PolyData/Memory.h"
+#include "PolyData/ParallelFor.h"
 #include "PolyData/PointMerger.h"
 #include "PolyData/RankCopies.h"
 #include "PolyData/RankSeams.h"
@@ -38,33 +39,50 @@ constexpr double PointsRead = 0.1;
 constexpr double PointsMerged = 0.25;
 constexpr double TrianglesRead = 0.4;
 
-/// The diagonal of the bounding box of the points that triangles use: others are not surface, and
-/// may lie anywhere.
-double diagonalOf(
-  const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, Exchange* exchange)
+/// What holds some points.
+struct Box
 {
   Vec3 low{ Infinity, Infinity, Infinity };
   Vec3 high{ -Infinity, -Infinity, -Infinity };
-  for (const Triangle& triangle : triangles)
+
+  void add(const Box& other)
   {
-    for (const Id corner : triangle)
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      const Vec3& p = points[corner];
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        low[k] = std::min(low[k], p[k]);
-        high[k] = std::max(high[k], p[k]);
-      }
+      this->low[k] = std::min(this->low[k], other.low[k]);
+      this->high[k] = std::max(this->high[k], other.high[k]);
     }
   }
+};
+
+/// The diagonal of the bounding box of the points that triangles use: others are not surface, and
+/// may lie anywhere.
+double diagonalOf(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
+  Exchange* exchange, const ParallelFor& parallelFor)
+{
+  Box box;
+  const std::vector<Box> boxes = resultsOfRanges(parallelFor, triangles.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      Box here;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        for (const Id corner : triangles[i])
+        {
+          here.add({ points[corner], points[corner] });
+        }
+      }
+      return here;
+    });
+  std::for_each(boxes.begin(), boxes.end(), [&box](const Box& part) { box.add(part); });
   if (exchange)
   {
-    std::vector<double> least = { low[0], low[1], low[2], -high[0], -high[1], -high[2] };
+    std::vector<double> least = { box.low[0], box.low[1], box.low[2], -box.high[0], -box.high[1],
+      -box.high[2] };
     exchange->findLeast(least);
-    low = { least[0], least[1], least[2] };
-    high = { -least[3], -least[4], -least[5] };
+    box = { { least[0], least[1], least[2] }, { -least[3], -least[4], -least[5] } };
   }
-  return norm(high - low);
+  return norm(box.high - box.low);
 }
 
 template <typename Visitor>
@@ -91,6 +109,7 @@ public:
     , exchange_(exchange)
     , callback_(callback)
     , progress_(callback)
+    , parallelFor_(smpParallelFor())
     , blocks_(inputs.size())
   {
   }
@@ -103,7 +122,8 @@ public:
     this->progress_.nextUntil(PointsMerged);
     if (mergeCoincidentPoints)
     {
-      geodesic::mergeCoincidentPoints(this->vertices_, this->vertexOfPoint_, this->progress_);
+      geodesic::mergeCoincidentPoints(
+        this->vertices_, this->vertexOfPoint_, this->progress_, this->parallelFor_);
     }
     this->progress_.nextUntil(TrianglesRead);
     this->readTriangles(faces);
@@ -123,7 +143,8 @@ public:
       this->keepTriangles(i);
     }
     this->nameVertices();
-    const double diagonal = diagonalOf(this->vertices_, this->triangles_.corners, this->exchange_);
+    const double diagonal =
+      diagonalOf(this->vertices_, this->triangles_.corners, this->exchange_, this->parallelFor_);
     if (this->exchange_)
     {
       return this->makePiece(diagonal);
@@ -138,13 +159,19 @@ public:
   }
 
 private:
+  /// Told of cells that have been read.
+  using CellsRead = std::function<void(std::size_t cells)>;
+
   vtkIdType requireFaces() const;
   bool isTrueOnAll(bool condition) const;
   std::string whatThereIsInsteadOfFaces() const;
   void readPoints();
-  void readPoints(const PolyDataBlock& input);
+  std::vector<Id> readPoints(std::size_t begin, std::size_t end);
+  void requireFinite(const std::vector<Id>& bad) const;
   void readTriangles(vtkIdType faces);
-  void readTriangles(std::size_t block, const std::function<void()>& next);
+  void readTriangles(std::size_t block, const CellsRead& next);
+  bool readPlainTriangles(std::size_t block, const CellsRead& next);
+  bool readPlainTriangles(std::size_t block, std::size_t begin, std::size_t end);
   Triangle verticesOf(const Triangle& points) const;
   std::size_t endOfTriangles(std::size_t block) const;
   void scaleVertices();
@@ -172,6 +199,7 @@ private:
   Exchange* exchange_;
   const ProgressCallback& callback_;
   LoopProgress progress_;
+  ParallelFor parallelFor_;
   std::vector<SurfaceBlock> blocks_;
   std::vector<Vec3> vertices_;
   std::vector<Id> vertexOfPoint_;
@@ -248,35 +276,63 @@ void SurfaceReader::readPoints()
         " points, more than 32-bit ids can number. Decimate it or cut it into parts.");
     }
   }
-  this->vertices_.reserve(static_cast<std::size_t>(count));
-  for (const PolyDataBlock& input : this->inputs_)
+  this->vertices_.resize(static_cast<std::size_t>(count));
+  const std::vector<std::vector<Id>> bad =
+    resultsOfRanges(this->parallelFor_, this->vertices_.size(), this->progress_,
+      [this](std::size_t begin, std::size_t end) { return this->readPoints(begin, end); });
+  std::vector<Id> all;
+  for (const std::vector<Id>& part : bad)
   {
-    this->readPoints(input);
+    all.insert(all.end(), part.begin(), part.end());
   }
+  this->requireFinite(all);
 }
 
-/// \throws MeshError where a coordinate is not finite.
-void SurfaceReader::readPoints(const PolyDataBlock& input)
+/// Reads a range of the points of all blocks. \returns those with a coordinate that is not finite.
+std::vector<Id> SurfaceReader::readPoints(std::size_t begin, std::size_t end)
 {
-  vtkPoints* points = input.data->GetPoints();
-  const vtkIdType count = input.data->GetNumberOfPoints();
-  std::vector<vtkIdType> bad;
-  for (vtkIdType i = 0; i < count; ++i)
+  std::vector<Id> bad;
+  for (std::size_t block = 0; block < this->blocks_.size(); ++block)
   {
-    this->progress_.at(this->vertices_.size(), this->vertices_.capacity());
-    Vec3& p = this->vertices_.emplace_back();
-    points->GetPoint(i, p.data());
-    if (!isFinite(p))
+    vtkPoints* points = this->inputs_[block].data->GetPoints();
+    const std::size_t first = this->blocks_[block].firstPoint;
+    const std::size_t last = std::min(end, first + this->blocks_[block].numberOfPoints);
+    for (std::size_t i = std::max(begin, first); i < last; ++i)
     {
-      bad.push_back(i);
+      points->GetPoint(static_cast<vtkIdType>(i - first), this->vertices_[i].data());
+      if (!isFinite(this->vertices_[i]))
+      {
+        bad.push_back(static_cast<Id>(i));
+      }
     }
   }
-  if (!bad.empty())
+  return bad;
+}
+
+/// \throws MeshError where there are points with a coordinate that is not finite.
+void SurfaceReader::requireFinite(const std::vector<Id>& bad) const
+{
+  if (bad.empty())
   {
-    throw MeshError(capitalized(input.name) +
-      " has coordinates that are NaN or infinite, at point " + listIds(bad) +
-      ". Remove or repair these points upstream.");
+    return;
   }
+  std::size_t block = 0;
+  while (bad.front() >= this->blocks_[block].firstPoint + this->blocks_[block].numberOfPoints)
+  {
+    ++block;
+  }
+  const Id first = this->blocks_[block].firstPoint;
+  std::vector<vtkIdType> ids;
+  for (const Id point : bad)
+  {
+    if (point - first < this->blocks_[block].numberOfPoints)
+    {
+      ids.push_back(point - first);
+    }
+  }
+  throw MeshError(capitalized(this->inputs_[block].name) +
+    " has coordinates that are NaN or infinite, at point " + listIds(ids) +
+    ". Remove or repair these points upstream.");
 }
 
 void SurfaceReader::readTriangles(vtkIdType faces)
@@ -289,7 +345,16 @@ void SurfaceReader::readTriangles(vtkIdType faces)
   this->triangles_.corners.reserve(static_cast<std::size_t>(polygons));
   this->triangles_.cells.reserve(static_cast<std::size_t>(polygons));
   std::size_t done = 0;
-  const auto next = [&]() { this->progress_.at(done++, static_cast<std::size_t>(faces)); };
+  const auto next = [&](std::size_t cells)
+  {
+    constexpr std::size_t step = 8192; // after so many it is reported
+    const std::size_t reports = (done + step - 1) / step;
+    done += cells;
+    if ((done + step - 1) / step > reports)
+    {
+      this->progress_.at(reports * step, static_cast<std::size_t>(faces));
+    }
+  };
   for (std::size_t i = 0; i < this->inputs_.size(); ++i)
   {
     this->blocks_[i].firstTriangle = static_cast<Id>(this->triangles_.corners.size());
@@ -304,9 +369,13 @@ void SurfaceReader::readTriangles(vtkIdType faces)
   }
 }
 
-void SurfaceReader::readTriangles(std::size_t block, const std::function<void()>& next)
+void SurfaceReader::readTriangles(std::size_t block, const CellsRead& next)
 {
   const PolyDataBlock& input = this->inputs_[block];
+  if (this->readPlainTriangles(block, next))
+  {
+    return;
+  }
   const GhostCells ghosts(input.data);
   Triangulator triangulator(
     input, this->blocks_[block].firstPoint, this->vertexOfPoint_, this->triangles_);
@@ -320,7 +389,7 @@ void SurfaceReader::readTriangles(std::size_t block, const std::function<void()>
     forEachCell(cells,
       [&](vtkIdType size, const vtkIdType* ids)
       {
-        next();
+        next(1);
         if (!ghosts.isHidden(cell))
         {
           (triangulator.*add)({ cell, ghosts.isDuplicate(cell) }, size, ids);
@@ -334,6 +403,68 @@ void SurfaceReader::readTriangles(std::size_t block, const std::function<void()>
   this->report_.facesWithRepeatedPoint += triangulator.report().facesWithRepeatedPoint;
   this->report_.polygons += triangulator.report().polygons;
   this->report_.strips += triangulator.report().strips;
+}
+
+/// Reads a block whose cells are triangles and nothing else, with three vertices each. \returns
+/// whether it is one.
+bool SurfaceReader::readPlainTriangles(std::size_t block, const CellsRead& next)
+{
+  vtkPolyData* data = this->inputs_[block].data;
+  const vtkIdType count = data->GetNumberOfPolys();
+  if (count != data->GetNumberOfCells() || GhostCells(data).areAny())
+  {
+    return false;
+  }
+  TriangleList& triangles = this->triangles_;
+  const std::size_t before = triangles.corners.size();
+  const std::size_t after = before + static_cast<std::size_t>(count);
+  triangles.corners.resize(after);
+  triangles.cells.resize(after);
+  const std::vector<int> arePlain = resultsOfRanges(this->parallelFor_, after - before,
+    [&](std::size_t begin, std::size_t end)
+    { return this->readPlainTriangles(block, begin, end) ? 1 : 0; });
+  if (std::find(arePlain.begin(), arePlain.end(), 0) != arePlain.end())
+  {
+    triangles.corners.resize(before);
+    triangles.cells.resize(before);
+    return false;
+  }
+  triangles.isDuplicate.resize(after, false);
+  this->hasOtherCells_.push_back(false);
+  next(after - before);
+  return true;
+}
+
+/// The same for a range of the cells.
+bool SurfaceReader::readPlainTriangles(std::size_t block, std::size_t begin, std::size_t end)
+{
+  vtkPolyData* data = this->inputs_[block].data;
+  const Id firstPoint = this->blocks_[block].firstPoint;
+  const auto numberOfPoints = data->GetNumberOfPoints();
+  const auto cells = vtk::TakeSmartPointer(data->GetPolys()->NewIterator()); // one a thread
+  cells->GoToCell(static_cast<vtkIdType>(begin));
+  for (std::size_t i = begin; i < end; ++i, cells->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(size, ids);
+    const auto exists = [=](vtkIdType id) { return id >= 0 && id < numberOfPoints; };
+    if (size != 3 || !std::all_of(ids, ids + 3, exists))
+    {
+      return false;
+    }
+    const auto pointOf = [=](vtkIdType id) { return firstPoint + static_cast<Id>(id); };
+    const Triangle triangle = { pointOf(ids[0]), pointOf(ids[1]), pointOf(ids[2]) };
+    const Triangle v = this->verticesOf(triangle);
+    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
+    {
+      return false;
+    }
+    const std::size_t number = this->blocks_[block].firstTriangle + i;
+    this->triangles_.corners[number] = triangle;
+    this->triangles_.cells[number] = static_cast<vtkIdType>(i);
+  }
+  return true;
 }
 
 /// A triangle's corners, as vertices.
@@ -357,17 +488,22 @@ std::size_t SurfaceReader::endOfTriangles(std::size_t block) const
 void SurfaceReader::scaleVertices()
 {
   constexpr double largestOfAll = 1e290;
-  double largest = 0.0;
-  for (const Triangle& triangle : this->triangles_.corners)
-  {
-    for (const Id vertex : this->verticesOf(triangle))
+  const std::vector<Triangle>& triangles = this->triangles_.corners;
+  const std::vector<double> ofRanges = resultsOfRanges(this->parallelFor_, triangles.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      for (const double x : this->vertices_[vertex])
+      double here = 0.0;
+      for (std::size_t i = begin; i < end; ++i)
       {
-        largest = std::max(largest, std::abs(x));
+        for (const Id vertex : this->verticesOf(triangles[i]))
+        {
+          const Vec3& p = this->vertices_[vertex];
+          here = std::max({ here, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+        }
       }
-    }
-  }
+      return here;
+    });
+  double largest = ofRanges.empty() ? 0.0 : *std::max_element(ofRanges.begin(), ofRanges.end());
   if (this->exchange_)
   {
     largest = this->exchange_->largestOf(largest);
@@ -654,10 +790,22 @@ void SurfaceReader::nameVertices()
 {
   this->triangles_.cells = {};
   std::vector<Triangle>& triangles = this->triangles_.corners;
+  if (this->roles_.empty())
+  {
+    forRanges(this->parallelFor_, this->vertexOfPoint_.empty() ? 0 : triangles.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          triangles[i] = this->verticesOf(triangles[i]);
+        }
+      });
+    return;
+  }
   std::size_t count = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    if (this->roles_.empty() || this->roles_[i] != TriangleRole::Copy)
+    if (this->roles_[i] != TriangleRole::Copy)
     {
       triangles[count++] = this->verticesOf(triangles[i]);
     }
@@ -690,7 +838,7 @@ std::vector<Triangle> SurfaceReader::takeBarriers()
 std::unique_ptr<TriangleMesh> SurfaceReader::makeMesh()
 {
   return std::make_unique<TriangleMesh>(
-    std::move(this->vertices_), this->triangles_.corners, this->meshProgress());
+    std::move(this->vertices_), this->triangles_.corners, this->meshProgress(), this->parallelFor_);
 }
 
 ProgressCallback SurfaceReader::meshProgress() const

@@ -2,15 +2,21 @@
 #include "PolyData/SurfaceWriter.h"
 
 #include "PolyData/Memory.h"
+#include "PolyData/ParallelFor.h"
 #include "PolyData/PointDataInterpolation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace geodesic
 {
@@ -41,32 +47,97 @@ void writePoints(
   output->SetPoints(points);
 }
 
+/// The array of some cell data with the same name and type as one of the output, which tasks may
+/// copy from side by side; null where there is none such.
+vtkDataArray* numbersLike(vtkAbstractArray* array, vtkCellData* data)
+{
+  vtkAbstractArray* found = array->GetName() ? data->GetAbstractArray(array->GetName()) : nullptr;
+  const bool isAlike = found && found->GetDataType() == array->GetDataType() &&
+    found->GetNumberOfComponents() == array->GetNumberOfComponents() &&
+    found->GetDataType() != VTK_BIT; // several share a byte
+  return isAlike && vtkDataArray::SafeDownCast(array) ? vtkDataArray::SafeDownCast(found) : nullptr;
+}
+
+/// Gives each triangle the data of the cell that it is a part of.
+void copyCellData(vtkCellData* from, vtkIdTypeArray* cells, vtkCellData* to,
+  const ParallelFor& parallelFor, const LoopProgress& progress)
+{
+  const vtkIdType count = cells->GetNumberOfTuples();
+  to->CopyGlobalIdsOff(); // the parts of one cell would share one
+  to->CopyAllocate(from, count);
+  std::vector<std::pair<vtkDataArray*, vtkDataArray*>> numbers;
+  for (int i = 0; i < to->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = to->GetAbstractArray(i);
+    numbers.emplace_back(numbersLike(array, from), vtkDataArray::SafeDownCast(array));
+  }
+  const bool areAllNumbers = std::all_of(
+    numbers.begin(), numbers.end(), [](const auto& arrays) { return arrays.first != nullptr; });
+  for (const auto& [source, target] : numbers)
+  {
+    if (areAllNumbers)
+    {
+      target->SetNumberOfTuples(count);
+    }
+  }
+  if (numbers.empty())
+  {
+    return;
+  }
+  const auto copy = [&](std::size_t begin, std::size_t end)
+  {
+    for (auto i = static_cast<vtkIdType>(begin); i < static_cast<vtkIdType>(end); ++i)
+    {
+      const vtkIdType cell = cells->GetValue(i);
+      if (!areAllNumbers)
+      {
+        to->CopyData(from, cell, i);
+        continue;
+      }
+      for (const auto& [source, target] : numbers)
+      {
+        target->SetTuple(i, cell, source);
+      }
+    }
+  };
+  const ParallelFor one;
+  forRanges(areAllNumbers ? parallelFor : one, static_cast<std::size_t>(count), progress, copy);
+}
+
 void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellData* from,
   vtkPolyData* output, const LoopProgress& progress)
 {
+  const ParallelFor parallelFor = smpParallelFor();
   const auto count = static_cast<vtkIdType>(refined.triangles.size());
   constexpr vtkIdType idsATriangle = 5; // three points, an offset and the original cell
   requireMemory(count + 1, idsATriangle * sizeof(vtkIdType) + bytesATuple(from));
-  vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(count, 3 * count);
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(count + 1);
+  vtkNew<vtkIdTypeArray> points;
+  points->SetNumberOfValues(3 * count);
   vtkNew<vtkIdTypeArray> originals;
   originals->SetName("OriginalCellIds");
-  originals->SetNumberOfTuples(count);
-  vtkCellData* to = output->GetCellData();
-  to->CopyGlobalIdsOff();
-  to->CopyAllocate(from, count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    progress.at(static_cast<std::size_t>(i), refined.triangles.size());
-    const Triangle& triangle = refined.triangles[static_cast<std::size_t>(i)];
-    const vtkIdType cell = block.inputCell(refined.faces[static_cast<std::size_t>(i)]);
-    triangles->InsertNextCell({ static_cast<vtkIdType>(triangle[0]),
-      static_cast<vtkIdType>(triangle[1]), static_cast<vtkIdType>(triangle[2]) });
-    originals->SetValue(i, cell);
-    to->CopyData(from, cell, i);
-  }
+  originals->SetNumberOfValues(count);
+  offsets->SetValue(count, 3 * count);
+  forRanges(parallelFor, refined.triangles.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const auto cell = static_cast<vtkIdType>(i);
+        offsets->SetValue(cell, 3 * cell);
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          points->SetValue(3 * cell + static_cast<vtkIdType>(k), refined.triangles[i][k]);
+        }
+        originals->SetValue(cell, block.inputCell(refined.faces[i]));
+      }
+    });
+  vtkNew<vtkCellArray> triangles;
+  triangles->SetData(offsets, points);
+  copyCellData(from, originals, output->GetCellData(), parallelFor, progress);
   output->SetPolys(triangles);
-  to->AddArray(originals);
+  output->GetCellData()->AddArray(originals);
 }
 
 }

@@ -430,6 +430,7 @@ geodesic::RefinedMesh refineField(const geodesic::DistanceField& field, double t
 {
   geodesic::RefinementOptions options;
   options.tolerance = tolerance;
+  options.parallelFor = geodesic::smpParallelFor();
   return geodesic::refine(field, options);
 }
 

@@ -2,16 +2,20 @@
 #ifndef geodesictest_OnThreads_h
 #define geodesictest_OnThreads_h
 
+#include "Tasks.h"
+
 #include <atomic>
 #include <cstddef>
 #include <functional>
 #include <thread>
+#include <vector>
 
 namespace geodesictest
 {
 
-/// Runs the tasks on three threads, each of which takes the next one that is left.
-inline void onThreads(std::size_t count, const std::function<void(std::size_t)>& task)
+/// Runs the tasks on so many threads, each of which takes the next one that is left.
+inline void onThreads(
+  std::size_t threads, std::size_t count, const std::function<void(std::size_t)>& task)
 {
   std::atomic<std::size_t> next{ 0 };
   const auto work = [&]()
@@ -21,11 +25,42 @@ inline void onThreads(std::size_t count, const std::function<void(std::size_t)>&
       task(i);
     }
   };
-  std::thread first(work);
-  std::thread second(work);
+  std::vector<std::thread> others;
+  while (others.size() + 1 < threads)
+  {
+    others.emplace_back(work);
+  }
   work();
-  first.join();
-  second.join();
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
+}
+
+/// The same on three threads.
+inline void onThreads(std::size_t count, const std::function<void(std::size_t)>& task)
+{
+  onThreads(3, count, task);
+}
+
+/// One task after another, the first or the last one first, and on several threads.
+inline std::vector<geodesic::ParallelFor> waysToRun()
+{
+  using Task = std::function<void(std::size_t)>;
+  std::vector<geodesic::ParallelFor> ways = { geodesic::ParallelFor(),
+    [](std::size_t count, const Task& task)
+    {
+      while (count > 0)
+      {
+        task(--count);
+      }
+    } };
+  for (const std::size_t threads : { std::size_t(2), std::size_t(5) })
+  {
+    ways.emplace_back(
+      [threads](std::size_t count, const Task& task) { onThreads(threads, count, task); });
+  }
+  return ways;
 }
 
 }

@@ -3,6 +3,7 @@
 #define geodesic_Front_h
 
 #include "Progress.h"
+#include "Tasks.h"
 #include "front/Retention.h"
 #include "front/SaddleWedge.h"
 #include "mesh/SurfacePart.h"
@@ -10,31 +11,10 @@
 #include "source/SourceCurve.h"
 #include "source/SourceWindows.h"
 
-#include <functional>
 #include <vector>
 
 namespace geodesic
 {
-
-/// Runs task(0) to task(count - 1), in any order and at the same time if it likes, and returns when
-/// all are done.
-using ParallelFor =
-  std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
-
-/// The same with one task after another where there is no ParallelFor.
-template <typename Task>
-void forAll(const ParallelFor& parallelFor, std::size_t count, const Task& task)
-{
-  if (parallelFor)
-  {
-    parallelFor(count, task);
-    return;
-  }
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    task(i);
-  }
-}
 
 /// A search for one path: windows that no path to the target within the length goes through are
 /// dropped. Vertices that such a path cannot pass may then have distances that are too large.

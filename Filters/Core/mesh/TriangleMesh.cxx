@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "Tolerance.h"
+#include "mesh/GroupedItems.h"
 
 #include <algorithm>
 #include <numeric>
@@ -14,19 +15,6 @@ namespace
 {
 
 constexpr double Pi = 3.14159265358979323846;
-
-void checkPoints(const std::vector<Vec3>& points)
-{
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const Vec3& p = points[i];
-    if (!isFinite(p))
-    {
-      throw MeshError("Point " + std::to_string(i) +
-        " of the surface has a coordinate that is not finite. Remove or repair the point.");
-    }
-  }
-}
 
 void checkSize(std::size_t numberOfPoints, std::size_t numberOfTriangles)
 {
@@ -50,202 +38,353 @@ bool FaceShape::hasZeroArea() const
   return this->area2 <= tolerance::ZeroArea * longest * longest;
 }
 
-TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
-  const ProgressCallback& callback)
-  : points_(std::move(points))
+/// Builds a mesh, stage by stage. What each stage finds out about a face or a vertex is written by
+/// one task, so that it does not matter which thread runs it.
+class TriangleMesh::Builder
 {
-  checkSize(this->points_.size(), triangles.size());
-  checkPoints(this->points_);
-  LoopProgress progress(callback);
-  progress.nextUntil(0.1);
-  this->takeFaces(triangles, progress);
-  progress.nextUntil(0.4);
-  this->linkSiblings(progress);
-  this->dropDuplicateFaces(progress);
-  progress.nextUntil(0.6);
-  this->linkCorners(progress);
-  progress.nextUntil(0.7);
-  this->measureFaces(progress);
-  progress.nextUntil(1.0);
-  this->findPseudoSources(progress);
-}
-
-void TriangleMesh::takeFaces(const std::vector<Triangle>& triangles, const LoopProgress& progress)
-{
-  this->faces_.reserve(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+public:
+  Builder(TriangleMesh& mesh, const ProgressCallback& callback, const ParallelFor& parallelFor)
+    : mesh_(mesh)
+    , progress_(callback)
+    , parallelFor_(parallelFor)
   {
-    progress.at(i, triangles.size());
-    const Triangle& t = triangles[i];
-    if (*std::max_element(t.begin(), t.end()) >= this->numberOfVertices())
-    {
-      throw MeshError(
-        "Face " + std::to_string(i) + " of the surface names a point that does not exist.");
-    }
-    const bool repeats = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-    if (repeats && this->inputFaces_.empty())
-    {
-      this->inputFaces_.resize(this->faces_.size());
-      std::iota(this->inputFaces_.begin(), this->inputFaces_.end(), Id(0));
-    }
-    if (repeats)
-    {
-      ++this->report_.facesWithRepeatedVertex;
-      continue;
-    }
-    if (this->report_.facesWithRepeatedVertex > 0)
-    {
-      this->inputFaces_.push_back(static_cast<Id>(i));
-    }
-    this->faces_.push_back({ t, {}, {} });
   }
-  if (this->faces_.empty())
-  {
-    throw MeshError("Every face of the surface names a point twice, so that no face is left.");
-  }
-}
 
-// Halfedges are bucketed by their lower vertex, and a bucket sorted by the higher one, so that the
-// halfedges of one edge stand together.
-void TriangleMesh::linkSiblings(const LoopProgress& progress)
-{
-  const Id halfedges = this->numberOfHalfedges();
-  const auto low = [this](Id s) { return std::min(this->origin(s), this->destination(s)); };
-  std::vector<Id> start(this->points_.size() + 1, 0);
-  for (Id s = 0; s < halfedges; ++s)
+  void run(const std::vector<Triangle>& triangles)
   {
-    ++start[low(s) + 1];
+    checkSize(this->mesh_.points_.size(), triangles.size());
+    this->checkPoints();
+    this->progress_.nextUntil(0.1);
+    this->takeFaces(triangles);
+    this->progress_.nextUntil(0.4);
+    this->linkSiblings();
+    this->dropDuplicateFaces();
+    this->progress_.nextUntil(0.6);
+    this->linkCorners();
+    this->progress_.nextUntil(0.7);
+    this->measureFaces();
+    this->progress_.nextUntil(1.0);
+    this->findPseudoSources();
   }
-  std::partial_sum(start.begin(), start.end(), start.begin());
 
-  struct Entry
+private:
+  /// What was found in a range of the triangles.
+  struct Checked
+  {
+    /// The first one with a point that does not exist.
+    std::size_t wrong;
+    /// How many name three different vertices.
+    Id kept;
+  };
+
+  /// A halfedge and the higher one of its vertices.
+  struct ByHigh
   {
     Id high;
     Id halfedge;
-    bool operator<(const Entry& other) const
+    bool operator<(const ByHigh& other) const
     {
       return this->high != other.high ? this->high < other.high : this->halfedge < other.halfedge;
     }
   };
-  std::vector<Entry> entries(halfedges);
-  for (Id s = 0; s < halfedges; ++s)
+
+  struct EdgeCounts
   {
-    const Id a = this->origin(s);
-    const Id b = this->destination(s);
-    entries[start[std::min(a, b)]++] = { std::max(a, b), s };
+    Id edges = 0;
+    Id nonManifold = 0;
+  };
+
+  void checkPoints();
+  std::vector<Checked> checkTriangles(const std::vector<Triangle>& triangles);
+  void takeFaces(const std::vector<Triangle>& triangles);
+  void linkSiblings();
+  void linkSiblings(const IdRange& halfedges, std::vector<ByHigh>& byHigh, EdgeCounts& counts);
+  void dropDuplicateFaces();
+  void linkCorners();
+  void measureFaces();
+  void findPseudoSources();
+
+  /// Side by side, reporting progress.
+  template <typename Range>
+  void forRanges(std::size_t count, const Range& range) const
+  {
+    geodesic::forRanges(this->parallelFor_, count, this->progress_, range);
   }
 
-  const auto next = [this](Id halfedge) -> Id&
-  { return this->faces_[halfedge / 3].nextSibling[halfedge % 3]; };
-  this->numberOfEdges_ = 0;
-  this->report_.nonManifoldEdges = 0;
-  std::size_t first = 0;
-  for (Id v = 0; v < this->numberOfVertices(); ++v)
+  /// For how many faces or vertices test(id) is true.
+  template <typename Test>
+  Id sumOf(Id count, const Test& test) const
   {
-    progress.at(v, this->points_.size());
-    const std::size_t last = start[v]; // the fill has moved start[v] to the end of v's bucket
-    std::sort(entries.begin() + static_cast<std::ptrdiff_t>(first),
-      entries.begin() + static_cast<std::ptrdiff_t>(last));
-    while (first < last)
-    {
-      std::size_t end = first + 1;
-      while (end < last && entries[end].high == entries[first].high)
+    const std::vector<Id> sums = resultsOfRanges(this->parallelFor_, count, this->progress_,
+      [&test](std::size_t begin, std::size_t end)
       {
-        next(entries[end - 1].halfedge) = entries[end].halfedge;
-        ++end;
+        Id sum = 0;
+        for (std::size_t id = begin; id < end; ++id)
+        {
+          sum += test(static_cast<Id>(id)) ? 1 : 0;
+        }
+        return sum;
+      });
+    return std::accumulate(sums.begin(), sums.end(), Id(0));
+  }
+
+  TriangleMesh& mesh_;
+  LoopProgress progress_;
+  const ParallelFor& parallelFor_;
+};
+
+TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
+  const ProgressCallback& progress, const ParallelFor& parallelFor)
+  : points_(std::move(points))
+{
+  Builder(*this, progress, parallelFor).run(triangles);
+}
+
+void TriangleMesh::Builder::checkPoints()
+{
+  const std::vector<Vec3>& points = this->mesh_.points_;
+  const std::vector<std::size_t> wrong = resultsOfRanges(this->parallelFor_, points.size(),
+    [&points](std::size_t begin, std::size_t end)
+    {
+      while (begin < end && isFinite(points[begin]))
+      {
+        ++begin;
       }
-      next(entries[end - 1].halfedge) = entries[first].halfedge;
-      ++this->numberOfEdges_;
-      this->report_.nonManifoldEdges += end - first > 2 ? 1 : 0;
-      first = end;
+      return begin < end ? begin : points.size();
+    });
+  const auto first = std::min_element(wrong.begin(), wrong.end());
+  if (first != wrong.end() && *first < points.size())
+  {
+    throw MeshError("Point " + std::to_string(*first) +
+      " of the surface has a coordinate that is not finite. Remove or repair the point.");
+  }
+}
+
+namespace
+{
+
+bool namesAVertexTwice(const Triangle& t)
+{
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+} // anonymous namespace
+
+std::vector<TriangleMesh::Builder::Checked> TriangleMesh::Builder::checkTriangles(
+  const std::vector<Triangle>& triangles)
+{
+  return resultsOfRanges(this->parallelFor_, triangles.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      Checked found = { triangles.size(), 0 };
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Triangle& t = triangles[i];
+        if (*std::max_element(t.begin(), t.end()) >= this->mesh_.numberOfVertices())
+        {
+          found.wrong = std::min(found.wrong, i);
+        }
+        found.kept += namesAVertexTwice(t) ? 0 : 1;
+      }
+      return found;
+    });
+}
+
+void TriangleMesh::Builder::takeFaces(const std::vector<Triangle>& triangles)
+{
+  std::vector<Id> places;
+  Id kept = 0;
+  for (const Checked& checked : this->checkTriangles(triangles))
+  {
+    if (checked.wrong < triangles.size())
+    {
+      throw MeshError("Face " + std::to_string(checked.wrong) +
+        " of the surface names a point that does not exist.");
     }
+    places.push_back(kept);
+    kept += checked.kept;
+  }
+  if (kept == 0)
+  {
+    throw MeshError("Every face of the surface names a point twice, so that no face is left.");
+  }
+  const Id repeating = static_cast<Id>(triangles.size()) - kept;
+  std::vector<Id>& inputFaces = this->mesh_.inputFaces_;
+  this->mesh_.report_.facesWithRepeatedVertex = repeating;
+  this->mesh_.faces_.resize(kept);
+  inputFaces.resize(repeating > 0 ? kept : 0);
+  this->forRanges(triangles.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      Id face = places[begin / ItemsInRange];
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        if (repeating > 0 && namesAVertexTwice(triangles[i]))
+        {
+          continue;
+        }
+        this->mesh_.faces_[face].corners = triangles[i];
+        if (repeating > 0)
+        {
+          inputFaces[face] = static_cast<Id>(i);
+        }
+        ++face;
+      }
+    });
+}
+
+// The halfedges of one edge are found among those with the same lower vertex.
+void TriangleMesh::Builder::linkSiblings()
+{
+  const TriangleMesh& mesh = this->mesh_;
+  const GroupedItems byLow = groupItems(mesh.numberOfHalfedges(), mesh.numberOfVertices(),
+    this->parallelFor_, [&mesh](Id s) { return std::min(mesh.origin(s), mesh.destination(s)); });
+  const std::vector<EdgeCounts> counts =
+    resultsOfRanges(this->parallelFor_, mesh.numberOfVertices(), this->progress_,
+      [&](std::size_t begin, std::size_t end)
+      {
+        EdgeCounts here;
+        std::vector<ByHigh> byHigh;
+        for (std::size_t vertex = begin; vertex < end; ++vertex)
+        {
+          this->linkSiblings(byLow.at(static_cast<Id>(vertex)), byHigh, here);
+        }
+        return here;
+      });
+  this->mesh_.numberOfEdges_ = 0;
+  this->mesh_.report_.nonManifoldEdges = 0;
+  for (const EdgeCounts& here : counts)
+  {
+    this->mesh_.numberOfEdges_ += here.edges;
+    this->mesh_.report_.nonManifoldEdges += here.nonManifold;
+  }
+}
+
+// Of halfedges with one lower vertex those with the same higher one are siblings.
+void TriangleMesh::Builder::linkSiblings(
+  const IdRange& halfedges, std::vector<ByHigh>& byHigh, EdgeCounts& counts)
+{
+  byHigh.clear();
+  for (const Id s : halfedges)
+  {
+    byHigh.push_back({ std::max(this->mesh_.origin(s), this->mesh_.destination(s)), s });
+  }
+  std::sort(byHigh.begin(), byHigh.end());
+  const auto next = [this](const ByHigh& entry) -> Id&
+  { return this->mesh_.faces_[entry.halfedge / 3].nextSibling[entry.halfedge % 3]; };
+  for (std::size_t first = 0; first < byHigh.size();)
+  {
+    std::size_t end = first + 1;
+    while (end < byHigh.size() && byHigh[end].high == byHigh[first].high)
+    {
+      next(byHigh[end - 1]) = byHigh[end].halfedge;
+      ++end;
+    }
+    next(byHigh[end - 1]) = byHigh[first].halfedge;
+    ++counts.edges;
+    counts.nonManifold += end - first > 2 ? 1 : 0;
+    first = end;
   }
 }
 
 // Faces on the same three vertices share an edge and the vertex opposite it.
-void TriangleMesh::dropDuplicateFaces(LoopProgress& progress)
+bool TriangleMesh::isDuplicate(Id face) const
 {
-  progress.nextUntil(0.45);
-  std::vector<std::uint8_t> drop(this->faces_.size(), 0);
-  Id dropped = 0;
-  for (Id f = 0; f < this->numberOfFaces(); ++f)
+  const Id s = 3 * face;
+  for (Id t = this->nextSibling(s); t != s; t = this->nextSibling(t))
   {
-    progress.at(f, this->faces_.size());
-    const Id s = 3 * f;
-    for (Id t = this->nextSibling(s); t != s && !drop[f]; t = this->nextSibling(t))
+    if (faceOf(t) < face && this->opposite(t) == this->opposite(s))
     {
-      const bool duplicate = faceOf(t) < f && this->opposite(t) == this->opposite(s);
-      drop[f] = duplicate ? 1 : 0;
+      return true;
     }
-    dropped += drop[f];
   }
+  return false;
+}
+
+void TriangleMesh::Builder::dropDuplicateFaces()
+{
+  this->progress_.nextUntil(0.45);
+  TriangleMesh& mesh = this->mesh_;
+  std::vector<std::uint8_t> drop(mesh.faces_.size(), 0);
+  this->forRanges(mesh.faces_.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t face = begin; face < end; ++face)
+      {
+        drop[face] = mesh.isDuplicate(static_cast<Id>(face)) ? 1 : 0;
+      }
+    });
+  const auto dropped = static_cast<Id>(std::count(drop.begin(), drop.end(), 1));
   if (dropped == 0)
   {
     return;
   }
-  std::vector<Face> kept;
   std::vector<Id> inputFaces;
-  for (Id f = 0; f < this->numberOfFaces(); ++f)
+  for (Id face = 0; face < mesh.numberOfFaces(); ++face)
   {
-    if (!drop[f])
+    if (!drop[face])
     {
-      kept.push_back(this->faces_[f]);
-      inputFaces.push_back(this->inputFace(f));
+      mesh.faces_[inputFaces.size()] = mesh.faces_[face];
+      inputFaces.push_back(mesh.inputFace(face));
     }
   }
-  this->faces_ = std::move(kept);
-  this->inputFaces_ = std::move(inputFaces);
-  this->report_.duplicateFaces = dropped;
-  progress.nextUntil(0.55);
-  this->linkSiblings(progress);
+  mesh.faces_.resize(inputFaces.size());
+  mesh.faces_.shrink_to_fit();
+  mesh.inputFaces_ = std::move(inputFaces);
+  mesh.report_.duplicateFaces = dropped;
+  this->progress_.nextUntil(0.55);
+  this->linkSiblings();
 }
 
-void TriangleMesh::linkCorners(const LoopProgress& progress)
+void TriangleMesh::Builder::linkCorners()
 {
-  this->cornerStart_.assign(this->points_.size() + 1, 0);
-  for (const Face& face : this->faces_)
-  {
-    for (const Id v : face.corners)
-    {
-      ++this->cornerStart_[v + 1];
-    }
-  }
-  for (Id v = 0; v < this->numberOfVertices(); ++v)
-  {
-    this->report_.isolatedVertices += this->cornerStart_[v + 1] == 0 ? 1 : 0;
-    this->cornerStart_[v + 1] += this->cornerStart_[v];
-  }
-  this->corners_.resize(this->numberOfHalfedges());
-  std::vector<Id> next(this->cornerStart_.begin(), this->cornerStart_.end() - 1);
-  for (Id corner = 0; corner < this->numberOfHalfedges(); ++corner)
-  {
-    progress.at(corner, this->numberOfHalfedges());
-    this->corners_[next[this->origin(corner)]++] = corner;
-  }
+  TriangleMesh& mesh = this->mesh_;
+  GroupedItems corners = groupItems(mesh.numberOfHalfedges(), mesh.numberOfVertices(),
+    this->parallelFor_, [&mesh](Id corner) { return mesh.origin(corner); });
+  mesh.cornerStart_ = std::move(corners.start);
+  mesh.corners_ = std::move(corners.items);
 }
 
-void TriangleMesh::measureFaces(const LoopProgress& progress)
+void TriangleMesh::Builder::measureFaces()
 {
-  for (Id f = 0; f < this->numberOfFaces(); ++f)
+  this->mesh_.report_.zeroAreaFaces = this->sumOf(this->mesh_.numberOfFaces(),
+    [this](Id face)
+    {
+      FaceShape& shape = this->mesh_.faces_[face].shape;
+      shape = this->mesh_.measure(face);
+      return shape.hasZeroArea();
+    });
+}
+
+void TriangleMesh::Builder::findPseudoSources()
+{
+  this->mesh_.pseudoSource_.resize(this->mesh_.points_.size());
+  this->mesh_.report_.isolatedVertices = this->sumOf(this->mesh_.numberOfVertices(),
+    [this](Id vertex)
+    {
+      this->mesh_.pseudoSource_[vertex] = this->mesh_.findPseudoSource(vertex);
+      return this->mesh_.cornersAt(vertex).size() == 0;
+    });
+}
+
+FaceShape TriangleMesh::measure(Id face) const
+{
+  const Triangle& t = this->faces_[face].corners;
+  std::array<Vec3, 3> edge;
+  FaceShape shape;
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    progress.at(f, this->faces_.size());
-    const Triangle& t = this->faces_[f].corners;
-    std::array<Vec3, 3> edge;
-    FaceShape& shape = this->faces_[f].shape;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      edge[k] = this->points_[t[(k + 1) % 3]] - this->points_[t[k]];
-      shape.length[k] = norm(edge[k]);
-    }
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      shape.cornerDot[k] = -dot(edge[k], edge[(k + 2) % 3]);
-    }
-    // Of the three equal cross products the one of the two shorter edges has the least rounding.
-    const std::size_t longest = shape.longestEdge();
-    shape.area2 = norm(cross(edge[(longest + 1) % 3], edge[(longest + 2) % 3]));
-    this->report_.zeroAreaFaces += shape.hasZeroArea() ? 1 : 0;
+    edge[k] = this->points_[t[(k + 1) % 3]] - this->points_[t[k]];
+    shape.length[k] = norm(edge[k]);
   }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    shape.cornerDot[k] = -dot(edge[k], edge[(k + 2) % 3]);
+  }
+  // Of the three equal cross products the one of the two shorter edges has the least rounding.
+  const std::size_t longest = shape.longestEdge();
+  shape.area2 = norm(cross(edge[(longest + 1) % 3], edge[(longest + 2) % 3]));
+  return shape;
 }
 
 Id TriangleMesh::edgeOf(Id halfedge) const
@@ -277,34 +416,33 @@ double TriangleMesh::cornerAngle(Id corner) const
   return std::atan2(shape.area2, shape.cornerDot[corner % 3]);
 }
 
-void TriangleMesh::findPseudoSources(const LoopProgress& progress)
+TriangleMesh::PseudoSource TriangleMesh::findPseudoSource(Id vertex) const
 {
-  this->pseudoSource_.assign(this->points_.size(), PseudoSource::None);
-  for (Id v = 0; v < this->numberOfVertices(); ++v)
+  const IdRange corners = this->cornersAt(vertex);
+  if (corners.size() == 0)
   {
-    progress.at(v, this->points_.size());
-    const IdRange corners = this->cornersAt(v);
-    double angle = 0.0;
-    std::size_t boundaryEdges = 0;
-    bool manifold = true;
-    for (const Id corner : corners)
-    {
-      angle += this->cornerAngle(corner);
-      for (const Id halfedge : { corner, previousInFace(corner) })
-      {
-        const Id other = this->nextSibling(halfedge);
-        boundaryEdges += other == halfedge ? 1 : 0;
-        manifold = manifold && this->nextSibling(other) == halfedge;
-      }
-    }
-    const double straight = boundaryEdges == 0 ? 2.0 * Pi : Pi;
-    const bool bends = angle > straight * (1.0 + tolerance::FlatAngle);
-    const bool several = !manifold || boundaryEdges > 2 || !this->isOneFan(v);
-    this->pseudoSource_[v] = corners.size() == 0 ? PseudoSource::None
-      : several                                  ? PseudoSource::Irregular
-      : bends                                    ? PseudoSource::Saddle
-                                                 : PseudoSource::None;
+    return PseudoSource::None;
   }
+  double angle = 0.0;
+  std::size_t boundaryEdges = 0;
+  bool manifold = true;
+  for (const Id corner : corners)
+  {
+    angle += this->cornerAngle(corner);
+    for (const Id halfedge : { corner, previousInFace(corner) })
+    {
+      const Id other = this->nextSibling(halfedge);
+      boundaryEdges += other == halfedge ? 1 : 0;
+      manifold = manifold && this->nextSibling(other) == halfedge;
+    }
+  }
+  if (!manifold || boundaryEdges > 2 || !this->isOneFan(vertex))
+  {
+    return PseudoSource::Irregular;
+  }
+  const double straight = boundaryEdges == 0 ? 2.0 * Pi : Pi;
+  const bool bends = angle > straight * (1.0 + tolerance::FlatAngle);
+  return bends ? PseudoSource::Saddle : PseudoSource::None;
 }
 
 // Walks from corner to corner across the edges at the vertex; every corner is met where there is

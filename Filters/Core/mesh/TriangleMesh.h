@@ -3,23 +3,15 @@
 #define geodesic_TriangleMesh_h
 
 #include "Progress.h"
+#include "Tasks.h"
 #include "Types.h"
+#include "Uninitialized.h"
 
 #include <algorithm>
 #include <vector>
 
 namespace geodesic
 {
-
-/// A range of ids in an array of the mesh.
-struct IdRange
-{
-  const Id* first;
-  const Id* last;
-  const Id* begin() const { return this->first; }
-  const Id* end() const { return this->last; }
-  std::size_t size() const { return static_cast<std::size_t>(this->last - this->first); }
-};
 
 /// The metric of one face: what unfolding needs, taken from differences of coordinates so that it
 /// stays accurate in needles (lengths alone would lose half the digits).
@@ -77,10 +69,11 @@ public:
   /// \param points coordinates, finite.
   /// \param triangles three vertex ids a face, in any orientation.
   /// \param progress called now and then; returning false throws Aborted.
+  /// \param parallelFor absent: one thread. The mesh does not depend on it.
   /// \throws MeshError where no face is left, an id is out of range or a coordinate is not finite;
   ///         MeshTooLarge; Aborted.
   TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
-    const ProgressCallback& progress = {});
+    const ProgressCallback& progress = {}, const ParallelFor& parallelFor = {});
 
   Id numberOfVertices() const { return static_cast<Id>(this->points_.size()); }
   Id numberOfFaces() const { return static_cast<Id>(this->faces_.size()); }
@@ -182,19 +175,18 @@ private:
     FaceShape shape;
   };
 
-  void takeFaces(const std::vector<Triangle>& triangles, const LoopProgress& progress);
-  void measureFaces(const LoopProgress& progress);
-  void linkCorners(const LoopProgress& progress);
-  void linkSiblings(const LoopProgress& progress);
-  void dropDuplicateFaces(LoopProgress& progress);
-  void findPseudoSources(const LoopProgress& progress);
+  class Builder;
+
+  bool isDuplicate(Id face) const;
+  FaceShape measure(Id face) const;
+  PseudoSource findPseudoSource(Id vertex) const;
   bool isOneFan(Id vertex) const;
 
   std::vector<Vec3> points_;
   std::vector<Id> inputFaces_;
-  std::vector<Face> faces_;
+  UninitializedVector<Face> faces_;
   std::vector<Id> cornerStart_;
-  std::vector<Id> corners_;
+  UninitializedVector<Id> corners_;
   std::vector<PseudoSource> pseudoSource_;
   Id numberOfEdges_ = 0;
   Report report_;

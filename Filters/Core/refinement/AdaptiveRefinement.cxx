@@ -3,9 +3,9 @@
 
 #include "Errors.h"
 #include "Tolerance.h"
-#include "refinement/ClosingCheck.h"
 #include "refinement/DeviationRules.h"
 #include "refinement/FaceBounds.h"
+#include "refinement/LeafClosings.h"
 #include "refinement/RedGreenClosure.h"
 #include "refinement/RefinementOutput.h"
 #include "refinement/RefinementProgress.h"
@@ -40,15 +40,49 @@ bool isFrozen(const DistanceField& field, Id face)
 }
 
 /// The faces of other ranks are all frozen.
-std::vector<std::uint8_t> findFrozen(const DistanceField& field, const SurfacePart* part)
+std::vector<std::uint8_t> findFrozen(
+  const DistanceField& field, const SurfacePart* part, const ParallelFor& parallelFor)
 {
   std::vector<std::uint8_t> frozen(field.mesh().numberOfFaces());
-  for (Id face = 0; face < field.mesh().numberOfFaces(); ++face)
-  {
-    const bool isElsewhere = part != nullptr && !part->isOwn(face);
-    frozen[face] = isElsewhere || isFrozen(field, face) ? 1 : 0;
-  }
+  forRanges(parallelFor, frozen.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (Id face = static_cast<Id>(begin); face < end; ++face)
+      {
+        const bool isElsewhere = part != nullptr && !part->isOwn(face);
+        frozen[face] = isElsewhere || isFrozen(field, face) ? 1 : 0;
+      }
+    });
   return frozen;
+}
+
+/// What can be said of an input face without a look at its edges.
+struct QuickError
+{
+  double rounding = 0.0;
+  double bySize = Infinity;
+  /// By its windows; not looked for where the error by size is known to occur anyway.
+  double byWindows = Infinity;
+
+  /// Where a bound so large is reported anyway, what is no larger need not be sharp.
+  double whereKnown(double bound) const
+  {
+    return this->bySize <= bound ? this->bySize : this->byWindows;
+  }
+};
+
+QuickError quickError(const DistanceField& field, Id face, double tolerance, double known)
+{
+  double largest = 0.0;
+  for (const Id vertex : field.mesh().triangle(face))
+  {
+    largest = std::max(largest, field.vertexDistances()[vertex]);
+  }
+  QuickError error;
+  error.rounding = tolerance::FaceRounding * largest;
+  error.bySize = errorBySize(field.mesh(), face, tolerance - error.rounding);
+  error.byWindows = quickErrorOfFace(field, face, tolerance - error.rounding, known);
+  return error;
 }
 
 /// Refines the worst leaf until none is over the tolerance.
@@ -64,8 +98,9 @@ public:
 
 private:
   void assessFaces();
-  void assess(Id triangle);
-  ClosingCheck::Result closeBest(Id triangle);
+  void assessFaces(Id first, Id end);
+  std::vector<LeafClosings::Closed> closeBest(const std::vector<Id>& leaves);
+  void take(Id leaf, const LeafClosings::Closed& closed);
   void refineWorst();
   bool refineBatch();
   bool settleSeams();
@@ -88,12 +123,12 @@ private:
   RedGreenMesh triangles_;
   /// Where ranks have the surface together.
   std::optional<SeamSplits> seams_;
-  FaceDistanceCache faces_;
+  RefinementWorkers workers_;
   EdgeDistances distances_;
   PartShapes shapes_;
   DeviationRules rules_;
   RedGreenClosure closure_;
-  ClosingCheck check_;
+  LeafClosings closings_;
   RefinementProgress progress_;
   ViolationQueue violations_;
   /// The leaves that the batch at hand has changed.
@@ -108,15 +143,16 @@ Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
   , options_(options)
   , tolerance_(options.tolerance)
   , exchange_(options.part ? &options.part->exchange() : nullptr)
-  , triangles_(field.mesh(), findFrozen(field, options.part), options.trianglesBeside, options.part)
+  , triangles_(field.mesh(), findFrozen(field, options.part, options.parallelFor),
+      options.trianglesBeside, options.part)
   , seams_(
       options.part ? std::make_optional<SeamSplits>(*options.part, this->triangles_) : std::nullopt)
-  , faces_(field)
-  , distances_(field, this->triangles_, this->faces_)
+  , workers_(field, this->triangles_, options.parallelFor)
+  , distances_(this->triangles_, this->workers_)
   , shapes_(this->triangles_, options.tolerance)
   , rules_(this->triangles_, this->distances_, this->shapes_, options.tolerance)
   , closure_(this->triangles_, this->rules_, this->seams_ ? &*this->seams_ : nullptr)
-  , check_(field, this->triangles_, this->distances_, this->faces_, options.tolerance)
+  , closings_(this->triangles_, this->distances_, this->shapes_, this->workers_, options.tolerance)
   , progress_(options.progress)
   , violations_(this->triangles_, this->exchange_)
   , bound_(this->largestOf(field.droppedErrorBound()))
@@ -133,84 +169,97 @@ RefinedMesh Refiner::run()
   result.stoppedAtMaximum = this->stopped_;
   writeOutput(
     this->triangles_, { this->options_.cornerPoints, this->numberOfCallersPoints() },
-    [this](double written) { this->progress_.at(1.0 - ShareOfOutput * (1.0 - written)); }, result);
+    this->options_.parallelFor,
+    [this](double written)
+    {
+      this->progress_.tell(1.0 - ShareOfOutput * (1.0 - written));
+      return true;
+    },
+    result);
   return result;
 }
 
+// Batch by batch. What is certified after one is known to the next, however many threads there are.
 void Refiner::assessFaces()
 {
-  const TriangleMesh& mesh = this->field_.mesh();
+  constexpr Id facesInBatch = 2 * ItemsInRange;
   const Id first = this->triangles_.firstFace();
   const Id end = this->triangles_.endOfFaces();
+  for (Id face = first; face < end; face += std::min(facesInBatch, end - face))
+  {
+    this->progress_.tell(ShareOfFirstPass * (face - first) / (end - first));
+    this->assessFaces(face, face + std::min(facesInBatch, end - face));
+  }
+}
+
+void Refiner::assessFaces(Id first, Id end)
+{
+  const double known = this->bound_;
+  std::vector<QuickError> errors(end - first);
+  this->workers_.run(errors.size(),
+    [&](RefinementWorker&, std::size_t i)
+    {
+      const Id face = first + static_cast<Id>(i);
+      if (!this->triangles_.isFrozen(face))
+      {
+        errors[i] = quickError(this->field_, face, this->tolerance_, known);
+      }
+    });
+  std::vector<Id> others;
   for (Id face = first; face < end; ++face)
   {
-    this->progress_.at(ShareOfFirstPass * (face - first) / (end - first));
-    if (this->triangles_.isFrozen(face))
+    if (!this->triangles_.isFrozen(face) && errors[face - first].byWindows == Infinity)
     {
-      continue;
+      others.push_back(face);
     }
-    double largest = 0.0;
-    for (const Id vertex : mesh.triangle(face))
+  }
+  const std::vector<LeafClosings::Closed> closed = this->closeBest(others);
+  std::size_t next = 0;
+  for (Id face = first; face < end; ++face)
+  {
+    const QuickError& error = errors[face - first];
+    if (next < others.size() && others[next] == face)
     {
-      largest = std::max(largest, this->field_.vertexDistances()[vertex]);
+      this->take(face, closed[next++]);
     }
-    const double rounding = tolerance::FaceRounding * largest;
-    const double quick =
-      quickErrorOfFace(this->field_, face, this->tolerance_ - rounding, this->bound_);
-    if (quick < Infinity)
+    else if (!this->triangles_.isFrozen(face))
     {
-      this->raiseBound(quick + rounding);
-    }
-    else
-    {
-      this->assess(face);
+      this->raiseBound(error.whereKnown(this->bound_) + error.rounding);
     }
   }
 }
 
-void Refiner::assess(Id triangle)
+std::vector<LeafClosings::Closed> Refiner::closeBest(const std::vector<Id>& leaves)
 {
-  const ClosingCheck::Result check = this->closeBest(triangle);
+  constexpr std::size_t leavesInBatch = 512;
+  std::vector<LeafClosings::Closed> closed;
+  for (std::size_t first = 0; first < leaves.size(); first += leavesInBatch)
+  {
+    if (first > 0)
+    {
+      this->progress_.tell(0.0); // no less than before
+    }
+    const auto begin = leaves.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto count = std::min(leavesInBatch, leaves.size() - first);
+    const std::vector<LeafClosings::Closed>& best =
+      this->closings_.findBest({ begin, begin + static_cast<std::ptrdiff_t>(count) });
+    closed.insert(closed.end(), best.begin(), best.end());
+  }
+  return closed;
+}
+
+// Closes a leaf, which may be over the tolerance.
+void Refiner::take(Id leaf, const LeafClosings::Closed& closed)
+{
+  this->triangles_.setWay(leaf, closed.way);
+  const ClosingCheck::Result& check = closed.check;
   if (check.passed)
   {
     this->raiseBound(check.bound);
     return;
   }
   const double error = std::max(check.sample, check.limit);
-  this->violations_.push({ error, triangle, this->triangles_.splitEdges(triangle), check.limit });
-}
-
-// Flips the inner edges of a leaf: of the ways that pass, the one of the best shapes, and where
-// none does that of the smallest error. Ways of bad shapes are taken where there is no other.
-ClosingCheck::Result Refiner::closeBest(Id triangle)
-{
-  const Id face = this->triangles_.faceOf(triangle);
-  const double allowed = this->shapes_.allowedAngle(face, this->rules_.largestAround(triangle));
-  const Id ways = RedGreenMesh::waysToClose(this->triangles_.splitEdges(triangle));
-  std::array<std::pair<double, Id>, 4> order;
-  for (Id way = 0; way < ways; ++way)
-  {
-    const double angle = this->shapes_.smallestAngle(face, this->triangles_.closing(triangle, way));
-    order[way] = { -angle, way };
-  }
-  std::sort(order.begin(), order.begin() + ways);
-  ClosingCheck::Result best;
-  for (Id i = 0; i < ways && (i == 0 || -order[i].first >= allowed); ++i)
-  {
-    const Id way = order[i].second;
-    const ClosingCheck::Result check =
-      this->check_.check(triangle, this->triangles_.closing(triangle, way), false);
-    if (i == 0 || check.passed || check.sample < best.sample)
-    {
-      this->triangles_.setWay(triangle, way);
-      best = check;
-    }
-    if (best.passed)
-    {
-      break;
-    }
-  }
-  return best;
+  this->violations_.push({ error, leaf, this->triangles_.splitEdges(leaf), check.limit });
 }
 
 void Refiner::refineWorst()
@@ -232,13 +281,10 @@ void Refiner::refineWorst()
       }
       continue;
     }
-    for (const Id triangle : this->changed_)
+    const std::vector<LeafClosings::Closed> closed = this->closeBest(this->changed_);
+    for (std::size_t i = 0; i < closed.size(); ++i)
     {
-      this->assess(triangle);
-      if (this->seams_)
-      {
-        this->report(); // there are many
-      }
+      this->take(this->changed_[i], closed[i]);
     }
   }
 }
@@ -385,12 +431,7 @@ void Refiner::refine(const Violation& violation)
 void Refiner::certifyRest()
 {
   this->violations_.takeAll(
-    [this](const Violation& rest)
-    {
-      const Id way = this->triangles_.wayOf(rest.triangle);
-      const RedGreenMesh::Closing closing = this->triangles_.closing(rest.triangle, way);
-      this->raiseBound(this->check_.check(rest.triangle, closing, true).bound);
-    });
+    [this](const Violation& rest) { this->raiseBound(this->closings_.tightBound(rest.triangle)); });
 }
 
 // The errors fall from the worst at first to the tolerance, by about the same factor with each

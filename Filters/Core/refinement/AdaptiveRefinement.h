@@ -34,6 +34,8 @@ struct RefinementOptions
   /// is. All ranks call together, with the same tolerance and maximum, and get the faces that they
   /// own refined. What is said of faces of other ranks is not looked at.
   const SurfacePart* part = nullptr;
+  /// Absent: one task after another. The result does not depend on it.
+  ParallelFor parallelFor;
   /// Called now and then with the fraction done in [0, 1]; returning false stops with Aborted.
   ProgressCallback progress;
 };

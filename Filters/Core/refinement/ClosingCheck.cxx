@@ -8,25 +8,14 @@
 namespace geodesic
 {
 
-ClosingCheck::ClosingCheck(const DistanceField& field, RedGreenMesh& triangles,
-  EdgeDistances& distances, FaceDistanceCache& faces, double tolerance)
-  : triangles_(triangles)
-  , distances_(distances)
-  , faces_(faces)
-  , error_(field)
-  , tolerance_(tolerance)
-{
-}
-
 ClosingCheck::Result ClosingCheck::check(
-  Id triangle, const RedGreenMesh::Closing& closing, bool tight)
+  RefinementWorker& worker, Id triangle, const RedGreenMesh::Closing& closing, bool tight) const
 {
-  const std::vector<Piece> pieces = this->piecesOf(triangle, closing);
-  const FaceDistance& face = this->faces_.of(this->triangles_.faceOf(triangle));
+  const FaceDistance& face = worker.distances.face(this->triangles_.faceOf(triangle));
   Result worst;
-  for (const Piece& piece : pieces)
+  for (Id i = 0; i < closing.count; ++i)
   {
-    const Result one = this->check(face, piece, tight);
+    const Result one = this->check(worker, face, this->pieceOf(face, closing, i, worker), tight);
     worst.bound = std::max(worst.bound, one.bound);
     worst.sample = std::max(worst.sample, one.sample);
     worst.limit = std::min(worst.limit, one.limit);
@@ -35,45 +24,35 @@ ClosingCheck::Result ClosingCheck::check(
   return worst;
 }
 
-std::vector<ClosingCheck::Piece> ClosingCheck::piecesOf(
-  Id triangle, const RedGreenMesh::Closing& closing)
+// Between two corners of the closing's polygon it is along an edge of the mesh or across the leaf.
+ClosingCheck::Piece ClosingCheck::pieceOf(const FaceDistance& face,
+  const RedGreenMesh::Closing& closing, Id number, RefinementWorker& worker) const
 {
-  std::vector<Piece> pieces;
-  for (Id i = 0; i < closing.count; ++i)
+  const std::array<Id, 3>& t = closing.triangles[number];
+  Piece piece{};
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    const std::array<Id, 3>& t = closing.triangles[i];
-    Piece piece{};
-    for (std::size_t k = 0; k < 3; ++k)
+    const Id i = t[k];
+    const Id j = t[(k + 1) % 3];
+    piece.corners[k] = closing.points[i];
+    if (j == (i + 1) % closing.size)
     {
-      piece.corners[k] = closing.points[t[k]];
-      piece.deviations[k] = this->deviationBetween(triangle, closing, t[k], t[(k + 1) % 3]);
+      piece.deviations[k] = this->edges_.measured(closing.edges[i]);
+      continue;
     }
-    pieces.push_back(piece);
+    // the same either way, to the last digit
+    const auto [a, b] = std::minmax(closing.points[i], closing.points[j]);
+    piece.deviations[k] = worker.distances.between(a, b, face);
   }
-  return pieces;
-}
-
-// Between two corners of the closing's polygon: along an edge of the mesh or across the leaf.
-Deviation ClosingCheck::deviationBetween(
-  Id triangle, const RedGreenMesh::Closing& closing, Id i, Id j)
-{
-  if (j == (i + 1) % closing.size)
-  {
-    const Id edge = closing.edges[i];
-    return this->distances_.deviation(
-      edge == NoId ? this->triangles_.edge(triangle, closing.along[i]) : edge);
-  }
-  // the same either way, to the last digit
-  const auto [a, b] = std::minmax(closing.points[i], closing.points[j]);
-  return this->distances_.deviationBetween(
-    a, b, this->faces_.of(this->triangles_.faceOf(triangle)));
+  return piece;
 }
 
 // In an approximate field the faces around a point differ by what merging has changed, and no
 // refinement can undo that: what is left of the tolerance, but half of it at least, is for the
 // triangle. Whatever the rounding, refinement ends: the distance changes by no more than the way,
 // so that there is nothing left to refine in a triangle as small as that.
-ClosingCheck::Result ClosingCheck::check(const FaceDistance& face, const Piece& piece, bool tight)
+ClosingCheck::Result ClosingCheck::check(
+  RefinementWorker& worker, const FaceDistance& face, const Piece& piece, bool tight) const
 {
   LinearPiece linear;
   double largest = 0.0;
@@ -82,9 +61,9 @@ ClosingCheck::Result ClosingCheck::check(const FaceDistance& face, const Piece& 
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Id corner = piece.corners[k];
-    const double distance = this->distances_.atPoint(corner);
+    const double distance = worker.distances.atPoint(corner);
     linear.corners[k] = this->triangles_.inPlane(corner, face.face());
-    linear.values[k] = this->distances_.atPoint(corner, face, linear.corners[k]);
+    linear.values[k] = worker.distances.atPoint(corner, face, linear.corners[k]);
     largest = std::max(largest, distance);
     difference = std::max(difference, std::abs(linear.values[k] - distance));
     onEdges.widen(piece.deviations[k]);
@@ -99,7 +78,7 @@ ClosingCheck::Result ClosingCheck::check(const FaceDistance& face, const Piece& 
     result.passed = false;
     return result;
   }
-  const ErrorInside inside = this->error_.of(face, linear, onEdges, result.limit, tight || small);
+  const ErrorInside inside = worker.error.of(face, linear, onEdges, result.limit, tight || small);
   const double own = std::max(inside.bound, onEdges.largest());
   result.bound = own + rounding + difference;
   result.sample = inside.sample;

@@ -3,14 +3,14 @@
 #define geodesic_ClosingCheck_h
 
 #include "refinement/EdgeDistances.h"
-#include "refinement/TriangleError.h"
 
 #include <vector>
 
 namespace geodesic
 {
 
-/// Holds the triangles that close a leaf against the tolerance.
+/// Holds the triangles that close a leaf against the tolerance. May be used by several workers at
+/// the same time.
 class ClosingCheck
 {
 public:
@@ -29,11 +29,18 @@ public:
   /// All must outlive this.
   ///
   /// \param tolerance of the refinement.
-  ClosingCheck(const DistanceField& field, RedGreenMesh& triangles, EdgeDistances& distances,
-    FaceDistanceCache& faces, double tolerance);
+  ClosingCheck(const RedGreenMesh& triangles, const EdgeDistances& edges, double tolerance)
+    : triangles_(triangles)
+    , edges_(edges)
+    , tolerance_(tolerance)
+  {
+  }
 
+  /// \param closing of a leaf whose edges have been made and measured, with the halves of those
+  ///        that are split.
   /// \param tight look for a bound that is near a difference that occurs.
-  Result check(Id triangle, const RedGreenMesh::Closing& closing, bool tight);
+  Result check(
+    RefinementWorker& worker, Id triangle, const RedGreenMesh::Closing& closing, bool tight) const;
 
 private:
   /// A triangle of the output, or one that would be.
@@ -43,14 +50,13 @@ private:
     std::array<Deviation, 3> deviations;
   };
 
-  std::vector<Piece> piecesOf(Id triangle, const RedGreenMesh::Closing& closing);
-  Deviation deviationBetween(Id triangle, const RedGreenMesh::Closing& closing, Id i, Id j);
-  Result check(const FaceDistance& face, const Piece& piece, bool tight);
+  Piece pieceOf(const FaceDistance& face, const RedGreenMesh::Closing& closing, Id number,
+    RefinementWorker& worker) const;
+  Result check(
+    RefinementWorker& worker, const FaceDistance& face, const Piece& piece, bool tight) const;
 
-  RedGreenMesh& triangles_;
-  EdgeDistances& distances_;
-  FaceDistanceCache& faces_;
-  TriangleError error_;
+  const RedGreenMesh& triangles_;
+  const EdgeDistances& edges_;
   double tolerance_;
 };
 

@@ -4,87 +4,38 @@
 namespace geodesic
 {
 
-// Calls visit(face) until it returns false.
-template <typename Visit>
-void EdgeDistances::forEachRefinedFace(const RedGreenMesh::Edge& edge, Visit&& visit) const
-{
-  if (edge.halfedge == NoId)
-  {
-    visit(edge.face);
-    return;
-  }
-  Id halfedge = edge.halfedge;
-  do
-  {
-    const Id face = TriangleMesh::faceOf(halfedge);
-    if (!this->triangles_.isFrozen(face) && !visit(face))
-    {
-      return;
-    }
-    halfedge = this->triangles_.mesh().nextSibling(halfedge);
-  } while (halfedge != edge.halfedge);
-}
-
-double EdgeDistances::atPoint(Id point) const
-{
-  const Id inputPoints = this->triangles_.numberOfInputPoints();
-  return point < inputPoints ? this->field_.vertexDistances()[point]
-                             : this->triangles_.points()[point - inputPoints].distance;
-}
-
-double EdgeDistances::atPoint(Id point, const FaceDistance& face, Vec2 place) const
-{
-  return face.isExact() ? this->atPoint(point) : face.distance(place);
-}
-
 Deviation EdgeDistances::deviation(Id edge)
 {
   if (edge >= this->ofEdge_.size())
   {
     this->ofEdge_.resize(this->triangles_.numberOfEdges());
   }
-  if (!this->ofEdge_[edge].known)
+  Measured& measured = this->ofEdge_[edge];
+  if (!measured.known)
   {
-    this->ofEdge_[edge] = { this->measure(this->triangles_.edgeData(edge)), true };
+    measured = { this->workers_.first().distances.ofEdge(edge), true };
   }
-  return this->ofEdge_[edge].deviation;
+  return measured.deviation;
 }
 
-// In the exact field one face tells the whole distance along its edge.
-Deviation EdgeDistances::measure(const RedGreenMesh::Edge& edge)
+void EdgeDistances::measure(const std::vector<Id>& edges)
 {
-  Deviation largest;
-  this->forEachRefinedFace(edge,
-    [&](Id id)
+  this->ofEdge_.resize(this->triangles_.numberOfEdges());
+  this->unknown_.clear();
+  for (const Id edge : edges)
+  {
+    if (!this->ofEdge_[edge].known)
     {
-      const FaceDistance& face = this->faces_.of(id);
-      largest.widen(this->deviationBetween(edge.ends[0], edge.ends[1], face));
-      return !face.isExact();
-    });
-  return largest;
-}
-
-Deviation EdgeDistances::deviationBetween(Id a, Id b, const FaceDistance& face)
-{
-  const Vec2 p = this->triangles_.inPlane(a, face.face());
-  const Vec2 q = this->triangles_.inPlane(b, face.face());
-  return largestDeviation(this->envelope_.along(face, p, q), norm(q - p), this->atPoint(a, face, p),
-    this->atPoint(b, face, q));
-}
-
-double EdgeDistances::onEdge(Id id, double weight)
-{
-  const RedGreenMesh::Edge& edge = this->triangles_.edgeData(id);
-  double least = Infinity;
-  this->forEachRefinedFace(edge,
-    [&](Id face)
+      this->ofEdge_[edge].known = true; // before it is: an edge may be named twice
+      this->unknown_.push_back(edge);
+    }
+  }
+  this->workers_.run(this->unknown_.size(),
+    [this](RefinementWorker& worker, std::size_t i)
     {
-      const Vec2 p = this->triangles_.inPlane(edge.ends[0], face);
-      const Vec2 q = this->triangles_.inPlane(edge.ends[1], face);
-      least = std::min(least, this->faces_.of(face).distance(p + weight * (q - p)));
-      return true;
+      const Id edge = this->unknown_[i];
+      this->ofEdge_[edge].deviation = worker.distances.ofEdge(edge);
     });
-  return least;
 }
 
 void EdgeDistances::forget(Id firstEdge)

@@ -2,65 +2,54 @@
 #ifndef geodesic_EdgeDistances_h
 #define geodesic_EdgeDistances_h
 
-#include "field/SegmentEnvelope.h"
-#include "refinement/Deviation.h"
-#include "refinement/FaceDistanceCache.h"
-#include "refinement/RedGreenMesh.h"
+#include "refinement/RefinementWorkers.h"
 
 #include <vector>
 
 namespace geodesic
 {
 
-/// The distance at the points and along the edges of a mesh under refinement.
-///
-/// In an approximate field the faces at a point may have different distances there. The point's own
-/// is the smallest of them.
+/// How far the distance along the edges of a mesh under refinement is from the interpolant,
+/// measured once an edge.
 class EdgeDistances
 {
 public:
-  /// All must outlive this.
-  EdgeDistances(const DistanceField& field, const RedGreenMesh& triangles, FaceDistanceCache& faces)
-    : field_(field)
-    , triangles_(triangles)
-    , faces_(faces)
+  /// Both must outlive this.
+  EdgeDistances(const RedGreenMesh& triangles, RefinementWorkers& workers)
+    : triangles_(triangles)
+    , workers_(workers)
   {
   }
 
-  double atPoint(Id point) const;
-  /// As one of the faces at the point has it.
-  ///
-  /// \param place of the point in the face's plane.
-  double atPoint(Id point, const FaceDistance& face, Vec2 place) const;
-
-  /// The largest deviations of an edge, in any of the faces around it that are refined. Measured
-  /// once an edge.
+  /// The largest deviations of an edge.
   Deviation deviation(Id edge);
-  /// The same of the connection of two points of a face.
-  Deviation deviationBetween(Id a, Id b, const FaceDistance& face);
+
+  /// Measures those of the edges that have not been measured, side by side.
+  void measure(const std::vector<Id>& edges);
+  /// The largest deviations of an edge that has been measured; may be called from several threads.
+  Deviation measured(Id edge) const { return this->ofEdge_[edge].deviation; }
 
   /// The distance on an edge, at a fraction of the way from its first end.
-  double onEdge(Id edge, double weight);
+  double onEdge(Id edge, double weight)
+  {
+    return this->workers_.first().distances.onEdge(edge, weight);
+  }
 
   /// Edges from this number on have never been.
   void forget(Id firstEdge);
 
 private:
-  template <typename Visit>
-  void forEachRefinedFace(const RedGreenMesh::Edge& edge, Visit&& visit) const;
-  Deviation measure(const RedGreenMesh::Edge& edge);
-
   struct Measured
   {
     Deviation deviation;
     bool known = false;
   };
 
-  const DistanceField& field_;
   const RedGreenMesh& triangles_;
-  FaceDistanceCache& faces_;
-  SegmentEnvelope envelope_;
+  RefinementWorkers& workers_;
   std::vector<Measured> ofEdge_;
+  /// Work space.
+  std::vector<Id> unknown_;
 };
 
 }

@@ -146,6 +146,12 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
   return { above + slack.above, below + slack.below };
 }
 
+double errorBySize(const TriangleMesh& mesh, Id face, double limit)
+{
+  const double longest = mesh.shape(face).longest();
+  return longest <= limit ? longest : Infinity;
+}
+
 double quickErrorOfFace(const DistanceField& field, Id face, double limit, double known)
 {
   const TriangleMesh& mesh = field.mesh();
@@ -156,8 +162,7 @@ double quickErrorOfFace(const DistanceField& field, Id face, double limit, doubl
   {
     d[k] = field.vertexDistances()[corners[k]];
   }
-  const double longest = shape.longest();
-  const double bySize = longest <= limit ? longest : Infinity; // d changes by no more than the way
+  const double bySize = errorBySize(mesh, face, limit);
   if (bySize <= known || !(shape.area2 > 0.0))
   {
     return bySize;

@@ -46,6 +46,10 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
 double belowThroughHalfedge(
   const TriangleMesh& mesh, Id halfedge, const std::array<double, 3>& d, const WindowRuns& windows);
 
+/// The distance changes by no more than the way: |distance - linear interpolant| in a face is at
+/// most its longest edge. Infinity where that is over the limit.
+double errorBySize(const TriangleMesh& mesh, Id face, double limit);
+
 /// A quick bound of |distance - linear interpolant| in a face of a field, with the sources in it;
 /// Infinity where it would be over the limit, which says nothing. Not looked for when a face of
 /// this size cannot have more than `known`.

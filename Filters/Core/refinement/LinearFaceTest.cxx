@@ -56,18 +56,26 @@ LinearFaceTest::Result LinearFaceTest::test(
     return {};
   }
   const FaceBounds quick = this->boundsByBand(face, d, lists);
-  if (sumOf(quick, rounding) <= known)
+  Result result;
+  result.boundByBand = sumOf(quick, rounding);
+  result.aboveByBand = roundedUp(quick.above);
+  if (result.boundByBand <= known)
   {
-    return { true, sumOf(quick, rounding), roundedUp(quick.above), true };
+    return result.whereKnown(known);
   }
   const FaceBounds bounds = this->boundsByWindows(face, d, lists, this->tolerance_ - rounding);
   if (sumOf(bounds, rounding) <= this->tolerance_)
   {
-    return { true, sumOf(bounds, rounding), roundedUp(bounds.above), true };
+    result.isLinear = true;
+    result.bound = sumOf(bounds, rounding);
+    result.above = roundedUp(bounds.above);
+    result.isSplitOnce = true;
+    return result;
   }
   const double once = SplitOnce * this->tolerance_;
   const FaceBounds wide = this->boundsByWindows(face, d, lists, once);
-  return { false, Infinity, 0.0F, std::max(wide.above, wide.below) + rounding <= once };
+  result.isSplitOnce = std::max(wide.above, wide.below) + rounding <= once;
+  return result;
 }
 
 double LinearFaceTest::boundWith(

@@ -28,6 +28,16 @@ public:
     float above = 0.0F;
     /// Whether the face is near enough to linear to get along with one split of its edges.
     bool isSplitOnce = false;
+    /// The same by the bands alone, which need not be sharp.
+    double boundByBand = Infinity;
+    float aboveByBand = 0.0F;
+
+    /// The result where a bound so large is reported anyway: what is no larger need not be sharp.
+    Result whereKnown(double known) const
+    {
+      return this->boundByBand <= known ? Result{ true, this->boundByBand, this->aboveByBand, true }
+                                        : *this;
+    }
   };
 
   /// \param mesh must outlive this.

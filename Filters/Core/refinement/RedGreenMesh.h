@@ -100,12 +100,16 @@ public:
   Vec2 inPlane(Id point, Id face) const;
 
   bool isFrozen(Id face) const { return this->frozen_[face] != 0; }
+  /// Whether an input face is in the output as it is: nobody has even asked for its edges.
+  bool isWhole(Id face) const { return !this->hasEdges_[face] && this->partsOfFace_[face] == NoId; }
   bool isLeaf(Id triangle) const { return this->partsOf(triangle) == NoId; }
   Id faceOf(Id triangle) const;
   /// Corners in the order of the input face.
   Triangle corners(Id triangle) const;
   /// The edge from corner k to corner k + 1. May move the data of others.
   Id edge(Id triangle, Id k);
+  /// The same, where it has been made already; else NoId.
+  Id existingEdge(Id triangle, Id k) const;
   const Edge& edgeData(Id edge) const { return this->edges_[edge]; }
   /// Where a split edge is split.
   Placement placementOf(Id edge) const
@@ -149,7 +153,13 @@ public:
 
   /// Calls emit(face, corners) for every triangle, face by face.
   template <typename Emit>
-  void forEachTriangle(Emit&& emit) const;
+  void forEachTriangle(Emit&& emit) const
+  {
+    this->forEachTriangle(this->firstFace_, this->endOfFaces_, emit);
+  }
+  /// The same of some faces of the output.
+  template <typename Emit>
+  void forEachTriangle(Id firstFace, Id endOfFaces, Emit&& emit) const;
 
 private:
   struct Part
@@ -179,8 +189,6 @@ private:
   Id partsOf(Id triangle) const;
   void setParts(Id triangle, Id parts);
   const Part& part(Id triangle) const { return this->parts_[triangle - this->faces_]; }
-  /// The edge, where there is one already.
-  Id existingEdge(Id triangle, Id k) const;
   Id addEdge(Id a, Id b, Id parent, Id halfedge, Id face);
   Id addPoint(const Edge& edge, const Placement& placement);
   SurfacePoint between(const Edge& edge, double weight) const;

@@ -36,11 +36,16 @@ void RedGreenMesh::forEachLeafAt(Id edge, Visitor&& visit) const
 }
 
 template <typename Emit>
-void RedGreenMesh::forEachTriangle(Emit&& emit) const
+void RedGreenMesh::forEachTriangle(Id firstFace, Id endOfFaces, Emit&& emit) const
 {
   std::vector<Id> stack;
-  for (Id face = this->firstFace_; face < this->endOfFaces_; ++face)
+  for (Id face = firstFace; face < endOfFaces; ++face)
   {
+    if (this->isWhole(face))
+    {
+      emit(face, this->mesh_.triangle(face));
+      continue;
+    }
     if (this->isFrozen(face))
     {
       this->closeFrozen(face, this->corners(face),

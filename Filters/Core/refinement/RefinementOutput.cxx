@@ -2,6 +2,7 @@
 #include "refinement/RefinementOutput.h"
 
 #include <unordered_map>
+#include <utility>
 
 namespace geodesic
 {
@@ -27,6 +28,13 @@ public:
   {
   }
 
+  /// Of a triangle between corners of its face: not of any other.
+  Triangle atCorners(Id face, const Triangle& corners) const
+  {
+    return { this->atCorner(face, corners[0]), this->atCorner(face, corners[1]),
+      this->atCorner(face, corners[2]) };
+  }
+
   /// Faces come one after another.
   Triangle of(Id face, const Triangle& corners)
   {
@@ -39,14 +47,19 @@ public:
   }
 
 private:
+  Id atCorner(Id face, Id point) const
+  {
+    const Triangle& corners = this->triangles_.mesh().triangle(face);
+    const std::size_t k = point == corners[0] ? 0 : point == corners[1] ? 1 : 2;
+    return this->atCorners_[face][k];
+  }
+
   Id of(Id point)
   {
     const Id inputPoints = this->triangles_.numberOfInputPoints();
     if (point < inputPoints)
     {
-      const Triangle& corners = this->triangles_.mesh().triangle(this->face_);
-      const std::size_t k = point == corners[0] ? 0 : point == corners[1] ? 1 : 2;
-      return this->atCorners_[this->face_][k];
+      return this->atCorner(this->face_, point);
     }
     const auto known = this->inFace_.find(point);
     if (known != this->inFace_.end())
@@ -70,27 +83,50 @@ private:
   Id face_ = NoId;
 };
 
-/// Calls write(face, corners) for every triangle, and tells how far it is.
+/// Writes all triangles as write(face, corners) gives them, side by side.
 template <typename Write>
-void writeTriangles(const RedGreenMesh& triangles, const std::function<void(double)>& progress,
-  RefinedMesh& result, Write&& write)
+void writeTriangles(const RedGreenMesh& triangles, const ParallelFor& parallelFor,
+  const ProgressCallback& callback, RefinedMesh& result, const Write& write)
 {
-  const auto count = static_cast<double>(triangles.numberOfTriangles());
-  result.triangles.reserve(triangles.numberOfTriangles());
-  result.faces.reserve(triangles.numberOfTriangles());
-  triangles.forEachTriangle(
-    [&](Id face, const Triangle& corners)
+  const Id first = triangles.firstFace();
+  const std::size_t faces = triangles.endOfFaces() - first;
+  const auto forEach = [&](std::size_t begin, std::size_t end, const auto& visit) {
+    triangles.forEachTriangle(first + static_cast<Id>(begin), first + static_cast<Id>(end), visit);
+  };
+  LoopProgress progress(callback);
+  progress.nextUntil(0.5);
+  std::vector<std::size_t> places = resultsOfRanges(parallelFor, faces, progress,
+    [&](std::size_t begin, std::size_t end)
     {
-      progress(static_cast<double>(result.faces.size()) / count);
-      result.faces.push_back(face);
-      result.triangles.push_back(write(face, corners));
+      std::size_t count = 0;
+      forEach(begin, end, [&count](Id, const Triangle&) { ++count; });
+      return count;
+    });
+  std::size_t next = 0;
+  for (std::size_t& place : places)
+  {
+    next += std::exchange(place, next);
+  }
+  result.triangles.resize(next);
+  result.faces.resize(next);
+  progress.nextUntil(1.0);
+  forRanges(parallelFor, faces, progress,
+    [&](std::size_t begin, std::size_t end)
+    {
+      std::size_t place = places[begin / ItemsInRange];
+      forEach(begin, end,
+        [&](Id face, const Triangle& corners)
+        {
+          result.triangles[place] = write(face, corners);
+          result.faces[place++] = face;
+        });
     });
 }
 
 } // anonymous namespace
 
 void writeOutput(const RedGreenMesh& triangles, const CallersPoints& points,
-  const std::function<void(double)>& progress, RefinedMesh& result)
+  const ParallelFor& parallelFor, const ProgressCallback& progress, RefinedMesh& result)
 {
   const TriangleMesh& mesh = triangles.mesh();
   result.numberOfInputPoints = points.count;
@@ -104,15 +140,24 @@ void writeOutput(const RedGreenMesh& triangles, const CallersPoints& points,
       result.points.push_back(
         refinedPoint(mesh, split, { numberOf(split.parents[0]), numberOf(split.parents[1]) }));
     }
-    writeTriangles(triangles, progress, result,
+    writeTriangles(triangles, parallelFor, progress, result,
       [&](Id, const Triangle& c) {
         return Triangle{ numberOf(c[0]), numberOf(c[1]), numberOf(c[2]) };
       });
     return;
   }
   CallersNumbers numbers(triangles, points.atCorners, result);
-  writeTriangles(triangles, progress, result,
-    [&numbers](Id face, const Triangle& corners) { return numbers.of(face, corners); });
+  writeTriangles(triangles, parallelFor, progress, result,
+    [&](Id face, const Triangle& corners)
+    { return triangles.isWhole(face) ? numbers.atCorners(face, corners) : corners; });
+  // Points that split edges get their numbers in the order in which triangles come to them.
+  for (std::size_t i = 0; i < result.triangles.size(); ++i)
+  {
+    if (!triangles.isWhole(result.faces[i]))
+    {
+      result.triangles[i] = numbers.of(result.faces[i], result.triangles[i]);
+    }
+  }
 }
 
 }

@@ -2,10 +2,11 @@
 #ifndef geodesic_RefinementOutput_h
 #define geodesic_RefinementOutput_h
 
+#include "Progress.h"
+#include "Tasks.h"
 #include "refinement/RedGreenMesh.h"
 #include "refinement/RefinedMesh.h"
 
-#include <functional>
 #include <vector>
 
 namespace geodesic
@@ -22,9 +23,10 @@ struct CallersPoints
 
 /// Writes the triangles of a refined mesh, closed, and the points that were added.
 ///
+/// \param parallelFor absent: one thread. The result does not depend on it.
 /// \param progress called with the fraction written.
 void writeOutput(const RedGreenMesh& triangles, const CallersPoints& points,
-  const std::function<void(double)>& progress, RefinedMesh& result);
+  const ParallelFor& parallelFor, const ProgressCallback& progress, RefinedMesh& result);
 
 }
 

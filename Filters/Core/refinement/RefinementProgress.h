@@ -24,7 +24,18 @@ public:
   void at(double fraction)
   {
     constexpr unsigned stepsPerReport = 256;
-    if (!this->callback_ || this->steps_++ % stepsPerReport != 0)
+    if (this->steps_++ % stepsPerReport == 0)
+    {
+      this->tell(fraction);
+    }
+  }
+
+  /// The same at the end of a longer step.
+  ///
+  /// \throws Aborted
+  void tell(double fraction)
+  {
+    if (!this->callback_)
     {
       return;
     }

@@ -2,14 +2,16 @@
 #include "refinement/RefinementRetention.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
 
 RefinementRetention::RefinementRetention(const TriangleMesh& mesh, double tolerance,
-  const std::vector<std::uint8_t>& pinned, const SurfacePart* part)
+  const std::vector<std::uint8_t>& pinned, const SurfacePart* part, ParallelFor parallelFor)
   : mesh_(mesh)
   , part_(part)
+  , parallelFor_(std::move(parallelFor))
   , tolerance_(tolerance)
   , test_(mesh, tolerance)
   , state_(mesh.numberOfFaces(), State::Open)
@@ -17,14 +19,18 @@ RefinementRetention::RefinementRetention(const TriangleMesh& mesh, double tolera
   , neededBy_(mesh.numberOfFaces(), 0)
   , lists_(mesh.numberOfFaces())
 {
-  for (Id face = 0; face < mesh.numberOfFaces(); ++face)
-  {
-    this->forEachNeighbour(face, [this, face](Id) { ++this->neededBy_[face]; });
-    if (pinned[face] || this->isElsewhere(face))
+  forRanges(this->parallelFor_, mesh.numberOfFaces(),
+    [&](std::size_t begin, std::size_t end)
     {
-      this->state_[face] = State::Kept;
-    }
-  }
+      for (Id face = static_cast<Id>(begin); face < end; ++face)
+      {
+        this->forEachNeighbour(face, [this, face](Id) { ++this->neededBy_[face]; });
+        if (pinned[face] || this->isElsewhere(face))
+        {
+          this->state_[face] = State::Kept;
+        }
+      }
+    });
 }
 
 // Over the edges; once for each that they share.
@@ -142,16 +148,16 @@ void RefinementRetention::advance(const FrontState& front)
   {
     this->awaitFacesAround(vertex, front.processed);
   }
-  WindowPool& pool = this->anyPool(front);
   while (!this->awaited_.empty() && this->awaited_.top().first < front.key)
   {
     const Id face = this->awaited_.top().second;
     this->awaited_.pop();
     if (this->isOpen(face))
     {
-      this->test(face, front.distances, pool);
+      this->due_.push_back(face);
     }
   }
+  this->testDue(front);
 }
 
 // Late lists come seldom more than an edge behind the front; a face dropped too early costs a
@@ -176,12 +182,36 @@ void RefinementRetention::awaitFacesAround(Id vertex, const VertexNumbers& proce
   }
 }
 
-// Split once, a face asks of those around it only to be halved.
-void RefinementRetention::test(Id face, const VertexNumbers& distances, WindowPool& pool)
+// Side by side, as a test reads the face's own lists; what it leads to comes after, in one order.
+void RefinementRetention::testDue(const FrontState& front)
 {
-  const std::array<double, 3> d = this->atCorners(face, distances);
-  const LinearFaceTest::Result result =
-    this->test_.test(face, d, this->lists_, this->kept_.droppedErrorBound);
+  constexpr std::size_t facesPerTask = 16;
+  const std::size_t faces = this->due_.size();
+  const std::size_t tasks = this->parallelFor_ ? (faces + facesPerTask - 1) / facesPerTask : 1;
+  const double known = this->kept_.droppedErrorBound;
+  this->results_.resize(faces);
+  forAll(this->parallelFor_, tasks,
+    [&](std::size_t task)
+    {
+      for (std::size_t i = task * faces / tasks; i < (task + 1) * faces / tasks; ++i)
+      {
+        const Id face = this->due_[i];
+        this->results_[i] =
+          this->test_.test(face, this->atCorners(face, front.distances), this->lists_, known);
+      }
+    });
+  WindowPool& pool = this->anyPool(front);
+  for (std::size_t i = 0; i < faces; ++i)
+  {
+    const double knownNow = this->kept_.droppedErrorBound;
+    this->take(this->due_[i], this->results_[i].whereKnown(knownNow), pool);
+  }
+  this->due_.clear();
+}
+
+// Split once, a face asks of those around it only to be halved.
+void RefinementRetention::take(Id face, const LinearFaceTest::Result& result, WindowPool& pool)
+{
   this->state_[face] = result.isLinear ? State::Linear : State::Kept;
   if (result.isLinear)
   {
@@ -218,14 +248,14 @@ void RefinementRetention::dropIfUnneeded(Id face, WindowPool& pool)
 void RefinementRetention::finish(const FrontState& front)
 {
   this->takePassed(front);
-  WindowPool& pool = this->anyPool(front);
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
     if (this->isOpen(face) && this->isReached(face, front.distances))
     {
-      this->test(face, front.distances, pool);
+      this->due_.push_back(face);
     }
   }
+  this->testDue(front);
   this->handOver(front);
 }
 

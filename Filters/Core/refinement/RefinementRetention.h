@@ -2,6 +2,7 @@
 #ifndef geodesic_RefinementRetention_h
 #define geodesic_RefinementRetention_h
 
+#include "Tasks.h"
 #include "front/Retention.h"
 #include "mesh/SurfacePart.h"
 #include "mesh/TriangleMesh.h"
@@ -33,8 +34,11 @@ class RefinementRetention : public Retention
 public:
   /// \param pinned for each face, whether its windows are never dropped.
   /// \param part null: the mesh is the whole surface.
+  /// \param parallelFor for tests of faces between batches; absent: one after another. What is
+  ///        kept does not depend on it.
   RefinementRetention(const TriangleMesh& mesh, double tolerance,
-    const std::vector<std::uint8_t>& pinned, const SurfacePart* part = nullptr);
+    const std::vector<std::uint8_t>& pinned, const SurfacePart* part = nullptr,
+    ParallelFor parallelFor = {});
 
   bool needsInside() const override { return true; }
   void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
@@ -78,7 +82,8 @@ private:
   void take(const MeasuredList& measured, const VertexNumbers& distances, WindowPool& pool);
   void testAgain(Id face, const PassedList& late, const VertexNumbers& distances);
   void awaitFacesAround(Id vertex, const VertexNumbers& processed);
-  void test(Id face, const VertexNumbers& distances, WindowPool& pool);
+  void testDue(const FrontState& front);
+  void take(Id face, const LinearFaceTest::Result& result, WindowPool& pool);
   void raiseBound(double bound);
   void keep(Id face);
   void doWithoutNeighbours(Id face, WindowPool& pool);
@@ -92,6 +97,7 @@ private:
 
   const TriangleMesh& mesh_;
   const SurfacePart* part_;
+  ParallelFor parallelFor_;
   double tolerance_;
   LinearFaceTest test_;
   std::vector<State> state_;
@@ -102,6 +108,9 @@ private:
   PassedLists lists_;
   using Awaited = std::pair<double, Id>;
   std::priority_queue<Awaited, std::vector<Awaited>, std::greater<Awaited>> awaited_;
+  /// Faces that are to be tested now, and what has come of it.
+  std::vector<Id> due_;
+  std::vector<LinearFaceTest::Result> results_;
   std::vector<Id> droppedTooEarly_;
   /// What each district has handed over in this batch.
   std::vector<std::vector<MeasuredList>> passed_;

@@ -43,7 +43,8 @@ DistanceField solveKeepingAll(
 std::optional<DistanceField> solveAndDrop(const TriangleMesh& mesh, double refinementTolerance,
   const FrontOptions& options, const Propagate& propagateAll, std::vector<std::uint8_t>& pinned)
 {
-  RefinementRetention retention(mesh, refinementTolerance, pinned, options.part);
+  RefinementRetention retention(
+    mesh, refinementTolerance, pinned, options.part, options.parallelFor);
   FrontResult front = propagateAll(options, retention);
   for (const Id face : retention.droppedTooEarly())
   {

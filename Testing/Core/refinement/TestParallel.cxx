@@ -11,25 +11,19 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 using namespace geodesictest;
 using geodesic::DistanceField;
 using geodesic::FrontOptions;
+using geodesic::Id;
 using geodesic::KeepWindows;
+using geodesic::ParallelFor;
 using geodesic::RefinedMesh;
 using geodesic::TriangleMesh;
 
 namespace
 {
-
-using geodesic::ParallelFor;
-
-void lastToFirst(std::size_t count, const std::function<void(std::size_t)>& task)
-{
-  while (count > 0)
-  {
-    task(--count);
-  }
-}
 
 struct Mode
 {
@@ -40,6 +34,44 @@ struct Mode
 class Parallel : public ::testing::TestWithParam<MeshKind>
 {
 };
+
+void expectSameField(const DistanceField& field, const DistanceField& other)
+{
+  EXPECT_EQ(field.vertexDistances(), other.vertexDistances());
+  EXPECT_EQ(field.windowsPropagated(), other.windowsPropagated());
+  EXPECT_EQ(field.relativeErrorBound(), other.relativeErrorBound());
+  EXPECT_EQ(field.droppedErrorBound(), other.droppedErrorBound());
+}
+
+void expectSameMesh(const RefinedMesh& refined, const RefinedMesh& other)
+{
+  EXPECT_EQ(refined.triangles, other.triangles);
+  EXPECT_EQ(refined.faces, other.faces);
+  EXPECT_EQ(refined.errorBound, other.errorBound);
+  EXPECT_EQ(refined.stoppedAtMaximum, other.stoppedAtMaximum);
+  ASSERT_EQ(refined.points.size(), other.points.size());
+  for (std::size_t i = 0; i < refined.points.size(); ++i)
+  {
+    EXPECT_EQ(refined.points[i].parents, other.points[i].parents);
+    EXPECT_EQ(refined.points[i].weight, other.points[i].weight);
+    EXPECT_EQ(refined.points[i].position, other.points[i].position);
+    EXPECT_EQ(refined.points[i].distance, other.points[i].distance);
+  }
+}
+
+/// Each corner of each face as a point of its own, but for those of the first half of the faces.
+void giveCornersOfTheirOwn(const TriangleMesh& mesh, geodesic::RefinementOptions& options)
+{
+  options.numberOfPoints = mesh.numberOfVertices();
+  for (Id face = 0; face < mesh.numberOfFaces(); ++face)
+  {
+    options.cornerPoints.push_back(mesh.triangle(face));
+    for (std::size_t k = 0; k < 3 && face > mesh.numberOfFaces() / 2; ++k)
+    {
+      options.cornerPoints.back()[k] = options.numberOfPoints++;
+    }
+  }
+}
 
 }
 
@@ -64,16 +96,40 @@ TEST_P(Parallel, ResultsDoNotDependOnTasksAndTheirOrder)
     refinement.tolerance = tolerance;
     const DistanceField field = solveAs();
     const RefinedMesh refined = refine(field, refinement);
-    for (const ParallelFor& parallelFor : { ParallelFor(lastToFirst), ParallelFor(onThreads) })
+    for (const ParallelFor& parallelFor : waysToRun())
     {
       options.parallelFor = parallelFor;
+      refinement.parallelFor = parallelFor;
       const DistanceField other = solveAs();
-      EXPECT_EQ(field.vertexDistances(), other.vertexDistances());
-      EXPECT_EQ(field.windowsPropagated(), other.windowsPropagated());
-      EXPECT_EQ(field.relativeErrorBound(), other.relativeErrorBound());
-      const RefinedMesh otherRefined = refine(other, refinement);
-      EXPECT_EQ(refined.triangles, otherRefined.triangles);
-      EXPECT_EQ(refined.errorBound, otherRefined.errorBound);
+      expectSameField(field, other);
+      expectSameMesh(refined, refine(other, refinement));
+    }
+  }
+}
+
+TEST_P(Parallel, RefinementThatStopsOrHasCornersOfItsOwnDoesNotDependOnThreads)
+{
+  Random random(4712);
+  const PlainMesh mesh = GetParam().make(1500, random);
+  const TriangleMesh engine = engineMesh(mesh);
+  CurveMaker maker(mesh, random);
+  const auto curves = engineCurves(engine, maker.anySource());
+  const double tolerance = 0.002 * largestFinite(solve(engine, curves, {}).vertexDistances());
+  const DistanceField field = solveForRefinement(engine, curves, tolerance);
+  geodesic::RefinementOptions stopping;
+  stopping.tolerance = tolerance;
+  stopping.maximumFaces = engine.numberOfFaces() + engine.numberOfFaces() / 20;
+  geodesic::RefinementOptions withCorners;
+  withCorners.tolerance = tolerance;
+  giveCornersOfTheirOwn(engine, withCorners);
+  for (geodesic::RefinementOptions options : { stopping, withCorners })
+  {
+    const RefinedMesh refined = refine(field, options);
+    EXPECT_GT(refined.points.size(), 0U);
+    for (const ParallelFor& parallelFor : waysToRun())
+    {
+      options.parallelFor = parallelFor;
+      expectSameMesh(refined, refine(field, options));
     }
   }
 }

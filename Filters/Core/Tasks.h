@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_Tasks_h
+#define geodesic_Tasks_h
+
+#include "Progress.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+namespace geodesic
+{
+
+/// Runs task(0) to task(count - 1), in any order and at the same time if it likes, and returns when
+/// all are done.
+using ParallelFor =
+  std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
+
+/// The same with one task after another where there is no ParallelFor.
+template <typename Task>
+void forAll(const ParallelFor& parallelFor, std::size_t count, const Task& task)
+{
+  if (parallelFor && count > 1)
+  {
+    parallelFor(count, task);
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    task(i);
+  }
+}
+
+/// A loop over many small items is cut into ranges of neighbours of this length, so that what is
+/// found in each range depends on the items alone.
+constexpr std::size_t ItemsInRange = 4096;
+
+inline std::size_t numberOfRanges(std::size_t count)
+{
+  return (count + ItemsInRange - 1) / ItemsInRange;
+}
+
+/// Calls range(begin, end) for ranges that make up the items below `count`, side by side.
+///
+/// \param progress told between ranges, by the calling thread.
+/// \throws Aborted
+template <typename Range>
+void forRanges(const ParallelFor& parallelFor, std::size_t count, const LoopProgress& progress,
+  const Range& range)
+{
+  const std::size_t rangesPerReport = parallelFor ? 32 : 2;
+  const std::size_t ranges = numberOfRanges(count);
+  for (std::size_t first = 0; first < ranges; first += rangesPerReport)
+  {
+    progress.at(first * ItemsInRange, count);
+    forAll(parallelFor, std::min(rangesPerReport, ranges - first),
+      [&](std::size_t i)
+      {
+        const std::size_t begin = (first + i) * ItemsInRange;
+        range(begin, std::min(begin + ItemsInRange, count));
+      });
+  }
+}
+
+template <typename Range>
+void forRanges(const ParallelFor& parallelFor, std::size_t count, const Range& range)
+{
+  const ProgressCallback nobody;
+  forRanges(parallelFor, count, LoopProgress(nobody), range);
+}
+
+/// The same for ranges with a result each. \returns the results in the order of the ranges.
+template <typename Range>
+auto resultsOfRanges(const ParallelFor& parallelFor, std::size_t count,
+  const LoopProgress& progress, const Range& range)
+{
+  using Result = std::invoke_result_t<Range, std::size_t, std::size_t>;
+  static_assert(!std::is_same_v<Result, bool>, "neighbours would share a byte");
+  std::vector<Result> results(numberOfRanges(count));
+  forRanges(parallelFor, count, progress,
+    [&](std::size_t begin, std::size_t end) { results[begin / ItemsInRange] = range(begin, end); });
+  return results;
+}
+
+template <typename Range>
+auto resultsOfRanges(const ParallelFor& parallelFor, std::size_t count, const Range& range)
+{
+  const ProgressCallback nobody;
+  return resultsOfRanges(parallelFor, count, LoopProgress(nobody), range);
+}
+
+}
+
+#endif

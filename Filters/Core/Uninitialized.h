@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_Uninitialized_h
+#define geodesic_Uninitialized_h
+
+#include <memory>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+
+/// Leaves elements that a vector is resized by as they are in memory.
+template <typename Value>
+struct UninitializedAllocator : std::allocator<Value>
+{
+  template <typename Other>
+  struct rebind
+  {
+    using other = UninitializedAllocator<Other>;
+  };
+
+  template <typename Element>
+  void construct(Element* place) noexcept
+  {
+    ::new (static_cast<void*>(place)) Element;
+  }
+  template <typename Element, typename... Arguments>
+  void construct(Element* place, Arguments&&... arguments)
+  {
+    ::new (static_cast<void*>(place)) Element{ std::forward<Arguments>(arguments)... };
+  }
+};
+
+/// A vector for elements that tasks are about to write: resize() does not write them first, which
+/// one thread would do alone, and the system gives each thread its memory.
+template <typename Value>
+using UninitializedVector = std::vector<Value, UninitializedAllocator<Value>>;
+
+}
+
+#endif
