@@ -14,7 +14,7 @@ namespace geodesictest
 {
 
 /// Runs the tasks on so many threads, each of which takes the next one that is left.
-inline void onThreads(
+inline void onSomeThreads(
   std::size_t threads, std::size_t count, const std::function<void(std::size_t)>& task)
 {
   std::atomic<std::size_t> next{ 0 };
@@ -40,7 +40,7 @@ inline void onThreads(
 /// The same on three threads.
 inline void onThreads(std::size_t count, const std::function<void(std::size_t)>& task)
 {
-  onThreads(3, count, task);
+  onSomeThreads(3, count, task);
 }
 
 /// One task after another, the first or the last one first, and on several threads.
@@ -58,7 +58,7 @@ inline std::vector<geodesic::ParallelFor> waysToRun()
   for (const std::size_t threads : { std::size_t(2), std::size_t(5) })
   {
     ways.emplace_back(
-      [threads](std::size_t count, const Task& task) { onThreads(threads, count, task); });
+      [threads](std::size_t count, const Task& task) { onSomeThreads(threads, count, task); });
   }
   return ways;
 }
