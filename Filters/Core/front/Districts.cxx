@@ -15,24 +15,22 @@ namespace
 class BoxesInOrder
 {
 public:
-  explicit BoxesInOrder(const TriangleMesh& mesh)
+  BoxesInOrder(const TriangleMesh& mesh, const ParallelFor& parallelFor)
   {
-    if (mesh.numberOfVertices() == 0)
-    {
-      return;
-    }
-    this->least_ = mesh.point(0);
-    Vec3 most = this->least_;
-    for (Id vertex = 1; vertex < mesh.numberOfVertices(); ++vertex)
-    {
-      const Vec3& point = mesh.point(vertex);
-      for (std::size_t i = 0; i < 3; ++i)
+    Corners all = { mesh.point(0), mesh.point(0) };
+    const std::vector<Corners> ranges = resultsOfRanges(parallelFor, mesh.numberOfVertices(),
+      [&mesh](std::size_t begin, std::size_t end)
       {
-        this->least_[i] = std::min(this->least_[i], point[i]);
-        most[i] = std::max(most[i], point[i]);
-      }
-    }
-    const Vec3 extent = most - this->least_;
+        Corners found = { mesh.point(static_cast<Id>(begin)), mesh.point(static_cast<Id>(begin)) };
+        for (Id vertex = static_cast<Id>(begin); vertex < end; ++vertex)
+        {
+          found.add({ mesh.point(vertex), mesh.point(vertex) });
+        }
+        return found;
+      });
+    std::for_each(ranges.begin(), ranges.end(), [&all](const Corners& found) { all.add(found); });
+    this->least_ = all.least;
+    const Vec3 extent = all.most - all.least;
     const double largest = std::max({ extent[0], extent[1], extent[2] });
     this->boxesPerLength_ = largest > 0.0 ? Side / largest : 0.0;
   }
@@ -48,6 +46,22 @@ public:
 
 private:
   static constexpr double Side = 64.0;
+
+  /// Of what holds some points.
+  struct Corners
+  {
+    Vec3 least;
+    Vec3 most;
+
+    void add(const Corners& other)
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        this->least[i] = std::min(this->least[i], other.least[i]);
+        this->most[i] = std::max(this->most[i], other.most[i]);
+      }
+    }
+  };
 
   // The bits of the box's number along an axis, each three places from the next.
   static std::size_t spread(double place)
@@ -74,7 +88,7 @@ Id numberOfDistricts(Id vertices)
 
 } // anonymous namespace
 
-Districts::Districts(const TriangleMesh& mesh)
+Districts::Districts(const TriangleMesh& mesh, const ParallelFor& parallelFor)
   : size_(numberOfDistricts(mesh.numberOfVertices()))
   , districts_(mesh.numberOfVertices(), 0)
 {
@@ -82,13 +96,19 @@ Districts::Districts(const TriangleMesh& mesh)
   {
     return;
   }
-  const BoxesInOrder boxes(mesh);
-  std::vector<std::uint32_t> numberIn(BoxesInOrder::Count, 0);
+  const BoxesInOrder boxes(mesh, parallelFor);
   std::vector<std::uint32_t> boxOf(mesh.numberOfVertices());
-  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  forRanges(parallelFor, boxOf.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (Id vertex = static_cast<Id>(begin); vertex < end; ++vertex)
+      {
+        boxOf[vertex] = static_cast<std::uint32_t>(boxes.of(mesh.point(vertex)));
+      }
+    });
+  std::vector<std::uint32_t> numberIn(BoxesInOrder::Count, 0);
+  for (const std::uint32_t box : boxOf)
   {
-    const std::size_t box = boxes.of(mesh.point(vertex));
-    boxOf[vertex] = static_cast<std::uint32_t>(box);
     ++numberIn[box];
   }
   std::vector<std::uint8_t> ofBox(BoxesInOrder::Count);

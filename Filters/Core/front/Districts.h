@@ -2,6 +2,7 @@
 #ifndef geodesic_Districts_h
 #define geodesic_Districts_h
 
+#include "Tasks.h"
 #include "mesh/TriangleMesh.h"
 
 #include <cstdint>
@@ -16,7 +17,8 @@ namespace geodesic
 class Districts
 {
 public:
-  explicit Districts(const TriangleMesh& mesh);
+  /// \param parallelFor absent: one thread.
+  explicit Districts(const TriangleMesh& mesh, const ParallelFor& parallelFor = {});
 
   Id size() const { return this->size_; }
   /// The district of a vertex.

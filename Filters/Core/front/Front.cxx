@@ -119,8 +119,8 @@ Front::Front(const TriangleMesh& mesh, const FrontOptions& options, Retention& r
   : mesh_(mesh)
   , options_(options)
   , retention_(retention)
-  , numbers_(mesh)
-  , vertices_(mesh, options.relativeError > 0.0, options.keepArrivals)
+  , numbers_(mesh, options.parallelFor)
+  , vertices_(mesh, options.relativeError > 0.0, options.keepArrivals, options.parallelFor)
   , outlooks_(numbers_.size())
   , complete_(mesh, options.part, options.maximumDistance)
   , post_(numbers_.size())
@@ -161,8 +161,8 @@ void Front::start(SourceWindows initial)
   for (const LeavingWindow& leaving : initial.windows)
   {
     District& sender = this->districtOf(this->mesh_.origin(leaving.halfedge));
-    this->tasks_.send(this->workers_.first(), sender, leaving.halfedge,
-      { &leaving.window, &leaving.window + 1 });
+    this->tasks_.send(
+      this->workers_.first(), sender, leaving.halfedge, { &leaving.window, &leaving.window + 1 });
     this->post_.call(sender.number);
   }
   this->result_.sourcesInFaces = std::move(initial.inFaces);

@@ -2,6 +2,7 @@
 #ifndef geodesic_VertexStates_h
 #define geodesic_VertexStates_h
 
+#include "Tasks.h"
 #include "Tolerance.h"
 #include "front/PseudoSource.h"
 #include "front/Retention.h"
@@ -51,7 +52,9 @@ class VertexStates
 public:
   /// \param withErrors whether distances may be merged ones, whose errors are kept.
   /// \param withArrivals whether arrivals are kept for whoever traces paths.
-  VertexStates(const TriangleMesh& mesh, bool withErrors, bool withArrivals);
+  /// \param parallelFor absent: one thread.
+  VertexStates(
+    const TriangleMesh& mesh, bool withErrors, bool withArrivals, const ParallelFor& parallelFor);
 
   Id size() const { return static_cast<Id>(this->states_.size()); }
   const VertexState& operator[](Id vertex) const { return this->states_[vertex]; }
@@ -107,19 +110,25 @@ private:
   std::vector<Arrival> arrivals_;
 };
 
-inline VertexStates::VertexStates(const TriangleMesh& mesh, bool withErrors, bool withArrivals)
+inline VertexStates::VertexStates(
+  const TriangleMesh& mesh, bool withErrors, bool withArrivals, const ParallelFor& parallelFor)
   : mesh_(mesh)
   , states_(mesh.numberOfVertices())
   , errors_(withErrors ? mesh.numberOfVertices() : 0, 0.0)
   , arrivals_(withArrivals ? mesh.numberOfVertices() : 0)
 {
-  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
-  {
-    VertexState& state = this->states_[vertex];
-    state.emission = emissionOf(mesh.pseudoSource(vertex));
-    const IdRange corners = mesh.cornersAt(vertex);
-    state.edge = corners.size() > 0 ? static_cast<float>(mesh.length(*corners.begin())) : 0.0F;
-  }
+  forRanges(parallelFor, this->states_.size(),
+    [this](std::size_t begin, std::size_t end)
+    {
+      for (Id vertex = static_cast<Id>(begin); vertex < end; ++vertex)
+      {
+        VertexState& state = this->states_[vertex];
+        state.emission = emissionOf(this->mesh_.pseudoSource(vertex));
+        const IdRange corners = this->mesh_.cornersAt(vertex);
+        state.edge =
+          corners.size() > 0 ? static_cast<float>(this->mesh_.length(*corners.begin())) : 0.0F;
+      }
+    });
 }
 
 // A way across a needle carries the rounding of its long edges.
