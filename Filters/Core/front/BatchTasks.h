@@ -44,8 +44,6 @@ public:
   /// Sends windows that leave a face through a halfedge to its siblings.
   void send(FrontWorker& worker, District& sender, Id halfedge, const WindowRange& windows);
   /// Hands a list that was taken from its halfedge over to the retention.
-  ///
-  /// \param ends the distances at the halfedge's ends.
   void retire(FrontWorker& worker, District& district, const PassedList& list, Id batch) const;
 
 private:

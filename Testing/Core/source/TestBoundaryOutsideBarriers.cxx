@@ -131,7 +131,7 @@ TEST(BoundaryOutsideBarriers, OnRandomMeshesItIsWhatOpenFacesHaveOfTheBoundary)
 /// The mesh with other numbers for its vertices: those first that the faces without barriers have.
 PlainMesh renumbered(const PlainMesh& mesh, const PlainMesh& open)
 {
-  std::vector<Index> numbers(mesh.points.size(), mesh.points.size());
+  std::vector<Index> numbers(mesh.points.size(), static_cast<Index>(mesh.points.size()));
   Index next = 0;
   for (const std::vector<geodesictest::Triangle>* triangles : { &open.triangles, &mesh.triangles })
   {
