@@ -231,32 +231,7 @@ void BatchTasks::mergeInto(FrontWorker& worker, Id halfedge, const WindowBlock& 
   }
   const WindowRange waiting = this->waiting_.at(halfedge);
   worker.merged.reset(this->mesh_.length(halfedge));
-  const Window* old = waiting.begin();
-  bool lastIsOld = true;
-  const auto append = [&](const Window& w, bool isOld)
-  {
-    if (isOld == lastIsOld)
-    {
-      worker.merged.append(w);
-    }
-    else
-    {
-      worker.merged.appendOfOther(w);
-      lastIsOld = isOld;
-    }
-  };
-  for (const Window& w : block.range())
-  {
-    for (; old != waiting.end() && old->begin <= w.begin; ++old)
-    {
-      append(*old, true);
-    }
-    append(w, false);
-  }
-  for (; old != waiting.end(); ++old)
-  {
-    append(*old, true);
-  }
+  worker.merged.appendLists(waiting, block.range());
   worker.pool.free(block);
   this->waiting_.assign(halfedge, worker.merged.range(), worker.pool);
 }

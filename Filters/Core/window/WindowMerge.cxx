@@ -40,7 +40,15 @@ struct Measured
 
 Measured measured(Window& w)
 {
-  return { &w, endOf(w, w.begin), endOf(w, w.end) };
+  if (w.isLinear())
+  {
+    return { &w, endOf(w, w.begin), endOf(w, w.end) };
+  }
+  const TwoDoubles dx = w.endDirections();
+  const TwoDoubles depth(w.sourceDepth);
+  const TwoDoubles radii = TwoDoubles::roots(dx * dx + depth * depth);
+  return { &w, { w.sigma + radii.first(), dx.first(), radii.first() },
+    { w.sigma + radii.second(), dx.second(), radii.second() } };
 }
 
 // Window::minimum() without a root.
@@ -238,8 +246,9 @@ bool merge(Measured& left, const Measured& right, const Limits& limits, double& 
   w.end = p.end;
   w.facesCrossed =
     std::max<Id>(left.window->facesCrossed, right.window->facesCrossed) & MaximumFacesCrossed;
-  End begin = endOf(w, p.begin);
-  End end = endOf(w, p.end);
+  Measured ends = measured(w);
+  End& begin = ends.begin;
+  End& end = ends.end;
   // Rounding may leave the merged window above an end by some units in the last place.
   const double excess = std::max(0.0, std::max(begin.distance - p.atBegin, end.distance - p.atEnd));
   w.sigma -= excess;
