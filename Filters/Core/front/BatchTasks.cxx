@@ -338,32 +338,7 @@ void BatchTasks::mergeInto(
 {
   const WindowRange waiting = district.lists.at(list);
   worker.merged.reset(this->mesh_.length(district.lists.halfedge(list)));
-  const Window* old = waiting.begin();
-  bool lastIsOld = true;
-  const auto append = [&](const Window& w, bool isOld)
-  {
-    if (isOld == lastIsOld)
-    {
-      worker.merged.append(w);
-    }
-    else
-    {
-      worker.merged.appendOfOther(w);
-      lastIsOld = isOld;
-    }
-  };
-  for (const Window& w : block.range())
-  {
-    for (; old != waiting.end() && old->begin <= w.begin; ++old)
-    {
-      append(*old, true);
-    }
-    append(w, false);
-  }
-  for (; old != waiting.end(); ++old)
-  {
-    append(*old, true);
-  }
+  worker.merged.appendLists(waiting, block.range());
   worker.pool.free(block);
   district.lists.assign(list, worker.merged.range(), worker.pool);
 }

@@ -8,11 +8,11 @@ namespace
 {
 
 /// The rest of what is told of the window that gives the distance.
-inline void describe(const Window* nearest, Vec2 apex, ApexDistance& shortest)
+inline void describe(const Window* nearest, double crossing, ApexDistance& shortest)
 {
   if (nearest != nullptr)
   {
-    shortest.crossing = nearest->crossing(apex);
+    shortest.crossing = crossing;
     shortest.error = nearest->error;
     shortest.origin = nearest->origin;
     shortest.place = nearest->placeOf({ shortest.crossing, 0.0 });
@@ -24,7 +24,10 @@ inline void describe(const Window* nearest, Vec2 apex, ApexDistance& shortest)
 
 ApexQuery fullApexQuery(const WindowRange& list, Vec2 apex, std::vector<ApexSide>& sides)
 {
-  sides.resize(list.size());
+  if (sides.size() < list.size())
+  {
+    sides.resize(list.size());
+  }
   ApexQuery query;
   query.list = list;
   query.sides = sides.data();
@@ -71,13 +74,33 @@ ApexQuery fullApexQuery(const WindowRange& list, Vec2 apex, std::vector<ApexSide
     }
     previous = side;
   }
-  describe(nearest, apex, query.shortest);
+  describe(nearest, nearest != nullptr ? nearest->crossing(apex) : 0.0, query.shortest);
   return query;
 }
 
 // The first window that passes on the right is looked for by halving.
 ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
 {
+  ApexDistance shortest;
+  const Window* nearest = nullptr;
+  double crossing = 0.0;
+  const auto consider = [&](const Window& w)
+  {
+    const double x = w.crossing(apex);
+    const double distance = w.bentDistance(apex, x);
+    if (distance < shortest.distance)
+    {
+      shortest.distance = distance;
+      nearest = &w;
+      crossing = x;
+    }
+  };
+  if (list.size() == 1)
+  {
+    consider(*list.begin());
+    describe(nearest, crossing, shortest);
+    return shortest;
+  }
   const Window* first = list.begin();
   for (std::size_t count = list.size(); count > 0;)
   {
@@ -86,17 +109,6 @@ ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
     first = isBefore ? first + half + 1 : first;
     count = isBefore ? count - half - 1 : half;
   }
-  ApexDistance shortest;
-  const Window* nearest = nullptr;
-  const auto consider = [&shortest, &nearest, apex](const Window& w)
-  {
-    const double distance = w.bentDistance(apex);
-    if (distance < shortest.distance)
-    {
-      shortest.distance = distance;
-      nearest = &w;
-    }
-  };
   if (first != list.end())
   {
     consider(*first);
@@ -108,7 +120,7 @@ ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
     consider(*first);
     holds = first->passesRightOf(first->end, apex);
   }
-  describe(nearest, apex, shortest);
+  describe(nearest, crossing, shortest);
   return shortest;
 }
 

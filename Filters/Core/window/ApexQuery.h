@@ -50,7 +50,8 @@ struct ApexQuery
 
 /// The full query of the apex: asks every window of a sorted list.
 ///
-/// \param sides keeps the sides of the windows, to which the result refers; replaced.
+/// \param sides keeps the sides of the windows, to which the result refers; replaced, and never
+///        shorter than before.
 ApexQuery fullApexQuery(const WindowRange& list, Vec2 apex, std::vector<ApexSide>& sides);
 
 /// The quick query of the apex: asks only the windows about it, in logarithmic time. Where rays of

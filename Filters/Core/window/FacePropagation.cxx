@@ -7,40 +7,117 @@ namespace geodesic
 namespace
 {
 
-/// An edge that windows leave through, with what is known at its ends.
+/// An edge that windows leave through, with what is known at its ends. Numbers stand as pairs where
+/// the two ends of a window are computed with in step.
 struct ExitEdge
 {
-  /// The edge's direction in the face, where it begins, and its length.
-  Vec2 axis;
-  Vec2 origin;
-  double length;
-  /// The distances known where the edge begins and where it ends.
-  double atBegin;
-  double atEnd;
+  const UnfoldedFace& face;
+  bool isLeft;
+  /// The apex as seen from the end of the halfedge where the edge is, twice.
+  TwoDoubles apexAlong;
+  TwoDoubles apexUp;
+  TwoDoubles length;
+  /// What a source's x and depth, seen from where the edge begins, add to those behind the edge.
+  TwoDoubles ofX;
+  TwoDoubles ofDepth;
+  /// The distances known where the edge ends and where it begins.
+  TwoDoubles known;
+  /// Where the edge ends, and 0.
+  TwoDoubles far;
 };
+
+ExitEdge leftEdge(const UnfoldedFace& face, const CornerDistances& distances)
+{
+  return { face, true, TwoDoubles(face.apex.x), TwoDoubles(face.apex.y),
+    TwoDoubles(face.leftLength), TwoDoubles(face.leftAxis.x, face.leftAxis.y),
+    TwoDoubles(-face.leftAxis.y, face.leftAxis.x), TwoDoubles(distances.apex, distances.origin),
+    TwoDoubles(face.leftLength, 0.0) };
+}
+
+ExitEdge rightEdge(const UnfoldedFace& face, const CornerDistances& distances)
+{
+  return { face, false, TwoDoubles(face.apexFromEnd), TwoDoubles(face.apex.y),
+    TwoDoubles(face.rightLength), TwoDoubles(face.rightAxis.x, face.rightAxis.y),
+    TwoDoubles(-face.rightAxis.y, face.rightAxis.x),
+    TwoDoubles(distances.destination, distances.apex), TwoDoubles(face.rightLength, 0.0) };
+}
+
+// Where the rays through the window's two ends meet the left edge: UnfoldedFace::meetLeft().
+inline TwoDoubles endsOnLeft(const ExitEdge& left, const Window& w)
+{
+  const TwoDoubles depth(w.sourceDepth);
+  const TwoDoubles denominator = depth * left.apexAlong - w.endDirections() * left.apexUp;
+  const TwoDoubles t = TwoDoubles::wherePositive(denominator, w.ends() * depth / denominator);
+  return TwoDoubles::clampedToUnit(t) * left.length;
+}
+
+// The same for the right edge: UnfoldedFace::meetRight().
+inline TwoDoubles endsOnRight(const ExitEdge& right, const Window& w)
+{
+  const TwoDoubles depth(w.sourceDepth);
+  const TwoDoubles denominator = depth * right.apexAlong + w.endDirections() * right.apexUp;
+  const TwoDoubles t = TwoDoubles::wherePositive(
+    denominator, (TwoDoubles(right.face.length) - w.ends()) * depth / denominator);
+  return (TwoDoubles(1.0) - TwoDoubles::clampedToUnit(t)) * right.length;
+}
 
 // Whether a path through an end of the edge beats the window everywhere (Xin & Wang 2009,
 // "Improving Chen and Han's algorithm on the discrete geodesic problem"). Distances along the edge
 // change by no more than the way, so a window that is longer at its end far from a corner is longer
 // throughout. Their third comparison, with the face's third corner, drops next to nothing here.
-inline bool isUseless(const Window& w, const ExitEdge& exit)
+// `ends` and `source` (x and depth) are those behind the edge: isBeaten() of both ends in step.
+inline bool isUseless(TwoDoubles ends, TwoDoubles source, double sigma, const ExitEdge& exit)
 {
-  return isBeaten(w, w.end, exit.atBegin + w.end) ||
-    isBeaten(w, w.begin, exit.atEnd + (exit.length - w.begin));
+  const TwoDoubles ways = exit.far + ends * TwoDoubles(-1.0, 1.0);
+  const TwoDoubles reach =
+    (exit.known + ways) * TwoDoubles(1.0 + tolerance::Tie) - TwoDoubles(sigma);
+  const TwoDoubles dx = ends - source.firstTwice();
+  const TwoDoubles depth = source.secondTwice();
+  return (TwoDoubles::isGreater(TwoDoubles(0.0), reach) |
+           TwoDoubles::isGreater(dx * dx + depth * depth, reach * reach)) != 0;
+}
+
+// The way of windows with parallel rays, which are few.
+void leaveLinear(const ExitEdge& exit, const Window& w, TwoDoubles ends, WindowListBuilder& list)
+{
+  const double begin = ends.first();
+  const double end = ends.second();
+  const Window child =
+    exit.isLeft ? exit.face.throughLeft(w, begin, end) : exit.face.throughRight(w, begin, end);
+  const bool useless = isBeaten(child, end, exit.known.second() + end) ||
+    isBeaten(child, begin, exit.known.first() + (exit.length.first() - begin));
+  if (!useless)
+  {
+    list.append(child);
+  }
 }
 
 inline void leaveThrough(
-  const ExitEdge& exit, const Window& w, double begin, double end, WindowListBuilder& list)
+  const ExitEdge& exit, const Window& w, TwoDoubles ends, WindowListBuilder& list)
 {
-  if (end - begin > 0.0)
+  if (!(ends.second() - ends.first() > 0.0))
   {
-    Window child = moved(w, exit.origin, exit.axis);
-    child.begin = begin;
-    child.end = end;
-    if (!isUseless(child, exit))
-    {
-      list.append(child);
-    }
+    return;
+  }
+  if (w.isLinear())
+  {
+    leaveLinear(exit, w, ends, list);
+    return;
+  }
+  // moved(), of what changes, written where the window will stand
+  const Vec2 origin = exit.isLeft ? Vec2{ 0.0, 0.0 } : exit.face.apex;
+  const TwoDoubles unfolded = TwoDoubles(w.sourceX - origin.x) * exit.ofX +
+    TwoDoubles(w.sourceDepth + origin.y) * exit.ofDepth;
+  const TwoDoubles source = TwoDoubles::raisedTo(TwoDoubles(-Infinity, 0.0), unfolded);
+  if (!isUseless(ends, source, w.sigma, exit))
+  {
+    Window& child = list.addUnsettled(w);
+    child.begin = ends.first();
+    child.end = ends.second();
+    child.sourceX = source.first();
+    child.sourceDepth = source.second();
+    child.facesCrossed = (w.facesCrossed + 1) & MaximumFacesCrossed;
+    list.settle();
   }
 }
 
@@ -51,29 +128,33 @@ inline void leaveThrough(
 void propagateThroughFace(const ApexQuery& apex, const UnfoldedFace& face,
   const CornerDistances& distances, OpenEdges open, Id maximumFacesCrossed, LeavingWindows& leaving)
 {
-  const ExitEdge left = { face.leftAxis, { 0.0, 0.0 }, face.leftLength, distances.origin,
-    distances.apex };
-  const ExitEdge right = { face.rightAxis, face.apex, face.rightLength, distances.apex,
-    distances.destination };
+  const ExitEdge left = leftEdge(face, distances);
+  const ExitEdge right = rightEdge(face, distances);
   leaving.left.reset(face.leftLength);
   leaving.right.reset(face.rightLength);
-  for (std::size_t i = 0; i < apex.list.size(); ++i)
+  const WindowRange list = apex.list;
+  const ApexSide* const sides = apex.sides;
+  const std::size_t first = apex.first;
+  const std::size_t size = list.size();
+  for (std::size_t i = 0; i < size; ++i)
   {
-    const Window& w = apex.list.first[i];
+    const Window& w = list.first[i];
     if (!(w.sourceDepth > 0.0) || w.facesCrossed >= maximumFacesCrossed)
     {
       continue; // rays along the edge, which its vertices stand for; or no shortest path
     }
-    const ApexSide side = apex.sides[i];
-    if (open.left && (side == ApexSide::Left || (side == ApexSide::Both && i <= apex.first)))
+    const ApexSide side = sides[i];
+    if (open.left && (side == ApexSide::Left || (side == ApexSide::Both && i <= first)))
     {
-      const double end = side == ApexSide::Left ? face.meetLeft(w, w.end) : face.leftLength;
-      leaveThrough(left, w, face.meetLeft(w, w.begin), end, leaving.left);
+      const TwoDoubles ends = endsOnLeft(left, w);
+      leaveThrough(left, w,
+        side == ApexSide::Left ? ends : TwoDoubles(ends.first(), face.leftLength), leaving.left);
     }
-    if (open.right && (side == ApexSide::Right || (side == ApexSide::Both && i >= apex.first)))
+    if (open.right && (side == ApexSide::Right || (side == ApexSide::Both && i >= first)))
     {
-      const double begin = side == ApexSide::Right ? face.meetRight(w, w.begin) : 0.0;
-      leaveThrough(right, w, begin, face.meetRight(w, w.end), leaving.right);
+      const TwoDoubles ends = endsOnRight(right, w);
+      leaveThrough(
+        right, w, side == ApexSide::Right ? ends : TwoDoubles(0.0, ends.second()), leaving.right);
     }
   }
 }

@@ -41,6 +41,13 @@ struct AtEnds
 {
   double lo;
   double hi;
+
+  AtEnds(const Window& w, double begin, double end)
+  {
+    const TwoDoubles both = w.distances(TwoDoubles(begin, end));
+    this->lo = both.first();
+    this->hi = both.second();
+  }
 };
 
 // Whether the two windows have the same distance throughout, as far as rounding tells. It would
@@ -110,8 +117,8 @@ LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi)
   {
     return lowerOfSameSigma(a, b, lo, hi);
   }
-  const AtEnds ofA = { a.distance(lo), a.distance(hi) };
-  const AtEnds ofB = { b.distance(lo), b.distance(hi) };
+  const AtEnds ofA(a, lo, hi);
+  const AtEnds ofB(b, lo, hi);
   const double atLo = ofA.lo - ofB.lo;
   const double atHi = ofA.hi - ofB.hi;
   LowerParts lower;

@@ -3,6 +3,7 @@
 #define geodesic_Window_h
 
 #include "Types.h"
+#include "window/TwoDoubles.h"
 
 #include <algorithm>
 
@@ -76,6 +77,7 @@ struct Window
 
   bool isLinear() const { return this->kind == Kind::Linear; }
   double width() const { return this->end - this->begin; }
+  TwoDoubles ends() const { return { this->begin, this->end }; }
 
   /// Distance at x on the halfedge (paper, equation 1 and section 4.2.2).
   double distance(double x) const
@@ -86,6 +88,18 @@ struct Window
     }
     const double dx = x - this->sourceX;
     return this->sigma + std::sqrt(dx * dx + this->sourceDepth * this->sourceDepth);
+  }
+
+  /// The distances at two points of the halfedge.
+  TwoDoubles distances(TwoDoubles x) const
+  {
+    if (this->isLinear())
+    {
+      return TwoDoubles(this->sigma) + TwoDoubles(this->sourceX) * x;
+    }
+    const TwoDoubles dx = x - TwoDoubles(this->sourceX);
+    const TwoDoubles depth(this->sourceDepth);
+    return TwoDoubles(this->sigma) + TwoDoubles::roots(dx * dx + depth * depth);
   }
 
   /// Length of the straight unfolded ray to a point of the face's plane.
@@ -115,6 +129,14 @@ struct Window
     return { this->isLinear() ? this->sourceX : x - this->sourceX, this->sourceDepth };
   }
 
+  /// Along the halfedge, the directions of the rays through the two ends; across it, both have
+  /// sourceDepth.
+  TwoDoubles endDirections() const
+  {
+    const TwoDoubles source(this->sourceX);
+    return this->isLinear() ? source : this->ends() - source;
+  }
+
   /// Whether the ray through x passes on the right of the point p, which lies above the halfedge.
   bool passesRightOf(double x, Vec2 p) const
   {
@@ -128,10 +150,11 @@ struct Window
 
   /// Length of the shortest path to p through the interval: straight where the pencil holds p, bent
   /// at the nearer end elsewhere. Always the length of a real path.
-  double bentDistance(Vec2 p) const
+  double bentDistance(Vec2 p) const { return this->bentDistance(p, this->crossing(p)); }
+  /// The same with the crossing() of p given.
+  double bentDistance(Vec2 p, double crossing) const
   {
-    const double x = this->crossing(p);
-    return this->distance(x) + norm(p - Vec2{ x, 0.0 });
+    return this->distance(crossing) + norm(p - Vec2{ crossing, 0.0 });
   }
 
   /// Least distance on the interval.

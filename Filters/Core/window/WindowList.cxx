@@ -2,7 +2,6 @@
 #include "window/WindowList.h"
 
 #include "Tolerance.h"
-#include "window/LowerWindow.h"
 
 #include <algorithm>
 
@@ -15,74 +14,121 @@ void WindowListBuilder::reset(double edgeLength)
   this->leastWidth_ = tolerance::LeastWidth * edgeLength;
 }
 
-void WindowListBuilder::appendOverlapping(const Window& window)
+// The window added overlaps the one before it.
+void WindowListBuilder::settleOverlapping()
 {
-  const std::size_t last = this->windows_.size() - 1;
-  const bool onlyLast = this->windows_[last].begin <= window.begin &&
-    (last == 0 || this->windows_[last - 1].end <= window.begin);
+  const std::size_t size = this->windows_.size();
+  Window& added = this->windows_[size - 1];
+  Window& last = this->windows_[size - 2];
+  const bool onlyLast =
+    last.begin <= added.begin && (size == 2 || this->windows_[size - 3].end <= added.begin);
   if (!onlyLast)
   {
+    const Window window = added;
+    this->windows_.pop_back();
     this->appendToSeveral(window);
   }
-  else if (this->windows_[last].end - window.begin <= 2.0 * this->leastWidth_)
+  else if (last.end - added.begin <= 2.0 * this->leastWidth_)
   {
-    this->appendBehindLast(window);
+    this->settleBehindLast(last, added);
   }
   else
   {
-    this->appendToLast(window);
+    this->settleAgainstLast(last, added);
   }
 }
 
 // The window overlaps the list's last one by some roundings: no cut in there would mean anything,
 // and the lower one has it all.
-void WindowListBuilder::appendBehindLast(const Window& window)
+void WindowListBuilder::settleBehindLast(Window& last, Window& added)
 {
-  Window& last = this->windows_.back();
-  const double middle = 0.5 * (window.begin + last.end);
-  if (last.distance(middle) <= window.distance(middle))
+  const double middle = 0.5 * (added.begin + last.end);
+  if (last.distance(middle) <= added.distance(middle))
   {
-    this->push(window, last.end, window.end);
-    return;
+    added.begin = last.end;
   }
-  last.end = window.begin;
+  else
+  {
+    last.end = added.begin;
+  }
+  this->dropNarrow(last, added);
+}
+
+// Of the list's last two windows, those that are too narrow go.
+void WindowListBuilder::dropNarrow(Window& last, Window& added)
+{
+  const bool keepsAdded = this->isWide(added.begin, added.end);
   if (last.width() < this->leastWidth_)
+  {
+    last = added;
+    this->windows_.pop_back();
+  }
+  if (!keepsAdded)
   {
     this->windows_.pop_back();
   }
-  this->push(window, window.begin, window.end);
 }
 
 // The window overlaps the list's last one only, and begins inside it.
-void WindowListBuilder::appendToLast(const Window& window)
+void WindowListBuilder::settleAgainstLast(Window& last, Window& added)
 {
-  Window& last = this->windows_.back();
-  const double hi = std::min(last.end, window.end);
-  const LowerParts lower = lowerOf(last, window, window.begin, hi);
+  const double hi = std::min(last.end, added.end);
+  const LowerParts lower = lowerOf(last, added, added.begin, hi);
+  if (!this->settleInPlace(last, added, lower, hi))
+  {
+    const Window old = last;
+    const Window window = added;
+    this->windows_.resize(this->windows_.size() - 2);
+    this->appendParts(old, window, lower, hi);
+  }
+}
+
+// The common ways to share: each of the two keeps one part of what it had. Returns false where it
+// is none of them, and nothing is done.
+bool WindowListBuilder::settleInPlace(
+  Window& last, Window& added, const LowerParts& lower, double hi)
+{
   if (lower.firstIsA && lower.cuts == 0)
   {
-    this->push(window, hi, window.end);
-    return;
+    added.begin = hi;
+    if (!this->isWide(hi, added.end))
+    {
+      this->windows_.pop_back();
+    }
+    return true;
   }
-  const Window old = last;
+  if (last.end > hi || lower.cuts != (lower.firstIsA ? 1 : 0))
+  {
+    return false;
+  }
+  last.end = lower.firstIsA ? lower.cut[0] : added.begin;
+  added.begin = last.end;
+  this->dropNarrow(last, added);
+  return true;
+}
+
+// Parts of the two in turn, each to the next cut, the last to the end of the overlap and what is
+// behind it.
+void WindowListBuilder::appendParts(
+  const Window& last, const Window& window, const LowerParts& lower, double hi)
+{
   const auto cutAt = [&](int i)
   { return i < lower.cuts ? lower.cut[static_cast<std::size_t>(i)] : hi; };
-  last.end = lower.firstIsA ? cutAt(0) : window.begin;
-  if (last.width() < this->leastWidth_)
-  {
-    this->windows_.pop_back();
-  }
-  // parts in turn, each to the next cut, the last to the end of the overlap and what is behind it
   double begin = lower.firstIsA ? cutAt(0) : window.begin;
+  if (!(begin - last.begin < this->leastWidth_))
+  {
+    this->windows_.push_back(last);
+    this->windows_.back().end = begin;
+  }
   for (int i = lower.firstIsA ? 1 : 0; i <= lower.cuts; ++i)
   {
-    const bool isOld = (i % 2 == 0) == lower.firstIsA;
-    const Window& part = isOld ? old : window;
+    const bool isLast = (i % 2 == 0) == lower.firstIsA;
+    const Window& part = isLast ? last : window;
     this->push(part, begin, i < lower.cuts ? cutAt(i) : part.end);
     begin = cutAt(i);
     if (i == lower.cuts)
     {
-      const Window& other = isOld ? window : old;
+      const Window& other = isLast ? window : last;
       this->push(other, hi, other.end);
     }
   }
@@ -182,6 +228,81 @@ void WindowListBuilder::appendOfOther(const Window& window)
   last.end = std::max(last.end, window.end);
   last.error = std::max(last.error, window.error);
   last.facesCrossed = std::max<Id>(last.facesCrossed, window.facesCrossed) & MaximumFacesCrossed;
+}
+
+// Behind the windows that overlap what is there already, a run stands as it is.
+void WindowListBuilder::appendRun(const WindowRange& run, bool isOfOther)
+{
+  const Window* w = run.begin();
+  if (isOfOther)
+  {
+    this->appendOfOther(*w++);
+  }
+  constexpr std::ptrdiff_t fewest = 4; // fewer are not worth another loop
+  while (w != run.end() &&
+    (run.end() - w < fewest || this->windows_.empty() || this->windows_.back().end > w->begin))
+  {
+    this->append(*w++);
+  }
+  while (w != run.end())
+  {
+    const Window* narrow = w;
+    while (narrow != run.end() && this->isWide(narrow->begin, narrow->end))
+    {
+      ++narrow;
+    }
+    this->windows_.insert(this->windows_.end(), w, narrow);
+    w = narrow == run.end() ? narrow : narrow + 1;
+  }
+}
+
+void WindowListBuilder::appendLists(const WindowRange& first, const WindowRange& second)
+{
+  const Window* a = first.begin();
+  const Window* b = second.begin();
+  bool lastIsFirst = true;
+  while (a != first.end() && b != second.end())
+  {
+    const bool isFirst = a->begin <= b->begin;
+    const Window*& next = isFirst ? a : b;
+    const Window* const begin = next;
+    if (isFirst)
+    {
+      for (++a; a != first.end() && a->begin <= b->begin;)
+      {
+        ++a;
+      }
+    }
+    else
+    {
+      for (++b; b != second.end() && b->begin < a->begin;)
+      {
+        ++b;
+      }
+    }
+    const bool isOfOther = isFirst != lastIsFirst;
+    if (next - begin > 1)
+    {
+      this->appendRun({ begin, next }, isOfOther);
+    }
+    else if (isOfOther)
+    {
+      this->appendOfOther(*begin);
+    }
+    else
+    {
+      this->append(*begin);
+    }
+    lastIsFirst = isFirst;
+  }
+  if (a != first.end())
+  {
+    this->appendRun({ a, first.end() }, !lastIsFirst);
+  }
+  else if (b != second.end())
+  {
+    this->appendRun({ b, second.end() }, lastIsFirst);
+  }
 }
 
 }

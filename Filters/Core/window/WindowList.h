@@ -2,6 +2,7 @@
 #ifndef geodesic_WindowList_h
 #define geodesic_WindowList_h
 
+#include "window/LowerWindow.h"
 #include "window/Window.h"
 
 #include <vector>
@@ -21,19 +22,37 @@ public:
   /// Adds a window. Appending in the order of the interval's begin is linear; any order is right.
   void append(const Window& window)
   {
-    if (this->windows_.empty() || this->windows_.back().end <= window.begin)
+    this->addUnsettled(window);
+    this->settle();
+  }
+
+  /// The same in two steps, so that a window is made where it will stand: the first adds a copy for
+  /// the caller to change, the second puts it in its place. Nothing may come between.
+  Window& addUnsettled(const Window& window)
+  {
+    this->windows_.push_back(window);
+    return this->windows_.back();
+  }
+  void settle()
+  {
+    const Window& added = this->windows_.back();
+    if (this->windows_.size() > 1 && (&added - 1)->end > added.begin)
     {
-      this->push(window, window.begin, window.end);
+      this->settleOverlapping();
     }
-    else
+    else if (!this->isWide(added.begin, added.end))
     {
-      this->appendOverlapping(window);
+      this->windows_.pop_back();
     }
   }
 
   /// Adds a window that comes from another list than the last one did. Where it goes on with the
   /// last one's pencil, which a vertex in a flat part of the surface has split, they become one.
   void appendOfOther(const Window& window);
+
+  /// Adds the windows of two sorted lists without overlaps, by appendOfOther() where one follows
+  /// the other.
+  void appendLists(const WindowRange& first, const WindowRange& second);
 
   const std::vector<Window>& windows() const { return this->windows_; }
   WindowRange range() const
@@ -42,15 +61,23 @@ public:
   }
 
 private:
-  void appendOverlapping(const Window& window);
-  void appendToLast(const Window& window);
-  void appendBehindLast(const Window& window);
+  void settleOverlapping();
+  void settleBehindLast(Window& last, Window& added);
+  void settleAgainstLast(Window& last, Window& added);
+  bool settleInPlace(Window& last, Window& added, const LowerParts& lower, double hi);
+  void dropNarrow(Window& last, Window& added);
+  void appendParts(const Window& last, const Window& window, const LowerParts& lower, double hi);
   void appendToSeveral(const Window& window);
   void appendOverlap(const Window& a, const Window& b, double lo, double hi);
+  void appendRun(const WindowRange& run, bool isOfOther);
   void appendPiece(const Window& window, double begin, double end);
+  bool isWide(double begin, double end) const
+  {
+    return end - begin >= this->leastWidth_ && end > begin;
+  }
   bool push(const Window& window, double begin, double end)
   {
-    if (!(end - begin >= this->leastWidth_ && end > begin))
+    if (!this->isWide(begin, end))
     {
       return false;
     }

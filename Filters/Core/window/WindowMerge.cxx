@@ -9,11 +9,72 @@ namespace geodesic
 namespace
 {
 
+/// What is known of a window at one of its ends, for one root.
+struct End
+{
+  double distance;
+  /// The slope of the distance there as a fraction: of a circular window the source's offset and
+  /// its radius.
+  double rise;
+  double run;
+};
+
+End endOf(const Window& w, double x)
+{
+  if (w.isLinear())
+  {
+    return { w.distance(x), w.sourceX, 1.0 };
+  }
+  const double dx = x - w.sourceX;
+  const double radius = std::sqrt(dx * dx + w.sourceDepth * w.sourceDepth);
+  return { w.sigma + radius, dx, radius };
+}
+
+/// A window of the list with what is known at its ends: each end is asked for several times.
+struct Measured
+{
+  Window* window;
+  End begin;
+  End end;
+};
+
+Measured measured(Window& w)
+{
+  if (w.isLinear())
+  {
+    return { &w, endOf(w, w.begin), endOf(w, w.end) };
+  }
+  const TwoDoubles dx = w.endDirections();
+  const TwoDoubles depth(w.sourceDepth);
+  const TwoDoubles radii = TwoDoubles::roots(dx * dx + depth * depth);
+  return { &w, { w.sigma + radii.first(), dx.first(), radii.first() },
+    { w.sigma + radii.second(), dx.second(), radii.second() } };
+}
+
+// Window::minimum() without a root.
+double minimum(const Window& w, const End& begin, const End& end)
+{
+  if (w.isLinear())
+  {
+    return w.sourceX > 0.0 ? begin.distance : end.distance;
+  }
+  return w.sourceX <= w.begin ? begin.distance
+    : w.sourceX >= w.end      ? end.distance
+                              : w.sigma + w.sourceDepth;
+}
+
+/// What merges must keep within.
+struct Limits
+{
+  double relativeError;
+  double maximumAdded;
+};
+
 /// Two neighbours that meet at `joint`, and what a merged window must keep.
 struct Pair
 {
-  const Window& left;
-  const Window& right;
+  const Measured& left;
+  const Measured& right;
   double begin;
   double joint;
   double end;
@@ -24,25 +85,24 @@ struct Pair
   double atJoint;
   /// atEnd - atBegin.
   double rise;
+  /// (width - rise) (width + rise).
+  double open;
+  /// The larger of the errors that the two bring.
+  double inherited;
+  /// The most that the merged window's distance may be at its least: that of the two.
+  double least;
 };
 
-Pair makePair(const Window& left, const Window& right)
+Pair makePair(const Measured& left, const Measured& right)
 {
-  const double joint = right.begin;
-  const double atBegin = left.distance(left.begin);
-  const double atEnd = right.distance(right.end);
-  return { left, right, left.begin, joint, right.end, right.end - left.begin, atBegin, atEnd,
-    std::min(left.distance(joint), right.distance(joint)), atEnd - atBegin };
-}
-
-double slope(const Window& w, double x)
-{
-  if (w.isLinear())
-  {
-    return w.sourceX;
-  }
-  const double dx = x - w.sourceX;
-  return dx / std::sqrt(dx * dx + w.sourceDepth * w.sourceDepth);
+  const Window& a = *left.window;
+  const Window& b = *right.window;
+  const double width = b.end - a.begin;
+  const double rise = right.end.distance - left.begin.distance;
+  return { left, right, a.begin, b.begin, b.end, width, left.begin.distance, right.end.distance,
+    std::min(left.end.distance, right.begin.distance), rise, (width - rise) * (width + rise),
+    std::max(a.error, b.error),
+    std::min(minimum(a, left.begin, left.end), minimum(b, right.begin, right.end)) };
 }
 
 // The largest distance r0 of a merged source from the interval's begin for which the merged
@@ -53,19 +113,19 @@ double slope(const Window& w, double x)
 double farthestRadius(const Pair& p)
 {
   double radius = Infinity;
-  const double chord = p.rise / p.width;
-  const double open = (p.width - p.rise) * (p.width + p.rise);
-  // slope at begin: chord - open / (2 width r0), by the law of cosines
-  const double leftSlope = slope(p.left, p.begin);
-  if (chord > leftSlope)
+  // slope at begin: rise / width - open / (2 width r0), by the law of cosines
+  const End& begin = p.left.begin;
+  const double overLeft = p.rise * begin.run - p.width * begin.rise;
+  if (overLeft > 0.0)
   {
-    radius = std::min(radius, open / (2.0 * p.width * (chord - leftSlope)));
+    radius = std::min(radius, p.open * begin.run / (2.0 * overLeft));
   }
-  // slope at end: chord + open / (2 width r1), with r1 = r0 + rise
-  const double rightSlope = slope(p.right, p.end);
-  if (rightSlope > chord)
+  // slope at end: rise / width + open / (2 width r1), with r1 = r0 + rise
+  const End& end = p.right.end;
+  const double overRight = p.width * end.rise - p.rise * end.run;
+  if (overRight > 0.0)
   {
-    radius = std::min(radius, open / (2.0 * p.width * (rightSlope - chord)) - p.rise);
+    radius = std::min(radius, p.open * end.run / (2.0 * overRight) - p.rise);
   }
   // at the joint, by Stewart's theorem
   const double t = (p.joint - p.begin) / p.width;
@@ -79,109 +139,138 @@ double farthestRadius(const Pair& p)
   return radius;
 }
 
-Window circularThrough(const Pair& p, double radius)
+// How far the original may be above the merged one inside its interval; -Infinity where the ends
+// tell. The difference original - merged has its only inner extremum where both rays have one
+// direction: on the line through the two sources, so that they differ by the sources' distance.
+// It is a maximum where the merged source is the nearer one.
+double innerGap(const Window& original, const Window& merged)
 {
-  // begin - sourceX, from the two radii
-  const double offset =
-    (2.0 * radius * p.rise - (p.width - p.rise) * (p.width + p.rise)) / (2.0 * p.width);
-  Window w = p.left;
-  w.kind = Window::Kind::Circular;
-  w.sourceX = p.begin - offset;
-  w.sourceDepth = std::sqrt(std::max(0.0, (radius - offset) * (radius + offset)));
-  w.sigma = p.atBegin - radius;
-  return w;
+  if (merged.isLinear())
+  {
+    return -Infinity; // both are
+  }
+  const double apart = merged.sourceX - original.sourceX;
+  const double depth = original.sourceDepth - merged.sourceDepth;
+  if (original.isLinear())
+  {
+    // the corrected extremum of section 6.2
+    const double x = original.sourceX * merged.sourceDepth;
+    const bool isInside = (original.begin - merged.sourceX) * original.sourceDepth < x &&
+      x < (original.end - merged.sourceX) * original.sourceDepth;
+    return isInside
+      ? original.straightDistance({ merged.sourceX, -merged.sourceDepth }) - merged.sigma
+      : -Infinity;
+  }
+  const double x = apart * original.sourceDepth;
+  const bool isInside = (original.begin - original.sourceX) * depth < x &&
+    x < (original.end - original.sourceX) * depth;
+  return depth > 0.0 && isInside
+    ? original.sigma - merged.sigma + std::sqrt(apart * apart + depth * depth)
+    : -Infinity;
 }
 
-Window linearThrough(const Pair& p)
+/// A merged window that is not yet known to be within the limits.
+struct Candidate
 {
-  Window w = p.left;
-  w.kind = Window::Kind::Linear;
+  Window window;
+  double atJoint;
+};
+
+// What is left to gain of the limits once the gap at the joint is known.
+bool isWithin(const Pair& p, const Limits& limits, double added, double atJoint)
+{
+  const double gapLeft = p.left.end.distance - atJoint;
+  const double gapRight = p.right.begin.distance - atJoint;
+  return p.inherited + std::max(gapLeft, gapRight) <= limits.relativeError * p.least &&
+    added + gapLeft <= limits.maximumAdded && gapRight <= limits.maximumAdded;
+}
+
+bool mergeLinear(const Pair& p, Candidate& merged)
+{
+  Window& w = merged.window;
+  w = *p.left.window;
   w.sourceX = p.rise / p.width;
   w.sourceDepth = std::sqrt(std::max(0.0, (1.0 - w.sourceX) * (1.0 + w.sourceX)));
   w.sigma = p.atBegin - w.sourceX * p.begin;
-  return w;
+  merged.atJoint = w.distance(p.joint);
+  // else the rays diverge: something else belongs between them
+  return merged.atJoint <= p.atJoint;
 }
 
-// The difference original - merged has its only inner extremum where both rays have one direction.
-double extremum(const Window& original, const Window& merged)
+bool mergeCircular(const Pair& p, const Limits& limits, double added, Candidate& merged)
 {
-  if (original.isLinear() && merged.isLinear())
-  {
-    return -Infinity;
-  }
-  if (original.isLinear() || merged.isLinear())
-  {
-    const Window& line = original.isLinear() ? original : merged;
-    const Window& circle = original.isLinear() ? merged : original;
-    // the corrected extremum of section 6.2
-    return circle.sourceX + line.sourceX * circle.sourceDepth / line.sourceDepth;
-  }
-  const double depth = original.sourceDepth - merged.sourceDepth;
-  return original.sourceX + (merged.sourceX - original.sourceX) * original.sourceDepth / depth;
-}
-
-double largestGap(const Window& original, const Window& merged)
-{
-  const auto gap = [&](double x) { return original.distance(x) - merged.distance(x); };
-  double largest = std::max(gap(original.begin), gap(original.end));
-  const double x = extremum(original, merged);
-  if (x > original.begin && x < original.end)
-  {
-    largest = std::max(largest, gap(x));
-  }
-  return largest;
-}
-
-// Rounding may leave the merged window above an end by some units in the last place.
-void lowerToEnds(Window& w, const Pair& p)
-{
-  const double excess = std::max(w.distance(p.begin) - p.atBegin, w.distance(p.end) - p.atEnd);
-  w.sigma -= std::max(excess, 0.0);
-}
-
-/// \param added how far the left window, itself merged, may be below what it replaced; becomes that
-///        of the merged one.
-bool merge(const Window& left, const Window& right, double relativeError, double maximumAdded,
-  double& added, Window& merged)
-{
-  const Pair p = makePair(left, right);
-  const double inherited = std::max(left.error, right.error);
-  const double least = std::min(left.minimum(), right.minimum());
-  if (!(relativeError * least > inherited) || !(std::abs(p.rise) < p.width))
+  // A pseudo-source has no negative distance of its own.
+  const double radius = std::min(farthestRadius(p), p.atBegin);
+  if (!(radius > 0.0) || !(radius + p.rise > 0.0))
   {
     return false;
   }
-  if (left.isLinear() && right.isLinear())
+  // begin - sourceX, from the two radii
+  const double offset = (2.0 * radius * p.rise - p.open) / (2.0 * p.width);
+  const double depth2 = (radius - offset) * (radius + offset);
+  const double leastDepth = tolerance::MergedDepth * p.width;
+  const double dx = p.joint - p.begin + offset;
+  const double sigma = p.atBegin - radius;
+  merged.atJoint = sigma + std::sqrt(dx * dx + depth2);
+  if (!(depth2 > leastDepth * leastDepth) || !isWithin(p, limits, added, merged.atJoint))
   {
-    merged = linearThrough(p);
-    if (merged.distance(p.joint) > p.atJoint)
-    {
-      return false; // the rays diverge: something else belongs between them
-    }
+    return false;
   }
-  else
+  Window& w = merged.window;
+  w = *p.left.window;
+  w.kind = Window::Kind::Circular;
+  w.sourceX = p.begin - offset;
+  w.sourceDepth = std::sqrt(depth2);
+  w.sigma = sigma;
+  return true;
+}
+
+/// Merges the right window into the left one where the limits allow.
+///
+/// \param added how far the left window, itself merged, may be below what it replaced; becomes that
+///        of the merged one.
+bool merge(Measured& left, const Measured& right, const Limits& limits, double& added)
+{
+  const Pair p = makePair(left, right);
+  if (!(limits.relativeError * p.least > p.inherited) || !(std::abs(p.rise) < p.width))
   {
-    // A pseudo-source has no negative distance of its own.
-    const double radius = std::min(farthestRadius(p), p.atBegin);
-    if (!(radius > 0.0) || !(radius + p.rise > 0.0))
-    {
-      return false;
-    }
-    merged = circularThrough(p, radius);
-    if (!(merged.sourceDepth > tolerance::MergedDepth * p.width))
-    {
-      return false;
-    }
+    return false;
   }
-  merged.begin = p.begin;
-  merged.end = p.end;
-  merged.facesCrossed = std::max<Id>(left.facesCrossed, right.facesCrossed) & MaximumFacesCrossed;
-  lowerToEnds(merged, p);
-  const double gapLeft = largestGap(left, merged);
-  const double gapRight = largestGap(right, merged);
-  merged.error = inherited + std::max(gapLeft, gapRight);
-  added = std::max(added + gapLeft, gapRight);
-  return merged.error <= relativeError * merged.minimum() && added <= maximumAdded;
+  Candidate merged;
+  const bool isLinear = left.window->isLinear() && right.window->isLinear();
+  if (!(isLinear ? mergeLinear(p, merged) : mergeCircular(p, limits, added, merged)))
+  {
+    return false;
+  }
+  Window& w = merged.window;
+  w.end = p.end;
+  w.facesCrossed =
+    std::max<Id>(left.window->facesCrossed, right.window->facesCrossed) & MaximumFacesCrossed;
+  Measured ends = measured(w);
+  End& begin = ends.begin;
+  End& end = ends.end;
+  // Rounding may leave the merged window above an end by some units in the last place.
+  const double excess = std::max(0.0, std::max(begin.distance - p.atBegin, end.distance - p.atEnd));
+  w.sigma -= excess;
+  begin.distance = isLinear ? w.distance(p.begin) : w.sigma + begin.run;
+  end.distance = isLinear ? w.distance(p.end) : w.sigma + end.run;
+  merged.atJoint -= excess;
+  const double gapLeft = std::max(
+    { p.atBegin - begin.distance, left.end.distance - merged.atJoint, innerGap(*left.window, w) });
+  const double gapRight = std::max(
+    { right.begin.distance - merged.atJoint, p.atEnd - end.distance, innerGap(*right.window, w) });
+  w.error = p.inherited + std::max(gapLeft, gapRight);
+  const double addedNow = std::max(added + gapLeft, gapRight);
+  if (!(w.error <= limits.relativeError * minimum(w, begin, end)) ||
+    !(addedNow <= limits.maximumAdded))
+  {
+    return false;
+  }
+  added = addedNow;
+  *left.window = w;
+  left.begin = begin;
+  left.end = end;
+  return true;
 }
 
 } // anonymous namespace
@@ -189,27 +278,33 @@ bool merge(const Window& left, const Window& right, double relativeError, double
 double mergeNeighbours(
   std::vector<Window>& windows, double edgeLength, double relativeError, double maximumAdded)
 {
+  if (windows.size() < 2)
+  {
+    return 0.0;
+  }
+  const Limits limits = { relativeError, maximumAdded };
   double largest = 0.0;
   double added = 0.0; // of the last window
-  std::size_t last = 0;
+  Window* last = windows.data();
+  Measured left = measured(*last);
   for (std::size_t i = 1; i < windows.size(); ++i)
   {
-    Window merged;
-    double addedNow = added;
-    const bool meet = windows[i].begin - windows[last].end <= tolerance::LeastWidth * edgeLength;
-    if (meet && merge(windows[last], windows[i], relativeError, maximumAdded, addedNow, merged))
+    Measured right = measured(windows[i]);
+    const bool meet = right.window->begin - last->end <= tolerance::LeastWidth * edgeLength;
+    if (meet && merge(left, right, limits, added))
     {
-      windows[last] = merged;
-      added = addedNow;
-      largest = std::max(largest, merged.error / merged.minimum());
+      largest = std::max(largest, last->error / minimum(*last, left.begin, left.end));
+      continue;
     }
-    else
+    ++last;
+    if (last != right.window)
     {
-      windows[++last] = windows[i];
-      added = 0.0;
+      *last = *right.window;
     }
+    left = { last, right.begin, right.end };
+    added = 0.0;
   }
-  windows.resize(windows.empty() ? 0 : last + 1);
+  windows.resize(static_cast<std::size_t>(last - windows.data()) + 1);
   return largest;
 }
 

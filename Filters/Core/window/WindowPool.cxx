@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "window/WindowPool.h"
 
+#include <cstring>
 #include <new>
 
 namespace geodesic
@@ -25,10 +26,10 @@ std::uint32_t sizeClassOf(std::size_t size)
 
 Window* WindowPool::allocate(std::uint32_t sizeClass)
 {
-  if (sizeClass < this->freeBlocks_.size() && !this->freeBlocks_[sizeClass].empty())
+  Window* block = this->free_[sizeClass];
+  if (block != nullptr)
   {
-    Window* block = this->freeBlocks_[sizeClass].back();
-    this->freeBlocks_[sizeClass].pop_back();
+    std::memcpy(&this->free_[sizeClass], static_cast<const void*>(block), sizeof(block));
     return block;
   }
   const std::size_t size = std::size_t(1) << sizeClass;
@@ -38,19 +39,15 @@ Window* WindowPool::allocate(std::uint32_t sizeClass)
     this->chunks_.emplace_back(new Window[this->chunkSize_]);
     this->chunkUsed_ = 0;
   }
-  Window* block = this->chunks_.back().get() + this->chunkUsed_;
+  block = this->chunks_.back().get() + this->chunkUsed_;
   this->chunkUsed_ += size;
   return block;
 }
 
 void WindowPool::free(const WindowBlock& block)
 {
-  const std::uint32_t sizeClass = block.sizeClass;
-  if (this->freeBlocks_.size() <= sizeClass)
-  {
-    this->freeBlocks_.resize(sizeClass + 1);
-  }
-  this->freeBlocks_[sizeClass].push_back(block.data);
+  std::memcpy(static_cast<void*>(block.data), &this->free_[block.sizeClass], sizeof(block.data));
+  this->free_[block.sizeClass] = block.data;
 }
 
 std::vector<std::unique_ptr<Window[]>> WindowPool::release()
@@ -70,7 +67,14 @@ WindowBlock WindowPool::copyOf(const WindowRange& windows)
   block.size = static_cast<std::uint32_t>(windows.size()) & 0x7ffffffu;
   block.sizeClass = sizeClassOf(windows.size()) & 31u;
   block.data = this->allocate(block.sizeClass);
-  std::copy(windows.begin(), windows.end(), block.data);
+  if (block.size == 1)
+  {
+    *block.data = *windows.begin(); // most lists of merged windows
+  }
+  else
+  {
+    std::copy(windows.begin(), windows.end(), block.data);
+  }
   return block;
 }
 

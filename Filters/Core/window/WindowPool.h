@@ -36,7 +36,8 @@ public:
 private:
   Window* allocate(std::uint32_t sizeClass);
 
-  std::vector<std::vector<Window*>> freeBlocks_;
+  /// The first free block of each size; each begins with the address of the next.
+  std::array<Window*, 32> free_{};
   std::vector<std::unique_ptr<Window[]>> chunks_;
   std::size_t chunkUsed_ = 0;
   std::size_t chunkSize_ = 0;

@@ -31,6 +31,23 @@ TEST(Window, DistancesAreThoseOfTheDefinition)
   }
 }
 
+TEST(Window, TwoDistancesAtOnceHaveTheBitsOfOneAfterTheOther)
+{
+  Random random(9);
+  for (int i = 0; i < Windows; ++i)
+  {
+    const Window w = randomWindow(1.0, random);
+    const double x = random.uniform(w.begin, w.end);
+    const double y = random.uniform(w.begin, w.end);
+    const geodesic::TwoDoubles distances = w.distances({ x, y });
+    EXPECT_EQ(distances.first(), w.distance(x)) << w;
+    EXPECT_EQ(distances.second(), w.distance(y)) << w;
+    const geodesic::TwoDoubles directions = w.endDirections();
+    EXPECT_EQ(directions.first(), w.direction(w.begin).x) << w;
+    EXPECT_EQ(directions.second(), w.direction(w.end).x) << w;
+  }
+}
+
 TEST(Window, TheMinimumIsTheLeastDistanceOnTheInterval)
 {
   Random random(2);

@@ -96,6 +96,47 @@ TEST(WindowList, ItIsTheLowerEnvelopeInWhateverOrderWindowsCome)
   }
 }
 
+TEST(WindowList, TwoListsMakeTheLowerEnvelopeOfBoth)
+{
+  Random random(2);
+  std::size_t longest = 0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    SCOPED_TRACE(i);
+    std::vector<Window> both;
+    // beside one another, across, or one empty
+    const double split = random.uniform(0.0, 1.5);
+    const auto listWithin = [&](double lo, double hi, Index count)
+    {
+      WindowListBuilder list;
+      list.reset(Length);
+      for (; count > 0; --count)
+      {
+        Window w = randomWindow(Length, random);
+        w.begin = lo + (hi - lo) * random.uniform(0.0, 0.9);
+        w.end = w.begin + 0.1 * (hi - lo) * random.uniform(0.1, 1.0);
+        list.append(w);
+      }
+      both.insert(both.end(), list.windows().begin(), list.windows().end());
+      longest = std::max(longest, list.windows().size());
+      return list;
+    };
+    const WindowListBuilder first =
+      listWithin(0.0, random.chance(0.5) ? split : Length, random.below(30));
+    const WindowListBuilder second =
+      listWithin(random.chance(0.5) ? split : 0.0, Length, random.below(30));
+    WindowListBuilder builder;
+    builder.reset(Length);
+    builder.appendLists(first.range(), second.range());
+    expectLowerEnvelope(both, builder.windows());
+    if (HasFatalFailure())
+    {
+      return;
+    }
+  }
+  EXPECT_GT(longest, 12u);
+}
+
 TEST(WindowList, ResetForgetsTheListBefore)
 {
   WindowListBuilder builder;

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_TwoDoubles_h
+#define geodesic_TwoDoubles_h
+
+#include <array>
+#include <cmath>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace geodesic
+{
+
+/// Two numbers that are computed with in step, as for the two ends of an interval: with SSE2, which
+/// every x86-64 processor has, in one instruction each. The bits are those of one after the other.
+class TwoDoubles
+{
+#if defined(__SSE2__)
+  using Values = __m128d;
+#else
+  using Values = std::array<double, 2>;
+#endif
+
+public:
+  TwoDoubles() = default;
+#if defined(__SSE2__)
+  TwoDoubles(double first, double second)
+    : values_(_mm_set_pd(second, first))
+  {
+  }
+  /// The same number twice.
+  explicit TwoDoubles(double both)
+    : values_(_mm_set1_pd(both))
+  {
+  }
+
+  double first() const
+  {
+    return _mm_cvtsd_f64(this->values_);
+  }
+  double second() const
+  {
+    return _mm_cvtsd_f64(_mm_unpackhi_pd(this->values_, this->values_));
+  }
+  TwoDoubles firstTwice() const
+  {
+    return _mm_unpacklo_pd(this->values_, this->values_);
+  }
+  TwoDoubles secondTwice() const
+  {
+    return _mm_unpackhi_pd(this->values_, this->values_);
+  }
+
+  friend TwoDoubles operator+(TwoDoubles a, TwoDoubles b)
+  {
+    return _mm_add_pd(a.values_, b.values_);
+  }
+  friend TwoDoubles operator-(TwoDoubles a, TwoDoubles b)
+  {
+    return _mm_sub_pd(a.values_, b.values_);
+  }
+  friend TwoDoubles operator*(TwoDoubles a, TwoDoubles b)
+  {
+    return _mm_mul_pd(a.values_, b.values_);
+  }
+  friend TwoDoubles operator/(TwoDoubles a, TwoDoubles b)
+  {
+    return _mm_div_pd(a.values_, b.values_);
+  }
+
+  static TwoDoubles roots(TwoDoubles squares)
+  {
+    return _mm_sqrt_pd(squares.values_);
+  }
+  /// The value where the condition is positive, else 0.
+  static TwoDoubles wherePositive(TwoDoubles condition, TwoDoubles value)
+  {
+    return _mm_and_pd(_mm_cmplt_pd(_mm_setzero_pd(), condition.values_), value.values_);
+  }
+  /// The value, or the bound where that is larger.
+  static TwoDoubles raisedTo(TwoDoubles bound, TwoDoubles value)
+  {
+    return _mm_max_pd(bound.values_, value.values_);
+  }
+  /// Moved to the nearest end of [0, 1] when outside.
+  static TwoDoubles clampedToUnit(TwoDoubles t)
+  {
+    return _mm_min_pd(_mm_set1_pd(1.0), _mm_max_pd(_mm_setzero_pd(), t.values_));
+  }
+  /// Of which of the two a > b: 1 for the first and 2 for the second, added.
+  static unsigned isGreater(TwoDoubles a, TwoDoubles b)
+  {
+    return static_cast<unsigned>(_mm_movemask_pd(_mm_cmpgt_pd(a.values_, b.values_)));
+  }
+
+private:
+  TwoDoubles(Values values)
+    : values_(values)
+  {
+  }
+#else
+  TwoDoubles(double first, double second)
+    : values_{ first, second }
+  {
+  }
+  explicit TwoDoubles(double both)
+    : values_{ both, both }
+  {
+  }
+
+  double first() const
+  {
+    return this->values_[0];
+  }
+  double second() const
+  {
+    return this->values_[1];
+  }
+  TwoDoubles firstTwice() const
+  {
+    return TwoDoubles(this->values_[0]);
+  }
+  TwoDoubles secondTwice() const
+  {
+    return TwoDoubles(this->values_[1]);
+  }
+
+  friend TwoDoubles operator+(TwoDoubles a, TwoDoubles b)
+  {
+    return { a.first() + b.first(), a.second() + b.second() };
+  }
+  friend TwoDoubles operator-(TwoDoubles a, TwoDoubles b)
+  {
+    return { a.first() - b.first(), a.second() - b.second() };
+  }
+  friend TwoDoubles operator*(TwoDoubles a, TwoDoubles b)
+  {
+    return { a.first() * b.first(), a.second() * b.second() };
+  }
+  friend TwoDoubles operator/(TwoDoubles a, TwoDoubles b)
+  {
+    return { a.first() / b.first(), a.second() / b.second() };
+  }
+
+  static TwoDoubles roots(TwoDoubles squares)
+  {
+    return { std::sqrt(squares.first()), std::sqrt(squares.second()) };
+  }
+  static TwoDoubles wherePositive(TwoDoubles condition, TwoDoubles value)
+  {
+    return { condition.first() > 0.0 ? value.first() : 0.0,
+      condition.second() > 0.0 ? value.second() : 0.0 };
+  }
+  static TwoDoubles raisedTo(TwoDoubles bound, TwoDoubles value)
+  {
+    return { bound.first() > value.first() ? bound.first() : value.first(),
+      bound.second() > value.second() ? bound.second() : value.second() };
+  }
+  static TwoDoubles clampedToUnit(TwoDoubles t)
+  {
+    const auto clamped = [](double x)
+    {
+      const double raised = 0.0 > x ? 0.0 : x;
+      return 1.0 < raised ? 1.0 : raised;
+    };
+    return { clamped(t.first()), clamped(t.second()) };
+  }
+  static unsigned isGreater(TwoDoubles a, TwoDoubles b)
+  {
+    return (a.first() > b.first() ? 1U : 0U) | (a.second() > b.second() ? 2U : 0U);
+  }
+
+private:
+#endif
+  Values values_;
+};
+
+}
+
+#endif
