@@ -137,14 +137,13 @@
  *   latter), and where their global ids are equal, if all pieces have these.
  * - Ghost cells are treated as those of blocks, over all ranks. Boundary, counts and the numbers in
  *   field data are those of the whole, the same on every rank.
+ * - Barriers count on all ranks, whichever has them; where a rank's faces are beside another's
+ *   barriers, these are cut where the rims are split.
  * - Sources of all ranks are gathered; ids follow the ranks, then the blocks and the cells of each.
  *   Where all ranks have the same source it counts once. Port 1 is put out by rank 0.
  * - Where one rank has the whole surface and the others have nothing it works as a process alone,
  *   and where all have the same surface each does.
  * - An error on one rank is given by all, with one message; an abort on one aborts all.
- *
- * @warning
- * On a surface that is distributed over ranks, barriers are an error.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal

@@ -55,7 +55,8 @@ bool isNone(const char* name)
 
 }
 
-BarrierArrays::BarrierArrays(const std::vector<PolyDataBlock>& blocks, const char* name)
+BarrierArrays::BarrierArrays(
+  const std::vector<PolyDataBlock>& blocks, const char* name, Exchange* exchange)
 {
   if (isNone(name))
   {
@@ -80,6 +81,11 @@ BarrierArrays::BarrierArrays(const std::vector<PolyDataBlock>& blocks, const cha
     isFound = isFound || values;
     isMissing = isMissing || (!values && block.data->GetNumberOfCells() > 0);
     this->arrays_.push_back(values);
+  }
+  if (exchange)
+  {
+    isFound = exchange->isTrueAnywhere(isFound);
+    isMissing = exchange->isTrueAnywhere(isMissing);
   }
   if (isMissing && !isFound)
   {

@@ -2,6 +2,7 @@
 #ifndef geodesic_BarrierArrays_h
 #define geodesic_BarrierArrays_h
 
+#include "Exchange.h"
 #include "PolyData/PolyDataBlocks.h"
 
 #include "vtkType.h"
@@ -25,12 +26,14 @@ public:
   ///
   /// \param name of the array; null, empty and "None" (the first entry of ParaView's list) stand
   ///        for no barriers.
-  /// \throws InputError where no block with cells has the array, or where it is not numeric, has
-  ///         several components, no value for some cell, or NaN.
-  BarrierArrays(const std::vector<PolyDataBlock>& blocks, const char* name);
+  /// \param exchange with other ranks, each of which may have blocks of the surface and reads their
+  ///        arrays now; null where there is one process only.
+  /// \throws InputError where no block with cells, of any rank, has the array, or where it is not
+  ///         numeric, has several components, no value for some cell, or NaN.
+  BarrierArrays(const std::vector<PolyDataBlock>& blocks, const char* name, Exchange* exchange);
 
-  /// Whether there may be barriers.
-  bool isGiven() const { return !this->arrays_.empty(); }
+  /// Whether there may be barriers, here or on other ranks.
+  bool isGiven() const { return !this->name_.empty(); }
   /// Of a block; null where it has none.
   vtkDataArray* of(std::size_t block) const
   {
@@ -41,7 +44,7 @@ public:
 
 private:
   std::string name_;
-  /// One a block; empty where no barriers were asked for.
+  /// One a block where barriers were asked for.
   std::vector<vtkDataArray*> arrays_;
 };
 

@@ -1,14 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/BarrierClosure.h"
 
+#include "PolyData/FacesOfWhole.h"
+
 #include <algorithm>
-#include <utility>
 
 namespace geodesic
 {
 
+namespace
+{
+
+// A face at the edge counts it, where it is owned.
+std::unordered_map<Id, Id> barriersAtEdgesOfPieces(const PolyDataSurface& surface)
+{
+  std::vector<Triangle> edges;
+  for (const Id triangle : surface.barrierTriangles())
+  {
+    const Triangle vertices = surface.verticesOf(surface.triangle(triangle));
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      edges.push_back(FacesOfWhole::edge(vertices[k], vertices[(k + 1) % 3]));
+    }
+  }
+  const FacesOfWhole faces(surface);
+  const std::vector<FaceOfWhole> found = faces.find(edges);
+  Exchange& exchange = surface.part()->exchange();
+  std::vector<Message> messages = exchange.noMessages();
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    if (found[i].isThere())
+    {
+      put(messages[indexOf(found[i].address.rank)],
+        3 * found[i].address.id + found[i].edgeOn(faces.numbersOf(edges[i])));
+    }
+  }
+  std::unordered_map<Id, Id> count;
+  readEach(exchange.step(std::move(messages)),
+    [&](int, MessageReader& reader) { ++count[surface.mesh().edgeOf(reader.get<Id>())]; });
+  return count;
+}
+
+} // anonymous namespace
+
 std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
 {
+  if (surface.barriersOnRanks())
+  {
+    return barriersAtEdgesOfPieces(surface);
+  }
   std::unordered_map<Id, Id> count;
   for (const Id triangle : surface.barrierTriangles())
   {
@@ -113,7 +153,8 @@ void BarrierClosure::close(const Triangle& triangle, std::vector<Triangle>& tria
   {
     splits[k] = this->splitsAlong(triangle, k);
   }
-  this->cut(triangle, splits, triangles);
+  SplitTriangle{ triangle, splits, [this](Id point) { return this->position(point); } }.cut(
+    triangles);
 }
 
 Vec3 BarrierClosure::position(Id point) const
@@ -121,52 +162,6 @@ Vec3 BarrierClosure::position(Id point) const
   const Id inputPoints = this->refined_.numberOfInputPoints;
   return point < inputPoints ? this->surface_.mesh().point(this->surface_.vertexOf(point))
                              : this->refined_.points[point - inputPoints].position;
-}
-
-/// The longest that has splits, for the shapes; 3 where none has. Of equally long ones that which
-/// any order of the corners gives, so that copies of a barrier are cut as it is.
-std::size_t BarrierClosure::edgeToCut(
-  const Triangle& corners, const std::array<Splits, 3>& splits) const
-{
-  std::size_t best = 3;
-  std::pair<double, Vec3> order;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    if (!splits[k].empty())
-    {
-      const Vec3 from = this->position(corners[k]);
-      const Vec3 to = this->position(corners[(k + 1) % 3]);
-      const std::pair<double, Vec3> own(norm(to - from), this->position(corners[(k + 2) % 3]));
-      if (best == 3 || own > order)
-      {
-        best = k;
-        order = own;
-      }
-    }
-  }
-  return best;
-}
-
-void BarrierClosure::cut(const Triangle& corners, const std::array<Splits, 3>& splits,
-  std::vector<Triangle>& triangles) const
-{
-  const std::size_t k = this->edgeToCut(corners, splits);
-  if (k == 3)
-  {
-    triangles.push_back(corners);
-    return;
-  }
-  const std::size_t next = (k + 1) % 3;
-  const std::size_t previous = (k + 2) % 3;
-  // The middle one from either end.
-  const std::size_t count = splits[k].size();
-  const bool isForward = this->position(corners[k]) < this->position(corners[next]);
-  const auto middle = static_cast<std::ptrdiff_t>(isForward ? (count - 1) / 2 : count / 2);
-  const auto at = splits[k].begin() + middle;
-  this->cut({ corners[k], *at, corners[previous] },
-    { Splits(splits[k].begin(), at), {}, splits[previous] }, triangles);
-  this->cut({ *at, corners[next], corners[previous] },
-    { Splits(at + 1, splits[k].end()), splits[next], {} }, triangles);
 }
 
 }

@@ -3,6 +3,7 @@
 #define geodesic_BarrierClosure_h
 
 #include "PolyData/PolyDataSurface.h"
+#include "PolyData/SplitTriangle.h"
 #include "PolyData/TrianglePoints.h"
 #include "refinement/RefinedMesh.h"
 
@@ -13,7 +14,9 @@
 namespace geodesic
 {
 
-/// How many barriers are at the edges of the mesh, for RefinementOptions::trianglesBeside.
+/// How many barriers are at the edges of the mesh, for RefinementOptions::trianglesBeside. Of a
+/// piece, which all ranks call together, each barrier of any rank is counted by one rank at each of
+/// its edges.
 std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface);
 
 /// Cuts barriers at the points by which refinement has split their rims, so that they still fit to
@@ -32,13 +35,10 @@ public:
   void close(const Triangle& triangle, std::vector<Triangle>& triangles);
 
 private:
-  using Splits = std::vector<Id>;
+  using Splits = SplitTriangle::Splits;
 
   const Splits* splitsBetween(Id a, Id b) const;
   Splits splitsAlong(const Triangle& triangle, std::size_t k);
-  void cut(const Triangle& corners, const std::array<Splits, 3>& splits,
-    std::vector<Triangle>& triangles) const;
-  std::size_t edgeToCut(const Triangle& corners, const std::array<Splits, 3>& splits) const;
   Vec3 position(Id point) const;
 
   const PolyDataSurface& surface_;

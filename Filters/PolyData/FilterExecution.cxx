@@ -77,7 +77,8 @@ void FilterExecution::readInputs(Pieces pieces)
 {
   this->enter(Stage::ReadingSurface);
   this->surfaceBlocks_ = polyDataBlocks(this->surfaceInput_, "the surface (input port 0)");
-  const BarrierArrays barriers(this->surfaceBlocks_, this->filter_->GetBarrierArrayName());
+  const BarrierArrays barriers(
+    this->surfaceBlocks_, this->filter_->GetBarrierArrayName(), this->exchange_);
   if (this->exchange_)
   {
     this->gatherInputs();
@@ -110,7 +111,6 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
   {
     vtkTypeInt64 points = 0;
     vtkTypeInt64 faces = 0;
-    vtkTypeInt64 hasBarriers = 0;
     bool isEmpty() const { return this->points == 0 && this->faces == 0; }
     bool operator==(const Piece& other) const
     {
@@ -123,7 +123,6 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
     own.points += block.data->GetNumberOfPoints();
     own.faces += block.data->GetNumberOfPolys() + block.data->GetNumberOfStrips();
   }
-  own.hasBarriers = barriers.isGiven() ? 1 : 0;
   const std::vector<Piece> all = valuesOfRanks(*this->exchange_, own);
   const auto isEmpty = [](const Piece& piece) { return piece.isEmpty(); };
   const auto emptyOnes = std::count_if(all.begin(), all.end(), isEmpty);
@@ -146,12 +145,6 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
     return;
   }
   this->place_ = SurfacePlace::InPieces;
-  if (std::any_of(all.begin(), all.end(), [](const Piece& p) { return p.hasBarriers != 0; }))
-  {
-    throw InputError("The surface (input port 0) is distributed over several ranks, where barriers "
-                     "cannot be used. Choose no barrier array (BarrierArrayName), or have the "
-                     "whole surface on one rank.");
-  }
 }
 
 bool FilterExecution::isSameOnAllRanks(const BarrierArrays& barriers) const
@@ -307,7 +300,7 @@ void FilterExecution::readSources()
     this->onRanks_.emplace(*this->surface().part());
     if (hasBoundary)
     {
-      this->onRanks_->addBoundary();
+      this->addBoundaryToPatch(hasCurve);
     }
   }
   if (hasCurve)
@@ -361,6 +354,8 @@ void FilterExecution::putCurvesOntoPatch(SourcePolylines& source, const SnapOpti
 {
   this->onRanks_->addCurves(source.polylines, snapping.coordinatePrecision,
     this->cache_.locatorOnRanks(), this->progressBetween(SurfaceRead, SourceLocated));
+  requireOutsideBarriers(this->surface(), this->surfaceBlocks_, *this->onRanks_, source.polylines,
+    snapping.coordinatePrecision);
   this->onRanks_->makePatch();
   this->onRanks_->locateOnPatch(source.polylines);
   if (this->onRanks_->addFaces(
@@ -376,30 +371,46 @@ void FilterExecution::putCurvesOntoPatch(SourcePolylines& source, const SnapOpti
       this->progressBetween(FarPointsSearched, InputsRead));
 }
 
-std::vector<SourceCurve> FilterExecution::numberedBoundary(const TriangleMesh& mesh)
+ProgressCallback FilterExecution::boundaryProgress(bool hasCurve)
 {
-  std::vector<SourceCurve> boundary =
-    this->onRanks_ ? this->onRanks_->boundary() : boundaryCurves(mesh);
-  for (SourceCurve& loop : boundary)
+  return this->progressBetween(hasCurve ? InputsRead : SurfaceRead, InputsRead);
+}
+
+/// Rims of barriers are no boundary: the loops are those of the whole surface, as if it had no
+/// barriers.
+void FilterExecution::addBoundaryToPatch(bool hasCurve)
+{
+  if (!this->surface().hasBarriers())
   {
-    loop.source = this->numberOfSources_++;
+    this->onRanks_->addBoundary();
+    return;
   }
-  return boundary;
+  std::vector<Id> numbers;
+  const std::unique_ptr<SurfacePart> whole =
+    this->surface().partWithBarriers(numbers, this->boundaryProgress(hasCurve));
+  this->onRanks_->addBoundaryOf(*whole, numbers);
+}
+
+/// The same, where the surface is not in pieces.
+std::vector<SourceCurve> FilterExecution::findBoundary(bool hasCurve)
+{
+  return boundaryCurves(this->surface().hasBarriers()
+      ? *this->surface().meshWithBarriers(this->boundaryProgress(hasCurve))
+      : this->surface().mesh());
 }
 
 void FilterExecution::addBoundary(bool hasCurve)
 {
-  // Rims of barriers are no boundary: loops are those of the whole surface, numbered as if it had
-  // no barriers.
-  const bool hasBarriers = this->surface().barriers() != nullptr;
-  std::vector<SourceCurve> boundary = this->numberedBoundary(hasBarriers
-      ? *this->surface().meshWithBarriers(
-          this->progressBetween(hasCurve ? InputsRead : SurfaceRead, InputsRead))
-      : this->surface().mesh());
-  const bool isClosed = boundary.empty();
-  if (hasBarriers)
+  std::vector<SourceCurve> boundary =
+    this->onRanks_ ? this->onRanks_->boundary() : this->findBoundary(hasCurve);
+  for (SourceCurve& loop : boundary)
   {
-    boundary = boundaryOutsideBarriers(boundary, this->surface().mesh());
+    loop.source = this->numberOfSources_++;
+  }
+  const bool isClosed = boundary.empty();
+  if (this->surface().hasBarriers())
+  {
+    boundary = boundaryOutsideBarriers(boundary, this->meshOfSources());
   }
   const std::string nothing = isClosed
     ? "The surface (input port 0) is closed: it has no boundary to measure from."

@@ -162,7 +162,9 @@ private:
   void readSources();
   void readCurves();
   void putCurvesOntoPatch(SourcePolylines& source, const SnapOptions& snapping);
-  std::vector<SourceCurve> numberedBoundary(const TriangleMesh& mesh);
+  ProgressCallback boundaryProgress(bool hasCurve);
+  void addBoundaryToPatch(bool hasCurve);
+  std::vector<SourceCurve> findBoundary(bool hasCurve);
   void addBoundary(bool hasCurve);
 
   vtkGeodesicAlgorithm* filter_;

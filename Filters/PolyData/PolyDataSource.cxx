@@ -186,6 +186,33 @@ std::string cellOfBarrier(
     surfaceBlocks[index].name;
 }
 
+/// \param cell the barrier, as cellOfBarrier() names it.
+SourceError liesInBarrier(const PolyDataSurface& surface, const LocatedPolyline& line,
+  std::size_t point, const std::string& cell)
+{
+  return SourceError('P' + nameOfPoint(line, point).substr(1) + ", at " +
+    textOf(surface.scale().toUser(line.points[point])) +
+    ", lies in a barrier (BarrierArrayName): it is closest to " + cell +
+    ", which no path may leave. Move it out of the barrier, or onto its rim.");
+}
+
+/// The name that the rank of a barrier has for its cell. All ranks call this together.
+std::string cellOfBarrierOnRanks(const PolyDataSurface& surface,
+  const std::vector<PolyDataBlock>& surfaceBlocks, const RankAddress& face)
+{
+  Exchange& exchange = surface.part()->exchange();
+  Message message;
+  if (face.rank == exchange.rank())
+  {
+    const std::string cell = cellOfBarrier(surface, surfaceBlocks, face.id);
+    put(message, cell.data(), cell.size());
+  }
+  const Message told = exchange.tellAll(message)[indexOf(face.rank)];
+  std::string cell(told.size(), ' ');
+  MessageReader(told).get(cell.data(), cell.size());
+  return cell + " on rank " + std::to_string(face.rank);
+}
+
 std::vector<char> usedPoints(const std::vector<Chain>& chains, std::size_t numberOfPoints)
 {
   std::vector<char> used(numberOfPoints, 0);
@@ -296,11 +323,32 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
         surface.barriers()->barrierAt(line.points[i], line.faces[i], coordinatePrecision);
       if (face != NoId)
       {
-        throw SourceError('P' + nameOfPoint(line, i).substr(1) + ", at " +
-          textOf(surface.scale().toUser(line.points[i])) +
-          ", lies in a barrier (BarrierArrayName): it is closest to " +
-          cellOfBarrier(surface, surfaceBlocks, face) +
-          ", which no path may leave. Move it out of the barrier, or onto its rim.");
+        throw liesInBarrier(surface, line, i, cellOfBarrier(surface, surfaceBlocks, face));
+      }
+    }
+  }
+}
+
+void requireOutsideBarriers(const PolyDataSurface& surface,
+  const std::vector<PolyDataBlock>& surfaceBlocks, const SourceOnRanks& onRanks,
+  const std::vector<LocatedPolyline>& polylines, double coordinatePrecision)
+{
+  if (!surface.barriersOnRanks())
+  {
+    return;
+  }
+  const std::vector<Vec3>& places = onRanks.places();
+  const std::vector<RankAddress> barriers =
+    surface.barriersOnRanks()->barriersAt(places, onRanks.facesAtPlaces(), coordinatePrecision);
+  for (const LocatedPolyline& line : polylines)
+  {
+    for (std::size_t i = 0; i < line.points.size(); ++i)
+    {
+      const auto place = std::lower_bound(places.begin(), places.end(), line.points[i]);
+      const RankAddress& face = barriers[static_cast<std::size_t>(place - places.begin())];
+      if (face.id != NoId)
+      {
+        throw liesInBarrier(surface, line, i, cellOfBarrierOnRanks(surface, surfaceBlocks, face));
       }
     }
   }

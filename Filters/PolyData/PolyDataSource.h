@@ -15,6 +15,7 @@ namespace geodesic
 {
 
 class PolyDataSurface;
+class SourceOnRanks;
 
 /// What was read of a source.
 struct SourcePolylines
@@ -43,6 +44,13 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
 void requireOutsideBarriers(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
   double coordinatePrecision);
+
+/// The same where the surface is in pieces. All ranks call this together, and all throw.
+///
+/// \param onRanks to which the polylines were added.
+void requireOutsideBarriers(const PolyDataSurface& surface,
+  const std::vector<PolyDataBlock>& surfaceBlocks, const SourceOnRanks& onRanks,
+  const std::vector<LocatedPolyline>& polylines, double coordinatePrecision);
 
 /// "point 3 of cell 2 of the source", "point 5 of the source" where it is a curve of its own.
 std::string nameOfPoint(const LocatedPolyline& line, std::size_t point);

@@ -39,7 +39,8 @@ PolyDataSurface::PolyDataSurface(std::unique_ptr<TriangleMesh> mesh,
   this->barriers_ = std::move(barriers);
 }
 
-PolyDataSurface::PolyDataSurface(std::unique_ptr<SurfacePart> part, BorrowedVertices borrowed,
+PolyDataSurface::PolyDataSurface(std::unique_ptr<SurfacePart> part,
+  std::unique_ptr<BarriersOnRanks> barriers, BorrowedVertices borrowed,
   std::vector<Id> vertexOfPoint, std::vector<SurfaceBlock> blocks, std::vector<TriangleRole> roles,
   const PowerOfTwoScale& scale, double diagonal, const Report& report)
   : PolyDataSurface(
@@ -47,6 +48,7 @@ PolyDataSurface::PolyDataSurface(std::unique_ptr<SurfacePart> part, BorrowedVert
 {
   this->part_ = std::move(part);
   this->borrowed_ = std::move(borrowed);
+  this->barriersOnRanks_ = std::move(barriers);
 }
 
 void PolyDataSurface::Report::add(const Report& other)
@@ -97,6 +99,66 @@ std::unique_ptr<TriangleMesh> PolyDataSurface::meshWithBarriers(
     }
   }
   return std::make_unique<TriangleMesh>(std::move(points), triangles, progress);
+}
+
+PieceVertices PolyDataSurface::pieceVertices() const
+{
+  PieceVertices vertices;
+  const TriangleMesh& mesh = this->part_->mesh();
+  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    vertices.numbers.push_back(this->part_->numberInWhole(vertex));
+    vertices.positions.push_back(mesh.point(vertex));
+  }
+  this->completeValues(NoId, vertices.numbers);
+  this->completeValues(Vec3{}, vertices.positions);
+  if (this->barriersOnRanks_)
+  {
+    const SurfacePart& barriers = this->barriersOnRanks_->part();
+    for (Id i = 0; i < barriers.numberOfOwnVertices(); ++i)
+    {
+      const Id vertex = this->barriersOnRanks_->vertices()[i];
+      if (vertices.numbers[vertex] == NoId)
+      {
+        vertices.numbers[vertex] =
+          this->part_->numberOfVerticesOfWhole() + barriers.numberInWhole(i);
+        vertices.positions[vertex] = barriers.mesh().point(i);
+      }
+    }
+  }
+  return vertices;
+}
+
+std::unique_ptr<SurfacePart> PolyDataSurface::partWithBarriers(
+  std::vector<Id>& numbers, const ProgressCallback& progress) const
+{
+  const PieceVertices all = this->pieceVertices();
+  std::vector<Id> own(all.numbers.size(), NoId);
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+  numbers.clear();
+  for (Id i = 0; i < this->numberOfTriangles(); ++i)
+  {
+    if (this->isCopy(i))
+    {
+      continue;
+    }
+    Triangle triangle = this->verticesOf(this->triangle(i));
+    for (Id& vertex : triangle)
+    {
+      if (own[vertex] == NoId)
+      {
+        own[vertex] = static_cast<Id>(points.size());
+        points.push_back(all.positions[vertex]);
+        numbers.push_back(all.numbers[vertex]);
+      }
+      vertex = own[vertex];
+    }
+    triangles.push_back(triangle);
+  }
+  const std::vector<std::uint64_t> keys(numbers.begin(), numbers.end());
+  return std::make_unique<SurfacePart>(
+    std::move(points), std::move(triangles), keys, this->part_->exchange(), progress);
 }
 
 void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)

@@ -2,6 +2,7 @@
 #ifndef geodesic_PolyDataSurface_h
 #define geodesic_PolyDataSurface_h
 
+#include "PolyData/BarriersOnRanks.h"
 #include "PolyData/BorrowedVertices.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PowerOfTwoScale.h"
@@ -56,6 +57,16 @@ enum class TriangleRole : std::uint8_t
   Copy
 };
 
+/// What vertices of a piece are in the whole surface, those of barriers too.
+struct PieceVertices
+{
+  /// The same on all ranks for one vertex, and for no other. Of vertices of the mesh it is the
+  /// part's number in the whole, of those that only barriers have it is larger; NoId where there is
+  /// no face.
+  std::vector<Id> numbers;
+  std::vector<Vec3> positions;
+};
+
 /// A surface of one or more vtkPolyData as the engine takes it, and the way back to their points
 /// and cells. Points and triangles are numbered through all blocks. Made by readSurface().
 ///
@@ -101,13 +112,15 @@ public:
     std::vector<Id> vertexOfPoint, std::vector<SurfaceBlock> blocks,
     std::vector<TriangleRole> roles, const PowerOfTwoScale& scale, double diagonal,
     const Report& report);
-  /// A piece of a surface that several ranks have together, without barriers.
+  /// A piece of a surface that several ranks have together.
   ///
   /// \param part its input triangles are the open triangles of all blocks.
+  /// \param barriers whose part's input triangles are those that are barriers; null where no rank
+  ///        has any.
   /// \param borrowed the vertices that are not the part's own: their numbers follow those of the
   ///        part's mesh.
-  PolyDataSurface(std::unique_ptr<SurfacePart> part, BorrowedVertices borrowed,
-    std::vector<Id> vertexOfPoint, std::vector<SurfaceBlock> blocks,
+  PolyDataSurface(std::unique_ptr<SurfacePart> part, std::unique_ptr<BarriersOnRanks> barriers,
+    BorrowedVertices borrowed, std::vector<Id> vertexOfPoint, std::vector<SurfaceBlock> blocks,
     std::vector<TriangleRole> roles, const PowerOfTwoScale& scale, double diagonal,
     const Report& report);
 
@@ -128,12 +141,23 @@ public:
       this->borrowed_->append(none, values, this->part_->exchange());
     }
   }
-  /// The others; null where there are none.
+  /// Of a piece. All ranks call this together.
+  PieceVertices pieceVertices() const;
+  /// Whether there are others: barriers, of a piece on any rank.
+  bool hasBarriers() const { return this->barriers_ || this->barriersOnRanks_; }
+  /// These; null where there are none, and for a piece.
   BarrierFaces* barriers() const { return this->barriers_.get(); }
-  /// Makes a mesh of all faces, barriers or not, on the same vertices.
+  /// Those of a surface in pieces; null where there are none.
+  BarriersOnRanks* barriersOnRanks() const { return this->barriersOnRanks_.get(); }
+  /// Makes a mesh of all faces, barriers or not, on the same vertices; not of a piece.
   ///
   /// \param progress called now and then; returning false throws Aborted.
   std::unique_ptr<TriangleMesh> meshWithBarriers(const ProgressCallback& progress) const;
+  /// The same of a piece. All ranks call this together.
+  ///
+  /// \param numbers filled with one for each vertex of the result's own: PieceVertices::numbers.
+  std::unique_ptr<SurfacePart> partWithBarriers(
+    std::vector<Id>& numbers, const ProgressCallback& progress) const;
   /// Of all ranks together.
   const Report& report() const { return this->report_; }
   /// What the mesh, and all that is computed on it, is larger by than the input.
@@ -179,10 +203,12 @@ public:
   }
   /// The triangles that are barriers.
   const std::vector<Id>& barrierTriangles() const { return this->barrierTriangles_; }
-  /// The triangle that a face of the barriers' mesh came from.
+  /// The triangle that a face of the barriers' mesh came from; of a piece one that this rank owns.
   Id triangleOfBarrier(Id face) const
   {
-    return this->barrierTriangles_[this->barriers_->mesh().inputFace(face)];
+    return this
+      ->barrierTriangles_[this->barriersOnRanks_ ? this->barriersOnRanks_->triangleOf(face)
+                                                 : this->barriers_->mesh().inputFace(face)];
   }
   /// The input's points at the corners of a face of the mesh.
   Triangle cornerPoints(Id face) const { return this->triangle(this->triangleOf(face)); }
@@ -201,6 +227,7 @@ private:
   std::unique_ptr<SurfacePart> part_;
   std::optional<BorrowedVertices> borrowed_;
   std::unique_ptr<BarrierFaces> barriers_;
+  std::unique_ptr<BarriersOnRanks> barriersOnRanks_;
   std::vector<Id> vertexOfPoint_;
   std::vector<SurfaceBlock> blocks_;
   std::vector<TriangleRole> roles_;

@@ -126,6 +126,9 @@ Targets readTargetsOfPiece(const std::vector<PolyDataBlock>& blocks, const std::
   const std::vector<std::vector<LocatorOnRanks::Found>> found =
     locator.locate(places, precision, progress);
   const SurfacePart& part = *surface.part();
+  const std::vector<RankAddress> barriers = surface.barriersOnRanks()
+    ? surface.barriersOnRanks()->barriersAt(places, found, precision)
+    : std::vector<RankAddress>(places.size(), RankAddress{ -1, NoId });
   Targets targets;
   targets.count = points.size();
   // A target's face is the one that snapped() takes: vertices come first, then edges. The rank that
@@ -155,7 +158,7 @@ Targets readTargetsOfPiece(const std::vector<PolyDataBlock>& blocks, const std::
   part.exchange().findLeast(best);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (ranked[i] == best[i] && best[i] < Infinity)
+    if (ranked[i] == best[i] && best[i] < Infinity && barriers[i].id == NoId)
     {
       targets.numbers.push_back(i);
       targets.places.push_back(own[i].place);

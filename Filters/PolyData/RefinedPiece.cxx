@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/RefinedPiece.h"
 
+#include "PolyData/FacesOfWhole.h"
+#include "PolyData/SplitTriangle.h"
 #include "refinement/RefinedFaces.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <array>
+#include <functional>
+#include <map>
 #include <utility>
 
 namespace geodesic
@@ -12,19 +16,6 @@ namespace geodesic
 
 namespace
 {
-
-/// A face of the whole, and its corners' vertices by their numbers in the whole.
-struct FaceOfWhole
-{
-  RankAddress address{ -1, NoId };
-  Triangle vertices{ NoId, NoId, NoId };
-};
-
-Triangle sorted(Triangle t)
-{
-  std::sort(t.begin(), t.end());
-  return t;
-}
 
 /// Calls visit(triangle, face) for each triangle of a piece that is open, with its face or the copy
 /// of the face that stands for it.
@@ -72,151 +63,61 @@ std::vector<Id> facesOfTriangles(const PolyDataSurface& surface)
   return faces;
 }
 
-/// A triangle of a piece that is no face that the piece owns, and what it has to look like.
-struct OtherTriangle
+/// How a face of the whole is refined.
+struct FaceLike
 {
-  Id triangle = NoId;
-  /// By their numbers in the whole.
-  Triangle vertices{};
   FaceOfWhole face;
   RefinedFace parts;
 };
 
-/// Finds the faces, of any rank, on the vertices of triangles of a piece.
-class FacesOfWhole
+/// A triangle of a piece that is no face that the piece owns, and what it has to look like.
+struct OtherTriangle
 {
-public:
-  /// All ranks call together, as for find().
-  explicit FacesOfWhole(const PolyDataSurface& surface)
-    : surface_(surface)
-    , part_(*surface.part())
-  {
-    const TriangleMesh& mesh = surface.mesh();
-    for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
-    {
-      this->numbers_.push_back(this->part_.numberInWhole(vertex));
-      this->holders_.push_back({ this->part_.exchange().rank(), vertex });
-    }
-    for (Id vertex = this->part_.numberOfOwnVertices(); vertex < mesh.numberOfVertices(); ++vertex)
-    {
-      this->haloVertices_.emplace(this->numbers_[vertex], vertex);
-    }
-    surface.completeValues(NoId, this->numbers_);
-    surface.completeValues(RankAddress{ -1, NoId }, this->holders_);
-  }
+  Id triangle = NoId;
+  /// By PieceVertices::numbers, and where they lie.
+  Triangle vertices{};
+  std::array<Vec3, 3> positions{};
+  FaceLike like;
+  /// Of a barrier, on whose vertices no face is, the faces at its edges, and which of their points
+  /// split the edge, from corner k on.
+  std::vector<FaceLike> atEdges;
+  std::array<std::vector<Id>, 3> splits;
 
-  /// Sets their vertices, and the faces on these where there are any.
-  void find(std::vector<OtherTriangle>& others) const
+  bool isBarrier() const { return !this->atEdges.empty(); }
+  std::size_t numberOfParts() const
   {
-    std::vector<Message> questions = this->part_.exchange().noMessages();
-    std::vector<std::vector<OtherTriangle*>> asked(questions.size());
-    for (OtherTriangle& other : others)
-    {
-      const Triangle here = this->surface_.verticesOf(this->surface_.triangle(other.triangle));
-      other.vertices = this->numbersOf(here);
-      other.face = this->findHere(here);
-      const RankAddress holder = this->otherHolder(here);
-      if (other.face.address.id == NoId && holder.id != NoId)
-      {
-        const auto rank = indexOf(holder.rank);
-        put(questions[rank], holder.id);
-        put(questions[rank], sorted(other.vertices));
-        asked[rank].push_back(&other);
-      }
-    }
-    std::vector<std::size_t> next(asked.size(), 0);
-    readEach(this->part_.exchange().step(this->answer(std::move(questions))),
-      [&](int rank, MessageReader& reader)
-      {
-        const auto from = indexOf(rank);
-        asked[from][next[from]++]->face = reader.get<FaceOfWhole>();
-      });
+    return this->isBarrier()
+      ? 1 + this->splits[0].size() + this->splits[1].size() + this->splits[2].size()
+      : this->like.parts.triangles.size();
   }
-
-private:
-  Triangle numbersOf(const Triangle& vertices) const
-  {
-    return { this->numbers_[vertices[0]], this->numbers_[vertices[1]],
-      this->numbers_[vertices[2]] };
-  }
-
-  FaceOfWhole faceOfWhole(Id face) const
-  {
-    return { this->part_.addressOf(face), this->numbersOf(this->part_.mesh().triangle(face)) };
-  }
-
-  /// A face of the part's mesh, owned or not.
-  FaceOfWhole findHere(const Triangle& vertices) const
-  {
-    const Triangle wanted = sorted(this->numbersOf(vertices));
-    for (const Id vertex : vertices)
-    {
-      const auto halo = this->haloVertices_.find(this->numbers_[vertex]);
-      if (vertex < this->part_.mesh().numberOfVertices())
-      {
-        return this->findAround(vertex, wanted); // the part has all faces around
-      }
-      if (halo != this->haloVertices_.end())
-      {
-        const FaceOfWhole found = this->findAround(halo->second, wanted);
-        if (found.address.id != NoId)
-        {
-          return found;
-        }
-      }
-    }
-    return {};
-  }
-
-  FaceOfWhole findAround(Id vertex, const Triangle& wanted) const
-  {
-    for (const Id corner : this->part_.mesh().cornersAt(vertex))
-    {
-      const FaceOfWhole face = this->faceOfWhole(TriangleMesh::faceOf(corner));
-      if (sorted(face.vertices) == wanted)
-      {
-        return face;
-      }
-    }
-    return {};
-  }
-
-  /// A rank that owns faces at one of the triangle's vertices, where that is another one, and the
-  /// vertex's number there: it has all faces around it.
-  RankAddress otherHolder(const Triangle& vertices) const
-  {
-    for (const Id vertex : vertices)
-    {
-      if (this->holders_[vertex].rank >= 0 &&
-        this->holders_[vertex].rank != this->part_.exchange().rank())
-      {
-        return this->holders_[vertex];
-      }
-    }
-    return { -1, NoId };
-  }
-
-  std::vector<Message> answer(std::vector<Message> questions) const
-  {
-    std::vector<Message> answers = this->part_.exchange().noMessages();
-    readEach(this->part_.exchange().step(std::move(questions)),
-      [&](int rank, MessageReader& reader)
-      {
-        const Id vertex = reader.get<Id>();
-        put(answers[indexOf(rank)], this->findAround(vertex, reader.get<Triangle>()));
-      });
-    return answers;
-  }
-
-  const PolyDataSurface& surface_;
-  const SurfacePart& part_;
-  /// Of each vertex that vertexOf() names: its number in the whole, and who owns faces there.
-  std::vector<Id> numbers_;
-  std::vector<RankAddress> holders_;
-  std::unordered_map<Id, Id> haloVertices_;
 };
 
-/// Gives a triangle the parts of a face on its vertices.
+/// The points that split an edge of a face, from one end to the other, by their numbers in the
+/// face.
+std::vector<Id> splitsBetween(const RefinedFace& parts, Id from, Id to)
+{
+  std::map<std::pair<Id, Id>, Id> middles;
+  for (std::size_t i = 0; i < parts.points.size(); ++i)
+  {
+    const std::array<Id, 2>& ends = parts.points[i].parents;
+    middles[std::minmax(ends[0], ends[1])] = static_cast<Id>(3 + i);
+  }
+  std::vector<Id> splits;
+  const std::function<void(Id, Id)> add = [&](Id a, Id b)
+  {
+    const auto middle = middles.find(std::minmax(a, b));
+    if (middle != middles.end())
+    {
+      add(a, middle->second);
+      splits.push_back(middle->second);
+      add(middle->second, b);
+    }
+  };
+  add(from, to);
+  return splits;
+}
+
+/// Gives triangles the parts of faces on their vertices, or cuts them as faces at their edges are.
 class PartsOfFace
 {
 public:
@@ -231,28 +132,12 @@ public:
   void add(const OtherTriangle& other, const Triangle& points, std::vector<Triangle>& triangles)
   {
     const Triangle& vertices = other.vertices;
-    const FaceOfWhole& face = other.face;
-    const RefinedFace& parts = other.parts;
-    std::vector<Id> numbers;
-    for (const Id vertex : face.vertices)
-    {
-      const auto k = std::find(vertices.begin(), vertices.end(), vertex) - vertices.begin();
-      numbers.push_back(points[static_cast<std::size_t>(k)]);
-    }
-    for (std::size_t i = 0; i < parts.points.size(); ++i)
-    {
-      RefinedPoint point = parts.points[i];
-      point.parents = { numbers[point.parents[0]], numbers[point.parents[1]] };
-      numbers.push_back(this->numbering_.numberOf(point));
-      if (this->ownPoints_ + this->added_.size() < this->refined_.points.size())
-      {
-        this->added_.push_back({ face.address.rank, parts.numbersThere[i] });
-      }
-    }
+    const FaceOfWhole& face = other.like.face;
+    const std::vector<Id> numbers = this->pointsLike(other.like, vertices, points);
     const auto first = std::find(vertices.begin(), vertices.end(), face.vertices[0]);
     const std::size_t next = (static_cast<std::size_t>(first - vertices.begin()) + 1) % 3;
     const bool isTurned = vertices[next] != face.vertices[1];
-    for (const Triangle& t : parts.triangles)
+    for (const Triangle& t : other.like.parts.triangles)
     {
       Triangle part = { numbers[t[0]], numbers[t[1]], numbers[t[2]] };
       if (isTurned)
@@ -263,9 +148,63 @@ public:
     }
   }
 
+  /// The same for a barrier.
+  void addBarrier(
+    const OtherTriangle& other, const Triangle& points, std::vector<Triangle>& triangles)
+  {
+    SplitTriangle cut{ points, {},
+      [&](Id point)
+      {
+        const auto corner = std::find(points.begin(), points.end(), point) - points.begin();
+        return corner < 3
+          ? other.positions[static_cast<std::size_t>(corner)]
+          : this->refined_.points[point - this->refined_.numberOfInputPoints].position;
+      } };
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (!other.splits[k].empty())
+      {
+        const std::vector<Id> numbers = this->pointsLike(other.atEdges[k], other.vertices, points);
+        for (const Id point : other.splits[k])
+        {
+          cut.splits[k].push_back(numbers[point]);
+        }
+      }
+    }
+    cut.cut(triangles);
+  }
+
   std::vector<RankAddress> takeAdded() { return std::move(this->added_); }
 
 private:
+  /// For each point of a face a triangle's own point in its place. NoId for those that are not
+  /// between corners that the triangle has, too.
+  std::vector<Id> pointsLike(const FaceLike& like, const Triangle& vertices, const Triangle& points)
+  {
+    std::vector<Id> numbers;
+    for (const Id vertex : like.face.vertices)
+    {
+      const auto k = std::find(vertices.begin(), vertices.end(), vertex) - vertices.begin();
+      numbers.push_back(k < 3 ? points[static_cast<std::size_t>(k)] : NoId);
+    }
+    for (std::size_t i = 0; i < like.parts.points.size(); ++i)
+    {
+      RefinedPoint point = like.parts.points[i];
+      point.parents = { numbers[point.parents[0]], numbers[point.parents[1]] };
+      if (point.parents[0] == NoId || point.parents[1] == NoId)
+      {
+        numbers.push_back(NoId);
+        continue;
+      }
+      numbers.push_back(this->numbering_.numberOf(point));
+      if (this->ownPoints_ + this->added_.size() < this->refined_.points.size())
+      {
+        this->added_.push_back({ like.face.address.rank, like.parts.numbersThere[i] });
+      }
+    }
+    return numbers;
+  }
+
   RefinedMesh& refined_;
   SplitPointNumbering numbering_;
   std::size_t ownPoints_;
@@ -287,6 +226,55 @@ std::vector<std::size_t> firstParts(const std::vector<Id>& faces, Id numberOfFac
   return first;
 }
 
+/// Finds the faces on the vertices of triangles, and where there are none those at their edges.
+///
+/// \returns the faces that were found.
+std::vector<FaceLike*> findFaces(const PolyDataSurface& surface, std::vector<OtherTriangle>& others)
+{
+  const FacesOfWhole faces(surface);
+  std::vector<Triangle> wanted;
+  for (OtherTriangle& other : others)
+  {
+    wanted.push_back(surface.verticesOf(surface.triangle(other.triangle)));
+    other.vertices = faces.numbersOf(wanted.back());
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      other.positions[k] = faces.position(wanted.back()[k]);
+    }
+  }
+  const std::vector<FaceOfWhole> onVertices = faces.find(wanted);
+  std::vector<Triangle> edges;
+  std::vector<FaceLike*> asked;
+  for (std::size_t i = 0; i < others.size(); ++i)
+  {
+    const Triangle& t = wanted[i];
+    others[i].like.face = onVertices[i];
+    asked.push_back(&others[i].like);
+    if (!onVertices[i].isThere() && t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+    {
+      others[i].atEdges.resize(3);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        edges.push_back(FacesOfWhole::edge(t[k], t[(k + 1) % 3]));
+      }
+    }
+  }
+  const std::vector<FaceOfWhole> atEdges = faces.find(edges);
+  auto next = atEdges.begin();
+  for (OtherTriangle& other : others)
+  {
+    for (FaceLike& like : other.atEdges)
+    {
+      like.face = *next++;
+      asked.push_back(&like);
+    }
+  }
+  asked.erase(std::remove_if(asked.begin(), asked.end(),
+                [](const FaceLike* like) { return !like->face.isThere(); }),
+    asked.end());
+  return asked;
+}
+
 /// All ranks call this together.
 std::vector<OtherTriangle> findOtherTriangles(const PolyDataSurface& surface,
   const std::vector<Id>& faceOfTriangle, const std::vector<Triangle>& cornerPoints,
@@ -304,23 +292,29 @@ std::vector<OtherTriangle> findOtherTriangles(const PolyDataSurface& surface,
   {
     return others;
   }
-  const FacesOfWhole faces(surface);
-  faces.find(others);
+  const std::vector<FaceLike*> found = findFaces(surface, others);
   std::vector<RankAddress> asked;
-  std::vector<std::size_t> askedFor;
-  for (std::size_t i = 0; i < others.size(); ++i)
+  for (const FaceLike* like : found)
   {
-    if (others[i].face.address.id != NoId)
-    {
-      asked.push_back(others[i].face.address);
-      askedFor.push_back(i);
-    }
+    asked.push_back(like->face.address);
   }
   std::vector<RefinedFace> answers =
     findRefinedFaces(asked, *surface.part(), refined, cornerPoints);
   for (std::size_t i = 0; i < answers.size(); ++i)
   {
-    others[askedFor[i]].parts = std::move(answers[i]);
+    found[i]->parts = std::move(answers[i]);
+  }
+  for (OtherTriangle& other : others)
+  {
+    for (std::size_t k = 0; k < other.atEdges.size(); ++k)
+    {
+      const FaceLike& like = other.atEdges[k];
+      if (like.face.isThere())
+      {
+        other.splits[k] = splitsBetween(like.parts, like.face.cornerAt(other.vertices[k]),
+          like.face.cornerAt(other.vertices[(k + 1) % 3]));
+      }
+    }
   }
   return others;
 }
@@ -332,7 +326,7 @@ bool areTooMany(const PolyDataSurface& surface, const std::vector<OtherTriangle>
   std::uint64_t total = refined.triangles.size();
   for (const OtherTriangle& other : others)
   {
-    total += surface.isCopy(other.triangle) ? 0 : other.parts.triangles.size();
+    total += surface.isCopy(other.triangle) ? 0 : other.numberOfParts();
   }
   return sumOverRanks(surface.part()->exchange(), total).all > maximumFaces && maximumFaces > 0;
 }
@@ -380,7 +374,12 @@ std::vector<RankAddress> addOtherTrianglesOfPiece(const PolyDataSurface& surface
     }
     else
     {
-      if (other->parts.triangles.empty() || (stayWhole && !surface.isCopy(i)))
+      const bool staysWhole = other->numberOfParts() == 0 || (stayWhole && !surface.isCopy(i));
+      if (other->isBarrier())
+      {
+        parts.addBarrier(*other, surface.triangle(i), triangles);
+      }
+      else if (staysWhole)
       {
         triangles.push_back(surface.triangle(i));
       }

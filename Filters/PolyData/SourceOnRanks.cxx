@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 namespace geodesic
 {
@@ -157,13 +158,17 @@ void SourceOnRanks::addCurves(const std::vector<LocatedPolyline>& polylines,
 /// all faces there belong to the patch.
 void SourceOnRanks::addFacesAround(Id face)
 {
-  const TriangleMesh& mesh = this->part_.mesh();
-  for (const Id vertex : mesh.triangle(face))
+  for (const Id vertex : this->part_.mesh().triangle(face))
   {
-    for (const Id corner : mesh.cornersAt(vertex))
-    {
-      this->isChosen_[TriangleMesh::faceOf(corner)] = 1;
-    }
+    this->addFacesAtVertex(vertex);
+  }
+}
+
+void SourceOnRanks::addFacesAtVertex(Id vertex)
+{
+  for (const Id corner : this->part_.mesh().cornersAt(vertex))
+  {
+    this->isChosen_[TriangleMesh::faceOf(corner)] = 1;
   }
 }
 
@@ -178,6 +183,51 @@ void SourceOnRanks::addBoundary()
     if (mesh.isBoundary(halfedge) && isKnown)
     {
       this->addFacesAround(TriangleMesh::faceOf(halfedge));
+    }
+  }
+}
+
+void SourceOnRanks::addBoundaryOf(const SurfacePart& whole, const std::vector<Id>& numbers)
+{
+  SourceOnRanks onWhole(whole);
+  onWhole.addBoundary();
+  onWhole.makePatch();
+  const SurfacePatch& patch = onWhole.patch();
+  struct Told
+  {
+    Id vertex;
+    Id number;
+  };
+  Message message;
+  for (Id vertex = 0; vertex < patch.mesh().numberOfVertices(); ++vertex)
+  {
+    if (patch.vertexOfPart(vertex) != NoId)
+    {
+      put(message, Told{ vertex, numbers[patch.vertexOfPart(vertex)] });
+    }
+  }
+  std::vector<Id> numberOf(patch.mesh().numberOfVertices(), NoId);
+  readEach(whole.exchange().tellAll(message),
+    [&](int, MessageReader& reader)
+    {
+      const Told told = reader.get<Told>();
+      numberOf[told.vertex] = told.number;
+    });
+  this->otherBoundary_ = onWhole.boundary();
+  std::unordered_set<Id> onBoundary;
+  for (SourceCurve& curve : *this->otherBoundary_)
+  {
+    for (SurfacePoint& point : curve.points)
+    {
+      point.id = numberOf[point.id];
+      onBoundary.insert(point.id);
+    }
+  }
+  for (Id vertex = 0; vertex < this->part_.numberOfOwnVertices(); ++vertex)
+  {
+    if (onBoundary.count(this->part_.numberInWhole(vertex)) > 0)
+    {
+      this->addFacesAtVertex(vertex);
     }
   }
 }
@@ -223,6 +273,26 @@ void SourceOnRanks::locateOnPatch(std::vector<LocatedPolyline>& polylines) const
 }
 
 std::vector<SourceCurve> SourceOnRanks::boundary() const
+{
+  return this->otherBoundary_ ? this->boundaryOfOther() : this->boundaryOfPatch();
+}
+
+std::vector<SourceCurve> SourceOnRanks::boundaryOfOther() const
+{
+  std::vector<SourceCurve> curves = *this->otherBoundary_;
+  const Id ofPart = this->part_.numberOfVerticesOfWhole();
+  for (SourceCurve& curve : curves)
+  {
+    for (SurfacePoint& point : curve.points)
+    {
+      point.id = point.id < ofPart ? this->patch_->vertexAt(point.id)
+                                   : point.id - ofPart + this->patch_->mesh().numberOfVertices();
+    }
+  }
+  return curves;
+}
+
+std::vector<SourceCurve> SourceOnRanks::boundaryOfPatch() const
 {
   const TriangleMesh& mesh = this->patch_->mesh();
   std::vector<SourceCurve> curves = boundaryCurves(mesh);

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace geodesic
@@ -70,6 +71,12 @@ public:
     LocatorOnRanks& locator, const ProgressCallback& progress);
   /// Adds the whole boundary.
   void addBoundary();
+  /// Adds the boundary of a surface that has other faces than those of the part's surface, too.
+  ///
+  /// \param whole what this rank has of it.
+  /// \param numbers of the vertices of whole's own: what they are in the part's surface; other
+  ///        vertices have larger numbers than all of those.
+  void addBoundaryOf(const SurfacePart& whole, const std::vector<Id>& numbers);
   /// Adds faces that this rank owns.
   ///
   /// \returns whether any rank has added one.
@@ -80,11 +87,21 @@ public:
   const SurfacePatch& patch() const { return *this->patch_; }
   /// Sets the faces of the curves' points, as faces of the patch.
   void locateOnPatch(std::vector<LocatedPolyline>& polylines) const;
-  /// The curves of boundaryCurves() on the patch that are boundary of the whole.
+  /// The places of all curves' points in space, ascending, and the faces there.
+  const std::vector<Vec3>& places() const { return this->places_; }
+  const std::vector<std::vector<LocatorOnRanks::Found>>& facesAtPlaces() const
+  {
+    return this->faces_;
+  }
+  /// The curves of boundaryCurves() on the patch that are boundary of the whole. After
+  /// addBoundaryOf() those of that surface, for boundaryOutsideBarriers().
   std::vector<SourceCurve> boundary() const;
 
 private:
   void addFacesAround(Id face);
+  void addFacesAtVertex(Id vertex);
+  std::vector<SourceCurve> boundaryOfPatch() const;
+  std::vector<SourceCurve> boundaryOfOther() const;
 
   const SurfacePart& part_;
   /// One a face of the part: whether it is asked for.
@@ -93,6 +110,8 @@ private:
   std::vector<Vec3> places_;
   std::vector<std::vector<LocatorOnRanks::Found>> faces_;
   std::unique_ptr<SurfacePatch> patch_;
+  /// After addBoundaryOf(): its curves, whose points have their numbers in place of vertices.
+  std::optional<std::vector<SourceCurve>> otherBoundary_;
 };
 
 }

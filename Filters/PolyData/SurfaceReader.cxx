@@ -163,7 +163,8 @@ private:
   void reportMesh(const TriangleMesh& mesh, const BarrierFaces* barriers);
   PolyDataSurface makePiece(double diagonal);
   std::vector<Id> numberUsedVertices();
-  void reportPiece(const SurfacePart& part, const BorrowedVertices& borrowed);
+  void reportPiece(
+    const SurfacePart& part, const BorrowedVertices& borrowed, const BarriersOnRanks* barriers);
   ProgressCallback meshProgress() const;
 
   const std::vector<PolyDataBlock>& inputs_;
@@ -583,7 +584,7 @@ void SurfaceReader::findCopies()
 /// Finds the triangles that no path enters. One with two corners at a vertex has no inside: it is
 /// left to the mesh, which leaves it out.
 ///
-/// \throws MeshError where no other is left.
+/// \throws MeshError where no other is left, on any rank.
 void SurfaceReader::findBarriers()
 {
   if (!this->barriers_.isGiven())
@@ -606,7 +607,7 @@ void SurfaceReader::findBarriers()
   }
   const auto hasRole = [this](TriangleRole role)
   { return std::find(this->roles_.begin(), this->roles_.end(), role) != this->roles_.end(); };
-  if (!hasRole(TriangleRole::Open))
+  if (this->isTrueOnAll(!hasRole(TriangleRole::Open)))
   {
     throw MeshError("All faces of the surface (input port 0) are barriers: the cell array " +
       this->barriers_.name() +
@@ -751,6 +752,7 @@ std::vector<Id> SurfaceReader::numberUsedVertices()
 
 PolyDataSurface SurfaceReader::makePiece(double diagonal)
 {
+  BarrierTriangles barrierTriangles(this->takeBarriers(), this->vertices_, this->labels_);
   std::vector<Id> numbers = this->numberUsedVertices();
   BorrowedVertices borrowed(this->labels_, numbers, *this->exchange_);
   std::vector<std::uint64_t> keys;
@@ -770,12 +772,14 @@ PolyDataSurface SurfaceReader::makePiece(double diagonal)
     std::count_if(triangles.begin(), triangles.end(), hasInside)); // less what the part has
   auto part = std::make_unique<SurfacePart>(std::move(this->vertices_),
     std::move(this->triangles_.corners), keys, *this->exchange_, this->meshProgress());
-  this->reportPiece(*part, borrowed);
   Id next = part->mesh().numberOfVertices();
   for (Id& number : numbers)
   {
     number = number != NoId ? number : next++;
   }
+  std::unique_ptr<BarriersOnRanks> barriers =
+    BarriersOnRanks::make(std::move(barrierTriangles), numbers, *part, borrowed);
+  this->reportPiece(*part, borrowed, barriers.get());
   if (this->vertexOfPoint_.empty())
   {
     this->vertexOfPoint_ = std::move(numbers);
@@ -787,12 +791,14 @@ PolyDataSurface SurfaceReader::makePiece(double diagonal)
       vertex = numbers[vertex];
     }
   }
-  return { std::move(part), std::move(borrowed), std::move(this->vertexOfPoint_),
-    std::move(this->blocks_), std::move(this->roles_), this->scale_, diagonal, this->report_ };
+  return { std::move(part), std::move(barriers), std::move(borrowed),
+    std::move(this->vertexOfPoint_), std::move(this->blocks_), std::move(this->roles_),
+    this->scale_, diagonal, this->report_ };
 }
 
 /// Counts over all ranks.
-void SurfaceReader::reportPiece(const SurfacePart& part, const BorrowedVertices& borrowed)
+void SurfaceReader::reportPiece(
+  const SurfacePart& part, const BorrowedVertices& borrowed, const BarriersOnRanks* barriers)
 {
   const TriangleMesh& mesh = part.mesh();
   PolyDataSurface::Report& own = this->report_;
@@ -805,13 +811,14 @@ void SurfaceReader::reportPiece(const SurfacePart& part, const BorrowedVertices&
       own.edges += mesh.edgeOf(halfedge) == halfedge ? 1 : 0;
     }
   }
+  own.isolatedPoints = barriers ? -static_cast<vtkIdType>(barriers->countInnerVertices()) : 0;
   const std::vector<PolyDataSurface::Report> reports = valuesOfRanks(*this->exchange_, own);
   own = {};
   for (const PolyDataSurface::Report& report : reports)
   {
     own.add(report);
   }
-  own.isolatedPoints = borrowed.numberWithoutFace();
+  own.isolatedPoints += borrowed.numberWithoutFace(); // of the faces that are no barriers
 }
 
 }

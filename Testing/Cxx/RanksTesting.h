@@ -61,8 +61,8 @@ inline Cut AtRandom(int count)
   };
 }
 
-/// Some faces of a surface with the points that they use, which have global ids if that is asked
-/// for.
+/// Some faces of a surface with their arrays and the points that they use, which have global ids if
+/// that is asked for.
 inline vtkSmartPointer<vtkPolyData> Part(
   vtkPolyData* surface, const std::vector<vtkIdType>& faces, bool hasGlobalIds = false)
 {
@@ -91,6 +91,11 @@ inline vtkSmartPointer<vtkPolyData> Part(
   auto part = vtkSmartPointer<vtkPolyData>::New();
   part->SetPoints(points);
   part->SetPolys(polys);
+  part->GetCellData()->CopyAllocate(surface->GetCellData());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    part->GetCellData()->CopyData(surface->GetCellData(), faces[i], static_cast<vtkIdType>(i));
+  }
   if (hasGlobalIds)
   {
     part->GetPointData()->SetGlobalIds(globalIds);

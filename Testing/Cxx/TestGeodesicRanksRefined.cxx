@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Under MPI: the refined pieces of all ranks are one surface, bit for bit, and what is reported is
 // that of the whole.
+#include "BarrierTesting.h"
 #include "GeodesicTesting.h"
 #include "RanksTesting.h"
 
@@ -132,12 +133,19 @@ void CompareLengths(Check& check, const std::map<int, double>& actual,
   }
 }
 
+/// A surface may have barriers.
+void AskForBarriers(vtkGeodesicDistanceField* filter, vtkPolyData* surface)
+{
+  filter->SetBarrierArrayName(surface->GetCellData()->HasArray("barrier") ? "barrier" : nullptr);
+}
+
 /// Those of the surface in one process, which is not refined.
 std::map<int, double> LengthsOfWhole(vtkPolyData* surface)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetController(nullptr);
   filter->SetInputData(surface);
+  AskForBarriers(filter, surface);
   filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
   filter->RefineMeshOff();
   filter->Update();
@@ -150,6 +158,7 @@ void Compare(Check& check, vtkDataObject* piece, vtkPolyData* surface, double to
 {
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputDataObject(piece);
+  AskForBarriers(filter, surface);
   filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
   filter->SetRefinementTolerance(tolerance);
   if (relativeError > 0.0)
@@ -189,6 +198,7 @@ void CheckPiece(Check& check, vtkPolyData* piece)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputData(piece);
+  AskForBarriers(filter, piece);
   filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
   filter->Update();
   vtkPolyData* output = filter->GetOutput();
@@ -275,6 +285,7 @@ void TestDuplicates(Check& check, Ranks ranks, vtkPolyData* surface)
   }
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputData(Part(surface, faces));
+  AskForBarriers(filter, surface);
   filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
   filter->SetRefinementTolerance(3e-4);
   filter->Update();
@@ -297,6 +308,7 @@ void TestMaximum(Check& check, Ranks ranks, vtkPolyData* surface)
   const auto piece = Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank));
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputData(piece);
+  AskForBarriers(filter, surface);
   filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
   filter->SetRefinementTolerance(1e-6);
   const vtkIdType most = 3 * surface->GetNumberOfPolys();
@@ -317,6 +329,35 @@ void TestMaximum(Check& check, Ranks ranks, vtkPolyData* surface)
     "a surface with more faces than the maximum is not refined");
 }
 
+/// Barriers are cut where their rims are split, on whichever rank.
+void TestBarriers(Check& check, Ranks ranks)
+{
+  const auto surface = WithBarriers(NoisySquare(8), IsInWall);
+  const auto isBarrier = surface->GetCellData()->GetArray("barrier");
+  const std::vector<std::pair<std::string, Cut>> cuts = {
+    { "barriers in strips", Strips(surface, ranks.Count) },
+    { "barriers at random", AtRandom(ranks.Count) },
+    { "barriers on a rank of their own",
+      [&](vtkIdType face)
+      {
+        return isBarrier->GetTuple1(face) != 0.0 ? ranks.Count - 1
+                                                 : AtRandom(std::max(1, ranks.Count - 1))(face);
+      } },
+  };
+  for (const auto& [name, cut] : cuts)
+  {
+    const auto piece = Part(surface, FacesOf(surface, cut, ranks.Rank));
+    Compare(check, piece, surface, 3e-4, 0.0, name);
+    Compare(
+      check, PartWithGhosts(surface, cut, ranks.Rank), surface, 3e-4, 0.0, name + ", with ghosts");
+    CheckPiece(check, piece);
+  }
+  TestBlocks(check, ranks, surface);
+  TestFarGhosts(check, ranks, surface);
+  TestDuplicates(check, ranks, surface);
+  TestMaximum(check, ranks, surface);
+}
+
 }
 
 int TestGeodesicRanksRefined(int argc, char* argv[])
@@ -330,5 +371,6 @@ int TestGeodesicRanksRefined(int argc, char* argv[])
       TestFarGhosts(check, ranks, surface);
       TestDuplicates(check, ranks, surface);
       TestMaximum(check, ranks, surface);
+      TestBarriers(check, ranks);
     });
 }

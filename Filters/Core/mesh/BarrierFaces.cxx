@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/BarrierFaces.h"
 
-#include "mesh/SurfaceSnap.h"
-
 #include <algorithm>
 
 namespace geodesic
@@ -31,8 +29,6 @@ BarrierFaces::BarrierFaces(const TriangleMesh& mesh, const std::vector<Triangle>
 {
 }
 
-// A place on the rim is a place on an open face, too, so that an open face is as close there: what
-// is nearer to a barrier by more than the precision of its place lies inside.
 Id BarrierFaces::barrierAt(
   const Vec3& point, const std::vector<Id>& closest, double coordinatePrecision)
 {
@@ -47,8 +43,7 @@ Id BarrierFaces::barrierAt(
   }
   for (const Id face : this->faceLocator_.closest(point, coordinatePrecision))
   {
-    const SnappedPoint snapped = snapToFace(this->barriers_, face, point, coordinatePrecision);
-    if (snapped.distance + snapped.tolerance < toOpen)
+    if (isInBarrier(snapToFace(this->barriers_, face, point, coordinatePrecision), toOpen))
     {
       return face;
     }

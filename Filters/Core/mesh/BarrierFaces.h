@@ -3,12 +3,24 @@
 #define geodesic_BarrierFaces_h
 
 #include "mesh/FaceLocator.h"
+#include "mesh/SurfaceSnap.h"
 #include "mesh/TriangleMesh.h"
 
 #include <vector>
 
 namespace geodesic
 {
+
+/// Whether a point in space lies in a barrier rather than on a face that is none. A place on the
+/// rim is a place on such a face, too, which is as close there: what is nearer to a barrier by more
+/// than the precision of its place lies inside.
+///
+/// \param inBarrier the point, put onto the barrier.
+/// \param toOpen how far it is from the faces that are no barriers.
+inline bool isInBarrier(const SnappedPoint& inBarrier, double toOpen)
+{
+  return inBarrier.distance + inBarrier.tolerance < toOpen;
+}
 
 /// The faces of a surface that no path may enter. They are none of the faces of its mesh, which has
 /// holes in their place: so paths run along a barrier's rim, bend around it where vertices of the

@@ -111,7 +111,10 @@ public:
   {
     for (std::size_t i = 0; i < this->count_; ++i)
     {
-      const Id halfedge = mesh.halfedgeBetween(curve.points[i].id, curve.points[i + 1].id);
+      const Id from = curve.points[i].id;
+      const Id to = curve.points[i + 1].id;
+      const Id halfedge =
+        this->hasFaceAt(from) && this->hasFaceAt(to) ? mesh.halfedgeBetween(from, to) : NoId;
       this->faces_.push_back(halfedge == NoId ? NoId : TriangleMesh::faceOf(halfedge));
     }
   }
@@ -156,12 +159,17 @@ private:
     return piece;
   }
 
+  bool hasFaceAt(Id vertex) const
+  {
+    return vertex < this->mesh_.numberOfVertices() && this->mesh_.cornersAt(vertex).size() > 0;
+  }
+
   /// Whether a loop's first point, which it repeats.
   bool isLast(std::size_t point) const { return point == this->count_ && this->curve_.isClosed(); }
 
   void add(SourceCurve piece, std::vector<SourceCurve>& pieces) const
   {
-    if (this->mesh_.cornersAt(piece.points.front().id).size() > 0)
+    if (this->hasFaceAt(piece.points.front().id))
     {
       piece.isCut.assign(piece.points.size(), 0);
       pieces.push_back(std::move(piece));

@@ -21,7 +21,8 @@ std::vector<SourceCurve> boundaryCurves(const TriangleMesh& mesh);
 /// is.
 ///
 /// \param boundary curves of the whole surface, by boundaryCurves().
-/// \param mesh the faces that are no barriers, with the same vertices.
+/// \param mesh the faces that are no barriers, with the same vertices; it may be without those that
+///        none of its faces has, whose numbers are larger then than all of its own.
 std::vector<SourceCurve> boundaryOutsideBarriers(
   const std::vector<SourceCurve>& boundary, const TriangleMesh& mesh);
 

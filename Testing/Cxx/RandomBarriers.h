@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random surfaces with random barriers, their sources, and what the brute-force solver needs of
+// them.
+#ifndef RandomBarriers_h
+#define RandomBarriers_h
+
+#include "GeodesicTesting.h"
+
+#include "truth/BruteForce.h"
+#include "truth/RandomCurves.h"
+#include "truth/RandomMeshKinds.h"
+
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
+#include "vtkTriangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <set>
+
+namespace GeodesicTesting
+{
+
+/// A random mesh with random barriers, and what is left without them.
+struct RandomBarriers
+{
+  geodesictest::PlainMesh whole;
+  std::vector<bool> isBarrier;
+  geodesictest::PlainMesh open;
+};
+
+/// Single faces, patches around vertices, or nearly all.
+inline RandomBarriers MakeBarriers(const geodesictest::MeshKind& kind, geodesictest::Random& random)
+{
+  RandomBarriers made;
+  made.whole = kind.make(random.between(30, 200), random);
+  const std::size_t faces = made.whole.triangles.size();
+  made.isBarrier.assign(faces, false);
+  const double share = random.uniform(0.02, 0.5);
+  const bool arePatches = random.chance(0.5);
+  std::vector<bool> isMarked(made.whole.points.size(), false);
+  for (std::size_t i = 0; i < isMarked.size(); ++i)
+  {
+    isMarked[i] = random.chance(0.3 * share);
+  }
+  for (std::size_t f = 0; f < faces; ++f)
+  {
+    const geodesictest::Triangle& t = made.whole.triangles[f];
+    made.isBarrier[f] =
+      arePatches ? isMarked[t[0]] || isMarked[t[1]] || isMarked[t[2]] : random.chance(share);
+  }
+  made.isBarrier[random.below(faces)] = false;
+  made.open.points = made.whole.points;
+  for (std::size_t f = 0; f < faces; ++f)
+  {
+    if (!made.isBarrier[f])
+    {
+      made.open.triangles.push_back(made.whole.triangles[f]);
+    }
+  }
+  return made;
+}
+
+inline vtkSmartPointer<vtkPolyData> SurfaceOf(const RandomBarriers& made)
+{
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const geodesictest::Vec3& p : made.whole.points)
+  {
+    points->InsertNextPoint(p.data());
+  }
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIntArray> barriers;
+  barriers->SetName("barrier");
+  for (std::size_t f = 0; f < made.whole.triangles.size(); ++f)
+  {
+    const geodesictest::Triangle& t = made.whole.triangles[f];
+    polys->InsertNextCell({ t[0], t[1], t[2] });
+    barriers->InsertNextValue(made.isBarrier[f] ? -3 : 0);
+  }
+  surface->SetPoints(points);
+  surface->SetPolys(polys);
+  surface->GetCellData()->AddArray(barriers);
+  return surface;
+}
+
+inline Point PositionOf(const geodesictest::PlainMesh& mesh, const geodesictest::MeshPoint& point)
+{
+  return geodesictest::position(mesh, point);
+}
+
+/// Segments of faces that are no barriers, and points of these.
+inline geodesictest::Sources RandomSources(
+  const geodesictest::PlainMesh& open, geodesictest::Random& random)
+{
+  geodesictest::Sources sources;
+  const geodesictest::Index points = random.below(3);
+  for (geodesictest::Index i = 0; i < points; ++i)
+  {
+    sources.points.push_back(random.chance(0.5) ? geodesictest::randomVertexPoint(open, random)
+                                                : geodesictest::randomFacePoint(open, random));
+  }
+  const geodesictest::Index segments = random.between(points == 0 ? 1 : 0, 2);
+  for (geodesictest::Index i = 0; i < segments; ++i)
+  {
+    sources.segments.push_back({ random.below(open.triangles.size()),
+      geodesictest::randomWeights(random), geodesictest::randomWeights(random) });
+  }
+  return sources;
+}
+
+inline vtkSmartPointer<vtkPolyData> SourceOf(
+  const geodesictest::PlainMesh& open, const geodesictest::Sources& sources)
+{
+  auto source = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkCellArray> lines;
+  for (const geodesictest::MeshPoint& point : sources.points)
+  {
+    vertices->InsertNextCell({ points->InsertNextPoint(PositionOf(open, point).data()) });
+  }
+  for (const geodesictest::MeshSegment& segment : sources.segments)
+  {
+    const vtkIdType from =
+      points->InsertNextPoint(PositionOf(open, { segment.face, segment.from }).data());
+    const vtkIdType to =
+      points->InsertNextPoint(PositionOf(open, { segment.face, segment.to }).data());
+    lines->InsertNextCell({ from, to });
+  }
+  source->SetPoints(points);
+  source->SetVerts(vertices);
+  source->SetLines(lines);
+  return source;
+}
+
+/// What faces without barriers have of the boundary of the whole: edges, and single vertices.
+inline void AddBoundary(const RandomBarriers& made, geodesictest::Sources& sources)
+{
+  std::map<std::pair<geodesictest::Index, geodesictest::Index>,
+    std::pair<geodesictest::Index, geodesictest::Index>>
+    faceAt;
+  std::map<geodesictest::Index, geodesictest::Index> faceOfVertex;
+  for (geodesictest::Index f = 0; f < made.open.triangles.size(); ++f)
+  {
+    const geodesictest::Triangle& t = made.open.triangles[f];
+    for (geodesictest::Index k = 0; k < 3; ++k)
+    {
+      faceAt[std::minmax({ t[k], t[(k + 1) % 3] })] = { f, k };
+      faceOfVertex[t[k]] = f;
+    }
+  }
+  for (const auto& [a, b] : geodesictest::boundaryEdges(made.whole))
+  {
+    const auto at = faceAt.find(std::minmax({ a, b }));
+    if (at != faceAt.end())
+    {
+      geodesictest::MeshSegment edge{ at->second.first, { 0, 0, 0 }, { 0, 0, 0 } };
+      edge.from[at->second.second] = 1.0;
+      edge.to[(at->second.second + 1) % 3] = 1.0;
+      sources.segments.push_back(edge);
+    }
+    for (const geodesictest::Index vertex : { a, b })
+    {
+      if (faceOfVertex.count(vertex) > 0)
+      {
+        sources.points.push_back(geodesictest::vertexPoint(made.open, vertex));
+      }
+    }
+  }
+}
+
+/// Whether vertices are at one place, as where two fans coincide: which of them a source is put
+/// onto is open then.
+inline bool TouchesItself(const geodesictest::PlainMesh& mesh)
+{
+  const std::set<geodesictest::Vec3> places(mesh.points.begin(), mesh.points.end());
+  return places.size() < mesh.points.size();
+}
+
+/// Whether a point of the open faces lies in space on another face, too, which does not have it:
+/// which of them a source is put onto is open then.
+inline bool IsOnOtherFace(const geodesictest::PlainMesh& open, const geodesictest::MeshPoint& point)
+{
+  const geodesictest::Triangle& own = open.triangles[point.face];
+  const Point p = PositionOf(open, point);
+  const auto hasIt = [&](const geodesictest::Triangle& other)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (point.weights[k] != 0.0 && std::find(other.begin(), other.end(), own[k]) == other.end())
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  for (const geodesictest::Triangle& other : open.triangles)
+  {
+    vtkNew<vtkTriangle> face;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      face->GetPoints()->SetPoint(static_cast<vtkIdType>(k), open.points[other[k]].data());
+    }
+    Point closest;
+    Point coordinates;
+    Point weights;
+    int subId = 0;
+    double squared = 1.0;
+    const bool isKnown = face->EvaluatePosition(p.data(), closest.data(), subId, coordinates.data(),
+                           squared, weights.data()) >= 0;
+    const double scale = face->GetLength2() + p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+    if (!hasIt(other) && isKnown && squared < 1e-18 * scale)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A filter for a random surface with barriers and a random source.
+struct RandomCase
+{
+  std::string name;
+  RandomBarriers made;
+  geodesictest::Sources sources;
+  vtkNew<vtkGeodesicDistanceField> filter;
+  /// Of the largest distance.
+  double accuracy;
+
+  RandomCase(const geodesictest::MeshKind& kind, std::uint64_t seed)
+    : name(std::string(kind.name) + ", seed " + std::to_string(seed))
+    , accuracy(Contains(kind.name, "Needles") ? 5e-10 : 2e-12)
+  {
+    geodesictest::Random random(seed);
+    this->made = MakeBarriers(kind, random);
+    this->filter->SetSourceType(static_cast<int>(random.below(3)));
+    if (this->filter->GetSourceType() != vtkGeodesicDistanceField::SURFACE_BOUNDARY)
+    {
+      this->sources = RandomSources(this->made.open, random);
+      this->filter->SetSourceData(SourceOf(this->made.open, this->sources));
+    }
+    if (this->filter->GetSourceType() != vtkGeodesicDistanceField::SOURCE_CURVE)
+    {
+      AddBoundary(this->made, this->sources);
+    }
+    this->filter->MergeCoincidentPointsOff();
+    this->filter->SetBarrierArrayName("barrier");
+    this->filter->SetInputData(SurfaceOf(this->made));
+  }
+
+  /// Whether there is a source, and it is clear where it lies.
+  bool CanRun(Check& check)
+  {
+    Messages messages(this->filter);
+    if (TouchesItself(this->made.whole))
+    {
+      std::cout << this->name << " touches itself: left out\n";
+      return false;
+    }
+    messages.Update();
+    if (this->sources.points.empty() && this->sources.segments.empty())
+    {
+      check.That(Contains(messages.Error(), "boundary"), this->name + ": " + messages.Error());
+      return false;
+    }
+    check.That(messages.Error().empty(), this->name + ": " + messages.Error());
+    return messages.Error().empty();
+  }
+
+  /// Whether it depends on the order of the faces where a source lies.
+  bool IsSourceOpen() const
+  {
+    std::vector<geodesictest::MeshPoint> ends = this->sources.points;
+    for (const geodesictest::MeshSegment& segment : this->sources.segments)
+    {
+      ends.push_back({ segment.face, segment.from });
+      ends.push_back({ segment.face, segment.to });
+    }
+    return std::any_of(ends.begin(), ends.end(),
+      [this](const geodesictest::MeshPoint& end) { return IsOnOtherFace(this->made.open, end); });
+  }
+
+  double DistanceAt(std::size_t point) const
+  {
+    return Distances(this->filter)->GetTuple1(static_cast<vtkIdType>(point));
+  }
+};
+
+inline double LargestFinite(const std::vector<double>& values)
+{
+  double largest = 0.0;
+  for (const double value : values)
+  {
+    largest = std::isinf(value) ? largest : std::max(largest, value);
+  }
+  return largest;
+}
+
+inline double ErrorOf(double actual, double expected)
+{
+  return std::isinf(actual) && std::isinf(expected) ? 0.0 : std::abs(actual - expected);
+}
+
+}
+
+#endif
