@@ -199,9 +199,13 @@ inline bool IsOnOtherFace(const geodesictest::PlainMesh& open, const geodesictes
     }
     return true;
   };
+  vtkNew<vtkTriangle> face;
   for (const geodesictest::Triangle& other : open.triangles)
   {
-    vtkNew<vtkTriangle> face;
+    if (hasIt(other))
+    {
+      continue;
+    }
     for (std::size_t k = 0; k < 3; ++k)
     {
       face->GetPoints()->SetPoint(static_cast<vtkIdType>(k), open.points[other[k]].data());
@@ -214,7 +218,7 @@ inline bool IsOnOtherFace(const geodesictest::PlainMesh& open, const geodesictes
     const bool isKnown = face->EvaluatePosition(p.data(), closest.data(), subId, coordinates.data(),
                            squared, weights.data()) >= 0;
     const double scale = face->GetLength2() + p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
-    if (!hasIt(other) && isKnown && squared < 1e-18 * scale)
+    if (isKnown && squared < 1e-18 * scale)
     {
       return true;
     }

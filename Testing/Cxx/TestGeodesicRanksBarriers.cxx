@@ -103,7 +103,7 @@ void TestRandomMeshes(Check& check, Ranks ranks)
   double worst = 0.0;
   for (const geodesictest::MeshKind& kind : geodesictest::meshKinds())
   {
-    for (std::uint64_t seed = 0; seed < 6; ++seed)
+    for (std::uint64_t seed = 0; seed < 8; ++seed)
     {
       RandomCase alone(kind, seed);
       alone.filter->RefineMeshOff();

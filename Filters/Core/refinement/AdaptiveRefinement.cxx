@@ -339,7 +339,7 @@ bool Refiner::isRoomForAll() const
 
 Id Refiner::numberOfCallersPoints() const
 {
-  if (!this->options_.cornerPoints.empty())
+  if (!this->options_.cornerPoints.empty() || this->field_.mesh().numberOfFaces() == 0)
   {
     return this->options_.numberOfPoints;
   }

@@ -24,7 +24,7 @@ struct RefinementOptions
   /// the mesh's vertices: several points may be one vertex (a seam). The result is then in terms of
   /// these points. Empty: the mesh's vertices.
   std::vector<Triangle> cornerPoints;
-  /// How many points the caller has; ignored without cornerPoints.
+  /// How many points the caller has; ignored without cornerPoints, unless this rank has no face.
   Id numberOfPoints = 0;
   /// How many triangles that are none of the mesh's the caller will close against the splits of an
   /// edge, by the edge's name (TriangleMesh::edgeOf); edges without such have no entry. What these

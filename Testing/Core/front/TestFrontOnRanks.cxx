@@ -25,6 +25,37 @@ std::vector<double> inOnePiece(const RandomCase& c, const geodesic::FrontOptions
   return solve(mesh, engineCurves(mesh, c.curves), options).vertexDistances();
 }
 
+/// A random surface without the faces of its barriers: single ones, or all around some vertices.
+RandomCase caseWithBarriers(const MeshKind& kind, std::uint64_t seed)
+{
+  Random random(seed);
+  PlainMesh mesh = kind.make(random.between(30, 200), random);
+  const double share = random.uniform(0.02, 0.5);
+  std::vector<bool> isMarked(mesh.points.size(), false);
+  const bool areAroundVertices = random.chance(0.5);
+  for (std::size_t i = 0; i < isMarked.size(); ++i)
+  {
+    isMarked[i] = areAroundVertices && random.chance(0.3 * share);
+  }
+  std::vector<Triangle> open = { mesh.triangles.front() };
+  for (std::size_t f = 1; f < mesh.triangles.size(); ++f)
+  {
+    const Triangle& t = mesh.triangles[f];
+    const bool isBarrier =
+      areAroundVertices ? isMarked[t[0]] || isMarked[t[1]] || isMarked[t[2]] : random.chance(share);
+    if (!isBarrier)
+    {
+      open.push_back(t);
+    }
+  }
+  mesh.triangles = std::move(open);
+  RandomCase result;
+  result.mesh = std::move(mesh);
+  result.curves = CurveMaker(result.mesh, random).anySource();
+  result.truth = bruteForceDistances(result.mesh, toSources(result.curves), {});
+  return result;
+}
+
 std::size_t countDifferent(const std::vector<double>& a, const std::vector<double>& b)
 {
   std::size_t count = 0;
@@ -69,6 +100,31 @@ TEST_P(FrontOnRanks, FindsTheFieldOfTheWholeHoweverItIsCut)
   }
   std::cout << GetParam().name << ": worst difference from one piece " << worst << ", " << different
             << " of " << compared << " distances have other bits\n";
+}
+
+TEST_P(FrontOnRanks, FindsTheFieldBesideBarriersHoweverTheyAreCut)
+{
+  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  {
+    const RandomCase c = caseWithBarriers(GetParam(), seed);
+    const std::vector<double> whole = inOnePiece(c, {});
+    const double largest = largestFinite(c.truth.vertices);
+    Random random(seed);
+    for (const int ranks : { 1, 2, 3, 4, 7 })
+    {
+      for (const bool inSpace : { false, true })
+      {
+        const CutMesh cut =
+          inSpace ? cutInSpace(c.mesh, ranks, random) : cutAtRandom(c.mesh, ranks, random);
+        const RanksResult result = distancesOnRanks(cut, c.curves, {});
+        const std::string what = "seed " + std::to_string(seed) + ", " + std::to_string(ranks) +
+          (inSpace ? " ranks in space" : " ranks at random");
+        EXPECT_LE(worstError(result.vertices, c.truth.vertices, largest), accuracyOn(GetParam()))
+          << what;
+        EXPECT_LE(worstError(result.vertices, whole, largest), 1e-12) << what;
+      }
+    }
+  }
 }
 
 TEST_P(FrontOnRanks, DoesNotDependOnWhichRankComesFirst)

@@ -128,6 +128,74 @@ TEST(BoundaryOutsideBarriers, OnRandomMeshesItIsWhatOpenFacesHaveOfTheBoundary)
   }
 }
 
+/// The mesh with other numbers for its vertices: those first that the faces without barriers have.
+PlainMesh renumbered(const PlainMesh& mesh, const PlainMesh& open)
+{
+  std::vector<Index> numbers(mesh.points.size(), mesh.points.size());
+  Index next = 0;
+  for (const std::vector<geodesictest::Triangle>* triangles : { &open.triangles, &mesh.triangles })
+  {
+    for (const geodesictest::Triangle& t : *triangles)
+    {
+      for (const Index vertex : t)
+      {
+        numbers[vertex] = numbers[vertex] == mesh.points.size() ? next++ : numbers[vertex];
+      }
+    }
+  }
+  PlainMesh result{ std::vector<geodesictest::Vec3>(next), mesh.triangles };
+  for (geodesictest::Triangle& t : result.triangles)
+  {
+    for (Index& vertex : t)
+    {
+      result.points[numbers[vertex]] = mesh.points[vertex];
+      vertex = numbers[vertex];
+    }
+  }
+  return result;
+}
+
+TEST(BoundaryOutsideBarriers, TheMeshNeedNotHaveVerticesThatOnlyBarriersHave)
+{
+  Random random(9);
+  for (const geodesictest::MeshKind& kind : geodesictest::meshKinds())
+  {
+    for (int i = 0; i < 10; ++i)
+    {
+      PlainMesh whole = kind.make(random.between(20, 150), random);
+      std::vector<bool> isBarrier(whole.triangles.size());
+      const double share = random.uniform(0.3, 0.9);
+      for (std::size_t f = 1; f < isBarrier.size(); ++f)
+      {
+        isBarrier[f] = random.chance(share);
+      }
+      whole = renumbered(whole, without(whole, isBarrier));
+      PlainMesh open = without(whole, isBarrier);
+      const std::vector<SourceCurve> boundary = numberedBoundary(whole);
+      const std::vector<SourceCurve> expected = boundaryOutsideBarriers(boundary, engineMesh(open));
+      Index used = 0;
+      for (const geodesictest::Triangle& t : open.triangles)
+      {
+        used = std::max(used, 1 + *std::max_element(t.begin(), t.end()));
+      }
+      open.points.resize(used);
+      const std::vector<SourceCurve> parts = boundaryOutsideBarriers(boundary, engineMesh(open));
+      SCOPED_TRACE(kind.name);
+      ASSERT_EQ(parts.size(), expected.size());
+      for (std::size_t k = 0; k < parts.size(); ++k)
+      {
+        EXPECT_EQ(parts[k].faces, expected[k].faces);
+        EXPECT_EQ(parts[k].source, expected[k].source);
+        ASSERT_EQ(parts[k].points.size(), expected[k].points.size());
+        for (std::size_t p = 0; p < parts[k].points.size(); ++p)
+        {
+          EXPECT_EQ(parts[k].points[p].id, expected[k].points[p].id);
+        }
+      }
+    }
+  }
+}
+
 TEST(BoundaryOutsideBarriers, ALoopWithoutBarriersStaysClosed)
 {
   // The barrier is inside.
