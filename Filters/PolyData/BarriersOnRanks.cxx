@@ -9,8 +9,8 @@
 namespace geodesic
 {
 
-BarrierTriangles::BarrierTriangles(std::vector<Triangle> onVertices,
-  const std::vector<Vec3>& positions, const RankLabels& labels)
+BarrierTriangles::BarrierTriangles(
+  std::vector<Triangle> onVertices, const std::vector<Vec3>& positions, const RankLabels& labels)
   : triangles(std::move(onVertices))
 {
   std::vector<Id> numbers(this->triangles.empty() ? 0 : positions.size(), NoId);
