@@ -158,12 +158,10 @@ void BatchTasks::mergeNeighboursOf(FrontWorker& worker, Id halfedge) const
   {
     return;
   }
-  std::vector<Window>& merged = worker.merging;
-  merged.assign(list.begin(), list.end());
-  const double error = mergeNeighbours(merged, this->mesh_.length(halfedge),
-    this->options_.relativeError, this->options_.maximumMerged);
-  worker.relativeError = std::max(worker.relativeError, error);
-  this->waiting_.assign(halfedge, { merged.data(), merged.data() + merged.size() }, worker.pool);
+  const MergedNeighbours merged = mergeNeighbours(this->waiting_.blockAt(halfedge),
+    this->mesh_.length(halfedge), this->options_.relativeError, this->options_.maximumMerged);
+  worker.relativeError = std::max(worker.relativeError, merged.largest);
+  this->waiting_.shorten(halfedge, merged.size);
 }
 
 void BatchTasks::send(FrontWorker& worker, Id halfedge, const WindowRange& windows) const

@@ -26,7 +26,6 @@ struct FrontWorker
   LeavingWindows leaving;
   WindowListBuilder merged;
   WindowPool pool;
-  std::vector<Window> merging;
   std::vector<EmittedInterval> emitted;
 
   /// The lists that it sends to halfedges.

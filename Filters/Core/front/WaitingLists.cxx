@@ -4,7 +4,7 @@
 namespace geodesic
 {
 
-WindowBlock WaitingLists::blockOf(Id halfedge) const
+WindowBlock WaitingLists::blockAt(Id halfedge) const
 {
   const List& list = this->lists_[halfedge];
   WindowBlock block;
@@ -32,7 +32,7 @@ void WaitingLists::assign(Id halfedge, const WindowRange& windows, WindowPool& p
     return;
   }
   const WindowBlock block = pool.copyOf(windows);
-  pool.free(this->blockOf(halfedge));
+  pool.free(this->blockAt(halfedge));
   this->adopt(halfedge, block);
 }
 
@@ -43,7 +43,7 @@ void WaitingLists::clear(Id halfedge, WindowPool& pool)
 
 WindowBlock WaitingLists::release(Id halfedge)
 {
-  const WindowBlock block = this->blockOf(halfedge);
+  const WindowBlock block = this->blockAt(halfedge);
   this->lists_[halfedge] = List();
   return block;
 }

@@ -27,6 +27,12 @@ public:
     return { this->lists_[halfedge].data,
       this->lists_[halfedge].data + this->lists_[halfedge].size };
   }
+  /// The list that the halfedge has, to change in place; shorten() when it has become shorter.
+  WindowBlock blockAt(Id halfedge) const;
+  void shorten(Id halfedge, std::size_t size)
+  {
+    this->lists_[halfedge].size = static_cast<std::uint32_t>(size) & 0x7ffffffu;
+  }
   /// Gives the halfedge, which has no list, this block as its list.
   void adopt(Id halfedge, const WindowBlock& block);
   /// Replaces the list that the halfedge has by a copy of the windows, which must not be its own.
@@ -58,8 +64,6 @@ private:
     {
     }
   };
-
-  WindowBlock blockOf(Id halfedge) const;
 
   std::vector<List> lists_;
 };
