@@ -156,9 +156,9 @@ void BatchTasks::emit(
 // Sends a list through the face of its halfedge.
 void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, Id batch)
 {
-  this->mergeNeighboursOf(worker, district, number);
   const Id halfedge = district.lists.halfedge(number);
-  const WindowBlock block = district.lists.remove(number);
+  WindowBlock block = district.lists.remove(number);
+  this->mergeNeighboursOf(worker, halfedge, block);
   const WindowRange list = block.range();
   if (list.size() == 0)
   {
@@ -198,19 +198,15 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
 
 // A list is merged when it is complete and about to go on, so that each window is once a face
 // (paper, section 5).
-void BatchTasks::mergeNeighboursOf(FrontWorker& worker, District& district, Id number) const
+void BatchTasks::mergeNeighboursOf(FrontWorker& worker, Id halfedge, WindowBlock& block) const
 {
-  const WindowRange list = district.lists.at(number);
-  if (!(this->options_.relativeError > 0.0) || list.size() < 2)
+  if (this->options_.relativeError > 0.0 && block.size > 1)
   {
-    return;
+    const MergedNeighbours merged = mergeNeighbours(block, this->mesh_.length(halfedge),
+      this->options_.relativeError, this->options_.maximumMerged);
+    worker.relativeError = std::max(worker.relativeError, merged.largest);
+    block.size = static_cast<std::uint32_t>(merged.size) & 0x7ffffffu;
   }
-  std::vector<Window>& merged = worker.merging;
-  merged.assign(list.begin(), list.end());
-  const double error = mergeNeighbours(merged, this->mesh_.length(district.lists.halfedge(number)),
-    this->options_.relativeError, this->options_.maximumMerged);
-  worker.relativeError = std::max(worker.relativeError, error);
-  district.lists.assign(number, { merged.data(), merged.data() + merged.size() }, worker.pool);
 }
 
 void BatchTasks::send(

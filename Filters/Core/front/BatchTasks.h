@@ -72,7 +72,7 @@ private:
   void emit(FrontWorker& worker, District& district, Id vertex);
   void emit(FrontWorker& worker, District& district, Id vertex, const EmittedInterval& interval);
   void propagate(FrontWorker& worker, District& district, Id list, Id batch);
-  void mergeNeighboursOf(FrontWorker& worker, District& district, Id list) const;
+  void mergeNeighboursOf(FrontWorker& worker, Id halfedge, WindowBlock& block) const;
   void receive(FrontWorker& worker, District& district, const SentList& sent);
   void receiveLists(FrontWorker& worker, District& district, const std::vector<SentList>& lists);
   void mergeInto(FrontWorker& worker, District& district, Id list, const WindowBlock& block) const;

@@ -22,7 +22,6 @@ struct FrontWorker
   LeavingWindows leaving;
   WindowListBuilder merged;
   WindowPool pool;
-  std::vector<Window> merging;
   std::vector<EmittedInterval> emitted;
 
   /// Over the whole solve: windows put on halfedges, and the largest relative error of a merge.

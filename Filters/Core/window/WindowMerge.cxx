@@ -275,21 +275,21 @@ bool merge(Measured& left, const Measured& right, const Limits& limits, double& 
 
 } // anonymous namespace
 
-double mergeNeighbours(
-  std::vector<Window>& windows, double edgeLength, double relativeError, double maximumAdded)
+MergedNeighbours mergeNeighbours(
+  const WindowBlock& list, double edgeLength, double relativeError, double maximumAdded)
 {
-  if (windows.size() < 2)
+  if (list.size < 2)
   {
-    return 0.0;
+    return { list.size, 0.0 };
   }
   const Limits limits = { relativeError, maximumAdded };
   double largest = 0.0;
   double added = 0.0; // of the last window
-  Window* last = windows.data();
+  Window* last = list.data;
   Measured left = measured(*last);
-  for (std::size_t i = 1; i < windows.size(); ++i)
+  for (std::uint32_t i = 1; i < list.size; ++i)
   {
-    Measured right = measured(windows[i]);
+    const Measured right = measured(list.data[i]);
     const bool meet = right.window->begin - last->end <= tolerance::LeastWidth * edgeLength;
     if (meet && merge(left, right, limits, added))
     {
@@ -304,8 +304,19 @@ double mergeNeighbours(
     left = { last, right.begin, right.end };
     added = 0.0;
   }
-  windows.resize(static_cast<std::size_t>(last - windows.data()) + 1);
-  return largest;
+  return { static_cast<std::size_t>(last - list.data) + 1, largest };
+}
+
+double mergeNeighbours(
+  std::vector<Window>& windows, double edgeLength, double relativeError, double maximumAdded)
+{
+  WindowBlock list;
+  list.data = windows.data();
+  list.size = static_cast<std::uint32_t>(windows.size()) & 0x7ffffffu;
+  list.sizeClass = 0;
+  const MergedNeighbours merged = mergeNeighbours(list, edgeLength, relativeError, maximumAdded);
+  windows.resize(merged.size);
+  return merged.largest;
 }
 
 }
