@@ -9,11 +9,11 @@
 namespace geodesic
 {
 
-BarrierTriangles::BarrierTriangles(const std::vector<Triangle>& onVertices,
-  const std::vector<Vec3>& positions, const RankLabels& labels)
-  : triangles(onVertices)
+BarrierTriangles::BarrierTriangles(
+  std::vector<Triangle> onVertices, const std::vector<Vec3>& positions, const RankLabels& labels)
+  : triangles(std::move(onVertices))
 {
-  std::vector<Id> numbers(onVertices.empty() ? 0 : positions.size(), NoId);
+  std::vector<Id> numbers(this->triangles.empty() ? 0 : positions.size(), NoId);
   for (Triangle& triangle : this->triangles)
   {
     for (Id& vertex : triangle)

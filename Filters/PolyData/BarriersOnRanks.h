@@ -20,7 +20,7 @@ struct BarrierTriangles
 {
   /// \param onVertices the triangles, on vertices of the rank's piece.
   /// \param labels of these vertices.
-  BarrierTriangles(const std::vector<Triangle>& onVertices, const std::vector<Vec3>& positions,
+  BarrierTriangles(std::vector<Triangle> onVertices, const std::vector<Vec3>& positions,
     const RankLabels& labels);
 
   std::vector<Triangle> triangles;

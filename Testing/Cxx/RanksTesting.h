@@ -61,6 +61,17 @@ inline Cut AtRandom(int count)
   };
 }
 
+/// All barriers, by the array "barrier", on the last rank, which has nothing else where there are
+/// several; the other faces at random.
+inline Cut BarriersApart(vtkPolyData* surface, int count)
+{
+  return [surface, count](vtkIdType face)
+  {
+    const bool isBarrier = surface->GetCellData()->GetArray("barrier")->GetTuple1(face) != 0.0;
+    return isBarrier ? count - 1 : AtRandom(std::max(1, count - 1))(face);
+  };
+}
+
 /// Some faces of a surface with their arrays and the points that they use, which have global ids if
 /// that is asked for.
 inline vtkSmartPointer<vtkPolyData> Part(

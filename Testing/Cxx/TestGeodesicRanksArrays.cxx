@@ -2,6 +2,7 @@
 // Under MPI: the arrays beside the distance at the points of a refined surface in pieces. Points of
 // ghost cells have, bit for bit, what the ranks have there whose cells these are; on a plane all of
 // it is that of the straight line to the nearest source.
+#include "BarrierTesting.h"
 #include "GeodesicTesting.h"
 #include "RanksTesting.h"
 
@@ -220,6 +221,7 @@ struct Task
   bool IsFlat;
   double RelativeError = 0.0;
   double MaximumDistance = 0.0;
+  bool HasBarriers = false;
 };
 
 void Ask(vtkGeodesicDistanceField* filter, const Task& task)
@@ -235,6 +237,7 @@ void Ask(vtkGeodesicDistanceField* filter, const Task& task)
                                                : vtkGeodesicDistanceField::EXACT);
   filter->SetRelativeError(task.RelativeError);
   filter->SetMaximumDistance(task.MaximumDistance);
+  filter->SetBarrierArrayName(task.HasBarriers ? "barrier" : nullptr);
 }
 
 void Run(Check& check, const Task& task)
@@ -261,8 +264,8 @@ void Run(Check& check, const Task& task)
       CheckOnPlane(check, point, std::max(task.RelativeError, 1e-12), task.Name);
     }
   }
-  check.That((Sum(unreached) > 0.0) == (task.MaximumDistance > 0.0),
-    task.Name + ": points are not reached beyond the limit");
+  check.That((Sum(unreached) > 0.0) == (task.MaximumDistance > 0.0 || task.HasBarriers),
+    task.Name + ": points are not reached beyond the limit and in barriers");
 }
 
 void TestCuts(Check& check, Ranks ranks, vtkPolyData* surface, bool isFlat)
@@ -325,6 +328,28 @@ void TestBlocks(Check& check, Ranks ranks, vtkPolyData* surface)
   }
 }
 
+/// Barriers are cut where other ranks have split their rims, and have the values of these there.
+void TestBarriers(Check& check, Ranks ranks)
+{
+  // Wider than a cell, so that some of its points are inside.
+  const auto surface = WithBarriers(
+    NoisySquare(8), [](const Point& p) { return p[0] > 0.5 && p[0] < 0.75 && p[1] < 0.75; });
+  const std::vector<std::pair<std::string, Cut>> cuts = {
+    { "barriers in strips", Strips(surface, ranks.Count) },
+    { "barriers at random", AtRandom(ranks.Count) },
+    { "barriers on a rank of their own", BarriersApart(surface, ranks.Count) },
+  };
+  for (const auto& [name, cut] : cuts)
+  {
+    const bool hasGhosts = ranks.Count > 1;
+    Run(check,
+      { name, Part(surface, FacesOf(surface, cut, ranks.Rank)), false, false, 0.0, 0.0, true });
+    Run(check,
+      { name + ", with ghosts", PartWithGhosts(surface, cut, ranks.Rank), hasGhosts, false, 0.0,
+        0.0, true });
+  }
+}
+
 /// One rank is stopped while the arrays are computed: none waits for it.
 void TestAbort(Check& check, Ranks ranks, vtkPolyData* surface)
 {
@@ -360,6 +385,7 @@ int TestGeodesicRanksArrays(int argc, char* argv[])
       TestFarGhosts(check, ranks, plane, "mostly ghosts");
       TestFarGhosts(check, ranks, Soup(plane), "mostly ghosts, no points in common");
       TestBlocks(check, ranks, plane);
+      TestBarriers(check, ranks);
       TestAbort(check, ranks, plane);
     });
 }

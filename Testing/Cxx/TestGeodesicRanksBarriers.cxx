@@ -8,7 +8,6 @@
 
 #include "vtkGeodesicContour.h"
 #include "vtkGeodesicPaths.h"
-#include "vtkMPIController.h"
 #include "vtkMultiProcessController.h"
 
 #include <cmath>
@@ -75,16 +74,6 @@ Cut InSpace(vtkPolyData* surface, int count)
     const auto nearest = std::min_element(middles.begin(), middles.end(),
       [&](const Point& a, const Point& b) { return squared(a) < squared(b); });
     return static_cast<int>(nearest - middles.begin());
-  };
-}
-
-/// All barriers on the last rank, which has nothing else; the others at random.
-Cut BarriersApart(vtkPolyData* surface, int count)
-{
-  return [surface, count](vtkIdType face)
-  {
-    const bool isBarrier = surface->GetCellData()->GetArray("barrier")->GetTuple1(face) != 0.0;
-    return isBarrier ? count - 1 : AtRandom(std::max(1, count - 1))(face);
   };
 }
 
@@ -443,21 +432,14 @@ void TestLoops(Check& check, Ranks ranks)
 
 int TestGeodesicRanksBarriers(int argc, char* argv[])
 {
-  vtkNew<vtkMPIController> controller;
-  controller->Initialize(&argc, &argv);
-  vtkMultiProcessController::SetGlobalController(controller);
-  const Ranks ranks{ controller->GetLocalProcessId(), controller->GetNumberOfProcesses() };
-  Check check;
-  const auto surface = WithBarriers(NoisySquare(16), IsInWall);
-  TestRandomMeshes(check, ranks);
-  TestFields(check, ranks, surface);
-  TestLines(check, ranks, surface);
-  TestErrors(check, ranks, surface);
-  TestLoops(check, ranks);
-  const int failures = check.Result() == EXIT_SUCCESS ? 0 : 1;
-  int all = 0;
-  controller->AllReduce(&failures, &all, 1, vtkCommunicator::SUM_OP);
-  vtkMultiProcessController::SetGlobalController(nullptr);
-  controller->Finalize();
-  return all == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return RunOnRanks(argc, argv,
+    [](Check& check, Ranks ranks)
+    {
+      const auto surface = WithBarriers(NoisySquare(16), IsInWall);
+      TestRandomMeshes(check, ranks);
+      TestFields(check, ranks, surface);
+      TestLines(check, ranks, surface);
+      TestErrors(check, ranks, surface);
+      TestLoops(check, ranks);
+    });
 }

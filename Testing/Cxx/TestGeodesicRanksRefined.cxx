@@ -333,16 +333,10 @@ void TestMaximum(Check& check, Ranks ranks, vtkPolyData* surface)
 void TestBarriers(Check& check, Ranks ranks)
 {
   const auto surface = WithBarriers(NoisySquare(8), IsInWall);
-  const auto isBarrier = surface->GetCellData()->GetArray("barrier");
   const std::vector<std::pair<std::string, Cut>> cuts = {
     { "barriers in strips", Strips(surface, ranks.Count) },
     { "barriers at random", AtRandom(ranks.Count) },
-    { "barriers on a rank of their own",
-      [&](vtkIdType face)
-      {
-        return isBarrier->GetTuple1(face) != 0.0 ? ranks.Count - 1
-                                                 : AtRandom(std::max(1, ranks.Count - 1))(face);
-      } },
+    { "barriers on a rank of their own", BarriersApart(surface, ranks.Count) },
   };
   for (const auto& [name, cut] : cuts)
   {

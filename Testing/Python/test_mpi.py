@@ -100,7 +100,8 @@ def compare(output, whole, tolerance, what):
 
 
 def pieces(whole, ranks=RANKS):
-    """This rank's slab of a surface of triangles, which every rank has; the last ones may have none.
+    """This rank's slab of a surface of triangles, which every rank has, with the cells' arrays; the
+    last ranks may have none.
     (RedistributeDataSet loses cells where libexpat is newer than VTK's XML readers can bear.)"""
     from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
     from vtkmodules.vtkCommonCore import vtkPoints
@@ -108,7 +109,8 @@ def pieces(whole, ranks=RANKS):
     triangles = vtk_to_numpy(whole.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     along = points(whole)[triangles].mean(axis=1)[:, 0]
     slabs = np.array_split(np.argsort(along, kind="stable"), ranks)
-    own = triangles[slabs[RANK]] if RANK < ranks else triangles[:0]
+    slab = slabs[RANK] if RANK < ranks else slabs[0][:0]
+    own = triangles[slab]
     used, corners = np.unique(own, return_inverse=True)
     places, cells, piece = vtkPoints(), vtkCellArray(), vtkPolyData()
     places.SetData(numpy_to_vtk(vtk_to_numpy(whole.GetPoints().GetData())[used], deep=1))
@@ -116,6 +118,11 @@ def pieces(whole, ranks=RANKS):
     cells.SetCells(len(own), numpy_to_vtkIdTypeArray(rows.ravel().astype(np.int64), deep=1))
     piece.SetPoints(places)
     piece.SetPolys(cells)
+    for i in range(whole.GetCellData().GetNumberOfArrays()):
+        of_whole = whole.GetCellData().GetArray(i)
+        array = numpy_to_vtk(vtk_to_numpy(of_whole)[slab], deep=1)
+        array.SetName(of_whole.GetName())
+        piece.GetCellData().AddArray(array)
     producer = simple.TrivialProducer()
     producer.GetClientSideObject().SetOutput(piece)
     return producer
@@ -305,6 +312,32 @@ def arrays_of_refined_ghost_cells():
     check(RANKS == 1 or total(ghosts) > total(before), "ghost cells are refined")
 
 
+def barriers_over_seams():
+    """Paths go around a wall through all pieces, which is cut where its rim is refined."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    whole = whole_sphere()
+    triangles = vtk_to_numpy(whole.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    centres = points(whole)[triangles].mean(axis=1)
+    wall = numpy_to_vtk((np.abs(centres[:, 2] - 0.1) < 0.05).astype(np.int8)
+                        * (centres[:, 1] < 0.3), deep=1)
+    wall.SetName("wall")
+    whole.GetCellData().AddArray(wall)
+    source, cloud = point_cloud([whole.GetPoint(900)])
+    alone = whole_field(whole, cloud, BarrierArrayName="wall")
+    open_field = whole_field(whole, cloud)
+    check(not np.array_equal(alone[1], open_field[1]), "the wall is in the way")
+    spread = pieces(whole)
+    field = GeodesicDistanceField(Input=spread, Source=source, RefineMesh=0,
+                                  BarrierArrayName="wall")
+    compare(data(field), alone, EXACT, "a wall over the seams")
+    refined = GeodesicDistanceField(Input=spread, Source=source, BarrierArrayName="wall",
+                                    GenerateSourceIds=1)
+    with messages() as window:
+        refined.UpdatePipeline()
+    check("ERR" not in window.GetOutput(), f"a refined wall: {window.GetOutput()!r}")
+    check(total(polys(data(refined))) > whole.GetNumberOfPolys(), "the surface is refined")
+
+
 def lines_over_seams():
     """Lines of all ranks together are those of one process; they meet at seams."""
     sphere = simple.Sphere(ThetaResolution=40, PhiResolution=30)
@@ -442,7 +475,8 @@ def alone():
 
 try:
     for case in (real_meshes, curve_across_seams, generated_surfaces, arrays_beside_the_distance,
-                 arrays_of_refined_ghost_cells, lines_over_seams, paths_over_seams,
+                 arrays_of_refined_ghost_cells, barriers_over_seams, lines_over_seams,
+                 paths_over_seams,
                  ghosts_and_empty_ranks, written_and_read, errors, alone):
         case()
         controller.Barrier()
