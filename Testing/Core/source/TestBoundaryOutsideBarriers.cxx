@@ -131,7 +131,8 @@ TEST(BoundaryOutsideBarriers, OnRandomMeshesItIsWhatOpenFacesHaveOfTheBoundary)
 /// The mesh with other numbers for its vertices: those first that the faces without barriers have.
 PlainMesh renumbered(const PlainMesh& mesh, const PlainMesh& open)
 {
-  std::vector<Index> numbers(mesh.points.size(), static_cast<Index>(mesh.points.size()));
+  const auto none = static_cast<Index>(mesh.points.size());
+  std::vector<Index> numbers(mesh.points.size(), none);
   Index next = 0;
   for (const std::vector<geodesictest::Triangle>* triangles : { &open.triangles, &mesh.triangles })
   {
@@ -139,7 +140,7 @@ PlainMesh renumbered(const PlainMesh& mesh, const PlainMesh& open)
     {
       for (const Index vertex : t)
       {
-        numbers[vertex] = numbers[vertex] == mesh.points.size() ? next++ : numbers[vertex];
+        numbers[vertex] = numbers[vertex] == none ? next++ : numbers[vertex];
       }
     }
   }
