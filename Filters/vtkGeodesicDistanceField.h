@@ -118,8 +118,8 @@
  * outputs are empty.
  *
  * @par Threads:
- * The propagation runs on the threads that vtkSMPTools is set to use. The result is the same, to
- * the last bit, for any number of them.
+ * The structure of the surface, the propagation, refinement and the output are made on the threads
+ * that vtkSMPTools is set to use. The result is the same, to the last bit, for any number of them.
  *
  * @par Pieces:
  * A piece of a surface has other distances than the whole. Whatever piece is asked for, the filter
