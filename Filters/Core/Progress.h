@@ -47,6 +47,15 @@ public:
 
   double end() const { return this->end_; }
 
+  /// The same for one of several loops that share this stretch: from a fraction of it to another.
+  LoopProgress between(double from, double to) const
+  {
+    LoopProgress part(this->callback_);
+    part.begin_ = this->begin_ + (this->end_ - this->begin_) * from;
+    part.end_ = this->begin_ + (this->end_ - this->begin_) * to;
+    return part;
+  }
+
   /// At an item of a loop over that many.
   ///
   /// \throws Aborted

@@ -35,7 +35,7 @@ void forAll(const ParallelFor& parallelFor, std::size_t count, const Task& task)
 
 /// A loop over many small items is cut into ranges of neighbours of this length, so that what is
 /// found in each range depends on the items alone.
-constexpr std::size_t ItemsInRange = 4096;
+constexpr std::size_t ItemsInRange = 1024;
 
 inline std::size_t numberOfRanges(std::size_t count)
 {
@@ -50,7 +50,7 @@ template <typename Range>
 void forRanges(const ParallelFor& parallelFor, std::size_t count, const LoopProgress& progress,
   const Range& range)
 {
-  const std::size_t rangesPerReport = parallelFor ? 32 : 2;
+  const std::size_t rangesPerReport = parallelFor ? 32 : 8;
   const std::size_t ranges = numberOfRanges(count);
   for (std::size_t first = 0; first < ranges; first += rangesPerReport)
   {

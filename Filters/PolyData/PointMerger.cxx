@@ -37,7 +37,7 @@ UninitializedVector<Id> findFirstAtPlaces(
     keys *= 2;
   }
   UninitializedVector<Id> hashes(count);
-  forRanges(parallelFor, count, progress,
+  forRanges(parallelFor, count, progress.between(0.0, 0.3),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -48,7 +48,7 @@ UninitializedVector<Id> findFirstAtPlaces(
   const GroupedItems byHash =
     groupItems(count, keys, parallelFor, [&hashes](Id point) { return hashes[point]; });
   UninitializedVector<Id>& first = hashes; // no longer needed
-  forRanges(parallelFor, keys,
+  forRanges(parallelFor, keys, progress.between(0.5, 1.0),
     [&](std::size_t begin, std::size_t end)
     {
       for (Id key = static_cast<Id>(begin); key < end; ++key)

@@ -120,6 +120,7 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
   originals->SetNumberOfValues(count);
   offsets->SetValue(count, 3 * count);
   forRanges(parallelFor, refined.triangles.size(),
+    progress.between(0.0, from->GetNumberOfArrays() > 0 ? 0.5 : 1.0),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -135,7 +136,7 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
     });
   vtkNew<vtkCellArray> triangles;
   triangles->SetData(offsets, points);
-  copyCellData(from, originals, output->GetCellData(), parallelFor, progress);
+  copyCellData(from, originals, output->GetCellData(), parallelFor, progress.between(0.5, 1.0));
   output->SetPolys(triangles);
   output->GetCellData()->AddArray(originals);
 }
