@@ -45,8 +45,8 @@ UninitializedVector<Id> findFirstAtPlaces(
         hashes[i] = static_cast<Id>(hashOf(points[i]) & (keys - 1));
       }
     });
-  const GroupedItems byHash =
-    groupItems(count, keys, parallelFor, [&hashes](Id point) { return hashes[point]; });
+  const GroupedItems byHash = groupItems(count, keys, parallelFor, progress.between(0.3, 0.5),
+    [&hashes](Id point) { return hashes[point]; });
   UninitializedVector<Id>& first = hashes; // no longer needed
   forRanges(parallelFor, keys, progress.between(0.5, 1.0),
     [&](std::size_t begin, std::size_t end)

@@ -49,9 +49,12 @@ public:
     }
   }
 
-  GroupedItems run()
+  GroupedItems run(const LoopProgress& progress)
   {
+    const auto tell = [&progress](double done) { progress.between(done, 1.0).at(0, 1); };
+    tell(0.0);
     this->findPlaces();
+    tell(0.2);
     this->byRange_.resize(this->count_);
     forAll(this->parallelFor_, this->blocks_,
       [this](std::size_t block)
@@ -60,6 +63,7 @@ public:
         this->forEachItem(
           block, [&](Id item, std::size_t range) { this->byRange_[places[range]++] = item; });
       });
+    tell(0.5);
     GroupedItems grouped;
     grouped.start.resize(static_cast<std::size_t>(this->numberOfKeys_) + 1);
     grouped.start[this->numberOfKeys_] = this->count_;
@@ -148,12 +152,14 @@ private:
   UninitializedVector<Id> byRange_;
 };
 
+/// \param progress told by the calling thread.
 /// \param keyOf the key, below numberOfKeys, of an item below the count.
+/// \throws Aborted
 template <typename KeyOf>
-GroupedItems groupItems(
-  Id count, Id numberOfKeys, const ParallelFor& parallelFor, const KeyOf& keyOf)
+GroupedItems groupItems(Id count, Id numberOfKeys, const ParallelFor& parallelFor,
+  const LoopProgress& progress, const KeyOf& keyOf)
 {
-  return ItemGrouping<KeyOf>(count, numberOfKeys, parallelFor, keyOf).run();
+  return ItemGrouping<KeyOf>(count, numberOfKeys, parallelFor, keyOf).run(progress);
 }
 
 }

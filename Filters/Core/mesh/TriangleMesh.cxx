@@ -173,7 +173,7 @@ bool namesAVertexTwice(const Triangle& t)
 std::vector<TriangleMesh::Builder::Checked> TriangleMesh::Builder::checkTriangles(
   const std::vector<Triangle>& triangles)
 {
-  return resultsOfRanges(this->parallelFor_, triangles.size(),
+  return resultsOfRanges(this->parallelFor_, triangles.size(), this->progress_.between(0.0, 0.3),
     [&](std::size_t begin, std::size_t end)
     {
       Checked found = { triangles.size(), 0 };
@@ -213,7 +213,7 @@ void TriangleMesh::Builder::takeFaces(const std::vector<Triangle>& triangles)
   this->mesh_.report_.facesWithRepeatedVertex = repeating;
   this->mesh_.faces_.resize(kept);
   inputFaces.resize(repeating > 0 ? kept : 0);
-  this->forRanges(triangles.size(),
+  geodesic::forRanges(this->parallelFor_, triangles.size(), this->progress_.between(0.3, 1.0),
     [&](std::size_t begin, std::size_t end)
     {
       Id face = places[begin / ItemsInRange];
@@ -238,9 +238,10 @@ void TriangleMesh::Builder::linkSiblings()
 {
   const TriangleMesh& mesh = this->mesh_;
   const GroupedItems byLow = groupItems(mesh.numberOfHalfedges(), mesh.numberOfVertices(),
-    this->parallelFor_, [&mesh](Id s) { return std::min(mesh.origin(s), mesh.destination(s)); });
+    this->parallelFor_, this->progress_.between(0.0, 0.5),
+    [&mesh](Id s) { return std::min(mesh.origin(s), mesh.destination(s)); });
   const std::vector<EdgeCounts> counts =
-    resultsOfRanges(this->parallelFor_, mesh.numberOfVertices(), this->progress_,
+    resultsOfRanges(this->parallelFor_, mesh.numberOfVertices(), this->progress_.between(0.5, 1.0),
       [&](std::size_t begin, std::size_t end)
       {
         EdgeCounts here;
@@ -340,7 +341,7 @@ void TriangleMesh::Builder::linkCorners()
 {
   TriangleMesh& mesh = this->mesh_;
   GroupedItems corners = groupItems(mesh.numberOfHalfedges(), mesh.numberOfVertices(),
-    this->parallelFor_, [&mesh](Id corner) { return mesh.origin(corner); });
+    this->parallelFor_, this->progress_, [&mesh](Id corner) { return mesh.origin(corner); });
   mesh.cornerStart_ = std::move(corners.start);
   mesh.corners_ = std::move(corners.items);
 }
