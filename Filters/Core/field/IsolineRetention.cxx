@@ -66,7 +66,7 @@ void IsolineRetention::takePassed(const FrontState& front)
       {
         this->marks_[face] |= Dropped;
       }
-      front.pool(district).free(list.windows);
+      front.poolInNeed().free(list.windows);
     }
     this->passed_[district].clear();
   }

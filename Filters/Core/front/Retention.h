@@ -7,6 +7,7 @@
 #include "window/WindowArchive.h"
 #include "window/WindowPool.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -44,8 +45,12 @@ struct FrontState
   /// Where the blocks of lists came from: one or more. A block may be freed into any of them.
   const std::vector<WindowPool*>& pools;
 
-  /// One of them; others for other numbers, so that all find free blocks again.
-  WindowPool& pool(std::size_t number) const { return *this->pools[number % this->pools.size()]; }
+  /// The one with the fewest free blocks: a thread that does more than others needs more of them.
+  WindowPool& poolInNeed() const
+  {
+    return **std::min_element(this->pools.begin(), this->pools.end(),
+      [](const WindowPool* a, const WindowPool* b) { return a->freeWindows() < b->freeWindows(); });
+  }
 };
 
 /// What a solve has kept of its windows.

@@ -77,23 +77,22 @@ void RefinementRetention::takePassed(const FrontState& front)
   {
     for (const MeasuredList& measured : this->passed_[district])
     {
-      this->take(measured, front.distances, front.pool(district));
+      this->take(measured, front);
     }
     this->passed_[district].clear();
   }
 }
 
-void RefinementRetention::take(
-  const MeasuredList& measured, const VertexNumbers& distances, WindowPool& pool)
+void RefinementRetention::take(const MeasuredList& measured, const FrontState& front)
 {
   const Id face = TriangleMesh::faceOf(measured.list.halfedge);
   if (this->isLinear(face))
   {
-    this->testAgain(face, measured.list, distances);
+    this->testAgain(face, measured.list, front.distances);
   }
   if (this->state_[face] == State::Dropped)
   {
-    pool.free(measured.list.windows);
+    front.poolInNeed().free(measured.list.windows);
   }
   else
   {
@@ -200,7 +199,7 @@ void RefinementRetention::testDue(const FrontState& front)
           this->test_.test(face, this->atCorners(face, front.distances), this->lists_, known);
       }
     });
-  WindowPool& pool = this->anyPool(front);
+  WindowPool& pool = front.poolInNeed();
   for (std::size_t i = 0; i < faces; ++i)
   {
     const double knownNow = this->kept_.droppedErrorBound;

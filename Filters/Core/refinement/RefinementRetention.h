@@ -79,7 +79,7 @@ private:
   std::array<double, 3> atCorners(Id face, const VertexNumbers& distances) const;
   bool isReached(Id face, const VertexNumbers& distances) const;
   void takePassed(const FrontState& front);
-  void take(const MeasuredList& measured, const VertexNumbers& distances, WindowPool& pool);
+  void take(const MeasuredList& measured, const FrontState& front);
   void testAgain(Id face, const PassedList& late, const VertexNumbers& distances);
   void awaitFacesAround(Id vertex, const VertexNumbers& processed);
   void testDue(const FrontState& front);
@@ -89,11 +89,6 @@ private:
   void doWithoutNeighbours(Id face, WindowPool& pool);
   void dropIfUnneeded(Id face, WindowPool& pool);
   void handOver(const FrontState& front);
-  // Blocks go back to the pools in turn, so that all tasks find some.
-  WindowPool& anyPool(const FrontState& front)
-  {
-    return front.pool(this->nextPool_++);
-  }
 
   const TriangleMesh& mesh_;
   const SurfacePart* part_;
@@ -114,7 +109,6 @@ private:
   std::vector<Id> droppedTooEarly_;
   /// What each district has handed over in this batch.
   std::vector<std::vector<MeasuredList>> passed_;
-  std::size_t nextPool_ = 0;
   KeptWindows kept_;
 };
 

@@ -33,11 +33,15 @@ public:
   /// Hands over the memory of all blocks that were cut from it, whoever has them; empty afterwards.
   std::vector<std::unique_ptr<Window[]>> release();
 
+  /// How many windows its free blocks hold.
+  std::size_t freeWindows() const { return this->freeWindows_; }
+
 private:
   Window* allocate(std::uint32_t sizeClass);
 
   /// The first free block of each size; each begins with the address of the next.
   std::array<Window*, 32> free_{};
+  std::size_t freeWindows_ = 0;
   std::vector<std::unique_ptr<Window[]>> chunks_;
   std::size_t chunkUsed_ = 0;
   std::size_t chunkSize_ = 0;
