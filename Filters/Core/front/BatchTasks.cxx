@@ -78,7 +78,7 @@ void BatchTasks::process(FrontWorker& worker, District& district, Id vertex, Id 
   state.facing = NoId;
 }
 
-// Between two steps nobody reads or writes mail, so that a path may go to any district.
+// Nobody reads mail before step (2), so that a path may go to any district.
 void BatchTasks::tell(District& sender, const DistanceUpdate& update)
 {
   this->post_.to(sender.number, this->districts_.of(update.vertex)).updates.push_back(update);
