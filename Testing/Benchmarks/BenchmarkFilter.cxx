@@ -8,7 +8,10 @@
 #include <chrono>
 #include <stdexcept>
 
-FilterRun runFilter(vtkPolyData* surface, vtkPolyData* source, double relativeError, double refine)
+namespace
+{
+
+vtkNew<vtkGeodesicDistanceField> makeFilter(vtkPolyData* surface, vtkPolyData* source)
 {
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputData(surface);
@@ -20,14 +23,11 @@ FilterRun runFilter(vtkPolyData* surface, vtkPolyData* source, double relativeEr
   {
     filter->SetSourceTypeToSurfaceBoundary();
   }
-  if (relativeError > 0.0)
-  {
-    filter->SetAccuracyToApproximate();
-    filter->SetRelativeError(relativeError);
-  }
-  filter->SetRefineMesh(refine > 0.0);
-  filter->SetRefinementTolerance(refine);
+  return filter;
+}
 
+FilterRun update(vtkGeodesicDistanceField* filter)
+{
   FilterRun run;
   const auto start = std::chrono::steady_clock::now();
   filter->Update();
@@ -38,4 +38,28 @@ FilterRun runFilter(vtkPolyData* surface, vtkPolyData* source, double relativeEr
     throw std::runtime_error("vtkGeodesicDistanceField has given no output");
   }
   return run;
+}
+
+} // anonymous namespace
+
+FilterRun runFilter(vtkPolyData* surface, vtkPolyData* source, double relativeError, double refine)
+{
+  const vtkNew<vtkGeodesicDistanceField> filter = makeFilter(surface, source);
+  if (relativeError > 0.0)
+  {
+    filter->SetAccuracyToApproximate();
+    filter->SetRelativeError(relativeError);
+  }
+  filter->SetRefineMesh(refine > 0.0);
+  filter->SetRefinementTolerance(refine);
+  return update(filter);
+}
+
+FilterRun runFilterWithoutReach(vtkPolyData* surface, vtkPolyData* source)
+{
+  const vtkNew<vtkGeodesicDistanceField> filter = makeFilter(surface, source);
+  constexpr double nearlyNothing = 1e-9;
+  filter->SetMaximumDistance(nearlyNothing * surface->GetLength());
+  filter->SetRefineMesh(false);
+  return update(filter);
 }

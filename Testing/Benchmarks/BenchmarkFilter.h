@@ -21,4 +21,10 @@ struct FilterRun
 /// \throws std::runtime_error where the filter fails.
 FilterRun runFilter(vtkPolyData* surface, vtkPolyData* source, double relativeError, double refine);
 
+/// The same with a MaximumDistance next to nothing, so that what takes time is the structure of the
+/// mesh and the output. Not refined.
+///
+/// \throws std::runtime_error where the filter fails.
+FilterRun runFilterWithoutReach(vtkPolyData* surface, vtkPolyData* source);
+
 #endif

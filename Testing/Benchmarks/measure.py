@@ -94,13 +94,21 @@ class Benchmark:
         usage = subprocess.run([self.program, "--help"], capture_output=True, text=True, check=True)
         self.peers = usage.stdout.split()[-1].split(",")
 
-    def call(self, *arguments):
+    def call(self, *arguments, processes=1):
+        """What so many processes print that run side by side; None where one of them fails."""
         command = [str(self.program), *map(str, arguments)]
-        result = subprocess.run(command, capture_output=True, text=True, check=False)
-        if result.returncode != 0:
-            print(f"{' '.join(command)}: {result.returncode}\n{result.stderr}", file=sys.stderr)
-            return None
-        return result.stdout
+        pipe = subprocess.PIPE
+        started = [
+            subprocess.Popen(command, stdout=pipe, stderr=pipe, text=True) for _ in range(processes)
+        ]
+        output = ""
+        for process in started:
+            lines, errors_of_it = process.communicate()
+            if process.returncode != 0:
+                print(f"{' '.join(command)}: {process.returncode}\n{errors_of_it}", file=sys.stderr)
+                output = None
+            output = None if output is None else output + lines
+        return output
 
     def path(self, mesh):
         """The mesh's file, made where it is not there."""
@@ -121,15 +129,16 @@ class Benchmark:
             partial.rename(file)
         return file
 
-    def run(self, mesh, *arguments, against=(), repeat=None, threads=1):
-        """What one process measures; an empty row where it fails."""
+    def run(self, mesh, *arguments, against=(), repeat=None, threads=1, processes=1):
+        """What one process measures, or several side by side; an empty row where one fails."""
         against = [peer for peer in against if peer in self.peers]
         arguments = [
             *("--mesh", self.path(mesh), "--threads", threads),
             *("--repeat", repeat or self.repeat, *arguments),
             *(("--against", ",".join(against)) if against else ()),
         ]
-        runs = [json.loads(line) for line in (self.call(*arguments) or "").splitlines()]
+        printed = self.call(*arguments, processes=processes) or ""
+        runs = [json.loads(line) for line in printed.splitlines()]
         if self.log:
             with open(self.log, "a", encoding="ascii") as log:
                 log.writelines(json.dumps(run) + "\n" for run in runs)
@@ -237,24 +246,62 @@ def large(benchmark, meshes, arguments):
     print_table("Large meshes", columns, rows())
 
 
+def work_of_mesh(run):
+    """What a refined field takes beside the solve."""
+    return run["refine_s"] + run["without_reach_s"]
+
+
+# What threads are measured with: options, and the seconds of a run.
+THREADED = {
+    "exact": ((), lambda run: run["solve_s"]),
+    "approximate": (APPROXIMATE, lambda run: run["solve_s"]),
+    "exact, refined: solve": (REFINED, lambda run: run["solve_s"]),
+    "refinement, build, output": ((*REFINED, "--update"), work_of_mesh),
+}
+
+
+def rounds(benchmark, mesh, options, variants):
+    """A row a round of each variant, which is how many threads and processes. They take turns, as
+    the speed of a machine changes with time."""
+    rows = {variant: [] for variant in variants}
+    for _ in range(benchmark.repeat):
+        for n, processes in variants:
+            how = {"threads": n, "processes": processes, "repeat": 2}
+            rows[n, processes].append(benchmark.run(mesh, *options, against=["dijkstra"], **how))
+    return rows
+
+
+def gain(first, other, seconds_of, processes=1):
+    """How many times as fast the others are, from pairs of one round."""
+    ratios = [seconds_of(a) / seconds_of(b) for a, b in zip(first, other)]
+    return number(processes * statistics.median(ratios))
+
+
 def threads(benchmark, meshes, arguments):
     numbers = [int(text) for text in arguments.threads.split(",")]
+    alone = [(n, 1) for n in numbers]
+    beside = [(1, n) for n in numbers[1:]]
 
     def rows():
         for mesh in meshes:
-            for mode, options in {"exact": (), "approximate": APPROXIMATE}.items():
-                row = [mesh.name, mode]
-                first = math.nan
-                for n in numbers:
-                    run = benchmark.run(mesh, *options, against=["dijkstra"], threads=n)
-                    first = run["solve_s"] if math.isnan(first) else first
-                    row += [seconds(run["solve_s"]), number(run["solve_s"] / run["dijkstra_s"])]
-                    row += [number(first / run["solve_s"])]
-                yield row
+            for what, (options, seconds_of) in THREADED.items():
+                measured = rounds(benchmark, mesh, options, alone + beside)
+                first = measured[alone[0]]
+                cells = []
+                for variant in alone:
+                    own = measured[variant]
+                    over = [seconds_of(run) / run["dijkstra_s"] for run in own]
+                    cells += [seconds(statistics.median(map(seconds_of, own)))]
+                    cells += [number(statistics.median(over)), gain(first, own, seconds_of)]
+                    cells += [number(max(run["bytes_per_face"] for run in own), 0)]
+                for variant in beside:
+                    cells += [gain(first, measured[variant], seconds_of, variant[1])]
+                yield (mesh.name, what, *cells)
 
-    columns = ["mesh", "mode"]
+    columns = ["mesh", "what"]
     for n in numbers:
-        columns += [f"threads: {n}, s", "/ D", "speed-up"]
+        columns += [f"threads: {n}, s", "/ D", "times as fast", "bytes a face"]
+    columns += [f"{n} processes side by side" for n in numbers[1:]]
     print_table("Threads", columns, rows())
 
 
@@ -323,7 +370,7 @@ TABLES = {
     "small": (small, SMALL),
     "errors": (errors, SMALL),
     "large": (large, LARGE),
-    "threads": (threads, ("igea", "1.07M")),
+    "threads": (threads, ("igea", "1.07M", "4.3M")),
     "approximation": (approximation, SMALL[:-1]),
     "paper": (paper, ("plane", "fandisk", "beetle-alt", "6.4M", "9.9M")),
     "cgal": (cgal, ("bunny",)),
