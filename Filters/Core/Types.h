@@ -2,6 +2,7 @@
 #ifndef geodesic_Types_h
 #define geodesic_Types_h
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -53,6 +54,12 @@ inline Vec3 cross(const Vec3& a, const Vec3& b)
 inline double norm(const Vec3& a)
 {
   return std::sqrt(dot(a, a));
+}
+
+/// In absolute value.
+inline double largestCoordinate(const Vec3& a)
+{
+  return std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(a[2]) });
 }
 
 inline bool isFinite(const Vec3& a)

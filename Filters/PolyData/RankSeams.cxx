@@ -2,6 +2,7 @@
 #include "PolyData/RankSeams.h"
 
 #include "Tolerance.h"
+#include "mesh/Box.h"
 
 #include <algorithm>
 #include <array>
@@ -21,33 +22,12 @@ using Label = RankSeams::Label;
 /// A vertex that other ranks have, too, in the answer with its label.
 constexpr Label SharedFlag = Label(1) << 63;
 
-struct Box
+/// \param margin to all sides of the point.
+Box boxAround(const Vec3& point, double margin)
 {
-  Vec3 low{ Infinity, Infinity, Infinity };
-  Vec3 high{ -Infinity, -Infinity, -Infinity };
-
-  /// \param margin to all sides of the point.
-  void add(const Vec3& point, double margin = 0.0)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      this->low[k] = std::min(this->low[k], point[k] - margin);
-      this->high[k] = std::max(this->high[k], point[k] + margin);
-    }
-  }
-
-  bool isWithin(const Vec3& point, double margin = 0.0) const
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      if (point[k] + margin < this->low[k] || point[k] - margin > this->high[k])
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-};
+  const Vec3 margins = { margin, margin, margin };
+  return { point - margins, point + margins };
+}
 
 /// The boxes of the other ranks.
 std::vector<Box> boxesOfOthers(const Box& own, Exchange& exchange)
@@ -59,8 +39,8 @@ std::vector<Box> boxesOfOthers(const Box& own, Exchange& exchange)
 
 bool isNearAny(const std::vector<Box>& boxes, const Vec3& point, double margin = 0.0)
 {
-  return std::any_of(
-    boxes.begin(), boxes.end(), [&](const Box& box) { return box.isWithin(point, margin); });
+  const Box around = boxAround(point, margin);
+  return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return box.meets(around); });
 }
 
 std::uint64_t hashOfKey(const Vec3& p)
@@ -254,7 +234,7 @@ std::vector<SeamVertex> RankSeams::gatherBoundary(const SeamBlock& piece) const
   Box box;
   for (const SeamVertex& vertex : own)
   {
-    box.add(vertex.position, vertex.tolerance());
+    box.add(boxAround(vertex.position, vertex.tolerance()));
   }
   const std::vector<Box> boxes = boxesOfOthers(box, this->exchange_);
   Message message;
@@ -309,7 +289,7 @@ SeamBlock RankSeams::facesNearOthers(SeamBlock piece) const
   {
     for (const Id vertex : triangle)
     {
-      own.add(this->vertices_[vertex], margin);
+      own.add(boxAround(this->vertices_[vertex], margin));
     }
   }
   const std::vector<Box> boxes = boxesOfOthers(own, this->exchange_);

@@ -5,7 +5,6 @@
 #include "source/BoundaryCurves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <unordered_set>
 
 namespace geodesic
@@ -24,11 +23,6 @@ struct ToldFace
 
 constexpr std::size_t PointsPerReport = 256;
 
-double largestCoordinate(const Vec3& p)
-{
-  return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
-}
-
 }
 
 LocatorOnRanks::LocatorOnRanks(const SurfacePart& part)
@@ -40,24 +34,9 @@ LocatorOnRanks::LocatorOnRanks(const SurfacePart& part)
   {
     for (const Id vertex : mesh.triangle(face))
     {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        this->low_[k] = std::min(this->low_[k], mesh.point(vertex)[k]);
-        this->high_[k] = std::max(this->high_[k], mesh.point(vertex)[k]);
-      }
+      this->box_.add(mesh.point(vertex));
     }
   }
-}
-
-/// Of a point to the box of this rank's faces; infinite where it has none.
-double LocatorOnRanks::distanceToBox(const Vec3& point) const
-{
-  Vec3 outside;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    outside[k] = std::max({ this->low_[k] - point[k], point[k] - this->high_[k], 0.0 });
-  }
-  return norm(outside);
 }
 
 std::vector<std::vector<LocatorOnRanks::Found>> LocatorOnRanks::locate(
@@ -82,10 +61,9 @@ std::vector<std::vector<LocatorOnRanks::Found>> LocatorOnRanks::locate(
       {
         throw Aborted();
       }
-      const double distance = this->distanceToBox(points[i]);
+      const double distance = this->box_.distanceTo(points[i]);
       const double slack = tolerance::SnapRoundings * coordinatePrecision *
-        std::max({ largestCoordinate(points[i]), largestCoordinate(this->low_),
-          largestCoordinate(this->high_) });
+        std::max(largestCoordinate(points[i]), this->box_.largestCoordinate());
       const bool isSearched =
         isInBox ? distance == 0.0 : distance > 0.0 && distance <= least[i] + slack;
       if (isSearched && distance < Infinity)

@@ -3,6 +3,7 @@
 #define geodesic_SourceOnRanks_h
 
 #include "Progress.h"
+#include "mesh/Box.h"
 #include "mesh/FaceLocator.h"
 #include "mesh/SurfacePart.h"
 #include "mesh/SurfacePatch.h"
@@ -50,12 +51,10 @@ public:
 private:
   using Candidates = std::vector<FaceLocator::Candidate>;
 
-  double distanceToBox(const Vec3& point) const;
-
   const SurfacePart& part_;
   FaceLocator locator_;
-  Vec3 low_{ Infinity, Infinity, Infinity };
-  Vec3 high_{ -Infinity, -Infinity, -Infinity };
+  /// Of this rank's faces.
+  Box box_;
 };
 
 /// Puts a source onto a surface that ranks have in pieces: on a patch of the surface that all ranks

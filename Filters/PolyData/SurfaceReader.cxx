@@ -9,6 +9,7 @@
 #include "PolyData/RankSeams.h"
 #include "PolyData/SeamMerger.h"
 #include "PolyData/Triangulator.h"
+#include "mesh/Box.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -39,42 +40,19 @@ constexpr double PointsRead = 0.1;
 constexpr double PointsMerged = 0.25;
 constexpr double TrianglesRead = 0.4;
 
-/// What holds some points.
-struct Box
-{
-  Vec3 low{ Infinity, Infinity, Infinity };
-  Vec3 high{ -Infinity, -Infinity, -Infinity };
-
-  void add(const Box& other)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      this->low[k] = std::min(this->low[k], other.low[k]);
-      this->high[k] = std::max(this->high[k], other.high[k]);
-    }
-  }
-};
-
 /// The diagonal of the bounding box of the points that triangles use: others are not surface, and
 /// may lie anywhere.
 double diagonalOf(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
   Exchange* exchange, const ParallelFor& parallelFor)
 {
-  Box box;
-  const std::vector<Box> boxes = resultsOfRanges(parallelFor, triangles.size(),
-    [&](std::size_t begin, std::size_t end)
+  Box box = boxOfItems(parallelFor, triangles.size(),
+    [&](Box& part, std::size_t i)
     {
-      Box here;
-      for (std::size_t i = begin; i < end; ++i)
+      for (const Id corner : triangles[i])
       {
-        for (const Id corner : triangles[i])
-        {
-          here.add({ points[corner], points[corner] });
-        }
+        part.add(points[corner]);
       }
-      return here;
     });
-  std::for_each(boxes.begin(), boxes.end(), [&box](const Box& part) { box.add(part); });
   if (exchange)
   {
     std::vector<double> least = { box.low[0], box.low[1], box.low[2], -box.high[0], -box.high[1],

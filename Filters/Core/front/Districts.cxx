@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "front/Districts.h"
 
+#include "mesh/Box.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,20 +19,10 @@ class BoxesInOrder
 public:
   BoxesInOrder(const TriangleMesh& mesh, const ParallelFor& parallelFor)
   {
-    Corners all = { mesh.point(0), mesh.point(0) };
-    const std::vector<Corners> ranges = resultsOfRanges(parallelFor, mesh.numberOfVertices(),
-      [&mesh](std::size_t begin, std::size_t end)
-      {
-        Corners found = { mesh.point(static_cast<Id>(begin)), mesh.point(static_cast<Id>(begin)) };
-        for (Id vertex = static_cast<Id>(begin); vertex < end; ++vertex)
-        {
-          found.add({ mesh.point(vertex), mesh.point(vertex) });
-        }
-        return found;
-      });
-    std::for_each(ranges.begin(), ranges.end(), [&all](const Corners& found) { all.add(found); });
-    this->least_ = all.least;
-    const Vec3 extent = all.most - all.least;
+    const Box all = boxOfItems(parallelFor, mesh.numberOfVertices(),
+      [&mesh](Box& box, std::size_t vertex) { box.add(mesh.point(static_cast<Id>(vertex))); });
+    this->least_ = all.low;
+    const Vec3 extent = all.high - all.low;
     const double largest = std::max({ extent[0], extent[1], extent[2] });
     this->boxesPerLength_ = largest > 0.0 ? Side / largest : 0.0;
   }
@@ -46,22 +38,6 @@ public:
 
 private:
   static constexpr double Side = 64.0;
-
-  /// Of what holds some points.
-  struct Corners
-  {
-    Vec3 least;
-    Vec3 most;
-
-    void add(const Corners& other)
-    {
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        this->least[i] = std::min(this->least[i], other.least[i]);
-        this->most[i] = std::max(this->most[i], other.most[i]);
-      }
-    }
-  };
 
   // The bits of the box's number along an axis, each three places from the next.
   static std::size_t spread(double place)

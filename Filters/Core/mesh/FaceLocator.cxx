@@ -19,11 +19,6 @@ constexpr Id FacesInLeaf = 8;
 /// A node's part holds at least this fraction of its faces, so that the tree is never deep.
 constexpr std::ptrdiff_t LeastPart = 8;
 
-double largestOf(const Vec3& p)
-{
-  return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
-}
-
 }
 
 struct FaceLocator::Search
@@ -36,10 +31,10 @@ struct FaceLocator::Search
   /// The fraction of the faces that the search has left aside while the tree grows.
   double done;
 
-  double precisionFor(double largestCoordinate) const
+  double precisionFor(const Box& box) const
   {
     return tolerance::SnapRoundings * this->coordinatePrecision *
-      std::max(largestCoordinate, largestOf(this->point));
+      std::max(box.largestCoordinate(), largestCoordinate(this->point));
   }
 
   /// The faces of the answer, in its order.
@@ -61,30 +56,6 @@ struct FaceLocator::Search
     return faces;
   }
 };
-
-void FaceLocator::Box::add(const Vec3& point)
-{
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    this->low[k] = std::min(this->low[k], point[k]);
-    this->high[k] = std::max(this->high[k], point[k]);
-  }
-}
-
-double FaceLocator::Box::distanceTo(const Vec3& point) const
-{
-  Vec3 outside;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    outside[k] = std::max({ this->low[k] - point[k], point[k] - this->high[k], 0.0 });
-  }
-  return norm(outside);
-}
-
-double FaceLocator::Box::largestCoordinate() const
-{
-  return std::max(largestOf(this->low), largestOf(this->high));
-}
 
 FaceLocator::FaceLocator(const TriangleMesh& mesh)
   : mesh_(mesh)
@@ -172,7 +143,7 @@ void FaceLocator::split(Id node, Search& search)
 void FaceLocator::search(Search& search, Id node)
 {
   const Box& box = this->nodes_[node].box;
-  if (box.distanceTo(search.point) > search.distance + search.precisionFor(box.largestCoordinate()))
+  if (box.distanceTo(search.point) > search.distance + search.precisionFor(box))
   {
     return;
   }
@@ -204,7 +175,7 @@ void FaceLocator::tryFace(Search& search, Id face) const
   {
     box.add(this->mesh_.point(corner));
   }
-  const double byCoordinates = search.precisionFor(box.largestCoordinate());
+  const double byCoordinates = search.precisionFor(box);
   if (box.distanceTo(search.point) > search.distance + byCoordinates)
   {
     return; // measuring takes several times as long

@@ -3,6 +3,7 @@
 #define geodesic_FaceLocator_h
 
 #include "Progress.h"
+#include "mesh/Box.h"
 #include "mesh/TriangleMesh.h"
 
 #include <vector>
@@ -53,15 +54,6 @@ public:
     const Vec3& point, double coordinatePrecision, const ProgressCallback& progress = {});
 
 private:
-  struct Box
-  {
-    Vec3 low{ Infinity, Infinity, Infinity };
-    Vec3 high{ -Infinity, -Infinity, -Infinity };
-
-    void add(const Vec3& point);
-    double distanceTo(const Vec3& point) const;
-    double largestCoordinate() const;
-  };
   struct Node
   {
     Box box;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/PolylineLocator.h"
 
+#include "mesh/Box.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -83,25 +85,15 @@ std::vector<std::vector<Id>> PolylineLocator::verticesAt(
   const std::vector<Vec3>& sortedPlaces) const
 {
   std::vector<std::vector<Id>> vertices(sortedPlaces.size());
-  Vec3 low{ Infinity, Infinity, Infinity };
-  Vec3 high{ -Infinity, -Infinity, -Infinity };
+  Box box;
   for (const Vec3& p : sortedPlaces)
   {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
+    box.add(p);
   }
-  const auto isInside = [&](const Vec3& p)
-  {
-    return p[0] >= low[0] && p[0] <= high[0] && p[1] >= low[1] && p[1] <= high[1] &&
-      p[2] >= low[2] && p[2] <= high[2];
-  };
   for (Id vertex = 0; vertex < this->mesh_.numberOfVertices(); ++vertex)
   {
     const Vec3& p = this->mesh_.point(vertex);
-    if (!isInside(p) || this->mesh_.cornersAt(vertex).size() == 0)
+    if (!box.holds(p) || this->mesh_.cornersAt(vertex).size() == 0)
     {
       continue;
     }

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_Box_h
+#define geodesic_Box_h
+
+#include "Tasks.h"
+#include "Types.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace geodesic
+{
+
+/// What holds some points: the least box along the axes.
+struct Box
+{
+  Vec3 low{ Infinity, Infinity, Infinity };
+  Vec3 high{ -Infinity, -Infinity, -Infinity };
+
+  void add(const Box& other)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      this->low[k] = std::min(this->low[k], other.low[k]);
+      this->high[k] = std::max(this->high[k], other.high[k]);
+    }
+  }
+  void add(const Vec3& point) { this->add(Box{ point, point }); }
+
+  bool meets(const Box& other) const
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (other.high[k] < this->low[k] || other.low[k] > this->high[k])
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+  bool holds(const Vec3& point) const { return this->meets({ point, point }); }
+
+  /// 0 inside; infinite where it holds no point.
+  double distanceTo(const Vec3& point) const
+  {
+    Vec3 outside;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      outside[k] = std::max({ this->low[k] - point[k], point[k] - this->high[k], 0.0 });
+    }
+    return norm(outside);
+  }
+
+  double largestCoordinate() const
+  {
+    return std::max(
+      geodesic::largestCoordinate(this->low), geodesic::largestCoordinate(this->high));
+  }
+};
+
+/// The box of the points of many items, which are looked at side by side.
+///
+/// \param addItem adds those of one: (Box&, std::size_t item) -> void.
+template <typename AddItem>
+Box boxOfItems(const ParallelFor& parallelFor, std::size_t count, const AddItem& addItem)
+{
+  const std::vector<Box> parts = resultsOfRanges(parallelFor, count,
+    [&addItem](std::size_t begin, std::size_t end)
+    {
+      Box part;
+      for (std::size_t item = begin; item < end; ++item)
+      {
+        addItem(part, item);
+      }
+      return part;
+    });
+  Box whole;
+  for (const Box& part : parts)
+  {
+    whole.add(part);
+  }
+  return whole;
+}
+
+}
+
+#endif
