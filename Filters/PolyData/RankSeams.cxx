@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <map>
 #include <tuple>
@@ -281,7 +280,7 @@ SeamBlock RankSeams::facesNearOthers(SeamBlock piece) const
   double largest = 0.0;
   for (const Vec3& p : this->vertices_)
   {
-    largest = std::max({ largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+    largest = std::max(largest, largestCoordinate(p));
   }
   const double margin = tolerance::SeamRoundings * piece.precision * largest;
   Box own;

@@ -63,7 +63,8 @@ public:
     for (const auto& [a, b] : boundaryEdges(data.triangles))
     {
       const double length = norm(this->vertices_[b] - this->vertices_[a]);
-      const double largest = std::max(largestCoordinate(a), largestCoordinate(b));
+      const double largest =
+        std::max(largestCoordinate(this->vertices_[a]), largestCoordinate(this->vertices_[b]));
       for (const Id vertex : { a, b })
       {
         SeamVertex& entry = this->entryOf(vertex);
@@ -80,12 +81,6 @@ public:
   std::vector<SeamVertex>&& take() { return std::move(this->entries_); }
 
 private:
-  double largestCoordinate(Id vertex) const
-  {
-    const Vec3& p = this->vertices_[vertex];
-    return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
-  }
-
   SeamVertex& entryOf(Id vertex)
   {
     Id& number = this->numbers_[vertex];

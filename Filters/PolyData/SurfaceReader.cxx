@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cfloat>
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -475,8 +474,7 @@ void SurfaceReader::scaleVertices()
       {
         for (const Id vertex : this->verticesOf(triangles[i]))
         {
-          const Vec3& p = this->vertices_[vertex];
-          here = std::max({ here, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+          here = std::max(here, largestCoordinate(this->vertices_[vertex]));
         }
       }
       return here;
