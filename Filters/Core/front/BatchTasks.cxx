@@ -50,7 +50,6 @@ void BatchTasks::prefetchFacing(const District& district, Id vertex) const
 void BatchTasks::process(FrontWorker& worker, District& district, Id batch)
 {
   const std::vector<Id>& vertices = district.batch;
-  district.settled = 0;
   workAhead(
     vertices.size(), [&](std::size_t i) { this->prefetchFacing(district, vertices[i]); },
     [&](std::size_t i) { this->process(worker, district, vertices[i], batch); });
