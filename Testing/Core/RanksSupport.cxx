@@ -3,11 +3,14 @@
 
 #include "source/SourceWindowsOfPart.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <mutex>
+#include <string>
 
 namespace geodesictest
 {
@@ -124,11 +127,30 @@ CutMesh cutInSpace(const PlainMesh& mesh, int numberOfRanks, Random& random)
     });
 }
 
-const std::vector<std::pair<int, bool>>& someCuts()
+std::vector<WayToCut> someWaysToCut()
 {
-  static const std::vector<std::pair<int, bool>> cuts = { { 2, false }, { 3, true }, { 4, false },
-    { 7, true }, { 7, false } };
-  return cuts;
+  return { { 2, false }, { 3, true }, { 4, false }, { 7, true }, { 7, false } };
+}
+
+std::vector<WayToCut> bothWaysToCut(const std::vector<int>& numbersOfRanks)
+{
+  std::vector<WayToCut> ways;
+  for (const int ranks : numbersOfRanks)
+  {
+    ways.push_back({ ranks, false });
+    ways.push_back({ ranks, true });
+  }
+  return ways;
+}
+
+void forEachCut(const PlainMesh& mesh, const std::vector<WayToCut>& ways, Random& random,
+  const std::function<void(const CutMesh&)>& test)
+{
+  for (const auto& [ranks, inSpace] : ways)
+  {
+    SCOPED_TRACE(std::to_string(ranks) + (inSpace ? " ranks in space" : " ranks at random"));
+    test(inSpace ? cutInSpace(mesh, ranks, random) : cutAtRandom(mesh, ranks, random));
+  }
 }
 
 Index wholeFaceOf(const RankOfRun& rank, const geodesic::RankAddress& face)

@@ -28,8 +28,19 @@ CutMesh cutAtRandom(const PlainMesh& mesh, int numberOfRanks, Random& random);
 /// Each face goes to the nearest of random points, one a rank: ranks may have none.
 CutMesh cutInSpace(const PlainMesh& mesh, int numberOfRanks, Random& random);
 
-/// Numbers of ranks, and whether they are cut in space or at random.
-const std::vector<std::pair<int, bool>>& someCuts();
+/// How a mesh is cut: the number of ranks, and whether in space or at random.
+struct WayToCut
+{
+  int numberOfRanks;
+  bool inSpace;
+};
+std::vector<WayToCut> someWaysToCut();
+/// Each number of ranks both at random and in space.
+std::vector<WayToCut> bothWaysToCut(const std::vector<int>& numbersOfRanks);
+
+/// Tests a mesh cut in each of the ways. What fails is told with the way.
+void forEachCut(const PlainMesh& mesh, const std::vector<WayToCut>& ways, Random& random,
+  const std::function<void(const CutMesh&)>& test);
 
 /// One rank of a run: its part of the surface, and what the sources are to it.
 struct RankOfRun

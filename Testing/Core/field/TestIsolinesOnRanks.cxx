@@ -272,17 +272,15 @@ TEST_P(IsolinesOnRanks, JoinToThoseOfOnePiece)
     }
     const std::vector<PlainLine> whole = linesInOnePiece(c, false);
     Random random(seed);
-    for (const auto& [ranks, inSpace] : someCuts())
-    {
-      SCOPED_TRACE(std::string(GetParam().name) + ", seed " + std::to_string(seed) + ", " +
-        std::to_string(ranks) + (inSpace ? " ranks in space" : " ranks at random"));
-      const CutMesh cut = inSpace ? cutInSpace(c.plain.mesh, ranks, random)
-                                  : cutAtRandom(c.plain.mesh, ranks, random);
-      const std::vector<PlainLine> lines = linesOnRanks(c, cut, false, 3);
-      expectSame(c, lines, whole);
-      expectAtValues(c, lines, std::max(1e-12, accuracyOn(GetParam())), random);
-      compared += lines.size();
-    }
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    forEachCut(c.plain.mesh, someWaysToCut(), random,
+      [&](const CutMesh& cut)
+      {
+        const std::vector<PlainLine> lines = linesOnRanks(c, cut, false, 3);
+        expectSame(c, lines, whole);
+        expectAtValues(c, lines, std::max(1e-12, accuracyOn(GetParam())), random);
+        compared += lines.size();
+      });
     // With all windows kept by the last solve on all ranks.
     expectSame(c, linesOnRanks(c, cutInSpace(c.plain.mesh, 3, random), false, 0), whole);
   }

@@ -298,14 +298,9 @@ TEST_P(NearestSourcesOnRanks, AreThoseOfTheWholeHoweverItIsCut)
   {
     Checked checked(GetParam(), seed);
     Random random(seed);
-    const PlainMesh& mesh = checked.plain().mesh;
-    for (const auto& [ranks, inSpace] : someCuts())
-    {
-      SCOPED_TRACE(std::string(GetParam().name) + ", seed " + std::to_string(seed) + ", " +
-        std::to_string(ranks) + (inSpace ? " ranks in space" : " ranks at random"));
-      checked.check(
-        inSpace ? cutInSpace(mesh, ranks, random) : cutAtRandom(mesh, ranks, random), random);
-    }
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    forEachCut(checked.plain().mesh, someWaysToCut(), random,
+      [&](const CutMesh& cut) { checked.check(cut, random); });
     compared += checked.compared();
     feet += checked.feetElsewhere();
     directions += checked.directionsElsewhere();

@@ -222,18 +222,16 @@ TEST_P(PathsOnRanks, AreShortestAndThoseOfOnePieceHoweverItIsCut)
     CheckedPaths checked(GetParam(), seed);
     const RandomCase& c = checked.plain();
     Random random(seed);
-    for (const auto& [ranks, inSpace] : someCuts())
-    {
-      SCOPED_TRACE(std::string(GetParam().name) + ", seed " + std::to_string(seed) + ", " +
-        std::to_string(ranks) + (inSpace ? " ranks in space" : " ranks at random"));
-      const CutMesh cut =
-        inSpace ? cutInSpace(c.mesh, ranks, random) : cutAtRandom(c.mesh, ranks, random);
-      const std::vector<PathInSpace> paths = pathsOver(c, cut);
-      for (std::size_t i = 0; i < paths.size(); ++i)
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    forEachCut(c.mesh, someWaysToCut(), random,
+      [&](const CutMesh& cut)
       {
-        checked.check(i, paths[i]);
-      }
-    }
+        const std::vector<PathInSpace> paths = pathsOver(c, cut);
+        for (std::size_t i = 0; i < paths.size(); ++i)
+        {
+          checked.check(i, paths[i]);
+        }
+      });
     compared += checked.compared();
     different += checked.different();
   }

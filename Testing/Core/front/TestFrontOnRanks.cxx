@@ -78,25 +78,19 @@ TEST_P(FrontOnRanks, FindsTheFieldOfTheWholeHoweverItIsCut)
     const RandomCase c = randomCase(GetParam(), seed, 0);
     const std::vector<double> whole = inOnePiece(c, {});
     const double largest = largestFinite(c.truth.vertices);
+    SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    for (const int ranks : { 1, 2, 3, 4, 7 })
-    {
-      for (const bool inSpace : { false, true })
+    forEachCut(c.mesh, bothWaysToCut({ 1, 2, 3, 4, 7 }), random,
+      [&](const CutMesh& cut)
       {
-        const CutMesh cut =
-          inSpace ? cutInSpace(c.mesh, ranks, random) : cutAtRandom(c.mesh, ranks, random);
         const RanksResult result = distancesOnRanks(cut, c.curves, {});
-        const std::string what = std::string(GetParam().name) + ", seed " + std::to_string(seed) +
-          ", " + std::to_string(ranks) + (inSpace ? " ranks in space" : " ranks at random");
-        EXPECT_LE(worstError(result.vertices, c.truth.vertices, largest), accuracyOn(GetParam()))
-          << what;
+        EXPECT_LE(worstError(result.vertices, c.truth.vertices, largest), accuracyOn(GetParam()));
         const double error = worstError(result.vertices, whole, largest);
-        EXPECT_LE(error, 1e-12) << what;
+        EXPECT_LE(error, 1e-12);
         worst = std::max(worst, error);
         different += countDifferent(result.vertices, whole);
         compared += whole.size();
-      }
-    }
+      });
   }
   std::cout << GetParam().name << ": worst difference from one piece " << worst << ", " << different
             << " of " << compared << " distances have other bits\n";
@@ -109,21 +103,15 @@ TEST_P(FrontOnRanks, FindsTheFieldBesideBarriersHoweverTheyAreCut)
     const RandomCase c = caseWithBarriers(GetParam(), seed);
     const std::vector<double> whole = inOnePiece(c, {});
     const double largest = largestFinite(c.truth.vertices);
+    SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    for (const int ranks : { 1, 2, 3, 4, 7 })
-    {
-      for (const bool inSpace : { false, true })
+    forEachCut(c.mesh, bothWaysToCut({ 1, 2, 3, 4, 7 }), random,
+      [&](const CutMesh& cut)
       {
-        const CutMesh cut =
-          inSpace ? cutInSpace(c.mesh, ranks, random) : cutAtRandom(c.mesh, ranks, random);
         const RanksResult result = distancesOnRanks(cut, c.curves, {});
-        const std::string what = "seed " + std::to_string(seed) + ", " + std::to_string(ranks) +
-          (inSpace ? " ranks in space" : " ranks at random");
-        EXPECT_LE(worstError(result.vertices, c.truth.vertices, largest), accuracyOn(GetParam()))
-          << what;
-        EXPECT_LE(worstError(result.vertices, whole, largest), 1e-12) << what;
-      }
-    }
+        EXPECT_LE(worstError(result.vertices, c.truth.vertices, largest), accuracyOn(GetParam()));
+        EXPECT_LE(worstError(result.vertices, whole, largest), 1e-12);
+      });
   }
 }
 

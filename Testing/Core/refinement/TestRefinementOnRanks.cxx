@@ -211,16 +211,6 @@ Samples samplesOf(
   return sample(DistanceField(whole, front, {}), joined.refined, count, random);
 }
 
-CutMesh cutOf(const PlainMesh& mesh, int ranks, bool inSpace, Random& random)
-{
-  return inSpace ? cutInSpace(mesh, ranks, random) : cutAtRandom(mesh, ranks, random);
-}
-
-std::string nameOf(int ranks, bool inSpace)
-{
-  return std::to_string(ranks) + (inSpace ? " ranks in space" : " ranks at random");
-}
-
 void expectSame(const RefinedMesh& a, const RefinedMesh& b)
 {
   EXPECT_EQ(a.triangles, b.triangles);
@@ -272,12 +262,11 @@ TEST_P(RefinementOnRanks, FitsTogetherAndIsNowhereOverTheToleranceHoweverItIsCut
     const Task task = { c.mesh, c.curves, c.largest * random.uniform(0.003, 0.02) };
     const RefinedMesh inOnePiece = refineTo(
       solveForRefinement(whole, engineCurves(whole, c.curves), task.tolerance), task.tolerance);
-    for (const int ranks : { 1, 2, 3, 4, 7 })
-    {
-      for (const bool inSpace : { false, true })
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    forEachCut(c.mesh, bothWaysToCut({ 1, 2, 3, 4, 7 }), random,
+      [&](const CutMesh& cut)
       {
-        SCOPED_TRACE("seed " + std::to_string(seed) + ", " + nameOf(ranks, inSpace));
-        const Joined joined = refineOnRanks(cutOf(c.mesh, ranks, inSpace, random), task);
+        const Joined joined = refineOnRanks(cut, task);
         EXPECT_FALSE(joined.refined.stoppedAtMaximum);
         EXPECT_LE(joined.refined.errorBound, task.tolerance);
         expectFitTogether(whole, joined);
@@ -290,8 +279,7 @@ TEST_P(RefinementOnRanks, FitsTogetherAndIsNowhereOverTheToleranceHoweverItIsCut
           joined.refined.errorBound + EngineAccuracy * c.largest);
         triangles += joined.refined.triangles.size();
         trianglesInOnePiece += inOnePiece.triangles.size();
-      }
-    }
+      });
   }
   std::cout << GetParam().name << ": "
             << static_cast<double>(triangles) / static_cast<double>(trianglesInOnePiece)
@@ -307,12 +295,10 @@ TEST_P(RefinementOnRanks, LeavesWhatIsBeyondALimitAsItIs)
   task.front.maximumDistance = 0.3 * c.largest;
   const std::vector<bool> complete = completeFaces(
     solveKeepingAll(whole, engineCurves(whole, c.curves), 0.0, task.front.maximumDistance));
-  for (const int ranks : { 2, 3, 7 })
-  {
-    for (const bool inSpace : { false, true })
+  forEachCut(c.mesh, bothWaysToCut({ 2, 3, 7 }), random,
+    [&](const CutMesh& cut)
     {
-      SCOPED_TRACE(nameOf(ranks, inSpace));
-      const Joined joined = refineOnRanks(cutOf(c.mesh, ranks, inSpace, random), task);
+      const Joined joined = refineOnRanks(cut, task);
       EXPECT_LE(joined.refined.errorBound, task.tolerance);
       expectFitTogether(whole, joined);
       expectLeftAsTheyAre(whole, joined.refined, complete);
@@ -320,8 +306,7 @@ TEST_P(RefinementOnRanks, LeavesWhatIsBeyondALimitAsItIs)
       const BruteForceResult truth = bruteForceDistances(c.mesh, toSources(c.curves), there.places);
       EXPECT_LE(largestDifference(there, truth.queries),
         joined.refined.errorBound + EngineAccuracy * c.largest);
-    }
-  }
+    });
 }
 
 TEST_P(RefinementOnRanks, OfAnApproximateFieldMeetsTheTolerance)
@@ -331,12 +316,10 @@ TEST_P(RefinementOnRanks, OfAnApproximateFieldMeetsTheTolerance)
   const TriangleMesh whole = engineMesh(c.mesh);
   Task task = { c.mesh, c.curves, 0.01 * c.largest };
   task.front.relativeError = 0.01;
-  for (const int ranks : { 2, 4, 7 })
-  {
-    for (const bool inSpace : { false, true })
+  forEachCut(c.mesh, bothWaysToCut({ 2, 4, 7 }), random,
+    [&](const CutMesh& cut)
     {
-      SCOPED_TRACE(nameOf(ranks, inSpace));
-      const Joined joined = refineOnRanks(cutOf(c.mesh, ranks, inSpace, random), task);
+      const Joined joined = refineOnRanks(cut, task);
       EXPECT_LE(joined.refined.errorBound, task.tolerance);
       EXPECT_LE(joined.relativeErrorBound, task.front.relativeError);
       expectFitTogether(whole, joined);
@@ -351,8 +334,7 @@ TEST_P(RefinementOnRanks, OfAnApproximateFieldMeetsTheTolerance)
           std::abs(value - truth.queries[i]) <= bound + EngineAccuracy * c.largest)
           << value << " in place of " << truth.queries[i];
       }
-    }
-  }
+    });
 }
 
 TEST_P(RefinementOnRanks, StopsAtAMaximumOfAllRanksTogether)
@@ -368,12 +350,10 @@ TEST_P(RefinementOnRanks, StopsAtAMaximumOfAllRanksTogether)
       task.tolerance, task.maximumFaces)
       .errorBound;
   double largestRatio = 0.0;
-  for (const int ranks : { 1, 2, 3, 7 })
-  {
-    for (const bool inSpace : { false, true })
+  forEachCut(c.mesh, bothWaysToCut({ 1, 2, 3, 7 }), random,
+    [&](const CutMesh& cut)
     {
-      SCOPED_TRACE(nameOf(ranks, inSpace));
-      const Joined joined = refineOnRanks(cutOf(c.mesh, ranks, inSpace, random), task);
+      const Joined joined = refineOnRanks(cut, task);
       EXPECT_TRUE(joined.refined.stoppedAtMaximum);
       EXPECT_LE(joined.refined.triangles.size(), task.maximumFaces);
       // What one leaf more would have come to is not known; half of the room is used at least.
@@ -384,8 +364,7 @@ TEST_P(RefinementOnRanks, StopsAtAMaximumOfAllRanksTogether)
       EXPECT_LE(largestDifference(there, truth.queries),
         joined.refined.errorBound + EngineAccuracy * c.largest);
       largestRatio = std::max(largestRatio, joined.refined.errorBound / inOnePiece);
-    }
-  }
+    });
   std::cout << GetParam().name << ": at most " << largestRatio << " times the bound of one piece\n";
 }
 
