@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 using namespace geodesictest;
 using geodesic::DistanceField;
@@ -20,6 +21,7 @@ using geodesic::Id;
 using geodesic::KeepWindows;
 using geodesic::ParallelFor;
 using geodesic::RefinedMesh;
+using geodesic::SourceCurve;
 using geodesic::TriangleMesh;
 
 namespace
@@ -33,6 +35,12 @@ struct Mode
 
 class Parallel : public ::testing::TestWithParam<MeshKind>
 {
+protected:
+  Random random_{ 4711 };
+  PlainMesh plain_ = GetParam().make(1500, random_);
+  TriangleMesh mesh_ = engineMesh(plain_);
+  std::vector<SourceCurve> curves_ = engineCurves(mesh_, CurveMaker(plain_, random_).anySource());
+  double largest_ = largestFinite(solve(mesh_, curves_, {}).vertexDistances());
 };
 
 void expectSameField(const DistanceField& field, const DistanceField& other)
@@ -77,20 +85,15 @@ void giveCornersOfTheirOwn(const TriangleMesh& mesh, geodesic::RefinementOptions
 
 TEST_P(Parallel, ResultsDoNotDependOnTasksAndTheirOrder)
 {
-  Random random(4711);
-  const PlainMesh mesh = GetParam().make(1500, random);
-  const TriangleMesh engine = engineMesh(mesh);
-  CurveMaker maker(mesh, random);
-  const auto curves = engineCurves(engine, maker.anySource());
-  const double tolerance = 0.01 * largestFinite(solve(engine, curves, {}).vertexDistances());
+  const double tolerance = 0.01 * this->largest_;
   for (const Mode mode : { Mode{ 0.0, false }, Mode{ 0.0, true }, Mode{ 0.01, false } })
   {
     FrontOptions options;
     options.relativeError = mode.relativeError;
     const auto solveAs = [&]
     {
-      return mode.forRefinement ? solveForRefinement(engine, curves, tolerance, options)
-                                : solve(engine, curves, options, KeepWindows::All);
+      return mode.forRefinement ? solveForRefinement(this->mesh_, this->curves_, tolerance, options)
+                                : solve(this->mesh_, this->curves_, options, KeepWindows::All);
     };
     geodesic::RefinementOptions refinement;
     refinement.tolerance = tolerance;
@@ -109,19 +112,14 @@ TEST_P(Parallel, ResultsDoNotDependOnTasksAndTheirOrder)
 
 TEST_P(Parallel, RefinementThatStopsOrHasCornersOfItsOwnDoesNotDependOnThreads)
 {
-  Random random(4712);
-  const PlainMesh mesh = GetParam().make(1500, random);
-  const TriangleMesh engine = engineMesh(mesh);
-  CurveMaker maker(mesh, random);
-  const auto curves = engineCurves(engine, maker.anySource());
-  const double tolerance = 0.002 * largestFinite(solve(engine, curves, {}).vertexDistances());
-  const DistanceField field = solveForRefinement(engine, curves, tolerance);
+  const double tolerance = 0.002 * this->largest_;
+  const DistanceField field = solveForRefinement(this->mesh_, this->curves_, tolerance);
   geodesic::RefinementOptions stopping;
   stopping.tolerance = tolerance;
-  stopping.maximumFaces = engine.numberOfFaces() + engine.numberOfFaces() / 20;
+  stopping.maximumFaces = this->mesh_.numberOfFaces() + this->mesh_.numberOfFaces() / 20;
   geodesic::RefinementOptions withCorners;
   withCorners.tolerance = tolerance;
-  giveCornersOfTheirOwn(engine, withCorners);
+  giveCornersOfTheirOwn(this->mesh_, withCorners);
   for (geodesic::RefinementOptions options : { stopping, withCorners })
   {
     const RefinedMesh refined = refine(field, options);
