@@ -11,8 +11,8 @@
 namespace geodesic
 {
 
-/// Id of a vertex, a face or a halfedge. 32 bits hold the halfedges of 1.4 billion faces; TriangleMesh
-/// refuses more with MeshTooLarge. Counts of windows are 64-bit.
+/// Id of a vertex, a face or a halfedge. 32 bits hold the halfedges of 1.4 billion faces;
+/// TriangleMesh refuses more with MeshTooLarge. Counts of windows are 64-bit.
 using Id = std::uint32_t;
 
 constexpr Id NoId = std::numeric_limits<Id>::max();

@@ -16,9 +16,8 @@ namespace geodesic
 /// \param mesh must outlive the field.
 /// \param values as IsolineOptions::values.
 /// \param options exact: without a relative error.
-/// \param maximumDroppingSolves how often it is solved with windows dropped: there is one solve
-/// more
-///        at most.
+/// \param maximumDroppingSolves how often it is solved with windows dropped; at most one solve
+///        more is made.
 /// \throws as solve().
 DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const std::vector<double>& values, const FrontOptions& options = {},

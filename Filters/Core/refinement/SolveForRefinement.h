@@ -20,9 +20,8 @@ namespace geodesic
 ///
 /// \param mesh must outlive the field.
 /// \param tolerance in the surface's units, positive.
-/// \param maximumDroppingSolves how often it is solved with windows dropped, before it is solved
-/// with
-///        all of them kept: there is one solve more at most.
+/// \param maximumDroppingSolves how often it is solved with windows dropped; at most one solve
+///        more is made, which keeps all.
 /// \throws as solve().
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   double tolerance, const FrontOptions& options = {}, int maximumDroppingSolves = 4);
