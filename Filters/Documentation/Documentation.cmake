@@ -44,7 +44,10 @@ string(REGEX REPLACE "\\]\\((gallery/[a-z_]+\\.(py|pvsm))\\)" "](../examples/\\1
 string(REGEX REPLACE "\\[([a-z ]+)\\]\\(#[a-z-]+\\)" "\\1" page "${page}")
 string(REPLACE "\n# Gallery\n" "\n# Gallery {#gallery}\n" page "\n${page}")
 file(CONFIGURE OUTPUT "${geodesic_docs_dir}/Gallery.md" CONTENT "${page}" @ONLY)
-file(CREATE_LINK "${examples}" "${geodesic_docs_dir}/examples" SYMBOLIC COPY_ON_ERROR)
+file(CREATE_LINK "${examples}" "${geodesic_docs_dir}/examples" SYMBOLIC RESULT result)
+if (result) # where links are not allowed
+  file(COPY "${examples}/" DESTINATION "${geodesic_docs_dir}/examples")
+endif ()
 
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*.h" "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*.md")

@@ -2,6 +2,7 @@
 #include "refinement/LeafClosings.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace geodesic
@@ -49,12 +50,13 @@ LeafClosings::Closed LeafClosings::findBest(RefinementWorker& worker, Id leaf) c
   const Id face = this->triangles_.faceOf(leaf);
   const double allowed = this->shapes_.allowedAngle(face, this->largestAround(leaf));
   std::array<std::pair<double, Id>, 4> order;
+  order.fill({ Infinity, ways }); // places that stay unused come last
   for (Id way = 0; way < ways; ++way)
   {
     const double angle = this->shapes_.smallestAngle(face, this->triangles_.closing(leaf, way));
     order[way] = { -angle, way };
   }
-  std::sort(order.begin(), order.begin() + ways);
+  std::sort(order.begin(), order.end());
   Closed best;
   for (Id i = 0; i < ways && (i == 0 || -order[i].first >= allowed); ++i)
   {
