@@ -37,7 +37,8 @@ output.CellData.append(rows.ravel(), "Distance")"""
 
 view = look.view([cone, picture], direction=(0, -1, 0.25), size=(840, 460))
 look.plain(Show(cone, view))
-balls = Show(GenerateIds(Input=points), view)
+Ids = PointAndCellIds if "PointAndCellIds" in globals() else GenerateIds  # of ParaView 6, or 5.11
+balls = Show(Ids(registrationName="GenerateIds1", Input=points), view)
 look.lines(balls, width=7)
 look.steps(balls, ("POINTS", "PointIds"), 0, 40, look.shades(40))
 look.steps(Show(picture, view), ("CELLS", "Distance"), 0, distances.max(), look.shades(48))

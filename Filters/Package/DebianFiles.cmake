@@ -24,10 +24,20 @@ file(REMOVE_RECURSE "${packages}/python/usr/lib/python${CPACK_GEODESIC_PYTHON}")
 file(GLOB archives "${packages}/development/usr/${CPACK_GEODESIC_LIBDIR}/*.a")
 file(REMOVE ${archives})
 
-# ParaView reads bin/paraview.conf, where Debian's has none: it lists files that list plugins. Ours
-# says that the plugin is loaded at the start.
-file(RELATIVE_PATH plugins_file "/usr/bin" "/usr/${CPACK_GEODESIC_PLUGINS_FILE}")
-file(WRITE "${packages}/application/usr/bin/paraview.conf" "${plugins_file}\n")
+# The plugin is loaded when ParaView starts. Debian's ParaView 6 has a file for plugins of other
+# packages, where ours is told with its path. ParaView 5.11 reads bin/paraview.conf, which Debian does
+# not have: it lists files that list plugins.
+if (CPACK_GEODESIC_OTHER_PLUGINS)
+  file(READ "${packages}/application/usr/${CPACK_GEODESIC_PLUGINS_FILE}" list)
+  get_filename_component(folder "/usr/${CPACK_GEODESIC_PLUGINS_FILE}" DIRECTORY)
+  string(REPLACE "<Plugin name=\"GeodesicDistance\""
+    "<Plugin name=\"GeodesicDistance\" filename=\"${folder}/GeodesicDistance/GeodesicDistance.so\""
+    list "${list}")
+  file(WRITE "${packages}/application${CPACK_GEODESIC_OTHER_PLUGINS}" "${list}")
+else ()
+  file(RELATIVE_PATH plugins_file "/usr/bin" "/usr/${CPACK_GEODESIC_PLUGINS_FILE}")
+  file(WRITE "${packages}/application/usr/bin/paraview.conf" "${plugins_file}\n")
+endif ()
 
 # ------------------------------------------------------------------------- copyright and changelogs
 file(READ "${CPACK_GEODESIC_SOURCE_DIR}/LICENSE" license)

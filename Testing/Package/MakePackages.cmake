@@ -35,6 +35,7 @@ endforeach ()
 find_program(pvpython pvpython)
 if (GENERATOR STREQUAL "DEB" AND pvpython)
   file(REAL_PATH "${pvpython}" pvpython)
+  file(MAKE_DIRECTORY "${root}/usr/bin")
   file(COPY_FILE "${pvpython}" "${root}/usr/bin/pvpython")
   message(STATUS "Unpacked into ${root}, with a copy of pvpython that runs there; "
     "bash Testing/package.sh installs the packages on a clean Debian.")
