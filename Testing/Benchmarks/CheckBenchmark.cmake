@@ -49,9 +49,21 @@ foreach (peer IN LISTS peers)
   endif ()
 endforeach ()
 
+# No more can be had of threads than as many times the speed.
+run_benchmark(json --mesh "${mesh}" --model 1,2,16)
+foreach (key IN ITEMS serial_share model_1 model_2 model_16)
+  require_value("${json}" ${key} "[0-9.e+-]+")
+  string(JSON ${key} GET "${json}" ${key})
+endforeach ()
+if (serial_share LESS 0 OR serial_share GREATER 1 OR model_1 GREATER 1.0001 OR model_2 GREATER 2
+    OR model_2 LESS model_1 OR model_16 LESS model_2)
+  message(FATAL_ERROR "The model of threads cannot be: ${json}")
+endif ()
+
 # From a path around half of it, the other vertices are one side's length away.
 run_benchmark(json --mesh "${mesh}" --source path:0,1 --update)
 require_value("${json}" update_s "[0-9.e+-]+")
+require_value("${json}" without_reach_s "[0-9.e+-]+")
 require_value("${json}" update_output_cells 8)
 require_value("${json}" max_distance "1\\.224744871|1\\.414213562")
 

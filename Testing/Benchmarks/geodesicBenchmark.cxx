@@ -5,6 +5,7 @@
 #include "BenchmarkMeter.h"
 #include "BenchmarkPeers.h"
 #include "BenchmarkQueries.h"
+#include "BenchmarkTasks.h"
 
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataSource.h"
@@ -46,6 +47,8 @@ const char* const Usage = R"(Measures geodesic distance fields and prints a JSON
   --refine T                refine until the interpolant is within this fraction of the diagonal
   --envelope                count the windows of the final lower envelope, too
   --threads N               threads that VTK may use
+  --model N,N,...           and what that many threads would give, from the times of the tasks of a
+                            solve on one thread; and the share of what is outside of tasks
   --repeat R                so many runs; 0 with --write: none
   --update                  and the whole filter's Update(), which refines where --refine is given,
                             and one that reaches nothing: the mesh structure and the output
@@ -81,6 +84,7 @@ struct Options
   int matrixTargets = 0;
   double reach = 1.0;
   int threads = 0;
+  std::vector<int> model;
   int repeat = 1;
   std::vector<std::string> against;
 };
@@ -183,6 +187,13 @@ void setOption(Options& options, const std::string& name, const std::string& val
   else if (name == "--threads")
   {
     options.threads = static_cast<int>(toNumber(name, value, 1));
+  }
+  else if (name == "--model")
+  {
+    for (const std::string& number : split(value))
+    {
+      options.model.push_back(static_cast<int>(toNumber(name, number, 1)));
+    }
   }
   else if (name == "--repeat")
   {
@@ -497,6 +508,27 @@ EngineRun measureEngine(
   return run;
 }
 
+/// A solve on one thread, and how it would be shared by more.
+void measureModel(
+  const Options& options, vtkPolyData* mesh, const Source& source, std::ostream& json)
+{
+  const geodesic::PolyDataSurface surface =
+    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), {}, true, nullptr);
+  const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
+  TaskModel model(options.model);
+  geodesic::FrontOptions frontOptions = frontOptionsFor(options);
+  frontOptions.parallelFor = model.parallelFor();
+  Stopwatch watch;
+  solveField(surface.mesh(), curves, options.refine * surface.diagonal(), frontOptions);
+  const double seconds = watch.lap();
+  json << ", \"serial_share\": " << model.serialShare(seconds);
+  const std::vector<double> gains = model.gains(seconds);
+  for (std::size_t i = 0; i < gains.size(); ++i)
+  {
+    json << ", \"model_" << options.model[i] << "\": " << gains[i];
+  }
+}
+
 void write(const std::string& name, const QueryRun& run, std::ostream& json)
 {
   json << ", \"" << name << "_s\": " << run.seconds << ", \"" << name
@@ -552,6 +584,10 @@ void run(const Options& options, vtkPolyData* mesh, const Source& source)
     json << ", \"without_reach_s\": " << runFilterWithoutReach(mesh, source.curves).seconds
          << ", \"update_s\": " << filter.seconds
          << ", \"update_output_cells\": " << filter.outputCells;
+  }
+  if (!options.model.empty())
+  {
+    measureModel(options, mesh, source, json);
   }
   measureQueries(
     options, { mesh, source.curves, engine.distances, largestFinite(engine.distances) }, json);

@@ -305,6 +305,26 @@ def threads(benchmark, meshes, arguments):
     print_table("Threads", columns, rows())
 
 
+MODEL = (2, 4, 8, 16)
+
+
+def model(benchmark, meshes, _):
+    def rows():
+        for mesh in meshes:
+            for source in ("vertex:0", *([f"path:0,{mesh.far}"] if mesh.far else [])):
+                for mode, options in {"exact": (), "approximate": APPROXIMATE}.items():
+                    numbers = ",".join(map(str, MODEL))
+                    run = benchmark.run(mesh, *options, "--source", source, "--model", numbers)
+                    gains = (number(run[f"model_{n}"], 1) for n in MODEL)
+                    yield (
+                        *(mesh.name, source.split(":")[0], mode),
+                        *(number(100 * run["serial_share"], 1) + " %", *gains),
+                    )
+
+    columns = ("mesh", "source", "mode", "outside of tasks", *map(str, MODEL))
+    print_table("Threads: what more would give", columns, rows())
+
+
 def approximation(benchmark, meshes, _):
     def rows():
         for mesh in meshes:
@@ -371,6 +391,7 @@ TABLES = {
     "errors": (errors, SMALL),
     "large": (large, LARGE),
     "threads": (threads, ("igea", "1.07M", "4.3M")),
+    "model": (model, ("igea", "1.07M")),
     "approximation": (approximation, SMALL[:-1]),
     "paper": (paper, ("plane", "fandisk", "beetle-alt", "6.4M", "9.9M")),
     "cgal": (cgal, ("bunny",)),
