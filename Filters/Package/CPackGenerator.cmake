@@ -71,7 +71,8 @@ This package has the VTK filters as a Python module.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME "geodesic-distance-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "geodesic-distance ${same_version}, paraview-dev")
+# ParaView's CMake package asks for Open MPI, which paraview-dev does not bring.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "geodesic-distance ${same_version}, paraview-dev, libopenmpi-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "geodesic distance on triangle meshes, C++ headers
 ${what_it_is}
 .
