@@ -66,7 +66,7 @@ void IsolineRetention::takePassed(const FrontState& front)
       {
         this->marks_[face] |= Dropped;
       }
-      front.poolInNeed().free(list.windows);
+      front.free(list.windows);
     }
     this->passed_[district].clear();
   }

@@ -45,11 +45,15 @@ struct FrontState
   /// Where the blocks of lists came from: one or more. A block may be freed into any of them.
   const std::vector<WindowPool*>& pools;
 
-  /// The one with the fewest free blocks: a thread that does more than others needs more of them.
-  WindowPool& poolInNeed() const
+  /// Gives a block back to the pool that has the fewest of its size: a thread that does more than
+  /// others needs more of them, and blocks of one size do not serve for another.
+  void free(const WindowBlock& block) const
   {
-    return **std::min_element(this->pools.begin(), this->pools.end(),
-      [](const WindowPool* a, const WindowPool* b) { return a->freeWindows() < b->freeWindows(); });
+    const std::uint32_t sizeClass = block.sizeClass;
+    WindowPool* const shortest = *std::min_element(this->pools.begin(), this->pools.end(),
+      [sizeClass](const WindowPool* a, const WindowPool* b)
+      { return a->freeBlocks(sizeClass) < b->freeBlocks(sizeClass); });
+    shortest->free(block);
   }
 };
 

@@ -25,11 +25,11 @@ void PassedLists::add(const MeasuredList& measured)
   *last = index;
 }
 
-void PassedLists::free(Id face, WindowPool& pool)
+void PassedLists::free(Id face, const FrontState& front)
 {
   for (Id n = this->first_[face]; n != NoId; n = this->nodes_[n].next)
   {
-    pool.free(this->nodes_[n].measured.list.windows);
+    front.free(this->nodes_[n].measured.list.windows);
     this->freeNodes_.push_back(n);
   }
   this->first_[face] = NoId;

@@ -31,7 +31,7 @@ public:
   void add(const MeasuredList& measured);
 
   /// Frees the lists of a face.
-  void free(Id face, WindowPool& pool);
+  void free(Id face, const FrontState& front);
 
   /// Calls visit(measured list) until it returns false. Returns whether it never did.
   template <typename Visit>

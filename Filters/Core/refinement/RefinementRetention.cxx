@@ -92,7 +92,7 @@ void RefinementRetention::take(const MeasuredList& measured, const FrontState& f
   }
   if (this->state_[face] == State::Dropped)
   {
-    front.poolInNeed().free(measured.list.windows);
+    front.free(measured.list.windows);
   }
   else
   {
@@ -199,17 +199,17 @@ void RefinementRetention::testDue(const FrontState& front)
           this->test_.test(face, this->atCorners(face, front.distances), this->lists_, known);
       }
     });
-  WindowPool& pool = front.poolInNeed();
   for (std::size_t i = 0; i < faces; ++i)
   {
     const double knownNow = this->kept_.droppedErrorBound;
-    this->take(this->due_[i], this->results_[i].whereKnown(knownNow), pool);
+    this->take(this->due_[i], this->results_[i].whereKnown(knownNow), front);
   }
   this->due_.clear();
 }
 
 // Split once, a face asks of those around it only to be halved.
-void RefinementRetention::take(Id face, const LinearFaceTest::Result& result, WindowPool& pool)
+void RefinementRetention::take(
+  Id face, const LinearFaceTest::Result& result, const FrontState& front)
 {
   this->state_[face] = result.isLinear ? State::Linear : State::Kept;
   if (result.isLinear)
@@ -219,28 +219,28 @@ void RefinementRetention::take(Id face, const LinearFaceTest::Result& result, Wi
   }
   if (result.isSplitOnce)
   {
-    this->doWithoutNeighbours(face, pool);
+    this->doWithoutNeighbours(face, front);
   }
 }
 
 // The face does not need its neighbours' windows.
-void RefinementRetention::doWithoutNeighbours(Id face, WindowPool& pool)
+void RefinementRetention::doWithoutNeighbours(Id face, const FrontState& front)
 {
-  this->dropIfUnneeded(face, pool);
+  this->dropIfUnneeded(face, front);
   this->forEachNeighbour(face,
     [&](Id neighbour)
     {
       --this->neededBy_[neighbour];
-      this->dropIfUnneeded(neighbour, pool);
+      this->dropIfUnneeded(neighbour, front);
     });
 }
 
-void RefinementRetention::dropIfUnneeded(Id face, WindowPool& pool)
+void RefinementRetention::dropIfUnneeded(Id face, const FrontState& front)
 {
   if (this->state_[face] == State::Linear && this->neededBy_[face] == 0)
   {
     this->state_[face] = State::Dropped;
-    this->lists_.free(face, pool);
+    this->lists_.free(face, front);
   }
 }
 

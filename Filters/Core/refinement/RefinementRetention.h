@@ -83,11 +83,11 @@ private:
   void testAgain(Id face, const PassedList& late, const VertexNumbers& distances);
   void awaitFacesAround(Id vertex, const VertexNumbers& processed);
   void testDue(const FrontState& front);
-  void take(Id face, const LinearFaceTest::Result& result, WindowPool& pool);
+  void take(Id face, const LinearFaceTest::Result& result, const FrontState& front);
   void raiseBound(double bound);
   void keep(Id face);
-  void doWithoutNeighbours(Id face, WindowPool& pool);
-  void dropIfUnneeded(Id face, WindowPool& pool);
+  void doWithoutNeighbours(Id face, const FrontState& front);
+  void dropIfUnneeded(Id face, const FrontState& front);
   void handOver(const FrontState& front);
 
   const TriangleMesh& mesh_;

@@ -29,7 +29,7 @@ Window* WindowPool::allocate(std::uint32_t sizeClass)
   Window* block = this->free_[sizeClass];
   if (block != nullptr)
   {
-    this->freeWindows_ -= std::size_t(1) << sizeClass;
+    --this->freeBlocks_[sizeClass];
     std::memcpy(&this->free_[sizeClass], static_cast<const void*>(block), sizeof(block));
     return block;
   }
@@ -49,7 +49,7 @@ void WindowPool::free(const WindowBlock& block)
 {
   std::memcpy(static_cast<void*>(block.data), &this->free_[block.sizeClass], sizeof(block.data));
   this->free_[block.sizeClass] = block.data;
-  this->freeWindows_ += std::size_t(1) << block.sizeClass;
+  ++this->freeBlocks_[block.sizeClass];
 }
 
 std::vector<std::unique_ptr<Window[]>> WindowPool::release()

@@ -4,6 +4,8 @@
 
 #include "window/Window.h"
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -33,15 +35,15 @@ public:
   /// Hands over the memory of all blocks that were cut from it, whoever has them; empty afterwards.
   std::vector<std::unique_ptr<Window[]>> release();
 
-  /// How many windows its free blocks hold.
-  std::size_t freeWindows() const { return this->freeWindows_; }
+  /// How many blocks of a size it can hand out without new memory.
+  std::size_t freeBlocks(std::uint32_t sizeClass) const { return this->freeBlocks_[sizeClass]; }
 
 private:
   Window* allocate(std::uint32_t sizeClass);
 
   /// The first free block of each size; each begins with the address of the next.
   std::array<Window*, 32> free_{};
-  std::size_t freeWindows_ = 0;
+  std::array<std::size_t, 32> freeBlocks_{};
   std::vector<std::unique_ptr<Window[]>> chunks_;
   std::size_t chunkUsed_ = 0;
   std::size_t chunkSize_ = 0;
