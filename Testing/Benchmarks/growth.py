@@ -124,8 +124,9 @@ def draw(file, picture):
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.4))
     plot(left, lines, TIMES, lambda value, faces: 1e6 * value / faces)
     left.set_yscale("log")
-    left.set_ylim(0.5, 20)
-    left.set_yticks([0.5, 1, 2, 5, 10, 20], ["0.5", "1", "2", "5", "10", "20"])
+    low, high = left.get_ylim()
+    ticks = [tick for tick in (0.2, 0.5, 1, 2, 5, 10, 20, 50, 100) if low <= tick <= high]
+    left.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
     left.minorticks_off()
     left.set_title("Microseconds a face", loc="left")
     names = plot(right, lines, MEMORY, lambda value, _: value)
