@@ -57,9 +57,11 @@ fi
 unset VTK_DIR
 
 build paraview
-build sanitize -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGEODESIC_CORE_ONLY=ON \
-  -DGEODESIC_SANITIZE=address,undefined
-build threads -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGEODESIC_CORE_ONLY=ON -DGEODESIC_SANITIZE=thread
+# Lines in a sanitizer's report are all that is needed of debug information: a quarter less to compile.
+sanitized=(-DGEODESIC_CORE_ONLY=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
+  "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2 -g1 -DNDEBUG")
+build sanitize "${sanitized[@]}" -DGEODESIC_SANITIZE=address,undefined
+build threads "${sanitized[@]}" -DGEODESIC_SANITIZE=thread
 suites="paraview sanitize threads"
 if [ -n "$vtk" ]; then
   build vtk -DVTK_DIR="$vtk" -DGEODESIC_TEST_CORE=OFF # the same engine as in the first build
