@@ -119,14 +119,14 @@ def draw(file, picture):
     matplotlib.use("Agg")
     from matplotlib import pyplot
     from matplotlib.lines import Line2D
+    from matplotlib.ticker import LogLocator
 
     lines = read_table(file)
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.4))
     plot(left, lines, TIMES, lambda value, faces: 1e6 * value / faces)
     left.set_yscale("log")
-    low, high = left.get_ylim()
-    ticks = [tick for tick in (0.2, 0.5, 1, 2, 5, 10, 20, 50, 100) if low <= tick <= high]
-    left.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
+    left.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    left.yaxis.set_major_formatter("{x:g}")
     left.minorticks_off()
     left.set_title("Microseconds a face", loc="left")
     names = plot(right, lines, MEMORY, lambda value, _: value)
