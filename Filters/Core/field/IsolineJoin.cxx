@@ -173,7 +173,46 @@ bool IsolineJoin::isSpeck(const std::vector<SurfacePoint>& points, const Isoline
     longest = std::max(longest, this->mesh_.shape(line.faces[i]).longest());
     extent = std::max(extent, norm(position(this->mesh_, points[line.points[i + 1]]) - first));
   }
-  return extent <= tolerance::IsolineGap * std::min(longest, this->levels_[line.value]);
+  const double gap = tolerance::IsolineGap * std::min(longest, this->levels_[line.value]);
+  return extent <= gap && (line.faces.empty() || this->isRoundOnePlace(points, line, gap));
+}
+
+// Whether a line so short goes round a vertex or a place of an edge. Across faces that are no
+// higher than that, lines are as short but go on.
+bool IsolineJoin::isRoundOnePlace(
+  const std::vector<SurfacePoint>& points, const Isoline& line, double gap) const
+{
+  const auto all = [&](auto&& isThere)
+  {
+    return std::all_of(line.points.begin(), line.points.end(),
+      [&](Id id) { return points[id].kind == SurfacePoint::Kind::Face || isThere(points[id]); });
+  };
+  for (Id corner = 3 * line.faces.front(); corner < 3 * line.faces.front() + 3; ++corner)
+  {
+    const Id vertex = this->mesh_.origin(corner);
+    if (all([&](const SurfacePoint& p) { return this->isBeside(p, vertex, gap); }) ||
+      all([&](const SurfacePoint& p) { return this->isOnEdge(p, corner); }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether a point is the vertex, or on an edge of it and no farther than that.
+bool IsolineJoin::isBeside(const SurfacePoint& p, Id vertex, double gap) const
+{
+  const bool isVertex = p.kind == SurfacePoint::Kind::Vertex;
+  return isVertex
+    ? p.id == vertex
+    : (this->mesh_.origin(p.id) == vertex || this->mesh_.destination(p.id) == vertex) &&
+      norm(position(this->mesh_, p) - this->mesh_.point(vertex)) <= gap;
+}
+
+bool IsolineJoin::isOnEdge(const SurfacePoint& p, Id halfedge) const
+{
+  return p.kind == SurfacePoint::Kind::Edge &&
+    this->mesh_.edgeOf(p.id) == this->mesh_.edgeOf(halfedge);
 }
 
 // Returns whether anything is left of the line. The face of a chord still holds both of its ends:

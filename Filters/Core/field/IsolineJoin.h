@@ -52,6 +52,10 @@ private:
   void dropShortChords(Isolines& result) const;
   bool isShort(const SurfacePoint& a, const SurfacePoint& b, Id face, double level) const;
   bool isSpeck(const std::vector<SurfacePoint>& points, const Isoline& line) const;
+  bool isRoundOnePlace(
+    const std::vector<SurfacePoint>& points, const Isoline& line, double gap) const;
+  bool isBeside(const SurfacePoint& p, Id vertex, double gap) const;
+  bool isOnEdge(const SurfacePoint& p, Id halfedge) const;
   bool goesOnElsewhere(const Isoline& line) const;
   bool shorten(const std::vector<SurfacePoint>& points, Isoline& line) const;
   static void dropUnusedPoints(Isolines& result);
