@@ -361,7 +361,8 @@ public:
   /**
    * Whether the output has the point array DistanceGradient (3 doubles): a unit vector away from
    * the source, in the plane of the face that a shortest path (of the computed field) comes through
-   * to the point; zero on the source and where a point is not reached. Off by default.
+   * to the point, of the last one that has an area; zero on the source and where a point is not
+   * reached. Off by default.
    */
   vtkSetMacro(GenerateGradients, bool);
   vtkGetMacro(GenerateGradients, bool);

@@ -5,6 +5,7 @@
 #include "PolyData/BorrowedValues.h"
 #include "PolyData/Memory.h"
 #include "PolyData/RefinedPolyData.h"
+#include "field/Gradients.h"
 #include "refinement/SeamPoints.h"
 
 #include "vtkDoubleArray.h"
@@ -185,6 +186,7 @@ SourceValues SourceArrays::atVertices(const DistanceField& computed, const Neare
   const Id count = this->surface_.part() ? this->surface_.part()->numberOfOwnVertices()
                                          : computed.mesh().numberOfVertices();
   this->reserve(count, values);
+  Gradients gradients(computed, values.gradients);
   for (Id vertex = 0; vertex < count; ++vertex)
   {
     progress.at(vertex, count);
@@ -194,9 +196,12 @@ SourceValues SourceArrays::atVertices(const DistanceField& computed, const Neare
     }
     if (this->choice_.gradients)
     {
-      values.gradients.push_back(
-        gradientOf(computed.mesh(), lastPieceTo(computed, SurfacePoint::atVertex(vertex))));
+      gradients.add(lastPieceTo(computed, SurfacePoint::atVertex(vertex)));
     }
+  }
+  if (this->choice_.gradients)
+  {
+    gradients.finish();
   }
   return values;
 }
@@ -209,6 +214,7 @@ SourceValues SourceArrays::atPoints(const std::vector<RefinedPoint>& points, std
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
   this->reserve(count, values);
+  Gradients gradients(computed, values.gradients);
   for (std::size_t i = 0; i < count; ++i)
   {
     progress.at(i, count);
@@ -221,9 +227,12 @@ SourceValues SourceArrays::atPoints(const std::vector<RefinedPoint>& points, std
     if (this->choice_.gradients)
     {
       const bool isOther = isReached && &computed != &exact;
-      values.gradients.push_back(
-        gradientOf(computed.mesh(), isOther ? lastPieceTo(computed, points[i].place) : piece));
+      gradients.add(isOther ? lastPieceTo(computed, points[i].place) : piece);
     }
+  }
+  if (this->choice_.gradients)
+  {
+    gradients.finish();
   }
   return values;
 }

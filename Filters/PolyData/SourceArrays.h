@@ -68,7 +68,7 @@ public:
   {
   }
 
-  /// Of every vertex of the mesh.
+  /// Of every vertex of the mesh. Of a piece, all ranks call this together.
   ///
   /// \param computed the field that gradients are of, with arrivals.
   SourceValues atVertices(const DistanceField& computed, const NearestSource& nearest,
@@ -76,7 +76,7 @@ public:
   /// Of a piece, gives values at the mesh's vertices at each vertex that points have, see
   /// PolyDataSurface. All ranks call this together.
   void completeValues(SourceValues& atVertices) const;
-  /// Of points that refinement has added.
+  /// Of points that refinement has added. Of a piece, all ranks call this together.
   ///
   /// \param count of the first points: those whose places on the mesh are known.
   /// \param exact the field that feet are of, with arrivals; the computed one or another.

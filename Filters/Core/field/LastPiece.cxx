@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "Tolerance.h"
+#include "field/IncomingRay.h"
 
 #include <algorithm>
 
@@ -29,13 +30,15 @@ struct WayFrom
 };
 
 /// \param longest edge of the face.
-WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest)
+/// \param leastBend no path bends nearer to p than this.
+WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest, double leastBend)
 {
   const Vec2 d = p - Vec2{ x, 0.0 };
   const double length = norm(ray);
   // Of the places on both: a ray from beside a corner is hardly longer than these.
   const double rounding = tolerance::PlaceRounding * longest * (length + norm(d));
-  const bool isBent = std::abs(cross(ray, d)) > rounding || dot(ray, d) < -rounding;
+  const bool isBent =
+    norm(d) > leastBend && (std::abs(cross(ray, d)) > rounding || dot(ray, d) < -rounding);
   return { isBent, isBent || length < tolerance::NearEdge * norm(d) ? d : ray };
 }
 
@@ -51,7 +54,12 @@ public:
   }
 
   /// Goes to a face around the point.
-  void enter(Id face) { this->faceSize_ = this->mesh_.shape(face).longest(); }
+  void enter(Id face)
+  {
+    this->faceSize_ = this->mesh_.shape(face).longest();
+    // The way across a face without area is rounding. A bend is at a corner there.
+    this->leastBend_ = hasPlane(this->mesh_, face) ? 0.0 : tolerance::NearEdge * this->faceSize_;
+  }
 
   void comeFromSources(Id face)
   {
@@ -103,19 +111,15 @@ public:
       {
         const double x = w.crossing(p);
         const double distance = std::max(w.distance(x), 0.0) + norm(p - Vec2{ x, 0.0 });
-        const WayFrom way = wayFrom(x, p, w.direction(x), this->faceSize_);
+        const WayFrom way = wayFrom(x, p, w.direction(x), this->faceSize_, this->leastBend_);
         const double straight = w.isLinear() ? distance : distance - w.sigma;
         if (this->improve(
               LastPiece::Kind::Window, distance, isUnsure || way.isBent ? 0.0 : straight))
         {
-          this->best_.frame = halfedge;
-          this->best_.direction = way.direction;
+          const IncomingRay ray = { halfedge, false, x, way.direction };
+          this->setRay(isOnIt ? acrossEdge(this->mesh_, ray) : ray);
           this->best_.origin = w.origin;
           this->best_.place = w.placeOf({ x, 0.0 });
-          if (isOnIt)
-          {
-            this->turnToFaceBehind(halfedge);
-          }
         }
       }
     }
@@ -129,18 +133,28 @@ public:
     this->best_.distance = this->field_.vertexDistances()[this->point_.id];
     this->best_.origin = arrival.origin;
     this->best_.place = arrival.place;
+    this->enter(face);
     if (arrival.isThroughWindow())
     {
       this->best_.kind = LastPiece::Kind::Window;
-      this->best_.frame = arrival.halfedge;
-      this->best_.direction = wayFrom(arrival.x, apexOf(this->mesh_, arrival.halfedge),
-        arrival.direction, this->mesh_.shape(face).longest())
-                                .direction;
+      const WayFrom way = wayFrom(arrival.x, apexOf(this->mesh_, arrival.halfedge),
+        arrival.direction, this->faceSize_, this->leastBend_);
+      this->setRay({ arrival.halfedge, false, arrival.x, way.direction });
       return;
     }
+    const std::size_t k = this->cornerWithNumber(face, arrival.origin);
     this->best_.kind = LastPiece::Kind::Corner;
-    this->setDirection(face, cornerWeights(this->cornerWithNumber(face, arrival.origin)),
-      barycentric(this->mesh_, this->point_, face));
+    this->corner_ = this->mesh_.triangle(face)[k];
+    this->setDirection(face, cornerWeights(k), barycentric(this->mesh_, this->point_, face));
+  }
+
+  /// Only in the plane of a face that has an area a direction can be told.
+  void leaveFacesWithoutArea()
+  {
+    if (this->best_.kind == LastPiece::Kind::Window)
+    {
+      this->setRay(backToDirectionInSpace(this->mesh_, this->best_.ray()));
+    }
   }
 
   const LastPiece& best() const { return this->best_; }
@@ -149,7 +163,15 @@ public:
   {
     return this->best_.kind == LastPiece::Kind::Corner && isZero(this->best_.direction);
   }
-  SurfacePoint corner() const { return SurfacePoint::atVertex(this->corner_); }
+  /// Whether it is one without length but for rounding, from a corner that has a direction itself.
+  bool isBesideCorner() const
+  {
+    const double rounding = tolerance::PlaceRounding * (this->faceSize_ + this->best_.distance);
+    return this->best_.kind == LastPiece::Kind::Corner && norm(this->best_.direction) <= rounding &&
+      this->field_.vertexDistances()[this->corner_] > 0.0 &&
+      this->field_.arrivals()[this->corner_].isKnown();
+  }
+  Id corner() const { return this->corner_; }
 
 private:
   // Of ways as long but for rounding the one that is straight the longest tells the direction best:
@@ -185,15 +207,12 @@ private:
       inHalfedgeFrame(this->mesh_, this->best_.frame, from);
   }
 
-  // In the frame of a halfedge that runs against it, a ray into the face runs the other way; one
-  // that runs along it sees the ray in a mirror.
-  void turnToFaceBehind(Id halfedge)
+  void setRay(const IncomingRay& ray)
   {
-    const Id behind = this->mesh_.nextSibling(halfedge);
-    const bool isOpposed = this->mesh_.origin(behind) == this->mesh_.destination(halfedge);
-    const Vec2 d = this->best_.direction;
-    this->best_.frame = behind;
-    this->best_.direction = { isOpposed ? -d.x : d.x, -d.y };
+    this->best_.frame = ray.halfedge;
+    this->best_.direction = ray.direction;
+    this->best_.x = ray.x;
+    this->best_.leaves = ray.leaves;
   }
 
   const DistanceField& field_;
@@ -204,39 +223,54 @@ private:
   Id corner_ = NoId;
   /// Length of the straight way that ends with it.
   double straight_ = 0.0;
-  /// The longest edge of the face at hand.
+  /// The longest edge of the face at hand, and how near to a point of it paths may bend.
   double faceSize_ = 0.0;
+  double leastBend_ = 0.0;
 };
 
-LastPiece lastPieceToVertex(const DistanceField& field, const SurfacePoint& point)
+void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPieceSearch& search)
+{
+  if (!(field.vertexDistances()[point.id] < Infinity))
+  {
+    return;
+  }
+  if (field.arrivals()[point.id].halfedge != NoId)
+  {
+    search.comeAsRemembered();
+    search.leaveFacesWithoutArea();
+    return;
+  }
+  // Straight from a source in a face, or so near to a corner that rounding has hidden the arrival.
+  forEachFace(field.mesh(), point,
+    [&](Id face)
+    {
+      search.enter(face);
+      search.comeFromSources(face);
+      search.comeFromCorners(face);
+    });
+}
+
+// Of vertices at one place, but for rounding, that which the others come from has the direction.
+// They may name each other.
+LastPiece lastPieceToVertex(const DistanceField& field, Id vertex)
 {
   if (field.arrivals().empty())
   {
     throw Error("The path to a vertex was asked for, but the solve did not keep arrivals.");
   }
-  LastPieceSearch search(field, point);
-  const double distance = field.vertexDistances()[point.id];
-  if (!(distance < Infinity))
+  std::vector<Id> passed;
+  for (;;)
   {
-    return search.best();
+    const SurfacePoint point = SurfacePoint::atVertex(vertex);
+    LastPieceSearch search(field, point);
+    findAtVertex(field, point, search);
+    passed.push_back(vertex);
+    vertex = search.corner();
+    if (!search.isBesideCorner() || std::find(passed.begin(), passed.end(), vertex) != passed.end())
+    {
+      return search.best();
+    }
   }
-  if (field.arrivals()[point.id].halfedge != NoId)
-  {
-    search.comeAsRemembered();
-  }
-  else
-  {
-    // Straight from a source in a face, or so near to a corner that rounding has hidden the
-    // arrival.
-    forEachFace(field.mesh(), point,
-      [&](Id face)
-      {
-        search.enter(face);
-        search.comeFromSources(face);
-        search.comeFromCorners(face);
-      });
-  }
-  return search.best();
 }
 
 } // anonymous namespace
@@ -245,7 +279,7 @@ LastPiece lastPieceTo(const DistanceField& field, const SurfacePoint& point)
 {
   if (point.kind == SurfacePoint::Kind::Vertex)
   {
-    return lastPieceToVertex(field, point);
+    return lastPieceToVertex(field, point.id);
   }
   LastPieceSearch search(field, point);
   bool isKnown = false;
@@ -265,6 +299,7 @@ LastPiece lastPieceTo(const DistanceField& field, const SurfacePoint& point)
   {
     throw Error("The path to a point was asked for, but the solve kept no windows there.");
   }
+  search.leaveFacesWithoutArea();
   return search.isAtCorner() ? lastPieceToVertex(field, search.corner()) : search.best();
 }
 

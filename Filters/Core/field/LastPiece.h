@@ -3,7 +3,7 @@
 #define geodesic_LastPiece_h
 
 #include "field/DistanceField.h"
-#include "mesh/HalfedgeFrame.h"
+#include "field/IncomingRay.h"
 
 namespace geodesic
 {
@@ -27,9 +27,13 @@ struct LastPiece
   Kind kind = Kind::None;
   double distance = Infinity;
   /// The direction in which it comes to the point, of any length, in the frame of a halfedge of the
-  /// face that it comes through. Zero where the piece has no length.
+  /// face that it comes through: of the last one that has an area. Zero where the piece has no
+  /// length.
   Id frame = NoId;
   Vec2 direction = {};
+  /// Through a window, where it crosses the halfedge, and whether it leaves the face there.
+  double x = 0.0;
+  bool leaves = false;
   /// The corner (DistanceField::numberInWhole()); of a window its Window::origin, and where along a
   /// curve the ray comes from.
   Id origin = NoId;
@@ -37,6 +41,8 @@ struct LastPiece
   /// The source, and how far along it the piece begins: nearestAlongSource().
   SourceInFace source;
   double along = 0.0;
+
+  IncomingRay ray() const { return { this->frame, this->leaves, this->x, this->direction }; }
 };
 
 /// \param field with arrivals (FrontOptions::keepArrivals) and, unless the point is a vertex, with
