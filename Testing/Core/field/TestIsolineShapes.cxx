@@ -143,6 +143,19 @@ TEST(Isolines, WithATinyToleranceHaveChordsAtARoundingOfTheArc)
   EXPECT_LT(isolines.points.size(), 4000000U);
 }
 
+TEST(Isolines, SmallerThanTheToleranceHaveThreeCornersAtLeast)
+{
+  const PlainMesh plain = oneFace();
+  const TriangleMesh mesh = engineMesh(plain);
+  geodesic::SourceCurve source;
+  source.points = { enginePoint(mesh, inOneFace(1.0, 1.0)) };
+  source.isCut = { 0 };
+  const Isolines isolines = isolinesOf(mesh, { source }, { 0.5 }, 2.0);
+  ASSERT_EQ(isolines.lines.size(), 1U);
+  EXPECT_TRUE(isolines.lines[0].isClosed());
+  EXPECT_GE(isolines.lines[0].points.size(), 4U);
+}
+
 TEST(Isolines, RoundASegmentAreStadiums)
 {
   const TriangleMesh mesh = engineMesh(oneFace());
