@@ -32,7 +32,7 @@ std::vector<Id> verticesAround(const TriangleMesh& mesh, const SurfacePoint& poi
 class EdgeSearch
 {
 public:
-  EdgeSearch(const TriangleMesh& mesh, const Vec3& target, std::vector<double>& lengthTo)
+  EdgeSearch(const TriangleMesh& mesh, const SurfacePoint& target, std::vector<double>& lengthTo)
     : mesh_(mesh)
     , target_(target)
     , lengthTo_(lengthTo)
@@ -58,8 +58,8 @@ public:
         this->touched_.push_back(vertex);
       }
       this->lengthTo_[vertex] = length;
-      this->queue_.push(
-        { length + norm(this->mesh_.point(vertex) - this->target_), length, vertex });
+      const double left = distanceInSpace(this->mesh_, this->mesh_.point(vertex), this->target_);
+      this->queue_.push({ length + left, length, vertex });
     }
   }
 
@@ -114,7 +114,7 @@ private:
   }
 
   const TriangleMesh& mesh_;
-  const Vec3 target_;
+  const SurfacePoint target_;
   std::vector<double>& lengthTo_;
   std::vector<Id> touched_;
   std::priority_queue<Entry> queue_;
@@ -125,11 +125,10 @@ private:
 double lengthAlongEdges(const TriangleMesh& mesh, const SurfacePoint& first,
   const SurfacePoint& second, std::vector<double>& lengthTo, const ProgressCallback& progress)
 {
-  const Vec3 start = position(mesh, first);
-  EdgeSearch search(mesh, position(mesh, second), lengthTo);
+  EdgeSearch search(mesh, second, lengthTo);
   for (const Id vertex : verticesAround(mesh, first))
   {
-    search.reach(vertex, norm(mesh.point(vertex) - start));
+    search.reach(vertex, distanceInSpace(mesh, mesh.point(vertex), first));
   }
   return search.run(verticesAround(mesh, second), progress);
 }

@@ -23,7 +23,6 @@ class StopAtPoint : public KeepNone
 public:
   StopAtPoint(const SurfacePart& part, const SurfacePatch& patch, const SurfacePoint& point)
   {
-    const Vec3 place = position(patch.mesh(), point);
     forEachFace(patch.mesh(), point,
       [&](Id face)
       {
@@ -31,7 +30,8 @@ public:
         for (std::size_t k = 0; k < 3 && own != NoId && part.isOwn(own); ++k)
         {
           const Id vertex = part.mesh().triangle(own)[k];
-          this->corners_.push_back({ vertex, norm(part.mesh().point(vertex) - place) });
+          this->corners_.push_back(
+            { vertex, distanceInSpace(patch.mesh(), part.mesh().point(vertex), point) });
         }
       });
     this->length_ = this->corners_.empty() ? 0.0 : Infinity;
@@ -130,11 +130,10 @@ private:
     ways.length = this->part_.exchange().leastOf(stop.knowsPoint() ? stop.reach() : Infinity) /
       (1.0 - SearchError);
     // What the front has not settled is beyond its reach; in space no way is shorter than straight.
-    const Vec3 place = position(this->patch_.mesh(), from);
     for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
     {
-      ways.atLeast[vertex] =
-        std::max(std::min(ways.atLeast[vertex], reach), norm(mesh.point(vertex) - place));
+      ways.atLeast[vertex] = std::max(std::min(ways.atLeast[vertex], reach),
+        distanceInSpace(this->patch_.mesh(), mesh.point(vertex), from));
     }
     return ways;
   }

@@ -159,19 +159,19 @@ bool IsolineJoin::isShort(const SurfacePoint& a, const SurfacePoint& b, Id face,
     return false; // neither point can be spared
   }
   const double least = tolerance::IsolineGap * std::min(this->mesh_.shape(face).longest(), level);
-  return norm(position(this->mesh_, b) - position(this->mesh_, a)) <= least;
+  return distanceInSpace(this->mesh_, a, b) <= least;
 }
 
 // Round a vertex at exactly the value, or a vertex that is beyond it by rounding alone.
 bool IsolineJoin::isSpeck(const std::vector<SurfacePoint>& points, const Isoline& line) const
 {
-  const Vec3 first = position(this->mesh_, points[line.points.front()]);
+  const SurfacePoint& first = points[line.points.front()];
   double longest = 0.0;
   double extent = 0.0;
   for (std::size_t i = 0; i < line.faces.size(); ++i)
   {
     longest = std::max(longest, this->mesh_.shape(line.faces[i]).longest());
-    extent = std::max(extent, norm(position(this->mesh_, points[line.points[i + 1]]) - first));
+    extent = std::max(extent, distanceInSpace(this->mesh_, first, points[line.points[i + 1]]));
   }
   const double gap = tolerance::IsolineGap * std::min(longest, this->levels_[line.value]);
   return extent <= gap && (line.faces.empty() || this->isRoundOnePlace(points, line, gap));

@@ -11,20 +11,18 @@ namespace
 
 /// Whether a face may hold a point whose distances in space to the two points add up to no more
 /// than the bound. The sum grows by at most 2 for each unit of way.
-bool isWithin(
-  const TriangleMesh& mesh, Id face, const Vec3& first, const Vec3& second, double bound)
+bool isWithin(const TriangleMesh& mesh, Id face, const SurfacePoint& first,
+  const SurfacePoint& second, double bound)
 {
-  const Triangle& corners = mesh.triangle(face);
-  const Vec3& origin = mesh.point(corners[0]);
-  const Vec3 toCentre =
-    (1.0 / 3.0) * (mesh.point(corners[1]) - origin + (mesh.point(corners[2]) - origin));
-  const Vec3 centre = origin + toCentre;
+  const SurfacePoint centre = SurfacePoint::inFace(face, 1.0 / 3.0, 1.0 / 3.0);
   double radius = 0.0;
-  for (const Id vertex : corners)
+  for (const Id vertex : mesh.triangle(face))
   {
-    radius = std::max(radius, norm(mesh.point(vertex) - centre));
+    radius = std::max(radius, distanceInSpace(mesh, mesh.point(vertex), centre));
   }
-  return norm(centre - first) + norm(centre - second) - 2.0 * radius <= bound;
+  return distanceInSpace(mesh, centre, first) + distanceInSpace(mesh, centre, second) -
+    2.0 * radius <=
+    bound;
 }
 
 /// The face of the mesh on these vertices, which exists.
@@ -98,8 +96,6 @@ public:
   void gather(const SurfacePoint& first, const SurfacePoint& second, double bound,
     std::size_t maximum, const ProgressCallback& progress)
   {
-    const Vec3 p = position(this->mesh_, first);
-    const Vec3 q = position(this->mesh_, second);
     const auto visit = [&](Id face)
     {
       if (!this->workSpace_.faceSeen[face])
@@ -108,7 +104,7 @@ public:
         this->touchedFaces_.push_back(face);
         const bool holdsEnd =
           contains(this->mesh_, face, first) || contains(this->mesh_, face, second);
-        if (holdsEnd || isWithin(this->mesh_, face, p, q, bound))
+        if (holdsEnd || isWithin(this->mesh_, face, first, second, bound))
         {
           this->take(face);
         }

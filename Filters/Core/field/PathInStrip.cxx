@@ -156,13 +156,12 @@ PathInSpace StripSearch::find(const FrontOptions& options) const
   const TriangleMesh& mesh = strip.mesh();
   const SurfacePoint target =
     fromBarycentric(mesh, strip.faceAt(this->target_.face), this->target_.weights);
-  const Vec3 place = position(mesh, target);
   Corridor corridor;
   corridor.length = this->length_;
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
     corridor.lowerBounds.push_back(
-      (1.0 - tolerance::BoundMargin) * norm(mesh.point(vertex) - place));
+      (1.0 - tolerance::BoundMargin) * distanceInSpace(mesh, mesh.point(vertex), target));
   }
   FrontOptions inStrip = options;
   inStrip.corridor = &corridor;

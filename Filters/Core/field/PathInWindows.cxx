@@ -37,9 +37,11 @@ std::vector<double> boundsInStrip(const TriangleMesh& mesh, const SurfacePoint& 
   double length, const KnownDistances& known, const WayBack& back)
 {
   std::vector<double> bounds(mesh.numberOfVertices(), Infinity);
-  const Vec3 place = position(mesh, target);
   const auto open = [&](Id vertex)
-  { bounds[vertex] = (1.0 - tolerance::BoundMargin) * norm(mesh.point(vertex) - place); };
+  {
+    bounds[vertex] =
+      (1.0 - tolerance::BoundMargin) * distanceInSpace(mesh, mesh.point(vertex), target);
+  };
   const auto openFace = [&](Id face)
   {
     const Triangle& corners = mesh.triangle(face);

@@ -205,7 +205,7 @@ void PathTracer::requireLength(const TracedPath& path) const
 
 void PathTracer::add(TracedPath& path, Id face, const SurfacePoint& point) const
 {
-  path.length += norm(position(this->mesh_, point) - position(this->mesh_, path.points.back()));
+  path.length += distanceInSpace(this->mesh_, path.points.back(), point);
   path.points.push_back(point);
   path.faces.push_back(face);
 }

@@ -31,12 +31,11 @@ ProgressCallback part(const ProgressCallback& progress, double begin, double end
 
 std::vector<double> distancesInSpace(const TriangleMesh& mesh, const SurfacePoint& point)
 {
-  const Vec3 place = position(mesh, point);
   std::vector<double> distances;
   distances.reserve(mesh.numberOfVertices());
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
-    distances.push_back(norm(mesh.point(vertex) - place));
+    distances.push_back(distanceInSpace(mesh, mesh.point(vertex), point));
   }
   return distances;
 }

@@ -63,6 +63,33 @@ bool sameEdgePlace(const TriangleMesh& mesh, const SurfacePoint& a, const Surfac
   return std::abs(a.u - (1.0 - b.u)) <= std::numeric_limits<double>::epsilon();
 }
 
+/// A point of the surface as seen from a corner of its face.
+struct FromCorner
+{
+  Vec3 corner;
+  Vec3 offset;
+};
+
+FromCorner fromCorner(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  switch (point.kind)
+  {
+    case SurfacePoint::Kind::Vertex:
+      return { mesh.point(point.id), {} };
+    case SurfacePoint::Kind::Edge:
+    {
+      const Vec3& origin = mesh.point(mesh.origin(point.id));
+      return { origin, point.u * (mesh.point(mesh.destination(point.id)) - origin) };
+    }
+    case SurfacePoint::Kind::Face:
+      break;
+  }
+  const Triangle& corners = mesh.triangle(point.id);
+  const Vec3& origin = mesh.point(corners[0]);
+  return { origin,
+    point.u * (mesh.point(corners[1]) - origin) + point.v * (mesh.point(corners[2]) - origin) };
+}
+
 }
 
 SurfacePoint fromBarycentric(
@@ -182,6 +209,19 @@ bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoi
     return sameEdgePlace(mesh, a, b);
   }
   return a.id == b.id && a.u == b.u && a.v == b.v;
+}
+
+double distanceInSpace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
+{
+  const FromCorner first = fromCorner(mesh, a);
+  const FromCorner second = fromCorner(mesh, b);
+  return norm((second.corner - first.corner) + (second.offset - first.offset));
+}
+
+double distanceInSpace(const TriangleMesh& mesh, const Vec3& place, const SurfacePoint& point)
+{
+  const FromCorner there = fromCorner(mesh, point);
+  return norm((there.corner - place) + there.offset);
 }
 
 Vec3 position(const TriangleMesh& mesh, const SurfacePoint& point)

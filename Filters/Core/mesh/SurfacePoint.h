@@ -69,8 +69,14 @@ Id commonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoin
 /// point is the same from every halfedge of its edge, up to rounding of 1 - u).
 bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 
-/// Coordinates in space.
+/// Coordinates in space. What is measured between points is measured by distanceInSpace(): far from
+/// the origin the rounding of coordinates is no longer small beside a face.
 Vec3 position(const TriangleMesh& mesh, const SurfacePoint& point);
+
+/// The straight distance in space between two points, or from a place to a point. Measured from
+/// corners of the points' faces, so that it does not depend on where the origin is.
+double distanceInSpace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
+double distanceInSpace(const TriangleMesh& mesh, const Vec3& place, const SurfacePoint& point);
 
 }
 

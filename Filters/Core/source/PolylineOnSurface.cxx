@@ -147,7 +147,7 @@ public:
     double length = 0.0;
     for (std::size_t i = 1; i < path.size(); ++i)
     {
-      length += norm(position(this->mesh_, path[i]) - position(this->mesh_, path[i - 1]));
+      length += distanceInSpace(this->mesh_, path[i - 1], path[i]);
     }
     return length;
   }

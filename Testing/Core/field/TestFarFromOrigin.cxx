@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a surface lies does not count: far from the origin, where spacings of coordinates are no
+// longer small, all is as it is on the same surface at the origin.
+#include "EngineSupport.h"
+#include "field/PathChecker.h"
+
+#include "field/PathsToSource.h"
+#include "field/ShortestPathFinder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+using namespace geodesictest;
+using geodesic::PathToSource;
+using geodesic::SurfacePoint;
+using geodesic::TriangleMesh;
+
+namespace
+{
+
+/// Others, and more, by GEODESIC_TEST_FAR_SEEDS=FIRST,COUNT.
+struct Seeds
+{
+  std::uint64_t first = 0;
+  std::uint64_t count = 8;
+};
+
+Seeds seeds()
+{
+  Seeds result;
+  if (const char* wanted = std::getenv("GEODESIC_TEST_FAR_SEEDS"))
+  {
+    char* rest = nullptr;
+    result.first = std::strtoull(wanted, &rest, 10);
+    result.count = *rest == ',' ? std::strtoull(rest + 1, nullptr, 10) : result.count;
+  }
+  return result;
+}
+
+/// A surface with edges of about 1e-3 some 1e8 from the origin, and the same one moved, exactly, to
+/// where its first point is the origin.
+struct Surfaces
+{
+  PlainMesh far;
+  PlainMesh atOrigin;
+};
+
+Surfaces surfacesOf(PlainMesh mesh, Random& random)
+{
+  Surfaces result{ mesh, mesh };
+  Vec3 shift;
+  for (double& s : shift)
+  {
+    s = random.uniform(0.7e8, 1.3e8) * (random.chance(0.5) ? 1.0 : -1.0);
+  }
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      result.far.points[i][k] = 1e-3 * mesh.points[i][k] + shift[k];
+      result.atOrigin.points[i][k] = result.far.points[i][k] - result.far.points[0][k];
+      EXPECT_EQ(result.atOrigin.points[i][k] + result.far.points[0][k], result.far.points[i][k]);
+    }
+  }
+  return result;
+}
+
+class FarFromOrigin : public ::testing::TestWithParam<MeshKind>
+{
+};
+
+bool isSame(const SurfacePoint& a, const SurfacePoint& b)
+{
+  return a.kind == b.kind && a.id == b.id && a.u == b.u && a.v == b.v;
+}
+
+void expectSame(const std::vector<SurfacePoint>& far, const std::vector<SurfacePoint>& atOrigin)
+{
+  ASSERT_EQ(far.size(), atOrigin.size());
+  for (std::size_t i = 0; i < far.size(); ++i)
+  {
+    EXPECT_TRUE(isSame(far[i], atOrigin[i])) << "point " << i << " of " << far.size();
+  }
+}
+
+}
+
+TEST_P(FarFromOrigin, PathsAreThoseAtTheOriginAndShortest)
+{
+  double worst = 0.0;
+  const Seeds wanted = seeds();
+  for (std::uint64_t seed = wanted.first; seed < wanted.first + wanted.count; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 52000);
+    const Surfaces surfaces = surfacesOf(GetParam().make(random.between(30, 300), random), random);
+    CurveMaker maker(surfaces.atOrigin, random);
+    const std::vector<Polyline> curves = maker.anySource();
+    const TriangleMesh far = engineMesh(surfaces.far);
+    const TriangleMesh atOrigin = engineMesh(surfaces.atOrigin);
+    std::vector<SurfacePoint> targets;
+    for (int i = 0; i < 25; ++i)
+    {
+      targets.push_back(enginePoint(atOrigin, randomPoint(surfaces.atOrigin, random)));
+    }
+    const std::vector<PathToSource> farPaths =
+      geodesic::pathsToSource(far, engineCurves(far, curves), targets);
+    const std::vector<PathToSource> paths =
+      geodesic::pathsToSource(atOrigin, engineCurves(atOrigin, curves), targets);
+    const geodesic::DistanceField field = solveKeepingAll(atOrigin, engineCurves(atOrigin, curves));
+    const PathChecker checker(surfaces.atOrigin);
+    for (std::size_t i = 0; i < targets.size(); ++i)
+    {
+      SCOPED_TRACE("target " + std::to_string(i));
+      expectSame(farPaths[i].points, paths[i].points);
+      if (!farPaths[i].points.empty())
+      {
+        const double length = PathChecker::length(checker.plain(farPaths[i].points));
+        const double distance = field.distance(targets[i]);
+        const double error = std::abs(length - distance) / (distance + 1e-3);
+        EXPECT_LE(error, 1e-9);
+        worst = std::max(worst, error);
+      }
+    }
+    geodesic::ShortestPathFinder farFinder(far);
+    geodesic::ShortestPathFinder finder(atOrigin);
+    for (int i = 0; i < 8; ++i)
+    {
+      const SurfacePoint first = enginePoint(far, randomFacePoint(surfaces.far, random));
+      const SurfacePoint second = enginePoint(far, randomFacePoint(surfaces.far, random));
+      expectSame(farFinder.between(first, second), finder.between(first, second));
+    }
+  }
+  std::cout << "worst relative error on " << GetParam().name << ": " << worst << "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FarFromOrigin, ::testing::ValuesIn(meshKinds()),
+  [](const ::testing::TestParamInfo<MeshKind>& info) { return std::string(info.param.name); });
