@@ -18,7 +18,8 @@ struct ToldFace
 {
   std::uint64_t place;
   RankAddress face;
-  std::uint64_t isUpToRounding;
+  /// With the vertices' numbers in the whole.
+  FaceLocator::Candidate candidate;
 };
 
 constexpr std::size_t PointsPerReport = 256;
@@ -82,23 +83,41 @@ std::vector<std::vector<LocatorOnRanks::Found>> LocatorOnRanks::locate(
       if (candidate.isClosest(least[i]) && this->part_.isOwn(candidate.face))
       {
         put(message,
-          ToldFace{ i, { this->part_.exchange().rank(), candidate.face },
-            candidate.isClosestUpToRounding(least[i]) ? std::uint64_t(1) : 0 });
+          ToldFace{
+            i, { this->part_.exchange().rank(), candidate.face }, this->inWhole(candidate) });
       }
     }
   }
-  std::vector<std::vector<Found>> found(points.size());
+  std::vector<Candidates> told(points.size());
+  std::vector<std::vector<RankAddress>> addresses(points.size());
   readEach(this->part_.exchange().tellAll(message),
     [&](int, MessageReader& reader)
     {
-      const auto told = reader.get<ToldFace>();
-      found[told.place].push_back({ told.face, told.isUpToRounding != 0 });
+      auto face = reader.get<ToldFace>();
+      face.candidate.face = static_cast<Id>(addresses[face.place].size());
+      addresses[face.place].push_back(face.face);
+      told[face.place].push_back(face.candidate);
     });
-  for (std::vector<Found>& faces : found)
+  std::vector<std::vector<Found>> found(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    std::sort(faces.begin(), faces.end());
+    for (const FaceLocator::Candidate& chosen : FaceLocator::chosen(told[i]))
+    {
+      found[i].push_back({ addresses[i][chosen.face], chosen.isClosestUpToRounding(least[i]) });
+    }
+    std::sort(found[i].begin(), found[i].end());
   }
   return found;
+}
+
+FaceLocator::Candidate LocatorOnRanks::inWhole(FaceLocator::Candidate candidate) const
+{
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    candidate.corners[k] = this->part_.numberInWhole(candidate.corners[k]);
+    candidate.support[k] = candidate.support[k] == NoId ? NoId : candidate.corners[k];
+  }
+  return candidate;
 }
 
 SourceOnRanks::SourceOnRanks(const SurfacePart& part)

@@ -51,6 +51,8 @@ public:
 private:
   using Candidates = std::vector<FaceLocator::Candidate>;
 
+  FaceLocator::Candidate inWhole(FaceLocator::Candidate candidate) const;
+
   const SurfacePart& part_;
   FaceLocator locator_;
   /// Of this rank's faces.

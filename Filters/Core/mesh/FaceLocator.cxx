@@ -5,6 +5,7 @@
 #include "mesh/SurfaceSnap.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -18,6 +19,56 @@ constexpr Id FacesInLeaf = 8;
 
 /// A node's part holds at least this fraction of its faces, so that the tree is never deep.
 constexpr std::ptrdiff_t LeastPart = 8;
+
+using Candidate = FaceLocator::Candidate;
+
+double leastDistance(const std::vector<Candidate>& candidates)
+{
+  double least = Infinity;
+  for (const Candidate& candidate : candidates)
+  {
+    least = std::min(least, candidate.distance);
+  }
+  return least;
+}
+
+/// Whether a face has all vertices of a part of a face.
+bool hasPart(const Triangle& corners, const Triangle& part)
+{
+  return std::all_of(part.begin(), part.end(),
+    [&](Id vertex) {
+      return vertex == NoId || std::find(corners.begin(), corners.end(), vertex) != corners.end();
+    });
+}
+
+/// Whether a face is farther than another though its distance may be the same up to rounding: its
+/// closest point is one of the other face, which has a closer one.
+bool isFartherThan(const Candidate& face, const Candidate& other)
+{
+  return hasPart(other.corners, face.support) && !hasPart(face.corners, other.support) &&
+    norm(other.toClosest - face.toClosest) > face.precision;
+}
+
+/// The faces whose distance cannot be told from the least.
+std::vector<const Candidate*> closestOf(const std::vector<Candidate>& candidates, double least)
+{
+  std::vector<const Candidate*> closest;
+  for (const Candidate& face : candidates)
+  {
+    const auto isCloser = [&](const Candidate& other) { return isFartherThan(face, other); };
+    if (face.distance <= least + face.measuring &&
+      std::none_of(candidates.begin(), candidates.end(), isCloser))
+    {
+      closest.push_back(&face);
+    }
+  }
+  if (closest.empty() && !candidates.empty()) // each loses to another by rounding
+  {
+    closest.push_back(&*std::min_element(candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; }));
+  }
+  return closest;
+}
 
 }
 
@@ -36,25 +87,6 @@ struct FaceLocator::Search
     return tolerance::SnapRoundings * this->coordinatePrecision *
       std::max(box.largestCoordinate(), largestCoordinate(this->point));
   }
-
-  /// The faces of the answer, in its order.
-  std::vector<Id> answer()
-  {
-    const auto isOver = [this](const Candidate& f) { return !f.isClosest(this->distance); };
-    this->found.erase(
-      std::remove_if(this->found.begin(), this->found.end(), isOver), this->found.end());
-    std::sort(this->found.begin(), this->found.end(),
-      [&](const Candidate& a, const Candidate& b)
-      {
-        const bool aFirst = a.isClosestUpToRounding(this->distance);
-        const bool bFirst = b.isClosestUpToRounding(this->distance);
-        return aFirst != bFirst ? aFirst : a.face < b.face;
-      });
-    std::vector<Id> faces(this->found.size());
-    std::transform(this->found.begin(), this->found.end(), faces.begin(),
-      [](const Candidate& f) { return f.face; });
-    return faces;
-  }
 };
 
 FaceLocator::FaceLocator(const TriangleMesh& mesh)
@@ -68,9 +100,20 @@ FaceLocator::FaceLocator(const TriangleMesh& mesh)
 std::vector<Id> FaceLocator::closest(
   const Vec3& point, double coordinatePrecision, const ProgressCallback& progress)
 {
-  Search search{ point, coordinatePrecision, progress, Infinity, {}, 0.0 };
-  this->search(search, 0);
-  return search.answer();
+  const std::vector<Candidate> all = this->candidates(point, coordinatePrecision, progress);
+  const double least = leastDistance(all);
+  std::vector<Candidate> found = chosen(all);
+  std::sort(found.begin(), found.end(),
+    [&](const Candidate& a, const Candidate& b)
+    {
+      const bool aFirst = a.isClosestUpToRounding(least);
+      const bool bFirst = b.isClosestUpToRounding(least);
+      return aFirst != bFirst ? aFirst : a.face < b.face;
+    });
+  std::vector<Id> faces(found.size());
+  std::transform(
+    found.begin(), found.end(), faces.begin(), [](const Candidate& f) { return f.face; });
+  return faces;
 }
 
 std::vector<FaceLocator::Candidate> FaceLocator::candidates(
@@ -78,7 +121,32 @@ std::vector<FaceLocator::Candidate> FaceLocator::candidates(
 {
   Search search{ point, coordinatePrecision, progress, Infinity, {}, 0.0 };
   this->search(search, 0);
-  return std::move(search.found);
+  std::vector<Candidate>& found = search.found;
+  const auto isOver = [&](const Candidate& f) { return !f.isClosest(search.distance); };
+  found.erase(std::remove_if(found.begin(), found.end(), isOver), found.end());
+  for (Candidate& candidate : found)
+  {
+    this->complete(candidate, point, coordinatePrecision);
+  }
+  return std::move(found);
+}
+
+std::vector<FaceLocator::Candidate> FaceLocator::chosen(const std::vector<Candidate>& candidates)
+{
+  const double least = leastDistance(candidates);
+  std::vector<Candidate> close;
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(close),
+    [&](const Candidate& face) { return face.isClosest(least); });
+  const std::vector<const Candidate*> closest = closestOf(close, least);
+  const auto isChosen = [&](const Candidate& face)
+  {
+    const auto isSamePlace = [&](const Candidate* best)
+    { return &face == best || norm(face.toPlace - best->toClosest) <= face.precision; };
+    return least <= face.precision || std::any_of(closest.begin(), closest.end(), isSamePlace);
+  };
+  std::vector<Candidate> result;
+  std::copy_if(close.begin(), close.end(), std::back_inserter(result), isChosen);
+  return result;
 }
 
 // Three times the centre: only the order among the faces counts.
@@ -180,7 +248,7 @@ void FaceLocator::tryFace(Search& search, Id face) const
   {
     return; // measuring takes several times as long
   }
-  const double distance = snapToFace(this->mesh_, face, search.point, 0.0).distance;
+  const double distance = norm(snapToFace(this->mesh_, face, search.point, 0.0).offset);
   // Far from the origin roundings may be as large as faces: there the closest counts.
   const double precision =
     std::min(byCoordinates, tolerance::SnapFraction * this->mesh_.shape(face).longest());
@@ -188,7 +256,23 @@ void FaceLocator::tryFace(Search& search, Id face) const
   {
     const double rounding = byCoordinates / search.coordinatePrecision * tolerance::Rounding;
     search.distance = std::min(search.distance, distance);
-    search.found.push_back({ face, distance, precision, rounding });
+    search.found.push_back({ face, distance, precision, rounding, 0.0, {}, {}, {}, {} });
+  }
+}
+
+void FaceLocator::complete(
+  Candidate& candidate, const Vec3& point, double coordinatePrecision) const
+{
+  const SnappedPoint closest = snapToFace(this->mesh_, candidate.face, point, 0.0);
+  const std::array<double, 3> weights = barycentric(this->mesh_, closest.place, candidate.face);
+  candidate.measuring = tolerance::SnapRoundings * tolerance::Rounding *
+    (candidate.distance + this->mesh_.shape(candidate.face).longest());
+  candidate.toClosest = closest.offset;
+  candidate.toPlace = snapToFace(this->mesh_, candidate.face, point, coordinatePrecision).offset;
+  candidate.corners = this->mesh_.triangle(candidate.face);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    candidate.support[k] = weights[k] != 0.0 ? candidate.corners[k] : NoId;
   }
 }
 

@@ -11,20 +11,23 @@
 namespace geodesic
 {
 
-/// Finds all faces that are equally close to a point: where a surface touches or overlaps itself
-/// there are several, and no one of them is the right one by itself. A tree of boxes that is built
-/// where points are looked for: a few points cost about as much as a look at every face, many no
-/// more than the whole tree.
+/// Finds all faces that put a point onto its closest place: where a surface touches or overlaps
+/// itself there are several, and no one of them is the right one by itself. A tree of boxes that is
+/// built where points are looked for: a few points cost about as much as a look at every face, many
+/// no more than the whole tree.
 class FaceLocator
 {
 public:
   /// \param mesh must outlive the locator.
   explicit FaceLocator(const TriangleMesh& mesh);
 
-  /// The faces whose distance to a point is the least, within the precision of coordinates as
-  /// snapToFace takes it, but never more than SnapFraction of a face's longest edge. First those
-  /// that are as close up to rounding, by number, then the others, by number. Faces without area
-  /// count as all others. Not thread-safe.
+  /// The closest face, and those that can be told from it by no more than the precision of
+  /// coordinates as snapToFace takes it (never more than SnapFraction of a face's longest edge): of
+  /// a point on the surface, within that precision, all that are as close within it; of a point
+  /// beside the surface those that put it within that precision of the closest place, as faces
+  /// that are almost as close may put it far from there: and those whose distance cannot be told
+  /// from the least. First those that are as close up to rounding, by number, then the others, by
+  /// number. Faces without area count as all others. Not thread-safe.
   ///
   /// \param coordinatePrecision relative precision of the point's coordinates.
   /// \param progress called now and then while the tree grows; returning false throws Aborted.
@@ -40,6 +43,15 @@ public:
     /// rounding alone.
     double precision;
     double rounding;
+    /// Up to the rounding of measuring, which does not depend on where the origin is.
+    double measuring;
+    /// From the point to the closest one of the face, and to where snapToFace puts it.
+    Vec3 toClosest;
+    Vec3 toPlace;
+    /// Of the face, and of its smallest part (itself, an edge, a vertex) that holds the closest
+    /// point; NoId elsewhere.
+    Triangle corners;
+    Triangle support;
 
     bool isClosest(double least) const { return this->distance <= least + this->precision; }
     bool isClosestUpToRounding(double least) const
@@ -48,10 +60,12 @@ public:
     }
   };
 
-  /// The faces from which closest() chooses, by the least of their distances: for a caller who
-  /// knows of more faces, by which that may be less. In no order.
+  /// The faces from which closest() chooses: for a caller who knows of more. In no order.
   std::vector<Candidate> candidates(
     const Vec3& point, double coordinatePrecision, const ProgressCallback& progress = {});
+
+  /// What closest() chooses from candidates, in their order.
+  static std::vector<Candidate> chosen(const std::vector<Candidate>& candidates);
 
 private:
   struct Node
@@ -71,6 +85,7 @@ private:
   void split(Id node, Search& search);
   void search(Search& search, Id node);
   void tryFace(Search& search, Id face) const;
+  void complete(Candidate& candidate, const Vec3& point, double coordinatePrecision) const;
 
   const TriangleMesh& mesh_;
   std::vector<Id> faces_;

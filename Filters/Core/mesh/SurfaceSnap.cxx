@@ -207,6 +207,7 @@ SnappedPoint snapToFace(
 
   SnappedPoint result;
   result.place = fromBarycentric(mesh, faceId, closest.weights);
+  result.offset = (face.corner(0) - point) + face.fromCorner(0, closest.weights);
   result.distance = norm(point - position(mesh, result.place));
   const double shortest = std::min({ face.length(0), face.length(1), face.length(2) });
   result.tolerance = std::min(precision, tolerance::SnapFraction * shortest);

@@ -12,7 +12,9 @@ namespace geodesic
 struct SnappedPoint
 {
   SurfacePoint place;
-  /// From the point in space to the place.
+  /// From the point in space to the place, measured from a corner of the face.
+  Vec3 offset{};
+  /// The same length, by the coordinates that the place has.
   double distance = 0.0;
   /// The precision of the place: points closer together than this are one.
   double tolerance = 0.0;

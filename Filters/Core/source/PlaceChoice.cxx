@@ -478,6 +478,14 @@ std::vector<ChosenPlaces> choosePlaces(const TriangleMesh& mesh,
   std::vector<ChosenPlaces> result(count);
   if (count < 2)
   {
+    const auto isOnLess = [](const SurfacePoint& a, const SurfacePoint& b)
+    { return a.kind < b.kind; };
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const auto best = std::min_element(places[i].begin(), places[i].end(), isOnLess);
+      result[i].arrival = static_cast<std::size_t>(best - places[i].begin());
+      result[i].departure = result[i].arrival;
+    }
     return result;
   }
   // A closed polyline begins, and ends, at a point with as few places as possible.

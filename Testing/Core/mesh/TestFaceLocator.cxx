@@ -36,24 +36,35 @@ double leastDistance(const TriangleMesh& mesh, const Vec3& point)
   return least;
 }
 
+Vec3 placeOf(const TriangleMesh& mesh, Id face, const Vec3& point, double precision)
+{
+  return position(mesh, snapToFace(mesh, face, point, precision).place);
+}
+
 Vec3 randomPoint(Random& random, double size)
 {
   return { random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size) };
 }
 
 /// All faces that are as close as the closest up to half a rounding are found (or up to less than a
-/// tenth of their longest edge), and none that is farther by more than some roundings.
+/// tenth of their longest edge), save those that put a point beside the surface elsewhere; and none
+/// that is farther by more than some roundings.
 void expectAllClosest(
   const TriangleMesh& mesh, FaceLocator& locator, const Vec3& point, double precision, double size)
 {
   const std::vector<Id> found = locator.closest(point, precision);
   const double least = leastDistance(mesh, point);
+  ASSERT_FALSE(found.empty());
   for (Id face = 0; face < mesh.numberOfFaces(); ++face)
   {
     const double over = distanceOf(mesh, face, point) - least;
     const bool isFound = std::find(found.begin(), found.end(), face) != found.end();
     const double surely = std::min(0.5 * Epsilon * size, 0.09 * mesh.shape(face).longest());
-    EXPECT_TRUE(isFound || over > surely);
+    const Vec3 place = placeOf(mesh, face, point, precision);
+    const bool isElsewhere = least > surely &&
+      std::any_of(found.begin(), found.end(),
+        [&](Id other) { return norm(placeOf(mesh, other, point, 0.0) - place) > surely; });
+    EXPECT_TRUE(isFound || over > surely || isElsewhere);
     EXPECT_TRUE(!isFound || over <= 8.0 * precision * size);
   }
   EXPECT_EQ(locator.closest(point, precision), found);
@@ -142,6 +153,24 @@ TEST(FaceLocator, HalfwayBetweenSheetsBothAreFound)
   FaceLocator locator(mesh);
   EXPECT_EQ(locator.closest({ 0.6, 0.2, 0.5 }, Epsilon), (std::vector<Id>{ 0, 18 }));
   EXPECT_EQ(locator.closest({ 0.6, 0.2, 0.4 }, Epsilon), (std::vector<Id>{ 0 }));
+}
+
+TEST(FaceLocator, BesideTheSurfaceAFaceThatIsAlmostAsCloseIsNoChoice)
+{
+  // Over the first of two faces that are bent by a little less than the precision tells.
+  const TriangleMesh mesh(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, 0 }, { 0.5, -1, -0.1 } }, { { 0, 2, 1 }, { 0, 1, 3 } });
+  FaceLocator locator(mesh);
+  for (const double away : { 1e-4, 1e-9 })
+  {
+    const double precision = away > 1e-6 ? FloatEpsilon : Epsilon;
+    const std::vector<Id> beside = { 0 };
+    EXPECT_EQ(locator.closest({ 0.5, away, 0.5 }, precision), beside);
+    // On the edge as seen from both faces.
+    EXPECT_EQ(locator.closest({ 0.5, 0, 0.5 }, precision), (std::vector<Id>{ 0, 1 }));
+    // On the surface within the precision.
+    EXPECT_EQ(locator.closest({ 0.5, 0.5 * precision, 0 }, precision), (std::vector<Id>{ 0, 1 }));
+  }
 }
 
 TEST(FaceLocator, ThePrecisionOfThePointTellsWhatIsEquallyClose)
