@@ -176,6 +176,46 @@ void CheckSymmetryAndField(Check& check)
   check.That(worst <= 1e-12 * largest, "symmetric up to " + std::to_string(worst / largest));
 }
 
+/// Where a point lies depends neither on whether it is a source or a target nor on how precise its
+/// coordinates are.
+void CheckPointsBesideTheSurface(Check& check)
+{
+  const auto sphere = ChangedSphere(16, 16, [](const Point& p) { return Point(p); });
+  for (const int dataType : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    for (const double away : { 1.1, 0.9, 1.5 })
+    {
+      std::vector<Point> points;
+      for (int i = 0; i < 40; ++i)
+      {
+        const double polar = 0.2 + 2.7 * i / 40.0;
+        const double around = 2.4 * i;
+        points.push_back({ 0.5 * away * std::sin(polar) * std::cos(around),
+          0.5 * away * std::sin(polar) * std::sin(around), 0.5 * away * std::cos(polar) });
+      }
+      // Beside an edge of the sphere as seen from both of its faces.
+      points.push_back({ 0.5 * away, 1e-5, 1e-5 });
+      points.push_back({ 1e-5, 1e-5, 0.5 * away });
+      vtkNew<vtkGeodesicDistanceMatrix> filter;
+      filter->SetInputData(sphere);
+      filter->SetSourceData(PointSources(points, dataType));
+      filter->Update();
+      vtkTable* table = filter->GetOutput();
+      const auto count = static_cast<vtkIdType>(points.size());
+      CheckColumns(check, table, count, static_cast<int>(count), "beside the surface: ");
+      for (vtkIdType s = 0; s < count; ++s)
+      {
+        check.Equal(At(table, s, s), 0.0, "a point's distance to itself");
+        for (vtkIdType t = 0; t < s; ++t)
+        {
+          check.That(std::abs(At(table, t, s) - At(table, s, t)) <= 1e-12,
+            "distances beside the surface are symmetric");
+        }
+      }
+    }
+  }
+}
+
 vtkSmartPointer<vtkTable> RunBumpy(const std::vector<Point>& targets)
 {
   vtkNew<vtkGeodesicDistanceMatrix> filter;
@@ -364,6 +404,7 @@ int TestGeodesicDistanceMatrix(int, char*[])
   CheckTruthInTheSquare(check);
   CheckSources(check);
   CheckSymmetryAndField(check);
+  CheckPointsBesideTheSurface(check);
   CheckBits(check);
   CheckUnreached(check);
   CheckScales(check);
