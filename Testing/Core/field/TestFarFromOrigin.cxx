@@ -6,6 +6,7 @@
 
 #include "field/PathsToSource.h"
 #include "field/ShortestPathFinder.h"
+#include "source/PolylineLocator.h"
 
 #include <gtest/gtest.h>
 
@@ -13,15 +14,19 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <string>
 
 using namespace geodesictest;
+using geodesic::LocatedPolyline;
 using geodesic::PathToSource;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
 
 namespace
 {
+
+constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 
 /// Others, and more, by GEODESIC_TEST_FAR_SEEDS=FIRST,COUNT.
 struct Seeds
@@ -68,6 +73,19 @@ Surfaces surfacesOf(PlainMesh mesh, Random& random)
     }
   }
   return result;
+}
+
+std::vector<SurfacePoint> placesOf(const TriangleMesh& mesh, std::vector<LocatedPolyline>& points)
+{
+  geodesic::PolylineLocator(mesh).locate(points, Epsilon);
+  const geodesic::SourceCurves curves =
+    geodesic::putOntoSurface(mesh, points, {}, geodesic::joinByShortestPaths(mesh));
+  std::vector<SurfacePoint> places;
+  for (const geodesic::SourceCurve& curve : curves.curves)
+  {
+    places.push_back(curve.points.front());
+  }
+  return places;
 }
 
 class FarFromOrigin : public ::testing::TestWithParam<MeshKind>
@@ -137,6 +155,41 @@ TEST_P(FarFromOrigin, PathsAreThoseAtTheOriginAndShortest)
     }
   }
   std::cout << "worst relative error on " << GetParam().name << ": " << worst << "\n";
+}
+
+TEST_P(FarFromOrigin, PointsAreAtTheSamePlacesUpToTheirPrecision)
+{
+  const Seeds wanted = seeds();
+  for (std::uint64_t seed = wanted.first; seed < wanted.first + wanted.count; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 53000);
+    const Surfaces surfaces = surfacesOf(GetParam().make(random.between(30, 300), random), random);
+    const TriangleMesh far = engineMesh(surfaces.far);
+    const TriangleMesh atOrigin = engineMesh(surfaces.atOrigin);
+    std::vector<LocatedPolyline> farPoints(25);
+    std::vector<LocatedPolyline> points(25);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      Vec3 p = position(surfaces.far, randomFacePoint(surfaces.far, random));
+      const double away = 1e-3 * random.uniform();
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        p[k] += i % 2 == 0 ? 0.0 : random.uniform(-away, away);
+      }
+      farPoints[i].points = { p };
+      points[i].points = { geodesic::operator-(p, surfaces.far.points[0]) };
+    }
+    const std::vector<SurfacePoint> farPlaces = placesOf(far, farPoints);
+    const std::vector<SurfacePoint> places = placesOf(atOrigin, points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const double precision = 4.0 * Epsilon * 1.4e8;
+      const double apart = spaceDistance(
+        geodesic::position(atOrigin, farPlaces[i]), geodesic::position(atOrigin, places[i]));
+      EXPECT_LE(apart, 1.01 * precision) << "point " << i;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, FarFromOrigin, ::testing::ValuesIn(meshKinds()),
