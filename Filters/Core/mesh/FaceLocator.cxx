@@ -49,23 +49,39 @@ bool isFartherThan(const Candidate& face, const Candidate& other)
     norm(other.toClosest - face.toClosest) > face.precision;
 }
 
-/// The faces whose distance cannot be told from the least.
-std::vector<const Candidate*> closestOf(const std::vector<Candidate>& candidates, double least)
+/// The faces whose distance cannot be told from the least, in their order. Around the centre of a
+/// sphere these are many, of many more.
+std::vector<const Candidate*> closestOf(const std::vector<Candidate>& faces, double least)
 {
   std::vector<const Candidate*> closest;
-  for (const Candidate& face : candidates)
+  std::vector<std::pair<Id, const Candidate*>> atVertices;
+  for (const Candidate& face : faces)
   {
-    const auto isCloser = [&](const Candidate& other) { return isFartherThan(face, other); };
-    if (face.distance <= least + face.measuring &&
-      std::none_of(candidates.begin(), candidates.end(), isCloser))
+    if (face.distance <= least + face.measuring)
     {
       closest.push_back(&face);
     }
+    for (const Id vertex : face.corners)
+    {
+      atVertices.emplace_back(vertex, &face);
+    }
   }
-  if (closest.empty() && !candidates.empty()) // each loses to another by rounding
+  std::sort(atVertices.begin(), atVertices.end());
+  const auto isFarther = [&](const Candidate* face)
   {
-    closest.push_back(&*std::min_element(candidates.begin(), candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; }));
+    const Id vertex = *std::min_element(face->support.begin(), face->support.end());
+    auto at = std::lower_bound(atVertices.begin(), atVertices.end(), vertex,
+      [](const auto& entry, Id wanted) { return entry.first < wanted; });
+    while (at != atVertices.end() && at->first == vertex && !isFartherThan(*face, *at->second))
+    {
+      ++at;
+    }
+    return at != atVertices.end() && at->first == vertex;
+  };
+  const auto last = std::remove_if(closest.begin(), closest.end(), isFarther);
+  if (last != closest.begin()) // else each loses to another by rounding
+  {
+    closest.erase(last, closest.end());
   }
   return closest;
 }
@@ -137,12 +153,18 @@ std::vector<FaceLocator::Candidate> FaceLocator::chosen(const std::vector<Candid
   std::vector<Candidate> close;
   std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(close),
     [&](const Candidate& face) { return face.isClosest(least); });
+  const auto isOnSurface = [&](const Candidate& face) { return least <= face.precision; };
+  if (std::all_of(close.begin(), close.end(), isOnSurface))
+  {
+    return close;
+  }
   const std::vector<const Candidate*> closest = closestOf(close, least);
+  const Candidate& best = **std::min_element(closest.begin(), closest.end(),
+    [](const Candidate* a, const Candidate* b) { return a->distance < b->distance; });
   const auto isChosen = [&](const Candidate& face)
   {
-    const auto isSamePlace = [&](const Candidate* best)
-    { return &face == best || norm(face.toPlace - best->toClosest) <= face.precision; };
-    return least <= face.precision || std::any_of(closest.begin(), closest.end(), isSamePlace);
+    return isOnSurface(face) || norm(face.toPlace - best.toClosest) <= face.precision ||
+      std::binary_search(closest.begin(), closest.end(), &face);
   };
   std::vector<Candidate> result;
   std::copy_if(close.begin(), close.end(), std::back_inserter(result), isChosen);
