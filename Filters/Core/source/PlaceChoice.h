@@ -49,7 +49,8 @@ using LengthBetween = std::function<double(std::size_t point, std::size_t from, 
 /// with as few consecutive points as possible that no path joins, then that share no face, then as
 /// few changes from one place of a point to another; of these the shortest joins of points without
 /// a common face, then places on vertices rather than edges rather than inside faces (a section's
-/// points lie on edges), and last the first places.
+/// points lie on edges), and last the first places. So a single point takes a vertex before an edge
+/// before a face, and the first of these.
 ///
 /// \param places of each point, one at least.
 /// \param closed whether the last point joins the first.

@@ -63,7 +63,7 @@ using JoinPoints = std::function<std::vector<SurfacePoint>(
 /// their precision cannot tell apart are one.
 ///
 /// Where a point has several faces, those are taken in which consecutive points share a face
-/// (choosePlaces); a single point takes its first one.
+/// (choosePlaces); a single point takes a vertex before an edge before a face.
 ///
 /// One curve a polyline, in their order, or several: where a polyline passes from one sheet of the
 /// surface to another that touches it there and is not connected with it in the point, a curve ends

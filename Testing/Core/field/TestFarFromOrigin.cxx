@@ -2,6 +2,7 @@
 // Where a surface lies does not count: far from the origin, where spacings of coordinates are no
 // longer small, all is as it is on the same surface at the origin.
 #include "EngineSupport.h"
+#include "Seeds.h"
 #include "field/PathChecker.h"
 
 #include "field/PathsToSource.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <string>
@@ -28,24 +28,7 @@ namespace
 
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 
-/// Others, and more, by GEODESIC_TEST_FAR_SEEDS=FIRST,COUNT.
-struct Seeds
-{
-  std::uint64_t first = 0;
-  std::uint64_t count = 8;
-};
-
-Seeds seeds()
-{
-  Seeds result;
-  if (const char* wanted = std::getenv("GEODESIC_TEST_FAR_SEEDS"))
-  {
-    char* rest = nullptr;
-    result.first = std::strtoull(wanted, &rest, 10);
-    result.count = *rest == ',' ? std::strtoull(rest + 1, nullptr, 10) : result.count;
-  }
-  return result;
-}
+constexpr std::uint64_t SeedsOfAKind = 6;
 
 /// A surface with edges of about 1e-3 some 1e8 from the origin, and the same one moved, exactly, to
 /// where its first point is the origin.
@@ -111,8 +94,8 @@ void expectSame(const std::vector<SurfacePoint>& far, const std::vector<SurfaceP
 TEST_P(FarFromOrigin, PathsAreThoseAtTheOriginAndShortest)
 {
   double worst = 0.0;
-  const Seeds wanted = seeds();
-  for (std::uint64_t seed = wanted.first; seed < wanted.first + wanted.count; ++seed)
+  const Seeds seeds = seedsOfTest(SeedsOfAKind);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 52000);
@@ -159,8 +142,8 @@ TEST_P(FarFromOrigin, PathsAreThoseAtTheOriginAndShortest)
 
 TEST_P(FarFromOrigin, PointsAreAtTheSamePlacesUpToTheirPrecision)
 {
-  const Seeds wanted = seeds();
-  for (std::uint64_t seed = wanted.first; seed < wanted.first + wanted.count; ++seed)
+  const Seeds seeds = seedsOfTest(SeedsOfAKind);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 53000);
@@ -193,4 +176,4 @@ TEST_P(FarFromOrigin, PointsAreAtTheSamePlacesUpToTheirPrecision)
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, FarFromOrigin, ::testing::ValuesIn(meshKinds()),
-  [](const ::testing::TestParamInfo<MeshKind>& info) { return std::string(info.param.name); });
+  [](const ::testing::TestParamInfo<MeshKind>& kind) { return std::string(kind.param.name); });

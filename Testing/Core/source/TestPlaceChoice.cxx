@@ -121,6 +121,20 @@ Problem randomProblem(const PlainMesh& plain, const TriangleMesh& mesh, Random& 
   return problem;
 }
 
+TEST(PlaceChoice, ASinglePointTakesAVertexBeforeAnEdgeBeforeAFace)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(2, 2));
+  PlaceComponents components(mesh);
+  const SurfacePoint face = SurfacePoint::inFace(0, 0.25, 0.25);
+  const SurfacePoint edge = SurfacePoint::onEdge(0, 0.5);
+  const SurfacePoint vertex = SurfacePoint::atVertex(0);
+  const auto choiceOf = [&](const PossiblePlaces& places)
+  { return choosePlaces(mesh, { places }, false, components, {}).front().departure; };
+  EXPECT_EQ(choiceOf({ face, edge, vertex, vertex }), 2u);
+  EXPECT_EQ(choiceOf({ face, face, edge }), 2u);
+  EXPECT_EQ(choiceOf({ face, face }), 0u);
+}
+
 TEST(PlaceChoice, IsTheBestOfAll)
 {
   Random random(21);

@@ -2,6 +2,7 @@
 // A point beside the surface goes to the closest point of it, whatever the precision of its
 // coordinates: faces that are almost as close put it far from there.
 #include "EngineSupport.h"
+#include "Seeds.h"
 
 #include "mesh/SurfaceSnap.h"
 #include "source/PolylineLocator.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <string>
@@ -26,24 +26,7 @@ namespace
 
 constexpr int PointsOnAMesh = 40;
 
-/// Others, and more, by GEODESIC_TEST_PLACE_SEEDS=FIRST,COUNT.
-struct Seeds
-{
-  std::uint64_t first = 0;
-  std::uint64_t count = 6;
-};
-
-Seeds seeds()
-{
-  Seeds result;
-  if (const char* wanted = std::getenv("GEODESIC_TEST_PLACE_SEEDS"))
-  {
-    char* rest = nullptr;
-    result.first = std::strtoull(wanted, &rest, 10);
-    result.count = *rest == ',' ? std::strtoull(rest + 1, nullptr, 10) : result.count;
-  }
-  return result;
-}
+constexpr std::uint64_t SeedsOfAKind = 6;
 
 using Long = long double;
 using Long3 = std::array<Long, 3>;
@@ -136,8 +119,8 @@ class PlacesBesideSurface : public ::testing::TestWithParam<MeshKind>
 TEST_P(PlacesBesideSurface, APointGoesToTheClosestOne)
 {
   double worst = 0.0;
-  const Seeds wanted = seeds();
-  for (std::uint64_t seed = wanted.first; seed < wanted.first + wanted.count; ++seed)
+  const Seeds seeds = seedsOfTest(SeedsOfAKind);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 41000);
@@ -198,4 +181,4 @@ std::vector<MeshKind> kindsWithoutNeedles()
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, PlacesBesideSurface, ::testing::ValuesIn(kindsWithoutNeedles()),
-  [](const ::testing::TestParamInfo<MeshKind>& info) { return std::string(info.param.name); });
+  [](const ::testing::TestParamInfo<MeshKind>& kind) { return std::string(kind.param.name); });
