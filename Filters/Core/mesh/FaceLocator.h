@@ -21,13 +21,15 @@ public:
   /// \param mesh must outlive the locator.
   explicit FaceLocator(const TriangleMesh& mesh);
 
-  /// The closest face, and those that can be told from it by no more than the precision of
-  /// coordinates as snapToFace takes it (never more than SnapFraction of a face's longest edge): of
-  /// a point on the surface, within that precision, all that are as close within it; of a point
-  /// beside the surface those that put it within that precision of the closest place, as faces
-  /// that are almost as close may put it far from there: and those whose distance cannot be told
-  /// from the least. First those that are as close up to rounding, by number, then the others, by
-  /// number. Faces without area count as all others. Not thread-safe.
+  /// The faces that a point may be put onto, by the precision of coordinates as snapToFace takes it
+  /// (never more than SnapFraction of a face's longest edge). Of a point that is on the surface
+  /// within that precision: all faces whose distance is the least within it. Of other points faces
+  /// that are almost as close may put them far from the closest place. So these have the faces
+  /// whose distance cannot be told from the least by measuring, and those that put them within the
+  /// precision of the closest place.
+  ///
+  /// First those that are as close up to rounding, by number, then the others, by number. Faces
+  /// without area count as all others. Not thread-safe.
   ///
   /// \param coordinatePrecision relative precision of the point's coordinates.
   /// \param progress called now and then while the tree grows; returning false throws Aborted.
