@@ -318,6 +318,27 @@ TEST(PathsToSource, FromTheSourceAreTwoEqualPointsAndFromElsewhereNone)
   EXPECT_EQ(paths[4].source, 7U);
 }
 
+// Paths are traced and reported in portions of some hundreds.
+TEST(PathsToSource, OfManyTargetsBeginEachAtItsOwn)
+{
+  const PlainMesh mesh = regularGrid(10, 10);
+  const TriangleMesh engine = engineMesh(mesh);
+  Random random(1);
+  const std::vector<SurfacePoint> targets = enginePoints(engine, randomPoints(mesh, 700, random));
+  const std::vector<PathToSource> paths =
+    geodesic::pathsToSource(engine, { geodesic::pointCurve(SurfacePoint::atVertex(0)) }, targets);
+  ASSERT_EQ(paths.size(), targets.size());
+  const PathChecker checker(mesh);
+  for (std::size_t i = 0; i < targets.size(); ++i)
+  {
+    SCOPED_TRACE("target " + std::to_string(i));
+    ASSERT_GE(paths[i].points.size(), 2U);
+    const Vec3 target = checker.plain(targets[i]).place;
+    EXPECT_LE(spaceDistance(checker.plain(paths[i].points.front()).place, target), 1e-12);
+    EXPECT_EQ(checker.plain(paths[i].points.back()).place, mesh.points[0]);
+  }
+}
+
 TEST(PathsToSource, AreAbortedByTheirProgress)
 {
   const AnalyticCase c = []

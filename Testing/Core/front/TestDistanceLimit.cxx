@@ -427,3 +427,24 @@ TEST(DistanceLimit, VerticesWithoutACompleteFaceAreAtInfinity)
   const SampledTruth truth(mesh, toSources(curves), random);
   expectLimitKept(mesh, curves, truth, 4.5, 1e-14);
 }
+
+// Two squares have one vertex in common, which is at the limit: no window enters the second one,
+// which has the vertex alone within the limit.
+TEST(DistanceLimit, AFaceThatItTouchesInAVertexAloneIsComplete)
+{
+  const PlainMesh square = regularGrid(1, 1);
+  const PlainMesh mesh = joinedAtVertex(square, 0, square, 3);
+  const TriangleMesh engine = engineMesh(mesh);
+  const std::vector<Polyline> curves = { pointAt(vertexPoint(mesh, 1)) };
+  for (const bool isWithin : { true, false })
+  {
+    const DistanceField field =
+      solveKeepingAll(engine, engineCurves(engine, curves), 0.0, isWithin ? 1.0 : 1.0 - 1e-12);
+    ASSERT_EQ(field.vertexDistances()[0], 1.0);
+    for (const Index f : { 2U, 3U })
+    {
+      EXPECT_EQ(field.knowsInside(f), isWithin) << "face " << f;
+      EXPECT_EQ(field.distance(enginePoint(engine, { f, { 0.2, 0.3, 0.5 } })) < Infinity, isWithin);
+    }
+  }
+}

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cfloat>
+#include <cmath>
 
 namespace
 {
@@ -111,6 +112,22 @@ TEST(BarrierFaces, APointIsOnTheRimWithinThePrecisionOfItsCoordinates)
   EXPECT_NE(barriers.at({ 1.0 + 1e-7, 2.0, 0.0 }), NoId);
   EXPECT_EQ(barriers.at({ 1.0 + 1e-7, 2.0, 0.0 }, FLT_EPSILON), NoId);
   EXPECT_NE(barriers.at({ 1.0 + 1e-4, 2.0, 0.0 }, FLT_EPSILON), NoId);
+}
+
+// The barrier is a few roundings of its coordinates wide: a point of the rim that was rounded is
+// nearer to its middle than to be put back onto the rim.
+TEST(BarrierFaces, APointARoundingInsideANarrowBarrierFarFromTheOriginIsOnTheRim)
+{
+  const double far = std::ldexp(1.0, 27);
+  const double rounding = far * DBL_EPSILON;
+  const double width = 16.0 * rounding;
+  const PlainMesh mesh = { { { far, 0.0, 0.0 }, { far + width, 0.5, 0.0 }, { far, 1.0, 0.0 },
+                             { far - 1.0, 0.5, 0.0 } },
+    { { 0, 1, 2 }, { 0, 2, 3 } } };
+  Barriers barriers(mesh, { true, false });
+  EXPECT_EQ(barriers.at({ far, 0.5, 0.0 }), NoId);
+  EXPECT_EQ(barriers.at({ far + 2.0 * rounding, 0.5, 0.0 }), NoId);
+  EXPECT_NE(barriers.at({ far + 0.5 * width, 0.5, 0.0 }), NoId);
 }
 
 TEST(BarrierFaces, WhereABarrierAndAnotherFaceCoincideThePointIsOnTheOther)

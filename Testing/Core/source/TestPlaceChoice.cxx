@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfloat>
 #include <map>
 #include <tuple>
 
@@ -191,6 +192,27 @@ TEST(PlaceChoice, OfEquallyGoodPlacesTheFirstAreTaken)
     EXPECT_EQ(chosen[0].departure, chosen[2].arrival);
     EXPECT_NE(chosen[0].departure, chosen[1].arrival);
   }
+}
+
+// Of two sheets with the same way to the last point, one has a vertex where the other has none.
+TEST(PlaceChoice, LengthsThatDifferByRoundingTie)
+{
+  const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(6, 1));
+  PlaceComponents components(mesh);
+  const PossiblePlaces first = { SurfacePoint::inFace(0, 0.3, 0.3) };
+  const PossiblePlaces last = { SurfacePoint::inFace(11, 0.3, 0.3),
+    SurfacePoint::atVertex(mesh.triangle(11)[1]) };
+  const auto placeFor = [&](double relativeDifference)
+  {
+    return choosePlaces(mesh, { first, last }, false, components,
+      [&](std::size_t, std::size_t, std::size_t to)
+      { return to == 0 ? 1.0 : 1.0 + relativeDifference; })[1]
+      .arrival;
+  };
+  EXPECT_EQ(placeFor(-1e-9), 1u);
+  EXPECT_EQ(placeFor(0.0), 1u);
+  EXPECT_EQ(placeFor(DBL_EPSILON), 1u) << "a vertex, but for rounding as near";
+  EXPECT_EQ(placeFor(1e-9), 0u) << "longer";
 }
 
 TEST(PlaceChoice, LengthsAreAskedForOnlyOnWaysWithTheFewestBreaks)

@@ -6,6 +6,7 @@
 #include "truth/AnalyticDistances.h"
 
 #include "Errors.h"
+#include "source/SegmentWindows.h"
 #include "source/SourceWindows.h"
 
 #include <gtest/gtest.h>
@@ -155,6 +156,78 @@ TEST(SourceWindows, RaysOfASegmentLeaveAtRightAnglesAndNoneIsMissing)
   }
   EXPECT_GT(seen[0], 1000);
   EXPECT_GT(seen[1], 1000);
+}
+
+// One end is a rounding off an edge, and the other one hardly farther: the ray from the first one
+// leaves through the edge, and none is missing beside it.
+TEST(SourceWindows, NoRayIsMissingOfASegmentThatHardlyLeavesAnEdge)
+{
+  Random random(2);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const TriangleMesh mesh = engineMesh(tetrahedron(random));
+    const Id k = random.below(3);
+    const auto beside = [k](double along, double off)
+    {
+      Barycentric weights{};
+      weights[k] = 1.0 - along - off;
+      weights[(k + 1) % 3] = along;
+      weights[(k + 2) % 3] = off;
+      return weights;
+    };
+    geodesic::SourceInFace segment;
+    segment.face = 0;
+    segment.a = beside(random.uniform(0.1, 0.3), std::pow(10.0, random.uniform(-17.0, -15.0)));
+    segment.b = beside(random.uniform(0.6, 0.9), std::pow(10.0, random.uniform(-9.0, -7.0)));
+    const Barycentric nearEnd = segment.a;
+    const Barycentric farEnd = segment.b;
+    if (random.chance(0.5))
+    {
+      std::swap(segment.a, segment.b);
+    }
+    SourceWindows sources;
+    geodesic::addSegmentWindows(mesh, segment, sources.windows);
+    for (const double t : { 1e-13, 1e-12, 1e-10, 1e-8, 0.1 })
+    {
+      const Barycentric foot = geodesic::between(nearEnd, farEnd, t);
+      const double x = geodesic::inLeavingFrame(mesh, k, foot).x;
+      const auto windows = holding(sources, k, x, Window::Kind::Linear, 0.0);
+      ASSERT_EQ(windows.size(), 1u) << "at " << t;
+      EXPECT_NEAR(windows[0].distance(x), 0.0, 1e-6);
+    }
+  }
+}
+
+// One edge at the corner lies on the segment's left and the other one on its right, at any angle.
+TEST(SourceWindows, RaysOfASegmentFromACornerLeaveThroughTheEdgeOnTheirSide)
+{
+  Random random(3);
+  for (int i = 0; i < 2000; ++i)
+  {
+    const TriangleMesh mesh = engineMesh(tetrahedron(random));
+    const Id corner = random.below(3);
+    geodesic::SourceInFace segment;
+    segment.face = 0;
+    segment.a[corner] = 1.0;
+    segment.b = insideWeights(random);
+    const bool isReversed = random.chance(0.5);
+    if (isReversed)
+    {
+      std::swap(segment.a, segment.b);
+    }
+    std::vector<LeavingWindow> windows;
+    geodesic::addSegmentWindows(mesh, segment, windows);
+    for (const LeavingWindow& leaving : windows)
+    {
+      const Id k = (leaving.halfedge + 3 - corner) % 3;
+      // The halfedge that begins at the corner is on the right of what leaves it.
+      const bool isRight = geodesic::CurveSide::of(leaving.window.origin, 4).isRight;
+      if (k != 1)
+      {
+        EXPECT_EQ(isRight, (k == 0) != isReversed) << leaving.window.width();
+      }
+    }
+  }
 }
 
 TEST(SourceWindows, APointEmitsIntoTheWedgeBetweenTheNormalsOfItsSegments)

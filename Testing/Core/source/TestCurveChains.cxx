@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Curves that end in one another are one, however they run.
+#include "EngineSupport.h"
+
+#include "source/CurveChains.h"
+
+#include <gtest/gtest.h>
+
+using namespace geodesictest;
+using geodesic::CurveChains;
+using geodesic::SourceCurve;
+using geodesic::SurfacePoint;
+using geodesic::TriangleMesh;
+
+namespace
+{
+
+/// Along the lower row of a grid of 4 x 1 squares at half height, from x to x + count edges.
+SourceCurve throughRow(const TriangleMesh& mesh, const std::vector<double>& xs)
+{
+  SourceCurve curve;
+  for (const double x : xs)
+  {
+    for (geodesic::Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+    {
+      const SurfacePoint middle = SurfacePoint::onEdge(halfedge, 0.5);
+      if (position(mesh, middle) == geodesic::Vec3{ x, 0.5, 0.0 })
+      {
+        curve.points.push_back(middle);
+        break;
+      }
+    }
+  }
+  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
+  {
+    curve.faces.push_back(commonFace(mesh, curve.points[i], curve.points[i + 1]));
+  }
+  curve.isCut.assign(curve.points.size(), 0);
+  return curve;
+}
+
+}
+
+TEST(CurveChains, ACurveThatRunsAgainstTheChainKeepsWhereItIsCutAndWhereItBends)
+{
+  const TriangleMesh mesh = engineMesh(regularGrid(4, 1));
+  const SourceCurve first = throughRow(mesh, { 0.0, 0.5, 1.0 });
+  SourceCurve second = throughRow(mesh, { 3.0, 2.5, 2.0, 1.5, 1.0 });
+  ASSERT_EQ(second.points.size(), 5U);
+  second.isCut = { 0, 1, 0, 0, 0 };
+  const CurveChains chains(mesh, { first, second });
+  ASSERT_EQ(chains.curves().size(), 1U);
+  const SourceCurve& chain = chains.curves().front();
+  ASSERT_EQ(chain.points.size(), 7U);
+  for (std::size_t i = 0; i < chain.points.size(); ++i)
+  {
+    const geodesic::Vec3 p = position(mesh, chain.points[i]);
+    EXPECT_EQ(p[0], 0.5 * static_cast<double>(i));
+    EXPECT_EQ(chain.isCut[i], p[0] == 2.5 ? 1 : 0) << "at " << p[0];
+  }
+  EXPECT_FALSE(chains.linkAt(0, 0.5).isReversed);
+  EXPECT_TRUE(chains.linkAt(0, 1.5).isReversed);
+}
