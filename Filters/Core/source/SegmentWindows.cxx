@@ -51,7 +51,7 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFac
   interval.clip(origin + length, -t.x);
   // Where the segment touches the halfedge, rays leave the face up to there only.
   const double sigma = -cross(t, from);
-  interval.clip(sigma + tolerance::SourceDepth * mesh.length(halfedge), -t.y);
+  interval.clip(sigma, -t.y);
   const double place = isRight ? segment.placeOfB + origin : segment.placeOfA - origin;
   addLeavingWindow(mesh, halfedge, interval,
     { 0.0, 0.0, -t.y, t.x, sigma, 0.0, Window::Kind::Linear, 0,
