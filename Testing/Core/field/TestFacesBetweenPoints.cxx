@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <mutex>
+
 using namespace geodesictest;
 
 namespace
@@ -30,12 +32,17 @@ double lengthOf(const geodesic::TriangleMesh& mesh, const std::vector<geodesic::
   return length;
 }
 
-/// A polyline of two points on a patch.
-geodesic::LocatedPolyline lineBetween(const geodesic::SurfacePatch& patch,
-  const geodesic::SurfacePoint& a, const geodesic::SurfacePoint& b)
+Polyline pointAt(const MeshPoint& p)
+{
+  return { { { p.face, p.weights, p.weights } }, {} };
+}
+
+/// A polyline on a patch.
+geodesic::LocatedPolyline lineThrough(
+  const geodesic::SurfacePatch& patch, const std::vector<geodesic::SurfacePoint>& points)
 {
   geodesic::LocatedPolyline line;
-  for (const geodesic::SurfacePoint& p : { a, b })
+  for (const geodesic::SurfacePoint& p : points)
   {
     line.points.push_back(position(patch.mesh(), p));
     line.faces.push_back({ someFace(patch.mesh(), p) });
@@ -53,9 +60,6 @@ TEST_P(FacesBetweenPoints, HoldTheShortestPathOfTheWhole)
     const PlainMesh mesh = GetParam().make(randomSize(random), random);
     const MeshPoint from = randomFacePoint(mesh, random);
     const MeshPoint to = randomVertexPoint(mesh, random);
-    const auto pointAt = [](const MeshPoint& p) {
-      return Polyline{ { { p.face, p.weights, p.weights } }, {} };
-    };
     const std::vector<Polyline> ends = { pointAt(from), pointAt(to) };
     Sources source;
     source.points = { from };
@@ -68,7 +72,7 @@ TEST_P(FacesBetweenPoints, HoldTheShortestPathOfTheWhole)
           const geodesic::SurfacePoint a = rank.curvesOnPatch[0].points.front();
           const geodesic::SurfacePoint b = rank.curvesOnPatch[1].points.front();
           std::vector<geodesic::Id> faces = facesBetweenPoints(
-            rank.part, rank.patch, { lineBetween(rank.patch, a, b) }, geodesic::SnapOptions());
+            rank.part, rank.patch, { lineThrough(rank.patch, { a, b }) }, geodesic::SnapOptions());
           const auto select = [&](const geodesic::SurfacePoint& p)
           {
             const geodesic::Id face = rank.patch.faceOfPart(someFace(rank.patch.mesh(), p));
@@ -105,3 +109,43 @@ TEST_P(FacesBetweenPoints, HoldTheShortestPathOfTheWhole)
 
 INSTANTIATE_TEST_SUITE_P(Kinds, FacesBetweenPoints, ::testing::ValuesIn(meshKinds()),
   [](const auto& kind) { return std::string(kind.param.name); });
+
+// Of three points of a square the last and the first are joined across its middle.
+TEST(FacesBetweenPoints, OfAClosedPolylineJoinTheLastPointAndTheFirst)
+{
+  const Index n = 20;
+  const PlainMesh mesh = regularGrid(n, n);
+  const auto inCell = [](Index i, Index j) {
+    return pointAt({ 2 * (j * n + i), { 0.2, 0.5, 0.3 } });
+  };
+  const Index middle = 2 * (n / 2 * n + n / 2);
+  Random random(1);
+  for (const int ranks : { 1, 3 })
+  {
+    for (const bool isClosed : { false, true })
+    {
+      int holdingTheMiddle = 0;
+      std::mutex mutex;
+      onRanks(cutInSpace(mesh, ranks, random),
+        { inCell(0, 0), inCell(n - 1, 0), inCell(n - 1, n - 1) }, 0,
+        [&](const RankOfRun& rank)
+        {
+          std::vector<geodesic::SurfacePoint> points;
+          for (const geodesic::SourceCurve& curve : rank.curvesOnPatch)
+          {
+            points.push_back(curve.points.front());
+          }
+          geodesic::LocatedPolyline line = lineThrough(rank.patch, points);
+          line.closed = isClosed;
+          const std::vector<geodesic::Id> faces =
+            facesBetweenPoints(rank.part, rank.patch, { line }, geodesic::SnapOptions());
+          const std::lock_guard<std::mutex> lock(mutex);
+          for (const geodesic::Id face : faces)
+          {
+            holdingTheMiddle += wholeFaceOf(rank, rank.part.addressOf(face)) == middle ? 1 : 0;
+          }
+        });
+      EXPECT_EQ(holdingTheMiddle, isClosed ? 1 : 0) << ranks << " ranks";
+    }
+  }
+}
