@@ -241,11 +241,22 @@ void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPie
     return;
   }
   // Straight from a source in a face, or so near to a corner that rounding has hidden the arrival.
+  // Where the source is known, a corner no farther off than rounding is no way: its own path may
+  // come from here.
   forEachFace(field.mesh(), point,
     [&](Id face)
     {
       search.enter(face);
       search.comeFromSources(face);
+    });
+  if (field.arrivals()[point.id].isKnown() && search.best().kind == LastPiece::Kind::Source)
+  {
+    return;
+  }
+  forEachFace(field.mesh(), point,
+    [&](Id face)
+    {
+      search.enter(face);
       search.comeFromCorners(face);
     });
 }

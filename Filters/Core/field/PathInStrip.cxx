@@ -79,8 +79,7 @@ void StripSearch::findWayBack(const KnownDistances& known, FrontOptions options)
   // A path may also run along edges, from vertex to vertex, where no window goes.
   for (Id vertex = 0; vertex < this->part_.numberOfOwnVertices(); ++vertex)
   {
-    const double toSource = std::min(known.atVertices[vertex], known.reach);
-    if ((1.0 - tolerance::BoundMargin) * toSource + back[vertex] <= this->length_)
+    if ((1.0 - tolerance::BoundMargin) * known.atVertices[vertex] + back[vertex] <= this->length_)
     {
       for (const Id corner : this->part_.mesh().cornersAt(vertex))
       {

@@ -16,7 +16,7 @@ struct TargetOnRank
   /// A face that holds it, on the rank that owns it.
   RankAddress face;
   Barycentric weights;
-  /// Finite.
+  /// Finite and within the reach of what is known.
   double distance;
 };
 

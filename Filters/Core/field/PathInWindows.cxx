@@ -51,8 +51,8 @@ std::vector<double> boundsInStrip(const TriangleMesh& mesh, const SurfacePoint& 
   back.strip.forEachFace(openFace);
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
-    const double toSource = std::min(known.atVertices[vertex], known.reach);
-    if ((1.0 - tolerance::BoundMargin) * toSource + back.atVertices[vertex] <= length)
+    if ((1.0 - tolerance::BoundMargin) * known.atVertices[vertex] + back.atVertices[vertex] <=
+      length)
     {
       open(vertex);
     }

@@ -28,7 +28,7 @@ Corridor corridorTo(double length, const KnownDistances& known);
 /// that are known, which is a strip of few faces. A second one from the source goes through that
 /// strip only and keeps its windows.
 ///
-/// \param distance of the target, finite.
+/// \param distance of the target, finite and within the reach.
 /// \returns see DistanceField::path().
 std::vector<SurfacePoint> pathInWindows(const TriangleMesh& mesh,
   const std::vector<SourceCurve>& sources, const SurfacePoint& target, double distance,

@@ -128,6 +128,7 @@ private:
             "targets.");
         }
         this->take(i, points, distance);
+        this->paths_[i].wasLost = true;
       }
     }
   }

@@ -20,6 +20,8 @@ struct PathToSource
   std::vector<SurfacePoint> points;
   /// SourceCurve::source of a curve that the end lies on.
   Id source = NoId;
+  /// Whether tracing lost it, so that it was found again by windows, which takes much longer.
+  bool wasLost = false;
 };
 
 struct PathsOptions

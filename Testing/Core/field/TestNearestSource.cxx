@@ -382,3 +382,48 @@ TEST(NearestSource, ALineOfManyCurvesIsOneToTheFront)
     }
   }
 }
+
+// Vertex 1 is a rounding beside vertex 0, which is one beside the source: the path to vertex 1
+// comes from vertex 0, and that to vertex 0 not from vertex 1.
+TEST(NearestSource, IsKnownWhereVerticesAreARoundingApart)
+{
+  PlainMesh plain;
+  plain.points = { { 0, 0, 0 }, { -1e-16, 0, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 },
+    { -1, -1, 0 } };
+  plain.triangles = { { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 4 }, { 1, 4, 5 }, { 1, 5, 2 },
+    { 1, 2, 0 } };
+  const geodesic::TriangleMesh mesh = engineMesh(plain);
+  const std::vector<geodesic::SourceCurve> curves = { geodesic::pointCurve(
+    SurfacePoint::inFace(0, 1e-17, 1e-17)) };
+  const geodesic::DistanceField field = solveWithArrivals(mesh, curves);
+  const NearestSource nearest(field, curves);
+  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    EXPECT_EQ(nearest.atVertex(vertex).curve, 0U) << "vertex " << vertex;
+  }
+}
+
+// Where rounding hides what a path came through, two vertices may each name the other. What comes
+// from elsewhere is known all the same.
+TEST(NearestSource, IsSoughtNoLongerWhereTwoVerticesNameEachOther)
+{
+  const geodesic::TriangleMesh mesh = engineMesh(regularGrid(4, 1));
+  const std::vector<geodesic::SourceCurve> curves = { geodesic::pointCurve(
+    SurfacePoint::atVertex(0)) };
+  geodesic::FrontOptions options;
+  options.keepArrivals = true;
+  geodesic::KeepNone none;
+  geodesic::FrontResult front = geodesic::propagate(mesh, curves, options, none);
+  // Vertices 4 and 9 are the ends of the last edge.
+  const Id edge = mesh.halfedgeBetween(4, 9);
+  const Id next = geodesic::TriangleMesh::nextInFace(edge);
+  const Id previous = geodesic::TriangleMesh::previousInFace(edge);
+  front.arrivals[mesh.origin(edge)] = { next, mesh.destination(edge), 0.0 };
+  front.arrivals[mesh.destination(edge)] = { previous, mesh.origin(edge), mesh.length(previous) };
+  const geodesic::DistanceField field(mesh, std::move(front), {});
+  const NearestSource nearest(field, curves);
+  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    EXPECT_EQ(nearest.atVertex(vertex).isKnown(), vertex != 4 && vertex != 9) << vertex;
+  }
+}

@@ -38,18 +38,33 @@ std::vector<SurfacePoint> enginePoints(
   return result;
 }
 
-/// The worst errors of paths, each of the largest distance.
+/// The worst errors of paths, each of the largest distance, and how many paths there were and were
+/// lost and found again.
 struct Worst
 {
   double length = 0.0;
   double offSource = 0.0;
+  std::size_t paths = 0;
+  std::size_t lost = 0;
 
   void take(const Worst& other)
   {
     this->length = std::max(this->length, other.length);
     this->offSource = std::max(this->offSource, other.offSource);
+    this->paths += other.paths;
+    this->lost += other.lost;
   }
 };
+
+/// Of how many paths one may be lost. To find it again takes two fronts through a strip of faces,
+/// as long as to trace some hundreds: so many may be lost without finding them taking most of the
+/// time. Tracing goes astray by the rounding of long edges, which in needles is far more of the way
+/// across them.
+std::size_t pathsOfALostOne(const MeshKind& kind)
+{
+  const std::string name = kind.name;
+  return name == "ThinNeedles" ? 50 : 200;
+}
 
 /// Checks paths from targets whose true distances are known. The source of each curve is its index.
 Worst expectPaths(const PlainMesh& mesh, const TriangleMesh& engine,
@@ -83,8 +98,8 @@ Worst expectPaths(const PlainMesh& mesh, const TriangleMesh& engine,
     checker.expectShortest(plain, truth[i], slack);
     if (largest > 0.0)
     {
-      worst.take(
-        { std::abs(PathChecker::length(plain) - truth[i]) / largest, offSource / largest });
+      worst.take({ std::abs(PathChecker::length(plain) - truth[i]) / largest, offSource / largest,
+        1, path.wasLost ? 1U : 0U });
     }
   }
   return worst;
@@ -168,14 +183,20 @@ void expectAnalyticPaths(AnalyticCase (*makeCase)(Random&))
 
 }
 
-TEST_P(PathsToSourceOn, AreAsLongAsTheBruteForceDistanceAndEndOnTheCurveTheyName)
+TEST_P(PathsToSourceOn, AreAsLongAsTheBruteForceDistanceEndOnTheCurveTheyNameAndAreSeldomLost)
 {
   for (std::uint64_t seed = 0; seed < 20; ++seed)
   {
     this->check(seed);
   }
+  EXPECT_LE(this->worst_.lost * pathsOfALostOne(GetParam()), this->worst_.paths);
+  if (std::string(GetParam().name) == "ThinNeedles")
+  {
+    EXPECT_GT(this->worst_.lost, 0U) << "none was found again";
+  }
   std::cout << "worst on " << GetParam().name << ", of the largest distance: length "
-            << this->worst_.length << ", end " << this->worst_.offSource << "\n";
+            << this->worst_.length << ", end " << this->worst_.offSource << "; lost "
+            << this->worst_.lost << " of " << this->worst_.paths << " paths\n";
 }
 
 // What is done for paths that tracing has lost, for all.
