@@ -55,10 +55,11 @@ CurveWedge::Bounds CurveWedge::boundsIn(Id face) const
   return { range.first, range.second };
 }
 
-// In the frame of the first halfedge with a length from k on.
+// In the frame of the first halfedge with a length from k on; a face at one point has none.
 WedgeBound CurveWedge::inOwnFace(const SegmentEnd& end, std::size_t k) const
 {
-  while (this->mesh_.shape(end.face).length[k] == 0.0)
+  const FaceShape& shape = this->mesh_.shape(end.face);
+  while (shape.length[k] == 0.0 && shape.longest() > 0.0)
   {
     k = (k + 1) % 3;
   }

@@ -385,6 +385,24 @@ TEST(SourceWindows, ASourceOnTheLongEdgeOfAFaceWithoutAreaShinesThroughIt)
   EXPECT_NEAR(distances[4], 1.0, 1e-15);
 }
 
+// Points that are apart by less than the root of the smallest number: the length of each edge
+// between them is 0.
+TEST(SourceWindows, ASegmentInAFaceAtOnePointIsASourceThere)
+{
+  PlainMesh plain;
+  plain.points = { { 0, 0, 0 }, { 1e-200, 0, 0 }, { 0, 1e-200, 0 }, { 3, 0, 0 }, { 0, 4, 0 },
+    { -5, 0, 0 } };
+  plain.triangles = { { 0, 1, 2 }, { 1, 3, 2 }, { 3, 4, 2 }, { 0, 2, 5 } };
+  const TriangleMesh mesh = engineMesh(plain);
+  ASSERT_EQ(mesh.shape(0).longest(), 0.0);
+  const std::vector<double> distances = geodesic::solve(mesh, { firstEdge() }).vertexDistances();
+  EXPECT_EQ(distances[0], 0.0);
+  EXPECT_EQ(distances[2], 0.0);
+  EXPECT_NEAR(distances[3], 3.0, 1e-15);
+  EXPECT_NEAR(distances[4], 4.0, 1e-15);
+  EXPECT_NEAR(distances[5], 5.0, 1e-15);
+}
+
 TEST(SourceWindows, ACallbackThatReturnsFalseStopsTheWorkAroundOneVertex)
 {
   const TriangleMesh mesh = engineMesh(BranchingFan(3000, 3.0).mesh);
