@@ -27,9 +27,9 @@ constexpr Index Sectors = 6;
 class Around
 {
 public:
-  explicit Around(double angle)
-    : angle(angle)
-    , mesh(engineMesh(fan(Sectors, angle, 1)))
+  explicit Around(double angleOfAFace)
+    : angle(angleOfAFace)
+    , mesh(engineMesh(fan(Sectors, angleOfAFace, 1)))
   {
     Id corner = *this->mesh.cornersAt(0).begin();
     for (Index i = 0; i < Sectors; ++i)
