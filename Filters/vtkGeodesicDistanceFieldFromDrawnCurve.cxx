@@ -138,7 +138,6 @@ void vtkGeodesicDistanceFieldFromDrawnCurve::Compute(
     throw geodesic::SourceError(
       "The curve has no points: give it one or more, or set Source Type to Surface Boundary.");
   }
-  execution.expectDrawnSource();
   this->Superclass::Compute(execution, outputVector);
 }
 

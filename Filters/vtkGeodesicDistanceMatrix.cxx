@@ -12,8 +12,10 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -38,13 +40,19 @@ void AddTargetIds(vtkIdType count, vtkTable* table)
   table->AddColumn(ids);
 }
 
-/// Adds the column of a source; what it had is gone then.
-void AddSource(std::size_t source, std::vector<double>& distances, const geodesic::Targets& targets,
-  const geodesic::PowerOfTwoScale& scale, vtkTable* table)
+vtkSmartPointer<vtkDoubleArray> MakeColumn(geodesic::Id source, vtkIdType rows)
 {
-  vtkNew<vtkDoubleArray> column;
+  auto column = vtkSmartPointer<vtkDoubleArray>::New();
   column->SetName(("Source" + std::to_string(source)).c_str());
-  column->SetNumberOfTuples(static_cast<vtkIdType>(targets.count));
+  column->SetNumberOfTuples(rows);
+  return column;
+}
+
+/// Adds the column of a source; what it had is gone then.
+void AddSource(geodesic::Id source, std::vector<double>& distances,
+  const geodesic::Targets& targets, const geodesic::PowerOfTwoScale& scale, vtkTable* table)
+{
+  const auto column = MakeColumn(source, static_cast<vtkIdType>(targets.count));
   column->Fill(geodesic::Infinity);
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
@@ -60,6 +68,19 @@ void AddSource(std::size_t source, std::vector<double>& distances, const geodesi
   table->AddColumn(column);
 }
 
+/// The curves of all sources, which have as SourceCurve::source the number of their column.
+std::vector<geodesic::SourceCurve> CurvesByColumn(const geodesic::FilterExecution& execution)
+{
+  const std::vector<geodesic::Id>& ids = execution.sourceIds();
+  std::vector<geodesic::SourceCurve> curves = execution.sources().curves;
+  for (geodesic::SourceCurve& curve : curves)
+  {
+    const auto at = std::lower_bound(ids.begin(), ids.end(), curve.source);
+    curve.source = static_cast<geodesic::Id>(at - ids.begin());
+  }
+  return curves;
+}
+
 /// Where another rank than the first has made the table, hands it over: all columns but the first,
 /// which says nothing new. All ranks call this.
 void MoveToFirstRank(geodesic::FilterExecution& execution, vtkTable* table)
@@ -72,6 +93,7 @@ void MoveToFirstRank(geodesic::FilterExecution& execution, vtkTable* table)
     for (vtkIdType column = 1; column < table->GetNumberOfColumns(); ++column)
     {
       auto* values = vtkDoubleArray::SafeDownCast(table->GetColumn(column));
+      geodesic::put(message, execution.sourceIds()[static_cast<std::size_t>(column - 1)]);
       geodesic::put(message, values->GetPointer(0), static_cast<std::size_t>(rows));
     }
     table->Initialize();
@@ -82,12 +104,11 @@ void MoveToFirstRank(geodesic::FilterExecution& execution, vtkTable* table)
       const auto rows = reader.get<vtkIdType>();
       geodesic::requireMemory(rows, sizeof(vtkIdType));
       AddTargetIds(rows, table);
-      for (int source = 0; !reader.isAtEnd(); ++source)
+      while (!reader.isAtEnd())
       {
+        const auto source = reader.get<geodesic::Id>();
         geodesic::requireMemory(rows, sizeof(double));
-        vtkNew<vtkDoubleArray> column;
-        column->SetName(("Source" + std::to_string(source)).c_str());
-        column->SetNumberOfTuples(rows);
+        const auto column = MakeColumn(source, rows);
         reader.get(column->GetPointer(0), static_cast<std::size_t>(rows));
         table->AddColumn(column);
       }
@@ -181,7 +202,8 @@ void vtkGeodesicDistanceMatrix::ComputeTable(
 {
   const geodesic::Targets targets = execution.readTargets(TargetsRead);
   const auto rows = static_cast<vtkIdType>(targets.count);
-  const geodesic::Id numberOfSources = execution.numberOfSources();
+  const std::vector<geodesic::Id>& sources = execution.sourceIds();
+  const auto numberOfSources = static_cast<geodesic::Id>(sources.size());
 
   execution.enter(geodesic::Stage::ComputingDistances);
   // Once as they are computed, once as they are put out.
@@ -197,14 +219,14 @@ void vtkGeodesicDistanceMatrix::ComputeTable(
   options.parallelFor = geodesic::smpParallelFor();
   options.progress = execution.progressBetween(TargetsRead, MatrixDone);
   std::vector<std::vector<double>> matrix = geodesic::distanceMatrix(execution.surface().mesh(),
-    execution.sources().curves, numberOfSources, targets.places, options);
+    CurvesByColumn(execution), numberOfSources, targets.places, options);
   execution.reach(MatrixDone);
 
   execution.enter(geodesic::Stage::WritingOutputs);
   AddTargetIds(rows, table);
-  for (std::size_t source = 0; source < matrix.size(); ++source)
+  for (std::size_t column = 0; column < matrix.size(); ++column)
   {
-    AddSource(source, matrix[source], targets, scale, table);
+    AddSource(sources[column], matrix[column], targets, scale, table);
   }
 }
 

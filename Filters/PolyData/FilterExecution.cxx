@@ -29,11 +29,6 @@ constexpr double SurfaceRead = 0.15;
 constexpr double SourceLocated = 0.2;
 constexpr double FarPointsSearched = 0.24;
 
-std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& name)
-{
-  return input ? polyDataBlocks(input, name) : std::vector<PolyDataBlock>();
-}
-
 const char* const SourceName = "the source (input port 1)";
 const char* const TargetsName = "the set of targets (input port 2)";
 
@@ -161,12 +156,12 @@ void FilterExecution::gatherInputs()
   if (this->sourceInput_)
   {
     this->gatheredSource_ =
-      GatheredBlocks(blocksOf(this->sourceInput_, SourceName), SourceName, *this->exchange_);
+      GatheredBlocks(sourceBlocks(this->sourceInput_, SourceName), SourceName, *this->exchange_);
   }
   if (this->targetsInput_)
   {
     this->gatheredTargets_ =
-      GatheredBlocks(blocksOf(this->targetsInput_, TargetsName), TargetsName, *this->exchange_);
+      GatheredBlocks(targetBlocks(this->targetsInput_, TargetsName), TargetsName, *this->exchange_);
   }
 }
 
@@ -270,13 +265,25 @@ Targets FilterExecution::readTargets(double end)
   const GatheredBlocks& gathered =
     this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;
   const std::vector<PolyDataBlock> blocks =
-    this->exchange_ ? gathered.blocks() : polyDataBlocks(input, name);
+    this->exchange_ ? gathered.blocks() : targetBlocks(input, name);
   const ProgressCallback progress = this->progressBetween(InputsRead, end);
   Targets targets = this->place_ == SurfacePlace::InPieces
     ? readTargetsOfPiece(blocks, name, this->surface(), this->cache_.locatorOnRanks(), progress)
     : geodesic::readTargets(blocks, name, this->surface(), this->locator(), progress);
+  this->noteTargets(blocks, targets);
   this->reach(end);
   return targets;
+}
+
+/// Where the targets are the points of a source that is far away, this was said of the source.
+void FilterExecution::noteTargets(const std::vector<PolyDataBlock>& blocks, const Targets& targets)
+{
+  if (this->targetsInput_ || !this->notes_.has(NoteOn::Source, FarNote))
+  {
+    Exchange* exchange = this->place_ == SurfacePlace::InPieces ? this->exchange_ : nullptr;
+    geodesic::noteTargets(this->surface(), blocks, targets, exchange,
+      this->targetsInput_ ? NoteOn::Targets : NoteOn::Source, this->notes_);
+  }
 }
 
 /// \throws SourceError where there is none.
@@ -311,7 +318,6 @@ void FilterExecution::readSources()
   {
     this->onRanks_->makePatch();
   }
-  this->firstBoundarySource_ = this->numberOfSources_;
   if (hasBoundary)
   {
     this->addBoundary(hasCurve);
@@ -320,9 +326,8 @@ void FilterExecution::readSources()
 
 void FilterExecution::readCurves()
 {
-  const std::vector<PolyDataBlock> blocks = this->exchange_
-    ? this->gatheredSource_.blocks()
-    : polyDataBlocks(this->sourceInput_, SourceName);
+  const std::vector<PolyDataBlock> blocks =
+    this->exchange_ ? this->gatheredSource_.blocks() : sourceBlocks(this->sourceInput_, SourceName);
   SourcePolylines source = readSource(blocks, this->surface().scale());
   const SnapOptions snapping = snapOptionsFor(blocks);
   if (this->onRanks_)
@@ -342,11 +347,9 @@ void FilterExecution::readCurves()
       this->progressBetween(SourceLocated, InputsRead));
     paths.endUse();
   }
-  this->numberOfSources_ = source.numberOfSources;
-  if (!this->isSourceDrawn_)
-  {
-    noteSource(this->surface(), this->meshOfSources(), source, this->sources_, this->notes_);
-  }
+  this->sourceIds_ = std::move(source.ids);
+  this->firstBoundarySource_ = source.numberOfSources;
+  noteSource(this->surface(), this->meshOfSources(), source, this->sources_, this->notes_);
 }
 
 /// The same on all ranks.
@@ -403,9 +406,11 @@ void FilterExecution::addBoundary(bool hasCurve)
 {
   std::vector<SourceCurve> boundary =
     this->onRanks_ ? this->onRanks_->boundary() : this->findBoundary(hasCurve);
+  Id next = this->firstBoundarySource_;
   for (SourceCurve& loop : boundary)
   {
-    loop.source = this->numberOfSources_++;
+    loop.source = next++;
+    this->sourceIds_.push_back(loop.source);
   }
   const bool isClosed = boundary.empty();
   if (this->surface().hasBarriers())

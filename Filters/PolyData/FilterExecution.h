@@ -79,9 +79,6 @@ public:
     Taken,
     Refused
   };
-  /// The source was drawn by hand and is meant to be put onto the surface: how far it was from
-  /// there is then no news.
-  void expectDrawnSource() { this->isSourceDrawn_ = true; }
   /// Reads the surface, and the source as SourceType has it, up to InputsRead. Where the surface is
   /// Elsewhere there is nothing to read; everything is empty then.
   ///
@@ -132,10 +129,10 @@ public:
   SourceWindows sourcesOfPiece() const;
   /// The sum over all ranks where each has a piece, which call this together; else the number.
   std::size_t sumOverPieces(std::size_t number) const;
-  /// How many parts the source has: the cells of port 1 (points where there are no cells), then the
-  /// loops of the boundary. SourceCurve::source of each curve is below.
-  Id numberOfSources() const { return this->numberOfSources_; }
-  /// From which of them on they are loops of the boundary.
+  /// The parts of the source, by SourceCurve::source of their curves, ascending: the cells of port
+  /// 1 (the points of a set of points), then the loops of the boundary.
+  const std::vector<Id>& sourceIds() const { return this->sourceIds_; }
+  /// From which of these on they are loops of the boundary.
   Id firstBoundarySource() const { return this->firstBoundarySource_; }
 
   /// What follows is this.
@@ -155,6 +152,7 @@ public:
   bool isNoteGiver() const { return !this->haveAllRanksNotes_ || this->isFirstRank(); }
 
 private:
+  void noteTargets(const std::vector<PolyDataBlock>& blocks, const Targets& targets);
   void findSurface(const BarrierArrays& barriers, Pieces pieces);
   bool isSameOnAllRanks(const BarrierArrays& barriers) const;
   void gatherInputs();
@@ -183,8 +181,7 @@ private:
   GatheredBlocks gatheredTargets_;
   std::optional<SourceOnRanks> onRanks_;
   SourceCurves sources_;
-  bool isSourceDrawn_ = false;
-  Id numberOfSources_ = 0;
+  std::vector<Id> sourceIds_;
   Id firstBoundarySource_ = 0;
   Notes notes_;
 };

@@ -94,6 +94,9 @@ void putBlock(const PolyDataBlock& block, Message& message)
   {
     putCells(cells, message);
   }
+  put(message, block.inputCells.size());
+  put(message, block.inputCells.data(), block.inputCells.size());
+  put(message, block.droppedCells);
 }
 
 }
@@ -128,8 +131,7 @@ GatheredBlocks::GatheredBlocks(
   this->firstOfRank_.push_back(this->blocks_.size());
   if (this->blocks_.empty())
   {
-    this->data_.push_back(vtkSmartPointer<vtkPolyData>::New());
-    this->blocks_.push_back({ this->data_.back(), name });
+    this->blocks_.push_back({ vtkSmartPointer<vtkPolyData>::New(), name, {}, 0 });
   }
 }
 
@@ -142,6 +144,9 @@ void GatheredBlocks::unpack(const Message& message, const std::string& suffix)
     reader.get(&name[0], name.size());
     const bool isFloat = reader.get<std::int64_t>() != 0;
     const auto data = vtkSmartPointer<vtkPolyData>::New();
+    PolyDataBlock& block = this->blocks_.emplace_back();
+    block.data = data;
+    block.name = name + suffix;
     vtkNew<vtkPoints> points;
     points->SetDataType(isFloat ? VTK_FLOAT : VTK_DOUBLE);
     points->SetNumberOfPoints(static_cast<vtkIdType>(reader.get<std::int64_t>()));
@@ -151,8 +156,9 @@ void GatheredBlocks::unpack(const Message& message, const std::string& suffix)
     data->SetLines(getCells(reader));
     data->SetPolys(getCells(reader));
     data->SetStrips(getCells(reader));
-    this->data_.push_back(data);
-    this->blocks_.push_back({ data, name + suffix });
+    block.inputCells.resize(reader.get<std::size_t>());
+    reader.get(block.inputCells.data(), block.inputCells.size());
+    block.droppedCells = reader.get<vtkIdType>();
   }
 }
 

@@ -5,8 +5,6 @@
 #include "Exchange.h"
 #include "PolyData/PolyDataBlocks.h"
 
-#include "vtkSmartPointer.h"
-
 #include <string>
 #include <vector>
 
@@ -36,7 +34,6 @@ public:
 private:
   void unpack(const Message& message, const std::string& suffix);
 
-  std::vector<vtkSmartPointer<vtkPolyData>> data_;
   std::vector<PolyDataBlock> blocks_;
   std::vector<std::size_t> firstOfRank_;
 };

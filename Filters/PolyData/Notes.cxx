@@ -3,11 +3,13 @@
 
 #include "PolyData/PolyDataSource.h"
 #include "PolyData/PolyDataSurface.h"
+#include "PolyData/PolyDataTargets.h"
 #include "mesh/SurfaceSnap.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <sstream>
@@ -33,14 +35,21 @@ std::string shortNameOfPoint(const LocatedPolyline& line, std::size_t point)
   return name.substr(0, name.rfind(" of the source"));
 }
 
-/// The points of a source that are farther from the surface than they should be.
+/// The points of an input that are farther from the surface than they should be.
 struct FarPoints
 {
   std::size_t count = 0;
   std::size_t ofAll = 0;
-  /// The first ones, as a list.
-  std::string names;
+  /// Of the first ones.
+  std::vector<std::string> names;
+  /// On the mesh's scale.
+  double largestDistance = 0.0;
 };
+
+double farLimit(const PolyDataSurface& surface)
+{
+  return FarSourceFraction * surface.diagonal();
+}
 
 FarPoints farPointsOf(
   const TriangleMesh& mesh, const std::vector<LocatedPolyline>& polylines, double limit)
@@ -59,17 +68,91 @@ FarPoints farPointsOf(
       }
       if (far.count++ < PointsNamed)
       {
-        far.names += (far.names.empty() ? "" : ", ") + shortNameOfPoint(line, i);
+        far.names.push_back(shortNameOfPoint(line, i));
       }
     }
-  }
-  if (far.count > PointsNamed)
-  {
-    far.names += " and " + std::to_string(far.count - PointsNamed) + " more";
   }
   return far;
 }
 
+/// "point 3 of block 2 (wing)" of targets, by its number over all blocks.
+std::string nameOfTarget(const std::vector<PolyDataBlock>& blocks, std::size_t number)
+{
+  auto block = blocks.begin();
+  auto point = static_cast<vtkIdType>(number);
+  for (; point >= block->data->GetNumberOfPoints(); ++block)
+  {
+    point -= block->data->GetNumberOfPoints();
+  }
+  const std::size_t end = block->name.rfind(" of the set of targets");
+  return "point " + std::to_string(point) +
+    (end == std::string::npos ? "" : " of " + block->name.substr(0, end));
+}
+
+/// \param numbers of the first far ones are put there.
+FarPoints farTargetsOf(const Targets& targets, double limit, std::vector<std::size_t>& numbers)
+{
+  FarPoints far;
+  far.ofAll = targets.count;
+  for (std::size_t i = 0; i < targets.numbers.size(); ++i)
+  {
+    if (targets.snapDistances[i] <= limit)
+    {
+      continue;
+    }
+    far.largestDistance = std::max(far.largestDistance, targets.snapDistances[i]);
+    if (far.count++ < PointsNamed)
+    {
+      numbers.push_back(targets.numbers[i]);
+    }
+  }
+  return far;
+}
+
+/// What all ranks have found together. They call this together.
+void addOtherRanks(FarPoints& far, std::vector<std::size_t>& numbers, Exchange& exchange)
+{
+  far.count = static_cast<std::size_t>(sumOverRanks(exchange, far.count).all);
+  far.largestDistance = exchange.largestOf(far.largestDistance);
+  Message own;
+  put(own, numbers.data(), numbers.size());
+  numbers.clear();
+  readEach(exchange.tellAll(own),
+    [&](int, MessageReader& reader) { numbers.push_back(reader.get<std::size_t>()); });
+  std::sort(numbers.begin(), numbers.end());
+  numbers.resize(std::min(numbers.size(), PointsNamed));
+}
+
+/// "The source is", or what the subject is else, and how far it is away.
+std::string farText(
+  const std::string& subject, const FarPoints& far, const PolyDataSurface& surface)
+{
+  std::ostringstream text;
+  text << subject << " up to " << surface.scale().toUser(far.largestDistance)
+       << " away from the surface";
+  if (surface.diagonal() > 0.0)
+  {
+    text << " (" << std::round(100.0 * far.largestDistance / surface.diagonal())
+         << " % of its size)";
+  }
+  text << ", at " << far.count << " of " << far.ofAll << " points: ";
+  for (std::size_t i = 0; i < far.names.size(); ++i)
+  {
+    text << (i == 0 ? "" : ", ") << far.names[i];
+  }
+  if (far.count > far.names.size())
+  {
+    text << " and " << far.count - far.names.size() << " more";
+  }
+  return text.str();
+}
+
+}
+
+bool Notes::has(NoteOn input, const std::string& cause) const
+{
+  return std::any_of(this->notes_.begin(), this->notes_.end(),
+    [&](const Note& note) { return note.input == input && note.cause == cause; });
 }
 
 void GivenNotes::forgetNewInputs(vtkAlgorithm* filter)
@@ -124,23 +207,39 @@ void noteSurface(const PolyDataSurface& surface, Notes& notes)
 void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
   const SourcePolylines& source, const SourceCurves& onSurface, Notes& notes)
 {
-  const double limit = FarSourceFraction * surface.diagonal();
-  if (!(onSurface.snapDistance > limit))
+  notes.add(NoteOn::Source, source.droppedCells, "cell", "cells",
+    "of the source left out: neither lines nor vertices.");
+  if (!(onSurface.snapDistance > farLimit(surface)))
   {
     return;
   }
-  const FarPoints far = farPointsOf(mesh, source.polylines, limit);
-  std::ostringstream text;
-  text << "The source is up to " << surface.scale().toUser(onSurface.snapDistance)
-       << " away from the surface";
-  if (surface.diagonal() > 0.0)
+  FarPoints far = farPointsOf(mesh, source.polylines, farLimit(surface));
+  far.largestDistance = onSurface.snapDistance;
+  notes.addFirst(NoteOn::Source, FarNote,
+    farText("The source is", far, surface) +
+      ". Does it belong to this surface? It was put onto the surface's closest points.");
+}
+
+void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks,
+  const Targets& targets, Exchange* exchange, NoteOn input, Notes& notes)
+{
+  std::vector<std::size_t> numbers;
+  FarPoints far = farTargetsOf(targets, farLimit(surface), numbers);
+  if (exchange)
   {
-    text << " (" << std::round(100.0 * onSurface.snapDistance / surface.diagonal())
-         << " % of its size)";
+    addOtherRanks(far, numbers, *exchange);
   }
-  text << ", at " << far.count << " of " << far.ofAll << " points: " << far.names
-       << ". Does it belong to this surface? It was put onto the surface's closest points.";
-  notes.addFirst(NoteOn::Source, "far", text.str());
+  if (far.count == 0)
+  {
+    return;
+  }
+  for (const std::size_t number : numbers)
+  {
+    far.names.push_back(nameOfTarget(blocks, number));
+  }
+  notes.add(input, FarNote,
+    farText("The targets are", far, surface) +
+      ". Do they belong to this surface? They were put onto the surface's closest points.");
 }
 
 }

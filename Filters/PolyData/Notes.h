@@ -15,10 +15,13 @@ class vtkAlgorithmOutput;
 namespace geodesic
 {
 
+class Exchange;
 class PolyDataSurface;
 class TriangleMesh;
+struct PolyDataBlock;
 struct SourceCurves;
 struct SourcePolylines;
+struct Targets;
 
 /// The input, by its port, that a note is about.
 enum class NoteOn
@@ -27,6 +30,9 @@ enum class NoteOn
   Source = 1,
   Targets = 2
 };
+
+/// Note::cause of a source, or of targets, far from the surface.
+inline const char* const FarNote = "far";
 
 /// What the user should know of an execution whose result is right: that something was left out,
 /// is not as asked for, or looks like a mistake. What every data set may have and what has no
@@ -62,6 +68,7 @@ public:
   {
     this->notes_.insert(this->notes_.begin(), { input, cause, text });
   }
+  bool has(NoteOn input, const std::string& cause) const;
   const std::vector<Note>& all() const { return this->notes_; }
 
 private:
@@ -94,6 +101,15 @@ void noteSurface(const PolyDataSurface& surface, Notes& notes);
 /// \param source before, and onSurface after that.
 void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
   const SourcePolylines& source, const SourceCurves& onSurface, Notes& notes);
+
+/// What was noticed when targets were put onto the surface.
+///
+/// \param blocks whose points they are.
+/// \param exchange where each rank has some of them; all ranks call this together and note the
+///        same. Else null.
+/// \param input the one with these blocks.
+void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks,
+  const Targets& targets, Exchange* exchange, NoteOn input, Notes& notes);
 
 }
 

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/PolyDataBlocks.h"
 
+#include "PolyData/CellArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
+#include "vtkPointSet.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <utility>
 
@@ -18,9 +24,101 @@ namespace geodesic
 namespace
 {
 
-const char* const WhatToDo = ": apply Extract Surface to it first. A vtkPolyData, or a composite "
-                             "data set of these, is needed; "
-                             "vtkDataSetSurfaceFilter and vtkGeometryFilter make one.";
+const char* const NoSurface = ": apply Extract Surface to it first. A vtkPolyData, or a composite "
+                              "data set of these, is needed; "
+                              "vtkDataSetSurfaceFilter and vtkGeometryFilter make one.";
+const char* const NoPoints =
+  ", which has no points of its own. A vtkPolyData, a vtkUnstructuredGrid, another vtkPointSet, or "
+  "a composite data set of these, is needed: of an image or a grid Extract Surface makes one, of a "
+  "table Table To Points.";
+
+/// \param whatToDo where it is of another type.
+/// \throws InputError
+template <typename Type>
+Type* requireType(vtkDataObject* data, const std::string& name, const char* whatToDo)
+{
+  auto* result = Type::SafeDownCast(data);
+  if (!result)
+  {
+    throw InputError(capitalized(name) + " is a " + data->GetClassName() + whatToDo);
+  }
+  return result;
+}
+
+PolyDataBlock surfaceBlock(vtkDataObject* data, const std::string& name)
+{
+  auto* polyData = requireType<vtkPolyData>(data, name, NoSurface);
+  requireReadable(polyData, name);
+  return { polyData, name, {}, 0 };
+}
+
+PolyDataBlock targetBlock(vtkDataObject* data, const std::string& name)
+{
+  const auto points = vtkSmartPointer<vtkPolyData>::New();
+  points->SetPoints(requireType<vtkPointSet>(data, name, NoPoints)->GetPoints());
+  return { points, name, {}, 0 };
+}
+
+vtkUnsignedCharArray* requireTypes(vtkUnstructuredGrid* grid, const std::string& name)
+{
+  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  const vtkIdType count = types ? types->GetNumberOfValues() : 0;
+  if (count < grid->GetNumberOfCells())
+  {
+    throw InputError("Cell " + std::to_string(count) + " of " + name +
+      " has no type: there are types of " + std::to_string(count) + " cells only, of " +
+      std::to_string(grid->GetNumberOfCells()) + ". Repair the cells upstream.");
+  }
+  return types;
+}
+
+/// A cell that is neither a vertex nor a line becomes a line without points, so that the others
+/// keep their numbers.
+void addVerticesAndLines(vtkUnstructuredGrid* grid, PolyDataBlock& block)
+{
+  vtkUnsignedCharArray* types = requireTypes(grid, block.name);
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkCellArray> lines;
+  std::vector<vtkIdType> cellsOfLines;
+  const auto cells = vtk::TakeSmartPointer(grid->GetCells()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(size, ids);
+    const vtkIdType cell = cells->GetCurrentCellId();
+    const int type = types->GetValue(cell);
+    if (type == VTK_VERTEX || type == VTK_POLY_VERTEX)
+    {
+      vertices->InsertNextCell(size, ids);
+      block.inputCells.push_back(cell);
+      continue;
+    }
+    const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;
+    lines->InsertNextCell(isLine ? size : 0, ids);
+    cellsOfLines.push_back(cell);
+    block.droppedCells += isLine || type == VTK_EMPTY_CELL ? 0 : 1;
+  }
+  block.inputCells.insert(block.inputCells.end(), cellsOfLines.begin(), cellsOfLines.end());
+  block.data->SetVerts(vertices);
+  block.data->SetLines(lines);
+}
+
+PolyDataBlock sourceBlock(vtkDataObject* data, const std::string& name)
+{
+  if (data->IsA("vtkPolyData"))
+  {
+    return surfaceBlock(data, name);
+  }
+  PolyDataBlock block = targetBlock(data, name);
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  if (grid && grid->GetCells())
+  {
+    requireReadable(grid->GetCells(), "cells", 0, name);
+    addVerticesAndLines(grid, block);
+  }
+  return block;
+}
 
 /// Goes through the blocks of a composite data set, those of nested ones too, and calls them by
 /// their number (as ParaView's composite index) and the name that a file or the user has given.
@@ -76,6 +174,23 @@ private:
   vtkCompositeDataIterator* at_ = nullptr;
 };
 
+/// \param read makes a block of a data set and its name.
+std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& name,
+  PolyDataBlock (*read)(vtkDataObject*, const std::string&))
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    return { read(input, name) };
+  }
+  std::vector<PolyDataBlock> blocks;
+  BlockVisitor visitor(name);
+  visitor.forEach(composite,
+    [&](vtkCompositeDataIterator*, vtkDataObject* block)
+    { blocks.push_back(read(block, visitor.name())); });
+  return blocks;
+}
+
 }
 
 std::string capitalized(std::string name)
@@ -86,28 +201,17 @@ std::string capitalized(std::string name)
 
 std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const std::string& name)
 {
-  if (auto* data = vtkPolyData::SafeDownCast(input))
-  {
-    return { { data, name } };
-  }
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    throw InputError(capitalized(name) + " is a " + input->GetClassName() + WhatToDo);
-  }
-  std::vector<PolyDataBlock> blocks;
-  BlockVisitor visitor(name);
-  visitor.forEach(composite,
-    [&](vtkCompositeDataIterator*, vtkDataObject* block)
-    {
-      auto* data = vtkPolyData::SafeDownCast(block);
-      if (!data)
-      {
-        throw InputError(capitalized(visitor.name()) + " is a " + block->GetClassName() + WhatToDo);
-      }
-      blocks.push_back({ data, visitor.name() });
-    });
-  return blocks;
+  return blocksOf(input, name, surfaceBlock);
+}
+
+std::vector<PolyDataBlock> sourceBlocks(vtkDataObject* input, const std::string& name)
+{
+  return blocksOf(input, name, sourceBlock);
+}
+
+std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const std::string& name)
+{
+  return blocksOf(input, name, targetBlock);
 }
 
 std::vector<vtkPolyData*> makeBlocksLike(vtkDataObject* input, vtkDataObject* output)

@@ -4,11 +4,13 @@
 
 #include "Errors.h"
 
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
 #include <string>
 #include <vector>
 
 class vtkDataObject;
-class vtkPolyData;
 
 namespace geodesic
 {
@@ -20,21 +22,35 @@ public:
   using Error::Error;
 };
 
-/// One vtkPolyData of an input.
+/// One data set of an input.
 struct PolyDataBlock
 {
-  vtkPolyData* data = nullptr;
+  vtkSmartPointer<vtkPolyData> data;
   /// As messages call it: "the surface (input port 0)", or
   /// "block 3 (wing) of the surface (input port 0)".
   std::string name;
+  /// The number that each cell of data has in the input, where these differ: a vtkPolyData has its
+  /// vertices before its lines. Empty where they are the same.
+  std::vector<vtkIdType> inputCells;
+  /// How many cells of the input are neither vertices nor lines, and have no points here.
+  vtkIdType droppedCells = 0;
 };
 
 /// The vtkPolyData that an input is, or the leaves of a composite one in their flattened order.
 /// Blocks that are null are left out.
 ///
 /// \param name as messages call the input.
-/// \throws InputError where the input or a block is something else; it says which and what to do.
+/// \throws InputError where the input or a block is something else, or has cells that cannot be
+///         read; it says which and what to do.
 std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const std::string& name);
+
+/// The same for a source, which may be any vtkPointSet, or leaves that are: of a
+/// vtkUnstructuredGrid the vertices and lines, of others than that and vtkPolyData the points
+/// alone.
+std::vector<PolyDataBlock> sourceBlocks(vtkDataObject* input, const std::string& name);
+
+/// The same for targets, which are the points of any vtkPointSet. Cells are left out.
+std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const std::string& name);
 
 /// A block's name at the beginning of a sentence.
 std::string capitalized(std::string name);

@@ -38,38 +38,66 @@ class ChainReader
 {
 public:
   /// \param firstPoint the number of the block's point 0 among those of all blocks.
-  /// \param firstSource SourceCurve::source of the block's first cell, or of its first point where
-  ///        it has no cells.
   /// \param chains to which curves are added.
-  ChainReader(
-    const PolyDataBlock& block, std::size_t firstPoint, Id firstSource, std::vector<Chain>& chains)
+  /// \param sources of the blocks before, to which those of this one are added.
+  ChainReader(const PolyDataBlock& block, std::size_t firstPoint, std::vector<Chain>& chains,
+    SourcePolylines& sources)
     : block_(block)
     , firstPoint_(firstPoint)
-    , firstSource_(firstSource)
+    , firstSource_(sources.numberOfSources)
     , chains_(chains)
+    , sources_(sources)
   {
   }
 
-  /// \returns how many sources there are: cells, or points where there are no cells.
-  Id read()
+  void read()
   {
     vtkPolyData* source = this->block_.data;
+    if (source->GetNumberOfCells() == source->GetNumberOfVerts())
+    {
+      this->readPoints();
+      return;
+    }
     this->read(source->GetVerts(), &ChainReader::addVertices);
     this->read(source->GetLines(), &ChainReader::addLine);
     this->read(source->GetPolys(), &ChainReader::addPolygon);
     this->read(source->GetStrips(), &ChainReader::addStrip);
-    if (source->GetNumberOfCells() == 0)
+    for (vtkIdType i = 0; i < this->cell_; ++i)
     {
-      for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i, ++this->cell_)
-      {
-        this->addPoint(i);
-      }
+      this->sources_.ids.push_back(this->sourceOf(i));
     }
-    return static_cast<Id>(this->cell_);
+    this->sources_.numberOfSources += static_cast<Id>(this->cell_);
+    this->sources_.droppedCells += this->block_.droppedCells;
   }
 
 private:
   using Adder = void (ChainReader::*)(vtkIdType, const vtkIdType*);
+
+  /// Each point is a source of its own, however many of them a vertex cell has.
+  void readPoints()
+  {
+    const vtkIdType count = this->block_.data->GetNumberOfPoints();
+    this->isSource_.assign(
+      static_cast<std::size_t>(count), this->block_.data->GetNumberOfVerts() == 0);
+    this->read(this->block_.data->GetVerts(), &ChainReader::markPoints);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      if (this->isSource_[static_cast<std::size_t>(i)])
+      {
+        this->addPoint(i, this->sourceOf(i));
+        this->sources_.ids.push_back(this->sourceOf(i));
+      }
+    }
+    this->sources_.numberOfSources += static_cast<Id>(count);
+  }
+
+  void markPoints(vtkIdType size, const vtkIdType* ids)
+  {
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->isSource_[static_cast<std::size_t>(ids[i])] = true;
+    }
+  }
 
   void read(vtkCellArray* cells, Adder add)
   {
@@ -95,7 +123,7 @@ private:
     {
       if (ids[i] < 0 || ids[i] >= count)
       {
-        throw SourceError("Cell " + std::to_string(this->cell_) + " of " + this->block_.name +
+        throw SourceError("Cell " + std::to_string(this->inputCell()) + " of " + this->block_.name +
           " names point " + std::to_string(ids[i]) + ", but there are only " +
           std::to_string(count) + " points. Repair the cells upstream.");
       }
@@ -107,19 +135,27 @@ private:
     return this->firstPoint_ + static_cast<std::size_t>(id);
   }
 
-  Id source() const { return this->firstSource_ + static_cast<Id>(this->cell_); }
+  /// The cell that is being read.
+  vtkIdType inputCell() const
+  {
+    const std::vector<vtkIdType>& numbers = this->block_.inputCells;
+    return numbers.empty() ? this->cell_ : numbers[static_cast<std::size_t>(this->cell_)];
+  }
 
-  void addPoint(vtkIdType point)
+  /// \param number of a cell, or a point, of the input.
+  Id sourceOf(vtkIdType number) const { return this->firstSource_ + static_cast<Id>(number); }
+
+  void addPoint(vtkIdType point, Id source)
   {
     this->chains_.push_back({ { this->pointOf(point) }, false,
-      "point " + std::to_string(point) + " of " + this->block_.name, this->source() });
+      "point " + std::to_string(point) + " of " + this->block_.name, source });
   }
 
   void addVertices(vtkIdType size, const vtkIdType* ids)
   {
     for (vtkIdType i = 0; i < size; ++i)
     {
-      this->addPoint(ids[i]);
+      this->addPoint(ids[i], this->sourceOf(this->inputCell()));
     }
   }
 
@@ -131,8 +167,8 @@ private:
       chain.points.push_back(this->pointOf(id));
     }
     chain.closed = closed && ids.size() > 2;
-    chain.name = "cell " + std::to_string(this->cell_) + " of " + this->block_.name;
-    chain.source = this->source();
+    chain.name = "cell " + std::to_string(this->inputCell()) + " of " + this->block_.name;
+    chain.source = this->sourceOf(this->inputCell());
   }
 
   void addLine(vtkIdType size, const vtkIdType* ids)
@@ -165,8 +201,26 @@ private:
   std::size_t firstPoint_;
   Id firstSource_;
   std::vector<Chain>& chains_;
+  SourcePolylines& sources_;
   vtkIdType cell_ = 0;
+  /// Of a set of points.
+  std::vector<bool> isSource_;
 };
+
+/// \throws SourceError
+[[noreturn]] void throwEmpty(const SourcePolylines& sources)
+{
+  if (sources.droppedCells > 0)
+  {
+    throw SourceError("The source (input port 1) has no line or vertex with points among its " +
+      std::to_string(sources.droppedCells) +
+      " cells. Apply Extract Surface to it for the outlines of its faces, Feature Edges after that "
+      "for its edges, or take some of its points by Extract Selection.");
+  }
+  throw SourceError("The source (input port 1) is empty: it has no points that a line or vertex "
+                    "uses. Connect a curve with at least one point, or set Source Type to "
+                    "Surface Boundary.");
+}
 
 std::string textOf(const Vec3& p)
 {
@@ -262,11 +316,11 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
   std::vector<Chain> chains;
   std::vector<Vec3> points;
   std::vector<std::size_t> firstPoints;
-  Id numberOfSources = 0;
+  SourcePolylines result;
   for (const PolyDataBlock& block : source)
   {
     firstPoints.push_back(points.size());
-    numberOfSources += ChainReader(block, points.size(), numberOfSources, chains).read();
+    ChainReader(block, points.size(), chains, result).read();
     for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
     {
       block.data->GetPoint(i, points.emplace_back().data());
@@ -274,9 +328,7 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
   }
   if (chains.empty())
   {
-    throw SourceError("The source (input port 1) is empty: it has no points that a line or vertex "
-                      "uses. Connect a curve with at least one point, or set Source Type to "
-                      "Surface Boundary.");
+    throwEmpty(result);
   }
   const std::vector<char> used = usedPoints(chains, points.size());
   for (std::size_t i = 0; i < source.size(); ++i)
@@ -284,8 +336,6 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
     requireFinite(source[i], firstPoints[i], used);
   }
 
-  SourcePolylines result;
-  result.numberOfSources = numberOfSources;
   result.polylines.reserve(chains.size());
   for (Chain& chain : chains)
   {

@@ -6,6 +6,8 @@
 #include "PolyData/PowerOfTwoScale.h"
 #include "source/PolylineOnSurface.h"
 
+#include "vtkType.h"
+
 #include <string>
 #include <vector>
 
@@ -21,15 +23,20 @@ class SourceOnRanks;
 struct SourcePolylines
 {
   std::vector<LocatedPolyline> polylines;
-  /// Their LocatedPolyline::source are below; a cell without points has no polyline.
+  /// LocatedPolyline::source of all that are sources, ascending. A cell without points is one, and
+  /// has no polyline; a point that no vertex cell of a set of points has is none.
+  std::vector<Id> ids;
+  /// All of these are below.
   Id numberOfSources = 0;
+  /// Cells that are neither lines nor vertices and were left out.
+  vtkIdType droppedCells = 0;
 };
 
 /// Reads the curves of all blocks, whose points are yet to be located: every line and polyline is a
 /// curve, every point of a vertex cell a point source, polygons and strips stand for their
-/// outlines, and points of a block without any cell are all point sources. A polyline's `source` is
-/// the number of its cell, or of its point where a block has no cells, over all blocks in their
-/// order.
+/// outlines. A block of vertex cells only is a set of points, as is one without any cell, all of
+/// whose points are sources. A polyline's `source` is the number of its cell, or of its point in a
+/// set of points, over all blocks in their order.
 ///
 /// \param scale of the surface that they belong to; the polylines have it too.
 /// \throws SourceError where there is no point or one is not finite.

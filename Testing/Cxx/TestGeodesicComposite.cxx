@@ -415,8 +415,11 @@ void CheckErrors(Check& check)
   expect(withGrid, corner,
     { "Block 3 (volume) of the surface (input port 0)", "vtkUnstructuredGrid", "Extract Surface" },
     "a block that is a grid");
-  expect(square, withGrid, { "Block 3 (volume) of the source (input port 1)", "Extract Surface" },
-    "a grid in the source");
+  const auto withImage = TwoSquares(Square(2), Square(2));
+  withImage->SetBlock(2, vtkNew<vtkImageData>());
+  withImage->GetMetaData(2u)->Set(vtkCompositeDataSet::NAME(), "volume");
+  expect(square, withImage, { "Block 3 (volume) of the source (input port 1)", "Extract Surface" },
+    "an image in the source");
   expect(vtkNew<vtkImageData>(), corner,
     { "The surface (input port 0) is a vtkImageData", "Extract Surface" }, "an image");
   expect(square, vtkNew<vtkImageData>(), { "The source (input port 1) is a vtkImageData" },

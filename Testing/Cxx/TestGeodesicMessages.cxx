@@ -130,14 +130,17 @@ void CheckOtherKindsOfData(Check& check)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(3, 3, 3);
-  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkUnstructuredGrid> grid; // of which the points can be targets
+  grid->SetPoints(Square(2)->GetPoints());
+  const vtkIdType triangle[] = { 0, 1, 4 };
+  grid->InsertNextCell(VTK_TRIANGLE, 3, triangle);
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, Square(2));
-  blocks->SetBlock(1, grid);
+  blocks->SetBlock(1, image);
   for (const vtkSmartPointer<vtkDataObject>& data :
     std::vector<vtkSmartPointer<vtkDataObject>>{ image.Get(), grid.Get(), blocks.Get() })
   {
-    for (int port = 0; port < 3; ++port)
+    for (int port = 0; port < (data->IsA("vtkUnstructuredGrid") ? 2 : 3); ++port)
     {
       for (const auto& filter : AllFilters())
       {

@@ -4,6 +4,9 @@
 #include "GeodesicTesting.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkGeodesicDistanceMatrix.h"
+#include "vtkGeodesicPaths.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkTrivialProducer.h"
 
 using namespace GeodesicTesting;
@@ -227,6 +230,55 @@ void CheckNothingIsSaidTwice(Check& check)
   expect(true, false, "another surface connected");
 }
 
+/// Targets are warned of as sources are, in both filters, and not again where they are the points
+/// of a source of which that was said.
+template <typename Filter>
+void CheckFarTargets(Check& check, const std::string& name)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(Square(2));
+  filter->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  Messages messages(filter);
+  const auto expect = [&](const std::string& words, const std::string& what)
+  {
+    messages.Update();
+    check.That(words.empty() == messages.Warning().empty() && Contains(messages.Warning(), words),
+      name + ", " + what + ": " + messages.Warning());
+  };
+  filter->SetTargetsData(PointSources({ { 1, 1, 0 }, { 0.5, 0.5, 8 }, { 0, 0, 0.01 } }));
+  expect("The targets are up to 8 away from the surface (566 % of its size), at 1 of 3 points: "
+         "point 1. Do they belong to this surface?",
+    "a target far away");
+  filter->Modified();
+  expect("", "the same again");
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, PointSources({ { 1, 1, 0 } }));
+  blocks->SetBlock(
+    1, PointSources({ { 0, 0, 1 }, { 0, 0, 0 }, { 0, 0, 2 }, { 0, 0, 3 }, { 0, 0, 1 } }));
+  filter->SetTargetsData(blocks);
+  expect("at 4 of 6 points: point 0 of block 2, point 2 of block 2, point 3 of block 2 and 1 more",
+    "blocks of targets");
+  filter->SetTargetsData(PointSources({ { 1, 1, 0.014 }, { 0, 0, -0.014 } }));
+  expect("", "targets a little beside the surface");
+}
+
+void CheckFarPointsOfSourceAsTargets(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceMatrix> matrix;
+  matrix->SetInputData(Square(2));
+  matrix->SetSourceData(PointSources({ { 0, 0, 1 }, { 1, 0, 0 } }));
+  Messages messages(matrix);
+  messages.Update();
+  check.That(Contains(messages.Warning(), "The source is up to 1 away") &&
+      !Contains(messages.Warning(), "targets"),
+    "a source that is the targets too: " + messages.Warning());
+  matrix->SetSourceData(PointSources({ { 0, 0, 1 }, { 1, 0, 0 } }));
+  matrix->SetSourceTypeToSurfaceBoundary();
+  messages.Update();
+  check.That(Contains(messages.Warning(), "The targets are up to 1 away"),
+    "a source that is the targets only: " + messages.Warning());
+}
+
 /// What a property is the cause of is told for each of its values.
 void CheckWarningsOfProperties(Check& check)
 {
@@ -306,6 +358,9 @@ int TestGeodesicWarnings(int, char*[])
     CheckQuietCase(check, plain);
   }
   CheckNothingIsSaidTwice(check);
+  CheckFarTargets<vtkGeodesicPaths>(check, "paths");
+  CheckFarTargets<vtkGeodesicDistanceMatrix>(check, "matrix");
+  CheckFarPointsOfSourceAsTargets(check);
   CheckWarningsOfProperties(check);
   CheckExistingArray(check);
   CheckSilence(check);

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Data sets other than curves as sources and targets: vertex cells only are a set of points, grids
+// give their vertices and lines, any other data with points its points.
+#include "GeodesicTesting.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkGeodesicContour.h"
+#include "vtkGeodesicDistanceMatrix.h"
+#include "vtkGeodesicPaths.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPointSet.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+using namespace GeodesicTesting;
+
+namespace
+{
+
+const std::vector<Point> FourPoints = { { 0.1, 0.2, 0 }, { 0.9, 0.7, 0 }, { 0.4, 0.35, 0 },
+  { 0.2, 0.8, 0 } };
+
+using CellsOfPoints = std::vector<std::vector<vtkIdType>>;
+
+vtkSmartPointer<vtkPolyData> WithVertices(
+  const std::vector<Point>& positions, const CellsOfPoints& cells)
+{
+  auto data = PointSources(positions);
+  vtkNew<vtkCellArray> vertices;
+  for (const std::vector<vtkIdType>& cell : cells)
+  {
+    vertices->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
+  }
+  data->SetVerts(vertices);
+  return data;
+}
+
+struct GridCell
+{
+  int Type;
+  std::vector<vtkIdType> Points;
+};
+
+vtkSmartPointer<vtkUnstructuredGrid> Grid(
+  const std::vector<Point>& positions, const std::vector<GridCell>& cells)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(PointSources(positions)->GetPoints());
+  for (const GridCell& cell : cells)
+  {
+    grid->InsertNextCell(cell.Type, static_cast<vtkIdType>(cell.Points.size()), cell.Points.data());
+  }
+  return grid;
+}
+
+/// An index of points in the plane z = 0, as a curved grid has them.
+vtkSmartPointer<vtkStructuredGrid> CurvedGrid()
+{
+  auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+  grid->SetDimensions(2, 2, 1);
+  grid->SetPoints(PointSources(FourPoints)->GetPoints());
+  return grid;
+}
+
+double Between(const Point& a, const Point& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+std::vector<vtkIdType> Ids(vtkDataArray* array)
+{
+  std::vector<vtkIdType> ids;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    ids.push_back(static_cast<vtkIdType>(array->GetTuple1(i)));
+  }
+  return ids;
+}
+
+/// Checks what all filters give for a source whose points are sources of their own.
+///
+/// \param ids of the sources.
+/// \param positions of these.
+void CheckPoints(Check& check, vtkDataObject* source, const std::vector<vtkIdType>& ids,
+  const std::vector<Point>& positions, const std::string& what)
+{
+  const auto surface = Square(8);
+  vtkNew<vtkGeodesicDistanceField> field;
+  field->SetInputData(surface);
+  field->SetSourceData(source);
+  field->GenerateSourceIdsOn();
+  field->RefineMeshOff();
+  Messages messages(field);
+  messages.Update();
+  check.That(messages.Error().empty() && messages.Warning().empty(),
+    what + ": " + messages.Error() + messages.Warning());
+  vtkDataArray* nearest = field->GetOutput()->GetPointData()->GetArray("SourceId");
+  for (vtkIdType i = 0; nearest && i < surface->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    surface->GetPoint(i, p.data());
+    const auto at = std::find(ids.begin(), ids.end(), vtkIdType(nearest->GetTuple1(i)));
+    const bool isOne = at != ids.end();
+    check.That(isOne, what + ": SourceId is that of a source");
+    double least = 1e9;
+    for (const Point& position : positions)
+    {
+      least = std::min(least, Between(p, position));
+    }
+    check.That(std::abs(Distances(field)->GetTuple1(i) - least) < 1e-14, what + ": the distance");
+    check.That(isOne && Between(p, positions[std::size_t(at - ids.begin())]) < least + 1e-14,
+      what + ": SourceId is that of the nearest");
+  }
+  auto* curves = vtkPolyData::SafeDownCast(field->GetOutputDataObject(1));
+  check.That(Ids(curves->GetCellData()->GetArray("SourceId")) == ids, what + ": ids on port 1");
+
+  const std::vector<Point> targets = { { 0.5, 0.5, 0 }, { 1, 0.25, 0 } };
+  vtkNew<vtkGeodesicDistanceMatrix> matrix;
+  matrix->SetInputData(surface);
+  matrix->SetSourceData(source);
+  matrix->SetTargetsData(PointSources(targets));
+  matrix->Update();
+  vtkTable* table = matrix->GetOutput();
+  check.Equal(double(table->GetNumberOfColumns()), double(ids.size() + 1), what + ": columns");
+  for (std::size_t s = 0; s < ids.size(); ++s)
+  {
+    auto* column = vtkDoubleArray::SafeDownCast(
+      table->GetColumnByName(("Source" + std::to_string(ids[s])).c_str()));
+    for (std::size_t t = 0; t < targets.size(); ++t)
+    {
+      check.That(column &&
+          std::abs(column->GetValue(vtkIdType(t)) - Between(targets[t], positions[s])) < 1e-14,
+        what + ": the distance from source " + std::to_string(ids[s]));
+    }
+  }
+  vtkNew<vtkGeodesicPaths> paths;
+  paths->SetInputData(surface);
+  paths->SetSourceData(source);
+  paths->SetTargetsData(PointSources(positions));
+  paths->Update();
+  check.That(Ids(paths->GetOutput()->GetCellData()->GetArray("SourceId")) == ids,
+    what + ": each source is nearest to itself");
+}
+
+/// However points are given, they are the same sources.
+void CheckSetsOfPoints(Check& check)
+{
+  const std::vector<vtkIdType> all = { 0, 1, 2, 3 };
+  const auto expect = [&](vtkDataObject* source, const std::string& what)
+  { CheckPoints(check, source, all, FourPoints, what); };
+  expect(PointSources(FourPoints), "points without cells");
+  expect(WithVertices(FourPoints, { { 0, 1, 2, 3 } }), "one poly-vertex");
+  expect(WithVertices(FourPoints, { { 3 }, { 1 }, { 0 }, { 2 } }), "vertices in another order");
+  expect(WithVertices(FourPoints, { { 3, 1, 0 }, {}, { 2, 3 } }), "vertices with points twice");
+  expect(CurvedGrid(), "a structured grid");
+  expect(Grid(FourPoints, {}), "an unstructured grid without cells");
+  expect(Grid(FourPoints,
+           { { VTK_VERTEX, { 2 } }, { VTK_POLY_VERTEX, { 0, 1 } }, { VTK_VERTEX, { 3 } } }),
+    "an unstructured grid of vertices");
+  vtkNew<vtkPointSet> points;
+  points->SetPoints(PointSources(FourPoints)->GetPoints());
+  expect(points, "a vtkPointSet");
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, WithVertices({ FourPoints[0], FourPoints[1] }, { { 0, 1 } }));
+  blocks->SetBlock(1, vtkNew<vtkUnstructuredGrid>());
+  blocks->SetBlock(2, Grid({ FourPoints[2], FourPoints[3] }, { { VTK_POLY_VERTEX, { 0, 1 } } }));
+  expect(blocks, "blocks");
+  vtkNew<vtkPartitionedDataSet> partitions;
+  partitions->SetPartition(0, Grid(FourPoints, { { VTK_POLY_VERTEX, { 0, 1, 2, 3 } } }));
+  expect(partitions, "a partitioned data set");
+  CheckPoints(check, WithVertices(FourPoints, { { 3 }, { 1 } }), { 1, 3 },
+    { FourPoints[1], FourPoints[3] }, "points that no vertex cell has are no sources");
+}
+
+/// The loops of the boundary are numbered after all points.
+void CheckBoundaryAfterPoints(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceMatrix> matrix;
+  matrix->SetInputData(Square(4));
+  matrix->SetSourceData(WithVertices(FourPoints, { { 0, 2 } }));
+  matrix->SetSourceTypeToCurveAndBoundary();
+  matrix->Update();
+  vtkTable* table = matrix->GetOutput();
+  check.Equal(double(table->GetNumberOfRows()), 4.0, "all points are targets");
+  check.Equal(double(table->GetNumberOfColumns()), 4.0, "points and the boundary: columns");
+  auto* loop = vtkDoubleArray::SafeDownCast(table->GetColumnByName("Source4"));
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    const double truth = DistanceToBoundaryOfSquare(FourPoints[std::size_t(i)]);
+    check.That(loop && std::abs(loop->GetValue(i) - truth) < 1e-15, "the boundary's column");
+  }
+}
+
+/// Lines, vertices and other cells in any order: ids are those of the grid's cells.
+vtkSmartPointer<vtkUnstructuredGrid> MixedGrid()
+{
+  return Grid({ { 0.1, 0.1, 0 }, { 0.1, 0.9, 0 }, { 0.5, 0.5, 0 }, { 0.9, 0.1, 0 }, { 0.9, 0.5, 0 },
+                { 0.9, 0.9, 0 }, { 0.7, 0.5, 0 } },
+    { { VTK_TRIANGLE, { 0, 2, 6 } }, { VTK_POLY_LINE, { 3, 4, 5 } }, { VTK_VERTEX, { 2 } },
+      { VTK_EMPTY_CELL, {} }, { VTK_LINE, { 0, 1 } }, { VTK_POLY_VERTEX, { 6 } } });
+}
+
+void CheckLinesOfGrids(Check& check)
+{
+  const auto surface = Square(8);
+  vtkNew<vtkGeodesicDistanceField> field;
+  field->SetInputData(surface);
+  field->SetSourceData(MixedGrid());
+  field->GenerateSourceIdsOn();
+  Messages messages(field);
+  messages.Update();
+  check.That(Contains(messages.Warning(), "1 cell of the source left out"),
+    "a triangle in a grid is told: " + messages.Warning());
+  const std::vector<std::pair<vtkIdType, Distance>> parts = {
+    { 1, DistanceTo({ { 0.9, 0.1, 0 }, { 0.9, 0.9, 0 } }) }, { 2, DistanceTo({ { 0.5, 0.5, 0 } }) },
+    { 4, DistanceTo({ { 0.1, 0.1, 0 }, { 0.1, 0.9, 0 } }) }, { 5, DistanceTo({ { 0.7, 0.5, 0 } }) }
+  };
+  const auto truth = [&](const Point& p)
+  {
+    double least = 1e9;
+    for (const auto& [id, distance] : parts)
+    {
+      least = std::min(least, distance(p));
+    }
+    return least;
+  };
+  CheckDistances(check, field, truth, "lines and vertices of a grid");
+  vtkDataArray* nearest = field->GetOutput()->GetPointData()->GetArray("SourceId");
+  for (vtkIdType i = 0; i < field->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    field->GetOutput()->GetPoint(i, p.data());
+    const auto id = vtkIdType(nearest->GetTuple1(i));
+    const auto part =
+      std::find_if(parts.begin(), parts.end(), [id](const auto& one) { return one.first == id; });
+    check.That(part != parts.end() && part->second(p) < truth(p) + 1e-14, "a cell of the grid");
+  }
+  auto* curves = vtkPolyData::SafeDownCast(field->GetOutputDataObject(1));
+  const std::vector<vtkIdType> vertices = { 2, 5, 1, 4 }; // then lines
+  check.That(Ids(curves->GetCellData()->GetArray("SourceId")) == vertices, "a grid's ids, port 1");
+
+  vtkNew<vtkGeodesicContour> contour;
+  contour->SetInputData(surface);
+  contour->SetSourceData(Grid({ { 0, 0.5, 0 }, { 1, 0.5, 0 } }, { { VTK_LINE, { 0, 1 } } }));
+  contour->SetValue(0, 0.25);
+  contour->Update();
+  check.Equal(double(contour->GetOutput()->GetNumberOfLines()), 2.0, "lines beside a grid's line");
+}
+
+/// The points of any data are targets, whatever its cells are.
+void CheckTargets(Check& check)
+{
+  const auto volume = Grid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0.5, 0.5, 0 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_VERTEX, { 0 } } });
+  vtkNew<vtkGeodesicPaths> paths;
+  paths->SetInputData(Square(4));
+  paths->SetSourceData(PointSources({ { 0, 0, 0 } }));
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, CurvedGrid());
+  blocks->SetBlock(1, volume);
+  paths->SetTargetsData(blocks);
+  Messages messages(paths);
+  messages.Update();
+  check.That(messages.Error().empty() && messages.Warning().empty(),
+    "grids of targets: " + messages.Error() + messages.Warning());
+  check.That(Ids(paths->GetOutput()->GetCellData()->GetArray("TargetId")) ==
+      std::vector<vtkIdType>{ 0, 1, 2, 3, 4, 5, 6, 7 },
+    "grids of targets: ids");
+  vtkDataArray* lengths = paths->GetOutput()->GetCellData()->GetArray("GeodesicDistance");
+  for (vtkIdType i = 0; i < 4 && lengths; ++i)
+  {
+    check.That(
+      std::abs(lengths->GetTuple1(i) - Between(FourPoints[std::size_t(i)], { 0, 0, 0 })) < 1e-14,
+      "a structured grid of targets");
+  }
+}
+
+/// One that keeps its precision is put onto the surface as a vtkPolyData is.
+void CheckPrecision(Check& check)
+{
+  const auto surface = ChangedSphere(24, 16, [](const Point& p) { return p; });
+  auto points = PointSources({}, VTK_FLOAT);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); i += 7)
+  {
+    points->GetPoints()->InsertNextPoint(surface->GetPoint(i));
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points->GetPoints());
+  vtkNew<vtkGeodesicDistanceField> field;
+  field->SetInputData(surface);
+  field->SetSourceData(grid);
+  field->RefineMeshOff();
+  field->Update();
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); i += 7)
+  {
+    check.Equal(Distances(field)->GetTuple1(i), 0.0, "a rounded vertex is that vertex");
+  }
+}
+
+void CheckWhatCannotBeUsed(Check& check)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 3);
+  const auto triangle =
+    Grid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } });
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, triangle);
+  blocks->SetBlock(1, image);
+  vtkNew<vtkMultiBlockDataSet> faces;
+  faces->SetBlock(0, triangle);
+  faces->SetBlock(1, vtkNew<vtkUnstructuredGrid>());
+  struct Bad
+  {
+    vtkSmartPointer<vtkDataObject> Data;
+    std::vector<std::string> Words;
+  };
+  const auto expect = [&](int port, const Bad& bad)
+  {
+    vtkNew<vtkGeodesicPaths> paths;
+    paths->SetInputData(Square(2));
+    paths->SetSourceData(PointSources({ { 0, 0, 0 } }));
+    paths->SetTargetsData(PointSources({ { 1, 1, 0 } }));
+    paths->SetInputDataObject(port, bad.Data);
+    Messages messages(paths);
+    messages.Update();
+    for (const std::string& word : bad.Words)
+    {
+      check.That(Contains(messages.Error(), word),
+        "port " + std::to_string(port) + " says \"" + word + "\": " + messages.Error());
+    }
+    check.Equal(double(paths->GetOutput()->GetNumberOfPoints()), 0.0, "no points after an error");
+  };
+  for (const int port : { 1, 2 })
+  {
+    const std::string name = "input port " + std::to_string(port);
+    expect(port, { image.Get(), { name, "vtkImageData", "no points of its own" } });
+    expect(port, { blocks.Get(), { name, "Block 2", "vtkImageData", "Extract Surface" } });
+    expect(port, { vtkNew<vtkTable>().Get(), { name, "vtkTable", "Table To Points" } });
+    expect(port, { vtkNew<vtkUnstructuredGrid>().Get(), { name, "empty" } });
+  }
+  const std::vector<std::string> words = { "input port 1", "no line or vertex", "1 cells",
+    "Extract Surface", "Extract Selection" };
+  expect(1, { triangle, words });
+  expect(1, { faces.Get(), words });
+}
+
+}
+
+int TestGeodesicPointSets(int, char*[])
+{
+  Check check;
+  CheckSetsOfPoints(check);
+  CheckBoundaryAfterPoints(check);
+  CheckLinesOfGrids(check);
+  CheckTargets(check);
+  CheckPrecision(check);
+  CheckWhatCannotBeUsed(check);
+  return check.Result();
+}
