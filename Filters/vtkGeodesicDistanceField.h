@@ -50,11 +50,15 @@
  * more faces, vertices where several sheets meet, and inconsistent orientation. Polygons and strips
  * are triangulated; lines and vertices are dropped with a warning; faces with two equal corners are
  * left out with a warning. Port 1, optional, takes the source: each line or polyline is a curve,
- * each point of a vertex cell a point source, polygons stand for their outlines, and a vtkPolyData
- * without cells gives all its points as point sources. Inputs are never modified.
+ * each point of a vertex cell a point source, polygons stand for their outlines. Data with vertex
+ * cells only, or without cells, are a set of points, each of which (of those that the vertex cells
+ * have) is a source of its own. Of a vtkUnstructuredGrid the lines and vertices count, other cells
+ * are left out with a warning; any other vtkPointSet than that and vtkPolyData gives its points.
+ * Cells that cannot be read, because offsets are missing, decrease or lead past the end of the
+ * point ids, are an error that names the first one. Inputs are never modified.
  *
  * @par Composite inputs:
- * Each port takes a vtkPolyData, or a vtkMultiBlockDataSet, vtkPartitionedDataSet or
+ * Each port takes such a data set, or a vtkMultiBlockDataSet, vtkPartitionedDataSet or
  * vtkPartitionedDataSetCollection of these, nested or with null and empty blocks. The blocks of a
  * surface are one surface with one distance field: with MergeCoincidentPoints they are joined where
  * points coincide, on the boundaries of two blocks also where they differ by a few roundings of
@@ -332,7 +336,7 @@ public:
   /**
    * Whether the output has the point array SourceId (vtkIdType): which part of the source is
    * nearest, as the number of a cell on port 1 (over all blocks in their order), or of a point
-   * where a block has no cells; the loops of the boundary, where that is a source, are numbered
+   * where a block has no cells or vertex cells only; the loops of the boundary, where that is a source, are numbered
    * after these. -1 where a point is not reached. Off by default. Output port 1 always has a cell
    * array of that name and meaning.
    *

@@ -17,18 +17,19 @@
  * @par Input:
  * Port 0 takes the surface, as vtkGeodesicDistanceField does. Port 1 takes the sources: each cell
  * of a vtkPolyData is one (a line, a polyline, a polygon, which stands for its outline, or a vertex
- * cell with all its points), each point where there are no cells. With SourceType the boundary of
+ * cell with all its points); where there are no cells, or vertex cells only, each point (of the
+ * vertex cells) is one. With SourceType the boundary of
  * the surface takes their place or comes in addition, each of its loops as a source of its own.
- * Port 2, optional, takes the targets: every point of a vtkPolyData, put onto the closest point of
- * the surface. Where it is not connected the targets are all points of port 1. Each port takes
+ * Port 2, optional, takes the targets: every point of a vtkPointSet, put onto the closest point of
+ * the surface, with a warning where that is far. Where it is not connected the targets are all points of port 1. Each port takes
  * composite data sets too, whose blocks count one after another. Inputs are never modified.
  *
  * @par Output:
  * A vtkTable with one row a target, in their order, and the columns
  * - `TargetId` (vtkIdType): the target, by its point id on its port; with a composite data set ids
  *   go on from block to block,
- * - `Source0`, `Source1`, ... (double): the distance from each source, in the order of the cells
- * (of the points where there are no cells); loops of the boundary follow. Infinite where no path
+ * - `Source0`, `Source1`, ... (double): the distance from each source, by the ids of the cells (of
+ * the points where there are no cells or vertex cells only); loops of the boundary follow. Infinite where no path
  * leads from the source to the target, as to one in a barrier (BarrierArrayName), beyond
  * MaximumDistance, and for a cell without points.
  *
@@ -72,7 +73,7 @@ public:
 
   ///@{
   /**
-   * The targets on port 2: every point of a vtkPolyData, or of all blocks of a composite data set.
+   * The targets on port 2: every point of a vtkPointSet, or of all blocks of a composite data set.
    * Without them the points of port 1 are the targets.
    */
   void SetTargetsConnection(vtkAlgorithmOutput* output);

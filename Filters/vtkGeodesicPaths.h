@@ -19,9 +19,10 @@
  *
  * @par Input:
  * Port 0 takes the surface and port 1, optional, the source, as vtkGeodesicDistanceField does. Port
- * 2 takes the targets: every point of a vtkPolyData is one, whatever its cells are, of all blocks
- * where it is a composite data set. A target may be anywhere; it is put onto the closest point of
- * the surface, and onto a vertex or an edge when within the precision of its coordinates. Inputs
+ * 2 takes the targets: every point of a vtkPolyData or other vtkPointSet is one, whatever its cells
+ * are, of all blocks where it is a composite data set. A target may be anywhere; it is put onto the
+ * closest point of the surface, with a warning where that is farther than a hundredth of the
+ * surface's size, and onto a vertex or an edge when within the precision of its coordinates. Inputs
  * are never modified.
  *
  * @par Output:
@@ -33,7 +34,7 @@
  * - cell data array `TargetId` (vtkIdType): the target, by its point id on port 2; with a composite
  *   data set ids go on from block to block,
  * - cell data array `SourceId` (vtkIdType): the part of the source that the path ends on: the cell
- *   id on port 1 (point id where it has no cells), over all blocks; a loop of the boundary has the
+ *   id on port 1 (point id where it has no cells or vertex cells only), over all blocks; a loop of the boundary has the
  *   number of the source's cells plus that of the loop. Where several parts hold the end it is one
  *   of them,
  * - cell data array `GeodesicDistance`: the length of the path,
@@ -82,7 +83,7 @@ public:
 
   ///@{
   /**
-   * The targets on port 2: every point of a vtkPolyData, or of all blocks of a composite data set.
+   * The targets on port 2: every point of a vtkPointSet, or of all blocks of a composite data set.
    * Without targets there is an error.
    */
   void SetTargetsConnection(vtkAlgorithmOutput* output);

@@ -86,10 +86,9 @@ class Matrix(unittest.TestCase):
         np.testing.assert_allclose(table["Source1"], np.abs(x - 3), atol=FLOAT)
 
     def test_without_targets_it_is_between_the_points_of_the_source(self):
-        # The Point Source puts all points into one cell, which would be one source.
+        # The Point Source puts all points into one cell: they are five sources all the same.
         cloud = simple.PointSource(NumberOfPoints=5, Radius=0.4, Center=(2, 1.5, 0))
-        cells = simple.MaskPoints(Input=cloud, OnRatio=1, GenerateVertices=1, SingleVertexPerCell=1)
-        flat = simple.Transform(Input=cells)
+        flat = simple.Transform(Input=cloud)
         flat.Transform.Scale = (1, 1, 0)
         matrix = simple.GeodesicDistanceMatrix(Input=plane(), Source=flat)
         table = columns(data(matrix))
@@ -105,6 +104,74 @@ class Matrix(unittest.TestCase):
         expected = to_curve(np.array(TARGETS))
         expected[expected > 1] = np.inf
         np.testing.assert_allclose(columns(data(matrix))["Source0"], expected, atol=FLOAT)
+
+
+def selected_points(surface, ids):
+    """As Extract Selection gives clicked points: an unstructured grid of vertices."""
+    pairs = [number for i in ids for number in (0, i)]
+    selection = simple.IDSelectionSource(IDs=pairs, FieldType="POINT")
+    return simple.ExtractSelection(Input=surface, Selection=selection)
+
+
+class ClickedPoints(unittest.TestCase):
+    """Points of the sheet, whose number i + 25 j is at (i / 6, j / 6)."""
+    IDS = [55, 137, 412]
+
+    def positions(self):
+        return np.array([(i % 25 / 6, i // 25 / 6) for i in self.IDS])
+
+    def test_are_sources_each_of_its_own(self):
+        sheet = plane()
+        clicked = selected_points(sheet, self.IDS)
+        self.assertEqual(data(clicked).GetClassName(), "vtkUnstructuredGrid")
+        field = simple.GeodesicDistanceField(
+            Input=sheet, Source=clicked, GenerateSourceIds=1, RefineMesh=0)
+        flat = points(data(field))[:, :2]
+        each = np.linalg.norm(flat[:, None] - self.positions()[None], axis=2)
+        point_data = data(field).GetPointData()
+        np.testing.assert_allclose(
+            vtk_to_numpy(point_data.GetArray("GeodesicDistance")), each.min(axis=1), atol=FLOAT)
+        ids = vtk_to_numpy(point_data.GetArray("SourceId"))
+        np.testing.assert_allclose(
+            each[np.arange(len(ids)), ids], each.min(axis=1), atol=FLOAT)
+        table = columns(data(simple.GeodesicDistanceMatrix(Input=sheet, Source=clicked)))
+        expected = np.linalg.norm(self.positions()[:, None] - self.positions()[None], axis=2)
+        actual = np.array([table[f"Source{i}"] for i in range(3)])
+        np.testing.assert_allclose(actual, expected, atol=FLOAT)
+
+    def test_are_targets(self):
+        sheet = plane()
+        clicked = selected_points(sheet, self.IDS)
+        paths = simple.GeodesicPaths(Input=sheet, Source=polyline(CURVE), Targets=clicked)
+        np.testing.assert_allclose(
+            cell_array(data(paths), "GeodesicDistance"), to_curve(self.positions()), atol=FLOAT)
+        matrix = simple.GeodesicDistanceMatrix(
+            Input=sheet, Source=polyline(CURVE), Targets=clicked)
+        np.testing.assert_allclose(
+            columns(data(matrix))["Source0"], to_curve(self.positions()), atol=FLOAT)
+
+    def test_of_a_composite_surface_are_both(self):
+        sheets = simple.GroupDatasets(Input=[plane(), plane(origin=(4, 0, 0))])
+        selection = simple.CompositeDataIDSelectionSource(
+            IDs=[1, 0, 30, 2, 0, 137], FieldType="POINT")
+        clicked = simple.ExtractSelection(Input=sheets, Selection=selection)
+        self.assertTrue(data(clicked).IsA("vtkCompositeDataSet"))
+        matrix = simple.GeodesicDistanceMatrix(Input=sheets, Source=clicked, Targets=clicked)
+        table = columns(data(matrix))
+        between = np.hypot(4 + 12 / 6 - 5 / 6, 5 / 6 - 1 / 6)
+        np.testing.assert_allclose(table["Source0"], [0, between], atol=FLOAT)
+        np.testing.assert_allclose(table["Source1"], [between, 0], atol=FLOAT)
+
+    def test_what_has_no_points_of_its_own_is_not_let_in_and_what_has_is(self):
+        image = simple.Wavelet(WholeExtent=[0, 3, 0, 3, 0, 3])
+        sheet = plane()
+        for proxy in (simple.GeodesicPaths(Input=sheet), simple.GeodesicDistanceMatrix(Input=sheet),
+                      simple.GeodesicDistanceField(Input=sheet), simple.GeodesicContour(Input=sheet)):
+            for name in {"Source", "Targets"} & set(proxy.ListProperties()):
+                domain = proxy.GetProperty(name).GetDomain("input_type")
+                for source, expected in ((image, 0), (sheet, 1), (selected_points(sheet, [0]), 1)):
+                    source.UpdatePipeline()
+                    self.assertEqual(domain.IsInDomain(source.SMProxy, 0), expected, name)
 
 
 class Panel(unittest.TestCase):
