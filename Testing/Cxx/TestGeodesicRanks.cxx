@@ -7,8 +7,10 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkGeodesicDistanceMatrix.h"
+#include "vtkGeodesicPaths.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <cmath>
 #include <limits>
@@ -349,6 +351,94 @@ void TestSourcesOnRanks(Check& check, Ranks ranks, vtkPolyData* surface)
   }
 }
 
+/// Unstructured grids on all ranks are one source: of vertices only a set of points, else with the
+/// ids of cells, of which a triangle has one and is no source.
+void TestGridsOnRanks(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  std::vector<Point> all;
+  for (int rank = 0; rank < ranks.Count; ++rank)
+  {
+    all.push_back({ 0.1 + 0.8 * rank / ranks.Count, 0.3, 0.0 });
+  }
+  const Point own = all[static_cast<std::size_t>(ranks.Rank)];
+  const Whole whole(surface, { "points", PointSources(all) });
+  for (const bool isSet : { true, false })
+  {
+    vtkNew<vtkUnstructuredGrid> grid;
+    grid->SetPoints(PointSources({ own, { 0, 0, 0 }, { 1, 0, 0 } })->GetPoints());
+    const vtkIdType ids[] = { 0, 1, 2 };
+    if (!isSet)
+    {
+      grid->InsertNextCell(VTK_TRIANGLE, 3, ids);
+    }
+    grid->InsertNextCell(VTK_VERTEX, 1, ids);
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank)));
+    filter->SetSourceData(grid);
+    filter->RefineMeshOff();
+    Messages messages(filter);
+    messages.Update();
+    const std::string name = isSet ? "grids of vertices" : "grids with triangles";
+    const std::string told = std::to_string(ranks.Count) + " cell";
+    check.That(Contains(messages.Warning(), told) == (!isSet && ranks.Rank == 0),
+      name + ": rank 0 tells of all triangles: " + messages.Warning());
+    CompareData(check, filter->GetOutput(), whole, 1e-12, name);
+    vtkPolyData* curves = filter->GetOutput(1);
+    for (vtkIdType i = 0; i < curves->GetNumberOfCells(); ++i)
+    {
+      check.Equal(curves->GetCellData()->GetArray("SourceId")->GetTuple1(i),
+        static_cast<double>(isSet ? 3 * i : 2 * i + 1), name + ": ids of points or cells");
+    }
+  }
+}
+
+/// Targets far from the surface, on whichever rank they were and wherever they were put, are told
+/// once, in the order of all.
+void TestFarTargets(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  const auto paths = vtkSmartPointer<vtkGeodesicPaths>::New();
+  paths->SetInputData(Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank)));
+  paths->SetSourceData(PointSources({ { 0.5, 0.5, 0 } }));
+  const double x = 0.1 + 0.8 * ranks.Rank / ranks.Count;
+  paths->SetTargetsData(PointSources({ { x, 0.2, 0.0 }, { x, 0.8, 8.0 + ranks.Rank } }));
+  Messages messages(paths);
+  messages.Update();
+  check.That(messages.Error().empty(), "far targets: " + messages.Error());
+  const std::string told = "at " + std::to_string(ranks.Count) + " of " +
+    std::to_string(2 * ranks.Count) + " points: point 1";
+  check.That(ranks.Rank == 0 ? Contains(messages.Warning(), told) : messages.Warning().empty(),
+    "far targets of all ranks are told by the first: " + messages.Warning());
+  check.Equal(static_cast<double>(paths->GetOutput()->GetNumberOfLines()), 2.0, "far targets");
+}
+
+/// Cells that cannot be read on one rank, of the surface or the source, are an error on all.
+void TestUnreadableCells(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  const auto broken = [&](vtkPolyData* data)
+  {
+    auto copy = vtkSmartPointer<vtkPolyData>::New();
+    copy->DeepCopy(data);
+    if (ranks.Rank == ranks.Count - 1)
+    {
+      copy->GetPolys()->GetOffsetsArray()->SetTuple1(1, 1e6);
+    }
+    return copy;
+  };
+  const auto piece = Part(surface, FacesOf(surface, AtRandom(ranks.Count), ranks.Rank));
+  for (const int port : { 0, 1 })
+  {
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(port == 0 ? broken(piece) : piece);
+    filter->SetSourceData(port == 1 ? broken(piece) : PointSources({ { 0, 0, 0 } }));
+    Messages messages(filter);
+    messages.Update();
+    check.That(Contains(messages.Error(), "Cell 0 of the s") &&
+        Contains(messages.Error(), "port " + std::to_string(port)),
+      "all ranks name the cell of one that cannot be read: " + messages.Error());
+    CheckOutputsEmpty(check, filter, "a cell that cannot be read on one rank");
+  }
+}
+
 /// An error or an abort on one rank is one on all.
 void TestFailures(Check& check, Ranks ranks, vtkPolyData* surface)
 {
@@ -521,6 +611,9 @@ int TestGeodesicRanks(int argc, char* argv[])
       TestRoundings(check, ranks, surface);
       TestBranches(check, ranks);
       TestSourcesOnRanks(check, ranks, surface);
+      TestGridsOnRanks(check, ranks, surface);
+      TestFarTargets(check, ranks, surface);
+      TestUnreadableCells(check, ranks, surface);
       TestFailures(check, ranks, surface);
       TestAgain(check, ranks, surface);
       TestPieces(check, ranks, surface);
