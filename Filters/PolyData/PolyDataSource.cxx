@@ -46,6 +46,7 @@ public:
     , firstPoint_(firstPoint)
     , firstSource_(sources.numberOfSources)
     , chains_(chains)
+    , firstChain_(chains.size())
     , sources_(sources)
   {
   }
@@ -62,10 +63,7 @@ public:
     this->read(source->GetLines(), &ChainReader::addLine);
     this->read(source->GetPolys(), &ChainReader::addPolygon);
     this->read(source->GetStrips(), &ChainReader::addStrip);
-    for (vtkIdType i = 0; i < this->cell_; ++i)
-    {
-      this->sources_.ids.push_back(this->sourceOf(i));
-    }
+    this->block_.inputCells.empty() ? this->addIdsOfCells() : this->addIdsOfChains();
     this->sources_.numberOfSources += static_cast<Id>(this->cell_);
     this->sources_.droppedCells += this->block_.droppedCells;
   }
@@ -85,10 +83,31 @@ private:
       if (this->isSource_[static_cast<std::size_t>(i)])
       {
         this->addPoint(i, this->sourceOf(i));
-        this->sources_.ids.push_back(this->sourceOf(i));
       }
     }
+    this->addIdsOfChains();
     this->sources_.numberOfSources += static_cast<Id>(count);
+  }
+
+  /// Cells without points are sources, too.
+  void addIdsOfCells()
+  {
+    for (vtkIdType i = 0; i < this->cell_; ++i)
+    {
+      this->sources_.ids.push_back(this->sourceOf(i));
+    }
+  }
+
+  void addIdsOfChains()
+  {
+    std::vector<Id>& ids = this->sources_.ids;
+    const auto before = static_cast<std::ptrdiff_t>(ids.size());
+    for (std::size_t i = this->firstChain_; i < this->chains_.size(); ++i)
+    {
+      ids.push_back(this->chains_[i].source);
+    }
+    std::sort(ids.begin() + before, ids.end());
+    ids.erase(std::unique(ids.begin() + before, ids.end()), ids.end());
   }
 
   void markPoints(vtkIdType size, const vtkIdType* ids)
@@ -201,6 +220,8 @@ private:
   std::size_t firstPoint_;
   Id firstSource_;
   std::vector<Chain>& chains_;
+  /// Of this block.
+  std::size_t firstChain_;
   SourcePolylines& sources_;
   vtkIdType cell_ = 0;
   /// Of a set of points.

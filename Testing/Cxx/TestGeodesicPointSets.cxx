@@ -244,6 +244,21 @@ void CheckLinesOfGrids(Check& check)
   const std::vector<vtkIdType> vertices = { 2, 5, 1, 4 }; // then lines
   check.That(Ids(curves->GetCellData()->GetArray("SourceId")) == vertices, "a grid's ids, port 1");
 
+  vtkNew<vtkGeodesicDistanceMatrix> matrix;
+  matrix->SetInputData(surface);
+  matrix->SetSourceData(MixedGrid());
+  matrix->SetTargetsData(PointSources({ { 0.5, 0.6, 0 } }));
+  matrix->Update();
+  check.Equal(
+    double(matrix->GetOutput()->GetNumberOfColumns()), 5.0, "columns of a grid's sources");
+  for (const auto& [id, distance] : parts)
+  {
+    auto* column = vtkDoubleArray::SafeDownCast(
+      matrix->GetOutput()->GetColumnByName(("Source" + std::to_string(id)).c_str()));
+    check.That(column && std::abs(column->GetValue(0) - distance({ 0.5, 0.6, 0 })) < 1e-15,
+      "the column of a grid's cell");
+  }
+
   vtkNew<vtkGeodesicContour> contour;
   contour->SetInputData(surface);
   contour->SetSourceData(Grid({ { 0, 0.5, 0 }, { 1, 0.5, 0 } }, { { VTK_LINE, { 0, 1 } } }));
