@@ -10,9 +10,9 @@
  *
  * Each thing that goes wrong gives one error: the executive, which would add that the algorithm has
  * failed, is kept quiet where nothing observes its errors. A warning, such as that the source or a
- * target is farther than a hundredth of the surface's size from it, is given when the execution before had
- * no reason for it or something else has been connected to the port that it is about: not at every
- * time step.
+ * target is farther than a hundredth of the surface's size from it, is given when the execution
+ * before had no reason for it or something else has been connected to the port that it is about:
+ * not at every time step.
  *
  * @sa
  * vtkGeodesicDistanceField
@@ -47,8 +47,8 @@ public:
 
   ///@{
   /**
-   * The source on port 1: curves and points, a vtkPolyData, vtkUnstructuredGrid or other vtkPointSet,
-   * or a composite data set of these. Not needed when the boundary is the source.
+   * The source on port 1: curves and points, a vtkPolyData, vtkUnstructuredGrid or other
+   * vtkPointSet, or a composite data set of these. Not needed when the boundary is the source.
    */
   void SetSourceConnection(vtkAlgorithmOutput* output);
   void SetSourceData(vtkDataObject* source);

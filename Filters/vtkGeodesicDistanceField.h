@@ -336,9 +336,9 @@ public:
   /**
    * Whether the output has the point array SourceId (vtkIdType): which part of the source is
    * nearest, as the number of a cell on port 1 (over all blocks in their order), or of a point
-   * where a block has no cells or vertex cells only; the loops of the boundary, where that is a source, are numbered
-   * after these. -1 where a point is not reached. Off by default. Output port 1 always has a cell
-   * array of that name and meaning.
+   * where a block has no cells or vertex cells only; the loops of the boundary, where that is a
+   * source, are numbered after these. -1 where a point is not reached. Off by default. Output port
+   * 1 always has a cell array of that name and meaning.
    *
    * Where several shortest paths tie, the four arrays are those of one of them. They never change
    * the distance. In approximate mode SourceId, ClosestSourcePoint and the sign are those of the

@@ -21,17 +21,18 @@
  * vertex cells) is one. With SourceType the boundary of
  * the surface takes their place or comes in addition, each of its loops as a source of its own.
  * Port 2, optional, takes the targets: every point of a vtkPointSet, put onto the closest point of
- * the surface, with a warning where that is far. Where it is not connected the targets are all points of port 1. Each port takes
- * composite data sets too, whose blocks count one after another. Inputs are never modified.
+ * the surface, with a warning where that is far. Where it is not connected the targets are all
+ * points of port 1. Each port takes composite data sets too, whose blocks count one after another.
+ * Inputs are never modified.
  *
  * @par Output:
  * A vtkTable with one row a target, in their order, and the columns
  * - `TargetId` (vtkIdType): the target, by its point id on its port; with a composite data set ids
  *   go on from block to block,
  * - `Source0`, `Source1`, ... (double): the distance from each source, by the ids of the cells (of
- * the points where there are no cells or vertex cells only); loops of the boundary follow. Infinite where no path
- * leads from the source to the target, as to one in a barrier (BarrierArrayName), beyond
- * MaximumDistance, and for a cell without points.
+ * the points where there are no cells or vertex cells only); loops of the boundary follow. Infinite
+ * where no path leads from the source to the target, as to one in a barrier (BarrierArrayName),
+ * beyond MaximumDistance, and for a cell without points.
  *
  * @par Execution:
  * The structure of the surface is kept between executions, progress is reported, abort is obeyed,

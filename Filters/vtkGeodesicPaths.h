@@ -34,9 +34,9 @@
  * - cell data array `TargetId` (vtkIdType): the target, by its point id on port 2; with a composite
  *   data set ids go on from block to block,
  * - cell data array `SourceId` (vtkIdType): the part of the source that the path ends on: the cell
- *   id on port 1 (point id where it has no cells or vertex cells only), over all blocks; a loop of the boundary has the
- *   number of the source's cells plus that of the loop. Where several parts hold the end it is one
- *   of them,
+ *   id on port 1 (point id where it has no cells or vertex cells only), over all blocks; a loop of
+ * the boundary has the number of the source's cells plus that of the loop. Where several parts hold
+ * the end it is one of them,
  * - cell data array `GeodesicDistance`: the length of the path,
  * - cell data array `TargetSnapDistance`: how far the target was from the surface,
  * - point data array `GeodesicDistance`: what is left of the path from the point on; 0 at its end.

@@ -24,7 +24,8 @@ struct SourcePolylines
 {
   std::vector<LocatedPolyline> polylines;
   /// LocatedPolyline::source of all that are sources, ascending. A cell of a vtkPolyData without
-  /// points is one, and has no polyline; a point that no vertex cell of a set of points has is none.
+  /// points is one, and has no polyline; a point that no vertex cell of a set of points has is
+  /// none.
   std::vector<Id> ids;
   /// All of these are below.
   Id numberOfSources = 0;
