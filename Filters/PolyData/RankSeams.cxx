@@ -218,9 +218,23 @@ bool RankSeams::shareLeast(const std::vector<std::pair<Key, Id>>& items)
   return hasChanged;
 }
 
-/// The vertices on the boundaries of all pieces that may be near another piece's, the same on all
+/// The places of the ghosts of all ranks.
+GhostPlaces RankSeams::gatherGhosts(const SeamBlock& piece) const
+{
+  Message message;
+  for (const Id vertex : ghostVertices(piece))
+  {
+    put(message, this->vertices_[vertex]);
+  }
+  GhostPlaces places(this->exchange_.largestOf(largestTolerance(this->vertices_, { piece })));
+  readEach(this->exchange_.tellAll(message),
+    [&](int, MessageReader& reader) { places.add(reader.get<Vec3>()); });
+  return places;
+}
+
+/// The vertices of all pieces that may have to be joined with another piece's, the same on all
 /// ranks, in the order of their labels.
-std::vector<SeamVertex> RankSeams::gatherBoundary(const SeamBlock& piece) const
+std::vector<SeamVertex> RankSeams::gatherSeams(const SeamBlock& piece) const
 {
   struct Entry
   {
@@ -228,8 +242,12 @@ std::vector<SeamVertex> RankSeams::gatherBoundary(const SeamBlock& piece) const
     Label label;
     double rounding;
     double shortestEdge;
+    std::uint8_t hasFace;
+    std::uint8_t isOnBoundary;
+    std::uint8_t isAtGhost;
   };
-  const std::vector<SeamVertex> own = findSeamVertices(this->vertices_, { piece });
+  const std::vector<SeamVertex> own =
+    findSeamVertices(this->vertices_, { piece }, this->gatherGhosts(piece));
   Box box;
   for (const SeamVertex& vertex : own)
   {
@@ -243,7 +261,8 @@ std::vector<SeamVertex> RankSeams::gatherBoundary(const SeamBlock& piece) const
     {
       put(message,
         Entry{ vertex.position, this->labels_.labels[static_cast<Id>(vertex.vertex)],
-          vertex.rounding, vertex.shortestEdge });
+          vertex.rounding, vertex.shortestEdge, !vertex.blocks.empty(), vertex.isOnBoundary,
+          vertex.isAtGhost });
     }
   }
   std::map<Label, SeamVertex> all;
@@ -251,16 +270,20 @@ std::vector<SeamVertex> RankSeams::gatherBoundary(const SeamBlock& piece) const
     [&](int rank, MessageReader& reader)
     {
       const Entry entry = reader.get<Entry>();
-      SeamVertex& vertex = all[entry.label];
-      if (vertex.blocks.empty())
+      const auto [at, isNew] = all.try_emplace(entry.label);
+      SeamVertex& vertex = at->second;
+      if (isNew)
       {
         vertex.vertex = entry.label;
         vertex.position = entry.position;
       }
-      if (vertex.blocks.empty() || vertex.blocks.back() != indexOf(rank))
+      const bool isOfRank = !vertex.blocks.empty() && vertex.blocks.back() == indexOf(rank);
+      if (entry.hasFace != 0 && !isOfRank)
       {
         vertex.blocks.push_back(indexOf(rank));
       }
+      vertex.isOnBoundary = vertex.isOnBoundary || entry.isOnBoundary != 0;
+      vertex.isAtGhost = vertex.isAtGhost || entry.isAtGhost != 0;
       vertex.rounding = std::max(vertex.rounding, entry.rounding);
       vertex.shortestEdge = std::min(vertex.shortestEdge, entry.shortestEdge);
     });
@@ -284,11 +307,14 @@ SeamBlock RankSeams::facesNearOthers(SeamBlock piece) const
   }
   const double margin = tolerance::SeamRoundings * piece.precision * largest;
   Box own;
-  for (const Triangle& triangle : piece.triangles)
+  for (const auto* triangles : { &piece.triangles, &piece.ghosts })
   {
-    for (const Id vertex : triangle)
+    for (const Triangle& triangle : *triangles)
     {
-      own.add(boxAround(this->vertices_[vertex], margin));
+      for (const Id vertex : triangle)
+      {
+        own.add(boxAround(this->vertices_[vertex], margin));
+      }
     }
   }
   const std::vector<Box> boxes = boxesOfOthers(own, this->exchange_);
@@ -297,32 +323,30 @@ SeamBlock RankSeams::facesNearOthers(SeamBlock piece) const
     return std::none_of(triangle.begin(), triangle.end(),
       [&](Id vertex) { return isNearAny(boxes, this->vertices_[vertex], margin); });
   };
-  piece.triangles.erase(
-    std::remove_if(piece.triangles.begin(), piece.triangles.end(), isFar), piece.triangles.end());
+  for (auto* triangles : { &piece.triangles, &piece.ghosts })
+  {
+    triangles->erase(std::remove_if(triangles->begin(), triangles->end(), isFar), triangles->end());
+  }
   return piece;
 }
 
 std::uint64_t RankSeams::joinNear(SeamBlock piece)
 {
-  const std::vector<SeamVertex> boundary =
-    this->gatherBoundary(this->facesNearOthers(std::move(piece)));
-  const std::vector<std::size_t> roots = joinSeamVertices(boundary);
+  const std::vector<SeamVertex> seams = this->gatherSeams(this->facesNearOthers(std::move(piece)));
+  const std::vector<std::size_t> roots = joinSeamVertices(seams);
   std::map<Label, Label> joined;
+  std::uint64_t count = 0;
   for (std::size_t i = 0; i < roots.size(); ++i)
   {
     if (roots[i] != i)
     {
-      joined.emplace(boundary[i].vertex, boundary[roots[i]].vertex);
+      joined.emplace(seams[i].vertex, seams[roots[i]].vertex);
       // The one that they are joined with is shared then, too.
-      joined.emplace(boundary[roots[i]].vertex, boundary[roots[i]].vertex);
+      joined.emplace(seams[roots[i]].vertex, seams[roots[i]].vertex);
+      count += seams[i].blocks.empty() ? 0 : 1;
     }
   }
-  std::uint64_t count = 0;
-  for (const auto& [label, root] : joined)
-  {
-    count += label != root ? 1 : 0;
-  }
-  if (count > 0)
+  if (!joined.empty())
   {
     for (Id vertex = 0; vertex < this->labels_.labels.size(); ++vertex)
     {

@@ -26,7 +26,7 @@ struct RankLabels
 };
 
 /// Finds the vertices of several ranks' pieces of a surface that are one. Each has a label: the
-/// rank and the number of the lowest vertex that it is one with. All ranks call all of these
+/// rank and the number of a vertex that it is one with. All ranks call all of these
 /// functions, in the same order.
 class RankSeams
 {
@@ -42,11 +42,12 @@ public:
   /// \param globalIds a global id and a vertex each; empty where there are none.
   void joinSame(bool byPlace, const std::vector<std::pair<std::int64_t, Id>>& globalIds);
 
-  /// Makes vertices one that are on the boundaries of two pieces and within the precision of their
-  /// coordinates, by the rule for blocks (SeamMerger.h). After joinSame().
+  /// Makes vertices one that are on the boundaries of two pieces, or at ghosts, and within the
+  /// precision of their coordinates, by the rule for blocks (SeamMerger.h). After joinSame().
   ///
   /// \param piece the faces of this rank.
-  /// \returns how many vertices were made one with another, on all ranks.
+  /// \returns how many vertices were made one with another, on all ranks, without those of ghosts
+  ///          only.
   std::uint64_t joinNear(SeamBlock piece);
 
   RankLabels take() { return std::move(this->labels_); }
@@ -65,7 +66,8 @@ private:
   template <typename Key>
   bool shareLeast(const std::vector<std::pair<Key, Id>>& items);
   SeamBlock facesNearOthers(SeamBlock piece) const;
-  std::vector<SeamVertex> gatherBoundary(const SeamBlock& piece) const;
+  GhostPlaces gatherGhosts(const SeamBlock& piece) const;
+  std::vector<SeamVertex> gatherSeams(const SeamBlock& piece) const;
 
   const std::vector<Vec3>& vertices_;
   Exchange& exchange_;

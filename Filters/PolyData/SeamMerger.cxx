@@ -48,39 +48,77 @@ std::vector<Edge> boundaryEdges(const std::vector<Triangle>& triangles)
   return boundary;
 }
 
-/// Collects the vertices on the boundaries of blocks.
-class BoundaryVertices
+/// Collects the vertices that may have to be joined.
+class SeamVertices
 {
 public:
-  explicit BoundaryVertices(const std::vector<Vec3>& vertices)
+  explicit SeamVertices(const std::vector<Vec3>& vertices)
     : vertices_(vertices)
     , numbers_(vertices.size(), NoId)
   {
   }
 
-  void addBlock(std::size_t block, const SeamBlock& data)
+  void addBlock(std::size_t block, const SeamBlock& data, const GhostPlaces& ghosts)
   {
     for (const auto& [a, b] : boundaryEdges(data.triangles))
     {
-      const double length = norm(this->vertices_[b] - this->vertices_[a]);
-      const double largest =
-        std::max(largestCoordinate(this->vertices_[a]), largestCoordinate(this->vertices_[b]));
       for (const Id vertex : { a, b })
       {
-        SeamVertex& entry = this->entryOf(vertex);
-        entry.rounding = std::max(entry.rounding, data.precision * largest);
-        entry.shortestEdge = std::min(entry.shortestEdge, length);
-        if (entry.blocks.empty() || entry.blocks.back() != block)
-        {
-          entry.blocks.push_back(block);
-        }
+        SeamVertex& entry = this->add(vertex, a, b, data.precision);
+        entry.isOnBoundary = true;
+        addTo(entry.blocks, block);
       }
     }
+    forEachEnd(data.triangles,
+      [&](Id vertex, Id other)
+      {
+        if (ghosts.isNear(this->vertices_[vertex]))
+        {
+          addTo(this->add(vertex, vertex, other, data.precision).blocks, block);
+        }
+      });
+    forEachEnd(data.ghosts,
+      [&](Id vertex, Id other)
+      { this->add(vertex, vertex, other, data.precision).isAtGhost = true; });
   }
 
   std::vector<SeamVertex>&& take() { return std::move(this->entries_); }
 
 private:
+  /// Calls with each corner of triangles and its neighbours.
+  template <typename Visit>
+  static void forEachEnd(const std::vector<Triangle>& triangles, Visit&& visit)
+  {
+    for (const Triangle& t : triangles)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        visit(t[k], t[(k + 1) % 3]);
+        visit(t[k], t[(k + 2) % 3]);
+      }
+    }
+  }
+
+  static void addTo(std::vector<std::size_t>& blocks, std::size_t block)
+  {
+    if (blocks.empty() || blocks.back() != block)
+    {
+      blocks.push_back(block);
+    }
+  }
+
+  /// \param a, b the ends of an edge at the vertex.
+  SeamVertex& add(Id vertex, Id a, Id b, double precision)
+  {
+    SeamVertex& entry = this->entryOf(vertex);
+    const double largest =
+      std::max(largestCoordinate(this->vertices_[a]), largestCoordinate(this->vertices_[b]));
+    entry.rounding = std::max(entry.rounding, precision * largest);
+    entry.shortestEdge =
+      std::min(entry.shortestEdge, norm(this->vertices_[b] - this->vertices_[a]));
+    return entry;
+  }
+
   SeamVertex& entryOf(Id vertex)
   {
     Id& number = this->numbers_[vertex];
@@ -99,7 +137,7 @@ private:
   std::vector<SeamVertex> entries_;
 };
 
-/// Finds pairs of boundary vertices that are close. A vertex is looked for among those whose
+/// Finds pairs of vertices that are close. A vertex is looked for among those whose
 /// tolerance is as large or larger: for each power of two there is a grid of cells that large, so
 /// that the coarse coordinates of one block do not crowd the fine ones of another into one cell.
 class ClosePairs
@@ -149,33 +187,16 @@ public:
   }
 
 private:
-  using Cell = std::array<std::int64_t, 4>;
-  struct Hash
-  {
-    std::size_t operator()(const Cell& cell) const
-    {
-      std::uint64_t hash = 0;
-      for (const std::int64_t x : cell)
-      {
-        hash = (hash ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15ULL;
-        hash ^= hash >> 32;
-      }
-      return static_cast<std::size_t>(hash);
-    }
-  };
-
   /// The least power of two that is over the tolerance.
   static int levelOf(const SeamVertex& entry) { return std::ilogb(entry.tolerance()) + 1; }
 
-  Cell cellOf(std::size_t i, int level, const std::array<int, 3>& step) const
+  SeamCell cellOf(std::size_t i, int level, const std::array<int, 3>& step) const
   {
-    const Vec3& p = this->entries_[i].position;
-    Cell cell{};
+    SeamCell cell = cellAt(this->entries_[i].position, level);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      cell[k] = static_cast<std::int64_t>(std::floor(std::ldexp(p[k], -level))) + step[k];
+      cell[k] += step[k];
     }
-    cell[3] = level;
     return cell;
   }
 
@@ -200,6 +221,10 @@ private:
   {
     const SeamVertex& a = this->entries_[i];
     const SeamVertex& b = this->entries_[j];
+    if (!a.isAtGhost && !b.isAtGhost && !(a.isOnBoundary && b.isOnBoundary))
+    {
+      return;
+    }
     const double distance = norm(a.position - b.position);
     const double limit = std::min(std::max(a.tolerance(), b.tolerance()),
       tolerance::SeamFraction * std::min(a.shortestEdge, b.shortestEdge));
@@ -210,12 +235,12 @@ private:
   }
 
   const std::vector<SeamVertex>& entries_;
-  std::unordered_map<Cell, std::vector<std::size_t>, Hash> cells_;
+  std::unordered_map<SeamCell, std::vector<std::size_t>, SeamCellHash> cells_;
   std::vector<int> levels_;
   std::vector<Pair> pairs_;
 };
 
-/// Groups of boundary vertices that are one, no two of one block.
+/// Groups of vertices that are one, no two of one block.
 class Groups
 {
 public:
@@ -243,7 +268,9 @@ public:
     {
       return;
     }
-    if (this->entries_[high].vertex < this->entries_[low].vertex)
+    const auto rank = [this](std::size_t i)
+    { return std::pair(this->entries_[i].blocks.empty(), this->entries_[i].vertex); };
+    if (rank(high) < rank(low))
     {
       std::swap(low, high);
     }
@@ -272,15 +299,90 @@ double SeamVertex::tolerance() const
   return tolerance::SeamRoundings * this->rounding;
 }
 
-std::vector<SeamVertex> findSeamVertices(
-  const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks)
+std::size_t SeamCellHash::operator()(const SeamCell& cell) const
 {
-  BoundaryVertices boundary(vertices);
+  std::uint64_t hash = 0;
+  for (const std::int64_t x : cell)
+  {
+    hash = (hash ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15ULL;
+    hash ^= hash >> 32;
+  }
+  return static_cast<std::size_t>(hash);
+}
+
+SeamCell cellAt(const Vec3& point, int level)
+{
+  SeamCell cell{};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    cell[k] = static_cast<std::int64_t>(std::floor(std::ldexp(point[k], -level)));
+  }
+  cell[3] = level;
+  return cell;
+}
+
+GhostPlaces::GhostPlaces(double margin)
+  : level_(std::ilogb(margin) + 2)
+{
+}
+
+// A box with a margin of half a cell meets no cells but those of its corners.
+void GhostPlaces::add(const Vec3& corner)
+{
+  const double margin = std::ldexp(1.0, this->level_ - 1);
+  for (unsigned int side = 0; side < 8; ++side)
+  {
+    Vec3 p = corner;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      p[k] += (side >> k & 1U) != 0 ? margin : -margin;
+    }
+    this->cells_.insert(cellAt(p, this->level_));
+  }
+}
+
+double largestTolerance(const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks)
+{
+  double largest = 0.0;
+  double precision = 0.0;
+  for (const SeamBlock& block : blocks)
+  {
+    precision = std::max(precision, block.precision);
+    for (const auto* triangles : { &block.triangles, &block.ghosts })
+    {
+      for (const Triangle& triangle : *triangles)
+      {
+        for (const Id vertex : triangle)
+        {
+          largest = std::max(largest, largestCoordinate(vertices[vertex]));
+        }
+      }
+    }
+  }
+  return tolerance::SeamRoundings * precision * largest;
+}
+
+std::vector<Id> ghostVertices(const SeamBlock& block)
+{
+  std::vector<Id> all;
+  for (const Triangle& triangle : block.ghosts)
+  {
+    all.insert(all.end(), triangle.begin(), triangle.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+std::vector<SeamVertex> findSeamVertices(const std::vector<Vec3>& vertices,
+  const std::vector<SeamBlock>& blocks, const GhostPlaces& ghosts)
+{
+  SeamVertices found(vertices);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    boundary.addBlock(i, blocks[i]);
+    found.addBlock(i, blocks[i], ghosts);
   }
-  return boundary.take();
+  return found.take();
 }
 
 std::vector<std::size_t> joinSeamVertices(std::vector<SeamVertex> entries)
@@ -303,19 +405,29 @@ std::vector<std::size_t> joinSeamVertices(std::vector<SeamVertex> entries)
   return result;
 }
 
-std::vector<Id> mergeSeams(const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks)
+JoinedVertices mergeSeams(const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks)
 {
-  const std::vector<SeamVertex> entries = findSeamVertices(vertices, blocks);
+  GhostPlaces ghosts(largestTolerance(vertices, blocks));
+  for (const SeamBlock& block : blocks)
+  {
+    for (const Id vertex : ghostVertices(block))
+    {
+      ghosts.add(vertices[vertex]);
+    }
+  }
+  const std::vector<SeamVertex> entries = findSeamVertices(vertices, blocks, ghosts);
   const std::vector<std::size_t> roots = joinSeamVertices(entries);
   if (roots.empty())
   {
     return {};
   }
-  std::vector<Id> result(vertices.size());
-  std::iota(result.begin(), result.end(), Id(0));
+  JoinedVertices result;
+  result.same.resize(vertices.size());
+  std::iota(result.same.begin(), result.same.end(), Id(0));
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
-    result[entries[i].vertex] = static_cast<Id>(entries[roots[i]].vertex);
+    result.same[entries[i].vertex] = static_cast<Id>(entries[roots[i]].vertex);
+    result.count += roots[i] != i && !entries[i].blocks.empty() ? 1 : 0;
   }
   return result;
 }

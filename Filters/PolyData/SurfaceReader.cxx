@@ -521,24 +521,21 @@ void SurfaceReader::mergeSeams()
     seams[i].precision = points && points->GetDataType() == VTK_FLOAT ? FLT_EPSILON : DBL_EPSILON;
     for (std::size_t t = this->blocks_[i].firstTriangle; t < this->endOfTriangles(i); ++t)
     {
-      if (!this->triangles_.isDuplicate[t])
-      {
-        seams[i].triangles.push_back(this->verticesOf(this->triangles_.corners[t]));
-      }
+      auto& triangles = this->triangles_.isDuplicate[t] ? seams[i].ghosts : seams[i].triangles;
+      triangles.push_back(this->verticesOf(this->triangles_.corners[t]));
     }
   }
-  const std::vector<Id> same = geodesic::mergeSeams(this->vertices_, seams);
-  if (!same.empty())
+  const JoinedVertices joined = geodesic::mergeSeams(this->vertices_, seams);
+  if (!joined.same.empty())
   {
-    const std::size_t before = this->vertices_.size();
-    this->joinVertices(same);
-    this->report_.joinedSeamPoints = static_cast<vtkIdType>(before - this->vertices_.size());
+    this->joinVertices(joined.same);
+    this->report_.joinedSeamPoints = static_cast<vtkIdType>(joined.count);
   }
 }
 
 /// Makes one vertex of those that are the same.
 ///
-/// \param same the lowest vertex that each is the same as.
+/// \param same of those that are the same, the one that stays; for each.
 void SurfaceReader::joinVertices(const std::vector<Id>& same)
 {
   std::vector<Id> numbers(same.size());
@@ -550,10 +547,10 @@ void SurfaceReader::joinVertices(const std::vector<Id>& same)
       this->vertices_[count] = this->vertices_[vertex];
       numbers[vertex] = count++;
     }
-    else
-    {
-      numbers[vertex] = numbers[same[vertex]];
-    }
+  }
+  for (Id vertex = 0; vertex < same.size(); ++vertex)
+  {
+    numbers[vertex] = numbers[same[vertex]];
   }
   this->vertices_.resize(count);
   if (this->vertexOfPoint_.empty())
@@ -582,7 +579,7 @@ void SurfaceReader::joinRanks(bool mergeCoincidentPoints)
   this->joinVerticesWithOneLabel();
 }
 
-/// All faces of this rank that no ghost array marks.
+/// All faces of this rank.
 SeamBlock SurfaceReader::wholePiece() const
 {
   SeamBlock piece;
@@ -594,10 +591,8 @@ SeamBlock SurfaceReader::wholePiece() const
   }
   for (std::size_t i = 0; i < this->triangles_.corners.size(); ++i)
   {
-    if (!this->triangles_.isDuplicate[i])
-    {
-      piece.triangles.push_back(this->verticesOf(this->triangles_.corners[i]));
-    }
+    auto& triangles = this->triangles_.isDuplicate[i] ? piece.ghosts : piece.triangles;
+    triangles.push_back(this->verticesOf(this->triangles_.corners[i]));
   }
   return piece;
 }
