@@ -129,10 +129,10 @@ inline std::vector<vtkIdType> FacesOf(vtkPolyData* surface, const Cut& cut, int 
 
 /// Some faces of a surface, of which those after the first few are copies of other ranks'; a ghost
 /// array marks them.
-inline vtkSmartPointer<vtkPolyData> PartWithGhosts(
-  vtkPolyData* surface, const std::vector<vtkIdType>& faces, std::size_t own)
+inline vtkSmartPointer<vtkPolyData> PartWithGhosts(vtkPolyData* surface,
+  const std::vector<vtkIdType>& faces, std::size_t own, bool hasGlobalIds = false)
 {
-  auto part = Part(surface, faces);
+  auto part = Part(surface, faces, hasGlobalIds);
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   for (std::size_t i = 0; i < faces.size(); ++i)
@@ -144,7 +144,8 @@ inline vtkSmartPointer<vtkPolyData> PartWithGhosts(
 }
 
 /// A rank's faces, then copies of all others around their points.
-inline vtkSmartPointer<vtkPolyData> PartWithGhosts(vtkPolyData* surface, const Cut& cut, int rank)
+inline vtkSmartPointer<vtkPolyData> PartWithGhosts(
+  vtkPolyData* surface, const Cut& cut, int rank, bool hasGlobalIds = false)
 {
   std::vector<vtkIdType> faces = FacesOf(surface, cut, rank);
   const std::size_t own = faces.size();
@@ -172,7 +173,7 @@ inline vtkSmartPointer<vtkPolyData> PartWithGhosts(vtkPolyData* surface, const C
       faces.push_back(face);
     }
   }
-  return PartWithGhosts(surface, faces, own);
+  return PartWithGhosts(surface, faces, own, hasGlobalIds);
 }
 
 /// Runs a test under MPI: tests(Check&, Ranks) on every rank. It fails on all where it does on one.
