@@ -312,5 +312,43 @@ TEST_P(IsolinesOnRanks, OnOneSideOfTheSourceJoinToThoseOfOnePiece)
   }
 }
 
+TEST(IsolinesOnSeams, HaveNoDirectionWhereFacesOfOppositeOrientationMeet)
+{
+  for (const bool isTurned : { false, true })
+  {
+    // Around a corner of a square of which each rank has one half.
+    PlainMesh mesh = regularGrid(4, 4);
+    CutMesh cut{ mesh, 2, {} };
+    for (Triangle& triangle : mesh.triangles)
+    {
+      const bool isLeft =
+        mesh.points[triangle[0]][0] + mesh.points[triangle[1]][0] + mesh.points[triangle[2]][0] <
+        6.0;
+      cut.rankOfFace.push_back(isLeft ? 0 : 1);
+      if (isTurned && !isLeft)
+      {
+        std::swap(triangle[1], triangle[2]);
+      }
+    }
+    MeshPoint corner = { 0, {} };
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      corner.weights[k] = mesh.triangles[0][k] == 0 ? 1.0 : 0.0;
+    }
+    geodesic::IsolineOptions options;
+    options.values = { 3.1 };
+    options.chordTolerance = 1e-3;
+    onRanks(cut, { { { { corner.face, corner.weights, corner.weights } }, {} } }, 0,
+      [&](const RankOfRun& rank)
+      {
+        const Isolines isolines = drawIsolines(solveForIsolines(rank.part.mesh(), rank.sources,
+                                                 options.values, withArrivals(&rank.part)),
+          options);
+        EXPECT_EQ(isolines.lines.size(), 1U);
+        EXPECT_EQ(isolines.linesWithoutDirection, isTurned ? 1U : 0U);
+      });
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, IsolinesOnRanks, ::testing::ValuesIn(meshKinds()),
   [](const auto& kind) { return std::string(kind.param.name); });
