@@ -251,6 +251,29 @@ std::vector<PathInSpace> pathsInStrips(const CutMesh& cut, const std::vector<Pol
 
 }
 
+TEST(PathsOnSeams, OfTargetsOnTheSourceAreTwoEqualPoints)
+{
+  RandomCase c;
+  c.mesh = regularGrid(4, 4);
+  // At vertices inside and on the boundary, of which several ranks have most.
+  for (Index face = 0; face < c.mesh.triangles.size(); face += 3)
+  {
+    MeshPoint corner = { face, {} };
+    corner.weights[face % 2] = 1.0;
+    c.curves = { { { { face, corner.weights, corner.weights } }, {} } };
+    c.queries = { corner };
+    Random random(face);
+    forEachCut(c.mesh, bothWaysToCut({ 2, 3 }), random,
+      [&](const CutMesh& cut)
+      {
+        const PathInSpace path = pathsOver(c, cut).front();
+        ASSERT_EQ(path.points.size(), 2U) << "face " << face;
+        EXPECT_EQ(path.points.front(), path.points.back());
+        EXPECT_EQ(path.source, 0U);
+      });
+  }
+}
+
 TEST_P(PathsOnRanks, AreShortestAndThoseOfOnePieceHoweverItIsCut)
 {
   std::size_t compared = 0;
