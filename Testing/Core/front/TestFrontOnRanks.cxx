@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <map>
+#include <mutex>
 #include <set>
 
 using namespace geodesictest;
@@ -179,6 +181,52 @@ TEST_P(FrontOnRanks, StopsAtALimitWhereTheWholeDoes)
 
 INSTANTIATE_TEST_SUITE_P(Kinds, FrontOnRanks, ::testing::ValuesIn(meshKinds()),
   [](const auto& kind) { return std::string(kind.param.name); });
+
+TEST(Ranks, RememberTheSameArrivalAtSharedVerticesWherePathsAreEquallyLong)
+{
+  // Half of the vertices of the square are as far from one corner as from another.
+  const PlainMesh mesh = regularGrid(8, 8);
+  std::vector<Polyline> curves;
+  for (const Index vertex : { Index(0), Index(8), Index(72), Index(80) })
+  {
+    Polyline& at = curves.emplace_back();
+    for (Index face = 0; face < mesh.triangles.size(); ++face)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        if (mesh.triangles[face][k] == vertex)
+        {
+          MeshPoint corner = { face, {} };
+          corner.weights[k] = 1.0;
+          at = { { { face, corner.weights, corner.weights } }, {} };
+        }
+      }
+    }
+  }
+  Random random(1);
+  forEachCut(mesh, bothWaysToCut({ 2, 3, 4 }), random,
+    [&](const CutMesh& cut)
+    {
+      std::mutex mutex;
+      std::map<Index, geodesic::Id> origins;
+      onRanks(cut, curves, 0,
+        [&](const RankOfRun& rank)
+        {
+          geodesic::FrontOptions options;
+          options.keepArrivals = true;
+          options.part = &rank.part;
+          const geodesic::DistanceField field =
+            geodesic::solve(rank.part.mesh(), rank.sources, options);
+          const std::lock_guard<std::mutex> lock(mutex);
+          for (geodesic::Id vertex = 0; vertex < rank.part.numberOfOwnVertices(); ++vertex)
+          {
+            const geodesic::Id origin = field.arrivals()[vertex].origin;
+            const auto at = origins.emplace(rank.part.numberInWhole(vertex), origin).first;
+            EXPECT_EQ(at->second, origin) << "vertex " << at->first;
+          }
+        });
+    });
+}
 
 TEST(Ranks, AllEndWithTheMessageOfTheOneThatFails)
 {
