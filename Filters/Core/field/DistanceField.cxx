@@ -85,19 +85,38 @@ double DistanceField::distance(const SurfacePoint& point) const
   return best.distance;
 }
 
-// The last piece of a shortest path to a point, through a face that the path has not just crossed.
+bool DistanceField::LastPiece::isBeatenBy(double otherDistance, double otherLength) const
+{
+  const bool isTie = std::abs(otherDistance - this->distance) <= this->tie;
+  return isTie ? otherLength > this->length : otherDistance < this->distance;
+}
+
+void DistanceField::LastPiece::replace(
+  double newDistance, double newLength, const SurfacePoint& newFrom, bool isFromSource)
+{
+  this->distance = newDistance;
+  this->length = newLength;
+  this->from = newFrom;
+  this->fromSource = isFromSource;
+}
+
+// The last piece of a shortest path to a point, through a face that the path has not crossed.
 DistanceField::LastPiece DistanceField::arrive(
-  const SurfacePoint& point, const std::vector<Id>& crossed) const
+  const SurfacePoint& point, double distance, const std::vector<std::uint8_t>& isCrossed) const
 {
   LastPiece best;
   forEachFace(*this->mesh_, point,
     [&](Id face)
     {
-      if (std::find(crossed.begin(), crossed.end(), face) == crossed.end())
+      if (!isCrossed[face])
       {
-        const double before = best.distance;
+        const LastPiece before = best;
+        best.tie = tolerance::Tie * distance +
+          tolerance::PlaceRounding * this->mesh_->shape(face).longest();
         this->arriveThrough(face, point, false, best);
-        best.face = best.distance < before ? face : best.face;
+        const bool isBetter =
+          best.distance != before.distance || best.length != before.length;
+        best.face = isBetter ? face : best.face;
       }
     });
   return best;
@@ -126,9 +145,9 @@ void DistanceField::arriveFromSources(Id face, const Barycentric& b, LastPiece& 
   {
     const Barycentric nearest = nearestOnSource(*this->mesh_, source, b);
     const double length = distanceInFace(*this->mesh_, face, nearest, b);
-    if (length < best.distance)
+    if (best.isBeatenBy(length, length))
     {
-      best = { length, length, fromBarycentric(*this->mesh_, face, nearest), true };
+      best.replace(length, length, fromBarycentric(*this->mesh_, face, nearest), true);
     }
   }
 }
@@ -145,9 +164,9 @@ void DistanceField::arriveFromCorners(
     }
     const double length = distanceInFace(*this->mesh_, face, cornerWeights(k), b);
     const double distance = this->front_.vertexDistances[vertex] + length;
-    if (distance < best.distance)
+    if (best.isBeatenBy(distance, length))
     {
-      best = { distance, length, SurfacePoint::atVertex(vertex), false };
+      best.replace(distance, length, SurfacePoint::atVertex(vertex), false);
     }
   }
 }
@@ -160,14 +179,15 @@ void DistanceField::arriveThroughHalfedge(Id halfedge, const Barycentric& b, Las
     const double x = window.crossing(p);
     const double length = norm(p - Vec2{ x, 0.0 });
     const double distance = std::max(window.distance(x), 0.0) + length;
-    if (distance < best.distance)
+    if (best.isBeatenBy(distance, length))
     {
-      best = { distance, length,
-        onHalfedge(*this->mesh_, halfedge, x / this->mesh_->length(halfedge)), false };
+      best.replace(distance, length,
+        onHalfedge(*this->mesh_, halfedge, x / this->mesh_->length(halfedge)), false);
     }
   }
 }
 
+// A shortest path crosses no face twice, so that pieces without length lead around in no circle.
 std::vector<SurfacePoint> DistanceField::path(const SurfacePoint& from) const
 {
   this->requireWindows();
@@ -179,27 +199,19 @@ std::vector<SurfacePoint> DistanceField::path(const SurfacePoint& from) const
   }
   points.push_back(normalized(*this->mesh_, from));
   bool atSource = remaining <= 0.0;
-  // A shortest path crosses no face twice; pieces without length must not lead around in a circle.
-  std::vector<Id> crossed;
+  std::vector<std::uint8_t> isCrossed(this->mesh_->numberOfFaces(), 0);
   while (!atSource)
   {
-    const LastPiece arrival = this->arrive(points.back(), crossed);
+    const LastPiece arrival = this->arrive(points.back(), remaining, isCrossed);
     const double next = arrival.distance - arrival.length;
     if (!(next <= remaining * (1.0 + tolerance::Tie)) && !arrival.fromSource)
     {
       break; // at the source but for rounding
     }
-    if (next < remaining)
-    {
-      crossed.clear();
-    }
     // A piece without length may lead onto a vertex beside, and the path from there back.
     const bool ontoVertex = points.back().kind != SurfacePoint::Kind::Vertex &&
       arrival.from.kind == SurfacePoint::Kind::Vertex;
-    if (!ontoVertex)
-    {
-      crossed.push_back(arrival.face);
-    }
+    isCrossed[arrival.face] |= ontoVertex ? 0 : 1;
     points.push_back(arrival.from);
     remaining = next;
     const SurfacePoint& p = points.back();

@@ -96,6 +96,13 @@ private:
     bool fromSource = false;
     /// The face of the piece.
     Id face = NoId;
+    /// Of pieces whose distances differ by no more the longest is best: no path is led over places
+    /// a rounding beside it.
+    double tie = 0.0;
+
+    bool isBeatenBy(double otherDistance, double otherLength) const;
+    void replace(
+      double newDistance, double newLength, const SurfacePoint& newFrom, bool isFromSource);
   };
 
   bool isComplete(Id face) const
@@ -103,7 +110,8 @@ private:
     return this->front_.completeFaces.empty() || this->front_.completeFaces[face];
   }
   void requireWindows() const;
-  LastPiece arrive(const SurfacePoint& point, const std::vector<Id>& crossed) const;
+  LastPiece arrive(const SurfacePoint& point, double distance,
+    const std::vector<std::uint8_t>& isCrossed) const;
   void arriveThrough(Id face, const SurfacePoint& point, bool ownHalfedges, LastPiece& best) const;
   void arriveFromCorners(
     Id face, const SurfacePoint& point, const std::array<double, 3>& b, LastPiece& best) const;

@@ -203,21 +203,24 @@ void PathTracer::requireLength(const TracedPath& path) const
   }
 }
 
+// Each step adds a point. A piece may be shorter than rounding, so that what is left need not fall
+// with each step; but a shortest path comes to no vertex and crosses no face twice.
 void PathTracer::add(TracedPath& path, Id face, const SurfacePoint& point) const
 {
+  const SurfacePart* part = this->field_.part();
+  const std::uint64_t faces =
+    part != nullptr ? part->numberOfFacesOfWhole() : this->mesh_.numberOfFaces();
+  if (path.steps++ > faces + this->field_.numberOfVerticesOfWhole())
+  {
+    throw PathLost("A shortest path could not be followed to the source.");
+  }
   path.length += distanceInSpace(this->mesh_, path.points.back(), point);
   path.points.push_back(point);
   path.faces.push_back(face);
 }
 
-// A piece may be shorter than rounding, so that what is left need not fall with each step; but a
-// shortest path comes to no vertex twice.
 void PathTracer::goOn(TracedPath& path) const
 {
-  if (path.steps++ > this->field_.numberOfVerticesOfWhole())
-  {
-    throw PathLost("A shortest path could not be followed to the source.");
-  }
   const SurfacePoint& last = path.points.back();
   if (last.kind == SurfacePoint::Kind::Vertex)
   {

@@ -58,8 +58,8 @@ struct TracedPath
   double left = 0.0;
   double whole = 0.0;
   double length = 0.0;
-  /// How many vertices it has come to, and how many faces since it should have ended.
-  Id steps = 0;
+  /// How many points were added to it, and how many faces it has crossed since it should have ended.
+  std::uint64_t steps = 0;
   int stepsBesideEnd = 0;
 
   Next next = Next::Point;

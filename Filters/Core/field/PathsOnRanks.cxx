@@ -95,7 +95,7 @@ Journey getJourney(MessageReader& reader, const SurfacePart& part)
   path.left = reader.get<double>();
   path.whole = reader.get<double>();
   path.length = reader.get<double>();
-  path.steps = reader.get<Id>();
+  path.steps = reader.get<std::uint64_t>();
   path.stepsBesideEnd = reader.get<int>();
   path.next = reader.get<TracedPath::Next>();
   const auto exitFace = reader.get<RankAddress>();
