@@ -111,11 +111,10 @@ DistanceField::LastPiece DistanceField::arrive(
       if (!isCrossed[face])
       {
         const LastPiece before = best;
-        best.tie = tolerance::Tie * distance +
-          tolerance::PlaceRounding * this->mesh_->shape(face).longest();
+        best.tie =
+          tolerance::Tie * distance + tolerance::PlaceRounding * this->mesh_->shape(face).longest();
         this->arriveThrough(face, point, false, best);
-        const bool isBetter =
-          best.distance != before.distance || best.length != before.length;
+        const bool isBetter = best.distance != before.distance || best.length != before.length;
         best.face = isBetter ? face : best.face;
       }
     });

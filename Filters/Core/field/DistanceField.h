@@ -110,8 +110,8 @@ private:
     return this->front_.completeFaces.empty() || this->front_.completeFaces[face];
   }
   void requireWindows() const;
-  LastPiece arrive(const SurfacePoint& point, double distance,
-    const std::vector<std::uint8_t>& isCrossed) const;
+  LastPiece arrive(
+    const SurfacePoint& point, double distance, const std::vector<std::uint8_t>& isCrossed) const;
   void arriveThrough(Id face, const SurfacePoint& point, bool ownHalfedges, LastPiece& best) const;
   void arriveFromCorners(
     Id face, const SurfacePoint& point, const std::array<double, 3>& b, LastPiece& best) const;

@@ -58,7 +58,8 @@ struct TracedPath
   double left = 0.0;
   double whole = 0.0;
   double length = 0.0;
-  /// How many points were added to it, and how many faces it has crossed since it should have ended.
+  /// How many points were added to it, and how many faces it has crossed since it should have
+  /// ended.
   std::uint64_t steps = 0;
   int stepsBesideEnd = 0;
 

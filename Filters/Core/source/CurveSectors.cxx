@@ -99,15 +99,11 @@ void CurveSectors::addEnd(const SegmentEnd& end)
 {
   const Frame& frame = *this->frameOf(end.face);
   const Id vertices = this->mesh_.numberOfVertices();
-  const Vec2 from =
-    inHalfedgeFrame(this->mesh_, frame.halfedge, barycentric(this->mesh_, end.from, end.face));
-  const Vec2 to =
-    inHalfedgeFrame(this->mesh_, frame.halfedge, barycentric(this->mesh_, end.to, end.face));
   // What lies counterclockwise from a segment that begins here is to its left.
   const CurveSide after = { end.curve, !end.isBeginning };
   const CurveSide before = { end.curve, end.isBeginning };
-  this->ends_.push_back({ this->angleIn(frame, to - from), { after.origin(vertices), end.place },
-    { before.origin(vertices), end.place } });
+  this->ends_.push_back({ this->angleIn(frame, directionIn(this->mesh_, end, frame.halfedge)),
+    { after.origin(vertices), end.place }, { before.origin(vertices), end.place } });
 }
 
 // At the segments themselves, and in the middle between two that follow one another.

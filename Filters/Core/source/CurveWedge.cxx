@@ -64,11 +64,7 @@ WedgeBound CurveWedge::inOwnFace(const SegmentEnd& end, std::size_t k) const
     k = (k + 1) % 3;
   }
   const Id halfedge = 3 * end.face + static_cast<Id>(k);
-  const Vec2 from =
-    inHalfedgeFrame(this->mesh_, halfedge, barycentric(this->mesh_, end.from, end.face));
-  const Vec2 to =
-    inHalfedgeFrame(this->mesh_, halfedge, barycentric(this->mesh_, end.to, end.face));
-  const Vec2 d = to - from;
+  const Vec2 d = directionIn(this->mesh_, end, halfedge);
   const double length = norm(d);
   return { halfedge, length > 0.0 ? (1.0 / length) * d : d };
 }

@@ -1,33 +1,128 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/SegmentEnd.h"
 
+#include "Tolerance.h"
+
 namespace geodesic
 {
 
-// Segment i runs from point i to point i + 1.
+namespace
+{
+
+constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+/// From a point of a curve to the next one, in either direction. Segment i runs from point i to
+/// point i + 1.
+struct Step
+{
+  std::size_t segment = None;
+  std::size_t to = None;
+};
+
+/// None behind the end of an open curve.
+Step stepFrom(const SourceCurve& curve, std::size_t i, bool isForward)
+{
+  const std::size_t last = curve.points.size() - 1;
+  if (isForward)
+  {
+    return i < last ? Step{ i, i + 1 } : curve.isClosed() ? Step{ 0, 1 } : Step{};
+  }
+  return i > 0 ? Step{ i - 1, i - 1 } : curve.isClosed() ? Step{ last - 1, last - 1 } : Step{};
+}
+
+/// Whether the segment is longer than its ends are rounded to. Else its ends tell no direction.
+bool hasLength(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t segment)
+{
+  const Id face = curve.faces[segment];
+  return distanceInFace(mesh, face, barycentric(mesh, curve.points[segment], face),
+           barycentric(mesh, curve.points[segment + 1], face)) >
+    tolerance::PlaceRounding * mesh.shape(face).longest();
+}
+
+/// The steps from a step without length to the first one with a length, across edges; empty where
+/// the curve ends before or comes to a vertex.
+std::vector<Step> stepsOnward(
+  const TriangleMesh& mesh, const SourceCurve& curve, const Step& first, bool isForward)
+{
+  std::vector<Step> steps = { first };
+  while (!hasLength(mesh, curve, steps.back().segment))
+  {
+    const SurfacePoint& p = curve.points[steps.back().to];
+    const Step next = stepFrom(curve, steps.back().to, isForward);
+    if (next.segment == None || p.kind != SurfacePoint::Kind::Edge || !mesh.isInner(p.id) ||
+      steps.size() == curve.faces.size())
+    {
+      return {};
+    }
+    steps.push_back(next);
+  }
+  return steps;
+}
+
+// From face to face back over the edges, each seen from both sides.
+void setOnward(const TriangleMesh& mesh, const SourceCurve& curve, const std::vector<Step>& steps,
+  SegmentEnd& end)
+{
+  const Id face = curve.faces[steps.back().segment];
+  const SurfacePoint& from = curve.points[steps[steps.size() - 2].to];
+  end.frame = longestHalfedge(mesh, face);
+  end.onward =
+    inHalfedgeFrame(mesh, end.frame, barycentric(mesh, curve.points[steps.back().to], face)) -
+    inHalfedgeFrame(mesh, end.frame, barycentric(mesh, from, face));
+  for (std::size_t n = steps.size() - 1; n-- > 0;)
+  {
+    const SurfacePoint& p = curve.points[steps[n].to];
+    const Id own = mesh.siblingInFace(p.id, curve.faces[steps[n].segment]);
+    const Id other = mesh.siblingInFace(p.id, curve.faces[steps[n + 1].segment]);
+    const Vec2 d = turned(mesh, end.onward, end.frame, other);
+    const bool isOpposed = mesh.origin(own) == mesh.destination(other);
+    end.frame = own;
+    end.onward = own == other ? d : Vec2{ isOpposed ? -d.x : d.x, -d.y };
+  }
+}
+
+} // anonymous namespace
+
 std::vector<SegmentEnd> segmentEndsAt(const TriangleMesh& mesh, const SourceCurve& curve, Id number,
   const std::vector<double>& places, std::size_t i)
 {
-  const std::size_t count = curve.points.size();
   std::vector<SegmentEnd> ends;
-  const auto add = [&](std::size_t to, std::size_t segment)
+  for (const bool isForward : { true, false })
   {
-    if (!samePlace(mesh, curve.points[i], curve.points[to]))
+    const Step step = stepFrom(curve, i, isForward);
+    const std::vector<Step> steps =
+      step.segment != None ? stepsOnward(mesh, curve, step, isForward) : std::vector<Step>();
+    if (!steps.empty())
     {
-      ends.push_back({ curve.points[i], curve.points[to], curve.faces[segment], number, places[i],
-        to > segment });
+      ends.push_back({ curve.points[i], curve.points[step.to], curve.faces[step.segment], number,
+        places[i], isForward });
+      if (steps.size() > 1)
+      {
+        setOnward(mesh, curve, steps, ends.back());
+      }
     }
-  };
-  if (i + 1 < count)
-  {
-    add(i + 1, i);
-  }
-  if (i > 0 || curve.isClosed())
-  {
-    const std::size_t before = i > 0 ? i - 1 : count - 2;
-    add(before, before);
   }
   return ends;
+}
+
+bool isAtVertexBeside(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i)
+{
+  const auto leadsToVertex = [&](const Step& step)
+  {
+    return step.segment != None && curve.points[step.to].kind == SurfacePoint::Kind::Vertex &&
+      !hasLength(mesh, curve, step.segment);
+  };
+  return leadsToVertex(stepFrom(curve, i, true)) || leadsToVertex(stepFrom(curve, i, false));
+}
+
+Vec2 directionIn(const TriangleMesh& mesh, const SegmentEnd& end, Id halfedge)
+{
+  if (end.frame != NoId)
+  {
+    return turned(mesh, end.onward, end.frame, halfedge);
+  }
+  return inHalfedgeFrame(mesh, halfedge, barycentric(mesh, end.to, end.face)) -
+    inHalfedgeFrame(mesh, halfedge, barycentric(mesh, end.from, end.face));
 }
 
 }

@@ -2,6 +2,7 @@
 #ifndef geodesic_SegmentEnd_h
 #define geodesic_SegmentEnd_h
 
+#include "mesh/HalfedgeFrame.h"
 #include "mesh/TriangleMesh.h"
 #include "source/SourceCurve.h"
 
@@ -20,16 +21,29 @@ struct SegmentEnd
   Id curve = 0;
   double place = 0.0;
   bool isBeginning = true;
+  /// Of a segment without length: a halfedge of its face, and the direction in which the curve goes
+  /// on behind it, in that halfedge's frame.
+  Id frame = NoId;
+  Vec2 onward = {};
 };
 
+/// The direction of a segment away from its end, in the frame of a halfedge of its face; not
+/// normalized.
+Vec2 directionIn(const TriangleMesh& mesh, const SegmentEnd& end, Id halfedge);
+
 /// The ends of the segments of a curve that meet in its point i: two inside the curve, one at an
-/// end, none in a curve that is a point. Segments without length have none.
+/// end, none in a curve that is a point. Segments without length, as they are in faces without
+/// area, have none unless the curve goes on from them across edges.
 ///
 /// \param curve with normalized points.
 /// \param number of the curve.
 /// \param places where its points are along it: placesAlong().
 std::vector<SegmentEnd> segmentEndsAt(const TriangleMesh& mesh, const SourceCurve& curve, Id number,
   const std::vector<double>& places, std::size_t i);
+
+/// Whether a segment without length leads from point i of a curve to a vertex. The vertex sees the
+/// segments on both sides, the point does not.
+bool isAtVertexBeside(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);
 
 }
 

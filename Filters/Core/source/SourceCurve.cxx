@@ -23,9 +23,10 @@ std::vector<double> placesAlong(const TriangleMesh& mesh, const SourceCurve& cur
   for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
   {
     const Id face = curve.faces[i];
-    places.push_back(places.back() +
+    const double place = places.back() +
       distanceInFace(mesh, face, barycentric(mesh, curve.points[i], face),
-        barycentric(mesh, curve.points[i + 1], face)));
+        barycentric(mesh, curve.points[i + 1], face));
+    places.push_back(std::max(place, std::nextafter(places.back(), Infinity)));
   }
   return places;
 }

@@ -27,7 +27,8 @@ struct SourceCurve
   bool isClosed() const;
 };
 
-/// Where the points of a curve are along it: lengths from its beginning.
+/// Where the points of a curve are along it: lengths from its beginning. Each is behind the one
+/// before, also where the segment between them has no length.
 std::vector<double> placesAlong(const TriangleMesh& mesh, const SourceCurve& curve);
 
 /// A source that is one point.

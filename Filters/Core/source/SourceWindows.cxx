@@ -117,7 +117,7 @@ private:
       // Around an edge of three and more faces the others see the curve bend.
       const bool straight =
         curve.isCut[i] && p.kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(p.id);
-      if (straight)
+      if (straight || isAtVertexBeside(this->mesh_, curve, i))
       {
         this->progress_.nextPoint();
       }

@@ -49,10 +49,7 @@ struct FlatLine
   std::vector<Vec3> points;
   bool closed = false;
 
-  std::size_t numberOfSegments() const
-  {
-    return this->points.size() - (this->closed ? 0 : 1);
-  }
+  std::size_t numberOfSegments() const { return this->points.size() - (this->closed ? 0 : 1); }
   Vec2 at(std::size_t i) const { return flat(this->points[i % this->points.size()]); }
 
   double distance(const Vec2& p) const
@@ -170,40 +167,41 @@ TEST(FacesWithoutArea, DistancesPathsAndSidesInAConvexDomainAreThoseOfThePlane)
     const double size = spaceDistance(mesh.points.front(), mesh.points[mesh.points.size() / 2]) + 2;
     try
     {
-    const std::vector<SourceCurve> curves = onSurface(engine, line);
-    geodesic::FrontOptions options;
-    options.keepArrivals = true;
-    const geodesic::DistanceField field =
-      geodesic::solve(engine, curves, options, geodesic::KeepWindows::All);
-    geodesic::NearestSource nearest(field, curves);
-    const auto expectSide = [&](const Vec2& p, const geodesic::Foot& foot)
-    {
-      const double side = line.points.size() > 1 ? line.side(p) : 0.0;
-      if (side != 0.0 && line.distance(p) > 1e-6)
+      const std::vector<SourceCurve> curves = onSurface(engine, line);
+      geodesic::FrontOptions options;
+      options.keepArrivals = true;
+      const geodesic::DistanceField field =
+        geodesic::solve(engine, curves, options, geodesic::KeepWindows::All);
+      geodesic::NearestSource nearest(field, curves);
+      const auto expectSide = [&](const Vec2& p, const geodesic::Foot& foot)
       {
-        ++sides;
-        EXPECT_EQ(foot.isRight, side < 0.0) << "at " << p[0] << ", " << p[1];
+        const double side = line.points.size() > 1 ? line.side(p) : 0.0;
+        if (side != 0.0 && line.distance(p) > 1e-6)
+        {
+          ++sides;
+          EXPECT_EQ(foot.isRight, side < 0.0) << "at " << p[0] << ", " << p[1];
+        }
+      };
+      for (Id v = 0; v < engine.numberOfVertices(); ++v)
+      {
+        if (engine.cornersAt(v).size() == 0)
+          continue;
+        const Vec2 p = flat(mesh.points[v]);
+        const double error = std::abs(field.vertexDistances()[v] - line.distance(p)) / size;
+        EXPECT_LE(error, FlatAccuracy) << "vertex " << v;
+        worst = std::max(worst, error);
+        expectSide(p, nearest.atVertex(v));
       }
-    };
-    for (Id v = 0; v < engine.numberOfVertices(); ++v)
-    {
-      if (engine.cornersAt(v).size() == 0) continue;
-      const Vec2 p = flat(mesh.points[v]);
-      const double error = std::abs(field.vertexDistances()[v] - line.distance(p)) / size;
-      EXPECT_LE(error, FlatAccuracy) << "vertex " << v;
-      worst = std::max(worst, error);
-      expectSide(p, nearest.atVertex(v));
-    }
-    for (Index i = 0; i < 30; ++i)
-    {
-      const SurfacePoint point = enginePoint(engine, randomPoint(mesh, random));
-      const Vec2 p = flat(geodesic::position(engine, point));
-      const double error = std::abs(field.distance(point) - line.distance(p)) / size;
-      EXPECT_LE(error, FlatAccuracy) << "point " << i;
-      worst = std::max(worst, error);
-      expectSide(p, nearest.of(geodesic::lastPieceTo(field, point)));
-    }
-    expectStraightPaths(engine, mesh, curves, line, size, random);
+      for (Index i = 0; i < 30; ++i)
+      {
+        const SurfacePoint point = enginePoint(engine, randomPoint(mesh, random));
+        const Vec2 p = flat(geodesic::position(engine, point));
+        const double error = std::abs(field.distance(point) - line.distance(p)) / size;
+        EXPECT_LE(error, FlatAccuracy) << "point " << i;
+        worst = std::max(worst, error);
+        expectSide(p, nearest.of(geodesic::lastPieceTo(field, point)));
+      }
+      expectStraightPaths(engine, mesh, curves, line, size, random);
     }
     catch (const std::exception& e)
     {

@@ -28,8 +28,8 @@ std::vector<PointOnEdge> addPoints(
     const Vec3 p = mesh.points[a];
     const Vec3 q = mesh.points[b];
     points.push_back({ t, static_cast<Index>(mesh.points.size()) });
-    mesh.points.push_back({ (1.0 - t) * p[0] + t * q[0], (1.0 - t) * p[1] + t * q[1],
-      (1.0 - t) * p[2] + t * q[2] });
+    mesh.points.push_back(
+      { (1.0 - t) * p[0] + t * q[0], (1.0 - t) * p[1] + t * q[1], (1.0 - t) * p[2] + t * q[2] });
   }
   return points;
 }
