@@ -30,7 +30,7 @@ Step stepFrom(const SourceCurve& curve, std::size_t i, bool isForward)
   return i > 0 ? Step{ i - 1, i - 1 } : curve.isClosed() ? Step{ last - 1, last - 1 } : Step{};
 }
 
-/// Whether the segment is longer than its ends are rounded to. Else its ends tell no direction.
+/// Whether the segment is longer than its ends are rounded to.
 bool hasLength(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t segment)
 {
   const Id face = curve.faces[segment];
@@ -39,13 +39,22 @@ bool hasLength(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t s
     tolerance::PlaceRounding * mesh.shape(face).longest();
 }
 
-/// The steps from a step without length to the first one with a length, across edges; empty where
-/// the curve ends before or comes to a vertex.
+/// Whether the ends of a segment tell its direction. In a face without area, where the curve is
+/// merely cut goes by rounding.
+bool tellsDirection(const TriangleMesh& mesh, const SourceCurve& curve, const Step& step)
+{
+  const bool isAcross =
+    curve.isCut[step.to] && mesh.shape(curve.faces[step.segment]).hasZeroArea();
+  return !isAcross && hasLength(mesh, curve, step.segment);
+}
+
+/// The steps from a step to the first one that tells the direction, across edges; empty where the
+/// curve ends before or comes to a vertex.
 std::vector<Step> stepsOnward(
   const TriangleMesh& mesh, const SourceCurve& curve, const Step& first, bool isForward)
 {
   std::vector<Step> steps = { first };
-  while (!hasLength(mesh, curve, steps.back().segment))
+  while (!tellsDirection(mesh, curve, steps.back()))
   {
     const SurfacePoint& p = curve.points[steps.back().to];
     const Step next = stepFrom(curve, steps.back().to, isForward);
