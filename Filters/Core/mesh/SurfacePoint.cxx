@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/SurfacePoint.h"
 
+#include "mesh/HalfedgeFrame.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -41,6 +43,16 @@ SurfacePoint onEdgeOpposite(
     return SurfacePoint::atVertex(mesh.destination(halfedge));
   }
   return SurfacePoint::onEdge(halfedge, fraction);
+}
+
+/// The point of a face without area, all of which lies on the longest edge.
+SurfacePoint onLongestEdge(const TriangleMesh& mesh, Id face, const std::array<double, 3>& weights)
+{
+  const Id halfedge = longestHalfedge(mesh, face);
+  const double fraction = inHalfedgeFrame(mesh, halfedge, weights).x / mesh.length(halfedge);
+  return fraction > 0.0 && fraction < 1.0 ? SurfacePoint::onEdge(halfedge, fraction)
+    : fraction >= 1.0                     ? SurfacePoint::atVertex(mesh.destination(halfedge))
+                                          : SurfacePoint::atVertex(mesh.origin(halfedge));
 }
 
 /// Whether two halfedges are of one edge.
@@ -110,7 +122,8 @@ SurfacePoint fromBarycentric(
   const auto zeros = std::count(isZero.begin(), isZero.end(), true);
   if (zeros == 0)
   {
-    return SurfacePoint::inFace(face, u, v);
+    return mesh.shape(face).hasZeroArea() ? onLongestEdge(mesh, face, { 1.0 - u - v, u, v })
+                                          : SurfacePoint::inFace(face, u, v);
   }
   if (zeros == 1)
   {

@@ -40,7 +40,8 @@ struct SurfacePoint
 };
 
 /// The point of a face with these barycentric coordinates (of its corners 0, 1, 2; they need not
-/// sum to one exactly): a vertex or edge point where coordinates are zero.
+/// sum to one exactly): a vertex or edge point where coordinates are zero. A face without area has
+/// no inside: its points lie on its longest edge.
 SurfacePoint fromBarycentric(
   const TriangleMesh& mesh, Id face, const std::array<double, 3>& coordinates);
 

@@ -25,6 +25,12 @@ struct WindowFrame
   Id leftThrough;
   Vec2 axis = { 1.0, 0.0 };
 
+  /// Behind another edge, whose axis is seen from this frame.
+  WindowFrame turnedBy(Vec2 by) const
+  {
+    return { this->leftThrough,
+      { this->axis.x * by.x - this->axis.y * by.y, this->axis.x * by.y + this->axis.y * by.x } };
+  }
   /// A direction in the frame of the halfedge, seen from that of the window.
   Vec2 fromHalfedge(Vec2 u) const { return { -dot(u, this->axis), -cross(this->axis, u) }; }
   Vec2 toHalfedge(Vec2 u) const
@@ -77,35 +83,78 @@ void addBehindEdge(const TriangleMesh& mesh, LeavingWindow leaving, const CurveS
   addBySector(sectors, frame, leaving, windows);
 }
 
-// Sends the rays of a point close to the halfedge through the faces behind in one step: between the
-// rays through the ends of the edge, which hide what is beside them.
-void addBehindNextFaces(const TriangleMesh& mesh, Id halfedge, Vec2 point,
-  const CurveSectors& sectors, std::vector<LeavingWindow>& windows)
+/// Sends the rays of a point close to a halfedge through the faces behind in one step: between the
+/// rays through the ends of the edge, which hide what is beside them. From a face without area, to
+/// whose edges the point is as close, they are sent on alike.
+class RaysFromBesideEdge
 {
-  const double length = mesh.length(halfedge);
-  for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
+public:
+  RaysFromBesideEdge(
+    const TriangleMesh& mesh, const CurveSectors& sectors, std::vector<LeavingWindow>& windows)
+    : mesh_(mesh)
+    , sectors_(sectors)
+    , windows_(windows)
   {
-    const bool turned = mesh.origin(s) == mesh.origin(halfedge);
-    const Window w = { 0.0, length, turned ? length - point.x : point.x, -point.y, 0.0, 0.0,
-      Window::Kind::Circular, 0 };
-    const UnfoldedFace face = unfold(mesh, s);
+  }
+
+  /// \param point in the leaving frame of the halfedge, which is seen from the window frame.
+  void send(Id halfedge, Vec2 point, const WindowFrame& frame)
+  {
+    const double length = this->mesh_.length(halfedge);
+    for (Id s = this->mesh_.nextSibling(halfedge); s != halfedge; s = this->mesh_.nextSibling(s))
+    {
+      if (std::find(this->entered_.begin(), this->entered_.end(), s) == this->entered_.end())
+      {
+        this->entered_.push_back(s);
+        const bool turned = this->mesh_.origin(s) == this->mesh_.origin(halfedge);
+        this->sendThrough(s,
+          { 0.0, length, turned ? length - point.x : point.x, -point.y, 0.0, 0.0,
+            Window::Kind::Circular, 0 },
+          frame);
+      }
+    }
+  }
+
+private:
+  void sendThrough(Id halfedge, const Window& w, const WindowFrame& frame)
+  {
+    const UnfoldedFace face = unfold(this->mesh_, halfedge);
     const bool toLeft = !w.passesRightOf(0.0, face.apex);
-    const bool toRight = w.passesRightOf(length, face.apex);
+    const bool toRight = w.passesRightOf(face.length, face.apex);
     if (toLeft)
     {
-      const double end = toRight ? face.leftLength : face.meetLeft(w, length);
-      addBehindEdge(mesh, { TriangleMesh::previousInFace(s), face.throughLeft(w, 0.0, end) },
-        sectors, { halfedge, face.leftAxis }, windows);
+      const double end = toRight ? face.leftLength : face.meetLeft(w, face.length);
+      this->leave({ TriangleMesh::previousInFace(halfedge), face.throughLeft(w, 0.0, end) },
+        frame.turnedBy(face.leftAxis));
     }
     if (toRight)
     {
       const double begin = toLeft ? 0.0 : face.meetRight(w, 0.0);
-      addBehindEdge(mesh,
-        { TriangleMesh::nextInFace(s), face.throughRight(w, begin, face.rightLength) }, sectors,
-        { halfedge, face.rightAxis }, windows);
+      this->leave(
+        { TriangleMesh::nextInFace(halfedge), face.throughRight(w, begin, face.rightLength) },
+        frame.turnedBy(face.rightAxis));
     }
   }
-}
+
+  void leave(const LeavingWindow& leaving, const WindowFrame& frame)
+  {
+    addBehindEdge(this->mesh_, leaving, this->sectors_, frame, this->windows_);
+    const Window& w = leaving.window;
+    const double length = this->mesh_.length(leaving.halfedge);
+    const bool isBeside =
+      w.sourceDepth <= tolerance::NearEdge * length && w.sourceX > 0.0 && w.sourceX < length;
+    if (isBeside && this->mesh_.shape(TriangleMesh::faceOf(leaving.halfedge)).hasZeroArea())
+    {
+      this->send(leaving.halfedge, { w.sourceX, -w.sourceDepth }, frame);
+    }
+  }
+
+  const TriangleMesh& mesh_;
+  const CurveSectors& sectors_;
+  std::vector<LeavingWindow>& windows_;
+  /// The halfedges that rays have entered faces by: none twice, so that this ends.
+  std::vector<Id> entered_;
+};
 
 void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const Barycentric& point,
   const CurveWedge::Bounds& bounds, const CurveSectors& sectors,
@@ -130,7 +179,7 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const Barycentric
   }
   if (near && p.x > 0.0 && p.x < length)
   {
-    addBehindNextFaces(mesh, halfedge, p, sectors, windows);
+    RaysFromBesideEdge(mesh, sectors, windows).send(halfedge, p, { halfedge });
   }
 }
 

@@ -43,8 +43,7 @@ bool hasLength(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t s
 /// merely cut goes by rounding.
 bool tellsDirection(const TriangleMesh& mesh, const SourceCurve& curve, const Step& step)
 {
-  const bool isAcross =
-    curve.isCut[step.to] && mesh.shape(curve.faces[step.segment]).hasZeroArea();
+  const bool isAcross = curve.isCut[step.to] && mesh.shape(curve.faces[step.segment]).hasZeroArea();
   return !isAcross && hasLength(mesh, curve, step.segment);
 }
 

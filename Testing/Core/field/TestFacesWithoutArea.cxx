@@ -210,3 +210,113 @@ TEST(FacesWithoutArea, DistancesPathsAndSidesInAConvexDomainAreThoseOfThePlane)
   }
   std::cout << "worst relative error " << worst << ", " << sides << " sides\n";
 }
+
+namespace
+{
+
+/// Aborts what has taken longer than it may: a run without an end is a failure, not a hang.
+class TimeLimit
+{
+public:
+  explicit TimeLimit(double seconds)
+    : end_(std::chrono::steady_clock::now() +
+        std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+          std::chrono::duration<double>(seconds)))
+  {
+  }
+
+  geodesic::ProgressCallback callback() const
+  {
+    return [end = this->end_](double) { return std::chrono::steady_clock::now() < end; };
+  }
+
+private:
+  std::chrono::steady_clock::time_point end_;
+};
+
+constexpr double SecondsForPockets = 20.0;
+
+double lengthOf(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path)
+{
+  double length = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+  {
+    length +=
+      spaceDistance(geodesic::position(mesh, path[i]), geodesic::position(mesh, path[i - 1]));
+  }
+  return length;
+}
+
+} // anonymous namespace
+
+// Three faces without area make a pocket on the edge from 0 to 1, around which pieces of a path
+// without length once led for ever.
+TEST(FacesWithoutArea, APathAcrossAPocketEnds)
+{
+  for (const auto& [s, t] : { std::pair(0.3, 0.7), std::pair(0.7, 0.3), std::pair(0.5, 0.1) })
+  {
+    PlainMesh mesh;
+    mesh.points = { { 0.0, 0.0, 0.0 }, { -0.666, 0.746, 0.0 }, { -1.079, -0.293, 0.0 },
+      { 0.413, 1.039, 0.0 }, { -0.666 * s, 0.746 * s, 0.0 }, { -0.666 * t, 0.746 * t, 0.0 } };
+    mesh.triangles = { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 4, 1 }, { 5, 1, 4 }, { 0, 1, 5 } };
+    const TriangleMesh engine = engineMesh(mesh);
+    for (Index a = 0; a < 6; ++a)
+    {
+      for (Index b = 0; b < 6; ++b)
+      {
+        const TimeLimit limit(SecondsForPockets);
+        const std::vector<SurfacePoint> path = geodesic::ShortestPathFinder(engine).between(
+          SurfacePoint::atVertex(a), SurfacePoint::atVertex(b), limit.callback());
+        EXPECT_NEAR(lengthOf(engine, path), spaceDistance(mesh.points[a], mesh.points[b]), 1e-12)
+          << "from " << a << " to " << b;
+      }
+    }
+  }
+}
+
+TEST(FacesWithoutArea, PocketsChangeNoDistanceAndPathsAcrossThemEnd)
+{
+  double worst = 0.0;
+  for (std::uint64_t seed = 0; seed < numberOfSeeds(200); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 8800);
+    const PlainMesh plain = bumpySheet(
+      random.between(1, 4), random.between(1, 4), 0, random.chance(0.5) ? 0.0 : 0.5, random);
+    const PlainMesh mesh = withPockets(plain, random.between(1, 6), random);
+    const TriangleMesh engine = engineMesh(mesh);
+    const Index source = random.below(plain.points.size());
+    Sources truthSource;
+    truthSource.points = { vertexPoint(plain, source) };
+    const BruteForceResult truth = bruteForceDistances(plain, truthSource);
+    const double largest = largestFinite(truth.vertices);
+    const TimeLimit limit(SecondsForPockets);
+    std::vector<SurfacePoint> targets;
+    for (Id v = 0; v < engine.numberOfVertices(); ++v)
+    {
+      targets.push_back(SurfacePoint::atVertex(v));
+    }
+    geodesic::PathsOptions options;
+    options.progress = limit.callback();
+    try
+    {
+      const std::vector<geodesic::PathToSource> paths = geodesic::pathsToSource(
+        engine, { geodesic::pointCurve(SurfacePoint::atVertex(source)) }, targets, options);
+      for (std::size_t v = 0; v < plain.points.size(); ++v)
+      {
+        const double error =
+          std::abs(lengthOf(engine, paths[v].points) - truth.vertices[v]) / largest;
+        EXPECT_LE(error, EngineAccuracy) << "vertex " << v;
+        worst = std::max(worst, error);
+      }
+      const Id other = random.below(engine.numberOfVertices());
+      geodesic::ShortestPathFinder(engine).between(
+        SurfacePoint::atVertex(source), SurfacePoint::atVertex(other), limit.callback());
+    }
+    catch (const std::exception& e)
+    {
+      ADD_FAILURE() << e.what();
+    }
+  }
+  std::cout << "worst relative error " << worst << "\n";
+}
