@@ -227,7 +227,8 @@ void WindowListBuilder::appendOfOther(const Window& window)
   Window& last = this->windows_.back();
   last.end = std::max(last.end, window.end);
   last.error = std::max(last.error, window.error);
-  last.facesCrossed = std::max<Id>(last.facesCrossed, window.facesCrossed) & MaximumFacesCrossed;
+  // Of a pencil that has come back around faces without area the shorter way counts.
+  last.facesCrossed = std::min<Id>(last.facesCrossed, window.facesCrossed) & MaximumFacesCrossed;
 }
 
 // Behind the windows that overlap what is there already, a run stands as it is.
