@@ -150,11 +150,17 @@ private:
       });
   }
 
+  // In a face without area a point of the longest edge may be at the vertex opposite.
   void findNearVertices(Id face, const Barycentric& b)
   {
+    const FaceShape& shape = this->mesh_.shape(face);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      if (1.0 - b[k] < tolerance::NearVertex)
+      const bool isNear = 1.0 - b[k] < tolerance::NearVertex ||
+        (shape.hasZeroArea() &&
+          distanceInFace(this->mesh_, face, b, cornerWeights(k)) <
+            tolerance::NearVertex * shape.longest());
+      if (isNear)
       {
         this->result_.nearVertices.push_back(this->mesh_.triangle(face)[k]);
       }

@@ -77,7 +77,7 @@ std::vector<Index> verticesOf(const std::vector<PointOnEdge>& points, bool isRev
 
 } // anonymous namespace
 
-CappedMesh withCaps(const PlainMesh& mesh, double fraction, Random& random)
+CappedMesh withCaps(const PlainMesh& mesh, Caps caps, double fraction, Random& random)
 {
   CappedMesh result;
   result.mesh.points = mesh.points;
@@ -89,6 +89,7 @@ CappedMesh withCaps(const PlainMesh& mesh, double fraction, Random& random)
       faceOf[{ mesh.triangles[f][k], mesh.triangles[f][(k + 1) % 3] }] = f;
     }
   }
+  const bool isOne = caps == Caps::One;
   std::vector<bool> isDone(mesh.triangles.size(), false);
   for (const auto& [edge, f] : faceOf)
   {
@@ -102,9 +103,9 @@ CappedMesh withCaps(const PlainMesh& mesh, double fraction, Random& random)
     isDone[f] = true;
     isDone[g] = true;
     const std::vector<PointOnEdge> left =
-      addPoints(result.mesh, a, b, random.between(1, 3), random, 0.0);
-    const std::vector<PointOnEdge> right =
-      addPoints(result.mesh, a, b, random.chance(0.6) ? 0 : random.between(1, 2), random, 0.5);
+      addPoints(result.mesh, a, b, isOne ? 1 : random.between(1, 3), random, 0.0);
+    const std::vector<PointOnEdge> right = addPoints(
+      result.mesh, a, b, isOne || random.chance(0.6) ? 0 : random.between(1, 2), random, 0.5);
     std::vector<PointOnEdge> all = left;
     all.insert(all.end(), right.begin(), right.end());
     std::sort(all.begin(), all.end());

@@ -16,11 +16,20 @@ struct CappedMesh
   PlainMesh conforming;
 };
 
-/// Puts new vertices onto some edges, on one side of the edge or on both, each side with its own.
-/// Any triangulation of them closes the edge. Of each face at most one edge is chosen.
+/// Which new vertices an edge gets.
+enum class Caps
+{
+  /// One, on one side of it: one face without area.
+  One,
+  /// Several, on one side or on both, each side with its own. Any triangulation of them closes the
+  /// edge.
+  Several
+};
+
+/// Puts new vertices onto some edges. Of each face at most one edge is chosen.
 ///
 /// \param mesh oriented, without edges of more than two faces.
-CappedMesh withCaps(const PlainMesh& mesh, double fraction, Random& random);
+CappedMesh withCaps(const PlainMesh& mesh, Caps caps, double fraction, Random& random);
 
 /// Adds pockets: faces without area between an edge and new vertices on it, which may meet the edge
 /// again. Distances at the other vertices stay as they are.
