@@ -1,21 +1,29 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds everything and runs all tests with CTest, in build-testing/:
+# Builds everything against ParaView and its VTK (engine, filter, plugin, Python, GUI) and runs the
+# tests with CTest, in build-testing/paraview:
 #
-#   paraview   everything against ParaView and its VTK: engine, filter, plugin, Python, GUI
-#   vtk        the module against plain VTK 9.1, without ParaView
+#   bash Testing/run.sh [ARGUMENTS]         arguments go to CTest: -R NAME, -j N, ...
+#   bash Testing/run.sh --all [ARGUMENTS]   these, and three more builds in build-testing/:
+#
 #   sanitize   the engine's tests under AddressSanitizer and UndefinedBehaviorSanitizer
 #   threads    those of the engine's tests that run on threads, under ThreadSanitizer
+#   vtk        all compiled against plain VTK 9.1, without ParaView, and the filters' tests
 #
-# Arguments go to CTest (-R NAME, -j N, ...). Plain VTK 9.1 is taken from VTK_DIR where that is set,
-# else from the system, else downloaded.
+# Plain VTK 9.1 is taken from VTK_DIR where that is set, else from the system, else downloaded.
 set -eu
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 . "$top/Examples/packages.sh"
 builds=$top/build-testing
+all=
+if [ "${1:-}" = --all ]; then
+  all=yes
+  shift
+fi
 
-install_missing "${build_packages[@]}" libgtest-dev openmpi-bin libvtk9.1 libtbb-dev \
-  libglew-dev libgl-dev libfreetype-dev libpng-dev libtiff-dev libjpeg-dev doxygen dpkg-dev file lintian
+install_missing "${build_packages[@]}" libgtest-dev openmpi-bin libglew-dev libgl-dev \
+  libfreetype-dev libpng-dev libtiff-dev libjpeg-dev doxygen dpkg-dev file lintian \
+  ${all:+libvtk9.1 libtbb-dev}
 
 # Prints the first folder that a pattern finds and that holds a VTK to build against.
 vtk_below()
@@ -38,6 +46,17 @@ download_vtk()
   done
 }
 
+# Prints the folder of plain VTK 9.1, nothing where there is none.
+find_vtk()
+{
+  local vtk=${VTK_DIR:-$(vtk_below "")}
+  vtk=${vtk:-$(vtk_below "$builds/vtk-9.1")}
+  if [ -z "$vtk" ] && download_vtk "$builds/vtk-9.1" >&2; then
+    vtk=$(vtk_below "$builds/vtk-9.1")
+  fi
+  printf '%s' "$vtk"
+}
+
 # Configures and builds into build-testing/NAME.
 build()
 {
@@ -49,29 +68,31 @@ build()
 }
 
 mkdir -p "$builds"
-vtk=${VTK_DIR:-$(vtk_below "")}
-vtk=${vtk:-$(vtk_below "$builds/vtk-9.1")}
-if [ -z "$vtk" ] && download_vtk "$builds/vtk-9.1"; then
-  vtk=$(vtk_below "$builds/vtk-9.1")
-fi
+vtk=
+[ -z "$all" ] || vtk=$(find_vtk)
 unset VTK_DIR
 
 build paraview
-# Lines in a sanitizer's report are all that is needed of debug information: a quarter less to compile.
-sanitized=(-DGEODESIC_CORE_ONLY=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
-  "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2 -g1 -DNDEBUG")
-build sanitize "${sanitized[@]}" -DGEODESIC_SANITIZE=address,undefined
-build threads "${sanitized[@]}" -DGEODESIC_SANITIZE=thread
-suites="paraview sanitize threads"
+suites="paraview"
+if [ -n "$all" ]; then
+  # Half of a sanitizer's time is the compiler's: little optimization, and of debug information only
+  # the lines that a report names.
+  sanitized=(-DGEODESIC_CORE_ONLY=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
+    "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1 -DNDEBUG")
+  build sanitize "${sanitized[@]}" -DGEODESIC_SANITIZE=address,undefined
+  build threads "${sanitized[@]}" -DGEODESIC_SANITIZE=thread
+  suites+=" sanitize threads"
+fi
 if [ -n "$vtk" ]; then
-  build vtk -DVTK_DIR="$vtk" -DGEODESIC_TEST_CORE=OFF # the same engine as in the first build
+  # The first build tests the same engine, and measures.
+  build vtk -DVTK_DIR="$vtk" -DGEODESIC_TEST_CORE=OFF "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
   suites+=" vtk"
 fi
 
 # One CTest run over all builds, so that its closing line speaks for all.
 {
   echo "subdirs($suites)"
-  if [ -z "$vtk" ]; then
+  if [ -n "$all" ] && [ -z "$vtk" ]; then
     reason="VTK 9.1 could not be downloaded and VTK_DIR is not set: that build was not tested."
     printf '\n%s\n' "$reason" >&2
     echo "add_test(plain-vtk-build sh -c \"echo '$reason'; exit 77\")"

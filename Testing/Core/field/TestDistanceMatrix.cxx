@@ -90,7 +90,7 @@ double largestUpTo(const std::vector<std::vector<double>>& matrix, double bound)
 TEST_P(DistanceMatrices, BetweenPointsAreSymmetricAndTrue)
 {
   double worst = 0.0;
-  for (std::uint64_t seed = 0; seed < 10; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(10); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const MatrixCase c(GetParam(), seed + 91000);
@@ -120,7 +120,7 @@ TEST_P(DistanceMatrices, BetweenPointsAreSymmetricAndTrue)
 
 TEST_P(DistanceMatrices, HaveTheBitsOfTheFieldOfEachSourceForAnyTargetsAndInParallel)
 {
-  for (std::uint64_t seed = 0; seed < 5; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(5); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const MatrixCase c(GetParam(), seed + 92000);
@@ -147,7 +147,7 @@ TEST_P(DistanceMatrices, AreInfiniteBeyondTheMaximumAndTheSameWithin)
 {
   std::size_t within = 0;
   std::size_t beyond = 0;
-  for (std::uint64_t seed = 0; seed < 5; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(5); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const MatrixCase c(GetParam(), seed + 93000);

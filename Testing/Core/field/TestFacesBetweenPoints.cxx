@@ -54,7 +54,7 @@ geodesic::LocatedPolyline lineThrough(
 
 TEST_P(FacesBetweenPoints, HoldTheShortestPathOfTheWhole)
 {
-  for (std::uint64_t seed = 0; seed < 8; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(8); ++seed)
   {
     Random random(seed);
     const PlainMesh mesh = GetParam().make(randomSize(random), random);

@@ -21,8 +21,8 @@ using geodesic::TriangleMesh;
 namespace
 {
 
-constexpr std::uint64_t Meshes = 12;
-constexpr std::uint64_t SmallMeshes = 12;
+constexpr std::uint64_t Meshes = meshesOfAKind(12);
+constexpr std::uint64_t SmallMeshes = meshesOfAKind(12);
 constexpr double ChordFraction = 1e-4;
 
 class RandomIsolines : public ::testing::TestWithParam<MeshKind>

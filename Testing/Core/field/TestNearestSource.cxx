@@ -27,7 +27,7 @@ using geodesic::SurfacePoint;
 namespace
 {
 
-constexpr std::uint64_t MeshesOfAKind = 12;
+constexpr std::uint64_t MeshesOfAKind = meshesOfAKind(12);
 constexpr std::size_t NumberOfQueries = 40;
 constexpr std::size_t FeetTried = 6;
 /// Of unit edges.

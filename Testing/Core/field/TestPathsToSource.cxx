@@ -168,7 +168,7 @@ void expectSamePaths(const std::vector<PathToSource>& a, const std::vector<PathT
 
 void expectAnalyticPaths(AnalyticCase (*makeCase)(Random&))
 {
-  for (std::uint64_t seed = 0; seed < 40; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(40); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -184,7 +184,7 @@ void expectAnalyticPaths(AnalyticCase (*makeCase)(Random&))
 
 TEST_P(PathsToSourceOn, AreAsLongAsTheBruteForceDistanceEndOnTheCurveTheyNameAndAreSeldomLost)
 {
-  for (std::uint64_t seed = 0; seed < 20; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(20); ++seed)
   {
     this->check(seed);
   }
@@ -201,7 +201,7 @@ TEST_P(PathsToSourceOn, AreAsLongAsTheBruteForceDistanceEndOnTheCurveTheyNameAnd
 // What is done for paths that tracing has lost, for all.
 TEST_P(PathsToSourceOn, InWindowsAreAsLongAsTheBruteForceDistance)
 {
-  for (std::uint64_t seed = 0; seed < 10; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(10); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const EngineCase c(GetParam(), seed + 78000);
@@ -230,7 +230,7 @@ TEST_P(PathsToSourceOn, InWindowsAreAsLongAsTheBruteForceDistance)
 // The front stops sooner for one target than for all.
 TEST_P(PathsToSourceOn, OfOneTargetAndInParallelAreThoseOfManyTargets)
 {
-  for (std::uint64_t seed = 0; seed < 5; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(5); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const EngineCase c(GetParam(), seed + 79000);
@@ -250,7 +250,7 @@ TEST_P(PathsToSourceOn, OfOneTargetAndInParallelAreThoseOfManyTargets)
 TEST_P(PathsToSourceOn, FrontsThatStopEarlyTellTheSameDistancesToTheLastBit)
 {
   std::size_t stopped = 0;
-  for (std::uint64_t seed = 0; seed < 10; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(10); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const EngineCase c(GetParam(), seed + 80000);

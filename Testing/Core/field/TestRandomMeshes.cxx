@@ -18,9 +18,9 @@ using namespace geodesictest;
 namespace
 {
 
-constexpr std::uint64_t FixedMeshesOfAKind = 50;
-constexpr std::uint64_t FreshMeshesOfAKind = 10;
-constexpr std::uint64_t MeshesWithPointsBesideVertices = 20;
+constexpr std::uint64_t FixedMeshesOfAKind = meshesOfAKind(50);
+constexpr std::uint64_t FreshMeshesOfAKind = meshesOfAKind(10);
+constexpr std::uint64_t MeshesWithPointsBesideVertices = meshesOfAKind(20);
 constexpr std::size_t NumberOfQueries = 80;
 
 class RandomMeshes : public ::testing::TestWithParam<MeshKind>

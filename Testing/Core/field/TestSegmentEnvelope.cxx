@@ -138,7 +138,7 @@ double compare(const std::vector<Along>& all, const std::vector<double>& truth)
 
 TEST_P(SegmentEnvelopes, AreTheDistanceAlongAnySegmentOfAnyFace)
 {
-  constexpr std::uint64_t meshes = 12;
+  constexpr std::uint64_t meshes = meshesOfAKind(12);
   constexpr int segments = 80;
   double worst = 0.0;
   for (std::uint64_t seed = 0; seed < meshes; ++seed)

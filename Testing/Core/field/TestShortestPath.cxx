@@ -194,7 +194,7 @@ TEST(ShortestPath, CrossesATinyEdgeAtTheEndOfALongWayWhereTheStraightLineDoes)
 
 TEST_P(ShortestPaths, AreAsLongAsTheBruteForceDistanceAndBendOnlyWhereTheyMay)
 {
-  for (std::uint64_t seed = 0; seed < 12; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(12); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 52000);

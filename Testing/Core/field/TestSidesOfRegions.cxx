@@ -25,7 +25,7 @@ using geodesic::SurfacePoint;
 namespace
 {
 
-constexpr std::uint64_t MeshesOfAKind = 12;
+constexpr std::uint64_t MeshesOfAKind = meshesOfAKind(12);
 constexpr std::size_t NumberOfQueries = 160;
 
 /// A region of an oriented mesh, the points where a function that is linear in each face is

@@ -14,7 +14,7 @@ using namespace geodesictest;
 namespace
 {
 
-constexpr std::uint64_t MeshesOfAKind = 12;
+constexpr std::uint64_t MeshesOfAKind = meshesOfAKind(12);
 
 class FrontOnRanks : public ::testing::TestWithParam<MeshKind>
 {
@@ -100,7 +100,7 @@ TEST_P(FrontOnRanks, FindsTheFieldOfTheWholeHoweverItIsCut)
 
 TEST_P(FrontOnRanks, FindsTheFieldBesideBarriersHoweverTheyAreCut)
 {
-  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(6); ++seed)
   {
     const RandomCase c = caseWithBarriers(GetParam(), seed);
     const std::vector<double> whole = inOnePiece(c, {});
@@ -135,7 +135,7 @@ TEST_P(FrontOnRanks, KeepsTheCertifiedBound)
 {
   geodesic::FrontOptions options;
   options.relativeError = 0.01;
-  for (std::uint64_t seed = 0; seed < 4; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(4); ++seed)
   {
     const RandomCase c = randomCase(GetParam(), seed, 0);
     const double rounding = accuracyOn(GetParam()) * largestFinite(c.truth.vertices);
@@ -162,7 +162,7 @@ TEST_P(FrontOnRanks, KeepsTheCertifiedBound)
 
 TEST_P(FrontOnRanks, StopsAtALimitWhereTheWholeDoes)
 {
-  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(6); ++seed)
   {
     const RandomCase c = randomCase(GetParam(), seed, 0);
     const double largest = largestFinite(c.truth.vertices);

@@ -45,7 +45,7 @@ class ParallelFront : public ::testing::TestWithParam<MeshKind>
 TEST_P(ParallelFront, AgreesWithBruteForce)
 {
   Threads threads;
-  for (std::uint64_t seed = 0; seed < 4; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(4); ++seed)
   {
     Random random(seed + 81000);
     const PlainMesh mesh = GetParam().make(600, random);
@@ -80,7 +80,7 @@ TEST_P(ParallelFront, AgreesWithBruteForce)
 TEST_P(ParallelFront, GivesTheBitsOfOneThread)
 {
   Threads threads;
-  for (std::uint64_t seed = 0; seed < 3; ++seed)
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(3); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 82000);

@@ -99,7 +99,7 @@ protected:
 
 TEST_P(Refinement, IsNowhereOverTheToleranceOnRandomMeshes)
 {
-  constexpr std::uint64_t meshes = 12;
+  constexpr std::uint64_t meshes = meshesOfAKind(12);
   constexpr std::size_t samples = 10000;
   double worst = 0.0;
   for (std::uint64_t seed = 0; seed < meshes; ++seed)
@@ -116,7 +116,7 @@ TEST_P(Refinement, IsNowhereOverTheToleranceOnRandomMeshes)
 
 TEST_P(Refinement, SeesASourceThatIsStrictlyInsideOneFace)
 {
-  constexpr std::uint64_t meshes = 6;
+  constexpr std::uint64_t meshes = meshesOfAKind(6);
   constexpr std::size_t samples = 3000;
   for (std::uint64_t seed = 0; seed < meshes; ++seed)
   {
@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Refinement, ::testing::ValuesIn(meshKinds()),
 
 TEST_P(Refinement, OfAnApproximateFieldMeetsTheToleranceAtEveryEpsilon)
 {
-  constexpr std::uint64_t meshes = 3;
+  constexpr std::uint64_t meshes = meshesOfAKind(3);
   for (std::uint64_t seed = 0; seed < meshes; ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -4,6 +4,7 @@
 
 #include "truth/TestMeshes.h"
 
+#include <cstdint>
 #include <iosfwd>
 #include <vector>
 
@@ -21,6 +22,17 @@ struct MeshKind
 std::ostream& operator<<(std::ostream& os, const MeshKind& kind);
 
 const std::vector<MeshKind>& meshKinds();
+
+/// How many random meshes of a kind a test takes: `full`, but two at most where sanitizers run.
+/// What these find depends on the way through the code and hardly on the numbers.
+constexpr std::uint64_t meshesOfAKind(std::uint64_t full)
+{
+#ifdef GEODESIC_FEW_MESHES
+  return full < 2 ? full : 2;
+#else
+  return full;
+#endif
+}
 
 /// Mostly 50 to 500 faces, some up to 2,000.
 Index randomSize(Random& random);
