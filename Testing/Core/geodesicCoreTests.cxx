@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs the engine's tests that the arguments choose. CTest has one entry a suite: it counts as
-// skipped where a test of it could not run and none failed.
+// Runs the engine's tests that the arguments choose. CTest has one entry a suite, which counts as
+// skipped where none of its tests could run.
 #include <gtest/gtest.h>
 
 namespace
@@ -12,6 +12,7 @@ int main(int argc, char* argv[])
 {
   ::testing::InitGoogleTest(&argc, argv);
   const int result = RUN_ALL_TESTS();
-  const bool hasSkipped = ::testing::UnitTest::GetInstance()->skipped_test_count() > 0;
-  return result == 0 && hasSkipped ? Skipped : result;
+  const ::testing::UnitTest& all = *::testing::UnitTest::GetInstance();
+  const bool hasRun = all.successful_test_count() + all.failed_test_count() > 0;
+  return hasRun || all.skipped_test_count() == 0 ? result : Skipped;
 }
