@@ -94,6 +94,10 @@ constexpr double NearVertex = 1e-5;
 /// them.
 constexpr double MergedDepth = 1e-6;
 
+/// An edge shorter than this fraction of another one of its face sees rays pass from where that one
+/// ends: places rounded along the longer one would turn them by an angle of Rounding / ShortEdge.
+constexpr double ShortEdge = 1e-6;
+
 /// A source's point is near a halfedge when nearer than this fraction of its length. The ends of
 /// windows on the halfedge are rounded to a fraction Rounding of it, which seen from the point is
 /// an angle of Rounding / NearEdge: from nearer its rays are sent through the face behind in one

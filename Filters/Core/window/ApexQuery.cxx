@@ -22,7 +22,8 @@ inline void describe(const Window* nearest, double crossing, ApexDistance& short
 
 } // anonymous namespace
 
-ApexQuery fullApexQuery(const WindowRange& list, Vec2 apex, std::vector<ApexSide>& sides)
+ApexQuery fullApexQuery(
+  const WindowRange& list, Vec2 apex, std::vector<ApexSide>& sides, double restOfX)
 {
   if (sides.size() < list.size())
   {
@@ -45,9 +46,9 @@ ApexQuery fullApexQuery(const WindowRange& list, Vec2 apex, std::vector<ApexSide
   for (std::size_t i = 0; i < list.size(); ++i)
   {
     const Window& w = list.first[i];
-    const ApexSide side = w.passesRightOf(w.begin, apex) ? ApexSide::Right
-      : w.passesRightOf(w.end, apex)                     ? ApexSide::Both
-                                                         : ApexSide::Left;
+    const ApexSide side = w.passesRightOf(w.begin, apex, restOfX) ? ApexSide::Right
+      : w.passesRightOf(w.end, apex, restOfX)                     ? ApexSide::Both
+                                                                  : ApexSide::Left;
     sides[i] = side;
     if (side == ApexSide::Both)
     {

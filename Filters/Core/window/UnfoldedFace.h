@@ -21,6 +21,10 @@ struct UnfoldedFace
   /// The apex, and its distance along the halfedge from the halfedge's destination.
   Vec2 apex;
   double apexFromEnd;
+  /// What rounding has taken from apex.x, where the right edge is short: from the destination the
+  /// apex must be seen where apexFromEnd has it, or rays would pass the right edge from its far
+  /// side. 0 elsewhere.
+  double restOfApexX;
   /// Unit vectors along the left and the right edge.
   Vec2 leftAxis;
   Vec2 rightAxis;

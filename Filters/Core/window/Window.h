@@ -138,10 +138,11 @@ struct Window
   }
 
   /// Whether the ray through x passes on the right of the point p, which lies above the halfedge.
-  bool passesRightOf(double x, Vec2 p) const
+  /// What rounding has taken from p.x may be given.
+  bool passesRightOf(double x, Vec2 p, double restOfX = 0.0) const
   {
     const Vec2 d = this->direction(x);
-    return d.x * p.y > d.y * (p.x - x);
+    return d.x * p.y > d.y * (p.x - x + restOfX);
   }
 
   /// Where the ray to p crosses the halfedge, moved to the nearest end of the interval when

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edges that are shorter than the rounding of the other edges of their faces, as points leave that
+// are nearly at one place. GEODESIC_TEST_SEEDS takes other seeds.
+#include "EngineSupport.h"
+#include "Seeds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <string>
+
+using namespace geodesictest;
+
+namespace
+{
+
+constexpr std::uint64_t MeshesOfAKind = 12;
+constexpr std::size_t NumberOfQueries = 20;
+
+/// A mesh with vertices that are nearly at one place, and the mesh where they are one vertex.
+struct SplitMesh
+{
+  PlainMesh mesh;
+  PlainMesh whole;
+  /// The vertex of `whole` that a vertex has come from.
+  std::vector<Index> vertexOfWhole;
+
+  /// The values of `whole` at the vertices.
+  std::vector<double> atVertices(const std::vector<double>& ofWhole) const
+  {
+    std::vector<double> result;
+    for (const Index v : this->vertexOfWhole)
+    {
+      result.push_back(ofWhole[v]);
+    }
+    return result;
+  }
+};
+
+/// A face at a vertex, which is its corner k, with its two other vertices in the order in which the
+/// faces stand around the vertex.
+struct FanFace
+{
+  Index face;
+  Index k;
+  Index before;
+  Index behind;
+};
+
+/// The faces of a vertex in the order around it; empty where they are not one fan.
+std::vector<FanFace> fanAround(const PlainMesh& mesh, Index vertex)
+{
+  std::vector<FanFace> fan;
+  std::map<Index, int> facesAtEdgeTo;
+  for (Index f = 0; f < mesh.triangles.size(); ++f)
+  {
+    for (Index k = 0; k < 3; ++k)
+    {
+      const Triangle& t = mesh.triangles[f];
+      if (t[k] == vertex)
+      {
+        fan.push_back({ f, k, t[(k + 1) % 3], t[(k + 2) % 3] });
+        ++facesAtEdgeTo[t[(k + 1) % 3]];
+        ++facesAtEdgeTo[t[(k + 2) % 3]];
+      }
+    }
+  }
+  // An open fan begins at an edge with one face.
+  Index last = fan.empty() ? 0 : fan.front().before;
+  for (const auto& [neighbour, faces] : facesAtEdgeTo)
+  {
+    if (faces > 2)
+    {
+      return {};
+    }
+    last = faces == 1 ? neighbour : last;
+  }
+  for (auto place = fan.begin(); place != fan.end(); ++place)
+  {
+    const auto next = std::find_if(
+      place, fan.end(), [last](const FanFace& f) { return f.before == last || f.behind == last; });
+    if (next == fan.end())
+    {
+      return {};
+    }
+    std::swap(*place, *next);
+    if (place->before != last)
+    {
+      std::swap(place->before, place->behind);
+    }
+    last = place->behind;
+  }
+  return fan;
+}
+
+/// Splits a vertex in two: some faces in a row go to the new one, and one or two new faces close
+/// the gap. \returns whether it has faces enough for that.
+bool splitVertex(SplitMesh& split, Index vertex, const Vec3& place, Random& random)
+{
+  PlainMesh& mesh = split.mesh;
+  const std::vector<FanFace> fan = fanAround(mesh, vertex);
+  if (fan.size() < 2)
+  {
+    return false;
+  }
+  const bool isClosed = fan.back().behind == fan.front().before;
+  const Index first = isClosed ? random.below(fan.size() - 1) : 0;
+  const Index last = random.between(first, static_cast<Index>(fan.size()) - 2);
+  const Index added = static_cast<Index>(mesh.points.size());
+  mesh.points.push_back(place);
+  split.vertexOfWhole.push_back(split.vertexOfWhole[vertex]);
+  for (Index i = first; i <= last; ++i)
+  {
+    mesh.triangles[fan[i].face][fan[i].k] = added;
+  }
+  if (isClosed)
+  {
+    mesh.triangles.push_back({ vertex, fan[first].before, added });
+  }
+  mesh.triangles.push_back({ vertex, added, fan[last].behind });
+  return true;
+}
+
+/// The vertex moves to the origin, around which doubles lie as close as the gaps are narrow: from
+/// `largest` down to `smallest`.
+SplitMesh withTinyEdges(const PlainMesh& mesh, double smallest, double largest, Random& random)
+{
+  SplitMesh split{ mesh, {}, {} };
+  for (Index v = 0; v < mesh.points.size(); ++v)
+  {
+    split.vertexOfWhole.push_back(v);
+  }
+  Index vertex = random.below(mesh.points.size());
+  for (std::size_t i = 0; i < mesh.points.size() && fanAround(mesh, vertex).size() < 2; ++i)
+  {
+    vertex = static_cast<Index>((vertex + 1) % mesh.points.size());
+  }
+  const Vec3 origin = mesh.points[vertex];
+  for (Vec3& p : split.mesh.points)
+  {
+    p = { p[0] - origin[0], p[1] - origin[1], p[2] - origin[2] };
+  }
+  split.whole = split.mesh;
+  const Index splits = random.between(1, 3);
+  for (Index i = 0; i < splits; ++i)
+  {
+    const double gap = std::pow(10.0, random.uniform(std::log10(smallest), std::log10(largest)));
+    const bool isAxis = random.chance(0.3);
+    const Vec3 place = { gap * random.uniform(-1.0, 1.0),
+      isAxis ? 0.0 : gap * random.uniform(-1.0, 1.0),
+      isAxis ? 0.0 : gap * random.uniform(-1.0, 1.0) };
+    EXPECT_TRUE(splitVertex(split, vertex, place, random) || i > 0);
+    vertex = random.chance(0.5) ? vertex : static_cast<Index>(split.mesh.points.size() - 1);
+  }
+  return split;
+}
+
+class TinyEdges : public ::testing::TestWithParam<MeshKind>
+{
+};
+
+}
+
+TEST(TinyEdgesFound, ARayDoesNotPassAnEdgeFromItsFarSide)
+{
+  for (const double gap : { 0.0, 1e-25, 1e-20, 1e-17, 1e-16, 1e-15, 1e-13, 1e-10 })
+  {
+    PlainMesh mesh;
+    mesh.points = { { 0, 0, 0 }, { -gap, 0, 0 }, { 1.75, .75, .25 }, { -.75, 1.75, 0 },
+      { -1.75, -.75, -1 }, { .75, -1.75, .25 }, { 1, 2.5, .75 }, { -2.5, 1, .75 },
+      { -1, -2.5, -.25 }, { 2.5, -1, .25 } };
+    mesh.triangles = { { 0, 2, 3 }, { 1, 3, 4 }, { 1, 4, 5 }, { 1, 5, 2 }, { 0, 3, 1 }, { 0, 1, 2 },
+      { 3, 2, 6 }, { 4, 3, 7 }, { 5, 4, 8 }, { 2, 5, 9 } };
+    Sources source;
+    source.points = { { 8, { 0.0, 0.5, 0.5 } } };
+    const BruteForceResult truth = bruteForceDistances(mesh, source);
+    const EngineResult result = engineDistances(mesh, source);
+    EXPECT_LE(
+      worstError(result.vertices, truth.vertices, largestFinite(truth.vertices)), OrdinaryAccuracy)
+      << "gap " << gap;
+  }
+}
+
+TEST_P(TinyEdges, DistancesAreThoseWithoutThem)
+{
+  const Seeds seeds = seedsOfTest(MeshesOfAKind);
+  double worst = 0.0;
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 47000);
+    const SplitMesh split =
+      withTinyEdges(GetParam().make(random.between(20, 80), random), 1e-25, 1e-13, random);
+    CurveMaker maker(split.whole, random);
+    const Sources sources = toSources(maker.anySource());
+    const std::vector<MeshPoint> queries = randomPoints(split.whole, NumberOfQueries, random);
+    const BruteForceResult truth = bruteForceDistances(split.whole, sources, queries);
+    const double largest = largestFinite(truth.vertices);
+
+    const geodesic::TriangleMesh engine = engineMesh(split.mesh);
+    const std::vector<geodesic::SourceCurve> curves = engineCurves(engine, sources);
+    const EngineResult result = engineDistances(split.mesh, curves, engine, queries);
+    const double error =
+      std::max(worstError(result.vertices, split.atVertices(truth.vertices), largest),
+        worstError(result.queries, truth.queries, largest));
+    EXPECT_LE(error, accuracyOn(GetParam()));
+    worst = std::max(worst, error);
+    expectCertified(solveKeepingAll(engine, curves, 0.01), queries,
+      { split.atVertices(truth.vertices), truth.queries }, accuracyOn(GetParam()));
+  }
+  std::cout << "worst relative error on " << GetParam().name << ": " << worst << "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, TinyEdges, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });
