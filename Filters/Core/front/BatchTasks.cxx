@@ -165,7 +165,7 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
     return;
   }
   const UnfoldedFace face = unfold(this->mesh_, halfedge);
-  const ApexQuery apex = fullApexQuery(list, face.apex, worker.apexSides, face.restOfApexX);
+  const ApexQuery apex = fullApexQuery(list, face.apex, worker.apexSides);
   const Window& first = *list.begin();
   const Window& last = *(list.end() - 1);
   // Along the halfedge: bounds only, no shortest path comes so to a corner.

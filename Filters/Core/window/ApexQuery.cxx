@@ -23,7 +23,7 @@ inline void describe(const Window* nearest, double crossing, ApexDistance& short
 } // anonymous namespace
 
 ApexQuery fullApexQuery(
-  const WindowRange& list, Vec2 apex, std::vector<ApexSide>& sides, double restOfX)
+  const WindowRange& list, const PointOverHalfedge& apex, std::vector<ApexSide>& sides)
 {
   if (sides.size() < list.size())
   {
@@ -46,9 +46,9 @@ ApexQuery fullApexQuery(
   for (std::size_t i = 0; i < list.size(); ++i)
   {
     const Window& w = list.first[i];
-    const ApexSide side = w.passesRightOf(w.begin, apex, restOfX) ? ApexSide::Right
-      : w.passesRightOf(w.end, apex, restOfX)                     ? ApexSide::Both
-                                                                  : ApexSide::Left;
+    const ApexSide side = w.passesRightOf(w.begin, apex) ? ApexSide::Right
+      : w.passesRightOf(w.end, apex)                     ? ApexSide::Both
+                                                         : ApexSide::Left;
     sides[i] = side;
     if (side == ApexSide::Both)
     {

@@ -52,9 +52,8 @@ struct ApexQuery
 ///
 /// \param sides keeps the sides of the windows, to which the result refers; replaced, and never
 ///        shorter than before.
-/// \param restOfX UnfoldedFace::restOfApexX.
 ApexQuery fullApexQuery(
-  const WindowRange& list, Vec2 apex, std::vector<ApexSide>& sides, double restOfX = 0.0);
+  const WindowRange& list, const PointOverHalfedge& apex, std::vector<ApexSide>& sides);
 
 /// The quick query of the apex: asks only the windows about it, in logarithmic time. Where rays of
 /// several windows cross below the apex, a shorter path may be overlooked. That is enough to tell

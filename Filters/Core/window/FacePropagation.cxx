@@ -105,7 +105,7 @@ inline void leaveThrough(
     return;
   }
   // moved(), of what changes, written where the window will stand
-  const Vec2 origin = exit.isLeft ? Vec2{ 0.0, 0.0 } : exit.face.apex;
+  const Vec2 origin = exit.isLeft ? Vec2{ 0.0, 0.0 } : Vec2(exit.face.apex);
   const TwoDoubles unfolded = TwoDoubles(w.sourceX - origin.x) * exit.ofX +
     TwoDoubles(w.sourceDepth + origin.y) * exit.ofDepth;
   const TwoDoubles source = TwoDoubles::raisedTo(TwoDoubles(-Infinity, 0.0), unfolded);

@@ -15,13 +15,12 @@ UnfoldedFace unfold(const TriangleMesh& mesh, Id halfedge)
   face.length = shape.length[k];
   face.rightLength = shape.length[next];
   face.leftLength = shape.length[(k + 2) % 3];
-  face.apex = { shape.cornerDot[k] / face.length, shape.area2 / face.length };
+  face.apex = Vec2{ shape.cornerDot[k] / face.length, shape.area2 / face.length };
   face.apexFromEnd = shape.cornerDot[next] / face.length;
-  face.restOfApexX = 0.0;
   if (face.rightLength < tolerance::ShortEdge * face.length)
   {
     face.apex.x = face.length - face.apexFromEnd;
-    face.restOfApexX = face.length - face.apex.x - face.apexFromEnd;
+    face.apex.restOfX = face.length - face.apex.x - face.apexFromEnd;
   }
   // An edge without length carries no window; any axis will do.
   face.leftAxis = face.leftLength > 0.0 ? (1.0 / face.leftLength) * face.apex : Vec2{ 1.0, 0.0 };

@@ -18,13 +18,11 @@ struct UnfoldedFace
   double length;
   double leftLength;
   double rightLength;
-  /// The apex, and its distance along the halfedge from the halfedge's destination.
-  Vec2 apex;
+  /// The apex, and its distance along the halfedge from the halfedge's destination. Where the right
+  /// edge is short, the destination must see the apex where the distance has it, or rays would pass
+  /// that edge from its far side: only there the apex has a restOfX.
+  PointOverHalfedge apex = Vec2{};
   double apexFromEnd;
-  /// What rounding has taken from apex.x, where the right edge is short: from the destination the
-  /// apex must be seen where apexFromEnd has it, or rays would pass the right edge from its far
-  /// side. 0 elsewhere.
-  double restOfApexX;
   /// Unit vectors along the left and the right edge.
   Vec2 leftAxis;
   Vec2 rightAxis;

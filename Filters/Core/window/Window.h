@@ -37,6 +37,18 @@ struct CurveSide
   }
 };
 
+/// A point over a halfedge, with what rounding has taken from its x.
+struct PointOverHalfedge : Vec2
+{
+  double restOfX = 0.0;
+
+  PointOverHalfedge(Vec2 p, double rest = 0.0)
+    : Vec2(p)
+    , restOfX(rest)
+  {
+  }
+};
+
 /// A window: an interval of a halfedge together with the pencil of rays that enters the halfedge's
 /// face through it (paper, sections 3.2 and 4.2.1).
 ///
@@ -138,11 +150,10 @@ struct Window
   }
 
   /// Whether the ray through x passes on the right of the point p, which lies above the halfedge.
-  /// What rounding has taken from p.x may be given.
-  bool passesRightOf(double x, Vec2 p, double restOfX = 0.0) const
+  bool passesRightOf(double x, const PointOverHalfedge& p) const
   {
     const Vec2 d = this->direction(x);
-    return d.x * p.y > d.y * (p.x - x + restOfX);
+    return d.x * p.y > d.y * (p.x - x + p.restOfX);
   }
 
   /// Where the ray to p crosses the halfedge, moved to the nearest end of the interval when
