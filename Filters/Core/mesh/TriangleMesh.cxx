@@ -427,17 +427,20 @@ TriangleMesh::PseudoSource TriangleMesh::findPseudoSource(Id vertex) const
   double angle = 0.0;
   std::size_t boundaryEdges = 0;
   bool manifold = true;
+  bool isBesideAnother = false;
   for (const Id corner : corners)
   {
     angle += this->cornerAngle(corner);
+    const double longest = this->shape(corner / 3).longest();
     for (const Id halfedge : { corner, previousInFace(corner) })
     {
+      isBesideAnother = isBesideAnother || this->length(halfedge) < tolerance::ShortEdge * longest;
       const Id other = this->nextSibling(halfedge);
       boundaryEdges += other == halfedge ? 1 : 0;
       manifold = manifold && this->nextSibling(other) == halfedge;
     }
   }
-  if (!manifold || boundaryEdges > 2 || !this->isOneFan(vertex))
+  if (!manifold || boundaryEdges > 2 || isBesideAnother || !this->isOneFan(vertex))
   {
     return PseudoSource::Irregular;
   }

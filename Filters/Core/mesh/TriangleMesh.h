@@ -153,7 +153,8 @@ public:
     None,
     /// One fan of faces with a total angle over 2 pi, on the boundary over pi.
     Saddle,
-    /// Several fans, or an edge of three and more faces: angles say nothing.
+    /// Several fans, an edge of three and more faces, or another vertex so close by that the rays
+    /// that it sends past this one are told from rounding: angles say nothing.
     Irregular
   };
   PseudoSource pseudoSource(Id vertex) const { return this->pseudoSource_[vertex]; }
