@@ -324,7 +324,8 @@ TEST(ApexQuery, TheQuickOneFindsARealPath)
 TEST(ApexQuery, OfAnEmptyListItIsInfinite)
 {
   std::vector<ApexSide> sides;
-  EXPECT_EQ(geodesic::fullApexQuery({}, { 0.5, 1.0 }, sides).shortest.distance, Infinity);
+  EXPECT_EQ(
+    geodesic::fullApexQuery({}, geodesic::Vec2{ 0.5, 1.0 }, sides).shortest.distance, Infinity);
   EXPECT_EQ(geodesic::quickApexQuery({}, { 0.5, 1.0 }).distance, Infinity);
 }
 
@@ -337,7 +338,7 @@ TEST(ApexQuery, TheErrorIsThatOfTheWindowThatGivesTheDistance)
   const std::vector<Window> windows = { near, far };
   const WindowRange list = { windows.data(), windows.data() + windows.size() };
   std::vector<ApexSide> sides;
-  EXPECT_EQ(fullApexQuery(list, { 0.3, 1.0 }, sides).shortest.error, 0.01);
+  EXPECT_EQ(fullApexQuery(list, geodesic::Vec2{ 0.3, 1.0 }, sides).shortest.error, 0.01);
   EXPECT_EQ(quickApexQuery(list, { 0.3, 1.0 }).error, 0.01);
 }
 
