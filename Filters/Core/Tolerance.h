@@ -96,6 +96,7 @@ constexpr double MergedDepth = 1e-6;
 
 /// An edge shorter than this fraction of another one of its face sees rays pass from where that one
 /// ends: places rounded along the longer one would turn them by an angle of Rounding / ShortEdge.
+/// The vertices at its ends emit, as rays from one past the other have no better direction.
 constexpr double ShortEdge = 1e-6;
 
 /// A source's point is near a halfedge when nearer than this fraction of its length. The ends of
