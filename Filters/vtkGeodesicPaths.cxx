@@ -13,6 +13,8 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkGeodesicPaths);
 
@@ -29,38 +31,115 @@ void NoteUnreached(geodesic::FilterExecution& execution, std::size_t count)
     "not reached: no path on the surface leads from there to the source.");
 }
 
-/// Where the surface is in pieces: finds the paths of the targets in this rank's piece, and gets
-/// those of the targets that this rank's input had, in their order.
-std::vector<geodesic::PathOfTarget> PathsOfThisRank(const geodesic::FilterExecution& execution,
-  const geodesic::Targets& targets, const geodesic::PathsOptions& options)
+std::vector<geodesic::Vec3> PlacesOf(
+  const geodesic::TriangleMesh& mesh, const std::vector<geodesic::SurfacePoint>& points)
 {
-  const geodesic::SurfacePart& part = *execution.surface().part();
-  const std::vector<geodesic::PathInSpace> found = geodesic::pathsOnRanks(
-    part, execution.patch(), execution.sources().curves, targets.places, options);
-  std::vector<geodesic::Message> messages = part.exchange().noMessages();
-  for (std::size_t i = 0; i < found.size(); ++i)
+  std::vector<geodesic::Vec3> places;
+  places.reserve(points.size());
+  for (const geodesic::SurfacePoint& point : points)
   {
-    if (!found[i].points.empty())
+    places.push_back(geodesic::position(mesh, point));
+  }
+  return places;
+}
+
+/// Finds the paths of all targets; where the surface is in pieces, of those in this rank's piece.
+std::vector<geodesic::PathOfTarget> FindPaths(geodesic::FilterExecution& execution)
+{
+  const geodesic::Targets targets = execution.readTargets(TargetsRead);
+  execution.enter(geodesic::Stage::ComputingDistances);
+  const geodesic::PolyDataSurface& surface = execution.surface();
+  geodesic::PathsOptions options;
+  options.parallelFor = geodesic::smpParallelFor();
+  options.progress = execution.progressBetween(TargetsRead, PathsFound);
+  std::vector<geodesic::PathOfTarget> paths;
+  const auto add = [&](std::size_t i, std::vector<geodesic::Vec3> points, geodesic::Id source)
+  {
+    if (!points.empty())
     {
-      const int home = execution.rankOfTarget(targets.numbers[i]);
-      geodesic::Message& message = messages[static_cast<std::size_t>(home)];
-      geodesic::put(message, targets.numbers[i]);
-      geodesic::put(message, targets.snapDistances[i]);
-      geodesic::put(message, found[i].source);
-      geodesic::put(message, found[i].points.size());
-      geodesic::put(message, found[i].points.data(), found[i].points.size());
+      paths.push_back({ targets.numbers[i], targets.snapDistances[i], std::move(points), source });
+    }
+  };
+  const std::vector<geodesic::SourceCurve>& curves = execution.sources().curves;
+  if (surface.part())
+  {
+    std::vector<geodesic::PathInSpace> found =
+      geodesic::pathsOnRanks(*surface.part(), execution.patch(), curves, targets.places, options);
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      add(i, std::move(found[i].points), found[i].source);
     }
   }
-  std::vector<geodesic::PathOfTarget> paths;
-  geodesic::readEach(part.exchange().step(std::move(messages)),
+  else
+  {
+    std::vector<geodesic::PathToSource> found =
+      geodesic::pathsToSource(surface.mesh(), curves, targets.places, options);
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      // Freed path by path: there may be no memory for all of them twice.
+      const std::vector<geodesic::SurfacePoint> points = std::move(found[i].points);
+      add(i, PlacesOf(surface.mesh(), points), found[i].source);
+    }
+  }
+  execution.reach(PathsFound);
+  NoteUnreached(execution, targets.count - execution.sumOverPieces(paths.size()));
+  return paths;
+}
+
+void PutPath(geodesic::Message& message, const geodesic::PathOfTarget& path)
+{
+  geodesic::put(message, path.target);
+  geodesic::put(message, path.snapDistance);
+  geodesic::put(message, path.source);
+  geodesic::put(message, path.points.size());
+  geodesic::put(message, path.points.data(), path.points.size());
+}
+
+geodesic::PathOfTarget GetPath(geodesic::MessageReader& reader)
+{
+  geodesic::PathOfTarget path;
+  path.target = reader.get<std::size_t>();
+  path.snapDistance = reader.get<double>();
+  path.source = reader.get<geodesic::Id>();
+  path.points.resize(reader.get<std::size_t>());
+  reader.get(path.points.data(), path.points.size());
+  return path;
+}
+
+/// Sends every path to the rank whose input had its target. All ranks call this together.
+///
+/// \param paths found here.
+/// \param scale of the surface, which ranks that have nothing of it are told.
+/// \returns those of this rank's targets, in their order.
+std::vector<geodesic::PathOfTarget> SendHome(const geodesic::FilterExecution& execution,
+  std::vector<geodesic::PathOfTarget> paths, geodesic::PowerOfTwoScale& scale)
+{
+  geodesic::Exchange& exchange = *execution.exchange();
+  const bool areFoundByAll = execution.surfacePlace() == geodesic::SurfacePlace::OnEveryRank;
+  std::vector<geodesic::Message> messages = exchange.noMessages();
+  for (geodesic::PathOfTarget& found : paths)
+  {
+    const geodesic::PathOfTarget path = std::move(found); // freed path by path
+    const int home = execution.rankOfTarget(path.target);
+    if (!areFoundByAll || home == exchange.rank())
+    {
+      geodesic::Message& message = messages[geodesic::indexOf(home)];
+      if (message.empty())
+      {
+        geodesic::put(message, scale);
+      }
+      PutPath(message, path);
+    }
+  }
+  paths.clear();
+  geodesic::readEach(exchange.step(std::move(messages)),
     [&](int, geodesic::MessageReader& reader)
     {
-      geodesic::PathOfTarget& path = paths.emplace_back();
-      path.target = reader.get<std::size_t>();
-      path.snapDistance = reader.get<double>();
-      path.source = reader.get<geodesic::Id>();
-      path.points.resize(reader.get<std::size_t>());
-      reader.get(path.points.data(), path.points.size());
+      scale = reader.get<geodesic::PowerOfTwoScale>();
+      while (!reader.isAtEnd())
+      {
+        paths.push_back(GetPath(reader));
+      }
     });
   std::sort(paths.begin(), paths.end(),
     [](const geodesic::PathOfTarget& a, const geodesic::PathOfTarget& b)
@@ -110,38 +189,19 @@ void vtkGeodesicPaths::Compute(
 {
   execution.requireTargets();
   execution.readInputs(geodesic::FilterExecution::Pieces::Taken);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (execution.surfacePlace() == geodesic::SurfacePlace::Elsewhere)
+  std::vector<geodesic::PathOfTarget> paths;
+  geodesic::PowerOfTwoScale scale;
+  if (execution.surfacePlace() != geodesic::SurfacePlace::Elsewhere)
   {
-    geodesic::writePaths(geodesic::PowerOfTwoScale(), {}, output, {});
-    return;
+    paths = FindPaths(execution);
+    scale = execution.surface().scale();
   }
-  const geodesic::Targets targets = execution.readTargets(TargetsRead);
-
-  execution.enter(geodesic::Stage::ComputingDistances);
-  const geodesic::PolyDataSurface& surface = execution.surface();
-  geodesic::PathsOptions options;
-  options.parallelFor = geodesic::smpParallelFor();
-  options.progress = execution.progressBetween(TargetsRead, PathsFound);
-  if (surface.part())
+  if (execution.exchange())
   {
-    const std::vector<geodesic::PathOfTarget> paths = PathsOfThisRank(execution, targets, options);
-    execution.reach(PathsFound);
-    NoteUnreached(execution, targets.count - execution.sumOverPieces(paths.size()));
-    execution.enter(geodesic::Stage::WritingOutputs);
-    geodesic::writePaths(
-      surface.scale(), paths, output, execution.progressBetween(PathsFound, 1.0));
-    return;
+    paths = SendHome(execution, std::move(paths), scale);
   }
-  const std::vector<geodesic::PathToSource> paths =
-    geodesic::pathsToSource(surface.mesh(), execution.sources().curves, targets.places, options);
-  execution.reach(PathsFound);
-
   execution.enter(geodesic::Stage::WritingOutputs);
-  const auto isFound = [](const geodesic::PathToSource& path) { return !path.points.empty(); };
-  const auto found = static_cast<std::size_t>(std::count_if(paths.begin(), paths.end(), isFound));
-  NoteUnreached(execution, targets.count - found);
-  geodesic::writePaths(surface.mesh(), surface.scale(), targets, paths, output,
+  geodesic::writePaths(scale, paths, vtkPolyData::GetData(outputVector, 0),
     execution.progressBetween(PathsFound, 1.0));
 }
 

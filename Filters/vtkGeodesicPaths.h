@@ -53,7 +53,8 @@
  * @par Ranks:
  * With several MPI ranks executing is collective, as of vtkGeodesicDistanceField. Targets of all
  * ranks are gathered and numbered as sources are; a path, which may run over all pieces of the
- * surface, is put out by the rank where its target was, by rank 0 where all had the same targets.
+ * surface, is put out by the rank where its target was, by rank 0 where all had the same targets,
+ * whether the surface is in pieces, on one rank or on every rank.
  *
  * @par Thanks:
  * David Bommes and Leif Kobbelt, "Accurate Computation of Geodesic Distance Fields for Polygonal

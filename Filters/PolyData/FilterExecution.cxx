@@ -135,8 +135,9 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
     std::all_of(all.begin(), all.end(), [&](const Piece& piece) { return piece == all.front(); });
   if (areAlike && this->isSameOnAllRanks(barriers))
   {
-    const bool isWorker = pieces == Pieces::Taken || this->isFirstRank();
-    this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::Elsewhere;
+    this->place_ = pieces == Pieces::Taken ? SurfacePlace::OnEveryRank
+      : this->isFirstRank()                ? SurfacePlace::Here
+                                           : SurfacePlace::Elsewhere;
     return;
   }
   this->place_ = SurfacePlace::InPieces;

@@ -47,6 +47,8 @@ enum class SurfacePlace
 {
   /// Whole in this process, which works alone.
   Here,
+  /// Whole on every rank, each of which works alone.
+  OnEveryRank,
   /// Whole on another rank, which works alone: this one has nothing of it.
   Elsewhere,
   /// Each rank has a piece, or nothing, and all work together.
@@ -85,6 +87,8 @@ public:
   /// \throws geodesic::Error where one of them cannot be used; Aborted.
   void readInputs(Pieces pieces);
   SurfacePlace surfacePlace() const { return this->place_; }
+  /// Between all ranks; null where there is one process only.
+  Exchange* exchange() const { return this->exchange_; }
   /// Gives ranks where the surface is Elsewhere the numbers that the working rank has found. All
   /// ranks call this.
   void shareNumbers(const std::vector<double*>& numbers);
@@ -117,7 +121,7 @@ public:
   /// Whether this rank puts out what all have of the source.
   bool hasSourceOutput() const
   {
-    return this->place_ == SurfacePlace::Here || this->exchange_->rank() == 0;
+    return this->place_ != SurfacePlace::InPieces || this->isFirstRank();
   }
   /// On which the curves of sources() lie: the surface's, or that of a patch() around them.
   const TriangleMesh& meshOfSources() const;

@@ -109,63 +109,30 @@ private:
   vtkNew<vtkDoubleArray> snapDistances_;
 };
 
-/// \param sizeOf (i) -> how many points path i has; 0: it is left out.
-/// \param pathAt (i) -> PathOfTarget.
-template <typename SizeOf, typename PathAt>
-void writeAll(std::size_t count, const SizeOf& sizeOf, const PathAt& pathAt,
-  const PowerOfTwoScale& scale, vtkPolyData* output, const ProgressCallback& callback)
-{
-  vtkIdType paths = 0;
-  vtkIdType points = 0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    paths += sizeOf(i) > 0 ? 1 : 0;
-    points += static_cast<vtkIdType>(sizeOf(i));
-  }
-  PathArrays arrays(scale);
-  arrays.allocate(paths, points);
-  LoopProgress progress(callback);
-  progress.nextUntil(1.0);
-  std::size_t done = 0; // points: paths may be long
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    if (sizeOf(i) > 0)
-    {
-      arrays.add(pathAt(i));
-      for (std::size_t k = 0; k < sizeOf(i); ++k)
-      {
-        progress.at(done++, static_cast<std::size_t>(points));
-      }
-    }
-  }
-  arrays.giveTo(output);
-}
-
-}
-
-void writePaths(const TriangleMesh& mesh, const PowerOfTwoScale& scale, const Targets& targets,
-  const std::vector<PathToSource>& paths, vtkPolyData* output, const ProgressCallback& progress)
-{
-  const auto pathAt = [&](std::size_t i)
-  {
-    PathOfTarget path = { targets.numbers[i], targets.snapDistances[i], {}, paths[i].source };
-    for (const SurfacePoint& point : paths[i].points)
-    {
-      path.points.push_back(position(mesh, point));
-    }
-    return path;
-  };
-  writeAll(
-    paths.size(), [&](std::size_t i) { return paths[i].points.size(); }, pathAt, scale, output,
-    progress);
 }
 
 void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,
-  vtkPolyData* output, const ProgressCallback& progress)
+  vtkPolyData* output, const ProgressCallback& callback)
 {
-  writeAll(
-    paths.size(), [&](std::size_t i) { return paths[i].points.size(); },
-    [&](std::size_t i) { return paths[i]; }, scale, output, progress);
+  std::size_t points = 0;
+  for (const PathOfTarget& path : paths)
+  {
+    points += path.points.size();
+  }
+  PathArrays arrays(scale);
+  arrays.allocate(static_cast<vtkIdType>(paths.size()), static_cast<vtkIdType>(points));
+  LoopProgress progress(callback);
+  progress.nextUntil(1.0);
+  std::size_t done = 0; // points: paths may be long
+  for (const PathOfTarget& path : paths)
+  {
+    arrays.add(path);
+    for (std::size_t i = 0; i < path.points.size(); ++i)
+    {
+      progress.at(done++, points);
+    }
+  }
+  arrays.giveTo(output);
 }
 
 }

@@ -2,26 +2,17 @@
 #ifndef geodesic_PathWriter_h
 #define geodesic_PathWriter_h
 
-#include "PolyData/PolyDataTargets.h"
 #include "PolyData/PowerOfTwoScale.h"
-#include "field/PathsToSource.h"
+#include "Progress.h"
+#include "Types.h"
 
+#include <cstddef>
 #include <vector>
 
 class vtkPolyData;
 
 namespace geodesic
 {
-
-/// Gives an output a polyline for each path that is not empty, with the cell arrays TargetId,
-/// SourceId, GeodesicDistance (its length) and TargetSnapDistance, and the point array
-/// GeodesicDistance, which is what is left to go.
-///
-/// \param paths of the targets, in their order.
-/// \param progress called now and then; returning false throws Aborted.
-/// \throws MeshError where a length is larger than numbers can be.
-void writePaths(const TriangleMesh& mesh, const PowerOfTwoScale& scale, const Targets& targets,
-  const std::vector<PathToSource>& paths, vtkPolyData* output, const ProgressCallback& progress);
 
 /// A path of a target, by places in space on the mesh's scale.
 struct PathOfTarget
@@ -34,7 +25,13 @@ struct PathOfTarget
   Id source = NoId;
 };
 
-/// The same of such paths, in their order.
+/// Gives an output a polyline for each path, with the cell arrays TargetId, SourceId,
+/// GeodesicDistance (its length) and TargetSnapDistance, and the point array GeodesicDistance,
+/// which is what is left to go.
+///
+/// \param paths in the order of their targets.
+/// \param progress called now and then; returning false throws Aborted.
+/// \throws MeshError where a length is larger than numbers can be.
 void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,
   vtkPolyData* output, const ProgressCallback& progress);
 

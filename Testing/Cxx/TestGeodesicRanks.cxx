@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 
 using namespace GeodesicTesting;
 
@@ -411,6 +412,98 @@ void TestFarTargets(Check& check, Ranks ranks, vtkPolyData* surface)
   check.Equal(static_cast<double>(paths->GetOutput()->GetNumberOfLines()), 2.0, "far targets");
 }
 
+/// A path by its length and its target's way to the surface, by the target's id.
+using PathsById = std::map<vtkIdType, std::pair<double, double>>;
+
+PathsById PathsOf(vtkPolyData* output)
+{
+  const auto value = [output](const char* name, vtkIdType i)
+  { return output->GetCellData()->GetArray(name)->GetTuple1(i); };
+  PathsById paths;
+  for (vtkIdType i = 0; i < output->GetNumberOfLines(); ++i)
+  {
+    paths[static_cast<vtkIdType>(value("TargetId", i))] = { value("GeodesicDistance", i),
+      value("TargetSnapDistance", i) };
+  }
+  return paths;
+}
+
+/// Where the surface is: in pieces, on one rank, on every rank.
+std::vector<std::pair<std::string, vtkSmartPointer<vtkPolyData>>> PlacesOfSurface(
+  Ranks ranks, vtkPolyData* surface)
+{
+  const auto on = [&](const Cut& cut) { return Part(surface, FacesOf(surface, cut, ranks.Rank)); };
+  return { { "in pieces", on(AtRandom(ranks.Count)) },
+    { "on rank 0", on([](vtkIdType) { return 0; }) },
+    { "on the last rank", on([&](vtkIdType) { return ranks.Count - 1; }) },
+    { "on every rank", surface } };
+}
+
+/// A path is on the rank that had its target, on rank 0 where all had the same, wherever the
+/// surface is. So large a surface is scaled inside.
+void TestPathsAtTargets(Check& check, Ranks ranks, vtkPolyData* unscaled, double scale)
+{
+  vtkNew<vtkPolyData> surface;
+  surface->DeepCopy(unscaled);
+  const auto scaled = [scale](const Point& p) {
+    return Point{ scale * p[0], scale * p[1], scale * p[2] };
+  };
+  MovePoints(surface, scaled);
+  std::vector<Point> all;
+  for (int i = 0; i < 2 * ranks.Count; ++i)
+  {
+    all.push_back(scaled({ 0.9 - 0.35 * i / ranks.Count, 0.1 + 0.4 * i / ranks.Count, 0.01 * i }));
+  }
+  const auto own = all.begin() + 2 * ranks.Rank;
+  const auto source = PointSources({ scaled({ 0.2, 0.3, 0.0 }) });
+  const auto paths = [&](vtkGeodesicPaths* filter, vtkPolyData* data, const std::vector<Point>& at)
+  {
+    filter->SetInputData(data);
+    filter->SetSourceData(source);
+    filter->SetTargetsData(PointSources(at));
+    Messages messages(filter);
+    messages.Update();
+    check.That(messages.Error().empty(), "paths: " + messages.Error());
+    return PathsOf(filter->GetOutput());
+  };
+  vtkNew<vtkGeodesicPaths> alone;
+  alone->SetController(nullptr);
+  const PathsById expected = paths(alone, surface, all);
+  const auto last = ranks.Count - 1;
+  const std::vector<std::tuple<std::string, std::vector<Point>, std::function<int(vtkIdType)>>>
+    targets = {
+      { "all targets on each rank", all, [](vtkIdType) { return 0; } },
+      { "targets on each rank", { own, own + 2 },
+        [](vtkIdType id) { return static_cast<int>(id / 2); } },
+      { "all targets on the last rank", ranks.Rank == last ? all : std::vector<Point>(),
+        [last](vtkIdType) { return last; } },
+    };
+  for (const auto& [place, data] : PlacesOfSurface(ranks, surface))
+  {
+    for (const auto& [name, points, rankOf] : targets)
+    {
+      const std::string what = "a surface " + place + ", " + name + ": ";
+      vtkNew<vtkGeodesicPaths> filter;
+      PathsById found = paths(filter, data, points);
+      for (const auto& [id, path] : expected)
+      {
+        const auto at = found.find(id);
+        const bool isHere = rankOf(id) == ranks.Rank;
+        check.That((at != found.end()) == isHere, what + "a path is where its target was");
+        check.That(!isHere || at == found.end() ||
+            (std::abs(at->second.first - path.first) <= 1e-12 * path.first &&
+              std::abs(at->second.second - path.second) <= 1e-12 * scale),
+          what + "a path is that of one process");
+      }
+      for (vtkIdType i = 1; i < filter->GetOutput()->GetNumberOfLines(); ++i)
+      {
+        vtkDataArray* ids = filter->GetOutput()->GetCellData()->GetArray("TargetId");
+        check.That(ids->GetTuple1(i) > ids->GetTuple1(i - 1), what + "paths follow the targets");
+      }
+    }
+  }
+}
+
 /// Cells that cannot be read on one rank, of the surface or the source, are an error on all.
 void TestUnreadableCells(Check& check, Ranks ranks, vtkPolyData* surface)
 {
@@ -613,6 +706,8 @@ int TestGeodesicRanks(int argc, char* argv[])
       TestSourcesOnRanks(check, ranks, surface);
       TestGridsOnRanks(check, ranks, surface);
       TestFarTargets(check, ranks, surface);
+      TestPathsAtTargets(check, ranks, surface, 1.0);
+      TestPathsAtTargets(check, ranks, surface, 1e40);
       TestUnreadableCells(check, ranks, surface);
       TestFailures(check, ranks, surface);
       TestAgain(check, ranks, surface);
