@@ -87,13 +87,14 @@ std::vector<Told> toldInOnePiece(const RandomCase& c)
   return told;
 }
 
-/// The same by all ranks: of a vertex by each that has it, of a query by the one that owns its
-/// face.
+/// The same by all ranks: of a vertex by each that has it; where windows are kept, of a query by
+/// the one that owns its face.
 class ToldOnRanks
 {
 public:
-  explicit ToldOnRanks(const RandomCase& c, const CutMesh& cut)
+  ToldOnRanks(const RandomCase& c, const CutMesh& cut, geodesic::KeepWindows keep)
     : case_(c)
+    , keep_(keep)
     , told_(c.mesh.points.size() + c.queries.size())
   {
     onRanks(cut, c.curves, 0, [this](const RankOfRun& rank) { this->ask(rank); });
@@ -107,9 +108,7 @@ private:
     const geodesic::TriangleMesh& mesh = rank.part.mesh();
     geodesic::FrontOptions options = withArrivals();
     options.part = &rank.part;
-    geodesic::KeepAll all(mesh);
-    geodesic::FrontResult front = propagate(mesh, rank.sources, options, all);
-    const geodesic::DistanceField field(mesh, std::move(front), all.release());
+    const geodesic::DistanceField field = geodesic::solve(mesh, rank.sources, options, this->keep_);
     NearestSource nearest(field, rank.patch, rank.curvesOnPatch);
     for (geodesic::Id vertex = 0; vertex < rank.wholeVertices.size(); ++vertex)
     {
@@ -117,7 +116,7 @@ private:
       this->add(
         rank, rank.wholeVertices[vertex], tell(nearest.atVertex(vertex), nearest, piece, mesh));
     }
-    for (std::size_t i = 0; i < this->case_.queries.size(); ++i)
+    for (std::size_t i = 0; field.hasWindows() && i < this->case_.queries.size(); ++i)
     {
       const MeshPoint& query = this->case_.queries[i];
       const geodesic::RankAddress face = rank.facesOnRanks[query.face];
@@ -142,6 +141,7 @@ private:
   }
 
   const RandomCase& case_;
+  geodesic::KeepWindows keep_;
   std::vector<std::vector<Told>> told_;
   std::mutex mutex_;
 };
@@ -180,9 +180,10 @@ public:
 
   const RandomCase& plain() const { return this->case_; }
 
-  void check(const CutMesh& cut, Random& random)
+  void check(
+    const CutMesh& cut, Random& random, geodesic::KeepWindows keep = geodesic::KeepWindows::All)
   {
-    const ToldOnRanks ranks(this->case_, cut);
+    const ToldOnRanks ranks(this->case_, cut, keep);
     for (std::size_t i = 0; i < this->places_.size(); ++i)
     {
       SCOPED_TRACE("point " + std::to_string(i));
@@ -314,6 +315,30 @@ TEST_P(NearestSourcesOnRanks, AreThoseOfTheWholeHoweverItIsCut)
   std::cout << GetParam().name << ": of " << compared << " points " << feet
             << " have other feet than in one piece, " << directions << " other directions, "
             << sides << " other sides\n";
+}
+
+// Without windows nothing but a vertex's arrival names the pseudo-source that its path comes from.
+TEST_P(NearestSourcesOnRanks, AreTheSameAtVerticesWithoutWindows)
+{
+  const RandomCase c = randomCase(GetParam(), MeshesOfAKind, 0);
+  Random random(MeshesOfAKind);
+  forEachCut(c.mesh, { { 7, true } }, random,
+    [&](const CutMesh& cut)
+    {
+      const ToldOnRanks with(c, cut, geodesic::KeepWindows::All);
+      const ToldOnRanks without(c, cut, geodesic::KeepWindows::None);
+      for (std::size_t i = 0; i < c.truth.vertices.size(); ++i)
+      {
+        SCOPED_TRACE("vertex " + std::to_string(i));
+        for (const Told& told : without.told()[i])
+        {
+          EXPECT_EQ(told.isKnown, c.truth.vertices[i] < geodesic::Infinity);
+          EXPECT_EQ(told.curve, with.told()[i].front().curve);
+          EXPECT_EQ(told.isRight, with.told()[i].front().isRight);
+          EXPECT_EQ(told.place, with.told()[i].front().place);
+        }
+      }
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, NearestSourcesOnRanks, ::testing::ValuesIn(meshKinds()),
