@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Under MPI: ghost cells whose points differ by roundings from those of what they duplicate are
-// copies all the same, in blocks of one process and over ranks. Random surfaces with barriers, cut
-// at random.
+// copies all the same, in blocks of one process and over ranks. Random surfaces with barriers and
+// hidden cells, which are holes, cut at random.
 #include "GeodesicTesting.h"
 #include "RanksTesting.h"
 
@@ -53,7 +53,10 @@ CutSurface MakeCutSurface(std::uint64_t seed, int parts, bool orphans)
       return Point{ p[0] + 0.5, p[1], p[2] + 0.05 * (Uniform(random) - 0.5) };
     });
   const auto barriers = IntArray("barrier");
+  const auto hidden = IntArray("hidden");
   const auto numbers = IntArray("face");
+  Random holes(~seed);
+  const double hiddenShare = holes() % 2 == 0 ? 0.0 : 0.15 * Uniform(holes);
   const double share = 0.15 * Uniform(random);
   std::vector<Point> centres;
   for (int i = 0; i < parts; ++i)
@@ -74,12 +77,53 @@ CutSurface MakeCutSurface(std::uint64_t seed, int parts, bool orphans)
         : isScattered         ? scattered
                               : static_cast<int>(nearest - centres.begin()));
     barriers->InsertNextValue(face > 1 && Uniform(random) < share ? 1 : 0);
+    hidden->InsertNextValue(face > 1 && Uniform(holes) < hiddenShare ? 1 : 0);
     numbers->InsertNextValue(static_cast<int>(face));
   }
+  made.Whole->GetCellData()->AddArray(hidden);
   made.Whole->GetCellData()->AddArray(barriers);
   made.Whole->GetCellData()->AddArray(numbers);
   made.Parts = [partOf](vtkIdType face) { return partOf[static_cast<std::size_t>(face)]; };
   return made;
+}
+
+bool IsHidden(vtkPolyData* data, vtkIdType face)
+{
+  return data->GetCellData()->GetArray("hidden")->GetTuple1(face) != 0.0;
+}
+
+/// The surface without its hidden faces, of those that isThere(face) is true for.
+template <typename IsThere>
+vtkSmartPointer<vtkPolyData> WithHoles(const CutSurface& surface, const IsThere& isThere)
+{
+  std::vector<vtkIdType> faces;
+  for (vtkIdType face = 0; face < surface.Whole->GetNumberOfPolys(); ++face)
+  {
+    if (!IsHidden(surface.Whole, face) && isThere(face))
+    {
+      faces.push_back(face);
+    }
+  }
+  return Part(surface.Whole, faces, true);
+}
+
+/// Marks the hidden faces of a part as such, copies and others alike.
+void HideFaces(vtkPolyData* piece)
+{
+  vtkSmartPointer<vtkUnsignedCharArray> marks = piece->GetCellGhostArray();
+  if (!marks)
+  {
+    marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    marks->SetName(vtkDataSetAttributes::GhostArrayName());
+    marks->SetNumberOfTuples(piece->GetNumberOfPolys());
+    marks->Fill(0);
+    piece->GetCellData()->AddArray(marks);
+  }
+  for (vtkIdType face = 0; face < piece->GetNumberOfPolys(); ++face)
+  {
+    const int mark = IsHidden(piece, face) ? vtkDataSetAttributes::HIDDENCELL : 0;
+    marks->SetValue(face, static_cast<unsigned char>(marks->GetValue(face) | mark));
+  }
 }
 
 /// One part, every point of which is off by a rounding. The array "point" tells its number.
@@ -87,6 +131,7 @@ vtkSmartPointer<vtkPolyData> RoundedPart(const CutSurface& surface, int part, bo
 {
   auto piece = withGhosts ? PartWithGhosts(surface.Whole, surface.Parts, part, true)
                           : Part(surface.Whole, FacesOf(surface.Whole, surface.Parts, part), true);
+  HideFaces(piece);
   vtkNew<vtkIdTypeArray> numbers;
   numbers->DeepCopy(piece->GetPointData()->GetGlobalIds());
   numbers->SetName("point");
@@ -176,8 +221,24 @@ struct Place
   }
 };
 
-/// The distance at each point of the whole, NaN where a part has none. All parts have the same but
-/// for roundings.
+/// Whether a part has a face at each of its points that is not hidden.
+std::vector<char> ArePointsOfFaces(vtkPolyData* part)
+{
+  std::vector<char> are(static_cast<std::size_t>(part->GetNumberOfPoints()), 0);
+  for (vtkIdType face = 0; face < part->GetNumberOfPolys(); ++face)
+  {
+    vtkNew<vtkIdList> ids;
+    part->GetPolys()->GetCellAtId(face, ids);
+    for (vtkIdType k = 0; !IsHidden(part, face) && k < 3; ++k)
+    {
+      are[static_cast<std::size_t>(ids->GetId(k))] = 1;
+    }
+  }
+  return are;
+}
+
+/// The distance at each point of the whole's faces, NaN where a part has none. All parts have the
+/// same but for roundings.
 std::vector<double> DistancesAtPoints(
   vtkGeodesicDistanceField* filter, const CutSurface& surface, double& spread)
 {
@@ -187,8 +248,13 @@ std::vector<double> DistancesAtPoints(
   {
     vtkDataArray* values = part->GetPointData()->GetArray("GeodesicDistance");
     vtkDataArray* numbers = part->GetPointData()->GetArray("point");
+    const std::vector<char> areOfFaces = ArePointsOfFaces(part);
     for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
     {
+      if (areOfFaces[static_cast<std::size_t>(i)] == 0)
+      {
+        continue;
+      }
       double& at = distances[static_cast<std::size_t>(numbers->GetTuple1(i))];
       const double value = values->GetTuple1(i);
       const bool isSame = std::isnan(at) || at == value;
@@ -205,7 +271,6 @@ void CompareField(Check& check, const CutSurface& surface, const Place& place, b
   bool orphans, const std::string& what)
 {
   // The faces that any part has.
-  std::vector<vtkIdType> faces;
   std::vector<char> isThere(static_cast<std::size_t>(surface.Whole->GetNumberOfPolys()), 0);
   for (int part = 0; part < place.Parts.Count; ++part)
   {
@@ -216,14 +281,8 @@ void CompareField(Check& check, const CutSurface& surface, const Place& place, b
       isThere[static_cast<std::size_t>(numbers->GetTuple1(i))] = 1;
     }
   }
-  for (vtkIdType face = 0; face < surface.Whole->GetNumberOfPolys(); ++face)
-  {
-    if (isThere[static_cast<std::size_t>(face)] != 0)
-    {
-      faces.push_back(face);
-    }
-  }
-  const auto whole = Part(surface.Whole, faces, true);
+  const auto whole = WithHoles(
+    surface, [&](vtkIdType face) { return isThere[static_cast<std::size_t>(face)] != 0; });
   vtkNew<vtkGeodesicDistanceField> alone;
   alone->SetController(nullptr);
   alone->SetInputData(whole);
@@ -261,6 +320,11 @@ void CompareField(Check& check, const CutSurface& surface, const Place& place, b
     what + "points on seams are counted as without ghosts");
 }
 
+bool IsCopy(vtkDataArray* marks, vtkIdType face)
+{
+  return (static_cast<int>(marks->GetTuple1(face)) & vtkDataSetAttributes::DUPLICATECELL) != 0;
+}
+
 /// Ghosts are refined as what they duplicate.
 void CheckRefinement(
   Check& check, const CutSurface& surface, const Place& place, const std::string& what)
@@ -283,8 +347,7 @@ void CheckRefinement(
       std::map<std::size_t, int> own;
       for (vtkIdType i = 0; i < part->GetNumberOfPolys(); ++i)
       {
-        own[static_cast<std::size_t>(faces->GetTuple1(i))] +=
-          (marks->GetTuple1(i) != 0.0) == ofGhosts ? 1 : 0;
+        own[static_cast<std::size_t>(faces->GetTuple1(i))] += IsCopy(marks, i) == ofGhosts ? 1 : 0;
       }
       for (const auto& [face, count] : own)
       {
@@ -308,10 +371,11 @@ void ComparePaths(
 {
   Random random(surface.Seed);
   std::vector<Point> targets;
+  const auto whole = WithHoles(surface, [](vtkIdType) { return true; });
   for (int i = 0; i < 5; ++i)
   {
-    targets.push_back(Centre(surface.Whole,
-      static_cast<vtkIdType>(random() % static_cast<unsigned>(surface.Whole->GetNumberOfPolys()))));
+    targets.push_back(Centre(
+      whole, static_cast<vtkIdType>(random() % static_cast<unsigned>(whole->GetNumberOfPolys()))));
   }
   const auto lengths = [&](vtkMultiProcessController* controller, vtkDataObject* data)
   {
@@ -334,7 +398,7 @@ void ComparePaths(
     }
     return found;
   };
-  const auto expected = lengths(nullptr, surface.Whole);
+  const auto expected = lengths(nullptr, whole);
   const auto found = lengths(place.Controller, place.Surface(surface, true));
   if (place.Controller && place.Controller->GetLocalProcessId() != 0)
   {
