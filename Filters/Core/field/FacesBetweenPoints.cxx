@@ -55,15 +55,6 @@ private:
   double length_;
 };
 
-/// Lower bounds of the ways from a point, up to another.
-struct WaysFrom
-{
-  /// Of a path between both; infinite where there is none.
-  double length = Infinity;
-  /// At each vertex of the part.
-  std::vector<double> atLeast;
-};
-
 class Finder
 {
 public:
@@ -72,8 +63,6 @@ public:
     , patch_(patch)
     , isChosen_(part.mesh().numberOfFaces(), 0)
   {
-    this->options_.part = &part;
-    this->options_.relativeError = SearchError;
     this->options_.parallelFor = parallelFor;
   }
 
@@ -81,12 +70,12 @@ public:
 
   void add(const SurfacePoint& a, const SurfacePoint& b)
   {
-    const WaysFrom fromA = this->ways(a, b);
+    const WaysFrom fromA = waysFrom(this->part_, this->patch_, a, b, this->options_);
     if (fromA.length == Infinity)
     {
       return;
     }
-    const WaysFrom fromB = this->ways(b, a);
+    const WaysFrom fromB = waysFrom(this->part_, this->patch_, b, a, this->options_);
     const double length = std::min(fromA.length, fromB.length);
     const TriangleMesh& mesh = this->part_.mesh();
     for (Id face = this->part_.firstOwnFace(); face < this->part_.endOfOwnFaces(); ++face)
@@ -116,28 +105,6 @@ public:
   }
 
 private:
-  WaysFrom ways(const SurfacePoint& from, const SurfacePoint& to) const
-  {
-    const TriangleMesh& mesh = this->part_.mesh();
-    StopAtPoint stop(this->part_, this->patch_, to);
-    WaysFrom ways;
-    ways.atLeast = propagate(mesh,
-      sourceWindowsOfPart(
-        this->part_, this->patch_, makeSourceWindows(this->patch_.mesh(), { pointCurve(from) })),
-      this->options_, stop)
-                     .vertexDistances;
-    const double reach = this->part_.exchange().largestOf(stop.reach());
-    ways.length = this->part_.exchange().leastOf(stop.knowsPoint() ? stop.reach() : Infinity) /
-      (1.0 - SearchError);
-    // What the front has not settled is beyond its reach; in space no way is shorter than straight.
-    for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
-    {
-      ways.atLeast[vertex] = std::max(std::min(ways.atLeast[vertex], reach),
-        distanceInSpace(this->patch_.mesh(), mesh.point(vertex), from));
-    }
-    return ways;
-  }
-
   const SurfacePart& part_;
   const SurfacePatch& patch_;
   FrontOptions options_;
@@ -171,6 +138,30 @@ void addFarPairs(const TriangleMesh& mesh, const LocatedPolyline& polyline, std:
 }
 
 } // anonymous namespace
+
+WaysFrom waysFrom(const SurfacePart& part, const SurfacePatch& patch, const SurfacePoint& from,
+  const SurfacePoint& to, FrontOptions options)
+{
+  const TriangleMesh& mesh = part.mesh();
+  options.part = &part;
+  options.relativeError = SearchError;
+  StopAtPoint stop(part, patch, to);
+  WaysFrom ways;
+  ways.atLeast = propagate(mesh,
+    sourceWindowsOfPart(part, patch, makeSourceWindows(patch.mesh(), { pointCurve(from) })),
+    options, stop)
+                   .vertexDistances;
+  const double reach = part.exchange().largestOf(stop.reach());
+  ways.length =
+    part.exchange().leastOf(stop.knowsPoint() ? stop.reach() : Infinity) / (1.0 - SearchError);
+  // What the front has not settled is beyond its reach; in space no way is shorter than straight.
+  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    ways.atLeast[vertex] = std::max(std::min(ways.atLeast[vertex], reach),
+      distanceInSpace(patch.mesh(), mesh.point(vertex), from));
+  }
+  return ways;
+}
 
 std::vector<Id> facesBetweenPoints(const SurfacePart& part, const SurfacePatch& patch,
   const std::vector<LocatedPolyline>& polylines, const SnapOptions& options,

@@ -11,6 +11,23 @@
 namespace geodesic
 {
 
+/// Bounds of the ways from a point, as far as to another.
+struct WaysFrom
+{
+  /// No path between both points is needed that is longer; infinite where none joins them.
+  double length = Infinity;
+  /// No path to a vertex of the part is shorter.
+  std::vector<double> atLeast;
+};
+
+/// By an approximate front that stops at the other point. All ranks call together.
+///
+/// \param patch with the faces of both points.
+/// \param options for several threads and the progress.
+/// \throws Aborted
+WaysFrom waysFrom(const SurfacePart& part, const SurfacePatch& patch, const SurfacePoint& from,
+  const SurfacePoint& to, FrontOptions options = {});
+
 /// On a surface that ranks have together: the faces that shortest paths between consecutive points
 /// of polylines can touch, where these points share no face. With them a patch has the shortest
 /// paths of the whole, and polylines are put onto it as onto one surface.

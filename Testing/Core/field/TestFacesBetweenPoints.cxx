@@ -2,6 +2,7 @@
 // Far points of a curve on a surface that ranks have in pieces: the path that joins them is the
 // shortest of the whole.
 #include "RanksSupport.h"
+#include "Seeds.h"
 
 #include "field/FacesBetweenPoints.h"
 #include "field/JoinPoints.h"
@@ -101,6 +102,37 @@ TEST_P(FacesBetweenPoints, HoldTheShortestPathOfTheWhole)
           else
           {
             EXPECT_EQ(length, geodesic::Infinity);
+          }
+        });
+    }
+  }
+}
+
+// What stands in for the distances is no larger, and what stands in for a path no shorter.
+TEST_P(FacesBetweenPoints, AreFoundByBoundsOfTheWays)
+{
+  const Seeds seeds = seedsOfTest(5);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    Random random(seed);
+    const PlainMesh mesh = GetParam().make(randomSize(random), random);
+    Sources source;
+    source.points = { randomFacePoint(mesh, random) };
+    const MeshPoint to = randomVertexPoint(mesh, random);
+    const BruteForceResult truth = bruteForceDistances(mesh, source, { to });
+    const double slack = accuracyOn(GetParam()) * largestFinite(truth.vertices);
+    for (const int ranks : { 1, 3 })
+    {
+      onRanks(cutInSpace(mesh, ranks, random), { pointAt(source.points[0]), pointAt(to) }, 0,
+        [&](const RankOfRun& rank)
+        {
+          const geodesic::WaysFrom ways = waysFrom(rank.part, rank.patch,
+            rank.curvesOnPatch[0].points.front(), rank.curvesOnPatch[1].points.front());
+          EXPECT_GE(ways.length, truth.queries.front() - slack) << "seed " << seed;
+          for (std::size_t i = 0; i < rank.wholeVertices.size(); ++i)
+          {
+            EXPECT_LE(ways.atLeast[i], truth.vertices[rank.wholeVertices[i]] + slack)
+              << "seed " << seed;
           }
         });
     }
