@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which of the ways to close a leaf is taken, against all ways.
+#include "EngineSupport.h"
+#include "Seeds.h"
+
+#include "refinement/LeafClosings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+using namespace geodesictest;
+using geodesic::Id;
+
+namespace
+{
+
+struct Way
+{
+  geodesic::ClosingCheck::Result check;
+  double angle;
+};
+
+/// One face around a random source, two or three of its edges split.
+class SplitFace
+{
+public:
+  explicit SplitFace(Random& random)
+    : plain_{ { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 },
+                { random.uniform(-0.5, 1.5), random.uniform(0.1, 1.5), 0.0 } },
+      { { 0, 1, 2 } } }
+    , mesh_(engineMesh(this->plain_))
+    , tolerance_(random.uniform(0.005, 0.2))
+    , field_(solveKeepingAll(this->mesh_, engineCurves(this->mesh_, randomSource(random))))
+    , triangles_(this->mesh_, { 0 })
+    , workers_(this->field_, this->triangles_, this->parallelFor_)
+    , edges_(this->triangles_, this->workers_)
+    , shapes_(this->triangles_, this->tolerance_)
+    , closings_(this->triangles_, this->edges_, this->shapes_, this->workers_, this->tolerance_)
+  {
+    const Id whole = random.between(0, 3);
+    for (Id k = 0; k < 3; ++k)
+    {
+      if (k != whole)
+      {
+        const Id edge = this->triangles_.edge(0, k);
+        const double weight = random.uniform(0.1, 0.9);
+        this->triangles_.split(edge, { weight, this->edges_.onEdge(edge, weight) });
+      }
+    }
+  }
+
+  geodesic::LeafClosings::Closed best() { return this->closings_.findBest({ 0 }).front(); }
+
+  std::vector<Way> ways()
+  {
+    const geodesic::ClosingCheck check(this->triangles_, this->edges_, this->tolerance_);
+    const Id count = geodesic::RedGreenMesh::waysToClose(this->triangles_.splitEdges(0));
+    std::vector<Way> ways;
+    for (Id way = 0; way < count; ++way)
+    {
+      const geodesic::RedGreenMesh::Closing closing = this->triangles_.closing(0, way);
+      ways.push_back({ check.check(this->workers_.first(), 0, closing, false),
+        this->shapes_.smallestAngle(0, closing) });
+    }
+    return ways;
+  }
+
+  double allowedAngle()
+  {
+    double largest = 0.0;
+    for (Id k = 0; k < 3; ++k)
+    {
+      largest = std::max(largest, this->edges_.deviation(this->triangles_.edge(0, k)).largest());
+    }
+    return this->shapes_.allowedAngle(0, largest);
+  }
+
+private:
+  static Sources randomSource(Random& random)
+  {
+    Sources source;
+    source.points = { { 0, randomWeights(random) } };
+    return source;
+  }
+
+  PlainMesh plain_;
+  geodesic::TriangleMesh mesh_;
+  double tolerance_;
+  geodesic::DistanceField field_;
+  geodesic::RedGreenMesh triangles_;
+  geodesic::ParallelFor parallelFor_;
+  geodesic::RefinementWorkers workers_;
+  geodesic::EdgeDistances edges_;
+  geodesic::PartShapes shapes_;
+  geodesic::LeafClosings closings_;
+};
+
+}
+
+TEST(LeafClosings, AreTheBestShapesThatPassOrElseTheSmallestErrorWithThinOnesOnlyForWantOfOthers)
+{
+  constexpr std::uint64_t enough = 2000;
+  const Seeds seeds = seedsOfTest(enough);
+  int onlyThinOnesPass = 0;
+  int errorsDiffer = 0;
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    SplitFace face(random);
+    const geodesic::LeafClosings::Closed best = face.best();
+    const std::vector<Way> ways = face.ways();
+    const Way& taken = ways.at(best.way);
+    EXPECT_EQ(best.check.sample, taken.check.sample);
+    const double allowed = face.allowedAngle();
+    bool thinOnePasses = false;
+    for (const Way& way : ways)
+    {
+      EXPECT_TRUE(taken.angle >= std::min(allowed, way.angle));
+      if (way.angle < allowed)
+      {
+        thinOnePasses = thinOnePasses || way.check.passed;
+      }
+      else if (way.check.passed)
+      {
+        EXPECT_TRUE(taken.check.passed);
+        EXPECT_GE(taken.angle, way.angle);
+      }
+      else if (!taken.check.passed)
+      {
+        EXPECT_LE(taken.check.sample, way.check.sample);
+        errorsDiffer += taken.check.sample < way.check.sample ? 1 : 0;
+      }
+    }
+    onlyThinOnesPass += !taken.check.passed && thinOnePasses ? 1 : 0;
+  }
+  if (seeds.count >= enough)
+  {
+    EXPECT_GT(onlyThinOnesPass, 0);
+    EXPECT_GT(errorsDiffer, 0);
+  }
+}
