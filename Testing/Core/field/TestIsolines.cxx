@@ -179,5 +179,54 @@ TEST_P(RandomIsolines, AreAsManyAndAsClosedAsTheSublevelSetsHaveBoundaries)
   std::cout << GetParam().name << ": " << compared << " values compared\n";
 }
 
+// Where the pencils of two windows meet, rounding may part them, and the level curves go on behind
+// the ridge. These are such cases.
+TEST(IsolinesAtRidges, HaveTheirPointsAtTheValue)
+{
+  for (const auto& [name, seed] : { std::make_pair("Box", 1408U), std::make_pair("Box", 2284U),
+         std::make_pair("Tetrahedron", 1067U) })
+  {
+    const std::vector<MeshKind> kinds = meshKinds();
+    const auto kind = std::find_if(kinds.begin(), kinds.end(),
+      [wanted = std::string(name)](const MeshKind& k) { return k.name == wanted; });
+    ASSERT_NE(kind, kinds.end());
+    Random random(seed);
+    const PlainMesh plain = kind->make(random.between(8, 40), random);
+    const std::vector<Polyline> curves = CurveMaker(plain, random).anySource();
+    const TriangleMesh mesh = engineMesh(plain);
+    const std::vector<double> distances =
+      geodesic::solve(mesh, engineCurves(mesh, curves)).vertexDistances();
+    const double largest = largestFinite(distances);
+    std::vector<double> values;
+    for (int i = 1; i < 12; ++i)
+    {
+      values.push_back(largest * (i + random.uniform(0.0, 0.9)) / 12.0);
+    }
+    for (const double d : distances)
+    {
+      if (d > 0.0 && d < largest && random.chance(0.2))
+      {
+        values.push_back(d);
+      }
+    }
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    const Isolines isolines =
+      isolinesOf(mesh, engineCurves(mesh, curves), values, ChordFraction * largest);
+    std::vector<MeshPoint> places;
+    std::vector<double> expected;
+    for (const Isoline& line : isolines.lines)
+    {
+      for (const geodesic::Id point : line.points)
+      {
+        places.push_back(testPoint(mesh, isolines.points[point]));
+      }
+      expected.resize(places.size(), values[line.value]);
+    }
+    const std::vector<double> truth = bruteForceDistances(plain, toSources(curves), places).queries;
+    EXPECT_LE(worstError(expected, truth, largest), 1e-12) << name << ", seed " << seed;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, RandomIsolines, ::testing::ValuesIn(meshKinds()),
   [](const auto& instance) { return std::string(instance.param.name); });
