@@ -25,6 +25,20 @@ void checkWhole(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path)
   }
 }
 
+/// Where an end is a rounding beside a vertex or an edge, the path goes over that: a patch has the
+/// end there, so that the path may leave in another face.
+void linkEnds(const TriangleMesh& mesh, std::vector<SurfacePoint>& path)
+{
+  if (commonFace(mesh, path[0], path[1]) == NoId)
+  {
+    path.insert(path.begin() + 1, normalized(mesh, path.front()));
+  }
+  if (commonFace(mesh, path[path.size() - 2], path.back()) == NoId)
+  {
+    path.insert(path.end() - 1, normalized(mesh, path.back()));
+  }
+}
+
 } // anonymous namespace
 
 std::vector<SurfacePoint> ShortestPathFinder::between(
@@ -48,6 +62,7 @@ std::vector<SurfacePoint> ShortestPathFinder::between(
     point = patch.onSurface(point);
   }
   path = cleanedPath(this->mesh_, path, first, second, length);
+  linkEnds(this->mesh_, path);
   checkWhole(this->mesh_, path);
   return path;
 }

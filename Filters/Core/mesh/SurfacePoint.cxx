@@ -113,25 +113,25 @@ SurfacePoint fromBarycentric(
     weights[k] = std::max(coordinates[k], 0.0);
   }
   const double sum = weights[0] + weights[1] + weights[2];
+  const auto largest = std::max_element(weights.begin(), weights.end());
+  if (*largest == sum) // the others vanish beside it
+  {
+    return SurfacePoint::atVertex(
+      mesh.triangle(face)[static_cast<std::size_t>(largest - weights.begin())]);
+  }
   const double u = weights[1] / sum;
   const double v = weights[2] / sum;
   // Corner 0's coordinate is stored as 1 - u - v: too small a one is lost there, and is zero.
   const std::array<bool, 3> isZero = { weights[0] == 0.0 || 1.0 - u - v <= 0.0, u == 0.0,
     v == 0.0 };
 
-  const auto zeros = std::count(isZero.begin(), isZero.end(), true);
-  if (zeros == 0)
+  const auto zero = std::find(isZero.begin(), isZero.end(), true);
+  if (zero != isZero.end())
   {
-    return mesh.shape(face).hasZeroArea() ? onLongestEdge(mesh, face, { 1.0 - u - v, u, v })
-                                          : SurfacePoint::inFace(face, u, v);
+    return onEdgeOpposite(mesh, face, static_cast<Id>(zero - isZero.begin()), weights);
   }
-  if (zeros == 1)
-  {
-    const auto k = std::find(isZero.begin(), isZero.end(), true) - isZero.begin();
-    return onEdgeOpposite(mesh, face, static_cast<Id>(k), weights);
-  }
-  const auto largest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-  return SurfacePoint::atVertex(mesh.triangle(face)[static_cast<std::size_t>(largest)]);
+  return mesh.shape(face).hasZeroArea() ? onLongestEdge(mesh, face, { 1.0 - u - v, u, v })
+                                        : SurfacePoint::inFace(face, u, v);
 }
 
 SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point)

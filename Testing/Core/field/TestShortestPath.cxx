@@ -4,6 +4,7 @@
 // crosses an edge, bent only at vertices where both sides have half a turn or more, from the one
 // end to the other. What is checked is worked out here from the plain mesh.
 #include "EngineSupport.h"
+#include "Seeds.h"
 #include "field/PathChecker.h"
 #include "truth/AnalyticCases.h"
 #include "truth/RandomMeshKinds.h"
@@ -12,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 using namespace geodesictest;
@@ -171,6 +173,49 @@ TEST(ShortestPath, ToAPointARoundingBesideAVertexIsFound)
 
 // Rounding of the long way to the edge is a large part of it. Moving the crossing to the edge's end
 // would turn the path by half a right angle behind it.
+// The patch of a path has such a point at the vertex or on the edge.
+TEST(ShortestPath, FromAPointARoundingBesideAVertexOrAnEdgeIsWhole)
+{
+  const Seeds seeds = seedsOfTest(20);
+  for (const MeshKind& kind : meshKinds())
+  {
+    for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+    {
+      Random random(seed);
+      const PlainMesh plain = kind.make(random.between(10, 60), random);
+      const TriangleMesh mesh = engineMesh(plain);
+      const Index k = random.below(3);
+      const double rounding = std::pow(10.0, random.uniform(-20.0, -15.0));
+      const double along = random.chance(0.5) ? rounding : random.uniform(0.1, 0.9);
+      MeshPoint beside{ static_cast<Index>(random.below(plain.triangles.size())), {} };
+      beside.weights[k] = 1.0 - along;
+      beside.weights[(k + 1) % 3] = along;
+      MeshPoint at = beside;
+      beside.weights[(k + 2) % 3] = rounding;
+      const SurfacePoint to = enginePoint(mesh, randomPoint(plain, random));
+      geodesic::ShortestPathFinder finder(mesh);
+      const auto lengthFrom = [&](const MeshPoint& from)
+      {
+        const auto path = finder.between(enginePoint(mesh, from), to);
+        double length = path.empty() ? geodesic::Infinity : 0.0;
+        for (std::size_t i = 1; i < path.size(); ++i)
+        {
+          EXPECT_NE(geodesic::commonFace(mesh, path[i - 1], path[i]), geodesic::NoId);
+          length += geodesic::distanceInSpace(mesh, path[i - 1], path[i]);
+        }
+        return length;
+      };
+      const double length = lengthFrom(at);
+      SCOPED_TRACE(std::string(kind.name) + ", seed " + std::to_string(seed));
+      if (length < geodesic::Infinity)
+      {
+        EXPECT_NEAR(
+          lengthFrom(beside), length, 1e-12 * (length + mesh.shape(beside.face).longest()));
+      }
+    }
+  }
+}
+
 TEST(ShortestPath, CrossesATinyEdgeAtTheEndOfALongWayWhereTheStraightLineDoes)
 {
   const double h = 5e-14;

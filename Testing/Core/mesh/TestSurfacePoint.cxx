@@ -195,6 +195,24 @@ TEST(SurfacePoint, ZeroCoordinatesGiveVerticesAndEdges)
   }
 }
 
+TEST(SurfacePoint, CoordinatesThatVanishBesideOneGiveItsVertex)
+{
+  const TriangleMesh mesh = bookWithBowTie();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    for (const double small : { 0.0, 1e-200, 1e-18 })
+    {
+      std::array<double, 3> weights = { small, 1e-18, 1e-18 };
+      weights[k] = 1.0;
+      EXPECT_TRUE(samePlace(
+        mesh, fromBarycentric(mesh, 1, weights), SurfacePoint::atVertex(mesh.triangle(1)[k])));
+      const SurfacePoint inFace = SurfacePoint::inFace(1, weights[1], weights[2]);
+      EXPECT_TRUE(
+        samePlace(mesh, normalized(mesh, inFace), SurfacePoint::atVertex(mesh.triangle(1)[k])));
+    }
+  }
+}
+
 TEST(SurfacePoint, CoordinatesLostInRoundingStillGiveAValidPoint)
 {
   const TriangleMesh mesh = bookWithBowTie();
@@ -221,6 +239,7 @@ TEST(SurfacePoint, CoordinatesLostInRoundingStillGiveAValidPoint)
           EXPECT_GT(point.v, 0.0);
           EXPECT_GT(1.0 - point.u - point.v, 0.0);
         }
+        EXPECT_EQ(normalized(mesh, point).kind, point.kind);
         const double sum = a + b + c;
         const Vec3 expected = combined(mesh, 1, { a / sum, b / sum, c / sum });
         EXPECT_LE(norm(position(mesh, point) - expected), 4.0 * Epsilon);
