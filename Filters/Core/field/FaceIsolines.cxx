@@ -273,6 +273,7 @@ void FaceIsolines::cutCurveBetween(std::size_t index, double first, double last)
   }
   std::sort(places.at.begin(), places.at.end());
   places.at.push_back(last);
+  this->work(this->regions_.size() + places.at.size() * this->near_.size());
   double begin = first;
   bool goesOn = false;
   for (const double place : places.at)
@@ -337,6 +338,7 @@ bool FaceIsolines::joinEndsWithin(double largestGap)
   this->pairs_.clear();
   for (std::size_t i = 0; i < this->from_.size(); ++i)
   {
+    this->work(this->to_.size());
     for (std::size_t j = 0; j < this->to_.size(); ++j)
     {
       const double gap = norm(this->to_[j].at - this->from_[i].at);
@@ -412,7 +414,8 @@ void FaceIsolines::addLines(const Part& part)
   }
 }
 
-// From the end of the owner to an exit, or to the end of the owner again.
+// From the end of the owner to an exit, or to the end of the owner again: each owner follows one
+// other at most, and none an entry, so that no other loop is possible.
 void FaceIsolines::followFrom(std::size_t owner, const Part& part)
 {
   const std::size_t remainders = this->remainders_.size();
@@ -581,6 +584,21 @@ std::vector<OutlinePoint> FaceIsolines::pointsBetween(Vec2 a, Vec2 b, bool aIsBe
     points.push_back({ at, this->addPoint(at), 1, crossing.rises });
   }
   return points;
+}
+
+// Looks for an abort now and then.
+void FaceIsolines::work(std::size_t steps)
+{
+  constexpr std::size_t stepsPerLook = 1U << 14;
+  this->stepsSinceLook_ += steps;
+  if (this->stepsSinceLook_ >= stepsPerLook)
+  {
+    this->stepsSinceLook_ = 0;
+    if (this->progress_ && !this->progress_(0.0))
+    {
+      throw Aborted();
+    }
+  }
 }
 
 // Each entry with the exit beside it, so that no two lines cross.

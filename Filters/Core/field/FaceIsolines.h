@@ -2,6 +2,7 @@
 #ifndef geodesic_FaceIsolines_h
 #define geodesic_FaceIsolines_h
 
+#include "Progress.h"
 #include "field/LevelCurves.h"
 #include "field/SegmentCrossings.h"
 #include "field/SegmentEnvelope.h"
@@ -61,9 +62,11 @@ class FaceIsolines
 public:
   /// \param firstNewId for the points inside faces.
   /// \param chordTolerance the largest distance of a chord from its arc.
-  FaceIsolines(Id firstNewId, double chordTolerance)
+  /// \param progress called often in faces of very many windows; must outlive this.
+  FaceIsolines(Id firstNewId, double chordTolerance, const ProgressCallback& progress)
     : firstNewId_(firstNewId)
     , chordTolerance_(chordTolerance)
+    , progress_(progress)
   {
   }
 
@@ -75,6 +78,7 @@ public:
   /// \param outline the points of the isoline on the face's edges, with the face to the left from
   ///        corner 0 on; entries and exits alternate.
   /// \param below whether corner 0 is below the level.
+  /// \throws Aborted
   void draw(const FaceDistance& face, double level, Id valueId,
     const std::vector<OutlinePoint>& outline, bool below);
 
@@ -147,9 +151,12 @@ private:
   void split(const Part& part);
   std::vector<OutlinePoint> pointsBetween(Vec2 a, Vec2 b, bool aIsBelow, bool bIsBelow);
   void crossStraight(const Part& part);
+  void work(std::size_t steps);
 
   Id firstNewId_;
   double chordTolerance_;
+  const ProgressCallback& progress_;
+  std::size_t stepsSinceLook_ = 0;
   IsolinePieces result_;
   std::size_t partsCrossedStraight_ = 0;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/IsolineSides.h"
 
+#include "PacedProgress.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -26,12 +28,19 @@ class Cutter
 {
 public:
   Cutter(const DistanceField& field, NearestSource& nearest,
-    const std::function<bool(const Foot&)>& isOnRight, const Isolines& isolines)
+    const std::function<bool(const Foot&)>& isOnRight, const Isolines& isolines,
+    const ProgressCallback& progress)
     : field_(field)
     , mesh_(field.mesh())
     , nearest_(nearest)
     , isOnRight_(isOnRight)
+    , progress_(paced(progress))
+    , chords_(1)
   {
+    for (const Isoline& line : isolines.lines)
+    {
+      this->chords_ += line.faces.size();
+    }
     this->result_.points = isolines.points;
     this->result_.linesWithoutDirection = isolines.linesWithoutDirection;
     this->result_.partsCrossedStraight = isolines.partsCrossedStraight;
@@ -44,6 +53,7 @@ private:
   Barycentric onChord(const Isoline& line, std::size_t chord, double t) const;
   LastPiece pieceTo(const Isoline& line, std::size_t chord, double t) const;
   bool isOnRightAt(const Isoline& line, std::size_t chord, double t);
+  void report();
   SidedLine withSides(const Isoline& line);
   Id addChange(const Isoline& line, std::size_t chord, bool isRightBefore);
   void addPart(const SidedLine& sided, std::size_t first, std::size_t last, std::size_t value);
@@ -52,8 +62,21 @@ private:
   const TriangleMesh& mesh_;
   NearestSource& nearest_;
   const std::function<bool(const Foot&)>& isOnRight_;
+  ProgressCallback progress_;
+  /// Of all lines, and how many of them are cut.
+  std::size_t chords_;
+  std::size_t chordsDone_ = 0;
   Isolines result_;
 };
+
+void Cutter::report()
+{
+  const double done = static_cast<double>(this->chordsDone_++) / static_cast<double>(this->chords_);
+  if (this->progress_ && !this->progress_(done))
+  {
+    throw Aborted();
+  }
+}
 
 Barycentric Cutter::onChord(const Isoline& line, std::size_t chord, double t) const
 {
@@ -88,6 +111,7 @@ SidedLine Cutter::withSides(const Isoline& line)
   };
   for (std::size_t chord = 0; chord < line.faces.size(); ++chord)
   {
+    this->report();
     const bool before = this->isOnRightAt(line, chord, BesideEnd);
     const bool behind = this->isOnRightAt(line, chord, 1.0 - BesideEnd);
     if (before != behind)
@@ -187,15 +211,10 @@ Isolines linesOnSides(const DistanceField& field, NearestSource& nearest,
   const std::function<bool(const Foot&)>& isOnRight, const Isolines& isolines,
   const std::vector<SidedValue>& values, const ProgressCallback& progress)
 {
-  Cutter cutter(field, nearest, isOnRight, isolines);
-  for (std::size_t i = 0; i < isolines.lines.size(); ++i)
+  Cutter cutter(field, nearest, isOnRight, isolines, progress);
+  for (const Isoline& line : isolines.lines)
   {
-    const double done = static_cast<double>(i) / static_cast<double>(isolines.lines.size());
-    if (progress && !progress(done))
-    {
-      throw Aborted();
-    }
-    cutter.cut(isolines.lines[i], values[isolines.lines[i].value]);
+    cutter.cut(line, values[line.value]);
   }
   Isolines result = cutter.release();
   std::stable_sort(result.lines.begin(), result.lines.end(),

@@ -2,10 +2,12 @@
 #include "field/Isolines.h"
 
 #include "Errors.h"
+#include "PacedProgress.h"
 #include "Tolerance.h"
 #include "field/DistanceRange.h"
 #include "field/FaceIsolines.h"
 #include "field/IsolineJoin.h"
+#include "field/WatchedTasks.h"
 
 #include <algorithm>
 #include <optional>
@@ -16,9 +18,7 @@ namespace geodesic
 namespace
 {
 
-// Faces of one task, and tasks between two reports of progress.
 constexpr std::size_t FacesPerTask = 32;
-constexpr std::size_t TasksPerReport = 32;
 // Of the whole, how much the points on the edges take.
 constexpr double EdgesDone = 0.3;
 
@@ -51,7 +51,8 @@ private:
   void exchangeEdgePoints();
   void countTurnsAtSeams(Isolines& isolines) const;
   void addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePoint>& points) const;
-  IsolinePieces drawFaces(std::size_t first, std::size_t last, std::size_t& straight) const;
+  IsolinePieces drawFaces(std::size_t first, std::size_t last, std::size_t& straight,
+    const ProgressCallback& progress) const;
   void findOutline(Id face, std::size_t value, std::vector<OutlinePoint>& outline) const;
   void addOutlinePoints(Id halfedge, std::size_t value, Vec2 begin, Vec2 edge,
     std::vector<OutlinePoint>& outline) const;
@@ -94,6 +95,14 @@ double bisect(double holds, double fails, Condition&& condition)
     (condition(middle) ? holds : fails) = middle;
   }
   return fails;
+}
+
+void goOn(const ProgressCallback& progress)
+{
+  if (!progress(0.0))
+  {
+    throw Aborted();
+  }
 }
 
 /// A segment of a face, along a unit vector.
@@ -169,8 +178,8 @@ Isolines Drawing::run()
     std::size_t straight = 0;
   };
   std::vector<Drawn> drawn = this->forTasks<Drawn>(EdgesDone, 1.0,
-    [this](std::size_t first, std::size_t last, Drawn& result)
-    { result.pieces = this->drawFaces(first, last, result.straight); });
+    [this](std::size_t first, std::size_t last, Drawn& result, const ProgressCallback& progress)
+    { result.pieces = this->drawFaces(first, last, result.straight, progress); });
   IsolineJoin join(this->mesh_, this->levels_, static_cast<Id>(this->edgePoints_.size()));
   for (Id point = 0; point < this->edgePoints_.size(); ++point)
   {
@@ -279,27 +288,21 @@ Id Drawing::designated(Id halfedge) const
   return lowest;
 }
 
-// task(first, last, result) for ranges of the faces.
+// task(first, last, result, progress) for ranges of the faces. A single face may have very many
+// windows: the callback may be called as often as one likes.
 template <typename Result, typename Task>
 std::vector<Result> Drawing::forTasks(double begin, double end, Task&& task) const
 {
   const std::size_t count = this->faces_.size();
   std::vector<Result> results((count + FacesPerTask - 1) / FacesPerTask);
-  for (std::size_t first = 0; first < results.size(); first += TasksPerReport)
+  const ProgressCallback often = paced(this->options_.progress);
+  const auto run = [&](std::size_t i, const ProgressCallback& progress)
   {
-    const double done = static_cast<double>(first) / static_cast<double>(results.size());
-    if (this->options_.progress && !this->options_.progress(begin + done * (end - begin)))
-    {
-      throw Aborted();
-    }
-    const auto run = [&](std::size_t i)
-    {
-      const std::size_t at = (first + i) * FacesPerTask;
-      task(at, std::min(at + FacesPerTask, count), results[first + i]);
-    };
-    const std::size_t tasks = std::min(TasksPerReport, results.size() - first);
-    forAll(this->options_.parallelFor, tasks, run);
-  }
+    const std::size_t at = i * FacesPerTask;
+    task(at, std::min(at + FacesPerTask, count), results[i], progress);
+  };
+  runWatched(results.size(), run, this->options_.parallelFor,
+    [&](double done) { return !often || often(begin + done * (end - begin)); });
   return results;
 }
 
@@ -307,11 +310,12 @@ void Drawing::findEdgePoints()
 {
   using Points = std::vector<EdgePoint>;
   const std::vector<Points> found = this->forTasks<Points>(0.0, EdgesDone,
-    [this](std::size_t first, std::size_t last, Points& points)
+    [this](std::size_t first, std::size_t last, Points& points, const ProgressCallback& progress)
     {
       SegmentEnvelope memory;
       for (std::size_t i = first; i < last; ++i)
       {
+        goOn(progress);
         this->addEdgePoints(this->faces_[i], memory, points);
       }
     });
@@ -402,9 +406,11 @@ void Drawing::addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePo
   }
 }
 
-IsolinePieces Drawing::drawFaces(std::size_t first, std::size_t last, std::size_t& straight) const
+IsolinePieces Drawing::drawFaces(std::size_t first, std::size_t last, std::size_t& straight,
+  const ProgressCallback& progress) const
 {
-  FaceIsolines drawer(static_cast<Id>(this->edgePoints_.size()), this->options_.chordTolerance);
+  FaceIsolines drawer(
+    static_cast<Id>(this->edgePoints_.size()), this->options_.chordTolerance, progress);
   std::vector<OutlinePoint> outline;
   for (std::size_t i = first; i < last; ++i)
   {
@@ -414,6 +420,7 @@ IsolinePieces Drawing::drawFaces(std::size_t first, std::size_t last, std::size_
     const auto [from, to] = this->rangeOf(face).indicesIn(this->levels_);
     for (std::size_t value = from; value < to; ++value)
     {
+      goOn(progress);
       const bool below = this->isBelow(this->mesh_.triangle(face)[0], value);
       this->findOutline(face, value, outline);
       if (outline.empty() && !below && !hasSource)

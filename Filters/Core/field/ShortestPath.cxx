@@ -88,9 +88,11 @@ std::vector<double> lowerBounds(const TriangleMesh& mesh, const SurfacePoint& fi
 
 /// The path by windows that are all kept, in the corridor alone.
 std::vector<SurfacePoint> pathThroughWindows(const TriangleMesh& mesh, const SurfacePoint& first,
-  const SurfacePoint& second, const Corridor& corridor, const ParallelFor& parallelFor)
+  const SurfacePoint& second, const Corridor& corridor, const ParallelFor& parallelFor,
+  const ProgressCallback& progress)
 {
   FrontOptions options;
+  options.progress = progress;
   options.corridor = &corridor;
   options.parallelFor = parallelFor;
   return solve(mesh, { pointCurve(first) }, options, KeepWindows::All).path(second);
@@ -127,7 +129,8 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   }
   catch (const PathLost&)
   {
-    path = pathThroughWindows(mesh, first, second, corridor, parallelFor);
+    path = pathThroughWindows(
+      mesh, first, second, corridor, parallelFor, part(progress, 1.0, 1.0)); // seldom
   }
   std::reverse(path.begin(), path.end());
   return path;

@@ -18,22 +18,30 @@ Arrival arrivalThrough(Id halfedge, const ApexDistance& apex)
 }
 
 /// Works on items one after another, while what the next ones need is fetched.
+///
+/// \param work (std::size_t i) -> whether the item is done.
+/// \returns the first item that is not done.
 template <typename Prefetch, typename Work>
-void workAhead(std::size_t count, const Prefetch& prefetch, const Work& work)
+std::size_t workAhead(
+  std::size_t first, std::size_t count, const Prefetch& prefetch, const Work& work)
 {
   constexpr std::size_t ahead = 4;
-  for (std::size_t i = 0; i < std::min(ahead, count); ++i)
+  for (std::size_t i = first; i < std::min(first + ahead, count); ++i)
   {
     prefetch(i);
   }
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = first; i < count; ++i)
   {
     if (i + ahead < count)
     {
       prefetch(i + ahead);
     }
-    work(i);
+    if (!work(i))
+    {
+      return i;
+    }
   }
+  return count;
 }
 
 } // anonymous namespace
@@ -50,12 +58,16 @@ void BatchTasks::prefetchFacing(const District& district, Id vertex) const
 void BatchTasks::process(FrontWorker& worker, District& district, Id batch)
 {
   const std::vector<Id>& vertices = district.batch;
-  workAhead(
-    vertices.size(), [&](std::size_t i) { this->prefetchFacing(district, vertices[i]); },
-    [&](std::size_t i) { this->process(worker, district, vertices[i], batch); });
+  district.done = workAhead(
+    district.done, vertices.size(),
+    [&](std::size_t i) { this->prefetchFacing(district, vertices[i]); },
+    [&](std::size_t i) { return this->process(worker, district, vertices[i], batch); });
+  district.isDone = district.done == vertices.size();
 }
 
-void BatchTasks::process(FrontWorker& worker, District& district, Id vertex, Id batch)
+// Returns whether it is done. Where the worker has to pause before, the lists that are left stay
+// with the vertex; the rest is done once.
+bool BatchTasks::process(FrontWorker& worker, District& district, Id vertex, Id batch)
 {
   VertexState& state = this->vertices_[vertex];
   if (state.isShorter() && !this->isOutsideCorridor(vertex))
@@ -66,15 +78,19 @@ void BatchTasks::process(FrontWorker& worker, District& district, Id vertex, Id 
       this->emit(worker, district, vertex);
     }
   }
-  for (Id list = state.facing; list != NoId;)
-  {
-    const Id next = district.lists.next(list);
-    this->propagate(worker, district, list, batch);
-    list = next;
-  }
   district.settled += state.processed == Infinity ? 1 : 0;
   state.processed = std::min(state.processed, state.distance);
-  state.facing = NoId;
+  while (state.facing != NoId)
+  {
+    if (worker.hasToPause())
+    {
+      return false;
+    }
+    const Id list = state.facing;
+    state.facing = district.lists.next(list);
+    this->propagate(worker, district, list, batch);
+  }
+  return true;
 }
 
 // Nobody reads mail before step (2), so that a path may go to any district.
@@ -164,6 +180,7 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
     worker.pool.free(block);
     return;
   }
+  worker.handled += list.size();
   const UnfoldedFace face = unfold(this->mesh_, halfedge);
   const ApexQuery apex = fullApexQuery(list, face.apex, worker.apexSides);
   const Window& first = *list.begin();
@@ -218,6 +235,7 @@ void BatchTasks::send(
   for (Id s = this->mesh_.nextSibling(halfedge); s != halfedge; s = this->mesh_.nextSibling(s))
   {
     const WindowBlock block = worker.pool.copyOf(windows);
+    worker.handled += windows.size();
     if (this->mesh_.origin(s) != this->mesh_.destination(halfedge))
     {
       const double length = this->mesh_.length(halfedge);
@@ -267,7 +285,7 @@ void BatchTasks::shorten(District& district, const DistanceUpdate& update)
 
 // Distances of lower ranks, of here and of higher ranks: so all ranks take them over in one order,
 // and equal paths are told apart alike.
-void BatchTasks::receive(FrontWorker& worker, District& district)
+void BatchTasks::receiveUpdates(District& district)
 {
   const auto takeUpdates = [&](Mail& mail)
   {
@@ -279,22 +297,49 @@ void BatchTasks::receive(FrontWorker& worker, District& district)
   takeUpdates(district.fromLower);
   this->post_.forEach(district.number, takeUpdates);
   takeUpdates(district.fromHigher);
-  const auto takeLists = [&](Mail& mail) { this->receiveLists(worker, district, mail.lists); };
+}
+
+void BatchTasks::receiveLists(FrontWorker& worker, District& district)
+{
+  std::size_t end = 0;
+  const auto takeLists = [&](Mail& mail)
+  {
+    const std::size_t begin = end;
+    end += mail.lists.size();
+    if (district.done >= begin && district.done < end)
+    {
+      district.done =
+        begin + this->receiveLists(worker, district, mail.lists, district.done - begin);
+    }
+  };
   takeLists(district.fromLower);
   this->post_.forEach(district.number, takeLists);
   takeLists(district.fromHigher);
-  district.fromLower.clear();
-  district.fromHigher.clear();
-  this->post_.clear(district.number);
+  district.isDone = district.done == end;
+  if (district.isDone)
+  {
+    district.fromLower.clear();
+    district.fromHigher.clear();
+    this->post_.clear(district.number);
+  }
 }
 
-void BatchTasks::receiveLists(
-  FrontWorker& worker, District& district, const std::vector<SentList>& lists)
+// Returns the first list that is not done.
+std::size_t BatchTasks::receiveLists(
+  FrontWorker& worker, District& district, const std::vector<SentList>& lists, std::size_t first)
 {
-  workAhead(
-    lists.size(),
+  return workAhead(
+    first, lists.size(),
     [&](std::size_t i) { this->mesh_.prefetch(TriangleMesh::faceOf(lists[i].halfedge)); },
-    [&](std::size_t i) { this->receive(worker, district, lists[i]); });
+    [&](std::size_t i)
+    {
+      if (worker.hasToPause())
+      {
+        return false;
+      }
+      this->receive(worker, district, lists[i]);
+      return true;
+    });
 }
 
 void BatchTasks::receive(FrontWorker& worker, District& district, const SentList& sent)
@@ -313,6 +358,7 @@ void BatchTasks::receive(FrontWorker& worker, District& district, const SentList
     }
   }
   worker.propagated += sent.windows.size;
+  worker.handled += sent.windows.size;
   const Id list = district.lists.find(sent.halfedge);
   if (list != NoId)
   {
@@ -332,6 +378,7 @@ void BatchTasks::mergeInto(
   FrontWorker& worker, District& district, Id list, const WindowBlock& block) const
 {
   const WindowRange waiting = district.lists.at(list);
+  worker.handled += waiting.size();
   worker.merged.reset(this->mesh_.length(district.lists.halfedge(list)));
   worker.merged.appendLists(waiting, block.range());
   worker.pool.free(block);

@@ -34,10 +34,12 @@ public:
   {
   }
 
-  /// Step (1) for the vertices of a district that are in the batch.
+  /// Step (1) for the vertices of a district that are in the batch, on from where it paused.
   void process(FrontWorker& worker, District& district, Id batch);
   /// Step (2) for the mail of a district: distances first, which may make lists needless.
-  void receive(FrontWorker& worker, District& district);
+  void receiveUpdates(District& district);
+  /// Lists, on from where it paused.
+  void receiveLists(FrontWorker& worker, District& district);
 
   /// Takes a path over where it is shorter than the one known.
   void shorten(District& district, const DistanceUpdate& update);
@@ -65,7 +67,7 @@ private:
   {
     return this->options_.part == nullptr ? vertex : this->options_.part->numberInWhole(vertex);
   }
-  void process(FrontWorker& worker, District& district, Id vertex, Id batch);
+  bool process(FrontWorker& worker, District& district, Id vertex, Id batch);
   void tell(District& sender, const DistanceUpdate& update);
   void relaxEdges(District& district, Id vertex);
   bool isOutgoingBeyond(Id halfedge, Id vertex) const;
@@ -74,7 +76,8 @@ private:
   void propagate(FrontWorker& worker, District& district, Id list, Id batch);
   void mergeNeighboursOf(FrontWorker& worker, Id halfedge, WindowBlock& block) const;
   void receive(FrontWorker& worker, District& district, const SentList& sent);
-  void receiveLists(FrontWorker& worker, District& district, const std::vector<SentList>& lists);
+  std::size_t receiveLists(
+    FrontWorker& worker, District& district, const std::vector<SentList>& lists, std::size_t first);
   void mergeInto(FrontWorker& worker, District& district, Id list, const WindowBlock& block) const;
   /// Fetch what the steps will need.
   void prefetchFacing(const District& district, Id vertex) const;

@@ -28,6 +28,10 @@ struct District
   /// Its vertices in the batch at hand, and how many of them had never been processed.
   std::vector<Id> batch;
   std::size_t settled = 0;
+  /// How many vertices of the batch, or lists of its mail, the step at hand has done, and whether
+  /// that is all.
+  std::size_t done = 0;
+  bool isDone = true;
   /// Vertices that were processed and have got a smaller distance since.
   std::vector<Id> shortened;
   /// With a distance limit: halfedges with windows within it.

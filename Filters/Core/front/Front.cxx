@@ -62,6 +62,8 @@ private:
   template <typename Fill>
   void runBatch(const Fill& fill);
   void activateUpTo(double last);
+  template <typename Begin, typename Task>
+  void runStep(const Begin& begin, const Task& task);
   template <typename Task>
   void runTasks(const Task& task);
   void finishBatch();
@@ -113,6 +115,7 @@ private:
   /// A vertex that was last found to have something within the retention's reach.
   Id unsettled_ = NoId;
   std::vector<WindowPool*> pools_;
+  std::uint64_t windowsHandled_ = 0;
 };
 
 Front::Front(const TriangleMesh& mesh, const FrontOptions& options, Retention& retention)
@@ -232,7 +235,7 @@ void Front::advance(double limit)
     this->activateUpTo(last);
     this->runBatch(
       [last](District& district) { district.schedule.takeBatch(last, district.batch); });
-    this->progress_.afterBatch(this->batch_.size(), this->key_);
+    this->progress_.afterBatch(this->batch_.size(), this->windowsHandled_, this->key_);
   }
 }
 
@@ -291,25 +294,27 @@ template <typename Fill>
 void Front::runBatch(const Fill& fill)
 {
   ++this->batches_;
-  this->runTasks(
-    [&](FrontWorker& worker, District& district)
+  this->runStep(
+    [&](District& district)
     {
-      district.schedule.moveOn(this->key_);
       fill(district);
-      this->tasks_.process(worker, district, this->batches_);
       this->post_.call(district.number);
-    });
+    },
+    [this](FrontWorker& worker, District& district)
+    { this->tasks_.process(worker, district, this->batches_); });
   if (!this->ranks_.isAlone())
   {
     this->exchangeLists();
   }
   this->post_.takeReceivers(this->active_);
-  this->runTasks(
+  this->runStep([this](District& district) { this->tasks_.receiveUpdates(district); },
     [this](FrontWorker& worker, District& district)
     {
-      district.schedule.moveOn(this->key_);
-      this->tasks_.receive(worker, district);
-      this->outlooks_[district.number] = district.schedule.outlook();
+      this->tasks_.receiveLists(worker, district);
+      if (district.isDone)
+      {
+        this->outlooks_[district.number] = district.schedule.outlook();
+      }
     });
   this->finishBatch();
 }
@@ -323,6 +328,37 @@ void Front::activateUpTo(double last)
     {
       this->active_.push_back(number);
     }
+  }
+}
+
+/// Runs a step of a batch in each active district, in turns: progress is told where workers pause.
+/// In each turn some worker does a list at least, so that there is an end.
+///
+/// \param begin (District&) -> void, once a district.
+/// \param task (FrontWorker&, District&) -> void, until the district is done.
+template <typename Begin, typename Task>
+void Front::runStep(const Begin& begin, const Task& task)
+{
+  this->runTasks(
+    [&](FrontWorker& worker, District& district)
+    {
+      district.schedule.moveOn(this->key_);
+      district.done = 0;
+      begin(district);
+      task(worker, district);
+    });
+  const auto isPaused = [this](Id number) { return !this->districts_[number].isDone; };
+  while (std::any_of(this->active_.begin(), this->active_.end(), isPaused))
+  {
+    this->progress_.report(this->key_);
+    this->runTasks(
+      [&](FrontWorker& worker, District& district)
+      {
+        if (!district.isDone)
+        {
+          task(worker, district);
+        }
+      });
   }
 }
 
@@ -452,7 +488,13 @@ void Front::exchangeArrivals()
 FrontState Front::state()
 {
   this->pools_.clear();
-  this->workers_.forEach([this](FrontWorker& worker) { this->pools_.push_back(&worker.pool); });
+  this->windowsHandled_ = 0;
+  this->workers_.forEach(
+    [this](FrontWorker& worker)
+    {
+      this->pools_.push_back(&worker.pool);
+      this->windowsHandled_ += worker.handled;
+    });
   return { this->key_, this->batch_, this->vertices_.distances(), this->vertices_.processed(),
     this->pools_ };
 }

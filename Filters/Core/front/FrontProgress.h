@@ -24,16 +24,20 @@ public:
 
   void settle(std::size_t vertices) { this->settled_ += vertices; }
 
-  /// After each batch; not every one is told of.
+  /// After each batch; not every one is told of. Few vertices may have very many windows.
   ///
+  /// \param windows how many have been handled since the front began.
   /// \throws Aborted
-  void afterBatch(std::size_t vertices, double key)
+  void afterBatch(std::size_t vertices, std::uint64_t windows, double key)
   {
     constexpr std::size_t verticesPerReport = 256;
+    constexpr std::uint64_t windowsPerReport = 1U << 17;
     this->sinceReport_ += vertices;
-    if (this->sinceReport_ >= verticesPerReport)
+    if (this->sinceReport_ >= verticesPerReport ||
+      windows - this->windowsAtReport_ >= windowsPerReport)
     {
       this->sinceReport_ = 0;
+      this->windowsAtReport_ = windows;
       this->report(key);
     }
   }
@@ -61,6 +65,7 @@ private:
   double limit_;
   std::size_t settled_ = 0;
   std::size_t sinceReport_ = 0;
+  std::uint64_t windowsAtReport_ = 0;
   double reported_ = 0.0;
 };
 

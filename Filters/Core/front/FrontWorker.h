@@ -27,6 +27,23 @@ struct FrontWorker
   /// Over the whole solve: windows put on halfedges, and the largest relative error of a merge.
   std::uint64_t propagated = 0;
   double relativeError = 0.0;
+
+  /// Windows that it has read or written, over the whole solve, and how many of them make it pause:
+  /// one list after another is worked on only until then, so that progress can be told.
+  std::uint64_t handled = 0;
+  std::uint64_t pauseAt = 0;
+  std::uint64_t turn = 0;
+
+  bool hasToPause() const { return this->handled >= this->pauseAt; }
+  void begin(std::uint64_t itsTurn)
+  {
+    constexpr std::uint64_t windowsPerTurn = 1U << 17; // some hundredths of a second
+    if (this->turn != itsTurn)
+    {
+      this->turn = itsTurn;
+      this->pauseAt = this->handled + windowsPerTurn;
+    }
+  }
 };
 
 /// The workers of a front: as many as there are threads, so that memory that one task gives back is
@@ -57,10 +74,13 @@ public:
     }
   }
 
-  /// Runs item(worker, i) for i below `items`, at the same time where there are several.
+  /// Runs item(worker, i) for i below `items`, at the same time where there are several. A turn of
+  /// the workers, after which each may work on if it had to pause.
   template <typename Item>
   void run(std::size_t items, Item&& item)
   {
+    ++this->turn_;
+    this->first().begin(this->turn_);
     if (!this->parallelFor_ || items == 1)
     {
       for (std::size_t i = 0; i < items; ++i)
@@ -73,6 +93,7 @@ public:
       [&](std::size_t i)
       {
         const Seat seat(this->desks_);
+        seat.worker().begin(this->turn_);
         item(seat.worker(), i);
       });
   }
@@ -114,6 +135,7 @@ private:
 
   const ParallelFor& parallelFor_;
   std::vector<Desk> desks_;
+  std::uint64_t turn_ = 0;
 };
 
 }

@@ -123,13 +123,13 @@ private:
   RedGreenMesh triangles_;
   /// Where ranks have the surface together.
   std::optional<SeamSplits> seams_;
+  RefinementProgress progress_;
   RefinementWorkers workers_;
   EdgeDistances distances_;
   PartShapes shapes_;
   DeviationRules rules_;
   RedGreenClosure closure_;
   LeafClosings closings_;
-  RefinementProgress progress_;
   ViolationQueue violations_;
   /// The leaves that the batch at hand has changed.
   std::vector<Id> changed_;
@@ -147,13 +147,13 @@ Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
       options.trianglesBeside, options.part)
   , seams_(
       options.part ? std::make_optional<SeamSplits>(*options.part, this->triangles_) : std::nullopt)
-  , workers_(field, this->triangles_, options.parallelFor)
+  , progress_(options.progress)
+  , workers_(field, this->triangles_, options.parallelFor, this->progress_)
   , distances_(this->triangles_, this->workers_)
   , shapes_(this->triangles_, options.tolerance)
   , rules_(this->triangles_, this->distances_, this->shapes_, options.tolerance)
   , closure_(this->triangles_, this->rules_, this->seams_ ? &*this->seams_ : nullptr)
   , closings_(this->triangles_, this->distances_, this->shapes_, this->workers_, options.tolerance)
-  , progress_(options.progress)
   , violations_(this->triangles_, this->exchange_)
   , bound_(this->largestOf(field.droppedErrorBound()))
 {
@@ -235,10 +235,6 @@ std::vector<LeafClosings::Closed> Refiner::closeBest(const std::vector<Id>& leav
   std::vector<LeafClosings::Closed> closed;
   for (std::size_t first = 0; first < leaves.size(); first += leavesInBatch)
   {
-    if (first > 0)
-    {
-      this->progress_.tell(0.0); // no less than before
-    }
     const auto begin = leaves.begin() + static_cast<std::ptrdiff_t>(first);
     const auto count = std::min(leavesInBatch, leaves.size() - first);
     const std::vector<LeafClosings::Closed>& best =

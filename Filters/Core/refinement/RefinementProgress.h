@@ -2,7 +2,7 @@
 #ifndef geodesic_RefinementProgress_h
 #define geodesic_RefinementProgress_h
 
-#include "Progress.h"
+#include "PacedProgress.h"
 
 #include <algorithm>
 
@@ -15,8 +15,11 @@ class RefinementProgress
 public:
   explicit RefinementProgress(const ProgressCallback& callback)
     : callback_(callback)
+    , paced_(paced(callback))
   {
   }
+  RefinementProgress(const RefinementProgress&) = delete;
+  RefinementProgress& operator=(const RefinementProgress&) = delete;
 
   /// Called once a step with the fraction done, as far as one can tell.
   ///
@@ -46,8 +49,20 @@ public:
     }
   }
 
+  /// Between pieces of a step, which may take long where faces have very many windows.
+  ///
+  /// \throws Aborted
+  void look() const
+  {
+    if (this->paced_ && !this->paced_(std::min(this->reported_, 1.0)))
+    {
+      throw Aborted();
+    }
+  }
+
 private:
   const ProgressCallback& callback_;
+  ProgressCallback paced_;
   double reported_ = 0.0;
   unsigned steps_ = 0;
 };

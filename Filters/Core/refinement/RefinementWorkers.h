@@ -4,6 +4,7 @@
 
 #include "Tasks.h"
 #include "refinement/DistancesInFaces.h"
+#include "refinement/RefinementProgress.h"
 #include "refinement/TriangleError.h"
 
 #include <memory>
@@ -33,11 +34,13 @@ public:
   /// All must outlive this.
   ///
   /// \param parallelFor absent: one task.
-  RefinementWorkers(
-    const DistanceField& field, const RedGreenMesh& triangles, const ParallelFor& parallelFor)
+  /// \param progress looked at between some items and others.
+  RefinementWorkers(const DistanceField& field, const RedGreenMesh& triangles,
+    const ParallelFor& parallelFor, const RefinementProgress& progress)
     : field_(field)
     , triangles_(triangles)
     , parallelFor_(parallelFor)
+    , progress_(progress)
   {
     this->resize(1);
   }
@@ -46,26 +49,40 @@ public:
   RefinementWorker& first() { return *this->workers_.front(); }
 
   /// Runs item(worker, i) for i below `items`.
+  ///
+  /// \throws Aborted
   template <typename Item>
   void run(std::size_t items, const Item& item)
   {
+    const std::size_t itemsPerLook = this->parallelFor_ ? 256 : 16;
+    for (std::size_t first = 0; first < items; first += itemsPerLook)
+    {
+      this->progress_.look();
+      this->run(first, std::min(items, first + itemsPerLook), item);
+    }
+  }
+
+private:
+  template <typename Item>
+  void run(std::size_t first, std::size_t last, const Item& item)
+  {
     constexpr std::size_t itemsPerTask = 2;
     constexpr std::size_t mostTasks = 64;
+    const std::size_t items = last - first;
     const std::size_t tasks =
       this->parallelFor_ ? std::clamp<std::size_t>(items / itemsPerTask, 1, mostTasks) : 1;
     this->resize(tasks);
     forAll(this->parallelFor_, tasks,
       [&](std::size_t task)
       {
-        const std::size_t end = (task + 1) * items / tasks;
-        for (std::size_t i = task * items / tasks; i < end; ++i)
+        const std::size_t end = first + (task + 1) * items / tasks;
+        for (std::size_t i = first + task * items / tasks; i < end; ++i)
         {
           item(*this->workers_[task], i);
         }
       });
   }
 
-private:
   void resize(std::size_t count)
   {
     while (this->workers_.size() < count)
@@ -77,6 +94,7 @@ private:
   const DistanceField& field_;
   const RedGreenMesh& triangles_;
   const ParallelFor& parallelFor_;
+  const RefinementProgress& progress_;
   std::vector<std::unique_ptr<RefinementWorker>> workers_;
 };
 

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whatever the mesh, the engine calls its progress callback often and stops soon when that asks it
+// to. GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
+#include "EngineSupport.h"
+#include "Seeds.h"
+#include "truth/CappedMeshes.h"
+
+#include "Errors.h"
+#include "field/DistanceMatrix.h"
+#include "field/Isolines.h"
+#include "field/PathsToSource.h"
+#include "field/ShortestPathFinder.h"
+#include "field/SolveForIsolines.h"
+#include "refinement/AdaptiveRefinement.h"
+#include "refinement/SolveForRefinement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <iostream>
+#include <string>
+
+using namespace geodesictest;
+using geodesic::ProgressCallback;
+using geodesic::SourceCurve;
+using geodesic::SurfacePoint;
+using geodesic::TriangleMesh;
+
+namespace
+{
+
+/// The mesh is small: even a slow machine or a sanitizer needs far less than this, of the
+/// processor's time, which others that share it do not make longer.
+constexpr double LongestSilence = 1.0;
+
+/// A progress callback that asks to stop from one of its calls on, and measures the time between
+/// calls.
+class Watch
+{
+public:
+  explicit Watch(std::uint64_t lastCall)
+    : lastCall_(lastCall)
+    , before_(std::clock())
+  {
+  }
+
+  ProgressCallback callback()
+  {
+    return [this](double)
+    {
+      this->look();
+      return ++this->calls_ < this->lastCall_;
+    };
+  }
+
+  void look()
+  {
+    const std::clock_t now = std::clock();
+    const double silence = static_cast<double>(now - this->before_) / CLOCKS_PER_SEC;
+    this->longest_ = std::max(this->longest_, silence);
+    this->before_ = now;
+  }
+
+  bool hasStopped() const { return this->calls_ >= this->lastCall_; }
+  std::uint64_t callsAfterStop() const
+  {
+    return this->hasStopped() ? this->calls_ - this->lastCall_ : 0;
+  }
+  double longest() const { return this->longest_; }
+
+private:
+  std::uint64_t lastCall_;
+  std::uint64_t calls_ = 0;
+  std::clock_t before_;
+  double longest_ = 0.0;
+};
+
+/// One vertex with all faces around it, near and far.
+PlainMesh spikyFan(Index faces, Random& random)
+{
+  PlainMesh mesh;
+  mesh.points.push_back({ 0.0, 0.0, 0.0 });
+  const double height = random.chance(0.3) ? 0.0 : 1.0;
+  const double spread = random.uniform(0.0, 3.0);
+  for (Index i = 0; i < faces; ++i)
+  {
+    const double angle = 6.28318530717958648 * i / faces;
+    const double radius = std::pow(10.0, random.uniform(0.0, spread));
+    mesh.points.push_back(
+      { radius * std::cos(angle), radius * std::sin(angle), height * random.uniform(-1.0, 1.0) });
+    mesh.triangles.push_back({ 0, i + 1, (i + 1) % faces + 1 });
+  }
+  return mesh;
+}
+
+/// Hundreds of faces at each edge of a spine.
+PlainMesh manyPages(Index faces, Random& random)
+{
+  const Index rows = random.between(1, 3);
+  return book(std::max<Index>(3, faces / (2 * rows)), rows, 1, 0.4, random);
+}
+
+/// Any faces between a few points: edges and vertices of many faces, faces through one another.
+PlainMesh soup(Index faces, Random& random)
+{
+  PlainMesh mesh;
+  const Index points = random.between(8, 60);
+  const double flat = random.chance(0.3) ? 0.0 : 1.0;
+  for (Index i = 0; i < points; ++i)
+  {
+    mesh.points.push_back(
+      { random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), flat * random.uniform(-1.0, 1.0) });
+  }
+  for (Index i = 0; i < faces; ++i)
+  {
+    const Index a = random.below(points);
+    const Index b = (a + random.between(1, points - 1)) % points;
+    const Index c = random.below(points);
+    if (c != a && c != b)
+    {
+      mesh.triangles.push_back({ a, b, c });
+    }
+  }
+  return compacted(mesh);
+}
+
+void addSpikes(PlainMesh& mesh, Random& random)
+{
+  for (Index i = random.between(1, 20); i > 0; --i)
+  {
+    Vec3& p = mesh.points[random.below(mesh.points.size())];
+    p[2] += std::pow(10.0, random.uniform(-1.0, 4.0));
+  }
+}
+
+// Edges without length.
+void joinPlaces(PlainMesh& mesh, Random& random)
+{
+  for (Index i = random.between(1, 50); i > 0; --i)
+  {
+    const auto& t = mesh.triangles[random.below(mesh.triangles.size())];
+    mesh.points[t[0]] = mesh.points[t[1]];
+  }
+}
+
+PlainMesh badMesh(Random& random)
+{
+  const Index faces = random.between(20, 900);
+  const Index kind = random.below(meshKinds().size() + 3);
+  PlainMesh mesh = kind == meshKinds().size() ? spikyFan(faces, random)
+    : kind == meshKinds().size() + 1          ? manyPages(faces, random)
+    : kind == meshKinds().size() + 2          ? soup(faces, random)
+                                              : meshKinds()[kind].make(faces, random);
+  if (random.chance(0.3))
+  {
+    mesh = withPockets(mesh, random.between(1, 30), random);
+  }
+  if (random.chance(0.3))
+  {
+    addSpikes(mesh, random);
+  }
+  if (random.chance(0.3))
+  {
+    joinPlaces(mesh, random);
+  }
+  return mesh;
+}
+
+/// What can be asked of the engine.
+struct Question
+{
+  TriangleMesh mesh;
+  std::vector<SourceCurve> sources;
+  std::vector<SurfacePoint> points;
+  double size = 1.0;
+};
+
+struct Answer
+{
+  const char* name;
+  std::function<void(const Question&, const ProgressCallback&)> run;
+};
+
+geodesic::FrontOptions frontOptions(const ProgressCallback& progress)
+{
+  geodesic::FrontOptions options;
+  options.progress = progress;
+  return options;
+}
+
+void refine(const Question& q, const ProgressCallback& progress)
+{
+  const double tolerance = 0.01 * q.size;
+  const geodesic::DistanceField field =
+    solveForRefinement(q.mesh, q.sources, tolerance, frontOptions(progress));
+  geodesic::RefinementOptions options;
+  options.tolerance = tolerance;
+  options.maximumFaces = 5000;
+  options.progress = progress;
+  geodesic::refine(field, options);
+}
+
+void drawIsolines(const Question& q, const ProgressCallback& progress)
+{
+  geodesic::IsolineOptions options;
+  for (int i = 1; i <= 100; ++i)
+  {
+    options.values.push_back(0.01 * i * q.size);
+  }
+  options.chordTolerance = 1e-3 * q.size;
+  options.progress = progress;
+  geodesic::drawIsolines(
+    solveForIsolines(q.mesh, q.sources, options.values, frontOptions(progress)), options);
+}
+
+const std::vector<Answer> Answers = {
+  { "exact",
+    [](const Question& q, const ProgressCallback& progress)
+    { solve(q.mesh, q.sources, frontOptions(progress), geodesic::KeepWindows::All); } },
+  { "approximate",
+    [](const Question& q, const ProgressCallback& progress)
+    {
+      geodesic::FrontOptions options = frontOptions(progress);
+      options.relativeError = 0.01;
+      solve(q.mesh, q.sources, options);
+    } },
+  { "within a limit",
+    [](const Question& q, const ProgressCallback& progress)
+    {
+      geodesic::FrontOptions options = frontOptions(progress);
+      options.maximumDistance = 0.3 * q.size;
+      solve(q.mesh, q.sources, options, geodesic::KeepWindows::All);
+    } },
+  { "refined", refine },
+  { "isolines", drawIsolines },
+  { "paths",
+    [](const Question& q, const ProgressCallback& progress)
+    {
+      geodesic::PathsOptions options;
+      options.progress = progress;
+      pathsToSource(q.mesh, q.sources, q.points, options);
+    } },
+  { "path between points",
+    [](const Question& q, const ProgressCallback& progress) {
+      geodesic::ShortestPathFinder(q.mesh).between(q.points.front(), q.points.back(), progress);
+    } },
+  { "matrix",
+    [](const Question& q, const ProgressCallback& progress)
+    {
+      geodesic::MatrixOptions options;
+      options.progress = progress;
+      distanceMatrix(
+        q.mesh, q.sources, static_cast<geodesic::Id>(q.sources.size()), q.points, options);
+    } },
+};
+
+Question randomQuestion(Random& random)
+{
+  const PlainMesh mesh = badMesh(random);
+  Question q;
+  q.mesh = engineMesh(mesh);
+  for (Index i = 0; i < 5; ++i)
+  {
+    const auto face = random.below(q.mesh.numberOfFaces());
+    const Barycentric w = randomWeights(random);
+    q.points.push_back(random.chance(0.5) ? SurfacePoint::atVertex(q.mesh.triangle(face)[0])
+                                          : fromBarycentric(q.mesh, face, w));
+  }
+  for (Index i = random.between(1, 3); i > 0; --i)
+  {
+    q.sources.push_back(geodesic::pointCurve(q.points[i]));
+    q.sources.back().source = i - 1;
+  }
+  std::reverse(q.sources.begin(), q.sources.end());
+  const std::vector<double> distances = solve(q.mesh, q.sources).vertexDistances();
+  q.size = std::max(largestFinite(distances), 1e-9);
+  return q;
+}
+
+} // anonymous namespace
+
+TEST(Abort, ComesSoonOnAnyMesh)
+{
+  const Seeds seeds = seedsOfTest(100);
+  double worst = 0.0;
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    Random random(seed);
+    const Question question = randomQuestion(random);
+    const Answer& answer = Answers[random.below(Answers.size())];
+    // Some run to their end.
+    const auto lastCall = static_cast<std::uint64_t>(std::pow(10.0, random.uniform(0.0, 3.0)));
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", " + answer.name);
+    Watch watch(lastCall);
+    try
+    {
+      answer.run(question, watch.callback());
+      EXPECT_FALSE(watch.hasStopped());
+    }
+    catch (const geodesic::Aborted&)
+    {
+      EXPECT_TRUE(watch.hasStopped());
+    }
+    watch.look();
+    EXPECT_LE(watch.longest(), LongestSilence);
+    if (watch.longest() > 0.05)
+      std::cout << "seed " << seed << " " << answer.name << " " << watch.longest() << " faces "
+                << question.mesh.numberOfFaces() << std::endl;
+    worst = std::max(worst, watch.longest());
+  }
+  std::cout << "longest silence " << worst << " s\n";
+}
