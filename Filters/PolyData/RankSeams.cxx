@@ -150,7 +150,8 @@ void RankSeams::joinSame(bool byPlace, const std::vector<std::pair<std::int64_t,
     }
   }
   const bool byGlobalIds = this->exchange_.isTrueAnywhere(!globalIds.empty());
-  // Labels go on from a place to an id and from there to another place, until none changes.
+  // Labels go on from a place to an id and from there to another place, until none changes. They
+  // only fall, so that there is an end.
   bool hasChanged = byPlace || byGlobalIds;
   while (hasChanged)
   {

@@ -227,6 +227,8 @@ void Front::addSourcesInHalo(const std::vector<SourceInFace>& inHalo)
     [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; });
 }
 
+// There is an end: windows that have crossed as many faces as there are go no further, and a vertex
+// emits again only where its distance has become shorter by more than a tie.
 void Front::advance(double limit)
 {
   while (this->moveOn(limit) && !this->isSettled())
@@ -552,7 +554,7 @@ void Front::retireAll()
 }
 
 // Sends on every window and pseudo-source nearer than the bound, also those that would wait for a
-// far vertex.
+// far vertex. What it sends on ends as in advance().
 void Front::flush(double bound)
 {
   bool isAny = true;

@@ -65,6 +65,8 @@ std::vector<Id> RedGreenClosure::close(int round)
   return changed;
 }
 
+// There is an end: it splits edges of triangles that have a split one already, so that no level of
+// parts is added to those that there are.
 void RedGreenClosure::closeTouched(int round, std::vector<Id>& changed)
 {
   for (Id triangle = this->mesh_.takeTouched(); triangle != NoId;

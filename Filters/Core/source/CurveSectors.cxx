@@ -67,7 +67,7 @@ void CurveSectors::addFanAroundEdge(Id halfedge)
 }
 
 // Counterclockwise as far as faces follow, and clockwise from the beginning where that is not all
-// around.
+// around. A face follows one other at most: the only circle is that through the beginning.
 void CurveSectors::addFanAroundVertex(Id corner)
 {
   const std::size_t fan = this->totals_.size() - 1;
