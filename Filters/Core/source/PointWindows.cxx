@@ -89,11 +89,12 @@ void addBehindEdge(const TriangleMesh& mesh, LeavingWindow leaving, const CurveS
 class RaysFromBesideEdge
 {
 public:
-  RaysFromBesideEdge(
-    const TriangleMesh& mesh, const CurveSectors& sectors, std::vector<LeavingWindow>& windows)
+  RaysFromBesideEdge(const TriangleMesh& mesh, const CurveSectors& sectors,
+    std::vector<LeavingWindow>& windows, std::vector<Id>& nearVertices)
     : mesh_(mesh)
     , sectors_(sectors)
     , windows_(windows)
+    , nearVertices_(nearVertices)
   {
   }
 
@@ -119,6 +120,10 @@ private:
   void sendThrough(Id halfedge, const Window& w, const WindowFrame& frame)
   {
     const UnfoldedFace face = unfold(this->mesh_, halfedge);
+    if (norm(face.apex - Vec2{ w.sourceX, -w.sourceDepth }) < tolerance::NearVertex * face.length)
+    {
+      this->nearVertices_.push_back(this->mesh_.opposite(halfedge));
+    }
     const bool toLeft = !w.passesRightOf(0.0, face.apex);
     const bool toRight = w.passesRightOf(face.length, face.apex);
     if (toLeft)
@@ -152,13 +157,14 @@ private:
   const TriangleMesh& mesh_;
   const CurveSectors& sectors_;
   std::vector<LeavingWindow>& windows_;
+  std::vector<Id>& nearVertices_;
   /// The halfedges that rays have entered faces by: none twice, so that this ends.
   std::vector<Id> entered_;
 };
 
 void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const Barycentric& point,
   const CurveWedge::Bounds& bounds, const CurveSectors& sectors,
-  std::vector<LeavingWindow>& windows)
+  std::vector<LeavingWindow>& windows, std::vector<Id>& nearVertices)
 {
   const double length = mesh.length(halfedge);
   const Vec2 p = inLeavingFrame(mesh, halfedge, point);
@@ -179,14 +185,15 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const Barycentric
   }
   if (near && p.x > 0.0 && p.x < length)
   {
-    RaysFromBesideEdge(mesh, sectors, windows).send(halfedge, p, { halfedge });
+    RaysFromBesideEdge(mesh, sectors, windows, nearVertices).send(halfedge, p, { halfedge });
   }
 }
 
 } // anonymous namespace
 
 void addPointWindows(const TriangleMesh& mesh, Id face, const Barycentric& point,
-  const CurveWedge& wedge, const CurveSectors& sectors, std::vector<LeavingWindow>& windows)
+  const CurveWedge& wedge, const CurveSectors& sectors, std::vector<LeavingWindow>& windows,
+  std::vector<Id>& nearVertices)
 {
   const CurveWedge::Bounds bounds = wedge.boundsIn(face);
   for (std::size_t k = 0; k < 3; ++k)
@@ -195,7 +202,7 @@ void addPointWindows(const TriangleMesh& mesh, Id face, const Barycentric& point
     const bool isOnIt = point[(k + 2) % 3] == 0.0;
     if (!isOnIt && !mesh.isBoundary(halfedge) && mesh.length(halfedge) > 0.0)
     {
-      addThroughHalfedge(mesh, halfedge, point, bounds, sectors, windows);
+      addThroughHalfedge(mesh, halfedge, point, bounds, sectors, windows, nearVertices);
     }
   }
 }

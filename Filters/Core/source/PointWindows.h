@@ -17,8 +17,12 @@ namespace geodesic
 /// Where on a halfedge a ray passes says little of its direction when the point is close to the
 /// halfedge (tolerance::NearEdge). All rays go through it then, and windows behind the next faces
 /// are added as well, whose rays come straight from the point.
+///
+/// \param nearVertices gets the vertices at the point (tolerance::NearVertex) that these faces end
+///        in.
 void addPointWindows(const TriangleMesh& mesh, Id face, const Barycentric& point,
-  const CurveWedge& wedge, const CurveSectors& sectors, std::vector<LeavingWindow>& windows);
+  const CurveWedge& wedge, const CurveSectors& sectors, std::vector<LeavingWindow>& windows,
+  std::vector<Id>& nearVertices);
 
 }
 

@@ -146,7 +146,8 @@ private:
           this->result_.inFaces.push_back({ face, b, b, curve, place, place });
           this->findNearVertices(face, b);
         }
-        addPointWindows(this->mesh_, face, b, this->wedge_, this->sectors_, this->result_.windows);
+        addPointWindows(this->mesh_, face, b, this->wedge_, this->sectors_, this->result_.windows,
+          this->result_.nearVertices);
       });
   }
 

@@ -111,8 +111,27 @@ bool staysAbove(const Window& above, const AtEnds& high, const AtEnds& low, doub
 
 } // anonymous namespace
 
+// A linear window's source is a direction: its distance changes with the place on the halfedge. The
+// surface may bring different sources, or different places of one, to one point of the plane.
+bool isSameSource(const Window& a, const Window& b)
+{
+  const double source = std::abs(a.sourceX) + a.sourceDepth;
+  const double length = a.isLinear() ? b.end : source;
+  return a.kind == b.kind && a.origin == b.origin &&
+    std::abs(a.place - b.place) <= tolerance::SameSource * (std::abs(a.place) + length) &&
+    std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source &&
+    std::abs(a.sourceDepth - b.sourceDepth) <= tolerance::SameSource * source &&
+    std::abs(a.sigma - b.sigma) <= tolerance::SameSource * (std::abs(a.sigma) + length);
+}
+
 LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi)
 {
+  if (a.facesCrossed != b.facesCrossed && isSameSource(a, b))
+  {
+    LowerParts fewer;
+    fewer.firstIsA = a.facesCrossed < b.facesCrossed;
+    return fewer;
+  }
   if (a.sigma == b.sigma && !a.isLinear() && !b.isLinear())
   {
     return lowerOfSameSigma(a, b, lo, hi);

@@ -17,6 +17,9 @@ struct LowerParts
   std::array<double, 2> cut{};
 };
 
+/// Whether two windows of a halfedge have the same source, up to rounding: parts of one pencil.
+bool isSameSource(const Window& a, const Window& b);
+
 /// Compares the distances of two windows on [lo, hi], which both cover (paper, section 3.3). Where
 /// they are equal up to rounding throughout, the first one keeps all.
 LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi);

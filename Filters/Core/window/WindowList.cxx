@@ -198,24 +198,6 @@ void WindowListBuilder::appendPiece(const Window& window, double begin, double e
   }
 }
 
-namespace
-{
-
-// A linear window's source is a direction: its distance changes with the place on the halfedge. The
-// surface may bring different sources, or different places of one, to one point of the plane.
-bool isSameSource(const Window& a, const Window& b)
-{
-  const double source = std::abs(a.sourceX) + a.sourceDepth;
-  const double length = a.isLinear() ? b.end : source;
-  return a.kind == b.kind && a.origin == b.origin &&
-    std::abs(a.place - b.place) <= tolerance::SameSource * (std::abs(a.place) + length) &&
-    std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source &&
-    std::abs(a.sourceDepth - b.sourceDepth) <= tolerance::SameSource * source &&
-    std::abs(a.sigma - b.sigma) <= tolerance::SameSource * (std::abs(a.sigma) + length);
-}
-
-} // anonymous namespace
-
 void WindowListBuilder::appendOfOther(const Window& window)
 {
   if (this->windows_.empty() || !isSameSource(this->windows_.back(), window) ||
