@@ -38,7 +38,10 @@ std::vector<SurfacePoint> cleanedPath(const TriangleMesh& mesh,
   double length)
 {
   std::vector<SurfacePoint> result = { first };
-  for (std::size_t i = 1; i + 1 < path.size(); ++i)
+  // A path may begin at a vertex at the place of the first point, behind faces without area.
+  const bool isBehind = path.size() > 1 && commonFace(mesh, first, path[1]) == NoId &&
+    commonFace(mesh, first, path[0]) != NoId;
+  for (std::size_t i = isBehind ? 0 : 1; i + 1 < path.size(); ++i)
   {
     const SurfacePoint atVertex = atVertexWithin(mesh, path[i], tolerance::PathAtVertex * length);
     const bool isKept = commonFace(mesh, result.back(), atVertex) != NoId &&

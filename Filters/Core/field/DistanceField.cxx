@@ -5,6 +5,8 @@
 #include "Tolerance.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace geodesic
 {
@@ -63,7 +65,7 @@ double DistanceField::distance(const SurfacePoint& point) const
     return this->front_.vertexDistances[p.id];
   }
   // One complete face tells all: on its edge, windows that come in through the edge are there.
-  LastPiece best;
+  LastPieces pieces;
   bool isKnown = false;
   bool isDropped = false;
   forEachFace(*this->mesh_, p,
@@ -74,7 +76,7 @@ double DistanceField::distance(const SurfacePoint& point) const
       if (isInsideKnown)
       {
         isKnown = true;
-        this->arriveThrough(face, p, true, best);
+        this->arriveThrough(face, p, true, pieces);
       }
     });
   if (isDropped && !isKnown)
@@ -82,77 +84,89 @@ double DistanceField::distance(const SurfacePoint& point) const
     throw Error("The distance inside a face was asked for, but the solve did not keep the windows "
                 "there.");
   }
-  return best.distance;
+  return pieces.best.distance;
 }
 
-bool DistanceField::LastPiece::isBeatenBy(double otherDistance, double otherLength) const
+bool DistanceField::LastPieces::isBest(double distance, double length) const
 {
-  const bool isTie = std::abs(otherDistance - this->distance) <= this->tie;
-  return isTie ? otherLength > this->length : otherDistance < this->distance;
+  const bool isTie = std::abs(distance - this->best.distance) <= this->tie;
+  return isTie ? length > this->best.length : distance < this->best.distance;
 }
 
-void DistanceField::LastPiece::replace(
-  double newDistance, double newLength, const SurfacePoint& newFrom, bool isFromSource)
+void DistanceField::LastPieces::add(const LastPiece& piece)
 {
-  this->distance = newDistance;
-  this->length = newLength;
-  this->from = newFrom;
-  this->fromSource = isFromSource;
+  const bool isBestSoFar = this->isBest(piece.distance, piece.length);
+  if (isBestSoFar)
+  {
+    this->best = piece;
+  }
+  if (piece.distance <= this->most)
+  {
+    this->bestKept = isBestSoFar ? this->kept.size() : this->bestKept;
+    this->kept.push_back(piece);
+  }
 }
 
-// The last piece of a shortest path to a point, through a face that the path has not crossed.
-DistanceField::LastPiece DistanceField::arrive(
-  const SurfacePoint& point, double distance, const std::vector<std::uint8_t>& isCrossed) const
+// The last pieces of paths to a point, through faces that the path has not crossed: the best first.
+std::vector<DistanceField::LastPiece> DistanceField::waysTo(const SurfacePoint& point,
+  double distance, double most, const std::vector<std::uint8_t>& isCrossed) const
 {
-  LastPiece best;
+  LastPieces pieces;
   forEachFace(*this->mesh_, point,
     [&](Id face)
     {
       if (!isCrossed[face])
       {
-        const LastPiece before = best;
-        best.tie =
-          tolerance::Tie * distance + tolerance::PlaceRounding * this->mesh_->shape(face).longest();
-        this->arriveThrough(face, point, false, best);
-        const bool isBetter = best.distance != before.distance || best.length != before.length;
-        best.face = isBetter ? face : best.face;
+        const double ofPlace = tolerance::PlaceRounding * this->mesh_->shape(face).longest();
+        pieces.tie = tolerance::Tie * distance + ofPlace;
+        pieces.most = most + ofPlace;
+        pieces.face = face;
+        this->arriveThrough(face, point, false, pieces);
       }
     });
-  return best;
+  std::vector<LastPiece>& ways = pieces.kept;
+  if (!ways.empty())
+  {
+    std::swap(ways.front(), ways[pieces.bestKept]);
+    std::stable_sort(ways.begin() + 1, ways.end(),
+      [](const LastPiece& a, const LastPiece& b) { return a.distance < b.distance; });
+  }
+  return std::move(ways);
 }
 
 // A shortest path comes to a point of a face from a source in the face, a corner, or through a
 // halfedge. Sides that hold the point give its distance, but no piece of the path.
 void DistanceField::arriveThrough(
-  Id face, const SurfacePoint& point, bool ownHalfedges, LastPiece& best) const
+  Id face, const SurfacePoint& point, bool ownHalfedges, LastPieces& pieces) const
 {
   const Barycentric b = barycentric(*this->mesh_, point, face);
-  this->arriveFromSources(face, b, best);
-  this->arriveFromCorners(face, point, b, best);
+  this->arriveFromSources(face, b, pieces);
+  this->arriveFromCorners(face, point, b, pieces);
   for (Id k = 0; k < 3; ++k)
   {
     if (ownHalfedges || b[(k + 2) % 3] != 0.0)
     {
-      this->arriveThroughHalfedge(3 * face + k, b, best);
+      this->arriveThroughHalfedge(3 * face + k, b, pieces);
     }
   }
 }
 
-void DistanceField::arriveFromSources(Id face, const Barycentric& b, LastPiece& best) const
+void DistanceField::arriveFromSources(Id face, const Barycentric& b, LastPieces& pieces) const
 {
   for (const SourceInFace& source : this->sourcesIn(face))
   {
     const Barycentric nearest = nearestOnSource(*this->mesh_, source, b);
     const double length = distanceInFace(*this->mesh_, face, nearest, b);
-    if (best.isBeatenBy(length, length))
+    if (pieces.isWanted(length, length))
     {
-      best.replace(length, length, fromBarycentric(*this->mesh_, face, nearest), true);
+      pieces.add(
+        { length, length, fromBarycentric(*this->mesh_, face, nearest), true, pieces.face });
     }
   }
 }
 
 void DistanceField::arriveFromCorners(
-  Id face, const SurfacePoint& point, const Barycentric& b, LastPiece& best) const
+  Id face, const SurfacePoint& point, const Barycentric& b, LastPieces& pieces) const
 {
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -163,14 +177,15 @@ void DistanceField::arriveFromCorners(
     }
     const double length = distanceInFace(*this->mesh_, face, cornerWeights(k), b);
     const double distance = this->front_.vertexDistances[vertex] + length;
-    if (best.isBeatenBy(distance, length))
+    if (pieces.isWanted(distance, length))
     {
-      best.replace(distance, length, SurfacePoint::atVertex(vertex), false);
+      pieces.add({ distance, length, SurfacePoint::atVertex(vertex), false, pieces.face });
     }
   }
 }
 
-void DistanceField::arriveThroughHalfedge(Id halfedge, const Barycentric& b, LastPiece& best) const
+void DistanceField::arriveThroughHalfedge(
+  Id halfedge, const Barycentric& b, LastPieces& pieces) const
 {
   const Vec2 p = inHalfedgeFrame(*this->mesh_, halfedge, b);
   for (const Window& window : this->windowsOn(halfedge))
@@ -178,45 +193,100 @@ void DistanceField::arriveThroughHalfedge(Id halfedge, const Barycentric& b, Las
     const double x = window.crossing(p);
     const double length = norm(p - Vec2{ x, 0.0 });
     const double distance = std::max(window.distance(x), 0.0) + length;
-    if (best.isBeatenBy(distance, length))
+    if (pieces.isWanted(distance, length))
     {
-      best.replace(distance, length,
-        onHalfedge(*this->mesh_, halfedge, x / this->mesh_->length(halfedge)), false);
+      const double fraction = x / this->mesh_->length(halfedge);
+      pieces.add(
+        { distance, length, onHalfedge(*this->mesh_, halfedge, fraction), false, pieces.face });
     }
   }
 }
 
-// A shortest path crosses no face twice, so that pieces without length lead around in no circle.
 std::vector<SurfacePoint> DistanceField::path(const SurfacePoint& from) const
 {
   this->requireWindows();
+  const double whole = this->distance(from);
   std::vector<SurfacePoint> points;
-  double remaining = this->distance(from);
-  if (!(remaining < Infinity))
+  for (const double slack : { tolerance::Tie, tolerance::BoundMargin })
   {
-    return points;
-  }
-  points.push_back(normalized(*this->mesh_, from));
-  bool atSource = remaining <= 0.0;
-  std::vector<std::uint8_t> isCrossed(this->mesh_->numberOfFaces(), 0);
-  while (!atSource)
-  {
-    const LastPiece arrival = this->arrive(points.back(), remaining, isCrossed);
-    const double next = arrival.distance - arrival.length;
-    if (!(next <= remaining * (1.0 + tolerance::Tie)) && !arrival.fromSource)
+    if (whole < Infinity && points.empty())
     {
-      break; // at the source but for rounding
+      points = this->path(normalized(*this->mesh_, from), whole, slack);
     }
-    // A piece without length may lead onto a vertex beside, and the path from there back.
-    const bool ontoVertex = points.back().kind != SurfacePoint::Kind::Vertex &&
-      arrival.from.kind == SurfacePoint::Kind::Vertex;
-    isCrossed[arrival.face] |= ontoVertex ? 0 : 1;
-    points.push_back(arrival.from);
-    remaining = next;
-    const SurfacePoint& p = points.back();
-    const bool vertexOnSource =
-      p.kind == SurfacePoint::Kind::Vertex && this->front_.vertexDistances[p.id] == 0.0;
-    atSource = arrival.fromSource || vertexOnSource;
+  }
+  return points;
+}
+
+struct DistanceField::PathStep
+{
+  SurfacePoint point;
+  /// Of the path up to here, and what is left.
+  double length = 0.0;
+  double left = 0.0;
+  bool isAtSource = false;
+  /// The face crossed to come here.
+  Id face = NoId;
+  std::vector<LastPiece> ways = {};
+  std::size_t next = 0;
+};
+
+// Depth first: pieces without length may lead around faces without area to where no way on is left
+// but back. A shortest path crosses no face twice, and what has been left once is not tried again,
+// so that it ends.
+std::vector<SurfacePoint> DistanceField::path(
+  const SurfacePoint& from, double whole, double slack) const
+{
+  const double longest = (1.0 + slack) * whole;
+  std::vector<std::uint8_t> isCrossed(this->mesh_->numberOfFaces(), 0);
+  std::set<std::pair<SurfacePoint::Kind, Id>> deadEnds;
+  const auto keyOf = [this](const SurfacePoint& p)
+  {
+    return std::pair(p.kind, p.kind == SurfacePoint::Kind::Edge ? this->mesh_->edgeOf(p.id) : p.id);
+  };
+  std::vector<PathStep> steps;
+  const auto goTo = [&](PathStep step)
+  {
+    const SurfacePoint& p = step.point;
+    step.isAtSource = step.isAtSource ||
+      (p.kind == SurfacePoint::Kind::Vertex && this->front_.vertexDistances[p.id] == 0.0);
+    if (step.face != NoId)
+    {
+      isCrossed[step.face] = 1;
+    }
+    if (!step.isAtSource)
+    {
+      step.ways = this->waysTo(p, step.left, longest - step.length, isCrossed);
+    }
+    steps.push_back(std::move(step));
+  };
+  goTo({ from, 0.0, whole, whole <= 0.0 });
+  while (!steps.empty() && !steps.back().isAtSource)
+  {
+    PathStep& last = steps.back();
+    if (last.next == last.ways.size())
+    {
+      deadEnds.insert(keyOf(last.point));
+      if (last.face != NoId)
+      {
+        isCrossed[last.face] = 0;
+      }
+      steps.pop_back();
+      continue;
+    }
+    const LastPiece& way = last.ways[last.next++];
+    if (deadEnds.count(keyOf(way.from)) == 0)
+    {
+      // A piece without length may lead onto a vertex beside, and the path from there back.
+      const bool ontoVertex = last.point.kind != SurfacePoint::Kind::Vertex &&
+        way.from.kind == SurfacePoint::Kind::Vertex;
+      goTo({ way.from, last.length + way.length, way.distance - way.length, way.fromSource,
+        ontoVertex ? NoId : way.face });
+    }
+  }
+  std::vector<SurfacePoint> points;
+  for (const PathStep& step : steps)
+  {
+    points.push_back(step.point);
   }
   return points;
 }

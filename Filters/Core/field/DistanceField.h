@@ -80,13 +80,14 @@ public:
 
   /// The shortest path from the point back to the source, as points of the surface: the point, a
   /// point on every edge it crosses, the vertices it passes, its end on the source. One of them
-  /// where there are several. Empty where the point was not reached.
+  /// where there are several. Empty where the point was not reached, or where by rounding no path
+  /// as long as the distance (tolerance::BoundMargin) is found.
   ///
   /// \throws Error where not all windows were kept.
   std::vector<SurfacePoint> path(const SurfacePoint& from) const;
 
 private:
-  /// The last straight piece of a shortest path to a point: it comes through one face from `from`.
+  /// The last straight piece of a path to a point: it comes through one face from `from`.
   struct LastPiece
   {
     double distance = Infinity;
@@ -96,27 +97,48 @@ private:
     bool fromSource = false;
     /// The face of the piece.
     Id face = NoId;
+  };
+
+  /// The best of the pieces that come to a point, and on demand all that may be part of a shortest
+  /// path.
+  struct LastPieces
+  {
+    LastPiece best;
     /// Of pieces whose distances differ by no more the longest is best: no path is led over places
     /// a rounding beside it.
     double tie = 0.0;
+    /// The face that is looked at.
+    Id face = NoId;
+    /// The longest distance of those that are kept, and these; which of them is the best.
+    double most = -Infinity;
+    std::vector<LastPiece> kept;
+    std::size_t bestKept = 0;
 
-    bool isBeatenBy(double otherDistance, double otherLength) const;
-    void replace(
-      double newDistance, double newLength, const SurfacePoint& newFrom, bool isFromSource);
+    bool isBest(double distance, double length) const;
+    bool isWanted(double distance, double length) const
+    {
+      return distance <= this->most || this->isBest(distance, length);
+    }
+    void add(const LastPiece& piece);
   };
+
+  /// A place that a search for a path has come to, and the ways on that are left to try.
+  struct PathStep;
 
   bool isComplete(Id face) const
   {
     return this->front_.completeFaces.empty() || this->front_.completeFaces[face];
   }
   void requireWindows() const;
-  LastPiece arrive(
-    const SurfacePoint& point, double distance, const std::vector<std::uint8_t>& isCrossed) const;
-  void arriveThrough(Id face, const SurfacePoint& point, bool ownHalfedges, LastPiece& best) const;
+  std::vector<SurfacePoint> path(const SurfacePoint& from, double whole, double slack) const;
+  std::vector<LastPiece> waysTo(const SurfacePoint& point, double distance, double most,
+    const std::vector<std::uint8_t>& isCrossed) const;
+  void arriveThrough(
+    Id face, const SurfacePoint& point, bool ownHalfedges, LastPieces& pieces) const;
   void arriveFromCorners(
-    Id face, const SurfacePoint& point, const std::array<double, 3>& b, LastPiece& best) const;
-  void arriveFromSources(Id face, const std::array<double, 3>& b, LastPiece& best) const;
-  void arriveThroughHalfedge(Id halfedge, const std::array<double, 3>& b, LastPiece& best) const;
+    Id face, const SurfacePoint& point, const std::array<double, 3>& b, LastPieces& pieces) const;
+  void arriveFromSources(Id face, const std::array<double, 3>& b, LastPieces& pieces) const;
+  void arriveThroughHalfedge(Id halfedge, const std::array<double, 3>& b, LastPieces& pieces) const;
 
   const TriangleMesh* mesh_ = nullptr;
   FrontResult front_;
