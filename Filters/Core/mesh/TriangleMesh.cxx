@@ -368,6 +368,27 @@ void TriangleMesh::Builder::findPseudoSources()
     });
 }
 
+namespace
+{
+
+// Where a face without area has a corner on its longest edge, it lies on that edge: what rounding
+// left of its altitude would turn rays by as much at each crossing, and windows drift around
+// several such faces until they are no longer told to be one.
+void flatten(FaceShape& shape, std::size_t longest)
+{
+  const std::size_t next = (longest + 1) % 3;
+  const std::size_t apex = (longest + 2) % 3;
+  if (shape.cornerDot[apex] < 0.0 && shape.hasZeroArea())
+  {
+    shape.area2 = 0.0;
+    shape.cornerDot[longest] = shape.length[longest] * shape.length[apex];
+    shape.cornerDot[next] = shape.length[longest] * shape.length[next];
+    shape.cornerDot[apex] = -shape.length[next] * shape.length[apex];
+  }
+}
+
+} // anonymous namespace
+
 FaceShape TriangleMesh::measure(Id face) const
 {
   const Triangle& t = this->faces_[face].corners;
@@ -385,6 +406,7 @@ FaceShape TriangleMesh::measure(Id face) const
   // Of the three equal cross products the one of the two shorter edges has the least rounding.
   const std::size_t longest = shape.longestEdge();
   shape.area2 = norm(cross(edge[(longest + 1) % 3], edge[(longest + 2) % 3]));
+  flatten(shape, longest);
   return shape;
 }
 
