@@ -124,17 +124,22 @@ private:
     {
       this->nearVertices_.push_back(this->mesh_.opposite(halfedge));
     }
-    const bool toLeft = !w.passesRightOf(0.0, face.apex);
-    const bool toRight = w.passesRightOf(face.length, face.apex);
+    // In a face without area all rays run along its edges, which tells nothing of where to.
+    Window seen = w;
+    seen.sourceDepth = face.apex.y > 0.0
+      ? w.sourceDepth
+      : std::max(w.sourceDepth, tolerance::SourceDepth * face.length);
+    const bool toLeft = !seen.passesRightOf(0.0, face.apex);
+    const bool toRight = seen.passesRightOf(face.length, face.apex);
     if (toLeft)
     {
-      const double end = toRight ? face.leftLength : face.meetLeft(w, face.length);
+      const double end = toRight ? face.leftLength : face.meetLeft(seen, face.length);
       this->leave({ TriangleMesh::previousInFace(halfedge), face.throughLeft(w, 0.0, end) },
         frame.turnedBy(face.leftAxis));
     }
     if (toRight)
     {
-      const double begin = toLeft ? 0.0 : face.meetRight(w, 0.0);
+      const double begin = toLeft ? 0.0 : face.meetRight(seen, 0.0);
       this->leave(
         { TriangleMesh::nextInFace(halfedge), face.throughRight(w, begin, face.rightLength) },
         frame.turnedBy(face.rightAxis));
