@@ -374,11 +374,16 @@ namespace
 // Where a face without area has a corner on its longest edge, it lies on that edge: what rounding
 // left of its altitude would turn rays by as much at each crossing, and windows drift around
 // several such faces until they are no longer told to be one.
-void flatten(FaceShape& shape, std::size_t longest)
+//
+// A corner that was put onto the edge has been rounded as coordinates are.
+void flatten(FaceShape& shape, std::size_t longest, double largestCoordinate)
 {
   const std::size_t next = (longest + 1) % 3;
   const std::size_t apex = (longest + 2) % 3;
-  if (shape.cornerDot[apex] < 0.0 && shape.hasZeroArea())
+  const double length = shape.length[longest];
+  const double reach = std::min(tolerance::SnapRoundings * tolerance::Rounding * largestCoordinate,
+    tolerance::SnapFraction * std::min(shape.length[next], shape.length[apex]));
+  if (shape.cornerDot[apex] < 0.0 && (shape.hasZeroArea() || shape.area2 <= reach * length))
   {
     shape.area2 = 0.0;
     shape.cornerDot[longest] = shape.length[longest] * shape.length[apex];
@@ -406,7 +411,9 @@ FaceShape TriangleMesh::measure(Id face) const
   // Of the three equal cross products the one of the two shorter edges has the least rounding.
   const std::size_t longest = shape.longestEdge();
   shape.area2 = norm(cross(edge[(longest + 1) % 3], edge[(longest + 2) % 3]));
-  flatten(shape, longest);
+  flatten(shape, longest,
+    std::max({ largestCoordinate(this->points_[t[0]]), largestCoordinate(this->points_[t[1]]),
+      largestCoordinate(this->points_[t[2]]) }));
   return shape;
 }
 

@@ -109,9 +109,12 @@ std::vector<SourceCurve> onSurface(const TriangleMesh& mesh, const FlatLine& lin
 FlatLine joined(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
 {
   FlatLine result;
-  for (const SurfacePoint& point : curves.at(0).points)
+  for (const SourceCurve& curve : curves)
   {
-    result.points.push_back(geodesic::position(mesh, point));
+    for (const SurfacePoint& point : curve.points)
+    {
+      result.points.push_back(geodesic::position(mesh, point));
+    }
   }
   return result;
 }
