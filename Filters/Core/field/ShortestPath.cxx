@@ -46,9 +46,10 @@ class StripRetention : public RetentionAround
 {
 public:
   StripRetention(const TriangleMesh& mesh, const SurfacePoint& second,
-    const std::vector<double>& toSecond, Corridor& corridor)
+    const std::vector<double>& toSecond, double least, Corridor& corridor)
     : RetentionAround(mesh, { second })
     , toSecond_(toSecond)
+    , least_(least)
     , corridor_(corridor)
   {
   }
@@ -59,13 +60,14 @@ public:
     for (const Id vertex : front.settled)
     {
       const double length = front.distances(vertex) + (1.0 + SearchError) * this->toSecond_[vertex];
-      this->corridor_.length =
-        std::min(this->corridor_.length, (1.0 + tolerance::BoundMargin) * length);
+      this->corridor_.length = std::min(
+        this->corridor_.length, std::max(this->least_, (1.0 + tolerance::BoundMargin) * length));
     }
   }
 
 private:
   const std::vector<double>& toSecond_;
+  double least_;
   Corridor& corridor_;
 };
 
@@ -115,11 +117,14 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
     propagate(mesh, { pointCurve(second) }, options, search).vertexDistances;
 
   corridor.lowerBounds = lowerBounds(mesh, first, second, toSecond, length, search.reach());
-  corridor.length = std::min(length, (1.0 + SearchError) * search.reach());
+  // Behind faces without area the two may be at one place: a path there has the length of
+  // roundings.
+  const double least = tolerance::BoundMargin * length;
+  corridor.length = std::min(length, std::max(least, (1.0 + SearchError) * search.reach()));
   options.relativeError = 0.0;
   options.keepArrivals = true;
   options.progress = part(progress, ShareOfSearch, 1.0);
-  StripRetention strip(mesh, second, toSecond, corridor);
+  StripRetention strip(mesh, second, toSecond, least, corridor);
   FrontResult front = propagate(mesh, { pointCurve(first) }, options, strip);
   const DistanceField field(mesh, std::move(front), strip.release());
   std::vector<SurfacePoint> path;
