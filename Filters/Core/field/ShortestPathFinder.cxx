@@ -7,6 +7,8 @@
 #include "field/EdgePath.h"
 #include "field/ShortestPath.h"
 
+#include <algorithm>
+
 namespace geodesic
 {
 
@@ -14,15 +16,16 @@ namespace
 {
 
 /// A path that broke off, or an empty one, has ends without a common face.
-void checkWhole(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path)
+bool isWhole(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path)
 {
   for (std::size_t i = 1; i < path.size(); ++i)
   {
     if (commonFace(mesh, path[i - 1], path[i]) == NoId)
     {
-      throw Error("The shortest path between two points of the source could not be traced.");
+      return false;
     }
   }
+  return true;
 }
 
 /// Where an end is a rounding beside a vertex or an edge, the path goes over that: a patch has the
@@ -55,15 +58,31 @@ std::vector<SurfacePoint> ShortestPathFinder::between(
     return {};
   }
   const Patch patch(this->mesh_, first, second, length, this->workSpace_, progress);
-  std::vector<SurfacePoint> path =
-    shortestPath(patch.mesh(), patch.first(), patch.second(), length, this->parallelFor_, progress);
-  for (SurfacePoint& point : path)
+  // From a point to another; both also as points of the patch.
+  const auto find = [&](const SurfacePoint& from, const SurfacePoint& to,
+                      const SurfacePoint& fromOnPatch, const SurfacePoint& toOnPatch)
   {
-    point = patch.onSurface(point);
+    std::vector<SurfacePoint> path =
+      shortestPath(patch.mesh(), fromOnPatch, toOnPatch, length, this->parallelFor_, progress);
+    for (SurfacePoint& point : path)
+    {
+      point = patch.onSurface(point);
+    }
+    path = cleanedPath(this->mesh_, path, from, to, length);
+    linkEnds(this->mesh_, path);
+    return path;
+  };
+  std::vector<SurfacePoint> path = find(first, second, patch.first(), patch.second());
+  if (!isWhole(this->mesh_, path))
+  {
+    // It may begin at a vertex at the place of the first point, behind several faces without area.
+    path = find(second, first, patch.second(), patch.first());
+    std::reverse(path.begin(), path.end());
   }
-  path = cleanedPath(this->mesh_, path, first, second, length);
-  linkEnds(this->mesh_, path);
-  checkWhole(this->mesh_, path);
+  if (!isWhole(this->mesh_, path))
+  {
+    throw Error("The shortest path between two points of the source could not be traced.");
+  }
   return path;
 }
 
