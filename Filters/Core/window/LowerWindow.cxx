@@ -117,9 +117,9 @@ bool isSameSource(const Window& a, const Window& b)
 {
   const double source = std::abs(a.sourceX) + a.sourceDepth;
   const double length = a.isLinear() ? b.end : source;
-  return a.kind == b.kind && a.origin == b.origin &&
+  return std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source && a.kind == b.kind &&
+    a.origin == b.origin &&
     std::abs(a.place - b.place) <= tolerance::SameSource * (std::abs(a.place) + length) &&
-    std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source &&
     std::abs(a.sourceDepth - b.sourceDepth) <= tolerance::SameSource * source &&
     std::abs(a.sigma - b.sigma) <= tolerance::SameSource * (std::abs(a.sigma) + length);
 }
@@ -128,6 +128,8 @@ LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi)
 {
   if (a.facesCrossed != b.facesCrossed && isSameSource(a, b))
   {
+    // One pencil that has come back around faces without area: by rounding the longer way would win
+    // at times, up to the limit of faces crossed.
     LowerParts fewer;
     fewer.firstIsA = a.facesCrossed < b.facesCrossed;
     return fewer;

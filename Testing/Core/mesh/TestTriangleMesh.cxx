@@ -206,6 +206,30 @@ TEST(TriangleMesh, AFaceIsCountedAsWithoutAreaUpToRoundingOnly)
   EXPECT_FALSE(counted(4e-15));
 }
 
+// Also where coordinates are rounded to more than a fraction of the face.
+TEST(TriangleMesh, ACornerOnTheLongestEdgeLeavesNoAltitude)
+{
+  Random random(77);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const double far = i % 2 == 0 ? 0.0 : 1e4;
+    const Vec3 a = { far + random.uniform(), random.uniform(), random.uniform() };
+    const Vec3 b = { far + random.uniform(), random.uniform(), random.uniform() };
+    const double t = random.uniform(0.05, 0.95);
+    PlainMesh plain;
+    plain.points = { a, b, {} };
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      plain.points[2][k] = (1.0 - t) * a[k] + t * b[k];
+    }
+    plain.triangles = { { 0, 1, 2 } };
+    const TriangleMesh mesh = engineMesh(plain);
+    EXPECT_EQ(mesh.report().zeroAreaFaces, 1u) << i;
+    EXPECT_EQ(mesh.shape(0).area2, 0.0) << i;
+    EXPECT_EQ(mesh.cornerAngle(2), std::atan2(0.0, -1.0)) << i;
+  }
+}
+
 TEST(TriangleMesh, AFlatVertexIsNoSaddleAndAnExcessBeyondRoundingIsOne)
 {
   // In a plane the angles sum to 2 pi up to rounding.

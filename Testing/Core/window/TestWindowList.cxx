@@ -206,6 +206,33 @@ TEST(WindowList, PencilsOfOneSourceFromTwoListsBecomeOneAndKeepTheLargerError)
   }
 }
 
+// As around faces without area, with the rounding of some unfoldings.
+TEST(WindowList, OfAPencilThatHasComeBackTheShorterWayRoundStays)
+{
+  Window first = circularWindow(0.2, 0.8, 0.3, 2.0, 1.0);
+  first.facesCrossed = 3;
+  for (const double rounding : { -4.0 * Epsilon, 4.0 * Epsilon })
+  {
+    Window again = first;
+    again.begin = 0.3;
+    again.end = 0.9;
+    again.facesCrossed = 7;
+    again.sigma += rounding;
+    again.sourceDepth += rounding;
+    for (const bool isFirstAppended : { true, false })
+    {
+      WindowListBuilder builder;
+      builder.reset(1.0);
+      builder.append(isFirstAppended ? first : again);
+      builder.append(isFirstAppended ? again : first);
+      ASSERT_EQ(builder.windows().size(), 2u);
+      EXPECT_EQ(builder.windows()[0].facesCrossed, 3u);
+      EXPECT_EQ(builder.windows()[0].end, 0.8);
+      EXPECT_EQ(builder.windows()[1].facesCrossed, 7u);
+    }
+  }
+}
+
 TEST(WindowList, PencilsThatAreNotOneStayTwo)
 {
   const Window left = circularWindow(0.0, 0.5, 0.3, 2.0, 1.0);
