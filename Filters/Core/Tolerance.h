@@ -12,8 +12,8 @@ namespace geodesic::tolerance
 constexpr double Rounding = std::numeric_limits<double>::epsilon();
 
 /// A face has zero area when twice its area is below this fraction of its longest halfedge squared:
-/// the cross product of collinear corners leaves a few roundings. Only counted, never treated
-/// apart.
+/// the cross product of collinear corners leaves a few roundings. A corner over that edge is put
+/// onto it.
 constexpr double ZeroArea = 8.0 * Rounding;
 
 /// A vertex whose total angle is over the straight angle by less than this fraction is flat: the
