@@ -4,8 +4,8 @@
 #include "Errors.h"
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Notes.h"
-#include "PolyData/RankExchange.h"
 #include "PolyData/SurfaceCache.h"
+#include "PolyData/ranks/RankExchange.h"
 
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
@@ -339,7 +339,7 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
     const std::string said = this->Internals->Given.take(execution.notes(), this);
     execution.finish();
     exchange = nullptr; // what goes wrong from here on is no concern of other ranks
-    if (!said.empty() && execution.isNoteGiver())
+    if (!said.empty() && execution.reportsWarnings())
     {
       vtkWarningMacro(<< said);
     }

@@ -2,12 +2,12 @@
 #include "vtkGeodesicContour.h"
 
 #include "PolyData/FilterExecution.h"
-#include "PolyData/IsolineWriter.h"
 #include "PolyData/ParallelFor.h"
-#include "PolyData/SourceArrays.h"
-#include "field/IsolineSides.h"
-#include "field/Isolines.h"
-#include "field/SolveForIsolines.h"
+#include "PolyData/writing/IsolineWriter.h"
+#include "PolyData/writing/SourceArrays.h"
+#include "contours/IsolineSides.h"
+#include "contours/Isolines.h"
+#include "contours/SolveForIsolines.h"
 
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -79,7 +79,7 @@ private:
 void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
 {
   this->Execution.readInputs(geodesic::FilterExecution::Pieces::Taken);
-  if (this->Execution.surfacePlace() == geodesic::SurfacePlace::Elsewhere)
+  if (this->Execution.surfacePlace() == geodesic::SurfacePlace::OnOtherRank)
   {
     geodesic::addEmptyIsolineArrays(output);
     return;

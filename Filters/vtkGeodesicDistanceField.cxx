@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceField.h"
 
-#include "PolyData/BarrierClosure.h"
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Memory.h"
 #include "PolyData/ParallelFor.h"
-#include "PolyData/PolyDataSource.h"
-#include "PolyData/RefinedPiece.h"
-#include "PolyData/RefinedPolyData.h"
-#include "PolyData/SourceArrays.h"
-#include "PolyData/SurfaceWriter.h"
-#include "PolyData/UnusedPoints.h"
+#include "PolyData/reading/PolyDataSource.h"
+#include "PolyData/writing/BarrierClosure.h"
+#include "PolyData/writing/RefinedPiece.h"
+#include "PolyData/writing/RefinedPolyData.h"
+#include "PolyData/writing/SourceArrays.h"
+#include "PolyData/writing/SurfaceWriter.h"
+#include "PolyData/writing/UnusedPoints.h"
 #include "field/Solve.h"
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SeamPoints.h"
@@ -147,7 +147,7 @@ private:
 void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData* curves)
 {
   this->Execution.readInputs(geodesic::FilterExecution::Pieces::Taken);
-  const bool isElsewhere = this->Execution.surfacePlace() == geodesic::SurfacePlace::Elsewhere;
+  const bool isElsewhere = this->Execution.surfacePlace() == geodesic::SurfacePlace::OnOtherRank;
   Result result;
   if (!isElsewhere)
   {
@@ -341,7 +341,7 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(
     const std::size_t count = refined.numberOfPointsWithPlaces();
     geodesic::SourceValues values =
       arrays.atPoints(refined.mesh.points, count, field, exact, nearest, part(2));
-    if (const geodesic::SurfacePart* piece = this->Execution.surface().part())
+    if (const geodesic::MeshPartition* piece = this->Execution.surface().part())
     {
       const auto isKnown = [&](geodesic::Id face)
       { return field.knowsInside(face) && exact.knowsInside(face); };
@@ -421,7 +421,7 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::Solve(bool refine) 
 //------------------------------------------------------------------------------
 geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveInPieces(bool refine) const
 {
-  const geodesic::SurfacePart& part = *this->Execution.surface().part();
+  const geodesic::MeshPartition& part = *this->Execution.surface().part();
   geodesic::FrontOptions options =
     this->FrontOptions(refine ? FieldDoneBeforeRefinement : this->DistancesDone);
   options.part = &part;
@@ -445,7 +445,7 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
   if (this->Self->MaximumNumberOfCells > 0)
   {
     const std::uint64_t faces =
-      surface.part() ? surface.part()->numberOfFacesOfWhole() : surface.mesh().numberOfFaces();
+      surface.part() ? surface.part()->numberOfGlobalFaces() : surface.mesh().numberOfFaces();
     options.maximumFaces = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells) -
       (geodesic::countOwnTriangles(surface) - faces);
   }

@@ -189,7 +189,7 @@ void vtkGeodesicDistanceMatrix::Compute(
   execution.requireTargets(true);
   execution.readInputs(geodesic::FilterExecution::Pieces::Refused);
   vtkTable* table = vtkTable::GetData(outputVector);
-  if (execution.surfacePlace() != geodesic::SurfacePlace::Elsewhere)
+  if (execution.surfacePlace() != geodesic::SurfacePlace::OnOtherRank)
   {
     this->ComputeTable(execution, table);
   }

@@ -3,9 +3,9 @@
 
 #include "PolyData/FilterExecution.h"
 #include "PolyData/ParallelFor.h"
-#include "PolyData/PathWriter.h"
-#include "field/PathsOnRanks.h"
-#include "field/PathsToSource.h"
+#include "PolyData/writing/PathWriter.h"
+#include "paths/PathsOnRanks.h"
+#include "paths/PathsToSource.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -123,7 +123,7 @@ std::vector<geodesic::PathOfTarget> SendHome(const geodesic::FilterExecution& ex
     const int home = execution.rankOfTarget(path.target);
     if (!areFoundByAll || home == exchange.rank())
     {
-      geodesic::Message& message = messages[geodesic::indexOf(home)];
+      geodesic::Message& message = messages[geodesic::rankIndex(home)];
       if (message.empty())
       {
         geodesic::put(message, scale);
@@ -191,7 +191,7 @@ void vtkGeodesicPaths::Compute(
   execution.readInputs(geodesic::FilterExecution::Pieces::Taken);
   std::vector<geodesic::PathOfTarget> paths;
   geodesic::PowerOfTwoScale scale;
-  if (execution.surfacePlace() != geodesic::SurfacePlace::Elsewhere)
+  if (execution.surfacePlace() != geodesic::SurfacePlace::OnOtherRank)
   {
     paths = FindPaths(execution);
     scale = execution.surface().scale();

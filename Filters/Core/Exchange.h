@@ -19,7 +19,7 @@ namespace geodesic
 using Message = std::vector<std::byte>;
 
 /// A rank's place in what there is one of for each rank, such as messages.
-inline std::size_t indexOf(int rank)
+inline std::size_t rankIndex(int rank)
 {
   return static_cast<std::size_t>(rank);
 }
@@ -176,7 +176,7 @@ std::vector<Value> valuesOfRanks(Exchange& exchange, const Value& own)
   Message message;
   put(message, own);
   std::vector<Value> values;
-  values.reserve(indexOf(exchange.numberOfRanks()));
+  values.reserve(rankIndex(exchange.numberOfRanks()));
   readEach(exchange.tellAll(message),
     [&](int, MessageReader& reader) { values.push_back(reader.get<Value>()); });
   return values;
@@ -196,7 +196,7 @@ inline SumsOverRanks sumOverRanks(Exchange& exchange, std::uint64_t own)
   SumsOverRanks sums;
   for (std::size_t rank = 0; rank < numbers.size(); ++rank)
   {
-    sums.before += rank < indexOf(exchange.rank()) ? numbers[rank] : 0;
+    sums.before += rank < rankIndex(exchange.rank()) ? numbers[rank] : 0;
     sums.all += numbers[rank];
   }
   return sums;

@@ -2,8 +2,8 @@
 #ifndef geodesic_ContentKey_h
 #define geodesic_ContentKey_h
 
-#include "PolyData/BarrierArrays.h"
 #include "PolyData/PolyDataBlocks.h"
+#include "PolyData/reading/BarrierArrays.h"
 
 #include <array>
 #include <cstdint>

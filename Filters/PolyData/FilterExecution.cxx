@@ -3,11 +3,11 @@
 
 #include "PolyData/ContentKey.h"
 #include "PolyData/ParallelFor.h"
-#include "PolyData/PolyDataSource.h"
-#include "field/FacesBetweenPoints.h"
-#include "field/JoinPoints.h"
+#include "PolyData/reading/PolyDataSource.h"
+#include "paths/FacesBetweenPoints.h"
+#include "paths/JoinPoints.h"
 #include "source/BoundaryCurves.h"
-#include "source/SourceWindowsOfPart.h"
+#include "source/SourceWindowsOfPartition.h"
 #include "vtkGeodesicAlgorithm.h"
 
 #include "vtkPolyData.h"
@@ -79,7 +79,7 @@ void FilterExecution::readInputs(Pieces pieces)
     this->gatherInputs();
     this->findSurface(barriers, pieces);
   }
-  if (this->place_ == SurfacePlace::Elsewhere)
+  if (this->place_ == SurfacePlace::OnOtherRank)
   {
     return;
   }
@@ -127,7 +127,7 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
     const bool isWorker = own.isEmpty()
       ? this->exchange_->rank() == 0 && emptyOnes == this->exchange_->numberOfRanks()
       : true;
-    this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::Elsewhere;
+    this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::OnOtherRank;
     return;
   }
   this->haveAllRanksNotes_ = true;
@@ -137,7 +137,7 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
   {
     this->place_ = pieces == Pieces::Taken ? SurfacePlace::OnEveryRank
       : this->isFirstRank()                ? SurfacePlace::Here
-                                           : SurfacePlace::Elsewhere;
+                                           : SurfacePlace::OnOtherRank;
     return;
   }
   this->place_ = SurfacePlace::InPieces;
@@ -175,7 +175,7 @@ void FilterExecution::shareNumbers(const std::vector<double*>& numbers)
   Message message;
   for (const double* number : numbers)
   {
-    if (this->place_ != SurfacePlace::Elsewhere)
+    if (this->place_ != SurfacePlace::OnOtherRank)
     {
       put(message, *number);
     }
@@ -232,7 +232,7 @@ int FilterExecution::rankOfTarget(std::size_t number) const
 
 SourceWindows FilterExecution::sourcesOfPiece() const
 {
-  return sourceWindowsOfPart(*this->surface().part(), this->patch(),
+  return sourceWindowsOfPartition(*this->surface().part(), this->patch(),
     makeSourceWindows(this->patch().mesh(), this->sources_.curves));
 }
 
@@ -390,7 +390,7 @@ void FilterExecution::addBoundaryToPatch(bool hasCurve)
     return;
   }
   std::vector<Id> numbers;
-  const std::unique_ptr<SurfacePart> whole =
+  const std::unique_ptr<MeshPartition> whole =
     this->surface().partWithBarriers(numbers, this->boundaryProgress(hasCurve));
   this->onRanks_->addBoundaryOf(*whole, numbers);
 }

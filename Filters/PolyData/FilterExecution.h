@@ -6,10 +6,10 @@
 #include "PolyData/Memory.h"
 #include "PolyData/Notes.h"
 #include "PolyData/PolyDataBlocks.h"
-#include "PolyData/PolyDataTargets.h"
-#include "PolyData/RankExchange.h"
-#include "PolyData/SourceOnRanks.h"
 #include "PolyData/SurfaceCache.h"
+#include "PolyData/ranks/RankExchange.h"
+#include "PolyData/ranks/SourceOnRanks.h"
+#include "PolyData/reading/PolyDataTargets.h"
 #include "Progress.h"
 #include "source/PolylineOnSurface.h"
 #include "source/SourceWindows.h"
@@ -50,7 +50,7 @@ enum class SurfacePlace
   /// Whole on every rank, each of which works alone.
   OnEveryRank,
   /// Whole on another rank, which works alone: this one has nothing of it.
-  Elsewhere,
+  OnOtherRank,
   /// Each rank has a piece, or nothing, and all work together.
   InPieces
 };
@@ -82,14 +82,14 @@ public:
     Refused
   };
   /// Reads the surface, and the source as SourceType has it, up to InputsRead. Where the surface is
-  /// Elsewhere there is nothing to read; everything is empty then.
+  /// OnOtherRank there is nothing to read; everything is empty then.
   ///
   /// \throws geodesic::Error where one of them cannot be used; Aborted.
   void readInputs(Pieces pieces);
   SurfacePlace surfacePlace() const { return this->place_; }
   /// Between all ranks; null where there is one process only.
   Exchange* exchange() const { return this->exchange_; }
-  /// Gives ranks where the surface is Elsewhere the numbers that the working rank has found. All
+  /// Gives ranks where the surface is OnOtherRank the numbers that the working rank has found. All
   /// ranks call this.
   void shareNumbers(const std::vector<double*>& numbers);
   /// Whether this is the rank that puts out what is there once: the first one.
@@ -126,7 +126,7 @@ public:
   /// On which the curves of sources() lie: the surface's, or that of a patch() around them.
   const TriangleMesh& meshOfSources() const;
   /// Where the surface is in pieces: what all ranks have of it around the source.
-  const SurfacePatch& patch() const { return this->onRanks_->patch(); }
+  const ReplicatedPatch& patch() const { return this->onRanks_->patch(); }
   /// The rank whose input had a target, by its number; 0 where all had it.
   int rankOfTarget(std::size_t number) const;
   /// What the sources give the front of a piece to begin with.
@@ -153,7 +153,7 @@ public:
   Notes& notes() { return this->notes_; }
   /// Whether this rank tells the user what is in the notes: of several that have the same, one
   /// does.
-  bool isNoteGiver() const { return !this->haveAllRanksNotes_ || this->isFirstRank(); }
+  bool reportsWarnings() const { return !this->haveAllRanksNotes_ || this->isFirstRank(); }
 
 private:
   void noteTargets(const std::vector<PolyDataBlock>& blocks, const Targets& targets);

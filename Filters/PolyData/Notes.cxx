@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/Notes.h"
 
-#include "PolyData/PolyDataSource.h"
-#include "PolyData/PolyDataSurface.h"
-#include "PolyData/PolyDataTargets.h"
+#include "PolyData/reading/PolyDataSource.h"
+#include "PolyData/reading/PolyDataSurface.h"
+#include "PolyData/reading/PolyDataTargets.h"
 #include "mesh/SurfaceSnap.h"
 
 #include "vtkAlgorithm.h"

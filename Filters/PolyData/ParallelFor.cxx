@@ -29,15 +29,15 @@ namespace
 /// that are left of the others', so that nobody waits for a thread to start. Ranges, because
 /// neighbouring tasks of one loop go on in neighbouring tasks of the next, whose data are then at
 /// hand.
-class Team
+class ThreadTeam
 {
 public:
-  explicit Team(int helpers)
+  explicit ThreadTeam(int helpers)
     : helpers_(helpers)
     , ranges_(static_cast<std::size_t>(helpers) + 1)
   {
   }
-  ~Team()
+  ~ThreadTeam()
   {
     this->stop_.store(true);
     if (this->host_.joinable())
@@ -45,15 +45,15 @@ public:
       this->host_.join();
     }
   }
-  Team(const Team&) = delete;
-  Team& operator=(const Team&) = delete;
+  ThreadTeam(const ThreadTeam&) = delete;
+  ThreadTeam& operator=(const ThreadTeam&) = delete;
 
   void run(std::size_t count, const std::function<void(std::size_t)>& task)
   {
-    if (!this->hired_)
+    if (!this->started_)
     {
-      this->hired_ = true;
-      this->hire();
+      this->started_ = true;
+      this->start();
     }
     for (std::size_t first = 0; first < count; first += MostTasks)
     {
@@ -143,7 +143,7 @@ private:
   }
 
   // vtkSMPTools::For returns when the helpers have gone home, so that it needs a thread to wait in.
-  void hire()
+  void start()
   {
     const auto helpers = [this]()
     {
@@ -190,7 +190,7 @@ private:
   }
 
   int helpers_;
-  bool hired_ = false;
+  bool started_ = false;
   std::thread host_;
   std::atomic<bool> stop_{ false };
   std::vector<Range> ranges_;
@@ -211,7 +211,7 @@ ParallelFor smpParallelFor()
   {
     return {};
   }
-  const auto team = std::make_shared<Team>(threads - 1);
+  const auto team = std::make_shared<ThreadTeam>(threads - 1);
   return [team](std::size_t count, const std::function<void(std::size_t)>& task)
   { team->run(count, task); };
 }

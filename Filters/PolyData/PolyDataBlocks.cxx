@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/PolyDataBlocks.h"
 
-#include "PolyData/CellArrays.h"
+#include "PolyData/reading/CellArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

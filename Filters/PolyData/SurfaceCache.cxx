@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/SurfaceCache.h"
 
-#include "PolyData/SurfaceReader.h"
+#include "PolyData/reading/SurfaceReader.h"
 
 namespace geodesic
 {

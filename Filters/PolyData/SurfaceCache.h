@@ -4,10 +4,10 @@
 
 #include "PolyData/ContentKey.h"
 #include "PolyData/PolyDataBlocks.h"
-#include "PolyData/PolyDataSurface.h"
-#include "PolyData/SourceOnRanks.h"
+#include "PolyData/ranks/SourceOnRanks.h"
+#include "PolyData/reading/PolyDataSurface.h"
 #include "Progress.h"
-#include "field/JoinPoints.h"
+#include "paths/JoinPoints.h"
 #include "source/PolylineLocator.h"
 
 #include <memory>

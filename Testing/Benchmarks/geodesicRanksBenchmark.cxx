@@ -8,16 +8,16 @@
 #include "RankPieces.h"
 
 #include "front/Front.h"
-#include "mesh/SurfacePatch.h"
+#include "mesh/ReplicatedPatch.h"
 #include "source/BoundaryCurves.h"
-#include "source/SourceWindowsOfPart.h"
+#include "source/SourceWindowsOfPartition.h"
 
 #include "vtkDijkstraGraphGeodesicPath.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 
 #ifdef GEODESIC_HAS_MPI
-#include "PolyData/RankExchange.h"
+#include "PolyData/ranks/RankExchange.h"
 
 #include "vtkMPIController.h"
 #endif
@@ -134,7 +134,7 @@ std::unordered_map<std::uint64_t, std::size_t> placesIn(const RankSource& source
 }
 
 /// The faces that are owned here and touch the source.
-std::vector<Id> facesAt(const SurfacePart& part, const RankPiece& piece, const RankSource& source)
+std::vector<Id> facesAt(const MeshPartition& part, const RankPiece& piece, const RankSource& source)
 {
   const auto places = placesIn(source);
   const TriangleMesh& mesh = part.mesh();
@@ -157,7 +157,7 @@ std::vector<Id> facesAt(const SurfacePart& part, const RankPiece& piece, const R
 }
 
 /// The source on a patch, the same on all ranks.
-std::vector<SourceCurve> curvesOn(const SurfacePart& part, const SurfacePatch& patch,
+std::vector<SourceCurve> curvesOn(const MeshPartition& part, const ReplicatedPatch& patch,
   const RankPiece& piece, const RankSource& source)
 {
   const TriangleMesh& mesh = patch.mesh();
@@ -167,7 +167,7 @@ std::vector<SourceCurve> curvesOn(const SurfacePart& part, const SurfacePatch& p
     for (SourceCurve& curve : boundaryCurves(mesh))
     {
       const Id halfedge = mesh.halfedgeBetween(curve.points[0].id, curve.points[1].id);
-      if (patch.isBoundaryOfWhole(halfedge))
+      if (patch.isGlobalBoundary(halfedge))
       {
         curves.push_back(std::move(curve));
       }
@@ -182,7 +182,7 @@ std::vector<SourceCurve> curvesOn(const SurfacePart& part, const SurfacePatch& p
     if (place != places.end())
     {
       put(message, place->second);
-      put(message, part.numberInWhole(vertex));
+      put(message, part.globalId(vertex));
     }
   }
   std::unordered_map<Id, std::size_t> placeOfNumber;
@@ -196,7 +196,7 @@ std::vector<SourceCurve> curvesOn(const SurfacePart& part, const SurfacePatch& p
   curve.points.resize(source.points.size());
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
-    const auto place = placeOfNumber.find(patch.numberInWhole(vertex));
+    const auto place = placeOfNumber.find(patch.globalId(vertex));
     if (place != placeOfNumber.end())
     {
       curve.points[place->second] = SurfacePoint::atVertex(vertex);
@@ -217,7 +217,7 @@ struct RankRun
   double solveSeconds = 0.0;
   Id faces = 0;
   Id haloFaces = 0;
-  Id facesOfWhole = 0;
+  Id globalFaces = 0;
   std::uint64_t windows = 0;
   double maximumDistance = 0.0;
 };
@@ -229,9 +229,9 @@ RankRun measureRank(Exchange& exchange, const RankPiece& piece, const RankSource
 {
   RankRun run;
   Stopwatch watch;
-  const SurfacePart part(piece.points, piece.triangles, piece.keys, exchange);
-  const SurfacePatch patch(part, facesAt(part, piece, source));
-  const SourceWindows windows = sourceWindowsOfPart(
+  const MeshPartition part(piece.points, piece.triangles, piece.keys, exchange);
+  const ReplicatedPatch patch(part, facesAt(part, piece, source));
+  const SourceWindows windows = sourceWindowsOfPartition(
     part, patch, makeSourceWindows(patch.mesh(), curvesOn(part, patch, piece, source)));
   run.buildSeconds = watch.lap();
   beforeFront();
@@ -243,7 +243,7 @@ RankRun measureRank(Exchange& exchange, const RankPiece& piece, const RankSource
   run.solveSeconds = watch.lap();
   run.faces = part.endOfOwnFaces() - part.firstOwnFace();
   run.haloFaces = part.mesh().numberOfFaces() - run.faces;
-  run.facesOfWhole = part.numberOfFacesOfWhole();
+  run.globalFaces = part.numberOfGlobalFaces();
   run.windows = result.windowsPropagated;
   for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
   {
@@ -283,7 +283,7 @@ void measureInMemory(
     most.faces = std::max(most.faces, run.faces);
     most.haloFaces = std::max(most.haloFaces, run.haloFaces);
   }
-  std::cout << "{\"ranks\": " << pieces.size() << ", \"faces\": " << runs[0].facesOfWhole
+  std::cout << "{\"ranks\": " << pieces.size() << ", \"faces\": " << runs[0].globalFaces
             << ", \"largest_part\": " << most.faces << ", \"largest_halo\": " << most.haloFaces
             << ", \"relative_error\": " << relativeError
             << ", \"windows_propagated\": " << runs[0].windows
@@ -342,13 +342,13 @@ void printRuns(const std::vector<ToldRun>& runs, double relativeError)
     solve = std::max(solve, told.run.solveSeconds);
     build = std::max(build, told.run.buildSeconds);
   }
-  std::cout << "{\"ranks\": " << runs.size() << ", \"faces\": " << runs[0].run.facesOfWhole
+  std::cout << "{\"ranks\": " << runs.size() << ", \"faces\": " << runs[0].run.globalFaces
             << ", \"relative_error\": " << relativeError << ", \"build_s\": " << build
             << ", \"solve_s\": " << solve << ", \"most_in_steps_s\": " << most
             << ", \"least_in_steps_s\": " << least << ", \"steps\": " << runs[0].steps
             << ", \"bytes\": " << bytes << ", \"largest_bytes\": " << largest
             << ", \"bytes_per_face\": "
-            << static_cast<double>(largest) / static_cast<double>(runs[0].run.facesOfWhole)
+            << static_cast<double>(largest) / static_cast<double>(runs[0].run.globalFaces)
             << ", \"windows_propagated\": " << runs[0].run.windows
             << ", \"max_distance\": " << runs[0].run.maximumDistance << "}" << std::endl;
 }

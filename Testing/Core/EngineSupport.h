@@ -8,11 +8,11 @@
 #include "truth/TestMeshes.h"
 
 #include "field/Solve.h"
-#include "field/JoinPoints.h"
-#include "source/BoundaryCurves.h"
-#include "source/PolylineOnSurface.h"
 #include "mesh/SurfacePoint.h"
 #include "mesh/TriangleMesh.h"
+#include "paths/JoinPoints.h"
+#include "source/BoundaryCurves.h"
+#include "source/PolylineOnSurface.h"
 #include "source/SourceCurve.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RanksSupport.h"
 
-#include "source/SourceWindowsOfPart.h"
+#include "source/SourceWindowsOfPartition.h"
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ Piece pieceOf(const CutMesh& cut, int rank)
 
 /// The face that each face of the whole is on the rank that owns it; all ranks find out together.
 std::vector<geodesic::RankAddress> facesOnRanks(
-  const CutMesh& cut, const Piece& piece, const geodesic::SurfacePart& part)
+  const CutMesh& cut, const Piece& piece, const geodesic::MeshPartition& part)
 {
   geodesic::Message message;
   for (std::size_t i = 0; i < piece.wholeFaces.size(); ++i)
@@ -79,7 +79,7 @@ std::vector<geodesic::RankAddress> facesOnRanks(
   return result;
 }
 
-std::vector<Polyline> onPatch(std::vector<Polyline> curves, const geodesic::SurfacePatch& patch,
+std::vector<Polyline> onPatch(std::vector<Polyline> curves, const geodesic::ReplicatedPatch& patch,
   const std::vector<geodesic::RankAddress>& faces)
 {
   for (Polyline& curve : curves)
@@ -168,7 +168,7 @@ void onRanks(const CutMesh& cut, const std::vector<Polyline>& curves, std::uint6
     [&](geodesic::Exchange& exchange)
     {
       const Piece piece = pieceOf(cut, exchange.rank());
-      const geodesic::SurfacePart part(piece.points, piece.triangles, piece.keys, exchange);
+      const geodesic::MeshPartition part(piece.points, piece.triangles, piece.keys, exchange);
       const std::vector<geodesic::RankAddress> faces = facesOnRanks(cut, piece, part);
       std::vector<geodesic::Id> selected;
       for (const Polyline& curve : curves)
@@ -181,11 +181,11 @@ void onRanks(const CutMesh& cut, const std::vector<Polyline>& curves, std::uint6
           }
         }
       }
-      const geodesic::SurfacePatch patch(part, selected);
+      const geodesic::ReplicatedPatch patch(part, selected);
       const std::vector<geodesic::SourceCurve> curvesOnPatch =
         engineCurves(patch.mesh(), onPatch(curves, patch, faces));
       const geodesic::SourceWindows sources =
-        sourceWindowsOfPart(part, patch, makeSourceWindows(patch.mesh(), curvesOnPatch));
+        sourceWindowsOfPartition(part, patch, makeSourceWindows(patch.mesh(), curvesOnPatch));
       work({ exchange, part, piece.wholeVertices, piece.wholeFaces, faces, patch, curvesOnPatch,
         sources });
     });

@@ -6,8 +6,8 @@
 #include "MemoryRanks.h"
 
 #include "front/Front.h"
-#include "mesh/SurfacePart.h"
-#include "mesh/SurfacePatch.h"
+#include "mesh/MeshPartition.h"
+#include "mesh/ReplicatedPatch.h"
 
 #include <functional>
 #include <vector>
@@ -46,14 +46,14 @@ void forEachCut(const PlainMesh& mesh, const std::vector<WayToCut>& ways, Random
 struct RankOfRun
 {
   geodesic::Exchange& exchange;
-  const geodesic::SurfacePart& part;
+  const geodesic::MeshPartition& part;
   /// The vertices and faces of the whole mesh that the part's vertices and owned triangles are.
   const std::vector<Index>& wholeVertices;
   const std::vector<Index>& wholeFaces;
   /// What each face of the whole mesh is on the rank that has it.
   const std::vector<geodesic::RankAddress>& facesOnRanks;
   /// The curves on a patch that all ranks have, and what they give this part's front.
-  const geodesic::SurfacePatch& patch;
+  const geodesic::ReplicatedPatch& patch;
   const std::vector<geodesic::SourceCurve>& curvesOnPatch;
   const geodesic::SourceWindows& sources;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Under MPI: whatever ranks send each other arrives, whoever fails ends all with one message, and
 // none waits for ever. Messages go at once as MPI has it, and in an order for other controllers.
-#include "PolyData/RankExchange.h"
+#include "PolyData/ranks/RankExchange.h"
 
 #include "vtkMPIController.h"
 #include "vtkNew.h"

@@ -93,7 +93,7 @@ bool DistanceField::LastPieces::isBest(double distance, double length) const
   return isTie ? length > this->best.length : distance < this->best.distance;
 }
 
-void DistanceField::LastPieces::add(const LastPiece& piece)
+void DistanceField::LastPieces::add(const IncomingSegment& piece)
 {
   const bool isBestSoFar = this->isBest(piece.distance, piece.length);
   if (isBestSoFar)
@@ -108,7 +108,7 @@ void DistanceField::LastPieces::add(const LastPiece& piece)
 }
 
 // The last pieces of paths to a point, through faces that the path has not crossed: the best first.
-std::vector<DistanceField::LastPiece> DistanceField::waysTo(const SurfacePoint& point,
+std::vector<DistanceField::IncomingSegment> DistanceField::waysTo(const SurfacePoint& point,
   double distance, double most, const std::vector<std::uint8_t>& isCrossed) const
 {
   LastPieces pieces;
@@ -124,12 +124,12 @@ std::vector<DistanceField::LastPiece> DistanceField::waysTo(const SurfacePoint& 
         this->arriveThrough(face, point, false, pieces);
       }
     });
-  std::vector<LastPiece>& ways = pieces.kept;
+  std::vector<IncomingSegment>& ways = pieces.kept;
   if (!ways.empty())
   {
     std::swap(ways.front(), ways[pieces.bestKept]);
     std::stable_sort(ways.begin() + 1, ways.end(),
-      [](const LastPiece& a, const LastPiece& b) { return a.distance < b.distance; });
+      [](const IncomingSegment& a, const IncomingSegment& b) { return a.distance < b.distance; });
   }
   return std::move(ways);
 }
@@ -226,7 +226,7 @@ struct DistanceField::PathStep
   bool isAtSource = false;
   /// The face crossed to come here.
   Id face = NoId;
-  std::vector<LastPiece> ways = {};
+  std::vector<IncomingSegment> ways = {};
   std::size_t next = 0;
 };
 
@@ -273,7 +273,7 @@ std::vector<SurfacePoint> DistanceField::path(
       steps.pop_back();
       continue;
     }
-    const LastPiece& way = last.ways[last.next++];
+    const IncomingSegment& way = last.ways[last.next++];
     if (deadEnds.count(keyOf(way.from)) == 0)
     {
       // A piece without length may lead onto a vertex beside, and the path from there back.

@@ -44,15 +44,15 @@ public:
   const TriangleMesh& mesh() const { return *this->mesh_; }
 
   /// The part that the mesh is of where ranks have the surface together; null: the mesh is all.
-  const SurfacePart* part() const { return this->front_.part; }
+  const MeshPartition* part() const { return this->front_.part; }
   /// A vertex as windows name it (Window::origin), and how many there are.
-  Id numberInWhole(Id vertex) const
+  Id globalId(Id vertex) const
   {
-    return this->part() != nullptr ? this->part()->numberInWhole(vertex) : vertex;
+    return this->part() != nullptr ? this->part()->globalId(vertex) : vertex;
   }
-  Id numberOfVerticesOfWhole() const
+  Id numberOfGlobalVertices() const
   {
-    return this->part() != nullptr ? this->part()->numberOfVerticesOfWhole()
+    return this->part() != nullptr ? this->part()->numberOfGlobalVertices()
                                    : this->mesh_->numberOfVertices();
   }
 
@@ -88,7 +88,7 @@ public:
 
 private:
   /// The last straight piece of a path to a point: it comes through one face from `from`.
-  struct LastPiece
+  struct IncomingSegment
   {
     double distance = Infinity;
     /// Length of the piece.
@@ -103,7 +103,7 @@ private:
   /// path.
   struct LastPieces
   {
-    LastPiece best;
+    IncomingSegment best;
     /// Of pieces whose distances differ by no more the longest is best: no path is led over places
     /// a rounding beside it.
     double tie = 0.0;
@@ -111,7 +111,7 @@ private:
     Id face = NoId;
     /// The longest distance of those that are kept, and these; which of them is the best.
     double most = -Infinity;
-    std::vector<LastPiece> kept;
+    std::vector<IncomingSegment> kept;
     std::size_t bestKept = 0;
 
     bool isBest(double distance, double length) const;
@@ -119,7 +119,7 @@ private:
     {
       return distance <= this->most || this->isBest(distance, length);
     }
-    void add(const LastPiece& piece);
+    void add(const IncomingSegment& piece);
   };
 
   /// A place that a search for a path has come to, and the ways on that are left to try.
@@ -131,7 +131,7 @@ private:
   }
   void requireWindows() const;
   std::vector<SurfacePoint> path(const SurfacePoint& from, double whole, double slack) const;
-  std::vector<LastPiece> waysTo(const SurfacePoint& point, double distance, double most,
+  std::vector<IncomingSegment> waysTo(const SurfacePoint& point, double distance, double most,
     const std::vector<std::uint8_t>& isCrossed) const;
   void arriveThrough(
     Id face, const SurfacePoint& point, bool ownHalfedges, LastPieces& pieces) const;

@@ -4,12 +4,12 @@
 namespace geodesic
 {
 
-void Gradients::add(const LastPiece& piece)
+void Gradients::add(const IncomingSegment& piece)
 {
-  if (piece.kind == LastPiece::Kind::Window && piece.distance > 0.0 &&
+  if (piece.kind == IncomingSegment::Kind::Window && piece.distance > 0.0 &&
     this->goesOnElsewhere(piece.ray()))
   {
-    const SurfacePart& part = *this->field_.part();
+    const MeshPartition& part = *this->field_.part();
     const RankAddress face = part.ownerOf(TriangleMesh::faceOf(piece.frame));
     this->travellers_.push_back(
       { part.exchange().rank(), this->result_.size(), piece.ray(), face, 0, 1 });
@@ -41,14 +41,14 @@ void Gradients::finish()
 // To the owners of the faces that the rays come into, which go on from there.
 void Gradients::handOver(Exchange& exchange)
 {
-  const SurfacePart& part = *this->field_.part();
+  const MeshPartition& part = *this->field_.part();
   std::vector<Message> messages = exchange.noMessages();
   for (Traveller traveller : this->travellers_)
   {
     Id& halfedge = traveller.ray.halfedge;
     const RankAddress face = part.ownerOf(TriangleMesh::faceOf(halfedge));
     halfedge = 3 * face.id + halfedge % 3;
-    put(messages[indexOf(face.rank)], traveller);
+    put(messages[rankIndex(face.rank)], traveller);
   }
   this->travellers_.clear();
   readEach(exchange.step(std::move(messages)),
@@ -84,7 +84,7 @@ void Gradients::answer(Exchange& exchange)
   for (const Traveller& traveller : this->arrived_)
   {
     const IncomingRay& ray = traveller.ray;
-    put(messages[indexOf(traveller.rank)],
+    put(messages[rankIndex(traveller.rank)],
       Answer{ traveller.point, inSpace(this->field_.mesh(), ray.halfedge, ray.direction) });
   }
   readEach(exchange.step(std::move(messages)),

@@ -2,8 +2,8 @@
 #ifndef geodesic_Gradients_h
 #define geodesic_Gradients_h
 
-#include "field/LastPiece.h"
-#include "mesh/SurfacePart.h"
+#include "field/IncomingSegment.h"
+#include "mesh/MeshPartition.h"
 
 #include <vector>
 
@@ -24,7 +24,7 @@ public:
   {
   }
 
-  void add(const LastPiece& piece);
+  void add(const IncomingSegment& piece);
   /// On a part all ranks call this together, once.
   void finish();
 

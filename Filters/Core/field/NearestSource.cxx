@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/NearestSource.h"
 
-#include "field/OriginsElsewhere.h"
+#include "field/RemoteOrigins.h"
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ NearestSource::NearestSource(const DistanceField& field, const std::vector<Sourc
   this->find(callback);
 }
 
-NearestSource::NearestSource(const DistanceField& field, const SurfacePatch& patch,
+NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const ProgressCallback& callback)
   : field_(field)
   , mesh_(field.mesh())
@@ -28,12 +28,12 @@ NearestSource::NearestSource(const DistanceField& field, const SurfacePatch& pat
   , meshOfCurves_(patch.mesh())
   , chains_(patch.mesh(), curves)
   , onCurves_(patch.mesh(), this->chains_)
-  , vertices_(std::make_unique<VerticesOfWhole>(*field.part()))
+  , vertices_(std::make_unique<GlobalVertices>(*field.part()))
   , sectors_(patch.mesh())
 {
   this->find(callback);
   this->elsewhere_ =
-    std::make_unique<OriginsElsewhere>(this->field_, *this->vertices_, this->origins_);
+    std::make_unique<RemoteOrigins>(this->field_, *this->vertices_, this->origins_);
 }
 
 NearestSource::~NearestSource() = default;
@@ -70,15 +70,16 @@ void NearestSource::findBesideVertices(const LoopProgress& progress)
     [&](Id vertex)
     {
       const Arrival& arrival = this->field_.arrivals()[vertex];
-      const VertexOnCurve* on = this->onCurveAt(this->field_.numberInWhole(vertex));
+      const VertexOnCurve* on = this->onCurveAt(this->field_.globalId(vertex));
       if (on != nullptr)
       {
         this->origins_[vertex] = this->onLeft(on->curve, on->place);
       }
       else if (arrival.isKnown() && !arrival.isThroughWindow())
       {
-        const LastPiece piece = lastPieceTo(this->field_, SurfacePoint::atVertex(vertex));
-        if (piece.kind == LastPiece::Kind::Corner && this->onCurveAt(piece.origin) != nullptr)
+        const IncomingSegment piece =
+          incomingSegmentTo(this->field_, SurfacePoint::atVertex(vertex));
+        if (piece.kind == IncomingSegment::Kind::Corner && this->onCurveAt(piece.origin) != nullptr)
         {
           beside.emplace_back(piece.origin, vertex);
         }
@@ -87,7 +88,7 @@ void NearestSource::findBesideVertices(const LoopProgress& progress)
   std::sort(beside.begin(), beside.end());
   for (const auto& [on, vertex] : beside)
   {
-    const LastPiece piece = lastPieceTo(this->field_, SurfacePoint::atVertex(vertex));
+    const IncomingSegment piece = incomingSegmentTo(this->field_, SurfacePoint::atVertex(vertex));
     this->origins_[vertex] = this->originOf(piece);
   }
 }
@@ -105,15 +106,15 @@ void NearestSource::findOthers(const LoopProgress& progress)
 }
 
 // The last piece to a vertex, through a window without its direction, which takes no face to know.
-LastPiece NearestSource::originTo(Id vertex) const
+IncomingSegment NearestSource::originTo(Id vertex) const
 {
   const Arrival& arrival = this->field_.arrivals()[vertex];
   if (!arrival.isThroughWindow())
   {
-    return lastPieceTo(this->field_, SurfacePoint::atVertex(vertex));
+    return incomingSegmentTo(this->field_, SurfacePoint::atVertex(vertex));
   }
-  LastPiece piece;
-  piece.kind = LastPiece::Kind::Window;
+  IncomingSegment piece;
+  piece.kind = IncomingSegment::Kind::Window;
   piece.origin = arrival.origin;
   piece.place = arrival.place;
   return piece;
@@ -127,7 +128,7 @@ void NearestSource::follow(Id vertex)
   CurveOrigin found = this->origins_[vertex];
   while (found.origin == NoId)
   {
-    const LastPiece piece = this->originTo(vertex);
+    const IncomingSegment piece = this->originTo(vertex);
     way.push_back(vertex);
     if (this->isFromCurve(piece))
     {
@@ -152,43 +153,43 @@ void NearestSource::follow(Id vertex)
   }
 }
 
-Foot NearestSource::of(const LastPiece& piece)
+Foot NearestSource::of(const IncomingSegment& piece)
 {
   return this->footOf(this->originOf(piece));
 }
 
 // Not from a pseudo-source, whose foot is its own.
-bool NearestSource::isFromCurve(const LastPiece& piece) const
+bool NearestSource::isFromCurve(const IncomingSegment& piece) const
 {
   switch (piece.kind)
   {
-    case LastPiece::Kind::Corner:
+    case IncomingSegment::Kind::Corner:
       return this->onCurveAt(piece.origin) != nullptr;
-    case LastPiece::Kind::Window:
-      return CurveSide::isOne(piece.origin, this->field_.numberOfVerticesOfWhole());
+    case IncomingSegment::Kind::Window:
+      return CurveSide::isOne(piece.origin, this->field_.numberOfGlobalVertices());
     default:
       return true;
   }
 }
 
-CurveOrigin NearestSource::originOf(const LastPiece& piece)
+CurveOrigin NearestSource::originOf(const IncomingSegment& piece)
 {
   switch (piece.kind)
   {
-    case LastPiece::Kind::None:
+    case IncomingSegment::Kind::None:
       return {};
-    case LastPiece::Kind::Source:
+    case IncomingSegment::Kind::Source:
       return this->atSource(piece);
-    case LastPiece::Kind::Corner:
-    case LastPiece::Kind::Window:
+    case IncomingSegment::Kind::Corner:
+    case IncomingSegment::Kind::Window:
       break;
   }
-  if (CurveSide::isOne(piece.origin, this->field_.numberOfVerticesOfWhole()))
+  if (CurveSide::isOne(piece.origin, this->field_.numberOfGlobalVertices()))
   {
     return { piece.origin, piece.place };
   }
   const VertexOnCurve* on =
-    piece.kind == LastPiece::Kind::Corner ? this->onCurveAt(piece.origin) : nullptr;
+    piece.kind == IncomingSegment::Kind::Corner ? this->onCurveAt(piece.origin) : nullptr;
   if (on != nullptr)
   {
     this->goToVertex(on->vertex);
@@ -198,7 +199,7 @@ CurveOrigin NearestSource::originOf(const LastPiece& piece)
 }
 
 // Beside a segment its line tells the side, at its ends the segments that meet there.
-CurveOrigin NearestSource::atSource(const LastPiece& piece)
+CurveOrigin NearestSource::atSource(const IncomingSegment& piece)
 {
   const SourceInFace& source = piece.source;
   if (piece.along > 0.0 && piece.along < 1.0)
@@ -207,7 +208,7 @@ CurveOrigin NearestSource::atSource(const LastPiece& piece)
     const Vec2 along = inHalfedgeFrame(this->mesh_, piece.frame, source.b) -
       inHalfedgeFrame(this->mesh_, piece.frame, source.a);
     const CurveSide side = { source.curve, cross(along, piece.direction) < 0.0 };
-    return { side.origin(this->field_.numberOfVerticesOfWhole()), place };
+    return { side.origin(this->field_.numberOfGlobalVertices()), place };
   }
   const double place = piece.along > 0.0 ? source.placeOfB : source.placeOfA;
   const std::vector<double>& places = this->chains_.places(source.curve);
@@ -218,7 +219,7 @@ CurveOrigin NearestSource::atSource(const LastPiece& piece)
 }
 
 // What the direction belongs to at the point that the sectors are around.
-CurveOrigin NearestSource::inSector(const LastPiece& piece) const
+CurveOrigin NearestSource::inSector(const IncomingSegment& piece) const
 {
   if (this->patch_ == nullptr)
   {
@@ -228,33 +229,32 @@ CurveOrigin NearestSource::inSector(const LastPiece& piece) const
     this->patch_->faceAt(this->field_.part()->addressOf(TriangleMesh::faceOf(piece.frame)));
   const CurveOrigin onPatch = this->sectors_.of(3 * face + piece.frame % 3, piece.direction);
   const CurveSide side = CurveSide::of(onPatch.origin, this->meshOfCurves_.numberOfVertices());
-  return { side.origin(this->field_.numberOfVerticesOfWhole()), onPatch.place };
+  return { side.origin(this->field_.numberOfGlobalVertices()), onPatch.place };
 }
 
 CurveOrigin NearestSource::onLeft(Id curve, double place) const
 {
-  return { CurveSide{ curve, false }.origin(this->field_.numberOfVerticesOfWhole()), place };
+  return { CurveSide{ curve, false }.origin(this->field_.numberOfGlobalVertices()), place };
 }
 
-CurveOrigin NearestSource::ofVertex(Id numberInWhole) const
+CurveOrigin NearestSource::ofVertex(Id globalId) const
 {
   if (this->vertices_ == nullptr)
   {
-    return this->origins_[numberInWhole];
+    return this->origins_[globalId];
   }
-  return this->vertices_->isHere(numberInWhole)
-    ? this->origins_[this->vertices_->vertexAt(numberInWhole)]
-    : this->elsewhere_->of(numberInWhole);
+  return this->vertices_->isHere(globalId) ? this->origins_[this->vertices_->vertexAt(globalId)]
+                                           : this->elsewhere_->of(globalId);
 }
 
-bool NearestSource::isElsewhere(Id numberInWhole) const
+bool NearestSource::isElsewhere(Id globalId) const
 {
-  return this->vertices_ != nullptr && !this->vertices_->isHere(numberInWhole);
+  return this->vertices_ != nullptr && !this->vertices_->isHere(globalId);
 }
 
-const VertexOnCurve* NearestSource::onCurveAt(Id numberInWhole) const
+const VertexOnCurve* NearestSource::onCurveAt(Id globalId) const
 {
-  return this->onCurves_.find(this->patch_ ? this->patch_->vertexAt(numberInWhole) : numberInWhole);
+  return this->onCurves_.find(this->patch_ ? this->patch_->vertexAt(globalId) : globalId);
 }
 
 void NearestSource::goToVertex(Id vertex)
@@ -292,7 +292,7 @@ Foot NearestSource::footOf(const CurveOrigin& origin) const
   {
     return {};
   }
-  const CurveSide side = CurveSide::of(origin.origin, this->field_.numberOfVerticesOfWhole());
+  const CurveSide side = CurveSide::of(origin.origin, this->field_.numberOfGlobalVertices());
   const CurveChains::Link& link = this->chains_.linkAt(side.curve, origin.place);
   return { link.curve, side.isRight != link.isReversed, side.curve, origin.place };
 }

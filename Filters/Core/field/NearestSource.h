@@ -2,8 +2,8 @@
 #ifndef geodesic_NearestSource_h
 #define geodesic_NearestSource_h
 
-#include "field/LastPiece.h"
-#include "mesh/SurfacePatch.h"
+#include "field/IncomingSegment.h"
+#include "mesh/ReplicatedPatch.h"
 #include "source/CurveChains.h"
 #include "source/CurveSectors.h"
 #include "source/SourceCurve.h"
@@ -16,8 +16,8 @@
 namespace geodesic
 {
 
-class OriginsElsewhere;
-class VerticesOfWhole;
+class RemoteOrigins;
+class GlobalVertices;
 
 /// Where on the source a shortest path ends, and from which side of the curve it comes.
 struct Foot
@@ -54,7 +54,7 @@ public:
   /// comes over their seams; asking is each rank's own then.
   ///
   /// \param patch that the curves lie on; must outlive this.
-  NearestSource(const DistanceField& field, const SurfacePatch& patch,
+  NearestSource(const DistanceField& field, const ReplicatedPatch& patch,
     const std::vector<SourceCurve>& curves, const ProgressCallback& progress = {});
   ~NearestSource();
 
@@ -63,8 +63,8 @@ public:
 
   /// The foot of the shortest path to a vertex.
   Foot atVertex(Id vertex) const { return this->footOf(this->origins_[vertex]); }
-  /// That of a path that ends with a piece: lastPieceTo() of the same field.
-  Foot of(const LastPiece& piece);
+  /// That of a path that ends with a piece: incomingSegmentTo() of the same field.
+  Foot of(const IncomingSegment& piece);
 
   /// A foot's place on the surface, a point of meshOfCurves().
   SurfacePoint pointOf(const Foot& foot) const;
@@ -75,32 +75,32 @@ private:
   void forEachVertex(const LoopProgress& progress, const Visit& visit) const;
   void findBesideVertices(const LoopProgress& progress);
   void findOthers(const LoopProgress& progress);
-  LastPiece originTo(Id vertex) const;
+  IncomingSegment originTo(Id vertex) const;
   void follow(Id vertex);
-  bool isFromCurve(const LastPiece& piece) const;
-  CurveOrigin originOf(const LastPiece& piece);
-  CurveOrigin atSource(const LastPiece& piece);
-  CurveOrigin inSector(const LastPiece& piece) const;
+  bool isFromCurve(const IncomingSegment& piece) const;
+  CurveOrigin originOf(const IncomingSegment& piece);
+  CurveOrigin atSource(const IncomingSegment& piece);
+  CurveOrigin inSector(const IncomingSegment& piece) const;
   CurveOrigin onLeft(Id curve, double place) const;
-  CurveOrigin ofVertex(Id numberInWhole) const;
-  bool isElsewhere(Id numberInWhole) const;
-  const VertexOnCurve* onCurveAt(Id numberInWhole) const;
+  CurveOrigin ofVertex(Id globalId) const;
+  bool isElsewhere(Id globalId) const;
+  const VertexOnCurve* onCurveAt(Id globalId) const;
   void goToVertex(Id vertex);
   void goToPoint(Id curve, std::size_t i);
   Foot footOf(const CurveOrigin& origin) const;
 
   const DistanceField& field_;
   const TriangleMesh& mesh_;
-  const SurfacePatch* patch_ = nullptr;
+  const ReplicatedPatch* patch_ = nullptr;
   const TriangleMesh& meshOfCurves_;
   /// The curves, whose numbers windows have.
   CurveChains chains_;
   VerticesOnCurves onCurves_;
-  /// Of each vertex, by numbers of the whole. A number that is a vertex's: see OriginsElsewhere.
+  /// Of each vertex, by numbers of the whole. A number that is a vertex's: see RemoteOrigins.
   std::vector<CurveOrigin> origins_;
   /// On a part; else null.
-  std::unique_ptr<VerticesOfWhole> vertices_;
-  std::unique_ptr<OriginsElsewhere> elsewhere_;
+  std::unique_ptr<GlobalVertices> vertices_;
+  std::unique_ptr<RemoteOrigins> elsewhere_;
   /// Around the curve's point that was asked for last.
   CurveSectors sectors_;
   Id sectorsVertex_ = NoId;

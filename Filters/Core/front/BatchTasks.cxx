@@ -104,7 +104,7 @@ void BatchTasks::relaxEdges(District& district, Id vertex)
 {
   const double distance = this->vertices_.distance(vertex);
   const double error = this->vertices_.error(vertex);
-  const Id number = this->numberInWhole(vertex);
+  const Id number = this->globalId(vertex);
   const auto relax = [&](Id halfedge, Id other, Id opposite, double x)
   {
     const double along = distance + this->mesh_.length(halfedge);
@@ -159,7 +159,7 @@ void BatchTasks::emit(
   }
   Window w = emittedWindow(this->mesh_, interval, this->vertices_.distance(vertex));
   w.error = this->vertices_.error(vertex);
-  w.origin = this->numberInWhole(vertex);
+  w.origin = this->globalId(vertex);
   const double atBegin = this->vertices_.distance(this->mesh_.destination(halfedge));
   const double atEnd = this->vertices_.distance(this->mesh_.origin(halfedge));
   if (!isBeaten(w, w.end, atBegin + w.end) && !isBeaten(w, w.begin, atEnd + (length - w.begin)))
@@ -287,7 +287,7 @@ void BatchTasks::shorten(District& district, const DistanceUpdate& update)
 // and equal paths are told apart alike.
 void BatchTasks::receiveUpdates(District& district)
 {
-  const auto takeUpdates = [&](Mail& mail)
+  const auto takeUpdates = [&](MailBatch& mail)
   {
     for (const DistanceUpdate& update : mail.updates)
     {
@@ -302,7 +302,7 @@ void BatchTasks::receiveUpdates(District& district)
 void BatchTasks::receiveLists(FrontWorker& worker, District& district)
 {
   std::size_t end = 0;
-  const auto takeLists = [&](Mail& mail)
+  const auto takeLists = [&](MailBatch& mail)
   {
     const std::size_t begin = end;
     end += mail.lists.size();

@@ -7,7 +7,7 @@
 #include "front/Districts.h"
 #include "front/Front.h"
 #include "front/FrontWorker.h"
-#include "front/Post.h"
+#include "front/Mailboxes.h"
 #include "front/VertexStates.h"
 
 namespace geodesic
@@ -22,7 +22,7 @@ class BatchTasks
 {
 public:
   BatchTasks(const TriangleMesh& mesh, const FrontOptions& options, const Districts& districts,
-    VertexStates& vertices, const CompleteFaces& complete, Post& post, Retention& retention)
+    VertexStates& vertices, const CompleteFaces& complete, Mailboxes& post, Retention& retention)
     : mesh_(mesh)
     , options_(options)
     , districts_(districts)
@@ -30,7 +30,7 @@ public:
     , complete_(complete)
     , post_(post)
     , retention_(retention)
-    , mostFaces_(options.part ? options.part->numberOfFacesOfWhole() : mesh.numberOfFaces())
+    , mostFaces_(options.part ? options.part->numberOfGlobalFaces() : mesh.numberOfFaces())
   {
   }
 
@@ -63,9 +63,9 @@ private:
   {
     return this->options_.part == nullptr || this->options_.part->isOwn(face);
   }
-  Id numberInWhole(Id vertex) const
+  Id globalId(Id vertex) const
   {
-    return this->options_.part == nullptr ? vertex : this->options_.part->numberInWhole(vertex);
+    return this->options_.part == nullptr ? vertex : this->options_.part->globalId(vertex);
   }
   bool process(FrontWorker& worker, District& district, Id vertex, Id batch);
   void tell(District& sender, const DistanceUpdate& update);
@@ -87,7 +87,7 @@ private:
   const Districts& districts_;
   VertexStates& vertices_;
   const CompleteFaces& complete_;
-  Post& post_;
+  Mailboxes& post_;
   Retention& retention_;
   /// How many faces a shortest path can cross.
   Id mostFaces_;

@@ -3,7 +3,7 @@
 #define geodesic_CompleteFaces_h
 
 #include "front/VertexStates.h"
-#include "mesh/SurfacePart.h"
+#include "mesh/MeshPartition.h"
 
 #include <vector>
 
@@ -17,7 +17,7 @@ public:
   /// Without a limit nothing is kept and every face counts.
   ///
   /// \param part null: the front has all faces of the mesh, not only those that it owns.
-  CompleteFaces(const TriangleMesh& mesh, const SurfacePart* part, double limit)
+  CompleteFaces(const TriangleMesh& mesh, const MeshPartition* part, double limit)
     : mesh_(mesh)
     , firstFace_(part ? part->firstOwnFace() : 0)
     , endOfFaces_(part ? part->endOfOwnFaces() : mesh.numberOfFaces())

@@ -2,7 +2,7 @@
 #ifndef geodesic_District_h
 #define geodesic_District_h
 
-#include "front/Post.h"
+#include "front/Mailboxes.h"
 #include "front/VertexSchedule.h"
 #include "front/WaitingLists.h"
 
@@ -40,8 +40,8 @@ struct District
   /// Where ranks have the surface together: lists for faces of others; what others have sent, to be
   /// taken over before and after what comes from here; paths found last, to be told to others.
   std::vector<SentList> leaving;
-  Mail fromLower;
-  Mail fromHigher;
+  MailBatch fromLower;
+  MailBatch fromHigher;
   std::vector<DistanceUpdate> arrivals;
 };
 

@@ -9,7 +9,7 @@
 #include "front/FrontExchange.h"
 #include "front/FrontProgress.h"
 #include "front/FrontWorker.h"
-#include "front/Post.h"
+#include "front/Mailboxes.h"
 #include "front/VertexStates.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ bool isAnyWindowWithin(const WindowRange& windows, double distance)
 ///
 /// Vertices are processed in batches of nearly equal distance, and in districts (Districts), each
 /// with its own schedule and lists. A batch has two steps, those of BatchTasks, each for all
-/// districts at the same time: (1) vertices send lists and distances, by the Post; (2) each
+/// districts at the same time: (1) vertices send lists and distances, by the Mailboxes; (2) each
 /// district takes over what was sent to it, in an order that does not depend on how the tasks were
 /// run. In between and afterwards little is left to do for the whole: to find where the next batch
 /// begins and ends.
@@ -69,7 +69,7 @@ private:
   void finishBatch();
   void tellShortened(District& district);
   void exchangeLists();
-  void deliver(const std::vector<DistanceUpdate>& updates, Mail District::*mail);
+  void deliver(const std::vector<DistanceUpdate>& updates, MailBatch District::*mail);
   void exchangeArrivals();
   FrontState state();
   void shorten(const DistanceUpdate& update);
@@ -96,7 +96,7 @@ private:
   /// What comes next in each district.
   std::vector<VertexSchedule::Outlook> outlooks_;
   CompleteFaces complete_;
-  Post post_;
+  Mailboxes post_;
   BatchTasks tasks_;
   FrontWorkers workers_;
   FrontExchange ranks_;
@@ -192,7 +192,7 @@ void Front::startVertices(const SourceWindows& initial)
 
 void Front::startFaces(const SourceWindows& initial)
 {
-  const Id numberOfVertices = this->options_.part ? this->options_.part->numberOfVerticesOfWhole()
+  const Id numberOfVertices = this->options_.part ? this->options_.part->numberOfGlobalVertices()
                                                   : this->mesh_.numberOfVertices();
   for (const SourceInFace& source : initial.inFaces)
   {
@@ -427,7 +427,7 @@ void Front::exchangeLists()
     }
     district.leaving.clear();
     this->post_.forEachOf(district.number,
-      [this](const Mail& mail)
+      [this](const MailBatch& mail)
       {
         for (const DistanceUpdate& update : mail.updates)
         {
@@ -447,7 +447,7 @@ void Front::exchangeLists()
   }
 }
 
-void Front::deliver(const std::vector<DistanceUpdate>& updates, Mail District::*mail)
+void Front::deliver(const std::vector<DistanceUpdate>& updates, MailBatch District::*mail)
 {
   for (const DistanceUpdate& update : updates)
   {

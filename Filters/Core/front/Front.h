@@ -6,7 +6,7 @@
 #include "Tasks.h"
 #include "front/Retention.h"
 #include "front/SaddleWedge.h"
-#include "mesh/SurfacePart.h"
+#include "mesh/MeshPartition.h"
 #include "mesh/TriangleMesh.h"
 #include "source/SourceCurve.h"
 #include "source/SourceWindows.h"
@@ -45,7 +45,7 @@ struct FrontOptions
   /// Where the surface is distributed over ranks: this one's part of it, of which the mesh is. All
   /// ranks call together, with their own callbacks, and get the distances of the whole at the
   /// vertices of the faces that they own; windows are numbered as in the whole (Window::origin).
-  const SurfacePart* part = nullptr;
+  const MeshPartition* part = nullptr;
   /// Absent: one task after another. The result does not depend on it.
   ParallelFor parallelFor;
   /// Called now and then, at least ten times a second, with the fraction done in [0, 1]; returning
@@ -64,7 +64,7 @@ struct FrontResult
   /// The sources that lie in faces, in the order of the faces; on a part also in its halo.
   std::vector<SourceInFace> sourcesInFaces;
   /// FrontOptions::part. Distances are known at all its vertices, also those of the halo.
-  const SurfacePart* part = nullptr;
+  const MeshPartition* part = nullptr;
   /// With a limit: whether each face is complete. Empty where all are.
   std::vector<std::uint8_t> completeFaces;
   /// Certified: no distance is larger than the exact one, and none smaller by more than this

@@ -7,7 +7,7 @@
 namespace geodesic
 {
 
-FrontExchange::FrontExchange(const SurfacePart* part)
+FrontExchange::FrontExchange(const MeshPartition* part)
   : part_(part)
 {
   if (part != nullptr)
@@ -20,7 +20,7 @@ FrontExchange::FrontExchange(const SurfacePart* part)
 void FrontExchange::take(const SentList& list, WindowPool& pool)
 {
   const RankAddress owner = this->part_->ownerOf(TriangleMesh::faceOf(list.halfedge));
-  Message& message = this->lists_[indexOf(owner.rank)];
+  Message& message = this->lists_[rankIndex(owner.rank)];
   put(message, 3 * owner.id + list.halfedge % 3);
   put(message, static_cast<std::uint32_t>(list.windows.size));
   put(message, list.windows.data, list.windows.size);
@@ -31,7 +31,7 @@ void FrontExchange::tell(const DistanceUpdate& update)
 {
   for (const RankAddress& other : this->part_->othersWith(update.vertex))
   {
-    DistanceUpdate& told = this->updates_[indexOf(other.rank)].emplace_back(update);
+    DistanceUpdate& told = this->updates_[rankIndex(other.rank)].emplace_back(update);
     told.vertex = other.id;
   }
 }
@@ -104,7 +104,7 @@ void FrontExchange::shareNeeded(CompleteFaces& faces)
     if (faces.isNeeded(face) && !this->part_->isOwn(face))
     {
       const RankAddress owner = this->part_->ownerOf(face);
-      put(messages[indexOf(owner.rank)], owner.id);
+      put(messages[rankIndex(owner.rank)], owner.id);
     }
   }
   readEach(this->part_->exchange().step(std::move(messages)),
@@ -124,7 +124,7 @@ void FrontExchange::shareMarks(std::vector<std::uint8_t>& marks)
     {
       if (marks[vertex])
       {
-        put(messages[indexOf(other.rank)], other.id);
+        put(messages[rankIndex(other.rank)], other.id);
       }
     }
   }
@@ -149,20 +149,20 @@ void FrontExchange::completeHalo(std::vector<double>& distances)
     if (vertex >= firstOfHalo && !isAsked[vertex - firstOfHalo])
     {
       const RankAddress owner = this->part_->ownerOf(TriangleMesh::faceOf(corner));
-      put(asked[indexOf(owner.rank)], 3 * owner.id + corner % 3);
-      vertices[indexOf(owner.rank)].push_back(vertex);
+      put(asked[rankIndex(owner.rank)], 3 * owner.id + corner % 3);
+      vertices[rankIndex(owner.rank)].push_back(vertex);
       isAsked[vertex - firstOfHalo] = 1;
     }
   }
   std::vector<Message> answers = this->part_->exchange().noMessages();
   readEach(this->part_->exchange().step(std::move(asked)),
     [&](int rank, MessageReader& reader)
-    { put(answers[indexOf(rank)], distances[mesh.origin(reader.get<Id>())]); });
+    { put(answers[rankIndex(rank)], distances[mesh.origin(reader.get<Id>())]); });
   std::vector<std::size_t> next(vertices.size(), 0);
   readEach(this->part_->exchange().step(std::move(answers)),
     [&](int rank, MessageReader& reader)
     {
-      const Id vertex = vertices[indexOf(rank)][next[indexOf(rank)]++];
+      const Id vertex = vertices[rankIndex(rank)][next[rankIndex(rank)]++];
       distances[vertex] = reader.get<double>();
     });
 }

@@ -3,9 +3,9 @@
 #define geodesic_FrontExchange_h
 
 #include "front/CompleteFaces.h"
-#include "front/Post.h"
+#include "front/Mailboxes.h"
 #include "front/VertexStates.h"
-#include "mesh/SurfacePart.h"
+#include "mesh/MeshPartition.h"
 
 #include <vector>
 
@@ -20,7 +20,7 @@ class FrontExchange
 {
 public:
   /// \param part null where the surface is not distributed.
-  explicit FrontExchange(const SurfacePart* part);
+  explicit FrontExchange(const MeshPartition* part);
 
   bool isAlone() const { return this->part_ == nullptr; }
 
@@ -64,7 +64,7 @@ public:
 private:
   DistanceUpdate translated(int sender, DistanceUpdate update) const;
 
-  const SurfacePart* part_;
+  const MeshPartition* part_;
   /// What is to be sent to each rank.
   std::vector<std::vector<DistanceUpdate>> updates_;
   std::vector<Message> lists_;

@@ -65,7 +65,7 @@ public:
   template <typename Visit>
   void forEach(Visit&& visit)
   {
-    for (Desk& desk : this->desks_)
+    for (WorkerSlot& desk : this->desks_)
     {
       if (desk.isUsed)
       {
@@ -92,7 +92,7 @@ public:
     this->parallelFor_(items,
       [&](std::size_t i)
       {
-        const Seat seat(this->desks_);
+        const SlotLock seat(this->desks_);
         seat.worker().begin(this->turn_);
         item(seat.worker(), i);
       });
@@ -102,7 +102,7 @@ private:
   /// More threads than this wait for one another.
   static constexpr std::size_t MostThreads = 64;
 
-  struct alignas(64) Desk
+  struct alignas(64) WorkerSlot
   {
     FrontWorker worker;
     std::atomic<bool> isTaken{ false };
@@ -110,10 +110,10 @@ private:
   };
 
   /// Takes a desk for a task. A thread tries the same one first each time, whose memory is near.
-  class Seat
+  class SlotLock
   {
   public:
-    explicit Seat(std::vector<Desk>& desks)
+    explicit SlotLock(std::vector<WorkerSlot>& desks)
     {
       thread_local std::size_t last = 0;
       while (desks[last].isTaken.exchange(true, std::memory_order_acquire))
@@ -123,18 +123,18 @@ private:
       this->desk_ = &desks[last];
       this->desk_->isUsed = true;
     }
-    ~Seat() { this->desk_->isTaken.store(false, std::memory_order_release); }
-    Seat(const Seat&) = delete;
-    Seat& operator=(const Seat&) = delete;
+    ~SlotLock() { this->desk_->isTaken.store(false, std::memory_order_release); }
+    SlotLock(const SlotLock&) = delete;
+    SlotLock& operator=(const SlotLock&) = delete;
 
     FrontWorker& worker() const { return this->desk_->worker; }
 
   private:
-    Desk* desk_;
+    WorkerSlot* desk_;
   };
 
   const ParallelFor& parallelFor_;
-  std::vector<Desk> desks_;
+  std::vector<WorkerSlot> desks_;
   std::uint64_t turn_ = 0;
 };
 

@@ -41,7 +41,7 @@ bool isFrozen(const DistanceField& field, Id face)
 
 /// The faces of other ranks are all frozen.
 std::vector<std::uint8_t> findFrozen(
-  const DistanceField& field, const SurfacePart* part, const ParallelFor& parallelFor)
+  const DistanceField& field, const MeshPartition* part, const ParallelFor& parallelFor)
 {
   std::vector<std::uint8_t> frozen(field.mesh().numberOfFaces());
   forRanges(parallelFor, frozen.size(),
@@ -65,7 +65,7 @@ struct QuickError
   double byWindows = Infinity;
 
   /// Where a bound so large is reported anyway, what is no larger need not be sharp.
-  double whereKnown(double bound) const
+  double boundUnlessDominated(double bound) const
   {
     return this->bySize <= bound ? this->bySize : this->byWindows;
   }
@@ -224,7 +224,7 @@ void Refiner::assessFaces(Id first, Id end)
     }
     else if (!this->triangles_.isFrozen(face))
     {
-      this->raiseBound(error.whereKnown(this->bound_) + error.rounding);
+      this->raiseBound(error.boundUnlessDominated(this->bound_) + error.rounding);
     }
   }
 }

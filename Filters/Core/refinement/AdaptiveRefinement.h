@@ -33,7 +33,7 @@ struct RefinementOptions
   /// Where the surface is distributed over ranks: this one's part of it, of which the field's mesh
   /// is. All ranks call together, with the same tolerance and maximum, and get the faces that they
   /// own refined. What is said of faces of other ranks is not looked at.
-  const SurfacePart* part = nullptr;
+  const MeshPartition* part = nullptr;
   /// Absent: one task after another. The result does not depend on it.
   ParallelFor parallelFor;
   /// Called now and then with the fraction done in [0, 1]; returning false stops with Aborted.

@@ -83,16 +83,16 @@ ListInBand listInBand(
     {
       return {};
     }
-    inBand.notAbove = inBand.notAbove && w.begin <= covered + gap && isUnder(w, band);
+    inBand.staysBelowBand = inBand.staysBelowBand && w.begin <= covered + gap && isUnder(w, band);
     covered = w.end;
   }
-  inBand.notAbove = inBand.notAbove && covered + gap >= length;
+  inBand.staysBelowBand = inBand.staysBelowBand && covered + gap >= length;
   return inBand;
 }
 
 // In a gap the distance changes by no more than the way from its ends, and the line not more.
 FaceBounds boundsFromBands(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
-  const std::array<bool, 3>& notAbove, double limit)
+  const std::array<bool, 3>& staysBelowBand, double limit)
 {
   const FaceShape& shape = mesh.shape(face);
   if (!(shape.area2 > 0.0))
@@ -101,7 +101,7 @@ FaceBounds boundsFromBands(const TriangleMesh& mesh, Id face, const std::array<d
   }
   for (std::size_t k = 0; k < 3; ++k)
   {
-    if (!notAbove[k] && risesFrom(k, shape, d))
+    if (!staysBelowBand[k] && risesFrom(k, shape, d))
     {
       return {};
     }

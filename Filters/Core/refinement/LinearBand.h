@@ -14,9 +14,9 @@ namespace geodesic
 struct ListInBand
 {
   /// No window is below the band.
-  bool notBelow = false;
+  bool staysAboveBand = false;
   /// The windows cover the halfedge but for small gaps, and none is above the band.
-  bool notAbove = false;
+  bool staysBelowBand = false;
 };
 
 /// The test for windows that are at hand, quick for want of square roots.
@@ -25,10 +25,11 @@ struct ListInBand
 ListInBand listInBand(
   const WindowRange& windows, double length, double atOrigin, double atDestination, double limit);
 
-/// Bounds for a face all of whose lists are not below a band of this half width; `notAbove` has the
-/// halfedges with a list that covers them and is not above it. Infinite where that says nothing.
+/// Bounds for a face all of whose lists are not below a band of this half width; `staysBelowBand`
+/// has the halfedges with a list that covers them and is not above it. Infinite where that says
+/// nothing.
 FaceBounds boundsFromBands(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
-  const std::array<bool, 3>& notAbove, double limit);
+  const std::array<bool, 3>& staysBelowBand, double limit);
 
 }
 

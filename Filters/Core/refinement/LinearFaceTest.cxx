@@ -61,7 +61,7 @@ LinearFaceTest::Result LinearFaceTest::test(
   result.aboveByBand = roundedUp(quick.above);
   if (result.boundByBand <= known)
   {
-    return result.whereKnown(known);
+    return result.boundUnlessDominated(known);
   }
   const FaceBounds bounds = this->boundsByWindows(face, d, lists, this->tolerance_ - rounding);
   if (sumOf(bounds, rounding) <= this->tolerance_)
@@ -91,18 +91,18 @@ FaceBounds LinearFaceTest::boundsByBand(
   Id face, const std::array<double, 3>& d, const PassedLists& lists) const
 {
   const double rounding = roundingOf(d);
-  std::array<bool, 3> notAbove{};
+  std::array<bool, 3> staysBelowBand{};
   const bool inBand = lists.forEach(face,
     [&](const MeasuredList& measured)
     {
       const std::array<double, 2>& ends = measured.list.ends;
       const std::size_t k = measured.list.halfedge % 3;
-      notAbove[k] = notAbove[k] || measured.inBand.notAbove;
-      return measured.inBand.notBelow && std::abs(ends[0] - d[k]) <= rounding &&
+      staysBelowBand[k] = staysBelowBand[k] || measured.inBand.staysBelowBand;
+      return measured.inBand.staysAboveBand && std::abs(ends[0] - d[k]) <= rounding &&
         std::abs(ends[1] - d[(k + 1) % 3]) <= rounding;
     });
   return inBand
-    ? boundsFromBands(this->mesh_, face, d, notAbove, BandOfTolerance * this->tolerance_)
+    ? boundsFromBands(this->mesh_, face, d, staysBelowBand, BandOfTolerance * this->tolerance_)
     : FaceBounds();
 }
 

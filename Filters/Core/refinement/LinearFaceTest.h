@@ -33,7 +33,7 @@ public:
     float aboveByBand = 0.0F;
 
     /// The result where a bound so large is reported anyway: what is no larger need not be sharp.
-    Result whereKnown(double known) const
+    Result boundUnlessDominated(double known) const
     {
       return this->boundByBand <= known ? Result{ true, this->boundByBand, this->aboveByBand, true }
                                         : *this;

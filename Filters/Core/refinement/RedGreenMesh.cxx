@@ -9,7 +9,7 @@ namespace geodesic
 {
 
 RedGreenMesh::RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen,
-  std::unordered_map<Id, Id> beside, const SurfacePart* part)
+  std::unordered_map<Id, Id> beside, const MeshPartition* part)
   : mesh_(mesh)
   , faces_(mesh.numberOfFaces())
   , firstFace_(part ? part->firstOwnFace() : 0)

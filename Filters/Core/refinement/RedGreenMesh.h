@@ -2,7 +2,7 @@
 #ifndef geodesic_RedGreenMesh_h
 #define geodesic_RedGreenMesh_h
 
-#include "mesh/SurfacePart.h"
+#include "mesh/MeshPartition.h"
 #include "mesh/SurfacePoint.h"
 #include "mesh/TriangleMesh.h"
 
@@ -87,7 +87,7 @@ public:
   /// \param part null: all faces of the mesh are refined and in the output, else those that this
   ///        part of a surface owns; the others must be frozen.
   RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen,
-    std::unordered_map<Id, Id> beside = {}, const SurfacePart* part = nullptr);
+    std::unordered_map<Id, Id> beside = {}, const MeshPartition* part = nullptr);
 
   const TriangleMesh& mesh() const { return this->mesh_; }
   /// The faces of the output are those from the first to before the end.

@@ -78,14 +78,14 @@ void getAll(MessageReader& reader, std::vector<Value>& values)
 } // anonymous namespace
 
 std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
-  const SurfacePart& part, const RefinedMesh& refined, const std::vector<Triangle>& cornerPoints)
+  const MeshPartition& part, const RefinedMesh& refined, const std::vector<Triangle>& cornerPoints)
 {
   Exchange& exchange = part.exchange();
   std::vector<Message> questions = exchange.noMessages();
   std::vector<std::vector<std::size_t>> asked(questions.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    const auto owner = indexOf(faces[i].rank);
+    const auto owner = rankIndex(faces[i].rank);
     put(questions[owner], faces[i].id);
     asked[owner].push_back(i);
   }
@@ -96,7 +96,7 @@ std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
       const Id id = reader.get<Id>();
       const RefinedFace face = refinedFace(
         refined, id, cornerPoints.empty() ? part.mesh().triangle(id) : cornerPoints[id]);
-      Message& answer = answers[indexOf(rank)];
+      Message& answer = answers[rankIndex(rank)];
       putAll(answer, face.points);
       putAll(answer, face.numbersThere);
       putAll(answer, face.triangles);
@@ -106,7 +106,7 @@ std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
   readEach(exchange.step(std::move(answers)),
     [&](int rank, MessageReader& reader)
     {
-      const auto owner = indexOf(rank);
+      const auto owner = rankIndex(rank);
       RefinedFace& face = result[asked[owner][next[owner]++]];
       getAll(reader, face.points);
       getAll(reader, face.numbersThere);

@@ -2,7 +2,7 @@
 #ifndef geodesic_RefinedFaces_h
 #define geodesic_RefinedFaces_h
 
-#include "mesh/SurfacePart.h"
+#include "mesh/MeshPartition.h"
 #include "refinement/RefinedMesh.h"
 
 #include <vector>
@@ -29,7 +29,7 @@ struct RefinedFace
 /// \param cornerPoints those of the refinement's options.
 /// \returns one for each that was asked for.
 std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
-  const SurfacePart& part, const RefinedMesh& refined, const std::vector<Triangle>& cornerPoints);
+  const MeshPartition& part, const RefinedMesh& refined, const std::vector<Triangle>& cornerPoints);
 
 }
 

@@ -8,7 +8,7 @@ namespace geodesic
 {
 
 RefinementRetention::RefinementRetention(const TriangleMesh& mesh, double tolerance,
-  const std::vector<std::uint8_t>& pinned, const SurfacePart* part, ParallelFor parallelFor)
+  const std::vector<std::uint8_t>& pinned, const MeshPartition* part, ParallelFor parallelFor)
   : mesh_(mesh)
   , part_(part)
   , parallelFor_(std::move(parallelFor))
@@ -202,7 +202,7 @@ void RefinementRetention::testDue(const FrontState& front)
   for (std::size_t i = 0; i < faces; ++i)
   {
     const double knownNow = this->kept_.droppedErrorBound;
-    this->take(this->due_[i], this->results_[i].whereKnown(knownNow), front);
+    this->take(this->due_[i], this->results_[i].boundUnlessDominated(knownNow), front);
   }
   this->due_.clear();
 }

@@ -4,7 +4,7 @@
 
 #include "Tasks.h"
 #include "front/Retention.h"
-#include "mesh/SurfacePart.h"
+#include "mesh/MeshPartition.h"
 #include "mesh/TriangleMesh.h"
 #include "refinement/LinearFaceTest.h"
 #include "refinement/PassedLists.h"
@@ -37,7 +37,7 @@ public:
   /// \param parallelFor for tests of faces between batches; absent: one after another. What is
   ///        kept does not depend on it.
   RefinementRetention(const TriangleMesh& mesh, double tolerance,
-    const std::vector<std::uint8_t>& pinned, const SurfacePart* part = nullptr,
+    const std::vector<std::uint8_t>& pinned, const MeshPartition* part = nullptr,
     ParallelFor parallelFor = {});
 
   bool needsInside() const override { return true; }
@@ -91,7 +91,7 @@ private:
   void handOver(const FrontState& front);
 
   const TriangleMesh& mesh_;
-  const SurfacePart* part_;
+  const MeshPartition* part_;
   ParallelFor parallelFor_;
   double tolerance_;
   LinearFaceTest test_;

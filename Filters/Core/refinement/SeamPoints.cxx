@@ -45,7 +45,7 @@ struct FacesAtEdge
 };
 
 FacesAtEdge facesAtEdge(
-  Id edge, const SurfacePart& part, const std::function<bool(Id face)>& isKnown)
+  Id edge, const MeshPartition& part, const std::function<bool(Id face)>& isKnown)
 {
   FacesAtEdge faces;
   Id halfedge = edge;
@@ -69,7 +69,7 @@ FacesAtEdge facesAtEdge(
 /// This rank's points on edges of several ranks' faces. Puts what it tells the others into
 /// messages.
 std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& points,
-  std::size_t count, const SurfacePart& part, const std::function<bool(Id face)>& isKnown,
+  std::size_t count, const MeshPartition& part, const std::function<bool(Id face)>& isKnown,
   std::vector<Message>& messages)
 {
   std::map<PlaceOnSeam, PointsAtPlace> places;
@@ -95,7 +95,7 @@ std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& po
       at.there = { part.exchange().rank(), i };
       for (const int rank : faces.otherRanks)
       {
-        put(messages[indexOf(rank)], told);
+        put(messages[rankIndex(rank)], told);
       }
     }
   }
@@ -105,7 +105,7 @@ std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& po
 } // anonymous namespace
 
 SeamPoints findSeamPoints(const std::vector<RefinedPoint>& points, std::size_t count,
-  const SurfacePart& part, const std::function<bool(Id face)>& isKnown)
+  const MeshPartition& part, const std::function<bool(Id face)>& isKnown)
 {
   std::vector<Message> messages = part.exchange().noMessages();
   std::map<PlaceOnSeam, PointsAtPlace> places = collect(points, count, part, isKnown, messages);

@@ -2,7 +2,7 @@
 #ifndef geodesic_SeamPoints_h
 #define geodesic_SeamPoints_h
 
-#include "mesh/SurfacePart.h"
+#include "mesh/MeshPartition.h"
 #include "refinement/RefinedMesh.h"
 
 #include <cstddef>
@@ -31,7 +31,7 @@ struct SeamPoints
 /// \param isKnown whether a face that this rank owns is known inside. Near a distance limit a rank
 ///        may have no such face at an edge that another has split.
 SeamPoints findSeamPoints(const std::vector<RefinedPoint>& points, std::size_t count,
-  const SurfacePart& part, const std::function<bool(Id face)>& isKnown);
+  const MeshPartition& part, const std::function<bool(Id face)>& isKnown);
 
 }
 

@@ -7,7 +7,7 @@
 namespace geodesic
 {
 
-SeamSplits::SeamSplits(const SurfacePart& part, RedGreenMesh& triangles)
+SeamSplits::SeamSplits(const MeshPartition& part, RedGreenMesh& triangles)
   : part_(part)
   , triangles_(triangles)
   , frozen_(part.mesh().numberOfFaces(), 0)
@@ -35,7 +35,7 @@ void SeamSplits::shareFrozen()
         if (std::find(told.begin(), told.end(), other.rank) == told.end())
         {
           told.push_back(other.rank);
-          geodesic::put(messages[indexOf(other.rank)], face);
+          geodesic::put(messages[rankIndex(other.rank)], face);
         }
       }
     }
@@ -78,7 +78,7 @@ void SeamSplits::ask(Id edge, int round)
 {
   const Id halfedge = this->triangles_.edgeData(edge).halfedge;
   const int decider = this->ownerOf(this->firstRefinedFaceAt(halfedge));
-  this->put(this->messages_[indexOf(decider)], Kind::Request, edge, round);
+  this->put(this->messages_[rankIndex(decider)], Kind::Request, edge, round);
 }
 
 void SeamSplits::tell(Id edge, int round)
@@ -95,7 +95,7 @@ void SeamSplits::tell(Id edge, int round)
     const int owner = this->ownerOf(TriangleMesh::faceOf(halfedge));
     if (owner != last && owner != this->part_.exchange().rank())
     {
-      Message& message = this->messages_[indexOf(owner)];
+      Message& message = this->messages_[rankIndex(owner)];
       this->put(message, Kind::Decision, edge, round);
       geodesic::put(message, this->triangles_.placementOf(edge));
     }

@@ -2,7 +2,7 @@
 #ifndef geodesic_SeamSplits_h
 #define geodesic_SeamSplits_h
 
-#include "mesh/SurfacePart.h"
+#include "mesh/MeshPartition.h"
 #include "refinement/RedGreenMesh.h"
 
 #include <cstdint>
@@ -24,7 +24,7 @@ public:
   /// All ranks call together.
   ///
   /// \param part, triangles must outlive this; the faces of other ranks are frozen in `triangles`.
-  SeamSplits(const SurfacePart& part, RedGreenMesh& triangles);
+  SeamSplits(const MeshPartition& part, RedGreenMesh& triangles);
 
   /// Whether this rank decides about an edge.
   bool isDecidedHere(Id edge) const;
@@ -76,7 +76,7 @@ private:
   Id takeEdge(const Entry& entry, MessageReader& reader);
   std::vector<Message> takeMessages();
 
-  const SurfacePart& part_;
+  const MeshPartition& part_;
   RedGreenMesh& triangles_;
   /// Whether each face is frozen where it is owned.
   std::vector<std::uint8_t> frozen_;

@@ -52,7 +52,7 @@ struct SourceCurves
 /// Finds a shortest path on the surface between two points that share no face: the first point, a
 /// point on every edge that it crosses, the vertices that it passes, the second point; empty where
 /// no path joins them. Progress is called now and then with a fraction done; where it returns
-/// false, Aborted is thrown. The engine's own is joinByShortestPaths (field/JoinPoints.h): it needs
+/// false, Aborted is thrown. The engine's own is joinByShortestPaths (paths/JoinPoints.h): it needs
 /// a distance field, which is made after its source.
 using JoinPoints = std::function<std::vector<SurfacePoint>(
   const SurfacePoint& first, const SurfacePoint& second, const ProgressCallback& progress)>;

@@ -3,14 +3,14 @@
 // straight lines in flat convex domains, and against the brute force on the same surface without
 // these faces. GEODESIC_TEST_SEEDS=N takes N meshes of each kind in place of the usual number.
 #include "EngineSupport.h"
-#include "field/PathChecker.h"
+#include "paths/PathChecker.h"
 #include "refinement/RefinementSupport.h"
 #include "truth/AnalyticDistances.h"
 #include "truth/BruteForce.h"
 #include "truth/CappedMeshes.h"
 
-#include "field/PathsToSource.h"
-#include "field/ShortestPathFinder.h"
+#include "paths/PathsToSource.h"
+#include "paths/ShortestPathFinder.h"
 #include "source/BoundaryCurves.h"
 #include "source/PolylineLocator.h"
 

@@ -4,7 +4,7 @@
 #include "RanksSupport.h"
 
 #include "field/Gradients.h"
-#include "field/LastPiece.h"
+#include "field/IncomingSegment.h"
 #include "front/Retention.h"
 
 #include <gtest/gtest.h>
@@ -180,7 +180,7 @@ geodesic::DistanceField solveWithArrivals(
 
 geodesic::Vec3 gradientAt(const geodesic::DistanceField& field, const SurfacePoint& point)
 {
-  return geodesic::gradientOf(field.mesh(), geodesic::lastPieceTo(field, point));
+  return geodesic::gradientOf(field.mesh(), geodesic::incomingSegmentTo(field, point));
 }
 
 std::string nameOf(const SurfacePoint& point)
@@ -283,7 +283,7 @@ private:
     geodesic::Gradients gradients(field, found);
     for (Id vertex = 0; vertex < rank.wholeVertices.size(); ++vertex)
     {
-      gradients.add(geodesic::lastPieceTo(field, SurfacePoint::atVertex(vertex)));
+      gradients.add(geodesic::incomingSegmentTo(field, SurfacePoint::atVertex(vertex)));
     }
     gradients.finish();
     const std::lock_guard<std::mutex> lock(this->mutex_);
@@ -385,10 +385,10 @@ TEST(GradientsBehindCaps, OnCurvedMeshesAreThoseWithoutCaps)
     }
     for (const auto& [onCapped, onSplit] : points)
     {
-      const double distance = geodesic::lastPieceTo(truth, onSplit).distance;
+      const double distance = geodesic::incomingSegmentTo(truth, onSplit).distance;
       if (distance > NearSource)
       {
-        EXPECT_NEAR(geodesic::lastPieceTo(behindCaps, onCapped).distance, distance, 1e-11);
+        EXPECT_NEAR(geodesic::incomingSegmentTo(behindCaps, onCapped).distance, distance, 1e-11);
         const double error =
           spaceDistance(gradientAt(behindCaps, onCapped), gradientAt(truth, onSplit));
         EXPECT_LE(error, Accuracy) << nameOf(onCapped);

@@ -20,7 +20,7 @@
 using namespace geodesictest;
 using geodesic::Foot;
 using geodesic::Id;
-using geodesic::LastPiece;
+using geodesic::IncomingSegment;
 using geodesic::NearestSource;
 using geodesic::SurfacePoint;
 
@@ -150,7 +150,7 @@ struct Solved
   {
     return points[i].kind == SurfacePoint::Kind::Vertex
       ? nearest.atVertex(points[i].id)
-      : nearest.of(geodesic::lastPieceTo(field, points[i]));
+      : nearest.of(geodesic::incomingSegmentTo(field, points[i]));
   }
 };
 
@@ -264,7 +264,7 @@ TEST_P(NearestSources, AreComeNearerToAgainstTheGradient)
     std::vector<double> lengths;
     for (std::size_t i = 0; i < s.points.size(); ++i)
     {
-      const LastPiece piece = geodesic::lastPieceTo(s.field, s.points[i]);
+      const IncomingSegment piece = geodesic::incomingSegmentTo(s.field, s.points[i]);
       const geodesic::Vec3 gradient = geodesic::gradientOf(s.mesh, piece);
       const bool isOff = s.truth[i] < geodesic::Infinity && s.truth[i] > 1e-9 * s.largest;
       if (!isOff)
@@ -376,7 +376,7 @@ TEST(NearestSource, ALineOfManyCurvesIsOneToTheFront)
       place[1] -= change * foot;
       place[0] -= change * (1.0 - foot);
       const Foot found =
-        nearest.of(geodesic::lastPieceTo(field, geodesic::fromBarycentric(mesh, 0, place)));
+        nearest.of(geodesic::incomingSegmentTo(field, geodesic::fromBarycentric(mesh, 0, place)));
       EXPECT_EQ(found.curve, static_cast<Id>(i));
       EXPECT_EQ(found.isRight, above == (i % 3 == 1)) << "part " << i << (above ? " above" : "");
     }

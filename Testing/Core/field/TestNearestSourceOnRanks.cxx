@@ -12,7 +12,7 @@
 
 using namespace geodesictest;
 using geodesic::Foot;
-using geodesic::LastPiece;
+using geodesic::IncomingSegment;
 using geodesic::NearestSource;
 using geodesic::SurfacePoint;
 
@@ -38,7 +38,7 @@ struct Told
   geodesic::Vec3 gradient = {};
 };
 
-Told tell(const Foot& foot, const NearestSource& nearest, const LastPiece& piece,
+Told tell(const Foot& foot, const NearestSource& nearest, const IncomingSegment& piece,
   const geodesic::TriangleMesh& mesh)
 {
   Told told;
@@ -75,13 +75,14 @@ std::vector<Told> toldInOnePiece(const RandomCase& c)
   std::vector<Told> told;
   for (geodesic::Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
-    const LastPiece piece = geodesic::lastPieceTo(field, SurfacePoint::atVertex(vertex));
+    const IncomingSegment piece =
+      geodesic::incomingSegmentTo(field, SurfacePoint::atVertex(vertex));
     told.push_back(tell(nearest.atVertex(vertex), nearest, piece, mesh));
   }
   for (const MeshPoint& query : c.queries)
   {
-    const LastPiece piece =
-      geodesic::lastPieceTo(field, geodesic::normalized(mesh, enginePoint(mesh, query)));
+    const IncomingSegment piece =
+      geodesic::incomingSegmentTo(field, geodesic::normalized(mesh, enginePoint(mesh, query)));
     told.push_back(tell(nearest.of(piece), nearest, piece, mesh));
   }
   return told;
@@ -112,7 +113,8 @@ private:
     NearestSource nearest(field, rank.patch, rank.curvesOnPatch);
     for (geodesic::Id vertex = 0; vertex < rank.wholeVertices.size(); ++vertex)
     {
-      const LastPiece piece = geodesic::lastPieceTo(field, SurfacePoint::atVertex(vertex));
+      const IncomingSegment piece =
+        geodesic::incomingSegmentTo(field, SurfacePoint::atVertex(vertex));
       this->add(
         rank, rank.wholeVertices[vertex], tell(nearest.atVertex(vertex), nearest, piece, mesh));
     }
@@ -122,8 +124,8 @@ private:
       const geodesic::RankAddress face = rank.facesOnRanks[query.face];
       if (face.rank == rank.exchange.rank() && rank.part.isOwn(face.id))
       {
-        const LastPiece piece =
-          geodesic::lastPieceTo(field, geodesic::fromBarycentric(mesh, face.id, query.weights));
+        const IncomingSegment piece = geodesic::incomingSegmentTo(
+          field, geodesic::fromBarycentric(mesh, face.id, query.weights));
         this->add(
           rank, this->case_.mesh.points.size() + i, tell(nearest.of(piece), nearest, piece, mesh));
       }

@@ -381,7 +381,7 @@ TEST_P(SidesOfRegions, AreInsideAndOutside)
     for (const MeshPoint& query : randomPoints(plain, NumberOfQueries, random))
     {
       const SurfacePoint at = geodesic::normalized(mesh, enginePoint(mesh, query));
-      expectSide(query, nearest.of(geodesic::lastPieceTo(field, at)), field.distance(at));
+      expectSide(query, nearest.of(geodesic::incomingSegmentTo(field, at)), field.distance(at));
     }
   }
   const std::string name = GetParam().name;

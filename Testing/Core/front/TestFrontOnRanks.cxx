@@ -221,7 +221,7 @@ TEST(Ranks, RememberTheSameArrivalAtSharedVerticesWherePathsAreEquallyLong)
           for (geodesic::Id vertex = 0; vertex < rank.part.numberOfOwnVertices(); ++vertex)
           {
             const geodesic::Id origin = field.arrivals()[vertex].origin;
-            const auto at = origins.emplace(rank.part.numberInWhole(vertex), origin).first;
+            const auto at = origins.emplace(rank.part.globalId(vertex), origin).first;
             EXPECT_EQ(at->second, origin) << "vertex " << at->first;
           }
         });
@@ -289,10 +289,10 @@ TEST(Ranks, FacesOnTheSameVerticesAreOneFaceOfTheLowerRank)
         triangles = { { 2, 0, 1 }, { 1, 3, 2 } };
         keys.push_back(10);
       }
-      const geodesic::SurfacePart part(points, triangles, keys, exchange);
+      const geodesic::MeshPartition part(points, triangles, keys, exchange);
       EXPECT_EQ(part.mesh().numberOfFaces(), 2U);
-      EXPECT_EQ(part.numberOfFacesOfWhole(), 2U);
-      EXPECT_EQ(part.numberOfVerticesOfWhole(), 4U);
+      EXPECT_EQ(part.numberOfGlobalFaces(), 2U);
+      EXPECT_EQ(part.numberOfGlobalVertices(), 4U);
       EXPECT_EQ(part.faceOfTriangle(0), 0U);
       EXPECT_EQ(part.isOwn(0), isFirst);
       EXPECT_EQ(part.isOwn(1), !isFirst);

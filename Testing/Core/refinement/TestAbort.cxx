@@ -6,11 +6,11 @@
 #include "truth/CappedMeshes.h"
 
 #include "Errors.h"
+#include "contours/Isolines.h"
+#include "contours/SolveForIsolines.h"
 #include "field/DistanceMatrix.h"
-#include "field/Isolines.h"
-#include "field/PathsToSource.h"
-#include "field/ShortestPathFinder.h"
-#include "field/SolveForIsolines.h"
+#include "paths/PathsToSource.h"
+#include "paths/ShortestPathFinder.h"
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
 

@@ -256,22 +256,22 @@ TEST(ListInBand, SaysYesOnlyOfListsThatStayInTheBand)
     const double atEnd = list.back().distance(1.0) + random.uniform(-0.2, 0.2) * limit;
     const ListInBand inBand =
       geodesic::listInBand({ list.data(), list.data() + list.size() }, 1.0, atOrigin, atEnd, limit);
-    found[0] += inBand.notBelow ? 1 : 0;
-    found[1] += inBand.notAbove ? 1 : 0;
+    found[0] += inBand.staysAboveBand ? 1 : 0;
+    found[1] += inBand.staysBelowBand ? 1 : 0;
     double covered = 0.0;
     for (const Window& w : list)
     {
-      EXPECT_TRUE(!inBand.notAbove || w.begin - covered <= 0.25 * limit) << "a wide gap";
+      EXPECT_TRUE(!inBand.staysBelowBand || w.begin - covered <= 0.25 * limit) << "a wide gap";
       covered = w.end;
       for (int k = 0; k <= 20; ++k)
       {
         const double x = w.begin + 0.05 * k * w.width();
         const double over = w.distance(x) - (atOrigin + (atEnd - atOrigin) * x);
-        EXPECT_TRUE(!inBand.notAbove || over <= limit + Rounding) << over << " of " << limit;
-        EXPECT_TRUE(!inBand.notBelow || -over <= limit + Rounding) << over << " of " << limit;
+        EXPECT_TRUE(!inBand.staysBelowBand || over <= limit + Rounding) << over << " of " << limit;
+        EXPECT_TRUE(!inBand.staysAboveBand || -over <= limit + Rounding) << over << " of " << limit;
       }
     }
-    EXPECT_TRUE(!inBand.notAbove || 1.0 - covered <= 0.25 * limit);
+    EXPECT_TRUE(!inBand.staysBelowBand || 1.0 - covered <= 0.25 * limit);
   }
   for (const int count : found)
   {
@@ -306,8 +306,8 @@ TEST(ListInBand, BoundsOfTheFaceHoldWhereItsListsAreInTheirBands)
     {
       distance += random.uniform(-0.9, 0.9) * limit;
     }
-    std::array<bool, 3> notAbove{};
-    bool notBelow = true;
+    std::array<bool, 3> staysBelowBand{};
+    bool staysAboveBand = true;
     for (std::size_t k = 0; k < 3; ++k)
     {
       if (!lists[k].empty())
@@ -315,12 +315,12 @@ TEST(ListInBand, BoundsOfTheFaceHoldWhereItsListsAreInTheirBands)
         const WindowRange range{ lists[k].data(), lists[k].data() + 1 };
         const ListInBand inBand = geodesic::listInBand(
           range, mesh.length(static_cast<geodesic::Id>(k)), d[k], d[(k + 1) % 3], limit);
-        notBelow = notBelow && inBand.notBelow;
-        notAbove[k] = inBand.notAbove;
+        staysAboveBand = staysAboveBand && inBand.staysAboveBand;
+        staysBelowBand[k] = inBand.staysBelowBand;
       }
     }
-    const FaceBounds bounds = geodesic::boundsFromBands(mesh, 0, d, notAbove, limit);
-    if (!notBelow || !(bounds.above < geodesic::Infinity))
+    const FaceBounds bounds = geodesic::boundsFromBands(mesh, 0, d, staysBelowBand, limit);
+    if (!staysAboveBand || !(bounds.above < geodesic::Infinity))
     {
       continue;
     }

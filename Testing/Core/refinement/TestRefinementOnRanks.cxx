@@ -394,9 +394,9 @@ namespace
 using Placed = std::array<std::pair<geodesic::Vec3, double>, 3>;
 using PlacedFaces = std::map<geodesic::RankAddress, std::vector<Placed>>;
 
-std::pair<geodesic::Vec3, double> placeOfVertex(const geodesic::SurfacePart& part, Id vertex)
+std::pair<geodesic::Vec3, double> placeOfVertex(const geodesic::MeshPartition& part, Id vertex)
 {
-  return { part.mesh().point(vertex), part.numberInWhole(vertex) };
+  return { part.mesh().point(vertex), part.globalId(vertex) };
 }
 
 /// The faces that a rank owns.

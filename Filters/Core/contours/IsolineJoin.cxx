@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contours/IsolineJoin.h"
+
+#include "Errors.h"
+#include "Tolerance.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+void IsolineJoin::add(const IsolinePieces& pieces)
+{
+  const std::size_t before = this->ids_.size();
+  const std::size_t points = this->edgePoints_ + this->points_.size();
+  if (points + pieces.points.size() >= NoId / 2)
+  {
+    throw Error(
+      "The isolines have too many points. Raise the chord tolerance or give fewer values.");
+  }
+  const Id shift = static_cast<Id>(this->points_.size());
+  for (IsolinePieces::Piece piece : pieces.pieces)
+  {
+    piece.end += before;
+    this->pieces_.push_back(piece);
+  }
+  for (const Id id : pieces.ids)
+  {
+    this->ids_.push_back(id < this->edgePoints_ ? id : id + shift);
+  }
+  this->points_.insert(this->points_.end(), pieces.points.begin(), pieces.points.end());
+}
+
+Id IsolineJoin::pointAt(PieceEnd end) const
+{
+  const Id piece = end / 2;
+  if (end % 2 == 1)
+  {
+    return this->ids_[this->pieces_[piece].end - 1];
+  }
+  return this->ids_[piece == 0 ? 0 : this->pieces_[piece - 1].end];
+}
+
+void IsolineJoin::linkEnds()
+{
+  constexpr Id more = 3; // than meet where a line goes on
+  this->nodes_.assign(this->edgePoints_ + this->points_.size(), {});
+  for (const Id point : this->ends_)
+  {
+    this->nodes_[point].count = more;
+  }
+  for (PieceEnd end = 0; end < 2 * this->pieces_.size(); ++end)
+  {
+    Node& node = this->nodes_[this->pointAt(end)];
+    if (node.count < 2)
+    {
+      node.ends[node.count] = end;
+    }
+    ++node.count;
+  }
+}
+
+IsolineJoin::PieceEnd IsolineJoin::other(PieceEnd end) const
+{
+  const Node& node = this->nodes_[this->pointAt(end)];
+  return node.ends[0] == end ? node.ends[1] : node.ends[0];
+}
+
+// Lines that end somewhere first, so that what is left is closed.
+Isolines IsolineJoin::finish(std::vector<SurfacePoint> onEdges)
+{
+  Isolines result;
+  result.points = std::move(onEdges);
+  for (const IsolinePieces::NewPoint& point : this->points_)
+  {
+    result.points.push_back(fromBarycentric(this->mesh_, point.face, point.place));
+  }
+  this->linkEnds();
+  this->isUsed_.assign(this->pieces_.size(), 0);
+  for (PieceEnd end = 0; end < 2 * this->pieces_.size(); ++end)
+  {
+    if (!this->isUsed_[end / 2] && !this->isThrough(end))
+    {
+      this->follow(end, result);
+    }
+  }
+  for (PieceEnd end = 0; end < 2 * this->pieces_.size(); end += 2)
+  {
+    if (!this->isUsed_[end / 2])
+    {
+      this->follow(end, result);
+    }
+  }
+  this->dropShortChords(result);
+  std::stable_sort(result.lines.begin(), result.lines.end(),
+    [](const Isoline& a, const Isoline& b) { return a.value < b.value; });
+  dropUnusedPoints(result);
+  return result;
+}
+
+// The first piece says which way the line runs, should they differ.
+void IsolineJoin::follow(PieceEnd begin, Isolines& result)
+{
+  Isoline line;
+  line.value = this->pieces_[begin / 2].value;
+  line.points.push_back(this->pointAt(begin));
+  std::size_t backwards = 0;
+  std::size_t pieces = 0;
+  PieceEnd at = begin;
+  do
+  {
+    this->addPiece(at, line);
+    this->isUsed_[at / 2] = 1;
+    backwards += at % 2;
+    ++pieces;
+    const PieceEnd end = at ^ 1U;
+    at = this->isThrough(end) ? this->other(end) : NoId;
+  } while (at != NoId && at != begin && !this->isUsed_[at / 2]);
+  if (begin % 2 == 1)
+  {
+    std::reverse(line.points.begin(), line.points.end());
+    std::reverse(line.faces.begin(), line.faces.end());
+  }
+  result.linesWithoutDirection += backwards > 0 && backwards < pieces ? 1 : 0;
+  result.lines.push_back(std::move(line));
+}
+
+// From its begin on, or against it from its end.
+void IsolineJoin::addPiece(PieceEnd begin, Isoline& line) const
+{
+  const Id piece = begin / 2;
+  const std::size_t first = piece == 0 ? 0 : this->pieces_[piece - 1].end;
+  const std::size_t last = this->pieces_[piece].end - 1;
+  for (std::size_t i = 1; i <= last - first; ++i)
+  {
+    line.points.push_back(this->ids_[begin % 2 == 0 ? first + i : last - i]);
+    line.faces.push_back(this->pieces_[piece].face);
+  }
+}
+
+void IsolineJoin::dropShortChords(Isolines& result) const
+{
+  const auto last = std::remove_if(result.lines.begin(), result.lines.end(),
+    [&](Isoline& line) { return !this->shorten(result.points, line); });
+  result.lines.erase(last, result.lines.end());
+}
+
+// A line that passes a vertex has a point there from each edge around. In a face pieces may meet a
+// rounding apart.
+bool IsolineJoin::isShort(const SurfacePoint& a, const SurfacePoint& b, Id face, double level) const
+{
+  using Kind = SurfacePoint::Kind;
+  if (a.kind == Kind::Vertex && b.kind == Kind::Vertex)
+  {
+    return a.id == b.id;
+  }
+  if (a.kind != Kind::Face && b.kind != Kind::Face)
+  {
+    return false; // neither point can be spared
+  }
+  const double least = tolerance::IsolineGap * std::min(this->mesh_.shape(face).longest(), level);
+  return distanceInSpace(this->mesh_, a, b) <= least;
+}
+
+// Round a vertex at exactly the value, or a vertex that is beyond it by rounding alone.
+bool IsolineJoin::isSpeck(const std::vector<SurfacePoint>& points, const Isoline& line) const
+{
+  const SurfacePoint& first = points[line.points.front()];
+  double longest = 0.0;
+  double extent = 0.0;
+  for (std::size_t i = 0; i < line.faces.size(); ++i)
+  {
+    longest = std::max(longest, this->mesh_.shape(line.faces[i]).longest());
+    extent = std::max(extent, distanceInSpace(this->mesh_, first, points[line.points[i + 1]]));
+  }
+  const double gap = tolerance::IsolineGap * std::min(longest, this->levels_[line.value]);
+  return extent <= gap && (line.faces.empty() || this->isRoundOnePlace(points, line, gap));
+}
+
+// Whether a line so short goes round a vertex or a place of an edge. Across faces that are no
+// higher than that, lines are as short but go on.
+bool IsolineJoin::isRoundOnePlace(
+  const std::vector<SurfacePoint>& points, const Isoline& line, double gap) const
+{
+  const auto all = [&](auto&& isThere)
+  {
+    return std::all_of(line.points.begin(), line.points.end(),
+      [&](Id id) { return points[id].kind == SurfacePoint::Kind::Face || isThere(points[id]); });
+  };
+  for (Id corner = 3 * line.faces.front(); corner < 3 * line.faces.front() + 3; ++corner)
+  {
+    const Id vertex = this->mesh_.origin(corner);
+    if (all([&](const SurfacePoint& p) { return this->isBeside(p, vertex, gap); }) ||
+      all([&](const SurfacePoint& p) { return this->isOnEdge(p, corner); }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether a point is the vertex, or on an edge of it and no farther than that.
+bool IsolineJoin::isBeside(const SurfacePoint& p, Id vertex, double gap) const
+{
+  const bool isVertex = p.kind == SurfacePoint::Kind::Vertex;
+  return isVertex
+    ? p.id == vertex
+    : (this->mesh_.origin(p.id) == vertex || this->mesh_.destination(p.id) == vertex) &&
+      norm(position(this->mesh_, p) - this->mesh_.point(vertex)) <= gap;
+}
+
+bool IsolineJoin::isOnEdge(const SurfacePoint& p, Id halfedge) const
+{
+  return p.kind == SurfacePoint::Kind::Edge &&
+    this->mesh_.edgeOf(p.id) == this->mesh_.edgeOf(halfedge);
+}
+
+// Returns whether anything is left of the line. The face of a chord still holds both of its ends:
+// a point inside a face has both chords in it, a vertex is in all faces around.
+bool IsolineJoin::shorten(const std::vector<SurfacePoint>& points, Isoline& line) const
+{
+  const Isoline whole = line;
+  line.points = { whole.points.front() };
+  line.faces.clear();
+  for (std::size_t i = 0; i < whole.faces.size(); ++i)
+  {
+    const Id next = whole.points[i + 1];
+    if (!this->isShort(
+          points[line.points.back()], points[next], whole.faces[i], this->levels_[line.value]))
+    {
+      line.points.push_back(next);
+      line.faces.push_back(whole.faces[i]);
+    }
+    else if (points[next].kind != SurfacePoint::Kind::Face || i + 1 == whole.faces.size())
+    {
+      line.points.back() = next; // the one that is needed, or that other lines may share
+    }
+  }
+  line.points.front() = whole.points.front();
+  return this->goesOnElsewhere(line) ? !line.faces.empty() : !this->isSpeck(points, line);
+}
+
+// Then it may be more than a speck.
+bool IsolineJoin::goesOnElsewhere(const Isoline& line) const
+{
+  const auto isEnd = [this](Id point)
+  { return std::binary_search(this->ends_.begin(), this->ends_.end(), point); };
+  return !this->ends_.empty() && (isEnd(line.points.front()) || isEnd(line.points.back()));
+}
+
+void IsolineJoin::dropUnusedPoints(Isolines& result)
+{
+  std::vector<Id> number(result.points.size(), NoId);
+  std::vector<SurfacePoint> used;
+  for (Isoline& line : result.lines)
+  {
+    for (Id& point : line.points)
+    {
+      if (number[point] == NoId)
+      {
+        number[point] = static_cast<Id>(used.size());
+        used.push_back(result.points[point]);
+      }
+      point = number[point];
+    }
+  }
+  result.points = std::move(used);
+}
+
+}

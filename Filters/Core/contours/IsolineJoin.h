@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_IsolineJoin_h
+#define geodesic_IsolineJoin_h
+
+#include "contours/FaceIsolines.h"
+#include "contours/Isolines.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// Joins the pieces of isolines where exactly two of them meet, whatever faces they are in.
+class IsolineJoin
+{
+public:
+  /// \param levels the values, must outlive this.
+  /// \param edgePoints how many points there are on edges; their ids are the first ones.
+  IsolineJoin(const TriangleMesh& mesh, const std::vector<double>& levels, Id edgePoints)
+    : mesh_(mesh)
+    , levels_(levels)
+    , edgePoints_(edgePoints)
+  {
+  }
+
+  /// Lines end at a point on an edge, where other ranks' go on.
+  void endAt(Id edgePoint) { this->ends_.push_back(edgePoint); }
+
+  /// Adds the pieces of some faces, behind those of lower ones.
+  void add(const IsolinePieces& pieces);
+
+  /// The lines, without chords that have no length to speak of.
+  ///
+  /// \param onEdges the points on edges, by their ids.
+  Isolines finish(std::vector<SurfacePoint> onEdges);
+
+private:
+  /// The first or the last point of a piece: 2 * piece, or 2 * piece + 1.
+  using PieceEnd = Id;
+  struct Node
+  {
+    PieceEnd ends[2] = { NoId, NoId };
+    Id count = 0;
+  };
+
+  Id pointAt(PieceEnd end) const;
+  void linkEnds();
+  bool isThrough(PieceEnd end) const { return this->nodes_[this->pointAt(end)].count == 2; }
+  PieceEnd other(PieceEnd end) const;
+  void follow(PieceEnd begin, Isolines& result);
+  void addPiece(PieceEnd begin, Isoline& line) const;
+  void dropShortChords(Isolines& result) const;
+  bool isShort(const SurfacePoint& a, const SurfacePoint& b, Id face, double level) const;
+  bool isSpeck(const std::vector<SurfacePoint>& points, const Isoline& line) const;
+  bool isRoundOnePlace(
+    const std::vector<SurfacePoint>& points, const Isoline& line, double gap) const;
+  bool isBeside(const SurfacePoint& p, Id vertex, double gap) const;
+  bool isOnEdge(const SurfacePoint& p, Id halfedge) const;
+  bool goesOnElsewhere(const Isoline& line) const;
+  bool shorten(const std::vector<SurfacePoint>& points, Isoline& line) const;
+  static void dropUnusedPoints(Isolines& result);
+
+  const TriangleMesh& mesh_;
+  const std::vector<double>& levels_;
+  Id edgePoints_;
+  std::vector<Id> ends_;
+  std::vector<IsolinePieces::Piece> pieces_;
+  std::vector<Id> ids_;
+  std::vector<IsolinePieces::NewPoint> points_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint8_t> isUsed_;
+};
+
+}
+
+#endif

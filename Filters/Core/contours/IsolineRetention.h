@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_IsolineRetention_h
+#define geodesic_IsolineRetention_h
+
+#include "front/Retention.h"
+#include "mesh/MeshPartition.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// Keeps the windows of faces whose range of distances may hold one of some values, and lets the
+/// front stop beyond the largest value.
+///
+/// Whether a list is kept is decided when it has passed, from the distances known then. Should
+/// later paths bring a face nearer, so that its range holds a value after all, what was dropped is
+/// missing: the solve has to be done again with the face pinned.
+class IsolineRetention : public Retention
+{
+public:
+  /// \param part null: faces of all the mesh count, not only those that it owns.
+  /// \param values ascending, must outlive this.
+  /// \param pinned for each face, whether its windows are never dropped; must outlive this.
+  IsolineRetention(const TriangleMesh& mesh, const MeshPartition* part,
+    const std::vector<double>& values, const std::vector<std::uint8_t>& pinned);
+
+  bool needsInside() const override { return true; }
+  double reach() const override { return this->reach_; }
+  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
+  void start(const std::vector<SourceInFace>& sources) override;
+  void pass(std::size_t district, const PassedList& list, Id batch, WindowPool& pool) override;
+  void advance(const FrontState& front) override;
+  void finish(const FrontState& front) override;
+
+  KeptWindows release() { return std::move(this->kept_); }
+  /// Faces whose windows were dropped although a value may be in them.
+  const std::vector<Id>& droppedTooEarly() const { return this->droppedTooEarly_; }
+
+private:
+  /// What is known of a face beforehand, and what became of it.
+  enum Mark : std::uint8_t
+  {
+    HasSource = 1,
+    Dropped = 2
+  };
+
+  bool mayHoldValue(Id face, const VertexNumbers& distances, double certain) const;
+  void takePassed(const FrontState& front);
+
+  const TriangleMesh& mesh_;
+  Id firstFace_;
+  Id endOfFaces_;
+  const std::vector<double>& values_;
+  const std::vector<std::uint8_t>& pinned_;
+  double reach_;
+  std::vector<std::uint8_t> marks_;
+  /// What each district has handed over in this batch.
+  std::vector<std::vector<PassedList>> passed_;
+  Id batch_ = 0;
+  std::vector<Id> droppedTooEarly_;
+  KeptWindows kept_;
+};
+
+}
+
+#endif

@@ -1,0 +1,487 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contours/Isolines.h"
+
+#include "Errors.h"
+#include "PacedProgress.h"
+#include "Tolerance.h"
+#include "contours/FaceIsolines.h"
+#include "contours/IsolineJoin.h"
+#include "field/DistanceRange.h"
+#include "field/WatchedTasks.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace geodesic
+{
+
+namespace
+{
+
+constexpr std::size_t FacesPerTask = 32;
+// Of the whole, how much the points on the edges take.
+constexpr double EdgesDone = 0.3;
+
+/// A point of an isoline on an edge. Its number in the list of them is its id.
+struct EdgePoint
+{
+  Id halfedge;
+  Id value;
+  double fraction;
+  /// Whether the distance passes the value upwards along the halfedge.
+  bool rises;
+};
+
+class Drawing
+{
+public:
+  Drawing(const DistanceField& field, const IsolineOptions& options);
+
+  Isolines run();
+
+private:
+  SurfacePoint placeOf(const EdgePoint& p) const;
+  void findFaces();
+  bool isBelow(Id vertex, std::size_t value) const;
+  Id designated(Id halfedge) const;
+  template <typename Result, typename Task>
+  std::vector<Result> forTasks(double begin, double end, Task&& task) const;
+
+  void findEdgePoints();
+  void exchangeEdgePoints();
+  void countTurnsAtSeams(Isolines& isolines) const;
+  void addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePoint>& points) const;
+  IsolinePieces drawFaces(std::size_t first, std::size_t last, std::size_t& straight,
+    const ProgressCallback& progress) const;
+  void findOutline(Id face, std::size_t value, std::vector<OutlinePoint>& outline) const;
+  void addOutlinePoints(Id halfedge, std::size_t value, Vec2 begin, Vec2 edge,
+    std::vector<OutlinePoint>& outline) const;
+  DistanceRange rangeOf(Id face) const;
+
+  const DistanceField& field_;
+  const TriangleMesh& mesh_;
+  const IsolineOptions& options_;
+  /// See tolerance::BelowValue.
+  std::vector<double> levels_;
+  /// The faces that may hold a value, ascending.
+  std::vector<Id> faces_;
+  std::vector<std::uint8_t> isChosen_;
+  std::vector<EdgePoint> edgePoints_;
+};
+
+void checkOptions(const IsolineOptions& options)
+{
+  const std::vector<double>& values = options.values;
+  const bool ascending = std::adjacent_find(values.begin(), values.end(),
+                           [](double a, double b) { return !(a < b); }) == values.end();
+  if (values.empty() || !(values.front() > 0.0) || !(values.back() < Infinity) || !ascending)
+  {
+    throw Error("The values of isolines must be positive, finite and ascending, at least one.");
+  }
+  if (!(options.chordTolerance > 0.0))
+  {
+    throw Error("The chord tolerance of isolines must be positive.");
+  }
+}
+
+/// Where a condition ends to hold, between one place where it holds and another.
+template <typename Condition>
+double bisect(double holds, double fails, Condition&& condition)
+{
+  constexpr int halvings = 60;
+  for (int i = 0; i < halvings; ++i)
+  {
+    const double middle = 0.5 * (holds + fails);
+    (condition(middle) ? holds : fails) = middle;
+  }
+  return fails;
+}
+
+void goOn(const ProgressCallback& progress)
+{
+  if (!progress(0.0))
+  {
+    throw Aborted();
+  }
+}
+
+/// A segment of a face, along a unit vector.
+struct Segment
+{
+  Vec2 begin;
+  Vec2 along;
+  double length;
+};
+
+/// Whether a face is this rank's to draw in.
+bool isDrawn(const DistanceField& field, Id face)
+{
+  return field.part() == nullptr || field.part()->isOwn(face);
+}
+
+/// Whether other ranks draw at an edge, too.
+bool isAtSeam(const DistanceField& field, Id halfedge)
+{
+  bool isSeam = !isDrawn(field, TriangleMesh::faceOf(halfedge));
+  for (Id s = field.mesh().nextSibling(halfedge); s != halfedge; s = field.mesh().nextSibling(s))
+  {
+    isSeam = isSeam || !isDrawn(field, TriangleMesh::faceOf(s));
+  }
+  return isSeam;
+}
+
+// Windows of an envelope may differ where they meet, by tolerance::JointFraction. The distance in
+// the face tells the place then.
+double placeByDistance(const FaceDistance& face, const Segment& segment, double level, double place)
+{
+  const auto above = [&](double x)
+  { return face.distance(segment.begin + x * segment.along) - level; };
+  const double off = above(place);
+  if (std::abs(off) <= tolerance::IsolineValue * (level + segment.length))
+  {
+    return place;
+  }
+  constexpr int doublings = 8;
+  double reach = std::abs(off);
+  for (int i = 0; i < doublings; ++i, reach *= 2.0)
+  {
+    for (const double other :
+      { std::max(0.0, place - reach), std::min(segment.length, place + reach) })
+    {
+      if ((above(other) < 0.0) != (off < 0.0))
+      {
+        return bisect(place, other, [&](double x) { return (above(x) < 0.0) == (off < 0.0); });
+      }
+    }
+  }
+  return place;
+}
+
+Drawing::Drawing(const DistanceField& field, const IsolineOptions& options)
+  : field_(field)
+  , mesh_(field.mesh())
+  , options_(options)
+{
+  for (const double value : options.values)
+  {
+    this->levels_.push_back(value * (1.0 - tolerance::BelowValue));
+  }
+}
+
+Isolines Drawing::run()
+{
+  this->findFaces();
+  this->findEdgePoints();
+  struct Drawn
+  {
+    IsolinePieces pieces;
+    std::size_t straight = 0;
+  };
+  std::vector<Drawn> drawn = this->forTasks<Drawn>(EdgesDone, 1.0,
+    [this](std::size_t first, std::size_t last, Drawn& result, const ProgressCallback& progress)
+    { result.pieces = this->drawFaces(first, last, result.straight, progress); });
+  IsolineJoin join(this->mesh_, this->levels_, static_cast<Id>(this->edgePoints_.size()));
+  for (Id point = 0; point < this->edgePoints_.size(); ++point)
+  {
+    if (isAtSeam(this->field_, this->edgePoints_[point].halfedge))
+    {
+      join.endAt(point);
+    }
+  }
+  std::size_t straight = 0;
+  for (Drawn& each : drawn)
+  {
+    join.add(each.pieces);
+    straight += each.straight;
+    each = Drawn();
+  }
+  std::vector<SurfacePoint> onEdges;
+  onEdges.reserve(this->edgePoints_.size());
+  for (const EdgePoint& p : this->edgePoints_)
+  {
+    onEdges.push_back(this->placeOf(p));
+  }
+  Isolines result = join.finish(std::move(onEdges));
+  result.partsCrossedStraight = straight;
+  this->countTurnsAtSeams(result);
+  return result;
+}
+
+// Where the faces of a seam are of opposite orientation, lines run against each other there.
+void Drawing::countTurnsAtSeams(Isolines& isolines) const
+{
+  const auto turns = [&](const SurfacePoint& end)
+  {
+    return end.kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(end.id) &&
+      this->mesh_.acrossOriented(end.id) == NoId;
+  };
+  for (const Isoline& line : isolines.lines)
+  {
+    const bool isTurned = !line.isClosed() &&
+      (turns(isolines.points[line.points.front()]) || turns(isolines.points[line.points.back()]));
+    isolines.linesWithoutDirection += isTurned ? 1 : 0;
+  }
+}
+
+// At a vertex where it cannot be told from it.
+SurfacePoint Drawing::placeOf(const EdgePoint& p) const
+{
+  const double length = this->mesh_.length(p.halfedge);
+  const double near = tolerance::IsolineAtVertex * (this->levels_[p.value] + length);
+  if (p.fraction * length <= near)
+  {
+    return SurfacePoint::atVertex(this->mesh_.origin(p.halfedge));
+  }
+  if ((1.0 - p.fraction) * length <= near)
+  {
+    return SurfacePoint::atVertex(this->mesh_.destination(p.halfedge));
+  }
+  return SurfacePoint::onEdge(p.halfedge, p.fraction);
+}
+
+void Drawing::findFaces()
+{
+  this->isChosen_.assign(this->mesh_.numberOfFaces(), 0);
+  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  {
+    const DistanceRange range = this->rangeOf(face);
+    if (range.least < Infinity && range.holdsOneOf(this->levels_))
+    {
+      this->isChosen_[face] = 1;
+      if (!isDrawn(this->field_, face))
+      {
+        continue;
+      }
+      if (!this->field_.knowsInside(face))
+      {
+        throw Error("Isolines were asked for in face " + std::to_string(face) +
+          ", whose windows the solve did not keep.");
+      }
+      this->faces_.push_back(face);
+    }
+  }
+}
+
+// Beyond the largest value distances need not be exact.
+DistanceRange Drawing::rangeOf(Id face) const
+{
+  const std::vector<double>& d = this->field_.vertexDistances();
+  const Triangle& t = this->mesh_.triangle(face);
+  const double certain = this->levels_.back() * (1.0 + tolerance::BoundMargin);
+  return rangeInFace(this->mesh_.shape(face), { d[t[0]], d[t[1]], d[t[2]] }, certain,
+    !this->field_.sourcesIn(face).empty());
+}
+
+bool Drawing::isBelow(Id vertex, std::size_t value) const
+{
+  return this->field_.vertexDistances()[vertex] < this->levels_[value];
+}
+
+// The halfedge from whose face the points of an edge are solved.
+Id Drawing::designated(Id halfedge) const
+{
+  Id lowest = halfedge;
+  for (Id s = this->mesh_.nextSibling(halfedge); s != halfedge; s = this->mesh_.nextSibling(s))
+  {
+    lowest = s < lowest && this->isChosen_[TriangleMesh::faceOf(s)] ? s : lowest;
+  }
+  return lowest;
+}
+
+// task(first, last, result, progress) for ranges of the faces. A single face may have very many
+// windows: the callback may be called as often as one likes.
+template <typename Result, typename Task>
+std::vector<Result> Drawing::forTasks(double begin, double end, Task&& task) const
+{
+  const std::size_t count = this->faces_.size();
+  std::vector<Result> results((count + FacesPerTask - 1) / FacesPerTask);
+  const ProgressCallback often = paced(this->options_.progress);
+  const auto run = [&](std::size_t i, const ProgressCallback& progress)
+  {
+    const std::size_t at = i * FacesPerTask;
+    task(at, std::min(at + FacesPerTask, count), results[i], progress);
+  };
+  runWatched(results.size(), run, this->options_.parallelFor,
+    [&](double done) { return !often || often(begin + done * (end - begin)); });
+  return results;
+}
+
+void Drawing::findEdgePoints()
+{
+  using Points = std::vector<EdgePoint>;
+  const std::vector<Points> found = this->forTasks<Points>(0.0, EdgesDone,
+    [this](std::size_t first, std::size_t last, Points& points, const ProgressCallback& progress)
+    {
+      SegmentEnvelope memory;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        goOn(progress);
+        this->addEdgePoints(this->faces_[i], memory, points);
+      }
+    });
+  for (const Points& points : found)
+  {
+    this->edgePoints_.insert(this->edgePoints_.end(), points.begin(), points.end());
+  }
+  if (this->field_.part() != nullptr)
+  {
+    this->exchangeEdgePoints();
+  }
+}
+
+// Faces stand in one order on all ranks, so that they agree about the designated one of an edge.
+// Its owner tells the other ranks there.
+void Drawing::exchangeEdgePoints()
+{
+  const MeshPartition& part = *this->field_.part();
+  std::vector<Message> messages = part.exchange().noMessages();
+  for (const EdgePoint& p : this->edgePoints_)
+  {
+    std::vector<int> told;
+    for (Id s = this->mesh_.nextSibling(p.halfedge); s != p.halfedge;
+         s = this->mesh_.nextSibling(s))
+    {
+      const RankAddress face = part.addressOf(TriangleMesh::faceOf(s));
+      const bool isOther = !part.isOwn(TriangleMesh::faceOf(s));
+      if (isOther && std::find(told.begin(), told.end(), face.rank) == told.end())
+      {
+        put(messages[rankIndex(face.rank)], p);
+        told.push_back(face.rank);
+      }
+    }
+  }
+  readEach(part.exchange().step(std::move(messages)),
+    [&](int rank, MessageReader& reader)
+    {
+      auto p = reader.get<EdgePoint>();
+      const Id face = part.copyOf({ rank, TriangleMesh::faceOf(p.halfedge) });
+      p.halfedge = 3 * face + p.halfedge % 3;
+      this->edgePoints_.push_back(p);
+    });
+  std::stable_sort(this->edgePoints_.begin(), this->edgePoints_.end(),
+    [](const EdgePoint& a, const EdgePoint& b)
+    { return a.halfedge != b.halfedge ? a.halfedge < b.halfedge : a.value < b.value; });
+}
+
+// Those of its edges whose designated face it is.
+void Drawing::addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePoint>& points) const
+{
+  std::optional<FaceDistance> distance;
+  const bool hasSource = !this->field_.sourcesIn(face).empty();
+  const double certain = this->levels_.back() * (1.0 + tolerance::BoundMargin);
+  std::vector<SegmentCrossing> crossings;
+  for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+  {
+    const std::array<Id, 2> ends = { this->mesh_.origin(halfedge),
+      this->mesh_.destination(halfedge) };
+    const double length = this->mesh_.length(halfedge);
+    DistanceRange range = rangeOnEdge(length, this->field_.vertexDistances()[ends[0]],
+      this->field_.vertexDistances()[ends[1]], certain);
+    range.least = hasSource ? 0.0 : range.least;
+    const auto [first, last] = range.indicesIn(this->levels_);
+    if (first == last || this->designated(halfedge) != halfedge)
+    {
+      continue;
+    }
+    if (!distance)
+    {
+      distance.emplace(this->field_, face);
+    }
+    const Vec2 p = distance->inPlane(cornerWeights(halfedge % 3));
+    const Vec2 q = distance->inPlane(cornerWeights((halfedge + 1) % 3));
+    const std::vector<Window>& envelope = memory.along(*distance, p, q);
+    const Segment segment = { p, length > 0.0 ? (1.0 / length) * (q - p) : Vec2{}, length };
+    for (std::size_t value = first; value < last; ++value)
+    {
+      crossings.clear();
+      findCrossings(envelope, this->levels_[value], this->isBelow(ends[0], value),
+        this->isBelow(ends[1], value), crossings);
+      for (const SegmentCrossing& crossing : crossings)
+      {
+        const double at = placeByDistance(*distance, segment, this->levels_[value], crossing.at);
+        const double fraction = length > 0.0 ? std::min(1.0, at / length) : 0.5;
+        points.push_back({ halfedge, static_cast<Id>(value), fraction, crossing.rises });
+      }
+    }
+  }
+}
+
+IsolinePieces Drawing::drawFaces(std::size_t first, std::size_t last, std::size_t& straight,
+  const ProgressCallback& progress) const
+{
+  FaceIsolines drawer(
+    static_cast<Id>(this->edgePoints_.size()), this->options_.chordTolerance, progress);
+  std::vector<OutlinePoint> outline;
+  for (std::size_t i = first; i < last; ++i)
+  {
+    const Id face = this->faces_[i];
+    const bool hasSource = !this->field_.sourcesIn(face).empty();
+    std::optional<FaceDistance> distance;
+    const auto [from, to] = this->rangeOf(face).indicesIn(this->levels_);
+    for (std::size_t value = from; value < to; ++value)
+    {
+      goOn(progress);
+      const bool below = this->isBelow(this->mesh_.triangle(face)[0], value);
+      this->findOutline(face, value, outline);
+      if (outline.empty() && !below && !hasSource)
+      {
+        continue;
+      }
+      if (!distance)
+      {
+        distance.emplace(this->field_, face);
+      }
+      drawer.draw(*distance, this->levels_[value], static_cast<Id>(value), outline, below);
+    }
+  }
+  straight = drawer.partsCrossedStraight();
+  return drawer.release();
+}
+
+void Drawing::findOutline(Id face, std::size_t value, std::vector<OutlinePoint>& outline) const
+{
+  outline.clear();
+  const Id frame = longestHalfedge(this->mesh_, face);
+  std::array<Vec2, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    corners[k] = inHalfedgeFrame(this->mesh_, frame, cornerWeights(k));
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    this->addOutlinePoints(
+      3 * face + static_cast<Id>(k), value, corners[k], corners[(k + 1) % 3] - corners[k], outline);
+  }
+}
+
+void Drawing::addOutlinePoints(
+  Id halfedge, std::size_t value, Vec2 begin, Vec2 edge, std::vector<OutlinePoint>& outline) const
+{
+  const Id designated = this->designated(halfedge);
+  const bool isReversed = this->mesh_.origin(designated) != this->mesh_.origin(halfedge);
+  const auto first = std::partition_point(this->edgePoints_.begin(), this->edgePoints_.end(),
+    [&](const EdgePoint& p)
+    { return p.halfedge != designated ? p.halfedge < designated : p.value < value; });
+  const std::size_t firstOfEdge = outline.size();
+  for (auto p = first;
+       p != this->edgePoints_.end() && p->halfedge == designated && p->value == value; ++p)
+  {
+    const double t = isReversed ? 1.0 - p->fraction : p->fraction;
+    outline.push_back({ begin + t * edge, static_cast<Id>(p - this->edgePoints_.begin()),
+      halfedge % 3, p->rises != isReversed });
+  }
+  if (isReversed)
+  {
+    std::reverse(outline.begin() + static_cast<std::ptrdiff_t>(firstOfEdge), outline.end());
+  }
+}
+
+} // anonymous namespace
+
+Isolines drawIsolines(const DistanceField& field, const IsolineOptions& options)
+{
+  checkOptions(options);
+  return Drawing(field, options).run();
+}
+
+}

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contours/LevelCurves.h"
+
+#include "Tolerance.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+Vec2 leftOf(Vec2 v)
+{
+  return { -v.y, v.x };
+}
+
+Vec2 unitOr(Vec2 v, Vec2 otherwise)
+{
+  const double length = norm(v);
+  return length > 0.0 ? (1.0 / length) * v : otherwise;
+}
+
+/// By the angle whose half has this tangent.
+Vec2 turnedClockwise(Vec2 v, double halfTangent)
+{
+  const double squared = halfTangent * halfTangent;
+  const double c = (1.0 - squared) / (1.0 + squared);
+  const double s = 2.0 * halfTangent / (1.0 + squared);
+  return { c * v.x + s * v.y, c * v.y - s * v.x };
+}
+
+/// The clockwise angle from one unit vector to another, in [0, 2 pi).
+double clockwiseAngle(Vec2 from, Vec2 to)
+{
+  const double angle = std::atan2(cross(to, from), dot(from, to));
+  return angle < 0.0 ? angle + 2.0 * Pi : angle;
+}
+
+/// Appends an arc in parts of a right angle at most.
+void addArcs(std::size_t candidate, Vec2 center, double radius, Vec2 axis, double angle,
+  std::vector<LevelCurve>& curves)
+{
+  const double parts = std::ceil(angle / (0.5 * Pi) - tolerance::Tie);
+  const double halfTangent = std::tan(0.5 * angle / parts);
+  for (int i = 0; i < static_cast<int>(parts); ++i)
+  {
+    curves.push_back({ candidate, true, center, axis, radius, halfTangent });
+    axis = turnedClockwise(axis, halfTangent);
+  }
+}
+
+void addPlace(const LevelCurve& curve, Vec2 p, CurvePlaces& places)
+{
+  const Vec2 v = p - curve.origin;
+  const double along = dot(curve.axis, v);
+  const double t = curve.isArc ? cross(v, curve.axis) / std::max(along + curve.radius, 0.0) : along;
+  if (t > 0.0 && t < curve.extent)
+  {
+    places.at.push_back(t);
+  }
+}
+
+} // anonymous namespace
+
+double PlaneBox::nearest(Vec2 p) const
+{
+  return norm(Vec2{ std::max({ this->low.x - p.x, 0.0, p.x - this->high.x }),
+    std::max({ this->low.y - p.y, 0.0, p.y - this->high.y }) });
+}
+
+double PlaneBox::farthest(Vec2 p) const
+{
+  return norm(Vec2{ std::max(p.x - this->low.x, this->high.x - p.x),
+    std::max(p.y - this->low.y, this->high.y - p.y) });
+}
+
+Vec2 LevelCurve::at(double t) const
+{
+  return this->isArc ? this->origin + this->radius * turnedClockwise(this->axis, t)
+                     : this->origin + t * this->axis;
+}
+
+void addMeetings(const LevelCurve& curve, const PlaneLine& line, CurvePlaces& places)
+{
+  if (!curve.isArc)
+  {
+    const double slope = cross(line.along, curve.axis);
+    if (slope != 0.0)
+    {
+      const double t = cross(line.along, line.point - curve.origin) / slope;
+      addPlace(curve, curve.at(t), places);
+    }
+    return;
+  }
+  const Vec2 toCenter = curve.origin - line.point;
+  const double aside = cross(line.along, toCenter);
+  const double squared = (curve.radius - aside) * (curve.radius + aside);
+  if (squared < 0.0)
+  {
+    return;
+  }
+  const double half = std::sqrt(squared);
+  for (const double along : { dot(line.along, toCenter) - half, dot(line.along, toCenter) + half })
+  {
+    addPlace(curve, line.point + along * line.along, places);
+  }
+}
+
+void addMeetings(const LevelCurve& curve, Vec2 center, double radius, CurvePlaces& places)
+{
+  const Vec2 toCenter = center - curve.origin;
+  if (!curve.isArc)
+  {
+    const double aside = cross(curve.axis, toCenter);
+    const double squared = (radius - aside) * (radius + aside);
+    if (squared >= 0.0)
+    {
+      const double half = std::sqrt(squared);
+      addPlace(curve, curve.at(dot(curve.axis, toCenter) - half), places);
+      addPlace(curve, curve.at(dot(curve.axis, toCenter) + half), places);
+    }
+    return;
+  }
+  const double between = norm(toCenter);
+  if (!(between > 0.0))
+  {
+    return;
+  }
+  const double along =
+    0.5 * (between + (curve.radius - radius) * (curve.radius + radius) / between);
+  const double squared = (curve.radius - along) * (curve.radius + along);
+  if (squared >= 0.0)
+  {
+    const Vec2 axis = (1.0 / between) * toCenter;
+    const Vec2 foot = curve.origin + along * axis;
+    const Vec2 aside = std::sqrt(squared) * leftOf(axis);
+    addPlace(curve, foot + aside, places);
+    addPlace(curve, foot - aside, places);
+  }
+}
+
+LevelRegion::LevelRegion(const DistanceCandidate& candidate, std::size_t number, double value,
+  double margin, const PlaneBox& box)
+  : candidate_(&candidate)
+  , number_(number)
+  , level_(value - candidate.sigma)
+  , margin_(margin)
+{
+  const Vec2 along = unitOr(candidate.end - candidate.begin, { 1.0, 0.0 });
+  if (candidate.kind == DistanceCandidate::Kind::Linear)
+  {
+    this->first_ = candidate.source;
+    this->last_ = candidate.source;
+    this->isEmpty_ = !(std::min(candidate.atBegin, candidate.atEnd) < value) || this->misses(box);
+    return;
+  }
+  this->isEmpty_ = !(this->level_ > 0.0);
+  if (candidate.kind == DistanceCandidate::Kind::Circular)
+  {
+    this->first_ = unitOr(candidate.begin - candidate.source, -1.0 * along);
+    this->last_ = unitOr(candidate.end - candidate.source, along);
+    // The point of the window that is nearest to the source.
+    const double x = std::clamp(
+      dot(candidate.source - candidate.begin, along), 0.0, norm(candidate.end - candidate.begin));
+    this->isEmpty_ =
+      this->isEmpty_ || !(norm(candidate.begin + x * along - candidate.source) < this->level_);
+  }
+  this->isEmpty_ = this->isEmpty_ || this->misses(box);
+}
+
+// Whether one of the lines that bound it parts it from the box.
+bool LevelRegion::misses(const PlaneBox& box) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  const std::array<Vec2, 4> corners = box.corners();
+  const auto all = [&corners](auto&& outside)
+  { return std::all_of(corners.begin(), corners.end(), outside); };
+  if (this->candidate_->hasPencil() &&
+    (all([&](Vec2 p) { return cross(this->first_, p - c.begin) > this->margin_; }) ||
+      all([&](Vec2 p) { return cross(this->last_, p - c.end) < -this->margin_; })))
+  {
+    return true;
+  }
+  switch (c.kind)
+  {
+    case DistanceCandidate::Kind::Linear:
+      return all([&](Vec2 p) { return dot(c.source, p) > this->level_; });
+    case DistanceCandidate::Kind::Segment:
+      return false;
+    case DistanceCandidate::Kind::Cone:
+    case DistanceCandidate::Kind::Circular:
+      break;
+  }
+  return box.nearest(c.source) > this->level_;
+}
+
+bool LevelRegion::isInPencil(Vec2 p) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  return !this->candidate_->hasPencil() ||
+    (cross(this->first_, p - c.begin) <= this->margin_ &&
+      cross(this->last_, p - c.end) >= -this->margin_);
+}
+
+bool LevelRegion::contains(Vec2 p) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  switch (c.kind)
+  {
+    case DistanceCandidate::Kind::Linear:
+      return dot(c.source, p) < this->level_ && this->isInPencil(p);
+    case DistanceCandidate::Kind::Segment:
+      return c.distance(p) < this->level_;
+    case DistanceCandidate::Kind::Cone:
+    case DistanceCandidate::Kind::Circular:
+      break;
+  }
+  return norm(p - c.source) < this->level_ && this->isInPencil(p);
+}
+
+void LevelRegion::addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  const bool isRound =
+    c.kind == DistanceCandidate::Kind::Cone || c.kind == DistanceCandidate::Kind::Circular;
+  if (isRound && box.farthest(c.source) < this->level_)
+  {
+    return;
+  }
+  switch (c.kind)
+  {
+    case DistanceCandidate::Kind::Cone:
+      addArcs(this->number_, c.source, this->level_, { 1.0, 0.0 }, 2.0 * Pi, curves);
+      break;
+    case DistanceCandidate::Kind::Circular:
+      this->addArc(curves);
+      break;
+    case DistanceCandidate::Kind::Linear:
+      this->addStraight(curves);
+      break;
+    case DistanceCandidate::Kind::Segment:
+      this->addOutline(curves);
+      break;
+  }
+}
+
+// From the margin before the one ray to that behind the other; the rays pass through the centre.
+void LevelRegion::addArc(std::vector<LevelCurve>& curves) const
+{
+  const double sine = this->margin_ / this->level_;
+  const double beyond =
+    sine < 1e-3 ? sine * (1.0 + sine * sine / 6.0) : std::asin(std::min(1.0, sine));
+  const Vec2 axis = turnedClockwise(this->first_, -std::tan(0.5 * beyond));
+  const double cosine = dot(this->first_, this->last_);
+  const double side = cross(this->last_, this->first_);
+  if (cosine > 0.0 && beyond < 0.1)
+  {
+    // A narrow pencil. Rays that nearly coincide may seem to turn the other way.
+    const double half = std::max(0.0, side / (1.0 + cosine));
+    const double more = std::tan(beyond);
+    const double halfTangent = (half + more) / (1.0 - half * more);
+    if (halfTangent <= 1.0)
+    {
+      curves.push_back(
+        { this->number_, true, this->candidate_->source, axis, this->level_, halfTangent });
+      return;
+    }
+  }
+  const double between = clockwiseAngle(this->first_, this->last_);
+  const double angle = (between > 1.5 * Pi ? 0.0 : between) + 2.0 * beyond;
+  addArcs(
+    this->number_, this->candidate_->source, this->level_, axis, std::min(angle, 2.0 * Pi), curves);
+}
+
+void LevelRegion::addStraight(std::vector<LevelCurve>& curves) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  const Vec2 along = -1.0 * leftOf(c.source);
+  const double beyond = this->margin_;
+  const double length = dot(along, c.end - c.begin) + 2.0 * beyond;
+  const Vec2 begin = c.begin + (this->level_ - dot(c.source, c.begin)) * c.source;
+  if (length > 0.0)
+  {
+    curves.push_back({ this->number_, false, begin - beyond * along, along, 0.0, length });
+  }
+}
+
+// Straight along both sides of the segment, round its ends.
+void LevelRegion::addOutline(std::vector<LevelCurve>& curves) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  const double length = norm(c.end - c.begin);
+  const Vec2 along = unitOr(c.end - c.begin, { 1.0, 0.0 });
+  const Vec2 left = leftOf(along);
+  const double r = this->level_;
+  curves.push_back({ this->number_, false, c.begin + r * left, along, 0.0, length });
+  addArcs(this->number_, c.end, r, left, Pi, curves);
+  curves.push_back({ this->number_, false, c.end - r * left, -1.0 * along, 0.0, length });
+  addArcs(this->number_, c.begin, r, -1.0 * left, Pi, curves);
+}
+
+void LevelRegion::addRayMeetings(const LevelCurve& curve, CurvePlaces& places) const
+{
+  using geodesic::addMeetings;
+  const DistanceCandidate& c = *this->candidate_;
+  if (this->candidate_->hasPencil())
+  {
+    addMeetings(curve, { c.begin + this->margin_ * leftOf(this->first_), this->first_ }, places);
+    addMeetings(curve, { c.end - this->margin_ * leftOf(this->last_), this->last_ }, places);
+  }
+}
+
+void LevelRegion::addMeetings(const LevelCurve& curve, CurvePlaces& places) const
+{
+  using geodesic::addMeetings;
+  const DistanceCandidate& c = *this->candidate_;
+  this->addRayMeetings(curve, places);
+  if (c.kind == DistanceCandidate::Kind::Linear)
+  {
+    addMeetings(curve, { this->level_ * c.source, leftOf(c.source) }, places);
+  }
+  else if (c.kind == DistanceCandidate::Kind::Segment)
+  {
+    const Vec2 along = unitOr(c.end - c.begin, { 1.0, 0.0 });
+    const Vec2 aside = this->level_ * leftOf(along);
+    addMeetings(curve, { c.begin + aside, along }, places);
+    addMeetings(curve, { c.begin - aside, along }, places);
+    addMeetings(curve, c.begin, this->level_, places);
+    addMeetings(curve, c.end, this->level_, places);
+  }
+  else
+  {
+    addMeetings(curve, c.source, this->level_, places);
+  }
+}
+
+}

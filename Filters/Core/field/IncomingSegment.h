@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_IncomingSegment_h
+#define geodesic_IncomingSegment_h
+
+#include "field/DistanceField.h"
+#include "field/IncomingRay.h"
+
+namespace geodesic
+{
+
+/// The last straight piece of a shortest path to a point of the surface, one of them where there
+/// are several.
+struct IncomingSegment
+{
+  enum class Kind : std::uint8_t
+  {
+    /// The point was not reached, or there is no piece: a vertex on the source.
+    None,
+    /// From a source in the face.
+    Source,
+    /// From a corner of the face.
+    Corner,
+    /// Through a window.
+    Window
+  };
+
+  Kind kind = Kind::None;
+  double distance = Infinity;
+  /// The direction in which it comes to the point, of any length, in the frame of a halfedge of the
+  /// face that it comes through: of the last one that has an area. Zero where the piece has no
+  /// length.
+  Id frame = NoId;
+  Vec2 direction = {};
+  /// Through a window, where it crosses the halfedge, and whether it leaves the face there.
+  double x = 0.0;
+  bool leaves = false;
+  /// The corner (DistanceField::globalId()); of a window its Window::origin, and where along a
+  /// curve the ray comes from.
+  Id origin = NoId;
+  double place = 0.0;
+  /// The source, and how far along it the piece begins: nearestAlongSource().
+  SourceInFace source;
+  double along = 0.0;
+
+  IncomingRay ray() const { return { this->frame, this->leaves, this->x, this->direction }; }
+};
+
+/// \param field with arrivals (FrontOptions::keepArrivals) and, unless the point is a vertex, with
+///        the windows of a face around the point.
+/// \throws Error where these were not kept.
+IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint& point);
+
+/// A direction in the frame of a halfedge as a unit vector in space; zero where it has no length.
+Vec3 inSpace(const TriangleMesh& mesh, Id halfedge, Vec2 direction);
+
+/// The gradient of the distance at a point whose shortest path ends so: a unit vector in the plane
+/// of the face that the path comes through; zero on the source and where there is no piece.
+Vec3 gradientOf(const TriangleMesh& mesh, const IncomingSegment& piece);
+
+}
+
+#endif

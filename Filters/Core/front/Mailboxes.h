@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_Mailboxes_h
+#define geodesic_Mailboxes_h
+
+#include "front/Districts.h"
+#include "front/VertexStates.h"
+#include "window/WindowPool.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+namespace geodesic
+{
+
+/// A list that is sent to a halfedge.
+struct SentList
+{
+  Id halfedge;
+  WindowBlock windows;
+};
+
+/// What one district sends to another in a batch, or to itself.
+struct MailBatch
+{
+  std::vector<SentList> lists;
+  std::vector<DistanceUpdate> updates;
+
+  bool isEmpty() const { return this->lists.empty() && this->updates.empty(); }
+  void clear()
+  {
+    this->lists.clear();
+    this->updates.clear();
+  }
+};
+
+/// The mail between districts. First all write, each district's worker for itself; then all read,
+/// the mail of the senders in the order of their numbers. So the order in which mail is read does
+/// not depend on who was faster.
+class Mailboxes
+{
+public:
+  explicit Mailboxes(Id districts)
+    : slots_(districts)
+    , senders_(districts)
+  {
+    for (Id district = 0; district < districts; ++district)
+    {
+      this->slots_[district].push_back({ district, {} });
+      this->senders_[district].add(district); // by far most goes to itself
+    }
+  }
+
+  /// Where a district writes for another.
+  MailBatch& to(Id sender, Id receiver)
+  {
+    if (sender == receiver)
+    {
+      return this->slots_[sender].front().mail;
+    }
+    MailBatch& mail = this->find(sender, receiver);
+    if (mail.isEmpty())
+    {
+      this->senders_[receiver].add(sender);
+      this->receivers_.add(receiver);
+    }
+    return mail;
+  }
+
+  /// Lets the district read mail: it has written for itself, or has something else to take over.
+  void call(Id district) { this->receivers_.add(district); }
+  /// Replaces the numbers by those of the districts that have something to read.
+  void takeReceivers(std::vector<Id>& districts)
+  {
+    districts.clear();
+    this->receivers_.forEach([&districts](Id district) { districts.push_back(district); });
+    this->receivers_.clear();
+  }
+
+  /// Calls visit(MailBatch&) for what each sender has written.
+  template <typename Visit>
+  void forEach(Id receiver, Visit&& visit)
+  {
+    this->senders_[receiver].forEach([&](Id sender) { visit(this->find(sender, receiver)); });
+  }
+
+  /// Calls visit(const MailBatch&) for what one sender has written for each district.
+  template <typename Visit>
+  void forEachOf(Id sender, Visit&& visit) const
+  {
+    for (const Slot& slot : this->slots_[sender])
+    {
+      visit(slot.mail);
+    }
+  }
+
+  /// Throws away what was written for a district.
+  void clear(Id receiver)
+  {
+    this->forEach(receiver, [](MailBatch& mail) { mail.clear(); });
+    this->senders_[receiver].clear();
+    this->senders_[receiver].add(receiver);
+  }
+
+private:
+  /// Some districts; several tasks may add at the same time.
+  class Set
+  {
+  public:
+    void add(Id district)
+    {
+      this->words_[district / 64].fetch_or(
+        std::uint64_t(1) << district % 64, std::memory_order_relaxed);
+    }
+    void clear()
+    {
+      for (std::atomic<std::uint64_t>& word : this->words_)
+      {
+        word.store(0, std::memory_order_relaxed);
+      }
+    }
+    /// Ascending.
+    template <typename Visit>
+    void forEach(Visit&& visit) const
+    {
+      for (Id i = 0; i < this->words_.size(); ++i)
+      {
+        std::uint64_t left = this->words_[i].load(std::memory_order_relaxed);
+        for (Id district = 64 * i; left != 0; ++district, left >>= 1)
+        {
+          for (; (left & 0xffU) == 0; left >>= 8)
+          {
+            district += 8;
+          }
+          if ((left & 1U) != 0)
+          {
+            visit(district);
+          }
+        }
+      }
+    }
+
+  private:
+    std::array<std::atomic<std::uint64_t>, Districts::Most / 64> words_ = {};
+  };
+
+  struct Slot
+  {
+    Id receiver;
+    MailBatch mail;
+  };
+
+  MailBatch& find(Id sender, Id receiver)
+  {
+    std::vector<Slot>& slots = this->slots_[sender];
+    std::size_t i = 0;
+    while (i < slots.size() && slots[i].receiver != receiver)
+    {
+      ++i;
+    }
+    if (i == slots.size())
+    {
+      slots.push_back({ receiver, {} });
+    }
+    return slots[i].mail;
+  }
+
+  /// By sender: the first for itself, then one a neighbouring district.
+  std::vector<std::vector<Slot>> slots_;
+  /// By receiver.
+  std::vector<Set> senders_;
+  /// Who has something to read.
+  Set receivers_;
+};
+
+}
+
+#endif

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/MeshPartition.h"
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// A point that a rank has, at the rank that looks after its key.
+struct KeyedVertex
+{
+  std::uint64_t key;
+  RankAddress vertex;
+
+  bool operator<(const KeyedVertex& other) const
+  {
+    return this->key != other.key ? this->key < other.key : this->vertex < other.vertex;
+  }
+};
+
+Id checkedId(std::uint64_t number, const char* what)
+{
+  if (number >= NoId / 3)
+  {
+    throw MeshTooLarge("The surface has " + std::to_string(number) + " " + what +
+      " on all ranks together; at most " + std::to_string(NoId / 3 - 1) +
+      " can be numbered. Split the surface.");
+  }
+  return static_cast<Id>(number);
+}
+
+} // anonymous namespace
+
+/// A face of the halo as it comes from its owner.
+struct MeshPartition::HaloFace
+{
+  int rank;
+  /// The vertices' numbers in the whole, and where they lie.
+  Triangle vertices;
+  std::array<Vec3, 3> points;
+};
+
+MeshPartition::MeshPartition(std::vector<Vec3> points, std::vector<Triangle> triangles,
+  const std::vector<std::uint64_t>& keys, Exchange& exchange, const ProgressCallback& progress)
+  : exchange_(exchange)
+  , numberOfOwnVertices_(static_cast<Id>(points.size()))
+{
+  this->findHolders(keys);
+  this->numberVertices(points);
+  const std::vector<HaloFace> halo = this->exchangeHalo(points, triangles);
+  this->makeMesh(std::move(points), triangles, halo, progress);
+  this->exchangeAddresses(halo);
+}
+
+// Every key is looked after by one rank, which is told who has it and tells those who share it.
+void MeshPartition::findHolders(const std::vector<std::uint64_t>& keys)
+{
+  std::vector<Message> told = this->exchange_.noMessages();
+  for (Id vertex = 0; vertex < this->numberOfOwnVertices_; ++vertex)
+  {
+    // Keys may have any pattern: a multiplication spreads it (Knuth, 6.4).
+    const std::uint64_t hash = keys[vertex] * 0x9e3779b97f4a7c15U;
+    Message& message = told[(hash >> 32) % told.size()];
+    put(message, keys[vertex]);
+    put(message, vertex);
+  }
+  std::vector<KeyedVertex> known;
+  readEach(this->exchange_.step(std::move(told)),
+    [&](int rank, MessageReader& reader)
+    {
+      const auto key = reader.get<std::uint64_t>();
+      known.push_back({ key, { rank, reader.get<Id>() } });
+    });
+  std::sort(known.begin(), known.end());
+
+  std::vector<Message> answers = this->exchange_.noMessages();
+  for (std::size_t first = 0, last = 0; first < known.size(); first = last)
+  {
+    while (last < known.size() && known[last].key == known[first].key)
+    {
+      ++last;
+    }
+    for (std::size_t i = first; i < last && last - first > 1; ++i)
+    {
+      for (std::size_t other = first; other < last; ++other)
+      {
+        if (other != i)
+        {
+          Message& message = answers[rankIndex(known[i].vertex.rank)];
+          put(message, known[i].vertex.id);
+          put(message, known[other].vertex);
+        }
+      }
+    }
+  }
+  known = {};
+
+  struct Shared
+  {
+    Id vertex;
+    RankAddress other;
+    bool operator<(const Shared& o) const
+    {
+      return this->vertex != o.vertex ? this->vertex < o.vertex : this->other < o.other;
+    }
+  };
+  std::vector<Shared> shared;
+  readEach(this->exchange_.step(std::move(answers)),
+    [&](int, MessageReader& reader)
+    {
+      const Id vertex = reader.get<Id>();
+      shared.push_back({ vertex, reader.get<RankAddress>() });
+    });
+  std::sort(shared.begin(), shared.end());
+  this->firstHolder_.assign(this->numberOfOwnVertices_ + std::size_t(1), 0);
+  for (const Shared& s : shared)
+  {
+    ++this->firstHolder_[s.vertex + std::size_t(1)];
+    this->holders_.push_back(s.other);
+  }
+  std::partial_sum(
+    this->firstHolder_.begin(), this->firstHolder_.end(), this->firstHolder_.begin());
+}
+
+// The lowest rank that has a vertex numbers it and says where it lies: points that are one may
+// differ by roundings.
+void MeshPartition::numberVertices(std::vector<Vec3>& points)
+{
+  std::uint64_t counted = 0;
+  for (Id vertex = 0; vertex < this->numberOfOwnVertices_; ++vertex)
+  {
+    counted += this->isCountedHere(vertex) ? 1 : 0;
+  }
+  const SumsOverRanks vertices = sumOverRanks(this->exchange_, counted);
+  this->verticesOfWhole_ = checkedId(vertices.all, "points");
+  auto number = static_cast<Id>(vertices.before);
+  this->numberInWhole_.resize(this->numberOfOwnVertices_);
+  std::vector<Message> told = this->exchange_.noMessages();
+  for (Id vertex = 0; vertex < this->numberOfOwnVertices_; ++vertex)
+  {
+    if (!this->isCountedHere(vertex))
+    {
+      continue;
+    }
+    this->numberInWhole_[vertex] = number;
+    for (const RankAddress& other : this->othersWith(vertex))
+    {
+      Message& message = told[rankIndex(other.rank)];
+      put(message, other.id);
+      put(message, number);
+      put(message, points[vertex]);
+    }
+    ++number;
+  }
+  readEach(this->exchange_.step(std::move(told)),
+    [&](int, MessageReader& reader)
+    {
+      const Id vertex = reader.get<Id>();
+      this->numberInWhole_[vertex] = reader.get<Id>();
+      points[vertex] = reader.get<Vec3>();
+    });
+}
+
+// Every rank gives each of its faces to the others that have one of its vertices.
+std::vector<MeshPartition::HaloFace> MeshPartition::exchangeHalo(
+  const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
+{
+  std::vector<Message> told = this->exchange_.noMessages();
+  this->given_.resize(told.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const auto triangle = static_cast<Id>(i);
+    for (const Id vertex : triangles[i])
+    {
+      for (const RankAddress& other : this->othersWith(vertex))
+      {
+        std::vector<Id>& given = this->given_[rankIndex(other.rank)];
+        if (given.empty() || given.back() != triangle)
+        {
+          given.push_back(triangle);
+        }
+      }
+    }
+  }
+  for (std::size_t rank = 0; rank < told.size(); ++rank)
+  {
+    for (const Id triangle : this->given_[rank])
+    {
+      for (const Id vertex : triangles[triangle])
+      {
+        put(told[rank], this->numberInWhole_[vertex]);
+        put(told[rank], points[vertex]);
+      }
+    }
+  }
+  std::vector<HaloFace> halo;
+  readEach(this->exchange_.step(std::move(told)),
+    [&](int rank, MessageReader& reader)
+    {
+      HaloFace face = { rank, {}, {} };
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        face.vertices[k] = reader.get<Id>();
+        face.points[k] = reader.get<Vec3>();
+      }
+      halo.push_back(face);
+    });
+  return halo;
+}
+
+void MeshPartition::makeMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
+  const std::vector<HaloFace>& halo, const ProgressCallback& progress)
+{
+  std::unordered_map<Id, Id> vertexOf;
+  for (Id vertex = 0; vertex < this->numberOfOwnVertices_; ++vertex)
+  {
+    if (this->isShared(vertex))
+    {
+      vertexOf[this->numberInWhole_[vertex]] = vertex;
+    }
+  }
+  std::vector<Triangle> all;
+  all.reserve(halo.size() + triangles.size());
+  const auto add = [&](const HaloFace& face)
+  {
+    Triangle corners;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const auto found = vertexOf.try_emplace(face.vertices[k], static_cast<Id>(points.size()));
+      if (found.second)
+      {
+        points.push_back(face.points[k]);
+        this->numberInWhole_.push_back(face.vertices[k]);
+      }
+      corners[k] = found.first->second;
+    }
+    all.push_back(corners);
+  };
+  std::size_t next = 0;
+  for (; next < halo.size() && halo[next].rank < this->exchange_.rank(); ++next)
+  {
+    add(halo[next]);
+  }
+  all.insert(all.end(), triangles.begin(), triangles.end());
+  for (std::size_t i = next; i < halo.size(); ++i)
+  {
+    add(halo[i]);
+  }
+  const std::uint64_t faces = sumOverRanks(this->exchange_, triangles.size()).all;
+  if (faces == 0)
+  {
+    throw MeshError("The surface has no faces on any rank. Give a surface of triangles.");
+  }
+  if (!all.empty())
+  {
+    this->mesh_ = TriangleMesh(std::move(points), all, progress);
+  }
+  this->firstHolder_.resize(this->numberInWhole_.size() + 1, this->firstHolder_.back());
+  this->findFacesOfTriangles(triangles, static_cast<Id>(next));
+  this->facesOfWhole_ = checkedId(
+    sumOverRanks(this->exchange_, this->endOfOwnFaces_ - this->firstOwnFace_).all, "faces");
+}
+
+// The mesh leaves out faces that name a vertex twice and all but the first of those on the same
+// vertices, which is the lowest rank's.
+void MeshPartition::findFacesOfTriangles(const std::vector<Triangle>& triangles, Id first)
+{
+  const auto end = static_cast<Id>(first + triangles.size());
+  const auto faceFrom = [this](Id input)
+  {
+    Id low = 0;
+    Id high = this->mesh_.numberOfFaces();
+    while (low < high)
+    {
+      const Id middle = low + (high - low) / 2;
+      const bool isBefore = this->mesh_.inputFace(middle) < input;
+      (isBefore ? low : high) = isBefore ? middle + 1 : middle;
+    }
+    return low;
+  };
+  this->firstOwnFace_ = faceFrom(first);
+  this->endOfOwnFaces_ = faceFrom(end);
+  this->faceOfTriangle_.assign(triangles.size(), NoId);
+  for (Id face = this->firstOwnFace_; face < this->endOfOwnFaces_; ++face)
+  {
+    this->faceOfTriangle_[this->mesh_.inputFace(face) - first] = face;
+  }
+  const auto sorted = [](Triangle t)
+  {
+    std::sort(t.begin(), t.end());
+    return t;
+  };
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const Triangle t = sorted(triangles[i]);
+    if (this->faceOfTriangle_[i] != NoId || t[0] == t[1] || t[1] == t[2])
+    {
+      continue;
+    }
+    const IdRange corners = this->mesh_.cornersAt(t[0]);
+    const Id* same = std::find_if(corners.begin(), corners.end(),
+      [&](Id corner) { return sorted(this->mesh_.triangle(TriangleMesh::faceOf(corner))) == t; });
+    this->faceOfTriangle_[i] = TriangleMesh::faceOf(*same);
+  }
+}
+
+// Tells those who have a copy of a face what its number is here. All leave out the same faces.
+void MeshPartition::exchangeAddresses(const std::vector<HaloFace>& halo)
+{
+  std::vector<Message> told = this->exchange_.noMessages();
+  for (std::size_t rank = 0; rank < told.size(); ++rank)
+  {
+    for (const Id triangle : this->given_[rank])
+    {
+      put(told[rank], this->faceOfTriangle_[triangle]);
+    }
+  }
+  this->given_ = {};
+  std::vector<RankAddress> addresses; // of each of the halo's triangles
+  addresses.reserve(halo.size());
+  readEach(this->exchange_.step(std::move(told)),
+    [&](int rank, MessageReader& reader) {
+      addresses.push_back({ rank, reader.get<Id>() });
+    });
+  const auto own = static_cast<Id>(this->faceOfTriangle_.size());
+  const auto lower =
+    static_cast<Id>(std::lower_bound(halo.begin(), halo.end(), this->exchange_.rank(),
+                      [](const HaloFace& face, int rank) { return face.rank < rank; }) -
+      halo.begin());
+  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  {
+    if (!this->isOwn(face))
+    {
+      const Id input = this->mesh_.inputFace(face);
+      this->halo_.push_back(addresses[input < lower ? input : input - own]);
+    }
+  }
+}
+
+Id MeshPartition::copyOf(const RankAddress& face) const
+{
+  const auto found = std::lower_bound(this->halo_.begin(), this->halo_.end(), face);
+  if (found == this->halo_.end() || face < *found)
+  {
+    return NoId;
+  }
+  const auto i = static_cast<Id>(found - this->halo_.begin());
+  return i < this->firstOwnFace_ ? i : i + (this->endOfOwnFaces_ - this->firstOwnFace_);
+}
+
+}

@@ -1,0 +1,530 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paths/PathTracer.h"
+
+#include "Errors.h"
+#include "Tolerance.h"
+#include "window/UnfoldedFace.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// How a path comes to a point of a face: from a corner or through a window.
+struct IncomingSegment
+{
+  double distance = Infinity;
+  Id corner = NoId;
+  Arrival window;
+};
+
+void comeFromCorners(const DistanceField& field, Id face, const SurfacePoint& point,
+  const Barycentric& weights, IncomingSegment& best)
+{
+  const TriangleMesh& mesh = field.mesh();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Id vertex = mesh.triangle(face)[k];
+    const bool isPoint = point.kind == SurfacePoint::Kind::Vertex && point.id == vertex;
+    const double distance =
+      field.vertexDistances()[vertex] + distanceInFace(mesh, face, cornerWeights(k), weights);
+    if (!isPoint && distance < best.distance)
+    {
+      best = { distance, vertex, {} };
+    }
+  }
+}
+
+// Halfedges that hold the point tell its distance, but no piece of the path across the face.
+void comeThroughWindows(
+  const DistanceField& field, Id face, const Barycentric& weights, IncomingSegment& best)
+{
+  for (Id k = 0; k < 3; ++k)
+  {
+    if (weights[(k + 2) % 3] == 0.0)
+    {
+      continue;
+    }
+    const Id halfedge = 3 * face + k;
+    const Vec2 p = inHalfedgeFrame(field.mesh(), halfedge, weights);
+    for (const Window& window : field.windowsOn(halfedge))
+    {
+      const double x = window.crossing(p);
+      const double distance = std::max(window.distance(x), 0.0) + norm(p - Vec2{ x, 0.0 });
+      if (distance < best.distance)
+      {
+        best = { distance, NoId,
+          { halfedge, window.origin, x, window.direction(x), window.placeOf({ x, 0.0 }) } };
+      }
+    }
+  }
+}
+
+IncomingSegment comeThrough(const DistanceField& field, Id face, const SurfacePoint& point)
+{
+  IncomingSegment best;
+  const Barycentric weights = barycentric(field.mesh(), point, face);
+  comeFromCorners(field, face, point, weights, best);
+  comeThroughWindows(field, face, weights, best);
+  return best;
+}
+
+double distanceAt(const DistanceField& field, const SurfacePoint& point)
+{
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    return field.vertexDistances()[point.id];
+  }
+  double least = Infinity;
+  forEachFace(field.mesh(), point,
+    [&](Id face)
+    {
+      const Barycentric weights = barycentric(field.mesh(), point, face);
+      for (const SourceInFace& source : field.sourcesIn(face))
+      {
+        least = std::min(least, distanceToSource(field.mesh(), source, weights));
+      }
+      least = std::min(least, comeThrough(field, face, point).distance);
+    });
+  return least;
+}
+
+} // anonymous namespace
+
+std::vector<SurfacePoint> PathTracer::trace(const SurfacePoint& from) const
+{
+  TracedPath path = this->begin(from);
+  if (!path.points.empty())
+  {
+    this->follow(path);
+  }
+  return std::move(path.points);
+}
+
+TracedPath PathTracer::begin(const SurfacePoint& from) const
+{
+  TracedPath path;
+  const SurfacePoint point = normalized(this->mesh_, from);
+  // On an edge only the field tells what comes through faces of other ranks.
+  const bool isAtSeam = this->field_.part() != nullptr && point.kind == SurfacePoint::Kind::Edge;
+  path.whole = isAtSeam ? this->field_.distance(point) : distanceAt(this->field_, point);
+  path.left = path.whole;
+  if (path.whole < Infinity)
+  {
+    path.points = { point };
+    path.faces = { someFace(this->mesh_, point) };
+  }
+  return path;
+}
+
+bool PathTracer::isOwn(Id face) const
+{
+  return this->field_.part() == nullptr || this->field_.part()->isOwn(face);
+}
+
+Id PathTracer::follow(TracedPath& path) const
+{
+  while (!path.isWhole())
+  {
+    const Id elsewhere = this->placeToGoOn(path);
+    if (elsewhere != NoId)
+    {
+      return elsewhere;
+    }
+    switch (path.next)
+    {
+      case TracedPath::Next::Point:
+        this->goOn(path);
+        break;
+      case TracedPath::Next::Leg:
+        this->crossFace(path);
+        break;
+      case TracedPath::Next::BehindExit:
+        this->enterFaceBehind(path);
+        break;
+      case TracedPath::Next::Search:
+      {
+        bool isAllHere = true;
+        forEachFace(this->mesh_, path.points.back(),
+          [&](Id face) { isAllHere = isAllHere && this->isOwn(face); });
+        if (!isAllHere)
+        {
+          return NoId;
+        }
+        this->goOnHere(path);
+        break;
+      }
+      case TracedPath::Next::End:
+        break;
+    }
+  }
+  this->requireLength(path);
+  return NoId;
+}
+
+// A face of another rank that the path has come to; NoId where it goes on here.
+Id PathTracer::placeToGoOn(const TracedPath& path) const
+{
+  const MeshPartition* part = this->field_.part();
+  if (part == nullptr)
+  {
+    return NoId;
+  }
+  if (path.next == TracedPath::Next::BehindExit)
+  {
+    const Id face = TriangleMesh::faceOf(this->mesh_.nextSibling(path.leg.exit));
+    return part->isOwn(face) ? NoId : face;
+  }
+  const SurfacePoint& last = path.points.back();
+  if (path.next != TracedPath::Next::Point || last.kind != SurfacePoint::Kind::Vertex)
+  {
+    return NoId;
+  }
+  if (last.id >= part->numberOfOwnVertices())
+  {
+    return TriangleMesh::faceOf(*this->mesh_.cornersAt(last.id).begin());
+  }
+  const Id halfedge = this->field_.arrivals()[last.id].halfedge;
+  return halfedge == NoId || part->isOwn(TriangleMesh::faceOf(halfedge))
+    ? NoId
+    : TriangleMesh::faceOf(halfedge);
+}
+
+// A ray that comes to a place beside its end, or passed a vertex on the wrong side by rounding, has
+// not been the path.
+void PathTracer::requireLength(const TracedPath& path) const
+{
+  if (!(path.length <= (1.0 + tolerance::TracedLength) * path.whole))
+  {
+    throw PathLost("A shortest path could not be followed: it has become too long.");
+  }
+}
+
+// Each step adds a point. A piece may be shorter than rounding, so that what is left need not fall
+// with each step; but a shortest path comes to no vertex and crosses no face twice.
+void PathTracer::add(TracedPath& path, Id face, const SurfacePoint& point) const
+{
+  const MeshPartition* part = this->field_.part();
+  const std::uint64_t faces =
+    part != nullptr ? part->numberOfGlobalFaces() : this->mesh_.numberOfFaces();
+  if (path.steps++ > faces + this->field_.numberOfGlobalVertices())
+  {
+    throw PathLost("A shortest path could not be followed to the source.");
+  }
+  path.length += distanceInSpace(this->mesh_, path.points.back(), point);
+  path.points.push_back(point);
+  path.faces.push_back(face);
+}
+
+void PathTracer::goOn(TracedPath& path) const
+{
+  const SurfacePoint& last = path.points.back();
+  if (last.kind == SurfacePoint::Kind::Vertex)
+  {
+    this->goOnFromVertex(last.id, path);
+  }
+  else
+  {
+    path.without = NoId;
+    this->search(path);
+  }
+}
+
+void PathTracer::goOnFromVertex(Id vertex, TracedPath& path) const
+{
+  if (!(this->field_.vertexDistances()[vertex] > 0.0))
+  {
+    path.next = TracedPath::Next::End;
+    return;
+  }
+  for (const Id corner : this->mesh_.cornersAt(vertex))
+  {
+    if (this->endInFace(TriangleMesh::faceOf(corner), path))
+    {
+      return;
+    }
+  }
+  const Arrival& arrival = this->field_.arrivals()[vertex];
+  if (arrival.halfedge == NoId)
+  {
+    this->goToNeighbour(vertex, path);
+    return;
+  }
+  const Id corner = TriangleMesh::previousInFace(arrival.halfedge);
+  const Vec2 from = inHalfedgeFrame(this->mesh_, arrival.halfedge, cornerWeights(corner % 3));
+  path.leg = this->legTo(from, arrival);
+  path.stepsBesideEnd = 0;
+  path.next = TracedPath::Next::Leg;
+}
+
+// Looks for an end in the faces around the last point before windows are asked.
+void PathTracer::search(TracedPath& path) const
+{
+  path.next = TracedPath::Next::Search;
+  const SurfacePoint point = path.points.back();
+  forEachFace(this->mesh_, point,
+    [&](Id face)
+    {
+      if (face != path.without && !path.isWhole())
+      {
+        this->endInFace(face, path);
+      }
+    });
+}
+
+double PathTracer::searchHere(const TracedPath& path) const
+{
+  double least = Infinity;
+  forEachFace(this->mesh_, path.points.back(),
+    [&](Id face)
+    {
+      if (face != path.without && this->isOwn(face))
+      {
+        least = std::min(least, comeThrough(this->field_, face, path.points.back()).distance);
+      }
+    });
+  return least;
+}
+
+void PathTracer::goOnHere(TracedPath& path) const
+{
+  const SurfacePoint point = path.points.back();
+  IncomingSegment best;
+  Id through = NoId;
+  forEachFace(this->mesh_, point,
+    [&](Id face)
+    {
+      if (face != path.without && this->isOwn(face))
+      {
+        const IncomingSegment piece = comeThrough(this->field_, face, point);
+        through = piece.distance < best.distance ? face : through;
+        best = piece.distance < best.distance ? piece : best;
+      }
+    });
+  if (best.corner != NoId)
+  {
+    this->goToVertex(best.corner, through, path);
+    return;
+  }
+  if (best.window.halfedge == NoId)
+  {
+    throw PathLost(
+      "A shortest path was to be followed through a face whose windows are not known.");
+  }
+  const Barycentric weights = barycentric(this->mesh_, point, through);
+  const Vec2 from = inHalfedgeFrame(this->mesh_, best.window.halfedge, weights);
+  path.leg = this->legTo(from, best.window);
+  path.stepsBesideEnd = 0;
+  path.next = TracedPath::Next::Leg;
+}
+
+// To a vertex, to an edge of three and more faces, to the end or into the next face.
+void PathTracer::crossFace(TracedPath& path) const
+{
+  constexpr int LegsBesideEnd = 3; // as many faces as may lie between the path and its end
+  const PathLeg& leg = path.leg;
+  const Id face = TriangleMesh::faceOf(leg.exit);
+  const Id corner = this->cornerOn(leg, path);
+  if (corner != NoId)
+  {
+    this->goToVertex(corner, face, path);
+    return;
+  }
+  this->add(path, face, this->exitOf(leg));
+  path.left = std::max(0.0, path.left - norm(leg.to - leg.from));
+  if (this->endInFace(face, path))
+  {
+    return;
+  }
+  const Id sibling = this->mesh_.nextSibling(leg.exit);
+  if (sibling == leg.exit)
+  {
+    throw PathLost("A shortest path could not be followed: it leaves the surface.");
+  }
+  if (!(path.left > 0.0) && ++path.stepsBesideEnd > LegsBesideEnd)
+  {
+    throw PathLost("A shortest path could not be followed: it passes its end.");
+  }
+  if (!this->mesh_.isInner(leg.exit))
+  {
+    path.without = face;
+    this->search(path);
+    return;
+  }
+  if (!this->endInFace(TriangleMesh::faceOf(sibling), path))
+  {
+    path.next = TracedPath::Next::BehindExit;
+  }
+}
+
+void PathTracer::enterFaceBehind(TracedPath& path) const
+{
+  path.leg = this->legBeyond(path.leg, this->mesh_.nextSibling(path.leg.exit));
+  path.next = TracedPath::Next::Leg;
+}
+
+// From a point of a face, in the frame of the halfedge that the path comes through, back to there.
+PathLeg PathTracer::legTo(Vec2 from, const Arrival& arrival) const
+{
+  PathLeg leg;
+  leg.frame = arrival.halfedge;
+  leg.from = from;
+  leg.to = { arrival.x, 0.0 };
+  leg.exit = arrival.halfedge;
+  leg.origin = arrival.origin;
+  const double length = norm(arrival.direction);
+  leg.ray.kind = Window::Kind::Linear;
+  leg.ray.begin = this->mesh_.length(arrival.halfedge) - arrival.x;
+  leg.ray.end = leg.ray.begin;
+  // The way back, in a frame that is turned by half a turn.
+  leg.ray.sourceX = arrival.direction.x / length;
+  leg.ray.sourceDepth = arrival.direction.y / length;
+  return leg;
+}
+
+// The unfolding of windows (paper, section 3.2), for one ray.
+PathLeg PathTracer::legBeyond(const PathLeg& leg, Id sibling) const
+{
+  const bool isOpposed = this->mesh_.origin(sibling) == this->mesh_.destination(leg.exit);
+  const Window ray = isOpposed ? leg.ray : reversed(leg.ray, this->mesh_.length(leg.exit));
+  const UnfoldedFace face = unfold(this->mesh_, sibling);
+  PathLeg next;
+  next.frame = sibling;
+  next.from = { ray.begin, 0.0 };
+  next.origin = leg.origin;
+  if (ray.passesRightOf(ray.begin, face.apex))
+  {
+    const double x = face.meetRight(ray, ray.begin);
+    next.exit = TriangleMesh::nextInFace(sibling);
+    next.to = face.apex + x * face.rightAxis;
+    next.ray = face.throughRight(ray, x, x);
+  }
+  else
+  {
+    const double x = face.meetLeft(ray, ray.begin);
+    next.exit = TriangleMesh::previousInFace(sibling);
+    next.to = x * face.leftAxis;
+    next.ray = face.throughLeft(ray, x, x);
+  }
+  return next;
+}
+
+SurfacePoint PathTracer::exitOf(const PathLeg& leg) const
+{
+  const double fraction = 1.0 - leg.ray.begin / this->mesh_.length(leg.exit);
+  return fraction <= 0.0 ? SurfacePoint::atVertex(this->mesh_.origin(leg.exit))
+    : fraction >= 1.0    ? SurfacePoint::atVertex(this->mesh_.destination(leg.exit))
+                         : SurfacePoint::onEdge(leg.exit, fraction);
+}
+
+// The nearest corner that the path goes through: the one that it comes straight from, or one on the
+// leg, as far as the unfolding through many faces is rounded, and no farther than the length left.
+Id PathTracer::cornerOn(const PathLeg& leg, const TracedPath& path) const
+{
+  const Id face = TriangleMesh::faceOf(leg.frame);
+  const Vec2 along = leg.to - leg.from;
+  const double way = norm(along);
+  const SurfacePoint& last = path.points.back();
+  const std::array<double, 3>& lengths = this->mesh_.shape(face).length;
+  const double reach = std::min(tolerance::PathAtVertex * path.whole,
+    tolerance::SnapFraction * *std::min_element(lengths.begin(), lengths.end()));
+  double nearest = Infinity;
+  Id found = NoId;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Id vertex = this->mesh_.triangle(face)[k];
+    if (last.kind == SurfacePoint::Kind::Vertex && last.id == vertex)
+    {
+      continue;
+    }
+    const Vec2 toCorner = inHalfedgeFrame(this->mesh_, leg.frame, cornerWeights(k)) - leg.from;
+    const double length = norm(toCorner);
+    const double distance = this->field_.vertexDistances()[vertex];
+    const bool isOnLeg =
+      dot(toCorner, along) >= 0.0 && std::abs(cross(toCorner, along)) <= reach * way;
+    const bool isOnPath =
+      (distance == 0.0 || isOnLeg) && distance + length <= path.left + this->slack(face, path);
+    if ((this->field_.globalId(vertex) == leg.origin || isOnPath) && length < nearest)
+    {
+      nearest = length;
+      found = vertex;
+    }
+  }
+  return found;
+}
+
+// By how much lengths in a face may be off: the path carries the rounding of its unfolding, and
+// places in the face that of their coordinates. A path whose length is used up may have come to a
+// place beside its end: its length depends on that only by the square.
+double PathTracer::slack(Id face, const TracedPath& path) const
+{
+  const double ofPath = path.left > 0.0 ? tolerance::Tie : tolerance::BesideEnd;
+  return ofPath * path.whole + tolerance::PlaceRounding * this->mesh_.shape(face).longest();
+}
+
+// Ends the path where a source in the face is as near as the path is long.
+bool PathTracer::endInFace(Id face, TracedPath& path) const
+{
+  double nearest = path.left + this->slack(face, path);
+  Barycentric end{};
+  for (const SourceInFace& source : this->field_.sourcesIn(face))
+  {
+    const Barycentric from = barycentric(this->mesh_, path.points.back(), face);
+    const Barycentric point = nearestOnSource(this->mesh_, source, from);
+    const double length = distanceInFace(this->mesh_, face, point, from);
+    if (length <= nearest)
+    {
+      nearest = length;
+      end = point;
+      path.next = TracedPath::Next::End;
+    }
+  }
+  if (path.isWhole())
+  {
+    this->add(path, face, fromBarycentric(this->mesh_, face, end));
+    path.left = 0.0;
+  }
+  return path.isWhole();
+}
+
+void PathTracer::goToVertex(Id vertex, Id face, TracedPath& path) const
+{
+  this->add(path, face, SurfacePoint::atVertex(vertex));
+  path.next = TracedPath::Next::Point;
+  path.left = this->field_.vertexDistances()[vertex];
+}
+
+// Along an edge, to the vertex that is nearest to the source by way of it.
+void PathTracer::goToNeighbour(Id vertex, TracedPath& path) const
+{
+  const Id face = TriangleMesh::faceOf(*this->mesh_.cornersAt(vertex).begin());
+  double nearest = path.left + this->slack(face, path);
+  Id found = NoId;
+  Id faceOfFound = NoId;
+  const auto look = [&](Id halfedge, Id other)
+  {
+    const double distance = this->field_.vertexDistances()[other] + this->mesh_.length(halfedge);
+    if (distance <= nearest)
+    {
+      nearest = distance;
+      found = other;
+      faceOfFound = TriangleMesh::faceOf(halfedge);
+    }
+  };
+  for (const Id corner : this->mesh_.cornersAt(vertex))
+  {
+    const Id before = TriangleMesh::previousInFace(corner);
+    look(corner, this->mesh_.destination(corner));
+    look(before, this->mesh_.origin(before));
+  }
+  if (found == NoId)
+  {
+    throw PathLost("A shortest path could not be followed beyond a vertex.");
+  }
+  this->goToVertex(found, faceOfFound, path);
+}
+
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_BorrowedValues_h
+#define geodesic_BorrowedValues_h
+
+#include "Exchange.h"
+#include "mesh/MeshPartition.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+
+/// Which values of other ranks a rank has copies of, such as those at points that it has too: asked
+/// for once, then any number of arrays can be copied.
+class BorrowedValues
+{
+public:
+  /// None, on all ranks.
+  BorrowedValues() = default;
+  /// All ranks make theirs together.
+  ///
+  /// \param from for each copy the rank, which may be this one, and the value's number there; NoId
+  ///        where no rank has it.
+  BorrowedValues(const std::vector<RankAddress>& from, Exchange& exchange);
+
+  /// Appends the copies, in the order of the constructor's, to a rank's own values. All ranks call
+  /// this together.
+  ///
+  /// \param none the value where no rank has it.
+  template <typename Value>
+  void append(const Value& none, std::vector<Value>& values, Exchange& exchange) const
+  {
+    std::vector<Message> messages = exchange.noMessages();
+    for (std::size_t rank = 0; rank < this->lent_.size(); ++rank)
+    {
+      for (const Id id : this->lent_[rank])
+      {
+        put(messages[rank], values[id]);
+      }
+    }
+    const std::size_t own = values.size();
+    values.resize(own + this->count_, none);
+    std::vector<std::size_t> next(messages.size(), 0);
+    readEach(exchange.step(std::move(messages)),
+      [&](int rank, MessageReader& reader)
+      {
+        const auto from = rankIndex(rank);
+        values[own + this->borrowed_[from][next[from]++]] = reader.get<Value>();
+      });
+  }
+
+  /// The same, but puts the copies in place of some of the rank's own values.
+  ///
+  /// \param which of its own values, in the order of the constructor's.
+  template <typename Value>
+  void replace(const std::vector<Id>& which, std::vector<Value>& values, Exchange& exchange) const
+  {
+    const std::size_t own = values.size();
+    this->append(Value(), values, exchange);
+    for (std::size_t i = 0; i < which.size(); ++i)
+    {
+      values[which[i]] = values[own + i];
+    }
+    values.resize(own);
+  }
+
+private:
+  std::size_t count_ = 0;
+  /// For each rank, the values of this one that it borrows, and the copies that it gives this one,
+  /// in the same order there.
+  std::vector<std::vector<Id>> lent_;
+  std::vector<std::vector<std::size_t>> borrowed_;
+};
+
+}
+
+#endif

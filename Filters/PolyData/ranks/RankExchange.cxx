@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/ranks/RankExchange.h"
+
+#include "vtkCommunicator.h"
+#include "vtkMultiProcessController.h"
+#if VTK_MODULE_ENABLE_VTK_ParallelMPI
+#include "vtkMPIController.h"
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+// A header: these, then numbers of which the least is wanted, then the size of the message to each
+// rank. Sizes are exact in a double up to 2^53.
+constexpr std::size_t Fails = 0;
+constexpr std::size_t LengthOfFailure = 1;
+constexpr std::size_t CountOfNumbers = 2;
+constexpr std::size_t FirstNumber = 3;
+/// More numbers take a reduction of their own.
+constexpr std::size_t NumbersInHeader = 8;
+constexpr std::size_t FirstSize = FirstNumber + NumbersInHeader;
+
+/// Messages that come to no more than this together go through memory that every rank has in
+/// reserve. For more, all ranks agree that they have it.
+constexpr std::size_t SmallMessages = std::size_t(1) << 20;
+
+/// Longer messages go in pieces: MPI counts by int.
+constexpr std::size_t LargestPiece = std::size_t(1) << 30;
+
+constexpr int Tag = 20070;
+
+/// Calls with the beginning and the length of each piece of a message.
+template <typename Visit>
+void forEachPiece(std::size_t size, Visit&& visit)
+{
+  for (std::size_t begin = 0; begin < size; begin += LargestPiece)
+  {
+    visit(begin, static_cast<int>(std::min(LargestPiece, size - begin)));
+  }
+}
+
+const unsigned char* bytesOf(const std::byte* data)
+{
+  return reinterpret_cast<const unsigned char*>(data);
+}
+
+unsigned char* bytesOf(std::byte* data)
+{
+  return reinterpret_cast<unsigned char*>(data);
+}
+
+/// Adds the time of its life to a number of seconds.
+class Stopwatch
+{
+public:
+  explicit Stopwatch(double& seconds)
+    : seconds_(seconds)
+    , begin_(Clock::now())
+  {
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  void operator=(const Stopwatch&) = delete;
+  ~Stopwatch()
+  {
+    this->seconds_ += std::chrono::duration<double>(Clock::now() - this->begin_).count();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  double& seconds_;
+  Clock::time_point begin_;
+};
+
+}
+
+RankExchange::RankExchange(vtkMultiProcessController* controller)
+  : controller_(controller)
+  , rank_(controller->GetLocalProcessId())
+  , numberOfRanks_(controller->GetNumberOfProcesses())
+  , header_(FirstSize + static_cast<std::size_t>(this->numberOfRanks_))
+  , headers_(this->header_.size() * static_cast<std::size_t>(this->numberOfRanks_))
+  , room_(SmallMessages)
+{
+}
+
+RankExchange::~RankExchange() = default;
+
+bool RankExchange::isWith(vtkMultiProcessController* controller) const
+{
+  return this->controller_ == controller && this->rank_ == controller->GetLocalProcessId() &&
+    this->numberOfRanks_ == controller->GetNumberOfProcesses();
+}
+
+void RankExchange::begin()
+{
+  this->hasFailed_ = false;
+  this->failure_.clear();
+  this->report_ = {};
+}
+
+std::vector<Message> RankExchange::step(std::vector<Message> messages, std::vector<double>& least)
+{
+  if (this->hasFailed_)
+  {
+    this->throwFailure();
+  }
+  const Stopwatch watch(this->report_.seconds);
+  ++this->report_.steps;
+  const auto self = rankIndex(this->rank_);
+  this->header_[CountOfNumbers] = static_cast<double>(least.size());
+  std::copy_n(
+    least.begin(), std::min(least.size(), NumbersInHeader), this->header_.begin() + FirstNumber);
+  for (std::size_t i = 0; i < messages.size(); ++i)
+  {
+    const std::size_t size = i == self ? 0 : messages[i].size();
+    this->header_[FirstSize + i] = static_cast<double>(size);
+    this->report_.bytes += static_cast<vtkTypeInt64>(size);
+  }
+  this->gatherHeaders(false, 0);
+  if (const int failed = this->firstFailed(); failed >= 0)
+  {
+    this->shareFailure(failed, {});
+    this->throwFailure();
+  }
+  this->takeLeast(least);
+
+  std::vector<Message> received = this->makeRoom();
+  std::vector<std::byte*> places;
+  std::byte* next = this->room_.data();
+  for (std::size_t i = 0; i < received.size(); ++i)
+  {
+    const std::size_t size = this->sizeBetween(static_cast<int>(i), this->rank_);
+    places.push_back(received[i].empty() ? next : received[i].data());
+    next += received[i].empty() ? size : 0;
+  }
+  this->transfer(messages, places);
+  for (std::size_t i = 0; i < received.size(); ++i)
+  {
+    const std::size_t size = this->sizeBetween(static_cast<int>(i), this->rank_);
+    if (received[i].empty() && size > 0)
+    {
+      received[i].assign(places[i], places[i] + size);
+    }
+  }
+  received[self] = std::move(messages[self]);
+  return received;
+}
+
+std::string RankExchange::fail(const std::string& why)
+{
+  if (!this->hasFailed_)
+  {
+    this->gatherHeaders(true, why.size());
+    this->shareFailure(this->firstFailed(), why);
+  }
+  return this->failure_;
+}
+
+const double* RankExchange::headerOf(int rank) const
+{
+  return this->headers_.data() + rankIndex(rank) * this->header_.size();
+}
+
+void RankExchange::gatherHeaders(bool fails, std::size_t messageLength)
+{
+  this->header_[Fails] = fails ? 1.0 : 0.0;
+  this->header_[LengthOfFailure] = static_cast<double>(messageLength);
+  this->controller_->AllGather(
+    this->header_.data(), this->headers_.data(), static_cast<vtkIdType>(this->header_.size()));
+}
+
+/// -1 where no rank fails.
+int RankExchange::firstFailed() const
+{
+  for (int i = 0; i < this->numberOfRanks_; ++i)
+  {
+    if (this->headerOf(i)[Fails] != 0.0)
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+/// Takes over why a rank fails.
+void RankExchange::shareFailure(int failed, const std::string& why)
+{
+  this->hasFailed_ = true;
+  this->failure_ = failed == this->rank_ ? why : std::string();
+  this->failure_.resize(static_cast<std::size_t>(this->headerOf(failed)[LengthOfFailure]));
+  if (!this->failure_.empty())
+  {
+    this->controller_->Broadcast(
+      &this->failure_[0], static_cast<vtkIdType>(this->failure_.size()), failed);
+  }
+}
+
+void RankExchange::throwFailure() const
+{
+  if (this->failure_.empty())
+  {
+    throw AbortedElsewhere();
+  }
+  throw FailedElsewhere(this->failure_);
+}
+
+void RankExchange::takeLeast(std::vector<double>& least)
+{
+  const auto count = static_cast<double>(least.size());
+  for (int rank = 0; rank < this->numberOfRanks_; ++rank)
+  {
+    const double* header = this->headerOf(rank);
+    if (header[CountOfNumbers] != count)
+    {
+      throw Error("Ranks are at different places of the work. Give the filter the same properties "
+                  "on all ranks.");
+    }
+    for (std::size_t i = 0; i < std::min(least.size(), NumbersInHeader); ++i)
+    {
+      least[i] = std::min(least[i], header[FirstNumber + i]);
+    }
+  }
+  if (least.size() > NumbersInHeader)
+  {
+    const std::vector<double> own(
+      least.begin() + static_cast<std::ptrdiff_t>(NumbersInHeader), least.end());
+    this->controller_->AllReduce(own.data(), least.data() + NumbersInHeader,
+      static_cast<vtkIdType>(own.size()), vtkCommunicator::MIN_OP);
+  }
+}
+
+std::size_t RankExchange::sizeBetween(int sender, int receiver) const
+{
+  return static_cast<std::size_t>(
+    this->headerOf(sender)[FirstSize + static_cast<std::size_t>(receiver)]);
+}
+
+std::size_t RankExchange::bytesToReceive(int rank) const
+{
+  std::size_t size = 0;
+  for (int sender = 0; sender < this->numberOfRanks_; ++sender)
+  {
+    size += this->sizeBetween(sender, rank);
+  }
+  return size;
+}
+
+/// Makes room for what will come, where that is much for any rank. A rank that has no memory for it
+/// fails before any message is sent.
+///
+/// \returns one message a rank, all empty where the room in reserve will do.
+std::vector<Message> RankExchange::makeRoom()
+{
+  std::vector<Message> received = this->noMessages();
+  std::size_t most = 0;
+  for (int rank = 0; rank < this->numberOfRanks_; ++rank)
+  {
+    most = std::max(most, this->bytesToReceive(rank));
+  }
+  if (most <= SmallMessages)
+  {
+    return received;
+  }
+  double hasRoom = 1.0;
+  try
+  {
+    for (int sender = 0; sender < this->numberOfRanks_; ++sender)
+    {
+      received[rankIndex(sender)].resize(this->sizeBetween(sender, this->rank_));
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    hasRoom = 0.0;
+  }
+  double haveRoom = 0.0;
+  this->controller_->AllReduce(&hasRoom, &haveRoom, 1, vtkCommunicator::MIN_OP);
+  if (haveRoom == 0.0)
+  {
+    received.clear();
+    if (hasRoom == 0.0)
+    {
+      throw std::bad_alloc(); // which ends in fail()
+    }
+    this->gatherHeaders(false, 0);
+    this->shareFailure(this->firstFailed(), {});
+    this->throwFailure();
+  }
+  return received;
+}
+
+void RankExchange::transfer(
+  const std::vector<Message>& messages, const std::vector<std::byte*>& received)
+{
+  if (!this->transferAtOnce(messages, received))
+  {
+    this->transferInOrder(messages, received);
+  }
+}
+
+/// In round k each rank talks to the one with which its number adds up to k, modulo their count; of
+/// two the lower one sends first. A rank that waits in a round waits for one that is in an earlier
+/// round or in the same, so that those in the earliest round always go on.
+void RankExchange::transferInOrder(
+  const std::vector<Message>& messages, const std::vector<std::byte*>& received)
+{
+  const auto send = [&](int partner)
+  {
+    const Message& message = messages[static_cast<std::size_t>(partner)];
+    forEachPiece(message.size(),
+      [&](std::size_t begin, int length)
+      { this->controller_->Send(bytesOf(message.data() + begin), length, partner, Tag); });
+  };
+  const auto receive = [&](int partner)
+  {
+    forEachPiece(this->sizeBetween(partner, this->rank_),
+      [&](std::size_t begin, int length)
+      {
+        this->controller_->Receive(
+          bytesOf(received[static_cast<std::size_t>(partner)] + begin), length, partner, Tag);
+      });
+  };
+  for (int round = 0; round < this->numberOfRanks_; ++round)
+  {
+    const int partner = (round - this->rank_ + this->numberOfRanks_) % this->numberOfRanks_;
+    if (partner > this->rank_)
+    {
+      send(partner);
+      receive(partner);
+    }
+    else if (partner < this->rank_)
+    {
+      receive(partner);
+      send(partner);
+    }
+  }
+}
+
+/// Returns whether the controller can send without waiting.
+bool RankExchange::transferAtOnce(
+  const std::vector<Message>& messages, const std::vector<std::byte*>& received)
+{
+#if VTK_MODULE_ENABLE_VTK_ParallelMPI
+  auto* controller = vtkMPIController::SafeDownCast(this->controller_);
+  if (!controller)
+  {
+    return false;
+  }
+  std::vector<vtkMPICommunicator::Request> requests;
+  for (int rank = 0; rank < this->numberOfRanks_; ++rank)
+  {
+    if (rank != this->rank_)
+    {
+      forEachPiece(this->sizeBetween(rank, this->rank_),
+        [&](std::size_t begin, int length)
+        {
+          controller->NoBlockReceive(
+            bytesOf(received[rankIndex(rank)] + begin), length, rank, Tag, requests.emplace_back());
+        });
+    }
+  }
+  for (int rank = 0; rank < this->numberOfRanks_; ++rank)
+  {
+    if (rank != this->rank_)
+    {
+      const Message& message = messages[rankIndex(rank)];
+      forEachPiece(message.size(),
+        [&](std::size_t begin, int length)
+        {
+          controller->NoBlockSend(
+            bytesOf(message.data() + begin), length, rank, Tag, requests.emplace_back());
+        });
+    }
+  }
+  for (vtkMPICommunicator::Request& request : requests)
+  {
+    request.Wait();
+  }
+  return true;
+#else
+  (void)messages;
+  (void)received;
+  return false;
+#endif
+}
+
+}

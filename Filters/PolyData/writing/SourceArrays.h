@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_SourceArrays_h
+#define geodesic_SourceArrays_h
+
+#include "PolyData/reading/PolyDataSurface.h"
+#include "Progress.h"
+#include "field/NearestSource.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace geodesic
+{
+
+struct RefinedMesh;
+struct RefinedPoint;
+struct SeamPoints;
+
+/// Which arrays beside the distance are asked for.
+struct SourceArrayChoice
+{
+  bool sourceIds = false;
+  bool closestPoints = false;
+  bool gradients = false;
+  bool signedDistances = false;
+
+  bool areFeetNeeded() const
+  {
+    return this->sourceIds || this->closestPoints || this->signedDistances;
+  }
+  bool isAny() const { return this->areFeetNeeded() || this->gradients; }
+};
+
+/// The names of the arrays that are asked for.
+std::vector<const char*> namesOf(const SourceArrayChoice& choice);
+
+/// Adds the arrays that are asked for, without values.
+void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output);
+
+/// What the arrays hold for some points, one entry a point in each of those that are asked for.
+struct SourceValues
+{
+  /// SourceCurve::source; NoId where the point was not reached.
+  std::vector<Id> sources;
+  /// In the user's scale; not told where the point was not reached.
+  std::vector<Vec3> closestPoints;
+  std::vector<Vec3> gradients;
+  /// Whether the shortest path comes from the right-hand side of a curve.
+  std::vector<std::uint8_t> isOnRight;
+};
+
+/// Computes the arrays that tell more of a field than its distance.
+class SourceArrays
+{
+public:
+  /// \param curves of the source.
+  /// \param firstBoundarySource SourceCurve::source from which on curves are loops of the boundary,
+  ///        whose distances have no sign.
+  SourceArrays(const PolyDataSurface& surface, const std::vector<SourceCurve>& curves,
+    Id firstBoundarySource, const SourceArrayChoice& choice)
+    : surface_(surface)
+    , curves_(curves)
+    , firstBoundarySource_(firstBoundarySource)
+    , choice_(choice)
+  {
+  }
+
+  /// Of every vertex of the mesh. Of a piece, all ranks call this together.
+  ///
+  /// \param computed the field that gradients are of, with arrivals.
+  SourceValues atVertices(const DistanceField& computed, const NearestSource& nearest,
+    const ProgressCallback& progress) const;
+  /// Of a piece, gives values at the mesh's vertices at each vertex that points have, see
+  /// PolyDataSurface. All ranks call this together.
+  void completeValues(SourceValues& atVertices) const;
+  /// Of points that refinement has added. Of a piece, all ranks call this together.
+  ///
+  /// \param count of the first points: those whose places on the mesh are known.
+  /// \param exact the field that feet are of, with arrivals; the computed one or another.
+  SourceValues atPoints(const std::vector<RefinedPoint>& points, std::size_t count,
+    const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
+    const ProgressCallback& progress) const;
+  /// Of a piece, gives points on seams the values that one rank tells of them. All ranks call this
+  /// together.
+  void replaceAtSeams(const SeamPoints& seams, SourceValues& atNewPoints) const;
+  /// Of a piece, appends to the values at its own new points those at copies of other ranks'
+  /// points, from these. All ranks call this together.
+  ///
+  /// \param copied what addOtherTrianglesOfPiece() returns.
+  void appendCopies(const std::vector<RankAddress>& copied, SourceValues& atNewPoints) const;
+  /// The values at the new points of each block: see partsByBlock().
+  ///
+  /// \param refined the mesh whose points they are at.
+  std::vector<SourceValues> valuesByBlock(
+    SourceValues atNewPoints, const RefinedMesh& refined) const;
+
+  /// Adds the arrays of one block to its points: those of the input, then those that were added.
+  ///
+  /// \param distances of the same points; infinite where a point is not reached.
+  /// \param unreached what the signed distance is there.
+  void write(const SurfaceBlock& block, const SourceValues& atVertices,
+    const SourceValues& atNewPoints, const double* distances, double unreached,
+    vtkPolyData* output) const;
+
+  std::vector<const char*> names() const { return namesOf(this->choice_); }
+
+private:
+  template <typename Visit>
+  void forEachKind(const Visit& visit) const;
+  void reserve(std::size_t count, SourceValues& values) const;
+  void add(const Foot& foot, const NearestSource& nearest, SourceValues& values) const;
+
+  const PolyDataSurface& surface_;
+  const std::vector<SourceCurve>& curves_;
+  Id firstBoundarySource_;
+  SourceArrayChoice choice_;
+};
+
+/// A face whose neighbours do not tell left from right with it: across an edge of three and more
+/// faces, or one whose faces run along it in one direction. NoId where there is none of the faces
+/// from the first to before the end.
+Id findFaceWithoutSides(const TriangleMesh& mesh, Id first, Id end);
+
+/// \param inputs the blocks that the surface was read from.
+/// \param property what needs sides, for the message.
+/// \throws MeshError where findFaceWithoutSides() finds one.
+void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,
+  const std::string& property);
+
+/// Whether the distance from a foot has the sign of a curve's right-hand side: points and loops of
+/// the boundary have none.
+bool isOnRight(const Foot& foot, const std::vector<SourceCurve>& curves, Id firstBoundarySource);
+
+}
+
+#endif

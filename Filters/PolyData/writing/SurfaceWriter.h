@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_SurfaceWriter_h
+#define geodesic_SurfaceWriter_h
+
+#include "PolyData/reading/PolyDataSurface.h"
+#include "refinement/AdaptiveRefinement.h"
+
+class vtkPolyData;
+
+namespace geodesic
+{
+
+/// Gives an output the points of the input that a block was made from with their data, the block's
+/// triangles, and for each the data of the cell that it came from.
+///
+/// \param progress called now and then; returning false throws Aborted.
+void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* output,
+  const ProgressCallback& progress);
+
+/// Gives an output a refined block: the input's points with their data, the new points with
+/// interpolated data (interpolatePointData()), and the triangles with the data of the cells that
+/// they are parts of and those cells' numbers as OriginalCellIds.
+///
+/// \param refined in numbers of the block, see partsByBlock().
+/// \param progress called now and then; returning false throws Aborted.
+void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined, vtkPolyData* input,
+  vtkPolyData* output, const ProgressCallback& progress);
+
+}
+
+#endif

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Isolines against the brute-force solver on random meshes of all kinds, with sources of all kinds.
+#include "contours/IsolineSupport.h"
+#include "truth/RandomMeshKinds.h"
+
+#include "Errors.h"
+#include "contours/SolveForIsolines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+
+using namespace geodesictest;
+using geodesic::Isoline;
+using geodesic::Isolines;
+using geodesic::TriangleMesh;
+
+namespace
+{
+
+constexpr std::uint64_t Meshes = meshesOfAKind(12);
+constexpr std::uint64_t SmallMeshes = meshesOfAKind(12);
+constexpr double ChordFraction = 1e-4;
+
+class RandomIsolines : public ::testing::TestWithParam<MeshKind>
+{
+};
+
+/// A random mesh with sources, and ascending values: some anywhere, some at a vertex's distance.
+struct Drawn
+{
+  PlainMesh plain;
+  std::vector<Polyline> curves;
+  TriangleMesh mesh;
+  double largest;
+  std::vector<double> values;
+
+  Drawn(const MeshKind& kind, Index faces, Random& random)
+    : plain(kind.make(faces, random))
+    , curves(CurveMaker(plain, random).anySource())
+    , mesh(engineMesh(plain))
+    , largest(0.0)
+  {
+    const geodesic::DistanceField field =
+      geodesic::solve(this->mesh, engineCurves(this->mesh, this->curves));
+    const std::vector<double>& distances = field.vertexDistances();
+    this->largest = largestFinite(distances);
+    this->values = randomValues(distances, this->largest, { 0.001, 0.1, 0.4, 0.8 }, random);
+  }
+
+  Isolines draw() const
+  {
+    return isolinesOf(this->mesh, engineCurves(this->mesh, this->curves), this->values,
+      ChordFraction * this->largest);
+  }
+};
+
+/// Places on the chords of a line, their ends left out.
+void addPlacesOnChords(const TriangleMesh& mesh, const Isolines& isolines, const Isoline& line,
+  std::vector<MeshPoint>& places)
+{
+  for (std::size_t i = 0; i < line.faces.size(); ++i)
+  {
+    const auto a = geodesic::barycentric(mesh, isolines.points[line.points[i]], line.faces[i]);
+    const auto b = geodesic::barycentric(mesh, isolines.points[line.points[i + 1]], line.faces[i]);
+    for (const double t : { 0.2, 0.5, 0.8 })
+    {
+      MeshPoint place{ mesh.inputFace(line.faces[i]), {} };
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        place.weights[k] = (1.0 - t) * a[k] + t * b[k];
+      }
+      places.push_back(place);
+    }
+  }
+}
+
+}
+
+TEST_P(RandomIsolines, PointsAreAtTheValueAndChordsNearIt)
+{
+  double worstPoint = 0.0;
+  double worstChord = 0.0;
+  std::size_t straight = 0;
+  for (std::uint64_t seed = 0; seed < Meshes; ++seed)
+  {
+    Random random(seed + 77000);
+    const Drawn drawn(GetParam(), random.between(30, 300), random);
+    if (!(drawn.largest > 0.0))
+    {
+      continue; // the source goes through all vertices
+    }
+    const Isolines isolines = drawn.draw();
+    straight += isolines.partsCrossedStraight;
+    expectChordsInFaces(drawn.mesh, isolines);
+    std::vector<MeshPoint> places;
+    std::vector<double> expected;
+    for (const Isoline& line : isolines.lines)
+    {
+      for (const geodesic::Id point : line.points)
+      {
+        places.push_back(testPoint(drawn.mesh, isolines.points[point]));
+      }
+      expected.resize(places.size(), drawn.values[line.value]);
+    }
+    const std::size_t points = places.size();
+    for (const Isoline& line : isolines.lines)
+    {
+      addPlacesOnChords(drawn.mesh, isolines, line, places);
+      expected.resize(places.size(), drawn.values[line.value]);
+    }
+    const std::vector<double> truth =
+      bruteForceDistances(drawn.plain, toSources(drawn.curves), places).queries;
+    double atPoints = 0.0;
+    double atChords = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const double error = std::abs(truth[i] - expected[i]) / drawn.largest;
+      (i < points ? atPoints : atChords) = std::max(i < points ? atPoints : atChords, error);
+    }
+    EXPECT_LE(atPoints, std::max(1e-12, accuracyOn(GetParam())))
+      << GetParam().name << ", seed " << seed << "\n"
+      << describe(drawn.curves);
+    EXPECT_LE(atChords, ChordFraction * (1.0 + 1e-6))
+      << GetParam().name << ", seed " << seed << "\n"
+      << describe(drawn.curves);
+    worstPoint = std::max(worstPoint, atPoints);
+    worstChord = std::max(worstChord, atChords);
+  }
+  EXPECT_EQ(straight, 0U);
+  std::cout << GetParam().name << ": points " << worstPoint << ", chords " << worstChord
+            << " of the largest distance; parts crossed straight " << straight << "\n";
+}
+
+TEST_P(RandomIsolines, AreAsManyAndAsClosedAsTheSublevelSetsHaveBoundaries)
+{
+  std::size_t compared = 0;
+  for (std::uint64_t seed = 0; seed < SmallMeshes; ++seed)
+  {
+    Random random(seed + 78000);
+    const Drawn drawn(GetParam(), random.between(8, 60), random);
+    if (!(drawn.largest > 0.0))
+    {
+      continue; // the source goes through all vertices
+    }
+    const Isolines isolines = drawn.draw();
+    const GridTruth coarse(drawn.plain, toSources(drawn.curves), 8);
+    const GridTruth fine(drawn.plain, toSources(drawn.curves), 13);
+    for (std::size_t value = 0; value < drawn.values.size(); ++value)
+    {
+      // What the grids do not tell for sure, such as a ridge of less than their spacing, is left.
+      const double v = drawn.values[value] * (1.0 - 1e-12);
+      const LineCount expected = fine.countLines(v);
+      const double slack = 0.5 * fine.spacing();
+      if (coarse.countLines(v) == expected && fine.countLines(v - slack) == expected &&
+        fine.countLines(v + slack) == expected)
+      {
+        ++compared;
+        const LineCount count = countLines(isolines, value);
+        if (count == expected)
+        {
+          continue;
+        }
+        const GridTruth finest(drawn.plain, toSources(drawn.curves), 61);
+        // A vertex at the value may be on either side.
+        EXPECT_TRUE(count == finest.countLines(v) || count == finest.countLines(v * (1.0 + 1e-9)) ||
+          count == finest.countLines(v * (1.0 - 1e-9)))
+          << GetParam().name << ", seed " << seed << ", value " << drawn.values[value] << " of "
+          << drawn.largest << ": " << count.open << " open and " << count.closed
+          << " closed lines instead of " << expected.open << " and " << expected.closed << "\n"
+          << describe(drawn.curves);
+      }
+    }
+  }
+  EXPECT_GE(compared, SmallMeshes);
+  std::cout << GetParam().name << ": " << compared << " values compared\n";
+}
+
+// Where the pencils of two windows meet, rounding may part them, and the level curves go on behind
+// the ridge. These are such cases.
+TEST(IsolinesAtRidges, HaveTheirPointsAtTheValue)
+{
+  for (const auto& [name, seed] : { std::make_pair("Box", 1408U), std::make_pair("Box", 2284U),
+         std::make_pair("Tetrahedron", 1067U) })
+  {
+    const std::vector<MeshKind> kinds = meshKinds();
+    const auto kind = std::find_if(kinds.begin(), kinds.end(),
+      [wanted = std::string(name)](const MeshKind& k) { return k.name == wanted; });
+    ASSERT_NE(kind, kinds.end());
+    Random random(seed);
+    const PlainMesh plain = kind->make(random.between(8, 40), random);
+    const std::vector<Polyline> curves = CurveMaker(plain, random).anySource();
+    const TriangleMesh mesh = engineMesh(plain);
+    const std::vector<double> distances =
+      geodesic::solve(mesh, engineCurves(mesh, curves)).vertexDistances();
+    const double largest = largestFinite(distances);
+    std::vector<double> values;
+    for (int i = 1; i < 12; ++i)
+    {
+      values.push_back(largest * (i + random.uniform(0.0, 0.9)) / 12.0);
+    }
+    for (const double d : distances)
+    {
+      if (d > 0.0 && d < largest && random.chance(0.2))
+      {
+        values.push_back(d);
+      }
+    }
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    const Isolines isolines =
+      isolinesOf(mesh, engineCurves(mesh, curves), values, ChordFraction * largest);
+    std::vector<MeshPoint> places;
+    std::vector<double> expected;
+    for (const Isoline& line : isolines.lines)
+    {
+      for (const geodesic::Id point : line.points)
+      {
+        places.push_back(testPoint(mesh, isolines.points[point]));
+      }
+      expected.resize(places.size(), values[line.value]);
+    }
+    const std::vector<double> truth = bruteForceDistances(plain, toSources(curves), places).queries;
+    EXPECT_LE(worstError(expected, truth, largest), 1e-12) << name << ", seed " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, RandomIsolines, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Isolines on flat strips of any aspect, whose length is known: nothing of them is lost where faces
+// have hardly any height.
+#include "contours/IsolineSupport.h"
+
+#include "contours/SolveForIsolines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <utility>
+#include <vector>
+
+using namespace geodesictest;
+using geodesic::Id;
+using geodesic::Isoline;
+using geodesic::Isolines;
+using geodesic::TriangleMesh;
+
+namespace
+{
+
+constexpr std::uint64_t FirstSeed = 83000;
+constexpr std::uint64_t Strips = 300;
+
+/// The largest decimal exponent of the aspect.
+constexpr double ThinnestAcross = 12.0;
+/// Lines along a strip are as far from its side as the strip is high at most, which is told to a
+/// rounding of the length.
+constexpr double ThinnestAlong = 10.0;
+
+/// A triangulated rectangle [0, width] x [0, height].
+struct Strip
+{
+  PlainMesh plain;
+  double width;
+  double height;
+
+  Strip(double exponent, Random& random)
+  {
+    const Index nx = random.between(1, 8);
+    const Index ny = random.between(1, 6);
+    const double flatter = std::pow(10.0, -random.uniform(0.0, exponent));
+    this->plain = random.chance(0.5) ? regularGrid(nx, ny) : randomPlanar(nx, ny, random);
+    for (Vec3& p : this->plain.points)
+    {
+      p[1] *= flatter;
+    }
+    this->width = nx;
+    this->height = ny * flatter;
+  }
+
+  bool isOnBoundary(const geodesic::Vec3& p) const
+  {
+    const double slack = 1e-13;
+    return p[0] <= slack * this->width || p[0] >= (1.0 - slack) * this->width ||
+      p[1] <= slack * this->height || p[1] >= (1.0 - slack) * this->height;
+  }
+};
+
+/// What is known of the part of a circle in a rectangle.
+struct Arcs
+{
+  double length = 0.0;
+  /// How far it goes up and down in all.
+  double rise = 0.0;
+  LineCount count;
+};
+
+/// The right and the left half of the circle one after the other, from the lowest point up: so the
+/// angles of arcs that hardly rise are accurate.
+Arcs arcsIn(const Strip& strip, const Vec3& center, double radius)
+{
+  const double quarter = 2.0 * std::atan(1.0);
+  const double below = center[1];
+  const double above = strip.height - center[1];
+  const double lowest = below >= radius ? -quarter : -std::asin(below / radius);
+  const double highest = above >= radius ? quarter : std::asin(above / radius);
+  const bool hasBothHalves = center[0] > 0.0 && center[0] < strip.width;
+  Arcs arcs;
+  std::size_t ends = 0;
+  const auto add = [&](double first, double last)
+  {
+    if (last > first)
+    {
+      arcs.length += radius * (last - first);
+      arcs.rise += radius * (std::sin(last) - std::sin(first));
+      ends += hasBothHalves && first == -quarter ? 0 : 1; // else the other half goes on
+      ends += hasBothHalves && last == quarter ? 0 : 1;
+    }
+  };
+  for (const double room : { center[0], strip.width - center[0] })
+  {
+    const double outside = room < radius ? std::acos(room / radius) : 0.0;
+    add(lowest, outside > 0.0 ? std::min(highest, -outside) : highest);
+    if (outside > 0.0)
+    {
+      add(std::max(lowest, outside), highest);
+    }
+  }
+  arcs.count = { ends / 2, ends == 0 && arcs.length > 0.0 ? std::size_t(1) : std::size_t(0) };
+  return arcs;
+}
+
+/// A vertex, or a point of an edge or a face that is not within rounding of a vertex.
+MeshPoint anyPlace(const PlainMesh& mesh, Random& random)
+{
+  switch (random.below(3))
+  {
+    case 0:
+      return randomVertexPoint(mesh, random);
+    case 1:
+      return randomEdgePoint(mesh, random);
+    default:
+      return randomFacePoint(mesh, random);
+  }
+}
+
+/// The side of the rectangle where a coordinate is zero.
+geodesic::SourceCurve sideOf(const TriangleMesh& mesh, std::size_t axis)
+{
+  std::vector<std::pair<double, Id>> vertices;
+  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    if (mesh.point(vertex)[axis] == 0.0)
+    {
+      vertices.emplace_back(mesh.point(vertex)[1 - axis], vertex);
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+  geodesic::SourceCurve side;
+  for (const auto& [along, vertex] : vertices)
+  {
+    side.points.push_back(geodesic::SurfacePoint::atVertex(vertex));
+    side.isCut.push_back(0);
+  }
+  for (std::size_t i = 0; i + 1 < side.points.size(); ++i)
+  {
+    side.faces.push_back(geodesic::commonFace(mesh, side.points[i], side.points[i + 1]));
+  }
+  return side;
+}
+
+/// How far lines go along an axis, forth and back.
+double wayAlong(const TriangleMesh& mesh, const Isolines& isolines, std::size_t axis)
+{
+  double way = 0.0;
+  for (const Isoline& line : isolines.lines)
+  {
+    for (std::size_t i = 1; i < line.points.size(); ++i)
+    {
+      way += std::abs(geodesic::position(mesh, isolines.points[line.points[i]])[axis] -
+        geodesic::position(mesh, isolines.points[line.points[i - 1]])[axis]);
+    }
+  }
+  return way;
+}
+
+void expectEndsOnBoundary(const Strip& strip, const TriangleMesh& mesh, const Isolines& isolines)
+{
+  for (const Isoline& line : isolines.lines)
+  {
+    for (const Id end : { line.points.front(), line.points.back() })
+    {
+      EXPECT_TRUE(
+        line.isClosed() || strip.isOnBoundary(geodesic::position(mesh, isolines.points[end])));
+    }
+  }
+}
+
+}
+
+TEST(ThinIsolines, RoundAPointAreWholeArcsOfItsCircle)
+{
+  constexpr double chordFraction = 1e-6;
+  double worstPoint = 0.0;
+  double worstRise = 0.0;
+  for (std::uint64_t seed = FirstSeed; seed < FirstSeed + Strips; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Strip strip(ThinnestAcross, random);
+    const TriangleMesh mesh = engineMesh(strip.plain);
+    geodesic::SourceCurve source;
+    source.points = { enginePoint(mesh, anyPlace(strip.plain, random)) };
+    source.isCut = { 0 };
+    Vec3 center = geodesic::position(mesh, source.points[0]);
+    center[1] = std::min(center[1], strip.height); // but for rounding
+    const double least = std::max(1e-8 * strip.width, 0.1 * strip.height);
+    const double radius = random.chance(0.7)
+      ? strip.width * random.uniform(0.05, 0.98)
+      : least * std::pow(strip.width / least, random.uniform());
+    const Isolines isolines = isolinesOf(mesh, { source }, { radius }, chordFraction * radius);
+    const Arcs truth = arcsIn(strip, center, radius);
+    EXPECT_EQ(isolines.partsCrossedStraight, 0U);
+    EXPECT_TRUE(countLines(isolines, 0) == truth.count);
+    expectEndsOnBoundary(strip, mesh, isolines);
+    expectChordsInFaces(mesh, isolines);
+    double length = 0.0;
+    for (std::size_t i = 0; i < isolines.lines.size(); ++i)
+    {
+      length += lengthOf(mesh, isolines, i);
+    }
+    // Where the strip is as thin as rounding, places along it may go forth and back.
+    EXPECT_NEAR(length, truth.length, chordFraction * truth.length + 1e-13 * strip.width);
+    const double rise = wayAlong(mesh, isolines, 1);
+    EXPECT_NEAR(rise, truth.rise, 1e-4 * truth.rise);
+    worstRise = std::max(worstRise, truth.rise > 0.0 ? std::abs(rise / truth.rise - 1.0) : 0.0);
+    for (const geodesic::SurfacePoint& point : isolines.points)
+    {
+      const geodesic::Vec3 p = geodesic::position(mesh, point);
+      const double distance = std::hypot(p[0] - center[0], p[1] - center[1]);
+      worstPoint = std::max(worstPoint, std::abs(distance - radius) / (radius + strip.width));
+    }
+    EXPECT_LE(worstPoint, 1e-12);
+  }
+  std::cout << "worst point " << worstPoint << " of radius and width, worst rise " << worstRise
+            << "\n";
+}
+
+TEST(ThinIsolines, BesideASideAreStraightFromEndToEnd)
+{
+  double worstWay = 0.0;
+  double worstPoint = 0.0;
+  for (std::uint64_t seed = FirstSeed; seed < FirstSeed + Strips; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const std::size_t axis = random.below(2);
+    const Strip strip(axis == 0 ? ThinnestAcross : ThinnestAlong, random);
+    const TriangleMesh mesh = engineMesh(strip.plain);
+    const double most = axis == 0 ? strip.width : strip.height;
+    std::vector<double> values;
+    for (const Index i : { 0U, 1U, 2U })
+    {
+      values.push_back(most * random.uniform(0.3 * i + 0.01, 0.3 * i + 0.3));
+    }
+    const double atVertex = mesh.point(random.below(mesh.numberOfVertices()))[axis];
+    if (atVertex > 0.0 && atVertex < most) // along the far side it is left to rounding
+    {
+      values.push_back(atVertex);
+    }
+    std::sort(values.begin(), values.end());
+    const Isolines isolines = isolinesOf(mesh, { sideOf(mesh, axis) }, values, 1e-6 * most);
+    EXPECT_EQ(isolines.partsCrossedStraight, 0U);
+    expectEndsOnBoundary(strip, mesh, isolines);
+    expectChordsInFaces(mesh, isolines);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      EXPECT_TRUE(countLines(isolines, i) == (LineCount{ 1, 0 }));
+    }
+    const double length = axis == 0 ? strip.height : strip.width;
+    const double way = wayAlong(mesh, isolines, 1 - axis);
+    const double all = static_cast<double>(values.size()) * length;
+    EXPECT_NEAR(way, all, 1e-4 * all);
+    worstWay = std::max(worstWay, std::abs(way / all - 1.0));
+    for (const Isoline& line : isolines.lines)
+    {
+      for (const Id point : line.points)
+      {
+        const double at = geodesic::position(mesh, isolines.points[point])[axis];
+        worstPoint = std::max(worstPoint, std::abs(at - values[line.value]) / (strip.width + most));
+      }
+    }
+    EXPECT_LE(worstPoint, 1e-12);
+  }
+  std::cout << "worst point " << worstPoint << " of width and distance, worst way " << worstWay
+            << "\n";
+}

@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Paths that are handed from rank to rank: as long as the brute-force distance, through faces that
+// follow one another, to the curve that they name; and those of one piece.
+#include "OnThreads.h"
+#include "RanksSupport.h"
+#include "paths/PathChecker.h"
+
+#include "paths/PathInStrip.h"
+#include "paths/PathsOnRanks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <mutex>
+
+using namespace geodesictest;
+using geodesic::PathInSpace;
+using geodesic::SurfacePoint;
+
+namespace
+{
+
+constexpr std::uint64_t MeshesOfAKind = 2;
+constexpr std::size_t Targets = 40;
+constexpr std::size_t TargetsInStrips = 3;
+
+class PathsOnRanks : public ::testing::TestWithParam<MeshKind>
+{
+};
+
+Vec3 plainPlace(const geodesic::Vec3& p)
+{
+  return { p[0], p[1], p[2] };
+}
+
+/// The paths of one piece, by places.
+std::vector<std::vector<Vec3>> pathsInOnePiece(const RandomCase& c)
+{
+  const geodesic::TriangleMesh mesh = engineMesh(c.mesh);
+  std::vector<SurfacePoint> targets;
+  for (const MeshPoint& query : c.queries)
+  {
+    targets.push_back(enginePoint(mesh, query));
+  }
+  std::vector<std::vector<Vec3>> result;
+  for (const auto& path : geodesic::pathsToSource(mesh, engineCurves(mesh, c.curves), targets))
+  {
+    result.emplace_back();
+    for (const SurfacePoint& point : path.points)
+    {
+      result.back().push_back(plainPlace(geodesic::position(mesh, point)));
+    }
+  }
+  return result;
+}
+
+/// Whether a place lies in a face, but for a distance.
+bool isInFace(const PlainMesh& mesh, Index face, const Vec3& place, double slack)
+{
+  using geodesic::operator-;
+  const Triangle& t = mesh.triangles[face];
+  const auto corner = [&](std::size_t k) -> geodesic::Vec3 {
+    return { mesh.points[t[k]][0], mesh.points[t[k]][1], mesh.points[t[k]][2] };
+  };
+  const geodesic::Vec3 p = { place[0], place[1], place[2] };
+  const geodesic::Vec3 normal = geodesic::cross(corner(1) - corner(0), corner(2) - corner(0));
+  const double area2 = geodesic::norm(normal);
+  double out = std::abs(geodesic::dot(p - corner(0), normal)) / area2;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const geodesic::Vec3 edge = corner((k + 1) % 3) - corner(k);
+    const double above =
+      geodesic::dot(geodesic::cross(edge, p - corner(k)), normal) / (area2 * geodesic::norm(edge));
+    out = std::max(out, -above);
+  }
+  return out <= slack;
+}
+
+bool haveAFaceInCommon(const PlainMesh& mesh, const Vec3& a, const Vec3& b, double slack)
+{
+  for (Index face = 0; face < mesh.triangles.size(); ++face)
+  {
+    if (isInFace(mesh, face, a, slack) && isInFace(mesh, face, b, slack))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Checks what ranks tell of a target, and what the path is in one piece.
+class CheckedPaths
+{
+public:
+  CheckedPaths(const MeshKind& kind, std::uint64_t seed)
+    : case_(randomCase(kind, seed + 81000, Targets))
+    , whole_(pathsInOnePiece(this->case_))
+    , slack_(accuracyOn(kind) * largestFinite(this->case_.truth.vertices))
+  {
+  }
+
+  const RandomCase& plain() const { return this->case_; }
+
+  void check(std::size_t target, const PathInSpace& path)
+  {
+    SCOPED_TRACE("target " + std::to_string(target));
+    const double truth = this->case_.truth.queries[target];
+    ASSERT_EQ(path.points.empty(), !(truth < geodesic::Infinity));
+    if (path.points.empty())
+    {
+      return;
+    }
+    ASSERT_LT(path.source, this->case_.curves.size());
+    const PlainMesh& mesh = this->case_.mesh;
+    double length = 0.0;
+    for (std::size_t i = 1; i < path.points.size(); ++i)
+    {
+      const Vec3 a = plainPlace(path.points[i - 1]);
+      const Vec3 b = plainPlace(path.points[i]);
+      length += spaceDistance(a, b);
+      EXPECT_TRUE(haveAFaceInCommon(mesh, a, b, 1e-9)) << "piece " << i;
+    }
+    EXPECT_LE(std::abs(length - truth), this->slack_);
+    const Vec3 begin = plainPlace(path.points.front());
+    EXPECT_LE(spaceDistance(begin, position(mesh, this->case_.queries[target])), this->slack_);
+    const Vec3 end = plainPlace(path.points.back());
+    EXPECT_LE(
+      distanceInSpace(mesh, end, toSources({ this->case_.curves[path.source] })), this->slack_);
+    ++this->compared_;
+    this->different_ += this->isAsInOnePiece(target, path) ? 0 : 1;
+  }
+
+  std::size_t compared() const { return this->compared_; }
+  std::size_t different() const { return this->different_; }
+
+private:
+  bool isAsInOnePiece(std::size_t target, const PathInSpace& path) const
+  {
+    const std::vector<Vec3>& whole = this->whole_[target];
+    bool isSame = whole.size() == path.points.size();
+    for (std::size_t i = 0; i < whole.size() && isSame; ++i)
+    {
+      isSame = spaceDistance(whole[i], plainPlace(path.points[i])) <= 1e-6;
+    }
+    return isSame;
+  }
+
+  RandomCase case_;
+  std::vector<std::vector<Vec3>> whole_;
+  double slack_;
+  std::size_t compared_ = 0;
+  std::size_t different_ = 0;
+};
+
+std::vector<geodesic::SourceCurve> numbered(std::vector<geodesic::SourceCurve> curves)
+{
+  for (std::size_t i = 0; i < curves.size(); ++i)
+  {
+    curves[i].source = static_cast<geodesic::Id>(i);
+  }
+  return curves;
+}
+
+/// Targets of a rank: those in faces that it owns.
+struct TargetsOfRank
+{
+  std::vector<std::size_t> numbers;
+  std::vector<SurfacePoint> points;
+};
+
+TargetsOfRank targetsOf(const RankOfRun& rank, const std::vector<MeshPoint>& queries)
+{
+  TargetsOfRank targets;
+  for (std::size_t i = 0; i < queries.size(); ++i)
+  {
+    const geodesic::RankAddress face = rank.facesOnRanks[queries[i].face];
+    if (face.rank == rank.exchange.rank() && rank.part.isOwn(face.id))
+    {
+      targets.numbers.push_back(i);
+      targets.points.push_back(
+        geodesic::fromBarycentric(rank.part.mesh(), face.id, queries[i].weights));
+    }
+  }
+  return targets;
+}
+
+std::vector<PathInSpace> pathsOver(
+  const RandomCase& c, const CutMesh& cut, std::uint64_t disorder = 0, bool inParallel = false)
+{
+  std::vector<PathInSpace> paths(c.queries.size());
+  std::mutex mutex;
+  onRanks(cut, c.curves, disorder,
+    [&](const RankOfRun& rank)
+    {
+      const TargetsOfRank targets = targetsOf(rank, c.queries);
+      geodesic::PathsOptions options;
+      if (inParallel)
+      {
+        options.parallelFor = onThreads;
+      }
+      const std::vector<PathInSpace> own = geodesic::pathsOnRanks(
+        rank.part, rank.patch, numbered(rank.curvesOnPatch), targets.points, options);
+      const std::lock_guard<std::mutex> lock(mutex);
+      for (std::size_t i = 0; i < own.size(); ++i)
+      {
+        paths[targets.numbers[i]] = own[i];
+      }
+    });
+  return paths;
+}
+
+struct TargetAtDistance
+{
+  MeshPoint point;
+  double distance;
+};
+
+/// The paths that each target's rank finds in a strip; no other rank has one.
+std::vector<PathInSpace> pathsInStrips(const CutMesh& cut, const std::vector<Polyline>& curves,
+  const std::vector<TargetAtDistance>& targets)
+{
+  std::vector<PathInSpace> paths(targets.size());
+  onRanks(cut, curves, 0,
+    [&](const RankOfRun& rank)
+    {
+      geodesic::FrontOptions options;
+      options.part = &rank.part;
+      const geodesic::DistanceField field =
+        geodesic::solve(rank.part.mesh(), rank.sources, options);
+      const geodesic::KnownDistances known{ field.vertexDistances() };
+      for (std::size_t i = 0; i < targets.size(); ++i)
+      {
+        const auto& [point, distance] = targets[i];
+        const geodesic::RankAddress face = rank.facesOnRanks[point.face];
+        PathInSpace path = geodesic::pathInStrip(rank.part, rank.patch,
+          numbered(rank.curvesOnPatch), { face, point.weights, distance }, known, {}, {});
+        if (face.rank == rank.exchange.rank())
+        {
+          paths[i] = std::move(path);
+        }
+        else
+        {
+          EXPECT_TRUE(path.points.empty());
+        }
+      }
+    });
+  return paths;
+}
+
+}
+
+TEST(PathsOnSeams, OfTargetsOnTheSourceAreTwoEqualPoints)
+{
+  RandomCase c;
+  c.mesh = regularGrid(4, 4);
+  // At vertices inside and on the boundary, of which several ranks have most.
+  for (Index face = 0; face < c.mesh.triangles.size(); face += 3)
+  {
+    MeshPoint corner = { face, {} };
+    corner.weights[face % 2] = 1.0;
+    c.curves = { { { { face, corner.weights, corner.weights } }, {} } };
+    c.queries = { corner };
+    Random random(face);
+    forEachCut(c.mesh, bothWaysToCut({ 2, 3 }), random,
+      [&](const CutMesh& cut)
+      {
+        const PathInSpace path = pathsOver(c, cut).front();
+        ASSERT_EQ(path.points.size(), 2U) << "face " << face;
+        EXPECT_EQ(path.points.front(), path.points.back());
+        EXPECT_EQ(path.source, 0U);
+      });
+  }
+}
+
+TEST_P(PathsOnRanks, AreShortestAndThoseOfOnePieceHoweverItIsCut)
+{
+  std::size_t compared = 0;
+  std::size_t different = 0;
+  for (std::uint64_t seed = 0; seed < MeshesOfAKind; ++seed)
+  {
+    CheckedPaths checked(GetParam(), seed);
+    const RandomCase& c = checked.plain();
+    Random random(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    forEachCut(c.mesh, someWaysToCut(), random,
+      [&](const CutMesh& cut)
+      {
+        const std::vector<PathInSpace> paths = pathsOver(c, cut);
+        for (std::size_t i = 0; i < paths.size(); ++i)
+        {
+          checked.check(i, paths[i]);
+        }
+      });
+    compared += checked.compared();
+    different += checked.different();
+  }
+  // Of equally long paths another one may be told.
+  EXPECT_LE(different, compared / 10);
+  std::cout << GetParam().name << ": of " << compared << " paths " << different
+            << " are others than in one piece\n";
+}
+
+// What is done for paths that tracing has lost. The distance that is known of a target may be short
+// by rounding.
+TEST_P(PathsOnRanks, InStripsAreShortest)
+{
+  CheckedPaths checked(GetParam(), 7);
+  const RandomCase& c = checked.plain();
+  Random random(7);
+  const CutMesh cut = cutInSpace(c.mesh, 3, random);
+  std::vector<std::size_t> numbers;
+  std::vector<TargetAtDistance> targets;
+  for (std::size_t i = 0; i < c.queries.size() && targets.size() < TargetsInStrips; ++i)
+  {
+    if (c.truth.queries[i] < geodesic::Infinity)
+    {
+      numbers.push_back(i);
+      targets.push_back({ c.queries[i], (1.0 - 1e-12) * c.truth.queries[i] });
+    }
+  }
+  const std::vector<PathInSpace> paths = pathsInStrips(cut, c.curves, targets);
+  for (std::size_t i = 0; i < paths.size(); ++i)
+  {
+    checked.check(numbers[i], paths[i]);
+  }
+  EXPECT_GT(checked.compared(), 0U);
+}
+
+TEST_P(PathsOnRanks, DoNotDependOnThreadsOrWhichRankComesFirst)
+{
+  const RandomCase c = randomCase(GetParam(), 82000, 20);
+  Random random(1);
+  const CutMesh cut = cutAtRandom(c.mesh, 3, random);
+  const std::vector<PathInSpace> ordered = pathsOver(c, cut);
+  const std::vector<PathInSpace> other = pathsOver(c, cut, 3, true);
+  for (std::size_t i = 0; i < ordered.size(); ++i)
+  {
+    EXPECT_EQ(ordered[i].points, other[i].points) << "target " << i;
+    EXPECT_EQ(ordered[i].source, other[i].source) << "target " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, PathsOnRanks, ::testing::ValuesIn(meshKinds()),
+  [](const auto& kind) { return std::string(kind.param.name); });
+
+// Triangles in a row that have only vertices in common: no window goes from one to the next. The
+// distances that are known are short by rounding, which is more than the margin of the bounds near
+// the target: there the triangles are small.
+TEST(PathsInStrips, RunAlongEdgesWhereNoWindowGoes)
+{
+  constexpr Index Length = 12;
+  const auto place = [](Index i) { return i < 10 ? static_cast<double>(i) : 9.0 + 1e-4 * (i - 9); };
+  PlainMesh mesh;
+  for (Index i = 0; i <= Length; ++i)
+  {
+    mesh.points.push_back({ place(i), 0.0, 0.0 });
+  }
+  for (Index i = 0; i < Length; ++i)
+  {
+    const double size = place(i + 1) - place(i);
+    mesh.points.push_back({ place(i) + 0.5 * size, size, 0.0 });
+    mesh.triangles.push_back({ i, i + 1, Length + 1 + i });
+  }
+  const MeshPoint source = vertexPoint(mesh, 0);
+  std::vector<TargetAtDistance> targets;
+  for (const double along : { 0.5, 1.0 })
+  {
+    const MeshPoint target = { Length - 1, { 1.0 - along, along, 0.0 } };
+    targets.push_back({ target, position(mesh, target)[0] * (1.0 - 1e-12) });
+  }
+  Random random(1);
+  for (const int ranks : { 1, 3 })
+  {
+    const std::vector<PathInSpace> paths = pathsInStrips(cutAtRandom(mesh, ranks, random),
+      { { { { source.face, source.weights, source.weights } }, {} } }, targets);
+    for (std::size_t i = 0; i < paths.size(); ++i)
+    {
+      SCOPED_TRACE(std::to_string(ranks) + " ranks, target " + std::to_string(i));
+      const std::vector<geodesic::Vec3>& points = paths[i].points;
+      ASSERT_EQ(points.size(), Length + 1U);
+      EXPECT_LE(spaceDistance(plainPlace(points[0]), position(mesh, targets[i].point)), 1e-14);
+      for (Index k = 1; k <= Length; ++k)
+      {
+        EXPECT_EQ(plainPlace(points[k]), mesh.points[Length - k]);
+      }
+    }
+  }
+}

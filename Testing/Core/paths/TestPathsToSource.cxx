@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Paths from many targets at once, against what is known of any shortest path (PathChecker) and the
+// brute-force distance.
+#include "EngineSupport.h"
+#include "OnThreads.h"
+#include "paths/PathChecker.h"
+#include "truth/AnalyticCases.h"
+
+#include "field/RetentionAround.h"
+#include "paths/PathInWindows.h"
+#include "paths/PathsToSource.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+
+using namespace geodesictest;
+using geodesic::PathToSource;
+using geodesic::SurfacePoint;
+using geodesic::TriangleMesh;
+
+namespace
+{
+
+constexpr std::size_t Targets = 100;
+
+std::vector<SurfacePoint> enginePoints(
+  const TriangleMesh& engine, const std::vector<MeshPoint>& points)
+{
+  std::vector<SurfacePoint> result;
+  result.reserve(points.size());
+  for (const MeshPoint& point : points)
+  {
+    result.push_back(enginePoint(engine, point));
+  }
+  return result;
+}
+
+/// The worst errors of paths, each of the largest distance, and how many paths there were and were
+/// lost and found again.
+struct Worst
+{
+  double length = 0.0;
+  double offSource = 0.0;
+  std::size_t paths = 0;
+  std::size_t lost = 0;
+
+  void take(const Worst& other)
+  {
+    this->length = std::max(this->length, other.length);
+    this->offSource = std::max(this->offSource, other.offSource);
+    this->paths += other.paths;
+    this->lost += other.lost;
+  }
+};
+
+/// Of how many paths one may be lost. To find it again takes two fronts through a strip of faces,
+/// here some 25 times as long as to trace it: one in 200 adds an eighth to the time. Tracing goes
+/// astray by the rounding of long edges, which in thin needles is far more of the way across them.
+std::size_t pathsOfALostOne(const MeshKind& kind)
+{
+  const std::string name = kind.name;
+  return name == "ThinNeedles" ? 50 : 200;
+}
+
+/// Checks paths from targets whose true distances are known. The source of each curve is its index.
+Worst expectPaths(const PlainMesh& mesh, const TriangleMesh& engine,
+  const std::vector<geodesic::SourceCurve>& curves, const std::vector<Sources>& sourcesOfCurve,
+  const std::vector<MeshPoint>& targets, const std::vector<double>& truth, double slack)
+{
+  const PathChecker checker(mesh);
+  const std::vector<PathToSource> paths =
+    geodesic::pathsToSource(engine, curves, enginePoints(engine, targets));
+  const double largest = largestFinite(truth);
+  Worst worst;
+  EXPECT_EQ(paths.size(), targets.size());
+  for (std::size_t i = 0; i < paths.size(); ++i)
+  {
+    SCOPED_TRACE("target " + std::to_string(i));
+    const PathToSource& path = paths[i];
+    if (truth[i] == geodesic::Infinity)
+    {
+      EXPECT_TRUE(path.points.empty());
+      continue;
+    }
+    if (path.points.size() < 2 || path.source >= sourcesOfCurve.size())
+    {
+      ADD_FAILURE() << path.points.size() << " points, source " << path.source;
+      continue;
+    }
+    const std::vector<PathPoint> plain = checker.plain(path.points);
+    EXPECT_LE(spaceDistance(plain.front().place, position(mesh, targets[i])), slack);
+    const double offSource = distanceInSpace(mesh, plain.back().place, sourcesOfCurve[path.source]);
+    EXPECT_LE(offSource, slack) << "ends off the curve that it names";
+    checker.expectShortest(plain, truth[i], slack);
+    if (largest > 0.0)
+    {
+      worst.take({ std::abs(PathChecker::length(plain) - truth[i]) / largest, offSource / largest,
+        1, path.wasLost ? 1U : 0U });
+    }
+  }
+  return worst;
+}
+
+class PathsToSourceOn : public ::testing::TestWithParam<MeshKind>
+{
+protected:
+  void check(std::uint64_t seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 77000);
+    const PlainMesh mesh = GetParam().make(randomSize(random), random);
+    const TriangleMesh engine = engineMesh(mesh);
+    CurveMaker maker(mesh, random);
+    const std::vector<Polyline> lines = maker.anySource();
+    SCOPED_TRACE(describe(lines));
+    std::vector<geodesic::SourceCurve> curves = engineCurves(engine, lines);
+    std::vector<Sources> sourcesOfCurve;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+    {
+      curves[i].source = static_cast<geodesic::Id>(i);
+      sourcesOfCurve.push_back(toSources({ lines[i] }));
+    }
+    const std::vector<MeshPoint> targets = randomPoints(mesh, Targets, random);
+    const BruteForceResult truth = bruteForceDistances(mesh, toSources(lines), targets);
+    const double largest = largestFinite(truth.vertices);
+    this->worst_.take(expectPaths(mesh, engine, curves, sourcesOfCurve, targets, truth.queries,
+      accuracyOn(GetParam()) * largest));
+  }
+
+  Worst worst_;
+};
+
+/// A random mesh with a source and what the engine takes.
+struct EngineCase
+{
+  explicit EngineCase(const MeshKind& kind, std::uint64_t seed)
+    : plain(randomCase(kind, seed, Targets))
+    , mesh(engineMesh(plain.mesh))
+    , curves(engineCurves(mesh, plain.curves))
+    , targets(enginePoints(mesh, plain.queries))
+    , largest(largestFinite(plain.truth.vertices))
+  {
+  }
+
+  RandomCase plain;
+  TriangleMesh mesh;
+  std::vector<geodesic::SourceCurve> curves;
+  std::vector<SurfacePoint> targets;
+  double largest;
+};
+
+void expectSamePaths(const std::vector<PathToSource>& a, const std::vector<PathToSource>& b)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    const auto same = [](const SurfacePoint& p, const SurfacePoint& q)
+    { return p.kind == q.kind && p.id == q.id && p.u == q.u && p.v == q.v; };
+    EXPECT_EQ(a[i].source, b[i].source);
+    EXPECT_TRUE(std::equal(
+      a[i].points.begin(), a[i].points.end(), b[i].points.begin(), b[i].points.end(), same))
+      << "path " << i;
+  }
+}
+
+void expectAnalyticPaths(AnalyticCase (*makeCase)(Random&))
+{
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(40); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const AnalyticCase c = makeCase(random);
+    const TriangleMesh engine = engineMesh(c.mesh);
+    std::vector<geodesic::SourceCurve> curves = engineCurves(engine, c.sources);
+    expectPaths(c.mesh, engine, curves, { c.sources }, c.queries, c.queryTruth,
+      OrdinaryAccuracy * largestFinite(c.vertexTruth));
+  }
+}
+
+}
+
+TEST_P(PathsToSourceOn, AreAsLongAsTheBruteForceDistanceEndOnTheCurveTheyNameAndAreSeldomLost)
+{
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(20); ++seed)
+  {
+    this->check(seed);
+  }
+  EXPECT_LE(this->worst_.lost * pathsOfALostOne(GetParam()), this->worst_.paths);
+  if (std::string(GetParam().name) == "ThinNeedles")
+  {
+    EXPECT_GT(this->worst_.lost, 0U) << "none was found again";
+  }
+  std::cout << "worst on " << GetParam().name << ", of the largest distance: length "
+            << this->worst_.length << ", end " << this->worst_.offSource << "; lost "
+            << this->worst_.lost << " of " << this->worst_.paths << " paths\n";
+}
+
+// What is done for paths that tracing has lost, for all.
+TEST_P(PathsToSourceOn, InWindowsAreAsLongAsTheBruteForceDistance)
+{
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(10); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const EngineCase c(GetParam(), seed + 78000);
+    const PathChecker checker(c.plain.mesh);
+    const geodesic::DistanceField field = geodesic::solve(c.mesh, c.curves);
+    const double slack = accuracyOn(GetParam()) * c.largest;
+    for (std::size_t i = 0; i < Targets; i += 5)
+    {
+      const double distance = c.plain.truth.queries[i];
+      if (!(distance < geodesic::Infinity))
+      {
+        continue;
+      }
+      SCOPED_TRACE("target " + std::to_string(i));
+      const std::vector<SurfacePoint> path = geodesic::pathInWindows(
+        c.mesh, c.curves, c.targets[i], distance, { field.vertexDistances() }, {}, {});
+      ASSERT_FALSE(path.empty());
+      const std::vector<PathPoint> plain = checker.plain(path);
+      EXPECT_LE(
+        distanceInSpace(c.plain.mesh, plain.back().place, toSources(c.plain.curves)), slack);
+      checker.expectShortest(plain, distance, slack);
+    }
+  }
+}
+
+// The front stops sooner for one target than for all.
+TEST_P(PathsToSourceOn, OfOneTargetAndInParallelAreThoseOfManyTargets)
+{
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(5); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const EngineCase c(GetParam(), seed + 79000);
+    const std::vector<PathToSource> all = geodesic::pathsToSource(c.mesh, c.curves, c.targets);
+    geodesic::PathsOptions options;
+    options.parallelFor = onThreads;
+    expectSamePaths(geodesic::pathsToSource(c.mesh, c.curves, c.targets, options), all);
+    for (std::size_t i = 0; i < Targets; i += 10)
+    {
+      expectSamePaths(geodesic::pathsToSource(c.mesh, c.curves, { c.targets[i] }), { all[i] });
+    }
+  }
+}
+
+// A front that stops when its targets are settled tells, as far as it came, what one tells that
+// goes everywhere.
+TEST_P(PathsToSourceOn, FrontsThatStopEarlyTellTheSameDistancesToTheLastBit)
+{
+  std::size_t stopped = 0;
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(10); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const EngineCase c(GetParam(), seed + 80000);
+    const geodesic::DistanceField whole = solveKeepingAll(c.mesh, c.curves);
+    for (std::size_t i = 0; i < Targets; i += 10)
+    {
+      geodesic::RetentionAround retention(c.mesh, { c.targets[i] });
+      geodesic::FrontResult front = geodesic::propagate(c.mesh, c.curves, {}, retention);
+      const geodesic::DistanceField field(c.mesh, std::move(front), retention.release());
+      EXPECT_EQ(field.distance(c.targets[i]), whole.distance(c.targets[i]));
+      for (geodesic::Id v = 0; v < c.mesh.numberOfVertices(); ++v)
+      {
+        const bool isWithin = whole.vertexDistances()[v] <= retention.reach();
+        stopped += isWithin ? 0 : 1;
+        if (isWithin)
+        {
+          EXPECT_EQ(field.vertexDistances()[v], whole.vertexDistances()[v]) << "vertex " << v;
+        }
+      }
+    }
+  }
+  EXPECT_GT(stopped, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, PathsToSourceOn, ::testing::ValuesIn(meshKinds()),
+  [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST(PathsToSource, InTheConvexPlaneAreStraight)
+{
+  expectAnalyticPaths(planeCase);
+}
+
+TEST(PathsToSource, OnARegularGridAreStraightThroughVerticesToo)
+{
+  expectAnalyticPaths(regularGridCase);
+}
+
+TEST(PathsToSource, AmongNeedlesAreStraight)
+{
+  expectAnalyticPaths(stretchedPlaneCase);
+}
+
+TEST(PathsToSource, BendAtTheCornersOfHoles)
+{
+  expectAnalyticPaths(holesCase);
+}
+
+TEST(PathsToSource, GoThroughTheVertexOfABowTie)
+{
+  expectAnalyticPaths(bowTieCase);
+}
+
+// Of a unit square cut from corner 0 to corner 2, with another triangle far away.
+TEST(PathsToSource, FromTheSourceAreTwoEqualPointsAndFromElsewhereNone)
+{
+  PlainMesh mesh;
+  mesh.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 5, 0, 0 }, { 6, 0, 0 },
+    { 5, 1, 0 } };
+  mesh.triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 4, 5, 6 } };
+  const TriangleMesh engine = engineMesh(mesh);
+  geodesic::SourceCurve edge;
+  edge.points = { SurfacePoint::atVertex(0), SurfacePoint::atVertex(1) };
+  edge.faces = { 0 };
+  edge.isCut = { 0, 0 };
+  edge.source = 7;
+  geodesic::SourceCurve point = geodesic::pointCurve(SurfacePoint::atVertex(3));
+  point.source = 4;
+  const std::vector<PathToSource> paths = geodesic::pathsToSource(engine, { edge, point },
+    { SurfacePoint::atVertex(0), SurfacePoint::onEdge(0, 0.5), SurfacePoint::atVertex(3),
+      SurfacePoint::inFace(2, 0.2, 0.2), SurfacePoint::onEdge(1, 0.25) });
+  ASSERT_EQ(paths.size(), 5U);
+  for (const std::size_t onSource : { 0, 1, 2 })
+  {
+    ASSERT_EQ(paths[onSource].points.size(), 2U) << onSource;
+    EXPECT_EQ(
+      position(engine, paths[onSource].points[0]), position(engine, paths[onSource].points[1]));
+  }
+  EXPECT_EQ(paths[0].source, 7U);
+  EXPECT_EQ(paths[1].source, 7U);
+  EXPECT_EQ(paths[2].source, 4U);
+  EXPECT_TRUE(paths[3].points.empty());
+  EXPECT_EQ(paths[3].source, geodesic::NoId);
+  ASSERT_EQ(paths[4].points.size(), 2U); // (1, 0.25) is nearest to vertex 1 of the edge
+  EXPECT_EQ(position(engine, paths[4].points[1]), position(engine, SurfacePoint::atVertex(1)));
+  EXPECT_EQ(paths[4].source, 7U);
+}
+
+// Paths are traced and reported in portions of some hundreds.
+TEST(PathsToSource, OfManyTargetsBeginEachAtItsOwn)
+{
+  const PlainMesh mesh = regularGrid(10, 10);
+  const TriangleMesh engine = engineMesh(mesh);
+  Random random(1);
+  const std::vector<SurfacePoint> targets = enginePoints(engine, randomPoints(mesh, 700, random));
+  const std::vector<PathToSource> paths =
+    geodesic::pathsToSource(engine, { geodesic::pointCurve(SurfacePoint::atVertex(0)) }, targets);
+  ASSERT_EQ(paths.size(), targets.size());
+  const PathChecker checker(mesh);
+  for (std::size_t i = 0; i < targets.size(); ++i)
+  {
+    SCOPED_TRACE("target " + std::to_string(i));
+    ASSERT_GE(paths[i].points.size(), 2U);
+    const Vec3 target = checker.plain(targets[i]).place;
+    EXPECT_LE(spaceDistance(checker.plain(paths[i].points.front()).place, target), 1e-12);
+    EXPECT_EQ(checker.plain(paths[i].points.back()).place, mesh.points[0]);
+  }
+}
+
+TEST(PathsToSource, AreAbortedByTheirProgress)
+{
+  const AnalyticCase c = []
+  {
+    Random random(1);
+    return planeCase(random);
+  }();
+  const TriangleMesh engine = engineMesh(c.mesh);
+  geodesic::PathsOptions options;
+  options.progress = [](double fraction) { return fraction < 0.5; };
+  EXPECT_THROW(geodesic::pathsToSource(
+                 engine, engineCurves(engine, c.sources), enginePoints(engine, c.queries), options),
+    geodesic::Aborted);
+}
