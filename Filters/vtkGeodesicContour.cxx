@@ -61,7 +61,7 @@ private:
   void FindValues();
   double ChordTolerance() const;
   geodesic::Isolines Draw() const;
-  geodesic::DistanceField Solve(geodesic::FrontOptions options) const;
+  geodesic::DistanceField Solve(const geodesic::FrontOptions& options) const;
   geodesic::Isolines OnSides(
     const geodesic::DistanceField& field, const geodesic::Isolines& isolines) const;
 
@@ -100,7 +100,7 @@ void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
   const geodesic::PolyDataSurface& surface = this->Execution.surface();
   const bool hasCurves = this->HasZero && this->Execution.hasSourceOutput();
   geodesic::writeIsolines({ surface.mesh(), isolines, values },
-    { this->Execution.meshOfSources(),
+    { this->Execution.patch().mesh(),
       hasCurves ? this->Execution.sources().curves : std::vector<geodesic::SourceCurve>() },
     surface.scale(), output, this->Execution.progressBetween(LinesDrawn, 1.0));
 }
@@ -187,14 +187,11 @@ geodesic::Isolines vtkGeodesicContour::vtkWorker::Draw() const
 }
 
 //------------------------------------------------------------------------------
-geodesic::DistanceField vtkGeodesicContour::vtkWorker::Solve(geodesic::FrontOptions options) const
+geodesic::DistanceField vtkGeodesicContour::vtkWorker::Solve(
+  const geodesic::FrontOptions& options) const
 {
-  const geodesic::PolyDataSurface& surface = this->Execution.surface();
-  options.part = surface.part();
-  return options.part ? geodesic::solveForIsolines(surface.mesh(), this->Execution.sourcesOfPiece(),
-                          this->Distances, options)
-                      : geodesic::solveForIsolines(surface.mesh(), this->Execution.sources().curves,
-                          this->Distances, options);
+  return geodesic::solveForIsolines(this->Execution.surface().partition(),
+    this->Execution.sourceWindows(options.progress), this->Distances, options);
 }
 
 //------------------------------------------------------------------------------
@@ -203,9 +200,7 @@ geodesic::Isolines vtkGeodesicContour::vtkWorker::OnSides(
 {
   const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
   const auto progress = this->Execution.progressBetween(LinesDrawnBeforeSides, SidesKnown);
-  geodesic::NearestSource nearest = this->Execution.surface().part()
-    ? geodesic::NearestSource(field, this->Execution.patch(), curves, progress)
-    : geodesic::NearestSource(field, curves, progress);
+  geodesic::NearestSource nearest(field, this->Execution.patch(), curves, progress);
   const auto isOnRight = [&](const geodesic::Foot& foot)
   { return geodesic::isOnRight(foot, curves, this->Execution.firstBoundarySource()); };
   return geodesic::linesOnSides(field, nearest, isOnRight, isolines, this->Sides,

@@ -116,7 +116,6 @@ private:
   void ScaleToUser(Result& result) const;
   geodesic::FrontOptions FrontOptions(double endOfProgress) const;
   geodesic::DistanceField Solve(bool refine) const;
-  geodesic::DistanceField SolveInPieces(bool refine) const;
   geodesic::DistanceField SolveExactly(const RefinedSurface& refined) const;
   void RequireSides() const;
   void FindSources(
@@ -168,7 +167,7 @@ void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData
   this->WriteSurface(result, output);
   if (this->Execution.hasSourceOutput())
   {
-    geodesic::writeCurves(this->Execution.meshOfSources(), this->Execution.surface().scale(),
+    geodesic::writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale(),
       this->Execution.sources().curves, curves);
   }
 }
@@ -299,11 +298,10 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveExactly(
       mesh, refined.mesh.points[i].place, [&](geodesic::Id face) { faces[face] = 1; });
   }
   geodesic::KeepFaces retention(mesh, std::move(faces));
-  options.part = this->Execution.surface().part();
-  geodesic::FrontResult front = options.part
-    ? geodesic::propagate(mesh, this->Execution.sourcesOfPiece(), options, retention)
-    : geodesic::propagate(mesh, this->Execution.sources().curves, options, retention);
-  return { mesh, std::move(front), retention.release() };
+  const geodesic::MeshPartition& surface = this->Execution.surface().partition();
+  geodesic::FrontResult front = geodesic::propagate(
+    surface, this->Execution.sourceWindows(options.progress), options, retention);
+  return { surface, std::move(front), retention.release() };
 }
 
 //------------------------------------------------------------------------------
@@ -331,9 +329,7 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(
     return this->Execution.progressBetween(begin, begin + step);
   };
   const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
-  geodesic::NearestSource nearest = this->Execution.surface().part()
-    ? geodesic::NearestSource(exact, this->Execution.patch(), curves, part(0))
-    : geodesic::NearestSource(exact, curves, part(0));
+  geodesic::NearestSource nearest(exact, this->Execution.patch(), curves, part(0));
   const geodesic::SourceArrays arrays = this->Arrays();
   result.atVertices = arrays.atVertices(field, nearest, part(1));
   if (result.isRefined)
@@ -341,12 +337,13 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(
     const std::size_t count = refined.numberOfPointsWithPlaces();
     geodesic::SourceValues values =
       arrays.atPoints(refined.mesh.points, count, field, exact, nearest, part(2));
-    if (const geodesic::MeshPartition* piece = this->Execution.surface().part())
+    const geodesic::MeshPartition& surface = this->Execution.surface().partition();
+    if (surface.isDistributed())
     {
       const auto isKnown = [&](geodesic::Id face)
       { return field.knowsInside(face) && exact.knowsInside(face); };
       arrays.replaceAtSeams(
-        geodesic::findSeamPoints(refined.mesh.points, count, *piece, isKnown), values);
+        geodesic::findSeamPoints(refined.mesh.points, count, surface, isKnown), values);
       arrays.appendCopies(refined.copied, values);
     }
     result.atRefinedPoints = arrays.valuesByBlock(std::move(values), refined.mesh);
@@ -408,31 +405,10 @@ geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::Solve(bool refine) 
 {
   const geodesic::FrontOptions options =
     this->FrontOptions(refine ? FieldDoneBeforeRefinement : this->DistancesDone);
-  const geodesic::TriangleMesh& mesh = this->Execution.surface().mesh();
-  const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
-  if (this->Execution.surface().part())
-  {
-    return this->SolveInPieces(refine);
-  }
-  return refine ? geodesic::solveForRefinement(mesh, curves, this->Tolerance(), options)
-                : geodesic::solve(mesh, curves, options);
-}
-
-//------------------------------------------------------------------------------
-geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveInPieces(bool refine) const
-{
-  const geodesic::MeshPartition& part = *this->Execution.surface().part();
-  geodesic::FrontOptions options =
-    this->FrontOptions(refine ? FieldDoneBeforeRefinement : this->DistancesDone);
-  options.part = &part;
-  if (refine)
-  {
-    return geodesic::solveForRefinement(
-      part.mesh(), this->Execution.sourcesOfPiece(), this->Tolerance(), options);
-  }
-  geodesic::KeepNone none;
-  return { part.mesh(),
-    geodesic::propagate(part.mesh(), this->Execution.sourcesOfPiece(), options, none), {} };
+  const geodesic::MeshPartition& surface = this->Execution.surface().partition();
+  geodesic::SourceWindows sources = this->Execution.sourceWindows(options.progress);
+  return refine ? geodesic::solveForRefinement(surface, sources, this->Tolerance(), options)
+                : geodesic::solve(surface, std::move(sources), options);
 }
 
 //------------------------------------------------------------------------------
@@ -441,15 +417,13 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
   const geodesic::PolyDataSurface& surface = this->Execution.surface();
   geodesic::RefinementOptions options;
   options.tolerance = this->Tolerance();
-  options.part = surface.part();
   if (this->Self->MaximumNumberOfCells > 0)
   {
-    const std::uint64_t faces =
-      surface.part() ? surface.part()->numberOfGlobalFaces() : surface.mesh().numberOfFaces();
+    const std::uint64_t faces = surface.partition().numberOfGlobalFaces();
     options.maximumFaces = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells) -
       (geodesic::countOwnTriangles(surface) - faces);
   }
-  if (surface.part())
+  if (surface.partition().isDistributed())
   {
     options.cornerPoints = geodesic::cornerPointsOfPiece(surface);
     options.numberOfPoints = surface.numberOfPoints();
@@ -477,7 +451,7 @@ vtkGeodesicDistanceField::vtkWorker::RefinedSurface vtkGeodesicDistanceField::vt
   const geodesic::RefinementOptions options = this->RefinementOptions();
   RefinedSurface refined{ geodesic::refine(field, options), {} };
   const auto most = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells);
-  if (options.part)
+  if (this->Execution.surface().partition().isDistributed())
   {
     refined.copied = geodesic::addOtherTrianglesOfPiece(
       this->Execution.surface(), most, options.cornerPoints, refined.mesh);

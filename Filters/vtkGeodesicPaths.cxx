@@ -61,10 +61,10 @@ std::vector<geodesic::PathOfTarget> FindPaths(geodesic::FilterExecution& executi
     }
   };
   const std::vector<geodesic::SourceCurve>& curves = execution.sources().curves;
-  if (surface.part())
+  if (surface.partition().isDistributed())
   {
     std::vector<geodesic::PathInSpace> found =
-      geodesic::pathsOnRanks(*surface.part(), execution.patch(), curves, targets.places, options);
+      geodesic::pathsOnRanks(surface.partition(), execution.patch(), curves, targets.places, options);
     for (std::size_t i = 0; i < found.size(); ++i)
     {
       add(i, std::move(found[i].points), found[i].source);

@@ -90,6 +90,27 @@ public:
   }
 };
 
+/// The exchange of a process that has the whole surface: all that it sends comes back to it.
+class OneRank : public Exchange
+{
+public:
+  /// The one that all such processes share; it has no state.
+  static Exchange& instance()
+  {
+    static OneRank one;
+    return one;
+  }
+
+  int rank() const override { return 0; }
+  int numberOfRanks() const override { return 1; }
+  using Exchange::step;
+  std::vector<Message> step(std::vector<Message> messages, std::vector<double>&) override
+  {
+    return messages;
+  }
+  std::string fail(const std::string& why) override { return why; }
+};
+
 /// Puts values into a message, as they are in memory: ranks are processes of one program on
 /// machines of one kind.
 template <typename Value>

@@ -230,10 +230,10 @@ int FilterExecution::rankOfTarget(std::size_t number) const
   return static_cast<int>(std::upper_bound(first.begin(), first.end(), block) - first.begin()) - 1;
 }
 
-SourceWindows FilterExecution::sourcesOfPiece() const
+SourceWindows FilterExecution::sourceWindows(const ProgressCallback& progress) const
 {
-  return sourceWindowsOfPartition(*this->surface().part(), this->patch(),
-    makeSourceWindows(this->patch().mesh(), this->sources_.curves));
+  return sourceWindowsOfPartition(this->surface().partition(), this->patch(),
+    startingWindows(this->patch().mesh(), this->sources_.curves, progress));
 }
 
 std::size_t FilterExecution::sumOverPieces(std::size_t number) const
@@ -241,11 +241,6 @@ std::size_t FilterExecution::sumOverPieces(std::size_t number) const
   return this->place_ == SurfacePlace::InPieces
     ? static_cast<std::size_t>(sumOverRanks(*this->exchange_, number).all)
     : number;
-}
-
-const TriangleMesh& FilterExecution::meshOfSources() const
-{
-  return this->onRanks_ ? this->onRanks_->patch().mesh() : this->surface().mesh();
 }
 
 void FilterExecution::requireTargets(bool sourcesAreTargets) const
@@ -305,11 +300,15 @@ void FilterExecution::readSources()
   const bool hasBoundary = type != vtkGeodesicAlgorithm::SOURCE_CURVE;
   if (this->place_ == SurfacePlace::InPieces)
   {
-    this->onRanks_.emplace(*this->surface().part());
+    this->onRanks_.emplace(this->surface().partition());
     if (hasBoundary)
     {
       this->addBoundaryToPatch(hasCurve);
     }
+  }
+  else
+  {
+    this->wholePatch_.emplace(this->surface().mesh());
   }
   if (hasCurve)
   {
@@ -350,7 +349,7 @@ void FilterExecution::readCurves()
   }
   this->sourceIds_ = std::move(source.ids);
   this->firstBoundarySource_ = source.numberOfSources;
-  noteSource(this->surface(), this->meshOfSources(), source, this->sources_, this->notes_);
+  noteSource(this->surface(), this->patch().mesh(), source, this->sources_, this->notes_);
 }
 
 /// The same on all ranks.
@@ -363,13 +362,13 @@ void FilterExecution::putCurvesOntoPatch(SourcePolylines& source, const SnapOpti
   this->onRanks_->makePatch();
   this->onRanks_->locateOnPatch(source.polylines);
   if (this->onRanks_->addFaces(
-        facesBetweenPoints(*this->surface().part(), this->patch(), source.polylines, snapping,
+        facesBetweenPoints(this->surface().partition(), this->patch(), source.polylines, snapping,
           smpParallelFor(), this->progressBetween(SourceLocated, FarPointsSearched))))
   {
     this->onRanks_->makePatch();
     this->onRanks_->locateOnPatch(source.polylines);
   }
-  const TriangleMesh& mesh = this->meshOfSources();
+  const TriangleMesh& mesh = this->patch().mesh();
   this->sources_ =
     putOntoSurface(mesh, source.polylines, snapping, joinByShortestPaths(mesh, smpParallelFor()),
       this->progressBetween(FarPointsSearched, InputsRead));
@@ -416,7 +415,7 @@ void FilterExecution::addBoundary(bool hasCurve)
   const bool isClosed = boundary.empty();
   if (this->surface().hasBarriers())
   {
-    boundary = boundaryOutsideBarriers(boundary, this->meshOfSources());
+    boundary = boundaryOutsideBarriers(boundary, this->patch().mesh());
   }
   const std::string nothing = isClosed
     ? "The surface (input port 0) is closed: it has no boundary to measure from."

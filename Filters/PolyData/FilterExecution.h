@@ -123,14 +123,18 @@ public:
   {
     return this->place_ != SurfacePlace::InPieces || this->isFirstRank();
   }
-  /// On which the curves of sources() lie: the surface's, or that of a patch() around them.
-  const TriangleMesh& meshOfSources() const;
-  /// Where the surface is in pieces: what all ranks have of it around the source.
-  const ReplicatedPatch& patch() const { return this->onRanks_->patch(); }
+  /// What all ranks have of the surface around the source; in one process all of it. The curves of
+  /// sources() lie on it.
+  const ReplicatedPatch& patch() const
+  {
+    return this->onRanks_ ? this->onRanks_->patch() : *this->wholePatch_;
+  }
   /// The rank whose input had a target, by its number; 0 where all had it.
   int rankOfTarget(std::size_t number) const;
-  /// What the sources give the front of a piece to begin with.
-  SourceWindows sourcesOfPiece() const;
+  /// What the sources give the front to begin with.
+  ///
+  /// \param progress of the solve: it can be stopped already.
+  SourceWindows sourceWindows(const ProgressCallback& progress) const;
   /// The sum over all ranks where each has a piece, which call this together; else the number.
   std::size_t sumOverPieces(std::size_t number) const;
   /// The parts of the source, by SourceCurve::source of their curves, ascending: the cells of port
@@ -184,6 +188,7 @@ private:
   GatheredBlocks gatheredSource_;
   GatheredBlocks gatheredTargets_;
   std::optional<SourceOnRanks> onRanks_;
+  std::optional<ReplicatedPatch> wholePatch_;
   SourceCurves sources_;
   std::vector<Id> sourceIds_;
   Id firstBoundarySource_ = 0;

@@ -34,7 +34,7 @@ LocatorOnRanks& SurfaceCache::locatorOnRanks()
 {
   if (!this->locatorOnRanks_)
   {
-    this->locatorOnRanks_ = std::make_unique<LocatorOnRanks>(*this->surface_->part());
+    this->locatorOnRanks_ = std::make_unique<LocatorOnRanks>(this->surface_->partition());
   }
   return *this->locatorOnRanks_;
 }

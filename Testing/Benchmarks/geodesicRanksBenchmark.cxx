@@ -236,10 +236,9 @@ RankRun measureRank(Exchange& exchange, const RankPiece& piece, const RankSource
   run.buildSeconds = watch.lap();
   beforeFront();
   FrontOptions options;
-  options.part = &part;
   options.relativeError = relativeError;
   KeepNone none;
-  const FrontResult result = propagate(part.mesh(), windows, options, none);
+  const FrontResult result = propagate(part, windows, options, none);
   run.solveSeconds = watch.lap();
   run.faces = part.endOfOwnFaces() - part.firstOwnFace();
   run.haloFaces = part.mesh().numberOfFaces() - run.faces;

@@ -202,9 +202,8 @@ RanksResult distancesOnRanks(const CutMesh& cut, const std::vector<Polyline>& cu
     [&](const RankOfRun& rank)
     {
       geodesic::FrontOptions own = options;
-      own.part = &rank.part;
       geodesic::KeepNone none;
-      const geodesic::FrontResult front = propagate(rank.part.mesh(), rank.sources, own, none);
+      const geodesic::FrontResult front = propagate(rank.part, rank.sources, own, none);
       const std::lock_guard<std::mutex> lock(mutex);
       for (std::size_t i = 0; i < rank.wholeVertices.size(); ++i)
       {

@@ -9,15 +9,15 @@
 namespace geodesic
 {
 
-IsolineRetention::IsolineRetention(const TriangleMesh& mesh, const MeshPartition* part,
-  const std::vector<double>& values, const std::vector<std::uint8_t>& pinned)
-  : mesh_(mesh)
-  , firstFace_(part ? part->firstOwnFace() : 0)
-  , endOfFaces_(part ? part->endOfOwnFaces() : mesh.numberOfFaces())
+IsolineRetention::IsolineRetention(const MeshPartition& surface, const std::vector<double>& values,
+  const std::vector<std::uint8_t>& pinned)
+  : mesh_(surface.mesh())
+  , firstFace_(surface.firstOwnFace())
+  , endOfFaces_(surface.endOfOwnFaces())
   , values_(values)
   , pinned_(pinned)
   , reach_(values.back() * (1.0 + tolerance::BoundMargin))
-  , marks_(mesh.numberOfFaces(), 0)
+  , marks_(mesh_.numberOfFaces(), 0)
 {
 }
 

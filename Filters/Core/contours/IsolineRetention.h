@@ -19,11 +19,10 @@ namespace geodesic
 class IsolineRetention : public Retention
 {
 public:
-  /// \param part null: faces of all the mesh count, not only those that it owns.
   /// \param values ascending, must outlive this.
   /// \param pinned for each face, whether its windows are never dropped; must outlive this.
-  IsolineRetention(const TriangleMesh& mesh, const MeshPartition* part,
-    const std::vector<double>& values, const std::vector<std::uint8_t>& pinned);
+  IsolineRetention(const MeshPartition& surface, const std::vector<double>& values,
+    const std::vector<std::uint8_t>& pinned);
 
   bool needsInside() const override { return true; }
   double reach() const override { return this->reach_; }

@@ -116,7 +116,7 @@ struct Segment
 /// Whether a face is this rank's to draw in.
 bool isDrawn(const DistanceField& field, Id face)
 {
-  return field.part() == nullptr || field.part()->isOwn(face);
+  return field.surface().isOwn(face);
 }
 
 /// Whether other ranks draw at an edge, too.
@@ -323,7 +323,7 @@ void Drawing::findEdgePoints()
   {
     this->edgePoints_.insert(this->edgePoints_.end(), points.begin(), points.end());
   }
-  if (this->field_.part() != nullptr)
+  if (this->field_.surface().isDistributed())
   {
     this->exchangeEdgePoints();
   }
@@ -333,7 +333,7 @@ void Drawing::findEdgePoints()
 // Its owner tells the other ranks there.
 void Drawing::exchangeEdgePoints()
 {
-  const MeshPartition& part = *this->field_.part();
+  const MeshPartition& part = this->field_.surface();
   std::vector<Message> messages = part.exchange().noMessages();
   for (const EdgePoint& p : this->edgePoints_)
   {

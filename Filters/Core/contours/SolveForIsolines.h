@@ -13,19 +13,19 @@ namespace geodesic
 /// may hold one. Where windows were dropped that turn out to be needed, it is solved again with
 /// these kept; to be sure of an end, the last solve keeps all.
 ///
-/// \param mesh must outlive the field.
+/// \param surface whose mesh must outlive the field. Ranks that have it together solve together.
+/// \param sources what they give to begin with (propagate()).
 /// \param values as IsolineOptions::values.
 /// \param options exact: without a relative error.
 /// \param maximumDroppingSolves how often it is solved with windows dropped; at most one solve
 ///        more is made.
 /// \throws as solve().
-DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
+DistanceField solveForIsolines(const MeshPartition& surface, const SourceWindows& sources,
   const std::vector<double>& values, const FrontOptions& options = {},
   int maximumDroppingSolves = 3);
 
-/// The same from what the sources give to begin with; on a part of a surface (FrontOptions::part)
-/// all ranks solve together.
-DistanceField solveForIsolines(const TriangleMesh& mesh, const SourceWindows& sources,
+/// The same in one process, from the curves themselves.
+DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const std::vector<double>& values, const FrontOptions& options = {},
   int maximumDroppingSolves = 3);
 

@@ -29,8 +29,8 @@ SurfacePoint onHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction)
 
 } // anonymous namespace
 
-DistanceField::DistanceField(const TriangleMesh& mesh, FrontResult front, KeptWindows kept)
-  : mesh_(&mesh)
+DistanceField::DistanceField(const MeshPartition& surface, FrontResult front, KeptWindows kept)
+  : surface_(surface)
   , front_(std::move(front))
   , kept_(std::move(kept))
 {
@@ -59,7 +59,7 @@ std::vector<SourceInFace> DistanceField::sourcesIn(Id face) const
 
 double DistanceField::distance(const SurfacePoint& point) const
 {
-  const SurfacePoint p = normalized(*this->mesh_, point);
+  const SurfacePoint p = normalized(this->mesh(), point);
   if (p.kind == SurfacePoint::Kind::Vertex)
   {
     return this->front_.vertexDistances[p.id];
@@ -68,7 +68,7 @@ double DistanceField::distance(const SurfacePoint& point) const
   LastPieces pieces;
   bool isKnown = false;
   bool isDropped = false;
-  forEachFace(*this->mesh_, p,
+  forEachFace(this->mesh(), p,
     [&](Id face)
     {
       const bool isInsideKnown = this->hasWindows() && this->knowsInside(face);
@@ -112,12 +112,12 @@ std::vector<DistanceField::IncomingSegment> DistanceField::waysTo(const SurfaceP
   double distance, double most, const std::vector<std::uint8_t>& isCrossed) const
 {
   LastPieces pieces;
-  forEachFace(*this->mesh_, point,
+  forEachFace(this->mesh(), point,
     [&](Id face)
     {
       if (!isCrossed[face])
       {
-        const double ofPlace = tolerance::PlaceRounding * this->mesh_->shape(face).longest();
+        const double ofPlace = tolerance::PlaceRounding * this->mesh().shape(face).longest();
         pieces.tie = tolerance::Tie * distance + ofPlace;
         pieces.most = most + ofPlace;
         pieces.face = face;
@@ -139,7 +139,7 @@ std::vector<DistanceField::IncomingSegment> DistanceField::waysTo(const SurfaceP
 void DistanceField::arriveThrough(
   Id face, const SurfacePoint& point, bool ownHalfedges, LastPieces& pieces) const
 {
-  const Barycentric b = barycentric(*this->mesh_, point, face);
+  const Barycentric b = barycentric(this->mesh(), point, face);
   this->arriveFromSources(face, b, pieces);
   this->arriveFromCorners(face, point, b, pieces);
   for (Id k = 0; k < 3; ++k)
@@ -155,12 +155,12 @@ void DistanceField::arriveFromSources(Id face, const Barycentric& b, LastPieces&
 {
   for (const SourceInFace& source : this->sourcesIn(face))
   {
-    const Barycentric nearest = nearestOnSource(*this->mesh_, source, b);
-    const double length = distanceInFace(*this->mesh_, face, nearest, b);
+    const Barycentric nearest = nearestOnSource(this->mesh(), source, b);
+    const double length = distanceInFace(this->mesh(), face, nearest, b);
     if (pieces.isWanted(length, length))
     {
       pieces.add(
-        { length, length, fromBarycentric(*this->mesh_, face, nearest), true, pieces.face });
+        { length, length, fromBarycentric(this->mesh(), face, nearest), true, pieces.face });
     }
   }
 }
@@ -170,12 +170,12 @@ void DistanceField::arriveFromCorners(
 {
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const Id vertex = this->mesh_->triangle(face)[k];
+    const Id vertex = this->mesh().triangle(face)[k];
     if (point.kind == SurfacePoint::Kind::Vertex && point.id == vertex)
     {
       continue;
     }
-    const double length = distanceInFace(*this->mesh_, face, cornerWeights(k), b);
+    const double length = distanceInFace(this->mesh(), face, cornerWeights(k), b);
     const double distance = this->front_.vertexDistances[vertex] + length;
     if (pieces.isWanted(distance, length))
     {
@@ -187,7 +187,7 @@ void DistanceField::arriveFromCorners(
 void DistanceField::arriveThroughHalfedge(
   Id halfedge, const Barycentric& b, LastPieces& pieces) const
 {
-  const Vec2 p = inHalfedgeFrame(*this->mesh_, halfedge, b);
+  const Vec2 p = inHalfedgeFrame(this->mesh(), halfedge, b);
   for (const Window& window : this->windowsOn(halfedge))
   {
     const double x = window.crossing(p);
@@ -195,9 +195,9 @@ void DistanceField::arriveThroughHalfedge(
     const double distance = std::max(window.distance(x), 0.0) + length;
     if (pieces.isWanted(distance, length))
     {
-      const double fraction = x / this->mesh_->length(halfedge);
+      const double fraction = x / this->mesh().length(halfedge);
       pieces.add(
-        { distance, length, onHalfedge(*this->mesh_, halfedge, fraction), false, pieces.face });
+        { distance, length, onHalfedge(this->mesh(), halfedge, fraction), false, pieces.face });
     }
   }
 }
@@ -211,7 +211,7 @@ std::vector<SurfacePoint> DistanceField::path(const SurfacePoint& from) const
   {
     if (whole < Infinity && points.empty())
     {
-      points = this->path(normalized(*this->mesh_, from), whole, slack);
+      points = this->path(normalized(this->mesh(), from), whole, slack);
     }
   }
   return points;
@@ -237,11 +237,11 @@ std::vector<SurfacePoint> DistanceField::path(
   const SurfacePoint& from, double whole, double slack) const
 {
   const double longest = (1.0 + slack) * whole;
-  std::vector<std::uint8_t> isCrossed(this->mesh_->numberOfFaces(), 0);
+  std::vector<std::uint8_t> isCrossed(this->mesh().numberOfFaces(), 0);
   std::set<std::pair<SurfacePoint::Kind, Id>> deadEnds;
   const auto keyOf = [this](const SurfacePoint& p)
   {
-    return std::pair(p.kind, p.kind == SurfacePoint::Kind::Edge ? this->mesh_->edgeOf(p.id) : p.id);
+    return std::pair(p.kind, p.kind == SurfacePoint::Kind::Edge ? this->mesh().edgeOf(p.id) : p.id);
   };
   std::vector<PathStep> steps;
   const auto goTo = [&](PathStep step)

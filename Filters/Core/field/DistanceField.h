@@ -19,7 +19,7 @@ namespace geodesic
 class DistanceField
 {
 public:
-  DistanceField(const TriangleMesh& mesh, FrontResult front, KeptWindows kept);
+  DistanceField(const MeshPartition& surface, FrontResult front, KeptWindows kept);
 
   /// Distance at each vertex, in the surface's units; +infinity where the front did not come.
   const std::vector<double>& vertexDistances() const { return this->front_.vertexDistances; }
@@ -41,20 +41,9 @@ public:
   /// The sources that lie in a face.
   std::vector<SourceInFace> sourcesIn(Id face) const;
 
-  const TriangleMesh& mesh() const { return *this->mesh_; }
-
-  /// The part that the mesh is of where ranks have the surface together; null: the mesh is all.
-  const MeshPartition* part() const { return this->front_.part; }
-  /// A vertex as windows name it (Window::origin), and how many there are.
-  Id globalId(Id vertex) const
-  {
-    return this->part() != nullptr ? this->part()->globalId(vertex) : vertex;
-  }
-  Id numberOfGlobalVertices() const
-  {
-    return this->part() != nullptr ? this->part()->numberOfGlobalVertices()
-                                   : this->mesh_->numberOfVertices();
-  }
+  const TriangleMesh& mesh() const { return this->surface_.mesh(); }
+  /// What this rank has of the surface; in one process all of it.
+  const MeshPartition& surface() const { return this->surface_; }
 
   /// Whether windows were kept, so that distance() and path() can be called.
   bool hasWindows() const { return this->kept_.windows.isIndexed(); }
@@ -140,7 +129,7 @@ private:
   void arriveFromSources(Id face, const std::array<double, 3>& b, LastPieces& pieces) const;
   void arriveThroughHalfedge(Id halfedge, const std::array<double, 3>& b, LastPieces& pieces) const;
 
-  const TriangleMesh* mesh_ = nullptr;
+  MeshPartition surface_;
   FrontResult front_;
   KeptWindows kept_;
 };

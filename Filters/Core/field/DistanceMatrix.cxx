@@ -25,7 +25,7 @@ std::vector<double> distancesFrom(const TriangleMesh& mesh, const std::vector<So
   FrontOptions options;
   options.progress = progress;
   FrontResult front = propagate(mesh, source, options, retention);
-  const DistanceField field(mesh, std::move(front), retention.release());
+  const DistanceField field(MeshPartition(mesh), std::move(front), retention.release());
   for (std::size_t i = 0; i < targets.size(); ++i)
   {
     const double distance = field.distance(targets[i]);

@@ -9,7 +9,7 @@ void Gradients::add(const IncomingSegment& piece)
   if (piece.kind == IncomingSegment::Kind::Window && piece.distance > 0.0 &&
     this->goesOnElsewhere(piece.ray()))
   {
-    const MeshPartition& part = *this->field_.part();
+    const MeshPartition& part = this->field_.surface();
     const RankAddress face = part.ownerOf(TriangleMesh::faceOf(piece.frame));
     this->travellers_.push_back(
       { part.exchange().rank(), this->result_.size(), piece.ray(), face, 0, 1 });
@@ -21,15 +21,16 @@ void Gradients::add(const IncomingSegment& piece)
 bool Gradients::goesOnElsewhere(const IncomingRay& ray) const
 {
   const TriangleMesh& mesh = this->field_.mesh();
-  return this->field_.part() != nullptr && !isInSpace(mesh, ray) && mesh.isBoundary(ray.halfedge) &&
-    !this->field_.part()->isOwn(TriangleMesh::faceOf(ray.halfedge));
+  return this->field_.surface().isDistributed() && !isInSpace(mesh, ray) &&
+    mesh.isBoundary(ray.halfedge) &&
+    !this->field_.surface().isOwn(TriangleMesh::faceOf(ray.halfedge));
 }
 
 void Gradients::finish()
 {
-  if (this->field_.part() != nullptr)
+  if (this->field_.surface().isDistributed())
   {
-    Exchange& exchange = this->field_.part()->exchange();
+    Exchange& exchange = this->field_.surface().exchange();
     while (exchange.isTrueAnywhere(!this->travellers_.empty()))
     {
       this->handOver(exchange);
@@ -41,7 +42,7 @@ void Gradients::finish()
 // To the owners of the faces that the rays come into, which go on from there.
 void Gradients::handOver(Exchange& exchange)
 {
-  const MeshPartition& part = *this->field_.part();
+  const MeshPartition& part = this->field_.surface();
   std::vector<Message> messages = exchange.noMessages();
   for (Traveller traveller : this->travellers_)
   {
@@ -64,7 +65,7 @@ void Gradients::handOver(Exchange& exchange)
 bool Gradients::isInCircle(Traveller& traveller) const
 {
   const RankAddress face =
-    this->field_.part()->ownerOf(TriangleMesh::faceOf(traveller.ray.halfedge));
+    this->field_.surface().ownerOf(TriangleMesh::faceOf(traveller.ray.halfedge));
   if (face.rank == traveller.mark.rank && face.id == traveller.mark.id)
   {
     return true;

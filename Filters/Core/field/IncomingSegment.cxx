@@ -90,7 +90,7 @@ public:
       if (!isPoint && this->improve(IncomingSegment::Kind::Corner, distance, length))
       {
         this->setDirection(face, cornerWeights(k), weights);
-        this->best_.origin = this->field_.globalId(vertex);
+        this->best_.origin = this->field_.surface().globalId(vertex);
         this->corner_ = vertex;
       }
     }
@@ -196,9 +196,9 @@ private:
   std::size_t cornerWithNumber(Id face, Id globalId) const
   {
     const Triangle& t = this->mesh_.triangle(face);
-    return this->field_.globalId(t[0]) == globalId ? 0
-      : this->field_.globalId(t[1]) == globalId    ? 1
-                                                   : 2;
+    return this->field_.surface().globalId(t[0]) == globalId ? 0
+      : this->field_.surface().globalId(t[1]) == globalId    ? 1
+                                                             : 2;
   }
 
   void setDirection(Id face, const Barycentric& from, const Barycentric& to)

@@ -34,7 +34,7 @@ struct IncomingSegment
   /// Through a window, where it crosses the halfedge, and whether it leaves the face there.
   double x = 0.0;
   bool leaves = false;
-  /// The corner (DistanceField::globalId()); of a window its Window::origin, and where along a
+  /// The corner (MeshPartition::globalId()); of a window its Window::origin, and where along a
   /// curve the ray comes from.
   Id origin = NoId;
   double place = 0.0;

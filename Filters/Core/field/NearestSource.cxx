@@ -8,32 +8,22 @@
 namespace geodesic
 {
 
-NearestSource::NearestSource(const DistanceField& field, const std::vector<SourceCurve>& curves,
-  const ProgressCallback& callback)
-  : field_(field)
-  , mesh_(field.mesh())
-  , meshOfCurves_(field.mesh())
-  , chains_(field.mesh(), curves)
-  , onCurves_(field.mesh(), this->chains_)
-  , sectors_(field.mesh())
-{
-  this->find(callback);
-}
-
 NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const ProgressCallback& callback)
   : field_(field)
   , mesh_(field.mesh())
-  , patch_(&patch)
-  , meshOfCurves_(patch.mesh())
+  , patch_(patch)
   , chains_(patch.mesh(), curves)
   , onCurves_(patch.mesh(), this->chains_)
-  , vertices_(std::make_unique<GlobalVertices>(*field.part()))
+  , vertices_(field.surface())
   , sectors_(patch.mesh())
 {
   this->find(callback);
-  this->elsewhere_ =
-    std::make_unique<RemoteOrigins>(this->field_, *this->vertices_, this->origins_);
+  if (field.surface().isDistributed())
+  {
+    this->elsewhere_ =
+      std::make_unique<RemoteOrigins>(this->field_, this->vertices_, this->origins_);
+  }
 }
 
 NearestSource::~NearestSource() = default;
@@ -52,12 +42,10 @@ void NearestSource::find(const ProgressCallback& callback)
 template <typename Visit>
 void NearestSource::forEachVertex(const LoopProgress& progress, const Visit& visit) const
 {
-  const std::size_t count =
-    this->vertices_ ? this->vertices_->here().size() : this->mesh_.numberOfVertices();
-  for (std::size_t i = 0; i < count; ++i)
+  for (Id i = 0; i < this->vertices_.count(); ++i)
   {
-    progress.at(i, count);
-    visit(this->vertices_ ? this->vertices_->here()[i] : static_cast<Id>(i));
+    progress.at(i, this->vertices_.count());
+    visit(this->vertices_.here(i));
   }
 }
 
@@ -70,7 +58,7 @@ void NearestSource::findBesideVertices(const LoopProgress& progress)
     [&](Id vertex)
     {
       const Arrival& arrival = this->field_.arrivals()[vertex];
-      const VertexOnCurve* on = this->onCurveAt(this->field_.globalId(vertex));
+      const VertexOnCurve* on = this->onCurveAt(this->field_.surface().globalId(vertex));
       if (on != nullptr)
       {
         this->origins_[vertex] = this->onLeft(on->curve, on->place);
@@ -140,7 +128,7 @@ void NearestSource::follow(Id vertex)
       found = { piece.origin };
       break;
     }
-    vertex = this->vertices_ ? this->vertices_->vertexAt(piece.origin) : piece.origin;
+    vertex = this->vertices_.vertexAt(piece.origin);
     found = this->origins_[vertex];
     if (std::find(way.begin(), way.end(), vertex) != way.end())
     {
@@ -166,7 +154,7 @@ bool NearestSource::isFromCurve(const IncomingSegment& piece) const
     case IncomingSegment::Kind::Corner:
       return this->onCurveAt(piece.origin) != nullptr;
     case IncomingSegment::Kind::Window:
-      return CurveSide::isOne(piece.origin, this->field_.numberOfGlobalVertices());
+      return CurveSide::isOne(piece.origin, this->field_.surface().numberOfGlobalVertices());
     default:
       return true;
   }
@@ -184,7 +172,7 @@ CurveOrigin NearestSource::originOf(const IncomingSegment& piece)
     case IncomingSegment::Kind::Window:
       break;
   }
-  if (CurveSide::isOne(piece.origin, this->field_.numberOfGlobalVertices()))
+  if (CurveSide::isOne(piece.origin, this->field_.surface().numberOfGlobalVertices()))
   {
     return { piece.origin, piece.place };
   }
@@ -208,7 +196,7 @@ CurveOrigin NearestSource::atSource(const IncomingSegment& piece)
     const Vec2 along = inHalfedgeFrame(this->mesh_, piece.frame, source.b) -
       inHalfedgeFrame(this->mesh_, piece.frame, source.a);
     const CurveSide side = { source.curve, cross(along, piece.direction) < 0.0 };
-    return { side.origin(this->field_.numberOfGlobalVertices()), place };
+    return { side.origin(this->field_.surface().numberOfGlobalVertices()), place };
   }
   const double place = piece.along > 0.0 ? source.placeOfB : source.placeOfA;
   const std::vector<double>& places = this->chains_.places(source.curve);
@@ -221,40 +209,33 @@ CurveOrigin NearestSource::atSource(const IncomingSegment& piece)
 // What the direction belongs to at the point that the sectors are around.
 CurveOrigin NearestSource::inSector(const IncomingSegment& piece) const
 {
-  if (this->patch_ == nullptr)
-  {
-    return this->sectors_.of(piece.frame, piece.direction);
-  }
   const Id face =
-    this->patch_->faceAt(this->field_.part()->addressOf(TriangleMesh::faceOf(piece.frame)));
+    this->patch_.faceAt(this->field_.surface().addressOf(TriangleMesh::faceOf(piece.frame)));
   const CurveOrigin onPatch = this->sectors_.of(3 * face + piece.frame % 3, piece.direction);
-  const CurveSide side = CurveSide::of(onPatch.origin, this->meshOfCurves_.numberOfVertices());
-  return { side.origin(this->field_.numberOfGlobalVertices()), onPatch.place };
+  const CurveSide side = CurveSide::of(onPatch.origin, this->meshOfCurves().numberOfVertices());
+  return { side.origin(this->field_.surface().numberOfGlobalVertices()), onPatch.place };
 }
 
 CurveOrigin NearestSource::onLeft(Id curve, double place) const
 {
-  return { CurveSide{ curve, false }.origin(this->field_.numberOfGlobalVertices()), place };
+  return { CurveSide{ curve, false }.origin(this->field_.surface().numberOfGlobalVertices()),
+    place };
 }
 
 CurveOrigin NearestSource::ofVertex(Id globalId) const
 {
-  if (this->vertices_ == nullptr)
-  {
-    return this->origins_[globalId];
-  }
-  return this->vertices_->isHere(globalId) ? this->origins_[this->vertices_->vertexAt(globalId)]
-                                           : this->elsewhere_->of(globalId);
+  return this->vertices_.isHere(globalId) ? this->origins_[this->vertices_.vertexAt(globalId)]
+                                          : this->elsewhere_->of(globalId);
 }
 
 bool NearestSource::isElsewhere(Id globalId) const
 {
-  return this->vertices_ != nullptr && !this->vertices_->isHere(globalId);
+  return !this->vertices_.isHere(globalId);
 }
 
 const VertexOnCurve* NearestSource::onCurveAt(Id globalId) const
 {
-  return this->onCurves_.find(this->patch_ ? this->patch_->vertexAt(globalId) : globalId);
+  return this->onCurves_.find(this->patch_.vertexAt(globalId));
 }
 
 void NearestSource::goToVertex(Id vertex)
@@ -265,7 +246,7 @@ void NearestSource::goToVertex(Id vertex)
   }
   const VertexOnCurve& on = *this->onCurves_.find(vertex);
   this->sectors_.assign(SurfacePoint::atVertex(vertex), this->onCurves_.endsAt(vertex),
-    CurveOrigin::onLeft(this->meshOfCurves_, on.curve, on.place));
+    CurveOrigin::onLeft(this->meshOfCurves(), on.curve, on.place));
   this->sectorsVertex_ = vertex;
 }
 
@@ -281,8 +262,8 @@ void NearestSource::goToPoint(Id number, std::size_t i)
   const std::vector<double>& places = this->chains_.places(number);
   // A closed curve begins and ends in one point.
   const std::size_t first = curve.isClosed() && i + 1 == curve.points.size() ? 0 : i;
-  this->sectors_.assign(point, segmentEndsAt(this->meshOfCurves_, curve, number, places, first),
-    CurveOrigin::onLeft(this->meshOfCurves_, number, places[i]));
+  this->sectors_.assign(point, segmentEndsAt(this->meshOfCurves(), curve, number, places, first),
+    CurveOrigin::onLeft(this->meshOfCurves(), number, places[i]));
   this->sectorsVertex_ = NoId;
 }
 
@@ -292,7 +273,8 @@ Foot NearestSource::footOf(const CurveOrigin& origin) const
   {
     return {};
   }
-  const CurveSide side = CurveSide::of(origin.origin, this->field_.numberOfGlobalVertices());
+  const CurveSide side =
+    CurveSide::of(origin.origin, this->field_.surface().numberOfGlobalVertices());
   const CurveChains::Link& link = this->chains_.linkAt(side.curve, origin.place);
   return { link.curve, side.isRight != link.isReversed, side.curve, origin.place };
 }
@@ -313,9 +295,9 @@ SurfacePoint NearestSource::pointOf(const Foot& foot) const
   }
   const double t = (foot.place - places[i]) / (places[i + 1] - places[i]);
   const Id face = curve.faces[i];
-  const Barycentric a = barycentric(this->meshOfCurves_, curve.points[i], face);
-  const Barycentric b = barycentric(this->meshOfCurves_, curve.points[i + 1], face);
-  return fromBarycentric(this->meshOfCurves_, face, between(a, b, t));
+  const Barycentric a = barycentric(this->meshOfCurves(), curve.points[i], face);
+  const Barycentric b = barycentric(this->meshOfCurves(), curve.points[i + 1], face);
+  return fromBarycentric(this->meshOfCurves(), face, between(a, b, t));
 }
 
 }

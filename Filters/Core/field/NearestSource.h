@@ -3,6 +3,7 @@
 #define geodesic_NearestSource_h
 
 #include "field/IncomingSegment.h"
+#include "mesh/GlobalVertices.h"
 #include "mesh/ReplicatedPatch.h"
 #include "source/CurveChains.h"
 #include "source/CurveSectors.h"
@@ -17,7 +18,6 @@ namespace geodesic
 {
 
 class RemoteOrigins;
-class GlobalVertices;
 
 /// Where on the source a shortest path ends, and from which side of the curve it comes.
 struct Foot
@@ -45,21 +45,19 @@ struct Foot
 class NearestSource
 {
 public:
+  /// All ranks together find the feet of what comes over their seams; asking is each rank's own
+  /// then.
+  ///
   /// \param field an exact one, with arrivals (FrontOptions::keepArrivals); must outlive this.
+  /// \param patch that the curves lie on; in one process the field's mesh.
   /// \param curves those that the field was solved for.
   /// \param progress called now and then; returning false throws Aborted.
-  NearestSource(const DistanceField& field, const std::vector<SourceCurve>& curves,
-    const ProgressCallback& progress = {});
-  /// The same of a field on this rank's part of a surface. All ranks together find the feet of what
-  /// comes over their seams; asking is each rank's own then.
-  ///
-  /// \param patch that the curves lie on; must outlive this.
   NearestSource(const DistanceField& field, const ReplicatedPatch& patch,
     const std::vector<SourceCurve>& curves, const ProgressCallback& progress = {});
   ~NearestSource();
 
   /// What curves and feet are points of: the field's mesh, or that of the patch.
-  const TriangleMesh& meshOfCurves() const { return this->meshOfCurves_; }
+  const TriangleMesh& meshOfCurves() const { return this->patch_.mesh(); }
 
   /// The foot of the shortest path to a vertex.
   Foot atVertex(Id vertex) const { return this->footOf(this->origins_[vertex]); }
@@ -91,15 +89,14 @@ private:
 
   const DistanceField& field_;
   const TriangleMesh& mesh_;
-  const ReplicatedPatch* patch_ = nullptr;
-  const TriangleMesh& meshOfCurves_;
+  ReplicatedPatch patch_;
   /// The curves, whose numbers windows have.
   CurveChains chains_;
   VerticesOnCurves onCurves_;
   /// Of each vertex, by numbers of the whole. A number that is a vertex's: see RemoteOrigins.
   std::vector<CurveOrigin> origins_;
-  /// On a part; else null.
-  std::unique_ptr<GlobalVertices> vertices_;
+  GlobalVertices vertices_;
+  /// Null in one process.
   std::unique_ptr<RemoteOrigins> elsewhere_;
   /// Around the curve's point that was asked for last.
   CurveSectors sectors_;

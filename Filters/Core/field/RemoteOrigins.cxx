@@ -34,7 +34,7 @@ RemoteOrigins::RemoteOrigins(
   }
   for (Id vertex = 0; vertex < atVertices.size(); ++vertex)
   {
-    const Id number = field.globalId(vertex);
+    const Id number = field.surface().globalId(vertex);
     CurveOrigin& origin = atVertices[vertex];
     if (!vertices.isHere(number))
     {
@@ -50,10 +50,10 @@ RemoteOrigins::RemoteOrigins(
 // What a path to a point of the part may come from.
 void RemoteOrigins::collect()
 {
-  const MeshPartition& part = *this->field_.part();
+  const MeshPartition& part = this->field_.surface();
   const auto add = [this](Id number)
   {
-    if (number < this->field_.numberOfGlobalVertices() && !this->vertices_.isHere(number))
+    if (number < this->field_.surface().numberOfGlobalVertices() && !this->vertices_.isHere(number))
     {
       this->numbers_.push_back(number);
     }
@@ -83,7 +83,7 @@ void RemoteOrigins::collect()
 // Returns whether anything was open on any rank.
 bool RemoteOrigins::ask(std::vector<CurveOrigin>& atVertices)
 {
-  Exchange& exchange = this->field_.part()->exchange();
+  Exchange& exchange = this->field_.surface().exchange();
   std::vector<Message> questions = exchange.noMessages();
   std::vector<std::vector<std::size_t>> asked(questions.size());
   for (std::size_t i = 0; i < this->origins_.size(); ++i)

@@ -37,7 +37,7 @@ private:
   void collect();
   bool isOpen(const CurveOrigin& origin) const
   {
-    return origin.origin < this->field_.numberOfGlobalVertices();
+    return origin.origin < this->field_.surface().numberOfGlobalVertices();
   }
   bool ask(std::vector<CurveOrigin>& atVertices);
 

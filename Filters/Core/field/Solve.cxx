@@ -6,35 +6,24 @@
 namespace geodesic
 {
 
-namespace
-{
-
-template <typename Sources>
-DistanceField solveFrom(
-  const TriangleMesh& mesh, Sources&& sources, const FrontOptions& options, KeepWindows keep)
+DistanceField solve(const MeshPartition& surface, SourceWindows sources,
+  const FrontOptions& options, KeepWindows keep)
 {
   if (keep == KeepWindows::None)
   {
     KeepNone none;
-    return { mesh, propagate(mesh, std::forward<Sources>(sources), options, none), KeptWindows() };
+    return { surface, propagate(surface, std::move(sources), options, none), KeptWindows() };
   }
-  KeepAll all(mesh);
-  FrontResult front = propagate(mesh, std::forward<Sources>(sources), options, all);
-  return { mesh, std::move(front), all.release() };
+  KeepAll all(surface.mesh());
+  FrontResult front = propagate(surface, std::move(sources), options, all);
+  return { surface, std::move(front), all.release() };
 }
-
-} // anonymous namespace
 
 DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options, KeepWindows keep)
 {
-  return solveFrom(mesh, sources, options, keep);
-}
-
-DistanceField solve(
-  const TriangleMesh& mesh, SourceWindows sources, const FrontOptions& options, KeepWindows keep)
-{
-  return solveFrom(mesh, std::move(sources), options, keep);
+  return solve(
+    MeshPartition(mesh), startingWindows(mesh, sources, options.progress), options, keep);
 }
 
 }

@@ -4,6 +4,9 @@
 
 #include "field/DistanceField.h"
 
+#include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -21,16 +24,47 @@ enum class KeepWindows
 /// Computes the field of the geodesic distance to the curves (paper, sections 3 to 5). For a field
 /// that is to be refined solveForRefinement() needs less memory.
 ///
-/// \param mesh must outlive the field.
+/// \param surface whose mesh must outlive the field.
+/// \param sources what they give to begin with (propagate()).
 /// \throws SourceError where there is no curve; Error where the relative error is not a number >=
 /// 0;
 ///         Aborted.
+DistanceField solve(const MeshPartition& surface, SourceWindows sources,
+  const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);
+
+/// The same in one process, from the curves themselves.
 DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);
 
-/// The same from what the sources give to begin with; on a part of a surface see propagate().
-DistanceField solve(const TriangleMesh& mesh, SourceWindows sources,
-  const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);
+/// Solves with windows dropped. Where some were dropped that turn out to be needed, on any rank, it
+/// solves again with these kept.
+///
+/// \param maximumSolves how often.
+/// \param makeRetention (pinned) -> a retention with droppedTooEarly() and release(); pinned says
+/// of
+///        each face whether its windows are never dropped.
+/// \returns nothing where the last solve has dropped some, too: then all have to be kept.
+template <typename MakeRetention>
+std::optional<DistanceField> solveDropping(const MeshPartition& surface,
+  const SourceWindows& sources, const FrontOptions& options, int maximumSolves,
+  const MakeRetention& makeRetention)
+{
+  std::vector<std::uint8_t> pinned(surface.mesh().numberOfFaces(), 0);
+  for (int solves = 0; solves < maximumSolves; ++solves)
+  {
+    auto retention = makeRetention(pinned);
+    FrontResult front = propagate(surface, sources, options, retention);
+    if (!surface.exchange().isTrueAnywhere(!retention.droppedTooEarly().empty()))
+    {
+      return DistanceField(surface, std::move(front), retention.release());
+    }
+    for (const Id face : retention.droppedTooEarly())
+    {
+      pinned[face] = 1;
+    }
+  }
+  return std::nullopt;
+}
 
 }
 

@@ -104,7 +104,7 @@ void BatchTasks::relaxEdges(District& district, Id vertex)
 {
   const double distance = this->vertices_.distance(vertex);
   const double error = this->vertices_.error(vertex);
-  const Id number = this->globalId(vertex);
+  const Id number = this->surface_.globalId(vertex);
   const auto relax = [&](Id halfedge, Id other, Id opposite, double x)
   {
     const double along = distance + this->mesh_.length(halfedge);
@@ -159,7 +159,7 @@ void BatchTasks::emit(
   }
   Window w = emittedWindow(this->mesh_, interval, this->vertices_.distance(vertex));
   w.error = this->vertices_.error(vertex);
-  w.origin = this->globalId(vertex);
+  w.origin = this->surface_.globalId(vertex);
   const double atBegin = this->vertices_.distance(this->mesh_.destination(halfedge));
   const double atEnd = this->vertices_.distance(this->mesh_.origin(halfedge));
   if (!isBeaten(w, w.end, atBegin + w.end) && !isBeaten(w, w.begin, atEnd + (length - w.begin)))
@@ -352,7 +352,7 @@ void BatchTasks::receive(FrontWorker& worker, District& district, const SentList
     const DistanceUpdate arrival = { apex, found.distance, found.error,
       arrivalThrough(sent.halfedge, found) };
     this->shorten(district, arrival);
-    if (this->options_.part != nullptr)
+    if (this->surface_.isDistributed())
     {
       district.arrivals.push_back(arrival);
     }

@@ -21,16 +21,17 @@ namespace geodesic
 class BatchTasks
 {
 public:
-  BatchTasks(const TriangleMesh& mesh, const FrontOptions& options, const Districts& districts,
+  BatchTasks(const MeshPartition& surface, const FrontOptions& options, const Districts& districts,
     VertexStates& vertices, const CompleteFaces& complete, Mailboxes& post, Retention& retention)
-    : mesh_(mesh)
+    : surface_(surface)
+    , mesh_(surface.mesh())
     , options_(options)
     , districts_(districts)
     , vertices_(vertices)
     , complete_(complete)
     , post_(post)
     , retention_(retention)
-    , mostFaces_(options.part ? options.part->numberOfGlobalFaces() : mesh.numberOfFaces())
+    , mostFaces_(surface.numberOfGlobalFaces())
   {
   }
 
@@ -59,14 +60,7 @@ private:
 
   bool isOutsideCorridor(Id halfedge, const WindowRange& windows) const;
   /// Whether the face is worked on here, not on another rank.
-  bool isOwn(Id face) const
-  {
-    return this->options_.part == nullptr || this->options_.part->isOwn(face);
-  }
-  Id globalId(Id vertex) const
-  {
-    return this->options_.part == nullptr ? vertex : this->options_.part->globalId(vertex);
-  }
+  bool isOwn(Id face) const { return this->surface_.isOwn(face); }
   bool process(FrontWorker& worker, District& district, Id vertex, Id batch);
   void tell(District& sender, const DistanceUpdate& update);
   void relaxEdges(District& district, Id vertex);
@@ -82,6 +76,7 @@ private:
   /// Fetch what the steps will need.
   void prefetchFacing(const District& district, Id vertex) const;
 
+  const MeshPartition& surface_;
   const TriangleMesh& mesh_;
   const FrontOptions& options_;
   const Districts& districts_;

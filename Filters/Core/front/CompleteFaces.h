@@ -15,14 +15,12 @@ class CompleteFaces
 {
 public:
   /// Without a limit nothing is kept and every face counts.
-  ///
-  /// \param part null: the front has all faces of the mesh, not only those that it owns.
-  CompleteFaces(const TriangleMesh& mesh, const MeshPartition* part, double limit)
-    : mesh_(mesh)
-    , firstFace_(part ? part->firstOwnFace() : 0)
-    , endOfFaces_(part ? part->endOfOwnFaces() : mesh.numberOfFaces())
+  CompleteFaces(const MeshPartition& surface, double limit)
+    : mesh_(surface.mesh())
+    , firstFace_(surface.firstOwnFace())
+    , endOfFaces_(surface.endOfOwnFaces())
     , limit_(limit)
-    , needed_(limit < Infinity ? mesh.numberOfFaces() : 0, 0)
+    , needed_(limit < Infinity ? surface.mesh().numberOfFaces() : 0, 0)
   {
   }
 

@@ -44,7 +44,7 @@ bool isAnyWindowWithin(const WindowRange& windows, double distance)
 class Front
 {
 public:
-  Front(const TriangleMesh& mesh, const FrontOptions& options, Retention& retention);
+  Front(const MeshPartition& surface, const FrontOptions& options, Retention& retention);
 
   /// Takes the sources' windows along; ends with SourceError where there are none, on no rank.
   FrontResult run(SourceWindows sources);
@@ -85,6 +85,7 @@ private:
   void retireAll();
   void finish();
 
+  const MeshPartition& surface_;
   const TriangleMesh& mesh_;
   const FrontOptions& options_;
   Retention& retention_;
@@ -118,19 +119,20 @@ private:
   std::uint64_t windowsHandled_ = 0;
 };
 
-Front::Front(const TriangleMesh& mesh, const FrontOptions& options, Retention& retention)
-  : mesh_(mesh)
+Front::Front(const MeshPartition& surface, const FrontOptions& options, Retention& retention)
+  : surface_(surface)
+  , mesh_(surface.mesh())
   , options_(options)
   , retention_(retention)
-  , numbers_(mesh, options.parallelFor)
-  , vertices_(mesh, options.relativeError > 0.0, options.keepArrivals, options.parallelFor)
+  , numbers_(mesh_, options.parallelFor)
+  , vertices_(mesh_, options.relativeError > 0.0, options.keepArrivals, options.parallelFor)
   , outlooks_(numbers_.size())
-  , complete_(mesh, options.part, options.maximumDistance)
+  , complete_(surface, options.maximumDistance)
   , post_(numbers_.size())
-  , tasks_(mesh, options, numbers_, vertices_, complete_, post_, retention)
+  , tasks_(surface, options, numbers_, vertices_, complete_, post_, retention)
   , workers_(options.parallelFor)
-  , ranks_(options.part)
-  , progress_(options.progress, mesh.numberOfVertices(), options.maximumDistance)
+  , ranks_(surface)
+  , progress_(options.progress, mesh_.numberOfVertices(), options.maximumDistance)
 {
   this->districts_.reserve(this->numbers_.size());
   for (Id number = 0; number < this->numbers_.size(); ++number)
@@ -192,21 +194,17 @@ void Front::startVertices(const SourceWindows& initial)
 
 void Front::startFaces(const SourceWindows& initial)
 {
-  const Id numberOfVertices = this->options_.part ? this->options_.part->numberOfGlobalVertices()
-                                                  : this->mesh_.numberOfVertices();
   for (const SourceInFace& source : initial.inFaces)
   {
     const Triangle& corners = this->mesh_.triangle(source.face);
-    const Id origin = CurveSide{ source.curve, false }.origin(numberOfVertices);
+    const Id origin =
+      CurveSide{ source.curve, false }.origin(this->surface_.numberOfGlobalVertices());
     for (std::size_t k = 0; k < 3; ++k)
     {
       const DistanceUpdate found = { corners[k],
         distanceToSource(this->mesh_, source, cornerWeights(k)), 0.0, { NoId, origin } };
       this->shorten(found);
-      if (!this->ranks_.isAlone())
-      {
-        this->ranks_.tell(found);
-      }
+      this->ranks_.tell(found);
     }
     if (this->complete_.isLimited())
     {
@@ -304,7 +302,7 @@ void Front::runBatch(const Fill& fill)
     },
     [this](FrontWorker& worker, District& district)
     { this->tasks_.process(worker, district, this->batches_); });
-  if (!this->ranks_.isAlone())
+  if (this->surface_.isDistributed())
   {
     this->exchangeLists();
   }
@@ -396,12 +394,12 @@ void Front::finishBatch()
     this->next_.least = std::min(this->next_.least, outlook.least);
     this->next_.last = std::min(this->next_.last, outlook.last);
   }
-  if (!this->ranks_.isAlone())
+  if (this->surface_.isDistributed())
   {
     this->exchangeArrivals();
   }
   this->retention_.advance(this->state());
-  if (this->ranks_.isAlone())
+  if (!this->surface_.isDistributed())
   {
     this->reach_ = this->retention_.reach();
   }
@@ -592,7 +590,6 @@ void Front::finish()
   {
     this->result_.vertexDistances.push_back(this->vertices_.distance(vertex));
   }
-  this->result_.part = this->options_.part;
   this->ranks_.completeHalo(this->result_.vertexDistances);
   this->result_.arrivals = this->vertices_.releaseArrivals();
   this->workers_.forEach(
@@ -612,22 +609,26 @@ void Front::finish()
 FrontResult propagate(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options, Retention& retention)
 {
-  // Short beside what follows: it can be stopped, and counts as no progress.
-  return propagate(mesh,
-    makeSourceWindows(
-      mesh, sources, [&](double) { return !options.progress || options.progress(0.0); }),
-    options, retention);
+  return propagate(
+    MeshPartition(mesh), startingWindows(mesh, sources, options.progress), options, retention);
 }
 
-FrontResult propagate(const TriangleMesh& mesh, SourceWindows sources, const FrontOptions& options,
-  Retention& retention)
+SourceWindows startingWindows(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
+  const ProgressCallback& progress)
+{
+  return makeSourceWindows(
+    mesh, sources, [&progress](double) { return !progress || progress(0.0); });
+}
+
+FrontResult propagate(const MeshPartition& surface, SourceWindows sources,
+  const FrontOptions& options, Retention& retention)
 {
   if (!(options.relativeError >= 0.0) || !(options.relativeError < Infinity))
   {
     throw Error("The relative error is " + std::to_string(options.relativeError) +
       "; give a number of at least 0.");
   }
-  return Front(mesh, options, retention).run(std::move(sources));
+  return Front(surface, options, retention).run(std::move(sources));
 }
 
 }

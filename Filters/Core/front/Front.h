@@ -42,10 +42,6 @@ struct FrontOptions
   const Corridor* corridor = nullptr;
   /// Whether FrontResult::arrivals is wanted, which takes 40 bytes a vertex. Changes no distance.
   bool keepArrivals = false;
-  /// Where the surface is distributed over ranks: this one's part of it, of which the mesh is. All
-  /// ranks call together, with their own callbacks, and get the distances of the whole at the
-  /// vertices of the faces that they own; windows are numbered as in the whole (Window::origin).
-  const MeshPartition* part = nullptr;
   /// Absent: one task after another. The result does not depend on it.
   ParallelFor parallelFor;
   /// Called now and then, at least ten times a second, with the fraction done in [0, 1]; returning
@@ -56,15 +52,14 @@ struct FrontOptions
 /// What the front leaves behind, besides the windows that the retention has kept.
 struct FrontResult
 {
-  /// Distance at each vertex, in the surface's units; +infinity where the front did not come.
+  /// Distance at each vertex, also of the halo, in the surface's units; +infinity where the front
+  /// did not come.
   std::vector<double> vertexDistances;
   /// Where a shortest path comes to each vertex from, where that was asked for; no halfedge on the
   /// source and where the path comes straight from a source in a face at the vertex.
   std::vector<Arrival> arrivals;
-  /// The sources that lie in faces, in the order of the faces; on a part also in its halo.
+  /// The sources that lie in faces, in the order of the faces, also in the halo.
   std::vector<SourceInFace> sourcesInFaces;
-  /// FrontOptions::part. Distances are known at all its vertices, also those of the halo.
-  const MeshPartition* part = nullptr;
   /// With a limit: whether each face is complete. Empty where all are.
   std::vector<std::uint8_t> completeFaces;
   /// Certified: no distance is larger than the exact one, and none smaller by more than this
@@ -77,16 +72,25 @@ struct FrontResult
 /// Computes the geodesic distance to the curves at the vertices, exact or within a relative error
 /// (paper, sections 3 to 5), and hands the windows that have passed to the retention.
 ///
+/// Where ranks have the surface together, all of them call this together, with their own callbacks,
+/// and get the distances of the whole at the vertices of the faces that they own; windows have
+/// global numbers (Window::origin).
+///
 /// \throws SourceError where there is no curve; Error where the relative error is not a number >=
 /// 0;
 ///         Aborted.
-FrontResult propagate(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
+/// \param sources what they give to begin with, of it what the faces that this rank owns have.
+FrontResult propagate(const MeshPartition& surface, SourceWindows sources,
   const FrontOptions& options, Retention& retention);
 
-/// The same from what the sources give to begin with, on a part of a surface: what faces owned by
-/// the part have of it.
-FrontResult propagate(const TriangleMesh& mesh, SourceWindows sources, const FrontOptions& options,
-  Retention& retention);
+/// The windows of makeSourceWindows(). That is short beside a solve: the solve's progress can stop
+/// it, and it counts as no progress.
+SourceWindows startingWindows(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
+  const ProgressCallback& progress);
+
+/// The same in one process, from the curves themselves.
+FrontResult propagate(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
+  const FrontOptions& options, Retention& retention);
 
 }
 

@@ -7,19 +7,16 @@
 namespace geodesic
 {
 
-FrontExchange::FrontExchange(const MeshPartition* part)
-  : part_(part)
+FrontExchange::FrontExchange(const MeshPartition& surface)
+  : surface_(surface)
+  , updates_(rankIndex(surface.exchange().numberOfRanks()))
+  , lists_(surface.exchange().noMessages())
 {
-  if (part != nullptr)
-  {
-    this->lists_ = part->exchange().noMessages();
-    this->updates_.resize(this->lists_.size());
-  }
 }
 
 void FrontExchange::take(const SentList& list, WindowPool& pool)
 {
-  const RankAddress owner = this->part_->ownerOf(TriangleMesh::faceOf(list.halfedge));
+  const RankAddress owner = this->surface_.ownerOf(TriangleMesh::faceOf(list.halfedge));
   Message& message = this->lists_[rankIndex(owner.rank)];
   put(message, 3 * owner.id + list.halfedge % 3);
   put(message, static_cast<std::uint32_t>(list.windows.size));
@@ -29,7 +26,7 @@ void FrontExchange::take(const SentList& list, WindowPool& pool)
 
 void FrontExchange::tell(const DistanceUpdate& update)
 {
-  for (const RankAddress& other : this->part_->othersWith(update.vertex))
+  for (const RankAddress& other : this->surface_.othersWith(update.vertex))
   {
     DistanceUpdate& told = this->updates_[rankIndex(other.rank)].emplace_back(update);
     told.vertex = other.id;
@@ -38,7 +35,7 @@ void FrontExchange::tell(const DistanceUpdate& update)
 
 FrontExchange::Received FrontExchange::step(std::vector<double>& least, WindowPool& pool)
 {
-  std::vector<Message> messages = this->part_->exchange().noMessages();
+  std::vector<Message> messages = this->surface_.exchange().noMessages();
   for (std::size_t rank = 0; rank < messages.size(); ++rank)
   {
     std::vector<DistanceUpdate>& updates = this->updates_[rank];
@@ -51,7 +48,7 @@ FrontExchange::Received FrontExchange::step(std::vector<double>& least, WindowPo
       this->lists_[rank].clear();
     }
   }
-  messages = this->part_->exchange().step(std::move(messages), least);
+  messages = this->surface_.exchange().step(std::move(messages), least);
 
   Received received;
   std::vector<Window> windows;
@@ -64,7 +61,7 @@ FrontExchange::Received FrontExchange::step(std::vector<double>& least, WindowPo
     const auto sender = static_cast<int>(rank);
     MessageReader reader(messages[rank]);
     std::vector<DistanceUpdate>& updates =
-      sender < this->part_->exchange().rank() ? received.fromLower : received.fromHigher;
+      sender < this->surface_.exchange().rank() ? received.fromLower : received.fromHigher;
     for (auto left = reader.get<std::size_t>(); left > 0; --left)
     {
       updates.push_back(this->translated(sender, reader.get<DistanceUpdate>()));
@@ -87,40 +84,40 @@ DistanceUpdate FrontExchange::translated(int sender, DistanceUpdate update) cons
   Id& halfedge = update.from.halfedge;
   if (halfedge != NoId)
   {
-    halfedge = 3 * this->part_->copyOf({ sender, TriangleMesh::faceOf(halfedge) }) + halfedge % 3;
+    halfedge = 3 * this->surface_.copyOf({ sender, TriangleMesh::faceOf(halfedge) }) + halfedge % 3;
   }
   return update;
 }
 
 void FrontExchange::shareNeeded(CompleteFaces& faces)
 {
-  if (this->isAlone())
+  if (!this->surface_.isDistributed())
   {
     return;
   }
-  std::vector<Message> messages = this->part_->exchange().noMessages();
-  for (Id face = 0; face < this->part_->mesh().numberOfFaces(); ++face)
+  std::vector<Message> messages = this->surface_.exchange().noMessages();
+  for (Id face = 0; face < this->surface_.mesh().numberOfFaces(); ++face)
   {
-    if (faces.isNeeded(face) && !this->part_->isOwn(face))
+    if (faces.isNeeded(face) && !this->surface_.isOwn(face))
     {
-      const RankAddress owner = this->part_->ownerOf(face);
+      const RankAddress owner = this->surface_.ownerOf(face);
       put(messages[rankIndex(owner.rank)], owner.id);
     }
   }
-  readEach(this->part_->exchange().step(std::move(messages)),
+  readEach(this->surface_.exchange().step(std::move(messages)),
     [&](int, MessageReader& reader) { faces.add(reader.get<Id>()); });
 }
 
 void FrontExchange::shareMarks(std::vector<std::uint8_t>& marks)
 {
-  if (this->isAlone())
+  if (!this->surface_.isDistributed())
   {
     return;
   }
-  std::vector<Message> messages = this->part_->exchange().noMessages();
-  for (Id vertex = 0; vertex < this->part_->numberOfOwnVertices(); ++vertex)
+  std::vector<Message> messages = this->surface_.exchange().noMessages();
+  for (Id vertex = 0; vertex < this->surface_.numberOfOwnVertices(); ++vertex)
   {
-    for (const RankAddress& other : this->part_->othersWith(vertex))
+    for (const RankAddress& other : this->surface_.othersWith(vertex))
     {
       if (marks[vertex])
       {
@@ -128,19 +125,19 @@ void FrontExchange::shareMarks(std::vector<std::uint8_t>& marks)
       }
     }
   }
-  readEach(this->part_->exchange().step(std::move(messages)),
+  readEach(this->surface_.exchange().step(std::move(messages)),
     [&](int, MessageReader& reader) { marks[reader.get<Id>()] = 1; });
 }
 
 void FrontExchange::completeHalo(std::vector<double>& distances)
 {
-  if (this->isAlone())
+  if (!this->surface_.isDistributed())
   {
     return;
   }
-  const TriangleMesh& mesh = this->part_->mesh();
-  const Id firstOfHalo = this->part_->numberOfOwnVertices();
-  std::vector<Message> asked = this->part_->exchange().noMessages();
+  const TriangleMesh& mesh = this->surface_.mesh();
+  const Id firstOfHalo = this->surface_.numberOfOwnVertices();
+  std::vector<Message> asked = this->surface_.exchange().noMessages();
   std::vector<std::vector<Id>> vertices(asked.size());
   std::vector<std::uint8_t> isAsked(mesh.numberOfVertices() - firstOfHalo, 0);
   for (Id corner = 0; corner < mesh.numberOfHalfedges(); ++corner)
@@ -148,18 +145,18 @@ void FrontExchange::completeHalo(std::vector<double>& distances)
     const Id vertex = mesh.origin(corner);
     if (vertex >= firstOfHalo && !isAsked[vertex - firstOfHalo])
     {
-      const RankAddress owner = this->part_->ownerOf(TriangleMesh::faceOf(corner));
+      const RankAddress owner = this->surface_.ownerOf(TriangleMesh::faceOf(corner));
       put(asked[rankIndex(owner.rank)], 3 * owner.id + corner % 3);
       vertices[rankIndex(owner.rank)].push_back(vertex);
       isAsked[vertex - firstOfHalo] = 1;
     }
   }
-  std::vector<Message> answers = this->part_->exchange().noMessages();
-  readEach(this->part_->exchange().step(std::move(asked)),
+  std::vector<Message> answers = this->surface_.exchange().noMessages();
+  readEach(this->surface_.exchange().step(std::move(asked)),
     [&](int rank, MessageReader& reader)
     { put(answers[rankIndex(rank)], distances[mesh.origin(reader.get<Id>())]); });
   std::vector<std::size_t> next(vertices.size(), 0);
-  readEach(this->part_->exchange().step(std::move(answers)),
+  readEach(this->surface_.exchange().step(std::move(answers)),
     [&](int rank, MessageReader& reader)
     {
       const Id vertex = vertices[rankIndex(rank)][next[rankIndex(rank)]++];

@@ -19,10 +19,7 @@ namespace geodesic
 class FrontExchange
 {
 public:
-  /// \param part null where the surface is not distributed.
-  explicit FrontExchange(const MeshPartition* part);
-
-  bool isAlone() const { return this->part_ == nullptr; }
+  explicit FrontExchange(const MeshPartition& surface);
 
   /// Takes a list along that goes to another rank.
   void take(const SentList& list, WindowPool& pool);
@@ -43,15 +40,12 @@ public:
 
   bool isTrueAnywhere(bool condition)
   {
-    return this->isAlone() ? condition : this->part_->exchange().isTrueAnywhere(condition);
+    return this->surface_.exchange().isTrueAnywhere(condition);
   }
-  double largestOf(double number)
-  {
-    return this->isAlone() ? number : this->part_->exchange().largestOf(number);
-  }
+  double largestOf(double number) { return this->surface_.exchange().largestOf(number); }
   std::uint64_t sumOf(std::uint64_t number)
   {
-    return this->isAlone() ? number : sumOverRanks(this->part_->exchange(), number).all;
+    return sumOverRanks(this->surface_.exchange(), number).all;
   }
 
   /// Faces that have to be complete here are so for their owners.
@@ -64,7 +58,7 @@ public:
 private:
   DistanceUpdate translated(int sender, DistanceUpdate update) const;
 
-  const MeshPartition* part_;
+  const MeshPartition& surface_;
   /// What is to be sent to each rank.
   std::vector<std::vector<DistanceUpdate>> updates_;
   std::vector<Message> lists_;

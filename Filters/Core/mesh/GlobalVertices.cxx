@@ -7,16 +7,21 @@ namespace geodesic
 {
 
 GlobalVertices::GlobalVertices(const MeshPartition& part)
+  : count_(part.numberOfOwnVertices())
 {
-  for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
+  for (Id vertex = 0; vertex < part.numberOfOwnVertices() && part.isDistributed(); ++vertex)
   {
     if (part.isCountedHere(vertex))
     {
       this->here_.push_back(vertex);
     }
   }
+  if (part.isDistributed())
+  {
+    this->count_ = static_cast<Id>(this->here_.size());
+  }
   Id first = 0;
-  for (const Id count : valuesOfRanks(part.exchange(), static_cast<Id>(this->here_.size())))
+  for (const Id count : valuesOfRanks(part.exchange(), this->count_))
   {
     this->firstOfRank_.push_back(first);
     first += count;

@@ -21,14 +21,17 @@ public:
 
   /// The rank that counts a vertex.
   int rankOf(Id globalId) const;
-  bool isHere(Id globalId) const { return globalId - this->first_ < this->here_.size(); }
+  bool isHere(Id globalId) const { return globalId - this->first_ < this->count_; }
   /// One that is counted here.
-  Id vertexAt(Id globalId) const { return this->here_[globalId - this->first_]; }
-  /// Those that are counted here, ascending, which is in the order of their numbers.
-  const std::vector<Id>& here() const { return this->here_; }
+  Id vertexAt(Id globalId) const { return this->here(globalId - this->first_); }
+  /// How many are counted here, and these, ascending, which is in the order of their numbers.
+  Id count() const { return this->count_; }
+  Id here(Id i) const { return this->here_.empty() ? i : this->here_[i]; }
 
 private:
+  /// Empty in one process, where all are.
   std::vector<Id> here_;
+  Id count_ = 0;
   /// The number of the first vertex that each rank counts, and this rank's.
   std::vector<Id> firstOfRank_;
   Id first_ = 0;

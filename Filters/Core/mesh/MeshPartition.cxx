@@ -47,21 +47,31 @@ struct MeshPartition::HaloFace
 
 MeshPartition::MeshPartition(std::vector<Vec3> points, std::vector<Triangle> triangles,
   const std::vector<std::uint64_t>& keys, Exchange& exchange, const ProgressCallback& progress)
-  : exchange_(exchange)
-  , numberOfOwnVertices_(static_cast<Id>(points.size()))
+  : tables_(std::make_shared<Tables>(std::move(points), triangles, keys, exchange, progress))
+  , mesh_(&tables_->mesh)
+  , exchange_(&exchange)
+  , firstOwnFace_(tables_->firstOwnFace)
+  , endOfOwnFaces_(tables_->endOfOwnFaces)
+{
+}
+
+MeshPartition::Tables::Tables(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
+  const std::vector<std::uint64_t>& keys, Exchange& itsExchange, const ProgressCallback& progress)
+  : exchange(itsExchange)
+  , numberOfOwnVertices(static_cast<Id>(points.size()))
 {
   this->findHolders(keys);
   this->numberVertices(points);
-  const std::vector<HaloFace> halo = this->exchangeHalo(points, triangles);
-  this->makeMesh(std::move(points), triangles, halo, progress);
-  this->exchangeAddresses(halo);
+  const std::vector<HaloFace> received = this->exchangeHalo(points, triangles);
+  this->makeMesh(std::move(points), triangles, received, progress);
+  this->exchangeAddresses(received);
 }
 
 // Every key is looked after by one rank, which is told who has it and tells those who share it.
-void MeshPartition::findHolders(const std::vector<std::uint64_t>& keys)
+void MeshPartition::Tables::findHolders(const std::vector<std::uint64_t>& keys)
 {
-  std::vector<Message> told = this->exchange_.noMessages();
-  for (Id vertex = 0; vertex < this->numberOfOwnVertices_; ++vertex)
+  std::vector<Message> told = this->exchange.noMessages();
+  for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
   {
     // Keys may have any pattern: a multiplication spreads it (Knuth, 6.4).
     const std::uint64_t hash = keys[vertex] * 0x9e3779b97f4a7c15U;
@@ -70,7 +80,7 @@ void MeshPartition::findHolders(const std::vector<std::uint64_t>& keys)
     put(message, vertex);
   }
   std::vector<KeyedVertex> known;
-  readEach(this->exchange_.step(std::move(told)),
+  readEach(this->exchange.step(std::move(told)),
     [&](int rank, MessageReader& reader)
     {
       const auto key = reader.get<std::uint64_t>();
@@ -78,7 +88,7 @@ void MeshPartition::findHolders(const std::vector<std::uint64_t>& keys)
     });
   std::sort(known.begin(), known.end());
 
-  std::vector<Message> answers = this->exchange_.noMessages();
+  std::vector<Message> answers = this->exchange.noMessages();
   for (std::size_t first = 0, last = 0; first < known.size(); first = last)
   {
     while (last < known.size() && known[last].key == known[first].key)
@@ -110,44 +120,43 @@ void MeshPartition::findHolders(const std::vector<std::uint64_t>& keys)
     }
   };
   std::vector<Shared> shared;
-  readEach(this->exchange_.step(std::move(answers)),
+  readEach(this->exchange.step(std::move(answers)),
     [&](int, MessageReader& reader)
     {
       const Id vertex = reader.get<Id>();
       shared.push_back({ vertex, reader.get<RankAddress>() });
     });
   std::sort(shared.begin(), shared.end());
-  this->firstHolder_.assign(this->numberOfOwnVertices_ + std::size_t(1), 0);
+  this->firstHolder.assign(this->numberOfOwnVertices + std::size_t(1), 0);
   for (const Shared& s : shared)
   {
-    ++this->firstHolder_[s.vertex + std::size_t(1)];
-    this->holders_.push_back(s.other);
+    ++this->firstHolder[s.vertex + std::size_t(1)];
+    this->holders.push_back(s.other);
   }
-  std::partial_sum(
-    this->firstHolder_.begin(), this->firstHolder_.end(), this->firstHolder_.begin());
+  std::partial_sum(this->firstHolder.begin(), this->firstHolder.end(), this->firstHolder.begin());
 }
 
 // The lowest rank that has a vertex numbers it and says where it lies: points that are one may
 // differ by roundings.
-void MeshPartition::numberVertices(std::vector<Vec3>& points)
+void MeshPartition::Tables::numberVertices(std::vector<Vec3>& points)
 {
   std::uint64_t counted = 0;
-  for (Id vertex = 0; vertex < this->numberOfOwnVertices_; ++vertex)
+  for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
   {
     counted += this->isCountedHere(vertex) ? 1 : 0;
   }
-  const SumsOverRanks vertices = sumOverRanks(this->exchange_, counted);
-  this->verticesOfWhole_ = checkedId(vertices.all, "points");
+  const SumsOverRanks vertices = sumOverRanks(this->exchange, counted);
+  this->numberOfGlobalVertices = checkedId(vertices.all, "points");
   auto number = static_cast<Id>(vertices.before);
-  this->numberInWhole_.resize(this->numberOfOwnVertices_);
-  std::vector<Message> told = this->exchange_.noMessages();
-  for (Id vertex = 0; vertex < this->numberOfOwnVertices_; ++vertex)
+  this->globalIds.resize(this->numberOfOwnVertices);
+  std::vector<Message> told = this->exchange.noMessages();
+  for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
   {
     if (!this->isCountedHere(vertex))
     {
       continue;
     }
-    this->numberInWhole_[vertex] = number;
+    this->globalIds[vertex] = number;
     for (const RankAddress& other : this->othersWith(vertex))
     {
       Message& message = told[rankIndex(other.rank)];
@@ -157,21 +166,21 @@ void MeshPartition::numberVertices(std::vector<Vec3>& points)
     }
     ++number;
   }
-  readEach(this->exchange_.step(std::move(told)),
+  readEach(this->exchange.step(std::move(told)),
     [&](int, MessageReader& reader)
     {
       const Id vertex = reader.get<Id>();
-      this->numberInWhole_[vertex] = reader.get<Id>();
+      this->globalIds[vertex] = reader.get<Id>();
       points[vertex] = reader.get<Vec3>();
     });
 }
 
 // Every rank gives each of its faces to the others that have one of its vertices.
-std::vector<MeshPartition::HaloFace> MeshPartition::exchangeHalo(
+std::vector<MeshPartition::HaloFace> MeshPartition::Tables::exchangeHalo(
   const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
 {
-  std::vector<Message> told = this->exchange_.noMessages();
-  this->given_.resize(told.size());
+  std::vector<Message> told = this->exchange.noMessages();
+  this->given.resize(told.size());
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     const auto triangle = static_cast<Id>(i);
@@ -179,7 +188,7 @@ std::vector<MeshPartition::HaloFace> MeshPartition::exchangeHalo(
     {
       for (const RankAddress& other : this->othersWith(vertex))
       {
-        std::vector<Id>& given = this->given_[rankIndex(other.rank)];
+        std::vector<Id>& given = this->given[rankIndex(other.rank)];
         if (given.empty() || given.back() != triangle)
         {
           given.push_back(triangle);
@@ -189,17 +198,17 @@ std::vector<MeshPartition::HaloFace> MeshPartition::exchangeHalo(
   }
   for (std::size_t rank = 0; rank < told.size(); ++rank)
   {
-    for (const Id triangle : this->given_[rank])
+    for (const Id triangle : this->given[rank])
     {
       for (const Id vertex : triangles[triangle])
       {
-        put(told[rank], this->numberInWhole_[vertex]);
+        put(told[rank], this->globalIds[vertex]);
         put(told[rank], points[vertex]);
       }
     }
   }
   std::vector<HaloFace> halo;
-  readEach(this->exchange_.step(std::move(told)),
+  readEach(this->exchange.step(std::move(told)),
     [&](int rank, MessageReader& reader)
     {
       HaloFace face = { rank, {}, {} };
@@ -213,19 +222,20 @@ std::vector<MeshPartition::HaloFace> MeshPartition::exchangeHalo(
   return halo;
 }
 
-void MeshPartition::makeMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
-  const std::vector<HaloFace>& halo, const ProgressCallback& progress)
+void MeshPartition::Tables::makeMesh(std::vector<Vec3> points,
+  const std::vector<Triangle>& triangles, const std::vector<HaloFace>& received,
+  const ProgressCallback& progress)
 {
   std::unordered_map<Id, Id> vertexOf;
-  for (Id vertex = 0; vertex < this->numberOfOwnVertices_; ++vertex)
+  for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
   {
     if (this->isShared(vertex))
     {
-      vertexOf[this->numberInWhole_[vertex]] = vertex;
+      vertexOf[this->globalIds[vertex]] = vertex;
     }
   }
   std::vector<Triangle> all;
-  all.reserve(halo.size() + triangles.size());
+  all.reserve(received.size() + triangles.size());
   const auto add = [&](const HaloFace& face)
   {
     Triangle corners;
@@ -235,60 +245,60 @@ void MeshPartition::makeMesh(std::vector<Vec3> points, const std::vector<Triangl
       if (found.second)
       {
         points.push_back(face.points[k]);
-        this->numberInWhole_.push_back(face.vertices[k]);
+        this->globalIds.push_back(face.vertices[k]);
       }
       corners[k] = found.first->second;
     }
     all.push_back(corners);
   };
   std::size_t next = 0;
-  for (; next < halo.size() && halo[next].rank < this->exchange_.rank(); ++next)
+  for (; next < received.size() && received[next].rank < this->exchange.rank(); ++next)
   {
-    add(halo[next]);
+    add(received[next]);
   }
   all.insert(all.end(), triangles.begin(), triangles.end());
-  for (std::size_t i = next; i < halo.size(); ++i)
+  for (std::size_t i = next; i < received.size(); ++i)
   {
-    add(halo[i]);
+    add(received[i]);
   }
-  const std::uint64_t faces = sumOverRanks(this->exchange_, triangles.size()).all;
+  const std::uint64_t faces = sumOverRanks(this->exchange, triangles.size()).all;
   if (faces == 0)
   {
     throw MeshError("The surface has no faces on any rank. Give a surface of triangles.");
   }
   if (!all.empty())
   {
-    this->mesh_ = TriangleMesh(std::move(points), all, progress);
+    this->mesh = TriangleMesh(std::move(points), all, progress);
   }
-  this->firstHolder_.resize(this->numberInWhole_.size() + 1, this->firstHolder_.back());
+  this->firstHolder.resize(this->globalIds.size() + 1, this->firstHolder.back());
   this->findFacesOfTriangles(triangles, static_cast<Id>(next));
-  this->facesOfWhole_ = checkedId(
-    sumOverRanks(this->exchange_, this->endOfOwnFaces_ - this->firstOwnFace_).all, "faces");
+  this->numberOfGlobalFaces =
+    checkedId(sumOverRanks(this->exchange, this->endOfOwnFaces - this->firstOwnFace).all, "faces");
 }
 
 // The mesh leaves out faces that name a vertex twice and all but the first of those on the same
 // vertices, which is the lowest rank's.
-void MeshPartition::findFacesOfTriangles(const std::vector<Triangle>& triangles, Id first)
+void MeshPartition::Tables::findFacesOfTriangles(const std::vector<Triangle>& triangles, Id first)
 {
   const auto end = static_cast<Id>(first + triangles.size());
   const auto faceFrom = [this](Id input)
   {
     Id low = 0;
-    Id high = this->mesh_.numberOfFaces();
+    Id high = this->mesh.numberOfFaces();
     while (low < high)
     {
       const Id middle = low + (high - low) / 2;
-      const bool isBefore = this->mesh_.inputFace(middle) < input;
+      const bool isBefore = this->mesh.inputFace(middle) < input;
       (isBefore ? low : high) = isBefore ? middle + 1 : middle;
     }
     return low;
   };
-  this->firstOwnFace_ = faceFrom(first);
-  this->endOfOwnFaces_ = faceFrom(end);
-  this->faceOfTriangle_.assign(triangles.size(), NoId);
-  for (Id face = this->firstOwnFace_; face < this->endOfOwnFaces_; ++face)
+  this->firstOwnFace = faceFrom(first);
+  this->endOfOwnFaces = faceFrom(end);
+  this->faceOfTriangle.assign(triangles.size(), NoId);
+  for (Id face = this->firstOwnFace; face < this->endOfOwnFaces; ++face)
   {
-    this->faceOfTriangle_[this->mesh_.inputFace(face) - first] = face;
+    this->faceOfTriangle[this->mesh.inputFace(face) - first] = face;
   }
   const auto sorted = [](Triangle t)
   {
@@ -298,58 +308,63 @@ void MeshPartition::findFacesOfTriangles(const std::vector<Triangle>& triangles,
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     const Triangle t = sorted(triangles[i]);
-    if (this->faceOfTriangle_[i] != NoId || t[0] == t[1] || t[1] == t[2])
+    if (this->faceOfTriangle[i] != NoId || t[0] == t[1] || t[1] == t[2])
     {
       continue;
     }
-    const IdRange corners = this->mesh_.cornersAt(t[0]);
+    const IdRange corners = this->mesh.cornersAt(t[0]);
     const Id* same = std::find_if(corners.begin(), corners.end(),
-      [&](Id corner) { return sorted(this->mesh_.triangle(TriangleMesh::faceOf(corner))) == t; });
-    this->faceOfTriangle_[i] = TriangleMesh::faceOf(*same);
+      [&](Id corner) { return sorted(this->mesh.triangle(TriangleMesh::faceOf(corner))) == t; });
+    this->faceOfTriangle[i] = TriangleMesh::faceOf(*same);
   }
 }
 
 // Tells those who have a copy of a face what its number is here. All leave out the same faces.
-void MeshPartition::exchangeAddresses(const std::vector<HaloFace>& halo)
+void MeshPartition::Tables::exchangeAddresses(const std::vector<HaloFace>& received)
 {
-  std::vector<Message> told = this->exchange_.noMessages();
+  std::vector<Message> told = this->exchange.noMessages();
   for (std::size_t rank = 0; rank < told.size(); ++rank)
   {
-    for (const Id triangle : this->given_[rank])
+    for (const Id triangle : this->given[rank])
     {
-      put(told[rank], this->faceOfTriangle_[triangle]);
+      put(told[rank], this->faceOfTriangle[triangle]);
     }
   }
-  this->given_ = {};
-  std::vector<RankAddress> addresses; // of each of the halo's triangles
-  addresses.reserve(halo.size());
-  readEach(this->exchange_.step(std::move(told)),
+  this->given = {};
+  std::vector<RankAddress> addresses; // of each face received
+  addresses.reserve(received.size());
+  readEach(this->exchange.step(std::move(told)),
     [&](int rank, MessageReader& reader) {
       addresses.push_back({ rank, reader.get<Id>() });
     });
-  const auto own = static_cast<Id>(this->faceOfTriangle_.size());
+  const auto own = static_cast<Id>(this->faceOfTriangle.size());
   const auto lower =
-    static_cast<Id>(std::lower_bound(halo.begin(), halo.end(), this->exchange_.rank(),
+    static_cast<Id>(std::lower_bound(received.begin(), received.end(), this->exchange.rank(),
                       [](const HaloFace& face, int rank) { return face.rank < rank; }) -
-      halo.begin());
-  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+      received.begin());
+  for (Id face = 0; face < this->mesh.numberOfFaces(); ++face)
   {
-    if (!this->isOwn(face))
+    if (face < this->firstOwnFace || face >= this->endOfOwnFaces)
     {
-      const Id input = this->mesh_.inputFace(face);
-      this->halo_.push_back(addresses[input < lower ? input : input - own]);
+      const Id input = this->mesh.inputFace(face);
+      this->halo.push_back(addresses[input < lower ? input : input - own]);
     }
   }
 }
 
 Id MeshPartition::copyOf(const RankAddress& face) const
 {
-  const auto found = std::lower_bound(this->halo_.begin(), this->halo_.end(), face);
-  if (found == this->halo_.end() || face < *found)
+  if (!this->tables_)
   {
     return NoId;
   }
-  const auto i = static_cast<Id>(found - this->halo_.begin());
+  const std::vector<RankAddress>& halo = this->tables_->halo;
+  const auto found = std::lower_bound(halo.begin(), halo.end(), face);
+  if (found == halo.end() || face < *found)
+  {
+    return NoId;
+  }
+  const auto i = static_cast<Id>(found - halo.begin());
   return i < this->firstOwnFace_ ? i : i + (this->endOfOwnFaces_ - this->firstOwnFace_);
 }
 

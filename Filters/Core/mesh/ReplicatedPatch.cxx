@@ -19,48 +19,52 @@ struct ReplicatedPatch::Face
 };
 
 ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces)
-  : part_(part)
+  : tables_(std::make_shared<Tables>(part, faces))
+  , mesh_(&tables_->mesh)
 {
-  const std::vector<Face> gathered = this->gather(faces);
+}
+
+ReplicatedPatch::Tables::Tables(const MeshPartition& part, const std::vector<Id>& faces)
+{
+  const std::vector<Face> gathered = gather(part, faces);
   for (const Face& face : gathered)
   {
-    this->numberInWhole_.insert(
-      this->numberInWhole_.end(), face.vertices.begin(), face.vertices.end());
+    this->globalIds.insert(this->globalIds.end(), face.vertices.begin(), face.vertices.end());
   }
-  std::sort(this->numberInWhole_.begin(), this->numberInWhole_.end());
-  this->numberInWhole_.erase(std::unique(this->numberInWhole_.begin(), this->numberInWhole_.end()),
-    this->numberInWhole_.end());
-  std::vector<Vec3> points(this->numberInWhole_.size());
+  std::sort(this->globalIds.begin(), this->globalIds.end());
+  this->globalIds.erase(
+    std::unique(this->globalIds.begin(), this->globalIds.end()), this->globalIds.end());
+  std::vector<Vec3> points(this->globalIds.size());
   std::vector<Triangle> triangles;
   for (const Face& face : gathered)
   {
     Triangle triangle;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      triangle[k] = static_cast<Id>(std::lower_bound(this->numberInWhole_.begin(),
-                                      this->numberInWhole_.end(), face.vertices[k]) -
-        this->numberInWhole_.begin());
+      triangle[k] = static_cast<Id>(
+        std::lower_bound(this->globalIds.begin(), this->globalIds.end(), face.vertices[k]) -
+        this->globalIds.begin());
       points[triangle[k]] = face.points[k];
     }
     triangles.push_back(triangle);
-    this->owners_.push_back(face.owner);
-    this->boundary_.push_back(face.boundary);
+    this->owners.push_back(face.owner);
+    this->boundary.push_back(face.boundary);
   }
   if (triangles.empty())
   {
     return;
   }
-  this->mesh_ = TriangleMesh(std::move(points), triangles);
+  this->mesh = TriangleMesh(std::move(points), triangles);
 
   const TriangleMesh& own = part.mesh();
-  this->vertexOfPart_.assign(this->numberInWhole_.size(), NoId);
-  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  this->vertexOfPart.assign(this->globalIds.size(), NoId);
+  for (Id face = 0; face < this->mesh.numberOfFaces(); ++face)
   {
-    const bool isOwn = this->owners_[face].rank == part.exchange().rank();
-    this->faceOfPart_.push_back(isOwn ? this->owners_[face].id : part.copyOf(this->owners_[face]));
+    const bool isOwn = this->owners[face].rank == part.exchange().rank();
+    this->faceOfPart.push_back(isOwn ? this->owners[face].id : part.copyOf(this->owners[face]));
     for (std::size_t k = 0; k < 3 && isOwn; ++k)
     {
-      this->vertexOfPart_[this->mesh_.triangle(face)[k]] = own.triangle(this->faceOfPart_[face])[k];
+      this->vertexOfPart[this->mesh.triangle(face)[k]] = own.triangle(this->faceOfPart[face])[k];
     }
   }
 }
@@ -111,19 +115,20 @@ std::vector<Id> ownWithNeighbours(const MeshPartition& part, const std::vector<I
 
 // Every rank sends its faces among those asked for and around them, and what is around these, also
 // copies.
-std::vector<ReplicatedPatch::Face> ReplicatedPatch::gather(const std::vector<Id>& faces) const
+std::vector<ReplicatedPatch::Face> ReplicatedPatch::gather(
+  const MeshPartition& part, const std::vector<Id>& faces)
 {
-  const TriangleMesh& mesh = this->part_.mesh();
-  const std::vector<Id> around = withNeighbours(mesh, ownWithNeighbours(this->part_, faces));
+  const TriangleMesh& mesh = part.mesh();
+  const std::vector<Id> around = withNeighbours(mesh, ownWithNeighbours(part, faces));
   Message message;
   for (const Id id : around)
   {
-    const bool isOwn = this->part_.isOwn(id);
-    Face face = { this->part_.addressOf(id), {}, {}, 0 };
+    const bool isOwn = part.isOwn(id);
+    Face face = { part.addressOf(id), {}, {}, 0 };
     for (Id k = 0; k < 3; ++k)
     {
       const Id vertex = mesh.triangle(id)[k];
-      face.vertices[k] = this->part_.globalId(vertex);
+      face.vertices[k] = part.globalId(vertex);
       face.points[k] = mesh.point(vertex);
       face.boundary |=
         static_cast<std::uint8_t>(isOwn && mesh.isBoundary(3 * id + k) ? 1U << k : 0U);
@@ -131,7 +136,7 @@ std::vector<ReplicatedPatch::Face> ReplicatedPatch::gather(const std::vector<Id>
     put(message, face);
   }
   std::vector<Face> gathered;
-  readEach(this->part_.exchange().tellAll(message),
+  readEach(part.exchange().tellAll(message),
     [&](int, MessageReader& reader) { gathered.push_back(reader.get<Face>()); });
   std::sort(gathered.begin(), gathered.end());
   // Of copies one face is left, which knows what its owner has said of the boundary.
@@ -150,19 +155,24 @@ std::vector<ReplicatedPatch::Face> ReplicatedPatch::gather(const std::vector<Id>
 
 Id ReplicatedPatch::faceAt(const RankAddress& face) const
 {
-  const auto found = std::lower_bound(this->owners_.begin(), this->owners_.end(), face);
-  return found == this->owners_.end() || face < *found
-    ? NoId
-    : static_cast<Id>(found - this->owners_.begin());
+  if (!this->tables_)
+  {
+    return face.id;
+  }
+  const std::vector<RankAddress>& owners = this->tables_->owners;
+  const auto found = std::lower_bound(owners.begin(), owners.end(), face);
+  return found == owners.end() || face < *found ? NoId : static_cast<Id>(found - owners.begin());
 }
 
 Id ReplicatedPatch::vertexAt(Id globalId) const
 {
-  const auto found =
-    std::lower_bound(this->numberInWhole_.begin(), this->numberInWhole_.end(), globalId);
-  return found == this->numberInWhole_.end() || globalId < *found
-    ? NoId
-    : static_cast<Id>(found - this->numberInWhole_.begin());
+  if (!this->tables_)
+  {
+    return globalId;
+  }
+  const std::vector<Id>& ids = this->tables_->globalIds;
+  const auto found = std::lower_bound(ids.begin(), ids.end(), globalId);
+  return found == ids.end() || globalId < *found ? NoId : static_cast<Id>(found - ids.begin());
 }
 
 }

@@ -143,11 +143,10 @@ LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
   const SurfacePoint& from, const SurfacePoint& to, FrontOptions options)
 {
   const TriangleMesh& mesh = part.mesh();
-  options.part = &part;
   options.relativeError = SearchError;
   StopAtPoint stop(part, patch, to);
   LowerBounds ways;
-  ways.atLeast = propagate(mesh,
+  ways.atLeast = propagate(part,
     sourceWindowsOfPartition(part, patch, makeSourceWindows(patch.mesh(), { pointCurve(from) })),
     options, stop)
                    .vertexDistances;

@@ -63,10 +63,9 @@ void StripSearch::findWayBack(const KnownDistances& known, FrontOptions options)
   const SurfacePoint target =
     fromBarycentric(around.mesh(), around.faceAt(this->target_.face), this->target_.weights);
   const Corridor corridor = corridorTo(this->length_, known);
-  options.part = &this->part_;
   options.corridor = &corridor;
   NotePassedFaces strip;
-  const std::vector<double> back = propagate(this->part_.mesh(),
+  const std::vector<double> back = propagate(this->part_,
     sourceWindowsOfPartition(
       this->part_, around, makeSourceWindows(around.mesh(), { pointCurve(target) })),
     options, strip)

@@ -109,7 +109,8 @@ TracedPath PathTracer::begin(const SurfacePoint& from) const
   TracedPath path;
   const SurfacePoint point = normalized(this->mesh_, from);
   // On an edge only the field tells what comes through faces of other ranks.
-  const bool isAtSeam = this->field_.part() != nullptr && point.kind == SurfacePoint::Kind::Edge;
+  const bool isAtSeam =
+    this->field_.surface().isDistributed() && point.kind == SurfacePoint::Kind::Edge;
   path.whole = isAtSeam ? this->field_.distance(point) : distanceAt(this->field_, point);
   path.left = path.whole;
   if (path.whole < Infinity)
@@ -122,7 +123,7 @@ TracedPath PathTracer::begin(const SurfacePoint& from) const
 
 bool PathTracer::isOwn(Id face) const
 {
-  return this->field_.part() == nullptr || this->field_.part()->isOwn(face);
+  return this->field_.surface().isOwn(face);
 }
 
 Id PathTracer::follow(TracedPath& path) const
@@ -168,27 +169,23 @@ Id PathTracer::follow(TracedPath& path) const
 // A face of another rank that the path has come to; NoId where it goes on here.
 Id PathTracer::placeToGoOn(const TracedPath& path) const
 {
-  const MeshPartition* part = this->field_.part();
-  if (part == nullptr)
-  {
-    return NoId;
-  }
+  const MeshPartition& surface = this->field_.surface();
   if (path.next == TracedPath::Next::BehindExit)
   {
     const Id face = TriangleMesh::faceOf(this->mesh_.nextSibling(path.leg.exit));
-    return part->isOwn(face) ? NoId : face;
+    return surface.isOwn(face) ? NoId : face;
   }
   const SurfacePoint& last = path.points.back();
   if (path.next != TracedPath::Next::Point || last.kind != SurfacePoint::Kind::Vertex)
   {
     return NoId;
   }
-  if (last.id >= part->numberOfOwnVertices())
+  if (last.id >= surface.numberOfOwnVertices())
   {
     return TriangleMesh::faceOf(*this->mesh_.cornersAt(last.id).begin());
   }
   const Id halfedge = this->field_.arrivals()[last.id].halfedge;
-  return halfedge == NoId || part->isOwn(TriangleMesh::faceOf(halfedge))
+  return halfedge == NoId || surface.isOwn(TriangleMesh::faceOf(halfedge))
     ? NoId
     : TriangleMesh::faceOf(halfedge);
 }
@@ -207,10 +204,9 @@ void PathTracer::requireLength(const TracedPath& path) const
 // with each step; but a shortest path comes to no vertex and crosses no face twice.
 void PathTracer::add(TracedPath& path, Id face, const SurfacePoint& point) const
 {
-  const MeshPartition* part = this->field_.part();
-  const std::uint64_t faces =
-    part != nullptr ? part->numberOfGlobalFaces() : this->mesh_.numberOfFaces();
-  if (path.steps++ > faces + this->field_.numberOfGlobalVertices())
+  const MeshPartition& surface = this->field_.surface();
+  const std::uint64_t faces = surface.numberOfGlobalFaces();
+  if (path.steps++ > faces + surface.numberOfGlobalVertices())
   {
     throw PathLost("A shortest path could not be followed to the source.");
   }
@@ -447,7 +443,7 @@ Id PathTracer::cornerOn(const PathLeg& leg, const TracedPath& path) const
       dot(toCorner, along) >= 0.0 && std::abs(cross(toCorner, along)) <= reach * way;
     const bool isOnPath =
       (distance == 0.0 || isOnLeg) && distance + length <= path.left + this->slack(face, path);
-    if ((this->field_.globalId(vertex) == leg.origin || isOnPath) && length < nearest)
+    if ((this->field_.surface().globalId(vertex) == leg.origin || isOnPath) && length < nearest)
     {
       nearest = length;
       found = vertex;

@@ -122,7 +122,7 @@ public:
     const std::vector<SourceCurve>& curves, const std::vector<SurfacePoint>& targets,
     const PathsOptions& options)
     : field_(field)
-    , part_(*field.part())
+    , part_(field.surface())
     , patch_(patch)
     , curves_(patch.mesh(), curves)
     , targets_(targets)
@@ -415,7 +415,7 @@ void keepAroundSeams(
 std::vector<std::pair<TargetOnRank, Id>> gatherLost(
   const DistanceField& field, const std::vector<SurfacePoint>& targets, const std::vector<Id>& lost)
 {
-  const MeshPartition& part = *field.part();
+  const MeshPartition& part = field.surface();
   Message message;
   for (const Id target : lost)
   {
@@ -447,17 +447,16 @@ std::vector<PathInSpace> pathsOnRanks(const MeshPartition& part, const Replicate
   keepAroundSeams(part, targets, retention);
   FrontOptions frontOptions;
   frontOptions.keepArrivals = true;
-  frontOptions.part = &part;
   frontOptions.parallelFor = options.parallelFor;
   if (options.progress)
   {
     frontOptions.progress = [&options](double fraction)
     { return options.progress(FrontDone * fraction); };
   }
-  FrontResult front = propagate(part.mesh(),
-    sourceWindowsOfPartition(part, patch, makeSourceWindows(patch.mesh(), curves)), frontOptions,
-    retention);
-  const DistanceField field(part.mesh(), std::move(front), retention.release());
+  FrontResult front =
+    propagate(part, sourceWindowsOfPartition(part, patch, makeSourceWindows(patch.mesh(), curves)),
+      frontOptions, retention);
+  const DistanceField field(part, std::move(front), retention.release());
 
   PathsInTransit paths(field, patch, curves, targets, options);
   paths.run();

@@ -51,7 +51,7 @@ public:
     options.parallelFor = this->options_.parallelFor;
     options.progress = this->part(0.0, FrontDone);
     FrontResult front = propagate(this->mesh_, this->sources_, options, retention);
-    const DistanceField field(this->mesh_, std::move(front), retention.release());
+    const DistanceField field(MeshPartition(this->mesh_), std::move(front), retention.release());
     this->traceAll(field);
     this->findLost(field, retention.reach());
     return std::move(this->paths_);

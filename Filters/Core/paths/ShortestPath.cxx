@@ -126,7 +126,7 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   options.progress = part(progress, ShareOfSearch, 1.0);
   StripRetention strip(mesh, second, toSecond, least, corridor);
   FrontResult front = propagate(mesh, { pointCurve(first) }, options, strip);
-  const DistanceField field(mesh, std::move(front), strip.release());
+  const DistanceField field(MeshPartition(mesh), std::move(front), strip.release());
   std::vector<SurfacePoint> path;
   try
   {

@@ -40,8 +40,7 @@ bool isFrozen(const DistanceField& field, Id face)
 }
 
 /// The faces of other ranks are all frozen.
-std::vector<std::uint8_t> findFrozen(
-  const DistanceField& field, const MeshPartition* part, const ParallelFor& parallelFor)
+std::vector<std::uint8_t> findFrozen(const DistanceField& field, const ParallelFor& parallelFor)
 {
   std::vector<std::uint8_t> frozen(field.mesh().numberOfFaces());
   forRanges(parallelFor, frozen.size(),
@@ -49,8 +48,7 @@ std::vector<std::uint8_t> findFrozen(
     {
       for (Id face = static_cast<Id>(begin); face < end; ++face)
       {
-        const bool isElsewhere = part != nullptr && !part->isOwn(face);
-        frozen[face] = isElsewhere || isFrozen(field, face) ? 1 : 0;
+        frozen[face] = !field.surface().isOwn(face) || isFrozen(field, face) ? 1 : 0;
       }
     });
   return frozen;
@@ -119,7 +117,6 @@ private:
   const DistanceField& field_;
   const RefinementOptions& options_;
   double tolerance_;
-  Exchange* exchange_;
   RedGreenMesh triangles_;
   /// Where ranks have the surface together.
   std::optional<SeamSplits> seams_;
@@ -142,11 +139,10 @@ Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
   : field_(field)
   , options_(options)
   , tolerance_(options.tolerance)
-  , exchange_(options.part ? &options.part->exchange() : nullptr)
-  , triangles_(field.mesh(), findFrozen(field, options.part, options.parallelFor),
-      options.trianglesBeside, options.part)
-  , seams_(
-      options.part ? std::make_optional<SeamSplits>(*options.part, this->triangles_) : std::nullopt)
+  , triangles_(field.surface(), findFrozen(field, options.parallelFor), options.trianglesBeside)
+  , seams_(field.surface().isDistributed()
+        ? std::make_optional<SeamSplits>(field.surface(), this->triangles_)
+        : std::nullopt)
   , progress_(options.progress)
   , workers_(field, this->triangles_, options.parallelFor, this->progress_)
   , distances_(this->triangles_, this->workers_)
@@ -154,7 +150,7 @@ Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
   , rules_(this->triangles_, this->distances_, this->shapes_, options.tolerance)
   , closure_(this->triangles_, this->rules_, this->seams_ ? &*this->seams_ : nullptr)
   , closings_(this->triangles_, this->distances_, this->shapes_, this->workers_, options.tolerance)
-  , violations_(this->triangles_, this->exchange_)
+  , violations_(this->triangles_, field.surface())
   , bound_(this->largestOf(field.droppedErrorBound()))
 {
 }
@@ -375,8 +371,8 @@ bool Refiner::isRoomForAll() const
   {
     return true;
   }
-  return sumOverRanks(*this->exchange_, this->triangles_.numberOfTriangles()).all <=
-    this->options_.maximumFaces;
+  return sumOverRanks(this->field_.surface().exchange(), this->triangles_.numberOfTriangles())
+           .all <= this->options_.maximumFaces;
 }
 
 Id Refiner::numberOfCallersPoints() const
@@ -385,13 +381,12 @@ Id Refiner::numberOfCallersPoints() const
   {
     return this->options_.numberOfPoints;
   }
-  return this->options_.part != nullptr ? this->options_.part->numberOfOwnVertices()
-                                        : this->field_.mesh().numberOfVertices();
+  return this->field_.surface().numberOfOwnVertices();
 }
 
 double Refiner::largestOf(double number) const
 {
-  return this->exchange_ == nullptr ? number : this->exchange_->largestOf(number);
+  return this->field_.surface().exchange().largestOf(number);
 }
 
 std::uint64_t Refiner::maximumTriangles() const

@@ -30,10 +30,6 @@ struct RefinementOptions
   /// edge, by the edge's name (TriangleMesh::edgeOf); edges without such have no entry. What these
   /// come to counts for maximumFaces.
   std::unordered_map<Id, Id> trianglesBeside;
-  /// Where the surface is distributed over ranks: this one's part of it, of which the field's mesh
-  /// is. All ranks call together, with the same tolerance and maximum, and get the faces that they
-  /// own refined. What is said of faces of other ranks is not looked at.
-  const MeshPartition* part = nullptr;
   /// Absent: one task after another. The result does not depend on it.
   ParallelFor parallelFor;
   /// Called now and then with the fraction done in [0, 1]; returning false stops with Aborted.
@@ -59,11 +55,13 @@ struct RefinementOptions
 /// Faces in which the field has no exact values, as beyond the limit of a solve, are left as they
 /// are, but for what their neighbours' splits ask for.
 ///
-/// Over ranks the refined parts fit together: points on edges of several ranks have the same place
-/// along the edge (RefinedPoint::weight), position and distance on all of them, bit for bit. The
-/// maximum of triangles counts all ranks' together; errorBound and stoppedAtMaximum are those of
-/// the whole, and the same everywhere. Which triangles there are depends on the cut, as leaves are
-/// refined in batches then.
+/// Over ranks all call together, with the same tolerance and maximum, and get the faces that they
+/// own refined; what the options say of faces of other ranks is not looked at. The refined parts
+/// fit together: points on edges of several ranks have the same place along the edge
+/// (RefinedPoint::weight), position and distance on all of them, bit for bit. The maximum of
+/// triangles counts all ranks' together; errorBound and stoppedAtMaximum are those of the whole,
+/// and the same everywhere. Which triangles there are depends on the cut, as leaves are refined in
+/// batches then.
 ///
 /// \param field with windows kept.
 /// \throws Error where the tolerance is not a positive number, or the field has no windows;

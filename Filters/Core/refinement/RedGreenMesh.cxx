@@ -8,16 +8,16 @@
 namespace geodesic
 {
 
-RedGreenMesh::RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen,
-  std::unordered_map<Id, Id> beside, const MeshPartition* part)
-  : mesh_(mesh)
-  , faces_(mesh.numberOfFaces())
-  , firstFace_(part ? part->firstOwnFace() : 0)
-  , endOfFaces_(part ? part->endOfOwnFaces() : mesh.numberOfFaces())
+RedGreenMesh::RedGreenMesh(
+  const MeshPartition& surface, std::vector<std::uint8_t> frozen, std::unordered_map<Id, Id> beside)
+  : mesh_(surface.mesh())
+  , faces_(mesh_.numberOfFaces())
+  , firstFace_(surface.firstOwnFace())
+  , endOfFaces_(surface.endOfOwnFaces())
   , frozen_(std::move(frozen))
   , beside_(std::move(beside))
-  , hasEdges_(mesh.numberOfFaces(), 0)
-  , partsOfFace_(mesh.numberOfFaces(), NoId)
+  , hasEdges_(mesh_.numberOfFaces(), 0)
+  , partsOfFace_(mesh_.numberOfFaces(), NoId)
   , numberOfTriangles_(endOfFaces_ - firstFace_)
 {
 }

@@ -84,10 +84,10 @@ public:
   ///        are only closed.
   /// \param beside how many triangles outside of the mesh are closed with it at an edge
   ///        (RefinementOptions::trianglesBeside).
-  /// \param part null: all faces of the mesh are refined and in the output, else those that this
-  ///        part of a surface owns; the others must be frozen.
-  RedGreenMesh(const TriangleMesh& mesh, std::vector<std::uint8_t> frozen,
-    std::unordered_map<Id, Id> beside = {}, const MeshPartition* part = nullptr);
+  /// \param surface the faces that it owns are refined and in the output; the others must be
+  ///        frozen.
+  RedGreenMesh(const MeshPartition& surface, std::vector<std::uint8_t> frozen,
+    std::unordered_map<Id, Id> beside = {});
 
   const TriangleMesh& mesh() const { return this->mesh_; }
   /// The faces of the output are those from the first to before the end.

@@ -7,25 +7,25 @@
 namespace geodesic
 {
 
-RefinementRetention::RefinementRetention(const TriangleMesh& mesh, double tolerance,
-  const std::vector<std::uint8_t>& pinned, const MeshPartition* part, ParallelFor parallelFor)
-  : mesh_(mesh)
-  , part_(part)
+RefinementRetention::RefinementRetention(const MeshPartition& surface, double tolerance,
+  const std::vector<std::uint8_t>& pinned, ParallelFor parallelFor)
+  : surface_(surface)
+  , mesh_(surface_.mesh())
   , parallelFor_(std::move(parallelFor))
   , tolerance_(tolerance)
-  , test_(mesh, tolerance)
-  , state_(mesh.numberOfFaces(), State::Open)
-  , above_(mesh.numberOfFaces(), 0.0F)
-  , neededBy_(mesh.numberOfFaces(), 0)
-  , lists_(mesh.numberOfFaces())
+  , test_(mesh_, tolerance)
+  , state_(mesh_.numberOfFaces(), State::Open)
+  , above_(mesh_.numberOfFaces(), 0.0F)
+  , neededBy_(mesh_.numberOfFaces(), 0)
+  , lists_(mesh_.numberOfFaces())
 {
-  forRanges(this->parallelFor_, mesh.numberOfFaces(),
+  forRanges(this->parallelFor_, mesh_.numberOfFaces(),
     [&](std::size_t begin, std::size_t end)
     {
       for (Id face = static_cast<Id>(begin); face < end; ++face)
       {
         this->forEachNeighbour(face, [this, face](Id) { ++this->neededBy_[face]; });
-        if (pinned[face] || this->isElsewhere(face))
+        if (pinned[face] || !this->surface_.isOwn(face))
         {
           this->state_[face] = State::Kept;
         }
@@ -263,7 +263,7 @@ void RefinementRetention::handOver(const FrontState& front)
   this->kept_.faces.assign(this->mesh_.numberOfFaces(), 1);
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
-    const bool isKept = this->state_[face] != State::Dropped && !this->isElsewhere(face);
+    const bool isKept = this->state_[face] != State::Dropped && this->surface_.isOwn(face);
     this->kept_.faces[face] = isKept ? 1 : 0;
     this->lists_.forEach(face,
       [this](const MeasuredList& measured)

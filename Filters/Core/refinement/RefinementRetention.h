@@ -33,12 +33,10 @@ class RefinementRetention : public Retention
 {
 public:
   /// \param pinned for each face, whether its windows are never dropped.
-  /// \param part null: the mesh is the whole surface.
   /// \param parallelFor for tests of faces between batches; absent: one after another. What is
   ///        kept does not depend on it.
-  RefinementRetention(const TriangleMesh& mesh, double tolerance,
-    const std::vector<std::uint8_t>& pinned, const MeshPartition* part = nullptr,
-    ParallelFor parallelFor = {});
+  RefinementRetention(const MeshPartition& surface, double tolerance,
+    const std::vector<std::uint8_t>& pinned, ParallelFor parallelFor = {});
 
   bool needsInside() const override { return true; }
   void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
@@ -67,7 +65,6 @@ private:
 
   template <typename Visit>
   void forEachNeighbour(Id face, Visit&& visit) const;
-  bool isElsewhere(Id face) const { return this->part_ != nullptr && !this->part_->isOwn(face); }
   bool isOpen(Id face) const
   {
     return this->state_[face] == State::Open || this->state_[face] == State::Awaited;
@@ -90,8 +87,8 @@ private:
   void dropIfUnneeded(Id face, const FrontState& front);
   void handOver(const FrontState& front);
 
+  MeshPartition surface_;
   const TriangleMesh& mesh_;
-  const MeshPartition* part_;
   ParallelFor parallelFor_;
   double tolerance_;
   LinearFaceTest test_;

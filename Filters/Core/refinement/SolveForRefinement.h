@@ -18,19 +18,21 @@ namespace geodesic
 /// repetition is nearly always enough, as what was missing is kept then; each further one is for
 /// faces that came to be missed by it. To be sure of an end, the last one keeps all.
 ///
-/// \param mesh must outlive the field.
+/// Ranks that have the surface together solve together, and again together. The field is known in
+/// the faces that each owns.
+///
+/// \param surface whose mesh must outlive the field.
+/// \param sources what they give to begin with (propagate()).
 /// \param tolerance in the surface's units, positive.
 /// \param maximumDroppingSolves how often it is solved with windows dropped; at most one solve
 ///        more is made, which keeps all.
 /// \throws as solve().
-DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
+DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindows& sources,
   double tolerance, const FrontOptions& options = {}, int maximumDroppingSolves = 4);
 
-/// The same on a part of a surface (FrontOptions::part), from what the sources give to begin with.
-/// All ranks call together, and solve again together. The field is known in the faces that the part
-/// owns.
-DistanceField solveForRefinement(const TriangleMesh& mesh, const SourceWindows& sources,
-  double tolerance, const FrontOptions& options, int maximumDroppingSolves = 4);
+/// The same in one process, from the curves themselves.
+DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
+  double tolerance, const FrontOptions& options = {}, int maximumDroppingSolves = 4);
 
 /// What merging may change on one halfedge of an approximate field that is refined to a tolerance:
 /// a tenth of it (window/Merging.md).

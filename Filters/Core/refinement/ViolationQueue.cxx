@@ -45,7 +45,7 @@ bool ViolationQueue::takeBatch()
   this->batch_.clear();
   const bool isAny = this->isAnyOpen();
   this->worst_ = isAny ? this->waiting_.top().error : 0.0;
-  if (this->exchange_ == nullptr)
+  if (!this->surface_.isDistributed())
   {
     if (isAny)
     {
@@ -54,7 +54,7 @@ bool ViolationQueue::takeBatch()
     }
     return isAny;
   }
-  this->worst_ = this->exchange_->largestOf(this->worst_);
+  this->worst_ = this->surface_.exchange().largestOf(this->worst_);
   if (!(this->worst_ > 0.0))
   {
     return false;
@@ -71,7 +71,7 @@ bool ViolationQueue::takeBatch()
 // Each rank keeps a share in proportion to what it has.
 void ViolationQueue::keepShare()
 {
-  const SumsOverRanks found = sumOverRanks(*this->exchange_, this->batch_.size());
+  const SumsOverRanks found = sumOverRanks(this->surface_.exchange(), this->batch_.size());
   this->batchOfAll_ = std::min(found.all, this->mostInBatch_);
   if (found.all <= this->mostInBatch_)
   {

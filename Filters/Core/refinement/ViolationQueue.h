@@ -2,7 +2,7 @@
 #ifndef geodesic_ViolationQueue_h
 #define geodesic_ViolationQueue_h
 
-#include "Exchange.h"
+#include "mesh/MeshPartition.h"
 #include "refinement/RedGreenMesh.h"
 
 #include <cstdint>
@@ -32,11 +32,10 @@ struct Violation
 class ViolationQueue
 {
 public:
-  /// \param triangles must outlive this, as must the exchange.
-  /// \param exchange null: without other ranks.
-  ViolationQueue(const RedGreenMesh& triangles, Exchange* exchange)
+  /// \param triangles must outlive this, as must the surface.
+  ViolationQueue(const RedGreenMesh& triangles, const MeshPartition& surface)
     : triangles_(triangles)
-    , exchange_(exchange)
+    , surface_(surface)
   {
   }
 
@@ -77,7 +76,7 @@ private:
   void keepShare();
 
   const RedGreenMesh& triangles_;
-  Exchange* exchange_;
+  const MeshPartition& surface_;
   std::priority_queue<Violation> waiting_;
   std::vector<Violation> batch_;
   double worst_ = 0.0;

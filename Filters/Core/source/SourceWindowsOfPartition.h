@@ -10,11 +10,11 @@ namespace geodesic
 
 /// What sources on a patch that all ranks have give the front of this rank's part: the windows that
 /// leave faces owned here, the sources in these faces and in the halo, and the vertices of the
-/// part.
+/// part. In one process they are the same.
 ///
 /// \param onPatch of curves whose points lie in faces that were asked for when the patch was made.
 SourceWindows sourceWindowsOfPartition(
-  const MeshPartition& part, const ReplicatedPatch& patch, const SourceWindows& onPatch);
+  const MeshPartition& part, const ReplicatedPatch& patch, SourceWindows onPatch);
 
 }
 

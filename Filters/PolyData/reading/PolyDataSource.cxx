@@ -275,7 +275,7 @@ SourceError liesInBarrier(const PolyDataSurface& surface, const LocatedPolyline&
 std::string cellOfBarrierOnRanks(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const RankAddress& face)
 {
-  Exchange& exchange = surface.part()->exchange();
+  Exchange& exchange = surface.partition().exchange();
   Message message;
   if (face.rank == exchange.rank())
   {

@@ -36,6 +36,7 @@ PolyDataSurface::PolyDataSurface(std::unique_ptr<TriangleMesh> mesh,
       std::move(vertexOfPoint), std::move(blocks), std::move(roles), scale, diagonal, report)
 {
   this->mesh_ = std::move(mesh);
+  this->partition_ = std::make_unique<MeshPartition>(*this->mesh_);
   this->barriers_ = std::move(barriers);
 }
 
@@ -46,7 +47,7 @@ PolyDataSurface::PolyDataSurface(std::unique_ptr<MeshPartition> part,
   : PolyDataSurface(
       std::move(vertexOfPoint), std::move(blocks), std::move(roles), scale, diagonal, report)
 {
-  this->part_ = std::move(part);
+  this->partition_ = std::move(part);
   this->borrowed_ = std::move(borrowed);
   this->barriersOnRanks_ = std::move(barriers);
 }
@@ -84,10 +85,10 @@ std::unique_ptr<TriangleMesh> PolyDataSurface::meshWithBarriers(
   const ProgressCallback& progress) const
 {
   std::vector<Vec3> points;
-  points.reserve(this->mesh_->numberOfVertices());
-  for (Id vertex = 0; vertex < this->mesh_->numberOfVertices(); ++vertex)
+  points.reserve(this->mesh().numberOfVertices());
+  for (Id vertex = 0; vertex < this->mesh().numberOfVertices(); ++vertex)
   {
-    points.push_back(this->mesh_->point(vertex));
+    points.push_back(this->mesh().point(vertex));
   }
   std::vector<Triangle> triangles;
   triangles.reserve(this->numberOfOwnTriangles());
@@ -104,10 +105,10 @@ std::unique_ptr<TriangleMesh> PolyDataSurface::meshWithBarriers(
 PieceVertices PolyDataSurface::pieceVertices() const
 {
   PieceVertices vertices;
-  const TriangleMesh& mesh = this->part_->mesh();
+  const TriangleMesh& mesh = this->partition_->mesh();
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
-    vertices.numbers.push_back(this->part_->globalId(vertex));
+    vertices.numbers.push_back(this->partition_->globalId(vertex));
     vertices.positions.push_back(mesh.point(vertex));
   }
   this->completeValues(NoId, vertices.numbers);
@@ -120,7 +121,8 @@ PieceVertices PolyDataSurface::pieceVertices() const
       const Id vertex = this->barriersOnRanks_->vertices()[i];
       if (vertices.numbers[vertex] == NoId)
       {
-        vertices.numbers[vertex] = this->part_->numberOfGlobalVertices() + barriers.globalId(i);
+        vertices.numbers[vertex] =
+          this->partition_->numberOfGlobalVertices() + barriers.globalId(i);
         vertices.positions[vertex] = barriers.mesh().point(i);
       }
     }
@@ -157,7 +159,7 @@ std::unique_ptr<MeshPartition> PolyDataSurface::partWithBarriers(
   }
   const std::vector<std::uint64_t> keys(numbers.begin(), numbers.end());
   return std::make_unique<MeshPartition>(
-    std::move(points), std::move(triangles), keys, this->part_->exchange(), progress);
+    std::move(points), std::move(triangles), keys, this->partition_->exchange(), progress);
 }
 
 void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)

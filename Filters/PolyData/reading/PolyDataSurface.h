@@ -125,9 +125,9 @@ public:
     const Report& report);
 
   /// The faces that paths may enter; of a piece with those around it.
-  const TriangleMesh& mesh() const { return this->part_ ? this->part_->mesh() : *this->mesh_; }
-  /// What this rank has of a surface that several ranks have together; null where it is whole.
-  const MeshPartition* part() const { return this->part_.get(); }
+  const TriangleMesh& mesh() const { return this->partition_->mesh(); }
+  /// What this rank has of the surface; in one process all of it.
+  const MeshPartition& partition() const { return *this->partition_; }
   /// Of a piece, gives values at the mesh's vertices one at each vertex that vertexOf() names. All
   /// ranks call this together. Does nothing where the surface is whole.
   ///
@@ -135,10 +135,10 @@ public:
   template <typename Value>
   void completeValues(const Value& none, std::vector<Value>& values) const
   {
-    if (this->part_)
+    if (this->borrowed_)
     {
-      values.resize(this->part_->mesh().numberOfVertices(), none);
-      this->borrowed_->append(none, values, this->part_->exchange());
+      values.resize(this->mesh().numberOfVertices(), none);
+      this->borrowed_->append(none, values, this->partition_->exchange());
     }
   }
   /// Of a piece. All ranks call this together.
@@ -198,7 +198,7 @@ public:
   /// The triangle that a face of the mesh came from; not of a piece.
   Id triangleOf(Id face) const
   {
-    const Id input = this->mesh_->inputFace(face);
+    const Id input = this->mesh().inputFace(face);
     return this->openTriangles_.empty() ? input : this->openTriangles_[input];
   }
   /// The triangles that are barriers.
@@ -223,8 +223,9 @@ private:
     const Report& report);
   void sortRoles();
 
+  /// In one process the mesh of the partition; else null.
   std::unique_ptr<TriangleMesh> mesh_;
-  std::unique_ptr<MeshPartition> part_;
+  std::unique_ptr<MeshPartition> partition_;
   std::optional<RemoteVertices> borrowed_;
   std::unique_ptr<BarrierFaces> barriers_;
   std::unique_ptr<BarriersOnRanks> barriersOnRanks_;

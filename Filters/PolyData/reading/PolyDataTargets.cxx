@@ -125,7 +125,7 @@ Targets readTargetsOfPiece(const std::vector<PolyDataBlock>& blocks, const std::
   }
   const std::vector<std::vector<LocatorOnRanks::Found>> found =
     locator.locate(places, precision, progress);
-  const MeshPartition& part = *surface.part();
+  const MeshPartition& part = surface.partition();
   const std::vector<RankAddress> barriers = surface.barriersOnRanks()
     ? surface.barriersOnRanks()->barriersAt(places, found, precision)
     : std::vector<RankAddress>(places.size(), RankAddress{ -1, NoId });

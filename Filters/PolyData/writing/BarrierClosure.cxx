@@ -25,7 +25,7 @@ std::unordered_map<Id, Id> barriersAtEdgesOfPieces(const PolyDataSurface& surfac
   }
   const GlobalFaces faces(surface);
   const std::vector<FaceOfWhole> found = faces.find(edges);
-  Exchange& exchange = surface.part()->exchange();
+  Exchange& exchange = surface.partition().exchange();
   std::vector<Message> messages = exchange.noMessages();
   for (std::size_t i = 0; i < found.size(); ++i)
   {

@@ -35,7 +35,7 @@ Id FaceOfWhole::edgeOn(const Triangle& edge) const
 }
 
 GlobalFaces::GlobalFaces(const PolyDataSurface& surface)
-  : part_(*surface.part())
+  : part_(surface.partition())
   , vertices_(surface.pieceVertices())
 {
   const TriangleMesh& mesh = surface.mesh();

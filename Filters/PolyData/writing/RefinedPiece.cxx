@@ -27,7 +27,7 @@ void forEachOpen(const PolyDataSurface& surface, Visit&& visit)
   {
     if (surface.role(i) == TriangleRole::Open)
     {
-      visit(i, surface.part()->faceOfTriangle(next++));
+      visit(i, surface.partition().faceOfTriangle(next++));
     }
   }
 }
@@ -40,7 +40,7 @@ std::vector<Id> trianglesOfFaces(const PolyDataSurface& surface)
   forEachOpen(surface,
     [&](Id triangle, Id face)
     {
-      if (face != NoId && surface.part()->isOwn(face) && triangles[face] == NoId)
+      if (face != NoId && surface.partition().isOwn(face) && triangles[face] == NoId)
       {
         triangles[face] = triangle;
       }
@@ -290,7 +290,7 @@ std::vector<UnmeshedTriangle> findOtherTriangles(const PolyDataSurface& surface,
       others.emplace_back().triangle = i;
     }
   }
-  if (!surface.part()->exchange().isTrueAnywhere(!others.empty()))
+  if (!surface.partition().exchange().isTrueAnywhere(!others.empty()))
   {
     return others;
   }
@@ -301,7 +301,7 @@ std::vector<UnmeshedTriangle> findOtherTriangles(const PolyDataSurface& surface,
     asked.push_back(like->face.address);
   }
   std::vector<RefinedFace> answers =
-    findRefinedFaces(asked, *surface.part(), refined, cornerPoints);
+    findRefinedFaces(asked, surface.partition(), refined, cornerPoints);
   for (std::size_t i = 0; i < answers.size(); ++i)
   {
     found[i]->parts = std::move(answers[i]);
@@ -330,7 +330,7 @@ bool areTooMany(const PolyDataSurface& surface, const std::vector<UnmeshedTriang
   {
     total += surface.isCopy(other.triangle) ? 0 : other.numberOfParts();
   }
-  return sumOverRanks(surface.part()->exchange(), total).all > maximumFaces && maximumFaces > 0;
+  return sumOverRanks(surface.partition().exchange(), total).all > maximumFaces && maximumFaces > 0;
 }
 
 } // anonymous namespace
@@ -348,9 +348,7 @@ std::vector<Triangle> cornerPointsOfPiece(const PolyDataSurface& surface)
 
 std::uint64_t countOwnTriangles(const PolyDataSurface& surface)
 {
-  return surface.part()
-    ? sumOverRanks(surface.part()->exchange(), surface.numberOfOwnTriangles()).all
-    : surface.numberOfOwnTriangles();
+  return sumOverRanks(surface.partition().exchange(), surface.numberOfOwnTriangles()).all;
 }
 
 std::vector<RankAddress> addOtherTrianglesOfPiece(const PolyDataSurface& surface,

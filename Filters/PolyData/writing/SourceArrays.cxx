@@ -117,7 +117,7 @@ void SourceArrays::completeValues(SourceValues& atVertices) const
 
 void SourceArrays::replaceAtSeams(const SeamPoints& seams, SourceValues& atNewPoints) const
 {
-  Exchange& exchange = this->surface_.part()->exchange();
+  Exchange& exchange = this->surface_.partition().exchange();
   const BorrowedValues told(seams.there, exchange);
   this->forEachKind(
     [&](auto kind, const auto&) { told.replace(seams.here, atNewPoints.*kind, exchange); });
@@ -126,7 +126,7 @@ void SourceArrays::replaceAtSeams(const SeamPoints& seams, SourceValues& atNewPo
 void SourceArrays::appendCopies(
   const std::vector<RankAddress>& copied, SourceValues& atNewPoints) const
 {
-  Exchange& exchange = this->surface_.part()->exchange();
+  Exchange& exchange = this->surface_.partition().exchange();
   const BorrowedValues copies(copied, exchange);
   this->forEachKind(
     [&](auto kind, const auto& none) { copies.append(none, atNewPoints.*kind, exchange); });
@@ -183,8 +183,7 @@ SourceValues SourceArrays::atVertices(const DistanceField& computed, const Neare
   SourceValues values;
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  const Id count = this->surface_.part() ? this->surface_.part()->numberOfOwnVertices()
-                                         : computed.mesh().numberOfVertices();
+  const Id count = this->surface_.partition().numberOfOwnVertices();
   this->reserve(count, values);
   Gradients gradients(computed, values.gradients);
   for (Id vertex = 0; vertex < count; ++vertex)
@@ -307,20 +306,18 @@ Id findFaceWithoutSides(const TriangleMesh& mesh, Id first, Id end)
 void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,
   const std::string& property)
 {
-  const MeshPartition* part = surface.part();
-  const Id face = part
-    ? findFaceWithoutSides(surface.mesh(), part->firstOwnFace(), part->endOfOwnFaces())
-    : findFaceWithoutSides(surface.mesh(), 0, surface.mesh().numberOfFaces());
+  const MeshPartition& part = surface.partition();
+  const Id face = findFaceWithoutSides(surface.mesh(), part.firstOwnFace(), part.endOfOwnFaces());
   if (face == NoId)
   {
     return;
   }
-  if (part)
+  if (part.isDistributed())
   {
     throw MeshError(property +
       " needs a surface whose faces have one orientation and whose edges have at most two faces, "
       "which faces of this one (input port 0) on rank " +
-      std::to_string(part->exchange().rank()) +
+      std::to_string(part.exchange().rank()) +
       " do not fit. Orient the surface upstream (Generate Surface Normals with Consistency), split "
       "it, or switch " +
       property + " off.");

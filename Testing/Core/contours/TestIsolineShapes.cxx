@@ -546,7 +546,7 @@ Isolines linesOfSides(const TriangleMesh& mesh, const std::vector<geodesic::Sour
   options.chordTolerance = chordTolerance;
   const geodesic::DistanceField field =
     geodesic::solveForIsolines(mesh, curves, options.values, front);
-  geodesic::NearestSource nearest(field, curves);
+  geodesic::NearestSource nearest(field, geodesic::ReplicatedPatch(field.mesh()), curves);
   return geodesic::linesOnSides(field, nearest,
     [](const geodesic::Foot& foot) { return foot.isRight; }, geodesic::drawIsolines(field, options),
     { { 0, 1 } });

@@ -166,11 +166,10 @@ bool isRight(const geodesic::Foot& foot)
   return foot.isRight;
 }
 
-geodesic::FrontOptions withArrivals(const geodesic::MeshPartition* part = nullptr)
+geodesic::FrontOptions withArrivals()
 {
   geodesic::FrontOptions options;
   options.keepArrivals = true;
-  options.part = part;
   return options;
 }
 
@@ -182,7 +181,7 @@ std::vector<PlainLine> linesInOnePiece(const CaseWithValues& c, bool sided)
   Isolines isolines = drawIsolines(field, c.options());
   if (sided)
   {
-    geodesic::NearestSource nearest(field, curves);
+    geodesic::NearestSource nearest(field, geodesic::ReplicatedPatch(field.mesh()), curves);
     isolines = linesOnSides(field, nearest, isRight, isolines, leftOnly(c.values));
   }
   return plainLines(mesh, isolines, [&](Id face) { return mesh.inputFace(face); });
@@ -198,7 +197,7 @@ std::vector<PlainLine> linesOnRanks(
     {
       const geodesic::TriangleMesh& mesh = rank.part.mesh();
       const geodesic::DistanceField field =
-        solveForIsolines(mesh, rank.sources, c.values, withArrivals(&rank.part), droppingSolves);
+        solveForIsolines(rank.part, rank.sources, c.values, withArrivals(), droppingSolves);
       Isolines isolines = drawIsolines(field, c.options());
       if (sided)
       {
@@ -341,9 +340,8 @@ TEST(IsolinesOnSeams, HaveNoDirectionWhereFacesOfOppositeOrientationMeet)
     onRanks(cut, { { { { corner.face, corner.weights, corner.weights } }, {} } }, 0,
       [&](const RankOfRun& rank)
       {
-        const Isolines isolines = drawIsolines(solveForIsolines(rank.part.mesh(), rank.sources,
-                                                 options.values, withArrivals(&rank.part)),
-          options);
+        const Isolines isolines = drawIsolines(
+          solveForIsolines(rank.part, rank.sources, options.values, withArrivals()), options);
         EXPECT_EQ(isolines.lines.size(), 1U);
         EXPECT_EQ(isolines.linesWithoutDirection, isTurned ? 1U : 0U);
       });

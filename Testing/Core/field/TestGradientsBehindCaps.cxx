@@ -275,10 +275,9 @@ private:
     const TriangleMesh& mesh = rank.part.mesh();
     geodesic::FrontOptions options;
     options.keepArrivals = true;
-    options.part = &rank.part;
     geodesic::KeepAll all(mesh);
-    geodesic::FrontResult front = propagate(mesh, rank.sources, options, all);
-    const geodesic::DistanceField field(mesh, std::move(front), all.release());
+    geodesic::FrontResult front = propagate(rank.part, rank.sources, options, all);
+    const geodesic::DistanceField field(rank.part, std::move(front), all.release());
     std::vector<geodesic::Vec3> found;
     geodesic::Gradients gradients(field, found);
     for (Id vertex = 0; vertex < rank.wholeVertices.size(); ++vertex)

@@ -99,7 +99,7 @@ struct Solved
     , mesh(engineMesh(plain.mesh))
     , curves(engineCurves(mesh, plain.curves))
     , field(solveFor(at, mesh, curves))
-    , nearest(field, curves)
+    , nearest(field, geodesic::ReplicatedPatch(mesh), curves)
     , largest(largestFinite(plain.truth.vertices))
   {
     if (at == At::RefinedPoints)
@@ -362,7 +362,7 @@ TEST(NearestSource, ALineOfManyCurvesIsOneToTheFront)
   EXPECT_LE(worstError(field.vertexDistances(), whole.vertexDistances(), 16.0), OrdinaryAccuracy);
 
   // Each of the parts is the nearest to what lies beside its middle, on the side that it sees.
-  NearestSource nearest(field, parts);
+  NearestSource nearest(field, geodesic::ReplicatedPatch(field.mesh()), parts);
   for (int i = 0; i < count; ++i)
   {
     const double middle = (i + 0.5) / count;
@@ -396,7 +396,7 @@ TEST(NearestSource, IsKnownWhereVerticesAreARoundingApart)
   const std::vector<geodesic::SourceCurve> curves = { geodesic::pointCurve(
     SurfacePoint::inFace(0, 1e-17, 1e-17)) };
   const geodesic::DistanceField field = solveWithArrivals(mesh, curves);
-  const NearestSource nearest(field, curves);
+  const NearestSource nearest(field, geodesic::ReplicatedPatch(field.mesh()), curves);
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
     EXPECT_EQ(nearest.atVertex(vertex).curve, 0U) << "vertex " << vertex;
@@ -420,8 +420,8 @@ TEST(NearestSource, IsSoughtNoLongerWhereTwoVerticesNameEachOther)
   const Id previous = geodesic::TriangleMesh::previousInFace(edge);
   front.arrivals[mesh.origin(edge)] = { next, mesh.destination(edge), 0.0 };
   front.arrivals[mesh.destination(edge)] = { previous, mesh.origin(edge), mesh.length(previous) };
-  const geodesic::DistanceField field(mesh, std::move(front), {});
-  const NearestSource nearest(field, curves);
+  const geodesic::DistanceField field(geodesic::MeshPartition(mesh), std::move(front), {});
+  const NearestSource nearest(field, geodesic::ReplicatedPatch(field.mesh()), curves);
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
     EXPECT_EQ(nearest.atVertex(vertex).isKnown(), vertex != 4 && vertex != 9) << vertex;

@@ -71,7 +71,7 @@ std::vector<Told> toldInOnePiece(const RandomCase& c)
   const std::vector<geodesic::SourceCurve> curves = engineCurves(mesh, c.curves);
   const geodesic::DistanceField field =
     geodesic::solve(mesh, curves, withArrivals(), geodesic::KeepWindows::All);
-  NearestSource nearest(field, curves);
+  NearestSource nearest(field, geodesic::ReplicatedPatch(field.mesh()), curves);
   std::vector<Told> told;
   for (geodesic::Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
@@ -108,8 +108,7 @@ private:
   {
     const geodesic::TriangleMesh& mesh = rank.part.mesh();
     geodesic::FrontOptions options = withArrivals();
-    options.part = &rank.part;
-    const geodesic::DistanceField field = geodesic::solve(mesh, rank.sources, options, this->keep_);
+    const geodesic::DistanceField field = geodesic::solve(rank.part, rank.sources, options, this->keep_);
     NearestSource nearest(field, rank.patch, rank.curvesOnPatch);
     for (geodesic::Id vertex = 0; vertex < rank.wholeVertices.size(); ++vertex)
     {

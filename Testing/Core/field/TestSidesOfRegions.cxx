@@ -356,7 +356,7 @@ TEST_P(SidesOfRegions, AreInsideAndOutside)
     {
       least = std::max(least, 1e-12 * mesh.length(halfedge));
     }
-    NearestSource nearest(field, curves);
+    NearestSource nearest(field, geodesic::ReplicatedPatch(field.mesh()), curves);
     const auto expectSide = [&](const MeshPoint& point, const Foot& foot, double distance)
     {
       if (!foot.isKnown() || distance < least)

@@ -214,9 +214,7 @@ TEST(Ranks, RememberTheSameArrivalAtSharedVerticesWherePathsAreEquallyLong)
         {
           geodesic::FrontOptions options;
           options.keepArrivals = true;
-          options.part = &rank.part;
-          const geodesic::DistanceField field =
-            geodesic::solve(rank.part.mesh(), rank.sources, options);
+          const geodesic::DistanceField field = geodesic::solve(rank.part, rank.sources, options);
           const std::lock_guard<std::mutex> lock(mutex);
           for (geodesic::Id vertex = 0; vertex < rank.part.numberOfOwnVertices(); ++vertex)
           {
@@ -264,10 +262,9 @@ TEST(Ranks, AnAbortOnOneStopsAll)
                  [](const RankOfRun& rank)
                  {
                    geodesic::FrontOptions options;
-                   options.part = &rank.part;
                    options.progress = [&](double) { return rank.exchange.rank() != 2; };
                    geodesic::KeepNone none;
-                   propagate(rank.part.mesh(), rank.sources, options, none);
+                   propagate(rank.part, rank.sources, options, none);
                  }),
     geodesic::Aborted);
 }

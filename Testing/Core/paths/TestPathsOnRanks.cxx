@@ -226,9 +226,7 @@ std::vector<PathInSpace> pathsInStrips(const CutMesh& cut, const std::vector<Pol
     [&](const RankOfRun& rank)
     {
       geodesic::FrontOptions options;
-      options.part = &rank.part;
-      const geodesic::DistanceField field =
-        geodesic::solve(rank.part.mesh(), rank.sources, options);
+      const geodesic::DistanceField field = geodesic::solve(rank.part, rank.sources, options);
       const geodesic::KnownDistances known{ field.vertexDistances() };
       for (std::size_t i = 0; i < targets.size(); ++i)
       {

@@ -259,7 +259,8 @@ TEST_P(PathsToSourceOn, FrontsThatStopEarlyTellTheSameDistancesToTheLastBit)
     {
       geodesic::RetentionAround retention(c.mesh, { c.targets[i] });
       geodesic::FrontResult front = geodesic::propagate(c.mesh, c.curves, {}, retention);
-      const geodesic::DistanceField field(c.mesh, std::move(front), retention.release());
+      const geodesic::DistanceField field(
+        geodesic::MeshPartition(c.mesh), std::move(front), retention.release());
       EXPECT_EQ(field.distance(c.targets[i]), whole.distance(c.targets[i]));
       for (geodesic::Id v = 0; v < c.mesh.numberOfVertices(); ++v)
       {

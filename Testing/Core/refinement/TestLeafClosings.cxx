@@ -33,8 +33,8 @@ public:
     , mesh_(engineMesh(this->plain_))
     , tolerance_(random.uniform(0.005, 0.2))
     , field_(solveKeepingAll(this->mesh_, engineCurves(this->mesh_, randomSource(random))))
-    , triangles_(this->mesh_, { 0 })
-    , workers_(this->field_, this->triangles_, this->parallelFor_)
+    , triangles_(geodesic::MeshPartition(this->mesh_), { 0 })
+    , workers_(this->field_, this->triangles_, this->parallelFor_, this->progress_)
     , edges_(this->triangles_, this->workers_)
     , shapes_(this->triangles_, this->tolerance_)
     , closings_(this->triangles_, this->edges_, this->shapes_, this->workers_, this->tolerance_)
@@ -91,6 +91,8 @@ private:
   geodesic::DistanceField field_;
   geodesic::RedGreenMesh triangles_;
   geodesic::ParallelFor parallelFor_;
+  geodesic::ProgressCallback callback_;
+  geodesic::RefinementProgress progress_{ this->callback_ };
   geodesic::RefinementWorkers workers_;
   geodesic::EdgeDistances edges_;
   geodesic::PartShapes shapes_;

@@ -44,12 +44,13 @@ class ByHand
 public:
   explicit ByHand(const std::vector<geodesic::Triangle>& triangles, Id vertices = 8)
     : mesh_(somePoints(vertices), triangles)
-    , triangles_(this->mesh_, std::vector<std::uint8_t>(triangles.size(), 0))
+    , triangles_(
+        geodesic::MeshPartition(this->mesh_), std::vector<std::uint8_t>(triangles.size(), 0))
   {
   }
   ByHand(const std::vector<geodesic::Triangle>& triangles, std::vector<std::uint8_t> frozen)
     : mesh_(somePoints(8), triangles)
-    , triangles_(this->mesh_, std::move(frozen))
+    , triangles_(geodesic::MeshPartition(this->mesh_), std::move(frozen))
   {
   }
 
@@ -164,7 +165,7 @@ TEST(RedGreen, TrianglesBesideTheMeshCountWithEverySplitOfTheirEdge)
   const geodesic::TriangleMesh mesh(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, TwoFaces);
   const Id rim = mesh.edgeOf(mesh.halfedgeBetween(0, 1));
-  RedGreenMesh triangles(mesh, { 0, 0 }, { { rim, 2 } });
+  RedGreenMesh triangles(geodesic::MeshPartition(mesh), { 0, 0 }, { { rim, 2 } });
   MiddleRules rules([](Id) { return true; });
   geodesic::RedGreenClosure closure(triangles, rules);
   triangles.begin();

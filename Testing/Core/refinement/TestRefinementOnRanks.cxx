@@ -170,13 +170,11 @@ Joined refineOnRanks(const CutMesh& cut, const Task& task, std::uint64_t disorde
     [&](const RankOfRun& rank)
     {
       geodesic::FrontOptions front = task.front;
-      front.part = &rank.part;
       const DistanceField field =
-        solveForRefinement(rank.part.mesh(), rank.sources, task.tolerance, front);
+        solveForRefinement(rank.part, rank.sources, task.tolerance, front);
       geodesic::RefinementOptions options;
       options.tolerance = task.tolerance;
       options.maximumFaces = task.maximumFaces;
-      options.part = &rank.part;
       const RefinedMesh refined = refine(field, options);
       for (int turn = 0; turn < rank.exchange.numberOfRanks(); ++turn)
       {
@@ -197,7 +195,7 @@ void expectFitTogether(const TriangleMesh& whole, const Joined& joined)
 {
   geodesic::FrontResult front;
   front.vertexDistances = joined.vertexDistances;
-  const DistanceField field(whole, front, {});
+  const DistanceField field(geodesic::MeshPartition(whole), front, {});
   const Points points(field, joined.refined);
   expectFacesPartitioned(whole, joined.refined, points);
   expectWatertight(whole, joined.refined, points);
@@ -208,7 +206,8 @@ Samples samplesOf(
 {
   geodesic::FrontResult front;
   front.vertexDistances = joined.vertexDistances;
-  return sample(DistanceField(whole, front, {}), joined.refined, count, random);
+  return sample(
+    DistanceField(geodesic::MeshPartition(whole), front, {}), joined.refined, count, random);
 }
 
 void expectSame(const RefinedMesh& a, const RefinedMesh& b)
@@ -467,12 +466,10 @@ TEST_P(RefinementOnRanks, TellsHowFacesOfOtherRanksAreRefined)
     [&](const RankOfRun& rank)
     {
       geodesic::FrontOptions front;
-      front.part = &rank.part;
       geodesic::RefinementOptions options;
       options.tolerance = 0.01 * c.largest;
-      options.part = &rank.part;
       const DistanceField field =
-        solveForRefinement(rank.part.mesh(), rank.sources, options.tolerance, front);
+        solveForRefinement(rank.part, rank.sources, options.tolerance, front);
       const RefinedMesh refined = refine(field, options);
       const PlacedFaces found = findOthers(rank, refined);
       const std::lock_guard<std::mutex> lock(mutex);
@@ -571,12 +568,10 @@ TEST_P(RefinementOnRanks, TellsOfAPointOnASeamByTheLowestRankThatKnows)
       {
         geodesic::FrontOptions front;
         front.maximumDistance = limit;
-        front.part = &rank.part;
         geodesic::RefinementOptions options;
         options.tolerance = 0.01 * c.largest;
-        options.part = &rank.part;
         const DistanceField field =
-          solveForRefinement(rank.part.mesh(), rank.sources, options.tolerance, front);
+          solveForRefinement(rank.part, rank.sources, options.tolerance, front);
         const RefinedMesh refined = refine(field, options);
         const geodesic::SeamPoints seams = findSeamPoints(refined.points, refined.points.size(),
           rank.part, [&field](Id face) { return field.knowsInside(face); });
@@ -617,10 +612,8 @@ TEST(RefinementOfAPart, KeepsFewWindowsWhereTheDistanceIsLinear)
     [&](const RankOfRun& rank)
     {
       geodesic::FrontOptions front;
-      front.part = &rank.part;
       const double tolerance = 1.0;
-      const DistanceField field =
-        solveForRefinement(rank.part.mesh(), rank.sources, tolerance, front);
+      const DistanceField field = solveForRefinement(rank.part, rank.sources, tolerance, front);
       int kept = 0;
       for (Id face = 0; face < rank.part.mesh().numberOfFaces(); ++face)
       {
@@ -658,12 +651,10 @@ TEST(RefinementOfAPart, EndsOnAllRanksWhenOneIsStopped)
                  [&](const RankOfRun& rank)
                  {
                    geodesic::FrontOptions front;
-                   front.part = &rank.part;
                    const DistanceField field =
-                     solveForRefinement(rank.part.mesh(), rank.sources, 1e-3, front);
+                     solveForRefinement(rank.part, rank.sources, 1e-3, front);
                    geodesic::RefinementOptions options;
                    options.tolerance = 1e-3;
-                   options.part = &rank.part;
                    options.progress = [&](double done)
                    {
                      const bool isStopped = rank.exchange.rank() == 2 && done > 0.35;

@@ -133,7 +133,8 @@ protected:
     {
       flags[face] = 1;
     }
-    auto retention = std::make_unique<geodesic::RefinementRetention>(this->mesh_, Tolerance, flags);
+    auto retention = std::make_unique<geodesic::RefinementRetention>(
+      geodesic::MeshPartition(this->mesh_), Tolerance, flags);
     retention->setNumberOfDistricts(1);
     return retention;
   }
