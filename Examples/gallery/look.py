@@ -139,8 +139,12 @@ def colored_lines(display, largest=None, width=2.5):
     simple.ColorBy(display, ("POINTS", "GeodesicDistance"))
     largest = largest or 1.001 * display.LookupTable.RGBPoints[-4]
     steps(display, ("POINTS", "GeodesicDistance"), 0, largest, shades(36)[9:])
-    round_lines(display, width)
+    display.LineWidth = width
     display.Ambient, display.Diffuse = 1, 0
+    # Plain lines, as some drivers draw thin tubes as dashes, and a little nearer to the eye than the
+    # surface that they lie on. In a parallel projection that moves nothing in the picture.
+    view = simple.GetActiveView()
+    display.Position = list(0.01 * np.subtract(view.CameraPosition, view.CameraFocalPoint))
 
 
 def round_lines(display, width):
