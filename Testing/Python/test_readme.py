@@ -55,7 +55,7 @@ class Readme(unittest.TestCase):
         self.assertTrue(1 < distance.max() < np.pi / 2)
 
     def test_links_lead_somewhere(self):
-        for page in ("README.md", "CONTRIBUTING.md", "Filters/README.md", "Filters/Core/README.md"):
+        for page in ("README.md", "CONTRIBUTING.md", "Filters/Reference.md", "Filters/Core/README.md"):
             self.check_links(page)
 
     def check_links(self, page):
