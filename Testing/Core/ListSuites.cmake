@@ -47,7 +47,7 @@ foreach (suite IN LISTS suites)
   string(APPEND content
     "add_test([==[Core.${name}]==]${command})\n"
     "set_tests_properties([==[Core.${name}]==] PROPERTIES"
-    " SKIP_RETURN_CODE 77 TIMEOUT 1800 COST ${cost})\n")
+    " SKIP_RETURN_CODE 77 TIMEOUT 2700 COST ${cost})\n")
 endforeach ()
 if (count EQUAL 0)
   message(FATAL_ERROR "${PROGRAM} has no test for \"${FILTER}\".")
