@@ -157,7 +157,8 @@ FrontResult Front::run(SourceWindows sources)
 
 void Front::start(SourceWindows initial)
 {
-  if (!this->ranks_.isTrueAnywhere(!initial.inFaces.empty() || !initial.vertices.empty()))
+  if (!this->surface_.exchange().isTrueAnywhere(
+        !initial.inFaces.empty() || !initial.vertices.empty()))
   {
     throw SourceError("There is no source. Give at least one point on the surface.");
   }
@@ -256,7 +257,8 @@ bool Front::moveOn(double limit)
 // are those of a front that goes everywhere, to the last bit.
 bool Front::isSettled()
 {
-  return this->key_ > this->reach_ && !this->ranks_.isTrueAnywhere(this->isAnyWithin(this->reach_));
+  return this->key_ > this->reach_ &&
+    !this->surface_.exchange().isTrueAnywhere(this->isAnyWithin(this->reach_));
 }
 
 bool Front::isAnyWithin(double reach)
@@ -516,7 +518,7 @@ void Front::finishLimited()
   this->flush(this->complete_.limit());
   this->complete_.addAroundReachedVertices(this->vertices_);
   this->ranks_.shareNeeded(this->complete_);
-  this->flush(this->ranks_.largestOf(
+  this->flush(this->surface_.exchange().largestOf(
     this->complete_.neededDistance(this->vertices_, this->retention_.needsInside())));
   this->retireAll();
   std::vector<std::uint8_t> complete = this->complete_.completeVertices();
@@ -561,7 +563,7 @@ void Front::flush(double bound)
     this->advance(bound);
     this->activateUpTo(Infinity);
     this->runBatch([&](District& district) { this->takeVerticesWithin(bound, district); });
-    isAny = this->ranks_.isTrueAnywhere(!this->batch_.empty());
+    isAny = this->surface_.exchange().isTrueAnywhere(!this->batch_.empty());
     this->progress_.report(this->key_);
   }
 }
@@ -599,8 +601,10 @@ void Front::finish()
       this->result_.relativeErrorBound =
         std::max(this->result_.relativeErrorBound, worker.relativeError);
     });
-  this->result_.windowsPropagated = this->ranks_.sumOf(this->result_.windowsPropagated);
-  this->result_.relativeErrorBound = this->ranks_.largestOf(this->result_.relativeErrorBound);
+  this->result_.windowsPropagated =
+    sumOverRanks(this->surface_.exchange(), this->result_.windowsPropagated).all;
+  this->result_.relativeErrorBound =
+    this->surface_.exchange().largestOf(this->result_.relativeErrorBound);
   this->retention_.finish(this->state());
 }
 

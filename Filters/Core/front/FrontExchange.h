@@ -38,16 +38,6 @@ public:
   /// over all ranks.
   Received step(std::vector<double>& least, WindowPool& pool);
 
-  bool isTrueAnywhere(bool condition)
-  {
-    return this->surface_.exchange().isTrueAnywhere(condition);
-  }
-  double largestOf(double number) { return this->surface_.exchange().largestOf(number); }
-  std::uint64_t sumOf(std::uint64_t number)
-  {
-    return sumOverRanks(this->surface_.exchange(), number).all;
-  }
-
   /// Faces that have to be complete here are so for their owners.
   void shareNeeded(CompleteFaces& faces);
   /// Distances at vertices that only the halo has, from the owners of its faces.

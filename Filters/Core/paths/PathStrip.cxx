@@ -86,14 +86,9 @@ PointInFace pointInFace(const MeshPartition& part, Id face, const SurfacePoint& 
   return result;
 }
 
-Id faceOfPart(const MeshPartition& part, const RankAddress& face)
-{
-  return face.rank == part.exchange().rank() ? face.id : part.copyOf(face);
-}
-
 SurfacePoint pointOfPart(const MeshPartition& part, const RankAddress& address, SurfacePoint point)
 {
-  const Id face = faceOfPart(part, address);
+  const Id face = part.faceAt(address);
   point.id = point.kind == SurfacePoint::Kind::Vertex ? part.mesh().triangle(face)[point.id]
     : point.kind == SurfacePoint::Kind::Edge          ? 3 * face + point.id
                                                       : face;

@@ -27,9 +27,6 @@ PointInFace pointInFace(const MeshPartition& part, Id face, const SurfacePoint& 
 /// The same point on this rank; its face must be one of the part.
 SurfacePoint pointOfPart(const MeshPartition& part, const RankAddress& face, SurfacePoint point);
 
-/// The face of the part, or the copy in its halo.
-Id faceOfPart(const MeshPartition& part, const RankAddress& face);
-
 /// The places of a path that was traced through faces of several ranks, cleaned by cleanedPath() on
 /// the strip of these faces; of a single point twice that.
 std::vector<Vec3> cleanedPlaces(const std::vector<PointInFace>& path, double length);

@@ -91,7 +91,7 @@ PathInTransit getInTransit(MessageReader& reader, const MeshPartition& part)
   transit.target = reader.get<Id>();
   const auto address = reader.get<RankAddress>();
   path.points = { pointOfPart(part, address, reader.get<SurfacePoint>()) };
-  path.faces = { faceOfPart(part, address) };
+  path.faces = { part.faceAt(address) };
   transit.told = 1;
   path.left = reader.get<double>();
   path.whole = reader.get<double>();
@@ -101,11 +101,11 @@ PathInTransit getInTransit(MessageReader& reader, const MeshPartition& part)
   path.next = reader.get<TracedPath::Next>();
   const auto exitFace = reader.get<RankAddress>();
   const Id k = reader.get<Id>();
-  path.leg.exit = exitFace.rank < 0 ? NoId : 3 * faceOfPart(part, exitFace) + k;
+  path.leg.exit = exitFace.rank < 0 ? NoId : 3 * part.faceAt(exitFace) + k;
   path.leg.ray = reader.get<Window>();
   path.leg.origin = reader.get<Id>();
   const auto without = reader.get<RankAddress>();
-  path.without = without.rank < 0 ? NoId : faceOfPart(part, without);
+  path.without = without.rank < 0 ? NoId : part.faceAt(without);
   transit.isSearching = reader.get<bool>();
   transit.toAsk.resize(reader.get<std::size_t>());
   reader.get(transit.toAsk.data(), transit.toAsk.size());
