@@ -21,41 +21,47 @@ public:
   {
     const Box all = boxOfItems(parallelFor, mesh.numberOfVertices(),
       [&mesh](Box& box, std::size_t vertex) { box.add(mesh.point(static_cast<Id>(vertex))); });
+    // A finer grid than the vertices need would take more memory than they do.
+    constexpr std::size_t mostBoxesAVertex = 4;
+    while (this->levels_ > 1 && this->count() > mostBoxesAVertex * mesh.numberOfVertices())
+    {
+      --this->levels_;
+    }
     this->least_ = all.low;
     const Vec3 extent = all.high - all.low;
     const double largest = std::max({ extent[0], extent[1], extent[2] });
-    this->boxesPerLength_ = largest > 0.0 ? Side / largest : 0.0;
+    this->boxesPerLength_ = largest > 0.0 ? this->side() / largest : 0.0;
   }
 
-  static constexpr std::size_t Count = std::size_t(1) << 18;
+  std::size_t count() const { return std::size_t(1) << 3 * this->levels_; }
 
   std::size_t of(const Vec3& point) const
   {
     const auto bits = [&](std::size_t axis)
-    { return spread((point[axis] - this->least_[axis]) * this->boxesPerLength_); };
+    { return this->spread((point[axis] - this->least_[axis]) * this->boxesPerLength_); };
     return bits(0) << 2 | bits(1) << 1 | bits(2);
   }
 
 private:
-  static constexpr double Side = 64.0;
+  double side() const { return static_cast<double>(1U << this->levels_); }
 
   // The bits of the box's number along an axis, each three places from the next.
-  static std::size_t spread(double place)
+  std::size_t spread(double place) const
   {
-    auto bits = static_cast<std::size_t>(std::clamp(place, 0.0, Side - 1.0));
+    auto bits = static_cast<std::size_t>(std::clamp(place, 0.0, this->side() - 1.0));
     bits = (bits | bits << 8) & 0x300fU;
     bits = (bits | bits << 4) & 0x30c3U;
     return (bits | bits << 2) & 0x9249U;
   }
 
+  unsigned levels_ = 6;
   Vec3 least_ = {};
   double boxesPerLength_ = 0.0;
 };
 
-// As the width of a front, which goes with the root of the vertices: some of what is left to do for
-// all districts together is done for each of them, and windows that go from one to another are
-// work.
-Id numberOfDistricts(Id vertices)
+// As the width of a front, which grows with the root of the vertices: each batch costs some work a
+// district, and windows that go from one district to another are work.
+Id numberOfBlocks(Id vertices)
 {
   constexpr double rootsEach = 8.0;
   const double count = std::sqrt(static_cast<double>(vertices)) / rootsEach;
@@ -65,13 +71,17 @@ Id numberOfDistricts(Id vertices)
 } // anonymous namespace
 
 Districts::Districts(const TriangleMesh& mesh, const ParallelFor& parallelFor)
-  : size_(numberOfDistricts(mesh.numberOfVertices()))
-  , districts_(mesh.numberOfVertices(), 0)
 {
-  if (this->size_ == 1)
+  const Id blocks = numberOfBlocks(mesh.numberOfVertices());
+  if (blocks > 1)
   {
-    return;
+    this->makeBlocks(mesh, blocks, parallelFor);
   }
+  this->size_ = parallelFor ? blocks : 1;
+}
+
+void Districts::makeBlocks(const TriangleMesh& mesh, Id count, const ParallelFor& parallelFor)
+{
   const BoxesInOrder boxes(mesh, parallelFor);
   std::vector<std::uint32_t> boxOf(mesh.numberOfVertices());
   forRanges(parallelFor, boxOf.size(),
@@ -82,22 +92,34 @@ Districts::Districts(const TriangleMesh& mesh, const ParallelFor& parallelFor)
         boxOf[vertex] = static_cast<std::uint32_t>(boxes.of(mesh.point(vertex)));
       }
     });
-  std::vector<std::uint32_t> numberIn(BoxesInOrder::Count, 0);
+  std::vector<std::uint32_t> numberIn(boxes.count(), 0);
   for (const std::uint32_t box : boxOf)
   {
     ++numberIn[box];
   }
-  std::vector<std::uint8_t> ofBox(BoxesInOrder::Count);
+  std::vector<std::uint8_t> ofBox(boxes.count());
   std::uint64_t before = 0;
-  for (std::size_t box = 0; box < BoxesInOrder::Count; ++box)
+  for (std::size_t box = 0; box < boxes.count(); ++box)
   {
     const std::uint64_t middle = 2 * before + numberIn[box];
-    ofBox[box] = static_cast<std::uint8_t>(std::min<std::uint64_t>(
-      middle * this->size_ / (2 * mesh.numberOfVertices()), this->size_ - 1));
+    ofBox[box] = static_cast<std::uint8_t>(
+      std::min<std::uint64_t>(middle * count / (2 * mesh.numberOfVertices()), count - 1));
     before += numberIn[box];
   }
-  std::transform(boxOf.begin(), boxOf.end(), this->districts_.begin(),
+  this->blocks_.resize(mesh.numberOfVertices());
+  std::transform(boxOf.begin(), boxOf.end(), this->blocks_.begin(),
     [&ofBox](std::uint32_t box) { return ofBox[box]; });
+}
+
+void Districts::sort(std::vector<Id>& vertices) const
+{
+  std::sort(vertices.begin(), vertices.end(),
+    [this](Id a, Id b)
+    {
+      const Id blockOfA = this->blockOf(a);
+      const Id blockOfB = this->blockOf(b);
+      return blockOfA != blockOfB ? blockOfA < blockOfB : a < b;
+    });
 }
 
 }

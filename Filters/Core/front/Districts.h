@@ -11,24 +11,36 @@
 namespace geodesic
 {
 
-/// The vertices in districts: groups of nearly equal size that are contiguous in space, so that
-/// most neighbours of a vertex are in its own. They depend on the mesh alone, not on threads: a
-/// front that works district by district has one result, whoever works on which.
+/// Which thread works on which vertices. Blocks of vertices are contiguous in space and of nearly
+/// equal size, so that most neighbours of a vertex are in its own block. With threads each block is
+/// a district; one thread has a single district, which needs less memory and no mail between
+/// districts.
+///
+/// Blocks depend on the mesh alone. A front that processes the vertices of a batch block by block
+/// has the same result for any number of districts.
 class Districts
 {
 public:
   /// \param parallelFor absent: one thread.
   explicit Districts(const TriangleMesh& mesh, const ParallelFor& parallelFor = {});
 
+  /// The number of districts.
   Id size() const { return this->size_; }
   /// The district of a vertex.
-  Id of(Id vertex) const { return this->districts_[vertex]; }
+  Id of(Id vertex) const { return this->size_ == 1 ? 0 : this->blockOf(vertex); }
+  /// The block of a vertex.
+  Id blockOf(Id vertex) const { return this->blocks_.empty() ? 0 : this->blocks_[vertex]; }
+  /// Sorts vertices by block, those of one block by number.
+  void sort(std::vector<Id>& vertices) const;
 
   static constexpr Id Most = 256;
 
 private:
-  Id size_;
-  std::vector<std::uint8_t> districts_;
+  void makeBlocks(const TriangleMesh& mesh, Id count, const ParallelFor& parallelFor);
+
+  Id size_ = 1;
+  /// Empty where there is a single block.
+  std::vector<std::uint8_t> blocks_;
 };
 
 }

@@ -164,6 +164,12 @@ void Front::start(SourceWindows initial)
   }
   this->startVertices(initial);
   this->startFaces(initial);
+  std::stable_sort(initial.windows.begin(), initial.windows.end(),
+    [this](const LeavingWindow& a, const LeavingWindow& b)
+    {
+      return this->numbers_.blockOf(this->mesh_.origin(a.halfedge)) <
+        this->numbers_.blockOf(this->mesh_.origin(b.halfedge));
+    });
   for (const LeavingWindow& leaving : initial.windows)
   {
     District& sender = this->districtOf(this->mesh_.origin(leaving.halfedge));
@@ -235,7 +241,11 @@ void Front::advance(double limit)
     const double last = std::min(limit, this->next_.last);
     this->activateUpTo(last);
     this->runBatch(
-      [last](District& district) { district.schedule.takeBatch(last, district.batch); });
+      [this, last](District& district)
+      {
+        district.schedule.takeBatch(last, district.batch);
+        this->numbers_.sort(district.batch);
+      });
     this->progress_.afterBatch(this->batch_.size(), this->windowsHandled_, this->key_);
   }
 }
@@ -579,7 +589,7 @@ void Front::takeVerticesWithin(double bound, District& district) const
         vertices.push_back(this->mesh_.opposite(halfedge));
       }
     });
-  std::sort(vertices.begin(), vertices.end());
+  this->numbers_.sort(vertices);
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 

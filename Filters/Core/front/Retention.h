@@ -74,9 +74,8 @@ struct KeptWindows
 /// gone through its face; distances at vertices need none of them.
 ///
 /// pass() is called from the tasks of a batch, each for a district of its own (front/Districts.h);
-/// the rest between batches from one thread. Districts depend on the mesh alone: lists that are
-/// taken in their order, and of each as they were passed, are in one order for any number of
-/// threads.
+/// the rest between batches from one thread. Lists that are taken district by district, and of each
+/// as they were passed, are in one order for any number of threads.
 class Retention
 {
 public:

@@ -73,7 +73,8 @@ public:
         }
       }
       this->near_.resize(kept);
-      if (kept > 0 || this->far_.empty())
+      // Beyond the horizon may be an entry whose reach ends before the batch does.
+      if (next.last <= this->horizon_ || this->far_.empty())
       {
         return next;
       }

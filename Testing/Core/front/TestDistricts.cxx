@@ -3,11 +3,13 @@
 #include "front/Districts.h"
 
 #include "EngineSupport.h"
+#include "OnThreads.h"
 #include "truth/TestMeshes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 using namespace geodesictest;
@@ -32,9 +34,9 @@ std::vector<Id> sizesOf(const Districts& districts, Id vertices)
 
 TEST(Districts, OfATinyMeshThereIsOne)
 {
-  EXPECT_EQ(Districts(TriangleMesh()).size(), 1U);
+  EXPECT_EQ(Districts(TriangleMesh(), onThreads).size(), 1U);
   const TriangleMesh mesh = engineMesh(regularGrid(8, 8));
-  const Districts districts(mesh);
+  const Districts districts(mesh, onThreads);
   EXPECT_EQ(districts.size(), 1U);
   EXPECT_EQ(sizesOf(districts, mesh.numberOfVertices())[0], mesh.numberOfVertices());
 }
@@ -42,13 +44,35 @@ TEST(Districts, OfATinyMeshThereIsOne)
 TEST(Districts, OfALargeMeshThereAreNotMoreThanMost)
 {
   const TriangleMesh mesh(std::vector<geodesic::Vec3>(4400000), { { 0, 1, 2 } });
-  EXPECT_EQ(Districts(mesh).size(), Districts::Most);
+  EXPECT_EQ(Districts(mesh, onThreads).size(), Districts::Most);
+}
+
+TEST(Districts, OfOneThreadThereIsOneWithTheBlocksOfMany)
+{
+  const TriangleMesh mesh = engineMesh(regularGrid(60, 50));
+  const Districts one(mesh);
+  const Districts many(mesh, onThreads);
+  ASSERT_EQ(one.size(), 1U);
+  ASSERT_GT(many.size(), 1U);
+  std::vector<Id> vertices;
+  for (Id vertex = mesh.numberOfVertices(); vertex-- > 0;)
+  {
+    EXPECT_EQ(one.of(vertex), 0U);
+    EXPECT_EQ(one.blockOf(vertex), many.of(vertex));
+    vertices.push_back(vertex);
+  }
+  one.sort(vertices);
+  for (std::size_t i = 1; i < vertices.size(); ++i)
+  {
+    const auto place = [&](Id vertex) { return std::make_pair(many.of(vertex), vertex); };
+    ASSERT_LT(place(vertices[i - 1]), place(vertices[i]));
+  }
 }
 
 TEST(Districts, AreOfNearlyEqualSize)
 {
   const TriangleMesh mesh = engineMesh(regularGrid(300, 250));
-  const Districts districts(mesh);
+  const Districts districts(mesh, onThreads);
   ASSERT_GE(districts.size(), 8U);
   const std::vector<Id> sizes = sizesOf(districts, mesh.numberOfVertices());
   const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
@@ -58,7 +82,7 @@ TEST(Districts, AreOfNearlyEqualSize)
 TEST(Districts, MostNeighboursAreOfOne)
 {
   const TriangleMesh mesh = engineMesh(regularGrid(300, 250));
-  const Districts districts(mesh);
+  const Districts districts(mesh, onThreads);
   Id crossed = 0;
   for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
   {
@@ -72,7 +96,7 @@ TEST(Districts, VerticesOfOnePlaceAreOneDistrict)
 {
   const std::vector<geodesic::Vec3> points(10000, geodesic::Vec3{ 1.0, 2.0, 3.0 });
   const TriangleMesh mesh(points, { { 0, 1, 2 } });
-  const Districts districts(mesh);
+  const Districts districts(mesh, onThreads);
   for (Id vertex = 1; vertex < mesh.numberOfVertices(); ++vertex)
   {
     ASSERT_EQ(districts.of(vertex), districts.of(0));

@@ -109,7 +109,16 @@ void expectBatch(QueueAndModel& queue, double last, bool leastWasAskedFor)
 {
   const std::set<std::pair<double, Id>> before = queue.waiting();
   const double least = queue.leastWaiting();
+  double end = last;
+  for (const auto& [key, vertex] : before)
+  {
+    end = std::min(end, key + queue.reach(vertex));
+  }
+  const auto expected = std::count_if(
+    before.begin(), before.end(), [end](const auto& waiting) { return waiting.first <= end; });
   const std::vector<Id> taken = queue.takeBatch(last);
+  EXPECT_EQ(taken.size(), static_cast<std::size_t>(expected))
+    << "the reach of what waits far away ends the batch, too";
   EXPECT_EQ(before.size(), queue.waiting().size() + taken.size()) << "lost, or taken twice";
   double most = 0.0;
   double shortest = last;
