@@ -3,6 +3,7 @@
 // brute-force distance.
 #include "EngineSupport.h"
 #include "OnThreads.h"
+#include "Seeds.h"
 #include "paths/PathChecker.h"
 #include "truth/AnalyticCases.h"
 
@@ -25,6 +26,9 @@ namespace
 {
 
 constexpr std::size_t Targets = 100;
+
+/// Tracing loses one path in some 400 on these, more than on any other kind.
+constexpr char KindThatLosesMost[] = "ThinNeedles";
 
 std::vector<SurfacePoint> enginePoints(
   const TriangleMesh& engine, const std::vector<MeshPoint>& points)
@@ -61,8 +65,7 @@ struct Worst
 /// astray by the rounding of long edges, which in thin needles is far more of the way across them.
 std::size_t pathsOfALostOne(const MeshKind& kind)
 {
-  const std::string name = kind.name;
-  return name == "ThinNeedles" ? 50 : 200;
+  return std::string(kind.name) == KindThatLosesMost ? 50 : 200;
 }
 
 /// Checks paths from targets whose true distances are known. The source of each curve is its index.
@@ -182,21 +185,47 @@ void expectAnalyticPaths(AnalyticCase (*makeCase)(Random&))
 
 }
 
-TEST_P(PathsToSourceOn, AreAsLongAsTheBruteForceDistanceEndOnTheCurveTheyNameAndAreSeldomLost)
+TEST_P(PathsToSourceOn, AreAsLongAsTheBruteForceDistanceAndEndOnTheCurveTheyName)
 {
-  for (std::uint64_t seed = 0; seed < meshesOfAKind(20); ++seed)
+  const Seeds seeds = seedsOfTest(meshesOfAKind(20));
+  // Some more where a path must be lost, so that it is found again: rounding says which ones are.
+  const std::uint64_t last =
+    seeds.end() + (std::string(GetParam().name) == KindThatLosesMost ? 200 : 0);
+  for (std::uint64_t seed = seeds.first;
+       seed < seeds.end() || (seed < last && this->worst_.lost == 0); ++seed)
   {
     this->check(seed);
   }
-  EXPECT_LE(this->worst_.lost * pathsOfALostOne(GetParam()), this->worst_.paths);
-  if (std::string(GetParam().name) == "ThinNeedles")
-  {
-    EXPECT_GT(this->worst_.lost, 0U) << "none was found again";
-  }
+  EXPECT_TRUE(last == seeds.end() || this->worst_.lost > 0) << "none was found again";
   std::cout << "worst on " << GetParam().name << ", of the largest distance: length "
-            << this->worst_.length << ", end " << this->worst_.offSource << "; lost "
-            << this->worst_.lost << " of " << this->worst_.paths << " paths\n";
+            << this->worst_.length << ", end " << this->worst_.offSource << '\n';
 }
+
+// Counts need more meshes than sanitizers go through.
+#ifndef GEODESIC_FEW_MESHES
+TEST_P(PathsToSourceOn, AreSeldomLost)
+{
+  std::size_t paths = 0;
+  std::size_t lost = 0;
+  const Seeds seeds = seedsOfTest(100);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    Random random(seed + 81000);
+    const PlainMesh mesh = GetParam().make(randomSize(random), random);
+    const TriangleMesh engine = engineMesh(mesh);
+    const std::vector<Polyline> lines = CurveMaker(mesh, random).anySource();
+    const std::vector<MeshPoint> targets = randomPoints(mesh, Targets, random);
+    for (const PathToSource& path :
+      geodesic::pathsToSource(engine, engineCurves(engine, lines), enginePoints(engine, targets)))
+    {
+      paths += path.points.empty() ? 0 : 1;
+      lost += path.wasLost ? 1 : 0;
+    }
+  }
+  EXPECT_LE(lost * pathsOfALostOne(GetParam()), paths);
+  std::cout << "lost on " << GetParam().name << ": " << lost << " of " << paths << " paths\n";
+}
+#endif
 
 // What is done for paths that tracing has lost, for all.
 TEST_P(PathsToSourceOn, InWindowsAreAsLongAsTheBruteForceDistance)
