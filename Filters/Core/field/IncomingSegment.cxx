@@ -140,6 +140,14 @@ public:
       const WayFrom way = wayFrom(arrival.x, apexOf(this->mesh_, arrival.halfedge),
         arrival.direction, this->faceSize_, this->leastBend_);
       this->setRay({ arrival.halfedge, false, arrival.x, way.direction });
+      const Id corner = cornerCrossed(this->mesh_, arrival);
+      if (way.isBent && corner != NoId)
+      {
+        // As long as along the edge, but what the window comes from lies on one side only.
+        this->best_.kind = IncomingSegment::Kind::Corner;
+        this->best_.origin = this->field_.surface().globalId(corner);
+        this->corner_ = corner;
+      }
       return;
     }
     const std::size_t k = this->cornerWithNumber(face, arrival.origin);
@@ -286,6 +294,15 @@ IncomingSegment lastPieceToVertex(const DistanceField& field, Id vertex)
 }
 
 } // anonymous namespace
+
+Id cornerCrossed(const TriangleMesh& mesh, const Arrival& arrival)
+{
+  const double rounding =
+    tolerance::PlaceRounding * mesh.shape(TriangleMesh::faceOf(arrival.halfedge)).longest();
+  return arrival.x <= rounding                              ? mesh.origin(arrival.halfedge)
+    : arrival.x >= mesh.length(arrival.halfedge) - rounding ? mesh.destination(arrival.halfedge)
+                                                            : NoId;
+}
 
 IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint& point)
 {

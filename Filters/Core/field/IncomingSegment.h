@@ -50,6 +50,9 @@ struct IncomingSegment
 /// \throws Error where these were not kept.
 IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint& point);
 
+/// The corner of its face that a path through a window crosses its halfedge at; NoId: none.
+Id cornerCrossed(const TriangleMesh& mesh, const Arrival& arrival);
+
 /// A direction in the frame of a halfedge as a unit vector in space; zero where it has no length.
 Vec3 inSpace(const TriangleMesh& mesh, Id halfedge, Vec2 direction);
 

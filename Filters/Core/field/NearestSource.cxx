@@ -93,11 +93,12 @@ void NearestSource::findOthers(const LoopProgress& progress)
     });
 }
 
-// The last piece to a vertex, through a window without its direction, which takes no face to know.
+// The last piece to a vertex; through a window, unless it may bend at a corner, without its
+// direction, which takes no face to know.
 IncomingSegment NearestSource::originTo(Id vertex) const
 {
   const Arrival& arrival = this->field_.arrivals()[vertex];
-  if (!arrival.isThroughWindow())
+  if (!arrival.isThroughWindow() || cornerCrossed(this->mesh_, arrival) != NoId)
   {
     return incomingSegmentTo(this->field_, SurfacePoint::atVertex(vertex));
   }

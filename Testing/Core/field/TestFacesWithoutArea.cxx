@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces with faces without area, as CAD programs close vertices on edges of other faces: against
-// straight lines in flat convex domains, and against the brute force on the same surface without
-// these faces. GEODESIC_TEST_SEEDS=N takes N meshes of each kind in place of the usual number.
+// Surfaces with faces without area, as CAD programs close vertices on edges of
+// other faces: against straight lines in flat convex domains, and against the
+// brute force on the same surface without these faces.
 #include "EngineSupport.h"
+#include "Seeds.h"
 #include "paths/PathChecker.h"
 #include "refinement/RefinementSupport.h"
 #include "truth/AnalyticDistances.h"
 #include "truth/BruteForce.h"
 #include "truth/CappedMeshes.h"
 
+#include "field/NearestSource.h"
 #include "paths/PathsToSource.h"
 #include "paths/ShortestPathFinder.h"
 #include "source/BoundaryCurves.h"
@@ -19,7 +21,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <string>
 
@@ -32,16 +33,30 @@ using geodesic::TriangleMesh;
 namespace
 {
 
-std::uint64_t numberOfSeeds(std::uint64_t usual)
-{
-  const char* wanted = std::getenv("GEODESIC_TEST_SEEDS");
-  return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : usual;
-}
+constexpr double Pi = 3.14159265358979323846;
 
 Vec2 flat(const Vec3& p)
 {
   return { p[0], p[1] };
 }
+
+Vec2 difference(const Vec2& a, const Vec2& b)
+{
+  return { a[0] - b[0], a[1] - b[1] };
+}
+
+double dot(const Vec2& a, const Vec2& b)
+{
+  return a[0] * b[0] + a[1] * b[1];
+}
+
+enum class Side
+{
+  Left,
+  Right,
+  /// Rounding tells.
+  Unsure
+};
 
 /// A polyline in the plane that its surface lies in.
 struct FlatLine
@@ -71,17 +86,75 @@ struct FlatLine
     }
     return least;
   }
+
+  /// On which side of the line a point is: of the segment that is nearest, at
+  /// the line's points by angle. Of a point that is its left-hand side.
+  Side side(const Vec2& p) const
+  {
+    constexpr double Unsure = 1e-5; // well over what a joined line may lie beside this one
+    const double distance = this->distance(p);
+    double left = this->numberOfSegments() == 0 ? 0.0 : 2.0 * Pi; // angle to the nearest segment
+    double right = 2.0 * Pi;
+    std::vector<Vec2> feet;
+    for (std::size_t i = 0; i < this->numberOfSegments(); ++i)
+    {
+      const Vec2 a = this->at(i);
+      const Vec2 along = difference(this->at(i + 1), a);
+      const double t = std::clamp(dot(difference(p, a), along) / dot(along, along), 0.0, 1.0);
+      const Vec2 foot = { a[0] + t * along[0], a[1] + t * along[1] };
+      if (distanceToSegment(p, foot, foot) <= distance + 1e-9)
+      {
+        const Vec2 d = difference(p, foot);
+        const double turn = std::atan2(along[0] * d[1] - along[1] * d[0], dot(along, d));
+        const double fromAlong = turn < 0.0 ? turn + 2.0 * Pi : turn;
+        const double fromBack = std::fmod(fromAlong + Pi, 2.0 * Pi);
+        left = std::min(left, t < 1.0 ? fromAlong : 2.0 * Pi - fromBack);
+        right = std::min(right, t < 1.0 ? 2.0 * Pi - fromAlong : fromBack);
+        feet.push_back(foot);
+      }
+    }
+    const auto isElsewhere = [&feet](const Vec2& foot)
+    { return distanceToSegment(foot, feet.front(), feet.front()) > Unsure; };
+    const bool isUnsure = distance <= Unsure || std::abs(left - right) <= Unsure ||
+      std::any_of(feet.begin(), feet.end(), isElsewhere);
+    return isUnsure ? Side::Unsure : left < right ? Side::Left : Side::Right;
+  }
 };
 
-/// Vertices, points on edges and points in faces with area, joined by straight lines.
-FlatLine randomLine(const PlainMesh& mesh, const PlainMesh& conforming, Random& random)
+/// Puts a point that is almost at a corner or on an edge of its face there.
+MeshPoint notBesideEdges(MeshPoint point)
+{
+  double sum = 0.0;
+  for (double& weight : point.weights)
+  {
+    weight = weight < 1e-6 ? 0.0 : weight;
+    sum += weight;
+  }
+  for (double& weight : point.weights)
+  {
+    weight /= sum;
+  }
+  return point;
+}
+
+/// Vertices, points on edges and points in faces with area, joined by straight
+/// lines.
+///
+/// \param mayBeBeside whether some points are a rounding beside a vertex or an
+/// edge. The line may
+///        be joined to these by a piece in any direction, which decides what is
+///        beside its ends.
+FlatLine randomLine(
+  const PlainMesh& mesh, const PlainMesh& conforming, Random& random, bool mayBeBeside = true)
 {
   FlatLine line;
   const Index count = random.between(1, 4);
   while (line.points.size() < count)
   {
+    const auto ofFace = [&](const MeshPoint& point)
+    { return position(conforming, mayBeBeside ? point : notBesideEdges(point)); };
     const Vec3 p = random.chance(0.5) ? mesh.points[random.below(mesh.points.size())]
-                                      : position(conforming, randomPoint(conforming, random));
+                                      : ofFace(randomPoint(conforming, random));
     const auto isFar = [&p](const Vec3& q) { return spaceDistance(p, q) > 1e-3; };
     if (std::all_of(line.points.begin(), line.points.end(), isFar))
     {
@@ -104,8 +177,8 @@ std::vector<SourceCurve> onSurface(const TriangleMesh& mesh, const FlatLine& lin
     .curves;
 }
 
-/// What the engine has joined the line's points to: as short as the line up to a tie, it may lie
-/// beside the line by about the root of that.
+/// What the engine has joined the line's points to: as short as the line up to
+/// a tie, it may lie beside the line by about the root of that.
 FlatLine joined(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
 {
   FlatLine result;
@@ -197,11 +270,12 @@ double expectStraightDistances(const TriangleMesh& engine, const PlainMesh& mesh
 
 } // anonymous namespace
 
-// A square of 3 x 3 points with vertex 9 on the edge from 4 to 7. The line's first segment crosses
-// the face without area there, and has no length.
+// A square of 3 x 3 points with vertex 9 on the edge from 4 to 7. The line's
+// first segment crosses the face without area there, and has no length.
 TEST(FacesWithoutArea, ALineThatBeginsAtAVertexOnAnEdgeCountsOnBothSides)
 {
-  for (std::uint64_t seed = 0; seed < numberOfSeeds(100); ++seed)
+  const Seeds seeds = seedsOfTest(100);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -235,7 +309,8 @@ namespace
 void compareWithPlane(Caps caps, std::uint64_t firstSeed)
 {
   double worst = 0.0;
-  for (std::uint64_t seed = 0; seed < numberOfSeeds(200); ++seed)
+  const Seeds seeds = seedsOfTest(200);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + firstSeed);
@@ -265,10 +340,57 @@ TEST(FacesWithoutArea, DistancesAndPathsAcrossSeveralAnEdgeAreThoseOfThePlane)
   compareWithPlane(Caps::Several, 5100);
 }
 
+// Of meshes that are cut at their vertices on edges, without faces that have no area.
+TEST(FacesWithoutArea, SidesOfALineOnThatSurfaceWithoutThemAreThoseOfThePlane)
+{
+  std::size_t checked = 0;
+  std::size_t wrong = 0;
+  const Seeds seeds = seedsOfTest(200);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 5100);
+    const PlainMesh mesh = flatMesh(Caps::Several, random).conforming;
+    const FlatLine line = randomLine(mesh, mesh, random, false);
+    const TriangleMesh engine = engineMesh(mesh);
+    const std::vector<SourceCurve> curves = onSurface(engine, line);
+    geodesic::FrontOptions options;
+    options.keepArrivals = true;
+    const geodesic::DistanceField field =
+      geodesic::solve(engine, curves, options, geodesic::KeepWindows::All);
+    geodesic::NearestSource nearest(field, geodesic::ReplicatedPatch(engine), curves);
+    const auto check = [&](const SurfacePoint& point, const geodesic::Foot& foot)
+    {
+      const Vec2 place = flat(geodesic::position(engine, point));
+      const Side side = line.side(place);
+      if (side != Side::Unsure)
+      {
+        EXPECT_TRUE(foot.isKnown());
+        EXPECT_EQ(foot.isRight, side == Side::Right) << place[0] << ", " << place[1];
+        ++checked;
+        wrong += !foot.isKnown() || foot.isRight != (side == Side::Right);
+      }
+    };
+    for (Id v = 0; v < engine.numberOfVertices(); ++v)
+    {
+      SCOPED_TRACE("vertex " + std::to_string(v));
+      check(SurfacePoint::atVertex(v), nearest.atVertex(v));
+    }
+    for (Index i = 0; i < 30; ++i)
+    {
+      SCOPED_TRACE("point " + std::to_string(i));
+      const SurfacePoint point = enginePoint(engine, randomPoint(mesh, random));
+      check(point, nearest.of(geodesic::incomingSegmentTo(field, point)));
+    }
+  }
+  std::cout << wrong << " of " << checked << " sides are wrong\n";
+}
+
 TEST(FacesWithoutArea, ChangeNoDistanceOnCurvedSurfaces)
 {
   double worst = 0.0;
-  for (std::uint64_t seed = 0; seed < numberOfSeeds(100); ++seed)
+  const Seeds seeds = seedsOfTest(100);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 12000);
@@ -302,7 +424,8 @@ TEST(FacesWithoutArea, ChangeNoDistanceOnCurvedSurfaces)
 TEST(FacesWithoutArea, RefinedMeshesKeepTheirBound)
 {
   double worst = 0.0;
-  for (std::uint64_t seed = 0; seed < numberOfSeeds(50); ++seed)
+  const Seeds seeds = seedsOfTest(50);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 31000);
@@ -329,7 +452,8 @@ TEST(FacesWithoutArea, RefinedMeshesKeepTheirBound)
 namespace
 {
 
-/// Aborts what has taken longer than it may: a run without an end is a failure, not a hang.
+/// Aborts what has taken longer than it may: a run without an end is a failure,
+/// not a hang.
 class TimeLimit
 {
 public:
@@ -364,8 +488,8 @@ double lengthOf(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path)
 
 } // anonymous namespace
 
-// Three faces without area make a pocket on the edge from 0 to 1, around which pieces of a path
-// without length once led for ever.
+// Three faces without area make a pocket on the edge from 0 to 1, around which
+// pieces of a path without length once led for ever.
 TEST(FacesWithoutArea, APathAcrossAPocketEnds)
 {
   for (const auto& [s, t] : { std::pair(0.3, 0.7), std::pair(0.7, 0.3), std::pair(0.5, 0.1) })
@@ -392,7 +516,8 @@ TEST(FacesWithoutArea, APathAcrossAPocketEnds)
 TEST(FacesWithoutArea, PocketsChangeNoDistanceAndPathsAcrossThemEnd)
 {
   double worst = 0.0;
-  for (std::uint64_t seed = 0; seed < numberOfSeeds(300); ++seed)
+  const Seeds seeds = seedsOfTest(300);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 8800);
