@@ -1,25 +1,49 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the whole gallery: runs each of its scripts, which write their pictures and states into FOLDER.
+"""Makes the whole gallery: runs each of its scripts and writes their pictures, or their states, into FOLDER.
 
-usage: pvpython all.py FOLDER
+usage: pvpython all.py [--states] FOLDER
 """
 
 import pathlib
+import runpy
 import subprocess
 import sys
+
+from paraview import simple
 
 NO_SCRIPTS = ("all", "look", "small_png")
 
 
-def main(folder):
+def draw(script, folder):
+    # --dr: the color map that a script imports is not kept with the user's settings.
+    subprocess.run(["pvpython", "--dr", str(script), folder], check=True)
+
+
+def save_state(script, folder):
+    """Needs no screen, as nothing is drawn."""
+    sys.argv = [str(script)]
+    runpy.run_path(str(script))
+    simple.SaveState(f"{folder}/{script.stem}.pvsm")
+    start_anew()
+
+
+def start_anew():
+    """Leaves a session with nothing in it. ParaView crashes unless the views are deleted first."""
+    for view in simple.GetRenderViews():
+        simple.Delete(view)
+    simple.ResetSession()
+
+
+def main(make, folder):
+    pathlib.Path(folder).mkdir(parents=True, exist_ok=True)
     for script in sorted(pathlib.Path(__file__).resolve().parent.glob("*.py")):
         if script.stem not in NO_SCRIPTS:
             print(script.stem, flush=True)
-            # --dr: the color map that a script imports is not kept with the user's settings.
-            subprocess.run(["pvpython", "--dr", str(script), folder], check=True)
+            make(script, folder)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    *options, folder = sys.argv[1:] or [None]
+    if folder is None or options not in ([], ["--states"]):
         sys.exit(__doc__)
-    main(sys.argv[1])
+    main(save_state if options else draw, folder)

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """An assembly: how far up is it, on a house of six panels, from the ground?"""
 
+import sys
+from os.path import dirname
+
+sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Barriers: how far is it from everywhere on a floor to the way out, around the walls?"""
 
+import sys
+from os.path import dirname
+
+sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Distance from the boundary: how far is each point of a leaf from its rim?"""
 
+import sys
+from os.path import dirname
+
+sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 

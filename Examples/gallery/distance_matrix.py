@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A matrix in numpy: forty points up a cone in a spiral, and how far it is from each to each."""
 
+import sys
 from math import cos, pi, sin
+from os.path import dirname
 
+sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 import numpy
 from paraview.simple import *

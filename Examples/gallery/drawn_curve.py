@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Distance from a drawn curve: a curve on a rolled sheet, where the next turn is near only through the air."""
 
+import sys
+from os.path import dirname
+
+sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 

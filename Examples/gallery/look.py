@@ -197,7 +197,7 @@ def points_of(proxy):
 
 # ------------------------------------------------------------------------------------------ files
 def save(view, script, times=()):
-    """With a FOLDER on the script's command line, writes FOLDER/NAME.png and the state FOLDER/NAME.pvsm.
+    """Names the pipeline and, with a FOLDER on the script's command line, writes FOLDER/NAME.png.
 
     The script is given by its variables, globals(): the pipeline takes its names from them. The
     picture is of the view, or, two in a row, of the view at several times.
@@ -209,7 +209,6 @@ def save(view, script, times=()):
         return
     output = pathlib.Path(sys.argv[1]) / pathlib.Path(script["__file__"]).stem
     output.parent.mkdir(parents=True, exist_ok=True)
-    simple.SaveState(f"{output}.pvsm")
     if times:
         save_film(view, times, f"{output}.png")
     else:

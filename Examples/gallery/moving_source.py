@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A moving source: a point travels across a corrugated sheet, and the distance with it."""
 
+import sys
 from math import sin
+from os.path import dirname
 
+sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 

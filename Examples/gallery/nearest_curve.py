@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The nearest of several curves: each of six lines on hills has its region."""
 
+import sys
+from os.path import dirname
+
+sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Offset curves: where does a tool go that clears a bent plate, always at one step from the last round?"""
 
+import sys
+from os.path import dirname
+
+sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 

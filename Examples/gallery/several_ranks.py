@@ -4,6 +4,10 @@
 mpirun -n 4 pvbatch several_ranks.py FOLDER draws the same picture as one process.
 """
 
+import sys
+from os.path import dirname
+
+sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shortest paths: from sixty places on a flight of steps down to one corner."""
 
+import sys
+from os.path import dirname
+
+sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 

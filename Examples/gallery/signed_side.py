@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Signed distance: on which side of a closed curve, and how far? Red is on its left, blue on its right."""
 
+import sys
 from math import cos, pi, sin, sqrt
+from os.path import dirname
 
+sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 

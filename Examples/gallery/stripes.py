@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Stripes: colors in equal steps show how far it is, and that each step is as far as any other."""
 
+import sys
 from math import cos, pi, sin
+from os.path import dirname
 
+sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 

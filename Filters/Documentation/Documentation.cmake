@@ -32,15 +32,51 @@ if (NOT DOXYGEN_FOUND)
   return ()
 endif ()
 
+set(all)
+if (GEODESIC_BUILD_DOCS)
+  set(all ALL)
+endif ()
 set(geodesic_docs_dir "${CMAKE_BINARY_DIR}/docs")
 foreach (name IN ITEMS Doxyfile DoxyfilePublic)
   configure_file("${CMAKE_CURRENT_LIST_DIR}/${name}.in" "${geodesic_docs_dir}/${name}" @ONLY)
 endforeach ()
-# The gallery as a page, whose links lead to the examples beside the pages, also where these are installed.
+
+# The gallery's state files for ParaView. They need the plugin, but no screen.
+find_program(GEODESIC_PVPYTHON pvpython)
+mark_as_advanced(GEODESIC_PVPYTHON)
+set(states)
+if (GEODESIC_BUILD_PLUGIN AND GEODESIC_PVPYTHON)
+  set(states "${geodesic_docs_dir}/states")
+  file(GLOB scripts CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/Examples/gallery/*.py")
+  add_custom_command(
+    OUTPUT  "${states}/made"
+    COMMAND "${CMAKE_COMMAND}" -E env --unset=DISPLAY PYTHONDONTWRITEBYTECODE=1
+      "PV_PLUGIN_PATH=$<TARGET_FILE_DIR:GeodesicDistance>" "${GEODESIC_PVPYTHON}" --dr
+      "${CMAKE_CURRENT_SOURCE_DIR}/Examples/gallery/all.py" --states "${states}"
+    COMMAND "${CMAKE_COMMAND}" -E touch "${states}/made"
+    DEPENDS ${scripts}
+    COMMENT "Writing the gallery's states into ${states}"
+    VERBATIM)
+  add_custom_target(gallery-states ${all} DEPENDS "${states}/made")
+  add_dependencies(gallery-states GeodesicDistance)
+  install(
+    DIRECTORY   "${states}"
+    DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+    COMPONENT   documentation
+    OPTIONAL
+    PATTERN     "made" EXCLUDE)
+endif ()
+
+# The gallery as a page. Its links lead to the examples and states beside the pages, in the build folder
+# and where they are installed.
 set(examples "${CMAKE_CURRENT_SOURCE_DIR}/Examples")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${examples}/README.md")
 file(READ "${examples}/README.md" page)
-string(REGEX REPLACE "\\]\\((gallery/[a-z_]+\\.(py|pvsm))\\)" "](../examples/\\1)" page "${page}")
+if (states)
+  string(REGEX REPLACE "(\\[Script\\]\\(gallery/([a-z_]+)\\.py\\))" "\\1, [state](../states/\\2.pvsm)"
+    page "${page}")
+endif ()
+string(REGEX REPLACE "\\]\\((gallery/[a-z_]+\\.py)\\)" "](../examples/\\1)" page "${page}")
 string(REGEX REPLACE "\\[([a-z ]+)\\]\\(#[a-z-]+\\)" "\\1" page "${page}")
 string(REPLACE "\n# Gallery\n" "\n# Gallery {#gallery}\n" page "\n${page}")
 file(CONFIGURE OUTPUT "${geodesic_docs_dir}/Gallery.md" CONTENT "${page}" @ONLY)
@@ -59,10 +95,6 @@ add_custom_command(
   DEPENDS "${geodesic_docs_dir}/Doxyfile" "${geodesic_docs_dir}/Gallery.md" ${headers}
   COMMENT "Writing the API pages into ${geodesic_docs_dir}/html"
   VERBATIM)
-set(all)
-if (GEODESIC_BUILD_DOCS)
-  set(all ALL)
-endif ()
 add_custom_target(docs ${all} DEPENDS "${geodesic_docs_dir}/warnings.txt")
 
 install(

@@ -87,7 +87,8 @@ set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SUGGESTS "geodesic-distance")
 set(CPACK_DEBIAN_DOCUMENTATION_DESCRIPTION "geodesic distance on triangle meshes, documentation
 ${what_it_is}
 .
-This package has the API pages and examples in C++ and Python.")
+This package has the API pages, examples in C++ and Python, and the gallery's
+states for ParaView.")
 
 # Debian's own files are made where CPack has put together those of the packages.
 set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/DebianFiles.cmake")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A script of the gallery gives what is true, its picture and its state are those in the gallery, and
-the state brings back in a new session what the script made.
+"""A script of the gallery gives what is true and draws the gallery's picture; ParaView loads the script as a
+state, and the state file that is made from it.
 
 usage: pvpython test_gallery.py EXAMPLES NAME
 """
@@ -21,6 +21,7 @@ EXAMPLES = pathlib.Path(sys.argv.pop()).resolve()
 GALLERY = EXAMPLES / "gallery"
 sys.path.insert(0, str(GALLERY))
 import gallery_truth  # noqa: E402
+from all import start_anew  # noqa: E402
 from geodesic_testing import data  # noqa: E402
 from pixels import read_pixels  # noqa: E402
 
@@ -33,6 +34,19 @@ def run(folder):
         return runpy.run_path(str(GALLERY / f"{NAME}.py"))
     finally:
         sys.argv = before
+
+
+def load_script_as_state():
+    """Executes the script as ParaView's File > Load State... does: it gives a script its path, but neither
+    arguments nor a place to import from."""
+    before = sys.argv, sys.path, sys.modules.pop("look", None)
+    sys.argv, sys.path = [""], [place for place in sys.path if place != str(GALLERY)]
+    path = str(GALLERY / f"{NAME}.py")
+    try:
+        simple.RemoveViewsAndLayouts()
+        exec(compile(pathlib.Path(path).read_text(), path, "exec"), {"sys": sys, "__file__": path})
+    finally:
+        sys.argv, sys.path, sys.modules["look"] = before
 
 
 def arrays(output):
@@ -55,13 +69,6 @@ def pipeline():
     return {name: arrays(data(proxy)) for (name, _), proxy in simple.GetSources().items()}
 
 
-def start_anew():
-    """A session with nothing in it. What draws goes first: ParaView does not survive its going last."""
-    for view in simple.GetRenderViews():
-        simple.Delete(view)
-    simple.ResetSession()
-
-
 def assert_alike(test, picture, shipped):
     """Up to the few colors of the shipped one, and how a machine draws edges."""
     drawn, expected = read_pixels(picture), read_pixels(shipped)
@@ -78,6 +85,7 @@ class Script(unittest.TestCase):
         cls.addClassCleanup(cls.temporary.cleanup)
         cls.names = run(cls.folder)
         cls.made = pipeline()
+        simple.SaveState(str(cls.folder / f"{NAME}.pvsm"))
 
     def test_1_gives_what_is_true(self):
         getattr(gallery_truth, NAME)(self.names)
@@ -89,14 +97,20 @@ class Script(unittest.TestCase):
         self.assertGreater(len(np.unique(colors[drawn] // 32, axis=0)), 10)
         assert_alike(self, self.folder / f"{NAME}.png", GALLERY / f"{NAME}.png")
 
-    def test_3_the_state_of_the_gallery_knows_no_machine(self):
-        state = (GALLERY / f"{NAME}.pvsm").read_text()
+    def test_3_the_state_file_names_no_file_of_this_machine(self):
+        state = (self.folder / f"{NAME}.pvsm").read_text()
         self.assertEqual(re.findall(r'"(?:/|~/|[A-Za-z]:[\\/]|file:)[^"/>][^"]*"', state), [])
 
-    def test_4_the_state_brings_back_what_the_script_made(self):
+    def test_4_the_state_file_brings_back_what_the_script_made(self):
+        self.check_loading(lambda: simple.LoadState(str(self.folder / f"{NAME}.pvsm")))
+
+    def test_5_the_script_loads_as_a_state(self):
+        self.check_loading(load_script_as_state)
+
+    def check_loading(self, load):
         start_anew()
         self.addCleanup(start_anew)
-        simple.LoadState(str(GALLERY / f"{NAME}.pvsm"))
+        load()
         loaded = pipeline()
         self.assertEqual(sorted(loaded), sorted(self.made))
         for name, numbers in self.made.items():
