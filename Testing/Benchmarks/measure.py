@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures with geodesicBenchmark and prints tables in Markdown. README.md says what is in them."""
+"""Measures with geodesicBenchmark and prints tables in Markdown. README.md explains their columns."""
 
 import argparse
 import dataclasses
