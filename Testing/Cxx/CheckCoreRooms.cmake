@@ -3,8 +3,13 @@
 cmake_minimum_required(VERSION 3.18...3.25)
 
 # Fails where a file of the engine includes a header of a room after its own. A room is a folder; it
-# uses only those before it in this list, and files beside the folders use none.
-set(rooms mesh window source front field paths contours refinement)
+# uses only the rooms above it in the table of README.md, and files beside the folders use none.
+set(rooms)
+file(STRINGS "${FOLDER}/README.md" rows REGEX "^[|] `[a-z]+` [|]")
+foreach (row IN LISTS rows)
+  string(REGEX REPLACE "^[|] `([a-z]+)`.*" "\\1" room "${row}")
+  list(APPEND rooms "${room}")
+endforeach ()
 
 file(GLOB_RECURSE files RELATIVE "${FOLDER}"
   "${FOLDER}/*.h" "${FOLDER}/*.cxx" "${FOLDER}/*.txx")
