@@ -8,8 +8,8 @@
 namespace geodesic
 {
 
-/// Base of all that the engine throws on its own account. Messages name what is wrong, where, and
-/// what to do; the filter hands them to vtkErrorMacro unchanged.
+/// Base of all errors that the engine throws. Messages name what is wrong, where, and what to do;
+/// the filter passes them to vtkErrorMacro unchanged.
 class Error : public std::runtime_error
 {
 public:
@@ -30,14 +30,14 @@ public:
   using MeshError::MeshError;
 };
 
-/// The source cannot be used: empty, not finite, or joining different components.
+/// The source cannot be used: it is empty, not finite, or joins different components.
 class SourceError : public Error
 {
 public:
   using Error::Error;
 };
 
-/// The caller's progress callback asked to stop. Not an error to report.
+/// The caller's progress callback asked to stop. This is not an error to report.
 class Aborted : public Error
 {
 public:

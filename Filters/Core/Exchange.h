@@ -15,29 +15,29 @@
 namespace geodesic
 {
 
-/// What one rank tells another in one step.
+/// What one rank sends to another in one step.
 using Message = std::vector<std::byte>;
 
-/// A rank's place in what there is one of for each rank, such as messages.
+/// A rank as an index into an array with one element per rank.
 inline std::size_t rankIndex(int rank)
 {
   return static_cast<std::size_t>(rank);
 }
 
-/// Another rank has failed, with this message; this one can only say the same.
+/// Another rank has failed with this message, which this rank reports too.
 class FailedElsewhere : public Error
 {
 public:
   using Error::Error;
 };
 
-/// The user has stopped another rank.
+/// The user has aborted another rank.
 class AbortedElsewhere : public Aborted
 {
 };
 
-/// How ranks that have one surface together talk to each other. There is one way only, a step that
-/// all ranks take together (a superstep: Valiant 1990), so that none can wait for another that does
+/// Communication of the ranks that share one surface. The only way to communicate is a step that
+/// all ranks take together (a superstep: Valiant 1990). So no rank can wait for another that does
 /// something else: a rank that fails takes the next step as a failed one.
 class Exchange
 {
@@ -50,16 +50,16 @@ public:
   /// Takes a step: sends a message to each rank (an empty one costs nothing), and finds the least
   /// of each number over all ranks.
   ///
-  /// \param messages one a rank, also to oneself.
-  /// \param least as many numbers on every rank.
+  /// \param messages one for each rank, including this one.
+  /// \param least equally many numbers on every rank.
   /// \returns what each rank has sent to this one.
-  /// \throws FailedElsewhere, AbortedElsewhere where a rank has called fail() in place of this.
+  /// \throws FailedElsewhere, AbortedElsewhere if another rank has called fail() instead.
   virtual std::vector<Message> step(std::vector<Message> messages, std::vector<double>& least) = 0;
 
-  /// Tells all ranks in their next step that this one ends here.
+  /// Tells all ranks in their next step that this one stops.
   ///
-  /// \param why a message for the user; empty: the user has asked to stop.
-  /// \returns the message of the lowest rank that fails in that step, which all ranks give.
+  /// \param why a message for the user; empty if the user has asked to stop.
+  /// \returns the message of the lowest rank that fails in that step, which all ranks report.
   virtual std::string fail(const std::string& why) = 0;
 
   /// A step with messages only.
@@ -78,7 +78,7 @@ public:
   }
   double largestOf(double number) { return -this->leastOf(-number); }
   bool isTrueAnywhere(bool condition) { return this->leastOf(condition ? 0.0 : 1.0) == 0.0; }
-  /// A step in which every rank gets the same message from this one.
+  /// A step in which this rank sends the same message to every rank.
   std::vector<Message> tellAll(const Message& message)
   {
     return this->step(std::vector<Message>(this->noMessages().size(), message));
@@ -90,11 +90,11 @@ public:
   }
 };
 
-/// The exchange of a process that has the whole surface: all that it sends comes back to it.
+/// The exchange of a process that has the whole surface: it receives what it sends.
 class OneRank : public Exchange
 {
 public:
-  /// The one that all such processes share; it has no state.
+  /// All such processes share one object, which has no state.
   static Exchange& instance()
   {
     static OneRank one;
@@ -111,8 +111,8 @@ public:
   std::string fail(const std::string& why) override { return why; }
 };
 
-/// Puts values into a message, as they are in memory: ranks are processes of one program on
-/// machines of one kind.
+/// Appends values to a message as they are in memory: all ranks run the same program on machines of
+/// the same kind.
 template <typename Value>
 void put(Message& message, const Value* values, std::size_t count)
 {
@@ -131,7 +131,7 @@ void put(Message& message, const Value& value)
   put(message, &value, 1);
 }
 
-/// Takes values out of a message, in the order in which they were put there.
+/// Reads values from a message, in the order in which put() appended them.
 class MessageReader
 {
 public:
@@ -143,7 +143,7 @@ public:
 
   bool isAtEnd() const { return this->next_ == this->end_; }
 
-  /// \throws Error where the message ends before.
+  /// \throws Error if the message ends early.
   template <typename Value>
   void get(Value* values, std::size_t count)
   {
@@ -173,8 +173,7 @@ private:
   const std::byte* end_;
 };
 
-/// Calls visit(int rank, MessageReader&) for what each rank has sent, while there is something left
-/// to read.
+/// Calls visit(int rank, MessageReader&) for each rank's message until it is read to the end.
 template <typename Visit>
 void readEach(const std::vector<Message>& messages, Visit&& visit)
 {
@@ -188,9 +187,9 @@ void readEach(const std::vector<Message>& messages, Visit&& visit)
   }
 }
 
-/// A step in which every rank tells all others one value.
+/// A step in which every rank sends one value to all.
 ///
-/// \returns the values of all ranks, also this one's, in their order.
+/// \returns the values of all ranks, including this one's, in the order of ranks.
 template <typename Value>
 std::vector<Value> valuesOfRanks(Exchange& exchange, const Value& own)
 {
@@ -203,14 +202,13 @@ std::vector<Value> valuesOfRanks(Exchange& exchange, const Value& own)
   return values;
 }
 
-/// How much the ranks before this one have of something, and how much all have.
+/// The sum of a number over the ranks before this one, and over all ranks.
 struct SumsOverRanks
 {
   std::uint64_t before = 0;
   std::uint64_t all = 0;
 };
 
-/// A step that sums up a number that every rank has.
 inline SumsOverRanks sumOverRanks(Exchange& exchange, std::uint64_t own)
 {
   const std::vector<std::uint64_t> numbers = valuesOfRanks(exchange, own);

@@ -9,8 +9,8 @@
 namespace geodesic
 {
 
-/// The same callback for work that cannot tell how long its pieces take: it may be called after
-/// each of them, and passes some fifty calls a second on. The callback must outlive it.
+/// The same callback, for work whose pieces take unknown times: the work may call it after each of
+/// them, and it passes on about fifty calls a second. The original callback must outlive it.
 inline ProgressCallback paced(const ProgressCallback& callback)
 {
   if (!callback)

@@ -11,11 +11,11 @@
 namespace geodesic
 {
 
-/// Called now and then with the fraction done in [0, 1]; returning false asks to stop.
+/// Called now and then with the fraction done in [0, 1]; returns false to ask for a stop.
 using ProgressCallback = std::function<bool(double)>;
 
-/// The same without steps back: for work that may have to be done once more. The callback must
-/// outlive it.
+/// The same callback, but the fraction never decreases: for work that may have to be repeated. The
+/// original callback must outlive it.
 inline ProgressCallback ascending(const ProgressCallback& callback)
 {
   if (!callback)
@@ -29,7 +29,7 @@ inline ProgressCallback ascending(const ProgressCallback& callback)
   };
 }
 
-/// Tells a callback how far a loop is, of several that follow each other.
+/// Reports the progress of a loop, one of several that follow each other.
 class LoopProgress
 {
 public:
@@ -38,7 +38,7 @@ public:
   {
   }
 
-  /// What follows takes the work on to this fraction of the whole.
+  /// The next loop takes the work to this fraction of the whole.
   void nextUntil(double end)
   {
     this->begin_ = this->end_;
@@ -47,7 +47,8 @@ public:
 
   double end() const { return this->end_; }
 
-  /// The same for one of several loops that share this stretch: from a fraction of it to another.
+  /// For one of several loops within this loop's stretch: from one fraction of the stretch to
+  /// another.
   LoopProgress between(double from, double to) const
   {
     LoopProgress part(this->callback_);
@@ -56,7 +57,7 @@ public:
     return part;
   }
 
-  /// At an item of a loop over that many.
+  /// Reports item `item` of a loop over `count` items.
   ///
   /// \throws Aborted
   void at(std::size_t item, std::size_t count) const

@@ -13,12 +13,12 @@
 namespace geodesic
 {
 
-/// Runs task(0) to task(count - 1), in any order and at the same time if it likes, and returns when
-/// all are done.
+/// Runs task(0) to task(count - 1), in any order and possibly at the same time, and returns when
+/// all have finished.
 using ParallelFor =
   std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
 
-/// The same with one task after another where there is no ParallelFor.
+/// Runs the tasks one after another if there is no ParallelFor.
 template <typename Task>
 void forAll(const ParallelFor& parallelFor, std::size_t count, const Task& task)
 {
@@ -33,8 +33,8 @@ void forAll(const ParallelFor& parallelFor, std::size_t count, const Task& task)
   }
 }
 
-/// A loop over many small items is cut into ranges of neighbours of this length, so that what is
-/// found in each range depends on the items alone.
+/// A loop over many small items is cut into ranges of this many items, so that each range's result
+/// depends on the items alone.
 constexpr std::size_t ItemsInRange = 1024;
 
 inline std::size_t numberOfRanges(std::size_t count)
@@ -42,9 +42,9 @@ inline std::size_t numberOfRanges(std::size_t count)
   return (count + ItemsInRange - 1) / ItemsInRange;
 }
 
-/// Calls range(begin, end) for ranges that make up the items below `count`, side by side.
+/// Calls range(begin, end) in parallel for ranges that make up the items below `count`.
 ///
-/// \param progress told between ranges, by the calling thread.
+/// \param progress called between ranges, by the calling thread.
 /// \throws Aborted
 template <typename Range>
 void forRanges(const ParallelFor& parallelFor, std::size_t count, const LoopProgress& progress,
@@ -71,7 +71,7 @@ void forRanges(const ParallelFor& parallelFor, std::size_t count, const Range& r
   forRanges(parallelFor, count, LoopProgress(nobody), range);
 }
 
-/// The same for ranges with a result each. \returns the results in the order of the ranges.
+/// forRanges() for ranges that return a result. \returns the results in the order of the ranges.
 template <typename Range>
 auto resultsOfRanges(const ParallelFor& parallelFor, std::size_t count,
   const LoopProgress& progress, const Range& range)

@@ -56,7 +56,7 @@ inline double norm(const Vec3& a)
   return std::sqrt(dot(a, a));
 }
 
-/// In absolute value.
+/// The largest absolute value.
 inline double largestCoordinate(const Vec3& a)
 {
   return std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(a[2]) });
@@ -98,8 +98,8 @@ inline double norm(Vec2 a)
   return std::sqrt(dot(a, a));
 }
 
-/// Asks the processor to fetch what will soon be read; nothing where the compiler has no word for
-/// it.
+/// Asks the processor to fetch memory that will be read soon; does nothing if the compiler has no
+/// means.
 inline void prefetch(const void* address)
 {
 #if defined(__GNUC__) || defined(__clang__)

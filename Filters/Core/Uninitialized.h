@@ -10,7 +10,7 @@
 namespace geodesic
 {
 
-/// Leaves elements that a vector is resized by as they are in memory.
+/// Leaves the elements that resize() adds as they are in memory.
 template <typename Value>
 struct UninitializedAllocator : std::allocator<Value>
 {
@@ -32,8 +32,8 @@ struct UninitializedAllocator : std::allocator<Value>
   }
 };
 
-/// A vector for elements that tasks are about to write: resize() does not write them first, which
-/// one thread would do alone, and the system gives each thread its memory.
+/// A vector for elements that tasks are about to write. resize() does not write them first: one
+/// thread would do so alone, whereas each thread gets the memory that it writes first near itself.
 template <typename Value>
 using UninitializedVector = std::vector<Value, UninitializedAllocator<Value>>;
 

@@ -7,7 +7,6 @@ namespace geodesic
 namespace
 {
 
-/// The rest of what is told of the window that gives the distance.
 inline void describe(const Window* nearest, double crossing, ApexDistance& shortest)
 {
   if (nearest != nullptr)
@@ -60,7 +59,8 @@ ApexQuery fullApexQuery(
         query.first = i;
       }
     }
-    // Between a window that passes on the left and one on the right, the apex is in a gap.
+    // Between a window that passes on the left and one that passes on the right, the apex lies in a
+    // gap.
     if (side == ApexSide::Right && previous == ApexSide::Left)
     {
       consider(w.bentDistance(apex), w);
@@ -79,7 +79,7 @@ ApexQuery fullApexQuery(
   return query;
 }
 
-// The first window that passes on the right is looked for by halving.
+// A binary search finds the first window that passes on the right.
 ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
 {
   ApexDistance shortest;
@@ -114,7 +114,7 @@ ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
   {
     consider(*first);
   }
-  // back over those that hold the apex, to one that passes on the left
+  // back over the windows that contain the apex, to one that passes on the left
   for (bool holds = true; holds && first != list.begin();)
   {
     --first;

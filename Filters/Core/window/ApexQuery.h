@@ -9,17 +9,18 @@
 namespace geodesic
 {
 
-/// The shortest path to the apex of a face that comes through a list of windows on the halfedge
-/// opposite; bent where no window's pencil holds the apex.
+/// The shortest path to the apex of a face through a list of windows on the opposite halfedge. The
+/// path bends if no window's pencil contains the apex.
 struct ApexDistance
 {
   /// Its length; infinite where the list is empty.
   double distance = Infinity;
-  /// Where it crosses the halfedge.
+  /// Where the path crosses the halfedge.
   double crossing = 0.0;
-  /// The error of the window that gives it.
+  /// The error of the window that gives the path.
   double error = 0.0;
-  /// The origin of that window, where its ray there comes from, and the ray's direction.
+  /// The origin of that window, the place on its curve where the ray begins, and the ray's
+  /// direction.
   Id origin = NoId;
   double place = 0.0;
   Vec2 direction = {};
@@ -30,34 +31,33 @@ enum class ApexSide : std::uint8_t
 {
   Left,
   Right,
-  /// The pencil holds the apex.
+  /// The pencil contains the apex.
   Both
 };
 
-/// What the full query of the apex finds.
 struct ApexQuery
 {
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 
   ApexDistance shortest;
-  /// The list that was asked, and the side of each of its windows.
+  /// The queried list, and the side of each of its windows.
   WindowRange list;
   const ApexSide* sides = nullptr;
-  /// Of the windows whose pencils hold the apex the one that reaches it first; None where there is
+  /// The window that reaches the apex first among those whose pencils contain it; None if there is
   /// none.
   std::size_t first = None;
 };
 
-/// The full query of the apex: asks every window of a sorted list.
+/// The full query of the apex: checks every window of a sorted list.
 ///
-/// \param sides keeps the sides of the windows, to which the result refers; replaced, and never
-///        shorter than before.
+/// \param sides the sides of the windows, to which the result refers; replaced, and never made
+///        shorter.
 ApexQuery fullApexQuery(
   const WindowRange& list, const PointOverHalfedge& apex, std::vector<ApexSide>& sides);
 
-/// The quick query of the apex: asks only the windows about it, in logarithmic time. Where rays of
-/// several windows cross below the apex, a shorter path may be overlooked. That is enough to tell
-/// when the front comes to the apex; then the full query is made.
+/// The quick query of the apex: checks only the windows near it, in logarithmic time. Where rays of
+/// several windows cross below the apex, it may miss a shorter path. It suffices to decide when the
+/// front comes to the apex, where the full query follows.
 ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex);
 
 }

@@ -7,22 +7,23 @@ namespace geodesic
 namespace
 {
 
-/// An edge that windows leave through, with what is known at its ends. Numbers stand as pairs where
-/// the two ends of a window are computed with in step.
+/// An edge through which windows leave the face, with the known distances at its ends. A pair of
+/// numbers belongs to the two ends of a window, which are computed together.
 struct ExitEdge
 {
   const UnfoldedFace& face;
   bool isLeft;
-  /// The apex as seen from the end of the halfedge where the edge is, twice.
+  /// The apex, seen from the halfedge's end that belongs to this edge.
   TwoDoubles apexAlong;
   TwoDoubles apexUp;
   TwoDoubles length;
-  /// What a source's x and depth, seen from where the edge begins, add to those behind the edge.
+  /// Coefficients of the rotation into the frame behind the edge: for x and for depth of a source
+  /// relative to the edge's begin.
   TwoDoubles ofX;
   TwoDoubles ofDepth;
-  /// The distances known where the edge ends and where it begins.
+  /// The known distances at the edge's end and begin.
   TwoDoubles known;
-  /// Where the edge ends, and 0.
+  /// The edge's length and 0.
   TwoDoubles far;
 };
 
@@ -42,7 +43,7 @@ ExitEdge rightEdge(const UnfoldedFace& face, const CornerDistances& distances)
     TwoDoubles(distances.destination, distances.apex), TwoDoubles(face.rightLength, 0.0) };
 }
 
-// Where the rays through the window's two ends meet the left edge: UnfoldedFace::meetLeft().
+// Where the rays through the window's two ends meet the left edge, as in UnfoldedFace::meetLeft().
 inline TwoDoubles endsOnLeft(const ExitEdge& left, const Window& w)
 {
   const TwoDoubles depth(w.sourceDepth);
@@ -51,7 +52,7 @@ inline TwoDoubles endsOnLeft(const ExitEdge& left, const Window& w)
   return TwoDoubles::clampedToUnit(t) * left.length;
 }
 
-// The same for the right edge: UnfoldedFace::meetRight().
+// Where they meet the right edge, as in UnfoldedFace::meetRight().
 inline TwoDoubles endsOnRight(const ExitEdge& right, const Window& w)
 {
   const TwoDoubles depth(w.sourceDepth);
@@ -62,10 +63,11 @@ inline TwoDoubles endsOnRight(const ExitEdge& right, const Window& w)
 }
 
 // Whether a path through an end of the edge beats the window everywhere (Xin & Wang 2009,
-// "Improving Chen and Han's algorithm on the discrete geodesic problem"). Distances along the edge
-// change by no more than the way, so a window that is longer at its end far from a corner is longer
-// throughout. Their third comparison, with the face's third corner, drops next to nothing here.
-// `ends` and `source` (x and depth) are those behind the edge: isBeaten() of both ends in step.
+// "Improving Chen and Han's algorithm on the discrete geodesic problem"). Distances change along
+// the edge by no more than the length moved, so a window that loses at its end far from a corner
+// loses everywhere. Their third comparison, with the face's third corner, drops hardly any window
+// here. `ends` and `source` (x and depth) are those behind the edge. This is isBeaten() for both
+// ends at once.
 inline bool isUseless(TwoDoubles ends, TwoDoubles source, double sigma, const ExitEdge& exit)
 {
   const TwoDoubles ways = exit.far + ends * TwoDoubles(-1.0, 1.0);
@@ -77,7 +79,7 @@ inline bool isUseless(TwoDoubles ends, TwoDoubles source, double sigma, const Ex
            TwoDoubles::isGreater(dx * dx + depth * depth, reach * reach)) != 0;
 }
 
-// The way of windows with parallel rays, which are few.
+// Propagates windows with parallel rays, which are rare.
 void leaveLinear(const ExitEdge& exit, const Window& w, TwoDoubles ends, WindowListBuilder& list)
 {
   const double begin = ends.first();
@@ -104,7 +106,7 @@ inline void leaveThrough(
     leaveLinear(exit, w, ends, list);
     return;
   }
-  // moved(), of what changes, written where the window will stand
+  // moved(), but only what changes, written directly into the list
   const Vec2 origin = exit.isLeft ? Vec2{ 0.0, 0.0 } : Vec2(exit.face.apex);
   const TwoDoubles unfolded = TwoDoubles(w.sourceX - origin.x) * exit.ofX +
     TwoDoubles(w.sourceDepth + origin.y) * exit.ofDepth;
@@ -123,8 +125,9 @@ inline void leaveThrough(
 
 } // anonymous namespace
 
-// Of the windows whose pencils hold the apex only the one that reaches it first goes to both edges:
-// rays of the others that would cross its ray to the apex are beaten there (Qin et al. 2016).
+// Among the windows whose pencils contain the apex, only the one that reaches it first continues
+// through both edges. Rays of the others that would cross that window's ray to the apex are beaten
+// there (Qin et al. 2016).
 void propagateThroughFace(const ApexQuery& apex, const UnfoldedFace& face,
   const CornerDistances& distances, OpenEdges open, Id maximumFacesCrossed, LeavingWindows& leaving)
 {
@@ -141,7 +144,7 @@ void propagateThroughFace(const ApexQuery& apex, const UnfoldedFace& face,
     const Window& w = list.first[i];
     if (!(w.sourceDepth > 0.0) || w.facesCrossed >= maximumFacesCrossed)
     {
-      continue; // rays along the edge, which its vertices stand for; or no shortest path
+      continue; // rays along the edge, covered by its vertices; or no shortest path
     }
     const ApexSide side = sides[i];
     if (open.left && (side == ApexSide::Left || (side == ApexSide::Both && i <= first)))

@@ -11,8 +11,7 @@
 namespace geodesic
 {
 
-/// Whether the window's distance at x is beyond a bound by more than a tie, told without a square
-/// root.
+/// Whether the window's distance at x exceeds a bound by more than a tie, without a square root.
 inline bool isBeaten(const Window& w, double x, double bound)
 {
   const double reach = bound * (1.0 + tolerance::Tie) - w.sigma;
@@ -21,7 +20,7 @@ inline bool isBeaten(const Window& w, double x, double bound)
                       : reach < 0.0 || dx * dx + w.sourceDepth * w.sourceDepth > reach * reach;
 }
 
-/// The distances known at the corners of a face: at the ends of the entered halfedge and at the
+/// The known distances at the corners of a face: at the ends of the entered halfedge and at the
 /// apex.
 struct CornerDistances
 {
@@ -30,15 +29,15 @@ struct CornerDistances
   double apex;
 };
 
-/// Through which edges of a face windows go on: those with another face behind them.
+/// The edges of a face through which windows continue: those with another face behind them.
 struct OpenEdges
 {
   bool left;
   bool right;
 };
 
-/// The windows that have left a face through its left and its right edge, in the frames of
-/// UnfoldedFace::throughLeft() and throughRight(). One is reused for many faces.
+/// The windows that have left a face through its left and right edges, in the frames of
+/// UnfoldedFace::throughLeft() and throughRight(). One object serves many faces.
 struct LeavingWindows
 {
   WindowListBuilder left;
@@ -47,13 +46,13 @@ struct LeavingWindows
 
 /// Sends a sorted list of windows through a face (paper, sections 3.2 and 4.2.1; as a list after
 /// Qin et al. 2016, "Fast and exact discrete geodesic computation based on triangle-oriented
-/// wavefront propagation"). Windows that a path through a corner beats are dropped.
+/// wavefront propagation"). Drops windows that a path through a corner beats.
 ///
-/// \param apex what the full query of the apex found for the list; it names the list.
-/// \param distances each no more than what the list itself gives: at the ends of the halfedge along
-///        it, at the apex as the query says.
-/// \param maximumFacesCrossed windows that have crossed so many faces are dropped: a shortest path
-///        crosses none twice.
+/// \param apex the result of the full query for the list; it refers to the list.
+/// \param distances at most what the list itself gives: along the halfedge at its ends, and by the
+///        query at the apex.
+/// \param maximumFacesCrossed windows that have crossed this many faces are dropped: a shortest
+///        path crosses no face twice.
 /// \param leaving the windows behind the open edges; replaced.
 void propagateThroughFace(const ApexQuery& apex, const UnfoldedFace& face,
   const CornerDistances& distances, OpenEdges open, Id maximumFacesCrossed,

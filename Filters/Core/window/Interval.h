@@ -7,8 +7,8 @@
 namespace geodesic
 {
 
-/// An interval of a line, empty where it does not end behind its begin. It is cut down by linear
-/// conditions, which is how pencils of rays are cut to what a halfedge or a segment sees of them.
+/// An interval of a line; empty unless its end lies behind its begin. Linear conditions clip it: so
+/// pencils of rays are clipped to the part that a halfedge or a segment sees.
 struct Interval
 {
   double begin;
@@ -33,7 +33,8 @@ struct Interval
     }
   }
 
-  /// Moves both ends outwards by the margin, but not out of [0, length]; empty stays empty.
+  /// Moves both ends outwards by the margin, but not out of [0, length]. An empty interval stays
+  /// empty.
   void widen(double margin, double length)
   {
     if (!this->isEmpty())

@@ -10,7 +10,8 @@ namespace geodesic
 namespace
 {
 
-// The commonest overlap: with one sigma the squares can be compared, whose difference is linear.
+// The most frequent overlap. With equal sigma the squares can be compared, and their difference is
+// linear.
 LowerParts lowerOfSameSigma(const Window& a, const Window& b, double lo, double hi)
 {
   const double slope = 2.0 * (b.sourceX - a.sourceX);
@@ -28,7 +29,7 @@ LowerParts lowerOfSameSigma(const Window& a, const Window& b, double lo, double 
     const double least = 2.0 * tolerance::Evaluation * (dx * dx + a.sourceDepth * a.sourceDepth);
     if (std::max(std::abs(atLo), std::abs(atHi)) <= least)
     {
-      return {}; // equal throughout
+      return {}; // equal everywhere
     }
     lower.cuts = 1;
     lower.cut[0] = std::clamp(middle - depths / slope, lo, hi);
@@ -50,8 +51,8 @@ struct AtEnds
   }
 };
 
-// Whether the two windows have the same distance throughout, as far as rounding tells. It would
-// tell of crossings all over, and the pieces between them of more.
+// Whether the two windows have the same distance everywhere, up to rounding. Such windows would
+// seem to cross at any number of places.
 bool isTie(
   const Window& a, const Window& b, const AtEnds& ofA, const AtEnds& ofB, double lo, double hi)
 {
@@ -62,9 +63,9 @@ bool isTie(
     same(a.distance(middle), b.distance(middle));
 }
 
-// Between crossings one of the two is smaller throughout; its middle tells which, or the ends where
-// they tie in the middle: one source may lie on the way from the other. The older one keeps what is
-// equal.
+// Between crossings one of the two is smaller everywhere. Their middle decides which, or, if they
+// tie in the middle, the ends: one source may lie on the path from the other. The older window
+// keeps what is equal.
 LowerParts lowerByCrossings(const Window& a, const Window& b, double lo, double hi)
 {
   const Crossings cross = crossings(a, b, lo, hi);
@@ -96,7 +97,7 @@ LowerParts lowerByCrossings(const Window& a, const Window& b, double lo, double 
   return lower;
 }
 
-// Whether the higher of two windows stays above the lower one, as its ends tell. Distances are
+// Whether the higher of two windows stays above the lower one, judged from the ends. Distances are
 // convex: the higher one is above its tangent at an end, the lower one below its chord.
 bool staysAbove(const Window& above, const AtEnds& high, const AtEnds& low, double lo, double hi)
 {
@@ -111,8 +112,8 @@ bool staysAbove(const Window& above, const AtEnds& high, const AtEnds& low, doub
 
 } // anonymous namespace
 
-// A linear window's source is a direction: its distance changes with the place on the halfedge. The
-// surface may bring different sources, or different places of one, to one point of the plane.
+// A linear window's source is a direction, and its distance depends on the place on the halfedge.
+// Different sources, or different places of one curve, may unfold to the same point of the plane.
 bool isSameSource(const Window& a, const Window& b)
 {
   const double source = std::abs(a.sourceX) + a.sourceDepth;
@@ -128,8 +129,8 @@ LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi)
 {
   if (a.facesCrossed != b.facesCrossed && isSameSource(a, b))
   {
-    // One pencil that has come back around faces without area: by rounding the longer way would win
-    // at times, up to the limit of faces crossed.
+    // One pencil that has returned around faces without area. Otherwise rounding would sometimes
+    // prefer the longer path, up to the limit of faces crossed.
     LowerParts fewer;
     fewer.firstIsA = a.facesCrossed < b.facesCrossed;
     return fewer;
@@ -144,12 +145,12 @@ LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi)
   const double atHi = ofA.hi - ofB.hi;
   LowerParts lower;
   lower.firstIsA = atLo < 0.0;
-  // Only what is more than rounding is a change of sign, which has a crossing inside.
+  // A change of sign by more than rounding implies a crossing inside.
   const double least = tolerance::Tie * (ofA.lo + ofA.hi);
   if ((atLo < -least && atHi > least) || (atLo > least && atHi < -least))
   {
     const Crossings cross = crossings(a, b, lo, hi);
-    for (int i = 0; i < cross.count; ++i) // one may be false from squaring
+    for (int i = 0; i < cross.count; ++i) // one may be false, from squaring
     {
       const double x = cross.at[static_cast<std::size_t>(i)];
       if (std::abs(a.distance(x) - b.distance(x)) <= least)

@@ -7,8 +7,8 @@
 namespace geodesic
 {
 
-/// Which of two windows is lower where both are: the first part belongs to one of them, and at each
-/// cut the other takes over.
+/// Which of two windows is lower in their common interval. One of them has the first part, and the
+/// other takes over at each cut.
 struct LowerParts
 {
   bool firstIsA = true;
@@ -17,11 +17,12 @@ struct LowerParts
   std::array<double, 2> cut{};
 };
 
-/// Whether two windows of a halfedge have the same source, up to rounding: parts of one pencil.
+/// Whether two windows of a halfedge have the same source, up to rounding, and so are parts of one
+/// pencil.
 bool isSameSource(const Window& a, const Window& b);
 
-/// Compares the distances of two windows on [lo, hi], which both cover (paper, section 3.3). Where
-/// they are equal up to rounding throughout, the first one keeps all.
+/// Compares the distances of two windows on [lo, hi], which both cover (paper, section 3.3). If
+/// they are equal everywhere up to rounding, the first one is the lower.
 LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi);
 
 }

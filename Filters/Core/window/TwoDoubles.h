@@ -12,8 +12,8 @@
 namespace geodesic
 {
 
-/// Two numbers that are computed with in step, as for the two ends of an interval: with SSE2, which
-/// every x86-64 processor has, in one instruction each. The bits are those of one after the other.
+/// Two numbers with the same operations, such as the two ends of an interval. SSE2, which every
+/// x86-64 processor has, takes one instruction for both. The bits are those of scalar arithmetic.
 class TwoDoubles
 {
 #if defined(__SSE2__)
@@ -29,7 +29,6 @@ public:
     : values_(_mm_set_pd(second, first))
   {
   }
-  /// The same number twice.
   explicit TwoDoubles(double both)
     : values_(_mm_set1_pd(both))
   {
@@ -73,22 +72,21 @@ public:
   {
     return _mm_sqrt_pd(squares.values_);
   }
-  /// The value where the condition is positive, else 0.
+  /// The value if the condition is positive, else 0.
   static TwoDoubles wherePositive(TwoDoubles condition, TwoDoubles value)
   {
     return _mm_and_pd(_mm_cmplt_pd(_mm_setzero_pd(), condition.values_), value.values_);
   }
-  /// The value, or the bound where that is larger.
+  /// The larger of value and bound.
   static TwoDoubles raisedTo(TwoDoubles bound, TwoDoubles value)
   {
     return _mm_max_pd(bound.values_, value.values_);
   }
-  /// Moved to the nearest end of [0, 1] when outside.
   static TwoDoubles clampedToUnit(TwoDoubles t)
   {
     return _mm_min_pd(_mm_set1_pd(1.0), _mm_max_pd(_mm_setzero_pd(), t.values_));
   }
-  /// Of which of the two a > b: 1 for the first and 2 for the second, added.
+  /// The sum of 1 if a > b for the first numbers and 2 if a > b for the second.
   static unsigned isGreater(TwoDoubles a, TwoDoubles b)
   {
     return static_cast<unsigned>(_mm_movemask_pd(_mm_cmpgt_pd(a.values_, b.values_)));

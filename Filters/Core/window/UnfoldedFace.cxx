@@ -22,7 +22,7 @@ UnfoldedFace unfold(const TriangleMesh& mesh, Id halfedge)
     face.apex.x = face.length - face.apexFromEnd;
     face.apex.restOfX = face.length - face.apex.x - face.apexFromEnd;
   }
-  // An edge without length carries no window; any axis will do.
+  // An edge without length carries no window, so any axis will do.
   face.leftAxis = face.leftLength > 0.0 ? (1.0 / face.leftLength) * face.apex : Vec2{ 1.0, 0.0 };
   face.rightAxis = face.rightLength > 0.0
     ? (1.0 / face.rightLength) * Vec2{ face.apexFromEnd, -face.apex.y }

@@ -8,19 +8,18 @@
 namespace geodesic
 {
 
-/// The face of a halfedge, laid into the plane above the halfedge: what windows need to go through
-/// it (paper, section 3.2, "window propagation"). The apex is the face's third vertex. The left
-/// edge runs from the halfedge's origin to the apex, the right edge from the apex to the halfedge's
-/// destination.
+/// The face of a halfedge, laid into the plane above the halfedge, with what windows need to pass
+/// through it (paper, section 3.2, "window propagation"). The apex is the face's third vertex. The
+/// left edge runs from the halfedge's origin to the apex, the right edge from the apex to the
+/// halfedge's destination.
 struct UnfoldedFace
 {
-  /// Lengths of the halfedge, of the left and of the right edge.
   double length;
   double leftLength;
   double rightLength;
-  /// The apex, and its distance along the halfedge from the halfedge's destination. Where the right
-  /// edge is short, the destination must see the apex where the distance has it, or rays would pass
-  /// that edge from its far side: only there the apex has a restOfX.
+  /// The apex, and its distance along the halfedge from the halfedge's destination. If the right
+  /// edge is short, the apex also has a restOfX: the destination must see the apex at its exact
+  /// distance, or rays would pass that edge from its far side.
   PointOverHalfedge apex = Vec2{};
   double apexFromEnd;
   /// Unit vectors along the left and the right edge.
@@ -32,14 +31,14 @@ struct UnfoldedFace
   double meetLeft(const Window& window, double x) const;
   /// Where it meets the right edge, as a distance from the apex.
   double meetRight(const Window& window, double x) const;
-  /// The window behind the left edge, on the given interval of it: x axis from the halfedge's
-  /// origin to the apex, the face below.
+  /// The window behind the left edge, on an interval of that edge. The x axis runs from the
+  /// halfedge's origin to the apex, with the face below it.
   Window throughLeft(const Window& window, double begin, double end) const;
-  /// The window behind the right edge: x axis from the apex to the halfedge's destination.
+  /// The window behind the right edge. The x axis runs from the apex to the halfedge's destination.
   Window throughRight(const Window& window, double begin, double end) const;
 };
 
-/// Lays out the face of a halfedge, which must have a length.
+/// Lays out the face of a halfedge, whose length must not be 0.
 UnfoldedFace unfold(const TriangleMesh& mesh, Id halfedge);
 
 inline double UnfoldedFace::meetLeft(const Window& window, double x) const
@@ -58,8 +57,8 @@ inline double UnfoldedFace::meetRight(const Window& window, double x) const
   return (1.0 - std::clamp(t, 0.0, 1.0)) * this->rightLength;
 }
 
-/// The window with its source in another frame, one face farther. Unfolding is a rigid motion: the
-/// source is carried along, not computed anew.
+/// The window in another frame, one face farther. Unfolding is a rigid motion: it moves the source,
+/// without computing it again from distances.
 inline Window moved(const Window& window, Vec2 origin, Vec2 axis)
 {
   Window w = window;

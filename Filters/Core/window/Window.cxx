@@ -28,7 +28,7 @@ Window reversed(const Window& window, double length)
     w.sigma = window.distance(length);
     w.sourceX = -window.sourceX;
     w.place = window.placeOf({ length, 0.0 });
-    w.origin ^= 1U; // what was left is right in the mirrored frame
+    w.origin ^= 1U; // left becomes right in the mirrored frame
   }
   else
   {

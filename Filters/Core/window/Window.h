@@ -10,18 +10,16 @@
 namespace geodesic
 {
 
-/// The most faces that a window can have crossed.
 constexpr Id MaximumFacesCrossed = 0x7fffffffU;
 
-/// A side of a curve as Window::origin has it: after the numbers of the vertices, two numbers a
-/// curve, of which the left-hand side has the even one. Left is so as seen with the normals of the
-/// faces towards the viewer.
+/// A side of a curve, as stored in Window::origin. Two numbers per curve follow the numbers of the
+/// vertices; the left side has the even one. Left and right are as seen by a viewer towards whom
+/// the faces' normals point.
 struct CurveSide
 {
   Id curve = NoId;
   bool isRight = false;
 
-  /// The number of the first curve's left-hand side.
   static Id first(Id numberOfVertices) { return numberOfVertices + numberOfVertices % 2; }
   static bool isOne(Id origin, Id numberOfVertices)
   {
@@ -37,7 +35,7 @@ struct CurveSide
   }
 };
 
-/// A point over a halfedge, with what rounding has taken from its x.
+/// A point over a halfedge, with the rounding error of its x.
 struct PointOverHalfedge : Vec2
 {
   double restOfX = 0.0;
@@ -49,20 +47,19 @@ struct PointOverHalfedge : Vec2
   }
 };
 
-/// A window: an interval of a halfedge together with the pencil of rays that enters the halfedge's
-/// face through it (paper, sections 3.2 and 4.2.1).
+/// A window: an interval of a halfedge and the pencil of rays that enters the halfedge's face
+/// through it (paper, sections 3.2 and 4.2.1).
 ///
-/// Coordinates are those of the halfedge: it is the x axis from its origin, its face lies above it,
-/// the unfolded source below or on it. A window keeps the source itself instead of the distances at
-/// its ends: recomputing the source from them, as in section 3.2, loses most digits where the
-/// interval is narrow. The pseudo-source's distance sigma of a linear window is folded into its
-/// distance function.
+/// Coordinates refer to the halfedge: it is the x axis from its origin, its face lies above it, the
+/// unfolded source below or on it. A window keeps the source itself instead of the distances at its
+/// ends: recomputing the source from them, as in section 3.2, loses most digits if the interval is
+/// narrow. The distance function of a linear window includes the pseudo-source's distance sigma.
 struct Window
 {
-  // Not a class, as GCC 12 cannot initialise bit-fields of those by braces.
+  // Not a class: GCC 12 cannot initialise bit-fields of enumeration classes by braces.
   enum Kind : std::uint32_t
   {
-    /// Rays leave the point (sourceX, -sourceDepth) whose own distance is sigma.
+    /// Rays leave the point (sourceX, -sourceDepth), whose own distance is sigma.
     Circular,
     /// Rays are parallel to the unit vector (sourceX, sourceDepth); the distance at the halfedge's
     /// origin is sigma.
@@ -74,17 +71,18 @@ struct Window
   double sourceX;
   double sourceDepth;
   double sigma;
-  /// How much longer than this window tells the path behind it can be: 0 in the exact field.
+  /// The path behind this window is longer than the window's distance by at most this; 0 in the
+  /// exact field.
   double error;
   Kind kind : 1;
-  /// Number of faces crossed since the source: a shortest path crosses no face twice, which bounds
-  /// it, and with it every propagation.
+  /// Number of faces crossed since the source. A shortest path crosses no face twice, so this
+  /// number is bounded, and propagation ends.
   Id facesCrossed : 31;
-  /// What its rays come straight from: a vertex as a pseudo-source, or one side of a curve
-  /// (CurveSide). Distances do not depend on it.
+  /// Where its rays start: a vertex as a pseudo-source, or one side of a curve (CurveSide).
+  /// Distances do not depend on it.
   Id origin = NoId;
-  /// Where along the curve, as the length from its beginning: its source, or of a linear window
-  /// what the ray through the halfedge's origin comes from. 0 for a pseudo-source.
+  /// The place along the curve, as the length from the curve's beginning: of the source, or, for a
+  /// linear window, of the start of the ray through the halfedge's origin. 0 for a pseudo-source.
   double place = 0.0;
 
   bool isLinear() const { return this->kind == Kind::Linear; }
@@ -102,7 +100,6 @@ struct Window
     return this->sigma + std::sqrt(dx * dx + this->sourceDepth * this->sourceDepth);
   }
 
-  /// The distances at two points of the halfedge.
   TwoDoubles distances(TwoDoubles x) const
   {
     if (this->isLinear())
@@ -126,8 +123,8 @@ struct Window
     return this->sigma + std::sqrt(dx * dx + dy * dy);
   }
 
-  /// Where along the curve the ray through a point of the face's plane comes from. On the left-hand
-  /// side of the curve its rays are the curve's direction turned to the left.
+  /// The place along the curve where the ray through a point of the face's plane starts. On the
+  /// left side of the curve, the rays' direction is the curve's direction turned to the left.
   double placeOf(Vec2 p) const
   {
     const double along = this->sourceDepth * p.x - this->sourceX * p.y;
@@ -141,29 +138,27 @@ struct Window
     return { this->isLinear() ? this->sourceX : x - this->sourceX, this->sourceDepth };
   }
 
-  /// Along the halfedge, the directions of the rays through the two ends; across it, both have
-  /// sourceDepth.
+  /// The x of the directions of the rays through the two ends; their y is sourceDepth.
   TwoDoubles endDirections() const
   {
     const TwoDoubles source(this->sourceX);
     return this->isLinear() ? source : this->ends() - source;
   }
 
-  /// Whether the ray through x passes on the right of the point p, which lies above the halfedge.
+  /// Whether the ray through x passes the point p, which lies above the halfedge, on p's right.
   bool passesRightOf(double x, const PointOverHalfedge& p) const
   {
     const Vec2 d = this->direction(x);
     return d.x * p.y > d.y * (p.x - x + p.restOfX);
   }
 
-  /// Where the ray to p crosses the halfedge, moved to the nearest end of the interval when
-  /// outside.
+  /// Where the ray to p crosses the halfedge, clamped to the interval.
   double crossing(Vec2 p) const;
 
-  /// Length of the shortest path to p through the interval: straight where the pencil holds p, bent
-  /// at the nearer end elsewhere. Always the length of a real path.
+  /// Length of the shortest path to p through the interval: straight if the pencil contains p, else
+  /// bent at the nearer end. It is always the length of a real path.
   double bentDistance(Vec2 p) const { return this->bentDistance(p, this->crossing(p)); }
-  /// The same with the crossing() of p given.
+  /// The same, if crossing() of p is known.
   double bentDistance(Vec2 p, double crossing) const
   {
     return this->distance(crossing) + norm(p - Vec2{ crossing, 0.0 });
@@ -182,7 +177,7 @@ struct Window
 
 static_assert(sizeof(Window) == 64, "there are hundreds of millions of them");
 
-/// Windows that stand together in memory.
+/// Consecutive windows in memory.
 struct WindowRange
 {
   const Window* first = nullptr;
@@ -192,8 +187,8 @@ struct WindowRange
   std::size_t size() const { return static_cast<std::size_t>(this->last - this->first); }
 };
 
-/// The same window in the frame that begins where a halfedge of this length ends and runs against
-/// it.
+/// The same window in the reversed frame: from the end of a halfedge of this length back to its
+/// origin.
 Window reversed(const Window& window, double length);
 
 }

@@ -64,7 +64,7 @@ void WindowArchive::index(Id numberOfHalfedges)
   {
     this->start_[s] += this->start_[s - 1];
   }
-  // from the end of each halfedge's runs to their begin
+  // fills each halfedge's runs from the last to the first
   this->runs_.resize(this->added_.size());
   for (auto run = this->added_.rbegin(); run != this->added_.rend(); ++run)
   {

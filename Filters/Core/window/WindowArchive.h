@@ -11,7 +11,7 @@
 namespace geodesic
 {
 
-/// The windows of one halfedge in a WindowArchive: those of several lists, one after another.
+/// The windows of one halfedge in a WindowArchive: several lists, one after another.
 class WindowRuns
 {
 public:
@@ -65,21 +65,21 @@ private:
   const WindowRange* last_ = nullptr;
 };
 
-/// Windows as they went through their halfedges.
+/// Windows at the time when they passed through their halfedges.
 class WindowArchive
 {
 public:
-  /// Copies a list that is about to go through a halfedge.
+  /// Copies a list that is about to pass through a halfedge.
   ///
-  /// \param time never less than before in one archive; the lists of a halfedge come in its order,
-  ///        whichever archive they were added to.
+  /// \param time must not decrease within an archive; it orders the lists of a halfedge, even from
+  ///        several archives.
   void add(Id halfedge, const WindowRange& list, Id time = 0);
-  /// Refers to a list whose memory is handed over with own().
+  /// Refers to a list without copying it. own() then takes over the list's memory.
   void adopt(Id halfedge, const WindowRange& list, Id time = 0);
   void own(std::vector<std::unique_ptr<Window[]>> chunks);
-  /// Takes over what another archive has; it is empty then.
+  /// Takes over all contents of another archive, which becomes empty.
   void take(WindowArchive& other);
-  /// Makes at() work; nothing may be added after it.
+  /// Must be called before at(); nothing may be added after it.
   void index(Id numberOfHalfedges);
   bool isIndexed() const { return !this->start_.empty(); }
   /// The windows of a halfedge, in the order in which they were added.

@@ -10,8 +10,8 @@ namespace geodesic
 namespace
 {
 
-// Roots of a t^2 + 2 b t + c whose discriminant b^2 - a c is given: each caller has a form of it
-// without cancellation, and the textbook formula for the roots would cancel once more.
+// Roots of a t^2 + 2 b t + c. The caller gives the discriminant b^2 - a c in a form without
+// cancellation; the textbook formula for the roots would introduce cancellation again.
 Crossings quadraticRoots(double a, double b, double c, double discriminant)
 {
   Crossings roots;
@@ -31,10 +31,10 @@ Crossings quadraticRoots(double a, double b, double c, double discriminant)
   return roots;
 }
 
-// sqrt((t - s)^2 + h^2) + sigma on both sides: one branch of a hyperbola is the locus of equal
-// distance, which a line meets up to twice (section 3.3 has one crossing, true for equal sigma
-// only, where the two roots here are one). With l(t) = alpha t + gamma the difference of the
-// squares, l^2 = beta2 ((t - s1)^2 + h1^2).
+// Both sides are sqrt((t - s)^2 + h^2) + sigma. The points of equal distance form one branch of a
+// hyperbola, which a line meets up to twice. (Section 3.3 has one crossing, which is true only for
+// equal sigma, where the two roots here coincide.) With l(t) = alpha t + gamma, the difference of
+// the squares, l^2 = beta2 ((t - s1)^2 + h1^2).
 Crossings circularCircular(const Window& a, const Window& b, double origin)
 {
   const double s0 = a.sourceX - origin;
@@ -52,8 +52,8 @@ Crossings circularCircular(const Window& a, const Window& b, double origin)
     beta2 * (atSource * atSource + quadratic * h1 * h1));
 }
 
-// Section 4.2.2, with sigma of the circular window and the one of the linear window, folded into
-// its function, both kept.
+// Section 4.2.2, but with both sigmas: of the circular window, and of the linear window, whose
+// function includes it.
 Crossings circularLinear(const Window& circular, const Window& linear, double origin)
 {
   const double s = circular.sourceX - origin;
@@ -79,7 +79,7 @@ Crossings linearLinear(const Window& a, const Window& b, double origin)
 
 Crossings crossings(const Window& a, const Window& b, double lo, double hi)
 {
-  const double origin = 0.5 * (lo + hi); // roots are sought near the interval, for accuracy there
+  const double origin = 0.5 * (lo + hi); // the interval's middle, so that roots are accurate there
   Crossings roots;
   if (a.isLinear() && b.isLinear())
   {

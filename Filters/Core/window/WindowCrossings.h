@@ -7,7 +7,6 @@
 namespace geodesic
 {
 
-/// Points of a halfedge, ascending.
 struct Crossings
 {
   int count = 0;
@@ -15,9 +14,9 @@ struct Crossings
 };
 
 /// The points of (lo, hi) where the distances of two windows are equal (paper, sections 3.3 and
-/// 4.2.2, corrected: with different sigma there may be two). Every such point is found; a point may
-/// be found twice, or be false where squaring brought it in, so that the caller compares the
-/// distances between them. Windows that are equal throughout have none.
+/// 4.2.2, corrected: with different sigma there may be two). No such point is missing, but a point
+/// may be found twice or be false, a result of squaring: the caller must compare the distances
+/// between the points. Windows that are equal everywhere have none.
 Crossings crossings(const Window& a, const Window& b, double lo, double hi);
 
 }

@@ -14,7 +14,7 @@ void WindowListBuilder::reset(double edgeLength)
   this->leastWidth_ = tolerance::LeastWidth * edgeLength;
 }
 
-// The window added overlaps the one before it.
+// The added window overlaps the window before it.
 void WindowListBuilder::settleOverlapping()
 {
   const std::size_t size = this->windows_.size();
@@ -38,8 +38,8 @@ void WindowListBuilder::settleOverlapping()
   }
 }
 
-// The window overlaps the list's last one by some roundings: no cut in there would mean anything,
-// and the lower one has it all.
+// The windows overlap by a few roundings. A cut there would be meaningless, so the lower window
+// gets the whole overlap.
 void WindowListBuilder::settleBehindLast(Window& last, Window& added)
 {
   const double middle = 0.5 * (added.begin + last.end);
@@ -54,7 +54,7 @@ void WindowListBuilder::settleBehindLast(Window& last, Window& added)
   this->dropNarrow(last, added);
 }
 
-// Of the list's last two windows, those that are too narrow go.
+// Drops those of the list's last two windows that are too narrow.
 void WindowListBuilder::dropNarrow(Window& last, Window& added)
 {
   const bool keepsAdded = this->isWide(added.begin, added.end);
@@ -69,7 +69,7 @@ void WindowListBuilder::dropNarrow(Window& last, Window& added)
   }
 }
 
-// The window overlaps the list's last one only, and begins inside it.
+// The added window overlaps only the list's last window, and begins inside it.
 void WindowListBuilder::settleAgainstLast(Window& last, Window& added)
 {
   const double hi = std::min(last.end, added.end);
@@ -83,8 +83,8 @@ void WindowListBuilder::settleAgainstLast(Window& last, Window& added)
   }
 }
 
-// The common ways to share: each of the two keeps one part of what it had. Returns false where it
-// is none of them, and nothing is done.
+// The frequent cases: each of the two windows keeps one part of its interval. Returns false,
+// without any change, in all other cases.
 bool WindowListBuilder::settleInPlace(
   Window& last, Window& added, const LowerParts& lower, double hi)
 {
@@ -107,8 +107,8 @@ bool WindowListBuilder::settleInPlace(
   return true;
 }
 
-// Parts of the two in turn, each to the next cut, the last to the end of the overlap and what is
-// behind it.
+// Appends parts of the two windows in turn, each up to the next cut, and the last part up to the
+// end of its window.
 void WindowListBuilder::appendParts(
   const Window& last, const Window& window, const LowerParts& lower, double hi)
 {
@@ -145,7 +145,7 @@ void WindowListBuilder::appendToSeveral(const Window& window)
     this->windows_.begin() + static_cast<std::ptrdiff_t>(first), this->windows_.end());
   this->windows_.resize(first);
   this->lastOwner_ = nullptr;
-  double begin = window.begin; // what is left of the window
+  double begin = window.begin; // where the remaining part of the window begins
   for (const Window& old : this->overlapped_)
   {
     const double lo = std::max(begin, old.begin);
@@ -181,7 +181,7 @@ void WindowListBuilder::appendOverlap(const Window& a, const Window& b, double l
   }
 }
 
-// Pieces come in order; those of one window that meet are joined.
+// Pieces come in order. Adjacent pieces of one window are joined.
 void WindowListBuilder::appendPiece(const Window& window, double begin, double end)
 {
   if (!(end > begin))
@@ -209,11 +209,11 @@ void WindowListBuilder::appendOfOther(const Window& window)
   Window& last = this->windows_.back();
   last.end = std::max(last.end, window.end);
   last.error = std::max(last.error, window.error);
-  // Of a pencil that has come back around faces without area the shorter way counts.
+  // If the pencil has returned around faces without area, the shorter path counts.
   last.facesCrossed = std::min<Id>(last.facesCrossed, window.facesCrossed) & MaximumFacesCrossed;
 }
 
-// Behind the windows that overlap what is there already, a run stands as it is.
+// Behind the windows that overlap existing ones, the rest of a run is appended unchanged.
 void WindowListBuilder::appendRun(const WindowRange& run, bool isOfOther)
 {
   const Window* w = run.begin();

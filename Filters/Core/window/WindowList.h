@@ -10,24 +10,25 @@
 namespace geodesic
 {
 
-/// Builds the sorted windows of one halfedge: the lower envelope of what is appended. Where two
-/// windows overlap, each keeps the part where its distance is smaller; a ray that is beaten where
-/// it enters cannot be part of a shortest path (paper, section 3.3). One builder is reused for many
-/// lists.
+/// Builds the sorted windows of one halfedge, the lower envelope of all appended windows. Where two
+/// windows overlap, each keeps the part where its distance is smaller: a ray that is beaten where
+/// it enters the face cannot be part of a shortest path (paper, section 3.3). One builder serves
+/// many lists.
 class WindowListBuilder
 {
 public:
   /// Begins an empty list on a halfedge of this length.
   void reset(double edgeLength);
-  /// Adds a window. Appending in the order of the interval's begin is linear; any order is right.
+  /// Adds a window. Appending in order of the begins takes linear time; any order gives the same
+  /// result.
   void append(const Window& window)
   {
     this->addUnsettled(window);
     this->settle();
   }
 
-  /// The same in two steps, so that a window is made where it will stand: the first adds a copy for
-  /// the caller to change, the second puts it in its place. Nothing may come between.
+  /// append() in two steps, which makes a window in place: the first step adds a copy that the
+  /// caller changes, the second settles it. No other call may come between them.
   Window& addUnsettled(const Window& window)
   {
     this->windows_.push_back(window);
@@ -46,12 +47,12 @@ public:
     }
   }
 
-  /// Adds a window that comes from another list than the last one did. Where it goes on with the
-  /// last one's pencil, which a vertex in a flat part of the surface has split, they become one.
+  /// Adds a window of another list than the last window's. If it continues the last window's
+  /// pencil, which a vertex in a flat part of the surface has split, the two become one.
   void appendOfOther(const Window& window);
 
-  /// Adds the windows of two sorted lists without overlaps, by appendOfOther() where one follows
-  /// the other.
+  /// Adds the windows of two sorted lists without overlaps. Where a window of one list follows a
+  /// window of the other, appendOfOther() adds it.
   void appendLists(const WindowRange& first, const WindowRange& second);
 
   const std::vector<Window>& windows() const { return this->windows_; }
@@ -89,7 +90,7 @@ private:
 
   std::vector<Window> windows_;
   std::vector<Window> overlapped_;
-  /// The window that the last piece was cut from, so that pieces that meet are joined again.
+  /// The window that the last piece was cut from, so that adjacent pieces are joined again.
   const Window* lastOwner_ = nullptr;
   double leastWidth_ = 0.0;
 };

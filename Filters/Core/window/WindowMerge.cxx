@@ -9,11 +9,11 @@ namespace geodesic
 namespace
 {
 
-/// What is known of a window at one of its ends, for one root.
+/// Values of a window at one of its ends, which share one square root.
 struct End
 {
   double distance;
-  /// The slope of the distance there as a fraction: of a circular window the source's offset and
+  /// The slope of the distance there as a fraction. For a circular window, the source's offset and
   /// its radius.
   double rise;
   double run;
@@ -30,7 +30,7 @@ End endOf(const Window& w, double x)
   return { w.sigma + radius, dx, radius };
 }
 
-/// A window of the list with what is known at its ends: each end is asked for several times.
+/// A window of the list with the values at its ends, each of which is used several times.
 struct Measured
 {
   Window* window;
@@ -51,7 +51,7 @@ Measured measured(Window& w)
     { w.sigma + radii.second(), dx.second(), radii.second() } };
 }
 
-// Window::minimum() without a root.
+// Window::minimum() without a square root.
 double minimum(const Window& w, const End& begin, const End& end)
 {
   if (w.isLinear())
@@ -63,14 +63,13 @@ double minimum(const Window& w, const End& begin, const End& end)
                               : w.sigma + w.sourceDepth;
 }
 
-/// What merges must keep within.
 struct Limits
 {
   double relativeError;
   double maximumAdded;
 };
 
-/// Two neighbours that meet at `joint`, and what a merged window must keep.
+/// Two neighbours that meet at `joint`, and the properties that a merged window must keep.
 struct Pair
 {
   const Measured& left;
@@ -81,15 +80,15 @@ struct Pair
   double width;
   double atBegin;
   double atEnd;
-  /// Least of the two distances at the joint.
+  /// The smaller of the two distances at the joint.
   double atJoint;
   /// atEnd - atBegin.
   double rise;
   /// (width - rise) (width + rise).
   double open;
-  /// The larger of the errors that the two bring.
+  /// The larger of the two windows' errors.
   double inherited;
-  /// The most that the merged window's distance may be at its least: that of the two.
+  /// The least distance of the two, which the merged window's least distance may not exceed.
   double least;
 };
 
@@ -107,9 +106,9 @@ Pair makePair(const Measured& left, const Measured& right)
 
 // The largest distance r0 of a merged source from the interval's begin for which the merged
 // distance is nowhere above the two originals. Sources at distances r0 and r0 + rise from the ends
-// are a one-parameter family; the farther, the flatter. The merged function is below throughout
-// when it is at the joint and is not steeper outwards at the ends: a difference of two such
-// functions has no more than two zeros, and one is at the end already.
+// are a one-parameter family; the farther the source, the flatter the function. The merged function
+// is below everywhere if it is below at the joint and no steeper outwards at the ends: the
+// difference of two such functions has at most two zeros, and one is at the end already.
 double farthestRadius(const Pair& p)
 {
   double radius = Infinity;
@@ -139,15 +138,15 @@ double farthestRadius(const Pair& p)
   return radius;
 }
 
-// How far the original may be above the merged one inside its interval; -Infinity where the ends
-// tell. The difference original - merged has its only inner extremum where both rays have one
-// direction: on the line through the two sources, so that they differ by the sources' distance.
-// It is a maximum where the merged source is the nearer one.
+// How far the original may be above the merged window inside its interval; -Infinity if the gap is
+// largest at an end. The difference original - merged has its only inner extremum where both rays
+// have the same direction. That point lies on the line through the two sources, and the extremum is
+// a maximum if the merged source is the nearer one.
 double innerGap(const Window& original, const Window& merged)
 {
   if (merged.isLinear())
   {
-    return -Infinity; // both are
+    return -Infinity; // both are linear
   }
   const double apart = merged.sourceX - original.sourceX;
   const double depth = original.sourceDepth - merged.sourceDepth;
@@ -169,14 +168,14 @@ double innerGap(const Window& original, const Window& merged)
     : -Infinity;
 }
 
-/// A merged window that is not yet known to be within the limits.
+/// A merged window that has yet to be checked against the limits.
 struct Candidate
 {
   Window window;
   double atJoint;
 };
 
-// What is left to gain of the limits once the gap at the joint is known.
+// Whether the merged window is within the limits, given the gap at the joint.
 bool isWithin(const Pair& p, const Limits& limits, double added, double atJoint)
 {
   const double gapLeft = p.left.end.distance - atJoint;
@@ -193,13 +192,13 @@ bool mergeLinear(const Pair& p, Candidate& merged)
   w.sourceDepth = std::sqrt(std::max(0.0, (1.0 - w.sourceX) * (1.0 + w.sourceX)));
   w.sigma = p.atBegin - w.sourceX * p.begin;
   merged.atJoint = w.distance(p.joint);
-  // else the rays diverge: something else belongs between them
+  // otherwise the rays diverge, and another window belongs between them
   return merged.atJoint <= p.atJoint;
 }
 
 bool mergeCircular(const Pair& p, const Limits& limits, double added, Candidate& merged)
 {
-  // A pseudo-source has no negative distance of its own.
+  // The distance of a pseudo-source cannot be negative.
   const double radius = std::min(farthestRadius(p), p.atBegin);
   if (!(radius > 0.0) || !(radius + p.rise > 0.0))
   {
@@ -225,10 +224,10 @@ bool mergeCircular(const Pair& p, const Limits& limits, double added, Candidate&
   return true;
 }
 
-/// Merges the right window into the left one where the limits allow.
+/// Merges the right window into the left one if the limits allow.
 ///
-/// \param added how far the left window, itself merged, may be below what it replaced; becomes that
-///        of the merged one.
+/// \param added how far the left window, if itself merged, may be below the windows that it
+///        replaced; updated for the new window.
 bool merge(Measured& left, const Measured& right, const Limits& limits, double& added)
 {
   const Pair p = makePair(left, right);
@@ -284,7 +283,7 @@ MergedNeighbours mergeNeighbours(
   }
   const Limits limits = { relativeError, maximumAdded };
   double largest = 0.0;
-  double added = 0.0; // of the last window
+  double added = 0.0; // by the last window
   Window* last = list.data;
   Measured left = measured(*last);
   for (std::uint32_t i = 1; i < list.size; ++i)

@@ -63,7 +63,7 @@ WindowBlock WindowPool::copyOf(const WindowRange& windows)
 {
   if (windows.size() >> 27 != 0)
   {
-    throw std::bad_alloc(); // more windows on one halfedge than memory could hold for the others
+    throw std::bad_alloc(); // more windows on one halfedge than any memory could hold
   }
   WindowBlock block;
   block.size = static_cast<std::uint32_t>(windows.size()) & 0x7ffffffu;
@@ -71,7 +71,7 @@ WindowBlock WindowPool::copyOf(const WindowRange& windows)
   block.data = this->allocate(block.sizeClass);
   if (block.size == 1)
   {
-    *block.data = *windows.begin(); // most lists of merged windows
+    *block.data = *windows.begin(); // most merged lists have one window
   }
   else
   {

@@ -23,19 +23,20 @@ struct WindowBlock
   WindowRange range() const { return { this->data, this->data + this->size }; }
 };
 
-/// Blocks of windows in sizes of powers of two, cut from large chunks and used again. Not
-/// thread-safe: each worker has its own, and a block may come from one and be freed into another.
+/// Blocks of windows, whose sizes are powers of two, cut from large chunks and reused. Not
+/// thread-safe: each worker has its own pool, but may free blocks of other pools into it.
 class WindowPool
 {
 public:
-  /// A block with a copy of the windows. The caller frees it.
+  /// Allocates a block with a copy of the windows. The caller frees it.
   WindowBlock copyOf(const WindowRange& windows);
-  /// Takes a block back, of this pool or of another one that lives as long.
+  /// Takes back a block of this pool, or of another pool that lives as long.
   void free(const WindowBlock& block);
-  /// Hands over the memory of all blocks that were cut from it, whoever has them; empty afterwards.
+  /// Returns the memory of all blocks cut from this pool, whoever uses them. The pool is then
+  /// empty.
   std::vector<std::unique_ptr<Window[]>> release();
 
-  /// How many blocks of a size it can hand out without new memory.
+  /// The number of blocks of a size that need no new memory.
   std::size_t freeBlocks(std::uint32_t sizeClass) const { return this->freeBlocks_[sizeClass]; }
 
 private:
