@@ -17,7 +17,7 @@ Arrival arrivalThrough(Id halfedge, const ApexDistance& apex)
   return { halfedge, apex.origin, apex.crossing, apex.direction, apex.place };
 }
 
-/// Works on items one after another, while what the next ones need is fetched.
+/// Works on items one after another, while the memory of the next ones is prefetched.
 ///
 /// \param work (std::size_t i) -> whether the item is done.
 /// \returns the first item that is not done.
@@ -55,19 +55,19 @@ void BatchTasks::prefetchFacing(const District& district, Id vertex) const
   }
 }
 
-void BatchTasks::process(FrontWorker& worker, District& district, Id batch)
+void BatchTasks::processBatch(FrontWorker& worker, District& district, Id batch)
 {
   const std::vector<Id>& vertices = district.batch;
   district.done = workAhead(
     district.done, vertices.size(),
     [&](std::size_t i) { this->prefetchFacing(district, vertices[i]); },
-    [&](std::size_t i) { return this->process(worker, district, vertices[i], batch); });
+    [&](std::size_t i) { return this->processVertex(worker, district, vertices[i], batch); });
   district.isDone = district.done == vertices.size();
 }
 
-// Returns whether it is done. Where the worker has to pause before, the lists that are left stay
-// with the vertex; the rest is done once.
-bool BatchTasks::process(FrontWorker& worker, District& district, Id vertex, Id batch)
+// Returns whether the vertex is done. If the worker has to pause, the remaining lists stay with the
+// vertex; everything else happens once.
+bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id vertex, Id batch)
 {
   VertexState& state = this->vertices_[vertex];
   if (state.isShorter() && !this->isOutsideCorridor(vertex))
@@ -75,7 +75,7 @@ bool BatchTasks::process(FrontWorker& worker, District& district, Id vertex, Id 
     this->relaxEdges(district, vertex);
     if (state.emission != Emission::Nothing)
     {
-      this->emit(worker, district, vertex);
+      this->emitWindows(worker, district, vertex);
     }
   }
   district.settled += state.processed == Infinity ? 1 : 0;
@@ -93,13 +93,13 @@ bool BatchTasks::process(FrontWorker& worker, District& district, Id vertex, Id 
   return true;
 }
 
-// Nobody reads mail before step (2), so that a path may go to any district.
-void BatchTasks::tell(District& sender, const DistanceUpdate& update)
+// No mail is read before step (2), so an update may go to any district.
+void BatchTasks::sendUpdate(District& sender, const DistanceUpdate& update)
 {
-  this->post_.to(sender.number, this->districts_.of(update.vertex)).updates.push_back(update);
+  this->mailboxes_.to(sender.number, this->districts_.of(update.vertex)).updates.push_back(update);
 }
 
-// Distances along edges are upper bounds, which the filter can use from the first window on.
+// Distances along edges are upper bounds, which filter windows from the first one on.
 void BatchTasks::relaxEdges(District& district, Id vertex)
 {
   const double distance = this->vertices_.distance(vertex);
@@ -108,9 +108,9 @@ void BatchTasks::relaxEdges(District& district, Id vertex)
   const auto relax = [&](Id halfedge, Id other, Id opposite, double x)
   {
     const double along = distance + this->mesh_.length(halfedge);
-    if (this->vertices_.isNews(other, along))
+    if (this->vertices_.isImprovedBy(other, along))
     {
-      this->tell(district, { other, along, error, { opposite, number, x, {} } });
+      this->sendUpdate(district, { other, along, error, { opposite, number, x, {} } });
     }
   };
   for (const Id corner : this->mesh_.cornersAt(vertex))
@@ -128,8 +128,8 @@ void BatchTasks::relaxEdges(District& district, Id vertex)
   }
 }
 
-// Whether the edge of a halfedge that comes to a vertex is that of one that leaves it in the face
-// beyond, which is relaxed there.
+// Whether another own face has an outgoing halfedge of the vertex on the same edge, where the edge
+// is relaxed already.
 bool BatchTasks::isOutgoingBeyond(Id halfedge, Id vertex) const
 {
   const Id beyond = this->mesh_.nextSibling(halfedge);
@@ -137,17 +137,17 @@ bool BatchTasks::isOutgoingBeyond(Id halfedge, Id vertex) const
     this->isOwn(TriangleMesh::faceOf(beyond));
 }
 
-void BatchTasks::emit(FrontWorker& worker, District& district, Id vertex)
+void BatchTasks::emitWindows(FrontWorker& worker, District& district, Id vertex)
 {
   const VertexState& state = this->vertices_[vertex];
   findEmittedIntervals(this->mesh_, vertex, state.emission, state.arrival(), worker.emitted);
   for (const EmittedInterval& interval : worker.emitted)
   {
-    this->emit(worker, district, vertex, interval);
+    this->emitThrough(worker, district, vertex, interval);
   }
 }
 
-void BatchTasks::emit(
+void BatchTasks::emitThrough(
   FrontWorker& worker, District& district, Id vertex, const EmittedInterval& interval)
 {
   const Id halfedge = TriangleMesh::nextInFace(interval.corner);
@@ -168,7 +168,6 @@ void BatchTasks::emit(
   }
 }
 
-// Sends a list through the face of its halfedge.
 void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, Id batch)
 {
   const Id halfedge = district.lists.halfedge(number);
@@ -185,7 +184,7 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
   const ApexQuery apex = fullApexQuery(list, face.apex, worker.apexSides);
   const Window& first = *list.begin();
   const Window& last = *(list.end() - 1);
-  // Along the halfedge: bounds only, no shortest path comes so to a corner.
+  // The first two are bounds along the halfedge; no shortest path reaches a corner that way.
   const DistanceUpdate found[] = { { this->mesh_.origin(halfedge),
                                      first.distance(first.begin) + first.begin, first.error, {} },
     { this->mesh_.destination(halfedge), last.distance(last.end) + (face.length - last.end),
@@ -194,9 +193,9 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
       arrivalThrough(halfedge, apex.shortest) } };
   for (const DistanceUpdate& update : found)
   {
-    if (this->vertices_.isNews(update.vertex, update.distance, update.from.halfedge != NoId))
+    if (this->vertices_.isImprovedBy(update.vertex, update.distance, update.from.halfedge != NoId))
     {
-      this->tell(district, update);
+      this->sendUpdate(district, update);
     }
   }
   const auto known = [&](std::size_t i)
@@ -212,8 +211,8 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
   this->send(worker, district, right, worker.leaving.right.range());
 }
 
-// A list is merged when it is complete and about to go on, so that each window is once a face
-// (paper, section 5).
+// A list is merged when it is complete and about to enter its face, so each window is merged once
+// per face (paper, section 5).
 void BatchTasks::mergeNeighboursOf(FrontWorker& worker, Id halfedge, WindowBlock& block) const
 {
   if (this->options_.relativeError > 0.0 && block.size > 1)
@@ -244,14 +243,14 @@ void BatchTasks::send(
         [length](const Window& w) { return reversed(w, length); });
     }
     std::vector<SentList>& lists = this->isOwn(TriangleMesh::faceOf(s))
-      ? this->post_.to(sender.number, this->districts_.of(this->mesh_.opposite(s))).lists
+      ? this->mailboxes_.to(sender.number, this->districts_.of(this->mesh_.opposite(s))).lists
       : sender.leaving;
     lists.push_back({ s, block });
   }
 }
 
-// A point of the edge is nearer to one of its ends than its length, and no nearer to the target
-// than that end by more than the way.
+// A point of an edge is at least as far from the target as each end is, less its distance to that
+// end. The two bounds together give the least distance of any point to the target.
 bool BatchTasks::isOutsideCorridor(Id halfedge, const WindowRange& windows) const
 {
   const Corridor* corridor = this->options_.corridor;
@@ -283,8 +282,8 @@ void BatchTasks::shorten(District& district, const DistanceUpdate& update)
   }
 }
 
-// Distances of lower ranks, of here and of higher ranks: so all ranks take them over in one order,
-// and equal paths are told apart alike.
+// First the distances of lower ranks, then this rank's, then those of higher ranks. So all ranks
+// take them in the same order and choose alike between equal paths.
 void BatchTasks::receiveUpdates(District& district)
 {
   const auto takeUpdates = [&](MailBatch& mail)
@@ -295,7 +294,7 @@ void BatchTasks::receiveUpdates(District& district)
     }
   };
   takeUpdates(district.fromLower);
-  this->post_.forEach(district.number, takeUpdates);
+  this->mailboxes_.forEach(district.number, takeUpdates);
   takeUpdates(district.fromHigher);
 }
 
@@ -313,14 +312,14 @@ void BatchTasks::receiveLists(FrontWorker& worker, District& district)
     }
   };
   takeLists(district.fromLower);
-  this->post_.forEach(district.number, takeLists);
+  this->mailboxes_.forEach(district.number, takeLists);
   takeLists(district.fromHigher);
   district.isDone = district.done == end;
   if (district.isDone)
   {
     district.fromLower.clear();
     district.fromHigher.clear();
-    this->post_.clear(district.number);
+    this->mailboxes_.clear(district.number);
   }
 }
 
@@ -337,17 +336,17 @@ std::size_t BatchTasks::receiveLists(
       {
         return false;
       }
-      this->receive(worker, district, lists[i]);
+      this->receiveList(worker, district, lists[i]);
       return true;
     });
 }
 
-void BatchTasks::receive(FrontWorker& worker, District& district, const SentList& sent)
+void BatchTasks::receiveList(FrontWorker& worker, District& district, const SentList& sent)
 {
   const Id apex = this->mesh_.opposite(sent.halfedge);
   const ApexDistance found =
     quickApexQuery(sent.windows.range(), apexOf(this->mesh_, sent.halfedge));
-  if (this->vertices_.isNews(apex, found.distance))
+  if (this->vertices_.isImprovedBy(apex, found.distance))
   {
     const DistanceUpdate arrival = { apex, found.distance, found.error,
       arrivalThrough(sent.halfedge, found) };

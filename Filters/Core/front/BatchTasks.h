@@ -13,44 +13,45 @@
 namespace geodesic
 {
 
-/// What the tasks of a batch do (paper, section 3.1; as lists after Qin et al. 2016): (1) each
-/// vertex sends the lists that face it through their faces, (2) each halfedge merges the lists that
-/// were sent to it into its own. In both a task reads the mesh and the distances that (1) found
-/// unchanged, and writes what is its district's and its worker's; so tasks of several districts may
-/// run at the same time.
+/// The tasks of a batch (paper, section 3.1; as lists after Qin et al. 2016): (1) each vertex sends
+/// the lists that face it through their faces, (2) each halfedge merges the lists sent to it into
+/// its own. In both steps a task reads the mesh and the distances that step (1) found unchanged,
+/// and writes only to its district and its worker. So tasks of several districts may run at the
+/// same time.
 class BatchTasks
 {
 public:
   BatchTasks(const MeshPartition& surface, const FrontOptions& options, const Districts& districts,
-    VertexStates& vertices, const CompleteFaces& complete, Mailboxes& post, Retention& retention)
+    VertexStates& vertices, const CompleteFaces& complete, Mailboxes& mailboxes,
+    Retention& retention)
     : surface_(surface)
     , mesh_(surface.mesh())
     , options_(options)
     , districts_(districts)
     , vertices_(vertices)
     , complete_(complete)
-    , post_(post)
+    , mailboxes_(mailboxes)
     , retention_(retention)
     , mostFaces_(surface.numberOfGlobalFaces())
   {
   }
 
-  /// Step (1) for the vertices of a district that are in the batch, on from where it paused.
-  void process(FrontWorker& worker, District& district, Id batch);
-  /// Step (2) for the mail of a district: distances first, which may make lists needless.
+  /// Step (1) for the district's vertices in the batch; continues where it paused.
+  void processBatch(FrontWorker& worker, District& district, Id batch);
+  /// Step (2), first part: takes the distances sent to the district, which may make lists needless.
   void receiveUpdates(District& district);
-  /// Lists, on from where it paused.
+  /// Step (2), second part: takes the lists sent to the district; continues where it paused.
   void receiveLists(FrontWorker& worker, District& district);
 
-  /// Takes a path over where it is shorter than the one known.
+  /// Accepts a path if it is shorter than the known one.
   void shorten(District& district, const DistanceUpdate& update);
   /// Sends windows that leave a face through a halfedge to its siblings.
   void send(FrontWorker& worker, District& sender, Id halfedge, const WindowRange& windows);
-  /// Hands a list that was taken from its halfedge over to the retention.
+  /// Hands a list that was removed from its halfedge to the retention.
   void retire(FrontWorker& worker, District& district, const PassedList& list, Id batch) const;
 
 private:
-  /// Whether no path that is looked for passes the vertex, by the distance known.
+  /// Whether the known distance shows that no path in the corridor passes the vertex.
   bool isOutsideCorridor(Id vertex) const
   {
     const Corridor* corridor = this->options_.corridor;
@@ -59,21 +60,22 @@ private:
   }
 
   bool isOutsideCorridor(Id halfedge, const WindowRange& windows) const;
-  /// Whether the face is worked on here, not on another rank.
+  /// Whether this rank owns the face.
   bool isOwn(Id face) const { return this->surface_.isOwn(face); }
-  bool process(FrontWorker& worker, District& district, Id vertex, Id batch);
-  void tell(District& sender, const DistanceUpdate& update);
+  bool processVertex(FrontWorker& worker, District& district, Id vertex, Id batch);
+  void sendUpdate(District& sender, const DistanceUpdate& update);
   void relaxEdges(District& district, Id vertex);
   bool isOutgoingBeyond(Id halfedge, Id vertex) const;
-  void emit(FrontWorker& worker, District& district, Id vertex);
-  void emit(FrontWorker& worker, District& district, Id vertex, const EmittedInterval& interval);
+  void emitWindows(FrontWorker& worker, District& district, Id vertex);
+  void emitThrough(
+    FrontWorker& worker, District& district, Id vertex, const EmittedInterval& interval);
   void propagate(FrontWorker& worker, District& district, Id list, Id batch);
   void mergeNeighboursOf(FrontWorker& worker, Id halfedge, WindowBlock& block) const;
-  void receive(FrontWorker& worker, District& district, const SentList& sent);
+  void receiveList(FrontWorker& worker, District& district, const SentList& sent);
   std::size_t receiveLists(
     FrontWorker& worker, District& district, const std::vector<SentList>& lists, std::size_t first);
   void mergeInto(FrontWorker& worker, District& district, Id list, const WindowBlock& block) const;
-  /// Fetch what the steps will need.
+  /// Prefetch the memory that a step will use.
   void prefetchFacing(const District& district, Id vertex) const;
 
   const MeshPartition& surface_;
@@ -82,9 +84,9 @@ private:
   const Districts& districts_;
   VertexStates& vertices_;
   const CompleteFaces& complete_;
-  Mailboxes& post_;
+  Mailboxes& mailboxes_;
   Retention& retention_;
-  /// How many faces a shortest path can cross.
+  /// The largest number of faces that a shortest path can cross.
   Id mostFaces_;
 };
 

@@ -10,11 +10,12 @@
 namespace geodesic
 {
 
-/// With a distance limit: which faces have a point within it and have to be complete.
+/// With a distance limit: the faces that contain a point within the limit and therefore must be
+/// complete.
 class CompleteFaces
 {
 public:
-  /// Without a limit nothing is kept and every face counts.
+  /// Without a limit every face counts, and nothing is stored.
   CompleteFaces(const MeshPartition& surface, double limit)
     : mesh_(surface.mesh())
     , firstFace_(surface.firstOwnFace())
@@ -30,16 +31,16 @@ public:
 
   void add(Id face) { this->needed_[face] = 1; }
   bool isNeeded(Id face) const { return this->needed_[face] != 0; }
-  /// The faces around an edge that a window within the limit has come to.
+  /// Adds the faces around an edge that a window within the limit has reached.
   void addAround(Id halfedge);
   bool isNeededAround(Id halfedge) const;
   void addAroundReachedVertices(const VertexStates& vertices);
 
-  /// How far the front must come for the needed faces to be complete: to their farthest corner, or
-  /// where the inside counts too, as far as any point of them can be.
+  /// How far the front must come to complete the needed faces: to their farthest corner, or, if
+  /// their inside counts too, to the largest distance that a point of them can have.
   double neededDistance(const VertexStates& vertices, bool inside) const;
 
-  /// Whether some face at each vertex is complete.
+  /// For each vertex, whether one of its faces is complete.
   std::vector<std::uint8_t> completeVertices() const;
 
   std::vector<std::uint8_t> release() { return std::move(this->needed_); }

@@ -11,8 +11,8 @@
 namespace geodesic
 {
 
-/// What the front has in one district: its vertices' turns and the lists that wait for them. Only
-/// one task at a time works on it.
+/// The state of the front in one district: the schedule of its vertices and the lists that wait for
+/// them. Only one task at a time works on it.
 struct District
 {
   District(Id itsNumber, VertexStates& states)
@@ -23,22 +23,23 @@ struct District
 
   Id number;
   VertexSchedule schedule;
-  /// Those on the halfedges opposite its vertices; VertexState::facing is the number of one.
+  /// The lists on the halfedges opposite its vertices. VertexState::facing is the number of one of
+  /// them.
   WaitingLists lists;
-  /// Its vertices in the batch at hand, and how many of them had never been processed.
+  /// Its vertices in the current batch, and how many of them were never processed before.
   std::vector<Id> batch;
   std::size_t settled = 0;
-  /// How many vertices of the batch, or lists of its mail, the step at hand has done, and whether
-  /// that is all.
+  /// How many vertices of the batch, or lists in its mailbox, the current step has done, and
+  /// whether that is all.
   std::size_t done = 0;
   bool isDone = true;
-  /// Vertices that were processed and have got a smaller distance since.
+  /// Processed vertices that have got a smaller distance since.
   std::vector<Id> shortened;
   /// With a distance limit: halfedges with windows within it.
   std::vector<Id> withinLimit;
 
-  /// Where ranks have the surface together: lists for faces of others; what others have sent, to be
-  /// taken over before and after what comes from here; paths found last, to be told to others.
+  /// If ranks share the surface: lists for faces of other ranks; what other ranks have sent, to be
+  /// taken before and after this rank's own mail; paths found last, to be sent to other ranks.
   std::vector<SentList> leaving;
   MailBatch fromLower;
   MailBatch fromHigher;

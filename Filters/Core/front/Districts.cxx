@@ -12,7 +12,7 @@ namespace geodesic
 namespace
 {
 
-/// Boxes of a grid around the mesh, in the order of a curve that goes through all of one octant
+/// Boxes of a grid around the mesh, in Morton order: a curve that visits all boxes of one octant
 /// before the next (Morton 1966).
 class BoxesInOrder
 {
@@ -45,7 +45,7 @@ public:
 private:
   double side() const { return static_cast<double>(1U << this->levels_); }
 
-  // The bits of the box's number along an axis, each three places from the next.
+  // Spreads the bits of the box's number along an axis to every third place.
   std::size_t spread(double place) const
   {
     auto bits = static_cast<std::size_t>(std::clamp(place, 0.0, this->side() - 1.0));
@@ -59,8 +59,8 @@ private:
   double boxesPerLength_ = 0.0;
 };
 
-// As the width of a front, which grows with the root of the vertices: each batch costs some work a
-// district, and windows that go from one district to another are work.
+// Proportional to the width of a front, that is, to the root of the number of vertices: every
+// district adds some work to each batch, and windows that cross between districts are work too.
 Id numberOfBlocks(Id vertices)
 {
   constexpr double rootsEach = 8.0;

@@ -21,7 +21,7 @@ namespace geodesic
 class Districts
 {
 public:
-  /// \param parallelFor absent: one thread.
+  /// \param parallelFor if empty, one thread.
   explicit Districts(const TriangleMesh& mesh, const ParallelFor& parallelFor = {});
 
   /// The number of districts.

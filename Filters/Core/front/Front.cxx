@@ -27,26 +27,25 @@ bool isAnyWindowWithin(const WindowRange& windows, double distance)
     [distance](const Window& w) { return w.minimum() <= distance; });
 }
 
-/// The front (paper, section 3.1, in the order of Qin et al. 2016): the queue holds vertices;
-/// windows wait in sorted lists on halfedges, and a list goes through its face when the vertex
-/// opposite is processed.
+/// The front (paper, section 3.1, in the order of Qin et al. 2016). The queue holds vertices.
+/// Windows wait in sorted lists on halfedges, and a list passes through its face when the opposite
+/// vertex is processed.
 ///
 /// Vertices are processed in batches of nearly equal distance, and in districts (Districts), each
-/// with its own schedule and lists. A batch has two steps, those of BatchTasks, each for all
-/// districts at the same time: (1) vertices send lists and distances, by the Mailboxes; (2) each
-/// district takes over what was sent to it, in an order that does not depend on how the tasks were
-/// run. In between and afterwards little is left to do for the whole: to find where the next batch
-/// begins and ends.
+/// with its own schedule and lists. A batch has the two steps of BatchTasks, each for all districts
+/// in parallel: (1) vertices send lists and distances by way of the Mailboxes; (2) each district
+/// takes its mail, in an order that does not depend on how tasks were run. Little work remains
+/// outside of the districts, mainly to find the begin and end of the next batch.
 ///
-/// Where ranks have the surface together, a batch is a superstep with two exchanges: of windows and
-/// distances after (1), of distances and of what comes next after (2). All ranks have the same key
-/// and the same last key of a batch.
+/// If ranks share the surface, a batch is a superstep with two exchanges: of windows and distances
+/// after (1), of distances and the next batch's keys after (2). All ranks have the same first and
+/// last key of a batch.
 class Front
 {
 public:
   Front(const MeshPartition& surface, const FrontOptions& options, Retention& retention);
 
-  /// Takes the sources' windows along; ends with SourceError where there are none, on no rank.
+  /// Throws SourceError if no rank has a source.
   FrontResult run(SourceWindows sources);
 
 private:
@@ -67,7 +66,7 @@ private:
   template <typename Task>
   void runTasks(const Task& task);
   void finishBatch();
-  void tellShortened(District& district);
+  void reportShortened(District& district);
   void exchangeLists();
   void deliver(const std::vector<DistanceUpdate>& updates, MailBatch District::*mail);
   void exchangeArrivals();
@@ -94,26 +93,26 @@ private:
   Districts numbers_;
   VertexStates vertices_;
   std::vector<District> districts_;
-  /// What comes next in each district.
+  /// The next batch of each district.
   std::vector<VertexSchedule::Outlook> outlooks_;
   CompleteFaces complete_;
-  Mailboxes post_;
+  Mailboxes mailboxes_;
   BatchTasks tasks_;
   FrontWorkers workers_;
   FrontExchange ranks_;
   FrontProgress progress_;
 
-  /// The vertices of the batch at hand, and how many batches there were.
+  /// The vertices of the current batch, and the number of batches so far.
   std::vector<Id> batch_;
   Id batches_ = 0;
-  /// The key at which it began: no path that is still to be found is shorter.
+  /// The key at which the batch began: no path yet to be found is shorter.
   double key_ = 0.0;
-  /// Districts at work in the step at hand.
+  /// Districts that work in the current step.
   std::vector<Id> active_;
-  /// What comes next over all districts and ranks, and the largest reach of their retentions.
+  /// The next batch over all districts and ranks, and the largest reach of their retentions.
   VertexSchedule::Outlook next_;
   double reach_ = Infinity;
-  /// A vertex that was last found to have something within the retention's reach.
+  /// A vertex that recently had windows within the retention's reach.
   Id unsettled_ = NoId;
   std::vector<WindowPool*> pools_;
   std::uint64_t windowsHandled_ = 0;
@@ -128,8 +127,8 @@ Front::Front(const MeshPartition& surface, const FrontOptions& options, Retentio
   , vertices_(mesh_, options.relativeError > 0.0, options.keepArrivals, options.parallelFor)
   , outlooks_(numbers_.size())
   , complete_(surface, options.maximumDistance)
-  , post_(numbers_.size())
-  , tasks_(surface, options, numbers_, vertices_, complete_, post_, retention)
+  , mailboxes_(numbers_.size())
+  , tasks_(surface, options, numbers_, vertices_, complete_, mailboxes_, retention)
   , workers_(options.parallelFor)
   , ranks_(surface)
   , progress_(options.progress, mesh_.numberOfVertices(), options.maximumDistance)
@@ -175,24 +174,23 @@ void Front::start(SourceWindows initial)
     District& sender = this->districtOf(this->mesh_.origin(leaving.halfedge));
     this->tasks_.send(
       this->workers_.first(), sender, leaving.halfedge, { &leaving.window, &leaving.window + 1 });
-    this->post_.call(sender.number);
+    this->mailboxes_.notify(sender.number);
   }
   this->result_.sourcesInFaces = std::move(initial.inFaces);
   this->retention_.setNumberOfDistricts(this->districts_.size());
   this->retention_.start(this->result_.sourcesInFaces);
   this->addSourcesInHalo(initial.inHalo);
-  this->runBatch([](District&) {}); // takes over what was sent
+  this->runBatch([](District&) {}); // receives what was sent
 }
 
 void Front::startVertices(const SourceWindows& initial)
 {
   for (const Id vertex : initial.vertices)
   {
-    this->vertices_[vertex].emission =
-      Emission::Nothing; // the curve's own wedges are there already
+    this->vertices_[vertex].emission = Emission::Nothing; // the curve's own wedges already exist
     this->shorten({ vertex, 0.0, 0.0, {} });
   }
-  // Also on a curve: a wedge there may be bounded by a segment of a rounding's length.
+  // Also vertices on a curve: a segment of a rounding's length may bound a wedge there.
   for (const Id vertex : initial.nearVertices)
   {
     this->vertices_[vertex].emission = Emission::Everywhere;
@@ -211,7 +209,7 @@ void Front::startFaces(const SourceWindows& initial)
       const DistanceUpdate found = { corners[k],
         distanceToSource(this->mesh_, source, cornerWeights(k)), 0.0, { NoId, origin } };
       this->shorten(found);
-      this->ranks_.tell(found);
+      this->ranks_.addUpdate(found);
     }
     if (this->complete_.isLimited())
     {
@@ -232,8 +230,8 @@ void Front::addSourcesInHalo(const std::vector<SourceInFace>& inHalo)
     [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; });
 }
 
-// There is an end: windows that have crossed as many faces as there are go no further, and a vertex
-// emits again only where its distance has become shorter by more than a tie.
+// The loop ends: windows stop when they have crossed as many faces as the mesh has, and a vertex
+// emits again only if its distance has become shorter by more than a tie.
 void Front::advance(double limit)
 {
   while (this->moveOn(limit) && !this->isSettled())
@@ -250,7 +248,7 @@ void Front::advance(double limit)
   }
 }
 
-// Moves on to the next batch; false where no vertex waits up to the limit.
+// Begins the next batch; returns false if no vertex waits up to the limit.
 bool Front::moveOn(double limit)
 {
   const double least = this->next_.least;
@@ -262,9 +260,9 @@ bool Front::moveOn(double limit)
   return true;
 }
 
-// Whether nothing is left within the retention's reach. Windows there may still wait for a far
-// vertex: the front goes on in its order until they are through, so that distances within the reach
-// are those of a front that goes everywhere, to the last bit.
+// Whether nothing within the retention's reach is left to do. Windows within it may still wait for
+// a far vertex. The front continues in its order until they have passed, so that distances within
+// the reach have the bits of a front that goes everywhere.
 bool Front::isSettled()
 {
   return this->key_ > this->reach_ &&
@@ -288,7 +286,7 @@ bool Front::isAnyWithin(double reach)
     [&](const District& district) { return district.schedule.isAnyWaiting(isUnsettled); });
 }
 
-// Whether a vertex that waits has windows within a distance, or will emit some.
+// Whether a waiting vertex has windows within a distance, or will emit some.
 bool Front::isWithin(Id vertex, double reach) const
 {
   const VertexState& state = this->vertices_[vertex];
@@ -301,7 +299,7 @@ bool Front::isWithin(Id vertex, double reach) const
   return isWithin;
 }
 
-/// \param fill gives a district its vertices of the batch: (District&) -> void.
+/// \param fill (District&) -> void: gives a district its vertices of the batch.
 template <typename Fill>
 void Front::runBatch(const Fill& fill)
 {
@@ -310,15 +308,15 @@ void Front::runBatch(const Fill& fill)
     [&](District& district)
     {
       fill(district);
-      this->post_.call(district.number);
+      this->mailboxes_.notify(district.number);
     },
     [this](FrontWorker& worker, District& district)
-    { this->tasks_.process(worker, district, this->batches_); });
+    { this->tasks_.processBatch(worker, district, this->batches_); });
   if (this->surface_.isDistributed())
   {
     this->exchangeLists();
   }
-  this->post_.takeReceivers(this->active_);
+  this->mailboxes_.takeReceivers(this->active_);
   this->runStep([this](District& district) { this->tasks_.receiveUpdates(district); },
     [this](FrontWorker& worker, District& district)
     {
@@ -343,11 +341,11 @@ void Front::activateUpTo(double last)
   }
 }
 
-/// Runs a step of a batch in each active district, in turns: progress is told where workers pause.
-/// In each turn some worker does a list at least, so that there is an end.
+/// Runs a step of a batch in all active districts, in turns; progress is reported where workers
+/// pause. In each turn some worker finishes at least one list, so the loop ends.
 ///
-/// \param begin (District&) -> void, once a district.
-/// \param task (FrontWorker&, District&) -> void, until the district is done.
+/// \param begin (District&) -> void, called once per district.
+/// \param task (FrontWorker&, District&) -> void, called until the district is done.
 template <typename Begin, typename Task>
 void Front::runStep(const Begin& begin, const Task& task)
 {
@@ -374,7 +372,6 @@ void Front::runStep(const Begin& begin, const Task& task)
   }
 }
 
-// Runs a task for each active district.
 template <typename Task>
 void Front::runTasks(const Task& task)
 {
@@ -382,7 +379,7 @@ void Front::runTasks(const Task& task)
     [&](FrontWorker& worker, std::size_t i) { task(worker, this->districts_[this->active_[i]]); });
 }
 
-// What is left to do for all districts together.
+// The work of a batch outside of the districts.
 void Front::finishBatch()
 {
   this->batch_.clear();
@@ -394,7 +391,7 @@ void Front::finishBatch()
     district.batch.clear();
     this->progress_.settle(district.settled);
     district.settled = 0;
-    this->tellShortened(district);
+    this->reportShortened(district);
     for (const Id halfedge : district.withinLimit)
     {
       this->complete_.addAround(halfedge);
@@ -417,7 +414,7 @@ void Front::finishBatch()
   }
 }
 
-void Front::tellShortened(District& district)
+void Front::reportShortened(District& district)
 {
   for (const Id vertex : district.shortened)
   {
@@ -433,15 +430,15 @@ void Front::exchangeLists()
   {
     for (const SentList& list : district.leaving)
     {
-      this->ranks_.take(list, pool);
+      this->ranks_.addList(list, pool);
     }
     district.leaving.clear();
-    this->post_.forEachOf(district.number,
+    this->mailboxes_.forEachOf(district.number,
       [this](const MailBatch& mail)
       {
         for (const DistanceUpdate& update : mail.updates)
         {
-          this->ranks_.tell(update);
+          this->ranks_.addUpdate(update);
         }
       });
   }
@@ -453,7 +450,7 @@ void Front::exchangeLists()
   {
     District& district = this->districtOf(this->mesh_.opposite(list.halfedge));
     district.fromHigher.lists.push_back(list);
-    this->post_.call(district.number);
+    this->mailboxes_.notify(district.number);
   }
 }
 
@@ -463,19 +460,19 @@ void Front::deliver(const std::vector<DistanceUpdate>& updates, MailBatch Distri
   {
     District& district = this->districtOf(update.vertex);
     (district.*mail).updates.push_back(update);
-    this->post_.call(district.number);
+    this->mailboxes_.notify(district.number);
   }
 }
 
-// A vertex that another rank tells of waits there with the same key: what comes next is known
-// before it is told.
+// A vertex whose distance another rank sends here waits on that rank with the same key, so the next
+// batch is known before the distances are exchanged.
 void Front::exchangeArrivals()
 {
   for (District& district : this->districts_)
   {
     for (const DistanceUpdate& arrival : district.arrivals)
     {
-      this->ranks_.tell(arrival);
+      this->ranks_.addUpdate(arrival);
     }
     district.arrivals.clear();
   }
@@ -490,7 +487,7 @@ void Front::exchangeArrivals()
       this->shorten(update);
     }
   }
-  this->post_.takeReceivers(this->active_);
+  this->mailboxes_.takeReceivers(this->active_);
   for (const Id number : this->active_)
   {
     this->outlooks_[number] = this->districts_[number].schedule.outlook();
@@ -511,18 +508,18 @@ FrontState Front::state()
     this->pools_ };
 }
 
-// From outside of the tasks; what comes next in the district is to be found anew.
+// For calls outside of tasks. The district's next batch must be found again.
 void Front::shorten(const DistanceUpdate& update)
 {
   District& district = this->districtOf(update.vertex);
   district.schedule.moveOn(this->key_);
   this->tasks_.shorten(district, update);
-  this->tellShortened(district);
-  this->post_.call(district.number);
+  this->reportShortened(district);
+  this->mailboxes_.notify(district.number);
 }
 
-// A face with a point within the limit has exact values when no waiting window and no pseudo-source
-// is nearer than the farthest of them.
+// A face that contains a point within the limit has exact values when no waiting window and no
+// pseudo-source is nearer than the farthest of them.
 void Front::finishLimited()
 {
   this->flush(this->complete_.limit());
@@ -542,7 +539,7 @@ void Front::finishLimited()
   }
 }
 
-// Hands over what still waits.
+// Hands all waiting lists to the retention.
 void Front::retireAll()
 {
   for (District& district : this->districts_)
@@ -563,8 +560,8 @@ void Front::retireAll()
   }
 }
 
-// Sends on every window and pseudo-source nearer than the bound, also those that would wait for a
-// far vertex. What it sends on ends as in advance().
+// Propagates every window and pseudo-source nearer than the bound, even if it would wait for a far
+// vertex. Propagation ends as in advance().
 void Front::flush(double bound)
 {
   bool isAny = true;

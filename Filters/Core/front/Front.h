@@ -16,79 +16,78 @@
 namespace geodesic
 {
 
-/// A search for one path: windows that no path to the target within the length goes through are
-/// dropped. Vertices that such a path cannot pass may then have distances that are too large.
+/// Restricts a search to one path: drops windows that no path to the target within the length
+/// passes. Vertices that no such path passes may get distances that are too large.
 struct Corridor
 {
-  /// For each vertex: no path from it to the target is shorter.
+  /// For each vertex, a lower bound of the length of any path from it to the target.
   std::vector<double> lowerBounds;
-  /// The most that the path can measure.
+  /// The largest length of the path.
   double length = Infinity;
 };
 
 struct FrontOptions
 {
-  /// 0: exact. Otherwise the largest relative error of any distance against the exact one, for
-  /// which windows are merged (paper, section 5).
+  /// 0: exact. Otherwise the largest relative error of any distance against the exact one; windows
+  /// are then merged (paper, section 5).
   double relativeError = 0.0;
-  /// With a relative error: the most that merging the windows of one halfedge may change the
-  /// distance there, in the surface's units. The distances of two faces at a point of their edge
+  /// With a relative error: a bound, in the surface's units, of how much merging the windows of one
+  /// halfedge may change the distance there. The distances of two faces at a point of their edge
   /// then differ by no more.
   double maximumMerged = Infinity;
-  /// Stop there, in the surface's units. Every face that has a point within the limit is complete:
-  /// all its vertices (and its inside, where the retention needs it) have exact values.
+  /// The front stops there, in the surface's units. Every face that contains a point within the
+  /// limit is complete: all its vertices (and its inside, if the retention needs it) have exact
+  /// values.
   double maximumDistance = Infinity;
-  /// Absent: the front goes everywhere.
+  /// If null, the front goes everywhere.
   const Corridor* corridor = nullptr;
-  /// Whether FrontResult::arrivals is wanted, which takes 40 bytes a vertex. Changes no distance.
+  /// Whether to fill FrontResult::arrivals, which takes 40 bytes a vertex. Changes no distance.
   bool keepArrivals = false;
-  /// Absent: one task after another. The result does not depend on it.
+  /// If empty, tasks run one after another. The result does not depend on it.
   ParallelFor parallelFor;
-  /// Called now and then, at least ten times a second, with the fraction done in [0, 1]; returning
+  /// Called now and then, at least ten times a second, with the fraction done in [0, 1]. Returning
   /// false stops the front with Aborted.
   ProgressCallback progress;
 };
 
-/// What the front leaves behind, besides the windows that the retention has kept.
+/// The result of the front, besides the windows that the retention has kept.
 struct FrontResult
 {
-  /// Distance at each vertex, also of the halo, in the surface's units; +infinity where the front
-  /// did not come.
+  /// Distance at each vertex, including the halo, in the surface's units; +infinity if the front
+  /// did not reach it.
   std::vector<double> vertexDistances;
-  /// Where a shortest path comes to each vertex from, where that was asked for; no halfedge on the
-  /// source and where the path comes straight from a source in a face at the vertex.
+  /// How a shortest path arrives at each vertex, if requested; without a halfedge on the source,
+  /// and if the path comes straight from a source in a face at the vertex.
   std::vector<Arrival> arrivals;
-  /// The sources that lie in faces, in the order of the faces, also in the halo.
+  /// The sources inside faces, in the order of the faces, including the halo.
   std::vector<SourceInFace> sourcesInFaces;
-  /// With a limit: whether each face is complete. Empty where all are.
+  /// With a limit: whether each face is complete. Empty if all are.
   std::vector<std::uint8_t> completeFaces;
-  /// Certified: no distance is larger than the exact one, and none smaller by more than this
-  /// fraction of it. 0 in the exact field.
+  /// Certified: no distance is larger than the exact one, or smaller by more than this fraction of
+  /// it. 0 in the exact field.
   double relativeErrorBound = 0.0;
-  /// Number of windows put on halfedges.
   std::uint64_t windowsPropagated = 0;
 };
 
-/// Computes the geodesic distance to the curves at the vertices, exact or within a relative error
-/// (paper, sections 3 to 5), and hands the windows that have passed to the retention.
+/// Computes the geodesic distance to the curves at the vertices, exactly or within a relative error
+/// (paper, sections 3 to 5), and hands each window to the retention once it has passed its face.
 ///
-/// Where ranks have the surface together, all of them call this together, with their own callbacks,
-/// and get the distances of the whole at the vertices of the faces that they own; windows have
-/// global numbers (Window::origin).
+/// If ranks share the surface, all of them call this together, each with its own callbacks, and get
+/// the distances on the whole surface at the vertices of their own faces; windows have global
+/// numbers (Window::origin).
 ///
-/// \throws SourceError where there is no curve; Error where the relative error is not a number >=
-/// 0;
-///         Aborted.
-/// \param sources what they give to begin with, of it what the faces that this rank owns have.
+/// \throws SourceError if there is no curve; Error if the relative error is not a number >= 0;
+/// Aborted.
+/// \param sources the first windows and vertices, restricted to the faces that this rank owns.
 FrontResult propagate(const MeshPartition& surface, SourceWindows sources,
   const FrontOptions& options, Retention& retention);
 
-/// The windows of makeSourceWindows(). That is short beside a solve: the solve's progress can stop
-/// it, and it counts as no progress.
+/// The windows of makeSourceWindows(). They take little time compared to a solve: the solve's
+/// progress callback can abort them, but sees no progress.
 SourceWindows startingWindows(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const ProgressCallback& progress);
 
-/// The same in one process, from the curves themselves.
+/// Propagates from curves, in one process.
 FrontResult propagate(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options, Retention& retention);
 

@@ -14,7 +14,7 @@ FrontExchange::FrontExchange(const MeshPartition& surface)
 {
 }
 
-void FrontExchange::take(const SentList& list, WindowPool& pool)
+void FrontExchange::addList(const SentList& list, WindowPool& pool)
 {
   const RankAddress owner = this->surface_.ownerOf(TriangleMesh::faceOf(list.halfedge));
   Message& message = this->lists_[rankIndex(owner.rank)];
@@ -24,12 +24,12 @@ void FrontExchange::take(const SentList& list, WindowPool& pool)
   pool.free(list.windows);
 }
 
-void FrontExchange::tell(const DistanceUpdate& update)
+void FrontExchange::addUpdate(const DistanceUpdate& update)
 {
   for (const RankAddress& other : this->surface_.othersWith(update.vertex))
   {
-    DistanceUpdate& told = this->updates_[rankIndex(other.rank)].emplace_back(update);
-    told.vertex = other.id;
+    DistanceUpdate& added = this->updates_[rankIndex(other.rank)].emplace_back(update);
+    added.vertex = other.id;
   }
 }
 
@@ -78,7 +78,7 @@ FrontExchange::Received FrontExchange::step(std::vector<double>& least, WindowPo
   return received;
 }
 
-// A path comes to a vertex through a face that the sender owns; whoever has the vertex has a copy.
+// The sender owns the face through which the path arrives; this rank has a copy of that face.
 DistanceUpdate FrontExchange::translated(int sender, DistanceUpdate update) const
 {
   Id& halfedge = update.from.halfedge;

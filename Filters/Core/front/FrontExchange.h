@@ -12,44 +12,43 @@
 namespace geodesic
 {
 
-/// What the fronts of several ranks tell each other. Each processes the batch's vertices that it
-/// has, in the faces that it owns: windows that leave through a seam go to the owners of the faces
-/// there, distances found at vertices of several ranks to all of these. Without other ranks there
-/// is nothing to tell.
+/// The messages between the fronts of several ranks. Each rank processes the batch's vertices in
+/// the faces that it owns. Windows that leave through a seam go to the owners of the faces behind
+/// it; distances found at vertices of several ranks go to all of these.
 class FrontExchange
 {
 public:
   explicit FrontExchange(const MeshPartition& surface);
 
-  /// Takes a list along that goes to another rank.
-  void take(const SentList& list, WindowPool& pool);
-  /// Tells the other ranks that have the vertex.
-  void tell(const DistanceUpdate& update);
+  /// Adds a list for another rank to the next step's messages.
+  void addList(const SentList& list, WindowPool& pool);
+  /// Adds a distance for the other ranks that have the vertex.
+  void addUpdate(const DistanceUpdate& update);
 
-  /// What has come in a step: lists in the order of the ranks, their blocks from the pool, and
-  /// distances, first those of the lower ranks.
+  /// What a step has received: lists in the order of the ranks, in blocks of the pool, and
+  /// distances of the lower and of the higher ranks.
   struct Received
   {
     std::vector<SentList> lists;
     std::vector<DistanceUpdate> fromLower;
     std::vector<DistanceUpdate> fromHigher;
   };
-  /// Sends what was taken and told, gets what others have sent, and finds the least of each number
-  /// over all ranks.
+  /// Sends all added lists and distances, receives those of other ranks, and finds the least of
+  /// each number over all ranks.
   Received step(std::vector<double>& least, WindowPool& pool);
 
-  /// Faces that have to be complete here are so for their owners.
+  /// Marks faces that must be complete on this rank as needed on their owners.
   void shareNeeded(CompleteFaces& faces);
-  /// Distances at vertices that only the halo has, from the owners of its faces.
+  /// Gets the distances at vertices that only the halo has from the owners of its faces.
   void completeHalo(std::vector<double>& distances);
-  /// A vertex that is marked here is marked on all ranks that have it.
+  /// Marks each marked vertex on all ranks that have it.
   void shareMarks(std::vector<std::uint8_t>& marks);
 
 private:
   DistanceUpdate translated(int sender, DistanceUpdate update) const;
 
   const MeshPartition& surface_;
-  /// What is to be sent to each rank.
+  /// For each rank, what the next step sends to it.
   std::vector<std::vector<DistanceUpdate>> updates_;
   std::vector<Message> lists_;
 };

@@ -10,8 +10,8 @@
 namespace geodesic
 {
 
-/// Tells how far the front is: by the vertices it has come to, or by the distance where there is a
-/// limit. Never falls.
+/// Reports how far the front is: by the number of vertices reached, or by the distance if there is
+/// a limit. The fraction never decreases.
 class FrontProgress
 {
 public:
@@ -24,9 +24,10 @@ public:
 
   void settle(std::size_t vertices) { this->settled_ += vertices; }
 
-  /// After each batch; not every one is told of. Few vertices may have very many windows.
+  /// To be called after each batch; reports only some of them. Few vertices may have very many
+  /// windows.
   ///
-  /// \param windows how many have been handled since the front began.
+  /// \param windows number of windows handled since the front began.
   /// \throws Aborted
   void afterBatch(std::size_t vertices, std::uint64_t windows, double key)
   {

@@ -14,8 +14,8 @@
 namespace geodesic
 {
 
-/// What a task of a batch works with: memory, and sums for which it does not matter who adds. So it
-/// does not matter which worker a task gets.
+/// What a task of a batch works with: memory, and sums that do not depend on who adds. So a task
+/// may use any worker.
 struct FrontWorker
 {
   std::vector<ApexSide> apexSides;
@@ -28,8 +28,8 @@ struct FrontWorker
   std::uint64_t propagated = 0;
   double relativeError = 0.0;
 
-  /// Windows that it has read or written, over the whole solve, and how many of them make it pause:
-  /// one list after another is worked on only until then, so that progress can be told.
+  /// Number of windows read or written over the whole solve, and the number at which the worker
+  /// pauses, so that progress can be reported. It finishes the current list first.
   std::uint64_t handled = 0;
   std::uint64_t pauseAt = 0;
   std::uint64_t turn = 0;
@@ -46,36 +46,36 @@ struct FrontWorker
   }
 };
 
-/// The workers of a front: as many as there are threads, so that memory that one task gives back is
-/// there for the next.
+/// The workers of a front: as many as there are threads, so that a task reuses the memory of
+/// earlier ones.
 class FrontWorkers
 {
 public:
   explicit FrontWorkers(const ParallelFor& parallelFor)
     : parallelFor_(parallelFor)
-    , desks_(parallelFor ? MostThreads : 1)
+    , slots_(parallelFor ? MostThreads : 1)
   {
-    this->desks_.front().isUsed = true;
+    this->slots_.front().isUsed = true;
   }
 
-  /// For work outside of tasks.
-  FrontWorker& first() { return this->desks_.front().worker; }
+  /// The worker for work outside of tasks.
+  FrontWorker& first() { return this->slots_.front().worker; }
 
-  /// Calls visit(FrontWorker&) for each that has worked.
+  /// Calls visit(FrontWorker&) for each worker that was used.
   template <typename Visit>
   void forEach(Visit&& visit)
   {
-    for (WorkerSlot& desk : this->desks_)
+    for (WorkerSlot& slot : this->slots_)
     {
-      if (desk.isUsed)
+      if (slot.isUsed)
       {
-        visit(desk.worker);
+        visit(slot.worker);
       }
     }
   }
 
-  /// Runs item(worker, i) for i below `items`, at the same time where there are several. A turn of
-  /// the workers, after which each may work on if it had to pause.
+  /// Runs item(worker, i) for i below `items`, in parallel if there are several. This begins a new
+  /// turn, in which each worker may work until it has to pause again.
   template <typename Item>
   void run(std::size_t items, Item&& item)
   {
@@ -92,14 +92,14 @@ public:
     this->parallelFor_(items,
       [&](std::size_t i)
       {
-        const SlotLock seat(this->desks_);
-        seat.worker().begin(this->turn_);
-        item(seat.worker(), i);
+        const SlotLock lock(this->slots_);
+        lock.worker().begin(this->turn_);
+        item(lock.worker(), i);
       });
   }
 
 private:
-  /// More threads than this wait for one another.
+  /// If there are more threads, they wait for one another.
   static constexpr std::size_t MostThreads = 64;
 
   struct alignas(64) WorkerSlot
@@ -109,32 +109,32 @@ private:
     bool isUsed = false;
   };
 
-  /// Takes a desk for a task. A thread tries the same one first each time, whose memory is near.
+  /// Takes a free slot for a task. A thread first tries its last slot, whose memory is near.
   class SlotLock
   {
   public:
-    explicit SlotLock(std::vector<WorkerSlot>& desks)
+    explicit SlotLock(std::vector<WorkerSlot>& slots)
     {
       thread_local std::size_t last = 0;
-      while (desks[last].isTaken.exchange(true, std::memory_order_acquire))
+      while (slots[last].isTaken.exchange(true, std::memory_order_acquire))
       {
-        last = (last + 1) % desks.size();
+        last = (last + 1) % slots.size();
       }
-      this->desk_ = &desks[last];
-      this->desk_->isUsed = true;
+      this->slot_ = &slots[last];
+      this->slot_->isUsed = true;
     }
-    ~SlotLock() { this->desk_->isTaken.store(false, std::memory_order_release); }
+    ~SlotLock() { this->slot_->isTaken.store(false, std::memory_order_release); }
     SlotLock(const SlotLock&) = delete;
     SlotLock& operator=(const SlotLock&) = delete;
 
-    FrontWorker& worker() const { return this->desk_->worker; }
+    FrontWorker& worker() const { return this->slot_->worker; }
 
   private:
-    WorkerSlot* desk_;
+    WorkerSlot* slot_;
   };
 
   const ParallelFor& parallelFor_;
-  std::vector<WorkerSlot> desks_;
+  std::vector<WorkerSlot> slots_;
   std::uint64_t turn_ = 0;
 };
 

@@ -15,14 +15,13 @@
 namespace geodesic
 {
 
-/// A list that is sent to a halfedge.
 struct SentList
 {
   Id halfedge;
   WindowBlock windows;
 };
 
-/// What one district sends to another in a batch, or to itself.
+/// What one district sends to another district, or to itself, in a batch.
 struct MailBatch
 {
   std::vector<SentList> lists;
@@ -36,9 +35,9 @@ struct MailBatch
   }
 };
 
-/// The mail between districts. First all write, each district's worker for itself; then all read,
-/// the mail of the senders in the order of their numbers. So the order in which mail is read does
-/// not depend on who was faster.
+/// The messages between districts. In the first step every district's worker writes; in the second,
+/// every district reads the messages of its senders in the order of their numbers. So the order of
+/// reading does not depend on which worker was faster.
 class Mailboxes
 {
 public:
@@ -49,11 +48,11 @@ public:
     for (Id district = 0; district < districts; ++district)
     {
       this->slots_[district].push_back({ district, {} });
-      this->senders_[district].add(district); // by far most goes to itself
+      this->senders_[district].add(district); // most messages go to the own district
     }
   }
 
-  /// Where a district writes for another.
+  /// Where a district writes to another.
   MailBatch& to(Id sender, Id receiver)
   {
     if (sender == receiver)
@@ -69,9 +68,10 @@ public:
     return mail;
   }
 
-  /// Lets the district read mail: it has written for itself, or has something else to take over.
-  void call(Id district) { this->receivers_.add(district); }
-  /// Replaces the numbers by those of the districts that have something to read.
+  /// Makes the district read in the next step: it has written to itself, or has received something
+  /// from elsewhere.
+  void notify(Id district) { this->receivers_.add(district); }
+  /// Replaces `districts` by those that have something to read.
   void takeReceivers(std::vector<Id>& districts)
   {
     districts.clear();
@@ -79,14 +79,14 @@ public:
     this->receivers_.clear();
   }
 
-  /// Calls visit(MailBatch&) for what each sender has written.
+  /// Calls visit(MailBatch&) for the messages of each sender.
   template <typename Visit>
   void forEach(Id receiver, Visit&& visit)
   {
     this->senders_[receiver].forEach([&](Id sender) { visit(this->find(sender, receiver)); });
   }
 
-  /// Calls visit(const MailBatch&) for what one sender has written for each district.
+  /// Calls visit(const MailBatch&) for the messages of one sender to each district.
   template <typename Visit>
   void forEachOf(Id sender, Visit&& visit) const
   {
@@ -96,7 +96,7 @@ public:
     }
   }
 
-  /// Throws away what was written for a district.
+  /// Deletes the messages to a district.
   void clear(Id receiver)
   {
     this->forEach(receiver, [](MailBatch& mail) { mail.clear(); });
@@ -105,7 +105,7 @@ public:
   }
 
 private:
-  /// Some districts; several tasks may add at the same time.
+  /// A set of districts; several tasks may add at the same time.
   class Set
   {
   public:
@@ -121,7 +121,7 @@ private:
         word.store(0, std::memory_order_relaxed);
       }
     }
-    /// Ascending.
+    /// Visits in ascending order.
     template <typename Visit>
     void forEach(Visit&& visit) const
     {
@@ -167,11 +167,12 @@ private:
     return slots[i].mail;
   }
 
-  /// By sender: the first for itself, then one a neighbouring district.
+  /// By sender: first the slot for itself, then one slot for each neighbouring district it has
+  /// written to.
   std::vector<std::vector<Slot>> slots_;
   /// By receiver.
   std::vector<Set> senders_;
-  /// Who has something to read.
+  /// The districts that have something to read.
   Set receivers_;
 };
 

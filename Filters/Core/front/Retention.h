@@ -14,8 +14,8 @@
 namespace geodesic
 {
 
-/// A list of windows that has gone through its face, and the distances known at the ends of its
-/// halfedge then.
+/// A list of windows that has passed through its face, and the distances then known at the ends of
+/// its halfedge.
 struct PassedList
 {
   Id halfedge;
@@ -23,30 +23,30 @@ struct PassedList
   std::array<double, 2> ends = {};
 };
 
-/// One number of each vertex, which stands in a record of each.
+/// One number per vertex, stored in an array of records.
 struct VertexNumbers
 {
   const double* first;
-  /// From one vertex to the next.
+  /// Step from one vertex to the next.
   std::size_t stride = 1;
   double operator()(Id vertex) const { return this->first[vertex * this->stride]; }
 };
 
-/// Where the front stands at the end of a batch.
+/// The state of the front at the end of a batch.
 struct FrontState
 {
-  /// The key at which the batch began: no path that is still to be found is shorter.
+  /// The key at which the batch began: no path yet to be found is shorter.
   double key;
   /// The vertices of the batch.
   const std::vector<Id>& settled;
-  /// The distances found so far, and those with which vertices were last processed.
+  /// The distances found so far, and the distances with which vertices were last processed.
   VertexNumbers distances;
   VertexNumbers processed;
-  /// Where the blocks of lists came from: one or more. A block may be freed into any of them.
+  /// The pools of the blocks of lists, at least one. A block may be freed into any of them.
   const std::vector<WindowPool*>& pools;
 
-  /// Gives a block back to the pool that has the fewest of its size: a thread that does more than
-  /// others needs more of them, and blocks of one size do not serve for another.
+  /// Gives a block to the pool that has the fewest of its size: a thread that works more than
+  /// others needs more blocks, and blocks of one size do not serve for another.
   void free(const WindowBlock& block) const
   {
     const std::uint32_t sizeClass = block.sizeClass;
@@ -57,53 +57,53 @@ struct FrontState
   }
 };
 
-/// What a solve has kept of its windows.
+/// The windows that a solve has kept.
 struct KeptWindows
 {
-  /// Indexed, or empty where nothing was kept.
+  /// Indexed, or empty if none were kept.
   WindowArchive windows;
-  /// Whether each face has all its windows; empty where all faces do.
+  /// Whether each face has all its windows. Empty if all faces do.
   std::vector<std::uint8_t> faces;
-  /// In faces whose windows were dropped: no closure by triangles between points of the edges
-  /// differs by more from the distance (certified), and what was asked for.
+  /// For faces whose windows were dropped: a certified bound of how much any closure by triangles
+  /// between points of the edges deviates from the distance, and the requested tolerance.
   double droppedErrorBound = 0.0;
   double droppedTolerance = 0.0;
 };
 
-/// Decides what becomes of the windows behind the front. The front hands each list over once it has
-/// gone through its face; distances at vertices need none of them.
+/// Decides what becomes of the windows behind the front. The front hands over each list once it has
+/// passed through its face; distances at vertices need none of them.
 ///
-/// pass() is called from the tasks of a batch, each for a district of its own (front/Districts.h);
-/// the rest between batches from one thread. Lists that are taken district by district, and of each
-/// as they were passed, are in one order for any number of threads.
+/// The tasks of a batch call pass(), each for its own district (front/Districts.h); one thread
+/// makes all other calls between batches. Lists that are read district by district, each in the
+/// order of pass(), have the same order for any number of threads.
 class Retention
 {
 public:
   virtual ~Retention() = default;
 
-  /// Whether the inside of faces must be complete within a distance limit, not only their vertices.
+  /// Whether a distance limit requires the inside of faces to be complete, not only their vertices.
   virtual bool needsInside() const = 0;
-  /// No path that is longer matters: the front stops when all that is nearer is done, with the
-  /// bits of a front that goes everywhere. May fall as the front goes on. Other than with a
+  /// Longer paths do not matter: the front stops when everything nearer is done, with the bits of a
+  /// front that goes everywhere. The value may decrease as the front proceeds. Unlike with a
   /// distance limit, faces need not be complete.
   virtual double reach() const { return Infinity; }
   /// Before the first batch.
   virtual void setNumberOfDistricts(std::size_t) {}
-  /// The sources that lie in faces, before the first batch.
+  /// Called before the first batch, with the sources inside faces.
   virtual void start(const std::vector<SourceInFace>&) {}
-  /// Takes a list over. Its block is the retention's from now on; the pool is the calling task's.
+  /// Takes over a list. Its block now belongs to the retention; the pool is the calling task's.
   ///
   /// \param batch number of the batch, ascending.
   virtual void pass(std::size_t district, const PassedList& list, Id batch, WindowPool& pool) = 0;
-  /// A vertex that was processed has got a smaller distance.
+  /// A processed vertex has got a smaller distance.
   virtual void shortenDistance(Id) {}
-  /// A batch has ended.
+  /// Called after each batch.
   virtual void advance(const FrontState&) {}
-  /// The front has come to its end.
+  /// Called after the last batch.
   virtual void finish(const FrontState&) {}
 };
 
-/// Keeps no windows: distances at vertices, in the least memory.
+/// Keeps no windows: for distances at vertices, in the least memory.
 class KeepNone : public Retention
 {
 public:
@@ -114,11 +114,11 @@ public:
   }
 };
 
-/// Keeps the windows of some faces: the distance can be evaluated, and paths begin, in these.
+/// Keeps the windows of some faces, in which distances can then be evaluated and paths can begin.
 class KeepFaces : public Retention
 {
 public:
-  /// \param faces whether the windows of each face are kept; empty: of all.
+  /// \param faces whether to keep the windows of each face; empty: of all.
   KeepFaces(const TriangleMesh& mesh, std::vector<std::uint8_t> faces)
     : mesh_(mesh)
   {
@@ -148,7 +148,7 @@ public:
 
 protected:
   const TriangleMesh& mesh() const { return this->mesh_; }
-  /// Before the front begins.
+  /// To be called before the front begins.
   void keep(Id face) { this->kept_.faces[face] = 1; }
 
 private:
@@ -157,7 +157,7 @@ private:
   KeptWindows kept_;
 };
 
-/// Keeps all windows: the distance can be evaluated at any surface point, and paths traced.
+/// Keeps all windows: the distance can be evaluated at any point, and paths can be traced.
 class KeepAll : public KeepFaces
 {
 public:

@@ -9,8 +9,8 @@ namespace geodesic
 namespace
 {
 
-/// A corner that a walk around the vertex came to, and whether it came across the corner's first
-/// edge (the halfedge that leaves the vertex) or its second (the one that comes to it).
+/// A corner that a walk around the vertex has reached, and whether the walk came across the
+/// corner's first edge (the outgoing halfedge) or its second (the incoming one).
 struct Stop
 {
   Id corner = NoId;
@@ -29,7 +29,7 @@ struct Continuation
   enum class Found
   {
     Yes,
-    /// The boundary comes before it.
+    /// The walk ends at the boundary first.
     No,
     Unknown
   };
@@ -37,7 +37,7 @@ struct Continuation
   Stop stop;
   double x = 0.0;
 
-  /// The part of the halfedge on the far side of the continuation.
+  /// The part of the halfedge beyond the continuation.
   EmittedInterval beyond(double length) const
   {
     return this->stop.acrossOutgoing ? EmittedInterval{ this->stop.corner, this->x, length }
@@ -45,7 +45,7 @@ struct Continuation
   }
 };
 
-// Rotations are unit complex numbers, so that no angle has to be computed.
+// Rotations are unit complex numbers, which avoids computing angles.
 Vec2 unit(Vec2 v)
 {
   return (1.0 / norm(v)) * v;
@@ -69,8 +69,8 @@ Stop across(const TriangleMesh& mesh, Id vertex, Id edge)
                                       : Stop{ TriangleMesh::nextInFace(other), false };
 }
 
-// Where the ray that leaves the vertex at a direction from the edge that was crossed meets the
-// opposite halfedge.
+// Where the ray from the vertex meets the opposite halfedge. Its direction is relative to the edge
+// that was crossed.
 double meet(const TriangleMesh& mesh, const Stop& stop, Vec2 direction)
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(stop.corner));
@@ -83,8 +83,8 @@ double meet(const TriangleMesh& mesh, const Stop& stop, Vec2 direction)
   return mesh.length(TriangleMesh::nextInFace(stop.corner)) * (stop.acrossOutgoing ? t : 1.0 - t);
 }
 
-// Walks away from the arriving path, whose angle to the first edge to be crossed is given, until
-// the angle is pi.
+// Walks away from the arriving path until the angle is pi, starting with the path's angle to the
+// first edge.
 Continuation continueAcross(const TriangleMesh& mesh, Id vertex, Id edge, Vec2 angle)
 {
   Continuation result;
@@ -117,8 +117,8 @@ Continuation continueAcross(const TriangleMesh& mesh, Id vertex, Id edge, Vec2 a
   return result;
 }
 
-// Adds what is behind a continuation up to the other one, or to the boundary. Returns whether it
-// came to the other one.
+// Adds the shadow behind a continuation, up to the other one or to the boundary. Returns whether it
+// reached the other one.
 bool addShadow(const TriangleMesh& mesh, Id vertex, const Continuation& from,
   const Continuation& to, std::vector<EmittedInterval>& shadow)
 {
@@ -164,7 +164,7 @@ bool findSaddleWedge(
   {
     return false;
   }
-  // In the corner's frame: its first edge along the x axis.
+  // In the corner's frame, whose x axis is its first edge.
   const Vec2 second = (1.0 / first) * Vec2{ shape.cornerDot[corner % 3], shape.area2 };
   const double t = arrival.x / mesh.length(arrival.halfedge);
   const Vec2 back = unit(Vec2{ first, 0.0 } + t * (second - Vec2{ first, 0.0 }));

@@ -9,26 +9,26 @@
 namespace geodesic
 {
 
-/// Where a path comes from to a vertex: its last straight piece runs through the face of
-/// `halfedge`, which lies opposite the vertex, from the point at x on that halfedge (0 and the
-/// halfedge's length: along an edge).
+/// How a path arrives at a vertex. Its last straight segment runs through the face of `halfedge`,
+/// which is opposite the vertex, from the point at x on that halfedge. If x is 0 or the halfedge's
+/// length, the segment runs along an edge.
 struct Arrival
 {
-  /// NoId where it is not known, and where the piece comes from a source in a face at the vertex.
+  /// NoId if unknown, and if the segment comes from a source in a face at the vertex.
   Id halfedge = NoId;
-  /// What the piece comes from, which may be some faces farther: Window::origin.
+  /// Where the segment begins, possibly some faces farther away: Window::origin.
   Id origin = NoId;
   double x = 0.0;
-  /// The direction of the piece, in the halfedge's frame, of any length: where the vertex is close
-  /// to the halfedge the two places do not tell it well. Zero along an edge.
+  /// The direction of the segment in the halfedge's frame, of any length; zero along an edge. If
+  /// the vertex is close to the halfedge, the two points determine the direction badly.
   Vec2 direction = {};
-  /// Where along a curve it comes from: Window::place.
+  /// Where along a curve the segment begins: Window::place.
   double place = 0.0;
 
-  /// Whether anything is known; without a halfedge the piece comes from a source in a face at the
-  /// vertex.
+  /// Whether an arrival is known. Without a halfedge the segment comes from a source in a face at
+  /// the vertex.
   bool isKnown() const { return this->halfedge != NoId || this->origin != NoId; }
-  /// Whether the piece came through a window, not along an edge or from a source in a face.
+  /// Whether the segment came through a window, not along an edge or from a source in a face.
   bool isThroughWindow() const
   {
     return this->halfedge != NoId && (this->direction.x != 0.0 || this->direction.y != 0.0);
@@ -43,16 +43,15 @@ struct EmittedInterval
   double end;
 };
 
-/// The shadow behind a saddle vertex, into which it emits as a pseudo-source: a shortest path that
-/// bends at a vertex leaves an angle of at least pi on both sides of the bend (a boundary counts as
-/// more than that), so that it goes on between the two straight continuations of the path that came
+/// Finds the shadow behind a saddle vertex, into which it emits as a pseudo-source. A shortest path
+/// that bends at a vertex leaves an angle of at least pi on both sides of the bend (a boundary
+/// counts as more), so it continues between the two straight continuations of the arriving path
 /// (paper, section 3; Mitchell, Mount and Papadimitriou 1987, "The discrete geodesic problem").
 ///
 /// \param shadow the parts of the halfedges opposite the vertex's corners that are in the shadow;
 ///        replaced.
-/// \returns false where the faces around the vertex do not form one fan, have no area, or the
-///          arrival is not known: then the vertex has to emit everywhere, and `shadow` means
-///          nothing.
+/// \returns false if the faces around the vertex do not form one fan, have no area, or the arrival
+/// is unknown: then the vertex has to emit everywhere, and `shadow` is meaningless.
 bool findSaddleWedge(const TriangleMesh& mesh, Id vertex, const Arrival& arrival,
   std::vector<EmittedInterval>& shadow);
 

@@ -12,11 +12,11 @@
 namespace geodesic
 {
 
-/// Vertices by the key they wait with, taken out in batches of near keys. Entries are never
-/// changed: a vertex is pushed again with its new key, and its owner tells which entry is current.
+/// The vertices that wait, ordered by key and taken in batches of similar keys. Entries never
+/// change: a vertex is pushed again with its new key, and its owner decides which entry is current.
 ///
-/// What lies within a few batches is not sorted, only looked through, which is faster than a heap;
-/// what lies farther, as at the ends of edges much longer than those at the front, waits in one.
+/// Entries within the next few batches are unsorted and scanned, which is faster than a heap.
+/// Farther entries, as at the ends of edges much longer than those at the front, wait in a heap.
 class VertexQueue
 {
 public:
@@ -43,8 +43,8 @@ public:
     }
   }
 
-  /// What comes next: the least key of a current entry, and the last of its batch, which no current
-  /// entry's reach ends before; both infinite where there is none.
+  /// The next batch: the least key of a current entry, and the last key of its batch, which is at
+  /// most the end of any current entry's reach. Both are infinite if there is no entry.
   struct Outlook
   {
     double least = Infinity;
@@ -52,7 +52,8 @@ public:
   };
 
   /// \param isCurrent (const Entry&) -> bool.
-  /// \param reachOf (Id vertex) -> how much farther than a vertex those in its batch may be.
+  /// \param reachOf (Id vertex) -> how much larger than the vertex's key the keys in its batch may
+  ///        be.
   template <typename IsCurrent, typename ReachOf>
   Outlook outlook(const IsCurrent& isCurrent, const ReachOf& reachOf)
   {
@@ -82,7 +83,7 @@ public:
     }
   }
 
-  /// Takes out the current entries up to a key.
+  /// Removes the current entries up to a key.
   ///
   /// \param take (Id vertex) is called for each.
   template <typename IsCurrent, typename Take>
@@ -103,7 +104,7 @@ public:
     this->near_.resize(kept);
   }
 
-  /// Calls visit(const Entry&) for each entry, current or not, in no order.
+  /// Calls visit(const Entry&) for each entry, current or not, in any order.
   template <typename Visit>
   void forEach(const Visit& visit) const
   {
@@ -125,7 +126,7 @@ private:
     }
   }
 
-  /// A queue that can be looked through.
+  /// A priority queue that can be scanned.
   struct Heap : std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>
   {
     const std::vector<Entry>& entries() const { return this->c; }

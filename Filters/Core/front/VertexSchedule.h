@@ -11,8 +11,7 @@
 namespace geodesic
 {
 
-/// The order in which vertices are processed: in batches of nearly equal distance, the nearest
-/// first.
+/// Orders the processing of vertices: in batches of nearly equal distance, the nearest first.
 class VertexSchedule
 {
   auto isCurrent() const
@@ -20,8 +19,8 @@ class VertexSchedule
     return [this](const VertexQueue::Entry& entry)
     { return entry.key == this->states_[entry.vertex].key; };
   }
-  // Vertices belong into one batch when none is farther than another by about an edge there: then
-  // windows that one sends out seldom come to another. From 0.25 to 2 edges the number of windows
+  // Vertices belong to one batch if none is farther than another by more than about an edge there:
+  // windows from one of them then seldom reach another. From 0.25 to 2 edges the number of windows
   // hardly changes.
   auto reachOf() const
   {
@@ -34,13 +33,13 @@ public:
   {
   }
 
-  /// The key at which the last batch began: no path that is still to be found is shorter.
+  /// The key at which the last batch began: no path yet to be found is shorter.
   double key() const { return this->key_; }
 
-  /// Lets the vertex wait for being processed.
+  /// Adds a vertex that has to be processed.
   void add(Id vertex)
   {
-    // Windows that come to a vertex behind the front go on with it, in the same batches.
+    // Windows that come to a vertex behind the front continue with the front, in the same batches.
     VertexState& state = this->states_[vertex];
     const double key = std::max(state.distance, this->key_);
     if (key < state.key)
@@ -57,7 +56,7 @@ public:
     }
   }
 
-  /// What comes next: the least key of a vertex that waits, and the last key of its batch.
+  /// The next batch: the least key of a waiting vertex, and the last key of its batch.
   using Outlook = VertexQueue::Outlook;
   Outlook outlook()
   {
@@ -74,7 +73,7 @@ public:
   /// Moves on to the batch that begins at a key.
   void moveOn(double least) { this->key_ = std::max(this->key_, least); }
 
-  /// Takes the vertices of the batch at the key out, up to its last one.
+  /// Removes the vertices of the current batch, up to the last key.
   void takeBatch(double last, std::vector<Id>& batch)
   {
     batch.clear();
@@ -88,7 +87,7 @@ public:
     this->queue_.takeBatch(last, this->isCurrent(), take);
   }
 
-  /// Whether some vertex that waits fulfils a condition: (Id vertex) -> bool.
+  /// Whether some waiting vertex satisfies a condition: (Id vertex) -> bool.
   template <typename Condition>
   bool isAnyWaiting(const Condition& condition) const
   {
@@ -102,7 +101,7 @@ public:
 private:
   VertexStates& states_;
   double key_ = 0.0;
-  /// Vertices beyond the front, and those at it or behind.
+  /// Vertices ahead of the front, and those at or behind it.
   VertexQueue queue_;
   std::vector<Id> behind_;
 };

@@ -15,34 +15,34 @@
 namespace geodesic
 {
 
-/// A path to a vertex that may be shorter than those known.
+/// A path to a vertex, possibly shorter than the known ones.
 struct DistanceUpdate
 {
   Id vertex;
   double distance;
-  /// How much longer the path behind the distance can be.
+  /// How much longer than the distance its path can be.
   double error;
   Arrival from;
 };
 
-/// What is known of a vertex, together because it is used together.
+/// The state of a vertex; fields that are used together are stored together.
 struct VertexState
 {
   double distance = Infinity;
-  /// The distance with which it was last processed, and the key it waits with in the queue.
+  /// The distance with which it was last processed, and its key in the queue.
   double processed = Infinity;
   double key = Infinity;
-  /// Where the path behind its distance comes from (an Arrival without its padding).
+  /// Where its path comes from (an Arrival without its padding).
   double arrivalX = 0.0;
   Id arrivalHalfedge = NoId;
-  /// The first of the halfedges opposite it that have a list.
+  /// The first list on the halfedges opposite it.
   Id facing = NoId;
-  /// The length of some edge at it.
+  /// The length of one of its edges.
   float edge = 0.0F;
   Emission emission = Emission::Nothing;
 
   Arrival arrival() const { return { this->arrivalHalfedge, NoId, this->arrivalX }; }
-  /// Whether its distance is shorter than the one it was processed with, by more than a tie.
+  /// Whether its distance is shorter than the processed one by more than a tie.
   bool isShorter() const { return this->distance < this->processed * (1.0 - tolerance::Tie); }
 };
 
@@ -50,9 +50,9 @@ struct VertexState
 class VertexStates
 {
 public:
-  /// \param withErrors whether distances may be merged ones, whose errors are kept.
-  /// \param withArrivals whether arrivals are kept for whoever traces paths.
-  /// \param parallelFor absent: one thread.
+  /// \param withErrors whether distances may be of merged windows, whose errors are stored.
+  /// \param withArrivals whether arrivals are stored, for tracing paths.
+  /// \param parallelFor if empty, one thread.
   VertexStates(
     const TriangleMesh& mesh, bool withErrors, bool withArrivals, const ParallelFor& parallelFor);
 
@@ -60,21 +60,21 @@ public:
   const VertexState& operator[](Id vertex) const { return this->states_[vertex]; }
   VertexState& operator[](Id vertex) { return this->states_[vertex]; }
   double distance(Id vertex) const { return this->states_[vertex].distance; }
-  /// How much longer the path behind a vertex's distance can be: 0 in the exact solve.
+  /// How much longer than the vertex's distance its path can be: 0 in the exact solve.
   double error(Id vertex) const { return this->errors_.empty() ? 0.0 : this->errors_[vertex]; }
 
-  /// Whether a path tells something new: it is shorter, or where arrivals are kept the first one
-  /// known as long as that whose arrival is not known.
-  bool isNews(Id vertex, double distance, bool hasArrival = true) const
+  /// Whether a path improves a vertex: it is shorter, or it has the same length and an arrival,
+  /// which is to be stored and still missing.
+  bool isImprovedBy(Id vertex, double distance, bool hasArrival = true) const
   {
     return distance < this->distance(vertex) ||
       (hasArrival && this->isArrivalMissing(vertex, distance));
   }
 
-  /// Takes a path over where it is shorter than the one known. \returns whether it was.
+  /// Accepts a path if it is shorter than the known one. \returns whether it was.
   bool shorten(const DistanceUpdate& update);
 
-  /// What is kept of them; gone then.
+  /// Moves the arrivals out.
   std::vector<Arrival> releaseArrivals() { return std::move(this->arrivals_); }
 
   VertexNumbers distances() const { return this->each(&VertexState::distance); }
@@ -94,7 +94,7 @@ private:
       (distance <= this->distance(vertex) * (1.0 + tolerance::Tie) ||
         distance <= this->distance(vertex) + this->tieAround(vertex));
   }
-  /// A bound along an edge says nothing of the arrival: one a rounding longer is its own.
+  /// A bound along an edge does not determine the arrival: one that is a rounding longer stays.
   bool isArrivalKept(const DistanceUpdate& update) const
   {
     return !update.from.isKnown() && this->arrivals_[update.vertex].isKnown() &&
@@ -106,7 +106,7 @@ private:
   std::vector<VertexState> states_;
   /// Empty in the exact solve.
   std::vector<double> errors_;
-  /// Empty where they are not asked for.
+  /// Empty if not requested.
   std::vector<Arrival> arrivals_;
 };
 
@@ -131,7 +131,7 @@ inline VertexStates::VertexStates(
     });
 }
 
-// A way across a needle carries the rounding of its long edges.
+// A path across a needle carries the rounding of the needle's long edges.
 inline double VertexStates::tieAround(Id vertex) const
 {
   double longest = 0.0;
@@ -144,7 +144,7 @@ inline double VertexStates::tieAround(Id vertex) const
 
 inline bool VertexStates::shorten(const DistanceUpdate& update)
 {
-  // A linear window's distance may be a rounding below 0 at its source.
+  // Rounding may put a linear window's distance below 0 at its source.
   const double distance = std::max(update.distance, 0.0);
   VertexState& state = this->states_[update.vertex];
   const bool isShorter = distance < state.distance;

@@ -94,8 +94,8 @@ void WaitingLists::grow()
   }
 }
 
-// Lists behind the gap come forward where their homes allow it, so that none is cut off from its
-// home (Knuth, 6.4, algorithm R).
+// Lists behind the gap move forward if their probe sequences allow it, so that find() never stops
+// at a gap before them (Knuth, 6.4, algorithm R).
 WindowBlock WaitingLists::remove(Id list)
 {
   std::size_t gap = this->homeOf(this->halfedge(list));

@@ -9,17 +9,17 @@
 namespace geodesic
 {
 
-/// The windows that wait on halfedges: at most one sorted list a halfedge, each in one block, and a
-/// link from list to list with which the caller chains those that belong together. Only a front's
-/// width of them waits at a time, so that they are kept in a hash table, not one a halfedge.
+/// The windows that wait on halfedges: at most one sorted list per halfedge, each in one block,
+/// with links by which the caller chains lists. Only halfedges along the front have lists, so a
+/// hash table holds them, not an array of all halfedges.
 class WaitingLists
 {
 public:
-  /// The number of a halfedge's list; NoId where it has none.
+  /// The number of a halfedge's list; NoId if it has none.
   Id find(Id halfedge) const;
-  /// Gives the halfedge, which has no list, this block as its list. \returns the list's number.
+  /// Adds a list to a halfedge that has none. \returns the list's number.
   Id add(Id halfedge, const WindowBlock& block);
-  /// Takes the list away; its block is the caller's.
+  /// Removes a list. Its block now belongs to the caller.
   WindowBlock remove(Id list);
 
   Id halfedge(Id list) const { return this->lists_[list].halfedge; }
@@ -28,14 +28,14 @@ public:
     const List& found = this->lists_[list];
     return { found.data, found.data + found.size };
   }
-  /// Replaces the list by a copy of the windows, which must not be its own.
+  /// Replaces the list by a copy of other windows.
   void assign(Id list, const WindowRange& windows, WindowPool& pool);
 
-  /// The list that the caller has linked this one to.
+  /// The list that setNext() has linked to this one.
   Id next(Id list) const { return this->lists_[list].next; }
   void setNext(Id list, Id next) { this->lists_[list].next = next; }
 
-  /// Calls visit(Id halfedge, const WindowBlock&) for each list, in no order.
+  /// Calls visit(Id halfedge, const WindowBlock&) for each list, in any order.
   template <typename Visit>
   void forEach(Visit&& visit) const
   {
@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  /// A block, packed together with the chain.
+  /// A block, packed together with its link.
   struct List
   {
     Window* data = nullptr;
@@ -74,10 +74,10 @@ private:
   void grow();
 
   std::vector<List> lists_;
-  /// Lists that were removed, chained.
+  /// Removed lists, chained.
   Id unused_ = NoId;
-  /// The lists by their halfedges: each at its home or, where others are, at the next free place.
-  /// At most half full; its size is a power of two.
+  /// The numbers of the lists, hashed by halfedge with linear probing. At most half full; the size
+  /// is a power of two.
   std::vector<Id> table_;
   unsigned bits_ = 0;
   std::size_t count_ = 0;
