@@ -11,42 +11,42 @@
 namespace geodesic
 {
 
-/// Whether a point in space lies in a barrier rather than on a face that is none. A place on the
-/// rim is a place on such a face, too, which is as close there: what is nearer to a barrier by more
-/// than the precision of its place lies inside.
+/// Whether a point in space lies in a barrier rather than on an open face. A place on the rim is
+/// also a place on an open face, equally close. So a point lies inside a barrier if it is nearer to
+/// the barrier by more than the precision of its place.
 ///
 /// \param inBarrier the point, put onto the barrier.
-/// \param toOpen how far it is from the faces that are no barriers.
+/// \param toOpen the point's distance from the open faces.
 inline bool isInBarrier(const SnappedPoint& inBarrier, double toOpen)
 {
   return inBarrier.distance + inBarrier.tolerance < toOpen;
 }
 
-/// The faces of a surface that no path may enter. They are none of the faces of its mesh, which has
-/// holes in their place: so paths run along a barrier's rim, bend around it where vertices of the
-/// rim are reflex corners of the mesh, and the engine needs to know nothing of barriers. This class
-/// knows where they are, for points that are to be put onto the surface.
+/// The barriers of a surface: faces that no path may enter. They are not part of the mesh, which
+/// has holes in their place. So paths run along a barrier's rim and bend at its vertices if these
+/// are reflex corners of the mesh, and the engine needs no other notion of barriers. This class
+/// locates them, for points that have to be put onto the surface.
 class BarrierFaces
 {
 public:
-  /// \param mesh the faces of the surface that are no barriers; must outlive this.
-  /// \param triangles the barriers, on the vertices of the mesh; one at least.
-  /// \throws MeshError where none of them has three different corners.
+  /// \param mesh the open faces of the surface; must outlive this.
+  /// \param triangles the barriers, on the vertices of the mesh; at least one.
+  /// \throws MeshError if none of them has three different corners.
   BarrierFaces(const TriangleMesh& mesh, const std::vector<Triangle>& triangles);
 
-  /// The faceLocator_ refers to barriers_.
+  /// faceLocator_ refers to barriers_.
   BarrierFaces(const BarrierFaces&) = delete;
   void operator=(const BarrierFaces&) = delete;
 
-  /// The barriers, as a mesh of their own on the same vertices. TriangleMesh::inputFace() tells
-  /// which of the triangles each is.
+  /// The barriers as a separate mesh on the same vertices. TriangleMesh::inputFace() gives the
+  /// triangle that each face came from.
   const TriangleMesh& mesh() const { return this->barriers_; }
 
-  /// The barrier that a point in space lies in, or is closest to: a face of mesh(). NoId where a
-  /// face that is no barrier is as close, within the precision of the place: a point on the rim
-  /// lies outside. Not thread-safe.
+  /// The barrier that contains a point in space, or is closest to it: a face of mesh(). NoId if an
+  /// open face is as close, within the precision of the place: a point on the rim lies outside. Not
+  /// thread-safe.
   ///
-  /// \param closest the faces of the mesh without barriers that are closest to the point.
+  /// \param closest the open faces that are closest to the point.
   /// \param coordinatePrecision relative precision of the point's coordinates.
   Id barrierAt(const Vec3& point, const std::vector<Id>& closest, double coordinatePrecision);
 

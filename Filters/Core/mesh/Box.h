@@ -11,7 +11,7 @@
 namespace geodesic
 {
 
-/// What holds some points: the least box along the axes.
+/// The smallest axis-aligned box around some points.
 struct Box
 {
   Vec3 low{ Infinity, Infinity, Infinity };
@@ -40,7 +40,7 @@ struct Box
   }
   bool holds(const Vec3& point) const { return this->meets({ point, point }); }
 
-  /// 0 inside; infinite where it holds no point.
+  /// 0 inside; infinite if the box is empty.
   double distanceTo(const Vec3& point) const
   {
     Vec3 outside;
@@ -58,9 +58,9 @@ struct Box
   }
 };
 
-/// The box of the points of many items, which are looked at side by side.
+/// The box of the points of many items, computed in parallel.
 ///
-/// \param addItem adds those of one: (Box&, std::size_t item) -> void.
+/// \param addItem adds the points of one item: (Box&, std::size_t item) -> void.
 template <typename AddItem>
 Box boxOfItems(const ParallelFor& parallelFor, std::size_t count, const AddItem& addItem)
 {

@@ -17,7 +17,7 @@ namespace
 
 constexpr Id FacesInLeaf = 8;
 
-/// A node's part holds at least this fraction of its faces, so that the tree is never deep.
+/// Each part of a node has at least this fraction of its faces, so that the tree stays shallow.
 constexpr std::ptrdiff_t LeastPart = 8;
 
 using Candidate = FaceLocator::Candidate;
@@ -32,7 +32,7 @@ double leastDistance(const std::vector<Candidate>& candidates)
   return least;
 }
 
-/// Whether a face has all vertices of a part of a face.
+/// Whether a face has all vertices of a part of another face.
 bool hasPart(const Triangle& corners, const Triangle& part)
 {
   return std::all_of(part.begin(), part.end(),
@@ -41,16 +41,16 @@ bool hasPart(const Triangle& corners, const Triangle& part)
     });
 }
 
-/// Whether a face is farther than another though its distance may be the same up to rounding: its
-/// closest point is one of the other face, which has a closer one.
+/// Whether a face is farther than another although rounding may make their distances equal: its
+/// closest point is also a point of the other face, which has a closer one.
 bool isFartherThan(const Candidate& face, const Candidate& other)
 {
   return hasPart(other.corners, face.support) && !hasPart(face.corners, other.support) &&
     norm(other.toClosest - face.toClosest) > face.precision;
 }
 
-/// The faces whose distance cannot be told from the least, in their order. Around the centre of a
-/// sphere these are many, of many more.
+/// The faces whose distances cannot be distinguished from the least, in their order. Around the
+/// centre of a sphere there are many.
 std::vector<const Candidate*> closestOf(const std::vector<Candidate>& faces, double least)
 {
   std::vector<const Candidate*> closest;
@@ -79,7 +79,7 @@ std::vector<const Candidate*> closestOf(const std::vector<Candidate>& faces, dou
     return at != atVertices.end() && at->first == vertex;
   };
   const auto last = std::remove_if(closest.begin(), closest.end(), isFarther);
-  if (last != closest.begin()) // else each loses to another by rounding
+  if (last != closest.begin()) // else each loses to another, by rounding
   {
     closest.erase(last, closest.end());
   }
@@ -95,7 +95,7 @@ struct FaceLocator::Search
   const ProgressCallback& progress;
   double distance;
   std::vector<Candidate> found;
-  /// The fraction of the faces that the search has left aside while the tree grows.
+  /// The fraction of the faces that the search has excluded while the tree grows.
   double done;
 
   double precisionFor(const Box& box) const
@@ -171,7 +171,7 @@ std::vector<FaceLocator::Candidate> FaceLocator::chosen(const std::vector<Candid
   return result;
 }
 
-// Three times the centre: only the order among the faces counts.
+// Three times the centre: only the order of the faces matters.
 double FaceLocator::centre(Id face, std::size_t axis) const
 {
   const Triangle& corners = this->mesh_.triangle(face);
@@ -192,8 +192,8 @@ FaceLocator::Node FaceLocator::makeNode(Id first, Id last) const
   return node;
 }
 
-// Sorts the faces of a node into two parts: at the middle of its box where that leaves a fair share
-// on both sides, else with half of the faces in each.
+// Divides the faces of a node into two parts: at the middle of its box if that leaves a fair share
+// on both sides, else into halves.
 Id FaceLocator::findMiddle(const Node& node)
 {
   const Vec3 size = node.box.high - node.box.low;
@@ -271,7 +271,7 @@ void FaceLocator::tryFace(Search& search, Id face) const
     return; // measuring takes several times as long
   }
   const double distance = norm(snapToFace(this->mesh_, face, search.point, 0.0).offset);
-  // Far from the origin roundings may be as large as faces: there the closest counts.
+  // Far from the origin roundings may be as large as faces; then the closest face counts.
   const double precision =
     std::min(byCoordinates, tolerance::SnapFraction * this->mesh_.shape(face).longest());
   if (distance <= search.distance + precision)

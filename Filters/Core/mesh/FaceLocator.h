@@ -11,25 +11,25 @@
 namespace geodesic
 {
 
-/// Finds all faces that put a point onto its closest place: where a surface touches or overlaps
-/// itself there are several, and no one of them is the right one by itself. A tree of boxes that is
-/// built where points are looked for: a few points cost about as much as a look at every face, many
-/// no more than the whole tree.
+/// Finds all faces that put a point onto its closest place. There are several where a surface
+/// touches or overlaps itself, and the locator cannot know which one is meant. It uses a tree of
+/// boxes that grows where points are searched: a few points cost about as much as a scan of all
+/// faces, many points no more than the complete tree.
 class FaceLocator
 {
 public:
   /// \param mesh must outlive the locator.
   explicit FaceLocator(const TriangleMesh& mesh);
 
-  /// The faces that a point may be put onto, by the precision of coordinates as snapToFace takes it
-  /// (never more than SnapFraction of a face's longest edge). Of a point that is on the surface
-  /// within that precision: all faces whose distance is the least within it. Of other points faces
-  /// that are almost as close may put them far from the closest place. So these have the faces
-  /// whose distance cannot be told from the least by measuring, and those that put them within the
-  /// precision of the closest place.
+  /// The faces that a point may be put onto, given the precision of coordinates as in snapToFace
+  /// (at most SnapFraction of a face's longest edge). If the point is on the surface within that
+  /// precision, these are all faces at its least distance within it. Otherwise a face that is
+  /// almost as close may put the point far from the closest place. Then these are the faces whose
+  /// distances cannot be distinguished from the least by measuring, and those that put the point
+  /// within the precision of the closest place.
   ///
-  /// First those that are as close up to rounding, by number, then the others, by number. Faces
-  /// without area count as all others. Not thread-safe.
+  /// First come the faces that are as close up to rounding, by number, then the others, by number.
+  /// Faces without area count like all others. Not thread-safe.
   ///
   /// \param coordinatePrecision relative precision of the point's coordinates.
   /// \param progress called now and then while the tree grows; returning false throws Aborted.
@@ -41,17 +41,17 @@ public:
   {
     Id face;
     double distance;
-    /// By how much it may be farther than the closest face, by the coordinates' precision and by
+    /// How much farther than the closest face it may be: by the coordinates' precision, and by
     /// rounding alone.
     double precision;
     double rounding;
-    /// Up to the rounding of measuring, which does not depend on where the origin is.
+    /// The rounding of measuring, which does not depend on the position of the origin.
     double measuring;
-    /// From the point to the closest one of the face, and to where snapToFace puts it.
+    /// From the point to the face's closest point, and to where snapToFace puts it.
     Vec3 toClosest;
     Vec3 toPlace;
-    /// Of the face, and of its smallest part (itself, an edge, a vertex) that holds the closest
-    /// point; NoId elsewhere.
+    /// The vertices of the face, and of its smallest part (vertex, edge or the face) that contains
+    /// the closest point, filled with NoId.
     Triangle corners;
     Triangle support;
 
@@ -62,7 +62,7 @@ public:
     }
   };
 
-  /// The faces from which closest() chooses: for a caller who knows of more. In no order.
+  /// The faces from which closest() chooses, unordered: for callers with additional faces.
   std::vector<Candidate> candidates(
     const Vec3& point, double coordinatePrecision, const ProgressCallback& progress = {});
 
@@ -76,7 +76,7 @@ private:
     /// A range of faces_.
     Id first;
     Id last;
-    /// The first of its two parts, which follow each other; NoId while there are none.
+    /// The first of its two parts, which are adjacent; NoId before the node is divided.
     Id parts = NoId;
   };
   struct Search;

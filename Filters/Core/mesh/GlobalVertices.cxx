@@ -29,7 +29,7 @@ GlobalVertices::GlobalVertices(const MeshPartition& part)
   this->first_ = this->firstOfRank_[rankIndex(part.exchange().rank())];
 }
 
-// Ranks that count none begin where the next one does.
+// A rank that counts no vertex begins at the same id as the next rank.
 int GlobalVertices::rankOf(Id globalId) const
 {
   const auto behind =

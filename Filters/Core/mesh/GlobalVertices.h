@@ -9,30 +9,31 @@
 namespace geodesic
 {
 
-/// Finds vertices of a surface that ranks have together by their numbers in the whole: the rank
-/// that counts a vertex, and on that rank the vertex.
+/// Finds vertices of a distributed surface by their global ids: the rank that counts a vertex, and
+/// the vertex on that rank.
 class GlobalVertices
 {
 public:
-  /// All ranks together make it.
+  /// A collective call of all ranks.
   ///
-  /// \param part of this rank; must outlive this.
+  /// \param part this rank's partition; must outlive this.
   explicit GlobalVertices(const MeshPartition& part);
 
   /// The rank that counts a vertex.
   int rankOf(Id globalId) const;
   bool isHere(Id globalId) const { return globalId - this->first_ < this->count_; }
-  /// One that is counted here.
+  /// A vertex that this rank counts.
   Id vertexAt(Id globalId) const { return this->here(globalId - this->first_); }
-  /// How many are counted here, and these, ascending, which is in the order of their numbers.
+  /// The number of vertices that this rank counts, and these vertices in ascending order, which is
+  /// also the order of their global ids.
   Id count() const { return this->count_; }
   Id here(Id i) const { return this->here_.empty() ? i : this->here_[i]; }
 
 private:
-  /// Empty in one process, where all are.
+  /// Empty in one process, which counts all vertices.
   std::vector<Id> here_;
   Id count_ = 0;
-  /// The number of the first vertex that each rank counts, and this rank's.
+  /// The global id of the first vertex that each rank counts, and this rank's.
   std::vector<Id> firstOfRank_;
   Id first_ = 0;
 };

@@ -13,10 +13,10 @@
 namespace geodesic
 {
 
-/// Numbered items by a key that each of them has.
+/// Numbered items, grouped by key.
 struct GroupedItems
 {
-  /// The items of key k stand from start[k] on to before start[k + 1].
+  /// The items of key k are those from start[k] to before start[k + 1].
   std::vector<Id> start;
   /// Ascending within a key.
   UninitializedVector<Id> items;
@@ -27,11 +27,11 @@ struct GroupedItems
   }
 };
 
-/// Groups items by key, side by side: a counting sort whose items go first, from blocks of
-/// neighbouring items, to coarse ranges of keys, and then in each range to their keys. What is
-/// written at one time is near together, too.
+/// Groups items by key in parallel: a counting sort, first from blocks of consecutive items into
+/// coarse ranges of keys, then within each range. So writes that are close in time are close in
+/// memory.
 ///
-/// \tparam KeyOf tells the key of an item, from several threads and several times.
+/// \tparam KeyOf returns the key of an item; called by several threads and several times.
 template <typename KeyOf>
 class ItemGrouping
 {
@@ -95,7 +95,7 @@ private:
     }
   }
 
-  // Where the items of each block go in each range.
+  // For each block and range, where the block's items go.
   void findPlaces()
   {
     this->places_.assign(this->blocks_, std::vector<Id>(this->blocks_, 0));
@@ -152,8 +152,8 @@ private:
   UninitializedVector<Id> byRange_;
 };
 
-/// \param progress told by the calling thread.
-/// \param keyOf the key, below numberOfKeys, of an item below the count.
+/// \param progress called by the calling thread.
+/// \param keyOf returns the key, below numberOfKeys, of an item below the count.
 /// \throws Aborted
 template <typename KeyOf>
 GroupedItems groupItems(Id count, Id numberOfKeys, const ParallelFor& parallelFor,

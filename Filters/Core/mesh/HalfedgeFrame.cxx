@@ -43,7 +43,7 @@ Vec2 apexOf(const TriangleMesh& mesh, Id halfedge)
   return { shape.cornerDot[halfedge % 3] / length, shape.area2 / length };
 }
 
-// By the cosine and the sine of the angle between the two halfedges.
+// Rotates by the cosine and the sine of the angle between the two halfedges.
 Vec2 turned(const TriangleMesh& mesh, Vec2 direction, Id fromHalfedge, Id toHalfedge)
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(fromHalfedge));

@@ -10,7 +10,7 @@ namespace geodesic
 /// Barycentric coordinates of a point of a face.
 using Barycentric = std::array<double, 3>;
 
-/// Those of corner k.
+/// The barycentric coordinates of corner k.
 inline Barycentric cornerWeights(std::size_t k)
 {
   Barycentric weights{};
@@ -29,21 +29,20 @@ inline Barycentric between(const Barycentric& a, const Barycentric& b, double t)
   return point;
 }
 
-/// A point of a face in the frame of one of its halfedges: the halfedge along the x axis from its
-/// origin, the face above.
+/// A point of a face in the frame of one of its halfedges: the halfedge lies along the x axis from
+/// its origin, the face above it.
 Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& point);
 
-/// The way back: the coordinates of a point of the plane, some of them negative outside of the
-/// face. In a face without height those of the nearest point of the halfedge's line.
+/// The inverse: the coordinates of a point of the plane, some of which are negative outside of the
+/// face. In a face without height, the coordinates of the nearest point on the halfedge's line.
 Barycentric fromHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, Vec2 point);
 
-/// The apex of that frame: the vertex opposite the halfedge, which must have a length.
+/// The apex in that frame: the vertex opposite the halfedge, whose length must not be 0.
 Vec2 apexOf(const TriangleMesh& mesh, Id halfedge);
 
 /// A direction in the frame of another halfedge of the same face.
 Vec2 turned(const TriangleMesh& mesh, Vec2 direction, Id fromHalfedge, Id toHalfedge);
 
-/// The face's longest halfedge, whose frame serves for the whole face.
 Id longestHalfedge(const TriangleMesh& mesh, Id face);
 
 /// The straight distance within a face.

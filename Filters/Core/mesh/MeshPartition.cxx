@@ -11,7 +11,7 @@ namespace geodesic
 namespace
 {
 
-/// A point that a rank has, at the rank that looks after its key.
+/// A point of a rank, as sent to the rank that manages its key.
 struct KeyedVertex
 {
   std::uint64_t key;
@@ -36,11 +36,11 @@ Id checkedId(std::uint64_t number, const char* what)
 
 } // anonymous namespace
 
-/// A face of the halo as it comes from its owner.
+/// A face of the halo, as received from its owner.
 struct MeshPartition::HaloFace
 {
   int rank;
-  /// The vertices' numbers in the whole, and where they lie.
+  /// The vertices' global ids and coordinates.
   Triangle vertices;
   std::array<Vec3, 3> points;
 };
@@ -67,13 +67,14 @@ MeshPartition::Tables::Tables(std::vector<Vec3> points, const std::vector<Triang
   this->exchangeAddresses(received);
 }
 
-// Every key is looked after by one rank, which is told who has it and tells those who share it.
+// Each key is managed by one rank: all ranks report their keys to their managers, who tell those
+// that share a key.
 void MeshPartition::Tables::findHolders(const std::vector<std::uint64_t>& keys)
 {
   std::vector<Message> told = this->exchange.noMessages();
   for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
   {
-    // Keys may have any pattern: a multiplication spreads it (Knuth, 6.4).
+    // Keys may have any pattern; a multiplication scatters them (Knuth, 6.4).
     const std::uint64_t hash = keys[vertex] * 0x9e3779b97f4a7c15U;
     Message& message = told[(hash >> 32) % told.size()];
     put(message, keys[vertex]);
@@ -136,8 +137,8 @@ void MeshPartition::Tables::findHolders(const std::vector<std::uint64_t>& keys)
   std::partial_sum(this->firstHolder.begin(), this->firstHolder.end(), this->firstHolder.begin());
 }
 
-// The lowest rank that has a vertex numbers it and says where it lies: points that are one may
-// differ by roundings.
+// The lowest rank that has a vertex assigns its global id and its coordinates: points that are one
+// may differ by roundings.
 void MeshPartition::Tables::numberVertices(std::vector<Vec3>& points)
 {
   std::uint64_t counted = 0;
@@ -175,7 +176,7 @@ void MeshPartition::Tables::numberVertices(std::vector<Vec3>& points)
     });
 }
 
-// Every rank gives each of its faces to the others that have one of its vertices.
+// Every rank sends each of its faces to the other ranks that have one of its vertices.
 std::vector<MeshPartition::HaloFace> MeshPartition::Tables::exchangeHalo(
   const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
 {
@@ -276,8 +277,8 @@ void MeshPartition::Tables::makeMesh(std::vector<Vec3> points,
     checkedId(sumOverRanks(this->exchange, this->endOfOwnFaces - this->firstOwnFace).all, "faces");
 }
 
-// The mesh leaves out faces that name a vertex twice and all but the first of those on the same
-// vertices, which is the lowest rank's.
+// The mesh leaves out faces that name a vertex twice, and of faces on the same vertices all but the
+// first, which is the lowest rank's.
 void MeshPartition::Tables::findFacesOfTriangles(const std::vector<Triangle>& triangles, Id first)
 {
   const auto end = static_cast<Id>(first + triangles.size());
@@ -319,7 +320,7 @@ void MeshPartition::Tables::findFacesOfTriangles(const std::vector<Triangle>& tr
   }
 }
 
-// Tells those who have a copy of a face what its number is here. All leave out the same faces.
+// Sends this rank's number of a face to those that have a copy. All ranks leave out the same faces.
 void MeshPartition::Tables::exchangeAddresses(const std::vector<HaloFace>& received)
 {
   std::vector<Message> told = this->exchange.noMessages();
@@ -331,7 +332,7 @@ void MeshPartition::Tables::exchangeAddresses(const std::vector<HaloFace>& recei
     }
   }
   this->given = {};
-  std::vector<RankAddress> addresses; // of each face received
+  std::vector<RankAddress> addresses; // one per received face
   addresses.reserve(received.size());
   readEach(this->exchange.step(std::move(told)),
     [&](int rank, MessageReader& reader) {

@@ -12,7 +12,7 @@
 namespace geodesic
 {
 
-/// A face or a vertex, as it is numbered on one rank.
+/// A face or a vertex with its number on one rank.
 struct RankAddress
 {
   int rank;
@@ -24,15 +24,15 @@ struct RankAddress
   }
 };
 
-/// What one rank has of a surface: the faces that it owns and, where several ranks have the surface
-/// together, copies of all others around their vertices (the halo), so that angles, siblings and
-/// boundary are those of the whole there. Every face of the whole is owned by exactly one rank.
+/// One rank's part of a surface: the faces that it owns and, if several ranks share the surface,
+/// copies of all other faces around their vertices (the halo), so that angles, siblings and
+/// boundary there are those of the whole surface. Exactly one rank owns each face.
 ///
-/// In one process a mesh is its own partition: all faces are owned, there is no halo, local numbers
-/// are the global ones, and no table is kept.
+/// In one process a mesh is its own partition: it owns all faces, has no halo, local ids are global
+/// ones, and there are no tables.
 ///
-/// Faces stand in the order of the whole, which is by rank. Vertices of faces that are owned come
-/// first, with their numbers, then those of the halo only. Copies share the tables.
+/// Faces are in global order, which is by rank. Vertices of owned faces come first, in the order of
+/// their ids, then those of the halo only. Copies share the tables.
 class MeshPartition
 {
 public:
@@ -46,34 +46,34 @@ public:
   {
   }
 
-  /// All ranks together make their partitions.
+  /// A collective call of all ranks.
   ///
-  /// \param points those of this rank, each used by one of its triangles.
-  /// \param triangles its faces; none of two ranks' faces on the same vertices are both kept, but
-  ///        the lower rank's.
-  /// \param keys one a point: points of different ranks are one vertex where their keys are equal,
-  ///        and lie where the lowest of these ranks has it. A rank has each key once.
+  /// \param points this rank's points, each used by one of its triangles.
+  /// \param triangles its faces. If faces of two ranks have the same vertices, only the lower
+  ///        rank's is kept.
+  /// \param keys one per point: points of different ranks with equal keys are one vertex, at the
+  ///        coordinates that the lowest of these ranks has. The keys of one rank are distinct.
   /// \param exchange must outlive this.
-  /// \throws MeshError where the whole has no face, MeshTooLarge; what TriangleMesh throws;
+  /// \throws MeshError if the whole surface has no face, MeshTooLarge; errors of TriangleMesh;
   /// Aborted.
   MeshPartition(std::vector<Vec3> points, std::vector<Triangle> triangles,
     const std::vector<std::uint64_t>& keys, Exchange& exchange,
     const ProgressCallback& progress = {});
 
-  /// Whether several ranks have the surface together. Where not, the exchange has nothing to do.
+  /// Whether several ranks share the surface. If not, the exchange is trivial.
   bool isDistributed() const { return this->tables_ != nullptr; }
   Exchange& exchange() const { return *this->exchange_; }
   const TriangleMesh& mesh() const { return *this->mesh_; }
 
-  /// The faces that this rank owns are those from the first to before the end.
+  /// This rank owns the faces from the first to before the end.
   Id firstOwnFace() const { return this->firstOwnFace_; }
   Id endOfOwnFaces() const { return this->endOfOwnFaces_; }
   bool isOwn(Id face) const
   {
     return face - this->firstOwnFace_ < this->endOfOwnFaces_ - this->firstOwnFace_;
   }
-  /// The face that one of the constructor's triangles has become, or the copy of the face that
-  /// stands for it; NoId where it names a vertex twice. Distributed only.
+  /// The face made from one of the constructor's triangles, or the kept copy of that face; NoId if
+  /// the triangle names a vertex twice. Distributed only.
   Id faceOfTriangle(Id triangle) const { return this->tables_->faceOfTriangle[triangle]; }
   /// Vertices below this one are the constructor's points.
   Id numberOfOwnVertices() const
@@ -81,27 +81,27 @@ public:
     return this->tables_ ? this->tables_->numberOfOwnVertices : this->mesh_->numberOfVertices();
   }
 
-  /// Where a face of the halo is owned.
+  /// The owner of a face of the halo.
   RankAddress ownerOf(Id face) const
   {
     return this->tables_
       ->halo[face < this->firstOwnFace_ ? face
                                         : face - (this->endOfOwnFaces_ - this->firstOwnFace_)];
   }
-  /// The same of any face.
+  /// The owner of any face.
   RankAddress addressOf(Id face) const
   {
     return this->isOwn(face) ? RankAddress{ this->exchange_->rank(), face } : this->ownerOf(face);
   }
-  /// The copy in this rank's halo of a face that another rank owns; NoId where there is none.
+  /// The copy in this rank's halo of a face that another rank owns; NoId if there is none.
   Id copyOf(const RankAddress& face) const;
-  /// A face of this rank by its address, whoever owns it; NoId where it is not here.
+  /// A face by its address, owned by any rank; NoId if this rank does not have it.
   Id faceAt(const RankAddress& face) const
   {
     return face.rank == this->exchange_->rank() ? face.id : this->copyOf(face);
   }
 
-  /// The other ranks that have a vertex of this rank in their faces, and its number there, by rank.
+  /// The other ranks whose faces have a vertex of this rank, and its number there, by rank.
   struct Holders
   {
     const RankAddress* first = nullptr;
@@ -114,14 +114,14 @@ public:
     return this->tables_ ? this->tables_->othersWith(vertex) : Holders();
   }
   bool isShared(Id vertex) const { return this->tables_ && this->tables_->isShared(vertex); }
-  /// Whether no lower rank has the vertex: it is counted here.
+  /// Whether this rank counts the vertex, because no lower rank has it.
   bool isCountedHere(Id vertex) const
   {
     return !this->tables_ || this->tables_->isCountedHere(vertex);
   }
 
-  /// The number of a vertex in the whole, the same on all ranks. Those that a rank counts follow
-  /// one another, behind those that lower ranks count.
+  /// The global id of a vertex, the same on all ranks. The ids of the vertices that a rank counts
+  /// are consecutive and follow those of lower ranks.
   Id globalId(Id vertex) const { return this->tables_ ? this->tables_->globalIds[vertex] : vertex; }
   Id numberOfGlobalVertices() const
   {
@@ -135,7 +135,7 @@ public:
 private:
   struct HaloFace;
 
-  /// What a rank knows of the others.
+  /// What a rank knows of the other ranks.
   struct Tables
   {
     Tables(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
@@ -178,7 +178,8 @@ private:
     std::vector<Id> firstHolder;
     std::vector<RankAddress> holders;
     std::vector<Id> globalIds;
-    /// While they are made: the triangles that each rank has a copy of, in the order of sending.
+    /// Used by the constructor: the triangles that each rank has copies of, in the order of
+    /// sending.
     std::vector<std::vector<Id>> given;
   };
 

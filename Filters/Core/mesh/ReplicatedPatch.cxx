@@ -6,11 +6,11 @@
 namespace geodesic
 {
 
-/// A face as it is sent to all ranks.
+/// A face as sent to all ranks.
 struct ReplicatedPatch::Face
 {
   RankAddress owner;
-  /// In the whole.
+  /// Global ids.
   Triangle vertices;
   std::array<Vec3, 3> points;
   std::uint8_t boundary;
@@ -72,7 +72,7 @@ ReplicatedPatch::Tables::Tables(const MeshPartition& part, const std::vector<Id>
 namespace
 {
 
-/// The faces around the vertices of some, and these: with copies, ascending.
+/// Some faces and all faces around their vertices, including copies, ascending.
 std::vector<Id> withNeighbours(const TriangleMesh& mesh, const std::vector<Id>& faces)
 {
   std::vector<Id> around;
@@ -91,7 +91,7 @@ std::vector<Id> withNeighbours(const TriangleMesh& mesh, const std::vector<Id>& 
   return around;
 }
 
-/// The same of all ranks' faces: what is owned here of it.
+/// The same for all ranks' faces together, restricted to faces that this rank owns.
 std::vector<Id> ownWithNeighbours(const MeshPartition& part, const std::vector<Id>& faces)
 {
   std::vector<Id> own;
@@ -113,8 +113,8 @@ std::vector<Id> ownWithNeighbours(const MeshPartition& part, const std::vector<I
 
 } // anonymous namespace
 
-// Every rank sends its faces among those asked for and around them, and what is around these, also
-// copies.
+// Every rank sends its own faces among the requested ones and their neighbours, together with the
+// faces around these, including copies.
 std::vector<ReplicatedPatch::Face> ReplicatedPatch::gather(
   const MeshPartition& part, const std::vector<Id>& faces)
 {
@@ -139,7 +139,7 @@ std::vector<ReplicatedPatch::Face> ReplicatedPatch::gather(
   readEach(part.exchange().tellAll(message),
     [&](int, MessageReader& reader) { gathered.push_back(reader.get<Face>()); });
   std::sort(gathered.begin(), gathered.end());
-  // Of copies one face is left, which knows what its owner has said of the boundary.
+  // If there are copies, the one from the owner is kept, which has the right boundary.
   std::vector<Face> result;
   for (const Face& face : gathered)
   {

@@ -10,43 +10,43 @@
 namespace geodesic
 {
 
-/// A small part of a surface that ranks have together, as a mesh that is the same on all of them:
-/// some faces, all others around their vertices, and all around the vertices of these, so that
-/// angles and siblings are those of the whole wherever paths leave points of the former.
+/// A small part of a distributed surface as a mesh that is the same on all ranks: some faces, all
+/// others around their vertices, and all around the vertices of these. So angles and siblings are
+/// those of the whole surface wherever paths leave points of the first faces.
 ///
-/// In one process the mesh is its own patch, and no table is kept. Copies share the tables.
+/// In one process the mesh is its own patch, and there are no tables. Copies share the tables.
 class ReplicatedPatch
 {
 public:
-  /// In one process: the whole surface.
+  /// The whole surface, in one process.
   ///
   /// \param mesh must outlive this and its copies.
   explicit ReplicatedPatch(const TriangleMesh& mesh)
     : mesh_(&mesh)
   {
   }
-  /// All ranks together gather it.
+  /// A collective call of all ranks.
   ///
-  /// \param part of this rank.
-  /// \param faces of the part that belong to the patch, owned here; in any order.
+  /// \param part this rank's partition.
+  /// \param faces faces of the patch that this rank owns, in any order.
   ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces);
 
-  /// Its faces stand in the order of the whole, its vertices in that of their global numbers.
+  /// Faces are in global order, vertices in the order of their global ids.
   const TriangleMesh& mesh() const { return *this->mesh_; }
 
-  /// Where a face is owned, and a vertex's global number.
+  /// The owner of a face, and a vertex's global id.
   RankAddress ownerOf(Id face) const
   {
     return this->tables_ ? this->tables_->owners[face] : RankAddress{ 0, face };
   }
   Id globalId(Id vertex) const { return this->tables_ ? this->tables_->globalIds[vertex] : vertex; }
-  /// The face of the patch that a face of the whole has become; NoId where it has not.
+  /// The patch's copy of a face; NoId if the patch does not have it.
   Id faceAt(const RankAddress& face) const;
-  /// The same of a vertex, by its global number.
+  /// The patch's copy of a vertex, by global id; NoId if the patch does not have it.
   Id vertexAt(Id globalId) const;
 
-  /// Whether an edge of one of the faces asked for is boundary of the whole. The patch has boundary
-  /// of its own where it ends.
+  /// Whether an edge of one of the first faces is on the boundary of the whole surface. The patch
+  /// has a boundary of its own where it ends.
   bool isGlobalBoundary(Id halfedge) const
   {
     return this->tables_
@@ -54,8 +54,8 @@ public:
       : this->mesh_->isBoundary(halfedge);
   }
 
-  /// A face and a vertex of the patch as this rank's part has them; NoId where it has not. Of
-  /// vertices only those of faces that this rank owns are looked for.
+  /// The number of the patch's face or vertex in this rank's partition; NoId if the partition does
+  /// not have it. Vertices are found only on faces that this rank owns.
   Id faceOfPart(Id face) const { return this->tables_ ? this->tables_->faceOfPart[face] : face; }
   Id vertexOfPart(Id vertex) const
   {

@@ -11,7 +11,7 @@ namespace geodesic
 namespace
 {
 
-/// The corner (0, 1, 2) of the face at a vertex; NoId where the face does not have it.
+/// The corner (0, 1, 2) of the face at a vertex; NoId if the vertex is not in the face.
 Id cornerWith(const TriangleMesh& mesh, Id face, Id vertex)
 {
   const Triangle& corners = mesh.triangle(face);
@@ -25,8 +25,7 @@ Id cornerWith(const TriangleMesh& mesh, Id face, Id vertex)
   return NoId;
 }
 
-/// The point on the halfedge opposite corner k; a vertex where the fraction cannot be told from 0
-/// or 1.
+/// The point on the halfedge opposite corner k; a vertex if rounding makes the fraction 0 or 1.
 SurfacePoint onEdgeOpposite(
   const TriangleMesh& mesh, Id face, Id k, const std::array<double, 3>& weights)
 {
@@ -45,7 +44,7 @@ SurfacePoint onEdgeOpposite(
   return SurfacePoint::onEdge(halfedge, fraction);
 }
 
-/// The point of a face without area, all of which lies on the longest edge.
+/// A point of a face without area, whose points all lie on the longest edge.
 SurfacePoint onLongestEdge(const TriangleMesh& mesh, Id face, const std::array<double, 3>& weights)
 {
   const Id halfedge = longestHalfedge(mesh, face);
@@ -55,7 +54,6 @@ SurfacePoint onLongestEdge(const TriangleMesh& mesh, Id face, const std::array<d
                                           : SurfacePoint::atVertex(mesh.origin(halfedge));
 }
 
-/// Whether two halfedges are of one edge.
 bool sameEdge(const TriangleMesh& mesh, Id a, Id b)
 {
   return std::minmax({ mesh.origin(a), mesh.destination(a) }) ==
@@ -75,7 +73,7 @@ bool sameEdgePlace(const TriangleMesh& mesh, const SurfacePoint& a, const Surfac
   return std::abs(a.u - (1.0 - b.u)) <= std::numeric_limits<double>::epsilon();
 }
 
-/// A point of the surface as seen from a corner of its face.
+/// A point of the surface relative to a corner of its face.
 struct FromCorner
 {
   Vec3 corner;
@@ -114,14 +112,14 @@ SurfacePoint fromBarycentric(
   }
   const double sum = weights[0] + weights[1] + weights[2];
   const auto largest = std::max_element(weights.begin(), weights.end());
-  if (*largest == sum) // the others vanish beside it
+  if (*largest == sum) // rounding makes the others vanish
   {
     return SurfacePoint::atVertex(
       mesh.triangle(face)[static_cast<std::size_t>(largest - weights.begin())]);
   }
   const double u = weights[1] / sum;
   const double v = weights[2] / sum;
-  // Corner 0's coordinate is stored as 1 - u - v: too small a one is lost there, and is zero.
+  // Corner 0's coordinate is stored as 1 - u - v: if rounding loses it there, it is zero.
   const std::array<bool, 3> isZero = { weights[0] == 0.0 || 1.0 - u - v <= 0.0, u == 0.0,
     v == 0.0 };
 
@@ -154,7 +152,7 @@ std::array<double, 3> barycentric(const TriangleMesh& mesh, const SurfacePoint& 
       result[cornerWith(mesh, face, point.id)] = 1.0;
       break;
     case SurfacePoint::Kind::Edge:
-      // By vertex, as halfedges of one edge may run either way.
+      // By vertex, as the halfedges of an edge may run in either direction.
       result[cornerWith(mesh, face, mesh.origin(point.id))] = 1.0 - point.u;
       result[cornerWith(mesh, face, mesh.destination(point.id))] = point.u;
       break;

@@ -11,8 +11,8 @@ namespace geodesic
 namespace
 {
 
-/// A face in space. Positions are always relative to one of its corners, so that little is lost far
-/// from the origin.
+/// A face in space. Positions are relative to one of its corners, so that little precision is lost
+/// far from the origin.
 class Face
 {
 public:
@@ -33,7 +33,7 @@ public:
   /// From corner k to corner k + 1.
   const Vec3& edge(std::size_t k) const { return this->edge_[k]; }
   double length(std::size_t k) const { return this->shape_.length[k]; }
-  /// Of corner k over the halfedge opposite.
+  /// Height of corner k over the opposite halfedge.
   double altitude(std::size_t k) const
   {
     const double base = this->shape_.length[(k + 1) % 3];
@@ -57,20 +57,20 @@ private:
   std::array<Vec3, 3> edge_;
 };
 
-/// A point of the face and how far the given point is from it.
+/// A point of the face, and the given point's distance from it.
 struct Candidate
 {
   std::array<double, 3> weights{};
   double distance = Infinity;
 };
 
-/// The fraction of the way along halfedge k of the point nearest to the one at `fromOrigin` from
-/// corner k.
+/// Where on halfedge k, as a fraction, the point nearest to the given one lies; `fromOrigin` is the
+/// given point relative to corner k.
 double fractionAlong(const Face& face, std::size_t k, const Vec3& fromOrigin)
 {
   const Vec3& edge = face.edge(k);
   const double t = dot(fromOrigin, edge) / dot(edge, edge);
-  return t > 0.0 ? std::min(t, 1.0) : 0.0; // not a number where the halfedge has no length: 0
+  return t > 0.0 ? std::min(t, 1.0) : 0.0; // NaN becomes 0 if the halfedge has no length
 }
 
 Candidate closestOnEdge(const Face& face, std::size_t k, const Vec3& point)
@@ -86,8 +86,8 @@ Candidate closestOnEdge(const Face& face, std::size_t k, const Vec3& point)
   return result;
 }
 
-/// The foot of the perpendicular onto the face's plane, where it is inside the face; a candidate at
-/// infinity elsewhere, and where the face has no plane.
+/// The foot of the perpendicular onto the face's plane if it lies inside the face. Otherwise, or if
+/// the face has no plane, a candidate at infinity.
 Candidate closestInside(const Face& face, const Vec3& point)
 {
   const std::size_t longest = face.longestEdge();
@@ -114,8 +114,8 @@ Candidate closestInside(const Face& face, const Vec3& point)
   return result;
 }
 
-/// Of all candidates the nearest, by measured distance: in a needle the foot may be wrong by
-/// rounding, but then a halfedge is measured to be nearer.
+/// The nearest candidate by measured distance: in a needle rounding may misplace the foot, but then
+/// a halfedge is measured to be nearer.
 Candidate closestPoint(const Face& face, const Vec3& point)
 {
   Candidate best = closestOnEdge(face, 0, point);
@@ -142,7 +142,7 @@ double largestCoordinate(const Face& face, const Vec3& point)
   return largest;
 }
 
-/// Moves the point onto the nearest vertex within the precision; false where there is none.
+/// Moves the point onto the nearest vertex within the precision; false if there is none.
 bool snapToVertex(const Face& face, double precision, std::array<double, 3>& weights)
 {
   double nearest = Infinity;
@@ -166,7 +166,7 @@ bool snapToVertex(const Face& face, double precision, std::array<double, 3>& wei
   return false;
 }
 
-/// Moves the point straight onto the nearest halfedge within the precision, if there is one.
+/// Moves the point perpendicularly onto the nearest halfedge within the precision, if any.
 void snapToEdge(const Face& face, double precision, std::array<double, 3>& weights)
 {
   double nearest = Infinity;

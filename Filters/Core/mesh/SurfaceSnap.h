@@ -14,15 +14,15 @@ struct SnappedPoint
   SurfacePoint place;
   /// From the point in space to the place, measured from a corner of the face.
   Vec3 offset{};
-  /// The same length, by the coordinates that the place has.
+  /// The length of the offset to the place as stored by its coordinates.
   double distance = 0.0;
   /// The precision of the place: points closer together than this are one.
   double tolerance = 0.0;
 };
 
 /// Puts a point onto the closest point of a face, and from there onto a vertex or an edge of the
-/// face that is within the precision of the coordinates (Tolerance.h). Faces may be needles or have
-/// no area.
+/// face within the precision of the coordinates (Tolerance.h). Faces may be needles or have no
+/// area.
 ///
 /// \param coordinatePrecision relative precision of the point's coordinates.
 SnappedPoint snapToFace(

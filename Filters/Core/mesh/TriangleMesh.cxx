@@ -38,8 +38,8 @@ bool FaceShape::hasZeroArea() const
   return this->area2 <= tolerance::ZeroArea * longest * longest;
 }
 
-/// Builds a mesh, stage by stage. What each stage finds out about a face or a vertex is written by
-/// one task, so that it does not matter which thread runs it.
+/// Builds a mesh in stages. In each stage, one task alone writes the results for a face or a
+/// vertex, so the result does not depend on which thread runs it.
 class TriangleMesh::Builder
 {
 public:
@@ -68,12 +68,12 @@ public:
   }
 
 private:
-  /// What was found in a range of the triangles.
+  /// Results for a range of the triangles.
   struct Checked
   {
-    /// The first one with a point that does not exist.
+    /// The first triangle with a vertex id out of range.
     std::size_t wrong;
-    /// How many name three different vertices.
+    /// Number of triangles with three different vertices.
     Id kept;
   };
 
@@ -104,14 +104,14 @@ private:
   void measureFaces();
   void findPseudoSources();
 
-  /// Side by side, reporting progress.
+  /// Runs in parallel and reports progress.
   template <typename Range>
   void forRanges(std::size_t count, const Range& range) const
   {
     geodesic::forRanges(this->parallelFor_, count, this->progress_, range);
   }
 
-  /// For how many faces or vertices test(id) is true.
+  /// The number of faces or vertices for which test(id) is true.
   template <typename Test>
   Id sumOf(Id count, const Test& test) const
   {
@@ -233,7 +233,7 @@ void TriangleMesh::Builder::takeFaces(const std::vector<Triangle>& triangles)
     });
 }
 
-// The halfedges of one edge are found among those with the same lower vertex.
+// The halfedges of one edge have the same lower vertex.
 void TriangleMesh::Builder::linkSiblings()
 {
   const TriangleMesh& mesh = this->mesh_;
@@ -261,7 +261,7 @@ void TriangleMesh::Builder::linkSiblings()
   }
 }
 
-// Of halfedges with one lower vertex those with the same higher one are siblings.
+// Among halfedges with the same lower vertex, those with the same higher vertex are siblings.
 void TriangleMesh::Builder::linkSiblings(
   const IdRange& halfedges, std::vector<ByHigh>& byHigh, EdgeCounts& counts)
 {
@@ -371,9 +371,9 @@ void TriangleMesh::Builder::findPseudoSources()
 namespace
 {
 
-// Where a face without area has a corner on its longest edge, it lies on that edge: what rounding
-// left of its altitude would turn rays by as much at each crossing, and windows drift around
-// several such faces until they are no longer told to be one.
+// If a face without area has a corner on its longest edge, it becomes flat: what rounding left of
+// the altitude would turn rays by as much at each crossing, and windows would drift around several
+// such faces until they were no longer recognised as one.
 //
 // A corner that was put onto the edge has been rounded as coordinates are.
 void flatten(FaceShape& shape, std::size_t longest, double largestCoordinate)
@@ -408,7 +408,7 @@ FaceShape TriangleMesh::measure(Id face) const
   {
     shape.cornerDot[k] = -dot(edge[k], edge[(k + 2) % 3]);
   }
-  // Of the three equal cross products the one of the two shorter edges has the least rounding.
+  // Of the three equal cross products, the one of the two shorter edges has the least rounding.
   const std::size_t longest = shape.longestEdge();
   shape.area2 = norm(cross(edge[(longest + 1) % 3], edge[(longest + 2) % 3]));
   flatten(shape, longest,
@@ -478,8 +478,8 @@ TriangleMesh::PseudoSource TriangleMesh::findPseudoSource(Id vertex) const
   return bends ? PseudoSource::Saddle : PseudoSource::None;
 }
 
-// Walks from corner to corner across the edges at the vertex; every corner is met where there is
-// one fan. Only called where these edges have one or two halfedges.
+// Walks from corner to corner across the edges at the vertex; if there is one fan, the walk reaches
+// every corner. Requires that these edges have one or two halfedges.
 bool TriangleMesh::isOneFan(Id vertex) const
 {
   const IdRange corners = this->cornersAt(vertex);
@@ -487,7 +487,7 @@ bool TriangleMesh::isOneFan(Id vertex) const
   {
     return true;
   }
-  // Begin at a boundary edge where there is one, so that one walk meets the whole fan.
+  // The walk begins at a boundary edge if there is one, so that it covers the whole fan.
   Id entered = *corners.begin();
   for (const Id corner : corners)
   {

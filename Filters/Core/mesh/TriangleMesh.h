@@ -13,8 +13,8 @@
 namespace geodesic
 {
 
-/// The metric of one face: what unfolding needs, taken from differences of coordinates so that it
-/// stays accurate in needles (lengths alone would lose half the digits).
+/// The metric of one face, as unfolding needs it. It is computed from differences of coordinates
+/// and so stays accurate in needles; lengths alone would lose half the digits.
 struct FaceShape
 {
   /// Length of halfedge k, from corner k to corner k + 1.
@@ -24,35 +24,34 @@ struct FaceShape
   /// Twice the area.
   double area2;
 
-  /// Which halfedge is the longest, and its length.
   std::size_t longestEdge() const
   {
     return static_cast<std::size_t>(
       std::max_element(this->length.begin(), this->length.end()) - this->length.begin());
   }
   double longest() const { return this->length[this->longestEdge()]; }
-  /// By tolerance::ZeroArea.
+  /// According to tolerance::ZeroArea.
   bool hasZeroArea() const;
 };
 
 /// An indexed triangle mesh of any topology: with boundary, several components, edges of three and
 /// more faces, bow-tie vertices, inconsistent orientation, zero-area faces.
 ///
-/// A halfedge is one edge of one face, numbered 3 * face + k for the edge from corner k to corner
-/// k + 1 (mod 3). The halfedges of one edge are siblings (after geometry-central) and stand in a
-/// circle (nextSibling): a boundary edge has one halfedge, an inner edge two, a non-manifold edge
-/// more; siblings may run in either direction. Nothing else about topology is stored.
+/// A halfedge is one edge of one face, numbered 3 * face + k for the edge from corner k to corner k
+/// + 1 (mod 3). The halfedges of one edge are siblings (after geometry-central) and form a circular
+/// list (nextSibling): a boundary edge has one halfedge, an inner edge two, a non-manifold edge
+/// more; siblings may run in either direction. The mesh stores no other topology.
 class TriangleMesh
 {
 public:
-  /// What the constructor found in its input and left out or noticed.
+  /// What the constructor left out or noticed.
   struct Report
   {
     /// Faces that name a vertex twice; left out.
     Id facesWithRepeatedVertex = 0;
     /// Faces on the same three vertices as an earlier one; left out.
     Id duplicateFaces = 0;
-    /// Faces without area (their corners are collinear or coincide); kept, they conduct.
+    /// Faces without area (their corners are collinear or coincide); kept, paths may cross them.
     Id zeroAreaFaces = 0;
     /// Vertices that no kept face uses; their distance stays infinite.
     Id isolatedVertices = 0;
@@ -60,18 +59,17 @@ public:
     Id nonManifoldEdges = 0;
   };
 
-  /// A mesh without vertices and faces: the part of a rank that has none.
+  /// A mesh without vertices and faces: the partition of a rank that has none.
   TriangleMesh() = default;
 
-  /// Builds the mesh. Vertices are the points; the caller has merged those that are one for
-  /// connectivity.
+  /// Builds the mesh. Each point becomes a vertex; the caller has already merged coincident points.
   ///
   /// \param points coordinates, finite.
   /// \param triangles three vertex ids a face, in any orientation.
   /// \param progress called now and then; returning false throws Aborted.
-  /// \param parallelFor absent: one thread. The mesh does not depend on it.
-  /// \throws MeshError where no face is left, an id is out of range or a coordinate is not finite;
-  ///         MeshTooLarge; Aborted.
+  /// \param parallelFor if empty, one thread. The mesh does not depend on it.
+  /// \throws MeshError if no face is left, an id is out of range or a coordinate is not finite;
+  /// MeshTooLarge; Aborted.
   TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
     const ProgressCallback& progress = {}, const ParallelFor& parallelFor = {});
 
@@ -84,11 +82,11 @@ public:
   const Vec3& point(Id vertex) const { return this->points_[vertex]; }
   const Triangle& triangle(Id face) const { return this->faces_[face].corners; }
   const FaceShape& shape(Id face) const { return this->faces_[face].shape; }
-  /// The index in the constructor's `triangles` that this face came from.
+  /// The index of this face in the constructor's `triangles`.
   Id inputFace(Id face) const { return this->inputFaces_.empty() ? face : this->inputFaces_[face]; }
 
   static Id faceOf(Id halfedge) { return halfedge / 3; }
-  /// The next halfedge of the same face, which begins where this one ends.
+  /// The next halfedge of the same face, which begins at this one's end.
   static Id nextInFace(Id halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
   static Id previousInFace(Id halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
 
@@ -106,7 +104,7 @@ public:
   /// The vertex opposite the halfedge in its face.
   Id opposite(Id halfedge) const { return this->origin(previousInFace(halfedge)); }
   double length(Id halfedge) const { return this->faces_[halfedge / 3].shape.length[halfedge % 3]; }
-  /// The other halfedge of an edge of two faces of one orientation; NoId elsewhere.
+  /// The other halfedge of an edge with two faces of the same orientation; otherwise NoId.
   Id acrossOriented(Id halfedge) const
   {
     const Id other = this->nextSibling(halfedge);
@@ -114,7 +112,7 @@ public:
       this->isInner(halfedge) && this->origin(other) == this->destination(halfedge);
     return isOpposed ? other : NoId;
   }
-  /// The halfedge of a face that is on the edge of the given halfedge; there must be one.
+  /// The halfedge of a face on the edge of the given halfedge; there must be one.
   Id siblingInFace(Id halfedge, Id face) const
   {
     while (faceOf(halfedge) != face)
@@ -133,9 +131,9 @@ public:
     }
     return corner;
   }
-  /// The halfedge of the edge with the lowest number, which names the edge.
+  /// The lowest-numbered halfedge of the edge, which identifies the edge.
   Id edgeOf(Id halfedge) const;
-  /// A halfedge of the edge between two vertices, in either direction; NoId where they have none.
+  /// A halfedge of the edge between two vertices, in either direction; NoId if there is none.
   Id halfedgeBetween(Id a, Id b) const;
 
   /// The corners (numbered as halfedges: 3 * face + k is corner k) at a vertex.
@@ -147,27 +145,27 @@ public:
   /// The angle of a face at corner 3 * face + k, in radians.
   double cornerAngle(Id corner) const;
 
-  /// Why a geodesic may bend at a vertex, so that it becomes a pseudo-source (paper, section 3).
+  /// Why a geodesic may bend at a vertex, which makes it a pseudo-source (paper, section 3).
   enum class PseudoSource : std::uint8_t
   {
     None,
-    /// One fan of faces with a total angle over 2 pi, on the boundary over pi.
+    /// One fan of faces, whose total angle exceeds 2 pi, on the boundary pi.
     Saddle,
-    /// Several fans, an edge of three and more faces, or another vertex so close by that the rays
-    /// that it sends past this one are told from rounding: angles say nothing.
+    /// Several fans, an edge of three and more faces, or another vertex so close that rounding
+    /// turns its rays past this one: angles do not decide.
     Irregular
   };
   PseudoSource pseudoSource(Id vertex) const { return this->pseudoSource_[vertex]; }
 
-  /// The number of the connected component (by shared vertices) of each vertex. Walks the whole
-  /// mesh at every call.
+  /// The number of the connected component (by shared vertices) of each vertex. Every call walks
+  /// the whole mesh.
   std::vector<Id> components() const;
 
-  /// Fetches a face ahead of its use. The faces along a front lie all over the memory.
+  /// Prefetches a face. The faces along a front are scattered over the memory.
   void prefetch(Id face) const { geodesic::prefetch(this->faces_.data() + face); }
 
 private:
-  /// All of a face, together because it is used together.
+  /// The data of a face, stored together because they are used together.
   struct Face
   {
     Triangle corners;
