@@ -9,7 +9,7 @@ namespace geodesic
 namespace
 {
 
-/// The corner at the vertex that a halfedge at the vertex belongs to.
+/// The corner at the vertex to which one of the vertex's halfedges belongs.
 Id cornerOf(const TriangleMesh& mesh, Id vertex, Id halfedge)
 {
   return mesh.origin(halfedge) == vertex ? halfedge : TriangleMesh::nextInFace(halfedge);
@@ -70,8 +70,8 @@ const std::vector<EdgeAngle>& AnglesAroundVertex::find(const TriangleMesh& mesh,
   return this->entered_;
 }
 
-// The first way across an edge enters all its faces but the one that it comes from; the next one
-// that comes from another face enters that one. All later ones would enter at a larger angle.
+// The first way across an edge enters all its faces except the one that it leaves; the first later
+// way from another face enters that one. Any other way would enter at a larger angle.
 void AnglesAroundVertex::cross(const TriangleMesh& mesh, Id vertex, const EdgeAngle& leaving)
 {
   const Id first = this->state(mesh, vertex, leaving.halfedge).firstLeft;

@@ -10,28 +10,28 @@
 namespace geodesic
 {
 
-/// An edge at a vertex, and the angle there between it and a direction. `halfedge` is the edge's in
-/// the face that a way around the vertex leaves, or enters, across the edge.
+/// An edge at a vertex, and the angle there between the edge and a direction. `halfedge` is the
+/// edge's halfedge in the face that is left or entered across the edge.
 struct EdgeAngle
 {
   Id halfedge;
   double angle;
 };
 
-/// The least angles at which the faces around a vertex are entered on ways that turn about it, from
-/// given directions: Dijkstra's algorithm over the edges at the vertex. Where an edge has three and
-/// more faces, ways go on in all of them; the work grows with the number of faces all the same.
+/// The least angles at which ways that turn around a vertex, beginning at given directions, enter
+/// the faces there: Dijkstra's algorithm over the edges at the vertex. At an edge of three and more
+/// faces a way continues into all of them, yet the work is linear in the number of faces.
 ///
-/// Keeps its memory from one call to the next.
+/// Reuses its memory in the next call.
 class AnglesAroundVertex
 {
 public:
-  /// Each face around the vertex is entered at most once across each of its two edges there.
+  /// A way enters each face at most once across each of its two edges at the vertex.
   ///
-  /// \param leaving where ways begin: faces that are left, and the angles to go to the edge.
+  /// \param leaving where ways begin: the faces that they leave, and their angles to the edge.
   /// \param limit ways end at this angle.
   /// \param step called before each edge; may throw.
-  /// \returns the faces that are entered and the angles at their edges; valid until the next call.
+  /// \returns the entered faces with the angles at their edges; valid until the next call.
   const std::vector<EdgeAngle>& find(const TriangleMesh& mesh, Id vertex,
     const std::vector<EdgeAngle>& leaving, double limit, const std::function<void()>& step);
 
@@ -41,20 +41,20 @@ private:
   void cross(const TriangleMesh& mesh, Id vertex, const EdgeAngle& leaving);
   void enter(const TriangleMesh& mesh, Id vertex, const EdgeAngle& entering);
 
-  /// What is known of a halfedge at the vertex.
+  /// State of a halfedge at the vertex.
   struct State
   {
-    /// The first of its siblings (itself included) across which a way left its face.
+    /// The first of its siblings (or itself) whose face a way left across it.
     Id firstLeft = NoId;
-    /// Whether its face has been entered across it.
+    /// Whether a way entered its face across it.
     bool isEntered = false;
   };
   State& state(const TriangleMesh& mesh, Id vertex, Id halfedge);
 
   std::vector<EdgeAngle> entered_;
-  /// A heap: the edges still to be crossed.
+  /// A heap of the edges that are yet to be crossed.
   std::vector<EdgeAngle> queue_;
-  /// Two a corner at the vertex: of the halfedge that begins there and of the one that ends there.
+  /// Two for each corner at the vertex: of its outgoing and of its incoming halfedge.
   std::vector<State> states_;
 };
 

@@ -31,7 +31,8 @@ public:
 
   std::vector<SourceCurve> run()
   {
-    // First the curves between vertices where the boundary branches or ends, then the loops left.
+    // First the curves between vertices where the boundary branches or ends, then the remaining
+    // loops.
     for (const bool loops : { false, true })
     {
       for (Id halfedge = 0; halfedge < this->mesh_.numberOfHalfedges(); ++halfedge)
@@ -60,7 +61,7 @@ private:
                                                   : this->mesh_.origin(halfedge);
   }
 
-  /// Whether one curve goes on through the boundary vertex.
+  /// Whether a curve continues through the boundary vertex.
   bool goesOn(Id vertex) const { return this->boundaryHalfedgesAt_[vertex] == 2; }
 
   Id freeHalfedgeAt(Id vertex) const
@@ -100,7 +101,7 @@ private:
   std::vector<SourceCurve> curves_;
 };
 
-/// Cuts a boundary curve of a whole surface into what the faces of a mesh have of it.
+/// Restricts a boundary curve of a whole surface to the faces of a mesh.
 class CurveCutter
 {
 public:
@@ -128,7 +129,7 @@ public:
       pieces.back().faces = this->faces_;
       return;
     }
-    // A loop is cut open behind a segment that is left out; after the last one it begins again.
+    // A loop begins behind an omitted segment and continues past its last point.
     const bool isLoop = this->curve_.isClosed();
     const auto first = isLoop ? static_cast<std::size_t>(gap - this->faces_.begin()) + 1 : 0;
     SourceCurve piece = this->begin(first);
@@ -164,7 +165,7 @@ private:
     return vertex < this->mesh_.numberOfVertices() && this->mesh_.cornersAt(vertex).size() > 0;
   }
 
-  /// Whether a loop's first point, which it repeats.
+  /// Whether the point is the last one of a loop, which repeats the first.
   bool isLast(std::size_t point) const { return point == this->count_ && this->curve_.isClosed(); }
 
   void add(SourceCurve piece, std::vector<SourceCurve>& pieces) const
@@ -179,7 +180,7 @@ private:
   const SourceCurve& curve_;
   const TriangleMesh& mesh_;
   std::size_t count_;
-  /// The mesh's face at each segment; NoId where there is none.
+  /// The mesh's face at each segment; NoId if there is none.
   std::vector<Id> faces_;
 };
 

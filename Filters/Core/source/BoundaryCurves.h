@@ -10,19 +10,18 @@
 namespace geodesic
 {
 
-/// The whole boundary of the surface: one closed curve along mesh edges a loop. Where not exactly
-/// two boundary edges meet at a vertex, curves end there (they may begin there, too). Every
-/// boundary edge is in one curve, once. Empty for a closed surface.
+/// The whole boundary of the surface: each loop is one closed curve along mesh edges. At a vertex
+/// where the number of boundary edges is not two, all curves end. Every boundary edge is in exactly
+/// one curve. Empty for a closed surface.
 std::vector<SourceCurve> boundaryCurves(const TriangleMesh& mesh);
 
-/// What faces that are no barriers have of the boundary of a surface: the pieces along their edges,
-/// and single vertices where they touch the boundary in a point only. The rest is left out, as no
-/// path leaves it. Pieces have the `source` of their curve; a curve that is kept whole stays as it
-/// is.
+/// The part of a surface's boundary on the faces of a mesh without barriers: the pieces along edges
+/// of these faces, and single vertices where faces touch the boundary in a point only. No path
+/// leaves the rest. Pieces keep the `source` of their curve; a complete curve stays unchanged.
 ///
-/// \param boundary curves of the whole surface, by boundaryCurves().
-/// \param mesh the faces that are no barriers, with the same vertices; it may be without those that
-///        none of its faces has, whose numbers are larger then than all of its own.
+/// \param boundary curves of the whole surface, from boundaryCurves().
+/// \param mesh the faces that are not barriers, with the same vertices; vertices that only barriers
+///        use may be missing at the end.
 std::vector<SourceCurve> boundaryOutsideBarriers(
   const std::vector<SourceCurve>& boundary, const TriangleMesh& mesh);
 

@@ -11,7 +11,7 @@ namespace geodesic
 namespace
 {
 
-/// One end of a curve: its beginning or its last point.
+/// One end of a curve: its first or its last point.
 struct CurveEnd
 {
   std::size_t curve;
@@ -21,7 +21,7 @@ struct CurveEnd
 
 constexpr std::size_t NoCurve = static_cast<std::size_t>(-1);
 
-/// Which end of which curve goes on at an end of a curve.
+/// For each end of a curve, the end of another curve that continues it.
 class EndPairs
 {
 public:
@@ -54,7 +54,7 @@ public:
     }
   }
 
-  /// Its curve is NoCurve where none goes on.
+  /// Its curve is NoCurve if none continues this end.
   CurveEnd partner(const CurveEnd& end) const
   {
     return this->partners_[2 * end.curve + end.isLast];
@@ -66,7 +66,8 @@ private:
   std::vector<CurveEnd> partners_;
 };
 
-/// The first end of the chain that a curve is in: back from curve to curve, or around a loop.
+/// The first end of the chain that contains a curve: back from curve to curve, or once around a
+/// loop.
 CurveEnd firstOfChain(const EndPairs& pairs, std::size_t curve)
 {
   CurveEnd first = { curve, false };
@@ -114,7 +115,7 @@ CurveChains::CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve
   }
 }
 
-// To the chain at hand; its last point is the curve's first.
+// Appends to the current chain, whose last point is the curve's first.
 void CurveChains::append(const SourceCurve& curve, bool isReversed)
 {
   SourceCurve next = curve;

@@ -9,29 +9,29 @@
 namespace geodesic
 {
 
-/// Curves joined at their ends: a line that came as many cells is one curve to the front, whose
-/// parallel rays stay together.
+/// Curves joined at their ends. The front then treats a line that is split into many cells as one
+/// curve, whose parallel rays stay together.
 class CurveChains
 {
 public:
   /// A curve in a chain.
   struct Link
   {
-    /// Its number among the curves, and whether the chain runs against it.
+    /// Its number among the curves, and whether the chain runs against its direction.
     Id curve = NoId;
     bool isReversed = false;
     /// Where it begins along the chain.
     double begin = 0.0;
   };
 
-  /// Two curves are joined where the end of one is the end of the other and of no third.
+  /// Two curves are joined if the end of one coincides with the end of the other and of no third.
   CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves);
 
   /// The chains as curves with normalized points; SourceCurve::source is that of the first.
   const std::vector<SourceCurve>& curves() const { return this->chains_; }
-  /// Where the points of a chain are along it.
+  /// The places of a chain's points along it.
   const std::vector<double>& places(Id chain) const { return this->places_[chain]; }
-  /// The curve at a place of a chain; at a joint either.
+  /// The curve at a place of a chain; at a joint, either one.
   const Link& linkAt(Id chain, double place) const;
 
 private:
@@ -39,7 +39,7 @@ private:
 
   std::vector<SourceCurve> chains_;
   std::vector<std::vector<double>> places_;
-  /// Of each chain in their order along it.
+  /// The links of each chain in order along it.
   std::vector<std::vector<Link>> links_;
 };
 

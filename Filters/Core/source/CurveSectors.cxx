@@ -66,8 +66,8 @@ void CurveSectors::addFanAroundEdge(Id halfedge)
   }
 }
 
-// Counterclockwise as far as faces follow, and clockwise from the beginning where that is not all
-// around. A face follows one other at most: the only circle is that through the beginning.
+// Walks counterclockwise as far as faces follow, and clockwise from the beginning if that does not
+// close the fan. Each face follows at most one other, so the walk can only close at the beginning.
 void CurveSectors::addFanAroundVertex(Id corner)
 {
   const std::size_t fan = this->totals_.size() - 1;
@@ -99,14 +99,14 @@ void CurveSectors::addEnd(const SegmentEnd& end)
 {
   const Frame& frame = *this->frameOf(end.face);
   const Id vertices = this->mesh_.numberOfVertices();
-  // What lies counterclockwise from a segment that begins here is to its left.
+  // The counterclockwise side of a segment that begins here is its left side.
   const CurveSide after = { end.curve, !end.isBeginning };
   const CurveSide before = { end.curve, end.isBeginning };
   this->ends_.push_back({ this->angleIn(frame, directionIn(this->mesh_, end, frame.halfedge)),
     { after.origin(vertices), end.place }, { before.origin(vertices), end.place } });
 }
 
-// At the segments themselves, and in the middle between two that follow one another.
+// At the segments themselves, and in the middle between consecutive ones.
 void CurveSectors::findChanges()
 {
   this->changes_.clear();
@@ -139,7 +139,7 @@ const CurveSectors::Frame* CurveSectors::frameOf(Id face) const
   return isThere ? &*frame : nullptr;
 }
 
-// The direction of a halfedge that begins at the point may be a rounding below it.
+// Rounding may put the direction of a halfedge from the point slightly below the x axis.
 CurveSectors::FanAngle CurveSectors::angleIn(const Frame& frame, Vec2 direction) const
 {
   const double angle = std::atan2(direction.y, direction.x);
@@ -165,7 +165,7 @@ CurveOrigin CurveSectors::of(Id halfedge, Vec2 direction) const
     std::lower_bound(this->ends_.begin(), this->ends_.end(), End{ { at.fan, -Infinity }, {}, {} });
   const auto end = std::upper_bound(begin, this->ends_.end(), End{ { at.fan, Infinity }, {}, {} });
   const auto next = std::upper_bound(begin, end, End{ at, {}, {} });
-  // The segments before and behind the direction, across the beginning where the faces close.
+  // The segments before and behind the direction, across the beginning of a closed fan.
   const double total = this->total(at.fan);
   const End& before = next != begin ? *(next - 1) : *(end - 1);
   const End& behind = next != end ? *next : *begin;

@@ -11,13 +11,13 @@
 namespace geodesic
 {
 
-/// What a path that ends in a source's point has reached: Window::origin and Window::place.
+/// Where on a source a path ends: Window::origin and Window::place.
 struct CurveOrigin
 {
   Id origin = NoId;
   double place = 0.0;
 
-  /// A place of a curve, on its left-hand side.
+  /// A place on a curve's left side.
   static CurveOrigin onLeft(const TriangleMesh& mesh, Id curve, double place)
   {
     return { CurveSide{ curve, false }.origin(mesh.numberOfVertices()), place };
@@ -30,13 +30,13 @@ struct CurveOrigin
   bool operator!=(const CurveOrigin& other) const { return !(*this == other); }
 };
 
-/// Which curve, and which side of it, each direction around a source's point belongs to: those of
-/// the segment that is nearest by angle, measured around the point. At an open end that parts the
-/// directions in the middle behind the segment; where curves branch, in the middle between them.
+/// The curve and the side of it to which each direction around a source's point belongs: those of
+/// the segment that is nearest by angle, measured around the point. At an open end a border in the
+/// middle behind the segment separates the sides; where curves branch, a border in the middle
+/// between them.
 ///
-/// In faces that cannot be reached around the point without crossing an edge of other than two
-/// faces, or faces of opposite orientation, all directions belong to the first curve's left-hand
-/// side.
+/// If faces can be reached around the point only across an edge with other than two faces, or with
+/// faces of opposite orientation, all their directions belong to the first curve's left side.
 class CurveSectors
 {
 public:
@@ -45,22 +45,22 @@ public:
   {
   }
 
-  /// Goes to a point.
+  /// Moves to another point.
   ///
   /// \param ends the ends of all segments there.
-  /// \param whole what all directions belong to where there is no segment.
+  /// \param whole the origin of all directions if there is no segment.
   void assign(
     const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const CurveOrigin& whole);
 
-  /// What a direction in the frame of a halfedge belongs to.
+  /// The origin of a direction in the frame of a halfedge.
   CurveOrigin of(Id halfedge, Vec2 direction) const;
 
-  /// The directions in a face, in the frame of a halfedge of it, where what they belong to changes.
+  /// The directions in a face at which the origin changes, in the frame of one of its halfedges.
   std::vector<Vec2> changesIn(Id halfedge) const;
 
 private:
-  /// Faces that follow one another around the point, by number, and an angle around it. Where they
-  /// close it is from 0 to their total angle.
+  /// A fan of faces around the point, by number, and an angle within it. In a closed fan, angles
+  /// run from 0 to its total angle.
   struct FanAngle
   {
     std::size_t fan;
@@ -70,15 +70,15 @@ private:
       return this->fan != other.fan ? this->fan < other.fan : this->angle < other.angle;
     }
   };
-  /// A face around the point: the direction of the x axis of one of the face's halfedges, and the
-  /// angle of the face from there on.
+  /// A face around the point: the angle of the x axis of one of its halfedges in the fan, and the
+  /// angle of the face from there.
   struct Frame
   {
     Id halfedge;
     FanAngle axis;
     double width;
   };
-  /// The directions on both sides of a segment, counterclockwise and clockwise from it.
+  /// The origins on both sides of a segment, counterclockwise and clockwise from it.
   struct End
   {
     FanAngle at;
@@ -100,7 +100,7 @@ private:
   CurveOrigin whole_;
   /// In the order of the faces.
   std::vector<Frame> frames_;
-  /// The total angle of each fan that closes; infinite elsewhere.
+  /// The total angle of each closed fan; infinite for the others.
   std::vector<double> totals_;
   std::vector<End> ends_;
   std::vector<FanAngle> changes_;

@@ -55,7 +55,7 @@ CurveWedge::Bounds CurveWedge::boundsIn(Id face) const
   return { range.first, range.second };
 }
 
-// In the frame of the first halfedge with a length from k on; a face at one point has none.
+// In the frame of the first halfedge, from k on, that has a length; a face in one point has none.
 WedgeBound CurveWedge::inOwnFace(const SegmentEnd& end, std::size_t k) const
 {
   const FaceShape& shape = this->mesh_.shape(end.face);
@@ -69,8 +69,8 @@ WedgeBound CurveWedge::inOwnFace(const SegmentEnd& end, std::size_t k) const
   return { halfedge, length > 0.0 ? (1.0 / length) * d : d };
 }
 
-// The faces across the edge unfold into the plane of the segment: there it has the same direction,
-// seen from behind the edge.
+// The faces across the edge unfold into the plane of the segment, where its direction stays the
+// same.
 void CurveWedge::addAroundEdge(const SegmentEnd& end)
 {
   const Id halfedge = this->mesh_.siblingInFace(end.from.id, end.face);
@@ -84,7 +84,7 @@ void CurveWedge::addAroundEdge(const SegmentEnd& end)
   }
 }
 
-// The face of the segment is left to both sides of the segment.
+// Ways leave the segment's face to both sides of the segment.
 void CurveWedge::startAroundVertex(const SegmentEnd& end)
 {
   const Id corner = this->mesh_.cornerAt(end.face, end.from.id);
@@ -92,7 +92,7 @@ void CurveWedge::startAroundVertex(const SegmentEnd& end)
   this->bounds_.push_back(own);
   if (own.halfedge != corner)
   {
-    return; // a halfedge without length: its neighbours emit too, which costs time only
+    return; // a halfedge without length: its neighbours emit too, which only costs time
   }
   const double angle = std::max(0.0, std::atan2(own.direction.y, own.direction.x));
   this->leaving_.push_back({ corner, angle });
@@ -100,13 +100,13 @@ void CurveWedge::startAroundVertex(const SegmentEnd& end)
     std::max(0.0, this->mesh_.cornerAngle(corner) - angle) });
 }
 
-// In a face that is entered across an edge, the nearest segment on that way is the one that bounds.
+// In a face entered across an edge, the nearest segment on that way bounds the wedge.
 void CurveWedge::addAroundVertex(Id vertex, const std::function<void()>& step)
 {
   for (const EdgeAngle& entered :
     this->angles_.find(this->mesh_, vertex, this->leaving_, RightAngle, step))
   {
-    // In the frame of the halfedge the vertex is at the origin or at the end of the x axis.
+    // In the frame of the halfedge, which begins or ends at the vertex.
     const double x = std::cos(entered.angle);
     const bool atOrigin = this->mesh_.origin(entered.halfedge) == vertex;
     this->bounds_.push_back({ entered.halfedge, { atOrigin ? x : -x, -std::sin(entered.angle) } });

@@ -15,8 +15,8 @@ namespace geodesic
 {
 
 /// The direction of a segment that ends at a point, in a face around the point: a unit vector in
-/// the frame of a halfedge of the face. Rays at less than a right angle to it start at the wrong
-/// point: they are shorter from inside the segment.
+/// the frame of a halfedge of the face. A ray at less than a right angle to it starts at the wrong
+/// point, as one from inside the segment is shorter.
 struct WedgeBound
 {
   Id halfedge;
@@ -26,7 +26,7 @@ struct WedgeBound
 /// The wedge of directions into which a point of a curve emits: those at a right angle or more to
 /// all its segments there, measured around the point across any of the faces (paper, section 4.2).
 ///
-/// Keeps its memory from one point to the next.
+/// Reuses its memory for the next point.
 class CurveWedge
 {
 public:
@@ -35,14 +35,14 @@ public:
   {
   }
 
-  /// Goes to a point of a curve.
+  /// Moves to another point of a curve.
   ///
-  /// \param ends the ends of all segments there; for a vertex those of all curves.
-  /// \param step called now and then, as the faces around a vertex may be many; may throw.
+  /// \param ends the ends of all segments there; for a vertex, of all curves.
+  /// \param step called now and then, as a vertex may have many faces; may throw.
   void assign(const SurfacePoint& point, const std::vector<SegmentEnd>& ends,
     const std::function<void()>& step);
 
-  /// What bounds the wedge in a face around the point.
+  /// The segments that bound the wedge in a face around the point.
   using Bounds = std::pair<const WedgeBound*, const WedgeBound*>;
   Bounds boundsIn(Id face) const;
 

@@ -11,15 +11,15 @@
 namespace geodesic
 {
 
-/// Tells which curve of a source goes through a point of the surface.
+/// Finds the curve of a source at a point of the surface.
 class CurvesInFaces
 {
 public:
   /// \param mesh must outlive this.
   CurvesInFaces(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves);
 
-  /// SourceCurve::source of the curve that is nearest to a point on the source, in the faces around
-  /// it: where several go through the point, one of them. NoId where none goes through these faces.
+  /// SourceCurve::source of a curve through a point on the source, or of the nearest curve in the
+  /// faces around it. NoId if these faces contain no curve.
   Id sourceAt(const SurfacePoint& point) const;
 
 private:

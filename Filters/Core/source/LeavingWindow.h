@@ -11,26 +11,26 @@
 namespace geodesic
 {
 
-/// A window that leaves a face. Its coordinates are those of the face's halfedge seen from outside:
-/// x axis from the halfedge's destination to its origin, the face below.
+/// A window that leaves a face. Its coordinates refer to the face's halfedge seen from outside: the
+/// x axis runs from the halfedge's destination to its origin, with the face below.
 struct LeavingWindow
 {
   Id halfedge;
   Window window;
 };
 
-/// A point of the halfedge's face in that frame: the halfedge's own frame, turned by half a turn
+/// A point of the halfedge's face in that frame, which is the halfedge's own frame rotated by pi
 /// about the middle of the halfedge.
 Vec2 inLeavingFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& point);
 
-/// Adds a window on the part of the interval that lies on the halfedge, unless that is too narrow
-/// or the rays run along the halfedge.
+/// Adds a window on the part of the interval that lies on the halfedge, unless this part is too
+/// narrow or the rays run along the halfedge.
 ///
-/// \param window all of it but its interval.
+/// \param window complete but for its interval.
 void addLeavingWindow(const TriangleMesh& mesh, Id halfedge, const Interval& interval,
   const Window& window, std::vector<LeavingWindow>& windows);
 
-/// The window through the halfedge opposite a corner, of rays that leave the vertex there.
+/// The window, through the halfedge opposite a corner, of the rays that leave the corner's vertex.
 LeavingWindow vertexWindow(const TriangleMesh& mesh, Id corner, double sigma);
 
 }

@@ -13,21 +13,21 @@ namespace geodesic
 namespace
 {
 
-/// Where more joins than this are equally good so far, their lengths are not asked for: each is a
-/// solve, and the first is taken.
+/// If more joins than this are equally good, their lengths are not computed, as each needs a solve;
+/// the first one is taken.
 constexpr std::size_t MaximumJoins = 16;
 
-/// A closed polyline is begun at so many of its first point's places at most.
+/// The search for a closed polyline begins at no more than this many places of its first point.
 constexpr std::size_t MaximumBeginnings = 16;
 
-/// How a way along the polyline is broken, the worst first.
+/// The breaks of a way along the polyline, the worst kind first.
 struct Breaks
 {
   /// Consecutive points that no path joins.
   Id disconnected = 0;
   /// Consecutive points that share no face.
   Id gaps = 0;
-  /// Points where the way changes from one place to another.
+  /// Points at which the way changes from one place to another.
   Id changes = 0;
 
   auto key() const { return std::tie(this->disconnected, this->gaps, this->changes); }
@@ -43,14 +43,14 @@ struct Breaks
 constexpr Breaks Disconnected{ 1, 0, 0 };
 constexpr Breaks Gap{ 0, 1, 0 };
 constexpr Breaks Change{ 0, 0, 1 };
-/// Of a place that is not to be used: more than any polyline has.
+/// The breaks of a place that must not be used: more than any polyline has.
 constexpr Breaks Never{ NoId / 2, 0, 0 };
 
-/// What counts between ways that are broken alike.
+/// Ranks ways with equal breaks.
 struct Way
 {
   double length = Infinity;
-  /// The sum of the dimensions (vertex, edge, face) that its places are inside of.
+  /// The sum of the dimensions of its places' elements (vertex 0, edge 1, face 2).
   std::uint64_t dimensions = 0;
 
   bool isBetterThan(const Way& other) const
@@ -113,9 +113,10 @@ const Breaks& leastOf(const std::vector<Breaks>& breaks)
   return *std::min_element(breaks.begin(), breaks.end());
 }
 
-/// The best way through the places of a row of points, which begins at any of the first point's
-/// places with the given breaks and ends at any of the last's. Two passes: the fewest breaks from
-/// either end (dynamic programming), then the best way among those with the fewest.
+/// Finds the best way through the places of a row of points. The way begins at any of the first
+/// point's places with the given breaks, and ends at any of the last point's. Two passes: the
+/// fewest breaks from either end (dynamic programming), then the best way among those with the
+/// fewest.
 class RowOfPoints
 {
 public:
@@ -138,8 +139,8 @@ public:
     }
   }
 
-  /// \param beginning the breaks of departing from each of the first point's places.
-  /// \param end the breaks after arriving at each of the last point's places.
+  /// \param beginning the breaks at departing from each place of the first point.
+  /// \param end the breaks after arriving at each place of the last point.
   Result run(const std::vector<Breaks>& beginning, const std::vector<Breaks>& end)
   {
     this->countForwards(beginning);
@@ -175,23 +176,23 @@ private:
   /// For each point but the last.
   std::vector<std::vector<Pair>> pairs_;
 
-  /// The fewest breaks, for each point and place, to arrive there and to depart from there, and
-  /// from there to the end.
+  /// For each point and place, the fewest breaks up to arriving and up to departing there, and from
+  /// there to the end.
   std::vector<std::vector<Breaks>> toArrival_;
   std::vector<std::vector<Breaks>> toDeparture_;
   std::vector<std::vector<Breaks>> fromArrival_;
   std::vector<std::vector<Breaks>> fromDeparture_;
   Breaks fewest_;
 
-  /// The best way to arrive at and to depart from a place, and the place that it comes from: of the
-  /// point before, and of the same point.
+  /// The best ways to arrive at and to depart from a place, and the preceding places: of the
+  /// previous point, and of the same point.
   std::vector<std::vector<Way>> arrival_;
   std::vector<std::vector<Way>> departure_;
   std::vector<std::vector<std::size_t>> arrivalFrom_;
   std::vector<std::vector<std::size_t>> departureFrom_;
 };
 
-/// The fewest breaks where the way may change from one place of a point to another.
+/// The fewest breaks if the way may change from one place of a point to another.
 std::vector<Breaks> RowOfPoints::afterChange(const std::vector<Breaks>& breaks) const
 {
   const Breaks changed = leastOf(breaks) + Change;
@@ -203,8 +204,8 @@ std::vector<Breaks> RowOfPoints::afterChange(const std::vector<Breaks>& breaks) 
   return result;
 }
 
-/// Allows for joins between places without a common face: within a component a gap, and no path
-/// from one component to another.
+/// Adds joins between places without a common face: a gap within a component, a disconnection
+/// between components.
 void RowOfPoints::joinAcross(std::size_t fromPoint, const std::vector<Breaks>& from,
   std::size_t toPoint, std::vector<Breaks>& to) const
 {
@@ -293,8 +294,8 @@ void RowOfPoints::findWays()
   }
 }
 
-/// The joins of one kind from point i to the next, without a common face, that ways with the fewest
-/// breaks take.
+/// The joins of one kind from point i to the next, without a common face, that are on ways with the
+/// fewest breaks.
 std::vector<Pair> RowOfPoints::bestJoins(std::size_t i, const Breaks& kind) const
 {
   std::vector<Pair> joins;
@@ -363,7 +364,7 @@ void RowOfPoints::findDepartures(std::size_t i)
   const std::size_t count = this->countAt(i);
   this->departure_[i].assign(count, {});
   this->departureFrom_[i].assign(count, 0);
-  // Who changes comes from a place with the fewest breaks: one of those is as good as all.
+  // A change may come from any place with the fewest breaks, so one of these suffices.
   std::size_t bestToLeave = count;
   const Breaks least = leastOf(this->toArrival_[i]);
   for (std::size_t a = 0; a < count; ++a)
@@ -415,8 +416,8 @@ RowOfPoints::Result RowOfPoints::trace() const
   return result;
 }
 
-/// A row whose last point is its first one again: it departs from a place and would come back
-/// there.
+/// A row that ends with its first point again: the way must return to the place from which it
+/// departs.
 RowOfPoints::Result bestLoop(RowOfPoints& row, std::size_t numberOfBeginnings)
 {
   RowOfPoints::Result best;
@@ -436,7 +437,7 @@ RowOfPoints::Result bestLoop(RowOfPoints& row, std::size_t numberOfBeginnings)
   return best;
 }
 
-/// \param isLoop whether the row's last point is its first one again.
+/// \param isLoop whether the row ends with its first point again.
 std::vector<ChosenPlaces> chooseInRow(const TriangleMesh& mesh,
   const std::vector<const PossiblePlaces*>& places, bool isLoop, PlaceComponents& components,
   const LengthBetween& lengthBetween)
@@ -488,14 +489,14 @@ std::vector<ChosenPlaces> choosePlaces(const TriangleMesh& mesh,
     }
     return result;
   }
-  // A closed polyline begins, and ends, at a point with as few places as possible.
+  // A closed polyline begins and ends at a point with the fewest places.
   const auto fewest = std::min_element(places.begin(), places.end(),
     [](const PossiblePlaces& a, const PossiblePlaces& b) { return a.size() < b.size(); });
   const auto first = closed ? static_cast<std::size_t>(fewest - places.begin()) : std::size_t(0);
   const auto at = [&](std::size_t i) { return (first + i) % count; };
   const std::size_t last = closed ? count : count - 1;
 
-  // Where a point has just one place, what comes after it does not depend on what came before.
+  // A point with a single place separates the polyline into independent rows.
   for (std::size_t begin = 0, end = 1; begin < last; begin = end, ++end)
   {
     while (end < last && places[at(end)].size() > 1)

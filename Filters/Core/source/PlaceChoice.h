@@ -11,20 +11,20 @@
 namespace geodesic
 {
 
-/// The places where a point of a polyline may lie, the first of equally good ones first. There is
-/// more than one where the surface touches or overlaps itself.
+/// The possible places of a polyline's point, in order of preference. There are several where the
+/// surface touches or overlaps itself.
 using PossiblePlaces = std::vector<SurfacePoint>;
 
-/// Which of its places a point of a polyline takes: the one where the way from the point before
-/// ends and the one where the way to the next begins. They are the same but where no face of the
-/// one sheet goes on to the next point and one of another sheet does.
+/// The places that a point of a polyline takes: where the line from the previous point ends, and
+/// where the line to the next point begins. They differ only if no face of the first sheet
+/// continues to the next point and a face of another sheet does.
 struct ChosenPlaces
 {
   std::size_t arrival = 0;
   std::size_t departure = 0;
 };
 
-/// The connected component of places, computed when first asked for.
+/// The connected components of places, computed at the first call.
 class PlaceComponents
 {
 public:
@@ -45,17 +45,18 @@ private:
 /// place `to` of the next point.
 using LengthBetween = std::function<double(std::size_t point, std::size_t from, std::size_t to)>;
 
-/// Chooses the places of a whole polyline, so that a section of a surface comes out as it went in:
-/// with as few consecutive points as possible that no path joins, then that share no face, then as
-/// few changes from one place of a point to another; of these the shortest joins of points without
-/// a common face, then places on vertices rather than edges rather than inside faces (a section's
-/// points lie on edges), and last the first places. So a single point takes a vertex before an edge
-/// before a face, and the first of these.
+/// Chooses the places of a whole polyline so that a section of a surface stays on the sheets that
+/// it was cut from. In order of priority, it minimises: consecutive points that no path joins;
+/// consecutive points that share no face; changes from one place of a point to another; the length
+/// of the joins between points without a common face; the dimensions of the elements (a section's
+/// points lie on edges, so a vertex goes before an edge before a face); and last the places'
+/// positions in their lists. A single point so takes the first vertex, else the first edge, else
+/// the first face.
 ///
-/// \param places of each point, one at least.
+/// \param places at least one for each point.
 /// \param closed whether the last point joins the first.
-/// \param lengthBetween asked for connected places without a common face, on ways with the fewest
-///        breaks only.
+/// \param lengthBetween called only for connected places without a common face, on ways with the
+///        fewest breaks.
 std::vector<ChosenPlaces> choosePlaces(const TriangleMesh& mesh,
   const std::vector<PossiblePlaces>& places, bool closed, PlaceComponents& components,
   const LengthBetween& lengthBetween);

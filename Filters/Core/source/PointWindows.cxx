@@ -18,20 +18,20 @@ Vec2 directionInLeavingFrame(const TriangleMesh& mesh, Id halfedge, const WedgeB
   return { -u.x, -u.y };
 }
 
-/// The x axis of the frame that a window is in, seen from the leaving frame of the halfedge that
-/// its rays have left the point's face through.
+/// The x axis of a window's frame, as seen from the leaving frame of the halfedge through which the
+/// window's rays have left the point's face.
 struct WindowFrame
 {
   Id leftThrough;
   Vec2 axis = { 1.0, 0.0 };
 
-  /// Behind another edge, whose axis is seen from this frame.
+  /// The frame behind another edge, whose axis is given in this frame.
   WindowFrame turnedBy(Vec2 by) const
   {
     return { this->leftThrough,
       { this->axis.x * by.x - this->axis.y * by.y, this->axis.x * by.y + this->axis.y * by.x } };
   }
-  /// A direction in the frame of the halfedge, seen from that of the window.
+  /// Transforms a direction from the halfedge's frame into the window's.
   Vec2 fromHalfedge(Vec2 u) const { return { -dot(u, this->axis), -cross(this->axis, u) }; }
   Vec2 toHalfedge(Vec2 u) const
   {
@@ -40,8 +40,8 @@ struct WindowFrame
   }
 };
 
-// Tells the windows of a point from where on which of its rays belong to another curve, or to the
-// other side of one.
+// Splits the windows of a point where their rays begin to belong to another curve, or to the other
+// side of a curve.
 void addBySector(const CurveSectors& sectors, const WindowFrame& frame,
   const LeavingWindow& leaving, std::vector<LeavingWindow>& windows)
 {
@@ -83,9 +83,9 @@ void addBehindEdge(const TriangleMesh& mesh, LeavingWindow leaving, const CurveS
   addBySector(sectors, frame, leaving, windows);
 }
 
-/// Sends the rays of a point close to a halfedge through the faces behind in one step: between the
-/// rays through the ends of the edge, which hide what is beside them. From a face without area, to
-/// whose edges the point is as close, they are sent on alike.
+/// Sends the rays of a point close to a halfedge through the faces behind it in one step, between
+/// the rays through the ends of the edge, which hide what lies beside them. Rays continue in the
+/// same way through a face without area, to whose edges the point is as close.
 class RaysFromBesideEdge
 {
 public:
@@ -98,7 +98,7 @@ public:
   {
   }
 
-  /// \param point in the leaving frame of the halfedge, which is seen from the window frame.
+  /// \param point in the leaving frame of the halfedge, as seen from the window frame.
   void send(Id halfedge, Vec2 point, const WindowFrame& frame)
   {
     const double length = this->mesh_.length(halfedge);
@@ -124,7 +124,7 @@ private:
     {
       this->nearVertices_.push_back(this->mesh_.opposite(halfedge));
     }
-    // In a face without area all rays run along its edges, which tells nothing of where to.
+    // In a face without area all rays run along its edges, so they do not determine a direction.
     Window seen = w;
     seen.sourceDepth = face.apex.y > 0.0
       ? w.sourceDepth
@@ -163,7 +163,7 @@ private:
   const CurveSectors& sectors_;
   std::vector<LeavingWindow>& windows_;
   std::vector<Id>& nearVertices_;
-  /// The halfedges that rays have entered faces by: none twice, so that this ends.
+  /// The halfedges through which rays have entered faces: none twice, so recursion ends.
   std::vector<Id> entered_;
 };
 

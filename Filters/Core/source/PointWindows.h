@@ -11,15 +11,15 @@
 namespace geodesic
 {
 
-/// Adds the circular windows of a source's point, through the halfedges of one face that holds it:
-/// rays into the wedge (paper, sections 4.1 and 4.2), a window for each sector.
+/// Adds the circular windows of a source's point through the halfedges of one face that contains
+/// it: rays into the wedge (paper, sections 4.1 and 4.2), one window per sector.
 ///
-/// Where on a halfedge a ray passes says little of its direction when the point is close to the
-/// halfedge (tolerance::NearEdge). All rays go through it then, and windows behind the next faces
-/// are added as well, whose rays come straight from the point.
+/// If the point is close to a halfedge (tolerance::NearEdge), the place where a ray crosses it
+/// determines the ray's direction badly. All rays then pass through that halfedge, and windows
+/// behind the next faces are added as well, whose rays come straight from the point.
 ///
-/// \param nearVertices gets the vertices at the point (tolerance::NearVertex) that these faces end
-///        in.
+/// \param nearVertices receives the vertices of these faces that are near the point
+///        (tolerance::NearVertex).
 void addPointWindows(const TriangleMesh& mesh, Id face, const Barycentric& point,
   const CurveWedge& wedge, const CurveSectors& sectors, std::vector<LeavingWindow>& windows,
   std::vector<Id>& nearVertices);

@@ -11,10 +11,10 @@ namespace geodesic
 namespace
 {
 
-/// Points looked for between two calls of the progress callback.
+/// Points located between two calls of the progress callback.
 constexpr std::size_t PointsPerReport = 256;
 
-/// Of the progress, what finding the first point takes, for which most of the tree is built.
+/// The fraction of the progress for the first point, which builds most of the tree.
 constexpr double FirstPoint = 0.5;
 
 /// The different places in space of all polylines' points, sorted.
@@ -30,7 +30,7 @@ std::vector<Vec3> placesOf(const std::vector<LocatedPolyline>& polylines)
   return places;
 }
 
-/// For each point of a polyline the index of its place.
+/// The index of each point's place.
 std::vector<std::size_t> indicesOf(
   const LocatedPolyline& polyline, const std::vector<Vec3>& sortedPlaces)
 {
@@ -61,8 +61,8 @@ bool haveCommonFace(
   return false;
 }
 
-/// Whether a polyline goes from vertex to vertex, always in one face. No other face of equally
-/// close ones could be better then.
+/// Whether a polyline runs from vertex to vertex, always in one face. No other equally close face
+/// could be better then.
 bool isAlongEdges(const TriangleMesh& mesh, const LocatedPolyline& polyline,
   const std::vector<std::size_t>& indices, const std::vector<std::vector<Id>>& vertices)
 {
@@ -80,7 +80,7 @@ bool isAlongEdges(const TriangleMesh& mesh, const LocatedPolyline& polyline,
 
 }
 
-/// For each of some places the vertices, with faces, that lie exactly there.
+/// For each place, the vertices exactly there that belong to a face.
 std::vector<std::vector<Id>> PolylineLocator::verticesAt(
   const std::vector<Vec3>& sortedPlaces) const
 {
@@ -106,8 +106,8 @@ std::vector<std::vector<Id>> PolylineLocator::verticesAt(
   return vertices;
 }
 
-/// The faces of places: those around are searched where isSearched says so, else one for each
-/// vertex at the place.
+/// The faces of places: the closest ones where isSearched is set, else one for each vertex at the
+/// place.
 std::vector<std::vector<Id>> PolylineLocator::findFaces(const std::vector<Vec3>& places,
   const std::vector<std::vector<Id>>& vertices, const std::vector<std::uint8_t>& isSearched,
   double coordinatePrecision, const ProgressCallback& progress)

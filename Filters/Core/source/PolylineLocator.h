@@ -13,8 +13,8 @@
 namespace geodesic
 {
 
-/// Finds the faces that the points of polylines are closest to. Polylines along the mesh's own
-/// edges need its vertices only; for others a FaceLocator is made, and kept.
+/// Finds the faces closest to the points of polylines. Polylines along the mesh's own edges need
+/// only its vertices; others need a FaceLocator, which is built once.
 class PolylineLocator
 {
 public:
@@ -24,11 +24,11 @@ public:
   {
   }
 
-  /// Sets the faces of polylines whose points are finite. A place in space is looked for once,
-  /// however many points lie there. Not thread-safe.
+  /// Fills in the faces of polylines whose points are finite. Points at the same place in space are
+  /// located once. Not thread-safe.
   ///
   /// \param coordinatePrecision relative precision of the points' coordinates.
-  /// \param progress called now and then with a fraction done; returning false throws Aborted.
+  /// \param progress called now and then with the fraction done; returning false throws Aborted.
   void locate(std::vector<LocatedPolyline>& polylines, double coordinatePrecision,
     const ProgressCallback& progress = {});
 

@@ -27,7 +27,7 @@ struct PlacedPoint
   SurfacePoint point;
   Vec3 position;
   double tolerance;
-  /// From the point in space.
+  /// The distance to the point in space.
   double distance;
   /// Index in the given polyline.
   std::size_t index;
@@ -62,7 +62,7 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
   }
 }
 
-/// Tells how many of all polylines' points are done.
+/// Reports how many points of all polylines are done.
 class PointProgress
 {
 public:
@@ -72,19 +72,19 @@ public:
   {
   }
 
-  /// \param point index in the polyline that is being worked on, with a fraction of the way on.
+  /// \param point index in the current polyline, with the fraction of the way to the next point.
   /// \throws Aborted
   void report(double point)
   {
     const double fraction = (this->pointsDone_ + point) / this->numberOfPoints_;
-    this->reported_ = std::clamp(fraction, this->reported_, 1.0); // never back
+    this->reported_ = std::clamp(fraction, this->reported_, 1.0); // never decreases
     if (this->callback_ && !this->callback_(this->reported_))
     {
       throw Aborted();
     }
   }
 
-  /// At each point that has been put onto the surface.
+  /// To be called for each point that was put onto the surface.
   ///
   /// \throws Aborted
   void countPlaced()
@@ -104,12 +104,12 @@ private:
   const ProgressCallback& callback_;
   const double numberOfPoints_;
   std::size_t pointsPlaced_ = 0;
-  /// Points of the polylines that are finished.
+  /// Points of the finished polylines.
   double pointsDone_ = 0.0;
   double reported_ = 0.0;
 };
 
-/// Joins placed points to curves.
+/// Joins placed points into curves.
 class CurveJoiner
 {
 public:
@@ -152,7 +152,7 @@ public:
     return length;
   }
 
-  /// At the end of a polyline: forgets the paths kept.
+  /// Called at the end of a polyline: forgets the stored paths.
   void finish() { this->measured_.clear(); }
 
 private:
@@ -195,8 +195,8 @@ private:
     return path;
   }
 
-  /// Appends a path from the curve's last point on: it is merely cut where it crosses edges; at
-  /// vertices it may bend.
+  /// Appends a path that begins at the curve's last point. Edges merely cut it; at vertices it may
+  /// bend.
   void append(const std::vector<SurfacePoint>& path, SourceCurve& curve) const
   {
     for (std::size_t i = 1; i < path.size(); ++i)
@@ -212,11 +212,11 @@ private:
   const TriangleMesh& mesh_;
   const JoinPoints& join_;
   PointProgress& progress_;
-  /// Paths of the polyline whose length was asked for.
+  /// The paths of this polyline that were measured.
   std::map<JoinKey, std::vector<SurfacePoint>> measured_;
 };
 
-/// Puts the points of a polyline into their places.
+/// Chooses the places of a polyline's points.
 class PointPlacer
 {
 public:
@@ -230,8 +230,8 @@ public:
   {
   }
 
-  /// The polyline on the surface: more than one line where it changes from one sheet to another. A
-  /// closed polyline that is whole ends in the point that it begins with.
+  /// The polyline on the surface: several lines if it changes from one sheet to another. A closed
+  /// polyline that stays whole ends in its first point.
   std::vector<PlacedLine> run(const LocatedPolyline& polyline)
   {
     std::vector<PlacedLine> places; // of each point
@@ -244,8 +244,8 @@ public:
   }
 
 private:
-  /// The different places that the faces of a point give: faces that meet in its vertex or edge
-  /// give the same.
+  /// The different places on a point's faces; faces that meet in its vertex or edge give the same
+  /// place.
   std::vector<PlacedPoint> placesOf(const LocatedPolyline& polyline, std::size_t index) const
   {
     std::vector<PlacedPoint> places;
@@ -316,7 +316,7 @@ private:
   PlaceComponents components_;
 };
 
-/// Leaves out points that repeat the one before, and closes lines.
+/// Removes points that repeat their predecessors, and closes lines.
 class RepeatRemover
 {
 public:
@@ -347,8 +347,8 @@ public:
   }
 
 private:
-  /// Whether two places cannot be told apart: the direction from one to the other would be
-  /// rounding. Two vertices always can.
+  /// Whether two places are one, as the direction between them would be rounding. Two vertices
+  /// never are.
   bool isOnePlace(const PlacedPoint& a, const PlacedPoint& b) const
   {
     if (samePlace(this->mesh_, a.point, b.point))
@@ -369,7 +369,7 @@ private:
       std::max(this->snapDistance_, norm(polyline.points[repeated.index] - kept.position));
   }
 
-  /// Ends a closed line, and an open one that comes back to its first place, exactly there.
+  /// Ends a closed line, and an open one that returns to its first place, exactly there.
   void close(const LocatedPolyline& polyline, bool closed, PlacedLine& kept)
   {
     const bool comesBack = kept.size() > 1 && this->isOnePlace(kept.front(), kept.back());
@@ -379,7 +379,8 @@ private:
       kept.back() = kept.front();
       kept.back().index = last.index;
       this->leaveOut(polyline, last, kept.front());
-      // An open line has its last point given; a closed one repeats its first point with it.
+      // An open line's last point was given by the user; a closed line repeats its first point
+      // instead.
       this->repeatedPoints_ -= closed ? 0 : 1;
     }
     else if (closed && kept.size() > 1)

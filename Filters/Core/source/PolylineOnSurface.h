@@ -15,13 +15,12 @@
 namespace geodesic
 {
 
-/// A polyline in space whose points have been located on the surface (the caller has the locator).
+/// A polyline in space, with the faces closest to its points, which the caller has located.
 struct LocatedPolyline
 {
-  /// The points in space as the user gave them.
   std::vector<Vec3> points;
-  /// The faces that are equally close to each (one at least; more where the surface touches or
-  /// overlaps itself), the first choice first.
+  /// For each point the equally close faces, in order of preference: at least one, and several
+  /// where the surface touches or overlaps itself.
   std::vector<std::vector<Id>> faces;
   /// Whether the last point joins the first.
   bool closed = false;
@@ -43,36 +42,36 @@ struct SnapOptions
 struct SourceCurves
 {
   std::vector<SourceCurve> curves;
-  /// The farthest that a point of the source was from the place it was put to, in space.
+  /// The largest distance in space from a point of the source to its place.
   double snapDistance = 0.0;
-  /// Points equal to their predecessor on the surface, which were left out.
+  /// Number of omitted points, equal to their predecessors on the surface.
   Id repeatedPoints = 0;
 };
 
 /// Finds a shortest path on the surface between two points that share no face: the first point, a
-/// point on every edge that it crosses, the vertices that it passes, the second point; empty where
-/// no path joins them. Progress is called now and then with a fraction done; where it returns
-/// false, Aborted is thrown. The engine's own is joinByShortestPaths (paths/JoinPoints.h): it needs
-/// a distance field, which is made after its source.
+/// point on every crossed edge, the vertices on the way, the second point. It is empty if no path
+/// joins the points. Progress is called now and then with the fraction done; returning false throws
+/// Aborted. The engine's own function is joinByShortestPaths (paths/JoinPoints.h), which needs a
+/// distance field and therefore a later room.
 using JoinPoints = std::function<std::vector<SurfacePoint>(
   const SurfacePoint& first, const SurfacePoint& second, const ProgressCallback& progress)>;
 
-/// Puts polylines onto the surface: each point goes to the closest point of its face, and onto a
-/// vertex or an edge when within a tolerance of it (Tolerance.h); consecutive points in one face
-/// are joined straight, others as `join` has it, cut at every edge that is crossed. Points that
-/// their precision cannot tell apart are one.
+/// Puts polylines onto the surface. Each point goes to the closest point of its face, and onto a
+/// vertex or an edge within a tolerance of it (Tolerance.h). Consecutive points in one face are
+/// joined by a straight segment, others by the path from `join`, cut at every crossed edge. Points
+/// that are equal within their precision become one.
 ///
-/// Where a point has several faces, those are taken in which consecutive points share a face
-/// (choosePlaces); a single point takes a vertex before an edge before a face.
+/// If a point has several faces, choosePlaces() selects those in which consecutive points share a
+/// face; a single point prefers a vertex to an edge to a face.
 ///
-/// One curve a polyline, in their order, or several: where a polyline passes from one sheet of the
-/// surface to another that touches it there and is not connected with it in the point, a curve ends
-/// and the next begins.
+/// Each polyline becomes one curve, in their order, or several: if it passes from one sheet of the
+/// surface to another that touches it there without being connected, a curve ends and the next one
+/// begins.
 ///
 /// \param join a shortest path between points that share no face.
-/// \param progress called now and then with a fraction done; returning false throws Aborted.
-/// \throws SourceError where a polyline has no points, a point is not finite or has no face, or
-///         consecutive points are in different components; Aborted.
+/// \param progress called now and then with the fraction done; returning false throws Aborted.
+/// \throws SourceError if a polyline has no points, a point is not finite or has no face, or
+/// consecutive points are in different components; Aborted.
 SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedPolyline>& polylines,
   const SnapOptions& options, const JoinPoints& join, const ProgressCallback& progress = {});
 

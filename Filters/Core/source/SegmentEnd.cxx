@@ -11,7 +11,7 @@ namespace
 
 constexpr std::size_t None = static_cast<std::size_t>(-1);
 
-/// From a point of a curve to the next one, in either direction. Segment i runs from point i to
+/// A step from a point of a curve to the next or the previous one. Segment i runs from point i to
 /// point i + 1.
 struct Step
 {
@@ -19,7 +19,7 @@ struct Step
   std::size_t to = None;
 };
 
-/// None behind the end of an open curve.
+/// Its segment is None behind the end of an open curve.
 Step stepFrom(const SourceCurve& curve, std::size_t i, bool isForward)
 {
   const std::size_t last = curve.points.size() - 1;
@@ -30,7 +30,7 @@ Step stepFrom(const SourceCurve& curve, std::size_t i, bool isForward)
   return i > 0 ? Step{ i - 1, i - 1 } : curve.isClosed() ? Step{ last - 1, last - 1 } : Step{};
 }
 
-/// Whether the segment is longer than its ends are rounded to.
+/// Whether the segment is longer than the rounding of its ends.
 bool hasLength(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t segment)
 {
   const Id face = curve.faces[segment];
@@ -39,16 +39,16 @@ bool hasLength(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t s
     tolerance::PlaceRounding * mesh.shape(face).longest();
 }
 
-/// Whether the ends of a segment tell its direction. In a face without area, where the curve is
-/// merely cut goes by rounding.
+/// Whether the ends of a segment determine its direction. In a face without area, rounding decides
+/// where the curve is merely cut.
 bool tellsDirection(const TriangleMesh& mesh, const SourceCurve& curve, const Step& step)
 {
   const bool isAcross = curve.isCut[step.to] && mesh.shape(curve.faces[step.segment]).hasZeroArea();
   return !isAcross && hasLength(mesh, curve, step.segment);
 }
 
-/// The steps from a step to the first one that tells the direction, across edges; empty where the
-/// curve ends before or comes to a vertex.
+/// The steps from a given one, across edges, to the first that determines a direction; empty if the
+/// curve ends or reaches a vertex before.
 std::vector<Step> stepsOnward(
   const TriangleMesh& mesh, const SourceCurve& curve, const Step& first, bool isForward)
 {
@@ -67,7 +67,7 @@ std::vector<Step> stepsOnward(
   return steps;
 }
 
-// From face to face back over the edges, each seen from both sides.
+// Transforms the direction back from face to face over the edges, seen from both sides.
 void setOnward(const TriangleMesh& mesh, const SourceCurve& curve, const std::vector<Step>& steps,
   SegmentEnd& end)
 {

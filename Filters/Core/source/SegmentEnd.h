@@ -11,18 +11,18 @@
 namespace geodesic
 {
 
-/// An end of a curve's segment: the segment runs from it to another point of the same face.
+/// An end of a curve's segment, which runs from it to another point of the same face.
 struct SegmentEnd
 {
   SurfacePoint from;
   SurfacePoint to;
   Id face = NoId;
-  /// The curve's number, where along it the end is, and whether the curve runs away from the end.
+  /// The curve's number, the end's place along it, and whether the curve runs away from the end.
   Id curve = 0;
   double place = 0.0;
   bool isBeginning = true;
-  /// Of a segment without length: a halfedge of its face, and the direction in which the curve goes
-  /// on behind it, in that halfedge's frame.
+  /// For a segment without length: a halfedge of its face, and the direction in which the curve
+  /// continues behind it, in that halfedge's frame.
   Id frame = NoId;
   Vec2 onward = {};
 };
@@ -31,18 +31,18 @@ struct SegmentEnd
 /// normalized.
 Vec2 directionIn(const TriangleMesh& mesh, const SegmentEnd& end, Id halfedge);
 
-/// The ends of the segments of a curve that meet in its point i: two inside the curve, one at an
-/// end, none in a curve that is a point. Segments without length, as they are in faces without
-/// area, have none unless the curve goes on from them across edges.
+/// The ends of the segments of a curve that meet in its point i: two inside the curve, one at its
+/// ends, none if the curve is a point. A segment without length, as in a face without area, counts
+/// only if the curve continues from it across edges.
 ///
 /// \param curve with normalized points.
 /// \param number of the curve.
-/// \param places where its points are along it: placesAlong().
+/// \param places the points' places along it: placesAlong().
 std::vector<SegmentEnd> segmentEndsAt(const TriangleMesh& mesh, const SourceCurve& curve, Id number,
   const std::vector<double>& places, std::size_t i);
 
-/// Whether a segment without length leads from point i of a curve to a vertex. The vertex sees the
-/// segments on both sides, the point does not.
+/// Whether a segment without length leads from point i of a curve to a vertex. The segments on both
+/// sides bound the vertex's wedge, not the point's.
 bool isAtVertexBeside(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);
 
 }

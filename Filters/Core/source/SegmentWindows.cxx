@@ -11,9 +11,9 @@ namespace geodesic
 namespace
 {
 
-// Whether rays to one side of the segment may leave through a halfedge. From a corner that the
-// segment ends in, one halfedge lies on its left and one on its right: through that on the other
-// side rounding would let pass a sliver.
+// Whether rays to one side of the segment may leave through a halfedge. If the segment ends in a
+// corner, one of the corner's halfedges lies on its left and the other on its right: through the
+// wrong one rounding would admit a sliver of rays.
 bool isSideOf(std::size_t k, const SourceInFace& segment, bool isRight)
 {
   const auto isCorner = [](const Barycentric& p, std::size_t corner)
@@ -23,13 +23,13 @@ bool isSideOf(std::size_t k, const SourceInFace& segment, bool isRight)
   return isRight ? !isOnLeft : !isOnRight;
 }
 
-// The rays through one halfedge: the strip beside the segment, cut off by the rays at its two ends.
+// The rays through one halfedge: the strip beside the segment, bounded by the rays at its two ends.
 void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFace& segment,
   std::vector<LeavingWindow>& windows)
 {
   Vec2 from = inLeavingFrame(mesh, halfedge, segment.a);
   Vec2 to = inLeavingFrame(mesh, halfedge, segment.b);
-  // Rays go up: seen along a segment from left to right they leave to its left.
+  // Rays go up; they leave to the left of a segment that runs from left to right.
   const bool isRight = from.x > to.x;
   if (!isSideOf(halfedge % 3, segment, isRight))
   {
@@ -49,7 +49,7 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFac
   const double origin = dot(from, t); // position along the segment of x = 0, negated
   interval.clip(-origin, t.x);
   interval.clip(origin + length, -t.x);
-  // Where the segment touches the halfedge, rays leave the face up to there only.
+  // If the segment touches the halfedge, rays leave the face only up to there.
   const double sigma = -cross(t, from);
   interval.clip(sigma, -t.y);
   const double place = isRight ? segment.placeOfB + origin : segment.placeOfA - origin;

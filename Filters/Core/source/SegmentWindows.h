@@ -8,8 +8,8 @@
 namespace geodesic
 {
 
-/// Adds the linear windows of a segment in a face: its rays leave at right angles to both sides and
-/// go out through the face's halfedges (paper, section 4.2 and figure 6).
+/// Adds the linear windows of a segment in a face: its rays leave at right angles to both sides,
+/// through the face's halfedges (paper, section 4.2 and figure 6).
 void addSegmentWindows(
   const TriangleMesh& mesh, const SourceInFace& segment, std::vector<LeavingWindow>& windows);
 

@@ -16,22 +16,22 @@ struct SourceCurve
 {
   /// Consecutive points; a closed curve repeats its first point at the end.
   std::vector<SurfacePoint> points;
-  /// The face that holds points i and i + 1; one fewer than points.
+  /// The face that contains points i and i + 1; one fewer than points.
   std::vector<Id> faces;
-  /// Whether point i only cuts a straight segment at a mesh edge: no wedge and no circular windows
-  /// there. One a point.
+  /// Whether point i only cuts a straight segment at a mesh edge, so that it has no wedge and no
+  /// circular windows. One for each point.
   std::vector<std::uint8_t> isCut;
-  /// The number of the part of the source that it belongs to, such as a cell's.
+  /// The part of the source to which it belongs, such as a cell's number.
   Id source = 0;
 
   bool isClosed() const;
 };
 
-/// Where the points of a curve are along it: lengths from its beginning. Each is behind the one
-/// before, also where the segment between them has no length.
+/// The places of a curve's points: lengths from its beginning. They strictly increase, even across
+/// segments without length.
 std::vector<double> placesAlong(const TriangleMesh& mesh, const SourceCurve& curve);
 
-/// A source that is one point.
+/// A source that is a single point.
 SourceCurve pointCurve(const SurfacePoint& point);
 
 }

@@ -8,13 +8,13 @@
 namespace geodesic
 {
 
-/// A segment of a source that lies in a face, or a point where both ends are the same.
+/// A source inside a face: a segment, or a point if both ends are equal.
 struct SourceInFace
 {
   Id face = NoId;
   Barycentric a = {};
   Barycentric b = {};
-  /// The number of the chain that its curve is in (CurveChains), and where along it the ends are.
+  /// The number of its curve's chain (CurveChains), and the places of the ends along the chain.
   Id curve = 0;
   double placeOfA = 0.0;
   double placeOfB = 0.0;
@@ -26,8 +26,8 @@ inline bool runsAlong(std::size_t k, const Barycentric& a, const Barycentric& b)
   return a[(k + 2) % 3] == 0.0 && b[(k + 2) % 3] == 0.0;
 }
 
-/// Calls visit(Id face) for the face of a segment from p to q, and where it runs along an edge for
-/// the other faces there: it is one of all of them.
+/// Calls visit(Id face) for the face of a segment from p to q, or, if the segment runs along an
+/// edge, for all faces at that edge.
 template <typename Visit>
 void forEachFaceOfSegment(
   const TriangleMesh& mesh, Id face, const SurfacePoint& p, const SurfacePoint& q, Visit&& visit)
@@ -46,16 +46,16 @@ void forEachFaceOfSegment(
   }
 }
 
-/// How far along a segment, from a at 0 to b at 1, the point is that is nearest to a point of its
-/// face, by straight distance in the face.
+/// Where along a segment (a at 0, b at 1) the point nearest to a given point of its face is, by
+/// straight distance in the face.
 double nearestAlongSource(
   const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& point);
 
-/// That point.
+/// The nearest point of the source.
 Barycentric nearestOnSource(
   const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& point);
 
-/// The distance to it.
+/// The distance to the nearest point of the source.
 double distanceToSource(
   const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& point);
 

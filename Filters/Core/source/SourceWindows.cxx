@@ -16,8 +16,7 @@ namespace geodesic
 namespace
 {
 
-/// Tells the caller every so many steps how many of the points are done, also within the work of
-/// one point.
+/// Reports the number of finished points every so many steps, even within a point.
 class StepProgress
 {
 public:
@@ -114,7 +113,7 @@ private:
     for (std::size_t i = 0; i < count; ++i)
     {
       const SurfacePoint& p = curve.points[i];
-      // Around an edge of three and more faces the others see the curve bend.
+      // Faces at an edge of three and more faces see the curve bend.
       const bool straight =
         curve.isCut[i] && p.kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(p.id);
       if (straight || isAtVertexBeside(this->mesh_, curve, i))
@@ -151,7 +150,7 @@ private:
       });
   }
 
-  // In a face without area a point of the longest edge may be at the vertex opposite.
+  // In a face without area a point of the longest edge may coincide with the opposite vertex.
   void findNearVertices(Id face, const Barycentric& b)
   {
     const FaceShape& shape = this->mesh_.shape(face);
@@ -168,7 +167,7 @@ private:
     }
   }
 
-  // Several curves may meet in one vertex: all their segments bound its wedges together.
+  // If several curves meet in one vertex, all their segments bound its wedges together.
   void emitFromVertices(const VerticesOnCurves& onCurves)
   {
     for (const VertexOnCurve& v : onCurves.vertices())
@@ -184,7 +183,7 @@ private:
   CurveWedge wedge_;
   CurveSectors sectors_;
   SourceWindows result_;
-  /// The number of the curve at hand, and where its points are along it.
+  /// The number of the current curve, and the places of its points.
   Id curve_ = 0;
   std::vector<double> places_;
 };

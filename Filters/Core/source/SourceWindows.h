@@ -13,31 +13,30 @@
 namespace geodesic
 {
 
-/// What the sources give the front to begin with (paper, sections 4.1 and 4.2).
+/// The beginning of a front: windows and vertices of the sources (paper, sections 4.1 and 4.2).
 struct SourceWindows
 {
   std::vector<LeavingWindow> windows;
   /// In the order of the faces.
   std::vector<SourceInFace> inFaces;
-  /// On a part of a surface that ranks have together: those in the halo, in the same order. Their
-  /// owners start from them.
+  /// If ranks share the surface: the sources in the halo, in the same order. Their owners start
+  /// from them.
   std::vector<SourceInFace> inHalo;
   /// Mesh vertices on a source, ascending, each once.
   std::vector<Id> vertices;
-  /// Vertices so near to a source's point that the directions around them cannot be told apart in
-  /// the windows of that point: they are to be pseudo-sources.
+  /// Vertices so near to a source's point that the point's windows cannot represent the directions
+  /// around them: they become pseudo-sources.
   std::vector<Id> nearVertices;
 };
 
-/// The curves are joined at their ends (CurveChains) and numbered so in windows and in
-/// SourceInFace.
+/// Joins the curves at their ends (CurveChains); windows and SourceInFace use the chains' numbers.
 ///
-/// Linear windows to both sides of every segment, and circular windows from every vertex of a curve
-/// into its wedge: the directions at right angles or more to all its segments. Where a curve is
-/// only cut by a mesh edge there is no wedge. Takes time in proportion to the segments and to the
-/// faces around their ends.
+/// Emits linear windows to both sides of every segment, and circular windows from every vertex of a
+/// curve into its wedge: the directions at right angles or more to all its segments. A point where
+/// a mesh edge merely cuts the curve has no wedge. Takes time in proportion to the segments and to
+/// the faces around their ends.
 ///
-/// \param progress called now and then with a fraction done; returning false throws Aborted.
+/// \param progress called now and then with the fraction done; returning false throws Aborted.
 SourceWindows makeSourceWindows(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves,
   const ProgressCallback& progress = {});
 

@@ -9,8 +9,8 @@ namespace geodesic
 namespace
 {
 
-/// What windows on the patch come from, by numbers of the whole.
-Id originInWhole(const MeshPartition& part, const ReplicatedPatch& patch, Id origin)
+/// The origin of a window of the patch, with global ids.
+Id globalOrigin(const MeshPartition& part, const ReplicatedPatch& patch, Id origin)
 {
   const Id vertices = patch.mesh().numberOfVertices();
   return CurveSide::isOne(origin, vertices)
@@ -53,7 +53,7 @@ SourceWindows sourceWindowsOfPartition(
     if (face != NoId)
     {
       result.windows.push_back({ 3 * face + leaving.halfedge % 3, leaving.window });
-      result.windows.back().window.origin = originInWhole(part, patch, leaving.window.origin);
+      result.windows.back().window.origin = globalOrigin(part, patch, leaving.window.origin);
     }
   }
   for (const SourceInFace& source : onPatch.inFaces)

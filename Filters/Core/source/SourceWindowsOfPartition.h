@@ -8,11 +8,11 @@
 namespace geodesic
 {
 
-/// What sources on a patch that all ranks have give the front of this rank's part: the windows that
-/// leave faces owned here, the sources in these faces and in the halo, and the vertices of the
-/// part. In one process they are the same.
+/// This rank's share of the sources on a replicated patch: the windows that leave its own faces,
+/// the sources in these faces and in the halo, and the vertices in its partition. In one process
+/// that is all.
 ///
-/// \param onPatch of curves whose points lie in faces that were asked for when the patch was made.
+/// \param onPatch from curves whose points lie in faces for which the patch was made.
 SourceWindows sourceWindowsOfPartition(
   const MeshPartition& part, const ReplicatedPatch& patch, SourceWindows onPatch);
 

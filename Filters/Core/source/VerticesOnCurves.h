@@ -10,7 +10,7 @@
 namespace geodesic
 {
 
-/// A mesh vertex that is a point of a curve: the chain's number, and where along it.
+/// A mesh vertex on a curve, with the chain's number and the place along the chain.
 struct VertexOnCurve
 {
   Id vertex;
@@ -19,8 +19,8 @@ struct VertexOnCurve
   bool operator<(const VertexOnCurve& other) const { return this->vertex < other.vertex; }
 };
 
-/// The mesh vertices that are points of curves, and the segments that meet there. Several curves
-/// may meet in one vertex.
+/// The mesh vertices on curves, and the segments that meet there. Several curves may meet in one
+/// vertex.
 class VerticesOnCurves
 {
 public:
@@ -28,7 +28,7 @@ public:
 
   /// Ascending, each once, with its first curve.
   const std::vector<VertexOnCurve>& vertices() const { return this->vertices_; }
-  /// Null where the vertex is on no curve.
+  /// Null if no curve contains the vertex.
   const VertexOnCurve* find(Id vertex) const;
   /// The ends of the segments of all curves at a vertex.
   std::vector<SegmentEnd> endsAt(Id vertex) const;
