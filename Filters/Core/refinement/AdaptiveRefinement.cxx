@@ -23,7 +23,7 @@ namespace geodesic
 namespace
 {
 
-/// Of the progress, for the first look at all faces, and for the output.
+/// Shares of the progress: of the first pass over all faces, and of the output.
 constexpr double ShareOfFirstPass = 0.3;
 constexpr double ShareOfOutput = 0.1;
 
@@ -54,15 +54,15 @@ std::vector<std::uint8_t> findFrozen(const DistanceField& field, const ParallelF
   return frozen;
 }
 
-/// What can be said of an input face without a look at its edges.
+/// The error of an input face that can be computed without its edges.
 struct QuickError
 {
   double rounding = 0.0;
   double bySize = Infinity;
-  /// By its windows; not looked for where the error by size is known to occur anyway.
+  /// From its windows; not computed if the error by size is known to occur anyway.
   double byWindows = Infinity;
 
-  /// Where a bound so large is reported anyway, what is no larger need not be sharp.
+  /// If a bound is reported anyway, smaller bounds need not be sharp.
   double boundUnlessDominated(double bound) const
   {
     return this->bySize <= bound ? this->bySize : this->byWindows;
@@ -85,9 +85,9 @@ QuickError quickError(const DistanceField& field, Id face, double tolerance, dou
 
 /// Refines the worst leaf until none is over the tolerance.
 ///
-/// Where ranks have the surface together they refine a batch of leaves, each its own, exchange
-/// splits of seams until none needs another, and then look at all that has changed: whether there
-/// is room for the batch, and what is over the tolerance now.
+/// If ranks share the surface, they refine a batch of leaves, each its own; exchange splits of
+/// seams until no rank needs another; and then assess all changed leaves: whether there is room for
+/// the batch, and which leaves are over the tolerance now.
 class Refiner
 {
 public:
@@ -118,7 +118,7 @@ private:
   const RefinementOptions& options_;
   double tolerance_;
   RedGreenMesh triangles_;
-  /// Where ranks have the surface together.
+  /// Only if ranks share the surface.
   std::optional<SeamSplits> seams_;
   RefinementProgress progress_;
   RefinementWorkers workers_;
@@ -128,7 +128,7 @@ private:
   RedGreenClosure closure_;
   LeafClosings closings_;
   ViolationQueue violations_;
-  /// The leaves that the batch at hand has changed.
+  /// The leaves that the current batch has changed.
   std::vector<Id> changed_;
   double bound_;
   bool stopped_ = false;
@@ -175,7 +175,8 @@ RefinedMesh Refiner::run()
   return result;
 }
 
-// Batch by batch. What is certified after one is known to the next, however many threads there are.
+// Works in batches. Each batch knows the bound certified by the previous ones, however many threads
+// there are.
 void Refiner::assessFaces()
 {
   constexpr Id facesInBatch = 2 * ItemsInRange;
@@ -240,7 +241,7 @@ std::vector<LeafClosings::Closed> Refiner::closeBest(const std::vector<Id>& leav
   return closed;
 }
 
-// Closes a leaf, which may be over the tolerance.
+// Closes a leaf, and queues it if it is over the tolerance.
 void Refiner::take(Id leaf, const LeafClosings::Closed& closed)
 {
   this->triangles_.setWay(leaf, closed.way);
@@ -281,7 +282,7 @@ void Refiner::refineWorst()
   }
 }
 
-// Returns whether there is room for what has come of it.
+// Returns whether there is room for the result.
 bool Refiner::refineBatch()
 {
   this->changed_.clear();
@@ -306,7 +307,8 @@ bool Refiner::refineBatch()
   return true;
 }
 
-// Until no rank asks for a split or has made one. Returns whether none has too many triangles.
+// Repeats until no rank asks for a split or has made one. Returns whether no rank has too many
+// triangles.
 bool Refiner::settleSeams()
 {
   SeamSplits::State state = SeamSplits::State::Going;
@@ -348,7 +350,7 @@ void Refiner::close(int round)
   this->changed_.insert(this->changed_.end(), changed.begin(), changed.end());
 }
 
-// Each leaf once, and none that was split after it had been changed.
+// Each leaf once, without those that were split after they had been changed.
 void Refiner::collectChanged()
 {
   std::sort(this->changed_.begin(), this->changed_.end());
@@ -364,7 +366,7 @@ bool Refiner::hasTooMany() const
   return this->triangles_.numberOfTriangles() > this->maximumTriangles();
 }
 
-// On all ranks together.
+// Over all ranks together.
 bool Refiner::isRoomForAll() const
 {
   if (this->options_.maximumFaces == 0)
@@ -396,8 +398,8 @@ std::uint64_t Refiner::maximumTriangles() const
                                          : numberable;
 }
 
-// Splits the edges that are over the limit; where there are none, it is the inside, and one split
-// into four gets the new edges there.
+// Splits the edges that are over the limit. If there is none, the error is inside, and splitting
+// into four makes new edges there.
 void Refiner::refine(const Violation& violation)
 {
   const Id triangle = violation.triangle;
@@ -418,14 +420,14 @@ void Refiner::refine(const Violation& violation)
   }
 }
 
-// Where refinement has stopped at its maximum.
+// For the case that refinement has stopped at its maximum.
 void Refiner::certifyRest()
 {
   this->violations_.takeAll(
     [this](const Violation& rest) { this->raiseBound(this->closings_.tightBound(rest.triangle)); });
 }
 
-// The errors fall from the worst at first to the tolerance, by about the same factor with each
+// The errors fall from the initial worst to the tolerance, by about the same factor with each
 // level.
 void Refiner::report()
 {

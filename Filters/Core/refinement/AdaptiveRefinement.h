@@ -15,57 +15,57 @@ namespace geodesic
 
 struct RefinementOptions
 {
-  /// Largest difference between the distance and the linear interpolant of the result, anywhere, in
-  /// the surface's units.
+  /// Largest allowed difference anywhere between the distance and the linear interpolant of the
+  /// result, in the surface's units.
   double tolerance = 0.0;
-  /// Most triangles of the result, with those beside it (below), over all ranks; 0: no limit.
+  /// Largest number of triangles of the result over all ranks, including trianglesBeside; 0: no
+  /// limit.
   std::uint64_t maximumFaces = 0;
-  /// For each face of the mesh, the ids of the caller's points at its corners, where these are not
-  /// the mesh's vertices: several points may be one vertex (a seam). The result is then in terms of
-  /// these points. Empty: the mesh's vertices.
+  /// For each face of the mesh, the ids of the caller's points at its corners, if these are not the
+  /// mesh's vertices: several points may be one vertex (a seam). The result then refers to these
+  /// points. Empty: the mesh's vertices.
   std::vector<Triangle> cornerPoints;
-  /// How many points the caller has; ignored without cornerPoints, unless this rank has no face.
+  /// Number of the caller's points; ignored without cornerPoints, unless this rank has no face.
   Id numberOfPoints = 0;
-  /// How many triangles that are none of the mesh's the caller will close against the splits of an
-  /// edge, by the edge's name (TriangleMesh::edgeOf); edges without such have no entry. What these
-  /// come to counts for maximumFaces.
+  /// For an edge, named by TriangleMesh::edgeOf, the number of triangles outside of the mesh that
+  /// the caller will close against the edge's splits; edges without such triangles have no entry.
+  /// The closed triangles count for maximumFaces.
   std::unordered_map<Id, Id> trianglesBeside;
-  /// Absent: one task after another. The result does not depend on it.
+  /// If empty, tasks run one after another. The result does not depend on it.
   ParallelFor parallelFor;
   /// Called now and then with the fraction done in [0, 1]; returning false stops with Aborted.
   ProgressCallback progress;
 };
 
-/// Refines a mesh until the linear interpolant of the distance is within the tolerance anywhere,
-/// also inside faces (paper, section 6, which looks at edges). The surface stays what it is: new
-/// points lie on its edges and faces, where the distance is exact without a new propagation.
+/// Refines a mesh until the linear interpolant of the distance is within the tolerance everywhere,
+/// including inside faces (paper, section 6, which considers edges). The surface does not change:
+/// new points lie on its edges and faces, where the distance is exact without a new propagation.
 ///
-/// Triangles that are worst come first. Their edges over the tolerance are split near where the
-/// deviation is largest (DeviationRules), as far as the shapes of the parts allow it (PartShapes).
+/// The worst triangles come first. Their edges over the tolerance are split near the largest
+/// deviation (DeviationRules), as far as the shapes of the parts permit (PartShapes).
 ///
-/// Triangles with split edges are closed by two to four triangles (RedGreenMesh). Of the ways
-/// to do that, which differ by flips inside the triangle, the one of the best shapes is taken that
-/// meets the tolerance, so that an edge follows where the distance bends. Where there is none, more
-/// of its edges are split, and then it is split into four.
+/// Two to four triangles close a triangle with split edges (RedGreenMesh). Among the ways to close
+/// it, which differ by flips inside the triangle, refinement takes the one with the best shapes
+/// that meets the tolerance, so that an edge follows where the distance bends. If no way meets the
+/// tolerance, more edges of the triangle are split, and after that the triangle is split into four.
 ///
 /// With an approximate field the distance is the computed one. The faces at a point may differ by
-/// what was merged on their edge; that is taken off the tolerance, and counted in errorBound. It is
-/// small where solveForRefinement() has made the field. How what is certified adds up: Bounds.md.
+/// what was merged on their edge; this difference is subtracted from the tolerance and added to
+/// errorBound. It is small if solveForRefinement() has computed the field. Bounds.md explains how
+/// the certified bounds add up.
 ///
-/// Faces in which the field has no exact values, as beyond the limit of a solve, are left as they
-/// are, but for what their neighbours' splits ask for.
+/// Faces in which the field has no exact values, such as those beyond the limit of a solve, are
+/// split only if their neighbours' splits require it.
 ///
-/// Over ranks all call together, with the same tolerance and maximum, and get the faces that they
-/// own refined; what the options say of faces of other ranks is not looked at. The refined parts
-/// fit together: points on edges of several ranks have the same place along the edge
-/// (RefinedPoint::weight), position and distance on all of them, bit for bit. The maximum of
-/// triangles counts all ranks' together; errorBound and stoppedAtMaximum are those of the whole,
-/// and the same everywhere. Which triangles there are depends on the cut, as leaves are refined in
-/// batches then.
+/// All ranks call this together, with the same tolerance and maximum, and refine the faces that
+/// they own; the options' values for faces of other ranks are ignored. The refined parts fit
+/// together: points on edges of several ranks have the same place along the edge
+/// (RefinedPoint::weight), position and distance on all of them, bit for bit. The maximum counts
+/// the triangles of all ranks; errorBound and stoppedAtMaximum are global. Leaves are then refined
+/// in batches, so the triangles depend on the partition.
 ///
 /// \param field with windows kept.
-/// \throws Error where the tolerance is not a positive number, or the field has no windows;
-///         Aborted.
+/// \throws Error if the tolerance is not a positive number, or the field has no windows; Aborted.
 RefinedMesh refine(const DistanceField& field, const RefinementOptions& options);
 
 }

@@ -24,7 +24,8 @@ ClosingCheck::Result ClosingCheck::check(
   return worst;
 }
 
-// Between two corners of the closing's polygon it is along an edge of the mesh or across the leaf.
+// A segment between two corners of the closing's polygon runs along an edge of the mesh or across
+// the leaf.
 ClosingCheck::Piece ClosingCheck::pieceOf(const FaceDistance& face,
   const RedGreenMesh::Closing& closing, Id number, RefinementWorker& worker) const
 {
@@ -40,17 +41,17 @@ ClosingCheck::Piece ClosingCheck::pieceOf(const FaceDistance& face,
       piece.deviations[k] = this->edges_.measured(closing.edges[i]);
       continue;
     }
-    // the same either way, to the last digit
+    // independent of the direction, to the last digit
     const auto [a, b] = std::minmax(closing.points[i], closing.points[j]);
     piece.deviations[k] = worker.distances.between(a, b, face);
   }
   return piece;
 }
 
-// In an approximate field the faces around a point differ by what merging has changed, and no
-// refinement can undo that: what is left of the tolerance, but half of it at least, is for the
-// triangle. Whatever the rounding, refinement ends: the distance changes by no more than the way,
-// so that there is nothing left to refine in a triangle as small as that.
+// In an approximate field the faces around a point differ by what merging has changed, which no
+// refinement can undo. The triangle gets the rest of the tolerance, but at least half of it.
+// Refinement ends whatever rounding does: distances change by no more than the length moved, so a
+// triangle as small as the tolerance passes.
 ClosingCheck::Result ClosingCheck::check(
   RefinementWorker& worker, const FaceDistance& face, const Piece& piece, bool tight) const
 {

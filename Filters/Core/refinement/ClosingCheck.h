@@ -9,24 +9,24 @@
 namespace geodesic
 {
 
-/// Holds the triangles that close a leaf against the tolerance. May be used by several workers at
-/// the same time.
+/// Checks the triangles that close a leaf against the tolerance. Several workers may use it at the
+/// same time.
 class ClosingCheck
 {
 public:
   struct Result
   {
-    /// Certified against the distance of all faces.
+    /// Certified bound of the difference to the distance of all faces.
     double bound = 0.0;
-    /// A difference that occurs.
+    /// A difference that does occur.
     double sample = 0.0;
     /// Whether the leaf may stay as it is.
     bool passed = true;
-    /// What the differences within the leaf's face were held against.
+    /// The limit for differences within the leaf's face.
     double limit = Infinity;
   };
 
-  /// All must outlive this.
+  /// All arguments must outlive this.
   ///
   /// \param tolerance of the refinement.
   ClosingCheck(const RedGreenMesh& triangles, const EdgeDistances& edges, double tolerance)
@@ -36,14 +36,14 @@ public:
   {
   }
 
-  /// \param closing of a leaf whose edges have been made and measured, with the halves of those
-  ///        that are split.
-  /// \param tight look for a bound that is near a difference that occurs.
+  /// \param closing of a leaf whose edges, including the halves of split ones, exist and have been
+  ///        measured.
+  /// \param tight whether to search for a bound near a difference that does occur.
   Result check(
     RefinementWorker& worker, Id triangle, const RedGreenMesh::Closing& closing, bool tight) const;
 
 private:
-  /// A triangle of the output, or one that would be.
+  /// A triangle of the output, or a candidate for it.
   struct Piece
   {
     Triangle corners;

@@ -27,7 +27,7 @@ Deviation largestDeviation(
     return deviation;
   }
   const double a = (atEnd - atBegin) / length;
-  const double slope = (1.0 - a) * (1.0 + a); // of the ray that a x is the distance of, squared
+  const double slope = (1.0 - a) * (1.0 + a); // of the ray with distance a x, squared
   const double shift = slope > 0.0 ? a / std::sqrt(slope) : 0.0;
   const auto look = [&](const Window& w, double x)
   {

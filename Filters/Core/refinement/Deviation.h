@@ -13,27 +13,27 @@ namespace geodesic
 /// The largest differences between a distance along a segment and its linear interpolant.
 struct Deviation
 {
-  /// Distance over interpolant, >= 0, and where, as a fraction of the length.
+  /// Distance minus interpolant, >= 0, and where, as a fraction of the length.
   double above = 0.0;
   double aboveAt = 0.5;
-  /// Interpolant over distance, >= 0, and where.
+  /// Interpolant minus distance, >= 0, and where.
   double below = 0.0;
   double belowAt = 0.5;
 
   double largest() const { return std::max(this->above, this->below); }
-  /// The place of the largest.
+  /// Where the larger one is.
   double at() const { return this->above >= this->below ? this->aboveAt : this->belowAt; }
 
-  /// Takes over what is larger in the other.
+  /// Takes the larger values of both.
   void widen(const Deviation& other);
 };
 
-/// The largest deviations of a distance, given as windows that cover [0, length], from the line
-/// between two values at the ends (paper, section 6.2, with the extremum corrected: a^2 <= 1).
+/// The largest deviations of a distance, given as windows that cover [0, length], from the linear
+/// function between two end values (paper, section 6.2, with the extremum corrected: a^2 <= 1).
 Deviation largestDeviation(
   const std::vector<Window>& envelope, double length, double atBegin, double atEnd);
 
-/// Where an edge is split whose largest deviation is at the fraction t: the table of section 6.2.
+/// Where to split an edge whose largest deviation is at the fraction t: the table of section 6.2.
 double splitPosition(double t);
 
 }

@@ -9,14 +9,14 @@
 namespace geodesic
 {
 
-/// The rules of splits by deviation: an edge over the tolerance is split where its deviation is
-/// largest, moved away from the ends by the table of section 6.2. Where a part's smallest angle
-/// would be too small the table yields: the edge is split halfway to its middle, or there. Others,
-/// which are split to close, are split in the middle.
+/// Splits edges by deviation: an edge over the tolerance is split where its deviation is largest,
+/// moved away from the ends by the table of section 6.2. If that makes a part's smallest angle too
+/// small, the split moves halfway to the edge's middle, or to the middle. Edges that are split only
+/// to close a triangle are split in the middle.
 class DeviationRules : public SplitRules
 {
 public:
-  /// All must outlive this.
+  /// All arguments must outlive this.
   DeviationRules(
     RedGreenMesh& triangles, EdgeDistances& distances, PartShapes& shapes, double tolerance)
     : triangles_(triangles)

@@ -50,7 +50,7 @@ double DistancesInFaces::atPoint(Id point, const FaceDistance& face, Vec2 place)
   return face.isExact() ? this->atPoint(point) : face.distance(place);
 }
 
-// In the exact field one face tells the whole distance along its edge.
+// In the exact field, one face determines the whole distance along its edge.
 Deviation DistancesInFaces::ofEdge(Id id)
 {
   const RedGreenMesh::Edge& edge = this->triangles_.edgeData(id);

@@ -12,38 +12,38 @@
 namespace geodesic
 {
 
-/// The distance at the points and along the segments of a mesh under refinement, measured in the
-/// faces that hold them. Each thread has its own, for the memory that it works in; the mesh stays
-/// as it is while several are at work.
+/// The distance at points and along segments of a mesh under refinement, measured in the faces that
+/// contain them. Each thread has its own object, with its own memory; the mesh does not change
+/// while several threads measure.
 ///
 /// In an approximate field the faces at a point may have different distances there. The point's own
-/// is the smallest of them.
+/// distance is the smallest of them.
 class DistancesInFaces
 {
 public:
-  /// \param field with windows kept; like the triangles it must outlive this.
+  /// \param field with windows kept; must outlive this, like the triangles.
   DistancesInFaces(const DistanceField& field, const RedGreenMesh& triangles)
     : field_(field)
     , triangles_(triangles)
   {
   }
 
-  /// The distance in a face. Valid until another face is asked for: refinement asks for one face
-  /// many times in turn, and making it costs as much as some segments.
+  /// The distance in a face, valid until the next call. The last face is cached: refinement often
+  /// asks for the same face repeatedly, and building it costs as much as measuring some segments.
   const FaceDistance& face(Id face);
 
   double atPoint(Id point) const;
-  /// As one of the faces at the point has it.
+  /// The distance at a point according to one of its faces.
   ///
   /// \param place of the point in the face's plane.
   double atPoint(Id point, const FaceDistance& face, Vec2 place) const;
 
-  /// The largest deviations of an edge, in any of the faces around it that are refined.
+  /// The largest deviations of an edge in any of its refined faces.
   Deviation ofEdge(Id edge);
-  /// The same of the connection of two points of a face.
+  /// The largest deviations of the segment between two points of a face.
   Deviation between(Id a, Id b, const FaceDistance& face);
 
-  /// The distance on an edge, at a fraction of the way from its first end.
+  /// The distance on an edge at a fraction of its length from its first end.
   double onEdge(Id edge, double weight);
 
 private:

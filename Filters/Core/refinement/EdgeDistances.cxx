@@ -26,7 +26,7 @@ void EdgeDistances::measure(const std::vector<Id>& edges)
   {
     if (!this->ofEdge_[edge].known)
     {
-      this->ofEdge_[edge].known = true; // before it is: an edge may be named twice
+      this->ofEdge_[edge].known = true; // set early: an edge may occur twice
       this->unknown_.push_back(edge);
     }
   }

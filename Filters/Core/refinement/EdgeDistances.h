@@ -9,33 +9,33 @@
 namespace geodesic
 {
 
-/// How far the distance along the edges of a mesh under refinement is from the interpolant,
-/// measured once an edge.
+/// The deviation between the distance along the edges of a mesh under refinement and the
+/// interpolant. Each edge is measured once.
 class EdgeDistances
 {
 public:
-  /// Both must outlive this.
+  /// Both arguments must outlive this.
   EdgeDistances(const RedGreenMesh& triangles, RefinementWorkers& workers)
     : triangles_(triangles)
     , workers_(workers)
   {
   }
 
-  /// The largest deviations of an edge.
+  /// The largest deviations of an edge; measures it if necessary.
   Deviation deviation(Id edge);
 
-  /// Measures those of the edges that have not been measured, side by side.
+  /// Measures all edges that have not been measured yet, in parallel.
   void measure(const std::vector<Id>& edges);
-  /// The largest deviations of an edge that has been measured; may be called from several threads.
+  /// The largest deviations of a measured edge; may be called from several threads.
   Deviation measured(Id edge) const { return this->ofEdge_[edge].deviation; }
 
-  /// The distance on an edge, at a fraction of the way from its first end.
+  /// The distance on an edge at a fraction of its length from its first end.
   double onEdge(Id edge, double weight)
   {
     return this->workers_.first().distances.onEdge(edge, weight);
   }
 
-  /// Edges from this number on have never been.
+  /// Forgets the edges from this number on, which no longer exist.
   void forget(Id firstEdge);
 
 private:

@@ -9,15 +9,18 @@ namespace geodesic
 namespace
 {
 
-// The search ends after so many parts, or halvings: it is cheaper then to refine the triangle.
+// The search ends after this many parts, or halvings: from then on, refining the triangle is
+// cheaper.
 constexpr unsigned MaximumPieces = 200;
 constexpr unsigned MaximumHalvings = 14;
 
-// A tight search ends when the bound is over an error that occurs by no more than this fraction:
-// what is reported need not be sharper, and halving the gap takes several times the parts.
+// A tight search ends when the bound exceeds an error that does occur by no more than this
+// fraction: the reported bound need not be sharper, and halving the gap takes several times the
+// parts.
 constexpr double TightFraction = 0.05;
 
-/// How far one candidate, or a convex combination, is over the function at the corners of a part.
+/// The excess of one candidate, or of a convex combination, over the function at the corners of a
+/// part.
 using AtCorners = std::array<double, 3>;
 
 double largest(const AtCorners& excess)
@@ -35,8 +38,8 @@ AtCorners mixed(const AtCorners& a, const AtCorners& b, double weight)
   return result;
 }
 
-// The convex combination of two with the smallest largest excess: it is at an end or where two
-// corners have the same.
+// The convex combination of two with the smallest maximum: it is at an end, or where two corners
+// have equal excess.
 AtCorners bestMix(const AtCorners& a, const AtCorners& b)
 {
   AtCorners best = largest(a) <= largest(b) ? a : b;
@@ -54,7 +57,7 @@ AtCorners bestMix(const AtCorners& a, const AtCorners& b)
   return best;
 }
 
-// The best convex combination that is found of some: the best of pairs, and that with each of them.
+// The best convex combination found: the best one of pairs, combined with each candidate.
 AtCorners bestMixOf(const std::array<AtCorners, 7>& candidates, const AtCorners& known)
 {
   AtCorners best = known;
@@ -122,7 +125,7 @@ ExcessSearch::Node ExcessSearch::rootOf(const LinearPiece& piece)
   return root;
 }
 
-// Halves a part at its longest edge. Returns the excess of the distance there.
+// Halves a part at its longest edge. Returns the excess of the distance at the new point.
 double ExcessSearch::halve(const Node& node)
 {
   const std::array<Vec2, 3>& c = node.piece.corners;
@@ -149,7 +152,7 @@ double ExcessSearch::halve(const Node& node)
   return this->leastInRow(row);
 }
 
-// Candidates that may be the least somewhere in the triangle.
+// Selects the candidates that may be the least somewhere in the triangle.
 void ExcessSearch::chooseNear(const FaceDistance& face, const LinearPiece& piece)
 {
   const std::array<Vec2, 3>& c = piece.corners;
@@ -184,7 +187,8 @@ double ExcessSearch::leastInRow(std::size_t row) const
 
 double ExcessSearch::boundOf(const Node& node, double limit) const
 {
-  // the candidates that are least at each corner, the best of all, and from each corner on
+  // the candidates that are least at each corner, the best of all, and the distance functions from
+  // each corner
   std::array<AtCorners, 7> chosen;
   std::array<double, 3> least{ Infinity, Infinity, Infinity };
   double bound = Infinity;

@@ -10,25 +10,24 @@
 namespace geodesic
 {
 
-/// What is known about differences in a triangle.
+/// The difference between distance and linear function in a triangle.
 struct ErrorInside
 {
   /// No difference is larger.
   double bound;
-  /// Such a difference occurs.
+  /// Such a difference does occur.
   double sample;
 };
 
-/// How far the distance is over a linear function anywhere in a triangle, by branch and bound: the
-/// triangle is halved again and again, until on each part some convex combination of candidates is
-/// near enough to the function at the corners. Why that bounds it: Bounds.md.
-///
-/// One search is reused for many triangles, for the memory that it holds.
+/// Finds how far the distance exceeds a linear function anywhere in a triangle, by branch and
+/// bound: it halves the triangle repeatedly until, on each part, some convex combination of
+/// candidates is close enough to the function at the corners. Bounds.md explains why that is a
+/// bound. One object serves many triangles and reuses its memory.
 class ExcessSearch
 {
 public:
-  /// \param limit the search ends when the bound is not over the limit, or a sample is.
-  /// \param tight go on until the bound is near the sample.
+  /// \param limit the search ends when the bound is at most the limit, or a sample exceeds it.
+  /// \param tight whether to continue until the bound is near the sample.
   ErrorInside run(const FaceDistance& face, const LinearPiece& piece, double limit, bool tight);
 
 private:
@@ -48,9 +47,9 @@ private:
   double boundOf(const Node& node, double limit) const;
 
   std::vector<const DistanceCandidate*> near_;
-  /// Row by row: how far each candidate is over the function at one point.
+  /// Row by row: the excess of each candidate over the function at one point.
   std::vector<double> excess_;
-  /// Parts that are still to be looked at.
+  /// Parts that are yet to be examined.
   std::vector<Node> nodes_;
 };
 

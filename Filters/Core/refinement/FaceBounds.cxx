@@ -28,8 +28,8 @@ bool risesFrom(std::size_t k, const FaceShape& shape, const std::array<double, 3
 namespace
 {
 
-// How far the interpolant along a halfedge is over its windows: section 6.2 for each. Returns
-// whether that is within the limit.
+// How far the interpolant along a halfedge is above its windows, by section 6.2 for each window.
+// Returns whether that is within the limit.
 bool belowOfHalfedge(double length, const WindowRuns& windows, double atOrigin,
   double atDestination, double limit, double& below)
 {
@@ -49,7 +49,7 @@ bool belowOfHalfedge(double length, const WindowRuns& windows, double atOrigin,
     }
     else
     {
-      // with a steep interpolant the lowest is at an end
+      // with a steep interpolant the minimum is at an end
       x = slope > 0.0 ? std::clamp(w.sourceX + shift * w.sourceDepth, w.begin, w.end)
                       : (a > 0.0 ? w.end : w.begin);
     }
@@ -58,10 +58,10 @@ bool belowOfHalfedge(double length, const WindowRuns& windows, double atOrigin,
   return below <= limit;
 }
 
-// How far the distance along a halfedge can be over its interpolant, from its windows: a window's
-// difference is convex, so largest at an end; between windows that do not meet the distance changes
-// by no more than the way. Windows that are over the limit do not help: they have been overtaken by
-// later ones, or fill a gap of rounding.
+// A bound, from the windows of a halfedge, of how far the distance along it is above its
+// interpolant. The difference of a window is convex, so largest at an end; between windows that do
+// not meet, the distance changes by no more than the length moved. Windows over the limit are
+// ignored: later windows have overtaken them, or they fill a gap of rounding.
 double aboveOfHalfedge(
   double length, const WindowRuns& windows, double atOrigin, double atDestination, double limit)
 {

@@ -18,8 +18,8 @@ const std::vector<LeafClosings::Closed>& LeafClosings::findBest(const std::vecto
   return this->best_;
 }
 
-// From here on the edges of the leaves, and the halves of those that are split, are there and
-// known, so that leaves can be looked at from several threads.
+// Afterwards all edges of the leaves, and the halves of split ones, exist and are measured, so that
+// several threads can examine the leaves.
 void LeafClosings::measureEdges(const std::vector<Id>& leaves)
 {
   std::vector<Id> edges;
@@ -50,7 +50,7 @@ LeafClosings::Closed LeafClosings::findBest(RefinementWorker& worker, Id leaf) c
   const Id face = this->triangles_.faceOf(leaf);
   const double allowed = this->shapes_.allowedAngle(face, this->largestAround(leaf));
   std::array<std::pair<double, Id>, 4> order;
-  order.fill({ Infinity, ways }); // places that stay unused come last
+  order.fill({ Infinity, ways }); // unused places come last
   for (Id way = 0; way < ways; ++way)
   {
     const double angle = this->shapes_.smallestAngle(face, this->triangles_.closing(leaf, way));

@@ -10,19 +10,19 @@
 namespace geodesic
 {
 
-/// Finds how leaves are closed best and holds them against the tolerance, many leaves side by side:
-/// they have nothing to do with each other until edges are split.
+/// Finds the best closings of leaves and checks them against the tolerance, many leaves in
+/// parallel: they are independent until edges are split.
 class LeafClosings
 {
 public:
-  /// How a leaf is closed, and what that is worth.
+  /// How a leaf is closed, and the quality of the closing.
   struct Closed
   {
     Id way = 0;
     ClosingCheck::Result check;
   };
 
-  /// All must outlive this.
+  /// All arguments must outlive this.
   ///
   /// \param tolerance of the refinement.
   LeafClosings(RedGreenMesh& triangles, EdgeDistances& edges, const PartShapes& shapes,
@@ -35,12 +35,12 @@ public:
   {
   }
 
-  /// For each leaf, of the ways to flip its inner edges: of those that pass the one of the best
-  /// shapes, and where none does that of the smallest error. Ways of bad shapes are taken where
-  /// there is no other. Valid until the next call.
+  /// For each leaf, the best of the ways to flip its inner edges: the one with the best shapes
+  /// among those that pass, or, if none passes, the one with the smallest error. Ways with bad
+  /// shapes are used only if there is no other. Valid until the next call.
   const std::vector<Closed>& findBest(const std::vector<Id>& leaves);
 
-  /// The bound of a leaf as it is closed now, near a difference that occurs.
+  /// A bound of the leaf's current closing, close to a difference that does occur.
   double tightBound(Id leaf);
 
 private:

@@ -11,16 +11,16 @@ namespace geodesic
 namespace
 {
 
-// Of the band's half width: the widest gap that may be left between the windows of a list, or
-// before and behind them.
+// The widest gap allowed between the windows of a list, or before and behind them, as a fraction of
+// the band's half width.
 constexpr double BandGap = 0.25;
 
-/// A line along a halfedge, and how far from it is near.
+/// A line along a halfedge, and the half width of the band around it.
 struct Band
 {
   double atOrigin;
   double slope;
-  /// Of the rays whose distance rises like the line: the sine of their angle with the halfedge.
+  /// The sine of the angle between the halfedge and rays whose distance rises like the line.
   double depth;
   double limit;
 
@@ -28,7 +28,7 @@ struct Band
   double low(double x) const { return this->atOrigin - this->limit + this->slope * x; }
 };
 
-// A window is convex, so highest over the line at an end.
+// A window is convex, so it is highest over the line at an end.
 bool isUnder(const Window& w, const Band& band)
 {
   const double overBegin = band.high(w.begin) - w.sigma;
@@ -44,7 +44,7 @@ bool isUnder(const Window& w, const Band& band)
     e * e + h2 <= overEnd * overEnd;
 }
 
-// A circular window is over its tangent with the line's slope, which is all that most need.
+// A circular window is above its tangent with the line's slope, which suffices in most cases.
 bool isOver(const Window& w, const Band& band)
 {
   if (w.isLinear())
@@ -69,7 +69,7 @@ ListInBand listInBand(
 {
   const double slope = (atDestination - atOrigin) / length;
   const double squared = (1.0 - slope) * (1.0 + slope);
-  if (!(squared >= -tolerance::Tie)) // along a ray it is 0
+  if (!(squared >= -tolerance::Tie)) // 0 along a ray
   {
     return {};
   }
@@ -90,7 +90,8 @@ ListInBand listInBand(
   return inBand;
 }
 
-// In a gap the distance changes by no more than the way from its ends, and the line not more.
+// In a gap the distance changes by no more than the length moved from the gap's ends, and the line
+// by no more either.
 FaceBounds boundsFromBands(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
   const std::array<bool, 3>& staysBelowBand, double limit)
 {

@@ -14,13 +14,13 @@ namespace geodesic
 namespace
 {
 
-// Of the tolerance: half the width of the band around the interpolant in which the distance on the
-// halfedges is to be for a face to be linear without its windows being looked at again. It counts
-// twice, above and below, and the gradient in the face adds to both.
+// Half the width of the band, as a fraction of the tolerance. If the distance on the halfedges
+// stays in this band around the interpolant, the face is linear without another look at its
+// windows. The half width counts twice, above and below, and the gradient in the face adds to both.
 constexpr double BandOfTolerance = 0.25;
 
-// A face whose interpolant is off by no more than this many tolerances gets along with one split of
-// its edges, which quarters the deviation where the distance is smooth and halves it at a kink.
+// If a face's interpolant deviates by at most this many tolerances, one split of its edges
+// suffices: it quarters the deviation where the distance is smooth and halves it at a kink.
 constexpr double SplitOnce = 2.0;
 
 double roundingOf(const std::array<double, 3>& d)
@@ -86,7 +86,7 @@ double LinearFaceTest::boundWith(
     belowThroughHalfedge(this->mesh_, late.halfedge, d, { &windows, &windows + 1 });
 }
 
-// From what was found of the lists as they passed.
+// Uses what was found about the lists as they passed.
 FaceBounds LinearFaceTest::boundsByBand(
   Id face, const std::array<double, 3>& d, const PassedLists& lists) const
 {

@@ -8,31 +8,30 @@
 namespace geodesic
 {
 
-/// Tells from the lists that have passed through a face whether the distance in it is linear within
-/// a tolerance, so that the face need not be refined.
+/// Decides from the lists that have passed through a face whether the distance in it is linear
+/// within a tolerance, so that the face need not be refined.
 ///
-/// Let A and B bound how far the distance is over and under the linear interpolant of a face's
-/// corners. Where the face is closed by triangles between points of its edges, their values are
-/// exact, so that the closure is over the interpolant by at most A and under it by at most B: it
+/// Let A and B bound how far the distance is above and below the linear interpolant of the face's
+/// corners. If triangles between points of its edges close the face, the values at these points are
+/// exact, so the closure is above the interpolant by at most A and below it by at most B: it
 /// differs from the distance by at most A + B (Bounds.md).
 class LinearFaceTest
 {
 public:
-  /// What is known about a face.
   struct Result
   {
     /// Whether A + B is within the tolerance.
     bool isLinear = false;
-    /// A + B with all rounding, and A, where it is.
+    /// A + B with all rounding, and A, if linear.
     double bound = Infinity;
     float above = 0.0F;
-    /// Whether the face is near enough to linear to get along with one split of its edges.
+    /// Whether the face is close enough to linear that one split of its edges suffices.
     bool isSplitOnce = false;
-    /// The same by the bands alone, which need not be sharp.
+    /// The bounds from the bands alone, which may be wide.
     double boundByBand = Infinity;
     float aboveByBand = 0.0F;
 
-    /// The result where a bound so large is reported anyway: what is no larger need not be sharp.
+    /// The result if a bound `known` is reported anyway: smaller bounds need not be sharp.
     Result boundUnlessDominated(double known) const
     {
       return this->boundByBand <= known ? Result{ true, this->boundByBand, this->aboveByBand, true }
@@ -48,16 +47,16 @@ public:
   {
   }
 
-  /// A list, with what can be found out while its windows are at hand.
+  /// A list, and what is measured while its windows are in the cache.
   MeasuredList measure(const PassedList& list) const;
 
-  /// \param d distances at the corners, all finite; no source is in the face.
-  /// \param known a bound so large is reported anyway: what is no larger need not be sharp.
+  /// \param d distances at the corners, all finite; the face contains no source.
+  /// \param known a bound that is reported anyway: smaller bounds need not be sharp.
   Result test(
     Id face, const std::array<double, 3>& d, const PassedLists& lists, double known) const;
 
-  /// A + B of a linear face when one more list has come: A stays what it was, as later windows make
-  /// the distance only smaller.
+  /// A + B of a linear face after another list has passed. A stays valid, as later windows only
+  /// reduce the distance.
   double boundWith(const PassedList& late, float above, const std::array<double, 3>& d) const;
 
 private:

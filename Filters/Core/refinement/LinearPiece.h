@@ -9,26 +9,26 @@
 namespace geodesic
 {
 
-/// A triangle of the plane with a linear function given at its corners.
+/// A triangle of the plane with a linear function, given by its values at the corners.
 struct LinearPiece
 {
   std::array<Vec2, 3> corners;
   std::array<double, 3> values;
 };
 
-/// The longest of its edges.
+/// The length of its longest edge.
 double sizeOf(const LinearPiece& piece);
 
 /// The gradient of a linear function on a triangle.
 struct Gradient
 {
   double length;
-  /// The longest way through the triangle in its direction.
+  /// The longest way through the triangle in the gradient's direction.
   double chord;
 };
 
-/// The edges e1 and e2 from corner 0 are given by their dot products, the function by its rises
-/// along them.
+/// The edges e1 and e2 from corner 0 are given by their dot products, the function by its rise
+/// along each.
 ///
 /// \param area2 twice the area, positive.
 /// \param longest the triangle's longest edge.

@@ -9,17 +9,17 @@ namespace geodesic
 namespace
 {
 
-// A refinement makes no angle (in radians) smaller than this (14 degrees) and than this fraction of
-// the input face's smallest. With less, the worst of a hundred angles decays from level to level by
-// more than a fifth; with more, many more triangles are needed, and what closes these is thin
-// again.
+// Refinement makes no angle (in radians) smaller than this (14 degrees) and than this fraction of
+// the input face's smallest angle. With smaller fractions, the worst of a hundred angles decays
+// from level to level by more than a fifth; with larger ones, many more triangles are needed, and
+// those that close them are thin again.
 constexpr double LeastAngle = 0.25;
 constexpr double LeastAngleFraction = 0.6;
 
-// But where an edge's deviation is over this multiple of the tolerance, the smallest angle may be
-// this (3 degrees), as a split exactly where the distance bends saves levels of triangles there.
-// Under the multiple it saves about one, and most triangles of a refined surface are from there, so
-// that their shapes are what counts.
+// If an edge's deviation exceeds this multiple of the tolerance, the smallest angle may be this (3
+// degrees): a split exactly where the distance bends saves levels of triangles there. Below the
+// multiple it saves about one level, and most triangles of a refined surface arise there, so their
+// shapes matter most.
 constexpr double WorthThinParts = 2.5;
 constexpr double LeastAngleOfThinParts = 0.05;
 

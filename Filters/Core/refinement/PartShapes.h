@@ -9,8 +9,8 @@ namespace geodesic
 
 /// The smallest angles that splits make, and how small they may be.
 ///
-/// A part's angle is too small under 14 degrees and under 0.6 of the input face's smallest, and
-/// under 3 degrees while the edge is far over the tolerance.
+/// A part's angle is too small if it is under 14 degrees and under 0.6 of the input face's smallest
+/// angle; if the edge is far over the tolerance, under 3 degrees.
 class PartShapes
 {
 public:
@@ -22,22 +22,21 @@ public:
   {
   }
 
-  /// How small an angle may be in the parts of a face, when an edge of such a deviation is
-  /// split.
+  /// The smallest angle allowed in the parts of a face if an edge with this deviation is split.
   double allowedAngle(Id face, double deviation) const;
 
   /// The smallest angle of the triangles that close a leaf of the face.
   double smallestAngle(Id face, const RedGreenMesh::Closing& closing) const;
 
-  /// The smallest angle of a leaf's four parts when one edge is split at the weight, the others
-  /// where they are or in the middle.
+  /// The smallest angle of a leaf's four parts if one edge is split at the weight, and the others
+  /// where they are split already or in the middle.
   double smallestAngleOfFour(Id triangle, Id splitEdge, double weight);
 
-  /// Whether an edge of such a deviation may be split at the weight, for the shapes of the leaves
-  /// around it.
+  /// Whether the shapes of the leaves around an edge with this deviation permit splitting it at the
+  /// weight.
   bool maySplit(Id edge, double weight, double deviation);
 
-  /// Whether a leaf with such deviations around it has a closing of good shapes.
+  /// Whether a leaf with such deviations around it has a closing with good shapes.
   bool mayClose(Id triangle, double deviation) const;
 
 private:

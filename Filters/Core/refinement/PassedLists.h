@@ -10,16 +10,15 @@
 namespace geodesic
 {
 
-/// A list that has passed, and whether it is in the band around the line between the distances at
-/// its ends.
+/// A passed list, and whether it is in the band around the line between the distances at its ends.
 struct MeasuredList
 {
   PassedList list;
   ListInBand inBand;
 };
 
-/// The lists that have passed through each face and are still kept, in the order in which they
-/// came. Memory of those that were freed is used again.
+/// The lists that have passed through each face and are still kept, in the order of passing. Memory
+/// of freed lists is reused.
 class PassedLists
 {
 public:

@@ -65,8 +65,8 @@ std::vector<Id> RedGreenClosure::close(int round)
   return changed;
 }
 
-// There is an end: it splits edges of triangles that have a split one already, so that no level of
-// parts is added to those that there are.
+// The loop ends: it splits edges only of triangles that already have a split edge, so it adds no
+// level of parts to the existing ones.
 void RedGreenClosure::closeTouched(int round, std::vector<Id>& changed)
 {
   for (Id triangle = this->mesh_.takeTouched(); triangle != NoId;

@@ -145,8 +145,8 @@ namespace
 
 using Indices = std::array<Id, 3>;
 
-/// The triangles of a polygon that begins at the corner before the split edges; with three of them
-/// the ways differ by flips, and for all but the first by where the polygon begins.
+/// The triangles of a polygon that begins at the corner before the split edges. With three split
+/// edges the ways differ by flips, and all but the first by the polygon's first corner.
 std::array<Indices, 4> trianglesOf(Id splits, Id way)
 {
   switch (splits)
@@ -233,7 +233,7 @@ Id RedGreenMesh::addPoint(const Edge& edge, const Placement& placement)
 
 Id RedGreenMesh::trianglesBeside(const Edge& edge) const
 {
-  const auto found = this->beside_.find(edge.halfedge); // nothing is beside NoId
+  const auto found = this->beside_.find(edge.halfedge); // NoId has no entry
   return found == this->beside_.end() ? 0 : found->second;
 }
 
@@ -312,7 +312,7 @@ void RedGreenMesh::splitIntoFour(Id triangle)
     e[k] = this->existingEdge(triangle, k);
     m[k] = this->edges_[e[k]].split;
   }
-  std::array<Id, 3> inner; // opposite to the part at corner k
+  std::array<Id, 3> inner; // opposite the part at corner k
   for (std::size_t k = 0; k < 3; ++k)
   {
     inner[k] = this->addEdge(m[(k + 2) % 3], m[k], NoId, NoId, face);

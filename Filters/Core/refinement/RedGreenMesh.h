@@ -17,24 +17,24 @@ namespace geodesic
 /// A triangle mesh under red-green refinement (Bank, Sherman & Weiser 1983, "Refinement algorithms
 /// and data structures for regular local mesh refinement"; the paper's one-to-four splits).
 ///
-/// Only red triangles are kept: input faces and the four parts of a red triangle whose edges were
-/// split (figure 7). A leaf with split edges is closed in the output, and only there: by a
-/// bisection, or with two or three split edges into three or four triangles whose inner edges may
-/// be flipped. When more of it is to be split, those green triangles have never been, so that they
-/// are never split again.
+/// The mesh stores only red triangles: input faces and the four parts of a red triangle whose edges
+/// were split (figure 7). A leaf with split edges is closed only in the output: by a bisection, or,
+/// with two or three split edges, into three or four triangles whose inner edges may be flipped.
+/// These green triangles are not stored, and so they are never split again.
 ///
-/// This is the structure, with single operations. Which edges are split, and that no leaf is left
-/// that cannot be closed, is the work of RedGreenClosure.
+/// This class is the structure with its single operations. RedGreenClosure decides which edges are
+/// split, and that every leaf can be closed.
 ///
-/// Points are the mesh's vertices and then the splits, in order. A triangle is an input face or
-/// `number of faces + i` for part i. Edges along an input edge are shared by all faces around it,
-/// so that no T-vertex can arise.
+/// Points are the mesh's vertices followed by the splits, in order. A triangle is an input face or
+/// `number of faces + i` for part i. All faces around an input edge share the edges along it, so no
+/// T-vertex can arise.
 class RedGreenMesh
 {
 public:
   struct Point
   {
-    /// Ends of the edge it splits, and the fraction of the way from the first to the second.
+    /// The ends of the edge that it splits, and the fraction of the way from the first to the
+    /// second.
     std::array<Id, 2> parents;
     double weight;
     SurfacePoint place;
@@ -44,17 +44,17 @@ public:
   struct Edge
   {
     std::array<Id, 2> ends;
-    /// The point that splits it, and its halves (the second one follows): from ends[0] to the point
-    /// and on to ends[1].
+    /// The point that splits it, and the first of its halves (the second one follows): from ends[0]
+    /// to the point, and from the point to ends[1].
     Id split = NoId;
     Id halves = NoId;
-    /// The edge that it is a half of.
+    /// The edge of which it is a half.
     Id parent = NoId;
-    /// The input edge that it lies along (the edge's name); NoId inside a face.
+    /// The input edge along which it lies (the edge's name); NoId inside a face.
     Id halfedge;
-    /// A face that holds it.
+    /// A face that contains it.
     Id face;
-    /// First of the corners of parts at which it begins: 3 * part + k.
+    /// The first corner of a part at which it begins: 3 * part + k.
     Id firstCorner = NoId;
   };
 
@@ -65,13 +65,12 @@ public:
     double distance;
   };
 
-  /// The triangles that a leaf is in the output: a leaf with split edges is a polygon of corners
-  /// and splits.
+  /// The output triangles of a leaf. A leaf with split edges is a polygon of corners and splits.
   struct Closing
   {
     Id size = 0;
-    /// The polygon's points and, from each to the next, the edge (NoId: not made yet) and the k of
-    /// the leaf's edge that it is or is half of.
+    /// The polygon's points. From each point to the next, the edge (NoId if not made yet), and the
+    /// k of the leaf's edge that this edge equals or halves.
     std::array<Id, 6> points;
     std::array<Id, 6> edges;
     std::array<Id, 6> along;
@@ -80,17 +79,16 @@ public:
     std::array<std::array<Id, 3>, 4> triangles;
   };
 
-  /// \param frozen faces that are not refined; where a neighbour splits one of their edges, they
-  ///        are only closed.
-  /// \param beside how many triangles outside of the mesh are closed with it at an edge
+  /// \param frozen faces that are not refined, but are closed if a neighbour splits one of their
+  ///        edges.
+  /// \param beside for an edge, how many triangles outside of the mesh are closed with it
   ///        (RefinementOptions::trianglesBeside).
-  /// \param surface the faces that it owns are refined and in the output; the others must be
-  ///        frozen.
+  /// \param surface its own faces are refined and written; all others must be frozen.
   RedGreenMesh(const MeshPartition& surface, std::vector<std::uint8_t> frozen,
     std::unordered_map<Id, Id> beside = {});
 
   const TriangleMesh& mesh() const { return this->mesh_; }
-  /// The faces of the output are those from the first to before the end.
+  /// The output consists of the faces from the first to before the end.
   Id firstFace() const { return this->firstFace_; }
   Id endOfFaces() const { return this->endOfFaces_; }
   Id numberOfInputPoints() const { return this->mesh_.numberOfVertices(); }
@@ -100,18 +98,19 @@ public:
   Vec2 inPlane(Id point, Id face) const;
 
   bool isFrozen(Id face) const { return this->frozen_[face] != 0; }
-  /// Whether an input face is in the output as it is: nobody has even asked for its edges.
+  /// Whether an input face is unchanged in the output: even its edges have not been made.
   bool isWhole(Id face) const { return !this->hasEdges_[face] && this->partsOfFace_[face] == NoId; }
   bool isLeaf(Id triangle) const { return this->partsOf(triangle) == NoId; }
   Id faceOf(Id triangle) const;
   /// Corners in the order of the input face.
   Triangle corners(Id triangle) const;
-  /// The edge from corner k to corner k + 1. May move the data of others.
+  /// The edge from corner k to corner k + 1, which is made if necessary. Invalidates references to
+  /// edge data.
   Id edge(Id triangle, Id k);
-  /// The same, where it has been made already; else NoId.
+  /// The edge from corner k to corner k + 1 if it has been made, else NoId.
   Id existingEdge(Id triangle, Id k) const;
   const Edge& edgeData(Id edge) const { return this->edges_[edge]; }
-  /// Where a split edge is split.
+  /// Where an edge was split.
   Placement placementOf(Id edge) const
   {
     const Point& split = this->points_[this->edges_[edge].split - this->numberOfInputPoints()];
@@ -119,19 +118,19 @@ public:
   }
   Id numberOfEdges() const { return static_cast<Id>(this->edges_.size()); }
   bool isSplit(Id edge) const { return edge != NoId && this->edges_[edge].split != NoId; }
-  /// How many edges of a leaf are split.
+  /// The number of a leaf's split edges.
   Id splitEdges(Id triangle) const;
-  /// Whether an edge of it is split and a half of that, too.
+  /// Whether one of its edges is split and a half of that edge, too.
   bool isSplitTwice(Id triangle) const;
-  /// In how many ways a leaf with so many split edges can be cut: they differ by flips of edges
-  /// inside it.
+  /// The number of ways to cut a leaf with this many split edges; they differ by flips of its inner
+  /// edges.
   static Id waysToClose(Id splitEdges) { return splitEdges < 2 ? 1 : 2 * splitEdges - 2; }
   Closing closing(Id triangle, Id way) const;
-  /// The way in which a leaf is cut in the output.
+  /// The way in which the output cuts a leaf.
   Id wayOf(Id triangle) const;
   void setWay(Id triangle, Id way);
 
-  /// The leaves (none of them frozen) with this edge as it is, unsplit or not.
+  /// Visits the leaves (except frozen ones) at this edge, split or unsplit.
   template <typename Visitor>
   void forEachLeafAt(Id edge, Visitor&& visit) const;
 
@@ -139,15 +138,15 @@ public:
   void split(Id edge, const Placement& placement);
   /// Splits a leaf whose three edges are split into four.
   void splitIntoFour(Id triangle);
-  /// A triangle that is new, or that an edge of has been split (or a half of one) since it was last
-  /// taken; NoId where there is none. The last one first; a triangle may come several times, and it
-  /// may be no leaf any more.
+  /// Takes a triangle that is new, or one of whose edges (or halves of edges) was split since the
+  /// triangle was last taken; NoId if there is none. The order is last first. A triangle may be
+  /// returned several times, and may have ceased to be a leaf.
   Id takeTouched();
 
-  /// Number of triangles in the output, with the cuts of those beside it.
+  /// The number of output triangles, including those that cut the triangles beside the mesh.
   std::uint64_t numberOfTriangles() const { return this->numberOfTriangles_; }
 
-  /// What was done since begin() is undone by rollBack(); edges made since then are gone.
+  /// Starts a transaction: rollBack() undoes all changes and removes all edges made since begin().
   void begin();
   void rollBack();
 
@@ -157,7 +156,7 @@ public:
   {
     this->forEachTriangle(this->firstFace_, this->endOfFaces_, emit);
   }
-  /// The same of some faces of the output.
+  /// Calls emit(face, corners) for the triangles of some faces.
   template <typename Emit>
   void forEachTriangle(Id firstFace, Id endOfFaces, Emit&& emit) const;
 
@@ -213,12 +212,12 @@ private:
   std::vector<Point> points_;
   std::vector<Edge> edges_;
   std::unordered_map<Id, Id> inputEdges_;
-  /// Input faces that may have some of these; most have none.
+  /// Input faces that may have edges in inputEdges_; most have none.
   std::vector<std::uint8_t> hasEdges_;
   std::vector<Part> parts_;
-  /// First of the four parts of each input face.
+  /// The first of the four parts of each input face.
   std::vector<Id> partsOfFace_;
-  /// The ways in which input faces are closed, where not the first.
+  /// How input faces are closed, if not in the first way.
   std::unordered_map<Id, Id> waysOfFaces_;
   std::vector<Id> touched_;
   std::uint64_t numberOfTriangles_;

@@ -10,24 +10,24 @@
 namespace geodesic
 {
 
-/// How one face is refined, wherever it is owned: what another triangle on its vertices has to look
-/// like, so that it still fits to its neighbours.
+/// The refinement of one face, whichever rank owns it: another triangle on the same vertices must
+/// be split alike to fit its neighbours.
 struct RefinedFace
 {
-  /// The points that were added to it, each after its parents. Here and in the triangles the face's
-  /// corners have the numbers 0, 1, 2, and these points follow. Their places are not told.
+  /// The added points, each after its parents. Here and in the triangles, the face's corners are
+  /// numbered 0, 1, 2, and these points follow. Their places are not set.
   std::vector<RefinedPoint> points;
-  /// Which of the owner's RefinedMesh::points each of these is.
+  /// The number of each of these points in the owner's RefinedMesh::points.
   std::vector<Id> numbersThere;
   std::vector<Triangle> triangles;
 };
 
-/// All ranks together tell each other how faces are refined.
+/// A collective call of all ranks, which finds out how faces were refined.
 ///
-/// \param faces those that this rank asks for: by their owners, which may be itself; in any order.
+/// \param faces the faces that this rank needs, by their owners, possibly itself; in any order.
 /// \param refined this rank's result of refine().
 /// \param cornerPoints those of the refinement's options.
-/// \returns one for each that was asked for.
+/// \returns one element for each of the faces.
 std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
   const MeshPartition& part, const RefinedMesh& refined, const std::vector<Triangle>& cornerPoints);
 

@@ -16,7 +16,7 @@ std::uint64_t keyOf(const RefinedPoint& point)
 
 Id SplitPointNumbering::numberOf(const RefinedPoint& point)
 {
-  if (this->numbers_.empty()) // those that the mesh has had before
+  if (this->numbers_.empty()) // numbers the points that the mesh already had
   {
     Id number = this->mesh_.numberOfInputPoints;
     for (const RefinedPoint& known : this->mesh_.points)

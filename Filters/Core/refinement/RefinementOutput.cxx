@@ -28,14 +28,14 @@ public:
   {
   }
 
-  /// Of a triangle between corners of its face: not of any other.
+  /// For a triangle whose corners are all corners of its face.
   Triangle atCorners(Id face, const Triangle& corners) const
   {
     return { this->atCorner(face, corners[0]), this->atCorner(face, corners[1]),
       this->atCorner(face, corners[2]) };
   }
 
-  /// Faces come one after another.
+  /// Requires that the triangles of a face are consecutive.
   Triangle of(Id face, const Triangle& corners)
   {
     if (face != this->face_)
@@ -78,12 +78,12 @@ private:
   const RedGreenMesh& triangles_;
   const std::vector<Triangle>& atCorners_;
   SplitPointNumbering splits_;
-  /// The numbers found in the face at hand: a point's ancestors are many times as many.
+  /// The numbers found in the current face: a point's ancestors occur many times.
   std::unordered_map<Id, Id> inFace_;
   Id face_ = NoId;
 };
 
-/// Writes all triangles as write(face, corners) gives them, side by side.
+/// Writes all triangles as write(face, corners) gives them, in parallel.
 template <typename Write>
 void writeTriangles(const RedGreenMesh& triangles, const ParallelFor& parallelFor,
   const ProgressCallback& callback, RefinedMesh& result, const Write& write)
@@ -150,7 +150,7 @@ void writeOutput(const RedGreenMesh& triangles, const CallersPoints& points,
   writeTriangles(triangles, parallelFor, progress, result,
     [&](Id face, const Triangle& corners)
     { return triangles.isWhole(face) ? numbers.atCorners(face, corners) : corners; });
-  // Points that split edges get their numbers in the order in which triangles come to them.
+  // Points that split edges are numbered in the order in which triangles reach them.
   for (std::size_t i = 0; i < result.triangles.size(); ++i)
   {
     if (!triangles.isWhole(result.faces[i]))

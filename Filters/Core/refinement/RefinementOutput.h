@@ -12,18 +12,18 @@
 namespace geodesic
 {
 
-/// The points of a caller, where these are not the mesh's vertices.
+/// The caller's points, if these are not the mesh's vertices.
 struct CallersPoints
 {
   /// For each face the ids of the points at its corners; empty: the mesh's vertices.
   const std::vector<Triangle>& atCorners;
-  /// How many points there are: fewer than vertices where the last of these are other ranks'.
+  /// The number of points: fewer than vertices if the last vertices are only other ranks'.
   Id count;
 };
 
-/// Writes the triangles of a refined mesh, closed, and the points that were added.
+/// Writes the triangles of a refined mesh, closed, and the added points.
 ///
-/// \param parallelFor absent: one thread. The result does not depend on it.
+/// \param parallelFor if empty, one thread. The result does not depend on it.
 /// \param progress called with the fraction written.
 void writeOutput(const RedGreenMesh& triangles, const CallersPoints& points,
   const ParallelFor& parallelFor, const ProgressCallback& progress, RefinedMesh& result);

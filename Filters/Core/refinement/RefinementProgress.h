@@ -9,7 +9,7 @@
 namespace geodesic
 {
 
-/// Tells a callback how far a refinement is, never less than before.
+/// Reports to a callback how far a refinement is; the fraction never decreases.
 class RefinementProgress
 {
 public:
@@ -21,7 +21,7 @@ public:
   RefinementProgress(const RefinementProgress&) = delete;
   RefinementProgress& operator=(const RefinementProgress&) = delete;
 
-  /// Called once a step with the fraction done, as far as one can tell.
+  /// Called once per step with the estimated fraction done.
   ///
   /// \throws Aborted
   void at(double fraction)
@@ -33,7 +33,7 @@ public:
     }
   }
 
-  /// The same at the end of a longer step.
+  /// Called at the end of a longer step.
   ///
   /// \throws Aborted
   void tell(double fraction)
@@ -49,7 +49,7 @@ public:
     }
   }
 
-  /// Between pieces of a step, which may take long where faces have very many windows.
+  /// Called between the pieces of a step, which may take long if faces have very many windows.
   ///
   /// \throws Aborted
   void look() const

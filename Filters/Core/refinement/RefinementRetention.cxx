@@ -33,7 +33,7 @@ RefinementRetention::RefinementRetention(const MeshPartition& surface, double to
     });
 }
 
-// Over the edges; once for each that they share.
+// Across the edges; once for each shared edge.
 template <typename Visit>
 void RefinementRetention::forEachNeighbour(Id face, Visit&& visit) const
 {
@@ -159,7 +159,7 @@ void RefinementRetention::advance(const FrontState& front)
   this->testDue(front);
 }
 
-// Late lists come seldom more than an edge behind the front; a face dropped too early costs a
+// Late lists are seldom more than an edge behind the front, and a face dropped too early costs a
 // solve.
 void RefinementRetention::awaitFacesAround(Id vertex, const VertexNumbers& processed)
 {
@@ -181,7 +181,8 @@ void RefinementRetention::awaitFacesAround(Id vertex, const VertexNumbers& proce
   }
 }
 
-// Side by side, as a test reads the face's own lists; what it leads to comes after, in one order.
+// Tests run in parallel, as each reads the face's own lists; their consequences follow in a fixed
+// order.
 void RefinementRetention::testDue(const FrontState& front)
 {
   constexpr std::size_t facesPerTask = 16;
@@ -207,7 +208,7 @@ void RefinementRetention::testDue(const FrontState& front)
   this->due_.clear();
 }
 
-// Split once, a face asks of those around it only to be halved.
+// If it is split once, a face requires its neighbours only to be halved.
 void RefinementRetention::take(
   Id face, const LinearFaceTest::Result& result, const FrontState& front)
 {

@@ -17,24 +17,23 @@
 namespace geodesic
 {
 
-/// Keeps the windows of faces that may have to be refined, and drops those of the others as the
+/// Keeps the windows of faces that may have to be refined, and drops those of other faces as the
 /// front passes.
 ///
-/// A face is tested when the front is past it. Where the distance in it is linear within the
-/// tolerance it needs no windows, unless a neighbour that is refined will split its edges. Windows
-/// that come later make the distance only smaller, so that how far it is above the interpolant
-/// stays what it is; how far it is below is looked at again. Where that is too much then and the
-/// windows before are gone, the face was dropped too early: the solve has to be done again with the
-/// face pinned.
+/// A face is tested once the front has passed it. If the distance in it is linear within the
+/// tolerance, it needs no windows, unless a neighbour is refined and splits its edges. Later
+/// windows only reduce the distance, so the bound of how far it is above the interpolant stays
+/// valid, while the bound below is updated. If that becomes too large and the earlier windows are
+/// gone, the face was dropped too early: the solve has to be repeated with the face pinned.
 ///
-/// On a part of a surface only the faces that it owns are looked after. Nothing is known of the
-/// others, so that faces beside them keep their windows.
+/// If ranks share the surface, each looks after the faces that it owns. It knows nothing of the
+/// others, so faces beside them keep their windows.
 class RefinementRetention : public Retention
 {
 public:
   /// \param pinned for each face, whether its windows are never dropped.
-  /// \param parallelFor for tests of faces between batches; absent: one after another. What is
-  ///        kept does not depend on it.
+  /// \param parallelFor for tests of faces between batches; if empty, one after another. The kept
+  ///        windows do not depend on it.
   RefinementRetention(const MeshPartition& surface, double tolerance,
     const std::vector<std::uint8_t>& pinned, ParallelFor parallelFor = {});
 
@@ -54,12 +53,12 @@ private:
   enum class State : std::uint8_t
   {
     Open,
-    /// The front is to come past it.
+    /// The front has not passed it yet.
     Awaited,
-    /// Its windows are never dropped, or it is another rank's.
+    /// Its windows are never dropped, or another rank owns it.
     Kept,
     Linear,
-    /// Linear, and its windows are gone.
+    /// Linear, with its windows dropped.
     Dropped
   };
 
@@ -93,18 +92,18 @@ private:
   double tolerance_;
   LinearFaceTest test_;
   std::vector<State> state_;
-  /// How far the distance can be over the interpolant in a linear face.
+  /// How far the distance can be above the interpolant in a linear face.
   std::vector<float> above_;
-  /// How many neighbours may need the face's windows although it is linear.
+  /// The number of neighbours that may need a linear face's windows.
   std::vector<Id> neededBy_;
   PassedLists lists_;
   using Awaited = std::pair<double, Id>;
   std::priority_queue<Awaited, std::vector<Awaited>, std::greater<Awaited>> awaited_;
-  /// Faces that are to be tested now, and what has come of it.
+  /// Faces that are due for a test, and the results.
   std::vector<Id> due_;
   std::vector<LinearFaceTest::Result> results_;
   std::vector<Id> droppedTooEarly_;
-  /// What each district has handed over in this batch.
+  /// The lists that each district has handed over in this batch.
   std::vector<std::vector<MeasuredList>> passed_;
   KeptWindows kept_;
 };

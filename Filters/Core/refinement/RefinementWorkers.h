@@ -13,7 +13,7 @@
 namespace geodesic
 {
 
-/// What one task of a refinement works with.
+/// The tools of one task of a refinement.
 struct RefinementWorker
 {
   RefinementWorker(const DistanceField& field, const RedGreenMesh& triangles)
@@ -26,15 +26,15 @@ struct RefinementWorker
   TriangleError error;
 };
 
-/// The workers of a refinement. A loop is cut into tasks by its number of items alone, each with a
-/// worker of its own.
+/// The workers of a refinement. The number of a loop's items alone determines its tasks, each of
+/// which has a worker of its own.
 class RefinementWorkers
 {
 public:
-  /// All must outlive this.
+  /// All arguments must outlive this.
   ///
-  /// \param parallelFor absent: one task.
-  /// \param progress looked at between some items and others.
+  /// \param parallelFor if empty, one task.
+  /// \param progress checked every few items.
   RefinementWorkers(const DistanceField& field, const RedGreenMesh& triangles,
     const ParallelFor& parallelFor, const RefinementProgress& progress)
     : field_(field)
@@ -45,7 +45,7 @@ public:
     this->resize(1);
   }
 
-  /// For what is done between loops.
+  /// The worker for work between loops.
   RefinementWorker& first() { return *this->workers_.front(); }
 
   /// Runs item(worker, i) for i below `items`.

@@ -11,12 +11,12 @@ namespace geodesic
 namespace
 {
 
-/// A place on an edge, the same on all ranks that have one of its faces: the face with the edge's
-/// lowest halfedge, the halfedge's number there, and the fraction of the way along it, which
-/// refinement computes from the same splits everywhere.
+/// A place on an edge, equal on all ranks that have one of its faces: the face with the edge's
+/// lowest halfedge, the halfedge's number there, and the fraction along it, which refinement
+/// computes from the same splits everywhere.
 using PlaceOnSeam = std::tuple<RankAddress, Id, double>;
 
-/// What a rank that knows a face at a place tells the others there.
+/// What a rank that knows a face at a place sends to the others there.
 struct ToldPoint
 {
   RankAddress face;
@@ -27,16 +27,17 @@ struct ToldPoint
   PlaceOnSeam place() const { return { this->face, this->halfedge, this->fraction }; }
 };
 
-/// This rank's points at one place; there are several where the caller's points at a vertex are.
+/// This rank's points at one place; there are several if a vertex has several of the caller's
+/// points.
 struct PointsAtPlace
 {
   std::vector<Id> here;
-  /// The lowest rank that tells of them, where one does, and its point.
+  /// The lowest rank that sent values, if any, and its point.
   bool isTold = false;
   RankAddress there{ -1, NoId };
 };
 
-/// Who has faces at an edge.
+/// The ranks that have faces at an edge.
 struct FacesAtEdge
 {
   bool isKnownHere = false;
@@ -59,15 +60,15 @@ FacesAtEdge facesAtEdge(
     else if (const int rank = part.ownerOf(face).rank;
              faces.otherRanks.empty() || faces.otherRanks.back() != rank)
     {
-      faces.otherRanks.push_back(rank); // faces of one rank follow each other
+      faces.otherRanks.push_back(rank); // faces of one rank are consecutive
     }
     halfedge = part.mesh().nextSibling(halfedge);
   } while (halfedge != edge);
   return faces;
 }
 
-/// This rank's points on edges of several ranks' faces. Puts what it tells the others into
-/// messages.
+/// This rank's points on edges of several ranks' faces. Adds its values to the messages for the
+/// others.
 std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& points,
   std::size_t count, const MeshPartition& part, const std::function<bool(Id face)>& isKnown,
   std::vector<Message>& messages)

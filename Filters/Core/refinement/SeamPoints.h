@@ -12,24 +12,24 @@
 namespace geodesic
 {
 
-/// Points that refinement has added on edges which faces of several ranks share: each of these
-/// ranks has its own, at the same place. Here are those of a rank that are better told of by
-/// another one, so that all tell the same.
+/// Points that refinement has added on edges shared by faces of several ranks. Each of these ranks
+/// has its own point, at the same place. Listed here are those of this rank whose values another
+/// rank provides, so that all ranks have the same.
 struct SeamPoints
 {
-  /// Which of this rank's RefinedMesh::points.
+  /// Indices into this rank's RefinedMesh::points.
   std::vector<Id> here;
-  /// For each the other rank and which of its RefinedMesh::points.
+  /// For each, the other rank and the index into its RefinedMesh::points.
   std::vector<RankAddress> there;
 };
 
-/// Of the ranks that have a point on a shared edge and know a face there, the lowest is to tell of
-/// it. All ranks call this together.
+/// Of the ranks that have a point on a shared edge and know a face there, the lowest provides its
+/// values. A collective call of all ranks.
 ///
-/// \param points those of this rank's refinement.
-/// \param count of the first points: those whose places on the mesh are known.
-/// \param isKnown whether a face that this rank owns is known inside. Near a distance limit a rank
-///        may have no such face at an edge that another has split.
+/// \param points the points of this rank's refinement.
+/// \param count number of the first points, whose places on the mesh are known.
+/// \param isKnown whether a face of this rank is known inside. Near a distance limit a rank may
+///        have no such face at an edge that another rank has split.
 SeamPoints findSeamPoints(const std::vector<RefinedPoint>& points, std::size_t count,
   const MeshPartition& part, const std::function<bool(Id face)>& isKnown);
 

@@ -16,7 +16,7 @@ SeamSplits::SeamSplits(const MeshPartition& part, RedGreenMesh& triangles)
   this->shareFrozen();
 }
 
-// Tells those who have a copy of a face: they have one of its vertices.
+// Sends to the ranks that have a copy of a face: those that have one of its vertices.
 void SeamSplits::shareFrozen()
 {
   std::vector<Message> messages = this->part_.exchange().noMessages();
@@ -51,7 +51,7 @@ int SeamSplits::ownerOf(Id face) const
   return this->part_.addressOf(face).rank;
 }
 
-// Faces stand in the order of the ranks, and siblings in that of the faces. NoId where all are
+// Faces are in the order of the ranks, and siblings in the order of the faces. NoId if all are
 // frozen.
 Id SeamSplits::firstRefinedFaceAt(Id edge) const
 {
@@ -99,7 +99,7 @@ void SeamSplits::tell(Id edge, int round)
       this->put(message, Kind::Decision, edge, round);
       geodesic::put(message, this->triangles_.placementOf(edge));
     }
-    last = owner; // faces of one rank follow each other
+    last = owner; // faces of one rank are consecutive
     halfedge = this->part_.mesh().nextSibling(halfedge);
   } while (halfedge != split.halfedge);
 }

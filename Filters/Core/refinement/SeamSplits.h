@@ -11,41 +11,42 @@
 namespace geodesic
 {
 
-/// What ranks that refine their parts of a surface tell each other about splits of the edges that
-/// faces of several ranks share.
+/// The messages between ranks about splits of edges that faces of several ranks share.
 ///
-/// One rank decides where such an edge is split, and all its halves in turn: the lowest that owns a
-/// face there that is refined. It tells the others where, and the distance there, so that points on
-/// seams are the same on all ranks, bit for bit. Others that need a split ask for it. The decider
-/// never refuses, and waits for nobody to split an edge, so that nobody waits for ever.
+/// One rank decides where such an edge, and in turn each of its halves, is split: the lowest rank
+/// that owns a refined face there. It tells the others the place and the distance there, so that
+/// points on seams are the same on all ranks, bit for bit. Other ranks ask it for the splits that
+/// they need. The deciding rank never refuses and never waits for another rank to split an edge, so
+/// there is no deadlock.
 class SeamSplits
 {
 public:
-  /// All ranks call together.
+  /// A collective call of all ranks.
   ///
   /// \param part, triangles must outlive this; the faces of other ranks are frozen in `triangles`.
   SeamSplits(const MeshPartition& part, RedGreenMesh& triangles);
 
   /// Whether this rank decides about an edge.
   bool isDecidedHere(Id edge) const;
-  /// Asks the rank that decides about an edge to split it.
+  /// Asks the deciding rank to split an edge.
   ///
-  /// \param round of the closure in which it is split (RedGreenClosure::close).
+  /// \param round of the closure that needs the split (RedGreenClosure::close).
   void ask(Id edge, int round);
-  /// Tells the other ranks that have an edge that this one, which decides, has split it.
+  /// Tells the other ranks that have an edge that this rank, which decides, has split it.
   void tell(Id edge, int round);
 
   enum class State
   {
-    /// No rank had anything to say.
+    /// No rank sent anything.
     Settled,
     Going,
-    /// One has more triangles than it can have. What was asked and told is lost.
+    /// A rank exceeds its number of triangles. All requests and decisions are lost.
     TooMany
   };
-  /// All ranks together tell what they have to. Calls decided(edge, round, placement) for each
-  /// split that another rank has decided, asked(edge, round) for each that others ask for, and that
-  /// may have been made since: by rank, and in the order in which they were told.
+  /// A collective call of all ranks, which delivers requests and decisions. Calls decided(edge,
+  /// round, placement) for each split that another rank has decided, and asked(edge, round) for
+  /// each that another rank asks for, even if it has been made since: by rank, in the order of
+  /// sending.
   ///
   /// \param tooMany whether this rank has too many triangles.
   template <typename Decided, typename Asked>
@@ -65,7 +66,7 @@ private:
     /// edge have, and the halfedge's number there.
     RankAddress face;
     Id halfedge;
-    /// How many times it is halved.
+    /// How often it is halved.
     Id depth;
   };
 
@@ -78,7 +79,7 @@ private:
 
   const MeshPartition& part_;
   RedGreenMesh& triangles_;
-  /// Whether each face is frozen where it is owned.
+  /// Whether each face is frozen on the rank that owns it.
   std::vector<std::uint8_t> frozen_;
   std::vector<Message> messages_;
 };

@@ -13,9 +13,9 @@ namespace geodesic
 namespace
 {
 
-// Of the tolerance of a refinement, what merging may change on one halfedge: the faces at a point
-// then differ by no more, which is left over from the tolerance for the triangles. With more, many
-// more triangles are needed; with less, more windows.
+// How much merging may change the distance on one halfedge, as a fraction of the refinement's
+// tolerance: the faces at a point then differ by no more, and triangles get the rest of the
+// tolerance. Larger fractions need many more triangles, smaller ones more windows.
 constexpr double MergedOfTolerance = 0.1;
 
 DistanceField solveKeepingAll(

@@ -9,33 +9,33 @@
 namespace geodesic
 {
 
-/// Computes a field that refine() can refine to a tolerance or a larger one, keeping windows only
-/// where the distance is not linear within it. In an approximate solve all are kept, and the
-/// windows of one halfedge are merged by no more than maximumMergedFor(tolerance), whatever the
-/// relative error.
+/// Computes a field that refine() can refine to this or a larger tolerance. It keeps windows only
+/// where the distance is not linear within the tolerance. An approximate solve keeps all windows,
+/// and merges those of one halfedge by at most maximumMergedFor(tolerance), whatever the relative
+/// error.
 ///
-/// Where windows were dropped that turn out to be needed, it is solved again with these kept. One
-/// repetition is nearly always enough, as what was missing is kept then; each further one is for
-/// faces that came to be missed by it. To be sure of an end, the last one keeps all.
+/// If dropped windows turn out to be needed, the solve is repeated and keeps them. One repetition
+/// is nearly always enough; each further one is for faces that the previous one has made necessary.
+/// The last repetition keeps all windows, which guarantees an end.
 ///
-/// Ranks that have the surface together solve together, and again together. The field is known in
-/// the faces that each owns.
+/// Ranks that share the surface make all solves together. The field is known in the faces that each
+/// rank owns.
 ///
 /// \param surface whose mesh must outlive the field.
-/// \param sources what they give to begin with (propagate()).
+/// \param sources the first windows and vertices (propagate()).
 /// \param tolerance in the surface's units, positive.
-/// \param maximumDroppingSolves how often it is solved with windows dropped; at most one solve
-///        more is made, which keeps all.
+/// \param maximumDroppingSolves the number of solves that may drop windows; at most one more solve
+///        follows, which keeps all.
 /// \throws as solve().
 DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindows& sources,
   double tolerance, const FrontOptions& options = {}, int maximumDroppingSolves = 4);
 
-/// The same in one process, from the curves themselves.
+/// In one process, from curves.
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   double tolerance, const FrontOptions& options = {}, int maximumDroppingSolves = 4);
 
-/// What merging may change on one halfedge of an approximate field that is refined to a tolerance:
-/// a tenth of it (window/Merging.md).
+/// How much merging may change the distance on one halfedge of an approximate field that will be
+/// refined to a tolerance: a tenth of the tolerance (window/Merging.md).
 double maximumMergedFor(double tolerance);
 
 }

@@ -25,7 +25,7 @@ ErrorInside TriangleError::above(
   const Vec2 e2 = piece.corners[2] - piece.corners[0];
   const Vec2 e3 = e2 - e1;
   const double area2 = cross(e1, e2);
-  // In a triangle without area each point inside is a point of an edge, too.
+  // In a triangle without area each inner point is also a point of an edge.
   if (!(area2 > 0.0))
   {
     return { onEdges, onEdges };
@@ -33,7 +33,7 @@ ErrorInside TriangleError::above(
   const double longest = std::sqrt(std::max({ dot(e1, e1), dot(e2, e2), dot(e3, e3) }));
   const Gradient g = gradientOf(dot(e1, e1), dot(e1, e2), dot(e2, e2), area2,
     piece.values[1] - piece.values[0], piece.values[2] - piece.values[0], longest);
-  // The distance changes by no more than the way to a corner, and on the way to an edge.
+  // The distance changes by no more than the length moved to a corner, or to an edge.
   const double byWay = std::min(longest, onEdges + std::max(0.0, 1.0 - g.length) * g.chord);
   if (byWay <= limit)
   {

@@ -8,10 +8,10 @@
 namespace geodesic
 {
 
-/// Certified bounds of |distance - linear interpolant| on whole triangles, beyond the paper, which
-/// looks at edges only. Why they hold: Bounds.md.
+/// Certified bounds of |distance - linear interpolant| on whole triangles; the paper considers
+/// edges only. Bounds.md explains why they hold.
 ///
-/// Bounds are up to the rounding of distances.
+/// The bounds are up to the rounding of distances.
 class TriangleError
 {
 public:
@@ -21,12 +21,12 @@ public:
   {
   }
 
-  /// The differences inside a triangle, those on its edges being given.
+  /// The differences inside a triangle, given those on its edges.
   ///
-  /// \param face the face that holds the triangle.
+  /// \param face the face that contains the triangle.
   /// \param onEdges largest deviations on the edges.
-  /// \param limit the search for a bound ends when it is not over the limit, or a sample is.
-  /// \param tight go on until the bound is near the sample.
+  /// \param limit the search ends when the bound is at most the limit, or a sample exceeds it.
+  /// \param tight whether to continue until the bound is near the sample.
   ErrorInside of(const FaceDistance& face, const LinearPiece& piece, const Deviation& onEdges,
     double limit, bool tight = false);
 

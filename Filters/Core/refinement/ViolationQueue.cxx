@@ -10,11 +10,11 @@ namespace geodesic
 namespace
 {
 
-// Of the worst error, the least in a batch. What is refined too early is what a split beside it
-// would have mended; with a larger fraction there are more steps between ranks.
+// The least error in a batch as a fraction of the worst. A leaf that is refined too early might
+// have been mended by a split beside it; with a larger fraction there are more steps between ranks.
 constexpr double NearWorst = 0.5;
 
-// The same where there is not room for all, so that it goes to the worst.
+// The fraction if there is not room for all, so that it goes to the worst leaves.
 constexpr double NearWorstWithLittleRoom = 0.9;
 
 } // anonymous namespace
@@ -68,7 +68,7 @@ bool ViolationQueue::takeBatch()
   return true;
 }
 
-// Each rank keeps a share in proportion to what it has.
+// Each rank keeps a share in proportion to its number of leaves.
 void ViolationQueue::keepShare()
 {
   const SumsOverRanks found = sumOverRanks(this->surface_.exchange(), this->batch_.size());

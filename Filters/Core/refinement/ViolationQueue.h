@@ -13,7 +13,7 @@
 namespace geodesic
 {
 
-/// A leaf over the tolerance, when it had so many split edges.
+/// A leaf over the tolerance, with its number of split edges at that time.
 struct Violation
 {
   double error;
@@ -26,13 +26,13 @@ struct Violation
   }
 };
 
-/// The leaves over the tolerance, and which of them are refined next: the worst one. Where ranks
-/// refine together it is a batch of those that are nearly as bad as the worst of all ranks, so that
-/// there are few steps; a batch that was too much is tried again with half as many leaves.
+/// The leaves over the tolerance, and the selection of those to refine next: the worst one. If
+/// ranks refine together, it is a batch of leaves that are nearly as bad as the worst of all ranks,
+/// so that there are few steps; a batch that was too large is tried again with half as many leaves.
 class ViolationQueue
 {
 public:
-  /// \param triangles must outlive this, as must the surface.
+  /// Both arguments must outlive this.
   ViolationQueue(const RedGreenMesh& triangles, const MeshPartition& surface)
     : triangles_(triangles)
     , surface_(surface)
@@ -40,21 +40,22 @@ public:
   }
 
   void push(const Violation& violation) { this->waiting_.push(violation); }
-  /// Whether it was neither split nor assessed again since.
+  /// Whether the leaf was neither split nor assessed again since.
   bool isOpen(const Violation& violation) const;
 
-  /// Makes the next batch; all ranks call together. \returns false where no rank has any left.
+  /// A collective call of all ranks, which makes the next batch. \returns false if no rank has any
+  /// left.
   bool takeBatch();
-  /// Of this rank, the worst first.
+  /// This rank's leaves in the batch, the worst first.
   const std::vector<Violation>& batch() const { return this->batch_; }
   /// The largest error in the batch, over all ranks.
   double worst() const { return this->worst_; }
 
-  /// Puts back a batch that was too much, once the mesh is as it was. \returns whether a smaller
+  /// Puts back a batch that was too large, once the mesh is rolled back. \returns whether a smaller
   /// one can be tried.
   bool putBack();
 
-  /// Calls visit(violation) for each that is open, and forgets all.
+  /// Calls visit(violation) for each open one, and clears the queue.
   template <typename Visit>
   void takeAll(Visit&& visit)
   {
@@ -80,7 +81,7 @@ private:
   std::priority_queue<Violation> waiting_;
   std::vector<Violation> batch_;
   double worst_ = 0.0;
-  /// How many the batch has on all ranks, and may have.
+  /// The number of leaves in the batch on all ranks, and its maximum.
   std::uint64_t batchOfAll_ = 0;
   std::uint64_t mostInBatch_ = NoLimit;
 };
