@@ -30,25 +30,32 @@ Step stepFrom(const SourceCurve& curve, std::size_t i, bool isForward)
   return i > 0 ? Step{ i - 1, i - 1 } : curve.isClosed() ? Step{ last - 1, last - 1 } : Step{};
 }
 
-/// Whether the segment is longer than the rounding of its ends.
-bool hasLength(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t segment)
+/// Whether the segment is longer than the rounding of its ends, or than a larger fraction of its
+/// face.
+bool hasLength(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t segment,
+  double fraction = tolerance::PlaceRounding)
 {
   const Id face = curve.faces[segment];
   return distanceInFace(mesh, face, barycentric(mesh, curve.points[segment], face),
            barycentric(mesh, curve.points[segment + 1], face)) >
-    tolerance::PlaceRounding * mesh.shape(face).longest();
+    fraction * mesh.shape(face).longest();
 }
 
-/// Whether the ends of a segment determine its direction. In a face without area, rounding decides
-/// where the curve is merely cut.
+/// Whether the ends of a segment determine its direction. Where the curve is merely cut, the next
+/// segment determines the direction better than a short one, and rounding decides the direction in
+/// a face without area.
 bool tellsDirection(const TriangleMesh& mesh, const SourceCurve& curve, const Step& step)
 {
-  const bool isAcross = curve.isCut[step.to] && mesh.shape(curve.faces[step.segment]).hasZeroArea();
-  return !isAcross && hasLength(mesh, curve, step.segment);
+  if (!curve.isCut[step.to])
+  {
+    return hasLength(mesh, curve, step.segment);
+  }
+  return !mesh.shape(curve.faces[step.segment]).hasZeroArea() &&
+    hasLength(mesh, curve, step.segment, tolerance::NearEdge);
 }
 
-/// The steps from a given one, across edges, to the first that determines a direction; empty if the
-/// curve ends or reaches a vertex before.
+/// The steps from a given one, across edges, to the first that determines a direction. If the curve
+/// ends or reaches a vertex before, the given step alone, or nothing if it determines no direction.
 std::vector<Step> stepsOnward(
   const TriangleMesh& mesh, const SourceCurve& curve, const Step& first, bool isForward)
 {
@@ -60,7 +67,9 @@ std::vector<Step> stepsOnward(
     if (next.segment == None || p.kind != SurfacePoint::Kind::Edge || !mesh.isInner(p.id) ||
       steps.size() == curve.faces.size())
     {
-      return {};
+      const bool isAlong = hasLength(mesh, curve, first.segment) &&
+        !mesh.shape(curve.faces[first.segment]).hasZeroArea();
+      return isAlong ? std::vector<Step>{ first } : std::vector<Step>();
     }
     steps.push_back(next);
   }
