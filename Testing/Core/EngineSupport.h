@@ -18,27 +18,27 @@
 #include <string>
 #include <vector>
 
-/// From the tests' plain data to the engine's, and what tests of the engine have in common.
+/// Converts the tests' plain data for the engine; helpers that tests of the engine share.
 namespace geodesictest
 {
 
-/// An accuracy that the engine keeps on any mesh, of the largest distance.
+/// The engine's accuracy on any mesh, relative to the largest distance.
 constexpr double EngineAccuracy = 1e-9;
 
-/// What it keeps where no face is much longer than it is high. Two paths to a vertex that differ by
-/// less than a tie (1e-12 of the distance) are one to the engine, and what has gone on from the
-/// vertex stays. The worst of 130,000 fields around vertices, points and segments was off by 4e-13;
-/// most are off by a few roundings.
+/// The accuracy if no face is much longer than high. Two paths to a vertex whose lengths differ by
+/// less than a tie (1e-12 of the distance) are one to the engine, and the windows that the vertex
+/// has already emitted stay. The worst of 130,000 fields around vertices, points and segments was
+/// off by 4e-13; most are off by a few roundings.
 constexpr double OrdinaryAccuracy = 2e-12;
 
-/// What it keeps on a kind of mesh. On needles a rounding of the long edges is that much more of
-/// the short way across them: the worst of 7,000 fields was 8e-11, with aspects of 1e4 to
-/// 1e5 1.4e-10.
+/// The accuracy on a kind of mesh. On needles a rounding of the long edges is larger relative to
+/// the short way across: the worst of 7,000 fields was off by 8e-11, with aspects of 1e4 to 1e5 by
+/// 1.4e-10.
 double accuracyOn(const MeshKind& kind);
 
 geodesic::TriangleMesh engineMesh(const PlainMesh& mesh);
 
-/// Faces keep their numbers, so the mesh must have none that the engine leaves out.
+/// Requires a mesh from which the engine leaves out no face, so that faces keep their numbers.
 geodesic::SurfacePoint enginePoint(const geodesic::TriangleMesh& mesh, const MeshPoint& point);
 geodesic::SourceCurve engineCurve(const geodesic::TriangleMesh& mesh, const Polyline& curve);
 std::vector<geodesic::SourceCurve> engineCurves(
@@ -54,17 +54,17 @@ geodesic::DistanceField solveKeepingAll(const geodesic::TriangleMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves, double relativeError = 0.0,
   double maximumDistance = geodesic::Infinity, double maximumMerged = geodesic::Infinity);
 
-/// What the engine computes, laid out like the brute force's result.
+/// Distances computed by the engine, in the brute force's format.
 struct EngineResult
 {
   std::vector<double> vertices;
   std::vector<double> queries;
 };
 
-/// A field with all windows kept, at the vertices and the queries.
+/// The values of a field with all windows kept, at the vertices and the queries.
 EngineResult valuesOf(const geodesic::DistanceField& field, const std::vector<MeshPoint>& queries);
 
-/// Solves with all windows kept, evaluates the queries and checks that a solve without windows
+/// Solves with all windows kept, evaluates the queries, and checks that a solve without windows
 /// gives the same values at vertices.
 EngineResult engineDistances(const PlainMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves, const geodesic::TriangleMesh& engine,
@@ -77,16 +77,16 @@ EngineResult engineDistances(
 /// The largest finite value.
 double largestFinite(const std::vector<double>& values);
 
-/// The largest error relative to `largest`; infinity where one value is infinite (or not a number)
-/// and the other is not.
+/// The largest error relative to `largest`; infinity if one value is infinite or NaN and the other
+/// is not.
 double worstError(
   const std::vector<double>& computed, const std::vector<double>& truth, double largest);
 
-/// What is certified about an approximate field: never over the exact distance, and never under it
-/// by more than the field's bound; rounding is allowed for as in the exact field. \returns the
-/// largest relative error, where distances are so large that rounding does not tell.
+/// Checks what an approximate field certifies: it is nowhere above the exact distance, and nowhere
+/// below it by more than the field's bound; the allowance for rounding is that of the exact field.
+/// \returns the largest relative error among distances for which rounding is negligible.
 ///
-/// \param accuracy that of the exact field, of the largest distance.
+/// \param accuracy of the exact field, relative to the largest distance.
 double expectCertified(const geodesic::DistanceField& field, const std::vector<MeshPoint>& queries,
   const EngineResult& exact, double accuracy = OrdinaryAccuracy);
 
@@ -103,7 +103,7 @@ struct RandomCase
 };
 RandomCase randomCase(const MeshKind& kind, std::uint64_t seed, std::size_t numberOfQueries);
 
-/// The sources in a form that can be pasted into a test.
+/// The sources as code that can be pasted into a test.
 std::string describe(const std::vector<Polyline>& curves);
 
 }

@@ -19,18 +19,18 @@ using geodesic::Message;
 namespace
 {
 
-/// What a rank brings to a step.
+/// A rank's contribution to a step.
 struct Brought
 {
   std::vector<Message> messages;
   std::vector<double> numbers;
   bool hasFailed = false;
   std::string why;
-  /// The processor's seconds since its last step.
+  /// Processor seconds since the rank's last step.
   double work = 0.0;
 };
 
-/// The processor's seconds of this thread.
+/// Processor seconds of this thread.
 double threadSeconds()
 {
   std::timespec time = {};
@@ -38,7 +38,7 @@ double threadSeconds()
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// What it takes away.
+/// What a rank receives in a step.
 struct Taken
 {
   std::vector<Message> messages;
@@ -49,7 +49,7 @@ struct Taken
 
 }
 
-/// Where the ranks meet.
+/// The shared memory of the ranks.
 class MemoryRanks::Hub
 {
 public:
@@ -204,7 +204,7 @@ private:
   Hub& hub_;
   int rank_;
   std::mt19937_64 random_;
-  /// On the processor's clock of its thread.
+  /// In processor time of this thread.
   double lastStep_ = threadSeconds();
 };
 
@@ -225,7 +225,7 @@ std::vector<std::exception_ptr> MemoryRanks::tryRun(
     try
     {
       work(rank);
-      rank.step(rank.noMessages()); // nobody goes home before all are done
+      rank.step(rank.noMessages()); // no rank ends before all are done
     }
     catch (const geodesic::FailedElsewhere&)
     {

@@ -13,37 +13,37 @@
 namespace geodesictest
 {
 
-/// What the ranks of one run have told each other.
+/// Statistics of the communication in one run.
 struct ExchangeCounts
 {
   std::uint64_t steps = 0;
   std::uint64_t messages = 0;
   std::uint64_t bytes = 0;
-  /// The processor's seconds between the steps, of all ranks together, and those of the busiest
-  /// rank of each step: what the run would take with a processor a rank and messages in no time.
+  /// Processor seconds between the steps: the total of all ranks, and the sum over all steps of the
+  /// busiest rank's, which is the time of the run with a processor per rank and free communication.
   double work = 0.0;
   double busiest = 0.0;
-  /// The bytes that the rank with most of them sends or gets, of each step.
+  /// The sum over all steps of the largest number of bytes that one rank sends or receives.
   std::uint64_t busiestBytes = 0;
 };
 
-/// Ranks in one process, a thread each, that exchange messages through memory.
+/// Ranks as threads of one process, which exchange messages through memory.
 class MemoryRanks
 {
 public:
-  /// \param disorder not 0: a seed; each rank waits for random times before it sends and before it
-  ///        reads, so that they come to a step in any order.
+  /// \param disorder a seed, or 0. With a seed each rank waits for random times before it sends and
+  ///        before it reads, so that ranks arrive at a step in any order.
   explicit MemoryRanks(int numberOfRanks, std::uint64_t disorder = 0);
   ~MemoryRanks();
 
-  /// Runs the work on each rank and waits for all. A rank that throws fails for all.
+  /// Runs the work on each rank and waits for all. A rank that throws makes all ranks fail.
   ///
-  /// \returns what each rank has thrown, or null.
+  /// \returns for each rank, what it has thrown, or null.
   std::vector<std::exception_ptr> tryRun(const std::function<void(geodesic::Exchange&)>& work);
-  /// The same; throws what the lowest rank has thrown.
+  /// tryRun() that rethrows what the lowest rank has thrown.
   void run(const std::function<void(geodesic::Exchange&)>& work);
 
-  /// Rank 0 may ask between its steps.
+  /// Rank 0 may call this between its steps.
   const ExchangeCounts& counts() const;
 
 private:

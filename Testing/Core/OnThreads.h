@@ -13,7 +13,7 @@
 namespace geodesictest
 {
 
-/// Runs the tasks on so many threads, each of which takes the next one that is left.
+/// Runs the tasks on several threads, each of which takes the next remaining task.
 inline void onSomeThreads(
   std::size_t threads, std::size_t count, const std::function<void(std::size_t)>& task)
 {
@@ -37,13 +37,13 @@ inline void onSomeThreads(
   }
 }
 
-/// The same on three threads.
+/// onSomeThreads() on three threads.
 inline void onThreads(std::size_t count, const std::function<void(std::size_t)>& task)
 {
   onSomeThreads(3, count, task);
 }
 
-/// One task after another, the first or the last one first, and on several threads.
+/// One task after another, forwards and backwards, and on several threads.
 inline std::vector<geodesic::ParallelFor> waysToRun()
 {
   using Task = std::function<void(std::size_t)>;

@@ -18,7 +18,7 @@ namespace geodesictest
 namespace
 {
 
-/// What one rank has of a cut mesh.
+/// The faces of a cut mesh that one rank owns.
 struct Piece
 {
   std::vector<geodesic::Vec3> points;
@@ -59,7 +59,7 @@ Piece pieceOf(const CutMesh& cut, int rank)
   return piece;
 }
 
-/// The face that each face of the whole is on the rank that owns it; all ranks find out together.
+/// The address of each face of the whole mesh; a collective call of all ranks.
 std::vector<geodesic::RankAddress> facesOnRanks(
   const CutMesh& cut, const Piece& piece, const geodesic::MeshPartition& part)
 {

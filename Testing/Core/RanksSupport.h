@@ -15,7 +15,7 @@
 namespace geodesictest
 {
 
-/// A mesh cut into parts: the rank that owns each face.
+/// A mesh with the rank that owns each face.
 struct CutMesh
 {
   const PlainMesh& mesh;
@@ -23,9 +23,10 @@ struct CutMesh
   std::vector<int> rankOfFace;
 };
 
-/// Each face goes to any rank.
+/// Each face goes to a random rank.
 CutMesh cutAtRandom(const PlainMesh& mesh, int numberOfRanks, Random& random);
-/// Each face goes to the nearest of random points, one a rank: ranks may have none.
+/// Each face goes to the rank of the nearest of random points, one per rank; a rank may get no
+/// face.
 CutMesh cutInSpace(const PlainMesh& mesh, int numberOfRanks, Random& random);
 
 /// How a mesh is cut: the number of ranks, and whether in space or at random.
@@ -35,43 +36,42 @@ struct WayToCut
   bool inSpace;
 };
 std::vector<WayToCut> someWaysToCut();
-/// Each number of ranks both at random and in space.
+/// Each number of ranks, both at random and in space.
 std::vector<WayToCut> bothWaysToCut(const std::vector<int>& numbersOfRanks);
 
-/// Tests a mesh cut in each of the ways. What fails is told with the way.
+/// Tests a mesh cut in each of the ways; failure messages name the way.
 void forEachCut(const PlainMesh& mesh, const std::vector<WayToCut>& ways, Random& random,
   const std::function<void(const CutMesh&)>& test);
 
-/// One rank of a run: its part of the surface, and what the sources are to it.
+/// One rank of a run: its partition of the surface, and its share of the sources.
 struct RankOfRun
 {
   geodesic::Exchange& exchange;
   const geodesic::MeshPartition& part;
-  /// The vertices and faces of the whole mesh that the part's vertices and owned triangles are.
+  /// The whole mesh's numbers of the partition's vertices and owned triangles.
   const std::vector<Index>& wholeVertices;
   const std::vector<Index>& wholeFaces;
-  /// What each face of the whole mesh is on the rank that has it.
+  /// For each face of the whole mesh, its address.
   const std::vector<geodesic::RankAddress>& facesOnRanks;
-  /// The curves on a patch that all ranks have, and what they give this part's front.
+  /// The curves on a replicated patch, and their windows for this rank's front.
   const geodesic::ReplicatedPatch& patch;
   const std::vector<geodesic::SourceCurve>& curvesOnPatch;
   const geodesic::SourceWindows& sources;
 };
 
-/// The face of the whole mesh that a face of any rank is.
+/// The whole mesh's number of a face of any rank.
 Index wholeFaceOf(const RankOfRun& rank, const geodesic::RankAddress& face);
 
-/// Runs the work on every rank of a cut mesh, with sources given on the whole one.
+/// Runs the work on every rank of a cut mesh, with sources given on the whole mesh.
 ///
-/// \param disorder as of MemoryRanks.
+/// \param disorder as in MemoryRanks.
 void onRanks(const CutMesh& cut, const std::vector<Polyline>& curves, std::uint64_t disorder,
   const std::function<void(const RankOfRun&)>& work);
 
-/// What a front over ranks finds.
+/// The result of a front over several ranks.
 struct RanksResult
 {
-  /// At the whole mesh's vertices; not a number where ranks that share one have found different
-  /// ones.
+  /// At the whole mesh's vertices; NaN where ranks that share a vertex have found different values.
   std::vector<double> vertices;
   double relativeErrorBound = 0.0;
   std::uint64_t windowsPropagated = 0;

@@ -8,7 +8,7 @@
 namespace geodesictest
 {
 
-/// The seeds that a random test goes through.
+/// The seeds of a random test.
 struct Seeds
 {
   std::uint64_t first = 0;
@@ -17,7 +17,8 @@ struct Seeds
   std::uint64_t end() const { return this->first + this->count; }
 };
 
-/// So many from 0 on; others by an environment variable: GEODESIC_TEST_SEEDS=FIRST,COUNT.
+/// Seeds from 0 to count - 1, or others by an environment variable:
+/// GEODESIC_TEST_SEEDS=FIRST,COUNT.
 inline Seeds seedsOfTest(std::uint64_t count)
 {
   Seeds result{ 0, count };

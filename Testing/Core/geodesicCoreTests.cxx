@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs the engine's tests that the arguments choose. CTest has one entry a suite, which counts as
-// skipped where none of its tests could run.
+// Runs the engine's tests that the arguments select. CTest has one entry per suite; a suite none of
+// whose tests could run counts as skipped.
 #include <gtest/gtest.h>
 
 namespace

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-/// Geodesic distances that are known without any propagation over a mesh. The source is a straight
-/// segment; give the same point twice for a point source.
+/// Geodesic distances that are known without propagation over a mesh. The source is a straight
+/// segment; for a point source, pass the same point twice.
 namespace geodesictest
 {
 
@@ -23,25 +23,25 @@ double boxDistance(const Vec3& size, const Vec3& p, const Vec3& a, const Vec3& b
 /// The segment does not cross the line where the perimeter begins.
 double prismDistance(double perimeter, const Vec2& p, const Vec2& a, const Vec2& b);
 
-/// A point of a cone (or of a saddle fan): distance from the apex and angle around it.
+/// A point of a cone (or of a saddle fan): its distance from the apex and its angle around it.
 struct Polar
 {
   double radius;
   double angle;
 };
 
-/// On a cone of this total angle at its apex. The segment spans less than half a turn of angles.
+/// On a cone with this total angle at its apex. The segment spans less than half a turn.
 double coneDistance(double totalAngle, const Polar& p, const Polar& a, const Polar& b);
 
-/// The polar coordinates of a point of fan(): from its position and the face that holds it.
+/// The polar coordinates of a point of fan(), from its position and the face that contains it.
 Polar fanCoordinates(
   Index sectors, double angle, Index n, const PlainMesh& mesh, const MeshPoint& p);
 
 /// The place of a point of tetrahedron() in the lattice that unfolds it: face as in tetrahedron().
 Vec2 tetrahedronCoordinates(Index tetrahedronFace, const Vec3& position);
 
-/// On the regular tetrahedron of edge length 1, between places as from tetrahedronCoordinates().
-/// Its unfoldings tile the plane: a point's images are the half turns about the lattice's points,
+/// On the regular tetrahedron of edge length 1, between places from tetrahedronCoordinates(). Its
+/// unfoldings tile the plane: the images of a point are its half turns about the lattice's points,
 /// and no line is blocked.
 double tetrahedronDistance(const Vec2& p, const Vec2& a, const Vec2& b);
 

@@ -10,7 +10,7 @@
 namespace geodesictest
 {
 
-/// What distance is measured to.
+/// The sources from which distance is measured.
 struct Sources
 {
   std::vector<MeshPoint> points;
@@ -19,19 +19,19 @@ struct Sources
 
 struct BruteForceOptions
 {
-  /// Values up to here are exact, larger ones upper bounds.
+  /// Values up to this one are exact, larger ones are upper bounds.
   double maximumDistance = std::numeric_limits<double>::infinity();
-  /// Let every vertex emit, not only those where a geodesic can bend: slower, same result.
+  /// Lets every vertex emit, not only those where a geodesic can bend: slower, same result.
   bool everyVertexEmits = false;
 };
 
 struct BruteForceResult
 {
-  /// +infinity where no path leads.
+  /// +infinity if no path exists.
   std::vector<double> vertices;
-  /// The same at the query points.
+  /// Distances at the query points.
   std::vector<double> queries;
-  /// How many pencils of rays were followed.
+  /// The number of pencils of rays followed.
   std::size_t pencils = 0;
 };
 

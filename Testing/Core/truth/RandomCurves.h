@@ -12,13 +12,13 @@
 namespace geodesictest
 {
 
-/// A polyline on a mesh: each segment in one face, each beginning where the last one ended. A
-/// single point is one segment without length.
+/// A polyline on a mesh: each segment lies in one face and begins where the previous one ends. A
+/// single point is a segment without length.
 struct Polyline
 {
   std::vector<MeshSegment> segments;
-  /// Whether segment i goes on straight (in the unfolding) in the next one, across an edge of two
-  /// faces: the joint is nothing but a cut at that edge. Empty: none does.
+  /// Whether segment i continues straight (in the unfolding) into the next one, across an edge of
+  /// two faces: the joint merely cuts the line at that edge. Empty: none does.
   std::vector<bool> isCutAfter;
 
   bool isPoint() const;
@@ -33,18 +33,18 @@ public:
 
   Polyline point();
   Polyline point(const MeshPoint& place) const;
-  /// From any point to any point of a face around it, and so on: along edges, through vertices,
-  /// back over itself.
+  /// From a random point to a random point of a face around it, and so on: along edges, through
+  /// vertices, back over itself.
   Polyline walk(Index segments);
-  /// Straight in the unfolding through at most this many faces.
+  /// Straight in the unfolding, through at most this many faces.
   Polyline straight(Index faces);
-  /// A triangle inside a face or its outline.
+  /// A triangle inside a face, or the face's outline.
   Polyline closed();
-  /// To the end and back the same way.
+  /// To the end and back along the same way.
   Polyline thereAndBack(Index segments);
-  /// One of these.
+  /// A random one of these.
   Polyline any();
-  /// One to four of these, or a single one.
+  /// One to four of these, or a single point.
   std::vector<Polyline> anySource();
 
 private:
@@ -60,7 +60,7 @@ private:
 /// The same curves as points and segments.
 Sources toSources(const std::vector<Polyline>& curves);
 
-/// The same way from its other end.
+/// The same polyline from its other end.
 Polyline reversed(const Polyline& curve);
 
 }

@@ -11,11 +11,11 @@
 namespace geodesictest
 {
 
-/// A kind of random mesh that the sweeps go through.
+/// A kind of random mesh.
 struct MeshKind
 {
   const char* name;
-  /// A mesh of about this many faces.
+  /// Makes a mesh of about this many faces.
   PlainMesh (*make)(Index faces, Random& random);
 };
 
@@ -23,8 +23,8 @@ std::ostream& operator<<(std::ostream& os, const MeshKind& kind);
 
 const std::vector<MeshKind>& meshKinds();
 
-/// How many random meshes of a kind a test takes: `full`, but two at most where sanitizers run.
-/// What these find depends on the way through the code and hardly on the numbers.
+/// The number of random meshes of a kind in a test: `full`, but at most two under sanitizers, whose
+/// findings depend on the paths through the code and hardly on the numbers.
 constexpr std::uint64_t meshesOfAKind(std::uint64_t full)
 {
 #ifdef GEODESIC_FEW_MESHES

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-/// What the tests share. Nothing in this namespace's headers includes the engine, so that the truth
-/// the engine is compared with has no code in common with it.
+/// Data and meshes that tests share. No header of this namespace includes the engine, so the truth
+/// has no code in common with it.
 namespace geodesictest
 {
 
@@ -19,7 +19,6 @@ using Vec3 = std::array<double, 3>;
 using Triangle = std::array<Index, 3>;
 using Barycentric = std::array<double, 3>;
 
-/// An indexed triangle mesh and nothing else.
 struct PlainMesh
 {
   std::vector<Vec3> points;
@@ -45,7 +44,7 @@ struct MeshSegment
 Vec3 position(const PlainMesh& mesh, const MeshPoint& point);
 double spaceDistance(const Vec3& a, const Vec3& b);
 
-/// Random numbers that are the same on every platform for one seed.
+/// Random numbers, the same on every platform for a seed.
 class Random
 {
 public:
@@ -73,11 +72,11 @@ private:
 MeshPoint randomFacePoint(const PlainMesh& mesh, Random& random);
 MeshPoint randomEdgePoint(const PlainMesh& mesh, Random& random);
 MeshPoint randomVertexPoint(const PlainMesh& mesh, Random& random);
-/// Any of the three, or a point within rounding of an edge or a vertex.
+/// A point in a face, on an edge or at a vertex, or within rounding of an edge or a vertex.
 MeshPoint randomPoint(const PlainMesh& mesh, Random& random);
 /// A random point of one closed face: inside, on an edge or at a corner.
 Barycentric randomWeights(Random& random);
-/// The same for the vertex with this id; it must have a face.
+/// A vertex as a point of one of its faces; there must be one.
 MeshPoint vertexPoint(const PlainMesh& mesh, Index vertex);
 ///@}
 
@@ -86,18 +85,18 @@ MeshPoint vertexPoint(const PlainMesh& mesh, Index vertex);
 ///@{
 /// A flat grid of nx x ny squares, each cut along the same diagonal: distances tie exactly.
 PlainMesh regularGrid(Index nx, Index ny);
-/// Any triangulation of the rectangle [0, nx] x [0, ny]: vertices jittered, random diagonals,
+/// A random triangulation of the rectangle [0, nx] x [0, ny]: jittered vertices, random diagonals,
 /// random edge flips.
 PlainMesh randomPlanar(Index nx, Index ny, Random& random);
 /// An L: the grid without its upper right quarter; nx and ny are even.
 PlainMesh lShape(Index nx, Index ny);
-/// The random rectangle with polygonal holes: about `holes` blocks of cells are taken out.
+/// The random rectangle with about `holes` polygonal holes, where blocks of cells are removed.
 PlainMesh planarWithHoles(Index nx, Index ny, Index holes, Random& random);
 /// planarWithHoles with random heights in [-amplitude, amplitude].
 PlainMesh bumpySheet(Index nx, Index ny, Index holes, double amplitude, Random& random);
 /// A bumpy sheet stretched by aspect along one axis.
 PlainMesh needleSheet(Index nx, Index ny, double aspect, double amplitude, Random& random);
-/// A sphere from an octahedron whose edges have been cut in n; symmetric bit by bit.
+/// A sphere from an octahedron whose edges are cut in n; symmetric bit by bit.
 PlainMesh octasphere(Index n);
 /// Pages of n x m bumpy cells on one spine of n edges; page p holds faces 2 p n m ... With
 /// amplitude 0 the pages are flat rectangles [0, m] x [0, n].
@@ -123,9 +122,9 @@ std::array<Vec3, 4> tetrahedronCorners();
 ///@{
 /// Both meshes side by side, nothing joined.
 PlainMesh merged(const PlainMesh& a, const PlainMesh& b);
-/// Both meshes joined at one vertex only (b is moved there): a bow-tie.
+/// Both meshes joined at only one vertex, to which b is moved: a bow-tie.
 PlainMesh joinedAtVertex(const PlainMesh& a, Index vertexOfA, const PlainMesh& b, Index vertexOfB);
-/// New numbers for vertices and faces and another first corner for each face. Old vertex i becomes
+/// New numbers for vertices and faces, and another first corner for each face. Old vertex i becomes
 /// vertexMap[i], old face f becomes faceMap[f], and its corner k becomes (k + cornerShift[f]) % 3.
 struct Renumbered
 {
@@ -135,26 +134,27 @@ struct Renumbered
   std::vector<Index> cornerShift;
 };
 Renumbered renumbered(const PlainMesh& mesh, Random& random);
-/// Turns the orientation of a random half of the faces (corners 1 and 2 swap; flags tell which).
+/// Flips the orientation of a random half of the faces (swaps corners 1 and 2; `flipped` marks
+/// them).
 PlainMesh withFlippedFaces(
   const PlainMesh& mesh, Random& random, std::vector<bool>* flipped = nullptr);
-/// Splits some faces at their centroid; old vertices keep their numbers.
+/// Splits some faces at their centroids; old vertices keep their numbers.
 PlainMesh withSplitFaces(const PlainMesh& mesh, double fraction, Random& random);
-/// Splits some edges at their midpoint, in all faces around; old vertices keep their numbers.
+/// Splits some edges at their midpoints, in all faces around; old vertices keep their numbers.
 PlainMesh withSplitEdges(const PlainMesh& mesh, double fraction, Random& random);
-/// Each face in four, on the same surface.
+/// Splits each face in four, on the same surface.
 PlainMesh subdivided(const PlainMesh& mesh);
 PlainMesh scaled(const PlainMesh& mesh, double factor);
 /// A random rotation and a shift by about the mesh's size.
 PlainMesh moved(const PlainMesh& mesh, Random& random);
-/// Without vertices that no face uses.
+/// Removes vertices that no face uses.
 PlainMesh compacted(const PlainMesh& mesh);
 ///@}
 
 /// Edges with one face, as pairs of vertices.
 std::vector<std::pair<Index, Index>> boundaryEdges(const PlainMesh& mesh);
 
-/// The vertices whose total angle is over 2 pi by more than rounding, boundary vertices left out.
+/// The inner vertices whose total angle exceeds 2 pi by more than rounding.
 std::size_t countSaddles(const PlainMesh& mesh);
 
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Unfolding a face, the queries of its apex and windows that go through it, against straight lines
-// in the plane of the face.
+// Unfolding a face, the queries of its apex, and windows that pass through it, compared with
+// straight lines in the plane of the face.
 #include "EngineSupport.h"
 #include "window/WindowSupport.h"
 
@@ -29,8 +29,8 @@ constexpr double Accuracy = 1e-13;
 constexpr CornerDistances Unknown = { Infinity, Infinity, Infinity };
 constexpr Id Unlimited = 1000;
 
-/// A triangle in space with halfedge 0 of the given length along some direction, and its apex at
-/// the given place above it.
+/// A triangle in space: halfedge 0 has the given length and a random direction, and the apex lies
+/// at the given place above it.
 geodesic::TriangleMesh triangle(double length, PlanePoint apex)
 {
   const geodesic::Vec3 origin = { 0.3, -0.2, 0.1 };
@@ -51,8 +51,8 @@ struct RandomFace
   {
   }
 
-  /// A point of the left edge (from the origin to the apex) or the right one (on to the
-  /// destination).
+  /// A point of the left edge (from the origin to the apex) or of the right one (from the apex to
+  /// the destination).
   PlanePoint onLeft(double x) const { return (x / this->face.leftLength) * this->apex; }
   PlanePoint onRight(double x) const
   {
@@ -65,8 +65,8 @@ struct RandomFace
   UnfoldedFace face;
 };
 
-/// The distance from points with a distance of their own and from a wave, as it enters through a
-/// halfedge: windows that cover it without gaps and meet at equal distances.
+/// Windows on a halfedge of the distance from weighted points and from a wave: they cover it
+/// without gaps and have equal distances where they meet.
 WindowListBuilder fieldOn(double length, Random& random)
 {
   WindowListBuilder builder;
@@ -83,7 +83,7 @@ WindowListBuilder fieldOn(double length, Random& random)
   return builder;
 }
 
-/// Any windows, with gaps and steps between them.
+/// Arbitrary windows, with gaps and steps between them.
 WindowListBuilder anyOn(double length, Random& random)
 {
   WindowListBuilder builder;
@@ -97,7 +97,7 @@ WindowListBuilder anyOn(double length, Random& random)
   return builder;
 }
 
-/// The shortest straight or bent way through the list.
+/// The shortest straight or bent path through the list.
 double exactThrough(const WindowRange& list, PlanePoint p)
 {
   Extended least = Infinity;
@@ -125,7 +125,7 @@ void propagate(const ApexQuery& apex, const RandomFace& random, const CornerDist
   propagateThroughFace(apex, random.face, known, { true, true }, maximum, leaving);
 }
 
-/// Each window behind an edge is a straight continuation of one in the list.
+/// Each window behind an edge continues one of the list straight.
 template <typename OnEdge>
 void expectStraight(const WindowRange& list, const WindowRange& children, const OnEdge& onEdge)
 {
@@ -152,7 +152,7 @@ void expectStraight(const WindowRange& list, const WindowRange& children, const 
 }
 
 /// No ray of the list that leaves through an edge is missing behind it, unless a path through a
-/// corner is no longer.
+/// corner is at least as short.
 template <typename OnEdge>
 void expectComplete(const WindowRange& list, const WindowRange& children, double length,
   double atBegin, double atEnd, const OnEdge& onEdge)
@@ -225,7 +225,7 @@ TEST(UnfoldedFace, BehindTheEdgesStraightDistancesAreTheSame)
     Window w = randomWindow(r.length, random);
     w.sourceDepth = std::max(w.sourceDepth, 1e-3);
     w.error = 0.125;
-    // Straight through the edges only: the source must lie on the side that the rays come from.
+    // Straight through the edges only; the source must lie on the side from which the rays come.
     const double left = r.face.meetLeft(w, random.uniform(w.begin, w.end));
     const double right = r.face.meetRight(w, random.uniform(w.begin, w.end));
     const double size = 10.0 + std::abs(w.sourceX) + w.sourceDepth + w.sigma;
@@ -353,7 +353,7 @@ TEST(FacePropagation, WindowsGoOnStraightAndNoneIsMissing)
     const RandomFace r(random);
     const WindowListBuilder list = i % 2 == 0 ? fieldOn(r.length, random) : anyOn(r.length, random);
     const ApexQuery apex = fullApexQuery(list.range(), r.apex, sides);
-    // What the list itself gives; more is known in the front, and drops more windows.
+    // The bound from the list alone; in a real front, better bounds drop more windows.
     const Window& first = list.windows().front();
     const Window& last = list.windows().back();
     const CornerDistances known = { first.distance(first.begin) + first.begin,
@@ -365,7 +365,7 @@ TEST(FacePropagation, WindowsGoOnStraightAndNoneIsMissing)
     expectStraight(list.range(), leaving.right.range(), onRight);
     if (i % 2 != 0)
     {
-      continue; // where windows are missing, a ray may be beaten by a way around their ends
+      continue; // near gaps, a path around their ends may beat a ray
     }
     expectComplete(
       list.range(), leaving.left.range(), r.face.leftLength, known.origin, known.apex, onLeft);
@@ -380,7 +380,7 @@ TEST(FacePropagation, WindowsGoOnStraightAndNoneIsMissing)
 
 TEST(FacePropagation, OnlyOneWindowThatHoldsTheApexGoesToBothEdges)
 {
-  // Three sources whose rays all cross the apex; the middle one is the nearest.
+  // Three sources whose rays all pass through the apex; the middle one is the nearest.
   const geodesic::TriangleMesh mesh = triangle(3.0, { 1.5, 1.0 });
   const UnfoldedFace face = geodesic::unfold(mesh, 0);
   const std::vector<Window> windows = { circularWindow(0.0, 1.0, 0.0, 1.0, 0.4),
@@ -436,8 +436,8 @@ TEST(FacePropagation, WindowsThatHaveCrossedTooManyFacesAreDropped)
 
 TEST(FacePropagation, WindowsThatAPathThroughACornerBeatsAreDroppedAndTiesStay)
 {
-  // From (.5, -1) straight to the left edge of a face; the distance known at the face's origin is
-  // that of the straight path, less or more a little.
+  // A window from (.5, -1) straight to the left edge of a face. The distance known at the face's
+  // origin equals the straight path's, or is slightly smaller or larger.
   const UnfoldedFace face = geodesic::unfold(triangle(1.0, { 0.0, 1.0 }), 0);
   const Window w = circularWindow(0.0, 0.2, 0.5, 1.0);
   const double straight = std::hypot(0.5, 1.0);

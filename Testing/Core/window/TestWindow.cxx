@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances and rays of one window, against extended precision.
+// Distances and rays of one window, compared with extended precision.
 #include "window/WindowSupport.h"
 
 #include "window/Interval.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where two windows have the same distance, and which of them is lower, against bisection in
+// Where two windows have the same distance, and which of them is lower, compared with bisection in
 // extended precision.
 #include "window/WindowSupport.h"
 
@@ -22,8 +22,8 @@ namespace
 constexpr double Lo = 0.25;
 constexpr double Hi = 1.5;
 
-/// Two windows that cover [Lo, Hi]. The difference of their distances has one extremum at most,
-/// where their rays have one direction, and is monotone on both sides of it.
+/// Two windows that cover [Lo, Hi]. The difference of their distances has at most one extremum,
+/// where their rays have the same direction, and is monotone on both sides of it.
 struct Pair
 {
   Window a;
@@ -34,7 +34,7 @@ struct Pair
     return exactDistance(this->a, x) - exactDistance(this->b, x);
   }
 
-  /// Of the numbers that the distances are made of.
+  /// The size of the numbers that make up the distances.
   double size() const
   {
     double size = std::abs(this->a.sigma) + std::abs(this->b.sigma);
@@ -71,7 +71,7 @@ struct Pair
   {
     std::vector<Extended> breaks = { Lo, Hi };
     const Extended turn = this->extremum();
-    if (turn > Lo && turn < Hi) // false where it is not a number
+    if (turn > Lo && turn < Hi) // false for NaN
     {
       breaks.insert(breaks.begin() + 1, turn);
     }
@@ -117,7 +117,7 @@ Window line(Random& random)
   return linearWindow(Lo, Hi, random.uniform(-1.0, 1.0), random.uniform(0.0, 3.0));
 }
 
-/// A window whose distance at x is that of the other one.
+/// Changes a window so that its distance at x equals the other one's.
 Window through(Window w, const Window& other, double x)
 {
   w.sigma += other.distance(x) - w.distance(x);
@@ -140,15 +140,15 @@ Window moved(Window w, double by, Random& random)
   return w;
 }
 
-/// How pairs are made. Most have a crossing inside, as few of any two windows would.
+/// How pairs are made. Most kinds have a crossing inside, as few random pairs do.
 struct PairKind
 {
   const char* name;
   Pair (*make)(Random& random);
-  /// Which numbers of crossings occur.
+  /// The numbers of crossings that occur.
   std::vector<std::size_t> counts;
-  /// How much the distances may differ at a crossing that is found, of their size. Where two
-  /// functions touch, or run beside each other, their crossings cannot be told as well.
+  /// How much the distances may differ at a found crossing, relative to their size. Where two
+  /// functions touch or nearly coincide, their crossings are less certain.
   double accuracy;
 };
 
@@ -222,7 +222,7 @@ class WindowPairs : public ::testing::TestWithParam<PairKind>
 {
 };
 
-/// Of the distances: rounding of the squares, and of the sums that they are made of.
+/// Relative to the distances: rounding of the squares and of their sums.
 constexpr double CrossingAccuracy = 1e-13;
 
 }
@@ -243,7 +243,7 @@ TEST_P(WindowPairs, EveryCrossingIsFound)
     ASSERT_TRUE(found.count < 2 || found.at[0] <= found.at[1]) << pair;
     for (const Extended root : roots)
     {
-      // Where the crossing is told to be the distances differ by no more than rounding.
+      // The distances near the reported crossing differ by no more than rounding.
       double nearest = geodesic::Infinity;
       for (int k = 0; k < found.count; ++k)
       {
@@ -320,8 +320,8 @@ TEST(WindowCrossings, EqualWindowsHaveNoneAndTheFirstKeepsAll)
 
 TEST(LowerWindow, ATieOnAPartDoesNotHideWhoIsLowerOnTheRest)
 {
-  // The source of one lies on the way from that of the other, along the halfedge: from there on
-  // they tie, before it they do not.
+  // The source of one window lies on the way from the other's, along the halfedge: beyond that
+  // point the two tie, before it they do not.
   const double sigma = 1.0;
   for (const double x : { 0.3, 0.4, 0.5 })
   {

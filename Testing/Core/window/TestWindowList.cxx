@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The list of a halfedge is the lower envelope of what was appended.
+// The list of a halfedge is the lower envelope of all appended windows.
 #include "window/WindowSupport.h"
 
 #include "Tolerance.h"
@@ -22,7 +22,7 @@ std::vector<Window> someWindows(Random& random)
   {
     windows.push_back(randomWindow(Length, random));
   }
-  // some that begin or end where another one does
+  // some that begin or end where another window does
   for (Index i = random.below(3); i > 0; --i)
   {
     Window w = windows[random.below(windows.size())];
@@ -104,7 +104,7 @@ TEST(WindowList, TwoListsMakeTheLowerEnvelopeOfBoth)
   {
     SCOPED_TRACE(i);
     std::vector<Window> both;
-    // beside one another, across, or one empty
+    // side by side, overlapping, or one of them empty
     const double split = random.uniform(0.0, 1.5);
     const auto listWithin = [&](double lo, double hi, Index count)
     {
@@ -191,7 +191,7 @@ TEST(WindowList, PencilsOfOneSourceFromTwoListsBecomeOneAndKeepTheLargerError)
       right.begin = 0.5;
       right.error = error;
       right.facesCrossed = error > 0.0 ? 5 : 2;
-      right.sourceX *= 1.0 + 8.0 * Epsilon; // after some unfoldings around a vertex
+      right.sourceX *= 1.0 + 8.0 * Epsilon; // as after some unfoldings around a vertex
       WindowListBuilder builder;
       builder.reset(1.0);
       builder.append(left);
@@ -240,7 +240,7 @@ TEST(WindowList, PencilsThatAreNotOneStayTwo)
   others[0].sourceX += 1e-9;
   others[1].sourceDepth += 1e-9;
   others[2].sigma += 1e-9;
-  others[3].begin = 0.5 + 1e-9; // a gap: something else belongs there
+  others[3].begin = 0.5 + 1e-9; // a gap, in which another window belongs
   others[4] = linearWindow(0.5, 1.0, 0.3, 2.0);
   for (const Window& other : others)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What Merging.md claims of merged windows, by dense sampling in extended precision.
+// The claims of Merging.md about merged windows, checked by dense sampling in extended precision.
 #include "window/WindowSupport.h"
 
 #include "window/WindowMerge.h"
@@ -12,7 +12,7 @@ using geodesic::mergeNeighbours;
 namespace
 {
 
-/// Of the distances on the halfedge.
+/// Relative to the distances on the halfedge.
 constexpr double Accuracy = 1e-13;
 
 struct Pair
@@ -26,7 +26,7 @@ struct Pair
   }
 };
 
-/// Two neighbours that meet at a place of equal distance or, sometimes, with a step.
+/// Two neighbours that meet with equal distances or, sometimes, with a step.
 Pair randomPair(Random& random)
 {
   const double joint = random.uniform(0.1, 0.9);
@@ -46,7 +46,7 @@ Pair randomPair(Random& random)
   {
     pair.right.sigma += pair.left.distance(joint) - pair.right.distance(joint);
   }
-  // no pseudo-source has a negative distance
+  // a pseudo-source's distance is not negative
   const double raise = std::max(0.0, 0.1 - pair.right.sigma);
   pair.left.sigma += raise;
   pair.right.sigma += raise;
@@ -57,7 +57,7 @@ Pair randomPair(Random& random)
   return pair;
 }
 
-/// The largest gap between the pair and what it was merged into; nowhere below by more than
+/// The largest gap between the pair and the merged window, which is nowhere above by more than
 /// rounding.
 double largestGap(const Pair& pair, const Window& merged)
 {
@@ -138,7 +138,7 @@ TEST(WindowMerge, TheErrorIsTheLargestGapAndWhatTheOriginalsHad)
     const double gap = largestGap(pair, list[0]);
     const double size = 1.0 + pair.left.sigma + pair.right.sigma;
     ASSERT_GE(list[0].error, inherited + gap - Accuracy * size) << pair.left << "\n" << pair.right;
-    // Not more than occurs: samples miss the largest gap by little.
+    // The error is not larger than the true gap, which samples miss by little.
     ASSERT_LE(list[0].error, inherited + gap * 1.01 + 1e-5 * size) << pair.left << "\n"
                                                                    << pair.right;
   }
@@ -180,7 +180,7 @@ TEST(WindowMerge, WhatTheMergesOfOneListAddUpToIsBounded)
   std::size_t chains = 0;
   for (int i = 0; i < 300; ++i)
   {
-    // the envelope of many sources in a row, as a curve's points give it
+    // the envelope of many sources in a row, such as a curve's points
     std::vector<Window> windows;
     const int count = 40;
     for (int k = 0; k < count; ++k)
@@ -246,8 +246,8 @@ TEST(WindowMerge, ParallelRaysThatDivergeAreNotMerged)
 
 TEST(WindowMerge, RaysOfAMergedWindowLeadNoFartherThanThoseOfItsOriginals)
 {
-  // Also where the merged source comes close to the halfedge, and its depth, which tells where rays
-  // go, is a difference of nearly equal numbers.
+  // Even if the merged source comes close to the halfedge, and its depth, which determines where
+  // rays go, is a difference of nearly equal numbers.
   Random random(5);
   int merges = 0;
   int shallow = 0;

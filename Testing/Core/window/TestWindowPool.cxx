@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Memory of windows: blocks of a pool, and the archive of windows that are kept.
+// Memory of windows: blocks of a pool, and the archive of kept windows.
 #include "window/WindowSupport.h"
 
 #include "window/WindowArchive.h"
@@ -19,7 +19,7 @@ using geodesic::WindowRange;
 namespace
 {
 
-/// So many windows that tell their list and their place in it.
+/// Windows marked with their list and their position in it.
 std::vector<Window> numbered(std::size_t count, double list)
 {
   std::vector<Window> windows;
@@ -46,7 +46,7 @@ void expectSame(const WindowRange& windows, const std::vector<Window>& expected)
   }
 }
 
-/// What an archive has of a halfedge: the numbers of the lists.
+/// The numbers of the lists that an archive has of a halfedge.
 std::vector<double> listsOf(const WindowArchive& archive, Id halfedge)
 {
   std::vector<double> lists;
@@ -120,7 +120,7 @@ TEST(WindowPool, TheMemoryThatIsHandedOverHoldsTheBlocks)
     block = pool.copyOf(rangeOf(windows));
     pool.free(pool.copyOf(rangeOf(windows)));
     memory = pool.release();
-    // It begins anew: none of what it handed over is given out.
+    // The pool begins anew and reuses none of the released memory.
     const WindowBlock fresh = pool.copyOf(rangeOf(windows));
     for (const auto& chunk : memory)
     {

@@ -12,15 +12,15 @@
 #include <ostream>
 #include <vector>
 
-/// Windows for tests, and their distances in extended precision. The truth here is written down
-/// anew from the definition of a window and calls none of its functions.
+/// Windows for tests, and their distances in extended precision. This truth is written anew from
+/// the definition of a window and calls none of the engine's functions.
 namespace geodesictest
 {
 
 using geodesic::Window;
 
-/// At least 64 bits of mantissa where the tests are run: some thousand times the precision of what
-/// is tested.
+/// At least 64 bits of mantissa on the test machines: about a thousand times the precision under
+/// test.
 using Extended = long double;
 
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
@@ -49,7 +49,7 @@ inline Extended exactDistance(const Window& w, Extended x, Extended y = 0.0L)
   return w.sigma + std::sqrt(dx * dx + dy * dy);
 }
 
-/// The least of a convex function on [lo, hi], by ternary search.
+/// The minimum of a convex function on [lo, hi], by ternary search.
 inline Extended leastOf(const std::function<Extended(Extended)>& f, Extended lo, Extended hi)
 {
   for (int i = 0; i < 200; ++i)
@@ -61,7 +61,7 @@ inline Extended leastOf(const std::function<Extended(Extended)>& f, Extended lo,
   return f(0.5L * (lo + hi));
 }
 
-/// The length of the shortest path to a point above the halfedge that comes through the window.
+/// The length of the shortest path through the window to a point above the halfedge.
 inline Extended exactBentDistance(const Window& w, Extended x, Extended y)
 {
   return leastOf(
