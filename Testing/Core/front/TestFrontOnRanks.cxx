@@ -70,7 +70,7 @@ std::size_t countDifferent(const std::vector<double>& a, const std::vector<doubl
 
 }
 
-TEST_P(FrontOnRanks, FindsTheFieldOfTheWholeHoweverItIsCut)
+TEST_P(FrontOnRanks, FindsTheFieldOfTheWholeSurfaceForAnyCut)
 {
   double worst = 0.0;
   std::size_t different = 0;
@@ -98,7 +98,7 @@ TEST_P(FrontOnRanks, FindsTheFieldOfTheWholeHoweverItIsCut)
             << " of " << compared << " distances have other bits\n";
 }
 
-TEST_P(FrontOnRanks, FindsTheFieldBesideBarriersHoweverTheyAreCut)
+TEST_P(FrontOnRanks, FindsTheFieldBesideBarriersForAnyCut)
 {
   for (std::uint64_t seed = 0; seed < meshesOfAKind(6); ++seed)
   {
@@ -160,7 +160,7 @@ TEST_P(FrontOnRanks, KeepsTheCertifiedBound)
   }
 }
 
-TEST_P(FrontOnRanks, StopsAtALimitWhereTheWholeDoes)
+TEST_P(FrontOnRanks, StopsAtALimitWhereOneProcessDoes)
 {
   for (std::uint64_t seed = 0; seed < meshesOfAKind(6); ++seed)
   {
@@ -226,7 +226,7 @@ TEST(Ranks, RememberTheSameArrivalAtSharedVerticesWherePathsAreEquallyLong)
     });
 }
 
-TEST(Ranks, AllEndWithTheMessageOfTheOneThatFails)
+TEST(Ranks, AllFailWithTheMessageOfTheRankThatFails)
 {
   MemoryRanks ranks(3);
   const auto thrown = ranks.tryRun(

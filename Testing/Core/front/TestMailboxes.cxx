@@ -10,7 +10,7 @@ using geodesic::Id;
 using geodesic::MailBatch;
 using geodesic::Mailboxes;
 
-TEST(Mailboxes, BringsMailOfEachOfManyDistrictsInTheirOrder)
+TEST(Mailboxes, DeliverTheMailOfManyDistrictsInTheirOrder)
 {
   constexpr Id districts = 200;
   Mailboxes post(districts);

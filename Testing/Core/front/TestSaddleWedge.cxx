@@ -134,7 +134,7 @@ class SaddleWedges : public testing::TestWithParam<std::tuple<Id, bool, bool>>
 {
 };
 
-TEST_P(SaddleWedges, AreWhatNoStraightContinuationLights)
+TEST_P(SaddleWedges, AreThePartsThatNoStraightContinuationReaches)
 {
   const auto [faces, closed, mixed] = this->GetParam();
   const Fan fan(faces, closed, mixed);
@@ -152,14 +152,14 @@ TEST_P(SaddleWedges, AreWhatNoStraightContinuationLights)
 INSTANTIATE_TEST_SUITE_P(Fans, SaddleWedges,
   testing::Combine(testing::Values(6, 9, 12), testing::Bool(), testing::Bool()));
 
-TEST(SaddleWedge, IsNotToldWithoutAnArrival)
+TEST(SaddleWedge, IsNotFoundWithoutAnArrival)
 {
   const Fan fan(8, true, false);
   std::vector<EmittedInterval> halfedges;
   EXPECT_FALSE(findSaddleWedge(fan.mesh(), 0, {}, halfedges));
 }
 
-TEST(SaddleWedge, IsNotToldAcrossAnEdgeOfThreeFaces)
+TEST(SaddleWedge, IsNotFoundAcrossAnEdgeOfThreeFaces)
 {
   // three sheets that meet along the edge from vertex 0 to vertex 1
   const std::vector<Vec3> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, 0 }, { 0.5, -1, 0 },
@@ -169,7 +169,7 @@ TEST(SaddleWedge, IsNotToldAcrossAnEdgeOfThreeFaces)
   EXPECT_FALSE(findSaddleWedge(mesh, 0, { 1, geodesic::NoId, 0.5 }, halfedges));
 }
 
-TEST(SaddleWedge, IsNotToldThroughFacesWithoutArea)
+TEST(SaddleWedge, IsNotFoundThroughFacesWithoutArea)
 {
   const std::vector<Vec3> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 } };
   const TriangleMesh mesh(points, { { 0, 1, 2 }, { 0, 2, 3 } });

@@ -56,7 +56,7 @@ TEST(WaitingLists, WithoutListsNoneIsFound)
   EXPECT_TRUE(contentOf(lists).empty());
 }
 
-TEST(WaitingLists, HoldWhatAMapHolds)
+TEST(WaitingLists, AgreeWithAMap)
 {
   for (std::uint64_t seed = 0; seed < 100; ++seed)
   {
@@ -91,7 +91,7 @@ TEST(WaitingLists, HoldWhatAMapHolds)
   }
 }
 
-TEST(WaitingLists, HalfedgesOfOneHomeAreToldApart)
+TEST(WaitingLists, HalfedgesWithEqualHashesAreDistinguished)
 {
   // Also at the end of the table, behind which its beginning follows; removed in any order.
   constexpr unsigned bits = 5;

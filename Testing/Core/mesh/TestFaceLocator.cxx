@@ -128,7 +128,7 @@ TEST(FaceLocator, AtAVertexItsFacesAreFoundInOrder)
   EXPECT_EQ(locator.closest(mesh.point(12), Epsilon), around);
 }
 
-TEST(FaceLocator, FacesWithoutAreaCountAsAllOthers)
+TEST(FaceLocator, FacesWithoutAreaCountLikeAllOthers)
 {
   // The second lies in the first's edge, the third is by itself.
   const TriangleMesh mesh({ { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 0 }, { 1, 0, 0 },
@@ -155,7 +155,7 @@ TEST(FaceLocator, HalfwayBetweenSheetsBothAreFound)
   EXPECT_EQ(locator.closest({ 0.6, 0.2, 0.4 }, Epsilon), (std::vector<Id>{ 0 }));
 }
 
-TEST(FaceLocator, BesideTheSurfaceAFaceThatIsAlmostAsCloseIsNoChoice)
+TEST(FaceLocator, BesideTheSurfaceAFaceThatIsAlmostAsCloseIsNotChosen)
 {
   // Over the first of two faces that are bent by a little less than the precision tells.
   const TriangleMesh mesh(
@@ -173,7 +173,7 @@ TEST(FaceLocator, BesideTheSurfaceAFaceThatIsAlmostAsCloseIsNoChoice)
   }
 }
 
-TEST(FaceLocator, ThePrecisionOfThePointTellsWhatIsEquallyClose)
+TEST(FaceLocator, ThePrecisionOfThePointDecidesWhichFacesAreEquallyClose)
 {
   for (const double scale : { 0x1p-60, 1.0, 0x1p60 })
   {

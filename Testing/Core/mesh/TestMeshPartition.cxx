@@ -51,7 +51,7 @@ TEST(MeshPartition, ATriangleThatNamesAVertexTwiceIsNoFace)
     });
 }
 
-TEST(ReplicatedPatch, KnowsOfEveryEdgeAskedForWhetherItIsBoundaryOfTheWhole)
+TEST(ReplicatedPatch, KnowsWhetherAnEdgeIsOnTheBoundaryOfTheWholeSurface)
 {
   // Faces of a grid go to the ranks in turn, so that each has copies of nearly all others.
   const geodesictest::PlainMesh whole = geodesictest::regularGrid(4, 4);

@@ -121,7 +121,7 @@ TEST(TriangleMesh, LengthsAndAreaAreThoseInSpace)
   EXPECT_DOUBLE_EQ(mesh.shape(0).cornerDot[2], 16.0);
 }
 
-TEST(TriangleMesh, WhatIsLeftOutOrNoticedIsCounted)
+TEST(TriangleMesh, OmittedAndUnusualElementsAreCounted)
 {
   PlainMesh plain = regularGrid(2, 2); // 9 points, 8 faces
   plain.points.push_back({ 5, 5, 5 });
@@ -162,7 +162,7 @@ TEST(TriangleMesh, NeedlesHaveArea)
   EXPECT_EQ(engineMesh(needleSheet(6, 6, 1e5, 0.3, random)).report().zeroAreaFaces, 0u);
 }
 
-TEST(TriangleMesh, AreasOfNeedlesAreExactButForRounding)
+TEST(TriangleMesh, AreasOfNeedlesAreExactUpToRounding)
 {
   // Coordinates of few bits: differences are exact, and so is the area in extended precision.
   Random random(7);

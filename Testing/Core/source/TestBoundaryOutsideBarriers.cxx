@@ -108,7 +108,7 @@ void expectParts(const PlainMesh& whole, const PlainMesh& open)
   EXPECT_EQ(foundVertices, expectedVertices);
 }
 
-TEST(BoundaryOutsideBarriers, OnRandomMeshesItIsWhatOpenFacesHaveOfTheBoundary)
+TEST(BoundaryOutsideBarriers, OnRandomMeshesItIsThePartOfTheBoundaryOnOpenFaces)
 {
   Random random(8);
   for (const geodesictest::MeshKind& kind : geodesictest::meshKinds())
@@ -228,7 +228,7 @@ TEST(BoundaryOutsideBarriers, ALoopWithOneGapIsOneCurve)
   }
 }
 
-TEST(BoundaryOutsideBarriers, NothingIsLeftWhereBarriersHaveAllOfIt)
+TEST(BoundaryOutsideBarriers, NothingIsLeftIfBarriersHaveTheWholeBoundary)
 {
   const PlainMesh whole = geodesictest::regularGrid(4, 4);
   const PlainMesh open{ whole.points, { { 6, 7, 12 } } };

@@ -768,7 +768,7 @@ TEST(SourceCurve, ASinglePointTakesItsFirstFace)
 }
 
 /// A flat sheet with one triangle turned over, and the section of it that walks from face to face.
-TEST(SourceCurve, ASectionOfASheetWithATurnedTriangleIsTheSourceThatItWas)
+TEST(SourceCurve, ASectionOfASheetWithATurnedTriangleStaysTheSameCurve)
 {
   Random random(31);
   for (int i = 0; i < 20; ++i)

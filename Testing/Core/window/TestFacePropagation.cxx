@@ -177,7 +177,7 @@ void expectComplete(const WindowRange& list, const WindowRange& children, double
 
 }
 
-TEST(UnfoldedFace, ItsMeasuresAreThoseOfTheFace)
+TEST(UnfoldedFace, LengthsAndApexAreThoseOfTheFace)
 {
   Random random(1);
   for (int i = 0; i < 200; ++i)
@@ -342,7 +342,7 @@ TEST(ApexQuery, TheErrorIsThatOfTheWindowThatGivesTheDistance)
   EXPECT_EQ(quickApexQuery(list, { 0.3, 1.0 }).error, 0.01);
 }
 
-TEST(FacePropagation, WindowsGoOnStraightAndNoneIsMissing)
+TEST(FacePropagation, WindowsContinueStraightAndNoneIsMissing)
 {
   Random random(7);
   std::vector<ApexSide> sides;
@@ -378,7 +378,7 @@ TEST(FacePropagation, WindowsGoOnStraightAndNoneIsMissing)
   }
 }
 
-TEST(FacePropagation, OnlyOneWindowThatHoldsTheApexGoesToBothEdges)
+TEST(FacePropagation, OnlyOneWindowThatContainsTheApexContinuesThroughBothEdges)
 {
   // Three sources whose rays all pass through the apex; the middle one is the nearest.
   const geodesic::TriangleMesh mesh = triangle(3.0, { 1.5, 1.0 });
@@ -399,7 +399,7 @@ TEST(FacePropagation, OnlyOneWindowThatHoldsTheApexGoesToBothEdges)
   EXPECT_EQ(leaving.right.windows().size(), 2u);
 }
 
-TEST(FacePropagation, NothingGoesThroughAnEdgeThatIsNotOpen)
+TEST(FacePropagation, NoWindowLeavesThroughAClosedEdge)
 {
   const UnfoldedFace face = geodesic::unfold(triangle(1.0, { 0.5, 1.0 }), 0);
   const Window w = circularWindow(0.0, 1.0, 0.5, 1.0);

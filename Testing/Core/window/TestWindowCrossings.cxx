@@ -265,7 +265,7 @@ TEST_P(WindowPairs, EveryCrossingIsFound)
   }
 }
 
-TEST_P(WindowPairs, TheLowerOneIsLowerThroughoutItsPart)
+TEST_P(WindowPairs, TheLowerWindowIsLowerOnItsWholePart)
 {
   Random random(2);
   for (int i = 0; i < 5000; ++i)
@@ -306,7 +306,7 @@ TEST(WindowCrossings, CrossingsOutsideTheIntervalAreLeftOut)
   }
 }
 
-TEST(WindowCrossings, EqualWindowsHaveNoneAndTheFirstKeepsAll)
+TEST(WindowCrossings, EqualWindowsHaveNoCrossingAndTheFirstOneIsTheLower)
 {
   for (const Window& w : { circularWindow(0.0, 1.0, 0.3, 0.5, 0.1),
          linearWindow(0.0, 1.0, 0.4, 2.0), circularWindow(0.0, 1.0, -3.0, 0.0) })
@@ -318,7 +318,7 @@ TEST(WindowCrossings, EqualWindowsHaveNoneAndTheFirstKeepsAll)
   }
 }
 
-TEST(LowerWindow, ATieOnAPartDoesNotHideWhoIsLowerOnTheRest)
+TEST(LowerWindow, ATieOnOnePartDoesNotHideWhichIsLowerOnTheRest)
 {
   // The source of one window lies on the way from the other's, along the halfedge: beyond that
   // point the two tie, before it they do not.
@@ -339,7 +339,7 @@ TEST(LowerWindow, ATieOnAPartDoesNotHideWhoIsLowerOnTheRest)
   }
 }
 
-TEST(LowerWindow, WindowsThatTieButForRoundingAreNotCut)
+TEST(LowerWindow, WindowsThatTieUpToRoundingAreNotCut)
 {
   Random random(3);
   for (int i = 0; i < 1000; ++i)

@@ -70,7 +70,7 @@ void expectLowerEnvelope(const std::vector<Window>& appended, const std::vector<
 
 }
 
-TEST(WindowList, ItIsTheLowerEnvelopeInWhateverOrderWindowsCome)
+TEST(WindowList, IsTheLowerEnvelopeInAnyOrderOfAppending)
 {
   Random random(1);
   WindowListBuilder builder;
@@ -96,7 +96,7 @@ TEST(WindowList, ItIsTheLowerEnvelopeInWhateverOrderWindowsCome)
   }
 }
 
-TEST(WindowList, TwoListsMakeTheLowerEnvelopeOfBoth)
+TEST(WindowList, OfTwoListsIsTheLowerEnvelopeOfBoth)
 {
   Random random(2);
   std::size_t longest = 0;
@@ -159,7 +159,7 @@ TEST(WindowList, WindowsTooNarrowForTheirEndsAreLeftOut)
   EXPECT_EQ(builder.windows().size(), 1u);
 }
 
-TEST(WindowList, OfAnOverlapByRoundingsOneWindowHasAll)
+TEST(WindowList, OneWindowKeepsAnOverlapByRoundings)
 {
   const double a = 0.5;
   const double b = a * (1.0 + 2.0 * Epsilon);
@@ -207,7 +207,7 @@ TEST(WindowList, PencilsOfOneSourceFromTwoListsBecomeOneAndKeepTheLargerError)
 }
 
 // As around faces without area, with the rounding of some unfoldings.
-TEST(WindowList, OfAPencilThatHasComeBackTheShorterWayRoundStays)
+TEST(WindowList, TheShorterWayOfAReturningPencilStays)
 {
   Window first = circularWindow(0.2, 0.8, 0.3, 2.0, 1.0);
   first.facesCrossed = 3;
@@ -233,7 +233,7 @@ TEST(WindowList, OfAPencilThatHasComeBackTheShorterWayRoundStays)
   }
 }
 
-TEST(WindowList, PencilsThatAreNotOneStayTwo)
+TEST(WindowList, DifferentPencilsStayTwo)
 {
   const Window left = circularWindow(0.0, 0.5, 0.3, 2.0, 1.0);
   std::vector<Window> others(5, circularWindow(0.5, 1.0, 0.3, 2.0, 1.0));

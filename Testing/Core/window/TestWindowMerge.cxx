@@ -121,7 +121,7 @@ TEST(WindowMerge, AMergedWindowIsNowhereAboveItsOriginalsAndEqualsThemAtTheEnds)
   EXPECT_GT(merges, 500);
 }
 
-TEST(WindowMerge, TheErrorIsTheLargestGapAndWhatTheOriginalsHad)
+TEST(WindowMerge, TheErrorIsTheLargestGapPlusTheErrorOfTheOriginals)
 {
   Random random(2);
   int merges = 0;
@@ -172,7 +172,7 @@ TEST(WindowMerge, TheErrorStaysWithinEpsilonOfTheLeastDistance)
   }
 }
 
-TEST(WindowMerge, WhatTheMergesOfOneListAddUpToIsBounded)
+TEST(WindowMerge, TheSumOfTheMergesOfOneListIsBounded)
 {
   Random random(4);
   constexpr double maximum = 1e-3;

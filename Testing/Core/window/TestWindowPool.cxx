@@ -110,7 +110,7 @@ TEST(WindowPool, ABlockMayBeFreedIntoAnotherPool)
   EXPECT_EQ(b.copyOf(rangeOf(numbered(4, 2.0))).data, block.data);
 }
 
-TEST(WindowPool, TheMemoryThatIsHandedOverHoldsTheBlocks)
+TEST(WindowPool, TheReleasedMemoryContainsTheBlocks)
 {
   std::vector<std::unique_ptr<Window[]>> memory;
   WindowBlock block;
@@ -170,7 +170,7 @@ TEST(WindowArchive, ItKeepsCopiesAndWhatItOwns)
   EXPECT_EQ(listsOf(archive, 1), (std::vector<double>{ 2, 2, 2, 3 }));
 }
 
-TEST(WindowArchive, OneThatWasTakenIsEmptyAndCanBeUsedAgain)
+TEST(WindowArchive, AnEmptiedArchiveCanBeUsedAgain)
 {
   WindowArchive from;
   from.add(0, rangeOf(numbered(1, 1.0)));
