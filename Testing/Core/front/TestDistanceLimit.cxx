@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a distance limit promises, against the brute-force solver: every face that has a point
-// within the limit is complete, no other one is, and vertices without a complete face are at
+// The guarantees of a distance limit, compared with the brute-force solver: exactly the faces that
+// contain a point within the limit are complete, and vertices without a complete face are at
 // +infinity.
 #include "EngineSupport.h"
 #include "truth/RandomMeshKinds.h"
@@ -22,7 +22,7 @@ namespace
 constexpr std::size_t PiecesOfAnEdge = 24;
 constexpr std::size_t PointsInsideAFace = 6;
 
-/// The true distances at the vertices, and in each face at points of its edges and of its inside.
+/// The true distances at the vertices, and in each face at points of its edges and its inside.
 class SampledTruth
 {
 public:
@@ -57,7 +57,7 @@ public:
     return std::max(largestFinite(this->truth_.vertices), largestFinite(this->truth_.queries));
   }
 
-  /// The smallest distance seen in the face, and a bound that no point of it is under: distance
+  /// The smallest sampled distance in the face, and a lower bound for all its points: distance
   /// grows no faster than a point moves, and in a face without a source it is least on an edge.
   double leastSeen(Index face) const
   {
@@ -137,11 +137,11 @@ private:
   std::vector<Index> facesOfSources_;
 };
 
-/// What the limit says about a face or a vertex.
+/// What the limit guarantees for a face or a vertex.
 enum class Promise
 {
   Complete,
-  /// The nearest point is so close to the limit that samples do not tell.
+  /// The nearest point is so close to the limit that samples do not decide.
   CannotTell,
   Nothing
 };
@@ -215,8 +215,8 @@ void expectInside(const DistanceField& field, const SampledTruth& truth,
   }
 }
 
-/// Checks what the limit promises, with windows kept and without. \returns the promises of the
-/// faces.
+/// Checks the guarantees of the limit, with windows kept and without. \returns the guarantees of
+/// the faces.
 std::vector<Promise> expectLimitKept(const PlainMesh& mesh, const std::vector<Polyline>& curves,
   const SampledTruth& truth, double limit, double accuracy)
 {
@@ -261,7 +261,7 @@ TEST_P(DistanceLimit, ExactlyTheFacesWithAPointWithinItAreComplete)
       }
     }
   }
-  // Most faces must have been told apart.
+  // The samples must have decided for most faces.
   EXPECT_LT(counts[1], (counts[0] + counts[1] + counts[2]) / 5);
 }
 
@@ -336,7 +336,7 @@ Polyline pointAt(const MeshPoint& p)
 
 }
 
-// The corners of the upper triangle are near a source each, but not its inside.
+// Each corner of the upper triangle is near a source, but its inside is not.
 TEST(DistanceLimit, APromisedFaceIsCompleteFarFromItsCorners)
 {
   const Rows rows(8.0, -10.0);
@@ -363,7 +363,7 @@ TEST(DistanceLimit, APromisedFaceIsCompleteFarFromItsCorners)
   expectLimitKept(rows.mesh(), curves, truth, 0.1, 1e-12);
 }
 
-// The window that leads there begins far beyond the limit and is within it at its middle only.
+// The window that leads there begins far beyond the limit, and only its middle is within it.
 TEST(DistanceLimit, AWindowWithinItAtItsMiddleGoesOn)
 {
   const Rows rows(0.3, -2.6);
@@ -428,8 +428,8 @@ TEST(DistanceLimit, VerticesWithoutACompleteFaceAreAtInfinity)
   expectLimitKept(mesh, curves, truth, 4.5, 1e-14);
 }
 
-// Two squares have one vertex in common, which is at the limit: no window enters the second one,
-// which has the vertex alone within the limit.
+// Two squares share one vertex, which is at the limit. No window enters the second square, of which
+// only this vertex is within the limit.
 TEST(DistanceLimit, AFaceThatItTouchesInAVertexAloneIsComplete)
 {
   const PlainMesh square = regularGrid(1, 1);

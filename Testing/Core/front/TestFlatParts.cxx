@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In flat parts of a surface a vertex splits a pencil of rays in two that are still one, and rays
-// of segments with nearly one direction are nearly equal over long ways. Neither may break windows
-// into more and more pieces.
+// In flat parts of a surface a vertex splits a pencil of rays into two that still have one source,
+// and rays of segments with nearly equal directions have nearly equal distances over long ways.
+// Neither may break windows into more and more pieces.
 #include "EngineSupport.h"
 #include "truth/AnalyticDistances.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The front over several ranks in one process: the field of the whole, whatever the cut.
+// The front over several ranks in one process: it finds the field of the whole surface for any cut.
 #include "RanksSupport.h"
 
 #include <gtest/gtest.h>
@@ -20,14 +20,15 @@ class FrontOnRanks : public ::testing::TestWithParam<MeshKind>
 {
 };
 
-/// What the front finds where the surface is in one piece.
+/// The front's distances on the surface in one piece.
 std::vector<double> inOnePiece(const RandomCase& c, const geodesic::FrontOptions& options)
 {
   const geodesic::TriangleMesh mesh = engineMesh(c.mesh);
   return solve(mesh, engineCurves(mesh, c.curves), options).vertexDistances();
 }
 
-/// A random surface without the faces of its barriers: single ones, or all around some vertices.
+/// A random surface without the faces of its barriers, which are single faces, or all around some
+/// vertices.
 RandomCase caseWithBarriers(const MeshKind& kind, std::uint64_t seed)
 {
   Random random(seed);
@@ -184,7 +185,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, FrontOnRanks, ::testing::ValuesIn(meshKinds()),
 
 TEST(Ranks, RememberTheSameArrivalAtSharedVerticesWherePathsAreEquallyLong)
 {
-  // Half of the vertices of the square are as far from one corner as from another.
+  // Half of the square's vertices are equally far from both corners.
   const PlainMesh mesh = regularGrid(8, 8);
   std::vector<Polyline> curves;
   for (const Index vertex : { Index(0), Index(8), Index(72), Index(80) })
@@ -271,7 +272,7 @@ TEST(Ranks, AnAbortOnOneStopsAll)
 
 TEST(Ranks, FacesOnTheSameVerticesAreOneFaceOfTheLowerRank)
 {
-  // Both ranks have the triangle 0 1 2, rank 1 also its neighbour.
+  // Both ranks have the triangle 0 1 2; rank 1 also has its neighbour.
   MemoryRanks ranks(2);
   ranks.run(
     [](geodesic::Exchange& exchange)

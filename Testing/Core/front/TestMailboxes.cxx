@@ -25,7 +25,7 @@ TEST(Mailboxes, DeliverTheMailOfManyDistrictsInTheirOrder)
   post.forEach(5,
     [&](MailBatch& mail)
     {
-      if (!mail.isEmpty()) // it always has a letter of its own
+      if (!mail.isEmpty()) // it always has a slot for itself
       {
         found.push_back(static_cast<Id>(mail.updates.size()));
       }

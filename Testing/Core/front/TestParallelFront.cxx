@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The front on several threads against the brute-force solver.
+// The front on several threads, compared with the brute-force solver.
 #include "EngineSupport.h"
 #include "OnThreads.h"
 #include "truth/RandomMeshKinds.h"
@@ -18,7 +18,7 @@ using geodesic::TriangleMesh;
 namespace
 {
 
-/// Counts how often there was more than one task to share.
+/// Counts the calls with more than one task.
 class Threads
 {
 public:
@@ -76,7 +76,7 @@ TEST_P(ParallelFront, AgreesWithBruteForce)
   EXPECT_GT(threads.shared(), 20U) << "hardly a batch was shared";
 }
 
-// On meshes of several districts, also with windows kept and within a limit.
+// On meshes of several districts; also with windows kept, and within a limit.
 TEST_P(ParallelFront, GivesTheBitsOfOneThread)
 {
   Threads threads;

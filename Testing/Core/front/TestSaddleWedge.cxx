@@ -18,8 +18,8 @@ using geodesic::Vec3;
 constexpr double Pi = 3.14159265358979323846;
 constexpr double AngleAccuracy = 1e-9;
 
-/// Triangles around vertex 0, closed or with a gap, every third one in the other orientation where
-/// asked for. Directions at vertex 0 are counted as angles from the first edge.
+/// Triangles around vertex 0, closed or with a gap, on request with every third one in the other
+/// orientation. Directions at vertex 0 are angles from the first edge.
 class Fan
 {
 public:
@@ -56,7 +56,7 @@ public:
     return this->start_[face] + (flipped ? corner - angle : angle);
   }
 
-  /// What findSaddleWedge lights, as one flag for each of many directions.
+  /// The result of findSaddleWedge as one flag for each of many directions.
   std::vector<bool> inShadow(const std::vector<EmittedInterval>& halfedges, int directions) const
   {
     std::vector<bool> result(static_cast<std::size_t>(directions), false);
@@ -110,7 +110,7 @@ private:
   std::vector<double> start_;
 };
 
-// What is in the shadow is exactly what leaves at least pi on both sides of the bend.
+// The shadow consists of exactly the directions that leave at least pi on both sides of the bend.
 void expectWedge(const Fan& fan, bool closed, const Arrival& from)
 {
   constexpr int directions = 997;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of waiting lists, against std::map.
+// The table of waiting lists, compared with std::map.
 #include "front/WaitingLists.h"
 
 #include "truth/TestMeshes.h"
@@ -21,7 +21,7 @@ using geodesictest::Random;
 namespace
 {
 
-/// A list of one window that is known again by its begin.
+/// A list of one window, identified by its begin.
 WindowBlock listWith(double begin, WindowPool& pool)
 {
   Window window{};
@@ -29,7 +29,7 @@ WindowBlock listWith(double begin, WindowPool& pool)
   return pool.copyOf({ &window, &window + 1 });
 }
 
-/// What each halfedge's list should begin with.
+/// The expected begin of each halfedge's list.
 using Expected = std::map<Id, double>;
 
 Expected contentOf(const WaitingLists& lists)
@@ -40,7 +40,7 @@ Expected contentOf(const WaitingLists& lists)
   return content;
 }
 
-/// Where a table of 2^bits places has a halfedge's home.
+/// A halfedge's hash in a table of 2^bits places.
 std::size_t homeOf(Id halfedge, unsigned bits)
 {
   return static_cast<std::size_t>((halfedge * std::uint64_t(0x9e3779b97f4a7c15U)) >> (64 - bits));
@@ -93,7 +93,8 @@ TEST(WaitingLists, AgreeWithAMap)
 
 TEST(WaitingLists, HalfedgesWithEqualHashesAreDistinguished)
 {
-  // Also at the end of the table, behind which its beginning follows; removed in any order.
+  // Including the end of the table, where probing continues at its beginning; removed in random
+  // order.
   constexpr unsigned bits = 5;
   for (const std::size_t home : { 0U, 7U, 30U, 31U })
   {

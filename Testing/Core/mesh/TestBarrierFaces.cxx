@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which points lie in barriers: those that are closer to one than to any other face.
+// Which points lie in barriers: those that are closer to a barrier than to any other face.
 #include "EngineSupport.h"
 
 #include "mesh/BarrierFaces.h"
@@ -114,8 +114,8 @@ TEST(BarrierFaces, APointIsOnTheRimWithinThePrecisionOfItsCoordinates)
   EXPECT_NE(barriers.at({ 1.0 + 1e-4, 2.0, 0.0 }, FLT_EPSILON), NoId);
 }
 
-// The barrier is a few roundings of its coordinates wide: a point of the rim that was rounded is
-// nearer to its middle than to be put back onto the rim.
+// The barrier is only a few roundings of its coordinates wide: a rounded point of the rim is nearer
+// to the barrier's middle than the distance for snapping it back onto the rim.
 TEST(BarrierFaces, APointARoundingInsideANarrowBarrierFarFromTheOriginIsOnTheRim)
 {
   const double far = std::ldexp(1.0, 27);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The locator finds all faces that are equally close, as a look at every face does.
+// The locator finds all equally close faces, like a scan of all faces.
 #include "EngineSupport.h"
 
 #include "Errors.h"
@@ -46,9 +46,9 @@ Vec3 randomPoint(Random& random, double size)
   return { random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size) };
 }
 
-/// All faces that are as close as the closest up to half a rounding are found (or up to less than a
-/// tenth of their longest edge), save those that put a point beside the surface elsewhere; and none
-/// that is farther by more than some roundings.
+/// Checks that the locator finds all faces that are as close as the closest up to half a rounding
+/// (or less than a tenth of their longest edge), except those that put a point beside the surface
+/// elsewhere, and none that is farther by more than some roundings.
 void expectAllClosest(
   const TriangleMesh& mesh, FaceLocator& locator, const Vec3& point, double precision, double size)
 {
@@ -82,7 +82,7 @@ void expectAllClosest(const TriangleMesh& mesh, double size)
   }
 }
 
-/// A strip of triangles whose size falls by a factor from one to the next.
+/// A strip of triangles, each smaller than the previous one by a factor.
 TriangleMesh shrinkingStrip(Id count, double factor)
 {
   std::vector<Vec3> points;
@@ -130,7 +130,7 @@ TEST(FaceLocator, AtAVertexItsFacesAreFoundInOrder)
 
 TEST(FaceLocator, FacesWithoutAreaCountLikeAllOthers)
 {
-  // The second lies in the first's edge, the third is by itself.
+  // The second triangle lies in the first one's edge, the third is separate.
   const TriangleMesh mesh({ { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 0 }, { 1, 0, 0 },
                             { 2, 0, 0 }, { 0, 5, 0 }, { 1, 5, 0 }, { 0, 5, 0 } },
     { { 0, 1, 2 }, { 3, 4, 5 }, { 6, 7, 8 } });
@@ -157,7 +157,7 @@ TEST(FaceLocator, HalfwayBetweenSheetsBothAreFound)
 
 TEST(FaceLocator, BesideTheSurfaceAFaceThatIsAlmostAsCloseIsNotChosen)
 {
-  // Over the first of two faces that are bent by a little less than the precision tells.
+  // Over the first of two faces, which are bent by slightly less than the precision.
   const TriangleMesh mesh(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, 0 }, { 0.5, -1, -0.1 } }, { { 0, 2, 1 }, { 0, 1, 3 } });
   FaceLocator locator(mesh);
@@ -166,7 +166,7 @@ TEST(FaceLocator, BesideTheSurfaceAFaceThatIsAlmostAsCloseIsNotChosen)
     const double precision = away > 1e-6 ? FloatEpsilon : Epsilon;
     const std::vector<Id> beside = { 0 };
     EXPECT_EQ(locator.closest({ 0.5, away, 0.5 }, precision), beside);
-    // On the edge as seen from both faces.
+    // On the edge, as seen from both faces.
     EXPECT_EQ(locator.closest({ 0.5, 0, 0.5 }, precision), (std::vector<Id>{ 0, 1 }));
     // On the surface within the precision.
     EXPECT_EQ(locator.closest({ 0.5, 0.5 * precision, 0 }, precision), (std::vector<Id>{ 0, 1 }));
@@ -188,7 +188,7 @@ TEST(FaceLocator, ThePrecisionOfThePointDecidesWhichFacesAreEquallyClose)
     FaceLocator locator(mesh);
     const Vec3 point{ 0.6 * scale, 0.2 * scale, 0.0 };
     EXPECT_EQ(locator.closest(point, Epsilon), (std::vector<Id>{ 18 }));
-    // First the one that is closer.
+    // The closer one comes first.
     EXPECT_EQ(locator.closest(point, FloatEpsilon), (std::vector<Id>{ 18, 0 }));
   }
 }
@@ -202,7 +202,7 @@ TEST(FaceLocator, FarFromTheOriginTheClosestFaceComesFirstAndFarOnesAreNoChoice)
   }
   const TriangleMesh mesh = engineMesh(plain);
   FaceLocator locator(mesh);
-  // Roundings of 32 bits are over an edge long there.
+  // Roundings of 32 bits exceed an edge's length there.
   const Vec3 point = mesh.point(0) + Vec3{ 2.6, 3.3, 0.0 };
   const std::vector<Id> found = locator.closest(point, FloatEpsilon);
   ASSERT_FALSE(found.empty());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Places of a face in the frames of its halfedges keep the lengths that they have in space.
+// Places of a face in the frames of its halfedges have the same distances as in space.
 #include "EngineSupport.h"
 
 #include "mesh/HalfedgeFrame.h"

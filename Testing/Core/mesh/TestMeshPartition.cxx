@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One rank's part of a surface: where its vertices lie, what its triangles become, and what a patch
-// of several parts knows of the boundary.
+// One rank's part of a surface: coordinates of its vertices, faces of its triangles, and the
+// boundary in a patch of several parts.
 #include "MemoryRanks.h"
 #include "truth/TestMeshes.h"
 
@@ -23,7 +23,7 @@ TEST(MeshPartition, PointsOfSeamsLieWhereTheLowestRankHasThem)
   MemoryRanks(3).run(
     [&](Exchange& exchange)
     {
-      // A triangle on each rank; they have the first point together.
+      // A triangle on each rank; the first point is common.
       const double side = 1.0 + exchange.rank();
       const auto key = static_cast<std::uint64_t>(exchange.rank());
       const std::vector<Vec3> points = { exchange.rank() == 0 ? low : high, { 2.0, side, 0.0 },
@@ -53,7 +53,7 @@ TEST(MeshPartition, ATriangleThatNamesAVertexTwiceIsNoFace)
 
 TEST(ReplicatedPatch, KnowsWhetherAnEdgeIsOnTheBoundaryOfTheWholeSurface)
 {
-  // Faces of a grid go to the ranks in turn, so that each has copies of nearly all others.
+  // Faces of a grid go to the ranks in turn, so each rank has copies of nearly all other faces.
   const geodesictest::PlainMesh whole = geodesictest::regularGrid(4, 4);
   constexpr int ranks = 3;
   MemoryRanks(ranks).run(
@@ -90,7 +90,7 @@ TEST(ReplicatedPatch, KnowsWhetherAnEdgeIsOnTheBoundaryOfTheWholeSurface)
       ASSERT_EQ(patch.mesh().numberOfFaces(), whole.triangles.size());
       for (Id halfedge = 0; halfedge < 3 * patch.mesh().numberOfFaces(); ++halfedge)
       {
-        // All faces are in the patch: it ends where the whole does.
+        // All faces are in the patch, so it ends where the whole surface does.
         EXPECT_EQ(patch.isGlobalBoundary(halfedge), patch.mesh().isBoundary(halfedge))
           << "halfedge " << halfedge << " on rank " << exchange.rank();
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The mesh is the same however many threads build it, and right where loops have many tasks.
+// The mesh does not depend on the number of threads, and is right if loops have many tasks.
 #include "EngineSupport.h"
 #include "Errors.h"
 #include "OnThreads.h"
@@ -70,7 +70,7 @@ TEST_P(ParallelMesh, MeshesDoNotDependOnThreads)
   }
 }
 
-// By the definition of each: what the loops of many tasks have to find.
+// Compares with the definitions, in loops of many tasks.
 TEST_P(ParallelMesh, SiblingsAndCornersOfLargeMeshesAreThoseOfTheirVertices)
 {
   Random random(4714);

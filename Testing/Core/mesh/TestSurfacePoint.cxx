@@ -13,7 +13,7 @@ namespace
 
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 
-/// Three pages on one spine (vertices 0 and 1) and a triangle that touches vertex 2 only; the
+/// Three pages on one spine (vertices 0 and 1), and a triangle that touches only vertex 2. The
 /// second page runs along the spine in the direction of the first, which makes the orientation
 /// inconsistent.
 TriangleMesh bookWithBowTie()
@@ -58,7 +58,7 @@ std::vector<Id> facesOf(const TriangleMesh& mesh, const SurfacePoint& point)
   return faces;
 }
 
-/// The halfedges of an edge in the faces that have both its vertices, found without siblings.
+/// The halfedges of an edge, found without siblings in the faces that have both its vertices.
 std::vector<Id> halfedgesBetween(const TriangleMesh& mesh, Id a, Id b)
 {
   std::vector<Id> result;

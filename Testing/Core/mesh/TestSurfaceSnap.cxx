@@ -22,7 +22,7 @@ namespace
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 constexpr double FloatEpsilon = std::numeric_limits<float>::epsilon();
 
-/// The least distance to a face, over halved intervals of its two coordinates (it is convex).
+/// The least distance to a face, by nested interval searches in its two coordinates (it is convex).
 double closest(const PlainMesh& mesh, const Vec3& p)
 {
   const auto distance = [&](long double u, long double v)
@@ -87,7 +87,7 @@ TEST(SurfaceSnap, WithinItsPrecisionAPointGoesOntoAVertexOrAnEdgeAndNotBeyond)
 
 TEST(SurfaceSnap, OfTwoEdgesWithinThePrecisionTheNearerOneIsTaken)
 {
-  // The two long edges of a needle, with an angle of .1 between them, around a point nearer to one.
+  // The two long edges of a needle, at an angle of .1, and a point nearer to one of them.
   const PlainMesh plain = { { { 0, 0, 0 }, { 10, 0, 0 }, { 10, 1, 0 } }, { { 0, 1, 2 } } };
   for (Index first = 0; first < 3; ++first)
   {
@@ -96,7 +96,7 @@ TEST(SurfaceSnap, OfTwoEdgesWithinThePrecisionTheNearerOneIsTaken)
     turned.triangles = { t };
     const TriangleMesh mesh = engineMesh(turned);
     const double width = 0.1; // of the needle at x = 1
-    // Both are within the precision, and neither beyond a tenth of the face's altitude over it.
+    // Both edges are within the precision, which is within a tenth of the face's altitudes.
     const double precision = 0.09 / 4.0 / 10.0;
     for (const double y : { 0.3 * width, 0.7 * width })
     {
@@ -113,7 +113,7 @@ TEST(SurfaceSnap, OfTwoEdgesWithinThePrecisionTheNearerOneIsTaken)
 
 TEST(SurfaceSnap, FarFromTheOriginAPointKeepsItsPlaceInTheFace)
 {
-  // The precision is as large as the face; no point but those beside vertices and edges is moved.
+  // The precision is as large as the face; only points beside vertices and edges are moved.
   const double far = 1.0 / FloatEpsilon;
   const PlainMesh plain = { { { far, 0, 0 }, { far + 1, 0, 0 }, { far, 1, 0 } }, { { 0, 1, 2 } } };
   const TriangleMesh mesh = engineMesh(plain);

@@ -40,7 +40,7 @@ bool isPseudoSource(const TriangleMesh& mesh, geodesic::Id vertex)
   return mesh.pseudoSource(vertex) != TriangleMesh::PseudoSource::None;
 }
 
-/// Checks the siblings of every halfedge against a table of edges by their vertices.
+/// Compares the siblings of every halfedge with a table of edges by their vertices.
 void expectSiblingsAreEdges(const PlainMesh& plain)
 {
   const TriangleMesh mesh = engineMesh(plain);
@@ -164,7 +164,7 @@ TEST(TriangleMesh, NeedlesHaveArea)
 
 TEST(TriangleMesh, AreasOfNeedlesAreExactUpToRounding)
 {
-  // Coordinates of few bits: differences are exact, and so is the area in extended precision.
+  // Coordinates with few bits: differences are exact, and so is the area in extended precision.
   Random random(7);
   const auto coordinate = [&random](double size) { return std::floor(random.uniform(0.0, size)); };
   for (int i = 0; i < 1000; ++i)
@@ -206,7 +206,7 @@ TEST(TriangleMesh, AFaceIsCountedAsWithoutAreaUpToRoundingOnly)
   EXPECT_FALSE(counted(4e-15));
 }
 
-// Also where coordinates are rounded to more than a fraction of the face.
+// Even if coordinates are rounded to more than a fraction of the face.
 TEST(TriangleMesh, ACornerOnTheLongestEdgeLeavesNoAltitude)
 {
   Random random(77);
@@ -248,7 +248,7 @@ TEST(TriangleMesh, AFlatVertexIsNoSaddleAndAnExcessBeyondRoundingIsOne)
       EXPECT_FALSE(isPseudoSource(mesh, v) && boundary.count(v) == 0) << "vertex " << v;
     }
   }
-  // Points around that are up and down by turns: an excess of about 1e-10.
+  // Points around the vertex alternate between up and down: an excess of about 1e-10.
   PlainMesh fan = { { { 0, 0, 0 } }, {} };
   constexpr Index spokes = 8;
   long double angle = 0.0L;
@@ -313,7 +313,7 @@ TEST(TriangleMesh, EverySaddleVertexIsAPseudoSource)
 
 TEST(TriangleMesh, OnTheBoundaryOnlyReflexVerticesArePseudoSources)
 {
-  // The one reflex corner of an L is in its middle.
+  // The only reflex corner of an L is in its middle.
   const PlainMesh plain = lShape(6, 6);
   const TriangleMesh mesh = engineMesh(plain);
   for (geodesic::Id v = 0; v < mesh.numberOfVertices(); ++v)

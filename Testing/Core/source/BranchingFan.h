@@ -10,14 +10,14 @@ namespace geodesictest
 {
 
 /// Faces around vertex 0 in stages of two faces each, one sheet above and one below the plane,
-/// which have the stage's two edges in common: an edge between two stages has four faces, and from
-/// one end to the other there are 2^stages ways. Both sheets have the same shape. Behind each face
-/// another one.
+/// which share the stage's two edges. So an edge between two stages has four faces, and there are
+/// 2^stages ways from one end to the other. Both sheets have the same shape. Another face lies
+/// behind each.
 class BranchingFan
 {
 public:
   /// \param angle from the first edge to the last one, in the plane.
-  /// \param sheets 2, or 1 for the sheet above alone.
+  /// \param sheets 2, or 1 for the sheet above only.
   BranchingFan(Index stages, double angle, Index sheets = 2)
     : stages_(stages)
     , angle_(angle)

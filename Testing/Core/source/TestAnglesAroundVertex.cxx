@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The least angles at which faces around a vertex are entered, against all ways there are.
+// The least angles at which ways enter faces around a vertex, compared with all existing ways.
 #include "EngineSupport.h"
 #include "source/BranchingFan.h"
 
@@ -18,10 +18,10 @@ using geodesic::TriangleMesh;
 namespace
 {
 
-/// The least angle of each halfedge that any way about the vertex enters a face across.
+/// For each halfedge, the least angle at which any way around the vertex enters a face across it.
 using Angles = std::map<Id, double>;
 
-/// Follows every way, face by face, as long as it can still be shorter.
+/// Follows every way, face by face, while it can still have the least angle.
 void followAllWays(const TriangleMesh& mesh, Id vertex, const EdgeAngle& leaving, double limit,
   Id steps, Angles& least)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What faces that are no barriers have of a boundary: edges once, and vertices that no edge has.
+// The boundary on faces that are not barriers: each edge once, and each vertex without such an
+// edge.
 #include "EngineSupport.h"
 
 #include "truth/RandomMeshKinds.h"
@@ -44,7 +45,7 @@ PlainMesh without(const PlainMesh& mesh, const std::vector<bool>& isBarrier)
 
 using Edges = std::multiset<std::pair<Index, Index>>;
 
-/// Of edges and of single vertices, which number their curve has.
+/// For edges and for single vertices, the number of their curve.
 void expectParts(const PlainMesh& whole, const PlainMesh& open)
 {
   const std::vector<SourceCurve> boundary = numberedBoundary(whole);
@@ -128,7 +129,7 @@ TEST(BoundaryOutsideBarriers, OnRandomMeshesItIsThePartOfTheBoundaryOnOpenFaces)
   }
 }
 
-/// The mesh with other numbers for its vertices: those first that the faces without barriers have.
+/// The mesh with renumbered vertices: those of faces that are not barriers come first.
 PlainMesh renumbered(const PlainMesh& mesh, const PlainMesh& open)
 {
   const auto none = static_cast<Index>(mesh.points.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves that end in one another are one, however they run.
+// Curves with common ends become one curve, whatever their directions.
 #include "EngineSupport.h"
 
 #include "source/CurveChains.h"
@@ -15,7 +15,7 @@ using geodesic::TriangleMesh;
 namespace
 {
 
-/// Along the lower row of a grid of 4 x 1 squares at half height, from x to x + count edges.
+/// Along the middle of a row of 4 x 1 squares, across edges at the given x.
 SourceCurve throughRow(const TriangleMesh& mesh, const std::vector<double>& xs)
 {
   SourceCurve curve;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What directions around a point of the source belong to, against angles measured around it.
+// The origins of directions around a point of the source, compared with angles measured around it.
 #include "EngineSupport.h"
 
 #include "source/CurveSectors.h"
@@ -59,7 +59,7 @@ public:
     return { SurfacePoint::atVertex(0), fromBarycentric(this->mesh, face, to), face, curve, 0.0,
       true };
   }
-  /// The angles around the vertex at which directions change what they belong to.
+  /// The angles around the vertex at which the origin changes.
   std::vector<double> changes(const CurveSectors& sectors) const
   {
     std::vector<double> changes;
@@ -82,7 +82,7 @@ public:
 
 }
 
-// At the three segments and in the middle between each and the next, over the first face too.
+// At the three segments and in the middle between consecutive ones, even across the first face.
 TEST(CurveSectors, OfThreeCurvesAtAVertexEachHasTheDirectionsNearestByAngle)
 {
   Random random(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The places of a polyline are the best of all that there are, as trying all of them finds.
+// The chosen places of a polyline are the best of all, compared with trying all of them.
 #include "EngineSupport.h"
 
 #include "source/PlaceChoice.h"
@@ -18,7 +18,7 @@ using geodesictest::engineMesh;
 using geodesictest::PlainMesh;
 using geodesictest::Random;
 
-/// What a way is worth: the fewer the better, the first most.
+/// The costs of a way, the most important first.
 using Worth = std::tuple<int, int, int, double, int>;
 
 /// A surface with possible places of some points, and the lengths of all joins.
@@ -72,7 +72,7 @@ Worth worthOf(const Problem& problem, const std::vector<ChosenPlaces>& chosen)
   return { disconnected, gaps, changes, length, dimensions };
 }
 
-/// Tries all, from the point `at` on.
+/// Tries all places, from the point `at` on.
 Worth leastWorth(const Problem& problem, std::vector<ChosenPlaces>& chosen, std::size_t at = 0)
 {
   if (at == chosen.size())
@@ -95,7 +95,7 @@ Worth leastWorth(const Problem& problem, std::vector<ChosenPlaces>& chosen, std:
   return least;
 }
 
-/// Whole numbers as lengths, so that sums are exact and many tie.
+/// Lengths are whole numbers, so that sums are exact and many ways tie.
 Problem randomProblem(const PlainMesh& plain, const TriangleMesh& mesh, Random& random)
 {
   const auto whole = [&random](int most)
@@ -168,7 +168,7 @@ TEST(PlaceChoice, IsTheBestOfAll)
       ? 1
       : 0;
   }
-  EXPECT_GT(choices, 500); // where the first places are not the best
+  EXPECT_GT(choices, 500); // in which the first places are not the best
 }
 
 TEST(PlaceChoice, OfEquallyGoodPlacesTheFirstAreTaken)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A point beside the surface goes to the closest point of it, whatever the precision of its
-// coordinates: faces that are almost as close put it far from there.
+// A point beside the surface goes to its closest point, whatever the precision of the coordinates:
+// a face that is almost as close would put it far from there.
 #include "EngineSupport.h"
 #include "Seeds.h"
 
@@ -153,7 +153,7 @@ TEST_P(PlacesBesideSurface, APointGoesToTheClosestOne)
       const double precision =
         4.0 * options.coordinatePrecision * std::max(largest, largestCoordinate(point));
       const Long3 closest = closestOnSurface(plain, point);
-      // All faces that are as close within the precision may have a point on the surface.
+      // If a point is on the surface, all faces that are as close within the precision may have it.
       const bool isOnSurface = distance(closest, exact(point)) <= precision;
       EXPECT_FALSE(points[i].faces.front().empty());
       for (const geodesic::Id face : points[i].faces.front())
@@ -171,7 +171,7 @@ TEST_P(PlacesBesideSurface, APointGoesToTheClosestOne)
   std::cout << "worst on " << GetParam().name << ": " << worst << " precisions\n";
 }
 
-/// In needles places are rounded by that much more along them.
+/// In needles, places are rounded more along the needle.
 std::vector<MeshKind> kindsWithoutNeedles()
 {
   std::vector<MeshKind> kinds;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points of polylines are given the faces that they are closest to.
+// The locator gives points of polylines their closest faces.
 #include "EngineSupport.h"
 
 #include "Errors.h"
@@ -65,8 +65,8 @@ TEST(PolylineLocator, WhereAPolylineLeavesTheEdgesAllItsPointsHaveAllFaces)
   const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(4, 4));
   PolylineLocator locator(mesh);
   const std::vector<Vec3> points = { mesh.point(6), mesh.point(7), mesh.point(8) };
-  // Only the way back from the last point leaves the edges; a point inside a face does; so does
-  // a step across a square.
+  // Three polylines that leave the edges: on the way back from the last point, at a point inside a
+  // face, and across a square.
   const Faces closed = locate(locator, points, true);
   const Faces inside = locate(locator, { points[0], points[1], points[1] + Vec3{ 0.3, 0.2, 0.0 } });
   const Faces across = locate(locator, { points[0], points[1], mesh.point(18) });

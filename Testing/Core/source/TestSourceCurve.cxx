@@ -66,7 +66,7 @@ SourceCurves put(const TriangleMesh& mesh, const LocatedPolyline& line, double p
   return putOntoSurface(mesh, { line }, { precision }, joinByShortestPaths(mesh));
 }
 
-/// The place of a single point.
+/// The place of a single point on the surface.
 SurfacePoint placed(
   const TriangleMesh& mesh, const Vec3& point, Id face, double precision = Epsilon)
 {
@@ -106,7 +106,7 @@ double length(const TriangleMesh& mesh, const SourceCurve& curve)
   return sum;
 }
 
-/// What holds for every curve.
+/// Checks properties of every curve.
 void expectWhole(const TriangleMesh& mesh, const SourceCurve& curve)
 {
   ASSERT_FALSE(curve.points.empty());
@@ -128,8 +128,8 @@ void expectWhole(const TriangleMesh& mesh, const SourceCurve& curve)
 //----------------------------------------------------------------------------
 // Places of single points.
 
-/// Of all points c of a convex set the closest to p is the one with (p - c) . (x - c) <= 0 for all
-/// x in the set; for a triangle the corners are enough.
+/// The point c of a convex set is the closest one to p if (p - c) . (x - c) <= 0 for all x in the
+/// set; for a triangle its corners suffice.
 void expectClosest(const TriangleMesh& mesh, Id face, const Vec3& p, const SurfacePoint& place)
 {
   ASSERT_TRUE(contains(mesh, face, place));
@@ -295,7 +295,7 @@ TEST(SourceCurve, ScaleDoesNotMatter)
 // Polylines.
 
 /// The section of a height field over the plane with x = at, ordered by y, as a filter for surfaces
-/// with 32-bit points makes it: each point with one of the faces of its edge.
+/// with 32-bit points computes it: each point with one of the faces of its edge.
 LocatedPolyline sectionOf(const TriangleMesh& mesh, double at)
 {
   std::map<double, std::pair<Vec3, Id>> byY;
@@ -346,7 +346,7 @@ TEST(SourceCurve, ASectionOf32BitsCrossesEachEdgeAtOnePoint)
 
 TEST(SourceCurve, ASectionThroughVerticesPassesEachOnce)
 {
-  // The grid's line x = 2, cut beside it by less than the rounding of 32 bits.
+  // The grid's line x = 2, cut at less than a 32-bit rounding beside it.
   const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(4, 4));
   const LocatedPolyline line = sectionOf(mesh, 2.0 + 1e-8);
   const SourceCurves result = put(mesh, line, FloatEpsilon);
@@ -434,7 +434,7 @@ TEST(SourceCurve, ASegmentAlongAnEdgeHasAFaceOfTheEdge)
 //----------------------------------------------------------------------------
 // Joining points that share no face.
 
-/// Whether the edges crossed in between are marked as cuts, and vertices are not.
+/// Checks that crossed edges are marked as cuts, and vertices are not.
 void expectCutsAtEdges(const SourceCurve& curve)
 {
   for (std::size_t i = 1; i + 1 < curve.points.size(); ++i)
@@ -473,7 +473,7 @@ TEST(SourceCurve, ASegmentThroughVerticesOfAPlanePassesThem)
   for (int i = 0; i < 20; ++i)
   {
     // From corner to corner of 6 x 3 squares: through a vertex at every second column, and across
-    // edges between. The rotation leaves the vertices beside the segment by rounding.
+    // edges between. After the rotation the vertices are beside the segment by rounding.
     const PlainMesh plain = geodesictest::moved(geodesictest::regularGrid(6, 3), random);
     const TriangleMesh mesh = engineMesh(plain);
     const MeshPoint from = geodesictest::vertexPoint(plain, 0);
@@ -588,8 +588,8 @@ TEST(SourceCurve, SheetsThatTouchInAVertexAreJoinedThroughIt)
 
 TEST(SourceCurve, AFaceWithoutAreaIsCrossed)
 {
-  // The unit square twice, one above the other; the seam has a vertex in the middle for the upper
-  // one only, and a face without area between.
+  // The unit square twice, one above the other. At the seam only the upper one has a vertex in the
+  // middle, with a face without area between.
   const PlainMesh plain = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5, 1, 0 }, { 1, 1, 0 },
                               { 0, 2, 0 }, { 1, 2, 0 } },
     { { 0, 1, 4 }, { 0, 4, 2 }, { 2, 4, 3 }, { 2, 3, 5 }, { 3, 6, 5 }, { 3, 4, 6 } } };
@@ -654,7 +654,7 @@ TEST(SourceCurve, PointsOfSheetsNearerThanTheirPrecisionAreNotOnePlace)
 
 TEST(SourceCurve, TwoVerticesNearerThanTheirPrecisionStayTwo)
 {
-  // Each is found by a large face that has no short edge.
+  // Each point is in a large face without a short edge.
   const TriangleMesh mesh(
     { { 0, 0, 0 }, { 1e-9, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 }, { 1, -1, 0 } },
     { { 0, 1, 2 }, { 0, 3, 4 }, { 1, 4, 5 } });
@@ -675,7 +675,7 @@ std::set<Id> facesOf(const SourceCurve& curve)
 TEST(SourceCurve, OfTwoSheetsAPolylineKeepsToTheOneWhereItsPointsShareFaces)
 {
   const TriangleMesh mesh = engineMesh(twoSheets(0.0));
-  // Points inside faces, but for one at the diagonal of the middle squares.
+  // Points inside faces, except one at the diagonal of the middle squares.
   LocatedPolyline line =
     polyline({ { 1.75, 0.25, 0.0 }, { 1.5, 0.5, 0.0 }, { 1.25, 0.75, 0.0 } }, { 0, 0, 0 });
   for (const bool closed : { false, true })
@@ -767,7 +767,8 @@ TEST(SourceCurve, ASinglePointTakesItsFirstFace)
   EXPECT_TRUE(contains(mesh, 3, put(mesh, line).curves[0].points[0]));
 }
 
-/// A flat sheet with one triangle turned over, and the section of it that walks from face to face.
+/// A flat sheet with one triangle of opposite orientation, and its section, which walks from face
+/// to face.
 TEST(SourceCurve, ASectionOfASheetWithATurnedTriangleStaysTheSameCurve)
 {
   Random random(31);
@@ -888,7 +889,7 @@ TEST(SourceCurve, ProgressGoesFromZeroToOneAndNeverBack)
 //----------------------------------------------------------------------------
 // The boundary.
 
-/// Every boundary edge is in the curves once, and nothing else is.
+/// Every boundary edge is in the curves exactly once, and nothing else is.
 void expectCoversBoundary(const PlainMesh& plain, const std::vector<SourceCurve>& curves)
 {
   const TriangleMesh mesh = engineMesh(plain);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The windows that sources begin with: parallel rays at right angles to segments, circular ones
-// from points into their wedges; around vertices with many faces; in faces without area.
+// The first windows of sources: parallel rays at right angles to segments, circular windows from
+// points into their wedges; around vertices with many faces; in faces without area.
 #include "EngineSupport.h"
 #include "source/BranchingFan.h"
 #include "truth/AnalyticDistances.h"
@@ -69,7 +69,7 @@ double angleBetween(const Vec3& a, const Vec3& b)
   return std::atan2(std::sqrt(times(d, d)), times(a, b));
 }
 
-/// The windows of a kind that hold the place x of a halfedge.
+/// The windows of a kind that contain the place x of a halfedge.
 std::vector<Window> holding(
   const SourceWindows& sources, Id halfedge, double x, Window::Kind kind, double margin)
 {
@@ -158,8 +158,8 @@ TEST(SourceWindows, RaysOfASegmentLeaveAtRightAnglesAndNoneIsMissing)
   EXPECT_GT(seen[1], 1000);
 }
 
-// From nearly along the edge to nearly at a right angle to it. Behind the place where the segment
-// touches the edge the distance to its line would be negative.
+// From nearly along the edge to nearly at a right angle to it. Beyond the point where the segment
+// touches the edge, the distance to its line would be negative.
 TEST(SourceWindows, RaysOfASegmentThatTouchesAnEdgeLeaveThroughItUpToThereOnly)
 {
   Random random(2);
@@ -199,7 +199,7 @@ TEST(SourceWindows, RaysOfASegmentThatTouchesAnEdgeLeaveThroughItUpToThereOnly)
   EXPECT_GT(seen, 500);
 }
 
-// One edge at the corner lies on the segment's left and the other one on its right, at any angle.
+// One edge at the corner lies on the segment's left and the other on its right, at any angle.
 TEST(SourceWindows, RaysOfASegmentFromACornerLeaveThroughTheEdgeOnTheirSide)
 {
   Random random(3);
@@ -322,7 +322,7 @@ TEST(SourceWindows, OnABranchingFanTheWedgeBeginsAtTheRightAngleOnEverySheet)
 
 TEST(SourceWindows, ABranchingFanHasTheDistancesOfEitherSheet)
 {
-  // A path that changes sheets is as long when it is folded into one.
+  // A path that changes sheets keeps its length if it is folded into one sheet.
   constexpr Index stages = 40;
   const BranchingFan both(stages, 3.0);
   const BranchingFan one(stages, 3.0, 1);
@@ -342,7 +342,7 @@ TEST(SourceWindows, ABranchingFanHasTheDistancesOfEitherSheet)
 
 TEST(SourceWindows, SeveralCurvesThatMeetInAVertexBoundItsWedgeTogether)
 {
-  // Along the axes of a regular grid from its middle: nothing is left for circular rays.
+  // Along the axes of a regular grid from its middle: no circular rays remain.
   const PlainMesh grid = regularGrid(4, 4);
   const TriangleMesh mesh = engineMesh(grid);
   std::vector<SourceCurve> curves;
@@ -385,7 +385,7 @@ TEST(SourceWindows, ASourceOnTheLongEdgeOfAFaceWithoutAreaShinesThroughIt)
   EXPECT_NEAR(distances[4], 1.0, 1e-15);
 }
 
-// Points that are apart by less than the root of the smallest number: the length of each edge
+// Points whose distances are less than the root of the smallest number: the length of each edge
 // between them is 0.
 TEST(SourceWindows, ASegmentInAFaceAtOnePointIsASourceThere)
 {
