@@ -71,17 +71,17 @@ MeshPartition::Tables::Tables(std::vector<Vec3> points, const std::vector<Triang
 // that share a key.
 void MeshPartition::Tables::findHolders(const std::vector<std::uint64_t>& keys)
 {
-  std::vector<Message> told = this->exchange.noMessages();
+  std::vector<Message> messages = this->exchange.noMessages();
   for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
   {
     // Keys may have any pattern; a multiplication scatters them (Knuth, 6.4).
     const std::uint64_t hash = keys[vertex] * 0x9e3779b97f4a7c15U;
-    Message& message = told[(hash >> 32) % told.size()];
+    Message& message = messages[(hash >> 32) % messages.size()];
     put(message, keys[vertex]);
     put(message, vertex);
   }
   std::vector<KeyedVertex> known;
-  readEach(this->exchange.step(std::move(told)),
+  readEach(this->exchange.step(std::move(messages)),
     [&](int rank, MessageReader& reader)
     {
       const auto key = reader.get<std::uint64_t>();
@@ -150,7 +150,7 @@ void MeshPartition::Tables::numberVertices(std::vector<Vec3>& points)
   this->numberOfGlobalVertices = checkedId(vertices.all, "points");
   auto number = static_cast<Id>(vertices.before);
   this->globalIds.resize(this->numberOfOwnVertices);
-  std::vector<Message> told = this->exchange.noMessages();
+  std::vector<Message> messages = this->exchange.noMessages();
   for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
   {
     if (!this->isCountedHere(vertex))
@@ -160,14 +160,14 @@ void MeshPartition::Tables::numberVertices(std::vector<Vec3>& points)
     this->globalIds[vertex] = number;
     for (const RankAddress& other : this->othersWith(vertex))
     {
-      Message& message = told[rankIndex(other.rank)];
+      Message& message = messages[rankIndex(other.rank)];
       put(message, other.id);
       put(message, number);
       put(message, points[vertex]);
     }
     ++number;
   }
-  readEach(this->exchange.step(std::move(told)),
+  readEach(this->exchange.step(std::move(messages)),
     [&](int, MessageReader& reader)
     {
       const Id vertex = reader.get<Id>();
@@ -180,8 +180,8 @@ void MeshPartition::Tables::numberVertices(std::vector<Vec3>& points)
 std::vector<MeshPartition::HaloFace> MeshPartition::Tables::exchangeHalo(
   const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
 {
-  std::vector<Message> told = this->exchange.noMessages();
-  this->given.resize(told.size());
+  std::vector<Message> messages = this->exchange.noMessages();
+  this->given.resize(messages.size());
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     const auto triangle = static_cast<Id>(i);
@@ -197,19 +197,19 @@ std::vector<MeshPartition::HaloFace> MeshPartition::Tables::exchangeHalo(
       }
     }
   }
-  for (std::size_t rank = 0; rank < told.size(); ++rank)
+  for (std::size_t rank = 0; rank < messages.size(); ++rank)
   {
     for (const Id triangle : this->given[rank])
     {
       for (const Id vertex : triangles[triangle])
       {
-        put(told[rank], this->globalIds[vertex]);
-        put(told[rank], points[vertex]);
+        put(messages[rank], this->globalIds[vertex]);
+        put(messages[rank], points[vertex]);
       }
     }
   }
   std::vector<HaloFace> halo;
-  readEach(this->exchange.step(std::move(told)),
+  readEach(this->exchange.step(std::move(messages)),
     [&](int rank, MessageReader& reader)
     {
       HaloFace face = { rank, {}, {} };
@@ -323,18 +323,18 @@ void MeshPartition::Tables::findFacesOfTriangles(const std::vector<Triangle>& tr
 // Sends this rank's number of a face to those that have a copy. All ranks leave out the same faces.
 void MeshPartition::Tables::exchangeAddresses(const std::vector<HaloFace>& received)
 {
-  std::vector<Message> told = this->exchange.noMessages();
-  for (std::size_t rank = 0; rank < told.size(); ++rank)
+  std::vector<Message> messages = this->exchange.noMessages();
+  for (std::size_t rank = 0; rank < messages.size(); ++rank)
   {
     for (const Id triangle : this->given[rank])
     {
-      put(told[rank], this->faceOfTriangle[triangle]);
+      put(messages[rank], this->faceOfTriangle[triangle]);
     }
   }
   this->given = {};
   std::vector<RankAddress> addresses; // one per received face
   addresses.reserve(received.size());
-  readEach(this->exchange.step(std::move(told)),
+  readEach(this->exchange.step(std::move(messages)),
     [&](int rank, MessageReader& reader) {
       addresses.push_back({ rank, reader.get<Id>() });
     });

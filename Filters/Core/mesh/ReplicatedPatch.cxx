@@ -95,7 +95,7 @@ std::vector<Id> withNeighbours(const TriangleMesh& mesh, const std::vector<Id>& 
 std::vector<Id> ownWithNeighbours(const MeshPartition& part, const std::vector<Id>& faces)
 {
   std::vector<Id> own;
-  std::vector<Message> told = part.exchange().noMessages();
+  std::vector<Message> messages = part.exchange().noMessages();
   for (const Id face : withNeighbours(part.mesh(), faces))
   {
     if (part.isOwn(face))
@@ -104,9 +104,9 @@ std::vector<Id> ownWithNeighbours(const MeshPartition& part, const std::vector<I
       continue;
     }
     const RankAddress owner = part.ownerOf(face);
-    put(told[rankIndex(owner.rank)], owner.id);
+    put(messages[rankIndex(owner.rank)], owner.id);
   }
-  readEach(part.exchange().step(std::move(told)),
+  readEach(part.exchange().step(std::move(messages)),
     [&](int, MessageReader& reader) { own.push_back(reader.get<Id>()); });
   return own;
 }

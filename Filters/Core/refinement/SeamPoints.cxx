@@ -17,7 +17,7 @@ namespace
 using PlaceOnSeam = std::tuple<RankAddress, Id, double>;
 
 /// What a rank that knows a face at a place sends to the others there.
-struct ToldPoint
+struct PointMessage
 {
   RankAddress face;
   Id halfedge;
@@ -33,7 +33,7 @@ struct PointsAtPlace
 {
   std::vector<Id> here;
   /// The lowest rank that sent values, if any, and its point.
-  bool isTold = false;
+  bool isProvided = false;
   RankAddress there{ -1, NoId };
 };
 
@@ -87,16 +87,16 @@ std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& po
       continue;
     }
     const RankAddress face = part.addressOf(TriangleMesh::faceOf(place.id));
-    const ToldPoint told = { face, place.id % 3, i, place.u };
-    PointsAtPlace& at = places[told.place()];
+    const PointMessage sent = { face, place.id % 3, i, place.u };
+    PointsAtPlace& at = places[sent.place()];
     at.here.push_back(i);
-    if (faces.isKnownHere && !at.isTold)
+    if (faces.isKnownHere && !at.isProvided)
     {
-      at.isTold = true;
+      at.isProvided = true;
       at.there = { part.exchange().rank(), i };
       for (const int rank : faces.otherRanks)
       {
-        put(messages[rankIndex(rank)], told);
+        put(messages[rankIndex(rank)], sent);
       }
     }
   }
@@ -113,18 +113,18 @@ SeamPoints findSeamPoints(const std::vector<RefinedPoint>& points, std::size_t c
   readEach(part.exchange().step(std::move(messages)),
     [&](int rank, MessageReader& reader)
     {
-      const auto told = reader.get<ToldPoint>();
-      const auto found = places.find(told.place());
-      if (found != places.end() && (!found->second.isTold || rank < found->second.there.rank))
+      const auto sent = reader.get<PointMessage>();
+      const auto found = places.find(sent.place());
+      if (found != places.end() && (!found->second.isProvided || rank < found->second.there.rank))
       {
-        found->second.isTold = true;
-        found->second.there = { rank, told.point };
+        found->second.isProvided = true;
+        found->second.there = { rank, sent.point };
       }
     });
   SeamPoints result;
   for (const auto& [place, at] : places)
   {
-    const bool isElsewhere = at.isTold && at.there.rank != part.exchange().rank();
+    const bool isElsewhere = at.isProvided && at.there.rank != part.exchange().rank();
     for (std::size_t i = 0; i < at.here.size() && isElsewhere; ++i)
     {
       result.here.push_back(at.here[i]);

@@ -27,14 +27,14 @@ void SeamSplits::shareFrozen()
     {
       continue;
     }
-    std::vector<int> told;
+    std::vector<int> receivers;
     for (const Id vertex : this->part_.mesh().triangle(face))
     {
       for (const RankAddress& other : this->part_.othersWith(vertex))
       {
-        if (std::find(told.begin(), told.end(), other.rank) == told.end())
+        if (std::find(receivers.begin(), receivers.end(), other.rank) == receivers.end())
         {
-          told.push_back(other.rank);
+          receivers.push_back(other.rank);
           geodesic::put(messages[rankIndex(other.rank)], face);
         }
       }
