@@ -250,7 +250,7 @@ void BatchTasks::send(
 }
 
 // A point of an edge is at least as far from the target as each end is, less its distance to that
-// end. The two bounds together give the least distance of any point to the target.
+// end. The mean of these two bounds is the same for all points of the edge.
 bool BatchTasks::isOutsideCorridor(Id halfedge, const WindowRange& windows) const
 {
   const Corridor* corridor = this->options_.corridor;
