@@ -139,6 +139,10 @@ constexpr double IsolineAtVertex = 4.0 * BelowValue;
 /// evaluating a distance, so that rounding does not decide which of them is in front.
 constexpr double CurveOffset = 8.0 * Rounding;
 
+/// But where the face is longer than so many values, it counts as long as these: along a very thin
+/// strip one would see the offsets in the line, and curves behind others would appear.
+constexpr double OffsetFaceInValues = 1e8;
+
 /// CurveOffset for curves that are just that far apart.
 constexpr double LargerCurveOffset = 40.0 * CurveOffset;
 

@@ -106,6 +106,7 @@ void FaceIsolines::draw(const FaceDistance& face, double level, Id valueId,
   this->parts_ = 1;
   this->slack_ = tolerance::IsolineValue * (this->level_ + this->size_);
   this->gap_ = tolerance::IsolineGap * std::min(this->size_, level);
+  this->offsetScale_ = level + std::min(this->size_, tolerance::OffsetFaceInValues * level);
   this->places_.box = boxAround(whole.corners, this->size_);
   if (!this->drawWhole(whole))
   {
@@ -158,7 +159,7 @@ void FaceIsolines::addRegion(const DistanceCandidate& candidate, double offset)
 {
   const std::size_t number = this->regions_.size();
   const LevelRegion region(candidate, number,
-    this->level_ - static_cast<double>(number) * offset * (this->level_ + this->size_),
+    this->level_ - static_cast<double>(number) * offset * this->offsetScale_,
     tolerance::PencilMargin * this->size_, this->places_.box);
   if (!region.isEmpty())
   {

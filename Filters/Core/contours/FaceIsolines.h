@@ -166,6 +166,8 @@ private:
   /// The face's longest edge, and what ends may be apart.
   double size_ = 0.0;
   double gap_ = 0.0;
+  /// What offsets of curves are fractions of, see tolerance::CurveOffset.
+  double offsetScale_ = 0.0;
   /// How much the distance may differ from the level by rounding.
   double slack_ = 0.0;
   Id valueId_ = 0;

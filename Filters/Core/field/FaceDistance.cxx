@@ -24,10 +24,13 @@ bool isGrazing(const Window& w)
   return before > 0.0 && w.sourceDepth <= tolerance::GrazingAngle * before;
 }
 
-} // anonymous namespace
-
-namespace
+/// Whether a window's source lies on its halfedge between the window's ends. Its rays reach the
+/// whole face, and rounding would put points of the halfedge beyond the ray to the other end.
+bool reachesAll(const Window& w)
 {
+  const double beside = std::min(w.sourceX - w.begin, w.end - w.sourceX);
+  return !w.isLinear() && beside > 0.0 && w.sourceDepth <= tolerance::GrazingAngle * beside;
+}
 
 double squaredNorm(Vec2 v)
 {
@@ -143,11 +146,28 @@ void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge)
     }
     else
     {
-      c.kind = DistanceCandidate::Kind::Circular;
+      c.kind = reachesAll(w) ? DistanceCandidate::Kind::Cone : DistanceCandidate::Kind::Circular;
       c.source = origin + w.sourceX * along - w.sourceDepth * into;
       c.sigma = w.sigma;
     }
     this->candidates_.push_back(c);
+    if (this->exact_ && field.sourcesIn(this->face_).empty())
+    {
+      this->addSourceInside(w.begin, length, c.atBegin, c.begin);
+      this->addSourceInside(w.end, length, c.atEnd, c.end);
+    }
+  }
+}
+
+// A curve's point on the halfedge between its ends, in a face without area behind it: all of its
+// rays enter at one place, in a window without width, which is not kept.
+void FaceDistance::addSourceInside(double along, double length, double distance, Vec2 place)
+{
+  const double rounding = tolerance::PlaceRounding * length;
+  if (distance <= rounding && along > rounding && length - along > rounding)
+  {
+    this->candidates_.push_back(
+      { DistanceCandidate::Kind::Cone, distance, place, {}, {}, 0.0, 0.0 });
   }
 }
 

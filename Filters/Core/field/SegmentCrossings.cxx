@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/SegmentCrossings.h"
 
+#include "Tolerance.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -46,13 +48,17 @@ void findCrossings(const std::vector<Window>& envelope, double value, bool begin
   {
     result.push_back({ 0.0, beginsBelow });
   }
+  // Where the distance is the value all along, its rounding makes no crossings.
+  const double clearly =
+    envelope.empty() ? value : value - tolerance::Evaluation * (value + envelope.back().end);
   bool below = beginsBelow;
   for (std::size_t i = 0; i < envelope.size(); ++i)
   {
     const Window& w = envelope[i];
-    const bool belowNext = i + 1 < envelope.size() ? w.distance(w.end) < value : endsBelow;
+    const bool belowNext =
+      i + 1 < envelope.size() ? w.distance(w.end) < (below ? value : clearly) : endsBelow;
     const auto [before, behind] = placesOf(w, value);
-    const bool dips = !below && !belowNext && dipsBelow(w, value);
+    const bool dips = !below && !belowNext && dipsBelow(w, clearly);
     if ((!below && belowNext) || dips)
     {
       result.push_back({ std::clamp(before, w.begin, w.end), false });

@@ -32,8 +32,8 @@ const std::vector<Window>& SegmentEnvelope::along(const FaceDistance& face, Vec2
   const double atMiddle = this->chooseNear(face, 0.5 * (p + q), length);
   const Segment segment = { p, (1.0 / length) * (q - p), length };
   const bool done = face.isExact() && this->build(segment, false) &&
-    this->reaches(0.5 * length, atMiddle) && this->reaches(0.0, this->leastNear(p)) &&
-    this->reaches(length, this->leastNear(q));
+    this->agrees(0.5 * length, atMiddle) && this->agrees(0.0, this->leastNear(p)) &&
+    this->agrees(length, this->leastNear(q));
   if (!done)
   {
     this->build(segment, true);
@@ -75,13 +75,15 @@ double SegmentEnvelope::leastNear(Vec2 p) const
   return least;
 }
 
-// Whether the envelope comes down to the distance at x: a segment along a ray at the end of a
-// pencil may be lost to rounding.
-bool SegmentEnvelope::reaches(double x, double distance) const
+// Whether the envelope has the distance at x. A segment along a ray at the end of a pencil may be
+// lost to rounding: the envelope is above the distance then, or, where nothing else was found but a
+// scrap of a neighbour at an end of the segment, below it.
+bool SegmentEnvelope::agrees(double x, double distance) const
 {
   const auto window = std::find_if(this->envelope_.begin(), this->envelope_.end() - 1,
     [x](const Window& w) { return x <= w.end; });
-  return window->distance(x) <= distance + jointSlack(this->envelope_.back().end, distance);
+  return std::abs(window->distance(x) - distance) <=
+    jointSlack(this->envelope_.back().end, distance);
 }
 
 // Returns whether neighbours are equal where they meet.

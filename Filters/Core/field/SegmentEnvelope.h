@@ -34,7 +34,7 @@ private:
 
   double chooseNear(const FaceDistance& face, Vec2 middle, double length);
   double leastNear(Vec2 p) const;
-  bool reaches(double x, double distance) const;
+  bool agrees(double x, double distance) const;
   bool build(const Segment& segment, bool withBent);
   void takePieces(const Segment& segment);
   bool joinNeighbours(double length);

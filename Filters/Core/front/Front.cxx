@@ -230,8 +230,15 @@ void Front::addSourcesInHalo(const std::vector<SourceInFace>& inHalo)
     [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; });
 }
 
-// The loop ends: windows stop when they have crossed as many faces as the mesh has, and a vertex
-// emits again only if its distance has become shorter by more than a tie.
+// The loop ends. The windows that are sent form trees: the parent of a window is the one that came
+// through a face into it; a window joined from two comes from the one whose number of faces crossed
+// it keeps. That number is its depth in the tree, and a window that has crossed as many faces as
+// the mesh has goes no further. So all trees have a finite depth, also around faces without area,
+// where a pencil of rays may come back to its halfedge. A window that is sent makes few others,
+// which are cut into a finite number of parts before they are sent in turn. Trees of finite depth
+// in which each window has finitely many children are finite. And there are finitely many trees:
+// the windows of the source, and those that vertices emit. A vertex emits again only if its
+// distance has become shorter by more than a tie, a fraction of it, which cannot go on for ever.
 void Front::advance(double limit)
 {
   while (this->moveOn(limit) && !this->isSettled())

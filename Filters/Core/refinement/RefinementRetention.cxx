@@ -8,10 +8,11 @@ namespace geodesic
 {
 
 RefinementRetention::RefinementRetention(const MeshPartition& surface, double tolerance,
-  const std::vector<std::uint8_t>& pinned, ParallelFor parallelFor)
+  const std::vector<std::uint8_t>& pinned, const FrontOptions& options)
   : surface_(surface)
   , mesh_(surface_.mesh())
-  , parallelFor_(std::move(parallelFor))
+  , parallelFor_(options.parallelFor)
+  , progress_(paced(options.progress))
   , tolerance_(tolerance)
   , test_(mesh_, tolerance)
   , state_(mesh_.numberOfFaces(), State::Open)
@@ -181,31 +182,47 @@ void RefinementRetention::awaitFacesAround(Id vertex, const VertexNumbers& proce
   }
 }
 
-// Tests run in parallel, as each reads the face's own lists; their consequences follow in a fixed
-// order.
+// Many faces may be due at once, and a test takes long where faces have very many windows.
 void RefinementRetention::testDue(const FrontState& front)
 {
-  constexpr std::size_t facesPerTask = 16;
   const std::size_t faces = this->due_.size();
-  const std::size_t tasks = this->parallelFor_ ? (faces + facesPerTask - 1) / facesPerTask : 1;
-  const double known = this->kept_.droppedErrorBound;
+  const std::size_t facesPerLook = this->parallelFor_ ? 256 : 16;
   this->results_.resize(faces);
-  forAll(this->parallelFor_, tasks,
-    [&](std::size_t task)
+  for (std::size_t first = 0; first < faces; first += facesPerLook)
+  {
+    if (this->progress_ && !this->progress_(0.0))
     {
-      for (std::size_t i = task * faces / tasks; i < (task + 1) * faces / tasks; ++i)
-      {
-        const Id face = this->due_[i];
-        this->results_[i] =
-          this->test_.test(face, this->atCorners(face, front.distances), this->lists_, known);
-      }
-    });
+      throw Aborted();
+    }
+    this->testSome(first, std::min(faces, first + facesPerLook), front);
+  }
   for (std::size_t i = 0; i < faces; ++i)
   {
     const double knownNow = this->kept_.droppedErrorBound;
     this->take(this->due_[i], this->results_[i].boundUnlessDominated(knownNow), front);
   }
   this->due_.clear();
+}
+
+// Tests run in parallel, as each reads the face's own lists; their consequences follow in a fixed
+// order.
+void RefinementRetention::testSome(std::size_t first, std::size_t last, const FrontState& front)
+{
+  constexpr std::size_t facesPerTask = 16;
+  const std::size_t faces = last - first;
+  const std::size_t tasks = this->parallelFor_ ? (faces + facesPerTask - 1) / facesPerTask : 1;
+  const double known = this->kept_.droppedErrorBound;
+  forAll(this->parallelFor_, tasks,
+    [&](std::size_t task)
+    {
+      const std::size_t end = first + (task + 1) * faces / tasks;
+      for (std::size_t i = first + task * faces / tasks; i < end; ++i)
+      {
+        const Id face = this->due_[i];
+        this->results_[i] =
+          this->test_.test(face, this->atCorners(face, front.distances), this->lists_, known);
+      }
+    });
 }
 
 // If it is split once, a face requires its neighbours only to be halved.

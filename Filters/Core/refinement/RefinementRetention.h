@@ -2,7 +2,8 @@
 #ifndef geodesic_RefinementRetention_h
 #define geodesic_RefinementRetention_h
 
-#include "Tasks.h"
+#include "PacedProgress.h"
+#include "front/Front.h"
 #include "front/Retention.h"
 #include "mesh/MeshPartition.h"
 #include "mesh/TriangleMesh.h"
@@ -32,10 +33,11 @@ class RefinementRetention : public Retention
 {
 public:
   /// \param pinned for each face, whether its windows are never dropped.
-  /// \param parallelFor for tests of faces between batches; if empty, one after another. The kept
-  ///        windows do not depend on it.
+  /// \param options of the front, for tests of faces between batches. The kept windows do not
+  /// depend
+  ///        on parallelFor. progress, which must outlive this, is called with 0 between tests.
   RefinementRetention(const MeshPartition& surface, double tolerance,
-    const std::vector<std::uint8_t>& pinned, ParallelFor parallelFor = {});
+    const std::vector<std::uint8_t>& pinned, const FrontOptions& options = {});
 
   bool needsInside() const override { return true; }
   void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
@@ -79,6 +81,7 @@ private:
   void testAgain(Id face, const PassedList& late, const VertexNumbers& distances);
   void awaitFacesAround(Id vertex, const VertexNumbers& processed);
   void testDue(const FrontState& front);
+  void testSome(std::size_t first, std::size_t last, const FrontState& front);
   void take(Id face, const LinearFaceTest::Result& result, const FrontState& front);
   void raiseBound(double bound);
   void keep(Id face);
@@ -89,6 +92,7 @@ private:
   MeshPartition surface_;
   const TriangleMesh& mesh_;
   ParallelFor parallelFor_;
+  ProgressCallback progress_;
   double tolerance_;
   LinearFaceTest test_;
   std::vector<State> state_;

@@ -45,8 +45,15 @@ public:
     this->resize(1);
   }
 
-  /// The worker for work between loops.
-  RefinementWorker& first() { return *this->workers_.front(); }
+  /// The worker for work between loops: one edge or leaf after another, which may lead to many
+  /// more.
+  ///
+  /// \throws Aborted
+  RefinementWorker& first()
+  {
+    this->progress_.look();
+    return *this->workers_.front();
+  }
 
   /// Runs item(worker, i) for i below `items`.
   ///

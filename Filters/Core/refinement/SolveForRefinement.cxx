@@ -53,7 +53,7 @@ DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindo
   again.progress = ascending(options.progress);
   std::optional<DistanceField> field = solveDropping(surface, sources, again, maximumDroppingSolves,
     [&](const std::vector<std::uint8_t>& pinned)
-    { return RefinementRetention(surface, refinementTolerance, pinned, options.parallelFor); });
+    { return RefinementRetention(surface, refinementTolerance, pinned, again); });
   return field ? std::move(*field) : solveKeepingAll(surface, sources, again);
 }
 

@@ -64,8 +64,8 @@ bool isTie(
 }
 
 // Between crossings one of the two is smaller everywhere. Their middle decides which, or, if they
-// tie in the middle, the ends: one source may lie on the path from the other. The older window
-// keeps what is equal.
+// tie in the middle, the ends: one source may lie on the path from the other, and by the rounding
+// of its sigma it would win where the two are equal. The older window keeps what is equal.
 LowerParts lowerByCrossings(const Window& a, const Window& b, double lo, double hi)
 {
   const Crossings cross = crossings(a, b, lo, hi);
@@ -80,7 +80,7 @@ LowerParts lowerByCrossings(const Window& a, const Window& b, double lo, double 
     const double inMiddle = difference(middle);
     const double atEnds = difference(begin) + difference(end);
     const double distance = a.distance(middle);
-    const bool tie = std::abs(inMiddle) <= tolerance::Evaluation * distance &&
+    const bool tie = std::abs(inMiddle) <= tolerance::Tie * distance &&
       std::abs(atEnds) > tolerance::JointFraction * distance;
     const bool isA = (tie ? atEnds : inMiddle) <= 0.0;
     if (i == 0)

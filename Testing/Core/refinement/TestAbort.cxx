@@ -12,6 +12,7 @@
 #include "paths/PathsToSource.h"
 #include "paths/ShortestPathFinder.h"
 #include "refinement/AdaptiveRefinement.h"
+#include "refinement/EdgeDistances.h"
 #include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>
@@ -324,4 +325,20 @@ TEST(Abort, ComesSoonOnAnyMesh)
     worst = std::max(worst, watch.longest());
   }
   std::cout << "longest silence " << worst << " s\n";
+}
+
+// One split may ask for very many others.
+TEST(Abort, IsAskedForAtEachSplitOfARefinement)
+{
+  const TriangleMesh mesh = engineMesh(regularGrid(2, 2));
+  const geodesic::DistanceField field =
+    solveKeepingAll(mesh, { geodesic::pointCurve(SurfacePoint::atVertex(0)) });
+  const ProgressCallback stop = [](double) { return false; };
+  const geodesic::RefinementProgress progress(stop);
+  const geodesic::ParallelFor alone;
+  geodesic::RedGreenMesh triangles(
+    field.surface(), std::vector<std::uint8_t>(mesh.numberOfFaces(), 0));
+  geodesic::RefinementWorkers workers(field, triangles, alone, progress);
+  geodesic::EdgeDistances distances(triangles, workers);
+  EXPECT_THROW(distances.onEdge(triangles.edge(0, 0), 0.5), geodesic::Aborted);
 }

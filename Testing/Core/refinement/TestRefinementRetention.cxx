@@ -402,6 +402,18 @@ TEST(KeptWindowsOfNeedles, AreAllAfterTheSolvesThatMayDropSome)
     largestDifference(samples, truth.queries), refined.errorBound + EngineAccuracy * largest);
 }
 
+TEST_F(RetentionOfAGrid, AsksBetweenTestsOfFacesWhetherToStop)
+{
+  geodesic::FrontOptions options;
+  options.progress = [](double) { return false; };
+  this->retention_ =
+    std::make_unique<geodesic::RefinementRetention>(geodesic::MeshPartition(this->mesh_), Tolerance,
+      std::vector<std::uint8_t>(this->mesh_.numberOfFaces(), 0), options);
+  this->retention_->setNumberOfDistricts(1);
+  this->passAll(0.0);
+  EXPECT_THROW(this->bringFrontPast(), geodesic::Aborted);
+}
+
 TEST_F(RetentionOfAGrid, LinearFacesLoseTheirWindows)
 {
   passAll(0.0);
