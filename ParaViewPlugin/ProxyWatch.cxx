@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProxyWatch.h"
 
+#include "Lines.h"
+#include "Stripes.h"
+
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -14,12 +17,15 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkSMSettings.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionProxy.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cstring>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace
@@ -51,6 +57,17 @@ void colorBy(vtkSMPVRepresentationProxy* representation, const char* array)
   }
 }
 
+/// The distance with the side of the source as its sign has a name that users cannot change.
+const std::string SignedArray = "SignedGeodesicDistance";
+
+/// The panel's Color By Stripes; other filters than the field have none.
+bool showsStripes(vtkSMProxy* filter)
+{
+  return vtkSMPropertyHelper(filter, "ColorByStripes", true).GetAsInt() != 0;
+}
+
+class RegistrationWatch;
+
 /// Looks after one filter.
 class FilterWatch : public vtkCommand
 {
@@ -63,9 +80,24 @@ public:
     auto* filter = vtkSMSourceProxy::SafeDownCast(caller);
     filter->UpdatePropertyInformation();
     this->ColorNewResult(filter);
+    this->SetRangesOfContours();
+    if (this->HasStripes != showsStripes(filter))
+    {
+      this->HasStripes = !this->HasStripes;
+      this->SwitchStripes(filter);
+    }
   }
 
+  const RegistrationWatch* Filters = nullptr;
+  /// As the panel asks for them when the filter is made.
+  bool HasStripes = false;
+
 private:
+  void SetRangesOfContours() const;
+
+  /// Puts stripes into the color maps that show the filter's distances, or ParaView's own colors.
+  void SwitchStripes(vtkSMSourceProxy* filter) const;
+
   static bool IsEmpty(vtkSMSourceProxy* filter, unsigned int port)
   {
     vtkPVDataInformation* data = filter->GetDataInformation(port);
@@ -93,7 +125,8 @@ void FilterWatch::ColorNewResult(vtkSMSourceProxy* filter)
     {
       continue;
     }
-    const bool hadNoChoice = this->WasEmpty[port] && this->Chosen.count(shown) == 0;
+    const bool hadNoChoice =
+      !lines::areOutput(filter, port) && this->WasEmpty[port] && this->Chosen.count(shown) == 0;
     if (hadNoChoice && IsEmpty(filter, port))
     {
       continue;
@@ -114,6 +147,47 @@ void FilterWatch::ColorNewResult(vtkSMSourceProxy* filter)
   }
 }
 
+void FilterWatch::SwitchStripes(vtkSMSourceProxy* filter) const
+{
+  const std::string distance = vtkSMPropertyHelper(filter, "DistanceArrayName").GetAsString();
+  for (unsigned int i = 0; i < filter->GetNumberOfConsumers(); ++i)
+  {
+    auto* shown = vtkSMPVRepresentationProxy::SafeDownCast(filter->GetConsumerProxy(i));
+    vtkSMProxy* table =
+      shown ? vtkSMPropertyHelper(shown, "LookupTable", true).GetAsProxy() : nullptr;
+    const std::string array =
+      table ? vtkSMPropertyHelper(shown, "ColorArrayName").GetInputArrayNameToProcess() : "";
+    if (array != distance && array != SignedArray)
+    {
+      continue;
+    }
+    if (this->HasStripes)
+    {
+      stripes::fill(table, array == SignedArray);
+    }
+    else if (stripes::areIn(table))
+    {
+      vtkSMTransferFunctionProxy::ResetPropertiesToDefaults(table, array.c_str(), true);
+    }
+  }
+}
+
+/// Keeps the stripes of a color map round when ParaView rescales it, and the ticks of its scalar
+/// bars where stripes meet.
+class TableWatch : public vtkCommand
+{
+public:
+  static TableWatch* New() { return new TableWatch; }
+
+  void Execute(vtkObject* caller, unsigned long, void*) override;
+
+  const RegistrationWatch* Filters = nullptr;
+  std::string Array;
+
+private:
+  bool HadStripes = false;
+};
+
 /// Sees what proxies are registered.
 class RegistrationWatch : public vtkCommand
 {
@@ -122,28 +196,140 @@ public:
 
   void Execute(vtkObject*, unsigned long, void* data) override
   {
+    stripes::addPresets();
     const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
-    auto* filter = registered ? vtkSMSourceProxy::SafeDownCast(registered->Proxy) : nullptr;
-    const char* name = filter ? filter->GetVTKClassName() : nullptr;
+    if (!registered || !registered->Proxy)
+    {
+      return;
+    }
+    const std::string group = registered->GroupName;
+    if (group == "lookup_tables")
+    {
+      this->WatchTable(registered->Proxy, registered->ProxyName);
+    }
+    else if (group == "scalar_bars")
+    {
+      vtkSMProxy* table = vtkSMPropertyHelper(registered->Proxy, "LookupTable", true).GetAsProxy();
+      if (table && stripes::areIn(table))
+      {
+        stripes::setTicks(registered->Proxy, table);
+      }
+    }
+    else if (auto* shown = vtkSMPVRepresentationProxy::SafeDownCast(registered->Proxy))
+    {
+      vtkSMPropertyHelper input(shown, "Input", true);
+      auto* filter = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+      if (filter && lines::areOutput(filter, input.GetOutputPort()) &&
+        !shown->GetSessionProxyManager()->GetInLoadXMLState())
+      {
+        lines::show(shown);
+      }
+    }
+    else if (auto* filter = vtkSMSourceProxy::SafeDownCast(registered->Proxy))
+    {
+      if (group == "sources") // and no prototype for menus
+      {
+        this->WatchFilter(filter);
+      }
+    }
+  }
+
+  /// The series of values of a contour ends at the largest distance that any filter knows.
+  void SetRangesOfContours() const
+  {
+    for (vtkSMSourceProxy* filter : this->Filters)
+    {
+      if (filter && filter->GetProperty("DistanceRange"))
+      {
+        lines::setRangeOfDistances(filter, { this->Filters.begin(), this->Filters.end() });
+      }
+    }
+  }
+
+  /// Whether an array is a distance of filters of this plugin, none of which has its stripes off.
+  bool HasStripes(const std::string& array) const
+  {
+    bool isDistance = false;
+    for (vtkSMSourceProxy* filter : this->Filters)
+    {
+      const char* name =
+        filter ? vtkSMPropertyHelper(filter, "DistanceArrayName", true).GetAsString() : nullptr;
+      if (!filter || (array != SignedArray && array != (name ? name : "GeodesicDistance")))
+      {
+        continue;
+      }
+      if (filter->GetProperty("ColorByStripes") && !showsStripes(filter))
+      {
+        return false;
+      }
+      isDistance = true;
+    }
+    return isDistance;
+  }
+
+private:
+  void WatchFilter(vtkSMSourceProxy* filter)
+  {
+    const char* name = filter->GetVTKClassName();
     const char* const ours = "vtkGeodesic";
     if (!name || std::strncmp(name, ours, std::strlen(ours)) != 0)
     {
       return;
     }
     // A filter that is given another name is registered again.
-    auto& watched = this->Watched;
-    watched.erase(std::remove(watched.begin(), watched.end(), nullptr), watched.end());
-    if (std::find(watched.begin(), watched.end(), filter) == watched.end())
+    auto& filters = this->Filters;
+    filters.erase(std::remove(filters.begin(), filters.end(), nullptr), filters.end());
+    if (std::find(filters.begin(), filters.end(), filter) == filters.end())
     {
-      watched.emplace_back(filter);
+      filters.emplace_back(filter);
       vtkNew<FilterWatch> watch;
+      watch->Filters = this;
+      watch->HasStripes = showsStripes(filter);
       filter->AddObserver(vtkCommand::UpdateDataEvent, watch);
+      lines::roundDefaultDistance(filter);
+      this->SetRangesOfContours();
     }
   }
 
-private:
-  std::vector<vtkWeakPointer<vtkSMSourceProxy>> Watched;
+  /// A color map that is made new gets stripes, unless the user has saved a default for its array.
+  void WatchTable(vtkSMProxy* table, const std::string& name)
+  {
+    vtkNew<TableWatch> watch;
+    watch->Filters = this;
+    watch->Array = name.substr(0, name.find('.'));
+    const bool isSaved = vtkSMSettings::GetInstance()->HasSetting(
+      (".array_lookup_tables." + watch->Array + ".PVLookupTable.RGBPoints").c_str());
+    if (this->HasStripes(watch->Array) && !isSaved &&
+      !table->GetSessionProxyManager()->GetInLoadXMLState())
+    {
+      stripes::fill(table, watch->Array == SignedArray);
+    }
+    table->AddObserver(vtkCommand::UpdateEvent, watch);
+  }
+
+  std::vector<vtkWeakPointer<vtkSMSourceProxy>> Filters;
 };
+
+void FilterWatch::SetRangesOfContours() const
+{
+  this->Filters->SetRangesOfContours();
+}
+
+void TableWatch::Execute(vtkObject* caller, unsigned long, void*)
+{
+  auto* table = static_cast<vtkSMProxy*>(caller);
+  const bool hasStripes = stripes::areIn(table) && this->Filters->HasStripes(this->Array);
+  if (hasStripes)
+  {
+    stripes::makeRound(table);
+    stripes::setTicks(table);
+  }
+  else if (this->HadStripes)
+  {
+    stripes::resetTicks(table);
+  }
+  this->HadStripes = hasStripes;
+}
 
 }
 

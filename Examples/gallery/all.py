@@ -15,7 +15,7 @@ NO_SCRIPTS = ("all", "look", "small_png")
 
 
 def draw(script, folder):
-    # --dr: the color map that a script imports is not kept with the user's settings.
+    # --dr: the color maps of the plugin are not kept with the user's settings.
     subprocess.run(["pvpython", "--dr", str(script), folder], check=True)
 
 

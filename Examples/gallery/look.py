@@ -21,10 +21,6 @@ REGIONS = ((0.98, 0.80, 0.40), (0.87, 0.42, 0.40), (0.45, 0.66, 0.55),
            (0.36, 0.42, 0.68), (0.72, 0.56, 0.76), (0.66, 0.80, 0.90))
 
 
-# The color map that comes with the plugin, and how many stripes it has.
-COLOR_MAP, COUNT = "Geodesic Distance Stripes", 32
-
-
 def load_plugin():
     if hasattr(simple, "GeodesicDistanceField"):
         return
@@ -57,27 +53,21 @@ def striped(colors, darkness=0.28):
 def stripes(display, largest=None, count=24, array="GeodesicDistance"):
     """Colors a display by a distance in stripes of one width, up to the largest distance."""
     simple.ColorBy(display, ("POINTS", array))
-    largest = largest or display.LookupTable.RGBPoints[-4]
+    largest = largest or range_of(display)[1]
     steps(display, ("POINTS", array), 0, largest, striped(shades(count)))
 
 
-def import_color_map():
-    """Makes COLOR_MAP known to ParaView, which keeps what is imported with the user's settings."""
-    if servermanager.vtkSMTransferFunctionPresets.GetInstance().HasPreset(COLOR_MAP):
-        return
-    # In the source tree, or where the package has put it.
-    places = [folder / place / "GeodesicDistanceStripes.json"
-              for folder in pathlib.Path(__file__).resolve().parents
-              for place in ("ParaViewPlugin", "share/geodesic-distance")]
-    found = next((file for file in places if file.is_file()), None)
-    simple.ImportPresets(filename=str(found or sys.exit(f"There is no {places[0].name} above this script.")))
+def range_of(display):
+    """The smallest and the largest number that it is colored by, without those that are infinite."""
+    display.LookupTable.ColorSpace = "RGB"  # else the plugin rounds the range
+    display.RescaleTransferFunctionToDataRange(False, True)
+    return display.LookupTable.RGBPoints[0], display.LookupTable.RGBPoints[-4]
 
 
 def sides(display, count=12, array="SignedGeodesicDistance"):
     """Colors a display by a signed distance in stripes, blue for negative and red for positive ones."""
     simple.ColorBy(display, ("POINTS", array))
-    ends = display.LookupTable.RGBPoints[0], display.LookupTable.RGBPoints[-4]
-    largest = max(abs(end) for end in ends)
+    largest = max(abs(end) for end in range_of(display))
     right, left = (striped([mix(WHITE, color, (i + 1) / count) for i in range(count)], 0.15)
                    for color in (BLUE, RED))
     steps(display, ("POINTS", array), -largest, largest, right[::-1] + left)
@@ -137,7 +127,7 @@ def thin_lines(display, color=WHITE, width=1.5):
 def colored_lines(display, largest=None, width=2.5):
     """Shows lines by their distance, from near to far, on a pale surface."""
     simple.ColorBy(display, ("POINTS", "GeodesicDistance"))
-    largest = largest or 1.001 * display.LookupTable.RGBPoints[-4]
+    largest = largest or 1.001 * range_of(display)[1]
     steps(display, ("POINTS", "GeodesicDistance"), 0, largest, shades(36)[9:])
     display.LineWidth = width
     display.Ambient, display.Diffuse = 1, 0

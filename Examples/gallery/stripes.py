@@ -9,8 +9,6 @@ sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 
-STEP = 0.03
-
 ring = Clean(Input=Superquadric(Toroidal=1, Size=1, Thickness=3/7, ThetaRoundness=1, PhiRoundness=1,
                                 ThetaResolution=80, PhiResolution=160))
 
@@ -35,11 +33,5 @@ view = look.view(field, direction=(0.45, 1, 0.85), upward=(0, 1, 0))
 shown = Show(field, view)
 look.smooth(shown)
 
-# The color map that comes with the plugin has 32 stripes: each is STEP wide.
-look.import_color_map()
-ColorBy(shown, ("POINTS", "GeodesicDistance"))
-shown.LookupTable.ApplyPreset("Geodesic Distance Stripes", True)
-shown.LookupTable.RescaleTransferFunction(0, 32*STEP)
-shown.InterpolateScalarsBeforeMapping = 1
 look.lines(Show(OutputPort(field, 1), view))
 look.save(view, globals())

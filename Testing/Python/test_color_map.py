@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The color map that comes with the plugin has stripes of one width, and shows them as wide as it is
-scaled to.
+"""Distances come up in stripes of one round width, which a picture shows where they are, with ticks of
+the scalar bar where stripes meet; the side of a curve in two colors; ParaView's colors without it.
 
-usage: pvpython --dr test_color_map.py EXAMPLES
+usage: pvpython --dr test_color_map.py
 
-With --dr ParaView does not write what is imported to the user's settings.
+With --dr ParaView does not write what the plugin adds to its presets to the user's settings.
 """
 
 import pathlib
-import sys
 import tempfile
+import unittest
 
 import numpy as np
 from paraview import servermanager, simple
@@ -18,10 +18,8 @@ from geodesic_testing import load_plugin, plane, polyline
 from pixels import read_pixels
 
 load_plugin()
-sys.path.insert(0, f"{sys.argv[1]}/gallery")
-import look  # noqa: E402
-
-LENGTH = 4.0  # of the sheet, away from the source
+LENGTH = 4.0  # of the sheet
+PRESETS = "Geodesic Distance Stripes", "Signed Geodesic Distance Stripes"
 
 
 def edges_of(picture):
@@ -33,43 +31,125 @@ def edges_of(picture):
     return np.flatnonzero(np.abs(np.diff(sheet, axis=0)).max(axis=1) > 8) + 1, len(sheet)
 
 
-def check_stripes(picture, width):
-    """Stripes of that width, in units of the sheet, from its left side on."""
-    edges, pixels = edges_of(picture)
-    expected = np.arange(1, int(LENGTH / width - 1e-6) + 1) * width / LENGTH * pixels
-    assert len(edges) == len(expected), f"{len(edges)} edges, not {len(expected)}"
-    assert np.max(np.abs(edges - expected)) <= 1.5, np.column_stack((edges, expected))
+def nodes(table):
+    """Position and color; in a table of steps each has the color before it."""
+    return np.reshape(table.RGBPoints, (-1, 4))
 
 
-def draw(field, picture, width):
-    view = simple.CreateView("RenderView")
-    view.ViewSize = (900, 700)
-    view.OrientationAxesVisibility = 0
-    display = simple.Show(field, view)
-    simple.ColorBy(display, ("POINTS", "GeodesicDistance"))
-    display.LookupTable.ApplyPreset(look.COLOR_MAP, True)
-    display.LookupTable.RescaleTransferFunction(0, look.COUNT * width)
-    simple.ResetCamera(view)
-    simple.SaveScreenshot(str(picture), view, ImageResolution=view.ViewSize)
+def field_at(x, **asked):
+    """Of a sheet from x = 0 to 4, from a line across it."""
+    return simple.GeodesicDistanceField(Input=plane(), Source=polyline([(x, 0, 0), (x, 3, 0)]), **asked)
 
 
-# Stripes of one width, every second one darker than its neighbors.
-look.import_color_map()
-table = simple.GetColorTransferFunction("Any")
-assert servermanager.vtkSMTransferFunctionPresets.GetInstance().HasPreset(look.COLOR_MAP)
-table.ApplyPreset(look.COLOR_MAP, False)
-nodes = np.reshape(table.RGBPoints, (-1, 4))  # in a table of steps each has the color before it
-assert len(nodes) == look.COUNT + 1 and table.ColorSpace == "Step"
-steps = np.linspace(nodes[0, 0], nodes[-1, 0], len(nodes))
-np.testing.assert_allclose(nodes[:, 0], steps, rtol=0, atol=1e-12)
-bright = nodes[1:, 1:].sum(axis=1)
-assert np.all(bright[1::2] < 0.85 * bright[::2]) and np.all(bright[1:-1:2] < 0.85 * bright[2::2])
+class Stripes(unittest.TestCase):
+    def setUp(self):
+        self.view = simple.CreateView("RenderView")
+        self.view.ViewSize = (900, 700)
+        self.view.OrientationAxesVisibility = 0
+        self.addCleanup(simple.ResetSession)
+        self.addCleanup(simple.Delete, self.view)  # first: ParaView does not survive its going last
 
-# On a sheet with its left side as the source, where the distance is x.
-side = polyline([(0, 0, 0), (0, 3, 0)])
-field = simple.GeodesicDistanceField(Input=plane(), Source=side)
-with tempfile.TemporaryDirectory() as folder:
-    picture = pathlib.Path(folder) / "stripes.png"
-    for width in (LENGTH / look.COUNT, 0.25):
-        draw(field, picture, width)
-        check_stripes(picture, width)
+    def show(self, field, array=None):
+        display = simple.Show(field, self.view)
+        if array:
+            simple.ColorBy(display, ("POINTS", array))
+            display.RescaleTransferFunctionToDataRange(False, True)
+        return display
+
+    def assert_stripes(self, table, low, high, width):
+        self.assertEqual(table.ColorSpace, "Step")
+        expected = np.arange(round(low / width), round(high / width) + 1) * width
+        np.testing.assert_allclose(nodes(table)[:, 0], expected, atol=1e-9)
+
+    def test_are_there_when_a_field_is_shown_first(self):
+        display = self.show(field_at(0))
+        self.assertEqual(list(display.ColorArrayName), ["POINTS", "GeodesicDistance"])
+        self.assert_stripes(display.LookupTable, 0, 4, 0.1)
+        bright = nodes(display.LookupTable)[1:, 1:].sum(axis=1)
+        self.assertTrue(np.all(bright[1::2] < 0.85 * bright[::2]))
+        self.assertTrue(np.all(bright[1:-1:2] < 0.85 * bright[2::2]))
+
+    def test_have_a_round_width_and_there_are_15_to_40_of_them(self):
+        table = self.show(field_at(0)).LookupTable
+        for scale in np.geomspace(1e-7, 1e7, 60):
+            table.RescaleTransferFunction(0, scale)
+            ends = nodes(table)[:, 0]
+            width = ends[1]
+            self.assertTrue(15 <= len(ends) - 1 <= 40, (scale, len(ends)))
+            self.assertTrue(scale * (1 - 1e-6) <= ends[-1] < scale + width, (scale, ends[-1]))
+            self.assertIn(f"{width:e}"[:3], ("1.0", "2.0", "5.0"))
+            self.assertEqual(ends[0], 0)
+
+    def test_are_seen_where_they_are(self):
+        display = self.show(field_at(0))
+        simple.ResetCamera(self.view)
+        with tempfile.TemporaryDirectory() as folder:
+            for largest, width in ((4, 0.1), (8, 0.2)):
+                display.LookupTable.RescaleTransferFunction(0, largest)
+                picture = pathlib.Path(folder) / "stripes.png"
+                simple.SaveScreenshot(str(picture), self.view, ImageResolution=self.view.ViewSize)
+                edges, pixels = edges_of(picture)
+                expected = np.arange(1, round(LENGTH / width)) * width / LENGTH * pixels
+                self.assertEqual(len(edges), len(expected))
+                self.assertLessEqual(np.max(np.abs(edges - expected)), 1.5)
+
+    def test_ticks_of_the_bar_are_where_stripes_meet(self):
+        display = self.show(field_at(0))
+        display.SetScalarBarVisibility(self.view, True)
+        bar = simple.GetScalarBar(display.LookupTable, self.view)
+        self.assertEqual(bar.UseCustomLabels, 1)
+        np.testing.assert_allclose(list(bar.CustomLabels), np.arange(0, 4.1, 0.5), atol=1e-9)
+        display.LookupTable.RescaleTransferFunction(0, 0.41)
+        self.assert_stripes(display.LookupTable, 0, 0.42, 0.02)
+        np.testing.assert_allclose(list(bar.CustomLabels), np.arange(0, 0.41, 0.1), atol=1e-9)
+        display.LookupTable.ApplyPreset("Cool to Warm", True)
+        self.assertEqual(bar.UseCustomLabels, 0)
+
+    def test_of_the_signed_distance_have_two_sides(self):
+        table = self.show(field_at(1, GenerateSignedDistance=1), "SignedGeodesicDistance").LookupTable
+        self.assert_stripes(table, -3, 3, 0.2)
+        red, _, blue = nodes(table)[1:, 1:].T
+        self.assertTrue(np.all(red[:14] < blue[:14]) and np.all(red[-14:] > blue[-14:]))
+
+    def test_can_be_switched_off_before_and_after(self):
+        field = field_at(0, ColorByStripes=0)
+        table = self.show(field).LookupTable
+        self.assertNotEqual(table.ColorSpace, "Step")
+        field.ColorByStripes = 1
+        field.UpdatePipeline()
+        self.assert_stripes(table, 0, 4, 0.1)
+        field.ColorByStripes = 0
+        field.UpdatePipeline()
+        self.assertNotEqual(table.ColorSpace, "Step")
+        np.testing.assert_allclose(nodes(table)[[0, -1], 0], (0, 4))
+
+    def test_colors_that_the_user_has_chosen_stay(self):
+        field = field_at(0)
+        table = self.show(field).LookupTable
+        table.ApplyPreset("Viridis (matplotlib)", True)
+        field.Source.Points = [1, 0, 0, 1, 3, 0]
+        field.UpdatePipeline()
+        self.show(field)
+        self.assertNotEqual(table.ColorSpace, "Step")
+
+    def test_of_a_state_stay_as_they_were_saved(self):
+        self.show(field_at(0, DistanceArrayName="Far")).LookupTable.RescaleTransferFunction(0, 8)
+        with tempfile.TemporaryDirectory() as folder:
+            file = f"{folder}/state.pvsm"
+            simple.SaveState(file)
+            simple.Delete(self.view)
+            simple.ResetSession()
+            simple.LoadState(file)
+        self.view = simple.GetRenderViews()[0]
+        self.addCleanup(simple.Delete, self.view)
+        self.assert_stripes(simple.GetColorTransferFunction("Far"), 0, 8, 0.2)
+
+    def test_are_among_the_presets_once(self):
+        presets = servermanager.vtkSMTransferFunctionPresets.GetInstance()
+        names = [presets.GetPresetName(i) for i in range(presets.GetNumberOfPresets())]
+        for name in PRESETS:
+            self.assertEqual(names.count(name), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -32,11 +32,10 @@ subprocess.run(
      f"--script={here / 'gui_setup.py'}", f"--test-script={here / 'gui_events.xml'}", "--exit"],
     check=True, env={**os.environ, "GEODESIC_GUI_FOLDER": str(folder)})
 
-# On the sheet the distance is that from its middle line: from blue there to red at both sides, about
-# as much of one as of the other.
-colors = read_pixels(picture)
-warmth = colors[:, :, 0] - colors[:, :, 2]
-near, far = warmth < -60, warmth > 60
+# On the sheet the distance is that from its middle line: from yellow there over red to blue at both
+# sides, about as much yellow as blue.
+red, green, blue = np.moveaxis(read_pixels(picture), -1, 0)
+near, far = (red > 1.05 * green) & (green > 1.6 * blue), (blue > red) & (blue > 1.5 * green)
 assert near.mean() > 0.03 and far.mean() > 0.03, f"near {near.mean():.1%}, far {far.mean():.1%}"
 assert 0.5 < near.sum() / far.sum() < 2, f"near {near.mean():.1%}, far {far.mean():.1%}"
 
@@ -58,7 +57,7 @@ DEFAULTS = {"Input": "Sheet", "Source": None, "SourceType": 0, "Accuracy": 0, "R
             "BarrierArrayName": "None",
             "DistanceArrayName": "GeodesicDistance",
             "GenerateSourceIds": 0, "GenerateClosestPoints": 0, "GenerateGradients": 0,
-            "GenerateSignedDistance": 0}
+            "GenerateSignedDistance": 0, "ColorByStripes": 1}
 
 
 class Applied:
@@ -109,8 +108,8 @@ for number, moved in enumerate((
         {"GenerateGradients": 1}, {"GenerateSignedDistance": 1})):
     asked.update(moved)
     assert runs[number].properties == asked, f"{number}: {runs[number].properties}"
-MOVED_IN_FIRST_USE = {"UnreachedValue", "CustomUnreachedValue", "RemoveUnusedPoints"}
-assert not DEFAULTS.keys() - {"Input"} - MOVED_IN_FIRST_USE - {
+MOVED_ELSEWHERE = {"ColorByStripes", "UnreachedValue", "CustomUnreachedValue", "RemoveUnusedPoints"}
+assert not DEFAULTS.keys() - {"Input"} - MOVED_ELSEWHERE - {
     name for name in DEFAULTS if any(run.properties[name] != DEFAULTS[name] for run in runs)}
 
 assert_close(runs[0].distances, runs[0].to(LINE), FLOAT)
@@ -198,5 +197,5 @@ assert_close(arrays["Source0"], -ring[:, 0], FLOAT)
 shown = json.loads((folder / "geodesic-gui-shown.json").read_text())
 assert shown["views"] == ["RenderView", "SpreadSheetView"], shown
 for name in ("GeodesicContour", "GeodesicPaths"):
-    assert shown["colors"][name] == ["POINTS", "GeodesicDistance"], shown
+    assert not shown["colors"][name][1], shown
     assert shown["visible"][name], shown

@@ -40,11 +40,12 @@ warnings = re.findall(r"WARN\| vtkGeodesic.*", run.stdout)
 assert len(warnings) == 2, warnings
 assert all("up to 0.02 away" in warning for warning in warnings), warnings
 
-# Blue in the middle, red at both sides.
-colors = read_pixels(folder / "geodesic-first.png")
-warmth = colors[:, :, 0] - colors[:, :, 2]
-near, far = (warmth < -60).mean(), (warmth > 60).mean()
-assert near > 0.03 and far > 0.03, f"near {near:.1%}, far {far:.1%}"
+# Yellow on both sides of the source, which is green; blue far from it; every second stripe darker.
+red, green, blue = np.moveaxis(read_pixels(folder / "geodesic-first.png"), -1, 0)
+near = ((red > 1.05 * green) & (green > 1.6 * blue)).mean()
+far = ((blue > red) & (blue > 1.5 * green)).mean()
+source = (green > 1.25 * np.maximum(red, blue)).mean()
+assert near > 0.03 and far > 0.03 and source > 0.002, f"near {near:.1%}, far {far:.1%}, source {source:.1%}"
 
 
 def applied(number):

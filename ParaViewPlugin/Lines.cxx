@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Lines.h"
+
+#include "Stripes.h"
+
+#include "vtkDataObject.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkSMBoundsDomain.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace
+{
+
+/// What a filter's input is connected to: a proxy and its output port.
+std::pair<vtkSMProxy*, unsigned int> producerOf(vtkSMProxy* filter, const char* input)
+{
+  vtkSMPropertyHelper helper(filter, input, true);
+  vtkSMProxy* producer = helper.GetAsProxy();
+  return { producer, producer ? helper.GetOutputPort() : 0 };
+}
+
+bool haveSame(const char* input, vtkSMProxy* a, vtkSMProxy* b)
+{
+  return producerOf(a, input) == producerOf(b, input);
+}
+
+/// The largest distance that a field has found; 0 before it is executed and for other filters.
+double largestDistance(vtkSMSourceProxy* filter)
+{
+  const char* name = vtkSMPropertyHelper(filter, "DistanceArrayName", true).GetAsString();
+  vtkPVArrayInformation* array = name
+    ? filter->GetDataInformation(0)->GetPointDataInformation()->GetArrayInformation(name)
+    : nullptr;
+  return array ? array->GetComponentFiniteRange(0)[1] : 0.0;
+}
+
+/// Whose maximum is the default distance; none of other filters than a contour.
+vtkSMBoundsDomain* boundsOf(vtkSMSourceProxy* filter)
+{
+  vtkSMProperty* distances = filter->GetProperty("Distances");
+  return distances ? distances->FindDomain<vtkSMBoundsDomain>() : nullptr;
+}
+
+}
+
+namespace lines
+{
+
+bool areOutput(vtkSMSourceProxy* filter, unsigned int port)
+{
+  const std::string name = filter->GetVTKClassName() ? filter->GetVTKClassName() : "";
+  return name == "vtkGeodesicContour" || name == "vtkGeodesicPaths" ||
+    (port == 1 && name.rfind("vtkGeodesicDistanceField", 0) == 0);
+}
+
+void show(vtkSMPVRepresentationProxy* representation)
+{
+  const double color[3] = { 0.0, 0.7, 0.35 };
+  representation->SetScalarColoring(nullptr, vtkDataObject::POINT);
+  for (const char* name : { "AmbientColor", "DiffuseColor" })
+  {
+    vtkSMPropertyHelper(representation, name, true).Set(color, 3);
+  }
+  vtkSMPropertyHelper(representation, "Ambient", true).Set(0.3);
+  vtkSMPropertyHelper(representation, "LineWidth", true).Set(5.0);
+  vtkSMPropertyHelper(representation, "PointSize", true).Set(12.0);
+  vtkSMPropertyHelper(representation, "RenderLinesAsTubes", true).Set(1);
+  vtkSMPropertyHelper(representation, "RenderPointsAsSpheres", true).Set(1);
+  representation->UpdateVTKObjects();
+}
+
+void roundDefaultDistance(vtkSMSourceProxy* filter)
+{
+  vtkSMPropertyHelper distances(filter, "Distances", true);
+  vtkSMBoundsDomain* bounds = boundsOf(filter);
+  if (bounds && distances.GetNumberOfElements() == 1 && distances.GetAsDouble() > 0.0 &&
+    distances.GetAsDouble() == bounds->GetMaximum(0))
+  {
+    distances.Set(stripes::roundStep(distances.GetAsDouble(), 1));
+    filter->UpdateVTKObjects();
+  }
+}
+
+void setRangeOfDistances(vtkSMSourceProxy* contour, const std::vector<vtkSMSourceProxy*>& filters)
+{
+  double onSurface = 0.0, ofSource = 0.0;
+  for (vtkSMSourceProxy* filter : filters)
+  {
+    if (filter && haveSame("Input", filter, contour))
+    {
+      const double largest = largestDistance(filter);
+      onSurface = std::max(onSurface, largest);
+      ofSource = haveSame("Source", filter, contour) ? std::max(ofSource, largest) : ofSource;
+    }
+  }
+  vtkSMBoundsDomain* bounds = boundsOf(contour);
+  const double side =
+    bounds->GetMaximumExists(0) ? bounds->GetMaximum(0) / bounds->GetScaleFactor() : 1.0;
+  const double largest = ofSource > 0.0 ? ofSource : onSurface > 0.0 ? onSurface : side;
+  const double range[2] = { 0.0, largest };
+  vtkSMPropertyHelper(contour, "DistanceRange").Set(range, 2);
+}
+
+}

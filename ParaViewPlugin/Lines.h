@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lines_h
+#define Lines_h
+
+#include <vector>
+
+class vtkSMPVRepresentationProxy;
+class vtkSMSourceProxy;
+
+/// What a user sees first of the outputs that are lines on a surface, and of a contour's distances.
+namespace lines
+{
+
+/// Whether an output of a filter of this plugin is lines on a surface.
+bool areOutput(vtkSMSourceProxy* filter, unsigned int port);
+
+/// Shows lines and points in one color that neither stripes nor ParaView's white surfaces have, as
+/// tubes and balls, which stand out of the surface that they lie on.
+void show(vtkSMPVRepresentationProxy* representation);
+
+/// Rounds the default distance of a contour to 1, 2 or 5 times a power of ten.
+void roundDefaultDistance(vtkSMSourceProxy* filter);
+
+/// ParaView makes series of a contour's distances up to the largest distance that any of the
+/// filters has found on the same surface, from the same source if possible. If there is none: to
+/// the longest side of the surface's bounding box.
+void setRangeOfDistances(vtkSMSourceProxy* contour, const std::vector<vtkSMSourceProxy*>& filters);
+
+}
+
+#endif

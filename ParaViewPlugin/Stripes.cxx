@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stripes.h"
+
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMTransferFunctionPresets.h"
+#include "vtkSMTransferFunctionProxy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Color = std::array<double, 3>;
+
+const Color Near{ 0.98, 0.84, 0.42 }, Middle{ 0.87, 0.36, 0.38 }, Far{ 0.22, 0.26, 0.58 };
+const Color White{ 0.97, 0.96, 0.94 }, Red{ 0.86, 0.36, 0.30 }, Blue{ 0.25, 0.42, 0.70 };
+const Color Black{ 0.0, 0.0, 0.0 };
+/// Of points that are not reached.
+const Color Gray{ 0.75, 0.75, 0.75 };
+
+/// More would be too thin to count; of round widths the next one gives at least 17.
+constexpr int MostStripes = 40;
+constexpr int MostTicks = 9;
+constexpr int PresetStripes = 32;
+/// A multiple of a width that rounding has made larger is no stripe more.
+constexpr double Slack = 1e-6;
+
+Color mix(const Color& a, const Color& b, double t)
+{
+  return { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]) };
+}
+
+std::vector<Color> fromNearToFar(int count)
+{
+  std::vector<Color> colors;
+  for (int i = 0; i < count; ++i)
+  {
+    const double along = 2.0 * i / (count - 1);
+    const Color shade = along < 1.0 ? mix(Near, Middle, along) : mix(Middle, Far, along - 1.0);
+    colors.push_back(mix(shade, Black, i % 2 == 0 ? 0.0 : 0.28));
+  }
+  return colors;
+}
+
+std::vector<Color> onBothSides(int count)
+{
+  const int half = count / 2;
+  std::vector<Color> colors;
+  for (int i = 0; i < count; ++i)
+  {
+    const int fromSource = i < half ? half - 1 - i : i - half;
+    const Color shade = mix(White, i < half ? Blue : Red, (fromSource + 1.0) / half);
+    colors.push_back(mix(shade, Black, fromSource % 2 == 0 ? 0.0 : 0.15));
+  }
+  return colors;
+}
+
+struct Stripes
+{
+  double low = 0.0;
+  double width = 0.0;
+  int count = 0;
+  bool isSigned = false;
+};
+
+/// The nodes of a color map, position and color. In a map of steps each node has the color before
+/// it.
+std::vector<double> nodesOf(const Stripes& stripes)
+{
+  const std::vector<Color> colors =
+    stripes.isSigned ? onBothSides(stripes.count) : fromNearToFar(stripes.count);
+  std::vector<double> nodes;
+  for (int i = 0; i <= stripes.count; ++i)
+  {
+    const Color& color = colors[static_cast<std::size_t>(std::max(i - 1, 0))];
+    nodes.push_back(stripes.low + i * stripes.width);
+    nodes.insert(nodes.end(), color.begin(), color.end());
+  }
+  return nodes;
+}
+
+bool haveColors(const std::vector<double>& nodes, const Stripes& stripes)
+{
+  const std::vector<double> expected = nodesOf(stripes);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    if (i % 4 != 0 && std::abs(nodes[i] - expected[i]) > Slack)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// No stripes where the color map has other colors.
+Stripes read(vtkSMProxy* table)
+{
+  const std::vector<double> nodes = vtkSMPropertyHelper(table, "RGBPoints").GetDoubleArray();
+  const int count = static_cast<int>(nodes.size() / 4) - 1;
+  const bool hasSteps =
+    std::strcmp(vtkSMPropertyHelper(table, "ColorSpace").GetAsString(), "Step") == 0;
+  if (!hasSteps || count < 2)
+  {
+    return {};
+  }
+  const double low = nodes.front(), high = nodes[nodes.size() - 4];
+  Stripes stripes{ low, (high - low) / count, count, false };
+  for (const bool isSigned : { false, true })
+  {
+    stripes.isSigned = isSigned;
+    if (haveColors(nodes, stripes))
+    {
+      return stripes;
+    }
+  }
+  return {};
+}
+
+Stripes roundStripes(double low, double high, bool isSigned)
+{
+  const double largest = isSigned ? std::max(-low, high) : high;
+  if (!(largest > 0.0) || !std::isfinite(largest))
+  {
+    return {};
+  }
+  const double width = stripes::roundStep(largest, isSigned ? MostStripes / 2 : MostStripes);
+  const int count = std::max(static_cast<int>(std::ceil(largest / width - Slack)), 1);
+  return { isSigned ? -count * width : 0.0, width, isSigned ? 2 * count : count, isSigned };
+}
+
+void write(vtkSMProxy* table, const Stripes& stripes)
+{
+  const std::vector<double> nodes = nodesOf(stripes);
+  vtkSMPropertyHelper(table, "ColorSpace").Set("Step");
+  vtkSMPropertyHelper(table, "RGBPoints")
+    .Set(nodes.data(), static_cast<unsigned int>(nodes.size()));
+  // As many samples in every stripe.
+  vtkSMPropertyHelper(table, "NumberOfTableValues").Set(1024 / stripes.count * stripes.count);
+  vtkSMPropertyHelper(table, "Discretize").Set(1);
+  vtkSMPropertyHelper(table, "UseAboveRangeColor").Set(1);
+  vtkSMPropertyHelper(table, "AboveRangeColor").Set(Gray.data(), 3);
+  vtkSMPropertyHelper(table, "NanColor").Set(Gray.data(), 3);
+  table->UpdateVTKObjects();
+  if (vtkSMProxy* opacity = vtkSMPropertyHelper(table, "ScalarOpacityFunction", true).GetAsProxy())
+  {
+    vtkSMTransferFunctionProxy::RescaleTransferFunction(
+      opacity, stripes.low, stripes.low + stripes.count * stripes.width);
+  }
+}
+
+std::vector<vtkSMProxy*> barsOf(vtkSMProxy* table)
+{
+  std::vector<vtkSMProxy*> bars;
+  for (unsigned int i = 0; i < table->GetNumberOfConsumers(); ++i)
+  {
+    vtkSMProxy* consumer = table->GetConsumerProxy(i);
+    if (consumer && consumer->GetProperty("UseCustomLabels"))
+    {
+      bars.push_back(consumer);
+    }
+  }
+  return bars;
+}
+
+void addPreset(const char* name, bool isSigned)
+{
+  auto* presets = vtkSMTransferFunctionPresets::GetInstance();
+  if (presets->HasPreset(name))
+  {
+    return;
+  }
+  const double low = isSigned ? -1.0 : 0.0;
+  std::ostringstream text;
+  text << "{\"ColorSpace\": \"Step\", \"NumberOfTableValues\": 1024, \"NanColor\": [0.75, 0.75, "
+          "0.75], "
+          "\"UseAboveRangeColor\": 1, \"AboveRangeColor\": [0.75, 0.75, 0.75], \"RGBPoints\": [";
+  const char* comma = "";
+  for (const double value : nodesOf({ low, (1.0 - low) / PresetStripes, PresetStripes, isSigned }))
+  {
+    text << comma << value;
+    comma = ", ";
+  }
+  text << "]}";
+  presets->AddPreset(name, text.str());
+}
+
+}
+
+namespace stripes
+{
+
+double roundStep(double length, int atMost)
+{
+  const double decade = std::pow(10.0, std::floor(std::log10(length / atMost)));
+  for (const double factor : { 1.0, 2.0, 5.0 })
+  {
+    if (length <= (atMost + Slack) * factor * decade)
+    {
+      return factor * decade;
+    }
+  }
+  return 10.0 * decade;
+}
+
+void addPresets()
+{
+  addPreset("Geodesic Distance Stripes", false);
+  addPreset("Signed Geodesic Distance Stripes", true);
+}
+
+bool areIn(vtkSMProxy* table)
+{
+  return read(table).count > 0;
+}
+
+void fill(vtkSMProxy* table, bool isSigned)
+{
+  double range[2] = { 0.0, 1.0 };
+  vtkSMTransferFunctionProxy::GetRange(table, range);
+  const Stripes wanted = roundStripes(range[0], range[1], isSigned);
+  write(table, wanted.count > 0 ? wanted : roundStripes(0.0, 1.0, isSigned));
+}
+
+void makeRound(vtkSMProxy* table)
+{
+  const Stripes now = read(table);
+  const Stripes wanted = roundStripes(now.low, now.low + now.count * now.width, now.isSigned);
+  const double rounding = Slack * wanted.width;
+  if (wanted.count > 0 &&
+    (wanted.count != now.count || std::abs(wanted.low - now.low) > rounding ||
+      std::abs(wanted.width - now.width) > rounding))
+  {
+    write(table, wanted);
+  }
+}
+
+void setTicks(vtkSMProxy* bar, vtkSMProxy* table)
+{
+  const Stripes shown = read(table);
+  const double length = shown.count * shown.width;
+  double step = roundStep(length, MostTicks);
+  while (std::abs(step / shown.width - std::round(step / shown.width)) > Slack)
+  {
+    step = roundStep(step * (1.0 + 2.0 * Slack), 1);
+  }
+  std::vector<double> ticks;
+  const int first = static_cast<int>(std::ceil(shown.low / step - Slack));
+  const int last = static_cast<int>(std::floor((shown.low + length) / step + Slack));
+  for (int i = first; i <= last; ++i)
+  {
+    ticks.push_back(i * step);
+  }
+  vtkSMPropertyHelper(bar, "CustomLabels")
+    .Set(ticks.data(), static_cast<unsigned int>(ticks.size()));
+  vtkSMPropertyHelper(bar, "UseCustomLabels").Set(1);
+  vtkSMPropertyHelper(bar, "AddRangeLabels").Set(0);
+  bar->UpdateVTKObjects();
+}
+
+void setTicks(vtkSMProxy* table)
+{
+  for (vtkSMProxy* bar : barsOf(table))
+  {
+    setTicks(bar, table);
+  }
+}
+
+void resetTicks(vtkSMProxy* table)
+{
+  for (vtkSMProxy* bar : barsOf(table))
+  {
+    vtkSMPropertyHelper(bar, "UseCustomLabels").Set(0);
+    vtkSMPropertyHelper(bar, "AddRangeLabels").Set(1);
+    bar->UpdateVTKObjects();
+  }
+}
+
+}
