@@ -3,7 +3,7 @@
 
 # What a build with the plugin and a picture without a screen need (Debian 12).
 build_packages=(g++ cmake ninja-build paraview paraview-dev python3-paraview python3-numpy
-  libopenmpi-dev qtbase5-dev xvfb xauth libgl1-mesa-dri)
+  libopenmpi-dev qtbase5-dev qhelpgenerator-qt5 xvfb xauth libgl1-mesa-dri)
 
 # Prints the message and ends the script.
 give_up()

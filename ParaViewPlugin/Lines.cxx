@@ -3,17 +3,23 @@
 
 #include "Stripes.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkCell.h"
 #include "vtkDataObject.h"
+#include "vtkNew.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
+#include "vtkPointSet.h"
 #include "vtkSMBoundsDomain.h"
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyIterator.h"
 #include "vtkSMSourceProxy.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -33,14 +39,31 @@ bool haveSame(const char* input, vtkSMProxy* a, vtkSMProxy* b)
   return producerOf(a, input) == producerOf(b, input);
 }
 
-/// The largest distance that a field has found; 0 before it is executed and for other filters.
-double largestDistance(vtkSMSourceProxy* filter)
+bool isOurs(vtkSMSourceProxy* filter)
 {
-  const char* name = vtkSMPropertyHelper(filter, "DistanceArrayName", true).GetAsString();
-  vtkPVArrayInformation* array = name
-    ? filter->GetDataInformation(0)->GetPointDataInformation()->GetArrayInformation(name)
+  const char* name = filter->GetVTKClassName();
+  return name && std::string(name).rfind("vtkGeodesic", 0) == 0;
+}
+
+/// Of an output that is there, in this process.
+bool areCurvesOrPoints(vtkSMSourceProxy* producer, unsigned int port)
+{
+  auto* algorithm = vtkAlgorithm::SafeDownCast(producer->GetClientSideObject());
+  auto* data = algorithm && static_cast<int>(port) < algorithm->GetNumberOfOutputPorts()
+    ? vtkPointSet::SafeDownCast(algorithm->GetOutputDataObject(static_cast<int>(port)))
     : nullptr;
-  return array ? array->GetComponentFiniteRange(0)[1] : 0.0;
+  if (!data || data->GetNumberOfPoints() == 0)
+  {
+    return false;
+  }
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    if (data->GetCell(i)->GetCellDimension() > 1)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// Whose maximum is the default distance; none of other filters than a contour.
@@ -88,6 +111,45 @@ void roundDefaultDistance(vtkSMSourceProxy* filter)
     distances.Set(stripes::roundStep(distances.GetAsDouble(), 1));
     filter->UpdateVTKObjects();
   }
+}
+
+void chooseOnlySource(vtkSMSourceProxy* filter)
+{
+  vtkSMProperty* source = filter->GetProperty("Source");
+  if (!source || source->GetIsInternal() || producerOf(filter, "Source").first)
+  {
+    return;
+  }
+  std::set<std::pair<vtkSMSourceProxy*, unsigned int>> found;
+  vtkNew<vtkSMProxyIterator> proxies;
+  proxies->SetSessionProxyManager(filter->GetSessionProxyManager());
+  for (proxies->Begin("sources"); !proxies->IsAtEnd(); proxies->Next())
+  {
+    auto* other = vtkSMSourceProxy::SafeDownCast(proxies->GetProxy());
+    for (unsigned int port = 0; other && !isOurs(other) && port < other->GetNumberOfOutputPorts();
+         ++port)
+    {
+      if (producerOf(filter, "Input") != std::pair<vtkSMProxy*, unsigned int>(other, port) &&
+        areCurvesOrPoints(other, port))
+      {
+        found.emplace(other, port);
+      }
+    }
+  }
+  if (found.size() == 1)
+  {
+    vtkSMPropertyHelper(source).Set(found.begin()->first, found.begin()->second);
+    filter->UpdateVTKObjects();
+  }
+}
+
+double largestDistance(vtkSMSourceProxy* filter)
+{
+  const char* name = vtkSMPropertyHelper(filter, "DistanceArrayName", true).GetAsString();
+  vtkPVArrayInformation* array = name
+    ? filter->GetDataInformation(0)->GetPointDataInformation()->GetArrayInformation(name)
+    : nullptr;
+  return array ? array->GetComponentFiniteRange(0)[1] : 0.0;
 }
 
 void setRangeOfDistances(vtkSMSourceProxy* contour, const std::vector<vtkSMSourceProxy*>& filters)

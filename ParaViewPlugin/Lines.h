@@ -21,6 +21,14 @@ void show(vtkSMPVRepresentationProxy* representation);
 /// Rounds the default distance of a contour to 1, 2 or 5 times a power of ten.
 void roundDefaultDistance(vtkSMSourceProxy* filter);
 
+/// A filter without a Source gets the only other data set of the pipeline that consists of curves
+/// and points. What the filters of this plugin have made does not count, nor data on another
+/// machine.
+void chooseOnlySource(vtkSMSourceProxy* filter);
+
+/// The largest distance that a field has found; 0 before it is executed, and for other filters.
+double largestDistance(vtkSMSourceProxy* filter);
+
 /// ParaView makes series of a contour's distances up to the largest distance that any of the
 /// filters has found on the same surface, from the same source if possible. If there is none: to
 /// the longest side of the surface's bounding box.

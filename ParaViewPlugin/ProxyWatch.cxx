@@ -79,6 +79,7 @@ public:
   {
     auto* filter = vtkSMSourceProxy::SafeDownCast(caller);
     filter->UpdatePropertyInformation();
+    vtkSMPropertyHelper(filter, "LargestDistance", true).Set(lines::largestDistance(filter));
     this->ColorNewResult(filter);
     this->SetRangesOfContours();
     if (this->HasStripes != showsStripes(filter))
@@ -287,6 +288,10 @@ private:
       watch->HasStripes = showsStripes(filter);
       filter->AddObserver(vtkCommand::UpdateDataEvent, watch);
       lines::roundDefaultDistance(filter);
+      if (vtkSMProxyManager::GetProxyManager()->GetUndoStackBuilder()) // there is a panel
+      {
+        lines::chooseOnlySource(filter);
+      }
       this->SetRangesOfContours();
     }
   }

@@ -288,7 +288,7 @@ void FilterExecution::requireSource() const
   if (this->filter_->GetSourceType() == vtkGeodesicAlgorithm::SOURCE_CURVE && !this->sourceInput_)
   {
     throw SourceError(
-      "There is no source (port 1): choose a Source, or set Source Type to Surface Boundary.");
+      "There is no source: choose a Source, or set Source Type to Surface Boundary.");
   }
 }
 
@@ -297,6 +297,12 @@ void FilterExecution::readSources()
   this->requireSource();
   const int type = this->filter_->GetSourceType();
   const bool hasCurve = type != vtkGeodesicAlgorithm::SURFACE_BOUNDARY && this->sourceInput_;
+  if (hasCurve && this->sourceInput_ == this->surfaceInput_)
+  {
+    this->notes_.add(NoteOn::Source, "surface",
+      "The surface itself is the source: distances are measured from the outlines of all its "
+      "faces. Choose another Source.");
+  }
   const bool hasBoundary = type != vtkGeodesicAlgorithm::SOURCE_CURVE;
   if (this->place_ == SurfacePlace::InPieces)
   {
@@ -423,7 +429,7 @@ void FilterExecution::addBoundary(bool hasCurve)
       "which no path may leave.";
   if (boundary.empty() && !hasCurve)
   {
-    throw SourceError(nothing + " Set Source Type to Source Curve and choose a Source (port 1).");
+    throw SourceError(nothing + " Set Source Type to Source Curve and choose a Source.");
   }
   if (boundary.empty())
   {
@@ -434,7 +440,7 @@ void FilterExecution::addBoundary(bool hasCurve)
   if (!hasCurve && this->filter_->GetSourceType() == vtkGeodesicAlgorithm::CURVE_AND_BOUNDARY)
   {
     this->notes_.add(NoteOn::Source, "no curve",
-      "No curve is connected as Source (port 1): the boundary alone is the source.");
+      "No curve is connected as Source: the boundary alone is the source.");
   }
   std::move(boundary.begin(), boundary.end(), std::back_inserter(this->sources_.curves));
 }

@@ -344,6 +344,21 @@ void CheckHalfMeantSources(Check& check)
   CheckDistances(check, filter, DistanceToBoundaryOfSquare, "the boundary alone");
 }
 
+void CheckSurfaceAsItsOwnSource(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  const auto square = Square(2);
+  filter->SetInputData(square);
+  filter->SetSourceData(square);
+  Messages messages(filter);
+  messages.Update();
+  check.That(Contains(messages.Warning(), "The surface itself is the source"),
+    "the surface as its own source");
+  filter->SetSourceTypeToSurfaceBoundary();
+  messages.Update();
+  check.That(messages.Warning().empty(), "no source of its own where the boundary is the source");
+}
+
 }
 
 int TestGeodesicWarnings(int, char*[])
@@ -367,5 +382,6 @@ int TestGeodesicWarnings(int, char*[])
   CheckHalfMeantSources(check);
   CheckWarningsAfterFailure(check);
   CheckUnusedPointsDoNotCount(check);
+  CheckSurfaceAsItsOwnSource(check);
   return check.Result();
 }

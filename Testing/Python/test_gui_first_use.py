@@ -37,7 +37,7 @@ assert run.returncode == 0, run.returncode
 errors = re.findall(r"ERR\| vtk.*", run.stdout)
 assert len(errors) == 1 and "choose a Source, or set Source Type" in errors[0], errors
 warnings = re.findall(r"WARN\| vtkGeodesic.*", run.stdout)
-assert len(warnings) == 2, warnings
+assert len(warnings) == 3, warnings
 assert all("up to 0.02 away" in warning for warning in warnings), warnings
 
 # Yellow on both sides of the source, which is green; blue far from it; every second stripe darker.
