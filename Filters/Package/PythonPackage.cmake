@@ -27,13 +27,20 @@ endfunction ()
 geodesic_wrap_python()
 
 set(GEODESIC_PYTHONPATH "${CMAKE_BINARY_DIR}/${GEODESIC_PYTHON_DESTINATION}")
-file(CONFIGURE
-  OUTPUT "${GEODESIC_PYTHONPATH}/geodesicdistance/__init__.py"
-  CONTENT "# SPDX-License-Identifier: BSD-3-Clause
-from .vtkFiltersGeodesic import *
-" @ONLY)
+if (ParaView_FOUND)
+  set(geodesic_vtk_name "the VTK ${VTK_VERSION} in ParaView ${ParaView_VERSION}")
+  set(geodesic_vtk_advice "install python3-paraview, or the geodesicdistance for plain VTK.")
+else ()
+  set(geodesic_vtk_name "VTK ${VTK_VERSION}")
+  set(geodesic_vtk_advice "install python3-vtk9, or the geodesicdistance for ParaView.")
+endif ()
+configure_file("${PROJECT_SOURCE_DIR}/Filters/Python/__init__.py.in"
+  "${GEODESIC_PYTHONPATH}/geodesicdistance/__init__.py" @ONLY)
+configure_file("${PROJECT_SOURCE_DIR}/Filters/Python/functions.py"
+  "${GEODESIC_PYTHONPATH}/geodesicdistance/functions.py" COPYONLY)
 install(
   FILES       "${GEODESIC_PYTHONPATH}/geodesicdistance/__init__.py"
+              "${GEODESIC_PYTHONPATH}/geodesicdistance/functions.py"
   DESTINATION "${GEODESIC_PYTHON_DESTINATION}/geodesicdistance"
   COMPONENT   python)
 message(STATUS "Python package in the build tree: PYTHONPATH=${GEODESIC_PYTHONPATH}")
