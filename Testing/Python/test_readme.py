@@ -48,14 +48,15 @@ class Readme(unittest.TestCase):
     def test_the_lines_for_python_run(self):
         names = {}
         exec(blocks("In Python")[1], names)
-        distance = vtk_to_numpy(names["distance"])
-        points = vtk_to_numpy(names["field"].GetOutput().GetPoints().GetData())
-        self.assertEqual(distance[np.argmax(points[:, 2])], 0)
+        distances = names["distances"]
+        points = vtk_to_numpy(names["surface"].GetPoints().GetData())
+        self.assertEqual(distances[np.argmax(points[:, 2])], 0)
         # On coarse facets of a ball of radius 0.5: shorter than half a great circle, longer than the diameter.
-        self.assertTrue(1 < distance.max() < np.pi / 2)
+        self.assertTrue(1 < distances.max() < np.pi / 2)
+        self.assertEqual(sorted(names["lines"]["GeodesicDistance"]), [0.1, 0.2, 0.3])
 
     def test_links_lead_somewhere(self):
-        for page in ("README.md", "CONTRIBUTING.md", "Filters/Reference.md", "Filters/Core/README.md"):
+        for page in ("README.md", "CONTRIBUTING.md", "Examples/Python.md", "Filters/Reference.md", "Filters/Core/README.md"):
             self.check_links(page)
 
     def check_links(self, page):
