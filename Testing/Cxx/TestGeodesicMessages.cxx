@@ -117,7 +117,7 @@ void CheckWhatIsMissing(Check& check)
   {
     filter->SetInputDataObject(0, Square(2));
     CheckOneError(
-      check, filter, { "port 1", "Source", "Source Type", "Surface Boundary" }, "without a source");
+      check, filter, { "choose a Source", "Source Type", "Surface Boundary" }, "without a source");
   }
   vtkNew<vtkGeodesicPaths> paths;
   paths->SetInputData(Square(2));
