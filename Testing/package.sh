@@ -59,6 +59,7 @@ mount -t proc proc "$root/proc"
 mkdir "$root/packages" "$root/checks"
 cp "$build"/*.deb "$root/packages"
 cp -r "$top"/Testing/Package/*.py "$top/Testing/Cxx/Consumer/Project" "$root/checks"
+cp "$top/README.md" "$root" # four folders above the project, as far as there are any
 
 # Nothing here has to survive a loss of power: dpkg need not wait for the disk.
 echo force-unsafe-io > "$root/etc/dpkg/dpkg.cfg.d/unsafe-io"
@@ -81,6 +82,7 @@ on_clean_debian '
   pvpython check_plugin.py /usr
   pvpython check_module.py /usr
   python3 check_module.py /usr
+  python3 check_links.py /usr/share/doc/geodesic-distance
   [ -f /usr/share/doc/geodesic-distance/html/index.html ]'
 
 printf '\n== Installing the C++ headers ==\n'
@@ -92,7 +94,7 @@ on_clean_debian '
   cmake -S /checks/Project -B consumer
   cmake --build consumer
   consumer/consumer
-  cmake -S /usr/share/doc/geodesic-distance/examples -B example
+  cmake -S /usr/share/doc/geodesic-distance/Examples -B example
   cmake --build example
   example/GeodesicDistance'
 

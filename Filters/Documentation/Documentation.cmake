@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
-install(
-  FILES
-    "${CMAKE_CURRENT_SOURCE_DIR}/README.md"
-    "${CMAKE_CURRENT_SOURCE_DIR}/CHANGELOG.md"
-    "${CMAKE_CURRENT_SOURCE_DIR}/CITATION.cff"
-  DESTINATION "${CMAKE_INSTALL_DOCDIR}"
-  COMPONENT   documentation)
+# Pages and pictures lie as in the source tree, so that their links lead somewhere.
+file(GLOB_RECURSE pages CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*.md" "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Benchmarks/*.md"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Benchmarks/*.png" "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Benchmarks/*.csv")
+foreach (page IN ITEMS ${pages} README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE)
+  get_filename_component(folder "${page}" DIRECTORY)
+  install(
+    FILES       "${CMAKE_CURRENT_SOURCE_DIR}/${page}"
+    DESTINATION "${CMAKE_INSTALL_DOCDIR}/${folder}"
+    COMPONENT   documentation)
+endforeach ()
 install(
   DIRECTORY   "${CMAKE_CURRENT_SOURCE_DIR}/Examples/"
-  DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}/Examples"
   COMPONENT   documentation
   PATTERN     "*.sh" EXCLUDE
   PATTERN     "__pycache__" EXCLUDE)
@@ -76,13 +80,13 @@ if (states)
   string(REGEX REPLACE "(\\[Script\\]\\(gallery/([a-z_]+)\\.py\\))" "\\1, [state](../states/\\2.pvsm)"
     page "${page}")
 endif ()
-string(REGEX REPLACE "\\]\\((gallery/[a-z_]+\\.py)\\)" "](../examples/\\1)" page "${page}")
+string(REGEX REPLACE "\\]\\((gallery/[a-z_]+\\.py)\\)" "](../Examples/\\1)" page "${page}")
 string(REGEX REPLACE "\\[([a-z ]+)\\]\\(#[a-z-]+\\)" "\\1" page "${page}")
 string(REPLACE "\n# Gallery\n" "\n# Gallery {#gallery}\n" page "\n${page}")
 file(CONFIGURE OUTPUT "${geodesic_docs_dir}/Gallery.md" CONTENT "${page}" @ONLY)
-file(CREATE_LINK "${examples}" "${geodesic_docs_dir}/examples" SYMBOLIC RESULT result)
+file(CREATE_LINK "${examples}" "${geodesic_docs_dir}/Examples" SYMBOLIC RESULT result)
 if (result) # where links are not allowed
-  file(COPY "${examples}/" DESTINATION "${geodesic_docs_dir}/examples")
+  file(COPY "${examples}/" DESTINATION "${geodesic_docs_dir}/Examples")
 endif ()
 
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS
