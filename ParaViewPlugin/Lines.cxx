@@ -45,25 +45,26 @@ bool isOurs(vtkSMSourceProxy* filter)
   return name && std::string(name).rfind("vtkGeodesic", 0) == 0;
 }
 
-/// Of an output that is there, in this process.
-bool areCurvesOrPoints(vtkSMSourceProxy* producer, unsigned int port)
+/// The output of a proxy that consists of points and cells, where it is in this process.
+vtkPointSet* outputOf(vtkSMSourceProxy* producer, unsigned int port)
 {
   auto* algorithm = vtkAlgorithm::SafeDownCast(producer->GetClientSideObject());
-  auto* data = algorithm && static_cast<int>(port) < algorithm->GetNumberOfOutputPorts()
+  return algorithm && static_cast<int>(port) < algorithm->GetNumberOfOutputPorts()
     ? vtkPointSet::SafeDownCast(algorithm->GetOutputDataObject(static_cast<int>(port)))
     : nullptr;
-  if (!data || data->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+}
+
+/// Also where there is nothing yet, which may become curves.
+bool mayBeCurvesOrPoints(vtkPointSet* data)
+{
+  for (vtkIdType i = 0; data && i < data->GetNumberOfCells(); ++i)
   {
     if (data->GetCell(i)->GetCellDimension() > 1)
     {
       return false;
     }
   }
-  return true;
+  return data != nullptr;
 }
 
 /// Whose maximum is the default distance; none of other filters than a contour.
@@ -130,13 +131,14 @@ void chooseOnlySource(vtkSMSourceProxy* filter)
          ++port)
     {
       if (producerOf(filter, "Input") != std::pair<vtkSMProxy*, unsigned int>(other, port) &&
-        areCurvesOrPoints(other, port))
+        mayBeCurvesOrPoints(outputOf(other, port)))
       {
         found.emplace(other, port);
       }
     }
   }
-  if (found.size() == 1)
+  if (found.size() == 1 &&
+    outputOf(found.begin()->first, found.begin()->second)->GetNumberOfPoints() > 0)
   {
     vtkSMPropertyHelper(source).Set(found.begin()->first, found.begin()->second);
     filter->UpdateVTKObjects();

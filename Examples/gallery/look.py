@@ -130,6 +130,7 @@ def colored_lines(display, largest=None, width=2.5):
     largest = largest or 1.001 * range_of(display)[1]
     steps(display, ("POINTS", "GeodesicDistance"), 0, largest, shades(36)[9:])
     display.LineWidth = width
+    display.RenderLinesAsTubes = 0
     display.Ambient, display.Diffuse = 1, 0
     # Plain lines, as some drivers draw thin tubes as dashes, and a little nearer to the eye than the
     # surface that they lie on. In a parallel projection that moves nothing in the picture.

@@ -6,20 +6,38 @@
 #   python3-geodesicdistance   the Python module
 #   geodesic-distance-dev      headers and the CMake package
 #   geodesic-distance-doc      API pages and examples
+#
+# and of a build against plain VTK, whose Python excludes ParaView's,
+#
+#   python3-geodesicdistance-vtk9   the Python module, with the library in its folder
 if (NOT CPACK_GENERATOR STREQUAL "DEB")
   return ()
 endif ()
-if (NOT CPACK_GEODESIC_PLUGINS_FILE OR NOT CPACK_GEODESIC_PYTHON_DESTINATION)
-  message(FATAL_ERROR "Debian packages are made of a build with the ParaView plugin and the Python "
-    "module (GEODESIC_BUILD_PLUGIN, GEODESIC_BUILD_PYTHON).")
+if (NOT CPACK_GEODESIC_PYTHON_DESTINATION)
+  message(FATAL_ERROR "Debian packages have the Python module (GEODESIC_BUILD_PYTHON).")
+endif ()
+if (CPACK_GEODESIC_HAS_PARAVIEW AND NOT CPACK_GEODESIC_PLUGINS_FILE)
+  message(FATAL_ERROR "Debian packages of a build with ParaView have the plugin (GEODESIC_BUILD_PLUGIN).")
 endif ()
 
 set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
-set(CPACK_COMPONENTS_ALL runtime plugin python development documentation)
-set(CPACK_COMPONENT_RUNTIME_GROUP application)
-set(CPACK_COMPONENT_PLUGIN_GROUP application)
+if (CPACK_GEODESIC_HAS_PARAVIEW)
+  set(CPACK_COMPONENTS_ALL runtime plugin python development documentation)
+  set(CPACK_COMPONENT_RUNTIME_GROUP application)
+  set(CPACK_COMPONENT_PLUGIN_GROUP application)
+  set(CPACK_GEODESIC_PACKAGES
+    application:geodesic-distance
+    python:python3-geodesicdistance
+    development:geodesic-distance-dev
+    documentation:geodesic-distance-doc)
+else ()
+  set(CPACK_COMPONENTS_ALL runtime python)
+  set(CPACK_COMPONENT_RUNTIME_GROUP module)
+  set(CPACK_COMPONENT_PYTHON_GROUP module)
+  set(CPACK_GEODESIC_PACKAGES module:python3-geodesicdistance-vtk9)
+endif ()
 
 # ----------------------------------------------------------------------------------- all packages
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -57,7 +75,7 @@ when it starts: Filters > Geodesic.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME "python3-geodesicdistance")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-  "geodesic-distance ${same_version}, python3-paraview, "
+  "geodesic-distance ${same_version}, python3-paraview, python3-numpy, "
   "python3 (>= ${CPACK_GEODESIC_PYTHON}), python3 (<< ${CPACK_GEODESIC_NEXT_PYTHON})")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   "${CMAKE_CURRENT_LIST_DIR}/python3/postinst;${CMAKE_CURRENT_LIST_DIR}/python3/prerm")
@@ -66,6 +84,22 @@ set(CPACK_DEBIAN_PYTHON_DESCRIPTION "geodesic distance on triangle meshes, Pytho
 ${what_it_is}
 .
 This package has the VTK filters as a Python module.")
+
+# ------------------------------------------------------------------------- Python with plain VTK
+set(CPACK_DEBIAN_MODULE_PACKAGE_NAME "python3-geodesicdistance-vtk9")
+set(CPACK_DEBIAN_MODULE_PACKAGE_SECTION python)
+string(CONCAT CPACK_DEBIAN_MODULE_PACKAGE_DEPENDS
+  "python3-vtk9, python3-numpy, "
+  "python3 (>= ${CPACK_GEODESIC_PYTHON}), python3 (<< ${CPACK_GEODESIC_NEXT_PYTHON})")
+set(CPACK_DEBIAN_MODULE_PACKAGE_CONFLICTS "python3-geodesicdistance")
+set(CPACK_DEBIAN_MODULE_PACKAGE_CONTROL_EXTRA
+  "${CPACK_GEODESIC_CONTROL_DIR}/vtk9/postinst;${CPACK_GEODESIC_CONTROL_DIR}/vtk9/prerm")
+set(CPACK_DEBIAN_MODULE_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_MODULE_DESCRIPTION "geodesic distance on triangle meshes, Python module for VTK
+${what_it_is}
+.
+This package has the filters of VTK 9 as a Python module, without ParaView, and
+functions for numpy arrays.")
 
 # ------------------------------------------------------------------------------------ development
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME "geodesic-distance-dev")

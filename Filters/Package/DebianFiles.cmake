@@ -8,26 +8,45 @@ set(docs "usr/share/doc")
 # The dynamic linker finds the library in its folder; a path of our own is not needed.
 file(GLOB_RECURSE libraries "${packages}/*.so" "${packages}/*.so.*")
 foreach (library IN LISTS libraries)
-  if (NOT IS_SYMLINK "${library}")
+  if (IS_SYMLINK "${library}")
+    continue ()
+  elseif (NOT CPACK_GEODESIC_HAS_PARAVIEW AND library MATCHES "/vtkFiltersGeodesic[^/]*$")
+    file(RPATH_SET FILE "${library}" NEW_RPATH "$ORIGIN") # the library will be beside it
+  else ()
     file(RPATH_REMOVE FILE "${library}")
   endif ()
 endforeach ()
 
 # Debian has one folder of modules for all versions of Python 3.
-set(modules "${packages}/python/usr/lib/python3/dist-packages")
+set(python "${packages}/python/usr")
+if (NOT CPACK_GEODESIC_HAS_PARAVIEW)
+  set(python "${packages}/module/usr")
+endif ()
+set(modules "${python}/lib/python3/dist-packages")
 file(MAKE_DIRECTORY "${modules}")
-file(RENAME "${packages}/python/usr/${CPACK_GEODESIC_PYTHON_DESTINATION}/geodesicdistance"
-  "${modules}/geodesicdistance")
-file(REMOVE_RECURSE "${packages}/python/usr/lib/python${CPACK_GEODESIC_PYTHON}")
+file(RENAME "${python}/${CPACK_GEODESIC_PYTHON_DESTINATION}/geodesicdistance" "${modules}/geodesicdistance")
+file(REMOVE_RECURSE "${python}/lib/python${CPACK_GEODESIC_PYTHON}")
+
+# With plain VTK the library is for the module alone, and lies in its folder: the one of the plugin, which
+# may be there as well, has the same name.
+if (NOT CPACK_GEODESIC_HAS_PARAVIEW)
+  file(GLOB libraries "${python}/${CPACK_GEODESIC_LIBDIR}/libvtkFiltersGeodesic.so.*")
+  file(COPY ${libraries} DESTINATION "${modules}/geodesicdistance")
+  file(REMOVE_RECURSE "${python}/${CPACK_GEODESIC_LIBDIR}")
+endif ()
 
 # A by-product of the plugin's build, of use to nobody who has the plugin.
 file(GLOB archives "${packages}/development/usr/${CPACK_GEODESIC_LIBDIR}/*.a")
-file(REMOVE ${archives})
+if (archives)
+  file(REMOVE ${archives})
+endif ()
 
 # The plugin is loaded when ParaView starts. Debian's ParaView 6 has a file for plugins of other
 # packages, where ours is told with its path. ParaView 5.11 reads bin/paraview.conf, which Debian does
 # not have: it lists files that list plugins.
-if (CPACK_GEODESIC_OTHER_PLUGINS)
+if (NOT CPACK_GEODESIC_HAS_PARAVIEW)
+  # there is no plugin
+elseif (CPACK_GEODESIC_OTHER_PLUGINS)
   file(READ "${packages}/application/usr/${CPACK_GEODESIC_PLUGINS_FILE}" list)
   get_filename_component(folder "/usr/${CPACK_GEODESIC_PLUGINS_FILE}" DIRECTORY)
   string(REPLACE "<Plugin name=\"GeodesicDistance\""
@@ -77,11 +96,7 @@ execute_process(
 if (result)
   message(FATAL_ERROR "gzip failed: ${result}")
 endif ()
-foreach (package IN ITEMS
-    application:geodesic-distance
-    python:python3-geodesicdistance
-    development:geodesic-distance-dev
-    documentation:geodesic-distance-doc)
+foreach (package IN LISTS CPACK_GEODESIC_PACKAGES)
   string(REPLACE ":" ";" package "${package}")
   list(GET package 0 component)
   list(GET package 1 name)

@@ -19,7 +19,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_GENERATOR TGZ)
-if (EXISTS "/etc/debian_version" AND ParaView_FOUND)
+if (EXISTS "/etc/debian_version" AND (ParaView_FOUND OR GEODESIC_BUILD_PYTHON))
   list(APPEND CPACK_GENERATOR DEB)
 endif ()
 set(CPACK_PROJECT_CONFIG_FILE "${CMAKE_CURRENT_LIST_DIR}/CPackGenerator.cmake")
@@ -28,6 +28,7 @@ set(CPACK_PROJECT_CONFIG_FILE "${CMAKE_CURRENT_LIST_DIR}/CPackGenerator.cmake")
 set(CPACK_GEODESIC_SOURCE_DIR "${PROJECT_SOURCE_DIR}")
 set(CPACK_GEODESIC_LIBRARIES "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 set(CPACK_GEODESIC_LIBDIR "${CMAKE_INSTALL_LIBDIR}")
+set(CPACK_GEODESIC_HAS_PARAVIEW "${ParaView_FOUND}")
 set(CPACK_GEODESIC_PLUGINS_FILE)
 if (GEODESIC_BUILD_PLUGIN)
   set(CPACK_GEODESIC_PLUGINS_FILE
@@ -60,5 +61,13 @@ endif ()
 file(WRITE "${CPACK_GEODESIC_CONTROL_DIR}/shlibs"
   "libvtkFiltersGeodesic ${soversion} geodesic-distance (>= ${PROJECT_VERSION})\n")
 file(WRITE "${CPACK_GEODESIC_CONTROL_DIR}/triggers" "activate-noawait ldconfig\n")
+# The scripts of the Python package, for that with plain VTK.
+foreach (script IN ITEMS postinst prerm)
+  file(READ "${CMAKE_CURRENT_LIST_DIR}/python3/${script}" text)
+  string(REPLACE "python3-geodesicdistance" "python3-geodesicdistance-vtk9" text "${text}")
+  file(WRITE "${CMAKE_BINARY_DIR}/Module/${script}" "${text}")
+  file(COPY "${CMAKE_BINARY_DIR}/Module/${script}" DESTINATION "${CPACK_GEODESIC_CONTROL_DIR}/vtk9"
+    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+endforeach ()
 
 include(CPack)
