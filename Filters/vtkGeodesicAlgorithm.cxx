@@ -111,7 +111,7 @@ class vtkGeodesicAlgorithm::vtkInternals
 {
 public:
   geodesic::SurfaceCache Cache;
-  /// With the other processes of the controller; null where there is one.
+  /// With the other processes of the controller; null for one process.
   std::unique_ptr<geodesic::RankExchange> Exchange;
   geodesic::GivenNotes Given;
   vtkNew<ExecutiveSilencer> Silencer;
@@ -120,7 +120,7 @@ public:
   bool HasController = false;
 
   /// Makes the exchange fit to the processes of a controller, for one execution.
-  geodesic::RankExchange* BeginExchange(vtkMultiProcessController* controller)
+  geodesic::Exchange& BeginExchange(vtkMultiProcessController* controller)
   {
     const bool isWanted = NumberOfProcesses(controller) > 1;
     if (this->Exchange && !(isWanted && this->Exchange->isWith(controller)))
@@ -132,11 +132,12 @@ public:
     {
       this->Exchange = std::make_unique<geodesic::RankExchange>(controller);
     }
-    if (this->Exchange)
+    if (!this->Exchange)
     {
-      this->Exchange->begin();
+      return geodesic::OneRank::instance();
     }
-    return this->Exchange.get();
+    this->Exchange->begin();
+    return *this->Exchange;
   }
 };
 
@@ -169,9 +170,9 @@ void vtkGeodesicAlgorithm::SetSourceData(vtkDataObject* source)
 int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
-  if (port == 1)
+  if (port > 0)
   {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // so that errors can say what to do
   }
   return 1;
 }
@@ -310,7 +311,7 @@ bool vtkGeodesicAlgorithm::ExecuteOrExplain(
 bool vtkGeodesicAlgorithm::ComputeOrExplain(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  geodesic::RankExchange* exchange = nullptr;
+  geodesic::Exchange* exchange = nullptr;
   geodesic::Stage stage = geodesic::Stage::ReadingSurface;
   bool isAborted = false;
   bool isCacheKept = true;
@@ -324,7 +325,7 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try
   {
-    exchange = this->Internals->BeginExchange(this->GetController());
+    exchange = &this->Internals->BeginExchange(this->GetController());
     reserve = std::make_unique<char[]>(MemoryForMessages);
     const std::string wrong = this->FindWrongProperty();
     if (!wrong.empty())
@@ -334,7 +335,7 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
     const bool hasTargets = this->GetNumberOfInputPorts() > 2;
     geodesic::FilterExecution execution(this, this->Internals->Cache, stage,
       vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]),
-      hasTargets ? vtkDataObject::GetData(inputVector[2]) : nullptr, exchange);
+      hasTargets ? vtkDataObject::GetData(inputVector[2]) : nullptr, *exchange);
     this->Compute(execution, outputVector);
     const std::string said = this->Internals->Given.take(execution.notes(), this);
     execution.finish();
@@ -385,7 +386,7 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
               "observer of this filter has thrown it.";
   }
   EmptyOutputs(outputVector);
-  if (!isCacheKept || exchange)
+  if (!isCacheKept || (exchange && exchange->numberOfRanks() > 1))
   {
     this->Internals->Cache.release();
   }

@@ -143,8 +143,8 @@ protected:
   virtual std::string FindWrongProperty() const;
   /// What the user can do where memory has run out, as a sentence.
   virtual std::string AdviceOnMemory() const;
-  /// Sets what getters tell of an execution to what it is before.
-  virtual void ResetResults() = 0;
+  /// Sets the getters' results of an execution to what they are before the first.
+  virtual void ResetResults() {}
   /// Reads the inputs (geodesic::FilterExecution::readInputs()) and fills the outputs. May throw.
   virtual void Compute(
     geodesic::FilterExecution& execution, vtkInformationVector* outputVector) = 0;

@@ -78,7 +78,7 @@ private:
 //------------------------------------------------------------------------------
 void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
 {
-  this->Execution.readInputs(geodesic::FilterExecution::Pieces::Taken);
+  this->Execution.readInputs(true);
   if (this->Execution.surfacePlace() == geodesic::SurfacePlace::OnOtherRank)
   {
     geodesic::addEmptyIsolineArrays(output);

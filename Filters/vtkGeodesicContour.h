@@ -158,7 +158,6 @@ protected:
   ~vtkGeodesicContour() override;
 
   std::string FindWrongProperty() const override;
-  void ResetResults() override {}
   void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
 
 private:

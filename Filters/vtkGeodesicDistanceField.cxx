@@ -5,11 +5,10 @@
 #include "PolyData/Memory.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/reading/PolyDataSource.h"
-#include "PolyData/writing/BarrierClosure.h"
-#include "PolyData/writing/RefinedPiece.h"
 #include "PolyData/writing/RefinedPolyData.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "PolyData/writing/SurfaceWriter.h"
+#include "PolyData/writing/UnmeshedTriangles.h"
 #include "PolyData/writing/UnusedPoints.h"
 #include "field/Solve.h"
 #include "refinement/AdaptiveRefinement.h"
@@ -98,8 +97,8 @@ private:
   struct RefinedSurface
   {
     geodesic::RefinedMesh mesh;
-    /// Of a piece: the points of other ranks' refinements that the last of the mesh's are copies
-    /// of. They have distances, but no places.
+    /// The points of refinement, of any rank, that the last of the mesh's are copies of. The copies
+    /// have distances, but no places.
     std::vector<geodesic::RankAddress> copied;
 
     std::size_t numberOfPointsWithPlaces() const
@@ -145,7 +144,7 @@ private:
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData* curves)
 {
-  this->Execution.readInputs(geodesic::FilterExecution::Pieces::Taken);
+  this->Execution.readInputs(true);
   const bool isElsewhere = this->Execution.surfacePlace() == geodesic::SurfacePlace::OnOtherRank;
   Result result;
   if (!isElsewhere)
@@ -173,20 +172,33 @@ void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData
 }
 
 //------------------------------------------------------------------------------
-// Where another rank has had all the work, this one tells the same of it.
+// If another rank has done all the work, this one reports the same.
 void vtkGeodesicDistanceField::vtkWorker::ShareNumbers(Result& result) const
 {
-  double joined = static_cast<double>(this->Self->SeamPointsJoined);
-  double isRefined = result.isRefined ? 1.0 : 0.0;
-  this->Execution.shareNumbers(
-    { &this->Self->WindowsPropagatedPerEdge, &this->Self->SourceSnapDistance,
-      &this->Self->RelativeErrorBound, &this->Self->InterpolationErrorBound, &joined, &isRefined });
-  this->Self->SeamPointsJoined = static_cast<vtkIdType>(joined);
-  result.isRefined = isRefined > 0.0;
+  struct Numbers
+  {
+    double Windows;
+    double SnapDistance;
+    double RelativeError;
+    double InterpolationError;
+    vtkIdType SeamPoints;
+    bool IsRefined;
+  };
+  vtkGeodesicDistanceField* self = this->Self;
+  Numbers numbers = { self->WindowsPropagatedPerEdge, self->SourceSnapDistance,
+    self->RelativeErrorBound, self->InterpolationErrorBound, self->SeamPointsJoined,
+    result.isRefined };
+  this->Execution.shareResult(numbers);
+  self->WindowsPropagatedPerEdge = numbers.Windows;
+  self->SourceSnapDistance = numbers.SnapDistance;
+  self->RelativeErrorBound = numbers.RelativeError;
+  self->InterpolationErrorBound = numbers.InterpolationError;
+  self->SeamPointsJoined = numbers.SeamPoints;
+  result.isRefined = numbers.IsRefined;
 }
 
 //------------------------------------------------------------------------------
-// Of a rank without surface: the arrays that other ranks have, without values.
+// A rank without surface has the arrays of the other ranks, without values.
 void vtkGeodesicDistanceField::vtkWorker::WriteNothing(bool isRefined, vtkDataObject* output) const
 {
   for (vtkPolyData* block : geodesic::makeBlocksLike(this->Execution.surfaceInput(), output))
@@ -223,7 +235,7 @@ bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
     return false; // a surface without extent has nothing to refine
   }
   const vtkIdType most = this->Self->MaximumNumberOfCells;
-  const auto count = static_cast<vtkIdType>(geodesic::countOwnTriangles(this->Execution.surface()));
+  const auto count = static_cast<vtkIdType>(this->Execution.surface().countTrianglesOfAllRanks());
   if (most > 0 && count > most)
   {
     this->Execution.notes().add(geodesic::NoteOn::Surface, "over " + std::to_string(most),
@@ -338,14 +350,11 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(
     geodesic::SourceValues values =
       arrays.atPoints(refined.mesh.points, count, field, exact, nearest, part(2));
     const geodesic::MeshPartition& surface = this->Execution.surface().partition();
-    if (surface.isDistributed())
-    {
-      const auto isKnown = [&](geodesic::Id face)
-      { return field.knowsInside(face) && exact.knowsInside(face); };
-      arrays.replaceAtSeams(
-        geodesic::findSeamPoints(refined.mesh.points, count, surface, isKnown), values);
-      arrays.appendCopies(refined.copied, values);
-    }
+    const auto isKnown = [&](geodesic::Id face)
+    { return field.knowsInside(face) && exact.knowsInside(face); };
+    arrays.replaceAtSeams(
+      geodesic::findSeamPoints(refined.mesh.points, count, surface, isKnown), values);
+    arrays.appendCopies(refined.copied, values);
     result.atRefinedPoints = arrays.valuesByBlock(std::move(values), refined.mesh);
   }
 }
@@ -421,22 +430,10 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
   {
     const std::uint64_t faces = surface.partition().numberOfGlobalFaces();
     options.maximumFaces = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells) -
-      (geodesic::countOwnTriangles(surface) - faces);
+      (surface.countTrianglesOfAllRanks() - faces);
   }
-  if (surface.partition().isDistributed())
-  {
-    options.cornerPoints = geodesic::cornerPointsOfPiece(surface);
-    options.numberOfPoints = surface.numberOfPoints();
-  }
-  else if (surface.hasMergedPoints())
-  {
-    options.cornerPoints.reserve(surface.mesh().numberOfFaces());
-    for (geodesic::Id face = 0; face < surface.mesh().numberOfFaces(); ++face)
-    {
-      options.cornerPoints.push_back(surface.cornerPoints(face));
-    }
-    options.numberOfPoints = surface.numberOfPoints();
-  }
+  options.cornerPoints = geodesic::cornerPointsOf(surface);
+  options.numberOfPoints = surface.numberOfPoints();
   options.trianglesBeside = geodesic::barriersAtEdges(surface);
   options.parallelFor = geodesic::smpParallelFor();
   options.progress =
@@ -450,16 +447,9 @@ vtkGeodesicDistanceField::vtkWorker::RefinedSurface vtkGeodesicDistanceField::vt
 {
   const geodesic::RefinementOptions options = this->RefinementOptions();
   RefinedSurface refined{ geodesic::refine(field, options), {} };
-  const auto most = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells);
-  if (this->Execution.surface().partition().isDistributed())
-  {
-    refined.copied = geodesic::addOtherTrianglesOfPiece(
-      this->Execution.surface(), most, options.cornerPoints, refined.mesh);
-  }
-  else
-  {
-    geodesic::addOtherTriangles(this->Execution.surface(), most, refined.mesh);
-  }
+  refined.copied = geodesic::addUnmeshedTriangles(this->Execution.surface(),
+    static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells), options.cornerPoints,
+    refined.mesh);
   this->NoteToleranceNotMet(refined.mesh);
   return refined;
 }

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkGeodesicDistanceMatrix);
@@ -48,9 +49,10 @@ vtkSmartPointer<vtkDoubleArray> MakeColumn(geodesic::Id source, vtkIdType rows)
   return column;
 }
 
-/// Adds the column of a source; what it had is gone then.
-void AddSource(geodesic::Id source, std::vector<double>& distances,
-  const geodesic::Targets& targets, const geodesic::PowerOfTwoScale& scale, vtkTable* table)
+/// Adds the column of a source. Its distances are freed: there may be no memory for all of them
+/// twice.
+void AddSource(geodesic::Id source, std::vector<double> distances, const geodesic::Targets& targets,
+  const geodesic::PowerOfTwoScale& scale, vtkTable* table)
 {
   const auto column = MakeColumn(source, static_cast<vtkIdType>(targets.count));
   column->Fill(geodesic::Infinity);
@@ -64,7 +66,6 @@ void AddSource(geodesic::Id source, std::vector<double>& distances,
     }
     column->SetValue(static_cast<vtkIdType>(targets.numbers[i]), distance);
   }
-  distances = {};
   table->AddColumn(column);
 }
 
@@ -145,16 +146,6 @@ vtkTable* vtkGeodesicDistanceMatrix::GetOutput()
 }
 
 //------------------------------------------------------------------------------
-int vtkGeodesicDistanceMatrix::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 2)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
 int vtkGeodesicDistanceMatrix::FillOutputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
@@ -180,14 +171,11 @@ std::string vtkGeodesicDistanceMatrix::AdviceOnMemory() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::ResetResults() {}
-
-//------------------------------------------------------------------------------
 void vtkGeodesicDistanceMatrix::Compute(
   geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
 {
   execution.requireTargets(true);
-  execution.readInputs(geodesic::FilterExecution::Pieces::Refused);
+  execution.readInputs(false);
   vtkTable* table = vtkTable::GetData(outputVector);
   if (execution.surfacePlace() != geodesic::SurfacePlace::OnOtherRank)
   {
@@ -226,7 +214,7 @@ void vtkGeodesicDistanceMatrix::ComputeTable(
   AddTargetIds(rows, table);
   for (std::size_t column = 0; column < matrix.size(); ++column)
   {
-    AddSource(sources[column], matrix[column], targets, scale, table);
+    AddSource(sources[column], std::move(matrix[column]), targets, scale, table);
   }
 }
 

@@ -99,11 +99,9 @@ protected:
   vtkGeodesicDistanceMatrix();
   ~vtkGeodesicDistanceMatrix() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   std::string FindWrongProperty() const override;
   std::string AdviceOnMemory() const override;
-  void ResetResults() override;
   void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
 
 private:

@@ -7,7 +7,6 @@
 #include "paths/PathsOnRanks.h"
 #include "paths/PathsToSource.h"
 
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -63,8 +62,8 @@ std::vector<geodesic::PathOfTarget> FindPaths(geodesic::FilterExecution& executi
   const std::vector<geodesic::SourceCurve>& curves = execution.sources().curves;
   if (surface.partition().isDistributed())
   {
-    std::vector<geodesic::PathInSpace> found =
-      geodesic::pathsOnRanks(surface.partition(), execution.patch(), curves, targets.places, options);
+    std::vector<geodesic::PathInSpace> found = geodesic::pathsOnRanks(
+      surface.partition(), execution.patch(), curves, targets.places, options);
     for (std::size_t i = 0; i < found.size(); ++i)
     {
       add(i, std::move(found[i].points), found[i].source);
@@ -114,7 +113,7 @@ geodesic::PathOfTarget GetPath(geodesic::MessageReader& reader)
 std::vector<geodesic::PathOfTarget> SendHome(const geodesic::FilterExecution& execution,
   std::vector<geodesic::PathOfTarget> paths, geodesic::PowerOfTwoScale& scale)
 {
-  geodesic::Exchange& exchange = *execution.exchange();
+  geodesic::Exchange& exchange = execution.exchange();
   const bool areFoundByAll = execution.surfacePlace() == geodesic::SurfacePlace::OnEveryRank;
   std::vector<geodesic::Message> messages = exchange.noMessages();
   for (geodesic::PathOfTarget& found : paths)
@@ -171,24 +170,11 @@ void vtkGeodesicPaths::SetTargetsData(vtkDataObject* targets)
 }
 
 //------------------------------------------------------------------------------
-int vtkGeodesicPaths::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 2)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // so that the error can say what to do
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPaths::ResetResults() {}
-
-//------------------------------------------------------------------------------
 void vtkGeodesicPaths::Compute(
   geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
 {
   execution.requireTargets();
-  execution.readInputs(geodesic::FilterExecution::Pieces::Taken);
+  execution.readInputs(true);
   std::vector<geodesic::PathOfTarget> paths;
   geodesic::PowerOfTwoScale scale;
   if (execution.surfacePlace() != geodesic::SurfacePlace::OnOtherRank)
@@ -196,7 +182,7 @@ void vtkGeodesicPaths::Compute(
     paths = FindPaths(execution);
     scale = execution.surface().scale();
   }
-  if (execution.exchange())
+  if (execution.exchange().numberOfRanks() > 1)
   {
     paths = SendHome(execution, std::move(paths), scale);
   }

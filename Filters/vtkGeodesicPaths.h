@@ -95,8 +95,6 @@ protected:
   vtkGeodesicPaths();
   ~vtkGeodesicPaths() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  void ResetResults() override;
   void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
 
 private:

@@ -131,6 +131,14 @@ void put(Message& message, const Value& value)
   put(message, &value, 1);
 }
 
+/// Appends the number of values and the values; MessageReader::getAll() reads them.
+template <typename Value>
+void putAll(Message& message, const std::vector<Value>& values)
+{
+  put(message, values.size());
+  put(message, values.data(), values.size());
+}
+
 /// Reads values from a message, in the order in which put() appended them.
 class MessageReader
 {
@@ -166,6 +174,14 @@ public:
     Value value;
     this->get(&value, 1);
     return value;
+  }
+
+  template <typename Value>
+  std::vector<Value> getAll()
+  {
+    std::vector<Value> values(this->get<std::size_t>());
+    this->get(values.data(), values.size());
+    return values;
   }
 
 private:

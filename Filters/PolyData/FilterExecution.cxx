@@ -3,6 +3,7 @@
 
 #include "PolyData/ContentKey.h"
 #include "PolyData/ParallelFor.h"
+#include "PolyData/ranks/SourcePatch.h"
 #include "PolyData/reading/PolyDataSource.h"
 #include "paths/FacesBetweenPoints.h"
 #include "paths/JoinPoints.h"
@@ -57,7 +58,7 @@ const char* describe(Stage stage)
 }
 
 FilterExecution::FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
-  vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, RankExchange* exchange)
+  vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, Exchange& exchange)
   : filter_(filter)
   , cache_(cache)
   , stage_(stage)
@@ -68,23 +69,20 @@ FilterExecution::FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cac
 {
 }
 
-void FilterExecution::readInputs(Pieces pieces)
+void FilterExecution::readInputs(bool supportsPieces)
 {
   this->enter(Stage::ReadingSurface);
   this->surfaceBlocks_ = polyDataBlocks(this->surfaceInput_, "the surface (input port 0)");
   const BarrierArrays barriers(
     this->surfaceBlocks_, this->filter_->GetBarrierArrayName(), this->exchange_);
-  if (this->exchange_)
-  {
-    this->gatherInputs();
-    this->findSurface(barriers, pieces);
-  }
+  this->gatherInputs();
+  this->findSurface(barriers, supportsPieces);
   if (this->place_ == SurfacePlace::OnOtherRank)
   {
     return;
   }
   const bool isInPieces = this->place_ == SurfacePlace::InPieces;
-  if (isInPieces && pieces == Pieces::Refused)
+  if (isInPieces && !supportsPieces)
   {
     throw InputError(std::string("The surface (input port 0) is distributed over several ranks, "
                                  "of which ") +
@@ -92,7 +90,7 @@ void FilterExecution::readInputs(Pieces pieces)
       " needs all on one. Run with one rank, or have the whole surface on one rank or on each.");
   }
   this->cache_.update(this->surfaceBlocks_, barriers, this->filter_->GetMergeCoincidentPoints(),
-    isInPieces ? this->exchange_ : nullptr, this->progressBetween(0.0, SurfaceRead));
+    isInPieces ? this->exchange_ : OneRank::instance(), this->progressBetween(0.0, SurfaceRead));
   noteSurface(this->surface(), this->notes_);
   this->reach(SurfaceRead);
   this->enter(Stage::ReadingSource);
@@ -100,7 +98,7 @@ void FilterExecution::readInputs(Pieces pieces)
 }
 
 /// Finds out who has what of the surface.
-void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
+void FilterExecution::findSurface(const BarrierArrays& barriers, bool supportsPieces)
 {
   struct Piece
   {
@@ -118,15 +116,14 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
     own.points += block.data->GetNumberOfPoints();
     own.faces += block.data->GetNumberOfPolys() + block.data->GetNumberOfStrips();
   }
-  const std::vector<Piece> all = valuesOfRanks(*this->exchange_, own);
+  const std::vector<Piece> all = valuesOfRanks(this->exchange_, own);
   const auto isEmpty = [](const Piece& piece) { return piece.isEmpty(); };
   const auto emptyOnes = std::count_if(all.begin(), all.end(), isEmpty);
-  if (emptyOnes + 1 >= this->exchange_->numberOfRanks())
+  if (emptyOnes + 1 >= this->exchange_.numberOfRanks())
   {
-    // Where all are empty, rank 0 says so.
-    const bool isWorker = own.isEmpty()
-      ? this->exchange_->rank() == 0 && emptyOnes == this->exchange_->numberOfRanks()
-      : true;
+    // If all are empty, rank 0 says so.
+    const bool isWorker =
+      !own.isEmpty() || (this->isFirstRank() && emptyOnes == this->exchange_.numberOfRanks());
     this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::OnOtherRank;
     return;
   }
@@ -135,9 +132,9 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, Pieces pieces)
     std::all_of(all.begin(), all.end(), [&](const Piece& piece) { return piece == all.front(); });
   if (areAlike && this->isSameOnAllRanks(barriers))
   {
-    this->place_ = pieces == Pieces::Taken ? SurfacePlace::OnEveryRank
-      : this->isFirstRank()                ? SurfacePlace::Here
-                                           : SurfacePlace::OnOtherRank;
+    this->place_ = supportsPieces ? SurfacePlace::OnEveryRank
+      : this->isFirstRank()       ? SurfacePlace::Here
+                                  : SurfacePlace::OnOtherRank;
     return;
   }
   this->place_ = SurfacePlace::InPieces;
@@ -147,7 +144,7 @@ bool FilterExecution::isSameOnAllRanks(const BarrierArrays& barriers) const
 {
   Message message;
   put(message, contentKey(this->surfaceBlocks_, barriers));
-  const std::vector<Message> keys = this->exchange_->tellAll(message);
+  const std::vector<Message> keys = this->exchange_.tellAll(message);
   return std::all_of(
     keys.begin(), keys.end(), [&keys](const Message& key) { return key == keys.front(); });
 }
@@ -157,66 +154,30 @@ void FilterExecution::gatherInputs()
   if (this->sourceInput_)
   {
     this->gatheredSource_ =
-      GatheredBlocks(sourceBlocks(this->sourceInput_, SourceName), SourceName, *this->exchange_);
+      GatheredBlocks(sourceBlocks(this->sourceInput_, SourceName), SourceName, this->exchange_);
   }
   if (this->targetsInput_)
   {
-    this->gatheredTargets_ =
-      GatheredBlocks(targetBlocks(this->targetsInput_, TargetsName), TargetsName, *this->exchange_);
-  }
-}
-
-void FilterExecution::shareNumbers(const std::vector<double*>& numbers)
-{
-  if (!this->exchange_)
-  {
-    return;
-  }
-  Message message;
-  for (const double* number : numbers)
-  {
-    if (this->place_ != SurfacePlace::OnOtherRank)
-    {
-      put(message, *number);
-    }
-  }
-  for (const Message& other : this->exchange_->tellAll(message))
-  {
-    if (!other.empty())
-    {
-      MessageReader reader(other);
-      for (double* number : numbers)
-      {
-        *number = reader.get<double>();
-      }
-      return;
-    }
+    this->gatheredTargets_ = GatheredBlocks(
+      geodesic::targetBlocks(this->targetsInput_, TargetsName), TargetsName, this->exchange_);
   }
 }
 
 std::vector<Message> FilterExecution::sendToFirst(const Message& message)
 {
-  if (!this->exchange_)
-  {
-    return {};
-  }
-  std::vector<Message> messages = this->exchange_->noMessages();
+  std::vector<Message> messages = this->exchange_.noMessages();
   messages.front() = message;
-  return this->exchange_->step(std::move(messages));
+  return this->exchange_.step(std::move(messages));
 }
 
 void FilterExecution::finish()
 {
-  if (this->exchange_)
-  {
-    this->exchange_->step(this->exchange_->noMessages());
-  }
+  this->exchange_.step(this->exchange_.noMessages());
 }
 
 int FilterExecution::rankOfTarget(std::size_t number) const
 {
-  const GatheredBlocks& gathered =
-    this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;
+  const GatheredBlocks& gathered = this->targetBlocks();
   std::size_t block = 0;
   for (std::size_t points = 0; block < gathered.blocks().size(); ++block)
   {
@@ -238,9 +199,7 @@ SourceWindows FilterExecution::sourceWindows(const ProgressCallback& progress) c
 
 std::size_t FilterExecution::sumOverPieces(std::size_t number) const
 {
-  return this->place_ == SurfacePlace::InPieces
-    ? static_cast<std::size_t>(sumOverRanks(*this->exchange_, number).all)
-    : number;
+  return static_cast<std::size_t>(sumOverRanks(this->surface().exchange(), number).all);
 }
 
 void FilterExecution::requireTargets(bool sourcesAreTargets) const
@@ -257,27 +216,20 @@ Targets FilterExecution::readTargets(double end)
   this->enter(Stage::ReadingTargets);
   const std::string name =
     this->targetsInput_ ? TargetsName : "the set of targets (points of input port 1)";
-  vtkDataObject* input = this->targetsInput_ ? this->targetsInput_ : this->sourceInput_;
-  const GatheredBlocks& gathered =
-    this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;
-  const std::vector<PolyDataBlock> blocks =
-    this->exchange_ ? gathered.blocks() : targetBlocks(input, name);
-  const ProgressCallback progress = this->progressBetween(InputsRead, end);
-  Targets targets = this->place_ == SurfacePlace::InPieces
-    ? readTargetsOfPiece(blocks, name, this->surface(), this->cache_.locatorOnRanks(), progress)
-    : geodesic::readTargets(blocks, name, this->surface(), this->locator(), progress);
+  const std::vector<PolyDataBlock>& blocks = this->targetBlocks().blocks();
+  Targets targets = geodesic::readTargets(
+    blocks, name, this->surface(), this->cache_.locator(), this->progressBetween(InputsRead, end));
   this->noteTargets(blocks, targets);
   this->reach(end);
   return targets;
 }
 
-/// Where the targets are the points of a source that is far away, this was said of the source.
+/// If the targets are the points of a source that is far away, the note on the source says so.
 void FilterExecution::noteTargets(const std::vector<PolyDataBlock>& blocks, const Targets& targets)
 {
   if (this->targetsInput_ || !this->notes_.has(NoteOn::Source, FarNote))
   {
-    Exchange* exchange = this->place_ == SurfacePlace::InPieces ? this->exchange_ : nullptr;
-    geodesic::noteTargets(this->surface(), blocks, targets, exchange,
+    geodesic::noteTargets(this->surface(), blocks, targets,
       this->targetsInput_ ? NoteOn::Targets : NoteOn::Source, this->notes_);
   }
 }
@@ -303,115 +255,64 @@ void FilterExecution::readSources()
       "The surface itself is the source: distances are measured from the outlines of all its "
       "faces. Choose another Source.");
   }
-  const bool hasBoundary = type != vtkGeodesicAlgorithm::SOURCE_CURVE;
-  if (this->place_ == SurfacePlace::InPieces)
+  SourcePatch faces(this->surface().partition());
+  std::optional<SurfaceBoundary> boundary;
+  if (type != vtkGeodesicAlgorithm::SOURCE_CURVE)
   {
-    this->onRanks_.emplace(this->surface().partition());
-    if (hasBoundary)
-    {
-      this->addBoundaryToPatch(hasCurve);
-    }
-  }
-  else
-  {
-    this->wholePatch_.emplace(this->surface().mesh());
+    boundary.emplace(this->surface(), faces,
+      this->progressBetween(SurfaceRead, hasCurve ? SurfaceRead : InputsRead));
   }
   if (hasCurve)
   {
-    this->readCurves();
-  }
-  else if (this->onRanks_)
-  {
-    this->onRanks_->makePatch();
-  }
-  if (hasBoundary)
-  {
-    this->addBoundary(hasCurve);
-  }
-}
-
-void FilterExecution::readCurves()
-{
-  const std::vector<PolyDataBlock> blocks =
-    this->exchange_ ? this->gatheredSource_.blocks() : sourceBlocks(this->sourceInput_, SourceName);
-  SourcePolylines source = readSource(blocks, this->surface().scale());
-  const SnapOptions snapping = snapOptionsFor(blocks);
-  if (this->onRanks_)
-  {
-    this->putCurvesOntoPatch(source, snapping);
+    this->readCurves(faces);
   }
   else
   {
-    this->locator().locate(source.polylines, snapping.coordinatePrecision,
-      this->progressBetween(SurfaceRead, SourceLocated));
-    requireOutsideBarriers(
-      this->surface(), this->surfaceBlocks_, source.polylines, snapping.coordinatePrecision);
-    JoinedPaths& paths = this->cache_.joinedPaths();
-    paths.beginUse();
-    this->sources_ = putOntoSurface(this->surface().mesh(), source.polylines, snapping,
-      paths.reusedBy(joinByShortestPaths(this->surface().mesh(), smpParallelFor())),
-      this->progressBetween(SourceLocated, InputsRead));
-    paths.endUse();
+    this->patch_ = faces.make();
   }
-  this->sourceIds_ = std::move(source.ids);
-  this->firstBoundarySource_ = source.numberOfSources;
-  noteSource(this->surface(), this->patch().mesh(), source, this->sources_, this->notes_);
+  if (boundary)
+  {
+    this->addBoundary(boundary->curvesOn(this->patch()), hasCurve);
+  }
 }
 
-/// The same on all ranks.
-void FilterExecution::putCurvesOntoPatch(SourcePolylines& source, const SnapOptions& snapping)
+void FilterExecution::readCurves(SourcePatch& faces)
 {
-  this->onRanks_->addCurves(source.polylines, snapping.coordinatePrecision,
-    this->cache_.locatorOnRanks(), this->progressBetween(SurfaceRead, SourceLocated));
-  requireOutsideBarriers(this->surface(), this->surfaceBlocks_, *this->onRanks_, source.polylines,
-    snapping.coordinatePrecision);
-  this->onRanks_->makePatch();
-  this->onRanks_->locateOnPatch(source.polylines);
-  if (this->onRanks_->addFaces(
-        facesBetweenPoints(this->surface().partition(), this->patch(), source.polylines, snapping,
-          smpParallelFor(), this->progressBetween(SourceLocated, FarPointsSearched))))
+  const std::vector<PolyDataBlock>& blocks = this->gatheredSource_.blocks();
+  const PolyDataSurface& surface = this->surface();
+  SourcePolylines source = readSource(blocks, surface.scale());
+  const SnapOptions snapping = snapOptionsFor(blocks);
+  const LocatedPlaces located = this->cache_.locator().locate(source.polylines,
+    snapping.coordinatePrecision, this->progressBetween(SurfaceRead, SourceLocated));
+  requireOutsideBarriers(
+    surface, this->surfaceBlocks_, source.polylines, located, snapping.coordinatePrecision);
+  faces.addFacesAround(located);
+  this->patch_ = faces.make();
+  located.setFaces(this->patch(), source.polylines);
+  const bool isDistributed = surface.partition().isDistributed();
+  const double patchMade = isDistributed ? FarPointsSearched : SourceLocated;
+  if (isDistributed &&
+    faces.addFaces(facesBetweenPoints(surface.partition(), this->patch(), source.polylines,
+      snapping, smpParallelFor(), this->progressBetween(SourceLocated, patchMade))))
   {
-    this->onRanks_->makePatch();
-    this->onRanks_->locateOnPatch(source.polylines);
+    this->patch_ = faces.make();
+    located.setFaces(this->patch(), source.polylines);
   }
   const TriangleMesh& mesh = this->patch().mesh();
-  this->sources_ =
-    putOntoSurface(mesh, source.polylines, snapping, joinByShortestPaths(mesh, smpParallelFor()),
-      this->progressBetween(FarPointsSearched, InputsRead));
+  const JoinPoints join = joinByShortestPaths(mesh, smpParallelFor());
+  // With several ranks the next patch numbers its faces in another way.
+  JoinedPaths& paths = this->cache_.joinedPaths();
+  paths.beginUse();
+  this->sources_ = putOntoSurface(mesh, source.polylines, snapping,
+    isDistributed ? join : paths.reusedBy(join), this->progressBetween(patchMade, InputsRead));
+  paths.endUse();
+  this->sourceIds_ = std::move(source.ids);
+  this->firstBoundarySource_ = source.numberOfSources;
+  noteSource(surface, mesh, source, this->sources_, this->notes_);
 }
 
-ProgressCallback FilterExecution::boundaryProgress(bool hasCurve)
+void FilterExecution::addBoundary(std::vector<SourceCurve> boundary, bool hasCurve)
 {
-  return this->progressBetween(hasCurve ? InputsRead : SurfaceRead, InputsRead);
-}
-
-/// Rims of barriers are no boundary: the loops are those of the whole surface, as if it had no
-/// barriers.
-void FilterExecution::addBoundaryToPatch(bool hasCurve)
-{
-  if (!this->surface().hasBarriers())
-  {
-    this->onRanks_->addBoundary();
-    return;
-  }
-  std::vector<Id> numbers;
-  const std::unique_ptr<MeshPartition> whole =
-    this->surface().partWithBarriers(numbers, this->boundaryProgress(hasCurve));
-  this->onRanks_->addBoundaryOf(*whole, numbers);
-}
-
-/// The same, where the surface is not in pieces.
-std::vector<SourceCurve> FilterExecution::findBoundary(bool hasCurve)
-{
-  return boundaryCurves(this->surface().hasBarriers()
-      ? *this->surface().meshWithBarriers(this->boundaryProgress(hasCurve))
-      : this->surface().mesh());
-}
-
-void FilterExecution::addBoundary(bool hasCurve)
-{
-  std::vector<SourceCurve> boundary =
-    this->onRanks_ ? this->onRanks_->boundary() : this->findBoundary(hasCurve);
   Id next = this->firstBoundarySource_;
   for (SourceCurve& loop : boundary)
   {

@@ -2,21 +2,22 @@
 #ifndef geodesic_FilterExecution_h
 #define geodesic_FilterExecution_h
 
+#include "Exchange.h"
 #include "PolyData/GatheredBlocks.h"
 #include "PolyData/Memory.h"
 #include "PolyData/Notes.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/SurfaceCache.h"
-#include "PolyData/ranks/RankExchange.h"
-#include "PolyData/ranks/SourceOnRanks.h"
 #include "PolyData/reading/PolyDataTargets.h"
 #include "Progress.h"
+#include "mesh/ReplicatedPatch.h"
 #include "source/PolylineOnSurface.h"
 #include "source/SourceWindows.h"
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkDataObject;
@@ -25,7 +26,7 @@ class vtkGeodesicAlgorithm;
 namespace geodesic
 {
 
-struct SourcePolylines;
+class SourcePatch;
 
 /// What an execution is doing.
 enum class Stage
@@ -63,37 +64,46 @@ public:
   /// Where reading the inputs ends, as a fraction of the whole.
   static constexpr double InputsRead = 0.25;
 
-  /// \param filter whose properties count and whose progress it is.
+  /// \param filter whose properties count, and which reports the progress.
   /// \param cache with the surface of the last execution.
-  /// \param stage told what is being done, for the one who catches an exception.
+  /// \param stage set to what is being done, for whoever catches an exception.
   /// \param surface on input port 0.
   /// \param source on input port 1, or null.
   /// \param targets on input port 2, or null.
-  /// \param exchange with the other ranks, all of which have such an execution; null where there is
-  ///        one process only.
+  /// \param exchange with the other ranks, all of which have such an execution.
   FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
-    vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, RankExchange* exchange);
+    vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, Exchange& exchange);
 
-  /// Whether a filter can have a surface of which each rank has a piece. Where each has the whole
-  /// of it, all work alone, or the first one only.
-  enum class Pieces
-  {
-    Taken,
-    Refused
-  };
-  /// Reads the surface, and the source as SourceType has it, up to InputsRead. Where the surface is
-  /// OnOtherRank there is nothing to read; everything is empty then.
+  /// Reads the surface, and the source as SourceType has it, up to InputsRead. If the surface is
+  /// OnOtherRank there is nothing to read, and everything is empty.
   ///
-  /// \throws geodesic::Error where one of them cannot be used; Aborted.
-  void readInputs(Pieces pieces);
+  /// \param supportsPieces whether the filter can work on a surface of which each rank has a piece.
+  ///        If each rank has the whole surface, all ranks work alone, or the first one only.
+  /// \throws geodesic::Error if one of them cannot be used; Aborted.
+  void readInputs(bool supportsPieces);
   SurfacePlace surfacePlace() const { return this->place_; }
-  /// Between all ranks; null where there is one process only.
-  Exchange* exchange() const { return this->exchange_; }
-  /// Gives ranks where the surface is OnOtherRank the numbers that the working rank has found. All
-  /// ranks call this.
-  void shareNumbers(const std::vector<double*>& numbers);
+  /// Between all ranks.
+  Exchange& exchange() const { return this->exchange_; }
+  /// Gives ranks for which the surface is OnOtherRank what the working rank has found. All ranks
+  /// call this.
+  template <typename Value>
+  void shareResult(Value& value)
+  {
+    Message message;
+    if (this->place_ != SurfacePlace::OnOtherRank)
+    {
+      put(message, value);
+    }
+    bool isFirst = true;
+    readEach(this->exchange_.tellAll(message),
+      [&](int, MessageReader& reader)
+      {
+        const auto told = reader.get<Value>();
+        value = std::exchange(isFirst, false) ? told : value;
+      });
+  }
   /// Whether this is the rank that puts out what is there once: the first one.
-  bool isFirstRank() const { return !this->exchange_ || this->exchange_->rank() == 0; }
+  bool isFirstRank() const { return this->exchange_.rank() == 0; }
   /// Sends something to the first rank. All ranks call this.
   ///
   /// \returns there, what others have sent it.
@@ -102,21 +112,20 @@ public:
   ///
   /// \throws Error, Aborted where another rank has failed.
   void finish();
-  /// Puts the points of the targets onto the surface, after readInputs(); those of the source where
-  /// no targets are connected.
+  /// Puts the points of the targets onto the surface, after readInputs(). If no targets are
+  /// connected, the points of the source are the targets.
   ///
-  /// \param end what is reached then, as a fraction of the whole.
-  /// \throws geodesic::Error where they cannot be used; Aborted.
+  /// \param end the progress when this is done, as a fraction of the whole.
+  /// \throws geodesic::Error if they cannot be used; Aborted.
   Targets readTargets(double end);
-  /// \param sourcesAreTargets whether the points of the source will do in their place.
-  /// \throws InputError where no targets are connected.
+  /// \param sourcesAreTargets whether the points of the source can serve as targets.
+  /// \throws InputError if no targets are connected.
   void requireTargets(bool sourcesAreTargets = false) const;
 
   vtkDataObject* surfaceInput() const { return this->surfaceInput_; }
   /// The blocks of the surface's input, as in PolyDataSurface::blocks().
   const std::vector<PolyDataBlock>& surfaceBlocks() const { return this->surfaceBlocks_; }
   const PolyDataSurface& surface() const { return this->cache_.surface(); }
-  PolylineLocator& locator() const { return this->cache_.locator(); }
   const SourceCurves& sources() const { return this->sources_; }
   /// Whether this rank puts out what all have of the source.
   bool hasSourceOutput() const
@@ -125,17 +134,14 @@ public:
   }
   /// What all ranks have of the surface around the source; in one process all of it. The curves of
   /// sources() lie on it.
-  const ReplicatedPatch& patch() const
-  {
-    return this->onRanks_ ? this->onRanks_->patch() : *this->wholePatch_;
-  }
+  const ReplicatedPatch& patch() const { return *this->patch_; }
   /// The rank whose input had a target, by its number; 0 where all had it.
   int rankOfTarget(std::size_t number) const;
   /// What the sources give the front to begin with.
   ///
   /// \param progress of the solve: it can be stopped already.
   SourceWindows sourceWindows(const ProgressCallback& progress) const;
-  /// The sum over all ranks where each has a piece, which call this together; else the number.
+  /// The sum over all ranks that have a piece, which call this together.
   std::size_t sumOverPieces(std::size_t number) const;
   /// The parts of the source, by SourceCurve::source of their curves, ascending: the cells of port
   /// 1 (the points of a set of points), then the loops of the boundary.
@@ -143,7 +149,7 @@ public:
   /// From which of these on they are loops of the boundary.
   Id firstBoundarySource() const { return this->firstBoundarySource_; }
 
-  /// What follows is this.
+  /// Says what is being done from here on.
   void enter(Stage stage) { this->stage_ = stage; }
   /// A callback for a part of the work, from one fraction of the whole to another. It throws
   /// NotEnoughMemory where the system has hardly any left.
@@ -155,23 +161,23 @@ public:
 
   /// What the user should know.
   Notes& notes() { return this->notes_; }
-  /// Whether this rank tells the user what is in the notes: of several that have the same, one
-  /// does.
+  /// Whether this rank shows the notes to the user. If several ranks have the same notes, one shows
+  /// them.
   bool reportsWarnings() const { return !this->haveAllRanksNotes_ || this->isFirstRank(); }
 
 private:
   void noteTargets(const std::vector<PolyDataBlock>& blocks, const Targets& targets);
-  void findSurface(const BarrierArrays& barriers, Pieces pieces);
+  void findSurface(const BarrierArrays& barriers, bool supportsPieces);
   bool isSameOnAllRanks(const BarrierArrays& barriers) const;
   void gatherInputs();
+  const GatheredBlocks& targetBlocks() const
+  {
+    return this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;
+  }
   void requireSource() const;
   void readSources();
-  void readCurves();
-  void putCurvesOntoPatch(SourcePolylines& source, const SnapOptions& snapping);
-  ProgressCallback boundaryProgress(bool hasCurve);
-  void addBoundaryToPatch(bool hasCurve);
-  std::vector<SourceCurve> findBoundary(bool hasCurve);
-  void addBoundary(bool hasCurve);
+  void readCurves(SourcePatch& faces);
+  void addBoundary(std::vector<SourceCurve> boundary, bool hasCurve);
 
   vtkGeodesicAlgorithm* filter_;
   SurfaceCache& cache_;
@@ -180,15 +186,14 @@ private:
   vtkDataObject* surfaceInput_;
   vtkDataObject* sourceInput_;
   vtkDataObject* targetsInput_;
-  RankExchange* exchange_;
+  Exchange& exchange_;
   SurfacePlace place_ = SurfacePlace::Here;
   bool haveAllRanksNotes_ = false;
   std::vector<PolyDataBlock> surfaceBlocks_;
   /// Those of all ranks.
   GatheredBlocks gatheredSource_;
   GatheredBlocks gatheredTargets_;
-  std::optional<SourceOnRanks> onRanks_;
-  std::optional<ReplicatedPatch> wholePatch_;
+  std::optional<ReplicatedPatch> patch_;
   SourceCurves sources_;
   std::vector<Id> sourceIds_;
   Id firstBoundarySource_ = 0;

@@ -104,6 +104,12 @@ void putBlock(const PolyDataBlock& block, Message& message)
 GatheredBlocks::GatheredBlocks(
   const std::vector<PolyDataBlock>& own, const std::string& name, Exchange& exchange)
 {
+  if (exchange.numberOfRanks() == 1)
+  {
+    this->blocks_ = own;
+    this->firstOfRank_ = { 0, own.size() };
+    return;
+  }
   Message message;
   for (const PolyDataBlock& block : own)
   {

@@ -11,9 +11,9 @@
 namespace geodesic
 {
 
-/// The blocks of an input of which every rank has a part, on every rank: points and cells, without
-/// other data. They stand in the order of ranks, then of each rank's blocks. Where all ranks have
-/// the same, that counts once.
+/// The blocks of an input of all ranks, on every rank: points and cells, without other data. They
+/// stand in the order of ranks, then of each rank's blocks. If all ranks have the same blocks,
+/// these count once.
 class GatheredBlocks
 {
 public:

@@ -195,7 +195,7 @@ std::string GivenNotes::take(const Notes& notes, vtkAlgorithm* filter)
 
 void noteSurface(const PolyDataSurface& surface, Notes& notes)
 {
-  const PolyDataSurface::Report& read = surface.report();
+  const SurfaceReport& read = surface.report();
   notes.add(
     NoteOn::Surface, read.droppedLineCells, "line", "lines", "among the surface's cells dropped.");
   notes.add(NoteOn::Surface, read.droppedVertexCells, "vertex cell", "vertex cells",
@@ -221,14 +221,11 @@ void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
 }
 
 void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks,
-  const Targets& targets, Exchange* exchange, NoteOn input, Notes& notes)
+  const Targets& targets, NoteOn input, Notes& notes)
 {
   std::vector<std::size_t> numbers;
   FarPoints far = farTargetsOf(targets, farLimit(surface), numbers);
-  if (exchange)
-  {
-    addOtherRanks(far, numbers, *exchange);
-  }
+  addOtherRanks(far, numbers, surface.exchange());
   if (far.count == 0)
   {
     return;

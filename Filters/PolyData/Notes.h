@@ -15,7 +15,6 @@ class vtkAlgorithmOutput;
 namespace geodesic
 {
 
-class Exchange;
 class PolyDataSurface;
 class TriangleMesh;
 struct PolyDataBlock;
@@ -102,14 +101,13 @@ void noteSurface(const PolyDataSurface& surface, Notes& notes);
 void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
   const SourcePolylines& source, const SourceCurves& onSurface, Notes& notes);
 
-/// What was noticed when targets were put onto the surface.
+/// What was noticed when targets were put onto the surface. All ranks call this together and note
+/// the same.
 ///
 /// \param blocks whose points they are.
-/// \param exchange where each rank has some of them; all ranks call this together and note the
-///        same. Else null.
 /// \param input the one with these blocks.
 void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks,
-  const Targets& targets, Exchange* exchange, NoteOn input, Notes& notes);
+  const Targets& targets, NoteOn input, Notes& notes);
 
 }
 

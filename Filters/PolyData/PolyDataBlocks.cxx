@@ -2,6 +2,7 @@
 #include "PolyData/PolyDataBlocks.h"
 
 #include "PolyData/reading/CellArrays.h"
+#include "Types.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -16,6 +17,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace geodesic
@@ -197,6 +199,39 @@ std::string capitalized(std::string name)
 {
   name[0] = name[0] == 'b' ? 'B' : 'T';
   return name;
+}
+
+std::string listIds(const std::vector<vtkIdType>& ids)
+{
+  const std::size_t shown = std::min<std::size_t>(ids.size(), 5);
+  std::string text;
+  for (std::size_t i = 0; i < shown; ++i)
+  {
+    text += (i == 0 ? "" : ", ") + std::to_string(ids[i]);
+  }
+  if (ids.size() > shown)
+  {
+    text += " and " + std::to_string(ids.size() - shown) + " more";
+  }
+  return text;
+}
+
+std::string whereNotFinite(const PolyDataBlock& block, const char* isUsed)
+{
+  std::vector<vtkIdType> bad;
+  for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
+  {
+    Vec3 p;
+    block.data->GetPoint(i, p.data());
+    if ((!isUsed || isUsed[i]) && !isFinite(p))
+    {
+      bad.push_back(i);
+    }
+  }
+  return bad.empty()
+    ? std::string()
+    : capitalized(block.name) + " has coordinates that are NaN or infinite, at point " +
+      listIds(bad) + ". Remove or repair these points upstream.";
 }
 
 std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const std::string& name)

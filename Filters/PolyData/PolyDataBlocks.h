@@ -55,6 +55,15 @@ std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const std::string&
 /// A block's name at the beginning of a sentence.
 std::string capitalized(std::string name);
 
+/// The first few of some ids, for an error message: "3, 17, 20 and 5 more".
+std::string listIds(const std::vector<vtkIdType>& ids);
+
+/// The error message for a block with points whose coordinates are not finite; empty if there is
+/// none.
+///
+/// \param isUsed of each point whether it counts; null: all do.
+std::string whereNotFinite(const PolyDataBlock& block, const char* isUsed = nullptr);
+
 /// Gives an output the structure of an input that polyDataBlocks() has taken, with an empty
 /// vtkPolyData for each block, and returns these in the same order. Where the input is a
 /// vtkPolyData, that is the output itself.

@@ -4,7 +4,6 @@
 
 #include "PolyData/ContentKey.h"
 #include "PolyData/PolyDataBlocks.h"
-#include "PolyData/ranks/SourceOnRanks.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "Progress.h"
 #include "paths/JoinPoints.h"
@@ -16,39 +15,35 @@
 namespace geodesic
 {
 
-/// The surface of the last execution, with its locator and the paths that joined far
-/// points of curves, for the next one to use again.
+/// Keeps the surface of the last execution for the next one, with its locator and the paths that
+/// joined far points of curves.
 class SurfaceCache
 {
 public:
   /// Reads the surface, unless the one that is kept is the same, by ContentKey.
   ///
-  /// \param exchange see readSurface(). With one, all ranks keep theirs or none does.
+  /// \param exchange see readSurface(). All ranks keep theirs or none does.
   /// \throws what readSurface() throws; nothing is kept then.
   void update(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
-    bool mergeCoincidentPoints, Exchange* exchange, const ProgressCallback& progress);
+    bool mergeCoincidentPoints, Exchange& exchange, const ProgressCallback& progress);
 
   /// What update() has read. Valid until the next update() or release().
   const PolyDataSurface& surface() const { return *this->surface_; }
   PolylineLocator& locator() const { return *this->locator_; }
-  /// Of a surface in pieces.
-  LocatorOnRanks& locatorOnRanks();
   /// The paths between far points of curves on it.
   JoinedPaths& joinedPaths() { return this->joinedPaths_; }
 
-  /// Gives its memory back.
+  /// Frees the memory.
   void release();
 
 private:
   std::unique_ptr<PolyDataSurface> surface_;
   std::unique_ptr<PolylineLocator> locator_;
-  std::unique_ptr<LocatorOnRanks> locatorOnRanks_;
   JoinedPaths joinedPaths_;
   /// What the surface was made from.
   ContentKey key_;
   bool isMerged_ = false;
-  /// Null where the surface is whole.
-  Exchange* exchange_ = nullptr;
+  const Exchange* exchange_ = nullptr;
 };
 
 }

@@ -341,8 +341,9 @@ std::vector<geodesic::SourceCurve> makeCurves(
     geodesic::polyDataBlocks(source.curves, "the source");
   geodesic::SourcePolylines read = geodesic::readSource(blocks, surface.scale());
   const geodesic::SnapOptions snapping = geodesic::snapOptionsFor(blocks);
-  geodesic::PolylineLocator(surface.mesh())
-    .locate(read.polylines, snapping.coordinatePrecision, [](double) { return true; });
+  geodesic::PolylineLocator(surface.partition())
+    .locate(read.polylines, snapping.coordinatePrecision)
+    .setFaces(geodesic::ReplicatedPatch(surface.mesh()), read.polylines);
   return geodesic::putOntoSurface(surface.mesh(), read.polylines, snapping,
     geodesic::joinByShortestPaths(surface.mesh(), geodesic::smpParallelFor()))
     .curves;
@@ -401,10 +402,12 @@ double largestRelativeError(const std::vector<double>& distances, const std::vec
 std::vector<double> atPoints(
   const geodesic::DistanceField& field, const geodesic::PolyDataSurface& surface)
 {
+  std::vector<double> atVertices = field.vertexDistances();
+  surface.completeValues(geodesic::Infinity, atVertices);
   std::vector<double> distances(surface.numberOfPoints());
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
-    distances[i] = field.vertexDistances()[surface.vertexOf(static_cast<geodesic::Id>(i))];
+    distances[i] = atVertices[surface.vertexOf(static_cast<geodesic::Id>(i))];
   }
   return distances;
 }
@@ -462,7 +465,7 @@ EngineRun measureEngine(
   const std::uint64_t loaded = memory("VmRSS");
   Stopwatch watch;
   const geodesic::PolyDataSurface surface =
-    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), {}, true, nullptr);
+    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), {}, true);
   const double buildSeconds = watch.lap();
   const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
   const double sourceSeconds = watch.lap();
@@ -513,7 +516,7 @@ void measureModel(
   const Options& options, vtkPolyData* mesh, const Source& source, std::ostream& json)
 {
   const geodesic::PolyDataSurface surface =
-    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), {}, true, nullptr);
+    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), {}, true);
   const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
   TaskModel model(options.model);
   geodesic::FrontOptions frontOptions = frontOptionsFor(options);

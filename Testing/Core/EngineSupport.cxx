@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EngineSupport.h"
 
+#include "source/PolylineLocator.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +17,14 @@ double accuracyOn(const MeshKind& kind)
 {
   const std::string name = kind.name;
   return name == "ThinNeedles" ? 5e-10 : name == "Needles" ? 3e-10 : OrdinaryAccuracy;
+}
+
+void locate(const geodesic::TriangleMesh& mesh, std::vector<geodesic::LocatedPolyline>& polylines,
+  double coordinatePrecision)
+{
+  geodesic::PolylineLocator(geodesic::MeshPartition(mesh))
+    .locate(polylines, coordinatePrecision)
+    .setFaces(geodesic::ReplicatedPatch(mesh), polylines);
 }
 
 geodesic::TriangleMesh engineMesh(const PlainMesh& mesh)

@@ -38,6 +38,10 @@ double accuracyOn(const MeshKind& kind);
 
 geodesic::TriangleMesh engineMesh(const PlainMesh& mesh);
 
+/// Sets the faces of polylines.
+void locate(const geodesic::TriangleMesh& mesh, std::vector<geodesic::LocatedPolyline>& polylines,
+  double coordinatePrecision = std::numeric_limits<double>::epsilon());
+
 /// Requires a mesh from which the engine leaves out no face, so that faces keep their numbers.
 geodesic::SurfacePoint enginePoint(const geodesic::TriangleMesh& mesh, const MeshPoint& point);
 geodesic::SourceCurve engineCurve(const geodesic::TriangleMesh& mesh, const Polyline& curve);

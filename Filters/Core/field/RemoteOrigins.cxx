@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/RemoteOrigins.h"
 
+#include "Questions.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -25,8 +27,15 @@ RemoteOrigins::RemoteOrigins(
   {
     this->origins_.push_back({ number });
   }
-  for (int steps = 0; steps < MaximumSteps && this->ask(atVertices); ++steps)
+  const auto isOpenHere = [this]()
   {
+    return std::any_of(this->origins_.begin(), this->origins_.end(),
+      [this](const CurveOrigin& origin) { return this->isOpen(origin); });
+  };
+  for (int steps = 0;
+       steps < MaximumSteps && field.surface().exchange().isTrueAnywhere(isOpenHere()); ++steps)
+  {
+    this->ask(atVertices);
   }
   for (CurveOrigin& origin : this->origins_)
   {
@@ -80,44 +89,25 @@ void RemoteOrigins::collect()
     std::unique(this->numbers_.begin(), this->numbers_.end()), this->numbers_.end());
 }
 
-// Returns whether anything was open on any rank.
-bool RemoteOrigins::ask(std::vector<CurveOrigin>& atVertices)
+// Asks once about every origin that is open here.
+void RemoteOrigins::ask(std::vector<CurveOrigin>& atVertices)
 {
-  Exchange& exchange = this->field_.surface().exchange();
-  std::vector<Message> questions = exchange.noMessages();
-  std::vector<std::vector<std::size_t>> asked(questions.size());
+  Questions questions(this->field_.surface().exchange());
   for (std::size_t i = 0; i < this->origins_.size(); ++i)
   {
+    const Id vertex = this->origins_[i].origin;
     if (this->isOpen(this->origins_[i]))
     {
-      const auto rank = rankIndex(this->vertices_.rankOf(this->origins_[i].origin));
-      put(questions[rank], this->origins_[i].origin);
-      asked[rank].push_back(i);
+      questions.ask(this->vertices_.rankOf(vertex), i, vertex);
     }
   }
-  const bool isOpenHere = std::any_of(this->origins_.begin(), this->origins_.end(),
-    [this](const CurveOrigin& origin) { return this->isOpen(origin); });
-  std::vector<double> least = { isOpenHere ? 0.0 : 1.0 };
-  const std::vector<Message> received = exchange.step(std::move(questions), least);
-  if (least.front() > 0.0)
-  {
-    return false;
-  }
-  std::vector<Message> answers = exchange.noMessages();
-  readEach(received,
-    [&](int rank, MessageReader& reader)
+  questions.exchangeAnswers(
+    [&](MessageReader& question, Message& answer)
     {
-      const CurveOrigin& origin = atVertices[this->vertices_.vertexAt(reader.get<Id>())];
-      put(answers[rankIndex(rank)], this->isOpen(origin) ? this->of(origin.origin) : origin);
-    });
-  std::vector<std::size_t> next(asked.size(), 0);
-  readEach(exchange.step(std::move(answers)),
-    [&](int rank, MessageReader& reader)
-    {
-      const auto from = rankIndex(rank);
-      this->origins_[asked[from][next[from]++]] = reader.get<CurveOrigin>();
-    });
-  return true;
+      const CurveOrigin& origin = atVertices[this->vertices_.vertexAt(question.get<Id>())];
+      put(answer, this->isOpen(origin) ? this->of(origin.origin) : origin);
+    },
+    [&](std::size_t i, MessageReader& answer) { this->origins_[i] = answer.get<CurveOrigin>(); });
 }
 
 CurveOrigin RemoteOrigins::of(Id vertex) const

@@ -39,7 +39,7 @@ private:
   {
     return origin.origin < this->field_.surface().numberOfGlobalVertices();
   }
-  bool ask(std::vector<CurveOrigin>& atVertices);
+  void ask(std::vector<CurveOrigin>& atVertices);
 
   const DistanceField& field_;
   const GlobalVertices& vertices_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "front/FrontExchange.h"
 
+#include "Questions.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -137,8 +139,7 @@ void FrontExchange::completeHalo(std::vector<double>& distances)
   }
   const TriangleMesh& mesh = this->surface_.mesh();
   const Id firstOfHalo = this->surface_.numberOfOwnVertices();
-  std::vector<Message> asked = this->surface_.exchange().noMessages();
-  std::vector<std::vector<Id>> vertices(asked.size());
+  Questions questions(this->surface_.exchange());
   std::vector<std::uint8_t> isAsked(mesh.numberOfVertices() - firstOfHalo, 0);
   for (Id corner = 0; corner < mesh.numberOfHalfedges(); ++corner)
   {
@@ -146,22 +147,13 @@ void FrontExchange::completeHalo(std::vector<double>& distances)
     if (vertex >= firstOfHalo && !isAsked[vertex - firstOfHalo])
     {
       const RankAddress owner = this->surface_.ownerOf(TriangleMesh::faceOf(corner));
-      put(asked[rankIndex(owner.rank)], 3 * owner.id + corner % 3);
-      vertices[rankIndex(owner.rank)].push_back(vertex);
+      questions.ask(owner.rank, vertex, 3 * owner.id + corner % 3);
       isAsked[vertex - firstOfHalo] = 1;
     }
   }
-  std::vector<Message> answers = this->surface_.exchange().noMessages();
-  readEach(this->surface_.exchange().step(std::move(asked)),
-    [&](int rank, MessageReader& reader)
-    { put(answers[rankIndex(rank)], distances[mesh.origin(reader.get<Id>())]); });
-  std::vector<std::size_t> next(vertices.size(), 0);
-  readEach(this->surface_.exchange().step(std::move(answers)),
-    [&](int rank, MessageReader& reader)
-    {
-      const Id vertex = vertices[rankIndex(rank)][next[rankIndex(rank)]++];
-      distances[vertex] = reader.get<double>();
-    });
+  questions.exchangeAnswers([&](MessageReader& question, Message& answer)
+    { put(answer, distances[mesh.origin(question.get<Id>())]); },
+    [&](std::size_t vertex, MessageReader& answer) { distances[vertex] = answer.get<double>(); });
 }
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/BarrierFaces.h"
 
+#include "mesh/SurfaceSnap.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -9,46 +11,77 @@ namespace geodesic
 namespace
 {
 
-std::vector<Vec3> pointsOf(const TriangleMesh& mesh)
+/// How far each point is from its closest faces.
+std::vector<double> distancesTo(const MeshPartition& surface, const std::vector<Vec3>& points,
+  const ClosestFaces& closest, double coordinatePrecision)
 {
-  std::vector<Vec3> points;
-  points.reserve(mesh.numberOfVertices());
-  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  std::vector<double> distances(points.size(), Infinity);
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    points.push_back(mesh.point(vertex));
+    for (const ClosestFace& found : closest[i])
+    {
+      if (found.face.rank == surface.exchange().rank())
+      {
+        distances[i] = std::min(distances[i],
+          snapToFace(surface.mesh(), found.face.id, points[i], coordinatePrecision).distance);
+      }
+    }
   }
-  return points;
+  surface.exchange().findLeast(distances);
+  return distances;
+}
+
+/// A place on the rim is a place on an open face, too, which is as close there. A point lies in a
+/// barrier if it is nearer to it by more than the precision of its place.
+bool isInBarrier(const SnappedPoint& inBarrier, double toOpen)
+{
+  return inBarrier.distance + inBarrier.tolerance < toOpen;
 }
 
 } // anonymous namespace
 
-BarrierFaces::BarrierFaces(const TriangleMesh& mesh, const std::vector<Triangle>& triangles)
-  : open_(mesh)
-  , barriers_(pointsOf(mesh), triangles)
-  , faceLocator_(this->barriers_)
+std::vector<RankAddress> BarrierFaces::barriersAt(
+  const std::vector<Vec3>& points, const ClosestFaces& closest, double coordinatePrecision)
 {
-}
-
-Id BarrierFaces::barrierAt(
-  const Vec3& point, const std::vector<Id>& closest, double coordinatePrecision)
-{
-  double toOpen = Infinity;
-  for (const Id face : closest)
+  const std::vector<double> toOpen = distancesTo(this->open_, points, closest, coordinatePrecision);
+  std::vector<std::size_t> numbers;
+  std::vector<Vec3> besideOpen;
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    toOpen = std::min(toOpen, snapToFace(this->open_, face, point, coordinatePrecision).distance);
-  }
-  if (toOpen == 0.0)
-  {
-    return NoId;
-  }
-  for (const Id face : this->faceLocator_.closest(point, coordinatePrecision))
-  {
-    if (isInBarrier(snapToFace(this->barriers_, face, point, coordinatePrecision), toOpen))
+    if (toOpen[i] > 0.0)
     {
-      return face;
+      numbers.push_back(i);
+      besideOpen.push_back(points[i]);
     }
   }
-  return NoId;
+  const ClosestFaces candidates = this->locator_.closest(besideOpen, coordinatePrecision);
+  // Each rank finds the first of its own barriers that holds a point; the first of all ranks
+  // counts.
+  std::vector<double> first(numbers.size(), Infinity);
+  Exchange& exchange = this->barriers_.exchange();
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    for (std::size_t k = 0; k < candidates[i].size() && first[i] == Infinity; ++k)
+    {
+      const RankAddress& face = candidates[i][k].face;
+      if (face.rank == exchange.rank() &&
+        isInBarrier(snapToFace(this->barriers_.mesh(), face.id, besideOpen[i], coordinatePrecision),
+          toOpen[numbers[i]]))
+      {
+        first[i] = static_cast<double>(k);
+      }
+    }
+  }
+  exchange.findLeast(first);
+  std::vector<RankAddress> result(points.size(), RankAddress{ -1, NoId });
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    if (first[i] < Infinity)
+    {
+      result[numbers[i]] = candidates[i][static_cast<std::size_t>(first[i])].face;
+    }
+  }
+  return result;
 }
 
 }

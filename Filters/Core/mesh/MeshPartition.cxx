@@ -46,12 +46,18 @@ struct MeshPartition::HaloFace
 };
 
 MeshPartition::MeshPartition(std::vector<Vec3> points, std::vector<Triangle> triangles,
-  const std::vector<std::uint64_t>& keys, Exchange& exchange, const ProgressCallback& progress)
-  : tables_(std::make_shared<Tables>(std::move(points), triangles, keys, exchange, progress))
-  , mesh_(&tables_->mesh)
+  const std::vector<std::uint64_t>& keys, Exchange& exchange, const ProgressCallback& progress,
+  const ParallelFor& parallelFor)
+  : tables_(exchange.numberOfRanks() > 1
+        ? std::make_shared<Tables>(std::move(points), triangles, keys, exchange, progress)
+        : nullptr)
+  , ownMesh_(tables_
+        ? nullptr
+        : std::make_shared<TriangleMesh>(std::move(points), triangles, progress, parallelFor))
+  , mesh_(tables_ ? &tables_->mesh : ownMesh_.get())
   , exchange_(&exchange)
-  , firstOwnFace_(tables_->firstOwnFace)
-  , endOfOwnFaces_(tables_->endOfOwnFaces)
+  , firstOwnFace_(tables_ ? tables_->firstOwnFace : 0)
+  , endOfOwnFaces_(tables_ ? tables_->endOfOwnFaces : mesh_->numberOfFaces())
 {
 }
 
@@ -294,6 +300,7 @@ void MeshPartition::Tables::findFacesOfTriangles(const std::vector<Triangle>& tr
     }
     return low;
   };
+  this->firstTriangle = first;
   this->firstOwnFace = faceFrom(first);
   this->endOfOwnFaces = faceFrom(end);
   this->faceOfTriangle.assign(triangles.size(), NoId);

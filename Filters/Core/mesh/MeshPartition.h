@@ -46,19 +46,21 @@ public:
   {
   }
 
-  /// A collective call of all ranks.
+  /// A collective call of all ranks. A single rank gets the whole surface.
   ///
   /// \param points this rank's points, each used by one of its triangles.
   /// \param triangles its faces. If faces of two ranks have the same vertices, only the lower
   ///        rank's is kept.
   /// \param keys one per point: points of different ranks with equal keys are one vertex, at the
-  ///        coordinates that the lowest of these ranks has. The keys of one rank are distinct.
+  ///        coordinates that the lowest of these ranks has. The keys of one rank are distinct. A
+  ///        single rank needs none.
   /// \param exchange must outlive this.
+  /// \param parallelFor for the mesh of a single rank; if empty, one thread.
   /// \throws MeshError if the whole surface has no face, MeshTooLarge; errors of TriangleMesh;
   /// Aborted.
   MeshPartition(std::vector<Vec3> points, std::vector<Triangle> triangles,
     const std::vector<std::uint64_t>& keys, Exchange& exchange,
-    const ProgressCallback& progress = {});
+    const ProgressCallback& progress = {}, const ParallelFor& parallelFor = {});
 
   /// Whether several ranks share the surface. If not, the exchange is trivial.
   bool isDistributed() const { return this->tables_ != nullptr; }
@@ -75,6 +77,11 @@ public:
   /// The face made from one of the constructor's triangles, or the kept copy of that face; NoId if
   /// the triangle names a vertex twice. Distributed only.
   Id faceOfTriangle(Id triangle) const { return this->tables_->faceOfTriangle[triangle]; }
+  /// The one of the constructor's triangles that a face that is owned was made of.
+  Id triangleOf(Id face) const
+  {
+    return this->mesh_->inputFace(face) - (this->tables_ ? this->tables_->firstTriangle : 0);
+  }
   /// Vertices below this one are the constructor's points.
   Id numberOfOwnVertices() const
   {
@@ -167,6 +174,7 @@ private:
 
     Exchange& exchange;
     TriangleMesh mesh;
+    Id firstTriangle = 0;
     Id firstOwnFace = 0;
     Id endOfOwnFaces = 0;
     Id numberOfOwnVertices = 0;
@@ -185,6 +193,8 @@ private:
 
   /// Null in one process.
   std::shared_ptr<const Tables> tables_;
+  /// The mesh that one rank has made; else null.
+  std::shared_ptr<const TriangleMesh> ownMesh_;
   const TriangleMesh* mesh_;
   Exchange* exchange_;
   Id firstOwnFace_ = 0;

@@ -19,8 +19,8 @@ struct ReplicatedPatch::Face
 };
 
 ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces)
-  : tables_(std::make_shared<Tables>(part, faces))
-  , mesh_(&tables_->mesh)
+  : tables_(part.isDistributed() ? std::make_shared<Tables>(part, faces) : nullptr)
+  , mesh_(tables_ ? &tables_->mesh : &part.mesh())
 {
 }
 

@@ -25,9 +25,9 @@ public:
     : mesh_(&mesh)
   {
   }
-  /// A collective call of all ranks.
+  /// A collective call of all ranks that gathers the patch. In one process it is the whole surface.
   ///
-  /// \param part this rank's partition.
+  /// \param part this rank's partition; in one process its mesh must outlive this and its copies.
   /// \param faces faces of the patch that this rank owns, in any order.
   ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces);
 

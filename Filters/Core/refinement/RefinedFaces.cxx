@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/RefinedFaces.h"
 
+#include "Questions.h"
+
 #include <algorithm>
 #include <unordered_map>
 #include <utility>
@@ -61,56 +63,32 @@ RefinedFace refinedFace(const RefinedMesh& refined, Id id, const Triangle& corne
   return face;
 }
 
-template <typename Value>
-void putAll(Message& message, const std::vector<Value>& values)
-{
-  put(message, values.size());
-  put(message, values.data(), values.size());
-}
-
-template <typename Value>
-void getAll(MessageReader& reader, std::vector<Value>& values)
-{
-  values.resize(reader.get<std::size_t>());
-  reader.get(values.data(), values.size());
-}
-
 } // anonymous namespace
 
 std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
   const MeshPartition& part, const RefinedMesh& refined, const std::vector<Triangle>& cornerPoints)
 {
-  Exchange& exchange = part.exchange();
-  std::vector<Message> questions = exchange.noMessages();
-  std::vector<std::vector<std::size_t>> asked(questions.size());
+  Questions questions(part.exchange());
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    const auto owner = rankIndex(faces[i].rank);
-    put(questions[owner], faces[i].id);
-    asked[owner].push_back(i);
+    questions.ask(faces[i].rank, i, faces[i].id);
   }
-  std::vector<Message> answers = exchange.noMessages();
-  readEach(exchange.step(std::move(questions)),
-    [&](int rank, MessageReader& reader)
+  std::vector<RefinedFace> result(faces.size());
+  questions.exchangeAnswers(
+    [&](MessageReader& question, Message& answer)
     {
-      const Id id = reader.get<Id>();
+      const Id id = question.get<Id>();
       const RefinedFace face = refinedFace(
         refined, id, cornerPoints.empty() ? part.mesh().triangle(id) : cornerPoints[id]);
-      Message& answer = answers[rankIndex(rank)];
       putAll(answer, face.points);
       putAll(answer, face.numbersThere);
       putAll(answer, face.triangles);
-    });
-  std::vector<RefinedFace> result(faces.size());
-  std::vector<std::size_t> next(asked.size(), 0);
-  readEach(exchange.step(std::move(answers)),
-    [&](int rank, MessageReader& reader)
+    },
+    [&](std::size_t i, MessageReader& answer)
     {
-      const auto owner = rankIndex(rank);
-      RefinedFace& face = result[asked[owner][next[owner]++]];
-      getAll(reader, face.points);
-      getAll(reader, face.numbersThere);
-      getAll(reader, face.triangles);
+      result[i].points = answer.getAll<RefinedPoint>();
+      result[i].numbersThere = answer.getAll<Id>();
+      result[i].triangles = answer.getAll<Triangle>();
     });
   return result;
 }

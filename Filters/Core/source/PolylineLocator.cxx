@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/PolylineLocator.h"
 
+#include "Errors.h"
 #include "mesh/Box.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
 
 namespace
 {
-
-/// Points located between two calls of the progress callback.
-constexpr std::size_t PointsPerReport = 256;
-
-/// The fraction of the progress for the first point, which builds most of the tree.
-constexpr double FirstPoint = 0.5;
 
 /// The different places in space of all polylines' points, sorted.
 std::vector<Vec3> placesOf(const std::vector<LocatedPolyline>& polylines)
@@ -30,16 +26,14 @@ std::vector<Vec3> placesOf(const std::vector<LocatedPolyline>& polylines)
   return places;
 }
 
-/// The index of each point's place.
-std::vector<std::size_t> indicesOf(
-  const LocatedPolyline& polyline, const std::vector<Vec3>& sortedPlaces)
+/// For each point of a polyline the index of its place.
+std::vector<std::size_t> indicesOf(const LocatedPolyline& polyline, const LocatedPlaces& located)
 {
   std::vector<std::size_t> indices;
   indices.reserve(polyline.points.size());
   for (const Vec3& p : polyline.points)
   {
-    const auto at = std::lower_bound(sortedPlaces.begin(), sortedPlaces.end(), p);
-    indices.push_back(static_cast<std::size_t>(at - sortedPlaces.begin()));
+    indices.push_back(located.indexOf(p));
   }
   return indices;
 }
@@ -80,78 +74,67 @@ bool isAlongEdges(const TriangleMesh& mesh, const LocatedPolyline& polyline,
 
 }
 
-/// For each place, the vertices exactly there that belong to a face.
-std::vector<std::vector<Id>> PolylineLocator::verticesAt(
-  const std::vector<Vec3>& sortedPlaces) const
+std::size_t LocatedPlaces::indexOf(const Vec3& place) const
 {
-  std::vector<std::vector<Id>> vertices(sortedPlaces.size());
+  const auto at = std::lower_bound(this->places.begin(), this->places.end(), place);
+  return static_cast<std::size_t>(at - this->places.begin());
+}
+
+void LocatedPlaces::setFaces(
+  const ReplicatedPatch& patch, std::vector<LocatedPolyline>& polylines) const
+{
+  for (LocatedPolyline& polyline : polylines)
+  {
+    polyline.faces.clear();
+    for (const Vec3& point : polyline.points)
+    {
+      std::vector<Id>& faces = polyline.faces.emplace_back();
+      for (const ClosestFace& found : this->faces[this->indexOf(point)])
+      {
+        faces.push_back(patch.faceAt(found.face));
+      }
+    }
+  }
+}
+
+/// For each of some places the vertices, with faces, that lie exactly there.
+std::vector<std::vector<Id>> PolylineLocator::verticesAt(const std::vector<Vec3>& places) const
+{
+  const TriangleMesh& mesh = this->surface_.mesh();
+  std::vector<std::vector<Id>> vertices(places.size());
   Box box;
-  for (const Vec3& p : sortedPlaces)
+  for (const Vec3& p : places)
   {
     box.add(p);
   }
-  for (Id vertex = 0; vertex < this->mesh_.numberOfVertices(); ++vertex)
+  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
-    const Vec3& p = this->mesh_.point(vertex);
-    if (!box.holds(p) || this->mesh_.cornersAt(vertex).size() == 0)
+    const Vec3& p = mesh.point(vertex);
+    if (!box.holds(p) || mesh.cornersAt(vertex).size() == 0)
     {
       continue;
     }
-    const auto at = std::lower_bound(sortedPlaces.begin(), sortedPlaces.end(), p);
-    if (at != sortedPlaces.end() && *at == p)
+    const auto at = std::lower_bound(places.begin(), places.end(), p);
+    if (at != places.end() && *at == p)
     {
-      vertices[static_cast<std::size_t>(at - sortedPlaces.begin())].push_back(vertex);
+      vertices[static_cast<std::size_t>(at - places.begin())].push_back(vertex);
     }
   }
   return vertices;
 }
 
-/// The faces of places: the closest ones where isSearched is set, else one for each vertex at the
-/// place.
-std::vector<std::vector<Id>> PolylineLocator::findFaces(const std::vector<Vec3>& places,
-  const std::vector<std::vector<Id>>& vertices, const std::vector<std::uint8_t>& isSearched,
-  double coordinatePrecision, const ProgressCallback& progress)
+/// Those of polylines that leave the edges. With several ranks all are: a rank does not know the
+/// vertices of the others.
+std::vector<std::uint8_t> PolylineLocator::placesToSearch(
+  const std::vector<LocatedPolyline>& polylines, const LocatedPlaces& located,
+  const std::vector<std::vector<Id>>& vertices) const
 {
-  std::vector<std::vector<Id>> faces(places.size());
-  double done = 0.0;
-  const auto report = [&](double fraction)
-  {
-    done = std::max(done, fraction);
-    return !progress || progress(done);
-  };
-  const auto growing = [&](double fraction) { return report(FirstPoint * fraction); };
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    const double fraction = static_cast<double>(i) / static_cast<double>(places.size());
-    if (i % PointsPerReport == 0 &&
-      !report(i == 0 ? 0.0 : FirstPoint + (1.0 - FirstPoint) * fraction))
-    {
-      throw Aborted();
-    }
-    if (isSearched[i])
-    {
-      faces[i] = this->faceLocator_->closest(places[i], coordinatePrecision, growing);
-      continue;
-    }
-    for (const Id vertex : vertices[i])
-    {
-      faces[i].push_back(TriangleMesh::faceOf(*this->mesh_.cornersAt(vertex).begin()));
-    }
-    std::sort(faces[i].begin(), faces[i].end());
-  }
-  return faces;
-}
-
-void PolylineLocator::locate(std::vector<LocatedPolyline>& polylines, double coordinatePrecision,
-  const ProgressCallback& progress)
-{
-  const std::vector<Vec3> places = placesOf(polylines);
-  const std::vector<std::vector<Id>> vertices = this->verticesAt(places);
-  std::vector<std::uint8_t> isSearched(places.size(), 0);
+  const bool isDistributed = this->surface_.isDistributed();
+  std::vector<std::uint8_t> isSearched(located.places.size(), isDistributed ? 1 : 0);
   for (const LocatedPolyline& polyline : polylines)
   {
-    const std::vector<std::size_t> indices = indicesOf(polyline, places);
-    if (!isAlongEdges(this->mesh_, polyline, indices, vertices))
+    const std::vector<std::size_t> indices = indicesOf(polyline, located);
+    if (!isDistributed && !isAlongEdges(this->surface_.mesh(), polyline, indices, vertices))
     {
       for (const std::size_t i : indices)
       {
@@ -159,21 +142,48 @@ void PolylineLocator::locate(std::vector<LocatedPolyline>& polylines, double coo
       }
     }
   }
-  const bool isAnySearched = std::find(isSearched.begin(), isSearched.end(), 1) != isSearched.end();
-  if (isAnySearched && !this->faceLocator_)
+  return isSearched;
+}
+
+/// One face for each of the vertices at a place, by number.
+std::vector<ClosestFace> PolylineLocator::facesAt(const std::vector<Id>& vertices) const
+{
+  std::vector<ClosestFace> faces;
+  for (const Id vertex : vertices)
   {
-    this->faceLocator_ = std::make_unique<FaceLocator>(this->mesh_);
+    const Id corner = *this->surface_.mesh().cornersAt(vertex).begin();
+    faces.push_back({ this->surface_.addressOf(TriangleMesh::faceOf(corner)) });
   }
-  const std::vector<std::vector<Id>> faces =
-    this->findFaces(places, vertices, isSearched, coordinatePrecision, progress);
-  for (LocatedPolyline& polyline : polylines)
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+LocatedPlaces PolylineLocator::locate(const std::vector<LocatedPolyline>& polylines,
+  double coordinatePrecision, const ProgressCallback& progress)
+{
+  if (progress && !progress(0.0))
   {
-    polyline.faces.clear();
-    for (const std::size_t i : indicesOf(polyline, places))
+    throw Aborted();
+  }
+  LocatedPlaces located;
+  located.places = placesOf(polylines);
+  const std::vector<std::vector<Id>> vertices = this->verticesAt(located.places);
+  const std::vector<std::uint8_t> isSearched = this->placesToSearch(polylines, located, vertices);
+  std::vector<Vec3> searched;
+  for (std::size_t i = 0; i < isSearched.size(); ++i)
+  {
+    if (isSearched[i])
     {
-      polyline.faces.push_back(faces[i]);
+      searched.push_back(located.places[i]);
     }
   }
+  ClosestFaces found = this->locator_.closest(searched, coordinatePrecision, progress);
+  auto next = found.begin();
+  for (std::size_t i = 0; i < isSearched.size(); ++i)
+  {
+    located.faces.push_back(isSearched[i] ? std::move(*next++) : this->facesAt(vertices[i]));
+  }
+  return located;
 }
 
 }

@@ -3,43 +3,56 @@
 #define geodesic_PolylineLocator_h
 
 #include "Progress.h"
-#include "mesh/FaceLocator.h"
-#include "mesh/TriangleMesh.h"
+#include "mesh/ReplicatedPatch.h"
+#include "mesh/SurfaceLocator.h"
 #include "source/PolylineOnSurface.h"
 
-#include <memory>
+#include <cstdint>
 #include <vector>
 
 namespace geodesic
 {
 
-/// Finds the faces closest to the points of polylines. Polylines along the mesh's own edges need
-/// only its vertices; others need a FaceLocator, which is built once.
+/// The places in space of some polylines' points, and the faces closest to them.
+struct LocatedPlaces
+{
+  /// Ascending, each once.
+  std::vector<Vec3> places;
+  ClosestFaces faces;
+
+  std::size_t indexOf(const Vec3& place) const;
+  /// Sets the faces of polylines with these points, as faces of a patch that has them.
+  void setFaces(const ReplicatedPatch& patch, std::vector<LocatedPolyline>& polylines) const;
+};
+
+/// Finds the faces that the points of polylines are closest to. In one process, polylines along the
+/// mesh's own edges need its vertices only; other polylines need a search, whose tree is kept.
 class PolylineLocator
 {
 public:
-  /// \param mesh must outlive the locator.
-  explicit PolylineLocator(const TriangleMesh& mesh)
-    : mesh_(mesh)
+  explicit PolylineLocator(const MeshPartition& surface)
+    : surface_(surface)
+    , locator_(surface)
   {
   }
 
-  /// Fills in the faces of polylines whose points are finite. Points at the same place in space are
-  /// located once. Not thread-safe.
+  /// Locates polylines whose points are finite. A place in space is searched once, however many
+  /// points lie there. All ranks call this together, with the same polylines, and get the same.
+  /// Not thread-safe.
   ///
   /// \param coordinatePrecision relative precision of the points' coordinates.
-  /// \param progress called now and then with the fraction done; returning false throws Aborted.
-  void locate(std::vector<LocatedPolyline>& polylines, double coordinatePrecision,
+  /// \param progress called now and then with a fraction done; returning false throws Aborted.
+  LocatedPlaces locate(const std::vector<LocatedPolyline>& polylines, double coordinatePrecision,
     const ProgressCallback& progress = {});
 
 private:
-  std::vector<std::vector<Id>> verticesAt(const std::vector<Vec3>& sortedPlaces) const;
-  std::vector<std::vector<Id>> findFaces(const std::vector<Vec3>& places,
-    const std::vector<std::vector<Id>>& vertices, const std::vector<std::uint8_t>& isSearched,
-    double coordinatePrecision, const ProgressCallback& progress);
+  std::vector<std::vector<Id>> verticesAt(const std::vector<Vec3>& places) const;
+  std::vector<std::uint8_t> placesToSearch(const std::vector<LocatedPolyline>& polylines,
+    const LocatedPlaces& located, const std::vector<std::vector<Id>>& vertices) const;
+  std::vector<ClosestFace> facesAt(const std::vector<Id>& vertices) const;
 
-  const TriangleMesh& mesh_;
-  std::unique_ptr<FaceLocator> faceLocator_;
+  MeshPartition surface_;
+  SurfaceLocator locator_;
 };
 
 }

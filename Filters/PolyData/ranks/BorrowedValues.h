@@ -25,30 +25,39 @@ public:
   ///        where no rank has it.
   BorrowedValues(const std::vector<RankAddress>& from, Exchange& exchange);
 
-  /// Appends the copies, in the order of the constructor's, to a rank's own values. All ranks call
-  /// this together.
+  /// The copies, in the order of the constructor's. All ranks call this together.
   ///
   /// \param none the value where no rank has it.
-  template <typename Value>
-  void append(const Value& none, std::vector<Value>& values, Exchange& exchange) const
+  /// \param valueAt the rank's own value of a number: (Id) -> Value.
+  template <typename Value, typename ValueAt>
+  std::vector<Value> copies(const Value& none, Exchange& exchange, const ValueAt& valueAt) const
   {
     std::vector<Message> messages = exchange.noMessages();
     for (std::size_t rank = 0; rank < this->lent_.size(); ++rank)
     {
       for (const Id id : this->lent_[rank])
       {
-        put(messages[rank], values[id]);
+        put(messages[rank], Value(valueAt(id)));
       }
     }
-    const std::size_t own = values.size();
-    values.resize(own + this->count_, none);
+    std::vector<Value> values(this->count_, none);
     std::vector<std::size_t> next(messages.size(), 0);
     readEach(exchange.step(std::move(messages)),
       [&](int rank, MessageReader& reader)
       {
         const auto from = rankIndex(rank);
-        values[own + this->borrowed_[from][next[from]++]] = reader.get<Value>();
+        values[this->borrowed_[from][next[from]++]] = reader.get<Value>();
       });
+    return values;
+  }
+
+  /// Appends the copies to a rank's own values. All ranks call this together.
+  template <typename Value>
+  void append(const Value& none, std::vector<Value>& values, Exchange& exchange) const
+  {
+    const std::vector<Value> copies =
+      this->copies(none, exchange, [&values](Id id) { return values[id]; });
+    values.insert(values.end(), copies.begin(), copies.end());
   }
 
   /// The same, but puts the copies in place of some of the rank's own values.
@@ -57,13 +66,12 @@ public:
   template <typename Value>
   void replace(const std::vector<Id>& which, std::vector<Value>& values, Exchange& exchange) const
   {
-    const std::size_t own = values.size();
-    this->append(Value(), values, exchange);
+    const std::vector<Value> copies =
+      this->copies(Value(), exchange, [&values](Id id) { return values[id]; });
     for (std::size_t i = 0; i < which.size(); ++i)
     {
-      values[which[i]] = values[own + i];
+      values[which[i]] = copies[i];
     }
-    values.resize(own);
   }
 
 private:

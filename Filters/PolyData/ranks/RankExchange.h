@@ -18,27 +18,28 @@ namespace geodesic
 
 /// The exchange between the processes of a controller.
 ///
-/// In each step all ranks first gather one header of each: whether it fails, the numbers of which
-/// the least is wanted, and how much it sends to whom. So every rank knows of every failure before
-/// it waits for any message, and which messages will come. Messages then go at the same time where
-/// the controller is one of MPI, else from one rank to the next in an order in which none waits for
-/// a rank that waits for it.
+/// In each step all ranks first gather a header from each: whether it fails, the numbers of which
+/// the least is wanted, and how much it sends to whom. So every rank knows of every failure, and of
+/// the messages that will come, before it waits for any. A controller of MPI then sends all
+/// messages at once. With other controllers ranks send in an order in which no two wait for each
+/// other.
 class RankExchange : public Exchange
 {
 public:
-  /// \param controller of two and more processes, all of which make such an exchange.
+  /// \param controller of two or more processes, all of which make such an exchange.
   explicit RankExchange(vtkMultiProcessController* controller);
   ~RankExchange() override;
 
   int rank() const override { return this->rank_; }
   int numberOfRanks() const override { return this->numberOfRanks_; }
-  /// Whether it is one between the processes of a controller, which may have become others.
+  /// Whether this is still the exchange between the processes of a controller, which may have
+  /// changed.
   bool isWith(vtkMultiProcessController* controller) const;
 
   using Exchange::step;
   std::vector<Message> step(std::vector<Message> messages, std::vector<double>& least) override;
 
-  /// Where a rank has failed already, so that this one knows of it, nothing is said any more.
+  /// Sends nothing if this rank knows already that another rank has failed.
   std::string fail(const std::string& why) override;
 
   /// Forgets a failure, for the next execution.
@@ -77,10 +78,10 @@ private:
   /// This rank's header, and those of all ranks one after another.
   std::vector<double> header_;
   std::vector<double> headers_;
-  /// Room for small messages, which is there before they are promised.
+  /// Room for small messages, in reserve.
   std::vector<std::byte> room_;
   bool hasFailed_ = false;
-  /// Why; empty where the user has asked to stop.
+  /// Why; empty if the user has asked to stop.
   std::string failure_;
   Report report_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/ranks/RankSeams.h"
 
+#include "Questions.h"
 #include "Tolerance.h"
 #include "mesh/Box.h"
 
@@ -8,7 +9,7 @@
 #include <array>
 #include <cstring>
 #include <map>
-#include <tuple>
+#include <unordered_map>
 
 namespace geodesic
 {
@@ -59,60 +60,19 @@ std::uint64_t hashOfKey(std::int64_t id)
   return hashOf(&word, 1);
 }
 
-/// What a rank that looks after some keys is told of one of them.
 template <typename Key>
-struct KeyedLabel
+struct HashOfKey
 {
-  Key key;
-  Label label;
+  std::size_t operator()(const Key& key) const { return static_cast<std::size_t>(hashOfKey(key)); }
 };
 
-/// Where an entry came from, for the answer.
-struct Asker
+/// What is known of a key by the rank that looks after it.
+struct KnownKey
 {
+  Label least;
   int rank;
-  std::size_t index;
+  bool isShared = false;
 };
-
-/// Answers all that was told of keys with the least label of each.
-template <typename Key>
-std::vector<Message> answers(const std::vector<Message>& told)
-{
-  std::vector<std::pair<KeyedLabel<Key>, Asker>> entries;
-  std::vector<std::vector<Label>> replies(told.size());
-  readEach(told,
-    [&](int rank, MessageReader& reader)
-    {
-      std::vector<Label>& own = replies[rankIndex(rank)];
-      entries.push_back({ reader.get<KeyedLabel<Key>>(), { rank, own.size() } });
-      own.push_back(entries.back().first.label);
-    });
-  std::sort(entries.begin(), entries.end(),
-    [](const auto& a, const auto& b)
-    {
-      return std::tie(a.first.key, a.first.label, a.second.rank) <
-        std::tie(b.first.key, b.first.label, b.second.rank);
-    });
-  for (auto first = entries.begin(); first != entries.end();)
-  {
-    const auto last = std::find_if(
-      first, entries.end(), [&](const auto& e) { return !(e.first.key == first->first.key); });
-    const bool isShared =
-      std::any_of(first, last, [&](const auto& e) { return e.second.rank != first->second.rank; });
-    for (auto at = first; at != last; ++at)
-    {
-      replies[rankIndex(at->second.rank)][at->second.index] =
-        first->first.label | (isShared ? SharedFlag : 0);
-    }
-    first = last;
-  }
-  std::vector<Message> messages(told.size());
-  for (std::size_t i = 0; i < told.size(); ++i)
-  {
-    put(messages[i], replies[i].data(), replies[i].size());
-  }
-  return messages;
-}
 
 } // anonymous namespace
 
@@ -187,31 +147,39 @@ std::vector<Id> RankSeams::verticesNearOthers() const
 template <typename Key>
 bool RankSeams::shareLeast(const std::vector<std::pair<Key, Id>>& items)
 {
-  std::vector<Message> messages = this->exchange_.noMessages();
-  std::vector<std::vector<Id>> asked(messages.size());
+  Questions questions(this->exchange_);
+  const auto ranks = static_cast<std::uint64_t>(this->exchange_.numberOfRanks());
   for (const auto& [key, vertex] : items)
   {
-    const std::size_t rank = hashOfKey(key) % messages.size();
-    const KeyedLabel<Key> told{ key, this->labels_.labels[vertex] };
-    put(messages[rank], told);
-    asked[rank].push_back(vertex);
+    questions.ask(
+      static_cast<int>(hashOfKey(key) % ranks), vertex, key, this->labels_.labels[vertex]);
   }
-  const std::vector<Message> told = this->exchange_.step(std::move(messages));
+  std::unordered_map<Key, KnownKey, HashOfKey<Key>> known;
   bool hasChanged = false;
-  std::vector<std::size_t> next(asked.size(), 0);
-  readEach(this->exchange_.step(answers<Key>(told)),
-    [&](int rank, MessageReader& reader)
+  questions.exchangeAnswers(
+    [&](int rank, MessageReader& question)
     {
-      const auto from = rankIndex(rank);
-      const Id vertex = asked[from][next[from]++];
-      const Label answer = reader.get<Label>();
-      const Label label = answer & ~SharedFlag;
-      if (label < this->labels_.labels[vertex])
+      const Key key = question.get<Key>();
+      const auto label = question.get<Label>();
+      KnownKey& entry = known.try_emplace(key, KnownKey{ label, rank }).first->second;
+      entry.least = std::min(entry.least, label);
+      entry.isShared = entry.isShared || entry.rank != rank;
+    },
+    [&](MessageReader& question, Message& answer)
+    {
+      const KnownKey& entry = known.at(question.get<Key>());
+      question.get<Label>();
+      put(answer, entry.least | (entry.isShared ? SharedFlag : 0));
+    },
+    [&](std::size_t vertex, MessageReader& answer)
+    {
+      const auto label = answer.get<Label>();
+      if ((label & ~SharedFlag) < this->labels_.labels[vertex])
       {
-        this->labels_.labels[vertex] = label;
+        this->labels_.labels[vertex] = label & ~SharedFlag;
         hasChanged = true;
       }
-      if (answer & SharedFlag)
+      if (label & SharedFlag)
       {
         this->labels_.isShared[vertex] = 1;
       }

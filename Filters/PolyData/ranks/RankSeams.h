@@ -14,26 +14,30 @@
 namespace geodesic
 {
 
-/// What one rank knows of the vertices of its piece that other ranks may have, too.
+/// What one rank knows of the vertices of its piece that other ranks may have, too. One process
+/// needs no tables.
 struct RankLabels
 {
   using Label = std::uint64_t;
 
-  /// One a vertex. Vertices of all ranks that are one have the same, and no others.
+  /// One a vertex. Vertices of all ranks that are one have the same label, and no others.
   std::vector<Label> labels;
   /// Whether another rank has the vertex, too.
   std::vector<std::uint8_t> isShared;
+
+  Label of(Id vertex) const { return this->labels.empty() ? vertex : this->labels[vertex]; }
+  bool isSharedAt(Id vertex) const { return !this->isShared.empty() && this->isShared[vertex]; }
 };
 
-/// Finds the vertices of several ranks' pieces of a surface that are one. Each has a label: the
-/// rank and the number of a vertex that it is one with. All ranks call all of these
-/// functions, in the same order.
+/// Finds the vertices of several ranks' pieces of a surface that are one. Each vertex has a label:
+/// the rank and the number of a vertex that it is one with. All ranks call all of these functions,
+/// in the same order.
 class RankSeams
 {
 public:
   using Label = RankLabels::Label;
 
-  /// \param vertices of this rank's piece; like the exchange they must outlive this.
+  /// \param vertices of this rank's piece; they and the exchange must outlive this.
   RankSeams(const std::vector<Vec3>& vertices, Exchange& exchange);
 
   /// Makes vertices at exactly one place one, and those with the same global id.
@@ -46,8 +50,9 @@ public:
   /// precision of their coordinates, by the rule for blocks (SeamMerger.h). After joinSame().
   ///
   /// \param piece the faces of this rank.
-  /// \returns how many vertices were made one with another, on all ranks, without those of ghosts
-  ///          only.
+  /// \returns how many vertices were joined with others, on all ranks. Vertices that only ghosts
+  /// have
+  ///          do not count.
   std::uint64_t joinNear(SeamBlock piece);
 
   RankLabels take() { return std::move(this->labels_); }
@@ -74,7 +79,7 @@ private:
   RankLabels labels_;
 };
 
-/// What a hash of some words is, for finding the rank that looks after them.
+/// A hash of some words, for finding the rank that looks after them.
 std::uint64_t hashOf(const std::uint64_t* words, std::size_t count);
 
 }

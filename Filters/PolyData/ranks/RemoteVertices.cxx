@@ -1,98 +1,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/ranks/RemoteVertices.h"
 
+#include "Questions.h"
+
 #include <unordered_map>
-#include <utility>
 
 namespace geodesic
 {
 
-namespace
-{
-
-using Label = RankLabels::Label;
-
-/// What is told to the rank that looks after a label: who has faces at the vertex.
-struct ToldHolder
-{
-  Label label;
-  Id vertex;
-  Id isHolder;
-};
-
-/// Answers each question with the lowest holder of its label.
-std::vector<Message> findHolders(const std::vector<Message>& told)
-{
-  std::unordered_map<Label, RankAddress> holders;
-  readEach(told,
-    [&](int rank, MessageReader& reader)
-    {
-      const auto entry = reader.get<ToldHolder>();
-      if (entry.isHolder != 0)
-      {
-        holders.emplace(entry.label, RankAddress{ rank, entry.vertex }); // ranks ascend
-      }
-    });
-  std::vector<Message> answers(told.size());
-  readEach(told,
-    [&](int rank, MessageReader& reader)
-    {
-      const auto entry = reader.get<ToldHolder>();
-      if (entry.isHolder == 0)
-      {
-        const auto found = holders.find(entry.label);
-        put(answers[rankIndex(rank)],
-          found != holders.end() ? found->second : RankAddress{ -1, NoId });
-      }
-    });
-  return answers;
-}
-
-}
-
-RemoteVertices::RemoteVertices(
+BorrowedValues remoteVertices(
   const RankLabels& labels, const std::vector<Id>& ownNumbers, Exchange& exchange)
 {
-  std::vector<Message> messages = exchange.noMessages();
-  std::vector<std::vector<Id>> asked(messages.size());
-  Id withoutFace = 0;
+  // The rank that looks after a label hears who has a face at the vertex. The others ask it.
+  constexpr RankAddress nobody{ -1, NoId };
+  std::vector<RankAddress> holders;
+  Questions questions(exchange);
+  std::vector<Message> told = exchange.noMessages();
   for (Id vertex = 0; vertex < ownNumbers.size(); ++vertex)
   {
-    const bool isHolder = ownNumbers[vertex] != NoId;
-    if (labels.isShared[vertex])
+    const Id own = ownNumbers[vertex];
+    if (labels.isSharedAt(vertex))
     {
-      const Label label = labels.labels[vertex];
-      const auto rank = rankIndex(RankSeams::rankOf(label));
-      put(messages[rank], ToldHolder{ label, ownNumbers[vertex], isHolder ? Id(1) : Id(0) });
-      if (!isHolder)
+      const RankLabels::Label label = labels.of(vertex);
+      const int rank = RankSeams::rankOf(label);
+      if (own == NoId)
       {
-        asked[rank].push_back(this->count_);
+        questions.ask(rank, holders.size(), label);
+      }
+      else
+      {
+        put(told[rankIndex(rank)], label);
+        put(told[rankIndex(rank)], own);
       }
     }
-    else
+    if (own == NoId)
     {
-      withoutFace += isHolder ? 0 : 1;
+      holders.push_back(nobody);
     }
-    this->count_ += isHolder ? 0 : 1;
   }
-  if (!exchange.isTrueAnywhere(this->count_ > 0))
+  if (!exchange.isTrueAnywhere(!holders.empty()))
   {
-    return;
+    return {};
   }
-  const std::vector<Message> told = exchange.step(std::move(messages));
-  std::vector<RankAddress> holders(this->count_, { -1, NoId });
-  std::vector<std::size_t> next(asked.size(), 0);
-  readEach(exchange.step(findHolders(told)),
+  std::unordered_map<RankLabels::Label, RankAddress> lowest;
+  readEach(exchange.step(std::move(told)),
     [&](int rank, MessageReader& reader)
     {
-      const auto from = rankIndex(rank);
-      const Id borrowed = asked[from][next[from]++];
-      holders[borrowed] = reader.get<RankAddress>();
-      const bool isCountedHere = from == rankIndex(exchange.rank());
-      withoutFace += holders[borrowed].id == NoId && isCountedHere ? 1 : 0;
+      const auto label = reader.get<RankLabels::Label>();
+      lowest.emplace(label, RankAddress{ rank, reader.get<Id>() }); // ranks ascend
     });
-  this->values_ = BorrowedValues(holders, exchange);
-  this->numberWithoutFace_ = static_cast<Id>(sumOverRanks(exchange, withoutFace).all);
+  questions.exchangeAnswers(
+    [&](MessageReader& question, Message& answer)
+    {
+      const auto found = lowest.find(question.get<RankLabels::Label>());
+      put(answer, found != lowest.end() ? found->second : nobody);
+    },
+    [&](std::size_t vertex, MessageReader& answer)
+    { holders[vertex] = answer.get<RankAddress>(); });
+  return BorrowedValues(holders, exchange);
 }
 
 }

@@ -13,7 +13,7 @@
 namespace geodesic
 {
 
-/// The part of a surface that one block is, for mergeSeams().
+/// One block of a surface, for mergeSeams().
 struct SeamBlock
 {
   /// Its triangles, as vertices.
@@ -30,8 +30,8 @@ struct SeamVertex
   /// Its number.
   std::uint64_t vertex = 0;
   Vec3 position{};
-  /// The blocks on whose boundary it is, near ghosts all that have a triangle there, ascending.
-  /// None where it is a corner of ghosts only.
+  /// The blocks on whose boundary it is; near ghosts all blocks that have a triangle there;
+  /// ascending. None if it is a corner of ghosts only.
   std::vector<std::size_t> blocks;
   bool isOnBoundary = false;
   /// Whether it is a corner of a ghost.
@@ -60,7 +60,7 @@ public:
   explicit GhostPlaces(double margin);
 
   void add(const Vec3& corner);
-  /// Whether a point may be within the margin of a corner. It is where it is.
+  /// Whether a point may be within the margin of a corner. Never false if it is.
   bool isNear(const Vec3& point) const
   {
     return !this->cells_.empty() && this->cells_.count(cellAt(point, this->level_)) > 0;
@@ -92,16 +92,16 @@ std::vector<std::size_t> joinSeamVertices(std::vector<SeamVertex> vertices);
 /// Vertices that are one.
 struct JoinedVertices
 {
-  /// For each vertex the one that stands for it (joinSeamVertices()); empty where each does for
+  /// For each vertex the one that stands for it (joinSeamVertices()); empty if each stands for
   /// itself.
   std::vector<Id> same;
-  /// How many were made one with another, without those of ghosts only.
+  /// How many were joined with others, not counting those that only ghosts have.
   Id count = 0;
 };
 
-/// Where blocks of one surface meet, their points may differ by roundings, and so may ghosts from
-/// what they duplicate: each block may have computed or stored them on its own. Finds the vertices
-/// that are one all the same (joinSeamVertices()).
+/// Where blocks of one surface meet, their points may differ by roundings, and ghosts may differ
+/// from what they duplicate: each block may have computed or stored them on its own. Finds the
+/// vertices that are one nevertheless (joinSeamVertices()).
 ///
 /// \param vertices points at exactly one place are one vertex already.
 JoinedVertices mergeSeams(const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks);

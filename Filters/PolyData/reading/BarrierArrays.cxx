@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/BarrierArrays.h"
 
-#include "PolyData/reading/PolyDataSurface.h"
-
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkPolyData.h"
@@ -56,7 +54,7 @@ bool isNone(const char* name)
 }
 
 BarrierArrays::BarrierArrays(
-  const std::vector<PolyDataBlock>& blocks, const char* name, Exchange* exchange)
+  const std::vector<PolyDataBlock>& blocks, const char* name, Exchange& exchange)
 {
   if (isNone(name))
   {
@@ -82,11 +80,8 @@ BarrierArrays::BarrierArrays(
     isMissing = isMissing || (!values && block.data->GetNumberOfCells() > 0);
     this->arrays_.push_back(values);
   }
-  if (exchange)
-  {
-    isFound = exchange->isTrueAnywhere(isFound);
-    isMissing = exchange->isTrueAnywhere(isMissing);
-  }
+  isFound = exchange.isTrueAnywhere(isFound);
+  isMissing = exchange.isTrueAnywhere(isMissing);
   if (isMissing && !isFound)
   {
     throw InputError("The surface (input port 0) has no cell array named " + this->name_ +

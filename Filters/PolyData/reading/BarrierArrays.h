@@ -26,11 +26,10 @@ public:
   ///
   /// \param name of the array; null, empty and "None" (the first entry of ParaView's list) stand
   ///        for no barriers.
-  /// \param exchange with other ranks, each of which may have blocks of the surface and reads their
-  ///        arrays now; null where there is one process only.
+  /// \param exchange with other ranks, all of which read the arrays of their blocks now.
   /// \throws InputError where no block with cells, of any rank, has the array, or where it is not
   ///         numeric, has several components, no value for some cell, or NaN.
-  BarrierArrays(const std::vector<PolyDataBlock>& blocks, const char* name, Exchange* exchange);
+  BarrierArrays(const std::vector<PolyDataBlock>& blocks, const char* name, Exchange& exchange);
 
   /// Whether there may be barriers, here or on other ranks.
   bool isGiven() const { return !this->name_.empty(); }

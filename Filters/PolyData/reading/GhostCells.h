@@ -2,21 +2,13 @@
 #ifndef geodesic_GhostCells_h
 #define geodesic_GhostCells_h
 
-#include "Types.h"
-
 #include "vtkType.h"
-
-#include <cstdint>
-#include <vector>
 
 class vtkPolyData;
 class vtkUnsignedCharArray;
 
 namespace geodesic
 {
-
-struct SurfaceBlock;
-struct TriangleList;
 
 /// What the ghost array of a vtkPolyData says of its cells.
 class GhostCells
@@ -36,18 +28,6 @@ public:
 private:
   vtkUnsignedCharArray* flags_ = nullptr;
 };
-
-/// Finds the originals of triangles that are marked as duplicates. A marked cell on the corners of
-/// one that is not marked gets that one's triangles (a polygon may be cut in several ways). A
-/// duplicate without an original is surface itself; of several such on the same vertices, the
-/// first.
-///
-/// \param vertexOfPoint which vertex each point is; empty where each is its own.
-/// \param blocks where the triangles of each begin.
-/// \param triangles of all blocks; the corners of marked ones may change.
-/// \returns whether a triangle is a copy of another; one a triangle.
-std::vector<std::uint8_t> findCopies(const std::vector<Id>& vertexOfPoint,
-  const std::vector<SurfaceBlock>& blocks, TriangleList& triangles);
 
 }
 

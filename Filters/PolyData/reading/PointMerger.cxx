@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace geodesic
 {
@@ -69,8 +70,8 @@ UninitializedVector<Id> findFirstAtPlaces(
 
 // By hashes rather than a point locator, whose buckets degenerate where most points crowd in a
 // corner of the bounding box.
-void mergeCoincidentPoints(std::vector<Vec3>& points, std::vector<Id>& vertexOfPoint,
-  const LoopProgress& progress, const ParallelFor& parallelFor)
+VertexOfPoint mergeCoincidentPoints(
+  std::vector<Vec3>& points, const LoopProgress& progress, const ParallelFor& parallelFor)
 {
   const UninitializedVector<Id> first = findFirstAtPlaces(points, progress, parallelFor);
   const std::vector<Id> merged = resultsOfRanges(parallelFor, points.size(),
@@ -85,9 +86,9 @@ void mergeCoincidentPoints(std::vector<Vec3>& points, std::vector<Id>& vertexOfP
     });
   if (std::all_of(merged.begin(), merged.end(), [](Id count) { return count == 0; }))
   {
-    return;
+    return {};
   }
-  vertexOfPoint.resize(points.size());
+  std::vector<Id> vertexOfPoint(points.size());
   Id numberOfVertices = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
@@ -102,5 +103,7 @@ void mergeCoincidentPoints(std::vector<Vec3>& points, std::vector<Id>& vertexOfP
     }
   }
   points.resize(numberOfVertices);
+  return VertexOfPoint(std::move(vertexOfPoint));
 }
+
 }

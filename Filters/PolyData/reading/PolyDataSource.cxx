@@ -250,18 +250,7 @@ std::string textOf(const Vec3& p)
   return text.str();
 }
 
-/// "cell 17 of the surface (input port 0)"
-std::string cellOfBarrier(
-  const PolyDataSurface& surface, const std::vector<PolyDataBlock>& surfaceBlocks, Id face)
-{
-  const Id triangle = surface.triangleOfBarrier(face);
-  const std::size_t index = surface.blockOfTriangle(triangle);
-  const SurfaceBlock& block = surface.blocks()[index];
-  return "cell " + std::to_string(block.inputCell(triangle - block.firstTriangle)) + " of " +
-    surfaceBlocks[index].name;
-}
-
-/// \param cell the barrier, as cellOfBarrier() names it.
+/// \param cell the barrier, as nameOfBarrier() says.
 SourceError liesInBarrier(const PolyDataSurface& surface, const LocatedPolyline& line,
   std::size_t point, const std::string& cell)
 {
@@ -271,21 +260,23 @@ SourceError liesInBarrier(const PolyDataSurface& surface, const LocatedPolyline&
     ", which no path may leave. Move it out of the barrier, or onto its rim.");
 }
 
-/// The name that the rank of a barrier has for its cell. All ranks call this together.
-std::string cellOfBarrierOnRanks(const PolyDataSurface& surface,
+/// "cell 17 of the surface (input port 0)", as the rank of a barrier calls it. All ranks call this
+/// together.
+std::string nameOfBarrier(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const RankAddress& face)
 {
-  Exchange& exchange = surface.partition().exchange();
+  Exchange& exchange = surface.exchange();
   Message message;
   if (face.rank == exchange.rank())
   {
-    const std::string cell = cellOfBarrier(surface, surfaceBlocks, face.id);
-    put(message, cell.data(), cell.size());
+    const std::string own = surface.nameOfCell(surface.triangleOfBarrier(face.id), surfaceBlocks);
+    put(message, own.data(), own.size());
   }
   const Message told = exchange.tellAll(message)[rankIndex(face.rank)];
-  std::string cell(told.size(), ' ');
-  MessageReader(told).get(cell.data(), cell.size());
-  return cell + " on rank " + std::to_string(face.rank);
+  std::string name(told.size(), ' ');
+  MessageReader(told).get(name.data(), name.size());
+  return surface.partition().isDistributed() ? name + " on rank " + std::to_string(face.rank)
+                                             : name;
 }
 
 std::vector<char> usedPoints(const std::vector<Chain>& chains, std::size_t numberOfPoints)
@@ -299,29 +290,6 @@ std::vector<char> usedPoints(const std::vector<Chain>& chains, std::size_t numbe
     }
   }
   return used;
-}
-
-/// \param firstPoint the number of the block's point 0 among those of all blocks.
-/// \throws SourceError
-void requireFinite(
-  const PolyDataBlock& block, std::size_t firstPoint, const std::vector<char>& used)
-{
-  std::vector<vtkIdType> bad;
-  for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
-  {
-    Vec3 p;
-    block.data->GetPoint(i, p.data());
-    if (used[firstPoint + static_cast<std::size_t>(i)] && !isFinite(p))
-    {
-      bad.push_back(i);
-    }
-  }
-  if (!bad.empty())
-  {
-    throw SourceError(capitalized(block.name) +
-      " has coordinates that are NaN or infinite, at point " + listIds(bad) +
-      ". Remove or repair these points upstream.");
-  }
 }
 
 }
@@ -354,7 +322,11 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
   const std::vector<char> used = usedPoints(chains, points.size());
   for (std::size_t i = 0; i < source.size(); ++i)
   {
-    requireFinite(source[i], firstPoints[i], used);
+    const std::string bad = whereNotFinite(source[i], used.data() + firstPoints[i]);
+    if (!bad.empty())
+    {
+      throw SourceError(bad);
+    }
   }
 
   result.polylines.reserve(chains.size());
@@ -380,46 +352,22 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
 
 void requireOutsideBarriers(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
-  double coordinatePrecision)
+  const LocatedPlaces& located, double coordinatePrecision)
 {
-  if (!surface.barriers())
+  if (!surface.hasBarriers())
   {
     return;
   }
-  for (const LocatedPolyline& line : polylines)
-  {
-    for (std::size_t i = 0; i < line.points.size(); ++i)
-    {
-      const Id face =
-        surface.barriers()->barrierAt(line.points[i], line.faces[i], coordinatePrecision);
-      if (face != NoId)
-      {
-        throw liesInBarrier(surface, line, i, cellOfBarrier(surface, surfaceBlocks, face));
-      }
-    }
-  }
-}
-
-void requireOutsideBarriers(const PolyDataSurface& surface,
-  const std::vector<PolyDataBlock>& surfaceBlocks, const SourceOnRanks& onRanks,
-  const std::vector<LocatedPolyline>& polylines, double coordinatePrecision)
-{
-  if (!surface.barriersOnRanks())
-  {
-    return;
-  }
-  const std::vector<Vec3>& places = onRanks.places();
   const std::vector<RankAddress> barriers =
-    surface.barriersOnRanks()->barriersAt(places, onRanks.facesAtPlaces(), coordinatePrecision);
+    surface.barriers()->barriersAt(located.places, located.faces, coordinatePrecision);
   for (const LocatedPolyline& line : polylines)
   {
     for (std::size_t i = 0; i < line.points.size(); ++i)
     {
-      const auto place = std::lower_bound(places.begin(), places.end(), line.points[i]);
-      const RankAddress& face = barriers[static_cast<std::size_t>(place - places.begin())];
+      const RankAddress& face = barriers[located.indexOf(line.points[i])];
       if (face.id != NoId)
       {
-        throw liesInBarrier(surface, line, i, cellOfBarrierOnRanks(surface, surfaceBlocks, face));
+        throw liesInBarrier(surface, line, i, nameOfBarrier(surface, surfaceBlocks, face));
       }
     }
   }

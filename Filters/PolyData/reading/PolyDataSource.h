@@ -4,7 +4,7 @@
 
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PowerOfTwoScale.h"
-#include "source/PolylineOnSurface.h"
+#include "source/PolylineLocator.h"
 
 #include "vtkType.h"
 
@@ -17,7 +17,6 @@ namespace geodesic
 {
 
 class PolyDataSurface;
-class SourceOnRanks;
 
 /// What was read of a source.
 struct SourcePolylines
@@ -43,22 +42,16 @@ struct SourcePolylines
 /// \throws SourceError where there is no point or one is not finite.
 SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale);
 
-/// Where a surface has barriers, makes sure that no point of a source lies in one: no path could
-/// leave it.
+/// Makes sure that no point of a source lies in a barrier: no path could leave it. All ranks call
+/// this together, and all throw.
 ///
 /// \param surfaceBlocks what the surface was made of, for the message.
+/// \param located the points of the polylines.
 /// \param coordinatePrecision relative precision of the points' coordinates.
 /// \throws SourceError that names the polyline, the point and the cell.
 void requireOutsideBarriers(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
-  double coordinatePrecision);
-
-/// The same where the surface is in pieces. All ranks call this together, and all throw.
-///
-/// \param onRanks to which the polylines were added.
-void requireOutsideBarriers(const PolyDataSurface& surface,
-  const std::vector<PolyDataBlock>& surfaceBlocks, const SourceOnRanks& onRanks,
-  const std::vector<LocatedPolyline>& polylines, double coordinatePrecision);
+  const LocatedPlaces& located, double coordinatePrecision);
 
 /// "point 3 of cell 2 of the source", "point 5 of the source" where it is a curve of its own.
 std::string nameOfPoint(const LocatedPolyline& line, std::size_t point);

@@ -15,58 +15,13 @@ vtkIdType SurfaceBlock::numberOfTriangles() const
   return this->triangles->GetNumberOfCells();
 }
 
-PolyDataSurface::PolyDataSurface(std::vector<Id> vertexOfPoint, std::vector<SurfaceBlock> blocks,
-  std::vector<TriangleRole> roles, const PowerOfTwoScale& scale, double diagonal,
-  const Report& report)
-  : vertexOfPoint_(std::move(vertexOfPoint))
-  , blocks_(std::move(blocks))
-  , roles_(std::move(roles))
-  , scale_(scale)
-  , diagonal_(diagonal)
-  , report_(report)
+PolyDataSurface::PolyDataSurface(SurfaceContents contents)
+  : contents_(std::move(contents))
 {
-  this->sortRoles();
-}
-
-PolyDataSurface::PolyDataSurface(std::unique_ptr<TriangleMesh> mesh,
-  std::unique_ptr<BarrierFaces> barriers, std::vector<Id> vertexOfPoint,
-  std::vector<SurfaceBlock> blocks, std::vector<TriangleRole> roles, const PowerOfTwoScale& scale,
-  double diagonal, const Report& report)
-  : PolyDataSurface(
-      std::move(vertexOfPoint), std::move(blocks), std::move(roles), scale, diagonal, report)
-{
-  this->mesh_ = std::move(mesh);
-  this->partition_ = std::make_unique<MeshPartition>(*this->mesh_);
-  this->barriers_ = std::move(barriers);
-}
-
-PolyDataSurface::PolyDataSurface(std::unique_ptr<MeshPartition> part,
-  std::unique_ptr<BarriersOnRanks> barriers, RemoteVertices borrowed, std::vector<Id> vertexOfPoint,
-  std::vector<SurfaceBlock> blocks, std::vector<TriangleRole> roles, const PowerOfTwoScale& scale,
-  double diagonal, const Report& report)
-  : PolyDataSurface(
-      std::move(vertexOfPoint), std::move(blocks), std::move(roles), scale, diagonal, report)
-{
-  this->partition_ = std::move(part);
-  this->borrowed_ = std::move(borrowed);
-  this->barriersOnRanks_ = std::move(barriers);
-}
-
-void PolyDataSurface::Report::add(const Report& other)
-{
-  for (vtkIdType Report::*count : { &Report::polygons, &Report::strips, &Report::droppedVertexCells,
-         &Report::droppedLineCells, &Report::facesWithRepeatedPoint, &Report::joinedSeamPoints,
-         &Report::duplicateFaces, &Report::zeroAreaFaces, &Report::isolatedPoints, &Report::edges })
+  const std::vector<TriangleRole>& roles = this->contents_.roles;
+  for (Id i = 0; i < roles.size(); ++i)
   {
-    this->*count += other.*count;
-  }
-}
-
-void PolyDataSurface::sortRoles()
-{
-  for (Id i = 0; i < this->roles_.size(); ++i)
-  {
-    switch (this->roles_[i])
+    switch (roles[i])
     {
       case TriangleRole::Open:
         this->openTriangles_.push_back(i);
@@ -81,115 +36,94 @@ void PolyDataSurface::sortRoles()
   }
 }
 
-std::unique_ptr<TriangleMesh> PolyDataSurface::meshWithBarriers(
-  const ProgressCallback& progress) const
+std::vector<RemoteVertex> PolyDataSurface::remoteVertices() const
 {
-  std::vector<Vec3> points;
-  points.reserve(this->mesh().numberOfVertices());
-  for (Id vertex = 0; vertex < this->mesh().numberOfVertices(); ++vertex)
+  const MeshPartition& partition = this->partition();
+  const auto own = [&](Id vertex)
   {
-    points.push_back(this->mesh().point(vertex));
-  }
-  std::vector<Triangle> triangles;
-  triangles.reserve(this->numberOfOwnTriangles());
-  for (Id i = 0; i < this->numberOfTriangles(); ++i)
+    return RemoteVertex{ partition.globalId(vertex), this->mesh().point(vertex),
+      { partition.exchange().rank(), vertex } };
+  };
+  std::vector<RemoteVertex> vertices =
+    this->contents_.remoteVertices.copies(RemoteVertex(), this->exchange(), own);
+  for (std::size_t i = 0; i < this->contents_.barrierVertices.size(); ++i)
   {
-    if (!this->isCopy(i))
+    const MeshPartition& barriers = this->barriers()->surface();
+    const Id vertex = this->contents_.barrierVertices[i];
+    if (vertex >= this->mesh().numberOfVertices())
     {
-      triangles.push_back(this->verticesOf(this->triangle(i)));
-    }
-  }
-  return std::make_unique<TriangleMesh>(std::move(points), triangles, progress);
-}
-
-PieceVertices PolyDataSurface::pieceVertices() const
-{
-  PieceVertices vertices;
-  const TriangleMesh& mesh = this->partition_->mesh();
-  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
-  {
-    vertices.numbers.push_back(this->partition_->globalId(vertex));
-    vertices.positions.push_back(mesh.point(vertex));
-  }
-  this->completeValues(NoId, vertices.numbers);
-  this->completeValues(Vec3{}, vertices.positions);
-  if (this->barriersOnRanks_)
-  {
-    const MeshPartition& barriers = this->barriersOnRanks_->part();
-    for (Id i = 0; i < barriers.numberOfOwnVertices(); ++i)
-    {
-      const Id vertex = this->barriersOnRanks_->vertices()[i];
-      if (vertices.numbers[vertex] == NoId)
+      RemoteVertex& remote = vertices[vertex - this->mesh().numberOfVertices()];
+      if (remote.globalId == NoId)
       {
-        vertices.numbers[vertex] =
-          this->partition_->numberOfGlobalVertices() + barriers.globalId(i);
-        vertices.positions[vertex] = barriers.mesh().point(i);
+        const auto own = static_cast<Id>(i);
+        remote.globalId = partition.numberOfGlobalVertices() + barriers.globalId(own);
+        remote.position = barriers.mesh().point(own);
       }
     }
   }
   return vertices;
 }
 
-std::unique_ptr<MeshPartition> PolyDataSurface::partWithBarriers(
-  std::vector<Id>& numbers, const ProgressCallback& progress) const
+MeshPartition PolyDataSurface::partitionWithBarriers(
+  std::vector<Id>& globalIds, const ProgressCallback& progress) const
 {
-  const PieceVertices all = this->pieceVertices();
-  std::vector<Id> own(all.numbers.size(), NoId);
-  std::vector<Vec3> points;
   std::vector<Triangle> triangles;
-  numbers.clear();
+  triangles.reserve(this->numberOfTriangles() - this->numberOfCopies_);
   for (Id i = 0; i < this->numberOfTriangles(); ++i)
   {
-    if (this->isCopy(i))
+    if (!this->isCopy(i))
     {
-      continue;
+      triangles.push_back(this->verticesAt(i));
     }
-    Triangle triangle = this->verticesOf(this->triangle(i));
-    for (Id& vertex : triangle)
-    {
-      if (own[vertex] == NoId)
-      {
-        own[vertex] = static_cast<Id>(points.size());
-        points.push_back(all.positions[vertex]);
-        numbers.push_back(all.numbers[vertex]);
-      }
-      vertex = own[vertex];
-    }
-    triangles.push_back(triangle);
   }
-  const std::vector<std::uint64_t> keys(numbers.begin(), numbers.end());
-  return std::make_unique<MeshPartition>(
-    std::move(points), std::move(triangles), keys, this->partition_->exchange(), progress);
+  const std::vector<RemoteVertex> remote = this->remoteVertices();
+  const Id inMesh = this->mesh().numberOfVertices();
+  std::vector<Vec3> points;
+  globalIds.clear();
+  for (const Id vertex : numberUsedVertices(triangles, inMesh + remote.size()))
+  {
+    const bool isRemote = vertex >= inMesh;
+    points.push_back(isRemote ? remote[vertex - inMesh].position : this->mesh().point(vertex));
+    globalIds.push_back(
+      isRemote ? remote[vertex - inMesh].globalId : this->partition().globalId(vertex));
+  }
+  const std::vector<std::uint64_t> keys(globalIds.begin(), globalIds.end());
+  return { std::move(points), std::move(triangles), keys, this->exchange(), progress };
 }
 
 void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)
 {
-  for (std::size_t i = 0; i < this->blocks_.size(); ++i)
+  for (std::size_t i = 0; i < this->contents_.blocks.size(); ++i)
   {
-    if (this->blocks_[i].areInputCells)
+    if (this->contents_.blocks[i].areInputCells)
     {
-      this->blocks_[i].triangles = inputs[i].data->GetPolys();
+      this->contents_.blocks[i].triangles = inputs[i].data->GetPolys();
     }
   }
 }
 
 Id PolyDataSurface::numberOfPoints() const
 {
-  return this->blocks_.empty()
+  return this->contents_.blocks.empty()
     ? 0
-    : this->blocks_.back().firstPoint + this->blocks_.back().numberOfPoints;
+    : this->contents_.blocks.back().firstPoint + this->contents_.blocks.back().numberOfPoints;
 }
 
 Id PolyDataSurface::numberOfTriangles() const
 {
-  return this->blocks_.empty() ? 0
-                               : this->blocks_.back().firstTriangle +
-      static_cast<Id>(this->blocks_.back().numberOfTriangles());
+  return this->contents_.blocks.empty() ? 0
+                                        : this->contents_.blocks.back().firstTriangle +
+      static_cast<Id>(this->contents_.blocks.back().numberOfTriangles());
+}
+
+std::uint64_t PolyDataSurface::countTrianglesOfAllRanks() const
+{
+  return sumOverRanks(this->exchange(), this->numberOfTriangles() - this->numberOfCopies_).all;
 }
 
 Triangle PolyDataSurface::triangle(Id triangle) const
 {
-  const SurfaceBlock& block = this->blocks_[this->blockOfTriangle(triangle)];
+  const SurfaceBlock& block = this->contents_.blocks[this->blockOfTriangle(triangle)];
   vtkIdType size = 0;
   const vtkIdType* points = nullptr;
   block.triangles->GetCellAtId(triangle - block.firstTriangle, size, points);
@@ -200,31 +134,53 @@ Triangle PolyDataSurface::triangle(Id triangle) const
 // Empty blocks begin where the next one does: the last of those that begin there is meant.
 std::size_t PolyDataSurface::blockOfPoint(Id point) const
 {
-  const auto next = std::upper_bound(this->blocks_.begin(), this->blocks_.end(), point,
-    [](Id id, const SurfaceBlock& block) { return id < block.firstPoint; });
-  return static_cast<std::size_t>(next - this->blocks_.begin()) - 1;
+  const auto next = std::upper_bound(this->contents_.blocks.begin(), this->contents_.blocks.end(),
+    point, [](Id id, const SurfaceBlock& block) { return id < block.firstPoint; });
+  return static_cast<std::size_t>(next - this->contents_.blocks.begin()) - 1;
 }
 
 std::size_t PolyDataSurface::blockOfTriangle(Id triangle) const
 {
-  const auto next = std::upper_bound(this->blocks_.begin(), this->blocks_.end(), triangle,
-    [](Id id, const SurfaceBlock& block) { return id < block.firstTriangle; });
-  return static_cast<std::size_t>(next - this->blocks_.begin()) - 1;
+  const auto next = std::upper_bound(this->contents_.blocks.begin(), this->contents_.blocks.end(),
+    triangle, [](Id id, const SurfaceBlock& block) { return id < block.firstTriangle; });
+  return static_cast<std::size_t>(next - this->contents_.blocks.begin()) - 1;
 }
 
-std::string listIds(const std::vector<vtkIdType>& ids)
+std::string PolyDataSurface::nameOfCell(Id triangle, const std::vector<PolyDataBlock>& inputs) const
 {
-  const std::size_t shown = std::min<std::size_t>(ids.size(), 5);
-  std::string text;
-  for (std::size_t i = 0; i < shown; ++i)
+  const std::size_t index = this->blockOfTriangle(triangle);
+  const SurfaceBlock& block = this->blocks()[index];
+  return "cell " + std::to_string(block.inputCell(triangle - block.firstTriangle)) + " of " +
+    inputs[index].name;
+}
+
+std::vector<Id> numberUsedVertices(std::vector<Triangle>& triangles, std::size_t numberOfVertices)
+{
+  std::vector<Id> numbers(triangles.empty() ? 0 : numberOfVertices, NoId);
+  for (const Triangle& triangle : triangles)
   {
-    text += (i == 0 ? "" : ", ") + std::to_string(ids[i]);
+    for (const Id vertex : triangle)
+    {
+      numbers[vertex] = 0;
+    }
   }
-  if (ids.size() > shown)
+  std::vector<Id> used;
+  for (Id vertex = 0; vertex < numbers.size(); ++vertex)
   {
-    text += " and " + std::to_string(ids.size() - shown) + " more";
+    if (numbers[vertex] != NoId)
+    {
+      numbers[vertex] = static_cast<Id>(used.size());
+      used.push_back(vertex);
+    }
   }
-  return text;
+  for (Triangle& triangle : triangles)
+  {
+    for (Id& vertex : triangle)
+    {
+      vertex = numbers[vertex];
+    }
+  }
+  return used;
 }
 
 }

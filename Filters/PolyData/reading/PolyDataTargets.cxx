@@ -21,19 +21,14 @@ constexpr double Located = 0.8;
 void addPoints(
   const PolyDataBlock& block, const PowerOfTwoScale& scale, std::vector<LocatedPolyline>& points)
 {
-  std::vector<vtkIdType> bad;
+  const std::string bad = whereNotFinite(block);
   for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
   {
     Vec3 p;
     block.data->GetPoint(i, p.data());
-    if (!isFinite(p))
-    {
-      bad.push_back(i);
-      continue;
-    }
     LocatedPolyline& point = points.emplace_back();
     point.points = { scale.toEngine(p) };
-    if (!(norm(point.points.front()) < Infinity))
+    if (isFinite(p) && !(norm(point.points.front()) < Infinity))
     {
       throw InputError("Point " + std::to_string(i) + " of " + block.name +
         " is too far from the surface for its size. Scale or move it upstream.");
@@ -41,9 +36,7 @@ void addPoints(
   }
   if (!bad.empty())
   {
-    throw InputError(capitalized(block.name) +
-      " has coordinates that are NaN or infinite, at point " + listIds(bad) +
-      ". Remove or repair these points upstream.");
+    throw InputError(bad);
   }
 }
 
@@ -63,23 +56,49 @@ std::vector<LocatedPolyline> readPoints(
   return points;
 }
 
+/// Where a rank would put a target.
+struct OwnPlace
+{
+  SnappedPoint point;
+  /// The rank with the least has the target.
+  double order = Infinity;
+};
+
 /// Of equally close faces the one in which the point lies on a vertex, or else on an edge, and else
 /// the first: what putOntoSurface() does with a single point.
-SnappedPoint snapped(
-  const TriangleMesh& mesh, const LocatedPolyline& point, double coordinatePrecision)
+OwnPlace snapToOwnFace(const MeshPartition& surface, const Vec3& point,
+  const std::vector<ClosestFace>& closest, double coordinatePrecision)
 {
-  SnappedPoint best;
-  bool isFirst = true;
-  for (const Id face : point.faces.front())
+  OwnPlace best;
+  for (std::size_t k = 0; k < closest.size(); ++k)
   {
-    const SnappedPoint here = snapToFace(mesh, face, point.points.front(), coordinatePrecision);
-    if (isFirst || here.place.kind < best.place.kind)
+    if (closest[k].face.rank == surface.exchange().rank())
     {
-      best = here;
+      const SnappedPoint here =
+        snapToFace(surface.mesh(), closest[k].face.id, point, coordinatePrecision);
+      const auto kind = static_cast<std::size_t>(here.place.kind);
+      const auto order = static_cast<double>(kind * closest.size() + k);
+      best = order < best.order ? OwnPlace{ here, order } : best;
     }
-    isFirst = false;
   }
   return best;
+}
+
+/// For each place whether it lies in a barrier.
+std::vector<bool> areInBarriers(
+  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
+{
+  std::vector<bool> areInside(located.places.size(), false);
+  if (surface.hasBarriers())
+  {
+    const std::vector<RankAddress> barriers =
+      surface.barriers()->barriersAt(located.places, located.faces, coordinatePrecision);
+    for (std::size_t i = 0; i < barriers.size(); ++i)
+    {
+      areInside[i] = barriers[i].id != NoId;
+    }
+  }
+  return areInside;
 }
 
 }
@@ -87,82 +106,34 @@ SnappedPoint snapped(
 Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
   const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress)
 {
-  std::vector<LocatedPolyline> points = readPoints(blocks, name, surface.scale());
+  const std::vector<LocatedPolyline> points = readPoints(blocks, name, surface.scale());
   const double precision = snapOptionsFor(blocks).coordinatePrecision;
-  locator.locate(points, precision,
+  const LocatedPlaces located = locator.locate(points, precision,
     [&progress](double fraction) { return !progress || progress(Located * fraction); });
-  Targets targets;
-  targets.count = points.size();
+  const std::vector<bool> areInside = areInBarriers(surface, located, precision);
   LoopProgress loop(progress);
   loop.nextUntil(Located);
   loop.nextUntil(1.0);
-  for (std::size_t i = 0; i < points.size(); ++i)
+  std::vector<OwnPlace> own;
+  std::vector<double> orders;
+  for (std::size_t i = 0; i < located.places.size(); ++i)
   {
-    loop.at(i, points.size());
-    if (surface.barriers() &&
-      surface.barriers()->barrierAt(points[i].points.front(), points[i].faces.front(), precision) !=
-        NoId)
-    {
-      continue;
-    }
-    const SnappedPoint point = snapped(surface.mesh(), points[i], precision);
-    targets.numbers.push_back(i);
-    targets.places.push_back(point.place);
-    targets.snapDistances.push_back(point.distance);
+    loop.at(i, located.places.size());
+    own.push_back(
+      snapToOwnFace(surface.partition(), located.places[i], located.faces[i], precision));
+    orders.push_back(own.back().order);
   }
-  return targets;
-}
-
-Targets readTargetsOfPiece(const std::vector<PolyDataBlock>& blocks, const std::string& name,
-  const PolyDataSurface& surface, LocatorOnRanks& locator, const ProgressCallback& progress)
-{
-  std::vector<LocatedPolyline> points = readPoints(blocks, name, surface.scale());
-  const double precision = snapOptionsFor(blocks).coordinatePrecision;
-  std::vector<Vec3> places;
-  for (const LocatedPolyline& point : points)
-  {
-    places.push_back(point.points.front());
-  }
-  const std::vector<std::vector<LocatorOnRanks::Found>> found =
-    locator.locate(places, precision, progress);
-  const MeshPartition& part = surface.partition();
-  const std::vector<RankAddress> barriers = surface.barriersOnRanks()
-    ? surface.barriersOnRanks()->barriersAt(places, found, precision)
-    : std::vector<RankAddress>(places.size(), RankAddress{ -1, NoId });
+  surface.exchange().findLeast(orders);
   Targets targets;
   targets.count = points.size();
-  // A target's face is the one that snapped() takes: vertices come first, then edges. The rank that
-  // owns it has the target.
-  std::vector<double> best(points.size(), Infinity);
-  std::vector<SnappedPoint> own(points.size());
-  std::vector<double> ranked(points.size(), Infinity);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    for (std::size_t k = 0; k < found[i].size(); ++k)
-    {
-      const RankAddress& face = found[i][k].face;
-      if (face.rank == part.exchange().rank())
-      {
-        const SnappedPoint here = snapToFace(part.mesh(), face.id, places[i], precision);
-        const double order =
-          static_cast<double>(static_cast<std::size_t>(here.place.kind) * found[i].size() + k);
-        if (order < ranked[i])
-        {
-          ranked[i] = order;
-          own[i] = here;
-        }
-      }
-    }
-    best[i] = ranked[i];
-  }
-  part.exchange().findLeast(best);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (ranked[i] == best[i] && best[i] < Infinity && barriers[i].id == NoId)
+    const std::size_t place = located.indexOf(points[i].points.front());
+    if (own[place].order < Infinity && own[place].order == orders[place] && !areInside[place])
     {
       targets.numbers.push_back(i);
-      targets.places.push_back(own[i].place);
-      targets.snapDistances.push_back(own[i].distance);
+      targets.places.push_back(own[place].point.place);
+      targets.snapDistances.push_back(own[place].point.distance);
     }
   }
   return targets;

@@ -3,7 +3,6 @@
 #define geodesic_PolyDataTargets_h
 
 #include "PolyData/PolyDataBlocks.h"
-#include "PolyData/ranks/SourceOnRanks.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "mesh/SurfacePoint.h"
 #include "source/PolylineLocator.h"
@@ -18,7 +17,8 @@ struct Targets
 {
   /// How many there are.
   std::size_t count = 0;
-  /// The numbers of those that paths may reach; points that lie in a barrier are left out.
+  /// The numbers of those that paths may reach and whose faces this rank owns. Points that lie in a
+  /// barrier are left out.
   std::vector<std::size_t> numbers;
   /// Of these.
   std::vector<SurfacePoint> places;
@@ -27,19 +27,14 @@ struct Targets
 };
 
 /// Puts every point of all blocks onto the closest point of the surface, and onto a vertex or an
-/// edge when within the precision of the coordinates: the same place as for a source that is one
-/// point.
+/// edge if one is within the precision of the coordinates: the same place as for a source that is
+/// one point. All ranks call this together, with the same points; each target goes to one rank.
 ///
 /// \param name as messages call the input: "the set of targets (input port 2)".
 /// \param progress called now and then with a fraction done; returning false throws Aborted.
-/// \throws InputError where there is no point, or one is not finite or too far away; Aborted.
+/// \throws InputError if there is no point, or one is not finite or too far away; Aborted.
 Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
   const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress);
-
-/// The same for a surface that ranks have in pieces, which all call this together with the same
-/// points: each gets the targets whose places are in faces that it owns, a target one rank.
-Targets readTargetsOfPiece(const std::vector<PolyDataBlock>& blocks, const std::string& name,
-  const PolyDataSurface& surface, LocatorOnRanks& locator, const ProgressCallback& progress);
 
 }
 

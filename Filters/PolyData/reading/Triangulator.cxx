@@ -10,12 +10,12 @@
 namespace geodesic
 {
 
-Triangulator::Triangulator(const PolyDataBlock& block, Id firstPoint,
-  const std::vector<Id>& vertexOfPoint, TriangleList& triangles)
+Triangulator::Triangulator(
+  const PolyDataBlock& block, Id firstPoint, const VertexOfPoint& vertexOf, TriangleList& triangles)
   : block_(block)
   , points_(block.data->GetPoints())
   , firstPoint_(firstPoint)
-  , vertexOfPoint_(vertexOfPoint)
+  , vertexOfPoint_(vertexOf)
   , triangles_(triangles)
 {
 }
@@ -31,7 +31,6 @@ void Triangulator::addPolygon(const Cell& cell, vtkIdType size, const vtkIdType*
     return;
   }
   this->hasOtherCells_ = true;
-  this->report_.polygons += cell.isDuplicate ? 0 : 1;
   this->outline_.clear();
   for (vtkIdType i = 0; i < size; ++i)
   {
@@ -52,7 +51,6 @@ void Triangulator::addStrip(const Cell& cell, vtkIdType size, const vtkIdType* i
 {
   this->check(cell, size, ids);
   this->hasOtherCells_ = true;
-  this->report_.strips += cell.isDuplicate ? 0 : 1;
   for (vtkIdType i = 0; i + 2 < size; ++i)
   {
     const vtkIdType odd = i % 2;
@@ -76,22 +74,20 @@ void Triangulator::check(const Cell& cell, vtkIdType size, const vtkIdType* ids)
 
 void Triangulator::addTriangle(const Cell& cell, vtkIdType a, vtkIdType b, vtkIdType c)
 {
-  const Id va = this->vertexOf(a);
-  const Id vb = this->vertexOf(b);
-  const Id vc = this->vertexOf(c);
-  if (va == vb || vb == vc || vc == va)
+  const Triangle points = { this->pointOf(a), this->pointOf(b), this->pointOf(c) };
+  if (!hasThreeVertices(this->vertexOfPoint_(points)))
   {
     this->leaveOut(cell);
     return;
   }
-  this->triangles_.corners.push_back({ this->pointOf(a), this->pointOf(b), this->pointOf(c) });
+  this->triangles_.corners.push_back(points);
   this->triangles_.cells.push_back(cell.number);
   this->triangles_.isDuplicate.push_back(cell.isDuplicate);
 }
 
 void Triangulator::leaveOut(const Cell& cell)
 {
-  this->report_.facesWithRepeatedPoint += cell.isDuplicate ? 0 : 1;
+  this->facesWithRepeatedPoint_ += cell.isDuplicate ? 0 : 1;
 }
 
 void Triangulator::cutEars(const Cell& cell)

@@ -3,11 +3,13 @@
 #define geodesic_Triangulator_h
 
 #include "PolyData/PolyDataBlocks.h"
-#include "Types.h"
+#include "PolyData/reading/VertexOfPoint.h"
 
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 class vtkIdList;
@@ -24,8 +26,37 @@ struct TriangleList
   std::vector<Triangle> corners;
   /// The cell of its block that each triangle came from.
   std::vector<vtkIdType> cells;
-  /// Whether that cell is marked as a duplicate by a ghost array.
+  /// Whether a ghost array marks that cell as a duplicate.
   std::vector<bool> isDuplicate;
+  /// The first triangle of each block, then the number of all.
+  std::vector<std::size_t> firstOfBlock;
+
+  bool hasDuplicates() const
+  {
+    return std::find(this->isDuplicate.begin(), this->isDuplicate.end(), true) !=
+      this->isDuplicate.end();
+  }
+
+  /// Calls visit(first, last) for each cell that has triangles, in their order: with its first
+  /// triangle and the one after its last.
+  template <typename Visit>
+  void forEachCell(Visit&& visit) const
+  {
+    for (std::size_t block = 0; block + 1 < this->firstOfBlock.size(); ++block)
+    {
+      const std::size_t end = this->firstOfBlock[block + 1];
+      for (std::size_t first = this->firstOfBlock[block]; first < end;)
+      {
+        std::size_t last = first + 1;
+        while (last < end && this->cells[last] == this->cells[first])
+        {
+          ++last;
+        }
+        visit(first, last);
+        first = last;
+      }
+    }
+  }
 };
 
 /// Collects the triangles of one block's cells, without those that have two corners at one vertex.
@@ -34,14 +65,13 @@ class Triangulator
 public:
   /// \param block whose cells are to be added.
   /// \param firstPoint the number of the block's point 0 among those of all blocks.
-  /// \param vertexOfPoint which vertex each point of all blocks is; empty where each is its own.
-  /// \param triangles to which triangles are added; like vertexOfPoint it must outlive this.
-  Triangulator(const PolyDataBlock& block, Id firstPoint, const std::vector<Id>& vertexOfPoint,
+  /// \param triangles to which triangles are added; like vertexOf it must outlive this.
+  Triangulator(const PolyDataBlock& block, Id firstPoint, const VertexOfPoint& vertexOf,
     TriangleList& triangles);
   ~Triangulator();
 
-  /// A cell's number in its block, and whether a ghost array marks it as a duplicate: it is not
-  /// counted then.
+  /// A cell's number in its block, and whether a ghost array marks it as a duplicate, which is not
+  /// counted.
   struct Cell
   {
     vtkIdType number;
@@ -54,25 +84,14 @@ public:
   void addPolygon(const Cell& cell, vtkIdType size, const vtkIdType* ids);
   void addStrip(const Cell& cell, vtkIdType size, const vtkIdType* ids);
 
-  /// What was added, without duplicates.
-  struct Report
-  {
-    vtkIdType polygons = 0;
-    vtkIdType strips = 0;
-    /// Faces with two corners at one vertex, which were left out.
-    vtkIdType facesWithRepeatedPoint = 0;
-  };
-  const Report& report() const { return this->report_; }
+  /// How many faces with two corners at one vertex were left out, duplicates not counted.
+  vtkIdType facesWithRepeatedPoint() const { return this->facesWithRepeatedPoint_; }
   /// Whether there was a cell other than a triangle, duplicate or not.
   bool hasOtherCells() const { return this->hasOtherCells_; }
 
 private:
   Id pointOf(vtkIdType id) const { return this->firstPoint_ + static_cast<Id>(id); }
-  Id vertexOf(vtkIdType id) const
-  {
-    return this->vertexOfPoint_.empty() ? this->pointOf(id)
-                                        : this->vertexOfPoint_[this->pointOf(id)];
-  }
+  Id vertexOf(vtkIdType id) const { return this->vertexOfPoint_(this->pointOf(id)); }
   void check(const Cell& cell, vtkIdType size, const vtkIdType* ids) const;
   void addTriangle(const Cell& cell, vtkIdType a, vtkIdType b, vtkIdType c);
   void leaveOut(const Cell& cell);
@@ -83,9 +102,9 @@ private:
   const PolyDataBlock& block_;
   vtkPoints* points_;
   Id firstPoint_;
-  const std::vector<Id>& vertexOfPoint_;
+  const VertexOfPoint& vertexOfPoint_;
   TriangleList& triangles_;
-  Report report_;
+  vtkIdType facesWithRepeatedPoint_ = 0;
   bool hasOtherCells_ = false;
   std::vector<vtkIdType> outline_;
   vtkNew<vtkPolygon> polygon_;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/writing/GlobalFaces.h"
 
+#include "Questions.h"
+
 #include <algorithm>
-#include <utility>
 
 namespace geodesic
 {
@@ -18,85 +19,67 @@ bool hasAll(const Triangle& face, const Triangle& wanted)
 
 }
 
-Id FaceOfWhole::cornerAt(Id vertex) const
+Id GlobalFace::cornerAt(Id vertex) const
 {
   return static_cast<Id>(
     std::find(this->vertices.begin(), this->vertices.end(), vertex) - this->vertices.begin());
 }
 
-Id FaceOfWhole::edgeOn(const Triangle& edge) const
+Id GlobalFace::edgeBetween(Id a, Id b) const
 {
-  Id k = 0;
-  while (std::find(edge.begin(), edge.end(), this->vertices[(k + 2) % 3]) != edge.end())
-  {
-    ++k;
-  }
-  return k;
+  const Id k = this->cornerAt(a);
+  return this->vertices[(k + 1) % 3] == b ? k : (k + 2) % 3;
 }
 
 GlobalFaces::GlobalFaces(const PolyDataSurface& surface)
-  : part_(surface.partition())
-  , vertices_(surface.pieceVertices())
+  : surface_(surface.partition())
+  , remote_(surface.remoteVertices())
 {
-  const TriangleMesh& mesh = surface.mesh();
-  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  const Id end = surface.mesh().numberOfVertices();
+  for (Id vertex = this->surface_.numberOfOwnVertices(); vertex < end; ++vertex)
   {
-    this->holders_.push_back({ this->part_.exchange().rank(), vertex });
+    this->haloVertices_.emplace(this->surface_.globalId(vertex), vertex);
   }
-  for (Id vertex = this->part_.numberOfOwnVertices(); vertex < mesh.numberOfVertices(); ++vertex)
-  {
-    this->haloVertices_.emplace(this->vertices_.numbers[vertex], vertex);
-  }
-  surface.completeValues(RankAddress{ -1, NoId }, this->holders_);
 }
 
-std::vector<FaceOfWhole> GlobalFaces::find(const std::vector<Triangle>& vertices) const
+std::vector<GlobalFace> GlobalFaces::find(const std::vector<Triangle>& vertices) const
 {
-  std::vector<FaceOfWhole> faces;
+  std::vector<GlobalFace> faces;
   faces.reserve(vertices.size());
-  std::vector<Message> questions = this->part_.exchange().noMessages();
-  std::vector<std::vector<std::size_t>> asked(questions.size());
+  Questions questions(this->surface_.exchange());
   for (const Triangle& wanted : vertices)
   {
     faces.push_back(this->findHere(wanted));
-    const RankAddress holder = this->otherHolder(wanted);
-    if (!faces.back().isThere() && holder.id != NoId)
+    const RemoteVertex* held = this->heldElsewhere(wanted);
+    if (!faces.back().isThere() && held)
     {
-      const auto rank = rankIndex(holder.rank);
-      put(questions[rank], holder.id);
-      put(questions[rank], this->numbersOf(wanted));
-      asked[rank].push_back(faces.size() - 1);
+      questions.ask(held->holder.rank, faces.size() - 1, held->holder.id, this->globalIds(wanted));
     }
   }
-  std::vector<std::size_t> next(asked.size(), 0);
-  readEach(this->part_.exchange().step(this->answer(std::move(questions))),
-    [&](int rank, MessageReader& reader)
+  questions.exchangeAnswers(
+    [this](MessageReader& question, Message& answer)
     {
-      const auto from = rankIndex(rank);
-      faces[asked[from][next[from]++]] = reader.get<FaceOfWhole>();
-    });
+      const Id vertex = question.get<Id>();
+      put(answer, this->findAround(vertex, question.get<Triangle>()));
+    },
+    [&faces](std::size_t i, MessageReader& answer) { faces[i] = answer.get<GlobalFace>(); });
   return faces;
 }
 
-FaceOfWhole GlobalFaces::faceOfWhole(Id face) const
+/// A face of the mesh here, owned or not.
+GlobalFace GlobalFaces::findHere(const Triangle& vertices) const
 {
-  return { this->part_.addressOf(face), this->numbersOf(this->part_.mesh().triangle(face)) };
-}
-
-/// A face of the part's mesh, owned or not.
-FaceOfWhole GlobalFaces::findHere(const Triangle& vertices) const
-{
-  const Triangle wanted = this->numbersOf(vertices);
-  for (const Id vertex : vertices)
+  const Triangle wanted = this->globalIds(vertices);
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    if (vertex < this->part_.mesh().numberOfVertices())
+    if (!this->isRemote(vertices[k]))
     {
-      return this->findAround(vertex, wanted); // the part has all faces around
+      return this->findAround(vertices[k], wanted); // the mesh has all faces around
     }
-    const auto halo = this->haloVertices_.find(this->vertices_.numbers[vertex]);
+    const auto halo = this->haloVertices_.find(wanted[k]);
     if (halo != this->haloVertices_.end())
     {
-      const FaceOfWhole found = this->findAround(halo->second, wanted);
+      const GlobalFace found = this->findAround(halo->second, wanted);
       if (found.isThere())
       {
         return found;
@@ -106,46 +89,32 @@ FaceOfWhole GlobalFaces::findHere(const Triangle& vertices) const
   return {};
 }
 
-FaceOfWhole GlobalFaces::findAround(Id vertex, const Triangle& wanted) const
+GlobalFace GlobalFaces::findAround(Id vertex, const Triangle& wanted) const
 {
-  FaceOfWhole found;
-  for (const Id corner : this->part_.mesh().cornersAt(vertex))
+  GlobalFace found;
+  for (const Id corner : this->surface_.mesh().cornersAt(vertex))
   {
     const Id face = TriangleMesh::faceOf(corner);
-    if ((!found.isThere() || this->part_.isOwn(face)) &&
-      hasAll(this->numbersOf(this->part_.mesh().triangle(face)), wanted))
+    const Triangle vertices = this->globalIds(this->surface_.mesh().triangle(face));
+    if ((!found.isThere() || this->surface_.isOwn(face)) && hasAll(vertices, wanted))
     {
-      found = this->faceOfWhole(face);
+      found = { this->surface_.addressOf(face), vertices };
     }
   }
   return found;
 }
 
-/// A rank that owns faces at one of the vertices, where that is another one, and the vertex's
-/// number there: it has all faces around it.
-RankAddress GlobalFaces::otherHolder(const Triangle& vertices) const
+/// A vertex with faces on another rank, which has all faces around it.
+const RemoteVertex* GlobalFaces::heldElsewhere(const Triangle& vertices) const
 {
   for (const Id vertex : vertices)
   {
-    if (this->holders_[vertex].rank >= 0 &&
-      this->holders_[vertex].rank != this->part_.exchange().rank())
+    if (this->isRemote(vertex) && this->hasFace(vertex))
     {
-      return this->holders_[vertex];
+      return &this->remote(vertex);
     }
   }
-  return { -1, NoId };
-}
-
-std::vector<Message> GlobalFaces::answer(std::vector<Message> questions) const
-{
-  std::vector<Message> answers = this->part_.exchange().noMessages();
-  readEach(this->part_.exchange().step(std::move(questions)),
-    [&](int rank, MessageReader& reader)
-    {
-      const Id vertex = reader.get<Id>();
-      put(answers[rankIndex(rank)], this->findAround(vertex, reader.get<Triangle>()));
-    });
-  return answers;
+  return nullptr;
 }
 
 }

@@ -10,22 +10,20 @@
 namespace geodesic
 {
 
-/// A face of the mesh of the whole surface, and its corners' vertices by PieceVertices::numbers.
-struct FaceOfWhole
+/// A face of the mesh of the whole surface, and the global numbers of the vertices at its corners.
+struct GlobalFace
 {
   RankAddress address{ -1, NoId };
   Triangle vertices{ NoId, NoId, NoId };
 
   bool isThere() const { return this->address.id != NoId; }
-  /// Which of its corners is at a vertex; 3 where none is.
+  /// Which of its corners is at a vertex; 3 if none is.
   Id cornerAt(Id vertex) const;
-  /// Which of its edges is the one that was asked for.
-  ///
-  /// \param edge the numbers of GlobalFaces::edge().
-  Id edgeOn(const Triangle& edge) const;
+  /// Which of its edges has these vertices.
+  Id edgeBetween(Id a, Id b) const;
 };
 
-/// Finds the faces, of any rank, at vertices of a piece.
+/// Finds the faces, of any rank, at vertices of this rank's points.
 class GlobalFaces
 {
 public:
@@ -35,29 +33,45 @@ public:
   /// What to ask for to find a face at an edge.
   static Triangle edge(Id a, Id b) { return { a, b, b }; }
 
-  /// For each three vertices a face that has all of them. Of several at an edge it is one that this
-  /// rank owns, where there is such a one.
-  std::vector<FaceOfWhole> find(const std::vector<Triangle>& vertices) const;
+  /// For each three vertices a face that has all of them. Of several faces at an edge one that this
+  /// rank owns, if there is one.
+  std::vector<GlobalFace> find(const std::vector<Triangle>& vertices) const;
 
-  Triangle numbersOf(const Triangle& vertices) const
+  /// Of a vertex that PolyDataSurface::vertexOf() names: RemoteVertex::globalId, or that of the
+  /// mesh, where it lies, and whether it has a face.
+  Id globalId(Id vertex) const
   {
-    const std::vector<Id>& numbers = this->vertices_.numbers;
-    return { numbers[vertices[0]], numbers[vertices[1]], numbers[vertices[2]] };
+    return this->isRemote(vertex) ? this->remote(vertex).globalId : this->surface_.globalId(vertex);
   }
-  const Vec3& position(Id vertex) const { return this->vertices_.positions[vertex]; }
+  Triangle globalIds(const Triangle& vertices) const
+  {
+    return { this->globalId(vertices[0]), this->globalId(vertices[1]),
+      this->globalId(vertices[2]) };
+  }
+  const Vec3& position(Id vertex) const
+  {
+    return this->isRemote(vertex) ? this->remote(vertex).position
+                                  : this->surface_.mesh().point(vertex);
+  }
+  bool hasFace(Id vertex) const
+  {
+    return this->isRemote(vertex) ? this->remote(vertex).holder.id != NoId
+                                  : this->surface_.mesh().cornersAt(vertex).size() > 0;
+  }
 
 private:
-  FaceOfWhole faceOfWhole(Id face) const;
-  FaceOfWhole findHere(const Triangle& vertices) const;
-  FaceOfWhole findAround(Id vertex, const Triangle& wanted) const;
-  RankAddress otherHolder(const Triangle& vertices) const;
-  std::vector<Message> answer(std::vector<Message> questions) const;
+  bool isRemote(Id vertex) const { return vertex >= this->surface_.mesh().numberOfVertices(); }
+  const RemoteVertex& remote(Id vertex) const
+  {
+    return this->remote_[vertex - this->surface_.mesh().numberOfVertices()];
+  }
+  GlobalFace findHere(const Triangle& vertices) const;
+  GlobalFace findAround(Id vertex, const Triangle& wanted) const;
+  const RemoteVertex* heldElsewhere(const Triangle& vertices) const;
 
-  const MeshPartition& part_;
-  /// Of each vertex that PolyDataSurface::vertexOf() names: what it is in the whole, and who owns
-  /// faces there.
-  PieceVertices vertices_;
-  std::vector<RankAddress> holders_;
+  const MeshPartition& surface_;
+  std::vector<RemoteVertex> remote_;
+  /// By their global numbers.
   std::unordered_map<Id, Id> haloVertices_;
 };
 

@@ -117,7 +117,7 @@ void SourceArrays::completeValues(SourceValues& atVertices) const
 
 void SourceArrays::replaceAtSeams(const SeamPoints& seams, SourceValues& atNewPoints) const
 {
-  Exchange& exchange = this->surface_.partition().exchange();
+  Exchange& exchange = this->surface_.exchange();
   const BorrowedValues told(seams.there, exchange);
   this->forEachKind(
     [&](auto kind, const auto&) { told.replace(seams.here, atNewPoints.*kind, exchange); });
@@ -126,7 +126,7 @@ void SourceArrays::replaceAtSeams(const SeamPoints& seams, SourceValues& atNewPo
 void SourceArrays::appendCopies(
   const std::vector<RankAddress>& copied, SourceValues& atNewPoints) const
 {
-  Exchange& exchange = this->surface_.partition().exchange();
+  Exchange& exchange = this->surface_.exchange();
   const BorrowedValues copies(copied, exchange);
   this->forEachKind(
     [&](auto kind, const auto& none) { copies.append(none, atNewPoints.*kind, exchange); });
@@ -322,14 +322,9 @@ void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBloc
       "it, or switch " +
       property + " off.");
   }
-  const Id triangle = surface.triangleOf(face);
-  const std::size_t index = surface.blockOfTriangle(triangle);
-  const SurfaceBlock& block = surface.blocks()[index];
   throw MeshError(property +
-    " needs a surface whose faces have one orientation and whose edges have at most two faces: "
-    "cell " +
-    std::to_string(block.inputCell(static_cast<vtkIdType>(triangle - block.firstTriangle))) +
-    " of " + inputs[index].name +
+    " needs a surface whose faces have one orientation and whose edges have at most two faces: " +
+    surface.nameOfCell(surface.triangleOf(face), inputs) +
     " and a neighbor do not fit. Orient the surface upstream (Generate Surface Normals with "
     "Consistency), split it, or switch " +
     property + " off.");

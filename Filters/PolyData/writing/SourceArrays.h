@@ -68,28 +68,28 @@ public:
   {
   }
 
-  /// Of every vertex of the mesh. Of a piece, all ranks call this together.
+  /// Of every vertex of this rank's own faces. All ranks call this together.
   ///
   /// \param computed the field that gradients are of, with arrivals.
   SourceValues atVertices(const DistanceField& computed, const NearestSource& nearest,
     const ProgressCallback& progress) const;
-  /// Of a piece, gives values at the mesh's vertices at each vertex that points have, see
-  /// PolyDataSurface. All ranks call this together.
+  /// Adds values for the other vertices that points have: PolyDataSurface::completeValues(). All
+  /// ranks call this together.
   void completeValues(SourceValues& atVertices) const;
-  /// Of points that refinement has added. Of a piece, all ranks call this together.
+  /// Of points that refinement has added. All ranks call this together.
   ///
   /// \param count of the first points: those whose places on the mesh are known.
   /// \param exact the field that feet are of, with arrivals; the computed one or another.
   SourceValues atPoints(const std::vector<RefinedPoint>& points, std::size_t count,
     const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
     const ProgressCallback& progress) const;
-  /// Of a piece, gives points on seams the values that one rank tells of them. All ranks call this
+  /// Gives points on seams the values of the rank that knows them best. All ranks call this
   /// together.
   void replaceAtSeams(const SeamPoints& seams, SourceValues& atNewPoints) const;
-  /// Of a piece, appends to the values at its own new points those at copies of other ranks'
-  /// points, from these. All ranks call this together.
+  /// Appends to the values at the new points of refinement those at copies of such points. All
+  /// ranks call this together.
   ///
-  /// \param copied what addOtherTrianglesOfPiece() returns.
+  /// \param copied what addUnmeshedTriangles() returns.
   void appendCopies(const std::vector<RankAddress>& copied, SourceValues& atNewPoints) const;
   /// The values at the new points of each block: see partsByBlock().
   ///

@@ -15,7 +15,6 @@
 #include "paths/PathsToSource.h"
 #include "paths/ShortestPathFinder.h"
 #include "source/BoundaryCurves.h"
-#include "source/PolylineLocator.h"
 
 #include <gtest/gtest.h>
 
@@ -173,7 +172,7 @@ std::vector<SourceCurve> onSurface(const TriangleMesh& mesh, const FlatLine& lin
   polylines[0].closed = line.closed;
   polylines[0].name = "the line";
   geodesic::SnapOptions options;
-  geodesic::PolylineLocator(mesh).locate(polylines, options.coordinatePrecision);
+  geodesictest::locate(mesh, polylines, options.coordinatePrecision);
   return geodesic::putOntoSurface(mesh, polylines, options, geodesic::joinByShortestPaths(mesh))
     .curves;
 }

@@ -22,16 +22,20 @@ class Barriers
 public:
   Barriers(const PlainMesh& mesh, const std::vector<bool>& isBarrier)
     : open_(mesh.points, pick(mesh, isBarrier, false))
-    , locator_(this->open_)
-    , barriers_(this->open_, pick(mesh, isBarrier, true))
+    , barrierMesh_(mesh.points, pick(mesh, isBarrier, true))
+    , locator_(MeshPartition(this->open_))
+    , barriers_(MeshPartition(this->open_), MeshPartition(this->barrierMesh_))
   {
   }
 
   Id at(const Vec3& point, double precision = DBL_EPSILON)
   {
-    return this->barriers_.barrierAt(point, this->locator_.closest(point, precision), precision);
+    return this->barriers_
+      .barriersAt({ point }, this->locator_.closest({ point }, precision), precision)
+      .front()
+      .id;
   }
-  const TriangleMesh& mesh() const { return this->barriers_.mesh(); }
+  const TriangleMesh& mesh() const { return this->barrierMesh_; }
 
 private:
   static std::vector<Triangle> pick(
@@ -49,7 +53,8 @@ private:
   }
 
   TriangleMesh open_;
-  FaceLocator locator_;
+  TriangleMesh barrierMesh_;
+  SurfaceLocator locator_;
   BarrierFaces barriers_;
 };
 

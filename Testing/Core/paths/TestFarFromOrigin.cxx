@@ -7,7 +7,6 @@
 
 #include "paths/PathsToSource.h"
 #include "paths/ShortestPathFinder.h"
-#include "source/PolylineLocator.h"
 
 #include <gtest/gtest.h>
 
@@ -60,7 +59,7 @@ Surfaces surfacesOf(PlainMesh mesh, Random& random)
 
 std::vector<SurfacePoint> placesOf(const TriangleMesh& mesh, std::vector<LocatedPolyline>& points)
 {
-  geodesic::PolylineLocator(mesh).locate(points, Epsilon);
+  geodesictest::locate(mesh, points, Epsilon);
   const geodesic::SourceCurves curves =
     geodesic::putOntoSurface(mesh, points, {}, geodesic::joinByShortestPaths(mesh));
   std::vector<SurfacePoint> places;

@@ -5,7 +5,6 @@
 #include "Seeds.h"
 
 #include "mesh/SurfaceSnap.h"
-#include "source/PolylineLocator.h"
 
 #include <gtest/gtest.h>
 
@@ -146,7 +145,7 @@ TEST_P(PlacesBesideSurface, APointGoesToTheClosestOne)
       }
       point.points = { isFloat ? toFloat(p) : p };
     }
-    geodesic::PolylineLocator(mesh).locate(points, options.coordinatePrecision);
+    geodesictest::locate(mesh, points, options.coordinatePrecision);
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       const Vec3& point = points[i].points.front();

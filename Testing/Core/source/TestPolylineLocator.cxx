@@ -20,12 +20,12 @@ constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 
 using Faces = std::vector<std::vector<Id>>;
 
-Faces locate(PolylineLocator& locator, const std::vector<Vec3>& points, bool closed = false)
+Faces locate(const TriangleMesh& mesh, const std::vector<Vec3>& points, bool closed = false)
 {
   std::vector<LocatedPolyline> lines(1);
   lines[0].points = points;
   lines[0].closed = closed;
-  locator.locate(lines, Epsilon);
+  geodesictest::locate(mesh, lines);
   return lines[0].faces;
 }
 
@@ -44,11 +44,10 @@ std::vector<Id> around(const TriangleMesh& mesh, Id vertex)
 TEST(PolylineLocator, AlongEdgesEachPointHasAFaceOfItsVertex)
 {
   const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(4, 4));
-  PolylineLocator locator(mesh);
   const std::vector<Vec3> points = { mesh.point(6), mesh.point(7), mesh.point(12), mesh.point(6) };
   for (const bool closed : { false, true })
   {
-    const Faces faces = locate(locator, points, closed);
+    const Faces faces = locate(mesh, points, closed);
     ASSERT_EQ(faces.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i)
     {
@@ -57,19 +56,18 @@ TEST(PolylineLocator, AlongEdgesEachPointHasAFaceOfItsVertex)
     EXPECT_TRUE(contains(mesh, faces[1][0], SurfacePoint::atVertex(7)));
     EXPECT_TRUE(contains(mesh, faces[2][0], SurfacePoint::atVertex(12)));
   }
-  EXPECT_EQ(locate(locator, { mesh.point(7) })[0].size(), 1u);
+  EXPECT_EQ(locate(mesh, { mesh.point(7) })[0].size(), 1u);
 }
 
 TEST(PolylineLocator, WhereAPolylineLeavesTheEdgesAllItsPointsHaveAllFaces)
 {
   const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(4, 4));
-  PolylineLocator locator(mesh);
   const std::vector<Vec3> points = { mesh.point(6), mesh.point(7), mesh.point(8) };
   // Three polylines that leave the edges: on the way back from the last point, at a point inside a
   // face, and across a square.
-  const Faces closed = locate(locator, points, true);
-  const Faces inside = locate(locator, { points[0], points[1], points[1] + Vec3{ 0.3, 0.2, 0.0 } });
-  const Faces across = locate(locator, { points[0], points[1], mesh.point(18) });
+  const Faces closed = locate(mesh, points, true);
+  const Faces inside = locate(mesh, { points[0], points[1], points[1] + Vec3{ 0.3, 0.2, 0.0 } });
+  const Faces across = locate(mesh, { points[0], points[1], mesh.point(18) });
   for (const Faces& faces : { closed, inside, across })
   {
     EXPECT_EQ(faces[0], around(mesh, 6));
@@ -82,8 +80,7 @@ TEST(PolylineLocator, VerticesOfSeveralSheetsAreAllFound)
 {
   const PlainMesh sheet = geodesictest::regularGrid(2, 2);
   const TriangleMesh mesh = engineMesh(geodesictest::merged(sheet, sheet));
-  PolylineLocator locator(mesh);
-  for (const std::vector<Id>& faces : locate(locator, { mesh.point(3), mesh.point(4) }))
+  for (const std::vector<Id>& faces : locate(mesh, { mesh.point(3), mesh.point(4) }))
   {
     ASSERT_EQ(faces.size(), 2u);
     EXPECT_LT(faces[0], 8u);
@@ -97,7 +94,7 @@ TEST(PolylineLocator, PointsAtOnePlaceHaveTheSameFaces)
   std::vector<LocatedPolyline> lines(2);
   lines[0].points = { { 0.7, 0.1, 0.0 }, { 2.0, 1.5, 0.0 } };
   lines[1].points = { { 2.0, 1.5, 0.0 }, { 0.7, 0.1, 0.0 }, { -0.0, 0.0, 0.0 } };
-  PolylineLocator(mesh).locate(lines, Epsilon);
+  geodesictest::locate(mesh, lines);
   EXPECT_EQ(lines[0].faces[0], lines[1].faces[1]);
   EXPECT_EQ(lines[0].faces[1], lines[1].faces[0]);
   EXPECT_EQ(lines[0].faces[1].size(), 2u);
@@ -113,7 +110,7 @@ TEST(PolylineLocator, ProgressNeverFallsAndAborts)
     lines[0].points.push_back({ std::cos(0.1 * i), std::sin(0.1 * i), 0.001 * i });
   }
   std::vector<double> seen;
-  PolylineLocator locator(mesh);
+  PolylineLocator locator{ MeshPartition(mesh) };
   locator.locate(lines, Epsilon,
     [&seen](double fraction)
     {
@@ -127,8 +124,8 @@ TEST(PolylineLocator, ProgressNeverFallsAndAborts)
   for (std::size_t allowed = 0; allowed < 4; ++allowed)
   {
     std::size_t calls = 0;
-    EXPECT_THROW(
-      PolylineLocator(mesh).locate(lines, Epsilon, [&](double) { return calls++ < allowed; }),
+    EXPECT_THROW(PolylineLocator(MeshPartition(mesh))
+                   .locate(lines, Epsilon, [&](double) { return calls++ < allowed; }),
       Aborted);
     EXPECT_EQ(calls, allowed + 1);
   }

@@ -2,7 +2,6 @@
 #include "EngineSupport.h"
 
 #include "Errors.h"
-#include "source/PolylineLocator.h"
 
 #include <gtest/gtest.h>
 
@@ -710,7 +709,7 @@ TEST(SourceCurve, FarPointsAreJoinedOnTheSheetWhereTheWayIsShortest)
   for (const bool firstBelow : { false, true })
   {
     std::vector<LocatedPolyline> lines = { line };
-    PolylineLocator(mesh).locate(lines, Epsilon);
+    geodesictest::locate(mesh, lines, Epsilon);
     ASSERT_EQ(lines[0].faces[0].size(), 2u);
     if (firstBelow)
     {
@@ -737,7 +736,7 @@ TEST(SourceCurve, APolylineIsCutWhereItChangesToASheetThatIsNotConnected)
   for (const bool closed : { false, true })
   {
     std::vector<LocatedPolyline> lines = { polyline(around, {}, closed) };
-    PolylineLocator(mesh).locate(lines, Epsilon);
+    geodesictest::locate(mesh, lines, Epsilon);
     const SourceCurves result = put(mesh, lines[0]);
     double whole = 0.0;
     for (const SourceCurve& curve : result.curves)
@@ -804,7 +803,7 @@ TEST(SourceCurve, ASectionOfASheetWithATurnedTriangleStaysTheSameCurve)
         truth.segments.push_back({ face, weights[0], weights[1] });
       }
     }
-    PolylineLocator(mesh).locate(lines, Epsilon);
+    geodesictest::locate(mesh, lines, Epsilon);
     const SourceCurves result = putOntoSurface(mesh, lines, { Epsilon }, joinByShortestPaths(mesh));
     const std::vector<double> expected =
       geodesictest::bruteForceDistances(plain, truth, {}).vertices;

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/SurfaceLocator.h"
+
+#include "Tolerance.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// A candidate of one rank, as it is sent to all.
+struct ToldFace
+{
+  std::size_t point;
+  RankAddress face;
+  /// With global numbers of the vertices.
+  FaceLocator::Candidate candidate;
+};
+
+/// Ranks exchange the candidates of so many points at a time, which bounds the size of messages.
+constexpr std::size_t PointsPerExchange = 4096;
+
+/// Points between two calls of the progress callback.
+constexpr std::size_t PointsPerReport = 256;
+
+/// Searching the first point builds most of the tree, which takes this share of the progress.
+constexpr double FirstPoint = 0.5;
+
+/// Reports points as they are searched.
+class SearchProgress
+{
+public:
+  SearchProgress(std::size_t count, const ProgressCallback& callback)
+    : count_(count)
+    , callback_(callback)
+    , growing_([this](double fraction) { return this->report(FirstPoint * fraction); })
+  {
+  }
+
+  void next()
+  {
+    const double done = static_cast<double>(this->done_) / static_cast<double>(this->count_);
+    if (this->done_ % PointsPerReport == 0 &&
+      !this->report(this->done_ == 0 ? 0.0 : FirstPoint + (1.0 - FirstPoint) * done))
+    {
+      throw Aborted();
+    }
+    ++this->done_;
+  }
+  /// For the locator, while its tree grows.
+  const ProgressCallback& growing() const { return this->growing_; }
+
+private:
+  bool report(double fraction)
+  {
+    this->reported_ = std::max(this->reported_, fraction);
+    return !this->callback_ || this->callback_(this->reported_);
+  }
+
+  std::size_t count_;
+  std::size_t done_ = 0;
+  double reported_ = 0.0;
+  const ProgressCallback& callback_;
+  ProgressCallback growing_;
+};
+
+double leastDistance(const std::vector<FaceLocator::Candidate>& candidates)
+{
+  double least = Infinity;
+  for (const FaceLocator::Candidate& candidate : candidates)
+  {
+    least = std::min(least, candidate.distance);
+  }
+  return least;
+}
+
+/// Chooses among the candidates of all ranks, for each point.
+ClosestFaces chooseFaces(const std::vector<Message>& told, const std::vector<double>& least)
+{
+  std::vector<std::vector<FaceLocator::Candidate>> candidates(least.size());
+  std::vector<std::vector<RankAddress>> addresses(least.size());
+  readEach(told,
+    [&](int, MessageReader& reader)
+    {
+      auto face = reader.get<ToldFace>();
+      face.candidate.face = static_cast<Id>(addresses[face.point].size());
+      addresses[face.point].push_back(face.face);
+      candidates[face.point].push_back(face.candidate);
+    });
+  ClosestFaces result(least.size());
+  for (std::size_t i = 0; i < least.size(); ++i)
+  {
+    for (const FaceLocator::Candidate& chosen : FaceLocator::chosen(candidates[i]))
+    {
+      result[i].push_back({ addresses[i][chosen.face], chosen.isClosestUpToRounding(least[i]) });
+    }
+    std::sort(result[i].begin(), result[i].end());
+  }
+  return result;
+}
+
+} // anonymous namespace
+
+void SurfaceLocator::makeLocator()
+{
+  const TriangleMesh& mesh = this->surface_.mesh();
+  this->locator_ = std::make_unique<FaceLocator>(mesh);
+  for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
+  {
+    for (const Id vertex : mesh.triangle(face))
+    {
+      this->box_.add(mesh.point(vertex));
+    }
+  }
+}
+
+/// Whether this rank searches for a point: first those in the box of its own faces, then those that
+/// are not, unless another rank has found a face closer than the box.
+bool SurfaceLocator::isSearched(
+  const Vec3& point, bool isInBox, double least, double coordinatePrecision) const
+{
+  const double distance = this->box_.distanceTo(point);
+  const double slack = tolerance::SnapRoundings * coordinatePrecision *
+    std::max(largestCoordinate(point), this->box_.largestCoordinate());
+  return isInBox ? distance == 0.0
+                 : distance > 0.0 && distance <= least + slack && distance < Infinity;
+}
+
+/// What all ranks are told of the candidates that this rank owns.
+Message SurfaceLocator::messageOf(
+  const std::vector<Candidates>& candidates, const std::vector<double>& least) const
+{
+  Message message;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    for (FaceLocator::Candidate candidate : candidates[i])
+    {
+      if (!candidate.isClosest(least[i]) || !this->surface_.isOwn(candidate.face))
+      {
+        continue;
+      }
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        candidate.corners[k] = this->surface_.globalId(candidate.corners[k]);
+        candidate.support[k] = candidate.support[k] == NoId ? NoId : candidate.corners[k];
+      }
+      put(message, ToldFace{ i, this->surface_.addressOf(candidate.face), candidate });
+    }
+  }
+  return message;
+}
+
+ClosestFaces SurfaceLocator::closest(
+  const std::vector<Vec3>& points, double coordinatePrecision, const ProgressCallback& callback)
+{
+  if (!points.empty() && !this->locator_)
+  {
+    this->makeLocator();
+  }
+  Exchange& exchange = this->surface_.exchange();
+  SearchProgress progress(points.size(), callback);
+  ClosestFaces result;
+  result.reserve(points.size());
+  while (result.size() < points.size())
+  {
+    const Vec3* some = points.data() + result.size();
+    std::vector<double> least(std::min(PointsPerExchange, points.size() - result.size()), Infinity);
+    std::vector<Candidates> candidates(least.size());
+    for (const bool isInBox : { true, false })
+    {
+      for (std::size_t i = 0; i < least.size(); ++i)
+      {
+        if (this->isSearched(some[i], isInBox, least[i], coordinatePrecision))
+        {
+          progress.next();
+          candidates[i] =
+            this->locator_->candidates(some[i], coordinatePrecision, progress.growing());
+          least[i] = std::min(least[i], leastDistance(candidates[i]));
+        }
+      }
+      exchange.findLeast(least);
+    }
+    ClosestFaces chosen = chooseFaces(exchange.tellAll(this->messageOf(candidates, least)), least);
+    std::move(chosen.begin(), chosen.end(), std::back_inserter(result));
+  }
+  return result;
+}
+
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_VertexOfPoint_h
+#define geodesic_VertexOfPoint_h
+
+#include "Types.h"
+
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+
+/// Says which vertex each point of all blocks is. If each point is a vertex of its own with the
+/// same number, there is no table.
+class VertexOfPoint
+{
+public:
+  VertexOfPoint() = default;
+  explicit VertexOfPoint(std::vector<Id> table)
+    : table_(std::move(table))
+  {
+  }
+
+  Id operator()(Id point) const { return this->table_.empty() ? point : this->table_[point]; }
+  Triangle operator()(const Triangle& points) const
+  {
+    return { (*this)(points[0]), (*this)(points[1]), (*this)(points[2]) };
+  }
+  bool isIdentity() const { return this->table_.empty(); }
+
+  /// \param numbers the new number of each vertex; empty if none changes.
+  void renumber(std::vector<Id> numbers)
+  {
+    if (numbers.empty())
+    {
+      return;
+    }
+    if (this->table_.empty())
+    {
+      this->table_ = std::move(numbers);
+      return;
+    }
+    for (Id& vertex : this->table_)
+    {
+      vertex = numbers[vertex];
+    }
+  }
+
+private:
+  std::vector<Id> table_;
+};
+
+inline bool hasThreeVertices(const Triangle& t)
+{
+  return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
+}
+
+#endif

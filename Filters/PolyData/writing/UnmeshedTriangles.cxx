@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/writing/UnmeshedTriangles.h"
+
+#include "PolyData/writing/GlobalFaces.h"
+#include "PolyData/writing/SplitTriangle.h"
+#include "refinement/RefinedFaces.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// How a face of the whole surface is refined: the template of triangles on its vertices or at its
+/// edges.
+struct RefinedTemplate
+{
+  GlobalFace face;
+  RefinedFace parts;
+
+  /// The points that split an edge, from one corner to another, by their numbers in the face.
+  std::vector<Id> splitsBetween(Id from, Id to) const
+  {
+    std::map<std::pair<Id, Id>, Id> middles;
+    for (std::size_t i = 0; i < this->parts.points.size(); ++i)
+    {
+      const std::array<Id, 2>& ends = this->parts.points[i].parents;
+      middles[std::minmax(ends[0], ends[1])] = static_cast<Id>(3 + i);
+    }
+    std::vector<Id> splits;
+    addSplits(middles, from, to, splits);
+    return splits;
+  }
+
+private:
+  static void addSplits(
+    const std::map<std::pair<Id, Id>, Id>& middles, Id a, Id b, std::vector<Id>& splits)
+  {
+    const auto middle = middles.find(std::minmax(a, b));
+    if (middle != middles.end())
+    {
+      addSplits(middles, a, middle->second, splits);
+      splits.push_back(middle->second);
+      addSplits(middles, middle->second, b, splits);
+    }
+  }
+};
+
+/// A triangle of this rank that is not a face of the mesh, and what it has to look like.
+struct UnmeshedTriangle
+{
+  Id triangle;
+  /// Global numbers of its vertices.
+  Triangle vertices;
+  /// The template on its vertices; NoId if no face is there.
+  Id like = NoId;
+  /// Of a barrier, the templates at its edges from corner k on; NoId at edges without a face.
+  std::array<Id, 3> atEdges{ NoId, NoId, NoId };
+};
+
+/// The triangles of this rank that are not faces, in their order, and their templates.
+struct UnmeshedTriangles
+{
+  std::vector<UnmeshedTriangle> triangles;
+  std::vector<RefinedTemplate> templates;
+
+  /// The points that split an edge of a triangle from corner k on, by their numbers in the
+  /// template.
+  std::vector<Id> splits(const UnmeshedTriangle& triangle, std::size_t k) const
+  {
+    if (triangle.atEdges[k] == NoId)
+    {
+      return {};
+    }
+    const RefinedTemplate& like = this->templates[triangle.atEdges[k]];
+    return like.splitsBetween(
+      like.face.cornerAt(triangle.vertices[k]), like.face.cornerAt(triangle.vertices[(k + 1) % 3]));
+  }
+
+  std::size_t numberOfParts(const UnmeshedTriangle& triangle) const
+  {
+    return triangle.like != NoId ? this->templates[triangle.like].parts.triangles.size()
+                                 : 1 + this->splits(triangle, 0).size() +
+        this->splits(triangle, 1).size() + this->splits(triangle, 2).size();
+  }
+};
+
+/// For each triangle the face that is made of it; NoId if none here is.
+std::vector<Id> facesOfTriangles(const PolyDataSurface& surface)
+{
+  std::vector<Id> faces(surface.numberOfTriangles(), NoId);
+  const MeshPartition& partition = surface.partition();
+  for (Id face = partition.firstOwnFace(); face < partition.endOfOwnFaces(); ++face)
+  {
+    faces[surface.triangleOf(face)] = face;
+  }
+  return faces;
+}
+
+/// Finds the faces on the vertices of triangles, and those at the edges of triangles without such a
+/// face.
+void findTemplates(
+  const PolyDataSurface& surface, const GlobalFaces& faces, UnmeshedTriangles& unmeshed)
+{
+  const auto add = [&](const GlobalFace& face, Id& index)
+  {
+    if (face.isThere())
+    {
+      index = static_cast<Id>(unmeshed.templates.size());
+      unmeshed.templates.push_back({ face, {} });
+    }
+  };
+  std::vector<Triangle> wanted;
+  for (const UnmeshedTriangle& triangle : unmeshed.triangles)
+  {
+    wanted.push_back(surface.verticesAt(triangle.triangle));
+  }
+  const std::vector<GlobalFace> onVertices = faces.find(wanted);
+  std::vector<Triangle> edges;
+  std::vector<Id*> indices;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+  {
+    const Triangle& t = wanted[i];
+    UnmeshedTriangle& triangle = unmeshed.triangles[i];
+    triangle.vertices = faces.globalIds(t);
+    add(onVertices[i], triangle.like);
+    for (std::size_t k = 0; k < 3 && triangle.like == NoId && hasThreeVertices(t); ++k)
+    {
+      if (faces.hasFace(t[k]) && faces.hasFace(t[(k + 1) % 3]))
+      {
+        edges.push_back(GlobalFaces::edge(t[k], t[(k + 1) % 3]));
+        indices.push_back(&triangle.atEdges[k]);
+      }
+    }
+  }
+  const std::vector<GlobalFace> atEdges = faces.find(edges);
+  for (std::size_t i = 0; i < atEdges.size(); ++i)
+  {
+    add(atEdges[i], *indices[i]);
+  }
+}
+
+UnmeshedTriangles findUnmeshedTriangles(const PolyDataSurface& surface, const GlobalFaces& faces,
+  const std::vector<Id>& faceOfTriangle, const std::vector<Triangle>& cornerPoints,
+  const RefinedMesh& refined)
+{
+  UnmeshedTriangles unmeshed;
+  for (Id i = 0; i < faceOfTriangle.size(); ++i)
+  {
+    if (faceOfTriangle[i] == NoId)
+    {
+      unmeshed.triangles.push_back({ i, {} });
+    }
+  }
+  findTemplates(surface, faces, unmeshed);
+  std::vector<RankAddress> asked;
+  for (const RefinedTemplate& like : unmeshed.templates)
+  {
+    asked.push_back(like.face.address);
+  }
+  std::vector<RefinedFace> answers =
+    findRefinedFaces(asked, surface.partition(), refined, cornerPoints);
+  for (std::size_t i = 0; i < answers.size(); ++i)
+  {
+    unmeshed.templates[i].parts = std::move(answers[i]);
+  }
+  return unmeshed;
+}
+
+/// Gives triangles the parts of their templates, with points of their own.
+class TemplateCopier
+{
+public:
+  TemplateCopier(const PolyDataSurface& surface, const GlobalFaces& faces,
+    const UnmeshedTriangles& unmeshed, RefinedMesh& refined)
+    : surface_(surface)
+    , faces_(faces)
+    , unmeshed_(unmeshed)
+    , refined_(refined)
+    , numbering_(refined)
+    , ownPoints_(refined.points.size())
+  {
+  }
+
+  /// \param isWhole whether a triangle on the vertices of a face is not cut.
+  void add(const UnmeshedTriangle& triangle, bool isWhole, std::vector<Triangle>& triangles)
+  {
+    if (triangle.like == NoId)
+    {
+      this->addCut(triangle, triangles);
+    }
+    else if (isWhole || this->unmeshed_.numberOfParts(triangle) <= 1)
+    {
+      triangles.push_back(this->surface_.triangle(triangle.triangle));
+    }
+    else
+    {
+      this->addParts(triangle, triangles);
+    }
+  }
+
+  std::vector<RankAddress> takeAdded() { return std::move(this->added_); }
+
+private:
+  /// What follows is about a triangle and one of its templates.
+  void begin(const UnmeshedTriangle& triangle, Id like)
+  {
+    this->like_ = &this->unmeshed_.templates[like];
+    this->numbers_.assign(3 + this->like_->parts.points.size(), NoId);
+    const Triangle points = this->surface_.triangle(triangle.triangle);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id corner = this->like_->face.cornerAt(triangle.vertices[k]);
+      if (corner < 3)
+      {
+        this->numbers_[corner] = points[k];
+      }
+    }
+  }
+
+  /// The triangle's own point in place of one of the template's, which lies between corners that
+  /// both have.
+  Id ownPoint(Id point)
+  {
+    if (this->numbers_[point] == NoId)
+    {
+      RefinedPoint copy = this->like_->parts.points[point - 3];
+      const std::array<Id, 2> parents = copy.parents;
+      copy.parents[0] = this->ownPoint(parents[0]);
+      copy.parents[1] = this->ownPoint(parents[1]);
+      this->numbers_[point] = this->numbering_.numberOf(copy);
+      if (this->ownPoints_ + this->added_.size() < this->refined_.points.size())
+      {
+        this->added_.push_back(
+          { this->like_->face.address.rank, this->like_->parts.numbersThere[point - 3] });
+      }
+    }
+    return this->numbers_[point];
+  }
+
+  void addParts(const UnmeshedTriangle& triangle, std::vector<Triangle>& triangles)
+  {
+    this->begin(triangle, triangle.like);
+    const Triangle& vertices = triangle.vertices;
+    const Triangle& there = this->like_->face.vertices;
+    const auto first = static_cast<std::size_t>(
+      std::find(vertices.begin(), vertices.end(), there[0]) - vertices.begin());
+    const bool isTurned = vertices[(first + 1) % 3] != there[1];
+    for (const Triangle& t : this->like_->parts.triangles)
+    {
+      const Id a = this->ownPoint(t[0]);
+      const Id b = this->ownPoint(t[1]);
+      const Id c = this->ownPoint(t[2]);
+      triangles.push_back(isTurned ? Triangle{ a, c, b } : Triangle{ a, b, c });
+    }
+  }
+
+  /// Cuts a triangle as the faces at its edges are.
+  void addCut(const UnmeshedTriangle& triangle, std::vector<Triangle>& triangles)
+  {
+    const Triangle points = this->surface_.triangle(triangle.triangle);
+    const Triangle vertices = this->surface_.vertexOf()(points);
+    SplitTriangle cut{ points, {},
+      [&](Id point)
+      {
+        const auto corner = std::find(points.begin(), points.end(), point) - points.begin();
+        return corner < 3
+          ? this->faces_.position(vertices[static_cast<std::size_t>(corner)])
+          : this->refined_.points[point - this->refined_.numberOfInputPoints].position;
+      } };
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (triangle.atEdges[k] != NoId)
+      {
+        this->begin(triangle, triangle.atEdges[k]);
+        cut.splits[k] = this->ownSplits(triangle, k);
+      }
+    }
+    cut.cut(triangles);
+  }
+
+  /// Points are numbered along the template's edge.
+  std::vector<Id> ownSplits(const UnmeshedTriangle& triangle, std::size_t k)
+  {
+    std::vector<Id> splits = this->unmeshed_.splits(triangle, k);
+    const GlobalFace& face = this->like_->face;
+    const bool isBackward = face.vertices[(face.cornerAt(triangle.vertices[k]) + 1) % 3] !=
+      triangle.vertices[(k + 1) % 3];
+    if (isBackward)
+    {
+      std::reverse(splits.begin(), splits.end());
+    }
+    for (Id& point : splits)
+    {
+      point = this->ownPoint(point);
+    }
+    if (isBackward)
+    {
+      std::reverse(splits.begin(), splits.end());
+    }
+    return splits;
+  }
+
+  const PolyDataSurface& surface_;
+  const GlobalFaces& faces_;
+  const UnmeshedTriangles& unmeshed_;
+  RefinedMesh& refined_;
+  SplitPointNumbering numbering_;
+  std::size_t ownPoints_;
+  std::vector<RankAddress> added_;
+  const RefinedTemplate* like_ = nullptr;
+  /// Of the template's corners and points; NoId for those that the triangle has no point for yet.
+  std::vector<Id> numbers_;
+};
+
+/// Whether all ranks have more triangles than they may. Copies do not count.
+bool areTooMany(const PolyDataSurface& surface, const UnmeshedTriangles& unmeshed,
+  const RefinedMesh& refined, std::uint64_t maximumFaces)
+{
+  std::uint64_t total = refined.triangles.size();
+  for (const UnmeshedTriangle& triangle : unmeshed.triangles)
+  {
+    total += surface.isCopy(triangle.triangle) ? 0 : unmeshed.numberOfParts(triangle);
+  }
+  return sumOverRanks(surface.exchange(), total).all > maximumFaces && maximumFaces > 0;
+}
+
+} // anonymous namespace
+
+// A face at the edge counts the barrier, on the rank that owns it.
+std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
+{
+  std::unordered_map<Id, Id> count;
+  if (!surface.hasBarriers())
+  {
+    return count;
+  }
+  const GlobalFaces faces(surface);
+  std::vector<Triangle> edges;
+  for (const Id triangle : surface.barrierTriangles())
+  {
+    const Triangle t = surface.verticesAt(triangle);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (faces.hasFace(t[k]) && faces.hasFace(t[(k + 1) % 3]))
+      {
+        edges.push_back(GlobalFaces::edge(t[k], t[(k + 1) % 3]));
+      }
+    }
+  }
+  const std::vector<GlobalFace> found = faces.find(edges);
+  std::vector<Message> messages = surface.exchange().noMessages();
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    if (found[i].isThere())
+    {
+      const Id edge =
+        found[i].edgeBetween(faces.globalId(edges[i][0]), faces.globalId(edges[i][1]));
+      put(messages[rankIndex(found[i].address.rank)], 3 * found[i].address.id + edge);
+    }
+  }
+  readEach(surface.exchange().step(std::move(messages)),
+    [&](int, MessageReader& reader) { ++count[surface.mesh().edgeOf(reader.get<Id>())]; });
+  return count;
+}
+
+std::vector<RankAddress> addUnmeshedTriangles(const PolyDataSurface& surface,
+  std::uint64_t maximumFaces, const std::vector<Triangle>& cornerPoints, RefinedMesh& refined)
+{
+  const MeshPartition& partition = surface.partition();
+  const Id ownFaces = partition.endOfOwnFaces() - partition.firstOwnFace();
+  if (!surface.exchange().isTrueAnywhere(surface.numberOfTriangles() != ownFaces))
+  {
+    for (Id& face : refined.faces)
+    {
+      face = surface.triangleOf(face);
+    }
+    return {};
+  }
+  const GlobalFaces faces(surface);
+  const std::vector<Id> faceOfTriangle = facesOfTriangles(surface);
+  const UnmeshedTriangles unmeshed =
+    findUnmeshedTriangles(surface, faces, faceOfTriangle, cornerPoints, refined);
+  const bool stayWhole = areTooMany(surface, unmeshed, refined, maximumFaces);
+  TemplateCopier copier(surface, faces, unmeshed, refined);
+  std::vector<Triangle> triangles;
+  std::vector<Id> parents;
+  std::size_t part = 0;
+  auto next = unmeshed.triangles.begin();
+  for (Id i = 0; i < faceOfTriangle.size(); ++i)
+  {
+    if (faceOfTriangle[i] == NoId)
+    {
+      copier.add(*next++, stayWhole && !surface.isCopy(i), triangles);
+    }
+    for (; part < refined.faces.size() && refined.faces[part] == faceOfTriangle[i]; ++part)
+    {
+      triangles.push_back(refined.triangles[part]);
+    }
+    parents.resize(triangles.size(), i);
+  }
+  refined.triangles = std::move(triangles);
+  refined.faces = std::move(parents);
+  return copier.takeAdded();
+}
+
+}
