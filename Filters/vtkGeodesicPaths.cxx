@@ -4,7 +4,6 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/writing/PathWriter.h"
-#include "paths/PathsOnRanks.h"
 #include "paths/PathsToSource.h"
 
 #include "vtkInformationVector.h"
@@ -51,35 +50,17 @@ std::vector<geodesic::PathOfTarget> FindPaths(geodesic::FilterExecution& executi
   geodesic::PathsOptions options;
   options.parallelFor = geodesic::smpParallelFor();
   options.progress = execution.progressBetween(TargetsRead, PathsFound);
-  std::vector<geodesic::PathOfTarget> paths;
-  const auto add = [&](std::size_t i, std::vector<geodesic::Vec3> points, geodesic::Id source)
-  {
-    if (!points.empty())
+  std::vector<geodesic::PathOfTarget> paths(targets.places.size());
+  geodesic::pathsToSource(surface.partition(), execution.patch(), execution.sources().curves,
+    targets.places, options,
+    [&](std::size_t i, const geodesic::PathToSource& path)
     {
-      paths.push_back({ targets.numbers[i], targets.snapDistances[i], std::move(points), source });
-    }
-  };
-  const std::vector<geodesic::SourceCurve>& curves = execution.sources().curves;
-  if (surface.partition().isDistributed())
-  {
-    std::vector<geodesic::PathInSpace> found = geodesic::pathsOnRanks(
-      surface.partition(), execution.patch(), curves, targets.places, options);
-    for (std::size_t i = 0; i < found.size(); ++i)
-    {
-      add(i, std::move(found[i].points), found[i].source);
-    }
-  }
-  else
-  {
-    std::vector<geodesic::PathToSource> found =
-      geodesic::pathsToSource(surface.mesh(), curves, targets.places, options);
-    for (std::size_t i = 0; i < found.size(); ++i)
-    {
-      // Freed path by path: there may be no memory for all of them twice.
-      const std::vector<geodesic::SurfacePoint> points = std::move(found[i].points);
-      add(i, PlacesOf(surface.mesh(), points), found[i].source);
-    }
-  }
+      paths[i] = { targets.numbers[i], targets.snapDistances[i], PlacesOf(path.mesh, path.points),
+        path.source };
+    });
+  paths.erase(std::remove_if(paths.begin(), paths.end(),
+                [](const geodesic::PathOfTarget& path) { return path.points.empty(); }),
+    paths.end());
   execution.reach(PathsFound);
   NoteUnreached(execution, targets.count - execution.sumOverPieces(paths.size()));
   return paths;

@@ -29,6 +29,24 @@ inline ProgressCallback ascending(const ProgressCallback& callback)
   };
 }
 
+/// The same for work that takes the whole from one fraction to another. The callback must outlive
+/// it.
+inline ProgressCallback progressBetween(const ProgressCallback& callback, double begin, double end)
+{
+  return callback ? [&callback, begin, end](double fraction)
+  { return callback(begin + (end - begin) * fraction); }
+                  : ProgressCallback();
+}
+
+/// \throws Aborted where the callback asks to stop.
+inline void reportProgress(const ProgressCallback& callback, double fraction)
+{
+  if (callback && !callback(fraction))
+  {
+    throw Aborted();
+  }
+}
+
 /// Reports the progress of a loop, one of several that follow each other.
 class LoopProgress
 {

@@ -272,4 +272,34 @@ std::string describe(const std::vector<Polyline>& curves)
   return text.str();
 }
 
+void FoundPath::take(const geodesic::PathToSource& path)
+{
+  EXPECT_TRUE(this->points.empty()) << "a path was handed over twice";
+  this->points = path.points;
+  for (const geodesic::SurfacePoint& point : path.points)
+  {
+    this->places.push_back(geodesic::position(path.mesh, point));
+  }
+  this->source = path.source;
+  this->wasLost = path.wasLost;
+}
+
+std::vector<FoundPath> findPaths(const geodesic::MeshPartition& part,
+  const geodesic::ReplicatedPatch& patch, const std::vector<geodesic::SourceCurve>& curves,
+  const std::vector<geodesic::SurfacePoint>& targets, const geodesic::PathsOptions& options)
+{
+  std::vector<FoundPath> paths(targets.size());
+  geodesic::pathsToSource(part, patch, curves, targets, options,
+    [&](std::size_t target, const geodesic::PathToSource& path) { paths[target].take(path); });
+  return paths;
+}
+
+std::vector<FoundPath> findPaths(const geodesic::TriangleMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves,
+  const std::vector<geodesic::SurfacePoint>& targets, const geodesic::PathsOptions& options)
+{
+  return findPaths(
+    geodesic::MeshPartition(mesh), geodesic::ReplicatedPatch(mesh), curves, targets, options);
+}
+
 }

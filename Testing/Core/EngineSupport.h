@@ -11,6 +11,7 @@
 #include "mesh/SurfacePoint.h"
 #include "mesh/TriangleMesh.h"
 #include "paths/JoinPoints.h"
+#include "paths/PathsToSource.h"
 #include "source/BoundaryCurves.h"
 #include "source/PolylineOnSurface.h"
 #include "source/SourceCurve.h"
@@ -107,7 +108,29 @@ struct RandomCase
 };
 RandomCase randomCase(const MeshKind& kind, std::uint64_t seed, std::size_t numberOfQueries);
 
-/// The sources as code that can be pasted into a test.
+/// What was found of a target.
+struct FoundPath
+{
+  /// On the mesh that geodesic::pathsToSource() has told, and in space; none where the target is
+  /// not reached.
+  std::vector<geodesic::SurfacePoint> points;
+  std::vector<geodesic::Vec3> places;
+  geodesic::Id source = geodesic::NoId;
+  bool wasLost = false;
+
+  void take(const geodesic::PathToSource& path);
+};
+
+/// The path of each target.
+std::vector<FoundPath> findPaths(const geodesic::MeshPartition& part,
+  const geodesic::ReplicatedPatch& patch, const std::vector<geodesic::SourceCurve>& curves,
+  const std::vector<geodesic::SurfacePoint>& targets, const geodesic::PathsOptions& options = {});
+/// The same in one process.
+std::vector<FoundPath> findPaths(const geodesic::TriangleMesh& mesh,
+  const std::vector<geodesic::SourceCurve>& curves,
+  const std::vector<geodesic::SurfacePoint>& targets, const geodesic::PathsOptions& options = {});
+
+/// The sources in a form that can be pasted into a test.
 std::string describe(const std::vector<Polyline>& curves);
 
 }

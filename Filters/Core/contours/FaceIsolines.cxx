@@ -13,22 +13,24 @@ namespace
 
 constexpr std::size_t None = static_cast<std::size_t>(-1);
 
-// Arcs are cut at least so often that a circle looks like one.
+// The largest angle of a chord, so that a circle looks like one.
 constexpr double LargestStep = 3.14159265358979323846 / 6.0;
 
-// How often a face may be cut in four: parts of a millionth of it are crossed straight.
+// How often a face may be cut in four. Smaller parts, of a millionth of its size, are crossed
+// straight.
 constexpr int MaximumDepth = 20;
-// And into how many parts in all: decisions that are left to rounding are few, and lie at points.
+// And into how many parts in all. Rounding decides at few points.
 constexpr std::size_t MaximumParts = 4096;
 
-// Points are at the value up to a tie: nearer to its arc than that no chord need be.
+// The angle of a chord within the tolerance. Points are at the value only up to a tie, so that no
+// chord need be nearer to its arc.
 double angleOfChord(double radius, double chordTolerance)
 {
   const double sagitta = std::clamp(chordTolerance / radius, tolerance::Tie, 1.0);
   return std::min(LargestStep, 4.0 * std::asin(std::sqrt(0.5 * sagitta)));
 }
 
-// With room for what rounding may move.
+// With some room for roundings.
 PlaneBox boxAround(const std::array<Vec2, 3>& corners, double size)
 {
   constexpr double room = 1e-3;
@@ -72,7 +74,7 @@ void addTo(
   }
 }
 
-/// The points that a neighbour has on its edge 1, seen from the other side.
+/// Adds the points that a neighbour has on its edge 1, as seen from the other side.
 void addReversed(
   std::vector<OutlinePoint>& outline, std::size_t edge, const std::vector<OutlinePoint>& neighbour)
 {
@@ -114,8 +116,9 @@ void FaceIsolines::draw(const FaceDistance& face, double level, Id valueId,
   }
 }
 
-// Paths that bend at a window's end only fill gaps that rounding leaves between pencils. Curves may
-// be apart by just what tells them apart; with more than that they are in order.
+// Draws the face in one part if that is possible. Paths that bend at a window's end only fill gaps
+// that rounding leaves between pencils: they are tried last. So is a larger offset between curves,
+// which orders curves that nearly coincide.
 bool FaceIsolines::drawWhole(const Part& whole)
 {
   for (const bool withBent : { false, true })
@@ -132,7 +135,8 @@ bool FaceIsolines::drawWhole(const Part& whole)
   return false;
 }
 
-// Each with a value of its own, see tolerance::CurveOffset.
+// Makes the regions of the candidates, each for a slightly different value
+// (tolerance::CurveOffset).
 void FaceIsolines::findRegions(bool withBent, double offset)
 {
   const std::vector<DistanceCandidate>& candidates = this->face_->candidates();
@@ -168,7 +172,7 @@ void FaceIsolines::addRegion(const DistanceCandidate& candidate, double offset)
   }
 }
 
-// The regions are convex.
+// Whether the part lies in one region, which is convex.
 bool FaceIsolines::isBelowThroughout(const Part& part) const
 {
   return std::any_of(this->regions_.begin(), this->regions_.end(),
@@ -179,7 +183,7 @@ bool FaceIsolines::isBelowThroughout(const Part& part) const
     });
 }
 
-// Returns whether that could be done.
+// Draws the part without cutting it. Returns whether that was possible.
 bool FaceIsolines::drawAtOnce(const Part& part)
 {
   if (part.outline.empty() && part.below && this->isBelowThroughout(part))
@@ -220,7 +224,7 @@ void FaceIsolines::findRemainders(const Part& part)
   }
 }
 
-// First to where it is in the part, then by the regions that come near there.
+// Cuts a curve first to where it lies in the part, then by the regions that come near.
 void FaceIsolines::cutCurve(std::size_t index, const Part& part)
 {
   const LevelCurve& curve = this->curves_[index];
@@ -297,8 +301,8 @@ void FaceIsolines::cutCurveBetween(std::size_t index, double first, double last)
   }
 }
 
-// Whether a point of a curve is outside of the regions near there. Between pencils that rounding
-// has parted, a path that bends at one of them is shorter.
+// Whether a point of a curve is outside the regions nearby. Between pencils that rounding has
+// parted, a path that bends at the end of one of them may be shorter.
 bool FaceIsolines::remains(Vec2 p) const
 {
   return std::none_of(this->near_.begin(), this->near_.end(),
@@ -306,7 +310,7 @@ bool FaceIsolines::remains(Vec2 p) const
     this->face_->distance(p) >= this->level_ - this->slack_;
 }
 
-// The nearest ones first. Returns whether all ends found another where the line goes on.
+// Joins ends of lines, the nearest ones first. Returns whether every line can continue.
 bool FaceIsolines::joinEnds(const Part& part)
 {
   this->from_.clear();
@@ -332,8 +336,7 @@ bool FaceIsolines::joinEnds(const Part& part)
   return this->joinEndsWithin(this->gap_) || this->joinEndsWithin(Infinity);
 }
 
-// Joins ends that have no other yet and are no farther apart. Returns whether all have one where
-// the line goes on.
+// Joins loose ends that are no farther apart. Returns whether every line can continue.
 bool FaceIsolines::joinEndsWithin(double largestGap)
 {
   this->pairs_.clear();
@@ -386,7 +389,7 @@ bool FaceIsolines::isJoint(Vec2 a, Vec2 b) const
   return true;
 }
 
-// First those that cross the part, then the closed ones that are left.
+// Adds first the lines that cross the part, then the closed ones that are left.
 void FaceIsolines::addLines(const Part& part)
 {
   const std::size_t remainders = this->remainders_.size();
@@ -415,8 +418,8 @@ void FaceIsolines::addLines(const Part& part)
   }
 }
 
-// From the end of the owner to an exit, or to the end of the owner again: each owner follows one
-// other at most, and none an entry, so that no other loop is possible.
+// Follows a line from the end of the owner to an exit, or to the end of the owner again. Each owner
+// follows at most one other, and none follows an entry, so that no other loop is possible.
 void FaceIsolines::followFrom(std::size_t owner, const Part& part)
 {
   const std::size_t remainders = this->remainders_.size();
@@ -438,7 +441,7 @@ void FaceIsolines::followFrom(std::size_t owner, const Part& part)
   this->line_.push_back({ part.outline[at - remainders].at, part.outline[at - remainders].id });
 }
 
-// To its end. No chord is farther from an arc than the tolerance.
+// Adds the points of a remainder to its end. No chord is farther from an arc than the tolerance.
 void FaceIsolines::followRemainder(const Remainder& remainder)
 {
   const LevelCurve& curve = this->curves_[remainder.curve];
@@ -461,7 +464,7 @@ void FaceIsolines::followRemainder(const Remainder& remainder)
   this->line_.push_back({ curve.at(remainder.end) });
 }
 
-// Without the points that chords within the tolerance can do without.
+// Adds the line at hand without the points that the chord tolerance does not need.
 void FaceIsolines::addLine(bool isClosed)
 {
   std::vector<Id>& ids = this->result_.ids;
@@ -522,7 +525,7 @@ Id FaceIsolines::addPoint(Vec2 p)
   return this->firstNewId_ + static_cast<Id>(this->result_.points.size() - 1);
 }
 
-// The parts share points on the segments between them.
+// Cuts a part in four, which share points on the segments between them.
 void FaceIsolines::split(const Part& part)
 {
   std::array<Vec2, 3> middles;
@@ -587,7 +590,7 @@ std::vector<OutlinePoint> FaceIsolines::pointsBetween(Vec2 a, Vec2 b, bool aIsBe
   return points;
 }
 
-// Looks for an abort now and then.
+// Counts steps of work, and asks now and then whether to stop.
 void FaceIsolines::work(std::size_t steps)
 {
   constexpr std::size_t stepsPerLook = 1U << 14;
@@ -595,14 +598,11 @@ void FaceIsolines::work(std::size_t steps)
   if (this->stepsSinceLook_ >= stepsPerLook)
   {
     this->stepsSinceLook_ = 0;
-    if (this->progress_ && !this->progress_(0.0))
-    {
-      throw Aborted();
-    }
+    reportProgress(this->progress_, 0.0);
   }
 }
 
-// Each entry with the exit beside it, so that no two lines cross.
+// Joins each entry to the exit beside it, so that no two lines cross.
 void FaceIsolines::crossStraight(const Part& part)
 {
   ++this->partsCrossedStraight_;

@@ -24,8 +24,8 @@ struct OutlinePoint
   bool leaves;
 };
 
-/// The pieces of isolines in some faces. Points have ids from 0 on, given by who calls for those of
-/// the outlines, and above these by FaceIsolines for new ones.
+/// The pieces of isolines in some faces. Points have ids: the caller gives those of the outlines,
+/// from 0 on, and FaceIsolines gives higher ones to new points.
 struct IsolinePieces
 {
   struct Piece
@@ -33,8 +33,8 @@ struct IsolinePieces
     Id face;
     /// Which of the values.
     Id value;
-    /// Behind the last of its points in `ids`; it begins where the piece before ends. A closed
-    /// piece has its first point again at the end.
+    /// The end of its points in `ids`, which begin where the piece before ends. A closed piece has
+    /// its first point again at the end.
     std::size_t end;
   };
 
@@ -51,18 +51,18 @@ struct IsolinePieces
 
 /// Draws the isolines in one face after another.
 ///
-/// Below a value are the regions that the distance candidates reach within it, and the isoline is
-/// the outline of their union. Each level curve is cut where it meets another one, a ray at the end
-/// of a pencil or an edge; the parts of it that are outside of all other regions remain. They are
-/// joined where one ends and another begins, and to the points of the face's outline. Should ends
-/// remain that do not meet, which tells of a decision that was left to rounding, the face is cut in
-/// four, down to parts in which a straight line will do.
+/// Each distance candidate reaches a region within the value; the isoline is the outline of the
+/// union of these regions. Each level curve is cut where it meets another one, a ray at the end of
+/// a pencil, or an edge. Its parts outside all other regions remain. They are joined where one ends
+/// and another begins, and to the points of the face's outline. If some ends do not meet, rounding
+/// has decided something: then the face is cut in four, down to parts in which a straight line will
+/// do.
 class FaceIsolines
 {
 public:
   /// \param firstNewId for the points inside faces.
   /// \param chordTolerance the largest distance of a chord from its arc.
-  /// \param progress called often in faces of very many windows; must outlive this.
+  /// \param progress called often in faces with very many windows; must outlive this.
   FaceIsolines(Id firstNewId, double chordTolerance, const ProgressCallback& progress)
     : firstNewId_(firstNewId)
     , chordTolerance_(chordTolerance)
@@ -104,12 +104,12 @@ private:
     double begin;
     double end;
   };
-  /// Where a line has to go on from (the end of a remainder, or an entry), or begins (the begin of
-  /// one, or an exit).
+  /// A place from which a line must continue (the end of a remainder, or an entry), or to which it
+  /// can continue (the beginning of a remainder, or an exit).
   struct LooseEnd
   {
     Vec2 at;
-    /// Of the remainders, and behind these of the outline's points.
+    /// Number of the remainder, or behind these of the outline's point.
     std::size_t owner;
   };
   /// A point of a line: where parts of level curves meet, or one inside an arc.
@@ -118,7 +118,7 @@ private:
     Vec2 at;
     /// NoId for a new one.
     Id id = NoId;
-    /// How far the line from here to the next one is from its chord.
+    /// The largest distance of the line from its chord, between this point and the next one.
     double sagitta = 0.0;
   };
   struct Pair
@@ -163,12 +163,12 @@ private:
   /// Of the face and value at hand.
   const FaceDistance* face_ = nullptr;
   double level_ = 0.0;
-  /// The face's longest edge, and what ends may be apart.
+  /// The face's longest edge, and how far apart two ends may be that meet.
   double size_ = 0.0;
   double gap_ = 0.0;
   /// What offsets of curves are fractions of, see tolerance::CurveOffset.
   double offsetScale_ = 0.0;
-  /// How much the distance may differ from the level by rounding.
+  /// By how much rounding may change the distance at the level.
   double slack_ = 0.0;
   Id valueId_ = 0;
   std::size_t parts_ = 0;

@@ -23,13 +23,13 @@ public:
   {
   }
 
-  /// Lines end at a point on an edge, where other ranks' go on.
+  /// Lines end at this point on an edge: there the lines of other ranks continue.
   void endAt(Id edgePoint) { this->ends_.push_back(edgePoint); }
 
   /// Adds the pieces of some faces, behind those of lower ones.
   void add(const IsolinePieces& pieces);
 
-  /// The lines, without chords that have no length to speak of.
+  /// Returns the lines, without chords of hardly any length.
   ///
   /// \param onEdges the points on edges, by their ids.
   Isolines finish(std::vector<SurfacePoint> onEdges);

@@ -49,7 +49,8 @@ void IsolineRetention::advance(const FrontState& front)
   ++this->batch_;
 }
 
-// Distances beyond the front may still fall, down to its key; beyond the reach they are never sure.
+// Distances beyond the front may still fall, down to its key. Beyond the reach they are never
+// final.
 void IsolineRetention::takePassed(const FrontState& front)
 {
   const double certain = std::min(front.key, this->reach_);

@@ -10,17 +10,17 @@
 namespace geodesic
 {
 
-/// Keeps the windows of faces whose range of distances may hold one of some values, and lets the
-/// front stop beyond the largest value.
+/// Keeps the windows of faces whose range of distances may contain one of some values, and stops
+/// the front beyond the largest value.
 ///
-/// Whether a list is kept is decided when it has passed, from the distances known then. Should
-/// later paths bring a face nearer, so that its range holds a value after all, what was dropped is
-/// missing: the solve has to be done again with the face pinned.
+/// A list is kept or dropped when it has passed, by the distances known at that time. If later
+/// paths shorten distances of the face so that its range contains a value after all, the dropped
+/// windows are missing: then the face must be pinned and the solve repeated.
 class IsolineRetention : public Retention
 {
 public:
   /// \param values ascending, must outlive this.
-  /// \param pinned for each face, whether its windows are never dropped; must outlive this.
+  /// \param pinned for each face, not 0 if its windows must not be dropped; must outlive this.
   IsolineRetention(const MeshPartition& surface, const std::vector<double>& values,
     const std::vector<std::uint8_t>& pinned);
 
@@ -37,7 +37,7 @@ public:
   const std::vector<Id>& droppedTooEarly() const { return this->droppedTooEarly_; }
 
 private:
-  /// What is known of a face beforehand, and what became of it.
+  /// Properties of a face.
   enum Mark : std::uint8_t
   {
     HasSource = 1,
@@ -54,7 +54,7 @@ private:
   const std::vector<std::uint8_t>& pinned_;
   double reach_;
   std::vector<std::uint8_t> marks_;
-  /// What each district has handed over in this batch.
+  /// The lists that each district has handed over in this batch.
   std::vector<std::vector<PassedList>> passed_;
   Id batch_ = 0;
   std::vector<Id> droppedTooEarly_;

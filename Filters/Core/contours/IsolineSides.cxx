@@ -11,13 +11,13 @@ namespace geodesic
 namespace
 {
 
-// How near to its ends, as a fraction of it, a chord is asked for its side: at the ends themselves
-// two sides may meet.
+// Where the side of a chord is found, as a fraction of the chord from its ends: at the ends
+// themselves two sides may meet.
 constexpr double BesideEnd = 1e-6;
-// How often a chord is halved to find where its side changes: down to its rounding.
+// How often a chord is halved to find where its side changes: down to rounding.
 constexpr int Halvings = 50;
 
-/// A line whose chords each are on one side.
+/// A line each of whose chords is on one side.
 struct SidedLine
 {
   Isoline line;
@@ -63,7 +63,7 @@ private:
   NearestSource& nearest_;
   const std::function<bool(const Foot&)>& isOnRight_;
   ProgressCallback progress_;
-  /// Of all lines, and how many of them are cut.
+  /// The number of chords of all lines, and how many are done.
   std::size_t chords_;
   std::size_t chordsDone_ = 0;
   Isolines result_;
@@ -71,11 +71,8 @@ private:
 
 void Cutter::report()
 {
-  const double done = static_cast<double>(this->chordsDone_++) / static_cast<double>(this->chords_);
-  if (this->progress_ && !this->progress_(done))
-  {
-    throw Aborted();
-  }
+  reportProgress(
+    this->progress_, static_cast<double>(this->chordsDone_++) / static_cast<double>(this->chords_));
 }
 
 Barycentric Cutter::onChord(const Isoline& line, std::size_t chord, double t) const
@@ -123,7 +120,8 @@ SidedLine Cutter::withSides(const Isoline& line)
   return sided;
 }
 
-// The point of the chord is moved along the ray to it, on which the distance changes by the way.
+// Adds the point where the side changes. It is moved along the ray that comes to it, to the value
+// of the line: along a ray the distance changes as much as the place.
 Id Cutter::addChange(const Isoline& line, std::size_t chord, bool isRightBefore)
 {
   double begin = BesideEnd;
@@ -150,7 +148,7 @@ Id Cutter::addChange(const Isoline& line, std::size_t chord, bool isRightBefore)
   return static_cast<Id>(this->result_.points.size() - 1);
 }
 
-// A closed line that is cut begins anew where its side changes.
+// A closed line that is cut begins where its side changes.
 void Cutter::cut(const Isoline& line, const SidedValue& value)
 {
   SidedLine sided = this->withSides(line);

@@ -11,19 +11,19 @@
 namespace geodesic
 {
 
-/// The signed values that an unsigned one stands for.
+/// The signed values that correspond to an unsigned value.
 struct SidedValue
 {
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
-  /// Which of the signed values the line has where shortest paths come from the left-hand side of a
-  /// curve, and from its right-hand side; None where that is not asked for.
+  /// The index of the signed value where shortest paths come from the left-hand side of a curve,
+  /// and from its right-hand side; None if that side is not wanted.
   std::size_t left = None;
   std::size_t right = None;
 };
 
 /// Cuts isolines where they pass from one side of the curves to the other, and keeps the parts on
-/// the sides that are asked for. Where the side changes within an arc, as it does behind the open
-/// end of a curve, a point of the isoline is added there.
+/// the sides that are wanted. If the side changes within an arc, as behind the open end of a curve,
+/// a point of the isoline is added there.
 ///
 /// Parts on the right-hand side are turned around, so that the signed distance, which is negative
 /// there, grows to the left of all lines.

@@ -19,10 +19,10 @@ namespace
 {
 
 constexpr std::size_t FacesPerTask = 32;
-// Of the whole, how much the points on the edges take.
+// The fraction of the progress that the points on edges take.
 constexpr double EdgesDone = 0.3;
 
-/// A point of an isoline on an edge. Its number in the list of them is its id.
+/// A point of an isoline on an edge. Its number in the list of these points is its id.
 struct EdgePoint
 {
   Id halfedge;
@@ -63,7 +63,7 @@ private:
   const IsolineOptions& options_;
   /// See tolerance::BelowValue.
   std::vector<double> levels_;
-  /// The faces that may hold a value, ascending.
+  /// The faces of this rank that may contain a value, ascending; and all of them, marked.
   std::vector<Id> faces_;
   std::vector<std::uint8_t> isChosen_;
   std::vector<EdgePoint> edgePoints_;
@@ -84,7 +84,8 @@ void checkOptions(const IsolineOptions& options)
   }
 }
 
-/// Where a condition ends to hold, between one place where it holds and another.
+/// The place where a condition stops holding, between a place where it holds and one where it does
+/// not.
 template <typename Condition>
 double bisect(double holds, double fails, Condition&& condition)
 {
@@ -97,14 +98,6 @@ double bisect(double holds, double fails, Condition&& condition)
   return fails;
 }
 
-void goOn(const ProgressCallback& progress)
-{
-  if (!progress(0.0))
-  {
-    throw Aborted();
-  }
-}
-
 /// A segment of a face, along a unit vector.
 struct Segment
 {
@@ -113,13 +106,13 @@ struct Segment
   double length;
 };
 
-/// Whether a face is this rank's to draw in.
+/// Whether this rank draws in a face.
 bool isDrawn(const DistanceField& field, Id face)
 {
   return field.surface().isOwn(face);
 }
 
-/// Whether other ranks draw at an edge, too.
+/// Whether other ranks also draw at an edge.
 bool isAtSeam(const DistanceField& field, Id halfedge)
 {
   bool isSeam = !isDrawn(field, TriangleMesh::faceOf(halfedge));
@@ -130,8 +123,8 @@ bool isAtSeam(const DistanceField& field, Id halfedge)
   return isSeam;
 }
 
-// Windows of an envelope may differ where they meet, by tolerance::JointFraction. The distance in
-// the face tells the place then.
+// Corrects a place that was found on an envelope: windows of an envelope may differ where they
+// meet, by tolerance::JointFraction. Then the distance in the face decides.
 double placeByDistance(const FaceDistance& face, const Segment& segment, double level, double place)
 {
   const auto above = [&](double x)
@@ -207,7 +200,8 @@ Isolines Drawing::run()
   return result;
 }
 
-// Where the faces of a seam are of opposite orientation, lines run against each other there.
+// Counts lines that end at a seam between faces of opposite orientation: the lines that continue
+// them run the other way.
 void Drawing::countTurnsAtSeams(Isolines& isolines) const
 {
   const auto turns = [&](const SurfacePoint& end)
@@ -223,7 +217,7 @@ void Drawing::countTurnsAtSeams(Isolines& isolines) const
   }
 }
 
-// At a vertex where it cannot be told from it.
+// The point on its edge; the vertex if the point lies so near that rounding cannot separate them.
 SurfacePoint Drawing::placeOf(const EdgePoint& p) const
 {
   const double length = this->mesh_.length(p.halfedge);
@@ -262,7 +256,7 @@ void Drawing::findFaces()
   }
 }
 
-// Beyond the largest value distances need not be exact.
+// The range of distances in a face. Beyond the largest value distances need not be exact.
 DistanceRange Drawing::rangeOf(Id face) const
 {
   const std::vector<double>& d = this->field_.vertexDistances();
@@ -277,7 +271,7 @@ bool Drawing::isBelow(Id vertex, std::size_t value) const
   return this->field_.vertexDistances()[vertex] < this->levels_[value];
 }
 
-// The halfedge from whose face the points of an edge are solved.
+// The halfedge of an edge whose face computes the edge's points.
 Id Drawing::designated(Id halfedge) const
 {
   Id lowest = halfedge;
@@ -288,8 +282,8 @@ Id Drawing::designated(Id halfedge) const
   return lowest;
 }
 
-// task(first, last, result, progress) for ranges of the faces. A single face may have very many
-// windows: the callback may be called as often as one likes.
+// Calls task(first, last, result, progress) for ranges of the faces. As a single face may have very
+// many windows, tasks may call their callback as often as they like.
 template <typename Result, typename Task>
 std::vector<Result> Drawing::forTasks(double begin, double end, Task&& task) const
 {
@@ -315,7 +309,7 @@ void Drawing::findEdgePoints()
       SegmentEnvelope memory;
       for (std::size_t i = first; i < last; ++i)
       {
-        goOn(progress);
+        reportProgress(progress, 0.0);
         this->addEdgePoints(this->faces_[i], memory, points);
       }
     });
@@ -323,14 +317,11 @@ void Drawing::findEdgePoints()
   {
     this->edgePoints_.insert(this->edgePoints_.end(), points.begin(), points.end());
   }
-  if (this->field_.surface().isDistributed())
-  {
-    this->exchangeEdgePoints();
-  }
+  this->exchangeEdgePoints();
 }
 
-// Faces stand in one order on all ranks, so that they agree about the designated one of an edge.
-// Its owner tells the other ranks there.
+// Faces have one order on all ranks, so that all agree about the designated halfedge of an edge.
+// The owner of its face sends the edge's points to the other ranks at the edge.
 void Drawing::exchangeEdgePoints()
 {
   const MeshPartition& part = this->field_.surface();
@@ -363,7 +354,7 @@ void Drawing::exchangeEdgePoints()
     { return a.halfedge != b.halfedge ? a.halfedge < b.halfedge : a.value < b.value; });
 }
 
-// Those of its edges whose designated face it is.
+// Computes the points of those edges whose designated halfedge belongs to the face.
 void Drawing::addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePoint>& points) const
 {
   std::optional<FaceDistance> distance;
@@ -420,7 +411,7 @@ IsolinePieces Drawing::drawFaces(std::size_t first, std::size_t last, std::size_
     const auto [from, to] = this->rangeOf(face).indicesIn(this->levels_);
     for (std::size_t value = from; value < to; ++value)
     {
-      goOn(progress);
+      reportProgress(progress, 0.0);
       const bool below = this->isBelow(this->mesh_.triangle(face)[0], value);
       this->findOutline(face, value, outline);
       if (outline.empty() && !below && !hasSource)

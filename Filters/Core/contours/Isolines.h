@@ -15,7 +15,7 @@ struct IsolineOptions
   std::vector<double> values;
   /// The largest distance of a chord from its arc, in the surface's units, positive.
   double chordTolerance = 0.0;
-  /// Absent: one face after another. The result does not depend on it.
+  /// If empty, one face after another. The result does not depend on it.
   ParallelFor parallelFor;
   /// Called now and then with the fraction done; returning false throws Aborted.
   ProgressCallback progress;
@@ -42,10 +42,10 @@ struct Isolines
   /// By value, then in the order of the faces. The distance grows to the left of a line, seen with
   /// the normals of the faces towards the viewer.
   std::vector<Isoline> lines;
-  /// How many of the lines cross faces of opposite orientation, so that their direction says
-  /// nothing.
+  /// The number of lines that cross faces of opposite orientation, so that their direction has no
+  /// meaning.
   std::size_t linesWithoutDirection = 0;
-  /// In how many tiny parts of faces rounding left no way but to cross them straight.
+  /// The number of tiny parts of faces that lines cross straight because of roundings.
   std::size_t partsCrossedStraight = 0;
 };
 
@@ -53,15 +53,15 @@ struct Isolines
 /// with corners where two paths are equally long (paper, sections 3.3 and 4.2.2, in the face
 /// instead of on its edges). All points are exactly at the value, and no interpolant is used.
 ///
-/// Lines end at the boundary and at edges of three and more faces, there in a shared point. A
+/// Lines end at the boundary, and at edges of three and more faces, where they share a point. A
 /// vertex at exactly the value counts as beyond it. Values over the largest distance give no lines.
 ///
-/// Where ranks have the surface together, all draw together, each in the faces that it owns. Lines
-/// end at seams, where another rank's go on from a point with the same coordinates.
+/// All ranks draw together, each in the faces that it owns. Lines end at seams; there a line of
+/// another rank continues from a point with the same coordinates.
 ///
-/// \param field one of solveForIsolines() for these values, or with all windows kept.
-/// \throws Error where the values or the tolerance are not what they must be, or windows that are
-///         needed were not kept; Aborted.
+/// \param field made by solveForIsolines() for these values, or with all windows kept.
+/// \throws Error if the values or the tolerance are invalid, or windows that are needed were not
+///         kept; Aborted.
 Isolines drawIsolines(const DistanceField& field, const IsolineOptions& options);
 
 }

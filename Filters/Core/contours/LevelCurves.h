@@ -11,10 +11,10 @@ namespace geodesic
 {
 
 /// A part of the curve on which one distance candidate has a value: an arc of a circle or a
-/// straight piece, which runs so that the distance grows to its left.
+/// straight piece. It runs so that the distance grows to its left.
 struct LevelCurve
 {
-  /// Which candidate of the face it is.
+  /// Number of the face's candidate.
   std::size_t candidate;
   bool isArc;
   /// The centre of an arc; where a straight piece begins.
@@ -22,21 +22,20 @@ struct LevelCurve
   /// A unit vector: from the centre to where an arc begins; along a straight piece.
   Vec2 axis;
   double radius;
-  /// How far it goes: the tangent of half the angle of an arc, clockwise, at most 1; the length of
-  /// a straight piece. Places between are told in the same way, which on an arc takes no
-  /// trigonometry.
+  /// The end of the curve's parameter: the tangent of half the angle of an arc, clockwise, at most
+  /// 1; the length of a straight piece. On an arc, this parameter needs no trigonometry.
   double extent;
 
   /// The point at t, from 0 to extent.
   Vec2 at(double t) const;
-  /// The way between two such places is no longer than this.
+  /// An upper bound of the way between two such places.
   double wayBound(double t0, double t1) const
   {
     return (t1 - t0) * (this->isArc ? 2.0 * this->radius : 1.0);
   }
 };
 
-/// A rectangle around a face: what is outside of it does not matter.
+/// A rectangle around a face. Places outside it do not matter.
 struct PlaneBox
 {
   Vec2 low;
@@ -73,8 +72,8 @@ struct PlaneLine
 void addMeetings(const LevelCurve& curve, const PlaneLine& line, CurvePlaces& places);
 void addMeetings(const LevelCurve& curve, Vec2 center, double radius, CurvePlaces& places);
 
-/// Where one distance candidate is below a value: the points that it reaches straight, a convex
-/// region bounded by the rays at the ends of its window and by level curves.
+/// The points that one distance candidate reaches straight within a value: a convex region bounded
+/// by the rays at the ends of the candidate's window and by level curves.
 class LevelRegion
 {
 public:
@@ -89,7 +88,8 @@ public:
   bool contains(Vec2 p) const;
   /// Appends the curves that bound it in the box, each as far as the widened pencil goes.
   void addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const;
-  /// Whether one of the lines that bound it parts it from a box; it may miss others, too.
+  /// Whether one of the lines that bound the region separates it from a box. If not, it may miss
+  /// the box nevertheless.
   bool misses(const PlaneBox& box) const;
   /// Appends the places where a curve may enter or leave the region, and others.
   void addMeetings(const LevelCurve& curve, CurvePlaces& places) const;

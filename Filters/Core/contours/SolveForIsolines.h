@@ -10,15 +10,15 @@ namespace geodesic
 {
 
 /// Computes a field for drawIsolines(), up to the largest value and with windows only in faces that
-/// may hold one. Where windows were dropped that turn out to be needed, it is solved again with
-/// these kept; to be sure of an end, the last solve keeps all.
+/// may contain a value. If windows were dropped that turn out to be needed, it solves again and
+/// keeps these. The last solve keeps all windows, so that there is an end.
 ///
-/// \param surface whose mesh must outlive the field. Ranks that have it together solve together.
-/// \param sources what they give to begin with (propagate()).
+/// \param surface whose mesh must outlive the field. All ranks solve together.
+/// \param sources the first windows and vertices, see propagate().
 /// \param values as IsolineOptions::values.
 /// \param options exact: without a relative error.
-/// \param maximumDroppingSolves how often it is solved with windows dropped; at most one solve
-///        more is made.
+/// \param maximumDroppingSolves the largest number of solves that drop windows; at most one more
+///        solve is made.
 /// \throws as solve().
 DistanceField solveForIsolines(const MeshPartition& surface, const SourceWindows& sources,
   const std::vector<double>& values, const FrontOptions& options = {},

@@ -17,13 +17,14 @@ struct DistanceRange
   double least;
   double most;
 
-  /// The first of some ascending values that may be in the range, and behind the last one.
+  /// The index of the first of some ascending values that may lie in the range, and the index
+  /// behind the last one.
   std::array<std::size_t, 2> indicesIn(const std::vector<double>& values) const;
   bool holdsOneOf(const std::vector<double>& values) const;
 };
 
-/// \param atCorners the distances found there, exact where they are below `certain`.
-/// \param certain no path that is still to be found is shorter.
+/// \param atCorners the distances found so far, exact if they are below `certain`.
+/// \param certain a lower bound of the length of any path that is still to be found.
 /// \param hasSource whether a source lies in the face.
 DistanceRange rangeInFace(
   const FaceShape& shape, const std::array<double, 3>& atCorners, double certain, bool hasSource);

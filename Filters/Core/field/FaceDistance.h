@@ -11,11 +11,11 @@
 namespace geodesic
 {
 
-/// One way in which the distance comes to the points of a face: through a window of one of its
-/// halfedges, from a corner, or from a source in the face. Coordinates are those of FaceDistance.
+/// One way in which paths come to the points of a face: through a window of one of its halfedges,
+/// from a corner, or from a source in the face. Coordinates are those of FaceDistance.
 ///
-/// As a function of the point its length is convex and changes by no more than the way, and it is
-/// nowhere below the distance: the distance is the least of them.
+/// The length of the path is a convex function of the point, with a slope of at most 1. It is
+/// nowhere below the distance: the distance is the least of all candidates.
 struct DistanceCandidate
 {
   enum class Kind : std::uint32_t
@@ -41,11 +41,11 @@ struct DistanceCandidate
   double atBegin;
   double atEnd;
 
-  /// Whether it reaches only what lies between the rays at the ends of a window.
+  /// Whether its straight paths reach only the points between the rays at the ends of a window.
   bool hasPencil() const { return this->kind == Kind::Circular || this->kind == Kind::Linear; }
 
-  /// Length of the shortest path to a point of the face: straight where the pencil holds it, bent
-  /// at an end of the window elsewhere.
+  /// Length of the shortest path to a point of the face: straight if the point lies in the pencil,
+  /// otherwise bent at an end of the window.
   double distance(Vec2 p) const;
 };
 
@@ -57,13 +57,14 @@ class FaceDistance
 public:
   /// \param field with windows kept; must outlive this.
   /// \param face one whose corners have finite distances.
-  /// \param memory for the candidates, which spares asking for new one.
-  /// \throws Error where no windows were kept.
+  /// \param memory for the candidates, to be used again.
+  /// \throws Error if no windows were kept.
   FaceDistance(const DistanceField& field, Id face, std::vector<DistanceCandidate> memory = {});
 
   Id face() const { return this->face_; }
 
-  /// Whether the field is exact. In an approximate one the faces at a point may differ.
+  /// Whether the field is exact. In an approximate field the faces around a point may have
+  /// different distances there.
   bool isExact() const { return this->exact_; }
 
   /// A point of the face in the plane.

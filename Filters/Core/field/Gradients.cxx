@@ -17,29 +17,26 @@ void Gradients::add(const IncomingSegment& piece)
   this->result_.push_back(gradientOf(this->field_.mesh(), piece));
 }
 
-// This rank knows no face behind the halfedge, but the one that owns the halfedge's face may.
+// Whether this rank knows no face behind the halfedge although the owner of the halfedge's face
+// may.
 bool Gradients::goesOnElsewhere(const IncomingRay& ray) const
 {
   const TriangleMesh& mesh = this->field_.mesh();
-  return this->field_.surface().isDistributed() && !isInSpace(mesh, ray) &&
-    mesh.isBoundary(ray.halfedge) &&
+  return !isInSpace(mesh, ray) && mesh.isBoundary(ray.halfedge) &&
     !this->field_.surface().isOwn(TriangleMesh::faceOf(ray.halfedge));
 }
 
 void Gradients::finish()
 {
-  if (this->field_.surface().isDistributed())
+  Exchange& exchange = this->field_.surface().exchange();
+  while (exchange.isTrueAnywhere(!this->travellers_.empty()))
   {
-    Exchange& exchange = this->field_.surface().exchange();
-    while (exchange.isTrueAnywhere(!this->travellers_.empty()))
-    {
-      this->handOver(exchange);
-    }
-    this->answer(exchange);
+    this->handOver(exchange);
   }
+  this->answer(exchange);
 }
 
-// To the owners of the faces that the rays come into, which go on from there.
+// Sends the rays to the owners of the faces that they enter, and follows those that come.
 void Gradients::handOver(Exchange& exchange)
 {
   const MeshPartition& part = this->field_.surface();

@@ -10,9 +10,9 @@
 namespace geodesic
 {
 
-/// The gradients at points that are given one after another: gradientOf(). Where ranks have the
-/// surface together, the last face of a path that has an area may be another rank's, behind faces
-/// without area.
+/// Finds the gradients at points that are given one after another: gradientOf(). The direction of a
+/// path is known in the last face that has an area. Behind faces without area, this face may belong
+/// to another rank.
 class Gradients
 {
 public:
@@ -25,19 +25,19 @@ public:
   }
 
   void add(const IncomingSegment& piece);
-  /// On a part all ranks call this together, once.
+  /// All ranks call this together, once.
   void finish();
 
 private:
-  /// A ray on its way back over ranks.
+  /// A ray that is followed back over ranks.
   struct Traveller
   {
-    /// Who asks: the rank, and the number of the point there.
+    /// The rank that asks, and the number of the point there.
     int rank;
     std::size_t point;
     IncomingRay ray;
-    /// Of the faces at which it was handed over: one that it has passed, how many since, and after
-    /// how many the mark moves on. So a way in a circle is noticed (R. P. Brent 1980).
+    /// Detects a cycle of the faces at which the ray is handed over (R. P. Brent 1980): a face that
+    /// it has passed, how many it has passed since then, and after how many the mark moves on.
     RankAddress mark;
     std::size_t passed;
     std::size_t limit;
@@ -55,9 +55,9 @@ private:
 
   const DistanceField& field_;
   std::vector<Vec3>& result_;
-  /// Whose rays go on on other ranks.
+  /// Rays that continue on other ranks.
   std::vector<Traveller> travellers_;
-  /// Whose rays ended here.
+  /// Rays that ended on this rank.
   std::vector<Traveller> arrived_;
 };
 

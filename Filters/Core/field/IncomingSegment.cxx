@@ -4,6 +4,7 @@
 #include "Errors.h"
 #include "Tolerance.h"
 #include "field/IncomingRay.h"
+#include "field/WaysIntoFace.h"
 
 #include <algorithm>
 
@@ -63,65 +64,59 @@ public:
 
   void comeFromSources(Id face)
   {
-    const Barycentric weights = barycentric(this->mesh_, this->point_, face);
-    for (const SourceInFace& source : this->field_.sourcesIn(face))
-    {
-      const Barycentric nearest = nearestOnSource(this->mesh_, source, weights);
-      const double distance = distanceInFace(this->mesh_, face, nearest, weights);
-      if (this->improve(IncomingSegment::Kind::Source, distance, distance))
+    const Barycentric point = barycentric(this->mesh_, this->point_, face);
+    forEachWayFromSource(this->field_, face, point,
+      [&](const SourceInFace& source, const Barycentric& begin, double length)
       {
-        this->setDirection(face, nearest, weights);
-        this->best_.source = source;
-        this->best_.along = nearestAlongSource(this->mesh_, source, weights);
-      }
-    }
+        if (this->improve(IncomingSegment::Kind::Source, length, length))
+        {
+          this->setDirection(face, begin, point);
+          this->best_.source = source;
+          this->best_.along = nearestAlongSource(this->mesh_, source, point);
+        }
+      });
   }
 
   void comeFromCorners(Id face)
   {
-    const Barycentric weights = barycentric(this->mesh_, this->point_, face);
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const Id vertex = this->mesh_.triangle(face)[k];
-      const double length = distanceInFace(this->mesh_, face, cornerWeights(k), weights);
-      const bool isPoint =
-        this->point_.kind == SurfacePoint::Kind::Vertex && this->point_.id == vertex;
-      const double distance = this->field_.vertexDistances()[vertex] + length;
-      if (!isPoint && this->improve(IncomingSegment::Kind::Corner, distance, length))
+    const Barycentric point = barycentric(this->mesh_, this->point_, face);
+    forEachWayFromCorner(this->field_, face, this->point_, point,
+      [&](std::size_t k, double distance, double length)
       {
-        this->setDirection(face, cornerWeights(k), weights);
-        this->best_.origin = this->field_.surface().globalId(vertex);
-        this->corner_ = vertex;
-      }
-    }
+        if (this->improve(IncomingSegment::Kind::Corner, distance, length))
+        {
+          this->setDirection(face, cornerWeights(k), point);
+          this->corner_ = this->mesh_.triangle(face)[k];
+          this->best_.origin = this->field_.surface().globalId(this->corner_);
+        }
+      });
   }
 
   /// Windows of a halfedge that holds the point have come through the face behind it.
   void comeThroughWindows(Id face)
   {
-    const Barycentric weights = barycentric(this->mesh_, this->point_, face);
+    const Barycentric point = barycentric(this->mesh_, this->point_, face);
     for (Id k = 0; k < 3; ++k)
     {
       const Id halfedge = 3 * face + k;
-      const bool isOnIt = weights[(k + 2) % 3] == 0.0;
-      // Behind an edge of three and more faces it may be any of the others.
+      const bool isOnIt = isOnHalfedge(point, k);
+      // Behind an edge of three and more faces the path may come through any of the others.
       const bool isUnsure = isOnIt && !this->mesh_.isInner(halfedge);
-      const Vec2 p = inHalfedgeFrame(this->mesh_, halfedge, weights);
-      for (const Window& w : this->field_.windowsOn(halfedge))
-      {
-        const double x = w.crossing(p);
-        const double distance = std::max(w.distance(x), 0.0) + norm(p - Vec2{ x, 0.0 });
-        const WayFrom way = wayFrom(x, p, w.direction(x), this->faceSize_, this->leastBend_);
-        const double straight = w.isLinear() ? distance : distance - w.sigma;
-        if (this->improve(
-              IncomingSegment::Kind::Window, distance, isUnsure || way.isBent ? 0.0 : straight))
+      const Vec2 p = inHalfedgeFrame(this->mesh_, halfedge, point);
+      forEachWayThrough(this->field_, halfedge, p,
+        [&](const Window& w, double x, double distance, double)
         {
-          const IncomingRay ray = { halfedge, false, x, way.direction };
-          this->setRay(isOnIt ? acrossEdge(this->mesh_, ray) : ray);
-          this->best_.origin = w.origin;
-          this->best_.place = w.placeOf({ x, 0.0 });
-        }
-      }
+          const WayFrom way = wayFrom(x, p, w.direction(x), this->faceSize_, this->leastBend_);
+          const double straight = w.isLinear() ? distance : distance - w.sigma;
+          if (this->improve(
+                IncomingSegment::Kind::Window, distance, isUnsure || way.isBent ? 0.0 : straight))
+          {
+            const IncomingRay ray = { halfedge, false, x, way.direction };
+            this->setRay(isOnIt ? acrossEdge(this->mesh_, ray) : ray);
+            this->best_.origin = w.origin;
+            this->best_.place = w.placeOf({ x, 0.0 });
+          }
+        });
     }
   }
 

@@ -11,8 +11,8 @@ namespace geodesic
 namespace
 {
 
-// Steps that double the way: more than any chain of vertices takes. What is open then are vertices
-// at one place that name each other.
+// Each round doubles the length, so that no chain of vertices needs more of them. Origins that are
+// still open then are vertices at one place that name each other.
 constexpr int MaximumSteps = 33;
 
 } // anonymous namespace
@@ -56,7 +56,7 @@ RemoteOrigins::RemoteOrigins(
   }
 }
 
-// What a path to a point of the part may come from.
+// The vertices that a path to a point of the part may come from.
 void RemoteOrigins::collect()
 {
   const MeshPartition& part = this->field_.surface();

@@ -12,17 +12,17 @@
 namespace geodesic
 {
 
-/// Where ranks have a surface together: what comes from vertices that other ranks count. A chain of
-/// pseudo-sources may go through many ranks; each step asks what the vertex that is known so far
-/// comes from, which is as far again by then.
+/// Finds the origins of paths that come from vertices counted by other ranks. A chain of
+/// pseudo-sources may lead through many ranks. In each round, every rank asks for the origin of the
+/// vertex that it has followed a chain to. As the ranks asked follow their own chains at the same
+/// time, each round doubles the known length of the chains.
 class RemoteOrigins
 {
 public:
-  /// All ranks together find it.
+  /// All ranks call this together.
   ///
-  /// \param field on this rank's part, with arrivals. Known after it are the origins of all
-  /// vertices
-  ///        of the part that are not counted here, and of those that its windows name.
+  /// \param field on this rank's part, with arrivals. Finds the origins of all vertices of the part
+  ///        that are not counted here, and of the vertices that its windows name.
   /// \param vertices of that part.
   /// \param atVertices for each vertex of the part: of those counted here the source, as Window has
   ///        it, NoId where there is none, or the vertex counted elsewhere from which the path comes

@@ -62,7 +62,7 @@ double RetentionAround::upperBound(const SurfacePoint& target, const VertexNumbe
   return least;
 }
 
-// Bounds fall as the front comes nearer; they are looked at again halfway.
+// Bounds fall as the front approaches; they are computed again halfway.
 void RetentionAround::advance(const FrontState& front)
 {
   while (this->seen_ < this->targets_.size() &&

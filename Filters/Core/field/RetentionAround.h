@@ -10,9 +10,9 @@
 namespace geodesic
 {
 
-/// Keeps windows around some targets, and lets the front stop when all targets are settled. For
-/// distances, these are the windows of the faces around targets that are not vertices; for paths
-/// (PathTracer) also those of the faces around edges of three and more.
+/// Keeps windows around some targets, and stops the front when all targets are settled. Distances
+/// need the windows of the faces around targets that are not vertices. Paths (PathTracer) also need
+/// those of the faces around edges of three and more faces.
 class RetentionAround : public KeepFaces
 {
 public:
@@ -37,11 +37,11 @@ private:
   double upperBound(const SurfacePoint& target, const VertexNumbers& distances) const;
 
   std::vector<SurfacePoint> targets_;
-  /// How many of the targets, from the first on, the front has come near to.
+  /// How many of the targets, from the first on, have a finite bound.
   std::size_t seen_ = 0;
   double limit_;
   double reach_;
-  /// The key at which the reach is looked at again.
+  /// The key at which the reach is computed again.
   double nextLook_ = 0.0;
 };
 

@@ -9,7 +9,7 @@
 namespace geodesic
 {
 
-/// Where the distance along a segment passes a value.
+/// A place where the distance along a segment passes a value.
 struct SegmentCrossing
 {
   /// From the segment's begin.
@@ -18,9 +18,9 @@ struct SegmentCrossing
   bool rises;
 };
 
-/// The places of a segment where the distance passes a value, in their order (paper, equation 1 and
-/// section 4.2.2, solved for the place). They alternate between rising and falling, and agree with
-/// what is said of the ends, whatever rounding does.
+/// Finds the places of a segment where the distance passes a value, in their order (paper, equation
+/// 1 and section 4.2.2, solved for the place). They alternate between rising and falling and agree
+/// with the arguments about the ends, in spite of roundings.
 ///
 /// \param envelope the distance along the segment, see SegmentEnvelope; may be empty where the
 ///        segment has hardly any length.

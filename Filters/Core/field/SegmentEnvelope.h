@@ -11,10 +11,10 @@ namespace geodesic
 {
 
 /// Builds the exact piecewise distance along any segment of a face: a segment splits a pencil of
-/// rays like an edge does, so that no propagation is needed (paper, section 6). One face suffices
-/// for its own edges, too.
+/// rays as an edge does, so that no propagation is needed (paper, section 6). One face suffices for
+/// its own edges, too.
 ///
-/// One builder is reused for many segments, for the memory that it holds.
+/// One builder is used for many segments, for the memory that it holds.
 class SegmentEnvelope
 {
 public:

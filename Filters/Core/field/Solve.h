@@ -25,9 +25,8 @@ enum class KeepWindows
 /// that is to be refined solveForRefinement() needs less memory.
 ///
 /// \param surface whose mesh must outlive the field.
-/// \param sources what they give to begin with (propagate()).
-/// \throws SourceError where there is no curve; Error where the relative error is not a number >=
-/// 0;
+/// \param sources the first windows and vertices, see propagate().
+/// \throws SourceError if there is no curve; Error if the relative error is not a number >= 0;
 ///         Aborted.
 DistanceField solve(const MeshPartition& surface, SourceWindows sources,
   const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);
@@ -36,14 +35,14 @@ DistanceField solve(const MeshPartition& surface, SourceWindows sources,
 DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);
 
-/// Solves with windows dropped. Where some were dropped that turn out to be needed, on any rank, it
-/// solves again with these kept.
+/// Solves with windows dropped. If any rank has dropped windows that turn out to be needed, all
+/// ranks solve again and keep these.
 ///
-/// \param maximumSolves how often.
-/// \param makeRetention (pinned) -> a retention with droppedTooEarly() and release(); pinned says
-/// of
-///        each face whether its windows are never dropped.
-/// \returns nothing where the last solve has dropped some, too: then all have to be kept.
+/// \param maximumSolves the largest number of solves.
+/// \param makeRetention (pinned) -> a retention with droppedTooEarly() and release(). `pinned` has
+/// an
+///        entry for each face: not 0 if its windows must not be dropped.
+/// \returns nothing if the last solve has dropped needed windows, too: then all must be kept.
 template <typename MakeRetention>
 std::optional<DistanceField> solveDropping(const MeshPartition& surface,
   const SourceWindows& sources, const FrontOptions& options, int maximumSolves,

@@ -65,10 +65,7 @@ private:
     const double fraction = std::min(1.0, static_cast<double>(this->done_.load()) / all);
     try
     {
-      if (progress && !progress(fraction))
-      {
-        throw Aborted();
-      }
+      reportProgress(progress, fraction);
     }
     catch (...)
     {

@@ -11,15 +11,15 @@
 namespace geodesic
 {
 
-/// Work that tells how far it is: it calls the callback with a fraction done, and stops with
-/// Aborted where that returns false.
+/// A task that reports its progress: it calls the callback with the fraction done, and throws
+/// Aborted if the callback returns false.
 using WatchedTask = std::function<void(std::size_t number, const ProgressCallback& progress)>;
 
-/// Runs tasks of some length side by side. While they run the calling thread tells how much of all
-/// is done, many times a second: the callback is called from there only, whichever thread is at
-/// work. After an exception of a task the others are stopped, and it is thrown again.
+/// Runs long tasks side by side. Meanwhile the calling thread reports, many times a second, how
+/// much of all is done: the callback is called from the calling thread only. If a task throws, the
+/// other tasks are stopped, and the exception is thrown again.
 ///
-/// \param parallelFor absent: one task after another in the calling thread.
+/// \param parallelFor if empty, one task after another in the calling thread.
 /// \param progress called with the fraction done in [0, 1]; returning false stops all tasks.
 /// \throws Aborted
 void runWatched(std::size_t count, const WatchedTask& task, const ParallelFor& parallelFor,

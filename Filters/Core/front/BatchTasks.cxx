@@ -262,7 +262,7 @@ bool BatchTasks::isOutsideCorridor(Id halfedge, const WindowRange& windows) cons
   const double atDestination = corridor->lowerBounds[this->mesh_.destination(halfedge)];
   const double left = 0.5 * (atOrigin + atDestination - this->mesh_.length(halfedge));
   return std::none_of(windows.begin(), windows.end(),
-    [&](const Window& w) { return w.minimum() + left <= corridor->length; });
+    [&](const Window& w) { return w.minimum() + left <= this->longestPath_; });
 }
 
 void BatchTasks::shorten(District& district, const DistanceUpdate& update)

@@ -33,11 +33,14 @@ public:
     , mailboxes_(mailboxes)
     , retention_(retention)
     , mostFaces_(surface.numberOfGlobalFaces())
+    , longestPath_(options.corridor != nullptr ? options.corridor->length : Infinity)
   {
   }
 
   /// Step (1) for the district's vertices in the batch; continues where it paused.
   void processBatch(FrontWorker& worker, District& district, Id batch);
+  /// Between batches: narrows the corridor.
+  void limitPaths(double longest) { this->longestPath_ = std::min(this->longestPath_, longest); }
   /// Step (2), first part: takes the distances sent to the district, which may make lists needless.
   void receiveUpdates(District& district);
   /// Step (2), second part: takes the lists sent to the district; continues where it paused.
@@ -56,7 +59,7 @@ private:
   {
     const Corridor* corridor = this->options_.corridor;
     return corridor != nullptr &&
-      this->vertices_.distance(vertex) + corridor->lowerBounds[vertex] > corridor->length;
+      this->vertices_.distance(vertex) + corridor->lowerBounds[vertex] > this->longestPath_;
   }
 
   bool isOutsideCorridor(Id halfedge, const WindowRange& windows) const;
@@ -88,6 +91,8 @@ private:
   Retention& retention_;
   /// The largest number of faces that a shortest path can cross.
   Id mostFaces_;
+  /// Of those looked for in the corridor.
+  double longestPath_;
 };
 
 }

@@ -415,6 +415,7 @@ void Front::finishBatch()
     this->exchangeArrivals();
   }
   this->retention_.advance(this->state());
+  this->tasks_.limitPaths(this->retention_.longestPath());
   if (!this->surface_.isDistributed())
   {
     this->reach_ = this->retention_.reach();

@@ -87,6 +87,8 @@ public:
   /// front that goes everywhere. The value may decrease as the front proceeds. Unlike with a
   /// distance limit, faces need not be complete.
   virtual double reach() const { return Infinity; }
+  /// In a corridor: a path that is longer is not looked for. May fall as the front goes on.
+  virtual double longestPath() const { return Infinity; }
   /// Before the first batch.
   virtual void setNumberOfDistricts(std::size_t) {}
   /// Called before the first batch, with the sources inside faces.

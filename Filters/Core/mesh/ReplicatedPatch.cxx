@@ -6,69 +6,6 @@
 namespace geodesic
 {
 
-/// A face as sent to all ranks.
-struct ReplicatedPatch::Face
-{
-  RankAddress owner;
-  /// Global ids.
-  Triangle vertices;
-  std::array<Vec3, 3> points;
-  std::uint8_t boundary;
-
-  bool operator<(const Face& other) const { return this->owner < other.owner; }
-};
-
-ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces)
-  : tables_(part.isDistributed() ? std::make_shared<Tables>(part, faces) : nullptr)
-  , mesh_(tables_ ? &tables_->mesh : &part.mesh())
-{
-}
-
-ReplicatedPatch::Tables::Tables(const MeshPartition& part, const std::vector<Id>& faces)
-{
-  const std::vector<Face> gathered = gather(part, faces);
-  for (const Face& face : gathered)
-  {
-    this->globalIds.insert(this->globalIds.end(), face.vertices.begin(), face.vertices.end());
-  }
-  std::sort(this->globalIds.begin(), this->globalIds.end());
-  this->globalIds.erase(
-    std::unique(this->globalIds.begin(), this->globalIds.end()), this->globalIds.end());
-  std::vector<Vec3> points(this->globalIds.size());
-  std::vector<Triangle> triangles;
-  for (const Face& face : gathered)
-  {
-    Triangle triangle;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      triangle[k] = static_cast<Id>(
-        std::lower_bound(this->globalIds.begin(), this->globalIds.end(), face.vertices[k]) -
-        this->globalIds.begin());
-      points[triangle[k]] = face.points[k];
-    }
-    triangles.push_back(triangle);
-    this->owners.push_back(face.owner);
-    this->boundary.push_back(face.boundary);
-  }
-  if (triangles.empty())
-  {
-    return;
-  }
-  this->mesh = TriangleMesh(std::move(points), triangles);
-
-  const TriangleMesh& own = part.mesh();
-  this->vertexOfPart.assign(this->globalIds.size(), NoId);
-  for (Id face = 0; face < this->mesh.numberOfFaces(); ++face)
-  {
-    const bool isOwn = this->owners[face].rank == part.exchange().rank();
-    this->faceOfPart.push_back(isOwn ? this->owners[face].id : part.copyOf(this->owners[face]));
-    for (std::size_t k = 0; k < 3 && isOwn; ++k)
-    {
-      this->vertexOfPart[this->mesh.triangle(face)[k]] = own.triangle(this->faceOfPart[face])[k];
-    }
-  }
-}
-
 namespace
 {
 
@@ -111,68 +48,68 @@ std::vector<Id> ownWithNeighbours(const MeshPartition& part, const std::vector<I
   return own;
 }
 
-} // anonymous namespace
-
-// Every rank sends its own faces among the requested ones and their neighbours, together with the
-// faces around these, including copies.
-std::vector<ReplicatedPatch::Face> ReplicatedPatch::gather(
-  const MeshPartition& part, const std::vector<Id>& faces)
+// Every rank sends its faces among those asked for and around them, and what is around these, also
+// copies: of which one is left. Only the owner of a face says what of it is boundary.
+std::vector<SentFace> gather(
+  const MeshPartition& part, const std::vector<Id>& faces, std::vector<std::uint8_t>& boundary)
 {
-  const TriangleMesh& mesh = part.mesh();
-  const std::vector<Id> around = withNeighbours(mesh, ownWithNeighbours(part, faces));
-  Message message;
-  for (const Id id : around)
+  struct Entry
   {
-    const bool isOwn = part.isOwn(id);
-    Face face = { part.addressOf(id), {}, {}, 0 };
+    SentFace face;
+    std::uint8_t boundary;
+  };
+  const TriangleMesh& mesh = part.mesh();
+  Message message;
+  for (const Id face : withNeighbours(mesh, ownWithNeighbours(part, faces)))
+  {
+    Entry entry = { sentFace(part, face), 0 };
     for (Id k = 0; k < 3; ++k)
     {
-      const Id vertex = mesh.triangle(id)[k];
-      face.vertices[k] = part.globalId(vertex);
-      face.points[k] = mesh.point(vertex);
-      face.boundary |=
-        static_cast<std::uint8_t>(isOwn && mesh.isBoundary(3 * id + k) ? 1U << k : 0U);
+      const bool isBoundary = part.isOwn(face) && mesh.isBoundary(3 * face + k);
+      entry.boundary |= static_cast<std::uint8_t>(isBoundary ? 1U << k : 0U);
     }
-    put(message, face);
+    put(message, entry);
   }
-  std::vector<Face> gathered;
+  std::vector<Entry> gathered;
   readEach(part.exchange().tellAll(message),
-    [&](int, MessageReader& reader) { gathered.push_back(reader.get<Face>()); });
-  std::sort(gathered.begin(), gathered.end());
-  // If there are copies, the one from the owner is kept, which has the right boundary.
-  std::vector<Face> result;
-  for (const Face& face : gathered)
+    [&](int, MessageReader& reader) { gathered.push_back(reader.get<Entry>()); });
+  std::sort(gathered.begin(), gathered.end(),
+    [](const Entry& a, const Entry& b) { return a.face < b.face; });
+  std::vector<SentFace> result;
+  for (const Entry& entry : gathered)
   {
-    if (!result.empty() && !(result.back() < face))
+    if (result.empty() || result.back() < entry.face)
     {
-      result.back().boundary |= face.boundary;
-      continue;
+      result.push_back(entry.face);
+      boundary.push_back(0);
     }
-    result.push_back(face);
+    boundary.back() |= entry.boundary;
   }
   return result;
 }
 
-Id ReplicatedPatch::faceAt(const RankAddress& face) const
+} // anonymous namespace
+
+ReplicatedPatch::Tables::Tables(const MeshPartition& part, const std::vector<Id>& asked)
+  : faces(gather(part, asked, this->boundary))
 {
-  if (!this->tables_)
+  const TriangleMesh& mesh = this->faces.mesh();
+  this->vertexOfPart.assign(mesh.numberOfVertices(), NoId);
+  for (Id face = 0; face < mesh.numberOfFaces(); ++face)
   {
-    return face.id;
+    const Id ofPart = part.faceAt(this->faces.ownerOf(face));
+    this->faceOfPart.push_back(ofPart);
+    for (std::size_t k = 0; k < 3 && ofPart != NoId && part.isOwn(ofPart); ++k)
+    {
+      this->vertexOfPart[mesh.triangle(face)[k]] = part.mesh().triangle(ofPart)[k];
+    }
   }
-  const std::vector<RankAddress>& owners = this->tables_->owners;
-  const auto found = std::lower_bound(owners.begin(), owners.end(), face);
-  return found == owners.end() || face < *found ? NoId : static_cast<Id>(found - owners.begin());
 }
 
-Id ReplicatedPatch::vertexAt(Id globalId) const
+ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces)
+  : tables_(part.isDistributed() ? std::make_shared<Tables>(part, faces) : nullptr)
+  , mesh_(tables_ ? &tables_->faces.mesh() : &part.mesh())
 {
-  if (!this->tables_)
-  {
-    return globalId;
-  }
-  const std::vector<Id>& ids = this->tables_->globalIds;
-  const auto found = std::lower_bound(ids.begin(), ids.end(), globalId);
-  return found == ids.end() || globalId < *found ? NoId : static_cast<Id>(found - ids.begin());
 }
 
 }

@@ -2,7 +2,7 @@
 #ifndef geodesic_ReplicatedPatch_h
 #define geodesic_ReplicatedPatch_h
 
-#include "mesh/MeshPartition.h"
+#include "mesh/GatheredFaces.h"
 
 #include <memory>
 #include <vector>
@@ -37,13 +37,22 @@ public:
   /// The owner of a face, and a vertex's global id.
   RankAddress ownerOf(Id face) const
   {
-    return this->tables_ ? this->tables_->owners[face] : RankAddress{ 0, face };
+    return this->tables_ ? this->tables_->faces.ownerOf(face) : RankAddress{ 0, face };
   }
-  Id globalId(Id vertex) const { return this->tables_ ? this->tables_->globalIds[vertex] : vertex; }
-  /// The patch's copy of a face; NoId if the patch does not have it.
-  Id faceAt(const RankAddress& face) const;
-  /// The patch's copy of a vertex, by global id; NoId if the patch does not have it.
-  Id vertexAt(Id globalId) const;
+  Id globalId(Id vertex) const
+  {
+    return this->tables_ ? this->tables_->faces.globalId(vertex) : vertex;
+  }
+  /// The face of the patch that a face of the whole has become; NoId where it has not.
+  Id faceAt(const RankAddress& face) const
+  {
+    return this->tables_ ? this->tables_->faces.faceAt(face) : face.id;
+  }
+  /// The same of a vertex, by its global number.
+  Id vertexAt(Id globalId) const
+  {
+    return this->tables_ ? this->tables_->faces.vertexAt(globalId) : globalId;
+  }
 
   /// Whether an edge of one of the first faces is on the boundary of the whole surface. The patch
   /// has a boundary of its own where it ends.
@@ -63,22 +72,16 @@ public:
   }
 
 private:
-  struct Face;
-
   struct Tables
   {
-    Tables(const MeshPartition& part, const std::vector<Id>& faces);
+    Tables(const MeshPartition& part, const std::vector<Id>& asked);
 
-    TriangleMesh mesh;
-    std::vector<RankAddress> owners;
-    std::vector<Id> globalIds;
     /// A bit for each halfedge of a face.
     std::vector<std::uint8_t> boundary;
+    GatheredFaces faces;
     std::vector<Id> faceOfPart;
     std::vector<Id> vertexOfPart;
   };
-
-  static std::vector<Face> gather(const MeshPartition& part, const std::vector<Id>& faces);
 
   /// Null in one process.
   std::shared_ptr<const Tables> tables_;

@@ -163,6 +163,21 @@ std::array<double, 3> barycentric(const TriangleMesh& mesh, const SurfacePoint& 
   return result;
 }
 
+FacePoint toFacePoint(const TriangleMesh& mesh, Id face, const SurfacePoint& point)
+{
+  const Id corner =
+    point.kind == SurfacePoint::Kind::Vertex ? cornerWith(mesh, face, point.id) : point.id % 3;
+  return { point.kind, corner, point.u, point.v };
+}
+
+SurfacePoint fromFacePoint(const TriangleMesh& mesh, Id face, const FacePoint& point)
+{
+  const Id id = point.kind == SurfacePoint::Kind::Vertex ? mesh.triangle(face)[point.corner]
+    : point.kind == SurfacePoint::Kind::Edge             ? 3 * face + point.corner
+                                                         : face;
+  return { point.kind, id, point.u, point.v };
+}
+
 bool contains(const TriangleMesh& mesh, Id face, const SurfacePoint& point)
 {
   switch (point.kind)

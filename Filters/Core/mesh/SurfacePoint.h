@@ -52,6 +52,22 @@ SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point);
 /// Barycentric coordinates of the point in a face that contains it, see contains().
 std::array<double, 3> barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id face);
 
+/// A point by the corners of a face that holds it: the same on every mesh that has the face, as
+/// one rank tells another.
+struct FacePoint
+{
+  SurfacePoint::Kind kind;
+  /// The corner that the point is at, or that its halfedge begins at; of no use inside the face.
+  Id corner;
+  /// As SurfacePoint's.
+  double u;
+  double v;
+};
+
+/// \param point of the face; one on an edge names a halfedge of the face.
+FacePoint toFacePoint(const TriangleMesh& mesh, Id face, const SurfacePoint& point);
+SurfacePoint fromFacePoint(const TriangleMesh& mesh, Id face, const FacePoint& point);
+
 /// Whether the point lies in the (closed) face.
 bool contains(const TriangleMesh& mesh, Id face, const SurfacePoint& point);
 

@@ -11,7 +11,7 @@ namespace geodesic
 namespace
 {
 
-/// The vertex that an edge point cannot be told from by the rounding of tracing; else the point.
+/// The vertex that a point on an edge is at but for the rounding of tracing; else the point.
 SurfacePoint atVertexWithin(const TriangleMesh& mesh, const SurfacePoint& point, double rounding)
 {
   if (point.kind != SurfacePoint::Kind::Edge)
@@ -58,6 +58,14 @@ std::vector<SurfacePoint> cleanedPath(const TriangleMesh& mesh,
   }
   result.push_back(second);
   return result;
+}
+
+std::vector<SurfacePoint> cleanedTrace(
+  const TriangleMesh& mesh, const std::vector<SurfacePoint>& path, double length)
+{
+  return path.empty()  ? path
+    : path.size() == 1 ? std::vector<SurfacePoint>(2, path.front())
+                       : cleanedPath(mesh, path, path.front(), path.back(), length);
 }
 
 }

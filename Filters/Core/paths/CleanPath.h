@@ -10,13 +10,19 @@
 namespace geodesic
 {
 
-/// A traced path without what tracing adds by rounding: crossings of edges at their ends, repeated
-/// points. The ends are the given ones. What is left has the faces in common that it had.
+/// Takes out of a path what tracing adds by rounding: crossings of edges at their ends, and
+/// repeated points. Consecutive points still have a face in common.
 ///
-/// \param length of the path, or a bound of it: to a fraction of that a crossing is at a vertex.
+/// \param first, second the ends that the result gets.
+/// \param length of the path, or a bound of it: a crossing nearer to a vertex than a fraction of it
+///        is at the vertex.
 std::vector<SurfacePoint> cleanedPath(const TriangleMesh& mesh,
   const std::vector<SurfacePoint>& path, const SurfacePoint& first, const SurfacePoint& second,
   double length);
+
+/// The same with the path's own ends; a path of one point gets it twice, and one of none stays so.
+std::vector<SurfacePoint> cleanedTrace(
+  const TriangleMesh& mesh, const std::vector<SurfacePoint>& path, double length);
 
 }
 

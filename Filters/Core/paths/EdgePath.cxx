@@ -10,7 +10,7 @@ namespace geodesic
 namespace
 {
 
-/// The vertices that the point sees straight within the faces around it.
+/// The vertices of the faces around a point, to which the way is straight; of a vertex only itself.
 std::vector<Id> verticesAround(const TriangleMesh& mesh, const SurfacePoint& point)
 {
   if (point.kind == SurfacePoint::Kind::Vertex)
@@ -27,8 +27,8 @@ std::vector<Id> verticesAround(const TriangleMesh& mesh, const SurfacePoint& poi
   return result;
 }
 
-/// Best-first search along mesh edges, from one point to another (A*: the distance in space that is
-/// left is a lower bound).
+/// Best-first search along mesh edges, from one point to another (A*: the remaining distance in
+/// space is a lower bound).
 class EdgeSearch
 {
 public:
@@ -63,8 +63,8 @@ public:
     }
   }
 
-  /// The length of the shortest path to the target by way of one of the goals, from each of which
-  /// it is straight.
+  /// Returns the length of the shortest path to the target through one of the goals. From each goal
+  /// the way to the target is straight.
   double run(const std::vector<Id>& goals, const ProgressCallback& progress)
   {
     double best = Infinity;
@@ -85,10 +85,7 @@ public:
       constexpr std::size_t stepsPerReport = 4096;
       if (step % stepsPerReport == 0)
       {
-        if (progress && !progress(0.0))
-        {
-          throw Aborted();
-        }
+        reportProgress(progress, 0.0);
       }
     }
     return best;

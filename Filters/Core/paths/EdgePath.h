@@ -11,10 +11,10 @@
 namespace geodesic
 {
 
-/// The length of a path from one point to another along mesh edges, by best-first search: an upper
-/// bound of the geodesic distance; infinite where there is none.
+/// Finds the length of a path from one point to another along mesh edges by best-first search: an
+/// upper bound of the geodesic distance. Infinite if no path joins the points.
 ///
-/// \param lengthTo work space, one entry a vertex; made where it is empty, and left clean.
+/// \param lengthTo work space, one entry a vertex; allocated if it is empty, and left clean.
 /// \param progress called now and then with 0; returning false throws Aborted.
 double lengthAlongEdges(const TriangleMesh& mesh, const SurfacePoint& first,
   const SurfacePoint& second, std::vector<double>& lengthTo, const ProgressCallback& progress);

@@ -13,11 +13,11 @@ namespace geodesic
 namespace
 {
 
-/// Relative error of the fronts. The strip that they leave is as wide as the root of that; with
-/// less, they take longer, with more the strip does.
+/// Relative error of the fronts. The strip is as wide as the root of the error: with a smaller
+/// error the fronts take longer, with a larger one the search in the strip does.
 constexpr double SearchError = 1e-3;
 
-/// Keeps nothing, and lets the front stop when it has come to a point.
+/// Keeps no windows, and stops the front when it has reached a point.
 class StopAtPoint : public KeepNone
 {
 public:
@@ -37,7 +37,7 @@ public:
     this->length_ = this->corners_.empty() ? 0.0 : Infinity;
   }
 
-  /// Of a path to the point over a vertex known; 0 where others know the point.
+  /// The length of a known path to the point; 0 if the point lies on other ranks.
   double reach() const override { return this->length_; }
   bool knowsPoint() const { return !this->corners_.empty(); }
 
@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  /// Of the point's faces, with the way to the point.
+  /// The corners of the point's faces, with their distances from the point.
   std::vector<std::pair<Id, double>> corners_;
   double length_;
 };
@@ -113,7 +113,7 @@ private:
 
 using Pair = std::pair<SurfacePoint, SurfacePoint>;
 
-/// Of the places that two points may have, those that share no face.
+/// Adds those pairs of places of two points that share no face.
 void addFarPairs(const TriangleMesh& mesh, const LocatedPolyline& polyline, std::size_t first,
   std::size_t second, double coordinatePrecision, std::vector<Pair>& pairs)
 {
@@ -153,7 +153,8 @@ LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
   const double reach = part.exchange().largestOf(stop.reach());
   ways.length =
     part.exchange().leastOf(stop.knowsPoint() ? stop.reach() : Infinity) / (1.0 - SearchError);
-  // What the front has not settled is beyond its reach; in space no way is shorter than straight.
+  // Vertices that the front has not settled are beyond its reach; no way is shorter than the
+  // distance in space.
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
     ways.atLeast[vertex] = std::max(std::min(ways.atLeast[vertex], reach),

@@ -11,38 +11,39 @@
 namespace geodesic
 {
 
-/// Bounds of the ways from a point, as far as to another.
+/// Bounds of the distance from one point, up to another one.
 struct LowerBounds
 {
-  /// No path between both points is needed that is longer; infinite where none joins them.
+  /// An upper bound of the distance between the two points; infinite if no path joins them.
   double length = Infinity;
-  /// No path to a vertex of the part is shorter.
+  /// A lower bound of the distance to each vertex of the partition.
   std::vector<double> atLeast;
 };
 
-/// By an approximate front that stops at the other point. All ranks call together.
+/// Finds the bounds by an approximate front that stops at the other point. All ranks call this
+/// together.
 ///
-/// \param patch with the faces of both points.
+/// \param patch that contains the faces of both points.
 /// \param options for several threads and the progress.
 /// \throws Aborted
 LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
   const SurfacePoint& from, const SurfacePoint& to, FrontOptions options = {});
 
-/// On a surface that ranks have together: the faces that shortest paths between consecutive points
-/// of polylines can touch, where these points share no face. With them a patch has the shortest
-/// paths of the whole, and polylines are put onto it as onto one surface.
+/// Finds the faces that shortest paths between consecutive points of polylines can touch, for
+/// points that share no face. A patch that contains these faces has the same shortest paths as the
+/// whole surface, so that polylines can be put onto the patch.
 ///
-/// An approximate front from either point, which stops at the other, bounds the ways to both from
-/// below; faces where these add up to more than a path's length are left out. What is left is a
-/// strip, narrow where the points are far apart.
+/// Two approximate fronts, one from each point, stop at the other point and bound the distances to
+/// both points from below. Faces where the two bounds add up to more than a path's length are left
+/// out. The remaining faces form a strip, which is narrow compared with the distance of the points.
 ///
-/// All ranks call together.
+/// All ranks call this together.
 ///
-/// \param patch with the faces of the points and those around them.
+/// \param patch that contains the faces of the points and those around them.
 /// \param polylines located on the patch.
 /// \param progress called now and then with a fraction done; returning false throws Aborted.
-/// \returns faces that this rank owns, ascending; none where no points are far or no path joins
-///          them.
+/// \returns faces that this rank owns, ascending; none if consecutive points share faces or no path
+///          joins them.
 /// \throws Aborted
 std::vector<Id> facesBetweenPoints(const MeshPartition& part, const ReplicatedPatch& patch,
   const std::vector<LocatedPolyline>& polylines, const SnapOptions& options,

@@ -13,20 +13,21 @@
 namespace geodesic
 {
 
-/// Joins the far points of polylines by shortest paths (ShortestPathFinder), whose work arrays all
-/// joins share. The mesh must outlive the result.
+/// Makes a function that joins the far points of polylines by shortest paths (ShortestPathFinder).
+/// All joins share its work space. The mesh must outlive the result.
 JoinPoints joinByShortestPaths(const TriangleMesh& mesh, const ParallelFor& parallelFor = {});
 
-/// The paths that have joined far points of a mesh's curves, kept from one use to the next: where
-/// one point of a polyline has moved, the other segments need not be joined again.
+/// Keeps the paths that have joined far points of a mesh's curves from one use to the next. If one
+/// point of a polyline moves, the other segments need not be joined again.
 class JoinedPaths
 {
 public:
-  /// A use begins: paths that it does not ask for are forgotten when it ends.
+  /// Begins a use. Paths that the use does not ask for are forgotten when it ends.
   void beginUse() { this->used_.clear(); }
   void endUse() { this->kept_ = std::move(this->used_); }
 
-  /// Joins points as `join` does, unless the path is kept. This object must outlive the result.
+  /// Makes a function that joins points as `join` does, unless their path is kept. This object must
+  /// outlive the result.
   JoinPoints reusedBy(JoinPoints join);
 
 private:

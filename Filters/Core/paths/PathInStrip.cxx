@@ -4,7 +4,7 @@
 #include "Tolerance.h"
 #include "field/Solve.h"
 #include "paths/CleanPath.h"
-#include "paths/NotePassedFaces.h"
+#include "paths/PathInWindows.h"
 #include "source/CurvesInFaces.h"
 #include "source/SourceWindowsOfPartition.h"
 
@@ -15,6 +15,26 @@ namespace geodesic
 
 namespace
 {
+
+/// Notes which faces windows have gone through. Two tasks may note one face, so each district has a
+/// list of its own.
+class NotePassedFaces : public Retention
+{
+public:
+  bool needsInside() const override { return false; }
+  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
+  void pass(std::size_t district, const PassedList& list, Id, WindowPool& pool) override
+  {
+    this->passed_[district].push_back(TriangleMesh::faceOf(list.halfedge));
+    pool.free(list.windows);
+  }
+
+  /// For each district its faces, several times maybe.
+  const std::vector<std::vector<Id>>& passed() const { return this->passed_; }
+
+private:
+  std::vector<std::vector<Id>> passed_;
+};
 
 class StripSearch
 {
@@ -29,22 +49,23 @@ public:
   {
   }
 
-  /// Selects what the way back from the target goes through.
-  void findWayBack(const KnownDistances& known, FrontOptions options);
-  /// On the target's rank; all ranks take part in gathering the strip.
-  PathInSpace find(const FrontOptions& options) const;
+  bool isTargetHere() const { return this->target_.face.rank == this->part_.exchange().rank(); }
+  /// Finds this rank's faces of the strip.
+  std::vector<Id> findFaces(const KnownDistances& known, FrontOptions options) const;
+  /// Finds the path in the strip.
+  PathToSource find(
+    const ReplicatedPatch& strip, const std::vector<Id>& faces, FrontOptions options) const;
 
 private:
-  bool isTargetHere() const { return this->target_.face.rank == this->part_.exchange().rank(); }
-  void addOwn(Id face)
+  SurfacePoint targetOn(const ReplicatedPatch& patch) const
   {
-    if (face != NoId && this->part_.isOwn(face))
-    {
-      this->faces_.push_back(face);
-    }
+    return fromFacePoint(patch.mesh(), patch.faceAt(this->target_.face), this->target_.point);
   }
-  void addFacesOfCurves();
-  SurfacePoint pointOf(const ReplicatedPatch& strip, SurfacePoint point) const;
+  std::vector<double> distancesToTarget(
+    const KnownDistances& known, FrontOptions options, Retention& passed) const;
+  void addFacesOfCurves(std::vector<Id>& faces) const;
+  Corridor corridorIn(const ReplicatedPatch& strip, const std::vector<Id>& faces) const;
+  SurfacePoint pointOn(const ReplicatedPatch& strip, const SurfacePoint& point) const;
   std::vector<SourceCurve> curvesOn(const ReplicatedPatch& strip) const;
 
   const MeshPartition& part_;
@@ -52,147 +73,167 @@ private:
   const std::vector<SourceCurve>& curves_;
   const TargetOnRank& target_;
   double length_;
-  /// Of this rank in the strip.
-  std::vector<Id> faces_;
 };
 
-void StripSearch::findWayBack(const KnownDistances& known, FrontOptions options)
+// A front from the target, which goes nowhere from where the source is too far.
+std::vector<double> StripSearch::distancesToTarget(
+  const KnownDistances& known, FrontOptions options, Retention& passed) const
 {
   const ReplicatedPatch around(this->part_,
     this->isTargetHere() ? std::vector<Id>{ this->target_.face.id } : std::vector<Id>());
-  const SurfacePoint target =
-    fromBarycentric(around.mesh(), around.faceAt(this->target_.face), this->target_.weights);
-  const Corridor corridor = corridorTo(this->length_, known);
+  Corridor corridor{ known.atVertices, this->length_ };
+  for (double& bound : corridor.lowerBounds)
+  {
+    bound = (1.0 - tolerance::BoundMargin) * std::min(bound, known.reach);
+  }
   options.corridor = &corridor;
-  NotePassedFaces strip;
-  const std::vector<double> back = propagate(this->part_,
-    sourceWindowsOfPartition(
-      this->part_, around, makeSourceWindows(around.mesh(), { pointCurve(target) })),
-    options, strip)
-                                     .vertexDistances;
-  strip.forEachFace([this](Id face) { this->addOwn(face); });
+  return propagate(this->part_,
+    sourceWindowsOfPartition(this->part_, around,
+      makeSourceWindows(around.mesh(), { pointCurve(this->targetOn(around)) })),
+    options, passed)
+    .vertexDistances;
+}
+
+std::vector<Id> StripSearch::findFaces(const KnownDistances& known, FrontOptions options) const
+{
+  NotePassedFaces passed;
+  const std::vector<double> toTarget = this->distancesToTarget(known, options, passed);
+  std::vector<Id> faces;
+  for (const std::vector<Id>& ofDistrict : passed.passed())
+  {
+    faces.insert(faces.end(), ofDistrict.begin(), ofDistrict.end());
+  }
   if (this->isTargetHere())
   {
-    this->addOwn(this->target_.face.id);
+    const TriangleMesh& mesh = this->part_.mesh();
+    forEachFace(mesh, fromFacePoint(mesh, this->target_.face.id, this->target_.point),
+      [&](Id face) { faces.push_back(face); });
   }
   // A path may also run along edges, from vertex to vertex, where no window goes.
   for (Id vertex = 0; vertex < this->part_.numberOfOwnVertices(); ++vertex)
   {
-    if ((1.0 - tolerance::BoundMargin) * known.atVertices[vertex] + back[vertex] <= this->length_)
+    const double toSource = (1.0 - tolerance::BoundMargin) * known.atVertices[vertex];
+    if (toSource + toTarget[vertex] <= this->length_)
     {
       for (const Id corner : this->part_.mesh().cornersAt(vertex))
       {
-        this->addOwn(TriangleMesh::faceOf(corner));
+        faces.push_back(TriangleMesh::faceOf(corner));
       }
     }
   }
-  this->addFacesOfCurves();
-  std::sort(this->faces_.begin(), this->faces_.end());
-  this->faces_.erase(std::unique(this->faces_.begin(), this->faces_.end()), this->faces_.end());
+  this->addFacesOfCurves(faces);
+  faces.erase(std::remove_if(faces.begin(), faces.end(),
+                [this](Id face) { return face == NoId || !this->part_.isOwn(face); }),
+    faces.end());
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
 }
 
-void StripSearch::addFacesOfCurves()
+void StripSearch::addFacesOfCurves(std::vector<Id>& faces) const
 {
   for (const SourceCurve& curve : this->curves_)
   {
     for (const Id face : curve.faces)
     {
-      this->addOwn(this->patch_.faceOfPart(face));
+      faces.push_back(this->patch_.faceOfPart(face));
     }
     for (const SurfacePoint& point : curve.points)
     {
       forEachFace(this->patch_.mesh(), point,
-        [this](Id face) { this->addOwn(this->patch_.faceOfPart(face)); });
+        [&](Id face) { faces.push_back(this->patch_.faceOfPart(face)); });
     }
   }
 }
 
-// A point of the patch on a strip that has the faces around it.
-SurfacePoint StripSearch::pointOf(const ReplicatedPatch& strip, SurfacePoint point) const
+SurfacePoint StripSearch::pointOn(const ReplicatedPatch& strip, const SurfacePoint& point) const
 {
-  switch (point.kind)
+  if (point.kind == SurfacePoint::Kind::Vertex)
   {
-    case SurfacePoint::Kind::Vertex:
-      point.id = strip.vertexAt(this->patch_.globalId(point.id));
-      break;
-    case SurfacePoint::Kind::Edge:
-      point.id =
-        3 * strip.faceAt(this->patch_.ownerOf(TriangleMesh::faceOf(point.id))) + point.id % 3;
-      break;
-    case SurfacePoint::Kind::Face:
-      point.id = strip.faceAt(this->patch_.ownerOf(point.id));
-      break;
+    return SurfacePoint::atVertex(strip.vertexAt(this->patch_.globalId(point.id)));
   }
-  return point;
+  const Id face = someFace(this->patch_.mesh(), point);
+  return fromFacePoint(strip.mesh(), strip.faceAt(this->patch_.ownerOf(face)),
+    toFacePoint(this->patch_.mesh(), face, point));
 }
 
 std::vector<SourceCurve> StripSearch::curvesOn(const ReplicatedPatch& strip) const
 {
+  const auto faceOn = [&](Id face) { return strip.faceAt(this->patch_.ownerOf(face)); };
   std::vector<SourceCurve> curves = this->curves_;
   for (SourceCurve& curve : curves)
   {
     for (SurfacePoint& point : curve.points)
     {
-      point = this->pointOf(strip, point);
+      point = this->pointOn(strip, point);
     }
-    for (Id& face : curve.faces)
-    {
-      face = strip.faceAt(this->patch_.ownerOf(face));
-    }
+    std::transform(curve.faces.begin(), curve.faces.end(), curve.faces.begin(), faceOn);
   }
   return curves;
 }
 
-// What lies beside the strip only makes it larger: a path through it is one on the surface.
-PathInSpace StripSearch::find(const FrontOptions& options) const
+// Lower bounds of the way to the target. Faces that were gathered beside the strip only make it
+// larger: a path through them is one on the surface. One process gathers nothing: there the mesh is
+// closed beside the strip.
+Corridor StripSearch::corridorIn(const ReplicatedPatch& strip, const std::vector<Id>& faces) const
 {
-  const ReplicatedPatch strip(this->part_, this->faces_);
-  if (!this->isTargetHere())
-  {
-    return {};
-  }
   const TriangleMesh& mesh = strip.mesh();
-  const SurfacePoint target =
-    fromBarycentric(mesh, strip.faceAt(this->target_.face), this->target_.weights);
-  Corridor corridor;
-  corridor.length = this->length_;
-  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  const SurfacePoint target = this->targetOn(strip);
+  Corridor corridor{ std::vector<double>(mesh.numberOfVertices(), Infinity), this->length_ };
+  const auto open = [&](Id face)
   {
-    corridor.lowerBounds.push_back(
-      (1.0 - tolerance::BoundMargin) * distanceInSpace(mesh, mesh.point(vertex), target));
-  }
-  FrontOptions inStrip = options;
-  inStrip.corridor = &corridor;
-  const std::vector<SourceCurve> curves = this->curvesOn(strip);
-  const std::vector<SurfacePoint> points =
-    solve(mesh, curves, inStrip, KeepWindows::All).path(target);
-  PathInSpace path;
-  if (!points.empty())
-  {
-    const std::vector<SurfacePoint> cleaned = points.size() == 1
-      ? std::vector<SurfacePoint>(2, points.front())
-      : cleanedPath(mesh, points, points.front(), points.back(), this->target_.distance);
-    for (const SurfacePoint& point : cleaned)
+    for (const Id vertex : mesh.triangle(face))
     {
-      path.points.push_back(position(mesh, point));
+      corridor.lowerBounds[vertex] =
+        (1.0 - tolerance::BoundMargin) * distanceInSpace(mesh, mesh.point(vertex), target);
     }
-    path.source = CurvesInFaces(mesh, curves).sourceAt(cleaned.back());
+  };
+  if (this->part_.isDistributed())
+  {
+    for (Id face = 0; face < mesh.numberOfFaces(); ++face)
+    {
+      open(face);
+    }
+  }
+  else
+  {
+    std::for_each(faces.begin(), faces.end(), open);
+  }
+  return corridor;
+}
+
+PathToSource StripSearch::find(
+  const ReplicatedPatch& strip, const std::vector<Id>& faces, FrontOptions options) const
+{
+  const TriangleMesh& mesh = strip.mesh();
+  const Corridor corridor = this->corridorIn(strip, faces);
+  const std::vector<SourceCurve> curves = this->curvesOn(strip);
+  options.corridor = &corridor;
+  PathToSource path = { mesh,
+    cleanedTrace(mesh,
+      pathInWindows(solve(mesh, curves, options, KeepWindows::All), this->targetOn(strip)),
+      this->target_.distance),
+    NoId, true };
+  if (!path.points.empty())
+  {
+    path.source = CurvesInFaces(mesh, curves).sourceAt(path.points.back());
   }
   return path;
 }
 
 } // anonymous namespace
 
-PathInSpace pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
+void pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
-  const ParallelFor& parallelFor, const ProgressCallback& progress)
+  const FrontOptions& options, const std::function<void(const PathToSource&)>& take)
 {
-  FrontOptions options;
-  options.parallelFor = parallelFor;
-  options.progress = progress;
-  StripSearch search(part, patch, curves, target);
-  search.findWayBack(known, options);
-  return search.find(options);
+  const StripSearch search(part, patch, curves, target);
+  const std::vector<Id> faces = search.findFaces(known, options);
+  const ReplicatedPatch strip(part, faces);
+  if (search.isTargetHere())
+  {
+    take(search.find(strip, faces, options));
+  }
 }
 
 }

@@ -2,35 +2,48 @@
 #ifndef geodesic_PathInStrip_h
 #define geodesic_PathInStrip_h
 
-#include "paths/PathInWindows.h"
-#include "paths/PathsOnRanks.h"
+#include "paths/PathsToSource.h"
 
+#include <functional>
 #include <vector>
 
 namespace geodesic
 {
+
+/// What a front from the source has found.
+struct KnownDistances
+{
+  /// At each vertex of this rank's part, not below the distance; and the distance where it is
+  /// within the reach.
+  const std::vector<double>& atVertices;
+  /// Of all ranks.
+  double reach = Infinity;
+};
 
 /// A target on any rank.
 struct TargetOnRank
 {
   /// A face that holds it, on the rank that owns it.
   RankAddress face;
-  Barycentric weights;
+  FacePoint point;
   /// Finite and within the reach of what is known.
   double distance;
 };
 
-/// A shortest path by windows where ranks have the surface together: see pathInWindows(). All ranks
-/// together call it for one target.
+/// Finds a shortest path by the windows of the faces that it goes through: slower than tracing it
+/// by arrivals (PathTracer), but rounding cannot lead it astray. All ranks together call it for one
+/// target.
 ///
-/// The front from the target goes over all ranks. The strip of faces that it leaves is gathered,
-/// and there the target's rank finds the path.
+/// A front from the target goes over all ranks, but only where a path can still be as short as it
+/// is, by the distances that are known. That leaves a strip of few faces. The target's rank gathers
+/// these, and a second front goes from the source through the strip and keeps its windows.
 ///
-/// \param known of this rank's part; the reach of all ranks.
-/// \returns the path on the target's rank; none elsewhere.
-PathInSpace pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
+/// \param options for several threads and the progress.
+/// \param take is called on the target's rank with the path, whose points are none where it was not
+///        found.
+void pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
-  const ParallelFor& parallelFor, const ProgressCallback& progress);
+  const FrontOptions& options, const std::function<void(const PathToSource&)>& take);
 
 }
 

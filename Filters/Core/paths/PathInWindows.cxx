@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paths/PathInWindows.h"
 
+#include "Errors.h"
 #include "Tolerance.h"
-#include "field/DistanceField.h"
-#include "field/Solve.h"
-#include "paths/NotePassedFaces.h"
+#include "field/WaysIntoFace.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace geodesic
 {
@@ -14,76 +15,245 @@ namespace geodesic
 namespace
 {
 
-/// The way back from the target: what no path goes through is left out.
-struct ReverseSearch
+/// A straight piece of a path through a face, which ends at the point that is looked at.
+struct Piece
 {
-  std::vector<double> atVertices;
-  NotePassedFaces strip;
+  /// Of the path, and of the piece.
+  double distance = Infinity;
+  double length = 0.0;
+  SurfacePoint begin;
+  bool beginsAtSource = false;
+  Id face = NoId;
 };
 
-ReverseSearch findWayBack(const TriangleMesh& mesh, const SurfacePoint& target, double length,
-  const KnownDistances& known, FrontOptions options)
+/// The pieces that may be the last of a shortest path to a point.
+class LastPieces
 {
-  const Corridor corridor = corridorTo(length, known);
-  options.corridor = &corridor;
-  ReverseSearch back;
-  back.atVertices = propagate(mesh, { pointCurve(target) }, options, back.strip).vertexDistances;
-  return back;
-}
+public:
+  /// \param tie of pieces whose distances differ by no more the longest is best: no path is led
+  ///        over places a rounding beside it.
+  /// \param most the longest distance of the pieces that are kept.
+  void setBounds(double tie, double most)
+  {
+    this->tie_ = tie;
+    this->most_ = most;
+  }
 
-/// Lower bounds of the way from vertices of the strip to the target; elsewhere there is none. A
-/// path may also run along edges, from vertex to vertex, where no window goes.
-std::vector<double> boundsInStrip(const TriangleMesh& mesh, const SurfacePoint& target,
-  double length, const KnownDistances& known, const ReverseSearch& back)
-{
-  std::vector<double> bounds(mesh.numberOfVertices(), Infinity);
-  const auto open = [&](Id vertex)
+  /// \param begin makes the piece's beginning, for pieces that are wanted only.
+  template <typename Begin>
+  void add(double distance, double length, bool beginsAtSource, Id face, const Begin& begin)
   {
-    bounds[vertex] =
-      (1.0 - tolerance::BoundMargin) * distanceInSpace(mesh, mesh.point(vertex), target);
-  };
-  const auto openFace = [&](Id face)
-  {
-    const Triangle& corners = mesh.triangle(face);
-    std::for_each(corners.begin(), corners.end(), open);
-  };
-  forEachFace(mesh, target, openFace);
-  back.strip.forEachFace(openFace);
-  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
-  {
-    if ((1.0 - tolerance::BoundMargin) * known.atVertices[vertex] + back.atVertices[vertex] <=
-      length)
+    const bool isTie = std::abs(distance - this->best_.distance) <= this->tie_;
+    const bool isBest = isTie ? length > this->best_.length : distance < this->best_.distance;
+    const bool isKept = distance <= this->most_;
+    if (!isBest && !isKept)
     {
-      open(vertex);
+      return;
+    }
+    const Piece piece = { distance, length, begin(), beginsAtSource, face };
+    if (isBest)
+    {
+      this->best_ = piece;
+      this->bestKept_ = isKept ? this->kept_.size() : this->bestKept_;
+    }
+    if (isKept)
+    {
+      this->kept_.push_back(piece);
     }
   }
-  return bounds;
-}
+
+  /// Those kept: the best first, then by distance.
+  std::vector<Piece> release()
+  {
+    if (!this->kept_.empty())
+    {
+      std::swap(this->kept_.front(), this->kept_[this->bestKept_]);
+      std::stable_sort(this->kept_.begin() + 1, this->kept_.end(),
+        [](const Piece& a, const Piece& b) { return a.distance < b.distance; });
+    }
+    return std::move(this->kept_);
+  }
+
+private:
+  double tie_ = 0.0;
+  double most_ = -Infinity;
+  Piece best_;
+  std::vector<Piece> kept_;
+  std::size_t bestKept_ = 0;
+};
+
+/// A place that a search has come to, and the ways on that are left to try.
+struct PathStep
+{
+  SurfacePoint point;
+  /// Of the path up to here, and what is left.
+  double length = 0.0;
+  double left = 0.0;
+  bool isAtSource = false;
+  /// The face crossed to come here.
+  Id face = NoId;
+  std::vector<Piece> ways = {};
+  std::size_t next = 0;
+};
+
+/// Searches depth first: pieces without length may lead around faces without area to where no way
+/// on is left but back. A shortest path crosses no face twice, and a place that has been left once
+/// is not tried again, so that the search ends.
+class PathSearch
+{
+public:
+  PathSearch(const DistanceField& field, double longest)
+    : field_(field)
+    , mesh_(field.mesh())
+    , longest_(longest)
+    , isCrossed_(mesh_.numberOfFaces(), 0)
+  {
+  }
+
+  std::vector<SurfacePoint> run(const SurfacePoint& from, double whole)
+  {
+    this->goTo({ from, 0.0, whole, whole <= 0.0 });
+    while (!this->steps_.empty() && !this->steps_.back().isAtSource)
+    {
+      PathStep& last = this->steps_.back();
+      if (last.next == last.ways.size())
+      {
+        this->goBack();
+        continue;
+      }
+      const Piece& way = last.ways[last.next++];
+      if (this->deadEnds_.count(this->keyOf(way.begin)) == 0)
+      {
+        // A piece without length may lead onto a vertex beside, and the path from there back.
+        const bool ontoVertex = last.point.kind != SurfacePoint::Kind::Vertex &&
+          way.begin.kind == SurfacePoint::Kind::Vertex;
+        this->goTo({ way.begin, last.length + way.length, way.distance - way.length,
+          way.beginsAtSource, ontoVertex ? NoId : way.face });
+      }
+    }
+    std::vector<SurfacePoint> points;
+    for (const PathStep& step : this->steps_)
+    {
+      points.push_back(step.point);
+    }
+    return points;
+  }
+
+private:
+  using Key = std::pair<SurfacePoint::Kind, Id>;
+
+  Key keyOf(const SurfacePoint& p) const
+  {
+    return { p.kind, p.kind == SurfacePoint::Kind::Edge ? this->mesh_.edgeOf(p.id) : p.id };
+  }
+
+  void goTo(PathStep step)
+  {
+    const SurfacePoint& p = step.point;
+    step.isAtSource = step.isAtSource ||
+      (p.kind == SurfacePoint::Kind::Vertex && this->field_.vertexDistances()[p.id] == 0.0);
+    if (step.face != NoId)
+    {
+      this->isCrossed_[step.face] = 1;
+    }
+    if (!step.isAtSource)
+    {
+      step.ways = this->waysTo(p, step.left, this->longest_ - step.length);
+    }
+    this->steps_.push_back(std::move(step));
+  }
+
+  void goBack()
+  {
+    const PathStep& last = this->steps_.back();
+    this->deadEnds_.insert(this->keyOf(last.point));
+    if (last.face != NoId)
+    {
+      this->isCrossed_[last.face] = 0;
+    }
+    this->steps_.pop_back();
+  }
+
+  /// The last pieces of paths to a point, through faces that the path has not crossed.
+  std::vector<Piece> waysTo(const SurfacePoint& point, double distance, double most) const
+  {
+    LastPieces pieces;
+    forEachFace(this->mesh_, point,
+      [&](Id face)
+      {
+        if (!this->isCrossed_[face])
+        {
+          const double ofPlace = tolerance::PlaceRounding * this->mesh_.shape(face).longest();
+          pieces.setBounds(tolerance::Tie * distance + ofPlace, most + ofPlace);
+          this->addWays(face, point, pieces);
+        }
+      });
+    return pieces.release();
+  }
+
+  void addWays(Id face, const SurfacePoint& place, LastPieces& pieces) const
+  {
+    const Barycentric point = barycentric(this->mesh_, place, face);
+    forEachWayFromSource(this->field_, face, point,
+      [&](const SourceInFace&, const Barycentric& begin, double length)
+      {
+        pieces.add(
+          length, length, true, face, [&]() { return fromBarycentric(this->mesh_, face, begin); });
+      });
+    forEachWayFromCorner(this->field_, face, place, point,
+      [&](std::size_t k, double distance, double length)
+      {
+        pieces.add(distance, length, false, face,
+          [&]() { return SurfacePoint::atVertex(this->mesh_.triangle(face)[k]); });
+      });
+    for (Id k = 0; k < 3; ++k)
+    {
+      const Id halfedge = 3 * face + k;
+      if (!isOnHalfedge(point, k))
+      {
+        forEachWayThrough(this->field_, halfedge, inHalfedgeFrame(this->mesh_, halfedge, point),
+          [&](const Window&, double x, double distance, double length)
+          {
+            pieces.add(distance, length, false, face,
+              [&]() { return this->pointAt(halfedge, x / this->mesh_.length(halfedge)); });
+          });
+      }
+    }
+  }
+
+  SurfacePoint pointAt(Id halfedge, double fraction) const
+  {
+    return fraction <= 0.0 ? SurfacePoint::atVertex(this->mesh_.origin(halfedge))
+      : fraction >= 1.0    ? SurfacePoint::atVertex(this->mesh_.destination(halfedge))
+                           : SurfacePoint::onEdge(halfedge, fraction);
+  }
+
+  const DistanceField& field_;
+  const TriangleMesh& mesh_;
+  double longest_;
+  std::vector<std::uint8_t> isCrossed_;
+  std::set<Key> deadEnds_;
+  std::vector<PathStep> steps_;
+};
 
 } // anonymous namespace
 
-Corridor corridorTo(double length, const KnownDistances& known)
+std::vector<SurfacePoint> pathInWindows(const DistanceField& field, const SurfacePoint& from)
 {
-  Corridor corridor{ known.atVertices, length };
-  for (double& bound : corridor.lowerBounds)
+  if (!field.hasAllWindows())
   {
-    bound = (1.0 - tolerance::BoundMargin) * std::min(bound, known.reach);
+    throw Error("A path through faces was asked for, but the solve did not keep all windows.");
   }
-  return corridor;
-}
-
-std::vector<SurfacePoint> pathInWindows(const TriangleMesh& mesh,
-  const std::vector<SourceCurve>& sources, const SurfacePoint& target, double distance,
-  const KnownDistances& known, const ParallelFor& parallelFor, const ProgressCallback& progress)
-{
-  FrontOptions options;
-  options.parallelFor = parallelFor;
-  options.progress = progress;
-  const double length = (1.0 + tolerance::BoundMargin) * distance;
-  const ReverseSearch back = findWayBack(mesh, target, length, known, options);
-  const Corridor strip{ boundsInStrip(mesh, target, length, known, back), length };
-  options.corridor = &strip;
-  return solve(mesh, sources, options, KeepWindows::All).path(target);
+  const double whole = field.distance(from);
+  std::vector<SurfacePoint> points;
+  for (const double slack : { tolerance::Tie, tolerance::BoundMargin })
+  {
+    if (whole < Infinity && points.empty())
+    {
+      points = PathSearch(field, (1.0 + slack) * whole).run(normalized(field.mesh(), from), whole);
+    }
+  }
+  return points;
 }
 
 }

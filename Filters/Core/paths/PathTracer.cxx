@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "Tolerance.h"
+#include "field/WaysIntoFace.h"
 #include "window/UnfoldedFace.h"
 
 #include <algorithm>
@@ -21,75 +22,37 @@ struct IncomingSegment
   Arrival window;
 };
 
-void comeFromCorners(const DistanceField& field, Id face, const SurfacePoint& point,
-  const Barycentric& weights, IncomingSegment& best)
+// Halfedges that hold the point tell its distance, but no piece of the path across the face.
+IncomingSegment comeThrough(const DistanceField& field, Id face, const SurfacePoint& place)
 {
   const TriangleMesh& mesh = field.mesh();
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const Id vertex = mesh.triangle(face)[k];
-    const bool isPoint = point.kind == SurfacePoint::Kind::Vertex && point.id == vertex;
-    const double distance =
-      field.vertexDistances()[vertex] + distanceInFace(mesh, face, cornerWeights(k), weights);
-    if (!isPoint && distance < best.distance)
+  const Barycentric point = barycentric(mesh, place, face);
+  IncomingSegment best;
+  forEachWayFromCorner(field, face, place, point,
+    [&](std::size_t k, double distance, double)
     {
-      best = { distance, vertex, {} };
-    }
-  }
-}
-
-// Halfedges that hold the point tell its distance, but no piece of the path across the face.
-void comeThroughWindows(
-  const DistanceField& field, Id face, const Barycentric& weights, IncomingSegment& best)
-{
-  for (Id k = 0; k < 3; ++k)
-  {
-    if (weights[(k + 2) % 3] == 0.0)
-    {
-      continue;
-    }
-    const Id halfedge = 3 * face + k;
-    const Vec2 p = inHalfedgeFrame(field.mesh(), halfedge, weights);
-    for (const Window& window : field.windowsOn(halfedge))
-    {
-      const double x = window.crossing(p);
-      const double distance = std::max(window.distance(x), 0.0) + norm(p - Vec2{ x, 0.0 });
       if (distance < best.distance)
       {
-        best = { distance, NoId,
-          { halfedge, window.origin, x, window.direction(x), window.placeOf({ x, 0.0 }) } };
+        best = { distance, mesh.triangle(face)[k], {} };
       }
+    });
+  for (Id k = 0; k < 3; ++k)
+  {
+    const Id halfedge = 3 * face + k;
+    if (!isOnHalfedge(point, k))
+    {
+      forEachWayThrough(field, halfedge, inHalfedgeFrame(mesh, halfedge, point),
+        [&](const Window& window, double x, double distance, double)
+        {
+          if (distance < best.distance)
+          {
+            best = { distance, NoId,
+              { halfedge, window.origin, x, window.direction(x), window.placeOf({ x, 0.0 }) } };
+          }
+        });
     }
   }
-}
-
-IncomingSegment comeThrough(const DistanceField& field, Id face, const SurfacePoint& point)
-{
-  IncomingSegment best;
-  const Barycentric weights = barycentric(field.mesh(), point, face);
-  comeFromCorners(field, face, point, weights, best);
-  comeThroughWindows(field, face, weights, best);
   return best;
-}
-
-double distanceAt(const DistanceField& field, const SurfacePoint& point)
-{
-  if (point.kind == SurfacePoint::Kind::Vertex)
-  {
-    return field.vertexDistances()[point.id];
-  }
-  double least = Infinity;
-  forEachFace(field.mesh(), point,
-    [&](Id face)
-    {
-      const Barycentric weights = barycentric(field.mesh(), point, face);
-      for (const SourceInFace& source : field.sourcesIn(face))
-      {
-        least = std::min(least, distanceToSource(field.mesh(), source, weights));
-      }
-      least = std::min(least, comeThrough(field, face, point).distance);
-    });
-  return least;
 }
 
 } // anonymous namespace
@@ -108,10 +71,7 @@ TracedPath PathTracer::begin(const SurfacePoint& from) const
 {
   TracedPath path;
   const SurfacePoint point = normalized(this->mesh_, from);
-  // On an edge only the field tells what comes through faces of other ranks.
-  const bool isAtSeam =
-    this->field_.surface().isDistributed() && point.kind == SurfacePoint::Kind::Edge;
-  path.whole = isAtSeam ? this->field_.distance(point) : distanceAt(this->field_, point);
+  path.whole = this->field_.distance(point);
   path.left = path.whole;
   if (path.whole < Infinity)
   {

@@ -2,17 +2,17 @@
 #include "paths/PathsToSource.h"
 
 #include "Errors.h"
-#include "Tolerance.h"
-#include "field/DistanceField.h"
 #include "field/RetentionAround.h"
 #include "paths/CleanPath.h"
-#include "paths/PathInWindows.h"
-#include "paths/PathTracer.h"
+#include "paths/PathInStrip.h"
+#include "paths/PathInTransit.h"
 #include "source/CurvesInFaces.h"
+#include "source/SourceWindowsOfPartition.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace geodesic
 {
@@ -28,141 +28,439 @@ constexpr double TracingDone = 0.9;
 constexpr std::size_t PathsPerReport = 256;
 constexpr std::size_t PathsPerTask = 8;
 
+enum class Status : std::uint8_t
+{
+  OnItsWay,
+  Whole,
+  Lost
+};
+
+/// What has become of a path on this rank.
+struct Outcome
+{
+  Status status = Status::OnItsWay;
+  /// Of a path on its way: a face that holds its last point, and the rank that it goes to.
+  Id face = NoId;
+  int rank = 0;
+};
+
+/// A path that this rank sends on, or whose end it sends to the target's rank.
+struct LeavingPath
+{
+  PathInTransit transit;
+  Outcome outcome;
+};
+
+/// Follows paths over ranks. In one process none ever leaves.
 class PathFinder
 {
 public:
-  PathFinder(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
-    const std::vector<SurfacePoint>& targets, const PathsOptions& options)
-    : mesh_(mesh)
-    , sources_(sources)
+  PathFinder(const DistanceField& field, const ReplicatedPatch& patch,
+    const std::vector<SourceCurve>& curves, const std::vector<SurfacePoint>& targets,
+    const PathsOptions& options, const TakePath& take)
+    : field_(field)
+    , part_(field.surface())
+    , patch_(patch)
+    , curves_(patch.mesh(), curves)
     , targets_(targets)
     , options_(options)
-    , curves_(mesh, sources)
-    , paths_(targets.size())
+    , take_(take)
+    , tracer_(field)
+    , found_(targets.size())
     , isLost_(targets.size(), 0)
   {
   }
 
-  std::vector<PathToSource> run()
-  {
-    RetentionAround retention(this->mesh_, this->targets_);
-    FrontOptions options;
-    options.keepArrivals = true;
-    options.parallelFor = this->options_.parallelFor;
-    options.progress = this->part(0.0, FrontDone);
-    FrontResult front = propagate(this->mesh_, this->sources_, options, retention);
-    const DistanceField field(MeshPartition(this->mesh_), std::move(front), retention.release());
-    this->traceAll(field);
-    this->findLost(field, retention.reach());
-    return std::move(this->paths_);
-  }
+  /// All ranks together, until all paths are at their ends or lost.
+  void run();
+
+  /// Of this rank's targets, those whose paths got lost.
+  std::vector<Id> lost() const;
 
 private:
-  ProgressCallback part(double begin, double end) const
-  {
-    const ProgressCallback& progress = this->options_.progress;
-    return progress ? [&progress, begin, end](double fraction)
-    { return progress(begin + (end - begin) * fraction); }
-                    : ProgressCallback();
-  }
+  void traceOwn();
+  void traceFrom(Id target, LeavingPath& leaving);
+  void handOver();
+  Outcome advance(PathInTransit& transit) const;
+  bool searchAround(PathInTransit& transit, Outcome& outcome) const;
+  void findRanksToAsk(PathInTransit& transit) const;
+  Id faceOfRank(const SurfacePoint& point, int rank) const;
+  void putReport(const LeavingPath& leaving, Message& message) const;
+  void takeReport(MessageReader& reader);
+  Id sourceAtEnd(const TracedPath& path) const;
 
-  void report(double fraction) const
-  {
-    if (this->options_.progress && !this->options_.progress(fraction))
-    {
-      throw Aborted();
-    }
-  }
-
-  void traceAll(const DistanceField& field)
-  {
-    const PathTracer tracer(field);
-    const std::size_t count = this->targets_.size();
-    for (std::size_t first = 0; first < count; first += PathsPerReport)
-    {
-      this->report(FrontDone +
-        (TracingDone - FrontDone) * static_cast<double>(first) / static_cast<double>(count));
-      const std::size_t last = std::min(count, first + PathsPerReport);
-      const std::size_t tasks = (last - first + PathsPerTask - 1) / PathsPerTask;
-      const auto task = [&](std::size_t number)
-      {
-        const std::size_t begin = first + number * PathsPerTask;
-        for (std::size_t i = begin; i < std::min(last, begin + PathsPerTask); ++i)
-        {
-          this->trace(field, tracer, i);
-        }
-      };
-      forAll(this->options_.parallelFor, tasks, task);
-    }
-  }
-
-  void trace(const DistanceField& field, const PathTracer& tracer, std::size_t index)
-  {
-    try
-    {
-      this->take(index, tracer.trace(this->targets_[index]), field.distance(this->targets_[index]));
-    }
-    catch (const PathLost&)
-    {
-      this->isLost_[index] = 1;
-    }
-  }
-
-  void findLost(const DistanceField& field, double reach)
-  {
-    const KnownDistances known{ field.vertexDistances(), reach };
-    const auto count = static_cast<double>(this->targets_.size());
-    for (std::size_t i = 0; i < this->targets_.size(); ++i)
-    {
-      if (this->isLost_[i])
-      {
-        const double done = TracingDone + (1.0 - TracingDone) * static_cast<double>(i) / count;
-        this->report(done);
-        const double distance = field.distance(this->targets_[i]);
-        const std::vector<SurfacePoint> points = pathInWindows(this->mesh_, this->sources_,
-          this->targets_[i], distance, known, this->options_.parallelFor, this->part(done, done));
-        if (points.empty())
-        {
-          throw Error("The shortest path from target " + std::to_string(i) +
-            " could not be followed. Please report this with the surface, the source and the "
-            "targets.");
-        }
-        this->take(i, points, distance);
-        this->paths_[i].wasLost = true;
-      }
-    }
-  }
-
-  void take(std::size_t index, const std::vector<SurfacePoint>& points, double distance)
-  {
-    if (points.empty())
-    {
-      return;
-    }
-    PathToSource& path = this->paths_[index];
-    path.points = points.size() == 1
-      ? std::vector<SurfacePoint>(2, points.front())
-      : cleanedPath(this->mesh_, points, points.front(), points.back(), distance);
-    path.source = this->curves_.sourceAt(path.points.back());
-  }
-
-  const TriangleMesh& mesh_;
-  const std::vector<SourceCurve>& sources_;
+  const DistanceField& field_;
+  const MeshPartition& part_;
+  const ReplicatedPatch& patch_;
+  CurvesInFaces curves_;
   const std::vector<SurfacePoint>& targets_;
   const PathsOptions& options_;
-  CurvesInFaces curves_;
-  std::vector<PathToSource> paths_;
-  /// One byte a target, so that tasks may write side by side.
+  const TakePath& take_;
+  PathTracer tracer_;
+  std::vector<LeavingPath> leaving_;
+  /// Of this rank's targets: the points found so far of a path that has left, and whether the path
+  /// got lost; one byte a target, so that tasks may write side by side.
+  std::vector<std::vector<SentPathPoint>> found_;
   std::vector<std::uint8_t> isLost_;
 };
 
+void PathFinder::run()
+{
+  this->traceOwn();
+  while (this->part_.exchange().isTrueAnywhere(!this->leaving_.empty()))
+  {
+    reportProgress(this->options_.progress, TracingDone);
+    this->handOver();
+  }
+}
+
+std::vector<Id> PathFinder::lost() const
+{
+  std::vector<Id> lost;
+  for (Id target = 0; target < this->targets_.size(); ++target)
+  {
+    if (this->isLost_[target])
+    {
+      lost.push_back(target);
+    }
+  }
+  return lost;
+}
+
+void PathFinder::traceOwn()
+{
+  const std::size_t count = this->targets_.size();
+  const ProgressCallback progress =
+    progressBetween(this->options_.progress, FrontDone, TracingDone);
+  std::vector<LeavingPath> paths;
+  for (std::size_t first = 0; first < count; first += PathsPerReport)
+  {
+    reportProgress(progress, static_cast<double>(first) / static_cast<double>(count));
+    paths.assign(std::min(PathsPerReport, count - first), LeavingPath());
+    forAll(this->options_.parallelFor, (paths.size() + PathsPerTask - 1) / PathsPerTask,
+      [&](std::size_t task)
+      {
+        const std::size_t end = std::min(paths.size(), (task + 1) * PathsPerTask);
+        for (std::size_t i = task * PathsPerTask; i < end; ++i)
+        {
+          this->traceFrom(static_cast<Id>(first + i), paths[i]);
+        }
+      });
+    for (LeavingPath& path : paths)
+    {
+      if (path.outcome.status == Status::OnItsWay)
+      {
+        this->leaving_.push_back(std::move(path));
+      }
+    }
+  }
+}
+
+// Most paths end here: they need no message.
+void PathFinder::traceFrom(Id target, LeavingPath& leaving)
+{
+  TracedPath path = this->tracer_.begin(this->targets_[target]);
+  if (path.points.empty())
+  {
+    leaving.outcome.status = Status::Whole;
+    return;
+  }
+  PathInTransit& transit = leaving.transit;
+  transit.targetRank = this->part_.exchange().rank();
+  transit.target = target;
+  transit.path = std::move(path);
+  leaving.outcome = this->advance(transit);
+  if (leaving.outcome.status == Status::Whole)
+  {
+    this->take_(target,
+      { this->part_.mesh(),
+        cleanedTrace(this->part_.mesh(), transit.path.points, transit.path.whole),
+        this->sourceAtEnd(transit.path) });
+    transit = PathInTransit();
+  }
+  this->isLost_[target] = leaving.outcome.status == Status::Lost ? 1 : 0;
+}
+
+// Sends the paths that leave to the ranks where they go on, and follows those that come.
+void PathFinder::handOver()
+{
+  Exchange& exchange = this->part_.exchange();
+  std::vector<Message> messages = exchange.noMessages();
+  for (const LeavingPath& leaving : this->leaving_)
+  {
+    this->putReport(leaving, messages[rankIndex(leaving.transit.targetRank)]);
+    if (leaving.outcome.status == Status::OnItsWay)
+    {
+      Message& next = messages[rankIndex(leaving.outcome.rank)];
+      put(next, false);
+      putInTransit(next, this->part_, leaving.transit, leaving.outcome.face);
+    }
+  }
+  this->leaving_.clear();
+  readEach(exchange.step(std::move(messages)),
+    [this](int, MessageReader& reader)
+    {
+      const bool isReport = reader.get<bool>();
+      if (isReport)
+      {
+        this->takeReport(reader);
+      }
+      else
+      {
+        this->leaving_.push_back({ getInTransit(reader, this->part_), {} });
+      }
+    });
+  forAll(this->options_.parallelFor, this->leaving_.size(),
+    [this](std::size_t i)
+    { this->leaving_[i].outcome = this->advance(this->leaving_[i].transit); });
+}
+
+Outcome PathFinder::advance(PathInTransit& transit) const
+{
+  Outcome outcome;
+  try
+  {
+    for (;;)
+    {
+      outcome.face = this->tracer_.follow(transit.path);
+      if (transit.path.isWhole())
+      {
+        outcome.status = Status::Whole;
+        return outcome;
+      }
+      if (outcome.face != NoId)
+      {
+        outcome.rank = this->part_.ownerOf(outcome.face).rank;
+        const bool isOnLeg = transit.path.next == TracedPath::Next::BehindExit;
+        outcome.face = isOnLeg ? TriangleMesh::faceOf(transit.path.leg.exit) : outcome.face;
+        return outcome;
+      }
+      if (!this->searchAround(transit, outcome))
+      {
+        return outcome;
+      }
+    }
+  }
+  catch (const PathLost&)
+  {
+    outcome.status = Status::Lost;
+    return outcome;
+  }
+}
+
+// Asks the ranks around an edge one after another, then goes on where the path is nearest. Returns
+// whether that is here.
+bool PathFinder::searchAround(PathInTransit& transit, Outcome& outcome) const
+{
+  const int self = this->part_.exchange().rank();
+  const SurfacePoint& point = transit.path.points.back();
+  if (!transit.isSearching)
+  {
+    this->findRanksToAsk(transit);
+  }
+  const auto own = std::find(transit.toAsk.begin(), transit.toAsk.end(), self);
+  if (own != transit.toAsk.end())
+  {
+    transit.toAsk.erase(own);
+    const double distance = this->tracer_.searchHere(transit.path);
+    const bool isNearer = distance < transit.nearest ||
+      (distance == transit.nearest && distance < Infinity && self < transit.nearestRank);
+    transit.nearest = isNearer ? distance : transit.nearest;
+    transit.nearestRank = isNearer ? self : transit.nearestRank;
+  }
+  if (transit.toAsk.empty() && !(transit.nearest < Infinity))
+  {
+    throw PathLost("A shortest path was to be followed through faces whose windows are not known.");
+  }
+  outcome.rank = transit.toAsk.empty() ? transit.nearestRank : transit.toAsk.front();
+  if (outcome.rank != self)
+  {
+    outcome.face = point.kind == SurfacePoint::Kind::Edge ? TriangleMesh::faceOf(point.id)
+                                                          : this->faceOfRank(point, outcome.rank);
+    return false;
+  }
+  transit.isSearching = false;
+  this->tracer_.goOnHere(transit.path);
+  return true;
+}
+
+void PathFinder::findRanksToAsk(PathInTransit& transit) const
+{
+  transit.isSearching = true;
+  transit.nearest = Infinity;
+  std::vector<int>& ranks = transit.toAsk;
+  forEachFace(this->part_.mesh(), transit.path.points.back(),
+    [&](Id face)
+    {
+      if (face != transit.path.without)
+      {
+        ranks.push_back(this->part_.addressOf(face).rank);
+      }
+    });
+  std::sort(ranks.begin(), ranks.end());
+  ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+}
+
+// A face around a point that a rank owns.
+Id PathFinder::faceOfRank(const SurfacePoint& point, int rank) const
+{
+  Id found = NoId;
+  forEachFace(this->part_.mesh(), point,
+    [&](Id face) { found = this->part_.addressOf(face).rank == rank ? face : found; });
+  return found;
+}
+
+// What this rank has found of a path.
+void PathFinder::putReport(const LeavingPath& leaving, Message& message) const
+{
+  const TracedPath& path = leaving.transit.path;
+  const bool isWhole = leaving.outcome.status == Status::Whole;
+  put(message, true);
+  put(message, leaving.transit.target);
+  put(message, leaving.outcome.status);
+  std::vector<SentPathPoint> points;
+  for (std::size_t i = leaving.transit.sent; i < path.points.size(); ++i)
+  {
+    const Id face = path.faces[i];
+    points.push_back(
+      { sentFace(this->part_, face), toFacePoint(this->part_.mesh(), face, path.points[i]) });
+  }
+  putAll(message, points);
+  put(message, path.whole);
+  put(message, isWhole ? this->sourceAtEnd(path) : NoId);
+}
+
+void PathFinder::takeReport(MessageReader& reader)
+{
+  const Id target = reader.get<Id>();
+  const auto status = reader.get<Status>();
+  const auto points = reader.getAll<SentPathPoint>();
+  const auto whole = reader.get<double>();
+  const Id source = reader.get<Id>();
+  std::vector<SentPathPoint>& found = this->found_[target];
+  found.insert(found.end(), points.begin(), points.end());
+  if (status == Status::Whole)
+  {
+    const PathStrip strip(found);
+    this->take_(
+      target, { strip.mesh(), cleanedTrace(strip.mesh(), strip.points(), whole), source });
+  }
+  this->isLost_[target] = status == Status::Lost ? 1 : 0;
+  if (status != Status::OnItsWay)
+  {
+    found = {};
+  }
+}
+
+// The faces of the source are on the patch.
+Id PathFinder::sourceAtEnd(const TracedPath& path) const
+{
+  const Id face = path.faces.back();
+  const Id onPatch = this->patch_.faceAt(this->part_.addressOf(face));
+  return onPatch == NoId ? NoId
+                         : this->curves_.sourceAt(fromFacePoint(this->patch_.mesh(), onPatch,
+                             toFacePoint(this->part_.mesh(), face, path.points.back())));
+}
+
+/// Windows around targets on edges are kept in the faces of all ranks there.
+void keepAroundEdges(
+  const MeshPartition& part, const std::vector<SurfacePoint>& targets, RetentionAround& retention)
+{
+  std::vector<Message> messages = part.exchange().noMessages();
+  for (const SurfacePoint& target : targets)
+  {
+    const SurfacePoint point = normalized(part.mesh(), target);
+    if (point.kind == SurfacePoint::Kind::Edge)
+    {
+      forEachFace(part.mesh(), point,
+        [&](Id face)
+        {
+          const RankAddress address = part.addressOf(face);
+          put(messages[rankIndex(address.rank)], address.id);
+        });
+    }
+  }
+  readEach(part.exchange().step(std::move(messages)),
+    [&](int, MessageReader& reader) { retention.keepForOthers(reader.get<Id>()); });
+}
+
+/// A path that got lost on any rank.
+struct LostPath
+{
+  TargetOnRank target;
+  /// Which of its rank's targets that is.
+  Id number;
+};
+
+/// \returns the paths that got lost on all ranks, in one order.
+std::vector<LostPath> gatherLost(
+  const DistanceField& field, const std::vector<SurfacePoint>& targets, const std::vector<Id>& lost)
+{
+  const MeshPartition& part = field.surface();
+  Message message;
+  for (const Id number : lost)
+  {
+    const SurfacePoint& target = targets[number];
+    Id own = NoId;
+    forEachFace(
+      part.mesh(), target, [&](Id face) { own = own == NoId && part.isOwn(face) ? face : own; });
+    const SurfacePoint inOwn = own != someFace(part.mesh(), target)
+      ? fromBarycentric(part.mesh(), own, barycentric(part.mesh(), target, own))
+      : target;
+    put(message,
+      LostPath{
+        { part.addressOf(own), toFacePoint(part.mesh(), own, inOwn), field.distance(target) },
+        number });
+  }
+  std::vector<LostPath> all;
+  readEach(part.exchange().tellAll(message),
+    [&](int, MessageReader& reader) { all.push_back(reader.get<LostPath>()); });
+  return all;
+}
+
 } // anonymous namespace
 
-std::vector<PathToSource> pathsToSource(const TriangleMesh& mesh,
-  const std::vector<SourceCurve>& sources, const std::vector<SurfacePoint>& targets,
-  const PathsOptions& options)
+void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
+  const std::vector<SourceCurve>& curves, const std::vector<SurfacePoint>& targets,
+  const PathsOptions& options, const TakePath& take)
 {
-  return PathFinder(mesh, sources, targets, options).run();
+  RetentionAround retention(part.mesh(), targets);
+  keepAroundEdges(part, targets, retention);
+  FrontOptions frontOptions;
+  frontOptions.keepArrivals = true;
+  frontOptions.parallelFor = options.parallelFor;
+  frontOptions.progress = progressBetween(options.progress, 0.0, FrontDone);
+  FrontResult front = propagate(part,
+    sourceWindowsOfPartition(
+      part, patch, startingWindows(patch.mesh(), curves, frontOptions.progress)),
+    frontOptions, retention);
+  const DistanceField field(part, std::move(front), retention.release());
+
+  PathFinder paths(field, patch, curves, targets, options, take);
+  paths.run();
+
+  const KnownDistances known{ field.vertexDistances(),
+    part.exchange().largestOf(retention.reach()) };
+  const std::vector<LostPath> lost = gatherLost(field, targets, paths.lost());
+  for (std::size_t i = 0; i < lost.size(); ++i)
+  {
+    const double done = static_cast<double>(i) / static_cast<double>(lost.size());
+    const double fraction = TracingDone + (1.0 - TracingDone) * done;
+    frontOptions.keepArrivals = false;
+    frontOptions.progress = progressBetween(options.progress, fraction, fraction);
+    reportProgress(options.progress, fraction);
+    pathInStrip(part, patch, curves, lost[i].target, known, frontOptions,
+      [&](const PathToSource& path)
+      {
+        if (path.points.empty())
+        {
+          throw Error("The shortest path from target " + std::to_string(lost[i].number) +
+            " could not be followed. Please report this with the surface, the source and the "
+            "targets.");
+        }
+        take(lost[i].number, path);
+      });
+  }
 }
 
 }

@@ -3,9 +3,11 @@
 #define geodesic_PathsToSource_h
 
 #include "front/Front.h"
+#include "mesh/ReplicatedPatch.h"
 #include "mesh/SurfacePoint.h"
 #include "source/SourceCurve.h"
 
+#include <functional>
 #include <vector>
 
 namespace geodesic
@@ -14,15 +16,22 @@ namespace geodesic
 /// A shortest path from a target to the source.
 struct PathToSource
 {
+  /// The mesh that the points lie on: the partition's, or one of the faces that the path goes
+  /// through where these belong to several ranks. Temporary.
+  const TriangleMesh& mesh;
   /// The target, a point on every edge that the path crosses, the vertices that it passes, its end
-  /// on the source; twice the target where that is on the source. Empty where it is not reached.
-  /// Consecutive points have a face in common.
+  /// on the source; twice the target where that is on the source. Consecutive points have a face in
+  /// common.
   std::vector<SurfacePoint> points;
   /// SourceCurve::source of a curve that the end lies on.
   Id source = NoId;
-  /// Whether tracing lost it, so that it was found again by windows, which takes much longer.
+  /// Whether tracing lost the path, so that windows had to find it again, which takes much longer.
   bool wasLost = false;
 };
+
+/// Takes over the path of a target. Paths come in no order, several at the same time from the
+/// threads of PathsOptions::parallelFor. Targets that are not reached have none.
+using TakePath = std::function<void(std::size_t target, const PathToSource& path)>;
 
 struct PathsOptions
 {
@@ -32,18 +41,24 @@ struct PathsOptions
   ProgressCallback progress;
 };
 
-/// The shortest paths from points of the surface to the nearest point of the source, one of them
+/// Finds the shortest paths from points of the surface to the nearest point of the source, one path
 /// for each target.
 ///
-/// One front goes from the source until all targets are settled; it keeps windows only around the
-/// targets. Paths are then traced backwards by the directions in which they came to vertices
-/// (PathTracer). Where a path runs so close to vertices that rounding leads it astray, it is found
-/// again by windows that are kept in a strip around it (pathInWindows()).
+/// One front goes from the source until the targets of all ranks are settled; it keeps windows only
+/// around the targets. Each rank then traces the paths of its targets backwards through the faces
+/// that it owns, by the directions in which paths came to vertices (PathTracer). A path that comes
+/// to another rank's face is handed over, and the target's rank is sent the points found so far.
+/// Where a path runs so close to vertices that rounding leads it astray, pathInStrip() finds it
+/// again.
 ///
+/// All ranks call this together.
+///
+/// \param patch that the curves lie on.
+/// \param targets in faces that this rank owns; maybe none.
 /// \throws SourceError where there is no source; Aborted.
-std::vector<PathToSource> pathsToSource(const TriangleMesh& mesh,
-  const std::vector<SourceCurve>& sources, const std::vector<SurfacePoint>& targets,
-  const PathsOptions& options = {});
+void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
+  const std::vector<SourceCurve>& curves, const std::vector<SurfacePoint>& targets,
+  const PathsOptions& options, const TakePath& take);
 
 }
 

@@ -5,6 +5,7 @@
 #include "field/DistanceField.h"
 #include "field/RetentionAround.h"
 #include "field/Solve.h"
+#include "paths/PathInWindows.h"
 #include "paths/PathTracer.h"
 
 #include <algorithm>
@@ -15,19 +16,12 @@ namespace geodesic
 namespace
 {
 
-/// Of the progress, for the search.
+/// The fraction of the progress at which the search ends.
 constexpr double ShareOfSearch = 0.7;
 
-/// Relative error of the search. The strip that it leaves is as wide as the root of that; with
-/// less, the search takes longer, with more what follows.
+/// Relative error of the search. The strip is as wide as the root of the error: with a smaller
+/// error the search takes longer, with a larger one the exact front does.
 constexpr double SearchError = 1e-3;
-
-ProgressCallback part(const ProgressCallback& progress, double begin, double end)
-{
-  return progress ? [&progress, begin, end](double fraction)
-  { return progress(begin + (end - begin) * fraction); }
-                  : ProgressCallback();
-}
 
 std::vector<double> distancesInSpace(const TriangleMesh& mesh, const SurfacePoint& point)
 {
@@ -40,19 +34,21 @@ std::vector<double> distancesInSpace(const TriangleMesh& mesh, const SurfacePoin
   return distances;
 }
 
-/// Keeps what tracing from the second point needs, and narrows the corridor: the sum of what is
-/// known of both ways bounds the length of a path.
+/// Keeps what tracing from the second point needs. The distance of a vertex and its way to the
+/// second point add up to a path: the corridor need be no longer.
 class StripRetention : public RetentionAround
 {
 public:
+  /// \param least a length below which roundings decide.
   StripRetention(const TriangleMesh& mesh, const SurfacePoint& second,
-    const std::vector<double>& toSecond, double least, Corridor& corridor)
+    const std::vector<double>& toSecond, double least)
     : RetentionAround(mesh, { second })
     , toSecond_(toSecond)
     , least_(least)
-    , corridor_(corridor)
   {
   }
+
+  double longestPath() const override { return this->longestPath_; }
 
   void advance(const FrontState& front) override
   {
@@ -60,21 +56,21 @@ public:
     for (const Id vertex : front.settled)
     {
       const double length = front.distances(vertex) + (1.0 + SearchError) * this->toSecond_[vertex];
-      this->corridor_.length = std::min(
-        this->corridor_.length, std::max(this->least_, (1.0 + tolerance::BoundMargin) * length));
+      this->longestPath_ = std::min(
+        this->longestPath_, std::max(this->least_, (1.0 + tolerance::BoundMargin) * length));
     }
   }
 
 private:
   const std::vector<double>& toSecond_;
   double least_;
-  Corridor& corridor_;
+  double longestPath_ = Infinity;
 };
 
-/// Lower bounds of the way to the second point: what the search from there has found is nowhere too
-/// large, save where it has left out what is no part of a path within the length. There, the true
-/// distance is over what the way from the first point leaves. Farther than it went nothing is
-/// nearer.
+/// Lower bounds of the distance to the second point. The distances that the search from there has
+/// found are lower bounds, except where it left out what no path within the length passes: there
+/// the distance exceeds what the way from the first point leaves of the length. Beyond the reach of
+/// the search, the reach is a lower bound.
 std::vector<double> lowerBounds(const TriangleMesh& mesh, const SurfacePoint& first,
   const SurfacePoint& second, const std::vector<double>& toSecond, double length, double reach)
 {
@@ -88,18 +84,6 @@ std::vector<double> lowerBounds(const TriangleMesh& mesh, const SurfacePoint& fi
   return bounds;
 }
 
-/// The path by windows that are all kept, in the corridor alone.
-std::vector<SurfacePoint> pathThroughWindows(const TriangleMesh& mesh, const SurfacePoint& first,
-  const SurfacePoint& second, const Corridor& corridor, const ParallelFor& parallelFor,
-  const ProgressCallback& progress)
-{
-  FrontOptions options;
-  options.progress = progress;
-  options.corridor = &corridor;
-  options.parallelFor = parallelFor;
-  return solve(mesh, { pointCurve(first) }, options, KeepWindows::All).path(second);
-}
-
 } // anonymous namespace
 
 std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePoint& first,
@@ -110,21 +94,21 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   FrontOptions options;
   options.corridor = &corridor;
   options.parallelFor = parallelFor;
-  options.progress = part(progress, 0.0, ShareOfSearch);
+  options.progress = progressBetween(progress, 0.0, ShareOfSearch);
   options.relativeError = SearchError;
   RetentionAround search(mesh, { first });
   const std::vector<double> toSecond =
     propagate(mesh, { pointCurve(second) }, options, search).vertexDistances;
 
   corridor.lowerBounds = lowerBounds(mesh, first, second, toSecond, length, search.reach());
-  // Behind faces without area the two may be at one place: a path there has the length of
+  // The two points may be at one place, behind faces without area: there a path is as long as
   // roundings.
   const double least = tolerance::BoundMargin * length;
   corridor.length = std::min(length, std::max(least, (1.0 + SearchError) * search.reach()));
   options.relativeError = 0.0;
   options.keepArrivals = true;
-  options.progress = part(progress, ShareOfSearch, 1.0);
-  StripRetention strip(mesh, second, toSecond, least, corridor);
+  options.progress = progressBetween(progress, ShareOfSearch, 1.0);
+  StripRetention strip(mesh, second, toSecond, least);
   FrontResult front = propagate(mesh, { pointCurve(first) }, options, strip);
   const DistanceField field(MeshPartition(mesh), std::move(front), strip.release());
   std::vector<SurfacePoint> path;
@@ -134,8 +118,11 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   }
   catch (const PathLost&)
   {
-    path = pathThroughWindows(
-      mesh, first, second, corridor, parallelFor, part(progress, 1.0, 1.0)); // seldom
+    // Seldom: by windows that are all kept, in the corridor alone.
+    corridor.length = std::min(corridor.length, strip.longestPath());
+    options.keepArrivals = false;
+    options.progress = progressBetween(progress, 1.0, 1.0);
+    path = pathInWindows(solve(mesh, { pointCurve(first) }, options, KeepWindows::All), second);
   }
   std::reverse(path.begin(), path.end());
   return path;

@@ -15,7 +15,8 @@ namespace geodesic
 namespace
 {
 
-/// A path that broke off, or an empty one, has ends without a common face.
+/// Whether consecutive points have a common face. If the path broke off or is empty, its ends have
+/// none.
 bool isWhole(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path)
 {
   for (std::size_t i = 1; i < path.size(); ++i)
@@ -28,8 +29,8 @@ bool isWhole(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path)
   return true;
 }
 
-/// Where an end is a rounding beside a vertex or an edge, the path goes over that: a patch has the
-/// end there, so that the path may leave in another face.
+/// If an end lies beside a vertex or an edge by a rounding, the path goes over the vertex or edge:
+/// there the sub-mesh has the end, so that the path may leave through another face.
 void linkEnds(const TriangleMesh& mesh, std::vector<SurfacePoint>& path)
 {
   if (commonFace(mesh, path[0], path[1]) == NoId)
@@ -58,7 +59,7 @@ std::vector<SurfacePoint> ShortestPathFinder::between(
     return {};
   }
   const SubMesh patch(this->mesh_, first, second, length, this->workSpace_, progress);
-  // From a point to another; both also as points of the patch.
+  // From one point to the other; both are given as points of the patch, too.
   const auto find = [&](const SurfacePoint& from, const SurfacePoint& to,
                       const SurfacePoint& fromOnPatch, const SurfacePoint& toOnPatch)
   {
@@ -75,7 +76,8 @@ std::vector<SurfacePoint> ShortestPathFinder::between(
   std::vector<SurfacePoint> path = find(first, second, patch.first(), patch.second());
   if (!isWhole(this->mesh_, path))
   {
-    // It may begin at a vertex at the place of the first point, behind several faces without area.
+    // The path may begin at a vertex at the place of the first point, behind several faces without
+    // area.
     path = find(second, first, patch.second(), patch.first());
     std::reverse(path.begin(), path.end());
   }

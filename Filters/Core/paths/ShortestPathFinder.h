@@ -13,9 +13,9 @@
 namespace geodesic
 {
 
-/// Finds shortest paths between pairs of points of one surface, looking only at the part of the
-/// surface that the path can reach: a shortest path along mesh edges gives an upper bound of its
-/// length, and a path no longer than that stays in a patch.
+/// Finds shortest paths between pairs of points of one surface. A shortest path along mesh edges
+/// gives an upper bound of the path's length, and the search looks only at the part of the surface
+/// that a path of that length can touch (SubMesh).
 class ShortestPathFinder
 {
 public:
@@ -26,9 +26,9 @@ public:
   {
   }
 
-  /// A shortest path (one of them where there are several): the first point, a point on every edge
-  /// it crosses, the vertices it passes, the second point. Consecutive points have a common face.
-  /// Empty where no path joins them.
+  /// Finds a shortest path (one of them if there are several): the first point, a point on every
+  /// edge that it crosses, the vertices that it passes, the second point. Consecutive points have a
+  /// common face. Empty if no path joins the points.
   ///
   /// \param progress called now and then with a fraction done; returning false throws Aborted.
   std::vector<SurfacePoint> between(

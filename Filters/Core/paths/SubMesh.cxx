@@ -9,8 +9,8 @@ namespace geodesic
 namespace
 {
 
-/// Whether a face may hold a point whose distances in space to the two points add up to no more
-/// than the bound. The sum grows by at most 2 for each unit of way.
+/// Whether a face may contain a point whose distances in space from the two points add up to no
+/// more than the bound. The sum grows by at most 2 for each unit of way.
 bool isWithin(const TriangleMesh& mesh, Id face, const SurfacePoint& first,
   const SurfacePoint& second, double bound)
 {
@@ -42,7 +42,8 @@ Id faceWith(const TriangleMesh& mesh, const Triangle& vertices)
   return NoId;
 }
 
-/// A point of one mesh as a point of another that has the faces around it, its vertices renamed.
+/// A point of one mesh as a point of another mesh that has the faces around the point, with their
+/// vertices renumbered.
 template <typename Rename>
 SurfacePoint transferred(
   const TriangleMesh& from, const SurfacePoint& point, const TriangleMesh& to, Rename&& rename)
@@ -66,8 +67,8 @@ SurfacePoint transferred(
   return fromBarycentric(to, toFace, permuted);
 }
 
-/// Gathers the faces that a path from one point to another no longer than a bound can touch, going
-/// from face to face across shared vertices.
+/// Gathers the faces that a path within a bound can touch between two points, from face to face
+/// across shared vertices.
 class FaceGatherer
 {
 public:
@@ -92,7 +93,7 @@ public:
   FaceGatherer(const FaceGatherer&) = delete;
   FaceGatherer& operator=(const FaceGatherer&) = delete;
 
-  /// Ends early where there are more faces than `maximum`.
+  /// Stops as soon as there are more faces than `maximum`.
   void gather(const SurfacePoint& first, const SurfacePoint& second, double bound,
     std::size_t maximum, const ProgressCallback& progress)
   {
@@ -116,9 +117,9 @@ public:
     {
       forEachFace(this->mesh_, SurfacePoint::atVertex(this->vertices[next]), visit);
       constexpr std::size_t stepsPerReport = 4096;
-      if ((next + 1) % stepsPerReport == 0 && progress && !progress(0.0))
+      if ((next + 1) % stepsPerReport == 0)
       {
-        throw Aborted();
+        reportProgress(progress, 0.0);
       }
     }
   }
@@ -160,7 +161,7 @@ SubMesh::SubMesh(const TriangleMesh& surface, const SurfacePoint& first, const S
   , first_(first)
   , second_(second)
 {
-  // A mesh of a larger part would cost about as much as it spares.
+  // A mesh of a larger part would cost about as much as it saves.
   constexpr std::size_t largePart = 4;
   const std::size_t maximum = surface.numberOfFaces() / largePart;
   FaceGatherer gatherer(surface, workSpace);

@@ -222,8 +222,7 @@ void expectStraightPaths(const TriangleMesh& engine, const PlainMesh& mesh,
   {
     targets.push_back(enginePoint(engine, randomPoint(mesh, random)));
   }
-  const std::vector<geodesic::PathToSource> paths =
-    geodesic::pathsToSource(engine, curves, targets);
+  const std::vector<FoundPath> paths = findPaths(engine, curves, targets);
   for (std::size_t i = 0; i < targets.size(); ++i)
   {
     SCOPED_TRACE("path " + std::to_string(i));
@@ -618,7 +617,7 @@ TEST(FacesWithoutArea, PocketsChangeNoDistanceAndPathsAcrossThemEnd)
     options.progress = limit.callback();
     try
     {
-      const std::vector<geodesic::PathToSource> paths = geodesic::pathsToSource(
+      const std::vector<FoundPath> paths = findPaths(
         engine, { geodesic::pointCurve(SurfacePoint::atVertex(source)) }, targets, options);
       for (std::size_t v = 0; v < plain.points.size(); ++v)
       {

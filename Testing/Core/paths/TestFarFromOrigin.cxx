@@ -18,7 +18,6 @@
 
 using namespace geodesictest;
 using geodesic::LocatedPolyline;
-using geodesic::PathToSource;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
 
@@ -108,10 +107,9 @@ TEST_P(FarFromOrigin, PathsAreThoseAtTheOriginAndShortest)
     {
       targets.push_back(enginePoint(atOrigin, randomPoint(surfaces.atOrigin, random)));
     }
-    const std::vector<PathToSource> farPaths =
-      geodesic::pathsToSource(far, engineCurves(far, curves), targets);
-    const std::vector<PathToSource> paths =
-      geodesic::pathsToSource(atOrigin, engineCurves(atOrigin, curves), targets);
+    const std::vector<FoundPath> farPaths = findPaths(far, engineCurves(far, curves), targets);
+    const std::vector<FoundPath> paths =
+      findPaths(atOrigin, engineCurves(atOrigin, curves), targets);
     const geodesic::DistanceField field = solveKeepingAll(atOrigin, engineCurves(atOrigin, curves));
     const PathChecker checker(surfaces.atOrigin);
     for (std::size_t i = 0; i < targets.size(); ++i)

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paths that are handed from rank to rank: as long as the brute-force distance, through faces that
 // follow one another, to the curve that they name; and those of one piece.
+#include "EngineSupport.h"
 #include "OnThreads.h"
 #include "RanksSupport.h"
 #include "paths/PathChecker.h"
 
 #include "paths/PathInStrip.h"
-#include "paths/PathsOnRanks.h"
+#include "paths/PathsToSource.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,6 @@
 #include <mutex>
 
 using namespace geodesictest;
-using geodesic::PathInSpace;
 using geodesic::SurfacePoint;
 
 namespace
@@ -45,13 +45,11 @@ std::vector<std::vector<Vec3>> pathsInOnePiece(const RandomCase& c)
     targets.push_back(enginePoint(mesh, query));
   }
   std::vector<std::vector<Vec3>> result;
-  for (const auto& path : geodesic::pathsToSource(mesh, engineCurves(mesh, c.curves), targets))
+  for (const FoundPath& path : findPaths(mesh, engineCurves(mesh, c.curves), targets))
   {
     result.emplace_back();
-    for (const SurfacePoint& point : path.points)
-    {
-      result.back().push_back(plainPlace(geodesic::position(mesh, point)));
-    }
+    std::transform(
+      path.places.begin(), path.places.end(), std::back_inserter(result.back()), plainPlace);
   }
   return result;
 }
@@ -103,29 +101,29 @@ public:
 
   const RandomCase& plain() const { return this->case_; }
 
-  void check(std::size_t target, const PathInSpace& path)
+  void check(std::size_t target, const FoundPath& path)
   {
     SCOPED_TRACE("target " + std::to_string(target));
     const double truth = this->case_.truth.queries[target];
-    ASSERT_EQ(path.points.empty(), !(truth < geodesic::Infinity));
-    if (path.points.empty())
+    ASSERT_EQ(path.places.empty(), !(truth < geodesic::Infinity));
+    if (path.places.empty())
     {
       return;
     }
     ASSERT_LT(path.source, this->case_.curves.size());
     const PlainMesh& mesh = this->case_.mesh;
     double length = 0.0;
-    for (std::size_t i = 1; i < path.points.size(); ++i)
+    for (std::size_t i = 1; i < path.places.size(); ++i)
     {
-      const Vec3 a = plainPlace(path.points[i - 1]);
-      const Vec3 b = plainPlace(path.points[i]);
+      const Vec3 a = plainPlace(path.places[i - 1]);
+      const Vec3 b = plainPlace(path.places[i]);
       length += spaceDistance(a, b);
       EXPECT_TRUE(haveAFaceInCommon(mesh, a, b, 1e-9)) << "piece " << i;
     }
     EXPECT_LE(std::abs(length - truth), this->slack_);
-    const Vec3 begin = plainPlace(path.points.front());
+    const Vec3 begin = plainPlace(path.places.front());
     EXPECT_LE(spaceDistance(begin, position(mesh, this->case_.queries[target])), this->slack_);
-    const Vec3 end = plainPlace(path.points.back());
+    const Vec3 end = plainPlace(path.places.back());
     EXPECT_LE(
       distanceInSpace(mesh, end, toSources({ this->case_.curves[path.source] })), this->slack_);
     ++this->compared_;
@@ -136,13 +134,13 @@ public:
   std::size_t different() const { return this->different_; }
 
 private:
-  bool isAsInOnePiece(std::size_t target, const PathInSpace& path) const
+  bool isAsInOnePiece(std::size_t target, const FoundPath& path) const
   {
     const std::vector<Vec3>& whole = this->whole_[target];
-    bool isSame = whole.size() == path.points.size();
+    bool isSame = whole.size() == path.places.size();
     for (std::size_t i = 0; i < whole.size() && isSame; ++i)
     {
-      isSame = spaceDistance(whole[i], plainPlace(path.points[i])) <= 1e-6;
+      isSame = spaceDistance(whole[i], plainPlace(path.places[i])) <= 1e-6;
     }
     return isSame;
   }
@@ -186,10 +184,10 @@ TargetsOfRank targetsOf(const RankOfRun& rank, const std::vector<MeshPoint>& que
   return targets;
 }
 
-std::vector<PathInSpace> pathsOver(
+std::vector<FoundPath> pathsOver(
   const RandomCase& c, const CutMesh& cut, std::uint64_t disorder = 0, bool inParallel = false)
 {
-  std::vector<PathInSpace> paths(c.queries.size());
+  std::vector<FoundPath> paths(c.queries.size());
   std::mutex mutex;
   onRanks(cut, c.curves, disorder,
     [&](const RankOfRun& rank)
@@ -200,8 +198,8 @@ std::vector<PathInSpace> pathsOver(
       {
         options.parallelFor = onThreads;
       }
-      const std::vector<PathInSpace> own = geodesic::pathsOnRanks(
-        rank.part, rank.patch, numbered(rank.curvesOnPatch), targets.points, options);
+      const std::vector<FoundPath> own =
+        findPaths(rank.part, rank.patch, numbered(rank.curvesOnPatch), targets.points, options);
       const std::lock_guard<std::mutex> lock(mutex);
       for (std::size_t i = 0; i < own.size(); ++i)
       {
@@ -218,10 +216,10 @@ struct TargetAtDistance
 };
 
 /// The paths that each target's rank finds in a strip; no other rank has one.
-std::vector<PathInSpace> pathsInStrips(const CutMesh& cut, const std::vector<Polyline>& curves,
+std::vector<FoundPath> pathsInStrips(const CutMesh& cut, const std::vector<Polyline>& curves,
   const std::vector<TargetAtDistance>& targets)
 {
-  std::vector<PathInSpace> paths(targets.size());
+  std::vector<FoundPath> paths(targets.size());
   onRanks(cut, curves, 0,
     [&](const RankOfRun& rank)
     {
@@ -232,16 +230,21 @@ std::vector<PathInSpace> pathsInStrips(const CutMesh& cut, const std::vector<Pol
       {
         const auto& [point, distance] = targets[i];
         const geodesic::RankAddress face = rank.facesOnRanks[point.face];
-        PathInSpace path = geodesic::pathInStrip(rank.part, rank.patch,
-          numbered(rank.curvesOnPatch), { face, point.weights, distance }, known, {}, {});
+        geodesic::FacePoint inFace{};
         if (face.rank == rank.exchange.rank())
         {
-          paths[i] = std::move(path);
+          const geodesic::TriangleMesh& mesh = rank.part.mesh();
+          inFace = geodesic::toFacePoint(
+            mesh, face.id, geodesic::fromBarycentric(mesh, face.id, point.weights));
         }
-        else
-        {
-          EXPECT_TRUE(path.points.empty());
-        }
+        inFace = geodesic::valuesOfRanks(rank.exchange, inFace)[geodesic::rankIndex(face.rank)];
+        geodesic::pathInStrip(rank.part, rank.patch, numbered(rank.curvesOnPatch),
+          { face, inFace, distance }, known, {},
+          [&](const geodesic::PathToSource& path)
+          {
+            EXPECT_EQ(face.rank, rank.exchange.rank());
+            paths[i].take(path);
+          });
       }
     });
   return paths;
@@ -264,9 +267,9 @@ TEST(PathsOnSeams, OfTargetsOnTheSourceAreTwoEqualPoints)
     forEachCut(c.mesh, bothWaysToCut({ 2, 3 }), random,
       [&](const CutMesh& cut)
       {
-        const PathInSpace path = pathsOver(c, cut).front();
-        ASSERT_EQ(path.points.size(), 2U) << "face " << face;
-        EXPECT_EQ(path.points.front(), path.points.back());
+        const FoundPath path = pathsOver(c, cut).front();
+        ASSERT_EQ(path.places.size(), 2U) << "face " << face;
+        EXPECT_EQ(path.places.front(), path.places.back());
         EXPECT_EQ(path.source, 0U);
       });
   }
@@ -285,7 +288,7 @@ TEST_P(PathsOnRanks, AreShortestAndThoseOfOnePieceHoweverItIsCut)
     forEachCut(c.mesh, someWaysToCut(), random,
       [&](const CutMesh& cut)
       {
-        const std::vector<PathInSpace> paths = pathsOver(c, cut);
+        const std::vector<FoundPath> paths = pathsOver(c, cut);
         for (std::size_t i = 0; i < paths.size(); ++i)
         {
           checked.check(i, paths[i]);
@@ -318,7 +321,7 @@ TEST_P(PathsOnRanks, InStripsAreShortest)
       targets.push_back({ c.queries[i], (1.0 - 1e-12) * c.truth.queries[i] });
     }
   }
-  const std::vector<PathInSpace> paths = pathsInStrips(cut, c.curves, targets);
+  const std::vector<FoundPath> paths = pathsInStrips(cut, c.curves, targets);
   for (std::size_t i = 0; i < paths.size(); ++i)
   {
     checked.check(numbers[i], paths[i]);
@@ -331,11 +334,11 @@ TEST_P(PathsOnRanks, DoNotDependOnThreadsOrWhichRankComesFirst)
   const RandomCase c = randomCase(GetParam(), 82000, 20);
   Random random(1);
   const CutMesh cut = cutAtRandom(c.mesh, 3, random);
-  const std::vector<PathInSpace> ordered = pathsOver(c, cut);
-  const std::vector<PathInSpace> other = pathsOver(c, cut, 3, true);
+  const std::vector<FoundPath> ordered = pathsOver(c, cut);
+  const std::vector<FoundPath> other = pathsOver(c, cut, 3, true);
   for (std::size_t i = 0; i < ordered.size(); ++i)
   {
-    EXPECT_EQ(ordered[i].points, other[i].points) << "target " << i;
+    EXPECT_EQ(ordered[i].places, other[i].places) << "target " << i;
     EXPECT_EQ(ordered[i].source, other[i].source) << "target " << i;
   }
 }
@@ -371,12 +374,12 @@ TEST(PathsInStrips, RunAlongEdgesWhereNoWindowGoes)
   Random random(1);
   for (const int ranks : { 1, 3 })
   {
-    const std::vector<PathInSpace> paths = pathsInStrips(cutAtRandom(mesh, ranks, random),
+    const std::vector<FoundPath> paths = pathsInStrips(cutAtRandom(mesh, ranks, random),
       { { { { source.face, source.weights, source.weights } }, {} } }, targets);
     for (std::size_t i = 0; i < paths.size(); ++i)
     {
       SCOPED_TRACE(std::to_string(ranks) + " ranks, target " + std::to_string(i));
-      const std::vector<geodesic::Vec3>& points = paths[i].points;
+      const std::vector<geodesic::Vec3>& points = paths[i].places;
       ASSERT_EQ(points.size(), Length + 1U);
       EXPECT_LE(spaceDistance(plainPlace(points[0]), position(mesh, targets[i].point)), 1e-14);
       for (Index k = 1; k <= Length; ++k)

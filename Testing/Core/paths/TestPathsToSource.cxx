@@ -8,7 +8,7 @@
 #include "truth/AnalyticCases.h"
 
 #include "field/RetentionAround.h"
-#include "paths/PathInWindows.h"
+#include "paths/PathInStrip.h"
 #include "paths/PathsToSource.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,6 @@
 #include <string>
 
 using namespace geodesictest;
-using geodesic::PathToSource;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
 
@@ -74,15 +73,14 @@ Worst expectPaths(const PlainMesh& mesh, const TriangleMesh& engine,
   const std::vector<MeshPoint>& targets, const std::vector<double>& truth, double slack)
 {
   const PathChecker checker(mesh);
-  const std::vector<PathToSource> paths =
-    geodesic::pathsToSource(engine, curves, enginePoints(engine, targets));
+  const std::vector<FoundPath> paths = findPaths(engine, curves, enginePoints(engine, targets));
   const double largest = largestFinite(truth);
   Worst worst;
   EXPECT_EQ(paths.size(), targets.size());
   for (std::size_t i = 0; i < paths.size(); ++i)
   {
     SCOPED_TRACE("target " + std::to_string(i));
-    const PathToSource& path = paths[i];
+    const FoundPath& path = paths[i];
     if (truth[i] == geodesic::Infinity)
     {
       EXPECT_TRUE(path.points.empty());
@@ -155,7 +153,7 @@ struct EngineCase
   double largest;
 };
 
-void expectSamePaths(const std::vector<PathToSource>& a, const std::vector<PathToSource>& b)
+void expectSamePaths(const std::vector<FoundPath>& a, const std::vector<FoundPath>& b)
 {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -245,10 +243,14 @@ TEST_P(PathsToSourceOn, InWindowsAreAsLongAsTheBruteForceDistance)
         continue;
       }
       SCOPED_TRACE("target " + std::to_string(i));
-      const std::vector<SurfacePoint> path = geodesic::pathInWindows(
-        c.mesh, c.curves, c.targets[i], distance, { field.vertexDistances() }, {}, {});
-      ASSERT_FALSE(path.empty());
-      const std::vector<PathPoint> plain = checker.plain(path);
+      const geodesic::Id face = geodesic::someFace(c.mesh, c.targets[i]);
+      FoundPath path;
+      geodesic::pathInStrip(field.surface(), geodesic::ReplicatedPatch(c.mesh), c.curves,
+        { { 0, face }, geodesic::toFacePoint(c.mesh, face, c.targets[i]), distance },
+        { field.vertexDistances() }, {},
+        [&](const geodesic::PathToSource& found) { path.take(found); });
+      ASSERT_FALSE(path.points.empty());
+      const std::vector<PathPoint> plain = checker.plain(path.points);
       EXPECT_LE(
         distanceInSpace(c.plain.mesh, plain.back().place, toSources(c.plain.curves)), slack);
       checker.expectShortest(plain, distance, slack);
@@ -263,13 +265,13 @@ TEST_P(PathsToSourceOn, OfOneTargetAndInParallelAreThoseOfManyTargets)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const EngineCase c(GetParam(), seed + 79000);
-    const std::vector<PathToSource> all = geodesic::pathsToSource(c.mesh, c.curves, c.targets);
+    const std::vector<FoundPath> all = findPaths(c.mesh, c.curves, c.targets);
     geodesic::PathsOptions options;
     options.parallelFor = onThreads;
-    expectSamePaths(geodesic::pathsToSource(c.mesh, c.curves, c.targets, options), all);
+    expectSamePaths(findPaths(c.mesh, c.curves, c.targets, options), all);
     for (std::size_t i = 0; i < Targets; i += 10)
     {
-      expectSamePaths(geodesic::pathsToSource(c.mesh, c.curves, { c.targets[i] }), { all[i] });
+      expectSamePaths(findPaths(c.mesh, c.curves, { c.targets[i] }), { all[i] });
     }
   }
 }
@@ -348,7 +350,7 @@ TEST(PathsToSource, FromTheSourceAreTwoEqualPointsAndFromElsewhereNone)
   edge.source = 7;
   geodesic::SourceCurve point = geodesic::pointCurve(SurfacePoint::atVertex(3));
   point.source = 4;
-  const std::vector<PathToSource> paths = geodesic::pathsToSource(engine, { edge, point },
+  const std::vector<FoundPath> paths = findPaths(engine, { edge, point },
     { SurfacePoint::atVertex(0), SurfacePoint::onEdge(0, 0.5), SurfacePoint::atVertex(3),
       SurfacePoint::inFace(2, 0.2, 0.2), SurfacePoint::onEdge(1, 0.25) });
   ASSERT_EQ(paths.size(), 5U);
@@ -375,8 +377,8 @@ TEST(PathsToSource, OfManyTargetsBeginEachAtItsOwn)
   const TriangleMesh engine = engineMesh(mesh);
   Random random(1);
   const std::vector<SurfacePoint> targets = enginePoints(engine, randomPoints(mesh, 700, random));
-  const std::vector<PathToSource> paths =
-    geodesic::pathsToSource(engine, { geodesic::pointCurve(SurfacePoint::atVertex(0)) }, targets);
+  const std::vector<FoundPath> paths =
+    findPaths(engine, { geodesic::pointCurve(SurfacePoint::atVertex(0)) }, targets);
   ASSERT_EQ(paths.size(), targets.size());
   const PathChecker checker(mesh);
   for (std::size_t i = 0; i < targets.size(); ++i)
@@ -399,7 +401,7 @@ TEST(PathsToSource, AreAbortedByTheirProgress)
   const TriangleMesh engine = engineMesh(c.mesh);
   geodesic::PathsOptions options;
   options.progress = [](double fraction) { return fraction < 0.5; };
-  EXPECT_THROW(geodesic::pathsToSource(
-                 engine, engineCurves(engine, c.sources), enginePoints(engine, c.queries), options),
+  EXPECT_THROW(
+    findPaths(engine, engineCurves(engine, c.sources), enginePoints(engine, c.queries), options),
     geodesic::Aborted);
 }

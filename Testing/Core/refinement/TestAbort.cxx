@@ -251,7 +251,7 @@ const std::vector<Answer> Answers = {
     {
       geodesic::PathsOptions options;
       options.progress = progress;
-      pathsToSource(q.mesh, q.sources, q.points, options);
+      findPaths(q.mesh, q.sources, q.points, options);
     } },
   { "path between points",
     [](const Question& q, const ProgressCallback& progress) {
