@@ -197,7 +197,7 @@ public:
 
   void Execute(vtkObject*, unsigned long, void* data) override
   {
-    stripes::addPresets();
+    this->AddPresets();
     const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
     if (!registered || !registered->Proxy)
     {
@@ -232,6 +232,16 @@ public:
       {
         this->WatchFilter(filter);
       }
+    }
+  }
+
+  /// Once: a user may take them away.
+  void AddPresets()
+  {
+    if (!this->HasPresets)
+    {
+      this->HasPresets = true;
+      stripes::addPresets();
     }
   }
 
@@ -313,6 +323,7 @@ private:
   }
 
   std::vector<vtkWeakPointer<vtkSMSourceProxy>> Filters;
+  bool HasPresets = false;
 };
 
 void FilterWatch::SetRangesOfContours() const
@@ -344,6 +355,11 @@ void watchGeodesicProxies()
   if (type == vtkProcessModule::PROCESS_CLIENT || type == vtkProcessModule::PROCESS_BATCH)
   {
     vtkNew<RegistrationWatch> watch;
-    vtkSMProxyManager::GetProxyManager()->AddObserver(vtkCommand::RegisterEvent, watch);
+    vtkSMProxyManager* proxies = vtkSMProxyManager::GetProxyManager();
+    proxies->AddObserver(vtkCommand::RegisterEvent, watch);
+    if (proxies->GetActiveSession()) // else settings may not have been read yet
+    {
+      watch->AddPresets();
+    }
   }
 }

@@ -246,9 +246,15 @@ void setTicks(vtkSMProxy* bar, vtkSMProxy* table)
   const Stripes shown = read(table);
   const double length = shown.count * shown.width;
   double step = roundStep(length, MostTicks);
-  while (std::abs(step / shown.width - std::round(step / shown.width)) > Slack)
+  const auto isMultiple = [&shown](double length)
+  { return std::abs(length / shown.width - std::round(length / shown.width)) <= Slack; };
+  if (!isMultiple(step))
   {
     step = roundStep(step * (1.0 + 2.0 * Slack), 1);
+  }
+  if (!isMultiple(step)) // a width that is not round, as of the preset with a range of the user's
+  {
+    return;
   }
   std::vector<double> ticks;
   const int first = static_cast<int>(std::ceil(shown.low / step - Slack));

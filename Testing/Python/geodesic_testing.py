@@ -49,6 +49,16 @@ def polyline(points, closed=False):
     return simple.PolyLineSource(Points=[x for point in points for x in point], Closed=int(closed))
 
 
+def view_of(test):
+    """A view for one test, which leaves nothing behind."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = (900, 700)
+    view.OrientationAxesVisibility = 0
+    test.addCleanup(simple.ResetSession)
+    test.addCleanup(simple.Delete, view)  # first: ParaView does not survive its going last
+    return view
+
+
 def data(proxy, port=0):
     """The proxy's output, up to date."""
     proxy.UpdatePipeline()

@@ -14,7 +14,7 @@ import unittest
 import numpy as np
 from paraview import servermanager, simple
 
-from geodesic_testing import load_plugin, plane, polyline
+from geodesic_testing import load_plugin, plane, polyline, view_of
 from pixels import read_pixels
 
 load_plugin()
@@ -43,11 +43,7 @@ def field_at(x, **asked):
 
 class Stripes(unittest.TestCase):
     def setUp(self):
-        self.view = simple.CreateView("RenderView")
-        self.view.ViewSize = (900, 700)
-        self.view.OrientationAxesVisibility = 0
-        self.addCleanup(simple.ResetSession)
-        self.addCleanup(simple.Delete, self.view)  # first: ParaView does not survive its going last
+        self.view = view_of(self)
 
     def show(self, field, array=None):
         display = simple.Show(field, self.view)
@@ -122,6 +118,15 @@ class Stripes(unittest.TestCase):
         field.UpdatePipeline()
         self.assertNotEqual(table.ColorSpace, "Step")
         np.testing.assert_allclose(nodes(table)[[0, -1], 0], (0, 4))
+
+    def test_of_the_preset_have_the_width_that_the_user_asks_for(self):
+        display = self.show(field_at(0, ColorByStripes=0))
+        table = display.LookupTable
+        self.assertTrue(table.ApplyPreset(PRESETS[0], True))
+        table.RescaleTransferFunction(0, 32 * 0.03)
+        np.testing.assert_allclose(nodes(table)[:, 0], 0.03 * np.arange(33), atol=1e-9)
+        display.SetScalarBarVisibility(self.view, True)
+        self.assertEqual(simple.GetScalarBar(table, self.view).UseCustomLabels, 0)
 
     def test_colors_that_the_user_has_chosen_stay(self):
         field = field_at(0)

@@ -12,7 +12,7 @@ import unittest
 import numpy as np
 from paraview import simple
 
-from geodesic_testing import load_plugin, plane, polyline
+from geodesic_testing import load_plugin, plane, polyline, view_of
 from pixels import read_pixels
 
 load_plugin()
@@ -27,11 +27,7 @@ def is_line(colors):
 
 class Lines(unittest.TestCase):
     def setUp(self):
-        self.view = simple.CreateView("RenderView")
-        self.view.ViewSize = (900, 700)
-        self.view.OrientationAxesVisibility = 0
-        self.addCleanup(simple.ResetSession)
-        self.addCleanup(simple.Delete, self.view)  # first: ParaView does not survive its going last
+        self.view = view_of(self)
 
     def assert_whole(self, what, across):
         """The line goes up from the bottom of the view, its pixels at every height as many as across."""
