@@ -246,8 +246,8 @@ void setTicks(vtkSMProxy* bar, vtkSMProxy* table)
   const Stripes shown = read(table);
   const double length = shown.count * shown.width;
   double step = roundStep(length, MostTicks);
-  const auto isMultiple = [&shown](double length)
-  { return std::abs(length / shown.width - std::round(length / shown.width)) <= Slack; };
+  const auto isMultiple = [&shown](double ticks)
+  { return std::abs(ticks / shown.width - std::round(ticks / shown.width)) <= Slack; };
   if (!isMultiple(step))
   {
     step = roundStep(step * (1.0 + 2.0 * Slack), 1);
