@@ -95,6 +95,7 @@ void FilterExecution::readInputs(bool supportsPieces)
   this->reach(SurfaceRead);
   this->enter(Stage::ReadingSource);
   this->readSources();
+  this->reach(InputsRead);
 }
 
 /// Finds out who has what of the surface.
