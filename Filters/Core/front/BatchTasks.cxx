@@ -5,6 +5,7 @@
 #include "window/WindowMerge.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace geodesic
 {
@@ -80,6 +81,7 @@ bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id verte
   }
   district.settled += state.processed == Infinity ? 1 : 0;
   state.processed = std::min(state.processed, state.distance);
+  state.turns += state.turns < std::numeric_limits<std::uint8_t>::max() ? 1 : 0;
   while (state.facing != NoId)
   {
     if (worker.hasToPause())
@@ -180,6 +182,7 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
     return;
   }
   worker.handled += list.size();
+  this->remember(worker, district, halfedge, list);
   const UnfoldedFace face = unfold(this->mesh_, halfedge);
   const ApexQuery apex = fullApexQuery(list, face.apex, worker.apexSides);
   const Window& first = *list.begin();
@@ -209,6 +212,30 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
   this->retire(worker, district, { halfedge, block, { known(0), known(1) } }, batch);
   this->send(worker, district, left, worker.leaving.left.range());
   this->send(worker, district, right, worker.leaving.right.range());
+}
+
+// Where windows come to a vertex again and again, they are beaten by others that came before.
+void BatchTasks::remember(
+  FrontWorker& worker, District& district, Id halfedge, const WindowRange& passed) const
+{
+  constexpr std::uint8_t usualTurns = 4; // on scans hardly a vertex has more
+  if (this->vertices_[this->mesh_.opposite(halfedge)].turns > usualTurns &&
+    this->isNeededOn(district, halfedge))
+  {
+    const auto isNeeded = [&](Id other) { return this->isNeededOn(district, other); };
+    worker.handled += passed.size();
+    district.passed.add(
+      halfedge, this->mesh_.length(halfedge), passed, worker.merged, worker.pool, isNeeded);
+  }
+}
+
+// What comes from now on is no shorter than the key. Where paths along the halfedge are as short
+// everywhere, its ends tell so.
+bool BatchTasks::isNeededOn(const District& district, Id halfedge) const
+{
+  return district.schedule.key() <= std::max(this->vertices_.distance(this->mesh_.origin(halfedge)),
+                                      this->vertices_.distance(this->mesh_.destination(halfedge))) +
+    this->mesh_.length(halfedge);
 }
 
 // A list is merged when it is complete and about to enter its face, so each window is merged once
@@ -341,8 +368,32 @@ std::size_t BatchTasks::receiveLists(
     });
 }
 
-void BatchTasks::receiveList(FrontWorker& worker, District& district, const SentList& sent)
+// A list that comes once more is cut by what has passed its halfedge before.
+void BatchTasks::cutByPassed(FrontWorker& worker, const District& district, SentList& sent) const
 {
+  const WindowRange passed = district.passed.at(sent.halfedge);
+  if (passed.size() == 0 || !this->isNeededOn(district, sent.halfedge))
+  {
+    return;
+  }
+  worker.merged.reset(this->mesh_.length(sent.halfedge));
+  for (const Window& window : sent.windows.range())
+  {
+    worker.merged.appendWhereLower(window, passed);
+  }
+  worker.handled += passed.size() + sent.windows.size;
+  worker.pool.free(sent.windows);
+  sent.windows = worker.pool.copyOf(worker.merged.range());
+}
+
+void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList sent)
+{
+  this->cutByPassed(worker, district, sent);
+  if (sent.windows.size == 0)
+  {
+    worker.pool.free(sent.windows);
+    return;
+  }
   const Id apex = this->mesh_.opposite(sent.halfedge);
   const ApexDistance found =
     quickApexQuery(sent.windows.range(), apexOf(this->mesh_, sent.halfedge));

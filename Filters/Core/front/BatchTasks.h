@@ -74,7 +74,11 @@ private:
     FrontWorker& worker, District& district, Id vertex, const EmittedInterval& interval);
   void propagate(FrontWorker& worker, District& district, Id list, Id batch);
   void mergeNeighboursOf(FrontWorker& worker, Id halfedge, WindowBlock& block) const;
-  void receiveList(FrontWorker& worker, District& district, const SentList& sent);
+  void remember(
+    FrontWorker& worker, District& district, Id halfedge, const WindowRange& passed) const;
+  bool isNeededOn(const District& district, Id halfedge) const;
+  void receiveList(FrontWorker& worker, District& district, SentList sent);
+  void cutByPassed(FrontWorker& worker, const District& district, SentList& sent) const;
   std::size_t receiveLists(
     FrontWorker& worker, District& district, const std::vector<SentList>& lists, std::size_t first);
   void mergeInto(FrontWorker& worker, District& district, Id list, const WindowBlock& block) const;

@@ -3,6 +3,7 @@
 #define geodesic_District_h
 
 #include "front/Mailboxes.h"
+#include "front/PassedWindows.h"
 #include "front/VertexSchedule.h"
 #include "front/WaitingLists.h"
 
@@ -26,6 +27,8 @@ struct District
   /// The lists on the halfedges opposite its vertices. VertexState::facing is the number of one of
   /// them.
   WaitingLists lists;
+  /// What is remembered of lists that went through these halfedges.
+  PassedWindows passed;
   /// Its vertices in the current batch, and how many of them were never processed before.
   std::vector<Id> batch;
   std::size_t settled = 0;

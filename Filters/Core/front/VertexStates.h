@@ -40,6 +40,8 @@ struct VertexState
   /// The length of one of its edges.
   float edge = 0.0F;
   Emission emission = Emission::Nothing;
+  /// How often it was processed, up to the largest number.
+  std::uint8_t turns = 0;
 
   Arrival arrival() const { return { this->arrivalHalfedge, NoId, this->arrivalX }; }
   /// Whether its distance is shorter than the processed one by more than a tie.

@@ -22,6 +22,7 @@ public:
   /// Removes a list. Its block now belongs to the caller.
   WindowBlock remove(Id list);
 
+  std::size_t size() const { return this->count_; }
   Id halfedge(Id list) const { return this->lists_[list].halfedge; }
   WindowRange at(Id list) const
   {

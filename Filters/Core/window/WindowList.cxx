@@ -288,4 +288,41 @@ void WindowListBuilder::appendLists(const WindowRange& first, const WindowRange&
   }
 }
 
+void WindowListBuilder::appendWhereLower(const Window& window, const WindowRange& others)
+{
+  this->lastOwner_ = nullptr;
+  double begin = window.begin; // of what is left of the window
+  const Window* other = std::partition_point(
+    others.begin(), others.end(), [&window](const Window& o) { return o.end <= window.begin; });
+  for (; other != others.end() && other->begin < window.end; ++other)
+  {
+    this->appendPiece(window, begin, other->begin);
+    const double hi = std::min(window.end, other->end);
+    begin = std::max(begin, other->begin);
+    const LowerParts lower = lowerOf(*other, window, begin, hi);
+    bool isOther = lower.firstIsA;
+    for (int i = 0; i <= lower.cuts; ++i, isOther = !isOther)
+    {
+      const double end = i < lower.cuts ? lower.cut[static_cast<std::size_t>(i)] : hi;
+      if (isOther)
+      {
+        this->lastOwner_ = nullptr;
+      }
+      else
+      {
+        this->appendPiece(window, begin, end);
+      }
+      begin = end;
+    }
+  }
+  this->appendPiece(window, begin, window.end);
+}
+
+void WindowListBuilder::dropNarrowerThan(double width)
+{
+  this->windows_.erase(std::remove_if(this->windows_.begin(), this->windows_.end(),
+                         [width](const Window& w) { return w.width() < width; }),
+    this->windows_.end());
+}
+
 }

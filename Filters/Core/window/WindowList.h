@@ -55,6 +55,12 @@ public:
   /// window of the other, appendOfOther() adds it.
   void appendLists(const WindowRange& first, const WindowRange& second);
 
+  /// Adds the parts of a window where it is lower than sorted windows without overlaps. It must not
+  /// begin before what is there ends.
+  void appendWhereLower(const Window& window, const WindowRange& others);
+
+  void dropNarrowerThan(double width);
+
   const std::vector<Window>& windows() const { return this->windows_; }
   WindowRange range() const
   {

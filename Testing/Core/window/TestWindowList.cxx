@@ -137,6 +137,43 @@ TEST(WindowList, OfTwoListsIsTheLowerEnvelopeOfBoth)
   EXPECT_GT(longest, 12u);
 }
 
+TEST(WindowList, WhereOthersAreLowerAWindowIsLeftOut)
+{
+  Random random(3);
+  for (int i = 0; i < 1000; ++i)
+  {
+    SCOPED_TRACE(i);
+    WindowListBuilder others;
+    others.reset(Length);
+    std::vector<Window> appended;
+    for (const Window& w : someWindows(random))
+    {
+      others.append(w);
+      appended.push_back(w);
+    }
+    appended.push_back(randomWindow(Length, random));
+    WindowListBuilder builder;
+    builder.reset(Length);
+    builder.appendWhereLower(appended.back(), others.range());
+    // What is left is nowhere higher than the others, and with them the envelope of all.
+    std::vector<Window> left = builder.windows();
+    for (const Window& part : left)
+    {
+      const double middle = 0.5 * (part.begin + part.end);
+      ASSERT_LE(static_cast<double>(exactDistance(part, middle)),
+        (1.0 + 1e-11) * static_cast<double>(least(others.windows(), middle)));
+    }
+    WindowListBuilder all;
+    all.reset(Length);
+    all.appendLists(others.range(), builder.range());
+    expectLowerEnvelope(appended, all.windows());
+    if (HasFatalFailure())
+    {
+      return;
+    }
+  }
+}
+
 TEST(WindowList, ResetForgetsTheListBefore)
 {
   WindowListBuilder builder;

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the front remembers of windows that have passed, and what rough surfaces gain from it.
+#include "front/PassedWindows.h"
+
+#include "EngineSupport.h"
+#include "OnThreads.h"
+#include "Seeds.h"
+#include "truth/RandomMeshKinds.h"
+#include "window/WindowSupport.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+using namespace geodesictest;
+using geodesic::DistanceField;
+using geodesic::Id;
+using geodesic::KeepWindows;
+using geodesic::PassedWindows;
+using geodesic::SurfacePoint;
+using geodesic::TriangleMesh;
+using geodesic::WindowListBuilder;
+using geodesic::WindowPool;
+
+namespace
+{
+
+constexpr double Length = 1.0;
+
+double lowest(const geodesic::WindowRange& windows, double x)
+{
+  double result = geodesic::Infinity;
+  for (const Window& w : windows)
+  {
+    result = x >= w.begin && x <= w.end ? std::min(result, w.distance(x)) : result;
+  }
+  return result;
+}
+
+geodesic::FrontOptions onSomeThreads()
+{
+  geodesic::FrontOptions options;
+  options.parallelFor = onThreads;
+  return options;
+}
+
+}
+
+TEST(PassedWindows, TellsNothingTooShortAndNoMoreThanAFewWindows)
+{
+  Random random(7);
+  WindowPool pool;
+  WindowListBuilder builder;
+  const auto always = [](Id) { return true; };
+  for (int round = 0; round < 200; ++round)
+  {
+    PassedWindows passed;
+    std::vector<Window> all;
+    for (int i = 0; i < 20; ++i)
+    {
+      const Window window = randomWindow(Length, random);
+      all.push_back(window);
+      passed.add(5, Length, { &window, &window + 1 }, builder, pool, always);
+      ASSERT_LE(passed.at(5).size(), 8U);
+      for (const double x : { 0.11, 0.37, 0.5, 0.83 })
+      {
+        const double truth = lowest({ all.data(), all.data() + all.size() }, x);
+        ASSERT_GE(lowest(passed.at(5), x), truth * (1.0 - 1e-12));
+      }
+    }
+    EXPECT_GT(passed.at(5).size(), 0U);
+    EXPECT_EQ(passed.at(4).size(), 0U);
+  }
+}
+
+TEST(PassedWindows, LetsGoOfWhatIsNotNeeded)
+{
+  Random random(8);
+  WindowPool pool;
+  WindowListBuilder builder;
+  PassedWindows passed;
+  const Window window = randomWindow(Length, random);
+  Id front = 0;
+  const auto isNeeded = [&front](Id halfedge) { return halfedge >= front; };
+  constexpr Id halfedges = 2000;
+  for (Id halfedge = 0; halfedge < halfedges; ++halfedge)
+  {
+    front = halfedge < 10 ? 0 : halfedge - 10;
+    passed.add(halfedge, Length, { &window, &window + 1 }, builder, pool, isNeeded);
+  }
+  Id kept = 0;
+  for (Id halfedge = 0; halfedge < halfedges; ++halfedge)
+  {
+    kept += passed.at(halfedge).size() > 0 ? 1 : 0;
+    EXPECT_TRUE(!isNeeded(halfedge) || passed.at(halfedge).size() > 0);
+  }
+  EXPECT_LE(kept, 100U);
+}
+
+// On slopes of 1000 : 1 windows run ahead along long edges, and nearly all are beaten later.
+TEST(PassedWindows, OfSpikesFewWindowsGoOn)
+{
+  Random random(9);
+  const TriangleMesh mesh = engineMesh(bumpySheet(30, 30, 0, 50.0, random));
+  const DistanceField field = geodesic::solve(mesh, { { { SurfacePoint::atVertex(0) }, {} } });
+  EXPECT_LE(field.windowsPropagated(), 60U * mesh.numberOfHalfedges());
+}
+
+TEST(PassedWindows, OfSpikesDistancesAreThoseOfTheBruteForceSolver)
+{
+  const Seeds seeds = seedsOfTest(meshesOfAKind(20));
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 91000);
+    const PlainMesh mesh = bumpySheet(
+      random.between(4, 14), random.between(4, 14), 0, random.uniform(3.0, 80.0), random);
+    CurveMaker maker(mesh, random);
+    const std::vector<Polyline> lines = maker.anySource();
+    const std::vector<MeshPoint> queries = randomPoints(mesh, 30, random);
+    const BruteForceResult truth = bruteForceDistances(mesh, toSources(lines), queries);
+    const double largest = largestFinite(truth.vertices);
+    const TriangleMesh engine = engineMesh(mesh);
+    const std::vector<geodesic::SourceCurve> curves = engineCurves(engine, lines);
+    for (geodesic::FrontOptions options : { geodesic::FrontOptions(), onSomeThreads() })
+    {
+      const EngineResult exact =
+        valuesOf(geodesic::solve(engine, curves, options, KeepWindows::All), queries);
+      EXPECT_LE(worstError(exact.vertices, truth.vertices, largest), OrdinaryAccuracy);
+      EXPECT_LE(worstError(exact.queries, truth.queries, largest), OrdinaryAccuracy);
+      options.relativeError = 0.01;
+      expectCertified(geodesic::solve(engine, curves, options, KeepWindows::All), queries,
+        { truth.vertices, truth.queries }, OrdinaryAccuracy);
+    }
+  }
+}
