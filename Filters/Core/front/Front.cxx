@@ -124,7 +124,8 @@ Front::Front(const MeshPartition& surface, const FrontOptions& options, Retentio
   , options_(options)
   , retention_(retention)
   , numbers_(mesh_, options.parallelFor)
-  , vertices_(mesh_, options.relativeError > 0.0, options.keepArrivals, options.parallelFor)
+  , vertices_(mesh_, options.relativeError > 0.0, options.keepArrivals, options.parallelFor,
+      options.progress)
   , outlooks_(numbers_.size())
   , complete_(surface, options.maximumDistance)
   , mailboxes_(numbers_.size())
@@ -133,6 +134,7 @@ Front::Front(const MeshPartition& surface, const FrontOptions& options, Retentio
   , ranks_(surface)
   , progress_(options.progress, mesh_.numberOfVertices(), options.maximumDistance)
 {
+  reportProgress(options.progress, 0.0);
   this->districts_.reserve(this->numbers_.size());
   for (Id number = 0; number < this->numbers_.size(); ++number)
   {

@@ -55,8 +55,9 @@ public:
   /// \param withErrors whether distances may be of merged windows, whose errors are stored.
   /// \param withArrivals whether arrivals are stored, for tracing paths.
   /// \param parallelFor if empty, one thread.
-  VertexStates(
-    const TriangleMesh& mesh, bool withErrors, bool withArrivals, const ParallelFor& parallelFor);
+  /// \param progress is called; returning false throws Aborted.
+  VertexStates(const TriangleMesh& mesh, bool withErrors, bool withArrivals,
+    const ParallelFor& parallelFor, const ProgressCallback& progress);
 
   Id size() const { return static_cast<Id>(this->states_.size()); }
   const VertexState& operator[](Id vertex) const { return this->states_[vertex]; }
@@ -112,14 +113,14 @@ private:
   std::vector<Arrival> arrivals_;
 };
 
-inline VertexStates::VertexStates(
-  const TriangleMesh& mesh, bool withErrors, bool withArrivals, const ParallelFor& parallelFor)
+inline VertexStates::VertexStates(const TriangleMesh& mesh, bool withErrors, bool withArrivals,
+  const ParallelFor& parallelFor, const ProgressCallback& progress)
   : mesh_(mesh)
   , states_(mesh.numberOfVertices())
   , errors_(withErrors ? mesh.numberOfVertices() : 0, 0.0)
   , arrivals_(withArrivals ? mesh.numberOfVertices() : 0)
 {
-  forRanges(parallelFor, this->states_.size(),
+  forRanges(parallelFor, this->states_.size(), LoopProgress(progress),
     [this](std::size_t begin, std::size_t end)
     {
       for (Id vertex = static_cast<Id>(begin); vertex < end; ++vertex)

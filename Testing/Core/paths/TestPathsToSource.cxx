@@ -213,8 +213,8 @@ TEST_P(PathsToSourceOn, AreSeldomLost)
     const TriangleMesh engine = engineMesh(mesh);
     const std::vector<Polyline> lines = CurveMaker(mesh, random).anySource();
     const std::vector<MeshPoint> targets = randomPoints(mesh, Targets, random);
-    for (const PathToSource& path :
-      geodesic::pathsToSource(engine, engineCurves(engine, lines), enginePoints(engine, targets)))
+    for (const FoundPath& path :
+      findPaths(engine, engineCurves(engine, lines), enginePoints(engine, targets)))
     {
       paths += path.points.empty() ? 0 : 1;
       lost += path.wasLost ? 1 : 0;
