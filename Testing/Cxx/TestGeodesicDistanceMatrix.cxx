@@ -366,7 +366,7 @@ void CheckBadInput(Check& check)
   const double nan = vtkMath::Nan();
   const auto good = PointSources({ { 0, 0, 0 } });
   const std::vector<Bad> cases = {
-    { "no source", nullptr, good, 0.0, { "no source", "port 1" } },
+    { "no source", nullptr, good, 0.0, { "no source", "choose a Source" } },
     { "neither", nullptr, nullptr, 0.0, { "port 2", "targets" } },
     { "empty targets", good, vtkSmartPointer<vtkPolyData>::New(), 0.0, { "port 2", "empty" } },
     { "NaN targets", good, PointSources({ { 0, 0, 0 }, { nan, 0, 0 } }), 0.0,

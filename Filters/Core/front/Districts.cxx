@@ -70,21 +70,23 @@ Id numberOfBlocks(Id vertices)
 
 } // anonymous namespace
 
-Districts::Districts(const TriangleMesh& mesh, const ParallelFor& parallelFor)
+Districts::Districts(
+  const TriangleMesh& mesh, const ParallelFor& parallelFor, const ProgressCallback& progress)
 {
   const Id blocks = numberOfBlocks(mesh.numberOfVertices());
   if (blocks > 1)
   {
-    this->makeBlocks(mesh, blocks, parallelFor);
+    this->makeBlocks(mesh, blocks, parallelFor, LoopProgress(progress));
   }
   this->size_ = parallelFor ? blocks : 1;
 }
 
-void Districts::makeBlocks(const TriangleMesh& mesh, Id count, const ParallelFor& parallelFor)
+void Districts::makeBlocks(
+  const TriangleMesh& mesh, Id count, const ParallelFor& parallelFor, const LoopProgress& progress)
 {
   const BoxesInOrder boxes(mesh, parallelFor);
   std::vector<std::uint32_t> boxOf(mesh.numberOfVertices());
-  forRanges(parallelFor, boxOf.size(),
+  forRanges(parallelFor, boxOf.size(), progress,
     [&](std::size_t begin, std::size_t end)
     {
       for (Id vertex = static_cast<Id>(begin); vertex < end; ++vertex)

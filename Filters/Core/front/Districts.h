@@ -22,7 +22,9 @@ class Districts
 {
 public:
   /// \param parallelFor if empty, one thread.
-  explicit Districts(const TriangleMesh& mesh, const ParallelFor& parallelFor = {});
+  /// \param progress is called; returning false throws Aborted.
+  explicit Districts(const TriangleMesh& mesh, const ParallelFor& parallelFor = {},
+    const ProgressCallback& progress = {});
 
   /// The number of districts.
   Id size() const { return this->size_; }
@@ -36,7 +38,8 @@ public:
   static constexpr Id Most = 256;
 
 private:
-  void makeBlocks(const TriangleMesh& mesh, Id count, const ParallelFor& parallelFor);
+  void makeBlocks(const TriangleMesh& mesh, Id count, const ParallelFor& parallelFor,
+    const LoopProgress& progress);
 
   Id size_ = 1;
   /// Empty where there is a single block.

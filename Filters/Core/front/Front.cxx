@@ -123,7 +123,7 @@ Front::Front(const MeshPartition& surface, const FrontOptions& options, Retentio
   , mesh_(surface.mesh())
   , options_(options)
   , retention_(retention)
-  , numbers_(mesh_, options.parallelFor)
+  , numbers_(mesh_, options.parallelFor, options.progress)
   , vertices_(mesh_, options.relativeError > 0.0, options.keepArrivals, options.parallelFor,
       options.progress)
   , outlooks_(numbers_.size())

@@ -116,11 +116,20 @@ private:
 inline VertexStates::VertexStates(const TriangleMesh& mesh, bool withErrors, bool withArrivals,
   const ParallelFor& parallelFor, const ProgressCallback& progress)
   : mesh_(mesh)
-  , states_(mesh.numberOfVertices())
   , errors_(withErrors ? mesh.numberOfVertices() : 0, 0.0)
   , arrivals_(withArrivals ? mesh.numberOfVertices() : 0)
 {
-  forRanges(parallelFor, this->states_.size(), LoopProgress(progress),
+  // Fresh memory takes time, too.
+  const LoopProgress loops(progress);
+  constexpr Id verticesPerReport = 1U << 16;
+  this->states_.reserve(mesh.numberOfVertices());
+  while (this->size() < mesh.numberOfVertices())
+  {
+    loops.at(this->size(), mesh.numberOfVertices());
+    this->states_.resize(
+      std::min<std::size_t>(this->size() + verticesPerReport, mesh.numberOfVertices()));
+  }
+  forRanges(parallelFor, this->states_.size(), loops,
     [this](std::size_t begin, std::size_t end)
     {
       for (Id vertex = static_cast<Id>(begin); vertex < end; ++vertex)

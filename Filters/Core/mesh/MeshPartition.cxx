@@ -61,6 +61,25 @@ MeshPartition::MeshPartition(std::vector<Vec3> points, std::vector<Triangle> tri
 {
 }
 
+// The faces of one rank are in the order of their triangles.
+Id MeshPartition::faceOfTriangle(Id triangle) const
+{
+  if (this->tables_)
+  {
+    return this->tables_->faceOfTriangle[triangle];
+  }
+  Id face = 0;
+  for (Id end = this->mesh_->numberOfFaces(); face < end;)
+  {
+    const Id middle = face + (end - face) / 2;
+    const bool isBefore = this->mesh_->inputFace(middle) < triangle;
+    face = isBefore ? middle + 1 : face;
+    end = isBefore ? end : middle;
+  }
+  return face < this->mesh_->numberOfFaces() && this->mesh_->inputFace(face) == triangle ? face
+                                                                                         : NoId;
+}
+
 MeshPartition::Tables::Tables(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
   const std::vector<std::uint64_t>& keys, Exchange& itsExchange, const ProgressCallback& progress)
   : exchange(itsExchange)

@@ -75,8 +75,8 @@ public:
     return face - this->firstOwnFace_ < this->endOfOwnFaces_ - this->firstOwnFace_;
   }
   /// The face made from one of the constructor's triangles, or the kept copy of that face; NoId if
-  /// the triangle names a vertex twice. Distributed only.
-  Id faceOfTriangle(Id triangle) const { return this->tables_->faceOfTriangle[triangle]; }
+  /// the triangle names a vertex twice.
+  Id faceOfTriangle(Id triangle) const;
   /// The one of the constructor's triangles that a face that is owned was made of.
   Id triangleOf(Id face) const
   {

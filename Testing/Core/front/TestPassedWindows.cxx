@@ -103,7 +103,8 @@ TEST(PassedWindows, OfSpikesFewWindowsGoOn)
 {
   Random random(9);
   const TriangleMesh mesh = engineMesh(bumpySheet(30, 30, 0, 50.0, random));
-  const DistanceField field = geodesic::solve(mesh, { { { SurfacePoint::atVertex(0) }, {} } });
+  const DistanceField field =
+    geodesic::solve(mesh, { { { SurfacePoint::atVertex(0) }, {}, { 0 } } });
   EXPECT_LE(field.windowsPropagated(), 60U * mesh.numberOfHalfedges());
 }
 
