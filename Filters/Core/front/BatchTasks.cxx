@@ -81,7 +81,10 @@ bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id verte
   }
   district.settled += state.processed == Infinity ? 1 : 0;
   state.processed = std::min(state.processed, state.distance);
-  state.turns += state.turns < std::numeric_limits<std::uint8_t>::max() ? 1 : 0;
+  if (state.turns < std::numeric_limits<std::uint8_t>::max())
+  {
+    ++state.turns;
+  }
   while (state.facing != NoId)
   {
     if (worker.hasToPause())

@@ -214,10 +214,10 @@ std::vector<MeshPartition::HaloFace> MeshPartition::Tables::exchangeHalo(
     {
       for (const RankAddress& other : this->othersWith(vertex))
       {
-        std::vector<Id>& given = this->given[rankIndex(other.rank)];
-        if (given.empty() || given.back() != triangle)
+        std::vector<Id>& toRank = this->given[rankIndex(other.rank)];
+        if (toRank.empty() || toRank.back() != triangle)
         {
-          given.push_back(triangle);
+          toRank.push_back(triangle);
         }
       }
     }
@@ -233,7 +233,7 @@ std::vector<MeshPartition::HaloFace> MeshPartition::Tables::exchangeHalo(
       }
     }
   }
-  std::vector<HaloFace> halo;
+  std::vector<HaloFace> received;
   readEach(this->exchange.step(std::move(messages)),
     [&](int rank, MessageReader& reader)
     {
@@ -243,9 +243,9 @@ std::vector<MeshPartition::HaloFace> MeshPartition::Tables::exchangeHalo(
         face.vertices[k] = reader.get<Id>();
         face.points[k] = reader.get<Vec3>();
       }
-      halo.push_back(face);
+      received.push_back(face);
     });
-  return halo;
+  return received;
 }
 
 void MeshPartition::Tables::makeMesh(std::vector<Vec3> points,

@@ -20,7 +20,7 @@ RefinementRetention::RefinementRetention(const MeshPartition& surface, double to
   , neededBy_(mesh_.numberOfFaces(), 0)
   , lists_(mesh_.numberOfFaces())
 {
-  forRanges(this->parallelFor_, mesh_.numberOfFaces(), LoopProgress(options.progress),
+  forRanges(this->parallelFor_, mesh_.numberOfFaces(),
     [&](std::size_t begin, std::size_t end)
     {
       for (Id face = static_cast<Id>(begin); face < end; ++face)
