@@ -28,6 +28,10 @@ namespace
 
 constexpr double Length = 1.0;
 
+// The edges of a face of a spike are 2,000 times longer than it is wide: as on needles, their
+// rounding counts. The worst of 2,000 fields was off by 1.3e-11.
+constexpr double SpikesAccuracy = 1e-10;
+
 double lowest(const geodesic::WindowRange& windows, double x)
 {
   double result = geodesic::Infinity;
@@ -102,10 +106,10 @@ TEST(PassedWindows, LetsGoOfWhatIsNotNeeded)
 TEST(PassedWindows, OfSpikesFewWindowsGoOn)
 {
   Random random(9);
-  const TriangleMesh mesh = engineMesh(bumpySheet(30, 30, 0, 50.0, random));
+  const TriangleMesh mesh = engineMesh(bumpySheet(40, 40, 0, 1500.0, random));
   const DistanceField field =
     geodesic::solve(mesh, { { { SurfacePoint::atVertex(0) }, {}, { 0 } } });
-  EXPECT_LE(field.windowsPropagated(), 60U * mesh.numberOfHalfedges());
+  EXPECT_LE(field.windowsPropagated(), 25U * mesh.numberOfHalfedges());
 }
 
 TEST(PassedWindows, OfSpikesDistancesAreThoseOfTheBruteForceSolver)
@@ -116,7 +120,7 @@ TEST(PassedWindows, OfSpikesDistancesAreThoseOfTheBruteForceSolver)
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 91000);
     const PlainMesh mesh = bumpySheet(
-      random.between(4, 14), random.between(4, 14), 0, random.uniform(3.0, 80.0), random);
+      random.between(4, 14), random.between(4, 14), 0, random.uniform(3.0, 2000.0), random);
     CurveMaker maker(mesh, random);
     const std::vector<Polyline> lines = maker.anySource();
     const std::vector<MeshPoint> queries = randomPoints(mesh, 30, random);
@@ -128,11 +132,11 @@ TEST(PassedWindows, OfSpikesDistancesAreThoseOfTheBruteForceSolver)
     {
       const EngineResult exact =
         valuesOf(geodesic::solve(engine, curves, options, KeepWindows::All), queries);
-      EXPECT_LE(worstError(exact.vertices, truth.vertices, largest), OrdinaryAccuracy);
-      EXPECT_LE(worstError(exact.queries, truth.queries, largest), OrdinaryAccuracy);
+      EXPECT_LE(worstError(exact.vertices, truth.vertices, largest), SpikesAccuracy);
+      EXPECT_LE(worstError(exact.queries, truth.queries, largest), SpikesAccuracy);
       options.relativeError = 0.01;
       expectCertified(geodesic::solve(engine, curves, options, KeepWindows::All), queries,
-        { truth.vertices, truth.queries }, OrdinaryAccuracy);
+        { truth.vertices, truth.queries }, SpikesAccuracy);
     }
   }
 }
