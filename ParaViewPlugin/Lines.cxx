@@ -39,12 +39,6 @@ bool haveSame(const char* input, vtkSMProxy* a, vtkSMProxy* b)
   return producerOf(a, input) == producerOf(b, input);
 }
 
-bool isOurs(vtkSMSourceProxy* filter)
-{
-  const char* name = filter->GetVTKClassName();
-  return name && std::string(name).rfind("vtkGeodesic", 0) == 0;
-}
-
 /// The output of a proxy that consists of points and cells, where it is in this process.
 vtkPointSet* outputOf(vtkSMSourceProxy* producer, unsigned int port)
 {
@@ -78,6 +72,12 @@ vtkSMBoundsDomain* boundsOf(vtkSMSourceProxy* filter)
 
 namespace lines
 {
+
+bool isGeodesicFilter(vtkSMSourceProxy* filter)
+{
+  const char* name = filter->GetVTKClassName();
+  return name && std::string(name).rfind("vtkGeodesic", 0) == 0;
+}
 
 bool areOutput(vtkSMSourceProxy* filter, unsigned int port)
 {
@@ -127,8 +127,8 @@ void chooseOnlySource(vtkSMSourceProxy* filter)
   for (proxies->Begin("sources"); !proxies->IsAtEnd(); proxies->Next())
   {
     auto* other = vtkSMSourceProxy::SafeDownCast(proxies->GetProxy());
-    for (unsigned int port = 0; other && !isOurs(other) && port < other->GetNumberOfOutputPorts();
-         ++port)
+    for (unsigned int port = 0;
+         other && !isGeodesicFilter(other) && port < other->GetNumberOfOutputPorts(); ++port)
     {
       if (producerOf(filter, "Input") != std::pair<vtkSMProxy*, unsigned int>(other, port) &&
         mayBeCurvesOrPoints(outputOf(other, port)))

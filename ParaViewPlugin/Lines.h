@@ -11,6 +11,9 @@ class vtkSMSourceProxy;
 namespace lines
 {
 
+/// Whether a filter is of this plugin.
+bool isGeodesicFilter(vtkSMSourceProxy* filter);
+
 /// Whether an output of a filter of this plugin is lines on a surface.
 bool areOutput(vtkSMSourceProxy* filter, unsigned int port);
 

@@ -23,7 +23,6 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <cstring>
 #include <set>
 #include <string>
 #include <vector>
@@ -281,9 +280,7 @@ public:
 private:
   void WatchFilter(vtkSMSourceProxy* filter)
   {
-    const char* name = filter->GetVTKClassName();
-    const char* const ours = "vtkGeodesic";
-    if (!name || std::strncmp(name, ours, std::strlen(ours)) != 0)
+    if (!lines::isGeodesicFilter(filter))
     {
       return;
     }

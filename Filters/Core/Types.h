@@ -31,6 +31,12 @@ struct IdRange
 using Vec3 = std::array<double, 3>;
 using Triangle = std::array<Id, 3>;
 
+/// Whether no vertex is named twice.
+inline bool hasThreeVertices(const Triangle& t)
+{
+  return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
 inline Vec3 operator+(const Vec3& a, const Vec3& b)
 {
   return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };

@@ -363,10 +363,7 @@ ProgressCallback FilterExecution::progressBetween(double begin, double end)
 
 void FilterExecution::reach(double fraction)
 {
-  if (!this->progressBetween(fraction, fraction)(1.0))
-  {
-    throw Aborted();
-  }
+  reportProgress(this->progressBetween(fraction, fraction), 1.0);
 }
 
 }

@@ -5,8 +5,8 @@
 #include "front/WaitingLists.h"
 #include "window/WindowList.h"
 
+#include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -39,31 +39,26 @@ public:
     {
       this->letGo(isNeeded, pool);
     }
+    const Id list = this->lists_.find(halfedge);
     builder.reset(length);
-    builder.appendLists(this->at(halfedge), passed);
+    builder.appendLists(list == NoId ? WindowRange() : this->lists_.at(list), passed);
     if (builder.windows().size() > Most)
     {
       builder.dropNarrowerThan(length / static_cast<double>(Most));
     }
-    this->assign(halfedge, builder.range(), pool);
+    if (list != NoId)
+    {
+      this->lists_.assign(list, builder.range(), pool);
+    }
+    else if (!builder.windows().empty())
+    {
+      this->lists_.add(halfedge, pool.copyOf(builder.range()));
+    }
   }
 
 private:
   /// Of one halfedge. With 64 the number of windows that go on is the same.
   static constexpr std::size_t Most = 8;
-
-  void assign(Id halfedge, const WindowRange& windows, WindowPool& pool)
-  {
-    const Id list = this->lists_.find(halfedge);
-    if (list != NoId)
-    {
-      this->lists_.assign(list, windows, pool);
-    }
-    else if (windows.size() > 0)
-    {
-      this->lists_.add(halfedge, pool.copyOf(windows));
-    }
-  }
 
   // Each time that there are twice as many lists as were left the last time.
   template <typename IsNeeded>

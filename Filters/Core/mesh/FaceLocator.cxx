@@ -219,10 +219,7 @@ void FaceLocator::split(Id node, Search& search)
   const Node whole = this->nodes_[node];
   const double size = static_cast<double>(whole.last - whole.first);
   search.done = std::max(search.done, 1.0 - size / static_cast<double>(this->faces_.size()));
-  if (search.progress && !search.progress(search.done))
-  {
-    throw Aborted();
-  }
+  reportProgress(search.progress, search.done);
   const Id middle = this->findMiddle(whole);
   const auto parts = static_cast<Id>(this->nodes_.size());
   this->nodes_.push_back(this->makeNode(whole.first, middle));

@@ -34,6 +34,21 @@ Id checkedId(std::uint64_t number, const char* what)
   return static_cast<Id>(number);
 }
 
+/// The first face made from the given triangle of the mesh's constructor or a later one. Faces are
+/// in the order of these triangles.
+Id firstFaceFrom(const TriangleMesh& mesh, Id input)
+{
+  Id low = 0;
+  Id high = mesh.numberOfFaces();
+  while (low < high)
+  {
+    const Id middle = low + (high - low) / 2;
+    const bool isBefore = mesh.inputFace(middle) < input;
+    (isBefore ? low : high) = isBefore ? middle + 1 : middle;
+  }
+  return low;
+}
+
 } // anonymous namespace
 
 /// A face of the halo, as received from its owner.
@@ -61,23 +76,16 @@ MeshPartition::MeshPartition(std::vector<Vec3> points, std::vector<Triangle> tri
 {
 }
 
-// The faces of one rank are in the order of their triangles.
 Id MeshPartition::faceOfTriangle(Id triangle) const
 {
   if (this->tables_)
   {
     return this->tables_->faceOfTriangle[triangle];
   }
-  Id face = 0;
-  for (Id end = this->mesh_->numberOfFaces(); face < end;)
-  {
-    const Id middle = face + (end - face) / 2;
-    const bool isBefore = this->mesh_->inputFace(middle) < triangle;
-    face = isBefore ? middle + 1 : face;
-    end = isBefore ? end : middle;
-  }
-  return face < this->mesh_->numberOfFaces() && this->mesh_->inputFace(face) == triangle ? face
-                                                                                         : NoId;
+  const Id face = firstFaceFrom(*this->mesh_, triangle);
+  const bool isThere =
+    face < this->mesh_->numberOfFaces() && this->mesh_->inputFace(face) == triangle;
+  return isThere ? face : NoId;
 }
 
 MeshPartition::Tables::Tables(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
@@ -307,21 +315,9 @@ void MeshPartition::Tables::makeMesh(std::vector<Vec3> points,
 void MeshPartition::Tables::findFacesOfTriangles(const std::vector<Triangle>& triangles, Id first)
 {
   const auto end = static_cast<Id>(first + triangles.size());
-  const auto faceFrom = [this](Id input)
-  {
-    Id low = 0;
-    Id high = this->mesh.numberOfFaces();
-    while (low < high)
-    {
-      const Id middle = low + (high - low) / 2;
-      const bool isBefore = this->mesh.inputFace(middle) < input;
-      (isBefore ? low : high) = isBefore ? middle + 1 : middle;
-    }
-    return low;
-  };
   this->firstTriangle = first;
-  this->firstOwnFace = faceFrom(first);
-  this->endOfOwnFaces = faceFrom(end);
+  this->firstOwnFace = firstFaceFrom(this->mesh, first);
+  this->endOfOwnFaces = firstFaceFrom(this->mesh, end);
   this->faceOfTriangle.assign(triangles.size(), NoId);
   for (Id face = this->firstOwnFace; face < this->endOfOwnFaces; ++face)
   {
@@ -335,7 +331,7 @@ void MeshPartition::Tables::findFacesOfTriangles(const std::vector<Triangle>& tr
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     const Triangle t = sorted(triangles[i]);
-    if (this->faceOfTriangle[i] != NoId || t[0] == t[1] || t[1] == t[2])
+    if (this->faceOfTriangle[i] != NoId || !hasThreeVertices(t))
     {
       continue;
     }

@@ -13,7 +13,7 @@ namespace
 {
 
 /// A candidate of one rank, as it is sent to all.
-struct ToldFace
+struct FaceMessage
 {
   std::size_t point;
   RankAddress face;
@@ -36,18 +36,18 @@ class SearchProgress
 public:
   SearchProgress(std::size_t count, const ProgressCallback& callback)
     : count_(count)
-    , callback_(callback)
-    , growing_([this](double fraction) { return this->report(FirstPoint * fraction); })
+    , ascending_(ascending(callback))
+    , growing_(progressBetween(ascending_, 0.0, FirstPoint))
   {
   }
 
   void next()
   {
-    const double done = static_cast<double>(this->done_) / static_cast<double>(this->count_);
-    if (this->done_ % PointsPerReport == 0 &&
-      !this->report(this->done_ == 0 ? 0.0 : FirstPoint + (1.0 - FirstPoint) * done))
+    if (this->done_ % PointsPerReport == 0)
     {
-      throw Aborted();
+      const double done = static_cast<double>(this->done_) / static_cast<double>(this->count_);
+      reportProgress(
+        this->ascending_, this->done_ == 0 ? 0.0 : FirstPoint + (1.0 - FirstPoint) * done);
     }
     ++this->done_;
   }
@@ -55,16 +55,9 @@ public:
   const ProgressCallback& growing() const { return this->growing_; }
 
 private:
-  bool report(double fraction)
-  {
-    this->reported_ = std::max(this->reported_, fraction);
-    return !this->callback_ || this->callback_(this->reported_);
-  }
-
   std::size_t count_;
   std::size_t done_ = 0;
-  double reported_ = 0.0;
-  const ProgressCallback& callback_;
+  ProgressCallback ascending_;
   ProgressCallback growing_;
 };
 
@@ -86,7 +79,7 @@ ClosestFaces chooseFaces(const std::vector<Message>& told, const std::vector<dou
   readEach(told,
     [&](int, MessageReader& reader)
     {
-      auto face = reader.get<ToldFace>();
+      auto face = reader.get<FaceMessage>();
       face.candidate.face = static_cast<Id>(addresses[face.point].size());
       addresses[face.point].push_back(face.face);
       candidates[face.point].push_back(face.candidate);
@@ -148,7 +141,7 @@ Message SurfaceLocator::messageOf(
         candidate.corners[k] = this->surface_.globalId(candidate.corners[k]);
         candidate.support[k] = candidate.support[k] == NoId ? NoId : candidate.corners[k];
       }
-      put(message, ToldFace{ i, this->surface_.addressOf(candidate.face), candidate });
+      put(message, FaceMessage{ i, this->surface_.addressOf(candidate.face), candidate });
     }
   }
   return message;

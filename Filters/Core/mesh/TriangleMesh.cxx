@@ -160,16 +160,6 @@ void TriangleMesh::Builder::checkPoints()
   }
 }
 
-namespace
-{
-
-bool namesAVertexTwice(const Triangle& t)
-{
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
-} // anonymous namespace
-
 std::vector<TriangleMesh::Builder::Checked> TriangleMesh::Builder::checkTriangles(
   const std::vector<Triangle>& triangles)
 {
@@ -184,7 +174,7 @@ std::vector<TriangleMesh::Builder::Checked> TriangleMesh::Builder::checkTriangle
         {
           found.wrong = std::min(found.wrong, i);
         }
-        found.kept += namesAVertexTwice(t) ? 0 : 1;
+        found.kept += hasThreeVertices(t) ? 1 : 0;
       }
       return found;
     });
@@ -219,7 +209,7 @@ void TriangleMesh::Builder::takeFaces(const std::vector<Triangle>& triangles)
       Id face = places[begin / ItemsInRange];
       for (std::size_t i = begin; i < end; ++i)
       {
-        if (repeating > 0 && namesAVertexTwice(triangles[i]))
+        if (repeating > 0 && !hasThreeVertices(triangles[i]))
         {
           continue;
         }

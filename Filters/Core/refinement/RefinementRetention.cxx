@@ -190,10 +190,7 @@ void RefinementRetention::testDue(const FrontState& front)
   this->results_.resize(faces);
   for (std::size_t first = 0; first < faces; first += facesPerLook)
   {
-    if (this->progress_ && !this->progress_(0.0))
-    {
-      throw Aborted();
-    }
+    reportProgress(this->progress_, 0.0);
     this->testSome(first, std::min(faces, first + facesPerLook), front);
   }
   for (std::size_t i = 0; i < faces; ++i)

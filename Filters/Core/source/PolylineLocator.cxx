@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/PolylineLocator.h"
 
-#include "Errors.h"
 #include "mesh/Box.h"
 
 #include <algorithm>
@@ -88,10 +87,10 @@ void LocatedPlaces::setFaces(
     polyline.faces.clear();
     for (const Vec3& point : polyline.points)
     {
-      std::vector<Id>& faces = polyline.faces.emplace_back();
+      std::vector<Id>& onPatch = polyline.faces.emplace_back();
       for (const ClosestFace& found : this->faces[this->indexOf(point)])
       {
-        faces.push_back(patch.faceAt(found.face));
+        onPatch.push_back(patch.faceAt(found.face));
       }
     }
   }
@@ -161,10 +160,7 @@ std::vector<ClosestFace> PolylineLocator::facesAt(const std::vector<Id>& vertice
 LocatedPlaces PolylineLocator::locate(const std::vector<LocatedPolyline>& polylines,
   double coordinatePrecision, const ProgressCallback& progress)
 {
-  if (progress && !progress(0.0))
-  {
-    throw Aborted();
-  }
+  reportProgress(progress, 0.0);
   LocatedPlaces located;
   located.places = placesOf(polylines);
   const std::vector<std::vector<Id>> vertices = this->verticesAt(located.places);

@@ -78,10 +78,7 @@ public:
   {
     const double fraction = (this->pointsDone_ + point) / this->numberOfPoints_;
     this->reported_ = std::clamp(fraction, this->reported_, 1.0); // never decreases
-    if (this->callback_ && !this->callback_(this->reported_))
-    {
-      throw Aborted();
-    }
+    reportProgress(this->callback_, this->reported_);
   }
 
   /// To be called for each point that was put onto the surface.

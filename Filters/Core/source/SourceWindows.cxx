@@ -36,10 +36,10 @@ public:
   void step()
   {
     constexpr std::size_t stepsPerReport = 4096;
-    if (++this->steps_ % stepsPerReport == 0 && this->callback_ &&
-      !this->callback_(static_cast<double>(this->done_) / static_cast<double>(this->points_)))
+    if (++this->steps_ % stepsPerReport == 0)
     {
-      throw Aborted();
+      reportProgress(
+        this->callback_, static_cast<double>(this->done_) / static_cast<double>(this->points_));
     }
   }
 

@@ -8,6 +8,27 @@
 namespace geodesic
 {
 
+namespace
+{
+
+/// Calls visit(bool isA, double begin, double end) for the parts of [lo, hi], which both windows
+/// cover, and tells which of the two is lower there.
+template <typename Visit>
+void forEachLowerPart(const Window& a, const Window& b, double lo, double hi, const Visit& visit)
+{
+  const LowerParts lower = lowerOf(a, b, lo, hi);
+  double begin = lo;
+  bool isA = lower.firstIsA;
+  for (int i = 0; i <= lower.cuts; ++i, isA = !isA)
+  {
+    const double end = i < lower.cuts ? lower.cut[static_cast<std::size_t>(i)] : hi;
+    visit(isA, begin, end);
+    begin = end;
+  }
+}
+
+} // anonymous namespace
+
 void WindowListBuilder::reset(double edgeLength)
 {
   this->windows_.clear();
@@ -170,15 +191,8 @@ void WindowListBuilder::appendToSeveral(const Window& window)
 
 void WindowListBuilder::appendOverlap(const Window& a, const Window& b, double lo, double hi)
 {
-  const LowerParts lower = lowerOf(a, b, lo, hi);
-  double begin = lo;
-  bool isA = lower.firstIsA;
-  for (int i = 0; i <= lower.cuts; ++i, isA = !isA)
-  {
-    const double end = i < lower.cuts ? lower.cut[static_cast<std::size_t>(i)] : hi;
-    this->appendPiece(isA ? a : b, begin, end);
-    begin = end;
-  }
+  forEachLowerPart(a, b, lo, hi,
+    [&](bool isA, double begin, double end) { this->appendPiece(isA ? a : b, begin, end); });
 }
 
 // Pieces come in order. Adjacent pieces of one window are joined.
@@ -298,22 +312,19 @@ void WindowListBuilder::appendWhereLower(const Window& window, const WindowRange
   {
     this->appendPiece(window, begin, other->begin);
     const double hi = std::min(window.end, other->end);
-    begin = std::max(begin, other->begin);
-    const LowerParts lower = lowerOf(*other, window, begin, hi);
-    bool isOther = lower.firstIsA;
-    for (int i = 0; i <= lower.cuts; ++i, isOther = !isOther)
-    {
-      const double end = i < lower.cuts ? lower.cut[static_cast<std::size_t>(i)] : hi;
-      if (isOther)
+    forEachLowerPart(*other, window, std::max(begin, other->begin), hi,
+      [&](bool isOther, double partBegin, double partEnd)
       {
-        this->lastOwner_ = nullptr;
-      }
-      else
-      {
-        this->appendPiece(window, begin, end);
-      }
-      begin = end;
-    }
+        if (isOther)
+        {
+          this->lastOwner_ = nullptr;
+        }
+        else
+        {
+          this->appendPiece(window, partBegin, partEnd);
+        }
+      });
+    begin = hi;
   }
   this->appendPiece(window, begin, window.end);
 }

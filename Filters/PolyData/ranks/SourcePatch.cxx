@@ -17,6 +17,10 @@ SourcePatch::SourcePatch(const MeshPartition& surface)
 
 void SourcePatch::addFacesAround(const LocatedPlaces& located)
 {
+  if (!this->surface_.isDistributed())
+  {
+    return;
+  }
   for (const std::vector<ClosestFace>& faces : located.faces)
   {
     for (const ClosestFace& found : faces)
@@ -42,10 +46,6 @@ void SourcePatch::addFacesAround(Id face)
 
 void SourcePatch::addFacesAtVertex(Id vertex)
 {
-  if (!this->surface_.isDistributed())
-  {
-    return;
-  }
   for (const Id corner : this->surface_.mesh().cornersAt(vertex))
   {
     this->isChosen_[TriangleMesh::faceOf(corner)] = 1;
@@ -54,6 +54,10 @@ void SourcePatch::addFacesAtVertex(Id vertex)
 
 void SourcePatch::addBoundary()
 {
+  if (!this->surface_.isDistributed())
+  {
+    return;
+  }
   const TriangleMesh& mesh = this->surface_.mesh();
   for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
   {
@@ -78,6 +82,10 @@ bool SourcePatch::addFaces(const std::vector<Id>& faces)
 
 void SourcePatch::addFacesAt(const std::vector<Id>& globalIds)
 {
+  if (!this->surface_.isDistributed())
+  {
+    return;
+  }
   for (Id vertex = 0; vertex < this->surface_.numberOfOwnVertices(); ++vertex)
   {
     if (std::binary_search(globalIds.begin(), globalIds.end(), this->surface_.globalId(vertex)))

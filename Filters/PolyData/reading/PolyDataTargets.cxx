@@ -21,7 +21,6 @@ constexpr double Located = 0.8;
 void addPoints(
   const PolyDataBlock& block, const PowerOfTwoScale& scale, std::vector<LocatedPolyline>& points)
 {
-  const std::string bad = whereNotFinite(block);
   for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
   {
     Vec3 p;
@@ -34,7 +33,7 @@ void addPoints(
         " is too far from the surface for its size. Scale or move it upstream.");
     }
   }
-  if (!bad.empty())
+  if (const std::string bad = whereNotFinite(block); !bad.empty())
   {
     throw InputError(bad);
   }

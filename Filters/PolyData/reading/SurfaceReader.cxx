@@ -573,12 +573,8 @@ SurfaceContents SurfaceReader::makeSurface(Vertices vertices, Faces faces) const
   }
   BorrowedValues remote = remoteVertices(vertices.labels, numbers, this->exchange_);
   vertices.labels = {};
-  MeshPartition partition(
-    std::move(vertices.positions), std::move(faces.open), keys, this->exchange_,
-    [this](double fraction) {
-      return !this->callback_ || this->callback_(TrianglesRead + (1.0 - TrianglesRead) * fraction);
-    },
-    this->parallelFor_);
+  MeshPartition partition(std::move(vertices.positions), std::move(faces.open), keys,
+    this->exchange_, progressBetween(this->callback_, TrianglesRead, 1.0), this->parallelFor_);
   Id next = partition.mesh().numberOfVertices();
   for (Id& number : numbers)
   {

@@ -50,11 +50,6 @@ private:
   std::vector<Id> table_;
 };
 
-inline bool hasThreeVertices(const Triangle& t)
-{
-  return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
-}
-
 }
 
 #endif

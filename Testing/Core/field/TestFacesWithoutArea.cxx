@@ -243,6 +243,28 @@ void expectStraightPaths(const TriangleMesh& engine, const PlainMesh& mesh,
 namespace
 {
 
+/// A flat mesh with faces without area, and a line on it.
+struct LineOnFlatMesh
+{
+  LineOnFlatMesh(Caps caps, Random& random)
+    : both(flatMesh(caps, random))
+    , line(randomLine(both.mesh, both.conforming, random))
+    , engine(engineMesh(both.mesh))
+    , size(sizeOf(both.mesh))
+    , curves(onSurface(engine, line))
+    , source(joined(engine, curves))
+  {
+  }
+
+  CappedMesh both;
+  FlatLine line;
+  TriangleMesh engine;
+  double size;
+  std::vector<SourceCurve> curves;
+  /// The line as it lies on the mesh.
+  FlatLine source;
+};
+
 /// \returns the largest error of a distance, of the size.
 double expectStraightDistances(const TriangleMesh& engine, const PlainMesh& mesh,
   const std::vector<SourceCurve>& curves, const FlatLine& line, double size, Random& random)
@@ -312,16 +334,11 @@ void compareWithPlane(Caps caps, std::uint64_t firstSeed, Seeds seeds = seedsOfT
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + firstSeed);
-    const CappedMesh both = flatMesh(caps, random);
-    const PlainMesh& mesh = both.mesh;
-    const FlatLine line = randomLine(mesh, both.conforming, random);
-    const TriangleMesh engine = engineMesh(mesh);
-    const double size = sizeOf(mesh);
-    const std::vector<SourceCurve> curves = onSurface(engine, line);
-    const FlatLine source = joined(engine, curves);
-    expectSameLine(line, source, size);
-    worst = std::max(worst, expectStraightDistances(engine, mesh, curves, source, size, random));
-    expectStraightPaths(engine, mesh, curves, source, size, random);
+    const LineOnFlatMesh c(caps, random);
+    expectSameLine(c.line, c.source, c.size);
+    worst = std::max(
+      worst, expectStraightDistances(c.engine, c.both.mesh, c.curves, c.source, c.size, random));
+    expectStraightPaths(c.engine, c.both.mesh, c.curves, c.source, c.size, random);
   }
   std::cout << "worst relative error " << worst << "\n";
 }
@@ -480,16 +497,12 @@ TEST(FacesWithoutArea, DistancesAlongSegmentsOfFacesAreThoseOfThePlane)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 31600);
-    const CappedMesh both = flatMesh(random.chance(0.5) ? Caps::One : Caps::Several, random);
-    const FlatLine line = randomLine(both.mesh, both.conforming, random);
-    const TriangleMesh engine = engineMesh(both.mesh);
-    const std::vector<SourceCurve> curves = onSurface(engine, line);
-    const FlatLine source = joined(engine, curves);
-    const geodesic::DistanceField field = solveKeepingAll(engine, curves);
+    const LineOnFlatMesh c(random.chance(0.5) ? Caps::One : Caps::Several, random);
+    const geodesic::DistanceField field = solveKeepingAll(c.engine, c.curves);
     for (int i = 0; i < 100; ++i)
     {
-      const geodesic::FaceDistance face(field, random.below(engine.numberOfFaces()));
-      const double error = errorAlongSegment(face, both.mesh, source, random) / sizeOf(both.mesh);
+      const geodesic::FaceDistance face(field, random.below(c.engine.numberOfFaces()));
+      const double error = errorAlongSegment(face, c.both.mesh, c.source, random) / c.size;
       EXPECT_LE(error, accuracy) << "face " << face.face();
       worst = std::max(worst, error);
     }
@@ -505,21 +518,16 @@ TEST(FacesWithoutArea, RefinedMeshesMeetTheToleranceAndKeepTheirBound)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 31600);
-    const CappedMesh both = flatMesh(random.chance(0.5) ? Caps::One : Caps::Several, random);
-    const FlatLine line = randomLine(both.mesh, both.conforming, random);
-    const TriangleMesh engine = engineMesh(both.mesh);
-    const double size = sizeOf(both.mesh);
-    const std::vector<SourceCurve> curves = onSurface(engine, line);
-    const FlatLine source = joined(engine, curves);
-    const geodesic::DistanceField field = solveKeepingAll(engine, curves);
-    const geodesic::RefinedMesh refined = refineTo(field, 0.01 * size);
-    EXPECT_LE(refined.errorBound, 0.01 * size);
+    const LineOnFlatMesh c(random.chance(0.5) ? Caps::One : Caps::Several, random);
+    const geodesic::DistanceField field = solveKeepingAll(c.engine, c.curves);
+    const geodesic::RefinedMesh refined = refineTo(field, 0.01 * c.size);
+    EXPECT_LE(refined.errorBound, 0.01 * c.size);
     const Samples samples = sample(field, refined, 300, random);
     for (std::size_t i = 0; i < samples.places.size(); ++i)
     {
-      const Vec2 place = flat(position(both.mesh, samples.places[i]));
-      const double error = std::abs(samples.interpolant[i] - source.distance(place));
-      EXPECT_LE(error, refined.errorBound + EngineAccuracy * size) << "sample " << i;
+      const Vec2 place = flat(position(c.both.mesh, samples.places[i]));
+      const double error = std::abs(samples.interpolant[i] - c.source.distance(place));
+      EXPECT_LE(error, refined.errorBound + EngineAccuracy * c.size) << "sample " << i;
       worst = std::max(worst, error / refined.errorBound);
     }
   }
