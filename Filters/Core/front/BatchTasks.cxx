@@ -232,13 +232,15 @@ void BatchTasks::remember(
   }
 }
 
-// What comes from now on is no shorter than the key. Where paths along the halfedge are as short
-// everywhere, its ends tell so.
+// What comes from now on is no shorter than the key. Where paths by way of the apex are as short
+// everywhere on the halfedge, nothing can gain there. The apex is the district's own; another
+// district may be shortening the distances of the halfedge's ends.
 bool BatchTasks::isNeededOn(const District& district, Id halfedge) const
 {
-  return district.schedule.key() <= std::max(this->vertices_.distance(this->mesh_.origin(halfedge)),
-                                      this->vertices_.distance(this->mesh_.destination(halfedge))) +
-    this->mesh_.length(halfedge);
+  const double toFartherEnd = std::max(this->mesh_.length(TriangleMesh::nextInFace(halfedge)),
+    this->mesh_.length(TriangleMesh::previousInFace(halfedge)));
+  return district.schedule.key() <=
+    this->vertices_.distance(this->mesh_.opposite(halfedge)) + toFartherEnd;
 }
 
 // A list is merged when it is complete and about to enter its face, so each window is merged once
