@@ -42,13 +42,14 @@ DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& so
 /// \param makeRetention (pinned) -> a retention with droppedTooEarly() and release(). `pinned` has
 /// an
 ///        entry for each face: not 0 if its windows must not be dropped.
+/// \param pinned faces whose windows must not be dropped in the first solve; empty: none.
 /// \returns nothing if the last solve has dropped needed windows, too: then all must be kept.
 template <typename MakeRetention>
 std::optional<DistanceField> solveDropping(const MeshPartition& surface,
   const SourceWindows& sources, const FrontOptions& options, int maximumSolves,
-  const MakeRetention& makeRetention)
+  const MakeRetention& makeRetention, std::vector<std::uint8_t> pinned = {})
 {
-  std::vector<std::uint8_t> pinned(surface.mesh().numberOfFaces(), 0);
+  pinned.resize(surface.mesh().numberOfFaces(), 0);
   for (int solves = 0; solves < maximumSolves; ++solves)
   {
     auto retention = makeRetention(pinned);

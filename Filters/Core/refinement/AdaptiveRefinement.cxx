@@ -9,6 +9,7 @@
 #include "refinement/RedGreenClosure.h"
 #include "refinement/RefinementOutput.h"
 #include "refinement/RefinementProgress.h"
+#include "refinement/RegionsOfPoints.h"
 #include "refinement/SeamSplits.h"
 #include "refinement/ViolationQueue.h"
 
@@ -99,6 +100,10 @@ private:
   void assessFaces(Id first, Id end);
   std::vector<LeafClosings::Closed> closeBest(const std::vector<Id>& leaves);
   void take(Id leaf, const LeafClosings::Closed& closed);
+  bool isLongAtBorder(Id face, const Triangle& corners);
+  void pushIfAtBorder(Id leaf);
+  std::vector<Id> unknownAtBorders();
+  double longestEdge(Id face, const Triangle& corners) const;
   void refineWorst();
   bool refineBatch();
   bool settleSeams();
@@ -128,6 +133,7 @@ private:
   RedGreenClosure closure_;
   LeafClosings closings_;
   ViolationQueue violations_;
+  RegionsOfPoints regions_;
   /// The leaves that the current batch has changed.
   std::vector<Id> changed_;
   double bound_;
@@ -151,6 +157,7 @@ Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
   , closure_(this->triangles_, this->rules_, this->seams_ ? &*this->seams_ : nullptr)
   , closings_(this->triangles_, this->distances_, this->shapes_, this->workers_, options.tolerance)
   , violations_(this->triangles_, field.surface())
+  , regions_(this->triangles_, field.vertexDistances(), options.regionOf)
   , bound_(this->largestOf(field.droppedErrorBound()))
 {
 }
@@ -163,6 +170,7 @@ RefinedMesh Refiner::run()
   RefinedMesh result;
   result.errorBound = this->largestOf(this->bound_);
   result.stoppedAtMaximum = this->stopped_;
+  result.unknownAtBorders = this->unknownAtBorders();
   writeOutput(
     this->triangles_, { this->options_.cornerPoints, this->numberOfCallersPoints() },
     this->options_.parallelFor,
@@ -205,7 +213,9 @@ void Refiner::assessFaces(Id first, Id end)
   std::vector<Id> others;
   for (Id face = first; face < end; ++face)
   {
-    if (!this->triangles_.isFrozen(face) && errors[face - first].byWindows == Infinity)
+    if (!this->triangles_.isFrozen(face) &&
+      (errors[face - first].byWindows == Infinity ||
+        this->isLongAtBorder(face, this->field_.mesh().triangle(face))))
     {
       others.push_back(face);
     }
@@ -249,10 +259,71 @@ void Refiner::take(Id leaf, const LeafClosings::Closed& closed)
   if (check.passed)
   {
     this->raiseBound(check.bound);
+    this->pushIfAtBorder(leaf);
     return;
   }
   const double error = std::max(check.sample, check.limit);
   this->violations_.push({ error, leaf, this->triangles_.splitEdges(leaf), check.limit });
+}
+
+// Whether a triangle must be split as a border of regions passes it.
+bool Refiner::isLongAtBorder(Id face, const Triangle& corners)
+{
+  return this->regions_.isBorderBetween(face, corners) &&
+    this->longestEdge(face, corners) > this->tolerance_;
+}
+
+// With an error below that of any leaf over the tolerance, larger for larger triangles.
+void Refiner::pushIfAtBorder(Id leaf)
+{
+  const Id face = this->triangles_.faceOf(leaf);
+  const RedGreenMesh::Closing closing =
+    this->triangles_.closing(leaf, this->triangles_.wayOf(leaf));
+  double longest = 0.0;
+  for (Id i = 0; i < closing.count; ++i)
+  {
+    const std::array<Id, 3>& t = closing.triangles[i];
+    const Triangle corners = { closing.points[t[0]], closing.points[t[1]], closing.points[t[2]] };
+    if (this->isLongAtBorder(face, corners))
+    {
+      longest = std::max(longest, this->longestEdge(face, corners));
+    }
+  }
+  if (longest > 0.0)
+  {
+    const double error = 0.5 * this->tolerance_ * longest / (longest + this->tolerance_);
+    this->violations_.push({ error, leaf, this->triangles_.splitEdges(leaf), Infinity });
+  }
+}
+
+std::vector<Id> Refiner::unknownAtBorders()
+{
+  std::vector<Id> faces;
+  if (this->options_.regionOf)
+  {
+    this->triangles_.forEachTriangle(
+      [&](Id face, const Triangle& corners)
+      {
+        const bool isNew = faces.empty() || faces.back() != face;
+        if (isNew && this->triangles_.isFrozen(face) && this->isLongAtBorder(face, corners))
+        {
+          faces.push_back(face);
+        }
+      });
+  }
+  return faces;
+}
+
+double Refiner::longestEdge(Id face, const Triangle& corners) const
+{
+  double longest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vec2 a = this->triangles_.inPlane(corners[k], face);
+    const Vec2 b = this->triangles_.inPlane(corners[(k + 1) % 3], face);
+    longest = std::max(longest, norm(b - a));
+  }
+  return longest;
 }
 
 void Refiner::refineWorst()
@@ -266,6 +337,7 @@ void Refiner::refineWorst()
     {
       this->triangles_.rollBack();
       this->distances_.forget(edgesBefore);
+      this->regions_.forgetNewPoints();
       this->closure_.forget();
       if (!this->violations_.putBack())
       {

@@ -5,6 +5,7 @@
 #include "Progress.h"
 #include "field/DistanceField.h"
 #include "refinement/RefinedMesh.h"
+#include "refinement/SourceRegions.h"
 
 #include <cstdint>
 #include <unordered_map>
@@ -31,6 +32,10 @@ struct RefinementOptions
   /// the caller will close against the edge's splits; edges without such triangles have no entry.
   /// The closed triangles count for maximumFaces.
   std::unordered_map<Id, Id> trianglesBeside;
+  /// The region in which a point of the surface lies (SourceRegions); empty: there are no regions.
+  /// A triangle at a border of regions (RegionsOfPoints) is split until its edges are no longer
+  /// than the tolerance. Called from one thread.
+  RegionOf regionOf;
   /// If empty, tasks run one after another. The result does not depend on it.
   ParallelFor parallelFor;
   /// Called now and then with the fraction done in [0, 1]; returning false stops with Aborted.
@@ -48,6 +53,9 @@ struct RefinementOptions
 /// it, which differ by flips inside the triangle, refinement takes the one with the best shapes
 /// that meets the tolerance, so that an edge follows where the distance bends. If no way meets the
 /// tolerance, more edges of the triangle are split, and after that the triangle is split into four.
+///
+/// If the surface has regions, triangles at their borders are split after those over the tolerance,
+/// the largest first.
 ///
 /// With an approximate field the distance is the computed one. The faces at a point may differ by
 /// what was merged on their edge; this difference is subtracted from the tolerance and added to

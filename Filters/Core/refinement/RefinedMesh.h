@@ -41,6 +41,9 @@ struct RefinedMesh
   double errorBound = 0.0;
   /// Whether more faces would have been needed.
   bool stoppedAtMaximum = false;
+  /// With regions: faces that a border passes, but in which the field knows no distances. A solve
+  /// that keeps their windows (solveForRefinement) may allow to split them.
+  std::vector<Id> unknownAtBorders;
 };
 
 /// Numbers the points that split edges of a refined mesh, one for each pair of parents: if several

@@ -41,7 +41,8 @@ double maximumMergedFor(double refinementTolerance)
 }
 
 DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindows& sources,
-  double refinementTolerance, const FrontOptions& options, int maximumDroppingSolves)
+  double refinementTolerance, const FrontOptions& options, int maximumDroppingSolves,
+  const std::vector<std::uint8_t>& pinned)
 {
   if (options.relativeError > 0.0)
   {
@@ -51,9 +52,11 @@ DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindo
   }
   FrontOptions again = options;
   again.progress = ascending(options.progress);
-  std::optional<DistanceField> field = solveDropping(surface, sources, again, maximumDroppingSolves,
-    [&](const std::vector<std::uint8_t>& pinned)
-    { return RefinementRetention(surface, refinementTolerance, pinned, again); });
+  std::optional<DistanceField> field = solveDropping(
+    surface, sources, again, maximumDroppingSolves,
+    [&](const std::vector<std::uint8_t>& kept)
+    { return RefinementRetention(surface, refinementTolerance, kept, again); },
+    pinned);
   return field ? std::move(*field) : solveKeepingAll(surface, sources, again);
 }
 

@@ -26,9 +26,11 @@ namespace geodesic
 /// \param tolerance in the surface's units, positive.
 /// \param maximumDroppingSolves the number of solves that may drop windows; at most one more solve
 ///        follows, which keeps all.
+/// \param pinned for each face, whether its windows are kept whatever the distance is; empty: no.
 /// \throws as solve().
 DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindows& sources,
-  double tolerance, const FrontOptions& options = {}, int maximumDroppingSolves = 4);
+  double tolerance, const FrontOptions& options = {}, int maximumDroppingSolves = 4,
+  const std::vector<std::uint8_t>& pinned = {});
 
 /// In one process, from curves.
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement/RegionsOfPoints.h"
+
+#include "Tolerance.h"
+
+namespace geodesic
+{
+
+bool RegionsOfPoints::isBorderBetween(Id face, const Triangle& corners)
+{
+  return this->regionOf_ &&
+    (this->isBorderBetween(face, corners[0], corners[1]) ||
+      this->isBorderBetween(face, corners[1], corners[2]) ||
+      this->isBorderBetween(face, corners[2], corners[0]));
+}
+
+bool RegionsOfPoints::isBorderBetween(Id face, Id a, Id b)
+{
+  const SourceRegion ofA = this->of(a);
+  const SourceRegion ofB = this->of(b);
+  if (ofA.source != ofB.source)
+  {
+    return true;
+  }
+  if (ofA.isRight == ofB.isRight)
+  {
+    return false;
+  }
+  // Where the line crosses the curve, both ends are nearer to the crossing than to each other.
+  const double length = norm(this->triangles_.inPlane(b, face) - this->triangles_.inPlane(a, face));
+  return this->distance(a) + this->distance(b) > (1.0 + tolerance::Tie) * length;
+}
+
+double RegionsOfPoints::distance(Id point) const
+{
+  const Id inputPoints = this->triangles_.numberOfInputPoints();
+  return point < inputPoints ? this->distances_[point]
+                             : this->triangles_.points()[point - inputPoints].distance;
+}
+
+SourceRegion RegionsOfPoints::of(Id point)
+{
+  if (point >= this->regions_.size())
+  {
+    this->regions_.resize(this->numberOfPoints());
+  }
+  Region& region = this->regions_[point];
+  if (!region.isKnown)
+  {
+    region = { true, this->regionOf_(this->triangles_.place(point)) };
+  }
+  return region.region;
+}
+
+void RegionsOfPoints::forgetNewPoints()
+{
+  if (this->regions_.size() > this->numberOfPoints())
+  {
+    this->regions_.resize(this->numberOfPoints());
+  }
+}
+
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_RegionsOfPoints_h
+#define geodesic_RegionsOfPoints_h
+
+#include "refinement/RedGreenMesh.h"
+#include "refinement/SourceRegions.h"
+
+#include <vector>
+
+namespace geodesic
+{
+
+/// The regions in which the points of a mesh under refinement lie; each is found once.
+class RegionsOfPoints
+{
+public:
+  /// All arguments must outlive this.
+  ///
+  /// \param distances at the mesh's vertices.
+  /// \param regionOf RefinementOptions::regionOf.
+  RegionsOfPoints(
+    const RedGreenMesh& triangles, const std::vector<double>& distances, const RegionOf& regionOf)
+    : triangles_(triangles)
+    , distances_(distances)
+    , regionOf_(regionOf)
+  {
+  }
+
+  /// Whether there is a border between corners of a triangle in a face. The two sides of one curve
+  /// have no border where a straight line between them may cross the curve.
+  bool isBorderBetween(Id face, const Triangle& corners);
+  /// Forgets the points that no longer exist.
+  void forgetNewPoints();
+
+private:
+  struct Region
+  {
+    bool isKnown = false;
+    SourceRegion region;
+  };
+
+  SourceRegion of(Id point);
+  bool isBorderBetween(Id face, Id a, Id b);
+  double distance(Id point) const;
+  std::size_t numberOfPoints() const
+  {
+    return this->triangles_.numberOfInputPoints() + this->triangles_.points().size();
+  }
+
+  const RedGreenMesh& triangles_;
+  const std::vector<double>& distances_;
+  const RegionOf& regionOf_;
+  std::vector<Region> regions_;
+};
+
+}
+
+#endif

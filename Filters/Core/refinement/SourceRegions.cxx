@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement/SourceRegions.h"
+
+#include "field/IncomingSegment.h"
+
+namespace geodesic
+{
+
+SourceRegion SourceRegions::at(const SurfacePoint& point)
+{
+  return point.kind == SurfacePoint::Kind::Vertex
+    ? this->of(this->nearest_.atVertex(point.id))
+    : this->of(this->nearest_.of(incomingSegmentTo(this->field_, point)));
+}
+
+SourceRegion SourceRegions::of(const Foot& foot) const
+{
+  if (!foot.isKnown())
+  {
+    return {};
+  }
+  const SourceCurve& curve = this->curves_[foot.curve];
+  return { curve.source, this->bySides_ && foot.isRight && curve.points.size() > 1 };
+}
+
+std::vector<std::uint8_t> SourceRegions::facesAtBorders()
+{
+  const MeshPartition& surface = this->field_.surface();
+  const auto isBorder = [this](Id a, Id b)
+  {
+    const SourceRegion ofA = this->of(this->nearest_.atVertex(a));
+    const SourceRegion ofB = this->of(this->nearest_.atVertex(b));
+    return ofA.source != ofB.source || ofA.isRight != ofB.isRight;
+  };
+  std::vector<std::uint8_t> faces(surface.mesh().numberOfFaces(), 0);
+  for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
+  {
+    const Triangle& t = surface.mesh().triangle(face);
+    faces[face] = isBorder(t[0], t[1]) || isBorder(t[0], t[2]) ? 1 : 0;
+  }
+  return faces;
+}
+
+}
