@@ -14,6 +14,7 @@
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SeamPoints.h"
 #include "refinement/SolveForRefinement.h"
+#include "refinement/SourceRegions.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -40,6 +41,7 @@ namespace
 {
 
 // Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
+constexpr double BordersFound = 0.3;
 constexpr double FieldDoneBeforeRefinement = 0.55;
 constexpr double FieldDoneBeforeExactOne = 0.6;
 constexpr double FieldDoneBeforeSources = 0.85;
@@ -107,6 +109,15 @@ private:
     }
   };
 
+  /// The field, and what refinement has made of it.
+  struct SolvedSurface
+  {
+    std::optional<geodesic::DistanceField> field;
+    /// If the field is approximate, the exact one, where it was needed.
+    std::optional<geodesic::DistanceField> exact;
+    RefinedSurface refined;
+  };
+
   bool CanRefine() const;
   double Tolerance() const;
   void ShareNumbers(Result& result) const;
@@ -114,14 +125,22 @@ private:
   Result Compute();
   void ScaleToUser(Result& result) const;
   geodesic::FrontOptions FrontOptions(double endOfProgress) const;
-  geodesic::DistanceField Solve(bool refine) const;
-  geodesic::DistanceField SolveExactly(const RefinedSurface& refined) const;
+  SolvedSurface Solve() const;
+  SolvedSurface SolveAndRefine() const;
+  SolvedSurface SolveAndRefineBorders() const;
+  geodesic::DistanceField SolveForRefinement(
+    double begin, const std::vector<std::uint8_t>& pinned) const;
+  std::vector<std::uint8_t> FindFacesAtBorders() const;
+  std::vector<std::uint8_t> FacesOf(const RefinedSurface& refined) const;
+  geodesic::DistanceField SolveExactly(std::vector<std::uint8_t> faces) const;
+  void TakeNumbers(const geodesic::DistanceField& field) const;
   void RequireSides() const;
-  void FindSources(
-    const geodesic::DistanceField& field, const RefinedSurface& refined, Result& result) const;
+  void FindSources(SolvedSurface& solved, Result& result) const;
   geodesic::SourceArrays Arrays() const;
   geodesic::RefinementOptions RefinementOptions() const;
-  RefinedSurface Refine(const geodesic::DistanceField& field) const;
+  RefinedSurface Refine(
+    const geodesic::DistanceField& field, geodesic::RegionOf regionOf = {}) const;
+  RefinedSurface RefineBorders(SolvedSurface& solved) const;
   void NoteToleranceNotMet(const geodesic::RefinedMesh& refined) const;
   void WriteSurface(const Result& result, vtkDataObject* output) const;
   double UnreachedValue() const;
@@ -129,6 +148,8 @@ private:
   void WriteFieldData(vtkDataObject* output) const;
   void NoteReplacedArrays(bool isRefined) const;
 
+  bool AreBordersRefined() const { return this->Self->RefineSourceBorders; }
+  bool AreFeetNeeded() const { return this->Choice.areFeetNeeded() || this->AreBordersRefined(); }
   bool IsApproximate() const
   {
     return this->Self->Accuracy == APPROXIMATE && this->Self->RelativeError > 0.0;
@@ -254,22 +275,20 @@ vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker:
   this->RequireSides();
   this->Execution.enter(geodesic::Stage::ComputingDistances);
   result.isRefined = this->CanRefine();
-  const geodesic::DistanceField field = this->Solve(result.isRefined);
-  this->Self->WindowsPropagatedPerEdge = static_cast<double>(field.windowsPropagated()) /
-    static_cast<double>(this->Execution.surface().report().edges);
-  this->Self->RelativeErrorBound = field.relativeErrorBound();
-  RefinedSurface refined;
+  SolvedSurface solved = !result.isRefined ? this->Solve()
+    : this->AreBordersRefined()            ? this->SolveAndRefineBorders()
+                                           : this->SolveAndRefine();
+  RefinedSurface& refined = solved.refined;
   if (result.isRefined)
   {
-    this->Execution.enter(geodesic::Stage::Refining);
-    refined = this->Refine(field);
+    this->NoteToleranceNotMet(refined.mesh);
     this->Self->InterpolationErrorBound =
       this->Execution.surface().scale().toUser(refined.mesh.errorBound);
   }
-  result.vertexDistances = field.vertexDistances();
+  result.vertexDistances = solved.field->vertexDistances();
   if (this->Choice.isAny())
   {
-    this->FindSources(field, refined, result);
+    this->FindSources(solved, result);
     this->Arrays().completeValues(result.atVertices);
   }
   if (result.isRefined)
@@ -294,26 +313,34 @@ void vtkGeodesicDistanceField::vtkWorker::RequireSides() const
 //------------------------------------------------------------------------------
 // In approximate mode the exact field has to tell the feet: a merged window has many.
 geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveExactly(
-  const RefinedSurface& refined) const
+  std::vector<std::uint8_t> faces) const
 {
-  const geodesic::TriangleMesh& mesh = this->Execution.surface().mesh();
   geodesic::FrontOptions options = this->FrontOptions(FieldDoneBeforeSources);
   options.progress =
     this->Execution.progressBetween(FieldDoneBeforeExactOne, FieldDoneBeforeSources);
   options.relativeError = 0.0;
   // A distance within the limit is that much smaller than the exact one at most.
   options.maximumDistance /= 1.0 - std::min(this->Self->RelativeErrorBound, 0.5);
+  geodesic::KeepFaces retention(this->Execution.surface().mesh(), std::move(faces));
+  const geodesic::MeshPartition& surface = this->Execution.surface().partition();
+  geodesic::FrontResult front = geodesic::propagate(
+    surface, this->Execution.sourceWindows(options.progress), options, retention);
+  return { surface, std::move(front), retention.release() };
+}
+
+//------------------------------------------------------------------------------
+// The faces that have points of refinement.
+std::vector<std::uint8_t> vtkGeodesicDistanceField::vtkWorker::FacesOf(
+  const RefinedSurface& refined) const
+{
+  const geodesic::TriangleMesh& mesh = this->Execution.surface().mesh();
   std::vector<std::uint8_t> faces(mesh.numberOfFaces(), 0);
   for (std::size_t i = 0; i < refined.numberOfPointsWithPlaces(); ++i)
   {
     geodesic::forEachFace(
       mesh, refined.mesh.points[i].place, [&](geodesic::Id face) { faces[face] = 1; });
   }
-  geodesic::KeepFaces retention(mesh, std::move(faces));
-  const geodesic::MeshPartition& surface = this->Execution.surface().partition();
-  geodesic::FrontResult front = geodesic::propagate(
-    surface, this->Execution.sourceWindows(options.progress), options, retention);
-  return { surface, std::move(front), retention.release() };
+  return faces;
 }
 
 //------------------------------------------------------------------------------
@@ -324,16 +351,16 @@ geodesic::SourceArrays vtkGeodesicDistanceField::vtkWorker::Arrays() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::FindSources(
-  const geodesic::DistanceField& field, const RefinedSurface& refined, Result& result) const
+void vtkGeodesicDistanceField::vtkWorker::FindSources(SolvedSurface& solved, Result& result) const
 {
   this->Execution.enter(geodesic::Stage::ComputingDistances);
-  std::optional<geodesic::DistanceField> other;
-  if (this->IsApproximate() && this->Choice.areFeetNeeded())
+  const geodesic::DistanceField& field = *solved.field;
+  const RefinedSurface& refined = solved.refined;
+  if (this->IsApproximate() && this->Choice.areFeetNeeded() && !solved.exact)
   {
-    other.emplace(this->SolveExactly(refined));
+    solved.exact.emplace(this->SolveExactly(this->FacesOf(refined)));
   }
-  const geodesic::DistanceField& exact = other ? *other : field;
+  const geodesic::DistanceField& exact = solved.exact ? *solved.exact : field;
   const double step = (FieldDone - FieldDoneBeforeSources) / 3.0;
   const auto part = [&](int i)
   {
@@ -402,7 +429,7 @@ geodesic::FrontOptions vtkGeodesicDistanceField::vtkWorker::FrontOptions(double 
     options.maximumDistance =
       this->Execution.surface().scale().toEngine(this->Self->MaximumDistance);
   }
-  options.keepArrivals = this->Choice.isAny();
+  options.keepArrivals = this->Choice.isAny() || this->AreFeetNeeded();
   options.parallelFor = geodesic::smpParallelFor();
   options.progress =
     this->Execution.progressBetween(geodesic::FilterExecution::InputsRead, endOfProgress);
@@ -410,14 +437,86 @@ geodesic::FrontOptions vtkGeodesicDistanceField::vtkWorker::FrontOptions(double 
 }
 
 //------------------------------------------------------------------------------
-geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::Solve(bool refine) const
+vtkGeodesicDistanceField::vtkWorker::SolvedSurface vtkGeodesicDistanceField::vtkWorker::Solve()
+  const
 {
-  const geodesic::FrontOptions options =
-    this->FrontOptions(refine ? FieldDoneBeforeRefinement : this->DistancesDone);
+  const geodesic::FrontOptions options = this->FrontOptions(this->DistancesDone);
+  SolvedSurface solved;
+  solved.field.emplace(geodesic::solve(this->Execution.surface().partition(),
+    this->Execution.sourceWindows(options.progress), options));
+  this->TakeNumbers(*solved.field);
+  return solved;
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicDistanceField::vtkWorker::SolvedSurface
+vtkGeodesicDistanceField::vtkWorker::SolveAndRefine() const
+{
+  SolvedSurface solved;
+  solved.field.emplace(this->SolveForRefinement(geodesic::FilterExecution::InputsRead, {}));
+  this->TakeNumbers(*solved.field);
+  this->Execution.enter(geodesic::Stage::Refining);
+  solved.refined = this->Refine(*solved.field);
+  return solved;
+}
+
+//------------------------------------------------------------------------------
+// Repeats the solve if a border passes faces whose windows were dropped. Each repetition keeps
+// those of more faces.
+vtkGeodesicDistanceField::vtkWorker::SolvedSurface
+vtkGeodesicDistanceField::vtkWorker::SolveAndRefineBorders() const
+{
   const geodesic::MeshPartition& surface = this->Execution.surface().partition();
-  geodesic::SourceWindows sources = this->Execution.sourceWindows(options.progress);
-  return refine ? geodesic::solveForRefinement(surface, sources, this->Tolerance(), options)
-                : geodesic::solve(surface, std::move(sources), options);
+  std::vector<std::uint8_t> pinned = this->FindFacesAtBorders();
+  SolvedSurface solved;
+  bool isRepeated = true;
+  while (isRepeated)
+  {
+    solved.field.emplace(this->SolveForRefinement(BordersFound, pinned));
+    this->TakeNumbers(*solved.field);
+    this->Execution.enter(geodesic::Stage::Refining);
+    solved.refined = this->RefineBorders(solved);
+    const std::vector<geodesic::Id>& unknown = solved.refined.mesh.unknownAtBorders;
+    for (const geodesic::Id face : unknown)
+    {
+      pinned[face] = 1;
+    }
+    isRepeated = surface.exchange().isTrueAnywhere(!unknown.empty());
+  }
+  return solved;
+}
+
+//------------------------------------------------------------------------------
+geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveForRefinement(
+  double begin, const std::vector<std::uint8_t>& pinned) const
+{
+  this->Execution.enter(geodesic::Stage::ComputingDistances);
+  geodesic::FrontOptions options = this->FrontOptions(FieldDoneBeforeRefinement);
+  options.progress = this->Execution.progressBetween(begin, FieldDoneBeforeRefinement);
+  return geodesic::solveForRefinement(this->Execution.surface().partition(),
+    this->Execution.sourceWindows(options.progress), this->Tolerance(), options, pinned);
+}
+
+//------------------------------------------------------------------------------
+// By an exact solve that keeps no windows.
+std::vector<std::uint8_t> vtkGeodesicDistanceField::vtkWorker::FindFacesAtBorders() const
+{
+  geodesic::FrontOptions options = this->FrontOptions(BordersFound);
+  options.relativeError = 0.0;
+  const geodesic::DistanceField field = geodesic::solve(this->Execution.surface().partition(),
+    this->Execution.sourceWindows(options.progress), options);
+  const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
+  geodesic::NearestSource nearest(field, this->Execution.patch(), curves, options.progress);
+  return geodesic::SourceRegions(field, nearest, curves, this->Choice.areSidesNeeded())
+    .facesAtBorders();
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkWorker::TakeNumbers(const geodesic::DistanceField& field) const
+{
+  this->Self->WindowsPropagatedPerEdge = static_cast<double>(field.windowsPropagated()) /
+    static_cast<double>(this->Execution.surface().report().edges);
+  this->Self->RelativeErrorBound = field.relativeErrorBound();
 }
 
 //------------------------------------------------------------------------------
@@ -443,15 +542,35 @@ geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptio
 
 //------------------------------------------------------------------------------
 vtkGeodesicDistanceField::vtkWorker::RefinedSurface vtkGeodesicDistanceField::vtkWorker::Refine(
-  const geodesic::DistanceField& field) const
+  const geodesic::DistanceField& field, geodesic::RegionOf regionOf) const
 {
-  const geodesic::RefinementOptions options = this->RefinementOptions();
+  geodesic::RefinementOptions options = this->RefinementOptions();
+  options.regionOf = std::move(regionOf);
   RefinedSurface refined{ geodesic::refine(field, options), {} };
   refined.copied = geodesic::addUnmeshedTriangles(this->Execution.surface(),
     static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells), options.cornerPoints,
     refined.mesh);
-  this->NoteToleranceNotMet(refined.mesh);
   return refined;
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicDistanceField::vtkWorker::RefinedSurface
+vtkGeodesicDistanceField::vtkWorker::RefineBorders(SolvedSurface& solved) const
+{
+  if (this->IsApproximate())
+  {
+    const geodesic::MeshPartition& surface = this->Execution.surface().partition();
+    std::vector<std::uint8_t> faces(surface.mesh().numberOfFaces(), 0);
+    std::fill(faces.begin() + surface.firstOwnFace(), faces.begin() + surface.endOfOwnFaces(),
+      std::uint8_t(1));
+    solved.exact.emplace(this->SolveExactly(std::move(faces)));
+  }
+  const geodesic::DistanceField& exact = solved.exact ? *solved.exact : *solved.field;
+  const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
+  geodesic::NearestSource nearest(exact, this->Execution.patch(), curves);
+  geodesic::SourceRegions regions(exact, nearest, curves, this->Choice.areSidesNeeded());
+  return this->Refine(
+    *solved.field, [&regions](const geodesic::SurfacePoint& point) { return regions.at(point); });
 }
 
 //------------------------------------------------------------------------------
@@ -716,6 +835,7 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RelativeError: " << this->RelativeError << "\n";
   os << indent << "RefineMesh: " << (this->RefineMesh ? "On" : "Off") << "\n";
   os << indent << "RefinementTolerance: " << this->RefinementTolerance << "\n";
+  os << indent << "RefineSourceBorders: " << (this->RefineSourceBorders ? "On" : "Off") << "\n";
   os << indent << "ToleranceIsAbsolute: " << (this->ToleranceIsAbsolute ? "On" : "Off") << "\n";
   os << indent << "AbsoluteRefinementTolerance: " << this->AbsoluteRefinementTolerance << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";

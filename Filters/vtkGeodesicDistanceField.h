@@ -267,6 +267,19 @@ public:
 
   ///@{
   /**
+   * Whether triangles are also split where the nearest part of the source changes, so that borders
+   * of SourceId are crisp: a triangle whose corners have different ones is split until its edges
+   * are no longer than the refinement tolerance. Where the nearest side of a curve changes without
+   * the curve between, triangles are split if GenerateSignedDistance is on. Needs RefineMesh; takes
+   * one more solve. Triangles over the tolerance are split before those at borders. Off by default.
+   */
+  vtkSetMacro(RefineSourceBorders, bool);
+  vtkGetMacro(RefineSourceBorders, bool);
+  vtkBooleanMacro(RefineSourceBorders, bool);
+  ///@}
+
+  ///@{
+  /**
    * Stop at this distance, in the units of the surface; 0, the default, is no limit. Every face
    * that has a point within the limit gets exact values at all its points, so that contours inside
    * the limit are whole. Points beyond that are infinitely far. A negative value or NaN is an
@@ -458,6 +471,7 @@ private:
   bool ToleranceIsAbsolute = false;
   double AbsoluteRefinementTolerance = 1.0;
   vtkIdType MaximumNumberOfCells = 50000000;
+  bool RefineSourceBorders = false;
   double MaximumDistance = 0.0;
   int UnreachedValue = UNREACHED_INFINITY;
   double CustomUnreachedValue = -1.0;

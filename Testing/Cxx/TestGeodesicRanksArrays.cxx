@@ -222,13 +222,15 @@ struct Task
   double RelativeError = 0.0;
   double MaximumDistance = 0.0;
   bool HasBarriers = false;
+  bool AreBordersRefined = false;
 };
 
 void Ask(vtkGeodesicDistanceField* filter, const Task& task)
 {
   filter->SetInputDataObject(task.Piece);
   filter->SetSourceData(Sources());
-  filter->SetRefinementTolerance(1e-3);
+  filter->SetRefinementTolerance(task.AreBordersRefined ? 5e-3 : 1e-3);
+  filter->SetRefineSourceBorders(task.AreBordersRefined);
   filter->GenerateSourceIdsOn();
   filter->GenerateClosestPointsOn();
   filter->GenerateGradientsOn();
@@ -291,6 +293,12 @@ void TestCuts(Check& check, Ranks ranks, vtkPolyData* surface, bool isFlat)
     Run(check, { of + ", with ghosts", withGhosts, hasGhosts, isFlat });
     Run(check, { of + ", with ghosts, approximately", withGhosts, hasGhosts, isFlat, 1e-3 });
     Run(check, { of + ", with ghosts, within a limit", withGhosts, hasGhosts, isFlat, 0.0, 0.3 });
+    for (const double error : { 0.0, 1e-3 })
+    {
+      Run(check,
+        { of + ", with ghosts and borders, error " + std::to_string(error), withGhosts, hasGhosts,
+          isFlat, error, 0.0, false, true });
+    }
   }
 }
 

@@ -52,7 +52,7 @@ LINE = [(0, -0.5, 0), (0, 0.5, 0)]
 DEFAULTS = {"Input": "Sheet", "Source": None, "SourceType": 0, "Accuracy": 0, "RelativeError": 0.001,
             "RefineMesh": 1, "RefinementTolerance": 0.001, "ToleranceIsAbsolute": 0,
             "AbsoluteRefinementTolerance": 1, "MaximumNumberOfCells": 50000000,
-            "MaximumDistance": 0, "MergeCoincidentPoints": 1,
+            "RefineSourceBorders": 0, "MaximumDistance": 0, "MergeCoincidentPoints": 1,
             "UnreachedValue": 0, "CustomUnreachedValue": -1, "RemoveUnusedPoints": 0,
             "BarrierArrayName": "None",
             "DistanceArrayName": "GeodesicDistance",

@@ -34,6 +34,15 @@ def measured(field):
     return worst
 
 
+def longest_at_borders(field, limit=np.inf):
+    """The longest edge of the triangles within a limit whose corners are nearest to different sources."""
+    sources = vtk_to_numpy(data(field).GetPointData().GetArray("SourceId"))[triangles(field)]
+    corners = points(data(field))[triangles(field)]
+    edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+    near = distances(field)[triangles(field)].min(axis=1) < limit
+    return edges[near & (sources.min(axis=1) < sources.max(axis=1))].max()
+
+
 class Refinement(unittest.TestCase):
     def field(self, **properties):
         return GeodesicDistanceField(
@@ -79,6 +88,19 @@ class Refinement(unittest.TestCase):
         before = data(absolute).GetNumberOfCells()
         absolute.RefinementTolerance = 0.5
         self.assertEqual(data(absolute).GetNumberOfCells(), before)
+
+    def test_borders_between_sources_are_as_narrow_as_the_tolerance(self):
+        two = simple.PolyPointSource(Points=[0.9, 0.8, 0, 3.1, 1.9, 0])
+        exact = {"Source": two, "RefinementTolerance": 0.01, "GenerateSourceIds": 1}
+        for properties in (exact, {**exact, "Accuracy": "Approximate"}, {**exact, "MaximumDistance": 1.5}):
+            field = GeodesicDistanceField(Input=plane((8, 6)), **properties)
+            plain, limit = data(field).GetNumberOfCells(), field.MaximumDistance or np.inf
+            self.assertGreater(longest_at_borders(field, limit), 0.01 * DIAGONAL)
+            field.RefineSourceBorders = 1
+            self.assertLessEqual(longest_at_borders(field, limit), 0.01 * DIAGONAL * (1 + 1e-6))
+            self.assertGreater(data(field).GetNumberOfCells(), plain)
+            self.assertLess(data(field).GetNumberOfCells(), plain + 3000)
+            self.assertLessEqual(bound(field), 0.01 * DIAGONAL)
 
     def test_without_refinement_the_points_are_those_of_the_input(self):
         field = self.field(RefineMesh=0)

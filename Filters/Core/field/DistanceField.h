@@ -56,6 +56,9 @@ public:
     return this->isComplete(face) && (this->kept_.faces.empty() || this->kept_.faces[face]);
   }
 
+  /// Whether a face is complete, but its windows were not kept.
+  bool isDropped(Id face) const { return this->isComplete(face) && !this->knowsInside(face); }
+
   /// The tolerance by which windows of flat faces were dropped; 0 if all were kept.
   double droppedTolerance() const { return this->kept_.droppedTolerance; }
   /// Certified: in faces whose windows were dropped, a closure by triangles between points of the

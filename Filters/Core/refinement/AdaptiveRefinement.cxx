@@ -305,7 +305,7 @@ std::vector<Id> Refiner::unknownAtBorders()
       [&](Id face, const Triangle& corners)
       {
         const bool isNew = faces.empty() || faces.back() != face;
-        if (isNew && this->triangles_.isFrozen(face) && this->isLongAtBorder(face, corners))
+        if (isNew && this->field_.isDropped(face) && this->isLongAtBorder(face, corners))
         {
           faces.push_back(face);
         }

@@ -41,8 +41,8 @@ double maximumMergedFor(double refinementTolerance)
 }
 
 DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindows& sources,
-  double refinementTolerance, const FrontOptions& options, int maximumDroppingSolves,
-  const std::vector<std::uint8_t>& pinned)
+  double refinementTolerance, const FrontOptions& options, const std::vector<std::uint8_t>& pinned,
+  int maximumDroppingSolves)
 {
   if (options.relativeError > 0.0)
   {
@@ -64,7 +64,7 @@ DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<Sou
   double refinementTolerance, const FrontOptions& options, int maximumDroppingSolves)
 {
   return solveForRefinement(MeshPartition(mesh), startingWindows(mesh, sources, options.progress),
-    refinementTolerance, options, maximumDroppingSolves);
+    refinementTolerance, options, {}, maximumDroppingSolves);
 }
 
 }

@@ -24,13 +24,14 @@ namespace geodesic
 /// \param surface whose mesh must outlive the field.
 /// \param sources the first windows and vertices (propagate()).
 /// \param tolerance in the surface's units, positive.
+/// \param pinned for each face, whether its windows are kept whatever the distance is; empty: none
+///        are.
 /// \param maximumDroppingSolves the number of solves that may drop windows; at most one more solve
 ///        follows, which keeps all.
-/// \param pinned for each face, whether its windows are kept whatever the distance is; empty: no.
 /// \throws as solve().
 DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindows& sources,
-  double tolerance, const FrontOptions& options = {}, int maximumDroppingSolves = 4,
-  const std::vector<std::uint8_t>& pinned = {});
+  double tolerance, const FrontOptions& options = {}, const std::vector<std::uint8_t>& pinned = {},
+  int maximumDroppingSolves = 4);
 
 /// In one process, from curves.
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,

@@ -27,6 +27,7 @@ struct SourceArrayChoice
   bool gradients = false;
   bool signedDistances = false;
 
+  bool areSidesNeeded() const { return this->signedDistances; }
   bool areFeetNeeded() const
   {
     return this->sourceIds || this->closestPoints || this->signedDistances;

@@ -73,7 +73,7 @@ std::vector<std::uint8_t> facesAtBorders(const Task& task)
 Result refineWith(const Task& task, const std::vector<std::uint8_t>& pinned)
 {
   DistanceField field = geodesic::solveForRefinement(
-    task.surface, task.sources, task.tolerance, task.frontOptions(), 4, pinned);
+    task.surface, task.sources, task.tolerance, task.frontOptions(), pinned);
   NearestSource nearest(field, task.patch, task.curves);
   SourceRegions regions(field, nearest, task.curves, task.by == By::Sides);
   geodesic::RefinementOptions options;
