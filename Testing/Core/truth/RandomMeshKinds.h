@@ -21,6 +21,7 @@ struct MeshKind
 
 std::ostream& operator<<(std::ostream& os, const MeshKind& kind);
 
+/// All kinds; under ThreadSanitizer every third one, as races do not depend on the shape.
 const std::vector<MeshKind>& meshKinds();
 
 /// The number of random meshes of a kind in a test: `full`, but at most two under sanitizers, whose
