@@ -45,3 +45,36 @@ install_missing()
   apt-get update -qq || echo "The package lists could not be updated; trying with those at hand." >&2
   "${install[@]}" || give_up "" "The installation failed (is there a network?)." "${advice[@]}"
 }
+
+# Prints the first folder that a pattern finds and that holds a VTK to build against.
+vtk_below()
+{
+  local config
+  for config in "$1"/usr/lib/*/cmake/vtk-9.1/vtk-config.cmake; do
+    [ ! -f "$config" ] || dirname "$config"
+  done | head -n 1
+}
+
+# Unpacks VTK 9.1 for building below the given folder. It cannot be installed: its Python package
+# and ParaView's exclude each other.
+download_vtk()
+{
+  mkdir -p "$1/packages"
+  (cd "$1/packages" && apt-get download libvtk9-dev libvtk9.1 libvtk9.1-qt python3-vtk9 vtk9) || return
+  local package
+  for package in "$1"/packages/*.deb; do
+    dpkg -x "$package" "$1"
+  done
+}
+
+# Prints the folder of plain VTK 9.1: VTK_DIR, or the system's, or one unpacked below the given folder;
+# nothing where there is none.
+find_vtk()
+{
+  local vtk=${VTK_DIR:-$(vtk_below "")}
+  vtk=${vtk:-$(vtk_below "$1")}
+  if [ -z "$vtk" ] && download_vtk "$1" >&2; then
+    vtk=$(vtk_below "$1")
+  fi
+  printf '%s' "$vtk"
+}

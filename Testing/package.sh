@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds the Debian packages and tries them on a clean Debian 12, as root and with a network:
 #
-#   bash Testing/package.sh            takes some ten minutes; leaves the packages in build-package/
+#   bash Testing/package.sh            takes a quarter of an hour; leaves the packages in build-package/
 #
-# The clean Debian is a folder made by debootstrap, with the sources of packages that this system has;
-# the folder goes in the end. Without root, or without a network, CTest's tests named package-deb-*
+# The packages for plain VTK, which excludes ParaView's, are tried on a Debian of their own. Both are folders
+# made by debootstrap, with the sources of packages that this system has; they go in the end. Without root, or without a network, CTest's tests named package-deb-*
 # use the packages from a folder that they are unpacked into.
 set -eu
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -15,28 +15,42 @@ build=$top/build-package
 [ "$(id -u)" -eq 0 ] || give_up "Only root can make a clean Debian to install the packages on." \
   "Without root: bash Testing/run.sh -R package"
 
-install_missing "${build_packages[@]}" doxygen dpkg-dev file lintian debootstrap
+install_missing "${build_packages[@]}" doxygen dpkg-dev file lintian debootstrap libvtk9.1 libtbb-dev
 
 # ------------------------------------------------------------------------------------- the packages
-printf '\n== Building the packages ==\n'
-cmake -S "$top" -B "$build" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 -DCMAKE_INSTALL_PREFIX=/usr \
-  -DGEODESIC_BUILD_TESTING=OFF -DGEODESIC_BUILD_BENCHMARKS=OFF
-cmake --build "$build"
-rm -f "$build"/*.deb "$build"/*.tar.gz
-(cd "$build" && cpack)
-lintian --allow-root --fail-on error "$build"/*.deb
+vtk=$(find_vtk "$build/vtk-9.1")
+[ -n "$vtk" ] || give_up "VTK 9.1 could not be downloaded, and VTK_DIR is not set."
+unset VTK_DIR
+
+# Makes packages in a folder; further arguments go to CMake.
+make_packages()
+{
+  local folder=$1
+  shift
+  printf '\n== Building the packages in %s ==\n' "$folder"
+  cmake -S "$top" -B "$folder" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
+    -DGEODESIC_BUILD_TESTING=OFF -DGEODESIC_BUILD_BENCHMARKS=OFF "$@"
+  cmake --build "$folder"
+  rm -f "$folder"/*.deb "$folder"/*.tar.gz
+  (cd "$folder" && cpack)
+  lintian --allow-root --fail-on error,warning "$folder"/*.deb
+}
+
+make_packages "$build"
+make_packages "$build/plain-vtk" "-DVTK_DIR=$vtk"
 
 # ------------------------------------------------------------------------------------ a clean Debian
 printf '\n== Making a clean Debian ==\n'
-root=$(mktemp -d "${TMPDIR:-/tmp}/geodesic-debian.XXXXXX")
-chmod 755 "$root"
+roots=$(mktemp -d "${TMPDIR:-/tmp}/geodesic-debian.XXXXXX")
+chmod 755 "$roots"
+root=$roots/paraview
 
-remove_root()
+remove_roots()
 {
-  umount "$root/proc" 2> /dev/null || true
-  rm -rf --one-file-system "$root"
+  umount "$roots"/*/proc 2> /dev/null || true
+  rm -rf --one-file-system "$roots"
 }
-trap remove_root EXIT
+trap remove_roots EXIT
 
 # Those of this system's sources that are Debian 12's, and its way through a proxy.
 # shellcheck disable=SC2016 # apt-get fills in the names
@@ -53,18 +67,21 @@ printf '%s\n' "$sources" > "$root/etc/apt/sources.list"
   apt-config dump | grep -i '^Acquire::https\?::Proxy' || true
   echo 'Dpkg::Use-Pty "0";' # there are no terminals
 } > "$root/etc/apt/apt.conf.d/90clean-debian"
-mount -t proc proc "$root/proc"
 
 # --------------------------------------------------------------------------- installed, and at work
 mkdir "$root/packages" "$root/checks"
-cp "$build"/*.deb "$root/packages"
 cp -r "$top"/Testing/Package/*.py "$top/Testing/Cxx/Consumer/Project" "$root/checks"
 cp "$top/README.md" "$root" # four folders above the project, as far as there are any
 
 # Nothing here has to survive a loss of power: dpkg need not wait for the disk.
 echo force-unsafe-io > "$root/etc/dpkg/dpkg.cfg.d/unsafe-io"
+cp -a "$root" "$roots/vtk"
+mount -t proc proc "$root/proc"
+mount -t proc proc "$roots/vtk/proc"
+cp "$build"/*.deb "$root/packages"
+cp "$build"/plain-vtk/*.deb "$roots/vtk/packages"
 
-# Runs a script on the clean Debian.
+# Runs a script on the clean Debian in $root.
 on_clean_debian()
 {
   env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
@@ -106,5 +123,23 @@ on_clean_debian '
     -o -name "*geodesicdistance*" -o -name "geodesic-distance*" -o -name paraview.conf)
   [ -z "$left" ] || { echo "Left behind: $left"; exit 1; }'
 
+printf '\n== The Python module for plain VTK ==\n'
+mkdir "$roots/vtk/other"
+dpkg -x "$build"/python3-geodesicdistance_*.deb "$roots/vtk/other"
+root=$roots/vtk
+# shellcheck disable=SC2016 # expanded there
+on_clean_debian '
+  apt-get update -qq
+  cd /packages
+  apt-get install -y -qq --no-install-recommends ./*.deb > /install.log || { tail -n 20 /install.log; exit 1; }
+  cd /checks
+  python3 check_module.py /usr
+  # The module for ParaView says that it is the wrong one.
+  ! PYTHONPATH=/other/usr/lib/python3/dist-packages python3 -c "import geodesicdistance" 2> /message
+  tail -n 1 /message | grep -F "ImportError: This geodesicdistance is made for the VTK"
+  apt-get purge -y -qq python3-geodesicdistance-vtk9 > /install.log
+  left=$(find /usr /etc -name "*FiltersGeodesic*" -o -name "*geodesicdistance*")
+  [ -z "$left" ] || { echo "Left behind: $left"; exit 1; }'
+
 printf '\nThe packages:\n'
-ls "$build"/*.deb "$build"/*.tar.gz
+ls "$build"/*.deb "$build"/*.tar.gz "$build"/plain-vtk/*.deb

@@ -25,38 +25,6 @@ install_missing "${build_packages[@]}" libgtest-dev openmpi-bin libglew-dev libg
   libfreetype-dev libpng-dev libtiff-dev libjpeg-dev doxygen dpkg-dev file lintian \
   ${all:+libvtk9.1 libtbb-dev}
 
-# Prints the first folder that a pattern finds and that holds a VTK to build against.
-vtk_below()
-{
-  local config
-  for config in "$1"/usr/lib/*/cmake/vtk-9.1/vtk-config.cmake; do
-    [ ! -f "$config" ] || dirname "$config"
-  done | head -n 1
-}
-
-# Unpacks VTK 9.1 for building below the given folder. It cannot be installed: its Python package
-# and ParaView's exclude each other.
-download_vtk()
-{
-  mkdir -p "$1/packages"
-  (cd "$1/packages" && apt-get download libvtk9-dev libvtk9.1 libvtk9.1-qt python3-vtk9 vtk9) || return
-  local package
-  for package in "$1"/packages/*.deb; do
-    dpkg -x "$package" "$1"
-  done
-}
-
-# Prints the folder of plain VTK 9.1, nothing where there is none.
-find_vtk()
-{
-  local vtk=${VTK_DIR:-$(vtk_below "")}
-  vtk=${vtk:-$(vtk_below "$builds/vtk-9.1")}
-  if [ -z "$vtk" ] && download_vtk "$builds/vtk-9.1" >&2; then
-    vtk=$(vtk_below "$builds/vtk-9.1")
-  fi
-  printf '%s' "$vtk"
-}
-
 # Configures and builds into build-testing/NAME.
 build()
 {
@@ -69,7 +37,7 @@ build()
 
 mkdir -p "$builds"
 vtk=
-[ -z "$all" ] || vtk=$(find_vtk)
+[ -z "$all" ] || vtk=$(find_vtk "$builds/vtk-9.1")
 unset VTK_DIR
 
 build paraview

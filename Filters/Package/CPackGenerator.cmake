@@ -20,18 +20,34 @@ if (CPACK_GEODESIC_HAS_PARAVIEW AND NOT CPACK_GEODESIC_PLUGINS_FILE)
   message(FATAL_ERROR "Debian packages of a build with ParaView have the plugin (GEODESIC_BUILD_PLUGIN).")
 endif ()
 
+# Pages that were not built are built now.
+if (CPACK_GEODESIC_PAGES AND NOT EXISTS "${CPACK_GEODESIC_PAGES}")
+  execute_process(
+    COMMAND "${CMAKE_COMMAND}" --build "${CPACK_GEODESIC_BUILD_DIR}" --target ${CPACK_GEODESIC_PAGES_TARGETS}
+    RESULT_VARIABLE result)
+  if (result OR NOT EXISTS "${CPACK_GEODESIC_PAGES}")
+    message(FATAL_ERROR "The API pages could not be built: ${result}")
+  endif ()
+endif ()
+
 set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 if (CPACK_GEODESIC_HAS_PARAVIEW)
-  set(CPACK_COMPONENTS_ALL runtime plugin python development documentation)
+  set(CPACK_COMPONENTS_ALL runtime plugin python development)
   set(CPACK_COMPONENT_RUNTIME_GROUP application)
   set(CPACK_COMPONENT_PLUGIN_GROUP application)
   set(CPACK_GEODESIC_PACKAGES
     application:geodesic-distance
     python:python3-geodesicdistance
-    development:geodesic-distance-dev
-    documentation:geodesic-distance-doc)
+    development:geodesic-distance-dev)
+  if (CPACK_GEODESIC_PAGES)
+    list(APPEND CPACK_COMPONENTS_ALL documentation)
+    list(APPEND CPACK_GEODESIC_PACKAGES documentation:geodesic-distance-doc)
+  else ()
+    message("There is no package geodesic-distance-doc: its pages need Doxygen (Debian: doxygen). Install it "
+      "and run cmake again.")
+  endif ()
 else ()
   set(CPACK_COMPONENTS_ALL runtime python)
   set(CPACK_COMPONENT_RUNTIME_GROUP module)
@@ -49,6 +65,15 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CPACK_GEODESIC_LIBRARIES}")
 set(same_version "(= ${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 
+# The maintainer is whoever makes the packages, by the variables of Debian's own tools.
+if (NOT "$ENV{DEBEMAIL}" STREQUAL "")
+  set(name "$ENV{DEBFULLNAME}")
+  if (NOT name)
+    set(name "Geodesic Distance authors")
+  endif ()
+  set(CPACK_PACKAGE_CONTACT "${name} <$ENV{DEBEMAIL}>")
+endif ()
+
 # A description's first line is the summary: CPack's own would come before it.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY)
 set(what_it_is
@@ -63,7 +88,9 @@ set(CPACK_DEBIAN_APPLICATION_PACKAGE_RECOMMENDS "python3-paraview")
 set(CPACK_DEBIAN_APPLICATION_PACKAGE_SUGGESTS
   "python3-geodesicdistance, geodesic-distance-dev, geodesic-distance-doc")
 set(CPACK_DEBIAN_APPLICATION_PACKAGE_CONTROL_EXTRA
-  "${CPACK_GEODESIC_CONTROL_DIR}/shlibs;${CPACK_GEODESIC_CONTROL_DIR}/triggers")
+  "${CPACK_GEODESIC_CONTROL_DIR}/shlibs;${CPACK_GEODESIC_CONTROL_DIR}/triggers"
+  ${CPACK_GEODESIC_PLUGIN_SCRIPTS})
+set(CPACK_DEBIAN_APPLICATION_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_APPLICATION_DESCRIPTION
   "geodesic distance on triangle meshes, ParaView plugin
 ${what_it_is}

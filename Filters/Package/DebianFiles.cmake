@@ -15,6 +15,7 @@ foreach (library IN LISTS libraries)
   else ()
     file(RPATH_REMOVE FILE "${library}")
   endif ()
+  execute_process(COMMAND "${CPACK_GEODESIC_STRIP}" --strip-unneeded --remove-section=.comment "${library}")
 endforeach ()
 
 # Debian has one folder of modules for all versions of Python 3.
@@ -42,20 +43,39 @@ if (archives)
 endif ()
 
 # The plugin is loaded when ParaView starts. Debian's ParaView 6 has a file for plugins of other
-# packages, where ours is told with its path. ParaView 5.11 reads bin/paraview.conf, which Debian does
-# not have: it lists files that list plugins.
-if (NOT CPACK_GEODESIC_HAS_PARAVIEW)
-  # there is no plugin
-elseif (CPACK_GEODESIC_OTHER_PLUGINS)
+# packages, where ours is told with its path; for ParaView 5.11 see plugin/postinst.in.
+if (CPACK_GEODESIC_HAS_PARAVIEW AND CPACK_GEODESIC_OTHER_PLUGINS)
   file(READ "${packages}/application/usr/${CPACK_GEODESIC_PLUGINS_FILE}" list)
   get_filename_component(folder "/usr/${CPACK_GEODESIC_PLUGINS_FILE}" DIRECTORY)
   string(REPLACE "<Plugin name=\"GeodesicDistance\""
     "<Plugin name=\"GeodesicDistance\" filename=\"${folder}/GeodesicDistance/GeodesicDistance.so\""
     list "${list}")
   file(WRITE "${packages}/application${CPACK_GEODESIC_OTHER_PLUGINS}" "${list}")
-else ()
-  file(RELATIVE_PATH plugins_file "/usr/bin" "/usr/${CPACK_GEODESIC_PLUGINS_FILE}")
-  file(WRITE "${packages}/application/usr/bin/paraview.conf" "${plugins_file}\n")
+endif ()
+
+# The library is in the plugin's package: it is for the plugin, and for whoever builds with this version.
+if (CPACK_GEODESIC_HAS_PARAVIEW)
+  file(WRITE "${packages}/application/usr/share/lintian/overrides/geodesic-distance"
+    "# The library comes with the plugin that needs it; geodesic-distance-dev depends on this very version.\n"
+    "geodesic-distance: package-name-doesnt-match-sonames *\n")
+endif ()
+
+# Debian's index of documents.
+if (CPACK_GEODESIC_HAS_PARAVIEW AND CPACK_GEODESIC_PAGES)
+  file(WRITE "${packages}/documentation/usr/share/doc-base/geodesic-distance-doc.geodesic-distance"
+"Document: geodesic-distance
+Title: Geodesic Distance: classes and gallery
+Abstract: Exact geodesic distance on triangle meshes for VTK and ParaView.
+Section: Science/Mathematics
+
+Format: HTML
+Index: /${docs}/geodesic-distance/html/index.html
+Files: /${docs}/geodesic-distance/html/*
+")
+  # The license is in the copyright file; pages link it by its name.
+  file(REMOVE "${packages}/documentation/${docs}/geodesic-distance/LICENSE")
+  file(CREATE_LINK ../geodesic-distance-doc/copyright "${packages}/documentation/${docs}/geodesic-distance/LICENSE"
+    SYMBOLIC)
 endif ()
 
 # ------------------------------------------------------------------------- copyright and changelogs
@@ -78,14 +98,25 @@ License: BSD-3-Clause
  ${license}
 ")
 
-string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
-file(WRITE "${packages}/changelog.Debian"
-"geodesic-distance (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
+# An entry for each version in the changelog.
+file(STRINGS "${CPACK_GEODESIC_SOURCE_DIR}/CHANGELOG.md" versions REGEX "^## \\[[0-9.]+\\] - ")
+file(REMOVE "${packages}/changelog.Debian")
+foreach (version IN LISTS versions)
+  string(REGEX MATCH "\\[([0-9.]+)\\] - ([0-9-]+)" version "${version}")
+  set(number "${CMAKE_MATCH_1}")
+  execute_process(
+    COMMAND "${CMAKE_COMMAND}" -E env LC_ALL=C date -u -R -d "${CMAKE_MATCH_2}"
+    OUTPUT_VARIABLE date
+    OUTPUT_STRIP_TRAILING_WHITESPACE)
+  file(APPEND "${packages}/changelog.Debian"
+"geodesic-distance (${number}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
 
-  * Packages of version ${CPACK_PACKAGE_VERSION}; what has changed is told in changelog.gz.
+  * Packages of version ${number}; changelog.gz says what has changed.
 
- -- ${CPACK_PACKAGE_CONTACT}  ${now}
+ -- ${CPACK_PACKAGE_CONTACT}  ${date}
+
 ")
+endforeach ()
 configure_file("${CPACK_GEODESIC_SOURCE_DIR}/CHANGELOG.md" "${packages}/changelog" COPYONLY)
 
 # -n: no time in the file, so that the same build gives the same bytes.

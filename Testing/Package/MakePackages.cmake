@@ -31,11 +31,25 @@ foreach (package IN LISTS packages)
   endif ()
 endforeach ()
 
-# ParaView looks for its list of plugins beside the program that runs.
+# The list of plugins is written where the package is installed.
+file(GLOB plugin "${FOLDER}/geodesic-distance_*.deb")
+if (plugin)
+  execute_process(COMMAND dpkg-deb -e "${plugin}" "${FOLDER}/control")
+  file(MAKE_DIRECTORY "${root}/usr/bin")
+  if (EXISTS "${FOLDER}/control/postinst")
+    execute_process(
+      COMMAND "${CMAKE_COMMAND}" -E env "DPKG_ROOT=${root}" "${FOLDER}/control/postinst" configure
+      RESULT_VARIABLE result)
+    if (result)
+      message(FATAL_ERROR "The script of ${plugin} failed: ${result}")
+    endif ()
+  endif ()
+endif ()
+
+# ParaView looks for this list beside the program that runs.
 find_program(pvpython pvpython)
 if (GENERATOR STREQUAL "DEB" AND pvpython)
   file(REAL_PATH "${pvpython}" pvpython)
-  file(MAKE_DIRECTORY "${root}/usr/bin")
   file(COPY_FILE "${pvpython}" "${root}/usr/bin/pvpython")
   message(STATUS "Unpacked into ${root}, with a copy of pvpython that runs there; "
     "bash Testing/package.sh installs the packages on a clean Debian.")

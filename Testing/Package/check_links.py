@@ -9,12 +9,13 @@ import re
 import sys
 
 folder = pathlib.Path(sys.argv[1])
-pages = sorted(folder.rglob("*.md"))
-assert len(pages) > 5, pages
+pages = sorted([*folder.rglob("*.md"), *folder.rglob("*.html")])
+assert {page.suffix for page in pages} == {".md", ".html"}, pages
 missing = []
 for page in pages:
-    for link in re.findall(r"\]\(([^)#\s]+)[^)]*\)", page.read_text(encoding="utf-8")):
-        if not re.match(r"https?:", link) and not (page.parent / link).exists():
+    pattern = r"\]\(([^)#\s]+)[^)]*\)" if page.suffix == ".md" else r"""(?:href|src)="([^"#]+)["#]"""
+    for link in set(re.findall(pattern, page.read_text(encoding="utf-8"))):
+        if not re.match(r"https?:|javascript:|\$", link) and not (page.parent / link).exists():
             missing.append(f"{page.relative_to(folder)}: {link}")
 assert not missing, "\n".join(missing)
 print(f"The links of {len(pages)} pages lead somewhere.")
