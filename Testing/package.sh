@@ -15,7 +15,7 @@ build=$top/build-package
 [ "$(id -u)" -eq 0 ] || give_up "Only root can make a clean Debian to install the packages on." \
   "Without root: bash Testing/run.sh -R package"
 
-install_missing "${build_packages[@]}" doxygen dpkg-dev file lintian debootstrap libvtk9.1 libtbb-dev
+install_missing "${build_packages[@]}" doxygen dpkg-dev file lintian debootstrap mricron-data libvtk9.1 libtbb-dev
 
 # ------------------------------------------------------------------------------------- the packages
 vtk=$(find_vtk "$build/vtk-9.1")

@@ -22,7 +22,7 @@ if [ "${1:-}" = --all ]; then
 fi
 
 install_missing "${build_packages[@]}" libgtest-dev openmpi-bin libglew-dev libgl-dev \
-  libfreetype-dev libpng-dev libtiff-dev libjpeg-dev doxygen dpkg-dev file lintian \
+  libfreetype-dev libpng-dev libtiff-dev libjpeg-dev doxygen dpkg-dev file lintian mricron-data \
   ${all:+libvtk9.1 libtbb-dev}
 
 # Configures and builds into build-testing/NAME.

@@ -9,9 +9,10 @@ import runpy
 import subprocess
 import sys
 
+import scan
 from paraview import simple
 
-NO_SCRIPTS = ("all", "look", "small_png")
+NO_SCRIPTS = ("all", "look", "scan", "small_png")
 
 
 def draw(script, folder):
@@ -34,12 +35,20 @@ def start_anew():
     simple.ResetSession()
 
 
+def lacks_scan(script):
+    return not scan.FOLDER.exists() and "= scan." in script.read_text()
+
+
 def main(make, folder):
     pathlib.Path(folder).mkdir(parents=True, exist_ok=True)
     for script in sorted(pathlib.Path(__file__).resolve().parent.glob("*.py")):
-        if script.stem not in NO_SCRIPTS:
-            print(script.stem, flush=True)
-            make(script, folder)
+        if script.stem in NO_SCRIPTS:
+            continue
+        if lacks_scan(script):
+            print(f"{script.stem} is left out: {scan.MISSING}", flush=True)
+            continue
+        print(script.stem, flush=True)
+        make(script, folder)
 
 
 if __name__ == "__main__":

@@ -138,6 +138,13 @@ def colored_lines(display, largest=None, width=2.5):
     display.Position = list(0.01 * np.subtract(view.CameraPosition, view.CameraFocalPoint))
 
 
+def ball(center, radius, color=WHITE):
+    """Shows a ball, in the view that is active. A point drawn as a ball may be lost in a bent surface."""
+    display = simple.Show(simple.Sphere(Center=center, Radius=radius, ThetaResolution=32, PhiResolution=32))
+    plain(display, color)
+    smooth(display)
+
+
 def round_lines(display, width):
     display.LineWidth = width
     display.PointSize = 2 * width
@@ -187,11 +194,11 @@ def points_of(proxy):
 
 
 # ------------------------------------------------------------------------------------------ files
-def save(view, script, times=()):
+def save(view, script, times=(), colors=240):
     """Names the pipeline and, with a FOLDER on the script's command line, writes FOLDER/NAME.png.
 
     The script is given by its variables, globals(): the pipeline takes its names from them. The
-    picture is of the view, or, two in a row, of the view at several times.
+    picture is of the view, or, two in a row, of the view at several times, and has so many colors.
     """
     for name, value in script.items():
         if isinstance(value, servermanager.Proxy) and value.GetXMLGroup() in ("sources", "filters"):
@@ -203,13 +210,13 @@ def save(view, script, times=()):
     if times:
         save_film(view, times, f"{output}.png")
     else:
-        save_picture(view, f"{output}.png")
+        save_picture(view, f"{output}.png", colors)
 
 
-def save_picture(view, file_name):
+def save_picture(view, file_name, colors):
     """Writes what a view shows."""
     simple.SaveScreenshot(file_name, view, ImageResolution=view.ViewSize)
-    small_png.write(small_png.read(file_name), file_name)
+    small_png.write(small_png.read(file_name), file_name, colors)
 
 
 def save_film(view, times, file_name):

@@ -71,6 +71,20 @@ if (GEODESIC_BUILD_PLUGIN AND GEODESIC_PVPYTHON)
     PATTERN     "made" EXCLUDE)
 endif ()
 
+# Scripts whose surface is a scan, where the scans are not installed.
+set(geodesic_without_scan)
+file(GLOB scripts CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/Examples/gallery/*.py")
+foreach (script IN LISTS scripts)
+  file(STRINGS "${script}" uses_scan REGEX "= scan\\.")
+  if (uses_scan AND NOT EXISTS "/usr/share/mricron/templates")
+    get_filename_component(name "${script}" NAME_WE)
+    list(APPEND geodesic_without_scan "${name}")
+  endif ()
+endforeach ()
+if (geodesic_without_scan)
+  message(STATUS "No scans (Debian: mricron-data): there are no states of ${geodesic_without_scan}.")
+endif ()
+
 # The gallery as a page. Its links lead to the examples and states beside the pages, in the build folder
 # and where they are installed.
 set(examples "${CMAKE_CURRENT_SOURCE_DIR}/Examples")
@@ -80,6 +94,9 @@ if (states)
   string(REGEX REPLACE "(\\[Script\\]\\(gallery/([a-z_]+)\\.py\\))" "\\1, [state](../states/\\2.pvsm)"
     page "${page}")
 endif ()
+foreach (name IN LISTS geodesic_without_scan)
+  string(REPLACE ", [state](../states/${name}.pvsm)" "" page "${page}")
+endforeach ()
 string(REGEX REPLACE "\\]\\((gallery/[a-z_]+\\.py)\\)" "](../Examples/\\1)" page "${page}")
 string(REGEX REPLACE "\\[([a-z ]+)\\]\\(#[a-z-]+\\)" "\\1" page "${page}")
 string(REPLACE "\n# Gallery\n" "\n# Gallery {#gallery}\n" page "\n${page}")

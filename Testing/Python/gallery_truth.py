@@ -8,6 +8,8 @@ points and segments: these are computed here, from nothing of the filters' but t
 import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
 from geodesic_testing import FLOAT, assert_close, data, distances, points
 
@@ -91,6 +93,35 @@ class Bent:
         return np.stack((along, positions[..., 1]), axis=-1)
 
 
+def assert_between_bounds(surface, start, vertices, found):
+    """Distances from a place at a vertex are at least those through space, and at most those along edges."""
+    places = points(surface)
+    first = np.argmin(np.linalg.norm(places - start, axis=1))
+    near = 0.01
+    assert np.linalg.norm(places[first] - start) < near
+    assert np.all(found >= np.linalg.norm(places[vertices] - start, axis=1) - near)
+    along_edges = vtkDijkstraGraphGeodesicPath()
+    along_edges.SetInputData(surface)
+    along_edges.SetStartVertex(first)
+    along_edges.StopWhenEndReachedOff()
+    along_edges.Update()
+    lengths = vtkDoubleArray()
+    along_edges.GetCumulativeWeights(lengths)
+    lengths = vtk_to_numpy(lengths)[vertices]
+    assert np.all(found <= lengths + near), (found - lengths).max()
+    # On a mesh as regular as that of a volume's voxels edges are no more than this longer.
+    far = lengths > 10
+    assert np.all(found[far] > 0.75 * lengths[far]), (found[far] / lengths[far]).min()
+
+
+def assert_no_step_is_too_long(positions, triangles, found):
+    """Along an edge a distance grows by no more than the edge is long."""
+    edges = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
+    lengths = np.linalg.norm(positions[edges[:, 0]] - positions[edges[:, 1]], axis=1)
+    steps = np.abs(found[edges[:, 0]] - found[edges[:, 1]])
+    assert np.all(steps <= lengths + FLOAT * found.max()), (steps - lengths).max()
+
+
 # ---------------------------------------------------------------------------- a function a script
 def section(names):
     """Around the column and along it, in the unrolled plane, which repeats."""
@@ -156,15 +187,22 @@ def drawn_curve(names):
 
 
 def stripes(names):
-    """The source is where the distance is zero; colors change at equal steps, and reach the largest distance."""
+    """The source is where the distance is zero, and distances are those of a surface; colors change at equal
+    steps, and reach the largest distance."""
+    output, found = data(names["field"]), distances(names["field"])
+    triangles = vtk_to_numpy(output.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    assert_no_step_is_too_long(points(output), triangles, found)
+    brain, start = data(names["brain"]), np.array(list(names["start"].Center))
+    count = brain.GetNumberOfPoints()
+    np.testing.assert_array_equal(points(output)[:count], points(brain))
+    assert_between_bounds(brain, start, np.arange(count), found[:count])
+
     from_source = distances(simple.GeodesicPaths(
         Input=names["field"].Input, Source=names["field"].Source, Targets=simple.OutputPort(names["field"], 1)))
-    largest = distances(names["field"]).max()
-    assert from_source.max() < FLOAT * largest
-    colors = simple.GetColorTransferFunction("GeodesicDistance").RGBPoints
-    ends = np.reshape(colors, (-1, 4))[:, 0]
-    np.testing.assert_allclose(ends, 0.05 * np.arange(len(ends)), atol=1e-9)
-    assert ends[-2] < largest <= ends[-1]
+    assert from_source.max() < FLOAT * found.max()
+    ends = np.reshape(simple.GetColorTransferFunction("GeodesicDistance").RGBPoints, (-1, 4))[:, 0]
+    np.testing.assert_allclose(ends, 10 * np.arange(len(ends)), atol=1e-9)
+    assert ends[-2] < found.max() <= ends[-1]
 
 
 def offset_curves(names):
@@ -197,16 +235,19 @@ def nearest_curve(names):
 
 
 def shortest_paths(names):
-    """Straight in the unfolded plane, where a step's depth and height add up."""
-    output = data(names["paths"])
+    """Lines from the targets to the start, as long as they say and as the field at the targets."""
+    output, brain = data(names["paths"]), data(names["brain"])
     found = cell_array(output, "GeodesicDistance")
-    assert output.GetNumberOfLines() == len(found) == 60
-    for line, length in zip(lines(output), found):
-        unfolded = np.stack((line[:, 0], line[:, 1] + line[:, 2]), axis=1)
-        straight = unfolded[-1] - unfolded[0]
-        np.testing.assert_allclose(unfolded[-1], (0.4, 0.2), rtol=0, atol=FLOAT)
-        assert abs(length - np.linalg.norm(straight)) < 4 * FLOAT
-        assert to_segments(unfolded, [(unfolded[0], unfolded[-1])]).max() < 4 * FLOAT
+    start, targets = np.array(list(names["start"].Center)), points(data(names["targets"]))
+    assert output.GetNumberOfLines() == len(found) == len(targets) > 100
+    vertices = [np.argmin(np.linalg.norm(points(brain) - target, axis=1)) for target in targets]
+    np.testing.assert_array_equal(points(brain)[vertices], targets)
+    assert_between_bounds(brain, start, vertices, found)
+    field = simple.GeodesicDistanceField(Input=names["brain"], Source=names["start"], RefineMesh=0)
+    assert_close(found, distances(field)[vertices], FLOAT)
+    for line, target, length in zip(lines(output), targets[cell_array(output, "TargetId")], found):
+        np.testing.assert_allclose(line[[0, -1]], (target, start), rtol=0, atol=0.01)
+        assert abs(length - lengths_along(line)[-1]) < 4 * FLOAT * len(line) * length
 
 
 def signed_side(names):
@@ -323,27 +364,18 @@ class WallPlan:
 
 
 def distance_matrix(names):
-    """Between points of a slit and flattened cone: chords, as its angle is less than half a turn."""
-    field = simple.GeodesicDistanceField(Input=names["cone"], Source=names["points"], RefineMesh=0)
-    x, y, z = points(data(field, 1)).T
-    sides, radius, slant = 96, 1, np.sqrt(5)
-    facet_angle = 2 * np.arcsin(radius * np.sin(np.pi / sides) / slant)
-    turn = np.arctan2(y, x) % (2 * np.pi) * sides / (2 * np.pi)
-    # Within a facet, from its middle line.
-    facet = np.floor(turn)
-    to_middle = (turn - facet - 0.5) * 2 * np.pi / sides
-    across = np.hypot(x, y) * np.sin(to_middle)
-    down = np.hypot(np.hypot(x, y) * np.cos(to_middle), 2 - z)
-    angle = (facet + 0.5) * facet_angle + np.arctan2(across, down)
-    reach = np.hypot(across, down)
-
-    apart = np.abs(angle[:, None] - angle)
-    apart = np.minimum(apart, sides * facet_angle - apart)
-    squares = reach[:, None] ** 2 + reach ** 2 - 2 * reach[:, None] * reach * np.cos(apart)
-    table = names["distances"]
-    assert (table.shape, table.dtype) == ((40, 40), float)
+    """Columns, each measured from another electrode, agree: what is far from one is as far from the other, and
+    no detour is shorter."""
+    head, table = data(names["head"]), names["distances"]
+    assert (table.shape, table.dtype) == ((37, 37), float)
     np.testing.assert_array_equal(np.diag(table), 0)
-    assert_close(table.ravel(), np.sqrt(np.maximum(squares, 0)).ravel(), 3 * FLOAT)
+    assert_close(table.ravel(), table.T.ravel(), 3 * FLOAT)
+    detours = np.min(table[:, :, None] + table[None], axis=1)
+    assert np.all(table <= detours + 3 * FLOAT * table.max())
+    places = np.array(names["places"])
+    vertices = [np.argmin(np.linalg.norm(points(head) - place, axis=1)) for place in places]
+    for place, column in zip(places, table.T):
+        assert_between_bounds(head, place, vertices, column)
     np.testing.assert_array_equal(cell_array(data(names["picture"]), "Distance"), table.ravel())
 
 

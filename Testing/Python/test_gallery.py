@@ -21,7 +21,8 @@ EXAMPLES = pathlib.Path(sys.argv.pop()).resolve()
 GALLERY = EXAMPLES / "gallery"
 sys.path.insert(0, str(GALLERY))
 import gallery_truth  # noqa: E402
-from all import start_anew  # noqa: E402
+import scan  # noqa: E402
+from all import lacks_scan, start_anew  # noqa: E402
 from geodesic_testing import data  # noqa: E402
 from pixels import read_pixels  # noqa: E402
 
@@ -128,4 +129,7 @@ class Script(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    if lacks_scan(GALLERY / f"{NAME}.py"):
+        print(f"Skipped: {scan.MISSING}")
+        sys.exit(77)
     unittest.main()

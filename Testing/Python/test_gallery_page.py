@@ -11,7 +11,7 @@ import unittest
 
 EXAMPLES = pathlib.Path(sys.argv.pop()).resolve()
 PAGE = (EXAMPLES / "README.md").read_text()
-SHARED = {"all", "look", "small_png"}
+SHARED = {"all", "look", "scan", "small_png"}
 KILOBYTE = 1000
 
 
