@@ -246,7 +246,7 @@ void NearestSource::goToVertex(Id vertex)
     return;
   }
   const VertexOnCurve& on = *this->onCurves_.find(vertex);
-  this->sectors_.assign(SurfacePoint::atVertex(vertex), this->onCurves_.endsAt(vertex),
+  this->sectors_.assign(this->onCurves_.endsAt(vertex),
     CurveOrigin::onLeft(this->meshOfCurves(), on.curve, on.place));
   this->sectorsVertex_ = vertex;
 }
@@ -261,9 +261,7 @@ void NearestSource::goToPoint(Id number, std::size_t i)
     return;
   }
   const std::vector<double>& places = this->chains_.places(number);
-  // A closed curve begins and ends in one point.
-  const std::size_t first = curve.isClosed() && i + 1 == curve.points.size() ? 0 : i;
-  this->sectors_.assign(point, segmentEndsAt(this->meshOfCurves(), curve, number, places, first),
+  this->sectors_.assign(segmentEndsAround(this->meshOfCurves(), curve, number, places, i),
     CurveOrigin::onLeft(this->meshOfCurves(), number, places[i]));
   this->sectorsVertex_ = NoId;
 }

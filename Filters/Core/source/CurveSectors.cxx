@@ -12,10 +12,18 @@ namespace
 
 constexpr double FullAngle = 6.28318530717958647692;
 
+struct ByFace
+{
+  template <typename Frame>
+  bool operator()(const Frame& a, const Frame& b) const
+  {
+    return TriangleMesh::faceOf(a.halfedge) < TriangleMesh::faceOf(b.halfedge);
+  }
+};
+
 } // anonymous namespace
 
-void CurveSectors::assign(
-  const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const CurveOrigin& whole)
+void CurveSectors::assign(const std::vector<SegmentEnd>& ends, const CurveOrigin& whole)
 {
   this->whole_ = whole;
   this->frames_.clear();
@@ -25,7 +33,7 @@ void CurveSectors::assign(
   {
     if (this->frameOf(end.face) == nullptr)
     {
-      this->addFan(point, end.face);
+      this->addFan(end.from, end.face);
     }
     this->addEnd(end);
   }
@@ -35,63 +43,45 @@ void CurveSectors::assign(
 
 void CurveSectors::addFan(const SurfacePoint& point, Id face)
 {
-  const std::size_t fan = this->totals_.size();
   this->totals_.push_back(Infinity);
-  switch (point.kind)
+  if (point.kind == SurfacePoint::Kind::Face)
   {
-    case SurfacePoint::Kind::Face:
-      this->frames_.push_back({ longestHalfedge(this->mesh_, face), { fan, 0.0 }, FullAngle });
-      this->totals_.back() = FullAngle;
-      break;
-    case SurfacePoint::Kind::Edge:
-      this->addFanAroundEdge(this->mesh_.siblingInFace(point.id, face));
-      break;
-    case SurfacePoint::Kind::Vertex:
-      this->addFanAroundVertex(this->mesh_.cornerAt(face, point.id));
-      break;
-  }
-  std::sort(this->frames_.begin(), this->frames_.end(),
-    [](const Frame& a, const Frame& b) { return a.halfedge < b.halfedge; });
-}
-
-void CurveSectors::addFanAroundEdge(Id halfedge)
-{
-  const std::size_t fan = this->totals_.size() - 1;
-  this->frames_.push_back({ halfedge, { fan, 0.0 }, 0.5 * FullAngle });
-  const Id other = this->mesh_.acrossOriented(halfedge);
-  if (other != NoId)
-  {
-    this->frames_.push_back({ other, { fan, 0.5 * FullAngle }, 0.5 * FullAngle });
+    const std::size_t fan = this->totals_.size() - 1;
+    this->frames_.push_back({ longestHalfedge(this->mesh_, face), { fan, 0.0 }, FullAngle });
     this->totals_.back() = FullAngle;
   }
+  else
+  {
+    this->addTurn(TurnAroundPoint(this->mesh_, point, face));
+  }
+  std::stable_sort(this->frames_.begin(), this->frames_.end(), ByFace());
+  const auto isSame = [](const Frame& a, const Frame& b)
+  { return TriangleMesh::faceOf(a.halfedge) == TriangleMesh::faceOf(b.halfedge); };
+  this->frames_.erase(
+    std::unique(this->frames_.begin(), this->frames_.end(), isSame), this->frames_.end());
 }
 
-// Walks counterclockwise as far as faces follow, and clockwise from the beginning if that does not
-// close the fan. Each face follows at most one other, so the walk can only close at the beginning.
-void CurveSectors::addFanAroundVertex(Id corner)
+// Counterclockwise as far as faces follow, and clockwise from the beginning if that does not close
+// the fan.
+void CurveSectors::addTurn(TurnAroundPoint turn)
 {
   const std::size_t fan = this->totals_.size() - 1;
   double angle = 0.0;
-  for (Id c = corner; c != NoId;)
+  do
   {
-    const double width = this->mesh_.cornerAngle(c);
-    this->frames_.push_back({ c, { fan, angle }, width });
-    angle += width;
-    c = this->mesh_.acrossOriented(TriangleMesh::previousInFace(c));
-    if (c == corner)
-    {
-      this->totals_.back() = angle;
-      return;
-    }
+    this->frames_.push_back({ turn.halfedge(), { fan, angle }, turn.width() });
+    angle += turn.angle();
+  } while (turn.next());
+  if (turn.isClosed())
+  {
+    this->totals_.back() = angle;
+    return;
   }
-  angle = 0.0;
-  for (Id before = this->mesh_.acrossOriented(corner); before != NoId;)
+  double end = 0.0; // of the face, in a face without area as of those behind it
+  for (bool isThere = turn.turnBack(); isThere; isThere = turn.next())
   {
-    const Id c = TriangleMesh::nextInFace(before);
-    const double width = this->mesh_.cornerAngle(c);
-    angle -= width;
-    this->frames_.push_back({ c, { fan, angle }, width });
-    before = this->mesh_.acrossOriented(c);
+    this->frames_.push_back({ turn.halfedge(), { fan, end - turn.width() }, turn.width() });
+    end -= turn.angle();
   }
 }
 
@@ -132,8 +122,8 @@ void CurveSectors::findChanges()
 
 const CurveSectors::Frame* CurveSectors::frameOf(Id face) const
 {
-  const auto frame = std::lower_bound(this->frames_.begin(), this->frames_.end(), 3 * face,
-    [](const Frame& f, Id halfedge) { return f.halfedge < halfedge; });
+  const auto frame = std::lower_bound(
+    this->frames_.begin(), this->frames_.end(), Frame{ 3 * face, {}, 0.0 }, ByFace());
   const bool isThere =
     frame != this->frames_.end() && TriangleMesh::faceOf(frame->halfedge) == face;
   return isThere ? &*frame : nullptr;

@@ -4,6 +4,7 @@
 
 #include "mesh/HalfedgeFrame.h"
 #include "source/SegmentEnd.h"
+#include "source/TurnAroundPoint.h"
 #include "window/Window.h"
 
 #include <vector>
@@ -49,8 +50,7 @@ public:
   ///
   /// \param ends the ends of all segments there.
   /// \param whole the origin of all directions if there is no segment.
-  void assign(
-    const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const CurveOrigin& whole);
+  void assign(const std::vector<SegmentEnd>& ends, const CurveOrigin& whole);
 
   /// The origin of a direction in the frame of a halfedge.
   CurveOrigin of(Id halfedge, Vec2 direction) const;
@@ -71,7 +71,7 @@ private:
     }
   };
   /// A face around the point: the angle of the x axis of one of its halfedges in the fan, and the
-  /// angle of the face from there.
+  /// angle of the face from there. In a face without area, that of the faces behind it.
   struct Frame
   {
     Id halfedge;
@@ -88,8 +88,7 @@ private:
   };
 
   void addFan(const SurfacePoint& point, Id face);
-  void addFanAroundEdge(Id halfedge);
-  void addFanAroundVertex(Id corner);
+  void addTurn(TurnAroundPoint turn);
   void addEnd(const SegmentEnd& end);
   void findChanges();
   const Frame* frameOf(Id face) const;

@@ -98,26 +98,51 @@ void setOnward(const TriangleMesh& mesh, const SourceCurve& curve, const std::ve
   }
 }
 
+/// Adds the end at point i of the segment towards the next or the previous point.
+void addEnd(const TriangleMesh& mesh, const SourceCurve& curve, Id number,
+  const std::vector<double>& places, std::size_t i, bool isForward, std::vector<SegmentEnd>& ends)
+{
+  const Step step = stepFrom(curve, i, isForward);
+  const std::vector<Step> steps =
+    step.segment != None ? stepsOnward(mesh, curve, step, isForward) : std::vector<Step>();
+  if (!steps.empty())
+  {
+    ends.push_back({ curve.points[i], curve.points[step.to], curve.faces[step.segment], number,
+      places[i], isForward });
+    if (steps.size() > 1)
+    {
+      setOnward(mesh, curve, steps, ends.back());
+    }
+  }
+}
+
 } // anonymous namespace
 
 std::vector<SegmentEnd> segmentEndsAt(const TriangleMesh& mesh, const SourceCurve& curve, Id number,
   const std::vector<double>& places, std::size_t i)
 {
   std::vector<SegmentEnd> ends;
+  addEnd(mesh, curve, number, places, i, true, ends);
+  addEnd(mesh, curve, number, places, i, false, ends);
+  return ends;
+}
+
+std::vector<SegmentEnd> segmentEndsAround(const TriangleMesh& mesh, const SourceCurve& curve,
+  Id number, const std::vector<double>& places, std::size_t i)
+{
+  std::vector<SegmentEnd> ends;
   for (const bool isForward : { true, false })
   {
-    const Step step = stepFrom(curve, i, isForward);
-    const std::vector<Step> steps =
-      step.segment != None ? stepsOnward(mesh, curve, step, isForward) : std::vector<Step>();
-    if (!steps.empty())
+    std::size_t last = i;
+    Step step = stepFrom(curve, i, isForward);
+    for (std::size_t n = 0; n < curve.faces.size() && step.segment != None &&
+         !hasLength(mesh, curve, step.segment);
+         ++n)
     {
-      ends.push_back({ curve.points[i], curve.points[step.to], curve.faces[step.segment], number,
-        places[i], isForward });
-      if (steps.size() > 1)
-      {
-        setOnward(mesh, curve, steps, ends.back());
-      }
+      last = step.to;
+      step = stepFrom(curve, last, isForward);
     }
+    addEnd(mesh, curve, number, places, last, isForward, ends);
   }
   return ends;
 }

@@ -41,6 +41,10 @@ Vec2 directionIn(const TriangleMesh& mesh, const SegmentEnd& end, Id halfedge);
 std::vector<SegmentEnd> segmentEndsAt(const TriangleMesh& mesh, const SourceCurve& curve, Id number,
   const std::vector<double>& places, std::size_t i);
 
+/// The same of all points at the place of point i, which segments without length join.
+std::vector<SegmentEnd> segmentEndsAround(const TriangleMesh& mesh, const SourceCurve& curve,
+  Id number, const std::vector<double>& places, std::size_t i);
+
 /// Whether a segment without length leads from point i of a curve to a vertex. The segments on both
 /// sides bound the vertex's wedge, not the point's.
 bool isAtVertexBeside(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);

@@ -134,7 +134,7 @@ private:
     this->progress_.nextPoint();
     const auto step = [this] { this->progress_.step(); };
     this->wedge_.assign(p, ends, step);
-    this->sectors_.assign(p, ends, CurveOrigin::onLeft(this->mesh_, curve, place));
+    this->sectors_.assign(ends, CurveOrigin::onLeft(this->mesh_, curve, place));
     forEachFace(this->mesh_, p,
       [&](Id face)
       {

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "source/TurnAroundPoint.h"
+
+#include "Tolerance.h"
+#include "mesh/HalfedgeFrame.h"
+
+#include <algorithm>
+
+namespace geodesic
+{
+
+namespace
+{
+
+constexpr double StraightAngle = 3.14159265358979323846;
+
+double roundingOn(double length)
+{
+  return tolerance::PlaceRounding * length;
+}
+
+} // anonymous namespace
+
+TurnAroundPoint::TurnAroundPoint(const TriangleMesh& mesh, const SurfacePoint& point, Id face)
+  : mesh_(mesh)
+{
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    this->first_ = { mesh.cornerAt(face, point.id), 0.0 };
+  }
+  else
+  {
+    const Id halfedge = mesh.siblingInFace(point.id, face);
+    const Barycentric b = barycentric(mesh, point, face);
+    this->first_ = { halfedge, b[(halfedge + 1) % 3] * mesh.length(halfedge) };
+  }
+  this->place_ = this->first_;
+}
+
+// Around a vertex the halfedge that begins there.
+Id TurnAroundPoint::halfedge() const
+{
+  const bool isAtEnd = !this->isCounterclockwise_ && this->place_.x == 0.0;
+  return isAtEnd ? TriangleMesh::nextInFace(this->place_.halfedge) : this->place_.halfedge;
+}
+
+double TurnAroundPoint::width() const
+{
+  return this->place_.x == 0.0 ? this->mesh_.cornerAngle(this->halfedge()) : StraightAngle;
+}
+
+// Of the halfedges of a face, that which a turn around the corner leaves across if it entered across
+// the given one.
+Id TurnAroundPoint::pivotNext(Id halfedge) const
+{
+  return this->isCounterclockwise_ ? TriangleMesh::previousInFace(halfedge)
+                                   : TriangleMesh::nextInFace(halfedge);
+}
+
+// Around an end of its longest edge a face without area has an angle of 0.
+bool TurnAroundPoint::isCrossed() const
+{
+  const Id face = TriangleMesh::faceOf(this->place_.halfedge);
+  if (!this->mesh_.shape(face).hasZeroArea())
+  {
+    return false;
+  }
+  const Id longest = longestHalfedge(this->mesh_, face);
+  const bool isAtApex = this->place_.halfedge == this->pivotNext(longest) &&
+    this->mesh_.length(this->place_.halfedge) > roundingOn(this->mesh_.length(longest));
+  return this->place_.x > 0.0 || isAtApex;
+}
+
+// Across a face without area from its longest edge to that of the others which has the point, and
+// back. At the apex these two have it: the farther one is entered at the apex, whose faces follow.
+TurnAroundPoint::Place TurnAroundPoint::exit() const
+{
+  const auto [halfedge, x] = this->place_;
+  if (!this->isCrossed())
+  {
+    return x > 0.0 ? this->place_ : Place{ this->pivotNext(halfedge), Infinity };
+  }
+  const Id longest = longestHalfedge(this->mesh_, TriangleMesh::faceOf(halfedge));
+  const Id near = this->pivotNext(longest); // shares the end that x counts from
+  const Id far = this->pivotNext(near);
+  const double apex = this->mesh_.length(near);
+  if (halfedge == longest)
+  {
+    const bool isBehind = x >= apex - roundingOn(this->mesh_.length(longest));
+    return isBehind ? Place{ far, this->mesh_.length(far) - (x - apex) } : Place{ near, apex - x };
+  }
+  return { longest, halfedge == near ? apex - x : this->mesh_.length(longest) - x };
+}
+
+// Places on the halfedges of an edge count from its two ends.
+bool TurnAroundPoint::enterAcross(const Place& exit)
+{
+  this->entered_ = this->mesh_.acrossOriented(exit.halfedge);
+  if (this->entered_ == NoId)
+  {
+    return false;
+  }
+  const double length = this->mesh_.length(exit.halfedge);
+  const double x = length - exit.x;
+  this->place_ = { this->entered_, x > roundingOn(length) ? x : 0.0 };
+  return !this->isClosed();
+}
+
+// The turn may only come back to where it has been by way of a face that it crosses: any other face
+// follows one alone.
+bool TurnAroundPoint::next()
+{
+  if (this->isCrossed())
+  {
+    const Id halfedge = this->place_.halfedge;
+    if (std::find(this->crossed_.begin(), this->crossed_.end(), halfedge) != this->crossed_.end())
+    {
+      return false;
+    }
+    this->crossed_.push_back(halfedge);
+  }
+  return this->enterAcross(this->exit());
+}
+
+bool TurnAroundPoint::turnBack()
+{
+  this->isCounterclockwise_ = false;
+  this->crossed_.clear();
+  const double length = this->mesh_.length(this->first_.halfedge);
+  return this->enterAcross({ this->first_.halfedge, length - this->first_.x });
+}
+
+}
