@@ -52,6 +52,9 @@ public:
   /// \param whole the origin of all directions if there is no segment.
   void assign(const std::vector<SegmentEnd>& ends, const CurveOrigin& whole);
 
+  /// Whether the face is one of those around the point.
+  bool haveFace(Id face) const { return this->frameOf(face) != nullptr; }
+
   /// The origin of a direction in the frame of a halfedge.
   CurveOrigin of(Id halfedge, Vec2 direction) const;
 

@@ -83,18 +83,34 @@ void addBehindEdge(const TriangleMesh& mesh, LeavingWindow leaving, const CurveS
   addBySector(sectors, frame, leaving, windows);
 }
 
+/// Whether a point, in the leaving frame of a halfedge, is close to it and not to its ends.
+bool isBesideHalfedge(Vec2 point, double length)
+{
+  return -point.y <= tolerance::NearEdge * length && point.x > 0.0 && point.x < length;
+}
+
+/// Whether such a point lies on the halfedge but for rounding, and its sectors are known in the face
+/// behind it. That face then contains the point, as those around it do.
+bool isInFaceBehind(
+  const TriangleMesh& mesh, Id halfedge, Vec2 point, const CurveSectors& sectors)
+{
+  const Id behind = mesh.acrossOriented(halfedge);
+  return -point.y <= tolerance::PlaceRounding * mesh.length(halfedge) && behind != NoId &&
+    sectors.haveFace(TriangleMesh::faceOf(behind));
+}
+
 /// Sends the rays of a point close to a halfedge through the faces behind it in one step, between
 /// the rays through the ends of the edge, which hide what lies beside them. Rays continue in the
 /// same way through a face without area, to whose edges the point is as close.
 class RaysFromBesideEdge
 {
 public:
-  RaysFromBesideEdge(const TriangleMesh& mesh, const CurveSectors& sectors,
-    std::vector<LeavingWindow>& windows, std::vector<Id>& nearVertices)
+  RaysFromBesideEdge(const TriangleMesh& mesh, const SourceInFace& source,
+    const CurveSectors& sectors, SourceWindows& result)
     : mesh_(mesh)
+    , source_(source)
     , sectors_(sectors)
-    , windows_(windows)
-    , nearVertices_(nearVertices)
+    , result_(result)
   {
   }
 
@@ -108,21 +124,34 @@ public:
       {
         this->entered_.push_back(s);
         const bool turned = this->mesh_.origin(s) == this->mesh_.origin(halfedge);
-        this->sendThrough(s,
-          { 0.0, length, turned ? length - point.x : point.x, -point.y, 0.0, 0.0,
-            Window::Kind::Circular, 0 },
-          frame);
+        const double x = turned ? length - point.x : point.x;
+        if (isInFaceBehind(this->mesh_, halfedge, point, this->sectors_))
+        {
+          this->addSource(s, x);
+        }
+        this->sendThrough(
+          s, { 0.0, length, x, -point.y, 0.0, 0.0, Window::Kind::Circular, 0 }, frame);
       }
     }
   }
 
 private:
+  // The face of the halfedge contains the point, which lies at x.
+  void addSource(Id halfedge, double x)
+  {
+    const Barycentric b = fromHalfedgeFrame(this->mesh_, halfedge, { x, 0.0 });
+    SourceInFace& source = this->result_.inFaces.emplace_back(this->source_);
+    source.face = TriangleMesh::faceOf(halfedge);
+    source.a = b;
+    source.b = b;
+  }
+
   void sendThrough(Id halfedge, const Window& w, const WindowFrame& frame)
   {
     const UnfoldedFace face = unfold(this->mesh_, halfedge);
     if (norm(face.apex - Vec2{ w.sourceX, -w.sourceDepth }) < tolerance::NearVertex * face.length)
     {
-      this->nearVertices_.push_back(this->mesh_.opposite(halfedge));
+      this->result_.nearVertices.push_back(this->mesh_.opposite(halfedge));
     }
     // In a face without area all rays run along its edges, so they do not determine a direction.
     Window seen = w;
@@ -148,31 +177,42 @@ private:
 
   void leave(const LeavingWindow& leaving, const WindowFrame& frame)
   {
-    addBehindEdge(this->mesh_, leaving, this->sectors_, frame, this->windows_);
     const Window& w = leaving.window;
     const double length = this->mesh_.length(leaving.halfedge);
-    const bool isBeside =
-      w.sourceDepth <= tolerance::NearEdge * length && w.sourceX > 0.0 && w.sourceX < length;
-    if (isBeside && this->mesh_.shape(TriangleMesh::faceOf(leaving.halfedge)).hasZeroArea())
+    const Vec2 point = { w.sourceX, -w.sourceDepth };
+    const bool isBeside = isBesideHalfedge(point, length) &&
+      this->mesh_.shape(TriangleMesh::faceOf(leaving.halfedge)).hasZeroArea();
+    if (!isBeside || !isInFaceBehind(this->mesh_, leaving.halfedge, point, this->sectors_))
     {
-      this->send(leaving.halfedge, { w.sourceX, -w.sourceDepth }, frame);
+      addBehindEdge(this->mesh_, leaving, this->sectors_, frame, this->result_.windows);
+    }
+    if (isBeside)
+    {
+      this->send(leaving.halfedge, point, frame);
     }
   }
 
   const TriangleMesh& mesh_;
+  const SourceInFace& source_;
   const CurveSectors& sectors_;
-  std::vector<LeavingWindow>& windows_;
-  std::vector<Id>& nearVertices_;
+  SourceWindows& result_;
   /// The halfedges through which rays have entered faces: none twice, so recursion ends.
   std::vector<Id> entered_;
 };
 
-void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const Barycentric& point,
-  const CurveWedge::Bounds& bounds, const CurveSectors& sectors,
-  std::vector<LeavingWindow>& windows, std::vector<Id>& nearVertices)
+void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFace& source,
+  const CurveWedge::Bounds& bounds, const CurveSectors& sectors, SourceWindows& result)
 {
   const double length = mesh.length(halfedge);
-  const Vec2 p = inLeavingFrame(mesh, halfedge, point);
+  const Vec2 p = inLeavingFrame(mesh, halfedge, source.a);
+  if (isBesideHalfedge(p, length))
+  {
+    RaysFromBesideEdge(mesh, source, sectors, result).send(halfedge, p, { halfedge });
+    if (isInFaceBehind(mesh, halfedge, p, sectors))
+    {
+      return;
+    }
+  }
   const bool near = -p.y <= tolerance::NearEdge * length;
   Interval interval{ 0.0, length };
   for (const WedgeBound* bound = bounds.first; bound != bounds.second && !near; ++bound)
@@ -186,28 +226,23 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const Barycentric
     { 0.0, 0.0, p.x, depth, 0.0, 0.0, Window::Kind::Circular, 0 }, leaving);
   for (const LeavingWindow& window : leaving)
   {
-    addBySector(sectors, { halfedge }, window, windows);
-  }
-  if (near && p.x > 0.0 && p.x < length)
-  {
-    RaysFromBesideEdge(mesh, sectors, windows, nearVertices).send(halfedge, p, { halfedge });
+    addBySector(sectors, { halfedge }, window, result.windows);
   }
 }
 
 } // anonymous namespace
 
-void addPointWindows(const TriangleMesh& mesh, Id face, const Barycentric& point,
-  const CurveWedge& wedge, const CurveSectors& sectors, std::vector<LeavingWindow>& windows,
-  std::vector<Id>& nearVertices)
+void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source, const CurveWedge& wedge,
+  const CurveSectors& sectors, SourceWindows& result)
 {
-  const CurveWedge::Bounds bounds = wedge.boundsIn(face);
+  const CurveWedge::Bounds bounds = wedge.boundsIn(source.face);
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const Id halfedge = 3 * face + static_cast<Id>(k);
-    const bool isOnIt = point[(k + 2) % 3] == 0.0;
+    const Id halfedge = 3 * source.face + static_cast<Id>(k);
+    const bool isOnIt = source.a[(k + 2) % 3] == 0.0;
     if (!isOnIt && !mesh.isBoundary(halfedge) && mesh.length(halfedge) > 0.0)
     {
-      addThroughHalfedge(mesh, halfedge, point, bounds, sectors, windows, nearVertices);
+      addThroughHalfedge(mesh, halfedge, source, bounds, sectors, result);
     }
   }
 }

@@ -4,9 +4,7 @@
 
 #include "source/CurveSectors.h"
 #include "source/CurveWedge.h"
-#include "source/LeavingWindow.h"
-
-#include <vector>
+#include "source/SourceWindows.h"
 
 namespace geodesic
 {
@@ -16,13 +14,15 @@ namespace geodesic
 ///
 /// If the point is close to a halfedge (tolerance::NearEdge), the place where a ray crosses it
 /// determines the ray's direction badly. All rays then pass through that halfedge, and windows
-/// behind the next faces are added as well, whose rays come straight from the point.
+/// behind the next faces are added as well, whose rays come straight from the point. If the point
+/// lies on that halfedge, as in a face without area, and has sectors there, the next faces contain
+/// it, too: they are added to the faces of the source, and nothing passes through the halfedge.
 ///
-/// \param nearVertices receives the vertices of these faces that are near the point
+/// \param source the point: both ends are equal.
+/// \param result also receives the vertices of these faces that are near the point
 ///        (tolerance::NearVertex).
-void addPointWindows(const TriangleMesh& mesh, Id face, const Barycentric& point,
-  const CurveWedge& wedge, const CurveSectors& sectors, std::vector<LeavingWindow>& windows,
-  std::vector<Id>& nearVertices);
+void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source, const CurveWedge& wedge,
+  const CurveSectors& sectors, SourceWindows& result);
 
 }
 

@@ -140,13 +140,13 @@ private:
       {
         step();
         const Barycentric b = barycentric(this->mesh_, p, face);
+        const SourceInFace source = { face, b, b, curve, place, place };
         if (p.kind != SurfacePoint::Kind::Vertex)
         {
-          this->result_.inFaces.push_back({ face, b, b, curve, place, place });
+          this->result_.inFaces.push_back(source);
           this->findNearVertices(face, b);
         }
-        addPointWindows(this->mesh_, face, b, this->wedge_, this->sectors_, this->result_.windows,
-          this->result_.nearVertices);
+        addPointWindows(this->mesh_, source, this->wedge_, this->sectors_, this->result_);
       });
   }
 
