@@ -246,7 +246,7 @@ void NearestSource::goToVertex(Id vertex)
     return;
   }
   const VertexOnCurve& on = *this->onCurves_.find(vertex);
-  this->sectors_.assign(this->onCurves_.endsAt(vertex),
+  this->sectors_.assign(SurfacePoint::atVertex(vertex), this->onCurves_.endsAround(vertex),
     CurveOrigin::onLeft(this->meshOfCurves(), on.curve, on.place));
   this->sectorsVertex_ = vertex;
 }
@@ -261,7 +261,7 @@ void NearestSource::goToPoint(Id number, std::size_t i)
     return;
   }
   const std::vector<double>& places = this->chains_.places(number);
-  this->sectors_.assign(segmentEndsAround(this->meshOfCurves(), curve, number, places, i),
+  this->sectors_.assign(point, segmentEndsAround(this->meshOfCurves(), curve, number, places, i),
     CurveOrigin::onLeft(this->meshOfCurves(), number, places[i]));
   this->sectorsVertex_ = NoId;
 }

@@ -23,26 +23,33 @@ struct ByFace
 
 } // anonymous namespace
 
-void CurveSectors::assign(const std::vector<SegmentEnd>& ends, const CurveOrigin& whole)
+void CurveSectors::assign(
+  const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const CurveOrigin& whole)
 {
   this->whole_ = whole;
   this->frames_.clear();
   this->totals_.clear();
   this->ends_.clear();
+  if (!ends.empty())
+  {
+    forEachFace(this->mesh_, point, [&](Id face) { this->addFan(point, face); });
+  }
   for (const SegmentEnd& end : ends)
   {
-    if (this->frameOf(end.face) == nullptr)
-    {
-      this->addFan(end.from, end.face);
-    }
+    this->addFan(end.from, end.face);
     this->addEnd(end);
   }
   std::stable_sort(this->ends_.begin(), this->ends_.end());
   this->findChanges();
 }
 
+// Adds the faces around the point in the order of a turn that begins in a face, if this one is new.
 void CurveSectors::addFan(const SurfacePoint& point, Id face)
 {
+  if (this->haveFace(face))
+  {
+    return;
+  }
   this->totals_.push_back(Infinity);
   if (point.kind == SurfacePoint::Kind::Face)
   {
@@ -154,6 +161,10 @@ CurveOrigin CurveSectors::of(Id halfedge, Vec2 direction) const
   const auto begin =
     std::lower_bound(this->ends_.begin(), this->ends_.end(), End{ { at.fan, -Infinity }, {}, {} });
   const auto end = std::upper_bound(begin, this->ends_.end(), End{ { at.fan, Infinity }, {}, {} });
+  if (begin == end)
+  {
+    return this->whole_;
+  }
   const auto next = std::upper_bound(begin, end, End{ at, {}, {} });
   // The segments before and behind the direction, across the beginning of a closed fan.
   const double total = this->total(at.fan);

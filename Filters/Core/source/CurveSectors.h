@@ -48,9 +48,10 @@ public:
 
   /// Moves to another point.
   ///
-  /// \param ends the ends of all segments there.
+  /// \param ends the ends of all segments at its place: segmentEndsAround().
   /// \param whole the origin of all directions if there is no segment.
-  void assign(const std::vector<SegmentEnd>& ends, const CurveOrigin& whole);
+  void assign(
+    const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const CurveOrigin& whole);
 
   /// Whether the face is one of those around the point.
   bool haveFace(Id face) const { return this->frameOf(face) != nullptr; }

@@ -2,6 +2,7 @@
 #include "source/SegmentEnd.h"
 
 #include "Tolerance.h"
+#include "source/TurnAroundPoint.h"
 
 namespace geodesic
 {
@@ -52,6 +53,15 @@ bool tellsDirection(const TriangleMesh& mesh, const SourceCurve& curve, const St
   }
   return !mesh.shape(curve.faces[step.segment]).hasZeroArea() &&
     hasLength(mesh, curve, step.segment, tolerance::NearEdge);
+}
+
+/// Whether the ends of a segment are at one place: across a face without area a joined path may run
+/// along it as far as it misses its end.
+bool isAtOnePlace(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t segment)
+{
+  return !hasLength(mesh, curve, segment,
+    mesh.shape(curve.faces[segment]).hasZeroArea() ? tolerance::NearEdge
+                                                   : tolerance::PlaceRounding);
 }
 
 /// The steps from a given one, across edges, to the first that determines a direction. If the curve
@@ -136,7 +146,7 @@ std::vector<SegmentEnd> segmentEndsAround(const TriangleMesh& mesh, const Source
     std::size_t last = i;
     Step step = stepFrom(curve, i, isForward);
     for (std::size_t n = 0; n < curve.faces.size() && step.segment != None &&
-         !hasLength(mesh, curve, step.segment);
+         isAtOnePlace(mesh, curve, step.segment);
          ++n)
     {
       last = step.to;
@@ -145,6 +155,14 @@ std::vector<SegmentEnd> segmentEndsAround(const TriangleMesh& mesh, const Source
     addEnd(mesh, curve, number, places, last, isForward, ends);
   }
   return ends;
+}
+
+std::vector<Id> verticesAtCornerOf(
+  const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i)
+{
+  const bool isCorner = curve.points.size() > 1 && !curve.isCut[i] &&
+    curve.points[i].kind != SurfacePoint::Kind::Face;
+  return isCorner ? verticesAtPlaceOf(mesh, curve.points[i]) : std::vector<Id>();
 }
 
 bool isAtVertexBeside(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i)

@@ -45,6 +45,11 @@ std::vector<SegmentEnd> segmentEndsAt(const TriangleMesh& mesh, const SourceCurv
 std::vector<SegmentEnd> segmentEndsAround(const TriangleMesh& mesh, const SourceCurve& curve,
   Id number, const std::vector<double>& places, std::size_t i);
 
+/// The other vertices at the place of point i of a curve, behind faces without area. None where the
+/// curve is merely cut, and for a curve that is a point.
+std::vector<Id> verticesAtCornerOf(
+  const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);
+
 /// Whether a segment without length leads from point i of a curve to a vertex. The segments on both
 /// sides bound the vertex's wedge, not the point's.
 bool isAtVertexBeside(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);

@@ -116,25 +116,27 @@ private:
       // Faces at an edge of three and more faces see the curve bend.
       const bool straight =
         curve.isCut[i] && p.kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(p.id);
-      if (straight || isAtVertexBeside(this->mesh_, curve, i))
+      if (straight || isAtVertexBeside(this->mesh_, curve, i) ||
+        !verticesAtCornerOf(this->mesh_, curve, i).empty())
       {
         this->progress_.nextPoint();
       }
       else if (p.kind != SurfacePoint::Kind::Vertex)
       {
         this->emitFromPoint(p, segmentEndsAt(this->mesh_, curve, this->curve_, this->places_, i),
-          this->curve_, this->places_[i]);
+          segmentEndsAround(this->mesh_, curve, this->curve_, this->places_, i), this->curve_,
+          this->places_[i]);
       }
     }
   }
 
-  void emitFromPoint(
-    const SurfacePoint& p, const std::vector<SegmentEnd>& ends, Id curve, double place)
+  void emitFromPoint(const SurfacePoint& p, const std::vector<SegmentEnd>& ends,
+    const std::vector<SegmentEnd>& endsAround, Id curve, double place)
   {
     this->progress_.nextPoint();
     const auto step = [this] { this->progress_.step(); };
     this->wedge_.assign(p, ends, step);
-    this->sectors_.assign(ends, CurveOrigin::onLeft(this->mesh_, curve, place));
+    this->sectors_.assign(p, endsAround, CurveOrigin::onLeft(this->mesh_, curve, place));
     forEachFace(this->mesh_, p,
       [&](Id face)
       {
@@ -173,8 +175,8 @@ private:
     for (const VertexOnCurve& v : onCurves.vertices())
     {
       this->result_.vertices.push_back(v.vertex);
-      this->emitFromPoint(
-        SurfacePoint::atVertex(v.vertex), onCurves.endsAt(v.vertex), v.curve, v.place);
+      this->emitFromPoint(SurfacePoint::atVertex(v.vertex), onCurves.endsAt(v.vertex),
+        onCurves.endsAround(v.vertex), v.curve, v.place);
     }
   }
 

@@ -130,4 +130,34 @@ bool TurnAroundPoint::turnBack()
   return this->enterAcross({ this->first_.halfedge, length - this->first_.x });
 }
 
+std::vector<Id> verticesAtPlaceOf(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  std::vector<Id> vertices;
+  forEachFace(mesh, point,
+    [&](Id face)
+    {
+      if (!mesh.shape(face).hasZeroArea())
+      {
+        return;
+      }
+      TurnAroundPoint turn(mesh, point, face);
+      const auto addOthers = [&](bool isThere)
+      {
+        for (; isThere; isThere = turn.next())
+        {
+          const bool isOwn = point.kind == SurfacePoint::Kind::Vertex && turn.vertex() == point.id;
+          if (turn.vertex() != NoId && !isOwn)
+          {
+            vertices.push_back(turn.vertex());
+          }
+        }
+      };
+      addOthers(true);
+      addOthers(!turn.isClosed() && turn.turnBack());
+    });
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
 }

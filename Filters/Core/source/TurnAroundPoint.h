@@ -28,6 +28,12 @@ public:
   /// The angle that the turn takes in the face: none in a face without area that it crosses.
   double angle() const { return this->isCrossed() ? 0.0 : this->width(); }
 
+  /// The vertex of the face that the point is at; NoId where it lies on an edge.
+  Id vertex() const
+  {
+    return this->place_.x == 0.0 ? this->mesh_.origin(this->halfedge()) : NoId;
+  }
+
   /// Turns into the next face. \returns false where the turn has ended.
   bool next();
   /// Whether the turn has ended in the face where it had begun.
@@ -59,6 +65,9 @@ private:
   /// The halfedges across which the turn has entered faces without area that it crosses.
   std::vector<Id> crossed_;
 };
+
+/// The vertices at the place of a vertex or of a point on an edge, behind faces without area.
+std::vector<Id> verticesAtPlaceOf(const TriangleMesh& mesh, const SurfacePoint& point);
 
 }
 

@@ -12,16 +12,10 @@ VerticesOnCurves::VerticesOnCurves(const TriangleMesh& mesh, const CurveChains& 
   for (Id number = 0; number < chains.curves().size(); ++number)
   {
     const SourceCurve& curve = chains.curves()[number];
-    const std::vector<double>& places = chains.places(number);
     const std::size_t count = curve.points.size() - (curve.isClosed() ? 1 : 0);
     for (std::size_t i = 0; i < count; ++i)
     {
-      if (curve.points[i].kind == SurfacePoint::Kind::Vertex)
-      {
-        this->vertices_.push_back({ curve.points[i].id, number, places[i] });
-        const std::vector<SegmentEnd> ends = segmentEndsAt(mesh, curve, number, places, i);
-        this->ends_.insert(this->ends_.end(), ends.begin(), ends.end());
-      }
+      this->add(mesh, chains, number, i);
     }
   }
   std::stable_sort(this->vertices_.begin(), this->vertices_.end());
@@ -29,10 +23,48 @@ VerticesOnCurves::VerticesOnCurves(const TriangleMesh& mesh, const CurveChains& 
   { return a.vertex == b.vertex; };
   this->vertices_.erase(
     std::unique(this->vertices_.begin(), this->vertices_.end(), isSame), this->vertices_.end());
-  const auto key = [](const SegmentEnd& s)
-  { return std::make_tuple(s.from.id, s.face, s.to.kind, s.to.id, s.to.u, s.to.v); };
-  std::stable_sort(this->ends_.begin(), this->ends_.end(),
-    [&key](const SegmentEnd& a, const SegmentEnd& b) { return key(a) < key(b); });
+  sort(this->ends_);
+  sort(this->endsAround_);
+}
+
+void VerticesOnCurves::add(
+  const TriangleMesh& mesh, const CurveChains& chains, Id number, std::size_t i)
+{
+  const SourceCurve& curve = chains.curves()[number];
+  const std::vector<double>& places = chains.places(number);
+  std::vector<Id> vertices = verticesAtCornerOf(mesh, curve, i);
+  if (curve.points[i].kind == SurfacePoint::Kind::Vertex)
+  {
+    vertices.push_back(curve.points[i].id);
+    for (const SegmentEnd& end : segmentEndsAt(mesh, curve, number, places, i))
+    {
+      this->ends_.push_back({ curve.points[i].id, end });
+    }
+  }
+  for (const Id vertex : vertices)
+  {
+    this->vertices_.push_back({ vertex, number, places[i] });
+    for (const SegmentEnd& end : segmentEndsAround(mesh, curve, number, places, i))
+    {
+      this->endsAround_.push_back({ vertex, end });
+    }
+  }
+}
+
+// Several points of a curve may be at one place: their ends are the same.
+void VerticesOnCurves::sort(Ends& ends)
+{
+  const auto key = [](const EndAtVertex& e)
+  {
+    const SurfacePoint& to = e.end.to;
+    return std::make_tuple(
+      e.vertex, e.end.face, to.kind, to.id, to.u, to.v, e.end.curve, e.end.place);
+  };
+  std::stable_sort(ends.begin(), ends.end(),
+    [&key](const EndAtVertex& a, const EndAtVertex& b) { return key(a) < key(b); });
+  ends.erase(std::unique(ends.begin(), ends.end(),
+               [&key](const EndAtVertex& a, const EndAtVertex& b) { return key(a) == key(b); }),
+    ends.end());
 }
 
 const VertexOnCurve* VerticesOnCurves::find(Id vertex) const
@@ -42,13 +74,16 @@ const VertexOnCurve* VerticesOnCurves::find(Id vertex) const
   return found != this->vertices_.end() && found->vertex == vertex ? &*found : nullptr;
 }
 
-std::vector<SegmentEnd> VerticesOnCurves::endsAt(Id vertex) const
+std::vector<SegmentEnd> VerticesOnCurves::of(Id vertex, const Ends& ends)
 {
-  const auto first = std::lower_bound(this->ends_.begin(), this->ends_.end(), vertex,
-    [](const SegmentEnd& end, Id id) { return end.from.id < id; });
-  const auto last = std::find_if(
-    first, this->ends_.end(), [vertex](const SegmentEnd& end) { return end.from.id != vertex; });
-  return { first, last };
+  const auto first = std::lower_bound(ends.begin(), ends.end(), vertex,
+    [](const EndAtVertex& e, Id id) { return e.vertex < id; });
+  std::vector<SegmentEnd> result;
+  for (auto e = first; e != ends.end() && e->vertex == vertex; ++e)
+  {
+    result.push_back(e->end);
+  }
+  return result;
 }
 
 }

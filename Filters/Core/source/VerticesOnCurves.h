@@ -20,7 +20,8 @@ struct VertexOnCurve
 };
 
 /// The mesh vertices on curves, and the segments that meet there. Several curves may meet in one
-/// vertex.
+/// vertex. A vertex at the place of a curve's corner or end, behind faces without area, is on the
+/// curve.
 class VerticesOnCurves
 {
 public:
@@ -30,13 +31,27 @@ public:
   const std::vector<VertexOnCurve>& vertices() const { return this->vertices_; }
   /// Null if no curve contains the vertex.
   const VertexOnCurve* find(Id vertex) const;
-  /// The ends of the segments of all curves at a vertex.
-  std::vector<SegmentEnd> endsAt(Id vertex) const;
+  /// The ends at a vertex of the segments that leave it: segmentEndsAt().
+  std::vector<SegmentEnd> endsAt(Id vertex) const { return of(vertex, this->ends_); }
+  /// The same of all points at its place: segmentEndsAround().
+  std::vector<SegmentEnd> endsAround(Id vertex) const { return of(vertex, this->endsAround_); }
 
 private:
+  struct EndAtVertex
+  {
+    Id vertex;
+    SegmentEnd end;
+  };
+  using Ends = std::vector<EndAtVertex>;
+
+  void add(const TriangleMesh& mesh, const CurveChains& chains, Id number, std::size_t i);
+  static void sort(Ends& ends);
+  static std::vector<SegmentEnd> of(Id vertex, const Ends& ends);
+
   std::vector<VertexOnCurve> vertices_;
   /// By vertex.
-  std::vector<SegmentEnd> ends_;
+  Ends ends_;
+  Ends endsAround_;
 };
 
 }
