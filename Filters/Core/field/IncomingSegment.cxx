@@ -23,7 +23,7 @@ bool isZero(Vec2 v)
 /// direction.
 struct WayFrom
 {
-  /// Whether the path bends at x, as it does at a corner that a window ends at.
+  /// Whether the path bends at x, as it does at a corner that a window ends at, or begins there.
   bool isBent;
   /// The direction in which it comes to the point: that of the ray, unless it bends or the ray is
   /// far shorter than the way from x to p.
@@ -37,9 +37,10 @@ WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest, double leastBend)
   const Vec2 d = p - Vec2{ x, 0.0 };
   const double length = norm(ray);
   // Of the places on both: a ray from beside a corner is hardly longer than these.
-  const double rounding = tolerance::PlaceRounding * longest * (length + norm(d));
-  const bool isBent =
-    norm(d) > leastBend && (std::abs(cross(ray, d)) > rounding || dot(ray, d) < -rounding);
+  const double rounding = tolerance::PlaceRounding * longest;
+  const double ofBoth = rounding * (length + norm(d));
+  const bool isBent = norm(d) > leastBend &&
+    (length <= rounding || std::abs(cross(ray, d)) > ofBoth || dot(ray, d) < -ofBoth);
   return { isBent, isBent || length < tolerance::NearEdge * norm(d) ? d : ray };
 }
 

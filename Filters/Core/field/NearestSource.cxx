@@ -254,14 +254,15 @@ void NearestSource::goToVertex(Id vertex)
 void NearestSource::goToPoint(Id number, std::size_t i)
 {
   const SourceCurve& curve = this->chains_.curves()[number];
-  const SurfacePoint& point = curve.points[i];
-  if (point.kind == SurfacePoint::Kind::Vertex)
+  const Id vertex = vertexAtPlaceOf(this->meshOfCurves(), curve, i);
+  if (vertex != NoId)
   {
-    this->goToVertex(point.id);
+    this->goToVertex(vertex);
     return;
   }
   const std::vector<double>& places = this->chains_.places(number);
-  this->sectors_.assign(point, segmentEndsAround(this->meshOfCurves(), curve, number, places, i),
+  this->sectors_.assign(curve.points[i],
+    segmentEndsAround(this->meshOfCurves(), curve, number, places, i),
     CurveOrigin::onLeft(this->meshOfCurves(), number, places[i]));
   this->sectorsVertex_ = NoId;
 }

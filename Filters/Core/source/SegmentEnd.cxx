@@ -64,6 +64,22 @@ bool isAtOnePlace(const TriangleMesh& mesh, const SourceCurve& curve, std::size_
                                                    : tolerance::PlaceRounding);
 }
 
+/// Calls visit(std::size_t) for point i and for those at its place that follow it in one direction.
+template <typename Visit>
+void forEachAtOnePlace(
+  const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i, bool isForward, Visit&& visit)
+{
+  visit(i);
+  Step step = stepFrom(curve, i, isForward);
+  for (std::size_t n = 0; n < curve.faces.size() && step.segment != None &&
+       isAtOnePlace(mesh, curve, step.segment);
+       ++n)
+  {
+    visit(step.to);
+    step = stepFrom(curve, step.to, isForward);
+  }
+}
+
 /// The steps from a given one, across edges, to the first that determines a direction. If the curve
 /// ends or reaches a vertex before, the given step alone, or nothing if it determines no direction.
 std::vector<Step> stepsOnward(
@@ -144,17 +160,29 @@ std::vector<SegmentEnd> segmentEndsAround(const TriangleMesh& mesh, const Source
   for (const bool isForward : { true, false })
   {
     std::size_t last = i;
-    Step step = stepFrom(curve, i, isForward);
-    for (std::size_t n = 0; n < curve.faces.size() && step.segment != None &&
-         isAtOnePlace(mesh, curve, step.segment);
-         ++n)
-    {
-      last = step.to;
-      step = stepFrom(curve, last, isForward);
-    }
+    forEachAtOnePlace(mesh, curve, i, isForward, [&last](std::size_t point) { last = point; });
     addEnd(mesh, curve, number, places, last, isForward, ends);
   }
   return ends;
+}
+
+Id vertexAtPlaceOf(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i)
+{
+  Id vertex = NoId;
+  for (const bool isForward : { true, false })
+  {
+    forEachAtOnePlace(mesh, curve, i, isForward,
+      [&](std::size_t point)
+      {
+        const SurfacePoint& p = curve.points[point];
+        const std::vector<Id> others = verticesAtCornerOf(mesh, curve, point);
+        const Id found = p.kind == SurfacePoint::Kind::Vertex ? p.id
+          : others.empty()                                    ? NoId
+                                                              : others.front();
+        vertex = std::min(vertex, found);
+      });
+  }
+  return vertex;
 }
 
 std::vector<Id> verticesAtCornerOf(

@@ -60,6 +60,15 @@ std::size_t numberOfPoints(const std::vector<SourceCurve>& curves)
   return count;
 }
 
+/// Whether segment i of a curve merely crosses a face without area: it is as long as roundings of the
+/// curve's points, which turn it anywhere. This leaves gaps of its length.
+bool isAcrossWithoutArea(
+  const TriangleMesh& mesh, Id face, const std::vector<double>& places, std::size_t i)
+{
+  return mesh.shape(face).hasZeroArea() &&
+    places[i + 1] - places[i] <= tolerance::PathAtVertex * places.back();
+}
+
 class Maker
 {
 public:
@@ -104,7 +113,10 @@ private:
   {
     this->result_.inFaces.push_back({ face, barycentric(this->mesh_, p, face),
       barycentric(this->mesh_, q, face), this->curve_, this->places_[i], this->places_[i + 1] });
-    addSegmentWindows(this->mesh_, this->result_.inFaces.back(), this->result_.windows);
+    if (!isAcrossWithoutArea(this->mesh_, face, this->places_, i))
+    {
+      addSegmentWindows(this->mesh_, this->result_.inFaces.back(), this->result_.windows);
+    }
   }
 
   void addPoints(const SourceCurve& curve)
