@@ -291,10 +291,13 @@ IncomingSegment lastPieceToVertex(const DistanceField& field, Id vertex)
 
 } // anonymous namespace
 
+// Where rays meet the halfedge at a small angle, the place where a window ends is rounded as much
+// more.
 Id cornerCrossed(const TriangleMesh& mesh, const Arrival& arrival)
 {
-  const double rounding =
-    tolerance::PlaceRounding * mesh.shape(TriangleMesh::faceOf(arrival.halfedge)).longest();
+  const double angle = arrival.direction.y / norm(arrival.direction);
+  const double rounding = tolerance::PlaceRounding / std::max(angle, tolerance::NearEdge) *
+    mesh.shape(TriangleMesh::faceOf(arrival.halfedge)).longest();
   return arrival.x <= rounding                              ? mesh.origin(arrival.halfedge)
     : arrival.x >= mesh.length(arrival.halfedge) - rounding ? mesh.destination(arrival.halfedge)
                                                             : NoId;

@@ -89,10 +89,9 @@ bool isBesideHalfedge(Vec2 point, double length)
   return -point.y <= tolerance::NearEdge * length && point.x > 0.0 && point.x < length;
 }
 
-/// Whether such a point lies on the halfedge but for rounding, and its sectors are known in the face
-/// behind it. That face then contains the point, as those around it do.
-bool isInFaceBehind(
-  const TriangleMesh& mesh, Id halfedge, Vec2 point, const CurveSectors& sectors)
+/// Whether such a point lies on the halfedge but for rounding, and its sectors are known in the
+/// face behind it. That face then contains the point, as those around it do.
+bool isInFaceBehind(const TriangleMesh& mesh, Id halfedge, Vec2 point, const CurveSectors& sectors)
 {
   const Id behind = mesh.acrossOriented(halfedge);
   return -point.y <= tolerance::PlaceRounding * mesh.length(halfedge) && behind != NoId &&

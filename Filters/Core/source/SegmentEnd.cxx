@@ -71,8 +71,8 @@ void forEachAtOnePlace(
 {
   visit(i);
   Step step = stepFrom(curve, i, isForward);
-  for (std::size_t n = 0; n < curve.faces.size() && step.segment != None &&
-       isAtOnePlace(mesh, curve, step.segment);
+  for (std::size_t n = 0;
+       n < curve.faces.size() && step.segment != None && isAtOnePlace(mesh, curve, step.segment);
        ++n)
   {
     visit(step.to);
@@ -188,8 +188,8 @@ Id vertexAtPlaceOf(const TriangleMesh& mesh, const SourceCurve& curve, std::size
 std::vector<Id> verticesAtCornerOf(
   const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i)
 {
-  const bool isCorner = curve.points.size() > 1 && !curve.isCut[i] &&
-    curve.points[i].kind != SurfacePoint::Kind::Face;
+  const bool isCorner =
+    curve.points.size() > 1 && !curve.isCut[i] && curve.points[i].kind != SurfacePoint::Kind::Face;
   return isCorner ? verticesAtPlaceOf(mesh, curve.points[i]) : std::vector<Id>();
 }
 

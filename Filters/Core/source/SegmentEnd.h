@@ -50,8 +50,8 @@ std::vector<SegmentEnd> segmentEndsAround(const TriangleMesh& mesh, const Source
 std::vector<Id> verticesAtCornerOf(
   const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);
 
-/// A vertex at the place of point i of a curve, whether one of the curve's points or not; NoId where
-/// there is none.
+/// A vertex at the place of point i of a curve, whether one of the curve's points or not; NoId
+/// where there is none.
 Id vertexAtPlaceOf(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);
 
 /// Whether a segment without length leads from point i of a curve to a vertex. The segments on both

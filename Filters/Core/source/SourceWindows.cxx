@@ -60,8 +60,8 @@ std::size_t numberOfPoints(const std::vector<SourceCurve>& curves)
   return count;
 }
 
-/// Whether segment i of a curve merely crosses a face without area: it is as long as roundings of the
-/// curve's points, which turn it anywhere. This leaves gaps of its length.
+/// Whether segment i of a curve merely crosses a face without area: it is as long as roundings of
+/// the curve's points, which turn it anywhere. This leaves gaps of its length.
 bool isAcrossWithoutArea(
   const TriangleMesh& mesh, Id face, const std::vector<double>& places, std::size_t i)
 {

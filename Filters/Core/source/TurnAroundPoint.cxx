@@ -49,8 +49,8 @@ double TurnAroundPoint::width() const
   return this->place_.x == 0.0 ? this->mesh_.cornerAngle(this->halfedge()) : StraightAngle;
 }
 
-// Of the halfedges of a face, that which a turn around the corner leaves across if it entered across
-// the given one.
+// Of the halfedges of a face, that which a turn around the corner leaves across if it entered
+// across the given one.
 Id TurnAroundPoint::pivotNext(Id halfedge) const
 {
   return this->isCounterclockwise_ ? TriangleMesh::previousInFace(halfedge)

@@ -11,8 +11,8 @@ namespace geodesic
 {
 
 /// A turn around a point of an edge or a vertex, from face to face. A face without area is no
-/// obstacle: the turn goes on in the face behind it, where the point is a vertex or lies on an edge,
-/// as the place tells.
+/// obstacle: the turn goes on in the face behind it, where the point is a vertex or lies on an
+/// edge, as the place tells.
 ///
 /// Ends at edges with other than two faces, and where the orientation changes.
 class TurnAroundPoint
@@ -29,10 +29,7 @@ public:
   double angle() const { return this->isCrossed() ? 0.0 : this->width(); }
 
   /// The vertex of the face that the point is at; NoId where it lies on an edge.
-  Id vertex() const
-  {
-    return this->place_.x == 0.0 ? this->mesh_.origin(this->halfedge()) : NoId;
-  }
+  Id vertex() const { return this->place_.x == 0.0 ? this->mesh_.origin(this->halfedge()) : NoId; }
 
   /// Turns into the next face. \returns false where the turn has ended.
   bool next();

@@ -76,8 +76,8 @@ const VertexOnCurve* VerticesOnCurves::find(Id vertex) const
 
 std::vector<SegmentEnd> VerticesOnCurves::of(Id vertex, const Ends& ends)
 {
-  const auto first = std::lower_bound(ends.begin(), ends.end(), vertex,
-    [](const EndAtVertex& e, Id id) { return e.vertex < id; });
+  const auto first = std::lower_bound(
+    ends.begin(), ends.end(), vertex, [](const EndAtVertex& e, Id id) { return e.vertex < id; });
   std::vector<SegmentEnd> result;
   for (auto e = first; e != ends.end() && e->vertex == vertex; ++e)
   {

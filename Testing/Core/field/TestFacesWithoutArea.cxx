@@ -361,18 +361,16 @@ TEST(FacesWithoutArea, ALineThatBeginsARoundingBesideThemCountsOnAllSides)
   compareWithPlane(Caps::Several, 5100, { 41514, 1 });
 }
 
-// Of meshes that are cut at their vertices on edges, without faces that have no area.
-TEST(FacesWithoutArea, SidesOfALineOnThatSurfaceWithoutThemAreThoseOfThePlane)
+namespace
 {
-  std::size_t checked = 0;
-  std::size_t wrong = 0;
-  const Seeds seeds = seedsOfTest(200);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+
+/// Counts the points that get the wrong side of a line.
+class SidesChecker
+{
+public:
+  /// \param line on the mesh, which lies in the plane.
+  void check(const PlainMesh& mesh, const FlatLine& line, Random& random)
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 5100);
-    const PlainMesh mesh = flatMesh(Caps::Several, random).conforming;
-    const FlatLine line = randomLine(mesh, mesh, random, false);
     const TriangleMesh engine = engineMesh(mesh);
     const std::vector<SourceCurve> curves = onSurface(engine, line);
     geodesic::FrontOptions options;
@@ -380,31 +378,82 @@ TEST(FacesWithoutArea, SidesOfALineOnThatSurfaceWithoutThemAreThoseOfThePlane)
     const geodesic::DistanceField field =
       geodesic::solve(engine, curves, options, geodesic::KeepWindows::All);
     geodesic::NearestSource nearest(field, geodesic::ReplicatedPatch(engine), curves);
-    const auto check = [&](const SurfacePoint& point, const geodesic::Foot& foot)
-    {
-      const Vec2 place = flat(geodesic::position(engine, point));
-      const Side side = line.side(place);
-      if (side != Side::Unsure)
-      {
-        EXPECT_TRUE(foot.isKnown());
-        EXPECT_EQ(foot.isRight, side == Side::Right) << place[0] << ", " << place[1];
-        ++checked;
-        wrong += !foot.isKnown() || foot.isRight != (side == Side::Right);
-      }
-    };
     for (Id v = 0; v < engine.numberOfVertices(); ++v)
     {
       SCOPED_TRACE("vertex " + std::to_string(v));
-      check(SurfacePoint::atVertex(v), nearest.atVertex(v));
+      this->compare(line, flat(mesh.points[v]), nearest.atVertex(v));
     }
     for (Index i = 0; i < 30; ++i)
     {
       SCOPED_TRACE("point " + std::to_string(i));
       const SurfacePoint point = enginePoint(engine, randomPoint(mesh, random));
-      check(point, nearest.of(geodesic::incomingSegmentTo(field, point)));
+      this->compare(line, flat(geodesic::position(engine, point)),
+        nearest.of(geodesic::incomingSegmentTo(field, point)));
     }
   }
-  std::cout << wrong << " of " << checked << " sides are wrong\n";
+
+  void report() const
+  {
+    std::cout << this->wrong_ << " of " << this->checked_ << " sides are wrong\n";
+  }
+
+private:
+  void compare(const FlatLine& line, const Vec2& place, const geodesic::Foot& foot)
+  {
+    const Side side = line.side(place);
+    if (side != Side::Unsure)
+    {
+      const bool isRight = side == Side::Right;
+      EXPECT_TRUE(foot.isKnown());
+      EXPECT_EQ(foot.isRight, isRight) << place[0] << ", " << place[1];
+      ++this->checked_;
+      this->wrong_ += !foot.isKnown() || foot.isRight != isRight;
+    }
+  }
+
+  std::size_t checked_ = 0;
+  std::size_t wrong_ = 0;
+};
+
+void compareSidesWithPlane(Caps caps)
+{
+  SidesChecker checker;
+  const Seeds seeds = seedsOfTest(200);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 5100);
+    const CappedMesh both = flatMesh(caps, random);
+    checker.check(both.mesh, randomLine(both.mesh, both.conforming, random, false), random);
+  }
+  checker.report();
+}
+
+} // anonymous namespace
+
+TEST(FacesWithoutArea, SidesOfALineAcrossOneAnEdgeAreThoseOfThePlane)
+{
+  compareSidesWithPlane(Caps::One);
+}
+
+TEST(FacesWithoutArea, SidesOfALineAcrossSeveralAnEdgeAreThoseOfThePlane)
+{
+  compareSidesWithPlane(Caps::Several);
+}
+
+// Of meshes that are cut at their vertices on edges, without faces that have no area.
+TEST(FacesWithoutArea, SidesOfALineOnThatSurfaceWithoutThemAreThoseOfThePlane)
+{
+  SidesChecker checker;
+  const Seeds seeds = seedsOfTest(200);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 5100);
+    const PlainMesh mesh = flatMesh(Caps::Several, random).conforming;
+    checker.check(mesh, randomLine(mesh, mesh, random, false), random);
+  }
+  checker.report();
 }
 
 TEST(FacesWithoutArea, ChangeNoDistanceOnCurvedSurfaces)
