@@ -42,19 +42,6 @@ bool hasLength(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t s
     fraction * mesh.shape(face).longest();
 }
 
-/// Whether the ends of a segment determine its direction. Where the curve is merely cut, the next
-/// segment determines the direction better than a short one, and rounding decides the direction in
-/// a face without area.
-bool tellsDirection(const TriangleMesh& mesh, const SourceCurve& curve, const Step& step)
-{
-  if (!curve.isCut[step.to])
-  {
-    return hasLength(mesh, curve, step.segment);
-  }
-  return !mesh.shape(curve.faces[step.segment]).hasZeroArea() &&
-    hasLength(mesh, curve, step.segment, tolerance::NearEdge);
-}
-
 /// Whether the ends of a segment are at one place: across a face without area a joined path may run
 /// along it as far as it misses its end.
 bool isAtOnePlace(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t segment)
@@ -62,6 +49,14 @@ bool isAtOnePlace(const TriangleMesh& mesh, const SourceCurve& curve, std::size_
   return !hasLength(mesh, curve, segment,
     mesh.shape(curve.faces[segment]).hasZeroArea() ? tolerance::NearEdge
                                                    : tolerance::PlaceRounding);
+}
+
+/// Whether the ends of a segment determine its direction. Where the curve is merely cut, the next
+/// segment determines the direction better than a short one.
+bool tellsDirection(const TriangleMesh& mesh, const SourceCurve& curve, const Step& step)
+{
+  return curve.isCut[step.to] ? hasLength(mesh, curve, step.segment, tolerance::NearEdge)
+                              : !isAtOnePlace(mesh, curve, step.segment);
 }
 
 /// Calls visit(std::size_t) for point i and for those at its place that follow it in one direction.
@@ -93,8 +88,7 @@ std::vector<Step> stepsOnward(
     if (next.segment == None || p.kind != SurfacePoint::Kind::Edge || !mesh.isInner(p.id) ||
       steps.size() == curve.faces.size())
     {
-      const bool isAlong = hasLength(mesh, curve, first.segment) &&
-        !mesh.shape(curve.faces[first.segment]).hasZeroArea();
+      const bool isAlong = !isAtOnePlace(mesh, curve, first.segment);
       return isAlong ? std::vector<Step>{ first } : std::vector<Step>();
     }
     steps.push_back(next);

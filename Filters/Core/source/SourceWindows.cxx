@@ -66,7 +66,8 @@ bool isAcrossWithoutArea(
   const TriangleMesh& mesh, Id face, const std::vector<double>& places, std::size_t i)
 {
   return mesh.shape(face).hasZeroArea() &&
-    places[i + 1] - places[i] <= tolerance::PathAtVertex * places.back();
+    places[i + 1] - places[i] <=
+    tolerance::PathAtVertex * (places.back() + mesh.shape(face).longest());
 }
 
 class Maker
