@@ -27,7 +27,7 @@ lines = [PolyLineSource(Points=points) for points in (
     [0.45, -0.75, 0, 0.8, -0.35, 0, 1.2, -0.65, 0])]
 curves = on_hills(AppendGeometry(Input=lines))
 
-field = GeodesicDistanceField(Input=hills, Source=curves, GenerateSourceIds=1)
+field = GeodesicDistanceField(Input=hills, Source=curves, GenerateSourceIds=1, RefineSourceBorders=1)
 rings = GeodesicContour(Input=hills, Source=curves, Distances=[0.05 * i for i in range(1, 20)])
 
 view = look.view(field, direction=(0.2, -0.7, 0.9))
