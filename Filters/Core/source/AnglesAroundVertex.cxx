@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/AnglesAroundVertex.h"
 
+#include "Tolerance.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -8,6 +10,14 @@ namespace geodesic
 
 namespace
 {
+
+/// Whether one of a corner's edges is short (tolerance::ShortEdge).
+bool hasShortEdge(const TriangleMesh& mesh, Id corner)
+{
+  const double shortest =
+    std::min(mesh.length(corner), mesh.length(TriangleMesh::previousInFace(corner)));
+  return shortest < tolerance::ShortEdge * mesh.shape(TriangleMesh::faceOf(corner)).longest();
+}
 
 /// The corner at the vertex to which one of the vertex's halfedges belongs.
 Id cornerOf(const TriangleMesh& mesh, Id vertex, Id halfedge)
@@ -96,6 +106,10 @@ void AnglesAroundVertex::enter(const TriangleMesh& mesh, Id vertex, const EdgeAn
   this->entered_.push_back(entering);
   const Id corner = cornerOf(mesh, vertex, entering.halfedge);
   const Id across = corner == entering.halfedge ? TriangleMesh::previousInFace(corner) : corner;
+  if (hasShortEdge(mesh, corner))
+  {
+    return;
+  }
   this->push({ across, entering.angle + mesh.cornerAngle(corner) });
 }
 

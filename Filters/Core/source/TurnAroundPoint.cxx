@@ -106,8 +106,8 @@ bool TurnAroundPoint::enterAcross(const Place& exit)
   return !this->isClosed();
 }
 
-// The turn may only come back to where it has been by way of a face that it crosses: any other face
-// follows one alone.
+// A turn around a corner comes back to where it has begun, as each face follows one alone. It begins
+// where the turn comes from an edge or across a face, which no turn does twice.
 bool TurnAroundPoint::next()
 {
   if (this->isCrossed())
@@ -119,7 +119,13 @@ bool TurnAroundPoint::next()
     }
     this->crossed_.push_back(halfedge);
   }
-  return this->enterAcross(this->exit());
+  const bool isAroundCorner = this->place_.x == 0.0 && !this->isCrossed();
+  if (!this->enterAcross(this->exit()) || (isAroundCorner && this->entered_ == this->corner_))
+  {
+    return false;
+  }
+  this->corner_ = isAroundCorner ? this->corner_ : this->entered_;
+  return true;
 }
 
 bool TurnAroundPoint::turnBack()
@@ -127,7 +133,9 @@ bool TurnAroundPoint::turnBack()
   this->isCounterclockwise_ = false;
   this->crossed_.clear();
   const double length = this->mesh_.length(this->first_.halfedge);
-  return this->enterAcross({ this->first_.halfedge, length - this->first_.x });
+  const bool isThere = this->enterAcross({ this->first_.halfedge, length - this->first_.x });
+  this->corner_ = this->entered_;
+  return isThere;
 }
 
 std::vector<Id> verticesAtPlaceOf(const TriangleMesh& mesh, const SurfacePoint& point)

@@ -59,6 +59,8 @@ private:
   Place place_;
   /// The halfedge that the turn entered across last; NoId before that and where nothing follows.
   Id entered_ = NoId;
+  /// That across which it entered the first face around the current corner; NoId before.
+  Id corner_ = NoId;
   /// The halfedges across which the turn has entered faces without area that it crosses.
   std::vector<Id> crossed_;
 };
