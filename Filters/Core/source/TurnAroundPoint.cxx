@@ -106,8 +106,8 @@ bool TurnAroundPoint::enterAcross(const Place& exit)
   return !this->isClosed();
 }
 
-// A turn around a corner comes back to where it has begun, as each face follows one alone. It begins
-// where the turn comes from an edge or across a face, which no turn does twice.
+// A turn around a corner comes back to where it has begun, as each face follows one alone. It
+// begins where the turn comes from an edge or across a face, which no turn does twice.
 bool TurnAroundPoint::next()
 {
   if (this->isCrossed())
