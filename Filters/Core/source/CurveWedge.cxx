@@ -94,7 +94,8 @@ void CurveWedge::startAroundVertex(const SegmentEnd& end)
   {
     return; // a halfedge without length: its neighbours emit too, which only costs time
   }
-  const double angle = std::max(0.0, std::atan2(own.direction.y, own.direction.x));
+  // Rounding may put a direction along an edge below it, a straight angle the other way around.
+  const double angle = std::atan2(std::max(0.0, own.direction.y), own.direction.x);
   this->leaving_.push_back({ corner, angle });
   this->leaving_.push_back({ TriangleMesh::previousInFace(corner),
     std::max(0.0, this->mesh_.cornerAngle(corner) - angle) });

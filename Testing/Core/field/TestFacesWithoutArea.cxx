@@ -361,6 +361,13 @@ TEST(FacesWithoutArea, ALineThatBeginsARoundingBesideThemCountsOnAllSides)
   compareWithPlane(Caps::Several, 5100, { 41514, 1 });
 }
 
+// A line that goes on along a face without area, a straight angle from one of its edges: rounding
+// had put it along that edge, and beside the line's corner distances were missing.
+TEST(FacesWithoutArea, ALineThatGoesOnAlongOneCountsOnAllSides)
+{
+  compareWithPlane(Caps::Several, 5100, { 64977, 1 });
+}
+
 namespace
 {
 
