@@ -300,4 +300,43 @@ SurfacePoint NearestSource::pointOf(const Foot& foot) const
   return fromBarycentric(this->meshOfCurves(), face, between(a, b, t));
 }
 
+double NearestSource::arcLengthOf(const Foot& foot) const
+{
+  return this->chains_.arcLength(foot.curve, foot.place);
+}
+
+std::vector<double> NearestSource::arcLengthsOf(Id curve) const
+{
+  const CurveChains::Part& part = this->chains_.partOf(curve);
+  const std::vector<double>& places = this->chains_.places(part.chain);
+  std::vector<double> lengths;
+  for (std::size_t i = part.begin; i <= part.end; ++i)
+  {
+    lengths.push_back(this->chains_.arcLength(curve, places[i]));
+  }
+  if (part.isReversed)
+  {
+    std::reverse(lengths.begin(), lengths.end());
+  }
+  return lengths;
+}
+
+double NearestSource::angleOf(const Foot& foot) const
+{
+  constexpr double rightAngle = 1.57079632679489661923;
+  return foot.isRight ? -rightAngle : rightAngle;
+}
+
+SourceFrame NearestSource::frameOf(Id curve) const
+{
+  const CurveChains::Part& part = this->chains_.partOf(curve);
+  const SurfacePoint& point = this->chains_.curves()[part.chain].points[part.begin];
+  const Id face = someFace(this->meshOfCurves(), point);
+  SourceFrame frame;
+  frame.x = inSpace(this->meshOfCurves(), 3 * face, { 1.0, 0.0 });
+  frame.y = inSpace(this->meshOfCurves(), 3 * face, { 0.0, 1.0 });
+  frame.normal = cross(frame.x, frame.y);
+  return frame;
+}
+
 }

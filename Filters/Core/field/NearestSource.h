@@ -10,6 +10,7 @@
 #include "source/SourceCurve.h"
 #include "source/VerticesOnCurves.h"
 
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -31,8 +32,20 @@ struct Foot
   /// The chain that the curve is in, and where along it, as the length from the chain's beginning.
   Id chain = NoId;
   double place = 0.0;
+  /// Where the path leaves a point of the source, its angle around this point: see
+  /// NearestSource::angleOf(). Unused (NaN) where it leaves a segment at a right angle.
+  double angle = std::numeric_limits<double>::quiet_NaN();
 
   bool isKnown() const { return this->curve != NoId; }
+};
+
+/// The tangent plane at a source, as unit vectors in space: the direction of angle 0, the one at a
+/// right angle to its left, and the normal of the face there.
+struct SourceFrame
+{
+  Vec3 x = {};
+  Vec3 y = {};
+  Vec3 normal = {};
 };
 
 /// Which of the sources is nearest, for any point whose distance is known: windows know what they
@@ -66,6 +79,39 @@ public:
 
   /// A foot's place on the surface, a point of meshOfCurves().
   SurfacePoint pointOf(const Foot& foot) const;
+
+  /// The length along the foot's curve from the curve's first point to pointOf(); 0 for a point.
+  double arcLengthOf(const Foot& foot) const;
+  /// The same of each point of a curve, with the bits that a foot there has. The last point of a
+  /// closed curve has the whole length.
+  std::vector<double> arcLengthsOf(Id curve) const;
+
+  /// The direction in which the shortest path leaves the source, as an angle in radians.
+  ///
+  /// From a source that is a single point, as seen with the face's normal towards the viewer:
+  /// - inside a face: counterclockwise from the face's first edge (corner 0 to 1), in (-pi, pi];
+  /// - on an edge: the same in the first of the edge's faces in the order of the input, continued
+  ///   over the edge by unfolding;
+  /// - at a vertex whose faces form one closed fan: the angle around it, scaled so that the total
+  ///   is 2 pi, from the edge that leaves the vertex in the first of its faces in the order of the
+  ///   input, in (-pi, pi];
+  /// - at any other vertex: from the edge where the fan begins, from 0 to its own total, not scaled;
+  ///   several fans follow one another in the order of their first faces.
+  ///
+  /// From a curve, counterclockwise from its direction: pi / 2 on the left-hand side and -pi / 2 on
+  /// the right-hand side of a segment. Around a point of the curve, the forward segment has the
+  /// angle 0, the backward one -pi and pi, and each sector between them is scaled to pi; at an end
+  /// of the curve the whole angle is scaled to 2 pi. On the boundary, and between different curves
+  /// that meet in the point, angles are not scaled, but measured from the nearer segment. A fan
+  /// without a segment has the angles of a single point.
+  ///
+  /// Behind a pseudo-source it is the angle of the path to the pseudo-source. 0 on the source.
+  ///
+  /// Needs FrontOptions::keepAngles. Not thread-safe.
+  double angleOf(const Foot& foot) const;
+  /// Angle 0 of a single point is the frame's x axis: the direction that angleOf() measures from.
+  /// Of a curve, the frame is that of its first segment: x along it, y to the left.
+  SourceFrame frameOf(Id curve) const;
 
 private:
   void find(const ProgressCallback& progress);

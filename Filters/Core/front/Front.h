@@ -43,6 +43,9 @@ struct FrontOptions
   const Corridor* corridor = nullptr;
   /// Whether to fill FrontResult::arrivals, which takes 40 bytes a vertex. Changes no distance.
   bool keepArrivals = false;
+  /// Whether windows carry the angle at which their rays leave the source, for
+  /// NearestSource::angleOf(). Changes no distance.
+  bool keepAngles = false;
   /// If empty, tasks run one after another. The result does not depend on it.
   ParallelFor parallelFor;
   /// Called now and then, at least ten times a second, with the fraction done in [0, 1]. Returning

@@ -82,6 +82,7 @@ CurveEnd firstOfChain(const EndPairs& pairs, std::size_t curve)
 } // anonymous namespace
 
 CurveChains::CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
+  : parts_(curves.size())
 {
   const EndPairs pairs(mesh, curves);
   std::vector<std::uint8_t> isDone(curves.size(), 0);
@@ -92,15 +93,17 @@ CurveChains::CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve
       continue;
     }
     this->chains_.emplace_back().source = curves[c].source;
-    std::vector<std::pair<Id, bool>> order;
-    std::vector<std::size_t> firstPoints;
+    const Id number = static_cast<Id>(this->chains_.size() - 1);
+    std::vector<Id> order;
     for (CurveEnd end = firstOfChain(pairs, c); end.curve != NoCurve && !isDone[end.curve];
          end = pairs.partner(end.other()))
     {
       isDone[end.curve] = 1;
-      firstPoints.push_back(std::max<std::size_t>(this->chains_.back().points.size(), 1) - 1);
-      order.emplace_back(static_cast<Id>(end.curve), end.isLast);
+      order.push_back(static_cast<Id>(end.curve));
+      const std::size_t begin = std::max<std::size_t>(this->chains_.back().points.size(), 1) - 1;
       this->append(curves[end.curve], end.isLast);
+      this->parts_[end.curve] = { number, end.isLast, begin,
+        this->chains_.back().points.size() - 1 };
     }
     for (SurfacePoint& point : this->chains_.back().points)
     {
@@ -108,9 +111,10 @@ CurveChains::CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve
     }
     this->places_.push_back(placesAlong(mesh, this->chains_.back()));
     std::vector<Link>& links = this->links_.emplace_back();
-    for (std::size_t i = 0; i < order.size(); ++i)
+    for (const Id curve : order)
     {
-      links.push_back({ order[i].first, order[i].second, this->places_.back()[firstPoints[i]] });
+      const Part& part = this->parts_[curve];
+      links.push_back({ curve, part.isReversed, this->places_.back()[part.begin] });
     }
   }
 }
@@ -138,6 +142,13 @@ const CurveChains::Link& CurveChains::linkAt(Id chain, double place) const
   const auto behind = std::upper_bound(
     links.begin(), links.end(), place, [](double p, const Link& link) { return p < link.begin; });
   return behind == links.begin() ? links.front() : *(behind - 1);
+}
+
+double CurveChains::arcLength(Id curve, double place) const
+{
+  const Part& part = this->parts_[curve];
+  const std::vector<double>& places = this->places_[part.chain];
+  return part.isReversed ? places[part.end] - place : place - places[part.begin];
 }
 
 }

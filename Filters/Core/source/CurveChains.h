@@ -24,6 +24,16 @@ public:
     double begin = 0.0;
   };
 
+  /// A curve as a part of its chain: the numbers of the chain's points at which the part begins and
+  /// ends.
+  struct Part
+  {
+    Id chain = NoId;
+    bool isReversed = false;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+
   /// Two curves are joined if the end of one coincides with the end of the other and of no third.
   CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves);
 
@@ -33,6 +43,9 @@ public:
   const std::vector<double>& places(Id chain) const { return this->places_[chain]; }
   /// The curve at a place of a chain; at a joint, either one.
   const Link& linkAt(Id chain, double place) const;
+  const Part& partOf(Id curve) const { return this->parts_[curve]; }
+  /// The length along a curve, from its first point to a place of its chain.
+  double arcLength(Id curve, double place) const;
 
 private:
   void append(const SourceCurve& curve, bool isReversed);
@@ -41,6 +54,8 @@ private:
   std::vector<std::vector<double>> places_;
   /// The links of each chain in order along it.
   std::vector<std::vector<Link>> links_;
+  /// Of each curve.
+  std::vector<Part> parts_;
 };
 
 }
