@@ -38,6 +38,9 @@ public:
   /// How a shortest path arrives at each vertex; empty if the solve did not keep arrivals.
   const std::vector<Arrival>& arrivals() const { return this->front_.arrivals; }
 
+  /// FrontOptions::keepAngles.
+  bool hasAngles() const { return this->front_.hasAngles; }
+
   /// The sources that lie in a face.
   std::vector<SourceInFace> sourcesIn(Id face) const;
 

@@ -116,6 +116,7 @@ public:
             this->setRay(isOnIt ? acrossEdge(this->mesh_, ray) : ray);
             this->best_.origin = w.origin;
             this->best_.place = w.placeOf({ x, 0.0 });
+            this->best_.rayOfWindow = way.isBent ? w.direction(x) : way.direction;
           }
         });
     }
@@ -136,6 +137,7 @@ public:
       const WayFrom way = wayFrom(arrival.x, apexOf(this->mesh_, arrival.halfedge),
         arrival.direction, this->faceSize_, this->leastBend_);
       this->setRay({ arrival.halfedge, false, arrival.x, way.direction });
+      this->best_.rayOfWindow = way.isBent ? arrival.direction : way.direction;
       const Id corner = cornerCrossed(this->mesh_, arrival);
       if (way.isBent && corner != NoId)
       {

@@ -34,10 +34,11 @@ struct IncomingSegment
   /// Through a window, where it crosses the halfedge, and whether it leaves the face there.
   double x = 0.0;
   bool leaves = false;
-  /// The corner (MeshPartition::globalId()); of a window its Window::origin, and where along a
-  /// curve the ray comes from.
+  /// The corner (MeshPartition::globalId()); of a window its Window::origin, Window::placeOf() the
+  /// ray, and the ray in the frame of the window's halfedge.
   Id origin = NoId;
   double place = 0.0;
+  Vec2 rayOfWindow = {};
   /// The source, and how far along it the piece begins: nearestAlongSource().
   SourceInFace source;
   double along = 0.0;

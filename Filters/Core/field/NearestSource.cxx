@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/NearestSource.h"
 
+#include "Errors.h"
 #include "field/RemoteOrigins.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace geodesic
 {
@@ -15,8 +17,11 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   , patch_(patch)
   , chains_(patch.mesh(), curves)
   , onCurves_(patch.mesh(), this->chains_)
+  , firstPoint_(PointSide::first(field.surface().numberOfGlobalVertices(),
+      static_cast<Id>(this->chains_.curves().size())))
   , vertices_(field.surface())
   , sectors_(patch.mesh())
+  , directions_(patch.mesh())
 {
   this->find(callback);
   if (field.surface().isDistributed())
@@ -61,7 +66,7 @@ void NearestSource::findBesideVertices(const LoopProgress& progress)
       const VertexOnCurve* on = this->onCurveAt(this->field_.surface().globalId(vertex));
       if (on != nullptr)
       {
-        this->origins_[vertex] = this->onLeft(on->curve, on->place);
+        this->origins_[vertex] = this->atPoint({ on->curve, false }, on->place, Infinity);
       }
       else if (arrival.isKnown() && !arrival.isThroughWindow())
       {
@@ -106,6 +111,7 @@ IncomingSegment NearestSource::originTo(Id vertex) const
   piece.kind = IncomingSegment::Kind::Window;
   piece.origin = arrival.origin;
   piece.place = arrival.place;
+  piece.rayOfWindow = arrival.direction;
   return piece;
 }
 
@@ -173,6 +179,12 @@ CurveOrigin NearestSource::originOf(const IncomingSegment& piece)
     case IncomingSegment::Kind::Window:
       break;
   }
+  if (this->isPoint(piece.origin))
+  {
+    const PointSide at = PointSide::of(piece.origin, this->firstPoint_);
+    return { PointSide{ at.point, at.isRight }.origin(this->firstPoint_),
+      angleAround(piece.origin, piece.place, piece.rayOfWindow) };
+  }
   if (CurveSide::isOne(piece.origin, this->field_.surface().numberOfGlobalVertices()))
   {
     return { piece.origin, piece.place };
@@ -212,15 +224,43 @@ CurveOrigin NearestSource::inSector(const IncomingSegment& piece) const
 {
   const Id face =
     this->patch_.faceAt(this->field_.surface().addressOf(TriangleMesh::faceOf(piece.frame)));
-  const CurveOrigin onPatch = this->sectors_.of(3 * face + piece.frame % 3, piece.direction);
+  const Id halfedge = 3 * face + piece.frame % 3;
+  const CurveOrigin onPatch = this->sectors_.of(halfedge, piece.direction);
   const CurveSide side = CurveSide::of(onPatch.origin, this->meshOfCurves().numberOfVertices());
-  return { side.origin(this->field_.surface().numberOfGlobalVertices()), onPatch.place };
+  double around = Infinity;
+  if (this->field_.hasAngles() && dot(piece.direction, piece.direction) > 0.0)
+  {
+    this->goAround(this->chains_.pointAt(side.curve, onPatch.place));
+    around = this->directions_.around(halfedge, piece.direction);
+  }
+  return this->atPoint(side, onPatch.place, around);
 }
 
-CurveOrigin NearestSource::onLeft(Id curve, double place) const
+CurveOrigin NearestSource::atPoint(const CurveSide& side, double place, double around) const
 {
-  return { CurveSide{ curve, false }.origin(this->field_.surface().numberOfGlobalVertices()),
-    place };
+  const PointSide point = { this->chains_.pointAt(side.curve, place), side.isRight };
+  return { point.origin(this->firstPoint_), around };
+}
+
+void NearestSource::goAround(Id number) const
+{
+  if (number == this->directionsPoint_)
+  {
+    return;
+  }
+  const auto [chain, i] = this->chains_.pointWith(number);
+  const SourceCurve& curve = this->chains_.curves()[chain];
+  const Id vertex = vertexAtPlaceOf(this->meshOfCurves(), curve, i);
+  if (vertex != NoId)
+  {
+    this->directions_.assign(SurfacePoint::atVertex(vertex), this->onCurves_.endsAround(vertex));
+  }
+  else
+  {
+    this->directions_.assign(curve.points[i],
+      segmentEndsAround(this->meshOfCurves(), curve, chain, this->chains_.places(chain), i));
+  }
+  this->directionsPoint_ = number;
 }
 
 CurveOrigin NearestSource::ofVertex(Id globalId) const
@@ -273,10 +313,19 @@ Foot NearestSource::footOf(const CurveOrigin& origin) const
   {
     return {};
   }
-  const CurveSide side =
-    CurveSide::of(origin.origin, this->field_.surface().numberOfGlobalVertices());
-  const CurveChains::Link& link = this->chains_.linkAt(side.curve, origin.place);
-  return { link.curve, side.isRight != link.isReversed, side.curve, origin.place };
+  CurveSide side = CurveSide::of(origin.origin, this->field_.surface().numberOfGlobalVertices());
+  double place = origin.place;
+  double around = std::numeric_limits<double>::quiet_NaN();
+  if (this->isPoint(origin.origin))
+  {
+    const PointSide at = PointSide::of(origin.origin, this->firstPoint_);
+    const CurveChains::Point point = this->chains_.pointWith(at.point);
+    side = { point.chain, at.isRight };
+    place = this->chains_.places(point.chain)[point.i];
+    around = origin.place;
+  }
+  const CurveChains::Link& link = this->chains_.linkAt(side.curve, place);
+  return { link.curve, side.isRight != link.isReversed, side.curve, place, around };
 }
 
 SurfacePoint NearestSource::pointOf(const Foot& foot) const
@@ -321,20 +370,54 @@ std::vector<double> NearestSource::arcLengthsOf(Id curve) const
   return lengths;
 }
 
+// Where a chain runs against its curve, angles differ by half a turn.
 double NearestSource::angleOf(const Foot& foot) const
 {
+  if (!this->field_.hasAngles())
+  {
+    throw Error("The angle of a path was asked for, but the solve did not keep angles.");
+  }
   constexpr double rightAngle = 1.57079632679489661923;
-  return foot.isRight ? -rightAngle : rightAngle;
+  if (std::isnan(foot.around))
+  {
+    return foot.isRight ? -rightAngle : rightAngle;
+  }
+  if (!(std::abs(foot.around) < Infinity))
+  {
+    return 0.0;
+  }
+  this->goAround(this->chains_.pointAt(foot.chain, foot.place));
+  const double angle = this->directions_.angleOf(foot.around);
+  const double turn = this->chains_.partOf(foot.curve).isReversed ? 2.0 * rightAngle : 0.0;
+  return angle > 0.0 ? angle - turn : angle + turn;
 }
 
-SourceFrame NearestSource::frameOf(Id curve) const
+SourceFrame NearestSource::frameOf(Id number) const
 {
-  const CurveChains::Part& part = this->chains_.partOf(curve);
-  const SurfacePoint& point = this->chains_.curves()[part.chain].points[part.begin];
-  const Id face = someFace(this->meshOfCurves(), point);
+  const CurveChains::Part& part = this->chains_.partOf(number);
+  const SourceCurve& curve = this->chains_.curves()[part.chain];
   SourceFrame frame;
-  frame.x = inSpace(this->meshOfCurves(), 3 * face, { 1.0, 0.0 });
-  frame.y = inSpace(this->meshOfCurves(), 3 * face, { 0.0, 1.0 });
+  const TriangleMesh& mesh = this->meshOfCurves();
+  if (part.begin == part.end)
+  {
+    this->goAround(this->chains_.pointAt(part.chain, 0.0));
+    const DirectionsAround::Axis axis = this->directions_.axis();
+    const double along = axis.isAgainst ? -1.0 : 1.0;
+    frame.x = inSpace(mesh, axis.halfedge, { along, 0.0 });
+    frame.y = inSpace(mesh, axis.halfedge, { 0.0, 1.0 });
+  }
+  else
+  {
+    const std::size_t first = part.isReversed ? part.end : part.begin;
+    const std::size_t second = part.isReversed ? part.end - 1 : part.begin + 1;
+    const Id face = curve.faces[std::min(first, second)];
+    const Id halfedge = longestHalfedge(mesh, face);
+    const Vec2 d =
+      inHalfedgeFrame(mesh, halfedge, barycentric(mesh, curve.points[second], face)) -
+      inHalfedgeFrame(mesh, halfedge, barycentric(mesh, curve.points[first], face));
+    frame.x = inSpace(mesh, halfedge, d);
+    frame.y = inSpace(mesh, halfedge, { -d.y, d.x });
+  }
   frame.normal = cross(frame.x, frame.y);
   return frame;
 }

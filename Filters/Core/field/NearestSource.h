@@ -7,6 +7,7 @@
 #include "mesh/ReplicatedPatch.h"
 #include "source/CurveChains.h"
 #include "source/CurveSectors.h"
+#include "source/DirectionsAround.h"
 #include "source/SourceCurve.h"
 #include "source/VerticesOnCurves.h"
 
@@ -32,9 +33,10 @@ struct Foot
   /// The chain that the curve is in, and where along it, as the length from the chain's beginning.
   Id chain = NoId;
   double place = 0.0;
-  /// Where the path leaves a point of the source, its angle around this point: see
-  /// NearestSource::angleOf(). Unused (NaN) where it leaves a segment at a right angle.
-  double angle = std::numeric_limits<double>::quiet_NaN();
+  /// If the path leaves a point of the curve: its angle around the point, not scaled
+  /// (DirectionsAround::around()). NaN if it leaves a segment at a right angle, infinite if it has
+  /// no direction.
+  double around = std::numeric_limits<double>::quiet_NaN();
 
   bool isKnown() const { return this->curve != NoId; }
 };
@@ -105,9 +107,12 @@ public:
   /// that meet in the point, angles are not scaled, but measured from the nearer segment. A fan
   /// without a segment has the angles of a single point.
   ///
-  /// Behind a pseudo-source it is the angle of the path to the pseudo-source. 0 on the source.
+  /// Behind a pseudo-source it is the angle of the path to the pseudo-source. On the source itself
+  /// it has no meaning.
   ///
-  /// Needs FrontOptions::keepAngles. Not thread-safe.
+  /// Not thread-safe.
+  ///
+  /// \throws Error if the field's windows carry no angles (FrontOptions::keepAngles).
   double angleOf(const Foot& foot) const;
   /// Angle 0 of a single point is the frame's x axis: the direction that angleOf() measures from.
   /// Of a curve, the frame is that of its first segment: x along it, y to the left.
@@ -125,7 +130,9 @@ private:
   CurveOrigin originOf(const IncomingSegment& piece);
   CurveOrigin atSource(const IncomingSegment& piece);
   CurveOrigin inSector(const IncomingSegment& piece) const;
-  CurveOrigin onLeft(Id curve, double place) const;
+  CurveOrigin atPoint(const CurveSide& side, double place, double around) const;
+  bool isPoint(Id origin) const { return CurveSide::isOne(origin, this->firstPoint_); }
+  void goAround(Id point) const;
   CurveOrigin ofVertex(Id globalId) const;
   bool isElsewhere(Id globalId) const;
   const VertexOnCurve* onCurveAt(Id globalId) const;
@@ -139,6 +146,8 @@ private:
   /// The curves, whose numbers windows have.
   CurveChains chains_;
   VerticesOnCurves onCurves_;
+  /// The first PointSide, by numbers of the whole.
+  Id firstPoint_;
   /// Of each vertex, by numbers of the whole. A number that is a vertex's: see RemoteOrigins.
   std::vector<CurveOrigin> origins_;
   GlobalVertices vertices_;
@@ -147,6 +156,9 @@ private:
   /// Around the curve's point that was asked for last.
   CurveSectors sectors_;
   Id sectorsVertex_ = NoId;
+  /// Around the point with this number.
+  mutable DirectionsAround directions_;
+  mutable Id directionsPoint_ = NoId;
 };
 
 }

@@ -186,7 +186,11 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
   }
   worker.handled += list.size();
   this->remember(worker, district, halfedge, list);
-  const UnfoldedFace face = unfold(this->mesh_, halfedge);
+  UnfoldedFace face = unfold(this->mesh_, halfedge);
+  if (this->options_.keepAngles)
+  {
+    face.findTurns();
+  }
   const ApexQuery apex = fullApexQuery(list, face.apex, worker.apexSides);
   const Window& first = *list.begin();
   const Window& last = *(list.end() - 1);
@@ -270,9 +274,10 @@ void BatchTasks::send(
     if (this->mesh_.origin(s) != this->mesh_.destination(halfedge))
     {
       const double length = this->mesh_.length(halfedge);
+      const Id vertices = this->surface_.numberOfGlobalVertices();
       std::reverse(block.data, block.data + block.size);
       std::transform(block.data, block.data + block.size, block.data,
-        [length](const Window& w) { return reversed(w, length); });
+        [length, vertices](const Window& w) { return reversed(w, length, vertices); });
     }
     std::vector<SentList>& lists = this->isOwn(TriangleMesh::faceOf(s))
       ? this->mailboxes_.to(sender.number, this->districts_.of(this->mesh_.opposite(s))).lists

@@ -611,6 +611,7 @@ void Front::finish()
   }
   this->ranks_.completeHalo(this->result_.vertexDistances);
   this->result_.arrivals = this->vertices_.releaseArrivals();
+  this->result_.hasAngles = this->options_.keepAngles;
   this->workers_.forEach(
     [this](const FrontWorker& worker)
     {

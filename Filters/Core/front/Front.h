@@ -62,6 +62,8 @@ struct FrontResult
   /// How a shortest path arrives at each vertex, if requested; without a halfedge on the source,
   /// and if the path comes straight from a source in a face at the vertex.
   std::vector<Arrival> arrivals;
+  /// Whether windows and arrivals carry angles.
+  bool hasAngles = false;
   /// The sources inside faces, in the order of the faces, including the halo.
   std::vector<SourceInFace> sourcesInFaces;
   /// With a limit: whether each face is complete. Empty if all are.

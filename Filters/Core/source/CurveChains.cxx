@@ -109,6 +109,9 @@ CurveChains::CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve
     {
       point = normalized(mesh, point);
     }
+    const std::size_t points = this->places_.empty() ? 0 : this->places_.back().size();
+    this->firstPoints_.push_back(
+      (number == 0 ? 0 : this->firstPoints_.back()) + static_cast<Id>(points));
     this->places_.push_back(placesAlong(mesh, this->chains_.back()));
     std::vector<Link>& links = this->links_.emplace_back();
     for (const Id curve : order)
@@ -142,6 +145,22 @@ const CurveChains::Link& CurveChains::linkAt(Id chain, double place) const
   const auto behind = std::upper_bound(
     links.begin(), links.end(), place, [](double p, const Link& link) { return p < link.begin; });
   return behind == links.begin() ? links.front() : *(behind - 1);
+}
+
+Id CurveChains::pointAt(Id chain, double place) const
+{
+  const std::vector<double>& places = this->places_[chain];
+  const auto at = std::lower_bound(places.begin(), places.end(), place);
+  const std::ptrdiff_t i = std::min(at, places.end() - 1) - places.begin();
+  return this->firstPoints_[chain] + static_cast<Id>(i);
+}
+
+CurveChains::Point CurveChains::pointWith(Id number) const
+{
+  const auto next =
+    std::upper_bound(this->firstPoints_.begin(), this->firstPoints_.end(), number);
+  const auto chain = static_cast<Id>(next - this->firstPoints_.begin() - 1);
+  return { chain, number - this->firstPoints_[chain] };
 }
 
 double CurveChains::arcLength(Id curve, double place) const

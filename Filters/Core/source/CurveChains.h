@@ -43,6 +43,15 @@ public:
   const std::vector<double>& places(Id chain) const { return this->places_[chain]; }
   /// The curve at a place of a chain; at a joint, either one.
   const Link& linkAt(Id chain, double place) const;
+  /// The points of all chains are numbered one after another. The number of the first at or behind
+  /// a place of a chain, and the point with a number.
+  Id pointAt(Id chain, double place) const;
+  struct Point
+  {
+    Id chain;
+    std::size_t i;
+  };
+  Point pointWith(Id number) const;
   const Part& partOf(Id curve) const { return this->parts_[curve]; }
   /// The length along a curve, from its first point to a place of its chain.
   double arcLength(Id curve, double place) const;
@@ -56,6 +65,8 @@ private:
   std::vector<std::vector<Link>> links_;
   /// Of each curve.
   std::vector<Part> parts_;
+  /// The number of each chain's first point.
+  std::vector<Id> firstPoints_;
 };
 
 }

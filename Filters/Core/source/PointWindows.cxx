@@ -24,30 +24,58 @@ struct WindowFrame
 {
   Id leftThrough;
   Vec2 axis = { 1.0, 0.0 };
+  /// Whether the leaving frame is seen in a mirror, from a face of opposite orientation.
+  bool isMirrored = false;
 
   /// The frame behind another edge, whose axis is given in this frame.
   WindowFrame turnedBy(Vec2 by) const
   {
     return { this->leftThrough,
-      { this->axis.x * by.x - this->axis.y * by.y, this->axis.x * by.y + this->axis.y * by.x } };
+      { this->axis.x * by.x - this->axis.y * by.y, this->axis.x * by.y + this->axis.y * by.x },
+      this->isMirrored };
+  }
+  /// The frame of a halfedge that runs the other way.
+  WindowFrame mirrored() const
+  {
+    return { this->leftThrough, { this->axis.x, -this->axis.y }, !this->isMirrored };
   }
   /// Transforms a direction from the halfedge's frame into the window's.
-  Vec2 fromHalfedge(Vec2 u) const { return { -dot(u, this->axis), -cross(this->axis, u) }; }
+  Vec2 fromHalfedge(Vec2 u) const
+  {
+    const Vec2 v = { this->isMirrored ? u.x : -u.x, -u.y };
+    return { dot(v, this->axis), cross(this->axis, v) };
+  }
   Vec2 toHalfedge(Vec2 u) const
   {
-    return { -(u.x * this->axis.x - u.y * this->axis.y),
-      -(u.x * this->axis.y + u.y * this->axis.x) };
+    const double x = u.x * this->axis.x - u.y * this->axis.y;
+    return { this->isMirrored ? x : -x, -(u.x * this->axis.y + u.y * this->axis.x) };
   }
 };
 
+/// The origin and the place of a window, by one of its rays.
+CurveOrigin originOf(
+  const TriangleMesh& mesh, const EmittingPoint& from, const WindowFrame& frame, Vec2 ray)
+{
+  const Vec2 direction = frame.toHalfedge(ray);
+  const CurveOrigin place = from.sectors.of(frame.leftThrough, direction);
+  const CurveSide side = CurveSide::of(place.origin, mesh.numberOfVertices());
+  const bool isFaceMirrored = from.directions.isMirrored(TriangleMesh::faceOf(frame.leftThrough));
+  const PointSide point = { from.chains.pointAt(side.curve, place.place), side.isRight,
+    isFaceMirrored != frame.isMirrored };
+  const auto curves = static_cast<Id>(from.chains.curves().size());
+  const Id origin = point.origin(PointSide::first(mesh.numberOfVertices(), curves));
+  const double around = from.directions.around(frame.leftThrough, direction);
+  return { origin, around - angleAround(origin, 0.0, ray) };
+}
+
 // Splits the windows of a point where their rays begin to belong to another curve, or to the other
 // side of a curve.
-void addBySector(const CurveSectors& sectors, const WindowFrame& frame,
+void addBySector(const TriangleMesh& mesh, const EmittingPoint& point, const WindowFrame& frame,
   const LeavingWindow& leaving, std::vector<LeavingWindow>& windows)
 {
   const Window& w = leaving.window;
   std::vector<double> cuts = { w.begin };
-  for (const Vec2& change : sectors.changesIn(frame.leftThrough))
+  for (const Vec2& change : point.sectors.changesIn(frame.leftThrough))
   {
     const Vec2 u = frame.fromHalfedge(change);
     const double x = u.y > 0.0 ? w.sourceX + w.sourceDepth * u.x / u.y : w.begin;
@@ -63,15 +91,15 @@ void addBySector(const CurveSectors& sectors, const WindowFrame& frame,
     Window part = w;
     part.begin = cuts[i];
     part.end = cuts[i + 1];
-    const Vec2 middle = w.direction(0.5 * (part.begin + part.end));
-    const CurveOrigin from = sectors.of(frame.leftThrough, frame.toHalfedge(middle));
+    const CurveOrigin from =
+      originOf(mesh, point, frame, w.direction(0.5 * (part.begin + part.end)));
     part.origin = from.origin;
     part.place = from.place;
     windows.push_back({ leaving.halfedge, part });
   }
 }
 
-void addBehindEdge(const TriangleMesh& mesh, LeavingWindow leaving, const CurveSectors& sectors,
+void addBehindEdge(const TriangleMesh& mesh, LeavingWindow leaving, const EmittingPoint& from,
   const WindowFrame& frame, std::vector<LeavingWindow>& windows)
 {
   Window& window = leaving.window;
@@ -80,7 +108,7 @@ void addBehindEdge(const TriangleMesh& mesh, LeavingWindow leaving, const CurveS
     return;
   }
   window.sourceDepth = std::max(window.sourceDepth, tolerance::SourceDepth * window.end);
-  addBySector(sectors, frame, leaving, windows);
+  addBySector(mesh, from, frame, leaving, windows);
 }
 
 /// Whether a point, in the leaving frame of a halfedge, is close to it and not to its ends.
@@ -105,10 +133,10 @@ class RaysFromBesideEdge
 {
 public:
   RaysFromBesideEdge(const TriangleMesh& mesh, const SourceInFace& source,
-    const CurveSectors& sectors, SourceWindows& result)
+    const EmittingPoint& from, SourceWindows& result)
     : mesh_(mesh)
     , source_(source)
-    , sectors_(sectors)
+    , from_(from)
     , result_(result)
   {
   }
@@ -124,12 +152,12 @@ public:
         this->entered_.push_back(s);
         const bool turned = this->mesh_.origin(s) == this->mesh_.origin(halfedge);
         const double x = turned ? length - point.x : point.x;
-        if (isInFaceBehind(this->mesh_, halfedge, point, this->sectors_))
+        if (isInFaceBehind(this->mesh_, halfedge, point, this->from_.sectors))
         {
           this->addSource(s, x);
         }
-        this->sendThrough(
-          s, { 0.0, length, x, -point.y, 0.0, 0.0, Window::Kind::Circular, 0 }, frame);
+        this->sendThrough(s, { 0.0, length, x, -point.y, 0.0, 0.0, Window::Kind::Circular, 0 },
+          turned ? frame.mirrored() : frame);
       }
     }
   }
@@ -181,9 +209,9 @@ private:
     const Vec2 point = { w.sourceX, -w.sourceDepth };
     const bool isBeside = isBesideHalfedge(point, length) &&
       this->mesh_.shape(TriangleMesh::faceOf(leaving.halfedge)).hasZeroArea();
-    if (!isBeside || !isInFaceBehind(this->mesh_, leaving.halfedge, point, this->sectors_))
+    if (!isBeside || !isInFaceBehind(this->mesh_, leaving.halfedge, point, this->from_.sectors))
     {
-      addBehindEdge(this->mesh_, leaving, this->sectors_, frame, this->result_.windows);
+      addBehindEdge(this->mesh_, leaving, this->from_, frame, this->result_.windows);
     }
     if (isBeside)
     {
@@ -193,27 +221,28 @@ private:
 
   const TriangleMesh& mesh_;
   const SourceInFace& source_;
-  const CurveSectors& sectors_;
+  const EmittingPoint& from_;
   SourceWindows& result_;
   /// The halfedges through which rays have entered faces: none twice, so recursion ends.
   std::vector<Id> entered_;
 };
 
 void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFace& source,
-  const CurveWedge::Bounds& bounds, const CurveSectors& sectors, SourceWindows& result)
+  const EmittingPoint& from, SourceWindows& result)
 {
   const double length = mesh.length(halfedge);
   const Vec2 p = inLeavingFrame(mesh, halfedge, source.a);
   if (isBesideHalfedge(p, length))
   {
-    RaysFromBesideEdge(mesh, source, sectors, result).send(halfedge, p, { halfedge });
-    if (isInFaceBehind(mesh, halfedge, p, sectors))
+    RaysFromBesideEdge(mesh, source, from, result).send(halfedge, p, { halfedge });
+    if (isInFaceBehind(mesh, halfedge, p, from.sectors))
     {
       return;
     }
   }
   const bool near = -p.y <= tolerance::NearEdge * length;
   Interval interval{ 0.0, length };
+  const CurveWedge::Bounds bounds = from.wedge.boundsIn(source.face);
   for (const WedgeBound* bound = bounds.first; bound != bounds.second && !near; ++bound)
   {
     const Vec2 u = directionInLeavingFrame(mesh, halfedge, *bound);
@@ -225,23 +254,22 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFac
     { 0.0, 0.0, p.x, depth, 0.0, 0.0, Window::Kind::Circular, 0 }, leaving);
   for (const LeavingWindow& window : leaving)
   {
-    addBySector(sectors, { halfedge }, window, result.windows);
+    addBySector(mesh, from, { halfedge }, window, result.windows);
   }
 }
 
 } // anonymous namespace
 
-void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source, const CurveWedge& wedge,
-  const CurveSectors& sectors, SourceWindows& result)
+void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source,
+  const EmittingPoint& from, SourceWindows& result)
 {
-  const CurveWedge::Bounds bounds = wedge.boundsIn(source.face);
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Id halfedge = 3 * source.face + static_cast<Id>(k);
     const bool isOnIt = source.a[(k + 2) % 3] == 0.0;
     if (!isOnIt && !mesh.isBoundary(halfedge) && mesh.length(halfedge) > 0.0)
     {
-      addThroughHalfedge(mesh, halfedge, source, bounds, sectors, result);
+      addThroughHalfedge(mesh, halfedge, source, from, result);
     }
   }
 }

@@ -2,12 +2,23 @@
 #ifndef geodesic_PointWindows_h
 #define geodesic_PointWindows_h
 
+#include "source/CurveChains.h"
 #include "source/CurveSectors.h"
 #include "source/CurveWedge.h"
+#include "source/DirectionsAround.h"
 #include "source/SourceWindows.h"
 
 namespace geodesic
 {
+
+/// A point of a source, and what it tells of directions.
+struct EmittingPoint
+{
+  const CurveChains& chains;
+  const CurveWedge& wedge;
+  const CurveSectors& sectors;
+  const DirectionsAround& directions;
+};
 
 /// Adds the circular windows of a source's point through the halfedges of one face that contains
 /// it: rays into the wedge (paper, sections 4.1 and 4.2), one window per sector.
@@ -21,8 +32,8 @@ namespace geodesic
 /// \param source the point: both ends are equal.
 /// \param result also receives the vertices of these faces that are near the point
 ///        (tolerance::NearVertex).
-void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source, const CurveWedge& wedge,
-  const CurveSectors& sectors, SourceWindows& result);
+void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source,
+  const EmittingPoint& from, SourceWindows& result);
 
 }
 

@@ -73,24 +73,26 @@ bool isAcrossWithoutArea(
 class Maker
 {
 public:
-  Maker(const TriangleMesh& mesh, StepProgress& progress)
+  Maker(const TriangleMesh& mesh, const CurveChains& chains, StepProgress& progress)
     : mesh_(mesh)
+    , chains_(chains)
     , progress_(progress)
     , wedge_(mesh)
     , sectors_(mesh)
+    , directions_(mesh)
   {
   }
 
-  SourceWindows make(const CurveChains& chains)
+  SourceWindows make()
   {
-    for (const SourceCurve& curve : chains.curves())
+    for (const SourceCurve& curve : this->chains_.curves())
     {
-      this->places_ = chains.places(this->curve_);
+      this->places_ = this->chains_.places(this->curve_);
       this->addSegments(curve);
       this->addPoints(curve);
       ++this->curve_;
     }
-    this->emitFromVertices(VerticesOnCurves(this->mesh_, chains));
+    this->emitFromVertices(VerticesOnCurves(this->mesh_, this->chains_));
     const auto byFace = [](const SourceInFace& a, const SourceInFace& b)
     { return a.face < b.face; };
     std::stable_sort(this->result_.inFaces.begin(), this->result_.inFaces.end(), byFace);
@@ -150,6 +152,8 @@ private:
     const auto step = [this] { this->progress_.step(); };
     this->wedge_.assign(p, ends, step);
     this->sectors_.assign(p, endsAround, CurveOrigin::onLeft(this->mesh_, curve, place));
+    this->directions_.assign(p, endsAround);
+    const EmittingPoint from = { this->chains_, this->wedge_, this->sectors_, this->directions_ };
     forEachFace(this->mesh_, p,
       [&](Id face)
       {
@@ -161,7 +165,7 @@ private:
           this->result_.inFaces.push_back(source);
           this->findNearVertices(face, b);
         }
-        addPointWindows(this->mesh_, source, this->wedge_, this->sectors_, this->result_);
+        addPointWindows(this->mesh_, source, from, this->result_);
       });
   }
 
@@ -194,9 +198,11 @@ private:
   }
 
   const TriangleMesh& mesh_;
+  const CurveChains& chains_;
   StepProgress& progress_;
   CurveWedge wedge_;
   CurveSectors sectors_;
+  DirectionsAround directions_;
   SourceWindows result_;
   /// The number of the current curve, and the places of its points.
   Id curve_ = 0;
@@ -209,7 +215,7 @@ SourceWindows makeSourceWindows(const TriangleMesh& mesh, const std::vector<Sour
   const ProgressCallback& callback)
 {
   StepProgress progress(callback, numberOfPoints(curves));
-  return Maker(mesh, progress).make(CurveChains(mesh, curves));
+  return Maker(mesh, CurveChains(mesh, curves), progress).make();
 }
 
 }

@@ -25,6 +25,8 @@ struct ExitEdge
   TwoDoubles known;
   /// The edge's length and 0.
   TwoDoubles far;
+  /// The angle from the halfedge to the edge.
+  double turn;
 };
 
 ExitEdge leftEdge(const UnfoldedFace& face, const CornerDistances& distances)
@@ -32,7 +34,7 @@ ExitEdge leftEdge(const UnfoldedFace& face, const CornerDistances& distances)
   return { face, true, TwoDoubles(face.apex.x), TwoDoubles(face.apex.y),
     TwoDoubles(face.leftLength), TwoDoubles(face.leftAxis.x, face.leftAxis.y),
     TwoDoubles(-face.leftAxis.y, face.leftAxis.x), TwoDoubles(distances.apex, distances.origin),
-    TwoDoubles(face.leftLength, 0.0) };
+    TwoDoubles(face.leftLength, 0.0), face.leftTurn };
 }
 
 ExitEdge rightEdge(const UnfoldedFace& face, const CornerDistances& distances)
@@ -40,7 +42,8 @@ ExitEdge rightEdge(const UnfoldedFace& face, const CornerDistances& distances)
   return { face, false, TwoDoubles(face.apexFromEnd), TwoDoubles(face.apex.y),
     TwoDoubles(face.rightLength), TwoDoubles(face.rightAxis.x, face.rightAxis.y),
     TwoDoubles(-face.rightAxis.y, face.rightAxis.x),
-    TwoDoubles(distances.destination, distances.apex), TwoDoubles(face.rightLength, 0.0) };
+    TwoDoubles(distances.destination, distances.apex), TwoDoubles(face.rightLength, 0.0),
+    face.rightTurn };
 }
 
 // Where the rays through the window's two ends meet the left edge, as in UnfoldedFace::meetLeft().
@@ -119,6 +122,7 @@ inline void leaveThrough(
     child.sourceX = source.first();
     child.sourceDepth = source.second();
     child.facesCrossed = (w.facesCrossed + 1) & MaximumFacesCrossed;
+    child.place += (w.origin & 1U) == 0 ? exit.turn : -exit.turn; // see PointSide
     list.settle();
   }
 }

@@ -120,7 +120,8 @@ bool isSameSource(const Window& a, const Window& b)
   const double length = a.isLinear() ? b.end : source;
   return std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source && a.kind == b.kind &&
     a.origin == b.origin &&
-    std::abs(a.place - b.place) <= tolerance::SameSource * (std::abs(a.place) + length) &&
+    (!a.isLinear() ||
+      std::abs(a.place - b.place) <= tolerance::SameSource * (std::abs(a.place) + length)) &&
     std::abs(a.sourceDepth - b.sourceDepth) <= tolerance::SameSource * source &&
     std::abs(a.sigma - b.sigma) <= tolerance::SameSource * (std::abs(a.sigma) + length);
 }

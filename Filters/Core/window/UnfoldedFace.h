@@ -25,6 +25,15 @@ struct UnfoldedFace
   /// Unit vectors along the left and the right edge.
   Vec2 leftAxis;
   Vec2 rightAxis;
+  /// The angles from the halfedge to these, which windows that carry angles need: findTurns().
+  double leftTurn = 0.0;
+  double rightTurn = 0.0;
+
+  void findTurns()
+  {
+    this->leftTurn = std::atan2(this->apex.y, this->apex.x);
+    this->rightTurn = -std::atan2(this->apex.y, this->apexFromEnd);
+  }
 
   /// Where the ray of a window through x on the halfedge meets the left edge, as a distance from
   /// the halfedge's origin.

@@ -18,7 +18,7 @@ double Window::crossing(Vec2 p) const
   return std::clamp(x, this->begin, this->end);
 }
 
-Window reversed(const Window& window, double length)
+Window reversed(const Window& window, double length, Id numberOfVertices)
 {
   Window w = window;
   w.begin = length - window.end;
@@ -28,11 +28,16 @@ Window reversed(const Window& window, double length)
     w.sigma = window.distance(length);
     w.sourceX = -window.sourceX;
     w.place = window.placeOf({ length, 0.0 });
-    w.origin ^= 1U; // left becomes right in the mirrored frame
+    w.origin ^= 3U; // in the mirrored frame the rays are on the other side: see CurveSide
   }
   else
   {
     w.sourceX = length - window.sourceX;
+    if (CurveSide::isOne(window.origin, numberOfVertices))
+    {
+      w.place = angleAround(window.origin, window.place, { -1.0, 0.0 });
+      w.origin ^= 1U; // angles around the point grow the other way
+    }
   }
   return w;
 }

@@ -12,28 +12,67 @@ namespace geodesic
 
 constexpr Id MaximumFacesCrossed = 0x7fffffffU;
 
-/// A side of a curve, as stored in Window::origin. Two numbers per curve follow the numbers of the
-/// vertices; the left side has the even one. Left and right are as seen by a viewer towards whom
-/// the faces' normals point.
+/// A side of a curve, as stored in Window::origin of linear windows. Four numbers per curve follow
+/// the numbers of the vertices. Left and right are as seen by a viewer towards whom the normal of
+/// the segment's face points.
 struct CurveSide
 {
   Id curve = NoId;
   bool isRight = false;
 
-  static Id first(Id numberOfVertices) { return numberOfVertices + numberOfVertices % 2; }
+  /// A multiple of 4, as the bits of the numbers behind it have meanings.
+  static Id first(Id numberOfVertices) { return (numberOfVertices + 3) & ~Id(3); }
   static bool isOne(Id origin, Id numberOfVertices)
   {
     return origin != NoId && origin >= numberOfVertices;
   }
+  /// The side does not depend on bit 1, whether the window's halfedge sees the curve mirrored; bit 0
+  /// tells on which side the halfedge sees the rays.
   static CurveSide of(Id origin, Id numberOfVertices)
   {
-    return { (origin - first(numberOfVertices)) / 2, (origin & 1U) != 0 };
+    return { (origin - first(numberOfVertices)) / 4, ((origin ^ origin >> 1) & 1U) != 0 };
   }
   Id origin(Id numberOfVertices) const
   {
-    return first(numberOfVertices) + 2 * this->curve + (this->isRight ? 1 : 0);
+    return first(numberOfVertices) + 4 * this->curve + (this->isRight ? 1 : 0);
   }
 };
+
+/// A point of a curve on one of its sides, as stored in Window::origin of circular windows. Four
+/// numbers per point follow those of the curves' sides.
+struct PointSide
+{
+  /// Number of the point among those of all curves (CurveChains::pointAt()).
+  Id point = NoId;
+  bool isRight = false;
+  /// Whether angles around the point grow clockwise in the frame of the window's halfedge.
+  bool isMirrored = false;
+
+  static Id first(Id numberOfVertices, Id numberOfCurves)
+  {
+    return CurveSide{ numberOfCurves, false }.origin(numberOfVertices);
+  }
+  static PointSide of(Id origin, Id first)
+  {
+    const Id number = origin - first;
+    return { number / 4, (number & 2U) != 0, (number & 1U) != 0 };
+  }
+  Id origin(Id first) const
+  {
+    return first + 4 * this->point + (this->isRight ? 2 : 0) + (this->isMirrored ? 1 : 0);
+  }
+};
+
+/// The angle around a point of a curve at which the ray of a window leaves it.
+///
+/// \param origin Window::origin: a PointSide.
+/// \param axis Window::place.
+/// \param direction of the ray, in the frame of the window's halfedge.
+inline double angleAround(Id origin, double axis, Vec2 direction)
+{
+  const double turn = std::atan2(direction.y, direction.x);
+  return axis + ((origin & 1U) == 0 ? turn : -turn);
+}
 
 /// A point over a halfedge, with the rounding error of its x.
 struct PointOverHalfedge : Vec2
@@ -78,11 +117,12 @@ struct Window
   /// Number of faces crossed since the source. A shortest path crosses no face twice, so this
   /// number is bounded, and propagation ends.
   Id facesCrossed : 31;
-  /// Where its rays start: a vertex as a pseudo-source, or one side of a curve (CurveSide).
-  /// Distances do not depend on it.
+  /// Where its rays start: a vertex as a pseudo-source, a side of a curve (CurveSide), or one of a
+  /// curve's points (PointSide). Distances do not depend on it.
   Id origin = NoId;
-  /// The place along the curve, as the length from the curve's beginning: of the source, or, for a
-  /// linear window, of the start of the ray through the halfedge's origin. 0 for a pseudo-source.
+  /// Linear: the place along the curve, as the length from the curve's beginning, of the start of
+  /// the ray through the halfedge's origin. Circular from a curve's point: the angle of the x axis
+  /// around the point (DirectionsAround::around()), if the front keeps angles; else unused.
   double place = 0.0;
 
   bool isLinear() const { return this->kind == Kind::Linear; }
@@ -123,8 +163,8 @@ struct Window
     return this->sigma + std::sqrt(dx * dx + dy * dy);
   }
 
-  /// The place along the curve where the ray through a point of the face's plane starts. On the
-  /// left side of the curve, the rays' direction is the curve's direction turned to the left.
+  /// Of a linear window, the place along the curve where the ray through a point of the face's plane
+  /// starts; of a circular one, place itself, as its rays share it. On the left side of the curve, the rays' direction is the curve's direction turned to the left.
   double placeOf(Vec2 p) const
   {
     const double along = this->sourceDepth * p.x - this->sourceX * p.y;
@@ -189,7 +229,9 @@ struct WindowRange
 
 /// The same window in the reversed frame: from the end of a halfedge of this length back to its
 /// origin.
-Window reversed(const Window& window, double length);
+///
+/// \param numberOfVertices above which Window::origin is a point of a curve.
+Window reversed(const Window& window, double length, Id numberOfVertices = NoId);
 
 }
 

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "source/DirectionsAround.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodesic
+{
+
+namespace
+{
+
+constexpr std::size_t None = static_cast<std::size_t>(-1);
+constexpr double StraightAngle = 3.14159265358979323846;
+constexpr double FullAngle = 2.0 * StraightAngle;
+// A gap: rounding at the end of a fan must not lead into the next one.
+constexpr double BetweenFans = 1.0;
+
+/// In (-pi, pi].
+double wrapped(double angle)
+{
+  const double turns = std::ceil((angle - StraightAngle) / FullAngle);
+  return std::clamp(angle - turns * FullAngle, -StraightAngle, StraightAngle);
+}
+
+} // anonymous namespace
+
+double DirectionsAround::End::after() const
+{
+  return this->isForward ? 0.0 : -StraightAngle;
+}
+
+double DirectionsAround::End::before() const
+{
+  return this->isForward ? 0.0 : StraightAngle;
+}
+
+void DirectionsAround::assign(const SurfacePoint& point, const std::vector<SegmentEnd>& ends)
+{
+  this->point_ = point;
+  this->frames_.clear();
+  this->fans_.clear();
+  this->ends_.clear();
+  this->toAxis_ = 0.0;
+  switch (point.kind)
+  {
+    case SurfacePoint::Kind::Face:
+      this->frames_.push_back({ 3 * point.id, 0.0, false, 0 });
+      this->fans_.push_back({ 0.0, FullAngle, true });
+      break;
+    case SurfacePoint::Kind::Edge:
+      this->addFanOfEdge(point.id);
+      break;
+    case SurfacePoint::Kind::Vertex:
+      for (const Id corner : this->mesh_.cornersAt(point.id))
+      {
+        this->frames_.push_back({ corner, 0.0, false, None });
+      }
+      for (const Id corner : this->mesh_.cornersAt(point.id))
+      {
+        if (this->frameOf(TriangleMesh::faceOf(corner)).fan == None)
+        {
+          this->addFanOfVertex(corner);
+        }
+      }
+      break;
+  }
+  for (const SegmentEnd& end : ends)
+  {
+    const Id halfedge = longestHalfedge(this->mesh_, end.face);
+    const double around = this->around(halfedge, directionIn(this->mesh_, end, halfedge));
+    this->ends_.push_back({ this->fanOf(around).at(around), end.curve, end.place, end.isBeginning });
+  }
+  std::stable_sort(this->ends_.begin(), this->ends_.end());
+}
+
+// All other faces at the edge continue the first one.
+void DirectionsAround::addFanOfEdge(Id halfedge)
+{
+  const Id first = this->mesh_.edgeOf(halfedge);
+  this->frames_.push_back({ first, 0.0, false, 0 });
+  for (Id s = this->mesh_.nextSibling(first); s != first; s = this->mesh_.nextSibling(s))
+  {
+    const bool isMirrored = this->mesh_.origin(s) == this->mesh_.origin(first);
+    this->frames_.push_back({ s, isMirrored ? FullAngle : StraightAngle, isMirrored, 0 });
+  }
+  std::sort(this->frames_.begin(), this->frames_.end(),
+    [](const Frame& a, const Frame& b) { return a.halfedge < b.halfedge; });
+  const bool isClosed = this->frames_.size() > 1;
+  this->fans_.push_back({ 0.0, isClosed ? FullAngle : StraightAngle, isClosed });
+  const Vec2 axis = turned(this->mesh_, { 1.0, 0.0 }, first, first - first % 3);
+  this->toAxis_ = std::atan2(axis.y, axis.x);
+}
+
+// Clockwise to where the fan begins, or once around; then counterclockwise to its end.
+void DirectionsAround::addFanOfVertex(Id corner)
+{
+  Stop begin = { corner, false };
+  bool isClosed = false;
+  for (Stop stop = this->beside(begin, true); stop.corner != NoId && !isClosed;
+       stop = this->beside(stop, true))
+  {
+    isClosed = stop.corner == corner;
+    begin = stop;
+  }
+  const double start =
+    this->fans_.empty() ? 0.0 : this->fans_.back().begin + this->fans_.back().total + BetweenFans;
+  double angle = start;
+  Stop stop = begin;
+  do
+  {
+    const double width = this->mesh_.cornerAngle(stop.corner);
+    Frame& frame = this->frameOf(TriangleMesh::faceOf(stop.corner));
+    frame.axis = stop.isMirrored ? angle + width : angle;
+    frame.isMirrored = stop.isMirrored;
+    frame.fan = this->fans_.size();
+    angle += width;
+    stop = this->beside(stop, false);
+  } while (stop.corner != NoId && stop.corner != begin.corner);
+  this->fans_.push_back({ start, angle - start, isClosed });
+}
+
+// In a mirrored face a turn comes across the edges in the opposite order.
+DirectionsAround::Stop DirectionsAround::beside(const Stop& stop, bool isClockwise) const
+{
+  const Id edge =
+    stop.isMirrored == isClockwise ? TriangleMesh::previousInFace(stop.corner) : stop.corner;
+  if (!this->mesh_.isInner(edge))
+  {
+    return {};
+  }
+  const Id entered = this->mesh_.nextSibling(edge);
+  const bool isOutgoing = this->mesh_.origin(entered) == this->point_.id;
+  return { isOutgoing ? entered : TriangleMesh::nextInFace(entered), isOutgoing == isClockwise };
+}
+
+DirectionsAround::Frame& DirectionsAround::frameOf(Id face)
+{
+  return *std::lower_bound(this->frames_.begin(), this->frames_.end(), 3 * face,
+    [](const Frame& frame, Id halfedge) { return frame.halfedge < halfedge; });
+}
+
+bool DirectionsAround::hasFrame(Id face) const
+{
+  const auto frame = std::lower_bound(this->frames_.begin(), this->frames_.end(), 3 * face,
+    [](const Frame& f, Id halfedge) { return f.halfedge < halfedge; });
+  return frame != this->frames_.end() && TriangleMesh::faceOf(frame->halfedge) == face;
+}
+
+// Unfolds faces without area between a face and those around the point.
+DirectionsAround::DirectionInFace DirectionsAround::inFrame(const DirectionInFace& from) const
+{
+  const auto isThin = [this](Id halfedge)
+  { return this->mesh_.shape(TriangleMesh::faceOf(halfedge)).hasZeroArea(); };
+  std::vector<DirectionInFace> reached = { from };
+  for (std::size_t n = 0; n < reached.size(); ++n)
+  {
+    const DirectionInFace at = reached[n];
+    const Id face = TriangleMesh::faceOf(at.halfedge);
+    if (this->hasFrame(face))
+    {
+      return at;
+    }
+    for (Id own = 3 * face; own < 3 * face + 3 && (n == 0 || isThin(own)); ++own)
+    {
+      const Vec2 d = turned(this->mesh_, at.direction, at.halfedge, own);
+      for (Id s = this->mesh_.nextSibling(own); s != own; s = this->mesh_.nextSibling(s))
+      {
+        const auto isSame = [s](const DirectionInFace& r)
+        { return TriangleMesh::faceOf(r.halfedge) == TriangleMesh::faceOf(s); };
+        if ((isThin(own) || isThin(s)) && std::none_of(reached.begin(), reached.end(), isSame))
+        {
+          const bool isOpposed = this->mesh_.origin(s) == this->mesh_.destination(own);
+          reached.push_back({ s, { isOpposed ? -d.x : d.x, -d.y } });
+        }
+      }
+    }
+  }
+  return { this->frames_.front().halfedge, { 1.0, 0.0 } }; // none of the faces behind has it
+}
+
+// Rounding may put the direction of a halfedge from the point slightly below the x axis.
+double DirectionsAround::around(Id halfedge, Vec2 direction) const
+{
+  const DirectionInFace own = this->inFrame({ halfedge, direction });
+  const Frame& frame = this->frameOf(TriangleMesh::faceOf(own.halfedge));
+  const Vec2 d = turned(this->mesh_, own.direction, own.halfedge, frame.halfedge);
+  const double turn = std::atan2(d.y, d.x);
+  const double angle = turn < -0.5 * StraightAngle ? turn + FullAngle : turn;
+  return frame.axis + (frame.isMirrored ? -angle : angle);
+}
+
+const DirectionsAround::Fan& DirectionsAround::fanOf(double around) const
+{
+  const auto next = std::find_if(this->fans_.begin() + 1, this->fans_.end(),
+    [around](const Fan& fan) { return around < fan.begin - 0.5 * BetweenFans; });
+  return *(next - 1);
+}
+
+double DirectionsAround::Fan::at(double around) const
+{
+  const double turn = around - this->begin;
+  return this->begin +
+    (this->isClosed ? turn - this->total * std::floor(turn / this->total)
+                    : std::clamp(turn, 0.0, this->total));
+}
+
+double DirectionsAround::angleOf(double around) const
+{
+  const Fan& fan = this->fanOf(around);
+  const double at = fan.at(around);
+  const auto first =
+    std::lower_bound(this->ends_.begin(), this->ends_.end(), End{ fan.begin });
+  const auto last =
+    std::upper_bound(first, this->ends_.end(), End{ fan.begin + fan.total });
+  return first == last ? this->withoutSegments(fan, at)
+                       : this->betweenSegments(fan, at, &*first, &*first + (last - first));
+}
+
+// Of one closed fan, scaled. Each of several fans follows those before it.
+double DirectionsAround::withoutSegments(const Fan& fan, double at) const
+{
+  if (this->point_.kind != SurfacePoint::Kind::Vertex)
+  {
+    return wrapped(at + this->toAxis_);
+  }
+  if (fan.isClosed && this->fans_.size() == 1)
+  {
+    return wrapped(at * FullAngle / fan.total);
+  }
+  const auto number = static_cast<double>(&fan - this->fans_.data());
+  return at - number * BetweenFans;
+}
+
+// A direction between the segment that a turn has passed last and the one that it passes next.
+double DirectionsAround::betweenSegments(
+  const Fan& fan, double at, const End* first, const End* last) const
+{
+  const End* const next = std::upper_bound(first, last, End{ at });
+  const End* const before = next != first ? next - 1 : fan.isClosed ? last - 1 : nullptr;
+  const End* const behind = next != last ? next : fan.isClosed ? first : nullptr;
+  const double turn = before == nullptr ? Infinity
+                                        : at - before->at + (next != first ? 0.0 : fan.total);
+  const double turnBack = behind == nullptr ? Infinity
+                                            : behind->at - at + (next != last ? 0.0 : fan.total);
+  if (fan.isClosed && before == behind)
+  {
+    return wrapped(before->after() + turn * FullAngle / fan.total);
+  }
+  if (fan.isClosed && before->isContinuedBy(*behind))
+  {
+    return before->after() + turn * StraightAngle / (turn + turnBack);
+  }
+  return turn <= turnBack ? before->after() + turn : behind->before() - turnBack;
+}
+
+// Angle 0 of a fan in whose first face angles are mirrored lies along the face's other edge.
+DirectionsAround::Axis DirectionsAround::axis() const
+{
+  if (this->point_.kind != SurfacePoint::Kind::Vertex)
+  {
+    const Id face = TriangleMesh::faceOf(this->frames_.front().halfedge);
+    return { 3 * face, false };
+  }
+  const auto begin = std::find_if(this->frames_.begin(), this->frames_.end(),
+    [this](const Frame& frame)
+    {
+      const double width = this->mesh_.cornerAngle(frame.halfedge);
+      return frame.fan == 0 && frame.axis == (frame.isMirrored ? width : 0.0);
+    });
+  return begin->isMirrored ? Axis{ TriangleMesh::previousInFace(begin->halfedge), true }
+                           : Axis{ begin->halfedge, false };
+}
+
+}
