@@ -17,8 +17,8 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   , patch_(patch)
   , chains_(patch.mesh(), curves)
   , onCurves_(patch.mesh(), this->chains_)
-  , firstPoint_(PointSide::first(field.surface().numberOfGlobalVertices(),
-      static_cast<Id>(this->chains_.curves().size())))
+  , firstPoint_(PointSide::first(
+      field.surface().numberOfGlobalVertices(), static_cast<Id>(this->chains_.curves().size())))
   , vertices_(field.surface())
   , sectors_(patch.mesh())
   , directions_(patch.mesh())
@@ -412,8 +412,7 @@ SourceFrame NearestSource::frameOf(Id number) const
     const std::size_t second = part.isReversed ? part.end - 1 : part.begin + 1;
     const Id face = curve.faces[std::min(first, second)];
     const Id halfedge = longestHalfedge(mesh, face);
-    const Vec2 d =
-      inHalfedgeFrame(mesh, halfedge, barycentric(mesh, curve.points[second], face)) -
+    const Vec2 d = inHalfedgeFrame(mesh, halfedge, barycentric(mesh, curve.points[second], face)) -
       inHalfedgeFrame(mesh, halfedge, barycentric(mesh, curve.points[first], face));
     frame.x = inSpace(mesh, halfedge, d);
     frame.y = inSpace(mesh, halfedge, { -d.y, d.x });

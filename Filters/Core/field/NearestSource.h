@@ -97,7 +97,8 @@ public:
   /// - at a vertex whose faces form one closed fan: the angle around it, scaled so that the total
   ///   is 2 pi, from the edge that leaves the vertex in the first of its faces in the order of the
   ///   input, in (-pi, pi];
-  /// - at any other vertex: from the edge where the fan begins, from 0 to its own total, not scaled;
+  /// - at any other vertex: from the edge where the fan begins, from 0 to its own total, not
+  /// scaled;
   ///   several fans follow one another in the order of their first faces.
   ///
   /// From a curve, counterclockwise from its direction: pi / 2 on the left-hand side and -pi / 2 on

@@ -157,8 +157,7 @@ Id CurveChains::pointAt(Id chain, double place) const
 
 CurveChains::Point CurveChains::pointWith(Id number) const
 {
-  const auto next =
-    std::upper_bound(this->firstPoints_.begin(), this->firstPoints_.end(), number);
+  const auto next = std::upper_bound(this->firstPoints_.begin(), this->firstPoints_.end(), number);
   const auto chain = static_cast<Id>(next - this->firstPoints_.begin() - 1);
   return { chain, number - this->firstPoints_[chain] };
 }

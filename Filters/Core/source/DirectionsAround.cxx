@@ -69,7 +69,8 @@ void DirectionsAround::assign(const SurfacePoint& point, const std::vector<Segme
   {
     const Id halfedge = longestHalfedge(this->mesh_, end.face);
     const double around = this->around(halfedge, directionIn(this->mesh_, end, halfedge));
-    this->ends_.push_back({ this->fanOf(around).at(around), end.curve, end.place, end.isBeginning });
+    this->ends_.push_back(
+      { this->fanOf(around).at(around), end.curve, end.place, end.isBeginning });
   }
   std::stable_sort(this->ends_.begin(), this->ends_.end());
 }
@@ -209,10 +210,8 @@ double DirectionsAround::angleOf(double around) const
 {
   const Fan& fan = this->fanOf(around);
   const double at = fan.at(around);
-  const auto first =
-    std::lower_bound(this->ends_.begin(), this->ends_.end(), End{ fan.begin });
-  const auto last =
-    std::upper_bound(first, this->ends_.end(), End{ fan.begin + fan.total });
+  const auto first = std::lower_bound(this->ends_.begin(), this->ends_.end(), End{ fan.begin });
+  const auto last = std::upper_bound(first, this->ends_.end(), End{ fan.begin + fan.total });
   return first == last ? this->withoutSegments(fan, at)
                        : this->betweenSegments(fan, at, &*first, &*first + (last - first));
 }
@@ -239,10 +238,10 @@ double DirectionsAround::betweenSegments(
   const End* const next = std::upper_bound(first, last, End{ at });
   const End* const before = next != first ? next - 1 : fan.isClosed ? last - 1 : nullptr;
   const End* const behind = next != last ? next : fan.isClosed ? first : nullptr;
-  const double turn = before == nullptr ? Infinity
-                                        : at - before->at + (next != first ? 0.0 : fan.total);
-  const double turnBack = behind == nullptr ? Infinity
-                                            : behind->at - at + (next != last ? 0.0 : fan.total);
+  const double turn =
+    before == nullptr ? Infinity : at - before->at + (next != first ? 0.0 : fan.total);
+  const double turnBack =
+    behind == nullptr ? Infinity : behind->at - at + (next != last ? 0.0 : fan.total);
   if (fan.isClosed && before == behind)
   {
     return wrapped(before->after() + turn * FullAngle / fan.total);

@@ -47,8 +47,8 @@ public:
   Axis axis() const;
 
 private:
-  /// A face around the point: the angle of the x axis of one of its halfedges, and the number of its
-  /// fan.
+  /// A face around the point: the angle of the x axis of one of its halfedges, and the number of
+  /// its fan.
   struct Frame
   {
     Id halfedge;
@@ -101,10 +101,7 @@ private:
   DirectionInFace inFrame(const DirectionInFace& from) const;
   bool hasFrame(Id face) const;
   Frame& frameOf(Id face);
-  const Frame& frameOf(Id face) const
-  {
-    return const_cast<DirectionsAround*>(this)->frameOf(face);
-  }
+  const Frame& frameOf(Id face) const { return const_cast<DirectionsAround*>(this)->frameOf(face); }
   const Fan& fanOf(double around) const;
   double withoutSegments(const Fan& fan, double at) const;
   double betweenSegments(const Fan& fan, double at, const End* first, const End* last) const;

@@ -14,7 +14,7 @@ Id globalOrigin(const MeshPartition& part, const ReplicatedPatch& patch, Id orig
 {
   const Id vertices = patch.mesh().numberOfVertices();
   return CurveSide::isOne(origin, vertices)
-    ? CurveSide::of(origin, vertices).origin(part.numberOfGlobalVertices())
+    ? CurveSide::first(part.numberOfGlobalVertices()) + (origin - CurveSide::first(vertices))
     : patch.globalId(origin);
 }
 

@@ -26,8 +26,8 @@ struct CurveSide
   {
     return origin != NoId && origin >= numberOfVertices;
   }
-  /// The side does not depend on bit 1, whether the window's halfedge sees the curve mirrored; bit 0
-  /// tells on which side the halfedge sees the rays.
+  /// The side does not depend on bit 1, whether the window's halfedge sees the curve mirrored; bit
+  /// 0 tells on which side the halfedge sees the rays.
   static CurveSide of(Id origin, Id numberOfVertices)
   {
     return { (origin - first(numberOfVertices)) / 4, ((origin ^ origin >> 1) & 1U) != 0 };
@@ -163,8 +163,9 @@ struct Window
     return this->sigma + std::sqrt(dx * dx + dy * dy);
   }
 
-  /// Of a linear window, the place along the curve where the ray through a point of the face's plane
-  /// starts; of a circular one, place itself, as its rays share it. On the left side of the curve, the rays' direction is the curve's direction turned to the left.
+  /// Of a linear window, the place along the curve where the ray through a point of the face's
+  /// plane starts; of a circular one, place itself, as its rays share it. On the left side of the
+  /// curve, the rays' direction is the curve's direction turned to the left.
   double placeOf(Vec2 p) const
   {
     const double along = this->sourceDepth * p.x - this->sourceX * p.y;

@@ -8,6 +8,8 @@
 #include "truth/DirectionAngles.h"
 
 #include "field/NearestSource.h"
+#include "refinement/AdaptiveRefinement.h"
+#include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>
 
@@ -28,11 +30,21 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double FullAngle = 2.0 * Pi;
 constexpr std::size_t NumberOfQueries = 30;
-/// What is asked for: of the length of the curve, and in radians of paths longer than this fraction
-/// of the largest distance.
+/// Of the length of the curve, and in radians of paths longer than this fraction of the largest
+/// distance.
 constexpr double LengthAccuracy = 1e-9;
 constexpr double AngleAccuracy = 1e-8;
 constexpr double ShortPath = 1e-3;
+/// A curve's segment that is shorter, relative to the largest distance, has hardly a direction.
+constexpr double ShortSegment = 1e-6;
+constexpr double SamePlace = 1e-9;
+
+/// Two paths that differ by this angle, in radians, may be equally long but for the accuracy of
+/// distances: where a path bends by it, its length grows by the square of the angle.
+double bendOn(const MeshKind& kind)
+{
+  return std::sqrt(8.0 * accuracyOn(kind));
+}
 
 geodesic::FrontOptions withAngles(bool keepAngles = true)
 {
@@ -69,6 +81,21 @@ struct Solved
     return point.kind == SurfacePoint::Kind::Vertex
       ? nearest.atVertex(point.id)
       : nearest.of(geodesic::incomingSegmentTo(field, point));
+  }
+
+  /// The vertices, and other points behind them.
+  std::vector<SurfacePoint> pointsWith(const std::vector<MeshPoint>& queries) const
+  {
+    std::vector<SurfacePoint> points;
+    for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+    {
+      points.push_back(SurfacePoint::atVertex(vertex));
+    }
+    for (const MeshPoint& query : queries)
+    {
+      points.push_back(geodesic::normalized(mesh, enginePoint(mesh, query)));
+    }
+    return points;
   }
 };
 
@@ -142,7 +169,11 @@ public:
     }
     const Vec3 place = position(this->mesh_, from);
     const std::vector<SegmentAt> segments = this->segmentsAt(place, near);
-    const auto isBeside = [&](const SegmentAt& s) { return !around.hasFace(s.direction.face); };
+    const auto isBeside = [&](const SegmentAt& s)
+    {
+      return !around.hasFace(s.direction.face) ||
+        geodesic::norm(s.direction.along) < near * ShortSegment / SamePlace;
+    };
     if (std::any_of(segments.begin(), segments.end(), isBeside))
     {
       return {};
@@ -169,9 +200,9 @@ private:
       position(this->mesh_, { s.face, s.from }), position(this->mesh_, { s.face, s.to }));
   }
 
-  // Those of the segments that pass the place, by the side on which the path is in a segment's face.
-  std::vector<double> rightAngles(
-    std::size_t curve, const Vec3& place, const Direction& path) const
+  // Those of the segments that pass the place, by the side on which the path is in a segment's
+  // face.
+  std::vector<double> rightAngles(std::size_t curve, const Vec3& place, const Direction& path) const
   {
     std::vector<double> angles;
     for (const MeshSegment& s : this->curves_[curve].segments)
@@ -214,8 +245,9 @@ private:
     {
       return;
     }
-    const auto place = [this](const MeshSegment& s, const Barycentric& w)
-    { return position(this->mesh_, { s.face, w }); };
+    const auto place = [this](const MeshSegment& s, const Barycentric& w) {
+      return position(this->mesh_, { s.face, w });
+    };
     const Vec3 first = place(segments.front(), segments.front().from);
     const Vec3 last = place(segments.back(), segments.back().to);
     const bool isClosed = spaceDistance(first, last) <= 1e-12;
@@ -225,8 +257,9 @@ private:
       const Vec3 a = place(s, s.from);
       const Vec3 b = place(s, s.to);
       const bool closes = isClosed && &s == &segments.back();
-      this->ends_.push_back({ { s.face, s.from }, a, { { s.face, minus(b, a) }, c, this->passes_, true },
-        !isClosed && &s == &segments.front() });
+      this->ends_.push_back(
+        { { s.face, s.from }, a, { { s.face, minus(b, a) }, c, this->passes_, true },
+          !isClosed && &s == &segments.front() });
       ++this->passes_;
       this->ends_.push_back({ { s.face, s.to }, b,
         { { s.face, minus(a, b) }, c, closes ? firstPass : this->passes_, false },
@@ -268,16 +301,137 @@ class SourceAngles : public ::testing::TestWithParam<MeshKind>
 {
 };
 
-/// Worst of many values, and how many have not been as they should.
+/// What has come out of comparisons.
 struct Tally
 {
   std::size_t compared = 0;
-  std::size_t ties = 0;
+  /// Paths to other places or in other directions, equally long.
   std::size_t others = 0;
+  /// Paths that differ by no more than bendOn().
+  std::size_t bent = 0;
+  /// Sources a rounding beside an edge or a vertex, where the truth knows no angle.
   std::size_t beside = 0;
   double worstLength = 0.0;
   double worstAngle = 0.0;
+
+  bool isOther(double gap, double bend)
+  {
+    this->bent += gap > AngleAccuracy && gap <= bend ? 1 : 0;
+    this->others += gap > bend ? 1 : 0;
+    return gap > AngleAccuracy;
+  }
 };
+
+std::ostream& operator<<(std::ostream& os, const Tally& t)
+{
+  return os << "of " << t.compared << " points " << t.others << " have other paths, " << t.bent
+            << " bent ones, " << t.beside << " have no angle; worst length " << t.worstLength
+            << ", worst angle " << t.worstAngle;
+}
+
+/// Compares the feet of a case with traced paths.
+class AgainstPaths
+{
+public:
+  AgainstPaths(const MeshKind& kind, const RandomCase& c, Tally& tally)
+    : truth_(c.mesh, c.curves)
+    , largest_(largestFinite(c.truth.vertices))
+    , bend_(bendOn(kind))
+    , tally_(tally)
+  {
+  }
+
+  void compare(Solved& s, const SurfacePoint& target, const FoundPath& path)
+  {
+    const Foot foot = s.footOf(target);
+    if (!foot.isKnown() || path.points.size() < 2)
+    {
+      return;
+    }
+    ++this->tally_.compared;
+    const std::size_t n = path.points.size();
+    const Vec3 end = path.places[n - 1];
+    const SurfacePoint at = s.nearest.pointOf(foot);
+    const double gap = spaceDistance(end, geodesic::position(s.mesh, at)) / this->largest_;
+    if (this->tally_.isOther(gap, this->bend_))
+    {
+      return;
+    }
+    const double scale = std::max(this->truth_.lengthOf(foot.curve), this->largest_);
+    const double miss =
+      this->truth_.missOf(foot.curve, s.nearest.arcLengthOf(foot), end) / scale - gap;
+    EXPECT_LE(miss, LengthAccuracy);
+    this->tally_.worstLength = std::max(this->tally_.worstLength, miss);
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < n; ++i)
+    {
+      length += spaceDistance(path.places[i], path.places[i + 1]);
+    }
+    const Vec3 along = minus(path.places[n - 2], end);
+    if (length > ShortPath * this->largest_ &&
+      geodesic::norm(along) > ShortSegment * this->largest_)
+    {
+      const Id face = geodesic::commonFace(s.mesh, path.points[n - 2], path.points[n - 1]);
+      this->compareAngle(s, foot, at, { face, along });
+    }
+  }
+
+private:
+  void compareAngle(
+    const Solved& s, const Foot& foot, const SurfacePoint& at, const Direction& path)
+  {
+    const Id face = geodesic::someFace(s.mesh, at);
+    const std::vector<double> angles = this->truth_.anglesOf(foot.curve,
+      { face, geodesic::barycentric(s.mesh, at, face) }, path, SamePlace * this->largest_);
+    if (angles.empty())
+    {
+      ++this->tally_.beside;
+      return;
+    }
+    double gap = FullAngle;
+    for (const double angle : angles)
+    {
+      gap = std::min(gap, gapOfAngles(angle, s.nearest.angleOf(foot)));
+    }
+    if (!this->tally_.isOther(gap, this->bend_))
+    {
+      this->tally_.worstAngle = std::max(this->tally_.worstAngle, gap);
+    }
+  }
+
+  PlainTruth truth_;
+  double largest_;
+  double bend_;
+  Tally& tally_;
+};
+
+/// What is told of a point, as numbers that can be compared.
+struct Told
+{
+  Id curve = geodesic::NoId;
+  double arcLength = 0.0;
+  double angle = 0.0;
+};
+
+Told tell(const NearestSource& nearest, const Foot& foot)
+{
+  return foot.isKnown() ? Told{ foot.curve, nearest.arcLengthOf(foot), nearest.angleOf(foot) }
+                        : Told();
+}
+
+/// Compares what is told of a point twice. Of equally long paths either may be told.
+void compare(const Told& a, const Told& b, double scale, double bend, Tally& tally)
+{
+  ++tally.compared;
+  const double length = std::abs(a.arcLength - b.arcLength) / scale;
+  const double angle = gapOfAngles(a.angle, b.angle);
+  const double gap = a.curve != b.curve ? FullAngle : std::max(length, angle);
+  if (!tally.isOther(gap, bend))
+  {
+    tally.worstLength = std::max(tally.worstLength, length);
+    tally.worstAngle = std::max(tally.worstAngle, angle);
+  }
+}
 
 } // anonymous namespace
 
@@ -289,84 +443,128 @@ TEST_P(SourceAngles, AreThoseOfTracedPaths)
   {
     const RandomCase c = randomCase(GetParam(), seed, NumberOfQueries);
     Solved s(c.mesh, c.curves);
-    const PlainTruth truth(c.mesh, c.curves);
-    const double largest = largestFinite(c.truth.vertices);
-    std::vector<SurfacePoint> targets;
-    for (Id vertex = 0; vertex < s.mesh.numberOfVertices(); ++vertex)
-    {
-      targets.push_back(SurfacePoint::atVertex(vertex));
-    }
-    for (const MeshPoint& query : c.queries)
-    {
-      targets.push_back(geodesic::normalized(s.mesh, enginePoint(s.mesh, query)));
-    }
+    AgainstPaths against(GetParam(), c, tally);
+    const std::vector<SurfacePoint> targets = s.pointsWith(c.queries);
     const std::vector<FoundPath> paths = findPaths(s.mesh, s.curves, targets);
     for (std::size_t i = 0; i < targets.size(); ++i)
     {
-      const Foot foot = s.footOf(targets[i]);
-      const FoundPath& path = paths[i];
-      if (!foot.isKnown() || path.points.size() < 2)
-      {
-        continue;
-      }
-      const double distance = i < c.truth.vertices.size()
-        ? c.truth.vertices[i]
-        : c.truth.queries[i - c.truth.vertices.size()];
-      const std::size_t n = path.points.size();
-      const Vec3 end = path.places[n - 1];
-      const double length = truth.lengthOf(foot.curve);
-      const double arc = s.nearest.arcLengthOf(foot);
-      ++tally.compared;
-      if (spaceDistance(end, geodesic::position(s.mesh, s.nearest.pointOf(foot))) > 1e-6 * largest)
-      {
-        ++tally.ties;
-        continue;
-      }
-      const double miss = truth.missOf(foot.curve, arc, end) / std::max(length, largest);
-      if (miss > LengthAccuracy) std::cout << "MISS " << GetParam().name << " " << seed << " " << i << " foot " << arc << " around " << foot.around << " dist " << distance/largest << "\n";
-      EXPECT_LE(miss, LengthAccuracy) << GetParam().name << ", seed " << seed << ", point " << i;
-      tally.worstLength = std::max(tally.worstLength, miss);
-      if (!(distance > ShortPath * largest))
-      {
-        continue;
-      }
-      const Id face = geodesic::commonFace(s.mesh, path.points[n - 2], path.points[n - 1]);
-      const Vec3 along = minus(path.places[n - 2], end);
-      const double piece = geodesic::norm(along);
-      if (!(piece > 1e-6 * largest))
-      {
-        continue; // too short to tell a direction
-      }
-      const SurfacePoint at = s.nearest.pointOf(foot);
-      const Id faceAt = geodesic::someFace(s.mesh, at);
-      const std::vector<double> angles = truth.anglesOf(foot.curve,
-        { faceAt, geodesic::barycentric(s.mesh, at, faceAt) }, { face, along }, 1e-9 * largest);
-      if (angles.empty())
-      {
-        ++tally.beside;
-        continue;
-      }
-      const double angle = s.nearest.angleOf(foot);
-      double gap = 1e300;
-      for (const double a : angles)
-      {
-        gap = std::min(gap, gapOfAngles(a, angle));
-      }
-      if (gap > AngleAccuracy)
-      {
-        std::cout << GetParam().name << " seed " << seed << " point " << i << " gap " << gap << " angle " << angle
-                  << " expected " << angles.front() << " or " << (angles.size() > 1 ? angles[1] : 0.0) << " or " << (angles.size() > 2 ? angles[2] : 0.0) << " dist " << distance / largest << " piece " << piece
-                  << " arc " << arc << " curve " << foot.curve << " n " << n << " around " << foot.around
-                  << " kind " << int(s.nearest.pointOf(foot).kind) << " nexpected " << angles.size() << "\n";
-        ++tally.others;
-        continue;
-      }
-      tally.worstAngle = std::max(tally.worstAngle, gap);
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", point " + std::to_string(i));
+      against.compare(s, targets[i], paths[i]);
     }
   }
-  std::cout << GetParam().name << ": of " << tally.compared << " paths " << tally.ties
-            << " ties, " << tally.others << " others, " << tally.beside << " beside, worst length " << tally.worstLength << ", worst angle "
-            << tally.worstAngle << "\n";
+  EXPECT_LE(tally.others, tally.compared / 50);
+  EXPECT_LE(tally.bent, tally.compared / 20);
+  EXPECT_LE(tally.beside, tally.compared / 10);
+  std::cout << GetParam().name << ": " << tally << "\n";
+}
+
+TEST_P(SourceAngles, ChangeNoDistance)
+{
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(4); ++seed)
+  {
+    const RandomCase c = randomCase(GetParam(), seed, NumberOfQueries);
+    for (const double relativeError : { 0.0, 1e-3 })
+    {
+      geodesic::FrontOptions with = withAngles(true);
+      geodesic::FrontOptions without = withAngles(false);
+      with.relativeError = relativeError;
+      without.relativeError = relativeError;
+      const Solved a(c.mesh, c.curves, with);
+      const Solved b(c.mesh, c.curves, without);
+      EXPECT_EQ(a.field.vertexDistances(), b.field.vertexDistances());
+      EXPECT_EQ(a.field.windowsPropagated(), b.field.windowsPropagated());
+      EXPECT_EQ(a.field.relativeErrorBound(), b.field.relativeErrorBound());
+      EXPECT_EQ(valuesOf(a.field, c.queries).queries, valuesOf(b.field, c.queries).queries);
+    }
+  }
+}
+
+TEST_P(SourceAngles, HaveTheSameBitsOnAnyNumberOfThreads)
+{
+  const RandomCase c = randomCase(GetParam(), 1, NumberOfQueries);
+  std::vector<std::array<double, 3>> expected;
+  for (const geodesic::ParallelFor& way : waysToRun())
+  {
+    geodesic::FrontOptions options = withAngles();
+    options.parallelFor = way;
+    Solved s(c.mesh, c.curves, options);
+    std::vector<std::array<double, 3>> told;
+    for (const SurfacePoint& point : s.pointsWith(c.queries))
+    {
+      const Told t = tell(s.nearest, s.footOf(point));
+      told.push_back({ static_cast<double>(t.curve), t.arcLength, t.angle });
+    }
+    EXPECT_TRUE(expected.empty() || told == expected);
+    expected = told;
+  }
+}
+
+// With the windows that refinement keeps.
+TEST_P(SourceAngles, AreKnownAtPointsThatRefinementAdds)
+{
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(3); ++seed)
+  {
+    const RandomCase c = randomCase(GetParam(), seed, 0);
+    Solved s(c.mesh, c.curves);
+    constexpr double tolerance = 0.02;
+    const geodesic::DistanceField field =
+      geodesic::solveForRefinement(s.mesh, s.curves, tolerance, withAngles());
+    NearestSource nearest(field, geodesic::ReplicatedPatch(s.mesh), s.curves);
+    geodesic::RefinementOptions options;
+    options.tolerance = tolerance;
+    options.maximumFaces = 4 * s.mesh.numberOfFaces();
+    const geodesic::RefinedMesh refined = geodesic::refine(field, options);
+    for (std::size_t i = 0; i < refined.points.size(); i += 7)
+    {
+      const SurfacePoint& place = refined.points[i].place;
+      const Foot foot = nearest.of(geodesic::incomingSegmentTo(field, place));
+      compare(tell(nearest, foot), tell(s.nearest, s.footOf(place)),
+        largestFinite(c.truth.vertices), bendOn(GetParam()), tally);
+    }
+  }
+  EXPECT_LE(tally.others, tally.compared / 50);
+  EXPECT_LE(tally.bent, tally.compared / 20);
+  std::cout << GetParam().name << ": " << tally << "\n";
+}
+
+// Ranks that own faces in the order of the input have its first faces.
+TEST_P(SourceAngles, AreTheSameOnRanks)
+{
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < meshesOfAKind(3); ++seed)
+  {
+    const RandomCase c = randomCase(GetParam(), seed, 0);
+    Solved s(c.mesh, c.curves);
+    for (const int ranks : { 1, 2, 4 })
+    {
+      CutMesh cut = { c.mesh, ranks, {} };
+      for (Index face = 0; face < c.mesh.triangles.size(); ++face)
+      {
+        cut.rankOfFace.push_back(
+          static_cast<int>(face * static_cast<std::size_t>(ranks) / c.mesh.triangles.size()));
+      }
+      std::mutex mutex;
+      onRanks(cut, c.curves, 0,
+        [&](const RankOfRun& rank)
+        {
+          const geodesic::DistanceField field =
+            geodesic::solve(rank.part, rank.sources, withAngles(), geodesic::KeepWindows::None);
+          const NearestSource nearest(field, rank.patch, rank.curvesOnPatch);
+          const std::lock_guard<std::mutex> lock(mutex);
+          for (Id vertex = 0; vertex < rank.wholeVertices.size(); ++vertex)
+          {
+            compare(tell(nearest, nearest.atVertex(vertex)),
+              tell(s.nearest, s.nearest.atVertex(rank.wholeVertices[vertex])),
+              largestFinite(c.truth.vertices), bendOn(GetParam()), tally);
+          }
+        });
+    }
+  }
+  EXPECT_GT(tally.compared, 0U);
+  EXPECT_LE(tally.others, tally.compared / 50);
+  EXPECT_LE(tally.bent, tally.compared / 20);
+  std::cout << GetParam().name << ": " << tally << "\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SourceAngles, ::testing::ValuesIn(meshKinds()),

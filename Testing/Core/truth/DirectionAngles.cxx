@@ -67,8 +67,7 @@ struct Turn
 };
 
 // Where a curve is continued by another, the direction is that of the one that is asked for.
-bool isForward(
-  const SegmentAt& segment, const std::vector<SegmentAt>& segments, std::size_t curve)
+bool isForward(const SegmentAt& segment, const std::vector<SegmentAt>& segments, std::size_t curve)
 {
   const auto own = std::find_if(segments.begin(), segments.end(),
     [&](const SegmentAt& s) { return s.curve == curve && s.pass == segment.pass; });
@@ -324,16 +323,17 @@ std::vector<double> DirectionAngles::ofCurve(
   {
     for (double* angle : { &turn.from, &turn.to })
     {
-      *angle = fan.isClosed            ? *angle - fan.total * std::floor(*angle / fan.total)
+      *angle = fan.isClosed       ? *angle - fan.total * std::floor(*angle / fan.total)
         : *angle < -SameDirection ? 1e300
-                            : *angle;
+                                  : *angle;
     }
     least.from = std::min(least.from, turn.from);
     least.to = std::min(least.to, turn.to);
   }
   std::vector<double> angles;
   // There the rays of the segment begin.
-  if (std::abs(least.from - 0.5 * Pi) <= AtRightAngle || std::abs(least.to - 0.5 * Pi) <= AtRightAngle)
+  if (std::abs(least.from - 0.5 * Pi) <= AtRightAngle ||
+    std::abs(least.to - 0.5 * Pi) <= AtRightAngle)
   {
     angles = { -0.5 * Pi, 0.5 * Pi };
   }

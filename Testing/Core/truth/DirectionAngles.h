@@ -40,8 +40,8 @@ public:
   ///
   /// \param segments all that end at the point; at least one.
   /// \param curve that the angle is to be measured from.
-  std::vector<double> ofCurve(const Direction& direction, const std::vector<SegmentAt>& segments,
-    std::size_t curve) const;
+  std::vector<double> ofCurve(
+    const Direction& direction, const std::vector<SegmentAt>& segments, std::size_t curve) const;
 
   /// Whether a face contains the point.
   bool hasFace(Index face) const;
