@@ -513,7 +513,7 @@ TEST_P(SourceAngles, AreKnownAtPointsThatRefinementAdds)
     NearestSource nearest(field, geodesic::ReplicatedPatch(s.mesh), s.curves);
     geodesic::RefinementOptions options;
     options.tolerance = tolerance;
-    options.maximumFaces = 4 * s.mesh.numberOfFaces();
+    options.maximumFaces = std::uint64_t(4) * s.mesh.numberOfFaces();
     const geodesic::RefinedMesh refined = geodesic::refine(field, options);
     for (std::size_t i = 0; i < refined.points.size(); i += 7)
     {
