@@ -99,6 +99,11 @@ void show(vtkSMPVRepresentationProxy* representation)
   vtkSMPropertyHelper(representation, "PointSize", true).Set(12.0);
   vtkSMPropertyHelper(representation, "RenderLinesAsTubes", true).Set(1);
   vtkSMPropertyHelper(representation, "RenderPointsAsSpheres", true).Set(1);
+  if (vtkSMPropertyHelper(representation, "Input").GetOutputPort() == 1)
+  {
+    // Of one color and opaque, points as balls are drawn behind any surface (ParaView 5.11).
+    vtkSMPropertyHelper(representation, "Opacity", true).Set(0.999);
+  }
   representation->UpdateVTKObjects();
 }
 

@@ -49,6 +49,22 @@ class Lines(unittest.TestCase):
         self.view.CameraViewUp = (0, 1, 0)
         simple.ResetCamera(self.view)
 
+    def test_a_point_is_a_whole_ball(self):
+        surface = simple.Sphere(Radius=70, ThetaResolution=100, PhiResolution=100)
+        start = simple.PointSource(NumberOfPoints=1, Radius=0)
+        field = simple.GeodesicDistanceField(Input=surface, Source=start)
+        simple.Show(field, self.view)
+        display = simple.Show(simple.OutputPort(field, 1), self.view)
+        disk = np.pi / 4 * display.PointSize ** 2
+        for direction in ((-1, 0, 0), (-0.7, 0.7, 0.1), (-0.9, 0.3, 0.3), (-0.5, 0.2, 0.8)):
+            start.Center = 70 * np.array(direction) / np.linalg.norm(direction)
+            self.view.CameraPosition, self.view.CameraFocalPoint = (-400, 120, 140), (0, 0, 0)
+            with tempfile.TemporaryDirectory() as folder:
+                picture = pathlib.Path(folder) / "ball.png"
+                simple.SaveScreenshot(str(picture), self.view, ImageResolution=self.view.ViewSize)
+                pixels = is_line(read_pixels(picture)).sum()
+            self.assertTrue(0.6 * disk < pixels < 1.2 * disk, (direction, pixels, disk))
+
     def test_are_whole_from_above_and_aslant(self):
         surface, source = plane(), polyline([(1.03, 0, 0), (1.07, 3, 0)])
         lines = (
