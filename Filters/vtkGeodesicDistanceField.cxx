@@ -70,12 +70,18 @@ public:
   vtkWorker(vtkGeodesicDistanceField* self, geodesic::FilterExecution& execution)
     : Self(self)
     , Execution(execution)
-    , Choice{ self->GenerateSourceIds, self->GenerateClosestPoints, self->GenerateGradients,
-      self->GenerateSignedDistance }
+    , Choice(ChoiceOf(self))
     , DistancesDone(!this->Choice.isAny() ? FieldDone
           : this->IsApproximate()         ? FieldDoneBeforeExactOne
                                           : FieldDoneBeforeSources)
   {
+  }
+
+  static geodesic::SourceArrayChoice ChoiceOf(const vtkGeodesicDistanceField* self)
+  {
+    return { self->GenerateSourceIds, self->GenerateClosestPoints, self->GenerateGradients,
+      self->GenerateSignedDistance, self->GenerateSourceArcLength, self->GenerateSourceAngle,
+      self->GenerateTextureCoordinates };
   }
 
   /// \throws geodesic::Error
@@ -93,6 +99,9 @@ private:
     /// What the arrays beside the distance hold, at vertices and, by blocks, at refined points.
     geodesic::SourceValues atVertices;
     std::vector<geodesic::SourceValues> atRefinedPoints;
+    /// What angles are measured in, and arc lengths along the curves: see geodesic::SourceArrays.
+    std::vector<geodesic::SourceFrame> frames;
+    std::vector<std::vector<double>> arcLengthsOfCurves;
   };
 
   /// The surface after refinement, before it is divided into blocks.
@@ -121,7 +130,7 @@ private:
   bool CanRefine() const;
   double Tolerance() const;
   void ShareNumbers(Result& result) const;
-  void WriteNothing(bool isRefined, vtkDataObject* output) const;
+  void WriteNothing(const Result& result, vtkDataObject* output) const;
   Result Compute();
   void ScaleToUser(Result& result) const;
   geodesic::FrontOptions FrontOptions(double endOfProgress) const;
@@ -145,10 +154,13 @@ private:
   void WriteSurface(const Result& result, vtkDataObject* output) const;
   double UnreachedValue() const;
   void WriteDistances(const Result& result, std::size_t block, vtkPolyData* output) const;
-  void WriteFieldData(vtkDataObject* output) const;
+  void WriteFieldData(const Result& result, vtkDataObject* output) const;
   void NoteReplacedArrays(bool isRefined) const;
 
-  bool AreBordersRefined() const { return this->Self->RefineSourceBorders; }
+  bool AreBordersRefined() const
+  {
+    return this->Self->RefineSourceBorders || this->Choice.textureCoordinates;
+  }
   bool AreFeetNeeded() const { return this->Choice.areFeetNeeded() || this->AreBordersRefined(); }
   bool IsApproximate() const
   {
@@ -180,7 +192,7 @@ void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData
   this->Execution.enter(geodesic::Stage::WritingOutputs);
   if (isElsewhere)
   {
-    this->WriteNothing(result.isRefined, output);
+    this->WriteNothing(result, output);
     return;
   }
   this->NoteReplacedArrays(result.isRefined);
@@ -188,7 +200,7 @@ void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData
   if (this->Execution.hasSourceOutput())
   {
     geodesic::writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale(),
-      this->Execution.sources().curves, curves);
+      this->Execution.sources().curves, result.arcLengthsOfCurves, curves);
   }
 }
 
@@ -216,11 +228,16 @@ void vtkGeodesicDistanceField::vtkWorker::ShareNumbers(Result& result) const
   self->InterpolationErrorBound = numbers.InterpolationError;
   self->SeamPointsJoined = numbers.SeamPoints;
   result.isRefined = numbers.IsRefined;
+  if (this->Choice.angles)
+  {
+    this->Execution.shareResults(result.frames);
+  }
 }
 
 //------------------------------------------------------------------------------
 // A rank without surface has the arrays of the other ranks, without values.
-void vtkGeodesicDistanceField::vtkWorker::WriteNothing(bool isRefined, vtkDataObject* output) const
+void vtkGeodesicDistanceField::vtkWorker::WriteNothing(
+  const Result& result, vtkDataObject* output) const
 {
   for (vtkPolyData* block : geodesic::makeBlocksLike(this->Execution.surfaceInput(), output))
   {
@@ -229,15 +246,15 @@ void vtkGeodesicDistanceField::vtkWorker::WriteNothing(bool isRefined, vtkDataOb
     block->GetPointData()->AddArray(distances);
     block->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
     geodesic::addEmptyArrays(this->Choice, block);
-    if (isRefined)
+    if (result.isRefined)
     {
       vtkNew<vtkIdTypeArray> originals;
       originals->SetName("OriginalCellIds");
       block->GetCellData()->AddArray(originals);
     }
-    this->WriteFieldData(block);
+    this->WriteFieldData(result, block);
   }
-  this->WriteFieldData(output);
+  this->WriteFieldData(result, output);
 }
 
 //------------------------------------------------------------------------------
@@ -303,10 +320,10 @@ vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker:
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkWorker::RequireSides() const
 {
-  if (this->Choice.signedDistances)
+  if (this->Choice.areSidesNeeded())
   {
-    geodesic::requireSides(
-      this->Execution.surface(), this->Execution.surfaceBlocks(), "GenerateSignedDistance");
+    geodesic::requireSides(this->Execution.surface(), this->Execution.surfaceBlocks(),
+      this->Choice.signedDistances ? "GenerateSignedDistance" : "GenerateTextureCoordinates");
   }
 }
 
@@ -371,6 +388,8 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(SolvedSurface& solved, Res
   geodesic::NearestSource nearest(exact, this->Execution.patch(), curves, part(0));
   const geodesic::SourceArrays arrays = this->Arrays();
   result.atVertices = arrays.atVertices(field, nearest, part(1));
+  result.frames = arrays.frames(nearest);
+  result.arcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
   if (result.isRefined)
   {
     const std::size_t count = refined.numberOfPointsWithPlaces();
@@ -430,6 +449,7 @@ geodesic::FrontOptions vtkGeodesicDistanceField::vtkWorker::FrontOptions(double 
       this->Execution.surface().scale().toEngine(this->Self->MaximumDistance);
   }
   options.keepArrivals = this->Choice.isAny() || this->AreFeetNeeded();
+  options.keepAngles = this->Choice.areAnglesNeeded();
   options.parallelFor = geodesic::smpParallelFor();
   options.progress =
     this->Execution.progressBetween(geodesic::FilterExecution::InputsRead, endOfProgress);
@@ -626,9 +646,9 @@ void vtkGeodesicDistanceField::vtkWorker::WriteSurface(
       geodesic::removeUnusedPoints(outputs[i]);
     }
     outputs[i]->GetFieldData()->PassData(inputs[i].data->GetFieldData());
-    this->WriteFieldData(outputs[i]);
+    this->WriteFieldData(result, outputs[i]);
   }
-  this->WriteFieldData(output);
+  this->WriteFieldData(result, output);
 }
 
 //------------------------------------------------------------------------------
@@ -681,13 +701,18 @@ void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(vtkDataObject* output) const
+void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(
+  const Result& result, vtkDataObject* output) const
 {
   addFieldData(output, "WindowsPropagatedPerEdge", this->Self->WindowsPropagatedPerEdge);
   addFieldData(output, "SourceSnapDistance", this->Self->SourceSnapDistance);
   addFieldData(output, "RelativeErrorBound", this->Self->RelativeErrorBound);
   addFieldData(output, "InterpolationErrorBound", this->Self->InterpolationErrorBound);
   addFieldData(output, "SeamPointsJoined", static_cast<double>(this->Self->SeamPointsJoined));
+  if (this->Choice.angles)
+  {
+    geodesic::addSourceFrames(result.frames, output);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -758,9 +783,7 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
   {
     return "DistanceArrayName is empty: set a name for the distance array.";
   }
-  const geodesic::SourceArrayChoice choice = { this->GenerateSourceIds, this->GenerateClosestPoints,
-    this->GenerateGradients, this->GenerateSignedDistance };
-  for (const char* name : geodesic::namesOf(choice))
+  for (const char* name : geodesic::namesOf(vtkWorker::ChoiceOf(this)))
   {
     if (std::string(name) == this->DistanceArrayName)
     {
@@ -855,6 +878,9 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateClosestPoints: " << onOff(this->GenerateClosestPoints) << "\n";
   os << indent << "GenerateGradients: " << onOff(this->GenerateGradients) << "\n";
   os << indent << "GenerateSignedDistance: " << onOff(this->GenerateSignedDistance) << "\n";
+  os << indent << "GenerateSourceArcLength: " << onOff(this->GenerateSourceArcLength) << "\n";
+  os << indent << "GenerateSourceAngle: " << onOff(this->GenerateSourceAngle) << "\n";
+  os << indent << "GenerateTextureCoordinates: " << onOff(this->GenerateTextureCoordinates) << "\n";
   os << indent << "WindowsPropagatedPerEdge: " << this->WindowsPropagatedPerEdge << "\n";
   os << indent << "SourceSnapDistance: " << this->SourceSnapDistance << "\n";
   os << indent << "RelativeErrorBound: " << this->RelativeErrorBound << "\n";

@@ -91,14 +91,14 @@
  * - point data array `GeodesicDistance` (or DistanceArrayName): the distance, in double precision;
  *   infinite (or UnreachedValue) at points that no path connects to the source, inside barriers, or
  *   beyond MaximumDistance,
- * - where they are asked for, point data arrays `SourceId`, `ClosestSourcePoint`,
- * `DistanceGradient` and `SignedGeodesicDistance`: see SetGenerateSourceIds() and those that follow
- * it,
+ * - if they are asked for, point data arrays `SourceId`, `ClosestSourcePoint`, `DistanceGradient`,
+ *   `SignedGeodesicDistance`, `SourceArcLength`, `SourceAngle` and `SourceTextureCoordinates`: see
+ *   SetGenerateSourceIds() and the properties that follow it,
  * - cell data array `OriginalCellIds`, where RefineMesh was done: the cell of the input (of the
  *   block) that each triangle is a part of,
  * - field data arrays `WindowsPropagatedPerEdge`, `SourceSnapDistance`, `RelativeErrorBound`,
  *   `InterpolationErrorBound` and `SeamPointsJoined`, on the whole and on each block: see the
- * getters of these names.
+ *   getters of these names; with SetGenerateSourceAngle() also `SourceFrame`.
  * @par
  * Point data is interpolated linearly to new points, in the face; strings, ids (vtkIdTypeArray and
  * pedigree ids) and bits are those of the nearest corner, a new point is a ghost in the ways that
@@ -111,7 +111,8 @@
  * @par
  * Port 1 has the source as it lies on the surface: polylines with a point at every mesh edge that
  * they cross, and a vertex for each point source, with the cell data array `SourceId`: the part of
- * the source that each comes from, as SetGenerateSourceIds() numbers them.
+ * the source that each comes from, as SetGenerateSourceIds() numbers them; with
+ * SetGenerateSourceArcLength() also with the point data array `SourceArcLength`.
  *
  * @par Execution:
  * The structure of the surface is kept, so that executing again with another source costs only the
@@ -301,7 +302,8 @@ public:
 
   ///@{
   /**
-   * What stands in the distance array, and in SignedGeodesicDistance, at points that no path
+   * What stands in the distance array, and in SignedGeodesicDistance, SourceArcLength, SourceAngle
+   * and SourceTextureCoordinates, at points that no path
    * connects to the source, inside barriers and beyond MaximumDistance: +infinity (the default),
    * which contours, thresholds and color maps can work with; NaN, which color maps show in a color
    * of their own; or CustomUnreachedValue, for filters and files that need finite numbers. A
@@ -353,10 +355,10 @@ public:
    * source, are numbered after these. -1 where a point is not reached. Off by default. Output port
    * 1 always has a cell array of that name and meaning.
    *
-   * Where several shortest paths tie, the four arrays are those of one of them. They never change
-   * the distance. In approximate mode SourceId, ClosestSourcePoint and the sign are those of the
-   * exact field, which is computed in addition: that the named source is within RelativeError of
-   * the nearest could not be told from merged windows.
+   * If several shortest paths tie, all arrays describe the same one of them. They never change the
+   * distance. In approximate mode all but DistanceGradient describe paths of the exact field, which
+   * is computed in addition: merged windows cannot prove that the named source is within
+   * RelativeError of the nearest.
    */
   vtkSetMacro(GenerateSourceIds, bool);
   vtkGetMacro(GenerateSourceIds, bool);
@@ -402,6 +404,62 @@ public:
   vtkSetMacro(GenerateSignedDistance, bool);
   vtkGetMacro(GenerateSignedDistance, bool);
   vtkBooleanMacro(GenerateSignedDistance, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output has the point array SourceArcLength: how far along its part of the source
+   * the point ClosestSourcePoint is, as the length of the line from its first point, on the line as
+   * it lies on the surface. 0 for a point source; a polygon's outline is measured from its first
+   * point, a loop of the boundary from its first vertex. UnreachedValue where a point is not
+   * reached. Off by default. Output port 1 has a point array of the same name and meaning.
+   *
+   * With the (signed) distance this array gives each point coordinates along and across a curve.
+   * It jumps where the nearest part of the source changes, and where a closed line begins.
+   */
+  vtkSetMacro(GenerateSourceArcLength, bool);
+  vtkGetMacro(GenerateSourceArcLength, bool);
+  vtkBooleanMacro(GenerateSourceArcLength, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output has the point array SourceAngle: the direction, in radians, in which a
+   * shortest path leaves ClosestSourcePoint, seen with the normals of the faces towards the viewer.
+   * Behind the vertices where a path bends it stays what it was at the source. 0 on the source,
+   * UnreachedValue where a point is not reached. Off by default.
+   * - Around a point source it is measured counterclockwise from the first axis of the point's
+   *   frame, from -pi to pi: in a face along its first edge, at a vertex along the edge that its
+   *   first face begins with there. The angles around a vertex are scaled to 2 pi in sum; on the
+   *   boundary they run from 0 to their own sum.
+   * - From a curve it is measured from the curve's direction, positive on its left: pi / 2 on the
+   *   left-hand side, -pi / 2 on the right-hand side. At a bend the directions between ahead and
+   *   back are scaled to pi on each side, at an end all of them to 2 pi.
+   *
+   * The output then also has the field data array SourceFrame with 9 components: for each part of
+   * the source, by its SourceId, three unit vectors one after another: the direction of angle 0,
+   * the one of pi / 2, and the normal. Of a curve they belong to its first segment.
+   */
+  vtkSetMacro(GenerateSourceAngle, bool);
+  vtkGetMacro(GenerateSourceAngle, bool);
+  vtkBooleanMacro(GenerateSourceAngle, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output has the point array SourceTextureCoordinates, as active texture coordinates
+   * (u, v), so that a texture shows at once: around a curve u is SourceArcLength and v is
+   * SignedGeodesicDistance, around a point source they are the distance times the cosine and the
+   * sine of SourceAngle (the logarithmic map). The texture has the length 1 in the units of the
+   * surface. UnreachedValue, twice, where a point is not reached. Off by default.
+   *
+   * The surface must be oriented as for SetGenerateSignedDistance(). Behind an open end of a curve
+   * u is constant. u and v jump where shortest paths from different places of the source meet: the
+   * texture is distorted in the triangles across such a border.
+   */
+  vtkSetMacro(GenerateTextureCoordinates, bool);
+  vtkGetMacro(GenerateTextureCoordinates, bool);
+  vtkBooleanMacro(GenerateTextureCoordinates, bool);
   ///@}
 
   ///@{
@@ -481,6 +539,9 @@ private:
   bool GenerateClosestPoints = false;
   bool GenerateGradients = false;
   bool GenerateSignedDistance = false;
+  bool GenerateSourceArcLength = false;
+  bool GenerateSourceAngle = false;
+  bool GenerateTextureCoordinates = false;
   double WindowsPropagatedPerEdge = 0.0;
   double SourceSnapDistance = 0.0;
   double RelativeErrorBound = 0.0;

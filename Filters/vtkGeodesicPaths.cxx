@@ -4,6 +4,7 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/writing/PathWriter.h"
+#include "PolyData/writing/SourceArrays.h"
 #include "paths/PathsToSource.h"
 
 #include "vtkInformationVector.h"
@@ -56,7 +57,7 @@ std::vector<geodesic::PathOfTarget> FindPaths(geodesic::FilterExecution& executi
     [&](std::size_t i, const geodesic::PathToSource& path)
     {
       paths[i] = { targets.numbers[i], targets.snapDistances[i], PlacesOf(path.mesh, path.points),
-        path.source };
+        path.end };
     });
   paths.erase(std::remove_if(paths.begin(), paths.end(),
                 [](const geodesic::PathOfTarget& path) { return path.points.empty(); }),
@@ -66,11 +67,19 @@ std::vector<geodesic::PathOfTarget> FindPaths(geodesic::FilterExecution& executi
   return paths;
 }
 
+std::vector<geodesic::SourceFrame> FramesOf(const geodesic::FilterExecution& execution)
+{
+  const std::vector<geodesic::SourceCurve>& curves = execution.sources().curves;
+  const geodesic::PathEnds ends(execution.patch(), curves);
+  return geodesic::framesBySource(
+    curves, [&ends](geodesic::Id curve) { return ends.frameOf(curve); });
+}
+
 void PutPath(geodesic::Message& message, const geodesic::PathOfTarget& path)
 {
   geodesic::put(message, path.target);
   geodesic::put(message, path.snapDistance);
-  geodesic::put(message, path.source);
+  geodesic::put(message, path.end);
   geodesic::put(message, path.points.size());
   geodesic::put(message, path.points.data(), path.points.size());
 }
@@ -80,7 +89,7 @@ geodesic::PathOfTarget GetPath(geodesic::MessageReader& reader)
   geodesic::PathOfTarget path;
   path.target = reader.get<std::size_t>();
   path.snapDistance = reader.get<double>();
-  path.source = reader.get<geodesic::Id>();
+  path.end = reader.get<geodesic::PathEnd>();
   path.points.resize(reader.get<std::size_t>());
   reader.get(path.points.data(), path.points.size());
   return path;
@@ -157,23 +166,33 @@ void vtkGeodesicPaths::Compute(
   execution.requireTargets();
   execution.readInputs(true);
   std::vector<geodesic::PathOfTarget> paths;
+  std::vector<geodesic::SourceFrame> frames;
   geodesic::PowerOfTwoScale scale;
   if (execution.surfacePlace() != geodesic::SurfacePlace::OnOtherRank)
   {
     paths = FindPaths(execution);
+    frames = this->GenerateSourceAngle ? FramesOf(execution) : frames;
     scale = execution.surface().scale();
   }
   if (execution.exchange().numberOfRanks() > 1)
   {
     paths = SendHome(execution, std::move(paths), scale);
   }
+  if (this->GenerateSourceAngle)
+  {
+    execution.shareResults(frames);
+    geodesic::addSourceFrames(frames, vtkPolyData::GetData(outputVector, 0));
+  }
   execution.enter(geodesic::Stage::WritingOutputs);
-  geodesic::writePaths(scale, paths, vtkPolyData::GetData(outputVector, 0),
-    execution.progressBetween(PathsFound, 1.0));
+  geodesic::writePaths(scale, paths, { this->GenerateSourceArcLength, this->GenerateSourceAngle },
+    vtkPolyData::GetData(outputVector, 0), execution.progressBetween(PathsFound, 1.0));
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicPaths::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  const auto onOff = [](bool value) { return value ? "On" : "Off"; };
+  os << indent << "GenerateSourceArcLength: " << onOff(this->GenerateSourceArcLength) << "\n";
+  os << indent << "GenerateSourceAngle: " << onOff(this->GenerateSourceAngle) << "\n";
 }

@@ -39,6 +39,9 @@
  * the end it is one of them,
  * - cell data array `GeodesicDistance`: the length of the path,
  * - cell data array `TargetSnapDistance`: how far the target was from the surface,
+ * - if they are asked for, cell data arrays `SourceArcLength` and `SourceAngle`: how far along its
+ *   part of the source the path ends, and in which direction it leaves there: see
+ *   SetGenerateSourceArcLength(),
  * - point data array `GeodesicDistance`: what is left of the path from the point on; 0 at its end.
  * @par
  * Targets that no path joins to the source, such as those in a barrier (BarrierArrayName), have no
@@ -91,6 +94,29 @@ public:
   void SetTargetsData(vtkDataObject* targets);
   ///@}
 
+  ///@{
+  /**
+   * Whether the output has the cell array SourceArcLength: where along its part of the source each
+   * path ends, as vtkGeodesicDistanceField::SetGenerateSourceArcLength() defines it. Off by
+   * default.
+   */
+  vtkSetMacro(GenerateSourceArcLength, bool);
+  vtkGetMacro(GenerateSourceArcLength, bool);
+  vtkBooleanMacro(GenerateSourceArcLength, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output has the cell array SourceAngle: the direction, in radians, in which each
+   * path leaves the source, seen from there, and the field data array SourceFrame, both as
+   * vtkGeodesicDistanceField::SetGenerateSourceAngle() defines them; 0 for a target on the source.
+   * Off by default.
+   */
+  vtkSetMacro(GenerateSourceAngle, bool);
+  vtkGetMacro(GenerateSourceAngle, bool);
+  vtkBooleanMacro(GenerateSourceAngle, bool);
+  ///@}
+
 protected:
   vtkGeodesicPaths();
   ~vtkGeodesicPaths() override;
@@ -100,6 +126,9 @@ protected:
 private:
   vtkGeodesicPaths(const vtkGeodesicPaths&) = delete;
   void operator=(const vtkGeodesicPaths&) = delete;
+
+  bool GenerateSourceArcLength = false;
+  bool GenerateSourceAngle = false;
 };
 
 #endif

@@ -89,17 +89,28 @@ public:
   template <typename Value>
   void shareResult(Value& value)
   {
+    std::vector<Value> values = { value };
+    this->shareResults(values);
+    value = values.front();
+  }
+  /// The same for any number of values.
+  template <typename Value>
+  void shareResults(std::vector<Value>& values)
+  {
     Message message;
     if (this->place_ != SurfacePlace::OnOtherRank)
     {
-      put(message, value);
+      putAll(message, values);
     }
     bool isFirst = true;
     readEach(this->exchange_.tellAll(message),
       [&](int, MessageReader& reader)
       {
-        const auto told = reader.get<Value>();
-        value = std::exchange(isFirst, false) ? told : value;
+        auto told = reader.getAll<Value>();
+        if (std::exchange(isFirst, false))
+        {
+          values = std::move(told);
+        }
       });
   }
   /// Whether this is the rank that puts out what is there once: the first one.

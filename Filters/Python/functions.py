@@ -42,14 +42,19 @@ def field(surface, source, *, refine_mesh=False, **options):
     "points" and "faces" are the surface, and the arrays at its points have the names that they have in VTK:
     "GeodesicDistance", and with generate_source_ids=True "SourceId", with generate_closest_points=True
     "ClosestSourcePoint", with generate_gradients=True "DistanceGradient", with
-    generate_signed_distance=True "SignedGeodesicDistance". relative_error=0.001 makes it faster, and distances
+    generate_signed_distance=True "SignedGeodesicDistance", with generate_source_arc_length=True "SourceArcLength",
+    with generate_source_angle=True "SourceAngle" and for each source the "SourceFrame" (three vectors), with
+    generate_texture_coordinates=True "SourceTextureCoordinates". relative_error=0.001 makes it faster, and distances
     smaller by at most that fraction. With refine_mesh=True faces are split until the distance can be interpolated
     linearly; the points of the surface come first then.
     """
     if "relative_error" in options:
         options.setdefault("accuracy", vtkGeodesicDistanceField.APPROXIMATE)
     output = _run(vtkGeodesicDistanceField(), surface, source, refine_mesh=refine_mesh, **options)
-    return {"points": _points(output), "faces": _cells(output.GetPolys()), **_arrays(output.GetPointData())}
+    result = {"points": _points(output), "faces": _cells(output.GetPolys()), **_arrays(output.GetPointData())}
+    if options.get("generate_source_angle"):
+        result["SourceFrame"] = np.array(vtk_to_numpy(output.GetFieldData().GetArray("SourceFrame"))).reshape(-1, 3, 3)
+    return result
 
 
 def contour(surface, source, distances, **options):
@@ -69,7 +74,8 @@ def paths(surface, source, targets, **options):
     """The shortest path from each target (given as a source is) to the source, as a dictionary of arrays.
 
     "lines" has the indices into "points" for each path, "GeodesicDistance" its length, "TargetId" the number of
-    its target, "SourceId" the part of the source that it ends on.
+    its target, "SourceId" the part of the source that it ends on. generate_source_arc_length and
+    generate_source_angle add arrays about this end, as for field().
     """
     return _lines(_run(vtkGeodesicPaths(), surface, source, targets, **options))
 

@@ -280,7 +280,7 @@ void FoundPath::take(const geodesic::PathToSource& path)
   {
     this->places.push_back(geodesic::position(path.mesh, point));
   }
-  this->source = path.source;
+  this->source = path.end.source;
   this->wasLost = path.wasLost;
 }
 

@@ -35,6 +35,8 @@ vtkSmartPointer<vtkPolyData> Sources()
   return sources;
 }
 
+using AllValues = std::array<double, 13>;
+
 /// What an output has at a point.
 struct Values
 {
@@ -43,12 +45,16 @@ struct Values
   Point Foot;
   Point Gradient;
   double SignedDistance;
+  double ArcLength;
+  double Angle;
+  std::array<double, 2> Texture;
 
   /// All of them.
-  std::array<double, 9> All() const
+  AllValues All() const
   {
     return { this->Distance, this->SourceId, this->Foot[0], this->Foot[1], this->Foot[2],
-      this->Gradient[0], this->Gradient[1], this->Gradient[2], this->SignedDistance };
+      this->Gradient[0], this->Gradient[1], this->Gradient[2], this->SignedDistance,
+      this->ArcLength, this->Angle, this->Texture[0], this->Texture[1] };
   }
 };
 
@@ -90,6 +96,9 @@ std::vector<ValuedPoint> PointsOf(vtkPolyData* output, vtkIdType numberOfInputPo
     array("ClosestSourcePoint")->GetTuple(id, point.At.Foot.data());
     array("DistanceGradient")->GetTuple(id, point.At.Gradient.data());
     point.At.SignedDistance = array("SignedGeodesicDistance")->GetTuple1(id);
+    point.At.ArcLength = array("SourceArcLength")->GetTuple1(id);
+    point.At.Angle = array("SourceAngle")->GetTuple1(id);
+    output->GetPointData()->GetTCoords()->GetTuple(id, point.At.Texture.data());
     points.push_back(point);
   }
   return points;
@@ -113,7 +122,7 @@ std::vector<ValuedPoint> PointsOf(vtkDataObject* output, vtkDataObject* input)
 }
 
 /// What the ranks have at the places of their own cells' points.
-std::map<Point, std::set<std::array<double, 9>>> GatheredOwn(const std::vector<ValuedPoint>& points)
+std::map<Point, std::set<AllValues>> GatheredOwn(const std::vector<ValuedPoint>& points)
 {
   vtkNew<vtkDoubleArray> sent;
   for (const ValuedPoint& point : points)
@@ -132,12 +141,12 @@ std::map<Point, std::set<std::array<double, 9>>> GatheredOwn(const std::vector<V
   }
   vtkNew<vtkDoubleArray> received;
   vtkMultiProcessController::GetGlobalController()->AllGatherV(sent, received);
-  std::map<Point, std::set<std::array<double, 9>>> all;
-  for (vtkIdType i = 0; i < received->GetNumberOfValues(); i += 12)
+  std::map<Point, std::set<AllValues>> all;
+  for (vtkIdType i = 0; i < received->GetNumberOfValues(); i += 16)
   {
     const double* first = received->GetPointer(i);
-    std::array<double, 9> values;
-    std::copy(first + 3, first + 12, values.begin());
+    AllValues values;
+    std::copy(first + 3, first + 16, values.begin());
     all[{ first[0], first[1], first[2] }].insert(values);
   }
   return all;
@@ -188,6 +197,39 @@ double SideOfLine(const Point& p)
   return isBeside && std::abs(side) > 1e-9 ? side : 0.0;
 }
 
+/// Along and across the line, around the point.
+void CheckCoordinates(
+  Check& check, const ValuedPoint& point, const double* frame, const std::string& what)
+{
+  const Values& at = point.At;
+  if (at.SourceId == 0.0)
+  {
+    check.Equal(at.ArcLength, 0.0, what + ": arc length at a point");
+    for (std::size_t x = 0; x < 3; ++x)
+    {
+      const double reached =
+        SourcePoint[x] + at.Texture[0] * frame[x] + at.Texture[1] * frame[3 + x];
+      check.That(std::abs(reached - point.Place[x]) <= std::max(1e-12, 2e-3 * at.Distance),
+        what + ": texture coordinates around the point");
+      const double direction = at.Distance > 1e-6
+        ? std::cos(at.Angle) * frame[x] + std::sin(at.Angle) * frame[3 + x] -
+          (point.Place[x] - SourcePoint[x]) /
+            DistanceToSegment(point.Place, SourcePoint, SourcePoint)
+        : 0.0;
+      check.That(std::abs(direction) <= 1e-9, what + ": angle around the point");
+    }
+    return;
+  }
+  check.That(
+    std::abs(at.ArcLength - DistanceToSegment(at.Foot, SourceLine[0], SourceLine[0])) <= 1e-12,
+    what + ": arc length");
+  check.That(at.Texture[0] == at.ArcLength && at.Texture[1] == at.SignedDistance,
+    what + ": texture coordinates along the line");
+  const double side = SideOfLine(point.Place);
+  check.That(side == 0.0 || std::abs(at.Angle - std::copysign(std::acos(0.0), side)) <= 1e-9,
+    what + ": angle beside the line");
+}
+
 /// \param tolerance of the distance and the gradient.
 void CheckOnPlane(Check& check, const ValuedPoint& point, double tolerance, const std::string& what)
 {
@@ -235,6 +277,9 @@ void Ask(vtkGeodesicDistanceField* filter, const Task& task)
   filter->GenerateClosestPointsOn();
   filter->GenerateGradientsOn();
   filter->GenerateSignedDistanceOn();
+  filter->GenerateSourceArcLengthOn();
+  filter->GenerateSourceAngleOn();
+  filter->GenerateTextureCoordinatesOn();
   filter->SetAccuracy(task.RelativeError > 0.0 ? vtkGeodesicDistanceField::APPROXIMATE
                                                : vtkGeodesicDistanceField::EXACT);
   filter->SetRelativeError(task.RelativeError);
@@ -251,6 +296,13 @@ void Run(Check& check, const Task& task)
   check.That(messages.Error().empty(), task.Name + ": " + messages.Error());
   const std::vector<ValuedPoint> points = PointsOf(filter->GetOutputDataObject(0), task.Piece);
   CheckRanksAgree(check, points, task.HasGhosts, task.Name);
+  vtkDataArray* frames = filter->GetOutputDataObject(0)->GetFieldData()->GetArray("SourceFrame");
+  check.That(frames && frames->GetNumberOfTuples() == 2, task.Name + ": frames on every rank");
+  std::array<double, 9> frame{};
+  if (frames)
+  {
+    frames->GetTuple(0, frame.data());
+  }
   double unreached = 0.0;
   for (const ValuedPoint& point : points)
   {
@@ -258,12 +310,15 @@ void Run(Check& check, const Task& task)
     {
       unreached += 1.0;
       const bool isSo = std::isinf(point.At.Distance) && point.At.Foot == point.Place &&
-        point.At.Gradient == Point{} && std::isinf(point.At.SignedDistance);
+        point.At.Gradient == Point{} && std::isinf(point.At.SignedDistance) &&
+        std::isinf(point.At.ArcLength) && std::isinf(point.At.Angle) &&
+        std::isinf(point.At.Texture[0]) && std::isinf(point.At.Texture[1]);
       check.That(isSo, task.Name + ": a point that is not reached has no source");
     }
     else if (task.IsFlat)
     {
       CheckOnPlane(check, point, std::max(task.RelativeError, 1e-12), task.Name);
+      CheckCoordinates(check, point, frame.data(), task.Name);
     }
   }
   check.That((Sum(unreached) > 0.0) == (task.MaximumDistance > 0.0 || task.HasBarriers),

@@ -186,7 +186,7 @@ std::map<vtkIdType, std::vector<double>> ValuesOf(vtkPolyData* output, const cha
 }
 
 const char* const Arrays[] = { "GeodesicDistance", "SourceId", "ClosestSourcePoint",
-  "DistanceGradient", "SignedGeodesicDistance" };
+  "DistanceGradient", "SignedGeodesicDistance", "SourceArcLength", "SourceTextureCoordinates" };
 
 void AskForArrays(vtkGeodesicDistanceField* filter)
 {
@@ -195,6 +195,8 @@ void AskForArrays(vtkGeodesicDistanceField* filter)
   filter->GenerateClosestPointsOn();
   filter->GenerateGradientsOn();
   filter->GenerateSignedDistanceOn();
+  filter->GenerateSourceArcLengthOn();
+  filter->GenerateTextureCoordinatesOn();
 }
 
 /// The distance and all arrays, and the source as it lies on the surface.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which source is nearest, where on it a shortest path ends, the gradient and the sign: in closed
-// form on a plane, where all of them are those of the straight line to the nearest segment.
+// Which source is nearest, where on it a shortest path ends and how far along it that is, in which
+// direction it leaves, the gradient, the sign and texture coordinates: in closed form on a plane,
+// where all of them are those of the straight line to the nearest segment.
 #include "GeodesicTesting.h"
 
 #include "vtkCellData.h"
@@ -15,6 +16,7 @@ namespace
 {
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
+constexpr double Pi = 3.14159265358979323846;
 
 /// What is nearest to a point in the plane z = 0.
 struct Nearest
@@ -127,6 +129,129 @@ void SwitchAllOn(vtkGeodesicDistanceField* filter)
   filter->GenerateClosestPointsOn();
   filter->GenerateGradientsOn();
   filter->GenerateSignedDistanceOn();
+  filter->GenerateSourceArcLengthOn();
+  filter->GenerateSourceAngleOn();
+  filter->GenerateTextureCoordinatesOn();
+}
+
+/// What the arrays have at a point.
+struct Coordinates
+{
+  Point Place;
+  Point Foot;
+  double Distance;
+  double SignedDistance;
+  double ArcLength;
+  double Angle;
+  double U;
+  double V;
+};
+
+/// In the plane z = 0, counterclockwise from one direction to another, in [0, 2 pi).
+double Turn(const Point& from, const Point& to)
+{
+  const double angle = std::atan2(Cross(from, to), from[0] * to[0] + from[1] * to[1]);
+  return angle < 0.0 ? angle + 2.0 * Pi : angle;
+}
+
+/// The direction at a point of a line: from 0 ahead to pi back on the left, to -pi on the right; at
+/// an end, which has no other side, simply from the tangent.
+double AngleAt(const Line& line, std::size_t i, const Point& direction)
+{
+  const bool closed = line.front() == line.back();
+  const std::size_t last = line.size() - 1;
+  const bool isOpenEnd = !closed && (i == 0 || i == last);
+  const Point ahead = Along(line, i < last ? i : (closed ? 0 : last - 1));
+  const double turn = Turn(ahead, direction);
+  if (isOpenEnd)
+  {
+    return turn > Pi ? turn - 2.0 * Pi : turn;
+  }
+  const Point behind = Along(line, i > 0 ? i - 1 : last - 1);
+  const double left = Turn(ahead, { -behind[0], -behind[1], 0.0 });
+  return turn < left ? Pi * turn / left : -Pi * (2.0 * Pi - turn) / (2.0 * Pi - left);
+}
+
+/// Directions of nearby points have fewer digits.
+bool IsSameAngle(const Coordinates& at, double expected)
+{
+  return std::abs(std::remainder(at.Angle - expected, 2.0 * Pi)) <= 1e-11 / at.Distance;
+}
+
+/// Whether an arc length and, where it can be told, an angle belong to a foot on one of a line's
+/// segments, at which it may begin anew.
+bool FitsLine(const Line& line, const Coordinates& at, bool isAngleKnown)
+{
+  constexpr double tolerance = 1e-12;
+  double before = 0.0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+  {
+    const double length = Length(Minus(line[i + 1], line[i]));
+    const double along = at.ArcLength - before;
+    before += length;
+    const double t = along / length;
+    const Point onSegment = { line[i][0] + t * (line[i + 1][0] - line[i][0]),
+      line[i][1] + t * (line[i + 1][1] - line[i][1]), 0.0 };
+    if (along < -tolerance || along > length + tolerance ||
+      Length(Minus(onSegment, at.Foot)) > tolerance)
+    {
+      continue;
+    }
+    if (!isAngleKnown)
+    {
+      return true;
+    }
+    // The rays at right angles to a segment's end belong to the segment and to its end.
+    const Point away = Minus(at.Place, at.Foot);
+    const Point ahead = Along(line, i);
+    const bool isInside = along > 1e-9 && along < length - 1e-9;
+    const bool isAcross = std::abs(ahead[0] * away[0] + ahead[1] * away[1]) <= 1e-9 * at.Distance;
+    const double atPoint = AngleAt(line, along > 1e-9 ? i + 1 : i, away);
+    if ((isAcross && IsSameAngle(at, std::copysign(Pi / 2.0, Cross(ahead, away)))) ||
+      (!isInside && IsSameAngle(at, atPoint)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// \param others the lines but the one that is named.
+void CheckCoordinates(Check& check, const std::string& name, const Line& line,
+  const std::vector<Line>& others, const Coordinates& at, const double* frame)
+{
+  constexpr double tolerance = 1e-12;
+  if (line.size() == 1)
+  {
+    check.Equal(at.ArcLength, 0.0, name + ": the arc length at a point");
+    const double u = at.Distance * std::cos(at.Angle);
+    const double v = at.Distance * std::sin(at.Angle);
+    check.That(std::abs(at.U - u) <= tolerance && std::abs(at.V - v) <= tolerance,
+      name + ": texture coordinates by the angle");
+    const Point reached = { at.Foot[0] + at.U * frame[0] + at.V * frame[3],
+      at.Foot[1] + at.U * frame[1] + at.V * frame[4],
+      at.Foot[2] + at.U * frame[2] + at.V * frame[5] };
+    check.That(Length(Minus(reached, at.Place)) <= tolerance, name + ": coordinates in the frame");
+    return;
+  }
+  check.That(at.U == at.ArcLength && at.V == at.SignedDistance, name + ": texture coordinates");
+  check.That(std::abs(at.Angle) <= Pi, name + ": angles are between -pi and pi");
+  // Straight behind an end and ahead of it the sides part.
+  check.That(!(at.Distance > 1e-9) || std::abs(std::sin(at.Angle)) < 1e-9 ||
+      (at.Angle > 0.0) == (at.SignedDistance > 0.0),
+    name + ": the angle's sign is that of the side");
+  // Where several lines meet, angles are those of one of them.
+  const auto isFootOf = [&at](const Line& other)
+  {
+    Nearest nearest;
+    Consider(other, 0, at.Foot, nearest);
+    return nearest.Distance <= 1e-9;
+  };
+  const bool isAngleKnown =
+    at.Distance > 1e-9 && std::none_of(others.begin(), others.end(), isFootOf);
+  check.That(FitsLine(line, at, isAngleKnown),
+    name + ": SourceArcLength " + std::to_string(at.ArcLength) + ", SourceAngle " +
+      std::to_string(at.Angle));
 }
 
 /// Compares all arrays with the plane's. \returns how many points have no sign but by rounding.
@@ -138,11 +263,22 @@ int CheckArrays(Check& check, const std::string& name, vtkGeodesicDistanceField*
   vtkDataArray* feet = Array(filter, "ClosestSourcePoint");
   vtkDataArray* gradients = Array(filter, "DistanceGradient");
   vtkDataArray* sides = Array(filter, "SignedGeodesicDistance");
-  check.That(ids && feet && gradients && sides, name + ": all arrays are there");
-  if (!ids || !feet || !gradients || !sides)
+  vtkDataArray* lengths = Array(filter, "SourceArcLength");
+  vtkDataArray* angles = Array(filter, "SourceAngle");
+  vtkDataArray* texture = filter->GetOutput()->GetPointData()->GetTCoords();
+  vtkDataArray* frames = filter->GetOutput()->GetFieldData()->GetArray("SourceFrame");
+  const bool areThere = ids && feet && gradients && sides && lengths && angles && texture && frames;
+  check.That(areThere, name + ": all arrays are there");
+  if (!areThere)
   {
     return 0;
   }
+  check.That(
+    texture == Array(filter, "SourceTextureCoordinates") && texture->GetNumberOfComponents() == 2,
+    name + ": the texture coordinates are active");
+  check.That(frames->GetNumberOfComponents() == 9 &&
+      frames->GetNumberOfTuples() == static_cast<vtkIdType>(lines.size()),
+    name + ": a frame for each source");
   check.That(vtkIdTypeArray::SafeDownCast(ids) != nullptr, name + ": SourceId is of vtkIdType");
   constexpr double tolerance = 1e-12;
   int withoutSign = 0;
@@ -180,6 +316,13 @@ int CheckArrays(Check& check, const std::string& name, vtkGeodesicDistanceField*
     const bool hasSign = !isTie && d > 0.0 && std::abs(named.Side) > 1e-9;
     withoutSign += hasSign ? 0 : 1;
     check.That(!hasSign || (side > 0.0) == (named.Side > 0.0), at + ": sign");
+    const auto source = static_cast<std::size_t>(ids->GetTuple1(i));
+    std::vector<Line> others = lines;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(source));
+    CheckCoordinates(check, at, lines[source], others,
+      { p, foot, d, side, lengths->GetTuple1(i), angles->GetTuple1(i), texture->GetComponent(i, 0),
+        texture->GetComponent(i, 1) },
+      frames->GetTuple(static_cast<vtkIdType>(source)));
   }
   return withoutSign;
 }
@@ -241,6 +384,9 @@ void CheckPlanes(Check& check)
     CheckPlane(check, name + " reversed", { Reversed(line) });
   }
   CheckPlane(check, "a point", { { { 0.3, 0.4, 0 } } });
+  CheckPlane(check, "points at a vertex, on edges and on the boundary",
+    { { { 0.5, 0.5, 0 } }, { { 0.25, 0.8125, 0 } }, { { 0.8125, 0.1875, 0 } }, { { 0, 0.25, 0 } },
+      { { 1, 1, 0 } }, { { 0.3125, 0, 0 } } });
   CheckPlane(check, "points, a line and a loop",
     { { { 0.1, 0.9, 0 } }, { { 0.5, 0.5, 0 } }, { { 0.7, 0.1, 0 }, { 0.9, 0.3, 0 } },
       { { 0.2, 0.2, 0 }, { 0.3, 0.2, 0 }, { 0.25, 0.35, 0 }, { 0.2, 0.2, 0 } } });
@@ -273,9 +419,11 @@ void CheckIds(Check& check)
   check.Equal(idAt(8, 0), 1, "the line");
   check.Equal(idAt(0, 8), 2, "the first point without cell");
   check.Equal(idAt(8, 8), 3, "the second point without cell");
-  check.That(!Array(filter, "ClosestSourcePoint") && !Array(filter, "DistanceGradient") &&
-      !Array(filter, "SignedGeodesicDistance"),
-    "no array that was not asked for");
+  check.Equal(
+    filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 2, "no array that was not asked for");
+  check.That(!filter->GetOutput()->GetPointData()->GetTCoords() &&
+      !filter->GetOutput()->GetFieldData()->HasArray("SourceFrame"),
+    "no texture coordinates and frames that were not asked for");
   auto* curves = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
   vtkDataArray* ofCurves = curves->GetCellData()->GetArray("SourceId");
   const double expected[] = { 0, 2, 3, 1 }; // vertices come first
@@ -320,8 +468,15 @@ void CheckLimit(Check& check)
     check.Equal(Array(filter, "SourceId")->GetTuple1(i), isReached ? 0 : -1, "SourceId");
     check.That(isReached || foot == p, "an unreached point is its own closest one");
     check.That(isReached || Length(gradient) == 0.0, "no gradient where not reached");
-    check.That(isReached || Array(filter, "SignedGeodesicDistance")->GetTuple1(i) == d,
-      "the sign of what is not reached");
+    for (const char* name :
+      { "SignedGeodesicDistance", "SourceArcLength", "SourceAngle", "SourceTextureCoordinates" })
+    {
+      vtkDataArray* array = Array(filter, name);
+      check.That(isReached ||
+          (array->GetComponent(i, 0) == d &&
+            array->GetComponent(i, array->GetNumberOfComponents() - 1) == d),
+        std::string("not reached: ") + name);
+    }
   }
   check.That(unreached > 0, "some points are beyond the limit");
 }
@@ -358,6 +513,19 @@ void CheckApproximate(Check& check)
     Nearest named;
     Consider(lines[static_cast<std::size_t>(Array(filter, "SourceId")->GetTuple1(i))], 0, p, named);
     check.That(isWithin(named.Distance), "point " + std::to_string(i) + ": from the named source");
+    const Line& line = lines[static_cast<std::size_t>(Array(filter, "SourceId")->GetTuple1(i))];
+    vtkDataArray* texture = Array(filter, "SourceTextureCoordinates");
+    const Coordinates at = { p, foot, d, Array(filter, "SignedGeodesicDistance")->GetTuple1(i),
+      Array(filter, "SourceArcLength")->GetTuple1(i), Array(filter, "SourceAngle")->GetTuple1(i),
+      texture->GetComponent(i, 0), texture->GetComponent(i, 1) };
+    if (line.size() == 1)
+    {
+      check.That(std::abs(std::hypot(at.U, at.V) - d) <= 1e-12, "around the point");
+    }
+    else
+    {
+      check.That(FitsLine(line, at, d > 1e-9), "along the line");
+    }
   }
 }
 
@@ -368,7 +536,7 @@ void CheckSphere(Check& check)
   Line equator;
   for (int i = 0; i <= 24; ++i)
   {
-    const double angle = 2.0 * 3.14159265358979323846 * (i % 24) / 24.0;
+    const double angle = 2.0 * Pi * (i % 24) / 24.0;
     equator.push_back({ 0.5 * std::cos(angle), 0.5 * std::sin(angle), 0.0 });
   }
   for (const bool reverse : { false, true })
@@ -423,7 +591,15 @@ void CheckOrientation(Check& check)
       "an error names a cell: " + messages.Error());
     check.That(filter->GetOutput()->GetNumberOfPoints() == 0, "the output is empty");
     filter->GenerateSignedDistanceOff();
+    filter->GenerateTextureCoordinatesOn();
+    messages.Update();
+    check.That(Contains(messages.Error(), "GenerateTextureCoordinates") &&
+        Contains(messages.Error(), "cell "),
+      "texture coordinates need sides, too: " + messages.Error());
+    filter->GenerateTextureCoordinatesOff();
     filter->GenerateSourceIdsOn();
+    filter->GenerateSourceArcLengthOn();
+    filter->GenerateSourceAngleOn();
     messages.Update();
     check.That(messages.Error().empty(), "without the sign it works: " + messages.Error());
   }
@@ -439,6 +615,11 @@ void CheckNames(Check& check)
   Messages messages(filter);
   messages.Update();
   check.That(Contains(messages.Error(), "DistanceArrayName is SourceId"), messages.Error());
+  filter->GenerateTextureCoordinatesOn();
+  filter->SetDistanceArrayName("SourceTextureCoordinates");
+  messages.Update();
+  check.That(
+    Contains(messages.Error(), "DistanceArrayName is SourceTextureCoordinates"), messages.Error());
 }
 
 }

@@ -27,6 +27,8 @@ vtkSmartPointer<vtkPolyData> Run(vtkPolyData* surface, bool approximate, bool re
   filter->SetSourceData(Polyline({ { 0.4, 0.1, 0.2 }, { 0.1, 0.3, 0.3 }, { -0.3, 0.2, 0.1 } }));
   filter->SetAccuracy(approximate ? 1 : 0);
   filter->SetRefineMesh(refine);
+  filter->GenerateSourceAngleOn();
+  filter->GenerateTextureCoordinatesOn();
   filter->Update();
   return filter->GetOutput();
 }
@@ -43,7 +45,10 @@ bool Same(vtkPolyData* a, vtkPolyData* b)
 {
   bool same = SameBits(a->GetPoints()->GetData(), b->GetPoints()->GetData()) &&
     SameBits(a->GetPolys()->GetConnectivityArray(), b->GetPolys()->GetConnectivityArray()) &&
-    SameBits(a->GetPointData()->GetScalars(), b->GetPointData()->GetScalars());
+    SameBits(a->GetPointData()->GetScalars(), b->GetPointData()->GetScalars()) &&
+    SameBits(a->GetPointData()->GetTCoords(), b->GetPointData()->GetTCoords()) &&
+    SameBits(
+      a->GetPointData()->GetArray("SourceAngle"), b->GetPointData()->GetArray("SourceAngle"));
   for (const char* name : { "WindowsPropagatedPerEdge", "SourceSnapDistance", "RelativeErrorBound",
          "InterpolationErrorBound" })
   {

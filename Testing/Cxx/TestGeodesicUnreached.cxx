@@ -78,10 +78,13 @@ void ChooseAll(vtkGeodesicDistanceField* filter)
   filter->GenerateClosestPointsOn();
   filter->GenerateGradientsOn();
   filter->GenerateSignedDistanceOn();
+  filter->GenerateSourceArcLengthOn();
+  filter->GenerateSourceAngleOn();
+  filter->GenerateTextureCoordinatesOn();
 }
 
 /// Against the same with infinity: what is finite is the same, what is infinite is the value, in
-/// the distance and the signed one; nothing else changes.
+/// the distance, the signed one and the coordinates; nothing else changes.
 void CheckValue(
   Check& check, vtkGeodesicDistanceField* filter, double value, const std::string& what)
 {
@@ -95,21 +98,26 @@ void CheckValue(
   const vtkIdType count = infinite->GetOutput()->GetNumberOfPoints();
   check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfPoints()),
     static_cast<double>(count), what + ": points");
-  vtkIdType unreached = 0;
-  for (const char* name : { "GeodesicDistance", "SignedGeodesicDistance" })
+  for (const char* name : { "GeodesicDistance", "SignedGeodesicDistance", "SourceArcLength",
+         "SourceAngle", "SourceTextureCoordinates" })
   {
     vtkDataArray* before = ArrayOf(infinite, name);
     vtkDataArray* after = ArrayOf(filter, name);
     bool isRight = true;
+    vtkIdType unreached = 0;
     for (vtkIdType i = 0; i < count; ++i)
     {
-      const double old = before->GetTuple1(i);
-      unreached += old == Infinite ? 1 : 0;
-      isRight = isRight && IsSame(after->GetTuple1(i), old == Infinite ? value : old);
+      for (int k = 0; k < before->GetNumberOfComponents(); ++k)
+      {
+        const double old = before->GetComponent(i, k);
+        unreached += old == Infinite && k == 0 ? 1 : 0;
+        isRight = isRight && IsSame(after->GetComponent(i, k), old == Infinite ? value : old);
+      }
     }
     check.That(isRight, what + ": " + name);
+    check.That(
+      unreached > 0 && unreached < count, what + ": some points are not reached by " + name);
   }
-  check.That(unreached > 0 && unreached < 2 * count, what + ": some points are not reached");
   for (const char* name : { "SourceId", "ClosestSourcePoint", "DistanceGradient" })
   {
     vtkDataArray* before = ArrayOf(infinite, name);

@@ -99,6 +99,28 @@ class Distances(unittest.TestCase):
         self.assertEqual(result["SourceId"][7], 1)
 
 
+    def test_come_with_coordinates_along_and_across_a_curve(self):
+        points, faces = sheet()
+        line = curve([(0.25, 0.5, 0), (0.75, 0.5, 0)])
+        result = field((points, faces), line, generate_source_arc_length=True, generate_texture_coordinates=True)
+        x, y = points[:, 0], points[:, 1]
+        foot = np.clip(x, 0.25, 0.75)
+        along, across = foot - 0.25, np.where(y < 0.5, -1, 1) * np.hypot(x - foot, y - 0.5)
+        np.testing.assert_allclose(result["SourceArcLength"], along, atol=EXACT)
+        beside = np.abs(y - 0.5) > EXACT  # in line with the curve either side is right
+        np.testing.assert_allclose(
+            result["SourceTextureCoordinates"][beside], np.column_stack((along, across))[beside], atol=EXACT)
+
+    def test_come_with_angles_around_a_point(self):
+        points, faces = sheet()
+        result = field((points, faces), [[0.3, 0.4, 0]], generate_source_angle=True)
+        ahead, left, normal = result["SourceFrame"][0]
+        np.testing.assert_allclose(normal, (0, 0, 1), atol=EXACT)
+        angle, away = result["SourceAngle"][:, None], result["GeodesicDistance"][:, None]
+        np.testing.assert_allclose(
+            (0.3, 0.4, 0) + away * (np.cos(angle) * ahead + np.sin(angle) * left), points, atol=EXACT)
+
+
 class Lines(unittest.TestCase):
     def test_of_a_contour_are_at_their_distances(self):
         lines = contour(sheet(), 0, [0.25, 0.5])
@@ -114,6 +136,14 @@ class Lines(unittest.TestCase):
         for ids, target in zip(result["lines"], result["TargetId"]):
             np.testing.assert_allclose(result["points"][ids[0]], points[[80, 8][target]], atol=EXACT)
             np.testing.assert_allclose(result["points"][ids[-1]], 0, atol=EXACT)
+
+    def test_of_paths_tell_where_they_end_on_a_curve(self):
+        line = curve([(0.25, 0.5, 0), (0.75, 0.5, 0)])
+        result = paths(sheet(), line, [(0.5, 0.9, 0), (0.375, 0.1, 0)],
+                       generate_source_arc_length=True, generate_source_angle=True)
+        order = np.argsort(result["TargetId"])
+        np.testing.assert_allclose(result["SourceArcLength"][order], (0.25, 0.125), atol=EXACT)
+        np.testing.assert_allclose(result["SourceAngle"][order], (math.pi / 2, -math.pi / 2), atol=EXACT)
 
     def test_a_closed_curve_comes_back(self):
         self.assertEqual(curve([(0, 0, 0), (1, 0, 0), (0, 1, 0)], closed=True).GetLines().GetConnectivityArray().GetNumberOfTuples(), 4)

@@ -57,7 +57,8 @@ DEFAULTS = {"Input": "Sheet", "Source": None, "SourceType": 0, "Accuracy": 0, "R
             "BarrierArrayName": "None",
             "DistanceArrayName": "GeodesicDistance",
             "GenerateSourceIds": 0, "GenerateClosestPoints": 0, "GenerateGradients": 0,
-            "GenerateSignedDistance": 0, "ColorByStripes": 1}
+            "GenerateSignedDistance": 0, "GenerateSourceArcLength": 0, "GenerateSourceAngle": 0,
+            "GenerateTextureCoordinates": 0, "ColorByStripes": 1}
 
 
 class Applied:
@@ -93,7 +94,7 @@ class Applied:
 
 
 count = len(list(folder.glob("geodesic-gui-[0-9]*.pickle")))
-assert count == 18, f"{count} executions"
+assert count == 21, f"{count} executions"
 runs = [Applied(number) for number in range(count)]
 
 # Of two applies nothing but what was moved differs.
@@ -105,7 +106,8 @@ for number, moved in enumerate((
         {"Accuracy": 0, "MaximumDistance": 0.3}, {"MaximumDistance": 0, "MergeCoincidentPoints": 0},
         {"DistanceArrayName": "Depth"}, {"SourceType": 1}, {"SourceType": 2},
         {"BarrierArrayName": "Wall"}, {"GenerateSourceIds": 1}, {"GenerateClosestPoints": 1},
-        {"GenerateGradients": 1}, {"GenerateSignedDistance": 1})):
+        {"GenerateGradients": 1}, {"GenerateSignedDistance": 1}, {"GenerateSourceArcLength": 1},
+        {"GenerateSourceAngle": 1}, {"GenerateTextureCoordinates": 1})):
     asked.update(moved)
     assert runs[number].properties == asked, f"{number}: {runs[number].properties}"
 MOVED_ELSEWHERE = {"ColorByStripes", "UnreachedValue", "CustomUnreachedValue", "RemoveUnusedPoints"}
@@ -164,7 +166,8 @@ assert_close(walled.distances, np.where(is_left, expected, right), FLOAT)
 
 # Each array comes with its property, and changes no distance.
 for before, after, name in zip(runs[13:], runs[14:], (
-        "SourceId", "ClosestSourcePoint", "DistanceGradient", "SignedGeodesicDistance")):
+        "SourceId", "ClosestSourcePoint", "DistanceGradient", "SignedGeodesicDistance", "SourceArcLength",
+        "SourceAngle", "SourceTextureCoordinates")):
     assert after.arrays == before.arrays | {name}, after.arrays
     np.testing.assert_array_equal(after.distances, walled.distances)
 

@@ -333,27 +333,6 @@ IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint
   return search.isAtCorner() ? lastPieceToVertex(field, search.corner()) : search.best();
 }
 
-Vec3 inSpace(const TriangleMesh& mesh, Id halfedge, Vec2 direction)
-{
-  const Vec3& origin = mesh.point(mesh.origin(halfedge));
-  const double length = mesh.length(halfedge);
-  const double size = norm(direction);
-  if (!(length > 0.0) || !(size > 0.0))
-  {
-    return {};
-  }
-  const Vec3 x = (1.0 / length) * (mesh.point(mesh.destination(halfedge)) - origin);
-  const Vec2 apex = apexOf(mesh, halfedge);
-  Vec3 result = (direction.x / size) * x;
-  if (apex.y > 0.0)
-  {
-    const Vec3 y = (1.0 / apex.y) * (mesh.point(mesh.opposite(halfedge)) - origin - apex.x * x);
-    result = result + (direction.y / size) * y;
-  }
-  const double unit = norm(result);
-  return unit > 0.0 ? (1.0 / unit) * result : Vec3{};
-}
-
 Vec3 gradientOf(const TriangleMesh& mesh, const IncomingSegment& piece)
 {
   return piece.kind != IncomingSegment::Kind::None && piece.distance > 0.0

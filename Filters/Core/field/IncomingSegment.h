@@ -54,9 +54,6 @@ IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint
 /// The corner of its face that a path through a window crosses its halfedge at; NoId: none.
 Id cornerCrossed(const TriangleMesh& mesh, const Arrival& arrival);
 
-/// A direction in the frame of a halfedge as a unit vector in space; zero where it has no length.
-Vec3 inSpace(const TriangleMesh& mesh, Id halfedge, Vec2 direction);
-
 /// The gradient of the distance at a point whose shortest path ends so: a unit vector in the plane
 /// of the face that the path comes through; zero on the source and where there is no piece.
 Vec3 gradientOf(const TriangleMesh& mesh, const IncomingSegment& piece);

@@ -248,18 +248,9 @@ void NearestSource::goAround(Id number) const
   {
     return;
   }
-  const auto [chain, i] = this->chains_.pointWith(number);
-  const SourceCurve& curve = this->chains_.curves()[chain];
-  const Id vertex = vertexAtPlaceOf(this->meshOfCurves(), curve, i);
-  if (vertex != NoId)
-  {
-    this->directions_.assign(SurfacePoint::atVertex(vertex), this->onCurves_.endsAround(vertex));
-  }
-  else
-  {
-    this->directions_.assign(curve.points[i],
-      segmentEndsAround(this->meshOfCurves(), curve, chain, this->chains_.places(chain), i));
-  }
+  const PointWithEnds at = this->onCurves_.around(
+    this->meshOfCurves(), this->chains_, this->chains_.pointWith(number));
+  this->directions_.assign(at.point, at.ends);
   this->directionsPoint_ = number;
 }
 
@@ -392,33 +383,9 @@ double NearestSource::angleOf(const Foot& foot) const
   return angle > 0.0 ? angle - turn : angle + turn;
 }
 
-SourceFrame NearestSource::frameOf(Id number) const
+SourceFrame NearestSource::frameOf(Id curve) const
 {
-  const CurveChains::Part& part = this->chains_.partOf(number);
-  const SourceCurve& curve = this->chains_.curves()[part.chain];
-  SourceFrame frame;
-  const TriangleMesh& mesh = this->meshOfCurves();
-  if (part.begin == part.end)
-  {
-    this->goAround(this->chains_.pointAt(part.chain, 0.0));
-    const DirectionsAround::Axis axis = this->directions_.axis();
-    const double along = axis.isAgainst ? -1.0 : 1.0;
-    frame.x = inSpace(mesh, axis.halfedge, { along, 0.0 });
-    frame.y = inSpace(mesh, axis.halfedge, { 0.0, 1.0 });
-  }
-  else
-  {
-    const std::size_t first = part.isReversed ? part.end : part.begin;
-    const std::size_t second = part.isReversed ? part.end - 1 : part.begin + 1;
-    const Id face = curve.faces[std::min(first, second)];
-    const Id halfedge = longestHalfedge(mesh, face);
-    const Vec2 d = inHalfedgeFrame(mesh, halfedge, barycentric(mesh, curve.points[second], face)) -
-      inHalfedgeFrame(mesh, halfedge, barycentric(mesh, curve.points[first], face));
-    frame.x = inSpace(mesh, halfedge, d);
-    frame.y = inSpace(mesh, halfedge, { -d.y, d.x });
-  }
-  frame.normal = cross(frame.x, frame.y);
-  return frame;
+  return sourceFrame(this->meshOfCurves(), this->chains_, this->onCurves_, curve);
 }
 
 }

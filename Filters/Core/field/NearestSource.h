@@ -9,6 +9,7 @@
 #include "source/CurveSectors.h"
 #include "source/DirectionsAround.h"
 #include "source/SourceCurve.h"
+#include "source/SourceFrame.h"
 #include "source/VerticesOnCurves.h"
 
 #include <limits>
@@ -39,15 +40,6 @@ struct Foot
   double around = std::numeric_limits<double>::quiet_NaN();
 
   bool isKnown() const { return this->curve != NoId; }
-};
-
-/// The tangent plane at a source, as unit vectors in space: the direction of angle 0, the one at a
-/// right angle to its left, and the normal of the face there.
-struct SourceFrame
-{
-  Vec3 x = {};
-  Vec3 y = {};
-  Vec3 normal = {};
 };
 
 /// Which of the sources is nearest, for any point whose distance is known: windows know what they

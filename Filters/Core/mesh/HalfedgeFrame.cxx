@@ -72,4 +72,25 @@ double distanceInFace(const TriangleMesh& mesh, Id face, const Barycentric& a, c
   return norm(inHalfedgeFrame(mesh, halfedge, a) - inHalfedgeFrame(mesh, halfedge, b));
 }
 
+Vec3 inSpace(const TriangleMesh& mesh, Id halfedge, Vec2 direction)
+{
+  const Vec3& origin = mesh.point(mesh.origin(halfedge));
+  const double length = mesh.length(halfedge);
+  const double size = norm(direction);
+  if (!(length > 0.0) || !(size > 0.0))
+  {
+    return {};
+  }
+  const Vec3 x = (1.0 / length) * (mesh.point(mesh.destination(halfedge)) - origin);
+  const Vec2 apex = apexOf(mesh, halfedge);
+  Vec3 result = (direction.x / size) * x;
+  if (apex.y > 0.0)
+  {
+    const Vec3 y = (1.0 / apex.y) * (mesh.point(mesh.opposite(halfedge)) - origin - apex.x * x);
+    result = result + (direction.y / size) * y;
+  }
+  const double unit = norm(result);
+  return unit > 0.0 ? (1.0 / unit) * result : Vec3{};
+}
+
 }

@@ -43,6 +43,9 @@ Vec2 apexOf(const TriangleMesh& mesh, Id halfedge);
 /// A direction in the frame of another halfedge of the same face.
 Vec2 turned(const TriangleMesh& mesh, Vec2 direction, Id fromHalfedge, Id toHalfedge);
 
+/// A direction in the frame of a halfedge as a unit vector in space; zero where it has no length.
+Vec3 inSpace(const TriangleMesh& mesh, Id halfedge, Vec2 direction);
+
 Id longestHalfedge(const TriangleMesh& mesh, Id face);
 
 /// The straight distance within a face.

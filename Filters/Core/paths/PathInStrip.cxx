@@ -5,7 +5,6 @@
 #include "field/Solve.h"
 #include "paths/CleanPath.h"
 #include "paths/PathInWindows.h"
-#include "source/CurvesInFaces.h"
 #include "source/SourceWindowsOfPartition.h"
 
 #include <algorithm>
@@ -213,10 +212,11 @@ PathToSource StripSearch::find(
     cleanedTrace(mesh,
       pathInWindows(solve(mesh, curves, options, KeepWindows::All), this->targetOn(strip)),
       this->target_.distance),
-    NoId, true };
+    {}, true };
   if (!path.points.empty())
   {
-    path.source = CurvesInFaces(mesh, curves).sourceAt(path.points.back());
+    path.end = PathEnds(this->patch_, this->curves_)
+                 .of(mesh, path.points, [&strip](Id face) { return strip.ownerOf(face); });
   }
   return path;
 }

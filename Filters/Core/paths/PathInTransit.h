@@ -47,6 +47,7 @@ public:
   explicit PathStrip(const std::vector<SentPathPoint>& path);
 
   const TriangleMesh& mesh() const { return this->faces_.mesh(); }
+  const RankAddress& ownerOf(Id face) const { return this->faces_.ownerOf(face); }
   const std::vector<SurfacePoint>& points() const { return this->points_; }
 
 private:

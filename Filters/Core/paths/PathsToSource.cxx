@@ -6,7 +6,6 @@
 #include "paths/CleanPath.h"
 #include "paths/PathInStrip.h"
 #include "paths/PathInTransit.h"
-#include "source/CurvesInFaces.h"
 #include "source/SourceWindowsOfPartition.h"
 
 #include <algorithm>
@@ -55,13 +54,11 @@ struct LeavingPath
 class PathFinder
 {
 public:
-  PathFinder(const DistanceField& field, const ReplicatedPatch& patch,
-    const std::vector<SourceCurve>& curves, const std::vector<SurfacePoint>& targets,
-    const PathsOptions& options, const TakePath& take)
+  PathFinder(const DistanceField& field, const PathEnds& ends,
+    const std::vector<SurfacePoint>& targets, const PathsOptions& options, const TakePath& take)
     : field_(field)
     , part_(field.surface())
-    , patch_(patch)
-    , curves_(patch.mesh(), curves)
+    , ends_(ends)
     , targets_(targets)
     , options_(options)
     , take_(take)
@@ -87,12 +84,10 @@ private:
   Id faceOfRank(const SurfacePoint& point, int rank) const;
   void putReport(const LeavingPath& leaving, Message& message) const;
   void takeReport(MessageReader& reader);
-  Id sourceAtEnd(const TracedPath& path) const;
 
   const DistanceField& field_;
   const MeshPartition& part_;
-  const ReplicatedPatch& patch_;
-  CurvesInFaces curves_;
+  const PathEnds& ends_;
   const std::vector<SurfacePoint>& targets_;
   const PathsOptions& options_;
   const TakePath& take_;
@@ -172,10 +167,11 @@ void PathFinder::traceFrom(Id target, LeavingPath& leaving)
   leaving.outcome = this->advance(transit);
   if (leaving.outcome.status == Status::Whole)
   {
-    this->take_(target,
-      { this->part_.mesh(),
-        cleanedTrace(this->part_.mesh(), transit.path.points, transit.path.whole),
-        this->sourceAtEnd(transit.path) });
+    const TriangleMesh& mesh = this->part_.mesh();
+    const std::vector<SurfacePoint> points =
+      cleanedTrace(mesh, transit.path.points, transit.path.whole);
+    const auto addressOf = [this](Id face) { return this->part_.addressOf(face); };
+    this->take_(target, { mesh, points, this->ends_.of(mesh, points, addressOf) });
     transit = PathInTransit();
   }
   this->isLost_[target] = leaving.outcome.status == Status::Lost ? 1 : 0;
@@ -314,7 +310,6 @@ Id PathFinder::faceOfRank(const SurfacePoint& point, int rank) const
 void PathFinder::putReport(const LeavingPath& leaving, Message& message) const
 {
   const TracedPath& path = leaving.transit.path;
-  const bool isWhole = leaving.outcome.status == Status::Whole;
   put(message, true);
   put(message, leaving.transit.target);
   put(message, leaving.outcome.status);
@@ -327,7 +322,6 @@ void PathFinder::putReport(const LeavingPath& leaving, Message& message) const
   }
   putAll(message, points);
   put(message, path.whole);
-  put(message, isWhole ? this->sourceAtEnd(path) : NoId);
 }
 
 void PathFinder::takeReport(MessageReader& reader)
@@ -336,30 +330,20 @@ void PathFinder::takeReport(MessageReader& reader)
   const auto status = reader.get<Status>();
   const auto points = reader.getAll<SentPathPoint>();
   const auto whole = reader.get<double>();
-  const Id source = reader.get<Id>();
   std::vector<SentPathPoint>& found = this->found_[target];
   found.insert(found.end(), points.begin(), points.end());
   if (status == Status::Whole)
   {
     const PathStrip strip(found);
-    this->take_(
-      target, { strip.mesh(), cleanedTrace(strip.mesh(), strip.points(), whole), source });
+    const std::vector<SurfacePoint> path = cleanedTrace(strip.mesh(), strip.points(), whole);
+    const auto addressOf = [&strip](Id face) { return strip.ownerOf(face); };
+    this->take_(target, { strip.mesh(), path, this->ends_.of(strip.mesh(), path, addressOf) });
   }
   this->isLost_[target] = status == Status::Lost ? 1 : 0;
   if (status != Status::OnItsWay)
   {
     found = {};
   }
-}
-
-// The faces of the source are on the patch.
-Id PathFinder::sourceAtEnd(const TracedPath& path) const
-{
-  const Id face = path.faces.back();
-  const Id onPatch = this->patch_.faceAt(this->part_.addressOf(face));
-  return onPatch == NoId ? NoId
-                         : this->curves_.sourceAt(fromFacePoint(this->patch_.mesh(), onPatch,
-                             toFacePoint(this->part_.mesh(), face, path.points.back())));
 }
 
 /// Windows around targets on edges are kept in the faces of all ranks there.
@@ -436,7 +420,8 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
     frontOptions, retention);
   const DistanceField field(part, std::move(front), retention.release());
 
-  PathFinder paths(field, patch, curves, targets, options, take);
+  const PathEnds ends(patch, curves);
+  PathFinder paths(field, ends, targets, options, take);
   paths.run();
 
   const KnownDistances known{ field.vertexDistances(),

@@ -5,6 +5,7 @@
 #include "front/Front.h"
 #include "mesh/ReplicatedPatch.h"
 #include "mesh/SurfacePoint.h"
+#include "paths/PathEnds.h"
 #include "source/SourceCurve.h"
 
 #include <functional>
@@ -23,8 +24,7 @@ struct PathToSource
   /// on the source; twice the target where that is on the source. Consecutive points have a face in
   /// common.
   std::vector<SurfacePoint> points;
-  /// SourceCurve::source of a curve that the end lies on.
-  Id source = NoId;
+  PathEnd end;
   /// Whether tracing lost the path, so that windows had to find it again, which takes much longer.
   bool wasLost = false;
 };

@@ -1,61 +1,84 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/CurvesInFaces.h"
 
+#include "Tolerance.h"
+
 #include <algorithm>
 
 namespace geodesic
 {
 
-CurvesInFaces::CurvesInFaces(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
+CurvesInFaces::CurvesInFaces(const TriangleMesh& mesh, const CurveChains& chains)
   : mesh_(mesh)
 {
-  for (const SourceCurve& curve : curves)
+  for (Id chain = 0; chain < chains.curves().size(); ++chain)
   {
+    const SourceCurve& curve = chains.curves()[chain];
+    const std::vector<double>& places = chains.places(chain);
     for (std::size_t i = 0; i < curve.faces.size(); ++i)
     {
-      const SurfacePoint p = normalized(mesh, curve.points[i]);
-      const SurfacePoint q = normalized(mesh, curve.points[i + 1]);
-      forEachFaceOfSegment(
-        mesh, curve.faces[i], p, q, [&](Id face) { this->add(face, p, q, curve.source); });
+      const SurfacePoint& p = curve.points[i];
+      const SurfacePoint& q = curve.points[i + 1];
+      forEachFaceOfSegment(mesh, curve.faces[i], p, q,
+        [&](Id face) {
+          this->add(face, p, q, { face, {}, {}, chain, places[i], places[i + 1] });
+        });
     }
     if (curve.points.size() == 1)
     {
-      const SurfacePoint point = normalized(mesh, curve.points.front());
-      forEachFace(mesh, point, [&](Id face) { this->add(face, point, point, curve.source); });
+      const SurfacePoint& point = curve.points.front();
+      forEachFace(mesh, point,
+        [&](Id face) {
+          this->add(face, point, point, { face, {}, {}, chain });
+        });
     }
   }
   std::stable_sort(this->pieces_.begin(), this->pieces_.end(),
-    [](const Piece& a, const Piece& b) { return a.place.face < b.place.face; });
+    [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; });
 }
 
-void CurvesInFaces::add(Id face, const SurfacePoint& p, const SurfacePoint& q, Id source)
+void CurvesInFaces::add(
+  Id face, const SurfacePoint& p, const SurfacePoint& q, const SourceInFace& places)
 {
-  this->pieces_.push_back(
-    { { face, barycentric(this->mesh_, p, face), barycentric(this->mesh_, q, face) }, source });
+  this->pieces_.push_back(places);
+  this->pieces_.back().a = barycentric(this->mesh_, p, face);
+  this->pieces_.back().b = barycentric(this->mesh_, q, face);
 }
 
-Id CurvesInFaces::sourceAt(const SurfacePoint& point) const
+template <typename Visit>
+void CurvesInFaces::forEachIn(Id face, const Visit& visit) const
 {
-  double nearest = Infinity;
-  Id source = NoId;
-  const auto isBefore = [](const Piece& piece, Id face) { return piece.place.face < face; };
+  const auto isBefore = [](const SourceInFace& piece, Id f) { return piece.face < f; };
+  for (auto piece = std::lower_bound(this->pieces_.begin(), this->pieces_.end(), face, isBefore);
+       piece != this->pieces_.end() && piece->face == face; ++piece)
+  {
+    visit(*piece);
+  }
+}
+
+const SourceInFace* CurvesInFaces::nearest(const SurfacePoint& point, Id preferred) const
+{
+  const double rounding =
+    tolerance::PlaceRounding * this->mesh_.length(longestHalfedge(this->mesh_, preferred));
+  double least = Infinity;
+  const SourceInFace* nearest = nullptr;
   forEachFace(this->mesh_, point,
     [&](Id face)
     {
       const Barycentric weights = barycentric(this->mesh_, point, face);
-      for (auto piece =
-             std::lower_bound(this->pieces_.begin(), this->pieces_.end(), face, isBefore);
-           piece != this->pieces_.end() && piece->place.face == face; ++piece)
-      {
-        const double distance = distanceToSource(this->mesh_, piece->place, weights);
-        if (distance < nearest)
+      this->forEachIn(face,
+        [&](const SourceInFace& piece)
         {
-          nearest = distance;
-          source = piece->source;
-        }
-      }
+          const double distance =
+            distanceToSource(this->mesh_, piece, weights) + (face == preferred ? 0.0 : rounding);
+          if (distance < least)
+          {
+            least = distance;
+            nearest = &piece;
+          }
+        });
     });
-  return source;
+  return nearest;
 }
 
 }

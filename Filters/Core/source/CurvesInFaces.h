@@ -3,7 +3,7 @@
 #define geodesic_CurvesInFaces_h
 
 #include "mesh/TriangleMesh.h"
-#include "source/SourceCurve.h"
+#include "source/CurveChains.h"
 #include "source/SourceInFace.h"
 
 #include <vector>
@@ -11,29 +11,28 @@
 namespace geodesic
 {
 
-/// Finds the curve of a source at a point of the surface.
+/// Finds the segment of a source at a point of the surface.
 class CurvesInFaces
 {
 public:
   /// \param mesh must outlive this.
-  CurvesInFaces(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves);
+  CurvesInFaces(const TriangleMesh& mesh, const CurveChains& chains);
 
-  /// SourceCurve::source of a curve through a point on the source, or of the nearest curve in the
-  /// faces around it. NoId if these faces contain no curve.
-  Id sourceAt(const SurfacePoint& point) const;
+  /// The segment, or source that is a point, nearest to a point in the faces around it. Null if
+  /// these faces contain none.
+  ///
+  /// \param face around the point: its segments are preferred to those of other faces that are as
+  ///        near but for rounding.
+  const SourceInFace* nearest(const SurfacePoint& point, Id face) const;
 
 private:
-  struct Piece
-  {
-    SourceInFace place;
-    Id source;
-  };
-
-  void add(Id face, const SurfacePoint& p, const SurfacePoint& q, Id source);
+  void add(Id face, const SurfacePoint& p, const SurfacePoint& q, const SourceInFace& places);
+  template <typename Visit>
+  void forEachIn(Id face, const Visit& visit) const;
 
   const TriangleMesh& mesh_;
   /// In the order of the faces.
-  std::vector<Piece> pieces_;
+  std::vector<SourceInFace> pieces_;
 };
 
 }

@@ -8,8 +8,10 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -387,23 +389,27 @@ SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source)
 }
 
 void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
-  const std::vector<SourceCurve>& curves, vtkPolyData* output)
+  const std::vector<SourceCurve>& curves, const std::vector<std::vector<double>>& arcLengths,
+  vtkPolyData* output)
 {
   vtkIdType size = 0;
   for (const SourceCurve& curve : curves)
   {
     size += static_cast<vtkIdType>(curve.points.size());
   }
-  // A point, its id and an offset, twice while an array grows to twice its size.
-  requireMemory(size, 4 * (3 * sizeof(double) + 2 * sizeof(vtkIdType)));
+  // A point, its arc length, its id and an offset, twice while an array grows to twice its size.
+  requireMemory(size, 4 * (4 * sizeof(double) + 2 * sizeof(vtkIdType)));
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
   vtkNew<vtkCellArray> lines;
   std::vector<Id> sourcesOfVertices;
   std::vector<Id> sourcesOfLines;
-  for (const SourceCurve& curve : curves)
+  vtkNew<vtkDoubleArray> lengths;
+  lengths->SetName("SourceArcLength");
+  for (std::size_t c = 0; c < curves.size(); ++c)
   {
+    const SourceCurve& curve = curves[c];
     const bool closed = curve.isClosed();
     const auto count = static_cast<vtkIdType>(curve.points.size());
     const vtkIdType first = points->GetNumberOfPoints();
@@ -412,16 +418,27 @@ void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
     cells->InsertNextCell(static_cast<int>(count));
     for (vtkIdType i = 0; i < count; ++i)
     {
-      const bool isFirstAgain = closed && i > 0 && i + 1 == count;
-      cells->InsertCellPoint(isFirstAgain
-          ? first
-          : points->InsertNextPoint(
-              scale.toUser(position(mesh, curve.points[static_cast<std::size_t>(i)])).data()));
+      if (closed && i > 0 && i + 1 == count)
+      {
+        cells->InsertCellPoint(first);
+        continue;
+      }
+      const auto at = static_cast<std::size_t>(i);
+      cells->InsertCellPoint(
+        points->InsertNextPoint(scale.toUser(position(mesh, curve.points[at])).data()));
+      if (!arcLengths.empty())
+      {
+        lengths->InsertNextValue(arcLengths[c][at]);
+      }
     }
   }
   output->SetPoints(points);
   output->SetVerts(vertices);
   output->SetLines(lines);
+  if (!arcLengths.empty())
+  {
+    output->GetPointData()->AddArray(lengths);
+  }
 
   vtkNew<vtkIdTypeArray> sources; // in the order of the cells: vertices come first
   sources->SetName("SourceId");

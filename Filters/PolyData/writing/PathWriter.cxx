@@ -22,8 +22,9 @@ namespace
 class PathArrays
 {
 public:
-  explicit PathArrays(const PowerOfTwoScale& scale)
+  PathArrays(const PowerOfTwoScale& scale, const PathEndChoice& choice)
     : scale_(scale)
+    , choice_(choice)
   {
     this->points_->SetDataTypeToDouble();
     this->left_->SetName("GeodesicDistance");
@@ -31,13 +32,15 @@ public:
     this->targetIds_->SetName("TargetId");
     this->sourceIds_->SetName("SourceId");
     this->snapDistances_->SetName("TargetSnapDistance");
+    this->arcLengths_->SetName("SourceArcLength");
+    this->angles_->SetName("SourceAngle");
   }
 
   void allocate(vtkIdType paths, vtkIdType points)
   {
-    // A point, what is left and its id; a path's offset and four arrays.
+    // A point, what is left and its id; a path's offset and six arrays.
     requireMemory(points, 4 * sizeof(double) + sizeof(vtkIdType));
-    requireMemory(paths, 2 * sizeof(double) + 3 * sizeof(vtkIdType));
+    requireMemory(paths, 4 * sizeof(double) + 3 * sizeof(vtkIdType));
     this->points_->SetNumberOfPoints(points);
     this->left_->SetNumberOfTuples(points);
     this->lines_->AllocateExact(paths, points);
@@ -45,6 +48,8 @@ public:
     this->targetIds_->Allocate(paths);
     this->sourceIds_->Allocate(paths);
     this->snapDistances_->Allocate(paths);
+    this->arcLengths_->Allocate(paths);
+    this->angles_->Allocate(paths);
   }
 
   void add(const PathOfTarget& path)
@@ -69,8 +74,10 @@ public:
     this->lengths_->InsertNextValue(this->toUser(left));
     this->targetIds_->InsertNextValue(static_cast<vtkIdType>(path.target));
     this->sourceIds_->InsertNextValue(
-      path.source == NoId ? vtkIdType(-1) : static_cast<vtkIdType>(path.source));
+      path.end.source == NoId ? vtkIdType(-1) : static_cast<vtkIdType>(path.end.source));
     this->snapDistances_->InsertNextValue(this->scale_.toUser(path.snapDistance));
+    this->arcLengths_->InsertNextValue(this->scale_.toUser(path.end.arcLength));
+    this->angles_->InsertNextValue(path.end.angle);
     this->nextPoint_ += count;
   }
 
@@ -83,6 +90,14 @@ public:
     cellData->AddArray(this->sourceIds_);
     cellData->AddArray(this->lengths_);
     cellData->AddArray(this->snapDistances_);
+    if (this->choice_.arcLengths)
+    {
+      cellData->AddArray(this->arcLengths_);
+    }
+    if (this->choice_.angles)
+    {
+      cellData->AddArray(this->angles_);
+    }
     output->GetPointData()->SetScalars(this->left_);
   }
 
@@ -99,6 +114,7 @@ private:
   }
 
   const PowerOfTwoScale& scale_;
+  PathEndChoice choice_;
   vtkIdType nextPoint_ = 0;
   vtkNew<vtkPoints> points_;
   vtkNew<vtkCellArray> lines_;
@@ -107,19 +123,21 @@ private:
   vtkNew<vtkIdTypeArray> targetIds_;
   vtkNew<vtkIdTypeArray> sourceIds_;
   vtkNew<vtkDoubleArray> snapDistances_;
+  vtkNew<vtkDoubleArray> arcLengths_;
+  vtkNew<vtkDoubleArray> angles_;
 };
 
 }
 
 void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,
-  vtkPolyData* output, const ProgressCallback& callback)
+  const PathEndChoice& choice, vtkPolyData* output, const ProgressCallback& callback)
 {
   std::size_t points = 0;
   for (const PathOfTarget& path : paths)
   {
     points += path.points.size();
   }
-  PathArrays arrays(scale);
+  PathArrays arrays(scale, choice);
   arrays.allocate(static_cast<vtkIdType>(paths.size()), static_cast<vtkIdType>(points));
   LoopProgress progress(callback);
   progress.nextUntil(1.0);

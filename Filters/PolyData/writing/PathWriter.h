@@ -4,7 +4,7 @@
 
 #include "PolyData/PowerOfTwoScale.h"
 #include "Progress.h"
-#include "Types.h"
+#include "paths/PathsToSource.h"
 
 #include <cstddef>
 #include <vector>
@@ -21,19 +21,25 @@ struct PathOfTarget
   std::size_t target = 0;
   double snapDistance = 0.0;
   std::vector<Vec3> points;
-  /// SourceCurve::source of a curve that the end lies on.
-  Id source = NoId;
+  PathEnd end;
+};
+
+/// Which arrays about the ends of paths are asked for.
+struct PathEndChoice
+{
+  bool arcLengths = false;
+  bool angles = false;
 };
 
 /// Gives an output a polyline for each path, with the cell arrays TargetId, SourceId,
-/// GeodesicDistance (its length) and TargetSnapDistance, and the point array GeodesicDistance,
-/// which is what is left to go.
+/// GeodesicDistance (its length), TargetSnapDistance and, if they are asked for, SourceArcLength
+/// and SourceAngle, and the point array GeodesicDistance, which is what is left to go.
 ///
 /// \param paths in the order of their targets.
 /// \param progress called now and then; returning false throws Aborted.
 /// \throws MeshError where a length is larger than numbers can be.
 void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,
-  vtkPolyData* output, const ProgressCallback& progress);
+  const PathEndChoice& choice, vtkPolyData* output, const ProgressCallback& progress);
 
 }
 

@@ -8,12 +8,17 @@
 #include "field/Gradients.h"
 #include "refinement/SeamPoints.h"
 
+#include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace geodesic
@@ -26,22 +31,9 @@ constexpr const char* SourceIdName = "SourceId";
 constexpr const char* ClosestPointName = "ClosestSourcePoint";
 constexpr const char* GradientName = "DistanceGradient";
 constexpr const char* SignedDistanceName = "SignedGeodesicDistance";
-
-/// Calls fill(tuple, values, index) for all points of a block: with the values at vertices, then
-/// with those at new points.
-template <typename Fill>
-void forEachPoint(const PolyDataSurface& surface, const SurfaceBlock& block,
-  const SourceValues& atVertices, const SourceValues& atNewPoints, vtkIdType count, Fill&& fill)
-{
-  for (Id i = 0; i < block.numberOfPoints; ++i)
-  {
-    fill(static_cast<vtkIdType>(i), atVertices, surface.vertexOf(block.firstPoint + i));
-  }
-  for (vtkIdType i = static_cast<vtkIdType>(block.numberOfPoints); i < count; ++i)
-  {
-    fill(i, atNewPoints, static_cast<std::size_t>(i) - block.numberOfPoints);
-  }
-}
+constexpr const char* ArcLengthName = "SourceArcLength";
+constexpr const char* AngleName = "SourceAngle";
+constexpr const char* TextureCoordinateName = "SourceTextureCoordinates";
 
 template <typename Array>
 vtkNew<Array> makeArray(const char* name, int components, vtkIdType tuples)
@@ -54,6 +46,83 @@ vtkNew<Array> makeArray(const char* name, int components, vtkIdType tuples)
   return array;
 }
 
+/// Adds arrays to the points of a block.
+class ArraysOfBlock
+{
+public:
+  ArraysOfBlock(const PolyDataSurface& surface, const SurfaceBlock& block,
+    const SourceValues& atVertices, const SourceValues& atNewPoints, vtkPolyData* output)
+    : surface_(surface)
+    , block_(block)
+    , atVertices_(atVertices)
+    , atNewPoints_(atNewPoints)
+    , output_(output)
+  {
+  }
+
+  /// \param valueAt (vtkIdType point, const SourceValues&, std::size_t index of its values) ->
+  ///        vtkIdType
+  template <typename ValueAt>
+  void addIds(const char* name, const ValueAt& valueAt) const
+  {
+    const auto array = makeArray<vtkIdTypeArray>(name, 1, this->output_->GetNumberOfPoints());
+    this->forEachPoint([&](vtkIdType point, const SourceValues& values, std::size_t i)
+      { array->SetValue(point, valueAt(point, values, i)); });
+    this->output_->GetPointData()->AddArray(array);
+  }
+
+  /// \param valueAt the same, -> std::array of the components
+  template <typename ValueAt>
+  vtkNew<vtkDoubleArray> addDoubles(const char* name, const ValueAt& valueAt) const
+  {
+    using Value = decltype(valueAt(vtkIdType(), this->atVertices_, std::size_t()));
+    auto array = makeArray<vtkDoubleArray>(
+      name, static_cast<int>(std::tuple_size<Value>::value), this->output_->GetNumberOfPoints());
+    this->forEachPoint([&](vtkIdType point, const SourceValues& values, std::size_t i)
+      { array->SetTypedTuple(point, valueAt(point, values, i).data()); });
+    this->output_->GetPointData()->AddArray(array);
+    return array;
+  }
+
+private:
+  /// Visits the points of the input, which have the values of their vertices, then the new points.
+  template <typename Visit>
+  void forEachPoint(const Visit& visit) const
+  {
+    const Id inputPoints = this->block_.numberOfPoints;
+    for (Id i = 0; i < inputPoints; ++i)
+    {
+      const Id vertex = this->surface_.vertexOf(this->block_.firstPoint + i);
+      visit(static_cast<vtkIdType>(i), this->atVertices_, vertex);
+    }
+    const auto count = static_cast<Id>(this->output_->GetNumberOfPoints());
+    for (Id i = inputPoints; i < count; ++i)
+    {
+      visit(static_cast<vtkIdType>(i), this->atNewPoints_, i - inputPoints);
+    }
+  }
+
+  const PolyDataSurface& surface_;
+  const SurfaceBlock& block_;
+  const SourceValues& atVertices_;
+  const SourceValues& atNewPoints_;
+  vtkPolyData* output_;
+};
+
+double signedDistance(SourceSide side, double distance)
+{
+  return side == SourceSide::Right && distance > 0.0 ? -distance : distance;
+}
+
+std::array<double, 2> textureCoordinates(const SourceValues& values, std::size_t i, double distance)
+{
+  if (values.sides[i] == SourceSide::Point)
+  {
+    return { distance * std::cos(values.angles[i]), distance * std::sin(values.angles[i]) };
+  }
+  return { values.arcLengths[i], signedDistance(values.sides[i], distance) };
+}
+
 } // anonymous namespace
 
 std::vector<const char*> namesOf(const SourceArrayChoice& choice)
@@ -61,7 +130,8 @@ std::vector<const char*> namesOf(const SourceArrayChoice& choice)
   std::vector<const char*> names;
   const std::pair<bool, const char*> all[] = { { choice.sourceIds, SourceIdName },
     { choice.closestPoints, ClosestPointName }, { choice.gradients, GradientName },
-    { choice.signedDistances, SignedDistanceName } };
+    { choice.signedDistances, SignedDistanceName }, { choice.arcLengths, ArcLengthName },
+    { choice.angles, AngleName }, { choice.textureCoordinates, TextureCoordinateName } };
   for (const auto& [isAskedFor, name] : all)
   {
     if (isAskedFor)
@@ -74,15 +144,25 @@ std::vector<const char*> namesOf(const SourceArrayChoice& choice)
 
 void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output)
 {
-  for (const char* name : namesOf(choice))
+  const auto addDoubles = [output](bool isAskedFor, const char* name, int components)
   {
-    if (name == std::string(SourceIdName))
+    if (isAskedFor)
     {
-      output->GetPointData()->AddArray(makeArray<vtkIdTypeArray>(name, 1, 0));
-      continue;
+      output->GetPointData()->AddArray(makeArray<vtkDoubleArray>(name, components, 0));
     }
-    const int components = name == std::string(SignedDistanceName) ? 1 : 3;
-    output->GetPointData()->AddArray(makeArray<vtkDoubleArray>(name, components, 0));
+  };
+  if (choice.sourceIds)
+  {
+    output->GetPointData()->AddArray(makeArray<vtkIdTypeArray>(SourceIdName, 1, 0));
+  }
+  addDoubles(choice.closestPoints, ClosestPointName, 3);
+  addDoubles(choice.gradients, GradientName, 3);
+  addDoubles(choice.signedDistances, SignedDistanceName, 1);
+  addDoubles(choice.arcLengths, ArcLengthName, 1);
+  addDoubles(choice.angles, AngleName, 1);
+  if (choice.textureCoordinates)
+  {
+    output->GetPointData()->SetTCoords(makeArray<vtkDoubleArray>(TextureCoordinateName, 2, 0));
   }
 }
 
@@ -103,9 +183,17 @@ void SourceArrays::forEachKind(const Visit& visit) const
   {
     visit(&SourceValues::gradients, Vec3{});
   }
-  if (this->choice_.signedDistances)
+  if (this->choice_.areSidesNeeded())
   {
-    visit(&SourceValues::isOnRight, std::uint8_t(0));
+    visit(&SourceValues::sides, SourceSide::Left);
+  }
+  if (this->choice_.areArcLengthsNeeded())
+  {
+    visit(&SourceValues::arcLengths, 0.0);
+  }
+  if (this->choice_.areAnglesNeeded())
+  {
+    visit(&SourceValues::angles, 0.0);
   }
 }
 
@@ -171,10 +259,29 @@ void SourceArrays::add(const Foot& foot, const NearestSource& nearest, SourceVal
         ? this->surface_.scale().toUser(position(nearest.meshOfCurves(), nearest.pointOf(foot)))
         : Vec3{});
   }
-  if (this->choice_.signedDistances)
+  if (this->choice_.areSidesNeeded())
   {
-    values.isOnRight.push_back(isOnRight(foot, this->curves_, this->firstBoundarySource_) ? 1 : 0);
+    values.sides.push_back(this->sideOf(foot));
   }
+  if (this->choice_.areArcLengthsNeeded())
+  {
+    values.arcLengths.push_back(
+      foot.isKnown() ? this->surface_.scale().toUser(nearest.arcLengthOf(foot)) : 0.0);
+  }
+  if (this->choice_.areAnglesNeeded())
+  {
+    values.angles.push_back(foot.isKnown() ? nearest.angleOf(foot) : 0.0);
+  }
+}
+
+SourceSide SourceArrays::sideOf(const Foot& foot) const
+{
+  if (foot.isKnown() && this->curves_[foot.curve].points.size() == 1)
+  {
+    return SourceSide::Point;
+  }
+  return isOnRight(foot, this->curves_, this->firstBoundarySource_) ? SourceSide::Right
+                                                                    : SourceSide::Left;
 }
 
 SourceValues SourceArrays::atVertices(const DistanceField& computed, const NearestSource& nearest,
@@ -241,54 +348,114 @@ void SourceArrays::write(const SurfaceBlock& block, const SourceValues& atVertic
   const SourceValues& atNewPoints, const double* distances, double unreached,
   vtkPolyData* output) const
 {
-  const vtkIdType count = output->GetNumberOfPoints();
-  const auto fillAll = [&](auto&& fill)
-  { forEachPoint(this->surface_, block, atVertices, atNewPoints, count, fill); };
+  const ArraysOfBlock arrays(this->surface_, block, atVertices, atNewPoints, output);
+  const auto isReached = [distances](vtkIdType point) { return distances[point] < Infinity; };
   if (this->choice_.sourceIds)
   {
-    const auto array = makeArray<vtkIdTypeArray>(SourceIdName, 1, count);
-    fillAll(
-      [&](vtkIdType i, const SourceValues& from, std::size_t at)
-      {
-        const Id source = from.sources[at];
-        array->SetValue(i, source == NoId ? -1 : static_cast<vtkIdType>(source));
-      });
-    output->GetPointData()->AddArray(array);
+    arrays.addIds(SourceIdName,
+      [](vtkIdType, const SourceValues& values, std::size_t i)
+      { return values.sources[i] == NoId ? -1 : static_cast<vtkIdType>(values.sources[i]); });
   }
   if (this->choice_.closestPoints)
   {
-    const auto array = makeArray<vtkDoubleArray>(ClosestPointName, 3, count);
-    fillAll(
-      [&](vtkIdType i, const SourceValues& from, std::size_t at)
+    arrays.addDoubles(ClosestPointName,
+      [&](vtkIdType point, const SourceValues& values, std::size_t i)
       {
-        const bool isReached = distances[i] < Infinity;
-        array->SetTuple(i, isReached ? from.closestPoints[at].data() : output->GetPoint(i));
+        Vec3 closest = isReached(point) ? values.closestPoints[i] : Vec3();
+        if (!isReached(point))
+        {
+          output->GetPoint(point, closest.data());
+        }
+        return closest;
       });
-    output->GetPointData()->AddArray(array);
   }
   if (this->choice_.gradients)
   {
-    const auto array = makeArray<vtkDoubleArray>(GradientName, 3, count);
-    fillAll(
-      [&](vtkIdType i, const SourceValues& from, std::size_t at)
-      {
-        // A point on the source may lie a rounding beside it.
-        array->SetTuple(i, (distances[i] > 0.0 ? from.gradients[at] : Vec3{}).data());
-      });
-    output->GetPointData()->AddArray(array);
+    // A point on the source may lie a rounding beside it.
+    arrays.addDoubles(GradientName,
+      [&](vtkIdType point, const SourceValues& values, std::size_t i)
+      { return distances[point] > 0.0 ? values.gradients[i] : Vec3(); });
   }
-  if (this->choice_.signedDistances)
+  const auto addScalars = [&](bool isAskedFor, const char* name, const auto& valueAt)
   {
-    const auto array = makeArray<vtkDoubleArray>(SignedDistanceName, 1, count);
-    fillAll(
-      [&](vtkIdType i, const SourceValues& from, std::size_t at)
+    if (isAskedFor)
+    {
+      arrays.addDoubles(name,
+        [&](vtkIdType point, const SourceValues& values, std::size_t i) -> std::array<double, 1>
+        { return { isReached(point) ? valueAt(distances[point], values, i) : unreached }; });
+    }
+  };
+  addScalars(this->choice_.signedDistances, SignedDistanceName,
+    [](double distance, const SourceValues& values, std::size_t i)
+    { return signedDistance(values.sides[i], distance); });
+  addScalars(this->choice_.arcLengths, ArcLengthName,
+    [](double, const SourceValues& values, std::size_t i) { return values.arcLengths[i]; });
+  addScalars(this->choice_.angles, AngleName,
+    [](double distance, const SourceValues& values, std::size_t i)
+    { return distance > 0.0 ? values.angles[i] : 0.0; });
+  if (this->choice_.textureCoordinates)
+  {
+    output->GetPointData()->SetTCoords(arrays.addDoubles(TextureCoordinateName,
+      [&](vtkIdType point, const SourceValues& values, std::size_t i)
       {
-        const double d = distances[i];
-        const double signedDistance = from.isOnRight[at] != 0 && d > 0.0 ? -d : d;
-        array->SetValue(i, d < Infinity ? signedDistance : unreached);
-      });
-    output->GetPointData()->AddArray(array);
+        return isReached(point) ? textureCoordinates(values, i, distances[point])
+                                : std::array<double, 2>{ unreached, unreached };
+      }));
   }
+}
+
+std::vector<SourceFrame> SourceArrays::frames(const NearestSource& nearest) const
+{
+  return this->choice_.angles
+    ? framesBySource(this->curves_, [&nearest](Id curve) { return nearest.frameOf(curve); })
+    : std::vector<SourceFrame>();
+}
+
+std::vector<SourceFrame> framesBySource(
+  const std::vector<SourceCurve>& curves, const std::function<SourceFrame(Id)>& frameOf)
+{
+  std::vector<SourceFrame> frames;
+  for (Id curve = static_cast<Id>(curves.size()); curve-- > 0;) // the first of a source comes last
+  {
+    const std::size_t source = curves[curve].source;
+    frames.resize(std::max(frames.size(), source + 1));
+    frames[source] = frameOf(curve);
+  }
+  return frames;
+}
+
+std::vector<std::vector<double>> SourceArrays::arcLengthsOfCurves(
+  const NearestSource& nearest) const
+{
+  std::vector<std::vector<double>> lengths;
+  for (Id curve = 0; this->choice_.arcLengths && curve < this->curves_.size(); ++curve)
+  {
+    lengths.push_back(nearest.arcLengthsOf(curve));
+    for (double& length : lengths.back())
+    {
+      length = this->surface_.scale().toUser(length);
+    }
+  }
+  return lengths;
+}
+
+void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* output)
+{
+  const auto array =
+    makeArray<vtkDoubleArray>("SourceFrame", 9, static_cast<vtkIdType>(frames.size()));
+  for (std::size_t source = 0; source < frames.size(); ++source)
+  {
+    const SourceFrame& frame = frames[source];
+    int component = 0;
+    for (const Vec3* axis : { &frame.x, &frame.y, &frame.normal })
+    {
+      for (const double value : *axis)
+      {
+        array->SetComponent(static_cast<vtkIdType>(source), component++, value);
+      }
+    }
+  }
+  output->GetFieldData()->AddArray(array);
 }
 
 Id findFaceWithoutSides(const TriangleMesh& mesh, Id first, Id end)

@@ -7,9 +7,11 @@
 #include "field/NearestSource.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkPolyData;
 
 namespace geodesic
@@ -26,11 +28,17 @@ struct SourceArrayChoice
   bool closestPoints = false;
   bool gradients = false;
   bool signedDistances = false;
+  bool arcLengths = false;
+  bool angles = false;
+  bool textureCoordinates = false;
 
-  bool areSidesNeeded() const { return this->signedDistances; }
+  bool areSidesNeeded() const { return this->signedDistances || this->textureCoordinates; }
+  bool areArcLengthsNeeded() const { return this->arcLengths || this->textureCoordinates; }
+  bool areAnglesNeeded() const { return this->angles || this->textureCoordinates; }
   bool areFeetNeeded() const
   {
-    return this->sourceIds || this->closestPoints || this->signedDistances;
+    return this->sourceIds || this->closestPoints || this->areSidesNeeded() ||
+      this->areArcLengthsNeeded() || this->areAnglesNeeded();
   }
   bool isAny() const { return this->areFeetNeeded() || this->gradients; }
 };
@@ -41,7 +49,17 @@ std::vector<const char*> namesOf(const SourceArrayChoice& choice);
 /// Adds the arrays that are asked for, without values.
 void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output);
 
-/// What the arrays hold for some points, one entry a point in each of those that are asked for.
+/// Where a shortest path ends on its source: on the left of a curve, where loops of the boundary
+/// have all their paths, on its right, or at a point, which has no sides.
+enum class SourceSide : std::uint8_t
+{
+  Left,
+  Right,
+  Point
+};
+
+/// What the arrays are computed from, for some points: one entry per point, in those members that
+/// the choice of arrays needs.
 struct SourceValues
 {
   /// SourceCurve::source; NoId where the point was not reached.
@@ -49,8 +67,10 @@ struct SourceValues
   /// In the user's scale; not told where the point was not reached.
   std::vector<Vec3> closestPoints;
   std::vector<Vec3> gradients;
-  /// Whether the shortest path comes from the right-hand side of a curve.
-  std::vector<std::uint8_t> isOnRight;
+  std::vector<SourceSide> sides;
+  /// In the user's scale.
+  std::vector<double> arcLengths;
+  std::vector<double> angles;
 };
 
 /// Computes the arrays that tell more of a field than its distance.
@@ -101,24 +121,41 @@ public:
   /// Adds the arrays of one block to its points: those of the input, then those that were added.
   ///
   /// \param distances of the same points; infinite where a point is not reached.
-  /// \param unreached what the signed distance is there.
+  /// \param unreached what stands there in the arrays of lengths and angles.
   void write(const SurfaceBlock& block, const SourceValues& atVertices,
     const SourceValues& atNewPoints, const double* distances, double unreached,
     vtkPolyData* output) const;
 
   std::vector<const char*> names() const { return namesOf(this->choice_); }
 
+  /// framesBySource(). Empty unless angles are asked for.
+  std::vector<SourceFrame> frames(const NearestSource& nearest) const;
+  /// For writeCurves(): the arc lengths of each curve's points, in the user's scale. Empty unless
+  /// arc lengths are asked for.
+  std::vector<std::vector<double>> arcLengthsOfCurves(const NearestSource& nearest) const;
+
 private:
   template <typename Visit>
   void forEachKind(const Visit& visit) const;
   void reserve(std::size_t count, SourceValues& values) const;
   void add(const Foot& foot, const NearestSource& nearest, SourceValues& values) const;
+  SourceSide sideOf(const Foot& foot) const;
 
   const PolyDataSurface& surface_;
   const std::vector<SourceCurve>& curves_;
   Id firstBoundarySource_;
   SourceArrayChoice choice_;
 };
+
+/// The frames that angles are measured in, by SourceCurve::source; of a source that is cut in
+/// several curves, that of the first.
+///
+/// \param frameOf the frame of a curve, by its number.
+std::vector<SourceFrame> framesBySource(
+  const std::vector<SourceCurve>& curves, const std::function<SourceFrame(Id)>& frameOf);
+
+/// Adds the field data array SourceFrame, with the three vectors of a frame in each tuple.
+void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* output);
 
 /// A face whose neighbours do not tell left from right with it: across an edge of three and more
 /// faces, or one whose faces run along it in one direction. NoId where there is none of the faces

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paths/PathEnds.h"
+
+#include "Tolerance.h"
+#include "source/CurveSectors.h"
+#include "source/DirectionsAround.h"
+
+namespace geodesic
+{
+
+PathEnds::PathEnds(const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves)
+  : patch_(patch)
+  , curves_(curves)
+  , chains_(patch.mesh(), curves)
+  , onCurves_(patch.mesh(), this->chains_)
+  , inFaces_(patch.mesh(), this->chains_)
+{
+}
+
+// The end of a traced path is rounded: near the end of a segment it is the curve's point.
+PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path,
+  const std::function<RankAddress(Id)>& addressOf) const
+{
+  const SurfacePoint& before = path[path.size() - 2];
+  const Id onMesh = commonFace(mesh, before, path.back());
+  const Id face = this->patch_.faceAt(addressOf(onMesh));
+  if (face == NoId)
+  {
+    return {};
+  }
+  const Barycentric end = barycentric(mesh, path.back(), onMesh);
+  const LastPiece piece = { normalized(this->mesh(), fromBarycentric(this->mesh(), face, end)),
+    face,
+    inHalfedgeFrame(this->mesh(), 3 * face, barycentric(mesh, before, onMesh)) -
+      inHalfedgeFrame(this->mesh(), 3 * face, end) };
+  const SourceInFace* segment = this->inFaces_.nearest(piece.end, face);
+  if (segment == nullptr)
+  {
+    return {};
+  }
+  const double length = segment->placeOfB - segment->placeOfA;
+  const double along = length *
+    nearestAlongSource(this->mesh(), *segment, barycentric(this->mesh(), piece.end, segment->face));
+  const double rounding =
+    tolerance::PlaceRounding * this->mesh().length(longestHalfedge(this->mesh(), face));
+  if (along > rounding && along < length - rounding)
+  {
+    return this->onSegment(piece, *segment, segment->placeOfA + along);
+  }
+  const double place = along > rounding ? segment->placeOfB : segment->placeOfA;
+  return this->atPoint(piece, this->chains_.pointAt(segment->curve, place));
+}
+
+PathEnd PathEnds::onSegment(const LastPiece& piece, const SourceInFace& segment, double place) const
+{
+  constexpr double rightAngle = 1.57079632679489661923;
+  const Id frame = 3 * piece.face;
+  double side = 0.0;
+  if (segment.face == piece.face)
+  {
+    side = cross(inHalfedgeFrame(this->mesh(), frame, segment.b) -
+        inHalfedgeFrame(this->mesh(), frame, segment.a),
+      piece.direction);
+  }
+  return this->endAt(
+    segment.curve, place, side > 0.0 ? rightAngle : (side < 0.0 ? -rightAngle : 0.0));
+}
+
+// Of several curves at the point it is the one to which the direction belongs.
+PathEnd PathEnds::atPoint(const LastPiece& piece, Id number) const
+{
+  const CurveChains::Point at = this->chains_.pointWith(number);
+  const PointWithEnds around = this->onCurves_.around(this->mesh(), this->chains_, at);
+  const double place = this->chains_.places(at.chain)[at.i];
+  if (!piece.hasLength() || !contains(this->mesh(), piece.face, around.point))
+  {
+    return this->endAt(at.chain, place, 0.0);
+  }
+  CurveSectors sectors(this->mesh());
+  sectors.assign(around.point, around.ends, CurveOrigin::onLeft(this->mesh(), at.chain, place));
+  const CurveOrigin origin = sectors.of(3 * piece.face, piece.direction);
+  DirectionsAround directions(this->mesh());
+  directions.assign(around.point, around.ends);
+  return this->endAt(CurveSide::of(origin.origin, this->mesh().numberOfVertices()).curve,
+    origin.place, directions.angleOf(directions.around(3 * piece.face, piece.direction)));
+}
+
+// Angles of a chain that runs against its curve differ by half a turn.
+PathEnd PathEnds::endAt(Id chain, double place, double angle) const
+{
+  constexpr double halfTurn = 3.14159265358979323846;
+  const CurveChains::Link& link = this->chains_.linkAt(chain, place);
+  const double turned = angle > 0.0 ? angle - halfTurn : angle + halfTurn;
+  return { this->curves_[link.curve].source, this->chains_.arcLength(link.curve, place),
+    link.isReversed && angle != 0.0 ? turned : angle };
+}
+
+SourceFrame PathEnds::frameOf(Id curve) const
+{
+  return sourceFrame(this->mesh(), this->chains_, this->onCurves_, curve);
+}
+
+}
