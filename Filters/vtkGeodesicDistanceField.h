@@ -453,9 +453,11 @@ public:
    * sine of SourceAngle (the logarithmic map). The texture has the length 1 in the units of the
    * surface. UnreachedValue, twice, where a point is not reached. Off by default.
    *
-   * The surface must be oriented as for SetGenerateSignedDistance(). Behind an open end of a curve
-   * u is constant. u and v jump where shortest paths from different places of the source meet: the
-   * texture is distorted in the triangles across such a border.
+   * The surface must be oriented as for SetGenerateSignedDistance(). u and v jump where shortest
+   * paths from different places of the source meet, and a texture is distorted in the triangles
+   * across such a border. With RefineMesh these are split as by RefineSourceBorders, which need not
+   * be on; but borders between paths from one point, or from one side of a curve, are not. Behind
+   * an open end of a curve u is constant.
    */
   vtkSetMacro(GenerateTextureCoordinates, bool);
   vtkGetMacro(GenerateTextureCoordinates, bool);

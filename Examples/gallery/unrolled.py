@@ -1,19 +1,45 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""An unrolled vessel: a map of its wall, along and across a line on it, shows where it bulges."""
+"""An unrolled vessel: a map of its wall along and across a line on it, beside the vessel."""
 
 import sys
-from math import cos, pi, sin
+from math import pi, sin
 from os.path import dirname
 
 sys.path.append(dirname(__file__))  # File > Load State... does not look there
 import look
 from paraview.simple import *
 
-# A sheet around a bent axis, closed but for a seam, at which it is cut open.
-sheet = Plane(Origin=(0, -0.5, 0), Point1=(6, -0.5, 0), Point2=(0, 0.5, 0), XResolution=240, YResolution=80)
-bulges = "0.3*exp(-8*((coordsX - 2)^2 + (coordsY - 0.12)^2*6)) + 0.22*exp(-9*((coordsX - 4.2)^2 + (coordsY + 0.2)^2*6))"
-radius = Calculator(Input=sheet, ResultArrayName="Radius", Function=f"0.35 + {bulges}")
-turn = "(2*3.141592653589793*coordsY)"
-axis = "0.5*sin(1.1*coordsX)"
-vessel = Calculator(Input=radius, CoordinateResults=1,
-                    Function=f"(coordsX - 0.4*sin(2.2*coordsX)*0.1)*iHat + ({axis} + Radius*sin({turn}))*jHat + Radius*cos({turn})*kHat")
+# A sheet around a bent axis. Its sides meet behind, but stay apart: there the vessel is cut open.
+sheet = Plane(Origin=(0, -pi, 0), Point1=(7, -pi, 0), Point2=(0, pi, 0), XResolution=210, YResolution=90)
+BULGES = ((2.1, 0.9, 0.34), (4.6, -1.1, 0.28), (5.4, 1.7, 0.2))
+radius = "0.42 + " + " + ".join(f"{height}*exp(-5*(coordsX - {x})^2 - 1.6*(coordsY - {turn})^2)"
+                                for x, turn, height in BULGES)
+walls = Calculator(Input=sheet, ResultArrayName="Radius", Function=radius)
+vessel = Calculator(Input=walls, CoordinateResults=1,
+                    Function="coordsX*iHat + (0.4*sin(0.9*coordsX) + Radius*sin(coordsY))*jHat"
+                             " + Radius*cos(coordsY)*kHat")
+
+# The line runs along the front.
+line = PolyLineSource(Points=[x for i in range(71) for x in (0.1*i, 0.4*sin(0.09*i), 1)])
+field = GeodesicDistanceField(Input=vessel, Source=line, MergeCoincidentPoints=0,
+                              GenerateSourceArcLength=1, GenerateSignedDistance=1)
+rings = Contour(Input=field, ContourBy=("POINTS", "SourceArcLength"), Isosurfaces=[0.5*i for i in range(1, 16)],
+                ComputeScalars=1)
+
+
+def unrolled(data):
+    """What lies on the vessel, on the map below it."""
+    return Calculator(Input=data, CoordinateResults=1,
+                      Function="(SourceArcLength - 0.15)*iHat + (SignedGeodesicDistance - 2.7)*jHat")
+
+
+map_of_vessel = unrolled(field)
+rings_on_map = unrolled(rings)
+
+view = look.view([vessel, map_of_vessel], direction=(0, 0.15, 1), upward=(0, 1, 0), size=(840, 640))
+for shape in field, map_of_vessel:
+    shown = Show(shape, view)
+    look.steps(shown, ("POINTS", "Radius"), 0.42, 0.76, look.shades(17))
+for shape in rings, rings_on_map, OutputPort(field, 1):
+    look.thin_lines(Show(shape, view))
+look.save(view, globals())

@@ -275,6 +275,54 @@ def signed_side(names):
     np.testing.assert_array_equal(signed[far] > 0, inside == (turns[inside][0] < 0))
 
 
+def along_a_curve(names):
+    """In the unrolled plane the curve at the arc length is as far as the distance says."""
+    sheet = Bent(names["waves"])
+    (line,) = lines(data(names["field"], 1))
+    corners = sheet.unrolled(line)
+    along = lengths_along(corners)
+    output = data(names["field"])
+    lengths = point_array(output, "SourceArcLength")
+    assert lengths.min() == 0 and abs(lengths.max() - along[-1]) < FLOAT * along[-1]
+    feet = np.stack([np.interp(lengths, along, corners[:, axis]) for axis in (0, 1)], axis=1)
+    apart = np.linalg.norm(sheet.unrolled(points(output)) - feet, axis=1)
+    assert_close(distances(names["field"]), apart, 3 * FLOAT)
+
+
+def decal(names):
+    """As far as the distance, in the direction of the last piece of a path, seen from its end."""
+    output = data(names["field"])
+    found = distances(names["field"])
+    near = np.flatnonzero(np.isfinite(found) & (found > 1))[::200]
+    plane = point_array(output, "SourceTextureCoordinates")[near]
+    assert_close(np.linalg.norm(plane, axis=1), found[near], FLOAT)
+    targets = simple.PolyLineSource(Points=points(output)[near].ravel())
+    paths = data(simple.GeodesicPaths(Input=names["head"], Source=names["start"], Targets=targets))
+    frame = vtk_to_numpy(output.GetFieldData().GetArray("SourceFrame")).reshape(3, 3)
+    away = np.array([line[-2] - line[-1] for line in lines(paths)]) @ frame.T
+    assert len(away) == len(near) > 50
+    turned = np.angle((plane[:, 0] + 1j * plane[:, 1]) / (away[:, 0] + 1j * away[:, 1]))
+    assert np.mean(np.abs(turned) < 1e-4) > 0.98  # but for ties
+
+
+def unrolled(names):
+    """Paths end on the line at the arc length, and are as long as the distance."""
+    output = data(names["field"])
+    some = slice(None, None, 100)
+    targets = simple.PolyLineSource(Points=points(output)[some].ravel())
+    paths = data(simple.GeodesicPaths(Input=names["vessel"], Source=names["line"], Targets=targets,
+                                      MergeCoincidentPoints=0))
+    (line,) = lines(data(names["field"], 1))
+    lengths = point_array(output, "SourceArcLength")[some]
+    feet = np.stack([np.interp(lengths, lengths_along(line), line[:, axis]) for axis in range(3)], axis=1)
+    ends = np.array([path[-1] for path in lines(paths)])
+    assert len(ends) == len(feet)
+    assert np.mean(np.linalg.norm(ends - feet, axis=1) < 1e-4) > 0.98  # but for ties
+    signed = point_array(output, "SignedGeodesicDistance")[some]
+    assert_close(np.abs(signed), cell_array(paths, "GeodesicDistance"), 10 * FLOAT)
+    assert signed.min() < -1 and signed.max() > 1
+
+
 def barriers(names):
     """Along straight lines from corner to corner of the walls."""
     wall = cell_array(data(names["plan"]), "Wall").reshape(80, 120) > 0
