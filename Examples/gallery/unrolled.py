@@ -2,7 +2,7 @@
 """An unrolled vessel: a map of its wall along and across a line on it, beside the vessel."""
 
 import sys
-from math import pi, sin
+from math import exp, pi, sin
 from os.path import dirname
 
 sys.path.append(dirname(__file__))  # File > Load State... does not look there
@@ -11,16 +11,22 @@ from paraview.simple import *
 
 # A sheet around a bent axis. Its sides meet behind, but stay apart: there the vessel is cut open.
 sheet = Plane(Origin=(0, -pi, 0), Point1=(7, -pi, 0), Point2=(0, pi, 0), XResolution=210, YResolution=90)
-BULGES = ((2.1, 0.9, 0.34), (4.6, -1.1, 0.28), (5.4, 1.7, 0.2))
-radius = "0.42 + " + " + ".join(f"{height}*exp(-5*(coordsX - {x})^2 - 1.6*(coordsY - {turn})^2)"
+BULGES = ((1.9, 0.7, 0.26), (4.3, -0.9, 0.22), (5.6, 0.9, 0.16))
+radius = "0.42 + " + " + ".join(f"{height}*exp(-3*(coordsX - {x})^2 - 0.8*(coordsY - {turn})^2)"
                                 for x, turn, height in BULGES)
 walls = Calculator(Input=sheet, ResultArrayName="Radius", Function=radius)
 vessel = Calculator(Input=walls, CoordinateResults=1,
                     Function="coordsX*iHat + (0.4*sin(0.9*coordsX) + Radius*sin(coordsY))*jHat"
                              " + Radius*cos(coordsY)*kHat")
 
-# The line runs along the front.
-line = PolyLineSource(Points=[x for i in range(71) for x in (0.1*i, 0.4*sin(0.09*i), 1)])
+
+
+def front(x):
+    """A point of the line along the front."""
+    return x, 0.4*sin(0.9*x), 0.42 + sum(height*exp(-3*(x - at)**2 - 0.8*turn**2) for at, turn, height in BULGES)
+
+
+line = PolyLineSource(Points=[x for i in range(71) for x in front(0.1*i)])
 field = GeodesicDistanceField(Input=vessel, Source=line, MergeCoincidentPoints=0,
                               GenerateSourceArcLength=1, GenerateSignedDistance=1)
 rings = Contour(Input=field, ContourBy=("POINTS", "SourceArcLength"), Isosurfaces=[0.5*i for i in range(1, 16)],
@@ -39,7 +45,7 @@ rings_on_map = unrolled(rings)
 view = look.view([vessel, map_of_vessel], direction=(0, 0.15, 1), upward=(0, 1, 0), size=(840, 640))
 for shape in field, map_of_vessel:
     shown = Show(shape, view)
-    look.steps(shown, ("POINTS", "Radius"), 0.42, 0.76, look.shades(17))
+    look.steps(shown, ("POINTS", "Radius"), 0.42, 0.7, look.shades(14))
 for shape in rings, rings_on_map, OutputPort(field, 1):
     look.thin_lines(Show(shape, view))
 look.save(view, globals())
