@@ -46,7 +46,7 @@ picture.Script = """import numpy
 rows = numpy.column_stack(inputs[1].RowData.values()[1:])
 output.CellData.append(rows.ravel(), "Distance")"""
 
-view = look.view([head, picture], direction=back, size=(840, 460))
+view = look.view([head, picture], direction=back)
 skin = Show(head, view)
 look.plain(skin)
 look.smooth(skin)
