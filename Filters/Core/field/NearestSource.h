@@ -27,9 +27,9 @@ struct Foot
 {
   /// Number of the curve among those of the field; NoId where a point was not reached.
   Id curve = NoId;
-  /// Whether the path comes from the curve's right-hand side, seen with the normals of the faces
-  /// towards the viewer and along the curve. At an open end the sides part behind the curve. A
-  /// point has a left-hand side only; on the curve it is either.
+  /// Whether the path comes from the curve's right-hand side, seen along the curve and with the
+  /// normal of the face in which it leaves the curve towards the viewer. At an open end the sides
+  /// part behind the curve. A point has a left-hand side only; on the curve it is either.
   bool isRight = false;
   /// The chain that the curve is in, and where along it, as the length from the chain's beginning.
   Id chain = NoId;
