@@ -52,7 +52,7 @@ def write_down(field, algorithm, number):
         "points": vtk_to_numpy(output.GetPoints().GetData()).astype(float),
         "triangles": vtk_to_numpy(output.GetPolys().GetConnectivityArray()).reshape(-1, 3).copy(),
         "arrays": {array.GetName(): vtk_to_numpy(array).copy() for array in arrays},
-        "field data": {array.GetName(): array.GetTuple1(0) for array in said},
+        "field data": {array.GetName(): array.GetComponent(0, 0) for array in said},
     }
     with open(FOLDER / f"geodesic-gui-{number}.pickle", "wb") as file:
         pickle.dump(record, file)
