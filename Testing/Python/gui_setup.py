@@ -78,6 +78,7 @@ def write_answer_down(proxy, algorithm):
 def watch(proxy):
     """Each execution of the field is written down, of the other filters the last one."""
     algorithm = proxy.GetClientSideObject()
+    kept.append(algorithm)
     if proxy.GetXMLName() == "GeodesicDistanceField":
         numbers = itertools.count()
         algorithm.AddObserver("EndEvent", lambda *_: write_down(proxy, algorithm, next(numbers)))
@@ -103,6 +104,7 @@ def look_around(*_):
 
 
 watched = []
+kept = []  # an observer refers to its algorithm: without this the garbage collector takes both
 view = simple.GetActiveViewOrCreate("RenderView")
 manager = servermanager.ProxyManager().SMProxyManager
 manager.AddObserver("RegisterEvent", look_around)

@@ -110,7 +110,8 @@ for number, moved in enumerate((
         {"GenerateSourceAngle": 1}, {"GenerateTextureCoordinates": 1})):
     asked.update(moved)
     assert runs[number].properties == asked, f"{number}: {runs[number].properties}"
-MOVED_ELSEWHERE = {"ColorByStripes", "UnreachedValue", "CustomUnreachedValue", "RemoveUnusedPoints"}
+MOVED_ELSEWHERE = {"ColorByStripes", "UnreachedValue", "CustomUnreachedValue", "RemoveUnusedPoints",
+                   "RefineSourceBorders"}
 assert not DEFAULTS.keys() - {"Input"} - MOVED_ELSEWHERE - {
     name for name in DEFAULTS if any(run.properties[name] != DEFAULTS[name] for run in runs)}
 
