@@ -7,6 +7,7 @@
 #include "RanksTesting.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkGeodesicPaths.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 
@@ -413,6 +414,53 @@ void TestBarriers(Check& check, Ranks ranks)
   }
 }
 
+/// Where paths over all pieces end, and in which direction they leave from there.
+void TestEndsOfPaths(Check& check, Ranks ranks, vtkPolyData* plane)
+{
+  for (const auto& [name, cut] :
+    std::vector<std::pair<std::string, Cut>>{ { "paths in strips", Strips(plane, ranks.Count) },
+      { "paths at random", AtRandom(ranks.Count) } })
+  {
+    vtkNew<vtkGeodesicPaths> filter;
+    filter->SetInputData(Part(plane, FacesOf(plane, cut, ranks.Rank)));
+    filter->SetSourceData(Sources());
+    filter->SetTargetsData(plane);
+    filter->GenerateSourceArcLengthOn();
+    filter->GenerateSourceAngleOn();
+    Messages messages(filter);
+    messages.Update();
+    check.That(messages.Error().empty(), name + ": " + messages.Error());
+    vtkPolyData* output = filter->GetOutput();
+    vtkDataArray* frames = output->GetFieldData()->GetArray("SourceFrame");
+    check.That(frames && frames->GetNumberOfTuples() == 2, name + ": frames on every rank");
+    check.That(Sum(static_cast<double>(output->GetNumberOfLines())) ==
+        static_cast<double>(plane->GetNumberOfPoints()),
+      name + ": a path from each point");
+    std::array<double, 9> frame{};
+    frames->GetTuple(0, frame.data());
+    const auto valueOf = [output](const char* array, vtkIdType line)
+    { return output->GetCellData()->GetArray(array)->GetTuple1(line); };
+    for (vtkIdType line = 0; line < output->GetNumberOfLines(); ++line)
+    {
+      vtkNew<vtkIdList> ids;
+      output->GetLines()->GetCellAtId(line, ids);
+      ValuedPoint point{};
+      output->GetPoint(ids->GetId(0), point.Place.data());
+      output->GetPoint(ids->GetId(ids->GetNumberOfIds() - 1), point.At.Foot.data());
+      point.At.SourceId = valueOf("SourceId", line);
+      point.At.Distance = valueOf("GeodesicDistance", line);
+      point.At.ArcLength = valueOf("SourceArcLength", line);
+      point.At.Angle = valueOf("SourceAngle", line);
+      point.At.SignedDistance = point.At.Distance;
+      point.At.Texture = point.At.SourceId == 0.0
+        ? std::array<double, 2>{ point.At.Distance * std::cos(point.At.Angle),
+            point.At.Distance * std::sin(point.At.Angle) }
+        : std::array<double, 2>{ point.At.ArcLength, point.At.SignedDistance };
+      CheckCoordinates(check, point, frame.data(), name);
+    }
+  }
+}
+
 /// One rank is stopped while the arrays are computed: none waits for it.
 void TestAbort(Check& check, Ranks ranks, vtkPolyData* surface)
 {
@@ -449,6 +497,7 @@ int TestGeodesicRanksArrays(int argc, char* argv[])
       TestFarGhosts(check, ranks, Soup(plane), "mostly ghosts, no points in common");
       TestBlocks(check, ranks, plane);
       TestBarriers(check, ranks);
+      TestEndsOfPaths(check, ranks, plane);
       TestAbort(check, ranks, plane);
     });
 }
