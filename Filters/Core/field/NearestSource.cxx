@@ -248,8 +248,8 @@ void NearestSource::goAround(Id number) const
   {
     return;
   }
-  const PointWithEnds at = this->onCurves_.around(
-    this->meshOfCurves(), this->chains_, this->chains_.pointWith(number));
+  const PointWithEnds at =
+    this->onCurves_.around(this->meshOfCurves(), this->chains_, this->chains_.pointWith(number));
   this->directions_.assign(at.point, at.ends);
   this->directionsPoint_ = number;
 }
