@@ -213,7 +213,7 @@ def save(view, script, times=(), colors=240):
         save_picture(view, f"{output}.png", colors)
 
 
-def save_picture(view, file_name, colors):
+def save_picture(view, file_name, colors=240):
     """Writes what a view shows."""
     simple.SaveScreenshot(file_name, view, ImageResolution=view.ViewSize)
     small_png.write(small_png.read(file_name), file_name, colors)
