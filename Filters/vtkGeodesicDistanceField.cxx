@@ -161,7 +161,6 @@ private:
   {
     return this->Self->RefineSourceBorders || this->Choice.textureCoordinates;
   }
-  bool AreFeetNeeded() const { return this->Choice.areFeetNeeded() || this->AreBordersRefined(); }
   bool IsApproximate() const
   {
     return this->Self->Accuracy == APPROXIMATE && this->Self->RelativeError > 0.0;
@@ -448,7 +447,7 @@ geodesic::FrontOptions vtkGeodesicDistanceField::vtkWorker::FrontOptions(double 
     options.maximumDistance =
       this->Execution.surface().scale().toEngine(this->Self->MaximumDistance);
   }
-  options.keepArrivals = this->Choice.isAny() || this->AreFeetNeeded();
+  options.keepArrivals = this->Choice.isAny() || this->AreBordersRefined();
   options.keepAngles = this->Choice.areAnglesNeeded();
   options.parallelFor = geodesic::smpParallelFor();
   options.progress =
@@ -579,11 +578,7 @@ vtkGeodesicDistanceField::vtkWorker::RefineBorders(SolvedSurface& solved) const
 {
   if (this->IsApproximate())
   {
-    const geodesic::MeshPartition& surface = this->Execution.surface().partition();
-    std::vector<std::uint8_t> faces(surface.mesh().numberOfFaces(), 0);
-    std::fill(faces.begin() + surface.firstOwnFace(), faces.begin() + surface.endOfOwnFaces(),
-      std::uint8_t(1));
-    solved.exact.emplace(this->SolveExactly(std::move(faces)));
+    solved.exact.emplace(this->SolveExactly(this->Execution.surface().partition().ownFaces()));
   }
   const geodesic::DistanceField& exact = solved.exact ? *solved.exact : *solved.field;
   const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;

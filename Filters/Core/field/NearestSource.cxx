@@ -361,7 +361,6 @@ std::vector<double> NearestSource::arcLengthsOf(Id curve) const
   return lengths;
 }
 
-// Where a chain runs against its curve, angles differ by half a turn.
 double NearestSource::angleOf(const Foot& foot) const
 {
   if (!this->field_.hasAngles())
@@ -378,9 +377,7 @@ double NearestSource::angleOf(const Foot& foot) const
     return 0.0;
   }
   this->goAround(this->chains_.pointAt(foot.chain, foot.place));
-  const double angle = this->directions_.angleOf(foot.around);
-  const double turn = this->chains_.partOf(foot.curve).isReversed ? 2.0 * rightAngle : 0.0;
-  return angle > 0.0 ? angle - turn : angle + turn;
+  return this->chains_.angleFrom(foot.curve, this->directions_.angleOf(foot.around));
 }
 
 SourceFrame NearestSource::frameOf(Id curve) const

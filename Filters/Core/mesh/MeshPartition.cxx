@@ -76,6 +76,17 @@ MeshPartition::MeshPartition(std::vector<Vec3> points, std::vector<Triangle> tri
 {
 }
 
+std::vector<std::uint8_t> MeshPartition::ownFaces() const
+{
+  std::vector<std::uint8_t> faces(this->isDistributed() ? this->mesh_->numberOfFaces() : 0, 0);
+  if (!faces.empty())
+  {
+    std::fill(
+      faces.begin() + this->firstOwnFace_, faces.begin() + this->endOfOwnFaces_, std::uint8_t(1));
+  }
+  return faces;
+}
+
 Id MeshPartition::faceOfTriangle(Id triangle) const
 {
   if (this->tables_)

@@ -70,6 +70,8 @@ public:
   /// This rank owns the faces from the first to before the end.
   Id firstOwnFace() const { return this->firstOwnFace_; }
   Id endOfOwnFaces() const { return this->endOfOwnFaces_; }
+  /// For each face, whether this rank owns it; empty if it owns all.
+  std::vector<std::uint8_t> ownFaces() const;
   bool isOwn(Id face) const
   {
     return face - this->firstOwnFace_ < this->endOfOwnFaces_ - this->firstOwnFace_;

@@ -85,14 +85,12 @@ PathEnd PathEnds::atPoint(const LastPiece& piece, Id number) const
     origin.place, directions.angleOf(directions.around(3 * piece.face, piece.direction)));
 }
 
-// Angles of a chain that runs against its curve differ by half a turn.
+// 0 is the angle of a path without a direction.
 PathEnd PathEnds::endAt(Id chain, double place, double angle) const
 {
-  constexpr double halfTurn = 3.14159265358979323846;
   const CurveChains::Link& link = this->chains_.linkAt(chain, place);
-  const double turned = angle > 0.0 ? angle - halfTurn : angle + halfTurn;
   return { this->curves_[link.curve].source, this->chains_.arcLength(link.curve, place),
-    link.isReversed && angle != 0.0 ? turned : angle };
+    angle != 0.0 ? this->chains_.angleFrom(link.curve, angle) : 0.0 };
 }
 
 SourceFrame PathEnds::frameOf(Id curve) const

@@ -39,10 +39,11 @@ class StripSearch
 {
 public:
   StripSearch(const MeshPartition& part, const ReplicatedPatch& patch,
-    const std::vector<SourceCurve>& curves, const TargetOnRank& target)
+    const std::vector<SourceCurve>& curves, const PathEnds& ends, const TargetOnRank& target)
     : part_(part)
     , patch_(patch)
     , curves_(curves)
+    , ends_(ends)
     , target_(target)
     , length_((1.0 + tolerance::BoundMargin) * target.distance)
   {
@@ -70,6 +71,7 @@ private:
   const MeshPartition& part_;
   const ReplicatedPatch& patch_;
   const std::vector<SourceCurve>& curves_;
+  const PathEnds& ends_;
   const TargetOnRank& target_;
   double length_;
 };
@@ -215,8 +217,7 @@ PathToSource StripSearch::find(
     {}, true };
   if (!path.points.empty())
   {
-    path.end = PathEnds(this->patch_, this->curves_)
-                 .of(mesh, path.points, [&strip](Id face) { return strip.ownerOf(face); });
+    path.end = this->ends_.of(mesh, path.points, [&strip](Id face) { return strip.ownerOf(face); });
   }
   return path;
 }
@@ -224,10 +225,11 @@ PathToSource StripSearch::find(
 } // anonymous namespace
 
 void pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
-  const FrontOptions& options, const std::function<void(const PathToSource&)>& take)
+  const std::vector<SourceCurve>& curves, const PathEnds& ends, const TargetOnRank& target,
+  const KnownDistances& known, const FrontOptions& options,
+  const std::function<void(const PathToSource&)>& take)
 {
-  const StripSearch search(part, patch, curves, target);
+  const StripSearch search(part, patch, curves, ends, target);
   const std::vector<Id> faces = search.findFaces(known, options);
   const ReplicatedPatch strip(part, faces);
   if (search.isTargetHere())

@@ -38,12 +38,14 @@ struct TargetOnRank
 /// is, by the distances that are known. That leaves a strip of few faces. The target's rank gathers
 /// these, and a second front goes from the source through the strip and keeps its windows.
 ///
+/// \param ends of paths on the same curves.
 /// \param options for several threads and the progress.
 /// \param take is called on the target's rank with the path, whose points are none where it was not
 ///        found.
 void pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
-  const FrontOptions& options, const std::function<void(const PathToSource&)>& take);
+  const std::vector<SourceCurve>& curves, const PathEnds& ends, const TargetOnRank& target,
+  const KnownDistances& known, const FrontOptions& options,
+  const std::function<void(const PathToSource&)>& take);
 
 }
 

@@ -434,7 +434,7 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
     frontOptions.keepArrivals = false;
     frontOptions.progress = progressBetween(options.progress, fraction, fraction);
     reportProgress(options.progress, fraction);
-    pathInStrip(part, patch, curves, lost[i].target, known, frontOptions,
+    pathInStrip(part, patch, curves, ends, lost[i].target, known, frontOptions,
       [&](const PathToSource& path)
       {
         if (path.points.empty())

@@ -100,7 +100,7 @@ private:
   void assessFaces(Id first, Id end);
   std::vector<LeafClosings::Closed> closeBest(const std::vector<Id>& leaves);
   void take(Id leaf, const LeafClosings::Closed& closed);
-  bool isLongAtBorder(Id face, const Triangle& corners);
+  double lengthAtBorder(Id face, const Triangle& corners);
   void pushIfAtBorder(Id leaf);
   std::vector<Id> unknownAtBorders();
   double longestEdge(Id face, const Triangle& corners) const;
@@ -157,7 +157,7 @@ Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
   , closure_(this->triangles_, this->rules_, this->seams_ ? &*this->seams_ : nullptr)
   , closings_(this->triangles_, this->distances_, this->shapes_, this->workers_, options.tolerance)
   , violations_(this->triangles_, field.surface())
-  , regions_(this->triangles_, field.vertexDistances(), options.regionOf)
+  , regions_(this->triangles_, this->workers_.first().distances, options.regionOf)
   , bound_(this->largestOf(field.droppedErrorBound()))
 {
 }
@@ -215,7 +215,7 @@ void Refiner::assessFaces(Id first, Id end)
   {
     if (!this->triangles_.isFrozen(face) &&
       (errors[face - first].byWindows == Infinity ||
-        this->isLongAtBorder(face, this->field_.mesh().triangle(face))))
+        this->lengthAtBorder(face, this->field_.mesh().triangle(face)) > 0.0))
     {
       others.push_back(face);
     }
@@ -266,11 +266,12 @@ void Refiner::take(Id leaf, const LeafClosings::Closed& closed)
   this->violations_.push({ error, leaf, this->triangles_.splitEdges(leaf), check.limit });
 }
 
-// Whether a triangle must be split as a border of regions passes it.
-bool Refiner::isLongAtBorder(Id face, const Triangle& corners)
+// The longest edge of a triangle that must be split, as a border of regions passes it; else 0.
+double Refiner::lengthAtBorder(Id face, const Triangle& corners)
 {
-  return this->regions_.isBorderBetween(face, corners) &&
-    this->longestEdge(face, corners) > this->tolerance_;
+  const double longest =
+    this->regions_.isBorderBetween(face, corners) ? this->longestEdge(face, corners) : 0.0;
+  return longest > this->tolerance_ ? longest : 0.0;
 }
 
 // With an error below that of any leaf over the tolerance, larger for larger triangles.
@@ -284,10 +285,7 @@ void Refiner::pushIfAtBorder(Id leaf)
   {
     const std::array<Id, 3>& t = closing.triangles[i];
     const Triangle corners = { closing.points[t[0]], closing.points[t[1]], closing.points[t[2]] };
-    if (this->isLongAtBorder(face, corners))
-    {
-      longest = std::max(longest, this->longestEdge(face, corners));
-    }
+    longest = std::max(longest, this->lengthAtBorder(face, corners));
   }
   if (longest > 0.0)
   {
@@ -305,7 +303,7 @@ std::vector<Id> Refiner::unknownAtBorders()
       [&](Id face, const Triangle& corners)
       {
         const bool isNew = faces.empty() || faces.back() != face;
-        if (isNew && this->field_.isDropped(face) && this->isLongAtBorder(face, corners))
+        if (isNew && this->field_.isDropped(face) && this->lengthAtBorder(face, corners) > 0.0)
         {
           faces.push_back(face);
         }

@@ -28,14 +28,8 @@ bool RegionsOfPoints::isBorderBetween(Id face, Id a, Id b)
   }
   // Where the line crosses the curve, both ends are nearer to the crossing than to each other.
   const double length = norm(this->triangles_.inPlane(b, face) - this->triangles_.inPlane(a, face));
-  return this->distance(a) + this->distance(b) > (1.0 + tolerance::Tie) * length;
-}
-
-double RegionsOfPoints::distance(Id point) const
-{
-  const Id inputPoints = this->triangles_.numberOfInputPoints();
-  return point < inputPoints ? this->distances_[point]
-                             : this->triangles_.points()[point - inputPoints].distance;
+  return this->distances_.atPoint(a) + this->distances_.atPoint(b) >
+    (1.0 + tolerance::Tie) * length;
 }
 
 SourceRegion RegionsOfPoints::of(Id point)

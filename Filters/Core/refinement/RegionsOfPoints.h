@@ -2,6 +2,7 @@
 #ifndef geodesic_RegionsOfPoints_h
 #define geodesic_RegionsOfPoints_h
 
+#include "refinement/DistancesInFaces.h"
 #include "refinement/RedGreenMesh.h"
 #include "refinement/SourceRegions.h"
 
@@ -16,10 +17,9 @@ class RegionsOfPoints
 public:
   /// All arguments must outlive this.
   ///
-  /// \param distances at the mesh's vertices.
   /// \param regionOf RefinementOptions::regionOf.
   RegionsOfPoints(
-    const RedGreenMesh& triangles, const std::vector<double>& distances, const RegionOf& regionOf)
+    const RedGreenMesh& triangles, const DistancesInFaces& distances, const RegionOf& regionOf)
     : triangles_(triangles)
     , distances_(distances)
     , regionOf_(regionOf)
@@ -41,14 +41,13 @@ private:
 
   SourceRegion of(Id point);
   bool isBorderBetween(Id face, Id a, Id b);
-  double distance(Id point) const;
   std::size_t numberOfPoints() const
   {
     return this->triangles_.numberOfInputPoints() + this->triangles_.points().size();
   }
 
   const RedGreenMesh& triangles_;
-  const std::vector<double>& distances_;
+  const DistancesInFaces& distances_;
   const RegionOf& regionOf_;
   std::vector<Region> regions_;
 };

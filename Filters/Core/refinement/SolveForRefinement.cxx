@@ -21,14 +21,7 @@ constexpr double MergedOfTolerance = 0.1;
 DistanceField solveKeepingAll(
   const MeshPartition& surface, const SourceWindows& sources, const FrontOptions& options)
 {
-  std::vector<std::uint8_t> faces; // empty: all
-  if (surface.isDistributed())
-  {
-    faces.assign(surface.mesh().numberOfFaces(), 0);
-    std::fill(faces.begin() + surface.firstOwnFace(), faces.begin() + surface.endOfOwnFaces(),
-      std::uint8_t(1));
-  }
-  KeepFaces all(surface.mesh(), std::move(faces));
+  KeepFaces all(surface.mesh(), surface.ownFaces());
   FrontResult front = propagate(surface, sources, options, all);
   return { surface, std::move(front), all.release() };
 }

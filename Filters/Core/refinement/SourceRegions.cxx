@@ -27,11 +27,7 @@ std::vector<std::uint8_t> SourceRegions::facesAtBorders()
 {
   const MeshPartition& surface = this->field_.surface();
   const auto isBorder = [this](Id a, Id b)
-  {
-    const SourceRegion ofA = this->of(this->nearest_.atVertex(a));
-    const SourceRegion ofB = this->of(this->nearest_.atVertex(b));
-    return ofA.source != ofB.source || ofA.isRight != ofB.isRight;
-  };
+  { return this->of(this->nearest_.atVertex(a)) != this->of(this->nearest_.atVertex(b)); };
   std::vector<std::uint8_t> faces(surface.mesh().numberOfFaces(), 0);
   for (Id face = surface.firstOwnFace(); face < surface.endOfOwnFaces(); ++face)
   {

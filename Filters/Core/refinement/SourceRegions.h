@@ -19,6 +19,11 @@ struct SourceRegion
   /// NoId where the front did not arrive.
   Id source = NoId;
   bool isRight = false;
+
+  bool operator!=(const SourceRegion& other) const
+  {
+    return this->source != other.source || this->isRight != other.isRight;
+  }
 };
 
 /// Finds the region of a point of the surface.

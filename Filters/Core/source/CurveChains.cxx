@@ -169,4 +169,11 @@ double CurveChains::arcLength(Id curve, double place) const
   return part.isReversed ? places[part.end] - place : place - places[part.begin];
 }
 
+double CurveChains::angleFrom(Id curve, double angle) const
+{
+  constexpr double straightAngle = 3.14159265358979323846;
+  const double turn = this->parts_[curve].isReversed ? straightAngle : 0.0;
+  return angle > 0.0 ? angle - turn : angle + turn;
+}
+
 }

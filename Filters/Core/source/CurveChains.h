@@ -55,6 +55,8 @@ public:
   const Part& partOf(Id curve) const { return this->parts_[curve]; }
   /// The length along a curve, from its first point to a place of its chain.
   double arcLength(Id curve, double place) const;
+  /// An angle from the direction of a curve's chain, in radians, as one from the curve's direction.
+  double angleFrom(Id curve, double angle) const;
 
 private:
   void append(const SourceCurve& curve, bool isReversed);

@@ -226,6 +226,8 @@ std::vector<FoundPath> pathsInStrips(const CutMesh& cut, const std::vector<Polyl
       geodesic::FrontOptions options;
       const geodesic::DistanceField field = geodesic::solve(rank.part, rank.sources, options);
       const geodesic::KnownDistances known{ field.vertexDistances() };
+      const std::vector<geodesic::SourceCurve> curves = numbered(rank.curvesOnPatch);
+      const geodesic::PathEnds ends(rank.patch, curves);
       for (std::size_t i = 0; i < targets.size(); ++i)
       {
         const auto& [point, distance] = targets[i];
@@ -238,8 +240,8 @@ std::vector<FoundPath> pathsInStrips(const CutMesh& cut, const std::vector<Polyl
             mesh, face.id, geodesic::fromBarycentric(mesh, face.id, point.weights));
         }
         inFace = geodesic::valuesOfRanks(rank.exchange, inFace)[geodesic::rankIndex(face.rank)];
-        geodesic::pathInStrip(rank.part, rank.patch, numbered(rank.curvesOnPatch),
-          { face, inFace, distance }, known, {},
+        geodesic::pathInStrip(rank.part, rank.patch, curves, ends, { face, inFace, distance },
+          known, {},
           [&](const geodesic::PathToSource& path)
           {
             EXPECT_EQ(face.rank, rank.exchange.rank());

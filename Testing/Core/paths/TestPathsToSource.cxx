@@ -234,6 +234,8 @@ TEST_P(PathsToSourceOn, InWindowsAreAsLongAsTheBruteForceDistance)
     const EngineCase c(GetParam(), seed + 78000);
     const PathChecker checker(c.plain.mesh);
     const geodesic::DistanceField field = geodesic::solve(c.mesh, c.curves);
+    const geodesic::ReplicatedPatch patch(c.mesh);
+    const geodesic::PathEnds ends(patch, c.curves);
     const double slack = accuracyOn(GetParam()) * c.largest;
     for (std::size_t i = 0; i < Targets; i += 5)
     {
@@ -245,7 +247,7 @@ TEST_P(PathsToSourceOn, InWindowsAreAsLongAsTheBruteForceDistance)
       SCOPED_TRACE("target " + std::to_string(i));
       const geodesic::Id face = geodesic::someFace(c.mesh, c.targets[i]);
       FoundPath path;
-      geodesic::pathInStrip(field.surface(), geodesic::ReplicatedPatch(c.mesh), c.curves,
+      geodesic::pathInStrip(field.surface(), patch, c.curves, ends,
         { { 0, face }, geodesic::toFacePoint(c.mesh, face, c.targets[i]), distance },
         { field.vertexDistances() }, {},
         [&](const geodesic::PathToSource& found) { path.take(found); });
