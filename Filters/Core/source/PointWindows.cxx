@@ -128,7 +128,8 @@ bool isInFaceBehind(const TriangleMesh& mesh, Id halfedge, Vec2 point, const Cur
 
 /// Sends the rays of a point close to a halfedge through the faces behind it in one step, between
 /// the rays through the ends of the edge, which hide what lies beside them. Rays continue in the
-/// same way through a face without area, to whose edges the point is as close.
+/// same way while the point is close to the next edge: around a vertex near the point, along a
+/// needle, through a face without area.
 class RaysFromBesideEdge
 {
 public:
@@ -142,7 +143,8 @@ public:
   }
 
   /// \param point in the leaving frame of the halfedge, as seen from the window frame.
-  void send(Id halfedge, Vec2 point, const WindowFrame& frame)
+  /// \param rays where they meet the halfedge.
+  void send(Id halfedge, Vec2 point, const Interval& rays, const WindowFrame& frame)
   {
     const double length = this->mesh_.length(halfedge);
     for (Id s = this->mesh_.nextSibling(halfedge); s != halfedge; s = this->mesh_.nextSibling(s))
@@ -152,11 +154,13 @@ public:
         this->entered_.push_back(s);
         const bool turned = this->mesh_.origin(s) == this->mesh_.origin(halfedge);
         const double x = turned ? length - point.x : point.x;
+        const double begin = turned ? length - rays.end : rays.begin;
+        const double end = turned ? length - rays.begin : rays.end;
         if (isInFaceBehind(this->mesh_, halfedge, point, this->from_.sectors))
         {
           this->addSource(s, x);
         }
-        this->sendThrough(s, { 0.0, length, x, -point.y, 0.0, 0.0, Window::Kind::Circular, 0 },
+        this->sendThrough(s, { begin, end, x, -point.y, 0.0, 0.0, Window::Kind::Circular, 0 },
           turned ? frame.mirrored() : frame);
       }
     }
@@ -185,19 +189,20 @@ private:
     seen.sourceDepth = face.apex.y > 0.0
       ? w.sourceDepth
       : std::max(w.sourceDepth, tolerance::SourceDepth * face.length);
-    const bool toLeft = !seen.passesRightOf(0.0, face.apex);
-    const bool toRight = seen.passesRightOf(face.length, face.apex);
+    const bool toLeft = !seen.passesRightOf(w.begin, face.apex);
+    const bool toRight = seen.passesRightOf(w.end, face.apex);
     if (toLeft)
     {
-      const double end = toRight ? face.leftLength : face.meetLeft(seen, face.length);
-      this->leave({ TriangleMesh::previousInFace(halfedge), face.throughLeft(w, 0.0, end) },
+      const double begin = face.meetLeft(seen, w.begin);
+      const double end = toRight ? face.leftLength : face.meetLeft(seen, w.end);
+      this->leave({ TriangleMesh::previousInFace(halfedge), face.throughLeft(w, begin, end) },
         frame.turnedBy(face.leftAxis));
     }
     if (toRight)
     {
-      const double begin = toLeft ? 0.0 : face.meetRight(seen, 0.0);
-      this->leave(
-        { TriangleMesh::nextInFace(halfedge), face.throughRight(w, begin, face.rightLength) },
+      const double begin = toLeft ? 0.0 : face.meetRight(seen, w.begin);
+      const double end = face.meetRight(seen, w.end);
+      this->leave({ TriangleMesh::nextInFace(halfedge), face.throughRight(w, begin, end) },
         frame.turnedBy(face.rightAxis));
     }
   }
@@ -207,15 +212,17 @@ private:
     const Window& w = leaving.window;
     const double length = this->mesh_.length(leaving.halfedge);
     const Vec2 point = { w.sourceX, -w.sourceDepth };
-    const bool isBeside = isBesideHalfedge(point, length) &&
-      this->mesh_.shape(TriangleMesh::faceOf(leaving.halfedge)).hasZeroArea();
+    const bool isBeside = isBesideHalfedge(point, length);
     if (!isBeside || !isInFaceBehind(this->mesh_, leaving.halfedge, point, this->from_.sectors))
     {
       addBehindEdge(this->mesh_, leaving, this->from_, frame, this->result_.windows);
     }
     if (isBeside)
     {
-      this->send(leaving.halfedge, point, frame);
+      // In a face without area rays have no direction that would hold them between bounds.
+      const bool isLine = this->mesh_.shape(TriangleMesh::faceOf(leaving.halfedge)).hasZeroArea();
+      this->send(leaving.halfedge, point,
+        isLine ? Interval{ 0.0, length } : Interval{ w.begin, w.end }, frame);
     }
   }
 
@@ -234,7 +241,7 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFac
   const Vec2 p = inLeavingFrame(mesh, halfedge, source.a);
   if (isBesideHalfedge(p, length))
   {
-    RaysFromBesideEdge(mesh, source, from, result).send(halfedge, p, { halfedge });
+    RaysFromBesideEdge(mesh, source, from, result).send(halfedge, p, { 0.0, length }, { halfedge });
     if (isInFaceBehind(mesh, halfedge, p, from.sectors))
     {
       return;
