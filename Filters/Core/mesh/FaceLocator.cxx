@@ -153,17 +153,12 @@ std::vector<FaceLocator::Candidate> FaceLocator::chosen(const std::vector<Candid
   std::vector<Candidate> close;
   std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(close),
     [&](const Candidate& face) { return face.isClosest(least); });
-  const auto isOnSurface = [&](const Candidate& face) { return least <= face.precision; };
-  if (std::all_of(close.begin(), close.end(), isOnSurface))
-  {
-    return close;
-  }
   const std::vector<const Candidate*> closest = closestOf(close, least);
   const Candidate& best = **std::min_element(closest.begin(), closest.end(),
     [](const Candidate* a, const Candidate* b) { return a->distance < b->distance; });
   const auto isChosen = [&](const Candidate& face)
   {
-    return isOnSurface(face) || norm(face.toPlace - best.toClosest) <= face.precision ||
+    return norm(face.toPlace - best.toClosest) <= face.precision ||
       std::binary_search(closest.begin(), closest.end(), &face);
   };
   std::vector<Candidate> result;

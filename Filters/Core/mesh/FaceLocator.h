@@ -22,11 +22,10 @@ public:
   explicit FaceLocator(const TriangleMesh& mesh);
 
   /// The faces that a point may be put onto, given the precision of coordinates as in snapToFace
-  /// (at most SnapFraction of a face's longest edge). If the point is on the surface within that
-  /// precision, these are all faces at its least distance within it. Otherwise a face that is
-  /// almost as close may put the point far from the closest place. Then these are the faces whose
-  /// distances cannot be distinguished from the least by measuring, and those that put the point
-  /// within the precision of the closest place.
+  /// (at most SnapFraction of a face's longest edge). A face that is almost as close as the closest
+  /// may put the point far from the closest place. So these are the faces whose distances cannot be
+  /// distinguished from the least by measuring, and those that put the point within the precision
+  /// of the closest place.
   ///
   /// First come the faces that are as close up to rounding, by number, then the others, by number.
   /// Faces without area count like all others. Not thread-safe.
