@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Isolines on flat strips of any aspect, whose length is known: nothing of them is lost where faces
-// have hardly any height. GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
+// Isolines on flat strips, whose length is known: nothing of them is lost where faces have hardly
+// any height, or no area. GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
 #include "Seeds.h"
 #include "contours/IsolineSupport.h"
+#include "truth/CappedMeshes.h"
 
 #include "contours/SolveForIsolines.h"
+#include "paths/JoinPoints.h"
 
 #include <gtest/gtest.h>
 
@@ -167,29 +169,16 @@ void expectEndsOnBoundary(const Strip& strip, const TriangleMesh& mesh, const Is
   }
 }
 
-}
-
-TEST(ThinIsolines, RoundAPointAreWholeArcsOfItsCircle)
+/// Checks isolines round a point against the arcs of its circle.
+class ArcChecker
 {
-  constexpr double chordFraction = 1e-6;
-  double worstPoint = 0.0;
-  double worstRise = 0.0;
-  const Seeds seeds = seedsOfTest(Strips);
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+public:
+  void check(const Strip& strip, const TriangleMesh& mesh, const geodesic::SourceCurve& source,
+    double radius)
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 83600);
-    const Strip strip(Thinnest, random);
-    const TriangleMesh mesh = engineMesh(strip.plain);
-    geodesic::SourceCurve source;
-    source.points = { enginePoint(mesh, anyPlace(strip.plain, random)) };
-    source.isCut = { 0 };
+    constexpr double chordFraction = 1e-6;
     Vec3 center = geodesic::position(mesh, source.points[0]);
     center[1] = std::min(center[1], strip.height); // but for rounding
-    const double least = std::max(1e-8 * strip.width, 0.1 * strip.height);
-    const double radius = random.chance(0.7)
-      ? strip.width * random.uniform(0.05, 0.98)
-      : least * std::pow(strip.width / least, random.uniform());
     const Isolines isolines = isolinesOf(mesh, { source }, { radius }, chordFraction * radius);
     const Arcs truth = arcsIn(strip, center, radius);
     EXPECT_EQ(isolines.partsCrossedStraight, 0U);
@@ -205,17 +194,80 @@ TEST(ThinIsolines, RoundAPointAreWholeArcsOfItsCircle)
     EXPECT_NEAR(length, truth.length, chordFraction * truth.length + 1e-13 * strip.width);
     const double rise = wayAlong(mesh, isolines, 1);
     EXPECT_NEAR(rise, truth.rise, 1e-4 * truth.rise);
-    worstRise = std::max(worstRise, truth.rise > 0.0 ? std::abs(rise / truth.rise - 1.0) : 0.0);
+    this->worstRise_ =
+      std::max(this->worstRise_, truth.rise > 0.0 ? std::abs(rise / truth.rise - 1.0) : 0.0);
     for (const geodesic::SurfacePoint& point : isolines.points)
     {
       const geodesic::Vec3 p = geodesic::position(mesh, point);
       const double distance = std::hypot(p[0] - center[0], p[1] - center[1]);
-      worstPoint = std::max(worstPoint, std::abs(distance - radius) / (radius + strip.width));
+      this->worstPoint_ =
+        std::max(this->worstPoint_, std::abs(distance - radius) / (radius + strip.width));
     }
-    EXPECT_LE(worstPoint, 1e-12);
+    EXPECT_LE(this->worstPoint_, 1e-12);
   }
-  std::cout << "worst point " << worstPoint << " of radius and width, worst rise " << worstRise
-            << "\n";
+
+  void report() const
+  {
+    std::cout << "worst point " << this->worstPoint_ << " of radius and width, worst rise "
+              << this->worstRise_ << "\n";
+  }
+
+private:
+  double worstPoint_ = 0.0;
+  double worstRise_ = 0.0;
+};
+
+geodesic::SourceCurve pointOnSurface(const TriangleMesh& mesh, const Vec3& place)
+{
+  std::vector<geodesic::LocatedPolyline> point(1);
+  point[0].points = { place };
+  geodesictest::locate(mesh, point);
+  return geodesic::putOntoSurface(mesh, point, {}, geodesic::joinByShortestPaths(mesh)).curves[0];
+}
+
+}
+
+TEST(ThinIsolines, RoundAPointAreWholeArcsOfItsCircle)
+{
+  ArcChecker checker;
+  const Seeds seeds = seedsOfTest(Strips);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 83600);
+    const Strip strip(Thinnest, random);
+    const TriangleMesh mesh = engineMesh(strip.plain);
+    geodesic::SourceCurve source;
+    source.points = { enginePoint(mesh, anyPlace(strip.plain, random)) };
+    source.isCut = { 0 };
+    const double least = std::max(1e-8 * strip.width, 0.1 * strip.height);
+    const double radius = random.chance(0.7)
+      ? strip.width * random.uniform(0.05, 0.98)
+      : least * std::pow(strip.width / least, random.uniform());
+    checker.check(strip, mesh, source, radius);
+  }
+  checker.report();
+}
+
+// Faces without area close vertices on edges of other faces. Sources and lines may go through them.
+TEST(IsolinesAcrossFacesWithoutArea, RoundAPointAreWholeArcsOfItsCircle)
+{
+  ArcChecker checker;
+  const Seeds seeds = seedsOfTest(Strips);
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 83700);
+    Strip strip(0.0, random);
+    const Caps caps = random.chance(0.5) ? Caps::One : Caps::Several;
+    const CappedMesh both = withCaps(strip.plain, caps, random.uniform(0.3, 1.0), random);
+    strip.plain = both.mesh;
+    const TriangleMesh mesh = engineMesh(strip.plain);
+    const Vec3 place = position(both.conforming, anyPlace(both.conforming, random));
+    const double radius = strip.width * random.uniform(0.01, 0.98);
+    checker.check(strip, mesh, pointOnSurface(mesh, place), radius);
+  }
+  checker.report();
 }
 
 TEST(ThinIsolines, BesideASideAreStraightFromEndToEnd)
