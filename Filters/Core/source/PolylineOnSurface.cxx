@@ -213,6 +213,36 @@ private:
   std::map<JoinKey, std::vector<SurfacePoint>> measured_;
 };
 
+/// Whether two places of one point share a face, or faces without area lie between them.
+bool areJoined(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
+{
+  std::vector<Id> front;
+  std::set<Id> reached;
+  const auto reach = [&](Id face)
+  {
+    if (reached.insert(face).second && mesh.shape(face).hasZeroArea())
+    {
+      front.push_back(face);
+    }
+  };
+  forEachFace(mesh, from, reach);
+  while (!front.empty())
+  {
+    const Id face = front.back();
+    front.pop_back();
+    for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+    {
+      for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
+      {
+        reach(TriangleMesh::faceOf(s));
+      }
+    }
+  }
+  bool isReached = false;
+  forEachFace(mesh, to, [&](Id face) { isReached = isReached || reached.count(face) != 0; });
+  return isReached;
+}
+
 /// Chooses the places of a polyline's points.
 class PointPlacer
 {
@@ -282,23 +312,32 @@ private:
     return choosePlaces(this->mesh_, possible, polyline.closed, this->components_, lengthBetween);
   }
 
-  /// Cuts the polyline where it changes from one place of a point to another.
-  static std::vector<PlacedLine> linesThrough(const std::vector<std::vector<PlacedPoint>>& places,
-    const std::vector<ChosenPlaces>& chosen, bool closed)
+  /// Cuts the polyline where it changes from one sheet to another. Places on both sides of faces
+  /// without area are on one sheet.
+  std::vector<PlacedLine> linesThrough(const std::vector<std::vector<PlacedPoint>>& places,
+    const std::vector<ChosenPlaces>& chosen, bool closed) const
   {
     const std::size_t count = places.size();
-    const auto isChange = [](const ChosenPlaces& c) { return c.arrival != c.departure; };
-    const auto change = std::find_if(chosen.begin(), chosen.end(), isChange);
-    const bool isCutOpen = closed && change != chosen.end();
-    const std::size_t first =
-      isCutOpen ? static_cast<std::size_t>(change - chosen.begin()) : std::size_t(0);
+    const auto isChange = [&](std::size_t i)
+    {
+      const auto [arrival, departure] = chosen[i];
+      return arrival != departure &&
+        !areJoined(this->mesh_, places[i][arrival].point, places[i][departure].point);
+    };
+    std::size_t change = 0;
+    while (change < count && !isChange(change))
+    {
+      ++change;
+    }
+    const bool isCutOpen = closed && change < count;
+    const std::size_t first = isCutOpen ? change : 0;
     std::vector<PlacedLine> lines(1);
     lines.back().push_back(places[first][chosen[first].departure]);
     for (std::size_t i = 1; i < count + (isCutOpen ? 1 : 0); ++i)
     {
       const std::size_t at = (first + i) % count;
       lines.back().push_back(places[at][chosen[at].arrival]);
-      if (isChange(chosen[at]) && i < count)
+      if (isChange(at) && i < count)
       {
         lines.push_back({ places[at][chosen[at].departure] });
       }
