@@ -55,10 +55,21 @@ void WindowArchive::index(Id numberOfHalfedges)
   {
     std::stable_sort(this->added_.begin(), this->added_.end(), earlier);
   }
-  this->start_.assign(static_cast<std::size_t>(numberOfHalfedges) + 1, 0);
+  this->blocks_.assign(static_cast<std::size_t>(numberOfHalfedges) / 64 + 1, {});
   for (const Run& run : this->added_)
   {
-    ++this->start_[run.halfedge];
+    this->blocks_[run.halfedge / 64].used |= std::uint64_t(1) << run.halfedge % 64;
+  }
+  std::size_t used = 0;
+  for (Block& block : this->blocks_)
+  {
+    block.usedBefore = used;
+    used += std::bitset<64>(block.used).count();
+  }
+  this->start_.assign(used + 1, 0);
+  for (const Run& run : this->added_)
+  {
+    ++this->start_[this->placeOf(run.halfedge)];
   }
   for (std::size_t s = 1; s < this->start_.size(); ++s)
   {
@@ -68,7 +79,7 @@ void WindowArchive::index(Id numberOfHalfedges)
   this->runs_.resize(this->added_.size());
   for (auto run = this->added_.rbegin(); run != this->added_.rend(); ++run)
   {
-    this->runs_[--this->start_[run->halfedge]] = run->windows;
+    this->runs_[--this->start_[this->placeOf(run->halfedge)]] = run->windows;
   }
   this->added_ = {};
 }

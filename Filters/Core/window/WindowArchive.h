@@ -4,6 +4,8 @@
 
 #include "window/Window.h"
 
+#include <bitset>
+#include <cstdint>
 #include <iterator>
 #include <memory>
 #include <vector>
@@ -81,15 +83,34 @@ public:
   void take(WindowArchive& other);
   /// Must be called before at(); nothing may be added after it.
   void index(Id numberOfHalfedges);
-  bool isIndexed() const { return !this->start_.empty(); }
+  bool isIndexed() const { return !this->blocks_.empty(); }
   /// The windows of a halfedge, in the order in which they were added.
   WindowRuns at(Id halfedge) const
   {
-    return { this->runs_.data() + this->start_[halfedge],
-      this->runs_.data() + this->start_[halfedge + 1] };
+    if ((this->blocks_[halfedge / 64].used >> halfedge % 64 & 1U) == 0)
+    {
+      return {};
+    }
+    const std::size_t i = this->placeOf(halfedge);
+    return { this->runs_.data() + this->start_[i], this->runs_.data() + this->start_[i + 1] };
   }
 
 private:
+  /// Of 64 halfedges, which have windows, a bit each, and how many have of all those before.
+  struct Block
+  {
+    std::uint64_t used = 0;
+    std::size_t usedBefore = 0;
+  };
+
+  /// How many halfedges before one have windows.
+  std::size_t placeOf(Id halfedge) const
+  {
+    const Block& block = this->blocks_[halfedge / 64];
+    const std::uint64_t before = (std::uint64_t(1) << halfedge % 64) - 1;
+    return block.usedBefore + std::bitset<64>(block.used & before).count();
+  }
+
   struct Run
   {
     Id halfedge;
@@ -102,6 +123,9 @@ private:
   std::size_t left_ = 0;
   std::vector<Run> added_;
   std::vector<WindowRange> runs_;
+  /// Most archives have windows of few halfedges: an index of all would outweigh them.
+  std::vector<Block> blocks_;
+  /// The first run of each halfedge that has windows, and the end of the last.
   std::vector<std::size_t> start_;
 };
 
