@@ -32,6 +32,16 @@ geodesic::TriangleMesh engineMesh(const PlainMesh& mesh)
   return geodesic::TriangleMesh(mesh.points, mesh.triangles);
 }
 
+geodesic::Id facesWithoutArea(const geodesic::TriangleMesh& mesh)
+{
+  geodesic::Id count = 0;
+  for (geodesic::Id face = 0; face < mesh.numberOfFaces(); ++face)
+  {
+    count += mesh.shape(face).hasZeroArea() ? 1 : 0;
+  }
+  return count;
+}
+
 geodesic::SurfacePoint enginePoint(const geodesic::TriangleMesh& mesh, const MeshPoint& point)
 {
   const Barycentric& w = point.weights;

@@ -38,6 +38,8 @@ constexpr double OrdinaryAccuracy = 2e-12;
 double accuracyOn(const MeshKind& kind);
 
 geodesic::TriangleMesh engineMesh(const PlainMesh& mesh);
+/// The number of faces without area (FaceShape::hasZeroArea).
+geodesic::Id facesWithoutArea(const geodesic::TriangleMesh& mesh);
 
 /// Sets the faces of polylines.
 void locate(const geodesic::TriangleMesh& mesh, std::vector<geodesic::LocatedPolyline>& polylines,

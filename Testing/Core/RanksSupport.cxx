@@ -64,12 +64,13 @@ std::vector<geodesic::RankAddress> facesOnRanks(
   const CutMesh& cut, const Piece& piece, const geodesic::MeshPartition& part)
 {
   geodesic::Message message;
-  for (std::size_t i = 0; i < piece.wholeFaces.size(); ++i)
+  for (geodesic::Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
   {
-    geodesic::put(message, piece.wholeFaces[i]);
-    geodesic::put(message, part.faceOfTriangle(static_cast<geodesic::Id>(i)));
+    geodesic::put(message, piece.wholeFaces[part.triangleOf(face)]);
+    geodesic::put(message, face);
   }
-  std::vector<geodesic::RankAddress> result(cut.mesh.triangles.size());
+  std::vector<geodesic::RankAddress> result(
+    cut.mesh.triangles.size(), geodesic::RankAddress{ -1, geodesic::NoId });
   geodesic::readEach(part.exchange().tellAll(message),
     [&](int rank, geodesic::MessageReader& reader)
     {

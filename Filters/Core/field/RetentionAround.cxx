@@ -24,7 +24,7 @@ RetentionAround::RetentionAround(
       forEachFace(mesh, target, [this](Id face) { this->keep(face); });
     }
   }
-  if (purpose == Purpose::Paths && mesh.report().nonManifoldEdges > 0)
+  if (purpose == Purpose::Paths && mesh.numberOfNonManifoldEdges() > 0)
   {
     this->keepAroundIrregularEdges();
   }

@@ -22,16 +22,6 @@ constexpr std::ptrdiff_t LeastPart = 8;
 
 using Candidate = FaceLocator::Candidate;
 
-double leastDistance(const std::vector<Candidate>& candidates)
-{
-  double least = Infinity;
-  for (const Candidate& candidate : candidates)
-  {
-    least = std::min(least, candidate.distance);
-  }
-  return least;
-}
-
 /// Whether a face has all vertices of a part of another face.
 bool hasPart(const Triangle& corners, const Triangle& part)
 {
@@ -113,25 +103,6 @@ FaceLocator::FaceLocator(const TriangleMesh& mesh)
   this->nodes_.push_back(this->makeNode(0, mesh.numberOfFaces()));
 }
 
-std::vector<Id> FaceLocator::closest(
-  const Vec3& point, double coordinatePrecision, const ProgressCallback& progress)
-{
-  const std::vector<Candidate> all = this->candidates(point, coordinatePrecision, progress);
-  const double least = leastDistance(all);
-  std::vector<Candidate> found = chosen(all);
-  std::sort(found.begin(), found.end(),
-    [&](const Candidate& a, const Candidate& b)
-    {
-      const bool aFirst = a.isClosestUpToRounding(least);
-      const bool bFirst = b.isClosestUpToRounding(least);
-      return aFirst != bFirst ? aFirst : a.face < b.face;
-    });
-  std::vector<Id> faces(found.size());
-  std::transform(
-    found.begin(), found.end(), faces.begin(), [](const Candidate& f) { return f.face; });
-  return faces;
-}
-
 std::vector<FaceLocator::Candidate> FaceLocator::candidates(
   const Vec3& point, double coordinatePrecision, const ProgressCallback& progress)
 {
@@ -147,12 +118,26 @@ std::vector<FaceLocator::Candidate> FaceLocator::candidates(
   return std::move(found);
 }
 
+double FaceLocator::leastDistance(const std::vector<Candidate>& candidates)
+{
+  double least = Infinity;
+  for (const Candidate& candidate : candidates)
+  {
+    least = std::min(least, candidate.distance);
+  }
+  return least;
+}
+
 std::vector<FaceLocator::Candidate> FaceLocator::chosen(const std::vector<Candidate>& candidates)
 {
   const double least = leastDistance(candidates);
   std::vector<Candidate> close;
   std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(close),
     [&](const Candidate& face) { return face.isClosest(least); });
+  if (close.empty())
+  {
+    return {}; // a surface without faces
+  }
   const std::vector<const Candidate*> closest = closestOf(close, least);
   const Candidate& best = **std::min_element(closest.begin(), closest.end(),
     [](const Candidate* a, const Candidate* b) { return a->distance < b->distance; });

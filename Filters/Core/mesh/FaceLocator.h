@@ -21,20 +21,6 @@ public:
   /// \param mesh must outlive the locator.
   explicit FaceLocator(const TriangleMesh& mesh);
 
-  /// The faces that a point may be put onto, given the precision of coordinates as in snapToFace
-  /// (at most SnapFraction of a face's longest edge). A face that is almost as close as the closest
-  /// may put the point far from the closest place. So these are the faces whose distances cannot be
-  /// distinguished from the least by measuring, and those that put the point within the precision
-  /// of the closest place.
-  ///
-  /// First come the faces that are as close up to rounding, by number, then the others, by number.
-  /// Faces without area count like all others. Not thread-safe.
-  ///
-  /// \param coordinatePrecision relative precision of the point's coordinates.
-  /// \param progress called now and then while the tree grows; returning false throws Aborted.
-  std::vector<Id> closest(
-    const Vec3& point, double coordinatePrecision, const ProgressCallback& progress = {});
-
   /// A face that may be among the closest to a point.
   struct Candidate
   {
@@ -61,11 +47,21 @@ public:
     }
   };
 
-  /// The faces from which closest() chooses, unordered: for callers with additional faces.
+  /// The faces that may be among the closest, unordered. Faces without area count like all others.
+  /// Not thread-safe.
+  ///
+  /// \param coordinatePrecision relative precision of the point's coordinates.
+  /// \param progress called now and then while the tree grows; returning false throws Aborted.
   std::vector<Candidate> candidates(
-    const Vec3& point, double coordinatePrecision, const ProgressCallback& progress = {});
+    const Vec3& point, double coordinatePrecision, const ProgressCallback& progress);
 
-  /// What closest() chooses from candidates, in their order.
+  static double leastDistance(const std::vector<Candidate>& candidates);
+
+  /// Of the candidates of a point, in their order, the faces that it may be put onto, given the
+  /// precision of coordinates as in snapToFace (at most SnapFraction of a face's longest edge). A
+  /// face that is almost as close as the closest may put the point far from the closest place. So
+  /// these are the faces whose distances cannot be distinguished from the least by measuring, and
+  /// those that put the point within the precision of the closest place.
   static std::vector<Candidate> chosen(const std::vector<Candidate>& candidates);
 
 private:

@@ -9,15 +9,15 @@ namespace geodesic
 GlobalVertices::GlobalVertices(const MeshPartition& part)
   : count_(part.numberOfOwnVertices())
 {
-  for (Id vertex = 0; vertex < part.numberOfOwnVertices() && part.isDistributed(); ++vertex)
-  {
-    if (part.isCountedHere(vertex))
-    {
-      this->here_.push_back(vertex);
-    }
-  }
   if (part.isDistributed())
   {
+    for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
+    {
+      if (part.isCountedHere(vertex))
+      {
+        this->here_.push_back(vertex);
+      }
+    }
     this->count_ = static_cast<Id>(this->here_.size());
   }
   Id first = 0;

@@ -87,18 +87,6 @@ std::vector<std::uint8_t> MeshPartition::ownFaces() const
   return faces;
 }
 
-Id MeshPartition::faceOfTriangle(Id triangle) const
-{
-  if (this->tables_)
-  {
-    return this->tables_->faceOfTriangle[triangle];
-  }
-  const Id face = firstFaceFrom(*this->mesh_, triangle);
-  const bool isThere =
-    face < this->mesh_->numberOfFaces() && this->mesh_->inputFace(face) == triangle;
-  return isThere ? face : NoId;
-}
-
 MeshPartition::Tables::Tables(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
   const std::vector<std::uint64_t>& keys, Exchange& itsExchange, const ProgressCallback& progress)
   : exchange(itsExchange)
@@ -108,7 +96,7 @@ MeshPartition::Tables::Tables(std::vector<Vec3> points, const std::vector<Triang
   this->numberVertices(points);
   const std::vector<HaloFace> received = this->exchangeHalo(points, triangles);
   this->makeMesh(std::move(points), triangles, received, progress);
-  this->exchangeAddresses(received);
+  this->exchangeAddresses(triangles.size(), received);
 }
 
 // Each key is managed by one rank: all ranks report their keys to their managers, who tell those
@@ -316,52 +304,32 @@ void MeshPartition::Tables::makeMesh(std::vector<Vec3> points,
     this->mesh = TriangleMesh(std::move(points), all, progress);
   }
   this->firstHolder.resize(this->globalIds.size() + 1, this->firstHolder.back());
-  this->findFacesOfTriangles(triangles, static_cast<Id>(next));
+  this->firstTriangle = static_cast<Id>(next);
+  this->firstOwnFace = firstFaceFrom(this->mesh, this->firstTriangle);
+  this->endOfOwnFaces =
+    firstFaceFrom(this->mesh, static_cast<Id>(this->firstTriangle + triangles.size()));
   this->numberOfGlobalFaces =
     checkedId(sumOverRanks(this->exchange, this->endOfOwnFaces - this->firstOwnFace).all, "faces");
 }
 
-// The mesh leaves out faces that name a vertex twice, and of faces on the same vertices all but the
-// first, which is the lowest rank's.
-void MeshPartition::Tables::findFacesOfTriangles(const std::vector<Triangle>& triangles, Id first)
+// Sends this rank's number of a face to those that have a copy. All ranks leave out the same faces:
+// those that name a vertex twice, and of faces on the same vertices all but the lowest rank's
+// first.
+void MeshPartition::Tables::exchangeAddresses(
+  std::size_t numberOfTriangles, const std::vector<HaloFace>& received)
 {
-  const auto end = static_cast<Id>(first + triangles.size());
-  this->firstTriangle = first;
-  this->firstOwnFace = firstFaceFrom(this->mesh, first);
-  this->endOfOwnFaces = firstFaceFrom(this->mesh, end);
-  this->faceOfTriangle.assign(triangles.size(), NoId);
+  const auto own = static_cast<Id>(numberOfTriangles);
+  std::vector<Id> faceOfTriangle(own, NoId);
   for (Id face = this->firstOwnFace; face < this->endOfOwnFaces; ++face)
   {
-    this->faceOfTriangle[this->mesh.inputFace(face) - first] = face;
+    faceOfTriangle[this->mesh.inputFace(face) - this->firstTriangle] = face;
   }
-  const auto sorted = [](Triangle t)
-  {
-    std::sort(t.begin(), t.end());
-    return t;
-  };
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    const Triangle t = sorted(triangles[i]);
-    if (this->faceOfTriangle[i] != NoId || !hasThreeVertices(t))
-    {
-      continue;
-    }
-    const IdRange corners = this->mesh.cornersAt(t[0]);
-    const Id* same = std::find_if(corners.begin(), corners.end(),
-      [&](Id corner) { return sorted(this->mesh.triangle(TriangleMesh::faceOf(corner))) == t; });
-    this->faceOfTriangle[i] = TriangleMesh::faceOf(*same);
-  }
-}
-
-// Sends this rank's number of a face to those that have a copy. All ranks leave out the same faces.
-void MeshPartition::Tables::exchangeAddresses(const std::vector<HaloFace>& received)
-{
   std::vector<Message> messages = this->exchange.noMessages();
   for (std::size_t rank = 0; rank < messages.size(); ++rank)
   {
     for (const Id triangle : this->given[rank])
     {
-      put(messages[rank], this->faceOfTriangle[triangle]);
+      put(messages[rank], faceOfTriangle[triangle]);
     }
   }
   this->given = {};
@@ -371,17 +339,12 @@ void MeshPartition::Tables::exchangeAddresses(const std::vector<HaloFace>& recei
     [&](int rank, MessageReader& reader) {
       addresses.push_back({ rank, reader.get<Id>() });
     });
-  const auto own = static_cast<Id>(this->faceOfTriangle.size());
-  const auto lower =
-    static_cast<Id>(std::lower_bound(received.begin(), received.end(), this->exchange.rank(),
-                      [](const HaloFace& face, int rank) { return face.rank < rank; }) -
-      received.begin());
   for (Id face = 0; face < this->mesh.numberOfFaces(); ++face)
   {
     if (face < this->firstOwnFace || face >= this->endOfOwnFaces)
     {
       const Id input = this->mesh.inputFace(face);
-      this->halo.push_back(addresses[input < lower ? input : input - own]);
+      this->halo.push_back(addresses[input < this->firstTriangle ? input : input - own]);
     }
   }
 }

@@ -76,9 +76,6 @@ public:
   {
     return face - this->firstOwnFace_ < this->endOfOwnFaces_ - this->firstOwnFace_;
   }
-  /// The face made from one of the constructor's triangles, or the kept copy of that face; NoId if
-  /// the triangle names a vertex twice.
-  Id faceOfTriangle(Id triangle) const;
   /// The one of the constructor's triangles that a face that is owned was made of.
   Id triangleOf(Id face) const
   {
@@ -171,8 +168,7 @@ private:
       const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
     void makeMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
       const std::vector<HaloFace>& received, const ProgressCallback& progress);
-    void findFacesOfTriangles(const std::vector<Triangle>& triangles, Id first);
-    void exchangeAddresses(const std::vector<HaloFace>& received);
+    void exchangeAddresses(std::size_t numberOfTriangles, const std::vector<HaloFace>& received);
 
     Exchange& exchange;
     TriangleMesh mesh;
@@ -184,7 +180,6 @@ private:
     Id numberOfGlobalFaces = 0;
     /// Ascending within a rank.
     std::vector<RankAddress> halo;
-    std::vector<Id> faceOfTriangle;
     std::vector<Id> firstHolder;
     std::vector<RankAddress> holders;
     std::vector<Id> globalIds;

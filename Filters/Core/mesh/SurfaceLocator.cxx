@@ -61,16 +61,6 @@ private:
   ProgressCallback growing_;
 };
 
-double leastDistance(const std::vector<FaceLocator::Candidate>& candidates)
-{
-  double least = Infinity;
-  for (const FaceLocator::Candidate& candidate : candidates)
-  {
-    least = std::min(least, candidate.distance);
-  }
-  return least;
-}
-
 /// Chooses among the candidates of all ranks, for each point.
 ClosestFaces chooseFaces(const std::vector<Message>& told, const std::vector<double>& least)
 {
@@ -172,7 +162,7 @@ ClosestFaces SurfaceLocator::closest(
           progress.next();
           candidates[i] =
             this->locator_->candidates(some[i], coordinatePrecision, progress.growing());
-          least[i] = std::min(least[i], leastDistance(candidates[i]));
+          least[i] = std::min(least[i], FaceLocator::leastDistance(candidates[i]));
         }
       }
       exchange.findLeast(least);

@@ -39,8 +39,8 @@ public:
   {
   }
 
-  /// The faces that FaceLocator::closest() finds on the whole surface, in its order. All ranks call
-  /// this together and get the same. Not thread-safe.
+  /// For each point the faces that FaceLocator::chosen() takes on the whole surface, in the order
+  /// of ClosestFace. All ranks call this together and get the same. Not thread-safe.
   ///
   /// \param points the same on all ranks.
   /// \param coordinatePrecision relative precision of the points' coordinates.

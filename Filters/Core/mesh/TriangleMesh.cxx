@@ -6,7 +6,6 @@
 #include "mesh/GroupedItems.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace geodesic
 {
@@ -104,28 +103,18 @@ private:
   void measureFaces();
   void findPseudoSources();
 
-  /// Runs in parallel and reports progress.
-  template <typename Range>
-  void forRanges(std::size_t count, const Range& range) const
+  /// Calls visit(id) for each face or vertex, in parallel, and reports progress.
+  template <typename Visit>
+  void forEach(Id count, const Visit& visit) const
   {
-    geodesic::forRanges(this->parallelFor_, count, this->progress_, range);
-  }
-
-  /// The number of faces or vertices for which test(id) is true.
-  template <typename Test>
-  Id sumOf(Id count, const Test& test) const
-  {
-    const std::vector<Id> sums = resultsOfRanges(this->parallelFor_, count, this->progress_,
-      [&test](std::size_t begin, std::size_t end)
+    forRanges(this->parallelFor_, count, this->progress_,
+      [&visit](std::size_t begin, std::size_t end)
       {
-        Id sum = 0;
         for (std::size_t id = begin; id < end; ++id)
         {
-          sum += test(static_cast<Id>(id)) ? 1 : 0;
+          visit(static_cast<Id>(id));
         }
-        return sum;
       });
-    return std::accumulate(sums.begin(), sums.end(), Id(0));
   }
 
   TriangleMesh& mesh_;
@@ -200,10 +189,9 @@ void TriangleMesh::Builder::takeFaces(const std::vector<Triangle>& triangles)
   }
   const Id repeating = static_cast<Id>(triangles.size()) - kept;
   std::vector<Id>& inputFaces = this->mesh_.inputFaces_;
-  this->mesh_.report_.facesWithRepeatedVertex = repeating;
   this->mesh_.faces_.resize(kept);
   inputFaces.resize(repeating > 0 ? kept : 0);
-  geodesic::forRanges(this->parallelFor_, triangles.size(), this->progress_.between(0.3, 1.0),
+  forRanges(this->parallelFor_, triangles.size(), this->progress_.between(0.3, 1.0),
     [&](std::size_t begin, std::size_t end)
     {
       Id face = places[begin / ItemsInRange];
@@ -243,11 +231,11 @@ void TriangleMesh::Builder::linkSiblings()
         return here;
       });
   this->mesh_.numberOfEdges_ = 0;
-  this->mesh_.report_.nonManifoldEdges = 0;
+  this->mesh_.numberOfNonManifoldEdges_ = 0;
   for (const EdgeCounts& here : counts)
   {
     this->mesh_.numberOfEdges_ += here.edges;
-    this->mesh_.report_.nonManifoldEdges += here.nonManifold;
+    this->mesh_.numberOfNonManifoldEdges_ += here.nonManifold;
   }
 }
 
@@ -297,16 +285,9 @@ void TriangleMesh::Builder::dropDuplicateFaces()
   this->progress_.nextUntil(0.45);
   TriangleMesh& mesh = this->mesh_;
   std::vector<std::uint8_t> drop(mesh.faces_.size(), 0);
-  this->forRanges(mesh.faces_.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t face = begin; face < end; ++face)
-      {
-        drop[face] = mesh.isDuplicate(static_cast<Id>(face)) ? 1 : 0;
-      }
-    });
-  const auto dropped = static_cast<Id>(std::count(drop.begin(), drop.end(), 1));
-  if (dropped == 0)
+  this->forEach(
+    mesh.numberOfFaces(), [&](Id face) { drop[face] = mesh.isDuplicate(face) ? 1 : 0; });
+  if (std::find(drop.begin(), drop.end(), 1) == drop.end())
   {
     return;
   }
@@ -322,7 +303,6 @@ void TriangleMesh::Builder::dropDuplicateFaces()
   mesh.faces_.resize(inputFaces.size());
   mesh.faces_.shrink_to_fit();
   mesh.inputFaces_ = std::move(inputFaces);
-  mesh.report_.duplicateFaces = dropped;
   this->progress_.nextUntil(0.55);
   this->linkSiblings();
 }
@@ -338,24 +318,16 @@ void TriangleMesh::Builder::linkCorners()
 
 void TriangleMesh::Builder::measureFaces()
 {
-  this->mesh_.report_.zeroAreaFaces = this->sumOf(this->mesh_.numberOfFaces(),
-    [this](Id face)
-    {
-      FaceShape& shape = this->mesh_.faces_[face].shape;
-      shape = this->mesh_.measure(face);
-      return shape.hasZeroArea();
-    });
+  this->forEach(this->mesh_.numberOfFaces(),
+    [this](Id face) { this->mesh_.faces_[face].shape = this->mesh_.measure(face); });
 }
 
 void TriangleMesh::Builder::findPseudoSources()
 {
   this->mesh_.pseudoSource_.resize(this->mesh_.points_.size());
-  this->mesh_.report_.isolatedVertices = this->sumOf(this->mesh_.numberOfVertices(),
+  this->forEach(this->mesh_.numberOfVertices(),
     [this](Id vertex)
-    {
-      this->mesh_.pseudoSource_[vertex] = this->mesh_.findPseudoSource(vertex);
-      return this->mesh_.cornersAt(vertex).size() == 0;
-    });
+    { this->mesh_.pseudoSource_[vertex] = this->mesh_.findPseudoSource(vertex); });
 }
 
 namespace

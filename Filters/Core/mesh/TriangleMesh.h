@@ -44,25 +44,12 @@ struct FaceShape
 class TriangleMesh
 {
 public:
-  /// What the constructor left out or noticed.
-  struct Report
-  {
-    /// Faces that name a vertex twice; left out.
-    Id facesWithRepeatedVertex = 0;
-    /// Faces on the same three vertices as an earlier one; left out.
-    Id duplicateFaces = 0;
-    /// Faces without area (their corners are collinear or coincide); kept, paths may cross them.
-    Id zeroAreaFaces = 0;
-    /// Vertices that no kept face uses; their distance stays infinite.
-    Id isolatedVertices = 0;
-    /// Edges of three and more faces.
-    Id nonManifoldEdges = 0;
-  };
-
   /// A mesh without vertices and faces: the partition of a rank that has none.
   TriangleMesh() = default;
 
   /// Builds the mesh. Each point becomes a vertex; the caller has already merged coincident points.
+  /// Faces that name a vertex twice, or the same three vertices as an earlier face, are left out.
+  /// Faces without area stay, as paths may cross them.
   ///
   /// \param points coordinates, finite.
   /// \param triangles three vertex ids a face, in any orientation.
@@ -77,7 +64,8 @@ public:
   Id numberOfFaces() const { return static_cast<Id>(this->faces_.size()); }
   Id numberOfHalfedges() const { return 3 * this->numberOfFaces(); }
   Id numberOfEdges() const { return this->numberOfEdges_; }
-  const Report& report() const { return this->report_; }
+  /// Edges of three and more faces.
+  Id numberOfNonManifoldEdges() const { return this->numberOfNonManifoldEdges_; }
 
   const Vec3& point(Id vertex) const { return this->points_[vertex]; }
   const Triangle& triangle(Id face) const { return this->faces_[face].corners; }
@@ -188,7 +176,7 @@ private:
   UninitializedVector<Id> corners_;
   std::vector<PseudoSource> pseudoSource_;
   Id numberOfEdges_ = 0;
-  Report report_;
+  Id numberOfNonManifoldEdges_ = 0;
 };
 
 }

@@ -318,7 +318,7 @@ TEST(Isolines, EndInSharedPointsWhereSeveralPagesMeet)
   const Index pages = 4;
   const PlainMesh plain = book(pages, 6, 5, 0.0, random);
   const TriangleMesh mesh = engineMesh(plain);
-  ASSERT_GT(mesh.report().nonManifoldEdges, 0U);
+  ASSERT_GT(mesh.numberOfNonManifoldEdges(), 0U);
   std::vector<Vec3> spine;
   for (Id h = 0; h < mesh.numberOfHalfedges(); ++h)
   {

@@ -236,7 +236,7 @@ TEST(PeersWrongAnswers, AnEdgeWithoutLengthConducts)
   mesh.points[4 * 9 + 4] = mesh.points[4 * 9 + 5];
   mesh.points[2 * 9 + 2] = mesh.points[3 * 9 + 3];
   const geodesic::TriangleMesh engine = engineMesh(mesh);
-  EXPECT_EQ(engine.report().zeroAreaFaces, 4u);
+  EXPECT_EQ(facesWithoutArea(engine), 4u);
   for (Index source : { 0u, 40u, 41u, 80u, 20u })
   {
     expectNear(vertexDistances(mesh, source), straightDistances(mesh, source),
@@ -265,7 +265,7 @@ TEST(PeersWrongAnswers, FacesWithoutAreaConduct)
     mesh.triangles.push_back({ a, middle, upper[2] });
     mesh.triangles.push_back({ middle, c, upper[2] });
   }
-  EXPECT_EQ(engineMesh(mesh).report().zeroAreaFaces, 36u);
+  EXPECT_EQ(facesWithoutArea(engineMesh(mesh)), 36u);
   for (Index source : { 0u, 24u, 48u, 55u, 60u })
   {
     expectNear(vertexDistances(mesh, source), straightDistances(mesh, source),
@@ -287,8 +287,7 @@ TEST(PeersWrongAnswers, FacesThatRepeatAVertexAndDuplicateFacesChangeNothing)
     bad.triangles.push_back({ t[1], t[2], t[0] });
     bad.triangles.push_back({ t[2], t[1], t[0] });
   }
-  EXPECT_EQ(engineMesh(bad).report().facesWithRepeatedVertex, 3u);
-  EXPECT_EQ(engineMesh(bad).report().duplicateFaces, 6u);
+  EXPECT_EQ(engineMesh(bad).numberOfFaces(), good.triangles.size());
   expectNear(vertexDistances(bad, 17), vertexDistances(good, 17), "with bad faces");
   expectBruteForce(bad, 30, "with bad faces");
 }
@@ -298,7 +297,6 @@ TEST(PeersWrongAnswers, OtherComponentsAndIsolatedVerticesAreInfinitelyFar)
   const PlainMesh grid = regularGrid(4, 4);
   PlainMesh mesh = merged(grid, grid);
   mesh.points.push_back({ 0.5, 0.5, 0.0 });
-  EXPECT_EQ(engineMesh(mesh).report().isolatedVertices, 1u);
   const std::vector<double> distances = vertexDistances(mesh, 3);
   const std::vector<double> truth = straightDistances(mesh, 3);
   for (std::size_t v = 0; v < mesh.points.size(); ++v)

@@ -291,7 +291,6 @@ TEST(Ranks, FacesOnTheSameVerticesAreOneFaceOfTheLowerRank)
       EXPECT_EQ(part.mesh().numberOfFaces(), 2U);
       EXPECT_EQ(part.numberOfGlobalFaces(), 2U);
       EXPECT_EQ(part.numberOfGlobalVertices(), 4U);
-      EXPECT_EQ(part.faceOfTriangle(0), 0U);
       EXPECT_EQ(part.isOwn(0), isFirst);
       EXPECT_EQ(part.isOwn(1), !isFirst);
     });

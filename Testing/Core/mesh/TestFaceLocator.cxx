@@ -3,7 +3,7 @@
 #include "EngineSupport.h"
 
 #include "Errors.h"
-#include "mesh/FaceLocator.h"
+#include "mesh/SurfaceLocator.h"
 #include "mesh/SurfaceSnap.h"
 
 #include <gtest/gtest.h>
@@ -20,6 +20,30 @@ using geodesictest::Random;
 
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 constexpr double FloatEpsilon = std::numeric_limits<float>::epsilon();
+
+/// Finds the closest faces of a mesh.
+class Locator
+{
+public:
+  explicit Locator(const TriangleMesh& mesh)
+    : locator_(MeshPartition(mesh))
+  {
+  }
+
+  std::vector<Id> closest(
+    const Vec3& point, double precision, const ProgressCallback& progress = {})
+  {
+    std::vector<Id> faces;
+    for (const ClosestFace& found : this->locator_.closest({ point }, precision, progress).front())
+    {
+      faces.push_back(found.face.id);
+    }
+    return faces;
+  }
+
+private:
+  SurfaceLocator locator_;
+};
 
 double distanceOf(const TriangleMesh& mesh, Id face, const Vec3& point)
 {
@@ -50,7 +74,7 @@ Vec3 randomPoint(Random& random, double size)
 /// (or less than a tenth of their longest edge), except those that put a point beside the surface
 /// elsewhere, and none that is farther by more than some roundings.
 void expectAllClosest(
-  const TriangleMesh& mesh, FaceLocator& locator, const Vec3& point, double precision, double size)
+  const TriangleMesh& mesh, Locator& locator, const Vec3& point, double precision, double size)
 {
   const std::vector<Id> found = locator.closest(point, precision);
   const double least = leastDistance(mesh, point);
@@ -72,7 +96,7 @@ void expectAllClosest(
 
 void expectAllClosest(const TriangleMesh& mesh, double size)
 {
-  FaceLocator locator(mesh);
+  Locator locator(mesh);
   Random random(11);
   for (int i = 0; i < 200; ++i)
   {
@@ -118,7 +142,7 @@ TEST(FaceLocator, FindsAllClosestFacesOfASphereAndOfSheetsThatCross)
 TEST(FaceLocator, AtAVertexItsFacesAreFoundInOrder)
 {
   const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(4, 4));
-  FaceLocator locator(mesh);
+  Locator locator(mesh);
   std::vector<Id> around;
   for (const Id corner : mesh.cornersAt(12))
   {
@@ -134,7 +158,7 @@ TEST(FaceLocator, FacesWithoutAreaCountLikeAllOthers)
   const TriangleMesh mesh({ { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 0 }, { 1, 0, 0 },
                             { 2, 0, 0 }, { 0, 5, 0 }, { 1, 5, 0 }, { 0, 5, 0 } },
     { { 0, 1, 2 }, { 3, 4, 5 }, { 6, 7, 8 } });
-  FaceLocator locator(mesh);
+  Locator locator(mesh);
   EXPECT_EQ(locator.closest({ 0.7, 0.0, 0.0 }, Epsilon), (std::vector<Id>{ 0, 1 }));
   EXPECT_EQ(locator.closest({ 0.7, -0.2, 0.1 }, Epsilon), (std::vector<Id>{ 0, 1 }));
   EXPECT_EQ(locator.closest({ 0.7, 0.3, 0.0 }, Epsilon), (std::vector<Id>{ 0 }));
@@ -150,7 +174,7 @@ TEST(FaceLocator, HalfwayBetweenSheetsBothAreFound)
     p[2] = 1.0;
   }
   const TriangleMesh mesh = engineMesh(geodesictest::merged(sheet, above));
-  FaceLocator locator(mesh);
+  Locator locator(mesh);
   EXPECT_EQ(locator.closest({ 0.6, 0.2, 0.5 }, Epsilon), (std::vector<Id>{ 0, 18 }));
   EXPECT_EQ(locator.closest({ 0.6, 0.2, 0.4 }, Epsilon), (std::vector<Id>{ 0 }));
 }
@@ -160,7 +184,7 @@ TEST(FaceLocator, BesideTheSurfaceAFaceThatIsAlmostAsCloseIsNotChosen)
   // Over the first of two faces, which are bent by slightly less than the precision.
   const TriangleMesh mesh(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, 0 }, { 0.5, -1, -0.1 } }, { { 0, 2, 1 }, { 0, 1, 3 } });
-  FaceLocator locator(mesh);
+  Locator locator(mesh);
   for (const double away : { 1e-4, 1e-9 })
   {
     const double precision = away > 1e-6 ? FloatEpsilon : Epsilon;
@@ -185,7 +209,7 @@ TEST(FaceLocator, ThePrecisionOfThePointDecidesWhichFacesAreEquallyClose)
     }
     const TriangleMesh mesh =
       engineMesh(geodesictest::scaled(geodesictest::merged(above, sheet), scale));
-    FaceLocator locator(mesh);
+    Locator locator(mesh);
     const Vec3 point{ 0.6 * scale, 0.2 * scale, 0.0 };
     EXPECT_EQ(locator.closest(point, Epsilon), (std::vector<Id>{ 18 }));
     // The closer one comes first.
@@ -201,7 +225,7 @@ TEST(FaceLocator, FarFromTheOriginTheClosestFaceComesFirstAndFarOnesAreNoChoice)
     p = p + Vec3{ 3e6, -5e6, 1e6 };
   }
   const TriangleMesh mesh = engineMesh(plain);
-  FaceLocator locator(mesh);
+  Locator locator(mesh);
   // Roundings of 32 bits exceed an edge's length there.
   const Vec3 point = mesh.point(0) + Vec3{ 2.6, 3.3, 0.0 };
   const std::vector<Id> found = locator.closest(point, FloatEpsilon);
@@ -218,7 +242,7 @@ TEST(FaceLocator, ProgressNeverFallsAndStopsTheSearch)
   const TriangleMesh mesh = shrinkingStrip(2000, 0.99);
   std::vector<double> seen;
   const Vec3 point{ 0.3, 0.2, 0.1 };
-  FaceLocator(mesh).closest(point, Epsilon,
+  Locator(mesh).closest(point, Epsilon,
     [&](double fraction)
     {
       seen.push_back(fraction);
@@ -228,7 +252,7 @@ TEST(FaceLocator, ProgressNeverFallsAndStopsTheSearch)
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
   EXPECT_GE(seen.front(), 0.0);
   EXPECT_LE(seen.back(), 1.0);
-  FaceLocator locator(mesh);
+  Locator locator(mesh);
   EXPECT_THROW(locator.closest(point, Epsilon, [](double) { return false; }), Aborted);
   expectAllClosest(mesh, locator, point, Epsilon, 1.0);
 }

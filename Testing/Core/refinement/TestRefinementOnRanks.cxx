@@ -68,10 +68,9 @@ public:
       this->joined_.vertexDistances[rank.wholeVertices[i]] = field.vertexDistances()[i];
     }
     std::map<Id, Id> wholeFaceOf;
-    for (std::size_t i = 0; i < rank.wholeFaces.size(); ++i)
+    for (Id face = rank.part.firstOwnFace(); face < rank.part.endOfOwnFaces(); ++face)
     {
-      wholeFaceOf[rank.part.faceOfTriangle(static_cast<Id>(i))] =
-        static_cast<Id>(rank.wholeFaces[i]);
+      wholeFaceOf[face] = static_cast<Id>(rank.wholeFaces[rank.part.triangleOf(face)]);
     }
     std::vector<Id> numbers(rank.wholeVertices.begin(), rank.wholeVertices.end());
     for (RefinedPoint point : refined.points)

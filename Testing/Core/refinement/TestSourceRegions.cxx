@@ -282,10 +282,9 @@ TEST_P(Regions, HaveNarrowBordersOnSeveralRanks)
             refineAlongBorders({ rank.part, rank.sources, rank.patch, curves, tolerance });
           EXPECT_LE(result.refined.errorBound, tolerance);
           std::vector<Id> wholeFaces(rank.part.mesh().numberOfFaces(), geodesic::NoId);
-          for (std::size_t i = 0; i < rank.wholeFaces.size(); ++i)
+          for (Id face = rank.part.firstOwnFace(); face < rank.part.endOfOwnFaces(); ++face)
           {
-            wholeFaces[rank.part.faceOfTriangle(static_cast<Id>(i))] =
-              static_cast<Id>(rank.wholeFaces[i]);
+            wholeFaces[face] = static_cast<Id>(rank.wholeFaces[rank.part.triangleOf(face)]);
           }
           const auto places = placesOf(result, [&](Id face) { return wholeFaces[face]; });
           expectNarrowBorders(
