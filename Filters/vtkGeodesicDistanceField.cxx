@@ -737,7 +737,7 @@ void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) con
       std::string("The surface already has a point array named ") + name +
         "; the output has the distance in its place. Change DistanceArrayName to keep both.");
   }
-  for (const char* added : this->Arrays().names())
+  for (const char* added : geodesic::namesOf(this->Choice))
   {
     const auto hasIt = [added](const geodesic::PolyDataBlock& block)
     { return block.data->GetPointData()->HasArray(added) != 0; };

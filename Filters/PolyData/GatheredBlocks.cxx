@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/GatheredBlocks.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
+#include "PolyData/CellLoop.h"
+
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -18,32 +18,23 @@ namespace
 
 void putCells(vtkCellArray* cells, Message& message)
 {
-  put(message, static_cast<std::int64_t>(cells->GetNumberOfCells()));
-  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    iterator->GetCurrentCell(size, ids);
-    put(message, static_cast<std::int64_t>(size));
-    for (vtkIdType i = 0; i < size; ++i)
+  put(message, cells->GetNumberOfCells());
+  forEachCell(cells,
+    [&message](vtkIdType size, const vtkIdType* ids)
     {
-      put(message, static_cast<std::int64_t>(ids[i]));
-    }
-  }
+      put(message, size);
+      put(message, ids, static_cast<std::size_t>(size));
+    });
 }
 
 vtkSmartPointer<vtkCellArray> getCells(MessageReader& reader)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  for (auto count = reader.get<std::int64_t>(); count > 0; --count)
+  for (auto count = reader.get<vtkIdType>(); count > 0; --count)
   {
-    const auto size = reader.get<std::int64_t>();
-    cells->InsertNextCell(static_cast<int>(size));
-    for (std::int64_t i = 0; i < size; ++i)
-    {
-      cells->InsertCellPoint(static_cast<vtkIdType>(reader.get<std::int64_t>()));
-    }
+    std::vector<vtkIdType> ids(static_cast<std::size_t>(reader.get<vtkIdType>()));
+    reader.get(ids.data(), ids.size());
+    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
   }
   return cells;
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/PolyDataBlocks.h"
 
+#include "PolyData/CellLoop.h"
 #include "PolyData/reading/CellArrays.h"
 #include "Types.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -82,25 +81,23 @@ void addVerticesAndLines(vtkUnstructuredGrid* grid, PolyDataBlock& block)
   vtkNew<vtkCellArray> vertices;
   vtkNew<vtkCellArray> lines;
   std::vector<vtkIdType> cellsOfLines;
-  const auto cells = vtk::TakeSmartPointer(grid->GetCells()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(size, ids);
-    const vtkIdType cell = cells->GetCurrentCellId();
-    const int type = types->GetValue(cell);
-    if (type == VTK_VERTEX || type == VTK_POLY_VERTEX)
+  vtkIdType next = 0;
+  forEachCell(grid->GetCells(),
+    [&](vtkIdType size, const vtkIdType* ids)
     {
-      vertices->InsertNextCell(size, ids);
-      block.inputCells.push_back(cell);
-      continue;
-    }
-    const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;
-    lines->InsertNextCell(isLine ? size : 0, ids);
-    cellsOfLines.push_back(cell);
-    block.droppedCells += isLine || type == VTK_EMPTY_CELL ? 0 : 1;
-  }
+      const vtkIdType cell = next++;
+      const int type = types->GetValue(cell);
+      if (type == VTK_VERTEX || type == VTK_POLY_VERTEX)
+      {
+        vertices->InsertNextCell(size, ids);
+        block.inputCells.push_back(cell);
+        return;
+      }
+      const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;
+      lines->InsertNextCell(isLine ? size : 0, ids);
+      cellsOfLines.push_back(cell);
+      block.droppedCells += isLine || type == VTK_EMPTY_CELL ? 0 : 1;
+    });
   block.inputCells.insert(block.inputCells.end(), cellsOfLines.begin(), cellsOfLines.end());
   block.data->SetVerts(vertices);
   block.data->SetLines(lines);

@@ -64,6 +64,23 @@ std::string listIds(const std::vector<vtkIdType>& ids);
 /// \param isUsed of each point whether it counts; null: all do.
 std::string whereNotFinite(const PolyDataBlock& block, const char* isUsed = nullptr);
 
+/// \param cell the number of a cell of the block, with these points.
+/// \throws Failure where a point does not exist.
+template <typename Failure>
+void requirePoints(const PolyDataBlock& block, vtkIdType cell, vtkIdType size, const vtkIdType* ids)
+{
+  const vtkIdType count = block.data->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    if (ids[i] < 0 || ids[i] >= count)
+    {
+      throw Failure("Cell " + std::to_string(cell) + " of " + block.name + " names point " +
+        std::to_string(ids[i]) + ", but there are only " + std::to_string(count) +
+        " points. Repair the cells upstream.");
+    }
+  }
+}
+
 /// Gives an output the structure of an input that polyDataBlocks() has taken, with an empty
 /// vtkPolyData for each block, and returns these in the same order. Where the input is a
 /// vtkPolyData, that is the output itself.

@@ -142,7 +142,10 @@ std::vector<Message> RankExchange::step(std::vector<Message> messages, std::vect
     places.push_back(received[i].empty() ? next : received[i].data());
     next += received[i].empty() ? size : 0;
   }
-  this->transfer(messages, places);
+  if (!this->transferAtOnce(messages, places))
+  {
+    this->transferInOrder(messages, places);
+  }
   for (std::size_t i = 0; i < received.size(); ++i)
   {
     const std::size_t size = this->sizeBetween(static_cast<int>(i), this->rank_);
@@ -296,15 +299,6 @@ std::vector<Message> RankExchange::makeRoom()
     this->throwFailure();
   }
   return received;
-}
-
-void RankExchange::transfer(
-  const std::vector<Message>& messages, const std::vector<std::byte*>& received)
-{
-  if (!this->transferAtOnce(messages, received))
-  {
-    this->transferInOrder(messages, received);
-  }
 }
 
 /// In round k each rank talks to the one with which its number adds up to k, modulo their count; of

@@ -65,7 +65,6 @@ private:
   void takeLeast(std::vector<double>& least);
   std::size_t bytesToReceive(int rank) const;
   std::vector<Message> makeRoom();
-  void transfer(const std::vector<Message>& messages, const std::vector<std::byte*>& received);
   void transferInOrder(
     const std::vector<Message>& messages, const std::vector<std::byte*>& received);
   bool transferAtOnce(

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/ranks/RankSeams.h"
 
+#include "PolyData/Hash.h"
 #include "Questions.h"
 #include "Tolerance.h"
 #include "mesh/Box.h"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <map>
 #include <unordered_map>
 
@@ -43,27 +42,10 @@ bool isNearAny(const std::vector<Box>& boxes, const Vec3& point, double margin =
   return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return box.meets(around); });
 }
 
-std::uint64_t hashOfKey(const Vec3& p)
-{
-  std::array<std::uint64_t, 3> words{};
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const double normalized = p[k] + 0.0; // -0 and 0 are one place
-    std::memcpy(&words[k], &normalized, sizeof(double));
-  }
-  return hashOf(words.data(), words.size());
-}
-
-std::uint64_t hashOfKey(std::int64_t id)
-{
-  const auto word = static_cast<std::uint64_t>(id);
-  return hashOf(&word, 1);
-}
-
 template <typename Key>
 struct HashOfKey
 {
-  std::size_t operator()(const Key& key) const { return static_cast<std::size_t>(hashOfKey(key)); }
+  std::size_t operator()(const Key& key) const { return static_cast<std::size_t>(hashOf(key)); }
 };
 
 /// What is known of a key by the rank that looks after it.
@@ -75,17 +57,6 @@ struct KnownKey
 };
 
 } // anonymous namespace
-
-std::uint64_t hashOf(const std::uint64_t* words, std::size_t count)
-{
-  std::uint64_t hash = 0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    hash = (hash ^ words[i]) * 0x9e3779b97f4a7c15ULL;
-    hash ^= hash >> 32;
-  }
-  return hash;
-}
 
 RankSeams::RankSeams(const std::vector<Vec3>& vertices, Exchange& exchange)
   : vertices_(vertices)
@@ -151,8 +122,7 @@ bool RankSeams::shareLeast(const std::vector<std::pair<Key, Id>>& items)
   const auto ranks = static_cast<std::uint64_t>(this->exchange_.numberOfRanks());
   for (const auto& [key, vertex] : items)
   {
-    questions.ask(
-      static_cast<int>(hashOfKey(key) % ranks), vertex, key, this->labels_.labels[vertex]);
+    questions.ask(static_cast<int>(hashOf(key) % ranks), vertex, key, this->labels_.labels[vertex]);
   }
   std::unordered_map<Key, KnownKey, HashOfKey<Key>> known;
   bool hasChanged = false;

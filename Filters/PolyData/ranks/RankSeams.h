@@ -79,9 +79,6 @@ private:
   RankLabels labels_;
 };
 
-/// A hash of some words, for finding the rank that looks after them.
-std::uint64_t hashOf(const std::uint64_t* words, std::size_t count);
-
 }
 
 #endif

@@ -299,17 +299,6 @@ double SeamVertex::tolerance() const
   return tolerance::SeamRoundings * this->rounding;
 }
 
-std::size_t SeamCellHash::operator()(const SeamCell& cell) const
-{
-  std::uint64_t hash = 0;
-  for (const std::int64_t x : cell)
-  {
-    hash = (hash ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15ULL;
-    hash ^= hash >> 32;
-  }
-  return static_cast<std::size_t>(hash);
-}
-
 SeamCell cellAt(const Vec3& point, int level)
 {
   SeamCell cell{};

@@ -2,6 +2,7 @@
 #ifndef geodesic_SeamMerger_h
 #define geodesic_SeamMerger_h
 
+#include "PolyData/Hash.h"
 #include "Types.h"
 
 #include <array>
@@ -48,7 +49,10 @@ struct SeamVertex
 using SeamCell = std::array<std::int64_t, 4>;
 struct SeamCellHash
 {
-  std::size_t operator()(const SeamCell& cell) const;
+  std::size_t operator()(const SeamCell& cell) const
+  {
+    return static_cast<std::size_t>(hashOf(cell.data(), cell.size()));
+  }
 };
 SeamCell cellAt(const Vec3& point, int level);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/Duplicates.h"
 
+#include "PolyData/Hash.h"
 #include "Questions.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/PointMerger.h"
 
+#include "PolyData/Hash.h"
 #include "mesh/GroupedItems.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace geodesic
@@ -12,20 +12,6 @@ namespace geodesic
 
 namespace
 {
-
-std::uint64_t hashOf(const Vec3& p)
-{
-  std::uint64_t hash = 0;
-  for (const double x : p)
-  {
-    const double normalized = x + 0.0; // -0 and 0 are one place
-    std::uint64_t bits;
-    std::memcpy(&bits, &normalized, sizeof(bits));
-    hash = (hash ^ bits) * 0x9e3779b97f4a7c15ULL;
-    hash ^= hash >> 32;
-  }
-  return hash;
-}
 
 /// For each point the first one at its place.
 UninitializedVector<Id> findFirstAtPlaces(

@@ -2,11 +2,10 @@
 #include "PolyData/reading/PolyDataSource.h"
 
 #include "Errors.h"
+#include "PolyData/CellLoop.h"
 #include "PolyData/Memory.h"
 #include "PolyData/reading/PolyDataSurface.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -122,33 +121,16 @@ private:
 
   void read(vtkCellArray* cells, Adder add)
   {
-    const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-    for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-    {
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      iterator->GetCurrentCell(size, ids);
-      this->check(size, ids);
-      if (size > 0)
+    forEachCell(cells,
+      [&](vtkIdType size, const vtkIdType* ids)
       {
-        (this->*add)(size, ids);
-      }
-      ++this->cell_;
-    }
-  }
-
-  void check(vtkIdType size, const vtkIdType* ids) const
-  {
-    const vtkIdType count = this->block_.data->GetNumberOfPoints();
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      if (ids[i] < 0 || ids[i] >= count)
-      {
-        throw SourceError("Cell " + std::to_string(this->inputCell()) + " of " + this->block_.name +
-          " names point " + std::to_string(ids[i]) + ", but there are only " +
-          std::to_string(count) + " points. Repair the cells upstream.");
-      }
-    }
+        requirePoints<SourceError>(this->block_, this->inputCell(), size, ids);
+        if (size > 0)
+        {
+          (this->*add)(size, ids);
+        }
+        ++this->cell_;
+      });
   }
 
   std::size_t pointOf(vtkIdType id) const

@@ -41,6 +41,17 @@ struct Vertices
   VertexOfPoint of;
   RankLabels labels;
 
+  /// Appends the places and the labels of some vertices.
+  void copy(const std::vector<Id>& some, std::vector<Vec3>& points,
+    std::vector<RankLabels::Label>& keys) const
+  {
+    for (const Id vertex : some)
+    {
+      points.push_back(this->positions[vertex]);
+      keys.push_back(this->labels.of(vertex));
+    }
+  }
+
   /// Makes one vertex of those that are the same.
   ///
   /// \param same for each vertex the one of the same that stays.
@@ -536,27 +547,10 @@ double SurfaceReader::diagonalOf(const Vertices& vertices, const Faces& faces) c
 SurfaceContents SurfaceReader::makeSurface(Vertices vertices, Faces faces) const
 {
   const std::size_t count = vertices.positions.size();
-  const auto keysOf = [&vertices](const std::vector<Id>& used)
-  {
-    std::vector<std::uint64_t> keys;
-    for (const Id vertex : used)
-    {
-      keys.push_back(vertices.labels.of(vertex));
-    }
-    return keys;
-  };
-  const auto positionsOf = [&vertices](const std::vector<Id>& used)
-  {
-    std::vector<Vec3> positions;
-    for (const Id vertex : used)
-    {
-      positions.push_back(vertices.positions[vertex]);
-    }
-    return positions;
-  };
   std::vector<Id> inBarriers = numberUsedVertices(faces.barriers, count);
-  std::vector<Vec3> barrierPoints = positionsOf(inBarriers);
-  const std::vector<std::uint64_t> barrierKeys = keysOf(inBarriers);
+  std::vector<Vec3> barrierPoints;
+  std::vector<std::uint64_t> barrierKeys;
+  vertices.copy(inBarriers, barrierPoints, barrierKeys);
   // One process keeps the other vertices, too: points need no table then.
   std::vector<Id> numbers;
   std::vector<std::uint64_t> keys;
@@ -568,8 +562,9 @@ SurfaceContents SurfaceReader::makeSurface(Vertices vertices, Faces faces) const
     {
       numbers[used[i]] = static_cast<Id>(i);
     }
-    vertices.positions = positionsOf(used);
-    keys = keysOf(used);
+    std::vector<Vec3> points;
+    vertices.copy(used, points, keys);
+    vertices.positions = std::move(points);
   }
   BorrowedValues remote = remoteVertices(vertices.labels, numbers, this->exchange_);
   vertices.labels = {};

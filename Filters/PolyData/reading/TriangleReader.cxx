@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/TriangleReader.h"
 
+#include "PolyData/CellLoop.h"
 #include "PolyData/Memory.h"
 #include "PolyData/reading/GhostCells.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -15,19 +14,6 @@ namespace geodesic
 
 namespace
 {
-
-template <typename Visitor>
-void forEachCell(vtkCellArray* cells, Visitor&& visit)
-{
-  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    iterator->GetCurrentCell(size, ids);
-    visit(size, ids);
-  }
-}
 
 /// Reports cells as they are read.
 class CellProgress
@@ -81,7 +67,7 @@ public:
 
 private:
   bool readPlainTriangles(vtkPolyData* data, Id firstPoint);
-  bool readPlainTriangles(vtkPolyData* data, Id firstPoint, std::size_t firstTriangle,
+  bool readPlainRange(vtkPolyData* data, Id firstPoint, std::size_t firstTriangle,
     std::size_t begin, std::size_t end);
   bool readCells(const PolyDataBlock& input, Id firstPoint);
 
@@ -107,7 +93,7 @@ bool TriangleReader::readPlainTriangles(vtkPolyData* data, Id firstPoint)
   triangles.cells.resize(after);
   const std::vector<int> arePlain = resultsOfRanges(this->parallelFor_, after - before,
     [&](std::size_t begin, std::size_t end)
-    { return this->readPlainTriangles(data, firstPoint, before, begin, end) ? 1 : 0; });
+    { return this->readPlainRange(data, firstPoint, before, begin, end) ? 1 : 0; });
   if (std::find(arePlain.begin(), arePlain.end(), 0) != arePlain.end())
   {
     triangles.corners.resize(before);
@@ -120,7 +106,7 @@ bool TriangleReader::readPlainTriangles(vtkPolyData* data, Id firstPoint)
 }
 
 /// The same for a range of the cells.
-bool TriangleReader::readPlainTriangles(
+bool TriangleReader::readPlainRange(
   vtkPolyData* data, Id firstPoint, std::size_t firstTriangle, std::size_t begin, std::size_t end)
 {
   const auto numberOfPoints = data->GetNumberOfPoints();

@@ -24,7 +24,7 @@ Triangulator::~Triangulator() = default;
 
 void Triangulator::addPolygon(const Cell& cell, vtkIdType size, const vtkIdType* ids)
 {
-  this->check(cell, size, ids);
+  requirePoints<MeshError>(this->block_, cell.number, size, ids);
   if (size == 3)
   {
     this->addTriangle(cell, ids[0], ids[1], ids[2]);
@@ -49,26 +49,12 @@ void Triangulator::addPolygon(const Cell& cell, vtkIdType size, const vtkIdType*
 
 void Triangulator::addStrip(const Cell& cell, vtkIdType size, const vtkIdType* ids)
 {
-  this->check(cell, size, ids);
+  requirePoints<MeshError>(this->block_, cell.number, size, ids);
   this->hasOtherCells_ = true;
   for (vtkIdType i = 0; i + 2 < size; ++i)
   {
     const vtkIdType odd = i % 2;
     this->addTriangle(cell, ids[i + odd], ids[i + 1 - odd], ids[i + 2]);
-  }
-}
-
-void Triangulator::check(const Cell& cell, vtkIdType size, const vtkIdType* ids) const
-{
-  const vtkIdType count = this->block_.data->GetNumberOfPoints();
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    if (ids[i] < 0 || ids[i] >= count)
-    {
-      throw MeshError("Cell " + std::to_string(cell.number) + " of " + this->block_.name +
-        " names point " + std::to_string(ids[i]) + ", but there are only " + std::to_string(count) +
-        " points. Repair the cells upstream.");
-    }
   }
 }
 

@@ -92,7 +92,6 @@ public:
 private:
   Id pointOf(vtkIdType id) const { return this->firstPoint_ + static_cast<Id>(id); }
   Id vertexOf(vtkIdType id) const { return this->vertexOfPoint_(this->pointOf(id)); }
-  void check(const Cell& cell, vtkIdType size, const vtkIdType* ids) const;
   void addTriangle(const Cell& cell, vtkIdType a, vtkIdType b, vtkIdType c);
   void leaveOut(const Cell& cell);
   void cutEars(const Cell& cell);

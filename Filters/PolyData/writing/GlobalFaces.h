@@ -30,8 +30,19 @@ public:
   /// All ranks call together, as for find().
   explicit GlobalFaces(const PolyDataSurface& surface);
 
-  /// What to ask for to find a face at an edge.
-  static Triangle edge(Id a, Id b) { return { a, b, b }; }
+  /// Calls visit(k, what to ask for) for each edge of a triangle at which there may be a face.
+  template <typename Visit>
+  void forEachEdgeWithFaces(const Triangle& t, Visit&& visit) const
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id next = t[(k + 1) % 3];
+      if (this->hasFace(t[k]) && this->hasFace(next))
+      {
+        visit(k, Triangle{ t[k], next, next });
+      }
+    }
+  }
 
   /// For each three vertices a face that has all of them. Of several faces at an edge one that this
   /// rank owns, if there is one.

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace geodesic
@@ -46,27 +47,26 @@ vtkNew<Array> makeArray(const char* name, int components, vtkIdType tuples)
   return array;
 }
 
-/// Adds arrays to the points of a block.
-class ArraysOfBlock
+/// Adds arrays to the points of an output.
+///
+/// \tparam ForEachPoint (visit) calls visit(vtkIdType point, const SourceValues&, std::size_t index
+///         of its values) for each point.
+template <typename ForEachPoint>
+class ArraysOfPoints
 {
 public:
-  ArraysOfBlock(const PolyDataSurface& surface, const SurfaceBlock& block,
-    const SourceValues& atVertices, const SourceValues& atNewPoints, vtkPolyData* output)
-    : surface_(surface)
-    , block_(block)
-    , atVertices_(atVertices)
-    , atNewPoints_(atNewPoints)
+  ArraysOfPoints(const ForEachPoint& forEachPoint, vtkPolyData* output)
+    : forEachPoint_(forEachPoint)
     , output_(output)
   {
   }
 
-  /// \param valueAt (vtkIdType point, const SourceValues&, std::size_t index of its values) ->
-  ///        vtkIdType
+  /// \param valueAt takes what visit() does -> vtkIdType
   template <typename ValueAt>
   void addIds(const char* name, const ValueAt& valueAt) const
   {
     const auto array = makeArray<vtkIdTypeArray>(name, 1, this->output_->GetNumberOfPoints());
-    this->forEachPoint([&](vtkIdType point, const SourceValues& values, std::size_t i)
+    this->forEachPoint_([&](vtkIdType point, const SourceValues& values, std::size_t i)
       { array->SetValue(point, valueAt(point, values, i)); });
     this->output_->GetPointData()->AddArray(array);
   }
@@ -75,37 +75,17 @@ public:
   template <typename ValueAt>
   vtkNew<vtkDoubleArray> addDoubles(const char* name, const ValueAt& valueAt) const
   {
-    using Value = decltype(valueAt(vtkIdType(), this->atVertices_, std::size_t()));
+    using Value = std::invoke_result_t<ValueAt, vtkIdType, const SourceValues&, std::size_t>;
     auto array = makeArray<vtkDoubleArray>(
       name, static_cast<int>(std::tuple_size<Value>::value), this->output_->GetNumberOfPoints());
-    this->forEachPoint([&](vtkIdType point, const SourceValues& values, std::size_t i)
+    this->forEachPoint_([&](vtkIdType point, const SourceValues& values, std::size_t i)
       { array->SetTypedTuple(point, valueAt(point, values, i).data()); });
     this->output_->GetPointData()->AddArray(array);
     return array;
   }
 
 private:
-  /// Visits the points of the input, which have the values of their vertices, then the new points.
-  template <typename Visit>
-  void forEachPoint(const Visit& visit) const
-  {
-    const Id inputPoints = this->block_.numberOfPoints;
-    for (Id i = 0; i < inputPoints; ++i)
-    {
-      const Id vertex = this->surface_.vertexOf(this->block_.firstPoint + i);
-      visit(static_cast<vtkIdType>(i), this->atVertices_, vertex);
-    }
-    const auto count = static_cast<Id>(this->output_->GetNumberOfPoints());
-    for (Id i = inputPoints; i < count; ++i)
-    {
-      visit(static_cast<vtkIdType>(i), this->atNewPoints_, i - inputPoints);
-    }
-  }
-
-  const PolyDataSurface& surface_;
-  const SurfaceBlock& block_;
-  const SourceValues& atVertices_;
-  const SourceValues& atNewPoints_;
+  const ForEachPoint& forEachPoint_;
   vtkPolyData* output_;
 };
 
@@ -121,6 +101,67 @@ std::array<double, 2> textureCoordinates(const SourceValues& values, std::size_t
     return { distance * std::cos(values.angles[i]), distance * std::sin(values.angles[i]) };
   }
   return { values.arcLengths[i], signedDistance(values.sides[i], distance) };
+}
+
+/// Adds the arrays that are asked for: SourceArrays::write().
+template <typename ForEachPoint>
+void writeArrays(const SourceArrayChoice& choice, const ForEachPoint& forEachPoint,
+  const double* distances, double unreached, vtkPolyData* output)
+{
+  const ArraysOfPoints<ForEachPoint> arrays(forEachPoint, output);
+  const auto isReached = [distances](vtkIdType point) { return distances[point] < Infinity; };
+  if (choice.sourceIds)
+  {
+    arrays.addIds(SourceIdName,
+      [](vtkIdType, const SourceValues& values, std::size_t i)
+      { return values.sources[i] == NoId ? -1 : static_cast<vtkIdType>(values.sources[i]); });
+  }
+  if (choice.closestPoints)
+  {
+    arrays.addDoubles(ClosestPointName,
+      [&](vtkIdType point, const SourceValues& values, std::size_t i)
+      {
+        Vec3 closest = isReached(point) ? values.closestPoints[i] : Vec3();
+        if (!isReached(point))
+        {
+          output->GetPoint(point, closest.data());
+        }
+        return closest;
+      });
+  }
+  if (choice.gradients)
+  {
+    // A point on the source may lie a rounding beside it.
+    arrays.addDoubles(GradientName,
+      [&](vtkIdType point, const SourceValues& values, std::size_t i)
+      { return distances[point] > 0.0 ? values.gradients[i] : Vec3(); });
+  }
+  const auto addScalars = [&](bool isAskedFor, const char* name, const auto& valueAt)
+  {
+    if (isAskedFor)
+    {
+      arrays.addDoubles(name,
+        [&](vtkIdType point, const SourceValues& values, std::size_t i) -> std::array<double, 1>
+        { return { isReached(point) ? valueAt(distances[point], values, i) : unreached }; });
+    }
+  };
+  addScalars(choice.signedDistances, SignedDistanceName,
+    [](double distance, const SourceValues& values, std::size_t i)
+    { return signedDistance(values.sides[i], distance); });
+  addScalars(choice.arcLengths, ArcLengthName,
+    [](double, const SourceValues& values, std::size_t i) { return values.arcLengths[i]; });
+  addScalars(choice.angles, AngleName,
+    [](double distance, const SourceValues& values, std::size_t i)
+    { return distance > 0.0 ? values.angles[i] : 0.0; });
+  if (choice.textureCoordinates)
+  {
+    output->GetPointData()->SetTCoords(arrays.addDoubles(TextureCoordinateName,
+      [&](vtkIdType point, const SourceValues& values, std::size_t i)
+      {
+        return isReached(point) ? textureCoordinates(values, i, distances[point])
+                                : std::array<double, 2>{ unreached, unreached };
+      }));
+  }
 }
 
 } // anonymous namespace
@@ -144,26 +185,8 @@ std::vector<const char*> namesOf(const SourceArrayChoice& choice)
 
 void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output)
 {
-  const auto addDoubles = [output](bool isAskedFor, const char* name, int components)
-  {
-    if (isAskedFor)
-    {
-      output->GetPointData()->AddArray(makeArray<vtkDoubleArray>(name, components, 0));
-    }
-  };
-  if (choice.sourceIds)
-  {
-    output->GetPointData()->AddArray(makeArray<vtkIdTypeArray>(SourceIdName, 1, 0));
-  }
-  addDoubles(choice.closestPoints, ClosestPointName, 3);
-  addDoubles(choice.gradients, GradientName, 3);
-  addDoubles(choice.signedDistances, SignedDistanceName, 1);
-  addDoubles(choice.arcLengths, ArcLengthName, 1);
-  addDoubles(choice.angles, AngleName, 1);
-  if (choice.textureCoordinates)
-  {
-    output->GetPointData()->SetTCoords(makeArray<vtkDoubleArray>(TextureCoordinateName, 2, 0));
-  }
+  writeArrays(
+    choice, [](const auto&) {}, nullptr, 0.0, output);
 }
 
 // Calls visit(member, none) for the values that are asked for: where SourceValues has them, and the
@@ -284,37 +307,10 @@ SourceSide SourceArrays::sideOf(const Foot& foot) const
                                                                     : SourceSide::Left;
 }
 
-SourceValues SourceArrays::atVertices(const DistanceField& computed, const NearestSource& nearest,
-  const ProgressCallback& callback) const
-{
-  SourceValues values;
-  LoopProgress progress(callback);
-  progress.nextUntil(1.0);
-  const Id count = this->surface_.partition().numberOfOwnVertices();
-  this->reserve(count, values);
-  Gradients gradients(computed, values.gradients);
-  for (Id vertex = 0; vertex < count; ++vertex)
-  {
-    progress.at(vertex, count);
-    if (this->choice_.areFeetNeeded())
-    {
-      this->add(nearest.atVertex(vertex), nearest, values);
-    }
-    if (this->choice_.gradients)
-    {
-      gradients.add(incomingSegmentTo(computed, SurfacePoint::atVertex(vertex)));
-    }
-  }
-  if (this->choice_.gradients)
-  {
-    gradients.finish();
-  }
-  return values;
-}
-
-SourceValues SourceArrays::atPoints(const std::vector<RefinedPoint>& points, std::size_t count,
-  const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
-  const ProgressCallback& callback) const
+// Calls add(i, values, gradients) for each point.
+template <typename Add>
+SourceValues SourceArrays::collect(std::size_t count, const DistanceField& computed,
+  const ProgressCallback& callback, const Add& add) const
 {
   SourceValues values;
   LoopProgress progress(callback);
@@ -324,6 +320,39 @@ SourceValues SourceArrays::atPoints(const std::vector<RefinedPoint>& points, std
   for (std::size_t i = 0; i < count; ++i)
   {
     progress.at(i, count);
+    add(i, values, gradients);
+  }
+  if (this->choice_.gradients)
+  {
+    gradients.finish();
+  }
+  return values;
+}
+
+SourceValues SourceArrays::atVertices(const DistanceField& computed, const NearestSource& nearest,
+  const ProgressCallback& progress) const
+{
+  const auto add = [&](std::size_t i, SourceValues& values, Gradients& gradients)
+  {
+    const auto vertex = static_cast<Id>(i);
+    if (this->choice_.areFeetNeeded())
+    {
+      this->add(nearest.atVertex(vertex), nearest, values);
+    }
+    if (this->choice_.gradients)
+    {
+      gradients.add(incomingSegmentTo(computed, SurfacePoint::atVertex(vertex)));
+    }
+  };
+  return this->collect(this->surface_.partition().numberOfOwnVertices(), computed, progress, add);
+}
+
+SourceValues SourceArrays::atPoints(const std::vector<RefinedPoint>& points, std::size_t count,
+  const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
+  const ProgressCallback& progress) const
+{
+  const auto add = [&](std::size_t i, SourceValues& values, Gradients& gradients)
+  {
     const bool isReached = points[i].distance < Infinity;
     const IncomingSegment piece =
       isReached ? incomingSegmentTo(exact, points[i].place) : IncomingSegment();
@@ -336,72 +365,28 @@ SourceValues SourceArrays::atPoints(const std::vector<RefinedPoint>& points, std
       const bool isOther = isReached && &computed != &exact;
       gradients.add(isOther ? incomingSegmentTo(computed, points[i].place) : piece);
     }
-  }
-  if (this->choice_.gradients)
-  {
-    gradients.finish();
-  }
-  return values;
+  };
+  return this->collect(count, computed, progress, add);
 }
 
 void SourceArrays::write(const SurfaceBlock& block, const SourceValues& atVertices,
   const SourceValues& atNewPoints, const double* distances, double unreached,
   vtkPolyData* output) const
 {
-  const ArraysOfBlock arrays(this->surface_, block, atVertices, atNewPoints, output);
-  const auto isReached = [distances](vtkIdType point) { return distances[point] < Infinity; };
-  if (this->choice_.sourceIds)
+  // The points of the input, which have the values of their vertices, come before the new ones.
+  const auto forEachPoint = [&](const auto& visit)
   {
-    arrays.addIds(SourceIdName,
-      [](vtkIdType, const SourceValues& values, std::size_t i)
-      { return values.sources[i] == NoId ? -1 : static_cast<vtkIdType>(values.sources[i]); });
-  }
-  if (this->choice_.closestPoints)
-  {
-    arrays.addDoubles(ClosestPointName,
-      [&](vtkIdType point, const SourceValues& values, std::size_t i)
-      {
-        Vec3 closest = isReached(point) ? values.closestPoints[i] : Vec3();
-        if (!isReached(point))
-        {
-          output->GetPoint(point, closest.data());
-        }
-        return closest;
-      });
-  }
-  if (this->choice_.gradients)
-  {
-    // A point on the source may lie a rounding beside it.
-    arrays.addDoubles(GradientName,
-      [&](vtkIdType point, const SourceValues& values, std::size_t i)
-      { return distances[point] > 0.0 ? values.gradients[i] : Vec3(); });
-  }
-  const auto addScalars = [&](bool isAskedFor, const char* name, const auto& valueAt)
-  {
-    if (isAskedFor)
+    for (Id i = 0; i < block.numberOfPoints; ++i)
     {
-      arrays.addDoubles(name,
-        [&](vtkIdType point, const SourceValues& values, std::size_t i) -> std::array<double, 1>
-        { return { isReached(point) ? valueAt(distances[point], values, i) : unreached }; });
+      visit(static_cast<vtkIdType>(i), atVertices, this->surface_.vertexOf(block.firstPoint + i));
+    }
+    const auto count = static_cast<Id>(output->GetNumberOfPoints());
+    for (Id i = block.numberOfPoints; i < count; ++i)
+    {
+      visit(static_cast<vtkIdType>(i), atNewPoints, i - block.numberOfPoints);
     }
   };
-  addScalars(this->choice_.signedDistances, SignedDistanceName,
-    [](double distance, const SourceValues& values, std::size_t i)
-    { return signedDistance(values.sides[i], distance); });
-  addScalars(this->choice_.arcLengths, ArcLengthName,
-    [](double, const SourceValues& values, std::size_t i) { return values.arcLengths[i]; });
-  addScalars(this->choice_.angles, AngleName,
-    [](double distance, const SourceValues& values, std::size_t i)
-    { return distance > 0.0 ? values.angles[i] : 0.0; });
-  if (this->choice_.textureCoordinates)
-  {
-    output->GetPointData()->SetTCoords(arrays.addDoubles(TextureCoordinateName,
-      [&](vtkIdType point, const SourceValues& values, std::size_t i)
-      {
-        return isReached(point) ? textureCoordinates(values, i, distances[point])
-                                : std::array<double, 2>{ unreached, unreached };
-      }));
-  }
+  writeArrays(this->choice_, forEachPoint, distances, unreached, output);
 }
 
 std::vector<SourceFrame> SourceArrays::frames(const NearestSource& nearest) const

@@ -126,8 +126,6 @@ public:
     const SourceValues& atNewPoints, const double* distances, double unreached,
     vtkPolyData* output) const;
 
-  std::vector<const char*> names() const { return namesOf(this->choice_); }
-
   /// framesBySource(). Empty unless angles are asked for.
   std::vector<SourceFrame> frames(const NearestSource& nearest) const;
   /// For writeCurves(): the arc lengths of each curve's points, in the user's scale. Empty unless
@@ -137,6 +135,9 @@ public:
 private:
   template <typename Visit>
   void forEachKind(const Visit& visit) const;
+  template <typename Add>
+  SourceValues collect(std::size_t count, const DistanceField& computed,
+    const ProgressCallback& progress, const Add& add) const;
   void reserve(std::size_t count, SourceValues& values) const;
   void add(const Foot& foot, const NearestSource& nearest, SourceValues& values) const;
   SourceSide sideOf(const Foot& foot) const;

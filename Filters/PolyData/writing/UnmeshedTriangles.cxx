@@ -23,7 +23,7 @@ struct RefinedTemplate
   GlobalFace face;
   RefinedFace parts;
 
-  /// The points that split an edge, from one corner to another, by their numbers in the face.
+  /// The points that split an edge, from one vertex to another, by their numbers in the face.
   std::vector<Id> splitsBetween(Id from, Id to) const
   {
     std::map<std::pair<Id, Id>, Id> middles;
@@ -33,7 +33,7 @@ struct RefinedTemplate
       middles[std::minmax(ends[0], ends[1])] = static_cast<Id>(3 + i);
     }
     std::vector<Id> splits;
-    addSplits(middles, from, to, splits);
+    addSplits(middles, this->face.cornerAt(from), this->face.cornerAt(to), splits);
     return splits;
   }
 
@@ -61,6 +61,8 @@ struct UnmeshedTriangle
   Id like = NoId;
   /// Of a barrier, the templates at its edges from corner k on; NoId at edges without a face.
   std::array<Id, 3> atEdges{ NoId, NoId, NoId };
+  /// The points that split these edges from corner k on, by their numbers in the template.
+  std::array<std::vector<Id>, 3> splits{};
 };
 
 /// The triangles of this rank that are not faces, in their order, and their templates.
@@ -69,24 +71,11 @@ struct UnmeshedTriangles
   std::vector<UnmeshedTriangle> triangles;
   std::vector<RefinedTemplate> templates;
 
-  /// The points that split an edge of a triangle from corner k on, by their numbers in the
-  /// template.
-  std::vector<Id> splits(const UnmeshedTriangle& triangle, std::size_t k) const
-  {
-    if (triangle.atEdges[k] == NoId)
-    {
-      return {};
-    }
-    const RefinedTemplate& like = this->templates[triangle.atEdges[k]];
-    return like.splitsBetween(
-      like.face.cornerAt(triangle.vertices[k]), like.face.cornerAt(triangle.vertices[(k + 1) % 3]));
-  }
-
   std::size_t numberOfParts(const UnmeshedTriangle& triangle) const
   {
+    const auto& [a, b, c] = triangle.splits;
     return triangle.like != NoId ? this->templates[triangle.like].parts.triangles.size()
-                                 : 1 + this->splits(triangle, 0).size() +
-        this->splits(triangle, 1).size() + this->splits(triangle, 2).size();
+                                 : 1 + a.size() + b.size() + c.size();
   }
 };
 
@@ -129,13 +118,14 @@ void findTemplates(
     UnmeshedTriangle& triangle = unmeshed.triangles[i];
     triangle.vertices = faces.globalIds(t);
     add(onVertices[i], triangle.like);
-    for (std::size_t k = 0; k < 3 && triangle.like == NoId && hasThreeVertices(t); ++k)
+    if (triangle.like == NoId && hasThreeVertices(t))
     {
-      if (faces.hasFace(t[k]) && faces.hasFace(t[(k + 1) % 3]))
-      {
-        edges.push_back(GlobalFaces::edge(t[k], t[(k + 1) % 3]));
-        indices.push_back(&triangle.atEdges[k]);
-      }
+      faces.forEachEdgeWithFaces(t,
+        [&](std::size_t k, const Triangle& edge)
+        {
+          edges.push_back(edge);
+          indices.push_back(&triangle.atEdges[k]);
+        });
     }
   }
   const std::vector<GlobalFace> atEdges = faces.find(edges);
@@ -168,6 +158,17 @@ UnmeshedTriangles findUnmeshedTriangles(const PolyDataSurface& surface, const Gl
   for (std::size_t i = 0; i < answers.size(); ++i)
   {
     unmeshed.templates[i].parts = std::move(answers[i]);
+  }
+  for (UnmeshedTriangle& triangle : unmeshed.triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (triangle.atEdges[k] != NoId)
+      {
+        triangle.splits[k] = unmeshed.templates[triangle.atEdges[k]].splitsBetween(
+          triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
+      }
+    }
   }
   return unmeshed;
 }
@@ -265,14 +266,14 @@ private:
   {
     const Triangle points = this->surface_.triangle(triangle.triangle);
     const Triangle vertices = this->surface_.vertexOf()(points);
-    SplitTriangle cut{ points, {},
-      [&](Id point)
-      {
-        const auto corner = std::find(points.begin(), points.end(), point) - points.begin();
-        return corner < 3
-          ? this->faces_.position(vertices[static_cast<std::size_t>(corner)])
-          : this->refined_.points[point - this->refined_.numberOfInputPoints].position;
-      } };
+    const auto positionOf = [&](Id point)
+    {
+      const auto corner = std::find(points.begin(), points.end(), point) - points.begin();
+      return corner < 3
+        ? this->faces_.position(vertices[static_cast<std::size_t>(corner)])
+        : this->refined_.points[point - this->refined_.numberOfInputPoints].position;
+    };
+    SplitTriangle cut{ points, {} };
     for (std::size_t k = 0; k < 3; ++k)
     {
       if (triangle.atEdges[k] != NoId)
@@ -281,13 +282,13 @@ private:
         cut.splits[k] = this->ownSplits(triangle, k);
       }
     }
-    cut.cut(triangles);
+    cut.cut(positionOf, triangles);
   }
 
   /// Points are numbered along the template's edge.
   std::vector<Id> ownSplits(const UnmeshedTriangle& triangle, std::size_t k)
   {
-    std::vector<Id> splits = this->unmeshed_.splits(triangle, k);
+    std::vector<Id> splits = triangle.splits[k];
     const GlobalFace& face = this->like_->face;
     const bool isBackward = face.vertices[(face.cornerAt(triangle.vertices[k]) + 1) % 3] !=
       triangle.vertices[(k + 1) % 3];
@@ -344,14 +345,8 @@ std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
   std::vector<Triangle> edges;
   for (const Id triangle : surface.barrierTriangles())
   {
-    const Triangle t = surface.verticesAt(triangle);
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      if (faces.hasFace(t[k]) && faces.hasFace(t[(k + 1) % 3]))
-      {
-        edges.push_back(GlobalFaces::edge(t[k], t[(k + 1) % 3]));
-      }
-    }
+    faces.forEachEdgeWithFaces(surface.verticesAt(triangle),
+      [&edges](std::size_t, const Triangle& edge) { edges.push_back(edge); });
   }
   const std::vector<GlobalFace> found = faces.find(edges);
   std::vector<Message> messages = surface.exchange().noMessages();

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/writing/UnusedPoints.h"
 
+#include "PolyData/CellLoop.h"
 #include "PolyData/Memory.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <vector>
 
@@ -22,26 +20,13 @@ namespace
 
 constexpr vtkIdType Unused = -1;
 
-template <typename Visitor>
-void forEachPolygon(vtkPolyData* data, Visitor&& visit)
-{
-  const auto iterator = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    iterator->GetCurrentCell(size, ids);
-    visit(size, ids);
-  }
-}
-
 /// For each point its number among those that are used, or Unused.
 ///
 /// \param used gets the points that are used, in their order.
 std::vector<vtkIdType> numbersOfUsedPoints(vtkPolyData* data, vtkIdList* used)
 {
   std::vector<vtkIdType> numbers(static_cast<std::size_t>(data->GetNumberOfPoints()), Unused);
-  forEachPolygon(data,
+  forEachCell(data->GetPolys(),
     [&numbers](vtkIdType size, const vtkIdType* ids)
     {
       for (vtkIdType i = 0; i < size; ++i)
@@ -95,7 +80,7 @@ void renumberPolygons(const std::vector<vtkIdType>& numbers, vtkPolyData* data)
   requireMemory(count + 1 + size, sizeof(vtkIdType));
   vtkNew<vtkCellArray> polygons;
   polygons->AllocateExact(count, size);
-  forEachPolygon(data,
+  forEachCell(data->GetPolys(),
     [&](vtkIdType corners, const vtkIdType* ids)
     {
       polygons->InsertNextCell(static_cast<int>(corners));
