@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 
 namespace geodesic
@@ -86,9 +85,9 @@ QuickError quickError(const DistanceField& field, Id face, double tolerance, dou
 
 /// Refines the worst leaf until none is over the tolerance.
 ///
-/// If ranks share the surface, they refine a batch of leaves, each its own; exchange splits of
+/// The ranks that share the surface refine a batch of leaves, each its own; exchange splits of
 /// seams until no rank needs another; and then assess all changed leaves: whether there is room for
-/// the batch, and which leaves are over the tolerance now.
+/// the batch, and which leaves are over the tolerance now. In one process a batch is one leaf.
 class Refiner
 {
 public:
@@ -109,12 +108,10 @@ private:
   bool settleSeams();
   void refine(const Violation& violation);
   void close(int round = 0);
-  void collectChanged();
   bool hasTooMany() const;
   bool isRoomForAll() const;
   void certifyRest();
   void raiseBound(double bound) { this->bound_ = std::max(this->bound_, bound); }
-  double largestOf(double number) const;
   Id numberOfCallersPoints() const;
   void report();
   std::uint64_t maximumTriangles() const;
@@ -123,8 +120,7 @@ private:
   const RefinementOptions& options_;
   double tolerance_;
   RedGreenMesh triangles_;
-  /// Only if ranks share the surface.
-  std::optional<SeamSplits> seams_;
+  SeamSplits seams_;
   RefinementProgress progress_;
   RefinementWorkers workers_;
   EdgeDistances distances_;
@@ -146,19 +142,17 @@ Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
   , options_(options)
   , tolerance_(options.tolerance)
   , triangles_(field.surface(), findFrozen(field, options.parallelFor), options.trianglesBeside)
-  , seams_(field.surface().isDistributed()
-        ? std::make_optional<SeamSplits>(field.surface(), this->triangles_)
-        : std::nullopt)
+  , seams_(field.surface(), this->triangles_)
   , progress_(options.progress)
   , workers_(field, this->triangles_, options.parallelFor, this->progress_)
   , distances_(this->triangles_, this->workers_)
   , shapes_(this->triangles_, options.tolerance)
   , rules_(this->triangles_, this->distances_, this->shapes_, options.tolerance)
-  , closure_(this->triangles_, this->rules_, this->seams_ ? &*this->seams_ : nullptr)
+  , closure_(this->triangles_, this->rules_, this->seams_)
   , closings_(this->triangles_, this->distances_, this->shapes_, this->workers_, options.tolerance)
   , violations_(this->triangles_, field.surface())
   , regions_(this->triangles_, this->workers_.first().distances, options.regionOf)
-  , bound_(this->largestOf(field.droppedErrorBound()))
+  , bound_(field.surface().exchange().largestOf(field.droppedErrorBound()))
 {
 }
 
@@ -168,7 +162,7 @@ RefinedMesh Refiner::run()
   this->refineWorst();
   this->certifyRest();
   RefinedMesh result;
-  result.errorBound = this->largestOf(this->bound_);
+  result.errorBound = this->field_.surface().exchange().largestOf(this->bound_);
   result.stoppedAtMaximum = this->stopped_;
   result.unknownAtBorders = this->unknownAtBorders();
   writeOutput(
@@ -255,7 +249,7 @@ std::vector<LeafClosings::Closed> Refiner::closeBest(const std::vector<Id>& leav
 void Refiner::take(Id leaf, const LeafClosings::Closed& closed)
 {
   this->triangles_.setWay(leaf, closed.way);
-  const ClosingCheck::Result& check = closed.check;
+  const LeafClosings::Check& check = closed.check;
   if (check.passed)
   {
     this->raiseBound(check.bound);
@@ -365,16 +359,9 @@ bool Refiner::refineBatch()
       this->report();
     }
   }
-  if (!this->seams_)
-  {
-    return !this->hasTooMany();
-  }
-  if (!this->settleSeams() || !this->isRoomForAll())
-  {
-    return false;
-  }
-  this->collectChanged();
-  return true;
+  const bool isRoom = this->settleSeams() && this->isRoomForAll();
+  this->triangles_.keepLeaves(this->changed_);
+  return isRoom;
 }
 
 // Repeats until no rank asks for a split or has made one. Returns whether no rank has too many
@@ -393,7 +380,7 @@ bool Refiner::settleSeams()
         last = round;
       }
     };
-    state = this->seams_->exchange(
+    state = this->seams_.exchange(
       this->hasTooMany(),
       [&](Id edge, int round, const RedGreenMesh::Placement& placement)
       {
@@ -418,17 +405,6 @@ void Refiner::close(int round)
 {
   const std::vector<Id> changed = this->closure_.close(round);
   this->changed_.insert(this->changed_.end(), changed.begin(), changed.end());
-}
-
-// Each leaf once, without those that were split after they had been changed.
-void Refiner::collectChanged()
-{
-  std::sort(this->changed_.begin(), this->changed_.end());
-  this->changed_.erase(
-    std::unique(this->changed_.begin(), this->changed_.end()), this->changed_.end());
-  this->changed_.erase(std::remove_if(this->changed_.begin(), this->changed_.end(),
-                         [this](Id triangle) { return !this->triangles_.isLeaf(triangle); }),
-    this->changed_.end());
 }
 
 bool Refiner::hasTooMany() const
@@ -456,11 +432,6 @@ Id Refiner::numberOfCallersPoints() const
   return this->field_.surface().numberOfOwnVertices();
 }
 
-double Refiner::largestOf(double number) const
-{
-  return this->field_.surface().exchange().largestOf(number);
-}
-
 std::uint64_t Refiner::maximumTriangles() const
 {
   constexpr std::uint64_t numberable = NoId / 5; // ids are 3 * part + k, and parts have parts
@@ -476,7 +447,7 @@ void Refiner::refine(const Violation& violation)
   bool isOver = false;
   for (Id k = 0; k < 3; ++k)
   {
-    const Id edge = this->triangles_.edge(triangle, k);
+    const Id edge = this->triangles_.ensureEdge(triangle, k);
     if (!this->triangles_.isSplit(edge) &&
       this->distances_.deviation(edge).largest() > violation.limit)
     {

@@ -41,7 +41,7 @@ double DeviationRules::largestAround(Id triangle)
   double largest = 0.0;
   for (Id k = 0; k < 3; ++k)
   {
-    const Id edge = this->triangles_.edge(triangle, k);
+    const Id edge = this->triangles_.ensureEdge(triangle, k);
     largest = std::max(largest, this->distances_.deviation(edge).largest());
   }
   return largest;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/LeafClosings.h"
 
+#include "Tolerance.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -27,7 +29,7 @@ void LeafClosings::measureEdges(const std::vector<Id>& leaves)
   {
     for (Id k = 0; k < 3; ++k)
     {
-      const Id edge = this->triangles_.edge(leaf, k);
+      const Id edge = this->triangles_.ensureEdge(leaf, k);
       edges.push_back(edge);
       if (this->triangles_.isSplit(edge))
       {
@@ -45,7 +47,7 @@ LeafClosings::Closed LeafClosings::findBest(RefinementWorker& worker, Id leaf) c
   const Id ways = RedGreenMesh::waysToClose(this->triangles_.splitEdges(leaf));
   if (ways == 1)
   {
-    return { 0, this->check_.check(worker, leaf, this->triangles_.closing(leaf, 0), false) };
+    return { 0, this->check(worker, leaf, this->triangles_.closing(leaf, 0), false) };
   }
   const Id face = this->triangles_.faceOf(leaf);
   const double allowed = this->shapes_.allowedAngle(face, this->largestAround(leaf));
@@ -61,8 +63,7 @@ LeafClosings::Closed LeafClosings::findBest(RefinementWorker& worker, Id leaf) c
   for (Id i = 0; i < ways && (i == 0 || -order[i].first >= allowed); ++i)
   {
     const Id way = order[i].second;
-    const ClosingCheck::Result check =
-      this->check_.check(worker, leaf, this->triangles_.closing(leaf, way), false);
+    const Check check = this->check(worker, leaf, this->triangles_.closing(leaf, way), false);
     if (i == 0 || check.passed || check.sample < best.check.sample)
     {
       best = { way, check };
@@ -91,7 +92,77 @@ double LeafClosings::tightBound(Id leaf)
   this->measureEdges({ leaf });
   const RedGreenMesh::Closing closing =
     this->triangles_.closing(leaf, this->triangles_.wayOf(leaf));
-  return this->check_.check(this->workers_.first(), leaf, closing, true).bound;
+  return this->check(this->workers_.first(), leaf, closing, true).bound;
+}
+
+LeafClosings::Check LeafClosings::check(
+  RefinementWorker& worker, Id leaf, const RedGreenMesh::Closing& closing, bool tight) const
+{
+  const FaceDistance& face = worker.distances.face(this->triangles_.faceOf(leaf));
+  Check worst;
+  for (Id i = 0; i < closing.count; ++i)
+  {
+    const Check one = this->checkTriangle(worker, face, closing, i, tight);
+    worst.bound = std::max(worst.bound, one.bound);
+    worst.sample = std::max(worst.sample, one.sample);
+    worst.limit = std::min(worst.limit, one.limit);
+    worst.passed = worst.passed && one.passed;
+  }
+  return worst;
+}
+
+// A segment between two corners of the closing's polygon runs along an edge of the mesh or across
+// the leaf.
+Deviation LeafClosings::deviationBetween(RefinementWorker& worker, const FaceDistance& face,
+  const RedGreenMesh::Closing& closing, Id i, Id j) const
+{
+  if (j == (i + 1) % closing.size)
+  {
+    return this->edges_.measured(closing.edges[i]);
+  }
+  // independent of the direction, to the last digit
+  const auto [a, b] = std::minmax(closing.points[i], closing.points[j]);
+  return worker.distances.between(a, b, face);
+}
+
+// In an approximate field the faces around a point differ by what merging has changed, which no
+// refinement can undo. The triangle gets the rest of the tolerance, but at least half of it.
+// Refinement ends whatever rounding does: distances change by no more than the length moved, so a
+// triangle as small as the tolerance passes.
+LeafClosings::Check LeafClosings::checkTriangle(RefinementWorker& worker, const FaceDistance& face,
+  const RedGreenMesh::Closing& closing, Id number, bool tight) const
+{
+  const std::array<Id, 3>& t = closing.triangles[number];
+  LinearPiece linear;
+  double largest = 0.0;
+  double difference = 0.0;
+  Deviation onEdges;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Id corner = closing.points[t[k]];
+    const double distance = worker.distances.atPoint(corner);
+    linear.corners[k] = this->triangles_.inPlane(corner, face.face());
+    linear.values[k] = worker.distances.atPoint(corner, face, linear.corners[k]);
+    largest = std::max(largest, distance);
+    difference = std::max(difference, std::abs(linear.values[k] - distance));
+    onEdges.widen(this->deviationBetween(worker, face, closing, t[k], t[(k + 1) % 3]));
+  }
+  const double rounding = tolerance::FaceRounding * largest;
+  Check result;
+  result.limit = std::max(this->tolerance_ - difference - rounding, 0.5 * this->tolerance_);
+  const bool small = sizeOf(linear) <= result.limit;
+  if (onEdges.largest() > result.limit && !small && !tight)
+  {
+    result.sample = onEdges.largest();
+    result.passed = false;
+    return result;
+  }
+  const ErrorInside inside = worker.error.of(face, linear, onEdges, result.limit, tight || small);
+  const double own = std::max(inside.bound, onEdges.largest());
+  result.bound = own + rounding + difference;
+  result.sample = inside.sample;
+  result.passed = small || own <= result.limit;
+  return result;
 }
 
 }

@@ -2,7 +2,7 @@
 #ifndef geodesic_LeafClosings_h
 #define geodesic_LeafClosings_h
 
-#include "refinement/ClosingCheck.h"
+#include "refinement/EdgeDistances.h"
 #include "refinement/PartShapes.h"
 
 #include <vector>
@@ -15,11 +15,24 @@ namespace geodesic
 class LeafClosings
 {
 public:
+  /// How well triangles that close a leaf approximate the distance.
+  struct Check
+  {
+    /// Certified bound of the difference to the distance of all faces.
+    double bound = 0.0;
+    /// A difference that does occur.
+    double sample = 0.0;
+    /// Whether the leaf may stay as it is.
+    bool passed = true;
+    /// The limit for differences within the leaf's face.
+    double limit = Infinity;
+  };
+
   /// How a leaf is closed, and the quality of the closing.
   struct Closed
   {
     Id way = 0;
-    ClosingCheck::Result check;
+    Check check;
   };
 
   /// All arguments must outlive this.
@@ -31,7 +44,7 @@ public:
     , edges_(edges)
     , shapes_(shapes)
     , workers_(workers)
-    , check_(triangles, edges, tolerance)
+    , tolerance_(tolerance)
   {
   }
 
@@ -43,7 +56,18 @@ public:
   /// A bound of the leaf's current closing, close to a difference that does occur.
   double tightBound(Id leaf);
 
+  /// Checks a closing of a leaf whose edges, including the halves of split ones, exist and have
+  /// been measured. Several workers may do this at the same time.
+  ///
+  /// \param tight whether to search for a bound near a difference that does occur.
+  Check check(
+    RefinementWorker& worker, Id leaf, const RedGreenMesh::Closing& closing, bool tight) const;
+
 private:
+  Check checkTriangle(RefinementWorker& worker, const FaceDistance& face,
+    const RedGreenMesh::Closing& closing, Id number, bool tight) const;
+  Deviation deviationBetween(RefinementWorker& worker, const FaceDistance& face,
+    const RedGreenMesh::Closing& closing, Id i, Id j) const;
   void measureEdges(const std::vector<Id>& leaves);
   Closed findBest(RefinementWorker& worker, Id leaf) const;
   double largestAround(Id leaf) const;
@@ -52,7 +76,7 @@ private:
   EdgeDistances& edges_;
   const PartShapes& shapes_;
   RefinementWorkers& workers_;
-  ClosingCheck check_;
+  double tolerance_;
   std::vector<Closed> best_;
 };
 

@@ -74,7 +74,7 @@ double PartShapes::smallestAngleOfFour(Id triangle, Id splitEdge, double weight)
   }
   for (Id k = 0; k < 3; ++k)
   {
-    const Id id = this->triangles_.edge(triangle, k);
+    const Id id = this->triangles_.ensureEdge(triangle, k);
     const RedGreenMesh::Edge& edge = this->triangles_.edgeData(id);
     double t = id == splitEdge ? weight : 0.5;
     t = edge.ends[0] == corners[k] ? t : 1.0 - t;

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/RedGreenClosure.h"
 
-#include <algorithm>
-
 namespace geodesic
 {
 
 bool RedGreenClosure::split(Id edge, int round)
 {
-  if (this->seams_ != nullptr && !this->seams_->isDecidedHere(edge))
+  if (!this->seams_.isDecidedHere(edge))
   {
-    this->seams_->ask(edge, round);
+    this->seams_.ask(edge, round);
     return false;
   }
   this->mesh_.split(edge, this->rules_.place(edge));
-  if (this->seams_ != nullptr)
-  {
-    this->seams_->tell(edge, round);
-  }
+  this->seams_.tell(edge, round);
   return true;
 }
 
@@ -26,7 +21,7 @@ void RedGreenClosure::splitIntoFour(Id triangle, int round)
   bool areSplit = true;
   for (Id k = 0; k < 3; ++k)
   {
-    const Id edge = this->mesh_.edge(triangle, k);
+    const Id edge = this->mesh_.ensureEdge(triangle, k);
     if (!this->mesh_.isSplit(edge))
     {
       areSplit = this->split(edge, round) && areSplit;
@@ -86,11 +81,7 @@ void RedGreenClosure::closeTouched(int round, std::vector<Id>& changed)
       changed.push_back(triangle);
     }
   }
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-  changed.erase(std::remove_if(changed.begin(), changed.end(),
-                  [this](Id triangle) { return !this->mesh_.isLeaf(triangle); }),
-    changed.end());
+  this->mesh_.keepLeaves(changed);
 }
 
 }

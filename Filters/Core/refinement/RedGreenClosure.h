@@ -32,9 +32,8 @@ public:
 class RedGreenClosure
 {
 public:
-  /// \param mesh, rules must outlive this.
-  /// \param seams null if this rank decides about all edges.
-  RedGreenClosure(RedGreenMesh& mesh, SplitRules& rules, SeamSplits* seams = nullptr)
+  /// All arguments must outlive this.
+  RedGreenClosure(RedGreenMesh& mesh, SplitRules& rules, SeamSplits& seams)
     : mesh_(mesh)
     , rules_(rules)
     , seams_(seams)
@@ -65,7 +64,7 @@ private:
 
   RedGreenMesh& mesh_;
   SplitRules& rules_;
-  SeamSplits* seams_;
+  SeamSplits& seams_;
   /// Leaves that will be split into four once their edges are split.
   std::unordered_set<Id> waiting_;
 };

@@ -76,7 +76,7 @@ Id RedGreenMesh::existingEdge(Id triangle, Id k) const
   return found == this->inputEdges_.end() ? NoId : found->second;
 }
 
-Id RedGreenMesh::edge(Id triangle, Id k)
+Id RedGreenMesh::ensureEdge(Id triangle, Id k)
 {
   const Id existing = this->existingEdge(triangle, k);
   if (existing != NoId)
@@ -106,6 +106,14 @@ Id RedGreenMesh::addEdge(Id a, Id b, Id parent, Id halfedge, Id face)
   edge.face = face;
   this->edges_.push_back(edge);
   return static_cast<Id>(this->edges_.size() - 1);
+}
+
+void RedGreenMesh::keepLeaves(std::vector<Id>& triangles) const
+{
+  const auto isNoLeaf = [this](Id triangle) { return !this->isLeaf(triangle); };
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), isNoLeaf), triangles.end());
 }
 
 Id RedGreenMesh::splitEdges(Id triangle) const

@@ -104,9 +104,9 @@ public:
   Id faceOf(Id triangle) const;
   /// Corners in the order of the input face.
   Triangle corners(Id triangle) const;
-  /// The edge from corner k to corner k + 1, which is made if necessary. Invalidates references to
-  /// edge data.
-  Id edge(Id triangle, Id k);
+  /// Makes the edge from corner k to corner k + 1 if necessary, which invalidates references to
+  /// edge data. \returns the edge.
+  Id ensureEdge(Id triangle, Id k);
   /// The edge from corner k to corner k + 1 if it has been made, else NoId.
   Id existingEdge(Id triangle, Id k) const;
   const Edge& edgeData(Id edge) const { return this->edges_[edge]; }
@@ -118,6 +118,8 @@ public:
   }
   Id numberOfEdges() const { return static_cast<Id>(this->edges_.size()); }
   bool isSplit(Id edge) const { return edge != NoId && this->edges_[edge].split != NoId; }
+  /// Leaves out triangles that are no leaves any more, and puts the others in order, each once.
+  void keepLeaves(std::vector<Id>& triangles) const;
   /// The number of a leaf's split edges.
   Id splitEdges(Id triangle) const;
   /// Whether one of its edges is split and a half of that edge, too.

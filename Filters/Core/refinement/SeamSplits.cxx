@@ -126,7 +126,7 @@ Id SeamSplits::takeEdge(const Entry& entry, MessageReader& reader)
 {
   const Id face = entry.face.rank == this->part_.exchange().rank() ? entry.face.id
                                                                    : this->part_.copyOf(entry.face);
-  Id edge = this->triangles_.edge(face, entry.halfedge);
+  Id edge = this->triangles_.ensureEdge(face, entry.halfedge);
   for (Id i = 0; i < entry.depth; ++i)
   {
     edge = this->triangles_.edgeData(edge).halves + reader.get<std::uint8_t>();

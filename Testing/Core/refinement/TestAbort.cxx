@@ -340,5 +340,5 @@ TEST(Abort, IsAskedForAtEachSplitOfARefinement)
     field.surface(), std::vector<std::uint8_t>(mesh.numberOfFaces(), 0));
   geodesic::RefinementWorkers workers(field, triangles, alone, progress);
   geodesic::EdgeDistances distances(triangles, workers);
-  EXPECT_THROW(distances.onEdge(triangles.edge(0, 0), 0.5), geodesic::Aborted);
+  EXPECT_THROW(distances.onEdge(triangles.ensureEdge(0, 0), 0.5), geodesic::Aborted);
 }

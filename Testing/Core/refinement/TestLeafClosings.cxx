@@ -18,7 +18,7 @@ namespace
 
 struct Way
 {
-  geodesic::ClosingCheck::Result check;
+  geodesic::LeafClosings::Check check;
   double angle;
 };
 
@@ -44,7 +44,7 @@ public:
     {
       if (k != whole)
       {
-        const Id edge = this->triangles_.edge(0, k);
+        const Id edge = this->triangles_.ensureEdge(0, k);
         const double weight = random.uniform(0.1, 0.9);
         this->triangles_.split(edge, { weight, this->edges_.onEdge(edge, weight) });
       }
@@ -55,13 +55,12 @@ public:
 
   std::vector<Way> ways()
   {
-    const geodesic::ClosingCheck check(this->triangles_, this->edges_, this->tolerance_);
     const Id count = geodesic::RedGreenMesh::waysToClose(this->triangles_.splitEdges(0));
     std::vector<Way> ways;
     for (Id way = 0; way < count; ++way)
     {
       const geodesic::RedGreenMesh::Closing closing = this->triangles_.closing(0, way);
-      ways.push_back({ check.check(this->workers_.first(), 0, closing, false),
+      ways.push_back({ this->closings_.check(this->workers_.first(), 0, closing, false),
         this->shapes_.smallestAngle(0, closing) });
     }
     return ways;
@@ -72,7 +71,8 @@ public:
     double largest = 0.0;
     for (Id k = 0; k < 3; ++k)
     {
-      largest = std::max(largest, this->edges_.deviation(this->triangles_.edge(0, k)).largest());
+      largest =
+        std::max(largest, this->edges_.deviation(this->triangles_.ensureEdge(0, k)).largest());
     }
     return this->shapes_.allowedAngle(0, largest);
   }

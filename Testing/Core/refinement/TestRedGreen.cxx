@@ -55,13 +55,15 @@ public:
   }
 
   RedGreenMesh& triangles() { return this->triangles_; }
-  Id edge(Id triangle, Id k) { return this->triangles_.edge(triangle, k); }
+  Id edge(Id triangle, Id k) { return this->triangles_.ensureEdge(triangle, k); }
 
   /// \returns the leaves that the closure has changed.
   std::vector<Id> split(const std::vector<Id>& edges, const std::function<bool(Id)>& mayClose)
   {
     MiddleRules rules(mayClose);
-    geodesic::RedGreenClosure closure(this->triangles_, rules);
+    const geodesic::MeshPartition whole(this->mesh_);
+    geodesic::SeamSplits seams(whole, this->triangles_);
+    geodesic::RedGreenClosure closure(this->triangles_, rules, seams);
     for (const Id edge : edges)
     {
       closure.split(edge);
@@ -165,11 +167,13 @@ TEST(RedGreen, TrianglesBesideTheMeshCountWithEverySplitOfTheirEdge)
   const geodesic::TriangleMesh mesh(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, TwoFaces);
   const Id rim = mesh.edgeOf(mesh.halfedgeBetween(0, 1));
-  RedGreenMesh triangles(geodesic::MeshPartition(mesh), { 0, 0 }, { { rim, 2 } });
+  const geodesic::MeshPartition whole(mesh);
+  RedGreenMesh triangles(whole, { 0, 0 }, { { rim, 2 } });
   MiddleRules rules([](Id) { return true; });
-  geodesic::RedGreenClosure closure(triangles, rules);
+  geodesic::SeamSplits seams(whole, triangles);
+  geodesic::RedGreenClosure closure(triangles, rules, seams);
   triangles.begin();
-  const Id edge = triangles.edge(0, 0);
+  const Id edge = triangles.ensureEdge(0, 0);
   closure.split(edge);
   closure.close();
   EXPECT_EQ(triangles.numberOfTriangles(), 3u + 2u);
