@@ -128,18 +128,10 @@ Candidate closestPoint(const Face& face, const Vec3& point)
   return inside.distance <= best.distance ? inside : best;
 }
 
-double largestCoordinate(const Face& face, const Vec3& point)
+double largestCoordinateOf(const Face& face, const Vec3& point)
 {
-  double largest = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      largest = std::max(largest, std::abs(face.corner(k)[axis]));
-    }
-    largest = std::max(largest, std::abs(point[axis]));
-  }
-  return largest;
+  return std::max({ largestCoordinate(face.corner(0)), largestCoordinate(face.corner(1)),
+    largestCoordinate(face.corner(2)), largestCoordinate(point) });
 }
 
 /// Moves the point onto the nearest vertex within the precision; false if there is none.
@@ -199,7 +191,7 @@ SnappedPoint snapToFace(
   const Face face(mesh, faceId);
   Candidate closest = closestPoint(face, point);
   const double precision =
-    tolerance::SnapRoundings * coordinatePrecision * largestCoordinate(face, point);
+    tolerance::SnapRoundings * coordinatePrecision * largestCoordinateOf(face, point);
   if (!snapToVertex(face, precision, closest.weights))
   {
     snapToEdge(face, precision, closest.weights);

@@ -15,40 +15,16 @@ namespace geodesic
 namespace
 {
 
-/// Reports cells as they are read.
-class CellProgress
-{
-public:
-  CellProgress(vtkIdType count, const LoopProgress& progress)
-    : count_(static_cast<std::size_t>(count))
-    , progress_(progress)
-  {
-  }
-
-  void add(std::size_t cells)
-  {
-    constexpr std::size_t step = 8192; // cells between two reports
-    const std::size_t reports = (this->done_ + step - 1) / step;
-    this->done_ += cells;
-    if ((this->done_ + step - 1) / step > reports)
-    {
-      this->progress_.at(reports * step, this->count_);
-    }
-  }
-
-private:
-  std::size_t count_;
-  const LoopProgress& progress_;
-  std::size_t done_ = 0;
-};
-
 class TriangleReader
 {
 public:
+  /// \param numberOfCells of all blocks.
   TriangleReader(const VertexOfPoint& vertexOf, const ParallelFor& parallelFor,
-    CellProgress& progress, TriangleList& triangles, SurfaceReport& report)
+    vtkIdType numberOfCells, const LoopProgress& progress, TriangleList& triangles,
+    SurfaceReport& report)
     : vertexOf_(vertexOf)
     , parallelFor_(parallelFor)
+    , numberOfCells_(static_cast<std::size_t>(numberOfCells))
     , progress_(progress)
     , triangles_(triangles)
     , report_(report)
@@ -73,7 +49,10 @@ private:
 
   const VertexOfPoint& vertexOf_;
   const ParallelFor& parallelFor_;
-  CellProgress& progress_;
+  std::size_t numberOfCells_;
+  const LoopProgress& progress_;
+  /// The number of cells that have been read.
+  std::size_t done_ = 0;
   TriangleList& triangles_;
   SurfaceReport& report_;
 };
@@ -91,7 +70,10 @@ bool TriangleReader::readPlainTriangles(vtkPolyData* data, Id firstPoint)
   const std::size_t after = before + static_cast<std::size_t>(count);
   triangles.corners.resize(after);
   triangles.cells.resize(after);
+  const auto part = [this](std::size_t cells)
+  { return static_cast<double>(cells) / static_cast<double>(this->numberOfCells_); };
   const std::vector<int> arePlain = resultsOfRanges(this->parallelFor_, after - before,
+    this->progress_.between(part(this->done_), part(this->done_ + after - before)),
     [&](std::size_t begin, std::size_t end)
     { return this->readPlainRange(data, firstPoint, before, begin, end) ? 1 : 0; });
   if (std::find(arePlain.begin(), arePlain.end(), 0) != arePlain.end())
@@ -101,7 +83,7 @@ bool TriangleReader::readPlainTriangles(vtkPolyData* data, Id firstPoint)
     return false;
   }
   triangles.isDuplicate.resize(after, false);
-  this->progress_.add(after - before);
+  this->done_ += after - before;
   return true;
 }
 
@@ -149,7 +131,7 @@ bool TriangleReader::readCells(const PolyDataBlock& input, Id firstPoint)
     forEachCell(cells,
       [&](vtkIdType size, const vtkIdType* ids)
       {
-        this->progress_.add(1);
+        this->progress_.at(this->done_++, this->numberOfCells_);
         if (!ghosts.isHidden(cell))
         {
           (triangulator.*add)({ cell, ghosts.isDuplicate(cell) }, size, ids);
@@ -177,8 +159,7 @@ TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const Verte
   TriangleList triangles;
   triangles.corners.reserve(static_cast<std::size_t>(polygons));
   triangles.cells.reserve(static_cast<std::size_t>(polygons));
-  CellProgress cellProgress(numberOfFaces, progress);
-  TriangleReader reader(vertexOf, parallelFor, cellProgress, triangles, report);
+  TriangleReader reader(vertexOf, parallelFor, numberOfFaces, progress, triangles, report);
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
     triangles.firstOfBlock.push_back(triangles.corners.size());
