@@ -124,7 +124,6 @@ private:
   RefinementProgress progress_;
   RefinementWorkers workers_;
   EdgeDistances distances_;
-  PartShapes shapes_;
   DeviationRules rules_;
   RedGreenClosure closure_;
   LeafClosings closings_;
@@ -146,10 +145,9 @@ Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
   , progress_(options.progress)
   , workers_(field, this->triangles_, options.parallelFor, this->progress_)
   , distances_(this->triangles_, this->workers_)
-  , shapes_(this->triangles_, options.tolerance)
-  , rules_(this->triangles_, this->distances_, this->shapes_, options.tolerance)
+  , rules_(this->triangles_, this->distances_, options.tolerance)
   , closure_(this->triangles_, this->rules_, this->seams_)
-  , closings_(this->triangles_, this->distances_, this->shapes_, this->workers_, options.tolerance)
+  , closings_(this->triangles_, this->distances_, this->rules_, this->workers_, options.tolerance)
   , violations_(this->triangles_, field.surface())
   , regions_(this->triangles_, this->workers_.first().distances, options.regionOf)
   , bound_(field.surface().exchange().largestOf(field.droppedErrorBound()))

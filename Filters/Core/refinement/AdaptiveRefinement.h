@@ -47,7 +47,7 @@ struct RefinementOptions
 /// new points lie on its edges and faces, where the distance is exact without a new propagation.
 ///
 /// The worst triangles come first. Their edges over the tolerance are split near the largest
-/// deviation (DeviationRules), as far as the shapes of the parts permit (PartShapes).
+/// deviation, as far as the shapes of the parts permit (DeviationRules).
 ///
 /// Two to four triangles close a triangle with split edges (RedGreenMesh). Among the ways to close
 /// it, which differ by flips inside the triangle, refinement takes the one with the best shapes

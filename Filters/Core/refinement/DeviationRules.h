@@ -3,7 +3,6 @@
 #define geodesic_DeviationRules_h
 
 #include "refinement/EdgeDistances.h"
-#include "refinement/PartShapes.h"
 #include "refinement/RedGreenClosure.h"
 
 namespace geodesic
@@ -13,31 +12,37 @@ namespace geodesic
 /// moved away from the ends by the table of section 6.2. If that makes a part's smallest angle too
 /// small, the split moves halfway to the edge's middle, or to the middle. Edges that are split only
 /// to close a triangle are split in the middle.
+///
+/// A part's angle is too small if it is under 14 degrees and under 0.6 of the input face's smallest
+/// angle; if the edge is far over the tolerance, under 3 degrees.
 class DeviationRules : public SplitRules
 {
 public:
-  /// All arguments must outlive this.
-  DeviationRules(
-    RedGreenMesh& triangles, EdgeDistances& distances, PartShapes& shapes, double tolerance)
+  /// \param triangles, distances must outlive this.
+  /// \param tolerance of the refinement.
+  DeviationRules(RedGreenMesh& triangles, EdgeDistances& distances, double tolerance)
     : triangles_(triangles)
     , distances_(distances)
-    , shapes_(shapes)
     , tolerance_(tolerance)
   {
   }
 
   RedGreenMesh::Placement place(Id edge) override;
+  /// Whether the leaf has a closing with good shapes.
   bool mayClose(Id triangle) override;
 
-  /// The largest deviation of a triangle's edges.
-  double largestAround(Id triangle);
+  /// The smallest angle allowed in the parts of a face if an edge with this deviation is split.
+  double allowedAngle(Id face, double deviation) const;
+  /// The smallest angle of the triangles that close a leaf of the face.
+  double smallestAngle(Id face, const RedGreenMesh::Closing& closing) const;
 
 private:
   double weightOf(Id edge);
+  bool maySplit(Id edge, double weight, double deviation);
+  double smallestAngleOfFour(Id triangle, Id splitEdge, double weight);
 
   RedGreenMesh& triangles_;
   EdgeDistances& distances_;
-  PartShapes& shapes_;
   double tolerance_;
 };
 

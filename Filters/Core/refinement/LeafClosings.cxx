@@ -50,12 +50,12 @@ LeafClosings::Closed LeafClosings::findBest(RefinementWorker& worker, Id leaf) c
     return { 0, this->check(worker, leaf, this->triangles_.closing(leaf, 0), false) };
   }
   const Id face = this->triangles_.faceOf(leaf);
-  const double allowed = this->shapes_.allowedAngle(face, this->largestAround(leaf));
+  const double allowed = this->rules_.allowedAngle(face, this->largestAround(leaf));
   std::array<std::pair<double, Id>, 4> order;
   order.fill({ Infinity, ways }); // unused places come last
   for (Id way = 0; way < ways; ++way)
   {
-    const double angle = this->shapes_.smallestAngle(face, this->triangles_.closing(leaf, way));
+    const double angle = this->rules_.smallestAngle(face, this->triangles_.closing(leaf, way));
     order[way] = { -angle, way };
   }
   std::sort(order.begin(), order.end());

@@ -2,8 +2,7 @@
 #ifndef geodesic_LeafClosings_h
 #define geodesic_LeafClosings_h
 
-#include "refinement/EdgeDistances.h"
-#include "refinement/PartShapes.h"
+#include "refinement/DeviationRules.h"
 
 #include <vector>
 
@@ -38,11 +37,11 @@ public:
   /// All arguments must outlive this.
   ///
   /// \param tolerance of the refinement.
-  LeafClosings(RedGreenMesh& triangles, EdgeDistances& edges, const PartShapes& shapes,
+  LeafClosings(RedGreenMesh& triangles, EdgeDistances& edges, const DeviationRules& rules,
     RefinementWorkers& workers, double tolerance)
     : triangles_(triangles)
     , edges_(edges)
-    , shapes_(shapes)
+    , rules_(rules)
     , workers_(workers)
     , tolerance_(tolerance)
   {
@@ -74,7 +73,7 @@ private:
 
   RedGreenMesh& triangles_;
   EdgeDistances& edges_;
-  const PartShapes& shapes_;
+  const DeviationRules& rules_;
   RefinementWorkers& workers_;
   double tolerance_;
   std::vector<Closed> best_;

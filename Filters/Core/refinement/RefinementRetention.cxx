@@ -182,44 +182,26 @@ void RefinementRetention::awaitFacesAround(Id vertex, const VertexNumbers& proce
   }
 }
 
-// Many faces may be due at once, and a test takes long where faces have very many windows.
+// Many faces may be due at once, and a test takes long where faces have very many windows. Tests
+// run in parallel, as each reads the face's own lists; their consequences follow in a fixed order.
 void RefinementRetention::testDue(const FrontState& front)
 {
-  const std::size_t faces = this->due_.size();
-  const std::size_t facesPerLook = this->parallelFor_ ? 256 : 16;
-  this->results_.resize(faces);
-  for (std::size_t first = 0; first < faces; first += facesPerLook)
-  {
-    reportProgress(this->progress_, 0.0);
-    this->testSome(first, std::min(faces, first + facesPerLook), front);
-  }
-  for (std::size_t i = 0; i < faces; ++i)
+  const double known = this->kept_.droppedErrorBound;
+  this->results_.resize(this->due_.size());
+  forItems(
+    this->parallelFor_, this->due_.size(), [this]() { reportProgress(this->progress_, 0.0); },
+    [](std::size_t) {},
+    [&](std::size_t, std::size_t i)
+    {
+      this->results_[i] = this->test_.test(
+        this->due_[i], this->atCorners(this->due_[i], front.distances), this->lists_, known);
+    });
+  for (std::size_t i = 0; i < this->due_.size(); ++i)
   {
     const double knownNow = this->kept_.droppedErrorBound;
     this->take(this->due_[i], this->results_[i].boundUnlessDominated(knownNow), front);
   }
   this->due_.clear();
-}
-
-// Tests run in parallel, as each reads the face's own lists; their consequences follow in a fixed
-// order.
-void RefinementRetention::testSome(std::size_t first, std::size_t last, const FrontState& front)
-{
-  constexpr std::size_t facesPerTask = 16;
-  const std::size_t faces = last - first;
-  const std::size_t tasks = this->parallelFor_ ? (faces + facesPerTask - 1) / facesPerTask : 1;
-  const double known = this->kept_.droppedErrorBound;
-  forAll(this->parallelFor_, tasks,
-    [&](std::size_t task)
-    {
-      const std::size_t end = first + (task + 1) * faces / tasks;
-      for (std::size_t i = first + task * faces / tasks; i < end; ++i)
-      {
-        const Id face = this->due_[i];
-        this->results_[i] =
-          this->test_.test(face, this->atCorners(face, front.distances), this->lists_, known);
-      }
-    });
 }
 
 // If it is split once, a face requires its neighbours only to be halved.

@@ -81,7 +81,6 @@ private:
   void testAgain(Id face, const PassedList& late, const VertexNumbers& distances);
   void awaitFacesAround(Id vertex, const VertexNumbers& processed);
   void testDue(const FrontState& front);
-  void testSome(std::size_t first, std::size_t last, const FrontState& front);
   void take(Id face, const LinearFaceTest::Result& result, const FrontState& front);
   void raiseBound(double bound);
   void keep(Id face);

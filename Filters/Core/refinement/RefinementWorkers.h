@@ -61,35 +61,13 @@ public:
   template <typename Item>
   void run(std::size_t items, const Item& item)
   {
-    const std::size_t itemsPerLook = this->parallelFor_ ? 256 : 16;
-    for (std::size_t first = 0; first < items; first += itemsPerLook)
-    {
-      this->progress_.look();
-      this->run(first, std::min(items, first + itemsPerLook), item);
-    }
+    forItems(
+      this->parallelFor_, items, [this]() { this->progress_.look(); },
+      [this](std::size_t tasks) { this->resize(tasks); },
+      [&](std::size_t task, std::size_t i) { item(*this->workers_[task], i); });
   }
 
 private:
-  template <typename Item>
-  void run(std::size_t first, std::size_t last, const Item& item)
-  {
-    constexpr std::size_t itemsPerTask = 2;
-    constexpr std::size_t mostTasks = 64;
-    const std::size_t items = last - first;
-    const std::size_t tasks =
-      this->parallelFor_ ? std::clamp<std::size_t>(items / itemsPerTask, 1, mostTasks) : 1;
-    this->resize(tasks);
-    forAll(this->parallelFor_, tasks,
-      [&](std::size_t task)
-      {
-        const std::size_t end = first + (task + 1) * items / tasks;
-        for (std::size_t i = first + task * items / tasks; i < end; ++i)
-        {
-          item(*this->workers_[task], i);
-        }
-      });
-  }
-
   void resize(std::size_t count)
   {
     while (this->workers_.size() < count)

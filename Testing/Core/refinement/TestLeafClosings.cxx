@@ -36,8 +36,8 @@ public:
     , triangles_(geodesic::MeshPartition(this->mesh_), { 0 })
     , workers_(this->field_, this->triangles_, this->parallelFor_, this->progress_)
     , edges_(this->triangles_, this->workers_)
-    , shapes_(this->triangles_, this->tolerance_)
-    , closings_(this->triangles_, this->edges_, this->shapes_, this->workers_, this->tolerance_)
+    , rules_(this->triangles_, this->edges_, this->tolerance_)
+    , closings_(this->triangles_, this->edges_, this->rules_, this->workers_, this->tolerance_)
   {
     const Id whole = random.between(0, 3);
     for (Id k = 0; k < 3; ++k)
@@ -61,7 +61,7 @@ public:
     {
       const geodesic::RedGreenMesh::Closing closing = this->triangles_.closing(0, way);
       ways.push_back({ this->closings_.check(this->workers_.first(), 0, closing, false),
-        this->shapes_.smallestAngle(0, closing) });
+        this->rules_.smallestAngle(0, closing) });
     }
     return ways;
   }
@@ -74,7 +74,7 @@ public:
       largest =
         std::max(largest, this->edges_.deviation(this->triangles_.ensureEdge(0, k)).largest());
     }
-    return this->shapes_.allowedAngle(0, largest);
+    return this->rules_.allowedAngle(0, largest);
   }
 
 private:
@@ -95,7 +95,7 @@ private:
   geodesic::RefinementProgress progress_{ this->callback_ };
   geodesic::RefinementWorkers workers_;
   geodesic::EdgeDistances edges_;
-  geodesic::PartShapes shapes_;
+  geodesic::DeviationRules rules_;
   geodesic::LeafClosings closings_;
 };
 
