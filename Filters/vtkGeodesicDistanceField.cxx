@@ -394,11 +394,8 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(SolvedSurface& solved, Res
     const std::size_t count = refined.numberOfPointsWithPlaces();
     geodesic::SourceValues values =
       arrays.atPoints(refined.mesh.points, count, field, exact, nearest, part(2));
-    const geodesic::MeshPartition& surface = this->Execution.surface().partition();
-    const auto isKnown = [&](geodesic::Id face)
-    { return field.knowsInside(face) && exact.knowsInside(face); };
     arrays.replaceAtSeams(
-      geodesic::findSeamPoints(refined.mesh.points, count, surface, isKnown), values);
+      geodesic::findSeamPoints(refined.mesh.points, count, field, exact), values);
     arrays.appendCopies(refined.copied, values);
     result.atRefinedPoints = arrays.valuesByBlock(std::move(values), refined.mesh);
   }

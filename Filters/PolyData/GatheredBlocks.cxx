@@ -2,6 +2,7 @@
 #include "PolyData/GatheredBlocks.h"
 
 #include "PolyData/CellLoop.h"
+#include "Types.h"
 
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -39,33 +40,6 @@ vtkSmartPointer<vtkCellArray> getCells(MessageReader& reader)
   return cells;
 }
 
-/// Coordinates keep their precision.
-template <typename Value>
-void putPoints(vtkPoints* points, Message& message)
-{
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    for (const double x : p)
-    {
-      put(message, static_cast<Value>(x));
-    }
-  }
-}
-
-template <typename Value>
-void getPoints(MessageReader& reader, vtkPoints* points)
-{
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    Value p[3];
-    reader.get(p, 3);
-    points->SetPoint(
-      i, static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
-  }
-}
-
 void putBlock(const PolyDataBlock& block, Message& message)
 {
   put(message, static_cast<std::int64_t>(block.name.size()));
@@ -73,12 +47,11 @@ void putBlock(const PolyDataBlock& block, Message& message)
   vtkPolyData* data = block.data;
   const vtkIdType count = data->GetNumberOfPoints();
   const bool isFloat = count > 0 && data->GetPoints()->GetDataType() == VTK_FLOAT;
-  put(message, static_cast<std::int64_t>(isFloat));
-  put(message, static_cast<std::int64_t>(count));
-  if (count > 0)
+  put(message, isFloat ? VTK_FLOAT : VTK_DOUBLE); // coordinates keep their precision
+  put(message, count);
+  for (vtkIdType i = 0; i < count; ++i)
   {
-    isFloat ? putPoints<float>(data->GetPoints(), message)
-            : putPoints<double>(data->GetPoints(), message);
+    put(message, data->GetPoint(i), 3);
   }
   for (vtkCellArray* cells :
     { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
@@ -139,15 +112,17 @@ void GatheredBlocks::unpack(const Message& message, const std::string& suffix)
   {
     std::string name(static_cast<std::size_t>(reader.get<std::int64_t>()), ' ');
     reader.get(&name[0], name.size());
-    const bool isFloat = reader.get<std::int64_t>() != 0;
     const auto data = vtkSmartPointer<vtkPolyData>::New();
     PolyDataBlock& block = this->blocks_.emplace_back();
     block.data = data;
     block.name = name + suffix;
     vtkNew<vtkPoints> points;
-    points->SetDataType(isFloat ? VTK_FLOAT : VTK_DOUBLE);
-    points->SetNumberOfPoints(static_cast<vtkIdType>(reader.get<std::int64_t>()));
-    isFloat ? getPoints<float>(reader, points) : getPoints<double>(reader, points);
+    points->SetDataType(reader.get<int>());
+    points->SetNumberOfPoints(reader.get<vtkIdType>());
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      points->SetPoint(i, reader.get<Vec3>().data());
+    }
     data->SetPoints(points);
     data->SetVerts(getCells(reader));
     data->SetLines(getCells(reader));

@@ -2,12 +2,10 @@
 #ifndef geodesic_SurfacePoint_h
 #define geodesic_SurfacePoint_h
 
-#include "Types.h"
+#include "mesh/TriangleMesh.h"
 
 namespace geodesic
 {
-
-class TriangleMesh;
 
 /// A point of the surface: a vertex, a point inside an edge, or a point inside a face. Sources,
 /// queries and paths all use it. Its kind states where a point lies; coordinates are never compared
@@ -76,7 +74,31 @@ Id someFace(const TriangleMesh& mesh, const SurfacePoint& point);
 
 /// Calls visit(face) once for every face that contains the point.
 template <typename Visitor>
-void forEachFace(const TriangleMesh& mesh, const SurfacePoint& point, Visitor&& visit);
+void forEachFace(const TriangleMesh& mesh, const SurfacePoint& point, Visitor&& visit)
+{
+  switch (point.kind)
+  {
+    case SurfacePoint::Kind::Vertex:
+      for (const Id corner : mesh.cornersAt(point.id))
+      {
+        visit(TriangleMesh::faceOf(corner));
+      }
+      break;
+    case SurfacePoint::Kind::Edge:
+    {
+      Id halfedge = point.id;
+      do
+      {
+        visit(TriangleMesh::faceOf(halfedge));
+        halfedge = mesh.nextSibling(halfedge);
+      } while (halfedge != point.id);
+      break;
+    }
+    case SurfacePoint::Kind::Face:
+      visit(point.id);
+      break;
+  }
+}
 
 /// The lowest-numbered face that contains both points; NoId if there is none.
 Id commonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
@@ -95,7 +117,5 @@ double distanceInSpace(const TriangleMesh& mesh, const SurfacePoint& a, const Su
 double distanceInSpace(const TriangleMesh& mesh, const Vec3& place, const SurfacePoint& point);
 
 }
-
-#include "mesh/SurfacePoint.txx"
 
 #endif

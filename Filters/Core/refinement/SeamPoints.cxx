@@ -45,9 +45,9 @@ struct FacesAtEdge
   std::vector<int> otherRanks;
 };
 
-FacesAtEdge facesAtEdge(
-  Id edge, const MeshPartition& part, const std::function<bool(Id face)>& isKnown)
+FacesAtEdge facesAtEdge(Id edge, const DistanceField& field, const DistanceField& exact)
 {
+  const MeshPartition& part = field.surface();
   FacesAtEdge faces;
   Id halfedge = edge;
   do
@@ -55,7 +55,7 @@ FacesAtEdge facesAtEdge(
     const Id face = TriangleMesh::faceOf(halfedge);
     if (part.isOwn(face))
     {
-      faces.isKnownHere = faces.isKnownHere || isKnown(face);
+      faces.isKnownHere = faces.isKnownHere || (field.knowsInside(face) && exact.knowsInside(face));
     }
     else if (const int rank = part.ownerOf(face).rank;
              faces.otherRanks.empty() || faces.otherRanks.back() != rank)
@@ -70,9 +70,10 @@ FacesAtEdge facesAtEdge(
 /// This rank's points on edges of several ranks' faces. Adds its values to the messages for the
 /// others.
 std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& points,
-  std::size_t count, const MeshPartition& part, const std::function<bool(Id face)>& isKnown,
+  std::size_t count, const DistanceField& field, const DistanceField& exact,
   std::vector<Message>& messages)
 {
+  const MeshPartition& part = field.surface();
   std::map<PlaceOnSeam, PointsAtPlace> places;
   for (Id i = 0; i < count; ++i)
   {
@@ -81,7 +82,7 @@ std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& po
     {
       continue;
     }
-    const FacesAtEdge faces = facesAtEdge(place.id, part, isKnown);
+    const FacesAtEdge faces = facesAtEdge(place.id, field, exact);
     if (faces.otherRanks.empty())
     {
       continue;
@@ -106,11 +107,12 @@ std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& po
 } // anonymous namespace
 
 SeamPoints findSeamPoints(const std::vector<RefinedPoint>& points, std::size_t count,
-  const MeshPartition& part, const std::function<bool(Id face)>& isKnown)
+  const DistanceField& field, const DistanceField& exact)
 {
-  std::vector<Message> messages = part.exchange().noMessages();
-  std::map<PlaceOnSeam, PointsAtPlace> places = collect(points, count, part, isKnown, messages);
-  readEach(part.exchange().step(std::move(messages)),
+  Exchange& exchange = field.surface().exchange();
+  std::vector<Message> messages = exchange.noMessages();
+  std::map<PlaceOnSeam, PointsAtPlace> places = collect(points, count, field, exact, messages);
+  readEach(exchange.step(std::move(messages)),
     [&](int rank, MessageReader& reader)
     {
       const auto sent = reader.get<PointMessage>();
@@ -124,7 +126,7 @@ SeamPoints findSeamPoints(const std::vector<RefinedPoint>& points, std::size_t c
   SeamPoints result;
   for (const auto& [place, at] : places)
   {
-    const bool isElsewhere = at.isProvided && at.there.rank != part.exchange().rank();
+    const bool isElsewhere = at.isProvided && at.there.rank != exchange.rank();
     for (std::size_t i = 0; i < at.here.size() && isElsewhere; ++i)
     {
       result.here.push_back(at.here[i]);

@@ -2,11 +2,10 @@
 #ifndef geodesic_SeamPoints_h
 #define geodesic_SeamPoints_h
 
-#include "mesh/MeshPartition.h"
+#include "field/DistanceField.h"
 #include "refinement/RefinedMesh.h"
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace geodesic
@@ -28,10 +27,11 @@ struct SeamPoints
 ///
 /// \param points the points of this rank's refinement.
 /// \param count number of the first points, whose places on the mesh are known.
-/// \param isKnown whether a face of this rank is known inside. Near a distance limit a rank may
-///        have no such face at an edge that another rank has split.
+/// \param field, exact the fields that values are of, maybe the same. A rank knows a face if both
+///        are known inside. Near a distance limit a rank may have no such face at an edge that
+///        another rank has split.
 SeamPoints findSeamPoints(const std::vector<RefinedPoint>& points, std::size_t count,
-  const MeshPartition& part, const std::function<bool(Id face)>& isKnown);
+  const DistanceField& field, const DistanceField& exact);
 
 }
 

@@ -46,11 +46,6 @@ void SeamSplits::shareFrozen()
     });
 }
 
-int SeamSplits::ownerOf(Id face) const
-{
-  return this->part_.addressOf(face).rank;
-}
-
 // Faces are in the order of the ranks, and siblings in the order of the faces. NoId if all are
 // frozen.
 Id SeamSplits::firstRefinedFaceAt(Id edge) const
@@ -77,7 +72,7 @@ bool SeamSplits::isDecidedHere(Id edge) const
 void SeamSplits::ask(Id edge, int round)
 {
   const Id halfedge = this->triangles_.edgeData(edge).halfedge;
-  const int decider = this->ownerOf(this->firstRefinedFaceAt(halfedge));
+  const int decider = this->part_.addressOf(this->firstRefinedFaceAt(halfedge)).rank;
   this->put(this->messages_[rankIndex(decider)], Kind::Request, edge, round);
 }
 
@@ -92,7 +87,7 @@ void SeamSplits::tell(Id edge, int round)
   Id halfedge = split.halfedge;
   do
   {
-    const int owner = this->ownerOf(TriangleMesh::faceOf(halfedge));
+    const int owner = this->part_.addressOf(TriangleMesh::faceOf(halfedge)).rank;
     if (owner != last && owner != this->part_.exchange().rank())
     {
       Message& message = this->messages_[rankIndex(owner)];
@@ -124,19 +119,12 @@ void SeamSplits::put(Message& message, Kind kind, Id edge, int round) const
 
 Id SeamSplits::takeEdge(const Entry& entry, MessageReader& reader)
 {
-  const Id face = entry.face.rank == this->part_.exchange().rank() ? entry.face.id
-                                                                   : this->part_.copyOf(entry.face);
-  Id edge = this->triangles_.ensureEdge(face, entry.halfedge);
+  Id edge = this->triangles_.ensureEdge(this->part_.faceAt(entry.face), entry.halfedge);
   for (Id i = 0; i < entry.depth; ++i)
   {
     edge = this->triangles_.edgeData(edge).halves + reader.get<std::uint8_t>();
   }
   return edge;
-}
-
-std::vector<Message> SeamSplits::takeMessages()
-{
-  return std::exchange(this->messages_, this->part_.exchange().noMessages());
 }
 
 }

@@ -72,10 +72,8 @@ private:
 
   void shareFrozen();
   Id firstRefinedFaceAt(Id halfedge) const;
-  int ownerOf(Id face) const;
   void put(Message& message, Kind kind, Id edge, int round) const;
   Id takeEdge(const Entry& entry, MessageReader& reader);
-  std::vector<Message> takeMessages();
 
   const MeshPartition& part_;
   RedGreenMesh& triangles_;
@@ -93,7 +91,8 @@ SeamSplits::State SeamSplits::exchange(bool tooMany, Decided&& decided, Asked&& 
     isQuiet = isQuiet && message.empty();
   }
   std::vector<double> least = { isQuiet ? 1.0 : 0.0, tooMany ? 0.0 : 1.0 };
-  const std::vector<Message> received = this->part_.exchange().step(this->takeMessages(), least);
+  const std::vector<Message> received = this->part_.exchange().step(
+    std::exchange(this->messages_, this->part_.exchange().noMessages()), least);
   if (least[1] == 0.0)
   {
     return State::TooMany;

@@ -396,19 +396,6 @@ std::vector<SourceFrame> SourceArrays::frames(const NearestSource& nearest) cons
     : std::vector<SourceFrame>();
 }
 
-std::vector<SourceFrame> framesBySource(
-  const std::vector<SourceCurve>& curves, const std::function<SourceFrame(Id)>& frameOf)
-{
-  std::vector<SourceFrame> frames;
-  for (Id curve = static_cast<Id>(curves.size()); curve-- > 0;) // the first of a source comes last
-  {
-    const std::size_t source = curves[curve].source;
-    frames.resize(std::max(frames.size(), source + 1));
-    frames[source] = frameOf(curve);
-  }
-  return frames;
-}
-
 std::vector<std::vector<double>> SourceArrays::arcLengthsOfCurves(
   const NearestSource& nearest) const
 {
@@ -464,21 +451,14 @@ void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBloc
   {
     return;
   }
-  if (part.isDistributed())
-  {
-    throw MeshError(property +
-      " needs a surface whose faces have one orientation and whose edges have at most two faces, "
-      "which faces of this one (input port 0) on rank " +
-      std::to_string(part.exchange().rank()) +
-      " do not fit. Orient the surface upstream (Generate Surface Normals with Consistency), split "
-      "it, or switch " +
-      property + " off.");
-  }
+  const std::string where = part.isDistributed()
+    ? ", which faces of this one (input port 0) on rank " + std::to_string(part.exchange().rank())
+    : ": " + surface.nameOfCell(surface.triangleOf(face), inputs) + " and a neighbor";
   throw MeshError(property +
-    " needs a surface whose faces have one orientation and whose edges have at most two faces: " +
-    surface.nameOfCell(surface.triangleOf(face), inputs) +
-    " and a neighbor do not fit. Orient the surface upstream (Generate Surface Normals with "
-    "Consistency), split it, or switch " +
+    " needs a surface whose faces have one orientation and whose edges have at most two faces" +
+    where +
+    " do not fit. Orient the surface upstream (Generate Surface Normals with Consistency), split "
+    "it, or switch " +
     property + " off.");
 }
 

@@ -6,8 +6,8 @@
 #include "Progress.h"
 #include "field/NearestSource.h"
 
+#include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -152,8 +152,19 @@ private:
 /// several curves, that of the first.
 ///
 /// \param frameOf the frame of a curve, by its number.
+template <typename FrameOf>
 std::vector<SourceFrame> framesBySource(
-  const std::vector<SourceCurve>& curves, const std::function<SourceFrame(Id)>& frameOf);
+  const std::vector<SourceCurve>& curves, const FrameOf& frameOf)
+{
+  std::vector<SourceFrame> frames;
+  for (Id curve = static_cast<Id>(curves.size()); curve-- > 0;) // the first of a source comes last
+  {
+    const std::size_t source = curves[curve].source;
+    frames.resize(std::max(frames.size(), source + 1));
+    frames[source] = frameOf(curve);
+  }
+  return frames;
+}
 
 /// Adds the field data array SourceFrame, with the three vectors of a frame in each tuple.
 void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* output);

@@ -59,10 +59,12 @@ vtkDataArray* numbersLike(vtkAbstractArray* array, vtkCellData* data)
 }
 
 /// Gives each triangle the data of the cell that it is a part of.
-void copyCellData(vtkCellData* from, vtkIdTypeArray* cells, vtkCellData* to,
+///
+/// \param cellOf (vtkIdType triangle) -> vtkIdType
+template <typename CellOf>
+void copyCellData(vtkCellData* from, vtkIdType count, const CellOf& cellOf, vtkCellData* to,
   const ParallelFor& parallelFor, const LoopProgress& progress)
 {
-  const vtkIdType count = cells->GetNumberOfTuples();
   to->CopyGlobalIdsOff(); // the parts of one cell would share one
   to->CopyAllocate(from, count);
   std::vector<std::pair<vtkDataArray*, vtkDataArray*>> numbers;
@@ -88,7 +90,7 @@ void copyCellData(vtkCellData* from, vtkIdTypeArray* cells, vtkCellData* to,
   {
     for (auto i = static_cast<vtkIdType>(begin); i < static_cast<vtkIdType>(end); ++i)
     {
-      const vtkIdType cell = cells->GetValue(i);
+      const vtkIdType cell = cellOf(i);
       if (!areAllNumbers)
       {
         to->CopyData(from, cell, i);
@@ -136,7 +138,9 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
     });
   vtkNew<vtkCellArray> triangles;
   triangles->SetData(offsets, points);
-  copyCellData(from, originals, output->GetCellData(), parallelFor, progress.between(0.5, 1.0));
+  copyCellData(
+    from, count, [&originals](vtkIdType i) { return originals->GetValue(i); },
+    output->GetCellData(), parallelFor, progress.between(0.5, 1.0));
   output->SetPolys(triangles);
   output->GetCellData()->AddArray(originals);
 }
@@ -155,18 +159,13 @@ void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* outp
     return;
   }
   vtkCellData* from = input->GetCellData();
-  vtkCellData* to = output->GetCellData();
   const vtkIdType count = block.numberOfTriangles();
   requireMemory(count, bytesATuple(from));
-  to->CopyGlobalIdsOff(); // the triangles of one polygon would share one
-  to->CopyAllocate(from, count);
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    progress.at(static_cast<std::size_t>(i), static_cast<std::size_t>(count));
-    to->CopyData(from, block.inputCell(i), i);
-  }
+  copyCellData(
+    from, count, [&block](vtkIdType i) { return block.inputCell(i); }, output->GetCellData(),
+    smpParallelFor(), progress);
 }
 
 void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined, vtkPolyData* input,

@@ -572,8 +572,8 @@ TEST_P(RefinementOnRanks, TellsOfAPointOnASeamByTheLowestRankThatKnows)
         const DistanceField field =
           solveForRefinement(rank.part, rank.sources, options.tolerance, front);
         const RefinedMesh refined = refine(field, options);
-        const geodesic::SeamPoints seams = findSeamPoints(refined.points, refined.points.size(),
-          rank.part, [&field](Id face) { return field.knowsInside(face); });
+        const geodesic::SeamPoints seams =
+          findSeamPoints(refined.points, refined.points.size(), field, field);
         const std::lock_guard<std::mutex> lock(mutex);
         addPointsOnEdges(rank, field, refined, seams, points);
       });
