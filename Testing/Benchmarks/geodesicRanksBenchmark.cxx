@@ -23,6 +23,7 @@
 #endif
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -352,6 +353,43 @@ void printRuns(const std::vector<ToldRun>& runs, double relativeError)
             << ", \"max_distance\": " << runs[0].run.maximumDistance << "}" << std::endl;
 }
 
+/// Counts and times the steps of an exchange.
+class MeasuredExchange : public Exchange
+{
+public:
+  explicit MeasuredExchange(Exchange& exchange)
+    : exchange_(exchange)
+  {
+  }
+  int rank() const override { return this->exchange_.rank(); }
+  int numberOfRanks() const override { return this->exchange_.numberOfRanks(); }
+  std::string fail(const std::string& why) override { return this->exchange_.fail(why); }
+  using Exchange::step;
+  std::vector<Message> step(std::vector<Message> messages, std::vector<double>& least) override
+  {
+    ++this->steps;
+    for (std::size_t i = 0; i < messages.size(); ++i)
+    {
+      const bool isToOther = i != rankIndex(this->rank());
+      this->bytes += isToOther ? static_cast<vtkTypeInt64>(messages[i].size()) : 0;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    std::vector<Message> received = this->exchange_.step(std::move(messages), least);
+    this->seconds +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return received;
+  }
+
+  vtkTypeInt64 steps = 0;
+  /// Sent by this rank to others.
+  vtkTypeInt64 bytes = 0;
+  /// In steps, with waiting for other ranks.
+  double seconds = 0.0;
+
+private:
+  Exchange& exchange_;
+};
+
 /// One process of mpirun.
 void measureUnderMpi(const Options& options, vtkMPIController* controller)
 {
@@ -375,14 +413,19 @@ void measureUnderMpi(const Options& options, vtkMPIController* controller)
       printRuns({ told }, options.number("--relative-error"));
       continue;
     }
-    RankExchange exchange(controller);
-    RankExchange::Report before;
+    RankExchange ofProcesses(controller);
+    MeasuredExchange exchange(ofProcesses);
     told.run = measureRank(exchange, piece, source, options.number("--relative-error"),
-      [&] { before = exchange.report(); });
+      [&]
+      {
+        exchange.steps = 0;
+        exchange.bytes = 0;
+        exchange.seconds = 0.0;
+      });
     told.peak = memory("VmHWM");
-    told.steps = exchange.report().steps - before.steps;
-    told.bytes = exchange.report().bytes - before.bytes;
-    told.secondsInSteps = exchange.report().seconds - before.seconds;
+    told.steps = exchange.steps;
+    told.bytes = exchange.bytes;
+    told.secondsInSteps = exchange.seconds;
     const std::vector<ToldRun> runs = valuesOfRanks(exchange, told);
     if (exchange.rank() == 0)
     {

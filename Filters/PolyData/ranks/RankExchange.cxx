@@ -8,7 +8,6 @@
 #endif
 
 #include <algorithm>
-#include <chrono>
 #include <new>
 #include <utility>
 
@@ -57,29 +56,6 @@ unsigned char* bytesOf(std::byte* data)
   return reinterpret_cast<unsigned char*>(data);
 }
 
-/// Adds the time of its life to a number of seconds.
-class Stopwatch
-{
-public:
-  explicit Stopwatch(double& seconds)
-    : seconds_(seconds)
-    , begin_(Clock::now())
-  {
-  }
-  Stopwatch(const Stopwatch&) = delete;
-  void operator=(const Stopwatch&) = delete;
-  ~Stopwatch()
-  {
-    this->seconds_ += std::chrono::duration<double>(Clock::now() - this->begin_).count();
-  }
-
-private:
-  using Clock = std::chrono::steady_clock;
-
-  double& seconds_;
-  Clock::time_point begin_;
-};
-
 }
 
 RankExchange::RankExchange(vtkMultiProcessController* controller)
@@ -104,7 +80,6 @@ void RankExchange::begin()
 {
   this->hasFailed_ = false;
   this->failure_.clear();
-  this->report_ = {};
 }
 
 std::vector<Message> RankExchange::step(std::vector<Message> messages, std::vector<double>& least)
@@ -113,8 +88,6 @@ std::vector<Message> RankExchange::step(std::vector<Message> messages, std::vect
   {
     this->throwFailure();
   }
-  const Stopwatch watch(this->report_.seconds);
-  ++this->report_.steps;
   const auto self = rankIndex(this->rank_);
   this->header_[CountOfNumbers] = static_cast<double>(least.size());
   std::copy_n(
@@ -123,7 +96,6 @@ std::vector<Message> RankExchange::step(std::vector<Message> messages, std::vect
   {
     const std::size_t size = i == self ? 0 : messages[i].size();
     this->header_[FirstSize + i] = static_cast<double>(size);
-    this->report_.bytes += static_cast<vtkTypeInt64>(size);
   }
   this->gatherHeaders(false, 0);
   if (const int failed = this->firstFailed(); failed >= 0)

@@ -5,7 +5,6 @@
 #include "Exchange.h"
 
 #include "vtkSmartPointer.h"
-#include "vtkType.h"
 
 #include <cstddef>
 #include <string>
@@ -45,17 +44,6 @@ public:
   /// Forgets a failure, for the next execution.
   void begin();
 
-  /// How often and how much was exchanged.
-  struct Report
-  {
-    vtkTypeInt64 steps = 0;
-    /// Sent by this rank to others.
-    vtkTypeInt64 bytes = 0;
-    /// Seconds in steps, with waiting for other ranks.
-    double seconds = 0.0;
-  };
-  const Report& report() const { return this->report_; }
-
 private:
   const double* headerOf(int rank) const;
   void gatherHeaders(bool fails, std::size_t messageLength);
@@ -82,7 +70,6 @@ private:
   bool hasFailed_ = false;
   /// Why; empty if the user has asked to stop.
   std::string failure_;
-  Report report_;
 };
 
 }
