@@ -14,8 +14,8 @@ class RefinementProgress
 {
 public:
   explicit RefinementProgress(const ProgressCallback& callback)
-    : callback_(callback)
-    , paced_(paced(callback))
+    : callback_(ascending(callback))
+    , paced_(paced(this->callback_))
   {
   }
   RefinementProgress(const RefinementProgress&) = delete;
@@ -36,34 +36,16 @@ public:
   /// Called at the end of a longer step.
   ///
   /// \throws Aborted
-  void tell(double fraction)
-  {
-    if (!this->callback_)
-    {
-      return;
-    }
-    this->reported_ = std::max(this->reported_, fraction);
-    if (!this->callback_(std::min(this->reported_, 1.0)))
-    {
-      throw Aborted();
-    }
-  }
+  void tell(double fraction) { reportProgress(this->callback_, std::min(fraction, 1.0)); }
 
   /// Called between the pieces of a step, which may take long if faces have very many windows.
   ///
   /// \throws Aborted
-  void look() const
-  {
-    if (this->paced_ && !this->paced_(std::min(this->reported_, 1.0)))
-    {
-      throw Aborted();
-    }
-  }
+  void look() const { reportProgress(this->paced_, 0.0); }
 
 private:
-  const ProgressCallback& callback_;
+  ProgressCallback callback_;
   ProgressCallback paced_;
-  double reported_ = 0.0;
   unsigned steps_ = 0;
 };
 

@@ -38,12 +38,12 @@ SourceRegion RegionsOfPoints::of(Id point)
   {
     this->regions_.resize(this->numberOfPoints());
   }
-  Region& region = this->regions_[point];
-  if (!region.isKnown)
+  std::optional<SourceRegion>& region = this->regions_[point];
+  if (!region)
   {
-    region = { true, this->regionOf_(this->triangles_.place(point)) };
+    region = this->regionOf_(this->triangles_.place(point));
   }
-  return region.region;
+  return *region;
 }
 
 void RegionsOfPoints::forgetNewPoints()

@@ -6,6 +6,7 @@
 #include "refinement/RedGreenMesh.h"
 #include "refinement/SourceRegions.h"
 
+#include <optional>
 #include <vector>
 
 namespace geodesic
@@ -33,12 +34,6 @@ public:
   void forgetNewPoints();
 
 private:
-  struct Region
-  {
-    bool isKnown = false;
-    SourceRegion region;
-  };
-
   SourceRegion of(Id point);
   bool isBorderBetween(Id face, Id a, Id b);
   std::size_t numberOfPoints() const
@@ -49,7 +44,7 @@ private:
   const RedGreenMesh& triangles_;
   const DistancesInFaces& distances_;
   const RegionOf& regionOf_;
-  std::vector<Region> regions_;
+  std::vector<std::optional<SourceRegion>> regions_;
 };
 
 }
