@@ -30,7 +30,7 @@ public:
   /// All ranks call together, as for find().
   explicit GlobalFaces(const PolyDataSurface& surface);
 
-  /// Calls visit(k, what to ask for) for each edge of a triangle at which there may be a face.
+  /// Calls visit(k, edge as find() takes it) for each edge k of a triangle whose ends have faces.
   template <typename Visit>
   void forEachEdgeWithFaces(const Triangle& t, Visit&& visit) const
   {

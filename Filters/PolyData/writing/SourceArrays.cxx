@@ -61,7 +61,7 @@ public:
   {
   }
 
-  /// \param valueAt takes what visit() does -> vtkIdType
+  /// \param valueAt takes the arguments of visit() and returns a vtkIdType.
   template <typename ValueAt>
   void addIds(const char* name, const ValueAt& valueAt) const
   {
@@ -71,7 +71,7 @@ public:
     this->output_->GetPointData()->AddArray(array);
   }
 
-  /// \param valueAt the same, -> std::array of the components
+  /// \param valueAt the same, but returns a std::array of the components.
   template <typename ValueAt>
   vtkNew<vtkDoubleArray> addDoubles(const char* name, const ValueAt& valueAt) const
   {
