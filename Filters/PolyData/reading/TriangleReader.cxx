@@ -70,10 +70,10 @@ bool TriangleReader::readPlainTriangles(vtkPolyData* data, Id firstPoint)
   const std::size_t after = before + static_cast<std::size_t>(count);
   triangles.corners.resize(after);
   triangles.cells.resize(after);
-  const auto part = [this](std::size_t cells)
-  { return static_cast<double>(cells) / static_cast<double>(this->numberOfCells_); };
+  const double done = static_cast<double>(this->done_) /
+    static_cast<double>(std::max<std::size_t>(this->numberOfCells_, 1));
+  this->progress_.between(done, 1.0).at(0, 1);
   const std::vector<int> arePlain = resultsOfRanges(this->parallelFor_, after - before,
-    this->progress_.between(part(this->done_), part(this->done_ + after - before)),
     [&](std::size_t begin, std::size_t end)
     { return this->readPlainRange(data, firstPoint, before, begin, end) ? 1 : 0; });
   if (std::find(arePlain.begin(), arePlain.end(), 0) != arePlain.end())
