@@ -114,9 +114,9 @@ const Breaks& leastOf(const std::vector<Breaks>& breaks)
 }
 
 /// Finds the best way through the places of a row of points. The way begins at any of the first
-/// point's places with the given breaks, and ends at any of the last point's. Two passes: the
-/// fewest breaks from either end (dynamic programming), then the best way among those with the
-/// fewest.
+/// point's places with the given breaks, and ends at any of the last point's. Two passes: backwards
+/// the fewest breaks from each place to the end (dynamic programming), then forwards the best way
+/// among those with the fewest. A place is on one of these if a best way leads to it.
 class RowOfPoints
 {
 public:
@@ -143,9 +143,8 @@ public:
   /// \param end the breaks after arriving at each place of the last point.
   Result run(const std::vector<Breaks>& beginning, const std::vector<Breaks>& end)
   {
-    this->countForwards(beginning);
-    this->countBackwards(end);
-    this->findWays();
+    this->countBreaks(end);
+    this->findWays(beginning);
     return this->trace();
   }
 
@@ -158,12 +157,10 @@ private:
     return this->components_.of(this->place(i, a));
   }
 
-  void countForwards(const std::vector<Breaks>& beginning);
-  void countBackwards(const std::vector<Breaks>& end);
+  void countBreaks(const std::vector<Breaks>& end);
   std::vector<Breaks> afterChange(const std::vector<Breaks>& breaks) const;
-  void joinAcross(std::size_t fromPoint, const std::vector<Breaks>& from, std::size_t toPoint,
-    std::vector<Breaks>& to) const;
-  void findWays();
+  void joinAcross(std::size_t i, std::vector<Breaks>& from) const;
+  void findWays(const std::vector<Breaks>& beginning);
   void findArrivals(std::size_t i);
   void findDepartures(std::size_t i);
   std::vector<Pair> bestJoins(std::size_t i, const Breaks& kind) const;
@@ -176,16 +173,13 @@ private:
   /// For each point but the last.
   std::vector<std::vector<Pair>> pairs_;
 
-  /// For each point and place, the fewest breaks up to arriving and up to departing there, and from
-  /// there to the end.
-  std::vector<std::vector<Breaks>> toArrival_;
-  std::vector<std::vector<Breaks>> toDeparture_;
+  /// For each point and place, the fewest breaks from arriving and from departing there to the end.
   std::vector<std::vector<Breaks>> fromArrival_;
   std::vector<std::vector<Breaks>> fromDeparture_;
   Breaks fewest_;
 
-  /// The best ways to arrive at and to depart from a place, and the preceding places: of the
-  /// previous point, and of the same point.
+  /// The best ways to arrive at and to depart from a place, infinitely long where none has the
+  /// fewest breaks, and the preceding places: of the previous point, and of the same point.
   std::vector<std::vector<Way>> arrival_;
   std::vector<std::vector<Way>> departure_;
   std::vector<std::vector<std::size_t>> arrivalFrom_;
@@ -204,73 +198,53 @@ std::vector<Breaks> RowOfPoints::afterChange(const std::vector<Breaks>& breaks) 
   return result;
 }
 
-/// Adds joins between places without a common face: a gap within a component, a disconnection
-/// between components.
-void RowOfPoints::joinAcross(std::size_t fromPoint, const std::vector<Breaks>& from,
-  std::size_t toPoint, std::vector<Breaks>& to) const
+/// Adds joins from the places of a point to those of the next without a common face: a gap within a
+/// component, a disconnection between components.
+void RowOfPoints::joinAcross(std::size_t i, std::vector<Breaks>& from) const
 {
-  const Breaks least = leastOf(from);
+  const std::vector<Breaks>& to = this->fromArrival_[i + 1];
+  const Breaks least = leastOf(to);
   const auto mayImprove = [&](const Breaks& b) { return least + Gap < b; };
-  if (std::none_of(to.begin(), to.end(), mayImprove))
+  if (std::none_of(from.begin(), from.end(), mayImprove))
   {
     return;
   }
   std::map<Id, Breaks> leastOfComponent;
-  for (std::size_t a = 0; a < from.size(); ++a)
-  {
-    Breaks& b = leastOfComponent.emplace(this->component(fromPoint, a), from[a]).first->second;
-    b = std::min(b, from[a]);
-  }
   for (std::size_t b = 0; b < to.size(); ++b)
   {
-    to[b] = std::min(to[b], least + Disconnected);
-    const auto found = leastOfComponent.find(this->component(toPoint, b));
+    Breaks& breaks = leastOfComponent.emplace(this->component(i + 1, b), to[b]).first->second;
+    breaks = std::min(breaks, to[b]);
+  }
+  for (std::size_t a = 0; a < from.size(); ++a)
+  {
+    from[a] = std::min(from[a], least + Disconnected);
+    const auto found = leastOfComponent.find(this->component(i, a));
     if (found != leastOfComponent.end())
     {
-      to[b] = std::min(to[b], found->second + Gap);
+      from[a] = std::min(from[a], found->second + Gap);
     }
   }
 }
 
-void RowOfPoints::countForwards(const std::vector<Breaks>& beginning)
-{
-  this->toArrival_.assign(this->places_.size(), {});
-  this->toDeparture_.assign(this->places_.size(), {});
-  this->toDeparture_[0] = beginning;
-  for (std::size_t i = 0; i < this->last(); ++i)
-  {
-    const std::vector<Breaks>& from = this->toDeparture_[i];
-    std::vector<Breaks> to(this->countAt(i + 1), Never);
-    for (const Pair& pair : this->pairs_[i])
-    {
-      to[pair.to] = std::min(to[pair.to], from[pair.from]);
-    }
-    this->joinAcross(i, from, i + 1, to);
-    this->toDeparture_[i + 1] = this->afterChange(to);
-    this->toArrival_[i + 1] = std::move(to);
-  }
-}
-
-void RowOfPoints::countBackwards(const std::vector<Breaks>& end)
+void RowOfPoints::countBreaks(const std::vector<Breaks>& end)
 {
   this->fromArrival_.assign(this->places_.size(), {});
   this->fromDeparture_.assign(this->places_.size(), {});
   this->fromArrival_[this->last()] = end;
   for (std::size_t i = this->last(); i-- > 0;)
   {
-    const std::vector<Breaks>& from = this->fromArrival_[i + 1];
-    std::vector<Breaks> to(this->countAt(i), Never);
+    std::vector<Breaks> from(this->countAt(i), Never);
     for (const Pair& pair : this->pairs_[i])
     {
-      to[pair.from] = std::min(to[pair.from], from[pair.to]);
+      from[pair.from] = std::min(from[pair.from], this->fromArrival_[i + 1][pair.to]);
     }
-    this->joinAcross(i + 1, from, i, to);
-    this->fromArrival_[i] = this->afterChange(to);
-    this->fromDeparture_[i] = std::move(to);
+    this->joinAcross(i, from);
+    this->fromArrival_[i] = this->afterChange(from);
+    this->fromDeparture_[i] = std::move(from);
   }
 }
 
-void RowOfPoints::findWays()
+void RowOfPoints::findWays(const std::vector<Breaks>& beginning)
 {
   this->arrival_.assign(this->places_.size(), {});
   this->departure_.assign(this->places_.size(), {});
@@ -279,11 +253,11 @@ void RowOfPoints::findWays()
   this->fewest_ = Never;
   for (std::size_t a = 0; a < this->countAt(0); ++a)
   {
-    this->fewest_ = std::min(this->fewest_, this->toDeparture_[0][a] + this->fromDeparture_[0][a]);
+    this->fewest_ = std::min(this->fewest_, beginning[a] + this->fromDeparture_[0][a]);
   }
   for (std::size_t a = 0; a < this->countAt(0); ++a)
   {
-    const bool isBest = this->toDeparture_[0][a] + this->fromDeparture_[0][a] == this->fewest_;
+    const bool isBest = beginning[a] + this->fromDeparture_[0][a] == this->fewest_;
     this->departure_[0].push_back(isBest ? Way{ 0.0, 0 }.to(0.0, this->place(0, a)) : Way{});
     this->departureFrom_[0].push_back(a);
   }
@@ -299,18 +273,19 @@ void RowOfPoints::findWays()
 std::vector<Pair> RowOfPoints::bestJoins(std::size_t i, const Breaks& kind) const
 {
   std::vector<Pair> joins;
-  const std::vector<Breaks>& to = this->toDeparture_[i];
-  const std::vector<Breaks>& from = this->fromArrival_[i + 1];
-  if (this->fewest_ < leastOf(to) + kind + leastOf(from))
+  const std::vector<Breaks>& to = this->fromArrival_[i + 1];
+  const Breaks least = kind + leastOf(to);
+  for (std::size_t a = 0; a < this->countAt(i); ++a)
   {
-    return joins;
-  }
-  for (std::size_t a = 0; a < to.size(); ++a)
-  {
-    for (std::size_t b = 0; b < from.size(); ++b)
+    const Breaks& left = this->fromDeparture_[i][a];
+    if (this->departure_[i][a].length == Infinity || left < least)
+    {
+      continue;
+    }
+    for (std::size_t b = 0; b < to.size(); ++b)
     {
       const bool areConnected = this->component(i, a) == this->component(i + 1, b);
-      if (to[a] + kind + from[b] == this->fewest_ && areConnected == (kind == Gap))
+      if (kind + to[b] == left && areConnected == (kind == Gap))
       {
         joins.push_back({ a, b });
       }
@@ -333,25 +308,20 @@ void RowOfPoints::findArrivals(std::size_t i)
 {
   this->arrival_[i].assign(this->countAt(i), {});
   this->arrivalFrom_[i].assign(this->countAt(i), 0);
-  std::vector<Pair> straight;
+  // All places of a point are at one point in space.
   for (const Pair& pair : this->pairs_[i - 1])
   {
-    if (this->toDeparture_[i - 1][pair.from] + this->fromArrival_[i][pair.to] == this->fewest_)
+    if (this->fromDeparture_[i - 1][pair.from] == this->fromArrival_[i][pair.to])
     {
-      straight.push_back(pair);
+      this->improveArrival(i, pair, 0.0);
     }
   }
-  const std::vector<Pair> hopeless = this->bestJoins(i - 1, Disconnected);
-  const std::vector<Pair> joins = this->bestJoins(i - 1, Gap);
-  const bool areMeasured = joins.size() <= MaximumJoins;
-  for (const Pair& pair : straight)
-  {
-    this->improveArrival(i, pair, 0.0); // all places of a point are at one point in space
-  }
-  for (const Pair& pair : hopeless)
+  for (const Pair& pair : this->bestJoins(i - 1, Disconnected))
   {
     this->improveArrival(i, pair, 0.0);
   }
+  const std::vector<Pair> joins = this->bestJoins(i - 1, Gap);
+  const bool areMeasured = joins.size() <= MaximumJoins;
   for (const Pair& pair : joins)
   {
     this->improveArrival(
@@ -364,32 +334,36 @@ void RowOfPoints::findDepartures(std::size_t i)
   const std::size_t count = this->countAt(i);
   this->departure_[i].assign(count, {});
   this->departureFrom_[i].assign(count, 0);
-  // A change may come from any place with the fewest breaks, so one of these suffices.
+  if (i == this->last())
+  {
+    return;
+  }
+  const std::vector<Breaks>& left = this->fromDeparture_[i];
+  const Breaks afterChange = leastOf(left) + Change;
+  // A change may come from any place with as many breaks left, so the best of these suffices.
+  Way changed;
   std::size_t bestToLeave = count;
-  const Breaks least = leastOf(this->toArrival_[i]);
   for (std::size_t a = 0; a < count; ++a)
   {
-    if (this->toArrival_[i][a] == least &&
-      (bestToLeave == count || this->arrival_[i][a].isBetterThan(this->arrival_[i][bestToLeave])))
+    if (this->fromArrival_[i][a] == afterChange && this->arrival_[i][a].isBetterThan(changed))
     {
+      changed = this->arrival_[i][a];
       bestToLeave = a;
     }
   }
-  for (std::size_t a = 0; i < this->last() && a < count; ++a)
+  for (std::size_t a = 0; a < count; ++a)
   {
-    if (this->toArrival_[i][a] + this->fromDeparture_[i][a] == this->fewest_)
+    if (this->fromArrival_[i][a] == left[a])
     {
       this->departure_[i][a] = this->arrival_[i][a];
       this->departureFrom_[i][a] = a;
     }
-    if (least + Change + this->fromDeparture_[i][a] == this->fewest_)
+    const Way way = changed.to(0.0, this->place(i, a));
+    if (bestToLeave < count && left[a] + Change == afterChange &&
+      way.isBetterThan(this->departure_[i][a]))
     {
-      const Way changed = this->arrival_[i][bestToLeave].to(0.0, this->place(i, a));
-      if (changed.isBetterThan(this->departure_[i][a]))
-      {
-        this->departure_[i][a] = changed;
-        this->departureFrom_[i][a] = bestToLeave;
-      }
+      this->departure_[i][a] = way;
+      this->departureFrom_[i][a] = bestToLeave;
     }
   }
 }
