@@ -45,22 +45,15 @@ void putInTransit(
   put(message, transit.target);
   putFace(message, part, face);
   put(message, toFacePoint(part.mesh(), face, path.points.back()));
-  put(message, path.left);
-  put(message, path.whole);
-  put(message, path.length);
-  put(message, path.steps);
-  put(message, path.stepsBesideEnd);
-  put(message, path.next);
+  put(message, static_cast<const PathState&>(path));
   const bool isOnLeg = path.next == TracedPath::Next::BehindExit;
   putFace(message, part, isOnLeg ? TriangleMesh::faceOf(path.leg.exit) : NoId);
   put(message, path.leg.exit % 3);
   put(message, path.leg.ray);
   put(message, path.leg.origin);
   putFace(message, part, path.next == TracedPath::Next::Search ? path.without : NoId);
-  put(message, transit.isSearching);
   putAll(message, transit.toAsk);
   put(message, transit.nearest);
-  put(message, transit.nearestRank);
 }
 
 PathInTransit getInTransit(MessageReader& reader, const MeshPartition& part)
@@ -72,22 +65,15 @@ PathInTransit getInTransit(MessageReader& reader, const MeshPartition& part)
   path.faces = { getFace(reader, part) };
   path.points = { fromFacePoint(part.mesh(), path.faces.front(), reader.get<FacePoint>()) };
   transit.sent = 1;
-  path.left = reader.get<double>();
-  path.whole = reader.get<double>();
-  path.length = reader.get<double>();
-  path.steps = reader.get<std::uint64_t>();
-  path.stepsBesideEnd = reader.get<int>();
-  path.next = reader.get<TracedPath::Next>();
+  static_cast<PathState&>(path) = reader.get<PathState>();
   const Id exitFace = getFace(reader, part);
   const Id k = reader.get<Id>();
   path.leg.exit = exitFace == NoId ? NoId : 3 * exitFace + k;
   path.leg.ray = reader.get<Window>();
   path.leg.origin = reader.get<Id>();
   path.without = getFace(reader, part);
-  transit.isSearching = reader.get<bool>();
   transit.toAsk = reader.getAll<int>();
-  transit.nearest = reader.get<double>();
-  transit.nearestRank = reader.get<int>();
+  transit.nearest = reader.get<SearchAnswer>();
   return transit;
 }
 

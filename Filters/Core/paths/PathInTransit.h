@@ -10,6 +10,20 @@
 namespace geodesic
 {
 
+/// How long a path is that goes on through a rank's faces.
+struct SearchAnswer
+{
+  double distance = Infinity;
+  int rank = 0;
+
+  bool isFound() const { return this->distance < Infinity; }
+  bool operator<(const SearchAnswer& other) const
+  {
+    return this->distance != other.distance ? this->distance < other.distance
+                                            : this->rank < other.rank;
+  }
+};
+
 /// A path on its way over ranks.
 struct PathInTransit
 {
@@ -19,12 +33,10 @@ struct PathInTransit
   TracedPath path;
   /// How many of the points at hand have been sent to the target's rank.
   std::size_t sent = 0;
-  /// While the path searches around an edge: the ranks that are still to be asked, and the best
-  /// answer so far.
-  bool isSearching = false;
+  /// While the path searches around an edge: the ranks that were not yet asked, and the nearest of
+  /// those that were.
   std::vector<int> toAsk;
-  double nearest = Infinity;
-  int nearestRank = 0;
+  SearchAnswer nearest;
 };
 
 /// \param face that holds the last point, on this rank and on the one that the message goes to.

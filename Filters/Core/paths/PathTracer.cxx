@@ -14,26 +14,28 @@ namespace geodesic
 namespace
 {
 
-/// How a path comes to a point of a face: from a corner or through a window.
-struct IncomingSegment
+/// How a path comes to a point through a face: from a corner or through a window.
+struct WayToPoint
 {
   double distance = Infinity;
+  Id face = NoId;
   Id corner = NoId;
   Arrival window;
 };
 
-// Halfedges that hold the point tell its distance, but no piece of the path across the face.
-IncomingSegment comeThrough(const DistanceField& field, Id face, const SurfacePoint& place)
+// The windows of a halfedge that holds the point give the point's distance, but they came through
+// the face behind the halfedge.
+void comeThrough(
+  const DistanceField& field, Id face, const SurfacePoint& place, WayToPoint& shortest)
 {
   const TriangleMesh& mesh = field.mesh();
   const Barycentric point = barycentric(mesh, place, face);
-  IncomingSegment best;
   forEachWayFromCorner(field, face, place, point,
     [&](std::size_t k, double distance, double)
     {
-      if (distance < best.distance)
+      if (distance < shortest.distance)
       {
-        best = { distance, mesh.triangle(face)[k], {} };
+        shortest = { distance, face, mesh.triangle(face)[k], {} };
       }
     });
   for (Id k = 0; k < 3; ++k)
@@ -44,15 +46,30 @@ IncomingSegment comeThrough(const DistanceField& field, Id face, const SurfacePo
       forEachWayThrough(field, halfedge, inHalfedgeFrame(mesh, halfedge, point),
         [&](const Window& window, double x, double distance, double)
         {
-          if (distance < best.distance)
+          if (distance < shortest.distance)
           {
-            best = { distance, NoId,
+            shortest = { distance, face, NoId,
               { halfedge, window.origin, x, window.direction(x), window.placeOf({ x, 0.0 }) } };
           }
         });
     }
   }
-  return best;
+}
+
+/// The shortest way to the last point of a path through this rank's faces, except the one that the
+/// search leaves out.
+WayToPoint shortestWayHere(const DistanceField& field, const TracedPath& path)
+{
+  WayToPoint shortest;
+  forEachFace(field.mesh(), path.points.back(),
+    [&](Id face)
+    {
+      if (face != path.without && field.surface().isOwn(face))
+      {
+        comeThrough(field, face, path.points.back(), shortest);
+      }
+    });
+  return shortest;
 }
 
 } // anonymous namespace
@@ -81,11 +98,6 @@ TracedPath PathTracer::begin(const SurfacePoint& from) const
   return path;
 }
 
-bool PathTracer::isOwn(Id face) const
-{
-  return this->field_.surface().isOwn(face);
-}
-
 Id PathTracer::follow(TracedPath& path) const
 {
   while (!path.isWhole())
@@ -104,13 +116,14 @@ Id PathTracer::follow(TracedPath& path) const
         this->crossFace(path);
         break;
       case TracedPath::Next::BehindExit:
-        this->enterFaceBehind(path);
+        path.leg = this->legBeyond(path.leg, this->mesh_.nextSibling(path.leg.exit));
+        path.next = TracedPath::Next::Leg;
         break;
       case TracedPath::Next::Search:
       {
         bool isAllHere = true;
         forEachFace(this->mesh_, path.points.back(),
-          [&](Id face) { isAllHere = isAllHere && this->isOwn(face); });
+          [&](Id face) { isAllHere = isAllHere && this->field_.surface().isOwn(face); });
         if (!isAllHere)
         {
           return NoId;
@@ -210,10 +223,8 @@ void PathTracer::goOnFromVertex(Id vertex, TracedPath& path) const
     return;
   }
   const Id corner = TriangleMesh::previousInFace(arrival.halfedge);
-  const Vec2 from = inHalfedgeFrame(this->mesh_, arrival.halfedge, cornerWeights(corner % 3));
-  path.leg = this->legTo(from, arrival);
-  path.stepsBesideEnd = 0;
-  path.next = TracedPath::Next::Leg;
+  this->startLeg(
+    inHalfedgeFrame(this->mesh_, arrival.halfedge, cornerWeights(corner % 3)), arrival, path);
 }
 
 // Looks for an end in the faces around the last point before windows are asked.
@@ -233,48 +244,24 @@ void PathTracer::search(TracedPath& path) const
 
 double PathTracer::searchHere(const TracedPath& path) const
 {
-  double least = Infinity;
-  forEachFace(this->mesh_, path.points.back(),
-    [&](Id face)
-    {
-      if (face != path.without && this->isOwn(face))
-      {
-        least = std::min(least, comeThrough(this->field_, face, path.points.back()).distance);
-      }
-    });
-  return least;
+  return shortestWayHere(this->field_, path).distance;
 }
 
 void PathTracer::goOnHere(TracedPath& path) const
 {
-  const SurfacePoint point = path.points.back();
-  IncomingSegment best;
-  Id through = NoId;
-  forEachFace(this->mesh_, point,
-    [&](Id face)
-    {
-      if (face != path.without && this->isOwn(face))
-      {
-        const IncomingSegment piece = comeThrough(this->field_, face, point);
-        through = piece.distance < best.distance ? face : through;
-        best = piece.distance < best.distance ? piece : best;
-      }
-    });
-  if (best.corner != NoId)
-  {
-    this->goToVertex(best.corner, through, path);
-    return;
-  }
-  if (best.window.halfedge == NoId)
+  const WayToPoint way = shortestWayHere(this->field_, path);
+  if (way.face == NoId)
   {
     throw PathLost(
       "A shortest path was to be followed through a face whose windows are not known.");
   }
-  const Barycentric weights = barycentric(this->mesh_, point, through);
-  const Vec2 from = inHalfedgeFrame(this->mesh_, best.window.halfedge, weights);
-  path.leg = this->legTo(from, best.window);
-  path.stepsBesideEnd = 0;
-  path.next = TracedPath::Next::Leg;
+  if (way.corner != NoId)
+  {
+    this->goToVertex(way.corner, way.face, path);
+    return;
+  }
+  const Barycentric weights = barycentric(this->mesh_, path.points.back(), way.face);
+  this->startLeg(inHalfedgeFrame(this->mesh_, way.window.halfedge, weights), way.window, path);
 }
 
 // To a vertex, to an edge of three and more faces, to the end or into the next face.
@@ -316,16 +303,12 @@ void PathTracer::crossFace(TracedPath& path) const
   }
 }
 
-void PathTracer::enterFaceBehind(TracedPath& path) const
+// From a point of a face, in the frame of the halfedge that the path came through, back to that
+// halfedge.
+void PathTracer::startLeg(Vec2 from, const Arrival& arrival, TracedPath& path) const
 {
-  path.leg = this->legBeyond(path.leg, this->mesh_.nextSibling(path.leg.exit));
-  path.next = TracedPath::Next::Leg;
-}
-
-// From a point of a face, in the frame of the halfedge that the path comes through, back to there.
-PathLeg PathTracer::legTo(Vec2 from, const Arrival& arrival) const
-{
-  PathLeg leg;
+  PathLeg& leg = path.leg;
+  leg = {};
   leg.frame = arrival.halfedge;
   leg.from = from;
   leg.to = { arrival.x, 0.0 };
@@ -335,10 +318,11 @@ PathLeg PathTracer::legTo(Vec2 from, const Arrival& arrival) const
   leg.ray.kind = Window::Kind::Linear;
   leg.ray.begin = this->mesh_.length(arrival.halfedge) - arrival.x;
   leg.ray.end = leg.ray.begin;
-  // The way back, in a frame that is turned by half a turn.
+  // The leg runs against the direction of arrival, in a frame that is rotated by pi.
   leg.ray.sourceX = arrival.direction.x / length;
   leg.ray.sourceDepth = arrival.direction.y / length;
-  return leg;
+  path.stepsBesideEnd = 0;
+  path.next = TracedPath::Next::Leg;
 }
 
 // The unfolding of windows (paper, section 3.2), for one ray.

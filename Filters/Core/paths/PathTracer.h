@@ -33,42 +33,46 @@ struct PathLeg
   Id origin = NoId;
 };
 
-/// A path as far as it was followed.
-struct TracedPath
+/// How far a path was followed.
+struct PathState
 {
-  /// What is to be done next.
+  /// What to do next.
   enum class Next : std::uint8_t
   {
-    /// To go on from the last point, which is a vertex or the beginning.
+    /// Continue from the last point, which is a vertex or the first point.
     Point,
-    /// To follow the leg through its face.
+    /// Follow the leg through its face.
     Leg,
-    /// To go on behind the leg's exit.
+    /// Continue behind the leg's exit.
     BehindExit,
-    /// To find the face around the last point, on an edge, that the path comes through.
+    /// Find the face, of those around the last point on an edge, that the path comes through.
     Search,
-    /// Nothing: it has come to its end.
+    /// Nothing: the path is complete.
     End
   };
 
-  /// Each with a face that holds it and the point before.
-  std::vector<SurfacePoint> points;
-  std::vector<Id> faces;
-  /// Length that is left from the last point, that of the whole, and of what has been followed.
+  /// The length from the last point to the source, the length of the whole path, and the length of
+  /// the part that was followed.
   double left = 0.0;
   double whole = 0.0;
   double length = 0.0;
-  /// How many points were added to it, and how many faces it has crossed since it should have
-  /// ended.
+  /// The number of points added, and of faces crossed since the path should have ended.
   std::uint64_t steps = 0;
   int stepsBesideEnd = 0;
-
   Next next = Next::Point;
-  PathLeg leg;
-  /// The face that a search leaves out, from which the path has come; NoId: none.
-  Id without = NoId;
 
   bool isWhole() const { return this->next == Next::End; }
+};
+
+/// A path as far as it was followed.
+struct TracedPath : PathState
+{
+  /// The points, each with a face that holds it and the point before.
+  std::vector<SurfacePoint> points;
+  std::vector<Id> faces;
+  PathLeg leg;
+  /// The face that the path has come from, which a search leaves out; NoId if there is none.
+  Id without = NoId;
 };
 
 /// Traces shortest paths of a field that was solved with FrontOptions::keepArrivals.
@@ -114,16 +118,14 @@ public:
 
 private:
   Id placeToGoOn(const TracedPath& path) const;
-  bool isOwn(Id face) const;
   void requireLength(const TracedPath& path) const;
   void add(TracedPath& path, Id face, const SurfacePoint& point) const;
   void goOn(TracedPath& path) const;
   void goOnFromVertex(Id vertex, TracedPath& path) const;
   void search(TracedPath& path) const;
   void crossFace(TracedPath& path) const;
-  void enterFaceBehind(TracedPath& path) const;
 
-  PathLeg legTo(Vec2 from, const Arrival& arrival) const;
+  void startLeg(Vec2 from, const Arrival& arrival, TracedPath& path) const;
   PathLeg legBeyond(const PathLeg& leg, Id sibling) const;
   SurfacePoint exitOf(const PathLeg& leg) const;
   Id cornerOn(const PathLeg& leg, const TracedPath& path) const;

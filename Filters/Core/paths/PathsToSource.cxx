@@ -80,7 +80,7 @@ private:
   void handOver();
   Outcome advance(PathInTransit& transit) const;
   bool searchAround(PathInTransit& transit, Outcome& outcome) const;
-  void findRanksToAsk(PathInTransit& transit) const;
+  std::vector<int> ranksToAsk(const TracedPath& path) const;
   Id faceOfRank(const SurfacePoint& point, int rank) const;
   void putReport(const LeavingPath& leaving, Message& message) const;
   void takeReport(MessageReader& reader);
@@ -250,51 +250,47 @@ bool PathFinder::searchAround(PathInTransit& transit, Outcome& outcome) const
 {
   const int self = this->part_.exchange().rank();
   const SurfacePoint& point = transit.path.points.back();
-  if (!transit.isSearching)
+  if (transit.toAsk.empty() && !transit.nearest.isFound())
   {
-    this->findRanksToAsk(transit);
+    transit.toAsk = this->ranksToAsk(transit.path);
   }
   const auto own = std::find(transit.toAsk.begin(), transit.toAsk.end(), self);
   if (own != transit.toAsk.end())
   {
     transit.toAsk.erase(own);
-    const double distance = this->tracer_.searchHere(transit.path);
-    const bool isNearer = distance < transit.nearest ||
-      (distance == transit.nearest && distance < Infinity && self < transit.nearestRank);
-    transit.nearest = isNearer ? distance : transit.nearest;
-    transit.nearestRank = isNearer ? self : transit.nearestRank;
+    transit.nearest = std::min(transit.nearest, { this->tracer_.searchHere(transit.path), self });
   }
-  if (transit.toAsk.empty() && !(transit.nearest < Infinity))
+  if (transit.toAsk.empty() && !transit.nearest.isFound())
   {
     throw PathLost("A shortest path was to be followed through faces whose windows are not known.");
   }
-  outcome.rank = transit.toAsk.empty() ? transit.nearestRank : transit.toAsk.front();
+  outcome.rank = transit.toAsk.empty() ? transit.nearest.rank : transit.toAsk.front();
   if (outcome.rank != self)
   {
     outcome.face = point.kind == SurfacePoint::Kind::Edge ? TriangleMesh::faceOf(point.id)
                                                           : this->faceOfRank(point, outcome.rank);
     return false;
   }
-  transit.isSearching = false;
+  transit.nearest = {};
   this->tracer_.goOnHere(transit.path);
   return true;
 }
 
-void PathFinder::findRanksToAsk(PathInTransit& transit) const
+// The ranks that own faces around the last point, each once.
+std::vector<int> PathFinder::ranksToAsk(const TracedPath& path) const
 {
-  transit.isSearching = true;
-  transit.nearest = Infinity;
-  std::vector<int>& ranks = transit.toAsk;
-  forEachFace(this->part_.mesh(), transit.path.points.back(),
+  std::vector<int> ranks;
+  forEachFace(this->part_.mesh(), path.points.back(),
     [&](Id face)
     {
-      if (face != transit.path.without)
+      if (face != path.without)
       {
         ranks.push_back(this->part_.addressOf(face).rank);
       }
     });
   std::sort(ranks.begin(), ranks.end());
   ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+  return ranks;
 }
 
 // A face around a point that a rank owns.
