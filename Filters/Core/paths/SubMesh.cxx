@@ -2,6 +2,7 @@
 #include "paths/SubMesh.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
@@ -25,46 +26,16 @@ bool isWithin(const TriangleMesh& mesh, Id face, const SurfacePoint& first,
     bound;
 }
 
-/// The face of the mesh on these vertices, which exists.
-Id faceWith(const TriangleMesh& mesh, const Triangle& vertices)
-{
-  const auto fewerFaces = [&](Id a, Id b)
-  { return mesh.cornersAt(a).size() < mesh.cornersAt(b).size(); };
-  for (const Id corner :
-    mesh.cornersAt(*std::min_element(vertices.begin(), vertices.end(), fewerFaces)))
-  {
-    const Triangle& t = mesh.triangle(TriangleMesh::faceOf(corner));
-    if (std::is_permutation(t.begin(), t.end(), vertices.begin()))
-    {
-      return TriangleMesh::faceOf(corner);
-    }
-  }
-  return NoId;
-}
-
-/// A point of one mesh as a point of another mesh that has the faces around the point, with their
-/// vertices renumbered.
-template <typename Rename>
-SurfacePoint transferred(
-  const TriangleMesh& from, const SurfacePoint& point, const TriangleMesh& to, Rename&& rename)
+/// A point of one mesh as a point of another, whose numbers of vertices and faces are given.
+SurfacePoint transferred(const TriangleMesh& from, const SurfacePoint& point,
+  const TriangleMesh& to, const std::vector<Id>& vertices, const std::vector<Id>& faces)
 {
   if (point.kind == SurfacePoint::Kind::Vertex)
   {
-    return SurfacePoint::atVertex(rename(point.id));
+    return SurfacePoint::atVertex(vertices[point.id]);
   }
-  const Id fromFace = someFace(from, point);
-  const std::array<double, 3> weights = barycentric(from, point, fromFace);
-  Triangle renamed = from.triangle(fromFace);
-  std::transform(renamed.begin(), renamed.end(), renamed.begin(), rename);
-  const Id toFace = faceWith(to, renamed);
-  const Triangle& corners = to.triangle(toFace);
-  std::array<double, 3> permuted;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const auto at = std::find(renamed.begin(), renamed.end(), corners[k]) - renamed.begin();
-    permuted[k] = weights[static_cast<std::size_t>(at)];
-  }
-  return fromBarycentric(to, toFace, permuted);
+  const Id face = someFace(from, point);
+  return fromBarycentric(to, faces[face], barycentric(from, point, face));
 }
 
 /// Gathers the faces that a path within a bound can touch between two points, from face to face
@@ -77,7 +48,7 @@ public:
     , workSpace_(workSpace)
   {
     workSpace.patchVertex.resize(mesh.numberOfVertices(), NoId);
-    workSpace.faceSeen.resize(mesh.numberOfFaces(), 0);
+    workSpace.patchFace.resize(mesh.numberOfFaces(), NoId);
   }
   ~FaceGatherer()
   {
@@ -87,7 +58,7 @@ public:
     }
     for (const Id face : this->touchedFaces_)
     {
-      this->workSpace_.faceSeen[face] = 0;
+      this->workSpace_.patchFace[face] = NoId;
     }
   }
   FaceGatherer(const FaceGatherer&) = delete;
@@ -99,9 +70,9 @@ public:
   {
     const auto visit = [&](Id face)
     {
-      if (!this->workSpace_.faceSeen[face])
+      if (this->workSpace_.patchFace[face] == NoId)
       {
-        this->workSpace_.faceSeen[face] = 1;
+        this->workSpace_.patchFace[face] = LeftOut;
         this->touchedFaces_.push_back(face);
         const bool holdsEnd =
           contains(this->mesh_, face, first) || contains(this->mesh_, face, second);
@@ -124,15 +95,23 @@ public:
     }
   }
 
-  Id patchVertex(Id vertex) const { return this->workSpace_.patchVertex[vertex]; }
+  /// The numbers in the patch of the surface's vertices and faces.
+  const std::vector<Id>& patchVertices() const { return this->workSpace_.patchVertex; }
+  const std::vector<Id>& patchFaces() const { return this->workSpace_.patchFace; }
 
+  /// The surface's numbers of the patch's vertices and faces.
   std::vector<Id> vertices;
+  std::vector<Id> faces;
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
 
 private:
+  static constexpr Id LeftOut = NoId - 1;
+
   void take(Id face)
   {
+    this->workSpace_.patchFace[face] = static_cast<Id>(this->faces.size());
+    this->faces.push_back(face);
     Triangle corners = this->mesh_.triangle(face);
     for (Id& vertex : corners)
     {
@@ -171,17 +150,22 @@ SubMesh::SubMesh(const TriangleMesh& surface, const SurfacePoint& first, const S
     return;
   }
   this->mesh_ = std::make_unique<TriangleMesh>(std::move(gatherer.points), gatherer.triangles);
-  const auto rename = [&](Id vertex) { return gatherer.patchVertex(vertex); };
-  this->first_ = transferred(surface, first, *this->mesh_, rename);
-  this->second_ = transferred(surface, second, *this->mesh_, rename);
-  this->vertices_ = gatherer.vertices;
+  const auto onPatch = [&](const SurfacePoint& point)
+  {
+    return transferred(
+      surface, point, *this->mesh_, gatherer.patchVertices(), gatherer.patchFaces());
+  };
+  this->first_ = onPatch(first);
+  this->second_ = onPatch(second);
+  this->vertices_ = gatherer.vertices; // which it needs to clean the work space
+  this->faces_ = std::move(gatherer.faces);
 }
 
 SurfacePoint SubMesh::onSurface(const SurfacePoint& point) const
 {
-  return this->mesh_ ? transferred(*this->mesh_, point, this->surface_,
-                         [this](Id vertex) { return this->vertices_[vertex]; })
-                     : point;
+  return this->mesh_
+    ? transferred(*this->mesh_, point, this->surface_, this->vertices_, this->faces_)
+    : point;
 }
 
 }

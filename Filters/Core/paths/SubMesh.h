@@ -25,7 +25,7 @@ public:
   struct WorkSpace
   {
     std::vector<Id> patchVertex;
-    std::vector<std::uint8_t> faceSeen;
+    std::vector<Id> patchFace;
   };
 
   /// \param surface must outlive the patch.
@@ -47,8 +47,9 @@ private:
   std::unique_ptr<TriangleMesh> mesh_;
   SurfacePoint first_;
   SurfacePoint second_;
-  /// The surface's vertex of each vertex of the patch.
+  /// The surface's numbers of the patch's vertices and faces.
   std::vector<Id> vertices_;
+  std::vector<Id> faces_;
 };
 
 }
