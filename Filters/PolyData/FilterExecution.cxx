@@ -302,10 +302,11 @@ void FilterExecution::readCurves(SourcePatch& faces)
   const TriangleMesh& mesh = this->patch().mesh();
   const JoinPoints join = joinByShortestPaths(mesh, smpParallelFor());
   // With several ranks the next patch numbers its faces in another way.
-  JoinedPaths& paths = this->cache_.joinedPaths();
+  JoinedPaths ofThisPatch;
+  JoinedPaths& paths = isDistributed ? ofThisPatch : this->cache_.joinedPaths();
   paths.beginUse();
-  this->sources_ = putOntoSurface(mesh, source.polylines, snapping,
-    isDistributed ? join : paths.reusedBy(join), this->progressBetween(patchMade, InputsRead));
+  this->sources_ = putOntoSurface(mesh, source.polylines, snapping, paths.reusedBy(join),
+    this->progressBetween(patchMade, InputsRead));
   paths.endUse();
   this->sourceIds_ = std::move(source.ids);
   this->firstBoundarySource_ = source.numberOfSources;

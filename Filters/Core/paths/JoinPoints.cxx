@@ -21,10 +21,13 @@ JoinPoints JoinedPaths::reusedBy(JoinPoints join)
   return [this, place, join = std::move(join)](
            const SurfacePoint& first, const SurfacePoint& second, const ProgressCallback& progress)
   {
-    const Ends ends(place(first), place(second));
-    const auto kept = this->kept_.find(ends);
-    return this->used_[ends] =
-             kept != this->kept_.end() ? kept->second : join(first, second, progress);
+    const auto [used, isNew] = this->used_.try_emplace(Ends(place(first), place(second)));
+    if (isNew)
+    {
+      const auto kept = this->kept_.find(used->first);
+      used->second = kept != this->kept_.end() ? kept->second : join(first, second, progress);
+    }
+    return used->second;
   };
 }
 

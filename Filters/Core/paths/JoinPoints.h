@@ -17,8 +17,8 @@ namespace geodesic
 /// All joins share its work space. The mesh must outlive the result.
 JoinPoints joinByShortestPaths(const TriangleMesh& mesh, const ParallelFor& parallelFor = {});
 
-/// Keeps the paths that have joined far points of a mesh's curves from one use to the next. If one
-/// point of a polyline moves, the other segments need not be joined again.
+/// Remembers the paths that join far points of a mesh's curves, within a use and from one use to
+/// the next. If one point of a polyline moves, the other segments need not be joined again.
 class JoinedPaths
 {
 public:
@@ -26,7 +26,7 @@ public:
   void beginUse() { this->used_.clear(); }
   void endUse() { this->kept_ = std::move(this->used_); }
 
-  /// Makes a function that joins points as `join` does, unless their path is kept. This object must
+  /// Makes a function that joins points as `join` does, but each pair only once. This object must
   /// outlive the result.
   JoinPoints reusedBy(JoinPoints join);
 

@@ -7,9 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace geodesic
@@ -130,17 +128,10 @@ public:
     return curve;
   }
 
-  /// The length of the path that joins two points without a common face. The path is kept for
-  /// run().
+  /// The length of the path that joins two points without a common face.
   double lengthBetween(const PlacedPoint& from, const PlacedPoint& to, const std::string& name)
   {
-    const JoinKey key = keyOf(from, to);
-    auto measured = this->measured_.find(key);
-    if (measured == this->measured_.end())
-    {
-      measured = this->measured_.emplace(key, this->joinFar(from, to, name)).first;
-    }
-    const std::vector<SurfacePoint>& path = measured->second;
+    const std::vector<SurfacePoint> path = this->joinFar(from, to, name);
     double length = 0.0;
     for (std::size_t i = 1; i < path.size(); ++i)
     {
@@ -149,28 +140,13 @@ public:
     return length;
   }
 
-  /// Called at the end of a polyline: forgets the stored paths.
-  void finish() { this->measured_.clear(); }
-
 private:
-  using PlaceKey = std::tuple<SurfacePoint::Kind, Id, double, double>;
-  using JoinKey = std::pair<PlaceKey, PlaceKey>;
-
-  static JoinKey keyOf(const PlacedPoint& from, const PlacedPoint& to)
-  {
-    const auto key = [](const SurfacePoint& p) { return PlaceKey(p.kind, p.id, p.u, p.v); };
-    return { key(from.point), key(to.point) };
-  }
-
   std::vector<SurfacePoint> pathBetween(
     const PlacedPoint& from, const PlacedPoint& to, const std::string& name)
   {
-    if (commonFace(this->mesh_, from.point, to.point) != NoId)
-    {
-      return { from.point, to.point };
-    }
-    const auto measured = this->measured_.find(keyOf(from, to));
-    return measured != this->measured_.end() ? measured->second : this->joinFar(from, to, name);
+    const bool isNear = commonFace(this->mesh_, from.point, to.point) != NoId;
+    return isNear ? std::vector<SurfacePoint>{ from.point, to.point }
+                  : this->joinFar(from, to, name);
   }
 
   std::vector<SurfacePoint> joinFar(
@@ -209,8 +185,6 @@ private:
   const TriangleMesh& mesh_;
   const JoinPoints& join_;
   PointProgress& progress_;
-  /// The paths of this polyline that were measured.
-  std::map<JoinKey, std::vector<SurfacePoint>> measured_;
 };
 
 /// Whether two places of one point share a face, or faces without area lie between them.
@@ -456,7 +430,6 @@ SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedP
       result.curves.push_back(joiner.run(kept, polyline.name));
       result.curves.back().source = polyline.source;
     }
-    joiner.finish();
     pointProgress.finish(polyline);
   }
   result.snapDistance = remover.snapDistance();

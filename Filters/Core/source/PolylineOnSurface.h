@@ -52,7 +52,8 @@ struct SourceCurves
 /// point on every crossed edge, the vertices on the way, the second point. It is empty if no path
 /// joins the points. Progress is called now and then with the fraction done; returning false throws
 /// Aborted. The engine's own function is joinByShortestPaths (paths/JoinPoints.h), which needs a
-/// distance field and therefore a later room.
+/// distance field and therefore a later room. It may be called twice for the same points:
+/// JoinedPaths there remembers their path.
 using JoinPoints = std::function<std::vector<SurfacePoint>(
   const SurfacePoint& first, const SurfacePoint& second, const ProgressCallback& progress)>;
 
