@@ -29,6 +29,7 @@ void IsolineJoin::add(const IsolinePieces& pieces)
     this->ids_.push_back(id < this->edgePoints_ ? id : id + shift);
   }
   this->points_.insert(this->points_.end(), pieces.points.begin(), pieces.points.end());
+  this->partsCrossedStraight_ += pieces.partsCrossedStraight;
 }
 
 Id IsolineJoin::pointAt(PieceEnd end) const
@@ -70,6 +71,7 @@ IsolineJoin::PieceEnd IsolineJoin::other(PieceEnd end) const
 Isolines IsolineJoin::finish(std::vector<SurfacePoint> onEdges)
 {
   Isolines result;
+  result.partsCrossedStraight = this->partsCrossedStraight_;
   result.points = std::move(onEdges);
   for (const IsolinePieces::NewPoint& point : this->points_)
   {

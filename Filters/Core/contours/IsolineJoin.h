@@ -67,6 +67,7 @@ private:
   std::vector<IsolinePieces::Piece> pieces_;
   std::vector<Id> ids_;
   std::vector<IsolinePieces::NewPoint> points_;
+  std::size_t partsCrossedStraight_ = 0;
   std::vector<Node> nodes_;
   std::vector<std::uint8_t> isUsed_;
 };

@@ -7,6 +7,8 @@
 #include "contours/FaceIsolines.h"
 #include "contours/IsolineJoin.h"
 #include "field/DistanceRange.h"
+#include "field/SegmentCrossings.h"
+#include "field/SegmentEnvelope.h"
 #include "field/WatchedTasks.h"
 
 #include <algorithm>
@@ -51,8 +53,8 @@ private:
   void exchangeEdgePoints();
   void countTurnsAtSeams(Isolines& isolines) const;
   void addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePoint>& points) const;
-  IsolinePieces drawFaces(std::size_t first, std::size_t last, std::size_t& straight,
-    const ProgressCallback& progress) const;
+  IsolinePieces drawFaces(
+    std::size_t first, std::size_t last, const ProgressCallback& progress) const;
   void findOutline(Id face, std::size_t value, std::vector<OutlinePoint>& outline) const;
   void addOutlinePoints(Id halfedge, std::size_t value, Vec2 begin, Vec2 edge,
     std::vector<OutlinePoint>& outline) const;
@@ -165,14 +167,9 @@ Isolines Drawing::run()
 {
   this->findFaces();
   this->findEdgePoints();
-  struct Drawn
-  {
-    IsolinePieces pieces;
-    std::size_t straight = 0;
-  };
-  std::vector<Drawn> drawn = this->forTasks<Drawn>(EdgesDone, 1.0,
-    [this](std::size_t first, std::size_t last, Drawn& result, const ProgressCallback& progress)
-    { result.pieces = this->drawFaces(first, last, result.straight, progress); });
+  std::vector<IsolinePieces> drawn = this->forTasks<IsolinePieces>(EdgesDone, 1.0,
+    [this](std::size_t first, std::size_t last, IsolinePieces& result,
+      const ProgressCallback& progress) { result = this->drawFaces(first, last, progress); });
   IsolineJoin join(this->mesh_, this->levels_, static_cast<Id>(this->edgePoints_.size()));
   for (Id point = 0; point < this->edgePoints_.size(); ++point)
   {
@@ -181,12 +178,10 @@ Isolines Drawing::run()
       join.endAt(point);
     }
   }
-  std::size_t straight = 0;
-  for (Drawn& each : drawn)
+  for (IsolinePieces& pieces : drawn)
   {
-    join.add(each.pieces);
-    straight += each.straight;
-    each = Drawn();
+    join.add(pieces);
+    pieces = {};
   }
   std::vector<SurfacePoint> onEdges;
   onEdges.reserve(this->edgePoints_.size());
@@ -195,7 +190,6 @@ Isolines Drawing::run()
     onEdges.push_back(this->placeOf(p));
   }
   Isolines result = join.finish(std::move(onEdges));
-  result.partsCrossedStraight = straight;
   this->countTurnsAtSeams(result);
   return result;
 }
@@ -397,12 +391,13 @@ void Drawing::addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePo
   }
 }
 
-IsolinePieces Drawing::drawFaces(std::size_t first, std::size_t last, std::size_t& straight,
-  const ProgressCallback& progress) const
+IsolinePieces Drawing::drawFaces(
+  std::size_t first, std::size_t last, const ProgressCallback& progress) const
 {
-  FaceIsolines drawer(
+  IsolineTask task(
     static_cast<Id>(this->edgePoints_.size()), this->options_.chordTolerance, progress);
   std::vector<OutlinePoint> outline;
+  std::vector<DistanceCandidate> memory;
   for (std::size_t i = first; i < last; ++i)
   {
     const Id face = this->faces_[i];
@@ -420,13 +415,16 @@ IsolinePieces Drawing::drawFaces(std::size_t first, std::size_t last, std::size_
       }
       if (!distance)
       {
-        distance.emplace(this->field_, face);
+        distance.emplace(this->field_, face, std::move(memory));
       }
-      drawer.draw(*distance, this->levels_[value], static_cast<Id>(value), outline, below);
+      drawInFace(*distance, this->levels_[value], static_cast<Id>(value), outline, below, task);
+    }
+    if (distance)
+    {
+      memory = distance->releaseMemory();
     }
   }
-  straight = drawer.partsCrossedStraight();
-  return drawer.release();
+  return std::move(task.result);
 }
 
 void Drawing::findOutline(Id face, std::size_t value, std::vector<OutlinePoint>& outline) const

@@ -53,14 +53,14 @@ void addArcs(std::size_t candidate, Vec2 center, double radius, Vec2 axis, doubl
   }
 }
 
-void addPlace(const LevelCurve& curve, Vec2 p, CurvePlaces& places)
+void addPlace(const LevelCurve& curve, Vec2 p, std::vector<double>& places)
 {
   const Vec2 v = p - curve.origin;
   const double along = dot(curve.axis, v);
   const double t = curve.isArc ? cross(v, curve.axis) / std::max(along + curve.radius, 0.0) : along;
   if (t > 0.0 && t < curve.extent)
   {
-    places.at.push_back(t);
+    places.push_back(t);
   }
 }
 
@@ -84,7 +84,7 @@ Vec2 LevelCurve::at(double t) const
                      : this->origin + t * this->axis;
 }
 
-void addMeetings(const LevelCurve& curve, const PlaneLine& line, CurvePlaces& places)
+void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& places)
 {
   if (!curve.isArc)
   {
@@ -110,7 +110,7 @@ void addMeetings(const LevelCurve& curve, const PlaneLine& line, CurvePlaces& pl
   }
 }
 
-void addMeetings(const LevelCurve& curve, Vec2 center, double radius, CurvePlaces& places)
+void addMeetings(const LevelCurve& curve, Vec2 center, double radius, std::vector<double>& places)
 {
   const Vec2 toCenter = center - curve.origin;
   if (!curve.isArc)
@@ -303,7 +303,7 @@ void LevelRegion::addOutline(std::vector<LevelCurve>& curves) const
   addArcs(this->number_, c.begin, r, -1.0 * left, Pi, curves);
 }
 
-void LevelRegion::addRayMeetings(const LevelCurve& curve, CurvePlaces& places) const
+void LevelRegion::addRayMeetings(const LevelCurve& curve, std::vector<double>& places) const
 {
   using geodesic::addMeetings;
   const DistanceCandidate& c = *this->candidate_;
@@ -314,7 +314,7 @@ void LevelRegion::addRayMeetings(const LevelCurve& curve, CurvePlaces& places) c
   }
 }
 
-void LevelRegion::addMeetings(const LevelCurve& curve, CurvePlaces& places) const
+void LevelRegion::addMeetings(const LevelCurve& curve, std::vector<double>& places) const
 {
   using geodesic::addMeetings;
   const DistanceCandidate& c = *this->candidate_;

@@ -54,13 +54,6 @@ struct PlaneBox
   double farthest(Vec2 p) const;
 };
 
-/// Places on a curve, within a box.
-struct CurvePlaces
-{
-  PlaneBox box;
-  std::vector<double> at;
-};
-
 /// A line through a point along a unit vector.
 struct PlaneLine
 {
@@ -68,9 +61,9 @@ struct PlaneLine
   Vec2 along;
 };
 
-/// Appends where the curve meets a line or a circle, in no order.
-void addMeetings(const LevelCurve& curve, const PlaneLine& line, CurvePlaces& places);
-void addMeetings(const LevelCurve& curve, Vec2 center, double radius, CurvePlaces& places);
+/// Appends the places on the curve where it meets a line or a circle, in no order.
+void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& places);
+void addMeetings(const LevelCurve& curve, Vec2 center, double radius, std::vector<double>& places);
 
 /// The points that one distance candidate reaches straight within a value: a convex region bounded
 /// by the rays at the ends of the candidate's window and by level curves.
@@ -92,11 +85,11 @@ public:
   /// the box nevertheless.
   bool misses(const PlaneBox& box) const;
   /// Appends the places where a curve may enter or leave the region, and others.
-  void addMeetings(const LevelCurve& curve, CurvePlaces& places) const;
+  void addMeetings(const LevelCurve& curve, std::vector<double>& places) const;
 
 private:
   bool isInPencil(Vec2 p) const;
-  void addRayMeetings(const LevelCurve& curve, CurvePlaces& places) const;
+  void addRayMeetings(const LevelCurve& curve, std::vector<double>& places) const;
   void addArc(std::vector<LevelCurve>& curves) const;
   void addStraight(std::vector<LevelCurve>& curves) const;
   void addOutline(std::vector<LevelCurve>& curves) const;

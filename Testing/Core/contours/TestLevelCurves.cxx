@@ -11,7 +11,6 @@
 #include <cmath>
 #include <vector>
 
-using geodesic::CurvePlaces;
 using geodesic::DistanceCandidate;
 using geodesic::LevelCurve;
 using geodesic::LevelRegion;
@@ -82,7 +81,7 @@ TEST(LevelCurves, EnterAndLeaveRegionsOnlyAtTheirMeetings)
       const DistanceCandidate candidate = randomCandidate(kind, random);
       const LevelRegion region(candidate, 0, random.uniform(0.4, 1.2), 1e-12, Everywhere);
       const LevelCurve curve = randomCurve(random);
-      CurvePlaces places{ Everywhere, {} };
+      std::vector<double> places;
       region.addMeetings(curve, places);
       const auto isInside = [&](int i)
       { return region.contains(curve.at(i * curve.extent / steps)); };
@@ -91,7 +90,7 @@ TEST(LevelCurves, EnterAndLeaveRegionsOnlyAtTheirMeetings)
         if (isInside(i) != isInside(i + 1))
         {
           ++changes;
-          EXPECT_TRUE(std::any_of(places.at.begin(), places.at.end(),
+          EXPECT_TRUE(std::any_of(places.begin(), places.end(),
             [&](double t)
             {
               const double step = t * steps / curve.extent;

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef geodesic_LevelArrangement_h
+#define geodesic_LevelArrangement_h
+
+#include "Progress.h"
+#include "contours/LevelCurves.h"
+
+#include <array>
+#include <vector>
+
+namespace geodesic
+{
+
+/// Counts steps of work, and asks now and then whether to stop.
+class StepsOfWork
+{
+public:
+  /// \param progress must outlive this.
+  explicit StepsOfWork(const ProgressCallback& progress)
+    : progress_(progress)
+  {
+  }
+
+  /// \throws Aborted
+  void add(std::size_t steps);
+
+private:
+  const ProgressCallback& progress_;
+  std::size_t sinceReport_ = 0;
+};
+
+/// A value in a face, and the lengths there that rounding decides about.
+struct FaceLevel
+{
+  /// \param distance must outlive this.
+  FaceLevel(const FaceDistance& distance, double value);
+
+  const FaceDistance& face;
+  double value;
+  std::array<Vec2, 3> corners;
+  PlaneBox box;
+  /// The face's longest edge, and how far apart two ends of lines may be that meet.
+  double size;
+  double gap;
+  /// By how much rounding may change the distance at the value.
+  double slack;
+};
+
+/// The level curves of a value in a face, and the regions within the value that they bound. The
+/// isoline consists of the parts of the curves outside all regions: the remainders. Reuses its
+/// memory for the next level.
+class LevelArrangement
+{
+public:
+  /// What remains of a level curve.
+  struct Remainder
+  {
+    const LevelCurve* curve;
+    double begin;
+    double end;
+  };
+
+  /// \param work must outlive this.
+  explicit LevelArrangement(StepsOfWork& work)
+    : work_(work)
+  {
+  }
+
+  /// Makes the regions of the candidates, each for a slightly different value
+  /// (tolerance::CurveOffset).
+  ///
+  /// \param level must outlive the use of the arrangement.
+  /// \param withBent whether to add the paths that bend at the ends of windows.
+  /// \param offset of the curves from each other, as a fraction.
+  void assign(const FaceLevel& level, bool withBent, double offset);
+
+  /// Whether a triangle lies in one region, which is convex.
+  bool isWithinOneRegion(const std::array<Vec2, 3>& corners) const;
+
+  /// The remainders in a triangle.
+  std::vector<Remainder> remaindersIn(const std::array<Vec2, 3>& corners);
+
+private:
+  void addRegion(const DistanceCandidate& candidate, double offset);
+  void cut(const LevelCurve& curve, const std::array<Vec2, 3>& corners,
+    std::vector<Remainder>& remainders);
+  void cutByRegions(
+    const LevelCurve& curve, double first, double last, std::vector<Remainder>& remainders);
+  bool remains(Vec2 p) const;
+
+  StepsOfWork& work_;
+  const FaceLevel* level_ = nullptr;
+  /// Paths that bend at the ends of windows.
+  std::vector<DistanceCandidate> bent_;
+  std::vector<LevelRegion> regions_;
+  std::vector<LevelCurve> curves_;
+  /// Of the curve that is cut: where it meets edges and regions, and the regions near its part.
+  std::vector<double> atEdges_;
+  std::vector<double> atRegions_;
+  std::vector<const LevelRegion*> near_;
+};
+
+}
+
+#endif
