@@ -57,8 +57,8 @@ AnglesAroundVertex::State& AnglesAroundVertex::state(
   return this->states_[2 * index + (corner == halfedge ? 0 : 1)];
 }
 
-const std::vector<EdgeAngle>& AnglesAroundVertex::find(const TriangleMesh& mesh, Id vertex,
-  const std::vector<EdgeAngle>& leaving, double limit, const std::function<void()>& step)
+const std::vector<EdgeAngle>& AnglesAroundVertex::find(
+  const TriangleMesh& mesh, Id vertex, const std::vector<EdgeAngle>& leaving, double limit)
 {
   this->entered_.clear();
   this->queue_.clear();
@@ -69,7 +69,6 @@ const std::vector<EdgeAngle>& AnglesAroundVertex::find(const TriangleMesh& mesh,
   }
   while (!this->queue_.empty())
   {
-    step();
     const EdgeAngle nearest = this->pop();
     if (!(nearest.angle < limit))
     {

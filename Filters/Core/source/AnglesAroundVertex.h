@@ -4,7 +4,6 @@
 
 #include "mesh/TriangleMesh.h"
 
-#include <functional>
 #include <vector>
 
 namespace geodesic
@@ -30,10 +29,9 @@ public:
   ///
   /// \param leaving where ways begin: the faces that they leave, and their angles to the edge.
   /// \param limit ways end at this angle.
-  /// \param step called before each edge; may throw.
   /// \returns the entered faces with the angles at their edges; valid until the next call.
-  const std::vector<EdgeAngle>& find(const TriangleMesh& mesh, Id vertex,
-    const std::vector<EdgeAngle>& leaving, double limit, const std::function<void()>& step);
+  const std::vector<EdgeAngle>& find(
+    const TriangleMesh& mesh, Id vertex, const std::vector<EdgeAngle>& leaving, double limit);
 
 private:
   void push(const EdgeAngle& leaving);

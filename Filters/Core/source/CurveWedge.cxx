@@ -21,8 +21,7 @@ struct ByFace
 
 } // anonymous namespace
 
-void CurveWedge::assign(
-  const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const std::function<void()>& step)
+void CurveWedge::assign(const SurfacePoint& point, const std::vector<SegmentEnd>& ends)
 {
   this->bounds_.clear();
   this->leaving_.clear();
@@ -43,7 +42,7 @@ void CurveWedge::assign(
   }
   if (!this->leaving_.empty())
   {
-    this->addAroundVertex(point.id, step);
+    this->addAroundVertex(point.id);
   }
   std::stable_sort(this->bounds_.begin(), this->bounds_.end(), ByFace());
 }
@@ -102,10 +101,10 @@ void CurveWedge::startAroundVertex(const SegmentEnd& end)
 }
 
 // In a face entered across an edge, the nearest segment on that way bounds the wedge.
-void CurveWedge::addAroundVertex(Id vertex, const std::function<void()>& step)
+void CurveWedge::addAroundVertex(Id vertex)
 {
   for (const EdgeAngle& entered :
-    this->angles_.find(this->mesh_, vertex, this->leaving_, RightAngle, step))
+    this->angles_.find(this->mesh_, vertex, this->leaving_, RightAngle))
   {
     // In the frame of the halfedge, which begins or ends at the vertex.
     const double x = std::cos(entered.angle);

@@ -7,7 +7,6 @@
 #include "source/AnglesAroundVertex.h"
 #include "source/SegmentEnd.h"
 
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -38,9 +37,7 @@ public:
   /// Moves to another point of a curve.
   ///
   /// \param ends the ends of all segments there; for a vertex, of all curves.
-  /// \param step called now and then, as a vertex may have many faces; may throw.
-  void assign(const SurfacePoint& point, const std::vector<SegmentEnd>& ends,
-    const std::function<void()>& step);
+  void assign(const SurfacePoint& point, const std::vector<SegmentEnd>& ends);
 
   /// The segments that bound the wedge in a face around the point.
   using Bounds = std::pair<const WedgeBound*, const WedgeBound*>;
@@ -50,7 +47,7 @@ private:
   WedgeBound inOwnFace(const SegmentEnd& end, std::size_t k) const;
   void addAroundEdge(const SegmentEnd& end);
   void startAroundVertex(const SegmentEnd& end);
-  void addAroundVertex(Id vertex, const std::function<void()>& step);
+  void addAroundVertex(Id vertex);
 
   const TriangleMesh& mesh_;
   /// In the order of the faces.

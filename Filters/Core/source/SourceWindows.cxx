@@ -149,15 +149,14 @@ private:
     const std::vector<SegmentEnd>& endsAround, Id curve, double place)
   {
     this->progress_.nextPoint();
-    const auto step = [this] { this->progress_.step(); };
-    this->wedge_.assign(p, ends, step);
+    this->wedge_.assign(p, ends);
     this->sectors_.assign(p, endsAround, CurveOrigin::onLeft(this->mesh_, curve, place));
     this->directions_.assign(p, endsAround);
     const EmittingPoint from = { this->chains_, this->wedge_, this->sectors_, this->directions_ };
     forEachFace(this->mesh_, p,
       [&](Id face)
       {
-        step();
+        this->progress_.step();
         const Barycentric b = barycentric(this->mesh_, p, face);
         const SourceInFace source = { face, b, b, curve, place, place };
         if (p.kind != SurfacePoint::Kind::Vertex)

@@ -35,12 +35,8 @@ std::vector<Id> verticesOfPart(const ReplicatedPatch& patch, const std::vector<I
 } // anonymous namespace
 
 SourceWindows sourceWindowsOfPartition(
-  const MeshPartition& part, const ReplicatedPatch& patch, SourceWindows onPatch)
+  const MeshPartition& part, const ReplicatedPatch& patch, const SourceWindows& onPatch)
 {
-  if (!part.isDistributed())
-  {
-    return onPatch;
-  }
   SourceWindows result;
   const auto ownFace = [&](Id face)
   {

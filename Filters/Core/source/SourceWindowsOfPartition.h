@@ -14,7 +14,7 @@ namespace geodesic
 ///
 /// \param onPatch from curves whose points lie in faces for which the patch was made.
 SourceWindows sourceWindowsOfPartition(
-  const MeshPartition& part, const ReplicatedPatch& patch, SourceWindows onPatch);
+  const MeshPartition& part, const ReplicatedPatch& patch, const SourceWindows& onPatch);
 
 }
 

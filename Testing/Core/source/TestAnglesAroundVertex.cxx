@@ -51,7 +51,7 @@ void expectLeastAngles(const TriangleMesh& mesh, Id vertex, const std::vector<Ed
   }
   AnglesAroundVertex angles;
   Angles found;
-  for (const EdgeAngle& entered : angles.find(mesh, vertex, leaving, limit, [] {}))
+  for (const EdgeAngle& entered : angles.find(mesh, vertex, leaving, limit))
   {
     EXPECT_TRUE(found.insert({ entered.halfedge, entered.angle }).second) << "entered twice";
   }
@@ -99,12 +99,9 @@ TEST(AnglesAroundVertex, TheWorkGrowsWithTheFacesWhereTheWaysAreExponential)
   {
     const TriangleMesh mesh = engineMesh(BranchingFan(stages, 3.0).mesh);
     const Id first = *mesh.cornersAt(0).begin();
-    std::size_t steps = 0;
     AnglesAroundVertex angles;
     const std::size_t entered =
-      angles.find(mesh, 0, { { TriangleMesh::previousInFace(first), 0.0 } }, 10.0, [&] { ++steps; })
-        .size();
-    EXPECT_LE(steps, 2 * mesh.cornersAt(0).size() + 1);
+      angles.find(mesh, 0, { { TriangleMesh::previousInFace(first), 0.0 } }, 10.0).size();
     EXPECT_LE(entered, 2 * mesh.cornersAt(0).size());
     EXPECT_GE(entered, mesh.cornersAt(0).size() - 2) << "every face is entered";
   }
@@ -117,7 +114,7 @@ TEST(AnglesAroundVertex, TheyEndAtTheLimit)
   AnglesAroundVertex angles;
   const Id first = *mesh.cornersAt(0).begin();
   for (const EdgeAngle& entered :
-    angles.find(mesh, 0, { { TriangleMesh::previousInFace(first), 0.0 } }, 1.0, [] {}))
+    angles.find(mesh, 0, { { TriangleMesh::previousInFace(first), 0.0 } }, 1.0))
   {
     EXPECT_LT(entered.angle, 1.0);
   }
