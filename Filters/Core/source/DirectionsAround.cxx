@@ -111,7 +111,7 @@ void DirectionsAround::addFanOfVertex(Id corner)
   do
   {
     const double width = this->mesh_.cornerAngle(stop.corner);
-    Frame& frame = this->frameOf(TriangleMesh::faceOf(stop.corner));
+    Frame& frame = this->frames_[this->indexOf(TriangleMesh::faceOf(stop.corner))];
     frame.axis = stop.isMirrored ? angle + width : angle;
     frame.isMirrored = stop.isMirrored;
     frame.fan = this->fans_.size();
@@ -135,17 +135,14 @@ DirectionsAround::Stop DirectionsAround::beside(const Stop& stop, bool isClockwi
   return { isOutgoing ? entered : TriangleMesh::nextInFace(entered), isOutgoing == isClockwise };
 }
 
-DirectionsAround::Frame& DirectionsAround::frameOf(Id face)
-{
-  return *std::lower_bound(this->frames_.begin(), this->frames_.end(), 3 * face,
-    [](const Frame& frame, Id halfedge) { return frame.halfedge < halfedge; });
-}
-
-bool DirectionsAround::hasFrame(Id face) const
+// Of a face's frame; None if the face is not around the point.
+std::size_t DirectionsAround::indexOf(Id face) const
 {
   const auto frame = std::lower_bound(this->frames_.begin(), this->frames_.end(), 3 * face,
     [](const Frame& f, Id halfedge) { return f.halfedge < halfedge; });
-  return frame != this->frames_.end() && TriangleMesh::faceOf(frame->halfedge) == face;
+  const bool isThere =
+    frame != this->frames_.end() && TriangleMesh::faceOf(frame->halfedge) == face;
+  return isThere ? static_cast<std::size_t>(frame - this->frames_.begin()) : None;
 }
 
 // Unfolds faces without area between a face and those around the point.
@@ -158,7 +155,7 @@ DirectionsAround::DirectionInFace DirectionsAround::inFrame(const DirectionInFac
   {
     const DirectionInFace at = reached[n];
     const Id face = TriangleMesh::faceOf(at.halfedge);
-    if (this->hasFrame(face))
+    if (this->indexOf(face) != None)
     {
       return at;
     }

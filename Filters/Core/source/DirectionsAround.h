@@ -99,9 +99,8 @@ private:
     Vec2 direction;
   };
   DirectionInFace inFrame(const DirectionInFace& from) const;
-  bool hasFrame(Id face) const;
-  Frame& frameOf(Id face);
-  const Frame& frameOf(Id face) const { return const_cast<DirectionsAround*>(this)->frameOf(face); }
+  std::size_t indexOf(Id face) const;
+  const Frame& frameOf(Id face) const { return this->frames_[this->indexOf(face)]; }
   const Fan& fanOf(double around) const;
   double withoutSegments(const Fan& fan, double at) const;
   double betweenSegments(const Fan& fan, double at, const End* first, const End* last) const;
