@@ -59,7 +59,7 @@ double DistanceField::distance(const SurfacePoint& point) const
   {
     return this->front_.vertexDistances[p.id];
   }
-  // One complete face tells all: on its edge, windows that come in through the edge are there.
+  // One complete face suffices, also on its edges: it has the windows that enter through them.
   double least = Infinity;
   bool isKnown = false;
   bool isDropped = false;

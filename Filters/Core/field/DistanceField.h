@@ -68,10 +68,9 @@ public:
   /// edges differs by no more from the distance.
   double droppedErrorBound() const { return this->kept_.droppedErrorBound; }
 
-  /// The exact distance at a point of the surface; +infinity if the front did not reach it. With a
-  /// limit, the front reaches no face without a point within the limit. The distance is known at
-  /// every vertex, and at other points if the windows of a face around the point were kept.
-  /// Thread-safe.
+  /// The exact distance at a point of the surface; +infinity if the front did not reach it, as in
+  /// faces entirely beyond the distance limit. The distance is known at every vertex, and at other
+  /// points if the windows of a face around the point were kept. Thread-safe.
   ///
   /// \throws Error if they were not kept.
   double distance(const SurfacePoint& point) const;

@@ -12,8 +12,8 @@ namespace geodesic
 namespace
 {
 
-/// Whether a window's rays run along its halfedge. Such a pencil has no inside, and points of the
-/// halfedge before it and behind it would be told apart by rounding alone.
+/// Whether a window's rays run along its halfedge. Such a pencil has no inside: rounding alone
+/// would decide on which side of it points of the halfedge lie.
 bool isGrazing(const Window& w)
 {
   if (w.isLinear())
@@ -159,8 +159,8 @@ void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge)
   }
 }
 
-// A curve's point on the halfedge between its ends, in a face without area behind it: all of its
-// rays enter at one place, in a window without width, which is not kept.
+// A curve's point may lie on the halfedge, between the halfedge's ends, in a face without area
+// behind it. All its rays then enter at one place, in a window without width, which is not kept.
 void FaceDistance::addSourceInside(double along, double length, double distance, Vec2 place)
 {
   const double rounding = tolerance::PlaceRounding * length;

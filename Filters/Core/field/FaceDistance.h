@@ -57,7 +57,7 @@ class FaceDistance
 public:
   /// \param field with windows kept; must outlive this.
   /// \param face one whose corners have finite distances.
-  /// \param memory for the candidates, to be used again.
+  /// \param memory for the candidates: that of another face, see releaseMemory().
   /// \throws Error if no windows were kept.
   FaceDistance(const DistanceField& field, Id face, std::vector<DistanceCandidate> memory = {});
 

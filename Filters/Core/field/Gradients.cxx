@@ -17,8 +17,8 @@ void Gradients::add(const IncomingSegment& piece)
   this->result_.push_back(gradientOf(this->field_.mesh(), piece));
 }
 
-// Whether this rank knows no face behind the halfedge although the owner of the halfedge's face
-// may.
+// Whether another rank must follow the ray: this rank knows no face behind the halfedge, but the
+// owner of the halfedge's face may.
 bool Gradients::goesOnElsewhere(const IncomingRay& ray) const
 {
   const TriangleMesh& mesh = this->field_.mesh();

@@ -12,7 +12,7 @@ namespace geodesic
 namespace
 {
 
-/// How far places of a face may be apart by rounding of its corners.
+/// How far apart rounding of a face's corners may put places in the face.
 double roundingOf(const TriangleMesh& mesh, Id face)
 {
   double largest = 0.0;
@@ -23,8 +23,9 @@ double roundingOf(const TriangleMesh& mesh, Id face)
   return tolerance::SnapRoundings * tolerance::Rounding * largest;
 }
 
-/// The ray where it comes into a face that it leaves. All of the face is on one line, so that is at
-/// the same place; an edge that is rounding of its ends tells no direction.
+/// The ray where it enters a face without area that it leaves. The whole face lies on one line, so
+/// that the ray enters and leaves at one place. An edge as short as the rounding of its ends has no
+/// direction.
 IncomingRay acrossFaceWithoutArea(const TriangleMesh& mesh, const IncomingRay& ray)
 {
   const Id left = TriangleMesh::previousInFace(ray.halfedge);
@@ -52,8 +53,8 @@ bool isInSpace(const TriangleMesh& mesh, const IncomingRay& ray)
     std::abs(ray.direction.y) <= tolerance::GrazingAngle * std::abs(ray.direction.x);
 }
 
-// In the frame of a halfedge that runs against it, a ray into the face runs the other way; one that
-// runs along it sees the ray in a mirror.
+// The frame of a halfedge in the opposite direction is rotated by pi, that of one in the same
+// direction is mirrored.
 IncomingRay acrossEdge(const TriangleMesh& mesh, const IncomingRay& ray)
 {
   const Id behind = mesh.nextSibling(ray.halfedge);

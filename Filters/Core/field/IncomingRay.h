@@ -21,16 +21,16 @@ struct IncomingRay
 /// Whether a face has an area that is more than rounding of its corners, so that it has a plane.
 bool hasPlane(const TriangleMesh& mesh, Id face);
 
-/// Whether the ray's direction is one in space: where the halfedge's face has a plane, or where the
-/// ray runs along the halfedge.
+/// Whether the ray's direction is one in space: the halfedge's face has a plane, or the ray runs
+/// along the halfedge.
 bool isInSpace(const TriangleMesh& mesh, const IncomingRay& ray);
 
 /// The same ray in the next face at the edge of the halfedge.
 IncomingRay acrossEdge(const TriangleMesh& mesh, const IncomingRay& ray);
 
-/// The ray in the face nearest to its end, on the way back, in which its direction is one in space.
-/// Where the boundary comes before, or the way back goes in a circle of faces without area, the ray
-/// as it comes into the last of these.
+/// Follows the ray back from its end to the first face in which its direction is one in space. If
+/// the way back ends at the boundary, or goes in a circle of faces without area, the result is the
+/// ray as it enters the last of these faces.
 IncomingRay backToDirectionInSpace(const TriangleMesh& mesh, IncomingRay ray);
 
 }

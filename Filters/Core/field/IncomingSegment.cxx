@@ -19,14 +19,14 @@ bool isZero(Vec2 v)
   return v.x == 0.0 && v.y == 0.0; // squares of tiny numbers are zero, too
 }
 
-/// A path to a point p of a face from x on a halfedge of it, where the ray through x has a
-/// direction.
+/// The way from x on a halfedge to a point p of its face, of a path that crosses the halfedge along
+/// a ray.
 struct WayFrom
 {
-  /// Whether the path bends at x, as it does at a corner that a window ends at, or begins there.
+  /// Whether the path bends at x, as at a corner where a window ends, or begins there.
   bool isBent;
-  /// The direction in which it comes to the point: that of the ray, unless it bends or the ray is
-  /// far shorter than the way from x to p.
+  /// The direction in which the path comes to p: that of the ray, unless the path bends or the ray
+  /// is far shorter than the way from x to p.
   Vec2 direction;
 };
 
@@ -36,7 +36,7 @@ WayFrom wayFrom(double x, Vec2 p, Vec2 ray, double longest, double leastBend)
 {
   const Vec2 d = p - Vec2{ x, 0.0 };
   const double length = norm(ray);
-  // Of the places on both: a ray from beside a corner is hardly longer than these.
+  // The rounding of both vectors. A ray from beside a corner is hardly longer than its rounding.
   const double rounding = tolerance::PlaceRounding * longest;
   const double ofBoth = rounding * (length + norm(d));
   const bool isBent = norm(d) > leastBend &&
@@ -59,7 +59,7 @@ public:
   void enter(Id face)
   {
     this->faceSize_ = this->mesh_.shape(face).longest();
-    // The way across a face without area is rounding. A bend is at a corner there.
+    // Ways across a face without area are as short as rounding. Paths bend at its corners only.
     this->leastBend_ = hasPlane(this->mesh_, face) ? 0.0 : tolerance::NearEdge * this->faceSize_;
   }
 
@@ -93,7 +93,7 @@ public:
       });
   }
 
-  /// Windows of a halfedge that holds the point have come through the face behind it.
+  /// Windows of a halfedge that holds the point came through the face behind the halfedge.
   void comeThroughWindows(Id face)
   {
     const Barycentric point = barycentric(this->mesh_, this->point_, face);
@@ -101,7 +101,7 @@ public:
     {
       const Id halfedge = 3 * face + k;
       const bool isOnIt = isOnHalfedge(point, k);
-      // Behind an edge of three and more faces the path may come through any of the others.
+      // At an edge of three and more faces the path may have come through any of the others.
       const bool isUnsure = isOnIt && !this->mesh_.isInner(halfedge);
       const Vec2 p = inHalfedgeFrame(this->mesh_, halfedge, point);
       forEachWayThrough(this->field_, halfedge, p,
@@ -122,7 +122,7 @@ public:
     }
   }
 
-  /// As the vertex remembers it.
+  /// Takes the piece that the vertex remembers.
   void fromArrival()
   {
     const Arrival& arrival = this->field_.arrivals()[this->point_.id];
@@ -141,7 +141,7 @@ public:
       const Id corner = cornerCrossed(this->mesh_, arrival);
       if (way.isBent && corner != NoId)
       {
-        // As long as along the edge, but what the window comes from lies on one side only.
+        // The way along the edge is as long, but the window's origin lies on one side of the edge.
         this->best_.kind = IncomingSegment::Kind::Corner;
         this->best_.origin = this->field_.surface().globalId(corner);
         this->corner_ = corner;
@@ -154,7 +154,7 @@ public:
     this->setDirection(face, cornerWeights(k), barycentric(this->mesh_, this->point_, face));
   }
 
-  /// Only in the plane of a face that has an area a direction can be told.
+  /// The direction is known only in the plane of a face that has an area.
   void leaveFacesWithoutArea()
   {
     if (this->best_.kind == IncomingSegment::Kind::Window)
@@ -164,12 +164,13 @@ public:
   }
 
   const IncomingSegment& best() const { return this->best_; }
-  /// Of the best: whether it is a way without length from a corner, and that corner.
+  /// Whether the best piece comes from a corner and has no length.
   bool isAtCorner() const
   {
     return this->best_.kind == IncomingSegment::Kind::Corner && isZero(this->best_.direction);
   }
-  /// Whether it is one without length but for rounding, from a corner that has a direction itself.
+  /// Whether the best piece comes from a corner, is as short as rounding, and the corner itself has
+  /// a direction.
   bool isBesideCorner() const
   {
     const double rounding = tolerance::PlaceRounding * (this->faceSize_ + this->best_.distance);
@@ -181,8 +182,8 @@ public:
   Id corner() const { return this->corner_; }
 
 private:
-  // Of ways as long but for rounding the one that is straight the longest tells the direction best:
-  // from a corner a rounding beside the point there is none.
+  // If ways are equally long but for rounding, the one whose end is straight the longest gives the
+  // best direction. A way from a corner as near as rounding gives none.
   bool improve(IncomingSegment::Kind kind, double distance, double straight)
   {
     const double shortest = this->best_.distance;
@@ -226,11 +227,11 @@ private:
   const TriangleMesh& mesh_;
   const SurfacePoint& point_;
   IncomingSegment best_;
-  /// That the last piece comes from, where it does.
+  /// The corner that the best piece comes from; NoId if it comes from elsewhere.
   Id corner_ = NoId;
-  /// Length of the straight way that ends with it.
+  /// The length of the straight end of the best way.
   double straight_ = 0.0;
-  /// The longest edge of the face at hand, and how near to a point of it paths may bend.
+  /// Of the current face: the longest edge, and how near to the point paths may bend.
   double faceSize_ = 0.0;
   double leastBend_ = 0.0;
 };
@@ -247,9 +248,9 @@ void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPie
     search.leaveFacesWithoutArea();
     return;
   }
-  // Straight from a source in a face, or so near to a corner that rounding has hidden the arrival.
-  // Where the source is known, a corner no farther off than rounding is no way: its own path may
-  // come from here.
+  // The path comes straight from a source in a face, or from a corner so near that rounding has
+  // hidden the arrival. Once a source is found, corners as near as rounding must not be taken:
+  // their own paths may come from this vertex.
   forEachFace(field.mesh(), point,
     [&](Id face)
     {
@@ -268,8 +269,8 @@ void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPie
     });
 }
 
-// Of vertices at one place, but for rounding, that which the others come from has the direction.
-// They may name each other.
+// If vertices are at one place, but for rounding, the direction is known at the one that the paths
+// of the others come from. Vertices may also name each other.
 IncomingSegment lastPieceToVertex(const DistanceField& field, Id vertex)
 {
   if (field.arrivals().empty())
@@ -293,8 +294,8 @@ IncomingSegment lastPieceToVertex(const DistanceField& field, Id vertex)
 
 } // anonymous namespace
 
-// Where rays meet the halfedge at a small angle, the place where a window ends is rounded as much
-// more.
+// The smaller the angle between rays and halfedge, the larger is the rounding of the place where a
+// window ends.
 Id cornerCrossed(const TriangleMesh& mesh, const Arrival& arrival)
 {
   const double angle = arrival.direction.y / norm(arrival.direction);

@@ -8,8 +8,8 @@
 namespace geodesic
 {
 
-/// The last straight piece of a shortest path to a point of the surface, one of them where there
-/// are several.
+/// The last straight piece of a shortest path to a point of the surface. If there are several
+/// shortest paths, it is that of one of them.
 struct IncomingSegment
 {
   enum class Kind : std::uint8_t
@@ -26,16 +26,17 @@ struct IncomingSegment
 
   Kind kind = Kind::None;
   double distance = Infinity;
-  /// The direction in which it comes to the point, of any length, in the frame of a halfedge of the
-  /// face that it comes through: of the last one that has an area. Zero where the piece has no
-  /// length.
+  /// The direction in which the path comes to the point, of any length; zero if the piece has no
+  /// length. The frame is that of a halfedge of the last face on the path that has an area.
   Id frame = NoId;
   Vec2 direction = {};
-  /// Through a window, where it crosses the halfedge, and whether it leaves the face there.
+  /// If it comes through a window: where it crosses the halfedge, and whether it leaves the face
+  /// there.
   double x = 0.0;
   bool leaves = false;
-  /// The corner (MeshPartition::globalId()); of a window its Window::origin, Window::placeOf() the
-  /// ray, and the ray in the frame of the window's halfedge.
+  /// The corner (MeshPartition::globalId()) or the window's origin (Window::origin). Of a window
+  /// also the place of the ray (Window::placeOf()), and the ray in the frame of the window's
+  /// halfedge.
   Id origin = NoId;
   double place = 0.0;
   Vec2 rayOfWindow = {};
@@ -51,11 +52,13 @@ struct IncomingSegment
 /// \throws Error where these were not kept.
 IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint& point);
 
-/// The corner of its face that a path through a window crosses its halfedge at; NoId: none.
+/// The end of the arrival's halfedge at which the path crosses it, but for rounding; NoId if it
+/// crosses between the ends.
 Id cornerCrossed(const TriangleMesh& mesh, const Arrival& arrival);
 
-/// The gradient of the distance at a point whose shortest path ends so: a unit vector in the plane
-/// of the face that the path comes through; zero on the source and where there is no piece.
+/// The gradient of the distance at a point whose shortest path ends with this piece: a unit vector
+/// in the plane of the face that the path comes through; zero on the source and if there is no
+/// piece.
 Vec3 gradientOf(const TriangleMesh& mesh, const IncomingSegment& piece);
 
 }

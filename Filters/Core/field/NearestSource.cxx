@@ -43,7 +43,7 @@ void NearestSource::find(const ProgressCallback& callback)
   this->findOthers(progress);
 }
 
-// Calls visit(Id vertex) for the vertices that this rank tells the origins of.
+// Calls visit(Id vertex) for the vertices that are counted on this rank.
 template <typename Visit>
 void NearestSource::forEachVertex(const LoopProgress& progress, const Visit& visit) const
 {
@@ -54,8 +54,8 @@ void NearestSource::forEachVertex(const LoopProgress& progress, const Visit& vis
   }
 }
 
-// The side of the curve is told from the direction at the vertex: all that come from one vertex
-// together.
+// The direction at a vertex on a curve determines the side. Paths that come from one vertex are
+// treated together, so that its sectors are made once.
 void NearestSource::findBesideVertices(const LoopProgress& progress)
 {
   std::vector<std::pair<Id, Id>> beside; // the vertex on a curve, and the one beside it
@@ -98,8 +98,8 @@ void NearestSource::findOthers(const LoopProgress& progress)
     });
 }
 
-// The last piece to a vertex; through a window, unless it may bend at a corner, without its
-// direction, which takes no face to know.
+// The last piece of the path to a vertex. If it comes through a window and cannot bend at a corner,
+// its direction is left out, so that no face need be looked at.
 IncomingSegment NearestSource::originTo(Id vertex) const
 {
   const Arrival& arrival = this->field_.arrivals()[vertex];
@@ -115,8 +115,9 @@ IncomingSegment NearestSource::originTo(Id vertex) const
   return piece;
 }
 
-// Back from pseudo-source to pseudo-source, and forth again. Vertices at one place may name each
-// other: the way back ends there, as it does at a vertex that another rank counts.
+// Follows the path back from pseudo-source to pseudo-source; all vertices on the way get the origin
+// that is found. The way ends at a vertex that another rank counts, and where vertices at one place
+// name each other.
 void NearestSource::follow(Id vertex)
 {
   std::vector<Id> way;
@@ -153,7 +154,7 @@ Foot NearestSource::of(const IncomingSegment& piece)
   return this->footOf(this->originOf(piece));
 }
 
-// Not from a pseudo-source, whose foot is its own.
+// Whether the piece begins on a curve, not at a pseudo-source.
 bool NearestSource::isFromCurve(const IncomingSegment& piece) const
 {
   switch (piece.kind)
@@ -199,7 +200,8 @@ CurveOrigin NearestSource::originOf(const IncomingSegment& piece)
   return this->ofVertex(piece.origin);
 }
 
-// Beside a segment its line tells the side, at its ends the segments that meet there.
+// Beside a segment the segment's line separates the sides, at its ends the segments that meet there
+// do.
 CurveOrigin NearestSource::atSource(const IncomingSegment& piece)
 {
   const SourceInFace& source = piece.source;
@@ -219,7 +221,7 @@ CurveOrigin NearestSource::atSource(const IncomingSegment& piece)
   return this->inSector(piece);
 }
 
-// What the direction belongs to at the point that the sectors are around.
+// The curve and the side to which the piece's direction belongs at the current point.
 CurveOrigin NearestSource::inSector(const IncomingSegment& piece) const
 {
   const Id face =

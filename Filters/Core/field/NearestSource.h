@@ -27,11 +27,12 @@ struct Foot
 {
   /// Number of the curve among those of the field; NoId where a point was not reached.
   Id curve = NoId;
-  /// Whether the path comes from the curve's right-hand side, seen along the curve and with the
-  /// normal of the face in which it leaves the curve towards the viewer. At an open end the sides
-  /// part behind the curve. A point has a left-hand side only; on the curve it is either.
+  /// Whether the path comes from the curve's right-hand side, seen along the curve with the face's
+  /// normal towards the viewer. Behind an open end, a border in the middle separates the sides. A
+  /// source that is a point has a left-hand side only. For points on the curve the side is
+  /// arbitrary.
   bool isRight = false;
-  /// The chain that the curve is in, and where along it, as the length from the chain's beginning.
+  /// The chain that contains the curve, and the place along it: the length from its beginning.
   Id chain = NoId;
   double place = 0.0;
   /// If the path leaves a point of the curve: its angle around the point, not scaled
@@ -42,20 +43,19 @@ struct Foot
   bool isKnown() const { return this->curve != NoId; }
 };
 
-/// Which of the sources is nearest, for any point whose distance is known: windows know what they
-/// come from, and what comes from a pseudo-source has the pseudo-source's own foot. Where several
-/// shortest paths tie it is that of one of them.
+/// Finds the nearest source of any point whose distance is known. Windows store their origins; a
+/// path that comes from a pseudo-source has the foot of the pseudo-source. If several shortest
+/// paths tie, the foot is that of one of them.
 ///
-/// Where ranks have the surface together, each tells it of the points of the faces that it owns.
+/// If ranks share the surface, each rank answers for the points of the faces that it owns.
 ///
 /// Takes 16 bytes a vertex.
 class NearestSource
 {
 public:
-  /// All ranks together find the feet of what comes over their seams; asking is each rank's own
-  /// then.
+  /// All ranks call this together, as paths come over seams. Later each rank asks for itself.
   ///
-  /// \param field an exact one, with arrivals (FrontOptions::keepArrivals); must outlive this.
+  /// \param field exact, with arrivals (FrontOptions::keepArrivals); must outlive this.
   /// \param patch that the curves lie on; in one process the field's mesh.
   /// \param curves those that the field was solved for.
   /// \param progress called now and then; returning false throws Aborted.
@@ -63,12 +63,13 @@ public:
     const std::vector<SourceCurve>& curves, const ProgressCallback& progress = {});
   ~NearestSource();
 
-  /// What curves and feet are points of: the field's mesh, or that of the patch.
+  /// The mesh that curves and feet lie on: that of the patch.
   const TriangleMesh& meshOfCurves() const { return this->patch_.mesh(); }
 
   /// The foot of the shortest path to a vertex.
   Foot atVertex(Id vertex) const { return this->footOf(this->origins_[vertex]); }
-  /// That of a path that ends with a piece: incomingSegmentTo() of the same field.
+  /// The foot of a path that ends with a piece, from incomingSegmentTo() of the same field. Not
+  /// thread-safe.
   Foot of(const IncomingSegment& piece);
 
   /// A foot's place on the surface, a point of meshOfCurves().
@@ -76,7 +77,7 @@ public:
 
   /// The length along the foot's curve from the curve's first point to pointOf(); 0 for a point.
   double arcLengthOf(const Foot& foot) const;
-  /// The same of each point of a curve, with the bits that a foot there has. The last point of a
+  /// The arc length of each point of a curve, bit by bit that of a foot there. The last point of a
   /// closed curve has the whole length.
   std::vector<double> arcLengthsOf(Id curve) const;
 
@@ -89,9 +90,8 @@ public:
   /// - at a vertex whose faces form one closed fan: the angle around it, scaled so that the total
   ///   is 2 pi, from the edge that leaves the vertex in the first of its faces in the order of the
   ///   input, in (-pi, pi];
-  /// - at any other vertex: from the edge where the fan begins, from 0 to its own total, not
-  /// scaled;
-  ///   several fans follow one another in the order of their first faces.
+  /// - at any other vertex: from the edge where the fan begins, from 0 to the fan's total, not
+  ///   scaled; several fans follow one another in the order of their first faces.
   ///
   /// From a curve, counterclockwise from its direction: pi / 2 on the left-hand side and -pi / 2 on
   /// the right-hand side of a segment. Around a point of the curve, the forward segment has the
@@ -107,8 +107,8 @@ public:
   ///
   /// \throws Error if the field's windows carry no angles (FrontOptions::keepAngles).
   double angleOf(const Foot& foot) const;
-  /// Angle 0 of a single point is the frame's x axis: the direction that angleOf() measures from.
-  /// Of a curve, the frame is that of its first segment: x along it, y to the left.
+  /// The x axis of a single point's frame has the angle 0 in angleOf(). A curve's frame is that of
+  /// its first segment: x along the segment, y to the left.
   SourceFrame frameOf(Id curve) const;
 
 private:
@@ -136,20 +136,20 @@ private:
   const DistanceField& field_;
   const TriangleMesh& mesh_;
   ReplicatedPatch patch_;
-  /// The curves, whose numbers windows have.
+  /// Windows have the numbers of these chains.
   CurveChains chains_;
   VerticesOnCurves onCurves_;
-  /// The first PointSide, by numbers of the whole.
+  /// PointSide::first() of the windows' origins.
   Id firstPoint_;
-  /// Of each vertex, by numbers of the whole. A number that is a vertex's: see RemoteOrigins.
+  /// Of each vertex, with global ids. An origin that is a vertex is open: see RemoteOrigins.
   std::vector<CurveOrigin> origins_;
   GlobalVertices vertices_;
   /// Null in one process.
   std::unique_ptr<RemoteOrigins> elsewhere_;
-  /// Around the curve's point that was asked for last.
+  /// Around the curve's point that was asked for last, and its vertex; NoId if it is at none.
   CurveSectors sectors_;
   Id sectorsVertex_ = NoId;
-  /// Around the point with this number.
+  /// Around the point that was asked for last, and its number among the chains' points.
   mutable DirectionsAround directions_;
   mutable Id directionsPoint_ = NoId;
 };

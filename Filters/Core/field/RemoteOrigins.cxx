@@ -11,8 +11,8 @@ namespace geodesic
 namespace
 {
 
-// Each round doubles the length, so that no chain of vertices needs more of them. Origins that are
-// still open then are vertices at one place that name each other.
+// Each round doubles the length, so that no chain of vertices needs more rounds. Origins that are
+// open after these rounds are vertices at one place that name each other.
 constexpr int MaximumSteps = 33;
 
 } // anonymous namespace
@@ -56,7 +56,7 @@ RemoteOrigins::RemoteOrigins(
   }
 }
 
-// The vertices that a path to a point of the part may come from.
+// Collects the vertices, counted elsewhere, that paths to points of the part may come from.
 void RemoteOrigins::collect()
 {
   const MeshPartition& part = this->field_.surface();
@@ -89,7 +89,7 @@ void RemoteOrigins::collect()
     std::unique(this->numbers_.begin(), this->numbers_.end()), this->numbers_.end());
 }
 
-// Asks once about every origin that is open here.
+// Asks once about every origin that is still open here.
 void RemoteOrigins::ask(std::vector<CurveOrigin>& atVertices)
 {
   Questions questions(this->field_.surface().exchange());

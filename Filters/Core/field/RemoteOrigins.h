@@ -21,16 +21,18 @@ class RemoteOrigins
 public:
   /// All ranks call this together.
   ///
-  /// \param field on this rank's part, with arrivals. Finds the origins of all vertices of the part
-  ///        that are not counted here, and of the vertices that its windows name.
+  /// \param field on this rank's part, with arrivals. Origins are found for the vertices of the
+  /// part
+  ///        that are not counted here, and for the vertices that its windows name.
   /// \param vertices of that part.
-  /// \param atVertices for each vertex of the part: of those counted here the source, as Window has
-  ///        it, NoId where there is none, or the vertex counted elsewhere from which the path comes
-  ///        on. What is open is replaced, for all of the part's vertices.
+  /// \param atVertices for each vertex of the part. Of a vertex counted here: its origin on the
+  ///        source, as in Window; NoId if there is none; or, still open, the vertex counted
+  ///        elsewhere that its path comes from. Open origins are replaced, those of vertices
+  ///        counted elsewhere are set.
   RemoteOrigins(const DistanceField& field, const GlobalVertices& vertices,
     std::vector<CurveOrigin>& atVertices);
 
-  /// \param vertex its number in the whole; not counted here.
+  /// \param vertex the global id of one that is not counted here.
   CurveOrigin of(Id vertex) const;
 
 private:
@@ -43,7 +45,7 @@ private:
 
   const DistanceField& field_;
   const GlobalVertices& vertices_;
-  /// Numbers in the whole, ascending, and what is known of each.
+  /// Global ids, ascending, and the origin of each.
   std::vector<Id> numbers_;
   std::vector<CurveOrigin> origins_;
 };

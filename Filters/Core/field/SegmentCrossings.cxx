@@ -12,8 +12,8 @@ namespace geodesic
 namespace
 {
 
-/// The two places, before and behind, where a window has a value; of a linear window one and an
-/// infinite one. Where it has the value nowhere, the place where it is least.
+/// The two places where a window has a value, in their order; one of a linear window is infinite.
+/// If a window has the value nowhere, the place where it is least.
 std::pair<double, double> placesOf(const Window& w, double value)
 {
   if (w.isLinear())
@@ -48,7 +48,7 @@ void findCrossings(const std::vector<Window>& envelope, double value, bool begin
   {
     result.push_back({ 0.0, beginsBelow });
   }
-  // Where the distance is the value all along, its rounding makes no crossings.
+  // Where the distance equals the value all along, its rounding must not make crossings.
   const double clearly =
     envelope.empty() ? value : value - tolerance::Evaluation * (value + envelope.back().end);
   bool below = beginsBelow;

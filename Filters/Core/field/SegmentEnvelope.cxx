@@ -41,8 +41,8 @@ const std::vector<Window>& SegmentEnvelope::along(const FaceDistance& face, Vec2
   return this->envelope_;
 }
 
-// A candidate that is longer in the middle by the length is so throughout. Returns the distance in
-// the middle.
+// Leaves out candidates that are longer than the distance in the middle by more than the segment's
+// length: these are longer throughout. Returns the distance in the middle.
 double SegmentEnvelope::chooseNear(const FaceDistance& face, Vec2 middle, double length)
 {
   const std::vector<DistanceCandidate>& candidates = face.candidates();
@@ -75,9 +75,9 @@ double SegmentEnvelope::leastNear(Vec2 p) const
   return least;
 }
 
-// Whether the envelope has the distance at x. A segment along a ray at the end of a pencil may be
-// lost to rounding: the envelope is above the distance then, or, where nothing else was found but a
-// scrap of a neighbour at an end of the segment, below it.
+// Whether the envelope agrees with the distance at x. If a segment runs along the ray at the end of
+// a pencil, rounding may lose the pencil. Then the envelope is above the distance; it is below if
+// only a scrap of a neighbour was found, at an end of the segment.
 bool SegmentEnvelope::agrees(double x, double distance) const
 {
   const auto window = std::find_if(this->envelope_.begin(), this->envelope_.end() - 1,
@@ -98,7 +98,7 @@ bool SegmentEnvelope::build(const Segment& segment, bool withBent)
   return this->joinNeighbours(segment.length);
 }
 
-// What fills a gap of rounding may be far above; the neighbours stand for it.
+// A piece that fills a gap of rounding may be far above the distance: its neighbours replace it.
 void SegmentEnvelope::takePieces(const Segment& segment)
 {
   std::sort(this->pieces_.begin(), this->pieces_.end(),
@@ -152,8 +152,8 @@ void SegmentEnvelope::addPieces(const DistanceCandidate& c, const Segment& segme
   }
 }
 
-// Where the segment is between the rays through the window's ends, and beyond them the paths that
-// bend there.
+// Between the rays through the window's ends paths are straight, beyond these rays they bend at the
+// ends.
 void SegmentEnvelope::addPencil(const DistanceCandidate& c, const Segment& segment, bool withBent)
 {
   const auto& [p, u, length] = segment;

@@ -14,13 +14,13 @@ namespace geodesic
 /// rays as an edge does, so that no propagation is needed (paper, section 6). One face suffices for
 /// its own edges, too.
 ///
-/// One builder is used for many segments, for the memory that it holds.
+/// Reuses its memory for the next segment.
 class SegmentEnvelope
 {
 public:
-  /// The distance along the segment from p to q in the plane of the face: windows from x = 0 at p
-  /// to x = |q - p| that meet, without gaps, no value below the distance but for rounding. Empty
-  /// where p is q. Valid until the next call.
+  /// The distance along the segment from p to q in the plane of the face: windows that meet without
+  /// gaps, from x = 0 at p to x = |q - p|. Their values are not below the distance, but for
+  /// rounding. Empty if p is q. Valid until the next call.
   const std::vector<Window>& along(const FaceDistance& face, Vec2 p, Vec2 q);
 
 private:

@@ -39,7 +39,7 @@ public:
 
   /// Side by side, in other threads.
   ///
-  /// \throws std::system_error where there is no thread to be had; nothing is done then.
+  /// \throws std::system_error if no thread can be started; then nothing is done.
   void runAside(const ParallelFor& parallelFor, const ProgressCallback& progress)
   {
     std::future<void> done = std::async(std::launch::async,
@@ -69,7 +69,7 @@ private:
     }
     catch (...)
     {
-      this->keepException(); // the tasks still use what is here
+      this->keepException(); // the tasks still use this object
     }
   }
 
@@ -97,7 +97,7 @@ private:
     }
   }
 
-  // The first one; others may follow from its stopping the tasks.
+  // Keeps the first exception; it stops the tasks, which may cause others.
   void keepException()
   {
     const std::lock_guard<std::mutex> lock(this->guard_);
@@ -131,7 +131,7 @@ void runWatched(std::size_t count, const WatchedTask& task, const ParallelFor& p
     }
     catch (const std::system_error&)
     {
-      // no thread to be had
+      // no thread could be started
     }
   }
   tasks.runHere(progress);

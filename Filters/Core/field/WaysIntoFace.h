@@ -61,8 +61,8 @@ void forEachWayThrough(const DistanceField& field, Id halfedge, Vec2 p, Visit&& 
   }
 }
 
-/// Whether a point of a face lies on the halfedge from corner k. Its windows tell the distance of
-/// the point, but have come through the face behind.
+/// Whether a point of a face lies on the halfedge from corner k. The halfedge's windows give the
+/// distance of the point, but they came through the face behind it.
 inline bool isOnHalfedge(const Barycentric& point, Id k)
 {
   return point[(k + 2) % 3] == 0.0;

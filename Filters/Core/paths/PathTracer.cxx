@@ -139,7 +139,7 @@ Id PathTracer::follow(TracedPath& path) const
   return NoId;
 }
 
-// A face of another rank that the path has come to; NoId where it goes on here.
+// The face of another rank where the path continues; NoId if it continues here.
 Id PathTracer::placeToGoOn(const TracedPath& path) const
 {
   const MeshPartition& surface = this->field_.surface();
@@ -163,8 +163,8 @@ Id PathTracer::placeToGoOn(const TracedPath& path) const
     : TriangleMesh::faceOf(halfedge);
 }
 
-// A ray that comes to a place beside its end, or passed a vertex on the wrong side by rounding, has
-// not been the path.
+// If rounding leads a ray past a vertex on the wrong side, or to a place beside the end, the ray is
+// longer than the path.
 void PathTracer::requireLength(const TracedPath& path) const
 {
   if (!(path.length <= (1.0 + tolerance::TracedLength) * path.whole))
@@ -173,8 +173,8 @@ void PathTracer::requireLength(const TracedPath& path) const
   }
 }
 
-// Each step adds a point. A piece may be shorter than rounding, so that what is left need not fall
-// with each step; but a shortest path comes to no vertex and crosses no face twice.
+// Each step adds a point. As a piece may be shorter than rounding, the length left need not shrink
+// at each step; but a shortest path visits no vertex twice and crosses no face twice.
 void PathTracer::add(TracedPath& path, Id face, const SurfacePoint& point) const
 {
   const MeshPartition& surface = this->field_.surface();
@@ -227,7 +227,7 @@ void PathTracer::goOnFromVertex(Id vertex, TracedPath& path) const
     inHalfedgeFrame(this->mesh_, arrival.halfedge, cornerWeights(corner % 3)), arrival, path);
 }
 
-// Looks for an end in the faces around the last point before windows are asked.
+// First looks for an end in the faces around the last point; only then are windows asked.
 void PathTracer::search(TracedPath& path) const
 {
   path.next = TracedPath::Next::Search;
@@ -264,7 +264,8 @@ void PathTracer::goOnHere(TracedPath& path) const
   this->startLeg(inHalfedgeFrame(this->mesh_, way.window.halfedge, weights), way.window, path);
 }
 
-// To a vertex, to an edge of three and more faces, to the end or into the next face.
+// Follows the leg to a vertex, to an edge of three and more faces, to the end or into the next
+// face.
 void PathTracer::crossFace(TracedPath& path) const
 {
   constexpr int LegsBesideEnd = 3; // as many faces as may lie between the path and its end
@@ -360,8 +361,9 @@ SurfacePoint PathTracer::exitOf(const PathLeg& leg) const
                          : SurfacePoint::onEdge(leg.exit, fraction);
 }
 
-// The nearest corner that the path goes through: the one that it comes straight from, or one on the
-// leg, as far as the unfolding through many faces is rounded, and no farther than the length left.
+// The nearest corner that the path goes through: the one that it comes straight from, or a corner
+// that is on the leg but for the rounding of an unfolding through many faces, and no farther from
+// the source than the length left. NoId if there is none.
 Id PathTracer::cornerOn(const PathLeg& leg, const TracedPath& path) const
 {
   const Id face = TriangleMesh::faceOf(leg.frame);
@@ -396,16 +398,17 @@ Id PathTracer::cornerOn(const PathLeg& leg, const TracedPath& path) const
   return found;
 }
 
-// By how much lengths in a face may be off: the path carries the rounding of its unfolding, and
-// places in the face that of their coordinates. A path whose length is used up may have come to a
-// place beside its end: its length depends on that only by the square.
+// The possible error of lengths in a face: the path carries the rounding of its unfolding, places
+// in the face carry that of their coordinates. If no length is left, the path may be at a place
+// beside its end, as the length depends on that distance only by its square.
 double PathTracer::slack(Id face, const TracedPath& path) const
 {
   const double ofPath = path.left > 0.0 ? tolerance::Tie : tolerance::BesideEnd;
   return ofPath * path.whole + tolerance::PlaceRounding * this->mesh_.shape(face).longest();
 }
 
-// Ends the path where a source in the face is as near as the path is long.
+// Ends the path on a source in the face that is no farther than the length left. Returns whether
+// the path has ended.
 bool PathTracer::endInFace(Id face, TracedPath& path) const
 {
   double nearest = path.left + this->slack(face, path);
@@ -437,7 +440,7 @@ void PathTracer::goToVertex(Id vertex, Id face, TracedPath& path) const
   path.left = this->field_.vertexDistances()[vertex];
 }
 
-// Along an edge, to the vertex that is nearest to the source by way of it.
+// Goes along an edge, to the vertex that gives the shortest way to the source.
 void PathTracer::goToNeighbour(Id vertex, TracedPath& path) const
 {
   const Id face = TriangleMesh::faceOf(*this->mesh_.cornersAt(vertex).begin());

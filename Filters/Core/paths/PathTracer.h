@@ -10,23 +10,23 @@
 namespace geodesic
 {
 
-/// A path that could not be followed to its end, or has come out longer than it is: it ran so close
-/// to vertices that rounding has decided about its way. A field with all windows kept tells it.
+/// A path could not be followed to its end, or has become longer than the distance: it runs so
+/// close to vertices that rounding decides about its way. pathInWindows() finds it.
 class PathLost : public Error
 {
 public:
   using Error::Error;
 };
 
-/// A straight piece of a path across one face, away from the point traced.
+/// A straight piece of a path across one face, on the way from the traced point to the source.
 struct PathLeg
 {
   /// Its ends in the frame of a halfedge of the face.
   Id frame = NoId;
   Vec2 from;
   Vec2 to;
-  /// The halfedge that it leaves the face through, and the ray behind it as a linear window
-  /// without width, in the leaving frame: the x axis runs against the halfedge.
+  /// The halfedge through which it leaves the face, and the ray behind that halfedge: a linear
+  /// window without width in the leaving frame, whose x axis runs against the halfedge.
   Id exit = NoId;
   Window ray = {};
   /// What the path comes straight from: Window::origin, or NoId.
@@ -77,13 +77,13 @@ struct TracedPath : PathState
 
 /// Traces shortest paths of a field that was solved with FrontOptions::keepArrivals.
 ///
-/// Between its bends a shortest path is straight in the unfolding, and each vertex remembers the
-/// direction in which its own comes: so a path is followed as a ray, face by face, as far as the
-/// pseudo-source that its windows left or the source. No windows are needed for that, save in the
-/// faces of the point that the path begins at, and in those around edges of three and more faces,
-/// where they tell in which one it goes on: RetentionAround keeps these.
+/// Between bends a shortest path is straight in the unfolding, and each vertex stores the direction
+/// in which its own path arrives. So a path is followed as a ray, face by face, to the
+/// pseudo-source where it bends, or to the source. Windows are needed in few faces only: around the
+/// first point, and around edges of three and more faces, where they determine in which face the
+/// path continues. RetentionAround keeps these.
 ///
-/// Where ranks have the surface together, each follows paths through the faces that it owns.
+/// If ranks share the surface, each rank follows paths through the faces that it owns.
 class PathTracer
 {
 public:
@@ -94,26 +94,28 @@ public:
   {
   }
 
-  /// The shortest path from a point to the source, one of them where there are several: the point,
-  /// a point on every edge that it crosses, the vertices that it passes, its end on the source.
-  /// Empty where the point was not reached. Thread-safe.
+  /// A shortest path from a point to the source: the point, a point on every edge that it crosses,
+  /// the vertices that it passes, its end on the source. Empty if the point was not reached.
+  /// Thread-safe.
   ///
-  /// \throws PathLost where the path cannot be followed, such as from a face whose windows were not
+  /// \throws PathLost if the path cannot be followed, for example from a face whose windows were
+  /// not
   ///         kept.
   std::vector<SurfacePoint> trace(const SurfacePoint& from) const;
 
-  /// A path before its first step; its points are empty where the point was not reached.
+  /// A path before its first step; it has no points if the point was not reached.
   TracedPath begin(const SurfacePoint& from) const;
-  /// Follows it to its end, or on a part of a surface as far as this rank can.
+  /// Follows a path to its end, or as far as it goes through this rank's faces.
   ///
-  /// \returns the face where it goes on; NoId where it is whole, or has to search around its last
-  ///          point (TracedPath::Next::Search) in faces of several ranks.
+  /// \returns another rank's face where it continues; NoId if it is complete, or has to search
+  /// around
+  ///          its last point (PathState::Next::Search) in faces of several ranks.
   /// \throws PathLost
   Id follow(TracedPath& path) const;
-  /// How long a path is that comes to the last point through one of this rank's faces, the one of
-  /// a search left out.
+  /// The length of the shortest path that comes to the last point through this rank's faces, except
+  /// TracedPath::without; infinite if there is none.
   double searchHere(const TracedPath& path) const;
-  /// Goes on from a search through the best of this rank's faces.
+  /// Continues from a search through the best of this rank's faces.
   void goOnHere(TracedPath& path) const;
 
 private:
