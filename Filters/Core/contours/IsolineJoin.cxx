@@ -35,11 +35,7 @@ void IsolineJoin::add(const IsolinePieces& pieces)
 Id IsolineJoin::pointAt(PieceEnd end) const
 {
   const Id piece = end / 2;
-  if (end % 2 == 1)
-  {
-    return this->ids_[this->pieces_[piece].end - 1];
-  }
-  return this->ids_[piece == 0 ? 0 : this->pieces_[piece - 1].end];
+  return this->ids_[end % 2 == 1 ? this->pieces_[piece].end - 1 : this->firstOf(piece)];
 }
 
 void IsolineJoin::linkEnds()
@@ -131,7 +127,7 @@ void IsolineJoin::follow(PieceEnd begin, Isolines& result)
 void IsolineJoin::addPiece(PieceEnd begin, Isoline& line) const
 {
   const Id piece = begin / 2;
-  const std::size_t first = piece == 0 ? 0 : this->pieces_[piece - 1].end;
+  const std::size_t first = this->firstOf(piece);
   const std::size_t last = this->pieces_[piece].end - 1;
   for (std::size_t i = 1; i <= last - first; ++i)
   {

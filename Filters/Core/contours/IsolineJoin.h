@@ -43,6 +43,7 @@ private:
     Id count = 0;
   };
 
+  std::size_t firstOf(Id piece) const { return piece == 0 ? 0 : this->pieces_[piece - 1].end; }
   Id pointAt(PieceEnd end) const;
   void linkEnds();
   bool isThrough(PieceEnd end) const { return this->nodes_[this->pointAt(end)].count == 2; }

@@ -56,7 +56,6 @@ private:
   void report();
   SidedLine withSides(const Isoline& line);
   Id addChange(const Isoline& line, std::size_t chord, bool isRightBefore);
-  void addPart(const SidedLine& sided, std::size_t first, std::size_t last, std::size_t value);
 
   const DistanceField& field_;
   const TriangleMesh& mesh_;
@@ -148,59 +147,37 @@ Id Cutter::addChange(const Isoline& line, std::size_t chord, bool isRightBefore)
   return static_cast<Id>(this->result_.points.size() - 1);
 }
 
-// A closed line that is cut begins where its side changes.
+// A closed line that is cut begins where its side changes. Parts on the right-hand side are turned
+// around.
 void Cutter::cut(const Isoline& line, const SidedValue& value)
 {
-  SidedLine sided = this->withSides(line);
-  const std::size_t chords = sided.isOnRight.size();
-  std::size_t first = 0;
-  if (line.isClosed())
+  const SidedLine sided = this->withSides(line);
+  const std::vector<std::uint8_t>& sides = sided.isOnRight;
+  const auto change = std::adjacent_find(sides.begin(), sides.end(), std::not_equal_to<>());
+  const bool isCutOpen = line.isClosed() && change != sides.end();
+  const auto first = isCutOpen ? static_cast<std::size_t>(change - sides.begin()) + 1 : 0;
+  const auto chord = [&](std::size_t i) { return (first + i) % sides.size(); };
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
   {
-    const auto change = std::adjacent_find(
-      sided.isOnRight.begin(), sided.isOnRight.end(), std::not_equal_to<std::uint8_t>());
-    if (change != sided.isOnRight.end())
+    const bool isRight = sides[chord(begin)] != 0;
+    Isoline part;
+    part.value = isRight ? value.right : value.left;
+    part.points = { sided.line.points[chord(begin)] };
+    for (; end < sides.size() && (sides[chord(end)] != 0) == isRight; ++end)
     {
-      const std::ptrdiff_t turn = change + 1 - sided.isOnRight.begin();
-      std::rotate(sided.isOnRight.begin(), change + 1, sided.isOnRight.end());
-      std::rotate(
-        sided.line.faces.begin(), sided.line.faces.begin() + turn, sided.line.faces.end());
-      sided.line.points.pop_back();
-      std::rotate(
-        sided.line.points.begin(), sided.line.points.begin() + turn, sided.line.points.end());
-      sided.line.points.push_back(sided.line.points.front());
+      part.points.push_back(sided.line.points[chord(end) + 1]);
+      part.faces.push_back(sided.line.faces[chord(end)]);
+    }
+    if (isRight)
+    {
+      std::reverse(part.points.begin(), part.points.end());
+      std::reverse(part.faces.begin(), part.faces.end());
+    }
+    if (part.value != SidedValue::None)
+    {
+      this->result_.lines.push_back(std::move(part));
     }
   }
-  while (first < chords)
-  {
-    std::size_t last = first;
-    while (last < chords && sided.isOnRight[last] == sided.isOnRight[first])
-    {
-      ++last;
-    }
-    const std::size_t number = sided.isOnRight[first] != 0 ? value.right : value.left;
-    if (number != SidedValue::None)
-    {
-      this->addPart(sided, first, last, number);
-    }
-    first = last;
-  }
-}
-
-void Cutter::addPart(const SidedLine& sided, std::size_t first, std::size_t last, std::size_t value)
-{
-  const auto chord = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
-  Isoline part;
-  part.value = value;
-  part.points.assign(
-    sided.line.points.begin() + chord(first), sided.line.points.begin() + chord(last) + 1);
-  part.faces.assign(
-    sided.line.faces.begin() + chord(first), sided.line.faces.begin() + chord(last));
-  if (sided.isOnRight[first] != 0)
-  {
-    std::reverse(part.points.begin(), part.points.end());
-    std::reverse(part.faces.begin(), part.faces.end());
-  }
-  this->result_.lines.push_back(std::move(part));
 }
 
 } // anonymous namespace

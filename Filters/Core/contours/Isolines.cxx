@@ -108,19 +108,13 @@ struct Segment
   double length;
 };
 
-/// Whether this rank draws in a face.
-bool isDrawn(const DistanceField& field, Id face)
+/// Whether other ranks also draw at an edge: each draws in the faces that it owns.
+bool isAtSeam(const MeshPartition& part, Id halfedge)
 {
-  return field.surface().isOwn(face);
-}
-
-/// Whether other ranks also draw at an edge.
-bool isAtSeam(const DistanceField& field, Id halfedge)
-{
-  bool isSeam = !isDrawn(field, TriangleMesh::faceOf(halfedge));
-  for (Id s = field.mesh().nextSibling(halfedge); s != halfedge; s = field.mesh().nextSibling(s))
+  bool isSeam = !part.isOwn(TriangleMesh::faceOf(halfedge));
+  for (Id s = part.mesh().nextSibling(halfedge); s != halfedge; s = part.mesh().nextSibling(s))
   {
-    isSeam = isSeam || !isDrawn(field, TriangleMesh::faceOf(s));
+    isSeam = isSeam || !part.isOwn(TriangleMesh::faceOf(s));
   }
   return isSeam;
 }
@@ -173,7 +167,7 @@ Isolines Drawing::run()
   IsolineJoin join(this->mesh_, this->levels_, static_cast<Id>(this->edgePoints_.size()));
   for (Id point = 0; point < this->edgePoints_.size(); ++point)
   {
-    if (isAtSeam(this->field_, this->edgePoints_[point].halfedge))
+    if (isAtSeam(this->field_.surface(), this->edgePoints_[point].halfedge))
     {
       join.endAt(point);
     }
@@ -236,7 +230,7 @@ void Drawing::findFaces()
     if (range.least < Infinity && range.holdsOneOf(this->levels_))
     {
       this->isChosen_[face] = 1;
-      if (!isDrawn(this->field_, face))
+      if (!this->field_.surface().isOwn(face))
       {
         continue;
       }
