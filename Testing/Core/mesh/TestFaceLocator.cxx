@@ -34,7 +34,8 @@ public:
     const Vec3& point, double precision, const ProgressCallback& progress = {})
   {
     std::vector<Id> faces;
-    for (const ClosestFace& found : this->locator_.closest({ point }, precision, progress).front())
+    const ClosestFaces closest = this->locator_.closest({ point }, precision, progress);
+    for (const ClosestFace& found : closest.front())
     {
       faces.push_back(found.face.id);
     }
