@@ -12,7 +12,7 @@ foreach (row IN LISTS rows)
 endforeach ()
 
 file(GLOB_RECURSE files RELATIVE "${FOLDER}"
-  "${FOLDER}/*.h" "${FOLDER}/*.cxx" "${FOLDER}/*.txx")
+  "${FOLDER}/*.h" "${FOLDER}/*.cxx")
 list(LENGTH files count)
 if (count LESS 30)
   message(FATAL_ERROR "Only ${count} sources found in ${FOLDER}.")
