@@ -14,11 +14,9 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   const std::vector<SourceCurve>& curves, const ProgressCallback& callback)
   : field_(field)
   , mesh_(field.mesh())
-  , patch_(patch)
-  , chains_(patch.mesh(), curves)
-  , onCurves_(patch.mesh(), this->chains_)
-  , firstPoint_(PointSide::first(
-      field.surface().numberOfGlobalVertices(), static_cast<Id>(this->chains_.curves().size())))
+  , curves_(patch, curves)
+  , firstPoint_(PointSide::first(field.surface().numberOfGlobalVertices(),
+      static_cast<Id>(this->curves_.chains().curves().size())))
   , vertices_(field.surface())
   , sectors_(patch.mesh())
   , directions_(patch.mesh())
@@ -214,25 +212,22 @@ CurveOrigin NearestSource::atSource(const IncomingSegment& piece)
     return { side.origin(this->field_.surface().numberOfGlobalVertices()), place };
   }
   const double place = piece.along > 0.0 ? source.placeOfB : source.placeOfA;
-  const std::vector<double>& places = this->chains_.places(source.curve);
-  const auto at = std::lower_bound(places.begin(), places.end(), place);
-  const auto i = static_cast<std::size_t>(at - places.begin());
-  this->goToPoint(source.curve, std::min(i, places.size() - 1));
+  this->goToPoint(this->curves_.chains().pointAt(source.curve, place));
   return this->inSector(piece);
 }
 
 // The curve and the side to which the piece's direction belongs at the current point.
 CurveOrigin NearestSource::inSector(const IncomingSegment& piece) const
 {
-  const Id face =
-    this->patch_.faceAt(this->field_.surface().addressOf(TriangleMesh::faceOf(piece.frame)));
+  const Id face = this->curves_.patch().faceAt(
+    this->field_.surface().addressOf(TriangleMesh::faceOf(piece.frame)));
   const Id halfedge = 3 * face + piece.frame % 3;
   const CurveOrigin onPatch = this->sectors_.of(halfedge, piece.direction);
   const CurveSide side = CurveSide::of(onPatch.origin, this->meshOfCurves().numberOfVertices());
   double around = Infinity;
   if (this->field_.hasAngles() && dot(piece.direction, piece.direction) > 0.0)
   {
-    this->goAround(this->chains_.pointAt(side.curve, onPatch.place));
+    this->goAround(this->curves_.chains().pointAt(side.curve, onPatch.place));
     around = this->directions_.around(halfedge, piece.direction);
   }
   return this->atPoint(side, onPatch.place, around);
@@ -240,7 +235,7 @@ CurveOrigin NearestSource::inSector(const IncomingSegment& piece) const
 
 CurveOrigin NearestSource::atPoint(const CurveSide& side, double place, double around) const
 {
-  const PointSide point = { this->chains_.pointAt(side.curve, place), side.isRight };
+  const PointSide point = { this->curves_.chains().pointAt(side.curve, place), side.isRight };
   return { point.origin(this->firstPoint_), around };
 }
 
@@ -250,8 +245,7 @@ void NearestSource::goAround(Id number) const
   {
     return;
   }
-  const PointWithEnds at =
-    this->onCurves_.around(this->meshOfCurves(), this->chains_, this->chains_.pointWith(number));
+  const PointWithEnds at = this->curves_.around(number);
   this->directions_.assign(at.point, at.ends);
   this->directionsPoint_ = number;
 }
@@ -269,7 +263,7 @@ bool NearestSource::isElsewhere(Id globalId) const
 
 const VertexOnCurve* NearestSource::onCurveAt(Id globalId) const
 {
-  return this->onCurves_.find(this->patch_.vertexAt(globalId));
+  return this->curves_.vertices().find(this->curves_.patch().vertexAt(globalId));
 }
 
 void NearestSource::goToVertex(Id vertex)
@@ -278,25 +272,24 @@ void NearestSource::goToVertex(Id vertex)
   {
     return;
   }
-  const VertexOnCurve& on = *this->onCurves_.find(vertex);
-  this->sectors_.assign(SurfacePoint::atVertex(vertex), this->onCurves_.endsAround(vertex),
+  const VertexOnCurve& on = *this->curves_.vertices().find(vertex);
+  this->sectors_.assign(SurfacePoint::atVertex(vertex), this->curves_.vertices().endsAround(vertex),
     CurveOrigin::onLeft(this->meshOfCurves(), on.curve, on.place));
   this->sectorsVertex_ = vertex;
 }
 
-void NearestSource::goToPoint(Id number, std::size_t i)
+void NearestSource::goToPoint(Id number)
 {
-  const SourceCurve& curve = this->chains_.curves()[number];
-  const Id vertex = vertexAtPlaceOf(this->meshOfCurves(), curve, i);
-  if (vertex != NoId)
+  const PointWithEnds at = this->curves_.around(number);
+  if (at.point.kind == SurfacePoint::Kind::Vertex)
   {
-    this->goToVertex(vertex);
+    this->goToVertex(at.point.id);
     return;
   }
-  const std::vector<double>& places = this->chains_.places(number);
-  this->sectors_.assign(curve.points[i],
-    segmentEndsAround(this->meshOfCurves(), curve, number, places, i),
-    CurveOrigin::onLeft(this->meshOfCurves(), number, places[i]));
+  const CurveChains::Point point = this->curves_.chains().pointWith(number);
+  const double place = this->curves_.chains().places(point.chain)[point.i];
+  this->sectors_.assign(
+    at.point, at.ends, CurveOrigin::onLeft(this->meshOfCurves(), point.chain, place));
   this->sectorsVertex_ = NoId;
 }
 
@@ -312,19 +305,19 @@ Foot NearestSource::footOf(const CurveOrigin& origin) const
   if (this->isPoint(origin.origin))
   {
     const PointSide at = PointSide::of(origin.origin, this->firstPoint_);
-    const CurveChains::Point point = this->chains_.pointWith(at.point);
+    const CurveChains::Point point = this->curves_.chains().pointWith(at.point);
     side = { point.chain, at.isRight };
-    place = this->chains_.places(point.chain)[point.i];
+    place = this->curves_.chains().places(point.chain)[point.i];
     around = origin.place;
   }
-  const CurveChains::Link& link = this->chains_.linkAt(side.curve, place);
+  const CurveChains::Link& link = this->curves_.chains().linkAt(side.curve, place);
   return { link.curve, side.isRight != link.isReversed, side.curve, place, around };
 }
 
 SurfacePoint NearestSource::pointOf(const Foot& foot) const
 {
-  const SourceCurve& curve = this->chains_.curves()[foot.chain];
-  const std::vector<double>& places = this->chains_.places(foot.chain);
+  const SourceCurve& curve = this->curves_.chains().curves()[foot.chain];
+  const std::vector<double>& places = this->curves_.chains().places(foot.chain);
   const auto behind = std::upper_bound(places.begin(), places.end(), foot.place);
   if (behind == places.begin())
   {
@@ -344,17 +337,17 @@ SurfacePoint NearestSource::pointOf(const Foot& foot) const
 
 double NearestSource::arcLengthOf(const Foot& foot) const
 {
-  return this->chains_.arcLength(foot.curve, foot.place);
+  return this->curves_.chains().arcLength(foot.curve, foot.place);
 }
 
 std::vector<double> NearestSource::arcLengthsOf(Id curve) const
 {
-  const CurveChains::Part& part = this->chains_.partOf(curve);
-  const std::vector<double>& places = this->chains_.places(part.chain);
+  const CurveChains::Part& part = this->curves_.chains().partOf(curve);
+  const std::vector<double>& places = this->curves_.chains().places(part.chain);
   std::vector<double> lengths;
   for (std::size_t i = part.begin; i <= part.end; ++i)
   {
-    lengths.push_back(this->chains_.arcLength(curve, places[i]));
+    lengths.push_back(this->curves_.chains().arcLength(curve, places[i]));
   }
   if (part.isReversed)
   {
@@ -378,13 +371,8 @@ double NearestSource::angleOf(const Foot& foot) const
   {
     return 0.0;
   }
-  this->goAround(this->chains_.pointAt(foot.chain, foot.place));
-  return this->chains_.angleFrom(foot.curve, this->directions_.angleOf(foot.around));
-}
-
-SourceFrame NearestSource::frameOf(Id curve) const
-{
-  return sourceFrame(this->meshOfCurves(), this->chains_, this->onCurves_, curve);
+  this->goAround(this->curves_.chains().pointAt(foot.chain, foot.place));
+  return this->curves_.chains().angleFrom(foot.curve, this->directions_.angleOf(foot.around));
 }
 
 }

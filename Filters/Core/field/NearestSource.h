@@ -4,13 +4,9 @@
 
 #include "field/IncomingSegment.h"
 #include "mesh/GlobalVertices.h"
-#include "mesh/ReplicatedPatch.h"
-#include "source/CurveChains.h"
 #include "source/CurveSectors.h"
+#include "source/CurvesOnPatch.h"
 #include "source/DirectionsAround.h"
-#include "source/SourceCurve.h"
-#include "source/SourceFrame.h"
-#include "source/VerticesOnCurves.h"
 
 #include <limits>
 #include <memory>
@@ -64,7 +60,7 @@ public:
   ~NearestSource();
 
   /// The mesh that curves and feet lie on: that of the patch.
-  const TriangleMesh& meshOfCurves() const { return this->patch_.mesh(); }
+  const TriangleMesh& meshOfCurves() const { return this->curves_.mesh(); }
 
   /// The foot of the shortest path to a vertex.
   Foot atVertex(Id vertex) const { return this->footOf(this->origins_[vertex]); }
@@ -109,7 +105,7 @@ public:
   double angleOf(const Foot& foot) const;
   /// The x axis of a single point's frame has the angle 0 in angleOf(). A curve's frame is that of
   /// its first segment: x along the segment, y to the left.
-  SourceFrame frameOf(Id curve) const;
+  SourceFrame frameOf(Id curve) const { return this->curves_.frameOf(curve); }
 
 private:
   void find(const ProgressCallback& progress);
@@ -130,15 +126,13 @@ private:
   bool isElsewhere(Id globalId) const;
   const VertexOnCurve* onCurveAt(Id globalId) const;
   void goToVertex(Id vertex);
-  void goToPoint(Id curve, std::size_t i);
+  void goToPoint(Id point);
   Foot footOf(const CurveOrigin& origin) const;
 
   const DistanceField& field_;
   const TriangleMesh& mesh_;
-  ReplicatedPatch patch_;
-  /// Windows have the numbers of these chains.
-  CurveChains chains_;
-  VerticesOnCurves onCurves_;
+  /// Windows have the numbers of its chains.
+  CurvesOnPatch curves_;
   /// PointSide::first() of the windows' origins.
   Id firstPoint_;
   /// Of each vertex, with global ids. An origin that is a vertex is open: see RemoteOrigins.

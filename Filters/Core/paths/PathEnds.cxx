@@ -9,11 +9,9 @@ namespace geodesic
 {
 
 PathEnds::PathEnds(const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves)
-  : patch_(patch)
-  , curves_(curves)
-  , chains_(patch.mesh(), curves)
-  , onCurves_(patch.mesh(), this->chains_)
-  , inFaces_(patch.mesh(), this->chains_)
+  : curves_(curves)
+  , onPatch_(patch, curves)
+  , inFaces_(patch.mesh(), this->onPatch_.chains())
 {
 }
 
@@ -23,7 +21,7 @@ PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& 
 {
   const SurfacePoint& before = path[path.size() - 2];
   const Id onMesh = commonFace(mesh, before, path.back());
-  const Id face = this->patch_.faceAt(addressOf(onMesh));
+  const Id face = this->onPatch_.patch().faceAt(addressOf(onMesh));
   if (face == NoId)
   {
     return {};
@@ -48,7 +46,7 @@ PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& 
     return this->onSegment(piece, *segment, segment->placeOfA + along);
   }
   const double place = along > rounding ? segment->placeOfB : segment->placeOfA;
-  return this->atPoint(piece, this->chains_.pointAt(segment->curve, place));
+  return this->atPoint(piece, this->onPatch_.chains().pointAt(segment->curve, place));
 }
 
 PathEnd PathEnds::onSegment(const LastPiece& piece, const SourceInFace& segment, double place) const
@@ -69,9 +67,9 @@ PathEnd PathEnds::onSegment(const LastPiece& piece, const SourceInFace& segment,
 // Of several curves at the point it is the one to which the direction belongs.
 PathEnd PathEnds::atPoint(const LastPiece& piece, Id number) const
 {
-  const CurveChains::Point at = this->chains_.pointWith(number);
-  const PointWithEnds around = this->onCurves_.around(this->mesh(), this->chains_, at);
-  const double place = this->chains_.places(at.chain)[at.i];
+  const CurveChains::Point at = this->onPatch_.chains().pointWith(number);
+  const PointWithEnds around = this->onPatch_.around(number);
+  const double place = this->onPatch_.chains().places(at.chain)[at.i];
   if (!piece.hasLength() || !contains(this->mesh(), piece.face, around.point))
   {
     return this->endAt(at.chain, place, 0.0);
@@ -88,14 +86,9 @@ PathEnd PathEnds::atPoint(const LastPiece& piece, Id number) const
 // 0 is the angle of a path without a direction.
 PathEnd PathEnds::endAt(Id chain, double place, double angle) const
 {
-  const CurveChains::Link& link = this->chains_.linkAt(chain, place);
-  return { this->curves_[link.curve].source, this->chains_.arcLength(link.curve, place),
-    angle != 0.0 ? this->chains_.angleFrom(link.curve, angle) : 0.0 };
-}
-
-SourceFrame PathEnds::frameOf(Id curve) const
-{
-  return sourceFrame(this->mesh(), this->chains_, this->onCurves_, curve);
+  const CurveChains::Link& link = this->onPatch_.chains().linkAt(chain, place);
+  return { this->curves_[link.curve].source, this->onPatch_.chains().arcLength(link.curve, place),
+    angle != 0.0 ? this->onPatch_.chains().angleFrom(link.curve, angle) : 0.0 };
 }
 
 }

@@ -2,10 +2,8 @@
 #ifndef geodesic_PathEnds_h
 #define geodesic_PathEnds_h
 
-#include "mesh/ReplicatedPatch.h"
 #include "source/CurvesInFaces.h"
-#include "source/SourceFrame.h"
-#include "source/VerticesOnCurves.h"
+#include "source/CurvesOnPatch.h"
 
 #include <functional>
 #include <vector>
@@ -40,7 +38,7 @@ public:
     const std::function<RankAddress(Id)>& addressOf) const;
 
   /// The frame in which angles at a curve are measured.
-  SourceFrame frameOf(Id curve) const;
+  SourceFrame frameOf(Id curve) const { return this->onPatch_.frameOf(curve); }
 
 private:
   /// The last piece of a path on the patch: where it ends, and the direction back from there, in
@@ -54,15 +52,13 @@ private:
     bool hasLength() const { return dot(this->direction, this->direction) > 0.0; }
   };
 
-  const TriangleMesh& mesh() const { return this->patch_.mesh(); }
+  const TriangleMesh& mesh() const { return this->onPatch_.mesh(); }
   PathEnd onSegment(const LastPiece& piece, const SourceInFace& segment, double place) const;
   PathEnd atPoint(const LastPiece& piece, Id number) const;
   PathEnd endAt(Id chain, double place, double angle) const;
 
-  ReplicatedPatch patch_;
   const std::vector<SourceCurve>& curves_;
-  CurveChains chains_;
-  VerticesOnCurves onCurves_;
+  CurvesOnPatch onPatch_;
   CurvesInFaces inFaces_;
 };
 

@@ -86,17 +86,4 @@ std::vector<SegmentEnd> VerticesOnCurves::of(Id vertex, const Ends& ends)
   return result;
 }
 
-PointWithEnds VerticesOnCurves::around(
-  const TriangleMesh& mesh, const CurveChains& chains, const CurveChains::Point& at) const
-{
-  const SourceCurve& curve = chains.curves()[at.chain];
-  const Id vertex = vertexAtPlaceOf(mesh, curve, at.i);
-  if (vertex != NoId)
-  {
-    return { SurfacePoint::atVertex(vertex), this->endsAround(vertex) };
-  }
-  return { curve.points[at.i],
-    segmentEndsAround(mesh, curve, at.chain, chains.places(at.chain), at.i) };
-}
-
 }

@@ -19,13 +19,6 @@ struct VertexOnCurve
   bool operator<(const VertexOnCurve& other) const { return this->vertex < other.vertex; }
 };
 
-/// A point of a curve and the ends of the segments around it.
-struct PointWithEnds
-{
-  SurfacePoint point;
-  std::vector<SegmentEnd> ends;
-};
-
 /// The mesh vertices on curves, and the segments that meet there. Several curves may meet in one
 /// vertex. A vertex at the place of a curve's corner or end, behind faces without area, is on the
 /// curve.
@@ -42,10 +35,6 @@ public:
   std::vector<SegmentEnd> endsAt(Id vertex) const { return of(vertex, this->ends_); }
   /// The same of all points at its place: segmentEndsAround().
   std::vector<SegmentEnd> endsAround(Id vertex) const { return of(vertex, this->endsAround_); }
-  /// A point of a chain, at the vertex at its place if there is one, and the ends around it: of all
-  /// curves at a vertex, else of this chain.
-  PointWithEnds around(
-    const TriangleMesh& mesh, const CurveChains& chains, const CurveChains::Point& at) const;
 
 private:
   struct EndAtVertex

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "source/SourceFrame.h"
+#include "source/CurvesOnPatch.h"
 
 #include "source/DirectionsAround.h"
 
@@ -8,15 +8,29 @@
 namespace geodesic
 {
 
-SourceFrame sourceFrame(
-  const TriangleMesh& mesh, const CurveChains& chains, const VerticesOnCurves& onCurves, Id number)
+PointWithEnds CurvesOnPatch::around(Id point) const
 {
-  const CurveChains::Part& part = chains.partOf(number);
-  const SourceCurve& curve = chains.curves()[part.chain];
+  const CurveChains::Point at = this->chains_.pointWith(point);
+  const SourceCurve& curve = this->chains_.curves()[at.chain];
+  const Id vertex = vertexAtPlaceOf(this->mesh(), curve, at.i);
+  if (vertex != NoId)
+  {
+    return { SurfacePoint::atVertex(vertex), this->vertices_.endsAround(vertex) };
+  }
+  return { curve.points[at.i],
+    segmentEndsAround(this->mesh(), curve, at.chain, this->chains_.places(at.chain), at.i) };
+}
+
+SourceFrame CurvesOnPatch::frameOf(Id number) const
+{
+  const TriangleMesh& mesh = this->mesh();
+  const CurveChains::Part& part = this->chains_.partOf(number);
+  const SourceCurve& curve = this->chains_.curves()[part.chain];
   SourceFrame frame;
   if (part.begin == part.end)
   {
-    const PointWithEnds at = onCurves.around(mesh, chains, { part.chain, part.begin });
+    const double place = this->chains_.places(part.chain)[part.begin];
+    const PointWithEnds at = this->around(this->chains_.pointAt(part.chain, place));
     DirectionsAround directions(mesh);
     directions.assign(at.point, at.ends);
     const DirectionsAround::Axis axis = directions.axis();
