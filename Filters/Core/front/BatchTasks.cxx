@@ -67,8 +67,53 @@ void BatchTasks::processBatch(FrontWorker& worker, District& district, Id batch)
 }
 
 // Returns whether the vertex is done. If the worker has to pause, the remaining lists stay with the
-// vertex; everything else happens once.
+// vertex.
 bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id vertex, Id batch)
+{
+  const double last = district.schedule.last();
+  const double distance = this->vertices_.distance(vertex);
+  double next = Infinity;
+  if (distance <= last)
+  {
+    this->settle(worker, district, vertex);
+  }
+  else
+  {
+    next = distance;
+  }
+  WaitingLists& lists = district.lists;
+  Id& facing = this->vertices_[vertex].facing;
+  Id late = NoId;
+  Id lastLate = NoId;
+  while (facing != NoId && !worker.hasToPause())
+  {
+    const Id list = facing;
+    facing = lists.next(list);
+    const double due = lists.due(list);
+    if ((due < Infinity ? due : distance) <= last)
+    {
+      this->propagate(worker, district, list, batch);
+      continue;
+    }
+    next = std::min(next, due);
+    lastLate == NoId ? static_cast<void>(late = list) : lists.setNext(lastLate, list);
+    lastLate = list;
+  }
+  const bool isDone = facing == NoId;
+  if (lastLate != NoId)
+  {
+    lists.setNext(lastLate, facing);
+    facing = late;
+  }
+  if (isDone && next < Infinity)
+  {
+    district.schedule.add(vertex, next);
+  }
+  return isDone;
+}
+
+// What a vertex does once at each of its distances.
+void BatchTasks::settle(FrontWorker& worker, District& district, Id vertex)
 {
   VertexState& state = this->vertices_[vertex];
   if (state.isShorter() && !this->isOutsideCorridor(vertex))
@@ -85,17 +130,6 @@ bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id verte
   {
     ++state.turns;
   }
-  while (state.facing != NoId)
-  {
-    if (worker.hasToPause())
-    {
-      return false;
-    }
-    const Id list = state.facing;
-    state.facing = district.lists.next(list);
-    this->propagate(worker, district, list, batch);
-  }
-  return true;
 }
 
 // No mail is read before step (2), so an update may go to any district.
@@ -315,7 +349,7 @@ void BatchTasks::shorten(District& district, const DistanceUpdate& update)
   }
   if (!this->isOutsideCorridor(update.vertex))
   {
-    district.schedule.add(update.vertex);
+    district.schedule.add(update.vertex, this->vertices_.distance(update.vertex));
   }
 }
 
@@ -419,7 +453,8 @@ void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList s
   }
   worker.propagated += sent.windows.size;
   worker.handled += sent.windows.size;
-  const Id list = district.lists.find(sent.halfedge);
+  const double due = this->dueOf(sent);
+  Id list = district.lists.find(sent.halfedge);
   if (list != NoId)
   {
     this->mergeInto(worker, district, list, sent.windows);
@@ -427,11 +462,29 @@ void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList s
   else
   {
     Id& facing = this->vertices_[apex].facing;
-    const Id added = district.lists.add(sent.halfedge, sent.windows);
-    district.lists.setNext(added, facing);
-    facing = added;
+    list = district.lists.add(sent.halfedge, sent.windows);
+    district.lists.setNext(list, facing);
+    facing = list;
   }
-  district.schedule.add(apex);
+  district.lists.setDue(list, std::min(due, district.lists.due(list)));
+  district.schedule.add(apex, due < Infinity ? due : this->vertices_.distance(apex));
+}
+
+// A list waits for the vertex opposite, so that it is complete when it goes through its face. In a
+// thin face the vertex may be far from where the windows are, or long behind them. There the list
+// goes when the front is as far as its nearest window, as in MMP. Otherwise windows that wait for a
+// far vertex are overtaken by longer paths, which they beat later.
+double BatchTasks::dueOf(const SentList& sent) const
+{
+  double due = Infinity;
+  if (this->mesh_.shape(TriangleMesh::faceOf(sent.halfedge)).isThin())
+  {
+    for (const Window& w : sent.windows.range())
+    {
+      due = std::min(due, w.minimum());
+    }
+  }
+  return due;
 }
 
 void BatchTasks::mergeInto(

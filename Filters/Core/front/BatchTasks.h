@@ -66,6 +66,7 @@ private:
   /// Whether this rank owns the face.
   bool isOwn(Id face) const { return this->surface_.isOwn(face); }
   bool processVertex(FrontWorker& worker, District& district, Id vertex, Id batch);
+  void settle(FrontWorker& worker, District& district, Id vertex);
   void sendUpdate(District& sender, const DistanceUpdate& update);
   void relaxEdges(District& district, Id vertex);
   bool isOutgoingBeyond(Id halfedge, Id vertex) const;
@@ -78,6 +79,7 @@ private:
     FrontWorker& worker, District& district, Id halfedge, const WindowRange& passed) const;
   bool isNeededOn(const District& district, Id halfedge) const;
   void receiveList(FrontWorker& worker, District& district, SentList sent);
+  double dueOf(const SentList& sent) const;
   void cutByPassed(FrontWorker& worker, const District& district, SentList& sent) const;
   std::size_t receiveLists(
     FrontWorker& worker, District& district, const std::vector<SentList>& lists, std::size_t first);

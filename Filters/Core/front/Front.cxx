@@ -13,6 +13,7 @@
 #include "front/VertexStates.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace geodesic
@@ -396,7 +397,9 @@ void Front::finishBatch()
   for (const Id number : this->active_)
   {
     District& district = this->districts_[number];
-    this->batch_.insert(this->batch_.end(), district.batch.begin(), district.batch.end());
+    // A vertex that only lets lists of thin faces pass is not settled.
+    std::copy_if(district.batch.begin(), district.batch.end(), std::back_inserter(this->batch_),
+      [this](Id vertex) { return this->vertices_[vertex].processed < Infinity; });
     district.batch.clear();
     this->progress_.settle(district.settled);
     district.settled = 0;
@@ -587,6 +590,7 @@ void Front::flush(double bound)
 
 void Front::takeVerticesWithin(double bound, District& district) const
 {
+  district.schedule.passAll();
   std::vector<Id>& vertices = district.batch;
   district.lists.forEach(
     [&](Id halfedge, const WindowBlock& block)

@@ -19,12 +19,9 @@ class VertexSchedule
     return [this](const VertexQueue::Entry& entry)
     { return entry.key == this->states_[entry.vertex].key; };
   }
-  // Vertices belong to one batch if none is farther than another by more than about an edge there:
-  // windows from one of them then seldom reach another. From 0.25 to 2 edges the number of windows
-  // hardly changes.
   auto reachOf() const
   {
-    return [this](Id vertex) { return 0.5 * static_cast<double>(this->states_[vertex].edge); };
+    return [this](Id vertex) { return static_cast<double>(this->states_[vertex].reach); };
   }
 
 public:
@@ -36,12 +33,17 @@ public:
   /// The key at which the last batch began: no path yet to be found is shorter.
   double key() const { return this->key_; }
 
-  /// Adds a vertex that has to be processed.
-  void add(Id vertex)
+  /// The last key of the current batch: what lies beyond it waits.
+  double last() const { return this->last_; }
+
+  /// Adds a vertex that has to be processed, or whose lists have to pass.
+  ///
+  /// \param distance at which this has to happen.
+  void add(Id vertex, double distance)
   {
     // Windows that come to a vertex behind the front continue with the front, in the same batches.
     VertexState& state = this->states_[vertex];
-    const double key = std::max(state.distance, this->key_);
+    const double key = std::max(distance, this->key_);
     if (key < state.key)
     {
       state.key = key;
@@ -77,6 +79,7 @@ public:
   void takeBatch(double last, std::vector<Id>& batch)
   {
     batch.clear();
+    this->last_ = last;
     const auto take = [this, &batch](Id vertex)
     {
       this->states_[vertex].key = Infinity;
@@ -86,6 +89,9 @@ public:
     this->behind_.clear();
     this->queue_.takeBatch(last, this->isCurrent(), take);
   }
+
+  /// In the current batch, lets everything pass.
+  void passAll() { this->last_ = Infinity; }
 
   /// Whether some waiting vertex satisfies a condition: (Id vertex) -> bool.
   template <typename Condition>
@@ -101,6 +107,7 @@ public:
 private:
   VertexStates& states_;
   double key_ = 0.0;
+  double last_ = Infinity;
   /// Vertices ahead of the front, and those at or behind it.
   VertexQueue queue_;
   std::vector<Id> behind_;

@@ -63,6 +63,7 @@ Id WaitingLists::add(Id halfedge, const WindowBlock& block)
   const Id list = this->newList();
   this->lists_[list].halfedge = halfedge;
   this->lists_[list].next = NoId;
+  this->lists_[list].due = Infinity;
   this->setBlock(list, block);
   this->enter(list);
   ++this->count_;

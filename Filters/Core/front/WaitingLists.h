@@ -36,6 +36,11 @@ public:
   Id next(Id list) const { return this->lists_[list].next; }
   void setNext(Id list, Id next) { this->lists_[list].next = next; }
 
+  /// The distance at which the list passes, whether or not the front has reached its vertex;
+  /// infinite if the list waits for the vertex.
+  double due(Id list) const { return this->lists_[list].due; }
+  void setDue(Id list, double due) { this->lists_[list].due = due; }
+
   /// Calls visit(Id halfedge, const WindowBlock&) for each list, in any order.
   template <typename Visit>
   void forEach(Visit&& visit) const
@@ -58,6 +63,7 @@ private:
     std::uint32_t sizeClass : 5;
     Id halfedge = NoId;
     Id next = NoId;
+    double due = Infinity;
 
     List()
       : size(0)

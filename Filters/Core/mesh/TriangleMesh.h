@@ -32,6 +32,13 @@ struct FaceShape
   double longest() const { return this->length[this->longestEdge()]; }
   /// According to tolerance::ZeroArea.
   bool hasZeroArea() const;
+  /// Whether the face is many times longer than high. Scans have hardly any such face.
+  bool isThin() const
+  {
+    constexpr double thin = 1.0 / 32.0;
+    const double longest = std::max({ this->length[0], this->length[1], this->length[2] });
+    return this->area2 < thin * longest * longest;
+  }
 };
 
 /// An indexed triangle mesh of any topology: with boundary, several components, edges of three and
