@@ -72,14 +72,11 @@ bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id verte
 {
   const double last = district.schedule.last();
   const double distance = this->vertices_.distance(vertex);
-  double next = Infinity;
+  double next = distance;
   if (distance <= last)
   {
     this->settle(worker, district, vertex);
-  }
-  else
-  {
-    next = distance;
+    next = Infinity;
   }
   WaitingLists& lists = district.lists;
   Id& facing = this->vertices_[vertex].facing;
@@ -96,7 +93,14 @@ bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id verte
       continue;
     }
     next = std::min(next, due);
-    lastLate == NoId ? static_cast<void>(late = list) : lists.setNext(lastLate, list);
+    if (lastLate == NoId)
+    {
+      late = list;
+    }
+    else
+    {
+      lists.setNext(lastLate, list);
+    }
     lastLate = list;
   }
   const bool isDone = facing == NoId;
@@ -255,12 +259,14 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
   this->send(worker, district, right, worker.leaving.right.range());
 }
 
-// Where windows come to a vertex again and again, they are beaten by others that came before.
+// Where windows come to a vertex again and again, they are beaten by others that came before. A
+// list in a thin face passes at its nearest window's distance, and others may come later.
 void BatchTasks::remember(
   FrontWorker& worker, District& district, Id halfedge, const WindowRange& passed) const
 {
   constexpr std::uint8_t usualTurns = 4; // on scans hardly a vertex has more
-  if (this->vertices_[this->mesh_.opposite(halfedge)].turns > usualTurns &&
+  if ((this->vertices_[this->mesh_.opposite(halfedge)].turns > usualTurns ||
+        this->mesh_.shape(TriangleMesh::faceOf(halfedge)).isThin()) &&
     this->isNeededOn(district, halfedge))
   {
     const auto isNeeded = [&](Id other) { return this->isNeededOn(district, other); };
