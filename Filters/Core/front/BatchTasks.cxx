@@ -18,6 +18,16 @@ Arrival arrivalThrough(Id halfedge, const ApexDistance& apex)
   return { halfedge, apex.origin, apex.crossing, apex.direction, apex.place };
 }
 
+double leastDistance(const WindowRange& windows)
+{
+  double least = Infinity;
+  for (const Window& w : windows)
+  {
+    least = std::min(least, w.minimum());
+  }
+  return least;
+}
+
 /// Works on items one after another, while the memory of the next ones is prefetched.
 ///
 /// \param work (std::size_t i) -> whether the item is done.
@@ -265,9 +275,10 @@ void BatchTasks::remember(
   FrontWorker& worker, District& district, Id halfedge, const WindowRange& passed) const
 {
   constexpr std::uint8_t usualTurns = 4; // on scans hardly a vertex has more
-  if ((this->vertices_[this->mesh_.opposite(halfedge)].turns > usualTurns ||
-        this->mesh_.shape(TriangleMesh::faceOf(halfedge)).isThin()) &&
-    this->isNeededOn(district, halfedge))
+  const VertexState& apex = this->vertices_[this->mesh_.opposite(halfedge)];
+  const bool isAgain = apex.turns > usualTurns ||
+    (apex.hasThinFaces && this->mesh_.shape(TriangleMesh::faceOf(halfedge)).isThin());
+  if (isAgain && this->isNeededOn(district, halfedge))
   {
     const auto isNeeded = [&](Id other) { return this->isNeededOn(district, other); };
     worker.handled += passed.size();
@@ -436,6 +447,10 @@ void BatchTasks::cutByPassed(FrontWorker& worker, const District& district, Sent
   sent.windows = worker.pool.copyOf(worker.merged.range());
 }
 
+// A list waits for the vertex opposite, so that it is complete when it goes through its face. In a
+// thin face the vertex may be far from where the windows are, or long behind them. There the list
+// goes when the front is as far as its nearest window, as in MMP. Otherwise windows that wait for a
+// far vertex are overtaken by longer paths, which they beat later.
 void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList sent)
 {
   this->cutByPassed(worker, district, sent);
@@ -459,7 +474,9 @@ void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList s
   }
   worker.propagated += sent.windows.size;
   worker.handled += sent.windows.size;
-  const double due = this->dueOf(sent);
+  const bool isThin = this->vertices_[apex].hasThinFaces &&
+    this->mesh_.shape(TriangleMesh::faceOf(sent.halfedge)).isThin();
+  double due = isThin ? leastDistance(sent.windows.range()) : this->vertices_.distance(apex);
   Id list = district.lists.find(sent.halfedge);
   if (list != NoId)
   {
@@ -472,25 +489,12 @@ void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList s
     district.lists.setNext(list, facing);
     facing = list;
   }
-  district.lists.setDue(list, std::min(due, district.lists.due(list)));
-  district.schedule.add(apex, due < Infinity ? due : this->vertices_.distance(apex));
-}
-
-// A list waits for the vertex opposite, so that it is complete when it goes through its face. In a
-// thin face the vertex may be far from where the windows are, or long behind them. There the list
-// goes when the front is as far as its nearest window, as in MMP. Otherwise windows that wait for a
-// far vertex are overtaken by longer paths, which they beat later.
-double BatchTasks::dueOf(const SentList& sent) const
-{
-  double due = Infinity;
-  if (this->mesh_.shape(TriangleMesh::faceOf(sent.halfedge)).isThin())
+  if (isThin)
   {
-    for (const Window& w : sent.windows.range())
-    {
-      due = std::min(due, w.minimum());
-    }
+    due = std::min(due, district.lists.due(list));
+    district.lists.setDue(list, due);
   }
-  return due;
+  district.schedule.add(apex, due);
 }
 
 void BatchTasks::mergeInto(

@@ -79,7 +79,6 @@ private:
     FrontWorker& worker, District& district, Id halfedge, const WindowRange& passed) const;
   bool isNeededOn(const District& district, Id halfedge) const;
   void receiveList(FrontWorker& worker, District& district, SentList sent);
-  double dueOf(const SentList& sent) const;
   void cutByPassed(FrontWorker& worker, const District& district, SentList& sent) const;
   std::size_t receiveLists(
     FrontWorker& worker, District& district, const std::vector<SentList>& lists, std::size_t first);

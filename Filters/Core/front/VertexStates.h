@@ -42,6 +42,7 @@ struct VertexState
   Emission emission = Emission::Nothing;
   /// How often it was processed, up to the largest number.
   std::uint8_t turns = 0;
+  bool hasThinFaces = false;
 
   Arrival arrival() const { return { this->arrivalHalfedge, NoId, this->arrivalX }; }
   /// Whether its distance is shorter than the processed one by more than a tie.
@@ -140,6 +141,16 @@ inline VertexStates::VertexStates(const TriangleMesh& mesh, bool withErrors, boo
         state.reach = static_cast<float>(this->reachOf(vertex));
       }
     });
+  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  {
+    if (this->mesh_.shape(face).isThin())
+    {
+      for (const Id vertex : this->mesh_.triangle(face))
+      {
+        this->states_[vertex].hasThinFaces = true;
+      }
+    }
+  }
 }
 
 // Vertices belong to one batch if none is farther than another by more than about half an edge:
@@ -150,17 +161,17 @@ inline VertexStates::VertexStates(const TriangleMesh& mesh, bool withErrors, boo
 inline double VertexStates::reachOf(Id vertex) const
 {
   const IdRange corners = this->mesh_.cornersAt(vertex);
-  double edge = corners.size() > 0 ? this->mesh_.length(*corners.begin()) : 0.0;
-  for (const Id corner : corners)
+  if (corners.size() == 0)
   {
-    const FaceShape& shape = this->mesh_.shape(TriangleMesh::faceOf(corner));
-    if (shape.isThin())
-    {
-      const double altitude = shape.area2 / shape.longest();
-      edge = std::min(edge, altitude * (altitude / shape.longest()));
-    }
+    return 0.0;
   }
-  return 0.5 * edge;
+  const FaceShape& shape = this->mesh_.shape(TriangleMesh::faceOf(*corners.begin()));
+  if (shape.isThin())
+  {
+    const double altitude = shape.area2 / shape.longest();
+    return 0.5 * altitude * (altitude / shape.longest());
+  }
+  return 0.5 * this->mesh_.length(*corners.begin());
 }
 
 // A path across a needle carries the rounding of the needle's long edges.

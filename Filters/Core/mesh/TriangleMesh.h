@@ -36,8 +36,8 @@ struct FaceShape
   bool isThin() const
   {
     constexpr double thin = 1.0 / 32.0;
-    const double longest = std::max({ this->length[0], this->length[1], this->length[2] });
-    return this->area2 < thin * longest * longest;
+    const auto isLong = [this](double edge) { return this->area2 < thin * edge * edge; };
+    return isLong(this->length[0]) || isLong(this->length[1]) || isLong(this->length[2]);
   }
 };
 
