@@ -82,6 +82,7 @@ bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id verte
 {
   const double last = district.schedule.last();
   const double distance = this->vertices_.distance(vertex);
+  const bool isOrdinary = !this->vertices_[vertex].hasThinFaces;
   double next = distance;
   if (distance <= last)
   {
@@ -96,7 +97,7 @@ bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id verte
   {
     const Id list = facing;
     facing = lists.next(list);
-    const double due = lists.due(list);
+    const double due = isOrdinary ? Infinity : lists.due(list);
     if ((due < Infinity ? due : distance) <= last)
     {
       this->propagate(worker, district, list, batch);

@@ -140,3 +140,44 @@ TEST(PassedWindows, OfSpikesDistancesAreThoseOfTheBruteForceSolver)
     }
   }
 }
+
+// Windows of neighbouring strips pass together, so that the approximate solver can merge them.
+TEST(ThinFaces, OfStripsFewWindowsGoOn)
+{
+  const TriangleMesh mesh = engineMesh(openCylinder(400, 1, 3000.0));
+  geodesic::FrontOptions options;
+  options.relativeError = 1e-3;
+  const DistanceField field =
+    geodesic::solve(mesh, { { { SurfacePoint::atVertex(0) }, {}, { 0 } } }, options);
+  EXPECT_LE(field.windowsPropagated(), 12U * mesh.numberOfEdges());
+}
+
+TEST(ThinFaces, OfStripsDistancesAreThoseOfTheBruteForceSolver)
+{
+  const Seeds seeds = seedsOfTest(meshesOfAKind(20));
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 92000);
+    const Index sides = random.between(10, 60);
+    const PlainMesh mesh =
+      openCylinder(sides, random.between(1, 3), random.uniform(10.0, 1000.0) * sides);
+    CurveMaker maker(mesh, random);
+    const std::vector<Polyline> lines = maker.anySource();
+    const std::vector<MeshPoint> queries = randomPoints(mesh, 30, random);
+    const BruteForceResult truth = bruteForceDistances(mesh, toSources(lines), queries);
+    const double largest = largestFinite(truth.vertices);
+    const TriangleMesh engine = engineMesh(mesh);
+    for (geodesic::FrontOptions options : { geodesic::FrontOptions(), onSomeThreads() })
+    {
+      const std::vector<geodesic::SourceCurve> curves = engineCurves(engine, lines);
+      const EngineResult exact =
+        valuesOf(geodesic::solve(engine, curves, options, KeepWindows::All), queries);
+      EXPECT_LE(worstError(exact.vertices, truth.vertices, largest), SpikesAccuracy);
+      EXPECT_LE(worstError(exact.queries, truth.queries, largest), SpikesAccuracy);
+      options.relativeError = 0.01;
+      expectCertified(geodesic::solve(engine, curves, options, KeepWindows::All), queries,
+        { truth.vertices, truth.queries }, SpikesAccuracy);
+    }
+  }
+}
