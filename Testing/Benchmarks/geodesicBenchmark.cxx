@@ -45,7 +45,8 @@ const char* const Usage = R"(Measures geodesic distance fields and prints a JSON
            path:ID,ID       from the polyline along mesh edges between two vertices
   --relative-error E        the largest relative error; 0, exact, is the default
   --refine T                refine until the interpolant is within this fraction of the diagonal
-  --envelope                count the windows of the final lower envelope, too
+  --envelope                count the windows of the final lower envelope, too, and divide those
+                            propagated by them
   --threads N               threads that VTK may use
   --model N,N,...           and what that many threads would give, from the times of the tasks of a
                             solve on one thread; and the share of what is outside of tasks
@@ -496,7 +497,10 @@ EngineRun measureEngine(
 
   if (options.envelope)
   {
-    json << ", \"windows_per_edge\": " << windowsPerEdge(field, curves, frontOptions);
+    const double perEdge = windowsPerEdge(field, curves, frontOptions);
+    json << ", \"windows_per_edge\": " << perEdge << ", \"windows_propagated_per_envelope\": "
+         << numberOrNull(static_cast<double>(field.windowsPropagated()) /
+              (perEdge * static_cast<double>(surface.mesh().numberOfEdges())));
   }
   EngineRun run;
   run.distances = atPoints(field, surface);

@@ -12,6 +12,8 @@ import statistics
 import subprocess
 import sys
 
+import thin_meshes
+
 HERE = pathlib.Path(__file__).resolve().parent
 DATA = HERE / "data"
 APPROXIMATE = ("--relative-error", "0.001")
@@ -20,7 +22,8 @@ REFINED = ("--refine", "0.001")
 
 @dataclasses.dataclass(frozen=True)
 class Mesh:
-    """A file of the folder of meshes, or one made from it by subdivision and noise."""
+    """A file of the folder of meshes, or one made from it by subdivision and noise; or without a
+    file a mesh of thin_meshes."""
 
     name: str
     file: str
@@ -46,6 +49,10 @@ MESHES = {
         Mesh("6.4M", "nefertiti.obj", 3, faces=6_396_032),
         Mesh("9.9M", "beetle-alt.obj", 4, faces=9_895_936),
         Mesh("13M", "fandisk.obj", 5, 0.1, faces=13_256_704),
+        Mesh("cylinder", "", faces=12_000),
+        Mesh("torus", "", faces=20_000),
+        Mesh("rough", "", faces=44_402),
+        Mesh("spikes", "", faces=4_802),
     )
 }
 # Curves in place of a vertex, as in the paper.
@@ -112,6 +119,11 @@ class Benchmark:
 
     def path(self, mesh):
         """The mesh's file, made where it is not there."""
+        if not mesh.file:
+            self.work.mkdir(parents=True, exist_ok=True)
+            file = self.work / f"{mesh.name}.obj"
+            thin_meshes.write(mesh.name, file)
+            return file
         source = self.folder / mesh.file
         if mesh.levels == 0:
             return source
@@ -368,6 +380,28 @@ def paper(benchmark, meshes, _):
     print_table("Table 1 of the paper", (*columns, "largest error"), rows())
 
 
+def windows(benchmark, meshes, _):
+    def rows():
+        for mesh in meshes:
+            final = benchmark.run(mesh, "--envelope", repeat=1)
+            runs = [
+                benchmark.run(mesh, "--relative-error", epsilon, against=["dijkstra"])
+                for epsilon in (0, 1e-3, 1e-2)
+            ]
+            made = [run["windows_propagated"] / run["edges"] for run in runs]
+            over = [run["solve_s"] / run["dijkstra_s"] for run in runs]
+            yield (
+                *(mesh.name, count(final["faces"]), number(final["windows_per_edge"])),
+                *(number(made[0]), number(final["windows_propagated_per_envelope"])),
+                *(number(over[0]), number(made[1]), number(over[1])),
+                *(number(made[2]), number(over[2])),
+            )
+
+    columns = ["mesh", "faces", "windows an edge", "exact: made", "made / windows", "/ D"]
+    columns += ["0.1 %: made", "/ D", "1 %: made", "/ D"]
+    print_table("Windows made", columns, rows())
+
+
 def cgal(benchmark, meshes, _):
     def rows():
         for mesh in meshes:
@@ -394,6 +428,7 @@ TABLES = {
     "model": (model, ("igea", "1.07M")),
     "approximation": (approximation, SMALL[:-1]),
     "paper": (paper, ("plane", "fandisk", "beetle-alt", "6.4M", "9.9M")),
+    "windows": (windows, (*SMALL[:-1], "cylinder", "torus", "rough", "spikes")),
     "cgal": (cgal, ("bunny",)),
 }
 

@@ -108,7 +108,8 @@ private:
   {
     const geodesic::TriangleMesh& mesh = rank.part.mesh();
     geodesic::FrontOptions options = withArrivals();
-    const geodesic::DistanceField field = geodesic::solve(rank.part, rank.sources, options, this->keep_);
+    const geodesic::DistanceField field =
+      geodesic::solve(rank.part, rank.sources, options, this->keep_);
     NearestSource nearest(field, rank.patch, rank.curvesOnPatch);
     for (geodesic::Id vertex = 0; vertex < rank.wholeVertices.size(); ++vertex)
     {
