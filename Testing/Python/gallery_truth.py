@@ -293,7 +293,9 @@ def decal(names):
     """As far as the distance, in the direction of the last piece of a path, seen from its end."""
     output = data(names["field"])
     found = distances(names["field"])
-    near = np.flatnonzero(np.isfinite(found) & (found > 1))[::200]
+    # Refinement puts points where two shortest paths are equally long: only points of the head.
+    found = found[: data(names["head"]).GetNumberOfPoints()]
+    near = np.flatnonzero(np.isfinite(found) & (found > 1))[::100]
     plane = point_array(output, "SourceTextureCoordinates")[near]
     assert_close(np.linalg.norm(plane, axis=1), found[near], FLOAT)
     targets = simple.PolyLineSource(Points=points(output)[near].ravel())
@@ -302,7 +304,7 @@ def decal(names):
     away = np.array([line[-2] - line[-1] for line in lines(paths)]) @ frame.T
     assert len(away) == len(near) > 50
     turned = np.angle((plane[:, 0] + 1j * plane[:, 1]) / (away[:, 0] + 1j * away[:, 1]))
-    assert np.mean(np.abs(turned) < 1e-4) > 0.98  # but for ties
+    assert np.max(np.abs(turned)) < 1e-4
 
 
 def unrolled(names):
