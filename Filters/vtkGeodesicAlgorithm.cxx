@@ -375,15 +375,15 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
     message =
       std::string("The distance could not be computed, for a reason that was not foreseen: ") +
       error.what() +
-      ". Please report this with the surface and the source, unless an observer of this filter "
-      "has thrown it.";
+      ". Please report this with the surface and the source, unless an observer of this filter has "
+      "thrown it.";
   }
   catch (...)
   {
     isCacheKept = false;
     message = "The distance could not be computed, for a reason that was not foreseen and has no "
-              "description. Please report this with the surface and the source, unless an "
-              "observer of this filter has thrown it.";
+              "description. Please report this with the surface and the source, unless an observer "
+              "of this filter has thrown it.";
   }
   EmptyOutputs(outputVector);
   if (!isCacheKept || (exchange && exchange->numberOfRanks() > 1))

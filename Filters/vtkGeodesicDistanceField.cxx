@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceField.h"
 
+#include "PolyData/FieldSolver.h"
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Memory.h"
-#include "PolyData/ParallelFor.h"
 #include "PolyData/reading/PolyDataSource.h"
 #include "PolyData/writing/RefinedPolyData.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "PolyData/writing/SurfaceWriter.h"
-#include "PolyData/writing/UnmeshedTriangles.h"
 #include "PolyData/writing/UnusedPoints.h"
-#include "field/Solve.h"
-#include "refinement/AdaptiveRefinement.h"
 #include "refinement/SeamPoints.h"
-#include "refinement/SolveForRefinement.h"
-#include "refinement/SourceRegions.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -29,7 +24,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -41,11 +35,7 @@ namespace
 {
 
 // Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
-constexpr double BordersFound = 0.3;
-constexpr double FieldDoneBeforeRefinement = 0.55;
-constexpr double FieldDoneBeforeExactOne = 0.6;
-constexpr double FieldDoneBeforeSources = 0.85;
-constexpr double FieldDone = 0.9;
+constexpr double ValuesDone = 0.9;
 constexpr double SurfaceWritten = 0.98;
 
 void addFieldData(vtkDataObject* output, const char* name, double value)
@@ -71,9 +61,6 @@ public:
     : Self(self)
     , Execution(execution)
     , Choice(ChoiceOf(self))
-    , DistancesDone(!this->Choice.isAny() ? FieldDone
-          : this->IsApproximate()         ? FieldDoneBeforeExactOne
-                                          : FieldDoneBeforeSources)
   {
   }
 
@@ -104,52 +91,17 @@ private:
     std::vector<std::vector<double>> arcLengthsOfCurves;
   };
 
-  /// The surface after refinement, before it is divided into blocks.
-  struct RefinedSurface
-  {
-    geodesic::RefinedMesh mesh;
-    /// The points of refinement, of any rank, that the last of the mesh's are copies of. The copies
-    /// have distances, but no places.
-    std::vector<geodesic::RankAddress> copied;
-
-    std::size_t numberOfPointsWithPlaces() const
-    {
-      return this->mesh.points.size() - this->copied.size();
-    }
-  };
-
-  /// The field, and what refinement has made of it.
-  struct SolvedSurface
-  {
-    std::optional<geodesic::DistanceField> field;
-    /// If the field is approximate, the exact one, where it was needed.
-    std::optional<geodesic::DistanceField> exact;
-    RefinedSurface refined;
-  };
-
   bool CanRefine() const;
   double Tolerance() const;
   void ShareNumbers(Result& result) const;
   void WriteNothing(const Result& result, vtkDataObject* output) const;
   Result Compute();
   void ScaleToUser(Result& result) const;
-  geodesic::FrontOptions FrontOptions(double endOfProgress) const;
-  SolvedSurface Solve() const;
-  SolvedSurface SolveAndRefine() const;
-  SolvedSurface SolveAndRefineBorders() const;
-  geodesic::DistanceField SolveForRefinement(
-    double begin, const std::vector<std::uint8_t>& pinned) const;
-  std::vector<std::uint8_t> FindFacesAtBorders() const;
-  std::vector<std::uint8_t> FacesOf(const RefinedSurface& refined) const;
-  geodesic::DistanceField SolveExactly(std::vector<std::uint8_t> faces) const;
-  void TakeNumbers(const geodesic::DistanceField& field) const;
   void RequireSides() const;
-  void FindSources(SolvedSurface& solved, Result& result) const;
+  geodesic::FieldRequest Request() const;
+  void TakeNumbers(const geodesic::SolvedSurface& solved, bool isRefined) const;
+  void FindSources(const geodesic::SolvedSurface& solved, Result& result) const;
   geodesic::SourceArrays Arrays() const;
-  geodesic::RefinementOptions RefinementOptions() const;
-  RefinedSurface Refine(
-    const geodesic::DistanceField& field, geodesic::RegionOf regionOf = {}) const;
-  RefinedSurface RefineBorders(SolvedSurface& solved) const;
   void NoteToleranceNotMet(const geodesic::RefinedMesh& refined) const;
   void WriteSurface(const Result& result, vtkDataObject* output) const;
   double UnreachedValue() const;
@@ -157,20 +109,9 @@ private:
   void WriteFieldData(const Result& result, vtkDataObject* output) const;
   void NoteReplacedArrays(bool isRefined) const;
 
-  bool AreBordersRefined() const
-  {
-    return this->Self->RefineSourceBorders || this->Choice.textureCoordinates;
-  }
-  bool IsApproximate() const
-  {
-    return this->Self->Accuracy == APPROXIMATE && this->Self->RelativeError > 0.0;
-  }
-
   vtkGeodesicDistanceField* Self;
   geodesic::FilterExecution& Execution;
-  /// Which arrays are asked for, and where the work on them begins, as a fraction of the whole.
   const geodesic::SourceArrayChoice Choice;
-  const double DistancesDone;
 };
 
 //------------------------------------------------------------------------------
@@ -185,7 +126,7 @@ void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData
       this->Execution.surface().scale().toUser(this->Execution.sources().snapDistance);
     this->Self->SeamPointsJoined = this->Execution.surface().report().joinedSeamPoints;
     result = this->Compute();
-    this->Execution.reach(FieldDone);
+    this->Execution.reach(ValuesDone);
   }
   this->ShareNumbers(result);
   this->Execution.enter(geodesic::Stage::WritingOutputs);
@@ -287,20 +228,13 @@ bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
 //------------------------------------------------------------------------------
 vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker::Compute()
 {
-  Result result;
   this->RequireSides();
-  this->Execution.enter(geodesic::Stage::ComputingDistances);
-  result.isRefined = this->CanRefine();
-  SolvedSurface solved = !result.isRefined ? this->Solve()
-    : this->AreBordersRefined()            ? this->SolveAndRefineBorders()
-                                           : this->SolveAndRefine();
-  RefinedSurface& refined = solved.refined;
-  if (result.isRefined)
-  {
-    this->NoteToleranceNotMet(refined.mesh);
-    this->Self->InterpolationErrorBound =
-      this->Execution.surface().scale().toUser(refined.mesh.errorBound);
-  }
+  const geodesic::FieldRequest request = this->Request();
+  geodesic::SolvedSurface solved =
+    geodesic::FieldSolver(this->Execution, request, ValuesDone).solve();
+  Result result;
+  result.isRefined = request.isRefined;
+  this->TakeNumbers(solved, result.isRefined);
   result.vertexDistances = solved.field->vertexDistances();
   if (this->Choice.isAny())
   {
@@ -309,11 +243,46 @@ vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker:
   }
   if (result.isRefined)
   {
-    result.refined = geodesic::partsByBlock(this->Execution.surface(), std::move(refined.mesh));
+    result.refined =
+      geodesic::partsByBlock(this->Execution.surface(), std::move(solved.refined.mesh));
   }
   this->Execution.surface().completeValues(geodesic::Infinity, result.vertexDistances);
   this->ScaleToUser(result);
   return result;
+}
+
+//------------------------------------------------------------------------------
+geodesic::FieldRequest vtkGeodesicDistanceField::vtkWorker::Request() const
+{
+  const vtkGeodesicDistanceField* self = this->Self;
+  geodesic::FieldRequest request;
+  request.relativeError = self->Accuracy == APPROXIMATE ? self->RelativeError : 0.0;
+  if (self->MaximumDistance > 0.0)
+  {
+    request.maximumDistance = this->Execution.surface().scale().toEngine(self->MaximumDistance);
+  }
+  request.arrays = this->Choice;
+  request.isRefined = this->CanRefine();
+  request.tolerance = this->Tolerance();
+  request.maximumCells = static_cast<std::uint64_t>(self->MaximumNumberOfCells);
+  request.areBordersRefined = self->RefineSourceBorders || this->Choice.textureCoordinates;
+  return request;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceField::vtkWorker::TakeNumbers(
+  const geodesic::SolvedSurface& solved, bool isRefined) const
+{
+  this->Self->WindowsPropagatedPerEdge = static_cast<double>(solved.field->windowsPropagated()) /
+    static_cast<double>(this->Execution.surface().report().edges);
+  this->Self->RelativeErrorBound = solved.field->relativeErrorBound();
+  if (isRefined)
+  {
+    const geodesic::RefinedMesh& refined = solved.refined.mesh;
+    this->NoteToleranceNotMet(refined);
+    this->Self->InterpolationErrorBound =
+      this->Execution.surface().scale().toUser(refined.errorBound);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -327,39 +296,6 @@ void vtkGeodesicDistanceField::vtkWorker::RequireSides() const
 }
 
 //------------------------------------------------------------------------------
-// In approximate mode the exact field has to tell the feet: a merged window has many.
-geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveExactly(
-  std::vector<std::uint8_t> faces) const
-{
-  geodesic::FrontOptions options = this->FrontOptions(FieldDoneBeforeSources);
-  options.progress =
-    this->Execution.progressBetween(FieldDoneBeforeExactOne, FieldDoneBeforeSources);
-  options.relativeError = 0.0;
-  // A distance within the limit is that much smaller than the exact one at most.
-  options.maximumDistance /= 1.0 - std::min(this->Self->RelativeErrorBound, 0.5);
-  geodesic::KeepFaces retention(this->Execution.surface().mesh(), std::move(faces));
-  const geodesic::MeshPartition& surface = this->Execution.surface().partition();
-  geodesic::FrontResult front = geodesic::propagate(
-    surface, this->Execution.sourceWindows(options.progress), options, retention);
-  return { surface, std::move(front), retention.release() };
-}
-
-//------------------------------------------------------------------------------
-// The faces that have points of refinement.
-std::vector<std::uint8_t> vtkGeodesicDistanceField::vtkWorker::FacesOf(
-  const RefinedSurface& refined) const
-{
-  const geodesic::TriangleMesh& mesh = this->Execution.surface().mesh();
-  std::vector<std::uint8_t> faces(mesh.numberOfFaces(), 0);
-  for (std::size_t i = 0; i < refined.numberOfPointsWithPlaces(); ++i)
-  {
-    geodesic::forEachFace(
-      mesh, refined.mesh.points[i].place, [&](geodesic::Id face) { faces[face] = 1; });
-  }
-  return faces;
-}
-
-//------------------------------------------------------------------------------
 geodesic::SourceArrays vtkGeodesicDistanceField::vtkWorker::Arrays() const
 {
   return geodesic::SourceArrays(this->Execution.surface(), this->Execution.sources().curves,
@@ -367,20 +303,17 @@ geodesic::SourceArrays vtkGeodesicDistanceField::vtkWorker::Arrays() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::FindSources(SolvedSurface& solved, Result& result) const
+void vtkGeodesicDistanceField::vtkWorker::FindSources(
+  const geodesic::SolvedSurface& solved, Result& result) const
 {
   this->Execution.enter(geodesic::Stage::ComputingDistances);
   const geodesic::DistanceField& field = *solved.field;
-  const RefinedSurface& refined = solved.refined;
-  if (this->IsApproximate() && this->Choice.areFeetNeeded() && !solved.exact)
-  {
-    solved.exact.emplace(this->SolveExactly(this->FacesOf(refined)));
-  }
-  const geodesic::DistanceField& exact = solved.exact ? *solved.exact : field;
-  const double step = (FieldDone - FieldDoneBeforeSources) / 3.0;
+  const geodesic::DistanceField& exact = solved.exactField();
+  const geodesic::RefinedSurface& refined = solved.refined;
+  const double step = (ValuesDone - geodesic::FieldSolver::FieldDone) / 3.0;
   const auto part = [&](int i)
   {
-    const double begin = FieldDoneBeforeSources + i * step;
+    const double begin = geodesic::FieldSolver::FieldDone + i * step;
     return this->Execution.progressBetween(begin, begin + step);
   };
   const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
@@ -415,9 +348,8 @@ void vtkGeodesicDistanceField::vtkWorker::ScaleToUser(Result& result) const
     distance = scale.toUser(distance);
     if (isReached && !(distance < geodesic::Infinity))
     {
-      throw geodesic::MeshError(
-        "Distances on the surface (input port 0) are larger than numbers can "
-        "be. Scale the surface and the source upstream.");
+      throw geodesic::MeshError("Distances on the surface (input port 0) are larger than numbers "
+                                "can be. Scale the surface and the source upstream.");
     }
   };
   std::for_each(result.vertexDistances.begin(), result.vertexDistances.end(), toUser);
@@ -429,160 +361,6 @@ void vtkGeodesicDistanceField::vtkWorker::ScaleToUser(Result& result) const
       point.position = scale.toUser(point.position);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-geodesic::FrontOptions vtkGeodesicDistanceField::vtkWorker::FrontOptions(double endOfProgress) const
-{
-  geodesic::FrontOptions options;
-  if (this->Self->Accuracy == APPROXIMATE)
-  {
-    options.relativeError = this->Self->RelativeError;
-  }
-  if (this->Self->MaximumDistance > 0.0)
-  {
-    options.maximumDistance =
-      this->Execution.surface().scale().toEngine(this->Self->MaximumDistance);
-  }
-  options.keepArrivals = this->Choice.isAny() || this->AreBordersRefined();
-  options.keepAngles = this->Choice.areAnglesNeeded();
-  options.parallelFor = geodesic::smpParallelFor();
-  options.progress =
-    this->Execution.progressBetween(geodesic::FilterExecution::InputsRead, endOfProgress);
-  return options;
-}
-
-//------------------------------------------------------------------------------
-vtkGeodesicDistanceField::vtkWorker::SolvedSurface vtkGeodesicDistanceField::vtkWorker::Solve()
-  const
-{
-  const geodesic::FrontOptions options = this->FrontOptions(this->DistancesDone);
-  SolvedSurface solved;
-  solved.field.emplace(geodesic::solve(this->Execution.surface().partition(),
-    this->Execution.sourceWindows(options.progress), options));
-  this->TakeNumbers(*solved.field);
-  return solved;
-}
-
-//------------------------------------------------------------------------------
-vtkGeodesicDistanceField::vtkWorker::SolvedSurface
-vtkGeodesicDistanceField::vtkWorker::SolveAndRefine() const
-{
-  SolvedSurface solved;
-  solved.field.emplace(this->SolveForRefinement(geodesic::FilterExecution::InputsRead, {}));
-  this->TakeNumbers(*solved.field);
-  this->Execution.enter(geodesic::Stage::Refining);
-  solved.refined = this->Refine(*solved.field);
-  return solved;
-}
-
-//------------------------------------------------------------------------------
-// Repeats the solve if a border passes faces whose windows were dropped. Each repetition keeps
-// those of more faces.
-vtkGeodesicDistanceField::vtkWorker::SolvedSurface
-vtkGeodesicDistanceField::vtkWorker::SolveAndRefineBorders() const
-{
-  const geodesic::MeshPartition& surface = this->Execution.surface().partition();
-  std::vector<std::uint8_t> pinned = this->FindFacesAtBorders();
-  SolvedSurface solved;
-  bool isRepeated = true;
-  while (isRepeated)
-  {
-    solved.field.emplace(this->SolveForRefinement(BordersFound, pinned));
-    this->TakeNumbers(*solved.field);
-    this->Execution.enter(geodesic::Stage::Refining);
-    solved.refined = this->RefineBorders(solved);
-    const std::vector<geodesic::Id>& unknown = solved.refined.mesh.unknownAtBorders;
-    for (const geodesic::Id face : unknown)
-    {
-      pinned[face] = 1;
-    }
-    isRepeated = surface.exchange().isTrueAnywhere(!unknown.empty());
-  }
-  return solved;
-}
-
-//------------------------------------------------------------------------------
-geodesic::DistanceField vtkGeodesicDistanceField::vtkWorker::SolveForRefinement(
-  double begin, const std::vector<std::uint8_t>& pinned) const
-{
-  this->Execution.enter(geodesic::Stage::ComputingDistances);
-  geodesic::FrontOptions options = this->FrontOptions(FieldDoneBeforeRefinement);
-  options.progress = this->Execution.progressBetween(begin, FieldDoneBeforeRefinement);
-  return geodesic::solveForRefinement(this->Execution.surface().partition(),
-    this->Execution.sourceWindows(options.progress), this->Tolerance(), options, pinned);
-}
-
-//------------------------------------------------------------------------------
-// By an exact solve that keeps no windows.
-std::vector<std::uint8_t> vtkGeodesicDistanceField::vtkWorker::FindFacesAtBorders() const
-{
-  geodesic::FrontOptions options = this->FrontOptions(BordersFound);
-  options.relativeError = 0.0;
-  const geodesic::DistanceField field = geodesic::solve(this->Execution.surface().partition(),
-    this->Execution.sourceWindows(options.progress), options);
-  const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
-  geodesic::NearestSource nearest(field, this->Execution.patch(), curves, options.progress);
-  return geodesic::SourceRegions(field, nearest, curves, this->Choice.areSidesNeeded())
-    .facesAtBorders();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::TakeNumbers(const geodesic::DistanceField& field) const
-{
-  this->Self->WindowsPropagatedPerEdge = static_cast<double>(field.windowsPropagated()) /
-    static_cast<double>(this->Execution.surface().report().edges);
-  this->Self->RelativeErrorBound = field.relativeErrorBound();
-}
-
-//------------------------------------------------------------------------------
-geodesic::RefinementOptions vtkGeodesicDistanceField::vtkWorker::RefinementOptions() const
-{
-  const geodesic::PolyDataSurface& surface = this->Execution.surface();
-  geodesic::RefinementOptions options;
-  options.tolerance = this->Tolerance();
-  if (this->Self->MaximumNumberOfCells > 0)
-  {
-    const std::uint64_t faces = surface.partition().numberOfGlobalFaces();
-    options.maximumFaces = static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells) -
-      (surface.countTrianglesOfAllRanks() - faces);
-  }
-  options.cornerPoints = geodesic::cornerPointsOf(surface);
-  options.numberOfPoints = surface.numberOfPoints();
-  options.trianglesBeside = geodesic::barriersAtEdges(surface);
-  options.parallelFor = geodesic::smpParallelFor();
-  options.progress =
-    this->Execution.progressBetween(FieldDoneBeforeRefinement, this->DistancesDone);
-  return options;
-}
-
-//------------------------------------------------------------------------------
-vtkGeodesicDistanceField::vtkWorker::RefinedSurface vtkGeodesicDistanceField::vtkWorker::Refine(
-  const geodesic::DistanceField& field, geodesic::RegionOf regionOf) const
-{
-  geodesic::RefinementOptions options = this->RefinementOptions();
-  options.regionOf = std::move(regionOf);
-  RefinedSurface refined{ geodesic::refine(field, options), {} };
-  refined.copied = geodesic::addUnmeshedTriangles(this->Execution.surface(),
-    static_cast<std::uint64_t>(this->Self->MaximumNumberOfCells), options.cornerPoints,
-    refined.mesh);
-  return refined;
-}
-
-//------------------------------------------------------------------------------
-vtkGeodesicDistanceField::vtkWorker::RefinedSurface
-vtkGeodesicDistanceField::vtkWorker::RefineBorders(SolvedSurface& solved) const
-{
-  if (this->IsApproximate())
-  {
-    solved.exact.emplace(this->SolveExactly(this->Execution.surface().partition().ownFaces()));
-  }
-  const geodesic::DistanceField& exact = solved.exact ? *solved.exact : *solved.field;
-  const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
-  geodesic::NearestSource nearest(exact, this->Execution.patch(), curves);
-  geodesic::SourceRegions regions(exact, nearest, curves, this->Choice.areSidesNeeded());
-  return this->Refine(
-    *solved.field, [&regions](const geodesic::SurfacePoint& point) { return regions.at(point); });
 }
 
 //------------------------------------------------------------------------------
@@ -622,7 +400,7 @@ void vtkGeodesicDistanceField::vtkWorker::WriteSurface(
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     const auto place = [&](std::size_t block)
-    { return FieldDone + (SurfaceWritten - FieldDone) * static_cast<double>(block) / count; };
+    { return ValuesDone + (SurfaceWritten - ValuesDone) * static_cast<double>(block) / count; };
     const auto progress = this->Execution.progressBetween(place(i), place(i + 1));
     if (result.isRefined)
     {
@@ -787,8 +565,7 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
     !(this->RelativeError >= 0.0 && this->RelativeError < geodesic::Infinity))
   {
     return "RelativeError is not a finite number of at least 0: set the largest relative error "
-           "that is allowed "
-           "in approximate mode, such as 0.001, or 0 for the exact distance.";
+           "that is allowed in approximate mode, such as 0.001, or 0 for the exact distance.";
   }
   if (this->RefineMesh && !this->ToleranceIsAbsolute && !isPositive(this->RefinementTolerance))
   {
@@ -810,8 +587,7 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
   if (!(this->MaximumDistance >= 0.0))
   {
     return "MaximumDistance is not a number of at least 0: set the distance to stop at, in the "
-           "units "
-           "of the surface, or 0 for no limit.";
+           "units of the surface, or 0 for no limit.";
   }
   return this->Superclass::FindWrongProperty();
 }
@@ -820,8 +596,7 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
 std::string vtkGeodesicDistanceField::AdviceOnMemory() const
 {
   return "Decimate the surface, cut it into parts, set MaximumDistance, switch RefineMesh off or "
-         "set "
-         "Accuracy to Approximate.";
+         "set Accuracy to Approximate.";
 }
 
 //------------------------------------------------------------------------------

@@ -84,8 +84,8 @@ void FilterExecution::readInputs(bool supportsPieces)
   const bool isInPieces = this->place_ == SurfacePlace::InPieces;
   if (isInPieces && !supportsPieces)
   {
-    throw InputError(std::string("The surface (input port 0) is distributed over several ranks, "
-                                 "of which ") +
+    throw InputError(
+      std::string("The surface (input port 0) is distributed over several ranks, of which ") +
       this->filter_->GetClassName() +
       " needs all on one. Run with one rank, or have the whole surface on one rank or on each.");
   }

@@ -25,9 +25,9 @@ namespace geodesic
 namespace
 {
 
-const char* const NoSurface = ": apply Extract Surface to it first. A vtkPolyData, or a composite "
-                              "data set of these, is needed; "
-                              "vtkDataSetSurfaceFilter and vtkGeometryFilter make one.";
+const char* const NoSurface =
+  ": apply Extract Surface to it first. A vtkPolyData, or a composite data set of these, is "
+  "needed; vtkDataSetSurfaceFilter and vtkGeometryFilter make one.";
 const char* const NoPoints =
   ", which has no points of its own. A vtkPolyData, a vtkUnstructuredGrid, another vtkPointSet, or "
   "a composite data set of these, is needed: of an image or a grid Extract Surface makes one, of a "

@@ -119,27 +119,27 @@ class Benchmark:
 
     def path(self, mesh):
         """The mesh's file, made where it is not there."""
-        if not mesh.file:
-            self.work.mkdir(parents=True, exist_ok=True)
-            file = self.work / f"{mesh.name}.obj"
-            thin_meshes.write(mesh.name, file)
-            return file
         source = self.folder / mesh.file
-        if mesh.levels == 0:
+        if mesh.file and mesh.levels == 0:
             return source
         noise = f"-noise{mesh.noise:g}" if mesh.noise else ""
-        file = self.work / f"{source.stem}-{mesh.levels}{noise}.ply"
+        name = f"{source.stem}-{mesh.levels}{noise}.ply" if mesh.file else f"{mesh.name}.obj"
+        file = self.work / name
         if not file.exists():
             self.work.mkdir(parents=True, exist_ok=True)
-            partial = file.with_name("partial-" + file.name)
-            made = self.call(
-                *("--mesh", source, "--subdivide", mesh.levels, "--noise", mesh.noise),
-                *("--write", partial, "--repeat", 0),
-            )
-            if made is None:
+            partial = file.with_name("partial-" + name)
+            if not mesh.file:
+                thin_meshes.write(mesh.name, partial)
+            elif self.subdivide(mesh, source, partial) is None:
                 sys.exit(f"{file} cannot be made")
             partial.rename(file)
         return file
+
+    def subdivide(self, mesh, source, file):
+        return self.call(
+            *("--mesh", source, "--subdivide", mesh.levels, "--noise", mesh.noise),
+            *("--write", file, "--repeat", 0),
+        )
 
     def run(self, mesh, *arguments, against=(), repeat=None, threads=1, processes=1):
         """What one process measures, or several side by side; an empty row where one fails."""

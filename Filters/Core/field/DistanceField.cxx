@@ -76,8 +76,8 @@ double DistanceField::distance(const SurfacePoint& point) const
     });
   if (isDropped && !isKnown)
   {
-    throw Error("The distance inside a face was asked for, but the solve did not keep the windows "
-                "there.");
+    throw Error(
+      "The distance inside a face was asked for, but the solve did not keep the windows there.");
   }
   return least;
 }

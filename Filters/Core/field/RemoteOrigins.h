@@ -22,8 +22,7 @@ public:
   /// All ranks call this together.
   ///
   /// \param field on this rank's part, with arrivals. Origins are found for the vertices of the
-  /// part
-  ///        that are not counted here, and for the vertices that its windows name.
+  ///        part that are not counted here, and for the vertices that its windows name.
   /// \param vertices of that part.
   /// \param atVertices for each vertex of the part. Of a vertex counted here: its origin on the
   ///        source, as in Window; NoId if there is none; or, still open, the vertex counted

@@ -40,8 +40,7 @@ DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& so
 ///
 /// \param maximumSolves the largest number of solves.
 /// \param makeRetention (pinned) -> a retention with droppedTooEarly() and release(). For each
-/// face,
-///        `pinned` is not 0 if the face's windows must not be dropped.
+///        face, `pinned` is not 0 if the face's windows must not be dropped.
 /// \param pinned faces whose windows must not be dropped in the first solve; empty: none.
 /// \returns nothing if the last solve has dropped needed windows, too: then all must be kept.
 template <typename MakeRetention>

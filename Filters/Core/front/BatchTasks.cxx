@@ -28,6 +28,41 @@ double leastDistance(const WindowRange& windows)
   return least;
 }
 
+/// Lists that stay with their vertex, in the order in which they are met.
+class ListChain
+{
+public:
+  explicit ListChain(WaitingLists& lists)
+    : lists_(lists)
+  {
+  }
+
+  void append(Id list)
+  {
+    if (this->last_ == NoId)
+    {
+      this->first_ = list;
+    }
+    else
+    {
+      this->lists_.setNext(this->last_, list);
+    }
+    this->last_ = list;
+  }
+
+  /// \returns the first of the chain's lists and those behind them.
+  Id followedBy(Id list)
+  {
+    this->append(list);
+    return this->first_;
+  }
+
+private:
+  WaitingLists& lists_;
+  Id first_ = NoId;
+  Id last_ = NoId;
+};
+
 /// Works on items one after another, while the memory of the next ones is prefetched.
 ///
 /// \param work (std::size_t i) -> whether the item is done.
@@ -82,43 +117,34 @@ bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id verte
 {
   const double last = district.schedule.last();
   const double distance = this->vertices_.distance(vertex);
-  const bool isOrdinary = !this->vertices_[vertex].hasThinFaces;
-  double next = distance;
-  if (distance <= last)
+  const bool isReached = distance <= last;
+  if (isReached)
   {
     this->settle(worker, district, vertex);
-    next = Infinity;
   }
-  WaitingLists& lists = district.lists;
-  Id& facing = this->vertices_[vertex].facing;
-  Id late = NoId;
-  Id lastLate = NoId;
-  while (facing != NoId && !worker.hasToPause())
+  double next = isReached ? Infinity : distance;
+  VertexState& state = this->vertices_[vertex];
+  ListChain late(district.lists);
+  while (state.facing != NoId && !worker.hasToPause())
   {
-    const Id list = facing;
-    facing = lists.next(list);
-    const double due = isOrdinary ? Infinity : lists.due(list);
+    const Id list = state.facing;
+    state.facing = district.lists.next(list);
+    const double due = district.lists.due(list);
     if ((due < Infinity ? due : distance) <= last)
     {
       this->propagate(worker, district, list, batch);
-      continue;
-    }
-    next = std::min(next, due);
-    if (lastLate == NoId)
-    {
-      late = list;
     }
     else
     {
-      lists.setNext(lastLate, list);
+      next = std::min(next, due);
+      late.append(list);
     }
-    lastLate = list;
   }
-  const bool isDone = facing == NoId;
-  if (lastLate != NoId)
+  const bool isDone = state.facing == NoId;
+  state.facing = late.followedBy(state.facing);
+  if (isDone && isReached)
   {
-    lists.setNext(lastLate, facing);
-    facing = late;
+    state.countTurn();
   }
   if (isDone && next < Infinity)
   {
@@ -141,10 +167,6 @@ void BatchTasks::settle(FrontWorker& worker, District& district, Id vertex)
   }
   district.settled += state.processed == Infinity ? 1 : 0;
   state.processed = std::min(state.processed, state.distance);
-  if (state.turns < std::numeric_limits<std::uint8_t>::max())
-  {
-    ++state.turns;
-  }
 }
 
 // No mail is read before step (2), so an update may go to any district.
@@ -276,9 +298,8 @@ void BatchTasks::remember(
   FrontWorker& worker, District& district, Id halfedge, const WindowRange& passed) const
 {
   constexpr std::uint8_t usualTurns = 4; // on scans hardly a vertex has more
-  const VertexState& apex = this->vertices_[this->mesh_.opposite(halfedge)];
-  const bool isAgain = apex.turns > usualTurns ||
-    (apex.hasThinFaces && this->mesh_.shape(TriangleMesh::faceOf(halfedge)).isThin());
+  const std::uint8_t turns = this->vertices_[this->mesh_.opposite(halfedge)].turns;
+  const bool isAgain = turns >= usualTurns || this->isInThinFace(halfedge);
   if (isAgain && this->isNeededOn(district, halfedge))
   {
     const auto isNeeded = [&](Id other) { return this->isNeededOn(district, other); };
@@ -397,7 +418,7 @@ void BatchTasks::receiveLists(FrontWorker& worker, District& district)
     if (district.done >= begin && district.done < end)
     {
       district.done =
-        begin + this->receiveLists(worker, district, mail.lists, district.done - begin);
+        begin + this->receiveFrom(worker, district, mail.lists, district.done - begin);
     }
   };
   takeLists(district.fromLower);
@@ -413,7 +434,7 @@ void BatchTasks::receiveLists(FrontWorker& worker, District& district)
 }
 
 // Returns the first list that is not done.
-std::size_t BatchTasks::receiveLists(
+std::size_t BatchTasks::receiveFrom(
   FrontWorker& worker, District& district, const std::vector<SentList>& lists, std::size_t first)
 {
   return workAhead(
@@ -475,8 +496,7 @@ void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList s
   }
   worker.propagated += sent.windows.size;
   worker.handled += sent.windows.size;
-  const bool isThin = this->vertices_[apex].hasThinFaces &&
-    this->mesh_.shape(TriangleMesh::faceOf(sent.halfedge)).isThin();
+  const bool isThin = this->isInThinFace(sent.halfedge);
   double due = isThin ? leastDistance(sent.windows.range()) : this->vertices_.distance(apex);
   Id list = district.lists.find(sent.halfedge);
   if (list != NoId)
@@ -496,6 +516,12 @@ void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList s
     district.lists.setDue(list, due);
   }
   district.schedule.add(apex, due);
+}
+
+bool BatchTasks::isInThinFace(Id halfedge) const
+{
+  return this->vertices_[this->mesh_.opposite(halfedge)].hasThinFaces &&
+    this->mesh_.shape(TriangleMesh::faceOf(halfedge)).isThin();
 }
 
 void BatchTasks::mergeInto(

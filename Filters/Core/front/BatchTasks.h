@@ -80,8 +80,10 @@ private:
   bool isNeededOn(const District& district, Id halfedge) const;
   void receiveList(FrontWorker& worker, District& district, SentList sent);
   void cutByPassed(FrontWorker& worker, const District& district, SentList& sent) const;
-  std::size_t receiveLists(
+  std::size_t receiveFrom(
     FrontWorker& worker, District& district, const std::vector<SentList>& lists, std::size_t first);
+  /// Of an own face. The vertex opposite tells most faces without a look at their shape.
+  bool isInThinFace(Id halfedge) const;
   void mergeInto(FrontWorker& worker, District& district, Id list, const WindowBlock& block) const;
   /// Prefetch the memory that a step will use.
   void prefetchFacing(const District& district, Id vertex) const;

@@ -10,6 +10,7 @@
 #include "mesh/TriangleMesh.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace geodesic
@@ -45,6 +46,10 @@ struct VertexState
   bool hasThinFaces = false;
 
   Arrival arrival() const { return { this->arrivalHalfedge, NoId, this->arrivalX }; }
+  void countTurn()
+  {
+    this->turns += this->turns < std::numeric_limits<std::uint8_t>::max() ? 1 : 0;
+  }
   /// Whether its distance is shorter than the processed one by more than a tie.
   bool isShorter() const { return this->distance < this->processed * (1.0 - tolerance::Tie); }
 };

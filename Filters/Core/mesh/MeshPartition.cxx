@@ -60,7 +60,7 @@ struct MeshPartition::HaloFace
   std::array<Vec3, 3> points;
 };
 
-MeshPartition::MeshPartition(std::vector<Vec3> points, std::vector<Triangle> triangles,
+MeshPartition::MeshPartition(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
   const std::vector<std::uint64_t>& keys, Exchange& exchange, const ProgressCallback& progress,
   const ParallelFor& parallelFor)
   : tables_(exchange.numberOfRanks() > 1

@@ -58,7 +58,7 @@ public:
   /// \param parallelFor for the mesh of a single rank; if empty, one thread.
   /// \throws MeshError if the whole surface has no face, MeshTooLarge; errors of TriangleMesh;
   /// Aborted.
-  MeshPartition(std::vector<Vec3> points, std::vector<Triangle> triangles,
+  MeshPartition(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
     const std::vector<std::uint64_t>& keys, Exchange& exchange,
     const ProgressCallback& progress = {}, const ParallelFor& parallelFor = {});
 

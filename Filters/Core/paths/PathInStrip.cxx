@@ -51,7 +51,7 @@ public:
 
   bool isTargetHere() const { return this->target_.face.rank == this->part_.exchange().rank(); }
   /// Finds this rank's faces of the strip.
-  std::vector<Id> findFaces(const KnownDistances& known, FrontOptions options) const;
+  std::vector<Id> findFaces(const KnownDistances& known, const FrontOptions& options) const;
   /// Finds the path in the strip.
   PathToSource find(
     const ReplicatedPatch& strip, const std::vector<Id>& faces, FrontOptions options) const;
@@ -95,7 +95,8 @@ std::vector<double> StripSearch::distancesToTarget(
     .vertexDistances;
 }
 
-std::vector<Id> StripSearch::findFaces(const KnownDistances& known, FrontOptions options) const
+std::vector<Id> StripSearch::findFaces(
+  const KnownDistances& known, const FrontOptions& options) const
 {
   NotePassedFaces passed;
   const std::vector<double> toTarget = this->distancesToTarget(known, options, passed);

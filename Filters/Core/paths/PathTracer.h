@@ -99,8 +99,7 @@ public:
   /// Thread-safe.
   ///
   /// \throws PathLost if the path cannot be followed, for example from a face whose windows were
-  /// not
-  ///         kept.
+  ///         not kept.
   std::vector<SurfacePoint> trace(const SurfacePoint& from) const;
 
   /// A path before its first step; it has no points if the point was not reached.
@@ -108,8 +107,7 @@ public:
   /// Follows a path to its end, or as far as it goes through this rank's faces.
   ///
   /// \returns another rank's face where it continues; NoId if it is complete, or has to search
-  /// around
-  ///          its last point (PathState::Next::Search) in faces of several ranks.
+  ///          around its last point (PathState::Next::Search) in faces of several ranks.
   /// \throws PathLost
   Id follow(TracedPath& path) const;
   /// The length of the shortest path that comes to the last point through this rank's faces, except

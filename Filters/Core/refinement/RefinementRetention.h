@@ -34,8 +34,8 @@ class RefinementRetention : public Retention
 public:
   /// \param pinned for each face, whether its windows are never dropped.
   /// \param options of the front, for tests of faces between batches. The kept windows do not
-  /// depend
-  ///        on parallelFor. progress, which must outlive this, is called with 0 between tests.
+  ///        depend on parallelFor. progress, which must outlive this, is called with 0 between
+  ///        tests.
   RefinementRetention(const MeshPartition& surface, double tolerance,
     const std::vector<std::uint8_t>& pinned, const FrontOptions& options = {});
 

@@ -51,8 +51,7 @@ public:
   ///
   /// \param piece the faces of this rank.
   /// \returns how many vertices were joined with others, on all ranks. Vertices that only ghosts
-  /// have
-  ///          do not count.
+  ///          have do not count.
   std::uint64_t joinNear(SeamBlock piece);
 
   RankLabels take() { return std::move(this->labels_); }

@@ -41,8 +41,7 @@ void requireNumbers(const PolyDataBlock& block, vtkDataArray* values, const std:
   {
     throw InputError(begin + " is NaN at cell " + listIds(bad) +
       ", which says neither that these are barriers nor that they are none. Set it to 0 where "
-      "paths "
-      "may pass and to 1 where they may not.");
+      "paths may pass and to 1 where they may not.");
   }
 }
 

@@ -222,9 +222,9 @@ private:
       " cells. Apply Extract Surface to it for the outlines of its faces, Feature Edges after that "
       "for its edges, or take some of its points by Extract Selection.");
   }
-  throw SourceError("The source (input port 1) is empty: it has no points that a line or vertex "
-                    "uses. Connect a curve with at least one point, or set Source Type to "
-                    "Surface Boundary.");
+  throw SourceError(
+    "The source (input port 1) is empty: it has no points that a line or vertex uses. Connect a "
+    "curve with at least one point, or set Source Type to Surface Boundary.");
 }
 
 std::string textOf(const Vec3& p)

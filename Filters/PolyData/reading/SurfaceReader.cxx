@@ -329,10 +329,9 @@ PowerOfTwoScale SurfaceReader::scaleVertices(
   if (largest > largestOfAll || (largest > 0.0 && largest < 1.0 / largestOfAll))
   {
     std::ostringstream message;
-    message
-      << "The largest coordinate of the surface (input port 0) is " << largest
-      << ". Distances can be computed where it is between 1e-290 and 1e290: scale the surface "
-         "and the source upstream, for example by the Transform filter.";
+    message << "The largest coordinate of the surface (input port 0) is " << largest
+            << ". Distances can be computed where it is between 1e-290 and 1e290: scale the "
+               "surface and the source upstream, for example by the Transform filter.";
     throw MeshError(message.str());
   }
   const PowerOfTwoScale scale(largest);
@@ -568,8 +567,8 @@ SurfaceContents SurfaceReader::makeSurface(Vertices vertices, Faces faces) const
   }
   BorrowedValues remote = remoteVertices(vertices.labels, numbers, this->exchange_);
   vertices.labels = {};
-  MeshPartition partition(std::move(vertices.positions), std::move(faces.open), keys,
-    this->exchange_, progressBetween(this->callback_, TrianglesRead, 1.0), this->parallelFor_);
+  MeshPartition partition(std::move(vertices.positions), faces.open, keys, this->exchange_,
+    progressBetween(this->callback_, TrianglesRead, 1.0), this->parallelFor_);
   Id next = partition.mesh().numberOfVertices();
   for (Id& number : numbers)
   {
@@ -583,8 +582,7 @@ SurfaceContents SurfaceReader::makeSurface(Vertices vertices, Faces faces) const
   if (this->exchange_.isTrueAnywhere(!faces.barriers.empty()))
   {
     barriers = std::make_unique<BarrierFaces>(partition,
-      MeshPartition(
-        std::move(barrierPoints), std::move(faces.barriers), barrierKeys, this->exchange_));
+      MeshPartition(std::move(barrierPoints), faces.barriers, barrierKeys, this->exchange_));
   }
   vertices.of.renumber(std::move(numbers));
   return { std::move(partition), std::move(remote), std::move(barriers), std::move(inBarriers),

@@ -16,8 +16,7 @@ namespace geodesic
 /// Reads the triangles of all blocks.
 ///
 /// \param blocks whose points are numbered; they are given their triangles as cells: the input's
-/// own
-///        cells if these are the same.
+///        own cells if these are the same.
 /// \param numberOfFaces of all inputs, for the progress.
 /// \param report to which what was dropped is added.
 /// \throws MeshError if a cell names a point that does not exist.

@@ -31,9 +31,8 @@ std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface);
 ///
 /// \param cornerPoints those of the refinement.
 /// \returns for each point that this has added behind those of the refinement, in their order,
-/// which
-///          of RefinedMesh::points of which rank's refinement it is a copy of. The places of the
-///          added points are not set.
+///          which of RefinedMesh::points of which rank's refinement it is a copy of. The places of
+///          the added points are not set.
 std::vector<RankAddress> addUnmeshedTriangles(const PolyDataSurface& surface,
   std::uint64_t maximumFaces, const std::vector<Triangle>& cornerPoints, RefinedMesh& refined);
 

@@ -6,11 +6,14 @@
 #include "OnThreads.h"
 #include "Seeds.h"
 #include "truth/RandomMeshKinds.h"
+#include "truth/TestMeshes.h"
 #include "window/WindowSupport.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <ostream>
 #include <string>
 
 using namespace geodesictest;
@@ -49,7 +52,86 @@ geodesic::FrontOptions onSomeThreads()
   return options;
 }
 
+// Distances from random curves: exact, and within 1 %, on one thread and on some.
+void expectTrueDistances(const PlainMesh& mesh, Random& random)
+{
+  CurveMaker maker(mesh, random);
+  const std::vector<Polyline> lines = maker.anySource();
+  const std::vector<MeshPoint> queries = randomPoints(mesh, 30, random);
+  const BruteForceResult truth = bruteForceDistances(mesh, toSources(lines), queries);
+  const double largest = largestFinite(truth.vertices);
+  const TriangleMesh engine = engineMesh(mesh);
+  const std::vector<geodesic::SourceCurve> curves = engineCurves(engine, lines);
+  for (geodesic::FrontOptions options : { geodesic::FrontOptions(), onSomeThreads() })
+  {
+    const EngineResult exact =
+      valuesOf(geodesic::solve(engine, curves, options, KeepWindows::All), queries);
+    EXPECT_LE(worstError(exact.vertices, truth.vertices, largest), SpikesAccuracy);
+    EXPECT_LE(worstError(exact.queries, truth.queries, largest), SpikesAccuracy);
+    options.relativeError = 0.01;
+    expectCertified(geodesic::solve(engine, curves, options, KeepWindows::All), queries,
+      { truth.vertices, truth.queries }, SpikesAccuracy);
+  }
 }
+
+struct Kind
+{
+  const char* name;
+  PlainMesh (*make)(Random& random);
+};
+
+const Kind Kinds[] = {
+  { "Spikes",
+    [](Random& random)
+    {
+      return bumpySheet(
+        random.between(4, 14), random.between(4, 14), 0, random.uniform(3.0, 2000.0), random);
+    } },
+  { "Strips",
+    [](Random& random)
+    {
+      const Index sides = random.between(10, 60);
+      return openCylinder(sides, random.between(1, 3), random.uniform(10.0, 1000.0) * sides);
+    } },
+  { "Tori",
+    [](Random& random)
+    {
+      return torus(
+        random.between(4, 8), random.between(20, 60), std::pow(10.0, random.uniform(0.5, 2.0)));
+    } },
+  { "Cones",
+    [](Random& random)
+    {
+      const Index sides = random.between(10, 60);
+      return roundCone(sides, random.between(1, 3), random.uniform(1.0, 100.0) * sides);
+    } },
+};
+
+std::ostream& operator<<(std::ostream& os, const Kind& kind)
+{
+  return os << kind.name;
+}
+
+class RoughOrThin : public testing::TestWithParam<Kind>
+{
+};
+
+}
+
+TEST_P(RoughOrThin, DistancesAreThoseOfTheBruteForceSolver)
+{
+  const Seeds seeds = seedsOfTest(meshesOfAKind(20));
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 91000);
+    const PlainMesh mesh = GetParam().make(random);
+    expectTrueDistances(mesh, random);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Kinds, RoughOrThin, testing::ValuesIn(Kinds), [](const auto& kind) { return kind.param.name; });
 
 TEST(PassedWindows, TellsNothingTooShortAndNoMoreThanAFewWindows)
 {
@@ -112,35 +194,6 @@ TEST(PassedWindows, OfSpikesFewWindowsGoOn)
   EXPECT_LE(field.windowsPropagated(), 25U * mesh.numberOfHalfedges());
 }
 
-TEST(PassedWindows, OfSpikesDistancesAreThoseOfTheBruteForceSolver)
-{
-  const Seeds seeds = seedsOfTest(meshesOfAKind(20));
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 91000);
-    const PlainMesh mesh = bumpySheet(
-      random.between(4, 14), random.between(4, 14), 0, random.uniform(3.0, 2000.0), random);
-    CurveMaker maker(mesh, random);
-    const std::vector<Polyline> lines = maker.anySource();
-    const std::vector<MeshPoint> queries = randomPoints(mesh, 30, random);
-    const BruteForceResult truth = bruteForceDistances(mesh, toSources(lines), queries);
-    const double largest = largestFinite(truth.vertices);
-    const TriangleMesh engine = engineMesh(mesh);
-    const std::vector<geodesic::SourceCurve> curves = engineCurves(engine, lines);
-    for (geodesic::FrontOptions options : { geodesic::FrontOptions(), onSomeThreads() })
-    {
-      const EngineResult exact =
-        valuesOf(geodesic::solve(engine, curves, options, KeepWindows::All), queries);
-      EXPECT_LE(worstError(exact.vertices, truth.vertices, largest), SpikesAccuracy);
-      EXPECT_LE(worstError(exact.queries, truth.queries, largest), SpikesAccuracy);
-      options.relativeError = 0.01;
-      expectCertified(geodesic::solve(engine, curves, options, KeepWindows::All), queries,
-        { truth.vertices, truth.queries }, SpikesAccuracy);
-    }
-  }
-}
-
 // Windows of neighbouring strips pass together, so that the approximate solver can merge them.
 TEST(ThinFaces, OfStripsFewWindowsGoOn)
 {
@@ -150,34 +203,4 @@ TEST(ThinFaces, OfStripsFewWindowsGoOn)
   const DistanceField field =
     geodesic::solve(mesh, { { { SurfacePoint::atVertex(0) }, {}, { 0 } } }, options);
   EXPECT_LE(field.windowsPropagated(), 12U * mesh.numberOfEdges());
-}
-
-TEST(ThinFaces, OfStripsDistancesAreThoseOfTheBruteForceSolver)
-{
-  const Seeds seeds = seedsOfTest(meshesOfAKind(20));
-  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed + 92000);
-    const Index sides = random.between(10, 60);
-    const PlainMesh mesh =
-      openCylinder(sides, random.between(1, 3), random.uniform(10.0, 1000.0) * sides);
-    CurveMaker maker(mesh, random);
-    const std::vector<Polyline> lines = maker.anySource();
-    const std::vector<MeshPoint> queries = randomPoints(mesh, 30, random);
-    const BruteForceResult truth = bruteForceDistances(mesh, toSources(lines), queries);
-    const double largest = largestFinite(truth.vertices);
-    const TriangleMesh engine = engineMesh(mesh);
-    for (geodesic::FrontOptions options : { geodesic::FrontOptions(), onSomeThreads() })
-    {
-      const std::vector<geodesic::SourceCurve> curves = engineCurves(engine, lines);
-      const EngineResult exact =
-        valuesOf(geodesic::solve(engine, curves, options, KeepWindows::All), queries);
-      EXPECT_LE(worstError(exact.vertices, truth.vertices, largest), SpikesAccuracy);
-      EXPECT_LE(worstError(exact.queries, truth.queries, largest), SpikesAccuracy);
-      options.relativeError = 0.01;
-      expectCertified(geodesic::solve(engine, curves, options, KeepWindows::All), queries,
-        { truth.vertices, truth.queries }, SpikesAccuracy);
-    }
-  }
 }

@@ -61,9 +61,8 @@ std::vector<PathPoint> PathChecker::plain(const std::vector<SurfacePoint>& path)
 /// Checks everything that holds of a shortest path of this length.
 ///
 /// \param slack by how much the length may be off, and a bend may be longer than the straight
-/// way.
-///        Lengths tell no more: a point that is off the straight way by a fraction of its length
-///        makes it longer by the square of that.
+///        way. Lengths tell no more: a point that is off the straight way by a fraction of its
+///        length makes it longer by the square of that.
 void PathChecker::expectShortest(
   const std::vector<PathPoint>& path, double length, double slack) const
 {

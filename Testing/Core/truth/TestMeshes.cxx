@@ -61,6 +61,47 @@ void addCell(PlainMesh& mesh, Index a, Index b, Index c, Index d)
   mesh.triangles.push_back({ a, c, d });
 }
 
+struct Ring
+{
+  double radius;
+  double height;
+};
+
+/// Cells between rings of `sides` points around an axis, from each ring to the next; if closed,
+/// from the last to the first. The last ring may have the radius 0: all its points are one, an
+/// apex.
+PlainMesh turned(const std::vector<Ring>& rings, Index sides, bool isClosed)
+{
+  PlainMesh mesh;
+  for (const Ring& ring : rings)
+  {
+    for (Index i = 0; i < (ring.radius > 0.0 ? sides : 1); ++i)
+    {
+      const double angle = 2.0 * Pi * i / sides;
+      mesh.points.push_back(
+        { ring.radius * std::cos(angle), ring.radius * std::sin(angle), ring.height });
+    }
+  }
+  for (Index j = 0; j < (isClosed ? rings.size() : rings.size() - 1); ++j)
+  {
+    const Index k = (j + 1) % rings.size();
+    for (Index i = 0; i < sides; ++i)
+    {
+      const Index a = j * sides + i;
+      const Index b = j * sides + (i + 1) % sides;
+      if (rings[k].radius > 0.0)
+      {
+        addCell(mesh, a, b, k * sides + (i + 1) % sides, k * sides + i);
+      }
+      else
+      {
+        mesh.triangles.push_back({ a, b, k * sides });
+      }
+    }
+  }
+  return mesh;
+}
+
 /// Hands out one vertex for each place of an integer lattice.
 template <typename Key>
 class VertexTable
@@ -557,27 +598,34 @@ PlainMesh box(const Vec3& size, const std::array<Index, 3>& n)
 
 PlainMesh openCylinder(Index sides, Index rows, double height)
 {
-  PlainMesh mesh;
-  const double radius = 0.5 / std::sin(Pi / sides);
+  std::vector<Ring> rings;
   for (Index j = 0; j <= rows; ++j)
   {
-    for (Index i = 0; i < sides; ++i)
-    {
-      const double angle = 2.0 * Pi * i / sides;
-      mesh.points.push_back(
-        { radius * std::cos(angle), radius * std::sin(angle), height * j / rows });
-    }
+    rings.push_back({ 0.5 / std::sin(Pi / sides), height * j / rows });
   }
+  return turned(rings, sides, false);
+}
+
+PlainMesh torus(Index sides, Index rows, double ratio)
+{
+  std::vector<Ring> rings;
   for (Index j = 0; j < rows; ++j)
   {
-    for (Index i = 0; i < sides; ++i)
-    {
-      const Index a = j * sides + i;
-      const Index b = j * sides + (i + 1) % sides;
-      addCell(mesh, a, b, b + sides, a + sides);
-    }
+    const double angle = 2.0 * Pi * j / rows;
+    rings.push_back({ ratio + std::cos(angle), std::sin(angle) });
   }
-  return mesh;
+  return turned(rings, sides, true);
+}
+
+PlainMesh roundCone(Index sides, Index rows, double height)
+{
+  std::vector<Ring> rings;
+  for (Index j = 0; j <= rows; ++j)
+  {
+    const double left = static_cast<double>(rows - j) / rows;
+    rings.push_back({ left * 0.5 / std::sin(Pi / sides), height * (1.0 - left) });
+  }
+  return turned(rings, sides, false);
 }
 
 PlainMesh fan(Index sectors, double angle, Index n)

@@ -107,6 +107,10 @@ PlainMesh moebius(Index n, Index m);
 PlainMesh box(const Vec3& size, const std::array<Index, 3>& n);
 /// A prism's side: `sides` x rows cells on a regular polygon of edge length 1, open at both ends.
 PlainMesh openCylinder(Index sides, Index rows, double height);
+/// Rows x sides cells around a tube of radius 1 whose centre line is a circle of radius `ratio`.
+PlainMesh torus(Index sides, Index rows, double ratio);
+/// A cone over a regular polygon of edge length 1, open below, with triangles around its apex.
+PlainMesh roundCone(Index sides, Index rows, double height);
 /// `sectors` isosceles triangles with this angle and legs of length 1 around an apex, each cut into
 /// n x n faces. The apex is vertex 0, sector s holds faces s n^2 ... (s + 1) n^2 - 1. A total angle
 /// over 2 pi gives a saddle fan (an even number of sectors is needed), under it a cone.

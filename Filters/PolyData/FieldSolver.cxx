@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/FieldSolver.h"
+
+#include "PolyData/FilterExecution.h"
+#include "PolyData/ParallelFor.h"
+#include "PolyData/writing/RefinedPolyData.h"
+#include "field/NearestSource.h"
+#include "field/Solve.h"
+#include "refinement/SolveForRefinement.h"
+#include "refinement/SourceRegions.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace geodesic
+{
+
+namespace
+{
+
+// Where the stages end, as fractions of the whole execution.
+constexpr double BordersFound = 0.3;
+constexpr double DoneBeforeRefinement = 0.55;
+constexpr double DoneBeforeExactField = 0.6;
+
+}
+
+FieldSolver::FieldSolver(FilterExecution& execution, const FieldRequest& request, double end)
+  : execution_(execution)
+  , request_(request)
+  , end_(!request.arrays.isAny()  ? end
+        : request.isApproximate() ? DoneBeforeExactField
+                                  : FieldDone)
+{
+}
+
+SolvedSurface FieldSolver::solve() const
+{
+  this->execution_.enter(Stage::ComputingDistances);
+  SolvedSurface solved;
+  if (!this->request_.isRefined)
+  {
+    const FrontOptions options = this->frontOptions(FilterExecution::InputsRead, this->end_);
+    solved.field.emplace(geodesic::solve(this->execution_.surface().partition(),
+      this->execution_.sourceWindows(options.progress), options));
+  }
+  else
+  {
+    solved =
+      this->request_.areBordersRefined ? this->solveAndRefineBorders() : this->solveAndRefine();
+  }
+  if (this->request_.isApproximate() && this->request_.arrays.areFeetNeeded() && !solved.exact)
+  {
+    this->execution_.enter(Stage::ComputingDistances);
+    solved.exact.emplace(
+      this->solveExactly(solved.field->relativeErrorBound(), this->facesOf(solved.refined)));
+  }
+  return solved;
+}
+
+FrontOptions FieldSolver::frontOptions(double begin, double end) const
+{
+  FrontOptions options;
+  options.relativeError = this->request_.relativeError;
+  options.maximumDistance = this->request_.maximumDistance;
+  options.keepArrivals = this->request_.arrays.isAny() || this->request_.areBordersRefined;
+  options.keepAngles = this->request_.arrays.areAnglesNeeded();
+  options.parallelFor = smpParallelFor();
+  options.progress = this->execution_.progressBetween(begin, end);
+  return options;
+}
+
+SolvedSurface FieldSolver::solveAndRefine() const
+{
+  SolvedSurface solved;
+  solved.field.emplace(this->solveForRefinement(FilterExecution::InputsRead, {}));
+  this->execution_.enter(Stage::Refining);
+  solved.refined = this->refine(*solved.field);
+  return solved;
+}
+
+// Repeats the solve if a border passes faces whose windows were dropped. Each repetition keeps
+// those of more faces.
+SolvedSurface FieldSolver::solveAndRefineBorders() const
+{
+  const MeshPartition& surface = this->execution_.surface().partition();
+  std::vector<std::uint8_t> pinned = this->findFacesAtBorders();
+  SolvedSurface solved;
+  bool isRepeated = true;
+  while (isRepeated)
+  {
+    this->execution_.enter(Stage::ComputingDistances);
+    solved.field.emplace(this->solveForRefinement(BordersFound, pinned));
+    this->execution_.enter(Stage::Refining);
+    solved.refined = this->refineBorders(solved);
+    const std::vector<Id>& unknown = solved.refined.mesh.unknownAtBorders;
+    for (const Id face : unknown)
+    {
+      pinned[face] = 1;
+    }
+    isRepeated = surface.exchange().isTrueAnywhere(!unknown.empty());
+  }
+  return solved;
+}
+
+DistanceField FieldSolver::solveForRefinement(
+  double begin, const std::vector<std::uint8_t>& pinned) const
+{
+  const FrontOptions options = this->frontOptions(begin, DoneBeforeRefinement);
+  return geodesic::solveForRefinement(this->execution_.surface().partition(),
+    this->execution_.sourceWindows(options.progress), this->request_.tolerance, options, pinned);
+}
+
+// With the windows of these faces.
+DistanceField FieldSolver::solveExactly(double largestError, std::vector<std::uint8_t> faces) const
+{
+  FrontOptions options = this->frontOptions(DoneBeforeExactField, FieldDone);
+  options.relativeError = 0.0;
+  // A distance within the limit is that much smaller than the exact one at most.
+  options.maximumDistance /= 1.0 - std::min(largestError, 0.5);
+  KeepFaces retention(this->execution_.surface().mesh(), std::move(faces));
+  const MeshPartition& surface = this->execution_.surface().partition();
+  FrontResult front =
+    propagate(surface, this->execution_.sourceWindows(options.progress), options, retention);
+  return { surface, std::move(front), retention.release() };
+}
+
+// By an exact solve that keeps no windows.
+std::vector<std::uint8_t> FieldSolver::findFacesAtBorders() const
+{
+  FrontOptions options = this->frontOptions(FilterExecution::InputsRead, BordersFound);
+  options.relativeError = 0.0;
+  const DistanceField field = geodesic::solve(this->execution_.surface().partition(),
+    this->execution_.sourceWindows(options.progress), options);
+  const std::vector<SourceCurve>& curves = this->execution_.sources().curves;
+  NearestSource nearest(field, this->execution_.patch(), curves, options.progress);
+  return SourceRegions(field, nearest, curves, this->request_.arrays.areSidesNeeded())
+    .facesAtBorders();
+}
+
+// The faces that have points of refinement.
+std::vector<std::uint8_t> FieldSolver::facesOf(const RefinedSurface& refined) const
+{
+  const TriangleMesh& mesh = this->execution_.surface().mesh();
+  std::vector<std::uint8_t> faces(mesh.numberOfFaces(), 0);
+  for (std::size_t i = 0; i < refined.numberOfPointsWithPlaces(); ++i)
+  {
+    forEachFace(mesh, refined.mesh.points[i].place, [&](Id face) { faces[face] = 1; });
+  }
+  return faces;
+}
+
+RefinementOptions FieldSolver::refinementOptions() const
+{
+  const PolyDataSurface& surface = this->execution_.surface();
+  RefinementOptions options;
+  options.tolerance = this->request_.tolerance;
+  if (this->request_.maximumCells > 0)
+  {
+    const std::uint64_t faces = surface.partition().numberOfGlobalFaces();
+    options.maximumFaces =
+      this->request_.maximumCells - (surface.countTrianglesOfAllRanks() - faces);
+  }
+  options.cornerPoints = cornerPointsOf(surface);
+  options.numberOfPoints = surface.numberOfPoints();
+  options.trianglesBeside = barriersAtEdges(surface);
+  options.parallelFor = smpParallelFor();
+  options.progress = this->execution_.progressBetween(DoneBeforeRefinement, this->end_);
+  return options;
+}
+
+RefinedSurface FieldSolver::refine(const DistanceField& field, RegionOf regionOf) const
+{
+  RefinementOptions options = this->refinementOptions();
+  options.regionOf = std::move(regionOf);
+  RefinedSurface refined{ geodesic::refine(field, options), {} };
+  refined.copied = addUnmeshedTriangles(
+    this->execution_.surface(), this->request_.maximumCells, options.cornerPoints, refined.mesh);
+  return refined;
+}
+
+RefinedSurface FieldSolver::refineBorders(SolvedSurface& solved) const
+{
+  if (this->request_.isApproximate())
+  {
+    solved.exact.emplace(this->solveExactly(
+      solved.field->relativeErrorBound(), this->execution_.surface().partition().ownFaces()));
+  }
+  const std::vector<SourceCurve>& curves = this->execution_.sources().curves;
+  NearestSource nearest(solved.exactField(), this->execution_.patch(), curves);
+  SourceRegions regions(
+    solved.exactField(), nearest, curves, this->request_.arrays.areSidesNeeded());
+  return this->refine(
+    *solved.field, [&regions](const SurfacePoint& point) { return regions.at(point); });
+}
+
+}
