@@ -256,7 +256,10 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
     return;
   }
   worker.handled += list.size();
-  this->remember(worker, district, halfedge, list);
+  if (this->vertices_[this->mesh_.opposite(halfedge)].isBusy())
+  {
+    this->remember(worker, district, halfedge, list);
+  }
   UnfoldedFace face = unfold(this->mesh_, halfedge);
   if (this->options_.keepAngles)
   {
@@ -297,9 +300,8 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
 void BatchTasks::remember(
   FrontWorker& worker, District& district, Id halfedge, const WindowRange& passed) const
 {
-  constexpr std::uint8_t usualTurns = 4; // on scans hardly a vertex has more
-  const std::uint8_t turns = this->vertices_[this->mesh_.opposite(halfedge)].turns;
-  const bool isAgain = turns >= usualTurns || this->isInThinFace(halfedge);
+  const VertexState& apex = this->vertices_[this->mesh_.opposite(halfedge)];
+  const bool isAgain = apex.turns >= VertexState::UsualTurns || this->isThin(halfedge);
   if (isAgain && this->isNeededOn(district, halfedge))
   {
     const auto isNeeded = [&](Id other) { return this->isNeededOn(district, other); };
@@ -475,13 +477,16 @@ void BatchTasks::cutByPassed(FrontWorker& worker, const District& district, Sent
 // far vertex are overtaken by longer paths, which they beat later.
 void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList sent)
 {
-  this->cutByPassed(worker, district, sent);
+  const Id apex = this->mesh_.opposite(sent.halfedge);
+  if (this->vertices_[apex].isBusy())
+  {
+    this->cutByPassed(worker, district, sent);
+  }
   if (sent.windows.size == 0)
   {
     worker.pool.free(sent.windows);
     return;
   }
-  const Id apex = this->mesh_.opposite(sent.halfedge);
   const ApexDistance found =
     quickApexQuery(sent.windows.range(), apexOf(this->mesh_, sent.halfedge));
   if (this->vertices_.isImprovedBy(apex, found.distance))
@@ -496,7 +501,7 @@ void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList s
   }
   worker.propagated += sent.windows.size;
   worker.handled += sent.windows.size;
-  const bool isThin = this->isInThinFace(sent.halfedge);
+  const bool isThin = this->vertices_[apex].hasThinFaces && this->isThin(sent.halfedge);
   double due = isThin ? leastDistance(sent.windows.range()) : this->vertices_.distance(apex);
   Id list = district.lists.find(sent.halfedge);
   if (list != NoId)
@@ -516,12 +521,6 @@ void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList s
     district.lists.setDue(list, due);
   }
   district.schedule.add(apex, due);
-}
-
-bool BatchTasks::isInThinFace(Id halfedge) const
-{
-  return this->vertices_[this->mesh_.opposite(halfedge)].hasThinFaces &&
-    this->mesh_.shape(TriangleMesh::faceOf(halfedge)).isThin();
 }
 
 void BatchTasks::mergeInto(

@@ -82,8 +82,11 @@ private:
   void cutByPassed(FrontWorker& worker, const District& district, SentList& sent) const;
   std::size_t receiveFrom(
     FrontWorker& worker, District& district, const std::vector<SentList>& lists, std::size_t first);
-  /// Of an own face. The vertex opposite tells most faces without a look at their shape.
-  bool isInThinFace(Id halfedge) const;
+  /// Whether a halfedge's face is thin.
+  bool isThin(Id halfedge) const
+  {
+    return this->mesh_.shape(TriangleMesh::faceOf(halfedge)).isThin();
+  }
   void mergeInto(FrontWorker& worker, District& district, Id list, const WindowBlock& block) const;
   /// Prefetch the memory that a step will use.
   void prefetchFacing(const District& district, Id vertex) const;

@@ -57,30 +57,30 @@ public:
   template <typename IsCurrent, typename ReachOf>
   Outlook outlook(const IsCurrent& isCurrent, const ReachOf& reachOf)
   {
-    for (;;)
+    Outlook next;
+    const auto include = [&](const Entry& entry)
     {
-      Outlook next;
-      std::size_t kept = 0;
-      for (const Entry& entry : this->near_)
+      next.least = std::min(next.least, entry.key);
+      if (entry.key <= next.last)
       {
-        if (isCurrent(entry))
-        {
-          next.least = std::min(next.least, entry.key);
-          if (entry.key <= next.last)
-          {
-            next.last = std::min(next.last, entry.key + reachOf(entry.vertex));
-          }
-          this->near_[kept++] = entry;
-        }
+        next.last = std::min(next.last, entry.key + reachOf(entry.vertex));
       }
-      this->near_.resize(kept);
-      // Beyond the horizon may be an entry whose reach ends before the batch does.
-      if (next.last <= this->horizon_ || this->far_.empty())
+    };
+    std::size_t kept = 0;
+    for (const Entry& entry : this->near_)
+    {
+      if (isCurrent(entry))
       {
-        return next;
+        include(entry);
+        this->near_[kept++] = entry;
       }
-      this->comeNear(reachOf);
     }
+    this->near_.resize(kept);
+    if (!this->far_.empty() && this->far_.top().key <= next.last)
+    {
+      this->comeNear(next, isCurrent, include);
+    }
+    return next;
   }
 
   /// Removes the current entries up to a key.
@@ -113,17 +113,25 @@ public:
   }
 
 private:
-  template <typename ReachOf>
-  void comeNear(const ReachOf& reachOf)
+  // Farther entries up to the end of the batch may have a reach that ends before it. Those of the
+  // next few batches come along.
+  template <typename IsCurrent, typename Include>
+  void comeNear(const Outlook& next, const IsCurrent& isCurrent, const Include& include)
   {
-    constexpr double batches = 16.0; // most vertices wait for two to four
-    const Entry& first = this->far_.top();
-    this->horizon_ = first.key + batches * reachOf(first.vertex);
-    while (!this->far_.empty() && this->far_.top().key <= this->horizon_)
+    constexpr double batches = 8.0; // most vertices wait for two to four
+    double horizon = next.last;
+    while (!this->far_.empty() && this->far_.top().key <= horizon)
     {
-      this->near_.push_back(this->far_.top());
+      const Entry entry = this->far_.top();
       this->far_.pop();
+      if (isCurrent(entry))
+      {
+        this->near_.push_back(entry);
+        include(entry);
+        horizon = next.last + batches * (next.last - next.least);
+      }
     }
+    this->horizon_ = horizon;
   }
 
   /// A priority queue that can be scanned.

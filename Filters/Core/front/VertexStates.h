@@ -46,6 +46,10 @@ struct VertexState
   bool hasThinFaces = false;
 
   Arrival arrival() const { return { this->arrivalHalfedge, NoId, this->arrivalX }; }
+  /// Whether windows may come again and again to halfedges opposite it. On scans hardly any vertex
+  /// has more turns than the usual ones.
+  bool isBusy() const { return this->hasThinFaces || this->turns >= UsualTurns; }
+  static constexpr std::uint8_t UsualTurns = 4;
   void countTurn()
   {
     this->turns += this->turns < std::numeric_limits<std::uint8_t>::max() ? 1 : 0;

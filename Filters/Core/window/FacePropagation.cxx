@@ -122,7 +122,10 @@ inline void leaveThrough(
     child.sourceX = source.first();
     child.sourceDepth = source.second();
     child.facesCrossed = (w.facesCrossed + 1) & MaximumFacesCrossed;
-    child.place += (w.origin & 1U) == 0 ? exit.turn : -exit.turn; // see PointSide
+    if (exit.turn != 0.0) // angles are asked for
+    {
+      child.place += (w.origin & 1U) == 0 ? exit.turn : -exit.turn; // see PointSide
+    }
     list.settle();
   }
 }

@@ -112,20 +112,6 @@ bool staysAbove(const Window& above, const AtEnds& high, const AtEnds& low, doub
 
 } // anonymous namespace
 
-// A linear window's source is a direction, and its distance depends on the place on the halfedge.
-// Different sources, or different places of one curve, may unfold to the same point of the plane.
-bool isSameSource(const Window& a, const Window& b)
-{
-  const double source = std::abs(a.sourceX) + a.sourceDepth;
-  const double length = a.isLinear() ? b.end : source;
-  return std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source && a.kind == b.kind &&
-    a.origin == b.origin &&
-    (!a.isLinear() ||
-      std::abs(a.place - b.place) <= tolerance::SameSource * (std::abs(a.place) + length)) &&
-    std::abs(a.sourceDepth - b.sourceDepth) <= tolerance::SameSource * source &&
-    std::abs(a.sigma - b.sigma) <= tolerance::SameSource * (std::abs(a.sigma) + length);
-}
-
 LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi)
 {
   if (a.facesCrossed != b.facesCrossed && isSameSource(a, b))

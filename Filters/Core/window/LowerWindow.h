@@ -2,7 +2,11 @@
 #ifndef geodesic_LowerWindow_h
 #define geodesic_LowerWindow_h
 
+#include "Tolerance.h"
 #include "window/Window.h"
+
+#include <array>
+#include <cmath>
 
 namespace geodesic
 {
@@ -19,7 +23,19 @@ struct LowerParts
 
 /// Whether two windows of a halfedge have the same source, up to rounding, and so are parts of one
 /// pencil.
-bool isSameSource(const Window& a, const Window& b);
+inline bool isSameSource(const Window& a, const Window& b)
+{
+  // A linear window's source is a direction, and its distance depends on the place on the halfedge.
+  // Different sources, or different places of one curve, may unfold to the same point of the plane.
+  const double source = std::abs(a.sourceX) + a.sourceDepth;
+  const double length = a.isLinear() ? b.end : source;
+  return std::abs(a.sourceX - b.sourceX) <= tolerance::SameSource * source && a.kind == b.kind &&
+    a.origin == b.origin &&
+    (!a.isLinear() ||
+      std::abs(a.place - b.place) <= tolerance::SameSource * (std::abs(a.place) + length)) &&
+    std::abs(a.sourceDepth - b.sourceDepth) <= tolerance::SameSource * source &&
+    std::abs(a.sigma - b.sigma) <= tolerance::SameSource * (std::abs(a.sigma) + length);
+}
 
 /// Compares the distances of two windows on [lo, hi], which both cover (paper, section 3.3). If
 /// they are equal everywhere up to rounding, the first one is the lower.
