@@ -315,7 +315,7 @@ void measureMesh(const Options& options)
 
 #ifdef GEODESIC_HAS_MPI
 /// What the ranks tell rank 0 of a run.
-struct ToldRun
+struct RunOfRank
 {
   RankRun run;
   std::uint64_t loaded;
@@ -325,7 +325,7 @@ struct ToldRun
   double secondsInSteps;
 };
 
-void printRuns(const std::vector<ToldRun>& runs, double relativeError)
+void printRuns(const std::vector<RunOfRank>& runs, double relativeError)
 {
   std::uint64_t largest = 0;
   double most = 0.0;
@@ -333,14 +333,14 @@ void printRuns(const std::vector<ToldRun>& runs, double relativeError)
   vtkTypeInt64 bytes = 0;
   double solve = 0.0;
   double build = 0.0;
-  for (const ToldRun& told : runs)
+  for (const RunOfRank& own : runs)
   {
-    largest = std::max(largest, told.peak > told.loaded ? told.peak - told.loaded : 0);
-    most = std::max(most, told.secondsInSteps);
-    least = std::min(least, told.secondsInSteps);
-    bytes += told.bytes;
-    solve = std::max(solve, told.run.solveSeconds);
-    build = std::max(build, told.run.buildSeconds);
+    largest = std::max(largest, own.peak > own.loaded ? own.peak - own.loaded : 0);
+    most = std::max(most, own.secondsInSteps);
+    least = std::min(least, own.secondsInSteps);
+    bytes += own.bytes;
+    solve = std::max(solve, own.run.solveSeconds);
+    build = std::max(build, own.run.buildSeconds);
   }
   std::cout << "{\"ranks\": " << runs.size() << ", \"faces\": " << runs[0].run.globalFaces
             << ", \"relative_error\": " << relativeError << ", \"build_s\": " << build
@@ -400,33 +400,32 @@ void measureUnderMpi(const Options& options, vtkMPIController* controller)
   {
     controller->Barrier();
     forgetPeakMemory();
-    ToldRun told = { {}, memory("VmRSS"), 0, 0, 0, 0.0 };
+    RunOfRank own = { {}, memory("VmRSS"), 0, 0, 0, 0.0 };
     if (controller->GetNumberOfProcesses() == 1)
     {
       geodesictest::MemoryRanks alone(1);
       alone.run(
         [&](Exchange& exchange) {
-          told.run =
-            measureRank(exchange, piece, source, options.number("--relative-error"), [] {});
+          own.run = measureRank(exchange, piece, source, options.number("--relative-error"), [] {});
         });
-      told.peak = memory("VmHWM");
-      printRuns({ told }, options.number("--relative-error"));
+      own.peak = memory("VmHWM");
+      printRuns({ own }, options.number("--relative-error"));
       continue;
     }
     RankExchange ofProcesses(controller);
     MeasuredExchange exchange(ofProcesses);
-    told.run = measureRank(exchange, piece, source, options.number("--relative-error"),
+    own.run = measureRank(exchange, piece, source, options.number("--relative-error"),
       [&]
       {
         exchange.steps = 0;
         exchange.bytes = 0;
         exchange.seconds = 0.0;
       });
-    told.peak = memory("VmHWM");
-    told.steps = exchange.steps;
-    told.bytes = exchange.bytes;
-    told.secondsInSteps = exchange.seconds;
-    const std::vector<ToldRun> runs = valuesOfRanks(exchange, told);
+    own.peak = memory("VmHWM");
+    own.steps = exchange.steps;
+    own.bytes = exchange.bytes;
+    own.secondsInSteps = exchange.seconds;
+    const std::vector<RunOfRank> runs = valuesOfRanks(exchange, own);
     if (exchange.rank() == 0)
     {
       printRuns(runs, options.number("--relative-error"));

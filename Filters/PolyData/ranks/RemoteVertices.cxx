@@ -15,7 +15,7 @@ BorrowedValues remoteVertices(
   constexpr RankAddress nobody{ -1, NoId };
   std::vector<RankAddress> holders;
   Questions questions(exchange);
-  std::vector<Message> told = exchange.noMessages();
+  std::vector<Message> messages = exchange.noMessages();
   for (Id vertex = 0; vertex < ownNumbers.size(); ++vertex)
   {
     const Id own = ownNumbers[vertex];
@@ -29,8 +29,8 @@ BorrowedValues remoteVertices(
       }
       else
       {
-        put(told[rankIndex(rank)], label);
-        put(told[rankIndex(rank)], own);
+        put(messages[rankIndex(rank)], label);
+        put(messages[rankIndex(rank)], own);
       }
     }
     if (own == NoId)
@@ -43,7 +43,7 @@ BorrowedValues remoteVertices(
     return {};
   }
   std::unordered_map<RankLabels::Label, RankAddress> lowest;
-  readEach(exchange.step(std::move(told)),
+  readEach(exchange.step(std::move(messages)),
     [&](int rank, MessageReader& reader)
     {
       const auto label = reader.get<RankLabels::Label>();

@@ -256,9 +256,9 @@ std::string nameOfBarrier(const PolyDataSurface& surface,
     const std::string own = surface.nameOfCell(surface.triangleOfBarrier(face.id), surfaceBlocks);
     put(message, own.data(), own.size());
   }
-  const Message told = exchange.tellAll(message)[rankIndex(face.rank)];
-  std::string name(told.size(), ' ');
-  MessageReader(told).get(name.data(), name.size());
+  const Message answer = exchange.tellAll(message)[rankIndex(face.rank)];
+  std::string name(answer.size(), ' ');
+  MessageReader(answer).get(name.data(), name.size());
   return surface.partition().isDistributed() ? name + " on rank " + std::to_string(face.rank)
                                              : name;
 }

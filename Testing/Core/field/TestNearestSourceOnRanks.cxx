@@ -27,8 +27,8 @@ class NearestSourcesOnRanks : public ::testing::TestWithParam<MeshKind>
 {
 };
 
-/// What is told of a point: in one piece, or on a rank.
-struct Told
+/// The nearest source of a point, as the surface in one piece or a rank gives it.
+struct Answer
 {
   bool isKnown = false;
   Index curve = 0;
@@ -38,23 +38,23 @@ struct Told
   geodesic::Vec3 gradient = {};
 };
 
-Told tell(const Foot& foot, const NearestSource& nearest, const IncomingSegment& piece,
+Answer answerFor(const Foot& foot, const NearestSource& nearest, const IncomingSegment& piece,
   const geodesic::TriangleMesh& mesh)
 {
-  Told told;
-  told.isKnown = foot.isKnown();
-  told.gradient = geodesic::gradientOf(mesh, piece);
-  if (told.isKnown)
+  Answer answer;
+  answer.isKnown = foot.isKnown();
+  answer.gradient = geodesic::gradientOf(mesh, piece);
+  if (answer.isKnown)
   {
     const SurfacePoint at = nearest.pointOf(foot);
     const geodesic::Id face = geodesic::someFace(nearest.meshOfCurves(), at);
-    told.curve = foot.curve;
-    told.isRight = foot.isRight;
-    told.foot = { face, geodesic::barycentric(nearest.meshOfCurves(), at, face) };
+    answer.curve = foot.curve;
+    answer.isRight = foot.isRight;
+    answer.foot = { face, geodesic::barycentric(nearest.meshOfCurves(), at, face) };
     const geodesic::Vec3 place = geodesic::position(nearest.meshOfCurves(), at);
-    told.place = { place[0], place[1], place[2] };
+    answer.place = { place[0], place[1], place[2] };
   }
-  return told;
+  return answer;
 }
 
 geodesic::FrontOptions withArrivals()
@@ -64,44 +64,44 @@ geodesic::FrontOptions withArrivals()
   return options;
 }
 
-/// What is told of the vertices, and of the queries behind them.
-std::vector<Told> toldInOnePiece(const RandomCase& c)
+/// The answers for the vertices, then for the queries.
+std::vector<Answer> answersInOnePiece(const RandomCase& c)
 {
   const geodesic::TriangleMesh mesh = engineMesh(c.mesh);
   const std::vector<geodesic::SourceCurve> curves = engineCurves(mesh, c.curves);
   const geodesic::DistanceField field =
     geodesic::solve(mesh, curves, withArrivals(), geodesic::KeepWindows::All);
   NearestSource nearest(field, geodesic::ReplicatedPatch(field.mesh()), curves);
-  std::vector<Told> told;
+  std::vector<Answer> answers;
   for (geodesic::Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
     const IncomingSegment piece =
       geodesic::incomingSegmentTo(field, SurfacePoint::atVertex(vertex));
-    told.push_back(tell(nearest.atVertex(vertex), nearest, piece, mesh));
+    answers.push_back(answerFor(nearest.atVertex(vertex), nearest, piece, mesh));
   }
   for (const MeshPoint& query : c.queries)
   {
     const IncomingSegment piece =
       geodesic::incomingSegmentTo(field, geodesic::normalized(mesh, enginePoint(mesh, query)));
-    told.push_back(tell(nearest.of(piece), nearest, piece, mesh));
+    answers.push_back(answerFor(nearest.of(piece), nearest, piece, mesh));
   }
-  return told;
+  return answers;
 }
 
-/// The same by all ranks: of a vertex by each that has it; where windows are kept, of a query by
-/// the one that owns its face.
-class ToldOnRanks
+/// The answers of all ranks: for a vertex from each rank that has it; where windows are kept, for a
+/// query from the rank that owns its face.
+class AnswersOnRanks
 {
 public:
-  ToldOnRanks(const RandomCase& c, const CutMesh& cut, geodesic::KeepWindows keep)
+  AnswersOnRanks(const RandomCase& c, const CutMesh& cut, geodesic::KeepWindows keep)
     : case_(c)
     , keep_(keep)
-    , told_(c.mesh.points.size() + c.queries.size())
+    , answers_(c.mesh.points.size() + c.queries.size())
   {
     onRanks(cut, c.curves, 0, [this](const RankOfRun& rank) { this->ask(rank); });
   }
 
-  const std::vector<std::vector<Told>>& told() const { return this->told_; }
+  const std::vector<std::vector<Answer>>& answers() const { return this->answers_; }
 
 private:
   void ask(const RankOfRun& rank)
@@ -115,8 +115,8 @@ private:
     {
       const IncomingSegment piece =
         geodesic::incomingSegmentTo(field, SurfacePoint::atVertex(vertex));
-      this->add(
-        rank, rank.wholeVertices[vertex], tell(nearest.atVertex(vertex), nearest, piece, mesh));
+      this->add(rank, rank.wholeVertices[vertex],
+        answerFor(nearest.atVertex(vertex), nearest, piece, mesh));
     }
     for (std::size_t i = 0; field.hasWindows() && i < this->case_.queries.size(); ++i)
     {
@@ -126,25 +126,25 @@ private:
       {
         const IncomingSegment piece = geodesic::incomingSegmentTo(
           field, geodesic::fromBarycentric(mesh, face.id, query.weights));
-        this->add(
-          rank, this->case_.mesh.points.size() + i, tell(nearest.of(piece), nearest, piece, mesh));
+        this->add(rank, this->case_.mesh.points.size() + i,
+          answerFor(nearest.of(piece), nearest, piece, mesh));
       }
     }
   }
 
-  void add(const RankOfRun& rank, std::size_t point, Told told)
+  void add(const RankOfRun& rank, std::size_t point, Answer answer)
   {
-    if (told.isKnown)
+    if (answer.isKnown)
     {
-      told.foot.face = wholeFaceOf(rank, rank.patch.ownerOf(told.foot.face));
+      answer.foot.face = wholeFaceOf(rank, rank.patch.ownerOf(answer.foot.face));
     }
     const std::lock_guard<std::mutex> lock(this->mutex_);
-    this->told_[point].push_back(told);
+    this->answers_[point].push_back(answer);
   }
 
   const RandomCase& case_;
   geodesic::KeepWindows keep_;
-  std::vector<std::vector<Told>> told_;
+  std::vector<std::vector<Answer>> answers_;
   std::mutex mutex_;
 };
 
@@ -159,7 +159,7 @@ class Checked
 public:
   explicit Checked(const MeshKind& kind, std::uint64_t seed)
     : case_(randomCase(kind, seed, NumberOfQueries))
-    , whole_(toldInOnePiece(this->case_))
+    , whole_(answersInOnePiece(this->case_))
     , truth_(this->case_.truth.vertices)
     , largest_(largestFinite(this->case_.truth.vertices))
     , accuracy_(accuracyOn(kind))
@@ -185,24 +185,24 @@ public:
   void check(
     const CutMesh& cut, Random& random, geodesic::KeepWindows keep = geodesic::KeepWindows::All)
   {
-    const ToldOnRanks ranks(this->case_, cut, keep);
+    const AnswersOnRanks ranks(this->case_, cut, keep);
     for (std::size_t i = 0; i < this->places_.size(); ++i)
     {
       SCOPED_TRACE("point " + std::to_string(i));
-      for (const Told& told : ranks.told()[i])
+      for (const Answer& answer : ranks.answers()[i])
       {
-        this->checkOne(i, told);
-        EXPECT_EQ(told.curve, ranks.told()[i].front().curve) << "ranks differ";
-        EXPECT_EQ(told.isRight, ranks.told()[i].front().isRight) << "ranks differ";
-        EXPECT_EQ(told.place, ranks.told()[i].front().place) << "ranks differ";
+        this->checkOne(i, answer);
+        EXPECT_EQ(answer.curve, ranks.answers()[i].front().curve) << "ranks differ";
+        EXPECT_EQ(answer.isRight, ranks.answers()[i].front().isRight) << "ranks differ";
+        EXPECT_EQ(answer.place, ranks.answers()[i].front().place) << "ranks differ";
       }
     }
     for (std::size_t n = 0; n < FeetTried; ++n)
     {
       const std::size_t i = random.below(this->places_.size());
-      if (!ranks.told()[i].empty() && ranks.told()[i].front().isKnown)
+      if (!ranks.answers()[i].empty() && ranks.answers()[i].front().isKnown)
       {
-        this->checkFoot(i, ranks.told()[i].front());
+        this->checkFoot(i, ranks.answers()[i].front());
       }
     }
   }
@@ -232,53 +232,53 @@ private:
     return {};
   }
 
-  void checkOne(std::size_t i, const Told& told)
+  void checkOne(std::size_t i, const Answer& answer)
   {
-    ASSERT_EQ(told.isKnown, this->truth_[i] < geodesic::Infinity);
-    if (!told.isKnown)
+    ASSERT_EQ(answer.isKnown, this->truth_[i] < geodesic::Infinity);
+    if (!answer.isKnown)
     {
       return;
     }
     EXPECT_LE(
-      std::abs(this->alone_[told.curve][i] - this->truth_[i]), this->accuracy_ * this->largest_)
-      << "curve " << told.curve;
+      std::abs(this->alone_[answer.curve][i] - this->truth_[i]), this->accuracy_ * this->largest_)
+      << "curve " << answer.curve;
     const bool isOff = this->truth_[i] > 1e-9 * this->largest_;
-    const double size = geodesic::norm(told.gradient);
+    const double size = geodesic::norm(answer.gradient);
     EXPECT_TRUE(!isOff || std::abs(size - 1.0) <= 1e-14) << "gradient of length " << size;
     ++this->compared_;
-    const Told& one = this->whole_[i];
+    const Answer& one = this->whole_[i];
     const bool isOneWay =
-      isOff && gapOf(told.gradient, one.gradient) <= 1e-9 && told.curve == one.curve;
-    if (isOff && gapOf(told.gradient, one.gradient) > 1e-6)
+      isOff && gapOf(answer.gradient, one.gradient) <= 1e-9 && answer.curve == one.curve;
+    if (isOff && gapOf(answer.gradient, one.gradient) > 1e-6)
     {
       ++this->directionsElsewhere_;
     }
-    if (told.curve != one.curve || spaceDistance(told.place, one.place) > 1e-6 * this->largest_)
+    if (answer.curve != one.curve || spaceDistance(answer.place, one.place) > 1e-6 * this->largest_)
     {
       ++this->feetElsewhere_;
-      this->checkFoot(i, told);
+      this->checkFoot(i, answer);
     }
-    else if (isOneWay && told.isRight != one.isRight)
+    else if (isOneWay && answer.isRight != one.isRight)
     {
       ++this->sidesElsewhere_;
     }
   }
 
   // The distance from the foot, as a point, is the field's.
-  void checkFoot(std::size_t i, const Told& told)
+  void checkFoot(std::size_t i, const Answer& answer)
   {
     Sources source;
-    source.points = { told.foot };
+    source.points = { answer.foot };
     BruteForceOptions options;
     options.maximumDistance = 1.001 * this->truth_[i];
     const double distance =
       bruteForceDistances(this->case_.mesh, source, { this->places_[i] }, options).queries[0];
     EXPECT_LE(std::abs(distance - this->truth_[i]), this->accuracy_ * this->largest_)
-      << "foot of point " << i << " on curve " << told.curve;
+      << "foot of point " << i << " on curve " << answer.curve;
   }
 
   RandomCase case_;
-  std::vector<Told> whole_;
+  std::vector<Answer> whole_;
   std::vector<double> truth_;
   std::vector<MeshPoint> places_;
   /// The distances of all points from each curve alone.
@@ -311,7 +311,7 @@ TEST_P(NearestSourcesOnRanks, AreThoseOfTheWholeHoweverItIsCut)
     directions += checked.directionsElsewhere();
     sides += checked.sidesElsewhere();
   }
-  // Of equally long paths another one may be told, and straight behind the end of a curve either
+  // Another one of equally long paths may be found, and straight behind the end of a curve either
   // side: most on an octahedron, which is the same from all its faces.
   EXPECT_LE(feet, compared / 50);
   EXPECT_LE(directions, compared / 20);
@@ -329,17 +329,17 @@ TEST_P(NearestSourcesOnRanks, AreTheSameAtVerticesWithoutWindows)
   forEachCut(c.mesh, { { 7, true } }, random,
     [&](const CutMesh& cut)
     {
-      const ToldOnRanks with(c, cut, geodesic::KeepWindows::All);
-      const ToldOnRanks without(c, cut, geodesic::KeepWindows::None);
+      const AnswersOnRanks with(c, cut, geodesic::KeepWindows::All);
+      const AnswersOnRanks without(c, cut, geodesic::KeepWindows::None);
       for (std::size_t i = 0; i < c.truth.vertices.size(); ++i)
       {
         SCOPED_TRACE("vertex " + std::to_string(i));
-        for (const Told& told : without.told()[i])
+        for (const Answer& answer : without.answers()[i])
         {
-          EXPECT_EQ(told.isKnown, c.truth.vertices[i] < geodesic::Infinity);
-          EXPECT_EQ(told.curve, with.told()[i].front().curve);
-          EXPECT_EQ(told.isRight, with.told()[i].front().isRight);
-          EXPECT_EQ(told.place, with.told()[i].front().place);
+          EXPECT_EQ(answer.isKnown, c.truth.vertices[i] < geodesic::Infinity);
+          EXPECT_EQ(answer.curve, with.answers()[i].front().curve);
+          EXPECT_EQ(answer.isRight, with.answers()[i].front().isRight);
+          EXPECT_EQ(answer.place, with.answers()[i].front().place);
         }
       }
     });

@@ -405,22 +405,22 @@ private:
   Tally& tally_;
 };
 
-/// What is told of a point, as numbers that can be compared.
-struct Told
+/// The nearest source of a point, as numbers that can be compared.
+struct Answer
 {
   Id curve = geodesic::NoId;
   double arcLength = 0.0;
   double angle = 0.0;
 };
 
-Told tell(const NearestSource& nearest, const Foot& foot)
+Answer answerFor(const NearestSource& nearest, const Foot& foot)
 {
-  return foot.isKnown() ? Told{ foot.curve, nearest.arcLengthOf(foot), nearest.angleOf(foot) }
-                        : Told();
+  return foot.isKnown() ? Answer{ foot.curve, nearest.arcLengthOf(foot), nearest.angleOf(foot) }
+                        : Answer();
 }
 
-/// Compares what is told of a point twice. Of equally long paths either may be told.
-void compare(const Told& a, const Told& b, double scale, double bend, Tally& tally)
+/// Compares two answers for a point. Either of two equally long paths may be the answer.
+void compare(const Answer& a, const Answer& b, double scale, double bend, Tally& tally)
 {
   ++tally.compared;
   const double length = std::abs(a.arcLength - b.arcLength) / scale;
@@ -488,14 +488,14 @@ TEST_P(SourceAngles, HaveTheSameBitsOnAnyNumberOfThreads)
     geodesic::FrontOptions options = withAngles();
     options.parallelFor = way;
     Solved s(c.mesh, c.curves, options);
-    std::vector<std::array<double, 3>> told;
+    std::vector<std::array<double, 3>> answers;
     for (const SurfacePoint& point : s.pointsWith(c.queries))
     {
-      const Told t = tell(s.nearest, s.footOf(point));
-      told.push_back({ static_cast<double>(t.curve), t.arcLength, t.angle });
+      const Answer t = answerFor(s.nearest, s.footOf(point));
+      answers.push_back({ static_cast<double>(t.curve), t.arcLength, t.angle });
     }
-    EXPECT_TRUE(expected.empty() || told == expected);
-    expected = told;
+    EXPECT_TRUE(expected.empty() || answers == expected);
+    expected = answers;
   }
 }
 
@@ -519,7 +519,7 @@ TEST_P(SourceAngles, AreKnownAtPointsThatRefinementAdds)
     {
       const SurfacePoint& place = refined.points[i].place;
       const Foot foot = nearest.of(geodesic::incomingSegmentTo(field, place));
-      compare(tell(nearest, foot), tell(s.nearest, s.footOf(place)),
+      compare(answerFor(nearest, foot), answerFor(s.nearest, s.footOf(place)),
         largestFinite(c.truth.vertices), bendOn(GetParam()), tally);
     }
   }
@@ -554,8 +554,8 @@ TEST_P(SourceAngles, AreTheSameOnRanks)
           const std::lock_guard<std::mutex> lock(mutex);
           for (Id vertex = 0; vertex < rank.wholeVertices.size(); ++vertex)
           {
-            compare(tell(nearest, nearest.atVertex(vertex)),
-              tell(s.nearest, s.nearest.atVertex(rank.wholeVertices[vertex])),
+            compare(answerFor(nearest, nearest.atVertex(vertex)),
+              answerFor(s.nearest, s.nearest.atVertex(rank.wholeVertices[vertex])),
               largestFinite(c.truth.vertices), bendOn(GetParam()), tally);
           }
         });
