@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MemoryRanks.h"
 
+#include "OnThreads.h"
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -242,15 +244,7 @@ std::vector<std::exception_ptr> MemoryRanks::tryRun(
       rank.fail(isAbort ? "" : error.what());
     }
   };
-  std::vector<std::thread> threads;
-  for (std::size_t number = 0; number < thrown.size(); ++number)
-  {
-    threads.emplace_back(runRank, number);
-  }
-  for (std::thread& thread : threads)
-  {
-    thread.join();
-  }
+  together(thrown.size(), runRank);
   return thrown;
 }
 

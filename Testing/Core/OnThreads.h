@@ -4,38 +4,20 @@
 
 #include "Tasks.h"
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
-#include <thread>
 #include <vector>
 
 namespace geodesictest
 {
 
-/// Runs the tasks on several threads, each of which takes the next remaining task.
-inline void onSomeThreads(
-  std::size_t threads, std::size_t count, const std::function<void(std::size_t)>& task)
-{
-  std::atomic<std::size_t> next{ 0 };
-  const auto work = [&]()
-  {
-    for (std::size_t i = next++; i < count; i = next++)
-    {
-      task(i);
-    }
-  };
-  std::vector<std::thread> others;
-  while (others.size() + 1 < threads)
-  {
-    others.emplace_back(work);
-  }
-  work();
-  for (std::thread& other : others)
-  {
-    other.join();
-  }
-}
+/// Runs work(0), ..., work(count - 1) at the same time: the first in the calling thread, the others
+/// in threads that this one keeps. None may throw.
+void together(std::size_t count, const std::function<void(std::size_t)>& work);
+
+/// Runs the tasks on several threads, each of which takes the next remaining task. None may throw.
+void onSomeThreads(
+  std::size_t threads, std::size_t count, const std::function<void(std::size_t)>& task);
 
 /// onSomeThreads() on three threads.
 inline void onThreads(std::size_t count, const std::function<void(std::size_t)>& task)

@@ -5,7 +5,6 @@
 #include "window/WindowMerge.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace geodesic
 {

@@ -131,7 +131,8 @@ private:
         horizon = next.last + batches * (next.last - next.least);
       }
     }
-    this->horizon_ = horizon;
+    // Without a current entry no batch tells how far to look.
+    this->horizon_ = horizon < Infinity ? horizon : this->horizon_;
   }
 
   /// A priority queue that can be scanned.

@@ -59,7 +59,9 @@ double cross(Plane a, Plane b)
 }
 double size(Plane a)
 {
-  return std::hypot(a.x, a.y);
+  // std::hypot is for squares that overflow or underflow. It took a quarter of the solver's time.
+  const double square = a.x * a.x + a.y * a.y;
+  return square > 1e-280 && square < 1e280 ? std::sqrt(square) : std::hypot(a.x, a.y);
 }
 /// A quarter turn to the left.
 Plane turned(Plane a)
