@@ -155,8 +155,8 @@ GridTruth::GridTruth(const PlainMesh& mesh, const Sources& sources, Index cells)
   this->distances_ = bruteForceDistances(mesh, sources, this->places_).queries;
 }
 
-// A node is named by what it lies on: a vertex, an edge with the steps from its lower end, or a
-// face.
+// A node is named by the smallest element that holds it: a vertex, an edge with the steps from its
+// lower end, or a face.
 Index GridTruth::nodeAt(Index face, Index i, Index j)
 {
   const std::array<Index, 3> steps = { this->cells_ - i - j, i, j };

@@ -11,7 +11,7 @@
 #include <map>
 #include <vector>
 
-/// What tests of isolines have in common.
+/// Shared by the tests of isolines.
 namespace geodesictest
 {
 
@@ -23,8 +23,8 @@ geodesic::Isolines isolinesOf(const geodesic::TriangleMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves, const std::vector<double>& values,
   double chordTolerance);
 
-/// Ascending values to draw: one between each of the shares of the largest distance and a little
-/// more than it, and the distance of a vertex.
+/// Ascending values to draw: one in each of equal parts of the range up to a little over the
+/// largest distance, and the distance of a vertex.
 std::vector<double> randomValues(const std::vector<double>& distances, double largest,
   const std::vector<double>& leastShares, Random& random);
 
@@ -32,15 +32,15 @@ std::vector<double> randomValues(const std::vector<double>& distances, double la
 double lengthOf(
   const geodesic::TriangleMesh& mesh, const geodesic::Isolines& isolines, std::size_t line);
 
-/// Checks that the chords of all lines lie in the faces that they say, and are not degenerate.
+/// Checks that the chords of all lines lie in the faces that they name, and have a length.
 void expectChordsInFaces(const geodesic::TriangleMesh& mesh, const geodesic::Isolines& isolines);
 
-/// Checks that the distance grows to the left of every chord: a short step to the left has a larger
-/// distance by the field, one to the right a smaller.
+/// Checks that the distance grows to the left of every chord: by the field, a short step to the
+/// left has a larger distance and one to the right a smaller distance.
 void expectGrowthToTheLeft(
   const geodesic::DistanceField& field, const geodesic::Isolines& isolines);
 
-/// How many lines of one value there are.
+/// The number of lines of one value.
 struct LineCount
 {
   std::size_t open = 0;
@@ -58,13 +58,14 @@ LineCount countLines(const geodesic::Isolines& isolines, std::size_t value);
 class GridTruth
 {
 public:
-  /// \param cells in which each edge is cut.
+  /// \param cells the number of parts of each edge.
   GridTruth(const PlainMesh& mesh, const Sources& sources, Index cells);
 
   /// The longest edge of the grid.
   double spacing() const { return this->spacing_; }
 
-  /// The lines of equal interpolated distance. They end where not two grid faces meet at an edge.
+  /// The lines of equal interpolated distance. They end at edges with one grid face, or more than
+  /// two.
   LineCount countLines(double value) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Isolines whose shape is known in closed form, and what holds for all of them.
+// Isolines whose shape is known in closed form, and properties of all isolines.
 #include "OnThreads.h"
 #include "contours/IsolineSupport.h"
 #include "truth/RandomMeshKinds.h"
@@ -39,7 +39,7 @@ MeshPoint inOneFace(double x, double y)
   return { 0, { 1.0 - x / 4.0 - y / 3.0, x / 4.0, y / 3.0 } };
 }
 
-/// Chords of arcs that are r in radius together are as long as the arcs but for this.
+/// How much shorter than arcs of this length their chords may be.
 double shortening(double length, double radius, double chordTolerance)
 {
   return length * chordTolerance / (3.0 * radius) * 1.01 + 1e-12 * length;
@@ -61,7 +61,7 @@ double totalLength(const TriangleMesh& mesh, const Isolines& isolines, std::size
   return length;
 }
 
-/// Where a line is, for comparing bit by bit.
+/// The coordinates of a line, for comparing bit by bit.
 std::vector<std::tuple<int, Id, double, double>> placesOf(const Isolines& isolines)
 {
   std::vector<std::tuple<int, Id, double, double>> places;
@@ -214,7 +214,7 @@ TEST(Isolines, OnAPrismAreThoseOfTheUnrolledStrip)
   const Index sides = 9;
   const PlainMesh plain = openCylinder(sides, 8, 8.0);
   const TriangleMesh mesh = engineMesh(plain);
-  // Round it at equal height from the lower rim: straight.
+  // The line around the prism is straight, at equal height over the lower rim.
   const std::vector<double> heights = { 0.7, 3.0, 5.1 };
   std::vector<Polyline> rim(1);
   for (const auto& edge : boundaryEdges(plain))
@@ -422,7 +422,7 @@ TEST(Isolines, RefuseWrongValuesAndToleranceAndFieldsWithoutWindows)
   options.values = { 0.1 };
   options.chordTolerance = 1e-3;
   EXPECT_THROW(geodesic::drawIsolines(geodesic::solve(mesh, { point }), options), geodesic::Error);
-  // Windows for another value are not those that are needed.
+  // Windows kept for another value are not the ones that this value needs.
   EXPECT_THROW(
     geodesic::drawIsolines(geodesic::solveForIsolines(mesh, { point }, { 0.9 }), options),
     geodesic::Error);
@@ -571,7 +571,7 @@ TEST(IsolineSides, OfAnOpenCurveEndWhereTheSignJumpsBehindItsEnds)
     expectArcs(lengthOf(mesh, lines, i), Pi * v, 0.5, v, 1e-6);
     const Vec3 first = geodesic::position(mesh, lines.points[lines.lines[i].points.front()]);
     const Vec3 last = geodesic::position(mesh, lines.points[lines.lines[i].points.back()]);
-    // In the direction of the curve on both sides.
+    // Lines run in the direction of the curve on both sides.
     EXPECT_NEAR(first[0], 1.0 - v, 1e-11);
     EXPECT_NEAR(last[0], 1.5 + v, 1e-11);
     EXPECT_NEAR(first[1], 0.8, 1e-11);

@@ -58,7 +58,7 @@ struct Drawn
   }
 };
 
-/// Places on the chords of a line, their ends left out.
+/// Places on the chords of a line, without their ends.
 void addPlacesOnChords(const TriangleMesh& mesh, const Isolines& isolines, const Isoline& line,
   std::vector<MeshPoint>& places)
 {
@@ -151,7 +151,7 @@ TEST_P(RandomIsolines, AreAsManyAndAsClosedAsTheSublevelSetsHaveBoundaries)
     const GridTruth fine(drawn.plain, toSources(drawn.curves), 13);
     for (std::size_t value = 0; value < drawn.values.size(); ++value)
     {
-      // What the grids do not tell for sure, such as a ridge of less than their spacing, is left.
+      // Differences that the grids cannot resolve, such as a ridge lower than their spacing.
       const double v = drawn.values[value] * (1.0 - 1e-12);
       const LineCount expected = fine.countLines(v);
       const double slack = 0.5 * fine.spacing();
@@ -179,8 +179,8 @@ TEST_P(RandomIsolines, AreAsManyAndAsClosedAsTheSublevelSetsHaveBoundaries)
   std::cout << GetParam().name << ": " << compared << " values compared\n";
 }
 
-// Where the pencils of two windows meet, rounding may part them, and the level curves go on behind
-// the ridge. These are such cases.
+// Where the pencils of two windows meet, rounding may leave a gap between them, in which the level
+// curves continue behind the ridge. These are such cases.
 TEST(IsolinesAtRidges, HaveTheirPointsAtTheValue)
 {
   for (const auto& [name, seed] : { std::make_pair("Box", 1408U), std::make_pair("Box", 2284U),

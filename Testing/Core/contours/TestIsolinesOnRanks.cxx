@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Isolines that ranks draw together, each in its own faces: joined at equal coordinates they are
-// those of one piece, and their points are at the value by the brute force.
+// those of one process, and brute force finds the value at their points.
 #include "RanksSupport.h"
 #include "contours/IsolineSupport.h"
 
@@ -26,14 +26,14 @@ namespace
 constexpr std::uint64_t MeshesOfAKind = 2;
 constexpr std::size_t PointsTried = 20; // in each cut
 constexpr double ChordFraction = 1e-4;
-/// Windows may be cut in other places, and so may arcs into chords.
+/// Ranks may cut windows, and so arcs into chords, at other places.
 constexpr double LengthFraction = 1e-4;
 
 class IsolinesOnRanks : public ::testing::TestWithParam<MeshKind>
 {
 };
 
-/// A line by places in space, and each point of it by a face of the whole mesh.
+/// A line as places in space, and each of its points in a face of the whole mesh.
 struct PlainLine
 {
   std::size_t value;
@@ -41,7 +41,7 @@ struct PlainLine
   std::vector<MeshPoint> points;
 };
 
-/// \param wholeFace of a face of the mesh that the isolines lie on.
+/// \param wholeFace maps a face of the isolines' mesh to the whole mesh.
 std::vector<PlainLine> plainLines(const geodesic::TriangleMesh& mesh, const Isolines& isolines,
   const std::function<Index(Id)>& wholeFace)
 {
@@ -150,7 +150,7 @@ struct CaseWithValues
   }
 };
 
-/// The parts of the lines on the left-hand side of the curves only.
+/// The parts of the lines on the left-hand side of the curves.
 std::vector<geodesic::SidedValue> leftOnly(const std::vector<double>& values)
 {
   std::vector<geodesic::SidedValue> sided;
@@ -315,7 +315,7 @@ TEST(IsolinesOnSeams, HaveNoDirectionWhereFacesOfOppositeOrientationMeet)
 {
   for (const bool isTurned : { false, true })
   {
-    // Around a corner of a square of which each rank has one half.
+    // Around a corner of a square; each rank has one half of the square.
     PlainMesh mesh = regularGrid(4, 4);
     CutMesh cut{ mesh, 2, {} };
     for (Triangle& triangle : mesh.triangles)

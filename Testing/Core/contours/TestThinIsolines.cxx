@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Isolines on flat strips, whose length is known: nothing of them is lost where faces have hardly
-// any height, or no area. GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
+// Isolines on flat strips, whose length is known: no part is missing where faces have hardly any
+// height or no area. GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
 #include "Seeds.h"
 #include "contours/IsolineSupport.h"
 #include "truth/CappedMeshes.h"
@@ -59,17 +59,17 @@ struct Strip
   }
 };
 
-/// What is known of the part of a circle in a rectangle.
+/// The true properties of the part of a circle in a rectangle.
 struct Arcs
 {
   double length = 0.0;
-  /// How far it goes up and down in all.
+  /// The sum of its ways up and down.
   double rise = 0.0;
   LineCount count;
 };
 
-/// The right and the left half of the circle one after the other, from the lowest point up: so the
-/// angles of arcs that hardly rise are accurate.
+/// The right half of the circle, then the left one, from the lowest point up: so the angles of arcs
+/// that hardly rise are accurate.
 Arcs arcsIn(const Strip& strip, const Vec3& center, double radius)
 {
   const double quarter = 2.0 * std::atan(1.0);
@@ -103,7 +103,7 @@ Arcs arcsIn(const Strip& strip, const Vec3& center, double radius)
   return arcs;
 }
 
-/// A vertex, or a point of an edge or a face that is not within rounding of a vertex.
+/// A vertex, or a point of an edge or a face well away from vertices.
 MeshPoint anyPlace(const PlainMesh& mesh, Random& random)
 {
   switch (random.below(3))
@@ -142,7 +142,7 @@ geodesic::SourceCurve sideOf(const TriangleMesh& mesh, std::size_t axis)
   return side;
 }
 
-/// How far lines go along an axis, forth and back.
+/// The length that lines cover along an axis, back and forth.
 double wayAlong(const TriangleMesh& mesh, const Isolines& isolines, std::size_t axis)
 {
   double way = 0.0;
@@ -190,7 +190,7 @@ public:
     {
       length += lengthOf(mesh, isolines, i);
     }
-    // Where the strip is as thin as rounding, places along it may go forth and back.
+    // Where the strip is as thin as rounding, the line may go back and forth along it.
     EXPECT_NEAR(length, truth.length, chordFraction * truth.length + 1e-13 * strip.width);
     const double rise = wayAlong(mesh, isolines, 1);
     EXPECT_NEAR(rise, truth.rise, 1e-4 * truth.rise);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The approximate field against the brute-force solver: never over the exact distance, never under
-// it by more than is certified, and certified within what was asked for.
+// The approximate field compared with the brute-force solver: never above the exact distance, never
+// below it by more than the certified bound, which is within the requested one.
 #include "EngineSupport.h"
 #include "truth/RandomMeshKinds.h"
 
@@ -139,7 +139,7 @@ TEST(Approximate, MergedWindowsMeetTheOriginalsAtTheEndsAndAreNowhereAbove)
   int merges = 0;
   for (int i = 0; i < 20000; ++i)
   {
-    // Two pencils that agree at the joint, the kink closing there.
+    // Two pencils that agree at the joint, where the kink closes.
     const double joint = random.uniform(0.2, 0.8);
     const auto pencil = [&](double begin, double end)
     {
@@ -183,7 +183,7 @@ TEST(Approximate, MergedWindowsMeetTheOriginalsAtTheEndsAndAreNowhereAbove)
   EXPECT_GT(merges, 1000);
 }
 
-// A chain of merges adds up; the limit is for all of it.
+// The errors of a chain of merges add up, and the limit is for their sum.
 TEST(Approximate, ManyNeighboursStayWithinTheLimitOfWhatIsMerged)
 {
   Random random(18);
@@ -280,8 +280,8 @@ Sources twoSources(Random& random)
 
 }
 
-// What has been merged before a vertex counts behind it too, also where the vertex got its distance
-// along an edge that a merged window ends at.
+// The error of merges before a vertex counts behind it, too, even where the vertex got its distance
+// along an edge on which a merged window ends.
 TEST(Approximate, ErrorsBeforeAndBehindAVertexAddUp)
 {
   double measured = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances from several sources to several targets, against brute force, each other and the field
-// of each source alone.
+// Distances from several sources to several targets, compared with brute force, with each other and
+// with the field of each source alone.
 #include "EngineSupport.h"
 #include "OnThreads.h"
 
@@ -71,7 +71,7 @@ double largestFinite(const std::vector<std::vector<double>>& matrix)
   return largest;
 }
 
-/// The largest of the entries that are not over a bound.
+/// The largest entry within a bound.
 double largestUpTo(const std::vector<std::vector<double>>& matrix, double bound)
 {
   double largest = 0.0;
@@ -192,7 +192,7 @@ TEST(DistanceMatrix, TakesCurvesWithOneNumberForOneSourceAndNumbersWithoutCurves
   EXPECT_NEAR(matrix[2].back(), 1.0, 1e-15);
 }
 
-// One task takes much longer than the others, and does nothing but ask.
+// One task takes much longer than the others and only calls the progress callback.
 TEST(WatchedTasksInParallel, AreReportedAndStoppedFromTheCallingThreadWhileTheyRun)
 {
   const std::thread::id caller = std::this_thread::get_id();

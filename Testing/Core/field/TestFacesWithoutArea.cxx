@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces with faces without area, as CAD programs close vertices on edges of other faces: against
-// straight lines in flat convex domains, and against the brute force on the same surface without
-// these faces. GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
+// Surfaces with faces without area, with which CAD programs close T-vertices: compared with
+// straight lines in flat convex domains, and with brute force on the same surface without these
+// faces. GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
 #include "EngineSupport.h"
 #include "Seeds.h"
 #include "paths/PathChecker.h"
@@ -54,11 +54,11 @@ enum class Side
 {
   Left,
   Right,
-  /// Rounding tells.
+  /// Rounding decides.
   Unsure
 };
 
-/// A polyline in the plane that its surface lies in.
+/// A polyline in the plane of a flat surface.
 struct FlatLine
 {
   std::vector<Vec3> points;
@@ -87,8 +87,8 @@ struct FlatLine
     return least;
   }
 
-  /// On which side of the line a point is: of the segment that is nearest, at
-  /// the line's points by angle. Of a point that is its left-hand side.
+  /// The side of the line that a point is on: the side of the nearest segment or, at the line's
+  /// points, by angle. A line of one point has only a left-hand side.
   Side side(const Vec2& p) const
   {
     constexpr double Unsure = 1e-5; // well over what a joined line may lie beside this one
@@ -121,7 +121,7 @@ struct FlatLine
   }
 };
 
-/// Puts a point that is almost at a corner or on an edge of its face there.
+/// Moves a point that is almost at a corner or on an edge of its face onto it.
 MeshPoint notBesideEdges(MeshPoint point)
 {
   double sum = 0.0;
@@ -137,13 +137,11 @@ MeshPoint notBesideEdges(MeshPoint point)
   return point;
 }
 
-/// Vertices, points on edges and points in faces with area, joined by straight
-/// lines.
+/// Vertices, points on edges and points in faces with area, joined by straight lines.
 ///
-/// \param mayBeBeside whether some points are a rounding beside a vertex or an
-/// edge. The line may
-///        be joined to these by a piece in any direction, which decides what is
-///        beside its ends.
+/// \param mayBeBeside whether some points are within rounding of a vertex or an edge. The engine may
+///        join these to the line by a piece in any direction, and so decide the side of points
+///        beside the line's ends.
 FlatLine randomLine(
   const PlainMesh& mesh, const PlainMesh& conforming, Random& random, bool mayBeBeside = true)
 {
@@ -177,8 +175,8 @@ std::vector<SourceCurve> onSurface(const TriangleMesh& mesh, const FlatLine& lin
     .curves;
 }
 
-/// What the engine has joined the line's points to: as short as the line up to
-/// a tie, it may lie beside the line by about the root of that.
+/// The engine's joins of the line's points. They are as short as the line up to a tie, so they may
+/// lie beside it by about the root of that.
 FlatLine joined(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
 {
   FlatLine result;
@@ -261,11 +259,11 @@ struct LineOnFlatMesh
   TriangleMesh engine;
   double size;
   std::vector<SourceCurve> curves;
-  /// The line as it lies on the mesh.
+  /// The line's place on the mesh.
   FlatLine source;
 };
 
-/// \returns the largest error of a distance, of the size.
+/// \returns the largest error of a distance, relative to the mesh's size.
 double expectStraightDistances(const TriangleMesh& engine, const PlainMesh& mesh,
   const std::vector<SourceCurve>& curves, const FlatLine& line, double size, Random& random)
 {
@@ -291,8 +289,8 @@ double expectStraightDistances(const TriangleMesh& engine, const PlainMesh& mesh
 
 } // anonymous namespace
 
-// A square of 3 x 3 points with vertex 9 on the edge from 4 to 7. The line's
-// first segment crosses the face without area there, and has no length.
+// A square of 3 x 3 points with vertex 9 on the edge from 4 to 7. The line's first segment crosses
+// the face without area there and has no length.
 TEST(FacesWithoutArea, ALineThatBeginsAtAVertexOnAnEdgeCountsOnBothSides)
 {
   const Seeds seeds = seedsOfTest(100);
@@ -355,14 +353,14 @@ TEST(FacesWithoutArea, DistancesAndPathsAcrossSeveralAnEdgeAreThoseOfThePlane)
   compareWithPlane(Caps::Several, 5100);
 }
 
-// A line that begins 1e-14 beside an edge, where rounding had turned its first piece by a degree.
+// A line that begins 1e-14 beside an edge, where rounding once turned its first piece by a degree.
 TEST(FacesWithoutArea, ALineThatBeginsARoundingBesideThemCountsOnAllSides)
 {
   compareWithPlane(Caps::Several, 5100, { 41514, 1 });
 }
 
-// A line that goes on along a face without area, a straight angle from one of its edges: rounding
-// had put it along that edge, and beside the line's corner distances were missing.
+// A line that goes on along a face without area, at a straight angle to one of its edges. Rounding
+// once put the line along that edge, and distances beside the line's corner were missing.
 TEST(FacesWithoutArea, ALineThatGoesOnAlongOneCountsOnAllSides)
 {
   compareWithPlane(Caps::Several, 5100, { 64977, 1 });
@@ -448,7 +446,7 @@ TEST(FacesWithoutArea, SidesOfALineAcrossSeveralAnEdgeAreThoseOfThePlane)
   compareSidesWithPlane(Caps::Several);
 }
 
-// Of meshes that are cut at their vertices on edges, without faces that have no area.
+// For meshes cut at their T-vertices, without faces that have no area.
 TEST(FacesWithoutArea, SidesOfALineOnThatSurfaceWithoutThemAreThoseOfThePlane)
 {
   SidesChecker checker;
@@ -501,8 +499,8 @@ TEST(FacesWithoutArea, ChangeNoDistanceOnCurvedSurfaces)
 namespace
 {
 
-/// The envelope along a part of a face's edge, or from a point of the face to one of its corners,
-/// against the plane. \returns the largest error.
+/// Compares the envelope along part of a face's edge, or from a point of the face to a corner, with
+/// the plane. \returns the largest error.
 double errorAlongSegment(
   const geodesic::FaceDistance& face, const PlainMesh& mesh, const FlatLine& source, Random& random)
 {
@@ -542,8 +540,8 @@ double errorAlongSegment(
 
 } // anonymous namespace
 
-// Where the source lies on an edge of a face without area it lies on the line of its other edges,
-// too: its windows there run to both sides along their halfedge.
+// A source on one edge of a face without area lies on the line of its other edges, too: its windows
+// there run to both sides along their halfedge.
 TEST(FacesWithoutArea, DistancesAlongSegmentsOfFacesAreThoseOfThePlane)
 {
   constexpr double accuracy = 1e-6; // the root of a tie: the line may be beside its points
@@ -593,8 +591,7 @@ TEST(FacesWithoutArea, RefinedMeshesMeetTheToleranceAndKeepTheirBound)
 namespace
 {
 
-/// Aborts what has taken longer than it may: a run without an end is a failure,
-/// not a hang.
+/// Aborts a run that takes too long: a run without an end is a failure, not a hang.
 class TimeLimit
 {
 public:
@@ -629,8 +626,8 @@ double lengthOf(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path)
 
 } // anonymous namespace
 
-// Three faces without area make a pocket on the edge from 0 to 1, around which
-// pieces of a path without length once led for ever.
+// Three faces without area make a pocket on the edge from 0 to 1, around which pieces of a path
+// without length once went in circles.
 TEST(FacesWithoutArea, APathAcrossAPocketEnds)
 {
   for (const auto& [s, t] : { std::pair(0.3, 0.7), std::pair(0.7, 0.3), std::pair(0.5, 0.1) })

@@ -32,21 +32,21 @@ constexpr std::uint64_t FirstSeed = 87000;
 constexpr std::uint64_t Meshes = 200;
 constexpr std::uint64_t CutMeshes = 60;
 
-/// The most T-vertices of an edge. Many make caps of which some touch other caps only.
+/// The largest number of T-vertices on one edge. With many, some caps touch only other caps.
 constexpr Index FewPlaces = 3;
 constexpr Index ManyPlaces = 9;
 
-/// Nearer to the source than this, of edges of length 1, directions are not compared.
+/// Directions are not compared at points closer to the source than this; edges have length 1.
 constexpr double NearSource = 0.01;
 
-/// Two ways that differ by less than a tie (1e-12 of the distance) are one to the engine; their
-/// directions differ by about the root of that. The worst of 3,300,000 was 4e-6, and all but six
-/// were right to 1e-9.
+/// The engine treats two paths as equally long if their lengths differ by less than a tie (1e-12 of
+/// the distance); their directions then differ by about the root of that. The worst of 3,300,000
+/// directions was off by 4e-6, and all but six were right to 1e-9.
 constexpr double Accuracy = 1e-5;
 
-/// A mesh with T-vertices on some edges: the faces on one side of such an edge have them, the other
-/// face does not, and caps, faces without area, are between. And the same surface without caps.
-/// Vertices have the same numbers in both.
+/// A mesh with T-vertices on some edges, and the same surface without them. The faces on one side
+/// of such an edge have its T-vertices as corners, the face on the other side does not, and caps
+/// (faces without area) close the gap. Vertices have the same numbers in both meshes.
 struct CappedMesh
 {
   PlainMesh capped;
@@ -54,7 +54,7 @@ struct CappedMesh
   Index firstCap;
 };
 
-/// Cuts a polygon without area, the corners of which stand in a row, in any way.
+/// Triangulates a polygon without area, whose corners lie in a row, in a random way.
 void addCaps(const std::vector<Index>& row, Random& random, std::vector<Triangle>& caps)
 {
   if (row.size() < 3)
@@ -190,7 +190,7 @@ std::string nameOf(const SurfacePoint& point)
     std::to_string(point.id);
 }
 
-/// A point of a face, or a segment in it, not nearer to its edges than a tenth of its heights.
+/// A point of a face, or a segment in it, at least a tenth of the face's heights from its edges.
 Polyline randomSource(Index face, Random& random)
 {
   const auto place = [&random]
@@ -244,7 +244,8 @@ struct FlatCase
     this->b = position(this->plain, { segment.face, segment.to });
   }
 
-  /// How far a gradient is from the direction at a point; 0 where the source is too near to tell.
+  /// The difference between a gradient and the direction at a point; 0 where the source is too
+  /// close.
   double errorAt(const Vec3& p, const Vec3& gradient) const
   {
     const Vec3 from = nearestOnSegment(p, this->a, this->b);
@@ -258,7 +259,7 @@ struct FlatCase
   }
 };
 
-/// The worst error at the vertices, as each rank that has them tells.
+/// The worst error at the vertices, over all ranks that have them.
 class OnRanks
 {
 public:
@@ -331,7 +332,7 @@ TEST(GradientsBehindCaps, InThePlaneLeadStraightAwayFromTheSource)
   std::cout << "worst direction off by " << worst << "\n";
 }
 
-// Faces on both sides of a cap may be other ranks', and so may caps behind it.
+// Other ranks may own the faces on both sides of a cap, and the caps behind it.
 TEST(GradientsBehindCaps, AreTheSameOnRanks)
 {
   double worst = 0.0;
@@ -402,7 +403,7 @@ TEST(GradientsBehindCaps, OnCurvedMeshesAreThoseWithoutCaps)
   std::cout << "worst direction off by " << worst << "\n";
 }
 
-// The faces on each side of an edge have a vertex of their own at the same place of it.
+// The faces on each side of an edge have their own vertex at the same place of the edge.
 TEST(GradientsBehindCaps, OfTwoVerticesAtOnePlaceAreTheSame)
 {
   PlainMesh plain;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is nearest, where on it a shortest path ends, from which side it comes, and the gradient:
-// against the brute force from one curve alone, from the foot alone, and at steps against the
-// gradient.
+// The nearest source, the foot of a shortest path, its side and the gradient: compared with brute
+// force from one curve alone, from the foot alone, and a short step against the gradient.
 #include "EngineSupport.h"
 #include "truth/RandomMeshKinds.h"
 
@@ -30,7 +29,7 @@ namespace
 constexpr std::uint64_t MeshesOfAKind = meshesOfAKind(12);
 constexpr std::size_t NumberOfQueries = 40;
 constexpr std::size_t FeetTried = 6;
-/// Of unit edges.
+/// Relative to edges of length 1.
 constexpr double RefinementTolerance = 0.02;
 
 geodesic::DistanceField solveWithArrivals(const geodesic::TriangleMesh& mesh,
@@ -52,7 +51,7 @@ enum class At
 {
   /// All vertices and the queries of the case.
   VerticesAndQueries,
-  /// Points that refinement adds, some of them, with the windows that it keeps.
+  /// Some of the points that refinement adds, with the windows that it keeps.
   RefinedPoints
 };
 
@@ -66,7 +65,7 @@ geodesic::DistanceField solveFor(
     : geodesic::solve(mesh, curves, options, geodesic::KeepWindows::All);
 }
 
-/// A point of a face as it is; one of another face, which lies a rounding beside a corner, as that.
+/// A point of a face as it is; a point of another face within rounding of a corner, as that corner.
 SurfacePoint inFaceOrAtCorner(
   const geodesic::TriangleMesh& mesh, const SurfacePoint& point, Id face)
 {
@@ -82,7 +81,7 @@ SurfacePoint inFaceOrAtCorner(
     mesh.triangle(own)[static_cast<std::size_t>(largest - weights.begin())]);
 }
 
-/// A random case, solved, and the points that are asked for.
+/// A random case, solved, and its query points.
 struct Solved
 {
   RandomCase plain;
@@ -154,9 +153,9 @@ struct Solved
   }
 };
 
-/// Some, and what has been hard to tell: at a spine a ray from a rounding beside a corner, in a
-/// face of its own a point a rounding beside a vertex, across needles a path shorter than the
-/// rounding of their edges.
+/// The first seeds, and those of cases that once failed: at a spine, a ray from within rounding of
+/// a corner; in a sheet, a point in its own face within rounding of a vertex; across needles, a
+/// path shorter than the rounding of their edges.
 std::vector<std::uint64_t> seedsOf(const MeshKind& kind)
 {
   std::vector<std::uint64_t> seeds(MeshesOfAKind);
@@ -189,7 +188,7 @@ private:
 
 } // anonymous namespace
 
-// The distance from the curve that is named, alone, is the field's.
+// The distance from the nearest curve alone equals the field's.
 TEST_P(NearestSources, AreAsFarAsTheField)
 {
   double worst = 0.0;
@@ -220,7 +219,7 @@ TEST_P(NearestSources, AreAsFarAsTheField)
             << "\n";
 }
 
-// The distance from the foot, as a point, is the field's.
+// The distance from the foot alone equals the field's.
 TEST_P(NearestSources, HaveTheirFeetAsFarAsTheField)
 {
   double worst = 0.0;
@@ -255,7 +254,7 @@ TEST_P(NearestSources, HaveTheirFeetAsFarAsTheField)
 }
 
 // A short step against the gradient, in the face that the path comes through, lowers the distance
-// by its length.
+// by the step's length.
 TEST_P(NearestSources, AreComeNearerToAgainstTheGradient)
 {
   double worst = 0.0;
@@ -406,8 +405,8 @@ TEST(NearestSource, IsKnownWhereVerticesAreARoundingApart)
   }
 }
 
-// Where rounding hides what a path came through, two vertices may each name the other. What comes
-// from elsewhere is known all the same.
+// Where rounding hides where a path came through, two vertices may each name the other. The engine
+// must still find what comes from elsewhere.
 TEST(NearestSource, IsSoughtNoLongerWhereTwoVerticesNameEachOther)
 {
   const geodesic::TriangleMesh mesh = engineMesh(regularGrid(4, 1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is nearest, from which side and in which direction, where ranks have the surface together:
-// against the brute force from the curve and from the foot that are named, and against one piece.
+// The nearest source, its side and the direction to it on a surface cut over ranks: compared with
+// brute force from the nearest curve and from the foot, and with one process.
 #include "RanksSupport.h"
 
 #include "field/NearestSource.h"
@@ -27,7 +27,7 @@ class NearestSourcesOnRanks : public ::testing::TestWithParam<MeshKind>
 {
 };
 
-/// The nearest source of a point, as the surface in one piece or a rank gives it.
+/// The nearest source of a point, as one process or a rank finds it.
 struct Answer
 {
   bool isKnown = false;
@@ -88,8 +88,8 @@ std::vector<Answer> answersInOnePiece(const RandomCase& c)
   return answers;
 }
 
-/// The answers of all ranks: for a vertex from each rank that has it; where windows are kept, for a
-/// query from the rank that owns its face.
+/// The answers of all ranks: for a vertex from each rank that has it, and, where windows are kept,
+/// for a query from the rank that owns its face.
 class AnswersOnRanks
 {
 public:
@@ -153,7 +153,7 @@ double gapOf(const geodesic::Vec3& a, const geodesic::Vec3& b)
   return geodesic::norm(geodesic::operator-(a, b));
 }
 
-/// What is known of a case, and what differs from one piece.
+/// The results of a case, and where they differ from those of one process.
 class Checked
 {
 public:
@@ -213,7 +213,7 @@ public:
   std::size_t sidesElsewhere() const { return this->sidesElsewhere_; }
 
 private:
-  // A point that mesh and truth name by a face.
+  // A point that the mesh and the truth name by the same face.
   MeshPoint atVertex(Index vertex) const
   {
     for (Index face = 0; face < this->case_.mesh.triangles.size(); ++face)
@@ -264,7 +264,7 @@ private:
     }
   }
 
-  // The distance from the foot, as a point, is the field's.
+  // The brute-force distance from the foot alone equals the field's.
   void checkFoot(std::size_t i, const Answer& answer)
   {
     Sources source;
@@ -311,8 +311,8 @@ TEST_P(NearestSourcesOnRanks, AreThoseOfTheWholeHoweverItIsCut)
     directions += checked.directionsElsewhere();
     sides += checked.sidesElsewhere();
   }
-  // Another one of equally long paths may be found, and straight behind the end of a curve either
-  // side: most on an octahedron, which is the same from all its faces.
+  // Of equally long paths ranks may find another one, and straight behind the end of a curve either
+  // side is right. An octahedron, whose faces are all alike, has most of both.
   EXPECT_LE(feet, compared / 50);
   EXPECT_LE(directions, compared / 20);
   EXPECT_LE(sides, compared / 50);
@@ -321,7 +321,7 @@ TEST_P(NearestSourcesOnRanks, AreThoseOfTheWholeHoweverItIsCut)
             << sides << " other sides\n";
 }
 
-// Without windows nothing but a vertex's arrival names the pseudo-source that its path comes from.
+// Without windows, only the arrival at a vertex names the pseudo-source of its path.
 TEST_P(NearestSourcesOnRanks, AreTheSameAtVerticesWithoutWindows)
 {
   const RandomCase c = randomCase(GetParam(), MeshesOfAKind, 0);

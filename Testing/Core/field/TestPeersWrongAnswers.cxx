@@ -462,8 +462,8 @@ TEST(PeersWrongAnswers, APolylineThatBeginsWithinRoundingOfAnEdgeShinesToBothSid
 
 TEST(PeersWrongAnswers, NoRayIsMissingBetweenThePencilsOfAPolylinesEnd)
 {
-  // Queries close to the border between the parallel rays of a segment and the circular ones of its
-  // end, which leaves at a right angle, with the end at any distance from an edge.
+  // Queries close to the border between the parallel rays of a segment and the circular rays of its
+  // end, which leaves at a right angle. The end is at various distances from an edge.
   const Index n = 8;
   const PlainMesh grid = regularGrid(n, n);
   const Index face = 2 * (4 * n + 3);

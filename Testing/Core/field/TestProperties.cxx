@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What must hold for every distance field, whatever its values.
+// Properties of every distance field, whatever its values.
 #include "EngineSupport.h"
 
 #include "Errors.h"
@@ -54,7 +54,7 @@ EngineResult trueDistances(
   return { truth.vertices, truth.queries };
 }
 
-/// Runs a test on some meshes, each with curves on it to be had.
+/// Runs a test on some meshes and random curves on them.
 template <typename Test>
 void onMeshesOfAllCharacters(std::uint64_t rounds, Test&& test)
 {
@@ -68,8 +68,8 @@ void onMeshesOfAllCharacters(std::uint64_t rounds, Test&& test)
   }
 }
 
-/// Runs a test on fields of meshes of all sizes, their distances divided by the factor again:
-/// test(scaled, as it is, true distances).
+/// Runs a test on fields of meshes scaled to all sizes, whose distances are divided by the factor:
+/// test(scaled, unscaled, true distances).
 template <typename Test>
 void onScaledMeshes(const std::vector<double>& factors, Test&& test)
 {
@@ -94,7 +94,8 @@ void onScaledMeshes(const std::vector<double>& factors, Test&& test)
     });
 }
 
-/// Checks that two lists of curves have one distance field, the true one of the first.
+/// Checks that two lists of curves have the same distance field, which is the true one of the
+/// first.
 void expectSameField(const PlainMesh& mesh, const std::vector<Polyline>& a,
   const std::vector<Polyline>& b, const std::vector<MeshPoint>& queries, const char* what)
 {
@@ -112,7 +113,7 @@ void expectSameField(const PlainMesh& mesh, const std::vector<Polyline>& a,
   }
 }
 
-/// The values of a mesh's vertices at their old places, when vertex i is called vertexMap[i].
+/// The values of the old vertices, where old vertex i has become vertexMap[i].
 std::vector<double> atOldPlaces(
   const std::vector<double>& values, const std::vector<Index>& vertexMap)
 {
@@ -139,7 +140,7 @@ std::vector<Polyline> changed(std::vector<Polyline> curves, const Change& change
   return curves;
 }
 
-/// Vertex sources, which stay what they are when faces are split.
+/// Vertex sources, which do not change when faces are split.
 std::vector<Polyline> vertexSources(const PlainMesh& mesh, Random& random)
 {
   std::vector<Polyline> curves;
@@ -152,7 +153,7 @@ std::vector<Polyline> vertexSources(const PlainMesh& mesh, Random& random)
   return curves;
 }
 
-/// The same vertices in another mesh that has them under the same numbers.
+/// The same vertices in another mesh, which numbers them alike.
 std::vector<Polyline> sameVertices(
   const std::vector<Polyline>& curves, const PlainMesh& mesh, const PlainMesh& other)
 {
@@ -340,7 +341,7 @@ TEST(Property, DistanceScalesWithTheSurface)
     });
 }
 
-// Powers of two change no digit, so that any absolute tolerance would show.
+// Scaling by powers of two changes no digit, so any absolute tolerance would show.
 TEST(Property, DistanceScalesWithTheSurfaceToTheLastDigit)
 {
   onScaledMeshes({ std::ldexp(1.0, -60), std::ldexp(1.0, 60) },

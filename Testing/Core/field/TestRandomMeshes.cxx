@@ -26,7 +26,7 @@ constexpr std::size_t NumberOfQueries = 80;
 class RandomMeshes : public ::testing::TestWithParam<MeshKind>
 {
 protected:
-  /// The error at vertices and at random surface points, of the largest distance.
+  /// The largest error at vertices and at random surface points, relative to the largest distance.
   void compare(std::uint64_t seed)
   {
     this->compare(seed, randomCase(GetParam(), seed, NumberOfQueries));
@@ -76,7 +76,7 @@ TEST_P(RandomMeshes, FixedOnesAgreeWithBruteForce)
   this->report();
 }
 
-// Nearer to a vertex than most points, and some of them to both edges there.
+// Points closer to a vertex than most; some of them are close to both edges there, too.
 TEST_P(RandomMeshes, PointsBesideVerticesAgreeWithBruteForce)
 {
   for (std::uint64_t seed = 0; seed < MeshesWithPointsBesideVertices; ++seed)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The approximate field against the exact one on meshes that people use, from the folder that
-// GEODESIC_TEST_MESHES names: what is measured is within what is certified, and that within what
-// was asked for.
+// The approximate field compared with the exact one on well-known meshes from the folder that
+// GEODESIC_TEST_MESHES names: the measured error is within the certified bound, and the bound
+// within the requested one.
 #include "EngineSupport.h"
 #include "truth/MeshFiles.h"
 
@@ -21,7 +21,7 @@ namespace
 struct MeshFile
 {
   const char* name;
-  /// The surface's boundary is a source, else a random curve.
+  /// The source is the surface's boundary or, without one, a random curve.
   bool fromBoundary = false;
 };
 
@@ -60,7 +60,7 @@ protected:
     EngineResult exact;
     std::uint64_t windows = 0;
     {
-      // a large mesh has many windows: not kept for longer than needed
+      // a large mesh has many windows: they are freed before the next solve
       const DistanceField field = solveKeepingAll(engine, source);
       EXPECT_EQ(field.relativeErrorBound(), 0.0);
       exact = valuesOf(field, queries);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes that people use, from the folder that GEODESIC_TEST_MESHES names.
+// Well-known meshes, from the folder that GEODESIC_TEST_MESHES names.
 #include "EngineSupport.h"
 #include "truth/MeshFiles.h"
 
@@ -109,7 +109,7 @@ protected:
 
 }
 
-// Its file is of strips, whose triangles turn alternately.
+// The file has triangle strips, in which the orientation alternates.
 TEST_F(RealMeshes, IgeaIsReadAsAClosedSurfaceOfOneOrientation)
 {
   const PlainMesh mesh = read("igea.ply");

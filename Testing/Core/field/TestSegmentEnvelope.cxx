@@ -20,7 +20,7 @@ using geodesic::Window;
 namespace
 {
 
-/// Envelopes may be off by what neighbours may differ by where they meet.
+/// Envelopes may be off by as much as neighbouring windows differ where they meet.
 constexpr double SegmentAccuracy = 1e-9;
 
 class SegmentEnvelopes : public ::testing::TestWithParam<MeshKind>
@@ -34,7 +34,7 @@ double at(const std::vector<Window>& envelope, double x)
   return (window == envelope.end() ? envelope.back() : *window).distance(x);
 }
 
-/// Ends of a segment in a face: anywhere, or along one of its edges, whole or in part.
+/// Ends of a segment in a face: anywhere, or on one edge, which it covers wholly or in part.
 std::array<Barycentric, 2> randomSegment(Random& random)
 {
   std::array<Barycentric, 2> ends = { randomWeights(random), randomWeights(random) };
@@ -52,7 +52,7 @@ std::array<Barycentric, 2> randomSegment(Random& random)
   return ends;
 }
 
-/// A segment in a face, and what the engine has along it.
+/// A segment in a face, and the engine's envelope along it.
 struct Along
 {
   Index face;
@@ -83,7 +83,7 @@ void expectGapless(const Along& along)
   }
 }
 
-/// The envelope against the least of all candidates, densely.
+/// Compares the envelope with the least of all candidates at many places.
 void expectLeastOfCandidates(const Along& along, const FaceDistance& face, double accuracy)
 {
   constexpr int samples = 200;
@@ -104,7 +104,7 @@ void expectLeastOfCandidates(const Along& along, const FaceDistance& face, doubl
 
 constexpr int SamplesOfASegment = 16;
 
-/// Where the envelopes are compared with brute force, segment by segment.
+/// Compares the envelopes with brute force, segment by segment.
 std::vector<MeshPoint> samplesOf(const std::vector<Along>& all)
 {
   std::vector<MeshPoint> places;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From which side of a curve shortest paths come, on oriented surfaces that curves part in two.
+// The side of a curve from which shortest paths come, on oriented surfaces that curves divide in
+// two.
 #include "EngineSupport.h"
 #include "truth/RandomMeshKinds.h"
 
@@ -28,9 +29,9 @@ namespace
 constexpr std::uint64_t MeshesOfAKind = meshesOfAKind(12);
 constexpr std::size_t NumberOfQueries = 160;
 
-/// A region of an oriented mesh, the points where a function that is linear in each face is
-/// positive, and its rim: pieces of curves that run with the region to their left, or, reversed, to
-/// their right. The rim crosses faces, follows edges and goes through vertices.
+/// A region of an oriented mesh, where a function that is linear in each face is positive, and its
+/// rim: curves that have the region to their left or, reversed, to their right. The rim crosses
+/// faces, follows edges and goes through vertices.
 class Region
 {
 public:
@@ -73,7 +74,7 @@ public:
   }
 
 private:
-  /// Where a rim segment begins or ends: a vertex, twice, or an edge.
+  /// An end of a rim segment: on an edge, or at a vertex, which is given twice.
   using Place = std::pair<Index, Index>;
 
   struct Segment
@@ -96,7 +97,7 @@ private:
     const bool isAscending = a < b; // the same bits in both faces
     const double low = values_[isAscending ? a : b];
     const double high = values_[isAscending ? b : a];
-    // Counted from either end it is the same point, to the last bit.
+    // Computed from either end, the point is the same to the last bit.
     const double fraction = 1.0 - (1.0 - low / (low - high));
     weights[k] = isAscending ? 1.0 - fraction : fraction;
     weights[(k + 1) % 3] = isAscending ? fraction : 1.0 - fraction;
@@ -133,8 +134,8 @@ private:
     }
   }
 
-  // With the region to its left the segment begins where, on the way around the face, the value
-  // falls through 0, and ends where it rises.
+  // A segment that has the region to its left begins where, counterclockwise around the face, the
+  // value falls through 0, and ends where it rises.
   void addSegmentThrough(Index f)
   {
     const Triangle& t = mesh_.triangles[f];
@@ -162,7 +163,7 @@ private:
     }
   }
 
-  // Pieces of random lengths, half of them run the other way.
+  // Pieces of random lengths, half of them reversed.
   void joinSegments(Random& random)
   {
     std::map<Place, std::vector<std::size_t>> leaving;
@@ -200,7 +201,7 @@ private:
   std::vector<bool> isReversed_;
 };
 
-/// As putOntoSurface() has them: all curves have a point on an edge by the same halfedge.
+/// As putOntoSurface() does: all curves name a point on an edge by the same halfedge.
 std::vector<geodesic::SourceCurve> curvesWithSharedPoints(
   const geodesic::TriangleMesh& mesh, const std::vector<Polyline>& lines)
 {
@@ -220,7 +221,7 @@ std::vector<geodesic::SourceCurve> curvesWithSharedPoints(
   return curves;
 }
 
-/// Turns faces so that neighbours have one orientation, as far as that goes.
+/// Flips faces until neighbours have the same orientation, where that is possible.
 PlainMesh oriented(PlainMesh mesh)
 {
   std::map<std::pair<Index, Index>, std::vector<Index>> facesOfEdge;
@@ -270,7 +271,7 @@ PlainMesh oriented(PlainMesh mesh)
   return mesh;
 }
 
-/// Whether all faces have one orientation and those around each vertex follow one another.
+/// Whether all faces have the same orientation and the faces around each vertex form one fan.
 bool isOrientedManifold(const PlainMesh& mesh)
 {
   std::map<std::pair<Index, Index>, Index> nextAround; // the next spoke, by vertex and spoke
@@ -294,7 +295,7 @@ bool isOrientedManifold(const PlainMesh& mesh)
   }
   for (const auto& [at, next] : nextAround)
   {
-    // From a corner at which nothing ends before, or from any.
+    // From a corner where no earlier segment ends or, without one, from any corner.
     Index begin = at.second;
     for (std::size_t n = 0; n < corners[at.first] && before.count({ at.first, begin }) != 0; ++n)
     {
@@ -325,8 +326,8 @@ class SidesOfRegions : public ::testing::TestWithParam<MeshKind>
 
 }
 
-// No path leaves a region but over its rim, so that all shortest paths from the inside come to the
-// rim from the region's side, and all from the outside from the other.
+// A path leaves a region only across its rim. So all shortest paths from the inside reach the rim
+// from the region's side, and all from the outside from the other side.
 TEST_P(SidesOfRegions, AreInsideAndOutside)
 {
   std::size_t told[2] = { 0, 0 };
@@ -350,7 +351,7 @@ TEST_P(SidesOfRegions, AreInsideAndOutside)
     options.keepArrivals = true;
     const geodesic::DistanceField field =
       geodesic::solve(mesh, curves, options, geodesic::KeepWindows::All);
-    // What lies a rounding beside the rim may be on either side of it.
+    // A point within rounding of the rim may be on either side of it.
     double least = 1e-9 * largestFinite(field.vertexDistances());
     for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
     {
@@ -388,8 +389,8 @@ TEST_P(SidesOfRegions, AreInsideAndOutside)
   const bool hasSides = name != "MoebiusStrip" && name != "Book" && name != "FlatBook" &&
     name != "BowTie" && name != "SaddleFans";
   EXPECT_EQ(hasSides, told[0] > 0 && told[1] > 0);
-  // At the tip of a needle a path from the rim may run along the rim by less than its roundings:
-  // rays of both sides cover it. Seen at one to three of 100,000 points of thin needles.
+  // At the tip of a needle a path from the rim may be closer to the rim than rounding can tell:
+  // rays of both sides cover it. This concerns one to three of 100,000 points of thin needles.
   const bool isThin = name == "ThinNeedles" || name == "Needles";
   EXPECT_LE(wrong, isThin ? 1U : 0U);
   std::cout << name << ": " << told[1] << " points inside, " << told[0] << " outside\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where along a curve shortest paths end and at which angle they leave it: in closed form, and
-// against traced paths.
+// The places along a curve where shortest paths end, and the angles at which they leave it: in
+// closed form, and compared with traced paths.
 #include "EngineSupport.h"
 #include "OnThreads.h"
 #include "RanksSupport.h"
@@ -30,17 +30,18 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double FullAngle = 2.0 * Pi;
 constexpr std::size_t NumberOfQueries = 30;
-/// Of the length of the curve, and in radians of paths longer than this fraction of the largest
-/// distance.
+/// Relative to the length of the curve, and in radians for paths longer than this fraction of the
+/// largest distance.
 constexpr double LengthAccuracy = 1e-9;
 constexpr double AngleAccuracy = 1e-8;
 constexpr double ShortPath = 1e-3;
-/// A curve's segment that is shorter, relative to the largest distance, has hardly a direction.
+/// A segment of a curve shorter than this, relative to the largest distance, has hardly a
+/// direction.
 constexpr double ShortSegment = 1e-6;
 constexpr double SamePlace = 1e-9;
 
-/// Two paths that differ by this angle, in radians, may be equally long but for the accuracy of
-/// distances: where a path bends by it, its length grows by the square of the angle.
+/// Two paths whose directions differ by less than this angle, in radians, may be equally long
+/// within the accuracy of distances: a bend lengthens a path by the square of its angle.
 double bendOn(const MeshKind& kind)
 {
   return std::sqrt(8.0 * accuracyOn(kind));
@@ -104,7 +105,7 @@ Vec3 minus(const Vec3& a, const Vec3& b)
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
-/// The truth of a case, from its plain data.
+/// The true answers for a case, computed from its plain data.
 class PlainTruth
 {
 public:
@@ -128,7 +129,7 @@ public:
     return length;
   }
 
-  /// How far a length along a curve is from a place that the curve passes.
+  /// The difference between a length along a curve and a place that the curve passes.
   double missOf(std::size_t curve, double arcLength, const Vec3& place) const
   {
     double begin = 0.0;
@@ -301,15 +302,15 @@ class SourceAngles : public ::testing::TestWithParam<MeshKind>
 {
 };
 
-/// What has come out of comparisons.
+/// The results of comparisons.
 struct Tally
 {
   std::size_t compared = 0;
-  /// Paths to other places or in other directions, equally long.
+  /// Equally long paths to other places or in other directions.
   std::size_t others = 0;
   /// Paths that differ by no more than bendOn().
   std::size_t bent = 0;
-  /// Sources a rounding beside an edge or a vertex, where the truth knows no angle.
+  /// Sources within rounding of an edge or a vertex, where the truth has no angle.
   std::size_t beside = 0;
   double worstLength = 0.0;
   double worstAngle = 0.0;
@@ -528,7 +529,7 @@ TEST_P(SourceAngles, AreKnownAtPointsThatRefinementAdds)
   std::cout << GetParam().name << ": " << tally << "\n";
 }
 
-// Ranks that own faces in the order of the input have its first faces.
+// Each rank owns consecutive faces of the input.
 TEST_P(SourceAngles, AreTheSameOnRanks)
 {
   Tally tally;

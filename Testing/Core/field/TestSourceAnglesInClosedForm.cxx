@@ -22,7 +22,7 @@ namespace
 {
 
 constexpr double Pi = 3.14159265358979323846;
-/// What is asked for is 1e-9 of the length and 1e-8 radians.
+/// The requirement is 1e-9 of the length and 1e-8 radians.
 constexpr double Accuracy = 1e-11;
 
 double gapOfAngles(double a, double b)
@@ -194,7 +194,7 @@ TEST(SourceAnglesInClosedForm, BeginAtTheEdgeThatIsFirstInTheInput)
   const Triangle first = plain.triangles[7];
   expectAlong(Solved(plain, { pointAt({ 7, { 0.3, 0.3, 0.4 } }) }).nearest.frameOf(0), plain,
     first[0], first[1]);
-  // Both faces at an edge, whichever is named.
+  // Both faces at an edge, whichever face names the point.
   for (Index face = 0; face < plain.triangles.size(); ++face)
   {
     const MeshPoint middle = { face, { 0.0, 0.5, 0.5 } };
@@ -442,8 +442,8 @@ TEST(SourceAnglesInClosedForm, OnASphereOfManyFacetsAreNearlyTheAzimuths)
   }
 }
 
-// Three cells of one line, the one in the middle against the others: each has its own length, from
-// its own first point, with the bits of feet there.
+// Three cells of one line, the middle one opposite to the others: each has its own length, from its
+// own first point, with the bits of feet there.
 TEST(SourceAnglesInClosedForm, LengthsOfCurvesThatAreJoinedAreTheirOwn)
 {
   const Index n = 12;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges that are shorter than the rounding of the other edges of their faces, as points leave that
-// are nearly at one place. GEODESIC_TEST_SEEDS takes other seeds.
+// Edges that are shorter than the rounding of the other edges of their faces, because their ends
+// nearly coincide. GEODESIC_TEST_SEEDS takes other seeds.
 #include "EngineSupport.h"
 #include "Seeds.h"
 
@@ -20,12 +20,12 @@ namespace
 constexpr std::uint64_t MeshesOfAKind = 12;
 constexpr std::size_t NumberOfQueries = 20;
 
-/// A mesh with vertices that are nearly at one place, and the mesh where they are one vertex.
+/// A mesh with vertices that nearly coincide, and the mesh where they are one vertex.
 struct SplitMesh
 {
   PlainMesh mesh;
   PlainMesh whole;
-  /// The vertex of `whole` that a vertex has come from.
+  /// For each vertex, the vertex of `whole` that it was split from.
   std::vector<Index> vertexOfWhole;
 
   /// The values of `whole` at the vertices.
@@ -40,8 +40,8 @@ struct SplitMesh
   }
 };
 
-/// A face at a vertex, which is its corner k, with its two other vertices in the order in which the
-/// faces stand around the vertex.
+/// A face at a vertex, which is its corner k, and its two other vertices in the order of the faces
+/// around the vertex.
 struct FanFace
 {
   Index face;
@@ -96,8 +96,8 @@ std::vector<FanFace> fanAround(const PlainMesh& mesh, Index vertex)
   return fan;
 }
 
-/// Splits a vertex in two: some faces in a row go to the new one, and one or two new faces close
-/// the gap. \returns whether it has faces enough for that.
+/// Splits a vertex in two: some consecutive faces go to the new vertex, and one or two new faces
+/// close the gap. \returns false if the vertex has too few faces.
 bool splitVertex(SplitMesh& split, Index vertex, const Vec3& place, Random& random)
 {
   PlainMesh& mesh = split.mesh;
@@ -124,8 +124,8 @@ bool splitVertex(SplitMesh& split, Index vertex, const Vec3& place, Random& rand
   return true;
 }
 
-/// The vertex moves to the origin, around which doubles lie as close as the gaps are narrow: from
-/// `largest` down to `smallest`.
+/// The vertex moves to the origin, where doubles are dense enough for gaps between `smallest` and
+/// `largest`.
 SplitMesh withTinyEdges(const PlainMesh& mesh, double smallest, double largest, Random& random)
 {
   SplitMesh split{ mesh, {}, {} };
@@ -223,8 +223,8 @@ TEST_P(TinyEdges, DistancesAreThoseWithoutThem)
   compareWithWhole(GetParam(), seedsOfTest(MeshesOfAKind));
 }
 
-// The wedge at the end of a segment was measured around one of two vertices at one place, past the
-// faces around the other, and was too narrow.
+// The wedge at the end of a segment was measured around only one of two coincident vertices. It
+// missed the faces around the other and was too narrow.
 TEST(TinyEdgesFound, AWedgeIsMeasuredAroundAllVerticesAtItsPlace)
 {
   for (const auto& [name, seed] :

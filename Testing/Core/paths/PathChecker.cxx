@@ -58,7 +58,7 @@ std::vector<PathPoint> PathChecker::plain(const std::vector<SurfacePoint>& path)
   return result;
 }
 
-/// Checks everything that holds of a shortest path of this length.
+/// Checks all properties of a shortest path of this length.
 ///
 /// \param slack by how much the length may be off, and a bend may be longer than the straight
 ///        way. Lengths tell no more: a point that is off the straight way by a fraction of its
@@ -131,7 +131,7 @@ std::vector<Index> PathChecker::commonFaces(const PathPoint& a, const PathPoint&
   return result;
 }
 
-/// By how much the path would be shorter if it were pulled straight there (about, and no less).
+/// An upper bound for how much shorter the path would be if it were pulled straight there.
 double PathChecker::bend(const PathPoint& before, const PathPoint& p, const PathPoint& after) const
 {
   const double arm =
@@ -159,7 +159,8 @@ double PathChecker::bend(const PathPoint& before, const PathPoint& p, const Path
   return 0.5 * arm * turned * turned;
 }
 
-/// The angle by which the path turns where it goes from one face to another (or on in the same).
+/// The angle by which the path turns where it goes from one face to another, or on in the same
+/// face.
 double PathChecker::turn(
   Index f, const PathPoint& before, const PathPoint& p, Index g, const PathPoint& after) const
 {
@@ -167,13 +168,14 @@ double PathChecker::turn(
   {
     return Pi - angle(p.place, before.place, after.place);
   }
-  // Across an edge: the angles on both sides of it against one of its ends add up to half a turn.
+  // Across an edge, the angles on both sides against the same end of the edge add up to half a
+  // turn.
   const Vec3& end = this->mesh_.points[*p.support.begin()];
   return std::abs(Pi - angle(p.place, before.place, end) - angle(p.place, end, after.place));
 }
 
-/// The vertices around a vertex, in order; the first again at the end where the fan is closed.
-/// Empty where its faces are not one fan.
+/// The vertices around a vertex, in order; if the fan is closed, the first again at the end. Empty
+/// if the faces are not one fan.
 std::vector<Index> PathChecker::fanAround(Index vertex) const
 {
   std::map<Index, std::vector<Index>> links;
@@ -203,8 +205,8 @@ std::vector<Index> PathChecker::fanAround(Index vertex) const
   return isWhole ? fan : std::vector<Index>{};
 }
 
-/// The smaller one of the two angles that the path leaves at a vertex; at the boundary the one on
-/// the surface. Half a turn where the faces are no fan, which says nothing.
+/// The smaller of the two angles between the path's pieces at a vertex; at the boundary the angle
+/// on the surface. Half a turn, which passes every check, if the faces are not one fan.
 double PathChecker::leastAngle(Index vertex, const PathPoint& before, const PathPoint& after) const
 {
   const std::vector<Index> fan = this->fanAround(vertex);
@@ -242,7 +244,7 @@ double PathChecker::length(const std::vector<PathPoint>& path)
   return sum;
 }
 
-/// How far a place is from the nearest source, through space.
+/// The distance through space from a place to the nearest source.
 double distanceInSpace(const PlainMesh& mesh, const Vec3& place, const Sources& sources)
 {
   double least = geodesic::Infinity;

@@ -13,7 +13,7 @@
 namespace geodesictest
 {
 
-/// A point of a path by what the plain mesh knows: its place, and the vertices of the smallest
+/// A point of a path in terms of the plain mesh: its place, and the vertices of the smallest
 /// vertex, edge or face that holds it.
 struct PathPoint
 {
@@ -21,7 +21,7 @@ struct PathPoint
   std::set<Index> support;
 };
 
-/// Checks shortest paths against what is known of any, worked out from the plain mesh.
+/// Checks shortest paths for what holds for any shortest path on the plain mesh.
 class PathChecker
 {
 public:
@@ -30,7 +30,7 @@ public:
   std::vector<PathPoint> plain(const std::vector<geodesic::SurfacePoint>& path) const;
   PathPoint plain(const geodesic::SurfacePoint& p) const;
 
-  /// Checks everything that holds of a shortest path of this length.
+  /// Checks all properties of a shortest path of this length.
   ///
   /// \param slack by how much the length may be off, and a bend may be longer than the straight
   ///        way. Lengths tell no more: a point that is off the straight way by a fraction of its
@@ -53,7 +53,7 @@ private:
   std::vector<std::vector<Index>> facesOfVertex_;
 };
 
-/// How far a place is from the nearest source, through space.
+/// The distance through space from a place to the nearest source.
 double distanceInSpace(const PlainMesh& mesh, const Vec3& place, const Sources& sources);
 
 }

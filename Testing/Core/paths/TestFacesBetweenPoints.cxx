@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Far points of a curve on a surface that ranks have in pieces: the path that joins them is the
-// shortest of the whole.
+// Far points of a curve on a surface that is cut over ranks: the path that joins them is the
+// shortest on the whole surface.
 #include "RanksSupport.h"
 #include "Seeds.h"
 
@@ -108,7 +108,7 @@ TEST_P(FacesBetweenPoints, HoldTheShortestPathOfTheWhole)
   }
 }
 
-// What stands in for the distances is no larger, and what stands in for a path no shorter.
+// The bounds used instead of distances are no larger, and those used instead of a path no shorter.
 TEST_P(FacesBetweenPoints, AreFoundByBoundsOfTheWays)
 {
   const Seeds seeds = seedsOfTest(5);
@@ -142,7 +142,7 @@ TEST_P(FacesBetweenPoints, AreFoundByBoundsOfTheWays)
 INSTANTIATE_TEST_SUITE_P(Kinds, FacesBetweenPoints, ::testing::ValuesIn(meshKinds()),
   [](const auto& kind) { return std::string(kind.param.name); });
 
-// Of three points of a square the last and the first are joined across its middle.
+// Of three corners of a square, the last and the first are joined across its middle.
 TEST(FacesBetweenPoints, OfAClosedPolylineJoinTheLastPointAndTheFirst)
 {
   const Index n = 20;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a surface lies does not count: far from the origin, where spacings of coordinates are no
-// longer small, all is as it is on the same surface at the origin.
+// The place of a surface does not matter: far from the origin, where coordinates are coarse, the
+// results are those of the same surface at the origin.
 #include "EngineSupport.h"
 #include "Seeds.h"
 #include "paths/PathChecker.h"
@@ -28,8 +28,8 @@ constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 
 constexpr std::uint64_t SeedsOfAKind = 6;
 
-/// A surface with edges of about 1e-3 some 1e8 from the origin, and the same one moved, exactly, to
-/// where its first point is the origin.
+/// A surface with edges of about 1e-3 some 1e8 from the origin, and the same surface moved,
+/// exactly, so that its first point is the origin.
 struct Surfaces
 {
   PlainMesh far;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paths between far points of curves: which are kept from one use to the next, and what looking for
-// one keeps.
+// Paths between far points of curves: which paths are kept for the next use, and how much memory a
+// search needs.
 #include "EngineSupport.h"
 
 #include "field/RetentionAround.h"
@@ -43,8 +43,7 @@ TEST(JoinedPaths, ArePathsOfTheLastUseOnly)
   EXPECT_EQ(use({ 1, 2, 3, 4, 5 }), 2) << "paths that were not asked for are forgotten";
 }
 
-// A path across a large surface is looked for without keeping its windows, and without going
-// farther than its end.
+// The search for a path across a large surface keeps no windows and stops at the path's end.
 TEST(RetentionAround, KeepsFewWindowsAndStopsAtTheTarget)
 {
   Random random(3);

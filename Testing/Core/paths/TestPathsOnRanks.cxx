@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paths that are handed from rank to rank: as long as the brute-force distance, through faces that
-// follow one another, to the curve that they name; and those of one piece.
+// Paths that ranks hand on: as long as the brute-force distance, through consecutive faces, to the
+// curve that they name, and equal to those of one process.
 #include "EngineSupport.h"
 #include "OnThreads.h"
 #include "RanksSupport.h"
@@ -35,7 +35,7 @@ Vec3 plainPlace(const geodesic::Vec3& p)
   return { p[0], p[1], p[2] };
 }
 
-/// The paths of one piece, by places.
+/// The paths of one process, as places.
 std::vector<std::vector<Vec3>> pathsInOnePiece(const RandomCase& c)
 {
   const geodesic::TriangleMesh mesh = engineMesh(c.mesh);
@@ -54,7 +54,7 @@ std::vector<std::vector<Vec3>> pathsInOnePiece(const RandomCase& c)
   return result;
 }
 
-/// Whether a place lies in a face, but for a distance.
+/// Whether a place is within a distance of a face.
 bool isInFace(const PlainMesh& mesh, Index face, const Vec3& place, double slack)
 {
   using geodesic::operator-;
@@ -88,7 +88,7 @@ bool haveAFaceInCommon(const PlainMesh& mesh, const Vec3& a, const Vec3& b, doub
   return false;
 }
 
-/// Checks the paths of targets over ranks, and compares them with those in one piece.
+/// Checks the paths of targets over ranks, and compares them with those of one process.
 class CheckedPaths
 {
 public:
@@ -163,7 +163,7 @@ std::vector<geodesic::SourceCurve> numbered(std::vector<geodesic::SourceCurve> c
   return curves;
 }
 
-/// Targets of a rank: those in faces that it owns.
+/// The targets of a rank: those in faces that it owns.
 struct TargetsOfRank
 {
   std::vector<std::size_t> numbers;
@@ -265,7 +265,7 @@ TEST(PathsOnSeams, OfTargetsOnTheSourceAreTwoEqualPoints)
 {
   RandomCase c;
   c.mesh = regularGrid(4, 4);
-  // At vertices inside and on the boundary, of which several ranks have most.
+  // At vertices inside and on the boundary, most of which several ranks have.
   for (Index face = 0; face < c.mesh.triangles.size(); face += 3)
   {
     MeshPoint corner = { face, {} };
@@ -306,14 +306,14 @@ TEST_P(PathsOnRanks, AreShortestAndThoseOfOnePieceHoweverItIsCut)
     compared += checked.compared();
     different += checked.different();
   }
-  // Another one of equally long paths may be found.
+  // Of equally long paths ranks may find another one.
   EXPECT_LE(different, compared / 10);
   std::cout << GetParam().name << ": of " << compared << " paths " << different
             << " are others than in one piece\n";
 }
 
-// What is done for paths that tracing has lost. The distance that is known of a target may be short
-// by rounding.
+// Searches all paths as those that tracing has lost. The distance of a target may be short by
+// rounding.
 TEST_P(PathsOnRanks, InStripsAreShortest)
 {
   CheckedPaths checked(GetParam(), 7);
@@ -355,9 +355,9 @@ TEST_P(PathsOnRanks, DoNotDependOnThreadsOrWhichRankComesFirst)
 INSTANTIATE_TEST_SUITE_P(Kinds, PathsOnRanks, ::testing::ValuesIn(meshKinds()),
   [](const auto& kind) { return std::string(kind.param.name); });
 
-// Triangles in a row that have only vertices in common: no window goes from one to the next. The
-// distances that are known are short by rounding, which is more than the margin of the bounds near
-// the target: there the triangles are small.
+// Triangles in a row that share only vertices: no window goes from one to the next. The known
+// distances are short by rounding, by more than the margin of the bounds near the target, where the
+// triangles are small.
 TEST(PathsInStrips, RunAlongEdgesWhereNoWindowGoes)
 {
   constexpr Index Length = 12;

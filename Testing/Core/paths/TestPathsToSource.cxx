@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paths from many targets at once, against what is known of any shortest path (PathChecker) and the
-// brute-force distance.
+// Paths from many targets at once, checked for what holds for any shortest path (PathChecker) and
+// against the brute-force distance.
 #include "EngineSupport.h"
 #include "OnThreads.h"
 #include "Seeds.h"
@@ -26,7 +26,7 @@ namespace
 
 constexpr std::size_t Targets = 100;
 
-/// Tracing loses one path in some 400 on these, more than on any other kind.
+/// On these, tracing loses one path in about 400, more than on any other kind.
 constexpr char KindThatLosesMost[] = "ThinNeedles";
 
 std::vector<SurfacePoint> enginePoints(
@@ -41,8 +41,8 @@ std::vector<SurfacePoint> enginePoints(
   return result;
 }
 
-/// The worst errors of paths, each of the largest distance, and how many paths there were and were
-/// lost and found again.
+/// The worst errors of paths, relative to the largest distance, the number of paths, and the number
+/// of those that were lost and found again.
 struct Worst
 {
   double length = 0.0;
@@ -59,9 +59,10 @@ struct Worst
   }
 };
 
-/// Of how many paths one may be lost. To find it again takes two fronts through a strip of faces,
-/// here some 25 times as long as to trace it: one in 200 adds an eighth to the time. Tracing goes
-/// astray by the rounding of long edges, which in thin needles is far more of the way across them.
+/// The share of paths that may be lost. Finding a path again takes two fronts through a strip of
+/// faces, here about 25 times as long as tracing it: one in 200 adds an eighth to the time. Tracing
+/// goes astray by the rounding of long edges, which in thin needles is a large part of the way
+/// across.
 std::size_t pathsOfALostOne(const MeshKind& kind)
 {
   return std::string(kind.name) == KindThatLosesMost ? 50 : 200;
@@ -134,7 +135,7 @@ protected:
   Worst worst_;
 };
 
-/// A random mesh with a source and what the engine takes.
+/// A random mesh with a source, also in the engine's form.
 struct EngineCase
 {
   explicit EngineCase(const MeshKind& kind, std::uint64_t seed)
@@ -186,7 +187,7 @@ void expectAnalyticPaths(AnalyticCase (*makeCase)(Random&))
 TEST_P(PathsToSourceOn, AreAsLongAsTheBruteForceDistanceAndEndOnTheCurveTheyName)
 {
   const Seeds seeds = seedsOfTest(meshesOfAKind(20));
-  // Some more where a path must be lost, so that it is found again: rounding says which ones are.
+  // More seeds where a path must be lost and found again: rounding decides which paths are.
   const std::uint64_t last =
     seeds.end() + (std::string(GetParam().name) == KindThatLosesMost ? 200 : 0);
   for (std::uint64_t seed = seeds.first;
@@ -199,7 +200,7 @@ TEST_P(PathsToSourceOn, AreAsLongAsTheBruteForceDistanceAndEndOnTheCurveTheyName
             << this->worst_.length << ", end " << this->worst_.offSource << '\n';
 }
 
-// Counts need more meshes than sanitizers go through.
+// The counts need more meshes than sanitizers run.
 #ifndef GEODESIC_FEW_MESHES
 TEST_P(PathsToSourceOn, AreSeldomLost)
 {
@@ -225,7 +226,7 @@ TEST_P(PathsToSourceOn, AreSeldomLost)
 }
 #endif
 
-// What is done for paths that tracing has lost, for all.
+// Searches all paths as those that tracing has lost.
 TEST_P(PathsToSourceOn, InWindowsAreAsLongAsTheBruteForceDistance)
 {
   for (std::uint64_t seed = 0; seed < meshesOfAKind(10); ++seed)
@@ -278,8 +279,8 @@ TEST_P(PathsToSourceOn, OfOneTargetAndInParallelAreThoseOfManyTargets)
   }
 }
 
-// A front that stops when its targets are settled tells, as far as it came, what one tells that
-// goes everywhere.
+// A front that stops when its targets are settled has the values of a front that goes everywhere,
+// as far as it came.
 TEST_P(PathsToSourceOn, FrontsThatStopEarlyTellTheSameDistancesToTheLastBit)
 {
   std::size_t stopped = 0;
@@ -337,7 +338,7 @@ TEST(PathsToSource, GoThroughTheVertexOfABowTie)
   expectAnalyticPaths(bowTieCase);
 }
 
-// Of a unit square cut from corner 0 to corner 2, with another triangle far away.
+// A unit square cut from corner 0 to corner 2, and another triangle far away.
 TEST(PathsToSource, FromTheSourceAreTwoEqualPointsAndFromElsewhereNone)
 {
   PlainMesh mesh;

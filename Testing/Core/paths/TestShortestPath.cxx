@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shortest paths, traced through a field or found between two points, against what is known of any
-// shortest path: as long as the true distance, each piece within one face, straight where it
-// crosses an edge, bent only at vertices where both sides have half a turn or more, from the one
-// end to the other. What is checked is worked out here from the plain mesh.
+// Shortest paths, traced through a field or found between two points, compared with what holds for
+// any shortest path: its length is the true distance, each piece is in one face, it is straight
+// across edges, and it bends only at vertices where both sides have half a turn or more. The truth
+// comes from the plain mesh.
 #include "EngineSupport.h"
 #include "Seeds.h"
 #include "paths/PathChecker.h"
@@ -49,7 +49,7 @@ void expectPathsToTheSource(const PlainMesh& mesh, const std::vector<geodesic::S
   }
 }
 
-/// Finds paths between the source, which is one point, and the queries.
+/// Finds paths from the source, which is one point, to the queries.
 void expectPathsBetween(const PlainMesh& mesh, const TriangleMesh& engine, const MeshPoint& source,
   const std::vector<MeshPoint>& queries, const std::vector<double>& truth, double slack)
 {
@@ -172,8 +172,8 @@ TEST(ShortestPath, ToAPointARoundingBesideAVertexIsFound)
   EXPECT_GE(path.size(), 2U);
 }
 
-// Rounding of the long way to the edge is a large part of it. Moving the crossing to the edge's end
-// would turn the path by half a right angle behind it.
+// Rounding of the long way to the edge is a large part of the edge. Moving the crossing to the
+// edge's end would turn the path behind it by half a right angle.
 // The patch of a path has such a point at the vertex or on the edge.
 TEST(ShortestPath, FromAPointARoundingBesideAVertexOrAnEdgeIsWhole)
 {

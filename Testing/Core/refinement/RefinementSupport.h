@@ -6,14 +6,14 @@
 
 #include "refinement/AdaptiveRefinement.h"
 
-/// What tests of refined meshes have in common.
+/// Shared by the tests of refined meshes.
 namespace geodesictest
 {
 
 geodesic::RefinedMesh refineTo(
   const geodesic::DistanceField& field, double tolerance, std::uint64_t maximumFaces = 0);
 
-/// What a result says about one of its points. Without labels: points are the mesh's vertices.
+/// A result's data at one of its points, without labels: points are the mesh's vertices.
 class Points
 {
 public:
@@ -62,7 +62,7 @@ struct Samples
 Samples sample(const geodesic::DistanceField& field, const geodesic::RefinedMesh& refined,
   std::size_t count, Random& random);
 
-/// The distances at the points that refinement has added are those of the brute-force solver.
+/// The distances at points that refinement has added equal the brute-force solver's.
 void expectRefinedPointsRight(const geodesic::TriangleMesh& engine,
   const geodesic::RefinedMesh& refined, const PlainMesh& mesh, const Sources& sources,
   double accuracy);
@@ -73,22 +73,23 @@ Samples samplesIn(const Samples& samples, const std::vector<bool>& faces);
 /// Whether each face has exact values, by a field with a limit and all windows kept.
 std::vector<bool> completeFaces(const geodesic::DistanceField& field);
 
-/// Faces that are not complete, nor beside one that is, are not cut. \returns how many there are.
+/// Checks that faces that are neither complete nor beside a complete face are not cut. \returns the
+/// number of such faces.
 std::size_t expectLeftAsTheyAre(const geodesic::TriangleMesh& mesh,
   const geodesic::RefinedMesh& refined, const std::vector<bool>& complete);
 
-/// Unreached places are left out where both say so.
+/// Places that both report as unreached are skipped.
 double largestDifference(const Samples& samples, const std::vector<double>& truth);
 
 /// The fraction of a face that a triangle in it covers; negative where it is turned over.
 double determinant(const Barycentric& a, const Barycentric& b, const Barycentric& c);
 
-/// Each face is cut into triangles of its orientation that cover it once.
+/// Checks that each face is cut into triangles of its orientation that cover it once.
 void expectFacesPartitioned(
   const geodesic::TriangleMesh& mesh, const geodesic::RefinedMesh& refined, const Points& points);
 
-/// Around each edge are as many triangles as around the input edge that it lies on, two inside a
-/// face; the boundary is as long as it was.
+/// Checks that each edge has as many triangles as the input edge that it lies on, or two inside a
+/// face, and that the boundary is as long as before.
 void expectWatertight(
   const geodesic::TriangleMesh& mesh, const geodesic::RefinedMesh& refined, const Points& points);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever the mesh, the engine calls its progress callback often and stops soon when that asks it
-// to. GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
+// On any mesh the engine calls its progress callback often, and stops soon after the callback asks
+// it to. GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
 #include "EngineSupport.h"
 #include "Seeds.h"
 #include "truth/CappedMeshes.h"
@@ -33,11 +33,12 @@ using geodesic::TriangleMesh;
 namespace
 {
 
-/// The mesh is small: even a slow machine or a sanitizer needs far less than this, of the
-/// processor's time, which others that share it do not make longer.
+/// The mesh is small: even a slow machine or a sanitizer needs far less than this. It is processor
+/// time, so other processes do not count.
 constexpr double LongestSilence = 1.0;
 
-/// Some solves take minutes and gigabytes: edges of many faces multiply windows. They are stopped.
+/// Some solves would take minutes and gigabytes, as edges of many faces multiply windows. They are
+/// stopped.
 constexpr double LongestRun = 0.2;
 
 double processorTime()
@@ -45,8 +46,8 @@ double processorTime()
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// A progress callback that asks to stop from one of its calls on, the latest where a run takes
-/// long, and measures the time between calls.
+/// A progress callback that asks to stop from one of its calls on, or once a run takes too long,
+/// and that measures the time between calls.
 class Watch
 {
 public:
@@ -113,7 +114,7 @@ PlainMesh manyPages(Index faces, Random& random)
   return book(std::max<Index>(3, faces / (2 * rows)), rows, 1, 0.4, random);
 }
 
-/// Any faces between a few points: edges and vertices of many faces, faces through one another.
+/// Random faces between a few points: edges and vertices have many faces, and faces intersect.
 PlainMesh soup(Index faces, Random& random)
 {
   PlainMesh mesh;
@@ -179,7 +180,7 @@ PlainMesh badMesh(Random& random)
   return mesh;
 }
 
-/// What can be asked of the engine.
+/// The input of all public operations.
 struct Question
 {
   TriangleMesh mesh;
@@ -303,7 +304,7 @@ TEST(Abort, ComesSoonOnAnyMesh)
     Random random(seed + 130);
     const Question question = randomQuestion(random);
     const Answer& answer = Answers[random.below(Answers.size())];
-    // Some run to their end.
+    // Some of these run to their end.
     const auto lastCall = static_cast<std::uint64_t>(std::pow(10.0, random.uniform(0.0, 3.0)));
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + answer.name);
     Watch watch(lastCall);
@@ -327,7 +328,7 @@ TEST(Abort, ComesSoonOnAnyMesh)
   std::cout << "longest silence " << worst << " s\n";
 }
 
-// One split may ask for very many others.
+// One split may require very many others.
 TEST(Abort, IsAskedForAtEachSplitOfARefinement)
 {
   const TriangleMesh mesh = engineMesh(regularGrid(2, 2));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Refined meshes against the brute-force solver: nowhere over what is reported, nothing reported
-// over the tolerance, and the surface what it was.
+// Refined meshes compared with the brute-force solver: no error is over the reported one, no
+// reported one is over the tolerance, and the surface is unchanged.
 #include "EngineSupport.h"
 #include "refinement/RefinementSupport.h"
 #include "truth/MeshFiles.h"
@@ -43,7 +43,7 @@ bool equal(const RefinedMesh& a, const RefinedMesh& b)
     std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), samePoint);
 }
 
-/// An approximate field, solved for being refined, against itself.
+/// Compares an approximate field, solved to be refined, with itself.
 void meetsToleranceOfItsField(const PlainMesh& mesh, const Sources& sources, double relativeError,
   double fraction, Random& random)
 {
@@ -70,7 +70,7 @@ void meetsToleranceOfItsField(const PlainMesh& mesh, const Sources& sources, dou
 class Refinement : public ::testing::TestWithParam<MeshKind>
 {
 protected:
-  /// One mesh at one tolerance. \returns measured error over tolerance.
+  /// Refines one mesh to one tolerance. \returns the measured error over the tolerance.
   static double compare(const PlainMesh& mesh, const std::vector<Polyline>& curves, double fraction,
     std::size_t count, Random& random)
   {
@@ -193,7 +193,7 @@ TEST(RefinementOfBoundaryFields, IsNowhereOverTheTolerance)
   }
 }
 
-// The source crosses two edges in the middle: split there and joined, it is an edge itself.
+// The source crosses two edges in the middle. When they are split there, it becomes an edge itself.
 TEST(RefinementOfOneFace, FollowsTheSourceFromEdgeToEdgeWithThreeTriangles)
 {
   const PlainMesh mesh = { { { 0, 0, 0 }, { 4, 0, 0 }, { 1, 3, 0 } }, { { 0, 1, 2 } } };
@@ -240,8 +240,8 @@ TEST(RefinementOfOneFace, SeesALocalMaximumInside)
   }
 }
 
-// What is wrong with the linear interpolant of one face is known: the distance from its corner is
-// over 1/sqrt(2) on the opposite edge, where the interpolant is 1.
+// The error of the linear interpolant of one face is known: the distance from its corner is at
+// least 1/sqrt(2) on the opposite edge, where the interpolant is 1.
 TEST(RefinementOfOneFace, ReportsTheErrorThatItHas)
 {
   const PlainMesh mesh = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
@@ -261,7 +261,7 @@ TEST(RefinementOfOneFace, ReportsTheErrorThatItHas)
 namespace
 {
 
-/// By how much the interpolant of a face is over the distance from its first corner: most on the
+/// The largest excess of a face's interpolant over the distance from its first corner: it is on the
 /// opposite edge, where both are compared with more digits.
 long double errorFromFirstCorner(const TriangleMesh& mesh)
 {
@@ -313,8 +313,8 @@ TEST(RefinementOfOneFace, TheBoundHoldsToTheLastDigit)
   }
 }
 
-// Where windows were dropped nothing is looked at again: what the solve says about them is the
-// least that is reported.
+// Where windows were dropped, nothing is evaluated again: the reported error is at least the bound
+// that the solve gave for them.
 TEST(RefinementOfACoarsePlane, ReportsWhatIsLostWhereWindowsWereDropped)
 {
   const PlainMesh plane = regularGrid(8, 8);
@@ -339,8 +339,8 @@ TEST(RefinementOfACoarsePlane, ReportsWhatIsLostWhereWindowsWereDropped)
   EXPECT_LE(measured, refined.errorBound);
 }
 
-// The point shines on nothing but the face it is in, whose corners are all as far from it as from
-// the line.
+// The point is the nearest source only inside its face, whose corners are all as far from it as
+// from the line.
 TEST(RefinementOfThreeFaces, SeesAPointThatMakesNoCornerNearer)
 {
   const PlainMesh mesh = { { { -10, 0, 0 }, { 10, 0, 0 }, { 0, 1, 0 }, { -10, -0.1, 0 },
@@ -368,7 +368,7 @@ TEST(RefinementOfThreeFaces, SeesAPointThatMakesNoCornerNearer)
 namespace
 {
 
-/// A field on a random sheet that takes some refining.
+/// A field on a random sheet that needs some refinement.
 class RefinementOfASheet : public ::testing::Test
 {
 protected:
@@ -508,8 +508,8 @@ TEST_F(RefinementOfASheet, IsTheSameEachTimeAndAtAnyScale)
   }
 }
 
-// Where the caller's points are doubled along a seam, so are those of split edges, and nothing else
-// changes.
+// Where the caller's points are doubled along a seam, the points of split edges are, too; nothing
+// else changes.
 TEST_F(RefinementOfASheet, SplitEdgesOfASeamHaveAPointASide)
 {
   const double tolerance = 2e-3 * largest_;
@@ -617,7 +617,8 @@ TEST_F(RefinementOfASheet, OfAnApproximateFieldIsHeldAgainstThatField)
     const double tolerance = 2e-3 * largest_;
     const RefinedMesh refined = refineTo(field, tolerance, 100000);
     EXPECT_FALSE(refined.stoppedAtMaximum);
-    // solved for no refinement, faces may differ where they meet by what merging has changed
+    // in a field not solved for refinement, faces may differ where they meet by the error of
+    // merging
     EXPECT_LE(refined.errorBound, tolerance + field.relativeErrorBound() * largest_);
     Random random(6);
     const Samples samples = sample(field, refined, 10000, random);

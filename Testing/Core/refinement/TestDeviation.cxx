@@ -62,7 +62,7 @@ double at(const std::vector<Window>& envelope, double x)
   return (window == envelope.end() ? envelope.back() : *window).distance(x);
 }
 
-/// Whether some window has this difference to the line at x: two meet at a break point.
+/// Whether some window has this difference to the line at x; at a break point there are two.
 bool occurs(const std::vector<Window>& envelope, double x, double line, double difference)
 {
   const double slack = Rounding * envelope.back().end;
@@ -82,7 +82,7 @@ long double preciseDistance(const Window& w, long double x)
     : w.sigma + std::sqrt(dx * dx + static_cast<long double>(w.sourceDepth) * w.sourceDepth);
 }
 
-/// Where a window is least over a line of this slope, by bisection.
+/// The place where a window is least over a line of this slope, by bisection.
 double lowestAgainstLine(const Window& w, double slope)
 {
   long double lo = w.begin;
@@ -161,7 +161,7 @@ TEST(Deviation, ClosedFormIsTheLargestOfDenseSamples)
   }
 }
 
-// A window's difference to a line is convex: its least is where its slope is zero, which bisection
+// A window's difference to a line is convex: it is least where its slope is zero, which bisection
 // finds without a formula.
 TEST(Deviation, ExtremaAreThoseThatBisectionFinds)
 {

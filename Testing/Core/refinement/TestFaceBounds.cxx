@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bounds over a whole face against the distance through its windows, point by point.
+// Bounds over a whole face compared with the distance through its windows, point by point.
 #include "EngineSupport.h"
 
 #include "refinement/FaceBounds.h"
@@ -53,7 +53,7 @@ std::vector<Barycentric> pointsOfFace()
   return points;
 }
 
-/// A window on a halfedge of the length from 0 to 1, from a source at most so far.
+/// A window on the halfedge from 0 to 1, with a source at most this far away.
 Window randomWindow(double begin, double end, double farthest, Random& random)
 {
   Window w{};
@@ -66,8 +66,8 @@ Window randomWindow(double begin, double end, double farthest, Random& random)
   return w;
 }
 
-/// The shortest way through the window to a point given as its place along the halfedge and height
-/// over it.
+/// The length of the shortest way through the window to a point, given by its place along the
+/// halfedge and its height over it.
 double throughWindow(const Window& w, double x, double height)
 {
   const double straight = w.sourceX + (x - w.sourceX) * w.sourceDepth / (w.sourceDepth + height);
@@ -115,7 +115,7 @@ double interpolant(const Corners& d, const Barycentric& place)
   return place[0] * d[0] + place[1] * d[1] + place[2] * d[2];
 }
 
-/// How far the distance is over the interpolant anywhere, and under it.
+/// The largest difference of the distance over the interpolant, and under it.
 FaceBounds measured(const PlainMesh& mesh, const Lists& lists, const Corners& d)
 {
   FaceBounds largest{ 0.0, 0.0 };
@@ -182,7 +182,7 @@ TEST(FaceBounds, HoldWhereverTheWindowsComeFrom)
   EXPECT_GT(steep, 100) << "few had an interpolant steeper than a distance";
 }
 
-// Also where the corners have got nearer since: nothing is said about them then.
+// Corners may have become nearer since; then nothing is claimed about them.
 TEST(FaceBounds, NothingThroughAHalfedgeIsFartherBelowWhateverTheCorners)
 {
   int inside = 0;
@@ -218,8 +218,8 @@ TEST(FaceBounds, NothingThroughAHalfedgeIsFartherBelowWhateverTheCorners)
 namespace
 {
 
-/// A list that covers a halfedge but for small gaps, at distances of about 10, each window so far
-/// off the line between the ends.
+/// A list that covers a halfedge except for small gaps, at distances of about 10; each window is
+/// off the line between the ends by this much.
 std::vector<Window> listNearLine(double length, double off, Random& random)
 {
   std::vector<Window> list;
@@ -280,7 +280,7 @@ TEST(ListInBand, SaysYesOnlyOfListsThatStayInTheBand)
   }
 }
 
-// A front that is nearly plane, from beyond one halfedge or two, a little off now and then.
+// A nearly plane front from beyond one halfedge or two, sometimes a little off.
 TEST(ListInBand, BoundsOfTheFaceHoldWhereItsListsAreInTheirBands)
 {
   int finite = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The result is the same to the last bit however many tasks run, in whatever order.
+// The result is the same to the last bit for any number of tasks, in any order.
 #include "EngineSupport.h"
 #include "OnThreads.h"
 #include "truth/RandomCurves.h"
@@ -67,7 +67,7 @@ void expectSameMesh(const RefinedMesh& refined, const RefinedMesh& other)
   }
 }
 
-/// Each corner of each face as a point of its own, but for those of the first half of the faces.
+/// Each corner of each face as its own point, except in the first half of the faces.
 void giveCornersOfTheirOwn(const TriangleMesh& mesh, geodesic::RefinementOptions& options)
 {
   options.numberOfPoints = mesh.numberOfVertices();

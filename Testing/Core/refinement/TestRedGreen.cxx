@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Red-green refinement on meshes made by hand: completion to four triangles, closures, roll-back.
+// Red-green refinement on small hand-made meshes: completion to four triangles, closures, rollback.
 #include "refinement/RefinementSupport.h"
 
 #include "refinement/RedGreenClosure.h"
@@ -22,8 +22,8 @@ using geodesic::TriangleMesh;
 namespace
 {
 
-/// Splits in the middle, with distances of no meaning. Which leaves may stay closed is up to the
-/// test.
+/// Splits edges in the middle, with arbitrary distances. The test decides which leaves may stay
+/// closed.
 class MiddleRules : public geodesic::SplitRules
 {
 public:
@@ -38,7 +38,7 @@ private:
   std::function<bool(Id)> mayClose_;
 };
 
-/// A mesh under refinement whose edges are split in the middle, and nothing measured.
+/// A mesh under refinement whose edges are split in the middle, without measuring anything.
 class ByHand
 {
 public:
@@ -77,7 +77,7 @@ public:
       edges, [this](Id triangle) { return this->triangles_.splitEdges(triangle) == 1; });
   }
 
-  /// How many triangles are put out in each face.
+  /// The number of output triangles in each face.
   std::vector<Id> count() const
   {
     std::vector<Id> count(this->mesh_.numberOfFaces(), 0);
@@ -125,7 +125,7 @@ public:
     return determinant(b[0], b[1], b[2]);
   }
 
-  /// Triangles around each edge of the output.
+  /// The triangles around each edge of the output.
   std::map<std::pair<Id, Id>, Id> around() const
   {
     std::map<std::pair<Id, Id>, Id> edges;
@@ -338,7 +338,7 @@ TEST(RedGreen, AFrozenFaceIsOnlyClosed)
   }
 }
 
-// However unevenly the edges are split around it.
+// Its edges are split unevenly.
 TEST(RedGreen, AFrozenFaceIsClosedBetweenManyPointsOfItsThreeEdges)
 {
   for (const std::array<int, 3>& rounds :

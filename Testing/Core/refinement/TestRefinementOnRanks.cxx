@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Refinement over several ranks in one process: the parts of all ranks fit together, and what is
-// certified holds for the whole.
+// Refinement over several ranks in one process: the parts of all ranks fit together, and the
+// certified bound holds for the whole.
 #include "RanksSupport.h"
 #include "refinement/RefinementSupport.h"
 #include "truth/MeshFiles.h"
@@ -28,7 +28,7 @@ using geodesic::TriangleMesh;
 namespace
 {
 
-/// What is refined.
+/// The input of a refinement.
 struct Task
 {
   const PlainMesh& mesh;
@@ -46,9 +46,9 @@ struct Joined
   double relativeErrorBound = 0.0;
 };
 
-/// Puts refined parts together. Points of two ranks are one where they are on one edge and have
-/// their place along it, their coordinates and their distance in common, to the last bit: where
-/// these differ the surface comes apart.
+/// Joins refined parts. Points of two ranks are one if they are on the same edge and have the same
+/// place along it, the same coordinates and the same distance, to the last bit: where any of these
+/// differ, the surface comes apart.
 class Joiner
 {
 public:
@@ -138,7 +138,7 @@ private:
   {
     const Id next =
       this->whole_.numberOfVertices() + static_cast<Id>(this->joined_.refined.points.size());
-    // Inside faces no point is of two ranks, but two may be at one place of a flat part.
+    // Inside faces no point belongs to two ranks, but two points may coincide in a flat part.
     const Id element =
       point.place.kind == SurfacePoint::Kind::Face ? point.place.id : geodesic::NoId;
     const auto found = this->numbers_.try_emplace(
@@ -189,7 +189,7 @@ Joined refineOnRanks(const CutMesh& cut, const Task& task, std::uint64_t disorde
   return joined;
 }
 
-/// The joined parts are one surface, that of the input.
+/// Checks that the joined parts are one surface, which is the input's.
 void expectFitTogether(const TriangleMesh& whole, const Joined& joined)
 {
   geodesic::FrontResult front;
@@ -354,7 +354,7 @@ TEST_P(RefinementOnRanks, StopsAtAMaximumOfAllRanksTogether)
       const Joined joined = refineOnRanks(cut, task);
       EXPECT_TRUE(joined.refined.stoppedAtMaximum);
       EXPECT_LE(joined.refined.triangles.size(), task.maximumFaces);
-      // What one leaf more would have come to is not known; half of the room is used at least.
+      // The size with one more leaf is unknown, so at least half of the limit is used.
       EXPECT_GE(joined.refined.triangles.size(), 2 * faces);
       expectFitTogether(whole, joined);
       const Samples there = samplesOf(whole, joined, 500, random);
@@ -387,8 +387,8 @@ TEST_P(RefinementOnRanks, DoesNotDependOnWhichRankComesFirst)
 namespace
 {
 
-/// A triangle as it lies in space, with the numbers in the whole of corners that are vertices and
-/// the distances of others.
+/// A triangle by its place in space, with the global numbers of corners that are vertices and the
+/// distances of the others.
 using Placed = std::array<std::pair<geodesic::Vec3, double>, 3>;
 using PlacedFaces = std::map<geodesic::RankAddress, std::vector<Placed>>;
 
@@ -485,15 +485,15 @@ TEST_P(RefinementOnRanks, TellsHowFacesOfOtherRanksAreRefined)
 namespace
 {
 
-/// A point that a rank has added to an edge, and the one that it takes for it.
+/// A point that a rank has added to an edge, and the point that the rank stores it as.
 struct PointOnEdge
 {
   geodesic::RankAddress own;
   geodesic::RankAddress taken;
   bool isKnown;
 };
-/// By the ends of the edge in the whole and the place in space: refined parts fit together, so that
-/// ranks have the same.
+/// Keys are the global ends of the edge and the place in space: refined parts fit together, so they
+/// are equal on all ranks.
 using PointsOnEdges =
   std::map<std::tuple<std::size_t, std::size_t, geodesic::Vec3>, std::vector<PointOnEdge>>;
 
@@ -530,7 +530,7 @@ bool areSame(const geodesic::RankAddress& a, const geodesic::RankAddress& b)
   return a.rank == b.rank && a.id == b.id;
 }
 
-/// \returns how many points are of several ranks.
+/// \returns the number of points that several ranks share.
 int expectToldByTheLowestThatKnows(const PointsOnEdges& points)
 {
   int shared = 0;
@@ -588,7 +588,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, RefinementOnRanks, ::testing::ValuesIn(meshKinds
 namespace
 {
 
-/// Rows of a grid, each of them a rank's.
+/// Each row of a grid belongs to another rank.
 CutMesh inBands(const PlainMesh& mesh, int ranks)
 {
   CutMesh cut = { mesh, ranks, {} };
@@ -625,7 +625,7 @@ TEST(RefinementOfAPart, KeepsFewWindowsWhereTheDistanceIsLinear)
     });
 }
 
-// Rank 1 owns nothing: it takes part in every step.
+// Rank 1 owns nothing and still takes part in every step.
 TEST(RefinementOfAPart, ArrivesWhereARankHasNoFaces)
 {
   const PlainMesh grid = regularGrid(4, 4);
@@ -640,7 +640,7 @@ TEST(RefinementOfAPart, ArrivesWhereARankHasNoFaces)
   expectFitTogether(engineMesh(grid), joined);
 }
 
-// One rank stops in the middle of refining, before anything is put out.
+// One rank stops in the middle of refinement, before any output.
 TEST(RefinementOfAPart, EndsOnAllRanksWhenOneIsStopped)
 {
   const PlainMesh grid = regularGrid(10, 10);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Windows that are dropped where the distance is linear, and refinement without them.
+// Dropping windows where the distance is linear, and refinement without them.
 #include "EngineSupport.h"
 #include "refinement/RefinementSupport.h"
 #include "truth/RandomCurves.h"
@@ -48,8 +48,8 @@ std::size_t droppedFaces(const DistanceField& field)
   return count;
 }
 
-/// The most points that refinement has put onto the edges of a face without windows that got some
-/// on all three.
+/// Of the faces without windows that have new points on all three edges, the largest number of such
+/// points.
 std::size_t mostPointsAround(const DistanceField& field, const RefinedMesh& refined)
 {
   const Points points(field, refined);
@@ -79,7 +79,7 @@ std::size_t mostPointsAround(const DistanceField& field, const RefinedMesh& refi
   return most;
 }
 
-/// What was found where refinement with few windows was right.
+/// Statistics of cases where refinement with few windows was right.
 struct Found
 {
   std::size_t facesWithoutWindows;
@@ -115,7 +115,7 @@ class KeptWindows : public ::testing::TestWithParam<MeshKind>
 {
 };
 
-/// A plane wave that runs over a grid, 10 before it, and what is kept of it for a refinement.
+/// A plane wave over a grid, starting 10 before it, and the windows kept of it for a refinement.
 class RetentionOfAGrid : public ::testing::Test
 {
 protected:
@@ -149,7 +149,7 @@ protected:
     return result;
   }
 
-  /// A plane wave through the halfedge, so much nearer than that of the corners.
+  /// A plane wave through the halfedge, closer by this much than the wave of the corners.
   void pass(Id halfedge, double nearer)
   {
     const double length = this->mesh_.length(halfedge);
@@ -162,7 +162,7 @@ protected:
       { halfedge, this->pool_.copyOf({ &wave, &wave + 1 }), { atOrigin, atEnd } }, 0, this->pool_);
   }
 
-  /// Through every halfedge, but those of the first face.
+  /// Through every halfedge, except those of the first face.
   void passAll(double nearer, double nearerInFirstFace)
   {
     for (Id halfedge = 0; halfedge < this->mesh_.numberOfHalfedges(); ++halfedge)
@@ -235,7 +235,7 @@ TEST_P(KeptWindows, AreEnoughForRefinementOnRandomMeshes)
 INSTANTIATE_TEST_SUITE_P(Kinds, KeptWindows, ::testing::ValuesIn(meshKinds()),
   [](const auto& instance) { return std::string(instance.param.name); });
 
-// Within the limit the output is as good as without one, and wholly beyond it is left as it is.
+// Within the limit the output is as good as without one; faces wholly beyond it stay as they are.
 TEST_P(KeptWindows, AreEnoughForRefinementUpToALimit)
 {
   std::size_t leftAlone = 0;
@@ -281,8 +281,8 @@ TEST_P(KeptWindows, AreEnoughForRefinementUpToALimit)
   EXPECT_GT(leftAlone, 0u);
 }
 
-// Its neighbours split its edges, and there is nothing to tell what is inside: its parts are
-// between points of the edges alone.
+// Its neighbours split its edges, and no windows describe its inside: its parts lie between points
+// of the edges only.
 TEST(KeptWindowsOfRandomMeshes, AFaceWithoutWindowsIsClosedBetweenManyPointsOfItsEdges)
 {
   std::size_t facesWithMany = 0;
@@ -305,7 +305,7 @@ TEST(KeptWindowsOfRandomMeshes, AFaceWithoutWindowsIsClosedBetweenManyPointsOfIt
 namespace
 {
 
-/// How often solveForRefinement() solves, told by its batches of tasks.
+/// The number of solves in solveForRefinement(), counted by its batches of tasks.
 std::size_t countSolves(const TriangleMesh& mesh, const std::vector<geodesic::SourceCurve>& sources,
   double tolerance, int maximumDroppingSolves)
 {
@@ -339,15 +339,15 @@ struct NeedlesOfASheet
   Index cells;
   double aspect;
   double amplitude;
-  /// The tolerance, of the largest distance.
+  /// The tolerance, relative to the largest distance.
   double fraction;
 };
 
 }
 
-// A front that goes through needles comes to vertices long after it has passed around them: faces
-// that were taken to be linear are not, and their windows are gone. What is left of them is off by
-// a third more than is reported in the first two cases.
+// A front that goes through needles reaches vertices long after it has passed around them: faces
+// that seemed linear are not, and their windows are gone. In the first two cases the remaining
+// windows are off by a third more than reported.
 TEST(KeptWindowsOfNeedles, AreSolvedForAgainWhereTheyWereDroppedTooEarly)
 {
   const std::vector<NeedlesOfASheet> cases = { { 18, 8, 20.0, 3.0, 0.001 },
@@ -376,7 +376,7 @@ TEST(KeptWindowsOfNeedles, AreSolvedForAgainWhereTheyWereDroppedTooEarly)
   EXPECT_GT(again, 1u) << "few had a window that came too late";
 }
 
-// The last solve has nothing that could be missing.
+// The last solve misses nothing.
 TEST(KeptWindowsOfNeedles, AreAllAfterTheSolvesThatMayDropSome)
 {
   Random random(18);
@@ -422,7 +422,7 @@ TEST_F(RetentionOfAGrid, LinearFacesLoseTheirWindows)
   EXPECT_TRUE(retention_->droppedTooEarly().empty());
 }
 
-// What is found of lists as they pass is a wide bound.
+// The bound computed from lists as they pass is wide.
 TEST_F(RetentionOfAGrid, WhereTheDistanceIsLinearTheBoundSaysSo)
 {
   passAll(0.0);
@@ -468,7 +468,7 @@ TEST_F(RetentionOfAGrid, ALateListOverTheToleranceTellsThatItsFaceWasDroppedTooE
 }
 
 // Between points of the edges, whose values are half a tolerance over the interpolant, the distance
-// of the late list is as much under it as it says.
+// of the late list is under it by as much as the list claims.
 TEST_F(RetentionOfAGrid, ALateListCountsTogetherWithWhatIsAbove)
 {
   passAll(-0.5 * Tolerance);
@@ -504,7 +504,7 @@ TEST_F(RetentionOfAGrid, NeighboursOfAFaceWithASourceKeepTheirWindows)
   EXPECT_EQ(kept(), 1 + neighboursOfFirstFace());
 }
 
-// One split halves a deviation, at least: the edges of the neighbours are split no further.
+// One split at least halves a deviation, so the edges of the neighbours are not split further.
 TEST_F(RetentionOfAGrid, NeighboursOfAFaceThatOneSplitRefinesLoseTheirWindows)
 {
   passAll(0.0, 1.9 * Tolerance);

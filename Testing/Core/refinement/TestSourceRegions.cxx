@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Refinement along the borders of what is nearest: the true nearest curve, from the brute force to
-// each curve alone, is one at all corners of a triangle, unless the triangle is as small as the
-// tolerance.
+// Refinement along the borders of source regions: by brute force to each curve alone, all corners
+// of a triangle have the same nearest curve, unless the triangle is as small as the tolerance.
 #include "EngineSupport.h"
 #include "OnThreads.h"
 #include "RanksSupport.h"
@@ -36,7 +35,7 @@ enum class By
   Sides
 };
 
-/// What is refined, on one rank or in one process.
+/// The input of a refinement, on one rank or in one process.
 struct Task
 {
   const geodesic::MeshPartition& surface;
@@ -85,7 +84,7 @@ Result refineWith(const Task& task, const std::vector<std::uint8_t>& pinned)
   return { std::move(field), std::move(refined) };
 }
 
-/// Solves for the borders of regions, and refines, until the windows of all faces at borders are
+/// Solves for the borders of regions and refines, until the windows of all faces at borders are
 /// kept.
 Result refineAlongBorders(const Task& task)
 {
@@ -175,8 +174,8 @@ std::vector<MeshPoint> placesOf(const Result& result, const WholeFace& wholeFace
   return places;
 }
 
-/// No triangle that is longer than the tolerance has corners that are nearest to different curves.
-/// \returns how many triangles have such corners.
+/// Checks that no triangle longer than the tolerance has corners that are nearest to different
+/// curves. \returns the number of triangles that have such corners.
 ///
 /// \param distances to each curve alone, at all points of the refined mesh.
 std::size_t expectNarrowBorders(const Result& result,
@@ -228,7 +227,7 @@ protected:
   }
 };
 
-/// Which side of a straight line in the plane z = 0 each point is on; 0 on it.
+/// The side of a straight line in the plane z = 0 that each point is on; 0 on the line.
 int sideOf(const Vec3& p, const Vec3& a, const Vec3& b)
 {
   const double turned = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
@@ -332,8 +331,8 @@ TEST_P(Regions, KeepTheMaximumAndCertifyWhatIsReached)
 INSTANTIATE_TEST_SUITE_P(Kinds, Regions, ::testing::ValuesIn(meshKinds()),
   [](const auto& instance) { return std::string(instance.param.name); });
 
-// Where a straight line of the plane between two points crosses the curve, both sides meet there
-// without a jump; elsewhere they jump behind the curve's ends.
+// Where a straight line between two points of the plane crosses the curve, the distances of both
+// sides meet without a jump; elsewhere they jump behind the curve's ends.
 TEST(RegionsBySides, AreNarrowBehindTheEndsAndNotRefinedAlongTheCurve)
 {
   std::size_t atBorders = 0;

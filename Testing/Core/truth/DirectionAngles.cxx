@@ -58,7 +58,8 @@ std::size_t cornerWith(const Triangle& t, Index vertex)
 constexpr double SameDirection = 1e-9;
 constexpr double AtRightAngle = 1e-6;
 
-/// The angles by which a direction is counterclockwise from a segment, and the segment from it.
+/// The counterclockwise angles from a segment to a direction, and from the direction to the
+/// segment.
 struct Turn
 {
   const SegmentAt* segment;
@@ -66,7 +67,7 @@ struct Turn
   double to;
 };
 
-// Where a curve is continued by another, the direction is that of the one that is asked for.
+// Where one curve continues another, the direction belongs to the curve that the caller asks for.
 bool isForward(const SegmentAt& segment, const std::vector<SegmentAt>& segments, std::size_t curve)
 {
   const auto own = std::find_if(segments.begin(), segments.end(),
@@ -91,7 +92,7 @@ double angleBetween(bool isClosed, double total, const Turn& before, const Turn&
     : (isForward(*behind.segment, segments, curve) ? 0.0 : Pi) - behind.to;
 }
 
-/// The faces with both vertices.
+/// The faces that have both vertices.
 std::vector<Index> facesWith(const PlainMesh& mesh, Index a, Index b)
 {
   std::vector<Index> faces;
@@ -331,7 +332,7 @@ std::vector<double> DirectionAngles::ofCurve(
     least.to = std::min(least.to, turn.to);
   }
   std::vector<double> angles;
-  // There the rays of the segment begin.
+  // The rays of the segment begin there.
   if (std::abs(least.from - 0.5 * Pi) <= AtRightAngle ||
     std::abs(least.to - 0.5 * Pi) <= AtRightAngle)
   {
