@@ -118,7 +118,7 @@ private:
   template <typename IsCurrent, typename Include>
   void comeNear(const Outlook& next, const IsCurrent& isCurrent, const Include& include)
   {
-    constexpr double batches = 8.0; // most vertices wait for two to four
+    constexpr double batches = 4.0; // most vertices wait for two to four
     double horizon = next.last;
     while (!this->far_.empty() && this->far_.top().key <= horizon)
     {
