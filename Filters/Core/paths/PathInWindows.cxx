@@ -174,17 +174,22 @@ private:
     this->steps_.pop_back();
   }
 
-  /// The last pieces of paths to a point, through faces that the path has not crossed.
+  /// The last pieces of paths to a point, through faces that the path has not crossed. A distance
+  /// at a vertex carries the rounding of windows through any of the faces around.
   std::vector<Piece> waysTo(const SurfacePoint& point, double distance, double most) const
   {
+    double longest = 0.0;
+    forEachFace(this->mesh_, point,
+      [&](Id face) { longest = std::max(longest, this->mesh_.shape(face).longest()); });
     LastPieces pieces;
     forEachFace(this->mesh_, point,
       [&](Id face)
       {
         if (!this->isCrossed_[face])
         {
-          const double ofPlace = tolerance::PlaceRounding * this->mesh_.shape(face).longest();
-          pieces.setBounds(tolerance::Tie * distance + ofPlace, most + ofPlace);
+          pieces.setBounds(tolerance::Tie * distance +
+              tolerance::PlaceRounding * this->mesh_.shape(face).longest(),
+            most + tolerance::PlaceRounding * longest);
           this->addWays(face, point, pieces);
         }
       });

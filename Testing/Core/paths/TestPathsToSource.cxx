@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <string>
 
@@ -154,6 +155,40 @@ struct EngineCase
   double largest;
 };
 
+/// The corner of the face that is smallest beside the largest face around the corner's vertex.
+geodesic::Id smallestCorner(const TriangleMesh& mesh)
+{
+  double least = geodesic::Infinity;
+  geodesic::Id smallest = 0;
+  for (geodesic::Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    const auto size = [&mesh](geodesic::Id corner)
+    { return mesh.shape(TriangleMesh::faceOf(corner)).longest(); };
+    double largest = 0.0;
+    for (const geodesic::Id corner : mesh.cornersAt(vertex))
+    {
+      largest = std::max(largest, size(corner));
+    }
+    for (const geodesic::Id corner : mesh.cornersAt(vertex))
+    {
+      smallest = size(corner) < least * largest ? corner : smallest;
+      least = std::min(least, size(corner) / largest);
+    }
+  }
+  return smallest;
+}
+
+/// A point of the corner's face, from some roundings to a billionth of an edge beside the corner.
+MeshPoint besideCorner(geodesic::Id corner, Random& random)
+{
+  MeshPoint point{ TriangleMesh::faceOf(corner), {} };
+  const Index k = corner % 3;
+  point.weights[(k + 1) % 3] = std::pow(10.0, random.uniform(-14.0, -9.0));
+  point.weights[(k + 2) % 3] = std::pow(10.0, random.uniform(-14.0, -9.0));
+  point.weights[k] = 1.0 - (point.weights[(k + 1) % 3] + point.weights[(k + 2) % 3]);
+  return point;
+}
+
 void expectSamePaths(const std::vector<FoundPath>& a, const std::vector<FoundPath>& b)
 {
   ASSERT_EQ(a.size(), b.size());
@@ -258,6 +293,30 @@ TEST_P(PathsToSourceOn, InWindowsAreAsLongAsTheBruteForceDistance)
         distanceInSpace(c.plain.mesh, plain.back().place, toSources(c.plain.curves)), slack);
       checker.expectShortest(plain, distance, slack);
     }
+  }
+}
+
+// Rounding of windows through long faces around the vertex is a large part of such a path.
+TEST_P(PathsToSourceOn, FromVerticesBesideAPointInASmallFaceAreFound)
+{
+  const Seeds seeds = seedsOfTest(meshesOfAKind(30));
+  for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed + 82000);
+    const PlainMesh mesh = GetParam().make(randomSize(random), random);
+    const TriangleMesh engine = engineMesh(mesh);
+    const MeshPoint point = besideCorner(smallestCorner(engine), random);
+    const Polyline line = CurveMaker(mesh, random).point(point);
+    std::vector<MeshPoint> targets = randomPoints(mesh, 10, random);
+    for (Index k = 0; k < 3; ++k)
+    {
+      targets.push_back({ point.face, geodesic::cornerWeights(k) });
+    }
+    const Sources sources = toSources({ line });
+    const BruteForceResult truth = bruteForceDistances(mesh, sources, targets);
+    expectPaths(mesh, engine, engineCurves(engine, { line }), { sources }, targets, truth.queries,
+      accuracyOn(GetParam()) * largestFinite(truth.vertices));
   }
 }
 
