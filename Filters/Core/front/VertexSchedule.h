@@ -2,7 +2,6 @@
 #ifndef geodesic_VertexSchedule_h
 #define geodesic_VertexSchedule_h
 
-#include "front/VertexQueue.h"
 #include "front/VertexStates.h"
 
 #include <algorithm>
@@ -11,19 +10,13 @@
 namespace geodesic
 {
 
-/// Orders the processing of vertices: in batches of nearly equal distance, the nearest first.
+/// The vertices that wait, in the order of their keys. They are processed in batches of nearly
+/// equal distance, the nearest first.
+///
+/// The keys are in a heap in which each entry has four children, which are side by side in memory.
+/// Each vertex knows its place in it (VertexState::place), so that its key can fall where it is.
 class VertexSchedule
 {
-  auto isCurrent() const
-  {
-    return [this](const VertexQueue::Entry& entry)
-    { return entry.key == this->states_[entry.vertex].key; };
-  }
-  auto reachOf() const
-  {
-    return [this](Id vertex) { return static_cast<double>(this->states_[vertex].reach); };
-  }
-
 public:
   explicit VertexSchedule(VertexStates& states)
     : states_(states)
@@ -36,38 +29,53 @@ public:
   /// The last key of the current batch: what lies beyond it waits.
   double last() const { return this->last_; }
 
-  /// Adds a vertex that has to be processed, or whose lists have to pass.
+  /// Adds a vertex that has to be processed, or whose lists have to pass. If it waits already, the
+  /// smaller distance counts.
   ///
   /// \param distance at which this has to happen.
   void add(Id vertex, double distance)
   {
     // Windows that come to a vertex behind the front continue with the front, in the same batches.
-    VertexState& state = this->states_[vertex];
     const double key = std::max(distance, this->key_);
-    if (key < state.key)
+    const Id place = this->states_[vertex].place;
+    if (place < Behind)
     {
-      state.key = key;
-      if (key > this->key_)
+      if (key < this->heap_[place].key)
       {
-        this->queue_.push(key, vertex);
+        this->rise(place, { key, vertex });
       }
-      else
-      {
-        this->behind_.push_back(vertex);
-      }
+    }
+    else if (place == NoId && key > this->key_)
+    {
+      this->heap_.emplace_back();
+      this->rise(this->heap_.size() - 1, { key, vertex });
+    }
+    else if (place == NoId)
+    {
+      this->states_[vertex].place = Behind;
+      this->behind_.push_back(vertex);
     }
   }
 
-  /// The next batch: the least key of a waiting vertex, and the last key of its batch.
-  using Outlook = VertexQueue::Outlook;
-  Outlook outlook()
+  /// The next batch: the least key of a waiting vertex, and the last key of its batch, which is at
+  /// most the end of any waiting vertex's reach. Both are infinite if no vertex waits.
+  struct Outlook
   {
-    const auto reachOf = this->reachOf();
-    Outlook next = this->queue_.outlook(this->isCurrent(), reachOf);
+    double least = Infinity;
+    double last = Infinity;
+  };
+  Outlook outlook() const
+  {
+    Outlook next;
+    if (!this->heap_.empty())
+    {
+      next.least = this->heap_.front().key;
+      this->limitByReach(0, next.last);
+    }
     for (const Id vertex : this->behind_)
     {
       next.least = this->key_;
-      next.last = std::min(next.last, this->key_ + reachOf(vertex));
+      next.last = std::min(next.last, this->key_ + this->reachOf(vertex));
     }
     return next;
   }
@@ -78,16 +86,24 @@ public:
   /// Removes the vertices of the current batch, up to the last key.
   void takeBatch(double last, std::vector<Id>& batch)
   {
-    batch.clear();
     this->last_ = last;
-    const auto take = [this, &batch](Id vertex)
-    {
-      this->states_[vertex].key = Infinity;
-      batch.push_back(vertex);
-    };
-    std::for_each(this->behind_.begin(), this->behind_.end(), take);
+    batch.assign(this->behind_.begin(), this->behind_.end());
     this->behind_.clear();
-    this->queue_.takeBatch(last, this->isCurrent(), take);
+    for (const Id vertex : batch)
+    {
+      this->states_[vertex].place = NoId;
+    }
+    while (!this->heap_.empty() && this->heap_.front().key <= last)
+    {
+      batch.push_back(this->heap_.front().vertex);
+      this->states_[batch.back()].place = NoId;
+      const Entry moved = this->heap_.back();
+      this->heap_.pop_back();
+      if (!this->heap_.empty())
+      {
+        this->sink(0, moved);
+      }
+    }
   }
 
   /// In the current batch, lets everything pass.
@@ -97,19 +113,86 @@ public:
   template <typename Condition>
   bool isAnyWaiting(const Condition& condition) const
   {
-    bool found = std::any_of(this->behind_.begin(), this->behind_.end(), condition);
-    const auto isCurrent = this->isCurrent();
-    this->queue_.forEach([&](const VertexQueue::Entry& entry)
-      { found = found || (isCurrent(entry) && condition(entry.vertex)); });
-    return found;
+    return std::any_of(this->behind_.begin(), this->behind_.end(), condition) ||
+      std::any_of(this->heap_.begin(), this->heap_.end(),
+        [&condition](const Entry& entry) { return condition(entry.vertex); });
   }
 
 private:
+  struct Entry
+  {
+    double key;
+    Id vertex;
+  };
+
+  /// The place of a vertex in `behind_`.
+  static constexpr Id Behind = NoId - 1;
+  static constexpr std::size_t Children = 4;
+  static std::size_t parentOf(std::size_t place) { return (place - 1) / Children; }
+  static std::size_t firstChildOf(std::size_t place) { return Children * place + 1; }
+
+  double reachOf(Id vertex) const { return static_cast<double>(this->states_[vertex].reach); }
+
+  // No vertex below another has a smaller key.
+  void limitByReach(std::size_t place, double& last) const
+  {
+    const Entry& entry = this->heap_[place];
+    if (entry.key >= last)
+    {
+      return;
+    }
+    last = std::min(last, entry.key + this->reachOf(entry.vertex));
+    const std::size_t first = firstChildOf(place);
+    for (std::size_t i = first; i < std::min(first + Children, this->heap_.size()); ++i)
+    {
+      this->limitByReach(i, last);
+    }
+  }
+
+  void put(std::size_t place, const Entry& entry)
+  {
+    this->heap_[place] = entry;
+    this->states_[entry.vertex].place = static_cast<Id>(place);
+  }
+
+  // Puts an entry at a place, or higher if its key is less than those above.
+  void rise(std::size_t place, const Entry& entry)
+  {
+    while (place > 0 && entry.key < this->heap_[parentOf(place)].key)
+    {
+      this->put(place, this->heap_[parentOf(place)]);
+      place = parentOf(place);
+    }
+    this->put(place, entry);
+  }
+
+  // Puts an entry at a place, or lower if a key below is less.
+  void sink(std::size_t place, const Entry& entry)
+  {
+    for (std::size_t first = firstChildOf(place); first < this->heap_.size();
+         first = firstChildOf(place))
+    {
+      const std::size_t end = std::min(first + Children, this->heap_.size());
+      std::size_t least = first;
+      for (std::size_t i = first + 1; i < end; ++i)
+      {
+        least = this->heap_[i].key < this->heap_[least].key ? i : least;
+      }
+      if (!(this->heap_[least].key < entry.key))
+      {
+        break;
+      }
+      this->put(place, this->heap_[least]);
+      place = least;
+    }
+    this->put(place, entry);
+  }
+
   VertexStates& states_;
   double key_ = 0.0;
   double last_ = Infinity;
   /// Vertices ahead of the front, and those at or behind it.
-  VertexQueue queue_;
+  std::vector<Entry> heap_;
   std::vector<Id> behind_;
 };
 

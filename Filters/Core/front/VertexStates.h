@@ -30,14 +30,15 @@ struct DistanceUpdate
 struct VertexState
 {
   double distance = Infinity;
-  /// The distance with which it was last processed, and its key in the queue.
+  /// The distance with which it was last processed.
   double processed = Infinity;
-  double key = Infinity;
   /// Where its path comes from (an Arrival without its padding).
   double arrivalX = 0.0;
   Id arrivalHalfedge = NoId;
   /// The first list on the halfedges opposite it.
   Id facing = NoId;
+  /// Where its district's schedule keeps it; NoId if it does not wait.
+  Id place = NoId;
   /// How much farther the other vertices of its batch may be.
   float reach = 0.0F;
   Emission emission = Emission::Nothing;
