@@ -2,6 +2,7 @@
 #include "front/BatchTasks.h"
 
 #include "Tolerance.h"
+#include "source/LeavingWindow.h"
 #include "window/WindowMerge.h"
 
 #include <algorithm>
@@ -159,7 +160,7 @@ void BatchTasks::settle(FrontWorker& worker, District& district, Id vertex)
   if (state.isShorter() && !this->isOutsideCorridor(vertex))
   {
     this->relaxEdges(district, vertex);
-    if (state.emission != Emission::Nothing)
+    if (state.pseudoSource != TriangleMesh::PseudoSource::None)
     {
       this->emitWindows(worker, district, vertex);
     }
@@ -212,10 +213,21 @@ bool BatchTasks::isOutgoingBeyond(Id halfedge, Id vertex) const
     this->isOwn(TriangleMesh::faceOf(beyond));
 }
 
+// Emits windows into the shadow of a saddle vertex, otherwise everywhere (paper, section 3:
+// pseudo-sources).
 void BatchTasks::emitWindows(FrontWorker& worker, District& district, Id vertex)
 {
   const VertexState& state = this->vertices_[vertex];
-  findEmittedIntervals(this->mesh_, vertex, state.emission, state.arrival(), worker.emitted);
+  if (state.pseudoSource != TriangleMesh::PseudoSource::Saddle ||
+    !findSaddleWedge(this->mesh_, vertex, state.arrival(), worker.emitted))
+  {
+    worker.emitted.clear();
+    for (const Id corner : this->mesh_.cornersAt(vertex))
+    {
+      worker.emitted.push_back(
+        { corner, 0.0, this->mesh_.length(TriangleMesh::nextInFace(corner)) });
+    }
+  }
   for (const EmittedInterval& interval : worker.emitted)
   {
     this->emitThrough(worker, district, vertex, interval);
@@ -232,7 +244,9 @@ void BatchTasks::emitThrough(
   {
     return;
   }
-  Window w = emittedWindow(this->mesh_, interval, this->vertices_.distance(vertex));
+  Window w = vertexWindow(this->mesh_, interval.corner, this->vertices_.distance(vertex)).window;
+  w.begin = length - interval.end;
+  w.end = length - interval.begin;
   w.error = this->vertices_.error(vertex);
   w.origin = this->surface_.globalId(vertex);
   const double atBegin = this->vertices_.distance(this->mesh_.destination(halfedge));

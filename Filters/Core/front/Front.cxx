@@ -190,13 +190,14 @@ void Front::startVertices(const SourceWindows& initial)
 {
   for (const Id vertex : initial.vertices)
   {
-    this->vertices_[vertex].emission = Emission::Nothing; // the curve's own wedges already exist
+    // The curve's own wedges already exist.
+    this->vertices_[vertex].pseudoSource = TriangleMesh::PseudoSource::None;
     this->shorten({ vertex, 0.0, 0.0, {} });
   }
   // Also vertices on a curve: a segment of a rounding's length may bound a wedge there.
   for (const Id vertex : initial.nearVertices)
   {
-    this->vertices_[vertex].emission = Emission::Everywhere;
+    this->vertices_[vertex].pseudoSource = TriangleMesh::PseudoSource::Irregular;
   }
 }
 

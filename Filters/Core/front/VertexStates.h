@@ -4,7 +4,6 @@
 
 #include "Tasks.h"
 #include "Tolerance.h"
-#include "front/PseudoSource.h"
 #include "front/Retention.h"
 #include "front/SaddleWedge.h"
 #include "mesh/TriangleMesh.h"
@@ -41,7 +40,8 @@ struct VertexState
   Id place = NoId;
   /// How much farther the other vertices of its batch may be.
   float reach = 0.0F;
-  Emission emission = Emission::Nothing;
+  /// Whether it emits windows: a saddle vertex into its shadow, an irregular one everywhere.
+  TriangleMesh::PseudoSource pseudoSource = TriangleMesh::PseudoSource::None;
   /// How often it was processed, up to the largest number.
   std::uint8_t turns = 0;
   bool hasThinFaces = false;
@@ -147,7 +147,7 @@ inline VertexStates::VertexStates(const TriangleMesh& mesh, bool withErrors, boo
       for (Id vertex = static_cast<Id>(begin); vertex < end; ++vertex)
       {
         VertexState& state = this->states_[vertex];
-        state.emission = emissionOf(this->mesh_.pseudoSource(vertex));
+        state.pseudoSource = this->mesh_.pseudoSource(vertex);
         // Vertices belong to one batch if none is farther than another by more than about half an
         // edge: windows from one of them then seldom reach another. From 0.25 to 2 edges the number
         // of windows hardly changes.
