@@ -16,14 +16,6 @@ namespace
 
 constexpr double RightAngle = 1.57079632679489661923;
 
-struct ByFace
-{
-  bool operator()(const WedgeBound& a, const WedgeBound& b) const
-  {
-    return TriangleMesh::faceOf(a.halfedge) < TriangleMesh::faceOf(b.halfedge);
-  }
-};
-
 /// Whether one of a corner's edges is short (tolerance::ShortEdge).
 bool hasShortEdge(const TriangleMesh& mesh, Id corner)
 {
@@ -124,12 +116,13 @@ std::vector<EdgeAngle> leastAnglesAround(
   return entered;
 }
 
-CurveWedge::CurveWedge(
+CurveWedge wedgeAround(
   const TriangleMesh& mesh, const SurfacePoint& point, const std::vector<SegmentEnd>& ends)
 {
+  std::vector<WedgeBound> bounds;
   if (point.kind == SurfacePoint::Kind::Vertex)
   {
-    addAroundVertex(mesh, point.id, ends, this->bounds_);
+    addAroundVertex(mesh, point.id, ends, bounds);
   }
   else
   {
@@ -137,22 +130,20 @@ CurveWedge::CurveWedge(
     {
       if (point.kind == SurfacePoint::Kind::Edge)
       {
-        addAroundEdge(mesh, end, this->bounds_);
+        addAroundEdge(mesh, end, bounds);
       }
       else
       {
-        this->bounds_.push_back(inOwnFace(mesh, end, 0));
+        bounds.push_back(inOwnFace(mesh, end, 0));
       }
     }
   }
-  std::stable_sort(this->bounds_.begin(), this->bounds_.end(), ByFace());
-}
-
-CurveWedge::Bounds CurveWedge::boundsIn(Id face) const
-{
-  const auto range = std::equal_range(this->bounds_.data(),
-    this->bounds_.data() + this->bounds_.size(), WedgeBound{ 3 * face, {} }, ByFace());
-  return { range.first, range.second };
+  CurveWedge wedge;
+  for (const WedgeBound& bound : bounds)
+  {
+    wedge.emplace(TriangleMesh::faceOf(bound.halfedge), bound);
+  }
+  return wedge;
 }
 
 }

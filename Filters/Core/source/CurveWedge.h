@@ -6,7 +6,7 @@
 #include "mesh/SurfacePoint.h"
 #include "source/SegmentEnd.h"
 
-#include <utility>
+#include <map>
 #include <vector>
 
 namespace geodesic
@@ -42,22 +42,13 @@ struct WedgeBound
 
 /// The wedge of directions into which a point of a curve emits: those at a right angle or more to
 /// all its segments there, measured around the point across any of the faces (paper, section 4.2).
-class CurveWedge
-{
-public:
-  /// \param point of a curve.
-  /// \param ends the ends of all segments there; for a vertex, of all curves.
-  CurveWedge(
-    const TriangleMesh& mesh, const SurfacePoint& point, const std::vector<SegmentEnd>& ends);
+/// Given by the segments that bound it in each face around the point.
+using CurveWedge = std::multimap<Id, WedgeBound>;
 
-  /// The segments that bound the wedge in a face around the point.
-  using Bounds = std::pair<const WedgeBound*, const WedgeBound*>;
-  Bounds boundsIn(Id face) const;
-
-private:
-  /// In the order of the faces.
-  std::vector<WedgeBound> bounds_;
-};
+/// \param point of a curve.
+/// \param ends the ends of all segments there; for a vertex, of all curves.
+CurveWedge wedgeAround(
+  const TriangleMesh& mesh, const SurfacePoint& point, const std::vector<SegmentEnd>& ends);
 
 }
 

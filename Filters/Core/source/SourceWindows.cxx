@@ -134,7 +134,7 @@ private:
     const std::vector<SegmentEnd>& endsAround, Id curve, double place)
   {
     this->nextPoint();
-    const CurveWedge wedge(this->mesh_, p, ends);
+    const CurveWedge wedge = wedgeAround(this->mesh_, p, ends);
     this->sectors_.assign(p, endsAround, CurveOrigin::onLeft(this->mesh_, curve, place));
     this->directions_.assign(p, endsAround);
     const EmittingPoint from = { this->chains(), wedge, this->sectors_, this->directions_ };
