@@ -263,7 +263,7 @@ bool NearestSource::isElsewhere(Id globalId) const
 
 const VertexOnCurve* NearestSource::onCurveAt(Id globalId) const
 {
-  return this->curves_.vertices().find(this->curves_.patch().vertexAt(globalId));
+  return this->curves_.find(this->curves_.patch().vertexAt(globalId));
 }
 
 void NearestSource::goToVertex(Id vertex)
@@ -272,8 +272,8 @@ void NearestSource::goToVertex(Id vertex)
   {
     return;
   }
-  const VertexOnCurve& on = *this->curves_.vertices().find(vertex);
-  this->sectors_.assign(SurfacePoint::atVertex(vertex), this->curves_.vertices().endsAround(vertex),
+  const VertexOnCurve& on = *this->curves_.find(vertex);
+  this->sectors_.assign(SurfacePoint::atVertex(vertex), this->curves_.endsAround(vertex),
     CurveOrigin::onLeft(this->meshOfCurves(), on.curve, on.place));
   this->sectorsVertex_ = vertex;
 }
@@ -310,8 +310,9 @@ Foot NearestSource::footOf(const CurveOrigin& origin) const
     place = this->curves_.chains().places(point.chain)[point.i];
     around = origin.place;
   }
-  const CurveChains::Link& link = this->curves_.chains().linkAt(side.curve, place);
-  return { link.curve, side.isRight != link.isReversed, side.curve, place, around };
+  const Id curve = this->curves_.chains().curveAt(side.curve, place);
+  return { curve, side.isRight != this->curves_.chains().partOf(curve).isReversed, side.curve,
+    place, around };
 }
 
 SurfacePoint NearestSource::pointOf(const Foot& foot) const

@@ -86,9 +86,10 @@ PathEnd PathEnds::atPoint(const LastPiece& piece, Id number) const
 // 0 is the angle of a path without a direction.
 PathEnd PathEnds::endAt(Id chain, double place, double angle) const
 {
-  const CurveChains::Link& link = this->onPatch_.chains().linkAt(chain, place);
-  return { this->curves_[link.curve].source, this->onPatch_.chains().arcLength(link.curve, place),
-    angle != 0.0 ? this->onPatch_.chains().angleFrom(link.curve, angle) : 0.0 };
+  const CurveChains& chains = this->onPatch_.chains();
+  const Id curve = chains.curveAt(chain, place);
+  return { this->curves_[curve].source, chains.arcLength(curve, place),
+    angle != 0.0 ? chains.angleFrom(curve, angle) : 0.0 };
 }
 
 }

@@ -101,88 +101,57 @@ private:
   std::vector<SourceCurve> curves_;
 };
 
-/// Restricts a boundary curve of a whole surface to the faces of a mesh.
-class CurveCutter
+bool hasFaceAt(const TriangleMesh& mesh, Id vertex)
 {
-public:
-  CurveCutter(const SourceCurve& curve, const TriangleMesh& mesh)
-    : curve_(curve)
-    , mesh_(mesh)
-    , count_(curve.faces.size())
+  return vertex < mesh.numberOfVertices() && mesh.cornersAt(vertex).size() > 0;
+}
+
+/// Restricts a boundary curve of a whole surface to the faces of a mesh.
+void addPieces(const SourceCurve& curve, const TriangleMesh& mesh, std::vector<SourceCurve>& pieces)
+{
+  std::vector<SurfacePoint> points = curve.points;
+  std::vector<Id> faces; // of the mesh at each segment; NoId if there is none
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
   {
-    for (std::size_t i = 0; i < this->count_; ++i)
-    {
-      const Id from = curve.points[i].id;
-      const Id to = curve.points[i + 1].id;
-      const Id halfedge =
-        this->hasFaceAt(from) && this->hasFaceAt(to) ? mesh.halfedgeBetween(from, to) : NoId;
-      this->faces_.push_back(halfedge == NoId ? NoId : TriangleMesh::faceOf(halfedge));
-    }
+    const Id from = points[i].id;
+    const Id to = points[i + 1].id;
+    const Id halfedge =
+      hasFaceAt(mesh, from) && hasFaceAt(mesh, to) ? mesh.halfedgeBetween(from, to) : NoId;
+    faces.push_back(halfedge == NoId ? NoId : TriangleMesh::faceOf(halfedge));
   }
-
-  void run(std::vector<SourceCurve>& pieces) const
+  const auto gap = std::find(faces.begin(), faces.end(), NoId);
+  if (gap == faces.end())
   {
-    const auto gap = std::find(this->faces_.begin(), this->faces_.end(), NoId);
-    if (gap == this->faces_.end())
-    {
-      pieces.push_back(this->curve_);
-      pieces.back().faces = this->faces_;
-      return;
-    }
-    // A loop begins behind an omitted segment and continues past its last point.
-    const bool isLoop = this->curve_.isClosed();
-    const auto first = isLoop ? static_cast<std::size_t>(gap - this->faces_.begin()) + 1 : 0;
-    SourceCurve piece = this->begin(first);
-    for (std::size_t i = 0; i < this->count_; ++i)
-    {
-      const std::size_t segment = (first + i) % this->count_;
-      if (this->faces_[segment] != NoId)
-      {
-        piece.points.push_back(this->curve_.points[segment + 1]);
-        piece.faces.push_back(this->faces_[segment]);
-        continue;
-      }
-      this->add(std::move(piece), pieces);
-      piece = this->begin(segment + 1);
-    }
-    if (!isLoop)
-    {
-      this->add(std::move(piece), pieces);
-    }
+    pieces.push_back(curve);
+    pieces.back().faces = faces;
+    return;
   }
-
-private:
-  SourceCurve begin(std::size_t point) const
+  if (curve.isClosed())
   {
-    SourceCurve piece;
-    piece.points = { this->curve_.points[isLast(point) ? 0 : point] };
-    piece.source = this->curve_.source;
-    return piece;
+    // A loop begins behind an omitted segment, which then is the last one.
+    points.pop_back();
+    const auto omitted = gap - faces.begin();
+    std::rotate(faces.begin(), gap + 1, faces.end());
+    std::rotate(points.begin(), points.begin() + omitted + 1, points.end());
   }
-
-  bool hasFaceAt(Id vertex) const
+  SourceCurve piece;
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    return vertex < this->mesh_.numberOfVertices() && this->mesh_.cornersAt(vertex).size() > 0;
-  }
-
-  /// Whether the point is the last one of a loop, which repeats the first.
-  bool isLast(std::size_t point) const { return point == this->count_ && this->curve_.isClosed(); }
-
-  void add(SourceCurve piece, std::vector<SourceCurve>& pieces) const
-  {
-    if (this->hasFaceAt(piece.points.front().id))
+    piece.points.push_back(points[i]);
+    if (i < faces.size() && faces[i] != NoId)
+    {
+      piece.faces.push_back(faces[i]);
+      continue;
+    }
+    if (hasFaceAt(mesh, piece.points.front().id))
     {
       piece.isCut.assign(piece.points.size(), 0);
+      piece.source = curve.source;
       pieces.push_back(std::move(piece));
     }
+    piece = SourceCurve();
   }
-
-  const SourceCurve& curve_;
-  const TriangleMesh& mesh_;
-  std::size_t count_;
-  /// The mesh's face at each segment; NoId if there is none.
-  std::vector<Id> faces_;
-};
+}
 
 } // anonymous namespace
 
@@ -197,7 +166,7 @@ std::vector<SourceCurve> boundaryOutsideBarriers(
   std::vector<SourceCurve> pieces;
   for (const SourceCurve& curve : boundary)
   {
-    CurveCutter(curve, mesh).run(pieces);
+    addPieces(curve, mesh, pieces);
   }
   return pieces;
 }

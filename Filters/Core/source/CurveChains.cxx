@@ -11,72 +11,63 @@ namespace geodesic
 namespace
 {
 
-/// One end of a curve: its first or its last point.
-struct CurveEnd
-{
-  std::size_t curve;
-  bool isLast;
-  CurveEnd other() const { return { this->curve, !this->isLast }; }
-};
+constexpr std::size_t NoEnd = static_cast<std::size_t>(-1);
 
-constexpr std::size_t NoCurve = static_cast<std::size_t>(-1);
-
-/// For each end of a curve, the end of another curve that continues it.
-class EndPairs
+/// The ends of curve c are 2 * c, at its first point, and 2 * c + 1, at its last one. For each end,
+/// the end of another curve that continues it, or NoEnd.
+std::vector<std::size_t> partnersOfEnds(
+  const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
 {
-public:
-  EndPairs(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
-    : partners_(2 * curves.size(), { NoCurve, false })
+  using Key = std::tuple<SurfacePoint::Kind, Id, double, double>;
+  std::map<Key, std::vector<std::size_t>> meeting;
+  for (std::size_t end = 0; end < 2 * curves.size(); ++end)
   {
-    using Key = std::tuple<SurfacePoint::Kind, Id, double, double>;
-    std::map<Key, std::vector<CurveEnd>> meeting;
-    for (std::size_t c = 0; c < curves.size(); ++c)
+    const SourceCurve& curve = curves[end / 2];
+    if (curve.points.size() > 1 && !curve.isClosed())
     {
-      const SourceCurve& curve = curves[c];
-      if (curve.points.size() < 2 || curve.isClosed())
-      {
-        continue;
-      }
-      for (const bool isLast : { false, true })
-      {
-        const SurfacePoint p =
-          normalized(mesh, isLast ? curve.points.back() : curve.points.front());
-        meeting[{ p.kind, p.id, p.u, p.v }].push_back({ c, isLast });
-      }
-    }
-    for (const auto& [place, ends] : meeting)
-    {
-      if (ends.size() == 2)
-      {
-        this->at(ends[0]) = ends[1];
-        this->at(ends[1]) = ends[0];
-      }
+      const SurfacePoint p =
+        normalized(mesh, end % 2 == 0 ? curve.points.front() : curve.points.back());
+      meeting[{ p.kind, p.id, p.u, p.v }].push_back(end);
     }
   }
-
-  /// Its curve is NoCurve if none continues this end.
-  CurveEnd partner(const CurveEnd& end) const
+  std::vector<std::size_t> partners(2 * curves.size(), NoEnd);
+  for (const auto& [place, ends] : meeting)
   {
-    return this->partners_[2 * end.curve + end.isLast];
+    if (ends.size() == 2)
+    {
+      partners[ends[0]] = ends[1];
+      partners[ends[1]] = ends[0];
+    }
   }
-
-private:
-  CurveEnd& at(const CurveEnd& end) { return this->partners_[2 * end.curve + end.isLast]; }
-
-  std::vector<CurveEnd> partners_;
-};
+  return partners;
+}
 
 /// The first end of the chain that contains a curve: back from curve to curve, or once around a
 /// loop.
-CurveEnd firstOfChain(const EndPairs& pairs, std::size_t curve)
+std::size_t firstOfChain(const std::vector<std::size_t>& partners, std::size_t curve)
 {
-  CurveEnd first = { curve, false };
-  for (CurveEnd before = pairs.partner(first); before.curve != NoCurve && before.curve != curve;
-       before = pairs.partner(first))
+  std::size_t first = 2 * curve;
+  for (std::size_t before = partners[first]; before != NoEnd && before / 2 != curve;
+       before = partners[first])
   {
-    first = before.other();
+    first = before ^ 1U;
   }
   return first;
+}
+
+/// Appends a curve to a chain whose last point is the curve's first, or its last if reversed.
+void append(SourceCurve curve, bool isReversed, SourceCurve& chain)
+{
+  if (isReversed)
+  {
+    std::reverse(curve.points.begin(), curve.points.end());
+    std::reverse(curve.faces.begin(), curve.faces.end());
+    std::reverse(curve.isCut.begin(), curve.isCut.end());
+  }
+  const std::ptrdiff_t shared = chain.points.empty() ? 0 : 1;
+  chain.points.insert(chain.points.end(), curve.points.begin() + shared, curve.points.end());
+  chain.faces.insert(chain.faces.end(), curve.faces.begin(), curve.faces.end());
+  chain.isCut.insert(chain.isCut.end(), curve.isCut.begin() + shared, curve.isCut.end());
 }
 
 } // anonymous namespace
@@ -84,67 +75,44 @@ CurveEnd firstOfChain(const EndPairs& pairs, std::size_t curve)
 CurveChains::CurveChains(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves)
   : parts_(curves.size())
 {
-  const EndPairs pairs(mesh, curves);
-  std::vector<std::uint8_t> isDone(curves.size(), 0);
+  const std::vector<std::size_t> partners = partnersOfEnds(mesh, curves);
+  Id numberOfPoints = 0;
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
-    if (isDone[c])
+    if (this->parts_[c].chain != NoId)
     {
       continue;
     }
-    this->chains_.emplace_back().source = curves[c].source;
-    const Id number = static_cast<Id>(this->chains_.size() - 1);
-    std::vector<Id> order;
-    for (CurveEnd end = firstOfChain(pairs, c); end.curve != NoCurve && !isDone[end.curve];
-         end = pairs.partner(end.other()))
+    const Id number = static_cast<Id>(this->chains_.size());
+    SourceCurve& chain = this->chains_.emplace_back();
+    chain.source = curves[c].source;
+    std::vector<Id>& order = this->order_.emplace_back();
+    for (std::size_t end = firstOfChain(partners, c);
+         end != NoEnd && this->parts_[end / 2].chain == NoId; end = partners[end ^ 1U])
     {
-      isDone[end.curve] = 1;
-      order.push_back(static_cast<Id>(end.curve));
-      const std::size_t begin = std::max<std::size_t>(this->chains_.back().points.size(), 1) - 1;
-      this->append(curves[end.curve], end.isLast);
-      this->parts_[end.curve] = { number, end.isLast, begin,
-        this->chains_.back().points.size() - 1 };
+      const bool isReversed = end % 2 != 0;
+      const std::size_t begin = std::max<std::size_t>(chain.points.size(), 1) - 1;
+      append(curves[end / 2], isReversed, chain);
+      this->parts_[end / 2] = { number, isReversed, begin, chain.points.size() - 1 };
+      order.push_back(static_cast<Id>(end / 2));
     }
-    for (SurfacePoint& point : this->chains_.back().points)
+    for (SurfacePoint& point : chain.points)
     {
       point = normalized(mesh, point);
     }
-    const std::size_t points = this->places_.empty() ? 0 : this->places_.back().size();
-    this->firstPoints_.push_back(
-      (number == 0 ? 0 : this->firstPoints_.back()) + static_cast<Id>(points));
-    this->places_.push_back(placesAlong(mesh, this->chains_.back()));
-    std::vector<Link>& links = this->links_.emplace_back();
-    for (const Id curve : order)
-    {
-      const Part& part = this->parts_[curve];
-      links.push_back({ curve, part.isReversed, this->places_.back()[part.begin] });
-    }
+    this->firstPoints_.push_back(numberOfPoints);
+    numberOfPoints += static_cast<Id>(chain.points.size());
+    this->places_.push_back(placesAlong(mesh, chain));
   }
 }
 
-// Appends to the current chain, whose last point is the curve's first.
-void CurveChains::append(const SourceCurve& curve, bool isReversed)
+Id CurveChains::curveAt(Id chain, double place) const
 {
-  SourceCurve next = curve;
-  if (isReversed)
-  {
-    std::reverse(next.points.begin(), next.points.end());
-    std::reverse(next.faces.begin(), next.faces.end());
-    std::reverse(next.isCut.begin(), next.isCut.end());
-  }
-  SourceCurve& chain = this->chains_.back();
-  const std::ptrdiff_t shared = chain.points.empty() ? 0 : 1;
-  chain.points.insert(chain.points.end(), next.points.begin() + shared, next.points.end());
-  chain.faces.insert(chain.faces.end(), next.faces.begin(), next.faces.end());
-  chain.isCut.insert(chain.isCut.end(), next.isCut.begin() + shared, next.isCut.end());
-}
-
-const CurveChains::Link& CurveChains::linkAt(Id chain, double place) const
-{
-  const std::vector<Link>& links = this->links_[chain];
-  const auto behind = std::upper_bound(
-    links.begin(), links.end(), place, [](double p, const Link& link) { return p < link.begin; });
-  return behind == links.begin() ? links.front() : *(behind - 1);
+  const std::vector<Id>& order = this->order_[chain];
+  const auto behind = std::upper_bound(order.begin(), order.end(), place,
+    [this, chain](double p, Id curve)
+    { return p < this->places_[chain][this->parts_[curve].begin]; });
+  return behind == order.begin() ? order.front() : *(behind - 1);
 }
 
 Id CurveChains::pointAt(Id chain, double place) const

@@ -14,18 +14,8 @@ namespace geodesic
 class CurveChains
 {
 public:
-  /// A curve in a chain.
-  struct Link
-  {
-    /// Its number among the curves, and whether the chain runs against its direction.
-    Id curve = NoId;
-    bool isReversed = false;
-    /// Where it begins along the chain.
-    double begin = 0.0;
-  };
-
-  /// A curve as a part of its chain: the numbers of the chain's points at which the part begins and
-  /// ends.
+  /// A curve as a part of its chain: whether the chain runs against its direction, and the numbers
+  /// of the chain's points at which the part begins and ends.
   struct Part
   {
     Id chain = NoId;
@@ -42,7 +32,7 @@ public:
   /// The places of a chain's points along it.
   const std::vector<double>& places(Id chain) const { return this->places_[chain]; }
   /// The curve at a place of a chain; at a joint, either one.
-  const Link& linkAt(Id chain, double place) const;
+  Id curveAt(Id chain, double place) const;
   /// The points of all chains are numbered one after another. The number of the first at or behind
   /// a place of a chain, and the point with a number.
   Id pointAt(Id chain, double place) const;
@@ -59,12 +49,10 @@ public:
   double angleFrom(Id curve, double angle) const;
 
 private:
-  void append(const SourceCurve& curve, bool isReversed);
-
   std::vector<SourceCurve> chains_;
   std::vector<std::vector<double>> places_;
-  /// The links of each chain in order along it.
-  std::vector<std::vector<Link>> links_;
+  /// The curves of each chain in order along it.
+  std::vector<std::vector<Id>> order_;
   /// Of each curve.
   std::vector<Part> parts_;
   /// The number of each chain's first point.

@@ -12,15 +12,6 @@ namespace
 
 constexpr double FullAngle = 6.28318530717958647692;
 
-struct ByFace
-{
-  template <typename Frame>
-  bool operator()(const Frame& a, const Frame& b) const
-  {
-    return TriangleMesh::faceOf(a.halfedge) < TriangleMesh::faceOf(b.halfedge);
-  }
-};
-
 } // anonymous namespace
 
 void CurveSectors::assign(
@@ -54,18 +45,13 @@ void CurveSectors::addFan(const SurfacePoint& point, Id face)
   if (point.kind == SurfacePoint::Kind::Face)
   {
     const std::size_t fan = this->totals_.size() - 1;
-    this->frames_.push_back({ longestHalfedge(this->mesh_, face), { fan, 0.0 }, FullAngle });
+    this->frames_[face] = { longestHalfedge(this->mesh_, face), { fan, 0.0 }, FullAngle };
     this->totals_.back() = FullAngle;
   }
   else
   {
     this->addTurn(TurnAroundPoint(this->mesh_, point, face));
   }
-  std::stable_sort(this->frames_.begin(), this->frames_.end(), ByFace());
-  const auto isSame = [](const Frame& a, const Frame& b)
-  { return TriangleMesh::faceOf(a.halfedge) == TriangleMesh::faceOf(b.halfedge); };
-  this->frames_.erase(
-    std::unique(this->frames_.begin(), this->frames_.end(), isSame), this->frames_.end());
 }
 
 // Counterclockwise as far as faces follow, and clockwise from the beginning if that does not close
@@ -76,7 +62,7 @@ void CurveSectors::addTurn(TurnAroundPoint turn)
   double angle = 0.0;
   do
   {
-    this->frames_.push_back({ turn.halfedge(), { fan, angle }, turn.width() });
+    this->addFrame({ turn.halfedge(), { fan, angle }, turn.width() });
     angle += turn.angle();
   } while (turn.next());
   if (turn.isClosed())
@@ -87,7 +73,7 @@ void CurveSectors::addTurn(TurnAroundPoint turn)
   double end = 0.0; // of the face, in a face without area as of those behind it
   for (bool isThere = turn.turnBack(); isThere; isThere = turn.next())
   {
-    this->frames_.push_back({ turn.halfedge(), { fan, end - turn.width() }, turn.width() });
+    this->addFrame({ turn.halfedge(), { fan, end - turn.width() }, turn.width() });
     end -= turn.angle();
   }
 }
@@ -129,11 +115,8 @@ void CurveSectors::findChanges()
 
 const CurveSectors::Frame* CurveSectors::frameOf(Id face) const
 {
-  const auto frame = std::lower_bound(
-    this->frames_.begin(), this->frames_.end(), Frame{ 3 * face, {}, 0.0 }, ByFace());
-  const bool isThere =
-    frame != this->frames_.end() && TriangleMesh::faceOf(frame->halfedge) == face;
-  return isThere ? &*frame : nullptr;
+  const auto found = this->frames_.find(face);
+  return found != this->frames_.end() ? &found->second : nullptr;
 }
 
 // Rounding may put the direction of a halfedge from the point slightly below the x axis.

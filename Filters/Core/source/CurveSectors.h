@@ -7,6 +7,7 @@
 #include "source/TurnAroundPoint.h"
 #include "window/Window.h"
 
+#include <map>
 #include <vector>
 
 namespace geodesic
@@ -93,6 +94,10 @@ private:
 
   void addFan(const SurfacePoint& point, Id face);
   void addTurn(TurnAroundPoint turn);
+  void addFrame(const Frame& frame)
+  {
+    this->frames_.emplace(TriangleMesh::faceOf(frame.halfedge), frame);
+  }
   void addEnd(const SegmentEnd& end);
   void findChanges();
   const Frame* frameOf(Id face) const;
@@ -101,8 +106,8 @@ private:
 
   const TriangleMesh& mesh_;
   CurveOrigin whole_;
-  /// In the order of the faces.
-  std::vector<Frame> frames_;
+  /// Of each face; of one that turns have entered several times, the first.
+  std::map<Id, Frame> frames_;
   /// The total angle of each closed fan; infinite for the others.
   std::vector<double> totals_;
   std::vector<End> ends_;

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/CurveWedge.h"
 
+#include "Tolerance.h"
+
 #include <algorithm>
+#include <queue>
+#include <unordered_set>
+#include <utility>
 
 namespace geodesic
 {
@@ -11,106 +16,134 @@ namespace
 
 constexpr double RightAngle = 1.57079632679489661923;
 
-struct ByFace
+/// Whether one of a corner's edges is short (tolerance::ShortEdge).
+bool hasShortEdge(const TriangleMesh& mesh, Id corner)
 {
-  bool operator()(const WedgeBound& a, const WedgeBound& b) const
-  {
-    return TriangleMesh::faceOf(a.halfedge) < TriangleMesh::faceOf(b.halfedge);
-  }
-};
-
-} // anonymous namespace
-
-void CurveWedge::assign(const SurfacePoint& point, const std::vector<SegmentEnd>& ends)
-{
-  this->bounds_.clear();
-  this->leaving_.clear();
-  for (const SegmentEnd& end : ends)
-  {
-    switch (point.kind)
-    {
-      case SurfacePoint::Kind::Face:
-        this->bounds_.push_back(this->inOwnFace(end, 0));
-        break;
-      case SurfacePoint::Kind::Edge:
-        this->addAroundEdge(end);
-        break;
-      case SurfacePoint::Kind::Vertex:
-        this->startAroundVertex(end);
-        break;
-    }
-  }
-  if (!this->leaving_.empty())
-  {
-    this->addAroundVertex(point.id);
-  }
-  std::stable_sort(this->bounds_.begin(), this->bounds_.end(), ByFace());
-}
-
-CurveWedge::Bounds CurveWedge::boundsIn(Id face) const
-{
-  const auto range = std::equal_range(this->bounds_.data(),
-    this->bounds_.data() + this->bounds_.size(), WedgeBound{ 3 * face, {} }, ByFace());
-  return { range.first, range.second };
+  const double shortest =
+    std::min(mesh.length(corner), mesh.length(TriangleMesh::previousInFace(corner)));
+  return shortest < tolerance::ShortEdge * mesh.shape(TriangleMesh::faceOf(corner)).longest();
 }
 
 // In the frame of the first halfedge, from k on, that has a length; a face in one point has none.
-WedgeBound CurveWedge::inOwnFace(const SegmentEnd& end, std::size_t k) const
+WedgeBound inOwnFace(const TriangleMesh& mesh, const SegmentEnd& end, std::size_t k)
 {
-  const FaceShape& shape = this->mesh_.shape(end.face);
+  const FaceShape& shape = mesh.shape(end.face);
   while (shape.length[k] == 0.0 && shape.longest() > 0.0)
   {
     k = (k + 1) % 3;
   }
   const Id halfedge = 3 * end.face + static_cast<Id>(k);
-  const Vec2 d = directionIn(this->mesh_, end, halfedge);
+  const Vec2 d = directionIn(mesh, end, halfedge);
   const double length = norm(d);
   return { halfedge, length > 0.0 ? (1.0 / length) * d : d };
 }
 
 // The faces across the edge unfold into the plane of the segment, where its direction stays the
 // same.
-void CurveWedge::addAroundEdge(const SegmentEnd& end)
+void addAroundEdge(const TriangleMesh& mesh, const SegmentEnd& end, std::vector<WedgeBound>& bounds)
 {
-  const Id halfedge = this->mesh_.siblingInFace(end.from.id, end.face);
-  const WedgeBound own = this->inOwnFace(end, halfedge % 3);
-  this->bounds_.push_back(own);
+  const Id halfedge = mesh.siblingInFace(end.from.id, end.face);
+  const WedgeBound own = inOwnFace(mesh, end, halfedge % 3);
+  bounds.push_back(own);
   const Vec2 u = own.direction;
-  for (Id s = this->mesh_.nextSibling(halfedge); s != halfedge; s = this->mesh_.nextSibling(s))
+  for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
   {
-    const bool opposed = this->mesh_.origin(s) == this->mesh_.destination(halfedge);
-    this->bounds_.push_back({ s, { opposed ? -u.x : u.x, -u.y } });
+    const bool opposed = mesh.origin(s) == mesh.destination(halfedge);
+    bounds.push_back({ s, { opposed ? -u.x : u.x, -u.y } });
   }
 }
 
-// Ways leave the segment's face to both sides of the segment.
-void CurveWedge::startAroundVertex(const SegmentEnd& end)
+// Ways leave the segments' faces to both sides of the segments. In a face entered across an edge,
+// the nearest segment on that way bounds the wedge.
+void addAroundVertex(const TriangleMesh& mesh, Id vertex, const std::vector<SegmentEnd>& ends,
+  std::vector<WedgeBound>& bounds)
 {
-  const Id corner = this->mesh_.cornerAt(end.face, end.from.id);
-  const WedgeBound own = this->inOwnFace(end, corner % 3);
-  this->bounds_.push_back(own);
-  if (own.halfedge != corner)
+  std::vector<EdgeAngle> leaving;
+  for (const SegmentEnd& end : ends)
   {
-    return; // a halfedge without length: its neighbours emit too, which only costs time
+    const Id corner = mesh.cornerAt(end.face, end.from.id);
+    const WedgeBound own = inOwnFace(mesh, end, corner % 3);
+    bounds.push_back(own);
+    if (own.halfedge == corner) // else it has no length: its neighbours emit too, in vain
+    {
+      // Rounding may put a direction along an edge below it, a straight angle the other way around.
+      const double angle = std::atan2(std::max(0.0, own.direction.y), own.direction.x);
+      leaving.push_back({ corner, angle });
+      leaving.push_back(
+        { TriangleMesh::previousInFace(corner), std::max(0.0, mesh.cornerAngle(corner) - angle) });
+    }
   }
-  // Rounding may put a direction along an edge below it, a straight angle the other way around.
-  const double angle = std::atan2(std::max(0.0, own.direction.y), own.direction.x);
-  this->leaving_.push_back({ corner, angle });
-  this->leaving_.push_back({ TriangleMesh::previousInFace(corner),
-    std::max(0.0, this->mesh_.cornerAngle(corner) - angle) });
-}
-
-// In a face entered across an edge, the nearest segment on that way bounds the wedge.
-void CurveWedge::addAroundVertex(Id vertex)
-{
-  for (const EdgeAngle& entered :
-    this->angles_.find(this->mesh_, vertex, this->leaving_, RightAngle))
+  for (const EdgeAngle& entered : leastAnglesAround(mesh, vertex, std::move(leaving), RightAngle))
   {
     // In the frame of the halfedge, which begins or ends at the vertex.
     const double x = std::cos(entered.angle);
-    const bool atOrigin = this->mesh_.origin(entered.halfedge) == vertex;
-    this->bounds_.push_back({ entered.halfedge, { atOrigin ? x : -x, -std::sin(entered.angle) } });
+    const bool isAtOrigin = mesh.origin(entered.halfedge) == vertex;
+    bounds.push_back({ entered.halfedge, { isAtOrigin ? x : -x, -std::sin(entered.angle) } });
   }
+}
+
+} // anonymous namespace
+
+std::vector<EdgeAngle> leastAnglesAround(
+  const TriangleMesh& mesh, Id vertex, std::vector<EdgeAngle> leaving, double limit)
+{
+  const auto isFarther = [](const EdgeAngle& a, const EdgeAngle& b)
+  { return a.angle != b.angle ? a.angle > b.angle : a.halfedge > b.halfedge; };
+  std::priority_queue<EdgeAngle, std::vector<EdgeAngle>, decltype(isFarther)> queue(
+    isFarther, std::move(leaving));
+  std::vector<EdgeAngle> entered;
+  std::unordered_set<Id> halfedges; // of `entered`
+  while (!queue.empty() && queue.top().angle < limit)
+  {
+    const EdgeAngle nearest = queue.top();
+    queue.pop();
+    for (Id s = mesh.nextSibling(nearest.halfedge); s != nearest.halfedge; s = mesh.nextSibling(s))
+    {
+      if (!halfedges.insert(s).second)
+      {
+        continue;
+      }
+      entered.push_back({ s, nearest.angle });
+      const bool isOutgoing = mesh.origin(s) == vertex;
+      const Id corner = isOutgoing ? s : TriangleMesh::nextInFace(s);
+      const Id across = isOutgoing ? TriangleMesh::previousInFace(s) : corner;
+      if (!hasShortEdge(mesh, corner))
+      {
+        queue.push({ across, nearest.angle + mesh.cornerAngle(corner) });
+      }
+    }
+  }
+  return entered;
+}
+
+CurveWedge wedgeAround(
+  const TriangleMesh& mesh, const SurfacePoint& point, const std::vector<SegmentEnd>& ends)
+{
+  std::vector<WedgeBound> bounds;
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    addAroundVertex(mesh, point.id, ends, bounds);
+  }
+  else
+  {
+    for (const SegmentEnd& end : ends)
+    {
+      if (point.kind == SurfacePoint::Kind::Edge)
+      {
+        addAroundEdge(mesh, end, bounds);
+      }
+      else
+      {
+        bounds.push_back(inOwnFace(mesh, end, 0));
+      }
+    }
+  }
+  CurveWedge wedge;
+  for (const WedgeBound& bound : bounds)
+  {
+    wedge.emplace(TriangleMesh::faceOf(bound.halfedge), bound);
+  }
+  return wedge;
 }
 
 }

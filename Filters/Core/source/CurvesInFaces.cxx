@@ -8,52 +8,36 @@
 namespace geodesic
 {
 
+namespace
+{
+
+bool isBefore(const SourceInFace& a, const SourceInFace& b)
+{
+  return a.face < b.face;
+}
+
+} // anonymous namespace
+
 CurvesInFaces::CurvesInFaces(const TriangleMesh& mesh, const CurveChains& chains)
   : mesh_(mesh)
 {
   for (Id chain = 0; chain < chains.curves().size(); ++chain)
   {
     const SourceCurve& curve = chains.curves()[chain];
-    const std::vector<double>& places = chains.places(chain);
-    for (std::size_t i = 0; i < curve.faces.size(); ++i)
-    {
-      const SurfacePoint& p = curve.points[i];
-      const SurfacePoint& q = curve.points[i + 1];
-      forEachFaceOfSegment(mesh, curve.faces[i], p, q,
-        [&](Id face) {
-          this->add(face, p, q, { face, {}, {}, chain, places[i], places[i + 1] });
-        });
-    }
+    const std::vector<SourceInFace> segments =
+      segmentsInFaces(mesh, curve, chain, chains.places(chain));
+    this->pieces_.insert(this->pieces_.end(), segments.begin(), segments.end());
     if (curve.points.size() == 1)
     {
-      const SurfacePoint& point = curve.points.front();
-      forEachFace(mesh, point,
-        [&](Id face) {
-          this->add(face, point, point, { face, {}, {}, chain });
+      forEachFace(mesh, curve.points.front(),
+        [&](Id face)
+        {
+          const Barycentric point = barycentric(mesh, curve.points.front(), face);
+          this->pieces_.push_back({ face, point, point, chain });
         });
     }
   }
-  std::stable_sort(this->pieces_.begin(), this->pieces_.end(),
-    [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; });
-}
-
-void CurvesInFaces::add(
-  Id face, const SurfacePoint& p, const SurfacePoint& q, const SourceInFace& places)
-{
-  this->pieces_.push_back(places);
-  this->pieces_.back().a = barycentric(this->mesh_, p, face);
-  this->pieces_.back().b = barycentric(this->mesh_, q, face);
-}
-
-template <typename Visit>
-void CurvesInFaces::forEachIn(Id face, const Visit& visit) const
-{
-  const auto isBefore = [](const SourceInFace& piece, Id f) { return piece.face < f; };
-  for (auto piece = std::lower_bound(this->pieces_.begin(), this->pieces_.end(), face, isBefore);
-       piece != this->pieces_.end() && piece->face == face; ++piece)
-  {
-    visit(*piece);
-  }
+  std::stable_sort(this->pieces_.begin(), this->pieces_.end(), isBefore);
 }
 
 const SourceInFace* CurvesInFaces::nearest(const SurfacePoint& point, Id preferred) const
@@ -66,17 +50,18 @@ const SourceInFace* CurvesInFaces::nearest(const SurfacePoint& point, Id preferr
     [&](Id face)
     {
       const Barycentric weights = barycentric(this->mesh_, point, face);
-      this->forEachIn(face,
-        [&](const SourceInFace& piece)
+      const auto pieces = std::equal_range(
+        this->pieces_.begin(), this->pieces_.end(), SourceInFace{ face }, isBefore);
+      for (auto piece = pieces.first; piece != pieces.second; ++piece)
+      {
+        const double distance =
+          distanceToSource(this->mesh_, *piece, weights) + (face == preferred ? 0.0 : rounding);
+        if (distance < least)
         {
-          const double distance =
-            distanceToSource(this->mesh_, piece, weights) + (face == preferred ? 0.0 : rounding);
-          if (distance < least)
-          {
-            least = distance;
-            nearest = &piece;
-          }
-        });
+          least = distance;
+          nearest = &*piece;
+        }
+      }
     });
   return nearest;
 }

@@ -26,10 +26,6 @@ public:
   const SourceInFace* nearest(const SurfacePoint& point, Id face) const;
 
 private:
-  void add(Id face, const SurfacePoint& p, const SurfacePoint& q, const SourceInFace& places);
-  template <typename Visit>
-  void forEachIn(Id face, const Visit& visit) const;
-
   const TriangleMesh& mesh_;
   /// In the order of the faces.
   std::vector<SourceInFace> pieces_;

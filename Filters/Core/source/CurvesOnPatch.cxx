@@ -4,9 +4,82 @@
 #include "source/DirectionsAround.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace geodesic
 {
+
+namespace
+{
+
+bool isBefore(const VertexOnCurve& a, const VertexOnCurve& b)
+{
+  return a.vertex < b.vertex;
+}
+
+} // anonymous namespace
+
+CurvesOnPatch::CurvesOnPatch(const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves)
+  : patch_(patch)
+  , chains_(patch.mesh(), curves)
+{
+  for (Id chain = 0; chain < this->chains_.curves().size(); ++chain)
+  {
+    const SourceCurve& curve = this->chains_.curves()[chain];
+    const std::size_t count = curve.points.size() - (curve.isClosed() ? 1 : 0);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      std::vector<Id> vertices = verticesAtCornerOf(this->mesh(), curve, i);
+      if (curve.points[i].kind == SurfacePoint::Kind::Vertex)
+      {
+        vertices.push_back(curve.points[i].id);
+      }
+      for (const Id vertex : vertices)
+      {
+        this->vertices_.push_back({ vertex, chain, i, this->chains_.places(chain)[i] });
+      }
+    }
+  }
+  std::stable_sort(this->vertices_.begin(), this->vertices_.end(), isBefore);
+}
+
+const VertexOnCurve* CurvesOnPatch::find(Id vertex) const
+{
+  const auto found = std::lower_bound(
+    this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex }, isBefore);
+  return found != this->vertices_.end() && found->vertex == vertex ? &*found : nullptr;
+}
+
+// Several points of a curve may be at one place: their ends are the same.
+std::vector<SegmentEnd> CurvesOnPatch::endsOf(Id vertex, bool isAround) const
+{
+  std::vector<SegmentEnd> ends;
+  const auto range = std::equal_range(
+    this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex }, isBefore);
+  for (auto on = range.first; on != range.second; ++on)
+  {
+    const SurfacePoint& p = this->chains_.curves()[on->curve].points[on->i];
+    if (isAround || (p.kind == SurfacePoint::Kind::Vertex && p.id == vertex))
+    {
+      const CurveChains::Point at = { on->curve, on->i };
+      const std::vector<SegmentEnd> added = isAround
+        ? segmentEndsAround(this->mesh(), this->chains_, at)
+        : segmentEndsAt(this->mesh(), this->chains_, at);
+      ends.insert(ends.end(), added.begin(), added.end());
+    }
+  }
+  const auto key = [](const SegmentEnd& end)
+  {
+    const SurfacePoint& to = end.to;
+    return std::make_tuple(end.face, to.kind, to.id, to.u, to.v, end.curve, end.place);
+  };
+  std::stable_sort(ends.begin(), ends.end(),
+    [&key](const SegmentEnd& a, const SegmentEnd& b) { return key(a) < key(b); });
+  ends.erase(std::unique(ends.begin(), ends.end(),
+               [&key](const SegmentEnd& a, const SegmentEnd& b) { return key(a) == key(b); }),
+    ends.end());
+  return ends;
+}
 
 PointWithEnds CurvesOnPatch::around(Id point) const
 {
@@ -15,10 +88,9 @@ PointWithEnds CurvesOnPatch::around(Id point) const
   const Id vertex = vertexAtPlaceOf(this->mesh(), curve, at.i);
   if (vertex != NoId)
   {
-    return { SurfacePoint::atVertex(vertex), this->vertices_.endsAround(vertex) };
+    return { SurfacePoint::atVertex(vertex), this->endsAround(vertex) };
   }
-  return { curve.points[at.i],
-    segmentEndsAround(this->mesh(), curve, at.chain, this->chains_.places(at.chain), at.i) };
+  return { curve.points[at.i], segmentEndsAround(this->mesh(), this->chains_, at) };
 }
 
 SourceFrame CurvesOnPatch::frameOf(Id number) const

@@ -4,7 +4,9 @@
 
 #include "mesh/ReplicatedPatch.h"
 #include "source/CurveChains.h"
-#include "source/VerticesOnCurves.h"
+#include "source/SegmentEnd.h"
+
+#include <vector>
 
 namespace geodesic
 {
@@ -25,21 +27,35 @@ struct PointWithEnds
   std::vector<SegmentEnd> ends;
 };
 
-/// The curves of a source on their patch, joined to chains.
+/// A mesh vertex on a curve: the chain's number, the number of its point, and the point's place.
+struct VertexOnCurve
+{
+  Id vertex;
+  Id curve = 0;
+  std::size_t i = 0;
+  double place = 0.0;
+};
+
+/// The curves of a source on their patch, joined to chains, and the mesh vertices on them. Several
+/// curves may meet in one vertex. A vertex at the place of a curve's corner or end, behind faces
+/// without area, is on the curve.
 class CurvesOnPatch
 {
 public:
-  CurvesOnPatch(const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves)
-    : patch_(patch)
-    , chains_(patch.mesh(), curves)
-    , vertices_(patch.mesh(), this->chains_)
-  {
-  }
+  CurvesOnPatch(const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves);
 
   const ReplicatedPatch& patch() const { return this->patch_; }
   const TriangleMesh& mesh() const { return this->patch_.mesh(); }
   const CurveChains& chains() const { return this->chains_; }
-  const VerticesOnCurves& vertices() const { return this->vertices_; }
+
+  /// Ascending; a vertex at several points of curves is there several times, in their order.
+  const std::vector<VertexOnCurve>& vertices() const { return this->vertices_; }
+  /// The first with this vertex; null if no curve contains it.
+  const VertexOnCurve* find(Id vertex) const;
+  /// The ends at a vertex of the segments that leave it, of all curves: segmentEndsAt().
+  std::vector<SegmentEnd> endsAt(Id vertex) const { return this->endsOf(vertex, false); }
+  /// The same of all points at its place: segmentEndsAround().
+  std::vector<SegmentEnd> endsAround(Id vertex) const { return this->endsOf(vertex, true); }
 
   /// A point of a chain (CurveChains::pointAt()), at the vertex at its place if there is one, and
   /// the ends around it: of all curves at a vertex, else of this chain.
@@ -49,9 +65,11 @@ public:
   SourceFrame frameOf(Id curve) const;
 
 private:
+  std::vector<SegmentEnd> endsOf(Id vertex, bool isAround) const;
+
   ReplicatedPatch patch_;
   CurveChains chains_;
-  VerticesOnCurves vertices_;
+  std::vector<VertexOnCurve> vertices_;
 };
 
 }

@@ -2,7 +2,7 @@
 #ifndef geodesic_LeavingWindow_h
 #define geodesic_LeavingWindow_h
 
-#include "mesh/HalfedgeFrame.h"
+#include "source/SourceInFace.h"
 #include "window/Interval.h"
 #include "window/Window.h"
 
@@ -29,6 +29,11 @@ Vec2 inLeavingFrame(const TriangleMesh& mesh, Id halfedge, const Barycentric& po
 /// \param window complete but for its interval.
 void addLeavingWindow(const TriangleMesh& mesh, Id halfedge, const Interval& interval,
   const Window& window, std::vector<LeavingWindow>& windows);
+
+/// Adds the linear windows of a segment in a face: its rays leave at right angles to both sides,
+/// through the face's halfedges (paper, section 4.2 and figure 6).
+void addSegmentWindows(
+  const TriangleMesh& mesh, const SourceInFace& segment, std::vector<LeavingWindow>& windows);
 
 /// The window, through the halfedge opposite a corner, of the rays that leave the corner's vertex.
 LeavingWindow vertexWindow(const TriangleMesh& mesh, Id corner, double sigma);

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
+#include <optional>
+#include <set>
+#include <utility>
 
 namespace geodesic
 {
@@ -20,25 +22,15 @@ constexpr std::size_t MaximumJoins = 16;
 /// The search for a closed polyline begins at no more than this many places of its first point.
 constexpr std::size_t MaximumBeginnings = 16;
 
-/// The breaks of a way along the polyline, the worst kind first.
-struct Breaks
-{
-  /// Consecutive points that no path joins.
-  Id disconnected = 0;
-  /// Consecutive points that share no face.
-  Id gaps = 0;
-  /// Points at which the way changes from one place to another.
-  Id changes = 0;
+/// The breaks of a way along the polyline, the worst kind first: consecutive points that no path
+/// joins; consecutive points that share no face; points at which the way changes from one place to
+/// another.
+using Breaks = std::array<Id, 3>;
 
-  auto key() const { return std::tie(this->disconnected, this->gaps, this->changes); }
-  bool operator<(const Breaks& other) const { return this->key() < other.key(); }
-  bool operator==(const Breaks& other) const { return this->key() == other.key(); }
-  Breaks operator+(const Breaks& other) const
-  {
-    return { this->disconnected + other.disconnected, this->gaps + other.gaps,
-      this->changes + other.changes };
-  }
-};
+Breaks operator+(const Breaks& a, const Breaks& b)
+{
+  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
+}
 
 constexpr Breaks Disconnected{ 1, 0, 0 };
 constexpr Breaks Gap{ 0, 1, 0 };
@@ -60,375 +52,267 @@ struct Way
     const bool isLonger = other.length < margin * this->length;
     return isShorter || (!isLonger && this->dimensions < other.dimensions);
   }
-  Way to(double more, const SurfacePoint& place) const
+};
+
+/// From a place of a layer to a place of the next one.
+using Step = std::pair<std::size_t, std::size_t>;
+
+/// The places of one point as a layer of the search: those at which a way arrives, or those from
+/// which it departs.
+struct Layer
+{
+  const PossiblePlaces& places;
+  /// The steps to the next layer without a break, and the breaks that the others may have.
+  std::set<Step> steps;
+  std::vector<Breaks> kinds;
+  /// The fewest breaks from each place to the end.
+  std::vector<Breaks> left = {};
+  /// The best way to each place, infinitely long if none has the fewest breaks, and the place of
+  /// the layer before from which it comes.
+  std::vector<Way> ways = {};
+  std::vector<std::size_t> from = {};
+
+  const Breaks& leastLeft() const
   {
-    return { this->length + more, this->dimensions + static_cast<std::uint64_t>(place.kind) };
+    return *std::min_element(this->left.begin(), this->left.end());
   }
 };
 
-/// Places of two consecutive points.
-struct Pair
+/// Departures, with steps to places in the same face.
+Layer departures(const TriangleMesh& mesh, const PossiblePlaces& from, const PossiblePlaces& to)
 {
-  std::size_t from;
-  std::size_t to;
-};
-
-/// The pairs that share a face.
-std::vector<Pair> pairsInOneFace(
-  const TriangleMesh& mesh, const PossiblePlaces& from, const PossiblePlaces& to)
-{
-  std::vector<std::pair<Id, std::size_t>> faces;
+  std::map<Id, std::vector<std::size_t>> placesIn; // of each face
   for (std::size_t b = 0; b < to.size(); ++b)
   {
-    forEachFace(mesh, to[b], [&](Id face) { faces.emplace_back(face, b); });
+    forEachFace(mesh, to[b], [&](Id face) { placesIn[face].push_back(b); });
   }
-  std::sort(faces.begin(), faces.end());
-  std::vector<Pair> pairs;
-  std::vector<std::size_t> found;
+  Layer layer{ from, {}, { Disconnected, Gap } };
   for (std::size_t a = 0; a < from.size(); ++a)
   {
-    found.clear();
     forEachFace(mesh, from[a],
       [&](Id face)
       {
-        auto at =
-          std::lower_bound(faces.begin(), faces.end(), std::make_pair(face, std::size_t(0)));
-        for (; at != faces.end() && at->first == face; ++at)
+        for (const std::size_t b : placesIn[face])
         {
-          found.push_back(at->second);
+          layer.steps.emplace(a, b);
         }
       });
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    for (const std::size_t b : found)
-    {
-      pairs.push_back({ a, b });
-    }
   }
-  return pairs;
+  return layer;
 }
 
-const Breaks& leastOf(const std::vector<Breaks>& breaks)
+Layer arrivals(const PossiblePlaces& places)
 {
-  return *std::min_element(breaks.begin(), breaks.end());
+  Layer layer{ places, {}, { Change } };
+  for (std::size_t a = 0; a < places.size(); ++a)
+  {
+    layer.steps.emplace(a, a);
+  }
+  return layer;
 }
 
-/// Finds the best way through the places of a row of points. The way begins at any of the first
-/// point's places with the given breaks, and ends at any of the last point's. Two passes: backwards
-/// the fewest breaks from each place to the end (dynamic programming), then forwards the best way
-/// among those with the fewest. A place is on one of these if a best way leads to it.
+/// Finds the best way through the places of a row of points. Two passes: backwards the fewest
+/// breaks from each place to the end (dynamic programming), then forwards the best way among those
+/// with the fewest. A place is on one of these if a best way leads to it.
 class RowOfPoints
 {
 public:
   struct Result
   {
-    Breaks breaks;
+    Breaks breaks = Never;
     Way way;
-    std::vector<ChosenPlaces> places;
+    /// Of each layer: departure from the first point, arrival at the second, departure from it, and
+    /// so on.
+    std::vector<std::size_t> places;
   };
 
-  RowOfPoints(const TriangleMesh& mesh, const std::vector<const PossiblePlaces*>& places,
-    PlaceComponents& components, const LengthBetween& lengthBetween)
-    : places_(places)
+  /// \param row the numbers of two or more consecutive points.
+  RowOfPoints(const TriangleMesh& mesh, const std::vector<PossiblePlaces>& places,
+    const std::vector<std::size_t>& row, PlaceComponents& components,
+    const LengthBetween& lengthBetween)
+    : row_(row)
     , components_(components)
     , lengthBetween_(lengthBetween)
   {
-    for (std::size_t i = 0; i + 1 < places.size(); ++i)
+    for (std::size_t i = 0; i + 1 < row.size(); ++i)
     {
-      this->pairs_.push_back(pairsInOneFace(mesh, *places[i], *places[i + 1]));
+      this->layers_.push_back(departures(mesh, places[row[i]], places[row[i + 1]]));
+      this->layers_.push_back(arrivals(places[row[i + 1]]));
     }
   }
 
-  /// \param beginning the breaks at departing from each place of the first point.
-  /// \param end the breaks after arriving at each place of the last point.
-  Result run(const std::vector<Breaks>& beginning, const std::vector<Breaks>& end)
-  {
-    this->countBreaks(end);
-    this->findWays(beginning);
-    return this->trace();
-  }
+  /// \param loopFrom the place of the first point from which the way departs, in a row that ends
+  ///        with its first point again and must return there; if empty, any.
+  Result run(std::optional<std::size_t> loopFrom);
 
 private:
-  std::size_t last() const { return this->places_.size() - 1; }
-  std::size_t countAt(std::size_t i) const { return this->places_[i]->size(); }
-  const SurfacePoint& place(std::size_t i, std::size_t a) const { return (*this->places_[i])[a]; }
-  Id component(std::size_t i, std::size_t a) const
+  Id component(std::size_t l, std::size_t place) const
   {
-    return this->components_.of(this->place(i, a));
+    return this->components_.of(this->layers_[l].places[place]);
   }
+  /// Whether a step, which is none without a break, has the kind of break.
+  bool isOf(const Breaks& kind, std::size_t l, const Step& step) const
+  {
+    return kind == Change ||
+      (this->component(l, step.first) == this->component(l + 1, step.second)) == (kind == Gap);
+  }
+  void countBreaks(std::size_t l);
+  void findWays(std::size_t l);
+  std::vector<Step> bestSteps(std::size_t l, const Breaks& kind) const;
+  void improve(std::size_t l, const Step& step, double length);
+  Result trace(const Breaks& breaks) const;
 
-  void countBreaks(const std::vector<Breaks>& end);
-  std::vector<Breaks> afterChange(const std::vector<Breaks>& breaks) const;
-  void joinAcross(std::size_t i, std::vector<Breaks>& from) const;
-  void findWays(const std::vector<Breaks>& beginning);
-  void findArrivals(std::size_t i);
-  void findDepartures(std::size_t i);
-  std::vector<Pair> bestJoins(std::size_t i, const Breaks& kind) const;
-  void improveArrival(std::size_t i, const Pair& pair, double length);
-  Result trace() const;
-
-  const std::vector<const PossiblePlaces*>& places_;
+  const std::vector<std::size_t>& row_;
   PlaceComponents& components_;
   const LengthBetween& lengthBetween_;
-  /// For each point but the last.
-  std::vector<std::vector<Pair>> pairs_;
-
-  /// For each point and place, the fewest breaks from arriving and from departing there to the end.
-  std::vector<std::vector<Breaks>> fromArrival_;
-  std::vector<std::vector<Breaks>> fromDeparture_;
-  Breaks fewest_;
-
-  /// The best ways to arrive at and to depart from a place, infinitely long where none has the
-  /// fewest breaks, and the preceding places: of the previous point, and of the same point.
-  std::vector<std::vector<Way>> arrival_;
-  std::vector<std::vector<Way>> departure_;
-  std::vector<std::vector<std::size_t>> arrivalFrom_;
-  std::vector<std::vector<std::size_t>> departureFrom_;
+  std::vector<Layer> layers_;
 };
 
-/// The fewest breaks if the way may change from one place of a point to another.
-std::vector<Breaks> RowOfPoints::afterChange(const std::vector<Breaks>& breaks) const
+RowOfPoints::Result RowOfPoints::run(std::optional<std::size_t> loopFrom)
 {
-  const Breaks changed = leastOf(breaks) + Change;
-  std::vector<Breaks> result = breaks;
-  for (Breaks& b : result)
+  Layer& first = this->layers_.front();
+  Layer& last = this->layers_.back();
+  const std::size_t count = last.places.size();
+  last.left.assign(count, loopFrom ? Change : Breaks{});
+  if (loopFrom)
   {
-    b = std::min(b, changed);
+    last.left[*loopFrom] = {};
   }
-  return result;
-}
-
-/// Adds joins from the places of a point to those of the next without a common face: a gap within a
-/// component, a disconnection between components.
-void RowOfPoints::joinAcross(std::size_t i, std::vector<Breaks>& from) const
-{
-  const std::vector<Breaks>& to = this->fromArrival_[i + 1];
-  const Breaks least = leastOf(to);
-  const auto mayImprove = [&](const Breaks& b) { return least + Gap < b; };
-  if (std::none_of(from.begin(), from.end(), mayImprove))
+  for (std::size_t l = this->layers_.size() - 1; l-- > 0;)
   {
-    return;
+    this->countBreaks(l);
   }
-  std::map<Id, Breaks> leastOfComponent;
-  for (std::size_t b = 0; b < to.size(); ++b)
+  const Breaks fewest = loopFrom ? first.left[*loopFrom] : first.leastLeft();
+  first.ways.assign(first.places.size(), {});
+  for (std::size_t a = 0; a < first.places.size(); ++a)
   {
-    Breaks& breaks = leastOfComponent.emplace(this->component(i + 1, b), to[b]).first->second;
-    breaks = std::min(breaks, to[b]);
-  }
-  for (std::size_t a = 0; a < from.size(); ++a)
-  {
-    from[a] = std::min(from[a], least + Disconnected);
-    const auto found = leastOfComponent.find(this->component(i, a));
-    if (found != leastOfComponent.end())
+    if (first.left[a] == fewest && a == loopFrom.value_or(a))
     {
-      from[a] = std::min(from[a], found->second + Gap);
+      first.ways[a] = { 0.0, static_cast<std::uint64_t>(first.places[a].kind) };
     }
   }
+  for (std::size_t l = 0; l + 1 < this->layers_.size(); ++l)
+  {
+    this->findWays(l);
+  }
+  return this->trace(fewest);
 }
 
-void RowOfPoints::countBreaks(const std::vector<Breaks>& end)
+void RowOfPoints::countBreaks(std::size_t l)
 {
-  this->fromArrival_.assign(this->places_.size(), {});
-  this->fromDeparture_.assign(this->places_.size(), {});
-  this->fromArrival_[this->last()] = end;
-  for (std::size_t i = this->last(); i-- > 0;)
+  Layer& layer = this->layers_[l];
+  const Layer& next = this->layers_[l + 1];
+  layer.left.assign(layer.places.size(), Never);
+  for (const auto& [a, b] : layer.steps)
   {
-    std::vector<Breaks> from(this->countAt(i), Never);
-    for (const Pair& pair : this->pairs_[i])
+    layer.left[a] = std::min(layer.left[a], next.left[b]);
+  }
+  for (const Breaks& kind : layer.kinds)
+  {
+    const Breaks least = next.leastLeft() + kind;
+    for (std::size_t a = 0; a < layer.left.size(); ++a)
     {
-      from[pair.from] = std::min(from[pair.from], this->fromArrival_[i + 1][pair.to]);
-    }
-    this->joinAcross(i, from);
-    this->fromArrival_[i] = this->afterChange(from);
-    this->fromDeparture_[i] = std::move(from);
-  }
-}
-
-void RowOfPoints::findWays(const std::vector<Breaks>& beginning)
-{
-  this->arrival_.assign(this->places_.size(), {});
-  this->departure_.assign(this->places_.size(), {});
-  this->arrivalFrom_.assign(this->places_.size(), {});
-  this->departureFrom_.assign(this->places_.size(), {});
-  this->fewest_ = Never;
-  for (std::size_t a = 0; a < this->countAt(0); ++a)
-  {
-    this->fewest_ = std::min(this->fewest_, beginning[a] + this->fromDeparture_[0][a]);
-  }
-  for (std::size_t a = 0; a < this->countAt(0); ++a)
-  {
-    const bool isBest = beginning[a] + this->fromDeparture_[0][a] == this->fewest_;
-    this->departure_[0].push_back(isBest ? Way{ 0.0, 0 }.to(0.0, this->place(0, a)) : Way{});
-    this->departureFrom_[0].push_back(a);
-  }
-  for (std::size_t i = 1; i <= this->last(); ++i)
-  {
-    this->findArrivals(i);
-    this->findDepartures(i);
-  }
-}
-
-/// The joins of one kind from point i to the next, without a common face, that are on ways with the
-/// fewest breaks.
-std::vector<Pair> RowOfPoints::bestJoins(std::size_t i, const Breaks& kind) const
-{
-  std::vector<Pair> joins;
-  const std::vector<Breaks>& to = this->fromArrival_[i + 1];
-  const Breaks least = kind + leastOf(to);
-  for (std::size_t a = 0; a < this->countAt(i); ++a)
-  {
-    const Breaks& left = this->fromDeparture_[i][a];
-    if (this->departure_[i][a].length == Infinity || left < least)
-    {
-      continue;
-    }
-    for (std::size_t b = 0; b < to.size(); ++b)
-    {
-      const bool areConnected = this->component(i, a) == this->component(i + 1, b);
-      if (kind + to[b] == left && areConnected == (kind == Gap))
+      for (std::size_t b = 0; b < next.left.size() && least < layer.left[a]; ++b)
       {
-        joins.push_back({ a, b });
+        const Breaks left = next.left[b] + kind;
+        if (left < layer.left[a] && this->isOf(kind, l, { a, b }))
+        {
+          layer.left[a] = left;
+        }
       }
     }
   }
-  return joins;
 }
 
-void RowOfPoints::improveArrival(std::size_t i, const Pair& pair, double length)
+void RowOfPoints::findWays(std::size_t l)
 {
-  const Way way = this->departure_[i - 1][pair.from].to(length, this->place(i, pair.to));
-  if (way.isBetterThan(this->arrival_[i][pair.to]))
+  const Layer& layer = this->layers_[l];
+  Layer& next = this->layers_[l + 1];
+  next.ways.assign(next.places.size(), {});
+  next.from.assign(next.places.size(), 0);
+  for (const Step& step : layer.steps)
   {
-    this->arrival_[i][pair.to] = way;
-    this->arrivalFrom_[i][pair.to] = pair.from;
-  }
-}
-
-void RowOfPoints::findArrivals(std::size_t i)
-{
-  this->arrival_[i].assign(this->countAt(i), {});
-  this->arrivalFrom_[i].assign(this->countAt(i), 0);
-  // All places of a point are at one point in space.
-  for (const Pair& pair : this->pairs_[i - 1])
-  {
-    if (this->fromDeparture_[i - 1][pair.from] == this->fromArrival_[i][pair.to])
+    // All places of a point are at one point in space.
+    if (layer.left[step.first] == next.left[step.second])
     {
-      this->improveArrival(i, pair, 0.0);
+      this->improve(l, step, 0.0);
     }
   }
-  for (const Pair& pair : this->bestJoins(i - 1, Disconnected))
+  for (const Breaks& kind : layer.kinds)
   {
-    this->improveArrival(i, pair, 0.0);
-  }
-  const std::vector<Pair> joins = this->bestJoins(i - 1, Gap);
-  const bool areMeasured = joins.size() <= MaximumJoins;
-  for (const Pair& pair : joins)
-  {
-    this->improveArrival(
-      i, pair, areMeasured ? this->lengthBetween_(i - 1, pair.from, pair.to) : 0.0);
-  }
-}
-
-void RowOfPoints::findDepartures(std::size_t i)
-{
-  const std::size_t count = this->countAt(i);
-  this->departure_[i].assign(count, {});
-  this->departureFrom_[i].assign(count, 0);
-  if (i == this->last())
-  {
-    return;
-  }
-  const std::vector<Breaks>& left = this->fromDeparture_[i];
-  const Breaks afterChange = leastOf(left) + Change;
-  // A change may come from any place with as many breaks left, so the best of these suffices.
-  Way changed;
-  std::size_t bestToLeave = count;
-  for (std::size_t a = 0; a < count; ++a)
-  {
-    if (this->fromArrival_[i][a] == afterChange && this->arrival_[i][a].isBetterThan(changed))
+    const std::vector<Step> steps = this->bestSteps(l, kind);
+    const bool areMeasured = kind == Gap && steps.size() <= MaximumJoins;
+    for (const auto& [a, b] : steps)
     {
-      changed = this->arrival_[i][a];
-      bestToLeave = a;
-    }
-  }
-  for (std::size_t a = 0; a < count; ++a)
-  {
-    if (this->fromArrival_[i][a] == left[a])
-    {
-      this->departure_[i][a] = this->arrival_[i][a];
-      this->departureFrom_[i][a] = a;
-    }
-    const Way way = changed.to(0.0, this->place(i, a));
-    if (bestToLeave < count && left[a] + Change == afterChange &&
-      way.isBetterThan(this->departure_[i][a]))
-    {
-      this->departure_[i][a] = way;
-      this->departureFrom_[i][a] = bestToLeave;
+      this->improve(l, { a, b }, areMeasured ? this->lengthBetween_(this->row_[l / 2], a, b) : 0.0);
     }
   }
 }
 
-RowOfPoints::Result RowOfPoints::trace() const
+/// The steps with one break that are on ways with the fewest breaks.
+std::vector<Step> RowOfPoints::bestSteps(std::size_t l, const Breaks& kind) const
 {
-  std::size_t place = 0;
-  const std::vector<Way>& ends = this->arrival_[this->last()];
-  for (std::size_t a = 1; a < ends.size(); ++a)
+  const Layer& layer = this->layers_[l];
+  const Layer& next = this->layers_[l + 1];
+  const Breaks least = next.leastLeft() + kind;
+  std::vector<Step> steps;
+  for (std::size_t a = 0; a < layer.left.size(); ++a)
   {
-    place = ends[a].isBetterThan(ends[place]) ? a : place;
+    const bool isOnWay = layer.ways[a].length < Infinity && !(layer.left[a] < least);
+    for (std::size_t b = 0; b < next.left.size() && isOnWay; ++b)
+    {
+      if (next.left[b] + kind == layer.left[a] && this->isOf(kind, l, { a, b }))
+      {
+        steps.emplace_back(a, b);
+      }
+    }
   }
-  Result result{ this->fewest_, ends[place], std::vector<ChosenPlaces>(this->places_.size()) };
-  result.places.back().arrival = place;
-  for (std::size_t i = this->last(); i > 0; --i)
-  {
-    result.places[i].arrival = place;
-    place = this->arrivalFrom_[i][place];
-    result.places[i - 1].departure = place;
-    place = this->departureFrom_[i - 1][place];
-  }
-  result.places[0].arrival = result.places[0].departure;
-  result.places.back().departure = result.places.back().arrival;
-  return result;
+  return steps;
 }
 
-/// A row that ends with its first point again: the way must return to the place from which it
-/// departs.
-RowOfPoints::Result bestLoop(RowOfPoints& row, std::size_t numberOfBeginnings)
+void RowOfPoints::improve(std::size_t l, const Step& step, double length)
+{
+  const auto [a, b] = step;
+  const bool isNewPlace = l % 2 == 0 || a != b;
+  Layer& next = this->layers_[l + 1];
+  Way way = this->layers_[l].ways[a];
+  way.length += length;
+  way.dimensions += isNewPlace ? static_cast<std::uint64_t>(next.places[b].kind) : 0;
+  if (way.isBetterThan(next.ways[b]))
+  {
+    next.ways[b] = way;
+    next.from[b] = a;
+  }
+}
+
+RowOfPoints::Result RowOfPoints::trace(const Breaks& breaks) const
+{
+  const std::vector<Way>& ends = this->layers_.back().ways;
+  const auto best = std::min_element(
+    ends.begin(), ends.end(), [](const Way& a, const Way& b) { return a.isBetterThan(b); });
+  std::vector<std::size_t> places = { static_cast<std::size_t>(best - ends.begin()) };
+  for (std::size_t l = this->layers_.size() - 1; l > 0; --l)
+  {
+    places.push_back(this->layers_[l].from[places.back()]);
+  }
+  std::reverse(places.begin(), places.end());
+  return { breaks, *best, places };
+}
+
+/// The best places of a row that ends with its first point again.
+std::vector<std::size_t> bestLoop(RowOfPoints& row, std::size_t numberOfBeginnings)
 {
   RowOfPoints::Result best;
   for (std::size_t a = 0; a < std::min(numberOfBeginnings, MaximumBeginnings); ++a)
   {
-    std::vector<Breaks> beginning(numberOfBeginnings, Never);
-    std::vector<Breaks> end(numberOfBeginnings, Change);
-    beginning[a] = {};
-    end[a] = {};
-    RowOfPoints::Result result = row.run(beginning, end);
-    if (a == 0 || result.breaks < best.breaks ||
+    RowOfPoints::Result result = row.run(a);
+    if (result.breaks < best.breaks ||
       (result.breaks == best.breaks && result.way.isBetterThan(best.way)))
     {
       best = std::move(result);
     }
   }
-  return best;
-}
-
-/// \param isLoop whether the row ends with its first point again.
-std::vector<ChosenPlaces> chooseInRow(const TriangleMesh& mesh,
-  const std::vector<const PossiblePlaces*>& places, bool isLoop, PlaceComponents& components,
-  const LengthBetween& lengthBetween)
-{
-  const auto isChoice = [](const PossiblePlaces* p) { return p->size() > 1; };
-  if (std::none_of(places.begin(), places.end(), isChoice))
-  {
-    return std::vector<ChosenPlaces>(places.size());
-  }
-  RowOfPoints row(mesh, places, components, lengthBetween);
-  if (isLoop)
-  {
-    return bestLoop(row, places.front()->size()).places;
-  }
-  const std::vector<Breaks> beginning(places.front()->size());
-  const std::vector<Breaks> end(places.back()->size());
-  return row.run(beginning, end).places;
+  return best.places;
 }
 
 } // anonymous namespace
@@ -451,46 +335,43 @@ std::vector<ChosenPlaces> choosePlaces(const TriangleMesh& mesh,
 {
   const std::size_t count = places.size();
   std::vector<ChosenPlaces> result(count);
-  if (count < 2)
+  if (count == 1)
   {
-    const auto isOnLess = [](const SurfacePoint& a, const SurfacePoint& b)
-    { return a.kind < b.kind; };
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const auto best = std::min_element(places[i].begin(), places[i].end(), isOnLess);
-      result[i].arrival = static_cast<std::size_t>(best - places[i].begin());
-      result[i].departure = result[i].arrival;
-    }
+    const auto best = std::min_element(places[0].begin(), places[0].end(),
+      [](const SurfacePoint& a, const SurfacePoint& b) { return a.kind < b.kind; });
+    result[0].arrival = static_cast<std::size_t>(best - places[0].begin());
+    result[0].departure = result[0].arrival;
     return result;
   }
   // A closed polyline begins and ends at a point with the fewest places.
   const auto fewest = std::min_element(places.begin(), places.end(),
     [](const PossiblePlaces& a, const PossiblePlaces& b) { return a.size() < b.size(); });
   const auto first = closed ? static_cast<std::size_t>(fewest - places.begin()) : std::size_t(0);
-  const auto at = [&](std::size_t i) { return (first + i) % count; };
   const std::size_t last = closed ? count : count - 1;
 
   // A point with a single place separates the polyline into independent rows.
-  for (std::size_t begin = 0, end = 1; begin < last; begin = end, ++end)
+  const auto isChoice = [&](std::size_t point) { return places[point].size() > 1; };
+  std::vector<std::size_t> row = { first };
+  for (std::size_t i = 1; i <= last; ++i)
   {
-    while (end < last && places[at(end)].size() > 1)
+    row.push_back((first + i) % count);
+    if (i < last && isChoice(row.back()))
     {
-      ++end;
+      continue;
     }
-    std::vector<const PossiblePlaces*> row;
-    for (std::size_t i = begin; i <= end; ++i)
+    if (std::any_of(row.begin(), row.end(), isChoice))
     {
-      row.push_back(&places[at(i)]);
+      RowOfPoints search(mesh, places, row, components, lengthBetween);
+      const bool isLoop = closed && row.size() > last;
+      const std::vector<std::size_t> best =
+        isLoop ? bestLoop(search, places[first].size()) : search.run({}).places;
+      for (std::size_t k = 0; k + 1 < row.size(); ++k)
+      {
+        result[row[k]].departure = best[2 * k];
+        result[row[k + 1]].arrival = best[2 * k + 1];
+      }
     }
-    const auto lengthInRow = [&](std::size_t point, std::size_t from, std::size_t to)
-    { return lengthBetween(at(begin + point), from, to); };
-    const bool isLoop = closed && end - begin == last;
-    const std::vector<ChosenPlaces> best = chooseInRow(mesh, row, isLoop, components, lengthInRow);
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      result[at(i)].departure = best[i - begin].departure;
-      result[at(i + 1)].arrival = best[i + 1 - begin].arrival;
-    }
+    row = { row.back() };
   }
   if (!closed)
   {

@@ -249,10 +249,10 @@ void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFac
   }
   const bool near = -p.y <= tolerance::NearEdge * length;
   Interval interval{ 0.0, length };
-  const CurveWedge::Bounds bounds = from.wedge.boundsIn(source.face);
-  for (const WedgeBound* bound = bounds.first; bound != bounds.second && !near; ++bound)
+  const auto bounds = from.wedge.equal_range(source.face);
+  for (auto bound = bounds.first; bound != bounds.second && !near; ++bound)
   {
-    const Vec2 u = directionInLeavingFrame(mesh, halfedge, *bound);
+    const Vec2 u = directionInLeavingFrame(mesh, halfedge, bound->second);
     interval.clip(dot(p, u) + std::abs(u.x) * tolerance::Rounding * length, -u.x);
   }
   const double depth = std::max(-p.y, tolerance::SourceDepth * length);

@@ -25,18 +25,6 @@ std::vector<Vec3> placesOf(const std::vector<LocatedPolyline>& polylines)
   return places;
 }
 
-/// For each point of a polyline the index of its place.
-std::vector<std::size_t> indicesOf(const LocatedPolyline& polyline, const LocatedPlaces& located)
-{
-  std::vector<std::size_t> indices;
-  indices.reserve(polyline.points.size());
-  for (const Vec3& p : polyline.points)
-  {
-    indices.push_back(located.indexOf(p));
-  }
-  return indices;
-}
-
 /// Whether a vertex of the first place and one of the second are in one face.
 bool haveCommonFace(
   const TriangleMesh& mesh, const std::vector<Id>& first, const std::vector<Id>& second)
@@ -57,13 +45,15 @@ bool haveCommonFace(
 /// Whether a polyline runs from vertex to vertex, always in one face. No other equally close face
 /// could be better then.
 bool isAlongEdges(const TriangleMesh& mesh, const LocatedPolyline& polyline,
-  const std::vector<std::size_t>& indices, const std::vector<std::vector<Id>>& vertices)
+  const LocatedPlaces& located, const std::vector<std::vector<Id>>& vertices)
 {
-  for (std::size_t i = 0; i < indices.size(); ++i)
+  const std::size_t count = polyline.points.size();
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const bool isLast = i + 1 == indices.size();
+    const bool isLast = i + 1 == count;
     const std::size_t next = isLast ? (polyline.closed ? 0 : i) : i + 1;
-    if (!haveCommonFace(mesh, vertices[indices[i]], vertices[indices[next]]))
+    if (!haveCommonFace(mesh, vertices[located.indexOf(polyline.points[i])],
+          vertices[located.indexOf(polyline.points[next])]))
     {
       return false;
     }
@@ -132,12 +122,11 @@ std::vector<std::uint8_t> PolylineLocator::placesToSearch(
   std::vector<std::uint8_t> isSearched(located.places.size(), isDistributed ? 1 : 0);
   for (const LocatedPolyline& polyline : polylines)
   {
-    const std::vector<std::size_t> indices = indicesOf(polyline, located);
-    if (!isDistributed && !isAlongEdges(this->surface_.mesh(), polyline, indices, vertices))
+    if (!isDistributed && !isAlongEdges(this->surface_.mesh(), polyline, located, vertices))
     {
-      for (const std::size_t i : indices)
+      for (const Vec3& p : polyline.points)
       {
-        isSearched[i] = 1;
+        isSearched[located.indexOf(p)] = 1;
       }
     }
   }

@@ -19,14 +19,9 @@ namespace
 /// Points put onto the surface between two calls of the progress callback.
 constexpr std::size_t PointsPerReport = 256;
 
-/// A point of a polyline on the surface.
-struct PlacedPoint
+/// A place of a polyline's point on the surface.
+struct PlacedPoint : SnappedPoint
 {
-  SurfacePoint point;
-  Vec3 position;
-  double tolerance;
-  /// The distance to the point in space.
-  double distance;
   /// Index in the given polyline.
   std::size_t index;
 };
@@ -60,133 +55,6 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
   }
 }
 
-/// Reports how many points of all polylines are done.
-class PointProgress
-{
-public:
-  PointProgress(const ProgressCallback& callback, std::size_t numberOfPoints)
-    : callback_(callback)
-    , numberOfPoints_(static_cast<double>(numberOfPoints))
-  {
-  }
-
-  /// \param point index in the current polyline, with the fraction of the way to the next point.
-  /// \throws Aborted
-  void report(double point)
-  {
-    const double fraction = (this->pointsDone_ + point) / this->numberOfPoints_;
-    this->reported_ = std::clamp(fraction, this->reported_, 1.0); // never decreases
-    reportProgress(this->callback_, this->reported_);
-  }
-
-  /// To be called for each point that was put onto the surface.
-  ///
-  /// \throws Aborted
-  void countPlaced()
-  {
-    if (this->pointsPlaced_++ % PointsPerReport == 0)
-    {
-      this->report(0.0);
-    }
-  }
-
-  void finish(const LocatedPolyline& polyline)
-  {
-    this->pointsDone_ += static_cast<double>(polyline.points.size());
-  }
-
-private:
-  const ProgressCallback& callback_;
-  const double numberOfPoints_;
-  std::size_t pointsPlaced_ = 0;
-  /// Points of the finished polylines.
-  double pointsDone_ = 0.0;
-  double reported_ = 0.0;
-};
-
-/// Joins placed points into curves.
-class CurveJoiner
-{
-public:
-  CurveJoiner(const TriangleMesh& mesh, const JoinPoints& join, PointProgress& progress)
-    : mesh_(mesh)
-    , join_(join)
-    , progress_(progress)
-  {
-  }
-
-  /// \param name of the polyline, for error messages.
-  SourceCurve run(const PlacedLine& line, const std::string& name)
-  {
-    SourceCurve curve;
-    curve.points = { line.front().point };
-    curve.isCut = { 0 };
-    for (std::size_t i = 1; i < line.size(); ++i)
-    {
-      this->append(this->pathBetween(line[i - 1], line[i], name), curve);
-    }
-    return curve;
-  }
-
-  /// The length of the path that joins two points without a common face.
-  double lengthBetween(const PlacedPoint& from, const PlacedPoint& to, const std::string& name)
-  {
-    const std::vector<SurfacePoint> path = this->joinFar(from, to, name);
-    double length = 0.0;
-    for (std::size_t i = 1; i < path.size(); ++i)
-    {
-      length += distanceInSpace(this->mesh_, path[i - 1], path[i]);
-    }
-    return length;
-  }
-
-private:
-  std::vector<SurfacePoint> pathBetween(
-    const PlacedPoint& from, const PlacedPoint& to, const std::string& name)
-  {
-    const bool isNear = commonFace(this->mesh_, from.point, to.point) != NoId;
-    return isNear ? std::vector<SurfacePoint>{ from.point, to.point }
-                  : this->joinFar(from, to, name);
-  }
-
-  std::vector<SurfacePoint> joinFar(
-    const PlacedPoint& from, const PlacedPoint& to, const std::string& name)
-  {
-    const auto report = [&](double fraction)
-    {
-      this->progress_.report(static_cast<double>(from.index) + fraction);
-      return true;
-    };
-    std::vector<SurfacePoint> path = this->join_(from.point, to.point, report);
-    if (path.empty())
-    {
-      throw SourceError("Points " + std::to_string(from.index) + " and " +
-        std::to_string(to.index) + " of " + name +
-        " are on different components of the surface, so that no path on it joins them. Split the "
-        "polyline between them, or connect the surface.");
-    }
-    return path;
-  }
-
-  /// Appends a path that begins at the curve's last point. Edges merely cut it; at vertices it may
-  /// bend.
-  void append(const std::vector<SurfacePoint>& path, SourceCurve& curve) const
-  {
-    for (std::size_t i = 1; i < path.size(); ++i)
-    {
-      const bool isInner = i + 1 < path.size();
-      const bool isCut = isInner && path[i].kind == SurfacePoint::Kind::Edge;
-      curve.faces.push_back(commonFace(this->mesh_, path[i - 1], path[i]));
-      curve.points.push_back(path[i]);
-      curve.isCut.push_back(isCut ? 1 : 0);
-    }
-  }
-
-  const TriangleMesh& mesh_;
-  const JoinPoints& join_;
-  PointProgress& progress_;
-};
-
 /// Whether two places of one point share a face, or faces without area lie between them.
 bool areJoined(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
 {
@@ -217,78 +85,103 @@ bool areJoined(const TriangleMesh& mesh, const SurfacePoint& from, const Surface
   return isReached;
 }
 
-/// Chooses the places of a polyline's points.
-class PointPlacer
+/// Puts polylines onto the surface, one after another: chooses the places of their points, leaves
+/// out those that repeat their predecessors, and joins the others to curves.
+class PolylinePutter
 {
 public:
-  PointPlacer(const TriangleMesh& mesh, double coordinatePrecision, PointProgress& progress,
-    CurveJoiner& joiner)
+  PolylinePutter(const TriangleMesh& mesh, const SnapOptions& options, const JoinPoints& join,
+    const ProgressCallback& progress, std::size_t numberOfPoints)
     : mesh_(mesh)
-    , coordinatePrecision_(coordinatePrecision)
-    , progress_(progress)
-    , joiner_(joiner)
+    , options_(options)
+    , join_(join)
+    , progress_(ascending(progress))
+    , numberOfPoints_(static_cast<double>(numberOfPoints))
     , components_(mesh)
   {
   }
 
-  /// The polyline on the surface: several lines if it changes from one sheet to another. A closed
-  /// polyline that stays whole ends in its first point.
-  std::vector<PlacedLine> run(const LocatedPolyline& polyline)
+  void put(const LocatedPolyline& polyline)
   {
-    std::vector<PlacedLine> places; // of each point
-    for (std::size_t i = 0; i < polyline.points.size(); ++i)
+    const std::vector<PlacedLine> places = this->placesOf(polyline);
+    const std::vector<PlacedLine> lines =
+      this->linesThrough(places, this->choose(places, polyline), polyline.closed);
+    const bool isClosed = polyline.closed && lines.size() == 1;
+    for (const PlacedLine& line : lines)
     {
-      this->progress_.countPlaced();
-      places.push_back(this->placesOf(polyline, i));
+      this->result_.curves.push_back(
+        this->join(this->withoutRepeats(line, polyline, isClosed), polyline.name));
+      this->result_.curves.back().source = polyline.source;
     }
-    return this->linesThrough(places, this->choose(places, polyline), polyline.closed);
+    this->pointsDone_ += static_cast<double>(polyline.points.size());
   }
 
+  SourceCurves take() { return std::move(this->result_); }
+
 private:
-  /// The different places on a point's faces; faces that meet in its vertex or edge give the same
-  /// place.
-  std::vector<PlacedPoint> placesOf(const LocatedPolyline& polyline, std::size_t index) const
+  /// \param point index in the current polyline, with the fraction of the way to the next point.
+  /// \throws Aborted
+  void report(double point) const
   {
-    std::vector<PlacedPoint> places;
-    std::set<std::pair<SurfacePoint::Kind, Id>> elements;
-    for (const Id face : polyline.faces[index])
+    reportProgress(this->progress_, (this->pointsDone_ + point) / this->numberOfPoints_);
+  }
+
+  /// For each point the different places on its faces; faces that meet in its vertex or edge give
+  /// the same place.
+  std::vector<PlacedLine> placesOf(const LocatedPolyline& polyline)
+  {
+    std::vector<PlacedLine> places(polyline.points.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
     {
-      const SnappedPoint snapped =
-        snapToFace(this->mesh_, face, polyline.points[index], this->coordinatePrecision_);
-      const SurfacePoint& place = snapped.place;
-      const Id element =
-        place.kind == SurfacePoint::Kind::Edge ? this->mesh_.edgeOf(place.id) : place.id;
-      if (elements.emplace(place.kind, element).second)
+      if (this->pointsPlaced_++ % PointsPerReport == 0)
       {
-        places.push_back(
-          { place, position(this->mesh_, place), snapped.tolerance, snapped.distance, index });
+        this->report(0.0);
+      }
+      std::set<std::pair<SurfacePoint::Kind, Id>> elements;
+      for (const Id face : polyline.faces[i])
+      {
+        const SnappedPoint snapped =
+          snapToFace(this->mesh_, face, polyline.points[i], this->options_.coordinatePrecision);
+        const SurfacePoint& p = snapped.place;
+        const Id element = p.kind == SurfacePoint::Kind::Edge ? this->mesh_.edgeOf(p.id) : p.id;
+        if (elements.emplace(p.kind, element).second)
+        {
+          places[i].push_back({ snapped, i });
+        }
       }
     }
     return places;
   }
 
   std::vector<ChosenPlaces> choose(
-    const std::vector<std::vector<PlacedPoint>>& places, const LocatedPolyline& polyline)
+    const std::vector<PlacedLine>& places, const LocatedPolyline& polyline)
   {
     std::vector<PossiblePlaces> possible(places.size());
     for (std::size_t i = 0; i < places.size(); ++i)
     {
-      for (const PlacedPoint& place : places[i])
+      for (const PlacedPoint& placed : places[i])
       {
-        possible[i].push_back(place.point);
+        possible[i].push_back(placed.place);
       }
     }
     const LengthBetween lengthBetween = [&](std::size_t point, std::size_t from, std::size_t to)
     {
-      return this->joiner_.lengthBetween(
-        places[point][from], places[(point + 1) % places.size()][to], polyline.name);
+      const PlacedPoint& next = places[(point + 1) % places.size()][to];
+      const std::vector<SurfacePoint> path =
+        this->joinFar(places[point][from], next, polyline.name);
+      double length = 0.0;
+      for (std::size_t i = 1; i < path.size(); ++i)
+      {
+        length += distanceInSpace(this->mesh_, path[i - 1], path[i]);
+      }
+      return length;
     };
     return choosePlaces(this->mesh_, possible, polyline.closed, this->components_, lengthBetween);
   }
 
-  /// Cuts the polyline where it changes from one sheet to another. Places on both sides of faces
+  /// Several lines if the polyline changes from one sheet to another. Places on both sides of faces
   /// without area are on one sheet.
-  std::vector<PlacedLine> linesThrough(const std::vector<std::vector<PlacedPoint>>& places,
+  std::vector<PlacedLine> linesThrough(const std::vector<PlacedLine>& places,
     const std::vector<ChosenPlaces>& chosen, bool closed) const
   {
     const std::size_t count = places.size();
@@ -296,17 +189,16 @@ private:
     {
       const auto [arrival, departure] = chosen[i];
       return arrival != departure &&
-        !areJoined(this->mesh_, places[i][arrival].point, places[i][departure].point);
+        !areJoined(this->mesh_, places[i][arrival].place, places[i][departure].place);
     };
-    std::size_t change = 0;
-    while (change < count && !isChange(change))
+    std::size_t first = closed ? 0 : count;
+    while (first < count && !isChange(first))
     {
-      ++change;
+      ++first;
     }
-    const bool isCutOpen = closed && change < count;
-    const std::size_t first = isCutOpen ? change : 0;
-    std::vector<PlacedLine> lines(1);
-    lines.back().push_back(places[first][chosen[first].departure]);
+    const bool isCutOpen = first < count;
+    first = isCutOpen ? first : 0;
+    std::vector<PlacedLine> lines = { { places[first][chosen[first].departure] } };
     for (std::size_t i = 1; i < count + (isCutOpen ? 1 : 0); ++i)
     {
       const std::size_t at = (first + i) % count;
@@ -319,89 +211,120 @@ private:
     return lines;
   }
 
-  const TriangleMesh& mesh_;
-  const double coordinatePrecision_;
-  PointProgress& progress_;
-  CurveJoiner& joiner_;
-  PlaceComponents components_;
-};
-
-/// Removes points that repeat their predecessors, and closes lines.
-class RepeatRemover
-{
-public:
-  explicit RepeatRemover(const TriangleMesh& mesh)
-    : mesh_(mesh)
-  {
-  }
-
-  Id repeatedPoints() const { return this->repeatedPoints_; }
-  double snapDistance() const { return this->snapDistance_; }
-
-  /// \param closed whether the line's last point joins its first.
-  PlacedLine run(const LocatedPolyline& polyline, const PlacedLine& line, bool closed)
-  {
-    PlacedLine kept;
-    for (const PlacedPoint& next : line)
-    {
-      this->snapDistance_ = std::max(this->snapDistance_, next.distance);
-      if (!kept.empty() && this->isOnePlace(kept.back(), next))
-      {
-        this->leaveOut(polyline, next, kept.back());
-        continue;
-      }
-      kept.push_back(next);
-    }
-    this->close(polyline, closed, kept);
-    return kept;
-  }
-
-private:
   /// Whether two places are one, as the direction between them would be rounding. Two vertices
   /// never are.
   bool isOnePlace(const PlacedPoint& a, const PlacedPoint& b) const
   {
-    if (samePlace(this->mesh_, a.point, b.point))
+    if (samePlace(this->mesh_, a.place, b.place))
     {
       return true;
     }
     const bool areVertices =
-      a.point.kind == SurfacePoint::Kind::Vertex && b.point.kind == SurfacePoint::Kind::Vertex;
-    return !areVertices && norm(a.position - b.position) <= std::min(a.tolerance, b.tolerance) &&
-      commonFace(this->mesh_, a.point, b.point) != NoId;
+      a.place.kind == SurfacePoint::Kind::Vertex && b.place.kind == SurfacePoint::Kind::Vertex;
+    return !areVertices &&
+      norm(position(this->mesh_, a.place) - position(this->mesh_, b.place)) <=
+      std::min(a.tolerance, b.tolerance) &&
+      commonFace(this->mesh_, a.place, b.place) != NoId;
+  }
+
+  void noteDistance(double distance)
+  {
+    this->result_.snapDistance = std::max(this->result_.snapDistance, distance);
   }
 
   void leaveOut(
-    const LocatedPolyline& polyline, const PlacedPoint& repeated, const PlacedPoint& kept)
+    const PlacedPoint& repeated, const PlacedPoint& kept, const LocatedPolyline& polyline)
   {
-    ++this->repeatedPoints_;
-    this->snapDistance_ =
-      std::max(this->snapDistance_, norm(polyline.points[repeated.index] - kept.position));
+    ++this->result_.repeatedPoints;
+    this->noteDistance(norm(polyline.points[repeated.index] - position(this->mesh_, kept.place)));
   }
 
-  /// Ends a closed line, and an open one that returns to its first place, exactly there.
-  void close(const LocatedPolyline& polyline, bool closed, PlacedLine& kept)
+  /// A closed line, and an open one that returns to its first place, ends exactly there.
+  ///
+  /// \param closed whether the line's last point joins its first.
+  PlacedLine withoutRepeats(const PlacedLine& line, const LocatedPolyline& polyline, bool closed)
   {
-    const bool comesBack = kept.size() > 1 && this->isOnePlace(kept.front(), kept.back());
-    if (comesBack)
+    PlacedLine kept;
+    for (const PlacedPoint& next : line)
+    {
+      this->noteDistance(next.distance);
+      if (!kept.empty() && this->isOnePlace(kept.back(), next))
+      {
+        this->leaveOut(next, kept.back(), polyline);
+        continue;
+      }
+      kept.push_back(next);
+    }
+    if (kept.size() > 1 && this->isOnePlace(kept.front(), kept.back()))
     {
       const PlacedPoint last = kept.back();
       kept.back() = kept.front();
       kept.back().index = last.index;
-      this->leaveOut(polyline, last, kept.front());
+      this->leaveOut(last, kept.front(), polyline);
       // An open line's last point was given by the user; a closed line repeats its first point
       // instead.
-      this->repeatedPoints_ -= closed ? 0 : 1;
+      this->result_.repeatedPoints -= closed ? 0 : 1;
     }
     else if (closed && kept.size() > 1)
     {
       kept.push_back(kept.front());
     }
+    return kept;
+  }
+
+  /// Edges merely cut the curve; at vertices on its way it may bend.
+  ///
+  /// \param name of the polyline, for error messages.
+  SourceCurve join(const PlacedLine& line, const std::string& name) const
+  {
+    SourceCurve curve = pointCurve(line.front().place);
+    for (std::size_t n = 1; n < line.size(); ++n)
+    {
+      std::vector<SurfacePoint> path = { line[n - 1].place, line[n].place };
+      if (commonFace(this->mesh_, path[0], path[1]) == NoId)
+      {
+        path = this->joinFar(line[n - 1], line[n], name);
+      }
+      for (std::size_t i = 1; i < path.size(); ++i)
+      {
+        const bool isCut = i + 1 < path.size() && path[i].kind == SurfacePoint::Kind::Edge;
+        curve.faces.push_back(commonFace(this->mesh_, path[i - 1], path[i]));
+        curve.points.push_back(path[i]);
+        curve.isCut.push_back(isCut ? 1 : 0);
+      }
+    }
+    return curve;
+  }
+
+  std::vector<SurfacePoint> joinFar(
+    const PlacedPoint& from, const PlacedPoint& to, const std::string& name) const
+  {
+    const auto report = [&](double fraction)
+    {
+      this->report(static_cast<double>(from.index) + fraction);
+      return true;
+    };
+    std::vector<SurfacePoint> path = this->join_(from.place, to.place, report);
+    if (path.empty())
+    {
+      throw SourceError("Points " + std::to_string(from.index) + " and " +
+        std::to_string(to.index) + " of " + name +
+        " are on different components of the surface, so that no path on it joins them. Split the "
+        "polyline between them, or connect the surface.");
+    }
+    return path;
   }
 
   const TriangleMesh& mesh_;
-  Id repeatedPoints_ = 0;
-  double snapDistance_ = 0.0;
+  const SnapOptions& options_;
+  const JoinPoints& join_;
+  const ProgressCallback progress_;
+  const double numberOfPoints_;
+  /// Points of the finished polylines.
+  double pointsDone_ = 0.0;
+  std::size_t pointsPlaced_ = 0;
+  PlaceComponents components_;
+  SourceCurves result_;
 };
 
 } // anonymous namespace
@@ -415,26 +338,12 @@ SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedP
     check(mesh, polyline);
     numberOfPoints += polyline.points.size();
   }
-  SourceCurves result;
-  PointProgress pointProgress(progress, numberOfPoints);
-  CurveJoiner joiner(mesh, join, pointProgress);
-  PointPlacer placer(mesh, options.coordinatePrecision, pointProgress, joiner);
-  RepeatRemover remover(mesh);
+  PolylinePutter putter(mesh, options, join, progress, numberOfPoints);
   for (const LocatedPolyline& polyline : polylines)
   {
-    const std::vector<PlacedLine> lines = placer.run(polyline);
-    const bool isWhole = lines.size() == 1;
-    for (const PlacedLine& line : lines)
-    {
-      const PlacedLine kept = remover.run(polyline, line, isWhole && polyline.closed);
-      result.curves.push_back(joiner.run(kept, polyline.name));
-      result.curves.back().source = polyline.source;
-    }
-    pointProgress.finish(polyline);
+    putter.put(polyline);
   }
-  result.snapDistance = remover.snapDistance();
-  result.repeatedPoints = remover.repeatedPoints();
-  return result;
+  return putter.take();
 }
 
 }

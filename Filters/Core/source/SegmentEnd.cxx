@@ -118,17 +118,18 @@ void setOnward(const TriangleMesh& mesh, const SourceCurve& curve, const std::ve
   }
 }
 
-/// Adds the end at point i of the segment towards the next or the previous point.
-void addEnd(const TriangleMesh& mesh, const SourceCurve& curve, Id number,
-  const std::vector<double>& places, std::size_t i, bool isForward, std::vector<SegmentEnd>& ends)
+/// Adds the end at a point of the segment towards the next or the previous one.
+void addEnd(const TriangleMesh& mesh, const CurveChains& chains, const CurveChains::Point& at,
+  bool isForward, std::vector<SegmentEnd>& ends)
 {
-  const Step step = stepFrom(curve, i, isForward);
+  const SourceCurve& curve = chains.curves()[at.chain];
+  const Step step = stepFrom(curve, at.i, isForward);
   const std::vector<Step> steps =
     step.segment != None ? stepsOnward(mesh, curve, step, isForward) : std::vector<Step>();
   if (!steps.empty())
   {
-    ends.push_back({ curve.points[i], curve.points[step.to], curve.faces[step.segment], number,
-      places[i], isForward });
+    ends.push_back({ curve.points[at.i], curve.points[step.to], curve.faces[step.segment], at.chain,
+      chains.places(at.chain)[at.i], isForward });
     if (steps.size() > 1)
     {
       setOnward(mesh, curve, steps, ends.back());
@@ -138,24 +139,25 @@ void addEnd(const TriangleMesh& mesh, const SourceCurve& curve, Id number,
 
 } // anonymous namespace
 
-std::vector<SegmentEnd> segmentEndsAt(const TriangleMesh& mesh, const SourceCurve& curve, Id number,
-  const std::vector<double>& places, std::size_t i)
+std::vector<SegmentEnd> segmentEndsAt(
+  const TriangleMesh& mesh, const CurveChains& chains, const CurveChains::Point& at)
 {
   std::vector<SegmentEnd> ends;
-  addEnd(mesh, curve, number, places, i, true, ends);
-  addEnd(mesh, curve, number, places, i, false, ends);
+  addEnd(mesh, chains, at, true, ends);
+  addEnd(mesh, chains, at, false, ends);
   return ends;
 }
 
-std::vector<SegmentEnd> segmentEndsAround(const TriangleMesh& mesh, const SourceCurve& curve,
-  Id number, const std::vector<double>& places, std::size_t i)
+std::vector<SegmentEnd> segmentEndsAround(
+  const TriangleMesh& mesh, const CurveChains& chains, const CurveChains::Point& at)
 {
   std::vector<SegmentEnd> ends;
   for (const bool isForward : { true, false })
   {
-    std::size_t last = i;
-    forEachAtOnePlace(mesh, curve, i, isForward, [&last](std::size_t point) { last = point; });
-    addEnd(mesh, curve, number, places, last, isForward, ends);
+    CurveChains::Point last = at;
+    forEachAtOnePlace(
+      mesh, chains.curves()[at.chain], at.i, isForward, [&last](std::size_t i) { last.i = i; });
+    addEnd(mesh, chains, last, isForward, ends);
   }
   return ends;
 }

@@ -4,7 +4,7 @@
 
 #include "mesh/HalfedgeFrame.h"
 #include "mesh/TriangleMesh.h"
-#include "source/SourceCurve.h"
+#include "source/CurveChains.h"
 
 #include <vector>
 
@@ -31,19 +31,15 @@ struct SegmentEnd
 /// normalized.
 Vec2 directionIn(const TriangleMesh& mesh, const SegmentEnd& end, Id halfedge);
 
-/// The ends of the segments of a curve that meet in its point i: two inside the curve, one at its
-/// ends, none if the curve is a point. A segment without length, as in a face without area, counts
-/// only if the curve continues from it across edges.
-///
-/// \param curve with normalized points.
-/// \param number of the curve.
-/// \param places the points' places along it: placesAlong().
-std::vector<SegmentEnd> segmentEndsAt(const TriangleMesh& mesh, const SourceCurve& curve, Id number,
-  const std::vector<double>& places, std::size_t i);
+/// The ends of the segments that meet in a point of a chain: two inside the chain, one at its ends,
+/// none if the chain is a point. A segment without length, as in a face without area, counts only
+/// if the chain continues from it across edges.
+std::vector<SegmentEnd> segmentEndsAt(
+  const TriangleMesh& mesh, const CurveChains& chains, const CurveChains::Point& at);
 
-/// The same of all points at the place of point i, which segments without length join.
-std::vector<SegmentEnd> segmentEndsAround(const TriangleMesh& mesh, const SourceCurve& curve,
-  Id number, const std::vector<double>& places, std::size_t i);
+/// The same of all points at the place of the point, which segments without length join.
+std::vector<SegmentEnd> segmentEndsAround(
+  const TriangleMesh& mesh, const CurveChains& chains, const CurveChains::Point& at);
 
 /// The other vertices at the place of point i of a curve, behind faces without area. None where the
 /// curve is merely cut, and for a curve that is a point.

@@ -6,6 +6,34 @@
 namespace geodesic
 {
 
+std::vector<SourceInFace> segmentsInFaces(
+  const TriangleMesh& mesh, const SourceCurve& curve, Id number, const std::vector<double>& places)
+{
+  std::vector<SourceInFace> segments;
+  for (std::size_t i = 0; i < curve.faces.size(); ++i)
+  {
+    const SurfacePoint& p = curve.points[i];
+    const SurfacePoint& q = curve.points[i + 1];
+    const auto add = [&](Id face)
+    {
+      segments.push_back({ face, barycentric(mesh, p, face), barycentric(mesh, q, face), number,
+        places[i], places[i + 1] });
+    };
+    add(curve.faces[i]);
+    const SourceInFace segment = segments.back();
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id halfedge = 3 * segment.face + static_cast<Id>(k);
+      for (Id s = mesh.nextSibling(halfedge); runsAlong(k, segment.a, segment.b) && s != halfedge;
+           s = mesh.nextSibling(s))
+      {
+        add(TriangleMesh::faceOf(s));
+      }
+    }
+  }
+  return segments;
+}
+
 double nearestAlongSource(
   const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& point)
 {

@@ -3,7 +3,9 @@
 #define geodesic_SourceInFace_h
 
 #include "mesh/HalfedgeFrame.h"
-#include "mesh/SurfacePoint.h"
+#include "source/SourceCurve.h"
+
+#include <vector>
 
 namespace geodesic
 {
@@ -26,25 +28,13 @@ inline bool runsAlong(std::size_t k, const Barycentric& a, const Barycentric& b)
   return a[(k + 2) % 3] == 0.0 && b[(k + 2) % 3] == 0.0;
 }
 
-/// Calls visit(Id face) for the face of a segment from p to q, or, if the segment runs along an
-/// edge, for all faces at that edge.
-template <typename Visit>
-void forEachFaceOfSegment(
-  const TriangleMesh& mesh, Id face, const SurfacePoint& p, const SurfacePoint& q, Visit&& visit)
-{
-  visit(face);
-  const Barycentric a = barycentric(mesh, p, face);
-  const Barycentric b = barycentric(mesh, q, face);
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const Id halfedge = 3 * face + static_cast<Id>(k);
-    for (Id s = mesh.nextSibling(halfedge); runsAlong(k, a, b) && s != halfedge;
-         s = mesh.nextSibling(s))
-    {
-      visit(TriangleMesh::faceOf(s));
-    }
-  }
-}
+/// The segments of a curve in their order, each in its face or, if it runs along an edge, in all
+/// faces at that edge.
+///
+/// \param number of the curve.
+/// \param places the places of its points.
+std::vector<SourceInFace> segmentsInFaces(
+  const TriangleMesh& mesh, const SourceCurve& curve, Id number, const std::vector<double>& places);
 
 /// Where along a segment (a at 0, b at 1) the point nearest to a given point of its face is, by
 /// straight distance in the face.

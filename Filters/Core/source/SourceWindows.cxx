@@ -2,11 +2,8 @@
 #include "source/SourceWindows.h"
 
 #include "Tolerance.h"
-#include "source/CurveChains.h"
-#include "source/CurveWedge.h"
+#include "source/CurvesOnPatch.h"
 #include "source/PointWindows.h"
-#include "source/SegmentWindows.h"
-#include "source/VerticesOnCurves.h"
 
 #include <algorithm>
 
@@ -16,83 +13,42 @@ namespace geodesic
 namespace
 {
 
-/// Reports the number of finished points every so many steps, even within a point.
-class StepProgress
-{
-public:
-  StepProgress(const ProgressCallback& callback, std::size_t points)
-    : callback_(callback)
-    , points_(points)
-  {
-  }
-
-  void nextPoint()
-  {
-    this->done_ = std::min(this->done_ + 1, this->points_);
-    this->step();
-  }
-
-  /// \throws Aborted
-  void step()
-  {
-    constexpr std::size_t stepsPerReport = 4096;
-    if (++this->steps_ % stepsPerReport == 0)
-    {
-      reportProgress(
-        this->callback_, static_cast<double>(this->done_) / static_cast<double>(this->points_));
-    }
-  }
-
-private:
-  const ProgressCallback& callback_;
-  std::size_t points_;
-  std::size_t done_ = 0;
-  std::size_t steps_ = 0;
-};
-
-std::size_t numberOfPoints(const std::vector<SourceCurve>& curves)
-{
-  std::size_t count = 0;
-  for (const SourceCurve& curve : curves)
-  {
-    count += curve.points.size();
-  }
-  return count;
-}
-
-/// Whether segment i of a curve merely crosses a face without area: it is as long as roundings of
-/// the curve's points, which turn it anywhere. This leaves gaps of its length.
+/// Whether a segment merely crosses a face without area: it is as long as roundings of the points
+/// of its curve, which turn it anywhere. This leaves gaps of its length.
 bool isAcrossWithoutArea(
-  const TriangleMesh& mesh, Id face, const std::vector<double>& places, std::size_t i)
+  const TriangleMesh& mesh, const SourceInFace& segment, double lengthOfCurve)
 {
-  return mesh.shape(face).hasZeroArea() &&
-    places[i + 1] - places[i] <=
-    tolerance::PathAtVertex * (places.back() + mesh.shape(face).longest());
+  const FaceShape& shape = mesh.shape(segment.face);
+  return shape.hasZeroArea() &&
+    segment.placeOfB - segment.placeOfA <=
+    tolerance::PathAtVertex * (lengthOfCurve + shape.longest());
 }
 
 class Maker
 {
 public:
-  Maker(const TriangleMesh& mesh, const CurveChains& chains, StepProgress& progress)
+  Maker(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves,
+    const ProgressCallback& progress)
     : mesh_(mesh)
-    , chains_(chains)
+    , curves_(ReplicatedPatch(mesh), curves)
     , progress_(progress)
-    , wedge_(mesh)
     , sectors_(mesh)
     , directions_(mesh)
   {
+    for (const SourceCurve& curve : this->chains().curves())
+    {
+      this->numberOfPoints_ += curve.points.size();
+    }
   }
 
   SourceWindows make()
   {
-    for (const SourceCurve& curve : this->chains_.curves())
+    for (Id chain = 0; chain < this->chains().curves().size(); ++chain)
     {
-      this->places_ = this->chains_.places(this->curve_);
-      this->addSegments(curve);
-      this->addPoints(curve);
-      ++this->curve_;
+      this->addSegments(chain);
+      this->addPoints(chain);
     }
-    this->emitFromVertices(VerticesOnCurves(this->mesh_, this->chains_));
+    this->emitFromVertices();
     const auto byFace = [](const SourceInFace& a, const SourceInFace& b)
     { return a.face < b.face; };
     std::stable_sort(this->result_.inFaces.begin(), this->result_.inFaces.end(), byFace);
@@ -100,30 +56,44 @@ public:
   }
 
 private:
-  void addSegments(const SourceCurve& curve)
+  const CurveChains& chains() const { return this->curves_.chains(); }
+
+  /// Reports the number of finished points every so many steps, even within a point.
+  ///
+  /// \throws Aborted
+  void step()
   {
-    for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
+    constexpr std::size_t stepsPerReport = 4096;
+    if (++this->steps_ % stepsPerReport == 0)
     {
-      this->progress_.step();
-      const SurfacePoint& p = curve.points[i];
-      const SurfacePoint& q = curve.points[i + 1];
-      forEachFaceOfSegment(
-        this->mesh_, curve.faces[i], p, q, [&](Id face) { this->addSegment(face, p, q, i); });
+      reportProgress(this->progress_,
+        static_cast<double>(this->pointsDone_) / static_cast<double>(this->numberOfPoints_));
+    }
+  }
+  void nextPoint()
+  {
+    this->pointsDone_ = std::min(this->pointsDone_ + 1, this->numberOfPoints_);
+    this->step();
+  }
+
+  void addSegments(Id chain)
+  {
+    const std::vector<double>& places = this->chains().places(chain);
+    for (const SourceInFace& segment :
+      segmentsInFaces(this->mesh_, this->chains().curves()[chain], chain, places))
+    {
+      this->step();
+      this->result_.inFaces.push_back(segment);
+      if (!isAcrossWithoutArea(this->mesh_, segment, places.back()))
+      {
+        addSegmentWindows(this->mesh_, segment, this->result_.windows);
+      }
     }
   }
 
-  void addSegment(Id face, const SurfacePoint& p, const SurfacePoint& q, std::size_t i)
+  void addPoints(Id chain)
   {
-    this->result_.inFaces.push_back({ face, barycentric(this->mesh_, p, face),
-      barycentric(this->mesh_, q, face), this->curve_, this->places_[i], this->places_[i + 1] });
-    if (!isAcrossWithoutArea(this->mesh_, face, this->places_, i))
-    {
-      addSegmentWindows(this->mesh_, this->result_.inFaces.back(), this->result_.windows);
-    }
-  }
-
-  void addPoints(const SourceCurve& curve)
-  {
+    const SourceCurve& curve = this->chains().curves()[chain];
     const std::size_t count = curve.points.size() - (curve.isClosed() ? 1 : 0);
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -134,13 +104,28 @@ private:
       if (straight || isAtVertexBeside(this->mesh_, curve, i) ||
         !verticesAtCornerOf(this->mesh_, curve, i).empty())
       {
-        this->progress_.nextPoint();
+        this->nextPoint();
       }
       else if (p.kind != SurfacePoint::Kind::Vertex)
       {
-        this->emitFromPoint(p, segmentEndsAt(this->mesh_, curve, this->curve_, this->places_, i),
-          segmentEndsAround(this->mesh_, curve, this->curve_, this->places_, i), this->curve_,
-          this->places_[i]);
+        const CurveChains::Point at = { chain, i };
+        this->emitFromPoint(p, segmentEndsAt(this->mesh_, this->chains(), at),
+          segmentEndsAround(this->mesh_, this->chains(), at), chain,
+          this->chains().places(chain)[i]);
+      }
+    }
+  }
+
+  // If several curves meet in one vertex, all their segments bound its wedges together.
+  void emitFromVertices()
+  {
+    for (const VertexOnCurve& v : this->curves_.vertices())
+    {
+      if (&v == this->curves_.find(v.vertex))
+      {
+        this->result_.vertices.push_back(v.vertex);
+        this->emitFromPoint(SurfacePoint::atVertex(v.vertex), this->curves_.endsAt(v.vertex),
+          this->curves_.endsAround(v.vertex), v.curve, v.place);
       }
     }
   }
@@ -148,15 +133,15 @@ private:
   void emitFromPoint(const SurfacePoint& p, const std::vector<SegmentEnd>& ends,
     const std::vector<SegmentEnd>& endsAround, Id curve, double place)
   {
-    this->progress_.nextPoint();
-    this->wedge_.assign(p, ends);
+    this->nextPoint();
+    const CurveWedge wedge = wedgeAround(this->mesh_, p, ends);
     this->sectors_.assign(p, endsAround, CurveOrigin::onLeft(this->mesh_, curve, place));
     this->directions_.assign(p, endsAround);
-    const EmittingPoint from = { this->chains_, this->wedge_, this->sectors_, this->directions_ };
+    const EmittingPoint from = { this->chains(), wedge, this->sectors_, this->directions_ };
     forEachFace(this->mesh_, p,
       [&](Id face)
       {
-        this->progress_.step();
+        this->step();
         const Barycentric b = barycentric(this->mesh_, p, face);
         const SourceInFace source = { face, b, b, curve, place, place };
         if (p.kind != SurfacePoint::Kind::Vertex)
@@ -185,36 +170,23 @@ private:
     }
   }
 
-  // If several curves meet in one vertex, all their segments bound its wedges together.
-  void emitFromVertices(const VerticesOnCurves& onCurves)
-  {
-    for (const VertexOnCurve& v : onCurves.vertices())
-    {
-      this->result_.vertices.push_back(v.vertex);
-      this->emitFromPoint(SurfacePoint::atVertex(v.vertex), onCurves.endsAt(v.vertex),
-        onCurves.endsAround(v.vertex), v.curve, v.place);
-    }
-  }
-
   const TriangleMesh& mesh_;
-  const CurveChains& chains_;
-  StepProgress& progress_;
-  CurveWedge wedge_;
+  const CurvesOnPatch curves_;
+  const ProgressCallback& progress_;
+  std::size_t numberOfPoints_ = 0;
+  std::size_t pointsDone_ = 0;
+  std::size_t steps_ = 0;
   CurveSectors sectors_;
   DirectionsAround directions_;
   SourceWindows result_;
-  /// The number of the current curve, and the places of its points.
-  Id curve_ = 0;
-  std::vector<double> places_;
 };
 
 } // anonymous namespace
 
 SourceWindows makeSourceWindows(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves,
-  const ProgressCallback& callback)
+  const ProgressCallback& progress)
 {
-  StepProgress progress(callback, numberOfPoints(curves));
-  return Maker(mesh, CurveChains(mesh, curves), progress).make();
+  return Maker(mesh, curves, progress).make();
 }
 
 }

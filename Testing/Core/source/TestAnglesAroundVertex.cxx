@@ -3,16 +3,16 @@
 #include "EngineSupport.h"
 #include "source/BranchingFan.h"
 
-#include "source/AnglesAroundVertex.h"
+#include "source/CurveWedge.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
 using namespace geodesictest;
-using geodesic::AnglesAroundVertex;
 using geodesic::EdgeAngle;
 using geodesic::Id;
+using geodesic::leastAnglesAround;
 using geodesic::TriangleMesh;
 
 namespace
@@ -49,9 +49,8 @@ void expectLeastAngles(const TriangleMesh& mesh, Id vertex, const std::vector<Ed
   {
     followAllWays(mesh, vertex, start, limit, 9, truth);
   }
-  AnglesAroundVertex angles;
   Angles found;
-  for (const EdgeAngle& entered : angles.find(mesh, vertex, leaving, limit))
+  for (const EdgeAngle& entered : leastAnglesAround(mesh, vertex, leaving, limit))
   {
     EXPECT_TRUE(found.insert({ entered.halfedge, entered.angle }).second) << "entered twice";
   }
@@ -99,9 +98,8 @@ TEST(AnglesAroundVertex, TheWorkGrowsWithTheFacesWhereTheWaysAreExponential)
   {
     const TriangleMesh mesh = engineMesh(BranchingFan(stages, 3.0).mesh);
     const Id first = *mesh.cornersAt(0).begin();
-    AnglesAroundVertex angles;
     const std::size_t entered =
-      angles.find(mesh, 0, { { TriangleMesh::previousInFace(first), 0.0 } }, 10.0).size();
+      leastAnglesAround(mesh, 0, { { TriangleMesh::previousInFace(first), 0.0 } }, 10.0).size();
     EXPECT_LE(entered, 2 * mesh.cornersAt(0).size());
     EXPECT_GE(entered, mesh.cornersAt(0).size() - 2) << "every face is entered";
   }
@@ -111,10 +109,9 @@ TEST(AnglesAroundVertex, TheyEndAtTheLimit)
 {
   const BranchingFan fan(40, 3.0);
   const TriangleMesh mesh = engineMesh(fan.mesh);
-  AnglesAroundVertex angles;
   const Id first = *mesh.cornersAt(0).begin();
   for (const EdgeAngle& entered :
-    angles.find(mesh, 0, { { TriangleMesh::previousInFace(first), 0.0 } }, 1.0))
+    leastAnglesAround(mesh, 0, { { TriangleMesh::previousInFace(first), 0.0 } }, 1.0))
   {
     EXPECT_LT(entered.angle, 1.0);
   }

@@ -58,6 +58,6 @@ TEST(CurveChains, ACurveThatRunsAgainstTheChainKeepsWhereItIsCutAndWhereItBends)
     EXPECT_EQ(p[0], 0.5 * static_cast<double>(i));
     EXPECT_EQ(chain.isCut[i], p[0] == 2.5 ? 1 : 0) << "at " << p[0];
   }
-  EXPECT_FALSE(chains.linkAt(0, 0.5).isReversed);
-  EXPECT_TRUE(chains.linkAt(0, 1.5).isReversed);
+  EXPECT_FALSE(chains.partOf(chains.curveAt(0, 0.5)).isReversed);
+  EXPECT_TRUE(chains.partOf(chains.curveAt(0, 1.5)).isReversed);
 }

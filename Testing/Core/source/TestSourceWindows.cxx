@@ -6,7 +6,7 @@
 #include "truth/AnalyticDistances.h"
 
 #include "Errors.h"
-#include "source/SegmentWindows.h"
+#include "source/LeavingWindow.h"
 #include "source/SourceWindows.h"
 
 #include <gtest/gtest.h>
