@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/FaceBounds.h"
 
-#include "refinement/LinearPiece.h"
+#include "Tolerance.h"
 
 #include <algorithm>
 
@@ -10,10 +10,24 @@ namespace geodesic
 
 GradientSlack slackOf(const FaceShape& shape, const std::array<double, 3>& d)
 {
-  const double longest = shape.longest();
-  const Gradient g = gradientOf(shape.length[0] * shape.length[0], shape.cornerDot[0],
-    shape.length[2] * shape.length[2], shape.area2, d[1] - d[0], d[2] - d[0], longest);
-  return { std::max(0.0, g.length - 1.0) * longest, std::max(0.0, 1.0 - g.length) * g.chord };
+  return slackOf(shape.length[0] * shape.length[0], shape.cornerDot[0],
+    shape.length[2] * shape.length[2], shape.area2, d[1] - d[0], d[2] - d[0], shape.longest());
+}
+
+GradientSlack slackOf(
+  double e1e1, double e1e2, double e2e2, double area2, double rise1, double rise2, double longest)
+{
+  const double scale = 1.0 / (area2 * area2);
+  const double alpha = (rise1 * e2e2 - rise2 * e1e2) * scale; // gradient = alpha e1 + beta e2
+  const double beta = (rise2 * e1e1 - rise1 * e1e2) * scale;
+  const double steepness = std::sqrt(std::max(0.0, alpha * rise1 + beta * rise2));
+  const double across1 = -beta * area2; // gradient x e1
+  const double across2 = alpha * area2; // gradient x e2
+  const auto [least, most] = std::minmax({ 0.0, across1, across2 });
+  const double extent = most - least;
+  // the longest way through the triangle in the gradient's direction
+  const double chord = extent > 0.0 ? std::min(longest, area2 * steepness / extent) : longest;
+  return { std::max(0.0, steepness - 1.0) * longest, std::max(0.0, 1.0 - steepness) * chord };
 }
 
 // Along the normal into the face, from the line of the halfedge to the opposite corner.
@@ -146,13 +160,7 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
   return { above + slack.above, below + slack.below };
 }
 
-double errorBySize(const TriangleMesh& mesh, Id face, double limit)
-{
-  const double longest = mesh.shape(face).longest();
-  return longest <= limit ? longest : Infinity;
-}
-
-double quickErrorOfFace(const DistanceField& field, Id face, double limit, double known)
+QuickError quickErrorOfFace(const DistanceField& field, Id face, double tolerance, double known)
 {
   const TriangleMesh& mesh = field.mesh();
   const Triangle& corners = mesh.triangle(face);
@@ -162,10 +170,14 @@ double quickErrorOfFace(const DistanceField& field, Id face, double limit, doubl
   {
     d[k] = field.vertexDistances()[corners[k]];
   }
-  const double bySize = errorBySize(mesh, face, limit);
-  if (bySize <= known || !(shape.area2 > 0.0))
+  QuickError error;
+  error.rounding = tolerance::FaceRounding * std::max({ d[0], d[1], d[2] });
+  const double limit = tolerance - error.rounding;
+  error.bySize = shape.longest() <= limit ? shape.longest() : Infinity;
+  error.byWindows = error.bySize;
+  if (error.bySize <= known || !(shape.area2 > 0.0))
   {
-    return bySize;
+    return error;
   }
   const Id halfedge = 3 * face;
   const FaceBounds bounds = boundsOfFace(mesh, face, d,
@@ -178,7 +190,8 @@ double quickErrorOfFace(const DistanceField& field, Id face, double limit, doubl
     const double atB = source.b[0] * d[0] + source.b[1] * d[1] + source.b[2] * d[2];
     bound = std::max(bound, std::max(atA, atB) + slackOf(shape, d).below);
   }
-  return bound <= limit ? std::min(bound, bySize) : bySize;
+  error.byWindows = bound <= limit ? std::min(bound, error.bySize) : error.bySize;
+  return error;
 }
 
 }

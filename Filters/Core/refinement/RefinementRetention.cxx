@@ -97,8 +97,25 @@ void RefinementRetention::take(const MeasuredList& measured, const FrontState& f
   }
   else
   {
-    this->lists_.add(measured);
+    this->add(measured);
   }
+}
+
+void RefinementRetention::add(const MeasuredList& measured)
+{
+  MeasuredLists& lists = this->lists_[TriangleMesh::faceOf(measured.list.halfedge)];
+  auto last = lists.before_begin();
+  for (auto next = lists.begin(); next != lists.end(); ++next)
+  {
+    last = next;
+  }
+  if (this->unusedLists_.empty())
+  {
+    lists.insert_after(last, measured);
+    return;
+  }
+  this->unusedLists_.front() = measured;
+  lists.splice_after(last, this->unusedLists_, this->unusedLists_.before_begin());
 }
 
 void RefinementRetention::testAgain(Id face, const PassedList& late, const VertexNumbers& distances)
@@ -193,13 +210,13 @@ void RefinementRetention::testDue(const FrontState& front)
     [](std::size_t) {},
     [&](std::size_t, std::size_t i)
     {
-      this->results_[i] = this->test_.test(
-        this->due_[i], this->atCorners(this->due_[i], front.distances), this->lists_, known);
+      const Id face = this->due_[i];
+      this->results_[i] =
+        this->test_.test(face, this->atCorners(face, front.distances), this->lists_[face], known);
     });
   for (std::size_t i = 0; i < this->due_.size(); ++i)
   {
-    const double knownNow = this->kept_.droppedErrorBound;
-    this->take(this->due_[i], this->results_[i].boundUnlessDominated(knownNow), front);
+    this->take(this->due_[i], this->results_[i], front);
   }
   this->due_.clear();
 }
@@ -208,13 +225,16 @@ void RefinementRetention::testDue(const FrontState& front)
 void RefinementRetention::take(
   Id face, const LinearFaceTest::Result& result, const FrontState& front)
 {
-  this->state_[face] = result.isLinear ? State::Linear : State::Kept;
-  if (result.isLinear)
+  const bool isKnown = result.byBand.bound <= this->kept_.droppedErrorBound;
+  const LinearFaceTest::Sum& sum = isKnown ? result.byBand : result.byWindows;
+  const bool isLinear = sum.bound <= this->tolerance_;
+  this->state_[face] = isLinear ? State::Linear : State::Kept;
+  if (isLinear)
   {
-    this->above_[face] = result.above;
-    this->raiseBound(result.bound);
+    this->above_[face] = sum.above;
+    this->raiseBound(sum.bound);
   }
-  if (result.isSplitOnce)
+  if (isLinear || result.isSplitOnce)
   {
     this->doWithoutNeighbours(face, front);
   }
@@ -237,7 +257,11 @@ void RefinementRetention::dropIfUnneeded(Id face, const FrontState& front)
   if (this->state_[face] == State::Linear && this->neededBy_[face] == 0)
   {
     this->state_[face] = State::Dropped;
-    this->lists_.free(face, front);
+    for (const MeasuredList& measured : this->lists_[face])
+    {
+      front.free(measured.list.windows);
+    }
+    this->unusedLists_.splice_after(this->unusedLists_.before_begin(), this->lists_[face]);
   }
 }
 
@@ -257,17 +281,15 @@ void RefinementRetention::finish(const FrontState& front)
 
 void RefinementRetention::handOver(const FrontState& front)
 {
-  this->kept_.faces.assign(this->mesh_.numberOfFaces(), 1);
+  this->kept_.faces.resize(this->mesh_.numberOfFaces());
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
     const bool isKept = this->state_[face] != State::Dropped && this->surface_.isOwn(face);
     this->kept_.faces[face] = isKept ? 1 : 0;
-    this->lists_.forEach(face,
-      [this](const MeasuredList& measured)
-      {
-        this->kept_.windows.adopt(measured.list.halfedge, measured.list.windows.range());
-        return true;
-      });
+    for (const MeasuredList& measured : this->lists_[face])
+    {
+      this->kept_.windows.adopt(measured.list.halfedge, measured.list.windows.range());
+    }
   }
   for (WindowPool* used : front.pools)
   {

@@ -2,16 +2,22 @@
 #include "refinement/RegionsOfPoints.h"
 
 #include "Tolerance.h"
+#include "refinement/TriangleError.h"
 
 namespace geodesic
 {
 
-bool RegionsOfPoints::isBorderBetween(Id face, const Triangle& corners)
+double RegionsOfPoints::lengthAtBorder(Id face, const Triangle& c)
 {
-  return this->regionOf_ &&
-    (this->isBorderBetween(face, corners[0], corners[1]) ||
-      this->isBorderBetween(face, corners[1], corners[2]) ||
-      this->isBorderBetween(face, corners[2], corners[0]));
+  if (!this->regionOf_ ||
+    !(this->isBorderBetween(face, c[0], c[1]) || this->isBorderBetween(face, c[1], c[2]) ||
+      this->isBorderBetween(face, c[2], c[0])))
+  {
+    return 0.0;
+  }
+  const double longest = longestEdge({ this->triangles_.inPlane(c[0], face),
+    this->triangles_.inPlane(c[1], face), this->triangles_.inPlane(c[2], face) });
+  return longest > this->tolerance_ ? longest : 0.0;
 }
 
 bool RegionsOfPoints::isBorderBetween(Id face, Id a, Id b)

@@ -18,18 +18,20 @@ class RegionsOfPoints
 public:
   /// All arguments must outlive this.
   ///
-  /// \param regionOf RefinementOptions::regionOf.
-  RegionsOfPoints(
-    const RedGreenMesh& triangles, const DistancesInFaces& distances, const RegionOf& regionOf)
+  /// \param regionOf, tolerance of RefinementOptions.
+  RegionsOfPoints(const RedGreenMesh& triangles, const DistancesInFaces& distances,
+    const RegionOf& regionOf, double tolerance)
     : triangles_(triangles)
     , distances_(distances)
     , regionOf_(regionOf)
+    , tolerance_(tolerance)
   {
   }
 
-  /// Whether there is a border between corners of a triangle in a face. The two sides of one curve
-  /// have no border where a straight line between them may cross the curve.
-  bool isBorderBetween(Id face, const Triangle& corners);
+  /// The longest edge of a triangle in a face that must be split, as there is a border between its
+  /// corners; else 0. The two sides of one curve have no border where a straight line between them
+  /// may cross the curve.
+  double lengthAtBorder(Id face, const Triangle& corners);
   /// Forgets the points that no longer exist.
   void forgetNewPoints();
 
@@ -44,6 +46,7 @@ private:
   const RedGreenMesh& triangles_;
   const DistancesInFaces& distances_;
   const RegionOf& regionOf_;
+  double tolerance_;
   std::vector<std::optional<SourceRegion>> regions_;
 };
 

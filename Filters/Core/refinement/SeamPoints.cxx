@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/SeamPoints.h"
 
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -32,40 +33,9 @@ struct PointMessage
 struct PointsAtPlace
 {
   std::vector<Id> here;
-  /// The lowest rank that sent values, if any, and its point.
-  bool isProvided = false;
-  RankAddress there{ -1, NoId };
+  /// The lowest rank that provides values, if any, and its point.
+  RankAddress there{ std::numeric_limits<int>::max(), NoId };
 };
-
-/// The ranks that have faces at an edge.
-struct FacesAtEdge
-{
-  bool isKnownHere = false;
-  /// In their order, each once.
-  std::vector<int> otherRanks;
-};
-
-FacesAtEdge facesAtEdge(Id edge, const DistanceField& field, const DistanceField& exact)
-{
-  const MeshPartition& part = field.surface();
-  FacesAtEdge faces;
-  Id halfedge = edge;
-  do
-  {
-    const Id face = TriangleMesh::faceOf(halfedge);
-    if (part.isOwn(face))
-    {
-      faces.isKnownHere = faces.isKnownHere || (field.knowsInside(face) && exact.knowsInside(face));
-    }
-    else if (const int rank = part.ownerOf(face).rank;
-             faces.otherRanks.empty() || faces.otherRanks.back() != rank)
-    {
-      faces.otherRanks.push_back(rank); // faces of one rank are consecutive
-    }
-    halfedge = part.mesh().nextSibling(halfedge);
-  } while (halfedge != edge);
-  return faces;
-}
 
 /// This rank's points on edges of several ranks' faces. Adds its values to the messages for the
 /// others.
@@ -78,12 +48,22 @@ std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& po
   for (Id i = 0; i < count; ++i)
   {
     const SurfacePoint& place = points[i].place;
-    if (place.kind != SurfacePoint::Kind::Edge)
-    {
-      continue;
-    }
-    const FacesAtEdge faces = facesAtEdge(place.id, field, exact);
-    if (faces.otherRanks.empty())
+    bool isKnown = false;
+    std::vector<int> otherRanks; // in their order, each once
+    forEachFace(part.mesh(), place,
+      [&](Id face)
+      {
+        if (part.isOwn(face))
+        {
+          isKnown = isKnown || (field.knowsInside(face) && exact.knowsInside(face));
+        }
+        else if (const int rank = part.ownerOf(face).rank;
+                 otherRanks.empty() || otherRanks.back() != rank)
+        {
+          otherRanks.push_back(rank); // faces of one rank are consecutive
+        }
+      });
+    if (otherRanks.empty())
     {
       continue;
     }
@@ -91,11 +71,10 @@ std::map<PlaceOnSeam, PointsAtPlace> collect(const std::vector<RefinedPoint>& po
     const PointMessage sent = { face, place.id % 3, i, place.u };
     PointsAtPlace& at = places[sent.place()];
     at.here.push_back(i);
-    if (faces.isKnownHere && !at.isProvided)
+    if (isKnown && at.there.id == NoId)
     {
-      at.isProvided = true;
       at.there = { part.exchange().rank(), i };
-      for (const int rank : faces.otherRanks)
+      for (const int rank : otherRanks)
       {
         put(messages[rankIndex(rank)], sent);
       }
@@ -117,16 +96,15 @@ SeamPoints findSeamPoints(const std::vector<RefinedPoint>& points, std::size_t c
     {
       const auto sent = reader.get<PointMessage>();
       const auto found = places.find(sent.place());
-      if (found != places.end() && (!found->second.isProvided || rank < found->second.there.rank))
+      if (found != places.end() && rank < found->second.there.rank)
       {
-        found->second.isProvided = true;
         found->second.there = { rank, sent.point };
       }
     });
   SeamPoints result;
   for (const auto& [place, at] : places)
   {
-    const bool isElsewhere = at.isProvided && at.there.rank != exchange.rank();
+    const bool isElsewhere = at.there.id != NoId && at.there.rank != exchange.rank();
     for (std::size_t i = 0; i < at.here.size() && isElsewhere; ++i)
     {
       result.here.push_back(at.here[i]);
