@@ -2,6 +2,7 @@
 #include "refinement/FaceBounds.h"
 
 #include "Tolerance.h"
+#include "refinement/Deviation.h"
 
 #include <algorithm>
 
@@ -42,34 +43,16 @@ bool risesFrom(std::size_t k, const FaceShape& shape, const std::array<double, 3
 namespace
 {
 
-// How far the interpolant along a halfedge is above its windows, by section 6.2 for each window.
-// Returns whether that is within the limit.
-bool belowOfHalfedge(double length, const WindowRuns& windows, double atOrigin,
-  double atDestination, double limit, double& below)
+// How far the interpolant along a halfedge is above its windows.
+double belowOfHalfedge(const LineOnSegment& line, const WindowRuns& windows)
 {
-  if (!(length > 0.0))
-  {
-    return true;
-  }
-  const double a = (atDestination - atOrigin) / length;
-  const double slope = (1.0 - a) * (1.0 + a);
-  const double shift = slope > 0.0 ? a / std::sqrt(slope) : 0.0;
+  double below = 0.0;
   for (const Window& w : windows)
   {
-    double x = 0.0;
-    if (w.isLinear())
-    {
-      x = w.sourceX > a ? w.begin : w.end;
-    }
-    else
-    {
-      // with a steep interpolant the minimum is at an end
-      x = slope > 0.0 ? std::clamp(w.sourceX + shift * w.sourceDepth, w.begin, w.end)
-                      : (a > 0.0 ? w.end : w.begin);
-    }
-    below = std::max(below, atOrigin + a * x - w.distance(x));
+    const double x = line.lowestOf(w);
+    below = std::max(below, line.at(x) - w.distance(x));
   }
-  return below <= limit;
+  return below;
 }
 
 // A bound, from the windows of a halfedge, of how far the distance along it is above its
@@ -77,17 +60,12 @@ bool belowOfHalfedge(double length, const WindowRuns& windows, double atOrigin,
 // not meet, the distance changes by no more than the length moved. Windows over the limit are
 // ignored: later windows have overtaken them, or they fill a gap of rounding.
 double aboveOfHalfedge(
-  double length, const WindowRuns& windows, double atOrigin, double atDestination, double limit)
+  const LineOnSegment& line, double length, const WindowRuns& windows, double limit)
 {
-  if (!(length > 0.0))
+  const auto acrossGap = [&line](double from, double to, double gap)
   {
-    return 0.0;
-  }
-  const double a = (atDestination - atOrigin) / length;
-  const auto acrossGap = [a](double from, double to, double gap)
-  {
-    const double meet = 0.5 * (to - from + (1.0 + a) * gap);
-    return meet > 0.0 && meet < gap ? from + (1.0 - a) * meet : std::max(from, to);
+    const double meet = 0.5 * (to - from + (1.0 + line.slope) * gap);
+    return meet > 0.0 && meet < gap ? from + (1.0 - line.slope) * meet : std::max(from, to);
   };
   double covered = 0.0;
   double atCovered = 0.0;
@@ -98,8 +76,8 @@ double aboveOfHalfedge(
     {
       continue;
     }
-    const double atBegin = w.distance(w.begin) - (atOrigin + a * w.begin);
-    const double atEnd = w.distance(w.end) - (atOrigin + a * w.end);
+    const double atBegin = w.distance(w.begin) - line.at(w.begin);
+    const double atEnd = w.distance(w.end) - line.at(w.end);
     if (std::max(atBegin, atEnd) > limit)
     {
       continue;
@@ -124,9 +102,8 @@ double belowThroughHalfedge(
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
   const std::size_t k = halfedge % 3;
-  double below = 0.0;
-  belowOfHalfedge(shape.length[k], windows, d[k], d[(k + 1) % 3], Infinity, below);
-  return below + slackOf(shape, d).below;
+  const LineOnSegment line(shape.length[k], d[k], d[(k + 1) % 3]);
+  return belowOfHalfedge(line, windows) + slackOf(shape, d).below;
 }
 
 FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
@@ -146,15 +123,16 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
   double above = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const std::size_t next = (k + 1) % 3;
-    if (!belowOfHalfedge(shape.length[k], windows[k], d[k], d[next], limit - slack.below, below))
+    const LineOnSegment line(shape.length[k], d[k], d[(k + 1) % 3]);
+    below = std::max(below, belowOfHalfedge(line, windows[k]));
+    if (!(below <= limit - slack.below))
     {
       return {};
     }
     if (risesFrom(k, shape, d))
     {
-      above = std::max(
-        above, aboveOfHalfedge(shape.length[k], windows[k], d[k], d[next], limit - slack.above));
+      above =
+        std::max(above, aboveOfHalfedge(line, shape.length[k], windows[k], limit - slack.above));
     }
   }
   return { above + slack.above, below + slack.below };

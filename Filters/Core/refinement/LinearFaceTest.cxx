@@ -2,6 +2,7 @@
 #include "refinement/LinearFaceTest.h"
 
 #include "Tolerance.h"
+#include "refinement/Deviation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +22,11 @@ constexpr double BandGap = 0.25;
 /// A line along a halfedge, and the half width of the band around it.
 struct Band
 {
-  double atOrigin;
-  double slope;
-  /// The sine of the angle between the halfedge and rays whose distance rises like the line.
-  double depth;
+  LineOnSegment line;
   double limit;
 
-  double high(double x) const { return this->atOrigin + this->limit + this->slope * x; }
-  double low(double x) const { return this->atOrigin - this->limit + this->slope * x; }
+  double high(double x) const { return this->line.atBegin + this->limit + this->line.slope * x; }
+  double low(double x) const { return this->line.atBegin - this->limit + this->line.slope * x; }
 };
 
 // A window is convex, so it is highest over the line at an end.
@@ -50,18 +48,11 @@ bool isUnder(const Window& w, const Band& band)
 // A circular window is above its tangent with the line's slope, which suffices in most cases.
 bool isOver(const Window& w, const Band& band)
 {
-  if (w.isLinear())
-  {
-    return w.distance(w.begin) >= band.low(w.begin) && w.distance(w.end) >= band.low(w.end);
-  }
-  if (w.sigma + w.sourceDepth * band.depth >= band.low(w.sourceX))
+  if (!w.isLinear() && w.sigma + w.sourceDepth * band.line.sine >= band.low(w.sourceX))
   {
     return true;
   }
-  const double steepest = band.slope > 0.0 ? w.end : w.begin;
-  const double x = band.depth > 0.0
-    ? std::clamp(w.sourceX + w.sourceDepth * band.slope / band.depth, w.begin, w.end)
-    : steepest;
+  const double x = band.line.lowestOf(w);
   return w.distance(x) >= band.low(x);
 }
 
@@ -95,13 +86,12 @@ LinearFaceTest::Sum sumOf(const FaceBounds& bounds, double rounding)
 ListInBand listInBand(
   const WindowRange& windows, double length, double atOrigin, double atDestination, double limit)
 {
-  const double slope = (atDestination - atOrigin) / length;
-  const double squared = (1.0 - slope) * (1.0 + slope);
-  if (!(squared >= -tolerance::Tie)) // 0 along a ray
+  const Band band = { LineOnSegment(length, atOrigin, atDestination), limit };
+  const double slope = band.line.slope;
+  if (!((1.0 - slope) * (1.0 + slope) >= -tolerance::Tie)) // 0 along a ray
   {
     return {};
   }
-  const Band band = { atOrigin, slope, std::sqrt(std::max(0.0, squared)), limit };
   const double gap = BandGap * limit;
   ListInBand inBand = { true, true };
   double covered = 0.0;

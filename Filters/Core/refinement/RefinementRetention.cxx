@@ -60,16 +60,16 @@ void RefinementRetention::pass(std::size_t district, const PassedList& list, Id,
   this->passed_[district].push_back(this->test_.measure(list));
 }
 
-std::array<double, 3> RefinementRetention::atCorners(Id face, const VertexNumbers& distances) const
+std::array<double, 3> RefinementRetention::atCorners(Id face, const VertexNumbers& numbers) const
 {
   const Triangle& t = this->mesh_.triangle(face);
-  return { distances(t[0]), distances(t[1]), distances(t[2]) };
+  return { numbers(t[0]), numbers(t[1]), numbers(t[2]) };
 }
 
-bool RefinementRetention::isReached(Id face, const VertexNumbers& distances) const
+double RefinementRetention::largestAtCorners(Id face, const VertexNumbers& numbers) const
 {
-  const std::array<double, 3> d = this->atCorners(face, distances);
-  return std::max({ d[0], d[1], d[2] }) < Infinity;
+  const std::array<double, 3> n = this->atCorners(face, numbers);
+  return std::max({ n[0], n[1], n[2] });
 }
 
 void RefinementRetention::takePassed(const FrontState& front)
@@ -184,13 +184,8 @@ void RefinementRetention::awaitFacesAround(Id vertex, const VertexNumbers& proce
   for (const Id corner : this->mesh_.cornersAt(vertex))
   {
     const Id face = TriangleMesh::faceOf(corner);
-    if (this->state_[face] != State::Open)
-    {
-      continue;
-    }
-    const std::array<double, 3> p = this->atCorners(face, processed);
-    const double largest = std::max({ p[0], p[1], p[2] });
-    if (largest < Infinity)
+    const double largest = this->largestAtCorners(face, processed);
+    if (this->state_[face] == State::Open && largest < Infinity)
     {
       constexpr double edges = 2.0;
       this->state_[face] = State::Awaited;
@@ -270,7 +265,7 @@ void RefinementRetention::finish(const FrontState& front)
   this->takePassed(front);
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
-    if (this->isOpen(face) && this->isReached(face, front.distances))
+    if (this->isOpen(face) && this->largestAtCorners(face, front.distances) < Infinity)
     {
       this->due_.push_back(face);
     }

@@ -73,8 +73,8 @@ private:
   {
     return this->state_[face] == State::Linear || this->state_[face] == State::Dropped;
   }
-  std::array<double, 3> atCorners(Id face, const VertexNumbers& distances) const;
-  bool isReached(Id face, const VertexNumbers& distances) const;
+  std::array<double, 3> atCorners(Id face, const VertexNumbers& numbers) const;
+  double largestAtCorners(Id face, const VertexNumbers& numbers) const;
   void takePassed(const FrontState& front);
   void take(const MeasuredList& measured, const FrontState& front);
   void add(const MeasuredList& measured);

@@ -23,18 +23,12 @@ void SeamSplits::shareFrozen()
   for (Id face = this->part_.firstOwnFace(); face < this->part_.endOfOwnFaces(); ++face)
   {
     this->frozen_[face] = this->triangles_.isFrozen(face) ? 1 : 0;
-    if (this->frozen_[face] == 0)
-    {
-      continue;
-    }
-    std::vector<int> receivers;
     for (const Id vertex : this->part_.mesh().triangle(face))
     {
       for (const RankAddress& other : this->part_.othersWith(vertex))
       {
-        if (std::find(receivers.begin(), receivers.end(), other.rank) == receivers.end())
+        if (this->frozen_[face] != 0)
         {
-          receivers.push_back(other.rank);
           geodesic::put(messages[rankIndex(other.rank)], face);
         }
       }
