@@ -7,7 +7,6 @@
 #include "refinement/LeafClosings.h"
 #include "refinement/RedGreenClosure.h"
 #include "refinement/RefinementOutput.h"
-#include "refinement/RegionsOfPoints.h"
 #include "refinement/SeamSplits.h"
 #include "refinement/ViolationQueue.h"
 
