@@ -209,16 +209,10 @@ void Refiner::take(Id leaf, const LeafClosings::Closed& closed)
 // With an error below that of any leaf over the tolerance, larger for larger triangles.
 void Refiner::pushIfAtBorder(Id leaf)
 {
-  const Id face = this->triangles_.faceOf(leaf);
-  const RedGreenMesh::Closing closing =
-    this->triangles_.closing(leaf, this->triangles_.wayOf(leaf));
   double longest = 0.0;
-  for (Id i = 0; i < closing.count; ++i)
-  {
-    const std::array<Id, 3>& t = closing.triangles[i];
-    const Triangle corners = { closing.points[t[0]], closing.points[t[1]], closing.points[t[2]] };
-    longest = std::max(longest, this->regions_.lengthAtBorder(face, corners));
-  }
+  this->triangles_.closeLeaf(leaf,
+    [&](Id face, const Triangle& corners)
+    { longest = std::max(longest, this->regions_.lengthAtBorder(face, corners)); });
   if (longest > 0.0)
   {
     const double error = 0.5 * this->tolerance_ * longest / (longest + this->tolerance_);

@@ -184,6 +184,9 @@ public:
   /// Calls emit(face, corners) for the triangles of some faces.
   template <typename Emit>
   void forEachTriangle(Id firstFace, Id endOfFaces, Emit&& emit) const;
+  /// Calls emit(face, corners) for the triangles of a leaf.
+  template <typename Emit>
+  void closeLeaf(Id triangle, Emit&& emit) const;
 
 private:
   /// A red triangle: a part, or an input face with edges.
@@ -226,8 +229,6 @@ private:
   void addPolygon(Id triangle, Id begin, Closing& closing) const;
   Id trianglesBeside(const Edge& edge) const;
   Id frozenFacesAt(const Edge& edge) const;
-  template <typename Emit>
-  void closeLeaf(Id triangle, Emit&& emit) const;
   template <typename Emit>
   void closeFrozen(
     Id face, const Triangle& corners, const std::array<Id, 3>& edges, Emit&& emit) const;
