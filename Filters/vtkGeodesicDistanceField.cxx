@@ -9,7 +9,7 @@
 #include "PolyData/writing/SourceArrays.h"
 #include "PolyData/writing/SurfaceWriter.h"
 #include "PolyData/writing/UnusedPoints.h"
-#include "refinement/SeamPoints.h"
+#include "refinement/RefinedOnRanks.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -2,14 +2,11 @@
 #include "refinement/AdaptiveRefinement.h"
 
 #include "Errors.h"
-#include "Tolerance.h"
 #include "refinement/DeviationRules.h"
 #include "refinement/FaceBounds.h"
 #include "refinement/LeafClosings.h"
 #include "refinement/RedGreenClosure.h"
 #include "refinement/RefinementOutput.h"
-#include "refinement/RefinementProgress.h"
-#include "refinement/RegionsOfPoints.h"
 #include "refinement/SeamSplits.h"
 #include "refinement/ViolationQueue.h"
 
@@ -54,35 +51,6 @@ std::vector<std::uint8_t> findFrozen(const DistanceField& field, const ParallelF
   return frozen;
 }
 
-/// The error of an input face that can be computed without its edges.
-struct QuickError
-{
-  double rounding = 0.0;
-  double bySize = Infinity;
-  /// From its windows; not computed if the error by size is known to occur anyway.
-  double byWindows = Infinity;
-
-  /// If a bound is reported anyway, smaller bounds need not be sharp.
-  double boundUnlessDominated(double bound) const
-  {
-    return this->bySize <= bound ? this->bySize : this->byWindows;
-  }
-};
-
-QuickError quickError(const DistanceField& field, Id face, double tolerance, double known)
-{
-  double largest = 0.0;
-  for (const Id vertex : field.mesh().triangle(face))
-  {
-    largest = std::max(largest, field.vertexDistances()[vertex]);
-  }
-  QuickError error;
-  error.rounding = tolerance::FaceRounding * largest;
-  error.bySize = errorBySize(field.mesh(), face, tolerance - error.rounding);
-  error.byWindows = quickErrorOfFace(field, face, tolerance - error.rounding, known);
-  return error;
-}
-
 /// Refines the worst leaf until none is over the tolerance.
 ///
 /// The ranks that share the surface refine a batch of leaves, each its own; exchange splits of
@@ -97,12 +65,9 @@ public:
 private:
   void assessFaces();
   void assessFaces(Id first, Id end);
-  std::vector<LeafClosings::Closed> closeBest(const std::vector<Id>& leaves);
   void take(Id leaf, const LeafClosings::Closed& closed);
-  double lengthAtBorder(Id face, const Triangle& corners);
   void pushIfAtBorder(Id leaf);
   std::vector<Id> unknownAtBorders();
-  double longestEdge(Id face, const Triangle& corners) const;
   void refineWorst();
   bool refineBatch();
   bool settleSeams();
@@ -123,7 +88,6 @@ private:
   SeamSplits seams_;
   RefinementProgress progress_;
   RefinementWorkers workers_;
-  EdgeDistances distances_;
   DeviationRules rules_;
   RedGreenClosure closure_;
   LeafClosings closings_;
@@ -144,12 +108,12 @@ Refiner::Refiner(const DistanceField& field, const RefinementOptions& options)
   , seams_(field.surface(), this->triangles_)
   , progress_(options.progress)
   , workers_(field, this->triangles_, options.parallelFor, this->progress_)
-  , distances_(this->triangles_, this->workers_)
-  , rules_(this->triangles_, this->distances_, options.tolerance)
+  , rules_(this->triangles_, this->workers_, options.tolerance)
   , closure_(this->triangles_, this->rules_, this->seams_)
-  , closings_(this->triangles_, this->distances_, this->rules_, this->workers_, options.tolerance)
+  , closings_(this->triangles_, this->workers_, this->rules_, options.tolerance)
   , violations_(this->triangles_, field.surface())
-  , regions_(this->triangles_, this->workers_.first().distances, options.regionOf)
+  , regions_(
+      this->triangles_, this->workers_.first().distances, options.regionOf, options.tolerance)
   , bound_(field.surface().exchange().largestOf(field.droppedErrorBound()))
 {
 }
@@ -159,19 +123,16 @@ RefinedMesh Refiner::run()
   this->assessFaces();
   this->refineWorst();
   this->certifyRest();
-  RefinedMesh result;
-  result.errorBound = this->field_.surface().exchange().largestOf(this->bound_);
-  result.stoppedAtMaximum = this->stopped_;
-  result.unknownAtBorders = this->unknownAtBorders();
-  writeOutput(
-    this->triangles_, { this->options_.cornerPoints, this->numberOfCallersPoints() },
-    this->options_.parallelFor,
+  const std::vector<Id> unknown = this->unknownAtBorders();
+  RefinedMesh result = writeOutput(this->triangles_, this->options_, this->numberOfCallersPoints(),
     [this](double written)
     {
       this->progress_.tell(1.0 - ShareOfOutput * (1.0 - written));
       return true;
-    },
-    result);
+    });
+  result.errorBound = this->field_.surface().exchange().largestOf(this->bound_);
+  result.stoppedAtMaximum = this->stopped_;
+  result.unknownAtBorders = unknown;
   return result;
 }
 
@@ -199,7 +160,7 @@ void Refiner::assessFaces(Id first, Id end)
       const Id face = first + static_cast<Id>(i);
       if (!this->triangles_.isFrozen(face))
       {
-        errors[i] = quickError(this->field_, face, this->tolerance_, known);
+        errors[i] = quickErrorOfFace(this->field_, face, this->tolerance_, known);
       }
     });
   std::vector<Id> others;
@@ -207,12 +168,12 @@ void Refiner::assessFaces(Id first, Id end)
   {
     if (!this->triangles_.isFrozen(face) &&
       (errors[face - first].byWindows == Infinity ||
-        this->lengthAtBorder(face, this->field_.mesh().triangle(face)) > 0.0))
+        this->regions_.lengthAtBorder(face, this->field_.mesh().triangle(face)) > 0.0))
     {
       others.push_back(face);
     }
   }
-  const std::vector<LeafClosings::Closed> closed = this->closeBest(others);
+  const std::vector<LeafClosings::Closed>& closed = this->closings_.findBest(others);
   std::size_t next = 0;
   for (Id face = first; face < end; ++face)
   {
@@ -223,24 +184,11 @@ void Refiner::assessFaces(Id first, Id end)
     }
     else if (!this->triangles_.isFrozen(face))
     {
-      this->raiseBound(error.boundUnlessDominated(this->bound_) + error.rounding);
+      // smaller bounds than that of all faces need not be sharp
+      const double bound = error.bySize <= this->bound_ ? error.bySize : error.byWindows;
+      this->raiseBound(bound + error.rounding);
     }
   }
-}
-
-std::vector<LeafClosings::Closed> Refiner::closeBest(const std::vector<Id>& leaves)
-{
-  constexpr std::size_t leavesInBatch = 512;
-  std::vector<LeafClosings::Closed> closed;
-  for (std::size_t first = 0; first < leaves.size(); first += leavesInBatch)
-  {
-    const auto begin = leaves.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto count = std::min(leavesInBatch, leaves.size() - first);
-    const std::vector<LeafClosings::Closed>& best =
-      this->closings_.findBest({ begin, begin + static_cast<std::ptrdiff_t>(count) });
-    closed.insert(closed.end(), best.begin(), best.end());
-  }
-  return closed;
 }
 
 // Closes a leaf, and queues it if it is over the tolerance.
@@ -258,27 +206,13 @@ void Refiner::take(Id leaf, const LeafClosings::Closed& closed)
   this->violations_.push({ error, leaf, this->triangles_.splitEdges(leaf), check.limit });
 }
 
-// The longest edge of a triangle that must be split, as a border of regions passes it; else 0.
-double Refiner::lengthAtBorder(Id face, const Triangle& corners)
-{
-  const double longest =
-    this->regions_.isBorderBetween(face, corners) ? this->longestEdge(face, corners) : 0.0;
-  return longest > this->tolerance_ ? longest : 0.0;
-}
-
 // With an error below that of any leaf over the tolerance, larger for larger triangles.
 void Refiner::pushIfAtBorder(Id leaf)
 {
-  const Id face = this->triangles_.faceOf(leaf);
-  const RedGreenMesh::Closing closing =
-    this->triangles_.closing(leaf, this->triangles_.wayOf(leaf));
   double longest = 0.0;
-  for (Id i = 0; i < closing.count; ++i)
-  {
-    const std::array<Id, 3>& t = closing.triangles[i];
-    const Triangle corners = { closing.points[t[0]], closing.points[t[1]], closing.points[t[2]] };
-    longest = std::max(longest, this->lengthAtBorder(face, corners));
-  }
+  this->triangles_.closeLeaf(leaf,
+    [&](Id face, const Triangle& corners)
+    { longest = std::max(longest, this->regions_.lengthAtBorder(face, corners)); });
   if (longest > 0.0)
   {
     const double error = 0.5 * this->tolerance_ * longest / (longest + this->tolerance_);
@@ -295,7 +229,8 @@ std::vector<Id> Refiner::unknownAtBorders()
       [&](Id face, const Triangle& corners)
       {
         const bool isNew = faces.empty() || faces.back() != face;
-        if (isNew && this->field_.isDropped(face) && this->lengthAtBorder(face, corners) > 0.0)
+        if (isNew && this->field_.isDropped(face) &&
+          this->regions_.lengthAtBorder(face, corners) > 0.0)
         {
           faces.push_back(face);
         }
@@ -304,29 +239,16 @@ std::vector<Id> Refiner::unknownAtBorders()
   return faces;
 }
 
-double Refiner::longestEdge(Id face, const Triangle& corners) const
-{
-  double longest = 0.0;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const Vec2 a = this->triangles_.inPlane(corners[k], face);
-    const Vec2 b = this->triangles_.inPlane(corners[(k + 1) % 3], face);
-    longest = std::max(longest, norm(b - a));
-  }
-  return longest;
-}
-
 void Refiner::refineWorst()
 {
   while (this->violations_.takeBatch())
   {
     this->worstAtFirst_ = std::max(this->worstAtFirst_, this->violations_.worst());
-    const Id edgesBefore = this->triangles_.numberOfEdges();
     this->triangles_.begin();
     if (!this->refineBatch())
     {
       this->triangles_.rollBack();
-      this->distances_.forget(edgesBefore);
+      this->workers_.forgetNewEdges();
       this->regions_.forgetNewPoints();
       this->closure_.forget();
       if (!this->violations_.putBack())
@@ -336,7 +258,7 @@ void Refiner::refineWorst()
       }
       continue;
     }
-    const std::vector<LeafClosings::Closed> closed = this->closeBest(this->changed_);
+    const std::vector<LeafClosings::Closed>& closed = this->closings_.findBest(this->changed_);
     for (std::size_t i = 0; i < closed.size(); ++i)
     {
       this->take(this->changed_[i], closed[i]);
@@ -370,26 +292,20 @@ bool Refiner::settleSeams()
   while (state == SeamSplits::State::Going)
   {
     int last = 0;
-    const auto inRound = [&](int round)
-    {
-      if (round != last)
+    state = this->seams_.exchange(this->hasTooMany(),
+      [&](Id edge, int round, const RedGreenMesh::Placement* decided)
       {
-        this->close(last);
-        last = round;
-      }
-    };
-    state = this->seams_.exchange(
-      this->hasTooMany(),
-      [&](Id edge, int round, const RedGreenMesh::Placement& placement)
-      {
-        inRound(round);
-        this->triangles_.split(edge, placement);
-        this->report();
-      },
-      [&](Id edge, int round)
-      {
-        inRound(round);
-        if (!this->triangles_.isSplit(edge))
+        if (round != last)
+        {
+          this->close(last);
+          last = round;
+        }
+        if (decided)
+        {
+          this->triangles_.split(edge, *decided);
+          this->report();
+        }
+        else if (!this->triangles_.isSplit(edge))
         {
           this->closure_.split(edge, round);
         }
@@ -447,7 +363,7 @@ void Refiner::refine(const Violation& violation)
   {
     const Id edge = this->triangles_.ensureEdge(triangle, k);
     if (!this->triangles_.isSplit(edge) &&
-      this->distances_.deviation(edge).largest() > violation.limit)
+      this->workers_.deviation(edge).largest() > violation.limit)
     {
       this->closure_.split(edge);
       isOver = true;

@@ -26,22 +26,20 @@ Deviation largestDeviation(
   {
     return deviation;
   }
-  const double a = (atEnd - atBegin) / length;
-  const double slope = (1.0 - a) * (1.0 + a); // of the ray with distance a x, squared
-  const double shift = slope > 0.0 ? a / std::sqrt(slope) : 0.0;
+  const LineOnSegment line(length, atBegin, atEnd);
   const auto look = [&](const Window& w, double x)
   {
-    const double e = w.distance(x) - (atBegin + a * x);
+    const double e = w.distance(x) - line.at(x);
     deviation.widen({ std::max(e, 0.0), x / length, std::max(-e, 0.0), x / length });
   };
   for (const Window& w : envelope)
   {
     look(w, w.begin);
     look(w, w.end);
-    const double x = w.sourceX + shift * w.sourceDepth;
-    if (!w.isLinear() && slope > 0.0 && x > w.begin && x < w.end)
+    const double lowest = line.lowestOf(w);
+    if (lowest > w.begin && lowest < w.end)
     {
-      look(w, x);
+      look(w, lowest);
     }
   }
   return deviation;
@@ -49,19 +47,11 @@ Deviation largestDeviation(
 
 double splitPosition(double t)
 {
-  if (t < 0.125)
-  {
-    return 0.25;
-  }
   if (t < 0.25)
   {
-    return 2.0 * t;
+    return std::max(0.25, 2.0 * t);
   }
-  if (t <= 0.75)
-  {
-    return t;
-  }
-  return t < 0.875 ? 2.0 * t - 1.0 : 0.75;
+  return t > 0.75 ? std::min(0.75, 2.0 * t - 1.0) : t;
 }
 
 }

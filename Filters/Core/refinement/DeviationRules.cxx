@@ -39,13 +39,13 @@ double leastAngle(Vec2 a, Vec2 b, Vec2 c)
 RedGreenMesh::Placement DeviationRules::place(Id edge)
 {
   const double weight = this->weightOf(edge);
-  return { weight, this->distances_.onEdge(edge, weight) };
+  return { weight, this->workers_.first().distances.onEdge(edge, weight) };
 }
 
 double DeviationRules::weightOf(Id edge)
 {
   constexpr double middle = 0.5;
-  const Deviation deviation = this->distances_.deviation(edge);
+  const Deviation deviation = this->workers_.deviation(edge);
   if (!(deviation.largest() > this->tolerance_))
   {
     return middle;
@@ -106,7 +106,7 @@ bool DeviationRules::mayClose(Id triangle)
   for (Id k = 0; k < 3; ++k)
   {
     const Id edge = this->triangles_.ensureEdge(triangle, k);
-    largest = std::max(largest, this->distances_.deviation(edge).largest());
+    largest = std::max(largest, this->workers_.deviation(edge).largest());
   }
   const Id face = this->triangles_.faceOf(triangle);
   const double allowed = this->allowedAngle(face, largest);

@@ -2,8 +2,8 @@
 #ifndef geodesic_DeviationRules_h
 #define geodesic_DeviationRules_h
 
-#include "refinement/EdgeDistances.h"
 #include "refinement/RedGreenClosure.h"
+#include "refinement/RefinementWorkers.h"
 
 namespace geodesic
 {
@@ -18,11 +18,11 @@ namespace geodesic
 class DeviationRules : public SplitRules
 {
 public:
-  /// \param triangles, distances must outlive this.
+  /// \param triangles, workers must outlive this.
   /// \param tolerance of the refinement.
-  DeviationRules(RedGreenMesh& triangles, EdgeDistances& distances, double tolerance)
+  DeviationRules(RedGreenMesh& triangles, RefinementWorkers& workers, double tolerance)
     : triangles_(triangles)
-    , distances_(distances)
+    , workers_(workers)
     , tolerance_(tolerance)
   {
   }
@@ -42,7 +42,7 @@ private:
   double smallestAngleOfFour(Id triangle, Id splitEdge, double weight);
 
   RedGreenMesh& triangles_;
-  EdgeDistances& distances_;
+  RefinementWorkers& workers_;
   double tolerance_;
 };
 

@@ -4,25 +4,17 @@
 namespace geodesic
 {
 
-// Calls visit(face) until it returns false.
 template <typename Visit>
 void DistancesInFaces::forEachRefinedFace(const RedGreenMesh::Edge& edge, Visit&& visit) const
 {
-  if (edge.halfedge == NoId)
-  {
-    visit(edge.face);
-    return;
-  }
-  Id halfedge = edge.halfedge;
-  do
-  {
-    const Id face = TriangleMesh::faceOf(halfedge);
-    if (!this->triangles_.isFrozen(face) && !visit(face))
+  this->triangles_.forEachFaceAt(edge,
+    [&](Id face)
     {
-      return;
-    }
-    halfedge = this->triangles_.mesh().nextSibling(halfedge);
-  } while (halfedge != edge.halfedge);
+      if (!this->triangles_.isFrozen(face))
+      {
+        visit(face);
+      }
+    });
 }
 
 const FaceDistance& DistancesInFaces::face(Id face)
@@ -55,12 +47,16 @@ Deviation DistancesInFaces::ofEdge(Id id)
 {
   const RedGreenMesh::Edge& edge = this->triangles_.edgeData(id);
   Deviation largest;
+  bool isKnown = false;
   this->forEachRefinedFace(edge,
     [&](Id around)
     {
-      const FaceDistance& distance = this->face(around);
-      largest.widen(this->between(edge.ends[0], edge.ends[1], distance));
-      return !distance.isExact();
+      if (!isKnown)
+      {
+        const FaceDistance& distance = this->face(around);
+        largest.widen(this->between(edge.ends[0], edge.ends[1], distance));
+        isKnown = distance.isExact();
+      }
     });
   return largest;
 }
@@ -83,7 +79,6 @@ double DistancesInFaces::onEdge(Id id, double weight)
       const Vec2 p = this->triangles_.inPlane(edge.ends[0], around);
       const Vec2 q = this->triangles_.inPlane(edge.ends[1], around);
       least = std::min(least, this->face(around).distance(p + weight * (q - p)));
-      return true;
     });
   return least;
 }

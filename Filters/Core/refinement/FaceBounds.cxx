@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/FaceBounds.h"
 
-#include "refinement/LinearPiece.h"
+#include "Tolerance.h"
+#include "refinement/Deviation.h"
 
 #include <algorithm>
 
@@ -10,10 +11,24 @@ namespace geodesic
 
 GradientSlack slackOf(const FaceShape& shape, const std::array<double, 3>& d)
 {
-  const double longest = shape.longest();
-  const Gradient g = gradientOf(shape.length[0] * shape.length[0], shape.cornerDot[0],
-    shape.length[2] * shape.length[2], shape.area2, d[1] - d[0], d[2] - d[0], longest);
-  return { std::max(0.0, g.length - 1.0) * longest, std::max(0.0, 1.0 - g.length) * g.chord };
+  return slackOf(shape.length[0] * shape.length[0], shape.cornerDot[0],
+    shape.length[2] * shape.length[2], shape.area2, d[1] - d[0], d[2] - d[0], shape.longest());
+}
+
+GradientSlack slackOf(
+  double e1e1, double e1e2, double e2e2, double area2, double rise1, double rise2, double longest)
+{
+  const double scale = 1.0 / (area2 * area2);
+  const double alpha = (rise1 * e2e2 - rise2 * e1e2) * scale; // gradient = alpha e1 + beta e2
+  const double beta = (rise2 * e1e1 - rise1 * e1e2) * scale;
+  const double steepness = std::sqrt(std::max(0.0, alpha * rise1 + beta * rise2));
+  const double across1 = -beta * area2; // gradient x e1
+  const double across2 = alpha * area2; // gradient x e2
+  const auto [least, most] = std::minmax({ 0.0, across1, across2 });
+  const double extent = most - least;
+  // the longest way through the triangle in the gradient's direction
+  const double chord = extent > 0.0 ? std::min(longest, area2 * steepness / extent) : longest;
+  return { std::max(0.0, steepness - 1.0) * longest, std::max(0.0, 1.0 - steepness) * chord };
 }
 
 // Along the normal into the face, from the line of the halfedge to the opposite corner.
@@ -28,34 +43,16 @@ bool risesFrom(std::size_t k, const FaceShape& shape, const std::array<double, 3
 namespace
 {
 
-// How far the interpolant along a halfedge is above its windows, by section 6.2 for each window.
-// Returns whether that is within the limit.
-bool belowOfHalfedge(double length, const WindowRuns& windows, double atOrigin,
-  double atDestination, double limit, double& below)
+// How far the interpolant along a halfedge is above its windows.
+double belowOfHalfedge(const LineOnSegment& line, const WindowRuns& windows)
 {
-  if (!(length > 0.0))
-  {
-    return true;
-  }
-  const double a = (atDestination - atOrigin) / length;
-  const double slope = (1.0 - a) * (1.0 + a);
-  const double shift = slope > 0.0 ? a / std::sqrt(slope) : 0.0;
+  double below = 0.0;
   for (const Window& w : windows)
   {
-    double x = 0.0;
-    if (w.isLinear())
-    {
-      x = w.sourceX > a ? w.begin : w.end;
-    }
-    else
-    {
-      // with a steep interpolant the minimum is at an end
-      x = slope > 0.0 ? std::clamp(w.sourceX + shift * w.sourceDepth, w.begin, w.end)
-                      : (a > 0.0 ? w.end : w.begin);
-    }
-    below = std::max(below, atOrigin + a * x - w.distance(x));
+    const double x = line.lowestOf(w);
+    below = std::max(below, line.at(x) - w.distance(x));
   }
-  return below <= limit;
+  return below;
 }
 
 // A bound, from the windows of a halfedge, of how far the distance along it is above its
@@ -63,17 +60,12 @@ bool belowOfHalfedge(double length, const WindowRuns& windows, double atOrigin,
 // not meet, the distance changes by no more than the length moved. Windows over the limit are
 // ignored: later windows have overtaken them, or they fill a gap of rounding.
 double aboveOfHalfedge(
-  double length, const WindowRuns& windows, double atOrigin, double atDestination, double limit)
+  const LineOnSegment& line, double length, const WindowRuns& windows, double limit)
 {
-  if (!(length > 0.0))
+  const auto acrossGap = [&line](double from, double to, double gap)
   {
-    return 0.0;
-  }
-  const double a = (atDestination - atOrigin) / length;
-  const auto acrossGap = [a](double from, double to, double gap)
-  {
-    const double meet = 0.5 * (to - from + (1.0 + a) * gap);
-    return meet > 0.0 && meet < gap ? from + (1.0 - a) * meet : std::max(from, to);
+    const double meet = 0.5 * (to - from + (1.0 + line.slope) * gap);
+    return meet > 0.0 && meet < gap ? from + (1.0 - line.slope) * meet : std::max(from, to);
   };
   double covered = 0.0;
   double atCovered = 0.0;
@@ -84,8 +76,8 @@ double aboveOfHalfedge(
     {
       continue;
     }
-    const double atBegin = w.distance(w.begin) - (atOrigin + a * w.begin);
-    const double atEnd = w.distance(w.end) - (atOrigin + a * w.end);
+    const double atBegin = w.distance(w.begin) - line.at(w.begin);
+    const double atEnd = w.distance(w.end) - line.at(w.end);
     if (std::max(atBegin, atEnd) > limit)
     {
       continue;
@@ -110,9 +102,8 @@ double belowThroughHalfedge(
 {
   const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
   const std::size_t k = halfedge % 3;
-  double below = 0.0;
-  belowOfHalfedge(shape.length[k], windows, d[k], d[(k + 1) % 3], Infinity, below);
-  return below + slackOf(shape, d).below;
+  const LineOnSegment line(shape.length[k], d[k], d[(k + 1) % 3]);
+  return belowOfHalfedge(line, windows) + slackOf(shape, d).below;
 }
 
 FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
@@ -132,27 +123,22 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
   double above = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const std::size_t next = (k + 1) % 3;
-    if (!belowOfHalfedge(shape.length[k], windows[k], d[k], d[next], limit - slack.below, below))
+    const LineOnSegment line(shape.length[k], d[k], d[(k + 1) % 3]);
+    below = std::max(below, belowOfHalfedge(line, windows[k]));
+    if (!(below <= limit - slack.below))
     {
       return {};
     }
     if (risesFrom(k, shape, d))
     {
-      above = std::max(
-        above, aboveOfHalfedge(shape.length[k], windows[k], d[k], d[next], limit - slack.above));
+      above =
+        std::max(above, aboveOfHalfedge(line, shape.length[k], windows[k], limit - slack.above));
     }
   }
   return { above + slack.above, below + slack.below };
 }
 
-double errorBySize(const TriangleMesh& mesh, Id face, double limit)
-{
-  const double longest = mesh.shape(face).longest();
-  return longest <= limit ? longest : Infinity;
-}
-
-double quickErrorOfFace(const DistanceField& field, Id face, double limit, double known)
+QuickError quickErrorOfFace(const DistanceField& field, Id face, double tolerance, double known)
 {
   const TriangleMesh& mesh = field.mesh();
   const Triangle& corners = mesh.triangle(face);
@@ -162,10 +148,14 @@ double quickErrorOfFace(const DistanceField& field, Id face, double limit, doubl
   {
     d[k] = field.vertexDistances()[corners[k]];
   }
-  const double bySize = errorBySize(mesh, face, limit);
-  if (bySize <= known || !(shape.area2 > 0.0))
+  QuickError error;
+  error.rounding = tolerance::FaceRounding * std::max({ d[0], d[1], d[2] });
+  const double limit = tolerance - error.rounding;
+  error.bySize = shape.longest() <= limit ? shape.longest() : Infinity;
+  error.byWindows = error.bySize;
+  if (error.bySize <= known || !(shape.area2 > 0.0))
   {
-    return bySize;
+    return error;
   }
   const Id halfedge = 3 * face;
   const FaceBounds bounds = boundsOfFace(mesh, face, d,
@@ -178,7 +168,8 @@ double quickErrorOfFace(const DistanceField& field, Id face, double limit, doubl
     const double atB = source.b[0] * d[0] + source.b[1] * d[1] + source.b[2] * d[2];
     bound = std::max(bound, std::max(atA, atB) + slackOf(shape, d).below);
   }
-  return bound <= limit ? std::min(bound, bySize) : bySize;
+  error.byWindows = bound <= limit ? std::min(bound, error.bySize) : error.bySize;
+  return error;
 }
 
 }

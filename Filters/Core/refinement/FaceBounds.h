@@ -31,6 +31,14 @@ struct GradientSlack
 /// \param d distances at its corners.
 GradientSlack slackOf(const FaceShape& shape, const std::array<double, 3>& d);
 
+/// The same for any triangle. The edges e1 and e2 from corner 0 are given by their dot products,
+/// the function by its rise along each.
+///
+/// \param area2 twice the area, positive.
+/// \param longest the triangle's longest edge.
+GradientSlack slackOf(
+  double e1e1, double e1e2, double e2e2, double area2, double rise1, double rise2, double longest);
+
 /// Whether the interpolant rises from the line of halfedge k into the face: ways against the
 /// gradient leave through such a halfedge.
 bool risesFrom(std::size_t k, const FaceShape& shape, const std::array<double, 3>& d);
@@ -45,14 +53,21 @@ FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<doub
 double belowThroughHalfedge(
   const TriangleMesh& mesh, Id halfedge, const std::array<double, 3>& d, const WindowRuns& windows);
 
-/// A bound of |distance - linear interpolant| in a face from its size: distances change by no more
-/// than the length moved, so the longest edge is a bound. Infinity if that exceeds the limit.
-double errorBySize(const TriangleMesh& mesh, Id face, double limit);
+/// Bounds of |distance - linear interpolant| in a face of a field that need no envelopes. Infinite
+/// where they exceed the tolerance less the rounding.
+struct QuickError
+{
+  /// Of the distances at the corners; to be added to the bounds.
+  double rounding = 0.0;
+  /// From the face's size: distances change by no more than the length moved, so the longest edge
+  /// is a bound.
+  double bySize = Infinity;
+  /// From the windows and sources, too; not computed if bySize is at most a bound that is known to
+  /// occur anyway.
+  double byWindows = Infinity;
+};
 
-/// A quick bound of |distance - linear interpolant| in a face of a field, with the sources in it;
-/// Infinity if it exceeds the limit. It is not computed if the face's size shows that the bound is
-/// at most `known`.
-double quickErrorOfFace(const DistanceField& field, Id face, double limit, double known);
+QuickError quickErrorOfFace(const DistanceField& field, Id face, double tolerance, double known);
 
 }
 

@@ -39,7 +39,7 @@ void LeafClosings::measureEdges(const std::vector<Id>& leaves)
       }
     }
   }
-  this->edges_.measure(edges);
+  this->workers_.measure(edges);
 }
 
 LeafClosings::Closed LeafClosings::findBest(RefinementWorker& worker, Id leaf) const
@@ -82,7 +82,7 @@ double LeafClosings::largestAround(Id leaf) const
   for (Id k = 0; k < 3; ++k)
   {
     const Id edge = this->triangles_.existingEdge(leaf, k);
-    largest = std::max(largest, this->edges_.measured(edge).largest());
+    largest = std::max(largest, this->workers_.measured(edge).largest());
   }
   return largest;
 }
@@ -118,7 +118,7 @@ Deviation LeafClosings::deviationBetween(RefinementWorker& worker, const FaceDis
 {
   if (j == (i + 1) % closing.size)
   {
-    return this->edges_.measured(closing.edges[i]);
+    return this->workers_.measured(closing.edges[i]);
   }
   // independent of the direction, to the last digit
   const auto [a, b] = std::minmax(closing.points[i], closing.points[j]);
@@ -150,7 +150,7 @@ LeafClosings::Check LeafClosings::checkTriangle(RefinementWorker& worker, const 
   const double rounding = tolerance::FaceRounding * largest;
   Check result;
   result.limit = std::max(this->tolerance_ - difference - rounding, 0.5 * this->tolerance_);
-  const bool small = sizeOf(linear) <= result.limit;
+  const bool small = longestEdge(linear.corners) <= result.limit;
   if (onEdges.largest() > result.limit && !small && !tight)
   {
     result.sample = onEdges.largest();

@@ -37,12 +37,11 @@ public:
   /// All arguments must outlive this.
   ///
   /// \param tolerance of the refinement.
-  LeafClosings(RedGreenMesh& triangles, EdgeDistances& edges, const DeviationRules& rules,
-    RefinementWorkers& workers, double tolerance)
+  LeafClosings(RedGreenMesh& triangles, RefinementWorkers& workers, const DeviationRules& rules,
+    double tolerance)
     : triangles_(triangles)
-    , edges_(edges)
-    , rules_(rules)
     , workers_(workers)
+    , rules_(rules)
     , tolerance_(tolerance)
   {
   }
@@ -72,9 +71,8 @@ private:
   double largestAround(Id leaf) const;
 
   RedGreenMesh& triangles_;
-  EdgeDistances& edges_;
-  const DeviationRules& rules_;
   RefinementWorkers& workers_;
+  const DeviationRules& rules_;
   double tolerance_;
   std::vector<Closed> best_;
 };

@@ -2,6 +2,7 @@
 #include "refinement/LinearFaceTest.h"
 
 #include "Tolerance.h"
+#include "refinement/Deviation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,47 @@ namespace geodesic
 
 namespace
 {
+
+// The widest gap allowed between the windows of a list, or before and behind them, as a fraction of
+// the band's half width.
+constexpr double BandGap = 0.25;
+
+/// A line along a halfedge, and the half width of the band around it.
+struct Band
+{
+  LineOnSegment line;
+  double limit;
+
+  double high(double x) const { return this->line.atBegin + this->limit + this->line.slope * x; }
+  double low(double x) const { return this->line.atBegin - this->limit + this->line.slope * x; }
+};
+
+// A window is convex, so it is highest over the line at an end.
+bool isUnder(const Window& w, const Band& band)
+{
+  const double overBegin = band.high(w.begin) - w.sigma;
+  const double overEnd = band.high(w.end) - w.sigma;
+  if (w.isLinear())
+  {
+    return w.sourceX * w.begin <= overBegin && w.sourceX * w.end <= overEnd;
+  }
+  const double b = w.begin - w.sourceX;
+  const double e = w.end - w.sourceX;
+  const double h2 = w.sourceDepth * w.sourceDepth;
+  return std::min(overBegin, overEnd) >= 0.0 && b * b + h2 <= overBegin * overBegin &&
+    e * e + h2 <= overEnd * overEnd;
+}
+
+// A circular window is above its tangent with the line's slope, which suffices in most cases.
+bool isOver(const Window& w, const Band& band)
+{
+  if (!w.isLinear() && w.sigma + w.sourceDepth * band.line.sine >= band.low(w.sourceX))
+  {
+    return true;
+  }
+  const double x = band.line.lowestOf(w);
+  return w.distance(x) >= band.low(x);
+}
 
 // Half the width of the band, as a fraction of the tolerance. If the distance on the halfedges
 // stays in this band around the interpolant, the face is linear without another look at its
@@ -33,12 +75,59 @@ float roundedUp(double value)
   return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
 }
 
-double sumOf(const FaceBounds& bounds, double rounding)
+LinearFaceTest::Sum sumOf(const FaceBounds& bounds, double rounding)
 {
-  return static_cast<double>(roundedUp(bounds.above)) + bounds.below + 2.0 * rounding;
+  const float above = roundedUp(bounds.above);
+  return { static_cast<double>(above) + bounds.below + 2.0 * rounding, above };
 }
 
 } // anonymous namespace
+
+ListInBand listInBand(
+  const WindowRange& windows, double length, double atOrigin, double atDestination, double limit)
+{
+  const Band band = { LineOnSegment(length, atOrigin, atDestination), limit };
+  const double slope = band.line.slope;
+  if (!((1.0 - slope) * (1.0 + slope) >= -tolerance::Tie)) // 0 along a ray
+  {
+    return {};
+  }
+  const double gap = BandGap * limit;
+  ListInBand inBand = { true, true };
+  double covered = 0.0;
+  for (const Window& w : windows)
+  {
+    if (!isOver(w, band))
+    {
+      return {};
+    }
+    inBand.staysBelowBand = inBand.staysBelowBand && w.begin <= covered + gap && isUnder(w, band);
+    covered = w.end;
+  }
+  inBand.staysBelowBand = inBand.staysBelowBand && covered + gap >= length;
+  return inBand;
+}
+
+// In a gap the distance changes by no more than the length moved from the gap's ends, and the line
+// by no more either.
+FaceBounds boundsFromBands(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
+  const std::array<bool, 3>& staysBelowBand, double limit)
+{
+  const FaceShape& shape = mesh.shape(face);
+  if (!(shape.area2 > 0.0))
+  {
+    return {};
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (!staysBelowBand[k] && risesFrom(k, shape, d))
+    {
+      return {};
+    }
+  }
+  const GradientSlack slack = slackOf(shape, d);
+  return { (1.0 + BandGap) * limit + slack.above, limit + slack.below };
+}
 
 MeasuredList LinearFaceTest::measure(const PassedList& list) const
 {
@@ -48,33 +137,28 @@ MeasuredList LinearFaceTest::measure(const PassedList& list) const
 }
 
 LinearFaceTest::Result LinearFaceTest::test(
-  Id face, const std::array<double, 3>& d, const PassedLists& lists, double known) const
+  Id face, const std::array<double, 3>& d, const MeasuredLists& lists, double known) const
 {
   const double rounding = roundingOf(d);
   if (!(rounding < this->tolerance_))
   {
-    return {};
+    return { {}, {}, false };
   }
-  const FaceBounds quick = this->boundsByBand(face, d, lists);
   Result result;
-  result.boundByBand = sumOf(quick, rounding);
-  result.aboveByBand = roundedUp(quick.above);
-  if (result.boundByBand <= known)
+  result.byBand = sumOf(this->boundsByBand(face, d, lists), rounding);
+  if (result.byBand.bound <= known)
   {
-    return result.boundUnlessDominated(known);
-  }
-  const FaceBounds bounds = this->boundsByWindows(face, d, lists, this->tolerance_ - rounding);
-  if (sumOf(bounds, rounding) <= this->tolerance_)
-  {
-    result.isLinear = true;
-    result.bound = sumOf(bounds, rounding);
-    result.above = roundedUp(bounds.above);
-    result.isSplitOnce = true;
     return result;
   }
-  const double once = SplitOnce * this->tolerance_;
-  const FaceBounds wide = this->boundsByWindows(face, d, lists, once);
-  result.isSplitOnce = std::max(wide.above, wide.below) + rounding <= once;
+  result.byWindows =
+    sumOf(this->boundsByWindows(face, d, lists, this->tolerance_ - rounding), rounding);
+  if (!(result.byWindows.bound <= this->tolerance_))
+  {
+    result.byWindows = {};
+    const double once = SplitOnce * this->tolerance_;
+    const FaceBounds wide = this->boundsByWindows(face, d, lists, once);
+    result.isSplitOnce = std::max(wide.above, wide.below) + rounding <= once;
+  }
   return result;
 }
 
@@ -88,34 +172,31 @@ double LinearFaceTest::boundWith(
 
 // Uses what was found about the lists as they passed.
 FaceBounds LinearFaceTest::boundsByBand(
-  Id face, const std::array<double, 3>& d, const PassedLists& lists) const
+  Id face, const std::array<double, 3>& d, const MeasuredLists& lists) const
 {
   const double rounding = roundingOf(d);
   std::array<bool, 3> staysBelowBand{};
-  const bool inBand = lists.forEach(face,
-    [&](const MeasuredList& measured)
+  for (const auto& [list, inBand] : lists)
+  {
+    const std::size_t k = list.halfedge % 3;
+    if (!inBand.staysAboveBand || !(std::abs(list.ends[0] - d[k]) <= rounding) ||
+      !(std::abs(list.ends[1] - d[(k + 1) % 3]) <= rounding))
     {
-      const std::array<double, 2>& ends = measured.list.ends;
-      const std::size_t k = measured.list.halfedge % 3;
-      staysBelowBand[k] = staysBelowBand[k] || measured.inBand.staysBelowBand;
-      return measured.inBand.staysAboveBand && std::abs(ends[0] - d[k]) <= rounding &&
-        std::abs(ends[1] - d[(k + 1) % 3]) <= rounding;
-    });
-  return inBand
-    ? boundsFromBands(this->mesh_, face, d, staysBelowBand, BandOfTolerance * this->tolerance_)
-    : FaceBounds();
+      return {};
+    }
+    staysBelowBand[k] = staysBelowBand[k] || inBand.staysBelowBand;
+  }
+  return boundsFromBands(this->mesh_, face, d, staysBelowBand, BandOfTolerance * this->tolerance_);
 }
 
 FaceBounds LinearFaceTest::boundsByWindows(
-  Id face, const std::array<double, 3>& d, const PassedLists& lists, double limit) const
+  Id face, const std::array<double, 3>& d, const MeasuredLists& lists, double limit) const
 {
   std::array<std::vector<WindowRange>, 3> ranges;
-  lists.forEach(face,
-    [&](const MeasuredList& measured)
-    {
-      ranges[measured.list.halfedge % 3].push_back(measured.list.windows.range());
-      return true;
-    });
+  for (const auto& [list, inBand] : lists)
+  {
+    ranges[list.halfedge % 3].push_back(list.windows.range());
+  }
   std::array<WindowRuns, 3> windows;
   for (std::size_t k = 0; k < 3; ++k)
   {

@@ -16,8 +16,7 @@ RedGreenMesh::RedGreenMesh(
   , endOfFaces_(surface.endOfOwnFaces())
   , frozen_(std::move(frozen))
   , beside_(std::move(beside))
-  , hasEdges_(mesh_.numberOfFaces(), 0)
-  , partsOfFace_(mesh_.numberOfFaces(), NoId)
+  , redOfFace_(mesh_.numberOfFaces(), NoId)
   , numberOfTriangles_(endOfFaces_ - firstFace_)
 {
 }
@@ -35,47 +34,6 @@ Vec2 RedGreenMesh::inPlane(Id point, Id face) const
     barycentric(this->mesh_, this->place(point), face));
 }
 
-Id RedGreenMesh::faceOf(Id triangle) const
-{
-  return triangle < this->faces_ ? triangle : this->part(triangle).face;
-}
-
-Triangle RedGreenMesh::corners(Id triangle) const
-{
-  return triangle < this->faces_ ? this->mesh_.triangle(triangle) : this->part(triangle).corners;
-}
-
-Id RedGreenMesh::partsOf(Id triangle) const
-{
-  return triangle < this->faces_ ? this->partsOfFace_[triangle] : this->part(triangle).parts;
-}
-
-void RedGreenMesh::setParts(Id triangle, Id parts)
-{
-  if (triangle < this->faces_)
-  {
-    this->partsOfFace_[triangle] = parts;
-  }
-  else
-  {
-    this->parts_[triangle - this->faces_].parts = parts;
-  }
-}
-
-Id RedGreenMesh::existingEdge(Id triangle, Id k) const
-{
-  if (triangle >= this->faces_)
-  {
-    return this->part(triangle).edges[k];
-  }
-  if (!this->hasEdges_[triangle])
-  {
-    return NoId;
-  }
-  const auto found = this->inputEdges_.find(this->mesh_.edgeOf(3 * triangle + k));
-  return found == this->inputEdges_.end() ? NoId : found->second;
-}
-
 Id RedGreenMesh::ensureEdge(Id triangle, Id k)
 {
   const Id existing = this->existingEdge(triangle, k);
@@ -86,14 +44,18 @@ Id RedGreenMesh::ensureEdge(Id triangle, Id k)
   const Id halfedge = this->mesh_.edgeOf(3 * triangle + k);
   const Id edge = this->addEdge(this->mesh_.origin(halfedge), this->mesh_.destination(halfedge),
     NoId, halfedge, TriangleMesh::faceOf(halfedge));
-  this->inputEdges_.emplace(halfedge, edge);
   Id around = halfedge;
   do
   {
-    this->hasEdges_[TriangleMesh::faceOf(around)] = 1;
+    const Id face = TriangleMesh::faceOf(around);
+    if (this->isWhole(face))
+    {
+      this->redOfFace_[face] = static_cast<Id>(this->redFaces_.size());
+      this->redFaces_.push_back({ face, this->mesh_.triangle(face) });
+    }
+    this->red(face).edges[around % 3] = edge;
     around = this->mesh_.nextSibling(around);
   } while (around != halfedge);
-  this->journal_.push_back({ Change::InputEdge, halfedge, NoId });
   return edge;
 }
 
@@ -124,28 +86,6 @@ Id RedGreenMesh::splitEdges(Id triangle) const
     count += this->isSplit(this->existingEdge(triangle, k)) ? 1 : 0;
   }
   return count;
-}
-
-Id RedGreenMesh::wayOf(Id triangle) const
-{
-  if (triangle >= this->faces_)
-  {
-    return this->part(triangle).way;
-  }
-  const auto found = this->waysOfFaces_.find(triangle);
-  return found == this->waysOfFaces_.end() ? 0 : found->second;
-}
-
-void RedGreenMesh::setWay(Id triangle, Id way)
-{
-  if (triangle >= this->faces_)
-  {
-    this->parts_[triangle - this->faces_].way = way;
-  }
-  else if (way != this->wayOf(triangle))
-  {
-    this->waysOfFaces_[triangle] = way;
-  }
 }
 
 namespace
@@ -205,7 +145,6 @@ void RedGreenMesh::addPolygon(Id triangle, Id begin, Closing& closing) const
     {
       closing.points[closing.size] = point;
       closing.edges[closing.size] = from;
-      closing.along[closing.size] = k;
       ++closing.size;
     };
     add(c[k], this->isSplit(edge) ? this->halfAt(edge, c[k]) : edge);
@@ -248,17 +187,12 @@ Id RedGreenMesh::trianglesBeside(const Edge& edge) const
 Id RedGreenMesh::frozenFacesAt(const Edge& edge) const
 {
   Id count = 0;
-  if (edge.halfedge != NoId)
-  {
-    Id halfedge = edge.halfedge;
-    do
+  this->forEachFaceAt(edge,
+    [&](Id face)
     {
-      const Id face = TriangleMesh::faceOf(halfedge);
-      const bool isOutput = face - this->firstFace_ < this->endOfFaces_ - this->firstFace_;
+      const bool isOutput = face >= this->firstFace_ && face < this->endOfFaces_;
       count += isOutput && this->isFrozen(face) ? 1 : 0;
-      halfedge = this->mesh_.nextSibling(halfedge);
-    } while (halfedge != edge.halfedge);
-  }
+    });
   return count;
 }
 
@@ -270,7 +204,6 @@ void RedGreenMesh::split(Id id, const Placement& placement)
   this->addEdge(middle, edge.ends[1], id, edge.halfedge, edge.face);
   this->edges_[id].split = middle;
   this->edges_[id].halves = first;
-  this->journal_.push_back({ Change::EdgeSplit, id, NoId });
 
   this->numberOfTriangles_ += this->frozenFacesAt(edge) + this->trianglesBeside(edge);
   this->forEachLeafAt(id,
@@ -294,12 +227,11 @@ Id RedGreenMesh::halfAt(Id edge, Id end) const
 Id RedGreenMesh::addPart(Id face, const Triangle& corners, const std::array<Id, 3>& edges)
 {
   const Id index = static_cast<Id>(this->parts_.size());
-  Part part{ face, corners, edges, {} };
+  Red part{ face, corners, edges };
   for (Id k = 0; k < 3; ++k)
   {
     Edge& edge = this->edges_[edges[k]];
     part.nextCorner[k] = edge.firstCorner;
-    this->journal_.push_back({ Change::FirstCorner, edges[k], edge.firstCorner });
     edge.firstCorner = 3 * index + k;
   }
   this->parts_.push_back(part);
@@ -333,8 +265,7 @@ void RedGreenMesh::splitIntoFour(Id triangle)
   this->addPart(
     face, { m[2], m[1], c[2] }, { inner[2], this->halfAt(e[1], c[2]), this->halfAt(e[2], c[2]) });
   this->addPart(face, { m[0], m[1], m[2] }, { inner[1], inner[2], inner[0] });
-  this->setParts(triangle, first);
-  this->journal_.push_back({ Change::TriangleSplit, triangle, NoId });
+  this->red(triangle).parts = first;
 }
 
 bool RedGreenMesh::isSplitTwice(Id triangle) const
@@ -367,38 +298,39 @@ Id RedGreenMesh::takeTouched()
 
 void RedGreenMesh::begin()
 {
-  this->journal_.clear();
   this->pointsBefore_ = this->points_.size();
-  this->edgesBefore_ = this->edges_.size();
-  this->partsBefore_ = this->parts_.size();
+  this->edgesBefore_ = this->numberOfEdges();
+  this->partsBefore_ = static_cast<Id>(this->parts_.size());
   this->trianglesBefore_ = this->numberOfTriangles_;
 }
 
 void RedGreenMesh::rollBack()
 {
-  for (auto undo = this->journal_.rbegin(); undo != this->journal_.rend(); ++undo)
+  this->edges_.resize(this->edgesBefore_);
+  for (Edge& edge : this->edges_)
   {
-    switch (undo->change)
+    if (edge.halves >= this->edgesBefore_)
     {
-      case Change::EdgeSplit:
-        this->edges_[undo->id].split = NoId;
-        this->edges_[undo->id].halves = NoId;
-        break;
-      case Change::FirstCorner:
-        this->edges_[undo->id].firstCorner = undo->old;
-        break;
-      case Change::TriangleSplit:
-        this->setParts(undo->id, NoId);
-        break;
-      case Change::InputEdge:
-        this->inputEdges_.erase(undo->id);
-        break;
+      edge.split = NoId;
+      edge.halves = NoId;
+    }
+    while (edge.firstCorner != NoId && edge.firstCorner / 3 >= this->partsBefore_)
+    {
+      edge.firstCorner = this->parts_[edge.firstCorner / 3].nextCorner[edge.firstCorner % 3];
     }
   }
-  this->journal_.clear();
   this->points_.resize(this->pointsBefore_);
-  this->edges_.resize(this->edgesBefore_);
   this->parts_.resize(this->partsBefore_);
+  for (std::vector<Red>* triangles : { &this->parts_, &this->redFaces_ })
+  {
+    for (Red& red : *triangles)
+    {
+      const auto forget = [](Id& id, Id before) { id = id < before ? id : NoId; };
+      forget(red.parts, this->partsBefore_);
+      std::for_each(
+        red.edges.begin(), red.edges.end(), [&](Id& edge) { forget(edge, this->edgesBefore_); });
+    }
+  }
   this->numberOfTriangles_ = this->trianglesBefore_;
   this->touched_.clear();
 }

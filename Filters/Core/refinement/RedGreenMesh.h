@@ -69,11 +69,9 @@ public:
   struct Closing
   {
     Id size = 0;
-    /// The polygon's points. From each point to the next, the edge (NoId if not made yet), and the
-    /// k of the leaf's edge that this edge equals or halves.
+    /// The polygon's points, and the edge from each to the next (NoId if not made yet).
     std::array<Id, 6> points;
     std::array<Id, 6> edges;
-    std::array<Id, 6> along;
     /// Indices into the polygon.
     Id count = 0;
     std::array<std::array<Id, 3>, 4> triangles;
@@ -99,16 +97,27 @@ public:
 
   bool isFrozen(Id face) const { return this->frozen_[face] != 0; }
   /// Whether an input face is unchanged in the output: even its edges have not been made.
-  bool isWhole(Id face) const { return !this->hasEdges_[face] && this->partsOfFace_[face] == NoId; }
+  bool isWhole(Id face) const { return this->redOfFace_[face] == NoId; }
   bool isLeaf(Id triangle) const { return this->partsOf(triangle) == NoId; }
-  Id faceOf(Id triangle) const;
+  Id faceOf(Id triangle) const
+  {
+    return triangle < this->faces_ ? triangle : this->parts_[triangle - this->faces_].face;
+  }
   /// Corners in the order of the input face.
-  Triangle corners(Id triangle) const;
+  Triangle corners(Id triangle) const
+  {
+    return triangle < this->faces_ ? this->mesh_.triangle(triangle)
+                                   : this->parts_[triangle - this->faces_].corners;
+  }
   /// Makes the edge from corner k to corner k + 1 if necessary, which invalidates references to
   /// edge data. \returns the edge.
   Id ensureEdge(Id triangle, Id k);
   /// The edge from corner k to corner k + 1 if it has been made, else NoId.
-  Id existingEdge(Id triangle, Id k) const;
+  Id existingEdge(Id triangle, Id k) const
+  {
+    const Red* red = this->find(triangle);
+    return red ? red->edges[k] : NoId;
+  }
   const Edge& edgeData(Id edge) const { return this->edges_[edge]; }
   /// Where an edge was split.
   Placement placementOf(Id edge) const
@@ -129,9 +138,23 @@ public:
   static Id waysToClose(Id splitEdges) { return splitEdges < 2 ? 1 : 2 * splitEdges - 2; }
   Closing closing(Id triangle, Id way) const;
   /// The way in which the output cuts a leaf.
-  Id wayOf(Id triangle) const;
-  void setWay(Id triangle, Id way);
+  Id wayOf(Id triangle) const
+  {
+    const Red* red = this->find(triangle);
+    return red ? red->way : 0;
+  }
+  /// For a leaf that has edges.
+  void setWay(Id triangle, Id way) { this->red(triangle).way = way; }
 
+  /// Visits the input faces that contain an edge.
+  template <typename Visitor>
+  void forEachFaceAt(const Edge& edge, Visitor&& visit) const
+  {
+    forEachFace(this->mesh_,
+      edge.halfedge == NoId ? SurfacePoint::inFace(edge.face, 0.0, 0.0)
+                            : SurfacePoint::onEdge(edge.halfedge, 0.0),
+      visit);
+  }
   /// Visits the leaves (except frozen ones) at this edge, split or unsplit.
   template <typename Visitor>
   void forEachLeafAt(Id edge, Visitor&& visit) const;
@@ -161,35 +184,43 @@ public:
   /// Calls emit(face, corners) for the triangles of some faces.
   template <typename Emit>
   void forEachTriangle(Id firstFace, Id endOfFaces, Emit&& emit) const;
+  /// Calls emit(face, corners) for the triangles of a leaf.
+  template <typename Emit>
+  void closeLeaf(Id triangle, Emit&& emit) const;
 
 private:
-  struct Part
+  /// A red triangle: a part, or an input face with edges.
+  struct Red
   {
     Id face;
     Triangle corners;
-    std::array<Id, 3> edges;
-    std::array<Id, 3> nextCorner;
+    std::array<Id, 3> edges = { NoId, NoId, NoId };
+    /// In a part, the next corner at which each of the edges begins.
+    std::array<Id, 3> nextCorner = {};
     Id parts = NoId;
     Id way = 0;
   };
 
-  enum class Change : std::uint32_t
+  /// Nothing for an input face without edges; most have none.
+  const Red* find(Id triangle) const
   {
-    EdgeSplit,
-    FirstCorner,
-    TriangleSplit,
-    InputEdge
-  };
-  struct Undo
+    if (triangle >= this->faces_)
+    {
+      return &this->parts_[triangle - this->faces_];
+    }
+    const Id index = this->redOfFace_[triangle];
+    return index == NoId ? nullptr : &this->redFaces_[index];
+  }
+  Red& red(Id triangle)
   {
-    Change change;
-    Id id;
-    Id old;
-  };
-
-  Id partsOf(Id triangle) const;
-  void setParts(Id triangle, Id parts);
-  const Part& part(Id triangle) const { return this->parts_[triangle - this->faces_]; }
+    return triangle < this->faces_ ? this->redFaces_[this->redOfFace_[triangle]]
+                                   : this->parts_[triangle - this->faces_];
+  }
+  Id partsOf(Id triangle) const
+  {
+    const Red* red = this->find(triangle);
+    return red ? red->parts : NoId;
+  }
   Id addEdge(Id a, Id b, Id parent, Id halfedge, Id face);
   Id addPoint(const Edge& edge, const Placement& placement);
   SurfacePoint between(const Edge& edge, double weight) const;
@@ -198,8 +229,6 @@ private:
   void addPolygon(Id triangle, Id begin, Closing& closing) const;
   Id trianglesBeside(const Edge& edge) const;
   Id frozenFacesAt(const Edge& edge) const;
-  template <typename Emit>
-  void closeLeaf(Id triangle, Emit&& emit) const;
   template <typename Emit>
   void closeFrozen(
     Id face, const Triangle& corners, const std::array<Id, 3>& edges, Emit&& emit) const;
@@ -213,21 +242,17 @@ private:
   std::unordered_map<Id, Id> beside_;
   std::vector<Point> points_;
   std::vector<Edge> edges_;
-  std::unordered_map<Id, Id> inputEdges_;
-  /// Input faces that may have edges in inputEdges_; most have none.
-  std::vector<std::uint8_t> hasEdges_;
-  std::vector<Part> parts_;
-  /// The first of the four parts of each input face.
-  std::vector<Id> partsOfFace_;
-  /// How input faces are closed, if not in the first way.
-  std::unordered_map<Id, Id> waysOfFaces_;
+  std::vector<Red> parts_;
+  /// The input faces with edges, and for each input face its index there or NoId.
+  std::vector<Red> redFaces_;
+  std::vector<Id> redOfFace_;
   std::vector<Id> touched_;
   std::uint64_t numberOfTriangles_;
 
-  std::vector<Undo> journal_;
+  /// The numbers at begin(): whatever has a higher one was made since.
   std::size_t pointsBefore_ = 0;
-  std::size_t edgesBefore_ = 0;
-  std::size_t partsBefore_ = 0;
+  Id edgesBefore_ = 0;
+  Id partsBefore_ = 0;
   std::uint64_t trianglesBefore_ = 0;
 };
 
@@ -243,20 +268,17 @@ void RedGreenMesh::forEachLeafAt(Id edge, Visitor&& visit) const
       visit(this->faces_ + corner / 3);
     }
   }
-  if (e.halfedge == NoId || e.parent != NoId)
+  if (e.halfedge != NoId && e.parent == NoId)
   {
-    return;
+    this->forEachFaceAt(e,
+      [&](Id face)
+      {
+        if (this->isLeaf(face) && !this->isFrozen(face))
+        {
+          visit(face);
+        }
+      });
   }
-  Id halfedge = e.halfedge;
-  do
-  {
-    const Id face = TriangleMesh::faceOf(halfedge);
-    if (this->isLeaf(face) && !this->isFrozen(face))
-    {
-      visit(face);
-    }
-    halfedge = this->mesh_.nextSibling(halfedge);
-  } while (halfedge != e.halfedge);
 }
 
 template <typename Emit>

@@ -57,15 +57,29 @@ public:
   explicit SplitPointNumbering(RefinedMesh& mesh)
     : mesh_(mesh)
   {
+    Id number = mesh.numberOfInputPoints;
+    for (const RefinedPoint& known : mesh.points)
+    {
+      this->numbers_.emplace(keyOf(known), number++);
+    }
   }
 
   /// The number of the point with these parents, which is added if necessary.
-  Id numberOf(const RefinedPoint& point);
+  Id numberOf(const RefinedPoint& point)
+  {
+    const Id next = this->mesh_.numberOfInputPoints + static_cast<Id>(this->mesh_.points.size());
+    const auto [found, isNew] = this->numbers_.emplace(keyOf(point), next);
+    if (isNew)
+    {
+      this->mesh_.points.push_back(point);
+    }
+    return found->second;
+  }
 
 private:
-  Id numberOfNext() const
+  static std::uint64_t keyOf(const RefinedPoint& point)
   {
-    return this->mesh_.numberOfInputPoints + static_cast<Id>(this->mesh_.points.size());
+    return (static_cast<std::uint64_t>(point.parents[0]) << 32) | point.parents[1];
   }
 
   RefinedMesh& mesh_;

@@ -28,13 +28,6 @@ public:
   {
   }
 
-  /// For a triangle whose corners are all corners of its face.
-  Triangle atCorners(Id face, const Triangle& corners) const
-  {
-    return { this->atCorner(face, corners[0]), this->atCorner(face, corners[1]),
-      this->atCorner(face, corners[2]) };
-  }
-
   /// Requires that the triangles of a face are consecutive.
   Triangle of(Id face, const Triangle& corners)
   {
@@ -47,19 +40,14 @@ public:
   }
 
 private:
-  Id atCorner(Id face, Id point) const
-  {
-    const Triangle& corners = this->triangles_.mesh().triangle(face);
-    const std::size_t k = point == corners[0] ? 0 : point == corners[1] ? 1 : 2;
-    return this->atCorners_[face][k];
-  }
-
   Id of(Id point)
   {
     const Id inputPoints = this->triangles_.numberOfInputPoints();
     if (point < inputPoints)
     {
-      return this->atCorner(this->face_, point);
+      const Triangle& corners = this->triangles_.mesh().triangle(this->face_);
+      const std::size_t k = point == corners[0] ? 0 : point == corners[1] ? 1 : 2;
+      return this->atCorners_[this->face_][k];
     }
     const auto known = this->inFace_.find(point);
     if (known != this->inFace_.end())
@@ -83,10 +71,10 @@ private:
   Id face_ = NoId;
 };
 
-/// Writes all triangles as write(face, corners) gives them, in parallel.
-template <typename Write>
+/// Writes all triangles in parallel, with numberOf(point) for each corner.
+template <typename NumberOf>
 void writeTriangles(const RedGreenMesh& triangles, const ParallelFor& parallelFor,
-  const ProgressCallback& callback, RefinedMesh& result, const Write& write)
+  const ProgressCallback& callback, const NumberOf& numberOf, RefinedMesh& result)
 {
   const Id first = triangles.firstFace();
   const std::size_t faces = triangles.endOfFaces() - first;
@@ -115,9 +103,9 @@ void writeTriangles(const RedGreenMesh& triangles, const ParallelFor& parallelFo
     {
       std::size_t place = places[begin / ItemsInRange];
       forEach(begin, end,
-        [&](Id face, const Triangle& corners)
+        [&](Id face, const Triangle& c)
         {
-          result.triangles[place] = write(face, corners);
+          result.triangles[place] = { numberOf(c[0]), numberOf(c[1]), numberOf(c[2]) };
           result.faces[place++] = face;
         });
     });
@@ -125,39 +113,34 @@ void writeTriangles(const RedGreenMesh& triangles, const ParallelFor& parallelFo
 
 } // anonymous namespace
 
-void writeOutput(const RedGreenMesh& triangles, const CallersPoints& points,
-  const ParallelFor& parallelFor, const ProgressCallback& progress, RefinedMesh& result)
+RefinedMesh writeOutput(const RedGreenMesh& triangles, const RefinementOptions& options,
+  Id numberOfPoints, const ProgressCallback& progress)
 {
   const TriangleMesh& mesh = triangles.mesh();
-  result.numberOfInputPoints = points.count;
-  if (points.atCorners.empty())
+  RefinedMesh result;
+  result.numberOfInputPoints = numberOfPoints;
+  if (options.cornerPoints.empty())
   {
-    const Id left = mesh.numberOfVertices() - points.count;
-    const auto numberOf = [&](Id point) { return point < points.count ? point : point - left; };
+    const Id left = mesh.numberOfVertices() - numberOfPoints;
+    const auto numberOf = [&](Id point) { return point < numberOfPoints ? point : point - left; };
     result.points.reserve(triangles.points().size());
     for (const RedGreenMesh::Point& split : triangles.points())
     {
       result.points.push_back(
         refinedPoint(mesh, split, { numberOf(split.parents[0]), numberOf(split.parents[1]) }));
     }
-    writeTriangles(triangles, parallelFor, progress, result,
-      [&](Id, const Triangle& c) {
-        return Triangle{ numberOf(c[0]), numberOf(c[1]), numberOf(c[2]) };
-      });
-    return;
+    writeTriangles(triangles, options.parallelFor, progress, numberOf, result);
+    return result;
   }
-  CallersNumbers numbers(triangles, points.atCorners, result);
-  writeTriangles(triangles, parallelFor, progress, result,
-    [&](Id face, const Triangle& corners)
-    { return triangles.isWhole(face) ? numbers.atCorners(face, corners) : corners; });
+  writeTriangles(
+    triangles, options.parallelFor, progress, [](Id point) { return point; }, result);
   // Points that split edges are numbered in the order in which triangles reach them.
+  CallersNumbers numbers(triangles, options.cornerPoints, result);
   for (std::size_t i = 0; i < result.triangles.size(); ++i)
   {
-    if (!triangles.isWhole(result.faces[i]))
-    {
-      result.triangles[i] = numbers.of(result.faces[i], result.triangles[i]);
-    }
+    result.triangles[i] = numbers.of(result.faces[i], result.triangles[i]);
   }
+  return result;
 }
 
 }

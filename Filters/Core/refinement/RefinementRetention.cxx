@@ -60,16 +60,16 @@ void RefinementRetention::pass(std::size_t district, const PassedList& list, Id,
   this->passed_[district].push_back(this->test_.measure(list));
 }
 
-std::array<double, 3> RefinementRetention::atCorners(Id face, const VertexNumbers& distances) const
+std::array<double, 3> RefinementRetention::atCorners(Id face, const VertexNumbers& numbers) const
 {
   const Triangle& t = this->mesh_.triangle(face);
-  return { distances(t[0]), distances(t[1]), distances(t[2]) };
+  return { numbers(t[0]), numbers(t[1]), numbers(t[2]) };
 }
 
-bool RefinementRetention::isReached(Id face, const VertexNumbers& distances) const
+double RefinementRetention::largestAtCorners(Id face, const VertexNumbers& numbers) const
 {
-  const std::array<double, 3> d = this->atCorners(face, distances);
-  return std::max({ d[0], d[1], d[2] }) < Infinity;
+  const std::array<double, 3> n = this->atCorners(face, numbers);
+  return std::max({ n[0], n[1], n[2] });
 }
 
 void RefinementRetention::takePassed(const FrontState& front)
@@ -97,8 +97,25 @@ void RefinementRetention::take(const MeasuredList& measured, const FrontState& f
   }
   else
   {
-    this->lists_.add(measured);
+    this->add(measured);
   }
+}
+
+void RefinementRetention::add(const MeasuredList& measured)
+{
+  MeasuredLists& lists = this->lists_[TriangleMesh::faceOf(measured.list.halfedge)];
+  auto last = lists.before_begin();
+  for (auto next = lists.begin(); next != lists.end(); ++next)
+  {
+    last = next;
+  }
+  if (this->unusedLists_.empty())
+  {
+    lists.insert_after(last, measured);
+    return;
+  }
+  this->unusedLists_.front() = measured;
+  lists.splice_after(last, this->unusedLists_, this->unusedLists_.before_begin());
 }
 
 void RefinementRetention::testAgain(Id face, const PassedList& late, const VertexNumbers& distances)
@@ -167,13 +184,8 @@ void RefinementRetention::awaitFacesAround(Id vertex, const VertexNumbers& proce
   for (const Id corner : this->mesh_.cornersAt(vertex))
   {
     const Id face = TriangleMesh::faceOf(corner);
-    if (this->state_[face] != State::Open)
-    {
-      continue;
-    }
-    const std::array<double, 3> p = this->atCorners(face, processed);
-    const double largest = std::max({ p[0], p[1], p[2] });
-    if (largest < Infinity)
+    const double largest = this->largestAtCorners(face, processed);
+    if (this->state_[face] == State::Open && largest < Infinity)
     {
       constexpr double edges = 2.0;
       this->state_[face] = State::Awaited;
@@ -193,13 +205,13 @@ void RefinementRetention::testDue(const FrontState& front)
     [](std::size_t) {},
     [&](std::size_t, std::size_t i)
     {
-      this->results_[i] = this->test_.test(
-        this->due_[i], this->atCorners(this->due_[i], front.distances), this->lists_, known);
+      const Id face = this->due_[i];
+      this->results_[i] =
+        this->test_.test(face, this->atCorners(face, front.distances), this->lists_[face], known);
     });
   for (std::size_t i = 0; i < this->due_.size(); ++i)
   {
-    const double knownNow = this->kept_.droppedErrorBound;
-    this->take(this->due_[i], this->results_[i].boundUnlessDominated(knownNow), front);
+    this->take(this->due_[i], this->results_[i], front);
   }
   this->due_.clear();
 }
@@ -208,13 +220,16 @@ void RefinementRetention::testDue(const FrontState& front)
 void RefinementRetention::take(
   Id face, const LinearFaceTest::Result& result, const FrontState& front)
 {
-  this->state_[face] = result.isLinear ? State::Linear : State::Kept;
-  if (result.isLinear)
+  const bool isKnown = result.byBand.bound <= this->kept_.droppedErrorBound;
+  const LinearFaceTest::Sum& sum = isKnown ? result.byBand : result.byWindows;
+  const bool isLinear = sum.bound <= this->tolerance_;
+  this->state_[face] = isLinear ? State::Linear : State::Kept;
+  if (isLinear)
   {
-    this->above_[face] = result.above;
-    this->raiseBound(result.bound);
+    this->above_[face] = sum.above;
+    this->raiseBound(sum.bound);
   }
-  if (result.isSplitOnce)
+  if (isLinear || result.isSplitOnce)
   {
     this->doWithoutNeighbours(face, front);
   }
@@ -237,7 +252,11 @@ void RefinementRetention::dropIfUnneeded(Id face, const FrontState& front)
   if (this->state_[face] == State::Linear && this->neededBy_[face] == 0)
   {
     this->state_[face] = State::Dropped;
-    this->lists_.free(face, front);
+    for (const MeasuredList& measured : this->lists_[face])
+    {
+      front.free(measured.list.windows);
+    }
+    this->unusedLists_.splice_after(this->unusedLists_.before_begin(), this->lists_[face]);
   }
 }
 
@@ -246,7 +265,7 @@ void RefinementRetention::finish(const FrontState& front)
   this->takePassed(front);
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
-    if (this->isOpen(face) && this->isReached(face, front.distances))
+    if (this->isOpen(face) && this->largestAtCorners(face, front.distances) < Infinity)
     {
       this->due_.push_back(face);
     }
@@ -257,17 +276,15 @@ void RefinementRetention::finish(const FrontState& front)
 
 void RefinementRetention::handOver(const FrontState& front)
 {
-  this->kept_.faces.assign(this->mesh_.numberOfFaces(), 1);
+  this->kept_.faces.resize(this->mesh_.numberOfFaces());
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
     const bool isKept = this->state_[face] != State::Dropped && this->surface_.isOwn(face);
     this->kept_.faces[face] = isKept ? 1 : 0;
-    this->lists_.forEach(face,
-      [this](const MeasuredList& measured)
-      {
-        this->kept_.windows.adopt(measured.list.halfedge, measured.list.windows.range());
-        return true;
-      });
+    for (const MeasuredList& measured : this->lists_[face])
+    {
+      this->kept_.windows.adopt(measured.list.halfedge, measured.list.windows.range());
+    }
   }
   for (WindowPool* used : front.pools)
   {

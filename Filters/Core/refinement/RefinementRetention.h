@@ -8,7 +8,6 @@
 #include "mesh/MeshPartition.h"
 #include "mesh/TriangleMesh.h"
 #include "refinement/LinearFaceTest.h"
-#include "refinement/PassedLists.h"
 
 #include <functional>
 #include <queue>
@@ -74,10 +73,11 @@ private:
   {
     return this->state_[face] == State::Linear || this->state_[face] == State::Dropped;
   }
-  std::array<double, 3> atCorners(Id face, const VertexNumbers& distances) const;
-  bool isReached(Id face, const VertexNumbers& distances) const;
+  std::array<double, 3> atCorners(Id face, const VertexNumbers& numbers) const;
+  double largestAtCorners(Id face, const VertexNumbers& numbers) const;
   void takePassed(const FrontState& front);
   void take(const MeasuredList& measured, const FrontState& front);
+  void add(const MeasuredList& measured);
   void testAgain(Id face, const PassedList& late, const VertexNumbers& distances);
   void awaitFacesAround(Id vertex, const VertexNumbers& processed);
   void testDue(const FrontState& front);
@@ -99,7 +99,9 @@ private:
   std::vector<float> above_;
   /// The number of neighbours that may need a linear face's windows.
   std::vector<Id> neededBy_;
-  PassedLists lists_;
+  /// The lists of each face that are still kept, and memory for more.
+  std::vector<MeasuredLists> lists_;
+  MeasuredLists unusedLists_;
   using Awaited = std::pair<double, Id>;
   std::priority_queue<Awaited, std::vector<Awaited>, std::greater<Awaited>> awaited_;
   /// Faces that are due for a test, and the results.

@@ -2,9 +2,8 @@
 #ifndef geodesic_RefinementWorkers_h
 #define geodesic_RefinementWorkers_h
 
-#include "Tasks.h"
+#include "PacedProgress.h"
 #include "refinement/DistancesInFaces.h"
-#include "refinement/RefinementProgress.h"
 #include "refinement/TriangleError.h"
 
 #include <memory>
@@ -12,6 +11,46 @@
 
 namespace geodesic
 {
+
+/// Reports to a callback how far a refinement is; the fraction never decreases.
+class RefinementProgress
+{
+public:
+  explicit RefinementProgress(const ProgressCallback& callback)
+    : callback_(ascending(callback))
+    , paced_(paced(this->callback_))
+  {
+  }
+  RefinementProgress(const RefinementProgress&) = delete;
+  RefinementProgress& operator=(const RefinementProgress&) = delete;
+
+  /// Called once per step with the estimated fraction done.
+  ///
+  /// \throws Aborted
+  void at(double fraction)
+  {
+    constexpr unsigned stepsPerReport = 256;
+    if (this->steps_++ % stepsPerReport == 0)
+    {
+      this->tell(fraction);
+    }
+  }
+
+  /// Called at the end of a longer step.
+  ///
+  /// \throws Aborted
+  void tell(double fraction) { reportProgress(this->callback_, std::min(fraction, 1.0)); }
+
+  /// Called between the pieces of a step, which may take long if faces have very many windows.
+  ///
+  /// \throws Aborted
+  void look() const { reportProgress(this->paced_, 0.0); }
+
+private:
+  ProgressCallback callback_;
+  ProgressCallback paced_;
+  unsigned steps_ = 0;
+};
 
 /// The tools of one task of a refinement.
 struct RefinementWorker
@@ -26,8 +65,8 @@ struct RefinementWorker
   TriangleError error;
 };
 
-/// The workers of a refinement. The number of a loop's items alone determines its tasks, each of
-/// which has a worker of its own.
+/// The workers of a refinement, and the deviations of edges, each of which they measure once. The
+/// number of a loop's items alone determines its tasks, each of which has a worker of its own.
 class RefinementWorkers
 {
 public:
@@ -67,20 +106,30 @@ public:
       [&](std::size_t task, std::size_t i) { item(*this->workers_[task], i); });
   }
 
+  /// The largest deviations of an edge; measures it if necessary.
+  Deviation deviation(Id edge);
+  /// Measures all edges that have not been measured yet, in parallel.
+  void measure(const std::vector<Id>& edges);
+  /// The largest deviations of a measured edge; may be called from several threads.
+  Deviation measured(Id edge) const { return this->edges_[edge].deviation; }
+  /// Forgets the edges that no longer exist.
+  void forgetNewEdges();
+
 private:
-  void resize(std::size_t count)
+  struct Edge
   {
-    while (this->workers_.size() < count)
-    {
-      this->workers_.push_back(std::make_unique<RefinementWorker>(this->field_, this->triangles_));
-    }
-  }
+    Deviation deviation;
+    bool isMeasured = false;
+  };
+
+  void resize(std::size_t count);
 
   const DistanceField& field_;
   const RedGreenMesh& triangles_;
   const ParallelFor& parallelFor_;
   const RefinementProgress& progress_;
   std::vector<std::unique_ptr<RefinementWorker>> workers_;
+  std::vector<Edge> edges_;
 };
 
 }

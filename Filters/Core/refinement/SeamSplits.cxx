@@ -23,18 +23,12 @@ void SeamSplits::shareFrozen()
   for (Id face = this->part_.firstOwnFace(); face < this->part_.endOfOwnFaces(); ++face)
   {
     this->frozen_[face] = this->triangles_.isFrozen(face) ? 1 : 0;
-    if (this->frozen_[face] == 0)
-    {
-      continue;
-    }
-    std::vector<int> receivers;
     for (const Id vertex : this->part_.mesh().triangle(face))
     {
       for (const RankAddress& other : this->part_.othersWith(vertex))
       {
-        if (std::find(receivers.begin(), receivers.end(), other.rank) == receivers.end())
+        if (this->frozen_[face] != 0)
         {
-          receivers.push_back(other.rank);
           geodesic::put(messages[rankIndex(other.rank)], face);
         }
       }
@@ -50,53 +44,67 @@ void SeamSplits::shareFrozen()
 // frozen.
 Id SeamSplits::firstRefinedFaceAt(Id edge) const
 {
-  Id halfedge = edge;
-  do
-  {
-    const Id face = TriangleMesh::faceOf(halfedge);
-    if (this->frozen_[face] == 0)
-    {
-      return face;
-    }
-    halfedge = this->part_.mesh().nextSibling(halfedge);
-  } while (halfedge != edge);
-  return NoId;
+  Id first = NoId;
+  this->triangles_.forEachFaceAt(this->triangles_.edgeData(edge),
+    [&](Id face) { first = first == NoId && this->frozen_[face] == 0 ? face : first; });
+  return first;
 }
 
 bool SeamSplits::isDecidedHere(Id edge) const
 {
-  const Id halfedge = this->triangles_.edgeData(edge).halfedge;
-  return halfedge == NoId || this->part_.isOwn(this->firstRefinedFaceAt(halfedge));
+  return this->part_.isOwn(this->firstRefinedFaceAt(edge));
 }
 
 void SeamSplits::ask(Id edge, int round)
 {
-  const Id halfedge = this->triangles_.edgeData(edge).halfedge;
-  const int decider = this->part_.addressOf(this->firstRefinedFaceAt(halfedge)).rank;
+  const int decider = this->part_.addressOf(this->firstRefinedFaceAt(edge)).rank;
   this->put(this->messages_[rankIndex(decider)], Kind::Request, edge, round);
 }
 
 void SeamSplits::tell(Id edge, int round)
 {
-  const RedGreenMesh::Edge& split = this->triangles_.edgeData(edge);
-  if (split.halfedge == NoId)
-  {
-    return;
-  }
   int last = this->part_.exchange().rank();
-  Id halfedge = split.halfedge;
-  do
-  {
-    const int owner = this->part_.addressOf(TriangleMesh::faceOf(halfedge)).rank;
-    if (owner != last && owner != this->part_.exchange().rank())
+  this->triangles_.forEachFaceAt(this->triangles_.edgeData(edge),
+    [&](Id face)
     {
-      Message& message = this->messages_[rankIndex(owner)];
-      this->put(message, Kind::Decision, edge, round);
-      geodesic::put(message, this->triangles_.placementOf(edge));
-    }
-    last = owner; // faces of one rank are consecutive
-    halfedge = this->part_.mesh().nextSibling(halfedge);
-  } while (halfedge != split.halfedge);
+      const int owner = this->part_.addressOf(face).rank;
+      if (owner != last && owner != this->part_.exchange().rank())
+      {
+        Message& message = this->messages_[rankIndex(owner)];
+        this->put(message, Kind::Decision, edge, round);
+        geodesic::put(message, this->triangles_.placementOf(edge));
+      }
+      last = owner; // faces of one rank are consecutive
+    });
+}
+
+SeamSplits::State SeamSplits::exchange(bool tooMany, const Receive& receive)
+{
+  const bool isQuiet = std::all_of(this->messages_.begin(), this->messages_.end(),
+    [](const Message& message) { return message.empty(); });
+  std::vector<double> least = { isQuiet ? 1.0 : 0.0, tooMany ? 0.0 : 1.0 };
+  const std::vector<Message> received = this->part_.exchange().step(
+    std::exchange(this->messages_, this->part_.exchange().noMessages()), least);
+  if (least[1] == 0.0)
+  {
+    return State::TooMany;
+  }
+  readEach(received,
+    [&](int, MessageReader& reader)
+    {
+      const auto entry = reader.get<Entry>();
+      const Id edge = this->takeEdge(entry, reader);
+      if (entry.kind == Kind::Decision)
+      {
+        const auto decided = reader.get<RedGreenMesh::Placement>();
+        receive(edge, entry.round, &decided);
+      }
+      else
+      {
+        receive(edge, entry.round, nullptr);
+      }
+    });
+  return least[0] == 0.0 ? State::Going : State::Settled;
 }
 
 void SeamSplits::put(Message& message, Kind kind, Id edge, int round) const

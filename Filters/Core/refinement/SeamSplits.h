@@ -6,6 +6,7 @@
 #include "refinement/RedGreenMesh.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace geodesic
@@ -43,14 +44,14 @@ public:
     /// A rank exceeds its number of triangles. All requests and decisions are lost.
     TooMany
   };
-  /// A collective call of all ranks, which delivers requests and decisions. Calls decided(edge,
-  /// round, placement) for each split that another rank has decided, and asked(edge, round) for
-  /// each that another rank asks for, even if it has been made since: by rank, in the order of
-  /// sending.
+  /// Called with each split that another rank has decided, and with each that another rank asks
+  /// for, even if it has been made since: then `decided` is null.
+  using Receive = std::function<void(Id edge, int round, const RedGreenMesh::Placement* decided)>;
+  /// A collective call of all ranks, which delivers requests and decisions: by rank, in the order
+  /// of sending.
   ///
   /// \param tooMany whether this rank has too many triangles.
-  template <typename Decided, typename Asked>
-  State exchange(bool tooMany, Decided&& decided, Asked&& asked);
+  State exchange(bool tooMany, const Receive& receive);
 
 private:
   enum class Kind : std::uint32_t
@@ -71,7 +72,7 @@ private:
   };
 
   void shareFrozen();
-  Id firstRefinedFaceAt(Id halfedge) const;
+  Id firstRefinedFaceAt(Id edge) const;
   void put(Message& message, Kind kind, Id edge, int round) const;
   Id takeEdge(const Entry& entry, MessageReader& reader);
 
@@ -81,38 +82,6 @@ private:
   std::vector<std::uint8_t> frozen_;
   std::vector<Message> messages_;
 };
-
-template <typename Decided, typename Asked>
-SeamSplits::State SeamSplits::exchange(bool tooMany, Decided&& decided, Asked&& asked)
-{
-  bool isQuiet = true;
-  for (const Message& message : this->messages_)
-  {
-    isQuiet = isQuiet && message.empty();
-  }
-  std::vector<double> least = { isQuiet ? 1.0 : 0.0, tooMany ? 0.0 : 1.0 };
-  const std::vector<Message> received = this->part_.exchange().step(
-    std::exchange(this->messages_, this->part_.exchange().noMessages()), least);
-  if (least[1] == 0.0)
-  {
-    return State::TooMany;
-  }
-  readEach(received,
-    [&](int, MessageReader& reader)
-    {
-      const auto entry = reader.get<Entry>();
-      const Id edge = this->takeEdge(entry, reader);
-      if (entry.kind == Kind::Decision)
-      {
-        decided(edge, entry.round, reader.get<RedGreenMesh::Placement>());
-      }
-      else
-      {
-        asked(edge, entry.round);
-      }
-    });
-  return least[0] == 0.0 ? State::Going : State::Settled;
-}
 
 }
 

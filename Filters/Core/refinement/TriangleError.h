@@ -2,14 +2,37 @@
 #ifndef geodesic_TriangleError_h
 #define geodesic_TriangleError_h
 
+#include "field/FaceDistance.h"
 #include "refinement/Deviation.h"
-#include "refinement/ExcessSearch.h"
+
+#include <array>
+#include <vector>
 
 namespace geodesic
 {
 
+/// A triangle of the plane with a linear function, given by its values at the corners.
+struct LinearPiece
+{
+  std::array<Vec2, 3> corners;
+  std::array<double, 3> values;
+};
+
+/// The length of a triangle's longest edge.
+double longestEdge(const std::array<Vec2, 3>& corners);
+
+/// The difference between distance and linear function in a triangle.
+struct ErrorInside
+{
+  /// No difference is larger.
+  double bound;
+  /// Such a difference does occur.
+  double sample;
+};
+
 /// Certified bounds of |distance - linear interpolant| on whole triangles; the paper considers
-/// edges only. Bounds.md explains why they hold.
+/// edges only. Bounds.md explains why they hold. One object serves many triangles and reuses its
+/// memory.
 ///
 /// The bounds are up to the rounding of distances.
 class TriangleError
@@ -31,12 +54,31 @@ public:
     double limit, bool tight = false);
 
 private:
+  /// A part of the triangle that is searched.
+  struct Node
+  {
+    LinearPiece piece;
+    Id depth;
+    /// For each corner, its row in the table of excesses.
+    std::array<std::size_t, 3> row;
+  };
+
+  double belowAtSources(const FaceDistance& face, const LinearPiece& piece) const;
   ErrorInside above(
     const FaceDistance& face, const LinearPiece& piece, double onEdges, double limit, bool tight);
-  double belowAtSources(const FaceDistance& face, const LinearPiece& piece) const;
+  ErrorInside search(const FaceDistance& face, const LinearPiece& piece, double limit, bool tight);
+  void chooseNear(const FaceDistance& face, const LinearPiece& piece);
+  std::size_t addRow(Vec2 p, double value);
+  double leastInRow(std::size_t row) const;
+  double halve(const Node& node);
+  double boundOf(const Node& node, double limit) const;
 
   const DistanceField& field_;
-  ExcessSearch search_;
+  std::vector<const DistanceCandidate*> near_;
+  /// Row by row: the excess of each candidate over the function at one point.
+  std::vector<double> excess_;
+  /// Parts that are yet to be examined.
+  std::vector<Node> nodes_;
 };
 
 }

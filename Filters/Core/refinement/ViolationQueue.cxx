@@ -34,38 +34,20 @@ bool ViolationQueue::isAnyOpen()
   return !this->waiting_.empty();
 }
 
-void ViolationQueue::takeWorst()
-{
-  this->batch_.push_back(this->waiting_.top());
-  this->waiting_.pop();
-}
-
 bool ViolationQueue::takeBatch()
 {
   this->batch_.clear();
-  const bool isAny = this->isAnyOpen();
-  this->worst_ = isAny ? this->waiting_.top().error : 0.0;
-  if (!this->surface_.isDistributed())
-  {
-    if (isAny)
-    {
-      this->takeWorst();
-      this->batchOfAll_ = 1;
-    }
-    return isAny;
-  }
+  this->worst_ = this->isAnyOpen() ? this->waiting_.top().error : 0.0;
   this->worst_ = this->surface_.exchange().largestOf(this->worst_);
-  if (!(this->worst_ > 0.0))
-  {
-    return false;
-  }
   const double least = this->worst_ * (this->hasLittleRoom() ? NearWorstWithLittleRoom : NearWorst);
-  while (this->isAnyOpen() && this->waiting_.top().error >= least)
+  const std::size_t most = this->surface_.isDistributed() ? NoLimit : 1;
+  while (this->batch_.size() < most && this->isAnyOpen() && this->waiting_.top().error >= least)
   {
-    this->takeWorst();
+    this->batch_.push_back(this->waiting_.top());
+    this->waiting_.pop();
   }
   this->keepShare();
-  return true;
+  return this->worst_ > 0.0;
 }
 
 // Each rank keeps a share in proportion to its number of leaves.

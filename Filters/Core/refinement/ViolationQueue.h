@@ -73,7 +73,6 @@ private:
 
   bool hasLittleRoom() const { return this->mostInBatch_ < NoLimit; }
   bool isAnyOpen();
-  void takeWorst();
   void keepShare();
 
   const RedGreenMesh& triangles_;

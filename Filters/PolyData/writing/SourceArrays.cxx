@@ -6,7 +6,7 @@
 #include "PolyData/ranks/BorrowedValues.h"
 #include "PolyData/writing/RefinedPolyData.h"
 #include "field/Gradients.h"
-#include "refinement/SeamPoints.h"
+#include "refinement/RefinedOnRanks.h"
 
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"

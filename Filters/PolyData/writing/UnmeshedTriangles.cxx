@@ -3,7 +3,7 @@
 
 #include "PolyData/writing/GlobalFaces.h"
 #include "PolyData/writing/SplitTriangle.h"
-#include "refinement/RefinedFaces.h"
+#include "refinement/RefinedOnRanks.h"
 
 #include <algorithm>
 #include <array>

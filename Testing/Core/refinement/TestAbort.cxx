@@ -12,7 +12,7 @@
 #include "paths/PathsToSource.h"
 #include "paths/ShortestPathFinder.h"
 #include "refinement/AdaptiveRefinement.h"
-#include "refinement/EdgeDistances.h"
+#include "refinement/DeviationRules.h"
 #include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>
@@ -340,6 +340,6 @@ TEST(Abort, IsAskedForAtEachSplitOfARefinement)
   geodesic::RedGreenMesh triangles(
     field.surface(), std::vector<std::uint8_t>(mesh.numberOfFaces(), 0));
   geodesic::RefinementWorkers workers(field, triangles, alone, progress);
-  geodesic::EdgeDistances distances(triangles, workers);
-  EXPECT_THROW(distances.onEdge(triangles.ensureEdge(0, 0), 0.5), geodesic::Aborted);
+  geodesic::DeviationRules rules(triangles, workers, 1.0);
+  EXPECT_THROW(rules.place(triangles.ensureEdge(0, 0)), geodesic::Aborted);
 }

@@ -3,7 +3,7 @@
 #include "EngineSupport.h"
 
 #include "refinement/FaceBounds.h"
-#include "refinement/LinearBand.h"
+#include "refinement/LinearFaceTest.h"
 
 #include <gtest/gtest.h>
 

@@ -35,9 +35,8 @@ public:
     , field_(solveKeepingAll(this->mesh_, engineCurves(this->mesh_, randomSource(random))))
     , triangles_(geodesic::MeshPartition(this->mesh_), { 0 })
     , workers_(this->field_, this->triangles_, this->parallelFor_, this->progress_)
-    , edges_(this->triangles_, this->workers_)
-    , rules_(this->triangles_, this->edges_, this->tolerance_)
-    , closings_(this->triangles_, this->edges_, this->rules_, this->workers_, this->tolerance_)
+    , rules_(this->triangles_, this->workers_, this->tolerance_)
+    , closings_(this->triangles_, this->workers_, this->rules_, this->tolerance_)
   {
     const Id whole = random.between(0, 3);
     for (Id k = 0; k < 3; ++k)
@@ -46,7 +45,8 @@ public:
       {
         const Id edge = this->triangles_.ensureEdge(0, k);
         const double weight = random.uniform(0.1, 0.9);
-        this->triangles_.split(edge, { weight, this->edges_.onEdge(edge, weight) });
+        this->triangles_.split(
+          edge, { weight, this->workers_.first().distances.onEdge(edge, weight) });
       }
     }
   }
@@ -72,7 +72,7 @@ public:
     for (Id k = 0; k < 3; ++k)
     {
       largest =
-        std::max(largest, this->edges_.deviation(this->triangles_.ensureEdge(0, k)).largest());
+        std::max(largest, this->workers_.deviation(this->triangles_.ensureEdge(0, k)).largest());
     }
     return this->rules_.allowedAngle(0, largest);
   }
@@ -94,7 +94,6 @@ private:
   geodesic::ProgressCallback callback_;
   geodesic::RefinementProgress progress_{ this->callback_ };
   geodesic::RefinementWorkers workers_;
-  geodesic::EdgeDistances edges_;
   geodesic::DeviationRules rules_;
   geodesic::LeafClosings closings_;
 };

@@ -5,8 +5,7 @@
 #include "refinement/RefinementSupport.h"
 #include "truth/MeshFiles.h"
 
-#include "refinement/RefinedFaces.h"
-#include "refinement/SeamPoints.h"
+#include "refinement/RefinedOnRanks.h"
 #include "refinement/SolveForRefinement.h"
 
 #include <gtest/gtest.h>

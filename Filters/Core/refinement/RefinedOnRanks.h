@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef geodesic_SeamPoints_h
-#define geodesic_SeamPoints_h
+#ifndef geodesic_RefinedOnRanks_h
+#define geodesic_RefinedOnRanks_h
 
 #include "field/DistanceField.h"
 #include "refinement/RefinedMesh.h"
@@ -8,8 +8,30 @@
 #include <cstddef>
 #include <vector>
 
+/// What ranks that share a surface tell each other about their refined meshes.
 namespace geodesic
 {
+
+/// The refinement of one face, whichever rank owns it: another triangle on the same vertices must
+/// be split alike to fit its neighbours.
+struct RefinedFace
+{
+  /// The added points, each after its parents. Here and in the triangles, the face's corners are
+  /// numbered 0, 1, 2, and these points follow. Their places are not set.
+  std::vector<RefinedPoint> points;
+  /// The number of each of these points in the owner's RefinedMesh::points.
+  std::vector<Id> numbersThere;
+  std::vector<Triangle> triangles;
+};
+
+/// A collective call of all ranks, which finds out how faces were refined.
+///
+/// \param faces the faces that this rank needs, by their owners, possibly itself; in any order.
+/// \param refined this rank's result of refine().
+/// \param cornerPoints those of the refinement's options.
+/// \returns one element for each of the faces.
+std::vector<RefinedFace> findRefinedFaces(const std::vector<RankAddress>& faces,
+  const MeshPartition& part, const RefinedMesh& refined, const std::vector<Triangle>& cornerPoints);
 
 /// Points that refinement has added on edges shared by faces of several ranks. Each of these ranks
 /// has its own point, at the same place. Listed here are those of this rank whose values another
