@@ -6,18 +6,15 @@
 #include "mesh/SurfacePoint.h"
 #include "mesh/TriangleMesh.h"
 
-#include <vector>
-
 namespace geodesic
 {
 
 /// Finds the length of a path from one point to another along mesh edges by best-first search: an
 /// upper bound of the geodesic distance. Infinite if no path joins the points.
 ///
-/// \param lengthTo work space, one entry a vertex; allocated if it is empty, and left clean.
 /// \param progress called now and then with 0; returning false throws Aborted.
 double lengthAlongEdges(const TriangleMesh& mesh, const SurfacePoint& first,
-  const SurfacePoint& second, std::vector<double>& lengthTo, const ProgressCallback& progress);
+  const SurfacePoint& second, const ProgressCallback& progress);
 
 }
 

@@ -212,7 +212,7 @@ PathToSource StripSearch::find(
   const std::vector<SourceCurve> curves = this->curvesOn(strip);
   options.corridor = &corridor;
   PathToSource path = { mesh,
-    cleanedTrace(mesh,
+    cleanedPath(mesh,
       pathInWindows(solve(mesh, curves, options, KeepWindows::All), this->targetOn(strip)),
       this->target_.distance),
     {}, true };

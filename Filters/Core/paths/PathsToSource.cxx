@@ -169,7 +169,7 @@ void PathFinder::traceFrom(Id target, LeavingPath& leaving)
   {
     const TriangleMesh& mesh = this->part_.mesh();
     const std::vector<SurfacePoint> points =
-      cleanedTrace(mesh, transit.path.points, transit.path.whole);
+      cleanedPath(mesh, transit.path.points, transit.path.whole);
     const auto addressOf = [this](Id face) { return this->part_.addressOf(face); };
     this->take_(target, { mesh, points, this->ends_.of(mesh, points, addressOf) });
     transit = PathInTransit();
@@ -331,7 +331,7 @@ void PathFinder::takeReport(MessageReader& reader)
   if (status == Status::Whole)
   {
     const PathStrip strip(found);
-    const std::vector<SurfacePoint> path = cleanedTrace(strip.mesh(), strip.points(), whole);
+    const std::vector<SurfacePoint> path = cleanedPath(strip.mesh(), strip.points(), whole);
     const auto addressOf = [&strip](Id face) { return strip.ownerOf(face); };
     this->take_(target, { strip.mesh(), path, this->ends_.of(strip.mesh(), path, addressOf) });
   }
