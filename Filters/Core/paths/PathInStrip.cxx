@@ -211,16 +211,11 @@ PathToSource StripSearch::find(
   const Corridor corridor = this->corridorIn(strip, faces);
   const std::vector<SourceCurve> curves = this->curvesOn(strip);
   options.corridor = &corridor;
-  PathToSource path = { mesh,
-    cleanedPath(mesh,
-      pathInWindows(solve(mesh, curves, options, KeepWindows::All), this->targetOn(strip)),
-      this->target_.distance),
-    {}, true };
-  if (!path.points.empty())
-  {
-    path.end = this->ends_.of(mesh, path.points, [&strip](Id face) { return strip.ownerOf(face); });
-  }
-  return path;
+  const std::vector<SurfacePoint> path = cleanedPath(mesh,
+    pathInWindows(solve(mesh, curves, options, KeepWindows::All), this->targetOn(strip)),
+    this->target_.distance);
+  const auto addressOf = [&strip](Id face) { return strip.ownerOf(face); };
+  return { mesh, path, path.empty() ? PathEnd() : this->ends_.of(mesh, path, addressOf), true };
 }
 
 } // anonymous namespace
