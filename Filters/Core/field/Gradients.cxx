@@ -7,12 +7,12 @@ namespace geodesic
 void Gradients::add(const IncomingSegment& piece)
 {
   if (piece.kind == IncomingSegment::Kind::Window && piece.distance > 0.0 &&
-    this->goesOnElsewhere(piece.ray()))
+    this->goesOnElsewhere(piece.ray))
   {
     const MeshPartition& part = this->field_.surface();
-    const RankAddress face = part.ownerOf(TriangleMesh::faceOf(piece.frame));
+    const RankAddress face = part.ownerOf(TriangleMesh::faceOf(piece.ray.halfedge));
     this->travellers_.push_back(
-      { part.exchange().rank(), this->result_.size(), piece.ray(), face, 0, 1 });
+      { part.exchange().rank(), this->result_.size(), piece.ray, face, 0, 1 });
   }
   this->result_.push_back(gradientOf(this->field_.mesh(), piece));
 }

@@ -163,9 +163,9 @@ CurveOrigin NearestSource::atSource(const IncomingSegment& piece)
   if (piece.along > 0.0 && piece.along < 1.0)
   {
     const double place = source.placeOfA + piece.along * (source.placeOfB - source.placeOfA);
-    const Vec2 along = inHalfedgeFrame(this->mesh_, piece.frame, source.b) -
-      inHalfedgeFrame(this->mesh_, piece.frame, source.a);
-    const CurveSide side = { source.curve, cross(along, piece.direction) < 0.0 };
+    const Vec2 along = inHalfedgeFrame(this->mesh_, piece.ray.halfedge, source.b) -
+      inHalfedgeFrame(this->mesh_, piece.ray.halfedge, source.a);
+    const CurveSide side = { source.curve, cross(along, piece.ray.direction) < 0.0 };
     return { side.origin(this->field_.surface().numberOfGlobalVertices()), place };
   }
   const double place = piece.along > 0.0 ? source.placeOfB : source.placeOfA;
@@ -177,15 +177,15 @@ CurveOrigin NearestSource::atSource(const IncomingSegment& piece)
 CurveOrigin NearestSource::inSector(const IncomingSegment& piece) const
 {
   const Id face = this->curves_.patch().faceAt(
-    this->field_.surface().addressOf(TriangleMesh::faceOf(piece.frame)));
-  const Id halfedge = 3 * face + piece.frame % 3;
-  const CurveOrigin onPatch = this->sectors_.of(halfedge, piece.direction);
+    this->field_.surface().addressOf(TriangleMesh::faceOf(piece.ray.halfedge)));
+  const Id halfedge = 3 * face + piece.ray.halfedge % 3;
+  const CurveOrigin onPatch = this->sectors_.of(halfedge, piece.ray.direction);
   const CurveSide side = CurveSide::of(onPatch.origin, this->meshOfCurves().numberOfVertices());
   double around = Infinity;
-  if (this->field_.hasAngles() && dot(piece.direction, piece.direction) > 0.0)
+  if (this->field_.hasAngles() && dot(piece.ray.direction, piece.ray.direction) > 0.0)
   {
     this->goAround(this->curves_.chains().pointAt(side.curve, onPatch.place));
-    around = this->directions_.around(halfedge, piece.direction);
+    around = this->directions_.around(halfedge, piece.ray.direction);
   }
   return this->atPoint(side, onPatch.place, around);
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 namespace geodesic
@@ -44,7 +43,7 @@ SubMesh::SubMesh(const TriangleMesh& surface, const SurfacePoint& first, const S
   constexpr std::size_t largePart = 4;
   const std::size_t maximum = surface.numberOfFaces() / largePart;
   std::unordered_map<Id, Id> patchVertex;
-  std::unordered_set<Id> visited;
+  std::vector<bool> isVisited(surface.numberOfFaces(), false);
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   const auto take = [&](Id face)
@@ -64,7 +63,9 @@ SubMesh::SubMesh(const TriangleMesh& surface, const SurfacePoint& first, const S
   };
   const auto visit = [&](Id face)
   {
-    if (visited.insert(face).second &&
+    const bool isNew = !isVisited[face];
+    isVisited[face] = true;
+    if (isNew &&
       (contains(surface, face, first) || contains(surface, face, second) ||
         isWithin(surface, face, first, second, bound)))
     {
