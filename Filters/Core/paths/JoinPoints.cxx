@@ -2,9 +2,7 @@
 #include "paths/JoinPoints.h"
 
 #include "Errors.h"
-#include "Tolerance.h"
 #include "paths/CleanPath.h"
-#include "paths/EdgePath.h"
 #include "paths/ShortestPath.h"
 #include "paths/SubMesh.h"
 
@@ -63,21 +61,19 @@ std::vector<SurfacePoint> pathBetween(const TriangleMesh& mesh, const SurfacePoi
   {
     return { first, second };
   }
-  const double length =
-    (1.0 + tolerance::BoundMargin) * lengthAlongEdges(mesh, first, second, progress);
-  if (length == Infinity)
+  const SubMesh patch(mesh, first, second, progress);
+  if (patch.bound() == Infinity)
   {
     return {};
   }
-  const SubMesh patch(mesh, first, second, length, progress);
   const auto find = [&](const SurfacePoint& from, const SurfacePoint& to)
   {
     std::vector<SurfacePoint> path = shortestPath(
-      patch.mesh(), patch.onPatch(from), patch.onPatch(to), length, parallelFor, progress);
+      patch.mesh(), patch.onPatch(from), patch.onPatch(to), patch.bound(), parallelFor, progress);
     std::transform(path.begin(), path.end(), path.begin(),
       [&patch](const SurfacePoint& point) { return patch.onSurface(point); });
     setEnds(mesh, from, to, path);
-    path = cleanedPath(mesh, path, length);
+    path = cleanedPath(mesh, path, patch.bound());
     linkEnds(mesh, path);
     return path;
   };

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paths/SubMesh.h"
 
+#include "Tolerance.h"
+
 #include <algorithm>
+#include <queue>
 #include <unordered_map>
 #include <utility>
 
@@ -10,6 +13,77 @@ namespace geodesic
 
 namespace
 {
+
+/// The vertices of the faces around a point, to which the way is straight; of a vertex only itself.
+std::vector<Id> verticesAround(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    return { point.id };
+  }
+  std::vector<Id> result;
+  forEachFace(mesh, point,
+    [&](Id face)
+    {
+      const Triangle& corners = mesh.triangle(face);
+      result.insert(result.end(), corners.begin(), corners.end());
+    });
+  return result;
+}
+
+struct Entry
+{
+  double estimate;
+  double length;
+  Id vertex;
+  bool operator<(const Entry& other) const { return this->estimate > other.estimate; }
+};
+
+/// The length of a shortest path along mesh edges, by best-first search (A*: the remaining distance
+/// in space is a lower bound). Infinite if no path joins the points.
+double lengthAlongEdges(const TriangleMesh& mesh, const SurfacePoint& first,
+  const SurfacePoint& second, const ProgressCallback& progress)
+{
+  std::unordered_map<Id, double> lengthTo;
+  std::priority_queue<Entry> queue;
+  const auto reach = [&](Id vertex, double length)
+  {
+    double& known = lengthTo.try_emplace(vertex, Infinity).first->second;
+    if (length < known)
+    {
+      known = length;
+      queue.push({ length + distanceInSpace(mesh, mesh.point(vertex), second), length, vertex });
+    }
+  };
+  for (const Id vertex : verticesAround(mesh, first))
+  {
+    reach(vertex, distanceInSpace(mesh, mesh.point(vertex), first));
+  }
+  const std::vector<Id> goals = verticesAround(mesh, second); // the way from there is straight
+  double best = Infinity;
+  for (std::size_t step = 1; !queue.empty() && queue.top().estimate < best; ++step)
+  {
+    const Entry top = queue.top();
+    queue.pop();
+    if (top.length == lengthTo[top.vertex])
+    {
+      const bool isGoal = std::find(goals.begin(), goals.end(), top.vertex) != goals.end();
+      best = isGoal ? top.estimate : best;
+      for (const Id corner : mesh.cornersAt(top.vertex))
+      {
+        const Id previous = TriangleMesh::previousInFace(corner);
+        reach(mesh.destination(corner), top.length + mesh.length(corner));
+        reach(mesh.origin(previous), top.length + mesh.length(previous));
+      }
+    }
+    constexpr std::size_t stepsPerReport = 4096;
+    if (step % stepsPerReport == 0)
+    {
+      reportProgress(progress, 0.0);
+    }
+  }
+  return best;
+}
 
 /// Whether a face may contain a point whose distances in space from the two points add up to no
 /// more than the bound. The sum grows by at most 2 for each unit of way.
@@ -36,9 +110,14 @@ Id placeOf(Id number, const std::vector<Id>& numbers)
 
 // Goes from face to face across shared vertices.
 SubMesh::SubMesh(const TriangleMesh& surface, const SurfacePoint& first, const SurfacePoint& second,
-  double bound, const ProgressCallback& progress)
+  const ProgressCallback& progress)
   : surface_(surface)
+  , bound_((1.0 + tolerance::BoundMargin) * lengthAlongEdges(surface, first, second, progress))
 {
+  if (this->bound_ == Infinity)
+  {
+    return;
+  }
   // A mesh of a larger part would cost about as much as it saves.
   constexpr std::size_t largePart = 4;
   const std::size_t maximum = surface.numberOfFaces() / largePart;
@@ -67,7 +146,7 @@ SubMesh::SubMesh(const TriangleMesh& surface, const SurfacePoint& first, const S
     isVisited[face] = true;
     if (isNew &&
       (contains(surface, face, first) || contains(surface, face, second) ||
-        isWithin(surface, face, first, second, bound)))
+        isWithin(surface, face, first, second, this->bound_)))
     {
       take(face);
     }
