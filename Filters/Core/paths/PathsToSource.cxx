@@ -411,6 +411,7 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
   const PathsOptions& options, const TakePath& take)
 {
   RetentionAround retention(part.mesh(), targets);
+  retention.keepAroundIrregularEdges();
   keepAroundEdges(part, targets, retention);
   FrontOptions frontOptions;
   frontOptions.keepArrivals = true;

@@ -46,6 +46,7 @@ public:
     , toSecond_(toSecond)
     , least_(least)
   {
+    this->keepAroundIrregularEdges();
   }
 
   double longestPath() const override { return this->longestPath_; }
