@@ -134,10 +134,12 @@ Id Cutter::addChange(const Isoline& line, std::size_t chord, bool isRightBefore)
   const Id frame = longestHalfedge(this->mesh_, face);
   const IncomingSegment piece = this->pieceTo(line, chord, begin);
   Vec2 at = inHalfedgeFrame(this->mesh_, frame, this->onChord(line, chord, begin));
-  const double length = norm(piece.direction);
-  if (piece.frame != NoId && TriangleMesh::faceOf(piece.frame) == face && length > 0.0)
+  const double length = norm(piece.ray.direction);
+  if (piece.ray.halfedge != NoId && TriangleMesh::faceOf(piece.ray.halfedge) == face &&
+    length > 0.0)
   {
-    const Vec2 along = turned(this->mesh_, (1.0 / length) * piece.direction, piece.frame, frame);
+    const Vec2 along =
+      turned(this->mesh_, (1.0 / length) * piece.ray.direction, piece.ray.halfedge, frame);
     const double value =
       incomingSegmentTo(this->field_, this->result_.points[line.points[chord]]).distance;
     at = at + (value - piece.distance) * along;

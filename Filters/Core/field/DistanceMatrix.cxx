@@ -21,7 +21,7 @@ std::vector<double> distancesFrom(const TriangleMesh& mesh, const std::vector<So
   {
     return distances;
   }
-  RetentionAround retention(mesh, targets, RetentionAround::Purpose::Distances, maximumDistance);
+  RetentionAround retention(mesh, targets, maximumDistance);
   FrontOptions options;
   options.progress = progress;
   FrontResult front = propagate(mesh, source, options, retention);

@@ -32,15 +32,10 @@ bool reachesAll(const Window& w)
   return !w.isLinear() && beside > 0.0 && w.sourceDepth <= tolerance::GrazingAngle * beside;
 }
 
-double squaredNorm(Vec2 v)
-{
-  return dot(v, v);
-}
-
 Vec2 nearestOnSegment(Vec2 a, Vec2 b, Vec2 p)
 {
   const Vec2 ab = b - a;
-  const double squared = squaredNorm(ab);
+  const double squared = dot(ab, ab);
   const double t = squared > 0.0 ? std::clamp(dot(p - a, ab) / squared, 0.0, 1.0) : 0.0;
   return a + t * ab;
 }
@@ -96,7 +91,10 @@ FaceDistance::FaceDistance(
   }
   for (const SourceInFace& source : field.sourcesIn(face))
   {
-    this->addSource(source);
+    const Vec2 a = this->inPlane(source.a);
+    const auto kind =
+      source.a == source.b ? DistanceCandidate::Kind::Cone : DistanceCandidate::Kind::Segment;
+    this->candidates_.push_back({ kind, 0.0, a, a, this->inPlane(source.b), 0.0, 0.0 });
   }
 }
 
@@ -118,12 +116,9 @@ void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge)
   {
     return;
   }
-  Barycentric corner{};
-  corner[halfedge % 3] = 1.0;
-  const Vec2 origin = this->inPlane(corner);
-  corner = {};
-  corner[(halfedge % 3 + 1) % 3] = 1.0;
-  const Vec2 along = (1.0 / length) * (this->inPlane(corner) - origin);
+  const Vec2 origin = this->inPlane(cornerWeights(halfedge % 3));
+  const Vec2 end = this->inPlane(cornerWeights((halfedge % 3 + 1) % 3));
+  const Vec2 along = (1.0 / length) * (end - origin);
   const Vec2 into = { -along.y, along.x };
   for (const Window& w : windows)
   {
@@ -169,18 +164,6 @@ void FaceDistance::addSourceInside(double along, double length, double distance,
     this->candidates_.push_back(
       { DistanceCandidate::Kind::Cone, distance, place, {}, {}, 0.0, 0.0 });
   }
-}
-
-void FaceDistance::addSource(const SourceInFace& source)
-{
-  const Vec2 a = this->inPlane(source.a);
-  const Vec2 b = this->inPlane(source.b);
-  if (source.a == source.b)
-  {
-    this->candidates_.push_back({ DistanceCandidate::Kind::Cone, 0.0, a, a, a, 0.0, 0.0 });
-    return;
-  }
-  this->candidates_.push_back({ DistanceCandidate::Kind::Segment, 0.0, {}, a, b, 0.0, 0.0 });
 }
 
 double FaceDistance::distance(Vec2 p) const

@@ -81,7 +81,6 @@ public:
 private:
   void addHalfedge(const DistanceField& field, Id halfedge);
   void addSourceInside(double along, double length, double distance, Vec2 place);
-  void addSource(const SourceInFace& source);
 
   const TriangleMesh* mesh_;
   bool exact_;

@@ -1,96 +1,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/Gradients.h"
 
+#include "Questions.h"
+
 namespace geodesic
 {
 
 void Gradients::add(const IncomingSegment& piece)
 {
-  if (piece.kind == IncomingSegment::Kind::Window && piece.distance > 0.0 &&
-    this->goesOnElsewhere(piece.ray()))
+  if (piece.kind == IncomingSegment::Kind::Window && piece.distance > 0.0)
   {
-    const MeshPartition& part = this->field_.surface();
-    const RankAddress face = part.ownerOf(TriangleMesh::faceOf(piece.frame));
-    this->travellers_.push_back(
-      { part.exchange().rank(), this->result_.size(), piece.ray(), face, 0, 1 });
+    const Hop hop = this->hopBefore(piece.ray);
+    if (hop.isOne())
+    {
+      this->open_.push_back({ this->result_.size(), hop, { hop.face } });
+    }
   }
   this->result_.push_back(gradientOf(this->field_.mesh(), piece));
 }
 
-// Whether another rank must follow the ray: this rank knows no face behind the halfedge, but the
-// owner of the halfedge's face may.
-bool Gradients::goesOnElsewhere(const IncomingRay& ray) const
+// Another rank must follow the ray if this rank knows no face behind the halfedge, but the owner of
+// the halfedge's face may.
+Gradients::Hop Gradients::hopBefore(IncomingRay ray) const
 {
-  const TriangleMesh& mesh = this->field_.mesh();
-  return !isInSpace(mesh, ray) && mesh.isBoundary(ray.halfedge) &&
-    !this->field_.surface().isOwn(TriangleMesh::faceOf(ray.halfedge));
+  const MeshPartition& part = this->field_.surface();
+  const Id face = TriangleMesh::faceOf(ray.halfedge);
+  if (isInSpace(part.mesh(), ray) || !part.mesh().isBoundary(ray.halfedge) || part.isOwn(face))
+  {
+    return {};
+  }
+  const RankAddress owned = part.ownerOf(face);
+  ray.halfedge = 3 * owned.id + ray.halfedge % 3;
+  return { owned, ray };
 }
 
 void Gradients::finish()
 {
-  Exchange& exchange = this->field_.surface().exchange();
-  while (exchange.isTrueAnywhere(!this->travellers_.empty()))
+  while (this->field_.surface().exchange().isTrueAnywhere(!this->open_.empty()))
   {
-    this->handOver(exchange);
+    this->askOnce();
   }
-  this->answer(exchange);
 }
 
-// Sends the rays to the owners of the faces that they enter, and follows those that come.
-void Gradients::handOver(Exchange& exchange)
+// Asks the owners of the faces that the rays enter. A ray that comes to a face again goes in a
+// circle of faces without area.
+void Gradients::askOnce()
 {
-  const MeshPartition& part = this->field_.surface();
-  std::vector<Message> messages = exchange.noMessages();
-  for (Traveller traveller : this->travellers_)
+  Questions questions(this->field_.surface().exchange());
+  for (std::size_t i = 0; i < this->open_.size(); ++i)
   {
-    Id& halfedge = traveller.ray.halfedge;
-    const RankAddress face = part.ownerOf(TriangleMesh::faceOf(halfedge));
-    halfedge = 3 * face.id + halfedge % 3;
-    put(messages[rankIndex(face.rank)], traveller);
+    const Hop& hop = this->open_[i].hop;
+    questions.ask(hop.face.rank, i, hop.ray);
   }
-  this->travellers_.clear();
-  readEach(exchange.step(std::move(messages)),
-    [&](int, MessageReader& reader)
+  std::vector<Open> goingOn;
+  questions.exchangeAnswers(
+    [&](MessageReader& question, Message& answer)
     {
-      auto traveller = reader.get<Traveller>();
-      traveller.ray = backToDirectionInSpace(part.mesh(), traveller.ray);
-      const bool goesOn = this->goesOnElsewhere(traveller.ray) && !this->isInCircle(traveller);
-      (goesOn ? this->travellers_ : this->arrived_).push_back(traveller);
-    });
-}
-
-bool Gradients::isInCircle(Traveller& traveller) const
-{
-  const RankAddress face =
-    this->field_.surface().ownerOf(TriangleMesh::faceOf(traveller.ray.halfedge));
-  if (face.rank == traveller.mark.rank && face.id == traveller.mark.id)
-  {
-    return true;
-  }
-  if (++traveller.passed == traveller.limit)
-  {
-    traveller.mark = face;
-    traveller.passed = 0;
-    traveller.limit *= 2;
-  }
-  return false;
-}
-
-void Gradients::answer(Exchange& exchange)
-{
-  std::vector<Message> messages = exchange.noMessages();
-  for (const Traveller& traveller : this->arrived_)
-  {
-    const IncomingRay& ray = traveller.ray;
-    put(messages[rankIndex(traveller.rank)],
-      Answer{ traveller.point, inSpace(this->field_.mesh(), ray.halfedge, ray.direction) });
-  }
-  readEach(exchange.step(std::move(messages)),
-    [this](int, MessageReader& reader)
+      const TriangleMesh& mesh = this->field_.mesh();
+      const IncomingRay ray = backToDirectionInSpace(mesh, question.get<IncomingRay>());
+      put(answer, Answer{ inSpace(mesh, ray.halfedge, ray.direction), this->hopBefore(ray) });
+    },
+    [&](std::size_t i, MessageReader& reader)
     {
       const auto answer = reader.get<Answer>();
-      this->result_[answer.point] = answer.gradient;
+      Open& open = this->open_[i];
+      this->result_[open.point] = answer.gradient;
+      if (answer.hop.isOne() && open.passed.insert(answer.hop.face).second)
+      {
+        open.hop = answer.hop;
+        goingOn.push_back(std::move(open));
+      }
     });
+  this->open_ = std::move(goingOn);
 }
 
 }

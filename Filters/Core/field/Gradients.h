@@ -5,6 +5,7 @@
 #include "field/IncomingSegment.h"
 #include "mesh/MeshPartition.h"
 
+#include <set>
 #include <vector>
 
 namespace geodesic
@@ -29,36 +30,34 @@ public:
   void finish();
 
 private:
-  /// A ray that is followed back over ranks.
-  struct Traveller
+  /// A ray that comes from another rank: the face that it enters, on the rank that owns it, and the
+  /// ray by that rank's numbers.
+  struct Hop
   {
-    /// The rank that asks, and the number of the point there.
-    int rank;
-    std::size_t point;
+    RankAddress face = { -1, NoId };
     IncomingRay ray;
-    /// Detects a cycle of the faces at which the ray is handed over (R. P. Brent 1980): a face that
-    /// it has passed, how many it has passed since then, and after how many the mark moves on.
-    RankAddress mark;
-    std::size_t passed;
-    std::size_t limit;
+
+    bool isOne() const { return this->face.rank >= 0; }
+  };
+  /// A point whose ray is followed back over ranks, and the faces that it has entered there.
+  struct Open
+  {
+    std::size_t point;
+    Hop hop;
+    std::set<RankAddress> passed;
   };
   struct Answer
   {
-    std::size_t point;
     Vec3 gradient;
+    Hop hop;
   };
 
-  bool goesOnElsewhere(const IncomingRay& ray) const;
-  bool isInCircle(Traveller& traveller) const;
-  void handOver(Exchange& exchange);
-  void answer(Exchange& exchange);
+  Hop hopBefore(IncomingRay ray) const;
+  void askOnce();
 
   const DistanceField& field_;
   std::vector<Vec3>& result_;
-  /// Rays that continue on other ranks.
-  std::vector<Traveller> travellers_;
-  /// Rays that ended on this rank.
-  std::vector<Traveller> arrived_;
+  std::vector<Open> open_;
 };
 
 }

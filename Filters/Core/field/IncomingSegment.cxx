@@ -58,52 +58,50 @@ public:
   /// Goes to a face around the point.
   void enter(Id face)
   {
+    this->face_ = face;
+    this->inFace_ = barycentric(this->mesh_, this->point_, face);
     this->faceSize_ = this->mesh_.shape(face).longest();
     // Ways across a face without area are as short as rounding. Paths bend at its corners only.
     this->leastBend_ = hasPlane(this->mesh_, face) ? 0.0 : tolerance::NearEdge * this->faceSize_;
   }
 
-  void comeFromSources(Id face)
+  void comeFromSources()
   {
-    const Barycentric point = barycentric(this->mesh_, this->point_, face);
-    forEachWayFromSource(this->field_, face, point,
+    forEachWayFromSource(this->field_, this->face_, this->inFace_,
       [&](const SourceInFace& source, const Barycentric& begin, double length)
       {
         if (this->improve(IncomingSegment::Kind::Source, length, length))
         {
-          this->setDirection(face, begin, point);
+          this->best_.ray = this->rayFrom(begin);
           this->best_.source = source;
-          this->best_.along = nearestAlongSource(this->mesh_, source, point);
+          this->best_.along = nearestAlongSource(this->mesh_, source, this->inFace_);
         }
       });
   }
 
-  void comeFromCorners(Id face)
+  void comeFromCorners()
   {
-    const Barycentric point = barycentric(this->mesh_, this->point_, face);
-    forEachWayFromCorner(this->field_, face, this->point_, point,
+    forEachWayFromCorner(this->field_, this->face_, this->point_, this->inFace_,
       [&](std::size_t k, double distance, double length)
       {
         if (this->improve(IncomingSegment::Kind::Corner, distance, length))
         {
-          this->setDirection(face, cornerWeights(k), point);
-          this->corner_ = this->mesh_.triangle(face)[k];
-          this->best_.origin = this->field_.surface().globalId(this->corner_);
+          this->best_.ray = this->rayFrom(cornerWeights(k));
+          this->setCorner(this->mesh_.triangle(this->face_)[k]);
         }
       });
   }
 
   /// Windows of a halfedge that holds the point came through the face behind the halfedge.
-  void comeThroughWindows(Id face)
+  void comeThroughWindows()
   {
-    const Barycentric point = barycentric(this->mesh_, this->point_, face);
     for (Id k = 0; k < 3; ++k)
     {
-      const Id halfedge = 3 * face + k;
-      const bool isOnIt = isOnHalfedge(point, k);
+      const Id halfedge = 3 * this->face_ + k;
+      const bool isOnIt = isOnHalfedge(this->inFace_, k);
       // At an edge of three and more faces the path may have come through any of the others.
       const bool isUnsure = isOnIt && !this->mesh_.isInner(halfedge);
-      const Vec2 p = inHalfedgeFrame(this->mesh_, halfedge, point);
+      const Vec2 p = inHalfedgeFrame(this->mesh_, halfedge, this->inFace_);
       forEachWayThrough(this->field_, halfedge, p,
         [&](const Window& w, double x, double distance, double)
         {
@@ -113,7 +111,7 @@ public:
                 IncomingSegment::Kind::Window, distance, isUnsure || way.isBent ? 0.0 : straight))
           {
             const IncomingRay ray = { halfedge, false, x, way.direction };
-            this->setRay(isOnIt ? acrossEdge(this->mesh_, ray) : ray);
+            this->best_.ray = isOnIt ? acrossEdge(this->mesh_, ray) : ray;
             this->best_.origin = w.origin;
             this->best_.place = w.placeOf({ x, 0.0 });
             this->best_.rayOfWindow = way.isBent ? w.direction(x) : way.direction;
@@ -126,32 +124,31 @@ public:
   void fromArrival()
   {
     const Arrival& arrival = this->field_.arrivals()[this->point_.id];
-    const Id face = TriangleMesh::faceOf(arrival.halfedge);
+    this->enter(TriangleMesh::faceOf(arrival.halfedge));
     this->best_.distance = this->field_.vertexDistances()[this->point_.id];
-    this->best_.origin = arrival.origin;
-    this->best_.place = arrival.place;
-    this->enter(face);
-    if (arrival.isThroughWindow())
+    if (!arrival.isThroughWindow())
     {
-      this->best_.kind = IncomingSegment::Kind::Window;
-      const WayFrom way = wayFrom(arrival.x, apexOf(this->mesh_, arrival.halfedge),
-        arrival.direction, this->faceSize_, this->leastBend_);
-      this->setRay({ arrival.halfedge, false, arrival.x, way.direction });
-      this->best_.rayOfWindow = way.isBent ? arrival.direction : way.direction;
-      const Id corner = cornerCrossed(this->mesh_, arrival);
-      if (way.isBent && corner != NoId)
-      {
-        // The way along the edge is as long, but the window's origin lies on one side of the edge.
-        this->best_.kind = IncomingSegment::Kind::Corner;
-        this->best_.origin = this->field_.surface().globalId(corner);
-        this->corner_ = corner;
-      }
+      const std::size_t k = this->cornerWithNumber(arrival.origin);
+      this->best_.kind = IncomingSegment::Kind::Corner;
+      this->best_.ray = this->rayFrom(cornerWeights(k));
+      this->best_.place = arrival.place;
+      this->setCorner(this->mesh_.triangle(this->face_)[k]);
       return;
     }
-    const std::size_t k = this->cornerWithNumber(face, arrival.origin);
-    this->best_.kind = IncomingSegment::Kind::Corner;
-    this->corner_ = this->mesh_.triangle(face)[k];
-    this->setDirection(face, cornerWeights(k), barycentric(this->mesh_, this->point_, face));
+    const WayFrom way = wayFrom(arrival.x, apexOf(this->mesh_, arrival.halfedge), arrival.direction,
+      this->faceSize_, this->leastBend_);
+    this->best_.kind = IncomingSegment::Kind::Window;
+    this->best_.ray = { arrival.halfedge, false, arrival.x, way.direction };
+    this->best_.origin = arrival.origin;
+    this->best_.place = arrival.place;
+    this->best_.rayOfWindow = way.isBent ? arrival.direction : way.direction;
+    const Id corner = cornerCrossed(this->mesh_, arrival);
+    if (way.isBent && corner != NoId)
+    {
+      // The way along the edge is as long, but the window's origin lies on one side of the edge.
+      this->best_.kind = IncomingSegment::Kind::Corner;
+      this->setCorner(corner);
+    }
   }
 
   /// The direction is known only in the plane of a face that has an area.
@@ -159,7 +156,7 @@ public:
   {
     if (this->best_.kind == IncomingSegment::Kind::Window)
     {
-      this->setRay(backToDirectionInSpace(this->mesh_, this->best_.ray()));
+      this->best_.ray = backToDirectionInSpace(this->mesh_, this->best_.ray);
     }
   }
 
@@ -167,7 +164,7 @@ public:
   /// Whether the best piece comes from a corner and has no length.
   bool isAtCorner() const
   {
-    return this->best_.kind == IncomingSegment::Kind::Corner && isZero(this->best_.direction);
+    return this->best_.kind == IncomingSegment::Kind::Corner && isZero(this->best_.ray.direction);
   }
   /// Whether the best piece comes from a corner, is as short as rounding, and the corner itself has
   /// a direction.
@@ -175,7 +172,7 @@ public:
   {
     const double rounding = tolerance::PlaceRounding * (this->faceSize_ + this->best_.distance);
     return this->best_.kind == IncomingSegment::Kind::Corner &&
-      norm(this->best_.direction) <= rounding &&
+      norm(this->best_.ray.direction) <= rounding &&
       this->field_.vertexDistances()[this->corner_] > 0.0 &&
       this->field_.arrivals()[this->corner_].isKnown();
   }
@@ -200,27 +197,26 @@ private:
     return true;
   }
 
-  std::size_t cornerWithNumber(Id face, Id globalId) const
+  std::size_t cornerWithNumber(Id globalId) const
   {
-    const Triangle& t = this->mesh_.triangle(face);
+    const Triangle& t = this->mesh_.triangle(this->face_);
     return this->field_.surface().globalId(t[0]) == globalId ? 0
       : this->field_.surface().globalId(t[1]) == globalId    ? 1
                                                              : 2;
   }
 
-  void setDirection(Id face, const Barycentric& from, const Barycentric& to)
+  void setCorner(Id corner)
   {
-    this->best_.frame = longestHalfedge(this->mesh_, face);
-    this->best_.direction = inHalfedgeFrame(this->mesh_, this->best_.frame, to) -
-      inHalfedgeFrame(this->mesh_, this->best_.frame, from);
+    this->corner_ = corner;
+    this->best_.origin = this->field_.surface().globalId(corner);
   }
 
-  void setRay(const IncomingRay& ray)
+  IncomingRay rayFrom(const Barycentric& begin) const
   {
-    this->best_.frame = ray.halfedge;
-    this->best_.direction = ray.direction;
-    this->best_.x = ray.x;
-    this->best_.leaves = ray.leaves;
+    const Id frame = longestHalfedge(this->mesh_, this->face_);
+    return { frame, false, 0.0,
+      inHalfedgeFrame(this->mesh_, frame, this->inFace_) -
+        inHalfedgeFrame(this->mesh_, frame, begin) };
   }
 
   const DistanceField& field_;
@@ -231,7 +227,10 @@ private:
   Id corner_ = NoId;
   /// The length of the straight end of the best way.
   double straight_ = 0.0;
-  /// Of the current face: the longest edge, and how near to the point paths may bend.
+  /// The current face, and in it: the point, the longest edge, and how near to the point paths may
+  /// bend.
+  Id face_ = NoId;
+  Barycentric inFace_ = {};
   double faceSize_ = 0.0;
   double leastBend_ = 0.0;
 };
@@ -255,7 +254,7 @@ void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPie
     [&](Id face)
     {
       search.enter(face);
-      search.comeFromSources(face);
+      search.comeFromSources();
     });
   if (field.arrivals()[point.id].isKnown() && search.best().kind == IncomingSegment::Kind::Source)
   {
@@ -265,7 +264,7 @@ void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPie
     [&](Id face)
     {
       search.enter(face);
-      search.comeFromCorners(face);
+      search.comeFromCorners();
     });
 }
 
@@ -321,9 +320,9 @@ IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint
       {
         isKnown = true;
         search.enter(face);
-        search.comeFromSources(face);
-        search.comeFromCorners(face);
-        search.comeThroughWindows(face);
+        search.comeFromSources();
+        search.comeFromCorners();
+        search.comeThroughWindows();
       }
     });
   if (!isKnown && !field.hasWindows())
@@ -337,7 +336,7 @@ IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint
 Vec3 gradientOf(const TriangleMesh& mesh, const IncomingSegment& piece)
 {
   return piece.kind != IncomingSegment::Kind::None && piece.distance > 0.0
-    ? inSpace(mesh, piece.frame, piece.direction)
+    ? inSpace(mesh, piece.ray.halfedge, piece.ray.direction)
     : Vec3{};
 }
 

@@ -26,14 +26,10 @@ struct IncomingSegment
 
   Kind kind = Kind::None;
   double distance = Infinity;
-  /// The direction in which the path comes to the point, of any length; zero if the piece has no
-  /// length. The frame is that of a halfedge of the last face on the path that has an area.
-  Id frame = NoId;
-  Vec2 direction = {};
-  /// If it comes through a window: where it crosses the halfedge, and whether it leaves the face
-  /// there.
-  double x = 0.0;
-  bool leaves = false;
+  /// The direction in which the path comes to the point; zero if the piece has no length. The
+  /// halfedge is one of the last face on the path that has an area. If the piece comes through a
+  /// window, the ray crosses it.
+  IncomingRay ray;
   /// The corner (MeshPartition::globalId()) or the window's origin (Window::origin). Of a window
   /// also the place of the ray (Window::placeOf()), and the ray in the frame of the window's
   /// halfedge.
@@ -43,8 +39,6 @@ struct IncomingSegment
   /// The source, and how far along it the piece begins: nearestAlongSource().
   SourceInFace source;
   double along = 0.0;
-
-  IncomingRay ray() const { return { this->frame, this->leaves, this->x, this->direction }; }
 };
 
 /// \param field with arrivals (FrontOptions::keepArrivals) and, unless the point is a vertex, with

@@ -17,83 +17,40 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   , curves_(patch, curves)
   , firstPoint_(PointSide::first(field.surface().numberOfGlobalVertices(),
       static_cast<Id>(this->curves_.chains().curves().size())))
+  , origins_(field.mesh().numberOfVertices())
   , vertices_(field.surface())
   , sectors_(patch.mesh())
   , directions_(patch.mesh())
 {
-  this->find(callback);
-  if (field.surface().isDistributed())
-  {
-    this->elsewhere_ =
-      std::make_unique<RemoteOrigins>(this->field_, this->vertices_, this->origins_);
-  }
-}
-
-NearestSource::~NearestSource() = default;
-
-void NearestSource::find(const ProgressCallback& callback)
-{
-  this->origins_.assign(this->mesh_.numberOfVertices(), CurveOrigin());
+  this->takeVerticesOnCurves();
   LoopProgress progress(callback);
-  progress.nextUntil(0.5);
-  this->findBesideVertices(progress);
   progress.nextUntil(1.0);
-  this->findOthers(progress);
-}
-
-// Calls visit(Id vertex) for the vertices that are counted on this rank.
-template <typename Visit>
-void NearestSource::forEachVertex(const LoopProgress& progress, const Visit& visit) const
-{
   for (Id i = 0; i < this->vertices_.count(); ++i)
   {
     progress.at(i, this->vertices_.count());
-    visit(this->vertices_.here(i));
-  }
-}
-
-// The direction at a vertex on a curve determines the side. Paths that come from one vertex are
-// treated together, so that its sectors are made once.
-void NearestSource::findBesideVertices(const LoopProgress& progress)
-{
-  std::vector<std::pair<Id, Id>> beside; // the vertex on a curve, and the one beside it
-  this->forEachVertex(progress,
-    [&](Id vertex)
+    const Id vertex = this->vertices_.here(i);
+    if (field.vertexDistances()[vertex] < Infinity)
     {
-      const Arrival& arrival = this->field_.arrivals()[vertex];
-      const VertexOnCurve* on = this->onCurveAt(this->field_.surface().globalId(vertex));
-      if (on != nullptr)
-      {
-        this->origins_[vertex] = this->atPoint({ on->curve, false }, on->place, Infinity);
-      }
-      else if (arrival.isKnown() && !arrival.isThroughWindow())
-      {
-        const IncomingSegment piece =
-          incomingSegmentTo(this->field_, SurfacePoint::atVertex(vertex));
-        if (piece.kind == IncomingSegment::Kind::Corner && this->onCurveAt(piece.origin) != nullptr)
-        {
-          beside.emplace_back(piece.origin, vertex);
-        }
-      }
-    });
-  std::sort(beside.begin(), beside.end());
-  for (const auto& [on, vertex] : beside)
+      this->follow(vertex);
+    }
+  }
+  if (field.surface().isDistributed())
   {
-    const IncomingSegment piece = incomingSegmentTo(this->field_, SurfacePoint::atVertex(vertex));
-    this->origins_[vertex] = this->originOf(piece);
+    this->elsewhere_ = originsElsewhere(this->field_, this->vertices_, this->origins_);
   }
 }
 
-void NearestSource::findOthers(const LoopProgress& progress)
+void NearestSource::takeVerticesOnCurves()
 {
-  this->forEachVertex(progress,
-    [this](Id vertex)
+  for (const VertexOnCurve& on : this->curves_.vertices().vertices())
+  {
+    const Id globalId = this->curves_.patch().globalId(on.vertex);
+    if (this->vertices_.isHere(globalId))
     {
-      if (this->field_.vertexDistances()[vertex] < Infinity)
-      {
-        this->follow(vertex);
-      }
-    });
+      this->origins_[this->vertices_.vertexAt(globalId)] =
+        this->atPoint({ on.curve, false }, on.place, Infinity);
+    }
+  }
 }
 
 // The last piece of the path to a vertex. If it comes through a window and cannot bend at a corner,
@@ -129,7 +86,7 @@ void NearestSource::follow(Id vertex)
       found = this->originOf(piece);
       break;
     }
-    if (this->isElsewhere(piece.origin))
+    if (!this->vertices_.isHere(piece.origin))
     {
       found = { piece.origin };
       break;
@@ -206,9 +163,9 @@ CurveOrigin NearestSource::atSource(const IncomingSegment& piece)
   if (piece.along > 0.0 && piece.along < 1.0)
   {
     const double place = source.placeOfA + piece.along * (source.placeOfB - source.placeOfA);
-    const Vec2 along = inHalfedgeFrame(this->mesh_, piece.frame, source.b) -
-      inHalfedgeFrame(this->mesh_, piece.frame, source.a);
-    const CurveSide side = { source.curve, cross(along, piece.direction) < 0.0 };
+    const Vec2 along = inHalfedgeFrame(this->mesh_, piece.ray.halfedge, source.b) -
+      inHalfedgeFrame(this->mesh_, piece.ray.halfedge, source.a);
+    const CurveSide side = { source.curve, cross(along, piece.ray.direction) < 0.0 };
     return { side.origin(this->field_.surface().numberOfGlobalVertices()), place };
   }
   const double place = piece.along > 0.0 ? source.placeOfB : source.placeOfA;
@@ -220,15 +177,15 @@ CurveOrigin NearestSource::atSource(const IncomingSegment& piece)
 CurveOrigin NearestSource::inSector(const IncomingSegment& piece) const
 {
   const Id face = this->curves_.patch().faceAt(
-    this->field_.surface().addressOf(TriangleMesh::faceOf(piece.frame)));
-  const Id halfedge = 3 * face + piece.frame % 3;
-  const CurveOrigin onPatch = this->sectors_.of(halfedge, piece.direction);
+    this->field_.surface().addressOf(TriangleMesh::faceOf(piece.ray.halfedge)));
+  const Id halfedge = 3 * face + piece.ray.halfedge % 3;
+  const CurveOrigin onPatch = this->sectors_.of(halfedge, piece.ray.direction);
   const CurveSide side = CurveSide::of(onPatch.origin, this->meshOfCurves().numberOfVertices());
   double around = Infinity;
-  if (this->field_.hasAngles() && dot(piece.direction, piece.direction) > 0.0)
+  if (this->field_.hasAngles() && dot(piece.ray.direction, piece.ray.direction) > 0.0)
   {
     this->goAround(this->curves_.chains().pointAt(side.curve, onPatch.place));
-    around = this->directions_.around(halfedge, piece.direction);
+    around = this->directions_.around(halfedge, piece.ray.direction);
   }
   return this->atPoint(side, onPatch.place, around);
 }
@@ -252,13 +209,12 @@ void NearestSource::goAround(Id number) const
 
 CurveOrigin NearestSource::ofVertex(Id globalId) const
 {
-  return this->vertices_.isHere(globalId) ? this->origins_[this->vertices_.vertexAt(globalId)]
-                                          : this->elsewhere_->of(globalId);
-}
-
-bool NearestSource::isElsewhere(Id globalId) const
-{
-  return !this->vertices_.isHere(globalId);
+  if (this->vertices_.isHere(globalId))
+  {
+    return this->origins_[this->vertices_.vertexAt(globalId)];
+  }
+  const auto found = this->elsewhere_.find(globalId);
+  return found != this->elsewhere_.end() ? found->second : CurveOrigin();
 }
 
 const VertexOnCurve* NearestSource::onCurveAt(Id globalId) const

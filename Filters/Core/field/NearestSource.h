@@ -9,14 +9,11 @@
 #include "source/DirectionsAround.h"
 
 #include <limits>
-#include <memory>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 namespace geodesic
 {
-
-class RemoteOrigins;
 
 /// Where on the source a shortest path ends, and from which side of the curve it comes.
 struct Foot
@@ -57,7 +54,6 @@ public:
   /// \param progress called now and then; returning false throws Aborted.
   NearestSource(const DistanceField& field, const ReplicatedPatch& patch,
     const std::vector<SourceCurve>& curves, const ProgressCallback& progress = {});
-  ~NearestSource();
 
   /// The mesh that curves and feet lie on: that of the patch.
   const TriangleMesh& meshOfCurves() const { return this->curves_.mesh(); }
@@ -108,11 +104,7 @@ public:
   SourceFrame frameOf(Id curve) const { return this->curves_.frameOf(curve); }
 
 private:
-  void find(const ProgressCallback& progress);
-  template <typename Visit>
-  void forEachVertex(const LoopProgress& progress, const Visit& visit) const;
-  void findBesideVertices(const LoopProgress& progress);
-  void findOthers(const LoopProgress& progress);
+  void takeVerticesOnCurves();
   IncomingSegment originTo(Id vertex) const;
   void follow(Id vertex);
   bool isFromCurve(const IncomingSegment& piece) const;
@@ -123,7 +115,6 @@ private:
   bool isPoint(Id origin) const { return CurveSide::isOne(origin, this->firstPoint_); }
   void goAround(Id point) const;
   CurveOrigin ofVertex(Id globalId) const;
-  bool isElsewhere(Id globalId) const;
   const VertexOnCurve* onCurveAt(Id globalId) const;
   void goToVertex(Id vertex);
   void goToPoint(Id point);
@@ -135,11 +126,11 @@ private:
   CurvesOnPatch curves_;
   /// PointSide::first() of the windows' origins.
   Id firstPoint_;
-  /// Of each vertex, with global ids. An origin that is a vertex is open: see RemoteOrigins.
+  /// Of each vertex, with global ids. An origin that is a vertex is open: see originsElsewhere().
   std::vector<CurveOrigin> origins_;
   GlobalVertices vertices_;
-  /// Null in one process.
-  std::unique_ptr<RemoteOrigins> elsewhere_;
+  /// Those of vertices that other ranks count, by their global ids; none in one process.
+  std::unordered_map<Id, CurveOrigin> elsewhere_;
   /// Around the curve's point that was asked for last, and its vertex; NoId if it is at none.
   CurveSectors sectors_;
   Id sectorsVertex_ = NoId;

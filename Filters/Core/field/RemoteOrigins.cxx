@@ -11,71 +11,33 @@ namespace geodesic
 namespace
 {
 
+using Origins = std::unordered_map<Id, CurveOrigin>;
+
 // Each round doubles the length, so that no chain of vertices needs more rounds. Origins that are
 // open after these rounds are vertices at one place that name each other.
 constexpr int MaximumSteps = 33;
 
-} // anonymous namespace
-
-RemoteOrigins::RemoteOrigins(
-  const DistanceField& field, const GlobalVertices& vertices, std::vector<CurveOrigin>& atVertices)
-  : field_(field)
-  , vertices_(vertices)
+/// The vertices, counted elsewhere, that paths to points of the part may come from, open.
+Origins openOrigins(const DistanceField& field, const GlobalVertices& vertices)
 {
-  this->collect();
-  for (const Id number : this->numbers_)
+  const MeshPartition& part = field.surface();
+  Origins origins;
+  const auto add = [&](Id number)
   {
-    this->origins_.push_back({ number });
-  }
-  const auto isOpenHere = [this]()
-  {
-    return std::any_of(this->origins_.begin(), this->origins_.end(),
-      [this](const CurveOrigin& origin) { return this->isOpen(origin); });
-  };
-  for (int steps = 0;
-       steps < MaximumSteps && field.surface().exchange().isTrueAnywhere(isOpenHere()); ++steps)
-  {
-    this->ask(atVertices);
-  }
-  for (CurveOrigin& origin : this->origins_)
-  {
-    origin = this->isOpen(origin) ? CurveOrigin() : origin;
-  }
-  for (Id vertex = 0; vertex < atVertices.size(); ++vertex)
-  {
-    const Id number = field.surface().globalId(vertex);
-    CurveOrigin& origin = atVertices[vertex];
-    if (!vertices.isHere(number))
+    if (number < part.numberOfGlobalVertices() && !vertices.isHere(number))
     {
-      origin = this->of(number);
-    }
-    else if (this->isOpen(origin))
-    {
-      origin = this->of(origin.origin);
-    }
-  }
-}
-
-// Collects the vertices, counted elsewhere, that paths to points of the part may come from.
-void RemoteOrigins::collect()
-{
-  const MeshPartition& part = this->field_.surface();
-  const auto add = [this](Id number)
-  {
-    if (number < this->field_.surface().numberOfGlobalVertices() && !this->vertices_.isHere(number))
-    {
-      this->numbers_.push_back(number);
+      origins[number] = { number };
     }
   };
   for (Id vertex = 0; vertex < part.mesh().numberOfVertices(); ++vertex)
   {
     add(part.globalId(vertex));
-    add(this->field_.arrivals()[vertex].origin);
+    add(field.arrivals()[vertex].origin);
   }
   for (Id halfedge = 3 * part.firstOwnFace(); halfedge < 3 * part.endOfOwnFaces(); ++halfedge)
   {
     Id last = NoId; // windows of one origin often stand together
-    for (const Window& window : this->field_.windowsOn(halfedge))
+    for (const Window& window : field.windowsOn(halfedge))
     {
       if (window.origin != last)
       {
@@ -84,38 +46,54 @@ void RemoteOrigins::collect()
       }
     }
   }
-  std::sort(this->numbers_.begin(), this->numbers_.end());
-  this->numbers_.erase(
-    std::unique(this->numbers_.begin(), this->numbers_.end()), this->numbers_.end());
+  return origins;
 }
 
-// Asks once about every origin that is still open here.
-void RemoteOrigins::ask(std::vector<CurveOrigin>& atVertices)
+} // anonymous namespace
+
+Origins originsElsewhere(
+  const DistanceField& field, const GlobalVertices& vertices, std::vector<CurveOrigin>& atVertices)
 {
-  Questions questions(this->field_.surface().exchange());
-  for (std::size_t i = 0; i < this->origins_.size(); ++i)
+  Exchange& exchange = field.surface().exchange();
+  Origins elsewhere = openOrigins(field, vertices);
+  const auto isOpen = [&](const CurveOrigin& origin)
+  { return origin.origin < field.surface().numberOfGlobalVertices(); };
+  const auto isOpenEntry = [&](const Origins::value_type& entry) { return isOpen(entry.second); };
+  for (int steps = 0; steps < MaximumSteps &&
+       exchange.isTrueAnywhere(std::any_of(elsewhere.begin(), elsewhere.end(), isOpenEntry));
+       ++steps)
   {
-    const Id vertex = this->origins_[i].origin;
-    if (this->isOpen(this->origins_[i]))
+    Questions questions(exchange);
+    std::vector<CurveOrigin*> asked;
+    for (auto& [number, origin] : elsewhere)
     {
-      questions.ask(this->vertices_.rankOf(vertex), i, vertex);
+      if (isOpen(origin))
+      {
+        questions.ask(vertices.rankOf(origin.origin), asked.size(), origin.origin);
+        asked.push_back(&origin);
+      }
     }
+    questions.exchangeAnswers(
+      [&](MessageReader& question, Message& answer)
+      {
+        const CurveOrigin& origin = atVertices[vertices.vertexAt(question.get<Id>())];
+        put(answer, isOpen(origin) ? elsewhere[origin.origin] : origin);
+      },
+      [&](std::size_t i, MessageReader& answer) { *asked[i] = answer.get<CurveOrigin>(); });
   }
-  questions.exchangeAnswers(
-    [&](MessageReader& question, Message& answer)
-    {
-      const CurveOrigin& origin = atVertices[this->vertices_.vertexAt(question.get<Id>())];
-      put(answer, this->isOpen(origin) ? this->of(origin.origin) : origin);
-    },
-    [&](std::size_t i, MessageReader& answer) { this->origins_[i] = answer.get<CurveOrigin>(); });
-}
-
-CurveOrigin RemoteOrigins::of(Id vertex) const
-{
-  const auto found = std::lower_bound(this->numbers_.begin(), this->numbers_.end(), vertex);
-  return found != this->numbers_.end() && *found == vertex
-    ? this->origins_[static_cast<std::size_t>(found - this->numbers_.begin())]
-    : CurveOrigin();
+  for (auto& [number, origin] : elsewhere)
+  {
+    origin = isOpen(origin) ? CurveOrigin() : origin;
+  }
+  for (Id vertex = 0; vertex < atVertices.size(); ++vertex)
+  {
+    const Id number = field.surface().globalId(vertex);
+    CurveOrigin& origin = atVertices[vertex];
+    origin = !vertices.isHere(number) ? elsewhere[number]
+      : isOpen(origin)                ? elsewhere[origin.origin]
+                                      : origin;
+  }
+  return elsewhere;
 }
 
 }

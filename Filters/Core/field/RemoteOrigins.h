@@ -6,48 +6,29 @@
 #include "mesh/GlobalVertices.h"
 #include "source/CurveSectors.h"
 
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 namespace geodesic
 {
 
-/// Finds the origins of paths that come from vertices counted by other ranks. A chain of
+/// Finds the origins of paths that come from vertices counted by other ranks: of the vertices of
+/// this rank's part that are not counted here, and of those that its windows name. A chain of
 /// pseudo-sources may lead through many ranks. In each round, every rank asks for the origin of the
 /// vertex that it has followed a chain to. As the ranks asked follow their own chains at the same
 /// time, each round doubles the known length of the chains.
-class RemoteOrigins
-{
-public:
-  /// All ranks call this together.
-  ///
-  /// \param field on this rank's part, with arrivals. Origins are found for the vertices of the
-  ///        part that are not counted here, and for the vertices that its windows name.
-  /// \param vertices of that part.
-  /// \param atVertices for each vertex of the part. Of a vertex counted here: its origin on the
-  ///        source, as in Window; NoId if there is none; or, still open, the vertex counted
-  ///        elsewhere that its path comes from. Open origins are replaced, those of vertices
-  ///        counted elsewhere are set.
-  RemoteOrigins(const DistanceField& field, const GlobalVertices& vertices,
-    std::vector<CurveOrigin>& atVertices);
-
-  /// \param vertex the global id of one that is not counted here.
-  CurveOrigin of(Id vertex) const;
-
-private:
-  void collect();
-  bool isOpen(const CurveOrigin& origin) const
-  {
-    return origin.origin < this->field_.surface().numberOfGlobalVertices();
-  }
-  void ask(std::vector<CurveOrigin>& atVertices);
-
-  const DistanceField& field_;
-  const GlobalVertices& vertices_;
-  /// Global ids, ascending, and the origin of each.
-  std::vector<Id> numbers_;
-  std::vector<CurveOrigin> origins_;
-};
+///
+/// All ranks call this together.
+///
+/// \param field on this rank's part, with arrivals.
+/// \param vertices of that part.
+/// \param atVertices for each vertex of the part. Of a vertex counted here: its origin on the
+///        source, as in Window; NoId if there is none; or, still open, the vertex counted elsewhere
+///        that its path comes from. Open origins are replaced, those of vertices counted elsewhere
+///        are set.
+/// \returns the origins by the vertices' global ids; NoId for paths without one.
+std::unordered_map<Id, CurveOrigin> originsElsewhere(
+  const DistanceField& field, const GlobalVertices& vertices, std::vector<CurveOrigin>& atVertices);
 
 }
 

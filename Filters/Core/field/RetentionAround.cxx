@@ -10,7 +10,7 @@ namespace geodesic
 {
 
 RetentionAround::RetentionAround(
-  const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets, Purpose purpose, double limit)
+  const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets, double limit)
   : KeepFaces(mesh, std::vector<std::uint8_t>(mesh.numberOfFaces(), 0))
   , targets_(targets)
   , limit_((1.0 + tolerance::Tie) * limit)
@@ -24,15 +24,12 @@ RetentionAround::RetentionAround(
       forEachFace(mesh, target, [this](Id face) { this->keep(face); });
     }
   }
-  if (purpose == Purpose::Paths && mesh.numberOfNonManifoldEdges() > 0)
-  {
-    this->keepAroundIrregularEdges();
-  }
 }
 
 void RetentionAround::keepAroundIrregularEdges()
 {
-  for (Id halfedge = 0; halfedge < this->mesh().numberOfHalfedges(); ++halfedge)
+  const bool hasSome = this->mesh().numberOfNonManifoldEdges() > 0;
+  for (Id halfedge = 0; hasSome && halfedge < this->mesh().numberOfHalfedges(); ++halfedge)
   {
     if (!this->mesh().isBoundary(halfedge) && !this->mesh().isInner(halfedge))
     {

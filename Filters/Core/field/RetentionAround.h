@@ -11,21 +11,17 @@ namespace geodesic
 {
 
 /// Keeps windows around some targets, and stops the front when all targets are settled. Distances
-/// need the windows of the faces around targets that are not vertices. Paths (PathTracer) also need
-/// those of the faces around edges of three and more faces.
+/// need the windows of the faces around targets that are not vertices.
 class RetentionAround : public KeepFaces
 {
 public:
-  enum class Purpose
-  {
-    Distances,
-    Paths
-  };
-
   /// \param limit targets farther than this need not be settled.
-  RetentionAround(const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets,
-    Purpose purpose = Purpose::Paths, double limit = Infinity);
+  RetentionAround(
+    const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets, double limit = Infinity);
 
+  /// Keeps what paths (PathTracer) also need, the windows of faces around edges of three and more
+  /// faces; before the front begins.
+  void keepAroundIrregularEdges();
   /// Keeps the windows of a face for a target of another rank; before the front begins.
   void keepForOthers(Id face) { this->keep(face); }
 
@@ -33,7 +29,6 @@ public:
   void advance(const FrontState& front) override;
 
 private:
-  void keepAroundIrregularEdges();
   double upperBound(const SurfacePoint& target, const VertexNumbers& distances) const;
 
   std::vector<SurfacePoint> targets_;

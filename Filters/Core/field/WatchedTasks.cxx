@@ -16,38 +16,27 @@ namespace geodesic
 namespace
 {
 
-class Tasks
+/// Tasks in other threads, as the calling thread watches them.
+class TasksAside
 {
 public:
-  Tasks(std::size_t count, const WatchedTask& task)
+  TasksAside(std::size_t count, const WatchedTask& task)
     : count_(count)
     , task_(task)
   {
   }
 
-  /// One after another, in the calling thread.
-  void runHere(const ProgressCallback& progress)
-  {
-    const auto count = static_cast<double>(this->count_);
-    for (std::size_t i = 0; i < this->count_; ++i)
-    {
-      const auto before = static_cast<double>(i);
-      this->task_(
-        i, [&](double fraction) { return !progress || progress((before + fraction) / count); });
-    }
-  }
-
-  /// Side by side, in other threads.
-  ///
   /// \throws std::system_error if no thread can be started; then nothing is done.
-  void runAside(const ParallelFor& parallelFor, const ProgressCallback& progress)
+  void run(const ParallelFor& parallelFor, const ProgressCallback& progress)
   {
     std::future<void> done = std::async(std::launch::async,
       [&]() { parallelFor(this->count_, [this](std::size_t number) { this->runOne(number); }); });
     constexpr std::chrono::milliseconds betweenReports(20);
     while (done.wait_for(betweenReports) != std::future_status::ready)
     {
-      this->report(progress);
+      const double all = Units * static_cast<double>(this->count_);
+      const double fraction = std::min(1.0, static_cast<double>(this->done_.load()) / all);
+      this->orStop([&]() { reportProgress(progress, fraction); }); // tasks still use this object
     }
     done.get();
     if (this->thrown_)
@@ -59,20 +48,6 @@ public:
 private:
   static constexpr double Units = 1e6; // of one task
 
-  void report(const ProgressCallback& progress)
-  {
-    const double all = Units * static_cast<double>(this->count_);
-    const double fraction = std::min(1.0, static_cast<double>(this->done_.load()) / all);
-    try
-    {
-      reportProgress(progress, fraction);
-    }
-    catch (...)
-    {
-      this->keepException(); // the tasks still use this object
-    }
-  }
-
   void runOne(std::size_t number)
   {
     std::uint64_t reported = 0;
@@ -83,29 +58,31 @@ private:
       reported = std::max(reported, units);
       return !this->stops_.load(std::memory_order_relaxed);
     };
-    try
+    if (reach(0.0))
     {
-      if (reach(0.0))
-      {
-        this->task_(number, reach);
-        reach(1.0);
-      }
-    }
-    catch (...)
-    {
-      this->keepException();
+      this->orStop(
+        [&]()
+        {
+          this->task_(number, reach);
+          reach(1.0);
+        });
     }
   }
 
   // Keeps the first exception; it stops the tasks, which may cause others.
-  void keepException()
+  template <typename Action>
+  void orStop(const Action& action)
   {
-    const std::lock_guard<std::mutex> lock(this->guard_);
-    if (!this->thrown_)
+    try
     {
-      this->thrown_ = std::current_exception();
+      action();
     }
-    this->stops_.store(true);
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(this->guard_);
+      this->thrown_ = this->thrown_ ? this->thrown_ : std::current_exception();
+      this->stops_.store(true);
+    }
   }
 
   std::size_t count_;
@@ -121,12 +98,11 @@ private:
 void runWatched(std::size_t count, const WatchedTask& task, const ParallelFor& parallelFor,
   const ProgressCallback& progress)
 {
-  Tasks tasks(count, task);
   if (parallelFor && count > 1)
   {
     try
     {
-      tasks.runAside(parallelFor, progress);
+      TasksAside(count, task).run(parallelFor, progress);
       return;
     }
     catch (const std::system_error&)
@@ -134,7 +110,12 @@ void runWatched(std::size_t count, const WatchedTask& task, const ParallelFor& p
       // no thread could be started
     }
   }
-  tasks.runHere(progress);
+  const auto all = static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto before = static_cast<double>(i);
+    task(i, [&](double fraction) { return !progress || progress((before + fraction) / all); });
+  }
 }
 
 }

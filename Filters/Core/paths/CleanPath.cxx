@@ -33,15 +33,15 @@ SurfacePoint atVertexWithin(const TriangleMesh& mesh, const SurfacePoint& point,
 
 } // anonymous namespace
 
-std::vector<SurfacePoint> cleanedPath(const TriangleMesh& mesh,
-  const std::vector<SurfacePoint>& path, const SurfacePoint& first, const SurfacePoint& second,
-  double length)
+std::vector<SurfacePoint> cleanedPath(
+  const TriangleMesh& mesh, const std::vector<SurfacePoint>& path, double length)
 {
-  std::vector<SurfacePoint> result = { first };
-  // A path may begin at a vertex at the place of the first point, behind faces without area.
-  const bool isBehind = path.size() > 1 && commonFace(mesh, first, path[1]) == NoId &&
-    commonFace(mesh, first, path[0]) != NoId;
-  for (std::size_t i = isBehind ? 0 : 1; i + 1 < path.size(); ++i)
+  if (path.empty())
+  {
+    return path;
+  }
+  std::vector<SurfacePoint> result = { path.front() };
+  for (std::size_t i = 1; i + 1 < path.size(); ++i)
   {
     const SurfacePoint atVertex = atVertexWithin(mesh, path[i], tolerance::PathAtVertex * length);
     const bool isKept = commonFace(mesh, result.back(), atVertex) != NoId &&
@@ -52,20 +52,12 @@ std::vector<SurfacePoint> cleanedPath(const TriangleMesh& mesh,
       result.push_back(point);
     }
   }
-  if (result.size() > 1 && samePlace(mesh, result.back(), second))
+  if (result.size() > 1 && samePlace(mesh, result.back(), path.back()))
   {
     result.pop_back();
   }
-  result.push_back(second);
+  result.push_back(path.back());
   return result;
-}
-
-std::vector<SurfacePoint> cleanedTrace(
-  const TriangleMesh& mesh, const std::vector<SurfacePoint>& path, double length)
-{
-  return path.empty()  ? path
-    : path.size() == 1 ? std::vector<SurfacePoint>(2, path.front())
-                       : cleanedPath(mesh, path, path.front(), path.back(), length);
 }
 
 }

@@ -11,17 +11,12 @@ namespace geodesic
 {
 
 /// Takes out of a path what tracing adds by rounding: crossings of edges at their ends, and
-/// repeated points. Consecutive points still have a face in common.
+/// repeated points. Consecutive points still have a face in common. The path keeps its ends; one of
+/// a single point gets it twice, and one of none stays so.
 ///
-/// \param first, second the ends that the result gets.
 /// \param length of the path, or a bound of it: a crossing nearer to a vertex than a fraction of it
 ///        is at the vertex.
-std::vector<SurfacePoint> cleanedPath(const TriangleMesh& mesh,
-  const std::vector<SurfacePoint>& path, const SurfacePoint& first, const SurfacePoint& second,
-  double length);
-
-/// The same with the path's own ends; a path of one point gets it twice, and one of none stays so.
-std::vector<SurfacePoint> cleanedTrace(
+std::vector<SurfacePoint> cleanedPath(
   const TriangleMesh& mesh, const std::vector<SurfacePoint>& path, double length);
 
 }

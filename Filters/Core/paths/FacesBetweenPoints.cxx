@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paths/FacesBetweenPoints.h"
 
+#include "field/RetentionAround.h"
 #include "mesh/SurfaceSnap.h"
 #include "source/SourceWindowsOfPartition.h"
 
@@ -17,106 +18,30 @@ namespace
 /// error the fronts take longer, with a larger one the search in the strip does.
 constexpr double SearchError = 1e-3;
 
-/// Keeps no windows, and stops the front when it has reached a point.
-class StopAtPoint : public KeepNone
+/// A point of the patch as one of this rank's part: none where other ranks own its faces.
+std::vector<SurfacePoint> ownPlaceOf(
+  const MeshPartition& part, const ReplicatedPatch& patch, const SurfacePoint& point)
 {
-public:
-  StopAtPoint(const MeshPartition& part, const ReplicatedPatch& patch, const SurfacePoint& point)
-  {
-    forEachFace(patch.mesh(), point,
-      [&](Id face)
+  std::vector<SurfacePoint> place;
+  forEachFace(patch.mesh(), point,
+    [&](Id face)
+    {
+      const Id own = patch.faceOfPart(face);
+      if (own != NoId && part.isOwn(own))
       {
-        const Id own = patch.faceOfPart(face);
-        for (std::size_t k = 0; k < 3 && own != NoId && part.isOwn(own); ++k)
-        {
-          const Id vertex = part.mesh().triangle(own)[k];
-          this->corners_.push_back(
-            { vertex, distanceInSpace(patch.mesh(), part.mesh().point(vertex), point) });
-        }
-      });
-    this->length_ = this->corners_.empty() ? 0.0 : Infinity;
-  }
-
-  /// The length of a known path to the point; 0 if the point lies on other ranks.
-  double reach() const override { return this->length_; }
-  bool knowsPoint() const { return !this->corners_.empty(); }
-
-  void advance(const FrontState& front) override
-  {
-    for (const auto& [vertex, way] : this->corners_)
-    {
-      this->length_ = std::min(this->length_, front.distances(vertex) + way);
-    }
-  }
-
-private:
-  /// The corners of the point's faces, with their distances from the point.
-  std::vector<std::pair<Id, double>> corners_;
-  double length_;
-};
-
-class Finder
-{
-public:
-  Finder(const MeshPartition& part, const ReplicatedPatch& patch, const ParallelFor& parallelFor)
-    : part_(part)
-    , patch_(patch)
-    , isChosen_(part.mesh().numberOfFaces(), 0)
-  {
-    this->options_.parallelFor = parallelFor;
-  }
-
-  void setProgress(const ProgressCallback& progress) { this->options_.progress = progress; }
-
-  void add(const SurfacePoint& a, const SurfacePoint& b)
-  {
-    const LowerBounds fromA = waysFrom(this->part_, this->patch_, a, b, this->options_);
-    if (fromA.length == Infinity)
-    {
-      return;
-    }
-    const LowerBounds fromB = waysFrom(this->part_, this->patch_, b, a, this->options_);
-    const double length = std::min(fromA.length, fromB.length);
-    const TriangleMesh& mesh = this->part_.mesh();
-    for (Id face = this->part_.firstOwnFace(); face < this->part_.endOfOwnFaces(); ++face)
-    {
-      // From a point of the path in the face to a corner it is no farther than the longest edge.
-      const double most = length + 2.0 * mesh.shape(face).longest();
-      bool isNear = true;
-      for (const Id vertex : mesh.triangle(face))
-      {
-        isNear = isNear && fromA.atLeast[vertex] + fromB.atLeast[vertex] <= most;
+        place = { fromBarycentric(part.mesh(), own, barycentric(patch.mesh(), point, face)) };
       }
-      this->isChosen_[face] |= isNear ? 1 : 0;
-    }
-  }
-
-  std::vector<Id> faces() const
-  {
-    std::vector<Id> faces;
-    for (Id face = 0; face < this->part_.mesh().numberOfFaces(); ++face)
-    {
-      if (this->isChosen_[face])
-      {
-        faces.push_back(face);
-      }
-    }
-    return faces;
-  }
-
-private:
-  const MeshPartition& part_;
-  const ReplicatedPatch& patch_;
-  FrontOptions options_;
-  std::vector<std::uint8_t> isChosen_;
-};
+    });
+  return place;
+}
 
 using Pair = std::pair<SurfacePoint, SurfacePoint>;
 
-/// Adds those pairs of places of two points that share no face.
-void addFarPairs(const TriangleMesh& mesh, const LocatedPolyline& polyline, std::size_t first,
-  std::size_t second, double coordinatePrecision, std::vector<Pair>& pairs)
+/// The pairs of places of two points that share no face.
+std::vector<Pair> farPairs(const TriangleMesh& mesh, const LocatedPolyline& polyline,
+  std::size_t first, std::size_t second, double coordinatePrecision)
 {
+  std::vector<Pair> pairs;
   const auto place = [&](Id face, std::size_t point)
   { return snapToFace(mesh, face, polyline.points[point], coordinatePrecision).place; };
   for (const Id a : polyline.faces[first])
@@ -135,6 +60,33 @@ void addFarPairs(const TriangleMesh& mesh, const LocatedPolyline& polyline, std:
       }
     }
   }
+  return pairs;
+}
+
+/// Adds the faces that shortest paths between two points can touch.
+void addFacesBetween(const MeshPartition& part, const ReplicatedPatch& patch, const Pair& ends,
+  const FrontOptions& options, std::vector<Id>& faces)
+{
+  const LowerBounds fromFirst = waysFrom(part, patch, ends.first, ends.second, options);
+  if (fromFirst.length == Infinity)
+  {
+    return;
+  }
+  const LowerBounds fromSecond = waysFrom(part, patch, ends.second, ends.first, options);
+  const double length = std::min(fromFirst.length, fromSecond.length);
+  const TriangleMesh& mesh = part.mesh();
+  for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
+  {
+    // From a point of the path in the face to a corner it is no farther than the longest edge.
+    const double most = length + 2.0 * mesh.shape(face).longest();
+    const Triangle& corners = mesh.triangle(face);
+    if (std::all_of(corners.begin(), corners.end(),
+          [&](Id vertex)
+          { return fromFirst.atLeast[vertex] + fromSecond.atLeast[vertex] <= most; }))
+    {
+      faces.push_back(face);
+    }
+  }
 }
 
 } // anonymous namespace
@@ -144,15 +96,15 @@ LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
 {
   const TriangleMesh& mesh = part.mesh();
   options.relativeError = SearchError;
-  StopAtPoint stop(part, patch, to);
+  const std::vector<SurfacePoint> target = ownPlaceOf(part, patch, to);
+  RetentionAround search(mesh, target);
   LowerBounds ways;
   ways.atLeast = propagate(part,
     sourceWindowsOfPartition(part, patch, makeSourceWindows(patch.mesh(), { pointCurve(from) })),
-    options, stop)
+    options, search)
                    .vertexDistances;
-  const double reach = part.exchange().largestOf(stop.reach());
-  ways.length =
-    part.exchange().leastOf(stop.knowsPoint() ? stop.reach() : Infinity) / (1.0 - SearchError);
+  const double reach = part.exchange().largestOf(search.reach());
+  ways.length = reach / (1.0 - SearchError);
   // Vertices that the front has not settled are beyond its reach; no way is shorter than the
   // distance in space.
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
@@ -167,29 +119,27 @@ std::vector<Id> facesBetweenPoints(const MeshPartition& part, const ReplicatedPa
   const std::vector<LocatedPolyline>& polylines, const SnapOptions& options,
   const ParallelFor& parallelFor, const ProgressCallback& progress)
 {
-  Finder finder(part, patch, parallelFor);
-  std::size_t done = 0;
-  for (const LocatedPolyline& polyline : polylines)
+  std::vector<Id> faces;
+  FrontOptions frontOptions;
+  frontOptions.parallelFor = parallelFor;
+  for (std::size_t line = 0; line < polylines.size(); ++line)
   {
+    const LocatedPolyline& polyline = polylines[line];
+    const double done = static_cast<double>(line) / static_cast<double>(polylines.size());
+    frontOptions.progress = progressBetween(progress, done, done);
     const std::size_t count = polyline.points.size();
-    const auto report = [&](double)
-    {
-      return !progress ||
-        progress(static_cast<double>(done) / static_cast<double>(polylines.size()));
-    };
-    finder.setProgress(report);
     for (std::size_t i = 0; i + 1 < count + (polyline.closed && count > 1 ? 1 : 0); ++i)
     {
-      std::vector<Pair> pairs;
-      addFarPairs(patch.mesh(), polyline, i, (i + 1) % count, options.coordinatePrecision, pairs);
-      for (const Pair& pair : pairs)
+      for (const Pair& pair :
+        farPairs(patch.mesh(), polyline, i, (i + 1) % count, options.coordinatePrecision))
       {
-        finder.add(pair.first, pair.second);
+        addFacesBetween(part, patch, pair, frontOptions, faces);
       }
     }
-    ++done;
   }
-  return finder.faces();
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
 }
 
 }

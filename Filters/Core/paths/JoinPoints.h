@@ -13,8 +13,14 @@
 namespace geodesic
 {
 
-/// Makes a function that joins the far points of polylines by shortest paths (ShortestPathFinder).
-/// All joins share its work space. The mesh must outlive the result.
+/// Makes a function that finds shortest paths between pairs of points of one surface (one of them
+/// if there are several): the first point, a point on every edge that the path crosses, the
+/// vertices that it passes, the second point. Consecutive points have a common face. Empty if no
+/// path joins the points.
+///
+/// The search looks only at the part of the surface that a shortest path can touch (SubMesh).
+///
+/// \param mesh must outlive the result.
 JoinPoints joinByShortestPaths(const TriangleMesh& mesh, const ParallelFor& parallelFor = {});
 
 /// Remembers the paths that join far points of a mesh's curves, within a use and from one use to

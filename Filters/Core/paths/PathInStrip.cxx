@@ -8,6 +8,7 @@
 #include "source/SourceWindowsOfPartition.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace geodesic
 {
@@ -35,140 +36,109 @@ private:
   std::vector<std::vector<Id>> passed_;
 };
 
-class StripSearch
+SurfacePoint onPatch(const ReplicatedPatch& patch, const TargetOnRank& target)
 {
-public:
-  StripSearch(const MeshPartition& part, const ReplicatedPatch& patch,
-    const std::vector<SourceCurve>& curves, const PathEnds& ends, const TargetOnRank& target)
-    : part_(part)
-    , patch_(patch)
-    , curves_(curves)
-    , ends_(ends)
-    , target_(target)
-    , length_((1.0 + tolerance::BoundMargin) * target.distance)
-  {
-  }
+  return fromFacePoint(patch.mesh(), patch.faceAt(target.face), target.point);
+}
 
-  bool isTargetHere() const { return this->target_.face.rank == this->part_.exchange().rank(); }
-  /// Finds this rank's faces of the strip.
-  std::vector<Id> findFaces(const KnownDistances& known, const FrontOptions& options) const;
-  /// Finds the path in the strip.
-  PathToSource find(
-    const ReplicatedPatch& strip, const std::vector<Id>& faces, FrontOptions options) const;
+/// The longest path to a target that is looked for.
+double longestTo(const TargetOnRank& target)
+{
+  return (1.0 + tolerance::BoundMargin) * target.distance;
+}
 
-private:
-  SurfacePoint targetOn(const ReplicatedPatch& patch) const
-  {
-    return fromFacePoint(patch.mesh(), patch.faceAt(this->target_.face), this->target_.point);
-  }
-  std::vector<double> distancesToTarget(
-    const KnownDistances& known, FrontOptions options, Retention& passed) const;
-  void addFacesOfCurves(std::vector<Id>& faces) const;
-  Corridor corridorIn(const ReplicatedPatch& strip, const std::vector<Id>& faces) const;
-  SurfacePoint pointOn(const ReplicatedPatch& strip, const SurfacePoint& point) const;
-  std::vector<SourceCurve> curvesOn(const ReplicatedPatch& strip) const;
-
-  const MeshPartition& part_;
-  const ReplicatedPatch& patch_;
-  const std::vector<SourceCurve>& curves_;
-  const PathEnds& ends_;
-  const TargetOnRank& target_;
-  double length_;
-};
+bool isHere(const MeshPartition& part, const TargetOnRank& target)
+{
+  return target.face.rank == part.exchange().rank();
+}
 
 // A front from the target, which goes nowhere from where the source is too far.
-std::vector<double> StripSearch::distancesToTarget(
-  const KnownDistances& known, FrontOptions options, Retention& passed) const
+std::vector<double> distancesTo(const TargetOnRank& target, const MeshPartition& part,
+  const KnownDistances& known, FrontOptions options, Retention& passed)
 {
-  const ReplicatedPatch around(this->part_,
-    this->isTargetHere() ? std::vector<Id>{ this->target_.face.id } : std::vector<Id>());
-  Corridor corridor{ known.atVertices, this->length_ };
+  const ReplicatedPatch around(
+    part, isHere(part, target) ? std::vector<Id>{ target.face.id } : std::vector<Id>());
+  Corridor corridor{ known.atVertices, longestTo(target) };
   for (double& bound : corridor.lowerBounds)
   {
     bound = (1.0 - tolerance::BoundMargin) * std::min(bound, known.reach);
   }
   options.corridor = &corridor;
-  return propagate(this->part_,
-    sourceWindowsOfPartition(this->part_, around,
-      makeSourceWindows(around.mesh(), { pointCurve(this->targetOn(around)) })),
+  return propagate(part,
+    sourceWindowsOfPartition(
+      part, around, makeSourceWindows(around.mesh(), { pointCurve(onPatch(around, target)) })),
     options, passed)
     .vertexDistances;
 }
 
-std::vector<Id> StripSearch::findFaces(
-  const KnownDistances& known, const FrontOptions& options) const
+/// Adds the part's faces that the curves lie in or touch; NoId for others.
+void addFacesOfCurves(
+  const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves, std::vector<Id>& faces)
 {
+  const auto add = [&](Id face) { faces.push_back(patch.faceOfPart(face)); };
+  for (const SourceCurve& curve : curves)
+  {
+    std::for_each(curve.faces.begin(), curve.faces.end(), add);
+    for (const SurfacePoint& point : curve.points)
+    {
+      forEachFace(patch.mesh(), point, add);
+    }
+  }
+}
+
+/// Finds this rank's faces of the strip.
+std::vector<Id> facesOfStrip(const MeshPartition& part, const ReplicatedPatch& patch,
+  const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
+  const FrontOptions& options)
+{
+  const TriangleMesh& mesh = part.mesh();
   NotePassedFaces passed;
-  const std::vector<double> toTarget = this->distancesToTarget(known, options, passed);
+  const std::vector<double> toTarget = distancesTo(target, part, known, options, passed);
   std::vector<Id> faces;
   for (const std::vector<Id>& ofDistrict : passed.passed())
   {
     faces.insert(faces.end(), ofDistrict.begin(), ofDistrict.end());
   }
-  if (this->isTargetHere())
+  if (isHere(part, target))
   {
-    const TriangleMesh& mesh = this->part_.mesh();
-    forEachFace(mesh, fromFacePoint(mesh, this->target_.face.id, this->target_.point),
+    forEachFace(mesh, fromFacePoint(mesh, target.face.id, target.point),
       [&](Id face) { faces.push_back(face); });
   }
   // A path may also run along edges, from vertex to vertex, where no window goes.
-  for (Id vertex = 0; vertex < this->part_.numberOfOwnVertices(); ++vertex)
+  for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
   {
     const double toSource = (1.0 - tolerance::BoundMargin) * known.atVertices[vertex];
-    if (toSource + toTarget[vertex] <= this->length_)
+    if (toSource + toTarget[vertex] <= longestTo(target))
     {
-      for (const Id corner : this->part_.mesh().cornersAt(vertex))
+      for (const Id corner : mesh.cornersAt(vertex))
       {
         faces.push_back(TriangleMesh::faceOf(corner));
       }
     }
   }
-  this->addFacesOfCurves(faces);
+  addFacesOfCurves(patch, curves, faces);
   faces.erase(std::remove_if(faces.begin(), faces.end(),
-                [this](Id face) { return face == NoId || !this->part_.isOwn(face); }),
+                [&part](Id face) { return face == NoId || !part.isOwn(face); }),
     faces.end());
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;
 }
 
-void StripSearch::addFacesOfCurves(std::vector<Id>& faces) const
+std::vector<SourceCurve> curvesOnStrip(
+  const ReplicatedPatch& strip, const ReplicatedPatch& patch, std::vector<SourceCurve> curves)
 {
-  for (const SourceCurve& curve : this->curves_)
+  const auto faceOn = [&](Id face) { return strip.faceAt(patch.ownerOf(face)); };
+  const auto pointOn = [&](const SurfacePoint& point)
   {
-    for (const Id face : curve.faces)
-    {
-      faces.push_back(this->patch_.faceOfPart(face));
-    }
-    for (const SurfacePoint& point : curve.points)
-    {
-      forEachFace(this->patch_.mesh(), point,
-        [&](Id face) { faces.push_back(this->patch_.faceOfPart(face)); });
-    }
-  }
-}
-
-SurfacePoint StripSearch::pointOn(const ReplicatedPatch& strip, const SurfacePoint& point) const
-{
-  if (point.kind == SurfacePoint::Kind::Vertex)
-  {
-    return SurfacePoint::atVertex(strip.vertexAt(this->patch_.globalId(point.id)));
-  }
-  const Id face = someFace(this->patch_.mesh(), point);
-  return fromFacePoint(strip.mesh(), strip.faceAt(this->patch_.ownerOf(face)),
-    toFacePoint(this->patch_.mesh(), face, point));
-}
-
-std::vector<SourceCurve> StripSearch::curvesOn(const ReplicatedPatch& strip) const
-{
-  const auto faceOn = [&](Id face) { return strip.faceAt(this->patch_.ownerOf(face)); };
-  std::vector<SourceCurve> curves = this->curves_;
+    const Id face = someFace(patch.mesh(), point);
+    return point.kind == SurfacePoint::Kind::Vertex
+      ? SurfacePoint::atVertex(strip.vertexAt(patch.globalId(point.id)))
+      : fromFacePoint(strip.mesh(), faceOn(face), toFacePoint(patch.mesh(), face, point));
+  };
   for (SourceCurve& curve : curves)
   {
-    for (SurfacePoint& point : curve.points)
-    {
-      point = this->pointOn(strip, point);
-    }
+    std::transform(curve.points.begin(), curve.points.end(), curve.points.begin(), pointOn);
     std::transform(curve.faces.begin(), curve.faces.end(), curve.faces.begin(), faceOn);
   }
   return curves;
@@ -177,66 +147,50 @@ std::vector<SourceCurve> StripSearch::curvesOn(const ReplicatedPatch& strip) con
 // Lower bounds of the way to the target. Faces that were gathered beside the strip only make it
 // larger: a path through them is one on the surface. One process gathers nothing: there the mesh is
 // closed beside the strip.
-Corridor StripSearch::corridorIn(const ReplicatedPatch& strip, const std::vector<Id>& faces) const
+Corridor corridorIn(
+  const ReplicatedPatch& strip, const TargetOnRank& target, bool isGathered, std::vector<Id> faces)
 {
   const TriangleMesh& mesh = strip.mesh();
-  const SurfacePoint target = this->targetOn(strip);
-  Corridor corridor{ std::vector<double>(mesh.numberOfVertices(), Infinity), this->length_ };
-  const auto open = [&](Id face)
+  if (isGathered)
+  {
+    faces.resize(mesh.numberOfFaces());
+    std::iota(faces.begin(), faces.end(), Id(0));
+  }
+  const SurfacePoint end = onPatch(strip, target);
+  Corridor corridor{ std::vector<double>(mesh.numberOfVertices(), Infinity), longestTo(target) };
+  for (const Id face : faces)
   {
     for (const Id vertex : mesh.triangle(face))
     {
       corridor.lowerBounds[vertex] =
-        (1.0 - tolerance::BoundMargin) * distanceInSpace(mesh, mesh.point(vertex), target);
+        (1.0 - tolerance::BoundMargin) * distanceInSpace(mesh, mesh.point(vertex), end);
     }
-  };
-  if (this->part_.isDistributed())
-  {
-    for (Id face = 0; face < mesh.numberOfFaces(); ++face)
-    {
-      open(face);
-    }
-  }
-  else
-  {
-    std::for_each(faces.begin(), faces.end(), open);
   }
   return corridor;
-}
-
-PathToSource StripSearch::find(
-  const ReplicatedPatch& strip, const std::vector<Id>& faces, FrontOptions options) const
-{
-  const TriangleMesh& mesh = strip.mesh();
-  const Corridor corridor = this->corridorIn(strip, faces);
-  const std::vector<SourceCurve> curves = this->curvesOn(strip);
-  options.corridor = &corridor;
-  PathToSource path = { mesh,
-    cleanedTrace(mesh,
-      pathInWindows(solve(mesh, curves, options, KeepWindows::All), this->targetOn(strip)),
-      this->target_.distance),
-    {}, true };
-  if (!path.points.empty())
-  {
-    path.end = this->ends_.of(mesh, path.points, [&strip](Id face) { return strip.ownerOf(face); });
-  }
-  return path;
 }
 
 } // anonymous namespace
 
 void pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const PathEnds& ends, const TargetOnRank& target,
-  const KnownDistances& known, const FrontOptions& options,
+  const KnownDistances& known, FrontOptions options,
   const std::function<void(const PathToSource&)>& take)
 {
-  const StripSearch search(part, patch, curves, ends, target);
-  const std::vector<Id> faces = search.findFaces(known, options);
+  const std::vector<Id> faces = facesOfStrip(part, patch, curves, target, known, options);
   const ReplicatedPatch strip(part, faces);
-  if (search.isTargetHere())
+  if (!isHere(part, target))
   {
-    take(search.find(strip, faces, options));
+    return;
   }
+  const Corridor corridor = corridorIn(strip, target, part.isDistributed(), faces);
+  options.corridor = &corridor;
+  const DistanceField field =
+    solve(strip.mesh(), curvesOnStrip(strip, patch, curves), options, KeepWindows::All);
+  const std::vector<SurfacePoint> path =
+    cleanedPath(strip.mesh(), pathInWindows(field, onPatch(strip, target)), target.distance);
+  const auto addressOf = [&strip](Id face) { return strip.ownerOf(face); };
+  take({ strip.mesh(), path, path.empty() ? PathEnd() : ends.of(strip.mesh(), path, addressOf),
+    true });
 }
 
 }

@@ -44,7 +44,7 @@ struct TargetOnRank
 ///        found.
 void pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const PathEnds& ends, const TargetOnRank& target,
-  const KnownDistances& known, const FrontOptions& options,
+  const KnownDistances& known, FrontOptions options,
   const std::function<void(const PathToSource&)>& take);
 
 }

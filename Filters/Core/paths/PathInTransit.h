@@ -2,7 +2,6 @@
 #ifndef geodesic_PathInTransit_h
 #define geodesic_PathInTransit_h
 
-#include "mesh/GatheredFaces.h"
 #include "paths/PathTracer.h"
 
 #include <vector>
@@ -27,6 +26,13 @@ struct SearchAnswer
 /// A path on its way over ranks.
 struct PathInTransit
 {
+  enum class Status : std::uint8_t
+  {
+    OnItsWay,
+    Whole,
+    Lost
+  };
+
   /// The rank that asks for it, and which of that rank's targets it begins at.
   int targetRank = 0;
   Id target = 0;
@@ -37,35 +43,16 @@ struct PathInTransit
   /// those that were.
   std::vector<int> toAsk;
   SearchAnswer nearest;
+  /// What has become of it on this rank. On its way: the rank that it goes to, and a face of both
+  /// ranks that holds its last point and, if it is behind the exit of a leg, the leg.
+  Status status = Status::OnItsWay;
+  int rank = 0;
+  Id face = NoId;
 };
 
-/// \param face that holds the last point, on this rank and on the one that the message goes to.
-void putInTransit(
-  Message& message, const MeshPartition& part, const PathInTransit& transit, Id face);
+void putInTransit(Message& message, const MeshPartition& part, const PathInTransit& transit);
 /// The path has one point, the last one.
 PathInTransit getInTransit(MessageReader& reader, const MeshPartition& part);
-
-/// A point of a path, and a face that holds it and the point before.
-struct SentPathPoint
-{
-  SentFace face;
-  FacePoint point;
-};
-
-/// A path through faces of several ranks, on a mesh of these faces.
-class PathStrip
-{
-public:
-  explicit PathStrip(const std::vector<SentPathPoint>& path);
-
-  const TriangleMesh& mesh() const { return this->faces_.mesh(); }
-  const RankAddress& ownerOf(Id face) const { return this->faces_.ownerOf(face); }
-  const std::vector<SurfacePoint>& points() const { return this->points_; }
-
-private:
-  GatheredFaces faces_;
-  std::vector<SurfacePoint> points_;
-};
 
 }
 

@@ -19,67 +19,11 @@ namespace
 struct Piece
 {
   /// Of the path, and of the piece.
-  double distance = Infinity;
-  double length = 0.0;
+  double distance;
+  double length;
   SurfacePoint begin;
-  bool beginsAtSource = false;
-  Id face = NoId;
-};
-
-/// The pieces that may be the last of a shortest path to a point.
-class LastPieces
-{
-public:
-  /// \param tie of pieces whose distances differ by no more the longest is best: no path is led
-  ///        over places a rounding beside it.
-  /// \param most the longest distance of the pieces that are kept.
-  void setBounds(double tie, double most)
-  {
-    this->tie_ = tie;
-    this->most_ = most;
-  }
-
-  /// \param begin makes the piece's beginning, for pieces that are wanted only.
-  template <typename Begin>
-  void add(double distance, double length, bool beginsAtSource, Id face, const Begin& begin)
-  {
-    const bool isTie = std::abs(distance - this->best_.distance) <= this->tie_;
-    const bool isBest = isTie ? length > this->best_.length : distance < this->best_.distance;
-    const bool isKept = distance <= this->most_;
-    if (!isBest && !isKept)
-    {
-      return;
-    }
-    const Piece piece = { distance, length, begin(), beginsAtSource, face };
-    if (isBest)
-    {
-      this->best_ = piece;
-      this->bestKept_ = isKept ? this->kept_.size() : this->bestKept_;
-    }
-    if (isKept)
-    {
-      this->kept_.push_back(piece);
-    }
-  }
-
-  /// Those kept: the best first, then by distance.
-  std::vector<Piece> release()
-  {
-    if (!this->kept_.empty())
-    {
-      std::swap(this->kept_.front(), this->kept_[this->bestKept_]);
-      std::stable_sort(this->kept_.begin() + 1, this->kept_.end(),
-        [](const Piece& a, const Piece& b) { return a.distance < b.distance; });
-    }
-    return std::move(this->kept_);
-  }
-
-private:
-  double tie_ = 0.0;
-  double most_ = -Infinity;
-  Piece best_;
-  std::vector<Piece> kept_;
-  std::size_t bestKept_ = 0;
+  bool beginsAtSource;
+  Id face;
 };
 
 /// A place that a search has come to, and the ways on that are left to try.
@@ -174,42 +118,64 @@ private:
     this->steps_.pop_back();
   }
 
-  /// The last pieces of paths to a point, through faces that the path has not crossed. A distance
-  /// at a vertex carries the rounding of windows through any of the faces around.
+  /// The last pieces of paths to a point, through faces that the path has not crossed. Of those as
+  /// short as the best but for rounding the longest comes first: no path is led over places a
+  /// rounding beside it. The others follow by distance.
+  ///
+  /// \param most the longest distance. A distance at a vertex carries the rounding of windows
+  ///        through any of the faces around.
   std::vector<Piece> waysTo(const SurfacePoint& point, double distance, double most) const
   {
     double longest = 0.0;
     forEachFace(this->mesh_, point,
       [&](Id face) { longest = std::max(longest, this->mesh_.shape(face).longest()); });
-    LastPieces pieces;
+    most += tolerance::PlaceRounding * longest;
+    std::vector<Piece> pieces;
+    std::size_t best = 0;
     forEachFace(this->mesh_, point,
       [&](Id face)
       {
+        const double tie =
+          tolerance::Tie * distance + tolerance::PlaceRounding * this->mesh_.shape(face).longest();
+        const auto add = [&](const Piece& piece)
+        {
+          if (piece.distance <= most)
+          {
+            pieces.push_back(piece);
+            const double longer = piece.distance - pieces[best].distance;
+            const bool isTie = std::abs(longer) <= tie;
+            best = (isTie ? piece.length > pieces[best].length : longer < 0.0) ? pieces.size() - 1
+                                                                               : best;
+          }
+        };
         if (!this->isCrossed_[face])
         {
-          pieces.setBounds(tolerance::Tie * distance +
-              tolerance::PlaceRounding * this->mesh_.shape(face).longest(),
-            most + tolerance::PlaceRounding * longest);
-          this->addWays(face, point, pieces);
+          this->forEachWay(face, point, add);
         }
       });
-    return pieces.release();
+    if (!pieces.empty())
+    {
+      std::swap(pieces.front(), pieces[best]);
+      std::stable_sort(pieces.begin() + 1, pieces.end(),
+        [](const Piece& a, const Piece& b) { return a.distance < b.distance; });
+    }
+    return pieces;
   }
 
-  void addWays(Id face, const SurfacePoint& place, LastPieces& pieces) const
+  /// Calls visit(const Piece&).
+  template <typename Visit>
+  void forEachWay(Id face, const SurfacePoint& place, const Visit& visit) const
   {
     const Barycentric point = barycentric(this->mesh_, place, face);
     forEachWayFromSource(this->field_, face, point,
-      [&](const SourceInFace&, const Barycentric& begin, double length)
-      {
-        pieces.add(
-          length, length, true, face, [&]() { return fromBarycentric(this->mesh_, face, begin); });
+      [&](const SourceInFace&, const Barycentric& begin, double length) {
+        visit({ length, length, fromBarycentric(this->mesh_, face, begin), true, face });
       });
     forEachWayFromCorner(this->field_, face, place, point,
       [&](std::size_t k, double distance, double length)
       {
-        pieces.add(distance, length, false, face,
-          [&]() { return SurfacePoint::atVertex(this->mesh_.triangle(face)[k]); });
+        const Id corner = this->mesh_.triangle(face)[k];
+        visit({ distance, length, SurfacePoint::atVertex(corner), false, face });
       });
     for (Id k = 0; k < 3; ++k)
     {
@@ -219,18 +185,12 @@ private:
         forEachWayThrough(this->field_, halfedge, inHalfedgeFrame(this->mesh_, halfedge, point),
           [&](const Window&, double x, double distance, double length)
           {
-            pieces.add(distance, length, false, face,
-              [&]() { return this->pointAt(halfedge, x / this->mesh_.length(halfedge)); });
+            const double fraction = x / this->mesh_.length(halfedge);
+            visit(
+              { distance, length, placeOnHalfedge(this->mesh_, halfedge, fraction), false, face });
           });
       }
     }
-  }
-
-  SurfacePoint pointAt(Id halfedge, double fraction) const
-  {
-    return fraction <= 0.0 ? SurfacePoint::atVertex(this->mesh_.origin(halfedge))
-      : fraction >= 1.0    ? SurfacePoint::atVertex(this->mesh_.destination(halfedge))
-                           : SurfacePoint::onEdge(halfedge, fraction);
   }
 
   const DistanceField& field_;

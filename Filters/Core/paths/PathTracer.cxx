@@ -110,14 +110,19 @@ Id PathTracer::follow(TracedPath& path) const
     switch (path.next)
     {
       case TracedPath::Next::Point:
-        this->goOn(path);
-        break;
-      case TracedPath::Next::Leg:
-        this->crossFace(path);
+        if (path.points.back().kind == SurfacePoint::Kind::Vertex)
+        {
+          this->goOnFromVertex(path.points.back().id, path);
+        }
+        else
+        {
+          path.without = NoId;
+          this->search(path);
+        }
         break;
       case TracedPath::Next::BehindExit:
         path.leg = this->legBeyond(path.leg, this->mesh_.nextSibling(path.leg.exit));
-        path.next = TracedPath::Next::Leg;
+        this->followLeg(path);
         break;
       case TracedPath::Next::Search:
       {
@@ -188,20 +193,6 @@ void PathTracer::add(TracedPath& path, Id face, const SurfacePoint& point) const
   path.faces.push_back(face);
 }
 
-void PathTracer::goOn(TracedPath& path) const
-{
-  const SurfacePoint& last = path.points.back();
-  if (last.kind == SurfacePoint::Kind::Vertex)
-  {
-    this->goOnFromVertex(last.id, path);
-  }
-  else
-  {
-    path.without = NoId;
-    this->search(path);
-  }
-}
-
 void PathTracer::goOnFromVertex(Id vertex, TracedPath& path) const
 {
   if (!(this->field_.vertexDistances()[vertex] > 0.0))
@@ -264,9 +255,31 @@ void PathTracer::goOnHere(TracedPath& path) const
   this->startLeg(inHalfedgeFrame(this->mesh_, way.window.halfedge, weights), way.window, path);
 }
 
+// From a point of a face, in the frame of the halfedge that the path came through, back to that
+// halfedge.
+void PathTracer::startLeg(Vec2 from, const Arrival& arrival, TracedPath& path) const
+{
+  PathLeg& leg = path.leg;
+  leg = {};
+  leg.frame = arrival.halfedge;
+  leg.from = from;
+  leg.to = { arrival.x, 0.0 };
+  leg.exit = arrival.halfedge;
+  leg.origin = arrival.origin;
+  const double length = norm(arrival.direction);
+  leg.ray.kind = Window::Kind::Linear;
+  leg.ray.begin = this->mesh_.length(arrival.halfedge) - arrival.x;
+  leg.ray.end = leg.ray.begin;
+  // The leg runs against the direction of arrival, in a frame that is rotated by pi.
+  leg.ray.sourceX = arrival.direction.x / length;
+  leg.ray.sourceDepth = arrival.direction.y / length;
+  path.stepsBesideEnd = 0;
+  this->followLeg(path);
+}
+
 // Follows the leg to a vertex, to an edge of three and more faces, to the end or into the next
 // face.
-void PathTracer::crossFace(TracedPath& path) const
+void PathTracer::followLeg(TracedPath& path) const
 {
   constexpr int LegsBesideEnd = 3; // as many faces as may lie between the path and its end
   const PathLeg& leg = path.leg;
@@ -277,7 +290,8 @@ void PathTracer::crossFace(TracedPath& path) const
     this->goToVertex(corner, face, path);
     return;
   }
-  this->add(path, face, this->exitOf(leg));
+  const double fraction = 1.0 - leg.ray.begin / this->mesh_.length(leg.exit);
+  this->add(path, face, placeOnHalfedge(this->mesh_, leg.exit, fraction));
   path.left = std::max(0.0, path.left - norm(leg.to - leg.from));
   if (this->endInFace(face, path))
   {
@@ -302,28 +316,6 @@ void PathTracer::crossFace(TracedPath& path) const
   {
     path.next = TracedPath::Next::BehindExit;
   }
-}
-
-// From a point of a face, in the frame of the halfedge that the path came through, back to that
-// halfedge.
-void PathTracer::startLeg(Vec2 from, const Arrival& arrival, TracedPath& path) const
-{
-  PathLeg& leg = path.leg;
-  leg = {};
-  leg.frame = arrival.halfedge;
-  leg.from = from;
-  leg.to = { arrival.x, 0.0 };
-  leg.exit = arrival.halfedge;
-  leg.origin = arrival.origin;
-  const double length = norm(arrival.direction);
-  leg.ray.kind = Window::Kind::Linear;
-  leg.ray.begin = this->mesh_.length(arrival.halfedge) - arrival.x;
-  leg.ray.end = leg.ray.begin;
-  // The leg runs against the direction of arrival, in a frame that is rotated by pi.
-  leg.ray.sourceX = arrival.direction.x / length;
-  leg.ray.sourceDepth = arrival.direction.y / length;
-  path.stepsBesideEnd = 0;
-  path.next = TracedPath::Next::Leg;
 }
 
 // The unfolding of windows (paper, section 3.2), for one ray.
@@ -351,14 +343,6 @@ PathLeg PathTracer::legBeyond(const PathLeg& leg, Id sibling) const
     next.ray = face.throughLeft(ray, x, x);
   }
   return next;
-}
-
-SurfacePoint PathTracer::exitOf(const PathLeg& leg) const
-{
-  const double fraction = 1.0 - leg.ray.begin / this->mesh_.length(leg.exit);
-  return fraction <= 0.0 ? SurfacePoint::atVertex(this->mesh_.origin(leg.exit))
-    : fraction >= 1.0    ? SurfacePoint::atVertex(this->mesh_.destination(leg.exit))
-                         : SurfacePoint::onEdge(leg.exit, fraction);
 }
 
 // The nearest corner that the path goes through: the one that it comes straight from, or a corner

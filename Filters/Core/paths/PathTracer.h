@@ -33,7 +33,7 @@ struct PathLeg
   Id origin = NoId;
 };
 
-/// How far a path was followed.
+/// How far a path was followed, as one rank tells another.
 struct PathState
 {
   /// What to do next.
@@ -41,8 +41,6 @@ struct PathState
   {
     /// Continue from the last point, which is a vertex or the first point.
     Point,
-    /// Follow the leg through its face.
-    Leg,
     /// Continue behind the leg's exit.
     BehindExit,
     /// Find the face, of those around the last point on an edge, that the path comes through.
@@ -60,6 +58,8 @@ struct PathState
   std::uint64_t steps = 0;
   int stepsBesideEnd = 0;
   Next next = Next::Point;
+  /// The last leg, if the path continues behind its exit.
+  PathLeg leg;
 
   bool isWhole() const { return this->next == Next::End; }
 };
@@ -70,7 +70,6 @@ struct TracedPath : PathState
   /// The points, each with a face that holds it and the point before.
   std::vector<SurfacePoint> points;
   std::vector<Id> faces;
-  PathLeg leg;
   /// The face that the path has come from, which a search leaves out; NoId if there is none.
   Id without = NoId;
 };
@@ -120,14 +119,12 @@ private:
   Id placeToGoOn(const TracedPath& path) const;
   void requireLength(const TracedPath& path) const;
   void add(TracedPath& path, Id face, const SurfacePoint& point) const;
-  void goOn(TracedPath& path) const;
   void goOnFromVertex(Id vertex, TracedPath& path) const;
   void search(TracedPath& path) const;
-  void crossFace(TracedPath& path) const;
 
   void startLeg(Vec2 from, const Arrival& arrival, TracedPath& path) const;
+  void followLeg(TracedPath& path) const;
   PathLeg legBeyond(const PathLeg& leg, Id sibling) const;
-  SurfacePoint exitOf(const PathLeg& leg) const;
   Id cornerOn(const PathLeg& leg, const TracedPath& path) const;
 
   double slack(Id face, const TracedPath& path) const;

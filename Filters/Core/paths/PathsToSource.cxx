@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "field/RetentionAround.h"
+#include "mesh/GatheredFaces.h"
 #include "paths/CleanPath.h"
 #include "paths/PathInStrip.h"
 #include "paths/PathInTransit.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -27,28 +29,28 @@ constexpr double TracingDone = 0.9;
 constexpr std::size_t PathsPerReport = 256;
 constexpr std::size_t PathsPerTask = 8;
 
-enum class Status : std::uint8_t
+/// A point of a path, and a face that holds it and the point before.
+struct SentPathPoint
 {
-  OnItsWay,
-  Whole,
-  Lost
+  SentFace face;
+  FacePoint point;
 };
 
-/// What has become of a path on this rank.
-struct Outcome
+/// The faces of a path as a mesh.
+GatheredFaces facesOf(const std::vector<SentPathPoint>& path)
 {
-  Status status = Status::OnItsWay;
-  /// Of a path on its way: a face that holds its last point, and the rank that it goes to.
-  Id face = NoId;
-  int rank = 0;
-};
+  std::vector<SentFace> faces;
+  for (const SentPathPoint& p : path)
+  {
+    faces.push_back(p.face);
+  }
+  std::sort(faces.begin(), faces.end());
+  const auto isSame = [](const SentFace& a, const SentFace& b) { return !(a < b); };
+  faces.erase(std::unique(faces.begin(), faces.end(), isSame), faces.end());
+  return GatheredFaces(faces);
+}
 
-/// A path that this rank sends on, or whose end it sends to the target's rank.
-struct LeavingPath
-{
-  PathInTransit transit;
-  Outcome outcome;
-};
+using Status = PathInTransit::Status;
 
 /// Follows paths over ranks. In one process none ever leaves.
 class PathFinder
@@ -76,14 +78,17 @@ public:
 
 private:
   void traceOwn();
-  void traceFrom(Id target, LeavingPath& leaving);
+  void traceFrom(Id target, PathInTransit& transit);
   void handOver();
-  Outcome advance(PathInTransit& transit) const;
-  bool searchAround(PathInTransit& transit, Outcome& outcome) const;
+  void advance(PathInTransit& transit) const;
+  void follow(PathInTransit& transit) const;
+  bool searchAround(PathInTransit& transit) const;
   std::vector<int> ranksToAsk(const TracedPath& path) const;
   Id faceOfRank(const SurfacePoint& point, int rank) const;
-  void putReport(const LeavingPath& leaving, Message& message) const;
+  void putReport(const PathInTransit& transit, Message& message) const;
   void takeReport(MessageReader& reader);
+  void take(Id target, const TriangleMesh& mesh, const std::vector<SurfacePoint>& path,
+    double length, const std::function<RankAddress(Id)>& addressOf) const;
 
   const DistanceField& field_;
   const MeshPartition& part_;
@@ -92,7 +97,8 @@ private:
   const PathsOptions& options_;
   const TakePath& take_;
   PathTracer tracer_;
-  std::vector<LeavingPath> leaving_;
+  /// Those that go on from this rank, or whose ends it sends to their targets' ranks.
+  std::vector<PathInTransit> leaving_;
   /// Of this rank's targets: the points found so far of a path that has left, and whether the path
   /// got lost; one byte a target, so that tasks may write side by side.
   std::vector<std::vector<SentPathPoint>> found_;
@@ -127,11 +133,11 @@ void PathFinder::traceOwn()
   const std::size_t count = this->targets_.size();
   const ProgressCallback progress =
     progressBetween(this->options_.progress, FrontDone, TracingDone);
-  std::vector<LeavingPath> paths;
+  std::vector<PathInTransit> paths;
   for (std::size_t first = 0; first < count; first += PathsPerReport)
   {
     reportProgress(progress, static_cast<double>(first) / static_cast<double>(count));
-    paths.assign(std::min(PathsPerReport, count - first), LeavingPath());
+    paths.assign(std::min(PathsPerReport, count - first), PathInTransit());
     forAll(this->options_.parallelFor, (paths.size() + PathsPerTask - 1) / PathsPerTask,
       [&](std::size_t task)
       {
@@ -141,40 +147,38 @@ void PathFinder::traceOwn()
           this->traceFrom(static_cast<Id>(first + i), paths[i]);
         }
       });
-    for (LeavingPath& path : paths)
-    {
-      if (path.outcome.status == Status::OnItsWay)
-      {
-        this->leaving_.push_back(std::move(path));
-      }
-    }
+    std::copy_if(std::make_move_iterator(paths.begin()), std::make_move_iterator(paths.end()),
+      std::back_inserter(this->leaving_),
+      [](const PathInTransit& transit) { return transit.status == Status::OnItsWay; });
   }
 }
 
 // Most paths end here: they need no message.
-void PathFinder::traceFrom(Id target, LeavingPath& leaving)
+void PathFinder::traceFrom(Id target, PathInTransit& transit)
 {
-  TracedPath path = this->tracer_.begin(this->targets_[target]);
-  if (path.points.empty())
-  {
-    leaving.outcome.status = Status::Whole;
-    return;
-  }
-  PathInTransit& transit = leaving.transit;
   transit.targetRank = this->part_.exchange().rank();
   transit.target = target;
-  transit.path = std::move(path);
-  leaving.outcome = this->advance(transit);
-  if (leaving.outcome.status == Status::Whole)
+  transit.path = this->tracer_.begin(this->targets_[target]);
+  if (transit.path.points.empty())
   {
-    const TriangleMesh& mesh = this->part_.mesh();
-    const std::vector<SurfacePoint> points =
-      cleanedTrace(mesh, transit.path.points, transit.path.whole);
-    const auto addressOf = [this](Id face) { return this->part_.addressOf(face); };
-    this->take_(target, { mesh, points, this->ends_.of(mesh, points, addressOf) });
-    transit = PathInTransit();
+    transit.status = Status::Whole;
+    return;
   }
-  this->isLost_[target] = leaving.outcome.status == Status::Lost ? 1 : 0;
+  this->advance(transit);
+  if (transit.status == Status::Whole)
+  {
+    this->take(target, this->part_.mesh(), transit.path.points, transit.path.whole,
+      [this](Id face) { return this->part_.addressOf(face); });
+    transit.path = {};
+  }
+  this->isLost_[target] = transit.status == Status::Lost ? 1 : 0;
+}
+
+void PathFinder::take(Id target, const TriangleMesh& mesh, const std::vector<SurfacePoint>& path,
+  double length, const std::function<RankAddress(Id)>& addressOf) const
+{
+  const std::vector<SurfacePoint> points = cleanedPath(mesh, path, length);
+  this->take_(target, { mesh, points, this->ends_.of(mesh, points, addressOf) });
 }
 
 // Sends the paths that leave to the ranks where they go on, and follows those that come.
@@ -182,14 +186,14 @@ void PathFinder::handOver()
 {
   Exchange& exchange = this->part_.exchange();
   std::vector<Message> messages = exchange.noMessages();
-  for (const LeavingPath& leaving : this->leaving_)
+  for (const PathInTransit& transit : this->leaving_)
   {
-    this->putReport(leaving, messages[rankIndex(leaving.transit.targetRank)]);
-    if (leaving.outcome.status == Status::OnItsWay)
+    this->putReport(transit, messages[rankIndex(transit.targetRank)]);
+    if (transit.status == Status::OnItsWay)
     {
-      Message& next = messages[rankIndex(leaving.outcome.rank)];
+      Message& next = messages[rankIndex(transit.rank)];
       put(next, false);
-      putInTransit(next, this->part_, leaving.transit, leaving.outcome.face);
+      putInTransit(next, this->part_, transit);
     }
   }
   this->leaving_.clear();
@@ -203,50 +207,48 @@ void PathFinder::handOver()
       }
       else
       {
-        this->leaving_.push_back({ getInTransit(reader, this->part_), {} });
+        this->leaving_.push_back(getInTransit(reader, this->part_));
       }
     });
   forAll(this->options_.parallelFor, this->leaving_.size(),
-    [this](std::size_t i)
-    { this->leaving_[i].outcome = this->advance(this->leaving_[i].transit); });
+    [this](std::size_t i) { this->advance(this->leaving_[i]); });
 }
 
-Outcome PathFinder::advance(PathInTransit& transit) const
+void PathFinder::advance(PathInTransit& transit) const
 {
-  Outcome outcome;
   try
   {
-    for (;;)
-    {
-      outcome.face = this->tracer_.follow(transit.path);
-      if (transit.path.isWhole())
-      {
-        outcome.status = Status::Whole;
-        return outcome;
-      }
-      if (outcome.face != NoId)
-      {
-        outcome.rank = this->part_.ownerOf(outcome.face).rank;
-        const bool isOnLeg = transit.path.next == TracedPath::Next::BehindExit;
-        outcome.face = isOnLeg ? TriangleMesh::faceOf(transit.path.leg.exit) : outcome.face;
-        return outcome;
-      }
-      if (!this->searchAround(transit, outcome))
-      {
-        return outcome;
-      }
-    }
+    this->follow(transit);
   }
   catch (const PathLost&)
   {
-    outcome.status = Status::Lost;
-    return outcome;
+    transit.status = Status::Lost;
   }
+}
+
+void PathFinder::follow(PathInTransit& transit) const
+{
+  do
+  {
+    const Id elsewhere = this->tracer_.follow(transit.path);
+    if (transit.path.isWhole())
+    {
+      transit.status = Status::Whole;
+      return;
+    }
+    if (elsewhere != NoId)
+    {
+      const bool isOnLeg = transit.path.next == TracedPath::Next::BehindExit;
+      transit.rank = this->part_.ownerOf(elsewhere).rank;
+      transit.face = isOnLeg ? TriangleMesh::faceOf(transit.path.leg.exit) : elsewhere;
+      return;
+    }
+  } while (this->searchAround(transit));
 }
 
 // Asks the ranks around an edge one after another, then goes on where the path is nearest. Returns
 // whether that is here.
-bool PathFinder::searchAround(PathInTransit& transit, Outcome& outcome) const
+bool PathFinder::searchAround(PathInTransit& transit) const
 {
   const int self = this->part_.exchange().rank();
   const SurfacePoint& point = transit.path.points.back();
@@ -264,11 +266,11 @@ bool PathFinder::searchAround(PathInTransit& transit, Outcome& outcome) const
   {
     throw PathLost("A shortest path was to be followed through faces whose windows are not known.");
   }
-  outcome.rank = transit.toAsk.empty() ? transit.nearest.rank : transit.toAsk.front();
-  if (outcome.rank != self)
+  transit.rank = transit.toAsk.empty() ? transit.nearest.rank : transit.toAsk.front();
+  if (transit.rank != self)
   {
-    outcome.face = point.kind == SurfacePoint::Kind::Edge ? TriangleMesh::faceOf(point.id)
-                                                          : this->faceOfRank(point, outcome.rank);
+    transit.face = point.kind == SurfacePoint::Kind::Edge ? TriangleMesh::faceOf(point.id)
+                                                          : this->faceOfRank(point, transit.rank);
     return false;
   }
   transit.nearest = {};
@@ -303,14 +305,14 @@ Id PathFinder::faceOfRank(const SurfacePoint& point, int rank) const
 }
 
 // What this rank has found of a path.
-void PathFinder::putReport(const LeavingPath& leaving, Message& message) const
+void PathFinder::putReport(const PathInTransit& transit, Message& message) const
 {
-  const TracedPath& path = leaving.transit.path;
+  const TracedPath& path = transit.path;
   put(message, true);
-  put(message, leaving.transit.target);
-  put(message, leaving.outcome.status);
+  put(message, transit.target);
+  put(message, transit.status);
   std::vector<SentPathPoint> points;
-  for (std::size_t i = leaving.transit.sent; i < path.points.size(); ++i)
+  for (std::size_t i = transit.sent; i < path.points.size(); ++i)
   {
     const Id face = path.faces[i];
     points.push_back(
@@ -330,10 +332,14 @@ void PathFinder::takeReport(MessageReader& reader)
   found.insert(found.end(), points.begin(), points.end());
   if (status == Status::Whole)
   {
-    const PathStrip strip(found);
-    const std::vector<SurfacePoint> path = cleanedTrace(strip.mesh(), strip.points(), whole);
-    const auto addressOf = [&strip](Id face) { return strip.ownerOf(face); };
-    this->take_(target, { strip.mesh(), path, this->ends_.of(strip.mesh(), path, addressOf) });
+    const GatheredFaces faces = facesOf(found);
+    std::vector<SurfacePoint> path;
+    for (const SentPathPoint& p : found)
+    {
+      path.push_back(fromFacePoint(faces.mesh(), faces.faceAt(p.face.owner), p.point));
+    }
+    this->take(
+      target, faces.mesh(), path, whole, [&faces](Id face) { return faces.ownerOf(face); });
   }
   this->isLost_[target] = status == Status::Lost ? 1 : 0;
   if (status != Status::OnItsWay)
@@ -405,6 +411,7 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
   const PathsOptions& options, const TakePath& take)
 {
   RetentionAround retention(part.mesh(), targets);
+  retention.keepAroundIrregularEdges();
   keepAroundEdges(part, targets, retention);
   FrontOptions frontOptions;
   frontOptions.keepArrivals = true;

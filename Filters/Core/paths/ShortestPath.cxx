@@ -46,6 +46,7 @@ public:
     , toSecond_(toSecond)
     , least_(least)
   {
+    this->keepAroundIrregularEdges();
   }
 
   double longestPath() const override { return this->longestPath_; }
@@ -71,14 +72,16 @@ private:
 /// found are lower bounds, except where it left out what no path within the length passes: there
 /// the distance exceeds what the way from the first point leaves of the length. Beyond the reach of
 /// the search, the reach is a lower bound.
-std::vector<double> lowerBounds(const TriangleMesh& mesh, const SurfacePoint& first,
-  const SurfacePoint& second, const std::vector<double>& toSecond, double length, double reach)
+///
+/// \param searched the corridor of the search.
+std::vector<double> lowerBounds(const TriangleMesh& mesh, const SurfacePoint& second,
+  const std::vector<double>& toSecond, double reach, const Corridor& searched)
 {
-  const std::vector<double> fromFirst = distancesInSpace(mesh, first);
   std::vector<double> bounds = distancesInSpace(mesh, second);
   for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
   {
-    const double found = std::min({ toSecond[vertex], reach, length - fromFirst[vertex] });
+    const double found =
+      std::min({ toSecond[vertex], reach, searched.length - searched.lowerBounds[vertex] });
     bounds[vertex] = std::max(bounds[vertex], (1.0 - tolerance::BoundMargin) * found);
   }
   return bounds;
@@ -100,7 +103,7 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   const std::vector<double> toSecond =
     propagate(mesh, { pointCurve(second) }, options, search).vertexDistances;
 
-  corridor.lowerBounds = lowerBounds(mesh, first, second, toSecond, length, search.reach());
+  corridor.lowerBounds = lowerBounds(mesh, second, toSecond, search.reach(), corridor);
   // The two points may be at one place, behind faces without area: there a path is as long as
   // roundings.
   const double least = tolerance::BoundMargin * length;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paths/SubMesh.h"
 
+#include "Tolerance.h"
+
 #include <algorithm>
+#include <queue>
+#include <unordered_map>
 #include <utility>
 
 namespace geodesic
@@ -9,6 +13,77 @@ namespace geodesic
 
 namespace
 {
+
+/// The vertices of the faces around a point, to which the way is straight; of a vertex only itself.
+std::vector<Id> verticesAround(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    return { point.id };
+  }
+  std::vector<Id> result;
+  forEachFace(mesh, point,
+    [&](Id face)
+    {
+      const Triangle& corners = mesh.triangle(face);
+      result.insert(result.end(), corners.begin(), corners.end());
+    });
+  return result;
+}
+
+struct Entry
+{
+  double estimate;
+  double length;
+  Id vertex;
+  bool operator<(const Entry& other) const { return this->estimate > other.estimate; }
+};
+
+/// The length of a shortest path along mesh edges, by best-first search (A*: the remaining distance
+/// in space is a lower bound). Infinite if no path joins the points.
+double lengthAlongEdges(const TriangleMesh& mesh, const SurfacePoint& first,
+  const SurfacePoint& second, const ProgressCallback& progress)
+{
+  std::unordered_map<Id, double> lengthTo;
+  std::priority_queue<Entry> queue;
+  const auto reach = [&](Id vertex, double length)
+  {
+    double& known = lengthTo.try_emplace(vertex, Infinity).first->second;
+    if (length < known)
+    {
+      known = length;
+      queue.push({ length + distanceInSpace(mesh, mesh.point(vertex), second), length, vertex });
+    }
+  };
+  for (const Id vertex : verticesAround(mesh, first))
+  {
+    reach(vertex, distanceInSpace(mesh, mesh.point(vertex), first));
+  }
+  const std::vector<Id> goals = verticesAround(mesh, second); // the way from there is straight
+  double best = Infinity;
+  for (std::size_t step = 1; !queue.empty() && queue.top().estimate < best; ++step)
+  {
+    const Entry top = queue.top();
+    queue.pop();
+    if (top.length == lengthTo[top.vertex])
+    {
+      const bool isGoal = std::find(goals.begin(), goals.end(), top.vertex) != goals.end();
+      best = isGoal ? top.estimate : best;
+      for (const Id corner : mesh.cornersAt(top.vertex))
+      {
+        const Id previous = TriangleMesh::previousInFace(corner);
+        reach(mesh.destination(corner), top.length + mesh.length(corner));
+        reach(mesh.origin(previous), top.length + mesh.length(previous));
+      }
+    }
+    constexpr std::size_t stepsPerReport = 4096;
+    if (step % stepsPerReport == 0)
+    {
+      reportProgress(progress, 0.0);
+    }
+  }
+  return best;
+}
 
 /// Whether a face may contain a point whose distances in space from the two points add up to no
 /// more than the bound. The sum grows by at most 2 for each unit of way.
@@ -26,146 +101,100 @@ bool isWithin(const TriangleMesh& mesh, Id face, const SurfacePoint& first,
     bound;
 }
 
-/// A point of one mesh as a point of another, whose numbers of vertices and faces are given.
-SurfacePoint transferred(const TriangleMesh& from, const SurfacePoint& point,
-  const TriangleMesh& to, const std::vector<Id>& vertices, const std::vector<Id>& faces)
+Id placeOf(Id number, const std::vector<Id>& numbers)
 {
-  if (point.kind == SurfacePoint::Kind::Vertex)
-  {
-    return SurfacePoint::atVertex(vertices[point.id]);
-  }
-  const Id face = someFace(from, point);
-  return fromBarycentric(to, faces[face], barycentric(from, point, face));
+  return static_cast<Id>(std::find(numbers.begin(), numbers.end(), number) - numbers.begin());
 }
-
-/// Gathers the faces that a path within a bound can touch between two points, from face to face
-/// across shared vertices.
-class FaceGatherer
-{
-public:
-  FaceGatherer(const TriangleMesh& mesh, SubMesh::WorkSpace& workSpace)
-    : mesh_(mesh)
-    , workSpace_(workSpace)
-  {
-    workSpace.patchVertex.resize(mesh.numberOfVertices(), NoId);
-    workSpace.patchFace.resize(mesh.numberOfFaces(), NoId);
-  }
-  ~FaceGatherer()
-  {
-    for (const Id vertex : this->vertices)
-    {
-      this->workSpace_.patchVertex[vertex] = NoId;
-    }
-    for (const Id face : this->touchedFaces_)
-    {
-      this->workSpace_.patchFace[face] = NoId;
-    }
-  }
-  FaceGatherer(const FaceGatherer&) = delete;
-  FaceGatherer& operator=(const FaceGatherer&) = delete;
-
-  /// Stops as soon as there are more faces than `maximum`.
-  void gather(const SurfacePoint& first, const SurfacePoint& second, double bound,
-    std::size_t maximum, const ProgressCallback& progress)
-  {
-    const auto visit = [&](Id face)
-    {
-      if (this->workSpace_.patchFace[face] == NoId)
-      {
-        this->workSpace_.patchFace[face] = LeftOut;
-        this->touchedFaces_.push_back(face);
-        const bool holdsEnd =
-          contains(this->mesh_, face, first) || contains(this->mesh_, face, second);
-        if (holdsEnd || isWithin(this->mesh_, face, first, second, bound))
-        {
-          this->take(face);
-        }
-      }
-    };
-    forEachFace(this->mesh_, first, visit);
-    for (std::size_t next = 0; next < this->vertices.size() && this->triangles.size() <= maximum;
-         ++next)
-    {
-      forEachFace(this->mesh_, SurfacePoint::atVertex(this->vertices[next]), visit);
-      constexpr std::size_t stepsPerReport = 4096;
-      if ((next + 1) % stepsPerReport == 0)
-      {
-        reportProgress(progress, 0.0);
-      }
-    }
-  }
-
-  /// The numbers in the patch of the surface's vertices and faces.
-  const std::vector<Id>& patchVertices() const { return this->workSpace_.patchVertex; }
-  const std::vector<Id>& patchFaces() const { return this->workSpace_.patchFace; }
-
-  /// The surface's numbers of the patch's vertices and faces.
-  std::vector<Id> vertices;
-  std::vector<Id> faces;
-  std::vector<Vec3> points;
-  std::vector<Triangle> triangles;
-
-private:
-  static constexpr Id LeftOut = NoId - 1;
-
-  void take(Id face)
-  {
-    this->workSpace_.patchFace[face] = static_cast<Id>(this->faces.size());
-    this->faces.push_back(face);
-    Triangle corners = this->mesh_.triangle(face);
-    for (Id& vertex : corners)
-    {
-      Id& renamed = this->workSpace_.patchVertex[vertex];
-      if (renamed == NoId)
-      {
-        renamed = static_cast<Id>(this->vertices.size());
-        this->vertices.push_back(vertex);
-        this->points.push_back(this->mesh_.point(vertex));
-      }
-      vertex = renamed;
-    }
-    this->triangles.push_back(corners);
-  }
-
-  const TriangleMesh& mesh_;
-  SubMesh::WorkSpace& workSpace_;
-  std::vector<Id> touchedFaces_;
-};
 
 } // anonymous namespace
 
+// Goes from face to face across shared vertices.
 SubMesh::SubMesh(const TriangleMesh& surface, const SurfacePoint& first, const SurfacePoint& second,
-  double bound, WorkSpace& workSpace, const ProgressCallback& progress)
+  const ProgressCallback& progress)
   : surface_(surface)
-  , first_(first)
-  , second_(second)
+  , bound_((1.0 + tolerance::BoundMargin) * lengthAlongEdges(surface, first, second, progress))
 {
-  // A mesh of a larger part would cost about as much as it saves.
-  constexpr std::size_t largePart = 4;
-  const std::size_t maximum = surface.numberOfFaces() / largePart;
-  FaceGatherer gatherer(surface, workSpace);
-  gatherer.gather(first, second, bound, maximum, progress);
-  if (gatherer.triangles.size() > maximum)
+  if (this->bound_ == Infinity)
   {
     return;
   }
-  this->mesh_ = std::make_unique<TriangleMesh>(std::move(gatherer.points), gatherer.triangles);
-  const auto onPatch = [&](const SurfacePoint& point)
+  // A mesh of a larger part would cost about as much as it saves.
+  constexpr std::size_t largePart = 4;
+  const std::size_t maximum = surface.numberOfFaces() / largePart;
+  std::unordered_map<Id, Id> patchVertex;
+  std::vector<bool> isVisited(surface.numberOfFaces(), false);
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+  const auto take = [&](Id face)
   {
-    return transferred(
-      surface, point, *this->mesh_, gatherer.patchVertices(), gatherer.patchFaces());
+    this->faces_.push_back(face);
+    Triangle& corners = triangles.emplace_back(surface.triangle(face));
+    for (Id& vertex : corners)
+    {
+      const auto [renamed, isNew] = patchVertex.try_emplace(vertex, static_cast<Id>(points.size()));
+      if (isNew)
+      {
+        this->vertices_.push_back(vertex);
+        points.push_back(surface.point(vertex));
+      }
+      vertex = renamed->second;
+    }
   };
-  this->first_ = onPatch(first);
-  this->second_ = onPatch(second);
-  this->vertices_ = gatherer.vertices; // which it needs to clean the work space
-  this->faces_ = std::move(gatherer.faces);
+  const auto visit = [&](Id face)
+  {
+    const bool isNew = !isVisited[face];
+    isVisited[face] = true;
+    if (isNew &&
+      (contains(surface, face, first) || contains(surface, face, second) ||
+        isWithin(surface, face, first, second, this->bound_)))
+    {
+      take(face);
+    }
+  };
+  forEachFace(surface, first, visit);
+  for (std::size_t next = 0; next < this->vertices_.size() && triangles.size() <= maximum; ++next)
+  {
+    forEachFace(surface, SurfacePoint::atVertex(this->vertices_[next]), visit);
+    constexpr std::size_t stepsPerReport = 4096;
+    if ((next + 1) % stepsPerReport == 0)
+    {
+      reportProgress(progress, 0.0);
+    }
+  }
+  if (triangles.size() <= maximum)
+  {
+    this->mesh_.emplace(std::move(points), triangles);
+  }
+}
+
+SurfacePoint SubMesh::onPatch(const SurfacePoint& point) const
+{
+  if (!this->mesh_)
+  {
+    return point;
+  }
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    return SurfacePoint::atVertex(placeOf(point.id, this->vertices_));
+  }
+  const Id face = someFace(this->surface_, point);
+  return fromBarycentric(
+    *this->mesh_, placeOf(face, this->faces_), barycentric(this->surface_, point, face));
 }
 
 SurfacePoint SubMesh::onSurface(const SurfacePoint& point) const
 {
-  return this->mesh_
-    ? transferred(*this->mesh_, point, this->surface_, this->vertices_, this->faces_)
-    : point;
+  if (!this->mesh_)
+  {
+    return point;
+  }
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    return SurfacePoint::atVertex(this->vertices_[point.id]);
+  }
+  const Id face = someFace(*this->mesh_, point);
+  return fromBarycentric(
+    this->surface_, this->faces_[face], barycentric(*this->mesh_, point, face));
 }
 
 }

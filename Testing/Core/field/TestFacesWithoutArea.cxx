@@ -12,8 +12,8 @@
 
 #include "field/NearestSource.h"
 #include "field/SegmentEnvelope.h"
+#include "paths/JoinPoints.h"
 #include "paths/PathsToSource.h"
-#include "paths/ShortestPathFinder.h"
 #include "source/BoundaryCurves.h"
 
 #include <gtest/gtest.h>
@@ -139,7 +139,8 @@ MeshPoint notBesideEdges(MeshPoint point)
 
 /// Vertices, points on edges and points in faces with area, joined by straight lines.
 ///
-/// \param mayBeBeside whether some points are within rounding of a vertex or an edge. The engine may
+/// \param mayBeBeside whether some points are within rounding of a vertex or an edge. The engine
+/// may
 ///        join these to the line by a piece in any direction, and so decide the side of points
 ///        beside the line's ends.
 FlatLine randomLine(
@@ -642,7 +643,7 @@ TEST(FacesWithoutArea, APathAcrossAPocketEnds)
       for (Index b = 0; b < 6; ++b)
       {
         const TimeLimit limit(SecondsForPockets);
-        const std::vector<SurfacePoint> path = geodesic::ShortestPathFinder(engine).between(
+        const std::vector<SurfacePoint> path = geodesic::joinByShortestPaths(engine)(
           SurfacePoint::atVertex(a), SurfacePoint::atVertex(b), limit.callback());
         EXPECT_NEAR(lengthOf(engine, path), spaceDistance(mesh.points[a], mesh.points[b]), 1e-12)
           << "from " << a << " to " << b;
@@ -688,7 +689,7 @@ TEST(FacesWithoutArea, PocketsChangeNoDistanceAndPathsAcrossThemEnd)
         worst = std::max(worst, error);
       }
       const Id other = random.below(engine.numberOfVertices());
-      geodesic::ShortestPathFinder(engine).between(
+      geodesic::joinByShortestPaths(engine)(
         SurfacePoint::atVertex(source), SurfacePoint::atVertex(other), limit.callback());
     }
     catch (const std::exception& e)

@@ -276,18 +276,19 @@ TEST_P(NearestSources, AreComeNearerToAgainstTheGradient)
       const double size = geodesic::norm(gradient);
       ASSERT_NEAR(size, 1.0, 1e-14) << kind().name << ", seed " << seed << ", point " << i;
       // The step in barycentric coordinates, by the frame of the piece.
-      const Id face = geodesic::TriangleMesh::faceOf(piece.frame);
+      const Id face = geodesic::TriangleMesh::faceOf(piece.ray.halfedge);
       const geodesic::Barycentric at =
         geodesic::barycentric(s.mesh, inFaceOrAtCorner(s.mesh, s.points[i], face), face);
-      const double pieceLength = geodesic::norm(piece.direction);
+      const double pieceLength = geodesic::norm(piece.ray.direction);
       const geodesic::FaceShape& shape = s.mesh.shape(face);
       const double step = 1e-3 * std::min(shape.area2 / shape.longest(), s.truth[i]);
       geodesic::Vec2 corners[3];
       for (std::size_t k = 0; k < 3; ++k)
       {
-        corners[k] = geodesic::inHalfedgeFrame(s.mesh, piece.frame, geodesic::cornerWeights(k));
+        corners[k] =
+          geodesic::inHalfedgeFrame(s.mesh, piece.ray.halfedge, geodesic::cornerWeights(k));
       }
-      const geodesic::Vec2 move = (-step / pieceLength) * piece.direction;
+      const geodesic::Vec2 move = (-step / pieceLength) * piece.ray.direction;
       geodesic::Barycentric change;
       double part = 1.0; // of the step, to stay in the face
       for (std::size_t k = 0; k < 3; ++k)

@@ -5,8 +5,8 @@
 #include "Seeds.h"
 #include "paths/PathChecker.h"
 
+#include "paths/JoinPoints.h"
 #include "paths/PathsToSource.h"
-#include "paths/ShortestPathFinder.h"
 
 #include <gtest/gtest.h>
 
@@ -125,13 +125,13 @@ TEST_P(FarFromOrigin, PathsAreThoseAtTheOriginAndShortest)
         worst = std::max(worst, error);
       }
     }
-    geodesic::ShortestPathFinder farFinder(far);
-    geodesic::ShortestPathFinder finder(atOrigin);
+    const geodesic::JoinPoints joinFar = geodesic::joinByShortestPaths(far);
+    const geodesic::JoinPoints join = geodesic::joinByShortestPaths(atOrigin);
     for (int i = 0; i < 8; ++i)
     {
       const SurfacePoint first = enginePoint(far, randomFacePoint(surfaces.far, random));
       const SurfacePoint second = enginePoint(far, randomFacePoint(surfaces.far, random));
-      expectSame(farFinder.between(first, second), finder.between(first, second));
+      expectSame(joinFar(first, second, {}), join(first, second, {}));
     }
   }
   std::cout << "worst relative error on " << GetParam().name << ": " << worst << "\n";

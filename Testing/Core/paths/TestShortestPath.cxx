@@ -9,8 +9,8 @@
 #include "truth/AnalyticCases.h"
 #include "truth/RandomMeshKinds.h"
 
+#include "paths/JoinPoints.h"
 #include "paths/PathInWindows.h"
-#include "paths/ShortestPathFinder.h"
 
 #include <gtest/gtest.h>
 
@@ -54,13 +54,13 @@ void expectPathsBetween(const PlainMesh& mesh, const TriangleMesh& engine, const
   const std::vector<MeshPoint>& queries, const std::vector<double>& truth, double slack)
 {
   const PathChecker checker(mesh);
-  geodesic::ShortestPathFinder finder(engine);
+  const geodesic::JoinPoints join = geodesic::joinByShortestPaths(engine);
   for (std::size_t i = 0; i < queries.size(); ++i)
   {
     SCOPED_TRACE("path " + std::to_string(i));
     const SurfacePoint from = enginePoint(engine, source);
     const SurfacePoint to = enginePoint(engine, queries[i]);
-    const std::vector<SurfacePoint> path = finder.between(from, to);
+    const std::vector<SurfacePoint> path = join(from, to, {});
     if (truth[i] == geodesic::Infinity)
     {
       EXPECT_TRUE(path.empty());
@@ -166,9 +166,9 @@ TEST(ShortestPath, ToAPointARoundingBesideAVertexIsFound)
   Random random(83);
   const AnalyticCase c = geodesictest::boxCase(random);
   const TriangleMesh mesh = engineMesh(c.mesh);
-  geodesic::ShortestPathFinder finder(mesh);
+  const geodesic::JoinPoints join = geodesic::joinByShortestPaths(mesh);
   const std::vector<SurfacePoint> path =
-    finder.between(enginePoint(mesh, c.sources.points[0]), enginePoint(mesh, c.queries[18]));
+    join(enginePoint(mesh, c.sources.points[0]), enginePoint(mesh, c.queries[18]), {});
   EXPECT_GE(path.size(), 2U);
 }
 
@@ -194,10 +194,10 @@ TEST(ShortestPath, FromAPointARoundingBesideAVertexOrAnEdgeIsWhole)
       MeshPoint at = beside;
       beside.weights[(k + 2) % 3] = rounding;
       const SurfacePoint to = enginePoint(mesh, randomPoint(plain, random));
-      geodesic::ShortestPathFinder finder(mesh);
+      const geodesic::JoinPoints join = geodesic::joinByShortestPaths(mesh);
       const auto lengthFrom = [&](const MeshPoint& from)
       {
-        const auto path = finder.between(enginePoint(mesh, from), to);
+        const auto path = join(enginePoint(mesh, from), to, {});
         double length = path.empty() ? geodesic::Infinity : 0.0;
         for (std::size_t i = 1; i < path.size(); ++i)
         {
@@ -225,13 +225,13 @@ TEST(ShortestPath, CrossesATinyEdgeAtTheEndOfALongWayWhereTheStraightLineDoes)
     { 2.0 * h, 0.5 * h, 0.0 } };
   mesh.triangles = { { 0, 1, 2 }, { 2, 1, 3 } };
   const TriangleMesh engine = engineMesh(mesh);
-  geodesic::ShortestPathFinder finder(engine);
+  const geodesic::JoinPoints join = geodesic::joinByShortestPaths(engine);
   for (const double part : { 0.2, 0.5, 0.8 })
   {
     // A quarter of the way from (0, part h) to the far corner.
     const MeshPoint end{ 1, { 0.75 * part, 0.75 * (1.0 - part), 0.25 } };
     const std::vector<SurfacePoint> path =
-      finder.between(SurfacePoint::atVertex(0), enginePoint(engine, end));
+      join(SurfacePoint::atVertex(0), enginePoint(engine, end), {});
     ASSERT_EQ(path.size(), 3U);
     const double crossing = position(mesh, end)[1] / (1.0 + position(mesh, end)[0]);
     EXPECT_NEAR(PathChecker(mesh).plain(path[1]).place[1], crossing, 0.02 * h) << part;

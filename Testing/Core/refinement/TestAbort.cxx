@@ -9,8 +9,8 @@
 #include "contours/Isolines.h"
 #include "contours/SolveForIsolines.h"
 #include "field/DistanceMatrix.h"
+#include "paths/JoinPoints.h"
 #include "paths/PathsToSource.h"
-#include "paths/ShortestPathFinder.h"
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/DeviationRules.h"
 #include "refinement/SolveForRefinement.h"
@@ -255,9 +255,8 @@ const std::vector<Answer> Answers = {
       findPaths(q.mesh, q.sources, q.points, options);
     } },
   { "path between points",
-    [](const Question& q, const ProgressCallback& progress) {
-      geodesic::ShortestPathFinder(q.mesh).between(q.points.front(), q.points.back(), progress);
-    } },
+    [](const Question& q, const ProgressCallback& progress)
+    { geodesic::joinByShortestPaths(q.mesh)(q.points.front(), q.points.back(), progress); } },
   { "matrix",
     [](const Question& q, const ProgressCallback& progress)
     {
