@@ -74,9 +74,9 @@ class EndJoiner
 {
 public:
   EndJoiner(const FaceLevel& level, const Part& part, const std::vector<Remainder>& remainders,
-    StepsOfWork& work)
+    const ProgressCallback& progress)
     : level_(level)
-    , work_(work)
+    , progress_(progress)
     , next_(remainders.size() + part.outline.size(), None)
   {
     this->from_.reserve(this->next_.size());
@@ -145,7 +145,7 @@ private:
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < this->from_.size(); ++i)
     {
-      this->work_.add(this->to_.size());
+      reportProgress(this->progress_, 0.0);
       for (std::size_t j = 0; j < this->to_.size(); ++j)
       {
         const double gap = norm(this->to_[j].at - this->from_[i].at);
@@ -184,7 +184,7 @@ private:
   }
 
   const FaceLevel& level_;
-  StepsOfWork& work_;
+  const ProgressCallback& progress_;
   std::vector<LooseEnd> from_;
   std::vector<LooseEnd> to_;
   std::vector<std::uint8_t> used_;
@@ -272,7 +272,7 @@ public:
       return true;
     }
     const std::vector<Remainder> remainders = this->task_.arrangement.remaindersIn(part.corners);
-    EndJoiner joiner(this->level_, part, remainders, this->task_.work);
+    EndJoiner joiner(this->level_, part, remainders, this->task_.progress);
     if (!joiner.run())
     {
       return false;
@@ -426,8 +426,9 @@ private:
 
   Id addPoint(Vec2 p)
   {
-    std::vector<IsolinePieces::NewPoint>& points = this->task_.result.points;
-    points.push_back({ this->level_.face.face(), this->level_.face.fromPlane(p) });
+    const FaceDistance& face = this->level_.face;
+    std::vector<SurfacePoint>& points = this->task_.result.points;
+    points.push_back(fromBarycentric(this->task_.mesh, face.face(), face.fromPlane(p)));
     return this->task_.firstNewId + static_cast<Id>(points.size() - 1);
   }
 

@@ -12,13 +12,12 @@ namespace geodesic
 void IsolineJoin::add(const IsolinePieces& pieces)
 {
   const std::size_t before = this->ids_.size();
-  const std::size_t points = this->edgePoints_ + this->points_.size();
-  if (points + pieces.points.size() >= NoId / 2)
+  if (this->points_.size() + pieces.points.size() >= NoId / 2)
   {
     throw Error(
       "The isolines have too many points. Raise the chord tolerance or give fewer values.");
   }
-  const Id shift = static_cast<Id>(this->points_.size());
+  const Id shift = static_cast<Id>(this->points_.size()) - this->edgePoints_;
   for (IsolinePieces::Piece piece : pieces.pieces)
   {
     piece.end += before;
@@ -41,7 +40,7 @@ Id IsolineJoin::pointAt(PieceEnd end) const
 void IsolineJoin::linkEnds()
 {
   constexpr Id more = 3; // than meet where a line goes on
-  this->nodes_.assign(this->edgePoints_ + this->points_.size(), {});
+  this->nodes_.assign(this->points_.size(), {});
   for (const Id point : this->ends_)
   {
     this->nodes_[point].count = more;
@@ -64,16 +63,12 @@ IsolineJoin::PieceEnd IsolineJoin::other(PieceEnd end) const
 }
 
 // Lines that end somewhere first, so that what is left is closed.
-Isolines IsolineJoin::finish(std::vector<SurfacePoint> onEdges)
+Isolines IsolineJoin::finish()
 {
+  this->linkEnds();
   Isolines result;
   result.partsCrossedStraight = this->partsCrossedStraight_;
-  result.points = std::move(onEdges);
-  for (const IsolinePieces::NewPoint& point : this->points_)
-  {
-    result.points.push_back(fromBarycentric(this->mesh_, point.face, point.place));
-  }
-  this->linkEnds();
+  result.points = std::move(this->points_);
   this->isUsed_.assign(this->pieces_.size(), 0);
   for (PieceEnd end = 0; end < 2 * this->pieces_.size(); ++end)
   {

@@ -15,11 +15,13 @@ class IsolineJoin
 {
 public:
   /// \param levels the values, must outlive this.
-  /// \param edgePoints how many points there are on edges; their ids are the first ones.
-  IsolineJoin(const TriangleMesh& mesh, const std::vector<double>& levels, Id edgePoints)
+  /// \param onEdges the points on edges; their ids are the first ones.
+  IsolineJoin(
+    const TriangleMesh& mesh, const std::vector<double>& levels, std::vector<SurfacePoint> onEdges)
     : mesh_(mesh)
     , levels_(levels)
-    , edgePoints_(edgePoints)
+    , edgePoints_(static_cast<Id>(onEdges.size()))
+    , points_(std::move(onEdges))
   {
   }
 
@@ -29,10 +31,8 @@ public:
   /// Adds the pieces of some faces, behind those of lower ones.
   void add(const IsolinePieces& pieces);
 
-  /// Returns the lines, without chords of hardly any length.
-  ///
-  /// \param onEdges the points on edges, by their ids.
-  Isolines finish(std::vector<SurfacePoint> onEdges);
+  /// Returns the lines, without chords of hardly any length. To be called once, at the end.
+  Isolines finish();
 
 private:
   /// The first or the last point of a piece: 2 * piece, or 2 * piece + 1.
@@ -67,7 +67,7 @@ private:
   std::vector<Id> ends_;
   std::vector<IsolinePieces::Piece> pieces_;
   std::vector<Id> ids_;
-  std::vector<IsolinePieces::NewPoint> points_;
+  std::vector<SurfacePoint> points_;
   std::size_t partsCrossedStraight_ = 0;
   std::vector<Node> nodes_;
   std::vector<std::uint8_t> isUsed_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contours/IsolineSides.h"
 
-#include "PacedProgress.h"
-
 #include <algorithm>
 
 namespace geodesic
@@ -35,25 +33,24 @@ public:
     , nearest_(nearest)
     , isOnRight_(isOnRight)
     , progress_(paced(progress))
-    , chords_(1)
   {
     for (const Isoline& line : isolines.lines)
     {
-      this->chords_ += line.faces.size();
+      this->chords_ += static_cast<double>(line.faces.size());
     }
-    this->result_.points = isolines.points;
-    this->result_.linesWithoutDirection = isolines.linesWithoutDirection;
-    this->result_.partsCrossedStraight = isolines.partsCrossedStraight;
+    this->result.points = isolines.points;
+    this->result.linesWithoutDirection = isolines.linesWithoutDirection;
+    this->result.partsCrossedStraight = isolines.partsCrossedStraight;
   }
 
   void cut(const Isoline& line, const SidedValue& value);
-  Isolines release() { return std::move(this->result_); }
+
+  Isolines result;
 
 private:
   Barycentric onChord(const Isoline& line, std::size_t chord, double t) const;
   IncomingSegment pieceTo(const Isoline& line, std::size_t chord, double t) const;
   bool isOnRightAt(const Isoline& line, std::size_t chord, double t);
-  void report();
   SidedLine withSides(const Isoline& line);
   Id addChange(const Isoline& line, std::size_t chord, bool isRightBefore);
 
@@ -63,24 +60,16 @@ private:
   const std::function<bool(const Foot&)>& isOnRight_;
   ProgressCallback progress_;
   /// The number of chords of all lines, and how many are done.
-  std::size_t chords_;
-  std::size_t chordsDone_ = 0;
-  Isolines result_;
+  double chords_ = 0.0;
+  double chordsDone_ = 0.0;
 };
-
-void Cutter::report()
-{
-  reportProgress(
-    this->progress_, static_cast<double>(this->chordsDone_++) / static_cast<double>(this->chords_));
-}
 
 Barycentric Cutter::onChord(const Isoline& line, std::size_t chord, double t) const
 {
   const Id face = line.faces[chord];
-  const Barycentric a = barycentric(this->mesh_, this->result_.points[line.points[chord]], face);
-  const Barycentric b =
-    barycentric(this->mesh_, this->result_.points[line.points[chord + 1]], face);
-  return between(a, b, t);
+  const auto place = [&](std::size_t i)
+  { return barycentric(this->mesh_, this->result.points[line.points[i]], face); };
+  return between(place(chord), place(chord + 1), t);
 }
 
 IncomingSegment Cutter::pieceTo(const Isoline& line, std::size_t chord, double t) const
@@ -107,7 +96,7 @@ SidedLine Cutter::withSides(const Isoline& line)
   };
   for (std::size_t chord = 0; chord < line.faces.size(); ++chord)
   {
-    this->report();
+    reportProgress(this->progress_, this->chordsDone_++ / this->chords_);
     const bool before = this->isOnRightAt(line, chord, BesideEnd);
     const bool behind = this->isOnRightAt(line, chord, 1.0 - BesideEnd);
     if (before != behind)
@@ -139,12 +128,12 @@ Id Cutter::addChange(const Isoline& line, std::size_t chord, bool isRightBefore)
   {
     const Vec2 along = turned(this->mesh_, (1.0 / length) * piece.direction, piece.frame, frame);
     const double value =
-      incomingSegmentTo(this->field_, this->result_.points[line.points[chord]]).distance;
+      incomingSegmentTo(this->field_, this->result.points[line.points[chord]]).distance;
     at = at + (value - piece.distance) * along;
   }
-  this->result_.points.push_back(
+  this->result.points.push_back(
     fromBarycentric(this->mesh_, face, fromHalfedgeFrame(this->mesh_, frame, at)));
-  return static_cast<Id>(this->result_.points.size() - 1);
+  return static_cast<Id>(this->result.points.size() - 1);
 }
 
 // A closed line that is cut begins where its side changes. Parts on the right-hand side are turned
@@ -175,7 +164,7 @@ void Cutter::cut(const Isoline& line, const SidedValue& value)
     }
     if (part.value != SidedValue::None)
     {
-      this->result_.lines.push_back(std::move(part));
+      this->result.lines.push_back(std::move(part));
     }
   }
 }
@@ -191,10 +180,9 @@ Isolines linesOnSides(const DistanceField& field, NearestSource& nearest,
   {
     cutter.cut(line, values[line.value]);
   }
-  Isolines result = cutter.release();
-  std::stable_sort(result.lines.begin(), result.lines.end(),
+  std::stable_sort(cutter.result.lines.begin(), cutter.result.lines.end(),
     [](const Isoline& a, const Isoline& b) { return a.value < b.value; });
-  return result;
+  return std::move(cutter.result);
 }
 
 }

@@ -17,15 +17,13 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   , curves_(patch, curves)
   , firstPoint_(PointSide::first(field.surface().numberOfGlobalVertices(),
       static_cast<Id>(this->curves_.chains().curves().size())))
-  , vertices_(field.surface())
   , sectors_(patch.mesh())
   , directions_(patch.mesh())
 {
   this->find(callback);
   if (field.surface().isDistributed())
   {
-    this->elsewhere_ =
-      std::make_unique<RemoteOrigins>(this->field_, this->vertices_, this->origins_);
+    this->elsewhere_ = std::make_unique<RemoteOrigins>(this->field_, this->origins_);
   }
 }
 
@@ -45,10 +43,14 @@ void NearestSource::find(const ProgressCallback& callback)
 template <typename Visit>
 void NearestSource::forEachVertex(const LoopProgress& progress, const Visit& visit) const
 {
-  for (Id i = 0; i < this->vertices_.count(); ++i)
+  const MeshPartition& part = this->field_.surface();
+  for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
   {
-    progress.at(i, this->vertices_.count());
-    visit(this->vertices_.here(i));
+    progress.at(vertex, part.numberOfOwnVertices());
+    if (part.isCountedHere(vertex))
+    {
+      visit(vertex);
+    }
   }
 }
 
@@ -134,7 +136,7 @@ void NearestSource::follow(Id vertex)
       found = { piece.origin };
       break;
     }
-    vertex = this->vertices_.vertexAt(piece.origin);
+    vertex = this->field_.surface().countedVertex(piece.origin);
     found = this->origins_[vertex];
     if (std::find(way.begin(), way.end(), vertex) != way.end())
     {
@@ -252,13 +254,13 @@ void NearestSource::goAround(Id number) const
 
 CurveOrigin NearestSource::ofVertex(Id globalId) const
 {
-  return this->vertices_.isHere(globalId) ? this->origins_[this->vertices_.vertexAt(globalId)]
-                                          : this->elsewhere_->of(globalId);
+  const Id vertex = this->field_.surface().countedVertex(globalId);
+  return vertex != NoId ? this->origins_[vertex] : this->elsewhere_->of(globalId);
 }
 
 bool NearestSource::isElsewhere(Id globalId) const
 {
-  return !this->vertices_.isHere(globalId);
+  return this->field_.surface().countedVertex(globalId) == NoId;
 }
 
 const VertexOnCurve* NearestSource::onCurveAt(Id globalId) const

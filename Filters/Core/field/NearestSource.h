@@ -3,7 +3,6 @@
 #define geodesic_NearestSource_h
 
 #include "field/IncomingSegment.h"
-#include "mesh/GlobalVertices.h"
 #include "source/CurveSectors.h"
 #include "source/CurvesOnPatch.h"
 #include "source/DirectionsAround.h"
@@ -137,7 +136,6 @@ private:
   Id firstPoint_;
   /// Of each vertex, with global ids. An origin that is a vertex is open: see RemoteOrigins.
   std::vector<CurveOrigin> origins_;
-  GlobalVertices vertices_;
   /// Null in one process.
   std::unique_ptr<RemoteOrigins> elsewhere_;
   /// Around the curve's point that was asked for last, and its vertex; NoId if it is at none.

@@ -17,10 +17,8 @@ constexpr int MaximumSteps = 33;
 
 } // anonymous namespace
 
-RemoteOrigins::RemoteOrigins(
-  const DistanceField& field, const GlobalVertices& vertices, std::vector<CurveOrigin>& atVertices)
+RemoteOrigins::RemoteOrigins(const DistanceField& field, std::vector<CurveOrigin>& atVertices)
   : field_(field)
-  , vertices_(vertices)
 {
   this->collect();
   for (const Id number : this->numbers_)
@@ -45,7 +43,7 @@ RemoteOrigins::RemoteOrigins(
   {
     const Id number = field.surface().globalId(vertex);
     CurveOrigin& origin = atVertices[vertex];
-    if (!vertices.isHere(number))
+    if (field.surface().countedVertex(number) == NoId)
     {
       origin = this->of(number);
     }
@@ -60,9 +58,9 @@ RemoteOrigins::RemoteOrigins(
 void RemoteOrigins::collect()
 {
   const MeshPartition& part = this->field_.surface();
-  const auto add = [this](Id number)
+  const auto add = [&](Id number)
   {
-    if (number < this->field_.surface().numberOfGlobalVertices() && !this->vertices_.isHere(number))
+    if (number < part.numberOfGlobalVertices() && part.countedVertex(number) == NoId)
     {
       this->numbers_.push_back(number);
     }
@@ -98,13 +96,14 @@ void RemoteOrigins::ask(std::vector<CurveOrigin>& atVertices)
     const Id vertex = this->origins_[i].origin;
     if (this->isOpen(this->origins_[i]))
     {
-      questions.ask(this->vertices_.rankOf(vertex), i, vertex);
+      questions.ask(this->field_.surface().rankCounting(vertex), i, vertex);
     }
   }
   questions.exchangeAnswers(
     [&](MessageReader& question, Message& answer)
     {
-      const CurveOrigin& origin = atVertices[this->vertices_.vertexAt(question.get<Id>())];
+      const CurveOrigin& origin =
+        atVertices[this->field_.surface().countedVertex(question.get<Id>())];
       put(answer, this->isOpen(origin) ? this->of(origin.origin) : origin);
     },
     [&](std::size_t i, MessageReader& answer) { this->origins_[i] = answer.get<CurveOrigin>(); });

@@ -3,7 +3,6 @@
 #define geodesic_RemoteOrigins_h
 
 #include "field/DistanceField.h"
-#include "mesh/GlobalVertices.h"
 #include "source/CurveSectors.h"
 
 #include <utility>
@@ -23,13 +22,11 @@ public:
   ///
   /// \param field on this rank's part, with arrivals. Origins are found for the vertices of the
   ///        part that are not counted here, and for the vertices that its windows name.
-  /// \param vertices of that part.
   /// \param atVertices for each vertex of the part. Of a vertex counted here: its origin on the
   ///        source, as in Window; NoId if there is none; or, still open, the vertex counted
   ///        elsewhere that its path comes from. Open origins are replaced, those of vertices
   ///        counted elsewhere are set.
-  RemoteOrigins(const DistanceField& field, const GlobalVertices& vertices,
-    std::vector<CurveOrigin>& atVertices);
+  RemoteOrigins(const DistanceField& field, std::vector<CurveOrigin>& atVertices);
 
   /// \param vertex the global id of one that is not counted here.
   CurveOrigin of(Id vertex) const;
@@ -43,7 +40,6 @@ private:
   void ask(std::vector<CurveOrigin>& atVertices);
 
   const DistanceField& field_;
-  const GlobalVertices& vertices_;
   /// Global ids, ascending, and the origin of each.
   std::vector<Id> numbers_;
   std::vector<CurveOrigin> origins_;

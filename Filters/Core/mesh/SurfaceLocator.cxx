@@ -13,7 +13,7 @@ namespace
 {
 
 /// A candidate of one rank, as it is sent to all.
-struct FaceMessage
+struct CandidateMessage
 {
   std::size_t point;
   RankAddress face;
@@ -30,37 +30,6 @@ constexpr std::size_t PointsPerReport = 256;
 /// Searching the first point builds most of the tree, which takes this share of the progress.
 constexpr double FirstPoint = 0.5;
 
-/// Reports points as they are searched.
-class SearchProgress
-{
-public:
-  SearchProgress(std::size_t count, const ProgressCallback& callback)
-    : count_(count)
-    , ascending_(ascending(callback))
-    , growing_(progressBetween(ascending_, 0.0, FirstPoint))
-  {
-  }
-
-  void next()
-  {
-    if (this->done_ % PointsPerReport == 0)
-    {
-      const double done = static_cast<double>(this->done_) / static_cast<double>(this->count_);
-      reportProgress(
-        this->ascending_, this->done_ == 0 ? 0.0 : FirstPoint + (1.0 - FirstPoint) * done);
-    }
-    ++this->done_;
-  }
-  /// For the locator, while its tree grows.
-  const ProgressCallback& growing() const { return this->growing_; }
-
-private:
-  std::size_t count_;
-  std::size_t done_ = 0;
-  ProgressCallback ascending_;
-  ProgressCallback growing_;
-};
-
 /// Chooses among the candidates of all ranks, for each point.
 ClosestFaces chooseFaces(const std::vector<Message>& told, const std::vector<double>& least)
 {
@@ -69,7 +38,7 @@ ClosestFaces chooseFaces(const std::vector<Message>& told, const std::vector<dou
   readEach(told,
     [&](int, MessageReader& reader)
     {
-      auto face = reader.get<FaceMessage>();
+      auto face = reader.get<CandidateMessage>();
       face.candidate.face = static_cast<Id>(addresses[face.point].size());
       addresses[face.point].push_back(face.face);
       candidates[face.point].push_back(face.candidate);
@@ -131,7 +100,7 @@ Message SurfaceLocator::messageOf(
         candidate.corners[k] = this->surface_.globalId(candidate.corners[k]);
         candidate.support[k] = candidate.support[k] == NoId ? NoId : candidate.corners[k];
       }
-      put(message, FaceMessage{ i, this->surface_.addressOf(candidate.face), candidate });
+      put(message, CandidateMessage{ i, this->surface_.addressOf(candidate.face), candidate });
     }
   }
   return message;
@@ -145,7 +114,9 @@ ClosestFaces SurfaceLocator::closest(
     this->makeLocator();
   }
   Exchange& exchange = this->surface_.exchange();
-  SearchProgress progress(points.size(), callback);
+  const ProgressCallback rising = ascending(callback);
+  const ProgressCallback growing = progressBetween(rising, 0.0, FirstPoint);
+  std::size_t searched = 0;
   ClosestFaces result;
   result.reserve(points.size());
   while (result.size() < points.size())
@@ -159,9 +130,13 @@ ClosestFaces SurfaceLocator::closest(
       {
         if (this->isSearched(some[i], isInBox, least[i], coordinatePrecision))
         {
-          progress.next();
-          candidates[i] =
-            this->locator_->candidates(some[i], coordinatePrecision, progress.growing());
+          if (searched % PointsPerReport == 0)
+          {
+            const double done = static_cast<double>(searched) / static_cast<double>(points.size());
+            reportProgress(rising, searched == 0 ? 0.0 : FirstPoint + (1.0 - FirstPoint) * done);
+          }
+          ++searched;
+          candidates[i] = this->locator_->candidates(some[i], coordinatePrecision, growing);
           least[i] = std::min(least[i], FaceLocator::leastDistance(candidates[i]));
         }
       }

@@ -57,7 +57,7 @@ public:
     this->takeFaces(triangles);
     this->progress_.nextUntil(0.4);
     this->linkSiblings();
-    this->dropDuplicateFaces();
+    this->dropFaces();
     this->progress_.nextUntil(0.6);
     this->linkCorners();
     this->progress_.nextUntil(0.7);
@@ -67,15 +67,6 @@ public:
   }
 
 private:
-  /// Results for a range of the triangles.
-  struct Checked
-  {
-    /// The first triangle with a vertex id out of range.
-    std::size_t wrong;
-    /// Number of triangles with three different vertices.
-    Id kept;
-  };
-
   /// A halfedge and the higher one of its vertices.
   struct ByHigh
   {
@@ -94,14 +85,32 @@ private:
   };
 
   void checkPoints();
-  std::vector<Checked> checkTriangles(const std::vector<Triangle>& triangles);
   void takeFaces(const std::vector<Triangle>& triangles);
   void linkSiblings();
   void linkSiblings(const IdRange& halfedges, std::vector<ByHigh>& byHigh, EdgeCounts& counts);
-  void dropDuplicateFaces();
+  void dropFaces();
   void linkCorners();
   void measureFaces();
   void findPseudoSources();
+
+  /// The first of some items for which isWrong(item) holds, after visiting all in parallel; the
+  /// count if there is none.
+  template <typename IsWrong>
+  std::size_t firstWrong(std::size_t count, const IsWrong& isWrong) const
+  {
+    const std::vector<std::size_t> wrong =
+      resultsOfRanges(this->parallelFor_, count, this->progress_,
+        [&](std::size_t begin, std::size_t end)
+        {
+          std::size_t first = count;
+          for (std::size_t item = begin; item < end; ++item)
+          {
+            first = isWrong(item) ? std::min(first, item) : first;
+          }
+          return first;
+        });
+    return wrong.empty() ? count : *std::min_element(wrong.begin(), wrong.end());
+  }
 
   /// Calls visit(id) for each face or vertex, in parallel, and reports progress.
   template <typename Visit>
@@ -132,83 +141,30 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>
 void TriangleMesh::Builder::checkPoints()
 {
   const std::vector<Vec3>& points = this->mesh_.points_;
-  const std::vector<std::size_t> wrong = resultsOfRanges(this->parallelFor_, points.size(),
-    [&points](std::size_t begin, std::size_t end)
-    {
-      while (begin < end && isFinite(points[begin]))
-      {
-        ++begin;
-      }
-      return begin < end ? begin : points.size();
-    });
-  const auto first = std::min_element(wrong.begin(), wrong.end());
-  if (first != wrong.end() && *first < points.size())
+  const std::size_t wrong =
+    this->firstWrong(points.size(), [&](std::size_t i) { return !isFinite(points[i]); });
+  if (wrong < points.size())
   {
-    throw MeshError("Point " + std::to_string(*first) +
+    throw MeshError("Point " + std::to_string(wrong) +
       " of the surface has a coordinate that is not finite. Remove or repair the point.");
   }
 }
 
-std::vector<TriangleMesh::Builder::Checked> TriangleMesh::Builder::checkTriangles(
-  const std::vector<Triangle>& triangles)
-{
-  return resultsOfRanges(this->parallelFor_, triangles.size(), this->progress_.between(0.0, 0.3),
-    [&](std::size_t begin, std::size_t end)
-    {
-      Checked found = { triangles.size(), 0 };
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Triangle& t = triangles[i];
-        if (*std::max_element(t.begin(), t.end()) >= this->mesh_.numberOfVertices())
-        {
-          found.wrong = std::min(found.wrong, i);
-        }
-        found.kept += hasThreeVertices(t) ? 1 : 0;
-      }
-      return found;
-    });
-}
-
 void TriangleMesh::Builder::takeFaces(const std::vector<Triangle>& triangles)
 {
-  std::vector<Id> places;
-  Id kept = 0;
-  for (const Checked& checked : this->checkTriangles(triangles))
-  {
-    if (checked.wrong < triangles.size())
+  this->mesh_.faces_.resize(triangles.size());
+  const std::size_t wrong = this->firstWrong(triangles.size(),
+    [&](std::size_t i)
     {
-      throw MeshError("Face " + std::to_string(checked.wrong) +
-        " of the surface names a point that does not exist.");
-    }
-    places.push_back(kept);
-    kept += checked.kept;
-  }
-  if (kept == 0)
-  {
-    throw MeshError("Every face of the surface names a point twice, so that no face is left.");
-  }
-  const Id repeating = static_cast<Id>(triangles.size()) - kept;
-  std::vector<Id>& inputFaces = this->mesh_.inputFaces_;
-  this->mesh_.faces_.resize(kept);
-  inputFaces.resize(repeating > 0 ? kept : 0);
-  forRanges(this->parallelFor_, triangles.size(), this->progress_.between(0.3, 1.0),
-    [&](std::size_t begin, std::size_t end)
-    {
-      Id face = places[begin / ItemsInRange];
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        if (repeating > 0 && !hasThreeVertices(triangles[i]))
-        {
-          continue;
-        }
-        this->mesh_.faces_[face].corners = triangles[i];
-        if (repeating > 0)
-        {
-          inputFaces[face] = static_cast<Id>(i);
-        }
-        ++face;
-      }
+      const Triangle& t = triangles[i];
+      this->mesh_.faces_[i].corners = t;
+      return *std::max_element(t.begin(), t.end()) >= this->mesh_.numberOfVertices();
     });
+  if (wrong < triangles.size())
+  {
+    throw MeshError(
+      "Face " + std::to_string(wrong) + " of the surface names a point that does not exist.");
+  }
 }
 
 // The halfedges of one edge have the same lower vertex.
@@ -280,29 +236,34 @@ bool TriangleMesh::isDuplicate(Id face) const
   return false;
 }
 
-void TriangleMesh::Builder::dropDuplicateFaces()
+// Drops faces that name a vertex twice, and duplicates. Hardly any mesh has such faces, so that
+// siblings are linked with them first, and then again without them.
+void TriangleMesh::Builder::dropFaces()
 {
   this->progress_.nextUntil(0.45);
   TriangleMesh& mesh = this->mesh_;
   std::vector<std::uint8_t> drop(mesh.faces_.size(), 0);
-  this->forEach(
-    mesh.numberOfFaces(), [&](Id face) { drop[face] = mesh.isDuplicate(face) ? 1 : 0; });
+  this->forEach(mesh.numberOfFaces(),
+    [&](Id face)
+    { drop[face] = !hasThreeVertices(mesh.triangle(face)) || mesh.isDuplicate(face) ? 1 : 0; });
   if (std::find(drop.begin(), drop.end(), 1) == drop.end())
   {
     return;
   }
-  std::vector<Id> inputFaces;
   for (Id face = 0; face < mesh.numberOfFaces(); ++face)
   {
     if (!drop[face])
     {
-      mesh.faces_[inputFaces.size()] = mesh.faces_[face];
-      inputFaces.push_back(mesh.inputFace(face));
+      mesh.faces_[mesh.inputFaces_.size()] = mesh.faces_[face];
+      mesh.inputFaces_.push_back(face);
     }
   }
-  mesh.faces_.resize(inputFaces.size());
+  if (mesh.inputFaces_.empty())
+  {
+    throw MeshError("Every face of the surface names a point twice, so that no face is left.");
+  }
+  mesh.faces_.resize(mesh.inputFaces_.size());
   mesh.faces_.shrink_to_fit();
-  mesh.inputFaces_ = std::move(inputFaces);
   this->progress_.nextUntil(0.55);
   this->linkSiblings();
 }
@@ -445,10 +406,6 @@ TriangleMesh::PseudoSource TriangleMesh::findPseudoSource(Id vertex) const
 bool TriangleMesh::isOneFan(Id vertex) const
 {
   const IdRange corners = this->cornersAt(vertex);
-  if (corners.size() == 0)
-  {
-    return true;
-  }
   // The walk begins at a boundary edge if there is one, so that it covers the whole fan.
   Id entered = *corners.begin();
   for (const Id corner : corners)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paths/PathInTransit.h"
 
-#include <algorithm>
-
 namespace geodesic
 {
 
@@ -21,7 +19,6 @@ Id getFace(MessageReader& reader, const MeshPartition& part)
   return address.rank < 0 ? NoId : part.faceAt(address);
 }
 
-/// The faces of a path, ascending, each once.
 std::vector<SentFace> facesOf(const std::vector<SentPathPoint>& path)
 {
   std::vector<SentFace> faces;
@@ -29,9 +26,6 @@ std::vector<SentFace> facesOf(const std::vector<SentPathPoint>& path)
   {
     faces.push_back(p.face);
   }
-  std::sort(faces.begin(), faces.end());
-  const auto isSame = [](const SentFace& a, const SentFace& b) { return !(a < b); };
-  faces.erase(std::unique(faces.begin(), faces.end(), isSame), faces.end());
   return faces;
 }
 

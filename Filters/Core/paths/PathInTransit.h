@@ -2,7 +2,7 @@
 #ifndef geodesic_PathInTransit_h
 #define geodesic_PathInTransit_h
 
-#include "mesh/GatheredFaces.h"
+#include "mesh/ReplicatedPatch.h"
 #include "paths/PathTracer.h"
 
 #include <vector>
@@ -59,7 +59,7 @@ public:
   explicit PathStrip(const std::vector<SentPathPoint>& path);
 
   const TriangleMesh& mesh() const { return this->faces_.mesh(); }
-  const RankAddress& ownerOf(Id face) const { return this->faces_.ownerOf(face); }
+  RankAddress ownerOf(Id face) const { return this->faces_.ownerOf(face); }
   const std::vector<SurfacePoint>& points() const { return this->points_; }
 
 private:

@@ -314,7 +314,7 @@ void PathFinder::putReport(const LeavingPath& leaving, Message& message) const
   {
     const Id face = path.faces[i];
     points.push_back(
-      { sentFace(this->part_, face), toFacePoint(this->part_.mesh(), face, path.points[i]) });
+      { this->part_.sentFace(face), toFacePoint(this->part_.mesh(), face, path.points[i]) });
   }
   putAll(message, points);
   put(message, path.whole);

@@ -2,7 +2,7 @@
 #ifndef geodesic_RefinementProgress_h
 #define geodesic_RefinementProgress_h
 
-#include "PacedProgress.h"
+#include "Progress.h"
 
 #include <algorithm>
 
