@@ -25,13 +25,13 @@ public:
   {
   }
 
-  /// Lines end at this point on an edge: there the lines of other ranks continue.
+  /// Lines end at this point on an edge: there the lines of other ranks continue. Points ascend.
   void endAt(Id edgePoint) { this->ends_.push_back(edgePoint); }
 
   /// Adds the pieces of some faces, behind those of lower ones.
   void add(const IsolinePieces& pieces);
 
-  /// Returns the lines, without chords of hardly any length. To be called once, at the end.
+  /// Returns the lines, without chords of hardly any length.
   Isolines finish();
 
 private:
@@ -50,16 +50,11 @@ private:
   PieceEnd other(PieceEnd end) const;
   void follow(PieceEnd begin, Isolines& result);
   void addPiece(PieceEnd begin, Isoline& line) const;
-  void dropShortChords(Isolines& result) const;
+  bool shorten(Isoline& line) const;
   bool isShort(const SurfacePoint& a, const SurfacePoint& b, Id face, double level) const;
-  bool isSpeck(const std::vector<SurfacePoint>& points, const Isoline& line) const;
-  bool isRoundOnePlace(
-    const std::vector<SurfacePoint>& points, const Isoline& line, double gap) const;
-  bool isBeside(const SurfacePoint& p, Id vertex, double gap) const;
-  bool isOnEdge(const SurfacePoint& p, Id halfedge) const;
-  bool goesOnElsewhere(const Isoline& line) const;
-  bool shorten(const std::vector<SurfacePoint>& points, Isoline& line) const;
-  static void dropUnusedPoints(Isolines& result);
+  bool isSpeck(const Isoline& line) const;
+  bool isRoundOnePlace(const Isoline& line, double gap) const;
+  void takeUsedPoints(Isolines& result) const;
 
   const TriangleMesh& mesh_;
   const std::vector<double>& levels_;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/MeshPartition.h"
 
+#include "Questions.h"
+
 #include <algorithm>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 namespace geodesic
 {
@@ -158,7 +161,7 @@ void MeshPartition::Tables::numberVertices(std::vector<Vec3>& points)
   for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
   {
     const Holders others = this->othersWith(vertex);
-    if (others.first == others.last || others.first->rank > this->exchange.rank())
+    if (others.size() == 0 || others.first->rank > this->exchange.rank())
     {
       this->counted.push_back(vertex);
     }
@@ -199,31 +202,22 @@ std::vector<SentFace> MeshPartition::Tables::exchangeHalo(
   const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
 {
   std::vector<Message> messages = this->exchange.noMessages();
-  this->given.resize(messages.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+  std::vector<Id> lastSent(messages.size(), NoId);
+  for (Id triangle = 0; triangle < triangles.size(); ++triangle)
   {
-    const auto triangle = static_cast<Id>(i);
-    for (const Id vertex : triangles[i])
+    const auto& [a, b, c] = triangles[triangle];
+    const SentFace face = { { this->exchange.rank(), triangle },
+      { this->globalIds[a], this->globalIds[b], this->globalIds[c] },
+      { points[a], points[b], points[c] } };
+    for (const Id vertex : triangles[triangle])
     {
       for (const RankAddress& other : this->othersWith(vertex))
       {
-        std::vector<Id>& toRank = this->given[rankIndex(other.rank)];
-        if (toRank.empty() || toRank.back() != triangle)
+        if (std::exchange(lastSent[rankIndex(other.rank)], triangle) != triangle)
         {
-          toRank.push_back(triangle);
+          put(messages[rankIndex(other.rank)], face);
         }
       }
-    }
-  }
-  for (std::size_t rank = 0; rank < messages.size(); ++rank)
-  {
-    for (const Id triangle : this->given[rank])
-    {
-      const auto& [a, b, c] = triangles[triangle];
-      put(messages[rank],
-        SentFace{ { this->exchange.rank(), triangle },
-          { this->globalIds[a], this->globalIds[b], this->globalIds[c] },
-          { points[a], points[b], points[c] } });
     }
   }
   std::vector<SentFace> received;
@@ -239,7 +233,7 @@ void MeshPartition::Tables::makeMesh(std::vector<Vec3> points,
   std::unordered_map<Id, Id> vertexOf;
   for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
   {
-    if (this->firstHolder[vertex] != this->firstHolder[vertex + 1])
+    if (this->othersWith(vertex).size() > 0)
     {
       vertexOf[this->globalIds[vertex]] = vertex;
     }
@@ -289,36 +283,27 @@ void MeshPartition::Tables::makeMesh(std::vector<Vec3> points,
     checkedId(sumOverRanks(this->exchange, this->endOfOwnFaces - this->firstOwnFace).all, "faces");
 }
 
-// Sends this rank's number of a face to those that have a copy. All ranks leave out the same faces:
-// those that name a vertex twice, and of faces on the same vertices all but the lowest rank's
-// first. The numbers sent for these are of no use.
+// Asks the owners for their numbers of the faces of the halo, which are known by their triangles.
+// All ranks leave out the same faces: those that name a vertex twice, and of faces on the same
+// vertices all but the lowest rank's first.
 void MeshPartition::Tables::exchangeAddresses(
   std::size_t numberOfTriangles, const std::vector<SentFace>& received)
 {
-  const auto own = static_cast<Id>(numberOfTriangles);
-  std::vector<Message> messages = this->exchange.noMessages();
-  for (std::size_t rank = 0; rank < messages.size(); ++rank)
-  {
-    for (const Id triangle : this->given[rank])
-    {
-      put(messages[rank], firstFaceFrom(this->mesh, this->firstTriangle + triangle));
-    }
-  }
-  this->given = {};
-  std::vector<RankAddress> addresses; // one per received face
-  addresses.reserve(received.size());
-  readEach(this->exchange.step(std::move(messages)),
-    [&](int rank, MessageReader& reader) {
-      addresses.push_back({ rank, reader.get<Id>() });
-    });
+  Questions questions(this->exchange);
   for (Id face = 0; face < this->mesh.numberOfFaces(); ++face)
   {
     if (face < this->firstOwnFace || face >= this->endOfOwnFaces)
     {
       const Id input = this->mesh.inputFace(face);
-      this->halo.push_back(addresses[input < this->firstTriangle ? input : input - own]);
+      const RankAddress& triangle =
+        received[input < this->firstTriangle ? input : input - numberOfTriangles].owner;
+      questions.ask(triangle.rank, this->halo.size(), triangle.id);
+      this->halo.push_back(triangle);
     }
   }
+  questions.exchangeAnswers([this](MessageReader& question, Message& answer)
+    { put(answer, firstFaceFrom(this->mesh, this->firstTriangle + question.get<Id>())); },
+    [this](std::size_t i, MessageReader& answer) { this->halo[i].id = answer.get<Id>(); });
 }
 
 Id MeshPartition::copyOf(const RankAddress& face) const

@@ -128,13 +128,7 @@ public:
   }
 
   /// The other ranks whose faces have a vertex of this rank, and its number there, by rank.
-  struct Holders
-  {
-    const RankAddress* first = nullptr;
-    const RankAddress* last = nullptr;
-    const RankAddress* begin() const { return this->first; }
-    const RankAddress* end() const { return this->last; }
-  };
+  using Holders = ArrayRange<RankAddress>;
   Holders othersWith(Id vertex) const
   {
     return this->tables_ ? this->tables_->othersWith(vertex) : Holders();
@@ -198,9 +192,6 @@ private:
     std::vector<Id> counted;
     /// The global id of the first vertex that each rank counts.
     std::vector<Id> firstOfRank;
-    /// Used by the constructor: the triangles that each rank has copies of, in the order of
-    /// sending.
-    std::vector<std::vector<Id>> given;
   };
 
   /// Null in one process.

@@ -16,8 +16,7 @@ namespace
 struct CandidateMessage
 {
   std::size_t point;
-  RankAddress face;
-  /// With global numbers of the vertices.
+  /// With global ids of the vertices.
   FaceLocator::Candidate candidate;
 };
 
@@ -34,21 +33,18 @@ constexpr double FirstPoint = 0.5;
 ClosestFaces chooseFaces(const std::vector<Message>& told, const std::vector<double>& least)
 {
   std::vector<std::vector<FaceLocator::Candidate>> candidates(least.size());
-  std::vector<std::vector<RankAddress>> addresses(least.size());
   readEach(told,
     [&](int, MessageReader& reader)
     {
-      auto face = reader.get<CandidateMessage>();
-      face.candidate.face = static_cast<Id>(addresses[face.point].size());
-      addresses[face.point].push_back(face.face);
-      candidates[face.point].push_back(face.candidate);
+      const auto message = reader.get<CandidateMessage>();
+      candidates[message.point].push_back(message.candidate);
     });
   ClosestFaces result(least.size());
   for (std::size_t i = 0; i < least.size(); ++i)
   {
     for (const FaceLocator::Candidate& chosen : FaceLocator::chosen(candidates[i]))
     {
-      result[i].push_back({ addresses[i][chosen.face], chosen.isClosestUpToRounding(least[i]) });
+      result[i].push_back({ chosen.face, chosen.isClosestUpToRounding(least[i]) });
     }
     std::sort(result[i].begin(), result[i].end());
   }
@@ -91,7 +87,7 @@ Message SurfaceLocator::messageOf(
   {
     for (FaceLocator::Candidate candidate : candidates[i])
     {
-      if (!candidate.isClosest(least[i]) || !this->surface_.isOwn(candidate.face))
+      if (!candidate.isClosest(least[i]) || !this->surface_.isOwn(candidate.face.id))
       {
         continue;
       }
@@ -100,7 +96,8 @@ Message SurfaceLocator::messageOf(
         candidate.corners[k] = this->surface_.globalId(candidate.corners[k]);
         candidate.support[k] = candidate.support[k] == NoId ? NoId : candidate.corners[k];
       }
-      put(message, CandidateMessage{ i, this->surface_.addressOf(candidate.face), candidate });
+      candidate.face = this->surface_.addressOf(candidate.face.id);
+      put(message, CandidateMessage{ i, candidate });
     }
   }
   return message;
@@ -137,7 +134,10 @@ ClosestFaces SurfaceLocator::closest(
           }
           ++searched;
           candidates[i] = this->locator_->candidates(some[i], coordinatePrecision, growing);
-          least[i] = std::min(least[i], FaceLocator::leastDistance(candidates[i]));
+          for (const FaceLocator::Candidate& candidate : candidates[i])
+          {
+            least[i] = std::min(least[i], candidate.distance);
+          }
         }
       }
       exchange.findLeast(least);

@@ -61,9 +61,13 @@ public:
     this->progress_.nextUntil(0.6);
     this->linkCorners();
     this->progress_.nextUntil(0.7);
-    this->measureFaces();
+    TriangleMesh& mesh = this->mesh_;
+    this->forEach(
+      mesh.numberOfFaces(), [&mesh](Id face) { mesh.faces_[face].shape = mesh.measure(face); });
     this->progress_.nextUntil(1.0);
-    this->findPseudoSources();
+    mesh.pseudoSource_.resize(mesh.points_.size());
+    this->forEach(mesh.numberOfVertices(),
+      [&mesh](Id vertex) { mesh.pseudoSource_[vertex] = mesh.findPseudoSource(vertex); });
   }
 
 private:
@@ -90,8 +94,6 @@ private:
   void linkSiblings(const IdRange& halfedges, std::vector<ByHigh>& byHigh, EdgeCounts& counts);
   void dropFaces();
   void linkCorners();
-  void measureFaces();
-  void findPseudoSources();
 
   /// The first of some items for which isWrong(item) holds, after visiting all in parallel; the
   /// count if there is none.
@@ -275,20 +277,6 @@ void TriangleMesh::Builder::linkCorners()
     this->parallelFor_, this->progress_, [&mesh](Id corner) { return mesh.origin(corner); });
   mesh.cornerStart_ = std::move(corners.start);
   mesh.corners_ = std::move(corners.items);
-}
-
-void TriangleMesh::Builder::measureFaces()
-{
-  this->forEach(this->mesh_.numberOfFaces(),
-    [this](Id face) { this->mesh_.faces_[face].shape = this->mesh_.measure(face); });
-}
-
-void TriangleMesh::Builder::findPseudoSources()
-{
-  this->mesh_.pseudoSource_.resize(this->mesh_.points_.size());
-  this->forEach(this->mesh_.numberOfVertices(),
-    [this](Id vertex)
-    { this->mesh_.pseudoSource_[vertex] = this->mesh_.findPseudoSource(vertex); });
 }
 
 namespace
