@@ -15,11 +15,12 @@ constexpr double BesideEnd = 1e-6;
 // How often a chord is halved to find where its side changes: down to rounding.
 constexpr int Halvings = 50;
 
-/// A line each of whose chords is on one side.
-struct SidedLine
+/// A chord that is on one side, or a part of one, with its end.
+struct SidedChord
 {
-  Isoline line;
-  std::vector<std::uint8_t> isOnRight;
+  Id face;
+  Id end;
+  bool isOnRight;
 };
 
 class Cutter
@@ -51,7 +52,7 @@ private:
   Barycentric onChord(const Isoline& line, std::size_t chord, double t) const;
   IncomingSegment pieceTo(const Isoline& line, std::size_t chord, double t) const;
   bool isOnRightAt(const Isoline& line, std::size_t chord, double t);
-  SidedLine withSides(const Isoline& line);
+  std::vector<SidedChord> withSides(const Isoline& line);
   Id addChange(const Isoline& line, std::size_t chord, bool isRightBefore);
 
   const DistanceField& field_;
@@ -83,17 +84,9 @@ bool Cutter::isOnRightAt(const Isoline& line, std::size_t chord, double t)
   return this->isOnRight_(this->nearest_.of(this->pieceTo(line, chord, t)));
 }
 
-SidedLine Cutter::withSides(const Isoline& line)
+std::vector<SidedChord> Cutter::withSides(const Isoline& line)
 {
-  SidedLine sided;
-  sided.line.value = line.value;
-  sided.line.points = { line.points.front() };
-  const auto add = [&sided](Id face, Id point, bool isRight)
-  {
-    sided.line.faces.push_back(face);
-    sided.line.points.push_back(point);
-    sided.isOnRight.push_back(isRight ? 1 : 0);
-  };
+  std::vector<SidedChord> chords;
   for (std::size_t chord = 0; chord < line.faces.size(); ++chord)
   {
     reportProgress(this->progress_, this->chordsDone_++ / this->chords_);
@@ -101,11 +94,11 @@ SidedLine Cutter::withSides(const Isoline& line)
     const bool behind = this->isOnRightAt(line, chord, 1.0 - BesideEnd);
     if (before != behind)
     {
-      add(line.faces[chord], this->addChange(line, chord, before), before);
+      chords.push_back({ line.faces[chord], this->addChange(line, chord, before), before });
     }
-    add(line.faces[chord], line.points[chord + 1], behind);
+    chords.push_back({ line.faces[chord], line.points[chord + 1], behind });
   }
-  return sided;
+  return chords;
 }
 
 // Adds the point where the side changes. It is moved along the ray that comes to it, to the value
@@ -140,22 +133,24 @@ Id Cutter::addChange(const Isoline& line, std::size_t chord, bool isRightBefore)
 // around.
 void Cutter::cut(const Isoline& line, const SidedValue& value)
 {
-  const SidedLine sided = this->withSides(line);
-  const std::vector<std::uint8_t>& sides = sided.isOnRight;
-  const auto change = std::adjacent_find(sides.begin(), sides.end(), std::not_equal_to<>());
-  const bool isCutOpen = line.isClosed() && change != sides.end();
-  const auto first = isCutOpen ? static_cast<std::size_t>(change - sides.begin()) + 1 : 0;
-  const auto chord = [&](std::size_t i) { return (first + i) % sides.size(); };
-  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
+  std::vector<SidedChord> chords = this->withSides(line);
+  Id at = line.points.front();
+  const auto change = std::adjacent_find(chords.begin(), chords.end(),
+    [](const SidedChord& a, const SidedChord& b) { return a.isOnRight != b.isOnRight; });
+  if (line.isClosed() && change != chords.end())
   {
-    const bool isRight = sides[chord(begin)] != 0;
-    Isoline part;
-    part.value = isRight ? value.right : value.left;
-    part.points = { sided.line.points[chord(begin)] };
-    for (; end < sides.size() && (sides[chord(end)] != 0) == isRight; ++end)
+    at = change->end;
+    std::rotate(chords.begin(), change + 1, chords.end());
+  }
+  for (auto chord = chords.begin(); chord != chords.end();)
+  {
+    const bool isRight = chord->isOnRight;
+    Isoline part = { isRight ? value.right : value.left, { at }, {} };
+    for (; chord != chords.end() && chord->isOnRight == isRight; ++chord)
     {
-      part.points.push_back(sided.line.points[chord(end) + 1]);
-      part.faces.push_back(sided.line.faces[chord(end)]);
+      at = chord->end;
+      part.points.push_back(at);
+      part.faces.push_back(chord->face);
     }
     if (isRight)
     {

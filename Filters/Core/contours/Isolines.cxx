@@ -55,8 +55,6 @@ private:
   IsolinePieces drawFaces(
     std::size_t first, std::size_t last, const ProgressCallback& progress) const;
   void findOutline(Id face, std::size_t value, std::vector<OutlinePoint>& outline) const;
-  void addOutlinePoints(Id halfedge, std::size_t value, Vec2 begin, Vec2 edge,
-    std::vector<OutlinePoint>& outline) const;
   DistanceRange rangeOf(Id face) const;
 
   const DistanceField& field_;
@@ -395,37 +393,27 @@ void Drawing::findOutline(Id face, std::size_t value, std::vector<OutlinePoint>&
 {
   outline.clear();
   const Id frame = longestHalfedge(this->mesh_, face);
-  std::array<Vec2, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k)
+  for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
   {
-    corners[k] = inHalfedgeFrame(this->mesh_, frame, cornerWeights(k));
-  }
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    this->addOutlinePoints(
-      3 * face + static_cast<Id>(k), value, corners[k], corners[(k + 1) % 3] - corners[k], outline);
-  }
-}
-
-void Drawing::addOutlinePoints(
-  Id halfedge, std::size_t value, Vec2 begin, Vec2 edge, std::vector<OutlinePoint>& outline) const
-{
-  const Id edgeId = this->mesh_.edgeOf(halfedge);
-  const bool isReversed = this->mesh_.origin(edgeId) != this->mesh_.origin(halfedge);
-  const auto first = std::partition_point(this->edgePoints_.begin(), this->edgePoints_.end(),
-    [&](const EdgePoint& p)
-    { return p.halfedge != edgeId ? p.halfedge < edgeId : p.value < value; });
-  const std::size_t firstOfEdge = outline.size();
-  for (auto p = first; p != this->edgePoints_.end() && p->halfedge == edgeId && p->value == value;
-       ++p)
-  {
-    const double t = isReversed ? 1.0 - p->fraction : p->fraction;
-    outline.push_back({ begin + t * edge, static_cast<Id>(p - this->edgePoints_.begin()),
-      halfedge % 3, p->rises != isReversed });
-  }
-  if (isReversed)
-  {
-    std::reverse(outline.begin() + static_cast<std::ptrdiff_t>(firstOfEdge), outline.end());
+    const Vec2 begin = inHalfedgeFrame(this->mesh_, frame, cornerWeights(halfedge % 3));
+    const Vec2 edge =
+      inHalfedgeFrame(this->mesh_, frame, cornerWeights((halfedge + 1) % 3)) - begin;
+    const Id named = this->mesh_.edgeOf(halfedge);
+    const bool isReversed = this->mesh_.origin(named) != this->mesh_.origin(halfedge);
+    const std::size_t firstOfEdge = outline.size();
+    auto p = std::partition_point(this->edgePoints_.begin(), this->edgePoints_.end(),
+      [&](const EdgePoint& e)
+      { return e.halfedge != named ? e.halfedge < named : e.value < value; });
+    for (; p != this->edgePoints_.end() && p->halfedge == named && p->value == value; ++p)
+    {
+      const double t = isReversed ? 1.0 - p->fraction : p->fraction;
+      outline.push_back({ begin + t * edge, static_cast<Id>(p - this->edgePoints_.begin()),
+        halfedge % 3, p->rises != isReversed });
+    }
+    if (isReversed)
+    {
+      std::reverse(outline.begin() + static_cast<std::ptrdiff_t>(firstOfEdge), outline.end());
+    }
   }
 }
 

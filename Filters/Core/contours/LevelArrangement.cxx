@@ -26,8 +26,9 @@ PlaneBox boxAround(const LevelCurve& curve, double begin, double end, double roo
 {
   const Vec2 a = curve.at(begin);
   const Vec2 b = curve.at(end);
-  const double way = curve.wayBound(begin, end);
-  // An arc is not farther from its chord than this, nor than its own length.
+  // An upper bound of the part's length. An arc is not farther from its chord than this, nor than
+  // its own length.
+  const double way = (end - begin) * (curve.isArc ? 2.0 * curve.radius : 1.0);
   const double aside = room + (curve.isArc ? std::min(way, 0.125 * way * way / curve.radius) : 0.0);
   return { { std::min(a.x, b.x) - aside, std::min(a.y, b.y) - aside },
     { std::max(a.x, b.x) + aside, std::max(a.y, b.y) + aside } };

@@ -195,17 +195,15 @@ double LevelRegion::leastStraightTo(const PlaneBox& box) const
 
 bool LevelRegion::misses(const PlaneBox& box) const
 {
-  const auto end = this->rays_.begin() + this->numberOfRays_;
-  return std::any_of(this->rays_.begin(), end,
+  return std::any_of(this->rays().begin(), this->rays().end(),
            [&](const PlaneLine& ray) { return ray.leastAside(box) > this->margin_; }) ||
     this->leastStraightTo(box) > this->level_;
 }
 
 bool LevelRegion::contains(Vec2 p) const
 {
-  const auto end = this->rays_.begin() + this->numberOfRays_;
   return this->straightTo(p) < this->level_ &&
-    std::all_of(this->rays_.begin(), end,
+    std::all_of(this->rays().begin(), this->rays().end(),
       [&](const PlaneLine& ray) { return ray.aside(p) <= this->margin_; });
 }
 
@@ -296,9 +294,8 @@ void LevelRegion::addMeetings(const LevelCurve& curve, std::vector<double>& plac
 {
   using geodesic::addMeetings;
   const DistanceCandidate& c = *this->candidate_;
-  for (std::size_t i = 0; i < this->numberOfRays_; ++i)
+  for (const PlaneLine& ray : this->rays())
   {
-    const PlaneLine& ray = this->rays_[i];
     addMeetings(curve, { ray.point + this->margin_ * leftOf(ray.along), ray.along }, places);
   }
   if (c.kind == DistanceCandidate::Kind::Linear)

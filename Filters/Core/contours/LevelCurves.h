@@ -28,11 +28,6 @@ struct LevelCurve
 
   /// The point at t, from 0 to extent.
   Vec2 at(double t) const;
-  /// An upper bound of the way between two such places.
-  double wayBound(double t0, double t1) const
-  {
-    return (t1 - t0) * (this->isArc ? 2.0 * this->radius : 1.0);
-  }
 };
 
 /// A rectangle around a face. Places outside it do not matter.
@@ -104,6 +99,10 @@ public:
   void addMeetings(const LevelCurve& curve, std::vector<double>& places) const;
 
 private:
+  ArrayRange<PlaneLine> rays() const
+  {
+    return { this->rays_.data(), this->rays_.data() + this->numberOfRays_ };
+  }
   double straightTo(Vec2 p) const;
   double leastStraightTo(const PlaneBox& box) const;
   bool hasPointsBefore(double value) const;

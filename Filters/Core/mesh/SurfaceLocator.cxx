@@ -53,19 +53,6 @@ ClosestFaces chooseFaces(const std::vector<Message>& told, const std::vector<dou
 
 } // anonymous namespace
 
-void SurfaceLocator::makeLocator()
-{
-  const TriangleMesh& mesh = this->surface_.mesh();
-  this->locator_ = std::make_unique<FaceLocator>(mesh);
-  for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
-  {
-    for (const Id vertex : mesh.triangle(face))
-    {
-      this->box_.add(mesh.point(vertex));
-    }
-  }
-}
-
 /// Whether this rank searches for a point: first those in the box of its own faces, then those that
 /// are not, unless another rank has found a face closer than the box.
 bool SurfaceLocator::isSearched(
@@ -108,7 +95,15 @@ ClosestFaces SurfaceLocator::closest(
 {
   if (!points.empty() && !this->locator_)
   {
-    this->makeLocator();
+    const TriangleMesh& mesh = this->surface_.mesh();
+    this->locator_ = std::make_unique<FaceLocator>(mesh);
+    for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
+    {
+      for (const Id vertex : mesh.triangle(face))
+      {
+        this->box_.add(mesh.point(vertex));
+      }
+    }
   }
   Exchange& exchange = this->surface_.exchange();
   const ProgressCallback rising = ascending(callback);
