@@ -202,9 +202,9 @@ bool LevelRegion::misses(const PlaneBox& box) const
 
 bool LevelRegion::contains(Vec2 p) const
 {
-  return this->straightTo(p) < this->level_ &&
-    std::all_of(this->rays().begin(), this->rays().end(),
-      [&](const PlaneLine& ray) { return ray.aside(p) <= this->margin_; });
+  return std::all_of(this->rays().begin(), this->rays().end(),
+           [&](const PlaneLine& ray) { return ray.aside(p) <= this->margin_; }) &&
+    this->straightTo(p) < this->level_;
 }
 
 void LevelRegion::addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const

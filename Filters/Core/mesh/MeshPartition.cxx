@@ -14,17 +14,8 @@ namespace geodesic
 namespace
 {
 
-/// A vertex of a rank, and a number that it belongs to: a point's key, or another rank's vertex.
-struct KeyedVertex
-{
-  std::uint64_t key;
-  RankAddress vertex;
-
-  bool operator<(const KeyedVertex& other) const
-  {
-    return this->key != other.key ? this->key < other.key : this->vertex < other.vertex;
-  }
-};
+/// A number, which is a point's key or another rank's vertex, and a vertex that belongs to it.
+using KeyedVertex = std::pair<std::uint64_t, RankAddress>;
 
 Id checkedId(std::uint64_t number, const char* what)
 {
@@ -60,10 +51,9 @@ MeshPartition::MeshPartition(std::vector<Vec3> points, const std::vector<Triangl
   : tables_(exchange.numberOfRanks() > 1
         ? std::make_shared<Tables>(std::move(points), triangles, keys, exchange, progress)
         : nullptr)
-  , ownMesh_(tables_
-        ? nullptr
+  , mesh_(tables_
+        ? std::shared_ptr<const TriangleMesh>(tables_, &tables_->mesh)
         : std::make_shared<TriangleMesh>(std::move(points), triangles, progress, parallelFor))
-  , mesh_(tables_ ? &tables_->mesh : ownMesh_.get())
   , exchange_(&exchange)
   , firstOwnFace_(tables_ ? tables_->firstOwnFace : 0)
   , endOfOwnFaces_(tables_ ? tables_->endOfOwnFaces : mesh_->numberOfFaces())
@@ -111,26 +101,26 @@ void MeshPartition::Tables::findHolders(const std::vector<std::uint64_t>& keys)
     [&](int rank, MessageReader& reader)
     {
       const auto key = reader.get<std::uint64_t>();
-      known.push_back({ key, { rank, reader.get<Id>() } });
+      known.emplace_back(key, RankAddress{ rank, reader.get<Id>() });
     });
   std::sort(known.begin(), known.end());
 
   std::vector<Message> answers = this->exchange.noMessages();
   for (std::size_t first = 0, last = 0; first < known.size(); first = last)
   {
-    while (last < known.size() && known[last].key == known[first].key)
+    while (last < known.size() && known[last].first == known[first].first)
     {
       ++last;
     }
-    for (std::size_t i = first; i < last && last - first > 1; ++i)
+    for (std::size_t i = first; i < last; ++i)
     {
       for (std::size_t other = first; other < last; ++other)
       {
         if (other != i)
         {
-          Message& message = answers[rankIndex(known[i].vertex.rank)];
-          put(message, known[i].vertex.id);
-          put(message, known[other].vertex);
+          Message& message = answers[rankIndex(known[i].second.rank)];
+          put(message, known[i].second.id);
+          put(message, known[other].second);
         }
       }
     }
@@ -142,14 +132,14 @@ void MeshPartition::Tables::findHolders(const std::vector<std::uint64_t>& keys)
     [&](int, MessageReader& reader)
     {
       const Id vertex = reader.get<Id>();
-      shared.push_back({ vertex, reader.get<RankAddress>() });
+      shared.emplace_back(vertex, reader.get<RankAddress>());
     });
   std::sort(shared.begin(), shared.end());
   this->firstHolder.assign(this->numberOfOwnVertices + std::size_t(1), 0);
-  for (const KeyedVertex& s : shared)
+  for (const auto& [vertex, other] : shared)
   {
-    ++this->firstHolder[s.key + 1];
-    this->holders.push_back(s.vertex);
+    ++this->firstHolder[vertex + 1];
+    this->holders.push_back(other);
   }
   std::partial_sum(this->firstHolder.begin(), this->firstHolder.end(), this->firstHolder.begin());
 }

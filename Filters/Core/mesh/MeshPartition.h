@@ -60,7 +60,7 @@ public:
   ///
   /// \param mesh must outlive this and its copies.
   explicit MeshPartition(const TriangleMesh& mesh)
-    : mesh_(&mesh)
+    : mesh_(std::shared_ptr<const TriangleMesh>(), &mesh) // which it does not own
     , exchange_(&OneRank::instance())
     , endOfOwnFaces_(mesh.numberOfFaces())
   {
@@ -196,9 +196,7 @@ private:
 
   /// Null in one process.
   std::shared_ptr<const Tables> tables_;
-  /// The mesh that one rank has made; else null.
-  std::shared_ptr<const TriangleMesh> ownMesh_;
-  const TriangleMesh* mesh_;
+  std::shared_ptr<const TriangleMesh> mesh_;
   Exchange* exchange_;
   Id firstOwnFace_ = 0;
   Id endOfOwnFaces_ = 0;

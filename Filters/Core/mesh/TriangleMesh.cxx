@@ -6,6 +6,7 @@
 #include "mesh/GroupedItems.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
@@ -71,16 +72,8 @@ public:
   }
 
 private:
-  /// A halfedge and the higher one of its vertices.
-  struct ByHigh
-  {
-    Id high;
-    Id halfedge;
-    bool operator<(const ByHigh& other) const
-    {
-      return this->high != other.high ? this->high < other.high : this->halfedge < other.halfedge;
-    }
-  };
+  /// The higher one of a halfedge's vertices, and the halfedge.
+  using ByHigh = std::pair<Id, Id>;
 
   struct EdgeCounts
   {
@@ -204,20 +197,20 @@ void TriangleMesh::Builder::linkSiblings(
   byHigh.clear();
   for (const Id s : halfedges)
   {
-    byHigh.push_back({ std::max(this->mesh_.origin(s), this->mesh_.destination(s)), s });
+    byHigh.emplace_back(std::max(this->mesh_.origin(s), this->mesh_.destination(s)), s);
   }
   std::sort(byHigh.begin(), byHigh.end());
-  const auto next = [this](const ByHigh& entry) -> Id&
-  { return this->mesh_.faces_[entry.halfedge / 3].nextSibling[entry.halfedge % 3]; };
+  const auto next = [&](std::size_t i) -> Id&
+  { return this->mesh_.faces_[byHigh[i].second / 3].nextSibling[byHigh[i].second % 3]; };
   for (std::size_t first = 0; first < byHigh.size();)
   {
     std::size_t end = first + 1;
-    while (end < byHigh.size() && byHigh[end].high == byHigh[first].high)
+    while (end < byHigh.size() && byHigh[end].first == byHigh[first].first)
     {
-      next(byHigh[end - 1]) = byHigh[end].halfedge;
+      next(end - 1) = byHigh[end].second;
       ++end;
     }
-    next(byHigh[end - 1]) = byHigh[first].halfedge;
+    next(end - 1) = byHigh[first].second;
     ++counts.edges;
     counts.nonManifold += end - first > 2 ? 1 : 0;
     first = end;
