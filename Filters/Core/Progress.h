@@ -5,6 +5,7 @@
 #include "Errors.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 
@@ -36,6 +37,28 @@ inline ProgressCallback progressBetween(const ProgressCallback& callback, double
   return callback ? [&callback, begin, end](double fraction)
   { return callback(begin + (end - begin) * fraction); }
                   : ProgressCallback();
+}
+
+/// The same callback, for work whose pieces take unknown times: the work may call it after each of
+/// them, and it passes on about fifty calls a second. The original callback must outlive it.
+inline ProgressCallback paced(const ProgressCallback& callback)
+{
+  if (!callback)
+  {
+    return {};
+  }
+  using Clock = std::chrono::steady_clock;
+  return [&callback, next = Clock::time_point::min()](double fraction) mutable
+  {
+    constexpr std::chrono::milliseconds betweenCalls(20);
+    const Clock::time_point now = Clock::now();
+    if (now < next)
+    {
+      return true;
+    }
+    next = now + betweenCalls;
+    return callback(fraction);
+  };
 }
 
 /// \throws Aborted where the callback asks to stop.

@@ -91,6 +91,36 @@ auto resultsOfRanges(const ParallelFor& parallelFor, std::size_t count, const Ra
   return resultsOfRanges(parallelFor, count, LoopProgress(nobody), range);
 }
 
+/// Calls item(task, i) for i below `count`. The tasks run in parallel, each with its own share of
+/// the items, and look() is called every few items: for items that may take long.
+///
+/// \param prepare called with the number of tasks before some of them run.
+template <typename Look, typename Prepare, typename Item>
+void forItems(const ParallelFor& parallelFor, std::size_t count, const Look& look,
+  const Prepare& prepare, const Item& item)
+{
+  const std::size_t itemsPerLook = parallelFor ? 256 : 16;
+  constexpr std::size_t itemsPerTask = 2;
+  constexpr std::size_t mostTasks = 64;
+  for (std::size_t first = 0; first < count; first += itemsPerLook)
+  {
+    look();
+    const std::size_t items = std::min(itemsPerLook, count - first);
+    const std::size_t tasks =
+      parallelFor ? std::clamp<std::size_t>(items / itemsPerTask, 1, mostTasks) : 1;
+    prepare(tasks);
+    forAll(parallelFor, tasks,
+      [&](std::size_t task)
+      {
+        const std::size_t end = first + (task + 1) * items / tasks;
+        for (std::size_t i = first + task * items / tasks; i < end; ++i)
+        {
+          item(task, i);
+        }
+      });
+  }
+}
+
 }
 
 #endif

@@ -18,15 +18,17 @@ using Id = std::uint32_t;
 constexpr Id NoId = std::numeric_limits<Id>::max();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// A range of ids in an array.
-struct IdRange
+/// A range of an array.
+template <typename Item>
+struct ArrayRange
 {
-  const Id* first;
-  const Id* last;
-  const Id* begin() const { return this->first; }
-  const Id* end() const { return this->last; }
+  const Item* first = nullptr;
+  const Item* last = nullptr;
+  const Item* begin() const { return this->first; }
+  const Item* end() const { return this->last; }
   std::size_t size() const { return static_cast<std::size_t>(this->last - this->first); }
 };
+using IdRange = ArrayRange<Id>;
 
 using Vec3 = std::array<double, 3>;
 using Triangle = std::array<Id, 3>;

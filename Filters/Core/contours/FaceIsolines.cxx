@@ -6,6 +6,8 @@
 #include "field/SegmentEnvelope.h"
 
 #include <algorithm>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 namespace geodesic
@@ -45,26 +47,17 @@ struct Part
   int depth;
 };
 
-void addTo(
-  std::vector<OutlinePoint>& outline, std::size_t edge, const std::vector<OutlinePoint>& points)
+/// Adds points to the outline of a part, seen from the same side of their edge or from the other.
+void addTo(std::vector<OutlinePoint>& outline, std::size_t edge, std::vector<OutlinePoint> points,
+  bool isOtherSide = false)
 {
-  for (OutlinePoint point : points)
+  if (isOtherSide)
   {
-    point.edge = edge;
-    outline.push_back(point);
+    std::reverse(points.begin(), points.end());
   }
-}
-
-/// Adds the points that a neighbour has on its edge 1, as seen from the other side.
-void addReversed(
-  std::vector<OutlinePoint>& outline, std::size_t edge, const std::vector<OutlinePoint>& neighbour)
-{
-  for (auto point = neighbour.rbegin(); point != neighbour.rend(); ++point)
+  for (OutlinePoint& point : points)
   {
-    if (point->edge == 1)
-    {
-      outline.push_back({ point->at, point->id, edge, !point->leaves });
-    }
+    outline.push_back({ point.at, point.id, edge, point.leaves != isOtherSide });
   }
 }
 
@@ -74,9 +67,9 @@ class EndJoiner
 {
 public:
   EndJoiner(const FaceLevel& level, const Part& part, const std::vector<Remainder>& remainders,
-    StepsOfWork& work)
+    const ProgressCallback& progress)
     : level_(level)
-    , work_(work)
+    , progress_(progress)
     , next_(remainders.size() + part.outline.size(), None)
   {
     this->from_.reserve(this->next_.size());
@@ -95,15 +88,14 @@ public:
     this->used_.assign(this->to_.size(), 0);
   }
 
-  /// Joins ends of lines, the nearest ones first. Returns whether every line can continue.
-  bool run()
+  /// Joins ends of lines, the nearest ones first. Returns what follows each remainder, and each
+  /// point of the outline that is an entry; nothing if not every line can continue.
+  std::optional<std::vector<std::size_t>> run()
   {
-    return this->from_.size() == this->to_.size() &&
+    const bool isDone = this->from_.size() == this->to_.size() &&
       (this->joinWithin(this->level_.gap) || this->joinWithin(Infinity));
+    return isDone ? std::make_optional(std::move(this->next_)) : std::nullopt;
   }
-
-  /// What follows each remainder, and each point of the outline that is an entry.
-  std::vector<std::size_t> release() { return std::move(this->next_); }
 
 private:
   /// A place from which a line must continue (the end of a remainder, or an entry), or to which it
@@ -113,31 +105,23 @@ private:
     Vec2 at;
     std::size_t owner;
   };
-  struct Pair
-  {
-    double gap;
-    std::size_t from;
-    std::size_t to;
-  };
+  /// The gap between two loose ends, and their numbers.
+  using Pair = std::tuple<double, std::size_t, std::size_t>;
 
   /// Joins loose ends that are no farther apart. Returns whether every line can continue.
   bool joinWithin(double largestGap)
   {
     bool allMeet = true;
-    for (const Pair& pair : this->pairsWithin(largestGap))
+    for (const auto& [gap, i, j] : this->pairsWithin(largestGap))
     {
-      if (this->isLoose(pair.from, pair.to))
+      if (this->isLoose(i, j))
       {
-        const LooseEnd& from = this->from_[pair.from];
-        const LooseEnd& to = this->to_[pair.to];
-        allMeet = allMeet && this->isJoint(from.at, to.at);
-        this->next_[from.owner] = to.owner;
-        this->used_[pair.to] = 1;
+        allMeet = allMeet && this->isJoint(this->from_[i].at, this->to_[j].at);
+        this->next_[this->from_[i].owner] = this->to_[j].owner;
+        this->used_[j] = 1;
       }
     }
-    return allMeet &&
-      std::all_of(
-        this->used_.begin(), this->used_.end(), [](std::uint8_t used) { return used != 0; });
+    return allMeet && std::find(this->used_.begin(), this->used_.end(), 0) == this->used_.end();
   }
 
   std::vector<Pair> pairsWithin(double largestGap)
@@ -145,18 +129,17 @@ private:
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < this->from_.size(); ++i)
     {
-      this->work_.add(this->to_.size());
+      reportProgress(this->progress_, 0.0);
       for (std::size_t j = 0; j < this->to_.size(); ++j)
       {
         const double gap = norm(this->to_[j].at - this->from_[i].at);
         if (gap <= largestGap && this->isLoose(i, j))
         {
-          pairs.push_back({ gap, i, j });
+          pairs.emplace_back(gap, i, j);
         }
       }
     }
-    std::stable_sort(
-      pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.gap < b.gap; });
+    std::sort(pairs.begin(), pairs.end());
     return pairs;
   }
 
@@ -184,7 +167,7 @@ private:
   }
 
   const FaceLevel& level_;
-  StepsOfWork& work_;
+  const ProgressCallback& progress_;
   std::vector<LooseEnd> from_;
   std::vector<LooseEnd> to_;
   std::vector<std::uint8_t> used_;
@@ -272,21 +255,20 @@ public:
       return true;
     }
     const std::vector<Remainder> remainders = this->task_.arrangement.remaindersIn(part.corners);
-    EndJoiner joiner(this->level_, part, remainders, this->task_.work);
-    if (!joiner.run())
+    const auto next = EndJoiner(this->level_, part, remainders, this->task_.progress).run();
+    if (next)
     {
-      return false;
+      this->addLines(part, remainders, *next);
     }
-    this->addLines(part, remainders, joiner.release());
-    return true;
+    return next.has_value();
   }
 
   /// Cuts a part in four, which share points on the segments between them.
   void split(const Part& part)
   {
     std::array<Vec2, 3> middles;
-    std::array<std::uint8_t, 3> cornerBelow{};
-    std::array<std::uint8_t, 3> middleBelow{};
+    std::array<bool, 3> cornerBelow{};
+    std::array<bool, 3> middleBelow{};
     /// Of each edge, before and behind its middle.
     std::array<std::array<std::vector<OutlinePoint>, 2>, 3> halves;
     bool below = part.below;
@@ -308,22 +290,23 @@ public:
     std::array<Part, 4> parts;
     this->parts_ += parts.size();
     Part& center = parts[3];
-    center = { middles, {}, middleBelow[0] != 0, part.depth + 1 };
+    center = { middles, {}, middleBelow[0], part.depth + 1 };
+    std::array<std::vector<OutlinePoint>, 3> cuts;
     for (std::size_t k = 0; k < 3; ++k)
     {
       const std::size_t before = (k + 2) % 3;
+      cuts[k] =
+        this->pointsBetween(middles[k], middles[before], middleBelow[k], middleBelow[before]);
       Part& corner = parts[k];
-      corner = { { part.corners[k], middles[k], middles[before] }, {}, cornerBelow[k] != 0,
+      corner = { { part.corners[k], middles[k], middles[before] }, {}, cornerBelow[k],
         part.depth + 1 };
       addTo(corner.outline, 0, halves[k][0]);
-      addTo(corner.outline, 1,
-        this->pointsBetween(
-          middles[k], middles[before], middleBelow[k] != 0, middleBelow[before] != 0));
+      addTo(corner.outline, 1, cuts[k]);
       addTo(corner.outline, 2, halves[before][1]);
     }
     for (std::size_t k = 0; k < 3; ++k)
     {
-      addReversed(center.outline, k, parts[(k + 1) % 3].outline);
+      addTo(center.outline, k, cuts[(k + 1) % 3], true);
     }
     for (const Part& each : parts)
     {
@@ -426,8 +409,9 @@ private:
 
   Id addPoint(Vec2 p)
   {
-    std::vector<IsolinePieces::NewPoint>& points = this->task_.result.points;
-    points.push_back({ this->level_.face.face(), this->level_.face.fromPlane(p) });
+    const FaceDistance& face = this->level_.face;
+    std::vector<SurfacePoint>& points = this->task_.result.points;
+    points.push_back(fromBarycentric(this->task_.mesh, face.face(), face.fromPlane(p)));
     return this->task_.firstNewId + static_cast<Id>(points.size() - 1);
   }
 

@@ -34,15 +34,9 @@ struct IsolinePieces
     std::size_t end;
   };
 
-  struct NewPoint
-  {
-    Id face;
-    Barycentric place;
-  };
-
   std::vector<Piece> pieces;
   std::vector<Id> ids;
-  std::vector<NewPoint> points;
+  std::vector<SurfacePoint> points;
   /// How many parts of faces were so small that they were crossed straight.
   std::size_t partsCrossedStraight = 0;
 };
@@ -50,20 +44,13 @@ struct IsolinePieces
 /// What the drawing of several faces shares.
 struct IsolineTask
 {
-  /// \param progress called often in faces with very many windows; must outlive this.
-  IsolineTask(Id firstId, double tolerance, const ProgressCallback& progress)
-    : firstNewId(firstId)
-    , chordTolerance(tolerance)
-    , work(progress)
-    , arrangement(work)
-  {
-  }
-
+  const TriangleMesh& mesh;
   /// The id of the first point inside a face.
   Id firstNewId;
   /// The largest distance of a chord from its arc.
   double chordTolerance;
-  StepsOfWork work;
+  /// Called often in faces with very many windows.
+  const ProgressCallback& progress;
   LevelArrangement arrangement;
   IsolinePieces result;
 };

@@ -12,13 +12,12 @@ namespace geodesic
 void IsolineJoin::add(const IsolinePieces& pieces)
 {
   const std::size_t before = this->ids_.size();
-  const std::size_t points = this->edgePoints_ + this->points_.size();
-  if (points + pieces.points.size() >= NoId / 2)
+  if (this->points_.size() + pieces.points.size() >= NoId / 2)
   {
     throw Error(
       "The isolines have too many points. Raise the chord tolerance or give fewer values.");
   }
-  const Id shift = static_cast<Id>(this->points_.size());
+  const Id shift = static_cast<Id>(this->points_.size()) - this->edgePoints_;
   for (IsolinePieces::Piece piece : pieces.pieces)
   {
     piece.end += before;
@@ -41,7 +40,7 @@ Id IsolineJoin::pointAt(PieceEnd end) const
 void IsolineJoin::linkEnds()
 {
   constexpr Id more = 3; // than meet where a line goes on
-  this->nodes_.assign(this->edgePoints_ + this->points_.size(), {});
+  this->nodes_.assign(this->points_.size(), {});
   for (const Id point : this->ends_)
   {
     this->nodes_[point].count = more;
@@ -64,16 +63,11 @@ IsolineJoin::PieceEnd IsolineJoin::other(PieceEnd end) const
 }
 
 // Lines that end somewhere first, so that what is left is closed.
-Isolines IsolineJoin::finish(std::vector<SurfacePoint> onEdges)
+Isolines IsolineJoin::finish()
 {
+  this->linkEnds();
   Isolines result;
   result.partsCrossedStraight = this->partsCrossedStraight_;
-  result.points = std::move(onEdges);
-  for (const IsolinePieces::NewPoint& point : this->points_)
-  {
-    result.points.push_back(fromBarycentric(this->mesh_, point.face, point.place));
-  }
-  this->linkEnds();
   this->isUsed_.assign(this->pieces_.size(), 0);
   for (PieceEnd end = 0; end < 2 * this->pieces_.size(); ++end)
   {
@@ -89,10 +83,12 @@ Isolines IsolineJoin::finish(std::vector<SurfacePoint> onEdges)
       this->follow(end, result);
     }
   }
-  this->dropShortChords(result);
+  const auto last = std::remove_if(result.lines.begin(), result.lines.end(),
+    [this](Isoline& line) { return !this->shorten(line); });
+  result.lines.erase(last, result.lines.end());
   std::stable_sort(result.lines.begin(), result.lines.end(),
     [](const Isoline& a, const Isoline& b) { return a.value < b.value; });
-  dropUnusedPoints(result);
+  this->takeUsedPoints(result);
   return result;
 }
 
@@ -136,13 +132,6 @@ void IsolineJoin::addPiece(PieceEnd begin, Isoline& line) const
   }
 }
 
-void IsolineJoin::dropShortChords(Isolines& result) const
-{
-  const auto last = std::remove_if(result.lines.begin(), result.lines.end(),
-    [&](Isoline& line) { return !this->shorten(result.points, line); });
-  result.lines.erase(last, result.lines.end());
-}
-
 // A line that passes a vertex has a point there from each edge around. In a face pieces may meet a
 // rounding apart.
 bool IsolineJoin::isShort(const SurfacePoint& a, const SurfacePoint& b, Id face, double level) const
@@ -161,35 +150,44 @@ bool IsolineJoin::isShort(const SurfacePoint& a, const SurfacePoint& b, Id face,
 }
 
 // Round a vertex at exactly the value, or a vertex that is beyond it by rounding alone.
-bool IsolineJoin::isSpeck(const std::vector<SurfacePoint>& points, const Isoline& line) const
+bool IsolineJoin::isSpeck(const Isoline& line) const
 {
-  const SurfacePoint& first = points[line.points.front()];
+  const SurfacePoint& first = this->points_[line.points.front()];
   double longest = 0.0;
   double extent = 0.0;
   for (std::size_t i = 0; i < line.faces.size(); ++i)
   {
+    const SurfacePoint& next = this->points_[line.points[i + 1]];
     longest = std::max(longest, this->mesh_.shape(line.faces[i]).longest());
-    extent = std::max(extent, distanceInSpace(this->mesh_, first, points[line.points[i + 1]]));
+    extent = std::max(extent, distanceInSpace(this->mesh_, first, next));
   }
   const double gap = tolerance::IsolineGap * std::min(longest, this->levels_[line.value]);
-  return extent <= gap && (line.faces.empty() || this->isRoundOnePlace(points, line, gap));
+  return extent <= gap && (line.faces.empty() || this->isRoundOnePlace(line, gap));
 }
 
 // Whether a line so short goes round a vertex or a place of an edge. Across faces that are no
 // higher than that, lines are as short but go on.
-bool IsolineJoin::isRoundOnePlace(
-  const std::vector<SurfacePoint>& points, const Isoline& line, double gap) const
+bool IsolineJoin::isRoundOnePlace(const Isoline& line, double gap) const
 {
+  using Kind = SurfacePoint::Kind;
   const auto all = [&](auto&& isThere)
   {
     return std::all_of(line.points.begin(), line.points.end(),
-      [&](Id id) { return points[id].kind == SurfacePoint::Kind::Face || isThere(points[id]); });
+      [&](Id id) { return this->points_[id].kind == Kind::Face || isThere(this->points_[id]); });
   };
   for (Id corner = 3 * line.faces.front(); corner < 3 * line.faces.front() + 3; ++corner)
   {
     const Id vertex = this->mesh_.origin(corner);
-    if (all([&](const SurfacePoint& p) { return this->isBeside(p, vertex, gap); }) ||
-      all([&](const SurfacePoint& p) { return this->isOnEdge(p, corner); }))
+    const auto isBeside = [&](const SurfacePoint& p)
+    {
+      return p.kind == Kind::Vertex
+        ? p.id == vertex
+        : (this->mesh_.origin(p.id) == vertex || this->mesh_.destination(p.id) == vertex) &&
+          norm(position(this->mesh_, p) - this->mesh_.point(vertex)) <= gap;
+    };
+    const auto isOnEdge = [&](const SurfacePoint& p)
+    { return p.kind == Kind::Edge && this->mesh_.edgeOf(p.id) == this->mesh_.edgeOf(corner); };
+    if (all(isBeside) || all(isOnEdge))
     {
       return true;
     }
@@ -197,25 +195,10 @@ bool IsolineJoin::isRoundOnePlace(
   return false;
 }
 
-// Whether a point is the vertex, or on an edge of it and no farther than that.
-bool IsolineJoin::isBeside(const SurfacePoint& p, Id vertex, double gap) const
-{
-  const bool isVertex = p.kind == SurfacePoint::Kind::Vertex;
-  return isVertex
-    ? p.id == vertex
-    : (this->mesh_.origin(p.id) == vertex || this->mesh_.destination(p.id) == vertex) &&
-      norm(position(this->mesh_, p) - this->mesh_.point(vertex)) <= gap;
-}
-
-bool IsolineJoin::isOnEdge(const SurfacePoint& p, Id halfedge) const
-{
-  return p.kind == SurfacePoint::Kind::Edge &&
-    this->mesh_.edgeOf(p.id) == this->mesh_.edgeOf(halfedge);
-}
-
-// Returns whether anything is left of the line. The face of a chord still holds both of its ends:
-// a point inside a face has both chords in it, a vertex is in all faces around.
-bool IsolineJoin::shorten(const std::vector<SurfacePoint>& points, Isoline& line) const
+// Drops the chords of a line that have hardly any length. Returns whether anything is left. The
+// face of a chord still holds both of its ends: a point inside a face has both chords in it, a
+// vertex is in all faces around.
+bool IsolineJoin::shorten(Isoline& line) const
 {
   const Isoline whole = line;
   line.points = { whole.points.front() };
@@ -223,46 +206,40 @@ bool IsolineJoin::shorten(const std::vector<SurfacePoint>& points, Isoline& line
   for (std::size_t i = 0; i < whole.faces.size(); ++i)
   {
     const Id next = whole.points[i + 1];
+    const Id face = whole.faces[i];
     if (!this->isShort(
-          points[line.points.back()], points[next], whole.faces[i], this->levels_[line.value]))
+          this->points_[line.points.back()], this->points_[next], face, this->levels_[line.value]))
     {
       line.points.push_back(next);
-      line.faces.push_back(whole.faces[i]);
+      line.faces.push_back(face);
     }
-    else if (points[next].kind != SurfacePoint::Kind::Face || i + 1 == whole.faces.size())
+    else if (this->points_[next].kind != SurfacePoint::Kind::Face || i + 1 == whole.faces.size())
     {
       line.points.back() = next; // the one that is needed, or that other lines may share
     }
   }
   line.points.front() = whole.points.front();
-  return this->goesOnElsewhere(line) ? !line.faces.empty() : !this->isSpeck(points, line);
-}
-
-// Then it may be more than a speck.
-bool IsolineJoin::goesOnElsewhere(const Isoline& line) const
-{
-  const auto isEnd = [this](Id point)
+  const auto goesOn = [this](Id point)
   { return std::binary_search(this->ends_.begin(), this->ends_.end(), point); };
-  return !this->ends_.empty() && (isEnd(line.points.front()) || isEnd(line.points.back()));
+  return goesOn(line.points.front()) || goesOn(line.points.back()) ? !line.faces.empty()
+                                                                   : !this->isSpeck(line);
 }
 
-void IsolineJoin::dropUnusedPoints(Isolines& result)
+void IsolineJoin::takeUsedPoints(Isolines& result) const
 {
-  std::vector<Id> number(result.points.size(), NoId);
-  std::vector<SurfacePoint> used;
+  std::vector<Id> number(this->points_.size(), NoId);
   for (Isoline& line : result.lines)
   {
     for (Id& point : line.points)
     {
       if (number[point] == NoId)
       {
-        number[point] = static_cast<Id>(used.size());
-        used.push_back(result.points[point]);
+        number[point] = static_cast<Id>(result.points.size());
+        result.points.push_back(this->points_[point]);
       }
       point = number[point];
     }
   }
-  result.points = std::move(used);
 }
 
 }

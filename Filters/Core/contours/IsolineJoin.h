@@ -15,24 +15,24 @@ class IsolineJoin
 {
 public:
   /// \param levels the values, must outlive this.
-  /// \param edgePoints how many points there are on edges; their ids are the first ones.
-  IsolineJoin(const TriangleMesh& mesh, const std::vector<double>& levels, Id edgePoints)
+  /// \param onEdges the points on edges; their ids are the first ones.
+  IsolineJoin(
+    const TriangleMesh& mesh, const std::vector<double>& levels, std::vector<SurfacePoint> onEdges)
     : mesh_(mesh)
     , levels_(levels)
-    , edgePoints_(edgePoints)
+    , edgePoints_(static_cast<Id>(onEdges.size()))
+    , points_(std::move(onEdges))
   {
   }
 
-  /// Lines end at this point on an edge: there the lines of other ranks continue.
+  /// Lines end at this point on an edge: there the lines of other ranks continue. Points ascend.
   void endAt(Id edgePoint) { this->ends_.push_back(edgePoint); }
 
   /// Adds the pieces of some faces, behind those of lower ones.
   void add(const IsolinePieces& pieces);
 
   /// Returns the lines, without chords of hardly any length.
-  ///
-  /// \param onEdges the points on edges, by their ids.
-  Isolines finish(std::vector<SurfacePoint> onEdges);
+  Isolines finish();
 
 private:
   /// The first or the last point of a piece: 2 * piece, or 2 * piece + 1.
@@ -50,16 +50,11 @@ private:
   PieceEnd other(PieceEnd end) const;
   void follow(PieceEnd begin, Isolines& result);
   void addPiece(PieceEnd begin, Isoline& line) const;
-  void dropShortChords(Isolines& result) const;
+  bool shorten(Isoline& line) const;
   bool isShort(const SurfacePoint& a, const SurfacePoint& b, Id face, double level) const;
-  bool isSpeck(const std::vector<SurfacePoint>& points, const Isoline& line) const;
-  bool isRoundOnePlace(
-    const std::vector<SurfacePoint>& points, const Isoline& line, double gap) const;
-  bool isBeside(const SurfacePoint& p, Id vertex, double gap) const;
-  bool isOnEdge(const SurfacePoint& p, Id halfedge) const;
-  bool goesOnElsewhere(const Isoline& line) const;
-  bool shorten(const std::vector<SurfacePoint>& points, Isoline& line) const;
-  static void dropUnusedPoints(Isolines& result);
+  bool isSpeck(const Isoline& line) const;
+  bool isRoundOnePlace(const Isoline& line, double gap) const;
+  void takeUsedPoints(Isolines& result) const;
 
   const TriangleMesh& mesh_;
   const std::vector<double>& levels_;
@@ -67,7 +62,7 @@ private:
   std::vector<Id> ends_;
   std::vector<IsolinePieces::Piece> pieces_;
   std::vector<Id> ids_;
-  std::vector<IsolinePieces::NewPoint> points_;
+  std::vector<SurfacePoint> points_;
   std::size_t partsCrossedStraight_ = 0;
   std::vector<Node> nodes_;
   std::vector<std::uint8_t> isUsed_;

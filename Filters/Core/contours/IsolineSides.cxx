@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contours/IsolineSides.h"
 
-#include "PacedProgress.h"
-
 #include <algorithm>
 
 namespace geodesic
@@ -17,11 +15,12 @@ constexpr double BesideEnd = 1e-6;
 // How often a chord is halved to find where its side changes: down to rounding.
 constexpr int Halvings = 50;
 
-/// A line each of whose chords is on one side.
-struct SidedLine
+/// A chord that is on one side, or a part of one, with its end.
+struct SidedChord
 {
-  Isoline line;
-  std::vector<std::uint8_t> isOnRight;
+  Id face;
+  Id end;
+  bool isOnRight;
 };
 
 class Cutter
@@ -35,26 +34,25 @@ public:
     , nearest_(nearest)
     , isOnRight_(isOnRight)
     , progress_(paced(progress))
-    , chords_(1)
   {
     for (const Isoline& line : isolines.lines)
     {
-      this->chords_ += line.faces.size();
+      this->chords_ += static_cast<double>(line.faces.size());
     }
-    this->result_.points = isolines.points;
-    this->result_.linesWithoutDirection = isolines.linesWithoutDirection;
-    this->result_.partsCrossedStraight = isolines.partsCrossedStraight;
+    this->result.points = isolines.points;
+    this->result.linesWithoutDirection = isolines.linesWithoutDirection;
+    this->result.partsCrossedStraight = isolines.partsCrossedStraight;
   }
 
   void cut(const Isoline& line, const SidedValue& value);
-  Isolines release() { return std::move(this->result_); }
+
+  Isolines result;
 
 private:
   Barycentric onChord(const Isoline& line, std::size_t chord, double t) const;
   IncomingSegment pieceTo(const Isoline& line, std::size_t chord, double t) const;
   bool isOnRightAt(const Isoline& line, std::size_t chord, double t);
-  void report();
-  SidedLine withSides(const Isoline& line);
+  std::vector<SidedChord> withSides(const Isoline& line);
   Id addChange(const Isoline& line, std::size_t chord, bool isRightBefore);
 
   const DistanceField& field_;
@@ -63,24 +61,16 @@ private:
   const std::function<bool(const Foot&)>& isOnRight_;
   ProgressCallback progress_;
   /// The number of chords of all lines, and how many are done.
-  std::size_t chords_;
-  std::size_t chordsDone_ = 0;
-  Isolines result_;
+  double chords_ = 0.0;
+  double chordsDone_ = 0.0;
 };
-
-void Cutter::report()
-{
-  reportProgress(
-    this->progress_, static_cast<double>(this->chordsDone_++) / static_cast<double>(this->chords_));
-}
 
 Barycentric Cutter::onChord(const Isoline& line, std::size_t chord, double t) const
 {
   const Id face = line.faces[chord];
-  const Barycentric a = barycentric(this->mesh_, this->result_.points[line.points[chord]], face);
-  const Barycentric b =
-    barycentric(this->mesh_, this->result_.points[line.points[chord + 1]], face);
-  return between(a, b, t);
+  const auto place = [&](std::size_t i)
+  { return barycentric(this->mesh_, this->result.points[line.points[i]], face); };
+  return between(place(chord), place(chord + 1), t);
 }
 
 IncomingSegment Cutter::pieceTo(const Isoline& line, std::size_t chord, double t) const
@@ -94,29 +84,21 @@ bool Cutter::isOnRightAt(const Isoline& line, std::size_t chord, double t)
   return this->isOnRight_(this->nearest_.of(this->pieceTo(line, chord, t)));
 }
 
-SidedLine Cutter::withSides(const Isoline& line)
+std::vector<SidedChord> Cutter::withSides(const Isoline& line)
 {
-  SidedLine sided;
-  sided.line.value = line.value;
-  sided.line.points = { line.points.front() };
-  const auto add = [&sided](Id face, Id point, bool isRight)
-  {
-    sided.line.faces.push_back(face);
-    sided.line.points.push_back(point);
-    sided.isOnRight.push_back(isRight ? 1 : 0);
-  };
+  std::vector<SidedChord> chords;
   for (std::size_t chord = 0; chord < line.faces.size(); ++chord)
   {
-    this->report();
+    reportProgress(this->progress_, this->chordsDone_++ / this->chords_);
     const bool before = this->isOnRightAt(line, chord, BesideEnd);
     const bool behind = this->isOnRightAt(line, chord, 1.0 - BesideEnd);
     if (before != behind)
     {
-      add(line.faces[chord], this->addChange(line, chord, before), before);
+      chords.push_back({ line.faces[chord], this->addChange(line, chord, before), before });
     }
-    add(line.faces[chord], line.points[chord + 1], behind);
+    chords.push_back({ line.faces[chord], line.points[chord + 1], behind });
   }
-  return sided;
+  return chords;
 }
 
 // Adds the point where the side changes. It is moved along the ray that comes to it, to the value
@@ -141,34 +123,36 @@ Id Cutter::addChange(const Isoline& line, std::size_t chord, bool isRightBefore)
     const Vec2 along =
       turned(this->mesh_, (1.0 / length) * piece.ray.direction, piece.ray.halfedge, frame);
     const double value =
-      incomingSegmentTo(this->field_, this->result_.points[line.points[chord]]).distance;
+      incomingSegmentTo(this->field_, this->result.points[line.points[chord]]).distance;
     at = at + (value - piece.distance) * along;
   }
-  this->result_.points.push_back(
+  this->result.points.push_back(
     fromBarycentric(this->mesh_, face, fromHalfedgeFrame(this->mesh_, frame, at)));
-  return static_cast<Id>(this->result_.points.size() - 1);
+  return static_cast<Id>(this->result.points.size() - 1);
 }
 
 // A closed line that is cut begins where its side changes. Parts on the right-hand side are turned
 // around.
 void Cutter::cut(const Isoline& line, const SidedValue& value)
 {
-  const SidedLine sided = this->withSides(line);
-  const std::vector<std::uint8_t>& sides = sided.isOnRight;
-  const auto change = std::adjacent_find(sides.begin(), sides.end(), std::not_equal_to<>());
-  const bool isCutOpen = line.isClosed() && change != sides.end();
-  const auto first = isCutOpen ? static_cast<std::size_t>(change - sides.begin()) + 1 : 0;
-  const auto chord = [&](std::size_t i) { return (first + i) % sides.size(); };
-  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
+  std::vector<SidedChord> chords = this->withSides(line);
+  Id at = line.points.front();
+  const auto change = std::adjacent_find(chords.begin(), chords.end(),
+    [](const SidedChord& a, const SidedChord& b) { return a.isOnRight != b.isOnRight; });
+  if (line.isClosed() && change != chords.end())
   {
-    const bool isRight = sides[chord(begin)] != 0;
-    Isoline part;
-    part.value = isRight ? value.right : value.left;
-    part.points = { sided.line.points[chord(begin)] };
-    for (; end < sides.size() && (sides[chord(end)] != 0) == isRight; ++end)
+    at = change->end;
+    std::rotate(chords.begin(), change + 1, chords.end());
+  }
+  for (auto chord = chords.begin(); chord != chords.end();)
+  {
+    const bool isRight = chord->isOnRight;
+    Isoline part = { isRight ? value.right : value.left, { at }, {} };
+    for (; chord != chords.end() && chord->isOnRight == isRight; ++chord)
     {
-      part.points.push_back(sided.line.points[chord(end) + 1]);
-      part.faces.push_back(sided.line.faces[chord(end)]);
+      at = chord->end;
+      part.points.push_back(at);
+      part.faces.push_back(chord->face);
     }
     if (isRight)
     {
@@ -177,7 +161,7 @@ void Cutter::cut(const Isoline& line, const SidedValue& value)
     }
     if (part.value != SidedValue::None)
     {
-      this->result_.lines.push_back(std::move(part));
+      this->result.lines.push_back(std::move(part));
     }
   }
 }
@@ -193,10 +177,9 @@ Isolines linesOnSides(const DistanceField& field, NearestSource& nearest,
   {
     cutter.cut(line, values[line.value]);
   }
-  Isolines result = cutter.release();
-  std::stable_sort(result.lines.begin(), result.lines.end(),
+  std::stable_sort(cutter.result.lines.begin(), cutter.result.lines.end(),
     [](const Isoline& a, const Isoline& b) { return a.value < b.value; });
-  return result;
+  return std::move(cutter.result);
 }
 
 }

@@ -2,7 +2,6 @@
 #include "contours/Isolines.h"
 
 #include "Errors.h"
-#include "PacedProgress.h"
 #include "Tolerance.h"
 #include "contours/FaceIsolines.h"
 #include "contours/IsolineJoin.h"
@@ -27,6 +26,7 @@ constexpr double EdgesDone = 0.3;
 /// A point of an isoline on an edge. Its number in the list of these points is its id.
 struct EdgePoint
 {
+  /// That names the edge (TriangleMesh::edgeOf). Its face computes the edge's points.
   Id halfedge;
   Id value;
   double fraction;
@@ -45,7 +45,6 @@ private:
   SurfacePoint placeOf(const EdgePoint& p) const;
   void findFaces();
   bool isBelow(Id vertex, std::size_t value) const;
-  Id designated(Id halfedge) const;
   template <typename Result, typename Task>
   std::vector<Result> forTasks(double begin, double end, Task&& task) const;
 
@@ -56,8 +55,6 @@ private:
   IsolinePieces drawFaces(
     std::size_t first, std::size_t last, const ProgressCallback& progress) const;
   void findOutline(Id face, std::size_t value, std::vector<OutlinePoint>& outline) const;
-  void addOutlinePoints(Id halfedge, std::size_t value, Vec2 begin, Vec2 edge,
-    std::vector<OutlinePoint>& outline) const;
   DistanceRange rangeOf(Id face) const;
 
   const DistanceField& field_;
@@ -65,9 +62,8 @@ private:
   const IsolineOptions& options_;
   /// See tolerance::BelowValue.
   std::vector<double> levels_;
-  /// The faces of this rank that may contain a value, ascending; and all of them, marked.
+  /// The faces of this rank that may contain a value, ascending.
   std::vector<Id> faces_;
-  std::vector<std::uint8_t> isChosen_;
   std::vector<EdgePoint> edgePoints_;
 };
 
@@ -86,28 +82,6 @@ void checkOptions(const IsolineOptions& options)
   }
 }
 
-/// The place where a condition stops holding, between a place where it holds and one where it does
-/// not.
-template <typename Condition>
-double bisect(double holds, double fails, Condition&& condition)
-{
-  constexpr int halvings = 60;
-  for (int i = 0; i < halvings; ++i)
-  {
-    const double middle = 0.5 * (holds + fails);
-    (condition(middle) ? holds : fails) = middle;
-  }
-  return fails;
-}
-
-/// A segment of a face, along a unit vector.
-struct Segment
-{
-  Vec2 begin;
-  Vec2 along;
-  double length;
-};
-
 /// Whether other ranks also draw at an edge: each draws in the faces that it owns.
 bool isAtSeam(const MeshPartition& part, Id halfedge)
 {
@@ -121,12 +95,14 @@ bool isAtSeam(const MeshPartition& part, Id halfedge)
 
 // Corrects a place that was found on an envelope: windows of an envelope may differ where they
 // meet, by tolerance::JointFraction. Then the distance in the face decides.
-double placeByDistance(const FaceDistance& face, const Segment& segment, double level, double place)
+//
+// \param line of the edge, from its begin.
+double placeByDistance(
+  const FaceDistance& face, const PlaneLine& line, double length, double level, double place)
 {
-  const auto above = [&](double x)
-  { return face.distance(segment.begin + x * segment.along) - level; };
+  const auto above = [&](double x) { return face.distance(line.point + x * line.along) - level; };
   const double off = above(place);
-  if (std::abs(off) <= tolerance::IsolineValue * (level + segment.length))
+  if (std::abs(off) <= tolerance::IsolineValue * (level + length))
   {
     return place;
   }
@@ -134,12 +110,17 @@ double placeByDistance(const FaceDistance& face, const Segment& segment, double 
   double reach = std::abs(off);
   for (int i = 0; i < doublings; ++i, reach *= 2.0)
   {
-    for (const double other :
-      { std::max(0.0, place - reach), std::min(segment.length, place + reach) })
+    for (double other : { std::max(0.0, place - reach), std::min(length, place + reach) })
     {
       if ((above(other) < 0.0) != (off < 0.0))
       {
-        return bisect(place, other, [&](double x) { return (above(x) < 0.0) == (off < 0.0); });
+        constexpr int halvings = 60;
+        for (int k = 0; k < halvings; ++k)
+        {
+          const double middle = 0.5 * (place + other);
+          ((above(middle) < 0.0) == (off < 0.0) ? place : other) = middle;
+        }
+        return other;
       }
     }
   }
@@ -164,7 +145,13 @@ Isolines Drawing::run()
   std::vector<IsolinePieces> drawn = this->forTasks<IsolinePieces>(EdgesDone, 1.0,
     [this](std::size_t first, std::size_t last, IsolinePieces& result,
       const ProgressCallback& progress) { result = this->drawFaces(first, last, progress); });
-  IsolineJoin join(this->mesh_, this->levels_, static_cast<Id>(this->edgePoints_.size()));
+  std::vector<SurfacePoint> onEdges;
+  onEdges.reserve(this->edgePoints_.size());
+  for (const EdgePoint& p : this->edgePoints_)
+  {
+    onEdges.push_back(this->placeOf(p));
+  }
+  IsolineJoin join(this->mesh_, this->levels_, std::move(onEdges));
   for (Id point = 0; point < this->edgePoints_.size(); ++point)
   {
     if (isAtSeam(this->field_.surface(), this->edgePoints_[point].halfedge))
@@ -177,13 +164,7 @@ Isolines Drawing::run()
     join.add(pieces);
     pieces = {};
   }
-  std::vector<SurfacePoint> onEdges;
-  onEdges.reserve(this->edgePoints_.size());
-  for (const EdgePoint& p : this->edgePoints_)
-  {
-    onEdges.push_back(this->placeOf(p));
-  }
-  Isolines result = join.finish(std::move(onEdges));
+  Isolines result = join.finish();
   this->countTurnsAtSeams(result);
   return result;
 }
@@ -223,24 +204,20 @@ SurfacePoint Drawing::placeOf(const EdgePoint& p) const
 
 void Drawing::findFaces()
 {
-  this->isChosen_.assign(this->mesh_.numberOfFaces(), 0);
-  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+  const MeshPartition& part = this->field_.surface();
+  for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
   {
     const DistanceRange range = this->rangeOf(face);
-    if (range.least < Infinity && range.holdsOneOf(this->levels_))
+    if (!(range.least < Infinity) || !range.holdsOneOf(this->levels_))
     {
-      this->isChosen_[face] = 1;
-      if (!this->field_.surface().isOwn(face))
-      {
-        continue;
-      }
-      if (!this->field_.knowsInside(face))
-      {
-        throw Error("Isolines were asked for in face " + std::to_string(face) +
-          ", whose windows the solve did not keep.");
-      }
-      this->faces_.push_back(face);
+      continue;
     }
+    if (!this->field_.knowsInside(face))
+    {
+      throw Error("Isolines were asked for in face " + std::to_string(face) +
+        ", whose windows the solve did not keep.");
+    }
+    this->faces_.push_back(face);
   }
 }
 
@@ -257,17 +234,6 @@ DistanceRange Drawing::rangeOf(Id face) const
 bool Drawing::isBelow(Id vertex, std::size_t value) const
 {
   return this->field_.vertexDistances()[vertex] < this->levels_[value];
-}
-
-// The halfedge of an edge whose face computes the edge's points.
-Id Drawing::designated(Id halfedge) const
-{
-  Id lowest = halfedge;
-  for (Id s = this->mesh_.nextSibling(halfedge); s != halfedge; s = this->mesh_.nextSibling(s))
-  {
-    lowest = s < lowest && this->isChosen_[TriangleMesh::faceOf(s)] ? s : lowest;
-  }
-  return lowest;
 }
 
 // Calls task(first, last, result, progress) for ranges of the faces. As a single face may have very
@@ -308,8 +274,8 @@ void Drawing::findEdgePoints()
   this->exchangeEdgePoints();
 }
 
-// Faces have one order on all ranks, so that all agree about the designated halfedge of an edge.
-// The owner of its face sends the edge's points to the other ranks at the edge.
+// Faces have one order on all ranks, so that all agree about the halfedge that names an edge. The
+// owner of its face sends the edge's points to the other ranks at the edge.
 void Drawing::exchangeEdgePoints()
 {
   const MeshPartition& part = this->field_.surface();
@@ -342,7 +308,8 @@ void Drawing::exchangeEdgePoints()
     { return a.halfedge != b.halfedge ? a.halfedge < b.halfedge : a.value < b.value; });
 }
 
-// Computes the points of those edges whose designated halfedge belongs to the face.
+// Computes the points of those edges that are named by a halfedge of the face. Where the distance
+// has a value on an edge, the ranges of all faces at the edge hold it.
 void Drawing::addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePoint>& points) const
 {
   std::optional<FaceDistance> distance;
@@ -358,7 +325,7 @@ void Drawing::addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePo
       this->field_.vertexDistances()[ends[1]], certain);
     range.least = hasSource ? 0.0 : range.least;
     const auto [first, last] = range.indicesIn(this->levels_);
-    if (first == last || this->designated(halfedge) != halfedge)
+    if (first == last || this->mesh_.edgeOf(halfedge) != halfedge)
     {
       continue;
     }
@@ -369,7 +336,7 @@ void Drawing::addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePo
     const Vec2 p = distance->inPlane(cornerWeights(halfedge % 3));
     const Vec2 q = distance->inPlane(cornerWeights((halfedge + 1) % 3));
     const std::vector<Window>& envelope = memory.along(*distance, p, q);
-    const Segment segment = { p, length > 0.0 ? (1.0 / length) * (q - p) : Vec2{}, length };
+    const PlaneLine line = { p, length > 0.0 ? (1.0 / length) * (q - p) : Vec2{} };
     for (std::size_t value = first; value < last; ++value)
     {
       crossings.clear();
@@ -377,7 +344,8 @@ void Drawing::addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePo
         this->isBelow(ends[1], value), crossings);
       for (const SegmentCrossing& crossing : crossings)
       {
-        const double at = placeByDistance(*distance, segment, this->levels_[value], crossing.at);
+        const double at =
+          placeByDistance(*distance, line, length, this->levels_[value], crossing.at);
         const double fraction = length > 0.0 ? std::min(1.0, at / length) : 0.5;
         points.push_back({ halfedge, static_cast<Id>(value), fraction, crossing.rises });
       }
@@ -388,8 +356,8 @@ void Drawing::addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePo
 IsolinePieces Drawing::drawFaces(
   std::size_t first, std::size_t last, const ProgressCallback& progress) const
 {
-  IsolineTask task(
-    static_cast<Id>(this->edgePoints_.size()), this->options_.chordTolerance, progress);
+  IsolineTask task = { this->mesh_, static_cast<Id>(this->edgePoints_.size()),
+    this->options_.chordTolerance, progress, LevelArrangement(progress), {} };
   std::vector<OutlinePoint> outline;
   std::vector<DistanceCandidate> memory;
   for (std::size_t i = first; i < last; ++i)
@@ -425,37 +393,27 @@ void Drawing::findOutline(Id face, std::size_t value, std::vector<OutlinePoint>&
 {
   outline.clear();
   const Id frame = longestHalfedge(this->mesh_, face);
-  std::array<Vec2, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k)
+  for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
   {
-    corners[k] = inHalfedgeFrame(this->mesh_, frame, cornerWeights(k));
-  }
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    this->addOutlinePoints(
-      3 * face + static_cast<Id>(k), value, corners[k], corners[(k + 1) % 3] - corners[k], outline);
-  }
-}
-
-void Drawing::addOutlinePoints(
-  Id halfedge, std::size_t value, Vec2 begin, Vec2 edge, std::vector<OutlinePoint>& outline) const
-{
-  const Id designated = this->designated(halfedge);
-  const bool isReversed = this->mesh_.origin(designated) != this->mesh_.origin(halfedge);
-  const auto first = std::partition_point(this->edgePoints_.begin(), this->edgePoints_.end(),
-    [&](const EdgePoint& p)
-    { return p.halfedge != designated ? p.halfedge < designated : p.value < value; });
-  const std::size_t firstOfEdge = outline.size();
-  for (auto p = first;
-       p != this->edgePoints_.end() && p->halfedge == designated && p->value == value; ++p)
-  {
-    const double t = isReversed ? 1.0 - p->fraction : p->fraction;
-    outline.push_back({ begin + t * edge, static_cast<Id>(p - this->edgePoints_.begin()),
-      halfedge % 3, p->rises != isReversed });
-  }
-  if (isReversed)
-  {
-    std::reverse(outline.begin() + static_cast<std::ptrdiff_t>(firstOfEdge), outline.end());
+    const Vec2 begin = inHalfedgeFrame(this->mesh_, frame, cornerWeights(halfedge % 3));
+    const Vec2 edge =
+      inHalfedgeFrame(this->mesh_, frame, cornerWeights((halfedge + 1) % 3)) - begin;
+    const Id named = this->mesh_.edgeOf(halfedge);
+    const bool isReversed = this->mesh_.origin(named) != this->mesh_.origin(halfedge);
+    const std::size_t firstOfEdge = outline.size();
+    auto p = std::partition_point(this->edgePoints_.begin(), this->edgePoints_.end(),
+      [&](const EdgePoint& e)
+      { return e.halfedge != named ? e.halfedge < named : e.value < value; });
+    for (; p != this->edgePoints_.end() && p->halfedge == named && p->value == value; ++p)
+    {
+      const double t = isReversed ? 1.0 - p->fraction : p->fraction;
+      outline.push_back({ begin + t * edge, static_cast<Id>(p - this->edgePoints_.begin()),
+        halfedge % 3, p->rises != isReversed });
+    }
+    if (isReversed)
+    {
+      std::reverse(outline.begin() + static_cast<std::ptrdiff_t>(firstOfEdge), outline.end());
+    }
   }
 }
 

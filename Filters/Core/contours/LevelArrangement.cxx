@@ -26,8 +26,9 @@ PlaneBox boxAround(const LevelCurve& curve, double begin, double end, double roo
 {
   const Vec2 a = curve.at(begin);
   const Vec2 b = curve.at(end);
-  const double way = curve.wayBound(begin, end);
-  // An arc is not farther from its chord than this, nor than its own length.
+  // An upper bound of the part's length. An arc is not farther from its chord than this, nor than
+  // its own length.
+  const double way = (end - begin) * (curve.isArc ? 2.0 * curve.radius : 1.0);
   const double aside = room + (curve.isArc ? std::min(way, 0.125 * way * way / curve.radius) : 0.0);
   return { { std::min(a.x, b.x) - aside, std::min(a.y, b.y) - aside },
     { std::max(a.x, b.x) + aside, std::max(a.y, b.y) + aside } };
@@ -46,17 +47,6 @@ bool isInside(const std::array<Vec2, 3>& corners, Vec2 p)
 }
 
 } // anonymous namespace
-
-void StepsOfWork::add(std::size_t steps)
-{
-  constexpr std::size_t stepsPerReport = 1U << 14;
-  this->sinceReport_ += steps;
-  if (this->sinceReport_ >= stepsPerReport)
-  {
-    this->sinceReport_ = 0;
-    reportProgress(this->progress_, 0.0);
-  }
-}
 
 FaceLevel::FaceLevel(const FaceDistance& distance, double levelValue)
   : face(distance)
@@ -134,20 +124,19 @@ void LevelArrangement::cut(
   const LevelCurve& curve, const std::array<Vec2, 3>& corners, std::vector<Remainder>& remainders)
 {
   this->atEdges_.clear();
-  const std::array<Vec2, 4> box = boxAround(curve, 0.0, curve.extent, this->level_->gap).corners();
+  const PlaneBox box = boxAround(curve, 0.0, curve.extent, this->level_->gap);
   bool isWithin = true;
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Vec2 begin = corners[k];
     const Vec2 edge = corners[(k + 1) % 3] - begin;
-    const auto outside =
-      std::count_if(box.begin(), box.end(), [&](Vec2 p) { return cross(edge, p - begin) < 0.0; });
-    if (outside == 4)
+    const PlaneLine line = { begin, edge };
+    if (line.mostAside(box) < 0.0)
     {
       return;
     }
     const double length = norm(edge);
-    if (outside > 0 && length > 0.0)
+    if (line.leastAside(box) < 0.0 && length > 0.0)
     {
       isWithin = false;
       addMeetings(curve, { begin, (1.0 / length) * edge }, this->atEdges_);
@@ -183,7 +172,7 @@ void LevelArrangement::cutByRegions(
   }
   std::sort(this->atRegions_.begin(), this->atRegions_.end());
   this->atRegions_.push_back(last);
-  this->work_.add(this->regions_.size() + this->atRegions_.size() * this->near_.size());
+  reportProgress(this->progress_, 0.0);
   double begin = first;
   bool goesOn = false;
   for (const double place : this->atRegions_)

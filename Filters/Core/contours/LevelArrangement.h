@@ -11,24 +11,6 @@
 namespace geodesic
 {
 
-/// Counts steps of work, and asks now and then whether to stop.
-class StepsOfWork
-{
-public:
-  /// \param progress must outlive this.
-  explicit StepsOfWork(const ProgressCallback& progress)
-    : progress_(progress)
-  {
-  }
-
-  /// \throws Aborted
-  void add(std::size_t steps);
-
-private:
-  const ProgressCallback& progress_;
-  std::size_t sinceReport_ = 0;
-};
-
 /// A value in a face, and the lengths there that rounding decides about.
 struct FaceLevel
 {
@@ -60,9 +42,9 @@ public:
     double end;
   };
 
-  /// \param work must outlive this.
-  explicit LevelArrangement(StepsOfWork& work)
-    : work_(work)
+  /// \param progress called for each curve that is cut; must outlive this.
+  explicit LevelArrangement(const ProgressCallback& progress)
+    : progress_(progress)
   {
   }
 
@@ -88,7 +70,7 @@ private:
     const LevelCurve& curve, double first, double last, std::vector<Remainder>& remainders);
   bool remains(Vec2 p) const;
 
-  StepsOfWork& work_;
+  const ProgressCallback& progress_;
   const FaceLevel* level_ = nullptr;
   /// Paths that bend at the ends of windows.
   std::vector<DistanceCandidate> bent_;

@@ -13,11 +13,6 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-Vec2 leftOf(Vec2 v)
-{
-  return { -v.y, v.x };
-}
-
 Vec2 unitOr(Vec2 v, Vec2 otherwise)
 {
   const double length = norm(v);
@@ -149,77 +144,67 @@ LevelRegion::LevelRegion(const DistanceCandidate& candidate, std::size_t number,
   , number_(number)
   , level_(value - candidate.sigma)
   , margin_(margin)
+  , numberOfRays_(candidate.hasPencil() ? 2 : 0)
 {
-  const Vec2 along = unitOr(candidate.end - candidate.begin, { 1.0, 0.0 });
-  if (candidate.kind == DistanceCandidate::Kind::Linear)
+  const bool isLinear = candidate.kind == DistanceCandidate::Kind::Linear;
+  if (candidate.hasPencil())
   {
-    this->first_ = candidate.source;
-    this->last_ = candidate.source;
-    this->isEmpty_ = !(std::min(candidate.atBegin, candidate.atEnd) < value) || this->misses(box);
-    return;
+    const Vec2 along = unitOr(candidate.end - candidate.begin, { 1.0, 0.0 });
+    const Vec2 first =
+      isLinear ? candidate.source : unitOr(candidate.begin - candidate.source, -1.0 * along);
+    const Vec2 last = isLinear ? candidate.source : unitOr(candidate.end - candidate.source, along);
+    this->rays_ = { { { candidate.begin, first }, { candidate.end, -1.0 * last } } };
   }
-  this->isEmpty_ = !(this->level_ > 0.0);
-  if (candidate.kind == DistanceCandidate::Kind::Circular)
-  {
-    this->first_ = unitOr(candidate.begin - candidate.source, -1.0 * along);
-    this->last_ = unitOr(candidate.end - candidate.source, along);
-    // The point of the window that is nearest to the source.
-    const double x = std::clamp(
-      dot(candidate.source - candidate.begin, along), 0.0, norm(candidate.end - candidate.begin));
-    this->isEmpty_ =
-      this->isEmpty_ || !(norm(candidate.begin + x * along - candidate.source) < this->level_);
-  }
-  this->isEmpty_ = this->isEmpty_ || this->misses(box);
+  this->isEmpty_ = !this->hasPointsBefore(value) || this->misses(box);
 }
 
-// Whether one of the lines that bound it parts it from the box.
+// Whether the way through the window's nearest point, or from the source, begins before the value.
+bool LevelRegion::hasPointsBefore(double value) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  if (c.kind == DistanceCandidate::Kind::Linear)
+  {
+    return std::min(c.atBegin, c.atEnd) < value;
+  }
+  if (c.kind != DistanceCandidate::Kind::Circular)
+  {
+    return this->level_ > 0.0;
+  }
+  const Vec2 along = unitOr(c.end - c.begin, { 1.0, 0.0 });
+  const double x = std::clamp(dot(c.source - c.begin, along), 0.0, norm(c.end - c.begin));
+  return this->level_ > 0.0 && norm(c.begin + x * along - c.source) < this->level_;
+}
+
+// The length of the way straight to a point, from the source or along parallel rays.
+double LevelRegion::straightTo(Vec2 p) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  return c.kind == DistanceCandidate::Kind::Linear ? dot(c.source, p)
+    : c.kind == DistanceCandidate::Kind::Segment   ? c.distance(p)
+                                                   : norm(p - c.source);
+}
+
+// A lower bound of that length to the points of a box.
+double LevelRegion::leastStraightTo(const PlaneBox& box) const
+{
+  const DistanceCandidate& c = *this->candidate_;
+  return c.kind == DistanceCandidate::Kind::Linear ? dot(c.source, box.corner(-1.0 * c.source))
+    : c.kind == DistanceCandidate::Kind::Segment   ? 0.0
+                                                   : box.nearest(c.source);
+}
+
 bool LevelRegion::misses(const PlaneBox& box) const
 {
-  const DistanceCandidate& c = *this->candidate_;
-  const std::array<Vec2, 4> corners = box.corners();
-  const auto all = [&corners](auto&& outside)
-  { return std::all_of(corners.begin(), corners.end(), outside); };
-  if (this->candidate_->hasPencil() &&
-    (all([&](Vec2 p) { return cross(this->first_, p - c.begin) > this->margin_; }) ||
-      all([&](Vec2 p) { return cross(this->last_, p - c.end) < -this->margin_; })))
-  {
-    return true;
-  }
-  switch (c.kind)
-  {
-    case DistanceCandidate::Kind::Linear:
-      return all([&](Vec2 p) { return dot(c.source, p) > this->level_; });
-    case DistanceCandidate::Kind::Segment:
-      return false;
-    case DistanceCandidate::Kind::Cone:
-    case DistanceCandidate::Kind::Circular:
-      break;
-  }
-  return box.nearest(c.source) > this->level_;
-}
-
-bool LevelRegion::isInPencil(Vec2 p) const
-{
-  const DistanceCandidate& c = *this->candidate_;
-  return !this->candidate_->hasPencil() ||
-    (cross(this->first_, p - c.begin) <= this->margin_ &&
-      cross(this->last_, p - c.end) >= -this->margin_);
+  return std::any_of(this->rays().begin(), this->rays().end(),
+           [&](const PlaneLine& ray) { return ray.leastAside(box) > this->margin_; }) ||
+    this->leastStraightTo(box) > this->level_;
 }
 
 bool LevelRegion::contains(Vec2 p) const
 {
-  const DistanceCandidate& c = *this->candidate_;
-  switch (c.kind)
-  {
-    case DistanceCandidate::Kind::Linear:
-      return dot(c.source, p) < this->level_ && this->isInPencil(p);
-    case DistanceCandidate::Kind::Segment:
-      return c.distance(p) < this->level_;
-    case DistanceCandidate::Kind::Cone:
-    case DistanceCandidate::Kind::Circular:
-      break;
-  }
-  return norm(p - c.source) < this->level_ && this->isInPencil(p);
+  return std::all_of(this->rays().begin(), this->rays().end(),
+           [&](const PlaneLine& ray) { return ray.aside(p) <= this->margin_; }) &&
+    this->straightTo(p) < this->level_;
 }
 
 void LevelRegion::addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const
@@ -254,9 +239,11 @@ void LevelRegion::addArc(std::vector<LevelCurve>& curves) const
   const double sine = this->margin_ / this->level_;
   const double beyond =
     sine < 1e-3 ? sine * (1.0 + sine * sine / 6.0) : std::asin(std::min(1.0, sine));
-  const Vec2 axis = turnedClockwise(this->first_, -std::tan(0.5 * beyond));
-  const double cosine = dot(this->first_, this->last_);
-  const double side = cross(this->last_, this->first_);
+  const Vec2 first = this->rays_[0].along;
+  const Vec2 last = -1.0 * this->rays_[1].along;
+  const Vec2 axis = turnedClockwise(first, -std::tan(0.5 * beyond));
+  const double cosine = dot(first, last);
+  const double side = cross(last, first);
   if (cosine > 0.0 && beyond < 0.1)
   {
     // A narrow pencil. Rays that nearly coincide may seem to turn the other way.
@@ -270,7 +257,7 @@ void LevelRegion::addArc(std::vector<LevelCurve>& curves) const
       return;
     }
   }
-  const double between = clockwiseAngle(this->first_, this->last_);
+  const double between = clockwiseAngle(first, last);
   const double angle = (between > 1.5 * Pi ? 0.0 : between) + 2.0 * beyond;
   addArcs(
     this->number_, this->candidate_->source, this->level_, axis, std::min(angle, 2.0 * Pi), curves);
@@ -303,22 +290,14 @@ void LevelRegion::addOutline(std::vector<LevelCurve>& curves) const
   addArcs(this->number_, c.begin, r, -1.0 * left, Pi, curves);
 }
 
-void LevelRegion::addRayMeetings(const LevelCurve& curve, std::vector<double>& places) const
-{
-  using geodesic::addMeetings;
-  const DistanceCandidate& c = *this->candidate_;
-  if (this->candidate_->hasPencil())
-  {
-    addMeetings(curve, { c.begin + this->margin_ * leftOf(this->first_), this->first_ }, places);
-    addMeetings(curve, { c.end - this->margin_ * leftOf(this->last_), this->last_ }, places);
-  }
-}
-
 void LevelRegion::addMeetings(const LevelCurve& curve, std::vector<double>& places) const
 {
   using geodesic::addMeetings;
   const DistanceCandidate& c = *this->candidate_;
-  this->addRayMeetings(curve, places);
+  for (const PlaneLine& ray : this->rays())
+  {
+    addMeetings(curve, { ray.point + this->margin_ * leftOf(ray.along), ray.along }, places);
+  }
   if (c.kind == DistanceCandidate::Kind::Linear)
   {
     addMeetings(curve, { this->level_ * c.source, leftOf(c.source) }, places);

@@ -28,11 +28,6 @@ struct LevelCurve
 
   /// The point at t, from 0 to extent.
   Vec2 at(double t) const;
-  /// An upper bound of the way between two such places.
-  double wayBound(double t0, double t1) const
-  {
-    return (t1 - t0) * (this->isArc ? 2.0 * this->radius : 1.0);
-  }
 };
 
 /// A rectangle around a face. Places outside it do not matter.
@@ -41,24 +36,40 @@ struct PlaneBox
   Vec2 low;
   Vec2 high;
 
-  bool contains(Vec2 p) const
+  /// The corner that is farthest in a direction, also if all are compared with rounding: rounding
+  /// keeps the order.
+  Vec2 corner(Vec2 direction) const
   {
-    return p.x >= this->low.x && p.x <= this->high.x && p.y >= this->low.y && p.y <= this->high.y;
-  }
-  std::array<Vec2, 4> corners() const
-  {
-    return { this->low, { this->high.x, this->low.y }, this->high, { this->low.x, this->high.y } };
+    return { direction.x < 0.0 ? this->low.x : this->high.x,
+      direction.y < 0.0 ? this->low.y : this->high.y };
   }
   /// The least distance of its points from p, and the largest.
   double nearest(Vec2 p) const;
   double farthest(Vec2 p) const;
 };
 
-/// A line through a point along a unit vector.
+inline Vec2 leftOf(Vec2 direction)
+{
+  return { -direction.y, direction.x };
+}
+
+/// A line through a point; `along` is a unit vector wherever lengths matter.
 struct PlaneLine
 {
   Vec2 point;
   Vec2 along;
+
+  /// How far to the left of the line a point lies.
+  double aside(Vec2 p) const { return cross(this->along, p - this->point); }
+  /// The same of the points of a box that lie farthest to the left, and to the right.
+  double mostAside(const PlaneBox& box) const
+  {
+    return this->aside(box.corner(leftOf(this->along)));
+  }
+  double leastAside(const PlaneBox& box) const
+  {
+    return this->aside(box.corner(-1.0 * leftOf(this->along)));
+  }
 };
 
 /// Appends the places on the curve where it meets a line or a circle, in no order.
@@ -88,8 +99,13 @@ public:
   void addMeetings(const LevelCurve& curve, std::vector<double>& places) const;
 
 private:
-  bool isInPencil(Vec2 p) const;
-  void addRayMeetings(const LevelCurve& curve, std::vector<double>& places) const;
+  ArrayRange<PlaneLine> rays() const
+  {
+    return { this->rays_.data(), this->rays_.data() + this->numberOfRays_ };
+  }
+  double straightTo(Vec2 p) const;
+  double leastStraightTo(const PlaneBox& box) const;
+  bool hasPointsBefore(double value) const;
   void addArc(std::vector<LevelCurve>& curves) const;
   void addStraight(std::vector<LevelCurve>& curves) const;
   void addOutline(std::vector<LevelCurve>& curves) const;
@@ -99,10 +115,11 @@ private:
   /// How far from the source it reaches; with parallel rays, along these from the origin.
   double level_;
   double margin_;
-  /// Along the rays at the window's ends.
-  Vec2 first_;
-  Vec2 last_;
-  bool isEmpty_ = false;
+  /// The rays at the window's ends, the second one backwards: the pencil lies to the right of both,
+  /// up to the margin. Without a pencil there are none.
+  std::size_t numberOfRays_;
+  std::array<PlaneLine, 2> rays_;
+  bool isEmpty_;
 };
 
 }

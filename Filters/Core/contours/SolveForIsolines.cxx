@@ -1,11 +1,125 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contours/SolveForIsolines.h"
 
-#include "contours/IsolineRetention.h"
+#include "Tolerance.h"
+#include "field/DistanceRange.h"
 #include "field/Solve.h"
+#include "front/Retention.h"
+
+#include <algorithm>
 
 namespace geodesic
 {
+
+namespace
+{
+
+/// Keeps the windows of faces whose range of distances may contain one of some values, and stops
+/// the front beyond the largest value.
+///
+/// A list is kept or dropped when it has passed, by the distances known at that time. If later
+/// paths shorten distances of the face so that its range contains a value after all, the dropped
+/// windows are missing: then the face must be pinned and the solve repeated.
+class IsolineRetention : public Retention
+{
+public:
+  /// \param values ascending, must outlive this.
+  /// \param pinned for each face, not 0 if its windows must not be dropped; must outlive this.
+  IsolineRetention(const MeshPartition& surface, const std::vector<double>& values,
+    const std::vector<std::uint8_t>& pinned)
+    : surface_(surface)
+    , values_(values)
+    , pinned_(pinned)
+    , reach_(values.back() * (1.0 + tolerance::BoundMargin))
+    , hasSource_(surface.mesh().numberOfFaces(), 0)
+  {
+    this->kept_.faces.assign(surface.mesh().numberOfFaces(), 0);
+    std::fill(this->kept_.faces.begin() + surface.firstOwnFace(),
+      this->kept_.faces.begin() + surface.endOfOwnFaces(), std::uint8_t(1));
+  }
+
+  bool needsInside() const override { return true; }
+  double reach() const override { return this->reach_; }
+  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
+  void start(const std::vector<SourceInFace>& sources) override
+  {
+    for (const SourceInFace& source : sources)
+    {
+      this->hasSource_[source.face] = 1;
+    }
+  }
+  void pass(std::size_t district, const PassedList& list, Id, WindowPool&) override
+  {
+    this->passed_[district].push_back(list);
+  }
+  void advance(const FrontState& front) override
+  {
+    this->takePassed(front);
+    ++this->batch_;
+  }
+  void finish(const FrontState& front) override
+  {
+    this->takePassed(front);
+    for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
+    {
+      if (!this->kept_.faces[face] && this->mayHoldValue(face, front.distances, this->reach_))
+      {
+        this->droppedTooEarly_.push_back(face);
+      }
+    }
+    this->kept_.windows.index(this->surface_.mesh().numberOfHalfedges());
+  }
+
+  KeptWindows release() { return std::move(this->kept_); }
+  /// Faces whose windows were dropped although a value may be in them.
+  const std::vector<Id>& droppedTooEarly() const { return this->droppedTooEarly_; }
+
+private:
+  bool mayHoldValue(Id face, const VertexNumbers& distances, double certain) const
+  {
+    const auto& [a, b, c] = this->surface_.mesh().triangle(face);
+    const DistanceRange range = rangeInFace(this->surface_.mesh().shape(face),
+      { distances(a), distances(b), distances(c) }, certain, this->hasSource_[face] != 0);
+    return range.least < Infinity && range.holdsOneOf(this->values_);
+  }
+
+  // Distances beyond the front may still fall, down to its key. Beyond the reach they are never
+  // final.
+  void takePassed(const FrontState& front)
+  {
+    const double certain = std::min(front.key, this->reach_);
+    for (std::vector<PassedList>& lists : this->passed_)
+    {
+      for (const PassedList& list : lists)
+      {
+        const Id face = TriangleMesh::faceOf(list.halfedge);
+        if (this->pinned_[face] || this->mayHoldValue(face, front.distances, certain))
+        {
+          this->kept_.windows.add(list.halfedge, list.windows.range(), this->batch_);
+        }
+        else
+        {
+          this->kept_.faces[face] = 0;
+        }
+        front.free(list.windows);
+      }
+      lists.clear();
+    }
+  }
+
+  const MeshPartition& surface_;
+  const std::vector<double>& values_;
+  const std::vector<std::uint8_t>& pinned_;
+  double reach_;
+  std::vector<std::uint8_t> hasSource_;
+  /// The lists that each district has handed over in this batch.
+  std::vector<std::vector<PassedList>> passed_;
+  Id batch_ = 0;
+  std::vector<Id> droppedTooEarly_;
+  KeptWindows kept_;
+};
+
+} // anonymous namespace
 
 DistanceField solveForIsolines(const MeshPartition& surface, const SourceWindows& sources,
   const std::vector<double>& values, const FrontOptions& options, int maximumDroppingSolves)

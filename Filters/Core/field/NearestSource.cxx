@@ -18,37 +18,36 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   , firstPoint_(PointSide::first(field.surface().numberOfGlobalVertices(),
       static_cast<Id>(this->curves_.chains().curves().size())))
   , origins_(field.mesh().numberOfVertices())
-  , vertices_(field.surface())
   , sectors_(patch.mesh())
   , directions_(patch.mesh())
 {
   this->takeVerticesOnCurves();
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  for (Id i = 0; i < this->vertices_.count(); ++i)
+  const MeshPartition& part = field.surface();
+  for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
   {
-    progress.at(i, this->vertices_.count());
-    const Id vertex = this->vertices_.here(i);
-    if (field.vertexDistances()[vertex] < Infinity)
+    progress.at(vertex, part.numberOfOwnVertices());
+    if (part.isCountedHere(vertex) && field.vertexDistances()[vertex] < Infinity)
     {
       this->follow(vertex);
     }
   }
-  if (field.surface().isDistributed())
+  if (part.isDistributed())
   {
-    this->elsewhere_ = originsElsewhere(this->field_, this->vertices_, this->origins_);
+    this->elsewhere_ = originsElsewhere(this->field_, this->origins_);
   }
 }
 
 void NearestSource::takeVerticesOnCurves()
 {
-  for (const VertexOnCurve& on : this->curves_.vertices().vertices())
+  for (const VertexOnCurve& on : this->curves_.vertices())
   {
-    const Id globalId = this->curves_.patch().globalId(on.vertex);
-    if (this->vertices_.isHere(globalId))
+    const Id vertex =
+      this->field_.surface().countedVertex(this->curves_.patch().globalId(on.vertex));
+    if (vertex != NoId)
     {
-      this->origins_[this->vertices_.vertexAt(globalId)] =
-        this->atPoint({ on.curve, false }, on.place, Infinity);
+      this->origins_[vertex] = this->atPoint({ on.curve, false }, on.place, Infinity);
     }
   }
 }
@@ -86,12 +85,12 @@ void NearestSource::follow(Id vertex)
       found = this->originOf(piece);
       break;
     }
-    if (!this->vertices_.isHere(piece.origin))
+    vertex = this->field_.surface().countedVertex(piece.origin);
+    if (vertex == NoId)
     {
       found = { piece.origin };
       break;
     }
-    vertex = this->vertices_.vertexAt(piece.origin);
     found = this->origins_[vertex];
     if (std::find(way.begin(), way.end(), vertex) != way.end())
     {
@@ -209,9 +208,10 @@ void NearestSource::goAround(Id number) const
 
 CurveOrigin NearestSource::ofVertex(Id globalId) const
 {
-  if (this->vertices_.isHere(globalId))
+  const Id vertex = this->field_.surface().countedVertex(globalId);
+  if (vertex != NoId)
   {
-    return this->origins_[this->vertices_.vertexAt(globalId)];
+    return this->origins_[vertex];
   }
   const auto found = this->elsewhere_.find(globalId);
   return found != this->elsewhere_.end() ? found->second : CurveOrigin();

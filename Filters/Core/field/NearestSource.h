@@ -3,7 +3,6 @@
 #define geodesic_NearestSource_h
 
 #include "field/IncomingSegment.h"
-#include "mesh/GlobalVertices.h"
 #include "source/CurveSectors.h"
 #include "source/CurvesOnPatch.h"
 #include "source/DirectionsAround.h"
@@ -128,7 +127,6 @@ private:
   Id firstPoint_;
   /// Of each vertex, with global ids. An origin that is a vertex is open: see originsElsewhere().
   std::vector<CurveOrigin> origins_;
-  GlobalVertices vertices_;
   /// Those of vertices that other ranks count, by their global ids; none in one process.
   std::unordered_map<Id, CurveOrigin> elsewhere_;
   /// Around the curve's point that was asked for last, and its vertex; NoId if it is at none.

@@ -18,13 +18,13 @@ using Origins = std::unordered_map<Id, CurveOrigin>;
 constexpr int MaximumSteps = 33;
 
 /// The vertices, counted elsewhere, that paths to points of the part may come from, open.
-Origins openOrigins(const DistanceField& field, const GlobalVertices& vertices)
+Origins openOrigins(const DistanceField& field)
 {
   const MeshPartition& part = field.surface();
   Origins origins;
   const auto add = [&](Id number)
   {
-    if (number < part.numberOfGlobalVertices() && !vertices.isHere(number))
+    if (number < part.numberOfGlobalVertices() && part.countedVertex(number) == NoId)
     {
       origins[number] = { number };
     }
@@ -51,13 +51,13 @@ Origins openOrigins(const DistanceField& field, const GlobalVertices& vertices)
 
 } // anonymous namespace
 
-Origins originsElsewhere(
-  const DistanceField& field, const GlobalVertices& vertices, std::vector<CurveOrigin>& atVertices)
+Origins originsElsewhere(const DistanceField& field, std::vector<CurveOrigin>& atVertices)
 {
-  Exchange& exchange = field.surface().exchange();
-  Origins elsewhere = openOrigins(field, vertices);
+  const MeshPartition& part = field.surface();
+  Exchange& exchange = part.exchange();
+  Origins elsewhere = openOrigins(field);
   const auto isOpen = [&](const CurveOrigin& origin)
-  { return origin.origin < field.surface().numberOfGlobalVertices(); };
+  { return origin.origin < part.numberOfGlobalVertices(); };
   const auto isOpenEntry = [&](const Origins::value_type& entry) { return isOpen(entry.second); };
   for (int steps = 0; steps < MaximumSteps &&
        exchange.isTrueAnywhere(std::any_of(elsewhere.begin(), elsewhere.end(), isOpenEntry));
@@ -69,14 +69,14 @@ Origins originsElsewhere(
     {
       if (isOpen(origin))
       {
-        questions.ask(vertices.rankOf(origin.origin), asked.size(), origin.origin);
+        questions.ask(part.rankCounting(origin.origin), asked.size(), origin.origin);
         asked.push_back(&origin);
       }
     }
     questions.exchangeAnswers(
       [&](MessageReader& question, Message& answer)
       {
-        const CurveOrigin& origin = atVertices[vertices.vertexAt(question.get<Id>())];
+        const CurveOrigin& origin = atVertices[part.countedVertex(question.get<Id>())];
         put(answer, isOpen(origin) ? elsewhere[origin.origin] : origin);
       },
       [&](std::size_t i, MessageReader& answer) { *asked[i] = answer.get<CurveOrigin>(); });
@@ -87,11 +87,11 @@ Origins originsElsewhere(
   }
   for (Id vertex = 0; vertex < atVertices.size(); ++vertex)
   {
-    const Id number = field.surface().globalId(vertex);
+    const Id number = part.globalId(vertex);
     CurveOrigin& origin = atVertices[vertex];
-    origin = !vertices.isHere(number) ? elsewhere[number]
-      : isOpen(origin)                ? elsewhere[origin.origin]
-                                      : origin;
+    origin = part.countedVertex(number) == NoId ? elsewhere[number]
+      : isOpen(origin)                          ? elsewhere[origin.origin]
+                                                : origin;
   }
   return elsewhere;
 }

@@ -3,7 +3,6 @@
 #define geodesic_RemoteOrigins_h
 
 #include "field/DistanceField.h"
-#include "mesh/GlobalVertices.h"
 #include "source/CurveSectors.h"
 
 #include <unordered_map>
@@ -21,14 +20,13 @@ namespace geodesic
 /// All ranks call this together.
 ///
 /// \param field on this rank's part, with arrivals.
-/// \param vertices of that part.
 /// \param atVertices for each vertex of the part. Of a vertex counted here: its origin on the
 ///        source, as in Window; NoId if there is none; or, still open, the vertex counted elsewhere
 ///        that its path comes from. Open origins are replaced, those of vertices counted elsewhere
 ///        are set.
 /// \returns the origins by the vertices' global ids; NoId for paths without one.
 std::unordered_map<Id, CurveOrigin> originsElsewhere(
-  const DistanceField& field, const GlobalVertices& vertices, std::vector<CurveOrigin>& atVertices);
+  const DistanceField& field, std::vector<CurveOrigin>& atVertices);
 
 }
 

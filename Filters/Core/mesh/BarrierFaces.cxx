@@ -31,13 +31,6 @@ std::vector<double> distancesTo(const MeshPartition& surface, const std::vector<
   return distances;
 }
 
-/// A place on the rim is a place on an open face, too, which is as close there. A point lies in a
-/// barrier if it is nearer to it by more than the precision of its place.
-bool isInBarrier(const SnappedPoint& inBarrier, double toOpen)
-{
-  return inBarrier.distance + inBarrier.tolerance < toOpen;
-}
-
 } // anonymous namespace
 
 std::vector<RankAddress> BarrierFaces::barriersAt(
@@ -56,7 +49,8 @@ std::vector<RankAddress> BarrierFaces::barriersAt(
   }
   const ClosestFaces candidates = this->locator_.closest(besideOpen, coordinatePrecision);
   // Each rank finds the first of its own barriers that holds a point; the first of all ranks
-  // counts.
+  // counts. A place on the rim is a place on an open face, too, which is as close there. A point
+  // lies in a barrier if it is nearer to it by more than the precision of its place.
   std::vector<double> first(numbers.size(), Infinity);
   Exchange& exchange = this->barriers_.exchange();
   for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -64,11 +58,12 @@ std::vector<RankAddress> BarrierFaces::barriersAt(
     for (std::size_t k = 0; k < candidates[i].size() && first[i] == Infinity; ++k)
     {
       const RankAddress& face = candidates[i][k].face;
-      if (face.rank == exchange.rank() &&
-        isInBarrier(snapToFace(this->barriers_.mesh(), face.id, besideOpen[i], coordinatePrecision),
-          toOpen[numbers[i]]))
+      if (face.rank == exchange.rank())
       {
-        first[i] = static_cast<double>(k);
+        const SnappedPoint place =
+          snapToFace(this->barriers_.mesh(), face.id, besideOpen[i], coordinatePrecision);
+        const bool isInside = place.distance + place.tolerance < toOpen[numbers[i]];
+        first[i] = isInside ? static_cast<double>(k) : Infinity;
       }
     }
   }

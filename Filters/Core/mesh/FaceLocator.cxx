@@ -118,36 +118,25 @@ std::vector<FaceLocator::Candidate> FaceLocator::candidates(
   return std::move(found);
 }
 
-double FaceLocator::leastDistance(const std::vector<Candidate>& candidates)
+std::vector<FaceLocator::Candidate> FaceLocator::chosen(const std::vector<Candidate>& closest)
 {
-  double least = Infinity;
-  for (const Candidate& candidate : candidates)
-  {
-    least = std::min(least, candidate.distance);
-  }
-  return least;
-}
-
-std::vector<FaceLocator::Candidate> FaceLocator::chosen(const std::vector<Candidate>& candidates)
-{
-  const double least = leastDistance(candidates);
-  std::vector<Candidate> close;
-  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(close),
-    [&](const Candidate& face) { return face.isClosest(least); });
-  if (close.empty())
+  if (closest.empty())
   {
     return {}; // a surface without faces
   }
-  const std::vector<const Candidate*> closest = closestOf(close, least);
-  const Candidate& best = **std::min_element(closest.begin(), closest.end(),
-    [](const Candidate* a, const Candidate* b) { return a->distance < b->distance; });
-  const auto isChosen = [&](const Candidate& face)
-  {
-    return norm(face.toPlace - best.toClosest) <= face.precision ||
-      std::binary_search(closest.begin(), closest.end(), &face);
-  };
+  const auto isCloser = [](const Candidate& a, const Candidate& b)
+  { return a.distance < b.distance; };
+  const double least = std::min_element(closest.begin(), closest.end(), isCloser)->distance;
+  const std::vector<const Candidate*> equal = closestOf(closest, least);
+  const Candidate& best = **std::min_element(equal.begin(), equal.end(),
+    [&](const Candidate* a, const Candidate* b) { return isCloser(*a, *b); });
   std::vector<Candidate> result;
-  std::copy_if(close.begin(), close.end(), std::back_inserter(result), isChosen);
+  std::copy_if(closest.begin(), closest.end(), std::back_inserter(result),
+    [&](const Candidate& face)
+    {
+      return norm(face.toPlace - best.toClosest) <= face.precision ||
+        std::binary_search(equal.begin(), equal.end(), &face);
+    });
   return result;
 }
 
@@ -255,20 +244,20 @@ void FaceLocator::tryFace(Search& search, Id face) const
   {
     const double rounding = byCoordinates / search.coordinatePrecision * tolerance::Rounding;
     search.distance = std::min(search.distance, distance);
-    search.found.push_back({ face, distance, precision, rounding, 0.0, {}, {}, {}, {} });
+    search.found.push_back({ { 0, face }, distance, precision, rounding, 0.0, {}, {}, {}, {} });
   }
 }
 
 void FaceLocator::complete(
   Candidate& candidate, const Vec3& point, double coordinatePrecision) const
 {
-  const SnappedPoint closest = snapToFace(this->mesh_, candidate.face, point, 0.0);
-  const std::array<double, 3> weights = barycentric(this->mesh_, closest.place, candidate.face);
+  const SnappedPoint closest = snapToFace(this->mesh_, candidate.face.id, point, 0.0);
+  const std::array<double, 3> weights = barycentric(this->mesh_, closest.place, candidate.face.id);
   candidate.measuring = tolerance::SnapRoundings * tolerance::Rounding *
-    (candidate.distance + this->mesh_.shape(candidate.face).longest());
+    (candidate.distance + this->mesh_.shape(candidate.face.id).longest());
   candidate.toClosest = closest.offset;
-  candidate.toPlace = snapToFace(this->mesh_, candidate.face, point, coordinatePrecision).offset;
-  candidate.corners = this->mesh_.triangle(candidate.face);
+  candidate.toPlace = snapToFace(this->mesh_, candidate.face.id, point, coordinatePrecision).offset;
+  candidate.corners = this->mesh_.triangle(candidate.face.id);
   for (std::size_t k = 0; k < 3; ++k)
   {
     candidate.support[k] = weights[k] != 0.0 ? candidate.corners[k] : NoId;

@@ -4,7 +4,7 @@
 
 #include "Progress.h"
 #include "mesh/Box.h"
-#include "mesh/TriangleMesh.h"
+#include "mesh/MeshPartition.h"
 
 #include <vector>
 
@@ -24,7 +24,8 @@ public:
   /// A face that may be among the closest to a point.
   struct Candidate
   {
-    Id face;
+    /// The locator gives rank 0.
+    RankAddress face;
     double distance;
     /// How much farther than the closest face it may be: by the coordinates' precision, and by
     /// rounding alone.
@@ -55,14 +56,12 @@ public:
   std::vector<Candidate> candidates(
     const Vec3& point, double coordinatePrecision, const ProgressCallback& progress);
 
-  static double leastDistance(const std::vector<Candidate>& candidates);
-
-  /// Of the candidates of a point, in their order, the faces that it may be put onto, given the
-  /// precision of coordinates as in snapToFace (at most SnapFraction of a face's longest edge). A
-  /// face that is almost as close as the closest may put the point far from the closest place. So
+  /// Of the closest candidates of a point, in their order, the faces that it may be put onto, given
+  /// the precision of coordinates as in snapToFace (at most SnapFraction of a face's longest edge).
+  /// A face that is almost as close as the closest may put the point far from the closest place. So
   /// these are the faces whose distances cannot be distinguished from the least by measuring, and
   /// those that put the point within the precision of the closest place.
-  static std::vector<Candidate> chosen(const std::vector<Candidate>& candidates);
+  static std::vector<Candidate> chosen(const std::vector<Candidate>& closest);
 
 private:
   struct Node

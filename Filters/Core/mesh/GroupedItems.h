@@ -7,6 +7,7 @@
 #include "Uninitialized.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -27,139 +28,93 @@ struct GroupedItems
   }
 };
 
-/// Groups items by key in parallel: a counting sort, first from blocks of consecutive items into
-/// coarse ranges of keys, then within each range. So writes that are close in time are close in
-/// memory.
+/// Sorts some items by their keys, which are a range of all keys: a counting sort.
 ///
-/// \tparam KeyOf returns the key of an item; called by several threads and several times.
+/// \param place of the first item among the grouped ones.
 template <typename KeyOf>
-class ItemGrouping
+void groupRange(const IdRange& items, std::size_t firstKey, std::size_t endOfKeys, Id place,
+  const KeyOf& keyOf, GroupedItems& grouped)
 {
-public:
-  ItemGrouping(Id count, Id numberOfKeys, const ParallelFor& parallelFor, const KeyOf& keyOf)
-    : count_(count)
-    , numberOfKeys_(numberOfKeys)
-    , blocks_(std::clamp<std::size_t>(count / ItemsInBlock, 1, MostBlocks))
-    , parallelFor_(parallelFor)
-    , keyOf_(keyOf)
+  std::vector<Id> places(endOfKeys - firstKey + 1, 0);
+  for (const Id item : items)
   {
-    while (this->rangeOf(numberOfKeys) >= this->blocks_)
-    {
-      ++this->shift_;
-    }
+    ++places[keyOf(item) - firstKey + 1];
   }
-
-  GroupedItems run(const LoopProgress& progress)
+  places[0] = place;
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  std::copy(places.begin(), places.end() - 1,
+    grouped.start.begin() + static_cast<std::ptrdiff_t>(firstKey));
+  for (const Id item : items)
   {
-    const auto tell = [&progress](double done) { progress.between(done, 1.0).at(0, 1); };
-    tell(0.0);
-    this->findPlaces();
-    tell(0.2);
-    this->byRange_.resize(this->count_);
-    forAll(this->parallelFor_, this->blocks_,
-      [this](std::size_t block)
-      {
-        std::vector<Id>& places = this->places_[block];
-        this->forEachItem(
-          block, [&](Id item, std::size_t range) { this->byRange_[places[range]++] = item; });
-      });
-    tell(0.5);
-    GroupedItems grouped;
-    grouped.start.resize(static_cast<std::size_t>(this->numberOfKeys_) + 1);
-    grouped.start[this->numberOfKeys_] = this->count_;
-    grouped.items.resize(this->count_);
-    forAll(this->parallelFor_, this->blocks_,
-      [&](std::size_t range) { this->sortRange(range, grouped); });
-    return grouped;
+    grouped.items[places[keyOf(item) - firstKey]++] = item;
   }
+}
 
-private:
-  static constexpr std::size_t ItemsInBlock = std::size_t(1) << 14;
-  static constexpr std::size_t MostBlocks = 64;
-
-  // There are as many ranges as blocks.
-  std::size_t rangeOf(Id key) const { return static_cast<std::size_t>(key) >> this->shift_; }
-  std::size_t firstKeyOf(std::size_t range) const
-  {
-    return std::min(range << this->shift_, static_cast<std::size_t>(this->numberOfKeys_));
-  }
-
-  template <typename Visit>
-  void forEachItem(std::size_t block, Visit&& visit) const
-  {
-    const std::size_t end = (block + 1) * this->count_ / this->blocks_;
-    for (std::size_t i = block * this->count_ / this->blocks_; i < end; ++i)
-    {
-      const Id item = static_cast<Id>(i);
-      visit(item, this->rangeOf(this->keyOf_(item)));
-    }
-  }
-
-  // For each block and range, where the block's items go.
-  void findPlaces()
-  {
-    this->places_.assign(this->blocks_, std::vector<Id>(this->blocks_, 0));
-    forAll(this->parallelFor_, this->blocks_,
-      [this](std::size_t block)
-      {
-        std::vector<Id>& counts = this->places_[block];
-        this->forEachItem(block, [&counts](Id, std::size_t range) { ++counts[range]; });
-      });
-    this->firstOfRange_.assign(this->blocks_ + 1, this->count_);
-    Id next = 0;
-    for (std::size_t range = 0; range < this->blocks_; ++range)
-    {
-      this->firstOfRange_[range] = next;
-      for (std::vector<Id>& places : this->places_)
-      {
-        next += std::exchange(places[range], next);
-      }
-    }
-  }
-
-  void sortRange(std::size_t range, GroupedItems& grouped) const
-  {
-    const std::size_t firstKey = this->firstKeyOf(range);
-    const Id first = this->firstOfRange_[range];
-    const Id last = this->firstOfRange_[range + 1];
-    std::vector<Id> places(this->firstKeyOf(range + 1) - firstKey + 1, 0);
-    for (Id i = first; i < last; ++i)
-    {
-      ++places[this->keyOf_(this->byRange_[i]) - firstKey + 1];
-    }
-    places[0] = first;
-    for (std::size_t k = 1; k < places.size(); ++k)
-    {
-      places[k] += places[k - 1];
-    }
-    std::copy(places.begin(), places.end() - 1,
-      grouped.start.begin() + static_cast<std::ptrdiff_t>(firstKey));
-    for (Id i = first; i < last; ++i)
-    {
-      const Id item = this->byRange_[i];
-      grouped.items[places[this->keyOf_(item) - firstKey]++] = item;
-    }
-  }
-
-  Id count_;
-  Id numberOfKeys_;
-  std::size_t blocks_;
-  const ParallelFor& parallelFor_;
-  const KeyOf& keyOf_;
-  int shift_ = 0;
-  std::vector<std::vector<Id>> places_;
-  std::vector<Id> firstOfRange_;
-  UninitializedVector<Id> byRange_;
-};
-
+/// Groups items by key in parallel: a counting sort, first from blocks of consecutive items into as
+/// many coarse ranges of keys, then within each range. So writes that are close in time are close
+/// in memory.
+///
 /// \param progress called by the calling thread.
-/// \param keyOf returns the key, below numberOfKeys, of an item below the count.
+/// \param keyOf returns the key, below numberOfKeys, of an item below the count; called by several
+///        threads and several times.
 /// \throws Aborted
 template <typename KeyOf>
 GroupedItems groupItems(Id count, Id numberOfKeys, const ParallelFor& parallelFor,
   const LoopProgress& progress, const KeyOf& keyOf)
 {
-  return ItemGrouping<KeyOf>(count, numberOfKeys, parallelFor, keyOf).run(progress);
+  constexpr std::size_t itemsInBlock = std::size_t(1) << 14;
+  constexpr std::size_t mostBlocks = 64;
+  const std::size_t blocks = std::clamp<std::size_t>(count / itemsInBlock, 1, mostBlocks);
+  int shift = 0; // of a key to its range
+  while ((static_cast<std::size_t>(numberOfKeys) >> shift) >= blocks)
+  {
+    ++shift;
+  }
+  const auto tell = [&progress](double done) { progress.between(done, 1.0).at(0, 1); };
+  // Calls visit(item, place) for each item of a block: where the item goes, as the block counts it.
+  std::vector<std::vector<Id>> places(blocks, std::vector<Id>(blocks, 0));
+  const auto forEachItem = [&](std::size_t block, const auto& visit)
+  {
+    std::vector<Id>& ofRange = places[block];
+    const std::size_t end = (block + 1) * count / blocks;
+    for (std::size_t i = block * count / blocks; i < end; ++i)
+    {
+      const Id item = static_cast<Id>(i);
+      visit(item, ofRange[keyOf(item) >> shift]++);
+    }
+  };
+  tell(0.0);
+  forAll(parallelFor, blocks, [&](std::size_t block) { forEachItem(block, [](Id, Id) {}); });
+  std::vector<Id> firstOfRange(blocks + 1, count);
+  Id next = 0;
+  for (std::size_t range = 0; range < blocks; ++range)
+  {
+    firstOfRange[range] = next;
+    for (std::vector<Id>& ofBlock : places)
+    {
+      next += std::exchange(ofBlock[range], next);
+    }
+  }
+  tell(0.2);
+  UninitializedVector<Id> byRange(count);
+  forAll(parallelFor, blocks,
+    [&](std::size_t block)
+    { forEachItem(block, [&byRange](Id item, Id place) { byRange[place] = item; }); });
+  tell(0.5);
+  GroupedItems grouped;
+  grouped.start.resize(static_cast<std::size_t>(numberOfKeys) + 1);
+  grouped.start[numberOfKeys] = count;
+  grouped.items.resize(count);
+  forAll(parallelFor, blocks,
+    [&](std::size_t range)
+    {
+      const auto firstKey = [&](std::size_t of)
+      { return std::min(of << shift, static_cast<std::size_t>(numberOfKeys)); };
+      const Id* items = byRange.data();
+      groupRange({ items + firstOfRange[range], items + firstOfRange[range + 1] }, firstKey(range),
+        firstKey(range + 1), firstOfRange[range], keyOf, grouped);
+    });
+  return grouped;
 }
 
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/MeshPartition.h"
 
+#include "Questions.h"
+
 #include <algorithm>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 namespace geodesic
 {
@@ -11,17 +14,8 @@ namespace geodesic
 namespace
 {
 
-/// A point of a rank, as sent to the rank that manages its key.
-struct KeyedVertex
-{
-  std::uint64_t key;
-  RankAddress vertex;
-
-  bool operator<(const KeyedVertex& other) const
-  {
-    return this->key != other.key ? this->key < other.key : this->vertex < other.vertex;
-  }
-};
+/// A number, which is a point's key or another rank's vertex, and a vertex that belongs to it.
+using KeyedVertex = std::pair<std::uint64_t, RankAddress>;
 
 Id checkedId(std::uint64_t number, const char* what)
 {
@@ -51,25 +45,15 @@ Id firstFaceFrom(const TriangleMesh& mesh, Id input)
 
 } // anonymous namespace
 
-/// A face of the halo, as received from its owner.
-struct MeshPartition::HaloFace
-{
-  int rank;
-  /// The vertices' global ids and coordinates.
-  Triangle vertices;
-  std::array<Vec3, 3> points;
-};
-
 MeshPartition::MeshPartition(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
   const std::vector<std::uint64_t>& keys, Exchange& exchange, const ProgressCallback& progress,
   const ParallelFor& parallelFor)
   : tables_(exchange.numberOfRanks() > 1
         ? std::make_shared<Tables>(std::move(points), triangles, keys, exchange, progress)
         : nullptr)
-  , ownMesh_(tables_
-        ? nullptr
+  , mesh_(tables_
+        ? std::shared_ptr<const TriangleMesh>(tables_, &tables_->mesh)
         : std::make_shared<TriangleMesh>(std::move(points), triangles, progress, parallelFor))
-  , mesh_(tables_ ? &tables_->mesh : ownMesh_.get())
   , exchange_(&exchange)
   , firstOwnFace_(tables_ ? tables_->firstOwnFace : 0)
   , endOfOwnFaces_(tables_ ? tables_->endOfOwnFaces : mesh_->numberOfFaces())
@@ -94,7 +78,7 @@ MeshPartition::Tables::Tables(std::vector<Vec3> points, const std::vector<Triang
 {
   this->findHolders(keys);
   this->numberVertices(points);
-  const std::vector<HaloFace> received = this->exchangeHalo(points, triangles);
+  const std::vector<SentFace> received = this->exchangeHalo(points, triangles);
   this->makeMesh(std::move(points), triangles, received, progress);
   this->exchangeAddresses(triangles.size(), received);
 }
@@ -117,54 +101,45 @@ void MeshPartition::Tables::findHolders(const std::vector<std::uint64_t>& keys)
     [&](int rank, MessageReader& reader)
     {
       const auto key = reader.get<std::uint64_t>();
-      known.push_back({ key, { rank, reader.get<Id>() } });
+      known.emplace_back(key, RankAddress{ rank, reader.get<Id>() });
     });
   std::sort(known.begin(), known.end());
 
   std::vector<Message> answers = this->exchange.noMessages();
   for (std::size_t first = 0, last = 0; first < known.size(); first = last)
   {
-    while (last < known.size() && known[last].key == known[first].key)
+    while (last < known.size() && known[last].first == known[first].first)
     {
       ++last;
     }
-    for (std::size_t i = first; i < last && last - first > 1; ++i)
+    for (std::size_t i = first; i < last; ++i)
     {
       for (std::size_t other = first; other < last; ++other)
       {
         if (other != i)
         {
-          Message& message = answers[rankIndex(known[i].vertex.rank)];
-          put(message, known[i].vertex.id);
-          put(message, known[other].vertex);
+          Message& message = answers[rankIndex(known[i].second.rank)];
+          put(message, known[i].second.id);
+          put(message, known[other].second);
         }
       }
     }
   }
   known = {};
 
-  struct Shared
-  {
-    Id vertex;
-    RankAddress other;
-    bool operator<(const Shared& o) const
-    {
-      return this->vertex != o.vertex ? this->vertex < o.vertex : this->other < o.other;
-    }
-  };
-  std::vector<Shared> shared;
+  std::vector<KeyedVertex> shared;
   readEach(this->exchange.step(std::move(answers)),
     [&](int, MessageReader& reader)
     {
       const Id vertex = reader.get<Id>();
-      shared.push_back({ vertex, reader.get<RankAddress>() });
+      shared.emplace_back(vertex, reader.get<RankAddress>());
     });
   std::sort(shared.begin(), shared.end());
   this->firstHolder.assign(this->numberOfOwnVertices + std::size_t(1), 0);
-  for (const Shared& s : shared)
+  for (const auto& [vertex, other] : shared)
   {
-    ++this->firstHolder[s.vertex + std::size_t(1)];
-    this->holders.push_back(s.other);
+    ++this->firstHolder[vertex + 1];
+    this->holders.push_back(other);
   }
   std::partial_sum(this->firstHolder.begin(), this->firstHolder.end(), this->firstHolder.begin());
 }
@@ -173,22 +148,26 @@ void MeshPartition::Tables::findHolders(const std::vector<std::uint64_t>& keys)
 // may differ by roundings.
 void MeshPartition::Tables::numberVertices(std::vector<Vec3>& points)
 {
-  std::uint64_t counted = 0;
   for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
   {
-    counted += this->isCountedHere(vertex) ? 1 : 0;
+    const Holders others = this->othersWith(vertex);
+    if (others.size() == 0 || others.first->rank > this->exchange.rank())
+    {
+      this->counted.push_back(vertex);
+    }
   }
-  const SumsOverRanks vertices = sumOverRanks(this->exchange, counted);
-  this->numberOfGlobalVertices = checkedId(vertices.all, "points");
-  auto number = static_cast<Id>(vertices.before);
+  std::uint64_t all = 0;
+  for (const std::uint64_t count : valuesOfRanks<std::uint64_t>(exchange, this->counted.size()))
+  {
+    this->firstOfRank.push_back(static_cast<Id>(all));
+    all += count;
+  }
+  this->numberOfGlobalVertices = checkedId(all, "points");
+  Id number = this->firstOfRank[rankIndex(this->exchange.rank())];
   this->globalIds.resize(this->numberOfOwnVertices);
   std::vector<Message> messages = this->exchange.noMessages();
-  for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
+  for (const Id vertex : this->counted)
   {
-    if (!this->isCountedHere(vertex))
-    {
-      continue;
-    }
     this->globalIds[vertex] = number;
     for (const RankAddress& other : this->othersWith(vertex))
     {
@@ -209,67 +188,49 @@ void MeshPartition::Tables::numberVertices(std::vector<Vec3>& points)
 }
 
 // Every rank sends each of its faces to the other ranks that have one of its vertices.
-std::vector<MeshPartition::HaloFace> MeshPartition::Tables::exchangeHalo(
+std::vector<SentFace> MeshPartition::Tables::exchangeHalo(
   const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
 {
   std::vector<Message> messages = this->exchange.noMessages();
-  this->given.resize(messages.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+  std::vector<Id> lastSent(messages.size(), NoId);
+  for (Id triangle = 0; triangle < triangles.size(); ++triangle)
   {
-    const auto triangle = static_cast<Id>(i);
-    for (const Id vertex : triangles[i])
+    const auto& [a, b, c] = triangles[triangle];
+    const SentFace face = { { this->exchange.rank(), triangle },
+      { this->globalIds[a], this->globalIds[b], this->globalIds[c] },
+      { points[a], points[b], points[c] } };
+    for (const Id vertex : triangles[triangle])
     {
       for (const RankAddress& other : this->othersWith(vertex))
       {
-        std::vector<Id>& toRank = this->given[rankIndex(other.rank)];
-        if (toRank.empty() || toRank.back() != triangle)
+        if (std::exchange(lastSent[rankIndex(other.rank)], triangle) != triangle)
         {
-          toRank.push_back(triangle);
+          put(messages[rankIndex(other.rank)], face);
         }
       }
     }
   }
-  for (std::size_t rank = 0; rank < messages.size(); ++rank)
-  {
-    for (const Id triangle : this->given[rank])
-    {
-      for (const Id vertex : triangles[triangle])
-      {
-        put(messages[rank], this->globalIds[vertex]);
-        put(messages[rank], points[vertex]);
-      }
-    }
-  }
-  std::vector<HaloFace> received;
+  std::vector<SentFace> received;
   readEach(this->exchange.step(std::move(messages)),
-    [&](int rank, MessageReader& reader)
-    {
-      HaloFace face = { rank, {}, {} };
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        face.vertices[k] = reader.get<Id>();
-        face.points[k] = reader.get<Vec3>();
-      }
-      received.push_back(face);
-    });
+    [&](int, MessageReader& reader) { received.push_back(reader.get<SentFace>()); });
   return received;
 }
 
 void MeshPartition::Tables::makeMesh(std::vector<Vec3> points,
-  const std::vector<Triangle>& triangles, const std::vector<HaloFace>& received,
+  const std::vector<Triangle>& triangles, const std::vector<SentFace>& received,
   const ProgressCallback& progress)
 {
   std::unordered_map<Id, Id> vertexOf;
   for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
   {
-    if (this->isShared(vertex))
+    if (this->othersWith(vertex).size() > 0)
     {
       vertexOf[this->globalIds[vertex]] = vertex;
     }
   }
   std::vector<Triangle> all;
   all.reserve(received.size() + triangles.size());
-  const auto add = [&](const HaloFace& face)
+  const auto add = [&](const SentFace& face)
   {
     Triangle corners;
     for (std::size_t k = 0; k < 3; ++k)
@@ -285,7 +246,7 @@ void MeshPartition::Tables::makeMesh(std::vector<Vec3> points,
     all.push_back(corners);
   };
   std::size_t next = 0;
-  for (; next < received.size() && received[next].rank < this->exchange.rank(); ++next)
+  for (; next < received.size() && received[next].owner.rank < this->exchange.rank(); ++next)
   {
     add(received[next]);
   }
@@ -312,57 +273,63 @@ void MeshPartition::Tables::makeMesh(std::vector<Vec3> points,
     checkedId(sumOverRanks(this->exchange, this->endOfOwnFaces - this->firstOwnFace).all, "faces");
 }
 
-// Sends this rank's number of a face to those that have a copy. All ranks leave out the same faces:
-// those that name a vertex twice, and of faces on the same vertices all but the lowest rank's
-// first.
+// Asks the owners for their numbers of the faces of the halo, which are known by their triangles.
+// All ranks leave out the same faces: those that name a vertex twice, and of faces on the same
+// vertices all but the lowest rank's first.
 void MeshPartition::Tables::exchangeAddresses(
-  std::size_t numberOfTriangles, const std::vector<HaloFace>& received)
+  std::size_t numberOfTriangles, const std::vector<SentFace>& received)
 {
-  const auto own = static_cast<Id>(numberOfTriangles);
-  std::vector<Id> faceOfTriangle(own, NoId);
-  for (Id face = this->firstOwnFace; face < this->endOfOwnFaces; ++face)
-  {
-    faceOfTriangle[this->mesh.inputFace(face) - this->firstTriangle] = face;
-  }
-  std::vector<Message> messages = this->exchange.noMessages();
-  for (std::size_t rank = 0; rank < messages.size(); ++rank)
-  {
-    for (const Id triangle : this->given[rank])
-    {
-      put(messages[rank], faceOfTriangle[triangle]);
-    }
-  }
-  this->given = {};
-  std::vector<RankAddress> addresses; // one per received face
-  addresses.reserve(received.size());
-  readEach(this->exchange.step(std::move(messages)),
-    [&](int rank, MessageReader& reader) {
-      addresses.push_back({ rank, reader.get<Id>() });
-    });
+  Questions questions(this->exchange);
   for (Id face = 0; face < this->mesh.numberOfFaces(); ++face)
   {
     if (face < this->firstOwnFace || face >= this->endOfOwnFaces)
     {
       const Id input = this->mesh.inputFace(face);
-      this->halo.push_back(addresses[input < this->firstTriangle ? input : input - own]);
+      const RankAddress& triangle =
+        received[input < this->firstTriangle ? input : input - numberOfTriangles].owner;
+      questions.ask(triangle.rank, this->halo.size(), triangle.id);
+      this->halo.push_back(triangle);
     }
   }
+  questions.exchangeAnswers([this](MessageReader& question, Message& answer)
+    { put(answer, firstFaceFrom(this->mesh, this->firstTriangle + question.get<Id>())); },
+    [this](std::size_t i, MessageReader& answer) { this->halo[i].id = answer.get<Id>(); });
 }
 
 Id MeshPartition::copyOf(const RankAddress& face) const
 {
+  const Id i = this->tables_ ? placeIn(this->tables_->halo, face) : NoId;
+  return i == NoId || i < this->firstOwnFace_ ? i
+                                              : i + (this->endOfOwnFaces_ - this->firstOwnFace_);
+}
+
+// A rank that counts no vertex begins at the same id as the next rank.
+int MeshPartition::rankCounting(Id globalId) const
+{
   if (!this->tables_)
   {
-    return NoId;
+    return 0;
   }
-  const std::vector<RankAddress>& halo = this->tables_->halo;
-  const auto found = std::lower_bound(halo.begin(), halo.end(), face);
-  if (found == halo.end() || face < *found)
+  const std::vector<Id>& first = this->tables_->firstOfRank;
+  const auto behind = std::upper_bound(first.begin(), first.end(), globalId);
+  return static_cast<int>(behind - first.begin()) - 1;
+}
+
+Id MeshPartition::countedVertex(Id globalId) const
+{
+  if (!this->tables_)
   {
-    return NoId;
+    return globalId < this->mesh_->numberOfVertices() ? globalId : NoId;
   }
-  const auto i = static_cast<Id>(found - halo.begin());
-  return i < this->firstOwnFace_ ? i : i + (this->endOfOwnFaces_ - this->firstOwnFace_);
+  const Id i = globalId - this->tables_->firstOfRank[rankIndex(this->exchange_->rank())];
+  return i < this->tables_->counted.size() ? this->tables_->counted[i] : NoId;
+}
+
+SentFace MeshPartition::sentFace(Id face) const
+{
+  const auto& [a, b, c] = this->mesh_->triangle(face);
+  return { this->addressOf(face), { this->globalId(a), this->globalId(b), this->globalId(c) },
+    { this->mesh_->point(a), this->mesh_->point(b), this->mesh_->point(c) } };
 }
 
 }

@@ -5,6 +5,7 @@
 #include "Exchange.h"
 #include "mesh/TriangleMesh.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -24,6 +25,25 @@ struct RankAddress
   }
 };
 
+/// The place of a value in an ascending list; NoId where it is not there.
+template <typename Value>
+Id placeIn(const std::vector<Value>& values, const Value& value)
+{
+  const auto found = std::lower_bound(values.begin(), values.end(), value);
+  return found == values.end() || value < *found ? NoId : static_cast<Id>(found - values.begin());
+}
+
+/// A face as one rank sends it to another.
+struct SentFace
+{
+  RankAddress owner;
+  /// The vertices' global ids, and where they lie.
+  Triangle vertices;
+  std::array<Vec3, 3> points;
+
+  bool operator<(const SentFace& other) const { return this->owner < other.owner; }
+};
+
 /// One rank's part of a surface: the faces that it owns and, if several ranks share the surface,
 /// copies of all other faces around their vertices (the halo), so that angles, siblings and
 /// boundary there are those of the whole surface. Exactly one rank owns each face.
@@ -40,7 +60,7 @@ public:
   ///
   /// \param mesh must outlive this and its copies.
   explicit MeshPartition(const TriangleMesh& mesh)
-    : mesh_(&mesh)
+    : mesh_(std::shared_ptr<const TriangleMesh>(), &mesh) // which it does not own
     , exchange_(&OneRank::instance())
     , endOfOwnFaces_(mesh.numberOfFaces())
   {
@@ -108,24 +128,11 @@ public:
   }
 
   /// The other ranks whose faces have a vertex of this rank, and its number there, by rank.
-  struct Holders
-  {
-    const RankAddress* first = nullptr;
-    const RankAddress* last = nullptr;
-    const RankAddress* begin() const { return this->first; }
-    const RankAddress* end() const { return this->last; }
-  };
+  using Holders = ArrayRange<RankAddress>;
   Holders othersWith(Id vertex) const
   {
     return this->tables_ ? this->tables_->othersWith(vertex) : Holders();
   }
-  bool isShared(Id vertex) const { return this->tables_ && this->tables_->isShared(vertex); }
-  /// Whether this rank counts the vertex, because no lower rank has it.
-  bool isCountedHere(Id vertex) const
-  {
-    return !this->tables_ || this->tables_->isCountedHere(vertex);
-  }
-
   /// The global id of a vertex, the same on all ranks. The ids of the vertices that a rank counts
   /// are consecutive and follow those of lower ranks.
   Id globalId(Id vertex) const { return this->tables_ ? this->tables_->globalIds[vertex] : vertex; }
@@ -137,10 +144,18 @@ public:
   {
     return this->tables_ ? this->tables_->numberOfGlobalFaces : this->mesh_->numberOfFaces();
   }
+  /// The rank that counts a vertex: the lowest one that has it.
+  int rankCounting(Id globalId) const;
+  /// The vertex with this global id if this rank counts it, else NoId.
+  Id countedVertex(Id globalId) const;
+  bool isCountedHere(Id vertex) const
+  {
+    return this->countedVertex(this->globalId(vertex)) == vertex;
+  }
+
+  SentFace sentFace(Id face) const;
 
 private:
-  struct HaloFace;
-
   /// What a rank knows of the other ranks.
   struct Tables
   {
@@ -152,23 +167,13 @@ private:
       const RankAddress* data = this->holders.data();
       return { data + this->firstHolder[vertex], data + this->firstHolder[vertex + 1] };
     }
-    bool isShared(Id vertex) const
-    {
-      return this->firstHolder[vertex] != this->firstHolder[vertex + 1];
-    }
-    bool isCountedHere(Id vertex) const
-    {
-      return !this->isShared(vertex) ||
-        this->othersWith(vertex).first->rank > this->exchange.rank();
-    }
-
     void findHolders(const std::vector<std::uint64_t>& keys);
     void numberVertices(std::vector<Vec3>& points);
-    std::vector<HaloFace> exchangeHalo(
+    std::vector<SentFace> exchangeHalo(
       const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
     void makeMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
-      const std::vector<HaloFace>& received, const ProgressCallback& progress);
-    void exchangeAddresses(std::size_t numberOfTriangles, const std::vector<HaloFace>& received);
+      const std::vector<SentFace>& received, const ProgressCallback& progress);
+    void exchangeAddresses(std::size_t numberOfTriangles, const std::vector<SentFace>& received);
 
     Exchange& exchange;
     TriangleMesh mesh;
@@ -183,16 +188,15 @@ private:
     std::vector<Id> firstHolder;
     std::vector<RankAddress> holders;
     std::vector<Id> globalIds;
-    /// Used by the constructor: the triangles that each rank has copies of, in the order of
-    /// sending.
-    std::vector<std::vector<Id>> given;
+    /// The vertices that this rank counts, in the order of their global ids.
+    std::vector<Id> counted;
+    /// The global id of the first vertex that each rank counts.
+    std::vector<Id> firstOfRank;
   };
 
   /// Null in one process.
   std::shared_ptr<const Tables> tables_;
-  /// The mesh that one rank has made; else null.
-  std::shared_ptr<const TriangleMesh> ownMesh_;
-  const TriangleMesh* mesh_;
+  std::shared_ptr<const TriangleMesh> mesh_;
   Exchange* exchange_;
   Id firstOwnFace_ = 0;
   Id endOfOwnFaces_ = 0;

@@ -48,21 +48,22 @@ std::vector<Id> ownWithNeighbours(const MeshPartition& part, const std::vector<I
   return own;
 }
 
-// Every rank sends its faces among those asked for and around them, and what is around these, also
-// copies: of which one is left. Only the owner of a face says what of it is boundary.
-std::vector<SentFace> gather(
-  const MeshPartition& part, const std::vector<Id>& faces, std::vector<std::uint8_t>& boundary)
+/// A face of the patch, and a bit for each of its halfedges on the boundary.
+struct FaceOfPatch
 {
-  struct Entry
-  {
-    SentFace face;
-    std::uint8_t boundary;
-  };
+  SentFace face;
+  std::uint8_t boundary;
+};
+
+// Every rank sends its faces among those asked for and around them, and what is around these, also
+// copies. Only the owner of a face says what of it is boundary.
+std::vector<FaceOfPatch> gather(const MeshPartition& part, const std::vector<Id>& faces)
+{
   const TriangleMesh& mesh = part.mesh();
   Message message;
   for (const Id face : withNeighbours(mesh, ownWithNeighbours(part, faces)))
   {
-    Entry entry = { sentFace(part, face), 0 };
+    FaceOfPatch entry = { part.sentFace(face), 0 };
     for (Id k = 0; k < 3; ++k)
     {
       const bool isBoundary = part.isOwn(face) && mesh.isBoundary(3 * face + k);
@@ -70,46 +71,90 @@ std::vector<SentFace> gather(
     }
     put(message, entry);
   }
-  std::vector<Entry> gathered;
+  std::vector<FaceOfPatch> gathered;
   readEach(part.exchange().tellAll(message),
-    [&](int, MessageReader& reader) { gathered.push_back(reader.get<Entry>()); });
-  std::sort(gathered.begin(), gathered.end(),
-    [](const Entry& a, const Entry& b) { return a.face < b.face; });
-  std::vector<SentFace> result;
-  for (const Entry& entry : gathered)
-  {
-    if (result.empty() || result.back() < entry.face)
-    {
-      result.push_back(entry.face);
-      boundary.push_back(0);
-    }
-    boundary.back() |= entry.boundary;
-  }
-  return result;
+    [&](int, MessageReader& reader) { gathered.push_back(reader.get<FaceOfPatch>()); });
+  return gathered;
 }
 
 } // anonymous namespace
 
-ReplicatedPatch::Tables::Tables(const MeshPartition& part, const std::vector<Id>& asked)
-  : faces(gather(part, asked, this->boundary))
+GatheredFaces::Tables::Tables(std::vector<SentFace> faces)
 {
-  const TriangleMesh& mesh = this->faces.mesh();
-  this->vertexOfPart.assign(mesh.numberOfVertices(), NoId);
-  for (Id face = 0; face < mesh.numberOfFaces(); ++face)
+  std::sort(faces.begin(), faces.end());
+  const auto isSame = [](const SentFace& a, const SentFace& b) { return !(a < b); };
+  faces.erase(std::unique(faces.begin(), faces.end(), isSame), faces.end());
+  for (const SentFace& face : faces)
   {
-    const Id ofPart = part.faceAt(this->faces.ownerOf(face));
-    this->faceOfPart.push_back(ofPart);
-    for (std::size_t k = 0; k < 3 && ofPart != NoId && part.isOwn(ofPart); ++k)
+    this->owners.push_back(face.owner);
+    this->globalIds.insert(this->globalIds.end(), face.vertices.begin(), face.vertices.end());
+  }
+  std::sort(this->globalIds.begin(), this->globalIds.end());
+  this->globalIds.erase(
+    std::unique(this->globalIds.begin(), this->globalIds.end()), this->globalIds.end());
+  std::vector<Vec3> points(this->globalIds.size());
+  std::vector<Triangle> triangles(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      this->vertexOfPart[mesh.triangle(face)[k]] = part.mesh().triangle(ofPart)[k];
+      triangles[i][k] = placeIn(this->globalIds, faces[i].vertices[k]);
+      points[triangles[i][k]] = faces[i].points[k];
     }
+  }
+  if (!triangles.empty())
+  {
+    this->mesh = TriangleMesh(std::move(points), triangles);
   }
 }
 
-ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces)
-  : tables_(part.isDistributed() ? std::make_shared<Tables>(part, faces) : nullptr)
-  , mesh_(tables_ ? &tables_->faces.mesh() : &part.mesh())
+GatheredFaces::GatheredFaces(std::vector<SentFace> faces)
+  : tables_(std::make_shared<Tables>(std::move(faces)))
+  , mesh_(&tables_->mesh)
 {
+}
+
+Id GatheredFaces::faceAt(const RankAddress& face) const
+{
+  return this->tables_ ? placeIn(this->tables_->owners, face) : face.id;
+}
+
+Id GatheredFaces::vertexAt(Id globalId) const
+{
+  return this->tables_ ? placeIn(this->tables_->globalIds, globalId) : globalId;
+}
+
+ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id>& faces)
+  : GatheredFaces(part.mesh())
+{
+  if (!part.isDistributed())
+  {
+    return;
+  }
+  std::vector<SentFace> sent;
+  const std::vector<FaceOfPatch> gathered = gather(part, faces);
+  for (const FaceOfPatch& entry : gathered)
+  {
+    sent.push_back(entry.face);
+  }
+  static_cast<GatheredFaces&>(*this) = GatheredFaces(std::move(sent));
+  Places places;
+  places.boundary.assign(this->mesh().numberOfFaces(), 0);
+  for (const FaceOfPatch& entry : gathered)
+  {
+    places.boundary[this->faceAt(entry.face.owner)] |= entry.boundary;
+  }
+  places.vertexOfPart.assign(this->mesh().numberOfVertices(), NoId);
+  for (Id face = 0; face < this->mesh().numberOfFaces(); ++face)
+  {
+    const Id ofPart = part.faceAt(this->ownerOf(face));
+    places.faceOfPart.push_back(ofPart);
+    for (std::size_t k = 0; k < 3 && ofPart != NoId && part.isOwn(ofPart); ++k)
+    {
+      places.vertexOfPart[this->mesh().triangle(face)[k]] = part.mesh().triangle(ofPart)[k];
+    }
+  }
+  this->places_ = std::make_shared<Places>(std::move(places));
 }
 
 }

@@ -13,11 +13,10 @@ namespace
 {
 
 /// A candidate of one rank, as it is sent to all.
-struct FaceMessage
+struct CandidateMessage
 {
   std::size_t point;
-  RankAddress face;
-  /// With global numbers of the vertices.
+  /// With global ids of the vertices.
   FaceLocator::Candidate candidate;
 };
 
@@ -30,56 +29,22 @@ constexpr std::size_t PointsPerReport = 256;
 /// Searching the first point builds most of the tree, which takes this share of the progress.
 constexpr double FirstPoint = 0.5;
 
-/// Reports points as they are searched.
-class SearchProgress
-{
-public:
-  SearchProgress(std::size_t count, const ProgressCallback& callback)
-    : count_(count)
-    , ascending_(ascending(callback))
-    , growing_(progressBetween(ascending_, 0.0, FirstPoint))
-  {
-  }
-
-  void next()
-  {
-    if (this->done_ % PointsPerReport == 0)
-    {
-      const double done = static_cast<double>(this->done_) / static_cast<double>(this->count_);
-      reportProgress(
-        this->ascending_, this->done_ == 0 ? 0.0 : FirstPoint + (1.0 - FirstPoint) * done);
-    }
-    ++this->done_;
-  }
-  /// For the locator, while its tree grows.
-  const ProgressCallback& growing() const { return this->growing_; }
-
-private:
-  std::size_t count_;
-  std::size_t done_ = 0;
-  ProgressCallback ascending_;
-  ProgressCallback growing_;
-};
-
 /// Chooses among the candidates of all ranks, for each point.
 ClosestFaces chooseFaces(const std::vector<Message>& told, const std::vector<double>& least)
 {
   std::vector<std::vector<FaceLocator::Candidate>> candidates(least.size());
-  std::vector<std::vector<RankAddress>> addresses(least.size());
   readEach(told,
     [&](int, MessageReader& reader)
     {
-      auto face = reader.get<FaceMessage>();
-      face.candidate.face = static_cast<Id>(addresses[face.point].size());
-      addresses[face.point].push_back(face.face);
-      candidates[face.point].push_back(face.candidate);
+      const auto message = reader.get<CandidateMessage>();
+      candidates[message.point].push_back(message.candidate);
     });
   ClosestFaces result(least.size());
   for (std::size_t i = 0; i < least.size(); ++i)
   {
     for (const FaceLocator::Candidate& chosen : FaceLocator::chosen(candidates[i]))
     {
-      result[i].push_back({ addresses[i][chosen.face], chosen.isClosestUpToRounding(least[i]) });
+      result[i].push_back({ chosen.face, chosen.isClosestUpToRounding(least[i]) });
     }
     std::sort(result[i].begin(), result[i].end());
   }
@@ -87,19 +52,6 @@ ClosestFaces chooseFaces(const std::vector<Message>& told, const std::vector<dou
 }
 
 } // anonymous namespace
-
-void SurfaceLocator::makeLocator()
-{
-  const TriangleMesh& mesh = this->surface_.mesh();
-  this->locator_ = std::make_unique<FaceLocator>(mesh);
-  for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
-  {
-    for (const Id vertex : mesh.triangle(face))
-    {
-      this->box_.add(mesh.point(vertex));
-    }
-  }
-}
 
 /// Whether this rank searches for a point: first those in the box of its own faces, then those that
 /// are not, unless another rank has found a face closer than the box.
@@ -122,7 +74,7 @@ Message SurfaceLocator::messageOf(
   {
     for (FaceLocator::Candidate candidate : candidates[i])
     {
-      if (!candidate.isClosest(least[i]) || !this->surface_.isOwn(candidate.face))
+      if (!candidate.isClosest(least[i]) || !this->surface_.isOwn(candidate.face.id))
       {
         continue;
       }
@@ -131,7 +83,8 @@ Message SurfaceLocator::messageOf(
         candidate.corners[k] = this->surface_.globalId(candidate.corners[k]);
         candidate.support[k] = candidate.support[k] == NoId ? NoId : candidate.corners[k];
       }
-      put(message, FaceMessage{ i, this->surface_.addressOf(candidate.face), candidate });
+      candidate.face = this->surface_.addressOf(candidate.face.id);
+      put(message, CandidateMessage{ i, candidate });
     }
   }
   return message;
@@ -142,10 +95,20 @@ ClosestFaces SurfaceLocator::closest(
 {
   if (!points.empty() && !this->locator_)
   {
-    this->makeLocator();
+    const TriangleMesh& mesh = this->surface_.mesh();
+    this->locator_ = std::make_unique<FaceLocator>(mesh);
+    for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
+    {
+      for (const Id vertex : mesh.triangle(face))
+      {
+        this->box_.add(mesh.point(vertex));
+      }
+    }
   }
   Exchange& exchange = this->surface_.exchange();
-  SearchProgress progress(points.size(), callback);
+  const ProgressCallback rising = ascending(callback);
+  const ProgressCallback growing = progressBetween(rising, 0.0, FirstPoint);
+  std::size_t searched = 0;
   ClosestFaces result;
   result.reserve(points.size());
   while (result.size() < points.size())
@@ -159,10 +122,17 @@ ClosestFaces SurfaceLocator::closest(
       {
         if (this->isSearched(some[i], isInBox, least[i], coordinatePrecision))
         {
-          progress.next();
-          candidates[i] =
-            this->locator_->candidates(some[i], coordinatePrecision, progress.growing());
-          least[i] = std::min(least[i], FaceLocator::leastDistance(candidates[i]));
+          if (searched % PointsPerReport == 0)
+          {
+            const double done = static_cast<double>(searched) / static_cast<double>(points.size());
+            reportProgress(rising, searched == 0 ? 0.0 : FirstPoint + (1.0 - FirstPoint) * done);
+          }
+          ++searched;
+          candidates[i] = this->locator_->candidates(some[i], coordinatePrecision, growing);
+          for (const FaceLocator::Candidate& candidate : candidates[i])
+          {
+            least[i] = std::min(least[i], candidate.distance);
+          }
         }
       }
       exchange.findLeast(least);

@@ -51,7 +51,6 @@ public:
 private:
   using Candidates = std::vector<FaceLocator::Candidate>;
 
-  void makeLocator();
   bool isSearched(const Vec3& point, bool isInBox, double least, double coordinatePrecision) const;
   Message messageOf(
     const std::vector<Candidates>& candidates, const std::vector<double>& least) const;

@@ -25,79 +25,48 @@ Id cornerWith(const TriangleMesh& mesh, Id face, Id vertex)
   return NoId;
 }
 
-/// The point on the halfedge opposite corner k; a vertex if rounding makes the fraction 0 or 1.
-SurfacePoint onEdgeOpposite(
-  const TriangleMesh& mesh, Id face, Id k, const std::array<double, 3>& weights)
+/// The point at a fraction of the way along a halfedge; a vertex where the fraction is 0 or 1, or
+/// beyond by rounding.
+SurfacePoint onHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction)
 {
-  const Id halfedge = 3 * face + (k + 1) % 3;
-  const double begin = weights[(k + 1) % 3];
-  const double end = weights[(k + 2) % 3];
-  const double fraction = end / (begin + end);
-  if (!(fraction > 0.0))
-  {
-    return SurfacePoint::atVertex(mesh.origin(halfedge));
-  }
-  if (!(fraction < 1.0))
-  {
-    return SurfacePoint::atVertex(mesh.destination(halfedge));
-  }
-  return SurfacePoint::onEdge(halfedge, fraction);
-}
-
-/// A point of a face without area, whose points all lie on the longest edge.
-SurfacePoint onLongestEdge(const TriangleMesh& mesh, Id face, const std::array<double, 3>& weights)
-{
-  const Id halfedge = longestHalfedge(mesh, face);
-  const double fraction = inHalfedgeFrame(mesh, halfedge, weights).x / mesh.length(halfedge);
-  return fraction > 0.0 && fraction < 1.0 ? SurfacePoint::onEdge(halfedge, fraction)
-    : fraction >= 1.0                     ? SurfacePoint::atVertex(mesh.destination(halfedge))
-                                          : SurfacePoint::atVertex(mesh.origin(halfedge));
-}
-
-bool sameEdge(const TriangleMesh& mesh, Id a, Id b)
-{
-  return std::minmax({ mesh.origin(a), mesh.destination(a) }) ==
-    std::minmax({ mesh.origin(b), mesh.destination(b) });
+  return !(fraction > 0.0) ? SurfacePoint::atVertex(mesh.origin(halfedge))
+    : !(fraction < 1.0)    ? SurfacePoint::atVertex(mesh.destination(halfedge))
+                           : SurfacePoint::onEdge(halfedge, fraction);
 }
 
 bool sameEdgePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
 {
-  if (!sameEdge(mesh, a.id, b.id))
-  {
-    return false;
-  }
-  if (mesh.origin(a.id) == mesh.origin(b.id))
-  {
-    return a.u == b.u;
-  }
-  return std::abs(a.u - (1.0 - b.u)) <= std::numeric_limits<double>::epsilon();
+  return mesh.edgeOf(a.id) == mesh.edgeOf(b.id) &&
+    (mesh.origin(a.id) == mesh.origin(b.id)
+        ? a.u == b.u
+        : std::abs(a.u - (1.0 - b.u)) <= std::numeric_limits<double>::epsilon());
 }
 
-/// A point of the surface relative to a corner of its face.
+/// A point of the surface: a corner of its face, and the ways from there along two edges.
 struct FromCorner
 {
   Vec3 corner;
-  Vec3 offset;
+  Vec3 first{};
+  Vec3 second{};
+
+  Vec3 offset() const { return this->first + this->second; }
 };
 
 FromCorner fromCorner(const TriangleMesh& mesh, const SurfacePoint& point)
 {
-  switch (point.kind)
+  if (point.kind == SurfacePoint::Kind::Vertex)
   {
-    case SurfacePoint::Kind::Vertex:
-      return { mesh.point(point.id), {} };
-    case SurfacePoint::Kind::Edge:
-    {
-      const Vec3& origin = mesh.point(mesh.origin(point.id));
-      return { origin, point.u * (mesh.point(mesh.destination(point.id)) - origin) };
-    }
-    case SurfacePoint::Kind::Face:
-      break;
+    return { mesh.point(point.id) };
+  }
+  if (point.kind == SurfacePoint::Kind::Edge)
+  {
+    const Vec3& origin = mesh.point(mesh.origin(point.id));
+    return { origin, point.u * (mesh.point(mesh.destination(point.id)) - origin) };
   }
   const Triangle& corners = mesh.triangle(point.id);
   const Vec3& origin = mesh.point(corners[0]);
-  return { origin,
-    point.u * (mesh.point(corners[1]) - origin) + point.v * (mesh.point(corners[2]) - origin) };
+  return { origin, point.u * (mesh.point(corners[1]) - origin),
+    point.v * (mesh.point(corners[2]) - origin) };
 }
 
 }
@@ -126,10 +95,17 @@ SurfacePoint fromBarycentric(
   const auto zero = std::find(isZero.begin(), isZero.end(), true);
   if (zero != isZero.end())
   {
-    return onEdgeOpposite(mesh, face, static_cast<Id>(zero - isZero.begin()), weights);
+    const auto begin = static_cast<std::size_t>(zero - isZero.begin() + 1) % 3;
+    const double end = weights[(begin + 1) % 3];
+    return onHalfedge(mesh, 3 * face + static_cast<Id>(begin), end / (weights[begin] + end));
   }
-  return mesh.shape(face).hasZeroArea() ? onLongestEdge(mesh, face, { 1.0 - u - v, u, v })
-                                        : SurfacePoint::inFace(face, u, v);
+  if (mesh.shape(face).hasZeroArea())
+  {
+    const Id longest = longestHalfedge(mesh, face);
+    const Vec2 place = inHalfedgeFrame(mesh, longest, { 1.0 - u - v, u, v });
+    return onHalfedge(mesh, longest, place.x / mesh.length(longest));
+  }
+  return SurfacePoint::inFace(face, u, v);
 }
 
 SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point)
@@ -138,8 +114,7 @@ SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point)
   {
     return point;
   }
-  const Id face =
-    point.kind == SurfacePoint::Kind::Face ? point.id : TriangleMesh::faceOf(point.id);
+  const Id face = someFace(mesh, point);
   return fromBarycentric(mesh, face, barycentric(mesh, point, face));
 }
 
@@ -195,19 +170,12 @@ bool contains(const TriangleMesh& mesh, Id face, const SurfacePoint& point)
 
 Id someFace(const TriangleMesh& mesh, const SurfacePoint& point)
 {
-  switch (point.kind)
+  if (point.kind == SurfacePoint::Kind::Vertex)
   {
-    case SurfacePoint::Kind::Vertex:
-    {
-      const IdRange corners = mesh.cornersAt(point.id);
-      return corners.size() == 0 ? NoId : TriangleMesh::faceOf(*corners.begin());
-    }
-    case SurfacePoint::Kind::Edge:
-      return TriangleMesh::faceOf(point.id);
-    case SurfacePoint::Kind::Face:
-      break;
+    const IdRange corners = mesh.cornersAt(point.id);
+    return corners.size() == 0 ? NoId : TriangleMesh::faceOf(*corners.begin());
   }
-  return point.id;
+  return point.kind == SurfacePoint::Kind::Edge ? TriangleMesh::faceOf(point.id) : point.id;
 }
 
 Id commonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
@@ -226,48 +194,29 @@ Id commonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoin
 
 bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
 {
-  if (a.kind != b.kind)
-  {
-    return false;
-  }
-  if (a.kind == SurfacePoint::Kind::Edge)
-  {
-    return sameEdgePlace(mesh, a, b);
-  }
-  return a.id == b.id && a.u == b.u && a.v == b.v;
+  return a.kind == b.kind &&
+    (a.kind == SurfacePoint::Kind::Edge ? sameEdgePlace(mesh, a, b)
+                                        : a.id == b.id && a.u == b.u && a.v == b.v);
 }
 
 double distanceInSpace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
 {
   const FromCorner first = fromCorner(mesh, a);
   const FromCorner second = fromCorner(mesh, b);
-  return norm((second.corner - first.corner) + (second.offset - first.offset));
+  return norm((second.corner - first.corner) + (second.offset() - first.offset()));
 }
 
 double distanceInSpace(const TriangleMesh& mesh, const Vec3& place, const SurfacePoint& point)
 {
   const FromCorner there = fromCorner(mesh, point);
-  return norm((there.corner - place) + there.offset);
+  return norm((there.corner - place) + there.offset());
 }
 
 Vec3 position(const TriangleMesh& mesh, const SurfacePoint& point)
 {
-  switch (point.kind)
-  {
-    case SurfacePoint::Kind::Vertex:
-      return mesh.point(point.id);
-    case SurfacePoint::Kind::Edge:
-    {
-      const Vec3& origin = mesh.point(mesh.origin(point.id));
-      return origin + point.u * (mesh.point(mesh.destination(point.id)) - origin);
-    }
-    case SurfacePoint::Kind::Face:
-      break;
-  }
-  const Triangle& corners = mesh.triangle(point.id);
-  const Vec3& origin = mesh.point(corners[0]);
-  return origin + point.u * (mesh.point(corners[1]) - origin) +
-    point.v * (mesh.point(corners[2]) - origin);
+  const FromCorner there = fromCorner(mesh, point);
+  return point.kind == SurfacePoint::Kind::Vertex ? there.corner
+                                                  : there.corner + there.first + there.second;
 }
 
 }

@@ -2,6 +2,7 @@
 #include "mesh/SurfaceSnap.h"
 
 #include "Tolerance.h"
+#include "mesh/HalfedgeFrame.h"
 
 #include <algorithm>
 
@@ -13,54 +14,39 @@ namespace
 
 /// A face in space. Positions are relative to one of its corners, so that little precision is lost
 /// far from the origin.
-class Face
+struct Face
 {
-public:
   Face(const TriangleMesh& mesh, Id face)
-    : shape_(mesh.shape(face))
+    : shape(mesh.shape(face))
   {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      this->corner_[k] = mesh.point(mesh.triangle(face)[k]);
-    }
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      this->edge_[k] = this->corner_[(k + 1) % 3] - this->corner_[k];
-    }
+    const auto& [a, b, c] = mesh.triangle(face);
+    this->corner = { mesh.point(a), mesh.point(b), mesh.point(c) };
+    this->edge = { this->corner[1] - this->corner[0], this->corner[2] - this->corner[1],
+      this->corner[0] - this->corner[2] };
   }
 
-  const Vec3& corner(std::size_t k) const { return this->corner_[k]; }
-  /// From corner k to corner k + 1.
-  const Vec3& edge(std::size_t k) const { return this->edge_[k]; }
-  double length(std::size_t k) const { return this->shape_.length[k]; }
   /// Height of corner k over the opposite halfedge.
   double altitude(std::size_t k) const
   {
-    const double base = this->shape_.length[(k + 1) % 3];
-    return base > 0.0 ? this->shape_.area2 / base : 0.0;
+    const double base = this->shape.length[(k + 1) % 3];
+    return base > 0.0 ? this->shape.area2 / base : 0.0;
   }
-  double shorterLengthAt(std::size_t k) const
-  {
-    return std::min(this->length(k), this->length((k + 2) % 3));
-  }
-  std::size_t longestEdge() const { return this->shape_.longestEdge(); }
-
   /// From corner k to the point with these barycentric coordinates, which sum to one.
-  Vec3 fromCorner(std::size_t k, const std::array<double, 3>& weights) const
+  Vec3 fromCorner(std::size_t k, const Barycentric& weights) const
   {
-    return weights[(k + 1) % 3] * this->edge_[k] - weights[(k + 2) % 3] * this->edge_[(k + 2) % 3];
+    return weights[(k + 1) % 3] * this->edge[k] - weights[(k + 2) % 3] * this->edge[(k + 2) % 3];
   }
 
-private:
-  const FaceShape& shape_;
-  std::array<Vec3, 3> corner_;
-  std::array<Vec3, 3> edge_;
+  const FaceShape& shape;
+  std::array<Vec3, 3> corner;
+  /// From corner k to corner k + 1.
+  std::array<Vec3, 3> edge;
 };
 
 /// A point of the face, and the given point's distance from it.
 struct Candidate
 {
-  std::array<double, 3> weights{};
+  Barycentric weights{};
   double distance = Infinity;
 };
 
@@ -68,20 +54,20 @@ struct Candidate
 /// given point relative to corner k.
 double fractionAlong(const Face& face, std::size_t k, const Vec3& fromOrigin)
 {
-  const Vec3& edge = face.edge(k);
+  const Vec3& edge = face.edge[k];
   const double t = dot(fromOrigin, edge) / dot(edge, edge);
   return t > 0.0 ? std::min(t, 1.0) : 0.0; // NaN becomes 0 if the halfedge has no length
 }
 
 Candidate closestOnEdge(const Face& face, std::size_t k, const Vec3& point)
 {
-  const Vec3 fromOrigin = point - face.corner(k);
+  const Vec3 fromOrigin = point - face.corner[k];
   const double t = fractionAlong(face, k, fromOrigin);
   Candidate result;
   result.weights[k] = 1.0 - t;
   result.weights[(k + 1) % 3] = t;
-  const Vec3& nearEnd = face.corner(t < 0.5 ? k : (k + 1) % 3);
-  const Vec3 rest = (t < 0.5 ? t : t - 1.0) * face.edge(k);
+  const Vec3& nearEnd = face.corner[t < 0.5 ? k : (k + 1) % 3];
+  const Vec3 rest = (t < 0.5 ? t : t - 1.0) * face.edge[k];
   result.distance = norm(point - nearEnd - rest);
   return result;
 }
@@ -90,15 +76,15 @@ Candidate closestOnEdge(const Face& face, std::size_t k, const Vec3& point)
 /// the face has no plane, a candidate at infinity.
 Candidate closestInside(const Face& face, const Vec3& point)
 {
-  const std::size_t longest = face.longestEdge();
-  const Vec3 normal = cross(face.edge((longest + 1) % 3), face.edge((longest + 2) % 3));
+  const std::size_t longest = face.shape.longestEdge();
+  const Vec3 normal = cross(face.edge[(longest + 1) % 3], face.edge[(longest + 2) % 3]);
   Candidate result;
   double sum = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
   {
     const std::size_t halfedge = (k + 1) % 3;
-    const Vec3 fromEdge = point - face.corner(halfedge);
-    result.weights[k] = dot(normal, cross(face.edge(halfedge), fromEdge));
+    const Vec3 fromEdge = point - face.corner[halfedge];
+    result.weights[k] = dot(normal, cross(face.edge[halfedge], fromEdge));
     if (!(result.weights[k] > 0.0))
     {
       return {};
@@ -109,7 +95,7 @@ Candidate closestInside(const Face& face, const Vec3& point)
   {
     weight /= sum;
   }
-  const Vec3 fromCorner = point - face.corner(0);
+  const Vec3 fromCorner = point - face.corner[0];
   result.distance = norm(fromCorner - face.fromCorner(0, result.weights));
   return result;
 }
@@ -128,41 +114,31 @@ Candidate closestPoint(const Face& face, const Vec3& point)
   return inside.distance <= best.distance ? inside : best;
 }
 
-double largestCoordinateOf(const Face& face, const Vec3& point)
-{
-  return std::max({ largestCoordinate(face.corner(0)), largestCoordinate(face.corner(1)),
-    largestCoordinate(face.corner(2)), largestCoordinate(point) });
-}
-
 /// Moves the point onto the nearest vertex within the precision; false if there is none.
-bool snapToVertex(const Face& face, double precision, std::array<double, 3>& weights)
+bool snapToVertex(const Face& face, double precision, Barycentric& weights)
 {
   double nearest = Infinity;
   std::size_t vertex = 0;
   for (std::size_t k = 0; k < 3; ++k)
   {
     const double distance = norm(face.fromCorner(k, weights));
-    const double reach = std::min(precision, tolerance::SnapFraction * face.shorterLengthAt(k));
+    const double shorter = std::min(face.shape.length[k], face.shape.length[(k + 2) % 3]);
+    const double reach = std::min(precision, tolerance::SnapFraction * shorter);
     if (distance <= reach && distance < nearest)
     {
       nearest = distance;
       vertex = k;
     }
   }
-  if (nearest < Infinity)
-  {
-    weights = { 0.0, 0.0, 0.0 };
-    weights[vertex] = 1.0;
-    return true;
-  }
-  return false;
+  weights = nearest < Infinity ? cornerWeights(vertex) : weights;
+  return nearest < Infinity;
 }
 
 /// Moves the point perpendicularly onto the nearest halfedge within the precision, if any.
-void snapToEdge(const Face& face, double precision, std::array<double, 3>& weights)
+void snapToEdge(const Face& face, double precision, Barycentric& weights)
 {
   double nearest = Infinity;
-  const std::array<double, 3> given = weights;
+  const Barycentric given = weights;
   for (std::size_t k = 0; k < 3; ++k)
   {
     const double altitude = face.altitude(k);
@@ -190,8 +166,10 @@ SnappedPoint snapToFace(
 {
   const Face face(mesh, faceId);
   Candidate closest = closestPoint(face, point);
-  const double precision =
-    tolerance::SnapRoundings * coordinatePrecision * largestCoordinateOf(face, point);
+  const double largest =
+    std::max({ largestCoordinate(face.corner[0]), largestCoordinate(face.corner[1]),
+      largestCoordinate(face.corner[2]), largestCoordinate(point) });
+  const double precision = tolerance::SnapRoundings * coordinatePrecision * largest;
   if (!snapToVertex(face, precision, closest.weights))
   {
     snapToEdge(face, precision, closest.weights);
@@ -199,9 +177,9 @@ SnappedPoint snapToFace(
 
   SnappedPoint result;
   result.place = fromBarycentric(mesh, faceId, closest.weights);
-  result.offset = (face.corner(0) - point) + face.fromCorner(0, closest.weights);
+  result.offset = (face.corner[0] - point) + face.fromCorner(0, closest.weights);
   result.distance = norm(point - position(mesh, result.place));
-  const double shortest = std::min({ face.length(0), face.length(1), face.length(2) });
+  const double shortest = *std::min_element(face.shape.length.begin(), face.shape.length.end());
   result.tolerance = std::min(precision, tolerance::SnapFraction * shortest);
   return result;
 }

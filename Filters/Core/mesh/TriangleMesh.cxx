@@ -6,6 +6,7 @@
 #include "mesh/GroupedItems.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geodesic
 {
@@ -57,35 +58,22 @@ public:
     this->takeFaces(triangles);
     this->progress_.nextUntil(0.4);
     this->linkSiblings();
-    this->dropDuplicateFaces();
+    this->dropFaces();
     this->progress_.nextUntil(0.6);
     this->linkCorners();
     this->progress_.nextUntil(0.7);
-    this->measureFaces();
+    TriangleMesh& mesh = this->mesh_;
+    this->forEach(
+      mesh.numberOfFaces(), [&mesh](Id face) { mesh.faces_[face].shape = mesh.measure(face); });
     this->progress_.nextUntil(1.0);
-    this->findPseudoSources();
+    mesh.pseudoSource_.resize(mesh.points_.size());
+    this->forEach(mesh.numberOfVertices(),
+      [&mesh](Id vertex) { mesh.pseudoSource_[vertex] = mesh.findPseudoSource(vertex); });
   }
 
 private:
-  /// Results for a range of the triangles.
-  struct Checked
-  {
-    /// The first triangle with a vertex id out of range.
-    std::size_t wrong;
-    /// Number of triangles with three different vertices.
-    Id kept;
-  };
-
-  /// A halfedge and the higher one of its vertices.
-  struct ByHigh
-  {
-    Id high;
-    Id halfedge;
-    bool operator<(const ByHigh& other) const
-    {
-      return this->high != other.high ? this->high < other.high : this->halfedge < other.halfedge;
-    }
-  };
+  /// The higher one of a halfedge's vertices, and the halfedge.
+  using ByHigh = std::pair<Id, Id>;
 
   struct EdgeCounts
   {
@@ -94,14 +82,30 @@ private:
   };
 
   void checkPoints();
-  std::vector<Checked> checkTriangles(const std::vector<Triangle>& triangles);
   void takeFaces(const std::vector<Triangle>& triangles);
   void linkSiblings();
   void linkSiblings(const IdRange& halfedges, std::vector<ByHigh>& byHigh, EdgeCounts& counts);
-  void dropDuplicateFaces();
+  void dropFaces();
   void linkCorners();
-  void measureFaces();
-  void findPseudoSources();
+
+  /// The first of some items for which isWrong(item) holds, after visiting all in parallel; the
+  /// count if there is none.
+  template <typename IsWrong>
+  std::size_t firstWrong(std::size_t count, const IsWrong& isWrong) const
+  {
+    const std::vector<std::size_t> wrong =
+      resultsOfRanges(this->parallelFor_, count, this->progress_,
+        [&](std::size_t begin, std::size_t end)
+        {
+          std::size_t first = count;
+          for (std::size_t item = begin; item < end; ++item)
+          {
+            first = isWrong(item) ? std::min(first, item) : first;
+          }
+          return first;
+        });
+    return wrong.empty() ? count : *std::min_element(wrong.begin(), wrong.end());
+  }
 
   /// Calls visit(id) for each face or vertex, in parallel, and reports progress.
   template <typename Visit>
@@ -132,83 +136,30 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>
 void TriangleMesh::Builder::checkPoints()
 {
   const std::vector<Vec3>& points = this->mesh_.points_;
-  const std::vector<std::size_t> wrong = resultsOfRanges(this->parallelFor_, points.size(),
-    [&points](std::size_t begin, std::size_t end)
-    {
-      while (begin < end && isFinite(points[begin]))
-      {
-        ++begin;
-      }
-      return begin < end ? begin : points.size();
-    });
-  const auto first = std::min_element(wrong.begin(), wrong.end());
-  if (first != wrong.end() && *first < points.size())
+  const std::size_t wrong =
+    this->firstWrong(points.size(), [&](std::size_t i) { return !isFinite(points[i]); });
+  if (wrong < points.size())
   {
-    throw MeshError("Point " + std::to_string(*first) +
+    throw MeshError("Point " + std::to_string(wrong) +
       " of the surface has a coordinate that is not finite. Remove or repair the point.");
   }
 }
 
-std::vector<TriangleMesh::Builder::Checked> TriangleMesh::Builder::checkTriangles(
-  const std::vector<Triangle>& triangles)
-{
-  return resultsOfRanges(this->parallelFor_, triangles.size(), this->progress_.between(0.0, 0.3),
-    [&](std::size_t begin, std::size_t end)
-    {
-      Checked found = { triangles.size(), 0 };
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Triangle& t = triangles[i];
-        if (*std::max_element(t.begin(), t.end()) >= this->mesh_.numberOfVertices())
-        {
-          found.wrong = std::min(found.wrong, i);
-        }
-        found.kept += hasThreeVertices(t) ? 1 : 0;
-      }
-      return found;
-    });
-}
-
 void TriangleMesh::Builder::takeFaces(const std::vector<Triangle>& triangles)
 {
-  std::vector<Id> places;
-  Id kept = 0;
-  for (const Checked& checked : this->checkTriangles(triangles))
-  {
-    if (checked.wrong < triangles.size())
+  this->mesh_.faces_.resize(triangles.size());
+  const std::size_t wrong = this->firstWrong(triangles.size(),
+    [&](std::size_t i)
     {
-      throw MeshError("Face " + std::to_string(checked.wrong) +
-        " of the surface names a point that does not exist.");
-    }
-    places.push_back(kept);
-    kept += checked.kept;
-  }
-  if (kept == 0)
-  {
-    throw MeshError("Every face of the surface names a point twice, so that no face is left.");
-  }
-  const Id repeating = static_cast<Id>(triangles.size()) - kept;
-  std::vector<Id>& inputFaces = this->mesh_.inputFaces_;
-  this->mesh_.faces_.resize(kept);
-  inputFaces.resize(repeating > 0 ? kept : 0);
-  forRanges(this->parallelFor_, triangles.size(), this->progress_.between(0.3, 1.0),
-    [&](std::size_t begin, std::size_t end)
-    {
-      Id face = places[begin / ItemsInRange];
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        if (repeating > 0 && !hasThreeVertices(triangles[i]))
-        {
-          continue;
-        }
-        this->mesh_.faces_[face].corners = triangles[i];
-        if (repeating > 0)
-        {
-          inputFaces[face] = static_cast<Id>(i);
-        }
-        ++face;
-      }
+      const Triangle& t = triangles[i];
+      this->mesh_.faces_[i].corners = t;
+      return *std::max_element(t.begin(), t.end()) >= this->mesh_.numberOfVertices();
     });
+  if (wrong < triangles.size())
+  {
+    throw MeshError(
+      "Face " + std::to_string(wrong) + " of the surface names a point that does not exist.");
+  }
 }
 
 // The halfedges of one edge have the same lower vertex.
@@ -246,20 +197,20 @@ void TriangleMesh::Builder::linkSiblings(
   byHigh.clear();
   for (const Id s : halfedges)
   {
-    byHigh.push_back({ std::max(this->mesh_.origin(s), this->mesh_.destination(s)), s });
+    byHigh.emplace_back(std::max(this->mesh_.origin(s), this->mesh_.destination(s)), s);
   }
   std::sort(byHigh.begin(), byHigh.end());
-  const auto next = [this](const ByHigh& entry) -> Id&
-  { return this->mesh_.faces_[entry.halfedge / 3].nextSibling[entry.halfedge % 3]; };
+  const auto next = [&](std::size_t i) -> Id&
+  { return this->mesh_.faces_[byHigh[i].second / 3].nextSibling[byHigh[i].second % 3]; };
   for (std::size_t first = 0; first < byHigh.size();)
   {
     std::size_t end = first + 1;
-    while (end < byHigh.size() && byHigh[end].high == byHigh[first].high)
+    while (end < byHigh.size() && byHigh[end].first == byHigh[first].first)
     {
-      next(byHigh[end - 1]) = byHigh[end].halfedge;
+      next(end - 1) = byHigh[end].second;
       ++end;
     }
-    next(byHigh[end - 1]) = byHigh[first].halfedge;
+    next(end - 1) = byHigh[first].second;
     ++counts.edges;
     counts.nonManifold += end - first > 2 ? 1 : 0;
     first = end;
@@ -280,29 +231,34 @@ bool TriangleMesh::isDuplicate(Id face) const
   return false;
 }
 
-void TriangleMesh::Builder::dropDuplicateFaces()
+// Drops faces that name a vertex twice, and duplicates. Hardly any mesh has such faces, so that
+// siblings are linked with them first, and then again without them.
+void TriangleMesh::Builder::dropFaces()
 {
   this->progress_.nextUntil(0.45);
   TriangleMesh& mesh = this->mesh_;
   std::vector<std::uint8_t> drop(mesh.faces_.size(), 0);
-  this->forEach(
-    mesh.numberOfFaces(), [&](Id face) { drop[face] = mesh.isDuplicate(face) ? 1 : 0; });
+  this->forEach(mesh.numberOfFaces(),
+    [&](Id face)
+    { drop[face] = !hasThreeVertices(mesh.triangle(face)) || mesh.isDuplicate(face) ? 1 : 0; });
   if (std::find(drop.begin(), drop.end(), 1) == drop.end())
   {
     return;
   }
-  std::vector<Id> inputFaces;
   for (Id face = 0; face < mesh.numberOfFaces(); ++face)
   {
     if (!drop[face])
     {
-      mesh.faces_[inputFaces.size()] = mesh.faces_[face];
-      inputFaces.push_back(mesh.inputFace(face));
+      mesh.faces_[mesh.inputFaces_.size()] = mesh.faces_[face];
+      mesh.inputFaces_.push_back(face);
     }
   }
-  mesh.faces_.resize(inputFaces.size());
+  if (mesh.inputFaces_.empty())
+  {
+    throw MeshError("Every face of the surface names a point twice, so that no face is left.");
+  }
+  mesh.faces_.resize(mesh.inputFaces_.size());
   mesh.faces_.shrink_to_fit();
-  mesh.inputFaces_ = std::move(inputFaces);
   this->progress_.nextUntil(0.55);
   this->linkSiblings();
 }
@@ -314,20 +270,6 @@ void TriangleMesh::Builder::linkCorners()
     this->parallelFor_, this->progress_, [&mesh](Id corner) { return mesh.origin(corner); });
   mesh.cornerStart_ = std::move(corners.start);
   mesh.corners_ = std::move(corners.items);
-}
-
-void TriangleMesh::Builder::measureFaces()
-{
-  this->forEach(this->mesh_.numberOfFaces(),
-    [this](Id face) { this->mesh_.faces_[face].shape = this->mesh_.measure(face); });
-}
-
-void TriangleMesh::Builder::findPseudoSources()
-{
-  this->mesh_.pseudoSource_.resize(this->mesh_.points_.size());
-  this->forEach(this->mesh_.numberOfVertices(),
-    [this](Id vertex)
-    { this->mesh_.pseudoSource_[vertex] = this->mesh_.findPseudoSource(vertex); });
 }
 
 namespace
@@ -445,10 +387,6 @@ TriangleMesh::PseudoSource TriangleMesh::findPseudoSource(Id vertex) const
 bool TriangleMesh::isOneFan(Id vertex) const
 {
   const IdRange corners = this->cornersAt(vertex);
-  if (corners.size() == 0)
-  {
-    return true;
-  }
   // The walk begins at a boundary edge if there is one, so that it covers the whole fan.
   Id entered = *corners.begin();
   for (const Id corner : corners)

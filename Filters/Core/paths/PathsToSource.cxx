@@ -3,7 +3,7 @@
 
 #include "Errors.h"
 #include "field/RetentionAround.h"
-#include "mesh/GatheredFaces.h"
+#include "mesh/ReplicatedPatch.h"
 #include "paths/CleanPath.h"
 #include "paths/PathInStrip.h"
 #include "paths/PathInTransit.h"
@@ -44,10 +44,7 @@ GatheredFaces facesOf(const std::vector<SentPathPoint>& path)
   {
     faces.push_back(p.face);
   }
-  std::sort(faces.begin(), faces.end());
-  const auto isSame = [](const SentFace& a, const SentFace& b) { return !(a < b); };
-  faces.erase(std::unique(faces.begin(), faces.end(), isSame), faces.end());
-  return GatheredFaces(faces);
+  return GatheredFaces(std::move(faces));
 }
 
 using Status = PathInTransit::Status;
@@ -316,7 +313,7 @@ void PathFinder::putReport(const PathInTransit& transit, Message& message) const
   {
     const Id face = path.faces[i];
     points.push_back(
-      { sentFace(this->part_, face), toFacePoint(this->part_.mesh(), face, path.points[i]) });
+      { this->part_.sentFace(face), toFacePoint(this->part_.mesh(), face, path.points[i]) });
   }
   putAll(message, points);
   put(message, path.whole);

@@ -2,7 +2,7 @@
 #ifndef geodesic_RefinementRetention_h
 #define geodesic_RefinementRetention_h
 
-#include "PacedProgress.h"
+#include "Tasks.h"
 #include "front/Front.h"
 #include "front/Retention.h"
 #include "mesh/MeshPartition.h"

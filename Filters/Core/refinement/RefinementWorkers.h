@@ -2,7 +2,7 @@
 #ifndef geodesic_RefinementWorkers_h
 #define geodesic_RefinementWorkers_h
 
-#include "PacedProgress.h"
+#include "Progress.h"
 #include "refinement/DistancesInFaces.h"
 #include "refinement/TriangleError.h"
 
