@@ -4,9 +4,8 @@
 
 #include "Exchange.h"
 #include "PolyData/ranks/RankSeams.h"
-#include "PolyData/reading/Triangulator.h"
+#include "PolyData/reading/TriangleReader.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace geodesic
@@ -19,8 +18,10 @@ namespace geodesic
 ///
 /// \param labels of the vertices.
 /// \param triangles the corners of marked ones may change.
-/// \returns whether each triangle is a copy of another; empty if no triangle is.
-std::vector<std::uint8_t> findCopies(const RankLabels& labels, const VertexOfPoint& vertexOf,
+/// \returns of each triangle whether it is a copy of another, or else open; empty if no triangle is
+/// a
+///          copy.
+std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoint& vertexOf,
   TriangleList& triangles, Exchange& exchange);
 
 }

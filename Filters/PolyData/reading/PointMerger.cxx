@@ -5,16 +5,13 @@
 #include "mesh/GroupedItems.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace geodesic
 {
 
-namespace
-{
-
-/// For each point the first one at its place.
-UninitializedVector<Id> findFirstAtPlaces(
+// By hashes rather than a point locator, whose buckets degenerate where most points crowd in a
+// corner of the bounding box.
+std::vector<Id> firstAtPlaces(
   const std::vector<Vec3>& points, const LoopProgress& progress, const ParallelFor& parallelFor)
 {
   const auto count = static_cast<Id>(points.size());
@@ -23,7 +20,7 @@ UninitializedVector<Id> findFirstAtPlaces(
   {
     keys *= 2;
   }
-  UninitializedVector<Id> hashes(count);
+  std::vector<Id> hashes(count);
   forRanges(parallelFor, count, progress.between(0.0, 0.3),
     [&](std::size_t begin, std::size_t end)
     {
@@ -34,7 +31,7 @@ UninitializedVector<Id> findFirstAtPlaces(
     });
   const GroupedItems byHash = groupItems(count, keys, parallelFor, progress.between(0.3, 0.5),
     [&hashes](Id point) { return hashes[point]; });
-  UninitializedVector<Id>& first = hashes; // no longer needed
+  std::vector<Id>& first = hashes; // no longer needed
   forRanges(parallelFor, keys, progress.between(0.5, 1.0),
     [&](std::size_t begin, std::size_t end)
     {
@@ -50,46 +47,6 @@ UninitializedVector<Id> findFirstAtPlaces(
       }
     });
   return hashes;
-}
-
-}
-
-// By hashes rather than a point locator, whose buckets degenerate where most points crowd in a
-// corner of the bounding box.
-VertexOfPoint mergeCoincidentPoints(
-  std::vector<Vec3>& points, const LoopProgress& progress, const ParallelFor& parallelFor)
-{
-  const UninitializedVector<Id> first = findFirstAtPlaces(points, progress, parallelFor);
-  const std::vector<Id> merged = resultsOfRanges(parallelFor, points.size(),
-    [&first](std::size_t begin, std::size_t end)
-    {
-      Id count = 0;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        count += first[i] != i ? 1 : 0;
-      }
-      return count;
-    });
-  if (std::all_of(merged.begin(), merged.end(), [](Id count) { return count == 0; }))
-  {
-    return {};
-  }
-  std::vector<Id> vertexOfPoint(points.size());
-  Id numberOfVertices = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (first[i] == i)
-    {
-      points[numberOfVertices] = points[i];
-      vertexOfPoint[i] = numberOfVertices++;
-    }
-    else
-    {
-      vertexOfPoint[i] = vertexOfPoint[first[i]];
-    }
-  }
-  points.resize(numberOfVertices);
-  return VertexOfPoint(std::move(vertexOfPoint));
 }
 
 }

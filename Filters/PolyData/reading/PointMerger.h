@@ -2,22 +2,21 @@
 #ifndef geodesic_PointMerger_h
 #define geodesic_PointMerger_h
 
-#include "PolyData/reading/VertexOfPoint.h"
 #include "Progress.h"
 #include "Tasks.h"
+#include "Types.h"
 
 #include <vector>
 
 namespace geodesic
 {
 
-/// Merges points that lie at exactly one place, keeping the order of the first ones.
+/// For each point the first one at exactly its place.
 ///
-/// \param points in: all points; out: one a place, the vertices.
 /// \param progress its current stretch.
 /// \param parallelFor absent: one thread.
-VertexOfPoint mergeCoincidentPoints(
-  std::vector<Vec3>& points, const LoopProgress& progress, const ParallelFor& parallelFor);
+std::vector<Id> firstAtPlaces(
+  const std::vector<Vec3>& points, const LoopProgress& progress, const ParallelFor& parallelFor);
 
 }
 

@@ -3,7 +3,6 @@
 
 #include "PolyData/ParallelFor.h"
 #include "PolyData/ranks/RankSeams.h"
-#include "PolyData/ranks/RemoteVertices.h"
 #include "PolyData/ranks/SeamMerger.h"
 #include "PolyData/reading/Duplicates.h"
 #include "PolyData/reading/PointMerger.h"
@@ -18,6 +17,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cstdint>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <unordered_map>
@@ -57,30 +57,36 @@ struct Vertices
   /// \param same for each vertex the one of the same that stays.
   void join(const std::vector<Id>& same)
   {
-    std::vector<Id> numbers(same.size());
-    const bool hasLabels = !this->labels.labels.empty();
     Id count = 0;
-    for (Id vertex = 0; vertex < same.size(); ++vertex)
+    while (count < same.size() && same[count] == count)
     {
-      if (same[vertex] != vertex)
+      ++count;
+    }
+    if (count == same.size())
+    {
+      return;
+    }
+    std::vector<RankLabels::Label>& known = this->labels.labels;
+    std::vector<Id> numbers(same.size());
+    std::iota(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count), Id(0));
+    for (Id vertex = count; vertex < same.size(); ++vertex)
+    {
+      if (same[vertex] == vertex)
       {
-        continue;
+        this->positions[count] = this->positions[vertex];
+        if (!known.empty())
+        {
+          known[count] = known[vertex];
+        }
+        numbers[vertex] = count++;
       }
-      this->positions[count] = this->positions[vertex];
-      if (hasLabels)
-      {
-        this->labels.labels[count] = this->labels.labels[vertex];
-        this->labels.isShared[count] = this->labels.isShared[vertex];
-      }
-      numbers[vertex] = count++;
     }
     for (Id vertex = 0; vertex < same.size(); ++vertex)
     {
       numbers[vertex] = numbers[same[vertex]];
     }
     this->positions.resize(count);
-    this->labels.labels.resize(hasLabels ? count : 0);
-    this->labels.isShared.resize(hasLabels ? count : 0);
+    known.resize(known.empty() ? 0 : count);
     this->of.renumber(std::move(numbers));
   }
 };
@@ -137,8 +143,7 @@ public:
     progress.nextUntil(PointsMerged);
     if (mergeCoincidentPoints)
     {
-      vertices.of =
-        geodesic::mergeCoincidentPoints(vertices.positions, progress, this->parallelFor_);
+      vertices.join(firstAtPlaces(vertices.positions, progress, this->parallelFor_));
     }
     progress.nextUntil(TrianglesRead);
     TriangleList triangles = readTriangles(this->inputs_, vertices.of, numberOfFaces, progress,
@@ -174,10 +179,11 @@ private:
   std::vector<Vec3> readPoints(
     const std::vector<SurfaceBlock>& blocks, const LoopProgress& progress) const;
   void requireTriangles(const TriangleList& triangles, vtkIdType numberOfFaces) const;
-  PowerOfTwoScale scaleVertices(const TriangleList& triangles, Vertices& vertices) const;
+  PowerOfTwoScale scaleVertices(const TriangleList& triangles, Vertices& vertices);
   void joinBlocks(const TriangleList& triangles, Vertices& vertices);
   void joinRanks(bool mergeCoincidentPoints, const std::vector<SurfaceBlock>& blocks,
     const TriangleList& triangles, Vertices& vertices);
+  void joinSeamsOfRanks(const TriangleList& triangles, Vertices& vertices);
   std::vector<std::pair<std::int64_t, Id>> globalIds(
     const std::vector<SurfaceBlock>& blocks, const Vertices& vertices) const;
   std::vector<TriangleRole> findRoles(const Vertices& vertices, TriangleList& triangles) const;
@@ -194,6 +200,8 @@ private:
   Exchange& exchange_;
   const ProgressCallback& callback_;
   ParallelFor parallelFor_;
+  /// Of the triangles of all ranks, on the mesh's scale.
+  double largestCoordinate_ = 0.0;
   SurfaceReport report_;
 };
 
@@ -307,8 +315,7 @@ void SurfaceReader::requireTriangles(const TriangleList& triangles, vtkIdType nu
 /// be anywhere; they only stay finite.
 ///
 /// \throws MeshError if there is no such size.
-PowerOfTwoScale SurfaceReader::scaleVertices(
-  const TriangleList& triangles, Vertices& vertices) const
+PowerOfTwoScale SurfaceReader::scaleVertices(const TriangleList& triangles, Vertices& vertices)
 {
   constexpr double largestOfAll = 1e290;
   const std::vector<double> ofRanges = resultsOfRanges(this->parallelFor_, triangles.corners.size(),
@@ -346,6 +353,7 @@ PowerOfTwoScale SurfaceReader::scaleVertices(
       }
     }
   }
+  this->largestCoordinate_ = scale.toEngine(largest);
   return scale;
 }
 
@@ -362,12 +370,16 @@ void SurfaceReader::joinBlocks(const TriangleList& triangles, Vertices& vertices
     seams.push_back(seamBlock(vertices, triangles, triangles.firstOfBlock[i],
       triangles.firstOfBlock[i + 1], precisionOf(this->inputs_[i])));
   }
-  const JoinedVertices joined = mergeSeams(vertices.positions, seams);
-  if (!joined.same.empty())
+  const JoinedVertices joined = mergeSeams(vertices.positions, vertices.labels, std::move(seams),
+    this->largestCoordinate_, OneRank::instance());
+  std::vector<Id> same(vertices.positions.size());
+  std::iota(same.begin(), same.end(), Id(0));
+  for (const auto& [vertex, other] : joined.same)
   {
-    vertices.join(joined.same);
-    this->report_.joinedSeamPoints = static_cast<vtkIdType>(joined.count);
+    same[vertex] = static_cast<Id>(other);
   }
+  vertices.join(same);
+  this->report_.joinedSeamPoints = static_cast<vtkIdType>(joined.count);
 }
 
 /// Labels the vertices: vertices of different ranks that are one get the same label. If several
@@ -375,35 +387,44 @@ void SurfaceReader::joinBlocks(const TriangleList& triangles, Vertices& vertices
 void SurfaceReader::joinRanks(bool mergeCoincidentPoints, const std::vector<SurfaceBlock>& blocks,
   const TriangleList& triangles, Vertices& vertices)
 {
-  RankSeams seams(vertices.positions, this->exchange_);
-  seams.joinSame(mergeCoincidentPoints, this->globalIds(blocks, vertices));
+  vertices.labels = joinSameVertices(
+    vertices.positions, mergeCoincidentPoints, this->globalIds(blocks, vertices), this->exchange_);
   if (mergeCoincidentPoints)
   {
-    double precision = 0.0;
-    for (const PolyDataBlock& input : this->inputs_)
-    {
-      precision = std::max(precision, precisionOf(input));
-    }
-    const auto joined = static_cast<vtkIdType>(
-      seams.joinNear(seamBlock(vertices, triangles, 0, triangles.corners.size(), precision)));
-    // All ranks have counted the same.
-    this->report_.joinedSeamPoints += this->exchange_.rank() == 0 ? joined : 0;
+    this->joinSeamsOfRanks(triangles, vertices);
   }
-  vertices.labels = seams.take();
   std::unordered_map<RankLabels::Label, Id> first;
   std::vector<Id> same(vertices.positions.size());
-  bool isAnySame = false;
   for (Id vertex = 0; vertex < same.size(); ++vertex)
   {
     same[vertex] = vertices.labels.isSharedAt(vertex)
       ? first.emplace(vertices.labels.of(vertex), vertex).first->second
       : vertex;
-    isAnySame = isAnySame || same[vertex] != vertex;
   }
-  if (isAnySame)
+  vertices.join(same);
+}
+
+void SurfaceReader::joinSeamsOfRanks(const TriangleList& triangles, Vertices& vertices)
+{
+  double precision = 0.0;
+  for (const PolyDataBlock& input : this->inputs_)
   {
-    vertices.join(same);
+    precision = std::max(precision, precisionOf(input));
   }
+  const JoinedVertices joined = mergeSeams(vertices.positions, vertices.labels,
+    { seamBlock(vertices, triangles, 0, triangles.corners.size(), precision) },
+    this->largestCoordinate_, this->exchange_);
+  for (Id vertex = 0; vertex < vertices.positions.size() && !joined.same.empty(); ++vertex)
+  {
+    const auto found = joined.same.find(vertices.labels.of(vertex));
+    if (found != joined.same.end())
+    {
+      vertices.labels.labels[vertex] = found->second | RankLabels::Shared;
+    }
+  }
+  // All ranks have counted the same.
+  this->report_.joinedSeamPoints +=
+    this->exchange_.rank() == 0 ? static_cast<vtkIdType>(joined.count) : 0;
 }
 
 /// A global id and a vertex for each point; empty if points of any rank have no global ids.
@@ -439,12 +460,8 @@ std::vector<std::pair<std::int64_t, Id>> SurfaceReader::globalIds(
 std::vector<TriangleRole> SurfaceReader::findRoles(
   const Vertices& vertices, TriangleList& triangles) const
 {
-  std::vector<TriangleRole> roles;
-  for (const std::uint8_t copy :
-    findCopies(vertices.labels, vertices.of, triangles, this->exchange_))
-  {
-    roles.push_back(copy != 0 ? TriangleRole::Copy : TriangleRole::Open);
-  }
+  std::vector<TriangleRole> roles =
+    findCopies(vertices.labels, vertices.of, triangles, this->exchange_);
   if (this->barriers_.isGiven())
   {
     this->findBarriers(vertices, triangles, roles);
@@ -492,31 +509,27 @@ Faces SurfaceReader::takeFaces(
   Faces faces;
   faces.open = std::move(triangles.corners);
   std::vector<Triangle>& open = faces.open;
-  if (roles.empty())
-  {
-    forRanges(this->parallelFor_, vertices.of.isIdentity() ? 0 : open.size(),
-      [&](std::size_t begin, std::size_t end)
+  forRanges(this->parallelFor_, vertices.of.isIdentity() ? 0 : open.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
       {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          open[i] = vertices.of(open[i]);
-        }
-      });
-    return faces;
-  }
+        open[i] = vertices.of(open[i]);
+      }
+    });
   std::size_t count = 0;
-  for (std::size_t i = 0; i < open.size(); ++i)
+  for (std::size_t i = 0; i < roles.size(); ++i)
   {
     if (roles[i] == TriangleRole::Open)
     {
-      open[count++] = vertices.of(open[i]);
+      open[count++] = open[i];
     }
     else if (roles[i] == TriangleRole::Barrier)
     {
-      faces.barriers.push_back(vertices.of(open[i]));
+      faces.barriers.push_back(open[i]);
     }
   }
-  open.resize(count);
+  open.resize(roles.empty() ? open.size() : count);
   return faces;
 }
 

@@ -4,16 +4,53 @@
 
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/reading/PolyDataSurface.h"
-#include "PolyData/reading/Triangulator.h"
 #include "Progress.h"
 #include "Tasks.h"
 
+#include "vtkType.h"
+
+#include <cstddef>
 #include <vector>
 
 namespace geodesic
 {
 
-/// Reads the triangles of all blocks.
+/// The triangles of all blocks, one after another.
+struct TriangleList
+{
+  /// Points at the corners, numbered through all blocks.
+  std::vector<Triangle> corners;
+  /// The cell of its block that each triangle came from.
+  std::vector<vtkIdType> cells;
+  /// Whether a ghost array marks that cell as a duplicate.
+  std::vector<bool> isDuplicate;
+  /// The first triangle of each block, then the number of all.
+  std::vector<std::size_t> firstOfBlock;
+
+  /// Calls visit(first, last) for each cell that has triangles, in their order: with its first
+  /// triangle and the one after its last.
+  template <typename Visit>
+  void forEachCell(Visit&& visit) const
+  {
+    for (std::size_t block = 0; block + 1 < this->firstOfBlock.size(); ++block)
+    {
+      const std::size_t end = this->firstOfBlock[block + 1];
+      for (std::size_t first = this->firstOfBlock[block]; first < end;)
+      {
+        std::size_t last = first + 1;
+        while (last < end && this->cells[last] == this->cells[first])
+        {
+          ++last;
+        }
+        visit(first, last);
+        first = last;
+      }
+    }
+  }
+};
+
+/// Reads the triangles of all blocks, and cuts polygons and strips into triangles. Those that have
+/// two corners at one vertex are left out.
 ///
 /// \param blocks whose points are numbered; they are given their triangles as cells: the input's
 ///        own cells if these are the same.
