@@ -275,30 +275,18 @@ std::vector<Message> RankExchange::makeRoom()
 void RankExchange::transferInOrder(
   const std::vector<Message>& messages, const std::vector<std::byte*>& received)
 {
-  const auto transfer = [&](int sender, int receiver)
-  {
-    forEachPiece(this->sizeBetween(sender, receiver),
-      [&](std::size_t begin, int length)
-      {
-        if (sender == this->rank_)
-        {
-          this->controller_->Send(
-            bytesOf(messages[rankIndex(receiver)].data() + begin), length, receiver, Tag);
-        }
-        else
-        {
-          this->controller_->Receive(
-            bytesOf(received[rankIndex(sender)] + begin), length, sender, Tag);
-        }
-      });
-  };
   for (int sender = 0; sender < this->numberOfRanks_; ++sender)
   {
-    for (int other = 0; other < this->numberOfRanks_; ++other)
+    for (int receiver = 0; receiver < this->numberOfRanks_; ++receiver)
     {
-      if (sender == this->rank_ || other == this->rank_) // nothing goes to itself
+      const auto size = static_cast<vtkIdType>(this->sizeBetween(sender, receiver));
+      if (size > 0 && sender == this->rank_)
       {
-        transfer(sender, other);
+        this->controller_->Send(bytesOf(messages[rankIndex(receiver)].data()), size, receiver, Tag);
+      }
+      if (size > 0 && receiver == this->rank_)
+      {
+        this->controller_->Receive(bytesOf(received[rankIndex(sender)]), size, sender, Tag);
       }
     }
   }

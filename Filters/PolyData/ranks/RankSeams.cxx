@@ -132,18 +132,24 @@ BorrowedValues remoteVertices(
   const RankLabels& labels, const std::vector<Id>& ownNumbers, Exchange& exchange)
 {
   constexpr RankAddress nobody{ -1, NoId };
-  std::vector<RankAddress> holders(ownNumbers.size(), nobody);
+  constexpr auto nowhere = ~std::size_t(0);
+  std::vector<RankAddress> holders;
   Questions questions(exchange);
   for (Id vertex = 0; vertex < ownNumbers.size(); ++vertex)
   {
+    const Id own = ownNumbers[vertex];
     if (labels.isSharedAt(vertex))
     {
       const Label label = labels.of(vertex);
-      questions.ask(static_cast<int>(label >> BitsOfVertex), vertex, label, ownNumbers[vertex]);
+      questions.ask(static_cast<int>(label >> BitsOfVertex), own == NoId ? holders.size() : nowhere,
+        label, own);
+    }
+    if (own == NoId)
+    {
+      holders.push_back(nobody);
     }
   }
-  const auto isRemote = [](Id number) { return number == NoId; };
-  if (!exchange.isTrueAnywhere(std::any_of(ownNumbers.begin(), ownNumbers.end(), isRemote)))
+  if (!exchange.isTrueAnywhere(!holders.empty()))
   {
     return {};
   }
@@ -153,7 +159,7 @@ BorrowedValues remoteVertices(
     {
       const auto label = question.get<Label>();
       const Id number = question.get<Id>();
-      if (!isRemote(number))
+      if (number != NoId)
       {
         lowest.emplace(label, RankAddress{ rank, number }); // ranks ascend
       }
@@ -164,17 +170,15 @@ BorrowedValues remoteVertices(
       question.get<Id>();
       put(answer, found != lowest.end() ? found->second : nobody);
     },
-    [&](std::size_t vertex, MessageReader& answer)
-    { holders[vertex] = answer.get<RankAddress>(); });
-  std::vector<RankAddress> ofRemote;
-  for (Id vertex = 0; vertex < ownNumbers.size(); ++vertex)
-  {
-    if (isRemote(ownNumbers[vertex]))
+    [&](std::size_t item, MessageReader& answer)
     {
-      ofRemote.push_back(holders[vertex]);
-    }
-  }
-  return BorrowedValues(ofRemote, exchange);
+      const auto holder = answer.get<RankAddress>();
+      if (item != nowhere)
+      {
+        holders[item] = holder;
+      }
+    });
+  return BorrowedValues(holders, exchange);
 }
 
 bool OtherRanks::areNear(const Vec3& point, double margin) const

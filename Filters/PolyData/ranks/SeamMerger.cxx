@@ -350,69 +350,48 @@ std::vector<Pair> closePairs(const std::vector<SeamVertex>& vertices)
   return pairs;
 }
 
-/// Groups of vertices that are one, no two of one block.
-class Groups
+/// Adds blocks to others where none is among both. \returns whether that is so.
+bool addBlocks(const std::vector<std::size_t>& blocks, std::vector<std::size_t>& others)
 {
-public:
-  explicit Groups(std::vector<SeamVertex>& vertices)
-    : vertices_(vertices)
-    , parents_(vertices.size())
+  std::vector<std::size_t> all;
+  std::set_union(
+    blocks.begin(), blocks.end(), others.begin(), others.end(), std::back_inserter(all));
+  const bool areDisjoint = all.size() == blocks.size() + others.size();
+  if (areDisjoint)
   {
-    std::iota(this->parents_.begin(), this->parents_.end(), std::size_t(0));
+    others = std::move(all);
   }
+  return areDisjoint;
+}
 
-  std::size_t rootOf(std::size_t i)
-  {
-    while (this->parents_[i] != i)
-    {
-      i = this->parents_[i] = this->parents_[this->parents_[i]];
-    }
-    return i;
-  }
-
-  void join(std::size_t a, std::size_t b)
-  {
-    std::size_t low = this->rootOf(a);
-    std::size_t high = this->rootOf(b);
-    if (low == high)
-    {
-      return;
-    }
-    const auto order = [this](std::size_t i)
-    { return std::pair(this->vertices_[i].blocks.empty(), this->vertices_[i].label); };
-    if (order(high) < order(low))
-    {
-      std::swap(low, high);
-    }
-    std::vector<std::size_t>& blocks = this->vertices_[low].blocks;
-    const std::vector<std::size_t>& others = this->vertices_[high].blocks;
-    std::vector<std::size_t> both;
-    std::set_union(
-      blocks.begin(), blocks.end(), others.begin(), others.end(), std::back_inserter(both));
-    if (both.size() < blocks.size() + others.size())
-    {
-      return; // two of one block
-    }
-    blocks = std::move(both);
-    this->parents_[high] = low;
-  }
-
-private:
-  std::vector<SeamVertex>& vertices_;
-  std::vector<std::size_t> parents_;
-};
-
+/// Joins vertices that are close in groups, no two of one block.
 JoinedVertices joinClose(std::vector<SeamVertex> vertices)
 {
-  Groups groups(vertices);
+  std::vector<std::size_t> parents(vertices.size());
+  std::iota(parents.begin(), parents.end(), std::size_t(0));
+  const auto rootOf = [&parents](std::size_t i)
+  {
+    while (parents[i] != i)
+    {
+      i = parents[i] = parents[parents[i]];
+    }
+    return i;
+  };
+  const auto order = [&vertices](std::size_t i)
+  { return std::pair(vertices[i].blocks.empty(), vertices[i].label); };
   for (const auto& [distance, a, b] : closePairs(vertices))
   {
-    groups.join(a, b);
+    const auto [low, high] = std::minmax({ rootOf(a), rootOf(b) },
+      [&order](std::size_t i, std::size_t j) { return order(i) < order(j); });
+    if (low != high && addBlocks(vertices[high].blocks, vertices[low].blocks))
+    {
+      parents[high] = low;
+    }
   }
   JoinedVertices joined;
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    const std::size_t root = groups.rootOf(i);
+    const std::size_t root = rootOf(i);
     if (root != i)
     {
       joined.same.emplace(vertices[i].label, vertices[root].label);

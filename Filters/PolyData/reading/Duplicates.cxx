@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolyData/reading/Duplicates.h"
-
 #include "PolyData/Hash.h"
+#include "PolyData/reading/TriangleReader.h"
 #include "Questions.h"
 
 #include <algorithm>
@@ -21,95 +20,86 @@ using Label = RankLabels::Label;
 /// The triangles of a cell: the first and the one after the last.
 using Range = std::pair<std::size_t, std::size_t>;
 
+std::vector<Id> verticesOf(
+  const Range& cell, const VertexOfPoint& vertexOf, const TriangleList& triangles)
+{
+  std::set<Id> vertices;
+  for (std::size_t i = cell.first; i < cell.second; ++i)
+  {
+    const Triangle corners = vertexOf(triangles.corners[i]);
+    vertices.insert(corners.begin(), corners.end());
+  }
+  return { vertices.begin(), vertices.end() };
+}
+
+/// Cells on the same vertices have as many triangles, unless they touch themselves.
+void copyCut(const Range& original, const Range& duplicate, const VertexOfPoint& vertexOf,
+  TriangleList& triangles)
+{
+  const std::size_t count = original.second - original.first;
+  if (duplicate.second - duplicate.first < count)
+  {
+    return;
+  }
+  std::map<Id, Id> ownPoints;
+  for (std::size_t i = duplicate.first; i < duplicate.first + count; ++i)
+  {
+    for (const Id point : triangles.corners[i])
+    {
+      ownPoints.emplace(vertexOf(point), point);
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    Triangle triangle = triangles.corners[original.first + i];
+    for (Id& corner : triangle)
+    {
+      const auto own = ownPoints.find(vertexOf(corner));
+      if (own == ownPoints.end())
+      {
+        return;
+      }
+      corner = own->second;
+    }
+    triangles.corners[duplicate.first + i] = triangle;
+  }
+}
+
 /// Of cells that were cut into several triangles, takes the cut of an original over to its
 /// duplicates.
-class CutCopier
+void copyCuts(const VertexOfPoint& vertexOf, TriangleList& triangles)
 {
-public:
-  CutCopier(const VertexOfPoint& vertexOf, TriangleList& triangles)
-    : vertexOf_(vertexOf)
-    , triangles_(triangles)
+  const auto forEachCut = [&triangles](bool isMarked, const auto& visit)
   {
-  }
-
-  void run()
-  {
-    std::map<std::vector<Id>, std::vector<Range>> duplicates;
-    const auto forEachCut = [this](bool isMarked, const auto& visit)
-    {
-      this->triangles_.forEachCell(
-        [&](std::size_t first, std::size_t last)
-        {
-          if (last > first + 1 && this->triangles_.isDuplicate[first] == isMarked)
-          {
-            visit(Range(first, last));
-          }
-        });
-    };
-    forEachCut(
-      true, [&](const Range& cell) { duplicates[this->verticesOf(cell)].push_back(cell); });
-    forEachCut(false,
-      [&](const Range& cell)
+    triangles.forEachCell(
+      [&](std::size_t first, std::size_t last)
       {
-        const auto found =
-          duplicates.empty() ? duplicates.end() : duplicates.find(this->verticesOf(cell));
-        if (found != duplicates.end())
+        if (last > first + 1 && triangles.isDuplicate[first] == isMarked)
         {
-          for (const Range& duplicate : found->second)
-          {
-            this->copy(cell, duplicate);
-          }
+          visit(Range(first, last));
         }
       });
-  }
-
-private:
-  std::vector<Id> verticesOf(const Range& cell) const
+  };
+  std::map<std::vector<Id>, std::vector<Range>> duplicates;
+  forEachCut(true,
+    [&](const Range& cell) { duplicates[verticesOf(cell, vertexOf, triangles)].push_back(cell); });
+  if (duplicates.empty())
   {
-    std::set<Id> vertices;
-    for (std::size_t i = cell.first; i < cell.second; ++i)
-    {
-      const Triangle corners = this->vertexOf_(this->triangles_.corners[i]);
-      vertices.insert(corners.begin(), corners.end());
-    }
-    return { vertices.begin(), vertices.end() };
+    return;
   }
-
-  /// Cells on the same vertices have as many triangles, unless they touch themselves.
-  void copy(const Range& original, const Range& duplicate)
-  {
-    const std::size_t count = original.second - original.first;
-    if (duplicate.second - duplicate.first < count)
+  forEachCut(false,
+    [&](const Range& cell)
     {
-      return;
-    }
-    std::map<Id, Id> ownPoints;
-    for (std::size_t i = duplicate.first; i < duplicate.first + count; ++i)
-    {
-      for (const Id point : this->triangles_.corners[i])
+      const auto found = duplicates.find(verticesOf(cell, vertexOf, triangles));
+      if (found != duplicates.end())
       {
-        ownPoints.emplace(this->vertexOf_(point), point);
-      }
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      Triangle triangle = this->triangles_.corners[original.first + i];
-      for (Id& corner : triangle)
-      {
-        const auto own = ownPoints.find(this->vertexOf_(corner));
-        if (own == ownPoints.end())
+        for (const Range& duplicate : found->second)
         {
-          return;
+          copyCut(cell, duplicate, vertexOf, triangles);
         }
-        corner = own->second;
       }
-      this->triangles_.corners[duplicate.first + i] = triangle;
-    }
-  }
-
-  const VertexOfPoint& vertexOf_;
-  TriangleList& triangles_;
-};
+    });
+}
 
 /// The vertices of a cell, as two numbers that no other cell has.
 using CellKey = std::array<std::uint64_t, 2>;
@@ -252,7 +242,7 @@ std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoi
     return {};
   }
   std::vector<TriangleRole> roles(triangles.corners.size(), TriangleRole::Open);
-  CutCopier(vertexOf, triangles).run();
+  copyCuts(vertexOf, triangles);
   findCopiesHere(vertexOf, triangles, roles);
   findCopiesOfOthers(labels, vertexOf, triangles, exchange, roles);
   const bool isAny = std::find(roles.begin(), roles.end(), TriangleRole::Copy) != roles.end();

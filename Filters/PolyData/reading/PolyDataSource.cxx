@@ -221,16 +221,6 @@ std::string textOf(const Vec3& p)
   return text.str();
 }
 
-/// \param cell the barrier, as nameOfBarrier() says.
-SourceError liesInBarrier(const PolyDataSurface& surface, const LocatedPolyline& line,
-  std::size_t point, const std::string& cell)
-{
-  return SourceError('P' + nameOfPoint(line, point).substr(1) + ", at " +
-    textOf(surface.scale().toUser(line.points[point])) +
-    ", lies in a barrier (BarrierArrayName): it is closest to " + cell +
-    ", which no path may leave. Move it out of the barrier, or onto its rim.");
-}
-
 /// "cell 17 of the surface (input port 0)", as the rank of a barrier calls it. All ranks call this
 /// together.
 std::string nameOfBarrier(const PolyDataSurface& surface,
@@ -293,6 +283,14 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
   return result;
 }
 
+std::vector<RankAddress> barriersAt(
+  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
+{
+  return surface.hasBarriers()
+    ? surface.barriers()->barriersAt(located.places, located.faces, coordinatePrecision)
+    : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
+}
+
 void requireOutsideBarriers(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
   const LocatedPlaces& located, double coordinatePrecision)
@@ -301,8 +299,7 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
   {
     return;
   }
-  const std::vector<RankAddress> barriers =
-    surface.barriers()->barriersAt(located.places, located.faces, coordinatePrecision);
+  const std::vector<RankAddress> barriers = barriersAt(surface, located, coordinatePrecision);
   for (const LocatedPolyline& line : polylines)
   {
     for (std::size_t i = 0; i < line.points.size(); ++i)
@@ -310,7 +307,11 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
       const RankAddress& face = barriers[located.indexOf(line.points[i])];
       if (face.id != NoId)
       {
-        throw liesInBarrier(surface, line, i, nameOfBarrier(surface, surfaceBlocks, face));
+        throw SourceError('P' + nameOfPoint(line, i).substr(1) + ", at " +
+          textOf(surface.scale().toUser(line.points[i])) +
+          ", lies in a barrier (BarrierArrayName): it is closest to " +
+          nameOfBarrier(surface, surfaceBlocks, face) +
+          ", which no path may leave. Move it out of the barrier, or onto its rim.");
       }
     }
   }

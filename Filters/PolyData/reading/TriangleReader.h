@@ -2,7 +2,9 @@
 #ifndef geodesic_TriangleReader_h
 #define geodesic_TriangleReader_h
 
+#include "Exchange.h"
 #include "PolyData/PolyDataBlocks.h"
+#include "PolyData/ranks/RankSeams.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "Progress.h"
 #include "Tasks.h"
@@ -60,6 +62,19 @@ struct TriangleList
 TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const VertexOfPoint& vertexOf,
   vtkIdType numberOfFaces, const LoopProgress& progress, const ParallelFor& parallelFor,
   std::vector<SurfaceBlock>& blocks, SurfaceReport& report);
+
+/// Finds the originals of triangles that ghost arrays mark as duplicates, among the triangles of
+/// all ranks. A marked cell on the vertices of an unmarked cell of this rank gets that cell's
+/// triangles (a polygon may be cut in several ways). A marked cell without an original is surface
+/// itself; of several such cells on the same vertices, the first. All ranks call this together.
+///
+/// \param labels of the vertices.
+/// \param triangles the corners of marked ones may change.
+/// \returns of each triangle whether it is a copy of another, or else open; empty if no triangle is
+/// a
+///          copy.
+std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoint& vertexOf,
+  TriangleList& triangles, Exchange& exchange);
 
 /// Gives blocks their triangles as cells, after duplicates have been given those of their
 /// originals.

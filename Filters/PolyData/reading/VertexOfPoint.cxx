@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolyData/reading/PointMerger.h"
+#include "PolyData/reading/VertexOfPoint.h"
 
 #include "PolyData/Hash.h"
 #include "mesh/GroupedItems.h"
