@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/SurfaceCache.h"
 
-#include "PolyData/reading/SurfaceReader.h"
-
 namespace geodesic
 {
 

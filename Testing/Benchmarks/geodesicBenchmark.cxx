@@ -9,7 +9,7 @@
 
 #include "PolyData/ParallelFor.h"
 #include "PolyData/reading/PolyDataSource.h"
-#include "PolyData/reading/SurfaceReader.h"
+#include "PolyData/reading/PolyDataSurface.h"
 #include "field/SegmentEnvelope.h"
 #include "field/Solve.h"
 #include "paths/JoinPoints.h"

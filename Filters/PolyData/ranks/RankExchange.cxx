@@ -68,8 +68,6 @@ RankExchange::RankExchange(vtkMultiProcessController* controller)
 {
 }
 
-RankExchange::~RankExchange() = default;
-
 bool RankExchange::isWith(vtkMultiProcessController* controller) const
 {
   return this->controller_ == controller && this->rank_ == controller->GetLocalProcessId() &&
@@ -215,8 +213,7 @@ void RankExchange::takeLeast(std::vector<double>& least)
 
 std::size_t RankExchange::sizeBetween(int sender, int receiver) const
 {
-  return static_cast<std::size_t>(
-    this->headerOf(sender)[FirstSize + static_cast<std::size_t>(receiver)]);
+  return static_cast<std::size_t>(this->headerOf(sender)[FirstSize + rankIndex(receiver)]);
 }
 
 std::size_t RankExchange::bytesToReceive(int rank) const
@@ -273,40 +270,24 @@ std::vector<Message> RankExchange::makeRoom()
   return received;
 }
 
-/// In round k each rank talks to the one with which its number adds up to k, modulo their count; of
-/// two the lower one sends first. A rank that waits in a round waits for one that is in an earlier
-/// round or in the same, so that those in the earliest round always go on.
+/// One rank after another sends to all others, by their order. Of what remains to be sent, the
+/// first is what its sender and its receiver have come to, so that these go on.
 void RankExchange::transferInOrder(
   const std::vector<Message>& messages, const std::vector<std::byte*>& received)
 {
-  const auto send = [&](int partner)
+  for (int sender = 0; sender < this->numberOfRanks_; ++sender)
   {
-    const Message& message = messages[static_cast<std::size_t>(partner)];
-    forEachPiece(message.size(),
-      [&](std::size_t begin, int length)
-      { this->controller_->Send(bytesOf(message.data() + begin), length, partner, Tag); });
-  };
-  const auto receive = [&](int partner)
-  {
-    forEachPiece(this->sizeBetween(partner, this->rank_),
-      [&](std::size_t begin, int length)
+    for (int receiver = 0; receiver < this->numberOfRanks_; ++receiver)
+    {
+      const auto size = static_cast<vtkIdType>(this->sizeBetween(sender, receiver));
+      if (size > 0 && sender == this->rank_)
       {
-        this->controller_->Receive(
-          bytesOf(received[static_cast<std::size_t>(partner)] + begin), length, partner, Tag);
-      });
-  };
-  for (int round = 0; round < this->numberOfRanks_; ++round)
-  {
-    const int partner = (round - this->rank_ + this->numberOfRanks_) % this->numberOfRanks_;
-    if (partner > this->rank_)
-    {
-      send(partner);
-      receive(partner);
-    }
-    else if (partner < this->rank_)
-    {
-      receive(partner);
-      send(partner);
+        this->controller_->Send(bytesOf(messages[rankIndex(receiver)].data()), size, receiver, Tag);
+      }
+      if (size > 0 && receiver == this->rank_)
+      {
+        this->controller_->Receive(bytesOf(received[rankIndex(sender)]), size, sender, Tag);
+      }
     }
   }
 }
@@ -324,28 +305,22 @@ bool RankExchange::transferAtOnce(
   std::vector<vtkMPICommunicator::Request> requests;
   for (int rank = 0; rank < this->numberOfRanks_; ++rank)
   {
-    if (rank != this->rank_)
-    {
-      forEachPiece(this->sizeBetween(rank, this->rank_),
-        [&](std::size_t begin, int length)
-        {
-          controller->NoBlockReceive(
-            bytesOf(received[rankIndex(rank)] + begin), length, rank, Tag, requests.emplace_back());
-        });
-    }
+    // Nothing goes to this rank itself.
+    forEachPiece(this->sizeBetween(rank, this->rank_),
+      [&](std::size_t begin, int length)
+      {
+        controller->NoBlockReceive(
+          bytesOf(received[rankIndex(rank)] + begin), length, rank, Tag, requests.emplace_back());
+      });
   }
   for (int rank = 0; rank < this->numberOfRanks_; ++rank)
   {
-    if (rank != this->rank_)
-    {
-      const Message& message = messages[rankIndex(rank)];
-      forEachPiece(message.size(),
-        [&](std::size_t begin, int length)
-        {
-          controller->NoBlockSend(
-            bytesOf(message.data() + begin), length, rank, Tag, requests.emplace_back());
-        });
-    }
+    forEachPiece(this->sizeBetween(this->rank_, rank),
+      [&](std::size_t begin, int length)
+      {
+        controller->NoBlockSend(bytesOf(messages[rankIndex(rank)].data() + begin), length, rank,
+          Tag, requests.emplace_back());
+      });
   }
   for (vtkMPICommunicator::Request& request : requests)
   {

@@ -27,7 +27,6 @@ class RankExchange : public Exchange
 public:
   /// \param controller of two or more processes, all of which make such an exchange.
   explicit RankExchange(vtkMultiProcessController* controller);
-  ~RankExchange() override;
 
   int rank() const override { return this->rank_; }
   int numberOfRanks() const override { return this->numberOfRanks_; }

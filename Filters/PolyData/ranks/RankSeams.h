@@ -3,10 +3,10 @@
 #define geodesic_RankSeams_h
 
 #include "Exchange.h"
-#include "PolyData/ranks/SeamMerger.h"
+#include "PolyData/ranks/BorrowedValues.h"
 #include "Types.h"
+#include "mesh/Box.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -14,68 +14,72 @@
 namespace geodesic
 {
 
-/// What one rank knows of the vertices of its piece that other ranks may have, too. One process
-/// needs no tables.
+/// What one rank knows of the vertices of its piece that other ranks may have, too.
 struct RankLabels
 {
+  /// The rank and the number of a vertex.
   using Label = std::uint64_t;
+  static constexpr Label Shared = Label(1) << 63;
 
-  /// One a vertex. Vertices of all ranks that are one have the same label, and no others.
+  /// One a vertex. Vertices of all ranks that are one have the same label, and no others. The bit
+  /// Shared is set where another rank has the vertex, too. Empty in one process, where a vertex's
+  /// label is its number.
   std::vector<Label> labels;
-  /// Whether another rank has the vertex, too.
-  std::vector<std::uint8_t> isShared;
 
-  Label of(Id vertex) const { return this->labels.empty() ? vertex : this->labels[vertex]; }
-  bool isSharedAt(Id vertex) const { return !this->isShared.empty() && this->isShared[vertex]; }
+  Label of(Id vertex) const
+  {
+    return this->labels.empty() ? vertex : this->labels[vertex] & ~Shared;
+  }
+  bool isSharedAt(Id vertex) const
+  {
+    return !this->labels.empty() && (this->labels[vertex] & Shared) != 0;
+  }
 };
 
-/// Finds the vertices of several ranks' pieces of a surface that are one. Each vertex has a label:
-/// the rank and the number of a vertex that it is one with. All ranks call all of these functions,
-/// in the same order.
-class RankSeams
+/// Finds the vertices of several ranks' pieces of a surface that are one: those at exactly one
+/// place, and those with the same global id. All ranks call this together.
+///
+/// \param vertices of this rank's piece.
+/// \param byPlace whether places count; the same on all ranks.
+/// \param globalIds a global id and a vertex each; empty where there are none.
+RankLabels joinSameVertices(const std::vector<Vec3>& vertices, bool byPlace,
+  const std::vector<std::pair<std::int64_t, Id>>& globalIds, Exchange& exchange);
+
+/// Finds values for the vertices of a rank's points that no own face has: corners of duplicates of
+/// other ranks' faces, and points that no face uses here. The values come from the lowest rank that
+/// has a face there. All ranks call this together.
+///
+/// \param labels of all vertices of this rank.
+/// \param ownNumbers of each vertex its number among those with faces; NoId without faces. Empty in
+///        one process.
+/// \returns one value for each vertex without faces, in their order.
+BorrowedValues remoteVertices(
+  const RankLabels& labels, const std::vector<Id>& ownNumbers, Exchange& exchange);
+
+/// \param margin to all sides of the point.
+inline Box boxAround(const Vec3& point, double margin)
+{
+  const Vec3 margins = { margin, margin, margin };
+  return { point - margins, point + margins };
+}
+
+/// The bounding boxes of what the other ranks have.
+class OtherRanks
 {
 public:
-  using Label = RankLabels::Label;
-
-  /// \param vertices of this rank's piece; they and the exchange must outlive this.
-  RankSeams(const std::vector<Vec3>& vertices, Exchange& exchange);
-
-  /// Makes vertices at exactly one place one, and those with the same global id.
+  /// All ranks make theirs together.
   ///
-  /// \param byPlace the same on all ranks.
-  /// \param globalIds a global id and a vertex each; empty where there are none.
-  void joinSame(bool byPlace, const std::vector<std::pair<std::int64_t, Id>>& globalIds);
+  /// \param own of what this rank has.
+  OtherRanks(const Box& own, Exchange& exchange)
+    : boxes_(valuesOfRanks(exchange, own))
+  {
+    this->boxes_.erase(this->boxes_.begin() + exchange.rank());
+  }
 
-  /// Makes vertices one that are on the boundaries of two pieces, or at ghosts, and within the
-  /// precision of their coordinates, by the rule for blocks (SeamMerger.h). After joinSame().
-  ///
-  /// \param piece the faces of this rank.
-  /// \returns how many vertices were joined with others, on all ranks. Vertices that only ghosts
-  ///          have do not count.
-  std::uint64_t joinNear(SeamBlock piece);
-
-  RankLabels take() { return std::move(this->labels_); }
-
-  /// The rank with the lowest vertex of those with a label.
-  static int rankOf(Label label) { return static_cast<int>(label >> BitsOfVertex); }
+  bool areNear(const Vec3& point, double margin) const;
 
 private:
-  static constexpr int BitsOfVertex = 40;
-
-  static Label makeLabel(int rank, Id vertex)
-  {
-    return (static_cast<Label>(rank) << BitsOfVertex) | vertex;
-  }
-  std::vector<Id> verticesNearOthers() const;
-  template <typename Key>
-  bool shareLeast(const std::vector<std::pair<Key, Id>>& items);
-  SeamBlock facesNearOthers(SeamBlock piece) const;
-  GhostPlaces gatherGhosts(const SeamBlock& piece) const;
-  std::vector<SeamVertex> gatherSeams(const SeamBlock& piece) const;
-
-  const std::vector<Vec3>& vertices_;
-  Exchange& exchange_;
-  RankLabels labels_;
+  std::vector<Box> boxes_;
 };
 
 }

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/ranks/SeamMerger.h"
 
+#include "PolyData/Hash.h"
 #include "Tolerance.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <iterator>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace geodesic
@@ -19,10 +22,117 @@ namespace geodesic
 namespace
 {
 
-using Edge = std::pair<Id, Id>;
+using Label = RankLabels::Label;
 
-/// The edges that a block has once.
-std::vector<Edge> boundaryEdges(const std::vector<Triangle>& triangles)
+/// A cube of a grid whose edges are a power of two, the last number.
+using Cell = std::array<std::int64_t, 4>;
+
+struct CellHash
+{
+  std::size_t operator()(const Cell& cell) const
+  {
+    return static_cast<std::size_t>(hashOf(cell.data(), cell.size()));
+  }
+};
+
+/// The least cubes that are twice as large as a distance, or larger.
+int levelFor(double distance)
+{
+  return std::ilogb(distance) + 2;
+}
+
+/// \param shift of the point, in cubes.
+Cell cellAt(const Vec3& point, int level, double shift = 0.0)
+{
+  Cell cell{};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    cell[k] = static_cast<std::int64_t>(std::floor(std::ldexp(point[k], -level) + shift));
+  }
+  cell[3] = level;
+  return cell;
+}
+
+/// The cubes that have all points whose coordinates differ by at most half a cube.
+std::array<Cell, 8> cellsAround(const Vec3& point, int level)
+{
+  std::array<Cell, 8> cells;
+  cells.fill(cellAt(point, level, -0.5));
+  for (std::size_t side = 0; side < cells.size(); ++side)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      cells[side][k] += static_cast<std::int64_t>(side >> k & 1U);
+    }
+  }
+  return cells;
+}
+
+/// The places of ghosts' corners.
+class GhostPlaces
+{
+public:
+  /// Those of all ranks.
+  ///
+  /// \param margin the largest tolerance of all vertices.
+  GhostPlaces(const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks,
+    double margin, Exchange& exchange)
+    : level_(levelFor(margin))
+  {
+    std::set<Id> corners;
+    for (const SeamBlock& block : blocks)
+    {
+      for (const Triangle& triangle : block.ghosts)
+      {
+        corners.insert(triangle.begin(), triangle.end());
+      }
+    }
+    Message message;
+    for (const Id vertex : corners)
+    {
+      put(message, vertices[vertex]);
+    }
+    readEach(exchange.tellAll(message),
+      [this](int, MessageReader& reader)
+      {
+        const std::array<Cell, 8> cells = cellsAround(reader.get<Vec3>(), this->level_);
+        this->cells_.insert(cells.begin(), cells.end());
+      });
+  }
+
+  /// Whether a point may be within the margin of a corner. Never false if it is.
+  bool isNear(const Vec3& point) const
+  {
+    return !this->cells_.empty() && this->cells_.count(cellAt(point, this->level_)) > 0;
+  }
+
+private:
+  int level_;
+  std::unordered_set<Cell, CellHash> cells_;
+};
+
+/// A vertex of a block: on its boundary, at a ghost, or near one.
+struct VertexOfBlock
+{
+  Label label;
+  Vec3 position;
+  std::size_t block;
+  /// Whether the block has a triangle there; it may have ghosts only.
+  bool hasFace = false;
+  bool isOnBoundary = false;
+  /// Whether it is a corner of a ghost.
+  bool isAtGhost = false;
+  /// The rounding of coordinates around.
+  double rounding = 0.0;
+  double shortestEdge = Infinity;
+
+  /// How far it may be from another to be one with it.
+  double tolerance() const { return tolerance::SeamRoundings * this->rounding; }
+};
+
+using Edge = std::array<Id, 2>;
+
+std::vector<Edge> sortedEdges(const std::vector<Triangle>& triangles)
 {
   std::vector<Edge> edges;
   edges.reserve(3 * triangles.size());
@@ -31,394 +141,295 @@ std::vector<Edge> boundaryEdges(const std::vector<Triangle>& triangles)
     for (std::size_t k = 0; k < 3; ++k)
     {
       const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-      edges.emplace_back(low, high);
+      edges.push_back({ low, high });
     }
   }
   std::sort(edges.begin(), edges.end());
-  std::vector<Edge> boundary;
-  for (auto first = edges.begin(); first != edges.end();)
-  {
-    const auto last = std::upper_bound(first, edges.end(), *first);
-    if (last - first == 1)
-    {
-      boundary.push_back(*first);
-    }
-    first = last;
-  }
-  return boundary;
+  return edges;
 }
 
 /// Collects the vertices that may have to be joined.
-class SeamVertices
+class VerticesOfBlocks
 {
 public:
-  explicit SeamVertices(const std::vector<Vec3>& vertices)
+  VerticesOfBlocks(const std::vector<Vec3>& vertices, const RankLabels& labels)
     : vertices_(vertices)
-    , numbers_(vertices.size(), NoId)
+    , labels_(labels)
   {
   }
 
-  void addBlock(std::size_t block, const SeamBlock& data, const GhostPlaces& ghosts)
+  void addBlock(std::size_t number, const SeamBlock& block, const GhostPlaces& ghosts)
   {
-    for (const auto& [a, b] : boundaryEdges(data.triangles))
+    this->numbers_.clear();
+    const std::vector<Edge> edges = sortedEdges(block.triangles);
+    for (auto first = edges.begin(); first != edges.end();)
     {
-      for (const Id vertex : { a, b })
+      const auto last = std::upper_bound(first, edges.end(), *first);
+      const bool isBoundary = last - first == 1;
+      for (const Id vertex : *first)
       {
-        SeamVertex& entry = this->add(vertex, a, b, data.precision);
-        entry.isOnBoundary = true;
-        addTo(entry.blocks, block);
+        if (isBoundary || ghosts.isNear(this->vertices_[vertex]))
+        {
+          VertexOfBlock& entry = this->add(number, vertex, *first, block.precision);
+          entry.hasFace = true;
+          entry.isOnBoundary = entry.isOnBoundary || isBoundary;
+        }
+      }
+      first = last;
+    }
+    for (const Edge& edge : sortedEdges(block.ghosts))
+    {
+      for (const Id vertex : edge)
+      {
+        this->add(number, vertex, edge, block.precision).isAtGhost = true;
       }
     }
-    forEachEnd(data.triangles,
-      [&](Id vertex, Id other)
-      {
-        if (ghosts.isNear(this->vertices_[vertex]))
-        {
-          addTo(this->add(vertex, vertex, other, data.precision).blocks, block);
-        }
-      });
-    forEachEnd(data.ghosts,
-      [&](Id vertex, Id other)
-      { this->add(vertex, vertex, other, data.precision).isAtGhost = true; });
   }
 
-  std::vector<SeamVertex>&& take() { return std::move(this->entries_); }
+  std::vector<VertexOfBlock>&& take() { return std::move(this->entries_); }
 
 private:
-  /// Calls with each corner of triangles and its neighbours.
-  template <typename Visit>
-  static void forEachEnd(const std::vector<Triangle>& triangles, Visit&& visit)
+  /// \param edge at the vertex.
+  VertexOfBlock& add(std::size_t block, Id vertex, const Edge& edge, double precision)
   {
-    for (const Triangle& t : triangles)
+    const auto [number, isNew] = this->numbers_.emplace(vertex, this->entries_.size());
+    if (isNew)
     {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        visit(t[k], t[(k + 1) % 3]);
-        visit(t[k], t[(k + 2) % 3]);
-      }
+      this->entries_.push_back({ this->labels_.of(vertex), this->vertices_[vertex], block });
     }
-  }
-
-  static void addTo(std::vector<std::size_t>& blocks, std::size_t block)
-  {
-    if (blocks.empty() || blocks.back() != block)
-    {
-      blocks.push_back(block);
-    }
-  }
-
-  /// \param a, b the ends of an edge at the vertex.
-  SeamVertex& add(Id vertex, Id a, Id b, double precision)
-  {
-    SeamVertex& entry = this->entryOf(vertex);
-    const double largest =
-      std::max(largestCoordinate(this->vertices_[a]), largestCoordinate(this->vertices_[b]));
-    entry.rounding = std::max(entry.rounding, precision * largest);
-    entry.shortestEdge =
-      std::min(entry.shortestEdge, norm(this->vertices_[b] - this->vertices_[a]));
+    VertexOfBlock& entry = this->entries_[number->second];
+    const Vec3& a = this->vertices_[edge[0]];
+    const Vec3& b = this->vertices_[edge[1]];
+    entry.rounding =
+      std::max(entry.rounding, precision * std::max(largestCoordinate(a), largestCoordinate(b)));
+    entry.shortestEdge = std::min(entry.shortestEdge, norm(b - a));
     return entry;
   }
 
-  SeamVertex& entryOf(Id vertex)
-  {
-    Id& number = this->numbers_[vertex];
-    if (number == NoId)
-    {
-      number = static_cast<Id>(this->entries_.size());
-      SeamVertex& entry = this->entries_.emplace_back();
-      entry.vertex = vertex;
-      entry.position = this->vertices_[vertex];
-    }
-    return this->entries_[number];
-  }
-
   const std::vector<Vec3>& vertices_;
-  std::vector<Id> numbers_;
-  std::vector<SeamVertex> entries_;
+  const RankLabels& labels_;
+  std::vector<VertexOfBlock> entries_;
+  /// The entries of one block's vertices.
+  std::unordered_map<Id, std::size_t> numbers_;
 };
 
-/// Finds pairs of vertices that are close. A vertex is looked for among those whose
+/// Leaves only the faces that can have a vertex near one of another rank. Edges that are boundary
+/// among these only are not near any.
+void keepFacesNearOthers(
+  const std::vector<Vec3>& vertices, double margin, Exchange& exchange, SeamBlock& block)
+{
+  Box own;
+  for (const auto* triangles : { &block.triangles, &block.ghosts })
+  {
+    for (const Triangle& triangle : *triangles)
+    {
+      for (const Id vertex : triangle)
+      {
+        own.add(boxAround(vertices[vertex], margin));
+      }
+    }
+  }
+  const OtherRanks others(own, exchange);
+  const auto isFar = [&](const Triangle& triangle)
+  {
+    return std::none_of(triangle.begin(), triangle.end(),
+      [&](Id vertex) { return others.areNear(vertices[vertex], margin); });
+  };
+  for (auto* triangles : { &block.triangles, &block.ghosts })
+  {
+    triangles->erase(std::remove_if(triangles->begin(), triangles->end(), isFar), triangles->end());
+  }
+}
+
+/// The vertices of all ranks that may have to be joined with another rank's, in the order of their
+/// labels and then of the ranks.
+std::vector<VertexOfBlock> gatherNearOthers(
+  const std::vector<VertexOfBlock>& own, Exchange& exchange)
+{
+  Box box;
+  for (const VertexOfBlock& vertex : own)
+  {
+    box.add(boxAround(vertex.position, vertex.tolerance()));
+  }
+  const OtherRanks others(box, exchange);
+  Message message;
+  for (const VertexOfBlock& vertex : own)
+  {
+    if (others.areNear(vertex.position, vertex.tolerance()))
+    {
+      put(message, vertex);
+    }
+  }
+  std::vector<VertexOfBlock> all;
+  readEach(exchange.tellAll(message),
+    [&all](int, MessageReader& reader) { all.push_back(reader.get<VertexOfBlock>()); });
+  std::stable_sort(all.begin(), all.end(),
+    [](const VertexOfBlock& a, const VertexOfBlock& b) { return a.label < b.label; });
+  return all;
+}
+
+/// A vertex and what all blocks have there.
+struct SeamVertex : VertexOfBlock
+{
+  /// Those with a triangle there, ascending.
+  std::vector<std::size_t> blocks;
+};
+
+std::vector<SeamVertex> combineBlocks(const std::vector<VertexOfBlock>& parts)
+{
+  std::vector<SeamVertex> vertices;
+  std::unordered_map<Label, std::size_t> numbers;
+  for (const VertexOfBlock& part : parts)
+  {
+    const auto [number, isNew] = numbers.emplace(part.label, vertices.size());
+    if (isNew)
+    {
+      vertices.push_back({ part, {} });
+    }
+    SeamVertex& vertex = vertices[number->second];
+    if (part.hasFace)
+    {
+      vertex.blocks.push_back(part.block);
+    }
+    vertex.isOnBoundary = vertex.isOnBoundary || part.isOnBoundary;
+    vertex.isAtGhost = vertex.isAtGhost || part.isAtGhost;
+    vertex.rounding = std::max(vertex.rounding, part.rounding);
+    vertex.shortestEdge = std::min(vertex.shortestEdge, part.shortestEdge);
+  }
+  return vertices;
+}
+
+/// Two vertices by their distance.
+using Pair = std::tuple<double, std::size_t, std::size_t>;
+
+bool isClose(const SeamVertex& a, const SeamVertex& b, double distance)
+{
+  return (a.isAtGhost || b.isAtGhost || (a.isOnBoundary && b.isOnBoundary)) &&
+    distance <= std::min(std::max(a.tolerance(), b.tolerance()),
+                  tolerance::SeamFraction * std::min(a.shortestEdge, b.shortestEdge));
+}
+
+/// The pairs of vertices that are close, nearest first. A vertex is looked for among those whose
 /// tolerance is as large or larger: for each power of two there is a grid of cells that large, so
 /// that the coarse coordinates of one block do not crowd the fine ones of another into one cell.
-class ClosePairs
+std::vector<Pair> closePairs(const std::vector<SeamVertex>& vertices)
 {
-public:
-  struct Pair
+  std::unordered_map<Cell, std::vector<std::size_t>, CellHash> grid;
+  std::set<int> levels;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    double distance;
-    std::size_t a;
-    std::size_t b;
-    bool operator<(const Pair& other) const
+    const int level = *levels.insert(levelFor(vertices[i].tolerance())).first;
+    grid[cellAt(vertices[i].position, level)].push_back(i);
+  }
+  std::vector<Pair> pairs;
+  const auto lookInto = [&](const Cell& cell, std::size_t i)
+  {
+    const auto found = grid.find(cell);
+    for (std::size_t k = 0; found != grid.end() && k < found->second.size(); ++k)
     {
-      return std::tie(this->distance, this->a, this->b) <
-        std::tie(other.distance, other.a, other.b);
+      const std::size_t j = found->second[k];
+      const double distance = norm(vertices[i].position - vertices[j].position);
+      if (i != j && isClose(vertices[i], vertices[j], distance))
+      {
+        pairs.emplace_back(distance, std::min(i, j), std::max(i, j));
+      }
     }
   };
-
-  explicit ClosePairs(const std::vector<SeamVertex>& entries)
-    : entries_(entries)
+  for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    for (std::size_t i = 0; i < entries.size(); ++i)
+    const auto least = levels.find(levelFor(vertices[i].tolerance()));
+    for (auto level = least; level != levels.end(); ++level)
     {
-      const int level = levelOf(entries[i]);
-      this->cells_[this->cellOf(i, level, { 0, 0, 0 })].push_back(i);
-      this->levels_.push_back(level);
-    }
-    std::sort(this->levels_.begin(), this->levels_.end());
-    this->levels_.erase(
-      std::unique(this->levels_.begin(), this->levels_.end()), this->levels_.end());
-  }
-
-  /// Nearest first.
-  std::vector<Pair> find()
-  {
-    for (std::size_t i = 0; i < this->entries_.size(); ++i)
-    {
-      for (const int level : this->levels_)
+      for (const Cell& cell : cellsAround(vertices[i].position, *level))
       {
-        if (level >= levelOf(this->entries_[i]))
-        {
-          this->lookAround(i, level);
-        }
-      }
-    }
-    std::sort(this->pairs_.begin(), this->pairs_.end());
-    return std::move(this->pairs_);
-  }
-
-private:
-  /// The least power of two that is over the tolerance.
-  static int levelOf(const SeamVertex& entry) { return std::ilogb(entry.tolerance()) + 1; }
-
-  SeamCell cellOf(std::size_t i, int level, const std::array<int, 3>& step) const
-  {
-    SeamCell cell = cellAt(this->entries_[i].position, level);
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      cell[k] += step[k];
-    }
-    return cell;
-  }
-
-  void lookAround(std::size_t i, int level)
-  {
-    for (int step = 0; step < 27; ++step)
-    {
-      const auto cell =
-        this->cells_.find(this->cellOf(i, level, { step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1 }));
-      if (cell == this->cells_.end())
-      {
-        continue;
-      }
-      for (const std::size_t j : cell->second)
-      {
-        this->tryPair(i, j);
+        lookInto(cell, i);
       }
     }
   }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
 
-  void tryPair(std::size_t i, std::size_t j)
-  {
-    const SeamVertex& a = this->entries_[i];
-    const SeamVertex& b = this->entries_[j];
-    if (!a.isAtGhost && !b.isAtGhost && !(a.isOnBoundary && b.isOnBoundary))
-    {
-      return;
-    }
-    const double distance = norm(a.position - b.position);
-    const double limit = std::min(std::max(a.tolerance(), b.tolerance()),
-      tolerance::SeamFraction * std::min(a.shortestEdge, b.shortestEdge));
-    if (i != j && distance <= limit)
-    {
-      this->pairs_.push_back({ distance, std::min(i, j), std::max(i, j) });
-    }
-  }
-
-  const std::vector<SeamVertex>& entries_;
-  std::unordered_map<SeamCell, std::vector<std::size_t>, SeamCellHash> cells_;
-  std::vector<int> levels_;
-  std::vector<Pair> pairs_;
-};
-
-/// Groups of vertices that are one, no two of one block.
-class Groups
+/// Adds blocks to others where none is among both. \returns whether that is so.
+bool addBlocks(const std::vector<std::size_t>& blocks, std::vector<std::size_t>& others)
 {
-public:
-  explicit Groups(std::vector<SeamVertex>& entries)
-    : entries_(entries)
-    , parents_(entries.size())
+  std::vector<std::size_t> all;
+  std::set_union(
+    blocks.begin(), blocks.end(), others.begin(), others.end(), std::back_inserter(all));
+  const bool areDisjoint = all.size() == blocks.size() + others.size();
+  if (areDisjoint)
   {
-    std::iota(this->parents_.begin(), this->parents_.end(), std::size_t(0));
+    others = std::move(all);
   }
+  return areDisjoint;
+}
 
-  std::size_t rootOf(std::size_t i)
+/// Joins vertices that are close in groups, no two of one block.
+JoinedVertices joinClose(std::vector<SeamVertex> vertices)
+{
+  std::vector<std::size_t> parents(vertices.size());
+  std::iota(parents.begin(), parents.end(), std::size_t(0));
+  const auto rootOf = [&parents](std::size_t i)
   {
-    while (this->parents_[i] != i)
+    while (parents[i] != i)
     {
-      i = this->parents_[i] = this->parents_[this->parents_[i]];
+      i = parents[i] = parents[parents[i]];
     }
     return i;
-  }
-
-  void join(std::size_t a, std::size_t b)
+  };
+  const auto order = [&vertices](std::size_t i)
+  { return std::pair(vertices[i].blocks.empty(), vertices[i].label); };
+  for (const auto& [distance, a, b] : closePairs(vertices))
   {
-    std::size_t low = this->rootOf(a);
-    std::size_t high = this->rootOf(b);
-    if (low == high)
+    const auto [low, high] = std::minmax({ rootOf(a), rootOf(b) },
+      [&order](std::size_t i, std::size_t j) { return order(i) < order(j); });
+    if (low != high && addBlocks(vertices[high].blocks, vertices[low].blocks))
     {
-      return;
+      parents[high] = low;
     }
-    const auto rank = [this](std::size_t i)
-    { return std::pair(this->entries_[i].blocks.empty(), this->entries_[i].vertex); };
-    if (rank(high) < rank(low))
-    {
-      std::swap(low, high);
-    }
-    std::vector<std::size_t>& blocks = this->entries_[low].blocks;
-    const std::vector<std::size_t>& others = this->entries_[high].blocks;
-    std::vector<std::size_t> both;
-    std::set_union(
-      blocks.begin(), blocks.end(), others.begin(), others.end(), std::back_inserter(both));
-    if (both.size() < blocks.size() + others.size())
-    {
-      return; // two of one block
-    }
-    blocks = std::move(both);
-    this->parents_[high] = low;
   }
-
-private:
-  std::vector<SeamVertex>& entries_;
-  std::vector<std::size_t> parents_;
-};
-
-}
-
-double SeamVertex::tolerance() const
-{
-  return tolerance::SeamRoundings * this->rounding;
-}
-
-SeamCell cellAt(const Vec3& point, int level)
-{
-  SeamCell cell{};
-  for (std::size_t k = 0; k < 3; ++k)
+  JoinedVertices joined;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    cell[k] = static_cast<std::int64_t>(std::floor(std::ldexp(point[k], -level)));
-  }
-  cell[3] = level;
-  return cell;
-}
-
-GhostPlaces::GhostPlaces(double margin)
-  : level_(std::ilogb(margin) + 2)
-{
-}
-
-// A box with a margin of half a cell meets no cells but those of its corners.
-void GhostPlaces::add(const Vec3& corner)
-{
-  const double margin = std::ldexp(1.0, this->level_ - 1);
-  for (unsigned int side = 0; side < 8; ++side)
-  {
-    Vec3 p = corner;
-    for (std::size_t k = 0; k < 3; ++k)
+    const std::size_t root = rootOf(i);
+    if (root != i)
     {
-      p[k] += (side >> k & 1U) != 0 ? margin : -margin;
+      joined.same.emplace(vertices[i].label, vertices[root].label);
+      joined.same.emplace(vertices[root].label, vertices[root].label);
+      joined.count += vertices[i].blocks.empty() ? 0 : 1;
     }
-    this->cells_.insert(cellAt(p, this->level_));
   }
+  return joined;
 }
 
-double largestTolerance(const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks)
+}
+
+JoinedVertices mergeSeams(const std::vector<Vec3>& vertices, const RankLabels& labels,
+  std::vector<SeamBlock> blocks, double largest, Exchange& exchange)
 {
-  double largest = 0.0;
+  const bool isAlone = exchange.numberOfRanks() == 1;
   double precision = 0.0;
   for (const SeamBlock& block : blocks)
   {
     precision = std::max(precision, block.precision);
-    for (const auto* triangles : { &block.triangles, &block.ghosts })
-    {
-      for (const Triangle& triangle : *triangles)
-      {
-        for (const Id vertex : triangle)
-        {
-          largest = std::max(largest, largestCoordinate(vertices[vertex]));
-        }
-      }
-    }
   }
-  return tolerance::SeamRoundings * precision * largest;
-}
-
-std::vector<Id> ghostVertices(const SeamBlock& block)
-{
-  std::vector<Id> all;
-  for (const Triangle& triangle : block.ghosts)
+  const double margin = tolerance::SeamRoundings * exchange.largestOf(precision) * largest;
+  if (!isAlone)
   {
-    all.insert(all.end(), triangle.begin(), triangle.end());
+    keepFacesNearOthers(vertices, margin, exchange, blocks.front());
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
-}
-
-std::vector<SeamVertex> findSeamVertices(const std::vector<Vec3>& vertices,
-  const std::vector<SeamBlock>& blocks, const GhostPlaces& ghosts)
-{
-  SeamVertices found(vertices);
+  const GhostPlaces ghosts(vertices, blocks, margin, exchange);
+  VerticesOfBlocks found(vertices, labels);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    found.addBlock(i, blocks[i], ghosts);
+    found.addBlock(rankIndex(exchange.rank()) + i, blocks[i], ghosts);
   }
-  return found.take();
-}
-
-std::vector<std::size_t> joinSeamVertices(std::vector<SeamVertex> entries)
-{
-  const std::vector<ClosePairs::Pair> pairs = ClosePairs(entries).find();
-  if (pairs.empty())
+  std::vector<VertexOfBlock> all = found.take();
+  if (!isAlone)
   {
-    return {};
+    all = gatherNearOthers(all, exchange);
   }
-  Groups groups(entries);
-  for (const ClosePairs::Pair& pair : pairs)
-  {
-    groups.join(pair.a, pair.b);
-  }
-  std::vector<std::size_t> result(entries.size());
-  for (std::size_t i = 0; i < entries.size(); ++i)
-  {
-    result[i] = groups.rootOf(i);
-  }
-  return result;
-}
-
-JoinedVertices mergeSeams(const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks)
-{
-  GhostPlaces ghosts(largestTolerance(vertices, blocks));
-  for (const SeamBlock& block : blocks)
-  {
-    for (const Id vertex : ghostVertices(block))
-    {
-      ghosts.add(vertices[vertex]);
-    }
-  }
-  const std::vector<SeamVertex> entries = findSeamVertices(vertices, blocks, ghosts);
-  const std::vector<std::size_t> roots = joinSeamVertices(entries);
-  if (roots.empty())
-  {
-    return {};
-  }
-  JoinedVertices result;
-  result.same.resize(vertices.size());
-  std::iota(result.same.begin(), result.same.end(), Id(0));
-  for (std::size_t i = 0; i < entries.size(); ++i)
-  {
-    result.same[entries[i].vertex] = static_cast<Id>(entries[roots[i]].vertex);
-    result.count += roots[i] != i && !entries[i].blocks.empty() ? 1 : 0;
-  }
-  return result;
+  return joinClose(combineBlocks(all));
 }
 
 }

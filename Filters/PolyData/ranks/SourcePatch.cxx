@@ -9,24 +9,14 @@
 namespace geodesic
 {
 
-SourcePatch::SourcePatch(const MeshPartition& surface)
-  : surface_(surface)
-  , isChosen_(surface.isDistributed() ? surface.mesh().numberOfFaces() : 0, 0)
-{
-}
-
 void SourcePatch::addFacesAround(const LocatedPlaces& located)
 {
-  if (!this->surface_.isDistributed())
-  {
-    return;
-  }
   for (const std::vector<ClosestFace>& faces : located.faces)
   {
     for (const ClosestFace& found : faces)
     {
       const Id face = this->surface_.faceAt(found.face);
-      if (face != NoId)
+      if (this->surface_.isDistributed() && face != NoId)
       {
         this->addFacesAround(face);
       }

@@ -20,7 +20,11 @@ namespace geodesic
 class SourcePatch
 {
 public:
-  explicit SourcePatch(const MeshPartition& surface);
+  explicit SourcePatch(const MeshPartition& surface)
+    : surface_(surface)
+    , isChosen_(surface.isDistributed() ? surface.mesh().numberOfFaces() : 0, 0)
+  {
+  }
 
   /// Adds the faces around the places of curves' points.
   void addFacesAround(const LocatedPlaces& located);

@@ -45,17 +45,12 @@ void requireNumbers(const PolyDataBlock& block, vtkDataArray* values, const std:
   }
 }
 
-bool isNone(const char* name)
-{
-  return !name || !*name || std::string(name) == "None";
-}
-
 }
 
 BarrierArrays::BarrierArrays(
   const std::vector<PolyDataBlock>& blocks, const char* name, Exchange& exchange)
 {
-  if (isNone(name))
+  if (!name || !*name || std::string(name) == "None")
   {
     return;
   }

@@ -17,50 +17,22 @@ namespace
 
 const char* const Advice = ". Repair the cells upstream.";
 
-/// \param offsetAt the offset of a number.
-/// \param cells how many there are, one less than offsets.
 /// \returns the first cell whose offsets do not enclose some of the ids; the number of cells where
 ///          there is none.
-template <typename OffsetAt>
-vtkIdType firstUnreadable(const OffsetAt& offsetAt, vtkIdType cells, vtkIdType numberOfIds)
+vtkIdType firstUnreadable(vtkDataArray* offsets, vtkIdType cells, vtkIdType numberOfIds)
 {
-  vtkIdType begin = static_cast<vtkIdType>(offsetAt(0));
-  if (begin < 0)
-  {
-    return 0;
-  }
+  const auto offsetAt = [offsets](vtkIdType i)
+  { return static_cast<vtkIdType>(offsets->GetComponent(i, 0)); };
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
-    const vtkIdType end = static_cast<vtkIdType>(offsetAt(cell + 1));
-    if (end < begin || end > numberOfIds)
+    const vtkIdType begin = offsetAt(cell);
+    const vtkIdType end = offsetAt(cell + 1);
+    if (begin < 0 || end < begin || end > numberOfIds)
     {
       return cell;
     }
-    begin = end;
   }
   return cells;
-}
-
-template <typename Offset>
-vtkIdType firstUnreadable(vtkDataArray* offsets, vtkIdType cells, vtkIdType numberOfIds)
-{
-  const auto* values = static_cast<const Offset*>(offsets->GetVoidPointer(0));
-  return firstUnreadable([values](vtkIdType i) { return values[i]; }, cells, numberOfIds);
-}
-
-/// Reads the offsets where they lie, which for large meshes is much faster than one at a time.
-vtkIdType firstUnreadableOf(vtkDataArray* offsets, vtkIdType cells, vtkIdType numberOfIds)
-{
-  if (offsets->HasStandardMemoryLayout() && offsets->GetDataTypeSize() == 8)
-  {
-    return firstUnreadable<vtkTypeInt64>(offsets, cells, numberOfIds);
-  }
-  if (offsets->HasStandardMemoryLayout() && offsets->GetDataTypeSize() == 4)
-  {
-    return firstUnreadable<vtkTypeInt32>(offsets, cells, numberOfIds);
-  }
-  return firstUnreadable(
-    [offsets](vtkIdType i) { return offsets->GetComponent(i, 0); }, cells, numberOfIds);
 }
 
 }
@@ -68,6 +40,10 @@ vtkIdType firstUnreadableOf(vtkDataArray* offsets, vtkIdType cells, vtkIdType nu
 void requireReadable(
   vtkCellArray* cells, const std::string& kind, vtkIdType firstCell, const std::string& name)
 {
+  if (cells->IsValid()) // the rule, which is quick
+  {
+    return;
+  }
   vtkDataArray* offsets = cells->GetOffsetsArray();
   const vtkIdType count = offsets->GetNumberOfValues() - 1;
   const vtkIdType numberOfIds = cells->GetConnectivityArray()->GetNumberOfValues();
@@ -77,7 +53,7 @@ void requireReadable(
       " with an offsets array that is empty, so that cell " + std::to_string(firstCell) +
       " cannot be read: it needs one value more than there are cells" + Advice);
   }
-  const vtkIdType bad = firstUnreadableOf(offsets, count, numberOfIds);
+  const vtkIdType bad = firstUnreadable(offsets, count, numberOfIds);
   if (bad == count)
   {
     return;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolyData/reading/Duplicates.h"
-
 #include "PolyData/Hash.h"
+#include "PolyData/reading/TriangleReader.h"
 #include "Questions.h"
 
 #include <algorithm>
@@ -16,150 +15,97 @@ namespace geodesic
 namespace
 {
 
+using Label = RankLabels::Label;
+
+/// The triangles of a cell: the first and the one after the last.
+using Range = std::pair<std::size_t, std::size_t>;
+
+std::vector<Id> verticesOf(
+  const Range& cell, const VertexOfPoint& vertexOf, const TriangleList& triangles)
+{
+  std::set<Id> vertices;
+  for (std::size_t i = cell.first; i < cell.second; ++i)
+  {
+    const Triangle corners = vertexOf(triangles.corners[i]);
+    vertices.insert(corners.begin(), corners.end());
+  }
+  return { vertices.begin(), vertices.end() };
+}
+
+/// Cells on the same vertices have as many triangles, unless they touch themselves.
+void copyCut(const Range& original, const Range& duplicate, const VertexOfPoint& vertexOf,
+  TriangleList& triangles)
+{
+  const std::size_t count = original.second - original.first;
+  if (duplicate.second - duplicate.first < count)
+  {
+    return;
+  }
+  std::map<Id, Id> ownPoints;
+  for (std::size_t i = duplicate.first; i < duplicate.first + count; ++i)
+  {
+    for (const Id point : triangles.corners[i])
+    {
+      ownPoints.emplace(vertexOf(point), point);
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    Triangle triangle = triangles.corners[original.first + i];
+    for (Id& corner : triangle)
+    {
+      const auto own = ownPoints.find(vertexOf(corner));
+      if (own == ownPoints.end())
+      {
+        return;
+      }
+      corner = own->second;
+    }
+    triangles.corners[duplicate.first + i] = triangle;
+  }
+}
+
 /// Of cells that were cut into several triangles, takes the cut of an original over to its
 /// duplicates.
-class CutCopier
+void copyCuts(const VertexOfPoint& vertexOf, TriangleList& triangles)
 {
-public:
-  CutCopier(const VertexOfPoint& vertexOf, TriangleList& triangles)
-    : vertexOf_(vertexOf)
-    , triangles_(triangles)
+  const auto forEachCut = [&triangles](bool isMarked, const auto& visit)
   {
-  }
-
-  void run()
-  {
-    this->forEachCut(true,
-      [this](std::size_t first, std::size_t last)
-      { this->duplicates_[this->verticesOf(first, last)].push_back(first); });
-    if (this->duplicates_.empty())
-    {
-      return;
-    }
-    this->forEachCut(false,
-      [this](std::size_t first, std::size_t last)
-      {
-        const auto found = this->duplicates_.find(this->verticesOf(first, last));
-        if (found == this->duplicates_.end())
-        {
-          return;
-        }
-        for (const std::size_t duplicate : found->second)
-        {
-          this->copy(first, last, duplicate);
-        }
-      });
-  }
-
-private:
-  /// Calls with the first triangle of each cell that has several, and the one after its last.
-  template <typename Visitor>
-  void forEachCut(bool marked, Visitor&& visit)
-  {
-    this->triangles_.forEachCell(
+    triangles.forEachCell(
       [&](std::size_t first, std::size_t last)
       {
-        if (last > first + 1 && this->triangles_.isDuplicate[first] == marked)
+        if (last > first + 1 && triangles.isDuplicate[first] == isMarked)
         {
-          visit(first, last);
+          visit(Range(first, last));
         }
       });
-  }
-
-  std::vector<Id> verticesOf(std::size_t first, std::size_t last) const
-  {
-    std::set<Id> vertices;
-    for (std::size_t i = first; i < last; ++i)
-    {
-      for (const Id point : this->triangles_.corners[i])
-      {
-        vertices.insert(this->vertexOf_(point));
-      }
-    }
-    return { vertices.begin(), vertices.end() };
-  }
-
-  /// Cells on the same corners have as many triangles, unless they touch themselves.
-  void copy(std::size_t first, std::size_t last, std::size_t duplicate)
-  {
-    std::map<Id, Id> ownPoints;
-    const std::size_t count = last - first;
-    const auto& cells = this->triangles_.cells;
-    if (duplicate + count > cells.size() || cells[duplicate + count - 1] != cells[duplicate])
-    {
-      return;
-    }
-    for (std::size_t i = duplicate; i < duplicate + count; ++i)
-    {
-      for (const Id point : this->triangles_.corners[i])
-      {
-        ownPoints.emplace(this->vertexOf_(point), point);
-      }
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      Triangle triangle = this->triangles_.corners[first + i];
-      for (Id& corner : triangle)
-      {
-        const auto own = ownPoints.find(this->vertexOf_(corner));
-        if (own == ownPoints.end())
-        {
-          return;
-        }
-        corner = own->second;
-      }
-      this->triangles_.corners[duplicate + i] = triangle;
-    }
-  }
-
-  const VertexOfPoint& vertexOf_;
-  TriangleList& triangles_;
-  std::map<std::vector<Id>, std::vector<std::size_t>> duplicates_;
-};
-
-/// Marks the triangles that are copies of others of this rank.
-std::vector<std::uint8_t> findCopiesHere(const VertexOfPoint& vertexOf, TriangleList& triangles)
-{
-  CutCopier(vertexOf, triangles).run();
-  const auto sortedVertices = [&](std::size_t i)
-  {
-    Triangle vertices = vertexOf(triangles.corners[i]);
-    std::sort(vertices.begin(), vertices.end());
-    return vertices;
   };
-  // The vertices of marked triangles, and whether an original is there.
-  std::map<Triangle, bool> isTaken;
-  for (std::size_t i = 0; i < triangles.corners.size(); ++i)
+  std::map<std::vector<Id>, std::vector<Range>> duplicates;
+  forEachCut(true,
+    [&](const Range& cell) { duplicates[verticesOf(cell, vertexOf, triangles)].push_back(cell); });
+  if (duplicates.empty())
   {
-    if (triangles.isDuplicate[i])
-    {
-      isTaken.emplace(sortedVertices(i), false);
-    }
+    return;
   }
-  for (std::size_t i = 0; i < triangles.corners.size(); ++i)
-  {
-    const auto place = triangles.isDuplicate[i] ? isTaken.end() : isTaken.find(sortedVertices(i));
-    if (place != isTaken.end())
+  forEachCut(false,
+    [&](const Range& cell)
     {
-      place->second = true;
-    }
-  }
-  std::vector<std::uint8_t> isCopy(triangles.corners.size(), 0);
-  for (std::size_t i = 0; i < triangles.corners.size(); ++i)
-  {
-    if (triangles.isDuplicate[i])
-    {
-      isCopy[i] = std::exchange(isTaken[sortedVertices(i)], true) ? 1 : 0;
-    }
-  }
-  return isCopy;
+      const auto found = duplicates.find(verticesOf(cell, vertexOf, triangles));
+      if (found != duplicates.end())
+      {
+        for (const Range& duplicate : found->second)
+        {
+          copyCut(cell, duplicate, vertexOf, triangles);
+        }
+      }
+    });
 }
 
 /// The vertices of a cell, as two numbers that no other cell has.
 using CellKey = std::array<std::uint64_t, 2>;
 
 /// \param labels of the cell's corners.
-CellKey keyOf(std::vector<RankLabels::Label> labels)
+CellKey keyOf(std::vector<Label> labels)
 {
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
@@ -168,72 +114,139 @@ CellKey keyOf(std::vector<RankLabels::Label> labels)
   return { hash, hashOf(labels.data(), labels.size()) };
 }
 
+/// Finds the marked ones among cells on the same vertices that are copies.
+class CopyFinder
+{
+public:
+  CopyFinder(const TriangleList& triangles, Exchange& exchange)
+    : triangles_(triangles)
+    , exchange_(exchange)
+    , questions_(exchange)
+  {
+  }
+
+  /// Adds a cell.
+  ///
+  /// \param labelOf of a point that another cell can have, too: (Id) -> Label; NoLabel for others.
+  template <typename LabelOf>
+  void add(std::size_t first, std::size_t last, const LabelOf& labelOf)
+  {
+    std::vector<Label> labels;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      for (const Id point : this->triangles_.corners[i])
+      {
+        const Label label = labelOf(point);
+        if (label == NoLabel)
+        {
+          return; // no other cell has all these vertices
+        }
+        labels.push_back(label);
+      }
+    }
+    const CellKey key = keyOf(std::move(labels));
+    const auto ranks = static_cast<std::uint64_t>(this->exchange_.numberOfRanks());
+    this->questions_.ask(static_cast<int>(key[1] % ranks), this->cells_.size(), key,
+      std::uint8_t(this->triangles_.isDuplicate[first] ? 1 : 0));
+    this->cells_.emplace_back(first, last);
+  }
+
+  /// Marks the copies among the cells of all ranks, which call this together.
+  void find(std::vector<TriangleRole>& roles)
+  {
+    std::map<CellKey, bool> isTaken;
+    this->questions_.exchangeAnswers(
+      [&](int, MessageReader& question)
+      {
+        bool& taken = isTaken[question.get<CellKey>()];
+        taken = question.get<std::uint8_t>() == 0 || taken;
+      },
+      [&](MessageReader& question, Message& answer)
+      {
+        bool& taken = isTaken[question.get<CellKey>()];
+        const bool isMarked = question.get<std::uint8_t>() != 0;
+        put(answer, std::uint8_t(isMarked && taken ? 1 : 0));
+        taken = true;
+      },
+      [&](std::size_t cell, MessageReader& answer)
+      {
+        const bool isCopy = answer.get<std::uint8_t>() != 0;
+        for (std::size_t i = this->cells_[cell].first; isCopy && i < this->cells_[cell].second; ++i)
+        {
+          roles[i] = TriangleRole::Copy;
+        }
+      });
+  }
+
+  static constexpr Label NoLabel = ~Label(0);
+
+private:
+  const TriangleList& triangles_;
+  Exchange& exchange_;
+  Questions questions_;
+  std::vector<Range> cells_;
+};
+
+/// Marks the triangles that are copies of others of this rank.
+void findCopiesHere(
+  const VertexOfPoint& vertexOf, const TriangleList& triangles, std::vector<TriangleRole>& roles)
+{
+  std::set<Id> marked;
+  for (std::size_t i = 0; i < triangles.corners.size(); ++i)
+  {
+    if (triangles.isDuplicate[i])
+    {
+      const Triangle vertices = vertexOf(triangles.corners[i]);
+      marked.insert(vertices.begin(), vertices.end());
+    }
+  }
+  const auto labelOf = [&](Id point)
+  { return marked.count(vertexOf(point)) > 0 ? Label(vertexOf(point)) : CopyFinder::NoLabel; };
+  CopyFinder finder(triangles, OneRank::instance());
+  for (std::size_t i = 0; i < triangles.corners.size() && !marked.empty(); ++i)
+  {
+    finder.add(i, i + 1, labelOf);
+  }
+  finder.find(roles);
+}
+
 /// Marks the triangles that are copies of other ranks' cells.
 void findCopiesOfOthers(const RankLabels& labels, const VertexOfPoint& vertexOf,
-  const TriangleList& triangles, std::vector<std::uint8_t>& isCopy, Exchange& exchange)
+  const TriangleList& triangles, Exchange& exchange, std::vector<TriangleRole>& roles)
 {
-  Questions questions(exchange);
-  std::vector<std::pair<std::size_t, std::size_t>> cells;
+  const auto labelOf = [&](Id point)
+  {
+    const Id vertex = vertexOf(point);
+    return labels.isSharedAt(vertex) ? labels.of(vertex) : CopyFinder::NoLabel;
+  };
+  CopyFinder finder(triangles, exchange);
   triangles.forEachCell(
     [&](std::size_t first, std::size_t last)
     {
-      std::vector<RankLabels::Label> corners;
-      bool areAllShared = isCopy[first] == 0;
-      for (std::size_t i = first; i < last; ++i)
+      if (roles[first] != TriangleRole::Copy)
       {
-        for (const Id point : triangles.corners[i])
-        {
-          areAllShared = areAllShared && labels.isSharedAt(vertexOf(point));
-          corners.push_back(labels.of(vertexOf(point)));
-        }
-      }
-      if (areAllShared) // else no other rank has such a cell
-      {
-        const CellKey key = keyOf(std::move(corners));
-        const auto ranks = static_cast<std::uint64_t>(exchange.numberOfRanks());
-        questions.ask(static_cast<int>(key[1] % ranks), cells.size(), key,
-          std::uint8_t(triangles.isDuplicate[first] ? 1 : 0));
-        cells.emplace_back(first, last);
+        finder.add(first, last, labelOf);
       }
     });
-  std::map<CellKey, bool> isTaken;
-  questions.exchangeAnswers(
-    [&](int, MessageReader& question)
-    {
-      bool& taken = isTaken[question.get<CellKey>()];
-      taken = question.get<std::uint8_t>() == 0 || taken;
-    },
-    [&](MessageReader& question, Message& answer)
-    {
-      bool& taken = isTaken[question.get<CellKey>()];
-      const bool isMarked = question.get<std::uint8_t>() != 0;
-      put(answer, std::uint8_t(isMarked && taken ? 1 : 0));
-      taken = true;
-    },
-    [&](std::size_t cell, MessageReader& answer)
-    {
-      if (answer.get<std::uint8_t>() != 0)
-      {
-        const auto begin = isCopy.begin();
-        std::fill(begin + static_cast<std::ptrdiff_t>(cells[cell].first),
-          begin + static_cast<std::ptrdiff_t>(cells[cell].second), std::uint8_t(1));
-      }
-    });
+  finder.find(roles);
 }
 
 } // anonymous namespace
 
-std::vector<std::uint8_t> findCopies(const RankLabels& labels, const VertexOfPoint& vertexOf,
+std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoint& vertexOf,
   TriangleList& triangles, Exchange& exchange)
 {
-  if (!exchange.isTrueAnywhere(triangles.hasDuplicates()))
+  const std::vector<bool>& marks = triangles.isDuplicate;
+  if (!exchange.isTrueAnywhere(std::find(marks.begin(), marks.end(), true) != marks.end()))
   {
     return {};
   }
-  std::vector<std::uint8_t> isCopy = findCopiesHere(vertexOf, triangles);
-  findCopiesOfOthers(labels, vertexOf, triangles, isCopy, exchange);
-  const bool isAny = std::find(isCopy.begin(), isCopy.end(), 1) != isCopy.end();
-  return isAny ? isCopy : std::vector<std::uint8_t>();
+  std::vector<TriangleRole> roles(triangles.corners.size(), TriangleRole::Open);
+  copyCuts(vertexOf, triangles);
+  findCopiesHere(vertexOf, triangles, roles);
+  findCopiesOfOthers(labels, vertexOf, triangles, exchange, roles);
+  const bool isAny = std::find(roles.begin(), roles.end(), TriangleRole::Copy) != roles.end();
+  return isAny ? roles : std::vector<TriangleRole>();
 }
 
 }

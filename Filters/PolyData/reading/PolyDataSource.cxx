@@ -25,98 +25,79 @@ namespace geodesic
 namespace
 {
 
-/// The points of one curve of the source, numbered through all blocks.
-struct Chain
-{
-  std::vector<std::size_t> points;
-  bool closed = false;
-  std::string name;
-  Id source = 0;
-};
-
 /// Takes the curves out of the cells of one block.
-class ChainReader
+class BlockReader
 {
 public:
-  /// \param firstPoint the number of the block's point 0 among those of all blocks.
-  /// \param chains to which curves are added.
   /// \param sources of the blocks before, to which those of this one are added.
-  ChainReader(const PolyDataBlock& block, std::size_t firstPoint, std::vector<Chain>& chains,
-    SourcePolylines& sources)
+  BlockReader(const PolyDataBlock& block, SourcePolylines& sources)
     : block_(block)
-    , firstPoint_(firstPoint)
     , firstSource_(sources.numberOfSources)
-    , chains_(chains)
-    , firstChain_(chains.size())
+    , firstPolyline_(sources.polylines.size())
     , sources_(sources)
   {
   }
 
-  void read()
+  /// \returns of each point whether a curve has it.
+  std::vector<char> read()
   {
     vtkPolyData* source = this->block_.data;
+    this->isUsed_.assign(static_cast<std::size_t>(source->GetNumberOfPoints()), 0);
     if (source->GetNumberOfCells() == source->GetNumberOfVerts())
     {
       this->readPoints();
-      return;
+      return std::move(this->isUsed_);
     }
-    this->read(source->GetVerts(), &ChainReader::addVertices);
-    this->read(source->GetLines(), &ChainReader::addLine);
-    this->read(source->GetPolys(), &ChainReader::addPolygon);
-    this->read(source->GetStrips(), &ChainReader::addStrip);
-    this->block_.inputCells.empty() ? this->addIdsOfCells() : this->addIdsOfChains();
+    this->read(source->GetVerts(), &BlockReader::addVertices);
+    this->read(source->GetLines(), &BlockReader::addLine);
+    this->read(source->GetPolys(), &BlockReader::addPolygon);
+    this->read(source->GetStrips(), &BlockReader::addStrip);
+    if (this->block_.inputCells.empty())
+    {
+      for (vtkIdType i = 0; i < this->cell_; ++i) // cells without points are sources, too
+      {
+        this->sources_.ids.push_back(this->sourceOf(i));
+      }
+    }
+    else
+    {
+      this->addIdsOfPolylines();
+    }
     this->sources_.numberOfSources += static_cast<Id>(this->cell_);
     this->sources_.droppedCells += this->block_.droppedCells;
+    return std::move(this->isUsed_);
   }
 
 private:
-  using Adder = void (ChainReader::*)(vtkIdType, const vtkIdType*);
+  using Adder = void (BlockReader::*)(vtkIdType, const vtkIdType*);
 
   /// Each point is a source of its own, however many of them a vertex cell has.
   void readPoints()
   {
-    const vtkIdType count = this->block_.data->GetNumberOfPoints();
-    this->isSource_.assign(
-      static_cast<std::size_t>(count), this->block_.data->GetNumberOfVerts() == 0);
-    this->read(this->block_.data->GetVerts(), &ChainReader::markPoints);
+    const auto count = static_cast<vtkIdType>(this->isUsed_.size());
+    const bool areAll = this->block_.data->GetNumberOfVerts() == 0;
+    this->read(this->block_.data->GetVerts(), &BlockReader::usePoints);
     for (vtkIdType i = 0; i < count; ++i)
     {
-      if (this->isSource_[static_cast<std::size_t>(i)])
+      if (areAll || this->isUsed_[static_cast<std::size_t>(i)])
       {
         this->addPoint(i, this->sourceOf(i));
       }
     }
-    this->addIdsOfChains();
+    this->addIdsOfPolylines();
     this->sources_.numberOfSources += static_cast<Id>(count);
   }
 
-  /// Cells without points are sources, too.
-  void addIdsOfCells()
-  {
-    for (vtkIdType i = 0; i < this->cell_; ++i)
-    {
-      this->sources_.ids.push_back(this->sourceOf(i));
-    }
-  }
-
-  void addIdsOfChains()
+  void addIdsOfPolylines()
   {
     std::vector<Id>& ids = this->sources_.ids;
     const auto before = static_cast<std::ptrdiff_t>(ids.size());
-    for (std::size_t i = this->firstChain_; i < this->chains_.size(); ++i)
+    for (std::size_t i = this->firstPolyline_; i < this->sources_.polylines.size(); ++i)
     {
-      ids.push_back(this->chains_[i].source);
+      ids.push_back(this->sources_.polylines[i].source);
     }
     std::sort(ids.begin() + before, ids.end());
     ids.erase(std::unique(ids.begin() + before, ids.end()), ids.end());
-  }
-
-  void markPoints(vtkIdType size, const vtkIdType* ids)
-  {
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      this->isSource_[static_cast<std::size_t>(ids[i])] = true;
-    }
   }
 
   void read(vtkCellArray* cells, Adder add)
@@ -133,11 +114,6 @@ private:
       });
   }
 
-  std::size_t pointOf(vtkIdType id) const
-  {
-    return this->firstPoint_ + static_cast<std::size_t>(id);
-  }
-
   /// The cell that is being read.
   vtkIdType inputCell() const
   {
@@ -148,10 +124,31 @@ private:
   /// \param number of a cell, or a point, of the input.
   Id sourceOf(vtkIdType number) const { return this->firstSource_ + static_cast<Id>(number); }
 
+  void usePoints(vtkIdType size, const vtkIdType* ids)
+  {
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->isUsed_[static_cast<std::size_t>(ids[i])] = 1;
+    }
+  }
+
+  LocatedPolyline& addPolyline(vtkIdType size, const vtkIdType* ids)
+  {
+    this->usePoints(size, ids);
+    LocatedPolyline& line = this->sources_.polylines.emplace_back();
+    line.points.resize(static_cast<std::size_t>(size));
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->block_.data->GetPoint(ids[i], line.points[static_cast<std::size_t>(i)].data());
+    }
+    return line;
+  }
+
   void addPoint(vtkIdType point, Id source)
   {
-    this->chains_.push_back({ { this->pointOf(point) }, false,
-      "point " + std::to_string(point) + " of " + this->block_.name, source });
+    LocatedPolyline& line = this->addPolyline(1, &point);
+    line.name = "point " + std::to_string(point) + " of " + this->block_.name;
+    line.source = source;
   }
 
   void addVertices(vtkIdType size, const vtkIdType* ids)
@@ -162,28 +159,21 @@ private:
     }
   }
 
-  void addChain(const std::vector<vtkIdType>& ids, bool closed)
+  void addCurve(vtkIdType size, const vtkIdType* ids, bool closed)
   {
-    Chain& chain = this->chains_.emplace_back();
-    for (const vtkIdType id : ids)
-    {
-      chain.points.push_back(this->pointOf(id));
-    }
-    chain.closed = closed && ids.size() > 2;
-    chain.name = "cell " + std::to_string(this->inputCell()) + " of " + this->block_.name;
-    chain.source = this->sourceOf(this->inputCell());
+    LocatedPolyline& line = this->addPolyline(size, ids);
+    line.closed = closed && size > 2;
+    line.name = "cell " + std::to_string(this->inputCell()) + " of " + this->block_.name;
+    line.source = this->sourceOf(this->inputCell());
   }
 
   void addLine(vtkIdType size, const vtkIdType* ids)
   {
     const bool closed = size > 3 && ids[0] == ids[size - 1];
-    this->addChain({ ids, ids + (closed ? size - 1 : size) }, closed);
+    this->addCurve(closed ? size - 1 : size, ids, closed);
   }
 
-  void addPolygon(vtkIdType size, const vtkIdType* ids)
-  {
-    this->addChain({ ids, ids + size }, true);
-  }
+  void addPolygon(vtkIdType size, const vtkIdType* ids) { this->addCurve(size, ids, true); }
 
   /// The outline runs along the even points and back along the odd ones.
   void addStrip(vtkIdType size, const vtkIdType* ids)
@@ -197,19 +187,16 @@ private:
     {
       outline.push_back(ids[i]);
     }
-    this->addChain(outline, true);
+    this->addCurve(size, outline.data(), true);
   }
 
   const PolyDataBlock& block_;
-  std::size_t firstPoint_;
   Id firstSource_;
-  std::vector<Chain>& chains_;
   /// Of this block.
-  std::size_t firstChain_;
+  std::size_t firstPolyline_;
   SourcePolylines& sources_;
   vtkIdType cell_ = 0;
-  /// Of a set of points.
-  std::vector<bool> isSource_;
+  std::vector<char> isUsed_;
 };
 
 /// \throws SourceError
@@ -234,16 +221,6 @@ std::string textOf(const Vec3& p)
   return text.str();
 }
 
-/// \param cell the barrier, as nameOfBarrier() says.
-SourceError liesInBarrier(const PolyDataSurface& surface, const LocatedPolyline& line,
-  std::size_t point, const std::string& cell)
-{
-  return SourceError('P' + nameOfPoint(line, point).substr(1) + ", at " +
-    textOf(surface.scale().toUser(line.points[point])) +
-    ", lies in a barrier (BarrierArrayName): it is closest to " + cell +
-    ", which no path may leave. Move it out of the barrier, or onto its rim.");
-}
-
 /// "cell 17 of the surface (input port 0)", as the rank of a barrier calls it. All ranks call this
 /// together.
 std::string nameOfBarrier(const PolyDataSurface& surface,
@@ -263,19 +240,6 @@ std::string nameOfBarrier(const PolyDataSurface& surface,
                                              : name;
 }
 
-std::vector<char> usedPoints(const std::vector<Chain>& chains, std::size_t numberOfPoints)
-{
-  std::vector<char> used(numberOfPoints, 0);
-  for (const Chain& chain : chains)
-  {
-    for (const std::size_t point : chain.points)
-    {
-      used[point] = 1;
-    }
-  }
-  return used;
-}
-
 }
 
 std::string nameOfPoint(const LocatedPolyline& line, std::size_t point)
@@ -286,52 +250,45 @@ std::string nameOfPoint(const LocatedPolyline& line, std::size_t point)
 
 SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale)
 {
-  std::vector<Chain> chains;
-  std::vector<Vec3> points;
-  std::vector<std::size_t> firstPoints;
   SourcePolylines result;
+  std::vector<std::vector<char>> used;
   for (const PolyDataBlock& block : source)
   {
-    firstPoints.push_back(points.size());
-    ChainReader(block, points.size(), chains, result).read();
-    for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
-    {
-      block.data->GetPoint(i, points.emplace_back().data());
-    }
+    used.push_back(BlockReader(block, result).read());
   }
-  if (chains.empty())
+  if (result.polylines.empty())
   {
     throwEmpty(result);
   }
-  const std::vector<char> used = usedPoints(chains, points.size());
   for (std::size_t i = 0; i < source.size(); ++i)
   {
-    const std::string bad = whereNotFinite(source[i], used.data() + firstPoints[i]);
+    const std::string bad = whereNotFinite(source[i], used[i].data());
     if (!bad.empty())
     {
       throw SourceError(bad);
     }
   }
-
-  result.polylines.reserve(chains.size());
-  for (Chain& chain : chains)
+  for (LocatedPolyline& line : result.polylines)
   {
-    LocatedPolyline line;
-    line.closed = chain.closed;
-    line.name = std::move(chain.name);
-    line.source = chain.source;
-    for (const std::size_t point : chain.points)
+    for (std::size_t i = 0; i < line.points.size(); ++i)
     {
-      line.points.push_back(scale.toEngine(points[point]));
-      if (!(norm(line.points.back()) < Infinity))
+      line.points[i] = scale.toEngine(line.points[i]);
+      if (!(norm(line.points[i]) < Infinity))
       {
-        throw SourceError("Point " + std::to_string(line.points.size() - 1) + " of " + line.name +
+        throw SourceError("Point " + std::to_string(i) + " of " + line.name +
           " is too far from the surface for its size. Scale or move the source upstream.");
       }
     }
-    result.polylines.push_back(std::move(line));
   }
   return result;
+}
+
+std::vector<RankAddress> barriersAt(
+  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
+{
+  return surface.hasBarriers()
+    ? surface.barriers()->barriersAt(located.places, located.faces, coordinatePrecision)
+    : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
 }
 
 void requireOutsideBarriers(const PolyDataSurface& surface,
@@ -342,8 +299,7 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
   {
     return;
   }
-  const std::vector<RankAddress> barriers =
-    surface.barriers()->barriersAt(located.places, located.faces, coordinatePrecision);
+  const std::vector<RankAddress> barriers = barriersAt(surface, located, coordinatePrecision);
   for (const LocatedPolyline& line : polylines)
   {
     for (std::size_t i = 0; i < line.points.size(); ++i)
@@ -351,7 +307,11 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
       const RankAddress& face = barriers[located.indexOf(line.points[i])];
       if (face.id != NoId)
       {
-        throw liesInBarrier(surface, line, i, nameOfBarrier(surface, surfaceBlocks, face));
+        throw SourceError('P' + nameOfPoint(line, i).substr(1) + ", at " +
+          textOf(surface.scale().toUser(line.points[i])) +
+          ", lies in a barrier (BarrierArrayName): it is closest to " +
+          nameOfBarrier(surface, surfaceBlocks, face) +
+          ", which no path may leave. Move it out of the barrier, or onto its rim.");
       }
     }
   }

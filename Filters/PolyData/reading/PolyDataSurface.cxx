@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/PolyDataSurface.h"
 
-#include "vtkCellArray.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -10,28 +9,16 @@
 namespace geodesic
 {
 
-vtkIdType SurfaceBlock::numberOfTriangles() const
-{
-  return this->triangles->GetNumberOfCells();
-}
-
 PolyDataSurface::PolyDataSurface(SurfaceContents contents)
   : contents_(std::move(contents))
 {
   const std::vector<TriangleRole>& roles = this->contents_.roles;
   for (Id i = 0; i < roles.size(); ++i)
   {
-    switch (roles[i])
+    if (roles[i] != TriangleRole::Copy)
     {
-      case TriangleRole::Open:
-        this->openTriangles_.push_back(i);
-        break;
-      case TriangleRole::Barrier:
-        this->barrierTriangles_.push_back(i);
-        break;
-      case TriangleRole::Copy:
-        ++this->numberOfCopies_;
-        break;
+      (roles[i] == TriangleRole::Open ? this->openTriangles_ : this->barrierTriangles_)
+        .push_back(i);
     }
   }
 }
@@ -68,7 +55,6 @@ MeshPartition PolyDataSurface::partitionWithBarriers(
   std::vector<Id>& globalIds, const ProgressCallback& progress) const
 {
   std::vector<Triangle> triangles;
-  triangles.reserve(this->numberOfTriangles() - this->numberOfCopies_);
   for (Id i = 0; i < this->numberOfTriangles(); ++i)
   {
     if (!this->isCopy(i))
@@ -104,21 +90,23 @@ void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)
 
 Id PolyDataSurface::numberOfPoints() const
 {
-  return this->contents_.blocks.empty()
-    ? 0
-    : this->contents_.blocks.back().firstPoint + this->contents_.blocks.back().numberOfPoints;
+  const std::vector<SurfaceBlock>& blocks = this->blocks();
+  return blocks.empty() ? 0 : blocks.back().firstPoint + blocks.back().numberOfPoints;
 }
 
 Id PolyDataSurface::numberOfTriangles() const
 {
-  return this->contents_.blocks.empty() ? 0
-                                        : this->contents_.blocks.back().firstTriangle +
-      static_cast<Id>(this->contents_.blocks.back().numberOfTriangles());
+  const std::vector<SurfaceBlock>& blocks = this->blocks();
+  return blocks.empty()
+    ? 0
+    : blocks.back().firstTriangle + static_cast<Id>(blocks.back().numberOfTriangles());
 }
 
 std::uint64_t PolyDataSurface::countTrianglesOfAllRanks() const
 {
-  return sumOverRanks(this->exchange(), this->numberOfTriangles() - this->numberOfCopies_).all;
+  const std::vector<TriangleRole>& roles = this->contents_.roles;
+  const auto copies = std::count(roles.begin(), roles.end(), TriangleRole::Copy);
+  return sumOverRanks(this->exchange(), this->numberOfTriangles() - static_cast<Id>(copies)).all;
 }
 
 Triangle PolyDataSurface::triangle(Id triangle) const
@@ -132,18 +120,12 @@ Triangle PolyDataSurface::triangle(Id triangle) const
 }
 
 // Empty blocks begin where the next one does: the last of those that begin there is meant.
-std::size_t PolyDataSurface::blockOfPoint(Id point) const
+std::size_t PolyDataSurface::blockOf(Id item, Id SurfaceBlock::*first) const
 {
-  const auto next = std::upper_bound(this->contents_.blocks.begin(), this->contents_.blocks.end(),
-    point, [](Id id, const SurfaceBlock& block) { return id < block.firstPoint; });
-  return static_cast<std::size_t>(next - this->contents_.blocks.begin()) - 1;
-}
-
-std::size_t PolyDataSurface::blockOfTriangle(Id triangle) const
-{
-  const auto next = std::upper_bound(this->contents_.blocks.begin(), this->contents_.blocks.end(),
-    triangle, [](Id id, const SurfaceBlock& block) { return id < block.firstTriangle; });
-  return static_cast<std::size_t>(next - this->contents_.blocks.begin()) - 1;
+  const std::vector<SurfaceBlock>& blocks = this->blocks();
+  const auto next = std::upper_bound(blocks.begin(), blocks.end(), item,
+    [first](Id id, const SurfaceBlock& block) { return id < block.*first; });
+  return static_cast<std::size_t>(next - blocks.begin()) - 1;
 }
 
 std::string PolyDataSurface::nameOfCell(Id triangle, const std::vector<PolyDataBlock>& inputs) const

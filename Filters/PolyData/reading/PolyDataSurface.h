@@ -9,6 +9,7 @@
 #include "mesh/BarrierFaces.h"
 #include "mesh/MeshPartition.h"
 
+#include "vtkCellArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -17,10 +18,10 @@
 #include <string>
 #include <vector>
 
-class vtkCellArray;
-
 namespace geodesic
 {
+
+class BarrierArrays;
 
 /// The part of a surface that is one vtkPolyData.
 struct SurfaceBlock
@@ -37,7 +38,7 @@ struct SurfaceBlock
   /// Otherwise the input's cell that each triangle came from.
   std::vector<vtkIdType> inputCells;
 
-  vtkIdType numberOfTriangles() const;
+  vtkIdType numberOfTriangles() const { return this->triangles->GetNumberOfCells(); }
   vtkIdType inputCell(vtkIdType triangle) const
   {
     return this->areInputCells ? triangle : this->inputCells[static_cast<std::size_t>(triangle)];
@@ -192,16 +193,37 @@ public:
   /// \param inputs the blocks that the surface was read from.
   std::string nameOfCell(Id triangle, const std::vector<PolyDataBlock>& inputs) const;
   /// The block that a point or a triangle belongs to.
-  std::size_t blockOfPoint(Id point) const;
-  std::size_t blockOfTriangle(Id triangle) const;
+  std::size_t blockOfPoint(Id point) const
+  {
+    return this->blockOf(point, &SurfaceBlock::firstPoint);
+  }
+  std::size_t blockOfTriangle(Id triangle) const
+  {
+    return this->blockOf(triangle, &SurfaceBlock::firstTriangle);
+  }
 
 private:
+  std::size_t blockOf(Id item, Id SurfaceBlock::*first) const;
+
   SurfaceContents contents_;
   /// Of all triangles the open ones; empty if all are.
   std::vector<Id> openTriangles_;
   std::vector<Id> barrierTriangles_;
-  Id numberOfCopies_ = 0;
 };
+
+/// Makes one surface of all blocks of all ranks, which call this together: triangulates polygons
+/// and strips, and merges the points that lie at exactly one place.
+///
+/// \param blocks the vtkPolyData that this rank has of the surface. They are not changed.
+/// \param barriers of these blocks.
+/// \param mergeCoincidentPoints whether points are merged. Blocks are not connected otherwise.
+/// \param exchange must outlive the surface.
+/// \param progress called now and then with a fraction done; returning false throws Aborted.
+/// \throws MeshError if no face is left that is not a barrier, a coordinate is not finite or a cell
+///         names a point that does not exist; MeshTooLarge; Aborted.
+PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
+  bool mergeCoincidentPoints, Exchange& exchange = OneRank::instance(),
+  const ProgressCallback& progress = {});
 
 /// Numbers the vertices that triangles use, in their order, and changes the corners to these
 /// numbers.

@@ -17,35 +17,28 @@ namespace
 /// The share of the progress for finding the closest faces.
 constexpr double Located = 0.8;
 
-/// Adds the points of a block.
-void addPoints(
-  const PolyDataBlock& block, const PowerOfTwoScale& scale, std::vector<LocatedPolyline>& points)
-{
-  for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
-  {
-    Vec3 p;
-    block.data->GetPoint(i, p.data());
-    LocatedPolyline& point = points.emplace_back();
-    point.points = { scale.toEngine(p) };
-    if (isFinite(p) && !(norm(point.points.front()) < Infinity))
-    {
-      throw InputError("Point " + std::to_string(i) + " of " + block.name +
-        " is too far from the surface for its size. Scale or move it upstream.");
-    }
-  }
-  if (const std::string bad = whereNotFinite(block); !bad.empty())
-  {
-    throw InputError(bad);
-  }
-}
-
 std::vector<LocatedPolyline> readPoints(
   const std::vector<PolyDataBlock>& blocks, const std::string& name, const PowerOfTwoScale& scale)
 {
   std::vector<LocatedPolyline> points;
   for (const PolyDataBlock& block : blocks)
   {
-    addPoints(block, scale, points);
+    for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
+    {
+      Vec3 p;
+      block.data->GetPoint(i, p.data());
+      LocatedPolyline& point = points.emplace_back();
+      point.points = { scale.toEngine(p) };
+      if (isFinite(p) && !(norm(point.points.front()) < Infinity))
+      {
+        throw InputError("Point " + std::to_string(i) + " of " + block.name +
+          " is too far from the surface for its size. Scale or move it upstream.");
+      }
+    }
+    if (const std::string bad = whereNotFinite(block); !bad.empty())
+    {
+      throw InputError(bad);
+    }
   }
   if (points.empty())
   {
@@ -83,23 +76,6 @@ OwnPlace snapToOwnFace(const MeshPartition& surface, const Vec3& point,
   return best;
 }
 
-/// For each place whether it lies in a barrier.
-std::vector<bool> areInBarriers(
-  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
-{
-  std::vector<bool> areInside(located.places.size(), false);
-  if (surface.hasBarriers())
-  {
-    const std::vector<RankAddress> barriers =
-      surface.barriers()->barriersAt(located.places, located.faces, coordinatePrecision);
-    for (std::size_t i = 0; i < barriers.size(); ++i)
-    {
-      areInside[i] = barriers[i].id != NoId;
-    }
-  }
-  return areInside;
-}
-
 }
 
 Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
@@ -109,7 +85,7 @@ Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string&
   const double precision = snapOptionsFor(blocks).coordinatePrecision;
   const LocatedPlaces located = locator.locate(points, precision,
     [&progress](double fraction) { return !progress || progress(Located * fraction); });
-  const std::vector<bool> areInside = areInBarriers(surface, located, precision);
+  const std::vector<RankAddress> barriers = barriersAt(surface, located, precision);
   LoopProgress loop(progress);
   loop.nextUntil(Located);
   loop.nextUntil(1.0);
@@ -128,7 +104,8 @@ Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string&
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const std::size_t place = located.indexOf(points[i].points.front());
-    if (own[place].order < Infinity && own[place].order == orders[place] && !areInside[place])
+    if (own[place].order < Infinity && own[place].order == orders[place] &&
+      barriers[place].id == NoId)
     {
       targets.numbers.push_back(i);
       targets.places.push_back(own[place].point.place);

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolyData/reading/SurfaceReader.h"
-
 #include "PolyData/ParallelFor.h"
 #include "PolyData/ranks/RankSeams.h"
-#include "PolyData/ranks/RemoteVertices.h"
 #include "PolyData/ranks/SeamMerger.h"
-#include "PolyData/reading/Duplicates.h"
-#include "PolyData/reading/PointMerger.h"
+#include "PolyData/reading/BarrierArrays.h"
+#include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/TriangleReader.h"
 #include "mesh/Box.h"
 
@@ -18,6 +15,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cstdint>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <unordered_map>
@@ -57,30 +55,36 @@ struct Vertices
   /// \param same for each vertex the one of the same that stays.
   void join(const std::vector<Id>& same)
   {
-    std::vector<Id> numbers(same.size());
-    const bool hasLabels = !this->labels.labels.empty();
     Id count = 0;
-    for (Id vertex = 0; vertex < same.size(); ++vertex)
+    while (count < same.size() && same[count] == count)
     {
-      if (same[vertex] != vertex)
+      ++count;
+    }
+    if (count == same.size())
+    {
+      return;
+    }
+    std::vector<RankLabels::Label>& known = this->labels.labels;
+    std::vector<Id> numbers(same.size());
+    std::iota(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count), Id(0));
+    for (Id vertex = count; vertex < same.size(); ++vertex)
+    {
+      if (same[vertex] == vertex)
       {
-        continue;
+        this->positions[count] = this->positions[vertex];
+        if (!known.empty())
+        {
+          known[count] = known[vertex];
+        }
+        numbers[vertex] = count++;
       }
-      this->positions[count] = this->positions[vertex];
-      if (hasLabels)
-      {
-        this->labels.labels[count] = this->labels.labels[vertex];
-        this->labels.isShared[count] = this->labels.isShared[vertex];
-      }
-      numbers[vertex] = count++;
     }
     for (Id vertex = 0; vertex < same.size(); ++vertex)
     {
       numbers[vertex] = numbers[same[vertex]];
     }
     this->positions.resize(count);
-    this->labels.labels.resize(hasLabels ? count : 0);
-    this->labels.isShared.resize(hasLabels ? count : 0);
+    known.resize(known.empty() ? 0 : count);
     this->of.renumber(std::move(numbers));
   }
 };
@@ -98,68 +102,53 @@ double precisionOf(const PolyDataBlock& block)
   return points && points->GetDataType() == VTK_FLOAT ? double(FLT_EPSILON) : DBL_EPSILON;
 }
 
-/// Triangles from the first to before the last, for joining seams.
-SeamBlock seamBlock(const Vertices& vertices, const TriangleList& triangles, std::size_t first,
-  std::size_t last, double precision)
-{
-  SeamBlock seam;
-  seam.precision = precision;
-  for (std::size_t i = first; i < last; ++i)
-  {
-    (triangles.isDuplicate[i] ? seam.ghosts : seam.triangles)
-      .push_back(vertices.of(triangles.corners[i]));
-  }
-  return seam;
-}
-
 /// Reads the blocks of one surface, stage by stage.
 class SurfaceReader
 {
 public:
   SurfaceReader(const std::vector<PolyDataBlock>& inputs, const BarrierArrays& barriers,
-    Exchange& exchange, const ProgressCallback& callback)
+    bool mergeCoincidentPoints, Exchange& exchange, const ProgressCallback& callback)
     : inputs_(inputs)
     , barriers_(barriers)
+    , mergesPoints_(mergeCoincidentPoints)
     , exchange_(exchange)
     , callback_(callback)
     , parallelFor_(smpParallelFor())
   {
   }
 
-  SurfaceContents read(bool mergeCoincidentPoints)
+  SurfaceContents read()
   {
     LoopProgress progress(this->callback_);
     const vtkIdType numberOfFaces = this->requireFaces();
-    std::vector<SurfaceBlock> blocks = this->numberPoints();
-    Vertices vertices;
+    this->numberPoints();
     progress.nextUntil(PointsRead);
-    vertices.positions = this->readPoints(blocks, progress);
+    this->readPoints(progress);
     progress.nextUntil(PointsMerged);
-    if (mergeCoincidentPoints)
+    if (this->mergesPoints_)
     {
-      vertices.of =
-        geodesic::mergeCoincidentPoints(vertices.positions, progress, this->parallelFor_);
+      this->vertices_.join(firstAtPlaces(this->vertices_.positions, progress, this->parallelFor_));
     }
     progress.nextUntil(TrianglesRead);
-    TriangleList triangles = readTriangles(this->inputs_, vertices.of, numberOfFaces, progress,
-      this->parallelFor_, blocks, this->report_);
-    this->requireTriangles(triangles, numberOfFaces);
-    const PowerOfTwoScale scale = this->scaleVertices(triangles, vertices);
-    if (mergeCoincidentPoints)
+    this->triangles_ = readTriangles(this->inputs_, this->vertices_.of, numberOfFaces, progress,
+      this->parallelFor_, this->blocks_, this->report_);
+    this->requireTriangles(numberOfFaces);
+    const PowerOfTwoScale scale = this->scaleVertices();
+    if (this->mergesPoints_ && this->inputs_.size() > 1)
     {
-      this->joinBlocks(triangles, vertices);
+      this->joinBlocks();
     }
     if (this->exchange_.numberOfRanks() > 1)
     {
-      this->joinRanks(mergeCoincidentPoints, blocks, triangles, vertices);
+      this->joinRanks();
     }
-    std::vector<TriangleRole> roles = this->findRoles(vertices, triangles);
-    keepTriangles(this->inputs_, triangles, blocks);
-    Faces faces = this->takeFaces(std::move(triangles), roles, vertices);
-    const double diagonal = this->diagonalOf(vertices, faces);
-    SurfaceContents surface = this->makeSurface(std::move(vertices), std::move(faces));
-    surface.blocks = std::move(blocks);
-    surface.roles = std::move(roles);
+    this->findRoles();
+    keepTriangles(this->inputs_, this->triangles_, this->blocks_);
+    Faces faces = this->takeFaces();
+    const double diagonal = this->diagonalOf(faces);
+    SurfaceContents surface = this->makeSurface(std::move(faces));
+    surface.blocks = std::move(this->blocks_);
+    surface.roles = std::move(this->roles_);
     surface.scale = scale;
     surface.diagonal = diagonal;
     surface.report = this->reportOfAllRanks(surface.partition);
@@ -170,30 +159,36 @@ private:
   bool isTrueOnAll(bool condition) const { return !this->exchange_.isTrueAnywhere(!condition); }
   vtkIdType requireFaces() const;
   std::string whatThereIsInsteadOfFaces() const;
-  std::vector<SurfaceBlock> numberPoints() const;
-  std::vector<Vec3> readPoints(
-    const std::vector<SurfaceBlock>& blocks, const LoopProgress& progress) const;
-  void requireTriangles(const TriangleList& triangles, vtkIdType numberOfFaces) const;
-  PowerOfTwoScale scaleVertices(const TriangleList& triangles, Vertices& vertices) const;
-  void joinBlocks(const TriangleList& triangles, Vertices& vertices);
-  void joinRanks(bool mergeCoincidentPoints, const std::vector<SurfaceBlock>& blocks,
-    const TriangleList& triangles, Vertices& vertices);
-  std::vector<std::pair<std::int64_t, Id>> globalIds(
-    const std::vector<SurfaceBlock>& blocks, const Vertices& vertices) const;
-  std::vector<TriangleRole> findRoles(const Vertices& vertices, TriangleList& triangles) const;
-  void findBarriers(const Vertices& vertices, const TriangleList& triangles,
-    std::vector<TriangleRole>& roles) const;
-  Faces takeFaces(
-    TriangleList triangles, const std::vector<TriangleRole>& roles, const Vertices& vertices) const;
-  double diagonalOf(const Vertices& vertices, const Faces& faces) const;
-  SurfaceContents makeSurface(Vertices vertices, Faces faces) const;
+  void numberPoints();
+  void readPoints(const LoopProgress& progress);
+  void requireTriangles(vtkIdType numberOfFaces) const;
+  Box boxOf(const std::vector<Triangle>& triangles, const VertexOfPoint& vertexOf) const;
+  PowerOfTwoScale scaleVertices();
+  SeamBlock seamBlock(std::size_t first, std::size_t last, double precision) const;
+  void joinBlocks();
+  void joinRanks();
+  void joinSeamsOfRanks();
+  std::vector<std::pair<std::int64_t, Id>> globalIds() const;
+  void findRoles();
+  void findBarriers();
+  Faces takeFaces();
+  double diagonalOf(const Faces& faces) const;
+  SurfaceContents makeSurface(Faces faces);
   SurfaceReport reportOfAllRanks(const MeshPartition& partition) const;
 
   const std::vector<PolyDataBlock>& inputs_;
   const BarrierArrays& barriers_;
+  bool mergesPoints_;
   Exchange& exchange_;
   const ProgressCallback& callback_;
   ParallelFor parallelFor_;
+  std::vector<SurfaceBlock> blocks_;
+  Vertices vertices_;
+  TriangleList triangles_;
+  /// Of the triangles; empty if all are open.
+  std::vector<TriangleRole> roles_;
+  /// Of the triangles of all ranks, on the mesh's scale.
+  double largestCoordinate_ = 0.0;
   SurfaceReport report_;
 };
 
@@ -239,14 +234,13 @@ std::string SurfaceReader::whatThereIsInsteadOfFaces() const
 }
 
 /// Numbers the points of all blocks.
-std::vector<SurfaceBlock> SurfaceReader::numberPoints() const
+void SurfaceReader::numberPoints()
 {
-  std::vector<SurfaceBlock> blocks;
   vtkIdType count = 0;
   for (const PolyDataBlock& input : this->inputs_)
   {
     const vtkIdType own = input.data->GetNumberOfPoints();
-    SurfaceBlock& block = blocks.emplace_back();
+    SurfaceBlock& block = this->blocks_.emplace_back();
     block.firstPoint = static_cast<Id>(count);
     block.numberOfPoints = static_cast<Id>(own);
     count += own;
@@ -256,24 +250,24 @@ std::vector<SurfaceBlock> SurfaceReader::numberPoints() const
         " points, more than 32-bit ids can number. Decimate it or cut it into parts.");
     }
   }
-  return blocks;
 }
 
 /// \throws MeshError if a coordinate is not finite.
-std::vector<Vec3> SurfaceReader::readPoints(
-  const std::vector<SurfaceBlock>& blocks, const LoopProgress& progress) const
+void SurfaceReader::readPoints(const LoopProgress& progress)
 {
-  const std::size_t count =
-    blocks.empty() ? 0 : blocks.back().firstPoint + std::size_t(blocks.back().numberOfPoints);
-  std::vector<Vec3> positions(count);
+  const std::size_t count = this->blocks_.empty()
+    ? 0
+    : this->blocks_.back().firstPoint + std::size_t(this->blocks_.back().numberOfPoints);
+  std::vector<Vec3>& positions = this->vertices_.positions;
+  positions.resize(count);
   const auto read = [&](std::size_t begin, std::size_t end)
   {
     std::size_t bad = NoId;
-    for (std::size_t block = 0; block < blocks.size(); ++block)
+    for (std::size_t block = 0; block < this->blocks_.size(); ++block)
     {
       vtkPoints* points = this->inputs_[block].data->GetPoints();
-      const std::size_t first = blocks[block].firstPoint;
-      const std::size_t last = std::min(end, first + blocks[block].numberOfPoints);
+      const std::size_t first = this->blocks_[block].firstPoint;
+      const std::size_t last = std::min(end, first + this->blocks_[block].numberOfPoints);
       for (std::size_t i = std::max(begin, first); i < last; ++i)
       {
         points->GetPoint(static_cast<vtkIdType>(i - first), positions[i].data());
@@ -284,17 +278,16 @@ std::vector<Vec3> SurfaceReader::readPoints(
   };
   const std::vector<std::size_t> bad = resultsOfRanges(this->parallelFor_, count, progress, read);
   const auto first = std::min_element(bad.begin(), bad.end());
-  if (first != bad.end() && *first < blocks.size())
+  if (first != bad.end() && *first < this->blocks_.size())
   {
     throw MeshError(whereNotFinite(this->inputs_[*first]));
   }
-  return positions;
 }
 
 /// \throws MeshError if no rank has a triangle.
-void SurfaceReader::requireTriangles(const TriangleList& triangles, vtkIdType numberOfFaces) const
+void SurfaceReader::requireTriangles(vtkIdType numberOfFaces) const
 {
-  if (this->isTrueOnAll(triangles.corners.empty()))
+  if (this->isTrueOnAll(this->triangles_.corners.empty()))
   {
     const bool isAlone = this->exchange_.numberOfRanks() == 1;
     throw MeshError("None of the " + (isAlone ? std::to_string(numberOfFaces) + " " : "") +
@@ -303,29 +296,29 @@ void SurfaceReader::requireTriangles(const TriangleList& triangles, vtkIdType nu
   }
 }
 
+Box SurfaceReader::boxOf(
+  const std::vector<Triangle>& triangles, const VertexOfPoint& vertexOf) const
+{
+  return boxOfItems(this->parallelFor_, triangles.size(),
+    [&](Box& part, std::size_t i)
+    {
+      for (const Id vertex : vertexOf(triangles[i]))
+      {
+        part.add(this->vertices_.positions[vertex]);
+      }
+    });
+}
+
 /// Brings the vertices to a size that the engine can compute with. Points that no triangle uses may
 /// be anywhere; they only stay finite.
 ///
 /// \throws MeshError if there is no such size.
-PowerOfTwoScale SurfaceReader::scaleVertices(
-  const TriangleList& triangles, Vertices& vertices) const
+PowerOfTwoScale SurfaceReader::scaleVertices()
 {
   constexpr double largestOfAll = 1e290;
-  const std::vector<double> ofRanges = resultsOfRanges(this->parallelFor_, triangles.corners.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      double here = 0.0;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        for (const Id vertex : vertices.of(triangles.corners[i]))
-        {
-          here = std::max(here, largestCoordinate(vertices.positions[vertex]));
-        }
-      }
-      return here;
-    });
+  const std::vector<Triangle>& triangles = this->triangles_.corners;
   const double largest = this->exchange_.largestOf(
-    ofRanges.empty() ? 0.0 : *std::max_element(ofRanges.begin(), ofRanges.end()));
+    triangles.empty() ? 0.0 : this->boxOf(triangles, this->vertices_.of).largestCoordinate());
   if (largest > largestOfAll || (largest > 0.0 && largest < 1.0 / largestOfAll))
   {
     std::ostringstream message;
@@ -337,7 +330,7 @@ PowerOfTwoScale SurfaceReader::scaleVertices(
   const PowerOfTwoScale scale(largest);
   if (!scale.isOne())
   {
-    for (Vec3& p : vertices.positions)
+    for (Vec3& p : this->vertices_.positions)
     {
       p = scale.toEngine(p);
       for (double& x : p)
@@ -346,73 +339,94 @@ PowerOfTwoScale SurfaceReader::scaleVertices(
       }
     }
   }
+  this->largestCoordinate_ = scale.toEngine(largest);
   return scale;
 }
 
-/// Connects blocks whose boundaries meet within the rounding of their coordinates.
-void SurfaceReader::joinBlocks(const TriangleList& triangles, Vertices& vertices)
+/// Triangles from the first to before the last, for joining seams.
+SeamBlock SurfaceReader::seamBlock(std::size_t first, std::size_t last, double precision) const
 {
-  if (this->inputs_.size() < 2)
+  SeamBlock seam;
+  seam.precision = precision;
+  for (std::size_t i = first; i < last; ++i)
   {
-    return;
+    (this->triangles_.isDuplicate[i] ? seam.ghosts : seam.triangles)
+      .push_back(this->vertices_.of(this->triangles_.corners[i]));
   }
+  return seam;
+}
+
+/// Connects blocks whose boundaries meet within the rounding of their coordinates.
+void SurfaceReader::joinBlocks()
+{
   std::vector<SeamBlock> seams;
   for (std::size_t i = 0; i < this->inputs_.size(); ++i)
   {
-    seams.push_back(seamBlock(vertices, triangles, triangles.firstOfBlock[i],
-      triangles.firstOfBlock[i + 1], precisionOf(this->inputs_[i])));
+    seams.push_back(this->seamBlock(this->triangles_.firstOfBlock[i],
+      this->triangles_.firstOfBlock[i + 1], precisionOf(this->inputs_[i])));
   }
-  const JoinedVertices joined = mergeSeams(vertices.positions, seams);
-  if (!joined.same.empty())
+  const JoinedVertices joined = mergeSeams(this->vertices_.positions, this->vertices_.labels,
+    std::move(seams), this->largestCoordinate_, OneRank::instance());
+  std::vector<Id> same(this->vertices_.positions.size());
+  std::iota(same.begin(), same.end(), Id(0));
+  for (const auto& [vertex, other] : joined.same)
   {
-    vertices.join(joined.same);
-    this->report_.joinedSeamPoints = static_cast<vtkIdType>(joined.count);
+    same[vertex] = static_cast<Id>(other);
   }
+  this->vertices_.join(same);
+  this->report_.joinedSeamPoints = static_cast<vtkIdType>(joined.count);
 }
 
 /// Labels the vertices: vertices of different ranks that are one get the same label. If several
 /// vertices of this rank get the same, they are one, too.
-void SurfaceReader::joinRanks(bool mergeCoincidentPoints, const std::vector<SurfaceBlock>& blocks,
-  const TriangleList& triangles, Vertices& vertices)
+void SurfaceReader::joinRanks()
 {
-  RankSeams seams(vertices.positions, this->exchange_);
-  seams.joinSame(mergeCoincidentPoints, this->globalIds(blocks, vertices));
-  if (mergeCoincidentPoints)
+  this->vertices_.labels = joinSameVertices(
+    this->vertices_.positions, this->mergesPoints_, this->globalIds(), this->exchange_);
+  if (this->mergesPoints_)
   {
-    double precision = 0.0;
-    for (const PolyDataBlock& input : this->inputs_)
-    {
-      precision = std::max(precision, precisionOf(input));
-    }
-    const auto joined = static_cast<vtkIdType>(
-      seams.joinNear(seamBlock(vertices, triangles, 0, triangles.corners.size(), precision)));
-    // All ranks have counted the same.
-    this->report_.joinedSeamPoints += this->exchange_.rank() == 0 ? joined : 0;
+    this->joinSeamsOfRanks();
   }
-  vertices.labels = seams.take();
   std::unordered_map<RankLabels::Label, Id> first;
-  std::vector<Id> same(vertices.positions.size());
-  bool isAnySame = false;
+  std::vector<Id> same(this->vertices_.positions.size());
   for (Id vertex = 0; vertex < same.size(); ++vertex)
   {
-    same[vertex] = vertices.labels.isSharedAt(vertex)
-      ? first.emplace(vertices.labels.of(vertex), vertex).first->second
+    same[vertex] = this->vertices_.labels.isSharedAt(vertex)
+      ? first.emplace(this->vertices_.labels.of(vertex), vertex).first->second
       : vertex;
-    isAnySame = isAnySame || same[vertex] != vertex;
   }
-  if (isAnySame)
+  this->vertices_.join(same);
+}
+
+void SurfaceReader::joinSeamsOfRanks()
+{
+  double precision = 0.0;
+  for (const PolyDataBlock& input : this->inputs_)
   {
-    vertices.join(same);
+    precision = std::max(precision, precisionOf(input));
   }
+  const JoinedVertices joined = mergeSeams(this->vertices_.positions, this->vertices_.labels,
+    { this->seamBlock(0, this->triangles_.corners.size(), precision) }, this->largestCoordinate_,
+    this->exchange_);
+  for (Id vertex = 0; vertex < this->vertices_.positions.size() && !joined.same.empty(); ++vertex)
+  {
+    const auto found = joined.same.find(this->vertices_.labels.of(vertex));
+    if (found != joined.same.end())
+    {
+      this->vertices_.labels.labels[vertex] = found->second | RankLabels::Shared;
+    }
+  }
+  // All ranks have counted the same.
+  this->report_.joinedSeamPoints +=
+    this->exchange_.rank() == 0 ? static_cast<vtkIdType>(joined.count) : 0;
 }
 
 /// A global id and a vertex for each point; empty if points of any rank have no global ids.
-std::vector<std::pair<std::int64_t, Id>> SurfaceReader::globalIds(
-  const std::vector<SurfaceBlock>& blocks, const Vertices& vertices) const
+std::vector<std::pair<std::int64_t, Id>> SurfaceReader::globalIds() const
 {
   std::vector<std::pair<std::int64_t, Id>> ids;
   bool isComplete = true;
-  for (std::size_t block = 0; block < blocks.size() && isComplete; ++block)
+  for (std::size_t block = 0; block < this->blocks_.size() && isComplete; ++block)
   {
     vtkPolyData* data = this->inputs_[block].data;
     vtkDataArray* array = data->GetPointData()->GetGlobalIds();
@@ -425,7 +439,7 @@ std::vector<std::pair<std::int64_t, Id>> SurfaceReader::globalIds(
     for (vtkIdType i = 0; i < count && isComplete; ++i)
     {
       ids.emplace_back(static_cast<std::int64_t>(array->GetComponent(i, 0)),
-        vertices.of(blocks[block].firstPoint + static_cast<Id>(i)));
+        this->vertices_.of(this->blocks_[block].firstPoint + static_cast<Id>(i)));
     }
   }
   if (!this->isTrueOnAll(isComplete))
@@ -435,43 +449,38 @@ std::vector<std::pair<std::int64_t, Id>> SurfaceReader::globalIds(
   return ids;
 }
 
-/// Finds the triangles that are not open. \returns nothing if all are.
-std::vector<TriangleRole> SurfaceReader::findRoles(
-  const Vertices& vertices, TriangleList& triangles) const
+/// Finds the triangles that are not open.
+void SurfaceReader::findRoles()
 {
-  std::vector<TriangleRole> roles;
-  for (const std::uint8_t copy :
-    findCopies(vertices.labels, vertices.of, triangles, this->exchange_))
-  {
-    roles.push_back(copy != 0 ? TriangleRole::Copy : TriangleRole::Open);
-  }
+  this->roles_ =
+    findCopies(this->vertices_.labels, this->vertices_.of, this->triangles_, this->exchange_);
   if (this->barriers_.isGiven())
   {
-    this->findBarriers(vertices, triangles, roles);
+    this->findBarriers();
   }
-  return roles;
 }
 
 /// A triangle with two corners at one vertex has no inside: it is left to the mesh, which leaves it
 /// out.
 ///
 /// \throws MeshError if no open triangle is left on any rank.
-void SurfaceReader::findBarriers(
-  const Vertices& vertices, const TriangleList& triangles, std::vector<TriangleRole>& roles) const
+void SurfaceReader::findBarriers()
 {
-  roles.resize(triangles.corners.size(), TriangleRole::Open);
-  for (std::size_t block = 0; block + 1 < triangles.firstOfBlock.size(); ++block)
+  this->roles_.resize(this->triangles_.corners.size(), TriangleRole::Open);
+  for (std::size_t block = 0; block + 1 < this->triangles_.firstOfBlock.size(); ++block)
   {
-    for (std::size_t i = triangles.firstOfBlock[block]; i < triangles.firstOfBlock[block + 1]; ++i)
+    for (std::size_t i = this->triangles_.firstOfBlock[block];
+         i < this->triangles_.firstOfBlock[block + 1]; ++i)
     {
-      if (roles[i] == TriangleRole::Open && hasThreeVertices(vertices.of(triangles.corners[i])) &&
-        this->barriers_.isBarrier(block, triangles.cells[i]))
+      if (this->roles_[i] == TriangleRole::Open &&
+        hasThreeVertices(this->vertices_.of(this->triangles_.corners[i])) &&
+        this->barriers_.isBarrier(block, this->triangles_.cells[i]))
       {
-        roles[i] = TriangleRole::Barrier;
+        this->roles_[i] = TriangleRole::Barrier;
       }
     }
   }
-  const auto open = std::count(roles.begin(), roles.end(), TriangleRole::Open);
+  const auto open = std::count(this->roles_.begin(), this->roles_.end(), TriangleRole::Open);
   if (this->isTrueOnAll(open == 0))
   {
     throw MeshError("All faces of the surface (input port 0) are barriers: the cell array " +
@@ -479,63 +488,49 @@ void SurfaceReader::findBarriers(
       " (BarrierArrayName) is 0 at none of them. Set it to 0 where paths may pass, or choose no "
       "barrier array.");
   }
-  if (static_cast<std::size_t>(open) == roles.size())
+  if (static_cast<std::size_t>(open) == this->roles_.size())
   {
-    std::vector<TriangleRole>().swap(roles);
+    std::vector<TriangleRole>().swap(this->roles_);
   }
 }
 
 /// Takes the faces, in the memory of the triangles.
-Faces SurfaceReader::takeFaces(
-  TriangleList triangles, const std::vector<TriangleRole>& roles, const Vertices& vertices) const
+Faces SurfaceReader::takeFaces()
 {
   Faces faces;
-  faces.open = std::move(triangles.corners);
+  faces.open = std::move(this->triangles_.corners);
+  this->triangles_ = {};
   std::vector<Triangle>& open = faces.open;
-  if (roles.empty())
-  {
-    forRanges(this->parallelFor_, vertices.of.isIdentity() ? 0 : open.size(),
-      [&](std::size_t begin, std::size_t end)
+  forRanges(this->parallelFor_, this->vertices_.of.isIdentity() ? 0 : open.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
       {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          open[i] = vertices.of(open[i]);
-        }
-      });
-    return faces;
-  }
+        open[i] = this->vertices_.of(open[i]);
+      }
+    });
   std::size_t count = 0;
-  for (std::size_t i = 0; i < open.size(); ++i)
+  for (std::size_t i = 0; i < this->roles_.size(); ++i)
   {
-    if (roles[i] == TriangleRole::Open)
+    if (this->roles_[i] == TriangleRole::Open)
     {
-      open[count++] = vertices.of(open[i]);
+      open[count++] = open[i];
     }
-    else if (roles[i] == TriangleRole::Barrier)
+    else if (this->roles_[i] == TriangleRole::Barrier)
     {
-      faces.barriers.push_back(vertices.of(open[i]));
+      faces.barriers.push_back(open[i]);
     }
   }
-  open.resize(count);
+  open.resize(this->roles_.empty() ? open.size() : count);
   return faces;
 }
 
 /// The diagonal of the bounding box of the points that faces use. Other points are not surface, and
 /// may lie anywhere.
-double SurfaceReader::diagonalOf(const Vertices& vertices, const Faces& faces) const
+double SurfaceReader::diagonalOf(const Faces& faces) const
 {
-  Box box;
-  for (const std::vector<Triangle>* triangles : { &faces.open, &faces.barriers })
-  {
-    box.add(boxOfItems(this->parallelFor_, triangles->size(),
-      [&](Box& part, std::size_t i)
-      {
-        for (const Id corner : (*triangles)[i])
-        {
-          part.add(vertices.positions[corner]);
-        }
-      }));
-  }
+  Box box = this->boxOf(faces.open, {});
+  box.add(this->boxOf(faces.barriers, {}));
   std::vector<double> least = { box.low[0], box.low[1], box.low[2], -box.high[0], -box.high[1],
     -box.high[2] };
   this->exchange_.findLeast(least);
@@ -543,13 +538,13 @@ double SurfaceReader::diagonalOf(const Vertices& vertices, const Faces& faces) c
 }
 
 /// Makes the meshes of the open faces and of the barriers.
-SurfaceContents SurfaceReader::makeSurface(Vertices vertices, Faces faces) const
+SurfaceContents SurfaceReader::makeSurface(Faces faces)
 {
-  const std::size_t count = vertices.positions.size();
+  const std::size_t count = this->vertices_.positions.size();
   std::vector<Id> inBarriers = numberUsedVertices(faces.barriers, count);
   std::vector<Vec3> barrierPoints;
   std::vector<std::uint64_t> barrierKeys;
-  vertices.copy(inBarriers, barrierPoints, barrierKeys);
+  this->vertices_.copy(inBarriers, barrierPoints, barrierKeys);
   // One process keeps the other vertices, too: points need no table then.
   std::vector<Id> numbers;
   std::vector<std::uint64_t> keys;
@@ -562,12 +557,12 @@ SurfaceContents SurfaceReader::makeSurface(Vertices vertices, Faces faces) const
       numbers[used[i]] = static_cast<Id>(i);
     }
     std::vector<Vec3> points;
-    vertices.copy(used, points, keys);
-    vertices.positions = std::move(points);
+    this->vertices_.copy(used, points, keys);
+    this->vertices_.positions = std::move(points);
   }
-  BorrowedValues remote = remoteVertices(vertices.labels, numbers, this->exchange_);
-  vertices.labels = {};
-  MeshPartition partition(std::move(vertices.positions), faces.open, keys, this->exchange_,
+  BorrowedValues remote = remoteVertices(this->vertices_.labels, numbers, this->exchange_);
+  this->vertices_.labels = {};
+  MeshPartition partition(std::move(this->vertices_.positions), faces.open, keys, this->exchange_,
     progressBetween(this->callback_, TrianglesRead, 1.0), this->parallelFor_);
   Id next = partition.mesh().numberOfVertices();
   for (Id& number : numbers)
@@ -584,9 +579,9 @@ SurfaceContents SurfaceReader::makeSurface(Vertices vertices, Faces faces) const
     barriers = std::make_unique<BarrierFaces>(partition,
       MeshPartition(std::move(barrierPoints), faces.barriers, barrierKeys, this->exchange_));
   }
-  vertices.of.renumber(std::move(numbers));
+  this->vertices_.of.renumber(std::move(numbers));
   return { std::move(partition), std::move(remote), std::move(barriers), std::move(inBarriers),
-    std::move(vertices.of), {}, {}, {}, 0.0, {} };
+    std::move(this->vertices_.of), {}, {}, {}, 0.0, {} };
 }
 
 SurfaceReport SurfaceReader::reportOfAllRanks(const MeshPartition& partition) const
@@ -622,7 +617,7 @@ PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, const Barr
   bool mergeCoincidentPoints, Exchange& exchange, const ProgressCallback& progress)
 {
   return PolyDataSurface(
-    SurfaceReader(blocks, barriers, exchange, progress).read(mergeCoincidentPoints));
+    SurfaceReader(blocks, barriers, mergeCoincidentPoints, exchange, progress).read());
 }
 
 }

@@ -3,9 +3,15 @@
 
 #include "PolyData/CellLoop.h"
 #include "PolyData/Memory.h"
-#include "PolyData/reading/GhostCells.h"
 
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkPolygon.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 
@@ -15,84 +21,149 @@ namespace geodesic
 namespace
 {
 
-class TriangleReader
+constexpr int Duplicate = vtkDataSetAttributes::DUPLICATECELL;
+constexpr int Hidden = vtkDataSetAttributes::HIDDENCELL;
+
+/// The ghost array of a vtkPolyData; null if it marks no cell as a duplicate or hidden.
+vtkUnsignedCharArray* ghostArray(vtkPolyData* data)
+{
+  auto* flags = vtkUnsignedCharArray::SafeDownCast(
+    data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  if (!flags || flags->GetNumberOfComponents() != 1 ||
+    flags->GetNumberOfTuples() < data->GetNumberOfCells())
+  {
+    return nullptr;
+  }
+  const unsigned char* begin = flags->GetPointer(0);
+  const auto isMarked = [](unsigned char flag) { return (flag & (Duplicate | Hidden)) != 0; };
+  return std::any_of(begin, begin + data->GetNumberOfCells(), isMarked) ? flags : nullptr;
+}
+
+/// Collects the triangles of one block's cells.
+class BlockReader
 {
 public:
-  /// \param numberOfCells of all blocks.
-  TriangleReader(const VertexOfPoint& vertexOf, const ParallelFor& parallelFor,
-    vtkIdType numberOfCells, const LoopProgress& progress, TriangleList& triangles,
-    SurfaceReport& report)
-    : vertexOf_(vertexOf)
-    , parallelFor_(parallelFor)
-    , numberOfCells_(static_cast<std::size_t>(numberOfCells))
-    , progress_(progress)
+  /// \param firstPoint the number of the block's point 0 among those of all blocks.
+  /// \param triangles to which triangles are added.
+  BlockReader(const PolyDataBlock& block, Id firstPoint, const VertexOfPoint& vertexOf,
+    TriangleList& triangles, SurfaceReport& report)
+    : block_(block)
+    , data_(block.data)
+    , ghosts_(ghostArray(block.data))
+    , firstPoint_(firstPoint)
+    , vertexOf_(vertexOf)
     , triangles_(triangles)
     , report_(report)
   {
   }
 
-  void read(const PolyDataBlock& input, SurfaceBlock& block)
+  /// \param cellsRead of numberOfFaces, for the progress.
+  /// \returns whether all cells are triangles.
+  bool read(const ParallelFor& parallelFor, const LoopProgress& progress, vtkIdType numberOfFaces,
+    std::size_t& cellsRead)
   {
-    block.firstTriangle = static_cast<Id>(this->triangles_.corners.size());
-    block.areInputCells = this->readPlainTriangles(input.data, block.firstPoint);
-    if (!block.areInputCells)
+    const auto count = static_cast<std::size_t>(numberOfFaces);
+    const double done =
+      static_cast<double>(cellsRead) / static_cast<double>(std::max<std::size_t>(count, 1));
+    if (!this->ghosts_ && this->data_->GetNumberOfPolys() == this->data_->GetNumberOfCells())
     {
-      block.areInputCells = this->readCells(input, block.firstPoint);
+      progress.between(done, 1.0).at(0, 1);
+      if (this->readPlainTriangles(parallelFor))
+      {
+        cellsRead += static_cast<std::size_t>(this->data_->GetNumberOfPolys());
+        return true;
+      }
     }
+    this->report_.droppedVertexCells += this->countUnmarked(this->data_->GetNumberOfVerts());
+    this->report_.droppedLineCells += this->countUnmarked(this->data_->GetNumberOfLines());
+    const auto readAll = [&](vtkCellArray* cells, auto add)
+    {
+      forEachCell(cells,
+        [&](vtkIdType size, const vtkIdType* ids)
+        {
+          progress.at(cellsRead++, count);
+          if (!this->isMarked(Hidden))
+          {
+            requirePoints<MeshError>(this->block_, this->cell_, size, ids);
+            (this->*add)(size, ids);
+          }
+          ++this->cell_;
+        });
+    };
+    readAll(this->data_->GetPolys(), &BlockReader::addPolygon);
+    readAll(this->data_->GetStrips(), &BlockReader::addStrip);
+    return !this->hasOtherCells_;
   }
 
 private:
-  bool readPlainTriangles(vtkPolyData* data, Id firstPoint);
-  bool readPlainRange(vtkPolyData* data, Id firstPoint, std::size_t firstTriangle,
-    std::size_t begin, std::size_t end);
-  bool readCells(const PolyDataBlock& input, Id firstPoint);
+  /// Whether the ghost array marks the current cell.
+  bool isMarked(int mark) const
+  {
+    return this->ghosts_ && (this->ghosts_->GetValue(this->cell_) & mark) != 0;
+  }
+  /// Of the next cells how many are neither duplicates nor hidden.
+  vtkIdType countUnmarked(vtkIdType cells)
+  {
+    vtkIdType unmarked = 0;
+    for (const vtkIdType end = this->cell_ + cells; this->cell_ < end; ++this->cell_)
+    {
+      unmarked += this->isMarked(Duplicate | Hidden) ? 0 : 1;
+    }
+    return unmarked;
+  }
 
+  bool readPlainTriangles(const ParallelFor& parallelFor);
+  bool readPlainRange(std::size_t firstTriangle, std::size_t begin, std::size_t end);
+  Id pointOf(vtkIdType id) const { return this->firstPoint_ + static_cast<Id>(id); }
+  Triangle pointsOf(vtkIdType a, vtkIdType b, vtkIdType c) const
+  {
+    return { this->pointOf(a), this->pointOf(b), this->pointOf(c) };
+  }
+  void addPolygon(vtkIdType size, const vtkIdType* ids);
+  void addStrip(vtkIdType size, const vtkIdType* ids);
+  void addTriangle(vtkIdType a, vtkIdType b, vtkIdType c);
+  void leaveOut() { this->report_.facesWithRepeatedPoint += this->isMarked(Duplicate) ? 0 : 1; }
+  void cutEars();
+
+  const PolyDataBlock& block_;
+  vtkPolyData* data_;
+  vtkUnsignedCharArray* ghosts_;
+  Id firstPoint_;
   const VertexOfPoint& vertexOf_;
-  const ParallelFor& parallelFor_;
-  std::size_t numberOfCells_;
-  const LoopProgress& progress_;
-  /// The number of cells that have been read.
-  std::size_t done_ = 0;
   TriangleList& triangles_;
   SurfaceReport& report_;
+  /// The current cell: vtkPolyData numbers vertices, lines, polygons and strips, in this order.
+  vtkIdType cell_ = 0;
+  bool hasOtherCells_ = false;
+  /// Of a polygon, without repeated vertices.
+  std::vector<vtkIdType> outline_;
+  vtkNew<vtkPolygon> polygon_;
+  vtkNew<vtkIdList> ears_;
 };
 
 /// Reads a block whose cells are all triangles with three vertices. \returns whether it is one.
-bool TriangleReader::readPlainTriangles(vtkPolyData* data, Id firstPoint)
+bool BlockReader::readPlainTriangles(const ParallelFor& parallelFor)
 {
-  const vtkIdType count = data->GetNumberOfPolys();
-  if (count != data->GetNumberOfCells() || GhostCells(data).areAny())
-  {
-    return false;
-  }
   TriangleList& triangles = this->triangles_;
   const std::size_t before = triangles.corners.size();
-  const std::size_t after = before + static_cast<std::size_t>(count);
-  triangles.corners.resize(after);
-  triangles.cells.resize(after);
-  const double done = static_cast<double>(this->done_) /
-    static_cast<double>(std::max<std::size_t>(this->numberOfCells_, 1));
-  this->progress_.between(done, 1.0).at(0, 1);
-  const std::vector<int> arePlain = resultsOfRanges(this->parallelFor_, after - before,
+  const auto count = static_cast<std::size_t>(this->data_->GetNumberOfPolys());
+  triangles.corners.resize(before + count);
+  triangles.cells.resize(before + count);
+  const std::vector<int> arePlain = resultsOfRanges(parallelFor, count,
     [&](std::size_t begin, std::size_t end)
-    { return this->readPlainRange(data, firstPoint, before, begin, end) ? 1 : 0; });
-  if (std::find(arePlain.begin(), arePlain.end(), 0) != arePlain.end())
-  {
-    triangles.corners.resize(before);
-    triangles.cells.resize(before);
-    return false;
-  }
-  triangles.isDuplicate.resize(after, false);
-  this->done_ += after - before;
-  return true;
+    { return this->readPlainRange(before, begin, end) ? 1 : 0; });
+  const bool areAllPlain = std::find(arePlain.begin(), arePlain.end(), 0) == arePlain.end();
+  triangles.corners.resize(areAllPlain ? before + count : before);
+  triangles.cells.resize(triangles.corners.size());
+  triangles.isDuplicate.resize(triangles.corners.size(), false);
+  return areAllPlain;
 }
 
 /// The same for a range of the cells.
-bool TriangleReader::readPlainRange(
-  vtkPolyData* data, Id firstPoint, std::size_t firstTriangle, std::size_t begin, std::size_t end)
+bool BlockReader::readPlainRange(std::size_t firstTriangle, std::size_t begin, std::size_t end)
 {
-  const auto numberOfPoints = data->GetNumberOfPoints();
-  const auto cells = vtk::TakeSmartPointer(data->GetPolys()->NewIterator()); // one a thread
+  const auto numberOfPoints = this->data_->GetNumberOfPoints();
+  const auto cells = vtk::TakeSmartPointer(this->data_->GetPolys()->NewIterator()); // one a thread
   cells->GoToCell(static_cast<vtkIdType>(begin));
   for (std::size_t i = begin; i < end; ++i, cells->GoToNextCell())
   {
@@ -104,8 +175,7 @@ bool TriangleReader::readPlainRange(
     {
       return false;
     }
-    const auto pointOf = [=](vtkIdType id) { return firstPoint + static_cast<Id>(id); };
-    const Triangle triangle = { pointOf(ids[0]), pointOf(ids[1]), pointOf(ids[2]) };
+    const Triangle triangle = this->pointsOf(ids[0], ids[1], ids[2]);
     if (!hasThreeVertices(this->vertexOf_(triangle)))
     {
       return false;
@@ -116,33 +186,79 @@ bool TriangleReader::readPlainRange(
   return true;
 }
 
-/// Reads a block of any cells. \returns whether all of these are triangles.
-bool TriangleReader::readCells(const PolyDataBlock& input, Id firstPoint)
+void BlockReader::addPolygon(vtkIdType size, const vtkIdType* ids)
 {
-  const GhostCells ghosts(input.data);
-  Triangulator triangulator(input, firstPoint, this->vertexOf_, this->triangles_);
-  this->report_.droppedVertexCells += ghosts.countOwn(0, input.data->GetNumberOfVerts());
-  // vtkPolyData numbers its cells in the order vertices, lines, polygons, strips.
-  vtkIdType cell = input.data->GetNumberOfVerts();
-  this->report_.droppedLineCells += ghosts.countOwn(cell, cell + input.data->GetNumberOfLines());
-  cell += input.data->GetNumberOfLines();
-  const auto read = [&](vtkCellArray* cells, auto add)
+  if (size == 3)
   {
-    forEachCell(cells,
-      [&](vtkIdType size, const vtkIdType* ids)
-      {
-        this->progress_.at(this->done_++, this->numberOfCells_);
-        if (!ghosts.isHidden(cell))
-        {
-          (triangulator.*add)({ cell, ghosts.isDuplicate(cell) }, size, ids);
-        }
-        ++cell;
-      });
-  };
-  read(input.data->GetPolys(), &Triangulator::addPolygon);
-  read(input.data->GetStrips(), &Triangulator::addStrip);
-  this->report_.facesWithRepeatedPoint += triangulator.facesWithRepeatedPoint();
-  return !triangulator.hasOtherCells();
+    this->addTriangle(ids[0], ids[1], ids[2]);
+    return;
+  }
+  this->hasOtherCells_ = true;
+  this->outline_.clear();
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const vtkIdType next = ids[(i + 1) % size];
+    if (this->vertexOf_(this->pointOf(ids[i])) != this->vertexOf_(this->pointOf(next)))
+    {
+      this->outline_.push_back(ids[i]);
+    }
+  }
+  if (this->outline_.size() < 3)
+  {
+    this->leaveOut();
+    return;
+  }
+  this->cutEars();
+}
+
+void BlockReader::addStrip(vtkIdType size, const vtkIdType* ids)
+{
+  this->hasOtherCells_ = true;
+  for (vtkIdType i = 0; i + 2 < size; ++i)
+  {
+    const vtkIdType odd = i % 2;
+    this->addTriangle(ids[i + odd], ids[i + 1 - odd], ids[i + 2]);
+  }
+}
+
+void BlockReader::addTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
+{
+  const Triangle points = this->pointsOf(a, b, c);
+  if (!hasThreeVertices(this->vertexOf_(points)))
+  {
+    this->leaveOut();
+    return;
+  }
+  this->triangles_.corners.push_back(points);
+  this->triangles_.cells.push_back(this->cell_);
+  this->triangles_.isDuplicate.push_back(this->isMarked(Duplicate));
+}
+
+void BlockReader::cutEars()
+{
+  const std::vector<vtkIdType>& outline = this->outline_;
+  const auto size = static_cast<vtkIdType>(outline.size());
+  this->polygon_->Initialize(static_cast<int>(size), outline.data(), this->data_->GetPoints());
+#if VTK_VERSION_NUMBER >= 90300000000ULL
+  this->polygon_->TriangulateLocalIds(0, this->ears_);
+#else
+  this->polygon_->Triangulate(this->ears_);
+#endif
+  if (this->ears_->GetNumberOfIds() != 3 * (size - 2))
+  {
+    // No area or an outline that crosses itself: any triangles conduct.
+    for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+    {
+      this->addTriangle(outline[0], outline[i], outline[i + 1]);
+    }
+    return;
+  }
+  const auto corner = [&](vtkIdType i)
+  { return outline[static_cast<std::size_t>(this->ears_->GetId(i))]; };
+  for (vtkIdType i = 0; i < 3 * (size - 2); i += 3)
+  {
+    this->addTriangle(corner(i), corner(i + 1), corner(i + 2));
+  }
 }
 
 } // anonymous namespace
@@ -159,11 +275,13 @@ TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const Verte
   TriangleList triangles;
   triangles.corners.reserve(static_cast<std::size_t>(polygons));
   triangles.cells.reserve(static_cast<std::size_t>(polygons));
-  TriangleReader reader(vertexOf, parallelFor, numberOfFaces, progress, triangles, report);
+  std::size_t cellsRead = 0;
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
     triangles.firstOfBlock.push_back(triangles.corners.size());
-    reader.read(inputs[i], blocks[i]);
+    blocks[i].firstTriangle = static_cast<Id>(triangles.corners.size());
+    BlockReader reader(inputs[i], blocks[i].firstPoint, vertexOf, triangles, report);
+    blocks[i].areInputCells = reader.read(parallelFor, progress, numberOfFaces, cellsRead);
   }
   triangles.firstOfBlock.push_back(triangles.corners.size());
   return triangles;

@@ -2,18 +2,57 @@
 #ifndef geodesic_TriangleReader_h
 #define geodesic_TriangleReader_h
 
+#include "Exchange.h"
 #include "PolyData/PolyDataBlocks.h"
+#include "PolyData/ranks/RankSeams.h"
 #include "PolyData/reading/PolyDataSurface.h"
-#include "PolyData/reading/Triangulator.h"
 #include "Progress.h"
 #include "Tasks.h"
 
+#include "vtkType.h"
+
+#include <cstddef>
 #include <vector>
 
 namespace geodesic
 {
 
-/// Reads the triangles of all blocks.
+/// The triangles of all blocks, one after another.
+struct TriangleList
+{
+  /// Points at the corners, numbered through all blocks.
+  std::vector<Triangle> corners;
+  /// The cell of its block that each triangle came from.
+  std::vector<vtkIdType> cells;
+  /// Whether a ghost array marks that cell as a duplicate.
+  std::vector<bool> isDuplicate;
+  /// The first triangle of each block, then the number of all.
+  std::vector<std::size_t> firstOfBlock;
+
+  /// Calls visit(first, last) for each cell that has triangles, in their order: with its first
+  /// triangle and the one after its last.
+  template <typename Visit>
+  void forEachCell(Visit&& visit) const
+  {
+    for (std::size_t block = 0; block + 1 < this->firstOfBlock.size(); ++block)
+    {
+      const std::size_t end = this->firstOfBlock[block + 1];
+      for (std::size_t first = this->firstOfBlock[block]; first < end;)
+      {
+        std::size_t last = first + 1;
+        while (last < end && this->cells[last] == this->cells[first])
+        {
+          ++last;
+        }
+        visit(first, last);
+        first = last;
+      }
+    }
+  }
+};
+
+/// Reads the triangles of all blocks, and cuts polygons and strips into triangles. Those that have
+/// two corners at one vertex are left out.
 ///
 /// \param blocks whose points are numbered; they are given their triangles as cells: the input's
 ///        own cells if these are the same.
@@ -23,6 +62,19 @@ namespace geodesic
 TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const VertexOfPoint& vertexOf,
   vtkIdType numberOfFaces, const LoopProgress& progress, const ParallelFor& parallelFor,
   std::vector<SurfaceBlock>& blocks, SurfaceReport& report);
+
+/// Finds the originals of triangles that ghost arrays mark as duplicates, among the triangles of
+/// all ranks. A marked cell on the vertices of an unmarked cell of this rank gets that cell's
+/// triangles (a polygon may be cut in several ways). A marked cell without an original is surface
+/// itself; of several such cells on the same vertices, the first. All ranks call this together.
+///
+/// \param labels of the vertices.
+/// \param triangles the corners of marked ones may change.
+/// \returns of each triangle whether it is a copy of another, or else open; empty if no triangle is
+/// a
+///          copy.
+std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoint& vertexOf,
+  TriangleList& triangles, Exchange& exchange);
 
 /// Gives blocks their triangles as cells, after duplicates have been given those of their
 /// originals.

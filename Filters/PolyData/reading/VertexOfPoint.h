@@ -2,6 +2,8 @@
 #ifndef geodesic_VertexOfPoint_h
 #define geodesic_VertexOfPoint_h
 
+#include "Progress.h"
+#include "Tasks.h"
 #include "Types.h"
 
 #include <utility>
@@ -49,6 +51,13 @@ public:
 private:
   std::vector<Id> table_;
 };
+
+/// For each point the first one at exactly its place.
+///
+/// \param progress its current stretch.
+/// \param parallelFor absent: one thread.
+std::vector<Id> firstAtPlaces(
+  const std::vector<Vec3>& points, const LoopProgress& progress, const ParallelFor& parallelFor);
 
 }
 
