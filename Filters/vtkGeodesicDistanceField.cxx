@@ -9,7 +9,6 @@
 #include "PolyData/writing/SourceArrays.h"
 #include "PolyData/writing/SurfaceWriter.h"
 #include "PolyData/writing/UnusedPoints.h"
-#include "refinement/SeamPoints.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -84,8 +83,8 @@ private:
     /// The refined mesh, by blocks of the surface.
     std::vector<geodesic::RefinedMesh> refined;
     /// What the arrays beside the distance hold, at vertices and, by blocks, at refined points.
-    geodesic::SourceValues atVertices;
-    std::vector<geodesic::SourceValues> atRefinedPoints;
+    geodesic::ValuesAtPoints atVertices;
+    std::vector<geodesic::ValuesAtPoints> atRefinedPoints;
     /// What angles are measured in, and arc lengths along the curves: see geodesic::SourceArrays.
     std::vector<geodesic::SourceFrame> frames;
     std::vector<std::vector<double>> arcLengthsOfCurves;
@@ -148,26 +147,15 @@ void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData
 // If another rank has done all the work, this one reports the same.
 void vtkGeodesicDistanceField::vtkWorker::ShareNumbers(Result& result) const
 {
-  struct Numbers
+  for (double* number : { &this->Self->WindowsPropagatedPerEdge, &this->Self->SourceSnapDistance,
+         &this->Self->RelativeErrorBound, &this->Self->InterpolationErrorBound })
   {
-    double Windows;
-    double SnapDistance;
-    double RelativeError;
-    double InterpolationError;
-    vtkIdType SeamPoints;
-    bool IsRefined;
-  };
-  vtkGeodesicDistanceField* self = this->Self;
-  Numbers numbers = { self->WindowsPropagatedPerEdge, self->SourceSnapDistance,
-    self->RelativeErrorBound, self->InterpolationErrorBound, self->SeamPointsJoined,
-    result.isRefined };
-  this->Execution.shareResult(numbers);
-  self->WindowsPropagatedPerEdge = numbers.Windows;
-  self->SourceSnapDistance = numbers.SnapDistance;
-  self->RelativeErrorBound = numbers.RelativeError;
-  self->InterpolationErrorBound = numbers.InterpolationError;
-  self->SeamPointsJoined = numbers.SeamPoints;
-  result.isRefined = numbers.IsRefined;
+    this->Execution.shareResult(*number);
+  }
+  this->Execution.shareResult(this->Self->SeamPointsJoined);
+  int isRefined = result.isRefined ? 1 : 0;
+  this->Execution.shareResult(isRefined);
+  result.isRefined = isRefined != 0;
   if (this->Choice.angles)
   {
     this->Execution.shareResults(result.frames);
@@ -239,7 +227,6 @@ vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker:
   if (this->Choice.isAny())
   {
     this->FindSources(solved, result);
-    this->Arrays().completeValues(result.atVertices);
   }
   if (result.isRefined)
   {
@@ -309,7 +296,6 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(
   this->Execution.enter(geodesic::Stage::ComputingDistances);
   const geodesic::DistanceField& field = *solved.field;
   const geodesic::DistanceField& exact = solved.exactField();
-  const geodesic::RefinedSurface& refined = solved.refined;
   const double step = (ValuesDone - geodesic::FieldSolver::FieldDone) / 3.0;
   const auto part = [&](int i)
   {
@@ -324,13 +310,7 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(
   result.arcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
   if (result.isRefined)
   {
-    const std::size_t count = refined.numberOfPointsWithPlaces();
-    geodesic::SourceValues values =
-      arrays.atPoints(refined.mesh.points, count, field, exact, nearest, part(2));
-    arrays.replaceAtSeams(
-      geodesic::findSeamPoints(refined.mesh.points, count, field, exact), values);
-    arrays.appendCopies(refined.copied, values);
-    result.atRefinedPoints = arrays.valuesByBlock(std::move(values), refined.mesh);
+    result.atRefinedPoints = arrays.atNewPoints(solved.refined, field, exact, nearest, part(2));
   }
 }
 
@@ -461,7 +441,7 @@ void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
   if (this->Choice.isAny())
   {
     this->Arrays().write(block, result.atVertices,
-      result.isRefined ? result.atRefinedPoints[index] : geodesic::SourceValues(),
+      result.isRefined ? result.atRefinedPoints[index] : geodesic::ValuesAtPoints(),
       distances->GetPointer(0), unreached, output);
   }
   double* first = distances->GetPointer(0);
@@ -488,41 +468,28 @@ void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) const
 {
-  const char* name = this->Self->DistanceArrayName;
-  const auto noteOn = [this](const char* array, const std::string& text)
+  const auto noteOn = [this](const char* kind, int type, const char* name, const char* advice)
   {
-    this->Execution.notes().add(geodesic::NoteOn::Surface, std::string("replaced: ") + array, text);
+    const std::vector<geodesic::PolyDataBlock>& blocks = this->Execution.surfaceBlocks();
+    if (std::any_of(blocks.begin(), blocks.end(),
+          [&](const geodesic::PolyDataBlock& block)
+          { return block.data->GetAttributesAsFieldData(type)->HasArray(name) != 0; }))
+    {
+      this->Execution.notes().add(geodesic::NoteOn::Surface, std::string("replaced: ") + name,
+        std::string("The surface already has a ") + kind + " array named " + name +
+          "; the output has " + advice);
+    }
   };
-  bool hasOriginals = false;
-  bool hasDistances = false;
-  for (const geodesic::PolyDataBlock& block : this->Execution.surfaceBlocks())
+  if (isRefined)
   {
-    hasOriginals = hasOriginals || block.data->GetCellData()->HasArray("OriginalCellIds");
-    hasDistances = hasDistances || block.data->GetPointData()->HasArray(name);
+    noteOn("cell", vtkDataObject::CELL, "OriginalCellIds", "the input's cells in its place.");
   }
-  if (isRefined && hasOriginals)
-  {
-    noteOn("OriginalCellIds",
-      "The surface already has a cell array named OriginalCellIds; the output has the input's "
-      "cells in its place.");
-  }
-  if (hasDistances)
-  {
-    noteOn(name,
-      std::string("The surface already has a point array named ") + name +
-        "; the output has the distance in its place. Change DistanceArrayName to keep both.");
-  }
+  noteOn("point", vtkDataObject::POINT, this->Self->DistanceArrayName,
+    "the distance in its place. Change DistanceArrayName to keep both.");
   for (const char* added : geodesic::namesOf(this->Choice))
   {
-    const auto hasIt = [added](const geodesic::PolyDataBlock& block)
-    { return block.data->GetPointData()->HasArray(added) != 0; };
-    const std::vector<geodesic::PolyDataBlock>& blocks = this->Execution.surfaceBlocks();
-    if (std::any_of(blocks.begin(), blocks.end(), hasIt))
-    {
-      noteOn(added,
-        std::string("The surface already has a point array named ") + added +
-          "; the output has the filter's in its place. Rename it upstream to keep both.");
-    }
+    noteOn("point", vtkDataObject::POINT, added,
+      "the filter's in its place. Rename it upstream to keep both.");
   }
 }
 

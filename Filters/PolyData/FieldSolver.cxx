@@ -46,8 +46,7 @@ SolvedSurface FieldSolver::solve() const
   }
   else
   {
-    solved =
-      this->request_.areBordersRefined ? this->solveAndRefineBorders() : this->solveAndRefine();
+    solved = this->solveAndRefine();
   }
   if (this->request_.isApproximate() && this->request_.arrays.areFeetNeeded() && !solved.exact)
   {
@@ -70,35 +69,32 @@ FrontOptions FieldSolver::frontOptions(double begin, double end) const
   return options;
 }
 
-SolvedSurface FieldSolver::solveAndRefine() const
-{
-  SolvedSurface solved;
-  solved.field.emplace(this->solveForRefinement(FilterExecution::InputsRead, {}));
-  this->execution_.enter(Stage::Refining);
-  solved.refined = this->refine(*solved.field);
-  return solved;
-}
-
 // Repeats the solve if a border passes faces whose windows were dropped. Each repetition keeps
 // those of more faces.
-SolvedSurface FieldSolver::solveAndRefineBorders() const
+SolvedSurface FieldSolver::solveAndRefine() const
 {
-  const MeshPartition& surface = this->execution_.surface().partition();
-  std::vector<std::uint8_t> pinned = this->findFacesAtBorders();
+  const bool areBordersRefined = this->request_.areBordersRefined;
+  std::vector<std::uint8_t> pinned;
+  if (areBordersRefined)
+  {
+    pinned = this->findFacesAtBorders();
+  }
   SolvedSurface solved;
   bool isRepeated = true;
   while (isRepeated)
   {
     this->execution_.enter(Stage::ComputingDistances);
-    solved.field.emplace(this->solveForRefinement(BordersFound, pinned));
+    solved.field.emplace(this->solveForRefinement(
+      areBordersRefined ? BordersFound : FilterExecution::InputsRead, pinned));
     this->execution_.enter(Stage::Refining);
-    solved.refined = this->refineBorders(solved);
+    this->refine(solved);
     const std::vector<Id>& unknown = solved.refined.mesh.unknownAtBorders;
     for (const Id face : unknown)
     {
       pinned[face] = 1;
     }
-    isRepeated = surface.exchange().isTrueAnywhere(!unknown.empty());
+    isRepeated =
+      areBordersRefined && this->execution_.surface().exchange().isTrueAnywhere(!unknown.empty());
   }
   return solved;
 }
@@ -169,29 +165,29 @@ RefinementOptions FieldSolver::refinementOptions() const
   return options;
 }
 
-RefinedSurface FieldSolver::refine(const DistanceField& field, RegionOf regionOf) const
+void FieldSolver::refine(SolvedSurface& solved) const
 {
-  RefinementOptions options = this->refinementOptions();
-  options.regionOf = std::move(regionOf);
-  RefinedSurface refined{ geodesic::refine(field, options), {} };
-  refined.copied = addUnmeshedTriangles(
-    this->execution_.surface(), this->request_.maximumCells, options.cornerPoints, refined.mesh);
-  return refined;
-}
-
-RefinedSurface FieldSolver::refineBorders(SolvedSurface& solved) const
-{
-  if (this->request_.isApproximate())
+  const PolyDataSurface& surface = this->execution_.surface();
+  std::optional<NearestSource> nearest;
+  std::optional<SourceRegions> regions;
+  if (this->request_.areBordersRefined)
   {
-    solved.exact.emplace(this->solveExactly(
-      solved.field->relativeErrorBound(), this->execution_.surface().partition().ownFaces()));
+    if (this->request_.isApproximate())
+    {
+      solved.exact.emplace(
+        this->solveExactly(solved.field->relativeErrorBound(), surface.partition().ownFaces()));
+    }
+    const std::vector<SourceCurve>& curves = this->execution_.sources().curves;
+    nearest.emplace(solved.exactField(), this->execution_.patch(), curves);
+    regions.emplace(solved.exactField(), *nearest, curves, this->request_.arrays.areSidesNeeded());
   }
-  const std::vector<SourceCurve>& curves = this->execution_.sources().curves;
-  NearestSource nearest(solved.exactField(), this->execution_.patch(), curves);
-  SourceRegions regions(
-    solved.exactField(), nearest, curves, this->request_.arrays.areSidesNeeded());
-  return this->refine(
-    *solved.field, [&regions](const SurfacePoint& point) { return regions.at(point); });
+  RefinementOptions options = this->refinementOptions();
+  if (regions)
+  {
+    options.regionOf = [&regions](const SurfacePoint& point) { return regions->at(point); };
+  }
+  solved.refined = addUnmeshedTriangles(surface, this->request_.maximumCells, options.cornerPoints,
+    geodesic::refine(*solved.field, options));
 }
 
 }

@@ -364,8 +364,8 @@ std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
   return count;
 }
 
-std::vector<RankAddress> addUnmeshedTriangles(const PolyDataSurface& surface,
-  std::uint64_t maximumFaces, const std::vector<Triangle>& cornerPoints, RefinedMesh& refined)
+RefinedSurface addUnmeshedTriangles(const PolyDataSurface& surface, std::uint64_t maximumFaces,
+  const std::vector<Triangle>& cornerPoints, RefinedMesh refined)
 {
   const MeshPartition& partition = surface.partition();
   const Id ownFaces = partition.endOfOwnFaces() - partition.firstOwnFace();
@@ -375,7 +375,7 @@ std::vector<RankAddress> addUnmeshedTriangles(const PolyDataSurface& surface,
     {
       face = surface.triangleOf(face);
     }
-    return {};
+    return { std::move(refined), {} };
   }
   const GlobalFaces faces(surface);
   const std::vector<Id> faceOfTriangle = facesOfTriangles(surface);
@@ -401,7 +401,7 @@ std::vector<RankAddress> addUnmeshedTriangles(const PolyDataSurface& surface,
   }
   refined.triangles = std::move(triangles);
   refined.faces = std::move(parents);
-  return copier.takeAdded();
+  return { std::move(refined), copier.takeAdded() };
 }
 
 }
