@@ -281,18 +281,6 @@ int vtkGeodesicAlgorithm::RequestUpdateExtent(vtkInformation* vtkNotUsed(request
 int vtkGeodesicAlgorithm::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->ExecuteOrExplain(request, inputVector, outputVector))
-  {
-    return 1;
-  }
-  this->Internals->Silencer->Start(this->GetExecutive());
-  return 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkGeodesicAlgorithm::ExecuteOrExplain(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
   if (!IsPieceWithData(request, outputVector, this->GetController()))
   {
     // One piece has everything; the others have the same blocks.
@@ -301,10 +289,15 @@ bool vtkGeodesicAlgorithm::ExecuteOrExplain(
     {
       geodesic::makeBlocksLike(vtkDataObject::GetData(inputVector[0]), output);
     }
-    return true;
+    return 1;
   }
   this->ResetResults();
-  return this->ComputeOrExplain(inputVector, outputVector);
+  if (this->ComputeOrExplain(inputVector, outputVector))
+  {
+    return 1;
+  }
+  this->Internals->Silencer->Start(this->GetExecutive());
+  return 0;
 }
 
 //------------------------------------------------------------------------------
@@ -312,15 +305,14 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   geodesic::Exchange* exchange = nullptr;
-  geodesic::Stage stage = geodesic::Stage::ReadingSurface;
+  const char* stage = geodesic::Stage::ReadingSurface;
   bool isAborted = false;
   bool isCacheKept = true;
   std::string message;
   const auto explainMemory = [&](const std::string& numbers)
   {
     message = std::string("There is not enough memory for this surface: it ran out while ") +
-      geodesic::describe(stage) + "." + numbers + " Nothing of this is kept. " +
-      this->AdviceOnMemory();
+      stage + "." + numbers + " Nothing of this is kept. " + this->AdviceOnMemory();
   };
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try

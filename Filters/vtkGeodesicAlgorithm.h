@@ -153,9 +153,6 @@ private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
   void operator=(const vtkGeodesicAlgorithm&) = delete;
 
-  /// Does what is asked, or says in one error why not. Returns whether all went well.
-  bool ExecuteOrExplain(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector);
   /// Does the work and turns exceptions into errors. Returns whether all went well.
   bool ComputeOrExplain(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 

@@ -35,30 +35,9 @@ const char* const TargetsName = "the set of targets (input port 2)";
 
 }
 
-const char* describe(Stage stage)
-{
-  switch (stage)
-  {
-    case Stage::ReadingSurface:
-      return "reading the surface";
-    case Stage::ReadingSource:
-      return "putting the source onto the surface, after reading the surface";
-    case Stage::ReadingTargets:
-      return "putting the targets onto the surface, after reading the surface and the source";
-    case Stage::ComputingDistances:
-      return "computing the distances, after reading the surface and the source";
-    case Stage::Refining:
-      return "refining the surface, after computing the distances";
-    case Stage::DrawingLines:
-      return "drawing the lines, after computing the distances";
-    case Stage::WritingOutputs:
-      return "writing the outputs, after all was computed";
-  }
-  return "";
-}
-
-FilterExecution::FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
-  vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, Exchange& exchange)
+FilterExecution::FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache,
+  const char*& stage, vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets,
+  Exchange& exchange)
   : filter_(filter)
   , cache_(cache)
   , stage_(stage)

@@ -28,20 +28,20 @@ namespace geodesic
 
 class SourcePatch;
 
-/// What an execution is doing.
-enum class Stage
+/// What an execution is doing, for messages.
+struct Stage
 {
-  ReadingSurface,
-  ReadingSource,
-  ReadingTargets,
-  ComputingDistances,
-  Refining,
-  DrawingLines,
-  WritingOutputs
+  static constexpr const char* ReadingSurface = "reading the surface";
+  static constexpr const char* ReadingSource =
+    "putting the source onto the surface, after reading the surface";
+  static constexpr const char* ReadingTargets =
+    "putting the targets onto the surface, after reading the surface and the source";
+  static constexpr const char* ComputingDistances =
+    "computing the distances, after reading the surface and the source";
+  static constexpr const char* Refining = "refining the surface, after computing the distances";
+  static constexpr const char* DrawingLines = "drawing the lines, after computing the distances";
+  static constexpr const char* WritingOutputs = "writing the outputs, after all was computed";
 };
-
-/// "computing the distances, after reading the surface and the source", for messages.
-const char* describe(Stage stage);
 
 /// Where the surface is.
 enum class SurfacePlace
@@ -66,12 +66,12 @@ public:
 
   /// \param filter whose properties count, and which reports the progress.
   /// \param cache with the surface of the last execution.
-  /// \param stage set to what is being done, for whoever catches an exception.
+  /// \param stage set to what is being done (see Stage), for whoever catches an exception.
   /// \param surface on input port 0.
   /// \param source on input port 1, or null.
   /// \param targets on input port 2, or null.
   /// \param exchange with the other ranks, all of which have such an execution.
-  FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
+  FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, const char*& stage,
     vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, Exchange& exchange);
 
   /// Reads the surface, and the source as SourceType has it, up to InputsRead. If the surface is
@@ -160,8 +160,8 @@ public:
   /// From which of these on they are loops of the boundary.
   Id firstBoundarySource() const { return this->firstBoundarySource_; }
 
-  /// Says what is being done from here on.
-  void enter(Stage stage) { this->stage_ = stage; }
+  /// Says what is being done from here on: see Stage.
+  void enter(const char* stage) { this->stage_ = stage; }
   /// A callback for a part of the work, from one fraction of the whole to another. It throws
   /// NotEnoughMemory where the system has hardly any left.
   ProgressCallback progressBetween(double begin, double end);
@@ -192,7 +192,7 @@ private:
 
   vtkGeodesicAlgorithm* filter_;
   SurfaceCache& cache_;
-  Stage& stage_;
+  const char*& stage_;
   MemoryWatch memory_;
   vtkDataObject* surfaceInput_;
   vtkDataObject* sourceInput_;

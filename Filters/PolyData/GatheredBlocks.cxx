@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/GatheredBlocks.h"
 
-#include "PolyData/CellLoop.h"
 #include "Types.h"
 
+#include "vtkCellArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace geodesic
 {
@@ -19,31 +19,24 @@ namespace
 
 void putCells(vtkCellArray* cells, Message& message)
 {
-  put(message, cells->GetNumberOfCells());
-  forEachCell(cells,
-    [&message](vtkIdType size, const vtkIdType* ids)
-    {
-      put(message, size);
-      put(message, ids, static_cast<std::size_t>(size));
-    });
+  vtkNew<vtkIdTypeArray> ids;
+  cells->ExportLegacyFormat(ids);
+  put(message, ids->GetNumberOfValues());
+  put(message, ids->GetPointer(0), static_cast<std::size_t>(ids->GetNumberOfValues()));
 }
 
 vtkSmartPointer<vtkCellArray> getCells(MessageReader& reader)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  for (auto count = reader.get<vtkIdType>(); count > 0; --count)
-  {
-    std::vector<vtkIdType> ids(static_cast<std::size_t>(reader.get<vtkIdType>()));
-    reader.get(ids.data(), ids.size());
-    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-  }
+  std::vector<vtkIdType> ids(static_cast<std::size_t>(reader.get<vtkIdType>()));
+  reader.get(ids.data(), ids.size());
+  cells->ImportLegacyFormat(ids.data(), static_cast<vtkIdType>(ids.size()));
   return cells;
 }
 
 void putBlock(const PolyDataBlock& block, Message& message)
 {
-  put(message, static_cast<std::int64_t>(block.name.size()));
-  put(message, block.name.data(), block.name.size());
+  putAll(message, std::vector<char>(block.name.begin(), block.name.end()));
   vtkPolyData* data = block.data;
   const vtkIdType count = data->GetNumberOfPoints();
   const bool isFloat = count > 0 && data->GetPoints()->GetDataType() == VTK_FLOAT;
@@ -58,8 +51,7 @@ void putBlock(const PolyDataBlock& block, Message& message)
   {
     putCells(cells, message);
   }
-  put(message, block.inputCells.size());
-  put(message, block.inputCells.data(), block.inputCells.size());
+  putAll(message, block.inputCells);
   put(message, block.droppedCells);
 }
 
@@ -110,12 +102,11 @@ void GatheredBlocks::unpack(const Message& message, const std::string& suffix)
   MessageReader reader(message);
   while (!reader.isAtEnd())
   {
-    std::string name(static_cast<std::size_t>(reader.get<std::int64_t>()), ' ');
-    reader.get(&name[0], name.size());
+    const auto name = reader.getAll<char>();
     const auto data = vtkSmartPointer<vtkPolyData>::New();
     PolyDataBlock& block = this->blocks_.emplace_back();
     block.data = data;
-    block.name = name + suffix;
+    block.name = std::string(name.begin(), name.end()) + suffix;
     vtkNew<vtkPoints> points;
     points->SetDataType(reader.get<int>());
     points->SetNumberOfPoints(reader.get<vtkIdType>());
@@ -128,8 +119,7 @@ void GatheredBlocks::unpack(const Message& message, const std::string& suffix)
     data->SetLines(getCells(reader));
     data->SetPolys(getCells(reader));
     data->SetStrips(getCells(reader));
-    block.inputCells.resize(reader.get<std::size_t>());
-    reader.get(block.inputCells.data(), block.inputCells.size());
+    block.inputCells = reader.getAll<vtkIdType>();
     block.droppedCells = reader.get<vtkIdType>();
   }
 }

@@ -17,7 +17,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace geodesic
 {
@@ -119,59 +118,37 @@ PolyDataBlock sourceBlock(vtkDataObject* data, const std::string& name)
   return block;
 }
 
-/// Goes through the blocks of a composite data set, those of nested ones too, and calls them by
-/// their number (as ParaView's composite index) and the name that a file or the user has given.
-/// The parts of a partitioned data set go by its name where they have none of their own.
-class BlockVisitor
+/// Goes through the blocks of a composite data set, those of nested ones too.
+///
+/// \param visit (iterator, block, name): "block 3 (wing)" is called by its number (as ParaView's
+///        composite index) and the name that a file or the user has given. The parts of a
+///        partitioned data set go by its name where they have none of their own.
+template <typename Visit>
+void forEachBlock(vtkCompositeDataSet* data, Visit&& visit)
 {
-public:
-  explicit BlockVisitor(std::string input)
-    : input_(std::move(input))
+  const auto at = vtk::TakeSmartPointer(data->NewIterator());
+  if (auto* tree = vtkDataObjectTreeIterator::SafeDownCast(at))
   {
+    tree->VisitOnlyLeavesOff();
   }
-
-  template <typename Visitor>
-  void forEach(vtkCompositeDataSet* data, Visitor&& visit)
+  std::string parent;
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
   {
-    const auto iterator = vtk::TakeSmartPointer(data->NewIterator());
-    if (auto* tree = vtkDataObjectTreeIterator::SafeDownCast(iterator))
+    vtkInformation* info = at->HasCurrentMetaData() ? at->GetCurrentMetaData() : nullptr;
+    const char* text = info ? info->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    const std::string own = text ? text : "";
+    vtkDataObject* block = at->GetCurrentDataObject();
+    if (block->IsA("vtkCompositeDataSet"))
     {
-      tree->VisitOnlyLeavesOff();
+      parent = block->IsA("vtkPartitionedDataSet") ? own : "";
+      continue;
     }
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      this->at_ = iterator;
-      vtkDataObject* block = iterator->GetCurrentDataObject();
-      if (block->IsA("vtkCompositeDataSet"))
-      {
-        this->parent_ = block->IsA("vtkPartitionedDataSet") ? this->given() : "";
-        continue;
-      }
-      visit(iterator.Get(), block);
-    }
+    const std::string& given = own.empty() ? parent : own;
+    visit(at.Get(), block,
+      "block " + std::to_string(at->GetCurrentFlatIndex()) +
+        (given.empty() ? "" : " (" + given + ")"));
   }
-
-  /// "block 3 (wing) of the surface (input port 0)"
-  std::string name() const
-  {
-    const std::string given = this->given().empty() ? this->parent_ : this->given();
-    return "block " + std::to_string(this->at_->GetCurrentFlatIndex()) +
-      (given.empty() ? "" : " (" + given + ")") + " of " + this->input_;
-  }
-
-private:
-  std::string given() const
-  {
-    vtkInformation* data =
-      this->at_->HasCurrentMetaData() ? this->at_->GetCurrentMetaData() : nullptr;
-    const char* text = data ? data->Get(vtkCompositeDataSet::NAME()) : nullptr;
-    return text ? text : "";
-  }
-
-  std::string input_;
-  std::string parent_;
-  vtkCompositeDataIterator* at_ = nullptr;
-};
+}
 
 /// \param read makes a block of a data set and its name.
 std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& name,
@@ -183,10 +160,9 @@ std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& nam
     return { read(input, name) };
   }
   std::vector<PolyDataBlock> blocks;
-  BlockVisitor visitor(name);
-  visitor.forEach(composite,
-    [&](vtkCompositeDataIterator*, vtkDataObject* block)
-    { blocks.push_back(read(block, visitor.name())); });
+  forEachBlock(composite,
+    [&](vtkCompositeDataIterator*, vtkDataObject* block, const std::string& ownName)
+    { blocks.push_back(read(block, ownName + " of " + name)); });
   return blocks;
 }
 
@@ -256,8 +232,8 @@ std::vector<vtkPolyData*> makeBlocksLike(vtkDataObject* input, vtkDataObject* ou
   auto* to = vtkCompositeDataSet::SafeDownCast(output);
   to->CopyStructure(from);
   std::vector<vtkPolyData*> blocks;
-  BlockVisitor("").forEach(from,
-    [&](vtkCompositeDataIterator* at, vtkDataObject*)
+  forEachBlock(from,
+    [&](vtkCompositeDataIterator* at, vtkDataObject*, const std::string&)
     {
       vtkNew<vtkPolyData> block;
       to->SetDataSet(at, block);
