@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -50,25 +51,15 @@ public:
   void Run(vtkPolyData* output);
 
 private:
-  /// A value of the user's and in the engine.
-  struct Value
-  {
-    double User;
-    double Engine;
-  };
-
-  void RequireSides() const;
   void FindValues();
-  double ChordTolerance() const;
   geodesic::Isolines Draw() const;
-  geodesic::DistanceField Solve(const geodesic::FrontOptions& options) const;
   geodesic::Isolines OnSides(
     const geodesic::DistanceField& field, const geodesic::Isolines& isolines) const;
 
   vtkGeodesicContour* Self;
   geodesic::FilterExecution& Execution;
-  /// Ascending, each once, without 0.
-  std::vector<Value> Values;
+  /// In the user's scale: ascending, each once, without 0.
+  std::vector<double> Values;
   bool HasZero = false;
   /// The distances of all values, ascending, each once; and which values each stands for.
   std::vector<double> Distances;
@@ -84,7 +75,11 @@ void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
     geodesic::addEmptyIsolineArrays(output);
     return;
   }
-  this->RequireSides();
+  const geodesic::PolyDataSurface& surface = this->Execution.surface();
+  if (this->Self->SignedDistances)
+  {
+    geodesic::requireSides(surface, this->Execution.surfaceBlocks(), "SignedDistances");
+  }
   this->FindValues();
   const geodesic::Isolines isolines = this->Draw();
   this->Execution.notes().add(geodesic::NoteOn::Surface,
@@ -92,27 +87,11 @@ void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
     "faces of opposite orientation: the direction of such a line says nothing.");
   this->Execution.reach(LinesDrawn);
   this->Execution.enter(geodesic::Stage::WritingOutputs);
-  std::vector<double> values;
-  for (const Value& value : this->Values)
-  {
-    values.push_back(value.User);
-  }
-  const geodesic::PolyDataSurface& surface = this->Execution.surface();
   const bool hasCurves = this->HasZero && this->Execution.hasSourceOutput();
-  geodesic::writeIsolines({ surface.mesh(), isolines, values },
+  geodesic::writeIsolines({ surface.mesh(), isolines, this->Values },
     { this->Execution.patch().mesh(),
       hasCurves ? this->Execution.sources().curves : std::vector<geodesic::SourceCurve>() },
     surface.scale(), output, this->Execution.progressBetween(LinesDrawn, 1.0));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicContour::vtkWorker::RequireSides() const
-{
-  if (this->Self->SignedDistances)
-  {
-    geodesic::requireSides(
-      this->Execution.surface(), this->Execution.surfaceBlocks(), "SignedDistances");
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -125,38 +104,28 @@ void vtkGeodesicContour::vtkWorker::FindValues()
     sorted.push_back(this->Self->GetValue(static_cast<int>(i)));
   }
   std::sort(sorted.begin(), sorted.end());
+  std::map<double, geodesic::SidedValue> byDistance;
   for (const double value : sorted)
   {
     const double inEngine = this->Execution.surface().scale().toEngine(value);
     this->HasZero = this->HasZero || inEngine == 0.0;
-    const bool isRepeated = !this->Values.empty() && this->Values.back().Engine == inEngine;
-    if (inEngine != 0.0 && std::abs(inEngine) < geodesic::Infinity && !isRepeated)
+    if (inEngine == 0.0 || !(std::abs(inEngine) < geodesic::Infinity))
     {
-      this->Values.push_back({ value, inEngine });
-      this->Distances.push_back(std::abs(inEngine));
+      continue;
+    }
+    geodesic::SidedValue& sides = byDistance[std::abs(inEngine)];
+    std::size_t& index = inEngine < 0.0 ? sides.right : sides.left;
+    if (index == geodesic::SidedValue::None)
+    {
+      index = this->Values.size();
+      this->Values.push_back(value);
     }
   }
-  std::sort(this->Distances.begin(), this->Distances.end());
-  this->Distances.erase(
-    std::unique(this->Distances.begin(), this->Distances.end()), this->Distances.end());
-  this->Sides.resize(this->Distances.size());
-  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  for (const auto& [distance, sides] : byDistance)
   {
-    const double inEngine = this->Values[i].Engine;
-    const auto at =
-      std::lower_bound(this->Distances.begin(), this->Distances.end(), std::abs(inEngine));
-    geodesic::SidedValue& sides =
-      this->Sides[static_cast<std::size_t>(at - this->Distances.begin())];
-    (inEngine < 0.0 ? sides.right : sides.left) = i;
+    this->Distances.push_back(distance);
+    this->Sides.push_back(sides);
   }
-}
-
-//------------------------------------------------------------------------------
-double vtkGeodesicContour::vtkWorker::ChordTolerance() const
-{
-  return this->Self->ToleranceIsAbsolute
-    ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteChordTolerance)
-    : this->Self->ChordTolerance * this->Execution.surface().diagonal();
 }
 
 //------------------------------------------------------------------------------
@@ -164,7 +133,9 @@ geodesic::Isolines vtkGeodesicContour::vtkWorker::Draw() const
 {
   geodesic::IsolineOptions options;
   options.values = this->Distances;
-  options.chordTolerance = this->ChordTolerance();
+  options.chordTolerance = this->Self->ToleranceIsAbsolute
+    ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteChordTolerance)
+    : this->Self->ChordTolerance * this->Execution.surface().diagonal();
   // On a surface without extent nothing but the source is at any distance.
   if (options.values.empty() || !(options.chordTolerance > 0.0))
   {
@@ -176,7 +147,9 @@ geodesic::Isolines vtkGeodesicContour::vtkWorker::Draw() const
   front.keepArrivals = this->Self->SignedDistances;
   front.progress =
     this->Execution.progressBetween(geodesic::FilterExecution::InputsRead, FieldDone);
-  const geodesic::DistanceField field = this->Solve(front);
+  const geodesic::DistanceField field =
+    geodesic::solveForIsolines(this->Execution.surface().partition(),
+      this->Execution.sourceWindows(front.progress), this->Distances, front);
   this->Execution.reach(FieldDone);
   this->Execution.enter(geodesic::Stage::DrawingLines);
   options.parallelFor = front.parallelFor;
@@ -184,14 +157,6 @@ geodesic::Isolines vtkGeodesicContour::vtkWorker::Draw() const
     FieldDone, this->Self->SignedDistances ? LinesDrawnBeforeSides : LinesDrawn);
   geodesic::Isolines isolines = geodesic::drawIsolines(field, options);
   return this->Self->SignedDistances ? this->OnSides(field, isolines) : isolines;
-}
-
-//------------------------------------------------------------------------------
-geodesic::DistanceField vtkGeodesicContour::vtkWorker::Solve(
-  const geodesic::FrontOptions& options) const
-{
-  return geodesic::solveForIsolines(this->Execution.surface().partition(),
-    this->Execution.sourceWindows(options.progress), this->Distances, options);
 }
 
 //------------------------------------------------------------------------------

@@ -8,7 +8,6 @@
 #include "PolyData/writing/RefinedPolyData.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "PolyData/writing/SurfaceWriter.h"
-#include "PolyData/writing/UnusedPoints.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

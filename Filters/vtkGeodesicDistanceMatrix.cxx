@@ -99,7 +99,9 @@ void MoveToFirstRank(geodesic::FilterExecution& execution, vtkTable* table)
     }
     table->Initialize();
   }
-  geodesic::readEach(execution.sendToFirst(message),
+  std::vector<geodesic::Message> messages = execution.exchange().noMessages();
+  messages.front() = std::move(message);
+  geodesic::readEach(execution.exchange().step(std::move(messages)),
     [table](int, geodesic::MessageReader& reader)
     {
       const auto rows = reader.get<vtkIdType>();

@@ -80,8 +80,7 @@ void PutPath(geodesic::Message& message, const geodesic::PathOfTarget& path)
   geodesic::put(message, path.target);
   geodesic::put(message, path.snapDistance);
   geodesic::put(message, path.end);
-  geodesic::put(message, path.points.size());
-  geodesic::put(message, path.points.data(), path.points.size());
+  geodesic::putAll(message, path.points);
 }
 
 geodesic::PathOfTarget GetPath(geodesic::MessageReader& reader)
@@ -90,18 +89,16 @@ geodesic::PathOfTarget GetPath(geodesic::MessageReader& reader)
   path.target = reader.get<std::size_t>();
   path.snapDistance = reader.get<double>();
   path.end = reader.get<geodesic::PathEnd>();
-  path.points.resize(reader.get<std::size_t>());
-  reader.get(path.points.data(), path.points.size());
+  path.points = reader.getAll<geodesic::Vec3>();
   return path;
 }
 
 /// Sends every path to the rank whose input had its target. All ranks call this together.
 ///
 /// \param paths found here.
-/// \param scale of the surface, which ranks that have nothing of it are told.
 /// \returns those of this rank's targets, in their order.
-std::vector<geodesic::PathOfTarget> SendHome(const geodesic::FilterExecution& execution,
-  std::vector<geodesic::PathOfTarget> paths, geodesic::PowerOfTwoScale& scale)
+std::vector<geodesic::PathOfTarget> SendHome(
+  const geodesic::FilterExecution& execution, std::vector<geodesic::PathOfTarget> paths)
 {
   geodesic::Exchange& exchange = execution.exchange();
   const bool areFoundByAll = execution.surfacePlace() == geodesic::SurfacePlace::OnEveryRank;
@@ -112,24 +109,12 @@ std::vector<geodesic::PathOfTarget> SendHome(const geodesic::FilterExecution& ex
     const int home = execution.rankOfTarget(path.target);
     if (!areFoundByAll || home == exchange.rank())
     {
-      geodesic::Message& message = messages[geodesic::rankIndex(home)];
-      if (message.empty())
-      {
-        geodesic::put(message, scale);
-      }
-      PutPath(message, path);
+      PutPath(messages[geodesic::rankIndex(home)], path);
     }
   }
   paths.clear();
   geodesic::readEach(exchange.step(std::move(messages)),
-    [&](int, geodesic::MessageReader& reader)
-    {
-      scale = reader.get<geodesic::PowerOfTwoScale>();
-      while (!reader.isAtEnd())
-      {
-        paths.push_back(GetPath(reader));
-      }
-    });
+    [&](int, geodesic::MessageReader& reader) { paths.push_back(GetPath(reader)); });
   std::sort(paths.begin(), paths.end(),
     [](const geodesic::PathOfTarget& a, const geodesic::PathOfTarget& b)
     { return a.target < b.target; });
@@ -176,7 +161,8 @@ void vtkGeodesicPaths::Compute(
   }
   if (execution.exchange().numberOfRanks() > 1)
   {
-    paths = SendHome(execution, std::move(paths), scale);
+    execution.shareResult(scale);
+    paths = SendHome(execution, std::move(paths));
   }
   if (this->GenerateSourceAngle)
   {

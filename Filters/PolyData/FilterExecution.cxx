@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/FilterExecution.h"
 
-#include "PolyData/ContentKey.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/ranks/SourcePatch.h"
 #include "PolyData/reading/PolyDataSource.h"
@@ -107,7 +106,6 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, bool supportsPi
     this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::OnOtherRank;
     return;
   }
-  this->haveAllRanksNotes_ = true;
   const bool areAlike =
     std::all_of(all.begin(), all.end(), [&](const Piece& piece) { return piece == all.front(); });
   if (areAlike && this->isSameOnAllRanks(barriers))
@@ -143,43 +141,10 @@ void FilterExecution::gatherInputs()
   }
 }
 
-std::vector<Message> FilterExecution::sendToFirst(const Message& message)
-{
-  std::vector<Message> messages = this->exchange_.noMessages();
-  messages.front() = message;
-  return this->exchange_.step(std::move(messages));
-}
-
-void FilterExecution::finish()
-{
-  this->exchange_.step(this->exchange_.noMessages());
-}
-
-int FilterExecution::rankOfTarget(std::size_t number) const
-{
-  const GatheredBlocks& gathered = this->targetBlocks();
-  std::size_t block = 0;
-  for (std::size_t points = 0; block < gathered.blocks().size(); ++block)
-  {
-    points += static_cast<std::size_t>(gathered.blocks()[block].data->GetNumberOfPoints());
-    if (number < points)
-    {
-      break;
-    }
-  }
-  const std::vector<std::size_t>& first = gathered.firstOfRank();
-  return static_cast<int>(std::upper_bound(first.begin(), first.end(), block) - first.begin()) - 1;
-}
-
 SourceWindows FilterExecution::sourceWindows(const ProgressCallback& progress) const
 {
   return sourceWindowsOfPartition(this->surface().partition(), this->patch(),
     startingWindows(this->patch().mesh(), this->sources_.curves, progress));
-}
-
-std::size_t FilterExecution::sumOverPieces(std::size_t number) const
-{
-  return static_cast<std::size_t>(sumOverRanks(this->surface().exchange(), number).all);
 }
 
 void FilterExecution::requireTargets(bool sourcesAreTargets) const

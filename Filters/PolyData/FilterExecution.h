@@ -115,14 +115,10 @@ public:
   }
   /// Whether this is the rank that puts out what is there once: the first one.
   bool isFirstRank() const { return this->exchange_.rank() == 0; }
-  /// Sends something to the first rank. All ranks call this.
-  ///
-  /// \returns there, what others have sent it.
-  std::vector<Message> sendToFirst(const Message& message);
   /// Waits until all ranks have come to their end; nothing can fail after it.
   ///
   /// \throws Error, Aborted where another rank has failed.
-  void finish();
+  void finish() { this->exchange_.step(this->exchange_.noMessages()); }
   /// Puts the points of the targets onto the surface, after readInputs(). If no targets are
   /// connected, the points of the source are the targets.
   ///
@@ -147,13 +143,16 @@ public:
   /// sources() lie on it.
   const ReplicatedPatch& patch() const { return *this->patch_; }
   /// The rank whose input had a target, by its number; 0 where all had it.
-  int rankOfTarget(std::size_t number) const;
+  int rankOfTarget(std::size_t number) const { return this->targetBlocks().rankOfPoint(number); }
   /// What the sources give the front to begin with.
   ///
   /// \param progress of the solve: it can be stopped already.
   SourceWindows sourceWindows(const ProgressCallback& progress) const;
   /// The sum over all ranks that have a piece, which call this together.
-  std::size_t sumOverPieces(std::size_t number) const;
+  std::size_t sumOverPieces(std::size_t number) const
+  {
+    return static_cast<std::size_t>(sumOverRanks(this->surface().exchange(), number).all);
+  }
   /// The parts of the source, by SourceCurve::source of their curves, ascending: the cells of port
   /// 1 (the points of a set of points), then the loops of the boundary.
   const std::vector<Id>& sourceIds() const { return this->sourceIds_; }
@@ -174,7 +173,7 @@ public:
   Notes& notes() { return this->notes_; }
   /// Whether this rank shows the notes to the user. If several ranks have the same notes, one shows
   /// them.
-  bool reportsWarnings() const { return !this->haveAllRanksNotes_ || this->isFirstRank(); }
+  bool reportsWarnings() const { return this->place_ == SurfacePlace::Here || this->isFirstRank(); }
 
 private:
   void noteTargets(const std::vector<PolyDataBlock>& blocks, const Targets& targets);
@@ -199,7 +198,6 @@ private:
   vtkDataObject* targetsInput_;
   Exchange& exchange_;
   SurfacePlace place_ = SurfacePlace::Here;
-  bool haveAllRanksNotes_ = false;
   std::vector<PolyDataBlock> surfaceBlocks_;
   /// Those of all ranks.
   GatheredBlocks gatheredSource_;

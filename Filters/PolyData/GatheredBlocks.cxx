@@ -63,7 +63,6 @@ GatheredBlocks::GatheredBlocks(
   if (exchange.numberOfRanks() == 1)
   {
     this->blocks_ = own;
-    this->firstOfRank_ = { 0, own.size() };
     return;
   }
   Message message;
@@ -81,16 +80,12 @@ GatheredBlocks::GatheredBlocks(
   const bool isOnOneRank = std::count_if(all.begin(), all.end(), isFull) <= 1;
   const bool areCopies =
     std::all_of(all.begin(), all.end(), [&all](const Message& m) { return m == all.front(); });
-  for (std::size_t rank = 0; rank < all.size(); ++rank)
+  for (std::size_t rank = 0; rank < (areCopies ? 1 : all.size()); ++rank)
   {
-    this->firstOfRank_.push_back(this->blocks_.size());
-    if (rank == 0 || !areCopies)
-    {
-      this->unpack(
-        all[rank], isOnOneRank || areCopies ? std::string() : " on rank " + std::to_string(rank));
-    }
+    this->unpack(
+      all[rank], isOnOneRank || areCopies ? std::string() : " on rank " + std::to_string(rank));
+    this->firstPointOfRank_.push_back(this->numberOfPoints_);
   }
-  this->firstOfRank_.push_back(this->blocks_.size());
   if (this->blocks_.empty())
   {
     this->blocks_.push_back({ vtkSmartPointer<vtkPolyData>::New(), name, {}, 0 });
@@ -114,6 +109,7 @@ void GatheredBlocks::unpack(const Message& message, const std::string& suffix)
     {
       points->SetPoint(i, reader.get<Vec3>().data());
     }
+    this->numberOfPoints_ += static_cast<std::size_t>(points->GetNumberOfPoints());
     data->SetPoints(points);
     data->SetVerts(getCells(reader));
     data->SetLines(getCells(reader));

@@ -5,6 +5,7 @@
 #include "Exchange.h"
 #include "PolyData/PolyDataBlocks.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -27,15 +28,20 @@ public:
     const std::vector<PolyDataBlock>& own, const std::string& name, Exchange& exchange);
 
   const std::vector<PolyDataBlock>& blocks() const { return this->blocks_; }
-  /// From which of the blocks on they are those of a rank; one more than there are ranks. Copies on
-  /// all ranks are of rank 0.
-  const std::vector<std::size_t>& firstOfRank() const { return this->firstOfRank_; }
+  /// The rank that has a point, by its number over all blocks; 0 where all have the same.
+  int rankOfPoint(std::size_t number) const
+  {
+    const auto& first = this->firstPointOfRank_;
+    return static_cast<int>(std::upper_bound(first.begin(), first.end(), number) - first.begin()) -
+      1;
+  }
 
 private:
   void unpack(const Message& message, const std::string& suffix);
 
   std::vector<PolyDataBlock> blocks_;
-  std::vector<std::size_t> firstOfRank_;
+  std::vector<std::size_t> firstPointOfRank_ = { 0 };
+  std::size_t numberOfPoints_ = 0;
 };
 
 }

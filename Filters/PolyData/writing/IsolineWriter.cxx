@@ -36,33 +36,22 @@ public:
     return this->points_->InsertNextPoint(this->scale_.toUser(position(mesh, point)).data());
   }
 
-  // Vertices come before lines in the order of the cells.
-  void addPointSources(const WrittenCurves& sources)
+  /// Of the source, the points or the polylines. Vertices come before lines in the order of the
+  /// cells.
+  void addCurves(const WrittenCurves& sources, bool arePoints)
   {
     for (const SourceCurve& curve : sources.curves)
     {
-      if (curve.points.size() == 1)
+      const std::size_t size = curve.points.size();
+      if ((size == 1) == arePoints)
       {
-        this->vertices_->InsertNextCell(
-          { this->addPoint(sources.mesh, curve.points.front(), 0.0) });
-        this->atCells_->InsertNextValue(0.0);
-      }
-    }
-  }
-
-  void addCurves(const WrittenCurves& sources)
-  {
-    for (const SourceCurve& curve : sources.curves)
-    {
-      if (curve.points.size() > 1)
-      {
-        const bool closed = curve.isClosed();
-        this->beginLine(curve.points.size(), 0.0);
+        vtkCellArray* cells = arePoints ? this->vertices_ : this->lines_;
+        this->beginCell(cells, size, 0.0);
         const vtkIdType first = this->points_->GetNumberOfPoints();
-        for (std::size_t i = 0; i < curve.points.size(); ++i)
+        for (std::size_t i = 0; i < size; ++i)
         {
-          const bool isFirstAgain = closed && i + 1 == curve.points.size();
-          this->lines_->InsertCellPoint(
+          const bool isFirstAgain = i > 0 && i + 1 == size && curve.isClosed();
+          cells->InsertCellPoint(
             isFirstAgain ? first : this->addPoint(sources.mesh, curve.points[i], 0.0));
         }
       }
@@ -77,7 +66,7 @@ public:
     {
       progress.at(i, isolines.lines.size());
       const Isoline& line = isolines.lines[i];
-      this->beginLine(line.points.size(), written.values[line.value]);
+      this->beginCell(this->lines_, line.points.size(), written.values[line.value]);
       for (const Id point : line.points)
       {
         if (numbers[point] < 0)
@@ -100,9 +89,9 @@ public:
   }
 
 private:
-  void beginLine(std::size_t points, double value)
+  void beginCell(vtkCellArray* cells, std::size_t points, double value)
   {
-    this->lines_->InsertNextCell(static_cast<int>(points));
+    cells->InsertNextCell(static_cast<int>(points));
     this->atCells_->InsertNextValue(value);
   }
 
@@ -129,8 +118,8 @@ void writeIsolines(const WrittenIsolines& lines, const WrittenCurves& atZero,
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
   Writer writer(scale);
-  writer.addPointSources(atZero);
-  writer.addCurves(atZero);
+  writer.addCurves(atZero, true);
+  writer.addCurves(atZero, false);
   writer.addIsolines(lines, progress);
   writer.finish(output);
 }

@@ -18,139 +18,118 @@ namespace geodesic
 namespace
 {
 
-/// The arrays of the output, filled path by path.
-class PathArrays
+double toUser(const PowerOfTwoScale& scale, double length)
 {
-public:
-  PathArrays(const PowerOfTwoScale& scale, const PathEndChoice& choice)
-    : scale_(scale)
-    , choice_(choice)
+  const double result = scale.toUser(length);
+  if (!(result < Infinity))
   {
-    this->points_->SetDataTypeToDouble();
-    this->left_->SetName("GeodesicDistance");
-    this->lengths_->SetName("GeodesicDistance");
-    this->targetIds_->SetName("TargetId");
-    this->sourceIds_->SetName("SourceId");
-    this->snapDistances_->SetName("TargetSnapDistance");
-    this->arcLengths_->SetName("SourceArcLength");
-    this->angles_->SetName("SourceAngle");
+    throw MeshError("Paths on the surface (input port 0) are longer than numbers can be. Scale "
+                    "the surface, the source and the targets upstream.");
   }
+  return result;
+}
 
-  void allocate(vtkIdType paths, vtkIdType points)
+template <typename Array>
+vtkNew<Array> makeArray(const char* name, vtkIdType tuples)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+/// Adds a cell array with one value a path.
+template <typename Array, typename ValueOf>
+void addArray(const char* name, const std::vector<PathOfTarget>& paths, const ValueOf& valueOf,
+  vtkPolyData* output)
+{
+  const auto array = makeArray<Array>(name, static_cast<vtkIdType>(paths.size()));
+  for (std::size_t i = 0; i < paths.size(); ++i)
   {
-    // A point, what is left and its id; a path's offset and six arrays.
-    requireMemory(points, 4 * sizeof(double) + sizeof(vtkIdType));
-    requireMemory(paths, 4 * sizeof(double) + 3 * sizeof(vtkIdType));
-    this->points_->SetNumberOfPoints(points);
-    this->left_->SetNumberOfTuples(points);
-    this->lines_->AllocateExact(paths, points);
-    this->lengths_->Allocate(paths);
-    this->targetIds_->Allocate(paths);
-    this->sourceIds_->Allocate(paths);
-    this->snapDistances_->Allocate(paths);
-    this->arcLengths_->Allocate(paths);
-    this->angles_->Allocate(paths);
+    array->SetValue(static_cast<vtkIdType>(i), valueOf(paths[i]));
   }
+  output->GetCellData()->AddArray(array);
+}
 
-  void add(const PathOfTarget& path)
+/// Fills the points and lines of the output, and what is left of a path at its points.
+///
+/// \returns the lengths of the paths, as an array.
+vtkNew<vtkDoubleArray> writeLines(const PowerOfTwoScale& scale,
+  const std::vector<PathOfTarget>& paths, vtkIdType size, vtkPolyData* output,
+  const LoopProgress& progress)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(size);
+  const auto left = makeArray<vtkDoubleArray>("GeodesicDistance", size);
+  auto lengths =
+    makeArray<vtkDoubleArray>("GeodesicDistance", static_cast<vtkIdType>(paths.size()));
+  vtkNew<vtkCellArray> lines;
+  lines->AllocateExact(static_cast<vtkIdType>(paths.size()), size);
+  vtkIdType point = 0;
+  for (std::size_t path = 0; path < paths.size(); ++path)
   {
-    const std::vector<Vec3>& places = path.points;
-    const auto count = static_cast<vtkIdType>(places.size());
-    const vtkIdType first = this->nextPoint_;
-    this->lines_->InsertNextCell(static_cast<int>(count));
-    for (vtkIdType i = 0; i < count; ++i)
+    const std::vector<Vec3>& places = paths[path].points;
+    lines->InsertNextCell(static_cast<int>(places.size()));
+    for (const Vec3& place : places)
     {
-      this->points_->SetPoint(
-        first + i, this->scale_.toUser(places[static_cast<std::size_t>(i)]).data());
-      this->lines_->InsertCellPoint(first + i);
+      points->SetPoint(point, scale.toUser(place).data());
+      lines->InsertCellPoint(point++);
     }
-    double left = 0.0;
-    for (vtkIdType i = count; i-- > 0;)
+    double length = 0.0;
+    for (std::size_t i = places.size(); i-- > 0;)
     {
-      const auto at = static_cast<std::size_t>(i);
-      left += i + 1 < count ? norm(places[at + 1] - places[at]) : 0.0;
-      this->left_->SetValue(first + i, this->toUser(left));
+      progress.at(static_cast<std::size_t>(point) - i - 1, static_cast<std::size_t>(size));
+      length += i + 1 < places.size() ? norm(places[i + 1] - places[i]) : 0.0;
+      left->SetValue(point - static_cast<vtkIdType>(places.size() - i), toUser(scale, length));
     }
-    this->lengths_->InsertNextValue(this->toUser(left));
-    this->targetIds_->InsertNextValue(static_cast<vtkIdType>(path.target));
-    this->sourceIds_->InsertNextValue(
-      path.end.source == NoId ? vtkIdType(-1) : static_cast<vtkIdType>(path.end.source));
-    this->snapDistances_->InsertNextValue(this->scale_.toUser(path.snapDistance));
-    this->arcLengths_->InsertNextValue(this->scale_.toUser(path.end.arcLength));
-    this->angles_->InsertNextValue(path.end.angle);
-    this->nextPoint_ += count;
+    lengths->SetValue(static_cast<vtkIdType>(path), toUser(scale, length));
   }
-
-  void giveTo(vtkPolyData* output) const
-  {
-    output->SetPoints(this->points_);
-    output->SetLines(this->lines_);
-    vtkCellData* cellData = output->GetCellData();
-    cellData->AddArray(this->targetIds_);
-    cellData->AddArray(this->sourceIds_);
-    cellData->AddArray(this->lengths_);
-    cellData->AddArray(this->snapDistances_);
-    if (this->choice_.arcLengths)
-    {
-      cellData->AddArray(this->arcLengths_);
-    }
-    if (this->choice_.angles)
-    {
-      cellData->AddArray(this->angles_);
-    }
-    output->GetPointData()->SetScalars(this->left_);
-  }
-
-private:
-  double toUser(double length) const
-  {
-    const double result = this->scale_.toUser(length);
-    if (!(result < Infinity))
-    {
-      throw MeshError("Paths on the surface (input port 0) are longer than numbers can be. Scale "
-                      "the surface, the source and the targets upstream.");
-    }
-    return result;
-  }
-
-  const PowerOfTwoScale& scale_;
-  PathEndChoice choice_;
-  vtkIdType nextPoint_ = 0;
-  vtkNew<vtkPoints> points_;
-  vtkNew<vtkCellArray> lines_;
-  vtkNew<vtkDoubleArray> left_;
-  vtkNew<vtkDoubleArray> lengths_;
-  vtkNew<vtkIdTypeArray> targetIds_;
-  vtkNew<vtkIdTypeArray> sourceIds_;
-  vtkNew<vtkDoubleArray> snapDistances_;
-  vtkNew<vtkDoubleArray> arcLengths_;
-  vtkNew<vtkDoubleArray> angles_;
-};
+  output->SetPoints(points);
+  output->SetLines(lines);
+  output->GetPointData()->SetScalars(left);
+  return lengths;
+}
 
 }
 
 void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,
   const PathEndChoice& choice, vtkPolyData* output, const ProgressCallback& callback)
 {
-  std::size_t points = 0;
+  vtkIdType size = 0;
   for (const PathOfTarget& path : paths)
   {
-    points += path.points.size();
+    size += static_cast<vtkIdType>(path.points.size());
   }
-  PathArrays arrays(scale, choice);
-  arrays.allocate(static_cast<vtkIdType>(paths.size()), static_cast<vtkIdType>(points));
+  // A point, what is left and its id; a path's offset and six arrays.
+  requireMemory(size, 4 * sizeof(double) + sizeof(vtkIdType));
+  requireMemory(static_cast<vtkIdType>(paths.size()), 4 * sizeof(double) + 3 * sizeof(vtkIdType));
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  std::size_t done = 0; // points: paths may be long
-  for (const PathOfTarget& path : paths)
+  const auto lengths = writeLines(scale, paths, size, output, progress);
+  addArray<vtkIdTypeArray>(
+    "TargetId", paths, [](const PathOfTarget& path) { return static_cast<vtkIdType>(path.target); },
+    output);
+  addArray<vtkIdTypeArray>(
+    "SourceId", paths,
+    [](const PathOfTarget& path)
+    { return path.end.source == NoId ? vtkIdType(-1) : static_cast<vtkIdType>(path.end.source); },
+    output);
+  output->GetCellData()->AddArray(lengths);
+  addArray<vtkDoubleArray>(
+    "TargetSnapDistance", paths,
+    [&scale](const PathOfTarget& path) { return scale.toUser(path.snapDistance); }, output);
+  if (choice.arcLengths)
   {
-    arrays.add(path);
-    for (std::size_t i = 0; i < path.points.size(); ++i)
-    {
-      progress.at(done++, points);
-    }
+    addArray<vtkDoubleArray>(
+      "SourceArcLength", paths,
+      [&scale](const PathOfTarget& path) { return scale.toUser(path.end.arcLength); }, output);
   }
-  arrays.giveTo(output);
+  if (choice.angles)
+  {
+    addArray<vtkDoubleArray>(
+      "SourceAngle", paths, [](const PathOfTarget& path) { return path.end.angle; }, output);
+  }
 }
 
 }

@@ -71,45 +71,25 @@ std::vector<Blend> blendsOf(const RefinedMesh& refined)
   return blends;
 }
 
-void takeNearest(vtkAbstractArray* array, const std::vector<Blend>& blends, vtkIdType first,
-  const LoopProgress& progress)
+void interpolate(vtkAbstractArray* array, const Blend& blend, vtkIdType point, vtkIdList* corners)
 {
-  for (std::size_t i = 0; i < blends.size(); ++i)
+  corners->SetNumberOfIds(static_cast<vtkIdType>(blend.count));
+  for (std::size_t k = 0; k < blend.count; ++k)
   {
-    progress.at(i, blends.size());
-    array->SetTuple(first++, blends[i].nearest(), array);
+    corners->SetId(static_cast<vtkIdType>(k), blend.corners[k]);
   }
+  std::array<double, 3> weights = blend.weights;
+  array->InterpolateTuple(point, corners, array, weights.data());
 }
 
-void interpolate(vtkAbstractArray* array, const std::vector<Blend>& blends, vtkIdType first,
-  const LoopProgress& progress)
+unsigned char commonFlags(vtkUnsignedCharArray* ghosts, const Blend& blend)
 {
-  vtkNew<vtkIdList> corners;
-  for (std::size_t i = 0; i < blends.size(); ++i)
+  unsigned char flags = 0xff;
+  for (std::size_t k = 0; k < blend.count; ++k)
   {
-    progress.at(i, blends.size());
-    const Blend& blend = blends[i];
-    corners->SetNumberOfIds(static_cast<vtkIdType>(blend.count));
-    for (std::size_t k = 0; k < blend.count; ++k)
-    {
-      corners->SetId(static_cast<vtkIdType>(k), blend.corners[k]);
-    }
-    std::array<double, 3> weights = blend.weights;
-    array->InterpolateTuple(first++, corners, array, weights.data());
+    flags = static_cast<unsigned char>(flags & ghosts->GetValue(blend.corners[k]));
   }
-}
-
-void keepGhosts(vtkUnsignedCharArray* array, const std::vector<Blend>& blends, vtkIdType first)
-{
-  for (const Blend& blend : blends)
-  {
-    unsigned char flags = 0xff;
-    for (std::size_t k = 0; k < blend.count; ++k)
-    {
-      flags = static_cast<unsigned char>(flags & array->GetValue(blend.corners[k]));
-    }
-    array->SetValue(first++, flags);
-  }
+  return flags;
 }
 
 bool isLabel(vtkPointData* data, int index)
@@ -120,11 +100,12 @@ bool isLabel(vtkPointData* data, int index)
     data->IsArrayAnAttribute(index) == vtkDataSetAttributes::PEDIGREEIDS;
 }
 
-bool isGhostArray(vtkAbstractArray* array)
+vtkUnsignedCharArray* asGhosts(vtkAbstractArray* array)
 {
-  return array->GetName() &&
-    std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) == 0 &&
-    vtkUnsignedCharArray::SafeDownCast(array);
+  const char* name = array->GetName();
+  return name && std::strcmp(name, vtkDataSetAttributes::GhostArrayName()) == 0
+    ? vtkUnsignedCharArray::SafeDownCast(array)
+    : nullptr;
 }
 
 }
@@ -140,28 +121,33 @@ void interpolatePointData(const RefinedMesh& refined, vtkPointData* from, vtkPoi
   {
     return;
   }
-  for (int i = 0; i < to->GetNumberOfArrays(); ++i)
-  {
-    to->GetAbstractArray(i)->SetNumberOfTuples(count);
-  }
+  to->SetNumberOfTuples(count);
   to->CopyData(from, 0, old, 0);
   const std::vector<Blend> blends = blendsOf(refined);
+  vtkNew<vtkIdList> corners;
   for (int i = 0; i < to->GetNumberOfArrays(); ++i)
   {
     const int left = to->GetNumberOfArrays() - i;
     progress.nextUntil(progress.end() + (end - progress.end()) / left);
     vtkAbstractArray* array = to->GetAbstractArray(i);
-    if (isGhostArray(array))
+    vtkUnsignedCharArray* ghosts = asGhosts(array);
+    const bool isLabelArray = isLabel(to, i);
+    for (std::size_t j = 0; j < blends.size(); ++j)
     {
-      keepGhosts(vtkUnsignedCharArray::SafeDownCast(array), blends, old);
-    }
-    else if (isLabel(to, i))
-    {
-      takeNearest(array, blends, old, progress);
-    }
-    else
-    {
-      interpolate(array, blends, old, progress);
+      progress.at(j, blends.size());
+      const vtkIdType point = old + static_cast<vtkIdType>(j);
+      if (ghosts)
+      {
+        ghosts->SetValue(point, commonFlags(ghosts, blends[j]));
+      }
+      else if (isLabelArray)
+      {
+        array->SetTuple(point, blends[j].nearest(), array);
+      }
+      else
+      {
+        interpolate(array, blends[j], point, corners);
+      }
     }
   }
 }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/writing/SurfaceWriter.h"
 
+#include "PolyData/CellLoop.h"
 #include "PolyData/Memory.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/writing/PointDataInterpolation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -15,7 +17,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -47,69 +48,39 @@ void writePoints(
   output->SetPoints(points);
 }
 
-/// The array of some cell data with the same name and type as one of the output, which tasks may
-/// copy from side by side; null where there is none such.
-vtkDataArray* numbersLike(vtkAbstractArray* array, vtkCellData* data)
-{
-  vtkAbstractArray* found = array->GetName() ? data->GetAbstractArray(array->GetName()) : nullptr;
-  const bool isAlike = found && found->GetDataType() == array->GetDataType() &&
-    found->GetNumberOfComponents() == array->GetNumberOfComponents() &&
-    found->GetDataType() != VTK_BIT; // several share a byte
-  return isAlike && vtkDataArray::SafeDownCast(array) ? vtkDataArray::SafeDownCast(found) : nullptr;
-}
-
-/// Gives each triangle the data of the cell that it is a part of.
+/// Gives each new point or cell the data of an old one.
 ///
-/// \param cellOf (vtkIdType triangle) -> vtkIdType
-template <typename CellOf>
-void copyCellData(vtkCellData* from, vtkIdType count, const CellOf& cellOf, vtkCellData* to,
-  const ParallelFor& parallelFor, const LoopProgress& progress)
+/// \param oldOf (vtkIdType) -> vtkIdType
+template <typename OldOf>
+void copyData(vtkDataSetAttributes* from, vtkIdType count, const OldOf& oldOf,
+  vtkDataSetAttributes* to, const LoopProgress& progress)
 {
-  to->CopyGlobalIdsOff(); // the parts of one cell would share one
   to->CopyAllocate(from, count);
-  std::vector<std::pair<vtkDataArray*, vtkDataArray*>> numbers;
-  for (int i = 0; i < to->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = to->GetAbstractArray(i);
-    numbers.emplace_back(numbersLike(array, from), vtkDataArray::SafeDownCast(array));
-  }
-  const bool areAllNumbers = std::all_of(
-    numbers.begin(), numbers.end(), [](const auto& arrays) { return arrays.first != nullptr; });
-  for (const auto& [source, target] : numbers)
-  {
-    if (areAllNumbers)
-    {
-      target->SetNumberOfTuples(count);
-    }
-  }
-  if (numbers.empty())
+  if (to->GetNumberOfArrays() == 0)
   {
     return;
   }
-  const auto copy = [&](std::size_t begin, std::size_t end)
+  constexpr vtkIdType atOnce = 8192; // whole arrays are fast, and progress is reported
+  vtkNew<vtkIdList> olds;
+  vtkNew<vtkIdList> news;
+  for (vtkIdType first = 0; first < count; first += atOnce)
   {
-    for (auto i = static_cast<vtkIdType>(begin); i < static_cast<vtkIdType>(end); ++i)
+    progress.at(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
+    const vtkIdType size = std::min(atOnce, count - first);
+    olds->SetNumberOfIds(size);
+    news->SetNumberOfIds(size);
+    for (vtkIdType i = 0; i < size; ++i)
     {
-      const vtkIdType cell = cellOf(i);
-      if (!areAllNumbers)
-      {
-        to->CopyData(from, cell, i);
-        continue;
-      }
-      for (const auto& [source, target] : numbers)
-      {
-        target->SetTuple(i, cell, source);
-      }
+      olds->SetId(i, oldOf(first + i));
+      news->SetId(i, first + i);
     }
-  };
-  const ParallelFor one;
-  forRanges(areAllNumbers ? parallelFor : one, static_cast<std::size_t>(count), progress, copy);
+    to->CopyData(from, olds, news);
+  }
 }
 
 void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellData* from,
   vtkPolyData* output, const LoopProgress& progress)
 {
-  const ParallelFor parallelFor = smpParallelFor();
   const auto count = static_cast<vtkIdType>(refined.triangles.size());
   constexpr vtkIdType idsATriangle = 5; // three points, an offset and the original cell
   requireMemory(count + 1, idsATriangle * sizeof(vtkIdType) + bytesATuple(from));
@@ -121,7 +92,7 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
   originals->SetName("OriginalCellIds");
   originals->SetNumberOfValues(count);
   offsets->SetValue(count, 3 * count);
-  forRanges(parallelFor, refined.triangles.size(),
+  forRanges(smpParallelFor(), refined.triangles.size(),
     progress.between(0.0, from->GetNumberOfArrays() > 0 ? 0.5 : 1.0),
     [&](std::size_t begin, std::size_t end)
     {
@@ -138,11 +109,78 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
     });
   vtkNew<vtkCellArray> triangles;
   triangles->SetData(offsets, points);
-  copyCellData(
+  output->GetCellData()->CopyGlobalIdsOff(); // the parts of one cell would share one
+  copyData(
     from, count, [&originals](vtkIdType i) { return originals->GetValue(i); },
-    output->GetCellData(), parallelFor, progress.between(0.5, 1.0));
+    output->GetCellData(), progress.between(0.5, 1.0));
   output->SetPolys(triangles);
   output->GetCellData()->AddArray(originals);
+}
+
+constexpr vtkIdType Unused = -1;
+
+/// For each point its number among those that are used, or Unused.
+///
+/// \param used gets the points that are used, in their order.
+std::vector<vtkIdType> numbersOfUsedPoints(vtkPolyData* data, vtkIdList* used)
+{
+  std::vector<vtkIdType> numbers(static_cast<std::size_t>(data->GetNumberOfPoints()), Unused);
+  forEachCell(data->GetPolys(),
+    [&numbers](vtkIdType size, const vtkIdType* ids)
+    {
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        numbers[static_cast<std::size_t>(ids[i])] = 0;
+      }
+    });
+  used->Allocate(data->GetNumberOfPoints());
+  for (std::size_t point = 0; point < numbers.size(); ++point)
+  {
+    if (numbers[point] != Unused)
+    {
+      numbers[point] = used->InsertNextId(static_cast<vtkIdType>(point));
+    }
+  }
+  return numbers;
+}
+
+void keepPoints(vtkIdList* used, vtkPolyData* data)
+{
+  const vtkIdType count = used->GetNumberOfIds();
+  requireMemory(count, 3 * static_cast<vtkIdType>(sizeof(double)));
+  vtkNew<vtkPoints> points;
+  points->SetDataType(data->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(count);
+  data->GetPoints()->GetData()->GetTuples(used, points->GetData());
+  data->SetPoints(points);
+
+  vtkNew<vtkPointData> kept;
+  requireMemory(count, bytesATuple(data->GetPointData()));
+  kept->CopyAllOn();
+  const ProgressCallback nobody;
+  copyData(
+    data->GetPointData(), count, [used](vtkIdType i) { return used->GetId(i); }, kept,
+    LoopProgress(nobody));
+  data->GetPointData()->ShallowCopy(kept);
+}
+
+void renumberPolygons(const std::vector<vtkIdType>& numbers, vtkPolyData* data)
+{
+  const vtkIdType count = data->GetPolys()->GetNumberOfCells();
+  const vtkIdType size = data->GetPolys()->GetNumberOfConnectivityIds();
+  requireMemory(count + 1 + size, sizeof(vtkIdType));
+  vtkNew<vtkCellArray> polygons;
+  polygons->AllocateExact(count, size);
+  forEachCell(data->GetPolys(),
+    [&](vtkIdType corners, const vtkIdType* ids)
+    {
+      polygons->InsertNextCell(static_cast<int>(corners));
+      for (vtkIdType i = 0; i < corners; ++i)
+      {
+        polygons->InsertCellPoint(numbers[static_cast<std::size_t>(ids[i])]);
+      }
+    });
+  data->SetPolys(polygons);
 }
 
 }
@@ -163,9 +201,10 @@ void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* outp
   requireMemory(count, bytesATuple(from));
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  copyCellData(
+  output->GetCellData()->CopyGlobalIdsOff();
+  copyData(
     from, count, [&block](vtkIdType i) { return block.inputCell(i); }, output->GetCellData(),
-    smpParallelFor(), progress);
+    progress);
 }
 
 void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined, vtkPolyData* input,
@@ -180,6 +219,19 @@ void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined, vtkPoly
     refined, input->GetPointData(), output->GetPointData(), pointDataDone, progress);
   progress.nextUntil(1.0);
   writeCells(block, refined, input->GetCellData(), output, progress);
+}
+
+void removeUnusedPoints(vtkPolyData* data)
+{
+  const vtkIdType count = data->GetNumberOfPoints();
+  requireMemory(count, 2 * static_cast<vtkIdType>(sizeof(vtkIdType)));
+  vtkNew<vtkIdList> used;
+  const std::vector<vtkIdType> numbers = numbersOfUsedPoints(data, used);
+  if (used->GetNumberOfIds() < count)
+  {
+    keepPoints(used, data);
+    renumberPolygons(numbers, data);
+  }
 }
 
 }

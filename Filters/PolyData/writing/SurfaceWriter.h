@@ -26,6 +26,12 @@ void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* outp
 void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined, vtkPolyData* input,
   vtkPolyData* output, const ProgressCallback& progress);
 
+/// Leaves out of a data set of polygons the points that none of them uses; the others keep their
+/// order and their data. Arrays are replaced, not changed: other data sets may have them, too.
+///
+/// \throws NotEnoughMemory
+void removeUnusedPoints(vtkPolyData* data);
+
 }
 
 #endif

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
 namespace geodesic
@@ -23,30 +22,20 @@ struct RefinedTemplate
   GlobalFace face;
   RefinedFace parts;
 
-  /// The points that split an edge, from one vertex to another, by their numbers in the face.
-  std::vector<Id> splitsBetween(Id from, Id to) const
+  /// Adds the points that split an edge or a part of it, from one end to the other, by their
+  /// numbers in the face.
+  void addSplits(Id a, Id b, std::vector<Id>& splits) const
   {
-    std::map<std::pair<Id, Id>, Id> middles;
-    for (std::size_t i = 0; i < this->parts.points.size(); ++i)
+    const auto isMiddle = [a, b](const RefinedPoint& point)
+    { return std::minmax(a, b) == std::minmax(point.parents[0], point.parents[1]); };
+    const std::vector<RefinedPoint>& points = this->parts.points;
+    const auto found = std::find_if(points.begin(), points.end(), isMiddle);
+    if (found != points.end())
     {
-      const std::array<Id, 2>& ends = this->parts.points[i].parents;
-      middles[std::minmax(ends[0], ends[1])] = static_cast<Id>(3 + i);
-    }
-    std::vector<Id> splits;
-    addSplits(middles, this->face.cornerAt(from), this->face.cornerAt(to), splits);
-    return splits;
-  }
-
-private:
-  static void addSplits(
-    const std::map<std::pair<Id, Id>, Id>& middles, Id a, Id b, std::vector<Id>& splits)
-  {
-    const auto middle = middles.find(std::minmax(a, b));
-    if (middle != middles.end())
-    {
-      addSplits(middles, a, middle->second, splits);
-      splits.push_back(middle->second);
-      addSplits(middles, middle->second, b, splits);
+      const auto middle = static_cast<Id>(3 + (found - points.begin()));
+      this->addSplits(a, middle, splits);
+      splits.push_back(middle);
+      this->addSplits(middle, b, splits);
     }
   }
 };
@@ -165,8 +154,9 @@ UnmeshedTriangles findUnmeshedTriangles(const PolyDataSurface& surface, const Gl
     {
       if (triangle.atEdges[k] != NoId)
       {
-        triangle.splits[k] = unmeshed.templates[triangle.atEdges[k]].splitsBetween(
-          triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
+        const RefinedTemplate& like = unmeshed.templates[triangle.atEdges[k]];
+        like.addSplits(like.face.cornerAt(triangle.vertices[k]),
+          like.face.cornerAt(triangle.vertices[(k + 1) % 3]), triangle.splits[k]);
       }
     }
   }
