@@ -73,43 +73,35 @@ public:
   void Run(vtkDataObject* output, vtkPolyData* curves);
 
 private:
-  /// What is known at points after the solve and after refinement.
-  struct Result
-  {
-    std::vector<double> vertexDistances;
-    /// Whether there is a refined mesh.
-    bool isRefined = false;
-    /// The refined mesh, by blocks of the surface.
-    std::vector<geodesic::RefinedMesh> refined;
-    /// What the arrays beside the distance hold, at vertices and, by blocks, at refined points.
-    geodesic::ValuesAtPoints atVertices;
-    std::vector<geodesic::ValuesAtPoints> atRefinedPoints;
-    /// What angles are measured in, and arc lengths along the curves: see geodesic::SourceArrays.
-    std::vector<geodesic::SourceFrame> frames;
-    std::vector<std::vector<double>> arcLengthsOfCurves;
-  };
-
   bool CanRefine() const;
   double Tolerance() const;
-  void ShareNumbers(Result& result) const;
-  void WriteNothing(const Result& result, vtkDataObject* output) const;
-  Result Compute();
-  void ScaleToUser(Result& result) const;
-  void RequireSides() const;
+  void ShareNumbers();
+  void WriteNothing(vtkDataObject* output) const;
+  void Compute();
   geodesic::FieldRequest Request() const;
-  void TakeNumbers(const geodesic::SolvedSurface& solved, bool isRefined) const;
-  void FindSources(const geodesic::SolvedSurface& solved, Result& result) const;
+  void TakeNumbers(const geodesic::SolvedSurface& solved) const;
+  void FindSources(const geodesic::SolvedSurface& solved);
   geodesic::SourceArrays Arrays() const;
   void NoteToleranceNotMet(const geodesic::RefinedMesh& refined) const;
-  void WriteSurface(const Result& result, vtkDataObject* output) const;
-  double UnreachedValue() const;
-  void WriteDistances(const Result& result, std::size_t block, vtkPolyData* output) const;
-  void WriteFieldData(const Result& result, vtkDataObject* output) const;
-  void NoteReplacedArrays(bool isRefined) const;
+  void WriteSurface(vtkDataObject* output) const;
+  void WriteDistances(std::size_t block, vtkPolyData* output) const;
+  void WriteFieldData(vtkDataObject* output) const;
+  void NoteReplacedArrays() const;
 
   vtkGeodesicDistanceField* Self;
   geodesic::FilterExecution& Execution;
   const geodesic::SourceArrayChoice Choice;
+
+  std::vector<double> VertexDistances;
+  bool IsRefined = false;
+  /// The refined mesh, by blocks of the surface.
+  std::vector<geodesic::RefinedMesh> Refined;
+  /// What the arrays beside the distance hold, at vertices and, by blocks, at refined points.
+  geodesic::ValuesAtPoints AtVertices;
+  std::vector<geodesic::ValuesAtPoints> AtRefinedPoints;
+  /// What angles are measured in, and arc lengths along the curves: see geodesic::SourceArrays.
+  std::vector<geodesic::SourceFrame> Frames;
+  std::vector<std::vector<double>> ArcLengthsOfCurves;
 };
 
 //------------------------------------------------------------------------------
@@ -117,34 +109,33 @@ void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData
 {
   this->Execution.readInputs(true);
   const bool isElsewhere = this->Execution.surfacePlace() == geodesic::SurfacePlace::OnOtherRank;
-  Result result;
   if (!isElsewhere)
   {
     this->Self->SourceSnapDistance =
       this->Execution.surface().scale().toUser(this->Execution.sources().snapDistance);
     this->Self->SeamPointsJoined = this->Execution.surface().report().joinedSeamPoints;
-    result = this->Compute();
+    this->Compute();
     this->Execution.reach(ValuesDone);
   }
-  this->ShareNumbers(result);
+  this->ShareNumbers();
   this->Execution.enter(geodesic::Stage::WritingOutputs);
   if (isElsewhere)
   {
-    this->WriteNothing(result, output);
+    this->WriteNothing(output);
     return;
   }
-  this->NoteReplacedArrays(result.isRefined);
-  this->WriteSurface(result, output);
+  this->NoteReplacedArrays();
+  this->WriteSurface(output);
   if (this->Execution.hasSourceOutput())
   {
     geodesic::writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale(),
-      this->Execution.sources().curves, result.arcLengthsOfCurves, curves);
+      this->Execution.sources().curves, this->ArcLengthsOfCurves, curves);
   }
 }
 
 //------------------------------------------------------------------------------
 // If another rank has done all the work, this one reports the same.
-void vtkGeodesicDistanceField::vtkWorker::ShareNumbers(Result& result) const
+void vtkGeodesicDistanceField::vtkWorker::ShareNumbers()
 {
   for (double* number : { &this->Self->WindowsPropagatedPerEdge, &this->Self->SourceSnapDistance,
          &this->Self->RelativeErrorBound, &this->Self->InterpolationErrorBound })
@@ -152,19 +143,18 @@ void vtkGeodesicDistanceField::vtkWorker::ShareNumbers(Result& result) const
     this->Execution.shareResult(*number);
   }
   this->Execution.shareResult(this->Self->SeamPointsJoined);
-  int isRefined = result.isRefined ? 1 : 0;
+  int isRefined = this->IsRefined ? 1 : 0;
   this->Execution.shareResult(isRefined);
-  result.isRefined = isRefined != 0;
+  this->IsRefined = isRefined != 0;
   if (this->Choice.angles)
   {
-    this->Execution.shareResults(result.frames);
+    this->Execution.shareResults(this->Frames);
   }
 }
 
 //------------------------------------------------------------------------------
 // A rank without surface has the arrays of the other ranks, without values.
-void vtkGeodesicDistanceField::vtkWorker::WriteNothing(
-  const Result& result, vtkDataObject* output) const
+void vtkGeodesicDistanceField::vtkWorker::WriteNothing(vtkDataObject* output) const
 {
   for (vtkPolyData* block : geodesic::makeBlocksLike(this->Execution.surfaceInput(), output))
   {
@@ -173,15 +163,15 @@ void vtkGeodesicDistanceField::vtkWorker::WriteNothing(
     block->GetPointData()->AddArray(distances);
     block->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
     geodesic::addEmptyArrays(this->Choice, block);
-    if (result.isRefined)
+    if (this->IsRefined)
     {
       vtkNew<vtkIdTypeArray> originals;
       originals->SetName("OriginalCellIds");
       block->GetCellData()->AddArray(originals);
     }
-    this->WriteFieldData(result, block);
+    this->WriteFieldData(block);
   }
-  this->WriteFieldData(result, output);
+  this->WriteFieldData(output);
 }
 
 //------------------------------------------------------------------------------
@@ -213,28 +203,29 @@ bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
 }
 
 //------------------------------------------------------------------------------
-vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker::Compute()
+void vtkGeodesicDistanceField::vtkWorker::Compute()
 {
-  this->RequireSides();
+  const geodesic::PolyDataSurface& surface = this->Execution.surface();
+  if (this->Choice.areSidesNeeded())
+  {
+    geodesic::requireSides(surface, this->Execution.surfaceBlocks(),
+      this->Choice.signedDistances ? "GenerateSignedDistance" : "GenerateTextureCoordinates");
+  }
   const geodesic::FieldRequest request = this->Request();
   geodesic::SolvedSurface solved =
     geodesic::FieldSolver(this->Execution, request, ValuesDone).solve();
-  Result result;
-  result.isRefined = request.isRefined;
-  this->TakeNumbers(solved, result.isRefined);
-  result.vertexDistances = solved.field->vertexDistances();
+  this->IsRefined = request.isRefined;
+  this->TakeNumbers(solved);
+  this->VertexDistances = solved.field->vertexDistances();
   if (this->Choice.isAny())
   {
-    this->FindSources(solved, result);
+    this->FindSources(solved);
   }
-  if (result.isRefined)
+  if (this->IsRefined)
   {
-    result.refined =
-      geodesic::partsByBlock(this->Execution.surface(), std::move(solved.refined.mesh));
+    this->Refined = geodesic::partsByBlock(surface, std::move(solved.refined.mesh));
   }
-  this->Execution.surface().completeValues(geodesic::Infinity, result.vertexDistances);
-  this->ScaleToUser(result);
-  return result;
+  surface.completeValues(geodesic::Infinity, this->VertexDistances);
 }
 
 //------------------------------------------------------------------------------
@@ -256,28 +247,17 @@ geodesic::FieldRequest vtkGeodesicDistanceField::vtkWorker::Request() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::TakeNumbers(
-  const geodesic::SolvedSurface& solved, bool isRefined) const
+void vtkGeodesicDistanceField::vtkWorker::TakeNumbers(const geodesic::SolvedSurface& solved) const
 {
   this->Self->WindowsPropagatedPerEdge = static_cast<double>(solved.field->windowsPropagated()) /
     static_cast<double>(this->Execution.surface().report().edges);
   this->Self->RelativeErrorBound = solved.field->relativeErrorBound();
-  if (isRefined)
+  if (this->IsRefined)
   {
     const geodesic::RefinedMesh& refined = solved.refined.mesh;
     this->NoteToleranceNotMet(refined);
     this->Self->InterpolationErrorBound =
       this->Execution.surface().scale().toUser(refined.errorBound);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::RequireSides() const
-{
-  if (this->Choice.areSidesNeeded())
-  {
-    geodesic::requireSides(this->Execution.surface(), this->Execution.surfaceBlocks(),
-      this->Choice.signedDistances ? "GenerateSignedDistance" : "GenerateTextureCoordinates");
   }
 }
 
@@ -289,8 +269,7 @@ geodesic::SourceArrays vtkGeodesicDistanceField::vtkWorker::Arrays() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::FindSources(
-  const geodesic::SolvedSurface& solved, Result& result) const
+void vtkGeodesicDistanceField::vtkWorker::FindSources(const geodesic::SolvedSurface& solved)
 {
   this->Execution.enter(geodesic::Stage::ComputingDistances);
   const geodesic::DistanceField& field = *solved.field;
@@ -304,41 +283,12 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(
   const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
   geodesic::NearestSource nearest(exact, this->Execution.patch(), curves, part(0));
   const geodesic::SourceArrays arrays = this->Arrays();
-  result.atVertices = arrays.atVertices(field, nearest, part(1));
-  result.frames = arrays.frames(nearest);
-  result.arcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
-  if (result.isRefined)
+  this->AtVertices = arrays.atVertices(field, nearest, part(1));
+  this->Frames = arrays.frames(nearest);
+  this->ArcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
+  if (this->IsRefined)
   {
-    result.atRefinedPoints = arrays.atNewPoints(solved.refined, field, exact, nearest, part(2));
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::ScaleToUser(Result& result) const
-{
-  const geodesic::PowerOfTwoScale& scale = this->Execution.surface().scale();
-  if (scale.isOne())
-  {
-    return;
-  }
-  const auto toUser = [&scale](double& distance)
-  {
-    const bool isReached = distance < geodesic::Infinity;
-    distance = scale.toUser(distance);
-    if (isReached && !(distance < geodesic::Infinity))
-    {
-      throw geodesic::MeshError("Distances on the surface (input port 0) are larger than numbers "
-                                "can be. Scale the surface and the source upstream.");
-    }
-  };
-  std::for_each(result.vertexDistances.begin(), result.vertexDistances.end(), toUser);
-  for (geodesic::RefinedMesh& refined : result.refined)
-  {
-    for (geodesic::RefinedPoint& point : refined.points)
-    {
-      toUser(point.distance);
-      point.position = scale.toUser(point.position);
-    }
+    this->AtRefinedPoints = arrays.atNewPoints(solved.refined, field, exact, nearest, part(2));
   }
 }
 
@@ -368,8 +318,7 @@ void vtkGeodesicDistanceField::vtkWorker::NoteToleranceNotMet(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::WriteSurface(
-  const Result& result, vtkDataObject* output) const
+void vtkGeodesicDistanceField::vtkWorker::WriteSurface(vtkDataObject* output) const
 {
   const std::vector<geodesic::PolyDataBlock>& inputs = this->Execution.surfaceBlocks();
   const std::vector<geodesic::SurfaceBlock>& blocks = this->Execution.surface().blocks();
@@ -381,42 +330,29 @@ void vtkGeodesicDistanceField::vtkWorker::WriteSurface(
     const auto place = [&](std::size_t block)
     { return ValuesDone + (SurfaceWritten - ValuesDone) * static_cast<double>(block) / count; };
     const auto progress = this->Execution.progressBetween(place(i), place(i + 1));
-    if (result.isRefined)
+    if (this->IsRefined)
     {
-      geodesic::writeRefined(blocks[i], result.refined[i], inputs[i].data, outputs[i], progress);
+      geodesic::writeRefined(blocks[i], this->Refined[i], this->Execution.surface().scale(),
+        inputs[i].data, outputs[i], progress);
     }
     else
     {
       geodesic::writeWhole(blocks[i], inputs[i].data, outputs[i], progress);
     }
-    this->WriteDistances(result, i, outputs[i]);
+    this->WriteDistances(i, outputs[i]);
     if (this->Self->RemoveUnusedPoints)
     {
       geodesic::removeUnusedPoints(outputs[i]);
     }
     outputs[i]->GetFieldData()->PassData(inputs[i].data->GetFieldData());
-    this->WriteFieldData(result, outputs[i]);
+    this->WriteFieldData(outputs[i]);
   }
-  this->WriteFieldData(result, output);
-}
-
-//------------------------------------------------------------------------------
-double vtkGeodesicDistanceField::vtkWorker::UnreachedValue() const
-{
-  switch (this->Self->UnreachedValue)
-  {
-    case UNREACHED_NAN:
-      return std::numeric_limits<double>::quiet_NaN();
-    case UNREACHED_CUSTOM:
-      return this->Self->CustomUnreachedValue;
-    default:
-      return geodesic::Infinity;
-  }
+  this->WriteFieldData(output);
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
-  const Result& result, std::size_t index, vtkPolyData* output) const
+  std::size_t index, vtkPolyData* output) const
 {
   const geodesic::PolyDataSurface& surface = this->Execution.surface();
   const geodesic::SurfaceBlock& block = surface.blocks()[index];
@@ -425,22 +361,32 @@ void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
   distances->SetName(this->Self->DistanceArrayName);
   distances->SetNumberOfTuples(output->GetNumberOfPoints());
   vtkIdType next = 0;
+  const auto add = [&](double distance)
+  {
+    distances->SetValue(next++,
+      surface.scale().resultToUser(distance,
+        "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
+        "surface and the source upstream."));
+  };
   for (geodesic::Id i = 0; i < block.numberOfPoints; ++i)
   {
-    distances->SetValue(next++, result.vertexDistances[surface.vertexOf(block.firstPoint + i)]);
+    add(this->VertexDistances[surface.vertexOf(block.firstPoint + i)]);
   }
-  if (result.isRefined)
+  if (this->IsRefined)
   {
-    for (const geodesic::RefinedPoint& point : result.refined[index].points)
+    for (const geodesic::RefinedPoint& point : this->Refined[index].points)
     {
-      distances->SetValue(next++, point.distance);
+      add(point.distance);
     }
   }
-  const double unreached = this->UnreachedValue();
+  const int unreachedMode = this->Self->UnreachedValue;
+  const double unreached = unreachedMode == UNREACHED_NAN ? std::numeric_limits<double>::quiet_NaN()
+    : unreachedMode == UNREACHED_CUSTOM                   ? this->Self->CustomUnreachedValue
+                                                          : geodesic::Infinity;
   if (this->Choice.isAny())
   {
-    this->Arrays().write(block, result.atVertices,
-      result.isRefined ? result.atRefinedPoints[index] : geodesic::ValuesAtPoints(),
+    this->Arrays().write(block, this->AtVertices,
+      this->IsRefined ? this->AtRefinedPoints[index] : geodesic::ValuesAtPoints(),
       distances->GetPointer(0), unreached, output);
   }
   double* first = distances->GetPointer(0);
@@ -450,8 +396,7 @@ void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(
-  const Result& result, vtkDataObject* output) const
+void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(vtkDataObject* output) const
 {
   addFieldData(output, "WindowsPropagatedPerEdge", this->Self->WindowsPropagatedPerEdge);
   addFieldData(output, "SourceSnapDistance", this->Self->SourceSnapDistance);
@@ -460,12 +405,12 @@ void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(
   addFieldData(output, "SeamPointsJoined", static_cast<double>(this->Self->SeamPointsJoined));
   if (this->Choice.angles)
   {
-    geodesic::addSourceFrames(result.frames, output);
+    geodesic::addSourceFrames(this->Frames, output);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) const
+void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays() const
 {
   const auto noteOn = [this](const char* kind, int type, const char* name, const char* advice)
   {
@@ -479,7 +424,7 @@ void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) con
           "; the output has " + advice);
     }
   };
-  if (isRefined)
+  if (this->IsRefined)
   {
     noteOn("cell", vtkDataObject::CELL, "OriginalCellIds", "the input's cells in its place.");
   }
@@ -527,33 +472,32 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
         ", which is the name of another array that is asked for: set another name.";
     }
   }
-  if (this->Accuracy == APPROXIMATE &&
-    !(this->RelativeError >= 0.0 && this->RelativeError < geodesic::Infinity))
+  const std::pair<bool, const char*> checks[] = {
+    { this->Accuracy == APPROXIMATE &&
+        !(this->RelativeError >= 0.0 && this->RelativeError < geodesic::Infinity),
+      "RelativeError is not a finite number of at least 0: set the largest relative error that is "
+      "allowed in approximate mode, such as 0.001, or 0 for the exact distance." },
+    { this->RefineMesh && !this->ToleranceIsAbsolute && !isPositive(this->RefinementTolerance),
+      "RefinementTolerance is not a positive number: set the largest difference that is allowed, "
+      "as a fraction of the surface's bounding box diagonal, such as 0.001, or switch RefineMesh "
+      "off." },
+    { this->RefineMesh && this->ToleranceIsAbsolute &&
+        !isPositive(this->AbsoluteRefinementTolerance),
+      "AbsoluteRefinementTolerance is not a positive number: set the largest difference that is "
+      "allowed, in the units of the surface, or switch RefineMesh off." },
+    { this->RefineMesh && this->MaximumNumberOfCells < 0,
+      "MaximumNumberOfCells is negative: set the largest number of triangles that the refined "
+      "surface may have, or 0 for no limit." },
+    { !(this->MaximumDistance >= 0.0),
+      "MaximumDistance is not a number of at least 0: set the distance to stop at, in the units "
+      "of the surface, or 0 for no limit." }
+  };
+  for (const auto& [isWrong, message] : checks)
   {
-    return "RelativeError is not a finite number of at least 0: set the largest relative error "
-           "that is allowed in approximate mode, such as 0.001, or 0 for the exact distance.";
-  }
-  if (this->RefineMesh && !this->ToleranceIsAbsolute && !isPositive(this->RefinementTolerance))
-  {
-    return "RefinementTolerance is not a positive number: set the largest difference that is "
-           "allowed, as a fraction of the surface's bounding box diagonal, such as 0.001, or "
-           "switch RefineMesh off.";
-  }
-  if (this->RefineMesh && this->ToleranceIsAbsolute &&
-    !isPositive(this->AbsoluteRefinementTolerance))
-  {
-    return "AbsoluteRefinementTolerance is not a positive number: set the largest difference that "
-           "is allowed, in the units of the surface, or switch RefineMesh off.";
-  }
-  if (this->RefineMesh && this->MaximumNumberOfCells < 0)
-  {
-    return "MaximumNumberOfCells is negative: set the largest number of triangles that the refined "
-           "surface may have, or 0 for no limit.";
-  }
-  if (!(this->MaximumDistance >= 0.0))
-  {
-    return "MaximumDistance is not a number of at least 0: set the distance to stop at, in the "
-           "units of the surface, or 0 for no limit.";
+    if (isWrong)
+    {
+      return message;
+    }
   }
   return this->Superclass::FindWrongProperty();
 }

@@ -6,16 +6,18 @@
 #include "PolyData/ParallelFor.h"
 #include "field/DistanceMatrix.h"
 
+#include "vtkCharArray.h"
+#include "vtkCommunicator.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,42 +31,21 @@ namespace
 constexpr double TargetsRead = 0.3;
 constexpr double MatrixDone = 0.98;
 
-void AddTargetIds(vtkIdType count, vtkTable* table)
-{
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("TargetId");
-  ids->SetNumberOfTuples(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    ids->SetValue(i, i);
-  }
-  table->AddColumn(ids);
-}
-
-vtkSmartPointer<vtkDoubleArray> MakeColumn(geodesic::Id source, vtkIdType rows)
-{
-  auto column = vtkSmartPointer<vtkDoubleArray>::New();
-  column->SetName(("Source" + std::to_string(source)).c_str());
-  column->SetNumberOfTuples(rows);
-  return column;
-}
-
 /// Adds the column of a source. Its distances are freed: there may be no memory for all of them
 /// twice.
 void AddSource(geodesic::Id source, std::vector<double> distances, const geodesic::Targets& targets,
   const geodesic::PowerOfTwoScale& scale, vtkTable* table)
 {
-  const auto column = MakeColumn(source, static_cast<vtkIdType>(targets.count));
+  vtkNew<vtkDoubleArray> column;
+  column->SetName(("Source" + std::to_string(source)).c_str());
+  column->SetNumberOfTuples(static_cast<vtkIdType>(targets.count));
   column->Fill(geodesic::Infinity);
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
-    const double distance = scale.toUser(distances[i]);
-    if (distances[i] < geodesic::Infinity && !(distance < geodesic::Infinity))
-    {
-      throw geodesic::MeshError("Distances on the surface (input port 0) are larger than numbers "
-                                "can be. Scale the surface, the source and the targets upstream.");
-    }
-    column->SetValue(static_cast<vtkIdType>(targets.numbers[i]), distance);
+    column->SetValue(static_cast<vtkIdType>(targets.numbers[i]),
+      scale.resultToUser(distances[i],
+        "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
+        "surface, the source and the targets upstream."));
   }
   table->AddColumn(column);
 }
@@ -82,40 +63,27 @@ std::vector<geodesic::SourceCurve> CurvesByColumn(const geodesic::FilterExecutio
   return curves;
 }
 
-/// Where another rank than the first has made the table, hands it over: all columns but the first,
-/// which says nothing new. All ranks call this.
-void MoveToFirstRank(geodesic::FilterExecution& execution, vtkTable* table)
+/// Where another rank than the first has made the table, hands it over. All ranks call this.
+void MoveToFirstRank(geodesic::Exchange& exchange, vtkTable* table)
 {
-  geodesic::Message message;
-  if (!execution.isFirstRank() && table->GetNumberOfColumns() > 0)
+  std::vector<geodesic::Message> messages = exchange.noMessages();
+  vtkNew<vtkCharArray> bytes;
+  if (exchange.rank() > 0 && table->GetNumberOfColumns() > 0)
   {
-    const vtkIdType rows = table->GetNumberOfRows();
-    geodesic::put(message, rows);
-    for (vtkIdType column = 1; column < table->GetNumberOfColumns(); ++column)
-    {
-      auto* values = vtkDoubleArray::SafeDownCast(table->GetColumn(column));
-      geodesic::put(message, execution.sourceIds()[static_cast<std::size_t>(column - 1)]);
-      geodesic::put(message, values->GetPointer(0), static_cast<std::size_t>(rows));
-    }
+    vtkCommunicator::MarshalDataObject(table, bytes);
+    geodesic::put(
+      messages.front(), bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
     table->Initialize();
   }
-  std::vector<geodesic::Message> messages = execution.exchange().noMessages();
-  messages.front() = std::move(message);
-  geodesic::readEach(execution.exchange().step(std::move(messages)),
-    [table](int, geodesic::MessageReader& reader)
+  for (const geodesic::Message& message : exchange.step(std::move(messages)))
+  {
+    if (!message.empty())
     {
-      const auto rows = reader.get<vtkIdType>();
-      geodesic::requireMemory(rows, sizeof(vtkIdType));
-      AddTargetIds(rows, table);
-      while (!reader.isAtEnd())
-      {
-        const auto source = reader.get<geodesic::Id>();
-        geodesic::requireMemory(rows, sizeof(double));
-        const auto column = MakeColumn(source, rows);
-        reader.get(column->GetPointer(0), static_cast<std::size_t>(rows));
-        table->AddColumn(column);
-      }
-    });
+      bytes->SetNumberOfValues(static_cast<vtkIdType>(message.size()));
+      geodesic::MessageReader(message).get(bytes->GetPointer(0), message.size());
+      vtkCommunicator::UnMarshalDataObject(bytes, table);
+    }
+  }
 }
 
 }
@@ -183,7 +151,7 @@ void vtkGeodesicDistanceMatrix::Compute(
   {
     this->ComputeTable(execution, table);
   }
-  MoveToFirstRank(execution, table);
+  MoveToFirstRank(execution.exchange(), table);
 }
 
 //------------------------------------------------------------------------------
@@ -213,7 +181,11 @@ void vtkGeodesicDistanceMatrix::ComputeTable(
   execution.reach(MatrixDone);
 
   execution.enter(geodesic::Stage::WritingOutputs);
-  AddTargetIds(rows, table);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("TargetId");
+  ids->SetNumberOfTuples(rows);
+  std::iota(ids->GetPointer(0), ids->GetPointer(rows), 0);
+  table->AddColumn(ids);
   for (std::size_t column = 0; column < matrix.size(); ++column)
   {
     AddSource(sources[column], std::move(matrix[column]), targets, scale, table);

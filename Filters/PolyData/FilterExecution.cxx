@@ -79,52 +79,36 @@ void FilterExecution::readInputs(bool supportsPieces)
 /// Finds out who has what of the surface.
 void FilterExecution::findSurface(const BarrierArrays& barriers, bool supportsPieces)
 {
-  struct Piece
-  {
-    vtkTypeInt64 points = 0;
-    vtkTypeInt64 faces = 0;
-    bool isEmpty() const { return this->points == 0 && this->faces == 0; }
-    bool operator==(const Piece& other) const
-    {
-      return this->points == other.points && this->faces == other.faces;
-    }
-  };
-  Piece own;
+  using PointsAndFaces = std::array<vtkIdType, 2>;
+  constexpr PointsAndFaces nothing{ 0, 0 };
+  PointsAndFaces own = nothing;
   for (const PolyDataBlock& block : this->surfaceBlocks_)
   {
-    own.points += block.data->GetNumberOfPoints();
-    own.faces += block.data->GetNumberOfPolys() + block.data->GetNumberOfStrips();
+    own[0] += block.data->GetNumberOfPoints();
+    own[1] += block.data->GetNumberOfPolys() + block.data->GetNumberOfStrips();
   }
-  const std::vector<Piece> all = valuesOfRanks(this->exchange_, own);
-  const auto isEmpty = [](const Piece& piece) { return piece.isEmpty(); };
-  const auto emptyOnes = std::count_if(all.begin(), all.end(), isEmpty);
+  const std::vector<PointsAndFaces> all = valuesOfRanks(this->exchange_, own);
+  const auto emptyOnes = std::count(all.begin(), all.end(), nothing);
   if (emptyOnes + 1 >= this->exchange_.numberOfRanks())
   {
     // If all are empty, rank 0 says so.
     const bool isWorker =
-      !own.isEmpty() || (this->isFirstRank() && emptyOnes == this->exchange_.numberOfRanks());
+      own != nothing || (this->isFirstRank() && emptyOnes == this->exchange_.numberOfRanks());
     this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::OnOtherRank;
     return;
   }
-  const bool areAlike =
-    std::all_of(all.begin(), all.end(), [&](const Piece& piece) { return piece == all.front(); });
-  if (areAlike && this->isSameOnAllRanks(barriers))
+  const int ranks = this->exchange_.numberOfRanks();
+  bool areSame = std::count(all.begin(), all.end(), own) == ranks;
+  if (areSame)
   {
-    this->place_ = supportsPieces ? SurfacePlace::OnEveryRank
-      : this->isFirstRank()       ? SurfacePlace::Here
-                                  : SurfacePlace::OnOtherRank;
-    return;
+    const ContentKey key = contentKey(this->surfaceBlocks_, barriers);
+    const std::vector<ContentKey> keys = valuesOfRanks(this->exchange_, key);
+    areSame = std::count(keys.begin(), keys.end(), key) == ranks;
   }
-  this->place_ = SurfacePlace::InPieces;
-}
-
-bool FilterExecution::isSameOnAllRanks(const BarrierArrays& barriers) const
-{
-  Message message;
-  put(message, contentKey(this->surfaceBlocks_, barriers));
-  const std::vector<Message> keys = this->exchange_.tellAll(message);
-  return std::all_of(
-    keys.begin(), keys.end(), [&keys](const Message& key) { return key == keys.front(); });
+  this->place_ = !areSame ? SurfacePlace::InPieces
+    : supportsPieces      ? SurfacePlace::OnEveryRank
+    : this->isFirstRank() ? SurfacePlace::Here
+                          : SurfacePlace::OnOtherRank;
 }
 
 void FilterExecution::gatherInputs()

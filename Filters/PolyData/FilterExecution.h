@@ -14,7 +14,7 @@
 #include "source/PolylineOnSurface.h"
 #include "source/SourceWindows.h"
 
-#include <memory>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -102,16 +102,10 @@ public:
     {
       putAll(message, values);
     }
-    bool isFirst = true;
-    readEach(this->exchange_.tellAll(message),
-      [&](int, MessageReader& reader)
-      {
-        auto told = reader.getAll<Value>();
-        if (std::exchange(isFirst, false))
-        {
-          values = std::move(told);
-        }
-      });
+    const std::vector<Message> told = this->exchange_.tellAll(message);
+    const auto first =
+      std::find_if(told.begin(), told.end(), [](const Message& answer) { return !answer.empty(); });
+    values = MessageReader(*first).getAll<Value>();
   }
   /// Whether this is the rank that puts out what is there once: the first one.
   bool isFirstRank() const { return this->exchange_.rank() == 0; }
@@ -178,7 +172,6 @@ public:
 private:
   void noteTargets(const std::vector<PolyDataBlock>& blocks, const Targets& targets);
   void findSurface(const BarrierArrays& barriers, bool supportsPieces);
-  bool isSameOnAllRanks(const BarrierArrays& barriers) const;
   void gatherInputs();
   const GatheredBlocks& targetBlocks() const
   {

@@ -18,16 +18,9 @@ namespace geodesic
 namespace
 {
 
-double toUser(const PowerOfTwoScale& scale, double length)
-{
-  const double result = scale.toUser(length);
-  if (!(result < Infinity))
-  {
-    throw MeshError("Paths on the surface (input port 0) are longer than numbers can be. Scale "
-                    "the surface, the source and the targets upstream.");
-  }
-  return result;
-}
+constexpr const char* TooLong =
+  "Paths on the surface (input port 0) are longer than numbers can be. Scale the surface, the "
+  "source and the targets upstream.";
 
 template <typename Array>
 vtkNew<Array> makeArray(const char* name, vtkIdType tuples)
@@ -81,9 +74,10 @@ vtkNew<vtkDoubleArray> writeLines(const PowerOfTwoScale& scale,
     {
       progress.at(static_cast<std::size_t>(point) - i - 1, static_cast<std::size_t>(size));
       length += i + 1 < places.size() ? norm(places[i + 1] - places[i]) : 0.0;
-      left->SetValue(point - static_cast<vtkIdType>(places.size() - i), toUser(scale, length));
+      left->SetValue(
+        point - static_cast<vtkIdType>(places.size() - i), scale.resultToUser(length, TooLong));
     }
-    lengths->SetValue(static_cast<vtkIdType>(path), toUser(scale, length));
+    lengths->SetValue(static_cast<vtkIdType>(path), scale.resultToUser(length, TooLong));
   }
   output->SetPoints(points);
   output->SetLines(lines);

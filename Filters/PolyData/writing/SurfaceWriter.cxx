@@ -25,8 +25,8 @@ namespace geodesic
 namespace
 {
 
-void writePoints(
-  const RefinedMesh& refined, vtkPoints* from, vtkPolyData* output, const LoopProgress& progress)
+void writePoints(const RefinedMesh& refined, const PowerOfTwoScale& scale, vtkPoints* from,
+  vtkPolyData* output, const LoopProgress& progress)
 {
   if (!from)
   {
@@ -43,7 +43,8 @@ void writePoints(
   for (std::size_t i = 0; i < refined.points.size(); ++i)
   {
     progress.at(i, refined.points.size());
-    points->SetPoint(old + static_cast<vtkIdType>(i), refined.points[i].position.data());
+    points->SetPoint(
+      old + static_cast<vtkIdType>(i), scale.toUser(refined.points[i].position).data());
   }
   output->SetPoints(points);
 }
@@ -207,14 +208,15 @@ void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* outp
     progress);
 }
 
-void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined, vtkPolyData* input,
-  vtkPolyData* output, const ProgressCallback& callback)
+void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined,
+  const PowerOfTwoScale& scale, vtkPolyData* input, vtkPolyData* output,
+  const ProgressCallback& callback)
 {
   constexpr double pointsDone = 0.1;
   constexpr double pointDataDone = 0.5;
   LoopProgress progress(callback);
   progress.nextUntil(pointsDone);
-  writePoints(refined, input->GetPoints(), output, progress);
+  writePoints(refined, scale, input->GetPoints(), output, progress);
   interpolatePointData(
     refined, input->GetPointData(), output->GetPointData(), pointDataDone, progress);
   progress.nextUntil(1.0);

@@ -22,9 +22,11 @@ void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* outp
 /// they are parts of and those cells' numbers as OriginalCellIds.
 ///
 /// \param refined in numbers of the block, see partsByBlock().
+/// \param scale of the refined mesh.
 /// \param progress called now and then; returning false throws Aborted.
-void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined, vtkPolyData* input,
-  vtkPolyData* output, const ProgressCallback& progress);
+void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined,
+  const PowerOfTwoScale& scale, vtkPolyData* input, vtkPolyData* output,
+  const ProgressCallback& progress);
 
 /// Leaves out of a data set of polygons the points that none of them uses; the others keep their
 /// order and their data. Arrays are replaced, not changed: other data sets may have them, too.

@@ -50,7 +50,7 @@ struct UnmeshedTriangle
   Id like = NoId;
   /// Of a barrier, the templates at its edges from corner k on; NoId at edges without a face.
   std::array<Id, 3> atEdges{ NoId, NoId, NoId };
-  /// The points that split these edges from corner k on, by their numbers in the template.
+  /// The points that split these edges, by their numbers in the template and along its edge.
   std::array<std::vector<Id>, 3> splits{};
 };
 
@@ -155,8 +155,8 @@ UnmeshedTriangles findUnmeshedTriangles(const PolyDataSurface& surface, const Gl
       if (triangle.atEdges[k] != NoId)
       {
         const RefinedTemplate& like = unmeshed.templates[triangle.atEdges[k]];
-        like.addSplits(like.face.cornerAt(triangle.vertices[k]),
-          like.face.cornerAt(triangle.vertices[(k + 1) % 3]), triangle.splits[k]);
+        const Id edge = like.face.edgeBetween(triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
+        like.addSplits(edge, (edge + 1) % 3, triangle.splits[k]);
       }
     }
   }
@@ -269,32 +269,19 @@ private:
       if (triangle.atEdges[k] != NoId)
       {
         this->begin(triangle, triangle.atEdges[k]);
-        cut.splits[k] = this->ownSplits(triangle, k);
+        for (const Id point : triangle.splits[k])
+        {
+          cut.splits[k].push_back(this->ownPoint(point));
+        }
+        const GlobalFace& face = this->like_->face;
+        const Id edge = face.edgeBetween(triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
+        if (face.vertices[edge] != triangle.vertices[k])
+        {
+          std::reverse(cut.splits[k].begin(), cut.splits[k].end());
+        }
       }
     }
     cut.cut(positionOf, triangles);
-  }
-
-  /// Points are numbered along the template's edge.
-  std::vector<Id> ownSplits(const UnmeshedTriangle& triangle, std::size_t k)
-  {
-    std::vector<Id> splits = triangle.splits[k];
-    const GlobalFace& face = this->like_->face;
-    const bool isBackward = face.vertices[(face.cornerAt(triangle.vertices[k]) + 1) % 3] !=
-      triangle.vertices[(k + 1) % 3];
-    if (isBackward)
-    {
-      std::reverse(splits.begin(), splits.end());
-    }
-    for (Id& point : splits)
-    {
-      point = this->ownPoint(point);
-    }
-    if (isBackward)
-    {
-      std::reverse(splits.begin(), splits.end());
-    }
-    return splits;
   }
 
   const PolyDataSurface& surface_;
