@@ -307,12 +307,18 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   geodesic::Exchange* exchange = nullptr;
   const char* stage = geodesic::Stage::ReadingSurface;
   bool isAborted = false;
-  bool isCacheKept = true;
+  bool isCacheKept = false;
   std::string message;
   const auto explainMemory = [&](const std::string& numbers)
   {
     message = std::string("There is not enough memory for this surface: it ran out while ") +
       stage + "." + numbers + " Nothing of this is kept. " + this->AdviceOnMemory();
+  };
+  const auto explainUnforeseen = [&message](const std::string& reason)
+  {
+    message = "The distance could not be computed, for a reason that was not foreseen" + reason +
+      ". Please report this with the surface and the source, unless an observer of this filter has "
+      "thrown it.";
   };
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try
@@ -344,38 +350,30 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   }
   catch (const geodesic::Aborted&)
   {
+    isCacheKept = true;
     isAborted = true;
   }
   catch (const geodesic::Error& error)
   {
+    isCacheKept = true;
     message = error.what();
   }
   catch (const geodesic::NotEnoughMemory& error)
   {
-    isCacheKept = false;
     explainMemory(MemoryNumbers(error));
   }
   catch (const std::bad_alloc&)
   {
-    isCacheKept = false;
     reserve.reset();
     explainMemory("");
   }
   catch (const std::exception& error)
   {
-    isCacheKept = false;
-    message =
-      std::string("The distance could not be computed, for a reason that was not foreseen: ") +
-      error.what() +
-      ". Please report this with the surface and the source, unless an observer of this filter has "
-      "thrown it.";
+    explainUnforeseen(std::string(": ") + error.what());
   }
   catch (...)
   {
-    isCacheKept = false;
-    message = "The distance could not be computed, for a reason that was not foreseen and has no "
-              "description. Please report this with the surface and the source, unless an observer "
-              "of this filter has thrown it.";
+    explainUnforeseen(" and has no description");
   }
   EmptyOutputs(outputVector);
   if (!isCacheKept || (exchange && exchange->numberOfRanks() > 1))

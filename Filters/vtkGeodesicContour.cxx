@@ -3,7 +3,7 @@
 
 #include "PolyData/FilterExecution.h"
 #include "PolyData/ParallelFor.h"
-#include "PolyData/writing/IsolineWriter.h"
+#include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "contours/IsolineSides.h"
 #include "contours/Isolines.h"
@@ -19,12 +19,14 @@
 #include <sstream>
 #include <vector>
 
+using namespace geodesic;
+
 vtkStandardNewMacro(vtkGeodesicContour);
 
 namespace
 {
 
-// Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
+// Where the stages end, as fractions of the whole; FilterExecution has those before.
 constexpr double FieldDone = 0.75;
 constexpr double LinesDrawnBeforeSides = 0.85;
 constexpr double SidesKnown = 0.9;
@@ -32,7 +34,7 @@ constexpr double LinesDrawn = 0.95;
 
 bool isPositive(double value)
 {
-  return value > 0.0 && value < geodesic::Infinity;
+  return value > 0.0 && value < Infinity;
 }
 
 }
@@ -41,56 +43,55 @@ bool isPositive(double value)
 class vtkGeodesicContour::vtkWorker
 {
 public:
-  vtkWorker(vtkGeodesicContour* self, geodesic::FilterExecution& execution)
+  vtkWorker(vtkGeodesicContour* self, FilterExecution& execution)
     : Self(self)
     , Execution(execution)
   {
   }
 
-  /// \throws geodesic::Error
+  /// \throws Error
   void Run(vtkPolyData* output);
 
 private:
   void FindValues();
-  geodesic::Isolines Draw() const;
-  geodesic::Isolines OnSides(
-    const geodesic::DistanceField& field, const geodesic::Isolines& isolines) const;
+  Isolines Draw() const;
+  Isolines OnSides(const DistanceField& field, const Isolines& isolines) const;
 
   vtkGeodesicContour* Self;
-  geodesic::FilterExecution& Execution;
+  FilterExecution& Execution;
   /// In the user's scale: ascending, each once, without 0.
   std::vector<double> Values;
   bool HasZero = false;
   /// The distances of all values, ascending, each once; and which values each stands for.
   std::vector<double> Distances;
-  std::vector<geodesic::SidedValue> Sides;
+  std::vector<SidedValue> Sides;
 };
 
 //------------------------------------------------------------------------------
 void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
 {
   this->Execution.readInputs(true);
-  if (this->Execution.surfacePlace() == geodesic::SurfacePlace::OnOtherRank)
+  if (this->Execution.surfacePlace() == SurfacePlace::OnOtherRank)
   {
-    geodesic::addEmptyIsolineArrays(output);
+    addEmptyIsolineArrays(output);
     return;
   }
-  const geodesic::PolyDataSurface& surface = this->Execution.surface();
+  const PolyDataSurface& surface = this->Execution.surface();
   if (this->Self->SignedDistances)
   {
-    geodesic::requireSides(surface, this->Execution.surfaceBlocks(), "SignedDistances");
+    requireSides(surface, this->Execution.surfaceBlocks(), "SignedDistances");
   }
   this->FindValues();
-  const geodesic::Isolines isolines = this->Draw();
-  this->Execution.notes().add(geodesic::NoteOn::Surface,
+  const Isolines isolines = this->Draw();
+  this->Execution.notes().add(NoteOn::Surface,
     this->Execution.sumOverPieces(isolines.linesWithoutDirection), "line crosses", "lines cross",
     "faces of opposite orientation: the direction of such a line says nothing.");
   this->Execution.reach(LinesDrawn);
-  this->Execution.enter(geodesic::Stage::WritingOutputs);
+  this->Execution.enter(Stage::WritingOutputs);
   const bool hasCurves = this->HasZero && this->Execution.hasSourceOutput();
-  geodesic::writeIsolines({ surface.mesh(), isolines, this->Values },
+  writeIsolines({ surface.mesh(), isolines, this->Values },
     { this->Execution.patch().mesh(),
-      hasCurves ? this->Execution.sources().curves : std::vector<geodesic::SourceCurve>() },
+      hasCurves ? this->Execution.sources().curves : std::vector<SourceCurve>() },
     surface.scale(), output, this->Execution.progressBetween(LinesDrawn, 1.0));
 }
 
@@ -104,18 +105,18 @@ void vtkGeodesicContour::vtkWorker::FindValues()
     sorted.push_back(this->Self->GetValue(static_cast<int>(i)));
   }
   std::sort(sorted.begin(), sorted.end());
-  std::map<double, geodesic::SidedValue> byDistance;
+  std::map<double, SidedValue> byDistance;
   for (const double value : sorted)
   {
     const double inEngine = this->Execution.surface().scale().toEngine(value);
     this->HasZero = this->HasZero || inEngine == 0.0;
-    if (inEngine == 0.0 || !(std::abs(inEngine) < geodesic::Infinity))
+    if (inEngine == 0.0 || !(std::abs(inEngine) < Infinity))
     {
       continue;
     }
-    geodesic::SidedValue& sides = byDistance[std::abs(inEngine)];
+    SidedValue& sides = byDistance[std::abs(inEngine)];
     std::size_t& index = inEngine < 0.0 ? sides.right : sides.left;
-    if (index == geodesic::SidedValue::None)
+    if (index == SidedValue::None)
     {
       index = this->Values.size();
       this->Values.push_back(value);
@@ -129,9 +130,9 @@ void vtkGeodesicContour::vtkWorker::FindValues()
 }
 
 //------------------------------------------------------------------------------
-geodesic::Isolines vtkGeodesicContour::vtkWorker::Draw() const
+Isolines vtkGeodesicContour::vtkWorker::Draw() const
 {
-  geodesic::IsolineOptions options;
+  IsolineOptions options;
   options.values = this->Distances;
   options.chordTolerance = this->Self->ToleranceIsAbsolute
     ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteChordTolerance)
@@ -141,35 +142,34 @@ geodesic::Isolines vtkGeodesicContour::vtkWorker::Draw() const
   {
     return {};
   }
-  this->Execution.enter(geodesic::Stage::ComputingDistances);
-  geodesic::FrontOptions front;
-  front.parallelFor = geodesic::smpParallelFor();
+  this->Execution.enter(Stage::ComputingDistances);
+  FrontOptions front;
+  front.parallelFor = smpParallelFor();
   front.keepArrivals = this->Self->SignedDistances;
-  front.progress =
-    this->Execution.progressBetween(geodesic::FilterExecution::InputsRead, FieldDone);
-  const geodesic::DistanceField field =
-    geodesic::solveForIsolines(this->Execution.surface().partition(),
-      this->Execution.sourceWindows(front.progress), this->Distances, front);
+  front.progress = this->Execution.progressBetween(FilterExecution::InputsRead, FieldDone);
+  const DistanceField field = solveForIsolines(this->Execution.surface().partition(),
+    this->Execution.sourceWindows(front.progress), this->Distances, front);
   this->Execution.reach(FieldDone);
-  this->Execution.enter(geodesic::Stage::DrawingLines);
+  this->Execution.enter(Stage::DrawingLines);
   options.parallelFor = front.parallelFor;
   options.progress = this->Execution.progressBetween(
     FieldDone, this->Self->SignedDistances ? LinesDrawnBeforeSides : LinesDrawn);
-  geodesic::Isolines isolines = geodesic::drawIsolines(field, options);
+  Isolines isolines = drawIsolines(field, options);
   return this->Self->SignedDistances ? this->OnSides(field, isolines) : isolines;
 }
 
 //------------------------------------------------------------------------------
-geodesic::Isolines vtkGeodesicContour::vtkWorker::OnSides(
-  const geodesic::DistanceField& field, const geodesic::Isolines& isolines) const
+Isolines vtkGeodesicContour::vtkWorker::OnSides(
+  const DistanceField& field, const Isolines& isolines) const
 {
-  const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
+  const std::vector<SourceCurve>& curves = this->Execution.sources().curves;
   const auto progress = this->Execution.progressBetween(LinesDrawnBeforeSides, SidesKnown);
-  geodesic::NearestSource nearest(field, this->Execution.patch(), curves, progress);
-  const auto isOnRight = [&](const geodesic::Foot& foot)
-  { return geodesic::isOnRight(foot, curves, this->Execution.firstBoundarySource()); };
-  return geodesic::linesOnSides(field, nearest, isOnRight, isolines, this->Sides,
-    this->Execution.progressBetween(SidesKnown, LinesDrawn));
+  NearestSource nearest(field, this->Execution.patch(), curves, progress);
+  return linesOnSides(
+    field, nearest,
+    [&](const Foot& foot)
+    { return isOnRight(foot, curves, this->Execution.firstBoundarySource()); },
+    isolines, this->Sides, this->Execution.progressBetween(SidesKnown, LinesDrawn));
 }
 
 //------------------------------------------------------------------------------
@@ -199,7 +199,7 @@ std::string vtkGeodesicContour::FindWrongProperty() const
   for (vtkIdType i = 0; i < count; ++i)
   {
     const double value = this->ContourValues->GetValue(static_cast<int>(i));
-    const bool isFinite = std::abs(value) < geodesic::Infinity;
+    const bool isFinite = std::abs(value) < Infinity;
     if (!isFinite || (value < 0.0 && !this->SignedDistances))
     {
       std::ostringstream text;
@@ -222,8 +222,7 @@ std::string vtkGeodesicContour::FindWrongProperty() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicContour::Compute(
-  geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
+void vtkGeodesicContour::Compute(FilterExecution& execution, vtkInformationVector* outputVector)
 {
   vtkWorker(this, execution).Run(vtkPolyData::GetData(outputVector, 0));
 }

@@ -27,12 +27,14 @@
 #include <utility>
 #include <vector>
 
+using namespace geodesic;
+
 vtkStandardNewMacro(vtkGeodesicDistanceField);
 
 namespace
 {
 
-// Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
+// Where the stages end, as fractions of the whole; FilterExecution has those before.
 constexpr double ValuesDone = 0.9;
 constexpr double SurfaceWritten = 0.98;
 
@@ -46,7 +48,7 @@ void addFieldData(vtkDataObject* output, const char* name, double value)
 
 bool isPositive(double value)
 {
-  return value > 0.0 && value < geodesic::Infinity;
+  return value > 0.0 && value < Infinity;
 }
 
 }
@@ -55,21 +57,21 @@ bool isPositive(double value)
 class vtkGeodesicDistanceField::vtkWorker
 {
 public:
-  vtkWorker(vtkGeodesicDistanceField* self, geodesic::FilterExecution& execution)
+  vtkWorker(vtkGeodesicDistanceField* self, FilterExecution& execution)
     : Self(self)
     , Execution(execution)
     , Choice(ChoiceOf(self))
   {
   }
 
-  static geodesic::SourceArrayChoice ChoiceOf(const vtkGeodesicDistanceField* self)
+  static SourceArrayChoice ChoiceOf(const vtkGeodesicDistanceField* self)
   {
     return { self->GenerateSourceIds, self->GenerateClosestPoints, self->GenerateGradients,
       self->GenerateSignedDistance, self->GenerateSourceArcLength, self->GenerateSourceAngle,
       self->GenerateTextureCoordinates };
   }
 
-  /// \throws geodesic::Error
+  /// \throws Error
   void Run(vtkDataObject* output, vtkPolyData* curves);
 
 private:
@@ -78,29 +80,29 @@ private:
   void ShareNumbers();
   void WriteNothing(vtkDataObject* output) const;
   void Compute();
-  geodesic::FieldRequest Request() const;
-  void TakeNumbers(const geodesic::SolvedSurface& solved) const;
-  void FindSources(const geodesic::SolvedSurface& solved);
-  geodesic::SourceArrays Arrays() const;
-  void NoteToleranceNotMet(const geodesic::RefinedMesh& refined) const;
+  FieldRequest Request() const;
+  void TakeNumbers(const SolvedSurface& solved) const;
+  void FindSources(const SolvedSurface& solved);
+  SourceArrays Arrays() const;
+  void NoteToleranceNotMet(const RefinedMesh& refined) const;
   void WriteSurface(vtkDataObject* output) const;
   void WriteDistances(std::size_t block, vtkPolyData* output) const;
   void WriteFieldData(vtkDataObject* output) const;
   void NoteReplacedArrays() const;
 
   vtkGeodesicDistanceField* Self;
-  geodesic::FilterExecution& Execution;
-  const geodesic::SourceArrayChoice Choice;
+  FilterExecution& Execution;
+  const SourceArrayChoice Choice;
 
   std::vector<double> VertexDistances;
   bool IsRefined = false;
   /// The refined mesh, by blocks of the surface.
-  std::vector<geodesic::RefinedMesh> Refined;
+  std::vector<RefinedMesh> Refined;
   /// What the arrays beside the distance hold, at vertices and, by blocks, at refined points.
-  geodesic::ValuesAtPoints AtVertices;
-  std::vector<geodesic::ValuesAtPoints> AtRefinedPoints;
-  /// What angles are measured in, and arc lengths along the curves: see geodesic::SourceArrays.
-  std::vector<geodesic::SourceFrame> Frames;
+  ValuesAtPoints AtVertices;
+  std::vector<ValuesAtPoints> AtRefinedPoints;
+  /// What angles are measured in, and arc lengths along the curves: see SourceArrays.
+  std::vector<SourceFrame> Frames;
   std::vector<std::vector<double>> ArcLengthsOfCurves;
 };
 
@@ -108,7 +110,7 @@ private:
 void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData* curves)
 {
   this->Execution.readInputs(true);
-  const bool isElsewhere = this->Execution.surfacePlace() == geodesic::SurfacePlace::OnOtherRank;
+  const bool isElsewhere = this->Execution.surfacePlace() == SurfacePlace::OnOtherRank;
   if (!isElsewhere)
   {
     this->Self->SourceSnapDistance =
@@ -118,7 +120,7 @@ void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData
     this->Execution.reach(ValuesDone);
   }
   this->ShareNumbers();
-  this->Execution.enter(geodesic::Stage::WritingOutputs);
+  this->Execution.enter(Stage::WritingOutputs);
   if (isElsewhere)
   {
     this->WriteNothing(output);
@@ -128,7 +130,7 @@ void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData
   this->WriteSurface(output);
   if (this->Execution.hasSourceOutput())
   {
-    geodesic::writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale(),
+    writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale(),
       this->Execution.sources().curves, this->ArcLengthsOfCurves, curves);
   }
 }
@@ -156,13 +158,13 @@ void vtkGeodesicDistanceField::vtkWorker::ShareNumbers()
 // A rank without surface has the arrays of the other ranks, without values.
 void vtkGeodesicDistanceField::vtkWorker::WriteNothing(vtkDataObject* output) const
 {
-  for (vtkPolyData* block : geodesic::makeBlocksLike(this->Execution.surfaceInput(), output))
+  for (vtkPolyData* block : makeBlocksLike(this->Execution.surfaceInput(), output))
   {
     vtkNew<vtkDoubleArray> distances;
     distances->SetName(this->Self->DistanceArrayName);
     block->GetPointData()->AddArray(distances);
     block->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
-    geodesic::addEmptyArrays(this->Choice, block);
+    addEmptyArrays(this->Choice, block);
     if (this->IsRefined)
     {
       vtkNew<vtkIdTypeArray> originals;
@@ -193,7 +195,7 @@ bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
   const auto count = static_cast<vtkIdType>(this->Execution.surface().countTrianglesOfAllRanks());
   if (most > 0 && count > most)
   {
-    this->Execution.notes().add(geodesic::NoteOn::Surface, "over " + std::to_string(most),
+    this->Execution.notes().add(NoteOn::Surface, "over " + std::to_string(most),
       "The surface has " + std::to_string(count) + " triangles, more than MaximumNumberOfCells (" +
         std::to_string(most) +
         "): it is not refined. Raise MaximumNumberOfCells to refine it, or switch RefineMesh off.");
@@ -205,15 +207,14 @@ bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkWorker::Compute()
 {
-  const geodesic::PolyDataSurface& surface = this->Execution.surface();
+  const PolyDataSurface& surface = this->Execution.surface();
   if (this->Choice.areSidesNeeded())
   {
-    geodesic::requireSides(surface, this->Execution.surfaceBlocks(),
+    requireSides(surface, this->Execution.surfaceBlocks(),
       this->Choice.signedDistances ? "GenerateSignedDistance" : "GenerateTextureCoordinates");
   }
-  const geodesic::FieldRequest request = this->Request();
-  geodesic::SolvedSurface solved =
-    geodesic::FieldSolver(this->Execution, request, ValuesDone).solve();
+  const FieldRequest request = this->Request();
+  SolvedSurface solved = FieldSolver(this->Execution, request, ValuesDone).solve();
   this->IsRefined = request.isRefined;
   this->TakeNumbers(solved);
   this->VertexDistances = solved.field->vertexDistances();
@@ -223,16 +224,16 @@ void vtkGeodesicDistanceField::vtkWorker::Compute()
   }
   if (this->IsRefined)
   {
-    this->Refined = geodesic::partsByBlock(surface, std::move(solved.refined.mesh));
+    this->Refined = partsByBlock(surface, std::move(solved.refined.mesh));
   }
-  surface.completeValues(geodesic::Infinity, this->VertexDistances);
+  surface.completeValues(Infinity, this->VertexDistances);
 }
 
 //------------------------------------------------------------------------------
-geodesic::FieldRequest vtkGeodesicDistanceField::vtkWorker::Request() const
+FieldRequest vtkGeodesicDistanceField::vtkWorker::Request() const
 {
   const vtkGeodesicDistanceField* self = this->Self;
-  geodesic::FieldRequest request;
+  FieldRequest request;
   request.relativeError = self->Accuracy == APPROXIMATE ? self->RelativeError : 0.0;
   if (self->MaximumDistance > 0.0)
   {
@@ -247,14 +248,14 @@ geodesic::FieldRequest vtkGeodesicDistanceField::vtkWorker::Request() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::TakeNumbers(const geodesic::SolvedSurface& solved) const
+void vtkGeodesicDistanceField::vtkWorker::TakeNumbers(const SolvedSurface& solved) const
 {
   this->Self->WindowsPropagatedPerEdge = static_cast<double>(solved.field->windowsPropagated()) /
     static_cast<double>(this->Execution.surface().report().edges);
   this->Self->RelativeErrorBound = solved.field->relativeErrorBound();
   if (this->IsRefined)
   {
-    const geodesic::RefinedMesh& refined = solved.refined.mesh;
+    const RefinedMesh& refined = solved.refined.mesh;
     this->NoteToleranceNotMet(refined);
     this->Self->InterpolationErrorBound =
       this->Execution.surface().scale().toUser(refined.errorBound);
@@ -262,27 +263,27 @@ void vtkGeodesicDistanceField::vtkWorker::TakeNumbers(const geodesic::SolvedSurf
 }
 
 //------------------------------------------------------------------------------
-geodesic::SourceArrays vtkGeodesicDistanceField::vtkWorker::Arrays() const
+SourceArrays vtkGeodesicDistanceField::vtkWorker::Arrays() const
 {
-  return geodesic::SourceArrays(this->Execution.surface(), this->Execution.sources().curves,
+  return SourceArrays(this->Execution.surface(), this->Execution.sources().curves,
     this->Execution.firstBoundarySource(), this->Choice);
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::FindSources(const geodesic::SolvedSurface& solved)
+void vtkGeodesicDistanceField::vtkWorker::FindSources(const SolvedSurface& solved)
 {
-  this->Execution.enter(geodesic::Stage::ComputingDistances);
-  const geodesic::DistanceField& field = *solved.field;
-  const geodesic::DistanceField& exact = solved.exactField();
-  const double step = (ValuesDone - geodesic::FieldSolver::FieldDone) / 3.0;
+  this->Execution.enter(Stage::ComputingDistances);
+  const DistanceField& field = *solved.field;
+  const DistanceField& exact = solved.exactField();
+  const double step = (ValuesDone - FieldSolver::FieldDone) / 3.0;
   const auto part = [&](int i)
   {
-    const double begin = geodesic::FieldSolver::FieldDone + i * step;
+    const double begin = FieldSolver::FieldDone + i * step;
     return this->Execution.progressBetween(begin, begin + step);
   };
-  const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
-  geodesic::NearestSource nearest(exact, this->Execution.patch(), curves, part(0));
-  const geodesic::SourceArrays arrays = this->Arrays();
+  const std::vector<SourceCurve>& curves = this->Execution.sources().curves;
+  NearestSource nearest(exact, this->Execution.patch(), curves, part(0));
+  const SourceArrays arrays = this->Arrays();
   this->AtVertices = arrays.atVertices(field, nearest, part(1));
   this->Frames = arrays.frames(nearest);
   this->ArcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
@@ -293,10 +294,9 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(const geodesic::SolvedSurf
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::NoteToleranceNotMet(
-  const geodesic::RefinedMesh& refined) const
+void vtkGeodesicDistanceField::vtkWorker::NoteToleranceNotMet(const RefinedMesh& refined) const
 {
-  const geodesic::PowerOfTwoScale& scale = this->Execution.surface().scale();
+  const PowerOfTwoScale& scale = this->Execution.surface().scale();
   if (refined.stoppedAtMaximum)
   {
     std::ostringstream text;
@@ -304,8 +304,8 @@ void vtkGeodesicDistanceField::vtkWorker::NoteToleranceNotMet(
          << ") is reached: the refined surface meets a tolerance of "
          << scale.toUser(refined.errorBound) << " instead of " << scale.toUser(this->Tolerance())
          << ". Raise MaximumNumberOfCells or the tolerance.";
-    this->Execution.notes().add(geodesic::NoteOn::Surface,
-      "reached " + std::to_string(this->Self->MaximumNumberOfCells), text.str());
+    this->Execution.notes().add(
+      NoteOn::Surface, "reached " + std::to_string(this->Self->MaximumNumberOfCells), text.str());
   }
   else if (refined.errorBound > this->Tolerance())
   {
@@ -313,17 +313,16 @@ void vtkGeodesicDistanceField::vtkWorker::NoteToleranceNotMet(
     text << "The refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
          << " instead of " << scale.toUser(this->Tolerance())
          << ", which is near the rounding of distances. Raise the tolerance.";
-    this->Execution.notes().add(geodesic::NoteOn::Surface, "rounding", text.str());
+    this->Execution.notes().add(NoteOn::Surface, "rounding", text.str());
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkWorker::WriteSurface(vtkDataObject* output) const
 {
-  const std::vector<geodesic::PolyDataBlock>& inputs = this->Execution.surfaceBlocks();
-  const std::vector<geodesic::SurfaceBlock>& blocks = this->Execution.surface().blocks();
-  const std::vector<vtkPolyData*> outputs =
-    geodesic::makeBlocksLike(this->Execution.surfaceInput(), output);
+  const std::vector<PolyDataBlock>& inputs = this->Execution.surfaceBlocks();
+  const std::vector<SurfaceBlock>& blocks = this->Execution.surface().blocks();
+  const std::vector<vtkPolyData*> outputs = makeBlocksLike(this->Execution.surfaceInput(), output);
   const auto count = static_cast<double>(blocks.size());
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
@@ -332,17 +331,17 @@ void vtkGeodesicDistanceField::vtkWorker::WriteSurface(vtkDataObject* output) co
     const auto progress = this->Execution.progressBetween(place(i), place(i + 1));
     if (this->IsRefined)
     {
-      geodesic::writeRefined(blocks[i], this->Refined[i], this->Execution.surface().scale(),
-        inputs[i].data, outputs[i], progress);
+      writeRefined(blocks[i], this->Refined[i], this->Execution.surface().scale(), inputs[i].data,
+        outputs[i], progress);
     }
     else
     {
-      geodesic::writeWhole(blocks[i], inputs[i].data, outputs[i], progress);
+      writeWhole(blocks[i], inputs[i].data, outputs[i], progress);
     }
     this->WriteDistances(i, outputs[i]);
     if (this->Self->RemoveUnusedPoints)
     {
-      geodesic::removeUnusedPoints(outputs[i]);
+      removeUnusedPoints(outputs[i]);
     }
     outputs[i]->GetFieldData()->PassData(inputs[i].data->GetFieldData());
     this->WriteFieldData(outputs[i]);
@@ -354,9 +353,9 @@ void vtkGeodesicDistanceField::vtkWorker::WriteSurface(vtkDataObject* output) co
 void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
   std::size_t index, vtkPolyData* output) const
 {
-  const geodesic::PolyDataSurface& surface = this->Execution.surface();
-  const geodesic::SurfaceBlock& block = surface.blocks()[index];
-  geodesic::requireMemory(output->GetNumberOfPoints(), sizeof(double));
+  const PolyDataSurface& surface = this->Execution.surface();
+  const SurfaceBlock& block = surface.blocks()[index];
+  requireMemory(output->GetNumberOfPoints(), sizeof(double));
   vtkNew<vtkDoubleArray> distances;
   distances->SetName(this->Self->DistanceArrayName);
   distances->SetNumberOfTuples(output->GetNumberOfPoints());
@@ -368,13 +367,13 @@ void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
         "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
         "surface and the source upstream."));
   };
-  for (geodesic::Id i = 0; i < block.numberOfPoints; ++i)
+  for (Id i = 0; i < block.numberOfPoints; ++i)
   {
     add(this->VertexDistances[surface.vertexOf(block.firstPoint + i)]);
   }
   if (this->IsRefined)
   {
-    for (const geodesic::RefinedPoint& point : this->Refined[index].points)
+    for (const RefinedPoint& point : this->Refined[index].points)
     {
       add(point.distance);
     }
@@ -382,15 +381,15 @@ void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
   const int unreachedMode = this->Self->UnreachedValue;
   const double unreached = unreachedMode == UNREACHED_NAN ? std::numeric_limits<double>::quiet_NaN()
     : unreachedMode == UNREACHED_CUSTOM                   ? this->Self->CustomUnreachedValue
-                                                          : geodesic::Infinity;
+                                                          : Infinity;
   if (this->Choice.isAny())
   {
     this->Arrays().write(block, this->AtVertices,
-      this->IsRefined ? this->AtRefinedPoints[index] : geodesic::ValuesAtPoints(),
-      distances->GetPointer(0), unreached, output);
+      this->IsRefined ? this->AtRefinedPoints[index] : ValuesAtPoints(), distances->GetPointer(0),
+      unreached, output);
   }
   double* first = distances->GetPointer(0);
-  std::replace(first, first + distances->GetNumberOfTuples(), geodesic::Infinity, unreached);
+  std::replace(first, first + distances->GetNumberOfTuples(), Infinity, unreached);
   output->GetPointData()->AddArray(distances);
   output->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
 }
@@ -405,7 +404,7 @@ void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(vtkDataObject* output) 
   addFieldData(output, "SeamPointsJoined", static_cast<double>(this->Self->SeamPointsJoined));
   if (this->Choice.angles)
   {
-    geodesic::addSourceFrames(this->Frames, output);
+    addSourceFrames(this->Frames, output);
   }
 }
 
@@ -414,12 +413,12 @@ void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays() const
 {
   const auto noteOn = [this](const char* kind, int type, const char* name, const char* advice)
   {
-    const std::vector<geodesic::PolyDataBlock>& blocks = this->Execution.surfaceBlocks();
+    const std::vector<PolyDataBlock>& blocks = this->Execution.surfaceBlocks();
     if (std::any_of(blocks.begin(), blocks.end(),
-          [&](const geodesic::PolyDataBlock& block)
+          [&](const PolyDataBlock& block)
           { return block.data->GetAttributesAsFieldData(type)->HasArray(name) != 0; }))
     {
-      this->Execution.notes().add(geodesic::NoteOn::Surface, std::string("replaced: ") + name,
+      this->Execution.notes().add(NoteOn::Surface, std::string("replaced: ") + name,
         std::string("The surface already has a ") + kind + " array named " + name +
           "; the output has " + advice);
     }
@@ -430,7 +429,7 @@ void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays() const
   }
   noteOn("point", vtkDataObject::POINT, this->Self->DistanceArrayName,
     "the distance in its place. Change DistanceArrayName to keep both.");
-  for (const char* added : geodesic::namesOf(this->Choice))
+  for (const char* added : namesOf(this->Choice))
   {
     noteOn("point", vtkDataObject::POINT, added,
       "the filter's in its place. Rename it upstream to keep both.");
@@ -464,7 +463,7 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
   {
     return "DistanceArrayName is empty: set a name for the distance array.";
   }
-  for (const char* name : geodesic::namesOf(vtkWorker::ChoiceOf(this)))
+  for (const char* name : namesOf(vtkWorker::ChoiceOf(this)))
   {
     if (std::string(name) == this->DistanceArrayName)
     {
@@ -474,7 +473,7 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
   }
   const std::pair<bool, const char*> checks[] = {
     { this->Accuracy == APPROXIMATE &&
-        !(this->RelativeError >= 0.0 && this->RelativeError < geodesic::Infinity),
+        !(this->RelativeError >= 0.0 && this->RelativeError < Infinity),
       "RelativeError is not a finite number of at least 0: set the largest relative error that is "
       "allowed in approximate mode, such as 0.001, or 0 for the exact distance." },
     { this->RefineMesh && !this->ToleranceIsAbsolute && !isPositive(this->RefinementTolerance),
@@ -515,13 +514,13 @@ void vtkGeodesicDistanceField::ResetResults()
   this->WindowsPropagatedPerEdge = 0.0;
   this->SourceSnapDistance = 0.0;
   this->RelativeErrorBound = 0.0;
-  this->InterpolationErrorBound = geodesic::Infinity;
+  this->InterpolationErrorBound = Infinity;
   this->SeamPointsJoined = 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::Compute(
-  geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
+  FilterExecution& execution, vtkInformationVector* outputVector)
 {
   vtkWorker(this, execution)
     .Run(vtkDataObject::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 1));

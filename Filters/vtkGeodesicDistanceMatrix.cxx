@@ -22,24 +22,26 @@
 #include <utility>
 #include <vector>
 
+using namespace geodesic;
+
 vtkStandardNewMacro(vtkGeodesicDistanceMatrix);
 
 namespace
 {
 
-// Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
+// Where the stages end, as fractions of the whole; FilterExecution has those before.
 constexpr double TargetsRead = 0.3;
 constexpr double MatrixDone = 0.98;
 
 /// Adds the column of a source. Its distances are freed: there may be no memory for all of them
 /// twice.
-void AddSource(geodesic::Id source, std::vector<double> distances, const geodesic::Targets& targets,
-  const geodesic::PowerOfTwoScale& scale, vtkTable* table)
+void AddSource(Id source, std::vector<double> distances, const Targets& targets,
+  const PowerOfTwoScale& scale, vtkTable* table)
 {
   vtkNew<vtkDoubleArray> column;
   column->SetName(("Source" + std::to_string(source)).c_str());
   column->SetNumberOfTuples(static_cast<vtkIdType>(targets.count));
-  column->Fill(geodesic::Infinity);
+  column->Fill(Infinity);
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
     column->SetValue(static_cast<vtkIdType>(targets.numbers[i]),
@@ -51,36 +53,36 @@ void AddSource(geodesic::Id source, std::vector<double> distances, const geodesi
 }
 
 /// The curves of all sources, which have as SourceCurve::source the number of their column.
-std::vector<geodesic::SourceCurve> CurvesByColumn(const geodesic::FilterExecution& execution)
+std::vector<SourceCurve> CurvesByColumn(const FilterExecution& execution)
 {
-  const std::vector<geodesic::Id>& ids = execution.sourceIds();
-  std::vector<geodesic::SourceCurve> curves = execution.sources().curves;
-  for (geodesic::SourceCurve& curve : curves)
+  const std::vector<Id>& ids = execution.sourceIds();
+  std::vector<SourceCurve> curves = execution.sources().curves;
+  for (SourceCurve& curve : curves)
   {
     const auto at = std::lower_bound(ids.begin(), ids.end(), curve.source);
-    curve.source = static_cast<geodesic::Id>(at - ids.begin());
+    curve.source = static_cast<Id>(at - ids.begin());
   }
   return curves;
 }
 
 /// Where another rank than the first has made the table, hands it over. All ranks call this.
-void MoveToFirstRank(geodesic::Exchange& exchange, vtkTable* table)
+void MoveToFirstRank(Exchange& exchange, vtkTable* table)
 {
-  std::vector<geodesic::Message> messages = exchange.noMessages();
+  std::vector<Message> messages = exchange.noMessages();
   vtkNew<vtkCharArray> bytes;
   if (exchange.rank() > 0 && table->GetNumberOfColumns() > 0)
   {
     vtkCommunicator::MarshalDataObject(table, bytes);
-    geodesic::put(
+    put(
       messages.front(), bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
     table->Initialize();
   }
-  for (const geodesic::Message& message : exchange.step(std::move(messages)))
+  for (const Message& message : exchange.step(std::move(messages)))
   {
     if (!message.empty())
     {
       bytes->SetNumberOfValues(static_cast<vtkIdType>(message.size()));
-      geodesic::MessageReader(message).get(bytes->GetPointer(0), message.size());
+      MessageReader(message).get(bytes->GetPointer(0), message.size());
       vtkCommunicator::UnMarshalDataObject(bytes, table);
     }
   }
@@ -142,12 +144,12 @@ std::string vtkGeodesicDistanceMatrix::AdviceOnMemory() const
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceMatrix::Compute(
-  geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
+  FilterExecution& execution, vtkInformationVector* outputVector)
 {
   execution.requireTargets(true);
   execution.readInputs(false);
   vtkTable* table = vtkTable::GetData(outputVector);
-  if (execution.surfacePlace() != geodesic::SurfacePlace::OnOtherRank)
+  if (execution.surfacePlace() != SurfacePlace::OnOtherRank)
   {
     this->ComputeTable(execution, table);
   }
@@ -155,32 +157,31 @@ void vtkGeodesicDistanceMatrix::Compute(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::ComputeTable(
-  geodesic::FilterExecution& execution, vtkTable* table) const
+void vtkGeodesicDistanceMatrix::ComputeTable(FilterExecution& execution, vtkTable* table) const
 {
-  const geodesic::Targets targets = execution.readTargets(TargetsRead);
+  const Targets targets = execution.readTargets(TargetsRead);
   const auto rows = static_cast<vtkIdType>(targets.count);
-  const std::vector<geodesic::Id>& sources = execution.sourceIds();
-  const auto numberOfSources = static_cast<geodesic::Id>(sources.size());
+  const std::vector<Id>& sources = execution.sourceIds();
+  const auto numberOfSources = static_cast<Id>(sources.size());
 
-  execution.enter(geodesic::Stage::ComputingDistances);
+  execution.enter(Stage::ComputingDistances);
   // Once as they are computed, once as they are put out.
-  geodesic::requireMemory(rows,
+  requireMemory(rows,
     static_cast<vtkIdType>(sizeof(vtkIdType)) +
       2 * static_cast<vtkIdType>(sizeof(double)) * numberOfSources);
-  const geodesic::PowerOfTwoScale& scale = execution.surface().scale();
-  geodesic::MatrixOptions options;
+  const PowerOfTwoScale& scale = execution.surface().scale();
+  MatrixOptions options;
   if (this->MaximumDistance > 0.0)
   {
     options.maximumDistance = scale.toEngine(this->MaximumDistance);
   }
-  options.parallelFor = geodesic::smpParallelFor();
+  options.parallelFor = smpParallelFor();
   options.progress = execution.progressBetween(TargetsRead, MatrixDone);
-  std::vector<std::vector<double>> matrix = geodesic::distanceMatrix(execution.surface().mesh(),
+  std::vector<std::vector<double>> matrix = distanceMatrix(execution.surface().mesh(),
     CurvesByColumn(execution), numberOfSources, targets.places, options);
   execution.reach(MatrixDone);
 
-  execution.enter(geodesic::Stage::WritingOutputs);
+  execution.enter(Stage::WritingOutputs);
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName("TargetId");
   ids->SetNumberOfTuples(rows);

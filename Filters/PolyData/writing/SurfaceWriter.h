@@ -18,8 +18,8 @@ void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* outp
   const ProgressCallback& progress);
 
 /// Gives an output a refined block: the input's points with their data, the new points with
-/// interpolated data (interpolatePointData()), and the triangles with the data of the cells that
-/// they are parts of and those cells' numbers as OriginalCellIds.
+/// interpolated data, and the triangles with the data of the cells that they are parts of and those
+/// cells' numbers as OriginalCellIds.
 ///
 /// \param refined in numbers of the block, see partsByBlock().
 /// \param scale of the refined mesh.
