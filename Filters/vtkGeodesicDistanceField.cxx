@@ -297,23 +297,21 @@ void vtkGeodesicDistanceField::vtkWorker::FindSources(const SolvedSurface& solve
 void vtkGeodesicDistanceField::vtkWorker::NoteToleranceNotMet(const RefinedMesh& refined) const
 {
   const PowerOfTwoScale& scale = this->Execution.surface().scale();
+  const std::string most = std::to_string(this->Self->MaximumNumberOfCells);
+  std::ostringstream text;
+  text << "the refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
+       << " instead of " << scale.toUser(this->Tolerance());
+  const std::string met = text.str();
   if (refined.stoppedAtMaximum)
   {
-    std::ostringstream text;
-    text << "MaximumNumberOfCells (" << this->Self->MaximumNumberOfCells
-         << ") is reached: the refined surface meets a tolerance of "
-         << scale.toUser(refined.errorBound) << " instead of " << scale.toUser(this->Tolerance())
-         << ". Raise MaximumNumberOfCells or the tolerance.";
-    this->Execution.notes().add(
-      NoteOn::Surface, "reached " + std::to_string(this->Self->MaximumNumberOfCells), text.str());
+    this->Execution.notes().add(NoteOn::Surface, "reached " + most,
+      "MaximumNumberOfCells (" + most + ") is reached: " + met +
+        ". Raise MaximumNumberOfCells or the tolerance.");
   }
   else if (refined.errorBound > this->Tolerance())
   {
-    std::ostringstream text;
-    text << "The refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
-         << " instead of " << scale.toUser(this->Tolerance())
-         << ", which is near the rounding of distances. Raise the tolerance.";
-    this->Execution.notes().add(NoteOn::Surface, "rounding", text.str());
+    this->Execution.notes().add(NoteOn::Surface, "rounding",
+      'T' + met.substr(1) + ", which is near the rounding of distances. Raise the tolerance.");
   }
 }
 
