@@ -74,36 +74,6 @@ void EmptyOutputs(vtkInformationVector* outputVector)
   }
 }
 
-/// Where an algorithm fails it has said why; its executive adds a second message, of addresses and
-/// information keys. An error of an object that is observed goes to its observers in place of the
-/// output window: this one observes an executive until that message or the next request.
-class ExecutiveSilencer : public vtkCommand
-{
-public:
-  static ExecutiveSilencer* New() { return new ExecutiveSilencer; }
-  ~ExecutiveSilencer() override { this->Stop(); }
-
-  void Start(vtkExecutive* executive)
-  {
-    this->Stop();
-    this->Executive = executive;
-    this->Tag = executive->AddObserver(vtkCommand::ErrorEvent, this);
-  }
-  void Stop()
-  {
-    if (this->Executive)
-    {
-      this->Executive->RemoveObserver(this->Tag);
-      this->Executive = nullptr;
-    }
-  }
-  void Execute(vtkObject*, unsigned long, void*) override { this->Stop(); }
-
-private:
-  vtkWeakPointer<vtkExecutive> Executive;
-  unsigned long Tag = 0;
-};
-
 }
 
 /// What is kept from one execution to the next.
@@ -114,7 +84,9 @@ public:
   /// With the other processes of the controller; null for one process.
   std::unique_ptr<geodesic::RankExchange> Exchange;
   geodesic::GivenNotes Given;
-  vtkNew<ExecutiveSilencer> Silencer;
+  /// That whose next error is kept quiet, and by which observer.
+  vtkWeakPointer<vtkExecutive> QuietExecutive;
+  unsigned long Observer = 0;
   /// The user's controller; the global one unless one was set.
   vtkSmartPointer<vtkMultiProcessController> Controller;
   bool HasController = false;
@@ -211,7 +183,7 @@ vtkMultiProcessController* vtkGeodesicAlgorithm::GetController()
 vtkTypeBool vtkGeodesicAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Internals->Silencer->Stop();
+  this->EndQuiet();
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
     return this->RequestDataObject(request, inputVector, outputVector);
@@ -296,8 +268,20 @@ int vtkGeodesicAlgorithm::RequestData(
   {
     return 1;
   }
-  this->Internals->Silencer->Start(this->GetExecutive());
+  this->Internals->QuietExecutive = this->GetExecutive();
+  this->Internals->Observer = this->GetExecutive()->AddObserver(
+    vtkCommand::ErrorEvent, this, &vtkGeodesicAlgorithm::EndQuiet);
   return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicAlgorithm::EndQuiet()
+{
+  if (this->Internals->QuietExecutive)
+  {
+    this->Internals->QuietExecutive->RemoveObserver(this->Internals->Observer);
+    this->Internals->QuietExecutive = nullptr;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,6 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Memory.h"
 #include "PolyData/reading/PolyDataSource.h"
-#include "PolyData/writing/RefinedPolyData.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "PolyData/writing/SurfaceWriter.h"
 

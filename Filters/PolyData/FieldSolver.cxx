@@ -3,7 +3,6 @@
 
 #include "PolyData/FilterExecution.h"
 #include "PolyData/ParallelFor.h"
-#include "PolyData/writing/RefinedPolyData.h"
 #include "field/NearestSource.h"
 #include "field/Solve.h"
 #include "refinement/SolveForRefinement.h"
@@ -22,6 +21,24 @@ namespace
 constexpr double BordersFound = 0.3;
 constexpr double DoneBeforeRefinement = 0.55;
 constexpr double DoneBeforeExactField = 0.6;
+
+/// For RefinementOptions::cornerPoints: the input's points at the corners of each face, NoId for
+/// the faces of other ranks. Empty if points and vertices are the same.
+std::vector<Triangle> cornerPointsOf(const PolyDataSurface& surface)
+{
+  std::vector<Triangle> points;
+  if (surface.arePointsVertices())
+  {
+    return points;
+  }
+  const MeshPartition& partition = surface.partition();
+  points.assign(surface.mesh().numberOfFaces(), { NoId, NoId, NoId });
+  for (Id face = partition.firstOwnFace(); face < partition.endOfOwnFaces(); ++face)
+  {
+    points[face] = surface.triangle(surface.triangleOf(face));
+  }
+  return points;
+}
 
 }
 

@@ -3,7 +3,6 @@
 #define geodesic_FilterExecution_h
 
 #include "Exchange.h"
-#include "PolyData/GatheredBlocks.h"
 #include "PolyData/Memory.h"
 #include "PolyData/Notes.h"
 #include "PolyData/PolyDataBlocks.h"

@@ -4,7 +4,7 @@
 #include "Errors.h"
 #include "PolyData/Memory.h"
 #include "PolyData/ranks/BorrowedValues.h"
-#include "PolyData/writing/RefinedPolyData.h"
+#include "PolyData/writing/SurfaceWriter.h"
 #include "PolyData/writing/UnmeshedTriangles.h"
 #include "field/Gradients.h"
 #include "refinement/SeamPoints.h"

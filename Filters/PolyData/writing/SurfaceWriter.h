@@ -5,10 +5,22 @@
 #include "PolyData/reading/PolyDataSurface.h"
 #include "refinement/AdaptiveRefinement.h"
 
+#include <cstddef>
+#include <vector>
+
 class vtkPolyData;
 
 namespace geodesic
 {
+
+/// The block of the surface that each new point of a refined mesh belongs to.
+std::vector<std::size_t> blocksOfNewPoints(
+  const PolyDataSurface& surface, const RefinedMesh& refined);
+
+/// What of a refined mesh (after addUnmeshedTriangles()) belongs to each block of the surface, in
+/// numbers of the block: points, and triangles as RefinedMesh::faces has them. Each edge of the
+/// surface is an edge between points of one block, so that every new point belongs to one, too.
+std::vector<RefinedMesh> partsByBlock(const PolyDataSurface& surface, RefinedMesh refined);
 
 /// Gives an output the points of the input that a block was made from with their data, the block's
 /// triangles, and for each the data of the cell that it came from.
