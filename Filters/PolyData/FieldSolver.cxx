@@ -44,6 +44,7 @@ std::vector<Triangle> cornerPointsOf(const PolyDataSurface& surface)
 
 FieldSolver::FieldSolver(FilterExecution& execution, const FieldRequest& request, double end)
   : execution_(execution)
+  , surface_(execution.surface())
   , request_(request)
   , end_(!request.arrays.isAny()  ? end
         : request.isApproximate() ? DoneBeforeExactField
@@ -58,8 +59,8 @@ SolvedSurface FieldSolver::solve() const
   if (!this->request_.isRefined)
   {
     const FrontOptions options = this->frontOptions(FilterExecution::InputsRead, this->end_);
-    solved.field.emplace(geodesic::solve(this->execution_.surface().partition(),
-      this->execution_.sourceWindows(options.progress), options));
+    solved.field.emplace(geodesic::solve(
+      this->surface_.partition(), this->execution_.sourceWindows(options.progress), options));
   }
   else
   {
@@ -110,8 +111,7 @@ SolvedSurface FieldSolver::solveAndRefine() const
     {
       pinned[face] = 1;
     }
-    isRepeated =
-      areBordersRefined && this->execution_.surface().exchange().isTrueAnywhere(!unknown.empty());
+    isRepeated = areBordersRefined && this->surface_.exchange().isTrueAnywhere(!unknown.empty());
   }
   return solved;
 }
@@ -120,7 +120,7 @@ DistanceField FieldSolver::solveForRefinement(
   double begin, const std::vector<std::uint8_t>& pinned) const
 {
   const FrontOptions options = this->frontOptions(begin, DoneBeforeRefinement);
-  return geodesic::solveForRefinement(this->execution_.surface().partition(),
+  return geodesic::solveForRefinement(this->surface_.partition(),
     this->execution_.sourceWindows(options.progress), this->request_.tolerance, options, pinned);
 }
 
@@ -131,8 +131,8 @@ DistanceField FieldSolver::solveExactly(double largestError, std::vector<std::ui
   options.relativeError = 0.0;
   // A distance within the limit is that much smaller than the exact one at most.
   options.maximumDistance /= 1.0 - std::min(largestError, 0.5);
-  KeepFaces retention(this->execution_.surface().mesh(), std::move(faces));
-  const MeshPartition& surface = this->execution_.surface().partition();
+  KeepFaces retention(this->surface_.mesh(), std::move(faces));
+  const MeshPartition& surface = this->surface_.partition();
   FrontResult front =
     propagate(surface, this->execution_.sourceWindows(options.progress), options, retention);
   return { surface, std::move(front), retention.release() };
@@ -143,8 +143,8 @@ std::vector<std::uint8_t> FieldSolver::findFacesAtBorders() const
 {
   FrontOptions options = this->frontOptions(FilterExecution::InputsRead, BordersFound);
   options.relativeError = 0.0;
-  const DistanceField field = geodesic::solve(this->execution_.surface().partition(),
-    this->execution_.sourceWindows(options.progress), options);
+  const DistanceField field = geodesic::solve(
+    this->surface_.partition(), this->execution_.sourceWindows(options.progress), options);
   const std::vector<SourceCurve>& curves = this->execution_.sources().curves;
   NearestSource nearest(field, this->execution_.patch(), curves, options.progress);
   return SourceRegions(field, nearest, curves, this->request_.arrays.areSidesNeeded())
@@ -154,7 +154,7 @@ std::vector<std::uint8_t> FieldSolver::findFacesAtBorders() const
 // The faces that have points of refinement.
 std::vector<std::uint8_t> FieldSolver::facesOf(const RefinedSurface& refined) const
 {
-  const TriangleMesh& mesh = this->execution_.surface().mesh();
+  const TriangleMesh& mesh = this->surface_.mesh();
   std::vector<std::uint8_t> faces(mesh.numberOfFaces(), 0);
   for (std::size_t i = 0; i < refined.numberOfPointsWithPlaces(); ++i)
   {
@@ -165,18 +165,17 @@ std::vector<std::uint8_t> FieldSolver::facesOf(const RefinedSurface& refined) co
 
 RefinementOptions FieldSolver::refinementOptions() const
 {
-  const PolyDataSurface& surface = this->execution_.surface();
   RefinementOptions options;
   options.tolerance = this->request_.tolerance;
   if (this->request_.maximumCells > 0)
   {
-    const std::uint64_t faces = surface.partition().numberOfGlobalFaces();
+    const std::uint64_t faces = this->surface_.partition().numberOfGlobalFaces();
     options.maximumFaces =
-      this->request_.maximumCells - (surface.countTrianglesOfAllRanks() - faces);
+      this->request_.maximumCells - (this->surface_.countTrianglesOfAllRanks() - faces);
   }
-  options.cornerPoints = cornerPointsOf(surface);
-  options.numberOfPoints = surface.numberOfPoints();
-  options.trianglesBeside = barriersAtEdges(surface);
+  options.cornerPoints = cornerPointsOf(this->surface_);
+  options.numberOfPoints = this->surface_.numberOfPoints();
+  options.trianglesBeside = barriersAtEdges(this->surface_);
   options.parallelFor = smpParallelFor();
   options.progress = this->execution_.progressBetween(DoneBeforeRefinement, this->end_);
   return options;
@@ -184,15 +183,14 @@ RefinementOptions FieldSolver::refinementOptions() const
 
 void FieldSolver::refine(SolvedSurface& solved) const
 {
-  const PolyDataSurface& surface = this->execution_.surface();
   std::optional<NearestSource> nearest;
   std::optional<SourceRegions> regions;
   if (this->request_.areBordersRefined)
   {
     if (this->request_.isApproximate())
     {
-      solved.exact.emplace(
-        this->solveExactly(solved.field->relativeErrorBound(), surface.partition().ownFaces()));
+      solved.exact.emplace(this->solveExactly(
+        solved.field->relativeErrorBound(), this->surface_.partition().ownFaces()));
     }
     const std::vector<SourceCurve>& curves = this->execution_.sources().curves;
     nearest.emplace(solved.exactField(), this->execution_.patch(), curves);
@@ -203,8 +201,8 @@ void FieldSolver::refine(SolvedSurface& solved) const
   {
     options.regionOf = [&regions](const SurfacePoint& point) { return regions->at(point); };
   }
-  solved.refined = addUnmeshedTriangles(surface, this->request_.maximumCells, options.cornerPoints,
-    geodesic::refine(*solved.field, options));
+  solved.refined = addUnmeshedTriangles(this->surface_, this->request_.maximumCells,
+    options.cornerPoints, geodesic::refine(*solved.field, options));
 }
 
 }

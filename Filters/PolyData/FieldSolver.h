@@ -72,6 +72,7 @@ private:
   void refine(SolvedSurface& solved) const;
 
   FilterExecution& execution_;
+  const PolyDataSurface& surface_;
   const FieldRequest& request_;
   /// Where the field and its refinement are done, as a fraction of the whole.
   const double end_;

@@ -53,7 +53,16 @@ void FilterExecution::readInputs(bool supportsPieces)
   this->surfaceBlocks_ = polyDataBlocks(this->surfaceInput_, "the surface (input port 0)");
   const BarrierArrays barriers(
     this->surfaceBlocks_, this->filter_->GetBarrierArrayName(), this->exchange_);
-  this->gatherInputs();
+  if (this->sourceInput_)
+  {
+    this->gatheredSource_ =
+      GatheredBlocks(sourceBlocks(this->sourceInput_, SourceName), SourceName, this->exchange_);
+  }
+  if (this->targetsInput_)
+  {
+    this->gatheredTargets_ = GatheredBlocks(
+      geodesic::targetBlocks(this->targetsInput_, TargetsName), TargetsName, this->exchange_);
+  }
   this->findSurface(barriers, supportsPieces);
   if (this->place_ == SurfacePlace::OnOtherRank)
   {
@@ -111,20 +120,6 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, bool supportsPi
                           : SurfacePlace::OnOtherRank;
 }
 
-void FilterExecution::gatherInputs()
-{
-  if (this->sourceInput_)
-  {
-    this->gatheredSource_ =
-      GatheredBlocks(sourceBlocks(this->sourceInput_, SourceName), SourceName, this->exchange_);
-  }
-  if (this->targetsInput_)
-  {
-    this->gatheredTargets_ = GatheredBlocks(
-      geodesic::targetBlocks(this->targetsInput_, TargetsName), TargetsName, this->exchange_);
-  }
-}
-
 SourceWindows FilterExecution::sourceWindows(const ProgressCallback& progress) const
 {
   return sourceWindowsOfPartition(this->surface().partition(), this->patch(),
@@ -148,35 +143,24 @@ Targets FilterExecution::readTargets(double end)
   const std::vector<PolyDataBlock>& blocks = this->targetBlocks().blocks();
   Targets targets = geodesic::readTargets(
     blocks, name, this->surface(), this->cache_.locator(), this->progressBetween(InputsRead, end));
-  this->noteTargets(blocks, targets);
+  // If the targets are the points of a source that is far away, the note on the source says so.
+  if (this->targetsInput_ || !this->notes_.has(NoteOn::Source, FarNote))
+  {
+    noteTargets(this->surface(), blocks, targets,
+      this->targetsInput_ ? NoteOn::Targets : NoteOn::Source, this->notes_);
+  }
   this->reach(end);
   return targets;
 }
 
-/// If the targets are the points of a source that is far away, the note on the source says so.
-void FilterExecution::noteTargets(const std::vector<PolyDataBlock>& blocks, const Targets& targets)
+void FilterExecution::readSources()
 {
-  if (this->targetsInput_ || !this->notes_.has(NoteOn::Source, FarNote))
-  {
-    geodesic::noteTargets(this->surface(), blocks, targets,
-      this->targetsInput_ ? NoteOn::Targets : NoteOn::Source, this->notes_);
-  }
-}
-
-/// \throws SourceError where there is none.
-void FilterExecution::requireSource() const
-{
-  if (this->filter_->GetSourceType() == vtkGeodesicAlgorithm::SOURCE_CURVE && !this->sourceInput_)
+  const int type = this->filter_->GetSourceType();
+  if (type == vtkGeodesicAlgorithm::SOURCE_CURVE && !this->sourceInput_)
   {
     throw SourceError(
       "There is no source: choose a Source, or set Source Type to Surface Boundary.");
   }
-}
-
-void FilterExecution::readSources()
-{
-  this->requireSource();
-  const int type = this->filter_->GetSourceType();
   const bool hasCurve = type != vtkGeodesicAlgorithm::SURFACE_BOUNDARY && this->sourceInput_;
   if (hasCurve && this->sourceInput_ == this->surfaceInput_)
   {
@@ -288,11 +272,6 @@ ProgressCallback FilterExecution::progressBetween(double begin, double end)
     return !filter->GetAbortExecute();
 #endif
   };
-}
-
-void FilterExecution::reach(double fraction)
-{
-  reportProgress(this->progressBetween(fraction, fraction), 1.0);
 }
 
 }

@@ -160,7 +160,7 @@ public:
   /// Reports that the work has come so far.
   ///
   /// \throws Aborted
-  void reach(double fraction);
+  void reach(double fraction) { reportProgress(this->progressBetween(fraction, fraction), 1.0); }
 
   /// What the user should know.
   Notes& notes() { return this->notes_; }
@@ -169,14 +169,11 @@ public:
   bool reportsWarnings() const { return this->place_ == SurfacePlace::Here || this->isFirstRank(); }
 
 private:
-  void noteTargets(const std::vector<PolyDataBlock>& blocks, const Targets& targets);
   void findSurface(const BarrierArrays& barriers, bool supportsPieces);
-  void gatherInputs();
   const GatheredBlocks& targetBlocks() const
   {
     return this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;
   }
-  void requireSource() const;
   void readSources();
   void readCurves(SourcePatch& faces);
   void addBoundary(std::vector<SourceCurve> boundary, bool hasCurve);
