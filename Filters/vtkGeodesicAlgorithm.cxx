@@ -74,36 +74,6 @@ void EmptyOutputs(vtkInformationVector* outputVector)
   }
 }
 
-/// Where an algorithm fails it has said why; its executive adds a second message, of addresses and
-/// information keys. An error of an object that is observed goes to its observers in place of the
-/// output window: this one observes an executive until that message or the next request.
-class ExecutiveSilencer : public vtkCommand
-{
-public:
-  static ExecutiveSilencer* New() { return new ExecutiveSilencer; }
-  ~ExecutiveSilencer() override { this->Stop(); }
-
-  void Start(vtkExecutive* executive)
-  {
-    this->Stop();
-    this->Executive = executive;
-    this->Tag = executive->AddObserver(vtkCommand::ErrorEvent, this);
-  }
-  void Stop()
-  {
-    if (this->Executive)
-    {
-      this->Executive->RemoveObserver(this->Tag);
-      this->Executive = nullptr;
-    }
-  }
-  void Execute(vtkObject*, unsigned long, void*) override { this->Stop(); }
-
-private:
-  vtkWeakPointer<vtkExecutive> Executive;
-  unsigned long Tag = 0;
-};
-
 }
 
 /// What is kept from one execution to the next.
@@ -114,7 +84,9 @@ public:
   /// With the other processes of the controller; null for one process.
   std::unique_ptr<geodesic::RankExchange> Exchange;
   geodesic::GivenNotes Given;
-  vtkNew<ExecutiveSilencer> Silencer;
+  /// That whose next error is kept quiet, and by which observer.
+  vtkWeakPointer<vtkExecutive> QuietExecutive;
+  unsigned long Observer = 0;
   /// The user's controller; the global one unless one was set.
   vtkSmartPointer<vtkMultiProcessController> Controller;
   bool HasController = false;
@@ -211,7 +183,7 @@ vtkMultiProcessController* vtkGeodesicAlgorithm::GetController()
 vtkTypeBool vtkGeodesicAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Internals->Silencer->Stop();
+  this->EndQuiet();
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
     return this->RequestDataObject(request, inputVector, outputVector);
@@ -281,18 +253,6 @@ int vtkGeodesicAlgorithm::RequestUpdateExtent(vtkInformation* vtkNotUsed(request
 int vtkGeodesicAlgorithm::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->ExecuteOrExplain(request, inputVector, outputVector))
-  {
-    return 1;
-  }
-  this->Internals->Silencer->Start(this->GetExecutive());
-  return 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkGeodesicAlgorithm::ExecuteOrExplain(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
   if (!IsPieceWithData(request, outputVector, this->GetController()))
   {
     // One piece has everything; the others have the same blocks.
@@ -301,10 +261,27 @@ bool vtkGeodesicAlgorithm::ExecuteOrExplain(
     {
       geodesic::makeBlocksLike(vtkDataObject::GetData(inputVector[0]), output);
     }
-    return true;
+    return 1;
   }
   this->ResetResults();
-  return this->ComputeOrExplain(inputVector, outputVector);
+  if (this->ComputeOrExplain(inputVector, outputVector))
+  {
+    return 1;
+  }
+  this->Internals->QuietExecutive = this->GetExecutive();
+  this->Internals->Observer = this->GetExecutive()->AddObserver(
+    vtkCommand::ErrorEvent, this, &vtkGeodesicAlgorithm::EndQuiet);
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicAlgorithm::EndQuiet()
+{
+  if (this->Internals->QuietExecutive)
+  {
+    this->Internals->QuietExecutive->RemoveObserver(this->Internals->Observer);
+    this->Internals->QuietExecutive = nullptr;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -312,15 +289,20 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   geodesic::Exchange* exchange = nullptr;
-  geodesic::Stage stage = geodesic::Stage::ReadingSurface;
+  const char* stage = geodesic::Stage::ReadingSurface;
   bool isAborted = false;
-  bool isCacheKept = true;
+  bool isCacheKept = false;
   std::string message;
   const auto explainMemory = [&](const std::string& numbers)
   {
     message = std::string("There is not enough memory for this surface: it ran out while ") +
-      geodesic::describe(stage) + "." + numbers + " Nothing of this is kept. " +
-      this->AdviceOnMemory();
+      stage + "." + numbers + " Nothing of this is kept. " + this->AdviceOnMemory();
+  };
+  const auto explainUnforeseen = [&message](const std::string& reason)
+  {
+    message = "The distance could not be computed, for a reason that was not foreseen" + reason +
+      ". Please report this with the surface and the source, unless an observer of this filter has "
+      "thrown it.";
   };
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try
@@ -352,38 +334,30 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   }
   catch (const geodesic::Aborted&)
   {
+    isCacheKept = true;
     isAborted = true;
   }
   catch (const geodesic::Error& error)
   {
+    isCacheKept = true;
     message = error.what();
   }
   catch (const geodesic::NotEnoughMemory& error)
   {
-    isCacheKept = false;
     explainMemory(MemoryNumbers(error));
   }
   catch (const std::bad_alloc&)
   {
-    isCacheKept = false;
     reserve.reset();
     explainMemory("");
   }
   catch (const std::exception& error)
   {
-    isCacheKept = false;
-    message =
-      std::string("The distance could not be computed, for a reason that was not foreseen: ") +
-      error.what() +
-      ". Please report this with the surface and the source, unless an observer of this filter has "
-      "thrown it.";
+    explainUnforeseen(std::string(": ") + error.what());
   }
   catch (...)
   {
-    isCacheKept = false;
-    message = "The distance could not be computed, for a reason that was not foreseen and has no "
-              "description. Please report this with the surface and the source, unless an observer "
-              "of this filter has thrown it.";
+    explainUnforeseen(" and has no description");
   }
   EmptyOutputs(outputVector);
   if (!isCacheKept || (exchange && exchange->numberOfRanks() > 1))

@@ -153,9 +153,10 @@ private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
   void operator=(const vtkGeodesicAlgorithm&) = delete;
 
-  /// Does what is asked, or says in one error why not. Returns whether all went well.
-  bool ExecuteOrExplain(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector);
+  /// Where this fails it has said why; its executive adds a second message, of addresses and
+  /// information keys. An error of an object that is observed goes to its observers in place of the
+  /// output window: RequestData() observes the executive, until that message or the next request.
+  void EndQuiet();
   /// Does the work and turns exceptions into errors. Returns whether all went well.
   bool ComputeOrExplain(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 

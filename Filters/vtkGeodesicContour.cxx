@@ -3,7 +3,7 @@
 
 #include "PolyData/FilterExecution.h"
 #include "PolyData/ParallelFor.h"
-#include "PolyData/writing/IsolineWriter.h"
+#include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "contours/IsolineSides.h"
 #include "contours/Isolines.h"
@@ -15,15 +15,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <vector>
+
+using namespace geodesic;
 
 vtkStandardNewMacro(vtkGeodesicContour);
 
 namespace
 {
 
-// Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
+// Where the stages end, as fractions of the whole; FilterExecution has those before.
 constexpr double FieldDone = 0.75;
 constexpr double LinesDrawnBeforeSides = 0.85;
 constexpr double SidesKnown = 0.9;
@@ -31,7 +34,7 @@ constexpr double LinesDrawn = 0.95;
 
 bool isPositive(double value)
 {
-  return value > 0.0 && value < geodesic::Infinity;
+  return value > 0.0 && value < Infinity;
 }
 
 }
@@ -40,79 +43,56 @@ bool isPositive(double value)
 class vtkGeodesicContour::vtkWorker
 {
 public:
-  vtkWorker(vtkGeodesicContour* self, geodesic::FilterExecution& execution)
+  vtkWorker(vtkGeodesicContour* self, FilterExecution& execution)
     : Self(self)
     , Execution(execution)
   {
   }
 
-  /// \throws geodesic::Error
+  /// \throws Error
   void Run(vtkPolyData* output);
 
 private:
-  /// A value of the user's and in the engine.
-  struct Value
-  {
-    double User;
-    double Engine;
-  };
-
-  void RequireSides() const;
   void FindValues();
-  double ChordTolerance() const;
-  geodesic::Isolines Draw() const;
-  geodesic::DistanceField Solve(const geodesic::FrontOptions& options) const;
-  geodesic::Isolines OnSides(
-    const geodesic::DistanceField& field, const geodesic::Isolines& isolines) const;
+  Isolines Draw() const;
+  Isolines OnSides(const DistanceField& field, const Isolines& isolines) const;
 
   vtkGeodesicContour* Self;
-  geodesic::FilterExecution& Execution;
-  /// Ascending, each once, without 0.
-  std::vector<Value> Values;
+  FilterExecution& Execution;
+  /// In the user's scale: ascending, each once, without 0.
+  std::vector<double> Values;
   bool HasZero = false;
   /// The distances of all values, ascending, each once; and which values each stands for.
   std::vector<double> Distances;
-  std::vector<geodesic::SidedValue> Sides;
+  std::vector<SidedValue> Sides;
 };
 
 //------------------------------------------------------------------------------
 void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
 {
   this->Execution.readInputs(true);
-  if (this->Execution.surfacePlace() == geodesic::SurfacePlace::OnOtherRank)
+  if (this->Execution.surfacePlace() == SurfacePlace::OnOtherRank)
   {
-    geodesic::addEmptyIsolineArrays(output);
+    addEmptyIsolineArrays(output);
     return;
   }
-  this->RequireSides();
+  const PolyDataSurface& surface = this->Execution.surface();
+  if (this->Self->SignedDistances)
+  {
+    requireSides(surface, this->Execution.surfaceBlocks(), "SignedDistances");
+  }
   this->FindValues();
-  const geodesic::Isolines isolines = this->Draw();
-  this->Execution.notes().add(geodesic::NoteOn::Surface,
+  const Isolines isolines = this->Draw();
+  this->Execution.notes().add(NoteOn::Surface,
     this->Execution.sumOverPieces(isolines.linesWithoutDirection), "line crosses", "lines cross",
     "faces of opposite orientation: the direction of such a line says nothing.");
   this->Execution.reach(LinesDrawn);
-  this->Execution.enter(geodesic::Stage::WritingOutputs);
-  std::vector<double> values;
-  for (const Value& value : this->Values)
-  {
-    values.push_back(value.User);
-  }
-  const geodesic::PolyDataSurface& surface = this->Execution.surface();
+  this->Execution.enter(Stage::WritingOutputs);
   const bool hasCurves = this->HasZero && this->Execution.hasSourceOutput();
-  geodesic::writeIsolines({ surface.mesh(), isolines, values },
+  writeIsolines({ surface.mesh(), isolines, this->Values },
     { this->Execution.patch().mesh(),
-      hasCurves ? this->Execution.sources().curves : std::vector<geodesic::SourceCurve>() },
+      hasCurves ? this->Execution.sources().curves : std::vector<SourceCurve>() },
     surface.scale(), output, this->Execution.progressBetween(LinesDrawn, 1.0));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicContour::vtkWorker::RequireSides() const
-{
-  if (this->Self->SignedDistances)
-  {
-    geodesic::requireSides(
-      this->Execution.surface(), this->Execution.surfaceBlocks(), "SignedDistances");
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -125,86 +105,71 @@ void vtkGeodesicContour::vtkWorker::FindValues()
     sorted.push_back(this->Self->GetValue(static_cast<int>(i)));
   }
   std::sort(sorted.begin(), sorted.end());
+  std::map<double, SidedValue> byDistance;
   for (const double value : sorted)
   {
     const double inEngine = this->Execution.surface().scale().toEngine(value);
     this->HasZero = this->HasZero || inEngine == 0.0;
-    const bool isRepeated = !this->Values.empty() && this->Values.back().Engine == inEngine;
-    if (inEngine != 0.0 && std::abs(inEngine) < geodesic::Infinity && !isRepeated)
+    if (inEngine == 0.0 || !(std::abs(inEngine) < Infinity))
     {
-      this->Values.push_back({ value, inEngine });
-      this->Distances.push_back(std::abs(inEngine));
+      continue;
+    }
+    SidedValue& sides = byDistance[std::abs(inEngine)];
+    std::size_t& index = inEngine < 0.0 ? sides.right : sides.left;
+    if (index == SidedValue::None)
+    {
+      index = this->Values.size();
+      this->Values.push_back(value);
     }
   }
-  std::sort(this->Distances.begin(), this->Distances.end());
-  this->Distances.erase(
-    std::unique(this->Distances.begin(), this->Distances.end()), this->Distances.end());
-  this->Sides.resize(this->Distances.size());
-  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  for (const auto& [distance, sides] : byDistance)
   {
-    const double inEngine = this->Values[i].Engine;
-    const auto at =
-      std::lower_bound(this->Distances.begin(), this->Distances.end(), std::abs(inEngine));
-    geodesic::SidedValue& sides =
-      this->Sides[static_cast<std::size_t>(at - this->Distances.begin())];
-    (inEngine < 0.0 ? sides.right : sides.left) = i;
+    this->Distances.push_back(distance);
+    this->Sides.push_back(sides);
   }
 }
 
 //------------------------------------------------------------------------------
-double vtkGeodesicContour::vtkWorker::ChordTolerance() const
+Isolines vtkGeodesicContour::vtkWorker::Draw() const
 {
-  return this->Self->ToleranceIsAbsolute
+  IsolineOptions options;
+  options.values = this->Distances;
+  options.chordTolerance = this->Self->ToleranceIsAbsolute
     ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteChordTolerance)
     : this->Self->ChordTolerance * this->Execution.surface().diagonal();
-}
-
-//------------------------------------------------------------------------------
-geodesic::Isolines vtkGeodesicContour::vtkWorker::Draw() const
-{
-  geodesic::IsolineOptions options;
-  options.values = this->Distances;
-  options.chordTolerance = this->ChordTolerance();
   // On a surface without extent nothing but the source is at any distance.
   if (options.values.empty() || !(options.chordTolerance > 0.0))
   {
     return {};
   }
-  this->Execution.enter(geodesic::Stage::ComputingDistances);
-  geodesic::FrontOptions front;
-  front.parallelFor = geodesic::smpParallelFor();
+  this->Execution.enter(Stage::ComputingDistances);
+  FrontOptions front;
+  front.parallelFor = smpParallelFor();
   front.keepArrivals = this->Self->SignedDistances;
-  front.progress =
-    this->Execution.progressBetween(geodesic::FilterExecution::InputsRead, FieldDone);
-  const geodesic::DistanceField field = this->Solve(front);
+  front.progress = this->Execution.progressBetween(FilterExecution::InputsRead, FieldDone);
+  const DistanceField field = solveForIsolines(this->Execution.surface().partition(),
+    this->Execution.sourceWindows(front.progress), this->Distances, front);
   this->Execution.reach(FieldDone);
-  this->Execution.enter(geodesic::Stage::DrawingLines);
+  this->Execution.enter(Stage::DrawingLines);
   options.parallelFor = front.parallelFor;
   options.progress = this->Execution.progressBetween(
     FieldDone, this->Self->SignedDistances ? LinesDrawnBeforeSides : LinesDrawn);
-  geodesic::Isolines isolines = geodesic::drawIsolines(field, options);
+  Isolines isolines = drawIsolines(field, options);
   return this->Self->SignedDistances ? this->OnSides(field, isolines) : isolines;
 }
 
 //------------------------------------------------------------------------------
-geodesic::DistanceField vtkGeodesicContour::vtkWorker::Solve(
-  const geodesic::FrontOptions& options) const
+Isolines vtkGeodesicContour::vtkWorker::OnSides(
+  const DistanceField& field, const Isolines& isolines) const
 {
-  return geodesic::solveForIsolines(this->Execution.surface().partition(),
-    this->Execution.sourceWindows(options.progress), this->Distances, options);
-}
-
-//------------------------------------------------------------------------------
-geodesic::Isolines vtkGeodesicContour::vtkWorker::OnSides(
-  const geodesic::DistanceField& field, const geodesic::Isolines& isolines) const
-{
-  const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
+  const std::vector<SourceCurve>& curves = this->Execution.sources().curves;
   const auto progress = this->Execution.progressBetween(LinesDrawnBeforeSides, SidesKnown);
-  geodesic::NearestSource nearest(field, this->Execution.patch(), curves, progress);
-  const auto isOnRight = [&](const geodesic::Foot& foot)
-  { return geodesic::isOnRight(foot, curves, this->Execution.firstBoundarySource()); };
-  return geodesic::linesOnSides(field, nearest, isOnRight, isolines, this->Sides,
-    this->Execution.progressBetween(SidesKnown, LinesDrawn));
+  NearestSource nearest(field, this->Execution.patch(), curves, progress);
+  return linesOnSides(
+    field, nearest,
+    [&](const Foot& foot)
+    { return isOnRight(foot, curves, this->Execution.firstBoundarySource()); },
+    isolines, this->Sides, this->Execution.progressBetween(SidesKnown, LinesDrawn));
 }
 
 //------------------------------------------------------------------------------
@@ -234,7 +199,7 @@ std::string vtkGeodesicContour::FindWrongProperty() const
   for (vtkIdType i = 0; i < count; ++i)
   {
     const double value = this->ContourValues->GetValue(static_cast<int>(i));
-    const bool isFinite = std::abs(value) < geodesic::Infinity;
+    const bool isFinite = std::abs(value) < Infinity;
     if (!isFinite || (value < 0.0 && !this->SignedDistances))
     {
       std::ostringstream text;
@@ -257,8 +222,7 @@ std::string vtkGeodesicContour::FindWrongProperty() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicContour::Compute(
-  geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
+void vtkGeodesicContour::Compute(FilterExecution& execution, vtkInformationVector* outputVector)
 {
   vtkWorker(this, execution).Run(vtkPolyData::GetData(outputVector, 0));
 }

@@ -5,10 +5,8 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Memory.h"
 #include "PolyData/reading/PolyDataSource.h"
-#include "PolyData/writing/RefinedPolyData.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "PolyData/writing/SurfaceWriter.h"
-#include "PolyData/writing/UnusedPoints.h"
 #include "refinement/RefinedOnRanks.h"
 
 #include "vtkCellData.h"
@@ -29,12 +27,14 @@
 #include <utility>
 #include <vector>
 
+using namespace geodesic;
+
 vtkStandardNewMacro(vtkGeodesicDistanceField);
 
 namespace
 {
 
-// Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
+// Where the stages end, as fractions of the whole; FilterExecution has those before.
 constexpr double ValuesDone = 0.9;
 constexpr double SurfaceWritten = 0.98;
 
@@ -48,7 +48,7 @@ void addFieldData(vtkDataObject* output, const char* name, double value)
 
 bool isPositive(double value)
 {
-  return value > 0.0 && value < geodesic::Infinity;
+  return value > 0.0 && value < Infinity;
 }
 
 }
@@ -57,144 +57,123 @@ bool isPositive(double value)
 class vtkGeodesicDistanceField::vtkWorker
 {
 public:
-  vtkWorker(vtkGeodesicDistanceField* self, geodesic::FilterExecution& execution)
+  vtkWorker(vtkGeodesicDistanceField* self, FilterExecution& execution)
     : Self(self)
     , Execution(execution)
     , Choice(ChoiceOf(self))
   {
   }
 
-  static geodesic::SourceArrayChoice ChoiceOf(const vtkGeodesicDistanceField* self)
+  static SourceArrayChoice ChoiceOf(const vtkGeodesicDistanceField* self)
   {
     return { self->GenerateSourceIds, self->GenerateClosestPoints, self->GenerateGradients,
       self->GenerateSignedDistance, self->GenerateSourceArcLength, self->GenerateSourceAngle,
       self->GenerateTextureCoordinates };
   }
 
-  /// \throws geodesic::Error
+  /// \throws Error
   void Run(vtkDataObject* output, vtkPolyData* curves);
 
 private:
-  /// What is known at points after the solve and after refinement.
-  struct Result
-  {
-    std::vector<double> vertexDistances;
-    /// Whether there is a refined mesh.
-    bool isRefined = false;
-    /// The refined mesh, by blocks of the surface.
-    std::vector<geodesic::RefinedMesh> refined;
-    /// What the arrays beside the distance hold, at vertices and, by blocks, at refined points.
-    geodesic::SourceValues atVertices;
-    std::vector<geodesic::SourceValues> atRefinedPoints;
-    /// What angles are measured in, and arc lengths along the curves: see geodesic::SourceArrays.
-    std::vector<geodesic::SourceFrame> frames;
-    std::vector<std::vector<double>> arcLengthsOfCurves;
-  };
-
   bool CanRefine() const;
   double Tolerance() const;
-  void ShareNumbers(Result& result) const;
-  void WriteNothing(const Result& result, vtkDataObject* output) const;
-  Result Compute();
-  void ScaleToUser(Result& result) const;
-  void RequireSides() const;
-  geodesic::FieldRequest Request() const;
-  void TakeNumbers(const geodesic::SolvedSurface& solved, bool isRefined) const;
-  void FindSources(const geodesic::SolvedSurface& solved, Result& result) const;
-  geodesic::SourceArrays Arrays() const;
-  void NoteToleranceNotMet(const geodesic::RefinedMesh& refined) const;
-  void WriteSurface(const Result& result, vtkDataObject* output) const;
-  double UnreachedValue() const;
-  void WriteDistances(const Result& result, std::size_t block, vtkPolyData* output) const;
-  void WriteFieldData(const Result& result, vtkDataObject* output) const;
-  void NoteReplacedArrays(bool isRefined) const;
+  void ShareNumbers();
+  void WriteNothing(vtkDataObject* output) const;
+  void Compute();
+  FieldRequest Request() const;
+  void TakeNumbers(const SolvedSurface& solved) const;
+  void FindSources(const SolvedSurface& solved);
+  SourceArrays Arrays() const;
+  void NoteToleranceNotMet(const RefinedMesh& refined) const;
+  void WriteSurface(vtkDataObject* output) const;
+  void WriteDistances(std::size_t block, vtkPolyData* output) const;
+  void WriteFieldData(vtkDataObject* output) const;
+  void NoteReplacedArrays() const;
 
   vtkGeodesicDistanceField* Self;
-  geodesic::FilterExecution& Execution;
-  const geodesic::SourceArrayChoice Choice;
+  FilterExecution& Execution;
+  const SourceArrayChoice Choice;
+
+  std::vector<double> VertexDistances;
+  bool IsRefined = false;
+  /// The refined mesh, by blocks of the surface.
+  std::vector<RefinedMesh> Refined;
+  /// What the arrays beside the distance hold, at vertices and, by blocks, at refined points.
+  ValuesAtPoints AtVertices;
+  std::vector<ValuesAtPoints> AtRefinedPoints;
+  /// What angles are measured in, and arc lengths along the curves: see SourceArrays.
+  std::vector<SourceFrame> Frames;
+  std::vector<std::vector<double>> ArcLengthsOfCurves;
 };
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData* curves)
 {
   this->Execution.readInputs(true);
-  const bool isElsewhere = this->Execution.surfacePlace() == geodesic::SurfacePlace::OnOtherRank;
-  Result result;
+  const bool isElsewhere = this->Execution.surfacePlace() == SurfacePlace::OnOtherRank;
   if (!isElsewhere)
   {
     this->Self->SourceSnapDistance =
       this->Execution.surface().scale().toUser(this->Execution.sources().snapDistance);
     this->Self->SeamPointsJoined = this->Execution.surface().report().joinedSeamPoints;
-    result = this->Compute();
+    this->Compute();
     this->Execution.reach(ValuesDone);
   }
-  this->ShareNumbers(result);
-  this->Execution.enter(geodesic::Stage::WritingOutputs);
+  this->ShareNumbers();
+  this->Execution.enter(Stage::WritingOutputs);
   if (isElsewhere)
   {
-    this->WriteNothing(result, output);
+    this->WriteNothing(output);
     return;
   }
-  this->NoteReplacedArrays(result.isRefined);
-  this->WriteSurface(result, output);
+  this->NoteReplacedArrays();
+  this->WriteSurface(output);
   if (this->Execution.hasSourceOutput())
   {
-    geodesic::writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale(),
-      this->Execution.sources().curves, result.arcLengthsOfCurves, curves);
+    writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale(),
+      this->Execution.sources().curves, this->ArcLengthsOfCurves, curves);
   }
 }
 
 //------------------------------------------------------------------------------
 // If another rank has done all the work, this one reports the same.
-void vtkGeodesicDistanceField::vtkWorker::ShareNumbers(Result& result) const
+void vtkGeodesicDistanceField::vtkWorker::ShareNumbers()
 {
-  struct Numbers
+  for (double* number : { &this->Self->WindowsPropagatedPerEdge, &this->Self->SourceSnapDistance,
+         &this->Self->RelativeErrorBound, &this->Self->InterpolationErrorBound })
   {
-    double Windows;
-    double SnapDistance;
-    double RelativeError;
-    double InterpolationError;
-    vtkIdType SeamPoints;
-    bool IsRefined;
-  };
-  vtkGeodesicDistanceField* self = this->Self;
-  Numbers numbers = { self->WindowsPropagatedPerEdge, self->SourceSnapDistance,
-    self->RelativeErrorBound, self->InterpolationErrorBound, self->SeamPointsJoined,
-    result.isRefined };
-  this->Execution.shareResult(numbers);
-  self->WindowsPropagatedPerEdge = numbers.Windows;
-  self->SourceSnapDistance = numbers.SnapDistance;
-  self->RelativeErrorBound = numbers.RelativeError;
-  self->InterpolationErrorBound = numbers.InterpolationError;
-  self->SeamPointsJoined = numbers.SeamPoints;
-  result.isRefined = numbers.IsRefined;
+    this->Execution.shareResult(*number);
+  }
+  this->Execution.shareResult(this->Self->SeamPointsJoined);
+  int isRefined = this->IsRefined ? 1 : 0;
+  this->Execution.shareResult(isRefined);
+  this->IsRefined = isRefined != 0;
   if (this->Choice.angles)
   {
-    this->Execution.shareResults(result.frames);
+    this->Execution.shareResults(this->Frames);
   }
 }
 
 //------------------------------------------------------------------------------
 // A rank without surface has the arrays of the other ranks, without values.
-void vtkGeodesicDistanceField::vtkWorker::WriteNothing(
-  const Result& result, vtkDataObject* output) const
+void vtkGeodesicDistanceField::vtkWorker::WriteNothing(vtkDataObject* output) const
 {
-  for (vtkPolyData* block : geodesic::makeBlocksLike(this->Execution.surfaceInput(), output))
+  for (vtkPolyData* block : makeBlocksLike(this->Execution.surfaceInput(), output))
   {
     vtkNew<vtkDoubleArray> distances;
     distances->SetName(this->Self->DistanceArrayName);
     block->GetPointData()->AddArray(distances);
     block->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
-    geodesic::addEmptyArrays(this->Choice, block);
-    if (result.isRefined)
+    addEmptyArrays(this->Choice, block);
+    if (this->IsRefined)
     {
       vtkNew<vtkIdTypeArray> originals;
       originals->SetName("OriginalCellIds");
       block->GetCellData()->AddArray(originals);
     }
-    this->WriteFieldData(result, block);
+    this->WriteFieldData(block);
   }
-  this->WriteFieldData(result, output);
+  this->WriteFieldData(output);
 }
 
 //------------------------------------------------------------------------------
@@ -216,7 +195,7 @@ bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
   const auto count = static_cast<vtkIdType>(this->Execution.surface().countTrianglesOfAllRanks());
   if (most > 0 && count > most)
   {
-    this->Execution.notes().add(geodesic::NoteOn::Surface, "over " + std::to_string(most),
+    this->Execution.notes().add(NoteOn::Surface, "over " + std::to_string(most),
       "The surface has " + std::to_string(count) + " triangles, more than MaximumNumberOfCells (" +
         std::to_string(most) +
         "): it is not refined. Raise MaximumNumberOfCells to refine it, or switch RefineMesh off.");
@@ -226,36 +205,35 @@ bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
 }
 
 //------------------------------------------------------------------------------
-vtkGeodesicDistanceField::vtkWorker::Result vtkGeodesicDistanceField::vtkWorker::Compute()
+void vtkGeodesicDistanceField::vtkWorker::Compute()
 {
-  this->RequireSides();
-  const geodesic::FieldRequest request = this->Request();
-  geodesic::SolvedSurface solved =
-    geodesic::FieldSolver(this->Execution, request, ValuesDone).solve();
-  Result result;
-  result.isRefined = request.isRefined;
-  this->TakeNumbers(solved, result.isRefined);
-  result.vertexDistances = solved.field->vertexDistances();
+  const PolyDataSurface& surface = this->Execution.surface();
+  if (this->Choice.areSidesNeeded())
+  {
+    requireSides(surface, this->Execution.surfaceBlocks(),
+      this->Choice.signedDistances ? "GenerateSignedDistance" : "GenerateTextureCoordinates");
+  }
+  const FieldRequest request = this->Request();
+  SolvedSurface solved = FieldSolver(this->Execution, request, ValuesDone).solve();
+  this->IsRefined = request.isRefined;
+  this->TakeNumbers(solved);
+  this->VertexDistances = solved.field->vertexDistances();
   if (this->Choice.isAny())
   {
-    this->FindSources(solved, result);
-    this->Arrays().completeValues(result.atVertices);
+    this->FindSources(solved);
   }
-  if (result.isRefined)
+  if (this->IsRefined)
   {
-    result.refined =
-      geodesic::partsByBlock(this->Execution.surface(), std::move(solved.refined.mesh));
+    this->Refined = partsByBlock(surface, std::move(solved.refined.mesh));
   }
-  this->Execution.surface().completeValues(geodesic::Infinity, result.vertexDistances);
-  this->ScaleToUser(result);
-  return result;
+  surface.completeValues(Infinity, this->VertexDistances);
 }
 
 //------------------------------------------------------------------------------
-geodesic::FieldRequest vtkGeodesicDistanceField::vtkWorker::Request() const
+FieldRequest vtkGeodesicDistanceField::vtkWorker::Request() const
 {
   const vtkGeodesicDistanceField* self = this->Self;
-  geodesic::FieldRequest request;
+  FieldRequest request;
   request.relativeError = self->Accuracy == APPROXIMATE ? self->RelativeError : 0.0;
   if (self->MaximumDistance > 0.0)
   {
@@ -270,15 +248,14 @@ geodesic::FieldRequest vtkGeodesicDistanceField::vtkWorker::Request() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::TakeNumbers(
-  const geodesic::SolvedSurface& solved, bool isRefined) const
+void vtkGeodesicDistanceField::vtkWorker::TakeNumbers(const SolvedSurface& solved) const
 {
   this->Self->WindowsPropagatedPerEdge = static_cast<double>(solved.field->windowsPropagated()) /
     static_cast<double>(this->Execution.surface().report().edges);
   this->Self->RelativeErrorBound = solved.field->relativeErrorBound();
-  if (isRefined)
+  if (this->IsRefined)
   {
-    const geodesic::RefinedMesh& refined = solved.refined.mesh;
+    const RefinedMesh& refined = solved.refined.mesh;
     this->NoteToleranceNotMet(refined);
     this->Self->InterpolationErrorBound =
       this->Execution.surface().scale().toUser(refined.errorBound);
@@ -286,193 +263,137 @@ void vtkGeodesicDistanceField::vtkWorker::TakeNumbers(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::RequireSides() const
+SourceArrays vtkGeodesicDistanceField::vtkWorker::Arrays() const
 {
-  if (this->Choice.areSidesNeeded())
-  {
-    geodesic::requireSides(this->Execution.surface(), this->Execution.surfaceBlocks(),
-      this->Choice.signedDistances ? "GenerateSignedDistance" : "GenerateTextureCoordinates");
-  }
-}
-
-//------------------------------------------------------------------------------
-geodesic::SourceArrays vtkGeodesicDistanceField::vtkWorker::Arrays() const
-{
-  return geodesic::SourceArrays(this->Execution.surface(), this->Execution.sources().curves,
+  return SourceArrays(this->Execution.surface(), this->Execution.sources().curves,
     this->Execution.firstBoundarySource(), this->Choice);
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::FindSources(
-  const geodesic::SolvedSurface& solved, Result& result) const
+void vtkGeodesicDistanceField::vtkWorker::FindSources(const SolvedSurface& solved)
 {
-  this->Execution.enter(geodesic::Stage::ComputingDistances);
-  const geodesic::DistanceField& field = *solved.field;
-  const geodesic::DistanceField& exact = solved.exactField();
-  const geodesic::RefinedSurface& refined = solved.refined;
-  const double step = (ValuesDone - geodesic::FieldSolver::FieldDone) / 3.0;
+  this->Execution.enter(Stage::ComputingDistances);
+  const DistanceField& field = *solved.field;
+  const DistanceField& exact = solved.exactField();
+  const double step = (ValuesDone - FieldSolver::FieldDone) / 3.0;
   const auto part = [&](int i)
   {
-    const double begin = geodesic::FieldSolver::FieldDone + i * step;
+    const double begin = FieldSolver::FieldDone + i * step;
     return this->Execution.progressBetween(begin, begin + step);
   };
-  const std::vector<geodesic::SourceCurve>& curves = this->Execution.sources().curves;
-  geodesic::NearestSource nearest(exact, this->Execution.patch(), curves, part(0));
-  const geodesic::SourceArrays arrays = this->Arrays();
-  result.atVertices = arrays.atVertices(field, nearest, part(1));
-  result.frames = arrays.frames(nearest);
-  result.arcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
-  if (result.isRefined)
+  const std::vector<SourceCurve>& curves = this->Execution.sources().curves;
+  NearestSource nearest(exact, this->Execution.patch(), curves, part(0));
+  const SourceArrays arrays = this->Arrays();
+  this->AtVertices = arrays.atVertices(field, nearest, part(1));
+  this->Frames = arrays.frames(nearest);
+  this->ArcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
+  if (this->IsRefined)
   {
-    const std::size_t count = refined.numberOfPointsWithPlaces();
-    geodesic::SourceValues values =
-      arrays.atPoints(refined.mesh.points, count, field, exact, nearest, part(2));
-    arrays.replaceAtSeams(
-      geodesic::findSeamPoints(refined.mesh.points, count, field, exact), values);
-    arrays.appendCopies(refined.copied, values);
-    result.atRefinedPoints = arrays.valuesByBlock(std::move(values), refined.mesh);
+    this->AtRefinedPoints = arrays.atNewPoints(solved.refined, field, exact, nearest, part(2));
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::ScaleToUser(Result& result) const
+void vtkGeodesicDistanceField::vtkWorker::NoteToleranceNotMet(const RefinedMesh& refined) const
 {
-  const geodesic::PowerOfTwoScale& scale = this->Execution.surface().scale();
-  if (scale.isOne())
-  {
-    return;
-  }
-  const auto toUser = [&scale](double& distance)
-  {
-    const bool isReached = distance < geodesic::Infinity;
-    distance = scale.toUser(distance);
-    if (isReached && !(distance < geodesic::Infinity))
-    {
-      throw geodesic::MeshError("Distances on the surface (input port 0) are larger than numbers "
-                                "can be. Scale the surface and the source upstream.");
-    }
-  };
-  std::for_each(result.vertexDistances.begin(), result.vertexDistances.end(), toUser);
-  for (geodesic::RefinedMesh& refined : result.refined)
-  {
-    for (geodesic::RefinedPoint& point : refined.points)
-    {
-      toUser(point.distance);
-      point.position = scale.toUser(point.position);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::NoteToleranceNotMet(
-  const geodesic::RefinedMesh& refined) const
-{
-  const geodesic::PowerOfTwoScale& scale = this->Execution.surface().scale();
+  const PowerOfTwoScale& scale = this->Execution.surface().scale();
+  const std::string most = std::to_string(this->Self->MaximumNumberOfCells);
+  std::ostringstream text;
+  text << "the refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
+       << " instead of " << scale.toUser(this->Tolerance());
+  const std::string met = text.str();
   if (refined.stoppedAtMaximum)
   {
-    std::ostringstream text;
-    text << "MaximumNumberOfCells (" << this->Self->MaximumNumberOfCells
-         << ") is reached: the refined surface meets a tolerance of "
-         << scale.toUser(refined.errorBound) << " instead of " << scale.toUser(this->Tolerance())
-         << ". Raise MaximumNumberOfCells or the tolerance.";
-    this->Execution.notes().add(geodesic::NoteOn::Surface,
-      "reached " + std::to_string(this->Self->MaximumNumberOfCells), text.str());
+    this->Execution.notes().add(NoteOn::Surface, "reached " + most,
+      "MaximumNumberOfCells (" + most + ") is reached: " + met +
+        ". Raise MaximumNumberOfCells or the tolerance.");
   }
   else if (refined.errorBound > this->Tolerance())
   {
-    std::ostringstream text;
-    text << "The refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
-         << " instead of " << scale.toUser(this->Tolerance())
-         << ", which is near the rounding of distances. Raise the tolerance.";
-    this->Execution.notes().add(geodesic::NoteOn::Surface, "rounding", text.str());
+    this->Execution.notes().add(NoteOn::Surface, "rounding",
+      'T' + met.substr(1) + ", which is near the rounding of distances. Raise the tolerance.");
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::WriteSurface(
-  const Result& result, vtkDataObject* output) const
+void vtkGeodesicDistanceField::vtkWorker::WriteSurface(vtkDataObject* output) const
 {
-  const std::vector<geodesic::PolyDataBlock>& inputs = this->Execution.surfaceBlocks();
-  const std::vector<geodesic::SurfaceBlock>& blocks = this->Execution.surface().blocks();
-  const std::vector<vtkPolyData*> outputs =
-    geodesic::makeBlocksLike(this->Execution.surfaceInput(), output);
+  const std::vector<PolyDataBlock>& inputs = this->Execution.surfaceBlocks();
+  const std::vector<SurfaceBlock>& blocks = this->Execution.surface().blocks();
+  const std::vector<vtkPolyData*> outputs = makeBlocksLike(this->Execution.surfaceInput(), output);
   const auto count = static_cast<double>(blocks.size());
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     const auto place = [&](std::size_t block)
     { return ValuesDone + (SurfaceWritten - ValuesDone) * static_cast<double>(block) / count; };
     const auto progress = this->Execution.progressBetween(place(i), place(i + 1));
-    if (result.isRefined)
+    if (this->IsRefined)
     {
-      geodesic::writeRefined(blocks[i], result.refined[i], inputs[i].data, outputs[i], progress);
+      writeRefined(blocks[i], this->Refined[i], this->Execution.surface().scale(), inputs[i].data,
+        outputs[i], progress);
     }
     else
     {
-      geodesic::writeWhole(blocks[i], inputs[i].data, outputs[i], progress);
+      writeWhole(blocks[i], inputs[i].data, outputs[i], progress);
     }
-    this->WriteDistances(result, i, outputs[i]);
+    this->WriteDistances(i, outputs[i]);
     if (this->Self->RemoveUnusedPoints)
     {
-      geodesic::removeUnusedPoints(outputs[i]);
+      removeUnusedPoints(outputs[i]);
     }
     outputs[i]->GetFieldData()->PassData(inputs[i].data->GetFieldData());
-    this->WriteFieldData(result, outputs[i]);
+    this->WriteFieldData(outputs[i]);
   }
-  this->WriteFieldData(result, output);
-}
-
-//------------------------------------------------------------------------------
-double vtkGeodesicDistanceField::vtkWorker::UnreachedValue() const
-{
-  switch (this->Self->UnreachedValue)
-  {
-    case UNREACHED_NAN:
-      return std::numeric_limits<double>::quiet_NaN();
-    case UNREACHED_CUSTOM:
-      return this->Self->CustomUnreachedValue;
-    default:
-      return geodesic::Infinity;
-  }
+  this->WriteFieldData(output);
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
-  const Result& result, std::size_t index, vtkPolyData* output) const
+  std::size_t index, vtkPolyData* output) const
 {
-  const geodesic::PolyDataSurface& surface = this->Execution.surface();
-  const geodesic::SurfaceBlock& block = surface.blocks()[index];
-  geodesic::requireMemory(output->GetNumberOfPoints(), sizeof(double));
+  const PolyDataSurface& surface = this->Execution.surface();
+  const SurfaceBlock& block = surface.blocks()[index];
+  requireMemory(output->GetNumberOfPoints(), sizeof(double));
   vtkNew<vtkDoubleArray> distances;
   distances->SetName(this->Self->DistanceArrayName);
   distances->SetNumberOfTuples(output->GetNumberOfPoints());
   vtkIdType next = 0;
-  for (geodesic::Id i = 0; i < block.numberOfPoints; ++i)
+  const auto add = [&](double distance)
   {
-    distances->SetValue(next++, result.vertexDistances[surface.vertexOf(block.firstPoint + i)]);
+    distances->SetValue(next++,
+      surface.scale().resultToUser(distance,
+        "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
+        "surface and the source upstream."));
+  };
+  for (Id i = 0; i < block.numberOfPoints; ++i)
+  {
+    add(this->VertexDistances[surface.vertexOf(block.firstPoint + i)]);
   }
-  if (result.isRefined)
+  if (this->IsRefined)
   {
-    for (const geodesic::RefinedPoint& point : result.refined[index].points)
+    for (const RefinedPoint& point : this->Refined[index].points)
     {
-      distances->SetValue(next++, point.distance);
+      add(point.distance);
     }
   }
-  const double unreached = this->UnreachedValue();
+  const int unreachedMode = this->Self->UnreachedValue;
+  const double unreached = unreachedMode == UNREACHED_NAN ? std::numeric_limits<double>::quiet_NaN()
+    : unreachedMode == UNREACHED_CUSTOM                   ? this->Self->CustomUnreachedValue
+                                                          : Infinity;
   if (this->Choice.isAny())
   {
-    this->Arrays().write(block, result.atVertices,
-      result.isRefined ? result.atRefinedPoints[index] : geodesic::SourceValues(),
-      distances->GetPointer(0), unreached, output);
+    this->Arrays().write(block, this->AtVertices,
+      this->IsRefined ? this->AtRefinedPoints[index] : ValuesAtPoints(), distances->GetPointer(0),
+      unreached, output);
   }
   double* first = distances->GetPointer(0);
-  std::replace(first, first + distances->GetNumberOfTuples(), geodesic::Infinity, unreached);
+  std::replace(first, first + distances->GetNumberOfTuples(), Infinity, unreached);
   output->GetPointData()->AddArray(distances);
   output->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(
-  const Result& result, vtkDataObject* output) const
+void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(vtkDataObject* output) const
 {
   addFieldData(output, "WindowsPropagatedPerEdge", this->Self->WindowsPropagatedPerEdge);
   addFieldData(output, "SourceSnapDistance", this->Self->SourceSnapDistance);
@@ -481,48 +402,35 @@ void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(
   addFieldData(output, "SeamPointsJoined", static_cast<double>(this->Self->SeamPointsJoined));
   if (this->Choice.angles)
   {
-    geodesic::addSourceFrames(result.frames, output);
+    addSourceFrames(this->Frames, output);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays(bool isRefined) const
+void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays() const
 {
-  const char* name = this->Self->DistanceArrayName;
-  const auto noteOn = [this](const char* array, const std::string& text)
+  const auto noteOn = [this](const char* kind, int type, const char* name, const char* advice)
   {
-    this->Execution.notes().add(geodesic::NoteOn::Surface, std::string("replaced: ") + array, text);
-  };
-  bool hasOriginals = false;
-  bool hasDistances = false;
-  for (const geodesic::PolyDataBlock& block : this->Execution.surfaceBlocks())
-  {
-    hasOriginals = hasOriginals || block.data->GetCellData()->HasArray("OriginalCellIds");
-    hasDistances = hasDistances || block.data->GetPointData()->HasArray(name);
-  }
-  if (isRefined && hasOriginals)
-  {
-    noteOn("OriginalCellIds",
-      "The surface already has a cell array named OriginalCellIds; the output has the input's "
-      "cells in its place.");
-  }
-  if (hasDistances)
-  {
-    noteOn(name,
-      std::string("The surface already has a point array named ") + name +
-        "; the output has the distance in its place. Change DistanceArrayName to keep both.");
-  }
-  for (const char* added : geodesic::namesOf(this->Choice))
-  {
-    const auto hasIt = [added](const geodesic::PolyDataBlock& block)
-    { return block.data->GetPointData()->HasArray(added) != 0; };
-    const std::vector<geodesic::PolyDataBlock>& blocks = this->Execution.surfaceBlocks();
-    if (std::any_of(blocks.begin(), blocks.end(), hasIt))
+    const std::vector<PolyDataBlock>& blocks = this->Execution.surfaceBlocks();
+    if (std::any_of(blocks.begin(), blocks.end(),
+          [&](const PolyDataBlock& block)
+          { return block.data->GetAttributesAsFieldData(type)->HasArray(name) != 0; }))
     {
-      noteOn(added,
-        std::string("The surface already has a point array named ") + added +
-          "; the output has the filter's in its place. Rename it upstream to keep both.");
+      this->Execution.notes().add(NoteOn::Surface, std::string("replaced: ") + name,
+        std::string("The surface already has a ") + kind + " array named " + name +
+          "; the output has " + advice);
     }
+  };
+  if (this->IsRefined)
+  {
+    noteOn("cell", vtkDataObject::CELL, "OriginalCellIds", "the input's cells in its place.");
+  }
+  noteOn("point", vtkDataObject::POINT, this->Self->DistanceArrayName,
+    "the distance in its place. Change DistanceArrayName to keep both.");
+  for (const char* added : namesOf(this->Choice))
+  {
+    noteOn("point", vtkDataObject::POINT, added,
+      "the filter's in its place. Rename it upstream to keep both.");
   }
 }
 
@@ -553,7 +461,7 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
   {
     return "DistanceArrayName is empty: set a name for the distance array.";
   }
-  for (const char* name : geodesic::namesOf(vtkWorker::ChoiceOf(this)))
+  for (const char* name : namesOf(vtkWorker::ChoiceOf(this)))
   {
     if (std::string(name) == this->DistanceArrayName)
     {
@@ -561,33 +469,32 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
         ", which is the name of another array that is asked for: set another name.";
     }
   }
-  if (this->Accuracy == APPROXIMATE &&
-    !(this->RelativeError >= 0.0 && this->RelativeError < geodesic::Infinity))
+  const std::pair<bool, const char*> checks[] = {
+    { this->Accuracy == APPROXIMATE &&
+        !(this->RelativeError >= 0.0 && this->RelativeError < Infinity),
+      "RelativeError is not a finite number of at least 0: set the largest relative error that is "
+      "allowed in approximate mode, such as 0.001, or 0 for the exact distance." },
+    { this->RefineMesh && !this->ToleranceIsAbsolute && !isPositive(this->RefinementTolerance),
+      "RefinementTolerance is not a positive number: set the largest difference that is allowed, "
+      "as a fraction of the surface's bounding box diagonal, such as 0.001, or switch RefineMesh "
+      "off." },
+    { this->RefineMesh && this->ToleranceIsAbsolute &&
+        !isPositive(this->AbsoluteRefinementTolerance),
+      "AbsoluteRefinementTolerance is not a positive number: set the largest difference that is "
+      "allowed, in the units of the surface, or switch RefineMesh off." },
+    { this->RefineMesh && this->MaximumNumberOfCells < 0,
+      "MaximumNumberOfCells is negative: set the largest number of triangles that the refined "
+      "surface may have, or 0 for no limit." },
+    { !(this->MaximumDistance >= 0.0),
+      "MaximumDistance is not a number of at least 0: set the distance to stop at, in the units "
+      "of the surface, or 0 for no limit." }
+  };
+  for (const auto& [isWrong, message] : checks)
   {
-    return "RelativeError is not a finite number of at least 0: set the largest relative error "
-           "that is allowed in approximate mode, such as 0.001, or 0 for the exact distance.";
-  }
-  if (this->RefineMesh && !this->ToleranceIsAbsolute && !isPositive(this->RefinementTolerance))
-  {
-    return "RefinementTolerance is not a positive number: set the largest difference that is "
-           "allowed, as a fraction of the surface's bounding box diagonal, such as 0.001, or "
-           "switch RefineMesh off.";
-  }
-  if (this->RefineMesh && this->ToleranceIsAbsolute &&
-    !isPositive(this->AbsoluteRefinementTolerance))
-  {
-    return "AbsoluteRefinementTolerance is not a positive number: set the largest difference that "
-           "is allowed, in the units of the surface, or switch RefineMesh off.";
-  }
-  if (this->RefineMesh && this->MaximumNumberOfCells < 0)
-  {
-    return "MaximumNumberOfCells is negative: set the largest number of triangles that the refined "
-           "surface may have, or 0 for no limit.";
-  }
-  if (!(this->MaximumDistance >= 0.0))
-  {
-    return "MaximumDistance is not a number of at least 0: set the distance to stop at, in the "
-           "units of the surface, or 0 for no limit.";
+    if (isWrong)
+    {
+      return message;
+    }
   }
   return this->Superclass::FindWrongProperty();
 }
@@ -605,13 +512,13 @@ void vtkGeodesicDistanceField::ResetResults()
   this->WindowsPropagatedPerEdge = 0.0;
   this->SourceSnapDistance = 0.0;
   this->RelativeErrorBound = 0.0;
-  this->InterpolationErrorBound = geodesic::Infinity;
+  this->InterpolationErrorBound = Infinity;
   this->SeamPointsJoined = 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceField::Compute(
-  geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
+  FilterExecution& execution, vtkInformationVector* outputVector)
 {
   vtkWorker(this, execution)
     .Run(vtkDataObject::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 1));

@@ -6,114 +6,86 @@
 #include "PolyData/ParallelFor.h"
 #include "field/DistanceMatrix.h"
 
+#include "vtkCharArray.h"
+#include "vtkCommunicator.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
+
+using namespace geodesic;
 
 vtkStandardNewMacro(vtkGeodesicDistanceMatrix);
 
 namespace
 {
 
-// Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
+// Where the stages end, as fractions of the whole; FilterExecution has those before.
 constexpr double TargetsRead = 0.3;
 constexpr double MatrixDone = 0.98;
 
-void AddTargetIds(vtkIdType count, vtkTable* table)
-{
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("TargetId");
-  ids->SetNumberOfTuples(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    ids->SetValue(i, i);
-  }
-  table->AddColumn(ids);
-}
-
-vtkSmartPointer<vtkDoubleArray> MakeColumn(geodesic::Id source, vtkIdType rows)
-{
-  auto column = vtkSmartPointer<vtkDoubleArray>::New();
-  column->SetName(("Source" + std::to_string(source)).c_str());
-  column->SetNumberOfTuples(rows);
-  return column;
-}
-
 /// Adds the column of a source. Its distances are freed: there may be no memory for all of them
 /// twice.
-void AddSource(geodesic::Id source, std::vector<double> distances, const geodesic::Targets& targets,
-  const geodesic::PowerOfTwoScale& scale, vtkTable* table)
+void AddSource(Id source, std::vector<double> distances, const Targets& targets,
+  const PowerOfTwoScale& scale, vtkTable* table)
 {
-  const auto column = MakeColumn(source, static_cast<vtkIdType>(targets.count));
-  column->Fill(geodesic::Infinity);
+  vtkNew<vtkDoubleArray> column;
+  column->SetName(("Source" + std::to_string(source)).c_str());
+  column->SetNumberOfTuples(static_cast<vtkIdType>(targets.count));
+  column->Fill(Infinity);
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
-    const double distance = scale.toUser(distances[i]);
-    if (distances[i] < geodesic::Infinity && !(distance < geodesic::Infinity))
-    {
-      throw geodesic::MeshError("Distances on the surface (input port 0) are larger than numbers "
-                                "can be. Scale the surface, the source and the targets upstream.");
-    }
-    column->SetValue(static_cast<vtkIdType>(targets.numbers[i]), distance);
+    column->SetValue(static_cast<vtkIdType>(targets.numbers[i]),
+      scale.resultToUser(distances[i],
+        "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
+        "surface, the source and the targets upstream."));
   }
   table->AddColumn(column);
 }
 
 /// The curves of all sources, which have as SourceCurve::source the number of their column.
-std::vector<geodesic::SourceCurve> CurvesByColumn(const geodesic::FilterExecution& execution)
+std::vector<SourceCurve> CurvesByColumn(const FilterExecution& execution)
 {
-  const std::vector<geodesic::Id>& ids = execution.sourceIds();
-  std::vector<geodesic::SourceCurve> curves = execution.sources().curves;
-  for (geodesic::SourceCurve& curve : curves)
+  const std::vector<Id>& ids = execution.sourceIds();
+  std::vector<SourceCurve> curves = execution.sources().curves;
+  for (SourceCurve& curve : curves)
   {
     const auto at = std::lower_bound(ids.begin(), ids.end(), curve.source);
-    curve.source = static_cast<geodesic::Id>(at - ids.begin());
+    curve.source = static_cast<Id>(at - ids.begin());
   }
   return curves;
 }
 
-/// Where another rank than the first has made the table, hands it over: all columns but the first,
-/// which says nothing new. All ranks call this.
-void MoveToFirstRank(geodesic::FilterExecution& execution, vtkTable* table)
+/// Where another rank than the first has made the table, hands it over. All ranks call this.
+void MoveToFirstRank(Exchange& exchange, vtkTable* table)
 {
-  geodesic::Message message;
-  if (!execution.isFirstRank() && table->GetNumberOfColumns() > 0)
+  std::vector<Message> messages = exchange.noMessages();
+  vtkNew<vtkCharArray> bytes;
+  if (exchange.rank() > 0 && table->GetNumberOfColumns() > 0)
   {
-    const vtkIdType rows = table->GetNumberOfRows();
-    geodesic::put(message, rows);
-    for (vtkIdType column = 1; column < table->GetNumberOfColumns(); ++column)
-    {
-      auto* values = vtkDoubleArray::SafeDownCast(table->GetColumn(column));
-      geodesic::put(message, execution.sourceIds()[static_cast<std::size_t>(column - 1)]);
-      geodesic::put(message, values->GetPointer(0), static_cast<std::size_t>(rows));
-    }
+    vtkCommunicator::MarshalDataObject(table, bytes);
+    put(
+      messages.front(), bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
     table->Initialize();
   }
-  geodesic::readEach(execution.sendToFirst(message),
-    [table](int, geodesic::MessageReader& reader)
+  for (const Message& message : exchange.step(std::move(messages)))
+  {
+    if (!message.empty())
     {
-      const auto rows = reader.get<vtkIdType>();
-      geodesic::requireMemory(rows, sizeof(vtkIdType));
-      AddTargetIds(rows, table);
-      while (!reader.isAtEnd())
-      {
-        const auto source = reader.get<geodesic::Id>();
-        geodesic::requireMemory(rows, sizeof(double));
-        const auto column = MakeColumn(source, rows);
-        reader.get(column->GetPointer(0), static_cast<std::size_t>(rows));
-        table->AddColumn(column);
-      }
-    });
+      bytes->SetNumberOfValues(static_cast<vtkIdType>(message.size()));
+      MessageReader(message).get(bytes->GetPointer(0), message.size());
+      vtkCommunicator::UnMarshalDataObject(bytes, table);
+    }
+  }
 }
 
 }
@@ -172,46 +144,49 @@ std::string vtkGeodesicDistanceMatrix::AdviceOnMemory() const
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceMatrix::Compute(
-  geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
+  FilterExecution& execution, vtkInformationVector* outputVector)
 {
   execution.requireTargets(true);
   execution.readInputs(false);
   vtkTable* table = vtkTable::GetData(outputVector);
-  if (execution.surfacePlace() != geodesic::SurfacePlace::OnOtherRank)
+  if (execution.surfacePlace() != SurfacePlace::OnOtherRank)
   {
     this->ComputeTable(execution, table);
   }
-  MoveToFirstRank(execution, table);
+  MoveToFirstRank(execution.exchange(), table);
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::ComputeTable(
-  geodesic::FilterExecution& execution, vtkTable* table) const
+void vtkGeodesicDistanceMatrix::ComputeTable(FilterExecution& execution, vtkTable* table) const
 {
-  const geodesic::Targets targets = execution.readTargets(TargetsRead);
+  const Targets targets = execution.readTargets(TargetsRead);
   const auto rows = static_cast<vtkIdType>(targets.count);
-  const std::vector<geodesic::Id>& sources = execution.sourceIds();
-  const auto numberOfSources = static_cast<geodesic::Id>(sources.size());
+  const std::vector<Id>& sources = execution.sourceIds();
+  const auto numberOfSources = static_cast<Id>(sources.size());
 
-  execution.enter(geodesic::Stage::ComputingDistances);
+  execution.enter(Stage::ComputingDistances);
   // Once as they are computed, once as they are put out.
-  geodesic::requireMemory(rows,
+  requireMemory(rows,
     static_cast<vtkIdType>(sizeof(vtkIdType)) +
       2 * static_cast<vtkIdType>(sizeof(double)) * numberOfSources);
-  const geodesic::PowerOfTwoScale& scale = execution.surface().scale();
-  geodesic::MatrixOptions options;
+  const PowerOfTwoScale& scale = execution.surface().scale();
+  MatrixOptions options;
   if (this->MaximumDistance > 0.0)
   {
     options.maximumDistance = scale.toEngine(this->MaximumDistance);
   }
-  options.parallelFor = geodesic::smpParallelFor();
+  options.parallelFor = smpParallelFor();
   options.progress = execution.progressBetween(TargetsRead, MatrixDone);
-  std::vector<std::vector<double>> matrix = geodesic::distanceMatrix(execution.surface().mesh(),
+  std::vector<std::vector<double>> matrix = distanceMatrix(execution.surface().mesh(),
     CurvesByColumn(execution), numberOfSources, targets.places, options);
   execution.reach(MatrixDone);
 
-  execution.enter(geodesic::Stage::WritingOutputs);
-  AddTargetIds(rows, table);
+  execution.enter(Stage::WritingOutputs);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("TargetId");
+  ids->SetNumberOfTuples(rows);
+  std::iota(ids->GetPointer(0), ids->GetPointer(rows), 0);
+  table->AddColumn(ids);
   for (std::size_t column = 0; column < matrix.size(); ++column)
   {
     AddSource(sources[column], std::move(matrix[column]), targets, scale, table);

@@ -3,7 +3,7 @@
 
 #include "PolyData/FilterExecution.h"
 #include "PolyData/ParallelFor.h"
-#include "PolyData/writing/PathWriter.h"
+#include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "paths/PathsToSource.h"
 
@@ -15,124 +15,108 @@
 #include <utility>
 #include <vector>
 
+using namespace geodesic;
+
 vtkStandardNewMacro(vtkGeodesicPaths);
 
 namespace
 {
 
-// Where the stages end, as fractions of the whole; geodesic::FilterExecution has those before.
+// Where the stages end, as fractions of the whole; FilterExecution has those before.
 constexpr double TargetsRead = 0.3;
 constexpr double PathsFound = 0.95;
 
-void NoteUnreached(geodesic::FilterExecution& execution, std::size_t count)
+void NoteUnreached(FilterExecution& execution, std::size_t count)
 {
-  execution.notes().add(geodesic::NoteOn::Targets, count, "target", "targets",
+  execution.notes().add(NoteOn::Targets, count, "target", "targets",
     "not reached: no path on the surface leads from there to the source.");
 }
 
-std::vector<geodesic::Vec3> PlacesOf(
-  const geodesic::TriangleMesh& mesh, const std::vector<geodesic::SurfacePoint>& points)
+std::vector<Vec3> PlacesOf(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points)
 {
-  std::vector<geodesic::Vec3> places;
+  std::vector<Vec3> places;
   places.reserve(points.size());
-  for (const geodesic::SurfacePoint& point : points)
+  for (const SurfacePoint& point : points)
   {
-    places.push_back(geodesic::position(mesh, point));
+    places.push_back(position(mesh, point));
   }
   return places;
 }
 
 /// Finds the paths of all targets; where the surface is in pieces, of those in this rank's piece.
-std::vector<geodesic::PathOfTarget> FindPaths(geodesic::FilterExecution& execution)
+std::vector<PathOfTarget> FindPaths(FilterExecution& execution)
 {
-  const geodesic::Targets targets = execution.readTargets(TargetsRead);
-  execution.enter(geodesic::Stage::ComputingDistances);
-  const geodesic::PolyDataSurface& surface = execution.surface();
-  geodesic::PathsOptions options;
-  options.parallelFor = geodesic::smpParallelFor();
+  const Targets targets = execution.readTargets(TargetsRead);
+  execution.enter(Stage::ComputingDistances);
+  const PolyDataSurface& surface = execution.surface();
+  PathsOptions options;
+  options.parallelFor = smpParallelFor();
   options.progress = execution.progressBetween(TargetsRead, PathsFound);
-  std::vector<geodesic::PathOfTarget> paths(targets.places.size());
-  geodesic::pathsToSource(surface.partition(), execution.patch(), execution.sources().curves,
-    targets.places, options,
-    [&](std::size_t i, const geodesic::PathToSource& path)
+  std::vector<PathOfTarget> paths(targets.places.size());
+  pathsToSource(surface.partition(), execution.patch(), execution.sources().curves, targets.places,
+    options,
+    [&](std::size_t i, const PathToSource& path)
     {
       paths[i] = { targets.numbers[i], targets.snapDistances[i], PlacesOf(path.mesh, path.points),
         path.end };
     });
   paths.erase(std::remove_if(paths.begin(), paths.end(),
-                [](const geodesic::PathOfTarget& path) { return path.points.empty(); }),
+                [](const PathOfTarget& path) { return path.points.empty(); }),
     paths.end());
   execution.reach(PathsFound);
   NoteUnreached(execution, targets.count - execution.sumOverPieces(paths.size()));
   return paths;
 }
 
-std::vector<geodesic::SourceFrame> FramesOf(const geodesic::FilterExecution& execution)
+std::vector<SourceFrame> FramesOf(const FilterExecution& execution)
 {
-  const std::vector<geodesic::SourceCurve>& curves = execution.sources().curves;
-  const geodesic::PathEnds ends(execution.patch(), curves);
-  return geodesic::framesBySource(
-    curves, [&ends](geodesic::Id curve) { return ends.frameOf(curve); });
+  const std::vector<SourceCurve>& curves = execution.sources().curves;
+  const PathEnds ends(execution.patch(), curves);
+  return framesBySource(curves, [&ends](Id curve) { return ends.frameOf(curve); });
 }
 
-void PutPath(geodesic::Message& message, const geodesic::PathOfTarget& path)
+void PutPath(Message& message, const PathOfTarget& path)
 {
-  geodesic::put(message, path.target);
-  geodesic::put(message, path.snapDistance);
-  geodesic::put(message, path.end);
-  geodesic::put(message, path.points.size());
-  geodesic::put(message, path.points.data(), path.points.size());
+  put(message, path.target);
+  put(message, path.snapDistance);
+  put(message, path.end);
+  putAll(message, path.points);
 }
 
-geodesic::PathOfTarget GetPath(geodesic::MessageReader& reader)
+PathOfTarget GetPath(MessageReader& reader)
 {
-  geodesic::PathOfTarget path;
+  PathOfTarget path;
   path.target = reader.get<std::size_t>();
   path.snapDistance = reader.get<double>();
-  path.end = reader.get<geodesic::PathEnd>();
-  path.points.resize(reader.get<std::size_t>());
-  reader.get(path.points.data(), path.points.size());
+  path.end = reader.get<PathEnd>();
+  path.points = reader.getAll<Vec3>();
   return path;
 }
 
 /// Sends every path to the rank whose input had its target. All ranks call this together.
 ///
 /// \param paths found here.
-/// \param scale of the surface, which ranks that have nothing of it are told.
 /// \returns those of this rank's targets, in their order.
-std::vector<geodesic::PathOfTarget> SendHome(const geodesic::FilterExecution& execution,
-  std::vector<geodesic::PathOfTarget> paths, geodesic::PowerOfTwoScale& scale)
+std::vector<PathOfTarget> SendHome(
+  const FilterExecution& execution, std::vector<PathOfTarget> paths)
 {
-  geodesic::Exchange& exchange = execution.exchange();
-  const bool areFoundByAll = execution.surfacePlace() == geodesic::SurfacePlace::OnEveryRank;
-  std::vector<geodesic::Message> messages = exchange.noMessages();
-  for (geodesic::PathOfTarget& found : paths)
+  Exchange& exchange = execution.exchange();
+  const bool areFoundByAll = execution.surfacePlace() == SurfacePlace::OnEveryRank;
+  std::vector<Message> messages = exchange.noMessages();
+  for (PathOfTarget& found : paths)
   {
-    const geodesic::PathOfTarget path = std::move(found); // freed path by path
+    const PathOfTarget path = std::move(found); // freed path by path
     const int home = execution.rankOfTarget(path.target);
     if (!areFoundByAll || home == exchange.rank())
     {
-      geodesic::Message& message = messages[geodesic::rankIndex(home)];
-      if (message.empty())
-      {
-        geodesic::put(message, scale);
-      }
-      PutPath(message, path);
+      PutPath(messages[rankIndex(home)], path);
     }
   }
   paths.clear();
-  geodesic::readEach(exchange.step(std::move(messages)),
-    [&](int, geodesic::MessageReader& reader)
-    {
-      scale = reader.get<geodesic::PowerOfTwoScale>();
-      while (!reader.isAtEnd())
-      {
-        paths.push_back(GetPath(reader));
-      }
-    });
+  readEach(exchange.step(std::move(messages)),
+    [&](int, MessageReader& reader) { paths.push_back(GetPath(reader)); });
   std::sort(paths.begin(), paths.end(),
-    [](const geodesic::PathOfTarget& a, const geodesic::PathOfTarget& b)
-    { return a.target < b.target; });
+    [](const PathOfTarget& a, const PathOfTarget& b) { return a.target < b.target; });
   return paths;
 }
 
@@ -160,15 +144,14 @@ void vtkGeodesicPaths::SetTargetsData(vtkDataObject* targets)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicPaths::Compute(
-  geodesic::FilterExecution& execution, vtkInformationVector* outputVector)
+void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector* outputVector)
 {
   execution.requireTargets();
   execution.readInputs(true);
-  std::vector<geodesic::PathOfTarget> paths;
-  std::vector<geodesic::SourceFrame> frames;
-  geodesic::PowerOfTwoScale scale;
-  if (execution.surfacePlace() != geodesic::SurfacePlace::OnOtherRank)
+  std::vector<PathOfTarget> paths;
+  std::vector<SourceFrame> frames;
+  PowerOfTwoScale scale;
+  if (execution.surfacePlace() != SurfacePlace::OnOtherRank)
   {
     paths = FindPaths(execution);
     frames = this->GenerateSourceAngle ? FramesOf(execution) : frames;
@@ -176,15 +159,16 @@ void vtkGeodesicPaths::Compute(
   }
   if (execution.exchange().numberOfRanks() > 1)
   {
-    paths = SendHome(execution, std::move(paths), scale);
+    execution.shareResult(scale);
+    paths = SendHome(execution, std::move(paths));
   }
   if (this->GenerateSourceAngle)
   {
     execution.shareResults(frames);
-    geodesic::addSourceFrames(frames, vtkPolyData::GetData(outputVector, 0));
+    addSourceFrames(frames, vtkPolyData::GetData(outputVector, 0));
   }
-  execution.enter(geodesic::Stage::WritingOutputs);
-  geodesic::writePaths(scale, paths, { this->GenerateSourceArcLength, this->GenerateSourceAngle },
+  execution.enter(Stage::WritingOutputs);
+  writePaths(scale, paths, { this->GenerateSourceArcLength, this->GenerateSourceAngle },
     vtkPolyData::GetData(outputVector, 0), execution.progressBetween(PathsFound, 1.0));
 }
 

@@ -3,7 +3,6 @@
 
 #include "PolyData/FilterExecution.h"
 #include "PolyData/ParallelFor.h"
-#include "PolyData/writing/RefinedPolyData.h"
 #include "field/NearestSource.h"
 #include "field/Solve.h"
 #include "refinement/SolveForRefinement.h"
@@ -23,10 +22,29 @@ constexpr double BordersFound = 0.3;
 constexpr double DoneBeforeRefinement = 0.55;
 constexpr double DoneBeforeExactField = 0.6;
 
+/// For RefinementOptions::cornerPoints: the input's points at the corners of each face, NoId for
+/// the faces of other ranks. Empty if points and vertices are the same.
+std::vector<Triangle> cornerPointsOf(const PolyDataSurface& surface)
+{
+  std::vector<Triangle> points;
+  if (surface.arePointsVertices())
+  {
+    return points;
+  }
+  const MeshPartition& partition = surface.partition();
+  points.assign(surface.mesh().numberOfFaces(), { NoId, NoId, NoId });
+  for (Id face = partition.firstOwnFace(); face < partition.endOfOwnFaces(); ++face)
+  {
+    points[face] = surface.triangle(surface.triangleOf(face));
+  }
+  return points;
+}
+
 }
 
 FieldSolver::FieldSolver(FilterExecution& execution, const FieldRequest& request, double end)
   : execution_(execution)
+  , surface_(execution.surface())
   , request_(request)
   , end_(!request.arrays.isAny()  ? end
         : request.isApproximate() ? DoneBeforeExactField
@@ -41,13 +59,12 @@ SolvedSurface FieldSolver::solve() const
   if (!this->request_.isRefined)
   {
     const FrontOptions options = this->frontOptions(FilterExecution::InputsRead, this->end_);
-    solved.field.emplace(geodesic::solve(this->execution_.surface().partition(),
-      this->execution_.sourceWindows(options.progress), options));
+    solved.field.emplace(geodesic::solve(
+      this->surface_.partition(), this->execution_.sourceWindows(options.progress), options));
   }
   else
   {
-    solved =
-      this->request_.areBordersRefined ? this->solveAndRefineBorders() : this->solveAndRefine();
+    solved = this->solveAndRefine();
   }
   if (this->request_.isApproximate() && this->request_.arrays.areFeetNeeded() && !solved.exact)
   {
@@ -70,35 +87,31 @@ FrontOptions FieldSolver::frontOptions(double begin, double end) const
   return options;
 }
 
-SolvedSurface FieldSolver::solveAndRefine() const
-{
-  SolvedSurface solved;
-  solved.field.emplace(this->solveForRefinement(FilterExecution::InputsRead, {}));
-  this->execution_.enter(Stage::Refining);
-  solved.refined = this->refine(*solved.field);
-  return solved;
-}
-
 // Repeats the solve if a border passes faces whose windows were dropped. Each repetition keeps
 // those of more faces.
-SolvedSurface FieldSolver::solveAndRefineBorders() const
+SolvedSurface FieldSolver::solveAndRefine() const
 {
-  const MeshPartition& surface = this->execution_.surface().partition();
-  std::vector<std::uint8_t> pinned = this->findFacesAtBorders();
+  const bool areBordersRefined = this->request_.areBordersRefined;
+  std::vector<std::uint8_t> pinned;
+  if (areBordersRefined)
+  {
+    pinned = this->findFacesAtBorders();
+  }
   SolvedSurface solved;
   bool isRepeated = true;
   while (isRepeated)
   {
     this->execution_.enter(Stage::ComputingDistances);
-    solved.field.emplace(this->solveForRefinement(BordersFound, pinned));
+    solved.field.emplace(this->solveForRefinement(
+      areBordersRefined ? BordersFound : FilterExecution::InputsRead, pinned));
     this->execution_.enter(Stage::Refining);
-    solved.refined = this->refineBorders(solved);
+    this->refine(solved);
     const std::vector<Id>& unknown = solved.refined.mesh.unknownAtBorders;
     for (const Id face : unknown)
     {
       pinned[face] = 1;
     }
-    isRepeated = surface.exchange().isTrueAnywhere(!unknown.empty());
+    isRepeated = areBordersRefined && this->surface_.exchange().isTrueAnywhere(!unknown.empty());
   }
   return solved;
 }
@@ -107,7 +120,7 @@ DistanceField FieldSolver::solveForRefinement(
   double begin, const std::vector<std::uint8_t>& pinned) const
 {
   const FrontOptions options = this->frontOptions(begin, DoneBeforeRefinement);
-  return geodesic::solveForRefinement(this->execution_.surface().partition(),
+  return geodesic::solveForRefinement(this->surface_.partition(),
     this->execution_.sourceWindows(options.progress), this->request_.tolerance, options, pinned);
 }
 
@@ -118,8 +131,8 @@ DistanceField FieldSolver::solveExactly(double largestError, std::vector<std::ui
   options.relativeError = 0.0;
   // A distance within the limit is that much smaller than the exact one at most.
   options.maximumDistance /= 1.0 - std::min(largestError, 0.5);
-  KeepFaces retention(this->execution_.surface().mesh(), std::move(faces));
-  const MeshPartition& surface = this->execution_.surface().partition();
+  KeepFaces retention(this->surface_.mesh(), std::move(faces));
+  const MeshPartition& surface = this->surface_.partition();
   FrontResult front =
     propagate(surface, this->execution_.sourceWindows(options.progress), options, retention);
   return { surface, std::move(front), retention.release() };
@@ -130,8 +143,8 @@ std::vector<std::uint8_t> FieldSolver::findFacesAtBorders() const
 {
   FrontOptions options = this->frontOptions(FilterExecution::InputsRead, BordersFound);
   options.relativeError = 0.0;
-  const DistanceField field = geodesic::solve(this->execution_.surface().partition(),
-    this->execution_.sourceWindows(options.progress), options);
+  const DistanceField field = geodesic::solve(
+    this->surface_.partition(), this->execution_.sourceWindows(options.progress), options);
   const std::vector<SourceCurve>& curves = this->execution_.sources().curves;
   NearestSource nearest(field, this->execution_.patch(), curves, options.progress);
   return SourceRegions(field, nearest, curves, this->request_.arrays.areSidesNeeded())
@@ -141,7 +154,7 @@ std::vector<std::uint8_t> FieldSolver::findFacesAtBorders() const
 // The faces that have points of refinement.
 std::vector<std::uint8_t> FieldSolver::facesOf(const RefinedSurface& refined) const
 {
-  const TriangleMesh& mesh = this->execution_.surface().mesh();
+  const TriangleMesh& mesh = this->surface_.mesh();
   std::vector<std::uint8_t> faces(mesh.numberOfFaces(), 0);
   for (std::size_t i = 0; i < refined.numberOfPointsWithPlaces(); ++i)
   {
@@ -152,46 +165,44 @@ std::vector<std::uint8_t> FieldSolver::facesOf(const RefinedSurface& refined) co
 
 RefinementOptions FieldSolver::refinementOptions() const
 {
-  const PolyDataSurface& surface = this->execution_.surface();
   RefinementOptions options;
   options.tolerance = this->request_.tolerance;
   if (this->request_.maximumCells > 0)
   {
-    const std::uint64_t faces = surface.partition().numberOfGlobalFaces();
+    const std::uint64_t faces = this->surface_.partition().numberOfGlobalFaces();
     options.maximumFaces =
-      this->request_.maximumCells - (surface.countTrianglesOfAllRanks() - faces);
+      this->request_.maximumCells - (this->surface_.countTrianglesOfAllRanks() - faces);
   }
-  options.cornerPoints = cornerPointsOf(surface);
-  options.numberOfPoints = surface.numberOfPoints();
-  options.trianglesBeside = barriersAtEdges(surface);
+  options.cornerPoints = cornerPointsOf(this->surface_);
+  options.numberOfPoints = this->surface_.numberOfPoints();
+  options.trianglesBeside = barriersAtEdges(this->surface_);
   options.parallelFor = smpParallelFor();
   options.progress = this->execution_.progressBetween(DoneBeforeRefinement, this->end_);
   return options;
 }
 
-RefinedSurface FieldSolver::refine(const DistanceField& field, RegionOf regionOf) const
+void FieldSolver::refine(SolvedSurface& solved) const
 {
-  RefinementOptions options = this->refinementOptions();
-  options.regionOf = std::move(regionOf);
-  RefinedSurface refined{ geodesic::refine(field, options), {} };
-  refined.copied = addUnmeshedTriangles(
-    this->execution_.surface(), this->request_.maximumCells, options.cornerPoints, refined.mesh);
-  return refined;
-}
-
-RefinedSurface FieldSolver::refineBorders(SolvedSurface& solved) const
-{
-  if (this->request_.isApproximate())
+  std::optional<NearestSource> nearest;
+  std::optional<SourceRegions> regions;
+  if (this->request_.areBordersRefined)
   {
-    solved.exact.emplace(this->solveExactly(
-      solved.field->relativeErrorBound(), this->execution_.surface().partition().ownFaces()));
+    if (this->request_.isApproximate())
+    {
+      solved.exact.emplace(this->solveExactly(
+        solved.field->relativeErrorBound(), this->surface_.partition().ownFaces()));
+    }
+    const std::vector<SourceCurve>& curves = this->execution_.sources().curves;
+    nearest.emplace(solved.exactField(), this->execution_.patch(), curves);
+    regions.emplace(solved.exactField(), *nearest, curves, this->request_.arrays.areSidesNeeded());
   }
-  const std::vector<SourceCurve>& curves = this->execution_.sources().curves;
-  NearestSource nearest(solved.exactField(), this->execution_.patch(), curves);
-  SourceRegions regions(
-    solved.exactField(), nearest, curves, this->request_.arrays.areSidesNeeded());
-  return this->refine(
-    *solved.field, [&regions](const SurfacePoint& point) { return regions.at(point); });
+  RefinementOptions options = this->refinementOptions();
+  if (regions)
+  {
+    options.regionOf = [&regions](const SurfacePoint& point) { return regions->at(point); };
+  }
+  solved.refined = addUnmeshedTriangles(this->surface_, this->request_.maximumCells,
+    options.cornerPoints, geodesic::refine(*solved.field, options));
 }
 
 }

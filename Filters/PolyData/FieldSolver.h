@@ -35,20 +35,6 @@ struct FieldRequest
   bool isApproximate() const { return this->relativeError > 0.0; }
 };
 
-/// The surface after refinement, before it is divided into blocks.
-struct RefinedSurface
-{
-  RefinedMesh mesh;
-  /// The points of refinement, of any rank, that the last of the mesh's are copies of. The copies
-  /// have distances, but no places.
-  std::vector<RankAddress> copied;
-
-  std::size_t numberOfPointsWithPlaces() const
-  {
-    return this->mesh.points.size() - this->copied.size();
-  }
-};
-
 /// A field, and what refinement has made of it.
 struct SolvedSurface
 {
@@ -78,16 +64,15 @@ public:
 private:
   FrontOptions frontOptions(double begin, double end) const;
   SolvedSurface solveAndRefine() const;
-  SolvedSurface solveAndRefineBorders() const;
   DistanceField solveForRefinement(double begin, const std::vector<std::uint8_t>& pinned) const;
   DistanceField solveExactly(double largestError, std::vector<std::uint8_t> faces) const;
   std::vector<std::uint8_t> findFacesAtBorders() const;
   std::vector<std::uint8_t> facesOf(const RefinedSurface& refined) const;
   RefinementOptions refinementOptions() const;
-  RefinedSurface refine(const DistanceField& field, RegionOf regionOf = {}) const;
-  RefinedSurface refineBorders(SolvedSurface& solved) const;
+  void refine(SolvedSurface& solved) const;
 
   FilterExecution& execution_;
+  const PolyDataSurface& surface_;
   const FieldRequest& request_;
   /// Where the field and its refinement are done, as a fraction of the whole.
   const double end_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/FilterExecution.h"
 
-#include "PolyData/ContentKey.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/ranks/SourcePatch.h"
 #include "PolyData/reading/PolyDataSource.h"
@@ -35,30 +34,9 @@ const char* const TargetsName = "the set of targets (input port 2)";
 
 }
 
-const char* describe(Stage stage)
-{
-  switch (stage)
-  {
-    case Stage::ReadingSurface:
-      return "reading the surface";
-    case Stage::ReadingSource:
-      return "putting the source onto the surface, after reading the surface";
-    case Stage::ReadingTargets:
-      return "putting the targets onto the surface, after reading the surface and the source";
-    case Stage::ComputingDistances:
-      return "computing the distances, after reading the surface and the source";
-    case Stage::Refining:
-      return "refining the surface, after computing the distances";
-    case Stage::DrawingLines:
-      return "drawing the lines, after computing the distances";
-    case Stage::WritingOutputs:
-      return "writing the outputs, after all was computed";
-  }
-  return "";
-}
-
-FilterExecution::FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
-  vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, Exchange& exchange)
+FilterExecution::FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache,
+  const char*& stage, vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets,
+  Exchange& exchange)
   : filter_(filter)
   , cache_(cache)
   , stage_(stage)
@@ -75,7 +53,16 @@ void FilterExecution::readInputs(bool supportsPieces)
   this->surfaceBlocks_ = polyDataBlocks(this->surfaceInput_, "the surface (input port 0)");
   const BarrierArrays barriers(
     this->surfaceBlocks_, this->filter_->GetBarrierArrayName(), this->exchange_);
-  this->gatherInputs();
+  if (this->sourceInput_)
+  {
+    this->gatheredSource_ =
+      GatheredBlocks(sourceBlocks(this->sourceInput_, SourceName), SourceName, this->exchange_);
+  }
+  if (this->targetsInput_)
+  {
+    this->gatheredTargets_ = GatheredBlocks(
+      geodesic::targetBlocks(this->targetsInput_, TargetsName), TargetsName, this->exchange_);
+  }
   this->findSurface(barriers, supportsPieces);
   if (this->place_ == SurfacePlace::OnOtherRank)
   {
@@ -101,106 +88,42 @@ void FilterExecution::readInputs(bool supportsPieces)
 /// Finds out who has what of the surface.
 void FilterExecution::findSurface(const BarrierArrays& barriers, bool supportsPieces)
 {
-  struct Piece
-  {
-    vtkTypeInt64 points = 0;
-    vtkTypeInt64 faces = 0;
-    bool isEmpty() const { return this->points == 0 && this->faces == 0; }
-    bool operator==(const Piece& other) const
-    {
-      return this->points == other.points && this->faces == other.faces;
-    }
-  };
-  Piece own;
+  using PointsAndFaces = std::array<vtkIdType, 2>;
+  constexpr PointsAndFaces nothing{ 0, 0 };
+  PointsAndFaces own = nothing;
   for (const PolyDataBlock& block : this->surfaceBlocks_)
   {
-    own.points += block.data->GetNumberOfPoints();
-    own.faces += block.data->GetNumberOfPolys() + block.data->GetNumberOfStrips();
+    own[0] += block.data->GetNumberOfPoints();
+    own[1] += block.data->GetNumberOfPolys() + block.data->GetNumberOfStrips();
   }
-  const std::vector<Piece> all = valuesOfRanks(this->exchange_, own);
-  const auto isEmpty = [](const Piece& piece) { return piece.isEmpty(); };
-  const auto emptyOnes = std::count_if(all.begin(), all.end(), isEmpty);
+  const std::vector<PointsAndFaces> all = valuesOfRanks(this->exchange_, own);
+  const auto emptyOnes = std::count(all.begin(), all.end(), nothing);
   if (emptyOnes + 1 >= this->exchange_.numberOfRanks())
   {
     // If all are empty, rank 0 says so.
     const bool isWorker =
-      !own.isEmpty() || (this->isFirstRank() && emptyOnes == this->exchange_.numberOfRanks());
+      own != nothing || (this->isFirstRank() && emptyOnes == this->exchange_.numberOfRanks());
     this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::OnOtherRank;
     return;
   }
-  this->haveAllRanksNotes_ = true;
-  const bool areAlike =
-    std::all_of(all.begin(), all.end(), [&](const Piece& piece) { return piece == all.front(); });
-  if (areAlike && this->isSameOnAllRanks(barriers))
+  const int ranks = this->exchange_.numberOfRanks();
+  bool areSame = std::count(all.begin(), all.end(), own) == ranks;
+  if (areSame)
   {
-    this->place_ = supportsPieces ? SurfacePlace::OnEveryRank
-      : this->isFirstRank()       ? SurfacePlace::Here
-                                  : SurfacePlace::OnOtherRank;
-    return;
+    const ContentKey key = contentKey(this->surfaceBlocks_, barriers);
+    const std::vector<ContentKey> keys = valuesOfRanks(this->exchange_, key);
+    areSame = std::count(keys.begin(), keys.end(), key) == ranks;
   }
-  this->place_ = SurfacePlace::InPieces;
-}
-
-bool FilterExecution::isSameOnAllRanks(const BarrierArrays& barriers) const
-{
-  Message message;
-  put(message, contentKey(this->surfaceBlocks_, barriers));
-  const std::vector<Message> keys = this->exchange_.tellAll(message);
-  return std::all_of(
-    keys.begin(), keys.end(), [&keys](const Message& key) { return key == keys.front(); });
-}
-
-void FilterExecution::gatherInputs()
-{
-  if (this->sourceInput_)
-  {
-    this->gatheredSource_ =
-      GatheredBlocks(sourceBlocks(this->sourceInput_, SourceName), SourceName, this->exchange_);
-  }
-  if (this->targetsInput_)
-  {
-    this->gatheredTargets_ = GatheredBlocks(
-      geodesic::targetBlocks(this->targetsInput_, TargetsName), TargetsName, this->exchange_);
-  }
-}
-
-std::vector<Message> FilterExecution::sendToFirst(const Message& message)
-{
-  std::vector<Message> messages = this->exchange_.noMessages();
-  messages.front() = message;
-  return this->exchange_.step(std::move(messages));
-}
-
-void FilterExecution::finish()
-{
-  this->exchange_.step(this->exchange_.noMessages());
-}
-
-int FilterExecution::rankOfTarget(std::size_t number) const
-{
-  const GatheredBlocks& gathered = this->targetBlocks();
-  std::size_t block = 0;
-  for (std::size_t points = 0; block < gathered.blocks().size(); ++block)
-  {
-    points += static_cast<std::size_t>(gathered.blocks()[block].data->GetNumberOfPoints());
-    if (number < points)
-    {
-      break;
-    }
-  }
-  const std::vector<std::size_t>& first = gathered.firstOfRank();
-  return static_cast<int>(std::upper_bound(first.begin(), first.end(), block) - first.begin()) - 1;
+  this->place_ = !areSame ? SurfacePlace::InPieces
+    : supportsPieces      ? SurfacePlace::OnEveryRank
+    : this->isFirstRank() ? SurfacePlace::Here
+                          : SurfacePlace::OnOtherRank;
 }
 
 SourceWindows FilterExecution::sourceWindows(const ProgressCallback& progress) const
 {
   return sourceWindowsOfPartition(this->surface().partition(), this->patch(),
     startingWindows(this->patch().mesh(), this->sources_.curves, progress));
-}
-
-std::size_t FilterExecution::sumOverPieces(std::size_t number) const
-{
-  return static_cast<std::size_t>(sumOverRanks(this->surface().exchange(), number).all);
 }
 
 void FilterExecution::requireTargets(bool sourcesAreTargets) const
@@ -220,35 +143,24 @@ Targets FilterExecution::readTargets(double end)
   const std::vector<PolyDataBlock>& blocks = this->targetBlocks().blocks();
   Targets targets = geodesic::readTargets(
     blocks, name, this->surface(), this->cache_.locator(), this->progressBetween(InputsRead, end));
-  this->noteTargets(blocks, targets);
+  // If the targets are the points of a source that is far away, the note on the source says so.
+  if (this->targetsInput_ || !this->notes_.has(NoteOn::Source, FarNote))
+  {
+    noteTargets(this->surface(), blocks, targets,
+      this->targetsInput_ ? NoteOn::Targets : NoteOn::Source, this->notes_);
+  }
   this->reach(end);
   return targets;
 }
 
-/// If the targets are the points of a source that is far away, the note on the source says so.
-void FilterExecution::noteTargets(const std::vector<PolyDataBlock>& blocks, const Targets& targets)
+void FilterExecution::readSources()
 {
-  if (this->targetsInput_ || !this->notes_.has(NoteOn::Source, FarNote))
-  {
-    geodesic::noteTargets(this->surface(), blocks, targets,
-      this->targetsInput_ ? NoteOn::Targets : NoteOn::Source, this->notes_);
-  }
-}
-
-/// \throws SourceError where there is none.
-void FilterExecution::requireSource() const
-{
-  if (this->filter_->GetSourceType() == vtkGeodesicAlgorithm::SOURCE_CURVE && !this->sourceInput_)
+  const int type = this->filter_->GetSourceType();
+  if (type == vtkGeodesicAlgorithm::SOURCE_CURVE && !this->sourceInput_)
   {
     throw SourceError(
       "There is no source: choose a Source, or set Source Type to Surface Boundary.");
   }
-}
-
-void FilterExecution::readSources()
-{
-  this->requireSource();
-  const int type = this->filter_->GetSourceType();
   const bool hasCurve = type != vtkGeodesicAlgorithm::SURFACE_BOUNDARY && this->sourceInput_;
   if (hasCurve && this->sourceInput_ == this->surfaceInput_)
   {
@@ -360,11 +272,6 @@ ProgressCallback FilterExecution::progressBetween(double begin, double end)
     return !filter->GetAbortExecute();
 #endif
   };
-}
-
-void FilterExecution::reach(double fraction)
-{
-  reportProgress(this->progressBetween(fraction, fraction), 1.0);
 }
 
 }

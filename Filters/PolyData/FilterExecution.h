@@ -3,7 +3,6 @@
 #define geodesic_FilterExecution_h
 
 #include "Exchange.h"
-#include "PolyData/GatheredBlocks.h"
 #include "PolyData/Memory.h"
 #include "PolyData/Notes.h"
 #include "PolyData/PolyDataBlocks.h"
@@ -14,7 +13,7 @@
 #include "source/PolylineOnSurface.h"
 #include "source/SourceWindows.h"
 
-#include <memory>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,20 +27,20 @@ namespace geodesic
 
 class SourcePatch;
 
-/// What an execution is doing.
-enum class Stage
+/// What an execution is doing, for messages.
+struct Stage
 {
-  ReadingSurface,
-  ReadingSource,
-  ReadingTargets,
-  ComputingDistances,
-  Refining,
-  DrawingLines,
-  WritingOutputs
+  static constexpr const char* ReadingSurface = "reading the surface";
+  static constexpr const char* ReadingSource =
+    "putting the source onto the surface, after reading the surface";
+  static constexpr const char* ReadingTargets =
+    "putting the targets onto the surface, after reading the surface and the source";
+  static constexpr const char* ComputingDistances =
+    "computing the distances, after reading the surface and the source";
+  static constexpr const char* Refining = "refining the surface, after computing the distances";
+  static constexpr const char* DrawingLines = "drawing the lines, after computing the distances";
+  static constexpr const char* WritingOutputs = "writing the outputs, after all was computed";
 };
-
-/// "computing the distances, after reading the surface and the source", for messages.
-const char* describe(Stage stage);
 
 /// Where the surface is.
 enum class SurfacePlace
@@ -66,12 +65,12 @@ public:
 
   /// \param filter whose properties count, and which reports the progress.
   /// \param cache with the surface of the last execution.
-  /// \param stage set to what is being done, for whoever catches an exception.
+  /// \param stage set to what is being done (see Stage), for whoever catches an exception.
   /// \param surface on input port 0.
   /// \param source on input port 1, or null.
   /// \param targets on input port 2, or null.
   /// \param exchange with the other ranks, all of which have such an execution.
-  FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
+  FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, const char*& stage,
     vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, Exchange& exchange);
 
   /// Reads the surface, and the source as SourceType has it, up to InputsRead. If the surface is
@@ -102,27 +101,17 @@ public:
     {
       putAll(message, values);
     }
-    bool isFirst = true;
-    readEach(this->exchange_.tellAll(message),
-      [&](int, MessageReader& reader)
-      {
-        auto told = reader.getAll<Value>();
-        if (std::exchange(isFirst, false))
-        {
-          values = std::move(told);
-        }
-      });
+    const std::vector<Message> told = this->exchange_.tellAll(message);
+    const auto first =
+      std::find_if(told.begin(), told.end(), [](const Message& answer) { return !answer.empty(); });
+    values = MessageReader(*first).getAll<Value>();
   }
   /// Whether this is the rank that puts out what is there once: the first one.
   bool isFirstRank() const { return this->exchange_.rank() == 0; }
-  /// Sends something to the first rank. All ranks call this.
-  ///
-  /// \returns there, what others have sent it.
-  std::vector<Message> sendToFirst(const Message& message);
   /// Waits until all ranks have come to their end; nothing can fail after it.
   ///
   /// \throws Error, Aborted where another rank has failed.
-  void finish();
+  void finish() { this->exchange_.step(this->exchange_.noMessages()); }
   /// Puts the points of the targets onto the surface, after readInputs(). If no targets are
   /// connected, the points of the source are the targets.
   ///
@@ -147,59 +136,57 @@ public:
   /// sources() lie on it.
   const ReplicatedPatch& patch() const { return *this->patch_; }
   /// The rank whose input had a target, by its number; 0 where all had it.
-  int rankOfTarget(std::size_t number) const;
+  int rankOfTarget(std::size_t number) const { return this->targetBlocks().rankOfPoint(number); }
   /// What the sources give the front to begin with.
   ///
   /// \param progress of the solve: it can be stopped already.
   SourceWindows sourceWindows(const ProgressCallback& progress) const;
   /// The sum over all ranks that have a piece, which call this together.
-  std::size_t sumOverPieces(std::size_t number) const;
+  std::size_t sumOverPieces(std::size_t number) const
+  {
+    return static_cast<std::size_t>(sumOverRanks(this->surface().exchange(), number).all);
+  }
   /// The parts of the source, by SourceCurve::source of their curves, ascending: the cells of port
   /// 1 (the points of a set of points), then the loops of the boundary.
   const std::vector<Id>& sourceIds() const { return this->sourceIds_; }
   /// From which of these on they are loops of the boundary.
   Id firstBoundarySource() const { return this->firstBoundarySource_; }
 
-  /// Says what is being done from here on.
-  void enter(Stage stage) { this->stage_ = stage; }
+  /// Says what is being done from here on: see Stage.
+  void enter(const char* stage) { this->stage_ = stage; }
   /// A callback for a part of the work, from one fraction of the whole to another. It throws
   /// NotEnoughMemory where the system has hardly any left.
   ProgressCallback progressBetween(double begin, double end);
   /// Reports that the work has come so far.
   ///
   /// \throws Aborted
-  void reach(double fraction);
+  void reach(double fraction) { reportProgress(this->progressBetween(fraction, fraction), 1.0); }
 
   /// What the user should know.
   Notes& notes() { return this->notes_; }
   /// Whether this rank shows the notes to the user. If several ranks have the same notes, one shows
   /// them.
-  bool reportsWarnings() const { return !this->haveAllRanksNotes_ || this->isFirstRank(); }
+  bool reportsWarnings() const { return this->place_ == SurfacePlace::Here || this->isFirstRank(); }
 
 private:
-  void noteTargets(const std::vector<PolyDataBlock>& blocks, const Targets& targets);
   void findSurface(const BarrierArrays& barriers, bool supportsPieces);
-  bool isSameOnAllRanks(const BarrierArrays& barriers) const;
-  void gatherInputs();
   const GatheredBlocks& targetBlocks() const
   {
     return this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;
   }
-  void requireSource() const;
   void readSources();
   void readCurves(SourcePatch& faces);
   void addBoundary(std::vector<SourceCurve> boundary, bool hasCurve);
 
   vtkGeodesicAlgorithm* filter_;
   SurfaceCache& cache_;
-  Stage& stage_;
+  const char*& stage_;
   MemoryWatch memory_;
   vtkDataObject* surfaceInput_;
   vtkDataObject* sourceInput_;
   vtkDataObject* targetsInput_;
   Exchange& exchange_;
   SurfacePlace place_ = SurfacePlace::Here;
-  bool haveAllRanksNotes_ = false;
   std::vector<PolyDataBlock> surfaceBlocks_;
   /// Those of all ranks.
   GatheredBlocks gatheredSource_;

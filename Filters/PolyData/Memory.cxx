@@ -70,23 +70,20 @@ std::uint64_t groupsMemory()
 {
   std::uint64_t least = Unknown;
   std::ifstream stream("/proc/self/cgroup");
-  for (std::string line; std::getline(stream, line);)
+  // Lines are number:controllers:/path, without controllers in version 2.
+  std::string number;
+  std::string controllers;
+  std::string path;
+  while (std::getline(stream, number, ':') && std::getline(stream, controllers, ':') &&
+    std::getline(stream, path))
   {
-    // number:controllers:/path, without controllers in version 2
-    const std::size_t first = line.find(':');
-    const std::size_t second = first == std::string::npos ? first : line.find(':', first + 1);
-    if (second == std::string::npos)
-    {
-      continue;
-    }
-    const std::string controllers = line.substr(first + 1, second - first - 1);
     const bool isSecondVersion = controllers.empty();
     if (!isSecondVersion && controllers != "memory")
     {
       continue;
     }
     const std::string root = isSecondVersion ? "/sys/fs/cgroup" : "/sys/fs/cgroup/memory";
-    for (std::string path = line.substr(second + 1);; path.erase(path.rfind('/')))
+    for (;; path.erase(path.rfind('/')))
     {
       path = path == "/" ? "" : path;
       least = std::min(least,

@@ -89,40 +89,6 @@ std::string nameOfTarget(const std::vector<PolyDataBlock>& blocks, std::size_t n
     (end == std::string::npos ? "" : " of " + block->name.substr(0, end));
 }
 
-/// \param numbers of the first far ones are put there.
-FarPoints farTargetsOf(const Targets& targets, double limit, std::vector<std::size_t>& numbers)
-{
-  FarPoints far;
-  far.ofAll = targets.count;
-  for (std::size_t i = 0; i < targets.numbers.size(); ++i)
-  {
-    if (targets.snapDistances[i] <= limit)
-    {
-      continue;
-    }
-    far.largestDistance = std::max(far.largestDistance, targets.snapDistances[i]);
-    if (far.count++ < PointsNamed)
-    {
-      numbers.push_back(targets.numbers[i]);
-    }
-  }
-  return far;
-}
-
-/// What all ranks have found together. They call this together.
-void addOtherRanks(FarPoints& far, std::vector<std::size_t>& numbers, Exchange& exchange)
-{
-  far.count = static_cast<std::size_t>(sumOverRanks(exchange, far.count).all);
-  far.largestDistance = exchange.largestOf(far.largestDistance);
-  Message own;
-  put(own, numbers.data(), numbers.size());
-  numbers.clear();
-  readEach(exchange.tellAll(own),
-    [&](int, MessageReader& reader) { numbers.push_back(reader.get<std::size_t>()); });
-  std::sort(numbers.begin(), numbers.end());
-  numbers.resize(std::min(numbers.size(), PointsNamed));
-}
-
 /// "The source is", or what the subject is else, and how far it is away.
 std::string farText(
   const std::string& subject, const FarPoints& far, const PolyDataSurface& surface)
@@ -155,36 +121,17 @@ bool Notes::has(NoteOn input, const std::string& cause) const
     [&](const Note& note) { return note.input == input && note.cause == cause; });
 }
 
-void GivenNotes::forgetNewInputs(vtkAlgorithm* filter)
-{
-  const int ports = filter->GetNumberOfInputPorts();
-  this->connections_.resize(static_cast<std::size_t>(ports));
-  for (int port = 0; port < ports; ++port)
-  {
-    vtkAlgorithmOutput* now =
-      filter->GetNumberOfInputConnections(port) > 0 ? filter->GetInputConnection(port, 0) : nullptr;
-    vtkWeakPointer<vtkAlgorithmOutput>& before = this->connections_[static_cast<std::size_t>(port)];
-    if (now == before)
-    {
-      continue;
-    }
-    before = now;
-    for (auto note = this->given_.begin(); note != this->given_.end();)
-    {
-      note = static_cast<int>(note->first) == port ? this->given_.erase(note) : std::next(note);
-    }
-  }
-}
-
 std::string GivenNotes::take(const Notes& notes, vtkAlgorithm* filter)
 {
-  this->forgetNewInputs(filter);
-  std::set<std::pair<NoteOn, std::string>> now;
+  std::vector<Given> now;
   std::string text;
   for (const Notes::Note& note : notes.all())
   {
-    now.emplace(note.input, note.cause);
-    if (this->given_.count({ note.input, note.cause }) == 0)
+    const int port = static_cast<int>(note.input);
+    vtkAlgorithmOutput* connection =
+      filter->GetNumberOfInputConnections(port) > 0 ? filter->GetInputConnection(port, 0) : nullptr;
+    now.push_back({ note.input, note.cause, connection });
+    if (std::find(this->given_.begin(), this->given_.end(), now.back()) == this->given_.end())
     {
       text += (text.empty() ? "" : "\n") + note.text;
     }
@@ -223,16 +170,34 @@ void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
 void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks,
   const Targets& targets, NoteOn input, Notes& notes)
 {
+  FarPoints far;
+  far.ofAll = targets.count;
+  Message own;
+  for (std::size_t i = 0; i < targets.numbers.size(); ++i)
+  {
+    if (targets.snapDistances[i] > farLimit(surface))
+    {
+      far.largestDistance = std::max(far.largestDistance, targets.snapDistances[i]);
+      if (far.count++ < PointsNamed)
+      {
+        put(own, targets.numbers[i]);
+      }
+    }
+  }
+  Exchange& exchange = surface.exchange();
+  far.count = static_cast<std::size_t>(sumOverRanks(exchange, far.count).all);
+  far.largestDistance = exchange.largestOf(far.largestDistance);
   std::vector<std::size_t> numbers;
-  FarPoints far = farTargetsOf(targets, farLimit(surface), numbers);
-  addOtherRanks(far, numbers, surface.exchange());
+  readEach(exchange.tellAll(own),
+    [&](int, MessageReader& reader) { numbers.push_back(reader.get<std::size_t>()); });
   if (far.count == 0)
   {
     return;
   }
-  for (const std::size_t number : numbers)
+  std::sort(numbers.begin(), numbers.end());
+  for (std::size_t i = 0; i < std::min(numbers.size(), PointsNamed); ++i)
   {
-    far.names.push_back(nameOfTarget(blocks, number));
+    far.names.push_back(nameOfTarget(blocks, numbers[i]));
   }
   notes.add(input, FarNote,
     farText("The targets are", far, surface) +

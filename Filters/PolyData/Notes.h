@@ -2,15 +2,13 @@
 #ifndef geodesic_Notes_h
 #define geodesic_Notes_h
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkWeakPointer.h"
 
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 class vtkAlgorithm;
-class vtkAlgorithmOutput;
 
 namespace geodesic
 {
@@ -85,10 +83,19 @@ public:
   std::string take(const Notes& notes, vtkAlgorithm* filter);
 
 private:
-  void forgetNewInputs(vtkAlgorithm* filter);
-
-  std::set<std::pair<NoteOn, std::string>> given_;
-  std::vector<vtkWeakPointer<vtkAlgorithmOutput>> connections_;
+  struct Given
+  {
+    NoteOn input;
+    std::string cause;
+    /// Of the input; it may be gone by now.
+    vtkWeakPointer<vtkAlgorithmOutput> connection;
+    bool operator==(const Given& other) const
+    {
+      return this->input == other.input && this->cause == other.cause &&
+        this->connection == other.connection;
+    }
+  };
+  std::vector<Given> given_;
 };
 
 /// What was noticed when the surface was read.

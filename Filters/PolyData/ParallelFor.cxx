@@ -55,41 +55,19 @@ public:
       this->started_ = true;
       this->start();
     }
-    for (std::size_t first = 0; first < count; first += MostTasks)
-    {
-      this->runSome(first, std::min(count - first, MostTasks), task);
-    }
-  }
-
-private:
-  static constexpr std::size_t MostTasks = 0xffff;
-
-  // The loop's number, the range's end and its next task, in one word, so that nobody takes a task
-  // of one loop for one of another.
-  struct alignas(64) Range
-  {
-    std::atomic<std::uint64_t> word{ 0 };
-  };
-  static std::uint64_t pack(std::uint64_t loop, std::size_t end, std::size_t next)
-  {
-    return loop << 32 | end << 16 | next;
-  }
-  static std::size_t endOf(std::uint64_t word) { return word >> 16 & MostTasks; }
-  static std::size_t nextOf(std::uint64_t word) { return word & MostTasks; }
-
-  void runSome(std::size_t first, std::size_t count, const std::function<void(std::size_t)>& task)
-  {
     this->task_.store(&task, std::memory_order_relaxed);
-    this->first_.store(first, std::memory_order_relaxed);
+    this->first_.store(this->end_, std::memory_order_relaxed);
     this->done_.store(0, std::memory_order_relaxed);
-    ++this->loop_;
     for (std::size_t i = 0; i < this->ranges_.size(); ++i)
     {
+      // In this order: whoever sees the new end sees all that was stored before it, and no task is
+      // left before the old one.
       Range& range = this->ranges_[i];
-      const std::size_t begin = i * count / this->ranges_.size();
-      const std::size_t end = (i + 1) * count / this->ranges_.size();
-      range.word.store(pack(this->loop_, end, begin), std::memory_order_release);
+      range.next.store(this->end_ + i * count / this->ranges_.size(), std::memory_order_relaxed);
+      range.end.store(
+        this->end_ + (i + 1) * count / this->ranges_.size(), std::memory_order_release);
     }
+    this->end_ += count;
     while (this->takeOne(0))
     {
     }
@@ -104,6 +82,15 @@ private:
       std::rethrow_exception(thrown);
     }
   }
+
+private:
+  // The numbers of the next task and of the one after the last. Tasks of all loops are numbered
+  // through, so that nobody takes a task of one loop for one of another.
+  struct alignas(64) Range
+  {
+    std::atomic<std::uint64_t> next{ 0 };
+    std::atomic<std::uint64_t> end{ 0 };
+  };
 
   bool takeOne(std::size_t member)
   {
@@ -120,18 +107,19 @@ private:
 
   bool takeOneOf(Range& range)
   {
-    std::uint64_t word = range.word.load(std::memory_order_acquire);
+    const std::uint64_t end = range.end.load(std::memory_order_acquire);
+    std::uint64_t next = range.next.load(std::memory_order_relaxed);
     do
     {
-      if (nextOf(word) >= endOf(word))
+      if (next >= end)
       {
         return false;
       }
-    } while (!range.word.compare_exchange_weak(word, word + 1, std::memory_order_acq_rel));
+    } while (!range.next.compare_exchange_weak(next, next + 1, std::memory_order_acq_rel));
     try
     {
       (*this->task_.load(std::memory_order_relaxed))(
-        this->first_.load(std::memory_order_relaxed) + nextOf(word));
+        next - this->first_.load(std::memory_order_relaxed));
     }
     catch (...) // it must not leave the thread
     {
@@ -195,9 +183,10 @@ private:
   std::atomic<bool> stop_{ false };
   std::vector<Range> ranges_;
   std::atomic<const std::function<void(std::size_t)>*> task_{ nullptr };
-  std::atomic<std::size_t> first_{ 0 };
+  /// The number of the loop's first task, and of the one after its last.
+  std::atomic<std::uint64_t> first_{ 0 };
+  std::uint64_t end_ = 0;
   std::atomic<std::size_t> done_{ 0 };
-  std::uint64_t loop_ = 0;
   std::mutex guard_;
   std::exception_ptr thrown_;
 };

@@ -5,19 +5,21 @@
 #include "PolyData/reading/CellArrays.h"
 #include "Types.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace geodesic
 {
@@ -119,59 +121,37 @@ PolyDataBlock sourceBlock(vtkDataObject* data, const std::string& name)
   return block;
 }
 
-/// Goes through the blocks of a composite data set, those of nested ones too, and calls them by
-/// their number (as ParaView's composite index) and the name that a file or the user has given.
-/// The parts of a partitioned data set go by its name where they have none of their own.
-class BlockVisitor
+/// Goes through the blocks of a composite data set, those of nested ones too.
+///
+/// \param visit (iterator, block, name): "block 3 (wing)" is called by its number (as ParaView's
+///        composite index) and the name that a file or the user has given. The parts of a
+///        partitioned data set go by its name where they have none of their own.
+template <typename Visit>
+void forEachBlock(vtkCompositeDataSet* data, Visit&& visit)
 {
-public:
-  explicit BlockVisitor(std::string input)
-    : input_(std::move(input))
+  const auto at = vtk::TakeSmartPointer(data->NewIterator());
+  if (auto* tree = vtkDataObjectTreeIterator::SafeDownCast(at))
   {
+    tree->VisitOnlyLeavesOff();
   }
-
-  template <typename Visitor>
-  void forEach(vtkCompositeDataSet* data, Visitor&& visit)
+  std::string parent;
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
   {
-    const auto iterator = vtk::TakeSmartPointer(data->NewIterator());
-    if (auto* tree = vtkDataObjectTreeIterator::SafeDownCast(iterator))
+    vtkInformation* info = at->HasCurrentMetaData() ? at->GetCurrentMetaData() : nullptr;
+    const char* text = info ? info->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    const std::string own = text ? text : "";
+    vtkDataObject* block = at->GetCurrentDataObject();
+    if (block->IsA("vtkCompositeDataSet"))
     {
-      tree->VisitOnlyLeavesOff();
+      parent = block->IsA("vtkPartitionedDataSet") ? own : "";
+      continue;
     }
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      this->at_ = iterator;
-      vtkDataObject* block = iterator->GetCurrentDataObject();
-      if (block->IsA("vtkCompositeDataSet"))
-      {
-        this->parent_ = block->IsA("vtkPartitionedDataSet") ? this->given() : "";
-        continue;
-      }
-      visit(iterator.Get(), block);
-    }
+    const std::string& given = own.empty() ? parent : own;
+    visit(at.Get(), block,
+      "block " + std::to_string(at->GetCurrentFlatIndex()) +
+        (given.empty() ? "" : " (" + given + ")"));
   }
-
-  /// "block 3 (wing) of the surface (input port 0)"
-  std::string name() const
-  {
-    const std::string given = this->given().empty() ? this->parent_ : this->given();
-    return "block " + std::to_string(this->at_->GetCurrentFlatIndex()) +
-      (given.empty() ? "" : " (" + given + ")") + " of " + this->input_;
-  }
-
-private:
-  std::string given() const
-  {
-    vtkInformation* data =
-      this->at_->HasCurrentMetaData() ? this->at_->GetCurrentMetaData() : nullptr;
-    const char* text = data ? data->Get(vtkCompositeDataSet::NAME()) : nullptr;
-    return text ? text : "";
-  }
-
-  std::string input_;
-  std::string parent_;
-  vtkCompositeDataIterator* at_ = nullptr;
-};
+}
 
 /// \param read makes a block of a data set and its name.
 std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& name,
@@ -183,11 +163,48 @@ std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& nam
     return { read(input, name) };
   }
   std::vector<PolyDataBlock> blocks;
-  BlockVisitor visitor(name);
-  visitor.forEach(composite,
-    [&](vtkCompositeDataIterator*, vtkDataObject* block)
-    { blocks.push_back(read(block, visitor.name())); });
+  forEachBlock(composite,
+    [&](vtkCompositeDataIterator*, vtkDataObject* block, const std::string& ownName)
+    { blocks.push_back(read(block, ownName + " of " + name)); });
   return blocks;
+}
+
+void putCells(vtkCellArray* cells, Message& message)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  cells->ExportLegacyFormat(ids);
+  put(message, ids->GetNumberOfValues());
+  put(message, ids->GetPointer(0), static_cast<std::size_t>(ids->GetNumberOfValues()));
+}
+
+vtkSmartPointer<vtkCellArray> getCells(MessageReader& reader)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  std::vector<vtkIdType> ids(static_cast<std::size_t>(reader.get<vtkIdType>()));
+  reader.get(ids.data(), ids.size());
+  cells->ImportLegacyFormat(ids.data(), static_cast<vtkIdType>(ids.size()));
+  return cells;
+}
+
+void putBlock(const PolyDataBlock& block, Message& message)
+{
+  putAll(message, std::vector<char>(block.name.begin(), block.name.end()));
+  vtkPolyData* data = block.data;
+  const vtkIdType count = data->GetNumberOfPoints();
+  const bool isFloat = count > 0 && data->GetPoints()->GetDataType() == VTK_FLOAT;
+  put(message, isFloat ? VTK_FLOAT : VTK_DOUBLE); // coordinates keep their precision
+  put(message, count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    put(message, data->GetPoint(i), 3);
+  }
+  for (vtkCellArray* cells :
+    { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
+  {
+    putCells(cells, message);
+  }
+  putAll(message, block.inputCells);
+  put(message, block.droppedCells);
 }
 
 }
@@ -256,14 +273,77 @@ std::vector<vtkPolyData*> makeBlocksLike(vtkDataObject* input, vtkDataObject* ou
   auto* to = vtkCompositeDataSet::SafeDownCast(output);
   to->CopyStructure(from);
   std::vector<vtkPolyData*> blocks;
-  BlockVisitor("").forEach(from,
-    [&](vtkCompositeDataIterator* at, vtkDataObject*)
+  forEachBlock(from,
+    [&](vtkCompositeDataIterator* at, vtkDataObject*, const std::string&)
     {
       vtkNew<vtkPolyData> block;
       to->SetDataSet(at, block);
       blocks.push_back(block);
     });
   return blocks;
+}
+
+GatheredBlocks::GatheredBlocks(
+  const std::vector<PolyDataBlock>& own, const std::string& name, Exchange& exchange)
+{
+  if (exchange.numberOfRanks() == 1)
+  {
+    this->blocks_ = own;
+    return;
+  }
+  Message message;
+  for (const PolyDataBlock& block : own)
+  {
+    const bool isEmpty =
+      block.data->GetNumberOfPoints() == 0 && block.data->GetNumberOfCells() == 0;
+    if (!isEmpty)
+    {
+      putBlock(block, message);
+    }
+  }
+  const std::vector<Message> all = exchange.tellAll(message);
+  const auto isFull = [](const Message& m) { return !m.empty(); };
+  const bool isOnOneRank = std::count_if(all.begin(), all.end(), isFull) <= 1;
+  const bool areCopies =
+    std::all_of(all.begin(), all.end(), [&all](const Message& m) { return m == all.front(); });
+  for (std::size_t rank = 0; rank < (areCopies ? 1 : all.size()); ++rank)
+  {
+    this->unpack(
+      all[rank], isOnOneRank || areCopies ? std::string() : " on rank " + std::to_string(rank));
+    this->firstPointOfRank_.push_back(this->numberOfPoints_);
+  }
+  if (this->blocks_.empty())
+  {
+    this->blocks_.push_back({ vtkSmartPointer<vtkPolyData>::New(), name, {}, 0 });
+  }
+}
+
+void GatheredBlocks::unpack(const Message& message, const std::string& suffix)
+{
+  MessageReader reader(message);
+  while (!reader.isAtEnd())
+  {
+    const auto name = reader.getAll<char>();
+    const auto data = vtkSmartPointer<vtkPolyData>::New();
+    PolyDataBlock& block = this->blocks_.emplace_back();
+    block.data = data;
+    block.name = std::string(name.begin(), name.end()) + suffix;
+    vtkNew<vtkPoints> points;
+    points->SetDataType(reader.get<int>());
+    points->SetNumberOfPoints(reader.get<vtkIdType>());
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      points->SetPoint(i, reader.get<Vec3>().data());
+    }
+    this->numberOfPoints_ += static_cast<std::size_t>(points->GetNumberOfPoints());
+    data->SetPoints(points);
+    data->SetVerts(getCells(reader));
+    data->SetLines(getCells(reader));
+    data->SetPolys(getCells(reader));
+    data->SetStrips(getCells(reader));
+    block.inputCells = reader.getAll<vtkIdType>();
+    block.droppedCells = reader.get<vtkIdType>();
+  }
 }
 
 }

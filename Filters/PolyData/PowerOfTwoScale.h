@@ -2,6 +2,7 @@
 #ifndef geodesic_PowerOfTwoScale_h
 #define geodesic_PowerOfTwoScale_h
 
+#include "Errors.h"
 #include "Types.h"
 
 #include <cmath>
@@ -39,6 +40,18 @@ public:
   Vec3 toUser(const Vec3& p) const
   {
     return { this->toUser(p[0]), this->toUser(p[1]), this->toUser(p[2]) };
+  }
+  /// The same for a result, which may be infinite.
+  ///
+  /// \throws MeshError with this message where a finite one becomes infinite.
+  double resultToUser(double length, const char* message) const
+  {
+    const double result = this->toUser(length);
+    if (length < Infinity && !(result < Infinity))
+    {
+      throw MeshError(message);
+    }
+    return result;
   }
   bool isOne() const { return this->exponent_ == 0; }
 

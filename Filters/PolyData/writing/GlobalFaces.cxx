@@ -35,25 +35,28 @@ GlobalFaces::GlobalFaces(const PolyDataSurface& surface)
   : surface_(surface.partition())
   , remote_(surface.remoteVertices())
 {
-  const Id end = surface.mesh().numberOfVertices();
-  for (Id vertex = this->surface_.numberOfOwnVertices(); vertex < end; ++vertex)
-  {
-    this->haloVertices_.emplace(this->surface_.globalId(vertex), vertex);
-  }
 }
 
+// Around a vertex all faces are known to this rank, or to the one that holds it.
 std::vector<GlobalFace> GlobalFaces::find(const std::vector<Triangle>& vertices) const
 {
-  std::vector<GlobalFace> faces;
-  faces.reserve(vertices.size());
+  std::vector<GlobalFace> faces(vertices.size());
   Questions questions(this->surface_.exchange());
-  for (const Triangle& wanted : vertices)
+  for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    faces.push_back(this->findHere(wanted));
-    const RemoteVertex* held = this->heldElsewhere(wanted);
-    if (!faces.back().isThere() && held)
+    const Triangle& wanted = vertices[i];
+    const auto here = std::find_if(
+      wanted.begin(), wanted.end(), [this](Id vertex) { return !this->isRemote(vertex); });
+    const auto held = std::find_if(wanted.begin(), wanted.end(),
+      [this](Id vertex) { return this->isRemote(vertex) && this->hasFace(vertex); });
+    if (here != wanted.end())
     {
-      questions.ask(held->holder.rank, faces.size() - 1, held->holder.id, this->globalIds(wanted));
+      faces[i] = this->findAround(*here, this->globalIds(wanted));
+    }
+    else if (held != wanted.end())
+    {
+      const RankAddress& holder = this->remote(*held).holder;
+      questions.ask(holder.rank, i, holder.id, this->globalIds(wanted));
     }
   }
   questions.exchangeAnswers(
@@ -64,29 +67,6 @@ std::vector<GlobalFace> GlobalFaces::find(const std::vector<Triangle>& vertices)
     },
     [&faces](std::size_t i, MessageReader& answer) { faces[i] = answer.get<GlobalFace>(); });
   return faces;
-}
-
-/// A face of the mesh here, owned or not.
-GlobalFace GlobalFaces::findHere(const Triangle& vertices) const
-{
-  const Triangle wanted = this->globalIds(vertices);
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    if (!this->isRemote(vertices[k]))
-    {
-      return this->findAround(vertices[k], wanted); // the mesh has all faces around
-    }
-    const auto halo = this->haloVertices_.find(wanted[k]);
-    if (halo != this->haloVertices_.end())
-    {
-      const GlobalFace found = this->findAround(halo->second, wanted);
-      if (found.isThere())
-      {
-        return found;
-      }
-    }
-  }
-  return {};
 }
 
 GlobalFace GlobalFaces::findAround(Id vertex, const Triangle& wanted) const
@@ -102,19 +82,6 @@ GlobalFace GlobalFaces::findAround(Id vertex, const Triangle& wanted) const
     }
   }
   return found;
-}
-
-/// A vertex with faces on another rank, which has all faces around it.
-const RemoteVertex* GlobalFaces::heldElsewhere(const Triangle& vertices) const
-{
-  for (const Id vertex : vertices)
-  {
-    if (this->isRemote(vertex) && this->hasFace(vertex))
-    {
-      return &this->remote(vertex);
-    }
-  }
-  return nullptr;
 }
 
 }

@@ -4,7 +4,6 @@
 
 #include "PolyData/reading/PolyDataSurface.h"
 
-#include <unordered_map>
 #include <vector>
 
 namespace geodesic
@@ -76,14 +75,10 @@ private:
   {
     return this->remote_[vertex - this->surface_.mesh().numberOfVertices()];
   }
-  GlobalFace findHere(const Triangle& vertices) const;
   GlobalFace findAround(Id vertex, const Triangle& wanted) const;
-  const RemoteVertex* heldElsewhere(const Triangle& vertices) const;
 
   const MeshPartition& surface_;
   std::vector<RemoteVertex> remote_;
-  /// By their global numbers.
-  std::unordered_map<Id, Id> haloVertices_;
 };
 
 }

@@ -4,22 +4,19 @@
 #include "Errors.h"
 #include "PolyData/Memory.h"
 #include "PolyData/ranks/BorrowedValues.h"
-#include "PolyData/writing/RefinedPolyData.h"
+#include "PolyData/writing/SurfaceWriter.h"
+#include "PolyData/writing/UnmeshedTriangles.h"
 #include "field/Gradients.h"
 #include "refinement/RefinedOnRanks.h"
 
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 namespace geodesic
@@ -28,156 +25,120 @@ namespace geodesic
 namespace
 {
 
-constexpr const char* SourceIdName = "SourceId";
-constexpr const char* ClosestPointName = "ClosestSourcePoint";
-constexpr const char* GradientName = "DistanceGradient";
-constexpr const char* SignedDistanceName = "SignedGeodesicDistance";
-constexpr const char* ArcLengthName = "SourceArcLength";
-constexpr const char* AngleName = "SourceAngle";
-constexpr const char* TextureCoordinateName = "SourceTextureCoordinates";
+/// A point of an output, and what the arrays tell of it.
+struct OutputPoint
+{
+  Vec3 position{};
+  double distance = Infinity;
+  SourceValues values;
+  Vec3 gradient{};
+  /// What stands in arrays of lengths and angles where the point is not reached.
+  double unreached = Infinity;
 
-template <typename Array>
-vtkNew<Array> makeArray(const char* name, int components, vtkIdType tuples)
+  bool isReached() const { return this->distance < Infinity; }
+  double signedDistance() const
+  {
+    return this->values.side == SourceSide::Right && this->distance > 0.0 ? -this->distance
+                                                                          : this->distance;
+  }
+  Vec3 ifReached(double first, double second = 0.0) const
+  {
+    return this->isReached() ? Vec3{ first, second, 0.0 }
+                             : Vec3{ this->unreached, this->unreached, 0.0 };
+  }
+};
+
+Vec3 sourceIdOf(const OutputPoint& point)
+{
+  const Id source = point.values.source;
+  return { source == NoId ? -1.0 : static_cast<double>(source), 0.0, 0.0 };
+}
+
+Vec3 textureCoordinatesOf(const OutputPoint& point)
+{
+  const SourceValues& values = point.values;
+  return values.side == SourceSide::Point
+    ? point.ifReached(
+        point.distance * std::cos(values.angle), point.distance * std::sin(values.angle))
+    : point.ifReached(values.arcLength, point.signedDistance());
+}
+
+/// One of the arrays.
+struct ArrayKind
+{
+  bool SourceArrayChoice::*isAskedFor;
+  const char* name;
+  int type;
+  int components;
+  /// The value at a point, in the first components.
+  Vec3 (*valueOf)(const OutputPoint& point);
+};
+
+using Choice = SourceArrayChoice;
+
+constexpr ArrayKind Kinds[] = { { &Choice::sourceIds, "SourceId", VTK_ID_TYPE, 1, sourceIdOf },
+  { &Choice::closestPoints, "ClosestSourcePoint", VTK_DOUBLE, 3,
+    [](const OutputPoint& point)
+    { return point.isReached() ? point.values.closestPoint : point.position; } },
+  // A point on the source may lie a rounding beside it.
+  { &Choice::gradients, "DistanceGradient", VTK_DOUBLE, 3,
+    [](const OutputPoint& point) { return point.distance > 0.0 ? point.gradient : Vec3(); } },
+  { &Choice::signedDistances, "SignedGeodesicDistance", VTK_DOUBLE, 1,
+    [](const OutputPoint& point) { return point.ifReached(point.signedDistance()); } },
+  { &Choice::arcLengths, "SourceArcLength", VTK_DOUBLE, 1,
+    [](const OutputPoint& point) { return point.ifReached(point.values.arcLength); } },
+  { &Choice::angles, "SourceAngle", VTK_DOUBLE, 1,
+    [](const OutputPoint& point)
+    { return point.ifReached(point.distance > 0.0 ? point.values.angle : 0.0); } },
+  { &Choice::textureCoordinates, "SourceTextureCoordinates", VTK_DOUBLE, 2,
+    textureCoordinatesOf } };
+
+vtkSmartPointer<vtkDataArray> makeArray(
+  const char* name, int type, int components, vtkIdType tuples)
 {
   requireMemory(tuples, components * static_cast<vtkIdType>(sizeof(double)));
-  vtkNew<Array> array;
+  const auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(tuples);
   return array;
 }
 
-/// Adds arrays to the points of an output.
+/// Adds the arrays that are asked for to the points of an output.
 ///
-/// \tparam ForEachPoint (visit) calls visit(vtkIdType point, const SourceValues&, std::size_t index
-///         of its values) for each point.
-template <typename ForEachPoint>
-class ArraysOfPoints
+/// \param pointAt (vtkIdType number) -> OutputPoint
+template <typename PointAt>
+void addArrays(const SourceArrayChoice& choice, const PointAt& pointAt, vtkPolyData* output)
 {
-public:
-  ArraysOfPoints(const ForEachPoint& forEachPoint, vtkPolyData* output)
-    : forEachPoint_(forEachPoint)
-    , output_(output)
+  for (const ArrayKind& kind : Kinds)
   {
-  }
-
-  /// \param valueAt takes the arguments of visit() and returns a vtkIdType.
-  template <typename ValueAt>
-  void addIds(const char* name, const ValueAt& valueAt) const
-  {
-    const auto array = makeArray<vtkIdTypeArray>(name, 1, this->output_->GetNumberOfPoints());
-    this->forEachPoint_([&](vtkIdType point, const SourceValues& values, std::size_t i)
-      { array->SetValue(point, valueAt(point, values, i)); });
-    this->output_->GetPointData()->AddArray(array);
-  }
-
-  /// \param valueAt the same, but returns a std::array of the components.
-  template <typename ValueAt>
-  vtkNew<vtkDoubleArray> addDoubles(const char* name, const ValueAt& valueAt) const
-  {
-    using Value = std::invoke_result_t<ValueAt, vtkIdType, const SourceValues&, std::size_t>;
-    auto array = makeArray<vtkDoubleArray>(
-      name, static_cast<int>(std::tuple_size<Value>::value), this->output_->GetNumberOfPoints());
-    this->forEachPoint_([&](vtkIdType point, const SourceValues& values, std::size_t i)
-      { array->SetTypedTuple(point, valueAt(point, values, i).data()); });
-    this->output_->GetPointData()->AddArray(array);
-    return array;
-  }
-
-private:
-  const ForEachPoint& forEachPoint_;
-  vtkPolyData* output_;
-};
-
-double signedDistance(SourceSide side, double distance)
-{
-  return side == SourceSide::Right && distance > 0.0 ? -distance : distance;
-}
-
-std::array<double, 2> textureCoordinates(const SourceValues& values, std::size_t i, double distance)
-{
-  if (values.sides[i] == SourceSide::Point)
-  {
-    return { distance * std::cos(values.angles[i]), distance * std::sin(values.angles[i]) };
-  }
-  return { values.arcLengths[i], signedDistance(values.sides[i], distance) };
-}
-
-/// Adds the arrays that are asked for: SourceArrays::write().
-template <typename ForEachPoint>
-void writeArrays(const SourceArrayChoice& choice, const ForEachPoint& forEachPoint,
-  const double* distances, double unreached, vtkPolyData* output)
-{
-  const ArraysOfPoints<ForEachPoint> arrays(forEachPoint, output);
-  const auto isReached = [distances](vtkIdType point) { return distances[point] < Infinity; };
-  if (choice.sourceIds)
-  {
-    arrays.addIds(SourceIdName,
-      [](vtkIdType, const SourceValues& values, std::size_t i)
-      { return values.sources[i] == NoId ? -1 : static_cast<vtkIdType>(values.sources[i]); });
-  }
-  if (choice.closestPoints)
-  {
-    arrays.addDoubles(ClosestPointName,
-      [&](vtkIdType point, const SourceValues& values, std::size_t i)
-      {
-        Vec3 closest = isReached(point) ? values.closestPoints[i] : Vec3();
-        if (!isReached(point))
-        {
-          output->GetPoint(point, closest.data());
-        }
-        return closest;
-      });
-  }
-  if (choice.gradients)
-  {
-    // A point on the source may lie a rounding beside it.
-    arrays.addDoubles(GradientName,
-      [&](vtkIdType point, const SourceValues& values, std::size_t i)
-      { return distances[point] > 0.0 ? values.gradients[i] : Vec3(); });
-  }
-  const auto addScalars = [&](bool isAskedFor, const char* name, const auto& valueAt)
-  {
-    if (isAskedFor)
+    if (choice.*kind.isAskedFor)
     {
-      arrays.addDoubles(name,
-        [&](vtkIdType point, const SourceValues& values, std::size_t i) -> std::array<double, 1>
-        { return { isReached(point) ? valueAt(distances[point], values, i) : unreached }; });
+      const vtkIdType count = output->GetNumberOfPoints();
+      const auto array = makeArray(kind.name, kind.type, kind.components, count);
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        array->SetTuple(i, kind.valueOf(pointAt(i)).data());
+      }
+      output->GetPointData()->AddArray(array);
     }
-  };
-  addScalars(choice.signedDistances, SignedDistanceName,
-    [](double distance, const SourceValues& values, std::size_t i)
-    { return signedDistance(values.sides[i], distance); });
-  addScalars(choice.arcLengths, ArcLengthName,
-    [](double, const SourceValues& values, std::size_t i) { return values.arcLengths[i]; });
-  addScalars(choice.angles, AngleName,
-    [](double distance, const SourceValues& values, std::size_t i)
-    { return distance > 0.0 ? values.angles[i] : 0.0; });
+  }
   if (choice.textureCoordinates)
   {
-    output->GetPointData()->SetTCoords(arrays.addDoubles(TextureCoordinateName,
-      [&](vtkIdType point, const SourceValues& values, std::size_t i)
-      {
-        return isReached(point) ? textureCoordinates(values, i, distances[point])
-                                : std::array<double, 2>{ unreached, unreached };
-      }));
+    output->GetPointData()->SetActiveTCoords("SourceTextureCoordinates");
   }
 }
 
-} // anonymous namespace
+}
 
 std::vector<const char*> namesOf(const SourceArrayChoice& choice)
 {
   std::vector<const char*> names;
-  const std::pair<bool, const char*> all[] = { { choice.sourceIds, SourceIdName },
-    { choice.closestPoints, ClosestPointName }, { choice.gradients, GradientName },
-    { choice.signedDistances, SignedDistanceName }, { choice.arcLengths, ArcLengthName },
-    { choice.angles, AngleName }, { choice.textureCoordinates, TextureCoordinateName } };
-  for (const auto& [isAskedFor, name] : all)
+  for (const ArrayKind& kind : Kinds)
   {
-    if (isAskedFor)
+    if (choice.*kind.isAskedFor)
     {
-      names.push_back(name);
+      names.push_back(kind.name);
     }
   }
   return names;
@@ -185,142 +146,66 @@ std::vector<const char*> namesOf(const SourceArrayChoice& choice)
 
 void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output)
 {
-  writeArrays(
-    choice, [](const auto&) {}, nullptr, 0.0, output);
+  addArrays(
+    choice, [](vtkIdType) { return OutputPoint(); }, output);
 }
 
-// Calls visit(member, none) for the values that are asked for: where SourceValues has them, and the
-// value of a point without a face.
+// Calls visit(member) for the members of ValuesAtPoints that are needed.
 template <typename Visit>
 void SourceArrays::forEachKind(const Visit& visit) const
 {
-  if (this->choice_.sourceIds)
+  if (this->choice_.areFeetNeeded())
   {
-    visit(&SourceValues::sources, NoId);
-  }
-  if (this->choice_.closestPoints)
-  {
-    visit(&SourceValues::closestPoints, Vec3{});
+    visit(&ValuesAtPoints::sources);
   }
   if (this->choice_.gradients)
   {
-    visit(&SourceValues::gradients, Vec3{});
-  }
-  if (this->choice_.areSidesNeeded())
-  {
-    visit(&SourceValues::sides, SourceSide::Left);
-  }
-  if (this->choice_.areArcLengthsNeeded())
-  {
-    visit(&SourceValues::arcLengths, 0.0);
-  }
-  if (this->choice_.areAnglesNeeded())
-  {
-    visit(&SourceValues::angles, 0.0);
+    visit(&ValuesAtPoints::gradients);
   }
 }
 
-void SourceArrays::completeValues(SourceValues& atVertices) const
+SourceValues SourceArrays::valuesOf(const Foot& foot, const NearestSource& nearest) const
 {
-  this->forEachKind(
-    [&](auto kind, const auto& none) { this->surface_.completeValues(none, atVertices.*kind); });
-}
-
-void SourceArrays::replaceAtSeams(const SeamPoints& seams, SourceValues& atNewPoints) const
-{
-  Exchange& exchange = this->surface_.exchange();
-  const BorrowedValues told(seams.there, exchange);
-  this->forEachKind(
-    [&](auto kind, const auto&) { told.replace(seams.here, atNewPoints.*kind, exchange); });
-}
-
-void SourceArrays::appendCopies(
-  const std::vector<RankAddress>& copied, SourceValues& atNewPoints) const
-{
-  Exchange& exchange = this->surface_.exchange();
-  const BorrowedValues copies(copied, exchange);
-  this->forEachKind(
-    [&](auto kind, const auto& none) { copies.append(none, atNewPoints.*kind, exchange); });
-}
-
-std::vector<SourceValues> SourceArrays::valuesByBlock(
-  SourceValues atNewPoints, const RefinedMesh& refined) const
-{
-  std::vector<SourceValues> values(this->surface_.blocks().size());
-  if (values.size() == 1)
+  SourceValues values;
+  if (!foot.isKnown())
   {
-    values.front() = std::move(atNewPoints);
     return values;
   }
-  const std::vector<std::size_t> blocks = blocksOfNewPoints(this->surface_, refined);
-  this->forEachKind(
-    [&](auto kind, const auto&)
-    {
-      const auto ofAll = std::move(atNewPoints.*kind);
-      for (std::size_t i = 0; i < blocks.size(); ++i)
-      {
-        (values[blocks[i]].*kind).push_back(ofAll[i]);
-      }
-    });
-  return values;
-}
-
-void SourceArrays::reserve(std::size_t count, SourceValues& values) const
-{
-  this->forEachKind([&](auto kind, const auto&) { (values.*kind).reserve(count); });
-}
-
-void SourceArrays::add(const Foot& foot, const NearestSource& nearest, SourceValues& values) const
-{
-  if (this->choice_.sourceIds)
-  {
-    values.sources.push_back(foot.isKnown() ? this->curves_[foot.curve].source : NoId);
-  }
+  const SourceCurve& curve = this->curves_[foot.curve];
+  const PowerOfTwoScale& scale = this->surface_.scale();
+  values.source = curve.source;
+  values.side = curve.points.size() == 1                         ? SourceSide::Point
+    : isOnRight(foot, this->curves_, this->firstBoundarySource_) ? SourceSide::Right
+                                                                 : SourceSide::Left;
   if (this->choice_.closestPoints)
   {
-    values.closestPoints.push_back(foot.isKnown()
-        ? this->surface_.scale().toUser(position(nearest.meshOfCurves(), nearest.pointOf(foot)))
-        : Vec3{});
-  }
-  if (this->choice_.areSidesNeeded())
-  {
-    values.sides.push_back(this->sideOf(foot));
+    values.closestPoint = scale.toUser(position(nearest.meshOfCurves(), nearest.pointOf(foot)));
   }
   if (this->choice_.areArcLengthsNeeded())
   {
-    values.arcLengths.push_back(
-      foot.isKnown() ? this->surface_.scale().toUser(nearest.arcLengthOf(foot)) : 0.0);
+    values.arcLength = scale.toUser(nearest.arcLengthOf(foot));
   }
   if (this->choice_.areAnglesNeeded())
   {
-    values.angles.push_back(foot.isKnown() ? nearest.angleOf(foot) : 0.0);
+    values.angle = nearest.angleOf(foot);
   }
-}
-
-SourceSide SourceArrays::sideOf(const Foot& foot) const
-{
-  if (foot.isKnown() && this->curves_[foot.curve].points.size() == 1)
-  {
-    return SourceSide::Point;
-  }
-  return isOnRight(foot, this->curves_, this->firstBoundarySource_) ? SourceSide::Right
-                                                                    : SourceSide::Left;
+  return values;
 }
 
 // Calls add(i, values, gradients) for each point.
 template <typename Add>
-SourceValues SourceArrays::collect(std::size_t count, const DistanceField& computed,
+ValuesAtPoints SourceArrays::collect(std::size_t count, const DistanceField& computed,
   const ProgressCallback& callback, const Add& add) const
 {
-  SourceValues values;
+  ValuesAtPoints values;
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  this->reserve(count, values);
+  this->forEachKind([&](auto kind) { (values.*kind).reserve(count); });
   Gradients gradients(computed, values.gradients);
   for (std::size_t i = 0; i < count; ++i)
   {
     progress.at(i, count);
-    add(i, values, gradients);
+    add(i, values.sources, gradients);
   }
   if (this->choice_.gradients)
   {
@@ -329,36 +214,41 @@ SourceValues SourceArrays::collect(std::size_t count, const DistanceField& compu
   return values;
 }
 
-SourceValues SourceArrays::atVertices(const DistanceField& computed, const NearestSource& nearest,
+ValuesAtPoints SourceArrays::atVertices(const DistanceField& computed, const NearestSource& nearest,
   const ProgressCallback& progress) const
 {
-  const auto add = [&](std::size_t i, SourceValues& values, Gradients& gradients)
+  const auto add = [&](std::size_t i, std::vector<SourceValues>& sources, Gradients& gradients)
   {
     const auto vertex = static_cast<Id>(i);
     if (this->choice_.areFeetNeeded())
     {
-      this->add(nearest.atVertex(vertex), nearest, values);
+      sources.push_back(this->valuesOf(nearest.atVertex(vertex), nearest));
     }
     if (this->choice_.gradients)
     {
       gradients.add(incomingSegmentTo(computed, SurfacePoint::atVertex(vertex)));
     }
   };
-  return this->collect(this->surface_.partition().numberOfOwnVertices(), computed, progress, add);
+  ValuesAtPoints values =
+    this->collect(this->surface_.partition().numberOfOwnVertices(), computed, progress, add);
+  this->forEachKind([&](auto kind) { this->surface_.completeValues({}, values.*kind); });
+  return values;
 }
 
-SourceValues SourceArrays::atPoints(const std::vector<RefinedPoint>& points, std::size_t count,
+std::vector<ValuesAtPoints> SourceArrays::atNewPoints(const RefinedSurface& refined,
   const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
   const ProgressCallback& progress) const
 {
-  const auto add = [&](std::size_t i, SourceValues& values, Gradients& gradients)
+  const std::vector<RefinedPoint>& points = refined.mesh.points;
+  const std::size_t count = refined.numberOfPointsWithPlaces();
+  const auto add = [&](std::size_t i, std::vector<SourceValues>& sources, Gradients& gradients)
   {
     const bool isReached = points[i].distance < Infinity;
     const IncomingSegment piece =
       isReached ? incomingSegmentTo(exact, points[i].place) : IncomingSegment();
     if (this->choice_.areFeetNeeded())
     {
-      this->add(nearest.of(piece), nearest, values);
+      sources.push_back(this->valuesOf(nearest.of(piece), nearest));
     }
     if (this->choice_.gradients)
     {
@@ -366,27 +256,69 @@ SourceValues SourceArrays::atPoints(const std::vector<RefinedPoint>& points, std
       gradients.add(isOther ? incomingSegmentTo(computed, points[i].place) : piece);
     }
   };
-  return this->collect(count, computed, progress, add);
+  ValuesAtPoints values = this->collect(count, computed, progress, add);
+  Exchange& exchange = this->surface_.exchange();
+  const SeamPoints seams = findSeamPoints(points, count, computed, exact);
+  const BorrowedValues atSeams(seams.there, exchange);
+  const BorrowedValues atCopies(refined.copied, exchange);
+  this->forEachKind(
+    [&](auto kind)
+    {
+      atSeams.replace(seams.here, values.*kind, exchange);
+      atCopies.append({}, values.*kind, exchange);
+    });
+  return this->byBlock(std::move(values), refined.mesh);
 }
 
-void SourceArrays::write(const SurfaceBlock& block, const SourceValues& atVertices,
-  const SourceValues& atNewPoints, const double* distances, double unreached,
+std::vector<ValuesAtPoints> SourceArrays::byBlock(
+  ValuesAtPoints values, const RefinedMesh& refined) const
+{
+  std::vector<ValuesAtPoints> parts(this->surface_.blocks().size());
+  if (parts.size() == 1)
+  {
+    parts.front() = std::move(values);
+    return parts;
+  }
+  const std::vector<std::size_t> blocks = blocksOfNewPoints(this->surface_, refined);
+  this->forEachKind(
+    [&](auto kind)
+    {
+      const auto ofAll = std::move(values.*kind);
+      for (std::size_t i = 0; i < blocks.size(); ++i)
+      {
+        (parts[blocks[i]].*kind).push_back(ofAll[i]);
+      }
+    });
+  return parts;
+}
+
+void SourceArrays::write(const SurfaceBlock& block, const ValuesAtPoints& atVertices,
+  const ValuesAtPoints& atNewPoints, const double* distances, double unreached,
   vtkPolyData* output) const
 {
   // The points of the input, which have the values of their vertices, come before the new ones.
-  const auto forEachPoint = [&](const auto& visit)
+  const auto pointAt = [&](vtkIdType i)
   {
-    for (Id i = 0; i < block.numberOfPoints; ++i)
+    OutputPoint point;
+    output->GetPoint(i, point.position.data());
+    point.distance = distances[i];
+    point.unreached = unreached;
+    const auto number = static_cast<Id>(i);
+    const bool isNew = number >= block.numberOfPoints;
+    const ValuesAtPoints& values = isNew ? atNewPoints : atVertices;
+    const Id at =
+      isNew ? number - block.numberOfPoints : this->surface_.vertexOf(block.firstPoint + number);
+    if (this->choice_.areFeetNeeded())
     {
-      visit(static_cast<vtkIdType>(i), atVertices, this->surface_.vertexOf(block.firstPoint + i));
+      point.values = values.sources[at];
     }
-    const auto count = static_cast<Id>(output->GetNumberOfPoints());
-    for (Id i = block.numberOfPoints; i < count; ++i)
+    if (this->choice_.gradients)
     {
-      visit(static_cast<vtkIdType>(i), atNewPoints, i - block.numberOfPoints);
+      point.gradient = values.gradients[at];
     }
+    return point;
   };
-  writeArrays(this->choice_, forEachPoint, distances, unreached, output);
+  addArrays(this->choice_, pointAt, output);
 }
 
 std::vector<SourceFrame> SourceArrays::frames(const NearestSource& nearest) const
@@ -413,8 +345,7 @@ std::vector<std::vector<double>> SourceArrays::arcLengthsOfCurves(
 
 void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* output)
 {
-  const auto array =
-    makeArray<vtkDoubleArray>("SourceFrame", 9, static_cast<vtkIdType>(frames.size()));
+  const auto array = makeArray("SourceFrame", VTK_DOUBLE, 9, static_cast<vtkIdType>(frames.size()));
   for (std::size_t source = 0; source < frames.size(); ++source)
   {
     const SourceFrame& frame = frames[source];
@@ -430,27 +361,22 @@ void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* outp
   output->GetFieldData()->AddArray(array);
 }
 
-Id findFaceWithoutSides(const TriangleMesh& mesh, Id first, Id end)
-{
-  for (Id halfedge = 3 * first; halfedge < 3 * end; ++halfedge)
-  {
-    if (!mesh.isBoundary(halfedge) && mesh.acrossOriented(halfedge) == NoId)
-    {
-      return TriangleMesh::faceOf(halfedge);
-    }
-  }
-  return NoId;
-}
-
 void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,
   const std::string& property)
 {
   const MeshPartition& part = surface.partition();
-  const Id face = findFaceWithoutSides(surface.mesh(), part.firstOwnFace(), part.endOfOwnFaces());
-  if (face == NoId)
+  const TriangleMesh& mesh = surface.mesh();
+  Id halfedge = 3 * part.firstOwnFace();
+  const Id end = 3 * part.endOfOwnFaces();
+  while (halfedge < end && (mesh.isBoundary(halfedge) || mesh.acrossOriented(halfedge) != NoId))
+  {
+    ++halfedge;
+  }
+  if (halfedge == end)
   {
     return;
   }
+  const Id face = TriangleMesh::faceOf(halfedge);
   const std::string where = part.isDistributed()
     ? ", which faces of this one (input port 0) on rank " + std::to_string(part.exchange().rank())
     : ": " + surface.nameOfCell(surface.triangleOf(face), inputs) + " and a neighbor";

@@ -18,8 +18,7 @@ namespace geodesic
 {
 
 struct RefinedMesh;
-struct RefinedPoint;
-struct SeamPoints;
+struct RefinedSurface;
 
 /// Which arrays beside the distance are asked for.
 struct SourceArrayChoice
@@ -58,19 +57,25 @@ enum class SourceSide : std::uint8_t
   Point
 };
 
-/// What the arrays are computed from, for some points: one entry per point, in those members that
-/// the choice of arrays needs.
+/// What the arrays hold at a point: where its shortest path ends on the source, and how. Of that
+/// what the choice of arrays needs.
 struct SourceValues
 {
-  /// SourceCurve::source; NoId where the point was not reached.
-  std::vector<Id> sources;
-  /// In the user's scale; not told where the point was not reached.
-  std::vector<Vec3> closestPoints;
-  std::vector<Vec3> gradients;
-  std::vector<SourceSide> sides;
   /// In the user's scale.
-  std::vector<double> arcLengths;
-  std::vector<double> angles;
+  Vec3 closestPoint{};
+  /// In the user's scale.
+  double arcLength = 0.0;
+  double angle = 0.0;
+  /// SourceCurve::source; NoId where the point was not reached: then nothing else is told.
+  Id source = NoId;
+  SourceSide side = SourceSide::Left;
+};
+
+/// The values at some points, one entry each. Empty where the choice of arrays does not need them.
+struct ValuesAtPoints
+{
+  std::vector<SourceValues> sources;
+  std::vector<Vec3> gradients;
 };
 
 /// Computes the arrays that tell more of a field than its distance.
@@ -89,41 +94,25 @@ public:
   {
   }
 
-  /// Of every vertex of this rank's own faces. All ranks call this together.
+  /// Of every vertex that points have: PolyDataSurface::vertexOf(). All ranks call this together.
   ///
   /// \param computed the field that gradients are of, with arrivals.
-  SourceValues atVertices(const DistanceField& computed, const NearestSource& nearest,
+  ValuesAtPoints atVertices(const DistanceField& computed, const NearestSource& nearest,
     const ProgressCallback& progress) const;
-  /// Adds values for the other vertices that points have: PolyDataSurface::completeValues(). All
-  /// ranks call this together.
-  void completeValues(SourceValues& atVertices) const;
-  /// Of points that refinement has added. All ranks call this together.
+  /// Of the points that refinement has added, by blocks of the surface: see partsByBlock(). A point
+  /// on a seam has the values of the rank that knows them best. All ranks call this together.
   ///
-  /// \param count of the first points: those whose places on the mesh are known.
   /// \param exact the field that feet are of, with arrivals; the computed one or another.
-  SourceValues atPoints(const std::vector<RefinedPoint>& points, std::size_t count,
+  std::vector<ValuesAtPoints> atNewPoints(const RefinedSurface& refined,
     const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
     const ProgressCallback& progress) const;
-  /// Gives points on seams the values of the rank that knows them best. All ranks call this
-  /// together.
-  void replaceAtSeams(const SeamPoints& seams, SourceValues& atNewPoints) const;
-  /// Appends to the values at the new points of refinement those at copies of such points. All
-  /// ranks call this together.
-  ///
-  /// \param copied what addUnmeshedTriangles() returns.
-  void appendCopies(const std::vector<RankAddress>& copied, SourceValues& atNewPoints) const;
-  /// The values at the new points of each block: see partsByBlock().
-  ///
-  /// \param refined the mesh whose points they are at.
-  std::vector<SourceValues> valuesByBlock(
-    SourceValues atNewPoints, const RefinedMesh& refined) const;
 
   /// Adds the arrays of one block to its points: those of the input, then those that were added.
   ///
   /// \param distances of the same points; infinite where a point is not reached.
   /// \param unreached what stands there in the arrays of lengths and angles.
-  void write(const SurfaceBlock& block, const SourceValues& atVertices,
-    const SourceValues& atNewPoints, const double* distances, double unreached,
+  void write(const SurfaceBlock& block, const ValuesAtPoints& atVertices,
+    const ValuesAtPoints& atNewPoints, const double* distances, double unreached,
     vtkPolyData* output) const;
 
   /// framesBySource(). Empty unless angles are asked for.
@@ -136,11 +125,10 @@ private:
   template <typename Visit>
   void forEachKind(const Visit& visit) const;
   template <typename Add>
-  SourceValues collect(std::size_t count, const DistanceField& computed,
+  ValuesAtPoints collect(std::size_t count, const DistanceField& computed,
     const ProgressCallback& progress, const Add& add) const;
-  void reserve(std::size_t count, SourceValues& values) const;
-  void add(const Foot& foot, const NearestSource& nearest, SourceValues& values) const;
-  SourceSide sideOf(const Foot& foot) const;
+  SourceValues valuesOf(const Foot& foot, const NearestSource& nearest) const;
+  std::vector<ValuesAtPoints> byBlock(ValuesAtPoints values, const RefinedMesh& refined) const;
 
   const PolyDataSurface& surface_;
   const std::vector<SourceCurve>& curves_;
@@ -169,14 +157,10 @@ std::vector<SourceFrame> framesBySource(
 /// Adds the field data array SourceFrame, with the three vectors of a frame in each tuple.
 void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* output);
 
-/// A face whose neighbours do not tell left from right with it: across an edge of three and more
-/// faces, or one whose faces run along it in one direction. NoId where there is none of the faces
-/// from the first to before the end.
-Id findFaceWithoutSides(const TriangleMesh& mesh, Id first, Id end);
-
 /// \param inputs the blocks that the surface was read from.
 /// \param property what needs sides, for the message.
-/// \throws MeshError where findFaceWithoutSides() finds one.
+/// \throws MeshError where a face and a neighbor do not tell left from right: across an edge of
+///         three and more faces, or one whose faces run along it in one direction.
 void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,
   const std::string& property);
 

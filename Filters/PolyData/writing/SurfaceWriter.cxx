@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/writing/SurfaceWriter.h"
 
+#include "PolyData/CellLoop.h"
 #include "PolyData/Memory.h"
 #include "PolyData/ParallelFor.h"
-#include "PolyData/writing/PointDataInterpolation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -24,8 +28,8 @@ namespace geodesic
 namespace
 {
 
-void writePoints(
-  const RefinedMesh& refined, vtkPoints* from, vtkPolyData* output, const LoopProgress& progress)
+void writePoints(const RefinedMesh& refined, const PowerOfTwoScale& scale, vtkPoints* from,
+  vtkPolyData* output, const LoopProgress& progress)
 {
   if (!from)
   {
@@ -42,74 +46,181 @@ void writePoints(
   for (std::size_t i = 0; i < refined.points.size(); ++i)
   {
     progress.at(i, refined.points.size());
-    points->SetPoint(old + static_cast<vtkIdType>(i), refined.points[i].position.data());
+    points->SetPoint(
+      old + static_cast<vtkIdType>(i), scale.toUser(refined.points[i].position).data());
   }
   output->SetPoints(points);
 }
 
-/// The array of some cell data with the same name and type as one of the output, which tasks may
-/// copy from side by side; null where there is none such.
-vtkDataArray* numbersLike(vtkAbstractArray* array, vtkCellData* data)
+/// How a new point lies among the corners of the face around it.
+struct Blend
 {
-  vtkAbstractArray* found = array->GetName() ? data->GetAbstractArray(array->GetName()) : nullptr;
-  const bool isAlike = found && found->GetDataType() == array->GetDataType() &&
-    found->GetNumberOfComponents() == array->GetNumberOfComponents() &&
-    found->GetDataType() != VTK_BIT; // several share a byte
-  return isAlike && vtkDataArray::SafeDownCast(array) ? vtkDataArray::SafeDownCast(found) : nullptr;
-}
+  std::array<Id, 3> corners{};
+  std::array<double, 3> weights{};
+  std::size_t count = 0;
 
-/// Gives each triangle the data of the cell that it is a part of.
-///
-/// \param cellOf (vtkIdType triangle) -> vtkIdType
-template <typename CellOf>
-void copyCellData(vtkCellData* from, vtkIdType count, const CellOf& cellOf, vtkCellData* to,
-  const ParallelFor& parallelFor, const LoopProgress& progress)
-{
-  to->CopyGlobalIdsOff(); // the parts of one cell would share one
-  to->CopyAllocate(from, count);
-  std::vector<std::pair<vtkDataArray*, vtkDataArray*>> numbers;
-  for (int i = 0; i < to->GetNumberOfArrays(); ++i)
+  void add(Id corner, double weight)
   {
-    vtkAbstractArray* array = to->GetAbstractArray(i);
-    numbers.emplace_back(numbersLike(array, from), vtkDataArray::SafeDownCast(array));
-  }
-  const bool areAllNumbers = std::all_of(
-    numbers.begin(), numbers.end(), [](const auto& arrays) { return arrays.first != nullptr; });
-  for (const auto& [source, target] : numbers)
-  {
-    if (areAllNumbers)
+    const auto end = this->corners.begin() + static_cast<std::ptrdiff_t>(this->count);
+    const auto k = static_cast<std::size_t>(
+      std::find(this->corners.begin(), end, corner) - this->corners.begin());
+    if (k == this->count)
     {
-      target->SetNumberOfTuples(count);
+      this->corners[this->count++] = corner;
+    }
+    this->weights[k] += weight;
+  }
+
+  vtkIdType nearest() const
+  {
+    const auto end = this->weights.begin() + static_cast<std::ptrdiff_t>(this->count);
+    const auto k = std::max_element(this->weights.begin(), end) - this->weights.begin();
+    return this->corners[static_cast<std::size_t>(k)];
+  }
+};
+
+std::vector<Blend> blendsOf(const RefinedMesh& refined)
+{
+  std::vector<Blend> blends(refined.points.size());
+  for (std::size_t i = 0; i < blends.size(); ++i)
+  {
+    const RefinedPoint& point = refined.points[i];
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const double weight = k == 0 ? 1.0 - point.weight : point.weight;
+      const Id parent = point.parents[k];
+      if (parent < refined.numberOfInputPoints)
+      {
+        blends[i].add(parent, weight);
+        continue;
+      }
+      const Blend& other = blends[parent - refined.numberOfInputPoints];
+      for (std::size_t j = 0; j < other.count; ++j)
+      {
+        blends[i].add(other.corners[j], weight * other.weights[j]);
+      }
     }
   }
-  if (numbers.empty())
+  return blends;
+}
+
+void interpolate(vtkAbstractArray* array, const Blend& blend, vtkIdType point, vtkIdList* corners)
+{
+  corners->SetNumberOfIds(static_cast<vtkIdType>(blend.count));
+  for (std::size_t k = 0; k < blend.count; ++k)
+  {
+    corners->SetId(static_cast<vtkIdType>(k), blend.corners[k]);
+  }
+  std::array<double, 3> weights = blend.weights;
+  array->InterpolateTuple(point, corners, array, weights.data());
+}
+
+unsigned char commonFlags(vtkUnsignedCharArray* ghosts, const Blend& blend)
+{
+  unsigned char flags = 0xff;
+  for (std::size_t k = 0; k < blend.count; ++k)
+  {
+    flags = static_cast<unsigned char>(flags & ghosts->GetValue(blend.corners[k]));
+  }
+  return flags;
+}
+
+bool isLabel(vtkPointData* data, int index)
+{
+  vtkAbstractArray* array = data->GetAbstractArray(index);
+  const int type = array->GetDataType();
+  return !vtkDataArray::SafeDownCast(array) || type == VTK_ID_TYPE || type == VTK_BIT ||
+    data->IsArrayAnAttribute(index) == vtkDataSetAttributes::PEDIGREEIDS;
+}
+
+vtkUnsignedCharArray* asGhosts(vtkAbstractArray* array)
+{
+  const char* name = array->GetName();
+  return name && std::strcmp(name, vtkDataSetAttributes::GhostArrayName()) == 0
+    ? vtkUnsignedCharArray::SafeDownCast(array)
+    : nullptr;
+}
+
+/// Copies the data of a mesh's input points and gives its new points interpolated data: numbers
+/// linearly in the face, strings, ids and bits those of the nearest corner. A new point is a ghost
+/// in the ways that all corners around it are. Global ids are dropped.
+///
+/// \param end where this ends as a fraction of the whole.
+void interpolatePointData(const RefinedMesh& refined, vtkPointData* from, vtkPointData* to,
+  double end, LoopProgress& progress)
+{
+  const auto old = static_cast<vtkIdType>(refined.numberOfInputPoints);
+  const vtkIdType count = old + static_cast<vtkIdType>(refined.points.size());
+  requireMemory(count, bytesATuple(from));
+  to->CopyAllocate(from, count); // this leaves global ids out
+  if (to->GetNumberOfArrays() == 0)
   {
     return;
   }
-  const auto copy = [&](std::size_t begin, std::size_t end)
+  to->SetNumberOfTuples(count);
+  to->CopyData(from, 0, old, 0);
+  const std::vector<Blend> blends = blendsOf(refined);
+  vtkNew<vtkIdList> corners;
+  for (int i = 0; i < to->GetNumberOfArrays(); ++i)
   {
-    for (auto i = static_cast<vtkIdType>(begin); i < static_cast<vtkIdType>(end); ++i)
+    const int left = to->GetNumberOfArrays() - i;
+    progress.nextUntil(progress.end() + (end - progress.end()) / left);
+    vtkAbstractArray* array = to->GetAbstractArray(i);
+    vtkUnsignedCharArray* ghosts = asGhosts(array);
+    const bool isLabelArray = isLabel(to, i);
+    for (std::size_t j = 0; j < blends.size(); ++j)
     {
-      const vtkIdType cell = cellOf(i);
-      if (!areAllNumbers)
+      progress.at(j, blends.size());
+      const vtkIdType point = old + static_cast<vtkIdType>(j);
+      if (ghosts)
       {
-        to->CopyData(from, cell, i);
-        continue;
+        ghosts->SetValue(point, commonFlags(ghosts, blends[j]));
       }
-      for (const auto& [source, target] : numbers)
+      else if (isLabelArray)
       {
-        target->SetTuple(i, cell, source);
+        array->SetTuple(point, blends[j].nearest(), array);
+      }
+      else
+      {
+        interpolate(array, blends[j], point, corners);
       }
     }
-  };
-  const ParallelFor one;
-  forRanges(areAllNumbers ? parallelFor : one, static_cast<std::size_t>(count), progress, copy);
+  }
+}
+
+/// Gives each new point or cell the data of an old one.
+///
+/// \param oldOf (vtkIdType) -> vtkIdType
+template <typename OldOf>
+void copyData(vtkDataSetAttributes* from, vtkIdType count, const OldOf& oldOf,
+  vtkDataSetAttributes* to, const LoopProgress& progress)
+{
+  to->CopyAllocate(from, count);
+  if (to->GetNumberOfArrays() == 0)
+  {
+    return;
+  }
+  constexpr vtkIdType atOnce = 8192; // whole arrays are fast, and progress is reported
+  vtkNew<vtkIdList> olds;
+  vtkNew<vtkIdList> news;
+  for (vtkIdType first = 0; first < count; first += atOnce)
+  {
+    progress.at(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
+    const vtkIdType size = std::min(atOnce, count - first);
+    olds->SetNumberOfIds(size);
+    news->SetNumberOfIds(size);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      olds->SetId(i, oldOf(first + i));
+      news->SetId(i, first + i);
+    }
+    to->CopyData(from, olds, news);
+  }
 }
 
 void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellData* from,
   vtkPolyData* output, const LoopProgress& progress)
 {
-  const ParallelFor parallelFor = smpParallelFor();
   const auto count = static_cast<vtkIdType>(refined.triangles.size());
   constexpr vtkIdType idsATriangle = 5; // three points, an offset and the original cell
   requireMemory(count + 1, idsATriangle * sizeof(vtkIdType) + bytesATuple(from));
@@ -121,7 +232,7 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
   originals->SetName("OriginalCellIds");
   originals->SetNumberOfValues(count);
   offsets->SetValue(count, 3 * count);
-  forRanges(parallelFor, refined.triangles.size(),
+  forRanges(smpParallelFor(), refined.triangles.size(),
     progress.between(0.0, from->GetNumberOfArrays() > 0 ? 0.5 : 1.0),
     [&](std::size_t begin, std::size_t end)
     {
@@ -138,13 +249,144 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
     });
   vtkNew<vtkCellArray> triangles;
   triangles->SetData(offsets, points);
-  copyCellData(
+  output->GetCellData()->CopyGlobalIdsOff(); // the parts of one cell would share one
+  copyData(
     from, count, [&originals](vtkIdType i) { return originals->GetValue(i); },
-    output->GetCellData(), parallelFor, progress.between(0.5, 1.0));
+    output->GetCellData(), progress.between(0.5, 1.0));
   output->SetPolys(triangles);
   output->GetCellData()->AddArray(originals);
 }
 
+constexpr vtkIdType Unused = -1;
+
+/// For each point its number among those that are used, or Unused.
+///
+/// \param used gets the points that are used, in their order.
+std::vector<vtkIdType> numbersOfUsedPoints(vtkPolyData* data, vtkIdList* used)
+{
+  std::vector<vtkIdType> numbers(static_cast<std::size_t>(data->GetNumberOfPoints()), Unused);
+  forEachCell(data->GetPolys(),
+    [&numbers](vtkIdType size, const vtkIdType* ids)
+    {
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        numbers[static_cast<std::size_t>(ids[i])] = 0;
+      }
+    });
+  used->Allocate(data->GetNumberOfPoints());
+  for (std::size_t point = 0; point < numbers.size(); ++point)
+  {
+    if (numbers[point] != Unused)
+    {
+      numbers[point] = used->InsertNextId(static_cast<vtkIdType>(point));
+    }
+  }
+  return numbers;
+}
+
+void keepPoints(vtkIdList* used, vtkPolyData* data)
+{
+  const vtkIdType count = used->GetNumberOfIds();
+  requireMemory(count, 3 * static_cast<vtkIdType>(sizeof(double)));
+  vtkNew<vtkPoints> points;
+  points->SetDataType(data->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(count);
+  data->GetPoints()->GetData()->GetTuples(used, points->GetData());
+  data->SetPoints(points);
+
+  vtkNew<vtkPointData> kept;
+  requireMemory(count, bytesATuple(data->GetPointData()));
+  kept->CopyAllOn();
+  const ProgressCallback nobody;
+  copyData(
+    data->GetPointData(), count, [used](vtkIdType i) { return used->GetId(i); }, kept,
+    LoopProgress(nobody));
+  data->GetPointData()->ShallowCopy(kept);
+}
+
+void renumberPolygons(const std::vector<vtkIdType>& numbers, vtkPolyData* data)
+{
+  const vtkIdType count = data->GetPolys()->GetNumberOfCells();
+  const vtkIdType size = data->GetPolys()->GetNumberOfConnectivityIds();
+  requireMemory(count + 1 + size, sizeof(vtkIdType));
+  vtkNew<vtkCellArray> polygons;
+  polygons->AllocateExact(count, size);
+  forEachCell(data->GetPolys(),
+    [&](vtkIdType corners, const vtkIdType* ids)
+    {
+      polygons->InsertNextCell(static_cast<int>(corners));
+      for (vtkIdType i = 0; i < corners; ++i)
+      {
+        polygons->InsertCellPoint(numbers[static_cast<std::size_t>(ids[i])]);
+      }
+    });
+  data->SetPolys(polygons);
+}
+
+}
+
+std::vector<std::size_t> blocksOfNewPoints(
+  const PolyDataSurface& surface, const RefinedMesh& refined)
+{
+  std::vector<std::size_t> blocks;
+  blocks.reserve(refined.points.size());
+  for (const RefinedPoint& point : refined.points)
+  {
+    const Id parent = point.parents[0];
+    blocks.push_back(parent < refined.numberOfInputPoints
+        ? surface.blockOfPoint(parent)
+        : blocks[parent - refined.numberOfInputPoints]);
+  }
+  return blocks;
+}
+
+std::vector<RefinedMesh> partsByBlock(const PolyDataSurface& surface, RefinedMesh refined)
+{
+  std::vector<RefinedMesh> parts;
+  if (surface.blocks().size() == 1)
+  {
+    parts.push_back(std::move(refined));
+    return parts;
+  }
+  parts.resize(surface.blocks().size());
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    parts[i].numberOfInputPoints = surface.blocks()[i].numberOfPoints;
+  }
+  const std::vector<std::size_t> blocks = blocksOfNewPoints(surface, refined);
+  // For each new point its number in its block, of which it needs those of its parents.
+  std::vector<Id> numbers;
+  numbers.reserve(refined.points.size());
+  const auto numberOf = [&](Id point, const SurfaceBlock& block)
+  {
+    return point < refined.numberOfInputPoints ? point - block.firstPoint
+                                               : numbers[point - refined.numberOfInputPoints];
+  };
+  for (RefinedPoint& point : refined.points)
+  {
+    const std::size_t index = blocks[numbers.size()];
+    RefinedMesh& part = parts[index];
+    for (Id& parent : point.parents)
+    {
+      parent = numberOf(parent, surface.blocks()[index]);
+    }
+    numbers.push_back(part.numberOfInputPoints + static_cast<Id>(part.points.size()));
+    part.points.push_back(point);
+  }
+  refined.points = {};
+  for (std::size_t i = 0; i < refined.triangles.size(); ++i)
+  {
+    const std::size_t index = surface.blockOfTriangle(refined.faces[i]);
+    const SurfaceBlock& block = surface.blocks()[index];
+    Triangle triangle = refined.triangles[i];
+    for (Id& corner : triangle)
+    {
+      corner = numberOf(corner, block);
+    }
+    parts[index].triangles.push_back(triangle);
+    parts[index].faces.push_back(refined.faces[i] - block.firstTriangle);
+  }
+  return parts;
 }
 
 void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* output,
@@ -163,23 +405,38 @@ void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* outp
   requireMemory(count, bytesATuple(from));
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  copyCellData(
+  output->GetCellData()->CopyGlobalIdsOff();
+  copyData(
     from, count, [&block](vtkIdType i) { return block.inputCell(i); }, output->GetCellData(),
-    smpParallelFor(), progress);
+    progress);
 }
 
-void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined, vtkPolyData* input,
-  vtkPolyData* output, const ProgressCallback& callback)
+void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined,
+  const PowerOfTwoScale& scale, vtkPolyData* input, vtkPolyData* output,
+  const ProgressCallback& callback)
 {
   constexpr double pointsDone = 0.1;
   constexpr double pointDataDone = 0.5;
   LoopProgress progress(callback);
   progress.nextUntil(pointsDone);
-  writePoints(refined, input->GetPoints(), output, progress);
+  writePoints(refined, scale, input->GetPoints(), output, progress);
   interpolatePointData(
     refined, input->GetPointData(), output->GetPointData(), pointDataDone, progress);
   progress.nextUntil(1.0);
   writeCells(block, refined, input->GetCellData(), output, progress);
+}
+
+void removeUnusedPoints(vtkPolyData* data)
+{
+  const vtkIdType count = data->GetNumberOfPoints();
+  requireMemory(count, 2 * static_cast<vtkIdType>(sizeof(vtkIdType)));
+  vtkNew<vtkIdList> used;
+  const std::vector<vtkIdType> numbers = numbersOfUsedPoints(data, used);
+  if (used->GetNumberOfIds() < count)
+  {
+    keepPoints(used, data);
+    renumberPolygons(numbers, data);
+  }
 }
 
 }

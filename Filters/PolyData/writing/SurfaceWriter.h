@@ -5,10 +5,22 @@
 #include "PolyData/reading/PolyDataSurface.h"
 #include "refinement/AdaptiveRefinement.h"
 
+#include <cstddef>
+#include <vector>
+
 class vtkPolyData;
 
 namespace geodesic
 {
+
+/// The block of the surface that each new point of a refined mesh belongs to.
+std::vector<std::size_t> blocksOfNewPoints(
+  const PolyDataSurface& surface, const RefinedMesh& refined);
+
+/// What of a refined mesh (after addUnmeshedTriangles()) belongs to each block of the surface, in
+/// numbers of the block: points, and triangles as RefinedMesh::faces has them. Each edge of the
+/// surface is an edge between points of one block, so that every new point belongs to one, too.
+std::vector<RefinedMesh> partsByBlock(const PolyDataSurface& surface, RefinedMesh refined);
 
 /// Gives an output the points of the input that a block was made from with their data, the block's
 /// triangles, and for each the data of the cell that it came from.
@@ -18,13 +30,21 @@ void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* outp
   const ProgressCallback& progress);
 
 /// Gives an output a refined block: the input's points with their data, the new points with
-/// interpolated data (interpolatePointData()), and the triangles with the data of the cells that
-/// they are parts of and those cells' numbers as OriginalCellIds.
+/// interpolated data, and the triangles with the data of the cells that they are parts of and those
+/// cells' numbers as OriginalCellIds.
 ///
 /// \param refined in numbers of the block, see partsByBlock().
+/// \param scale of the refined mesh.
 /// \param progress called now and then; returning false throws Aborted.
-void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined, vtkPolyData* input,
-  vtkPolyData* output, const ProgressCallback& progress);
+void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined,
+  const PowerOfTwoScale& scale, vtkPolyData* input, vtkPolyData* output,
+  const ProgressCallback& progress);
+
+/// Leaves out of a data set of polygons the points that none of them uses; the others keep their
+/// order and their data. Arrays are replaced, not changed: other data sets may have them, too.
+///
+/// \throws NotEnoughMemory
+void removeUnusedPoints(vtkPolyData* data);
 
 }
 

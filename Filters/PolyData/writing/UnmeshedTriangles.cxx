@@ -2,12 +2,10 @@
 #include "PolyData/writing/UnmeshedTriangles.h"
 
 #include "PolyData/writing/GlobalFaces.h"
-#include "PolyData/writing/SplitTriangle.h"
 #include "refinement/RefinedOnRanks.h"
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
 namespace geodesic
@@ -23,30 +21,20 @@ struct RefinedTemplate
   GlobalFace face;
   RefinedFace parts;
 
-  /// The points that split an edge, from one vertex to another, by their numbers in the face.
-  std::vector<Id> splitsBetween(Id from, Id to) const
+  /// Adds the points that split an edge or a part of it, from one end to the other, by their
+  /// numbers in the face.
+  void addSplits(Id a, Id b, std::vector<Id>& splits) const
   {
-    std::map<std::pair<Id, Id>, Id> middles;
-    for (std::size_t i = 0; i < this->parts.points.size(); ++i)
+    const auto isMiddle = [a, b](const RefinedPoint& point)
+    { return std::minmax(a, b) == std::minmax(point.parents[0], point.parents[1]); };
+    const std::vector<RefinedPoint>& points = this->parts.points;
+    const auto found = std::find_if(points.begin(), points.end(), isMiddle);
+    if (found != points.end())
     {
-      const std::array<Id, 2>& ends = this->parts.points[i].parents;
-      middles[std::minmax(ends[0], ends[1])] = static_cast<Id>(3 + i);
-    }
-    std::vector<Id> splits;
-    addSplits(middles, this->face.cornerAt(from), this->face.cornerAt(to), splits);
-    return splits;
-  }
-
-private:
-  static void addSplits(
-    const std::map<std::pair<Id, Id>, Id>& middles, Id a, Id b, std::vector<Id>& splits)
-  {
-    const auto middle = middles.find(std::minmax(a, b));
-    if (middle != middles.end())
-    {
-      addSplits(middles, a, middle->second, splits);
-      splits.push_back(middle->second);
-      addSplits(middles, middle->second, b, splits);
+      const auto middle = static_cast<Id>(3 + (found - points.begin()));
+      this->addSplits(a, middle, splits);
+      splits.push_back(middle);
+      this->addSplits(middle, b, splits);
     }
   }
 };
@@ -61,7 +49,7 @@ struct UnmeshedTriangle
   Id like = NoId;
   /// Of a barrier, the templates at its edges from corner k on; NoId at edges without a face.
   std::array<Id, 3> atEdges{ NoId, NoId, NoId };
-  /// The points that split these edges from corner k on, by their numbers in the template.
+  /// The points that split these edges, by their numbers in the template and along its edge.
   std::array<std::vector<Id>, 3> splits{};
 };
 
@@ -165,13 +153,79 @@ UnmeshedTriangles findUnmeshedTriangles(const PolyDataSurface& surface, const Gl
     {
       if (triangle.atEdges[k] != NoId)
       {
-        triangle.splits[k] = unmeshed.templates[triangle.atEdges[k]].splitsBetween(
-          triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
+        const RefinedTemplate& like = unmeshed.templates[triangle.atEdges[k]];
+        const Id edge = like.face.edgeBetween(triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
+        like.addSplits(edge, (edge + 1) % 3, triangle.splits[k]);
       }
     }
   }
   return unmeshed;
 }
+
+/// A triangle with points on its edges, by which it is cut without any further points.
+struct SplitTriangle
+{
+  using Splits = std::vector<Id>;
+
+  Triangle corners;
+  /// On edge k those from corner k to corner k + 1.
+  std::array<Splits, 3> splits;
+
+  /// Adds the parts, in the triangle's orientation. Triangles at one place with points at the same
+  /// places have the same parts, in whatever order their corners are.
+  ///
+  /// \param position where any of these points lies: (Id) -> Vec3.
+  template <typename Position>
+  void cut(const Position& position, std::vector<Triangle>& parts) const
+  {
+    const std::size_t k = this->edgeToCut(position);
+    if (k == 3)
+    {
+      parts.push_back(this->corners);
+      return;
+    }
+    const std::size_t next = (k + 1) % 3;
+    const std::size_t previous = (k + 2) % 3;
+    // The middle one from either end.
+    const std::size_t count = this->splits[k].size();
+    const bool isForward = position(this->corners[k]) < position(this->corners[next]);
+    const auto middle = static_cast<std::ptrdiff_t>(isForward ? (count - 1) / 2 : count / 2);
+    const auto at = this->splits[k].begin() + middle;
+    SplitTriangle{
+      { this->corners[k], *at, this->corners[previous] },
+      { Splits(this->splits[k].begin(), at), {}, this->splits[previous] }
+    }.cut(position, parts);
+    SplitTriangle{
+      { *at, this->corners[next], this->corners[previous] },
+      { Splits(at + 1, this->splits[k].end()), this->splits[next], {} }
+    }.cut(position, parts);
+  }
+
+private:
+  /// The longest edge with splits, for the shapes; 3 if none has any. Of equally long edges the
+  /// choice does not depend on the order of the corners, so that copies are cut like the triangle.
+  template <typename Position>
+  std::size_t edgeToCut(const Position& position) const
+  {
+    std::size_t best = 3;
+    std::pair<double, Vec3> order;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (!this->splits[k].empty())
+      {
+        const Vec3 from = position(this->corners[k]);
+        const Vec3 to = position(this->corners[(k + 1) % 3]);
+        const std::pair<double, Vec3> own(norm(to - from), position(this->corners[(k + 2) % 3]));
+        if (best == 3 || own > order)
+        {
+          best = k;
+          order = own;
+        }
+      }
+    }
+    return best;
+  }
+};
 
 /// Gives triangles the parts of their templates, with points of their own.
 class TemplateCopier
@@ -279,32 +333,19 @@ private:
       if (triangle.atEdges[k] != NoId)
       {
         this->begin(triangle, triangle.atEdges[k]);
-        cut.splits[k] = this->ownSplits(triangle, k);
+        for (const Id point : triangle.splits[k])
+        {
+          cut.splits[k].push_back(this->ownPoint(point));
+        }
+        const GlobalFace& face = this->like_->face;
+        const Id edge = face.edgeBetween(triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
+        if (face.vertices[edge] != triangle.vertices[k])
+        {
+          std::reverse(cut.splits[k].begin(), cut.splits[k].end());
+        }
       }
     }
     cut.cut(positionOf, triangles);
-  }
-
-  /// Points are numbered along the template's edge.
-  std::vector<Id> ownSplits(const UnmeshedTriangle& triangle, std::size_t k)
-  {
-    std::vector<Id> splits = triangle.splits[k];
-    const GlobalFace& face = this->like_->face;
-    const bool isBackward = face.vertices[(face.cornerAt(triangle.vertices[k]) + 1) % 3] !=
-      triangle.vertices[(k + 1) % 3];
-    if (isBackward)
-    {
-      std::reverse(splits.begin(), splits.end());
-    }
-    for (Id& point : splits)
-    {
-      point = this->ownPoint(point);
-    }
-    if (isBackward)
-    {
-      std::reverse(splits.begin(), splits.end());
-    }
-    return splits;
   }
 
   const PolyDataSurface& surface_;
@@ -364,8 +405,8 @@ std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
   return count;
 }
 
-std::vector<RankAddress> addUnmeshedTriangles(const PolyDataSurface& surface,
-  std::uint64_t maximumFaces, const std::vector<Triangle>& cornerPoints, RefinedMesh& refined)
+RefinedSurface addUnmeshedTriangles(const PolyDataSurface& surface, std::uint64_t maximumFaces,
+  const std::vector<Triangle>& cornerPoints, RefinedMesh refined)
 {
   const MeshPartition& partition = surface.partition();
   const Id ownFaces = partition.endOfOwnFaces() - partition.firstOwnFace();
@@ -375,7 +416,7 @@ std::vector<RankAddress> addUnmeshedTriangles(const PolyDataSurface& surface,
     {
       face = surface.triangleOf(face);
     }
-    return {};
+    return { std::move(refined), {} };
   }
   const GlobalFaces faces(surface);
   const std::vector<Id> faceOfTriangle = facesOfTriangles(surface);
@@ -401,7 +442,7 @@ std::vector<RankAddress> addUnmeshedTriangles(const PolyDataSurface& surface,
   }
   refined.triangles = std::move(triangles);
   refined.faces = std::move(parents);
-  return copier.takeAdded();
+  return { std::move(refined), copier.takeAdded() };
 }
 
 }

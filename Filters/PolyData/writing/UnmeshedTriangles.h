@@ -12,6 +12,21 @@
 namespace geodesic
 {
 
+/// The surface after refinement, with all its triangles, before it is divided into blocks.
+struct RefinedSurface
+{
+  /// Its faces have numbers of the surface's triangles.
+  RefinedMesh mesh;
+  /// The points of refinement, of any rank, that the last of the mesh's are copies of: which of
+  /// RefinedMesh::points there. The copies have distances, but no places.
+  std::vector<RankAddress> copied;
+
+  std::size_t numberOfPointsWithPlaces() const
+  {
+    return this->mesh.points.size() - this->copied.size();
+  }
+};
+
 /// How many barriers are at the edges of the mesh, for RefinementOptions::trianglesBeside. Each
 /// barrier of any rank counts once at each of its edges. All ranks call this together.
 std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface);
@@ -26,15 +41,12 @@ std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface);
 /// Barriers are cut where refinement has split their rims, and are whole elsewhere. No other points
 /// are added to a barrier: it has no distances inside.
 ///
-/// All ranks call this together. Afterwards RefinedMesh::faces has numbers of the surface's
-/// triangles.
+/// All ranks call this together.
 ///
 /// \param cornerPoints those of the refinement.
-/// \returns for each point that this has added behind those of the refinement, in their order,
-///          which of RefinedMesh::points of which rank's refinement it is a copy of. The places of
-///          the added points are not set.
-std::vector<RankAddress> addUnmeshedTriangles(const PolyDataSurface& surface,
-  std::uint64_t maximumFaces, const std::vector<Triangle>& cornerPoints, RefinedMesh& refined);
+/// \param refined what refinement made.
+RefinedSurface addUnmeshedTriangles(const PolyDataSurface& surface, std::uint64_t maximumFaces,
+  const std::vector<Triangle>& cornerPoints, RefinedMesh refined);
 
 }
 
