@@ -8,6 +8,7 @@
 #include "BenchmarkTasks.h"
 
 #include "PolyData/ParallelFor.h"
+#include "PolyData/reading/BarrierArrays.h"
 #include "PolyData/reading/PolyDataSource.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "field/SegmentEnvelope.h"

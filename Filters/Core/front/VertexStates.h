@@ -53,7 +53,10 @@ struct VertexState
   static constexpr std::uint8_t UsualTurns = 4;
   void countTurn()
   {
-    this->turns += this->turns < std::numeric_limits<std::uint8_t>::max() ? 1 : 0;
+    if (this->turns < std::numeric_limits<std::uint8_t>::max())
+    {
+      ++this->turns;
+    }
   }
   /// Whether its distance is shorter than the processed one by more than a tie.
   bool isShorter() const { return this->distance < this->processed * (1.0 - tolerance::Tie); }

@@ -42,9 +42,9 @@ std::vector<RemoteVertex> PolyDataSurface::remoteVertices() const
       RemoteVertex& remote = vertices[vertex - this->mesh().numberOfVertices()];
       if (remote.globalId == NoId)
       {
-        const auto own = static_cast<Id>(i);
-        remote.globalId = partition.numberOfGlobalVertices() + barriers.globalId(own);
-        remote.position = barriers.mesh().point(own);
+        const auto onBarrier = static_cast<Id>(i);
+        remote.globalId = partition.numberOfGlobalVertices() + barriers.globalId(onBarrier);
+        remote.position = barriers.mesh().point(onBarrier);
       }
     }
   }

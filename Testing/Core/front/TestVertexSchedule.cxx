@@ -32,7 +32,7 @@ class ScheduleAndModel
 {
 public:
   explicit ScheduleAndModel(std::vector<double> reaches)
-    : mesh_(engineMesh(regularGrid(2, reaches.size())))
+    : mesh_(engineMesh(regularGrid(2, static_cast<Index>(reaches.size()))))
     , states_(this->mesh_, false, false, {}, {})
     , keys_(reaches.size(), Infinity)
   {

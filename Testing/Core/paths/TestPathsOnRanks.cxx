@@ -228,8 +228,8 @@ std::vector<FoundPath> pathsInStrips(const CutMesh& cut, const std::vector<Polyl
     {
       geodesic::FrontOptions options;
       const geodesic::DistanceField field = geodesic::solve(rank.part, rank.sources, options);
-      const std::vector<geodesic::SourceCurve> curves = numbered(rank.curvesOnPatch);
-      const geodesic::PathEnds ends(rank.patch, curves);
+      const std::vector<geodesic::SourceCurve> onPatch = numbered(rank.curvesOnPatch);
+      const geodesic::PathEnds ends(rank.patch, onPatch);
       for (std::size_t i = 0; i < targets.size(); ++i)
       {
         const auto& [point, distance] = targets[i];
@@ -247,7 +247,7 @@ std::vector<FoundPath> pathsInStrips(const CutMesh& cut, const std::vector<Polyl
         {
           atVertex = atVertex <= distance ? atVertex : geodesic::Infinity;
         }
-        geodesic::pathInStrip(rank.part, rank.patch, curves, ends, { face, inFace, distance },
+        geodesic::pathInStrip(rank.part, rank.patch, onPatch, ends, { face, inFace, distance },
           { atVertices, distance }, {},
           [&](const geodesic::PathToSource& path)
           {

@@ -84,7 +84,7 @@ PlainMesh turned(const std::vector<Ring>& rings, Index sides, bool isClosed)
   }
   for (Index j = 0; j < (isClosed ? rings.size() : rings.size() - 1); ++j)
   {
-    const Index k = (j + 1) % rings.size();
+    const Index k = j + 1 < rings.size() ? j + 1 : 0;
     for (Index i = 0; i < sides; ++i)
     {
       const Index a = j * sides + i;
