@@ -123,8 +123,9 @@
  * outputs are empty.
  *
  * @par Threads:
- * The structure of the surface, the propagation, refinement and the output are made on the threads
- * that vtkSMPTools is set to use. The result is the same, to the last bit, for any number of them.
+ * The structure of the surface, the propagation, refinement and the output's points with their
+ * arrays are made on the threads that vtkSMPTools is set to use; cell data is copied on one. The
+ * result is the same, to the last bit, for any number of threads.
  *
  * @par Pieces:
  * A piece of a surface has other distances than the whole. Whatever piece is asked for, the filter
