@@ -68,14 +68,6 @@ inline bool isOnHalfedge(const Barycentric& point, Id k)
   return point[(k + 2) % 3] == 0.0;
 }
 
-/// Where a path crosses a halfedge; by rounding perhaps at an end.
-inline SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction)
-{
-  return fraction <= 0.0 ? SurfacePoint::atVertex(mesh.origin(halfedge))
-    : fraction >= 1.0    ? SurfacePoint::atVertex(mesh.destination(halfedge))
-                         : SurfacePoint::onEdge(halfedge, fraction);
-}
-
 }
 
 #endif

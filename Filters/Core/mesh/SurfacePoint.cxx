@@ -25,15 +25,6 @@ Id cornerWith(const TriangleMesh& mesh, Id face, Id vertex)
   return NoId;
 }
 
-/// The point at a fraction of the way along a halfedge; a vertex where the fraction is 0 or 1, or
-/// beyond by rounding.
-SurfacePoint onHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction)
-{
-  return !(fraction > 0.0) ? SurfacePoint::atVertex(mesh.origin(halfedge))
-    : !(fraction < 1.0)    ? SurfacePoint::atVertex(mesh.destination(halfedge))
-                           : SurfacePoint::onEdge(halfedge, fraction);
-}
-
 bool sameEdgePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
 {
   return mesh.edgeOf(a.id) == mesh.edgeOf(b.id) &&
@@ -97,15 +88,22 @@ SurfacePoint fromBarycentric(
   {
     const auto begin = static_cast<std::size_t>(zero - isZero.begin() + 1) % 3;
     const double end = weights[(begin + 1) % 3];
-    return onHalfedge(mesh, 3 * face + static_cast<Id>(begin), end / (weights[begin] + end));
+    return placeOnHalfedge(mesh, 3 * face + static_cast<Id>(begin), end / (weights[begin] + end));
   }
   if (mesh.shape(face).hasZeroArea())
   {
     const Id longest = longestHalfedge(mesh, face);
     const Vec2 place = inHalfedgeFrame(mesh, longest, { 1.0 - u - v, u, v });
-    return onHalfedge(mesh, longest, place.x / mesh.length(longest));
+    return placeOnHalfedge(mesh, longest, place.x / mesh.length(longest));
   }
   return SurfacePoint::inFace(face, u, v);
+}
+
+SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction)
+{
+  return !(fraction > 0.0) ? SurfacePoint::atVertex(mesh.origin(halfedge))
+    : !(fraction < 1.0)    ? SurfacePoint::atVertex(mesh.destination(halfedge))
+                           : SurfacePoint::onEdge(halfedge, fraction);
 }
 
 SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point)

@@ -47,6 +47,10 @@ SurfacePoint fromBarycentric(
 /// is zero (or negative, by rounding) lies on an edge, an edge point at 0 or 1 is a vertex.
 SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point);
 
+/// The point at a fraction of the way along a halfedge; a vertex where the fraction is 0 or 1, or
+/// beyond by rounding.
+SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction);
+
 /// Barycentric coordinates of the point in a face that contains it, see contains().
 std::array<double, 3> barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id face);
 
