@@ -48,7 +48,7 @@ def draw(field, file_name):
     view = look.view(field, size=(1200, 800))
     look.stripes(simple.Show(field, view))
     look.lines(simple.Show(simple.OutputPort(field, 1), view), width=7)
-    look.save_picture(view, file_name)
+    simple.SaveScreenshot(file_name, view, ImageResolution=view.ViewSize)
 
 
 if __name__ == "__main__":

@@ -35,6 +35,17 @@ def write(pixels, file_name, colors=240):
 
 def few_colors(pixels, colors):
     """For each pixel the number of a color, and the colors, of which the last is that of the first pixel."""
+    palette = np.append(palette_of(pixels, colors), pixels[:1, 0], axis=0)
+    numbers = pixels.astype(np.int32) @ (1 << 16, 1 << 8, 1)
+    different, first, indices = np.unique(numbers, return_index=True, return_inverse=True)
+    # The quantizer's own numbers may be those of other colors: a few triangles would stand out.
+    nearest = [np.abs(palette.astype(int) - color).sum(axis=1).argmin()
+               for color in pixels.reshape(-1, 3)[first].astype(int)]
+    return np.array(nearest, np.uint8)[indices].reshape(numbers.shape), palette
+
+
+def palette_of(pixels, colors):
+    """So many colors of a picture, or fewer."""
     rows, columns, _ = pixels.shape
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
@@ -43,12 +54,9 @@ def few_colors(pixels, colors):
     quantize.SetInputData(image)
     quantize.SetNumberOfColors(colors)
     quantize.Update()
-    indices = vtk_to_numpy(quantize.GetOutput().GetPointData().GetScalars()).reshape(rows, columns)
     table = quantize.GetLookupTable()
-    palette = np.array([table.GetTableValue(i)[:3] for i in range(indices.max() + 1)])
-    palette = np.append(np.round(255 * palette).astype(np.uint8), pixels[:1, 0], axis=0)
-    background = np.all(pixels == pixels[0, 0], axis=2)
-    return np.where(background, len(palette) - 1, indices).astype(np.uint8), palette
+    palette = [table.GetTableValue(i)[:3] for i in range(table.GetNumberOfTableValues())]
+    return np.round(255 * np.array(palette)).astype(np.uint8)
 
 
 def chunk(name, content):
