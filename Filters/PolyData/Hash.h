@@ -30,11 +30,26 @@ inline std::uint64_t hashOf(std::int64_t number)
   return hashOf(&number, 1);
 }
 
+inline std::uint64_t hashOf(const std::array<std::int64_t, 4>& numbers)
+{
+  return hashOf(numbers.data(), numbers.size());
+}
+
 inline std::uint64_t hashOf(const Vec3& place)
 {
   const Vec3 normalized = place + Vec3{}; // -0 and 0 are one place
   return hashOf(normalized.data(), normalized.size());
 }
+
+/// For tables by such keys.
+struct Hash
+{
+  template <typename Key>
+  std::size_t operator()(const Key& key) const
+  {
+    return static_cast<std::size_t>(hashOf(key));
+  }
+};
 
 }
 

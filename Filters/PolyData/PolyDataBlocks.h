@@ -5,6 +5,8 @@
 #include "Errors.h"
 #include "Exchange.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -12,6 +14,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkDataObject;
 
 namespace geodesic
@@ -36,6 +39,12 @@ struct PolyDataBlock
   std::vector<vtkIdType> inputCells;
   /// How many cells of the input are neither vertices nor lines, and have no points here.
   vtkIdType droppedCells = 0;
+  /// The cell array that is not 0 where cells are barriers; null where there is none. See
+  /// findBarrierArrays().
+  vtkDataArray* barriers = nullptr;
+
+  /// The relative precision of the coordinates: epsilon of float or, without points, of double.
+  double precision() const;
 };
 
 /// The vtkPolyData that an input is, or the leaves of a composite one in their flattened order.
@@ -66,6 +75,20 @@ std::string listIds(const std::vector<vtkIdType>& ids);
 /// \param isUsed of each point whether it counts; null: all do.
 std::string whereNotFinite(const PolyDataBlock& block, const char* isUsed = nullptr);
 
+/// Calls visit(vtkIdType size, const vtkIdType* ids) for each cell.
+template <typename Visit>
+void forEachCell(vtkCellArray* cells, Visit&& visit)
+{
+  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    iterator->GetCurrentCell(size, ids);
+    visit(size, ids);
+  }
+}
+
 /// \param cell the number of a cell of the block, with these points.
 /// \throws Failure where a point does not exist.
 template <typename Failure>
@@ -95,7 +118,6 @@ class GatheredBlocks
 {
 public:
   GatheredBlocks() = default;
-
   /// All ranks call this together.
   ///
   /// \param own of this rank.
@@ -113,11 +135,8 @@ public:
   }
 
 private:
-  void unpack(const Message& message, const std::string& suffix);
-
   std::vector<PolyDataBlock> blocks_;
   std::vector<std::size_t> firstPointOfRank_ = { 0 };
-  std::size_t numberOfPoints_ = 0;
 };
 
 }

@@ -87,12 +87,12 @@ private:
 
 }
 
-ContentKey contentKey(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers)
+ContentKey contentKey(const std::vector<PolyDataBlock>& blocks)
 {
   Mixer mixer;
-  for (std::size_t i = 0; i < blocks.size(); ++i)
+  for (const PolyDataBlock& block : blocks)
   {
-    vtkPolyData* data = blocks[i].data;
+    vtkPolyData* data = block.data;
     mixer.addArray(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
     // Of lines and vertices only the number counts, by which the cells after them are numbered.
     mixer.add(static_cast<std::uint64_t>(data->GetNumberOfVerts()));
@@ -103,15 +103,15 @@ ContentKey contentKey(const std::vector<PolyDataBlock>& blocks, const BarrierArr
     mixer.addArray(data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
     mixer.addArray(data->GetCellData()->GetGlobalIds());
     mixer.addArray(data->GetPointData()->GetGlobalIds());
-    mixer.addArray(barriers.of(i));
+    mixer.addArray(block.barriers);
   }
   return mixer.key();
 }
 
-void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
-  bool mergeCoincidentPoints, Exchange& exchange, const ProgressCallback& progress)
+void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+  Exchange& exchange, const ProgressCallback& progress)
 {
-  const ContentKey key = contentKey(blocks, barriers);
+  const ContentKey key = contentKey(blocks);
   const bool isKept = this->surface_ && this->key_ == key &&
     this->isMerged_ == mergeCoincidentPoints && this->exchange_ == &exchange;
   if (!exchange.isTrueAnywhere(!isKept))
@@ -121,7 +121,7 @@ void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, const Barrie
   }
   this->release();
   this->surface_ = std::make_unique<PolyDataSurface>(
-    readSurface(blocks, barriers, mergeCoincidentPoints, exchange, progress));
+    readSurface(blocks, mergeCoincidentPoints, exchange, progress));
   this->locator_ = std::make_unique<PolylineLocator>(this->surface_->partition());
   this->key_ = key;
   this->isMerged_ = mergeCoincidentPoints;

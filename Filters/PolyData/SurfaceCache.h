@@ -3,7 +3,6 @@
 #define geodesic_SurfaceCache_h
 
 #include "PolyData/PolyDataBlocks.h"
-#include "PolyData/reading/BarrierArrays.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "Progress.h"
 #include "paths/JoinPoints.h"
@@ -31,7 +30,7 @@ namespace geodesic
 /// two surfaces with one key.
 using ContentKey = std::array<std::uint64_t, 2>;
 
-ContentKey contentKey(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers = {});
+ContentKey contentKey(const std::vector<PolyDataBlock>& blocks);
 
 /// Keeps the surface of the last execution for the next one, with its locator and the paths that
 /// joined far points of curves.
@@ -42,8 +41,8 @@ public:
   ///
   /// \param exchange see readSurface(). All ranks keep theirs or none does.
   /// \throws what readSurface() throws; nothing is kept then.
-  void update(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
-    bool mergeCoincidentPoints, Exchange& exchange, const ProgressCallback& progress);
+  void update(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+    Exchange& exchange, const ProgressCallback& progress);
 
   /// What update() has read. Valid until the next update() or release().
   const PolyDataSurface& surface() const { return *this->surface_; }

@@ -17,8 +17,7 @@ namespace
 
 using Label = RankLabels::Label;
 
-/// The triangles of a cell: the first and the one after the last.
-using Range = std::pair<std::size_t, std::size_t>;
+using Range = TriangleList::Range;
 
 std::vector<Id> verticesOf(
   const Range& cell, const VertexOfPoint& vertexOf, const TriangleList& triangles)
@@ -72,11 +71,11 @@ void copyCuts(const VertexOfPoint& vertexOf, TriangleList& triangles)
   const auto forEachCut = [&triangles](bool isMarked, const auto& visit)
   {
     triangles.forEachCell(
-      [&](std::size_t first, std::size_t last)
+      [&](const Range& cell)
       {
-        if (last > first + 1 && triangles.isDuplicate[first] == isMarked)
+        if (cell.second > cell.first + 1 && triangles.isDuplicate[cell.first] == isMarked)
         {
-          visit(Range(first, last));
+          visit(cell);
         }
       });
   };
@@ -129,10 +128,10 @@ public:
   ///
   /// \param labelOf of a point that another cell can have, too: (Id) -> Label; NoLabel for others.
   template <typename LabelOf>
-  void add(std::size_t first, std::size_t last, const LabelOf& labelOf)
+  void add(const Range& cell, const LabelOf& labelOf)
   {
     std::vector<Label> labels;
-    for (std::size_t i = first; i < last; ++i)
+    for (std::size_t i = cell.first; i < cell.second; ++i)
     {
       for (const Id point : this->triangles_.corners[i])
       {
@@ -147,8 +146,8 @@ public:
     const CellKey key = keyOf(std::move(labels));
     const auto ranks = static_cast<std::uint64_t>(this->exchange_.numberOfRanks());
     this->questions_.ask(static_cast<int>(key[1] % ranks), this->cells_.size(), key,
-      std::uint8_t(this->triangles_.isDuplicate[first] ? 1 : 0));
-    this->cells_.emplace_back(first, last);
+      bool(this->triangles_.isDuplicate[cell.first]));
+    this->cells_.push_back(cell);
   }
 
   /// Marks the copies among the cells of all ranks, which call this together.
@@ -159,21 +158,22 @@ public:
       [&](int, MessageReader& question)
       {
         bool& taken = isTaken[question.get<CellKey>()];
-        taken = question.get<std::uint8_t>() == 0 || taken;
+        taken = !question.get<bool>() || taken;
       },
       [&](MessageReader& question, Message& answer)
       {
         bool& taken = isTaken[question.get<CellKey>()];
-        const bool isMarked = question.get<std::uint8_t>() != 0;
-        put(answer, std::uint8_t(isMarked && taken ? 1 : 0));
+        const bool isMarked = question.get<bool>();
+        put(answer, isMarked && taken);
         taken = true;
       },
       [&](std::size_t cell, MessageReader& answer)
       {
-        const bool isCopy = answer.get<std::uint8_t>() != 0;
-        for (std::size_t i = this->cells_[cell].first; isCopy && i < this->cells_[cell].second; ++i)
+        const auto [first, last] = this->cells_[cell];
+        if (answer.get<bool>())
         {
-          roles[i] = TriangleRole::Copy;
+          std::fill(roles.begin() + std::ptrdiff_t(first), roles.begin() + std::ptrdiff_t(last),
+            TriangleRole::Copy);
         }
       });
   }
@@ -205,7 +205,7 @@ void findCopiesHere(
   CopyFinder finder(triangles, OneRank::instance());
   for (std::size_t i = 0; i < triangles.corners.size() && !marked.empty(); ++i)
   {
-    finder.add(i, i + 1, labelOf);
+    finder.add({ i, i + 1 }, labelOf);
   }
   finder.find(roles);
 }
@@ -221,11 +221,11 @@ void findCopiesOfOthers(const RankLabels& labels, const VertexOfPoint& vertexOf,
   };
   CopyFinder finder(triangles, exchange);
   triangles.forEachCell(
-    [&](std::size_t first, std::size_t last)
+    [&](const Range& cell)
     {
-      if (roles[first] != TriangleRole::Copy)
+      if (roles[cell.first] != TriangleRole::Copy)
       {
-        finder.add(first, last, labelOf);
+        finder.add(cell, labelOf);
       }
     });
   finder.find(roles);
