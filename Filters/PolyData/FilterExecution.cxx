@@ -3,7 +3,6 @@
 
 #include "PolyData/ParallelFor.h"
 #include "PolyData/ranks/SourcePatch.h"
-#include "PolyData/reading/BarrierArrays.h"
 #include "PolyData/reading/PolyDataSource.h"
 #include "paths/FacesBetweenPoints.h"
 #include "paths/JoinPoints.h"
@@ -110,8 +109,8 @@ void FilterExecution::findSurface(bool supportsPieces)
   bool areSame = std::count(all.begin(), all.end(), own) == ranks;
   if (areSame)
   {
-    const ContentKey key = contentKey(this->surfaceBlocks_);
-    const std::vector<ContentKey> keys = valuesOfRanks(this->exchange_, key);
+    const Fingerprint key = contentKey(this->surfaceBlocks_);
+    const std::vector<Fingerprint> keys = valuesOfRanks(this->exchange_, key);
     areSame = std::count(keys.begin(), keys.end(), key) == ranks;
   }
   this->place_ = !areSame ? SurfacePlace::InPieces

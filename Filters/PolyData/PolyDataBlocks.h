@@ -63,6 +63,16 @@ std::vector<PolyDataBlock> sourceBlocks(vtkDataObject* input, const std::string&
 /// The same for targets, which are the points of any vtkPointSet. Cells are left out.
 std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const std::string& name);
 
+/// Finds PolyDataBlock::barriers of the blocks of a surface. Blocks without the array have no
+/// barriers.
+///
+/// \param array its name; null, empty and "None" (the first entry of ParaView's list) stand for no
+///        barriers.
+/// \param exchange with other ranks, all of which find the arrays of their blocks now.
+/// \throws InputError where no block with cells, of any rank, has the array, or where it is not
+///         numeric, has several components, no value for some cell, or NaN.
+void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Exchange& exchange);
+
 /// A block's name at the beginning of a sentence.
 std::string capitalized(std::string name);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolyData/ranks/SeamMerger.h"
-
 #include "PolyData/Hash.h"
+#include "PolyData/ranks/RankSeams.h"
 #include "Tolerance.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolyData/reading/BarrierArrays.h"
+#include "PolyData/PolyDataBlocks.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -53,9 +53,9 @@ void requireNumbers(const PolyDataBlock& block)
 
 }
 
-void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* name, Exchange& exchange)
+void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Exchange& exchange)
 {
-  if (!name || !*name || std::string(name) == "None")
+  if (!array || !*array || std::string(array) == "None")
   {
     return;
   }
@@ -63,7 +63,7 @@ void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* name, Exc
   bool isFound = false;
   for (PolyDataBlock& block : blocks)
   {
-    vtkAbstractArray* any = block.data->GetCellData()->GetAbstractArray(name);
+    vtkAbstractArray* any = block.data->GetCellData()->GetAbstractArray(array);
     block.barriers = vtkDataArray::SafeDownCast(any);
     if (block.barriers)
     {
@@ -72,7 +72,7 @@ void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* name, Exc
     }
     else if (any)
     {
-      throw InputError(nameOfArray(block, name) + " is a " + any->GetClassName() +
+      throw InputError(nameOfArray(block, array) + " is a " + any->GetClassName() +
         ", where numbers are needed. Choose a numeric array.");
     }
     isMissing = isMissing || (!any && block.data->GetNumberOfCells() > 0);
@@ -81,7 +81,7 @@ void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* name, Exc
   isMissing = exchange.isTrueAnywhere(isMissing);
   if (isMissing && !isFound)
   {
-    throw InputError(std::string("The surface (input port 0) has no cell array named ") + name +
+    throw InputError(std::string("The surface (input port 0) has no cell array named ") + array +
       ", by which BarrierArrayName has barriers. Choose one of its cell arrays, or none.");
   }
 }

@@ -100,17 +100,18 @@ void copyCuts(const VertexOfPoint& vertexOf, TriangleList& triangles)
     });
 }
 
-/// The vertices of a cell, as two numbers that no other cell has.
-using CellKey = std::array<std::uint64_t, 2>;
-
 /// \param labels of the cell's corners.
-CellKey keyOf(std::vector<Label> labels)
+Fingerprint keyOf(std::vector<Label> labels)
 {
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
-  const std::uint64_t hash = hashOf(labels.data(), labels.size());
-  labels.push_back(~hash);
-  return { hash, hashOf(labels.data(), labels.size()) };
+  Fingerprint key{};
+  addWord(labels.size(), key);
+  for (const Label label : labels)
+  {
+    addWord(label, key);
+  }
+  return key;
 }
 
 /// Finds the marked ones among cells on the same vertices that are copies.
@@ -143,7 +144,7 @@ public:
         labels.push_back(label);
       }
     }
-    const CellKey key = keyOf(std::move(labels));
+    const Fingerprint key = keyOf(std::move(labels));
     const auto ranks = static_cast<std::uint64_t>(this->exchange_.numberOfRanks());
     this->questions_.ask(static_cast<int>(key[1] % ranks), this->cells_.size(), key,
       bool(this->triangles_.isDuplicate[cell.first]));
@@ -153,16 +154,16 @@ public:
   /// Marks the copies among the cells of all ranks, which call this together.
   void find(std::vector<TriangleRole>& roles)
   {
-    std::map<CellKey, bool> isTaken;
+    std::map<Fingerprint, bool> isTaken;
     this->questions_.exchangeAnswers(
       [&](int, MessageReader& question)
       {
-        bool& taken = isTaken[question.get<CellKey>()];
+        bool& taken = isTaken[question.get<Fingerprint>()];
         taken = !question.get<bool>() || taken;
       },
       [&](MessageReader& question, Message& answer)
       {
-        bool& taken = isTaken[question.get<CellKey>()];
+        bool& taken = isTaken[question.get<Fingerprint>()];
         const bool isMarked = question.get<bool>();
         put(answer, isMarked && taken);
         taken = true;

@@ -278,10 +278,6 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
   const LocatedPlaces& located, double coordinatePrecision)
 {
-  if (!surface.hasBarriers())
-  {
-    return;
-  }
   const std::vector<RankAddress> barriers = barriersAt(surface, located, coordinatePrecision);
   for (const LocatedPolyline& line : polylines)
   {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/ParallelFor.h"
 #include "PolyData/ranks/RankSeams.h"
-#include "PolyData/ranks/SeamMerger.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/TriangleReader.h"
 #include "mesh/Box.h"

@@ -47,7 +47,6 @@ public:
   BlockReader(const PolyDataBlock& block, Id firstPoint, const VertexOfPoint& vertexOf,
     TriangleList& triangles, SurfaceReport& report)
     : block_(block)
-    , data_(block.data)
     , ghosts_(ghostArray(block.data))
     , firstPoint_(firstPoint)
     , vertexOf_(vertexOf)
@@ -64,17 +63,18 @@ public:
     const auto count = static_cast<std::size_t>(numberOfFaces);
     const double done =
       static_cast<double>(cellsRead) / static_cast<double>(std::max<std::size_t>(count, 1));
-    if (!this->ghosts_ && this->data_->GetNumberOfPolys() == this->data_->GetNumberOfCells())
+    if (!this->ghosts_ &&
+      this->block_.data->GetNumberOfPolys() == this->block_.data->GetNumberOfCells())
     {
       progress.between(done, 1.0).at(0, 1);
       if (this->readPlainTriangles(parallelFor))
       {
-        cellsRead += static_cast<std::size_t>(this->data_->GetNumberOfPolys());
+        cellsRead += static_cast<std::size_t>(this->block_.data->GetNumberOfPolys());
         return true;
       }
     }
-    this->report_.droppedVertexCells += this->countUnmarked(this->data_->GetNumberOfVerts());
-    this->report_.droppedLineCells += this->countUnmarked(this->data_->GetNumberOfLines());
+    this->report_.droppedVertexCells += this->countUnmarked(this->block_.data->GetNumberOfVerts());
+    this->report_.droppedLineCells += this->countUnmarked(this->block_.data->GetNumberOfLines());
     const auto readAll = [&](vtkCellArray* cells, auto add)
     {
       forEachCell(cells,
@@ -89,8 +89,8 @@ public:
           ++this->cell_;
         });
     };
-    readAll(this->data_->GetPolys(), &BlockReader::addPolygon);
-    readAll(this->data_->GetStrips(), &BlockReader::addStrip);
+    readAll(this->block_.data->GetPolys(), &BlockReader::addPolygon);
+    readAll(this->block_.data->GetStrips(), &BlockReader::addStrip);
     return !this->hasOtherCells_;
   }
 
@@ -122,14 +122,14 @@ private:
   {
     TriangleList& triangles = this->triangles_;
     const std::size_t before = triangles.corners.size();
-    const auto count = static_cast<std::size_t>(this->data_->GetNumberOfPolys());
+    const auto count = static_cast<std::size_t>(this->block_.data->GetNumberOfPolys());
     triangles.corners.resize(before + count);
     triangles.cells.resize(before + count);
-    const auto exists = [end = this->data_->GetNumberOfPoints()](vtkIdType id)
+    const auto exists = [end = this->block_.data->GetNumberOfPoints()](vtkIdType id)
     { return id >= 0 && id < end; };
     const auto readRange = [&](std::size_t begin, std::size_t end)
     {
-      const auto cells = vtk::TakeSmartPointer(this->data_->GetPolys()->NewIterator());
+      const auto cells = vtk::TakeSmartPointer(this->block_.data->GetPolys()->NewIterator());
       cells->GoToCell(static_cast<vtkIdType>(begin));
       for (std::size_t i = begin; i < end; ++i, cells->GoToNextCell())
       {
@@ -211,7 +211,8 @@ private:
   {
     const std::vector<vtkIdType>& outline = this->outline_;
     const auto size = static_cast<vtkIdType>(outline.size());
-    this->polygon_->Initialize(static_cast<int>(size), outline.data(), this->data_->GetPoints());
+    this->polygon_->Initialize(
+      static_cast<int>(size), outline.data(), this->block_.data->GetPoints());
 #if VTK_VERSION_NUMBER >= 90300000000ULL
     this->polygon_->TriangulateLocalIds(0, this->ears_);
 #else
@@ -235,7 +236,6 @@ private:
   }
 
   const PolyDataBlock& block_;
-  vtkPolyData* data_;
   vtkUnsignedCharArray* ghosts_;
   Id firstPoint_;
   const VertexOfPoint& vertexOf_;
@@ -256,14 +256,9 @@ TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const Verte
   vtkIdType numberOfFaces, const LoopProgress& progress, const ParallelFor& parallelFor,
   std::vector<SurfaceBlock>& blocks, SurfaceReport& report)
 {
-  vtkIdType polygons = 0;
-  for (const PolyDataBlock& input : inputs)
-  {
-    polygons += input.data->GetNumberOfPolys();
-  }
   TriangleList triangles;
-  triangles.corners.reserve(static_cast<std::size_t>(polygons));
-  triangles.cells.reserve(static_cast<std::size_t>(polygons));
+  triangles.corners.reserve(static_cast<std::size_t>(numberOfFaces));
+  triangles.cells.reserve(static_cast<std::size_t>(numberOfFaces));
   std::size_t cellsRead = 0;
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
