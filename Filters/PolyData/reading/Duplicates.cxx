@@ -4,7 +4,6 @@
 #include "Questions.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -16,7 +15,6 @@ namespace
 {
 
 using Label = RankLabels::Label;
-
 using Range = TriangleList::Range;
 
 std::vector<Id> verticesOf(
@@ -100,8 +98,8 @@ void copyCuts(const VertexOfPoint& vertexOf, TriangleList& triangles)
     });
 }
 
-/// \param labels of the cell's corners.
-Fingerprint keyOf(std::vector<Label> labels)
+/// \param labels of the cell's corners; sorted then, each once.
+Fingerprint keyOf(std::vector<Label>& labels)
 {
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
@@ -114,85 +112,67 @@ Fingerprint keyOf(std::vector<Label> labels)
   return key;
 }
 
-/// Finds the marked ones among cells on the same vertices that are copies.
-class CopyFinder
-{
-public:
-  CopyFinder(const TriangleList& triangles, Exchange& exchange)
-    : triangles_(triangles)
-    , exchange_(exchange)
-    , questions_(exchange)
-  {
-  }
+/// Of a vertex that no other cell has.
+constexpr Label NoLabel = ~Label(0);
 
-  /// Adds a cell.
-  ///
-  /// \param labelOf of a point that another cell can have, too: (Id) -> Label; NoLabel for others.
-  template <typename LabelOf>
-  void add(const Range& cell, const LabelOf& labelOf)
+/// Marks the copies among some cells of all ranks, which call this together: of cells on the same
+/// vertices, marked ones beside an original, or beside the first of marked ones.
+///
+/// \param labelOf of a point: (Id) -> Label.
+template <typename LabelOf>
+void findCopiesAmong(const std::vector<Range>& cells, const LabelOf& labelOf,
+  const TriangleList& triangles, Exchange& exchange, std::vector<TriangleRole>& roles)
+{
+  Questions questions(exchange);
+  const auto ranks = static_cast<std::uint64_t>(exchange.numberOfRanks());
+  std::vector<Label> labels;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
-    std::vector<Label> labels;
-    for (std::size_t i = cell.first; i < cell.second; ++i)
+    labels.clear();
+    for (std::size_t i = cells[cell].first; i < cells[cell].second; ++i)
     {
-      for (const Id point : this->triangles_.corners[i])
+      for (const Id point : triangles.corners[i])
       {
-        const Label label = labelOf(point);
-        if (label == NoLabel)
-        {
-          return; // no other cell has all these vertices
-        }
-        labels.push_back(label);
+        labels.push_back(labelOf(point));
       }
     }
-    const Fingerprint key = keyOf(std::move(labels));
-    const auto ranks = static_cast<std::uint64_t>(this->exchange_.numberOfRanks());
-    this->questions_.ask(static_cast<int>(key[1] % ranks), this->cells_.size(), key,
-      bool(this->triangles_.isDuplicate[cell.first]));
-    this->cells_.push_back(cell);
+    if (std::find(labels.begin(), labels.end(), NoLabel) == labels.end())
+    {
+      const Fingerprint key = keyOf(labels);
+      const bool isMarked = triangles.isDuplicate[cells[cell].first];
+      questions.ask(static_cast<int>(key[1] % ranks), cell, key, isMarked);
+    }
   }
-
-  /// Marks the copies among the cells of all ranks, which call this together.
-  void find(std::vector<TriangleRole>& roles)
-  {
-    std::map<Fingerprint, bool> isTaken;
-    this->questions_.exchangeAnswers(
-      [&](int, MessageReader& question)
+  std::map<Fingerprint, bool> isTaken;
+  questions.exchangeAnswers(
+    [&](int, MessageReader& question)
+    {
+      bool& taken = isTaken[question.get<Fingerprint>()];
+      taken = !question.get<bool>() || taken;
+    },
+    [&](MessageReader& question, Message& answer)
+    {
+      bool& taken = isTaken[question.get<Fingerprint>()];
+      const bool isMarked = question.get<bool>();
+      put(answer, isMarked && taken);
+      taken = true;
+    },
+    [&](std::size_t cell, MessageReader& answer)
+    {
+      const bool isCopy = answer.get<bool>();
+      for (std::size_t i = cells[cell].first; isCopy && i < cells[cell].second; ++i)
       {
-        bool& taken = isTaken[question.get<Fingerprint>()];
-        taken = !question.get<bool>() || taken;
-      },
-      [&](MessageReader& question, Message& answer)
-      {
-        bool& taken = isTaken[question.get<Fingerprint>()];
-        const bool isMarked = question.get<bool>();
-        put(answer, isMarked && taken);
-        taken = true;
-      },
-      [&](std::size_t cell, MessageReader& answer)
-      {
-        const auto [first, last] = this->cells_[cell];
-        if (answer.get<bool>())
-        {
-          std::fill(roles.begin() + std::ptrdiff_t(first), roles.begin() + std::ptrdiff_t(last),
-            TriangleRole::Copy);
-        }
-      });
-  }
-
-  static constexpr Label NoLabel = ~Label(0);
-
-private:
-  const TriangleList& triangles_;
-  Exchange& exchange_;
-  Questions questions_;
-  std::vector<Range> cells_;
-};
+        roles[i] = TriangleRole::Copy;
+      }
+    });
+}
 
 /// Marks the triangles that are copies of others of this rank.
 void findCopiesHere(
   const VertexOfPoint& vertexOf, const TriangleList& triangles, std::vector<TriangleRole>& roles)
 {
   std::set<Id> marked;
+  std::vector<Range> all;
   for (std::size_t i = 0; i < triangles.corners.size(); ++i)
   {
     if (triangles.isDuplicate[i])
@@ -201,35 +181,34 @@ void findCopiesHere(
       marked.insert(vertices.begin(), vertices.end());
     }
   }
-  const auto labelOf = [&](Id point)
-  { return marked.count(vertexOf(point)) > 0 ? Label(vertexOf(point)) : CopyFinder::NoLabel; };
-  CopyFinder finder(triangles, OneRank::instance());
   for (std::size_t i = 0; i < triangles.corners.size() && !marked.empty(); ++i)
   {
-    finder.add({ i, i + 1 }, labelOf);
+    all.emplace_back(i, i + 1);
   }
-  finder.find(roles);
+  const auto labelOf = [&](Id point)
+  { return marked.count(vertexOf(point)) > 0 ? Label(vertexOf(point)) : NoLabel; };
+  findCopiesAmong(all, labelOf, triangles, OneRank::instance(), roles);
 }
 
 /// Marks the triangles that are copies of other ranks' cells.
 void findCopiesOfOthers(const RankLabels& labels, const VertexOfPoint& vertexOf,
   const TriangleList& triangles, Exchange& exchange, std::vector<TriangleRole>& roles)
 {
-  const auto labelOf = [&](Id point)
-  {
-    const Id vertex = vertexOf(point);
-    return labels.isSharedAt(vertex) ? labels.of(vertex) : CopyFinder::NoLabel;
-  };
-  CopyFinder finder(triangles, exchange);
+  std::vector<Range> cells;
   triangles.forEachCell(
     [&](const Range& cell)
     {
       if (roles[cell.first] != TriangleRole::Copy)
       {
-        finder.add(cell, labelOf);
+        cells.push_back(cell);
       }
     });
-  finder.find(roles);
+  const auto labelOf = [&](Id point)
+  {
+    const Id vertex = vertexOf(point);
+    return labels.isSharedAt(vertex) ? labels.of(vertex) : NoLabel;
+  };
+  findCopiesAmong(cells, labelOf, triangles, exchange, roles);
 }
 
 } // anonymous namespace
