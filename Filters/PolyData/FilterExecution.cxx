@@ -51,8 +51,7 @@ void FilterExecution::readInputs(bool supportsPieces)
 {
   this->enter(Stage::ReadingSurface);
   this->surfaceBlocks_ = polyDataBlocks(this->surfaceInput_, "the surface (input port 0)");
-  const BarrierArrays barriers(
-    this->surfaceBlocks_, this->filter_->GetBarrierArrayName(), this->exchange_);
+  findBarrierArrays(this->surfaceBlocks_, this->filter_->GetBarrierArrayName(), this->exchange_);
   if (this->sourceInput_)
   {
     this->gatheredSource_ =
@@ -63,7 +62,7 @@ void FilterExecution::readInputs(bool supportsPieces)
     this->gatheredTargets_ = GatheredBlocks(
       geodesic::targetBlocks(this->targetsInput_, TargetsName), TargetsName, this->exchange_);
   }
-  this->findSurface(barriers, supportsPieces);
+  this->findSurface(supportsPieces);
   if (this->place_ == SurfacePlace::OnOtherRank)
   {
     return;
@@ -76,7 +75,7 @@ void FilterExecution::readInputs(bool supportsPieces)
       this->filter_->GetClassName() +
       " needs all on one. Run with one rank, or have the whole surface on one rank or on each.");
   }
-  this->cache_.update(this->surfaceBlocks_, barriers, this->filter_->GetMergeCoincidentPoints(),
+  this->cache_.update(this->surfaceBlocks_, this->filter_->GetMergeCoincidentPoints(),
     isInPieces ? this->exchange_ : OneRank::instance(), this->progressBetween(0.0, SurfaceRead));
   noteSurface(this->surface(), this->notes_);
   this->reach(SurfaceRead);
@@ -86,7 +85,7 @@ void FilterExecution::readInputs(bool supportsPieces)
 }
 
 /// Finds out who has what of the surface.
-void FilterExecution::findSurface(const BarrierArrays& barriers, bool supportsPieces)
+void FilterExecution::findSurface(bool supportsPieces)
 {
   using PointsAndFaces = std::array<vtkIdType, 2>;
   constexpr PointsAndFaces nothing{ 0, 0 };
@@ -110,8 +109,8 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, bool supportsPi
   bool areSame = std::count(all.begin(), all.end(), own) == ranks;
   if (areSame)
   {
-    const ContentKey key = contentKey(this->surfaceBlocks_, barriers);
-    const std::vector<ContentKey> keys = valuesOfRanks(this->exchange_, key);
+    const Fingerprint key = contentKey(this->surfaceBlocks_);
+    const std::vector<Fingerprint> keys = valuesOfRanks(this->exchange_, key);
     areSame = std::count(keys.begin(), keys.end(), key) == ranks;
   }
   this->place_ = !areSame ? SurfacePlace::InPieces

@@ -169,7 +169,7 @@ public:
   bool reportsWarnings() const { return this->place_ == SurfacePlace::Here || this->isFirstRank(); }
 
 private:
-  void findSurface(const BarrierArrays& barriers, bool supportsPieces);
+  void findSurface(bool supportsPieces);
   const GatheredBlocks& targetBlocks() const
   {
     return this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/PolyDataBlocks.h"
 
-#include "PolyData/CellLoop.h"
-#include "PolyData/reading/CellArrays.h"
 #include "Types.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkIdTypeArray.h"
@@ -20,6 +18,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cfloat>
+#include <utility>
 
 namespace geodesic
 {
@@ -48,18 +48,66 @@ Type* requireType(vtkDataObject* data, const std::string& name, const char* what
   return result;
 }
 
+/// Makes sure that the cells of a cell array can be read: that there are offsets, and that none
+/// decreases or points past the end of the point ids. Neither vtkCellArray nor VTK's readers check
+/// that. What the ids are is left to those who read them.
+///
+/// \param kind what the cells are: "polygons".
+/// \param firstCell number of the first of these cells in the data set.
+/// \throws InputError that names the first cell that cannot be read.
+void requireReadable(
+  vtkCellArray* cells, const std::string& kind, vtkIdType firstCell, const std::string& name)
+{
+  if (cells->IsValid()) // the rule, which is quick
+  {
+    return;
+  }
+  const std::string advice = ". Repair the cells upstream.";
+  vtkDataArray* offsets = cells->GetOffsetsArray();
+  const vtkIdType count = offsets->GetNumberOfValues() - 1;
+  const vtkIdType numberOfIds = cells->GetConnectivityArray()->GetNumberOfValues();
+  if (count < 0)
+  {
+    throw InputError(capitalized(name) + " has " + kind +
+      " with an offsets array that is empty, so that cell " + std::to_string(firstCell) +
+      " cannot be read: it needs one value more than there are cells" + advice);
+  }
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    const auto begin = static_cast<vtkIdType>(offsets->GetComponent(cell, 0));
+    const auto end = static_cast<vtkIdType>(offsets->GetComponent(cell + 1, 0));
+    if (begin < 0 || end < begin || end > numberOfIds)
+    {
+      throw InputError("Cell " + std::to_string(firstCell + cell) + " of " + name +
+        " cannot be read: the offsets of the " + kind + " (number " + std::to_string(cell) +
+        " of these) say that its point ids go from " + std::to_string(begin) + " to " +
+        std::to_string(end) + ", where offsets never decrease and lie between 0 and " +
+        std::to_string(numberOfIds) + ", the number of ids" + advice);
+    }
+  }
+}
+
 PolyDataBlock surfaceBlock(vtkDataObject* data, const std::string& name)
 {
   auto* polyData = requireType<vtkPolyData>(data, name, NoSurface);
-  requireReadable(polyData, name);
-  return { polyData, name, {}, 0 };
+  // vtkPolyData numbers its cells in this order.
+  const std::pair<vtkCellArray*, const char*> kinds[] = { { polyData->GetVerts(), "vertices" },
+    { polyData->GetLines(), "lines" }, { polyData->GetPolys(), "polygons" },
+    { polyData->GetStrips(), "strips" } };
+  vtkIdType first = 0;
+  for (const auto& [cells, kind] : kinds)
+  {
+    requireReadable(cells, kind, first, name);
+    first += cells->GetNumberOfCells();
+  }
+  return { polyData, name, {} };
 }
 
 PolyDataBlock targetBlock(vtkDataObject* data, const std::string& name)
 {
   const auto points = vtkSmartPointer<vtkPolyData>::New();
   points->SetPoints(requireType<vtkPointSet>(data, name, NoPoints)->GetPoints());
-  return { points, name, {}, 0 };
+  return { points, name, {} };
 }
 
 vtkUnsignedCharArray* requireTypes(vtkUnstructuredGrid* grid, const std::string& name)
@@ -169,19 +217,10 @@ std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& nam
   return blocks;
 }
 
-void putCells(vtkCellArray* cells, Message& message)
-{
-  vtkNew<vtkIdTypeArray> ids;
-  cells->ExportLegacyFormat(ids);
-  put(message, ids->GetNumberOfValues());
-  put(message, ids->GetPointer(0), static_cast<std::size_t>(ids->GetNumberOfValues()));
-}
-
 vtkSmartPointer<vtkCellArray> getCells(MessageReader& reader)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  std::vector<vtkIdType> ids(static_cast<std::size_t>(reader.get<vtkIdType>()));
-  reader.get(ids.data(), ids.size());
+  const auto ids = reader.getAll<vtkIdType>();
   cells->ImportLegacyFormat(ids.data(), static_cast<vtkIdType>(ids.size()));
   return cells;
 }
@@ -191,8 +230,7 @@ void putBlock(const PolyDataBlock& block, Message& message)
   putAll(message, std::vector<char>(block.name.begin(), block.name.end()));
   vtkPolyData* data = block.data;
   const vtkIdType count = data->GetNumberOfPoints();
-  const bool isFloat = count > 0 && data->GetPoints()->GetDataType() == VTK_FLOAT;
-  put(message, isFloat ? VTK_FLOAT : VTK_DOUBLE); // coordinates keep their precision
+  put(message, block.precision() == FLT_EPSILON ? VTK_FLOAT : VTK_DOUBLE);
   put(message, count);
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -201,12 +239,51 @@ void putBlock(const PolyDataBlock& block, Message& message)
   for (vtkCellArray* cells :
     { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
   {
-    putCells(cells, message);
+    vtkNew<vtkIdTypeArray> ids;
+    cells->ExportLegacyFormat(ids);
+    putAll(message, std::vector<vtkIdType>(ids->Begin(), ids->End()));
   }
   putAll(message, block.inputCells);
   put(message, block.droppedCells);
 }
 
+/// Adds the blocks of a message to others. \returns how many points they have.
+std::size_t takeBlocks(
+  const Message& message, const std::string& suffix, std::vector<PolyDataBlock>& blocks)
+{
+  std::size_t numberOfPoints = 0;
+  MessageReader reader(message);
+  while (!reader.isAtEnd())
+  {
+    const auto name = reader.getAll<char>();
+    const auto data = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    points->SetDataType(reader.get<int>());
+    points->SetNumberOfPoints(reader.get<vtkIdType>());
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      points->SetPoint(i, reader.get<Vec3>().data());
+    }
+    numberOfPoints += static_cast<std::size_t>(points->GetNumberOfPoints());
+    data->SetPoints(points);
+    data->SetVerts(getCells(reader));
+    data->SetLines(getCells(reader));
+    data->SetPolys(getCells(reader));
+    data->SetStrips(getCells(reader));
+    auto inputCells = reader.getAll<vtkIdType>();
+    blocks.push_back({ data, std::string(name.begin(), name.end()) + suffix, std::move(inputCells),
+      reader.get<vtkIdType>() });
+  }
+  return numberOfPoints;
+}
+
+}
+
+double PolyDataBlock::precision() const
+{
+  const bool isFloat =
+    this->data->GetNumberOfPoints() > 0 && this->data->GetPoints()->GetDataType() == VTK_FLOAT;
+  return isFloat ? FLT_EPSILON : DBL_EPSILON;
 }
 
 std::string capitalized(std::string name)
@@ -294,9 +371,7 @@ GatheredBlocks::GatheredBlocks(
   Message message;
   for (const PolyDataBlock& block : own)
   {
-    const bool isEmpty =
-      block.data->GetNumberOfPoints() == 0 && block.data->GetNumberOfCells() == 0;
-    if (!isEmpty)
+    if (block.data->GetNumberOfPoints() > 0 || block.data->GetNumberOfCells() > 0)
     {
       putBlock(block, message);
     }
@@ -308,41 +383,14 @@ GatheredBlocks::GatheredBlocks(
     std::all_of(all.begin(), all.end(), [&all](const Message& m) { return m == all.front(); });
   for (std::size_t rank = 0; rank < (areCopies ? 1 : all.size()); ++rank)
   {
-    this->unpack(
-      all[rank], isOnOneRank || areCopies ? std::string() : " on rank " + std::to_string(rank));
-    this->firstPointOfRank_.push_back(this->numberOfPoints_);
+    const std::string suffix =
+      isOnOneRank || areCopies ? std::string() : " on rank " + std::to_string(rank);
+    this->firstPointOfRank_.push_back(
+      this->firstPointOfRank_.back() + takeBlocks(all[rank], suffix, this->blocks_));
   }
   if (this->blocks_.empty())
   {
-    this->blocks_.push_back({ vtkSmartPointer<vtkPolyData>::New(), name, {}, 0 });
-  }
-}
-
-void GatheredBlocks::unpack(const Message& message, const std::string& suffix)
-{
-  MessageReader reader(message);
-  while (!reader.isAtEnd())
-  {
-    const auto name = reader.getAll<char>();
-    const auto data = vtkSmartPointer<vtkPolyData>::New();
-    PolyDataBlock& block = this->blocks_.emplace_back();
-    block.data = data;
-    block.name = std::string(name.begin(), name.end()) + suffix;
-    vtkNew<vtkPoints> points;
-    points->SetDataType(reader.get<int>());
-    points->SetNumberOfPoints(reader.get<vtkIdType>());
-    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-    {
-      points->SetPoint(i, reader.get<Vec3>().data());
-    }
-    this->numberOfPoints_ += static_cast<std::size_t>(points->GetNumberOfPoints());
-    data->SetPoints(points);
-    data->SetVerts(getCells(reader));
-    data->SetLines(getCells(reader));
-    data->SetPolys(getCells(reader));
-    data->SetStrips(getCells(reader));
-    block.inputCells = reader.getAll<vtkIdType>();
-    block.droppedCells = reader.get<vtkIdType>();
+    this->blocks_.push_back({ vtkSmartPointer<vtkPolyData>::New(), name, {} });
   }
 }
 

@@ -5,6 +5,8 @@
 #include "Errors.h"
 #include "Exchange.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -12,6 +14,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkDataObject;
 
 namespace geodesic
@@ -36,6 +39,12 @@ struct PolyDataBlock
   std::vector<vtkIdType> inputCells;
   /// How many cells of the input are neither vertices nor lines, and have no points here.
   vtkIdType droppedCells = 0;
+  /// The cell array that is not 0 where cells are barriers; null where there is none. See
+  /// findBarrierArrays().
+  vtkDataArray* barriers = nullptr;
+
+  /// The relative precision of the coordinates: epsilon of float or, without points, of double.
+  double precision() const;
 };
 
 /// The vtkPolyData that an input is, or the leaves of a composite one in their flattened order.
@@ -54,6 +63,16 @@ std::vector<PolyDataBlock> sourceBlocks(vtkDataObject* input, const std::string&
 /// The same for targets, which are the points of any vtkPointSet. Cells are left out.
 std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const std::string& name);
 
+/// Finds PolyDataBlock::barriers of the blocks of a surface. Blocks without the array have no
+/// barriers.
+///
+/// \param array its name; null, empty and "None" (the first entry of ParaView's list) stand for no
+///        barriers.
+/// \param exchange with other ranks, all of which find the arrays of their blocks now.
+/// \throws InputError where no block with cells, of any rank, has the array, or where it is not
+///         numeric, has several components, no value for some cell, or NaN.
+void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Exchange& exchange);
+
 /// A block's name at the beginning of a sentence.
 std::string capitalized(std::string name);
 
@@ -65,6 +84,20 @@ std::string listIds(const std::vector<vtkIdType>& ids);
 ///
 /// \param isUsed of each point whether it counts; null: all do.
 std::string whereNotFinite(const PolyDataBlock& block, const char* isUsed = nullptr);
+
+/// Calls visit(vtkIdType size, const vtkIdType* ids) for each cell.
+template <typename Visit>
+void forEachCell(vtkCellArray* cells, Visit&& visit)
+{
+  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    iterator->GetCurrentCell(size, ids);
+    visit(size, ids);
+  }
+}
 
 /// \param cell the number of a cell of the block, with these points.
 /// \throws Failure where a point does not exist.
@@ -95,7 +128,6 @@ class GatheredBlocks
 {
 public:
   GatheredBlocks() = default;
-
   /// All ranks call this together.
   ///
   /// \param own of this rank.
@@ -113,11 +145,8 @@ public:
   }
 
 private:
-  void unpack(const Message& message, const std::string& suffix);
-
   std::vector<PolyDataBlock> blocks_;
   std::vector<std::size_t> firstPointOfRank_ = { 0 };
-  std::size_t numberOfPoints_ = 0;
 };
 
 }

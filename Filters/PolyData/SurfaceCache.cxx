@@ -17,101 +17,76 @@ namespace geodesic
 namespace
 {
 
-class Mixer
+void addBytes(const void* data, std::size_t size, Fingerprint& key)
 {
-public:
-  void add(std::uint64_t word)
+  const auto* bytes = static_cast<const unsigned char*>(data);
+  std::uint64_t word = 0;
+  for (; size >= sizeof(word); size -= sizeof(word), bytes += sizeof(word))
   {
-    this->first_ = mixed(this->first_ ^ word, 0x9e3779b97f4a7c15ULL);
-    this->second_ = mixed(this->second_ + word, 0xd6e8feb86659fd93ULL);
+    std::memcpy(&word, bytes, sizeof(word));
+    addWord(word, key);
   }
+  word = 0;
+  std::memcpy(&word, bytes, size);
+  addWord(word, key);
+}
 
-  void addBytes(const void* data, std::size_t size)
+void addArray(vtkDataArray* array, Fingerprint& key)
+{
+  addWord(array ? 1 : 0, key);
+  if (!array)
   {
-    const auto* bytes = static_cast<const unsigned char*>(data);
-    std::uint64_t word = 0;
-    for (; size >= sizeof(word); size -= sizeof(word), bytes += sizeof(word))
-    {
-      std::memcpy(&word, bytes, sizeof(word));
-      this->add(word);
-    }
-    word = 0;
-    std::memcpy(&word, bytes, size);
-    this->add(word);
+    return;
   }
-
-  void addArray(vtkDataArray* array)
+  addWord(static_cast<std::uint64_t>(array->GetDataType()), key);
+  addWord(static_cast<std::uint64_t>(array->GetNumberOfComponents()), key);
+  addWord(static_cast<std::uint64_t>(array->GetNumberOfTuples()), key);
+  const bool areBytes = array->GetDataTypeSize() > 0; // not bits
+  if (areBytes && array->HasStandardMemoryLayout())
   {
-    this->add(array ? 1 : 0);
-    if (!array)
-    {
-      return;
-    }
-    this->add(static_cast<std::uint64_t>(array->GetDataType()));
-    this->add(static_cast<std::uint64_t>(array->GetNumberOfComponents()));
-    this->add(static_cast<std::uint64_t>(array->GetNumberOfTuples()));
-    const bool areBytes = array->GetDataTypeSize() > 0; // not bits
-    if (areBytes && array->HasStandardMemoryLayout())
-    {
-      this->addBytes(array->GetVoidPointer(0),
-        static_cast<std::size_t>(array->GetNumberOfValues()) *
-          static_cast<std::size_t>(array->GetDataTypeSize()));
-      return;
-    }
-    std::vector<double> tuple(static_cast<std::size_t>(array->GetNumberOfComponents()));
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-    {
-      array->GetTuple(i, tuple.data());
-      this->addBytes(tuple.data(), tuple.size() * sizeof(double));
-    }
+    const auto values = static_cast<std::size_t>(array->GetNumberOfValues());
+    addBytes(
+      array->GetVoidPointer(0), values * static_cast<std::size_t>(array->GetDataTypeSize()), key);
+    return;
   }
-
-  void addCells(vtkCellArray* cells)
+  std::vector<double> tuple(static_cast<std::size_t>(array->GetNumberOfComponents()));
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
-    this->addArray(cells->GetOffsetsArray());
-    this->addArray(cells->GetConnectivityArray());
+    array->GetTuple(i, tuple.data());
+    addBytes(tuple.data(), tuple.size() * sizeof(double), key);
   }
-
-  ContentKey key() const { return { this->first_, this->second_ }; }
-
-private:
-  static std::uint64_t mixed(std::uint64_t word, std::uint64_t odd)
-  {
-    word *= odd;
-    return word ^ (word >> 32);
-  }
-
-  std::uint64_t first_ = 0;
-  std::uint64_t second_ = 0;
-};
+}
 
 }
 
-ContentKey contentKey(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers)
+Fingerprint contentKey(const std::vector<PolyDataBlock>& blocks)
 {
-  Mixer mixer;
-  for (std::size_t i = 0; i < blocks.size(); ++i)
+  Fingerprint key{};
+  for (const PolyDataBlock& block : blocks)
   {
-    vtkPolyData* data = blocks[i].data;
-    mixer.addArray(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
+    vtkPolyData* data = block.data;
+    addArray(data->GetPoints() ? data->GetPoints()->GetData() : nullptr, key);
     // Of lines and vertices only the number counts, by which the cells after them are numbered.
-    mixer.add(static_cast<std::uint64_t>(data->GetNumberOfVerts()));
-    mixer.add(static_cast<std::uint64_t>(data->GetNumberOfLines()));
-    mixer.addCells(data->GetPolys());
-    mixer.addCells(data->GetStrips());
-    mixer.addArray(data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-    mixer.addArray(data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-    mixer.addArray(data->GetCellData()->GetGlobalIds());
-    mixer.addArray(data->GetPointData()->GetGlobalIds());
-    mixer.addArray(barriers.of(i));
+    addWord(static_cast<std::uint64_t>(data->GetNumberOfVerts()), key);
+    addWord(static_cast<std::uint64_t>(data->GetNumberOfLines()), key);
+    for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
+    {
+      addArray(cells->GetOffsetsArray(), key);
+      addArray(cells->GetConnectivityArray(), key);
+    }
+    addArray(data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()), key);
+    addArray(data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()), key);
+    addArray(data->GetCellData()->GetGlobalIds(), key);
+    addArray(data->GetPointData()->GetGlobalIds(), key);
+    addArray(block.barriers, key);
   }
-  return mixer.key();
+  return key;
 }
 
-void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
-  bool mergeCoincidentPoints, Exchange& exchange, const ProgressCallback& progress)
+void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+  Exchange& exchange, const ProgressCallback& progress)
 {
-  const ContentKey key = contentKey(blocks, barriers);
+  const Fingerprint key = contentKey(blocks);
   const bool isKept = this->surface_ && this->key_ == key &&
     this->isMerged_ == mergeCoincidentPoints && this->exchange_ == &exchange;
   if (!exchange.isTrueAnywhere(!isKept))
@@ -121,7 +96,7 @@ void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, const Barrie
   }
   this->release();
   this->surface_ = std::make_unique<PolyDataSurface>(
-    readSurface(blocks, barriers, mergeCoincidentPoints, exchange, progress));
+    readSurface(blocks, mergeCoincidentPoints, exchange, progress));
   this->locator_ = std::make_unique<PolylineLocator>(this->surface_->partition());
   this->key_ = key;
   this->isMerged_ = mergeCoincidentPoints;

@@ -2,15 +2,13 @@
 #ifndef geodesic_SurfaceCache_h
 #define geodesic_SurfaceCache_h
 
+#include "PolyData/Hash.h"
 #include "PolyData/PolyDataBlocks.h"
-#include "PolyData/reading/BarrierArrays.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "Progress.h"
 #include "paths/JoinPoints.h"
 #include "source/PolylineLocator.h"
 
-#include <array>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -24,26 +22,19 @@ namespace geodesic
 /// Values are read, not times of modification: values changed in place, followed by Modified() on
 /// the data set, change no time of its points or cells. Reading takes a few percent of what
 /// building the structure takes.
-///
-/// The key has two halves of 64 bits. In each, a word is mixed in by a function that is one-to-one
-/// in the word and in what came before, so that a change of one word always changes the key; other
-/// changes go unnoticed once in about 2^128. That is no protection against somebody who looks for
-/// two surfaces with one key.
-using ContentKey = std::array<std::uint64_t, 2>;
-
-ContentKey contentKey(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers = {});
+Fingerprint contentKey(const std::vector<PolyDataBlock>& blocks);
 
 /// Keeps the surface of the last execution for the next one, with its locator and the paths that
 /// joined far points of curves.
 class SurfaceCache
 {
 public:
-  /// Reads the surface, unless the one that is kept is the same, by ContentKey.
+  /// Reads the surface, unless the one that is kept is the same, by contentKey().
   ///
   /// \param exchange see readSurface(). All ranks keep theirs or none does.
   /// \throws what readSurface() throws; nothing is kept then.
-  void update(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
-    bool mergeCoincidentPoints, Exchange& exchange, const ProgressCallback& progress);
+  void update(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+    Exchange& exchange, const ProgressCallback& progress);
 
   /// What update() has read. Valid until the next update() or release().
   const PolyDataSurface& surface() const { return *this->surface_; }
@@ -59,7 +50,7 @@ private:
   std::unique_ptr<PolylineLocator> locator_;
   JoinedPaths joinedPaths_;
   /// What the surface was made from.
-  ContentKey key_{};
+  Fingerprint key_{};
   bool isMerged_ = false;
   const Exchange* exchange_ = nullptr;
 };

@@ -51,11 +51,6 @@ const unsigned char* bytesOf(const std::byte* data)
   return reinterpret_cast<const unsigned char*>(data);
 }
 
-unsigned char* bytesOf(std::byte* data)
-{
-  return reinterpret_cast<unsigned char*>(data);
-}
-
 }
 
 RankExchange::RankExchange(vtkMultiProcessController* controller)
@@ -95,24 +90,29 @@ std::vector<Message> RankExchange::step(std::vector<Message> messages, std::vect
     const std::size_t size = i == self ? 0 : messages[i].size();
     this->header_[FirstSize + i] = static_cast<double>(size);
   }
-  this->gatherHeaders(false, 0);
-  if (const int failed = this->firstFailed(); failed >= 0)
+  if (!this->gatherHeaders(nullptr))
   {
-    this->shareFailure(failed, {});
     this->throwFailure();
   }
   this->takeLeast(least);
 
   std::vector<Message> received = this->makeRoom();
-  std::vector<std::byte*> places;
+  std::vector<unsigned char*> places;
   std::byte* next = this->room_.data();
   for (std::size_t i = 0; i < received.size(); ++i)
   {
     const std::size_t size = this->sizeBetween(static_cast<int>(i), this->rank_);
-    places.push_back(received[i].empty() ? next : received[i].data());
+    std::byte* place = received[i].empty() ? next : received[i].data();
+    places.push_back(reinterpret_cast<unsigned char*>(place));
     next += received[i].empty() ? size : 0;
   }
-  if (!this->transferAtOnce(messages, places))
+#if VTK_MODULE_ENABLE_VTK_ParallelMPI
+  if (auto* controller = vtkMPIController::SafeDownCast(this->controller_))
+  {
+    this->transferAtOnce(messages, places, *controller);
+  }
+  else
+#endif
   {
     this->transferInOrder(messages, places);
   }
@@ -121,7 +121,8 @@ std::vector<Message> RankExchange::step(std::vector<Message> messages, std::vect
     const std::size_t size = this->sizeBetween(static_cast<int>(i), this->rank_);
     if (received[i].empty() && size > 0)
     {
-      received[i].assign(places[i], places[i] + size);
+      const auto* bytes = reinterpret_cast<const std::byte*>(places[i]);
+      received[i].assign(bytes, bytes + size);
     }
   }
   received[self] = std::move(messages[self]);
@@ -132,8 +133,7 @@ std::string RankExchange::fail(const std::string& why)
 {
   if (!this->hasFailed_)
   {
-    this->gatherHeaders(true, why.size());
-    this->shareFailure(this->firstFailed(), why);
+    this->gatherHeaders(&why);
   }
   return this->failure_;
 }
@@ -143,38 +143,34 @@ const double* RankExchange::headerOf(int rank) const
   return this->headers_.data() + rankIndex(rank) * this->header_.size();
 }
 
-void RankExchange::gatherHeaders(bool fails, std::size_t messageLength)
+/// Gathers the headers of all ranks and takes over why the first of those that fail does.
+///
+/// \param failure why this rank fails; null if it does not.
+/// \returns whether none fails.
+bool RankExchange::gatherHeaders(const std::string* failure)
 {
-  this->header_[Fails] = fails ? 1.0 : 0.0;
-  this->header_[LengthOfFailure] = static_cast<double>(messageLength);
+  this->header_[Fails] = failure ? 1.0 : 0.0;
+  this->header_[LengthOfFailure] = failure ? static_cast<double>(failure->size()) : 0.0;
   this->controller_->AllGather(
     this->header_.data(), this->headers_.data(), static_cast<vtkIdType>(this->header_.size()));
-}
-
-/// -1 where no rank fails.
-int RankExchange::firstFailed() const
-{
-  for (int i = 0; i < this->numberOfRanks_; ++i)
+  int failed = 0;
+  while (failed < this->numberOfRanks_ && this->headerOf(failed)[Fails] == 0.0)
   {
-    if (this->headerOf(i)[Fails] != 0.0)
-    {
-      return i;
-    }
+    ++failed;
   }
-  return -1;
-}
-
-/// Takes over why a rank fails.
-void RankExchange::shareFailure(int failed, const std::string& why)
-{
+  if (failed == this->numberOfRanks_)
+  {
+    return true;
+  }
   this->hasFailed_ = true;
-  this->failure_ = failed == this->rank_ ? why : std::string();
+  this->failure_ = failed == this->rank_ ? *failure : std::string();
   this->failure_.resize(static_cast<std::size_t>(this->headerOf(failed)[LengthOfFailure]));
   if (!this->failure_.empty())
   {
     this->controller_->Broadcast(
       &this->failure_[0], static_cast<vtkIdType>(this->failure_.size()), failed);
   }
+  return false;
 }
 
 void RankExchange::throwFailure() const
@@ -216,16 +212,6 @@ std::size_t RankExchange::sizeBetween(int sender, int receiver) const
   return static_cast<std::size_t>(this->headerOf(sender)[FirstSize + rankIndex(receiver)]);
 }
 
-std::size_t RankExchange::bytesToReceive(int rank) const
-{
-  std::size_t size = 0;
-  for (int sender = 0; sender < this->numberOfRanks_; ++sender)
-  {
-    size += this->sizeBetween(sender, rank);
-  }
-  return size;
-}
-
 /// Makes room for what will come, where that is much for any rank. A rank that has no memory for it
 /// fails before any message is sent.
 ///
@@ -236,7 +222,12 @@ std::vector<Message> RankExchange::makeRoom()
   std::size_t most = 0;
   for (int rank = 0; rank < this->numberOfRanks_; ++rank)
   {
-    most = std::max(most, this->bytesToReceive(rank));
+    std::size_t size = 0;
+    for (int sender = 0; sender < this->numberOfRanks_; ++sender)
+    {
+      size += this->sizeBetween(sender, rank);
+    }
+    most = std::max(most, size);
   }
   if (most <= SmallMessages)
   {
@@ -263,8 +254,7 @@ std::vector<Message> RankExchange::makeRoom()
     {
       throw std::bad_alloc(); // which ends in fail()
     }
-    this->gatherHeaders(false, 0);
-    this->shareFailure(this->firstFailed(), {});
+    this->gatherHeaders(nullptr); // in which that rank fails
     this->throwFailure();
   }
   return received;
@@ -273,7 +263,7 @@ std::vector<Message> RankExchange::makeRoom()
 /// One rank after another sends to all others, by their order. Of what remains to be sent, the
 /// first is what its sender and its receiver have come to, so that these go on.
 void RankExchange::transferInOrder(
-  const std::vector<Message>& messages, const std::vector<std::byte*>& received)
+  const std::vector<Message>& messages, const std::vector<unsigned char*>& received)
 {
   for (int sender = 0; sender < this->numberOfRanks_; ++sender)
   {
@@ -286,22 +276,17 @@ void RankExchange::transferInOrder(
       }
       if (size > 0 && receiver == this->rank_)
       {
-        this->controller_->Receive(bytesOf(received[rankIndex(sender)]), size, sender, Tag);
+        this->controller_->Receive(received[rankIndex(sender)], size, sender, Tag);
       }
     }
   }
 }
 
-/// Returns whether the controller can send without waiting.
-bool RankExchange::transferAtOnce(
-  const std::vector<Message>& messages, const std::vector<std::byte*>& received)
-{
 #if VTK_MODULE_ENABLE_VTK_ParallelMPI
-  auto* controller = vtkMPIController::SafeDownCast(this->controller_);
-  if (!controller)
-  {
-    return false;
-  }
+/// Sends without waiting.
+void RankExchange::transferAtOnce(const std::vector<Message>& messages,
+  const std::vector<unsigned char*>& received, vtkMPIController& controller)
+{
   std::vector<vtkMPICommunicator::Request> requests;
   for (int rank = 0; rank < this->numberOfRanks_; ++rank)
   {
@@ -309,8 +294,8 @@ bool RankExchange::transferAtOnce(
     forEachPiece(this->sizeBetween(rank, this->rank_),
       [&](std::size_t begin, int length)
       {
-        controller->NoBlockReceive(
-          bytesOf(received[rankIndex(rank)] + begin), length, rank, Tag, requests.emplace_back());
+        controller.NoBlockReceive(
+          received[rankIndex(rank)] + begin, length, rank, Tag, requests.emplace_back());
       });
   }
   for (int rank = 0; rank < this->numberOfRanks_; ++rank)
@@ -318,20 +303,15 @@ bool RankExchange::transferAtOnce(
     forEachPiece(this->sizeBetween(this->rank_, rank),
       [&](std::size_t begin, int length)
       {
-        controller->NoBlockSend(bytesOf(messages[rankIndex(rank)].data() + begin), length, rank,
-          Tag, requests.emplace_back());
+        controller.NoBlockSend(bytesOf(messages[rankIndex(rank)].data() + begin), length, rank, Tag,
+          requests.emplace_back());
       });
   }
   for (vtkMPICommunicator::Request& request : requests)
   {
     request.Wait();
   }
-  return true;
-#else
-  (void)messages;
-  (void)received;
-  return false;
-#endif
 }
+#endif
 
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+class vtkMPIController;
 class vtkMultiProcessController;
 
 namespace geodesic
@@ -45,17 +46,14 @@ public:
 
 private:
   const double* headerOf(int rank) const;
-  void gatherHeaders(bool fails, std::size_t messageLength);
-  int firstFailed() const;
-  void shareFailure(int failed, const std::string& why);
+  bool gatherHeaders(const std::string* failure);
   [[noreturn]] void throwFailure() const;
   void takeLeast(std::vector<double>& least);
-  std::size_t bytesToReceive(int rank) const;
   std::vector<Message> makeRoom();
   void transferInOrder(
-    const std::vector<Message>& messages, const std::vector<std::byte*>& received);
-  bool transferAtOnce(
-    const std::vector<Message>& messages, const std::vector<std::byte*>& received);
+    const std::vector<Message>& messages, const std::vector<unsigned char*>& received);
+  void transferAtOnce(const std::vector<Message>& messages,
+    const std::vector<unsigned char*>& received, vtkMPIController& controller);
   std::size_t sizeBetween(int sender, int receiver) const;
 
   vtkSmartPointer<vtkMultiProcessController> controller_;

@@ -22,12 +22,6 @@ constexpr int BitsOfVertex = 40;
 template <typename Key>
 using Keyed = std::pair<Key, Id>;
 
-template <typename Key>
-struct HashOfKey
-{
-  std::size_t operator()(const Key& key) const { return static_cast<std::size_t>(hashOf(key)); }
-};
-
 /// What is known of a key by the rank that looks after it.
 struct KnownKey
 {
@@ -68,7 +62,7 @@ bool shareLeast(const std::vector<Keyed<Key>>& items, Exchange& exchange, RankLa
   {
     questions.ask(static_cast<int>(hashOf(key) % ranks), vertex, key, labels.of(vertex));
   }
-  std::unordered_map<Key, KnownKey, HashOfKey<Key>> known;
+  std::unordered_map<Key, KnownKey, Hash> known;
   bool hasChanged = false;
   questions.exchangeAnswers(
     [&](int rank, MessageReader& question)

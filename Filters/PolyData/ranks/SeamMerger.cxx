@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolyData/ranks/SeamMerger.h"
-
 #include "PolyData/Hash.h"
+#include "PolyData/ranks/RankSeams.h"
 #include "Tolerance.h"
 
 #include <algorithm>
@@ -26,14 +25,6 @@ using Label = RankLabels::Label;
 
 /// A cube of a grid whose edges are a power of two, the last number.
 using Cell = std::array<std::int64_t, 4>;
-
-struct CellHash
-{
-  std::size_t operator()(const Cell& cell) const
-  {
-    return static_cast<std::size_t>(hashOf(cell.data(), cell.size()));
-  }
-};
 
 /// The least cubes that are twice as large as a distance, or larger.
 int levelFor(double distance)
@@ -68,48 +59,35 @@ std::array<Cell, 8> cellsAround(const Vec3& point, int level)
   return cells;
 }
 
-/// The places of ghosts' corners.
-class GhostPlaces
+using Cells = std::unordered_set<Cell, Hash>;
+
+/// The cubes of a level that have all points near a corner of a ghost of any rank: all points whose
+/// coordinates differ by at most half a cube.
+Cells cellsNearGhosts(const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks,
+  int level, Exchange& exchange)
 {
-public:
-  /// Those of all ranks.
-  ///
-  /// \param margin the largest tolerance of all vertices.
-  GhostPlaces(const std::vector<Vec3>& vertices, const std::vector<SeamBlock>& blocks,
-    double margin, Exchange& exchange)
-    : level_(levelFor(margin))
+  std::set<Id> corners;
+  for (const SeamBlock& block : blocks)
   {
-    std::set<Id> corners;
-    for (const SeamBlock& block : blocks)
+    for (const Triangle& triangle : block.ghosts)
     {
-      for (const Triangle& triangle : block.ghosts)
-      {
-        corners.insert(triangle.begin(), triangle.end());
-      }
+      corners.insert(triangle.begin(), triangle.end());
     }
-    Message message;
-    for (const Id vertex : corners)
-    {
-      put(message, vertices[vertex]);
-    }
-    readEach(exchange.tellAll(message),
-      [this](int, MessageReader& reader)
-      {
-        const std::array<Cell, 8> cells = cellsAround(reader.get<Vec3>(), this->level_);
-        this->cells_.insert(cells.begin(), cells.end());
-      });
   }
-
-  /// Whether a point may be within the margin of a corner. Never false if it is.
-  bool isNear(const Vec3& point) const
+  Message message;
+  for (const Id vertex : corners)
   {
-    return !this->cells_.empty() && this->cells_.count(cellAt(point, this->level_)) > 0;
+    put(message, vertices[vertex]);
   }
-
-private:
-  int level_;
-  std::unordered_set<Cell, CellHash> cells_;
-};
+  Cells near;
+  readEach(exchange.tellAll(message),
+    [&](int, MessageReader& reader)
+    {
+      const std::array<Cell, 8> cells = cellsAround(reader.get<Vec3>(), level);
+      near.insert(cells.begin(), cells.end());
+    });
+  return near;
+}
 
 /// A vertex of a block: on its boundary, at a ghost, or near one.
 struct VertexOfBlock
@@ -148,70 +126,56 @@ std::vector<Edge> sortedEdges(const std::vector<Triangle>& triangles)
   return edges;
 }
 
-/// Collects the vertices that may have to be joined.
-class VerticesOfBlocks
+/// The vertices of a block that may have to be joined with others.
+///
+/// \param number of the block.
+/// \param isNearGhost whether a place may be within a tolerance of a ghost's corner.
+template <typename IsNearGhost>
+std::vector<VertexOfBlock> verticesOf(std::size_t number, const SeamBlock& block,
+  const std::vector<Vec3>& vertices, const RankLabels& labels, const IsNearGhost& isNearGhost)
 {
-public:
-  VerticesOfBlocks(const std::vector<Vec3>& vertices, const RankLabels& labels)
-    : vertices_(vertices)
-    , labels_(labels)
+  std::vector<VertexOfBlock> entries;
+  std::unordered_map<Id, std::size_t> numbers;
+  const auto entryOf = [&](Id vertex, const Edge& edge) -> VertexOfBlock&
   {
-  }
-
-  void addBlock(std::size_t number, const SeamBlock& block, const GhostPlaces& ghosts)
-  {
-    this->numbers_.clear();
-    const std::vector<Edge> edges = sortedEdges(block.triangles);
-    for (auto first = edges.begin(); first != edges.end();)
-    {
-      const auto last = std::upper_bound(first, edges.end(), *first);
-      const bool isBoundary = last - first == 1;
-      for (const Id vertex : *first)
-      {
-        if (isBoundary || ghosts.isNear(this->vertices_[vertex]))
-        {
-          VertexOfBlock& entry = this->add(number, vertex, *first, block.precision);
-          entry.hasFace = true;
-          entry.isOnBoundary = entry.isOnBoundary || isBoundary;
-        }
-      }
-      first = last;
-    }
-    for (const Edge& edge : sortedEdges(block.ghosts))
-    {
-      for (const Id vertex : edge)
-      {
-        this->add(number, vertex, edge, block.precision).isAtGhost = true;
-      }
-    }
-  }
-
-  std::vector<VertexOfBlock>&& take() { return std::move(this->entries_); }
-
-private:
-  /// \param edge at the vertex.
-  VertexOfBlock& add(std::size_t block, Id vertex, const Edge& edge, double precision)
-  {
-    const auto [number, isNew] = this->numbers_.emplace(vertex, this->entries_.size());
+    const auto [place, isNew] = numbers.emplace(vertex, entries.size());
     if (isNew)
     {
-      this->entries_.push_back({ this->labels_.of(vertex), this->vertices_[vertex], block });
+      entries.push_back({ labels.of(vertex), vertices[vertex], number });
     }
-    VertexOfBlock& entry = this->entries_[number->second];
-    const Vec3& a = this->vertices_[edge[0]];
-    const Vec3& b = this->vertices_[edge[1]];
-    entry.rounding =
-      std::max(entry.rounding, precision * std::max(largestCoordinate(a), largestCoordinate(b)));
+    VertexOfBlock& entry = entries[place->second];
+    const Vec3& a = vertices[edge[0]];
+    const Vec3& b = vertices[edge[1]];
+    entry.rounding = std::max(
+      entry.rounding, block.precision * std::max(largestCoordinate(a), largestCoordinate(b)));
     entry.shortestEdge = std::min(entry.shortestEdge, norm(b - a));
     return entry;
+  };
+  const std::vector<Edge> edges = sortedEdges(block.triangles);
+  for (auto first = edges.begin(); first != edges.end();)
+  {
+    const auto last = std::upper_bound(first, edges.end(), *first);
+    const bool isBoundary = last - first == 1;
+    for (const Id vertex : *first)
+    {
+      if (isBoundary || isNearGhost(vertices[vertex]))
+      {
+        VertexOfBlock& entry = entryOf(vertex, *first);
+        entry.hasFace = true;
+        entry.isOnBoundary = entry.isOnBoundary || isBoundary;
+      }
+    }
+    first = last;
   }
-
-  const std::vector<Vec3>& vertices_;
-  const RankLabels& labels_;
-  std::vector<VertexOfBlock> entries_;
-  /// The entries of one block's vertices.
-  std::unordered_map<Id, std::size_t> numbers_;
-};
+  for (const Edge& edge : sortedEdges(block.ghosts))
+  {
+    for (const Id vertex : edge)
+    {
+      entryOf(vertex, edge).isAtGhost = true;
+    }
+  }
+  return entries;
+}
 
 /// Leaves only the faces that can have a vertex near one of another rank. Edges that are boundary
 /// among these only are not near any.
@@ -314,7 +278,7 @@ bool isClose(const SeamVertex& a, const SeamVertex& b, double distance)
 /// that the coarse coordinates of one block do not crowd the fine ones of another into one cell.
 std::vector<Pair> closePairs(const std::vector<SeamVertex>& vertices)
 {
-  std::unordered_map<Cell, std::vector<std::size_t>, CellHash> grid;
+  std::unordered_map<Cell, std::vector<std::size_t>, Hash> grid;
   std::set<int> levels;
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
@@ -418,13 +382,17 @@ JoinedVertices mergeSeams(const std::vector<Vec3>& vertices, const RankLabels& l
   {
     keepFacesNearOthers(vertices, margin, exchange, blocks.front());
   }
-  const GhostPlaces ghosts(vertices, blocks, margin, exchange);
-  VerticesOfBlocks found(vertices, labels);
+  const int level = levelFor(margin);
+  const Cells near = cellsNearGhosts(vertices, blocks, level, exchange);
+  const auto isNearGhost = [&](const Vec3& point)
+  { return !near.empty() && near.count(cellAt(point, level)) > 0; };
+  std::vector<VertexOfBlock> all;
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    found.addBlock(rankIndex(exchange.rank()) + i, blocks[i], ghosts);
+    const std::vector<VertexOfBlock> own =
+      verticesOf(rankIndex(exchange.rank()) + i, blocks[i], vertices, labels, isNearGhost);
+    all.insert(all.end(), own.begin(), own.end());
   }
-  std::vector<VertexOfBlock> all = found.take();
   if (!isAlone)
   {
     all = gatherNearOthers(all, exchange);

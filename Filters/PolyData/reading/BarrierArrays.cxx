@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolyData/reading/BarrierArrays.h"
+#include "PolyData/PolyDataBlocks.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkPolyData.h"
-
 #include <cmath>
+#include <string>
 
 namespace geodesic
 {
@@ -13,10 +12,17 @@ namespace geodesic
 namespace
 {
 
-/// \throws InputError
-void requireNumbers(const PolyDataBlock& block, vtkDataArray* values, const std::string& name)
+/// As messages call it.
+std::string nameOfArray(const PolyDataBlock& block, const std::string& name)
 {
-  const std::string begin = "The cell array " + name + " (BarrierArrayName) of " + block.name;
+  return "The cell array " + name + " (BarrierArrayName) of " + block.name;
+}
+
+/// \throws InputError
+void requireNumbers(const PolyDataBlock& block)
+{
+  vtkDataArray* values = block.barriers;
+  const std::string begin = nameOfArray(block, values->GetName());
   if (values->GetNumberOfComponents() != 1)
   {
     throw InputError(begin + " has " + std::to_string(values->GetNumberOfComponents()) +
@@ -47,46 +53,37 @@ void requireNumbers(const PolyDataBlock& block, vtkDataArray* values, const std:
 
 }
 
-BarrierArrays::BarrierArrays(
-  const std::vector<PolyDataBlock>& blocks, const char* name, Exchange& exchange)
+void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Exchange& exchange)
 {
-  if (!name || !*name || std::string(name) == "None")
+  if (!array || !*array || std::string(array) == "None")
   {
     return;
   }
-  this->name_ = name;
   bool isMissing = false;
   bool isFound = false;
-  for (const PolyDataBlock& block : blocks)
+  for (PolyDataBlock& block : blocks)
   {
-    vtkAbstractArray* any = block.data->GetCellData()->GetAbstractArray(name);
-    auto* values = vtkDataArray::SafeDownCast(any);
-    if (any && !values)
+    vtkAbstractArray* any = block.data->GetCellData()->GetAbstractArray(array);
+    block.barriers = vtkDataArray::SafeDownCast(any);
+    if (block.barriers)
     {
-      throw InputError("The cell array " + this->name_ + " (BarrierArrayName) of " + block.name +
-        " is a " + any->GetClassName() + ", where numbers are needed. Choose a numeric array.");
+      requireNumbers(block);
+      isFound = true;
     }
-    if (values)
+    else if (any)
     {
-      requireNumbers(block, values, this->name_);
+      throw InputError(nameOfArray(block, array) + " is a " + any->GetClassName() +
+        ", where numbers are needed. Choose a numeric array.");
     }
-    isFound = isFound || values;
-    isMissing = isMissing || (!values && block.data->GetNumberOfCells() > 0);
-    this->arrays_.push_back(values);
+    isMissing = isMissing || (!any && block.data->GetNumberOfCells() > 0);
   }
   isFound = exchange.isTrueAnywhere(isFound);
   isMissing = exchange.isTrueAnywhere(isMissing);
   if (isMissing && !isFound)
   {
-    throw InputError("The surface (input port 0) has no cell array named " + this->name_ +
+    throw InputError(std::string("The surface (input port 0) has no cell array named ") + array +
       ", by which BarrierArrayName has barriers. Choose one of its cell arrays, or none.");
   }
-}
-
-bool BarrierArrays::isBarrier(std::size_t block, vtkIdType cell) const
-{
-  vtkDataArray* values = this->of(block);
-  return values && values->GetComponent(cell, 0) != 0.0;
 }
 
 }

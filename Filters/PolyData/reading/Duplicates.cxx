@@ -4,7 +4,6 @@
 #include "Questions.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -16,9 +15,7 @@ namespace
 {
 
 using Label = RankLabels::Label;
-
-/// The triangles of a cell: the first and the one after the last.
-using Range = std::pair<std::size_t, std::size_t>;
+using Range = TriangleList::Range;
 
 std::vector<Id> verticesOf(
   const Range& cell, const VertexOfPoint& vertexOf, const TriangleList& triangles)
@@ -72,11 +69,11 @@ void copyCuts(const VertexOfPoint& vertexOf, TriangleList& triangles)
   const auto forEachCut = [&triangles](bool isMarked, const auto& visit)
   {
     triangles.forEachCell(
-      [&](std::size_t first, std::size_t last)
+      [&](const Range& cell)
       {
-        if (last > first + 1 && triangles.isDuplicate[first] == isMarked)
+        if (cell.second > cell.first + 1 && triangles.isDuplicate[cell.first] == isMarked)
         {
-          visit(Range(first, last));
+          visit(cell);
         }
       });
   };
@@ -101,97 +98,81 @@ void copyCuts(const VertexOfPoint& vertexOf, TriangleList& triangles)
     });
 }
 
-/// The vertices of a cell, as two numbers that no other cell has.
-using CellKey = std::array<std::uint64_t, 2>;
-
-/// \param labels of the cell's corners.
-CellKey keyOf(std::vector<Label> labels)
+/// \param labels of the cell's corners; sorted then, each once.
+Fingerprint keyOf(std::vector<Label>& labels)
 {
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
-  const std::uint64_t hash = hashOf(labels.data(), labels.size());
-  labels.push_back(~hash);
-  return { hash, hashOf(labels.data(), labels.size()) };
+  Fingerprint key{};
+  addWord(labels.size(), key);
+  for (const Label label : labels)
+  {
+    addWord(label, key);
+  }
+  return key;
 }
 
-/// Finds the marked ones among cells on the same vertices that are copies.
-class CopyFinder
-{
-public:
-  CopyFinder(const TriangleList& triangles, Exchange& exchange)
-    : triangles_(triangles)
-    , exchange_(exchange)
-    , questions_(exchange)
-  {
-  }
+/// Of a vertex that no other cell has.
+constexpr Label NoLabel = ~Label(0);
 
-  /// Adds a cell.
-  ///
-  /// \param labelOf of a point that another cell can have, too: (Id) -> Label; NoLabel for others.
-  template <typename LabelOf>
-  void add(std::size_t first, std::size_t last, const LabelOf& labelOf)
+/// Marks the copies among some cells of all ranks, which call this together: of cells on the same
+/// vertices, marked ones beside an original, or beside the first of marked ones.
+///
+/// \param labelOf of a point: (Id) -> Label.
+template <typename LabelOf>
+void findCopiesAmong(const std::vector<Range>& cells, const LabelOf& labelOf,
+  const TriangleList& triangles, Exchange& exchange, std::vector<TriangleRole>& roles)
+{
+  Questions questions(exchange);
+  const auto ranks = static_cast<std::uint64_t>(exchange.numberOfRanks());
+  std::vector<Label> labels;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
-    std::vector<Label> labels;
-    for (std::size_t i = first; i < last; ++i)
+    labels.clear();
+    for (std::size_t i = cells[cell].first; i < cells[cell].second; ++i)
     {
-      for (const Id point : this->triangles_.corners[i])
+      for (const Id point : triangles.corners[i])
       {
-        const Label label = labelOf(point);
-        if (label == NoLabel)
-        {
-          return; // no other cell has all these vertices
-        }
-        labels.push_back(label);
+        labels.push_back(labelOf(point));
       }
     }
-    const CellKey key = keyOf(std::move(labels));
-    const auto ranks = static_cast<std::uint64_t>(this->exchange_.numberOfRanks());
-    this->questions_.ask(static_cast<int>(key[1] % ranks), this->cells_.size(), key,
-      std::uint8_t(this->triangles_.isDuplicate[first] ? 1 : 0));
-    this->cells_.emplace_back(first, last);
+    if (std::find(labels.begin(), labels.end(), NoLabel) == labels.end())
+    {
+      const Fingerprint key = keyOf(labels);
+      const bool isMarked = triangles.isDuplicate[cells[cell].first];
+      questions.ask(static_cast<int>(key[1] % ranks), cell, key, isMarked);
+    }
   }
-
-  /// Marks the copies among the cells of all ranks, which call this together.
-  void find(std::vector<TriangleRole>& roles)
-  {
-    std::map<CellKey, bool> isTaken;
-    this->questions_.exchangeAnswers(
-      [&](int, MessageReader& question)
+  std::map<Fingerprint, bool> isTaken;
+  questions.exchangeAnswers(
+    [&](int, MessageReader& question)
+    {
+      bool& taken = isTaken[question.get<Fingerprint>()];
+      taken = !question.get<bool>() || taken;
+    },
+    [&](MessageReader& question, Message& answer)
+    {
+      bool& taken = isTaken[question.get<Fingerprint>()];
+      const bool isMarked = question.get<bool>();
+      put(answer, isMarked && taken);
+      taken = true;
+    },
+    [&](std::size_t cell, MessageReader& answer)
+    {
+      const bool isCopy = answer.get<bool>();
+      for (std::size_t i = cells[cell].first; isCopy && i < cells[cell].second; ++i)
       {
-        bool& taken = isTaken[question.get<CellKey>()];
-        taken = question.get<std::uint8_t>() == 0 || taken;
-      },
-      [&](MessageReader& question, Message& answer)
-      {
-        bool& taken = isTaken[question.get<CellKey>()];
-        const bool isMarked = question.get<std::uint8_t>() != 0;
-        put(answer, std::uint8_t(isMarked && taken ? 1 : 0));
-        taken = true;
-      },
-      [&](std::size_t cell, MessageReader& answer)
-      {
-        const bool isCopy = answer.get<std::uint8_t>() != 0;
-        for (std::size_t i = this->cells_[cell].first; isCopy && i < this->cells_[cell].second; ++i)
-        {
-          roles[i] = TriangleRole::Copy;
-        }
-      });
-  }
-
-  static constexpr Label NoLabel = ~Label(0);
-
-private:
-  const TriangleList& triangles_;
-  Exchange& exchange_;
-  Questions questions_;
-  std::vector<Range> cells_;
-};
+        roles[i] = TriangleRole::Copy;
+      }
+    });
+}
 
 /// Marks the triangles that are copies of others of this rank.
 void findCopiesHere(
   const VertexOfPoint& vertexOf, const TriangleList& triangles, std::vector<TriangleRole>& roles)
 {
   std::set<Id> marked;
+  std::vector<Range> all;
   for (std::size_t i = 0; i < triangles.corners.size(); ++i)
   {
     if (triangles.isDuplicate[i])
@@ -200,35 +181,34 @@ void findCopiesHere(
       marked.insert(vertices.begin(), vertices.end());
     }
   }
-  const auto labelOf = [&](Id point)
-  { return marked.count(vertexOf(point)) > 0 ? Label(vertexOf(point)) : CopyFinder::NoLabel; };
-  CopyFinder finder(triangles, OneRank::instance());
   for (std::size_t i = 0; i < triangles.corners.size() && !marked.empty(); ++i)
   {
-    finder.add(i, i + 1, labelOf);
+    all.emplace_back(i, i + 1);
   }
-  finder.find(roles);
+  const auto labelOf = [&](Id point)
+  { return marked.count(vertexOf(point)) > 0 ? Label(vertexOf(point)) : NoLabel; };
+  findCopiesAmong(all, labelOf, triangles, OneRank::instance(), roles);
 }
 
 /// Marks the triangles that are copies of other ranks' cells.
 void findCopiesOfOthers(const RankLabels& labels, const VertexOfPoint& vertexOf,
   const TriangleList& triangles, Exchange& exchange, std::vector<TriangleRole>& roles)
 {
+  std::vector<Range> cells;
+  triangles.forEachCell(
+    [&](const Range& cell)
+    {
+      if (roles[cell.first] != TriangleRole::Copy)
+      {
+        cells.push_back(cell);
+      }
+    });
   const auto labelOf = [&](Id point)
   {
     const Id vertex = vertexOf(point);
-    return labels.isSharedAt(vertex) ? labels.of(vertex) : CopyFinder::NoLabel;
+    return labels.isSharedAt(vertex) ? labels.of(vertex) : NoLabel;
   };
-  CopyFinder finder(triangles, exchange);
-  triangles.forEachCell(
-    [&](std::size_t first, std::size_t last)
-    {
-      if (roles[first] != TriangleRole::Copy)
-      {
-        finder.add(first, last, labelOf);
-      }
-    });
-  finder.find(roles);
+  findCopiesAmong(cells, labelOf, triangles, exchange, roles);
 }
 
 } // anonymous namespace

@@ -2,7 +2,6 @@
 #include "PolyData/reading/PolyDataSource.h"
 
 #include "Errors.h"
-#include "PolyData/CellLoop.h"
 #include "PolyData/Memory.h"
 #include "PolyData/reading/PolyDataSurface.h"
 
@@ -15,7 +14,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cfloat>
 #include <sstream>
 #include <string>
 
@@ -33,7 +31,6 @@ public:
   BlockReader(const PolyDataBlock& block, SourcePolylines& sources)
     : block_(block)
     , firstSource_(sources.numberOfSources)
-    , firstPolyline_(sources.polylines.size())
     , sources_(sources)
   {
   }
@@ -42,6 +39,7 @@ public:
   std::vector<char> read()
   {
     vtkPolyData* source = this->block_.data;
+    const auto before = static_cast<std::ptrdiff_t>(this->sources_.ids.size());
     this->isUsed_.assign(static_cast<std::size_t>(source->GetNumberOfPoints()), 0);
     if (source->GetNumberOfCells() == source->GetNumberOfVerts())
     {
@@ -52,17 +50,7 @@ public:
     this->read(source->GetLines(), &BlockReader::addLine);
     this->read(source->GetPolys(), &BlockReader::addPolygon);
     this->read(source->GetStrips(), &BlockReader::addStrip);
-    if (this->block_.inputCells.empty())
-    {
-      for (vtkIdType i = 0; i < this->cell_; ++i) // cells without points are sources, too
-      {
-        this->sources_.ids.push_back(this->sourceOf(i));
-      }
-    }
-    else
-    {
-      this->addIdsOfPolylines();
-    }
+    std::sort(this->sources_.ids.begin() + before, this->sources_.ids.end());
     this->sources_.numberOfSources += static_cast<Id>(this->cell_);
     this->sources_.droppedCells += this->block_.droppedCells;
     return std::move(this->isUsed_);
@@ -74,34 +62,27 @@ private:
   /// Each point is a source of its own, however many of them a vertex cell has.
   void readPoints()
   {
-    const auto count = static_cast<vtkIdType>(this->isUsed_.size());
-    const bool areAll = this->block_.data->GetNumberOfVerts() == 0;
-    this->read(this->block_.data->GetVerts(), &BlockReader::usePoints);
-    for (vtkIdType i = 0; i < count; ++i)
+    vtkPolyData* source = this->block_.data;
+    forEachCell(source->GetVerts(),
+      [&](vtkIdType size, const vtkIdType* ids)
+      {
+        requirePoints<SourceError>(this->block_, this->cell_++, size, ids);
+        this->usePoints(size, ids);
+      });
+    for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i)
     {
-      if (areAll || this->isUsed_[static_cast<std::size_t>(i)])
+      if (source->GetNumberOfVerts() == 0 || this->isUsed_[static_cast<std::size_t>(i)])
       {
         this->addPoint(i, this->sourceOf(i));
+        this->sources_.ids.push_back(this->sourceOf(i));
       }
     }
-    this->addIdsOfPolylines();
-    this->sources_.numberOfSources += static_cast<Id>(count);
-  }
-
-  void addIdsOfPolylines()
-  {
-    std::vector<Id>& ids = this->sources_.ids;
-    const auto before = static_cast<std::ptrdiff_t>(ids.size());
-    for (std::size_t i = this->firstPolyline_; i < this->sources_.polylines.size(); ++i)
-    {
-      ids.push_back(this->sources_.polylines[i].source);
-    }
-    std::sort(ids.begin() + before, ids.end());
-    ids.erase(std::unique(ids.begin() + before, ids.end()), ids.end());
+    this->sources_.numberOfSources += static_cast<Id>(source->GetNumberOfPoints());
   }
 
   void read(vtkCellArray* cells, Adder add)
   {
+    const bool isPolyData = this->block_.inputCells.empty();
     forEachCell(cells,
       [&](vtkIdType size, const vtkIdType* ids)
       {
@@ -109,6 +90,10 @@ private:
         if (size > 0)
         {
           (this->*add)(size, ids);
+        }
+        if (size > 0 || isPolyData) // a cell of a vtkPolyData is a source without points, too
+        {
+          this->sources_.ids.push_back(this->sourceOf(this->inputCell()));
         }
         ++this->cell_;
       });
@@ -132,10 +117,13 @@ private:
     }
   }
 
-  LocatedPolyline& addPolyline(vtkIdType size, const vtkIdType* ids)
+  LocatedPolyline& addPolyline(
+    vtkIdType size, const vtkIdType* ids, const std::string& name, Id source)
   {
     this->usePoints(size, ids);
     LocatedPolyline& line = this->sources_.polylines.emplace_back();
+    line.name = name + " of " + this->block_.name;
+    line.source = source;
     line.points.resize(static_cast<std::size_t>(size));
     for (vtkIdType i = 0; i < size; ++i)
     {
@@ -146,9 +134,7 @@ private:
 
   void addPoint(vtkIdType point, Id source)
   {
-    LocatedPolyline& line = this->addPolyline(1, &point);
-    line.name = "point " + std::to_string(point) + " of " + this->block_.name;
-    line.source = source;
+    this->addPolyline(1, &point, "point " + std::to_string(point), source);
   }
 
   void addVertices(vtkIdType size, const vtkIdType* ids)
@@ -161,10 +147,9 @@ private:
 
   void addCurve(vtkIdType size, const vtkIdType* ids, bool closed)
   {
-    LocatedPolyline& line = this->addPolyline(size, ids);
-    line.closed = closed && size > 2;
-    line.name = "cell " + std::to_string(this->inputCell()) + " of " + this->block_.name;
-    line.source = this->sourceOf(this->inputCell());
+    const vtkIdType cell = this->inputCell();
+    this->addPolyline(size, ids, "cell " + std::to_string(cell), this->sourceOf(cell)).closed =
+      closed && size > 2;
   }
 
   void addLine(vtkIdType size, const vtkIdType* ids)
@@ -192,8 +177,6 @@ private:
 
   const PolyDataBlock& block_;
   Id firstSource_;
-  /// Of this block.
-  std::size_t firstPolyline_;
   SourcePolylines& sources_;
   vtkIdType cell_ = 0;
   std::vector<char> isUsed_;
@@ -295,10 +278,6 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
   const LocatedPlaces& located, double coordinatePrecision)
 {
-  if (!surface.hasBarriers())
-  {
-    return;
-  }
   const std::vector<RankAddress> barriers = barriersAt(surface, located, coordinatePrecision);
   for (const LocatedPolyline& line : polylines)
   {
@@ -322,10 +301,7 @@ SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source)
   SnapOptions options;
   for (const PolyDataBlock& block : source)
   {
-    if (block.data->GetNumberOfPoints() > 0 && block.data->GetPoints()->GetDataType() == VTK_FLOAT)
-    {
-      options.coordinatePrecision = FLT_EPSILON;
-    }
+    options.coordinatePrecision = std::max(options.coordinatePrecision, block.precision());
   }
   return options;
 }

@@ -21,8 +21,6 @@
 namespace geodesic
 {
 
-class BarrierArrays;
-
 /// The part of a surface that is one vtkPolyData.
 struct SurfaceBlock
 {
@@ -215,15 +213,13 @@ private:
 /// and strips, and merges the points that lie at exactly one place.
 ///
 /// \param blocks the vtkPolyData that this rank has of the surface. They are not changed.
-/// \param barriers of these blocks.
 /// \param mergeCoincidentPoints whether points are merged. Blocks are not connected otherwise.
 /// \param exchange must outlive the surface.
 /// \param progress called now and then with a fraction done; returning false throws Aborted.
 /// \throws MeshError if no face is left that is not a barrier, a coordinate is not finite or a cell
 ///         names a point that does not exist; MeshTooLarge; Aborted.
-PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, const BarrierArrays& barriers,
-  bool mergeCoincidentPoints, Exchange& exchange = OneRank::instance(),
-  const ProgressCallback& progress = {});
+PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+  Exchange& exchange = OneRank::instance(), const ProgressCallback& progress = {});
 
 /// Numbers the vertices that triangles use, in their order, and changes the corners to these
 /// numbers.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/TriangleReader.h"
 
-#include "PolyData/CellLoop.h"
 #include "PolyData/Memory.h"
 
 #include "vtkCellData.h"
@@ -48,7 +47,6 @@ public:
   BlockReader(const PolyDataBlock& block, Id firstPoint, const VertexOfPoint& vertexOf,
     TriangleList& triangles, SurfaceReport& report)
     : block_(block)
-    , data_(block.data)
     , ghosts_(ghostArray(block.data))
     , firstPoint_(firstPoint)
     , vertexOf_(vertexOf)
@@ -65,17 +63,18 @@ public:
     const auto count = static_cast<std::size_t>(numberOfFaces);
     const double done =
       static_cast<double>(cellsRead) / static_cast<double>(std::max<std::size_t>(count, 1));
-    if (!this->ghosts_ && this->data_->GetNumberOfPolys() == this->data_->GetNumberOfCells())
+    if (!this->ghosts_ &&
+      this->block_.data->GetNumberOfPolys() == this->block_.data->GetNumberOfCells())
     {
       progress.between(done, 1.0).at(0, 1);
       if (this->readPlainTriangles(parallelFor))
       {
-        cellsRead += static_cast<std::size_t>(this->data_->GetNumberOfPolys());
+        cellsRead += static_cast<std::size_t>(this->block_.data->GetNumberOfPolys());
         return true;
       }
     }
-    this->report_.droppedVertexCells += this->countUnmarked(this->data_->GetNumberOfVerts());
-    this->report_.droppedLineCells += this->countUnmarked(this->data_->GetNumberOfLines());
+    this->report_.droppedVertexCells += this->countUnmarked(this->block_.data->GetNumberOfVerts());
+    this->report_.droppedLineCells += this->countUnmarked(this->block_.data->GetNumberOfLines());
     const auto readAll = [&](vtkCellArray* cells, auto add)
     {
       forEachCell(cells,
@@ -90,8 +89,8 @@ public:
           ++this->cell_;
         });
     };
-    readAll(this->data_->GetPolys(), &BlockReader::addPolygon);
-    readAll(this->data_->GetStrips(), &BlockReader::addStrip);
+    readAll(this->block_.data->GetPolys(), &BlockReader::addPolygon);
+    readAll(this->block_.data->GetStrips(), &BlockReader::addStrip);
     return !this->hasOtherCells_;
   }
 
@@ -112,21 +111,131 @@ private:
     return unmarked;
   }
 
-  bool readPlainTriangles(const ParallelFor& parallelFor);
-  bool readPlainRange(std::size_t firstTriangle, std::size_t begin, std::size_t end);
   Id pointOf(vtkIdType id) const { return this->firstPoint_ + static_cast<Id>(id); }
   Triangle pointsOf(vtkIdType a, vtkIdType b, vtkIdType c) const
   {
     return { this->pointOf(a), this->pointOf(b), this->pointOf(c) };
   }
-  void addPolygon(vtkIdType size, const vtkIdType* ids);
-  void addStrip(vtkIdType size, const vtkIdType* ids);
-  void addTriangle(vtkIdType a, vtkIdType b, vtkIdType c);
+
+  /// Reads a block whose cells are all triangles with three vertices. \returns whether it is one.
+  bool readPlainTriangles(const ParallelFor& parallelFor)
+  {
+    TriangleList& triangles = this->triangles_;
+    const std::size_t before = triangles.corners.size();
+    const auto count = static_cast<std::size_t>(this->block_.data->GetNumberOfPolys());
+    triangles.corners.resize(before + count);
+    triangles.cells.resize(before + count);
+    const auto exists = [end = this->block_.data->GetNumberOfPoints()](vtkIdType id)
+    { return id >= 0 && id < end; };
+    const auto readRange = [&](std::size_t begin, std::size_t end)
+    {
+      const auto cells = vtk::TakeSmartPointer(this->block_.data->GetPolys()->NewIterator());
+      cells->GoToCell(static_cast<vtkIdType>(begin));
+      for (std::size_t i = begin; i < end; ++i, cells->GoToNextCell())
+      {
+        vtkIdType size = 0;
+        const vtkIdType* ids = nullptr;
+        cells->GetCurrentCell(size, ids);
+        if (size != 3 || !std::all_of(ids, ids + 3, exists))
+        {
+          return 0;
+        }
+        triangles.corners[before + i] = this->pointsOf(ids[0], ids[1], ids[2]);
+        triangles.cells[before + i] = static_cast<vtkIdType>(i);
+        if (!hasThreeVertices(this->vertexOf_(triangles.corners[before + i])))
+        {
+          return 0;
+        }
+      }
+      return 1;
+    };
+    const std::vector<int> arePlain = resultsOfRanges(parallelFor, count, readRange);
+    const bool areAllPlain = std::find(arePlain.begin(), arePlain.end(), 0) == arePlain.end();
+    triangles.corners.resize(areAllPlain ? before + count : before);
+    triangles.cells.resize(triangles.corners.size());
+    triangles.isDuplicate.resize(triangles.corners.size(), false);
+    return areAllPlain;
+  }
+
+  void addPolygon(vtkIdType size, const vtkIdType* ids)
+  {
+    if (size == 3)
+    {
+      this->addTriangle(ids[0], ids[1], ids[2]);
+      return;
+    }
+    this->hasOtherCells_ = true;
+    this->outline_.clear();
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const vtkIdType next = ids[(i + 1) % size];
+      if (this->vertexOf_(this->pointOf(ids[i])) != this->vertexOf_(this->pointOf(next)))
+      {
+        this->outline_.push_back(ids[i]);
+      }
+    }
+    if (this->outline_.size() < 3)
+    {
+      this->leaveOut();
+      return;
+    }
+    this->cutEars();
+  }
+
+  void addStrip(vtkIdType size, const vtkIdType* ids)
+  {
+    this->hasOtherCells_ = true;
+    for (vtkIdType i = 0; i + 2 < size; ++i)
+    {
+      const vtkIdType odd = i % 2;
+      this->addTriangle(ids[i + odd], ids[i + 1 - odd], ids[i + 2]);
+    }
+  }
+
+  void addTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    const Triangle points = this->pointsOf(a, b, c);
+    if (!hasThreeVertices(this->vertexOf_(points)))
+    {
+      this->leaveOut();
+      return;
+    }
+    this->triangles_.corners.push_back(points);
+    this->triangles_.cells.push_back(this->cell_);
+    this->triangles_.isDuplicate.push_back(this->isMarked(Duplicate));
+  }
+
   void leaveOut() { this->report_.facesWithRepeatedPoint += this->isMarked(Duplicate) ? 0 : 1; }
-  void cutEars();
+
+  void cutEars()
+  {
+    const std::vector<vtkIdType>& outline = this->outline_;
+    const auto size = static_cast<vtkIdType>(outline.size());
+    this->polygon_->Initialize(
+      static_cast<int>(size), outline.data(), this->block_.data->GetPoints());
+#if VTK_VERSION_NUMBER >= 90300000000ULL
+    this->polygon_->TriangulateLocalIds(0, this->ears_);
+#else
+    this->polygon_->Triangulate(this->ears_);
+#endif
+    if (this->ears_->GetNumberOfIds() != 3 * (size - 2))
+    {
+      // No area or an outline that crosses itself: any triangles conduct.
+      for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+      {
+        this->addTriangle(outline[0], outline[i], outline[i + 1]);
+      }
+      return;
+    }
+    const auto corner = [&](vtkIdType i)
+    { return outline[static_cast<std::size_t>(this->ears_->GetId(i))]; };
+    for (vtkIdType i = 0; i < 3 * (size - 2); i += 3)
+    {
+      this->addTriangle(corner(i), corner(i + 1), corner(i + 2));
+    }
+  }
 
   const PolyDataBlock& block_;
-  vtkPolyData* data_;
   vtkUnsignedCharArray* ghosts_;
   Id firstPoint_;
   const VertexOfPoint& vertexOf_;
@@ -141,140 +250,15 @@ private:
   vtkNew<vtkIdList> ears_;
 };
 
-/// Reads a block whose cells are all triangles with three vertices. \returns whether it is one.
-bool BlockReader::readPlainTriangles(const ParallelFor& parallelFor)
-{
-  TriangleList& triangles = this->triangles_;
-  const std::size_t before = triangles.corners.size();
-  const auto count = static_cast<std::size_t>(this->data_->GetNumberOfPolys());
-  triangles.corners.resize(before + count);
-  triangles.cells.resize(before + count);
-  const std::vector<int> arePlain = resultsOfRanges(parallelFor, count,
-    [&](std::size_t begin, std::size_t end)
-    { return this->readPlainRange(before, begin, end) ? 1 : 0; });
-  const bool areAllPlain = std::find(arePlain.begin(), arePlain.end(), 0) == arePlain.end();
-  triangles.corners.resize(areAllPlain ? before + count : before);
-  triangles.cells.resize(triangles.corners.size());
-  triangles.isDuplicate.resize(triangles.corners.size(), false);
-  return areAllPlain;
-}
-
-/// The same for a range of the cells.
-bool BlockReader::readPlainRange(std::size_t firstTriangle, std::size_t begin, std::size_t end)
-{
-  const auto numberOfPoints = this->data_->GetNumberOfPoints();
-  const auto cells = vtk::TakeSmartPointer(this->data_->GetPolys()->NewIterator()); // one a thread
-  cells->GoToCell(static_cast<vtkIdType>(begin));
-  for (std::size_t i = begin; i < end; ++i, cells->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(size, ids);
-    const auto exists = [=](vtkIdType id) { return id >= 0 && id < numberOfPoints; };
-    if (size != 3 || !std::all_of(ids, ids + 3, exists))
-    {
-      return false;
-    }
-    const Triangle triangle = this->pointsOf(ids[0], ids[1], ids[2]);
-    if (!hasThreeVertices(this->vertexOf_(triangle)))
-    {
-      return false;
-    }
-    this->triangles_.corners[firstTriangle + i] = triangle;
-    this->triangles_.cells[firstTriangle + i] = static_cast<vtkIdType>(i);
-  }
-  return true;
-}
-
-void BlockReader::addPolygon(vtkIdType size, const vtkIdType* ids)
-{
-  if (size == 3)
-  {
-    this->addTriangle(ids[0], ids[1], ids[2]);
-    return;
-  }
-  this->hasOtherCells_ = true;
-  this->outline_.clear();
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    const vtkIdType next = ids[(i + 1) % size];
-    if (this->vertexOf_(this->pointOf(ids[i])) != this->vertexOf_(this->pointOf(next)))
-    {
-      this->outline_.push_back(ids[i]);
-    }
-  }
-  if (this->outline_.size() < 3)
-  {
-    this->leaveOut();
-    return;
-  }
-  this->cutEars();
-}
-
-void BlockReader::addStrip(vtkIdType size, const vtkIdType* ids)
-{
-  this->hasOtherCells_ = true;
-  for (vtkIdType i = 0; i + 2 < size; ++i)
-  {
-    const vtkIdType odd = i % 2;
-    this->addTriangle(ids[i + odd], ids[i + 1 - odd], ids[i + 2]);
-  }
-}
-
-void BlockReader::addTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
-{
-  const Triangle points = this->pointsOf(a, b, c);
-  if (!hasThreeVertices(this->vertexOf_(points)))
-  {
-    this->leaveOut();
-    return;
-  }
-  this->triangles_.corners.push_back(points);
-  this->triangles_.cells.push_back(this->cell_);
-  this->triangles_.isDuplicate.push_back(this->isMarked(Duplicate));
-}
-
-void BlockReader::cutEars()
-{
-  const std::vector<vtkIdType>& outline = this->outline_;
-  const auto size = static_cast<vtkIdType>(outline.size());
-  this->polygon_->Initialize(static_cast<int>(size), outline.data(), this->data_->GetPoints());
-#if VTK_VERSION_NUMBER >= 90300000000ULL
-  this->polygon_->TriangulateLocalIds(0, this->ears_);
-#else
-  this->polygon_->Triangulate(this->ears_);
-#endif
-  if (this->ears_->GetNumberOfIds() != 3 * (size - 2))
-  {
-    // No area or an outline that crosses itself: any triangles conduct.
-    for (std::size_t i = 1; i + 1 < outline.size(); ++i)
-    {
-      this->addTriangle(outline[0], outline[i], outline[i + 1]);
-    }
-    return;
-  }
-  const auto corner = [&](vtkIdType i)
-  { return outline[static_cast<std::size_t>(this->ears_->GetId(i))]; };
-  for (vtkIdType i = 0; i < 3 * (size - 2); i += 3)
-  {
-    this->addTriangle(corner(i), corner(i + 1), corner(i + 2));
-  }
-}
-
 } // anonymous namespace
 
 TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const VertexOfPoint& vertexOf,
   vtkIdType numberOfFaces, const LoopProgress& progress, const ParallelFor& parallelFor,
   std::vector<SurfaceBlock>& blocks, SurfaceReport& report)
 {
-  vtkIdType polygons = 0;
-  for (const PolyDataBlock& input : inputs)
-  {
-    polygons += input.data->GetNumberOfPolys();
-  }
   TriangleList triangles;
-  triangles.corners.reserve(static_cast<std::size_t>(polygons));
-  triangles.cells.reserve(static_cast<std::size_t>(polygons));
+  triangles.corners.reserve(static_cast<std::size_t>(numberOfFaces));
+  triangles.cells.reserve(static_cast<std::size_t>(numberOfFaces));
   std::size_t cellsRead = 0;
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {

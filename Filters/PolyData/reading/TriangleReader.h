@@ -12,6 +12,7 @@
 #include "vtkType.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -29,8 +30,10 @@ struct TriangleList
   /// The first triangle of each block, then the number of all.
   std::vector<std::size_t> firstOfBlock;
 
-  /// Calls visit(first, last) for each cell that has triangles, in their order: with its first
-  /// triangle and the one after its last.
+  /// The triangles of a cell: the first and the one after the last.
+  using Range = std::pair<std::size_t, std::size_t>;
+
+  /// Calls visit(Range) for each cell that has triangles, in their order.
   template <typename Visit>
   void forEachCell(Visit&& visit) const
   {
@@ -44,7 +47,7 @@ struct TriangleList
         {
           ++last;
         }
-        visit(first, last);
+        visit(Range(first, last));
         first = last;
       }
     }
@@ -70,9 +73,8 @@ TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const Verte
 ///
 /// \param labels of the vertices.
 /// \param triangles the corners of marked ones may change.
-/// \returns of each triangle whether it is a copy of another, or else open; empty if no triangle is
-/// a
-///          copy.
+/// \returns of each triangle whether it is a copy of another, or else open; empty if none is a
+/// copy.
 std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoint& vertexOf,
   TriangleList& triangles, Exchange& exchange);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/writing/SurfaceWriter.h"
 
-#include "PolyData/CellLoop.h"
 #include "PolyData/Memory.h"
 #include "PolyData/ParallelFor.h"
+#include "PolyData/PolyDataBlocks.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
