@@ -40,15 +40,16 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
   const auto isMissing = [&mesh](Id face) { return face >= mesh.numberOfFaces(); };
   for (std::size_t i = 0; i < polyline.points.size(); ++i)
   {
-    const std::string name = "Point " + std::to_string(i) + " of " + polyline.name;
+    const auto fail = [&](const char* what)
+    { throw SourceError("Point " + std::to_string(i) + " of " + polyline.name + what); };
     if (!isFinite(polyline.points[i]))
     {
-      throw SourceError(name + " has a coordinate that is not finite. Remove or repair the point.");
+      fail(" has a coordinate that is not finite. Remove or repair the point.");
     }
     if (i >= polyline.faces.size() || polyline.faces[i].empty() ||
       std::any_of(polyline.faces[i].begin(), polyline.faces[i].end(), isMissing))
     {
-      throw SourceError(name + " has not been located on a face of the surface.");
+      fail(" has not been located on a face of the surface.");
     }
   }
 }
