@@ -7,7 +7,7 @@
 #include "paths/FacesBetweenPoints.h"
 #include "paths/JoinPoints.h"
 #include "source/BoundaryCurves.h"
-#include "source/SourceWindowsOfPartition.h"
+#include "source/SourceWindows.h"
 #include "vtkGeodesicAlgorithm.h"
 
 #include "vtkPolyData.h"

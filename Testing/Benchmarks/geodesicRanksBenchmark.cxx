@@ -10,7 +10,7 @@
 #include "front/Front.h"
 #include "mesh/ReplicatedPatch.h"
 #include "source/BoundaryCurves.h"
-#include "source/SourceWindowsOfPartition.h"
+#include "source/SourceWindows.h"
 
 #include "vtkDijkstraGraphGeodesicPath.h"
 #include "vtkIdList.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RanksSupport.h"
 
-#include "source/SourceWindowsOfPartition.h"
+#include "source/SourceWindows.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "front/BatchTasks.h"
 
 #include "Tolerance.h"
-#include "source/LeavingWindow.h"
+#include "source/SourceWindows.h"
 #include "window/WindowMerge.h"
 
 #include <algorithm>

@@ -2,9 +2,12 @@
 #include "mesh/SurfaceLocator.h"
 
 #include "Tolerance.h"
+#include "mesh/SurfaceSnap.h"
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
+#include <utility>
 
 namespace geodesic
 {
@@ -12,13 +15,10 @@ namespace geodesic
 namespace
 {
 
-/// A candidate of one rank, as it is sent to all.
-struct CandidateMessage
-{
-  std::size_t point;
-  /// With global ids of the vertices.
-  FaceLocator::Candidate candidate;
-};
+constexpr Id FacesInLeaf = 8;
+
+/// Each part of a node has at least this fraction of its faces, so that the tree stays shallow.
+constexpr std::ptrdiff_t LeastPart = 8;
 
 /// Ranks exchange the candidates of so many points at a time, which bounds the size of messages.
 constexpr std::size_t PointsPerExchange = 4096;
@@ -29,10 +29,141 @@ constexpr std::size_t PointsPerReport = 256;
 /// Searching the first point builds most of the tree, which takes this share of the progress.
 constexpr double FirstPoint = 0.5;
 
+/// A face that may be among the closest to a point.
+struct Candidate
+{
+  /// Of the rank that found it, and on the whole surface once that is sent.
+  RankAddress face;
+  double distance;
+  /// How much farther than the closest face it may be: by the coordinates' precision, and by
+  /// rounding alone.
+  double precision;
+  double rounding;
+  /// The rounding of measuring, which does not depend on the position of the origin.
+  double measuring;
+  /// From the point to the face's closest point, and to where snapToFace puts it.
+  Vec3 toClosest;
+  Vec3 toPlace;
+  /// The vertices of the face, and of its smallest part (vertex, edge or the face) that contains
+  /// the closest point, filled with NoId.
+  Triangle corners;
+  Triangle support;
+
+  bool isClosest(double least) const { return this->distance <= least + this->precision; }
+  bool isClosestUpToRounding(double least) const
+  {
+    return this->distance <= least + this->rounding;
+  }
+};
+
+/// A candidate of one rank, as it is sent to all.
+struct CandidateMessage
+{
+  std::size_t point;
+  /// With global ids of the vertices.
+  Candidate candidate;
+};
+
+void addFace(const TriangleMesh& mesh, Id face, Box& box)
+{
+  for (const Id corner : mesh.triangle(face))
+  {
+    box.add(mesh.point(corner));
+  }
+}
+
+/// The precision of a point and of the corners of a box.
+double precisionFor(const Box& box, const Vec3& point, double coordinatePrecision)
+{
+  return tolerance::SnapRoundings * coordinatePrecision *
+    std::max(box.largestCoordinate(), largestCoordinate(point));
+}
+
+/// Whether a face has all vertices of a part of another face.
+bool hasPart(const Triangle& corners, const Triangle& part)
+{
+  return std::all_of(part.begin(), part.end(),
+    [&](Id vertex) {
+      return vertex == NoId || std::find(corners.begin(), corners.end(), vertex) != corners.end();
+    });
+}
+
+/// Whether a face is farther than another although rounding may make their distances equal: its
+/// closest point is also a point of the other face, which has a closer one.
+bool isFartherThan(const Candidate& face, const Candidate& other)
+{
+  return hasPart(other.corners, face.support) && !hasPart(face.corners, other.support) &&
+    norm(other.toClosest - face.toClosest) > face.precision;
+}
+
+/// The faces whose distances cannot be distinguished from the least, in their order. Around the
+/// centre of a sphere there are many.
+std::vector<const Candidate*> closestOf(const std::vector<Candidate>& faces, double least)
+{
+  std::vector<const Candidate*> closest;
+  std::vector<std::pair<Id, const Candidate*>> atVertices;
+  for (const Candidate& face : faces)
+  {
+    if (face.distance <= least + face.measuring)
+    {
+      closest.push_back(&face);
+    }
+    for (const Id vertex : face.corners)
+    {
+      atVertices.emplace_back(vertex, &face);
+    }
+  }
+  std::sort(atVertices.begin(), atVertices.end());
+  const auto isFarther = [&](const Candidate* face)
+  {
+    const Id vertex = *std::min_element(face->support.begin(), face->support.end());
+    auto at = std::lower_bound(atVertices.begin(), atVertices.end(), vertex,
+      [](const auto& entry, Id wanted) { return entry.first < wanted; });
+    while (at != atVertices.end() && at->first == vertex && !isFartherThan(*face, *at->second))
+    {
+      ++at;
+    }
+    return at != atVertices.end() && at->first == vertex;
+  };
+  const auto last = std::remove_if(closest.begin(), closest.end(), isFarther);
+  if (last != closest.begin()) // else each loses to another, by rounding
+  {
+    closest.erase(last, closest.end());
+  }
+  return closest;
+}
+
+/// Of the closest candidates of a point, in their order, the faces that it may be put onto, given
+/// the precision of coordinates as in snapToFace (at most SnapFraction of a face's longest edge).
+/// A face that is almost as close as the closest may put the point far from the closest place. So
+/// these are the faces whose distances cannot be distinguished from the least by measuring, and
+/// those that put the point within the precision of the closest place.
+std::vector<Candidate> chosen(const std::vector<Candidate>& closest)
+{
+  if (closest.empty())
+  {
+    return {}; // a surface without faces
+  }
+  const auto isCloser = [](const Candidate& a, const Candidate& b)
+  { return a.distance < b.distance; };
+  const double least = std::min_element(closest.begin(), closest.end(), isCloser)->distance;
+  const std::vector<const Candidate*> equal = closestOf(closest, least);
+  const Candidate& best = **std::min_element(equal.begin(), equal.end(),
+    [&](const Candidate* a, const Candidate* b) { return isCloser(*a, *b); });
+  std::vector<Candidate> result;
+  std::copy_if(closest.begin(), closest.end(), std::back_inserter(result),
+    [&](const Candidate& face)
+    {
+      return norm(face.toPlace - best.toClosest) <= face.precision ||
+        std::binary_search(equal.begin(), equal.end(), &face);
+    });
+  return result;
+}
+
 /// Chooses among the candidates of all ranks, for each point.
 ClosestFaces chooseFaces(const std::vector<Message>& told, const std::vector<double>& least)
 {
-  std::vector<std::vector<FaceLocator::Candidate>> candidates(least.size());
+  std::vector<std::vector<Candidate>> candidates(least.size());
   readEach(told,
     [&](int, MessageReader& reader)
     {
@@ -42,67 +173,230 @@ ClosestFaces chooseFaces(const std::vector<Message>& told, const std::vector<dou
   ClosestFaces result(least.size());
   for (std::size_t i = 0; i < least.size(); ++i)
   {
-    for (const FaceLocator::Candidate& chosen : FaceLocator::chosen(candidates[i]))
+    for (const Candidate& face : chosen(candidates[i]))
     {
-      result[i].push_back({ chosen.face, chosen.isClosestUpToRounding(least[i]) });
+      result[i].push_back({ face.face, face.isClosestUpToRounding(least[i]) });
     }
     std::sort(result[i].begin(), result[i].end());
   }
   return result;
 }
 
-} // anonymous namespace
-
-/// Whether this rank searches for a point: first those in the box of its own faces, then those that
-/// are not, unless another rank has found a face closer than the box.
-bool SurfaceLocator::isSearched(
-  const Vec3& point, bool isInBox, double least, double coordinatePrecision) const
+/// Sets what chosen() needs to know of a candidate.
+void complete(
+  const TriangleMesh& mesh, const Vec3& point, double coordinatePrecision, Candidate& candidate)
 {
-  const double distance = this->box_.distanceTo(point);
-  const double slack = tolerance::SnapRoundings * coordinatePrecision *
-    std::max(largestCoordinate(point), this->box_.largestCoordinate());
-  return isInBox ? distance == 0.0
-                 : distance > 0.0 && distance <= least + slack && distance < Infinity;
+  const Id face = candidate.face.id;
+  const SnappedPoint closest = snapToFace(mesh, face, point, 0.0);
+  const std::array<double, 3> weights = barycentric(mesh, closest.place, face);
+  candidate.measuring = tolerance::SnapRoundings * tolerance::Rounding *
+    (candidate.distance + mesh.shape(face).longest());
+  candidate.toClosest = closest.offset;
+  candidate.toPlace = snapToFace(mesh, face, point, coordinatePrecision).offset;
+  candidate.corners = mesh.triangle(face);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    candidate.support[k] = weights[k] != 0.0 ? candidate.corners[k] : NoId;
+  }
 }
 
 /// What all ranks are told of the candidates that this rank owns.
-Message SurfaceLocator::messageOf(
-  const std::vector<Candidates>& candidates, const std::vector<double>& least) const
+Message messageOf(const MeshPartition& surface,
+  const std::vector<std::vector<Candidate>>& candidates, const std::vector<double>& least)
 {
   Message message;
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
-    for (FaceLocator::Candidate candidate : candidates[i])
+    for (Candidate candidate : candidates[i])
     {
-      if (!candidate.isClosest(least[i]) || !this->surface_.isOwn(candidate.face.id))
+      if (!candidate.isClosest(least[i]) || !surface.isOwn(candidate.face.id))
       {
         continue;
       }
       for (std::size_t k = 0; k < 3; ++k)
       {
-        candidate.corners[k] = this->surface_.globalId(candidate.corners[k]);
+        candidate.corners[k] = surface.globalId(candidate.corners[k]);
         candidate.support[k] = candidate.support[k] == NoId ? NoId : candidate.corners[k];
       }
-      candidate.face = this->surface_.addressOf(candidate.face.id);
+      candidate.face = surface.addressOf(candidate.face.id);
       put(message, CandidateMessage{ i, candidate });
     }
   }
   return message;
 }
 
+} // anonymous namespace
+
+/// A tree of boxes around a mesh's faces that grows where points are searched: a few points cost
+/// about as much as a scan of all faces, many points no more than the complete tree.
+class SurfaceLocator::FaceTree
+{
+public:
+  /// \param mesh must outlive the tree.
+  explicit FaceTree(const TriangleMesh& mesh)
+    : mesh_(mesh)
+    , faces_(mesh.numberOfFaces())
+  {
+    std::iota(this->faces_.begin(), this->faces_.end(), Id(0));
+    this->nodes_.push_back(this->makeNode(0, mesh.numberOfFaces()));
+  }
+
+  /// The faces that may be among the closest, unordered.
+  ///
+  /// \param progress called now and then while the tree grows; returning false throws Aborted.
+  std::vector<Candidate> candidates(
+    const Vec3& point, double coordinatePrecision, const ProgressCallback& progress)
+  {
+    Search search{ point, coordinatePrecision, progress, Infinity, {}, 0.0 };
+    this->search(search, 0);
+    std::vector<Candidate>& found = search.found;
+    const auto isOver = [&](const Candidate& f) { return !f.isClosest(search.distance); };
+    found.erase(std::remove_if(found.begin(), found.end(), isOver), found.end());
+    for (Candidate& candidate : found)
+    {
+      complete(this->mesh_, point, coordinatePrecision, candidate);
+    }
+    return std::move(found);
+  }
+
+private:
+  struct Node
+  {
+    Box box;
+    /// A range of faces_.
+    Id first;
+    Id last;
+    /// The first of its two parts, which are adjacent; NoId before the node is divided.
+    Id parts = NoId;
+  };
+  struct Search
+  {
+    const Vec3& point;
+    const double coordinatePrecision;
+    const ProgressCallback& progress;
+    double distance;
+    std::vector<Candidate> found;
+    /// The fraction of the faces that the search has excluded while the tree grows.
+    double done;
+  };
+
+  Node makeNode(Id first, Id last) const
+  {
+    Node node{ {}, first, last };
+    for (Id i = first; i < last; ++i)
+    {
+      addFace(this->mesh_, this->faces_[i], node.box);
+    }
+    return node;
+  }
+
+  // Divides the faces of a node into two parts: at the middle of its box if that leaves a fair
+  // share on both sides, else into halves.
+  Id findMiddle(const Node& node)
+  {
+    const Vec3 size = node.box.high - node.box.low;
+    const auto axis =
+      static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+    // Three times the centre: only the order of the faces matters.
+    const auto centre = [this, axis](Id face)
+    {
+      const auto& [a, b, c] = this->mesh_.triangle(face);
+      return this->mesh_.point(a)[axis] + this->mesh_.point(b)[axis] + this->mesh_.point(c)[axis];
+    };
+    const auto first = this->faces_.begin() + node.first;
+    const auto last = this->faces_.begin() + node.last;
+    const double middle = 1.5 * (node.box.low[axis] + node.box.high[axis]);
+    auto cut = std::partition(first, last, [&](Id face) { return centre(face) < middle; });
+    if (std::min(cut - first, last - cut) < (last - first) / LeastPart)
+    {
+      cut = first + (last - first) / 2;
+      std::nth_element(first, cut, last, [&](Id a, Id b) { return centre(a) < centre(b); });
+    }
+    return static_cast<Id>(cut - this->faces_.begin());
+  }
+
+  void split(Id node, Search& search)
+  {
+    const Node whole = this->nodes_[node];
+    const double size = static_cast<double>(whole.last - whole.first);
+    search.done = std::max(search.done, 1.0 - size / static_cast<double>(this->faces_.size()));
+    reportProgress(search.progress, search.done);
+    const Id middle = this->findMiddle(whole);
+    this->nodes_.push_back(this->makeNode(whole.first, middle));
+    this->nodes_.push_back(this->makeNode(middle, whole.last));
+    this->nodes_[node].parts = static_cast<Id>(this->nodes_.size() - 2);
+  }
+
+  void search(Search& search, Id number)
+  {
+    const Node node = this->nodes_[number];
+    if (node.box.distanceTo(search.point) >
+      search.distance + precisionFor(node.box, search.point, search.coordinatePrecision))
+    {
+      return;
+    }
+    if (node.last - node.first <= FacesInLeaf)
+    {
+      for (Id i = node.first; i < node.last; ++i)
+      {
+        this->tryFace(search, this->faces_[i]);
+      }
+      return;
+    }
+    if (node.parts == NoId)
+    {
+      this->split(number, search);
+    }
+    const Id parts = this->nodes_[number].parts;
+    const bool secondFirst = this->nodes_[parts + 1].box.distanceTo(search.point) <
+      this->nodes_[parts].box.distanceTo(search.point);
+    this->search(search, secondFirst ? parts + 1 : parts);
+    this->search(search, secondFirst ? parts : parts + 1);
+  }
+
+  void tryFace(Search& search, Id face) const
+  {
+    Box box;
+    addFace(this->mesh_, face, box);
+    const double byCoordinates = precisionFor(box, search.point, search.coordinatePrecision);
+    if (box.distanceTo(search.point) > search.distance + byCoordinates)
+    {
+      return; // measuring takes several times as long
+    }
+    const double distance = norm(snapToFace(this->mesh_, face, search.point, 0.0).offset);
+    // Far from the origin roundings may be as large as faces; then the closest face counts.
+    const double precision =
+      std::min(byCoordinates, tolerance::SnapFraction * this->mesh_.shape(face).longest());
+    if (distance <= search.distance + precision)
+    {
+      const double rounding = byCoordinates / search.coordinatePrecision * tolerance::Rounding;
+      search.distance = std::min(search.distance, distance);
+      search.found.push_back({ { 0, face }, distance, precision, rounding, 0.0, {}, {}, {}, {} });
+    }
+  }
+
+  const TriangleMesh& mesh_;
+  std::vector<Id> faces_;
+  std::vector<Node> nodes_;
+};
+
+SurfaceLocator::SurfaceLocator(const MeshPartition& surface)
+  : surface_(surface)
+{
+}
+
+SurfaceLocator::~SurfaceLocator() = default;
+
 ClosestFaces SurfaceLocator::closest(
   const std::vector<Vec3>& points, double coordinatePrecision, const ProgressCallback& callback)
 {
-  if (!points.empty() && !this->locator_)
+  if (!points.empty() && !this->tree_)
   {
     const TriangleMesh& mesh = this->surface_.mesh();
-    this->locator_ = std::make_unique<FaceLocator>(mesh);
+    this->tree_ = std::make_unique<FaceTree>(mesh);
     for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
     {
-      for (const Id vertex : mesh.triangle(face))
-      {
-        this->box_.add(mesh.point(vertex));
-      }
+      addFace(mesh, face, this->box_);
     }
   }
   Exchange& exchange = this->surface_.exchange();
@@ -115,12 +409,21 @@ ClosestFaces SurfaceLocator::closest(
   {
     const Vec3* some = points.data() + result.size();
     std::vector<double> least(std::min(PointsPerExchange, points.size() - result.size()), Infinity);
-    std::vector<Candidates> candidates(least.size());
+    std::vector<std::vector<Candidate>> candidates(least.size());
+    // First points in the box of this rank's faces, then others, unless another rank has found a
+    // face closer than the box.
+    const auto isSearched = [&](std::size_t i, bool isInBox)
+    {
+      const double distance = this->box_.distanceTo(some[i]);
+      const double slack = precisionFor(this->box_, some[i], coordinatePrecision);
+      return isInBox ? distance == 0.0
+                     : distance > 0.0 && distance <= least[i] + slack && distance < Infinity;
+    };
     for (const bool isInBox : { true, false })
     {
       for (std::size_t i = 0; i < least.size(); ++i)
       {
-        if (this->isSearched(some[i], isInBox, least[i], coordinatePrecision))
+        if (isSearched(i, isInBox))
         {
           if (searched % PointsPerReport == 0)
           {
@@ -128,8 +431,8 @@ ClosestFaces SurfaceLocator::closest(
             reportProgress(rising, searched == 0 ? 0.0 : FirstPoint + (1.0 - FirstPoint) * done);
           }
           ++searched;
-          candidates[i] = this->locator_->candidates(some[i], coordinatePrecision, growing);
-          for (const FaceLocator::Candidate& candidate : candidates[i])
+          candidates[i] = this->tree_->candidates(some[i], coordinatePrecision, growing);
+          for (const Candidate& candidate : candidates[i])
           {
             least[i] = std::min(least[i], candidate.distance);
           }
@@ -137,7 +440,8 @@ ClosestFaces SurfaceLocator::closest(
       }
       exchange.findLeast(least);
     }
-    ClosestFaces chosen = chooseFaces(exchange.tellAll(this->messageOf(candidates, least)), least);
+    ClosestFaces chosen =
+      chooseFaces(exchange.tellAll(messageOf(this->surface_, candidates, least)), least);
     std::move(chosen.begin(), chosen.end(), std::back_inserter(result));
   }
   return result;

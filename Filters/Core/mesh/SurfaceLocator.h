@@ -4,7 +4,6 @@
 
 #include "Progress.h"
 #include "mesh/Box.h"
-#include "mesh/FaceLocator.h"
 #include "mesh/MeshPartition.h"
 
 #include <memory>
@@ -34,13 +33,13 @@ using ClosestFaces = std::vector<std::vector<ClosestFace>>;
 class SurfaceLocator
 {
 public:
-  explicit SurfaceLocator(const MeshPartition& surface)
-    : surface_(surface)
-  {
-  }
+  explicit SurfaceLocator(const MeshPartition& surface);
+  ~SurfaceLocator();
 
-  /// For each point the faces that FaceLocator::chosen() takes on the whole surface, in the order
-  /// of ClosestFace. All ranks call this together and get the same. Not thread-safe.
+  /// For each point all faces that put it onto its closest place, in the order of ClosestFace.
+  /// There are several where the surface touches or overlaps itself, and the locator cannot know
+  /// which one is meant. Faces without area count like all others. All ranks call this together and
+  /// get the same. Not thread-safe.
   ///
   /// \param points the same on all ranks.
   /// \param coordinatePrecision relative precision of the points' coordinates.
@@ -49,15 +48,11 @@ public:
     const ProgressCallback& progress = {});
 
 private:
-  using Candidates = std::vector<FaceLocator::Candidate>;
-
-  bool isSearched(const Vec3& point, bool isInBox, double least, double coordinatePrecision) const;
-  Message messageOf(
-    const std::vector<Candidates>& candidates, const std::vector<double>& least) const;
+  class FaceTree;
 
   MeshPartition surface_;
   /// Made with the first points.
-  std::unique_ptr<FaceLocator> locator_;
+  std::unique_ptr<FaceTree> tree_;
   /// Of the faces that this rank owns.
   Box box_;
 };

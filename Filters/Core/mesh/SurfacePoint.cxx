@@ -15,14 +15,8 @@ namespace
 Id cornerWith(const TriangleMesh& mesh, Id face, Id vertex)
 {
   const Triangle& corners = mesh.triangle(face);
-  for (Id k = 0; k < 3; ++k)
-  {
-    if (corners[k] == vertex)
-    {
-      return k;
-    }
-  }
-  return NoId;
+  const auto corner = std::find(corners.begin(), corners.end(), vertex);
+  return corner != corners.end() ? static_cast<Id>(corner - corners.begin()) : NoId;
 }
 
 bool sameEdgePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)

@@ -11,6 +11,12 @@
 namespace geodesic
 {
 
+bool FaceShape::hasZeroArea() const
+{
+  const double longest = this->longest();
+  return this->area2 <= tolerance::ZeroArea * longest * longest;
+}
+
 namespace
 {
 
@@ -30,13 +36,127 @@ void checkSize(std::size_t numberOfPoints, std::size_t numberOfTriangles)
   }
 }
 
-} // anonymous namespace
-
-bool FaceShape::hasZeroArea() const
+// Faces on the same three vertices share an edge and the vertex opposite it.
+bool isDuplicate(const TriangleMesh& mesh, Id face)
 {
-  const double longest = this->longest();
-  return this->area2 <= tolerance::ZeroArea * longest * longest;
+  const Id s = 3 * face;
+  for (Id t = mesh.nextSibling(s); t != s; t = mesh.nextSibling(t))
+  {
+    if (TriangleMesh::faceOf(t) < face && mesh.opposite(t) == mesh.opposite(s))
+    {
+      return true;
+    }
+  }
+  return false;
 }
+
+// If a face without area has a corner on its longest edge, it becomes flat: what rounding left of
+// the altitude would turn rays by as much at each crossing, and windows would drift around several
+// such faces until they were no longer recognised as one.
+//
+// A corner that was put onto the edge has been rounded as coordinates are.
+void flatten(FaceShape& shape, std::size_t longest, double largestCoordinate)
+{
+  const std::size_t next = (longest + 1) % 3;
+  const std::size_t apex = (longest + 2) % 3;
+  const double length = shape.length[longest];
+  const double reach = std::min(tolerance::SnapRoundings * tolerance::Rounding * largestCoordinate,
+    tolerance::SnapFraction * std::min(shape.length[next], shape.length[apex]));
+  if (shape.cornerDot[apex] < 0.0 && (shape.hasZeroArea() || shape.area2 <= reach * length))
+  {
+    shape.area2 = 0.0;
+    shape.cornerDot[longest] = shape.length[longest] * shape.length[apex];
+    shape.cornerDot[next] = shape.length[longest] * shape.length[next];
+    shape.cornerDot[apex] = -shape.length[next] * shape.length[apex];
+  }
+}
+
+FaceShape measure(const TriangleMesh& mesh, Id face)
+{
+  const Triangle& t = mesh.triangle(face);
+  std::array<Vec3, 3> edge;
+  FaceShape shape;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    edge[k] = mesh.point(t[(k + 1) % 3]) - mesh.point(t[k]);
+    shape.length[k] = norm(edge[k]);
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    shape.cornerDot[k] = -dot(edge[k], edge[(k + 2) % 3]);
+  }
+  // Of the three equal cross products, the one of the two shorter edges has the least rounding.
+  const std::size_t longest = shape.longestEdge();
+  shape.area2 = norm(cross(edge[(longest + 1) % 3], edge[(longest + 2) % 3]));
+  flatten(shape, longest,
+    std::max({ largestCoordinate(mesh.point(t[0])), largestCoordinate(mesh.point(t[1])),
+      largestCoordinate(mesh.point(t[2])) }));
+  return shape;
+}
+
+// Walks from corner to corner across the edges at the vertex; if there is one fan, the walk reaches
+// every corner. Requires that these edges have one or two halfedges.
+bool isOneFan(const TriangleMesh& mesh, Id vertex)
+{
+  const IdRange corners = mesh.cornersAt(vertex);
+  // The walk begins at a boundary edge if there is one, so that it covers the whole fan.
+  Id entered = *corners.begin();
+  for (const Id corner : corners)
+  {
+    for (const Id s : { corner, TriangleMesh::previousInFace(corner) })
+    {
+      entered = mesh.isBoundary(s) ? s : entered;
+    }
+  }
+  const Id first = entered;
+  std::size_t met = 0;
+  do
+  {
+    ++met;
+    const Id across = mesh.origin(entered) == vertex ? TriangleMesh::previousInFace(entered)
+                                                     : TriangleMesh::nextInFace(entered);
+    entered = mesh.nextSibling(across);
+    if (entered == across)
+    {
+      break;
+    }
+  } while (entered != first && met <= corners.size());
+  return met == corners.size();
+}
+
+TriangleMesh::PseudoSource findPseudoSource(const TriangleMesh& mesh, Id vertex)
+{
+  const IdRange corners = mesh.cornersAt(vertex);
+  if (corners.size() == 0)
+  {
+    return TriangleMesh::PseudoSource::None;
+  }
+  double angle = 0.0;
+  std::size_t boundaryEdges = 0;
+  bool manifold = true;
+  bool isBesideAnother = false;
+  for (const Id corner : corners)
+  {
+    angle += mesh.cornerAngle(corner);
+    const double longest = mesh.shape(corner / 3).longest();
+    for (const Id halfedge : { corner, TriangleMesh::previousInFace(corner) })
+    {
+      isBesideAnother = isBesideAnother || mesh.length(halfedge) < tolerance::ShortEdge * longest;
+      const Id other = mesh.nextSibling(halfedge);
+      boundaryEdges += other == halfedge ? 1 : 0;
+      manifold = manifold && mesh.nextSibling(other) == halfedge;
+    }
+  }
+  if (!manifold || boundaryEdges > 2 || isBesideAnother || !isOneFan(mesh, vertex))
+  {
+    return TriangleMesh::PseudoSource::Irregular;
+  }
+  const double straight = boundaryEdges == 0 ? 2.0 * Pi : Pi;
+  const bool bends = angle > straight * (1.0 + tolerance::FlatAngle);
+  return bends ? TriangleMesh::PseudoSource::Saddle : TriangleMesh::PseudoSource::None;
+}
+
+} // anonymous namespace
 
 /// Builds a mesh in stages. In each stage, one task alone writes the results for a face or a
 /// vertex, so the result does not depend on which thread runs it.
@@ -64,11 +184,11 @@ public:
     this->progress_.nextUntil(0.7);
     TriangleMesh& mesh = this->mesh_;
     this->forEach(
-      mesh.numberOfFaces(), [&mesh](Id face) { mesh.faces_[face].shape = mesh.measure(face); });
+      mesh.numberOfFaces(), [&mesh](Id face) { mesh.faces_[face].shape = measure(mesh, face); });
     this->progress_.nextUntil(1.0);
     mesh.pseudoSource_.resize(mesh.points_.size());
     this->forEach(mesh.numberOfVertices(),
-      [&mesh](Id vertex) { mesh.pseudoSource_[vertex] = mesh.findPseudoSource(vertex); });
+      [&mesh](Id vertex) { mesh.pseudoSource_[vertex] = findPseudoSource(mesh, vertex); });
   }
 
 private:
@@ -81,12 +201,129 @@ private:
     Id nonManifold = 0;
   };
 
-  void checkPoints();
-  void takeFaces(const std::vector<Triangle>& triangles);
-  void linkSiblings();
-  void linkSiblings(const IdRange& halfedges, std::vector<ByHigh>& byHigh, EdgeCounts& counts);
-  void dropFaces();
-  void linkCorners();
+  void checkPoints()
+  {
+    const std::vector<Vec3>& points = this->mesh_.points_;
+    const std::size_t wrong =
+      this->firstWrong(points.size(), [&](std::size_t i) { return !isFinite(points[i]); });
+    if (wrong < points.size())
+    {
+      throw MeshError("Point " + std::to_string(wrong) +
+        " of the surface has a coordinate that is not finite. Remove or repair the point.");
+    }
+  }
+
+  void takeFaces(const std::vector<Triangle>& triangles)
+  {
+    this->mesh_.faces_.resize(triangles.size());
+    const std::size_t wrong = this->firstWrong(triangles.size(),
+      [&](std::size_t i)
+      {
+        const Triangle& t = triangles[i];
+        this->mesh_.faces_[i].corners = t;
+        return *std::max_element(t.begin(), t.end()) >= this->mesh_.numberOfVertices();
+      });
+    if (wrong < triangles.size())
+    {
+      throw MeshError(
+        "Face " + std::to_string(wrong) + " of the surface names a point that does not exist.");
+    }
+  }
+
+  // The halfedges of one edge have the same lower vertex.
+  void linkSiblings()
+  {
+    const TriangleMesh& mesh = this->mesh_;
+    const GroupedItems byLow = groupItems(mesh.numberOfHalfedges(), mesh.numberOfVertices(),
+      this->parallelFor_, this->progress_.between(0.0, 0.5),
+      [&mesh](Id s) { return std::min(mesh.origin(s), mesh.destination(s)); });
+    const std::vector<EdgeCounts> counts = resultsOfRanges(this->parallelFor_,
+      mesh.numberOfVertices(), this->progress_.between(0.5, 1.0),
+      [&](std::size_t begin, std::size_t end)
+      {
+        EdgeCounts here;
+        std::vector<ByHigh> byHigh;
+        for (std::size_t vertex = begin; vertex < end; ++vertex)
+        {
+          this->linkSiblings(byLow.at(static_cast<Id>(vertex)), byHigh, here);
+        }
+        return here;
+      });
+    this->mesh_.numberOfEdges_ = 0;
+    this->mesh_.numberOfNonManifoldEdges_ = 0;
+    for (const EdgeCounts& here : counts)
+    {
+      this->mesh_.numberOfEdges_ += here.edges;
+      this->mesh_.numberOfNonManifoldEdges_ += here.nonManifold;
+    }
+  }
+
+  // Among halfedges with the same lower vertex, those with the same higher vertex are siblings.
+  void linkSiblings(const IdRange& halfedges, std::vector<ByHigh>& byHigh, EdgeCounts& counts)
+  {
+    byHigh.clear();
+    for (const Id s : halfedges)
+    {
+      byHigh.emplace_back(std::max(this->mesh_.origin(s), this->mesh_.destination(s)), s);
+    }
+    std::sort(byHigh.begin(), byHigh.end());
+    const auto next = [&](std::size_t i) -> Id&
+    { return this->mesh_.faces_[byHigh[i].second / 3].nextSibling[byHigh[i].second % 3]; };
+    for (std::size_t first = 0; first < byHigh.size();)
+    {
+      std::size_t end = first + 1;
+      while (end < byHigh.size() && byHigh[end].first == byHigh[first].first)
+      {
+        next(end - 1) = byHigh[end].second;
+        ++end;
+      }
+      next(end - 1) = byHigh[first].second;
+      ++counts.edges;
+      counts.nonManifold += end - first > 2 ? 1 : 0;
+      first = end;
+    }
+  }
+
+  // Drops faces that name a vertex twice, and duplicates. Hardly any mesh has such faces, so that
+  // siblings are linked with them first, and then again without them.
+  void dropFaces()
+  {
+    this->progress_.nextUntil(0.45);
+    TriangleMesh& mesh = this->mesh_;
+    std::vector<std::uint8_t> drop(mesh.faces_.size(), 0);
+    this->forEach(mesh.numberOfFaces(),
+      [&](Id face)
+      { drop[face] = !hasThreeVertices(mesh.triangle(face)) || isDuplicate(mesh, face) ? 1 : 0; });
+    if (std::find(drop.begin(), drop.end(), 1) == drop.end())
+    {
+      return;
+    }
+    for (Id face = 0; face < mesh.numberOfFaces(); ++face)
+    {
+      if (!drop[face])
+      {
+        mesh.faces_[mesh.inputFaces_.size()] = mesh.faces_[face];
+        mesh.inputFaces_.push_back(face);
+      }
+    }
+    if (mesh.inputFaces_.empty())
+    {
+      throw MeshError("Every face of the surface names a point twice, so that no face is left.");
+    }
+    mesh.faces_.resize(mesh.inputFaces_.size());
+    mesh.faces_.shrink_to_fit();
+    this->progress_.nextUntil(0.55);
+    this->linkSiblings();
+  }
+
+  void linkCorners()
+  {
+    TriangleMesh& mesh = this->mesh_;
+    GroupedItems corners = groupItems(mesh.numberOfHalfedges(), mesh.numberOfVertices(),
+      this->parallelFor_, this->progress_, [&mesh](Id corner) { return mesh.origin(corner); });
+    mesh.cornerStart_ = std::move(corners.start);
+    mesh.corners_ = std::move(corners.items);
+  }
 
   /// The first of some items for which isWrong(item) holds, after visiting all in parallel; the
   /// count if there is none.
@@ -133,194 +370,6 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>
   Builder(*this, progress, parallelFor).run(triangles);
 }
 
-void TriangleMesh::Builder::checkPoints()
-{
-  const std::vector<Vec3>& points = this->mesh_.points_;
-  const std::size_t wrong =
-    this->firstWrong(points.size(), [&](std::size_t i) { return !isFinite(points[i]); });
-  if (wrong < points.size())
-  {
-    throw MeshError("Point " + std::to_string(wrong) +
-      " of the surface has a coordinate that is not finite. Remove or repair the point.");
-  }
-}
-
-void TriangleMesh::Builder::takeFaces(const std::vector<Triangle>& triangles)
-{
-  this->mesh_.faces_.resize(triangles.size());
-  const std::size_t wrong = this->firstWrong(triangles.size(),
-    [&](std::size_t i)
-    {
-      const Triangle& t = triangles[i];
-      this->mesh_.faces_[i].corners = t;
-      return *std::max_element(t.begin(), t.end()) >= this->mesh_.numberOfVertices();
-    });
-  if (wrong < triangles.size())
-  {
-    throw MeshError(
-      "Face " + std::to_string(wrong) + " of the surface names a point that does not exist.");
-  }
-}
-
-// The halfedges of one edge have the same lower vertex.
-void TriangleMesh::Builder::linkSiblings()
-{
-  const TriangleMesh& mesh = this->mesh_;
-  const GroupedItems byLow = groupItems(mesh.numberOfHalfedges(), mesh.numberOfVertices(),
-    this->parallelFor_, this->progress_.between(0.0, 0.5),
-    [&mesh](Id s) { return std::min(mesh.origin(s), mesh.destination(s)); });
-  const std::vector<EdgeCounts> counts =
-    resultsOfRanges(this->parallelFor_, mesh.numberOfVertices(), this->progress_.between(0.5, 1.0),
-      [&](std::size_t begin, std::size_t end)
-      {
-        EdgeCounts here;
-        std::vector<ByHigh> byHigh;
-        for (std::size_t vertex = begin; vertex < end; ++vertex)
-        {
-          this->linkSiblings(byLow.at(static_cast<Id>(vertex)), byHigh, here);
-        }
-        return here;
-      });
-  this->mesh_.numberOfEdges_ = 0;
-  this->mesh_.numberOfNonManifoldEdges_ = 0;
-  for (const EdgeCounts& here : counts)
-  {
-    this->mesh_.numberOfEdges_ += here.edges;
-    this->mesh_.numberOfNonManifoldEdges_ += here.nonManifold;
-  }
-}
-
-// Among halfedges with the same lower vertex, those with the same higher vertex are siblings.
-void TriangleMesh::Builder::linkSiblings(
-  const IdRange& halfedges, std::vector<ByHigh>& byHigh, EdgeCounts& counts)
-{
-  byHigh.clear();
-  for (const Id s : halfedges)
-  {
-    byHigh.emplace_back(std::max(this->mesh_.origin(s), this->mesh_.destination(s)), s);
-  }
-  std::sort(byHigh.begin(), byHigh.end());
-  const auto next = [&](std::size_t i) -> Id&
-  { return this->mesh_.faces_[byHigh[i].second / 3].nextSibling[byHigh[i].second % 3]; };
-  for (std::size_t first = 0; first < byHigh.size();)
-  {
-    std::size_t end = first + 1;
-    while (end < byHigh.size() && byHigh[end].first == byHigh[first].first)
-    {
-      next(end - 1) = byHigh[end].second;
-      ++end;
-    }
-    next(end - 1) = byHigh[first].second;
-    ++counts.edges;
-    counts.nonManifold += end - first > 2 ? 1 : 0;
-    first = end;
-  }
-}
-
-// Faces on the same three vertices share an edge and the vertex opposite it.
-bool TriangleMesh::isDuplicate(Id face) const
-{
-  const Id s = 3 * face;
-  for (Id t = this->nextSibling(s); t != s; t = this->nextSibling(t))
-  {
-    if (faceOf(t) < face && this->opposite(t) == this->opposite(s))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-// Drops faces that name a vertex twice, and duplicates. Hardly any mesh has such faces, so that
-// siblings are linked with them first, and then again without them.
-void TriangleMesh::Builder::dropFaces()
-{
-  this->progress_.nextUntil(0.45);
-  TriangleMesh& mesh = this->mesh_;
-  std::vector<std::uint8_t> drop(mesh.faces_.size(), 0);
-  this->forEach(mesh.numberOfFaces(),
-    [&](Id face)
-    { drop[face] = !hasThreeVertices(mesh.triangle(face)) || mesh.isDuplicate(face) ? 1 : 0; });
-  if (std::find(drop.begin(), drop.end(), 1) == drop.end())
-  {
-    return;
-  }
-  for (Id face = 0; face < mesh.numberOfFaces(); ++face)
-  {
-    if (!drop[face])
-    {
-      mesh.faces_[mesh.inputFaces_.size()] = mesh.faces_[face];
-      mesh.inputFaces_.push_back(face);
-    }
-  }
-  if (mesh.inputFaces_.empty())
-  {
-    throw MeshError("Every face of the surface names a point twice, so that no face is left.");
-  }
-  mesh.faces_.resize(mesh.inputFaces_.size());
-  mesh.faces_.shrink_to_fit();
-  this->progress_.nextUntil(0.55);
-  this->linkSiblings();
-}
-
-void TriangleMesh::Builder::linkCorners()
-{
-  TriangleMesh& mesh = this->mesh_;
-  GroupedItems corners = groupItems(mesh.numberOfHalfedges(), mesh.numberOfVertices(),
-    this->parallelFor_, this->progress_, [&mesh](Id corner) { return mesh.origin(corner); });
-  mesh.cornerStart_ = std::move(corners.start);
-  mesh.corners_ = std::move(corners.items);
-}
-
-namespace
-{
-
-// If a face without area has a corner on its longest edge, it becomes flat: what rounding left of
-// the altitude would turn rays by as much at each crossing, and windows would drift around several
-// such faces until they were no longer recognised as one.
-//
-// A corner that was put onto the edge has been rounded as coordinates are.
-void flatten(FaceShape& shape, std::size_t longest, double largestCoordinate)
-{
-  const std::size_t next = (longest + 1) % 3;
-  const std::size_t apex = (longest + 2) % 3;
-  const double length = shape.length[longest];
-  const double reach = std::min(tolerance::SnapRoundings * tolerance::Rounding * largestCoordinate,
-    tolerance::SnapFraction * std::min(shape.length[next], shape.length[apex]));
-  if (shape.cornerDot[apex] < 0.0 && (shape.hasZeroArea() || shape.area2 <= reach * length))
-  {
-    shape.area2 = 0.0;
-    shape.cornerDot[longest] = shape.length[longest] * shape.length[apex];
-    shape.cornerDot[next] = shape.length[longest] * shape.length[next];
-    shape.cornerDot[apex] = -shape.length[next] * shape.length[apex];
-  }
-}
-
-} // anonymous namespace
-
-FaceShape TriangleMesh::measure(Id face) const
-{
-  const Triangle& t = this->faces_[face].corners;
-  std::array<Vec3, 3> edge;
-  FaceShape shape;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    edge[k] = this->points_[t[(k + 1) % 3]] - this->points_[t[k]];
-    shape.length[k] = norm(edge[k]);
-  }
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    shape.cornerDot[k] = -dot(edge[k], edge[(k + 2) % 3]);
-  }
-  // Of the three equal cross products, the one of the two shorter edges has the least rounding.
-  const std::size_t longest = shape.longestEdge();
-  shape.area2 = norm(cross(edge[(longest + 1) % 3], edge[(longest + 2) % 3]));
-  flatten(shape, longest,
-    std::max({ largestCoordinate(this->points_[t[0]]), largestCoordinate(this->points_[t[1]]),
-      largestCoordinate(this->points_[t[2]]) }));
-  return shape;
-}
-
 Id TriangleMesh::edgeOf(Id halfedge) const
 {
   Id lowest = halfedge;
@@ -348,68 +397,6 @@ double TriangleMesh::cornerAngle(Id corner) const
 {
   const FaceShape& shape = this->shape(corner / 3);
   return std::atan2(shape.area2, shape.cornerDot[corner % 3]);
-}
-
-TriangleMesh::PseudoSource TriangleMesh::findPseudoSource(Id vertex) const
-{
-  const IdRange corners = this->cornersAt(vertex);
-  if (corners.size() == 0)
-  {
-    return PseudoSource::None;
-  }
-  double angle = 0.0;
-  std::size_t boundaryEdges = 0;
-  bool manifold = true;
-  bool isBesideAnother = false;
-  for (const Id corner : corners)
-  {
-    angle += this->cornerAngle(corner);
-    const double longest = this->shape(corner / 3).longest();
-    for (const Id halfedge : { corner, previousInFace(corner) })
-    {
-      isBesideAnother = isBesideAnother || this->length(halfedge) < tolerance::ShortEdge * longest;
-      const Id other = this->nextSibling(halfedge);
-      boundaryEdges += other == halfedge ? 1 : 0;
-      manifold = manifold && this->nextSibling(other) == halfedge;
-    }
-  }
-  if (!manifold || boundaryEdges > 2 || isBesideAnother || !this->isOneFan(vertex))
-  {
-    return PseudoSource::Irregular;
-  }
-  const double straight = boundaryEdges == 0 ? 2.0 * Pi : Pi;
-  const bool bends = angle > straight * (1.0 + tolerance::FlatAngle);
-  return bends ? PseudoSource::Saddle : PseudoSource::None;
-}
-
-// Walks from corner to corner across the edges at the vertex; if there is one fan, the walk reaches
-// every corner. Requires that these edges have one or two halfedges.
-bool TriangleMesh::isOneFan(Id vertex) const
-{
-  const IdRange corners = this->cornersAt(vertex);
-  // The walk begins at a boundary edge if there is one, so that it covers the whole fan.
-  Id entered = *corners.begin();
-  for (const Id corner : corners)
-  {
-    for (const Id s : { corner, previousInFace(corner) })
-    {
-      entered = this->isBoundary(s) ? s : entered;
-    }
-  }
-  const Id first = entered;
-  std::size_t met = 0;
-  do
-  {
-    ++met;
-    const Id across =
-      this->origin(entered) == vertex ? previousInFace(entered) : nextInFace(entered);
-    entered = this->nextSibling(across);
-    if (entered == across)
-    {
-      break;
-    }
-  } while (entered != first && met <= corners.size());
-  return met == corners.size();
 }
 
 std::vector<Id> TriangleMesh::components() const

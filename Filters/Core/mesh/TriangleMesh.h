@@ -171,11 +171,6 @@ private:
 
   class Builder;
 
-  bool isDuplicate(Id face) const;
-  FaceShape measure(Id face) const;
-  PseudoSource findPseudoSource(Id vertex) const;
-  bool isOneFan(Id vertex) const;
-
   std::vector<Vec3> points_;
   std::vector<Id> inputFaces_;
   UninitializedVector<Face> faces_;

@@ -3,7 +3,7 @@
 
 #include "field/RetentionAround.h"
 #include "mesh/SurfaceSnap.h"
-#include "source/SourceWindowsOfPartition.h"
+#include "source/SourceWindows.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,8 +2,8 @@
 #ifndef geodesic_PathEnds_h
 #define geodesic_PathEnds_h
 
-#include "source/CurvesInFaces.h"
 #include "source/CurvesOnPatch.h"
+#include "source/SourceInFace.h"
 
 #include <functional>
 #include <vector>

@@ -5,7 +5,7 @@
 #include "field/Solve.h"
 #include "paths/CleanPath.h"
 #include "paths/PathInWindows.h"
-#include "source/SourceWindowsOfPartition.h"
+#include "source/SourceWindows.h"
 
 #include <algorithm>
 #include <numeric>

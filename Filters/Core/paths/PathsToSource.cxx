@@ -7,7 +7,7 @@
 #include "paths/CleanPath.h"
 #include "paths/PathInStrip.h"
 #include "paths/PathInTransit.h"
-#include "source/SourceWindowsOfPartition.h"
+#include "source/SourceWindows.h"
 
 #include <algorithm>
 #include <cstdint>

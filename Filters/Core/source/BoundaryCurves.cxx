@@ -16,13 +16,14 @@ class BoundaryChains
 public:
   explicit BoundaryChains(const TriangleMesh& mesh)
     : mesh_(mesh)
-    , used_(mesh.numberOfHalfedges(), 0)
+    , isFree_(mesh.numberOfHalfedges(), 0)
     , boundaryHalfedgesAt_(mesh.numberOfVertices(), 0)
   {
     for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
     {
       if (mesh.isBoundary(halfedge))
       {
+        this->isFree_[halfedge] = 1;
         ++this->boundaryHalfedgesAt_[mesh.origin(halfedge)];
         ++this->boundaryHalfedgesAt_[mesh.destination(halfedge)];
       }
@@ -39,7 +40,7 @@ public:
       {
         for (const Id vertex : { this->mesh_.origin(halfedge), this->mesh_.destination(halfedge) })
         {
-          if (this->isFree(halfedge) && (loops || !this->goesOn(vertex)))
+          if (this->isFree_[halfedge] && (loops || !this->goesOn(vertex)))
           {
             this->follow(halfedge, vertex);
           }
@@ -50,17 +51,6 @@ public:
   }
 
 private:
-  bool isFree(Id halfedge) const
-  {
-    return this->mesh_.isBoundary(halfedge) && !this->used_[halfedge];
-  }
-
-  Id otherEnd(Id halfedge, Id vertex) const
-  {
-    return this->mesh_.origin(halfedge) == vertex ? this->mesh_.destination(halfedge)
-                                                  : this->mesh_.origin(halfedge);
-  }
-
   /// Whether a curve continues through the boundary vertex.
   bool goesOn(Id vertex) const { return this->boundaryHalfedgesAt_[vertex] == 2; }
 
@@ -70,7 +60,7 @@ private:
     {
       for (const Id halfedge : { corner, TriangleMesh::previousInFace(corner) })
       {
-        if (this->isFree(halfedge))
+        if (this->isFree_[halfedge])
         {
           return halfedge;
         }
@@ -81,22 +71,22 @@ private:
 
   void follow(Id halfedge, Id vertex)
   {
-    SourceCurve curve;
-    curve.points = { SurfacePoint::atVertex(vertex) };
-    do
+    SourceCurve& curve = this->curves_.emplace_back(pointCurve(SurfacePoint::atVertex(vertex)));
+    while (halfedge != NoId)
     {
-      this->used_[halfedge] = 1;
-      vertex = this->otherEnd(halfedge, vertex);
+      this->isFree_[halfedge] = 0;
+      const Id origin = this->mesh_.origin(halfedge);
+      vertex = origin == vertex ? this->mesh_.destination(halfedge) : origin;
       curve.points.push_back(SurfacePoint::atVertex(vertex));
+      curve.isCut.push_back(0);
       curve.faces.push_back(TriangleMesh::faceOf(halfedge));
       halfedge = this->goesOn(vertex) ? this->freeHalfedgeAt(vertex) : NoId;
-    } while (halfedge != NoId);
-    curve.isCut.assign(curve.points.size(), 0);
-    this->curves_.push_back(std::move(curve));
+    }
   }
 
   const TriangleMesh& mesh_;
-  std::vector<std::uint8_t> used_;
+  /// Of each halfedge, whether it is on the boundary and in no curve yet.
+  std::vector<std::uint8_t> isFree_;
   std::vector<Id> boundaryHalfedgesAt_;
   std::vector<SourceCurve> curves_;
 };

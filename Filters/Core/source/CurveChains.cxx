@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/CurveChains.h"
 
+#include "mesh/HalfedgeFrame.h"
+
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -68,6 +70,22 @@ void append(SourceCurve curve, bool isReversed, SourceCurve& chain)
   chain.points.insert(chain.points.end(), curve.points.begin() + shared, curve.points.end());
   chain.faces.insert(chain.faces.end(), curve.faces.begin(), curve.faces.end());
   chain.isCut.insert(chain.isCut.end(), curve.isCut.begin() + shared, curve.isCut.end());
+}
+
+/// The places of a curve's points: lengths from its beginning. They strictly increase, even across
+/// segments without length.
+std::vector<double> placesAlong(const TriangleMesh& mesh, const SourceCurve& curve)
+{
+  std::vector<double> places = { 0.0 };
+  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
+  {
+    const Id face = curve.faces[i];
+    const double place = places.back() +
+      distanceInFace(mesh, face, barycentric(mesh, curve.points[i], face),
+        barycentric(mesh, curve.points[i + 1], face));
+    places.push_back(std::max(place, std::nextafter(places.back(), Infinity)));
+  }
+  return places;
 }
 
 } // anonymous namespace

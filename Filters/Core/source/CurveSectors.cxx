@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/CurveSectors.h"
 
+#include "source/TurnAroundPoint.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace geodesic
 {
 
-namespace
-{
-
 constexpr double FullAngle = 6.28318530717958647692;
-
-} // anonymous namespace
 
 void CurveSectors::assign(
   const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const CurveOrigin& whole)
@@ -34,46 +31,44 @@ void CurveSectors::assign(
   this->findChanges();
 }
 
-// Adds the faces around the point in the order of a turn that begins in a face, if this one is new.
+// Adds the faces around the point in the order of a turn that begins in a face, if this one is new:
+// counterclockwise as far as faces follow, and clockwise from the beginning if that does not close
+// the fan.
 void CurveSectors::addFan(const SurfacePoint& point, Id face)
 {
   if (this->haveFace(face))
   {
     return;
   }
-  this->totals_.push_back(Infinity);
+  const std::size_t fan = this->totals_.size();
+  double& total = this->totals_.emplace_back(Infinity);
   if (point.kind == SurfacePoint::Kind::Face)
   {
-    const std::size_t fan = this->totals_.size() - 1;
     this->frames_[face] = { longestHalfedge(this->mesh_, face), { fan, 0.0 }, FullAngle };
-    this->totals_.back() = FullAngle;
+    total = FullAngle;
+    return;
   }
-  else
+  TurnAroundPoint turn(this->mesh_, point, face);
+  const auto addFrame = [&](double axis)
   {
-    this->addTurn(TurnAroundPoint(this->mesh_, point, face));
-  }
-}
-
-// Counterclockwise as far as faces follow, and clockwise from the beginning if that does not close
-// the fan.
-void CurveSectors::addTurn(TurnAroundPoint turn)
-{
-  const std::size_t fan = this->totals_.size() - 1;
+    this->frames_.emplace(
+      TriangleMesh::faceOf(turn.halfedge()), Frame{ turn.halfedge(), { fan, axis }, turn.width() });
+  };
   double angle = 0.0;
   do
   {
-    this->addFrame({ turn.halfedge(), { fan, angle }, turn.width() });
+    addFrame(angle);
     angle += turn.angle();
   } while (turn.next());
   if (turn.isClosed())
   {
-    this->totals_.back() = angle;
+    total = angle;
     return;
   }
   double end = 0.0; // of the face, in a face without area as of those behind it
   for (bool isThere = turn.turnBack(); isThere; isThere = turn.next())
   {
-    this->addFrame({ turn.halfedge(), { fan, end - turn.width() }, turn.width() });
+    addFrame(end - turn.width());
     end -= turn.angle();
   }
 }
@@ -102,12 +97,12 @@ void CurveSectors::findChanges()
     first = this->ends_[first].at.fan == fan ? first : i;
     const bool isLast = i + 1 == this->ends_.size() || this->ends_[i + 1].at.fan != fan;
     const End& next = isLast ? this->ends_[first] : this->ends_[i + 1];
-    const double nextAngle = next.at.angle + (isLast ? this->total(fan) : 0.0);
+    const double nextAngle = next.at.angle + (isLast ? this->totals_[fan] : 0.0);
     if (nextAngle < Infinity && end.after != next.before)
     {
       const double middle = 0.5 * (end.at.angle + nextAngle);
       this->changes_.push_back(
-        { fan, middle < this->total(fan) ? middle : middle - this->total(fan) });
+        { fan, middle < this->totals_[fan] ? middle : middle - this->totals_[fan] });
     }
   }
   std::sort(this->changes_.begin(), this->changes_.end());
@@ -124,7 +119,7 @@ CurveSectors::FanAngle CurveSectors::angleIn(const Frame& frame, Vec2 direction)
 {
   const double angle = std::atan2(direction.y, direction.x);
   double around = frame.axis.angle + (angle < -0.25 * FullAngle ? angle + FullAngle : angle);
-  const double total = this->total(frame.axis.fan);
+  const double total = this->totals_[frame.axis.fan];
   if (total < Infinity)
   {
     around -= total * std::floor(around / total);
@@ -150,7 +145,7 @@ CurveOrigin CurveSectors::of(Id halfedge, Vec2 direction) const
   }
   const auto next = std::upper_bound(begin, end, End{ at, {}, {} });
   // The segments before and behind the direction, across the beginning of a closed fan.
-  const double total = this->total(at.fan);
+  const double total = this->totals_[at.fan];
   const End& before = next != begin ? *(next - 1) : *(end - 1);
   const End& behind = next != end ? *next : *begin;
   const double turn = at.angle - before.at.angle + (next != begin ? 0.0 : total);
@@ -166,7 +161,7 @@ std::vector<Vec2> CurveSectors::changesIn(Id halfedge) const
   {
     return changes;
   }
-  const double total = this->total(frame->axis.fan);
+  const double total = this->totals_[frame->axis.fan];
   for (const double shift : { 0.0, total })
   {
     if (!(shift < Infinity))

@@ -4,7 +4,6 @@
 
 #include "mesh/HalfedgeFrame.h"
 #include "source/SegmentEnd.h"
-#include "source/TurnAroundPoint.h"
 #include "window/Window.h"
 
 #include <map>
@@ -49,7 +48,7 @@ public:
 
   /// Moves to another point.
   ///
-  /// \param ends the ends of all segments at its place: segmentEndsAround().
+  /// \param ends the ends of all segments at its place: CurvesOnPatch::endsAround().
   /// \param whole the origin of all directions if there is no segment.
   void assign(
     const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const CurveOrigin& whole);
@@ -93,15 +92,9 @@ private:
   };
 
   void addFan(const SurfacePoint& point, Id face);
-  void addTurn(TurnAroundPoint turn);
-  void addFrame(const Frame& frame)
-  {
-    this->frames_.emplace(TriangleMesh::faceOf(frame.halfedge), frame);
-  }
   void addEnd(const SegmentEnd& end);
   void findChanges();
   const Frame* frameOf(Id face) const;
-  double total(std::size_t fan) const { return this->totals_[fan]; }
   FanAngle angleIn(const Frame& frame, Vec2 direction) const;
 
   const TriangleMesh& mesh_;

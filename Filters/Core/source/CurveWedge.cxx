@@ -38,32 +38,37 @@ WedgeBound inOwnFace(const TriangleMesh& mesh, const SegmentEnd& end, std::size_
   return { halfedge, length > 0.0 ? (1.0 / length) * d : d };
 }
 
+void add(const WedgeBound& bound, CurveWedge& wedge)
+{
+  wedge.emplace(TriangleMesh::faceOf(bound.halfedge), bound);
+}
+
 // The faces across the edge unfold into the plane of the segment, where its direction stays the
 // same.
-void addAroundEdge(const TriangleMesh& mesh, const SegmentEnd& end, std::vector<WedgeBound>& bounds)
+void addAroundEdge(const TriangleMesh& mesh, const SegmentEnd& end, CurveWedge& wedge)
 {
   const Id halfedge = mesh.siblingInFace(end.from.id, end.face);
   const WedgeBound own = inOwnFace(mesh, end, halfedge % 3);
-  bounds.push_back(own);
+  add(own, wedge);
   const Vec2 u = own.direction;
   for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
   {
     const bool opposed = mesh.origin(s) == mesh.destination(halfedge);
-    bounds.push_back({ s, { opposed ? -u.x : u.x, -u.y } });
+    add({ s, { opposed ? -u.x : u.x, -u.y } }, wedge);
   }
 }
 
 // Ways leave the segments' faces to both sides of the segments. In a face entered across an edge,
 // the nearest segment on that way bounds the wedge.
-void addAroundVertex(const TriangleMesh& mesh, Id vertex, const std::vector<SegmentEnd>& ends,
-  std::vector<WedgeBound>& bounds)
+void addAroundVertex(
+  const TriangleMesh& mesh, Id vertex, const std::vector<SegmentEnd>& ends, CurveWedge& wedge)
 {
   std::vector<EdgeAngle> leaving;
   for (const SegmentEnd& end : ends)
   {
     const Id corner = mesh.cornerAt(end.face, end.from.id);
     const WedgeBound own = inOwnFace(mesh, end, corner % 3);
-    bounds.push_back(own);
+    add(own, wedge);
     if (own.halfedge == corner) // else it has no length: its neighbours emit too, in vain
     {
       // Rounding may put a direction along an edge below it, a straight angle the other way around.
@@ -78,7 +83,7 @@ void addAroundVertex(const TriangleMesh& mesh, Id vertex, const std::vector<Segm
     // In the frame of the halfedge, which begins or ends at the vertex.
     const double x = std::cos(entered.angle);
     const bool isAtOrigin = mesh.origin(entered.halfedge) == vertex;
-    bounds.push_back({ entered.halfedge, { isAtOrigin ? x : -x, -std::sin(entered.angle) } });
+    add({ entered.halfedge, { isAtOrigin ? x : -x, -std::sin(entered.angle) } }, wedge);
   }
 }
 
@@ -119,29 +124,22 @@ std::vector<EdgeAngle> leastAnglesAround(
 CurveWedge wedgeAround(
   const TriangleMesh& mesh, const SurfacePoint& point, const std::vector<SegmentEnd>& ends)
 {
-  std::vector<WedgeBound> bounds;
+  CurveWedge wedge;
   if (point.kind == SurfacePoint::Kind::Vertex)
   {
-    addAroundVertex(mesh, point.id, ends, bounds);
+    addAroundVertex(mesh, point.id, ends, wedge);
+    return wedge;
   }
-  else
+  for (const SegmentEnd& end : ends)
   {
-    for (const SegmentEnd& end : ends)
+    if (point.kind == SurfacePoint::Kind::Edge)
     {
-      if (point.kind == SurfacePoint::Kind::Edge)
-      {
-        addAroundEdge(mesh, end, bounds);
-      }
-      else
-      {
-        bounds.push_back(inOwnFace(mesh, end, 0));
-      }
+      addAroundEdge(mesh, end, wedge);
     }
-  }
-  CurveWedge wedge;
-  for (const WedgeBound& bound : bounds)
-  {
-    wedge.emplace(TriangleMesh::faceOf(bound.halfedge), bound);
+    else
+    {
+      add(inOwnFace(mesh, end, 0), wedge);
+    }
   }
   return wedge;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/CurvesOnPatch.h"
 
+#include "Tolerance.h"
 #include "source/DirectionsAround.h"
+#include "source/TurnAroundPoint.h"
 
 #include <algorithm>
 #include <tuple>
@@ -15,6 +17,164 @@ namespace
 bool isBefore(const VertexOnCurve& a, const VertexOnCurve& b)
 {
   return a.vertex < b.vertex;
+}
+
+constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+/// A step from a point of a curve to the next or the previous one. Segment i runs from point i to
+/// point i + 1.
+struct Step
+{
+  std::size_t segment = None;
+  std::size_t to = None;
+};
+
+/// Its segment is None behind the end of an open curve.
+Step stepFrom(const SourceCurve& curve, std::size_t i, bool isForward)
+{
+  const std::size_t last = curve.points.size() - 1;
+  if (isForward)
+  {
+    return i < last ? Step{ i, i + 1 } : curve.isClosed() ? Step{ 0, 1 } : Step{};
+  }
+  return i > 0 ? Step{ i - 1, i - 1 } : curve.isClosed() ? Step{ last - 1, last - 1 } : Step{};
+}
+
+/// Whether the segment is longer than the rounding of its ends, or than a larger fraction of its
+/// face.
+bool hasLength(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t segment,
+  double fraction = tolerance::PlaceRounding)
+{
+  const Id face = curve.faces[segment];
+  return distanceInFace(mesh, face, barycentric(mesh, curve.points[segment], face),
+           barycentric(mesh, curve.points[segment + 1], face)) >
+    fraction * mesh.shape(face).longest();
+}
+
+/// Whether the ends of a segment are at one place: across a face without area a joined path may run
+/// along it as far as it misses its end.
+bool isAtOnePlace(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t segment)
+{
+  return !hasLength(mesh, curve, segment,
+    mesh.shape(curve.faces[segment]).hasZeroArea() ? tolerance::NearEdge
+                                                   : tolerance::PlaceRounding);
+}
+
+/// Whether the ends of a segment determine its direction. Where the curve is merely cut, the next
+/// segment determines the direction better than a short one.
+bool tellsDirection(const TriangleMesh& mesh, const SourceCurve& curve, const Step& step)
+{
+  return curve.isCut[step.to] ? hasLength(mesh, curve, step.segment, tolerance::NearEdge)
+                              : !isAtOnePlace(mesh, curve, step.segment);
+}
+
+/// Calls visit(std::size_t) for point i and for those at its place that follow it in one direction.
+template <typename Visit>
+void forEachAtOnePlace(
+  const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i, bool isForward, Visit&& visit)
+{
+  visit(i);
+  Step step = stepFrom(curve, i, isForward);
+  for (std::size_t n = 0;
+       n < curve.faces.size() && step.segment != None && isAtOnePlace(mesh, curve, step.segment);
+       ++n)
+  {
+    visit(step.to);
+    step = stepFrom(curve, step.to, isForward);
+  }
+}
+
+/// The steps from a given one, across edges, to the first that determines a direction. If the curve
+/// ends or reaches a vertex before, the given step alone, or nothing if it determines no direction.
+std::vector<Step> stepsOnward(
+  const TriangleMesh& mesh, const SourceCurve& curve, const Step& first, bool isForward)
+{
+  std::vector<Step> steps = { first };
+  while (!tellsDirection(mesh, curve, steps.back()))
+  {
+    const SurfacePoint& p = curve.points[steps.back().to];
+    const Step next = stepFrom(curve, steps.back().to, isForward);
+    if (next.segment == None || p.kind != SurfacePoint::Kind::Edge || !mesh.isInner(p.id) ||
+      steps.size() == curve.faces.size())
+    {
+      const bool isAlong = !isAtOnePlace(mesh, curve, first.segment);
+      return isAlong ? std::vector<Step>{ first } : std::vector<Step>();
+    }
+    steps.push_back(next);
+  }
+  return steps;
+}
+
+// Transforms the direction back from face to face over the edges, seen from both sides.
+void setOnward(const TriangleMesh& mesh, const SourceCurve& curve, const std::vector<Step>& steps,
+  SegmentEnd& end)
+{
+  const Id face = curve.faces[steps.back().segment];
+  const SurfacePoint& from = curve.points[steps[steps.size() - 2].to];
+  end.frame = longestHalfedge(mesh, face);
+  end.onward =
+    inHalfedgeFrame(mesh, end.frame, barycentric(mesh, curve.points[steps.back().to], face)) -
+    inHalfedgeFrame(mesh, end.frame, barycentric(mesh, from, face));
+  for (std::size_t n = steps.size() - 1; n-- > 0;)
+  {
+    const SurfacePoint& p = curve.points[steps[n].to];
+    const Id own = mesh.siblingInFace(p.id, curve.faces[steps[n].segment]);
+    const Id other = mesh.siblingInFace(p.id, curve.faces[steps[n + 1].segment]);
+    const Vec2 d = turned(mesh, end.onward, end.frame, other);
+    const bool isOpposed = mesh.origin(own) == mesh.destination(other);
+    end.frame = own;
+    end.onward = own == other ? d : Vec2{ isOpposed ? -d.x : d.x, -d.y };
+  }
+}
+
+/// Adds the end at a point of the segment towards the next or the previous one.
+void addEnd(const TriangleMesh& mesh, const CurveChains& chains, const CurveChains::Point& at,
+  bool isForward, std::vector<SegmentEnd>& ends)
+{
+  const SourceCurve& curve = chains.curves()[at.chain];
+  const Step step = stepFrom(curve, at.i, isForward);
+  const std::vector<Step> steps =
+    step.segment != None ? stepsOnward(mesh, curve, step, isForward) : std::vector<Step>();
+  if (!steps.empty())
+  {
+    ends.push_back({ curve.points[at.i], curve.points[step.to], curve.faces[step.segment], at.chain,
+      chains.places(at.chain)[at.i], isForward });
+    if (steps.size() > 1)
+    {
+      setOnward(mesh, curve, steps, ends.back());
+    }
+  }
+}
+
+/// The other vertices at the place of point i of a curve, behind faces without area. None where the
+/// curve is merely cut, and for a curve that is a point.
+std::vector<Id> verticesAtCornerOf(
+  const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i)
+{
+  const bool isCorner =
+    curve.points.size() > 1 && !curve.isCut[i] && curve.points[i].kind != SurfacePoint::Kind::Face;
+  return isCorner ? verticesAtPlaceOf(mesh, curve.points[i]) : std::vector<Id>();
+}
+
+/// A vertex at the place of point i of a curve, whether one of the curve's points or not; NoId
+/// where there is none.
+Id vertexAtPlaceOf(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i)
+{
+  Id vertex = NoId;
+  for (const bool isForward : { true, false })
+  {
+    forEachAtOnePlace(mesh, curve, i, isForward,
+      [&](std::size_t point)
+      {
+        const SurfacePoint& p = curve.points[point];
+        const std::vector<Id> others = verticesAtCornerOf(mesh, curve, point);
+        const Id found = p.kind == SurfacePoint::Kind::Vertex ? p.id
+          : others.empty()                                    ? NoId
+                                                              : others.front();
+        vertex = std::min(vertex, found);
+      });
+  }
+  return vertex;
 }
 
 } // anonymous namespace
@@ -50,6 +210,40 @@ const VertexOnCurve* CurvesOnPatch::find(Id vertex) const
   return found != this->vertices_.end() && found->vertex == vertex ? &*found : nullptr;
 }
 
+std::vector<SegmentEnd> CurvesOnPatch::endsAt(const CurveChains::Point& at) const
+{
+  std::vector<SegmentEnd> ends;
+  addEnd(this->mesh(), this->chains_, at, true, ends);
+  addEnd(this->mesh(), this->chains_, at, false, ends);
+  return ends;
+}
+
+std::vector<SegmentEnd> CurvesOnPatch::endsAround(const CurveChains::Point& at) const
+{
+  std::vector<SegmentEnd> ends;
+  for (const bool isForward : { true, false })
+  {
+    CurveChains::Point last = at;
+    forEachAtOnePlace(this->mesh(), this->chains_.curves()[at.chain], at.i, isForward,
+      [&last](std::size_t i) { last.i = i; });
+    addEnd(this->mesh(), this->chains_, last, isForward, ends);
+  }
+  return ends;
+}
+
+bool CurvesOnPatch::isBesideVertex(const CurveChains::Point& at) const
+{
+  const SourceCurve& curve = this->chains_.curves()[at.chain];
+  const auto leadsToVertex = [&](const Step& step)
+  {
+    return step.segment != None && curve.points[step.to].kind == SurfacePoint::Kind::Vertex &&
+      !hasLength(this->mesh(), curve, step.segment);
+  };
+  return leadsToVertex(stepFrom(curve, at.i, true)) ||
+    leadsToVertex(stepFrom(curve, at.i, false)) ||
+    !verticesAtCornerOf(this->mesh(), curve, at.i).empty();
+}
+
 // Several points of a curve may be at one place: their ends are the same.
 std::vector<SegmentEnd> CurvesOnPatch::endsOf(Id vertex, bool isAround) const
 {
@@ -62,9 +256,7 @@ std::vector<SegmentEnd> CurvesOnPatch::endsOf(Id vertex, bool isAround) const
     if (isAround || (p.kind == SurfacePoint::Kind::Vertex && p.id == vertex))
     {
       const CurveChains::Point at = { on->curve, on->i };
-      const std::vector<SegmentEnd> added = isAround
-        ? segmentEndsAround(this->mesh(), this->chains_, at)
-        : segmentEndsAt(this->mesh(), this->chains_, at);
+      const std::vector<SegmentEnd> added = isAround ? this->endsAround(at) : this->endsAt(at);
       ends.insert(ends.end(), added.begin(), added.end());
     }
   }
@@ -90,7 +282,7 @@ PointWithEnds CurvesOnPatch::around(Id point) const
   {
     return { SurfacePoint::atVertex(vertex), this->endsAround(vertex) };
   }
-  return { curve.points[at.i], segmentEndsAround(this->mesh(), this->chains_, at) };
+  return { curve.points[at.i], this->endsAround(at) };
 }
 
 SourceFrame CurvesOnPatch::frameOf(Id number) const

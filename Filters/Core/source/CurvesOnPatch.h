@@ -52,10 +52,19 @@ public:
   const std::vector<VertexOnCurve>& vertices() const { return this->vertices_; }
   /// The first with this vertex; null if no curve contains it.
   const VertexOnCurve* find(Id vertex) const;
-  /// The ends at a vertex of the segments that leave it, of all curves: segmentEndsAt().
+
+  /// The ends of the segments that meet in a point of a chain: two inside the chain, one at its
+  /// ends, none if the chain is a point. A segment without length, as in a face without area,
+  /// counts only if the chain continues from it across edges.
+  std::vector<SegmentEnd> endsAt(const CurveChains::Point& at) const;
+  /// The same of all points at the place of the point, which segments without length join.
+  std::vector<SegmentEnd> endsAround(const CurveChains::Point& at) const;
+  /// The same of all curves that contain a vertex.
   std::vector<SegmentEnd> endsAt(Id vertex) const { return this->endsOf(vertex, false); }
-  /// The same of all points at its place: segmentEndsAround().
   std::vector<SegmentEnd> endsAround(Id vertex) const { return this->endsOf(vertex, true); }
+  /// Whether a vertex is at the place of a chain's point, or a segment without length leads to one.
+  /// The segments on both sides then bound the vertex's wedge, not the point's.
+  bool isBesideVertex(const CurveChains::Point& at) const;
 
   /// A point of a chain (CurveChains::pointAt()), at the vertex at its place if there is one, and
   /// the ends around it: of all curves at a vertex, else of this chain.

@@ -25,14 +25,9 @@ double wrapped(double angle)
 
 } // anonymous namespace
 
-double DirectionsAround::End::after() const
+double DirectionsAround::End::angle(bool isClockwise) const
 {
-  return this->isForward ? 0.0 : -StraightAngle;
-}
-
-double DirectionsAround::End::before() const
-{
-  return this->isForward ? 0.0 : StraightAngle;
+  return this->isForward ? 0.0 : isClockwise ? StraightAngle : -StraightAngle;
 }
 
 void DirectionsAround::assign(const SurfacePoint& point, const std::vector<SegmentEnd>& ends)
@@ -233,21 +228,20 @@ double DirectionsAround::betweenSegments(
   const Fan& fan, double at, const End* first, const End* last) const
 {
   const End* const next = std::upper_bound(first, last, End{ at });
-  const End* const before = next != first ? next - 1 : fan.isClosed ? last - 1 : nullptr;
-  const End* const behind = next != last ? next : fan.isClosed ? first : nullptr;
-  const double turn =
-    before == nullptr ? Infinity : at - before->at + (next != first ? 0.0 : fan.total);
-  const double turnBack =
-    behind == nullptr ? Infinity : behind->at - at + (next != last ? 0.0 : fan.total);
+  const End* const before = next != first ? next - 1 : last - 1;
+  const End* const behind = next != last ? next : first;
+  const double total = fan.isClosed ? fan.total : Infinity; // no turn closes an open fan
+  const double turn = at - before->at + (next != first ? 0.0 : total);
+  const double turnBack = behind->at - at + (next != last ? 0.0 : total);
   if (fan.isClosed && before == behind)
   {
-    return wrapped(before->after() + turn * FullAngle / fan.total);
+    return wrapped(before->angle(false) + turn * FullAngle / fan.total);
   }
   if (fan.isClosed && before->isContinuedBy(*behind))
   {
-    return before->after() + turn * StraightAngle / (turn + turnBack);
+    return before->angle(false) + turn * StraightAngle / (turn + turnBack);
   }
-  return turn <= turnBack ? before->after() + turn : behind->before() - turnBack;
+  return turn <= turnBack ? before->angle(false) + turn : behind->angle(true) - turnBack;
 }
 
 // Angle 0 of a fan in whose first face angles are mirrored lies along the face's other edge.

@@ -24,7 +24,7 @@ public:
 
   /// Moves to another point.
   ///
-  /// \param ends the ends of all segments at its place: segmentEndsAround().
+  /// \param ends the ends of all segments at its place: CurvesOnPatch::endsAround().
   void assign(const SurfacePoint& point, const std::vector<SegmentEnd>& ends);
 
   /// The angle of a direction in the frame of a halfedge of a face around the point, or of one
@@ -74,9 +74,8 @@ private:
     bool isForward = true;
 
     bool operator<(const End& other) const { return this->at < other.at; }
-    /// The angle of the segment itself, as seen from its counterclockwise and its clockwise side.
-    double after() const;
-    double before() const;
+    /// The angle of the segment itself, as seen from its clockwise or its counterclockwise side.
+    double angle(bool isClockwise) const;
     bool isContinuedBy(const End& other) const
     {
       return this->curve == other.curve && this->place == other.place &&

@@ -99,18 +99,6 @@ void addBySector(const TriangleMesh& mesh, const EmittingPoint& point, const Win
   }
 }
 
-void addBehindEdge(const TriangleMesh& mesh, LeavingWindow leaving, const EmittingPoint& from,
-  const WindowFrame& frame, std::vector<LeavingWindow>& windows)
-{
-  Window& window = leaving.window;
-  if (mesh.isBoundary(leaving.halfedge) || !(window.end > window.begin))
-  {
-    return;
-  }
-  window.sourceDepth = std::max(window.sourceDepth, tolerance::SourceDepth * window.end);
-  addBySector(mesh, from, frame, leaving, windows);
-}
-
 /// Whether a point, in the leaving frame of a halfedge, is close to it and not to its ends.
 bool isBesideHalfedge(Vec2 point, double length)
 {
@@ -207,22 +195,26 @@ private:
     }
   }
 
-  void leave(const LeavingWindow& leaving, const WindowFrame& frame)
+  void leave(LeavingWindow leaving, const WindowFrame& frame)
   {
-    const Window& w = leaving.window;
-    const double length = this->mesh_.length(leaving.halfedge);
+    Window& w = leaving.window;
+    const Id halfedge = leaving.halfedge;
+    const double length = this->mesh_.length(halfedge);
     const Vec2 point = { w.sourceX, -w.sourceDepth };
     const bool isBeside = isBesideHalfedge(point, length);
-    if (!isBeside || !isInFaceBehind(this->mesh_, leaving.halfedge, point, this->from_.sectors))
+    const bool isHidden =
+      isBeside && isInFaceBehind(this->mesh_, halfedge, point, this->from_.sectors);
+    if (!isHidden && !this->mesh_.isBoundary(halfedge) && w.end > w.begin)
     {
-      addBehindEdge(this->mesh_, leaving, this->from_, frame, this->result_.windows);
+      w.sourceDepth = std::max(w.sourceDepth, tolerance::SourceDepth * w.end);
+      addBySector(this->mesh_, this->from_, frame, leaving, this->result_.windows);
     }
     if (isBeside)
     {
       // In a face without area rays have no direction that would hold them between bounds.
-      const bool isLine = this->mesh_.shape(TriangleMesh::faceOf(leaving.halfedge)).hasZeroArea();
-      this->send(leaving.halfedge, point,
-        isLine ? Interval{ 0.0, length } : Interval{ w.begin, w.end }, frame);
+      const bool isLine = this->mesh_.shape(TriangleMesh::faceOf(halfedge)).hasZeroArea();
+      this->send(
+        halfedge, point, isLine ? Interval{ 0.0, length } : Interval{ w.begin, w.end }, frame);
     }
   }
 

@@ -61,35 +61,9 @@ bool isAlongEdges(const TriangleMesh& mesh, const LocatedPolyline& polyline,
   return true;
 }
 
-}
-
-std::size_t LocatedPlaces::indexOf(const Vec3& place) const
-{
-  const auto at = std::lower_bound(this->places.begin(), this->places.end(), place);
-  return static_cast<std::size_t>(at - this->places.begin());
-}
-
-void LocatedPlaces::setFaces(
-  const ReplicatedPatch& patch, std::vector<LocatedPolyline>& polylines) const
-{
-  for (LocatedPolyline& polyline : polylines)
-  {
-    polyline.faces.clear();
-    for (const Vec3& point : polyline.points)
-    {
-      std::vector<Id>& onPatch = polyline.faces.emplace_back();
-      for (const ClosestFace& found : this->faces[this->indexOf(point)])
-      {
-        onPatch.push_back(patch.faceAt(found.face));
-      }
-    }
-  }
-}
-
 /// For each of some places the vertices, with faces, that lie exactly there.
-std::vector<std::vector<Id>> PolylineLocator::verticesAt(const std::vector<Vec3>& places) const
+std::vector<std::vector<Id>> verticesAt(const TriangleMesh& mesh, const std::vector<Vec3>& places)
 {
-  const TriangleMesh& mesh = this->surface_.mesh();
   std::vector<std::vector<Id>> vertices(places.size());
   Box box;
   for (const Vec3& p : places)
@@ -114,15 +88,15 @@ std::vector<std::vector<Id>> PolylineLocator::verticesAt(const std::vector<Vec3>
 
 /// Those of polylines that leave the edges. With several ranks all are: a rank does not know the
 /// vertices of the others.
-std::vector<std::uint8_t> PolylineLocator::placesToSearch(
+std::vector<std::uint8_t> placesToSearch(const MeshPartition& surface,
   const std::vector<LocatedPolyline>& polylines, const LocatedPlaces& located,
-  const std::vector<std::vector<Id>>& vertices) const
+  const std::vector<std::vector<Id>>& vertices)
 {
-  const bool isDistributed = this->surface_.isDistributed();
+  const bool isDistributed = surface.isDistributed();
   std::vector<std::uint8_t> isSearched(located.places.size(), isDistributed ? 1 : 0);
   for (const LocatedPolyline& polyline : polylines)
   {
-    if (!isDistributed && !isAlongEdges(this->surface_.mesh(), polyline, located, vertices))
+    if (!isDistributed && !isAlongEdges(surface.mesh(), polyline, located, vertices))
     {
       for (const Vec3& p : polyline.points)
       {
@@ -134,16 +108,41 @@ std::vector<std::uint8_t> PolylineLocator::placesToSearch(
 }
 
 /// One face for each of the vertices at a place, by number.
-std::vector<ClosestFace> PolylineLocator::facesAt(const std::vector<Id>& vertices) const
+std::vector<ClosestFace> facesAt(const MeshPartition& surface, const std::vector<Id>& vertices)
 {
   std::vector<ClosestFace> faces;
   for (const Id vertex : vertices)
   {
-    const Id corner = *this->surface_.mesh().cornersAt(vertex).begin();
-    faces.push_back({ this->surface_.addressOf(TriangleMesh::faceOf(corner)) });
+    const Id corner = *surface.mesh().cornersAt(vertex).begin();
+    faces.push_back({ surface.addressOf(TriangleMesh::faceOf(corner)) });
   }
   std::sort(faces.begin(), faces.end());
   return faces;
+}
+
+} // anonymous namespace
+
+std::size_t LocatedPlaces::indexOf(const Vec3& place) const
+{
+  const auto at = std::lower_bound(this->places.begin(), this->places.end(), place);
+  return static_cast<std::size_t>(at - this->places.begin());
+}
+
+void LocatedPlaces::setFaces(
+  const ReplicatedPatch& patch, std::vector<LocatedPolyline>& polylines) const
+{
+  for (LocatedPolyline& polyline : polylines)
+  {
+    polyline.faces.clear();
+    for (const Vec3& point : polyline.points)
+    {
+      std::vector<Id>& onPatch = polyline.faces.emplace_back();
+      for (const ClosestFace& found : this->faces[this->indexOf(point)])
+      {
+        onPatch.push_back(patch.faceAt(found.face));
+      }
+    }
+  }
 }
 
 LocatedPlaces PolylineLocator::locate(const std::vector<LocatedPolyline>& polylines,
@@ -152,8 +151,9 @@ LocatedPlaces PolylineLocator::locate(const std::vector<LocatedPolyline>& polyli
   reportProgress(progress, 0.0);
   LocatedPlaces located;
   located.places = placesOf(polylines);
-  const std::vector<std::vector<Id>> vertices = this->verticesAt(located.places);
-  const std::vector<std::uint8_t> isSearched = this->placesToSearch(polylines, located, vertices);
+  const std::vector<std::vector<Id>> vertices = verticesAt(this->surface_.mesh(), located.places);
+  const std::vector<std::uint8_t> isSearched =
+    placesToSearch(this->surface_, polylines, located, vertices);
   std::vector<Vec3> searched;
   for (std::size_t i = 0; i < isSearched.size(); ++i)
   {
@@ -166,7 +166,8 @@ LocatedPlaces PolylineLocator::locate(const std::vector<LocatedPolyline>& polyli
   auto next = found.begin();
   for (std::size_t i = 0; i < isSearched.size(); ++i)
   {
-    located.faces.push_back(isSearched[i] ? std::move(*next++) : this->facesAt(vertices[i]));
+    located.faces.push_back(
+      isSearched[i] ? std::move(*next++) : facesAt(this->surface_, vertices[i]));
   }
   return located;
 }

@@ -46,11 +46,6 @@ public:
     const ProgressCallback& progress = {});
 
 private:
-  std::vector<std::vector<Id>> verticesAt(const std::vector<Vec3>& places) const;
-  std::vector<std::uint8_t> placesToSearch(const std::vector<LocatedPolyline>& polylines,
-    const LocatedPlaces& located, const std::vector<std::vector<Id>>& vertices) const;
-  std::vector<ClosestFace> facesAt(const std::vector<Id>& vertices) const;
-
   MeshPartition surface_;
   SurfaceLocator locator_;
 };

@@ -37,20 +37,19 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
     throw SourceError(
       "There are no points in " + polyline.name + ". Give it one point at least, or leave it out.");
   }
+  const auto isMissing = [&mesh](Id face) { return face >= mesh.numberOfFaces(); };
   for (std::size_t i = 0; i < polyline.points.size(); ++i)
   {
-    const Vec3& p = polyline.points[i];
-    if (!isFinite(p))
+    const auto fail = [&](const char* what)
+    { throw SourceError("Point " + std::to_string(i) + " of " + polyline.name + what); };
+    if (!isFinite(polyline.points[i]))
     {
-      throw SourceError("Point " + std::to_string(i) + " of " + polyline.name +
-        " has a coordinate that is not finite. Remove or repair the point.");
+      fail(" has a coordinate that is not finite. Remove or repair the point.");
     }
-    const auto isMissing = [&mesh](Id face) { return face >= mesh.numberOfFaces(); };
     if (i >= polyline.faces.size() || polyline.faces[i].empty() ||
       std::any_of(polyline.faces[i].begin(), polyline.faces[i].end(), isMissing))
     {
-      throw SourceError("Point " + std::to_string(i) + " of " + polyline.name +
-        " has not been located on a face of the surface.");
+      fail(" has not been located on a face of the surface.");
     }
   }
 }

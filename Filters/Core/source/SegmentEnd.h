@@ -3,10 +3,7 @@
 #define geodesic_SegmentEnd_h
 
 #include "mesh/HalfedgeFrame.h"
-#include "mesh/TriangleMesh.h"
-#include "source/CurveChains.h"
-
-#include <vector>
+#include "mesh/SurfacePoint.h"
 
 namespace geodesic
 {
@@ -29,30 +26,15 @@ struct SegmentEnd
 
 /// The direction of a segment away from its end, in the frame of a halfedge of its face; not
 /// normalized.
-Vec2 directionIn(const TriangleMesh& mesh, const SegmentEnd& end, Id halfedge);
-
-/// The ends of the segments that meet in a point of a chain: two inside the chain, one at its ends,
-/// none if the chain is a point. A segment without length, as in a face without area, counts only
-/// if the chain continues from it across edges.
-std::vector<SegmentEnd> segmentEndsAt(
-  const TriangleMesh& mesh, const CurveChains& chains, const CurveChains::Point& at);
-
-/// The same of all points at the place of the point, which segments without length join.
-std::vector<SegmentEnd> segmentEndsAround(
-  const TriangleMesh& mesh, const CurveChains& chains, const CurveChains::Point& at);
-
-/// The other vertices at the place of point i of a curve, behind faces without area. None where the
-/// curve is merely cut, and for a curve that is a point.
-std::vector<Id> verticesAtCornerOf(
-  const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);
-
-/// A vertex at the place of point i of a curve, whether one of the curve's points or not; NoId
-/// where there is none.
-Id vertexAtPlaceOf(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);
-
-/// Whether a segment without length leads from point i of a curve to a vertex. The segments on both
-/// sides bound the vertex's wedge, not the point's.
-bool isAtVertexBeside(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);
+inline Vec2 directionIn(const TriangleMesh& mesh, const SegmentEnd& end, Id halfedge)
+{
+  if (end.frame != NoId)
+  {
+    return turned(mesh, end.onward, end.frame, halfedge);
+  }
+  return inHalfedgeFrame(mesh, halfedge, barycentric(mesh, end.to, end.face)) -
+    inHalfedgeFrame(mesh, halfedge, barycentric(mesh, end.from, end.face));
+}
 
 }
 

@@ -24,15 +24,23 @@ struct SourceCurve
   /// The part of the source to which it belongs, such as a cell's number.
   Id source = 0;
 
-  bool isClosed() const;
+  bool isClosed() const
+  {
+    if (this->points.size() < 2)
+    {
+      return false;
+    }
+    const SurfacePoint& first = this->points.front();
+    const SurfacePoint& last = this->points.back();
+    return first.kind == last.kind && first.id == last.id && first.u == last.u && first.v == last.v;
+  }
 };
 
-/// The places of a curve's points: lengths from its beginning. They strictly increase, even across
-/// segments without length.
-std::vector<double> placesAlong(const TriangleMesh& mesh, const SourceCurve& curve);
-
 /// A source that is a single point.
-SourceCurve pointCurve(const SurfacePoint& point);
+inline SourceCurve pointCurve(const SurfacePoint& point)
+{
+  return { { point }, {}, { 0 } };
+}
 
 }
 

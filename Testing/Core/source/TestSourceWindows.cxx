@@ -6,7 +6,6 @@
 #include "truth/AnalyticDistances.h"
 
 #include "Errors.h"
-#include "source/LeavingWindow.h"
 #include "source/SourceWindows.h"
 
 #include <gtest/gtest.h>

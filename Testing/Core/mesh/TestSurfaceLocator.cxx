@@ -124,13 +124,13 @@ TriangleMesh shrinkingStrip(Id count, double factor)
   return { points, triangles };
 }
 
-TEST(FaceLocator, FindsAllClosestFacesOfACrowdedStrip)
+TEST(SurfaceLocator, FindsAllClosestFacesOfACrowdedStrip)
 {
   expectAllClosest(shrinkingStrip(300, 0.9), 1.0);
   expectAllClosest(shrinkingStrip(300, 0.5), 1.0);
 }
 
-TEST(FaceLocator, FindsAllClosestFacesOfASphereAndOfSheetsThatCross)
+TEST(SurfaceLocator, FindsAllClosestFacesOfASphereAndOfSheetsThatCross)
 {
   expectAllClosest(engineMesh(geodesictest::octasphere(6)), 1.0);
   Random random(12);
@@ -140,7 +140,7 @@ TEST(FaceLocator, FindsAllClosestFacesOfASphereAndOfSheetsThatCross)
   expectAllClosest(engineMesh(sheets), 8.0);
 }
 
-TEST(FaceLocator, AtAVertexItsFacesAreFoundInOrder)
+TEST(SurfaceLocator, AtAVertexItsFacesAreFoundInOrder)
 {
   const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(4, 4));
   Locator locator(mesh);
@@ -153,7 +153,7 @@ TEST(FaceLocator, AtAVertexItsFacesAreFoundInOrder)
   EXPECT_EQ(locator.closest(mesh.point(12), Epsilon), around);
 }
 
-TEST(FaceLocator, FacesWithoutAreaCountLikeAllOthers)
+TEST(SurfaceLocator, FacesWithoutAreaCountLikeAllOthers)
 {
   // The second triangle lies in the first one's edge, the third is separate.
   const TriangleMesh mesh({ { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 0 }, { 1, 0, 0 },
@@ -166,7 +166,7 @@ TEST(FaceLocator, FacesWithoutAreaCountLikeAllOthers)
   EXPECT_EQ(locator.closest({ 0.5, 5.1, 0.0 }, Epsilon), (std::vector<Id>{ 2 }));
 }
 
-TEST(FaceLocator, HalfwayBetweenSheetsBothAreFound)
+TEST(SurfaceLocator, HalfwayBetweenSheetsBothAreFound)
 {
   PlainMesh sheet = geodesictest::regularGrid(3, 3);
   PlainMesh above = sheet;
@@ -180,7 +180,7 @@ TEST(FaceLocator, HalfwayBetweenSheetsBothAreFound)
   EXPECT_EQ(locator.closest({ 0.6, 0.2, 0.4 }, Epsilon), (std::vector<Id>{ 0 }));
 }
 
-TEST(FaceLocator, BesideTheSurfaceAFaceThatIsAlmostAsCloseIsNotChosen)
+TEST(SurfaceLocator, BesideTheSurfaceAFaceThatIsAlmostAsCloseIsNotChosen)
 {
   // Over the first of two faces, which are bent by slightly less than the precision.
   const TriangleMesh mesh(
@@ -198,7 +198,7 @@ TEST(FaceLocator, BesideTheSurfaceAFaceThatIsAlmostAsCloseIsNotChosen)
   }
 }
 
-TEST(FaceLocator, ThePrecisionOfThePointDecidesWhichFacesAreEquallyClose)
+TEST(SurfaceLocator, ThePrecisionOfThePointDecidesWhichFacesAreEquallyClose)
 {
   for (const double scale : { 0x1p-60, 1.0, 0x1p60 })
   {
@@ -218,7 +218,7 @@ TEST(FaceLocator, ThePrecisionOfThePointDecidesWhichFacesAreEquallyClose)
   }
 }
 
-TEST(FaceLocator, FarFromTheOriginTheClosestFaceComesFirstAndFarOnesAreNoChoice)
+TEST(SurfaceLocator, FarFromTheOriginTheClosestFaceComesFirstAndFarOnesAreNoChoice)
 {
   PlainMesh plain = geodesictest::regularGrid(6, 6);
   for (Vec3& p : plain.points)
@@ -238,7 +238,7 @@ TEST(FaceLocator, FarFromTheOriginTheClosestFaceComesFirstAndFarOnesAreNoChoice)
   }
 }
 
-TEST(FaceLocator, ProgressNeverFallsAndStopsTheSearch)
+TEST(SurfaceLocator, ProgressNeverFallsAndStopsTheSearch)
 {
   const TriangleMesh mesh = shrinkingStrip(2000, 0.99);
   std::vector<double> seen;
