@@ -4,10 +4,10 @@
 #include "Errors.h"
 #include "PolyData/Memory.h"
 #include "PolyData/ranks/BorrowedValues.h"
-#include "PolyData/writing/SurfaceWriter.h"
 #include "PolyData/writing/UnmeshedTriangles.h"
 #include "field/Gradients.h"
 #include "refinement/RefinedOnRanks.h"
+#include "source/CurvesOnPatch.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -16,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -235,7 +236,7 @@ ValuesAtPoints SourceArrays::atVertices(const DistanceField& computed, const Nea
   return values;
 }
 
-std::vector<ValuesAtPoints> SourceArrays::atNewPoints(const RefinedSurface& refined,
+ValuesAtPoints SourceArrays::atNewPoints(const RefinedSurface& refined,
   const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
   const ProgressCallback& progress) const
 {
@@ -267,29 +268,7 @@ std::vector<ValuesAtPoints> SourceArrays::atNewPoints(const RefinedSurface& refi
       atSeams.replace(seams.here, values.*kind, exchange);
       atCopies.append({}, values.*kind, exchange);
     });
-  return this->byBlock(std::move(values), refined.mesh);
-}
-
-std::vector<ValuesAtPoints> SourceArrays::byBlock(
-  ValuesAtPoints values, const RefinedMesh& refined) const
-{
-  std::vector<ValuesAtPoints> parts(this->surface_.blocks().size());
-  if (parts.size() == 1)
-  {
-    parts.front() = std::move(values);
-    return parts;
-  }
-  const std::vector<std::size_t> blocks = blocksOfNewPoints(this->surface_, refined);
-  this->forEachKind(
-    [&](auto kind)
-    {
-      const auto ofAll = std::move(values.*kind);
-      for (std::size_t i = 0; i < blocks.size(); ++i)
-      {
-        (parts[blocks[i]].*kind).push_back(ofAll[i]);
-      }
-    });
-  return parts;
+  return values;
 }
 
 void SourceArrays::write(const SurfaceBlock& block, const ValuesAtPoints& atVertices,
@@ -321,13 +300,6 @@ void SourceArrays::write(const SurfaceBlock& block, const ValuesAtPoints& atVert
   addArrays(this->choice_, pointAt, output);
 }
 
-std::vector<SourceFrame> SourceArrays::frames(const NearestSource& nearest) const
-{
-  return this->choice_.angles
-    ? framesBySource(this->curves_, [&nearest](Id curve) { return nearest.frameOf(curve); })
-    : std::vector<SourceFrame>();
-}
-
 std::vector<std::vector<double>> SourceArrays::arcLengthsOfCurves(
   const NearestSource& nearest) const
 {
@@ -341,6 +313,20 @@ std::vector<std::vector<double>> SourceArrays::arcLengthsOfCurves(
     }
   }
   return lengths;
+}
+
+std::vector<SourceFrame> framesBySource(
+  const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves)
+{
+  const CurvesOnPatch onPatch(patch, curves);
+  std::vector<SourceFrame> frames;
+  for (Id curve = static_cast<Id>(curves.size()); curve-- > 0;) // the first of a source comes last
+  {
+    const std::size_t source = curves[curve].source;
+    frames.resize(std::max(frames.size(), source + 1));
+    frames[source] = onPatch.frameOf(curve);
+  }
+  return frames;
 }
 
 void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* output)

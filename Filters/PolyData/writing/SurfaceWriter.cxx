@@ -325,53 +325,49 @@ void renumberPolygons(const std::vector<vtkIdType>& numbers, vtkPolyData* data)
 
 }
 
-std::vector<std::size_t> blocksOfNewPoints(
-  const PolyDataSurface& surface, const RefinedMesh& refined)
+std::vector<RefinedBlock> partsByBlock(
+  const PolyDataSurface& surface, RefinedMesh refined, ValuesAtPoints values)
 {
-  std::vector<std::size_t> blocks;
-  blocks.reserve(refined.points.size());
-  for (const RefinedPoint& point : refined.points)
+  std::vector<RefinedBlock> parts(surface.blocks().size());
+  if (parts.size() == 1)
   {
-    const Id parent = point.parents[0];
-    blocks.push_back(parent < refined.numberOfInputPoints
-        ? surface.blockOfPoint(parent)
-        : blocks[parent - refined.numberOfInputPoints]);
-  }
-  return blocks;
-}
-
-std::vector<RefinedMesh> partsByBlock(const PolyDataSurface& surface, RefinedMesh refined)
-{
-  std::vector<RefinedMesh> parts;
-  if (surface.blocks().size() == 1)
-  {
-    parts.push_back(std::move(refined));
+    parts.front() = { std::move(refined), std::move(values) };
     return parts;
   }
-  parts.resize(surface.blocks().size());
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    parts[i].numberOfInputPoints = surface.blocks()[i].numberOfPoints;
+    parts[i].mesh.numberOfInputPoints = surface.blocks()[i].numberOfPoints;
   }
-  const std::vector<std::size_t> blocks = blocksOfNewPoints(surface, refined);
-  // For each new point its number in its block, of which it needs those of its parents.
+  // Of each new point its block and its number there, which those between it and others need.
+  std::vector<std::size_t> blocks;
   std::vector<Id> numbers;
-  numbers.reserve(refined.points.size());
   const auto numberOf = [&](Id point, const SurfaceBlock& block)
   {
     return point < refined.numberOfInputPoints ? point - block.firstPoint
                                                : numbers[point - refined.numberOfInputPoints];
   };
-  for (RefinedPoint& point : refined.points)
+  for (std::size_t i = 0; i < refined.points.size(); ++i)
   {
-    const std::size_t index = blocks[numbers.size()];
-    RefinedMesh& part = parts[index];
+    RefinedPoint& point = refined.points[i];
+    const Id first = point.parents[0];
+    blocks.push_back(first < refined.numberOfInputPoints
+        ? surface.blockOfPoint(first)
+        : blocks[first - refined.numberOfInputPoints]);
     for (Id& parent : point.parents)
     {
-      parent = numberOf(parent, surface.blocks()[index]);
+      parent = numberOf(parent, surface.blocks()[blocks[i]]);
     }
+    auto& [part, valuesOfPart] = parts[blocks[i]];
     numbers.push_back(part.numberOfInputPoints + static_cast<Id>(part.points.size()));
     part.points.push_back(point);
+    if (!values.sources.empty())
+    {
+      valuesOfPart.sources.push_back(values.sources[i]);
+    }
+    if (!values.gradients.empty())
+    {
+      valuesOfPart.gradients.push_back(values.gradients[i]);
+    }
   }
   refined.points = {};
   for (std::size_t i = 0; i < refined.triangles.size(); ++i)
@@ -383,8 +379,8 @@ std::vector<RefinedMesh> partsByBlock(const PolyDataSurface& surface, RefinedMes
     {
       corner = numberOf(corner, block);
     }
-    parts[index].triangles.push_back(triangle);
-    parts[index].faces.push_back(refined.faces[i] - block.firstTriangle);
+    parts[index].mesh.triangles.push_back(triangle);
+    parts[index].mesh.faces.push_back(refined.faces[i] - block.firstTriangle);
   }
   return parts;
 }
