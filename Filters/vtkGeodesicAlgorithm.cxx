@@ -60,18 +60,10 @@ bool IsPieceWithData(
 std::string MemoryNumbers(const geodesic::NotEnoughMemory& error)
 {
   constexpr int mega = 20;
-  const std::string available = std::to_string(error.available() >> mega) + " MB are available";
-  return error.needed() > 0
-    ? " It takes " + std::to_string(error.needed() >> mega) + " MB more, and " + available + "."
+  const std::string available = std::to_string(error.available >> mega) + " MB are available";
+  return error.needed > 0
+    ? " It takes " + std::to_string(error.needed >> mega) + " MB more, and " + available + "."
     : " Only " + available + ".";
-}
-
-void EmptyOutputs(vtkInformationVector* outputVector)
-{
-  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkDataObject::GetData(outputVector, port)->Initialize();
-  }
 }
 
 }
@@ -127,18 +119,6 @@ vtkGeodesicAlgorithm::~vtkGeodesicAlgorithm()
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicAlgorithm::SetSourceConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicAlgorithm::SetSourceData(vtkDataObject* source)
-{
-  this->SetInputDataInternal(1, source);
-}
-
-//------------------------------------------------------------------------------
 int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
@@ -147,18 +127,6 @@ int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* inf
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // so that errors can say what to do
   }
   return 1;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkGeodesicAlgorithm::FindWrongProperty() const
-{
-  return {};
-}
-
-//------------------------------------------------------------------------------
-std::string vtkGeodesicAlgorithm::AdviceOnMemory() const
-{
-  return "Decimate the surface or cut it into parts.";
 }
 
 //------------------------------------------------------------------------------
@@ -359,7 +327,10 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   {
     explainUnforeseen(" and has no description");
   }
-  EmptyOutputs(outputVector);
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputVector, port)->Initialize();
+  }
   if (!isCacheKept || (exchange && exchange->numberOfRanks() > 1))
   {
     this->Internals->Cache.release();

@@ -55,7 +55,8 @@ public:
     this->Execution.readInputs(true);
     if (this->Execution.surfacePlace() == SurfacePlace::OnOtherRank)
     {
-      addEmptyIsolineArrays(output);
+      const TriangleMesh none;
+      writeIsolines({ none, {}, {}, none, {} }, PowerOfTwoScale(), output, {});
       return;
     }
     const PolyDataSurface& surface = this->Execution.surface();
@@ -71,9 +72,8 @@ public:
     this->Execution.reach(LinesDrawn);
     this->Execution.enter(Stage::WritingOutputs);
     const bool hasCurves = this->HasZero && this->Execution.hasSourceOutput();
-    writeIsolines({ surface.mesh(), isolines, this->Values },
-      { this->Execution.patch().mesh(),
-        hasCurves ? this->Execution.sources().curves : std::vector<SourceCurve>() },
+    writeIsolines({ surface.mesh(), isolines, this->Values, this->Execution.patch().mesh(),
+                    hasCurves ? this->Execution.sources().curves : std::vector<SourceCurve>() },
       surface.scale(), output, this->Execution.progressBetween(LinesDrawn, 1.0));
   }
 
@@ -160,15 +160,6 @@ private:
   std::vector<double> Distances;
   std::vector<SidedValue> Sides;
 };
-
-//------------------------------------------------------------------------------
-vtkGeodesicContour::vtkGeodesicContour()
-{
-  this->ContourValues->SetNumberOfContours(0);
-}
-
-//------------------------------------------------------------------------------
-vtkGeodesicContour::~vtkGeodesicContour() = default;
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkGeodesicContour::GetMTime()

@@ -4,7 +4,7 @@
 #include "PolyData/FieldSolver.h"
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Memory.h"
-#include "PolyData/reading/PolyDataSource.h"
+#include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "PolyData/writing/SurfaceWriter.h"
 #include "refinement/RefinedOnRanks.h"

@@ -91,27 +91,6 @@ void MoveToFirstRank(Exchange& exchange, vtkTable* table)
 }
 
 //------------------------------------------------------------------------------
-vtkGeodesicDistanceMatrix::vtkGeodesicDistanceMatrix()
-{
-  this->SetNumberOfInputPorts(3);
-}
-
-//------------------------------------------------------------------------------
-vtkGeodesicDistanceMatrix::~vtkGeodesicDistanceMatrix() = default;
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetTargetsConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(2, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetTargetsData(vtkDataObject* targets)
-{
-  this->SetInputDataInternal(2, targets);
-}
-
-//------------------------------------------------------------------------------
 vtkTable* vtkGeodesicDistanceMatrix::GetOutput()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(0));

@@ -116,27 +116,6 @@ std::vector<PathOfTarget> SendHome(
 }
 
 //------------------------------------------------------------------------------
-vtkGeodesicPaths::vtkGeodesicPaths()
-{
-  this->SetNumberOfInputPorts(3);
-}
-
-//------------------------------------------------------------------------------
-vtkGeodesicPaths::~vtkGeodesicPaths() = default;
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPaths::SetTargetsConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(2, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPaths::SetTargetsData(vtkDataObject* targets)
-{
-  this->SetInputDataInternal(2, targets);
-}
-
-//------------------------------------------------------------------------------
 void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector* outputVector)
 {
   execution.requireTargets();

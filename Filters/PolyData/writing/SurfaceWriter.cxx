@@ -257,33 +257,6 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
   output->GetCellData()->AddArray(originals);
 }
 
-constexpr vtkIdType Unused = -1;
-
-/// For each point its number among those that are used, or Unused.
-///
-/// \param used gets the points that are used, in their order.
-std::vector<vtkIdType> numbersOfUsedPoints(vtkPolyData* data, vtkIdList* used)
-{
-  std::vector<vtkIdType> numbers(static_cast<std::size_t>(data->GetNumberOfPoints()), Unused);
-  forEachCell(data->GetPolys(),
-    [&numbers](vtkIdType size, const vtkIdType* ids)
-    {
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        numbers[static_cast<std::size_t>(ids[i])] = 0;
-      }
-    });
-  used->Allocate(data->GetNumberOfPoints());
-  for (std::size_t point = 0; point < numbers.size(); ++point)
-  {
-    if (numbers[point] != Unused)
-    {
-      numbers[point] = used->InsertNextId(static_cast<vtkIdType>(point));
-    }
-  }
-  return numbers;
-}
-
 void keepPoints(vtkIdList* used, vtkPolyData* data)
 {
   const vtkIdType count = used->GetNumberOfIds();
@@ -302,25 +275,6 @@ void keepPoints(vtkIdList* used, vtkPolyData* data)
     data->GetPointData(), count, [used](vtkIdType i) { return used->GetId(i); }, kept,
     LoopProgress(nobody));
   data->GetPointData()->ShallowCopy(kept);
-}
-
-void renumberPolygons(const std::vector<vtkIdType>& numbers, vtkPolyData* data)
-{
-  const vtkIdType count = data->GetPolys()->GetNumberOfCells();
-  const vtkIdType size = data->GetPolys()->GetNumberOfConnectivityIds();
-  requireMemory(count + 1 + size, sizeof(vtkIdType));
-  vtkNew<vtkCellArray> polygons;
-  polygons->AllocateExact(count, size);
-  forEachCell(data->GetPolys(),
-    [&](vtkIdType corners, const vtkIdType* ids)
-    {
-      polygons->InsertNextCell(static_cast<int>(corners));
-      for (vtkIdType i = 0; i < corners; ++i)
-      {
-        polygons->InsertCellPoint(numbers[static_cast<std::size_t>(ids[i])]);
-      }
-    });
-  data->SetPolys(polygons);
 }
 
 }
@@ -424,15 +378,44 @@ void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined,
 
 void removeUnusedPoints(vtkPolyData* data)
 {
+  constexpr vtkIdType unused = -1;
   const vtkIdType count = data->GetNumberOfPoints();
   requireMemory(count, 2 * static_cast<vtkIdType>(sizeof(vtkIdType)));
+  // Of each point its number among those that are used.
+  std::vector<vtkIdType> numbers(static_cast<std::size_t>(count), unused);
+  forEachCell(data->GetPolys(),
+    [&numbers](vtkIdType size, const vtkIdType* ids)
+    {
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        numbers[static_cast<std::size_t>(ids[i])] = 0;
+      }
+    });
   vtkNew<vtkIdList> used;
-  const std::vector<vtkIdType> numbers = numbersOfUsedPoints(data, used);
-  if (used->GetNumberOfIds() < count)
+  used->Allocate(count);
+  for (std::size_t point = 0; point < numbers.size(); ++point)
   {
-    keepPoints(used, data);
-    renumberPolygons(numbers, data);
+    if (numbers[point] != unused)
+    {
+      numbers[point] = used->InsertNextId(static_cast<vtkIdType>(point));
+    }
   }
+  if (used->GetNumberOfIds() == count)
+  {
+    return;
+  }
+  keepPoints(used, data);
+  const vtkIdType ids = data->GetPolys()->GetNumberOfConnectivityIds();
+  requireMemory(data->GetPolys()->GetNumberOfCells() + 1 + ids, sizeof(vtkIdType));
+  vtkNew<vtkCellArray> polygons;
+  polygons->DeepCopy(data->GetPolys());
+  polygons->ConvertTo64BitStorage();
+  auto* points = polygons->GetConnectivityArray64();
+  for (vtkIdType i = 0; i < ids; ++i)
+  {
+    points->SetValue(i, numbers[static_cast<std::size_t>(points->GetValue(i))]);
+  }
+  data->SetPolys(polygons);
 }
 
 }
