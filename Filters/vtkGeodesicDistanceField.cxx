@@ -222,8 +222,8 @@ private:
 
   SourceArrays Arrays() const
   {
-    return SourceArrays(this->Execution.surface(), this->Execution.sources().curves,
-      this->Execution.firstBoundarySource(), this->Choice);
+    return { this->Execution.surface(), this->Execution.sources().curves,
+      this->Execution.firstBoundarySource(), this->Choice };
   }
 
   void FindSources(const SolvedSurface& solved)
@@ -505,11 +505,8 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AbsoluteRefinementTolerance: " << this->AbsoluteRefinementTolerance << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
-  os << indent << "UnreachedValue: "
-     << (this->UnreachedValue == UNREACHED_NAN         ? "NaN"
-            : this->UnreachedValue == UNREACHED_CUSTOM ? "Custom"
-                                                       : "Infinity")
-     << "\n";
+  constexpr const char* unreachedValues[] = { "Infinity", "NaN", "Custom" };
+  os << indent << "UnreachedValue: " << unreachedValues[this->UnreachedValue] << "\n";
   os << indent << "CustomUnreachedValue: " << this->CustomUnreachedValue << "\n";
   os << indent << "RemoveUnusedPoints: " << (this->RemoveUnusedPoints ? "On" : "Off") << "\n";
   os << indent

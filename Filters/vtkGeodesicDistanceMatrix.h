@@ -105,8 +105,6 @@ protected:
   void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
 
 private:
-  void ComputeTable(geodesic::FilterExecution& execution, vtkTable* table) const;
-
   vtkGeodesicDistanceMatrix(const vtkGeodesicDistanceMatrix&) = delete;
   void operator=(const vtkGeodesicDistanceMatrix&) = delete;
 

@@ -34,19 +34,6 @@ const char* const TargetsName = "the set of targets (input port 2)";
 
 }
 
-FilterExecution::FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache,
-  const char*& stage, vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets,
-  Exchange& exchange)
-  : filter_(filter)
-  , cache_(cache)
-  , stage_(stage)
-  , surfaceInput_(surface)
-  , sourceInput_(source)
-  , targetsInput_(targets)
-  , exchange_(exchange)
-{
-}
-
 void FilterExecution::readInputs(bool supportsPieces)
 {
   this->enter(Stage::ReadingSurface);

@@ -17,9 +17,9 @@ namespace geodesic
 /// process that uses it.
 struct NotEnoughMemory : std::bad_alloc
 {
-  NotEnoughMemory(std::uint64_t needed, std::uint64_t available)
-    : needed(needed)
-    , available(available)
+  NotEnoughMemory(std::uint64_t bytesNeeded, std::uint64_t bytesAvailable)
+    : needed(bytesNeeded)
+    , available(bytesAvailable)
   {
   }
   const char* what() const noexcept override { return "not enough memory"; }

@@ -25,8 +25,8 @@ constexpr const char* ArrayName = "GeodesicDistance";
 /// The points and cells of an output, which are added one by one.
 struct LineCells
 {
-  explicit LineCells(const PowerOfTwoScale& scale)
-    : scale(scale)
+  explicit LineCells(const PowerOfTwoScale& ofMesh)
+    : scale(ofMesh)
   {
     this->points->SetDataTypeToDouble();
   }

@@ -77,20 +77,15 @@ struct ValuesAtPoints
 };
 
 /// Computes the arrays that tell more of a field than its distance.
-class SourceArrays
+struct SourceArrays
 {
-public:
-  /// \param curves of the source.
-  /// \param firstBoundarySource SourceCurve::source from which on curves are loops of the boundary,
-  ///        whose distances have no sign.
-  SourceArrays(const PolyDataSurface& surface, const std::vector<SourceCurve>& curves,
-    Id firstBoundarySource, const SourceArrayChoice& choice)
-    : surface_(surface)
-    , curves_(curves)
-    , firstBoundarySource_(firstBoundarySource)
-    , choice_(choice)
-  {
-  }
+  const PolyDataSurface& surface;
+  /// Of the source.
+  const std::vector<SourceCurve>& curves;
+  /// SourceCurve::source from which on curves are loops of the boundary, whose distances have no
+  /// sign.
+  Id firstBoundarySource;
+  SourceArrayChoice choice;
 
   /// Of every vertex that points have: PolyDataSurface::vertexOf(). All ranks call this together.
   ///
@@ -115,19 +110,6 @@ public:
   /// For writeCurves(): the arc lengths of each curve's points, in the user's scale. Empty unless
   /// arc lengths are asked for.
   std::vector<std::vector<double>> arcLengthsOfCurves(const NearestSource& nearest) const;
-
-private:
-  template <typename Visit>
-  void forEachKind(const Visit& visit) const;
-  template <typename Add>
-  ValuesAtPoints collect(std::size_t count, const DistanceField& computed,
-    const ProgressCallback& progress, const Add& add) const;
-  SourceValues valuesOf(const Foot& foot, const NearestSource& nearest) const;
-
-  const PolyDataSurface& surface_;
-  const std::vector<SourceCurve>& curves_;
-  Id firstBoundarySource_;
-  SourceArrayChoice choice_;
 };
 
 /// The frames that angles are measured in, by SourceCurve::source; of a source that is cut in
