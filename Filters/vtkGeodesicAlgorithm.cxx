@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <optional>
 
 namespace
 {
@@ -80,8 +81,7 @@ public:
   vtkWeakPointer<vtkExecutive> QuietExecutive;
   unsigned long Observer = 0;
   /// The user's controller; the global one unless one was set.
-  vtkSmartPointer<vtkMultiProcessController> Controller;
-  bool HasController = false;
+  std::optional<vtkSmartPointer<vtkMultiProcessController>> Controller;
 
   /// Makes the exchange fit to the processes of a controller, for one execution.
   geodesic::Exchange& BeginExchange(vtkMultiProcessController* controller)
@@ -132,9 +132,8 @@ int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* inf
 //------------------------------------------------------------------------------
 void vtkGeodesicAlgorithm::SetController(vtkMultiProcessController* controller)
 {
-  if (!this->Internals->HasController || this->Internals->Controller != controller)
+  if (!this->Internals->Controller || *this->Internals->Controller != controller)
   {
-    this->Internals->HasController = true;
     this->Internals->Controller = controller;
     this->Modified();
   }
@@ -143,8 +142,8 @@ void vtkGeodesicAlgorithm::SetController(vtkMultiProcessController* controller)
 //------------------------------------------------------------------------------
 vtkMultiProcessController* vtkGeodesicAlgorithm::GetController()
 {
-  return this->Internals->HasController ? this->Internals->Controller.Get()
-                                        : vtkMultiProcessController::GetGlobalController();
+  return this->Internals->Controller ? this->Internals->Controller->Get()
+                                     : vtkMultiProcessController::GetGlobalController();
 }
 
 //------------------------------------------------------------------------------
@@ -356,6 +355,7 @@ void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent
      << "BarrierArrayName: " << (this->BarrierArrayName ? this->BarrierArrayName : "(none)")
      << "\n";
-  os << indent << "Controller: " << (this->Internals->HasController ? "" : "(global) ")
-     << this->Internals->Controller.Get() << "\n";
+  const auto& controller = this->Internals->Controller;
+  os << indent << "Controller: " << (controller ? "" : "(global) ")
+     << (controller ? controller->Get() : nullptr) << "\n";
 }

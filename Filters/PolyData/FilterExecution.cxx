@@ -85,15 +85,14 @@ void FilterExecution::findSurface(const BarrierArrays& barriers, bool supportsPi
   }
   const std::vector<PointsAndFaces> all = valuesOfRanks(this->exchange_, own);
   const auto emptyOnes = std::count(all.begin(), all.end(), nothing);
-  if (emptyOnes + 1 >= this->exchange_.numberOfRanks())
+  const int ranks = this->exchange_.numberOfRanks();
+  if (emptyOnes + 1 >= ranks)
   {
     // If all are empty, rank 0 says so.
-    const bool isWorker =
-      own != nothing || (this->isFirstRank() && emptyOnes == this->exchange_.numberOfRanks());
+    const bool isWorker = own != nothing || (this->isFirstRank() && emptyOnes == ranks);
     this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::OnOtherRank;
     return;
   }
-  const int ranks = this->exchange_.numberOfRanks();
   bool areSame = std::count(all.begin(), all.end(), own) == ranks;
   if (areSame)
   {

@@ -71,6 +71,22 @@ struct LineCells
   vtkNew<vtkCellArray> lines;
 };
 
+/// Calls visit(curve) in the order of the cells: vertices come before lines.
+template <typename Visit>
+void forEachInOrderOfCells(const std::vector<SourceCurve>& curves, const Visit& visit)
+{
+  for (const bool arePoints : { true, false })
+  {
+    for (const SourceCurve& curve : curves)
+    {
+      if ((curve.points.size() == 1) == arePoints)
+      {
+        visit(curve);
+      }
+    }
+  }
+}
+
 /// Asks for the memory of curves, and of other points: a point with a value, its id and an offset,
 /// twice while an array grows to twice its size.
 void requireMemoryOf(const std::vector<SourceCurve>& curves, std::size_t otherPoints = 0)
@@ -171,16 +187,9 @@ void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
   }
   vtkNew<vtkIdTypeArray> sources;
   sources->SetName("SourceId");
-  for (const bool arePoints : { true, false }) // in the order of the cells: vertices come first
-  {
-    for (const SourceCurve& curve : curves)
-    {
-      if ((curve.points.size() == 1) == arePoints)
-      {
-        sources->InsertNextValue(static_cast<vtkIdType>(curve.source));
-      }
-    }
-  }
+  forEachInOrderOfCells(curves,
+    [&sources](const SourceCurve& curve)
+    { sources->InsertNextValue(static_cast<vtkIdType>(curve.source)); });
   output->GetCellData()->AddArray(sources);
 }
 
@@ -192,16 +201,8 @@ void writeIsolines(const WrittenIsolines& written, const PowerOfTwoScale& scale,
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
   LineCells cells(scale);
-  for (const bool arePoints : { true, false }) // in the order of the cells: vertices come first
-  {
-    for (const SourceCurve& curve : written.curves)
-    {
-      if ((curve.points.size() == 1) == arePoints)
-      {
-        cells.addCurve(written.meshOfCurves, curve);
-      }
-    }
-  }
+  forEachInOrderOfCells(
+    written.curves, [&](const SourceCurve& curve) { cells.addCurve(written.meshOfCurves, curve); });
   const auto atPoints = makeArray<vtkDoubleArray>(ArrayName, cells.points->GetNumberOfPoints());
   const auto atCells =
     makeArray<vtkDoubleArray>(ArrayName, static_cast<vtkIdType>(written.curves.size()));
