@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <optional>
 
 namespace
 {
@@ -60,18 +61,10 @@ bool IsPieceWithData(
 std::string MemoryNumbers(const geodesic::NotEnoughMemory& error)
 {
   constexpr int mega = 20;
-  const std::string available = std::to_string(error.available() >> mega) + " MB are available";
-  return error.needed() > 0
-    ? " It takes " + std::to_string(error.needed() >> mega) + " MB more, and " + available + "."
+  const std::string available = std::to_string(error.available >> mega) + " MB are available";
+  return error.needed > 0
+    ? " It takes " + std::to_string(error.needed >> mega) + " MB more, and " + available + "."
     : " Only " + available + ".";
-}
-
-void EmptyOutputs(vtkInformationVector* outputVector)
-{
-  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkDataObject::GetData(outputVector, port)->Initialize();
-  }
 }
 
 }
@@ -88,8 +81,7 @@ public:
   vtkWeakPointer<vtkExecutive> QuietExecutive;
   unsigned long Observer = 0;
   /// The user's controller; the global one unless one was set.
-  vtkSmartPointer<vtkMultiProcessController> Controller;
-  bool HasController = false;
+  std::optional<vtkSmartPointer<vtkMultiProcessController>> Controller;
 
   /// Makes the exchange fit to the processes of a controller, for one execution.
   geodesic::Exchange& BeginExchange(vtkMultiProcessController* controller)
@@ -127,18 +119,6 @@ vtkGeodesicAlgorithm::~vtkGeodesicAlgorithm()
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicAlgorithm::SetSourceConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicAlgorithm::SetSourceData(vtkDataObject* source)
-{
-  this->SetInputDataInternal(1, source);
-}
-
-//------------------------------------------------------------------------------
 int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
@@ -150,23 +130,10 @@ int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* inf
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGeodesicAlgorithm::FindWrongProperty() const
-{
-  return {};
-}
-
-//------------------------------------------------------------------------------
-std::string vtkGeodesicAlgorithm::AdviceOnMemory() const
-{
-  return "Decimate the surface or cut it into parts.";
-}
-
-//------------------------------------------------------------------------------
 void vtkGeodesicAlgorithm::SetController(vtkMultiProcessController* controller)
 {
-  if (!this->Internals->HasController || this->Internals->Controller != controller)
+  if (!this->Internals->Controller || *this->Internals->Controller != controller)
   {
-    this->Internals->HasController = true;
     this->Internals->Controller = controller;
     this->Modified();
   }
@@ -175,8 +142,8 @@ void vtkGeodesicAlgorithm::SetController(vtkMultiProcessController* controller)
 //------------------------------------------------------------------------------
 vtkMultiProcessController* vtkGeodesicAlgorithm::GetController()
 {
-  return this->Internals->HasController ? this->Internals->Controller.Get()
-                                        : vtkMultiProcessController::GetGlobalController();
+  return this->Internals->Controller ? this->Internals->Controller->Get()
+                                     : vtkMultiProcessController::GetGlobalController();
 }
 
 //------------------------------------------------------------------------------
@@ -359,7 +326,10 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   {
     explainUnforeseen(" and has no description");
   }
-  EmptyOutputs(outputVector);
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputVector, port)->Initialize();
+  }
   if (!isCacheKept || (exchange && exchange->numberOfRanks() > 1))
   {
     this->Internals->Cache.release();
@@ -385,6 +355,7 @@ void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent
      << "BarrierArrayName: " << (this->BarrierArrayName ? this->BarrierArrayName : "(none)")
      << "\n";
-  os << indent << "Controller: " << (this->Internals->HasController ? "" : "(global) ")
-     << this->Internals->Controller.Get() << "\n";
+  const auto& controller = this->Internals->Controller;
+  os << indent << "Controller: " << (controller ? "" : "(global) ")
+     << (controller ? controller->Get() : nullptr) << "\n";
 }

@@ -50,8 +50,8 @@ public:
    * The source on port 1: curves and points, a vtkPolyData, vtkUnstructuredGrid or other
    * vtkPointSet, or a composite data set of these. Not needed when the boundary is the source.
    */
-  void SetSourceConnection(vtkAlgorithmOutput* output);
-  void SetSourceData(vtkDataObject* source);
+  void SetSourceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetSourceData(vtkDataObject* source) { this->SetInputDataInternal(1, source); }
   ///@}
 
   /**
@@ -140,9 +140,12 @@ protected:
     vtkInformationVector* outputVector) override;
 
   /// Says what is wrong with a property and what to do; empty where all are right.
-  virtual std::string FindWrongProperty() const;
+  virtual std::string FindWrongProperty() const { return {}; }
   /// What the user can do where memory has run out, as a sentence.
-  virtual std::string AdviceOnMemory() const;
+  virtual std::string AdviceOnMemory() const
+  {
+    return "Decimate the surface or cut it into parts.";
+  }
   /// Sets the getters' results of an execution to what they are before the first.
   virtual void ResetResults() {}
   /// Reads the inputs (geodesic::FilterExecution::readInputs()) and fills the outputs. May throw.

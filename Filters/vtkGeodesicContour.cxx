@@ -50,12 +50,106 @@ public:
   }
 
   /// \throws Error
-  void Run(vtkPolyData* output);
+  void Run(vtkPolyData* output)
+  {
+    this->Execution.readInputs(true);
+    if (this->Execution.surfacePlace() == SurfacePlace::OnOtherRank)
+    {
+      const TriangleMesh none;
+      writeIsolines({ none, {}, {}, none, {} }, PowerOfTwoScale(), output, {});
+      return;
+    }
+    const PolyDataSurface& surface = this->Execution.surface();
+    if (this->Self->SignedDistances)
+    {
+      requireSides(surface, this->Execution.surfaceBlocks(), "SignedDistances");
+    }
+    this->FindValues();
+    const Isolines isolines = this->Draw();
+    this->Execution.notes().add(NoteOn::Surface,
+      this->Execution.sumOverPieces(isolines.linesWithoutDirection), "line crosses", "lines cross",
+      "faces of opposite orientation: the direction of such a line says nothing.");
+    this->Execution.reach(LinesDrawn);
+    this->Execution.enter(Stage::WritingOutputs);
+    const bool hasCurves = this->HasZero && this->Execution.hasSourceOutput();
+    writeIsolines({ surface.mesh(), isolines, this->Values, this->Execution.patch().mesh(),
+                    hasCurves ? this->Execution.sources().curves : std::vector<SourceCurve>() },
+      surface.scale(), output, this->Execution.progressBetween(LinesDrawn, 1.0));
+  }
 
 private:
-  void FindValues();
-  Isolines Draw() const;
-  Isolines OnSides(const DistanceField& field, const Isolines& isolines) const;
+  /// Values that the engine cannot tell apart, which drops digits of tiny ones, are one.
+  void FindValues()
+  {
+    std::vector<double> sorted;
+    for (vtkIdType i = 0; i < this->Self->GetNumberOfContours(); ++i)
+    {
+      sorted.push_back(this->Self->GetValue(static_cast<int>(i)));
+    }
+    std::sort(sorted.begin(), sorted.end());
+    std::map<double, SidedValue> byDistance;
+    for (const double value : sorted)
+    {
+      const double inEngine = this->Execution.surface().scale().toEngine(value);
+      this->HasZero = this->HasZero || inEngine == 0.0;
+      if (inEngine == 0.0 || !(std::abs(inEngine) < Infinity))
+      {
+        continue;
+      }
+      SidedValue& sides = byDistance[std::abs(inEngine)];
+      std::size_t& index = inEngine < 0.0 ? sides.right : sides.left;
+      if (index == SidedValue::None)
+      {
+        index = this->Values.size();
+        this->Values.push_back(value);
+      }
+    }
+    for (const auto& [distance, sides] : byDistance)
+    {
+      this->Distances.push_back(distance);
+      this->Sides.push_back(sides);
+    }
+  }
+
+  Isolines Draw() const
+  {
+    IsolineOptions options;
+    options.values = this->Distances;
+    options.chordTolerance = this->Self->ToleranceIsAbsolute
+      ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteChordTolerance)
+      : this->Self->ChordTolerance * this->Execution.surface().diagonal();
+    // On a surface without extent nothing but the source is at any distance.
+    if (options.values.empty() || !(options.chordTolerance > 0.0))
+    {
+      return {};
+    }
+    this->Execution.enter(Stage::ComputingDistances);
+    FrontOptions front;
+    front.parallelFor = smpParallelFor();
+    front.keepArrivals = this->Self->SignedDistances;
+    front.progress = this->Execution.progressBetween(FilterExecution::InputsRead, FieldDone);
+    const DistanceField field = solveForIsolines(this->Execution.surface().partition(),
+      this->Execution.sourceWindows(front.progress), this->Distances, front);
+    this->Execution.reach(FieldDone);
+    this->Execution.enter(Stage::DrawingLines);
+    options.parallelFor = front.parallelFor;
+    options.progress = this->Execution.progressBetween(
+      FieldDone, this->Self->SignedDistances ? LinesDrawnBeforeSides : LinesDrawn);
+    Isolines isolines = drawIsolines(field, options);
+    return this->Self->SignedDistances ? this->OnSides(field, isolines) : isolines;
+  }
+
+  Isolines OnSides(const DistanceField& field, const Isolines& isolines) const
+  {
+    const std::vector<SourceCurve>& curves = this->Execution.sources().curves;
+    const auto progress = this->Execution.progressBetween(LinesDrawnBeforeSides, SidesKnown);
+    NearestSource nearest(field, this->Execution.patch(), curves, progress);
+    return linesOnSides(
+      field, nearest,
+      [&](const Foot& foot)
+      { return isOnRight(foot, curves, this->Execution.firstBoundarySource()); },
+      isolines, this->Sides, this->Execution.progressBetween(SidesKnown, LinesDrawn));
+  }
 
   vtkGeodesicContour* Self;
   FilterExecution& Execution;
@@ -66,120 +160,6 @@ private:
   std::vector<double> Distances;
   std::vector<SidedValue> Sides;
 };
-
-//------------------------------------------------------------------------------
-void vtkGeodesicContour::vtkWorker::Run(vtkPolyData* output)
-{
-  this->Execution.readInputs(true);
-  if (this->Execution.surfacePlace() == SurfacePlace::OnOtherRank)
-  {
-    addEmptyIsolineArrays(output);
-    return;
-  }
-  const PolyDataSurface& surface = this->Execution.surface();
-  if (this->Self->SignedDistances)
-  {
-    requireSides(surface, this->Execution.surfaceBlocks(), "SignedDistances");
-  }
-  this->FindValues();
-  const Isolines isolines = this->Draw();
-  this->Execution.notes().add(NoteOn::Surface,
-    this->Execution.sumOverPieces(isolines.linesWithoutDirection), "line crosses", "lines cross",
-    "faces of opposite orientation: the direction of such a line says nothing.");
-  this->Execution.reach(LinesDrawn);
-  this->Execution.enter(Stage::WritingOutputs);
-  const bool hasCurves = this->HasZero && this->Execution.hasSourceOutput();
-  writeIsolines({ surface.mesh(), isolines, this->Values },
-    { this->Execution.patch().mesh(),
-      hasCurves ? this->Execution.sources().curves : std::vector<SourceCurve>() },
-    surface.scale(), output, this->Execution.progressBetween(LinesDrawn, 1.0));
-}
-
-//------------------------------------------------------------------------------
-// Values that the engine cannot tell apart, which drops digits of tiny ones, are one.
-void vtkGeodesicContour::vtkWorker::FindValues()
-{
-  std::vector<double> sorted;
-  for (vtkIdType i = 0; i < this->Self->GetNumberOfContours(); ++i)
-  {
-    sorted.push_back(this->Self->GetValue(static_cast<int>(i)));
-  }
-  std::sort(sorted.begin(), sorted.end());
-  std::map<double, SidedValue> byDistance;
-  for (const double value : sorted)
-  {
-    const double inEngine = this->Execution.surface().scale().toEngine(value);
-    this->HasZero = this->HasZero || inEngine == 0.0;
-    if (inEngine == 0.0 || !(std::abs(inEngine) < Infinity))
-    {
-      continue;
-    }
-    SidedValue& sides = byDistance[std::abs(inEngine)];
-    std::size_t& index = inEngine < 0.0 ? sides.right : sides.left;
-    if (index == SidedValue::None)
-    {
-      index = this->Values.size();
-      this->Values.push_back(value);
-    }
-  }
-  for (const auto& [distance, sides] : byDistance)
-  {
-    this->Distances.push_back(distance);
-    this->Sides.push_back(sides);
-  }
-}
-
-//------------------------------------------------------------------------------
-Isolines vtkGeodesicContour::vtkWorker::Draw() const
-{
-  IsolineOptions options;
-  options.values = this->Distances;
-  options.chordTolerance = this->Self->ToleranceIsAbsolute
-    ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteChordTolerance)
-    : this->Self->ChordTolerance * this->Execution.surface().diagonal();
-  // On a surface without extent nothing but the source is at any distance.
-  if (options.values.empty() || !(options.chordTolerance > 0.0))
-  {
-    return {};
-  }
-  this->Execution.enter(Stage::ComputingDistances);
-  FrontOptions front;
-  front.parallelFor = smpParallelFor();
-  front.keepArrivals = this->Self->SignedDistances;
-  front.progress = this->Execution.progressBetween(FilterExecution::InputsRead, FieldDone);
-  const DistanceField field = solveForIsolines(this->Execution.surface().partition(),
-    this->Execution.sourceWindows(front.progress), this->Distances, front);
-  this->Execution.reach(FieldDone);
-  this->Execution.enter(Stage::DrawingLines);
-  options.parallelFor = front.parallelFor;
-  options.progress = this->Execution.progressBetween(
-    FieldDone, this->Self->SignedDistances ? LinesDrawnBeforeSides : LinesDrawn);
-  Isolines isolines = drawIsolines(field, options);
-  return this->Self->SignedDistances ? this->OnSides(field, isolines) : isolines;
-}
-
-//------------------------------------------------------------------------------
-Isolines vtkGeodesicContour::vtkWorker::OnSides(
-  const DistanceField& field, const Isolines& isolines) const
-{
-  const std::vector<SourceCurve>& curves = this->Execution.sources().curves;
-  const auto progress = this->Execution.progressBetween(LinesDrawnBeforeSides, SidesKnown);
-  NearestSource nearest(field, this->Execution.patch(), curves, progress);
-  return linesOnSides(
-    field, nearest,
-    [&](const Foot& foot)
-    { return isOnRight(foot, curves, this->Execution.firstBoundarySource()); },
-    isolines, this->Sides, this->Execution.progressBetween(SidesKnown, LinesDrawn));
-}
-
-//------------------------------------------------------------------------------
-vtkGeodesicContour::vtkGeodesicContour()
-{
-  this->ContourValues->SetNumberOfContours(0);
-}
-
-//------------------------------------------------------------------------------
-vtkGeodesicContour::~vtkGeodesicContour() = default;
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkGeodesicContour::GetMTime()

@@ -154,8 +154,8 @@ public:
   vtkMTimeType GetMTime() override;
 
 protected:
-  vtkGeodesicContour();
-  ~vtkGeodesicContour() override;
+  vtkGeodesicContour() { this->ContourValues->SetNumberOfContours(0); }
+  ~vtkGeodesicContour() override = default;
 
   std::string FindWrongProperty() const override;
   void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;

@@ -4,7 +4,7 @@
 #include "PolyData/FieldSolver.h"
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Memory.h"
-#include "PolyData/reading/PolyDataSource.h"
+#include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "PolyData/writing/SurfaceWriter.h"
 #include "refinement/RefinedOnRanks.h"
@@ -72,23 +72,318 @@ public:
   }
 
   /// \throws Error
-  void Run(vtkDataObject* output, vtkPolyData* curves);
+  void Run(vtkDataObject* output, vtkPolyData* curves)
+  {
+    this->Execution.readInputs(true);
+    const bool isElsewhere = this->Execution.surfacePlace() == SurfacePlace::OnOtherRank;
+    if (!isElsewhere)
+    {
+      this->Self->SourceSnapDistance =
+        this->Execution.surface().scale().toUser(this->Execution.sources().snapDistance);
+      this->Self->SeamPointsJoined = this->Execution.surface().report().joinedSeamPoints;
+      this->Compute();
+      this->Execution.reach(ValuesDone);
+    }
+    this->ShareNumbers();
+    this->Execution.enter(Stage::WritingOutputs);
+    if (isElsewhere)
+    {
+      this->WriteNothing(output);
+      return;
+    }
+    this->NoteReplacedArrays();
+    this->WriteSurface(output);
+    if (this->Execution.hasSourceOutput())
+    {
+      writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale(),
+        this->Execution.sources().curves, this->ArcLengthsOfCurves, curves);
+    }
+  }
 
 private:
-  bool CanRefine() const;
-  double Tolerance() const;
-  void ShareNumbers();
-  void WriteNothing(vtkDataObject* output) const;
-  void Compute();
-  FieldRequest Request() const;
-  void TakeNumbers(const SolvedSurface& solved) const;
-  void FindSources(const SolvedSurface& solved);
-  SourceArrays Arrays() const;
-  void NoteToleranceNotMet(const RefinedMesh& refined) const;
-  void WriteSurface(vtkDataObject* output) const;
-  void WriteDistances(std::size_t block, vtkPolyData* output) const;
-  void WriteFieldData(vtkDataObject* output) const;
-  void NoteReplacedArrays() const;
+  /// If another rank has done all the work, this one reports the same.
+  void ShareNumbers()
+  {
+    for (double* number : { &this->Self->WindowsPropagatedPerEdge, &this->Self->SourceSnapDistance,
+           &this->Self->RelativeErrorBound, &this->Self->InterpolationErrorBound })
+    {
+      this->Execution.shareResult(*number);
+    }
+    this->Execution.shareResult(this->Self->SeamPointsJoined);
+    int isRefined = this->IsRefined ? 1 : 0;
+    this->Execution.shareResult(isRefined);
+    this->IsRefined = isRefined != 0;
+    if (this->Choice.angles)
+    {
+      this->Execution.shareResults(this->Frames);
+    }
+  }
+
+  /// A rank without surface has the arrays of the other ranks, without values.
+  void WriteNothing(vtkDataObject* output) const
+  {
+    for (vtkPolyData* block : makeBlocksLike(this->Execution.surfaceInput(), output))
+    {
+      vtkNew<vtkDoubleArray> distances;
+      distances->SetName(this->Self->DistanceArrayName);
+      block->GetPointData()->AddArray(distances);
+      block->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
+      addEmptyArrays(this->Choice, block);
+      if (this->IsRefined)
+      {
+        vtkNew<vtkIdTypeArray> originals;
+        originals->SetName("OriginalCellIds");
+        block->GetCellData()->AddArray(originals);
+      }
+      this->WriteFieldData(block);
+    }
+    this->WriteFieldData(output);
+  }
+
+  double Tolerance() const
+  {
+    return this->Self->ToleranceIsAbsolute
+      ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteRefinementTolerance)
+      : this->Self->RefinementTolerance * this->Execution.surface().diagonal();
+  }
+
+  bool CanRefine() const
+  {
+    if (!this->Self->RefineMesh || !(this->Tolerance() > 0.0))
+    {
+      return false; // a surface without extent has nothing to refine
+    }
+    const vtkIdType most = this->Self->MaximumNumberOfCells;
+    const auto count = static_cast<vtkIdType>(this->Execution.surface().countTrianglesOfAllRanks());
+    if (most > 0 && count > most)
+    {
+      this->Execution.notes().add(NoteOn::Surface, "over " + std::to_string(most),
+        "The surface has " + std::to_string(count) +
+          " triangles, more than MaximumNumberOfCells (" + std::to_string(most) +
+          "): it is not refined. Raise MaximumNumberOfCells to refine it, or switch RefineMesh "
+          "off.");
+      return false;
+    }
+    return true;
+  }
+
+  void Compute()
+  {
+    const PolyDataSurface& surface = this->Execution.surface();
+    if (this->Choice.areSidesNeeded())
+    {
+      requireSides(surface, this->Execution.surfaceBlocks(),
+        this->Choice.signedDistances ? "GenerateSignedDistance" : "GenerateTextureCoordinates");
+    }
+    const FieldRequest request = this->Request();
+    SolvedSurface solved = solveField(this->Execution, request, ValuesDone);
+    this->IsRefined = request.isRefined;
+    this->TakeNumbers(solved);
+    this->VertexDistances = solved.field->vertexDistances();
+    if (this->Choice.isAny())
+    {
+      this->FindSources(solved);
+    }
+    this->Refined =
+      partsByBlock(surface, std::move(solved.refined.mesh), std::move(this->AtRefinedPoints));
+    surface.completeValues(Infinity, this->VertexDistances);
+  }
+
+  FieldRequest Request() const
+  {
+    const vtkGeodesicDistanceField* self = this->Self;
+    FieldRequest request;
+    request.relativeError = self->Accuracy == APPROXIMATE ? self->RelativeError : 0.0;
+    if (self->MaximumDistance > 0.0)
+    {
+      request.maximumDistance = this->Execution.surface().scale().toEngine(self->MaximumDistance);
+    }
+    request.arrays = this->Choice;
+    request.isRefined = this->CanRefine();
+    request.tolerance = this->Tolerance();
+    request.maximumCells = static_cast<std::uint64_t>(self->MaximumNumberOfCells);
+    request.areBordersRefined = self->RefineSourceBorders || this->Choice.textureCoordinates;
+    return request;
+  }
+
+  void TakeNumbers(const SolvedSurface& solved) const
+  {
+    this->Self->WindowsPropagatedPerEdge = static_cast<double>(solved.field->windowsPropagated()) /
+      static_cast<double>(this->Execution.surface().report().edges);
+    this->Self->RelativeErrorBound = solved.field->relativeErrorBound();
+    if (this->IsRefined)
+    {
+      const RefinedMesh& refined = solved.refined.mesh;
+      this->NoteToleranceNotMet(refined);
+      this->Self->InterpolationErrorBound =
+        this->Execution.surface().scale().toUser(refined.errorBound);
+    }
+  }
+
+  SourceArrays Arrays() const
+  {
+    return { this->Execution.surface(), this->Execution.sources().curves,
+      this->Execution.firstBoundarySource(), this->Choice };
+  }
+
+  void FindSources(const SolvedSurface& solved)
+  {
+    this->Execution.enter(Stage::ComputingDistances);
+    const DistanceField& field = *solved.field;
+    const DistanceField& exact = solved.exactField();
+    const double step = (ValuesDone - FieldDone) / 3.0;
+    const auto part = [&](int i)
+    {
+      const double begin = FieldDone + i * step;
+      return this->Execution.progressBetween(begin, begin + step);
+    };
+    const std::vector<SourceCurve>& curves = this->Execution.sources().curves;
+    NearestSource nearest(exact, this->Execution.patch(), curves, part(0));
+    const SourceArrays arrays = this->Arrays();
+    this->AtVertices = arrays.atVertices(field, nearest, part(1));
+    if (this->Choice.angles)
+    {
+      this->Frames = framesBySource(this->Execution.patch(), curves);
+    }
+    this->ArcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
+    if (this->IsRefined)
+    {
+      this->AtRefinedPoints = arrays.atNewPoints(solved.refined, field, exact, nearest, part(2));
+    }
+  }
+
+  void NoteToleranceNotMet(const RefinedMesh& refined) const
+  {
+    const PowerOfTwoScale& scale = this->Execution.surface().scale();
+    const std::string most = std::to_string(this->Self->MaximumNumberOfCells);
+    std::ostringstream text;
+    text << "the refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
+         << " instead of " << scale.toUser(this->Tolerance());
+    const std::string met = text.str();
+    if (refined.stoppedAtMaximum)
+    {
+      this->Execution.notes().add(NoteOn::Surface, "reached " + most,
+        "MaximumNumberOfCells (" + most + ") is reached: " + met +
+          ". Raise MaximumNumberOfCells or the tolerance.");
+    }
+    else if (refined.errorBound > this->Tolerance())
+    {
+      this->Execution.notes().add(NoteOn::Surface, "rounding",
+        'T' + met.substr(1) + ", which is near the rounding of distances. Raise the tolerance.");
+    }
+  }
+
+  void WriteSurface(vtkDataObject* output) const
+  {
+    const std::vector<PolyDataBlock>& inputs = this->Execution.surfaceBlocks();
+    const std::vector<SurfaceBlock>& blocks = this->Execution.surface().blocks();
+    const std::vector<vtkPolyData*> outputs =
+      makeBlocksLike(this->Execution.surfaceInput(), output);
+    const auto count = static_cast<double>(blocks.size());
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+    {
+      const auto place = [&](std::size_t block)
+      { return ValuesDone + (SurfaceWritten - ValuesDone) * static_cast<double>(block) / count; };
+      const auto progress = this->Execution.progressBetween(place(i), place(i + 1));
+      if (this->IsRefined)
+      {
+        writeRefined(blocks[i], this->Refined[i].mesh, this->Execution.surface().scale(),
+          inputs[i].data, outputs[i], progress);
+      }
+      else
+      {
+        writeWhole(blocks[i], inputs[i].data, outputs[i], progress);
+      }
+      this->WriteDistances(i, outputs[i]);
+      if (this->Self->RemoveUnusedPoints)
+      {
+        removeUnusedPoints(outputs[i]);
+      }
+      outputs[i]->GetFieldData()->PassData(inputs[i].data->GetFieldData());
+      this->WriteFieldData(outputs[i]);
+    }
+    this->WriteFieldData(output);
+  }
+
+  void WriteDistances(std::size_t index, vtkPolyData* output) const
+  {
+    const PolyDataSurface& surface = this->Execution.surface();
+    const SurfaceBlock& block = surface.blocks()[index];
+    requireMemory(output->GetNumberOfPoints(), sizeof(double));
+    vtkNew<vtkDoubleArray> distances;
+    distances->SetName(this->Self->DistanceArrayName);
+    distances->SetNumberOfTuples(output->GetNumberOfPoints());
+    vtkIdType next = 0;
+    const auto add = [&](double distance)
+    {
+      distances->SetValue(next++,
+        surface.scale().resultToUser(distance,
+          "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
+          "surface and the source upstream."));
+    };
+    for (Id i = 0; i < block.numberOfPoints; ++i)
+    {
+      add(this->VertexDistances[surface.vertexOf(block.firstPoint + i)]);
+    }
+    for (const RefinedPoint& point : this->Refined[index].mesh.points)
+    {
+      add(point.distance);
+    }
+    const int unreachedMode = this->Self->UnreachedValue;
+    const double unreached = unreachedMode == UNREACHED_NAN
+      ? std::numeric_limits<double>::quiet_NaN()
+      : unreachedMode == UNREACHED_CUSTOM ? this->Self->CustomUnreachedValue
+                                          : Infinity;
+    if (this->Choice.isAny())
+    {
+      this->Arrays().write(block, this->AtVertices, this->Refined[index].values,
+        distances->GetPointer(0), unreached, output);
+    }
+    double* first = distances->GetPointer(0);
+    std::replace(first, first + distances->GetNumberOfTuples(), Infinity, unreached);
+    output->GetPointData()->AddArray(distances);
+    output->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
+  }
+
+  void WriteFieldData(vtkDataObject* output) const
+  {
+    addFieldData(output, "WindowsPropagatedPerEdge", this->Self->WindowsPropagatedPerEdge);
+    addFieldData(output, "SourceSnapDistance", this->Self->SourceSnapDistance);
+    addFieldData(output, "RelativeErrorBound", this->Self->RelativeErrorBound);
+    addFieldData(output, "InterpolationErrorBound", this->Self->InterpolationErrorBound);
+    addFieldData(output, "SeamPointsJoined", static_cast<double>(this->Self->SeamPointsJoined));
+    if (this->Choice.angles)
+    {
+      addSourceFrames(this->Frames, output);
+    }
+  }
+
+  void NoteReplacedArrays() const
+  {
+    const auto noteOn = [this](const char* kind, int type, const char* name, const char* advice)
+    {
+      const std::vector<PolyDataBlock>& blocks = this->Execution.surfaceBlocks();
+      if (std::any_of(blocks.begin(), blocks.end(),
+            [&](const PolyDataBlock& block)
+            { return block.data->GetAttributesAsFieldData(type)->HasArray(name) != 0; }))
+      {
+        this->Execution.notes().add(NoteOn::Surface, std::string("replaced: ") + name,
+          std::string("The surface already has a ") + kind + " array named " + name +
+            "; the output has " + advice);
+      }
+    };
+    if (this->IsRefined)
+    {
+      noteOn("cell", vtkDataObject::CELL, "OriginalCellIds", "the input's cells in its place.");
+    }
+    noteOn("point", vtkDataObject::POINT, this->Self->DistanceArrayName,
+      "the distance in its place. Change DistanceArrayName to keep both.");
+    for (const char* added : namesOf(this->Choice))
+    {
+      noteOn("point", vtkDataObject::POINT, added,
+        "the filter's in its place. Rename it upstream to keep both.");
+    }
+  }
 
   vtkGeodesicDistanceField* Self;
   FilterExecution& Execution;
@@ -96,343 +391,16 @@ private:
 
   std::vector<double> VertexDistances;
   bool IsRefined = false;
-  /// The refined mesh, by blocks of the surface.
-  std::vector<RefinedMesh> Refined;
-  /// What the arrays beside the distance hold, at vertices and, by blocks, at refined points.
+  /// The refined mesh, by blocks of the surface; nothing for each unless it is refined.
+  std::vector<RefinedBlock> Refined;
+  /// What the arrays beside the distance hold at vertices and, before these are divided into
+  /// blocks, at refined points.
   ValuesAtPoints AtVertices;
-  std::vector<ValuesAtPoints> AtRefinedPoints;
+  ValuesAtPoints AtRefinedPoints;
   /// What angles are measured in, and arc lengths along the curves: see SourceArrays.
   std::vector<SourceFrame> Frames;
   std::vector<std::vector<double>> ArcLengthsOfCurves;
 };
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::Run(vtkDataObject* output, vtkPolyData* curves)
-{
-  this->Execution.readInputs(true);
-  const bool isElsewhere = this->Execution.surfacePlace() == SurfacePlace::OnOtherRank;
-  if (!isElsewhere)
-  {
-    this->Self->SourceSnapDistance =
-      this->Execution.surface().scale().toUser(this->Execution.sources().snapDistance);
-    this->Self->SeamPointsJoined = this->Execution.surface().report().joinedSeamPoints;
-    this->Compute();
-    this->Execution.reach(ValuesDone);
-  }
-  this->ShareNumbers();
-  this->Execution.enter(Stage::WritingOutputs);
-  if (isElsewhere)
-  {
-    this->WriteNothing(output);
-    return;
-  }
-  this->NoteReplacedArrays();
-  this->WriteSurface(output);
-  if (this->Execution.hasSourceOutput())
-  {
-    writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale(),
-      this->Execution.sources().curves, this->ArcLengthsOfCurves, curves);
-  }
-}
-
-//------------------------------------------------------------------------------
-// If another rank has done all the work, this one reports the same.
-void vtkGeodesicDistanceField::vtkWorker::ShareNumbers()
-{
-  for (double* number : { &this->Self->WindowsPropagatedPerEdge, &this->Self->SourceSnapDistance,
-         &this->Self->RelativeErrorBound, &this->Self->InterpolationErrorBound })
-  {
-    this->Execution.shareResult(*number);
-  }
-  this->Execution.shareResult(this->Self->SeamPointsJoined);
-  int isRefined = this->IsRefined ? 1 : 0;
-  this->Execution.shareResult(isRefined);
-  this->IsRefined = isRefined != 0;
-  if (this->Choice.angles)
-  {
-    this->Execution.shareResults(this->Frames);
-  }
-}
-
-//------------------------------------------------------------------------------
-// A rank without surface has the arrays of the other ranks, without values.
-void vtkGeodesicDistanceField::vtkWorker::WriteNothing(vtkDataObject* output) const
-{
-  for (vtkPolyData* block : makeBlocksLike(this->Execution.surfaceInput(), output))
-  {
-    vtkNew<vtkDoubleArray> distances;
-    distances->SetName(this->Self->DistanceArrayName);
-    block->GetPointData()->AddArray(distances);
-    block->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
-    addEmptyArrays(this->Choice, block);
-    if (this->IsRefined)
-    {
-      vtkNew<vtkIdTypeArray> originals;
-      originals->SetName("OriginalCellIds");
-      block->GetCellData()->AddArray(originals);
-    }
-    this->WriteFieldData(block);
-  }
-  this->WriteFieldData(output);
-}
-
-//------------------------------------------------------------------------------
-double vtkGeodesicDistanceField::vtkWorker::Tolerance() const
-{
-  return this->Self->ToleranceIsAbsolute
-    ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteRefinementTolerance)
-    : this->Self->RefinementTolerance * this->Execution.surface().diagonal();
-}
-
-//------------------------------------------------------------------------------
-bool vtkGeodesicDistanceField::vtkWorker::CanRefine() const
-{
-  if (!this->Self->RefineMesh || !(this->Tolerance() > 0.0))
-  {
-    return false; // a surface without extent has nothing to refine
-  }
-  const vtkIdType most = this->Self->MaximumNumberOfCells;
-  const auto count = static_cast<vtkIdType>(this->Execution.surface().countTrianglesOfAllRanks());
-  if (most > 0 && count > most)
-  {
-    this->Execution.notes().add(NoteOn::Surface, "over " + std::to_string(most),
-      "The surface has " + std::to_string(count) + " triangles, more than MaximumNumberOfCells (" +
-        std::to_string(most) +
-        "): it is not refined. Raise MaximumNumberOfCells to refine it, or switch RefineMesh off.");
-    return false;
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::Compute()
-{
-  const PolyDataSurface& surface = this->Execution.surface();
-  if (this->Choice.areSidesNeeded())
-  {
-    requireSides(surface, this->Execution.surfaceBlocks(),
-      this->Choice.signedDistances ? "GenerateSignedDistance" : "GenerateTextureCoordinates");
-  }
-  const FieldRequest request = this->Request();
-  SolvedSurface solved = FieldSolver(this->Execution, request, ValuesDone).solve();
-  this->IsRefined = request.isRefined;
-  this->TakeNumbers(solved);
-  this->VertexDistances = solved.field->vertexDistances();
-  if (this->Choice.isAny())
-  {
-    this->FindSources(solved);
-  }
-  if (this->IsRefined)
-  {
-    this->Refined = partsByBlock(surface, std::move(solved.refined.mesh));
-  }
-  surface.completeValues(Infinity, this->VertexDistances);
-}
-
-//------------------------------------------------------------------------------
-FieldRequest vtkGeodesicDistanceField::vtkWorker::Request() const
-{
-  const vtkGeodesicDistanceField* self = this->Self;
-  FieldRequest request;
-  request.relativeError = self->Accuracy == APPROXIMATE ? self->RelativeError : 0.0;
-  if (self->MaximumDistance > 0.0)
-  {
-    request.maximumDistance = this->Execution.surface().scale().toEngine(self->MaximumDistance);
-  }
-  request.arrays = this->Choice;
-  request.isRefined = this->CanRefine();
-  request.tolerance = this->Tolerance();
-  request.maximumCells = static_cast<std::uint64_t>(self->MaximumNumberOfCells);
-  request.areBordersRefined = self->RefineSourceBorders || this->Choice.textureCoordinates;
-  return request;
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::TakeNumbers(const SolvedSurface& solved) const
-{
-  this->Self->WindowsPropagatedPerEdge = static_cast<double>(solved.field->windowsPropagated()) /
-    static_cast<double>(this->Execution.surface().report().edges);
-  this->Self->RelativeErrorBound = solved.field->relativeErrorBound();
-  if (this->IsRefined)
-  {
-    const RefinedMesh& refined = solved.refined.mesh;
-    this->NoteToleranceNotMet(refined);
-    this->Self->InterpolationErrorBound =
-      this->Execution.surface().scale().toUser(refined.errorBound);
-  }
-}
-
-//------------------------------------------------------------------------------
-SourceArrays vtkGeodesicDistanceField::vtkWorker::Arrays() const
-{
-  return SourceArrays(this->Execution.surface(), this->Execution.sources().curves,
-    this->Execution.firstBoundarySource(), this->Choice);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::FindSources(const SolvedSurface& solved)
-{
-  this->Execution.enter(Stage::ComputingDistances);
-  const DistanceField& field = *solved.field;
-  const DistanceField& exact = solved.exactField();
-  const double step = (ValuesDone - FieldSolver::FieldDone) / 3.0;
-  const auto part = [&](int i)
-  {
-    const double begin = FieldSolver::FieldDone + i * step;
-    return this->Execution.progressBetween(begin, begin + step);
-  };
-  const std::vector<SourceCurve>& curves = this->Execution.sources().curves;
-  NearestSource nearest(exact, this->Execution.patch(), curves, part(0));
-  const SourceArrays arrays = this->Arrays();
-  this->AtVertices = arrays.atVertices(field, nearest, part(1));
-  this->Frames = arrays.frames(nearest);
-  this->ArcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
-  if (this->IsRefined)
-  {
-    this->AtRefinedPoints = arrays.atNewPoints(solved.refined, field, exact, nearest, part(2));
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::NoteToleranceNotMet(const RefinedMesh& refined) const
-{
-  const PowerOfTwoScale& scale = this->Execution.surface().scale();
-  const std::string most = std::to_string(this->Self->MaximumNumberOfCells);
-  std::ostringstream text;
-  text << "the refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
-       << " instead of " << scale.toUser(this->Tolerance());
-  const std::string met = text.str();
-  if (refined.stoppedAtMaximum)
-  {
-    this->Execution.notes().add(NoteOn::Surface, "reached " + most,
-      "MaximumNumberOfCells (" + most + ") is reached: " + met +
-        ". Raise MaximumNumberOfCells or the tolerance.");
-  }
-  else if (refined.errorBound > this->Tolerance())
-  {
-    this->Execution.notes().add(NoteOn::Surface, "rounding",
-      'T' + met.substr(1) + ", which is near the rounding of distances. Raise the tolerance.");
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::WriteSurface(vtkDataObject* output) const
-{
-  const std::vector<PolyDataBlock>& inputs = this->Execution.surfaceBlocks();
-  const std::vector<SurfaceBlock>& blocks = this->Execution.surface().blocks();
-  const std::vector<vtkPolyData*> outputs = makeBlocksLike(this->Execution.surfaceInput(), output);
-  const auto count = static_cast<double>(blocks.size());
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-  {
-    const auto place = [&](std::size_t block)
-    { return ValuesDone + (SurfaceWritten - ValuesDone) * static_cast<double>(block) / count; };
-    const auto progress = this->Execution.progressBetween(place(i), place(i + 1));
-    if (this->IsRefined)
-    {
-      writeRefined(blocks[i], this->Refined[i], this->Execution.surface().scale(), inputs[i].data,
-        outputs[i], progress);
-    }
-    else
-    {
-      writeWhole(blocks[i], inputs[i].data, outputs[i], progress);
-    }
-    this->WriteDistances(i, outputs[i]);
-    if (this->Self->RemoveUnusedPoints)
-    {
-      removeUnusedPoints(outputs[i]);
-    }
-    outputs[i]->GetFieldData()->PassData(inputs[i].data->GetFieldData());
-    this->WriteFieldData(outputs[i]);
-  }
-  this->WriteFieldData(output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::WriteDistances(
-  std::size_t index, vtkPolyData* output) const
-{
-  const PolyDataSurface& surface = this->Execution.surface();
-  const SurfaceBlock& block = surface.blocks()[index];
-  requireMemory(output->GetNumberOfPoints(), sizeof(double));
-  vtkNew<vtkDoubleArray> distances;
-  distances->SetName(this->Self->DistanceArrayName);
-  distances->SetNumberOfTuples(output->GetNumberOfPoints());
-  vtkIdType next = 0;
-  const auto add = [&](double distance)
-  {
-    distances->SetValue(next++,
-      surface.scale().resultToUser(distance,
-        "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
-        "surface and the source upstream."));
-  };
-  for (Id i = 0; i < block.numberOfPoints; ++i)
-  {
-    add(this->VertexDistances[surface.vertexOf(block.firstPoint + i)]);
-  }
-  if (this->IsRefined)
-  {
-    for (const RefinedPoint& point : this->Refined[index].points)
-    {
-      add(point.distance);
-    }
-  }
-  const int unreachedMode = this->Self->UnreachedValue;
-  const double unreached = unreachedMode == UNREACHED_NAN ? std::numeric_limits<double>::quiet_NaN()
-    : unreachedMode == UNREACHED_CUSTOM                   ? this->Self->CustomUnreachedValue
-                                                          : Infinity;
-  if (this->Choice.isAny())
-  {
-    this->Arrays().write(block, this->AtVertices,
-      this->IsRefined ? this->AtRefinedPoints[index] : ValuesAtPoints(), distances->GetPointer(0),
-      unreached, output);
-  }
-  double* first = distances->GetPointer(0);
-  std::replace(first, first + distances->GetNumberOfTuples(), Infinity, unreached);
-  output->GetPointData()->AddArray(distances);
-  output->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::WriteFieldData(vtkDataObject* output) const
-{
-  addFieldData(output, "WindowsPropagatedPerEdge", this->Self->WindowsPropagatedPerEdge);
-  addFieldData(output, "SourceSnapDistance", this->Self->SourceSnapDistance);
-  addFieldData(output, "RelativeErrorBound", this->Self->RelativeErrorBound);
-  addFieldData(output, "InterpolationErrorBound", this->Self->InterpolationErrorBound);
-  addFieldData(output, "SeamPointsJoined", static_cast<double>(this->Self->SeamPointsJoined));
-  if (this->Choice.angles)
-  {
-    addSourceFrames(this->Frames, output);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceField::vtkWorker::NoteReplacedArrays() const
-{
-  const auto noteOn = [this](const char* kind, int type, const char* name, const char* advice)
-  {
-    const std::vector<PolyDataBlock>& blocks = this->Execution.surfaceBlocks();
-    if (std::any_of(blocks.begin(), blocks.end(),
-          [&](const PolyDataBlock& block)
-          { return block.data->GetAttributesAsFieldData(type)->HasArray(name) != 0; }))
-    {
-      this->Execution.notes().add(NoteOn::Surface, std::string("replaced: ") + name,
-        std::string("The surface already has a ") + kind + " array named " + name +
-          "; the output has " + advice);
-    }
-  };
-  if (this->IsRefined)
-  {
-    noteOn("cell", vtkDataObject::CELL, "OriginalCellIds", "the input's cells in its place.");
-  }
-  noteOn("point", vtkDataObject::POINT, this->Self->DistanceArrayName,
-    "the distance in its place. Change DistanceArrayName to keep both.");
-  for (const char* added : namesOf(this->Choice))
-  {
-    noteOn("point", vtkDataObject::POINT, added,
-      "the filter's in its place. Rename it upstream to keep both.");
-  }
-}
 
 //------------------------------------------------------------------------------
 vtkGeodesicDistanceField::vtkGeodesicDistanceField()
@@ -537,11 +505,8 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AbsoluteRefinementTolerance: " << this->AbsoluteRefinementTolerance << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
-  os << indent << "UnreachedValue: "
-     << (this->UnreachedValue == UNREACHED_NAN         ? "NaN"
-            : this->UnreachedValue == UNREACHED_CUSTOM ? "Custom"
-                                                       : "Infinity")
-     << "\n";
+  constexpr const char* unreachedValues[] = { "Infinity", "NaN", "Custom" };
+  os << indent << "UnreachedValue: " << unreachedValues[this->UnreachedValue] << "\n";
   os << indent << "CustomUnreachedValue: " << this->CustomUnreachedValue << "\n";
   os << indent << "RemoveUnusedPoints: " << (this->RemoveUnusedPoints ? "On" : "Off") << "\n";
   os << indent

@@ -65,6 +65,43 @@ std::vector<SourceCurve> CurvesByColumn(const FilterExecution& execution)
   return curves;
 }
 
+/// \param maximumDistance in the units of the surface; 0: no limit.
+void ComputeTable(FilterExecution& execution, double maximumDistance, vtkTable* table)
+{
+  const Targets targets = execution.readTargets(TargetsRead);
+  const auto rows = static_cast<vtkIdType>(targets.count);
+  const std::vector<Id>& sources = execution.sourceIds();
+  const auto numberOfSources = static_cast<Id>(sources.size());
+
+  execution.enter(Stage::ComputingDistances);
+  // Once as they are computed, once as they are put out.
+  requireMemory(rows,
+    static_cast<vtkIdType>(sizeof(vtkIdType)) +
+      2 * static_cast<vtkIdType>(sizeof(double)) * numberOfSources);
+  const PowerOfTwoScale& scale = execution.surface().scale();
+  MatrixOptions options;
+  if (maximumDistance > 0.0)
+  {
+    options.maximumDistance = scale.toEngine(maximumDistance);
+  }
+  options.parallelFor = smpParallelFor();
+  options.progress = execution.progressBetween(TargetsRead, MatrixDone);
+  std::vector<std::vector<double>> matrix = distanceMatrix(execution.surface().mesh(),
+    CurvesByColumn(execution), numberOfSources, targets.places, options);
+  execution.reach(MatrixDone);
+
+  execution.enter(Stage::WritingOutputs);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("TargetId");
+  ids->SetNumberOfTuples(rows);
+  std::iota(ids->GetPointer(0), ids->GetPointer(rows), 0);
+  table->AddColumn(ids);
+  for (std::size_t column = 0; column < matrix.size(); ++column)
+  {
+    AddSource(sources[column], std::move(matrix[column]), targets, scale, table);
+  }
+}
+
 /// Where another rank than the first has made the table, hands it over. All ranks call this.
 void MoveToFirstRank(Exchange& exchange, vtkTable* table)
 {
@@ -88,27 +125,6 @@ void MoveToFirstRank(Exchange& exchange, vtkTable* table)
   }
 }
 
-}
-
-//------------------------------------------------------------------------------
-vtkGeodesicDistanceMatrix::vtkGeodesicDistanceMatrix()
-{
-  this->SetNumberOfInputPorts(3);
-}
-
-//------------------------------------------------------------------------------
-vtkGeodesicDistanceMatrix::~vtkGeodesicDistanceMatrix() = default;
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetTargetsConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(2, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetTargetsData(vtkDataObject* targets)
-{
-  this->SetInputDataInternal(2, targets);
 }
 
 //------------------------------------------------------------------------------
@@ -151,46 +167,9 @@ void vtkGeodesicDistanceMatrix::Compute(
   vtkTable* table = vtkTable::GetData(outputVector);
   if (execution.surfacePlace() != SurfacePlace::OnOtherRank)
   {
-    this->ComputeTable(execution, table);
+    ComputeTable(execution, this->MaximumDistance, table);
   }
   MoveToFirstRank(execution.exchange(), table);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::ComputeTable(FilterExecution& execution, vtkTable* table) const
-{
-  const Targets targets = execution.readTargets(TargetsRead);
-  const auto rows = static_cast<vtkIdType>(targets.count);
-  const std::vector<Id>& sources = execution.sourceIds();
-  const auto numberOfSources = static_cast<Id>(sources.size());
-
-  execution.enter(Stage::ComputingDistances);
-  // Once as they are computed, once as they are put out.
-  requireMemory(rows,
-    static_cast<vtkIdType>(sizeof(vtkIdType)) +
-      2 * static_cast<vtkIdType>(sizeof(double)) * numberOfSources);
-  const PowerOfTwoScale& scale = execution.surface().scale();
-  MatrixOptions options;
-  if (this->MaximumDistance > 0.0)
-  {
-    options.maximumDistance = scale.toEngine(this->MaximumDistance);
-  }
-  options.parallelFor = smpParallelFor();
-  options.progress = execution.progressBetween(TargetsRead, MatrixDone);
-  std::vector<std::vector<double>> matrix = distanceMatrix(execution.surface().mesh(),
-    CurvesByColumn(execution), numberOfSources, targets.places, options);
-  execution.reach(MatrixDone);
-
-  execution.enter(Stage::WritingOutputs);
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("TargetId");
-  ids->SetNumberOfTuples(rows);
-  std::iota(ids->GetPointer(0), ids->GetPointer(rows), 0);
-  table->AddColumn(ids);
-  for (std::size_t column = 0; column < matrix.size(); ++column)
-  {
-    AddSource(sources[column], std::move(matrix[column]), targets, scale, table);
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -77,8 +77,8 @@ public:
    * The targets on port 2: every point of a vtkPointSet, or of all blocks of a composite data set.
    * Without them the points of port 1 are the targets.
    */
-  void SetTargetsConnection(vtkAlgorithmOutput* output);
-  void SetTargetsData(vtkDataObject* targets);
+  void SetTargetsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
+  void SetTargetsData(vtkDataObject* targets) { this->SetInputDataInternal(2, targets); }
   ///@}
 
   ///@{
@@ -96,8 +96,8 @@ public:
   vtkTable* GetOutput();
 
 protected:
-  vtkGeodesicDistanceMatrix();
-  ~vtkGeodesicDistanceMatrix() override;
+  vtkGeodesicDistanceMatrix() { this->SetNumberOfInputPorts(3); }
+  ~vtkGeodesicDistanceMatrix() override = default;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   std::string FindWrongProperty() const override;
@@ -105,8 +105,6 @@ protected:
   void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
 
 private:
-  void ComputeTable(geodesic::FilterExecution& execution, vtkTable* table) const;
-
   vtkGeodesicDistanceMatrix(const vtkGeodesicDistanceMatrix&) = delete;
   void operator=(const vtkGeodesicDistanceMatrix&) = delete;
 

@@ -68,13 +68,6 @@ std::vector<PathOfTarget> FindPaths(FilterExecution& execution)
   return paths;
 }
 
-std::vector<SourceFrame> FramesOf(const FilterExecution& execution)
-{
-  const std::vector<SourceCurve>& curves = execution.sources().curves;
-  const PathEnds ends(execution.patch(), curves);
-  return framesBySource(curves, [&ends](Id curve) { return ends.frameOf(curve); });
-}
-
 void PutPath(Message& message, const PathOfTarget& path)
 {
   put(message, path.target);
@@ -123,27 +116,6 @@ std::vector<PathOfTarget> SendHome(
 }
 
 //------------------------------------------------------------------------------
-vtkGeodesicPaths::vtkGeodesicPaths()
-{
-  this->SetNumberOfInputPorts(3);
-}
-
-//------------------------------------------------------------------------------
-vtkGeodesicPaths::~vtkGeodesicPaths() = default;
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPaths::SetTargetsConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(2, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPaths::SetTargetsData(vtkDataObject* targets)
-{
-  this->SetInputDataInternal(2, targets);
-}
-
-//------------------------------------------------------------------------------
 void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector* outputVector)
 {
   execution.requireTargets();
@@ -154,7 +126,10 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
   if (execution.surfacePlace() != SurfacePlace::OnOtherRank)
   {
     paths = FindPaths(execution);
-    frames = this->GenerateSourceAngle ? FramesOf(execution) : frames;
+    if (this->GenerateSourceAngle)
+    {
+      frames = framesBySource(execution.patch(), execution.sources().curves);
+    }
     scale = execution.surface().scale();
   }
   if (execution.exchange().numberOfRanks() > 1)

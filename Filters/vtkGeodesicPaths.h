@@ -90,8 +90,8 @@ public:
    * The targets on port 2: every point of a vtkPointSet, or of all blocks of a composite data set.
    * Without targets there is an error.
    */
-  void SetTargetsConnection(vtkAlgorithmOutput* output);
-  void SetTargetsData(vtkDataObject* targets);
+  void SetTargetsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
+  void SetTargetsData(vtkDataObject* targets) { this->SetInputDataInternal(2, targets); }
   ///@}
 
   ///@{
@@ -118,8 +118,8 @@ public:
   ///@}
 
 protected:
-  vtkGeodesicPaths();
-  ~vtkGeodesicPaths() override;
+  vtkGeodesicPaths() { this->SetNumberOfInputPorts(3); }
+  ~vtkGeodesicPaths() override = default;
 
   void Compute(geodesic::FilterExecution& execution, vtkInformationVector* outputVector) override;
 

@@ -4,14 +4,10 @@
 
 #include "PolyData/writing/SourceArrays.h"
 #include "PolyData/writing/UnmeshedTriangles.h"
-#include "Progress.h"
 #include "field/DistanceField.h"
-#include "front/Front.h"
-#include "refinement/AdaptiveRefinement.h"
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace geodesic
 {
@@ -47,36 +43,15 @@ struct SolvedSurface
   const DistanceField& exactField() const { return this->exact ? *this->exact : *this->field; }
 };
 
+/// Where the field is solved, as a fraction of the whole execution, if arrays are asked for beside
+/// the distance.
+constexpr double FieldDone = 0.85;
+
 /// Solves and refines for vtkGeodesicDistanceField: the surface and the sources of an execution.
-class FieldSolver
-{
-public:
-  /// Where the field is solved, as a fraction of the whole execution, if arrays are asked for
-  /// beside the distance; else at the end of solve().
-  static constexpr double FieldDone = 0.85;
-
-  /// \param end where solve() ends if no arrays are asked for, as a fraction of the whole.
-  FieldSolver(FilterExecution& execution, const FieldRequest& request, double end);
-
-  /// \throws geodesic::Error; Aborted
-  SolvedSurface solve() const;
-
-private:
-  FrontOptions frontOptions(double begin, double end) const;
-  SolvedSurface solveAndRefine() const;
-  DistanceField solveForRefinement(double begin, const std::vector<std::uint8_t>& pinned) const;
-  DistanceField solveExactly(double largestError, std::vector<std::uint8_t> faces) const;
-  std::vector<std::uint8_t> findFacesAtBorders() const;
-  std::vector<std::uint8_t> facesOf(const RefinedSurface& refined) const;
-  RefinementOptions refinementOptions() const;
-  void refine(SolvedSurface& solved) const;
-
-  FilterExecution& execution_;
-  const PolyDataSurface& surface_;
-  const FieldRequest& request_;
-  /// Where the field and its refinement are done, as a fraction of the whole.
-  const double end_;
-};
+///
+/// \param end where this ends if no arrays are asked for, as a fraction of the whole.
+/// \throws geodesic::Error; Aborted
+SolvedSurface solveField(FilterExecution& execution, const FieldRequest& request, double end);
 
 }
 

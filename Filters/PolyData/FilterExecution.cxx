@@ -34,19 +34,6 @@ const char* const TargetsName = "the set of targets (input port 2)";
 
 }
 
-FilterExecution::FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache,
-  const char*& stage, vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets,
-  Exchange& exchange)
-  : filter_(filter)
-  , cache_(cache)
-  , stage_(stage)
-  , surfaceInput_(surface)
-  , sourceInput_(source)
-  , targetsInput_(targets)
-  , exchange_(exchange)
-{
-}
-
 void FilterExecution::readInputs(bool supportsPieces)
 {
   this->enter(Stage::ReadingSurface);
@@ -97,15 +84,14 @@ void FilterExecution::findSurface(bool supportsPieces)
   }
   const std::vector<PointsAndFaces> all = valuesOfRanks(this->exchange_, own);
   const auto emptyOnes = std::count(all.begin(), all.end(), nothing);
-  if (emptyOnes + 1 >= this->exchange_.numberOfRanks())
+  const int ranks = this->exchange_.numberOfRanks();
+  if (emptyOnes + 1 >= ranks)
   {
     // If all are empty, rank 0 says so.
-    const bool isWorker =
-      own != nothing || (this->isFirstRank() && emptyOnes == this->exchange_.numberOfRanks());
+    const bool isWorker = own != nothing || (this->isFirstRank() && emptyOnes == ranks);
     this->place_ = isWorker ? SurfacePlace::Here : SurfacePlace::OnOtherRank;
     return;
   }
-  const int ranks = this->exchange_.numberOfRanks();
   bool areSame = std::count(all.begin(), all.end(), own) == ranks;
   if (areSame)
   {

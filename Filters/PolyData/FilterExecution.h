@@ -71,7 +71,16 @@ public:
   /// \param targets on input port 2, or null.
   /// \param exchange with the other ranks, all of which have such an execution.
   FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, const char*& stage,
-    vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, Exchange& exchange);
+    vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, Exchange& exchange)
+    : filter_(filter)
+    , cache_(cache)
+    , stage_(stage)
+    , surfaceInput_(surface)
+    , sourceInput_(source)
+    , targetsInput_(targets)
+    , exchange_(exchange)
+  {
+  }
 
   /// Reads the surface, and the source as SourceType has it, up to InputsRead. If the surface is
   /// OnOtherRank there is nothing to read, and everything is empty.

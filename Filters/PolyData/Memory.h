@@ -15,23 +15,19 @@ namespace geodesic
 
 /// Memory will not do, found before it was taken: the system hands out more than it has, and ends a
 /// process that uses it.
-class NotEnoughMemory : public std::bad_alloc
+struct NotEnoughMemory : std::bad_alloc
 {
-public:
-  /// \param needed how many bytes more; 0 where that is not known.
-  /// \param available how many bytes there are.
-  NotEnoughMemory(std::uint64_t needed, std::uint64_t available)
-    : needed_(needed)
-    , available_(available)
+  NotEnoughMemory(std::uint64_t bytesNeeded, std::uint64_t bytesAvailable)
+    : needed(bytesNeeded)
+    , available(bytesAvailable)
   {
   }
   const char* what() const noexcept override { return "not enough memory"; }
-  std::uint64_t needed() const { return this->needed_; }
-  std::uint64_t available() const { return this->available_; }
 
-private:
-  std::uint64_t needed_;
-  std::uint64_t available_;
+  /// How many bytes more; 0 where that is not known.
+  std::uint64_t needed;
+  /// How many bytes there are.
+  std::uint64_t available;
 };
 
 /// How many bytes this process can still have, as the system says: what is free or can be freed

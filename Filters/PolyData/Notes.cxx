@@ -130,7 +130,7 @@ std::string GivenNotes::take(const Notes& notes, vtkAlgorithm* filter)
     const int port = static_cast<int>(note.input);
     vtkAlgorithmOutput* connection =
       filter->GetNumberOfInputConnections(port) > 0 ? filter->GetInputConnection(port, 0) : nullptr;
-    now.push_back({ note.input, note.cause, connection });
+    now.emplace_back(note.input, note.cause, connection);
     if (std::find(this->given_.begin(), this->given_.end(), now.back()) == this->given_.end())
     {
       text += (text.empty() ? "" : "\n") + note.text;

@@ -6,6 +6,7 @@
 #include "vtkWeakPointer.h"
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 class vtkAlgorithm;
@@ -83,18 +84,8 @@ public:
   std::string take(const Notes& notes, vtkAlgorithm* filter);
 
 private:
-  struct Given
-  {
-    NoteOn input;
-    std::string cause;
-    /// Of the input; it may be gone by now.
-    vtkWeakPointer<vtkAlgorithmOutput> connection;
-    bool operator==(const Given& other) const
-    {
-      return this->input == other.input && this->cause == other.cause &&
-        this->connection == other.connection;
-    }
-  };
+  /// A note's input and cause, and what was connected there; it may be gone by now.
+  using Given = std::tuple<NoteOn, std::string, vtkWeakPointer<vtkAlgorithmOutput>>;
   std::vector<Given> given_;
 };
 

@@ -37,9 +37,6 @@ public:
   PathEnd of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path,
     const std::function<RankAddress(Id)>& addressOf) const;
 
-  /// The frame in which angles at a curve are measured.
-  SourceFrame frameOf(Id curve) const { return this->onPatch_.frameOf(curve); }
-
 private:
   /// The last piece of a path on the patch: where it ends, and the direction back from there, in
   /// the frame of a face's first halfedge.

@@ -2,14 +2,8 @@
 #include "PolyData/reading/PolyDataSource.h"
 
 #include "Errors.h"
-#include "PolyData/Memory.h"
 #include "PolyData/reading/PolyDataSurface.h"
 
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -304,70 +298,6 @@ SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source)
     options.coordinatePrecision = std::max(options.coordinatePrecision, block.precision());
   }
   return options;
-}
-
-void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
-  const std::vector<SourceCurve>& curves, const std::vector<std::vector<double>>& arcLengths,
-  vtkPolyData* output)
-{
-  vtkIdType size = 0;
-  for (const SourceCurve& curve : curves)
-  {
-    size += static_cast<vtkIdType>(curve.points.size());
-  }
-  // A point, its arc length, its id and an offset, twice while an array grows to twice its size.
-  requireMemory(size, 4 * (4 * sizeof(double) + 2 * sizeof(vtkIdType)));
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkCellArray> lines;
-  std::vector<Id> sourcesOfVertices;
-  std::vector<Id> sourcesOfLines;
-  vtkNew<vtkDoubleArray> lengths;
-  lengths->SetName("SourceArcLength");
-  for (std::size_t c = 0; c < curves.size(); ++c)
-  {
-    const SourceCurve& curve = curves[c];
-    const bool closed = curve.isClosed();
-    const auto count = static_cast<vtkIdType>(curve.points.size());
-    const vtkIdType first = points->GetNumberOfPoints();
-    vtkCellArray* cells = count > 1 ? lines : vertices;
-    (count > 1 ? sourcesOfLines : sourcesOfVertices).push_back(curve.source);
-    cells->InsertNextCell(static_cast<int>(count));
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      if (closed && i > 0 && i + 1 == count)
-      {
-        cells->InsertCellPoint(first);
-        continue;
-      }
-      const auto at = static_cast<std::size_t>(i);
-      cells->InsertCellPoint(
-        points->InsertNextPoint(scale.toUser(position(mesh, curve.points[at])).data()));
-      if (!arcLengths.empty())
-      {
-        lengths->InsertNextValue(arcLengths[c][at]);
-      }
-    }
-  }
-  output->SetPoints(points);
-  output->SetVerts(vertices);
-  output->SetLines(lines);
-  if (!arcLengths.empty())
-  {
-    output->GetPointData()->AddArray(lengths);
-  }
-
-  vtkNew<vtkIdTypeArray> sources; // in the order of the cells: vertices come first
-  sources->SetName("SourceId");
-  for (const std::vector<Id>* ids : { &sourcesOfVertices, &sourcesOfLines })
-  {
-    for (const Id id : *ids)
-    {
-      sources->InsertNextValue(static_cast<vtkIdType>(id));
-    }
-  }
-  output->GetCellData()->AddArray(sources);
 }
 
 }

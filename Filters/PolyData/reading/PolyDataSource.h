@@ -11,8 +11,6 @@
 #include <string>
 #include <vector>
 
-class vtkPolyData;
-
 namespace geodesic
 {
 
@@ -65,14 +63,6 @@ std::string nameOfPoint(const LocatedPolyline& line, std::size_t point);
 
 /// What the coordinates' type allows: that of the least precise block.
 SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source);
-
-/// The curves as cells: a polyline each, a vertex where a curve is one point. The cell array
-/// SourceId has SourceCurve::source of each.
-///
-/// \param arcLengths for the point array SourceArcLength, those of each curve's points; or empty.
-void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
-  const std::vector<SourceCurve>& curves, const std::vector<std::vector<double>>& arcLengths,
-  vtkPolyData* output);
 
 }
 

@@ -12,6 +12,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <numeric>
+
 namespace geodesic
 {
 
@@ -20,90 +22,79 @@ namespace
 
 constexpr const char* ArrayName = "GeodesicDistance";
 
-/// The outputs of writeIsolines().
-class IsolineWriter
+/// The points and cells of an output, which are added one by one.
+struct LineCells
 {
-public:
-  explicit IsolineWriter(const PowerOfTwoScale& scale)
-    : scale_(scale)
+  explicit LineCells(const PowerOfTwoScale& ofMesh)
+    : scale(ofMesh)
   {
-    this->points_->SetDataTypeToDouble();
-    this->atPoints_->SetName(ArrayName);
-    this->atCells_->SetName(ArrayName);
+    this->points->SetDataTypeToDouble();
   }
 
-  vtkIdType addPoint(const TriangleMesh& mesh, const SurfacePoint& point, double value)
+  vtkIdType addPoint(const TriangleMesh& mesh, const SurfacePoint& point)
   {
-    this->atPoints_->InsertNextValue(value);
-    return this->points_->InsertNextPoint(this->scale_.toUser(position(mesh, point)).data());
+    return this->points->InsertNextPoint(this->scale.toUser(position(mesh, point)).data());
   }
 
-  /// Of the source, the points or the polylines. Vertices come before lines in the order of the
-  /// cells.
-  void addCurves(const WrittenCurves& sources, bool arePoints)
+  /// Adds a curve as a polyline, or as a vertex where it is one point.
+  void addCurve(const TriangleMesh& mesh, const SourceCurve& curve)
   {
-    for (const SourceCurve& curve : sources.curves)
+    vtkCellArray* cells = curve.points.size() > 1 ? this->lines : this->vertices;
+    const vtkIdType first = this->points->GetNumberOfPoints();
+    cells->InsertNextCell(static_cast<int>(curve.points.size()));
+    for (std::size_t i = 0; i < numberOfPlaces(curve); ++i)
     {
-      const std::size_t size = curve.points.size();
-      if ((size == 1) == arePoints)
-      {
-        vtkCellArray* cells = arePoints ? this->vertices_ : this->lines_;
-        this->beginCell(cells, size, 0.0);
-        const vtkIdType first = this->points_->GetNumberOfPoints();
-        for (std::size_t i = 0; i < size; ++i)
-        {
-          const bool isFirstAgain = i > 0 && i + 1 == size && curve.isClosed();
-          cells->InsertCellPoint(
-            isFirstAgain ? first : this->addPoint(sources.mesh, curve.points[i], 0.0));
-        }
-      }
+      cells->InsertCellPoint(this->addPoint(mesh, curve.points[i]));
+    }
+    if (curve.isClosed())
+    {
+      cells->InsertCellPoint(first);
     }
   }
 
-  void addIsolines(const WrittenIsolines& written, const LoopProgress& progress)
+  /// Without the last point of a closed curve, which is its first one again.
+  static std::size_t numberOfPlaces(const SourceCurve& curve)
   {
-    const Isolines& isolines = written.isolines;
-    std::vector<vtkIdType> numbers(isolines.points.size(), -1);
-    for (std::size_t i = 0; i < isolines.lines.size(); ++i)
-    {
-      progress.at(i, isolines.lines.size());
-      const Isoline& line = isolines.lines[i];
-      this->beginCell(this->lines_, line.points.size(), written.values[line.value]);
-      for (const Id point : line.points)
-      {
-        if (numbers[point] < 0)
-        {
-          numbers[point] =
-            this->addPoint(written.mesh, isolines.points[point], written.values[line.value]);
-        }
-        this->lines_->InsertCellPoint(numbers[point]);
-      }
-    }
+    return curve.points.size() - (curve.isClosed() ? 1 : 0);
   }
 
-  void finish(vtkPolyData* output)
+  void write(vtkPolyData* output) const
   {
-    output->SetPoints(this->points_);
-    output->SetVerts(this->vertices_);
-    output->SetLines(this->lines_);
-    output->GetPointData()->SetScalars(this->atPoints_);
-    output->GetCellData()->SetScalars(this->atCells_);
+    output->SetPoints(this->points);
+    output->SetVerts(this->vertices);
+    output->SetLines(this->lines);
   }
 
-private:
-  void beginCell(vtkCellArray* cells, std::size_t points, double value)
-  {
-    cells->InsertNextCell(static_cast<int>(points));
-    this->atCells_->InsertNextValue(value);
-  }
-
-  const PowerOfTwoScale& scale_;
-  vtkNew<vtkPoints> points_;
-  vtkNew<vtkCellArray> vertices_;
-  vtkNew<vtkCellArray> lines_;
-  vtkNew<vtkDoubleArray> atPoints_;
-  vtkNew<vtkDoubleArray> atCells_;
+  const PowerOfTwoScale& scale;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkCellArray> lines;
 };
+
+/// Calls visit(curve) in the order of the cells: vertices come before lines.
+template <typename Visit>
+void forEachInOrderOfCells(const std::vector<SourceCurve>& curves, const Visit& visit)
+{
+  for (const bool arePoints : { true, false })
+  {
+    for (const SourceCurve& curve : curves)
+    {
+      if ((curve.points.size() == 1) == arePoints)
+      {
+        visit(curve);
+      }
+    }
+  }
+}
+
+/// Asks for the memory of curves, and of other points: a point with a value, its id and an offset,
+/// twice while an array grows to twice its size.
+void requireMemoryOf(const std::vector<SourceCurve>& curves, std::size_t otherPoints = 0)
+{
+  const std::size_t size = std::accumulate(curves.begin(), curves.end(), otherPoints,
+    [](std::size_t sum, const SourceCurve& curve) { return sum + curve.points.size(); });
+  requireMemory(static_cast<vtkIdType>(size), 4 * (4 * sizeof(double) + 2 * sizeof(vtkIdType)));
+}
 
 constexpr const char* TooLong =
   "Paths on the surface (input port 0) are longer than numbers can be. Scale the surface, the "
@@ -173,28 +164,71 @@ vtkNew<vtkDoubleArray> writeLines(const PowerOfTwoScale& scale,
 
 }
 
-void writeIsolines(const WrittenIsolines& lines, const WrittenCurves& atZero,
-  const PowerOfTwoScale& scale, vtkPolyData* output, const ProgressCallback& callback)
+void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
+  const std::vector<SourceCurve>& curves, const std::vector<std::vector<double>>& arcLengths,
+  vtkPolyData* output)
 {
-  std::size_t size = lines.isolines.points.size();
-  for (const SourceCurve& curve : atZero.curves)
+  requireMemoryOf(curves);
+  LineCells cells(scale);
+  vtkNew<vtkDoubleArray> lengths;
+  lengths->SetName("SourceArcLength");
+  for (std::size_t c = 0; c < curves.size(); ++c)
   {
-    size += curve.points.size();
+    cells.addCurve(mesh, curves[c]);
+    for (std::size_t i = 0; !arcLengths.empty() && i < LineCells::numberOfPlaces(curves[c]); ++i)
+    {
+      lengths->InsertNextValue(arcLengths[c][i]);
+    }
   }
-  // A point with its value, its id and an offset, twice while an array grows to twice its size.
-  requireMemory(static_cast<vtkIdType>(size), 4 * (4 * sizeof(double) + 2 * sizeof(vtkIdType)));
-  LoopProgress progress(callback);
-  progress.nextUntil(1.0);
-  IsolineWriter writer(scale);
-  writer.addCurves(atZero, true);
-  writer.addCurves(atZero, false);
-  writer.addIsolines(lines, progress);
-  writer.finish(output);
+  cells.write(output);
+  if (!arcLengths.empty())
+  {
+    output->GetPointData()->AddArray(lengths);
+  }
+  vtkNew<vtkIdTypeArray> sources;
+  sources->SetName("SourceId");
+  forEachInOrderOfCells(curves,
+    [&sources](const SourceCurve& curve)
+    { sources->InsertNextValue(static_cast<vtkIdType>(curve.source)); });
+  output->GetCellData()->AddArray(sources);
 }
 
-void addEmptyIsolineArrays(vtkPolyData* output)
+void writeIsolines(const WrittenIsolines& written, const PowerOfTwoScale& scale,
+  vtkPolyData* output, const ProgressCallback& callback)
 {
-  IsolineWriter(PowerOfTwoScale()).finish(output);
+  const Isolines& isolines = written.isolines;
+  requireMemoryOf(written.curves, isolines.points.size());
+  LoopProgress progress(callback);
+  progress.nextUntil(1.0);
+  LineCells cells(scale);
+  forEachInOrderOfCells(
+    written.curves, [&](const SourceCurve& curve) { cells.addCurve(written.meshOfCurves, curve); });
+  const auto atPoints = makeArray<vtkDoubleArray>(ArrayName, cells.points->GetNumberOfPoints());
+  const auto atCells =
+    makeArray<vtkDoubleArray>(ArrayName, static_cast<vtkIdType>(written.curves.size()));
+  atPoints->Fill(0.0);
+  atCells->Fill(0.0);
+  std::vector<vtkIdType> numbers(isolines.points.size(), -1);
+  for (std::size_t i = 0; i < isolines.lines.size(); ++i)
+  {
+    progress.at(i, isolines.lines.size());
+    const Isoline& line = isolines.lines[i];
+    const double value = written.values[line.value];
+    cells.lines->InsertNextCell(static_cast<int>(line.points.size()));
+    atCells->InsertNextValue(value);
+    for (const Id point : line.points)
+    {
+      if (numbers[point] < 0)
+      {
+        numbers[point] = cells.addPoint(written.mesh, isolines.points[point]);
+        atPoints->InsertNextValue(value);
+      }
+      cells.lines->InsertCellPoint(numbers[point]);
+    }
+  }
+  cells.write(output);
+  output->GetPointData()->SetScalars(atPoints);
+  output->GetCellData()->SetScalars(atCells);
 }
 
 void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,

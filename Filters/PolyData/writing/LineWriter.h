@@ -16,32 +16,32 @@ class vtkPolyData;
 namespace geodesic
 {
 
+/// The curves as cells: a polyline each, a vertex where a curve is one point. The cell array
+/// SourceId has SourceCurve::source of each.
+///
+/// \param arcLengths for the point array SourceArcLength, those of each curve's points; or empty.
+void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
+  const std::vector<SourceCurve>& curves, const std::vector<std::vector<double>>& arcLengths,
+  vtkPolyData* output);
+
 /// Lines on a mesh, with their values in the user's units.
 struct WrittenIsolines
 {
   const TriangleMesh& mesh;
   const Isolines& isolines;
   const std::vector<double>& values;
-};
-
-/// Curves on a mesh, which may be another one.
-struct WrittenCurves
-{
-  const TriangleMesh& mesh;
+  /// The source, put out as the lines of the value 0, on its own mesh: a polyline a curve, a vertex
+  /// where a curve is one point.
+  const TriangleMesh& meshOfCurves;
   std::vector<SourceCurve> curves;
 };
 
 /// Gives an output lines as polylines that share points, with the value of each as cell and point
 /// array `GeodesicDistance`, the active scalars.
 ///
-/// \param atZero the source, put out as the lines of the value 0: a polyline a curve, a vertex
-///        where a curve is one point.
 /// \param progress called now and then; returning false throws Aborted.
-void writeIsolines(const WrittenIsolines& lines, const WrittenCurves& atZero,
-  const PowerOfTwoScale& scale, vtkPolyData* output, const ProgressCallback& progress);
-
-/// The same arrays without lines.
-void addEmptyIsolineArrays(vtkPolyData* output);
+void writeIsolines(const WrittenIsolines& lines, const PowerOfTwoScale& scale, vtkPolyData* output,
+  const ProgressCallback& progress);
 
 /// A path of a target, by places in space on the mesh's scale.
 struct PathOfTarget

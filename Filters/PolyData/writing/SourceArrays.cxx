@@ -4,10 +4,10 @@
 #include "Errors.h"
 #include "PolyData/Memory.h"
 #include "PolyData/ranks/BorrowedValues.h"
-#include "PolyData/writing/SurfaceWriter.h"
 #include "PolyData/writing/UnmeshedTriangles.h"
 #include "field/Gradients.h"
 #include "refinement/RefinedOnRanks.h"
+#include "source/CurvesOnPatch.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -16,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -129,6 +130,70 @@ void addArrays(const SourceArrayChoice& choice, const PointAt& pointAt, vtkPolyD
   }
 }
 
+/// Calls visit(member) for the members of ValuesAtPoints that are needed.
+template <typename Visit>
+void forEachKind(const SourceArrayChoice& choice, const Visit& visit)
+{
+  if (choice.areFeetNeeded())
+  {
+    visit(&ValuesAtPoints::sources);
+  }
+  if (choice.gradients)
+  {
+    visit(&ValuesAtPoints::gradients);
+  }
+}
+
+SourceValues valuesOf(const SourceArrays& arrays, const Foot& foot, const NearestSource& nearest)
+{
+  SourceValues values;
+  if (!foot.isKnown())
+  {
+    return values;
+  }
+  const SourceCurve& curve = arrays.curves[foot.curve];
+  const PowerOfTwoScale& scale = arrays.surface.scale();
+  values.source = curve.source;
+  values.side = curve.points.size() == 1                         ? SourceSide::Point
+    : isOnRight(foot, arrays.curves, arrays.firstBoundarySource) ? SourceSide::Right
+                                                                 : SourceSide::Left;
+  if (arrays.choice.closestPoints)
+  {
+    values.closestPoint = scale.toUser(position(nearest.meshOfCurves(), nearest.pointOf(foot)));
+  }
+  if (arrays.choice.areArcLengthsNeeded())
+  {
+    values.arcLength = scale.toUser(nearest.arcLengthOf(foot));
+  }
+  if (arrays.choice.areAnglesNeeded())
+  {
+    values.angle = nearest.angleOf(foot);
+  }
+  return values;
+}
+
+/// Calls add(i, values, gradients) for each point.
+template <typename Add>
+ValuesAtPoints collect(const SourceArrayChoice& choice, std::size_t count,
+  const DistanceField& computed, const ProgressCallback& callback, const Add& add)
+{
+  ValuesAtPoints values;
+  LoopProgress progress(callback);
+  progress.nextUntil(1.0);
+  forEachKind(choice, [&](auto kind) { (values.*kind).reserve(count); });
+  Gradients gradients(computed, values.gradients);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    progress.at(i, count);
+    add(i, values.sources, gradients);
+  }
+  if (choice.gradients)
+  {
+    gradients.finish();
+  }
+  return values;
+}
+
 }
 
 std::vector<const char*> namesOf(const SourceArrayChoice& choice)
@@ -150,92 +215,28 @@ void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output)
     choice, [](vtkIdType) { return OutputPoint(); }, output);
 }
 
-// Calls visit(member) for the members of ValuesAtPoints that are needed.
-template <typename Visit>
-void SourceArrays::forEachKind(const Visit& visit) const
-{
-  if (this->choice_.areFeetNeeded())
-  {
-    visit(&ValuesAtPoints::sources);
-  }
-  if (this->choice_.gradients)
-  {
-    visit(&ValuesAtPoints::gradients);
-  }
-}
-
-SourceValues SourceArrays::valuesOf(const Foot& foot, const NearestSource& nearest) const
-{
-  SourceValues values;
-  if (!foot.isKnown())
-  {
-    return values;
-  }
-  const SourceCurve& curve = this->curves_[foot.curve];
-  const PowerOfTwoScale& scale = this->surface_.scale();
-  values.source = curve.source;
-  values.side = curve.points.size() == 1                         ? SourceSide::Point
-    : isOnRight(foot, this->curves_, this->firstBoundarySource_) ? SourceSide::Right
-                                                                 : SourceSide::Left;
-  if (this->choice_.closestPoints)
-  {
-    values.closestPoint = scale.toUser(position(nearest.meshOfCurves(), nearest.pointOf(foot)));
-  }
-  if (this->choice_.areArcLengthsNeeded())
-  {
-    values.arcLength = scale.toUser(nearest.arcLengthOf(foot));
-  }
-  if (this->choice_.areAnglesNeeded())
-  {
-    values.angle = nearest.angleOf(foot);
-  }
-  return values;
-}
-
-// Calls add(i, values, gradients) for each point.
-template <typename Add>
-ValuesAtPoints SourceArrays::collect(std::size_t count, const DistanceField& computed,
-  const ProgressCallback& callback, const Add& add) const
-{
-  ValuesAtPoints values;
-  LoopProgress progress(callback);
-  progress.nextUntil(1.0);
-  this->forEachKind([&](auto kind) { (values.*kind).reserve(count); });
-  Gradients gradients(computed, values.gradients);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    progress.at(i, count);
-    add(i, values.sources, gradients);
-  }
-  if (this->choice_.gradients)
-  {
-    gradients.finish();
-  }
-  return values;
-}
-
 ValuesAtPoints SourceArrays::atVertices(const DistanceField& computed, const NearestSource& nearest,
   const ProgressCallback& progress) const
 {
   const auto add = [&](std::size_t i, std::vector<SourceValues>& sources, Gradients& gradients)
   {
     const auto vertex = static_cast<Id>(i);
-    if (this->choice_.areFeetNeeded())
+    if (this->choice.areFeetNeeded())
     {
-      sources.push_back(this->valuesOf(nearest.atVertex(vertex), nearest));
+      sources.push_back(valuesOf(*this, nearest.atVertex(vertex), nearest));
     }
-    if (this->choice_.gradients)
+    if (this->choice.gradients)
     {
       gradients.add(incomingSegmentTo(computed, SurfacePoint::atVertex(vertex)));
     }
   };
   ValuesAtPoints values =
-    this->collect(this->surface_.partition().numberOfOwnVertices(), computed, progress, add);
-  this->forEachKind([&](auto kind) { this->surface_.completeValues({}, values.*kind); });
+    collect(this->choice, this->surface.partition().numberOfOwnVertices(), computed, progress, add);
+  forEachKind(this->choice, [&](auto kind) { this->surface.completeValues({}, values.*kind); });
   return values;
 }
 
-std::vector<ValuesAtPoints> SourceArrays::atNewPoints(const RefinedSurface& refined,
+ValuesAtPoints SourceArrays::atNewPoints(const RefinedSurface& refined,
   const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
   const ProgressCallback& progress) const
 {
@@ -246,50 +247,28 @@ std::vector<ValuesAtPoints> SourceArrays::atNewPoints(const RefinedSurface& refi
     const bool isReached = points[i].distance < Infinity;
     const IncomingSegment piece =
       isReached ? incomingSegmentTo(exact, points[i].place) : IncomingSegment();
-    if (this->choice_.areFeetNeeded())
+    if (this->choice.areFeetNeeded())
     {
-      sources.push_back(this->valuesOf(nearest.of(piece), nearest));
+      sources.push_back(valuesOf(*this, nearest.of(piece), nearest));
     }
-    if (this->choice_.gradients)
+    if (this->choice.gradients)
     {
       const bool isOther = isReached && &computed != &exact;
       gradients.add(isOther ? incomingSegmentTo(computed, points[i].place) : piece);
     }
   };
-  ValuesAtPoints values = this->collect(count, computed, progress, add);
-  Exchange& exchange = this->surface_.exchange();
+  ValuesAtPoints values = collect(this->choice, count, computed, progress, add);
+  Exchange& exchange = this->surface.exchange();
   const SeamPoints seams = findSeamPoints(points, count, computed, exact);
   const BorrowedValues atSeams(seams.there, exchange);
   const BorrowedValues atCopies(refined.copied, exchange);
-  this->forEachKind(
+  forEachKind(this->choice,
     [&](auto kind)
     {
       atSeams.replace(seams.here, values.*kind, exchange);
       atCopies.append({}, values.*kind, exchange);
     });
-  return this->byBlock(std::move(values), refined.mesh);
-}
-
-std::vector<ValuesAtPoints> SourceArrays::byBlock(
-  ValuesAtPoints values, const RefinedMesh& refined) const
-{
-  std::vector<ValuesAtPoints> parts(this->surface_.blocks().size());
-  if (parts.size() == 1)
-  {
-    parts.front() = std::move(values);
-    return parts;
-  }
-  const std::vector<std::size_t> blocks = blocksOfNewPoints(this->surface_, refined);
-  this->forEachKind(
-    [&](auto kind)
-    {
-      const auto ofAll = std::move(values.*kind);
-      for (std::size_t i = 0; i < blocks.size(); ++i)
-      {
-        (parts[blocks[i]].*kind).push_back(ofAll[i]);
-      }
-    });
-  return parts;
+  return values;
 }
 
 void SourceArrays::write(const SurfaceBlock& block, const ValuesAtPoints& atVertices,
@@ -307,40 +286,47 @@ void SourceArrays::write(const SurfaceBlock& block, const ValuesAtPoints& atVert
     const bool isNew = number >= block.numberOfPoints;
     const ValuesAtPoints& values = isNew ? atNewPoints : atVertices;
     const Id at =
-      isNew ? number - block.numberOfPoints : this->surface_.vertexOf(block.firstPoint + number);
-    if (this->choice_.areFeetNeeded())
+      isNew ? number - block.numberOfPoints : this->surface.vertexOf(block.firstPoint + number);
+    if (this->choice.areFeetNeeded())
     {
       point.values = values.sources[at];
     }
-    if (this->choice_.gradients)
+    if (this->choice.gradients)
     {
       point.gradient = values.gradients[at];
     }
     return point;
   };
-  addArrays(this->choice_, pointAt, output);
-}
-
-std::vector<SourceFrame> SourceArrays::frames(const NearestSource& nearest) const
-{
-  return this->choice_.angles
-    ? framesBySource(this->curves_, [&nearest](Id curve) { return nearest.frameOf(curve); })
-    : std::vector<SourceFrame>();
+  addArrays(this->choice, pointAt, output);
 }
 
 std::vector<std::vector<double>> SourceArrays::arcLengthsOfCurves(
   const NearestSource& nearest) const
 {
   std::vector<std::vector<double>> lengths;
-  for (Id curve = 0; this->choice_.arcLengths && curve < this->curves_.size(); ++curve)
+  for (Id curve = 0; this->choice.arcLengths && curve < this->curves.size(); ++curve)
   {
     lengths.push_back(nearest.arcLengthsOf(curve));
     for (double& length : lengths.back())
     {
-      length = this->surface_.scale().toUser(length);
+      length = this->surface.scale().toUser(length);
     }
   }
   return lengths;
+}
+
+std::vector<SourceFrame> framesBySource(
+  const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves)
+{
+  const CurvesOnPatch onPatch(patch, curves);
+  std::vector<SourceFrame> frames;
+  for (Id curve = static_cast<Id>(curves.size()); curve-- > 0;) // the first of a source comes last
+  {
+    const std::size_t source = curves[curve].source;
+    frames.resize(std::max(frames.size(), source + 1));
+    frames[source] = onPatch.frameOf(curve);
+  }
+  return frames;
 }
 
 void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* output)

@@ -6,7 +6,6 @@
 #include "Progress.h"
 #include "field/NearestSource.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -17,7 +16,6 @@ class vtkPolyData;
 namespace geodesic
 {
 
-struct RefinedMesh;
 struct RefinedSurface;
 
 /// Which arrays beside the distance are asked for.
@@ -79,33 +77,27 @@ struct ValuesAtPoints
 };
 
 /// Computes the arrays that tell more of a field than its distance.
-class SourceArrays
+struct SourceArrays
 {
-public:
-  /// \param curves of the source.
-  /// \param firstBoundarySource SourceCurve::source from which on curves are loops of the boundary,
-  ///        whose distances have no sign.
-  SourceArrays(const PolyDataSurface& surface, const std::vector<SourceCurve>& curves,
-    Id firstBoundarySource, const SourceArrayChoice& choice)
-    : surface_(surface)
-    , curves_(curves)
-    , firstBoundarySource_(firstBoundarySource)
-    , choice_(choice)
-  {
-  }
+  const PolyDataSurface& surface;
+  /// Of the source.
+  const std::vector<SourceCurve>& curves;
+  /// SourceCurve::source from which on curves are loops of the boundary, whose distances have no
+  /// sign.
+  Id firstBoundarySource;
+  SourceArrayChoice choice;
 
   /// Of every vertex that points have: PolyDataSurface::vertexOf(). All ranks call this together.
   ///
   /// \param computed the field that gradients are of, with arrivals.
   ValuesAtPoints atVertices(const DistanceField& computed, const NearestSource& nearest,
     const ProgressCallback& progress) const;
-  /// Of the points that refinement has added, by blocks of the surface: see partsByBlock(). A point
-  /// on a seam has the values of the rank that knows them best. All ranks call this together.
+  /// Of the points that refinement has added. A point on a seam has the values of the rank that
+  /// knows them best. All ranks call this together.
   ///
   /// \param exact the field that feet are of, with arrivals; the computed one or another.
-  std::vector<ValuesAtPoints> atNewPoints(const RefinedSurface& refined,
-    const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
-    const ProgressCallback& progress) const;
+  ValuesAtPoints atNewPoints(const RefinedSurface& refined, const DistanceField& computed,
+    const DistanceField& exact, NearestSource& nearest, const ProgressCallback& progress) const;
 
   /// Adds the arrays of one block to its points: those of the input, then those that were added.
   ///
@@ -115,44 +107,17 @@ public:
     const ValuesAtPoints& atNewPoints, const double* distances, double unreached,
     vtkPolyData* output) const;
 
-  /// framesBySource(). Empty unless angles are asked for.
-  std::vector<SourceFrame> frames(const NearestSource& nearest) const;
   /// For writeCurves(): the arc lengths of each curve's points, in the user's scale. Empty unless
   /// arc lengths are asked for.
   std::vector<std::vector<double>> arcLengthsOfCurves(const NearestSource& nearest) const;
-
-private:
-  template <typename Visit>
-  void forEachKind(const Visit& visit) const;
-  template <typename Add>
-  ValuesAtPoints collect(std::size_t count, const DistanceField& computed,
-    const ProgressCallback& progress, const Add& add) const;
-  SourceValues valuesOf(const Foot& foot, const NearestSource& nearest) const;
-  std::vector<ValuesAtPoints> byBlock(ValuesAtPoints values, const RefinedMesh& refined) const;
-
-  const PolyDataSurface& surface_;
-  const std::vector<SourceCurve>& curves_;
-  Id firstBoundarySource_;
-  SourceArrayChoice choice_;
 };
 
 /// The frames that angles are measured in, by SourceCurve::source; of a source that is cut in
 /// several curves, that of the first.
 ///
-/// \param frameOf the frame of a curve, by its number.
-template <typename FrameOf>
+/// \param patch that the curves lie on.
 std::vector<SourceFrame> framesBySource(
-  const std::vector<SourceCurve>& curves, const FrameOf& frameOf)
-{
-  std::vector<SourceFrame> frames;
-  for (Id curve = static_cast<Id>(curves.size()); curve-- > 0;) // the first of a source comes last
-  {
-    const std::size_t source = curves[curve].source;
-    frames.resize(std::max(frames.size(), source + 1));
-    frames[source] = frameOf(curve);
-  }
-  return frames;
-}
+  const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves);
 
 /// Adds the field data array SourceFrame, with the three vectors of a frame in each tuple.
 void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* output);

@@ -257,33 +257,6 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
   output->GetCellData()->AddArray(originals);
 }
 
-constexpr vtkIdType Unused = -1;
-
-/// For each point its number among those that are used, or Unused.
-///
-/// \param used gets the points that are used, in their order.
-std::vector<vtkIdType> numbersOfUsedPoints(vtkPolyData* data, vtkIdList* used)
-{
-  std::vector<vtkIdType> numbers(static_cast<std::size_t>(data->GetNumberOfPoints()), Unused);
-  forEachCell(data->GetPolys(),
-    [&numbers](vtkIdType size, const vtkIdType* ids)
-    {
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        numbers[static_cast<std::size_t>(ids[i])] = 0;
-      }
-    });
-  used->Allocate(data->GetNumberOfPoints());
-  for (std::size_t point = 0; point < numbers.size(); ++point)
-  {
-    if (numbers[point] != Unused)
-    {
-      numbers[point] = used->InsertNextId(static_cast<vtkIdType>(point));
-    }
-  }
-  return numbers;
-}
-
 void keepPoints(vtkIdList* used, vtkPolyData* data)
 {
   const vtkIdType count = used->GetNumberOfIds();
@@ -304,74 +277,51 @@ void keepPoints(vtkIdList* used, vtkPolyData* data)
   data->GetPointData()->ShallowCopy(kept);
 }
 
-void renumberPolygons(const std::vector<vtkIdType>& numbers, vtkPolyData* data)
-{
-  const vtkIdType count = data->GetPolys()->GetNumberOfCells();
-  const vtkIdType size = data->GetPolys()->GetNumberOfConnectivityIds();
-  requireMemory(count + 1 + size, sizeof(vtkIdType));
-  vtkNew<vtkCellArray> polygons;
-  polygons->AllocateExact(count, size);
-  forEachCell(data->GetPolys(),
-    [&](vtkIdType corners, const vtkIdType* ids)
-    {
-      polygons->InsertNextCell(static_cast<int>(corners));
-      for (vtkIdType i = 0; i < corners; ++i)
-      {
-        polygons->InsertCellPoint(numbers[static_cast<std::size_t>(ids[i])]);
-      }
-    });
-  data->SetPolys(polygons);
 }
 
-}
-
-std::vector<std::size_t> blocksOfNewPoints(
-  const PolyDataSurface& surface, const RefinedMesh& refined)
+std::vector<RefinedBlock> partsByBlock(
+  const PolyDataSurface& surface, RefinedMesh refined, ValuesAtPoints values)
 {
-  std::vector<std::size_t> blocks;
-  blocks.reserve(refined.points.size());
-  for (const RefinedPoint& point : refined.points)
+  std::vector<RefinedBlock> parts(surface.blocks().size());
+  if (parts.size() == 1)
   {
-    const Id parent = point.parents[0];
-    blocks.push_back(parent < refined.numberOfInputPoints
-        ? surface.blockOfPoint(parent)
-        : blocks[parent - refined.numberOfInputPoints]);
-  }
-  return blocks;
-}
-
-std::vector<RefinedMesh> partsByBlock(const PolyDataSurface& surface, RefinedMesh refined)
-{
-  std::vector<RefinedMesh> parts;
-  if (surface.blocks().size() == 1)
-  {
-    parts.push_back(std::move(refined));
+    parts.front() = { std::move(refined), std::move(values) };
     return parts;
   }
-  parts.resize(surface.blocks().size());
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    parts[i].numberOfInputPoints = surface.blocks()[i].numberOfPoints;
+    parts[i].mesh.numberOfInputPoints = surface.blocks()[i].numberOfPoints;
   }
-  const std::vector<std::size_t> blocks = blocksOfNewPoints(surface, refined);
-  // For each new point its number in its block, of which it needs those of its parents.
+  // Of each new point its block and its number there, which those between it and others need.
+  std::vector<std::size_t> blocks;
   std::vector<Id> numbers;
-  numbers.reserve(refined.points.size());
   const auto numberOf = [&](Id point, const SurfaceBlock& block)
   {
     return point < refined.numberOfInputPoints ? point - block.firstPoint
                                                : numbers[point - refined.numberOfInputPoints];
   };
-  for (RefinedPoint& point : refined.points)
+  for (std::size_t i = 0; i < refined.points.size(); ++i)
   {
-    const std::size_t index = blocks[numbers.size()];
-    RefinedMesh& part = parts[index];
+    RefinedPoint& point = refined.points[i];
+    const Id first = point.parents[0];
+    blocks.push_back(first < refined.numberOfInputPoints
+        ? surface.blockOfPoint(first)
+        : blocks[first - refined.numberOfInputPoints]);
     for (Id& parent : point.parents)
     {
-      parent = numberOf(parent, surface.blocks()[index]);
+      parent = numberOf(parent, surface.blocks()[blocks[i]]);
     }
+    auto& [part, valuesOfPart] = parts[blocks[i]];
     numbers.push_back(part.numberOfInputPoints + static_cast<Id>(part.points.size()));
     part.points.push_back(point);
+    if (!values.sources.empty())
+    {
+      valuesOfPart.sources.push_back(values.sources[i]);
+    }
+    if (!values.gradients.empty())
+    {
+      valuesOfPart.gradients.push_back(values.gradients[i]);
+    }
   }
   refined.points = {};
   for (std::size_t i = 0; i < refined.triangles.size(); ++i)
@@ -383,8 +333,8 @@ std::vector<RefinedMesh> partsByBlock(const PolyDataSurface& surface, RefinedMes
     {
       corner = numberOf(corner, block);
     }
-    parts[index].triangles.push_back(triangle);
-    parts[index].faces.push_back(refined.faces[i] - block.firstTriangle);
+    parts[index].mesh.triangles.push_back(triangle);
+    parts[index].mesh.faces.push_back(refined.faces[i] - block.firstTriangle);
   }
   return parts;
 }
@@ -428,15 +378,44 @@ void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined,
 
 void removeUnusedPoints(vtkPolyData* data)
 {
+  constexpr vtkIdType unused = -1;
   const vtkIdType count = data->GetNumberOfPoints();
   requireMemory(count, 2 * static_cast<vtkIdType>(sizeof(vtkIdType)));
+  // Of each point its number among those that are used.
+  std::vector<vtkIdType> numbers(static_cast<std::size_t>(count), unused);
+  forEachCell(data->GetPolys(),
+    [&numbers](vtkIdType size, const vtkIdType* ids)
+    {
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        numbers[static_cast<std::size_t>(ids[i])] = 0;
+      }
+    });
   vtkNew<vtkIdList> used;
-  const std::vector<vtkIdType> numbers = numbersOfUsedPoints(data, used);
-  if (used->GetNumberOfIds() < count)
+  used->Allocate(count);
+  for (std::size_t point = 0; point < numbers.size(); ++point)
   {
-    keepPoints(used, data);
-    renumberPolygons(numbers, data);
+    if (numbers[point] != unused)
+    {
+      numbers[point] = used->InsertNextId(static_cast<vtkIdType>(point));
+    }
   }
+  if (used->GetNumberOfIds() == count)
+  {
+    return;
+  }
+  keepPoints(used, data);
+  const vtkIdType ids = data->GetPolys()->GetNumberOfConnectivityIds();
+  requireMemory(data->GetPolys()->GetNumberOfCells() + 1 + ids, sizeof(vtkIdType));
+  vtkNew<vtkCellArray> polygons;
+  polygons->DeepCopy(data->GetPolys());
+  polygons->ConvertTo64BitStorage();
+  auto* points = polygons->GetConnectivityArray64();
+  for (vtkIdType i = 0; i < ids; ++i)
+  {
+    points->SetValue(i, numbers[static_cast<std::size_t>(points->GetValue(i))]);
+  }
+  data->SetPolys(polygons);
 }
 
 }

@@ -3,9 +3,9 @@
 #define geodesic_SurfaceWriter_h
 
 #include "PolyData/reading/PolyDataSurface.h"
-#include "refinement/AdaptiveRefinement.h"
+#include "PolyData/writing/SourceArrays.h"
+#include "refinement/RefinedMesh.h"
 
-#include <cstddef>
 #include <vector>
 
 class vtkPolyData;
@@ -13,14 +13,20 @@ class vtkPolyData;
 namespace geodesic
 {
 
-/// The block of the surface that each new point of a refined mesh belongs to.
-std::vector<std::size_t> blocksOfNewPoints(
-  const PolyDataSurface& surface, const RefinedMesh& refined);
+/// What of a refined mesh belongs to one block of the surface, in numbers of the block: points, and
+/// triangles as RefinedMesh::faces has them.
+struct RefinedBlock
+{
+  RefinedMesh mesh;
+  /// At its new points.
+  ValuesAtPoints values;
+};
 
-/// What of a refined mesh (after addUnmeshedTriangles()) belongs to each block of the surface, in
-/// numbers of the block: points, and triangles as RefinedMesh::faces has them. Each edge of the
-/// surface is an edge between points of one block, so that every new point belongs to one, too.
-std::vector<RefinedMesh> partsByBlock(const PolyDataSurface& surface, RefinedMesh refined);
+/// Divides a refined mesh (after addUnmeshedTriangles()), and the values at its new points, among
+/// the blocks of the surface. Each edge of the surface is an edge between points of one block, so
+/// that every new point belongs to one, too.
+std::vector<RefinedBlock> partsByBlock(
+  const PolyDataSurface& surface, RefinedMesh refined, ValuesAtPoints values);
 
 /// Gives an output the points of the input that a block was made from with their data, the block's
 /// triangles, and for each the data of the cell that it came from.

@@ -39,6 +39,9 @@ struct RefinedTemplate
   }
 };
 
+/// The points on the edges of a triangle, on edge k from corner k to corner k + 1.
+using EdgeSplits = std::array<std::vector<Id>, 3>;
+
 /// A triangle of this rank that is not a face of the mesh, and what it has to look like.
 struct UnmeshedTriangle
 {
@@ -50,7 +53,7 @@ struct UnmeshedTriangle
   /// Of a barrier, the templates at its edges from corner k on; NoId at edges without a face.
   std::array<Id, 3> atEdges{ NoId, NoId, NoId };
   /// The points that split these edges, by their numbers in the template and along its edge.
-  std::array<std::vector<Id>, 3> splits{};
+  EdgeSplits splits{};
 };
 
 /// The triangles of this rank that are not faces, in their order, and their templates.
@@ -162,70 +165,49 @@ UnmeshedTriangles findUnmeshedTriangles(const PolyDataSurface& surface, const Gl
   return unmeshed;
 }
 
-/// A triangle with points on its edges, by which it is cut without any further points.
-struct SplitTriangle
+/// Adds the parts of a triangle that is cut by the points on its edges without any further points,
+/// in its orientation. Triangles at one place with points at the same places have the same parts,
+/// in whatever order their corners are.
+///
+/// \param position where any of these points lies: (Id) -> Vec3.
+template <typename Position>
+void cutAtEdges(const Triangle& corners, const EdgeSplits& splits, const Position& position,
+  std::vector<Triangle>& parts)
 {
-  using Splits = std::vector<Id>;
-
-  Triangle corners;
-  /// On edge k those from corner k to corner k + 1.
-  std::array<Splits, 3> splits;
-
-  /// Adds the parts, in the triangle's orientation. Triangles at one place with points at the same
-  /// places have the same parts, in whatever order their corners are.
-  ///
-  /// \param position where any of these points lies: (Id) -> Vec3.
-  template <typename Position>
-  void cut(const Position& position, std::vector<Triangle>& parts) const
+  // The longest edge with splits, for the shapes. Of equally long ones it is the one whose opposite
+  // corner is last, whatever the order of the corners.
+  std::size_t k = 3;
+  std::pair<double, Vec3> order;
+  for (std::size_t i = 0; i < 3; ++i)
   {
-    const std::size_t k = this->edgeToCut(position);
-    if (k == 3)
+    if (!splits[i].empty())
     {
-      parts.push_back(this->corners);
-      return;
-    }
-    const std::size_t next = (k + 1) % 3;
-    const std::size_t previous = (k + 2) % 3;
-    // The middle one from either end.
-    const std::size_t count = this->splits[k].size();
-    const bool isForward = position(this->corners[k]) < position(this->corners[next]);
-    const auto middle = static_cast<std::ptrdiff_t>(isForward ? (count - 1) / 2 : count / 2);
-    const auto at = this->splits[k].begin() + middle;
-    SplitTriangle{
-      { this->corners[k], *at, this->corners[previous] },
-      { Splits(this->splits[k].begin(), at), {}, this->splits[previous] }
-    }.cut(position, parts);
-    SplitTriangle{
-      { *at, this->corners[next], this->corners[previous] },
-      { Splits(at + 1, this->splits[k].end()), this->splits[next], {} }
-    }.cut(position, parts);
-  }
-
-private:
-  /// The longest edge with splits, for the shapes; 3 if none has any. Of equally long edges the
-  /// choice does not depend on the order of the corners, so that copies are cut like the triangle.
-  template <typename Position>
-  std::size_t edgeToCut(const Position& position) const
-  {
-    std::size_t best = 3;
-    std::pair<double, Vec3> order;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      if (!this->splits[k].empty())
+      const double length = norm(position(corners[(i + 1) % 3]) - position(corners[i]));
+      const std::pair<double, Vec3> own(length, position(corners[(i + 2) % 3]));
+      if (k == 3 || own > order)
       {
-        const Vec3 from = position(this->corners[k]);
-        const Vec3 to = position(this->corners[(k + 1) % 3]);
-        const std::pair<double, Vec3> own(norm(to - from), position(this->corners[(k + 2) % 3]));
-        if (best == 3 || own > order)
-        {
-          best = k;
-          order = own;
-        }
+        k = i;
+        order = own;
       }
     }
-    return best;
   }
-};
+  if (k == 3)
+  {
+    parts.push_back(corners);
+    return;
+  }
+  const std::size_t next = (k + 1) % 3;
+  const std::size_t previous = (k + 2) % 3;
+  // The middle one from either end.
+  const std::size_t count = splits[k].size();
+  const bool isForward = position(corners[k]) < position(corners[next]);
+  const auto at =
+    splits[k].begin() + static_cast<std::ptrdiff_t>(isForward ? (count - 1) / 2 : count / 2);
+  cutAtEdges({ corners[k], *at, corners[previous] },
+    { std::vector<Id>(splits[k].begin(), at), {}, splits[previous] }, position, parts);
+  cutAtEdges({ *at, corners[next], corners[previous] },
+    { std::vector<Id>(at + 1, splits[k].end()), splits[next], {} }, position, parts);
+}
 
 /// Gives triangles the parts of their templates, with points of their own.
 class TemplateCopier
@@ -327,7 +309,7 @@ private:
         ? this->faces_.position(vertices[static_cast<std::size_t>(corner)])
         : this->refined_.points[point - this->refined_.numberOfInputPoints].position;
     };
-    SplitTriangle cut{ points, {} };
+    EdgeSplits splits;
     for (std::size_t k = 0; k < 3; ++k)
     {
       if (triangle.atEdges[k] != NoId)
@@ -335,17 +317,17 @@ private:
         this->begin(triangle, triangle.atEdges[k]);
         for (const Id point : triangle.splits[k])
         {
-          cut.splits[k].push_back(this->ownPoint(point));
+          splits[k].push_back(this->ownPoint(point));
         }
         const GlobalFace& face = this->like_->face;
         const Id edge = face.edgeBetween(triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
         if (face.vertices[edge] != triangle.vertices[k])
         {
-          std::reverse(cut.splits[k].begin(), cut.splits[k].end());
+          std::reverse(splits[k].begin(), splits[k].end());
         }
       }
     }
-    cut.cut(positionOf, triangles);
+    cutAtEdges(points, splits, positionOf, triangles);
   }
 
   const PolyDataSurface& surface_;
