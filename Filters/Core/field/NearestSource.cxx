@@ -213,28 +213,21 @@ Foot NearestSource::of(const IncomingSegment& piece)
 // Whether the piece begins on a curve, not at a pseudo-source.
 bool NearestSource::isFromCurve(const IncomingSegment& piece) const
 {
-  switch (piece.kind)
-  {
-    case IncomingSegment::Kind::Corner:
-      return this->onCurveAt(piece.origin) != nullptr;
-    case IncomingSegment::Kind::Window:
-      return CurveSide::isOne(piece.origin, this->field_.surface().numberOfGlobalVertices());
-    default:
-      return true;
-  }
+  return piece.kind == IncomingSegment::Kind::Corner
+    ? this->onCurveAt(piece.origin) != nullptr
+    : piece.kind != IncomingSegment::Kind::Window ||
+      CurveSide::isOne(piece.origin, this->field_.surface().numberOfGlobalVertices());
 }
 
 CurveOrigin NearestSource::originOf(const IncomingSegment& piece)
 {
-  switch (piece.kind)
+  if (piece.kind == IncomingSegment::Kind::None)
   {
-    case IncomingSegment::Kind::None:
-      return {};
-    case IncomingSegment::Kind::Source:
-      return this->atSource(piece);
-    case IncomingSegment::Kind::Corner:
-    case IncomingSegment::Kind::Window:
-      break;
+    return {};
+  }
+  if (piece.kind == IncomingSegment::Kind::Source)
+  {
+    return this->atSource(piece);
   }
   if (this->isPoint(piece.origin))
   {

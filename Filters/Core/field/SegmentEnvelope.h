@@ -10,6 +10,14 @@
 namespace geodesic
 {
 
+/// A segment in the plane of a face, from p along the unit vector u.
+struct PlaneSegment
+{
+  Vec2 p;
+  Vec2 u;
+  double length;
+};
+
 /// Builds the exact piecewise distance along any segment of a face: a segment splits a pencil of
 /// rays as an edge does, so that no propagation is needed (paper, section 6). One face suffices for
 /// its own edges, too.
@@ -24,26 +32,12 @@ public:
   const std::vector<Window>& along(const FaceDistance& face, Vec2 p, Vec2 q);
 
 private:
-  /// The segment from p along the unit vector u.
-  struct Segment
-  {
-    Vec2 p;
-    Vec2 u;
-    double length;
-  };
-
   double chooseNear(const FaceDistance& face, Vec2 middle, double length);
   double leastNear(Vec2 p) const;
   bool agrees(double x, double distance) const;
-  bool build(const Segment& segment, bool withBent);
-  void takePieces(const Segment& segment);
+  bool build(const PlaneSegment& segment, bool withBent);
+  void takePieces(double length);
   bool joinNeighbours(double length);
-
-  void addPieces(const DistanceCandidate& c, const Segment& segment, bool withBent);
-  void addPencil(const DistanceCandidate& c, const Segment& segment, bool withBent);
-  void addSource(const DistanceCandidate& c, const Segment& segment);
-  void addLinear(double sigma, double slope, double depth, double begin, double end);
-  void addCone(Vec2 apex, double sigma, const Segment& segment, double begin, double end);
 
   std::vector<const DistanceCandidate*> near_;
   std::vector<double> inMiddle_;
