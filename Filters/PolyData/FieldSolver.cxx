@@ -3,8 +3,8 @@
 
 #include "PolyData/FilterExecution.h"
 #include "PolyData/ParallelFor.h"
+#include "field/DistanceField.h"
 #include "field/NearestSource.h"
-#include "field/Solve.h"
 #include "refinement/AdaptiveRefinement.h"
 #include "refinement/SolveForRefinement.h"
 #include "refinement/SourceRegions.h"

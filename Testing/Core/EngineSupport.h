@@ -7,7 +7,7 @@
 #include "truth/RandomMeshKinds.h"
 #include "truth/TestMeshes.h"
 
-#include "field/Solve.h"
+#include "field/DistanceField.h"
 #include "mesh/SurfacePoint.h"
 #include "mesh/TriangleMesh.h"
 #include "paths/JoinPoints.h"

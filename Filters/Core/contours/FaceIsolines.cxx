@@ -2,7 +2,6 @@
 #include "contours/FaceIsolines.h"
 
 #include "Tolerance.h"
-#include "field/SegmentCrossings.h"
 #include "field/SegmentEnvelope.h"
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 #include "contours/FaceIsolines.h"
 #include "contours/IsolineJoin.h"
 #include "field/DistanceRange.h"
-#include "field/SegmentCrossings.h"
 #include "field/SegmentEnvelope.h"
 #include "field/WatchedTasks.h"
 

@@ -2,8 +2,8 @@
 #include "contours/SolveForIsolines.h"
 
 #include "Tolerance.h"
+#include "field/DistanceField.h"
 #include "field/DistanceRange.h"
-#include "field/Solve.h"
 #include "front/Retention.h"
 
 #include <algorithm>

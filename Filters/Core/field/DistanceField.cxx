@@ -15,18 +15,9 @@ namespace
 
 double leastDistance(const DistanceField& field, Id face, const SurfacePoint& place)
 {
-  const Barycentric point = barycentric(field.mesh(), place, face);
   double least = Infinity;
-  const auto take = [&](double distance) { least = std::min(least, distance); };
-  forEachWayFromSource(field, face, point,
-    [&](const SourceInFace&, const Barycentric&, double length) { take(length); });
-  forEachWayFromCorner(
-    field, face, place, point, [&](std::size_t, double distance, double) { take(distance); });
-  for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
-  {
-    forEachWayThrough(field, halfedge, inHalfedgeFrame(field.mesh(), halfedge, point),
-      [&](const Window&, double, double distance, double) { take(distance); });
-  }
+  forEachWay(
+    field, face, place, [&](const WayIntoFace& way) { least = std::min(least, way.distance); });
   return least;
 }
 
@@ -80,6 +71,26 @@ double DistanceField::distance(const SurfacePoint& point) const
       "The distance inside a face was asked for, but the solve did not keep the windows there.");
   }
   return least;
+}
+
+DistanceField solve(const MeshPartition& surface, SourceWindows sources,
+  const FrontOptions& options, KeepWindows keep)
+{
+  if (keep == KeepWindows::None)
+  {
+    KeepNone none;
+    return { surface, propagate(surface, std::move(sources), options, none), KeptWindows() };
+  }
+  KeepAll all(surface.mesh());
+  FrontResult front = propagate(surface, std::move(sources), options, all);
+  return { surface, std::move(front), all.release() };
+}
+
+DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
+  const FrontOptions& options, KeepWindows keep)
+{
+  return solve(
+    MeshPartition(mesh), startingWindows(mesh, sources, options.progress), options, keep);
 }
 
 }

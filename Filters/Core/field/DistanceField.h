@@ -9,6 +9,8 @@
 #include "window/WindowArchive.h"
 
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -85,6 +87,59 @@ private:
   FrontResult front_;
   KeptWindows kept_;
 };
+
+/// Which windows a solve keeps.
+enum class KeepWindows
+{
+  /// Distances at vertices only, in the least memory.
+  None,
+  /// The distance can be evaluated at any surface point, and paths traced.
+  All
+};
+
+/// Computes the field of the geodesic distance to the curves (paper, sections 3 to 5). For a field
+/// that is to be refined solveForRefinement() needs less memory.
+///
+/// \param surface whose mesh must outlive the field.
+/// \param sources the first windows and vertices, see propagate().
+/// \throws SourceError if there is no curve; Error if the relative error is not a number >= 0;
+///         Aborted.
+DistanceField solve(const MeshPartition& surface, SourceWindows sources,
+  const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);
+
+/// The same in one process, from the curves themselves.
+DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
+  const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);
+
+/// Solves with windows dropped. If any rank has dropped windows that turn out to be needed, all
+/// ranks solve again and keep these.
+///
+/// \param maximumSolves the largest number of solves.
+/// \param makeRetention (pinned) -> a retention with droppedTooEarly() and release(). For each
+///        face, `pinned` is not 0 if the face's windows must not be dropped.
+/// \param pinned faces whose windows must not be dropped in the first solve; empty: none.
+/// \returns nothing if the last solve has dropped needed windows, too: then all must be kept.
+template <typename MakeRetention>
+std::optional<DistanceField> solveDropping(const MeshPartition& surface,
+  const SourceWindows& sources, const FrontOptions& options, int maximumSolves,
+  const MakeRetention& makeRetention, std::vector<std::uint8_t> pinned = {})
+{
+  pinned.resize(surface.mesh().numberOfFaces(), 0);
+  for (int solves = 0; solves < maximumSolves; ++solves)
+  {
+    auto retention = makeRetention(pinned);
+    FrontResult front = propagate(surface, sources, options, retention);
+    if (!surface.exchange().isTrueAnywhere(!retention.droppedTooEarly().empty()))
+    {
+      return DistanceField(surface, std::move(front), retention.release());
+    }
+    for (const Id face : retention.droppedTooEarly())
+    {
+      pinned[face] = 1;
+    }
+  }
+  return std::nullopt;
+}
 
 }
 

@@ -3,16 +3,61 @@
 
 #include "Errors.h"
 #include "Tolerance.h"
-#include "field/IncomingRay.h"
-#include "field/WaysIntoFace.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace geodesic
 {
 
 namespace
 {
+
+/// How far apart rounding of a face's corners may put places in the face.
+double roundingOf(const TriangleMesh& mesh, Id face)
+{
+  double largest = 0.0;
+  for (const Id vertex : mesh.triangle(face))
+  {
+    largest = std::max(largest, largestCoordinate(mesh.point(vertex)));
+  }
+  return tolerance::SnapRoundings * tolerance::Rounding * largest;
+}
+
+/// The ray where it enters a face without area that it leaves. The whole face lies on one line, so
+/// that the ray enters and leaves at one place. An edge as short as the rounding of its ends has no
+/// direction.
+IncomingRay acrossFaceWithoutArea(const TriangleMesh& mesh, const IncomingRay& ray)
+{
+  const Id left = TriangleMesh::previousInFace(ray.halfedge);
+  const Id right = TriangleMesh::nextInFace(ray.halfedge);
+  const double rounding = roundingOf(mesh, TriangleMesh::faceOf(ray.halfedge));
+  const double apex = apexOf(mesh, ray.halfedge).x;
+  const bool isLeft =
+    mesh.length(left) > rounding && (ray.x < apex || mesh.length(right) <= rounding);
+  const Id in = isLeft ? left : right;
+  return { in, false, isLeft ? apex - ray.x : mesh.length(ray.halfedge) - ray.x,
+    turned(mesh, ray.direction, ray.halfedge, in) };
+}
+
+/// Whether a face has an area that is more than rounding of its corners, so that it has a plane.
+bool hasPlane(const TriangleMesh& mesh, Id face)
+{
+  const FaceShape& shape = mesh.shape(face);
+  return !shape.hasZeroArea() && shape.area2 > roundingOf(mesh, face) * shape.longest();
+}
+
+/// The same ray in the next face at the edge of the halfedge. The frame of a halfedge in the
+/// opposite direction is rotated by pi, that of one in the same direction is mirrored.
+IncomingRay acrossEdge(const TriangleMesh& mesh, const IncomingRay& ray)
+{
+  const Id behind = mesh.nextSibling(ray.halfedge);
+  const bool isOpposed = mesh.origin(behind) == mesh.destination(ray.halfedge);
+  return { behind, true, isOpposed ? mesh.length(behind) - ray.x : ray.x,
+    { isOpposed ? -ray.direction.x : ray.direction.x, -ray.direction.y } };
+}
+
+using Kind = WayIntoFace::Kind;
 
 bool isZero(Vec2 v)
 {
@@ -55,69 +100,18 @@ public:
   {
   }
 
-  /// Goes to a face around the point.
-  void enter(Id face)
+  /// Looks at the ways through the face, maybe at those of one kind only.
+  void comeThrough(Id face, Kind only = Kind::None)
   {
-    this->face_ = face;
-    this->inFace_ = barycentric(this->mesh_, this->point_, face);
-    this->faceSize_ = this->mesh_.shape(face).longest();
-    // Ways across a face without area are as short as rounding. Paths bend at its corners only.
-    this->leastBend_ = hasPlane(this->mesh_, face) ? 0.0 : tolerance::NearEdge * this->faceSize_;
-  }
-
-  void comeFromSources()
-  {
-    forEachWayFromSource(this->field_, this->face_, this->inFace_,
-      [&](const SourceInFace& source, const Barycentric& begin, double length)
+    this->enter(face);
+    forEachWay(this->field_, face, this->point_,
+      [&](const WayIntoFace& way)
       {
-        if (this->improve(IncomingSegment::Kind::Source, length, length))
+        if (only == Kind::None || way.kind == only)
         {
-          this->best_.ray = this->rayFrom(begin);
-          this->best_.source = source;
-          this->best_.along = nearestAlongSource(this->mesh_, source, this->inFace_);
+          way.kind == Kind::Window ? this->takeWindow(way) : this->takeStart(way);
         }
       });
-  }
-
-  void comeFromCorners()
-  {
-    forEachWayFromCorner(this->field_, this->face_, this->point_, this->inFace_,
-      [&](std::size_t k, double distance, double length)
-      {
-        if (this->improve(IncomingSegment::Kind::Corner, distance, length))
-        {
-          this->best_.ray = this->rayFrom(cornerWeights(k));
-          this->setCorner(this->mesh_.triangle(this->face_)[k]);
-        }
-      });
-  }
-
-  /// Windows of a halfedge that holds the point came through the face behind the halfedge.
-  void comeThroughWindows()
-  {
-    for (Id k = 0; k < 3; ++k)
-    {
-      const Id halfedge = 3 * this->face_ + k;
-      const bool isOnIt = isOnHalfedge(this->inFace_, k);
-      // At an edge of three and more faces the path may have come through any of the others.
-      const bool isUnsure = isOnIt && !this->mesh_.isInner(halfedge);
-      const Vec2 p = inHalfedgeFrame(this->mesh_, halfedge, this->inFace_);
-      forEachWayThrough(this->field_, halfedge, p,
-        [&](const Window& w, double x, double distance, double)
-        {
-          const WayFrom way = wayFrom(x, p, w.direction(x), this->faceSize_, this->leastBend_);
-          const double straight = w.isLinear() ? distance : distance - w.sigma;
-          if (this->improve(
-                IncomingSegment::Kind::Window, distance, isUnsure || way.isBent ? 0.0 : straight))
-          {
-            const IncomingRay ray = { halfedge, false, x, way.direction };
-            this->best_.ray = isOnIt ? acrossEdge(this->mesh_, ray) : ray;
-            this->best_.origin = w.origin;
-            this->best_.place = w.placeOf({ x, 0.0 });
-            this->best_.rayOfWindow = way.isBent ? w.direction(x) : way.direction;
-          }
-        });
-    }
   }
 
   /// Takes the piece that the vertex remembers.
@@ -129,7 +123,7 @@ public:
     if (!arrival.isThroughWindow())
     {
       const std::size_t k = this->cornerWithNumber(arrival.origin);
-      this->best_.kind = IncomingSegment::Kind::Corner;
+      this->best_.kind = Kind::Corner;
       this->best_.ray = this->rayFrom(cornerWeights(k));
       this->best_.place = arrival.place;
       this->setCorner(this->mesh_.triangle(this->face_)[k]);
@@ -137,7 +131,7 @@ public:
     }
     const WayFrom way = wayFrom(arrival.x, apexOf(this->mesh_, arrival.halfedge), arrival.direction,
       this->faceSize_, this->leastBend_);
-    this->best_.kind = IncomingSegment::Kind::Window;
+    this->best_.kind = Kind::Window;
     this->best_.ray = { arrival.halfedge, false, arrival.x, way.direction };
     this->best_.origin = arrival.origin;
     this->best_.place = arrival.place;
@@ -146,7 +140,7 @@ public:
     if (way.isBent && corner != NoId)
     {
       // The way along the edge is as long, but the window's origin lies on one side of the edge.
-      this->best_.kind = IncomingSegment::Kind::Corner;
+      this->best_.kind = Kind::Corner;
       this->setCorner(corner);
     }
   }
@@ -154,7 +148,7 @@ public:
   /// The direction is known only in the plane of a face that has an area.
   void leaveFacesWithoutArea()
   {
-    if (this->best_.kind == IncomingSegment::Kind::Window)
+    if (this->best_.kind == Kind::Window)
     {
       this->best_.ray = backToDirectionInSpace(this->mesh_, this->best_.ray);
     }
@@ -164,24 +158,68 @@ public:
   /// Whether the best piece comes from a corner and has no length.
   bool isAtCorner() const
   {
-    return this->best_.kind == IncomingSegment::Kind::Corner && isZero(this->best_.ray.direction);
+    return this->best_.kind == Kind::Corner && isZero(this->best_.ray.direction);
   }
   /// Whether the best piece comes from a corner, is as short as rounding, and the corner itself has
   /// a direction.
   bool isBesideCorner() const
   {
     const double rounding = tolerance::PlaceRounding * (this->faceSize_ + this->best_.distance);
-    return this->best_.kind == IncomingSegment::Kind::Corner &&
-      norm(this->best_.ray.direction) <= rounding &&
+    return this->best_.kind == Kind::Corner && norm(this->best_.ray.direction) <= rounding &&
       this->field_.vertexDistances()[this->corner_] > 0.0 &&
       this->field_.arrivals()[this->corner_].isKnown();
   }
   Id corner() const { return this->corner_; }
 
 private:
+  /// Goes to a face around the point.
+  void enter(Id face)
+  {
+    this->face_ = face;
+    this->inFace_ = barycentric(this->mesh_, this->point_, face);
+    this->faceSize_ = this->mesh_.shape(face).longest();
+    // Ways across a face without area are as short as rounding. Paths bend at its corners only.
+    this->leastBend_ = hasPlane(this->mesh_, face) ? 0.0 : tolerance::NearEdge * this->faceSize_;
+  }
+
+  /// A piece from a source or from a corner.
+  void takeStart(const WayIntoFace& way)
+  {
+    if (!this->improve(way.kind, way.distance, way.length))
+    {
+      return;
+    }
+    this->best_.ray = this->rayFrom(way.begin);
+    if (way.kind == Kind::Corner)
+    {
+      this->setCorner(way.vertex);
+      return;
+    }
+    this->best_.source = *way.source;
+    this->best_.along = nearestAlongSource(this->mesh_, *way.source, this->inFace_);
+  }
+
+  void takeWindow(const WayIntoFace& way)
+  {
+    const Window& w = *way.window;
+    const Vec2 p = inHalfedgeFrame(this->mesh_, way.halfedge, this->inFace_);
+    const WayFrom from = wayFrom(way.x, p, w.direction(way.x), this->faceSize_, this->leastBend_);
+    // At an edge of three and more faces the path may have come through any of the others.
+    const bool isUnsure = way.isBehind && !this->mesh_.isInner(way.halfedge);
+    const double straight = w.isLinear() ? way.distance : way.distance - w.sigma;
+    if (this->improve(Kind::Window, way.distance, isUnsure || from.isBent ? 0.0 : straight))
+    {
+      const IncomingRay ray = { way.halfedge, false, way.x, from.direction };
+      this->best_.ray = way.isBehind ? acrossEdge(this->mesh_, ray) : ray;
+      this->best_.origin = w.origin;
+      this->best_.place = w.placeOf({ way.x, 0.0 });
+      this->best_.rayOfWindow = from.isBent ? w.direction(way.x) : from.direction;
+    }
+  }
+
   // If ways are equally long but for rounding, the one whose end is straight the longest gives the
   // best direction. A way from a corner as near as rounding gives none.
-  bool improve(IncomingSegment::Kind kind, double distance, double straight)
+  bool improve(Kind kind, double distance, double straight)
   {
     const double shortest = this->best_.distance;
     const bool isTie =
@@ -250,22 +288,12 @@ void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPie
   // The path comes straight from a source in a face, or from a corner so near that rounding has
   // hidden the arrival. Once a source is found, corners as near as rounding must not be taken:
   // their own paths may come from this vertex.
-  forEachFace(field.mesh(), point,
-    [&](Id face)
-    {
-      search.enter(face);
-      search.comeFromSources();
-    });
-  if (field.arrivals()[point.id].isKnown() && search.best().kind == IncomingSegment::Kind::Source)
+  forEachFace(field.mesh(), point, [&](Id face) { search.comeThrough(face, Kind::Source); });
+  if (field.arrivals()[point.id].isKnown() && search.best().kind == Kind::Source)
   {
     return;
   }
-  forEachFace(field.mesh(), point,
-    [&](Id face)
-    {
-      search.enter(face);
-      search.comeFromCorners();
-    });
+  forEachFace(field.mesh(), point, [&](Id face) { search.comeThrough(face, Kind::Corner); });
 }
 
 // If vertices are at one place, but for rounding, the direction is known at the one that the paths
@@ -319,10 +347,7 @@ IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint
       if (field.knowsInside(face))
       {
         isKnown = true;
-        search.enter(face);
-        search.comeFromSources();
-        search.comeFromCorners();
-        search.comeThroughWindows();
+        search.comeThrough(face);
       }
     });
   if (!isKnown && !field.hasWindows())
@@ -333,9 +358,33 @@ IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint
   return search.isAtCorner() ? lastPieceToVertex(field, search.corner()) : search.best();
 }
 
+bool isInSpace(const TriangleMesh& mesh, const IncomingRay& ray)
+{
+  return hasPlane(mesh, TriangleMesh::faceOf(ray.halfedge)) ||
+    std::abs(ray.direction.y) <= tolerance::GrazingAngle * std::abs(ray.direction.x);
+}
+
+IncomingRay backToDirectionInSpace(const TriangleMesh& mesh, IncomingRay ray)
+{
+  std::vector<Id> passed; // no path crosses a face twice
+  while (!isInSpace(mesh, ray))
+  {
+    ray = ray.leaves ? acrossFaceWithoutArea(mesh, ray) : ray;
+    const Id face = TriangleMesh::faceOf(ray.halfedge);
+    if (mesh.isBoundary(ray.halfedge) ||
+      std::find(passed.begin(), passed.end(), face) != passed.end())
+    {
+      return ray;
+    }
+    passed.push_back(face);
+    ray = acrossEdge(mesh, ray);
+  }
+  return ray;
+}
+
 Vec3 gradientOf(const TriangleMesh& mesh, const IncomingSegment& piece)
 {
-  return piece.kind != IncomingSegment::Kind::None && piece.distance > 0.0
+  return piece.kind != Kind::None && piece.distance > 0.0
     ? inSpace(mesh, piece.ray.halfedge, piece.ray.direction)
     : Vec3{};
 }

@@ -2,27 +2,28 @@
 #ifndef geodesic_IncomingSegment_h
 #define geodesic_IncomingSegment_h
 
-#include "field/DistanceField.h"
-#include "field/IncomingRay.h"
+#include "field/WaysIntoFace.h"
 
 namespace geodesic
 {
+
+/// The ray of a shortest path that crosses a halfedge.
+struct IncomingRay
+{
+  Id halfedge = NoId;
+  /// Whether it leaves the halfedge's face there. If not, it comes into the face.
+  bool leaves = false;
+  /// Where it crosses, and its direction of any length, in the halfedge's frame.
+  double x = 0.0;
+  Vec2 direction = {};
+};
 
 /// The last straight piece of a shortest path to a point of the surface. If there are several
 /// shortest paths, it is that of one of them.
 struct IncomingSegment
 {
-  enum class Kind : std::uint8_t
-  {
-    /// The point was not reached, or there is no piece: a vertex on the source.
-    None,
-    /// From a source in the face.
-    Source,
-    /// From a corner of the face.
-    Corner,
-    /// Through a window.
-    Window
-  };
+  /// None: the point was not reached, or there is no piece: a vertex on the source.
+  using Kind = WayIntoFace::Kind;
 
   Kind kind = Kind::None;
   double distance = Infinity;
@@ -49,6 +50,15 @@ IncomingSegment incomingSegmentTo(const DistanceField& field, const SurfacePoint
 /// The end of the arrival's halfedge at which the path crosses it, but for rounding; NoId if it
 /// crosses between the ends.
 Id cornerCrossed(const TriangleMesh& mesh, const Arrival& arrival);
+
+/// Whether the ray's direction is one in space: the halfedge's face has a plane, or the ray runs
+/// along the halfedge.
+bool isInSpace(const TriangleMesh& mesh, const IncomingRay& ray);
+
+/// Follows the ray back from its end to the first face in which its direction is one in space. If
+/// the way back ends at the boundary, or goes in a circle of faces without area, the result is the
+/// ray as it enters the last of these faces.
+IncomingRay backToDirectionInSpace(const TriangleMesh& mesh, IncomingRay ray);
 
 /// The gradient of the distance at a point whose shortest path ends with this piece: a unit vector
 /// in the plane of the face that the path comes through; zero on the source and if there is no

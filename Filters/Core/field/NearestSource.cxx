@@ -2,13 +2,115 @@
 #include "field/NearestSource.h"
 
 #include "Errors.h"
-#include "field/RemoteOrigins.h"
+#include "Questions.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace geodesic
 {
+
+namespace
+{
+
+using Origins = std::unordered_map<Id, CurveOrigin>;
+
+// Each round doubles the length, so that no chain of vertices needs more rounds. Origins that are
+// open after these rounds are vertices at one place that name each other.
+constexpr int MaximumSteps = 33;
+
+/// The vertices, counted elsewhere, that paths to points of the part may come from, open.
+Origins openOrigins(const DistanceField& field)
+{
+  const MeshPartition& part = field.surface();
+  Origins origins;
+  const auto add = [&](Id number)
+  {
+    if (number < part.numberOfGlobalVertices() && part.countedVertex(number) == NoId)
+    {
+      origins[number] = { number };
+    }
+  };
+  for (Id vertex = 0; vertex < part.mesh().numberOfVertices(); ++vertex)
+  {
+    add(part.globalId(vertex));
+    add(field.arrivals()[vertex].origin);
+  }
+  for (Id halfedge = 3 * part.firstOwnFace(); halfedge < 3 * part.endOfOwnFaces(); ++halfedge)
+  {
+    Id last = NoId; // windows of one origin often stand together
+    for (const Window& window : field.windowsOn(halfedge))
+    {
+      if (window.origin != last)
+      {
+        add(window.origin);
+        last = window.origin;
+      }
+    }
+  }
+  return origins;
+}
+
+/// Finds the origins of paths that come from vertices counted by other ranks: of the vertices of
+/// this rank's part that are not counted here, and of those that its windows name. A chain of
+/// pseudo-sources may lead through many ranks. In each round, every rank asks for the origin of the
+/// vertex that it has followed a chain to. As the ranks asked follow their own chains at the same
+/// time, each round doubles the known length of the chains.
+///
+/// All ranks call this together.
+///
+/// \param field on this rank's part, with arrivals.
+/// \param atVertices for each vertex of the part. Of a vertex counted here: its origin on the
+///        source, as in Window; NoId if there is none; or, still open, the vertex counted elsewhere
+///        that its path comes from. Open origins are replaced, those of vertices counted elsewhere
+///        are set.
+/// \returns the origins by the vertices' global ids; NoId for paths without one.
+Origins originsElsewhere(const DistanceField& field, std::vector<CurveOrigin>& atVertices)
+{
+  const MeshPartition& part = field.surface();
+  Exchange& exchange = part.exchange();
+  Origins elsewhere = openOrigins(field);
+  const auto isOpen = [&](const CurveOrigin& origin)
+  { return origin.origin < part.numberOfGlobalVertices(); };
+  const auto isOpenEntry = [&](const Origins::value_type& entry) { return isOpen(entry.second); };
+  for (int steps = 0; steps < MaximumSteps &&
+       exchange.isTrueAnywhere(std::any_of(elsewhere.begin(), elsewhere.end(), isOpenEntry));
+       ++steps)
+  {
+    Questions questions(exchange);
+    std::vector<CurveOrigin*> asked;
+    for (auto& [number, origin] : elsewhere)
+    {
+      if (isOpen(origin))
+      {
+        questions.ask(part.rankCounting(origin.origin), asked.size(), origin.origin);
+        asked.push_back(&origin);
+      }
+    }
+    questions.exchangeAnswers(
+      [&](MessageReader& question, Message& answer)
+      {
+        const CurveOrigin& origin = atVertices[part.countedVertex(question.get<Id>())];
+        put(answer, isOpen(origin) ? elsewhere[origin.origin] : origin);
+      },
+      [&](std::size_t i, MessageReader& answer) { *asked[i] = answer.get<CurveOrigin>(); });
+  }
+  for (auto& [number, origin] : elsewhere)
+  {
+    origin = isOpen(origin) ? CurveOrigin() : origin;
+  }
+  for (Id vertex = 0; vertex < atVertices.size(); ++vertex)
+  {
+    const Id number = part.globalId(vertex);
+    CurveOrigin& origin = atVertices[vertex];
+    origin = part.countedVertex(number) == NoId ? elsewhere[number]
+      : isOpen(origin)                          ? elsewhere[origin.origin]
+                                                : origin;
+  }
+  return elsewhere;
+}
+
+} // anonymous namespace
 
 NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const ProgressCallback& callback)
@@ -111,28 +213,21 @@ Foot NearestSource::of(const IncomingSegment& piece)
 // Whether the piece begins on a curve, not at a pseudo-source.
 bool NearestSource::isFromCurve(const IncomingSegment& piece) const
 {
-  switch (piece.kind)
-  {
-    case IncomingSegment::Kind::Corner:
-      return this->onCurveAt(piece.origin) != nullptr;
-    case IncomingSegment::Kind::Window:
-      return CurveSide::isOne(piece.origin, this->field_.surface().numberOfGlobalVertices());
-    default:
-      return true;
-  }
+  return piece.kind == IncomingSegment::Kind::Corner
+    ? this->onCurveAt(piece.origin) != nullptr
+    : piece.kind != IncomingSegment::Kind::Window ||
+      CurveSide::isOne(piece.origin, this->field_.surface().numberOfGlobalVertices());
 }
 
 CurveOrigin NearestSource::originOf(const IncomingSegment& piece)
 {
-  switch (piece.kind)
+  if (piece.kind == IncomingSegment::Kind::None)
   {
-    case IncomingSegment::Kind::None:
-      return {};
-    case IncomingSegment::Kind::Source:
-      return this->atSource(piece);
-    case IncomingSegment::Kind::Corner:
-    case IncomingSegment::Kind::Window:
-      break;
+    return {};
+  }
+  if (piece.kind == IncomingSegment::Kind::Source)
+  {
+    return this->atSource(piece);
   }
   if (this->isPoint(piece.origin))
   {

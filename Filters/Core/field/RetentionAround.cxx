@@ -26,7 +26,7 @@ RetentionAround::RetentionAround(
   }
 }
 
-void RetentionAround::keepAroundIrregularEdges()
+void RetentionAround::keepForPaths(const MeshPartition& part)
 {
   const bool hasSome = this->mesh().numberOfNonManifoldEdges() > 0;
   for (Id halfedge = 0; hasSome && halfedge < this->mesh().numberOfHalfedges(); ++halfedge)
@@ -36,6 +36,21 @@ void RetentionAround::keepAroundIrregularEdges()
       this->keep(TriangleMesh::faceOf(halfedge));
     }
   }
+  std::vector<Message> messages = part.exchange().noMessages();
+  for (const SurfacePoint& target : this->targets_)
+  {
+    if (target.kind == SurfacePoint::Kind::Edge)
+    {
+      forEachFace(this->mesh(), target,
+        [&](Id face)
+        {
+          const RankAddress address = part.addressOf(face);
+          put(messages[rankIndex(address.rank)], address.id);
+        });
+    }
+  }
+  readEach(part.exchange().step(std::move(messages)),
+    [this](int, MessageReader& reader) { this->keep(reader.get<Id>()); });
 }
 
 double RetentionAround::upperBound(const SurfacePoint& target, const VertexNumbers& distances) const

@@ -3,6 +3,7 @@
 #define geodesic_RetentionAround_h
 
 #include "front/Retention.h"
+#include "mesh/MeshPartition.h"
 #include "mesh/SurfacePoint.h"
 
 #include <vector>
@@ -19,11 +20,10 @@ public:
   RetentionAround(
     const TriangleMesh& mesh, const std::vector<SurfacePoint>& targets, double limit = Infinity);
 
-  /// Keeps what paths (PathTracer) also need, the windows of faces around edges of three and more
-  /// faces; before the front begins.
-  void keepAroundIrregularEdges();
-  /// Keeps the windows of a face for a target of another rank; before the front begins.
-  void keepForOthers(Id face) { this->keep(face); }
+  /// Keeps what paths (PathTracer) also need: the windows of faces around edges of three and more
+  /// faces, and those around targets on edges in the faces of all ranks there. All ranks call this
+  /// together before the front begins.
+  void keepForPaths(const MeshPartition& part);
 
   double reach() const override { return this->reach_; }
   void advance(const FrontState& front) override;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace geodesic
 {
@@ -16,6 +17,140 @@ namespace
 double jointSlack(double length, double distance)
 {
   return tolerance::JointFraction * length + tolerance::FaceRounding * distance;
+}
+
+/// The pieces of candidates along a segment, which the functions below append.
+using Pieces = std::vector<Window>;
+
+void addLinear(Pieces& pieces, double sigma, double slope, double depth, const Interval& x)
+{
+  if (!x.isEmpty())
+  {
+    pieces.push_back(
+      { x.begin, x.end, slope, std::abs(depth), sigma, 0.0, Window::Kind::Linear, 0 });
+  }
+}
+
+void addCone(
+  Pieces& pieces, Vec2 apex, double sigma, const PlaneSegment& segment, const Interval& x)
+{
+  if (!x.isEmpty())
+  {
+    const Vec2 toApex = apex - segment.p;
+    pieces.push_back({ x.begin, x.end, dot(toApex, segment.u), std::abs(cross(toApex, segment.u)),
+      sigma, 0.0, Window::Kind::Circular, 0 });
+  }
+}
+
+/// Parallel rays to both sides of the source, and its two ends.
+void addSource(Pieces& pieces, const DistanceCandidate& c, const PlaneSegment& segment)
+{
+  const auto& [p, u, length] = segment;
+  addCone(pieces, c.begin, 0.0, segment, { 0.0, length });
+  addCone(pieces, c.end, 0.0, segment, { 0.0, length });
+  const double sourceLength = norm(c.end - c.begin);
+  if (!(sourceLength > 0.0))
+  {
+    return;
+  }
+  const Vec2 t = (1.0 / sourceLength) * (c.end - c.begin);
+  const double along = dot(p - c.begin, t);
+  const double alongSlope = dot(u, t);
+  Interval strip{ 0.0, length };
+  strip.clip(along, alongSlope);
+  strip.clip(sourceLength - along, -alongSlope);
+  strip.widen(tolerance::PencilMargin * length, length);
+  for (const double sign : { 1.0, -1.0 })
+  {
+    const double height = sign * cross(t, p - c.begin);
+    const double slope = sign * cross(t, u);
+    Interval oneSide = strip;
+    oneSide.clip(height, slope);
+    addLinear(pieces, height, slope, alongSlope, oneSide);
+  }
+}
+
+/// Between the rays through the window's ends paths are straight, beyond these rays they bend at
+/// the ends.
+void addPencil(
+  Pieces& pieces, const DistanceCandidate& c, const PlaneSegment& segment, bool withBent)
+{
+  const auto& [p, u, length] = segment;
+  const bool linear = c.kind == DistanceCandidate::Kind::Linear;
+  const Vec2 first = linear ? c.source : c.begin - c.source;
+  const Vec2 last = linear ? c.source : c.end - c.source;
+  const double leftOfBegin = cross(first, p - c.begin);
+  const double leftOfBeginSlope = cross(first, u);
+  const double leftOfEnd = cross(last, p - c.end);
+  const double leftOfEndSlope = cross(last, u);
+  const double margin = tolerance::PencilMargin * length;
+  Interval straight{ 0.0, length };
+  straight.clip(-leftOfBegin, -leftOfBeginSlope);
+  straight.clip(leftOfEnd, leftOfEndSlope);
+  straight.widen(margin, length);
+  if (linear)
+  {
+    addLinear(pieces, c.sigma + dot(c.source, p), dot(c.source, u), cross(c.source, u), straight);
+  }
+  else
+  {
+    addCone(pieces, c.source, c.sigma, segment, straight);
+  }
+  if (withBent)
+  {
+    Interval before{ 0.0, length };
+    before.clip(leftOfBegin, leftOfBeginSlope);
+    before.widen(margin, length);
+    addCone(pieces, c.begin, c.atBegin, segment, before);
+    Interval behind{ 0.0, length };
+    behind.clip(-leftOfEnd, -leftOfEndSlope);
+    behind.widen(margin, length);
+    addCone(pieces, c.end, c.atEnd, segment, behind);
+  }
+}
+
+void addPieces(
+  Pieces& pieces, const DistanceCandidate& c, const PlaneSegment& segment, bool withBent)
+{
+  switch (c.kind)
+  {
+    case DistanceCandidate::Kind::Cone:
+      addCone(pieces, c.source, c.sigma, segment, { 0.0, segment.length });
+      break;
+    case DistanceCandidate::Kind::Segment:
+      addSource(pieces, c, segment);
+      break;
+    case DistanceCandidate::Kind::Circular:
+    case DistanceCandidate::Kind::Linear:
+      addPencil(pieces, c, segment, withBent);
+      break;
+  }
+}
+
+/// The two places where a window has a value, in their order; one of a linear window is infinite.
+/// If a window has the value nowhere, the place where it is least.
+std::pair<double, double> placesOf(const Window& w, double value)
+{
+  if (w.isLinear())
+  {
+    if (w.sourceX == 0.0)
+    {
+      return { -Infinity, Infinity };
+    }
+    const double at = (value - w.sigma) / w.sourceX;
+    return w.sourceX > 0.0 ? std::make_pair(-Infinity, at) : std::make_pair(at, Infinity);
+  }
+  const double radius = value - w.sigma;
+  const double squared = (radius - w.sourceDepth) * (radius + w.sourceDepth);
+  const double half = radius > 0.0 && squared > 0.0 ? std::sqrt(squared) : 0.0;
+  return { w.sourceX - half, w.sourceX + half };
+}
+
+/// Whether a window dips below the value between its ends, which do not.
+bool dipsBelow(const Window& w, double value)
+{
+  return !w.isLinear() && w.begin < w.sourceX && w.sourceX < w.end &&
+    w.sigma + w.sourceDepth < value;
 }
 
 } // anonymous namespace
@@ -30,7 +165,7 @@ const std::vector<Window>& SegmentEnvelope::along(const FaceDistance& face, Vec2
     return this->envelope_;
   }
   const double atMiddle = this->chooseNear(face, 0.5 * (p + q), length);
-  const Segment segment = { p, (1.0 / length) * (q - p), length };
+  const PlaneSegment segment = { p, (1.0 / length) * (q - p), length };
   const bool done = face.isExact() && this->build(segment, false) &&
     this->agrees(0.5 * length, atMiddle) && this->agrees(0.0, this->leastNear(p)) &&
     this->agrees(length, this->leastNear(q));
@@ -87,23 +222,23 @@ bool SegmentEnvelope::agrees(double x, double distance) const
 }
 
 // Returns whether neighbours are equal where they meet.
-bool SegmentEnvelope::build(const Segment& segment, bool withBent)
+bool SegmentEnvelope::build(const PlaneSegment& segment, bool withBent)
 {
   this->pieces_.clear();
   for (const DistanceCandidate* c : this->near_)
   {
-    this->addPieces(*c, segment, withBent);
+    addPieces(this->pieces_, *c, segment, withBent);
   }
-  this->takePieces(segment);
+  this->takePieces(segment.length);
   return this->joinNeighbours(segment.length);
 }
 
 // A piece that fills a gap of rounding may be far above the distance: its neighbours replace it.
-void SegmentEnvelope::takePieces(const Segment& segment)
+void SegmentEnvelope::takePieces(double length)
 {
   std::sort(this->pieces_.begin(), this->pieces_.end(),
     [](const Window& a, const Window& b) { return a.begin < b.begin; });
-  this->builder_.reset(segment.length);
+  this->builder_.reset(length);
   for (const Window& piece : this->pieces_)
   {
     this->builder_.append(piece);
@@ -111,7 +246,7 @@ void SegmentEnvelope::takePieces(const Segment& segment)
   this->envelope_.clear();
   std::copy_if(this->builder_.windows().begin(), this->builder_.windows().end(),
     std::back_inserter(this->envelope_),
-    [&segment](const Window& w) { return w.width() > tolerance::PencilMargin * segment.length; });
+    [length](const Window& w) { return w.width() > tolerance::PencilMargin * length; });
 }
 
 bool SegmentEnvelope::joinNeighbours(double length)
@@ -135,107 +270,34 @@ bool SegmentEnvelope::joinNeighbours(double length)
   return continuous;
 }
 
-void SegmentEnvelope::addPieces(const DistanceCandidate& c, const Segment& segment, bool withBent)
+// Windows are convex functions: below a value on an interval, if at all.
+void findCrossings(const std::vector<Window>& envelope, double value, bool beginsBelow,
+  bool endsBelow, std::vector<SegmentCrossing>& result)
 {
-  switch (c.kind)
+  if (envelope.empty() && beginsBelow != endsBelow)
   {
-    case DistanceCandidate::Kind::Cone:
-      this->addCone(c.source, c.sigma, segment, 0.0, segment.length);
-      break;
-    case DistanceCandidate::Kind::Segment:
-      this->addSource(c, segment);
-      break;
-    case DistanceCandidate::Kind::Circular:
-    case DistanceCandidate::Kind::Linear:
-      this->addPencil(c, segment, withBent);
-      break;
+    result.push_back({ 0.0, beginsBelow });
   }
-}
-
-// Between the rays through the window's ends paths are straight, beyond these rays they bend at the
-// ends.
-void SegmentEnvelope::addPencil(const DistanceCandidate& c, const Segment& segment, bool withBent)
-{
-  const auto& [p, u, length] = segment;
-  const bool linear = c.kind == DistanceCandidate::Kind::Linear;
-  const Vec2 first = linear ? c.source : c.begin - c.source;
-  const Vec2 last = linear ? c.source : c.end - c.source;
-  const double leftOfBegin = cross(first, p - c.begin);
-  const double leftOfBeginSlope = cross(first, u);
-  const double leftOfEnd = cross(last, p - c.end);
-  const double leftOfEndSlope = cross(last, u);
-  const double margin = tolerance::PencilMargin * length;
-  Interval straight{ 0.0, length };
-  straight.clip(-leftOfBegin, -leftOfBeginSlope);
-  straight.clip(leftOfEnd, leftOfEndSlope);
-  straight.widen(margin, length);
-  if (linear)
+  // Where the distance equals the value all along, its rounding must not make crossings.
+  const double clearly =
+    envelope.empty() ? value : value - tolerance::Evaluation * (value + envelope.back().end);
+  bool below = beginsBelow;
+  for (std::size_t i = 0; i < envelope.size(); ++i)
   {
-    this->addLinear(c.sigma + dot(c.source, p), dot(c.source, u), cross(c.source, u),
-      straight.begin, straight.end);
-  }
-  else
-  {
-    this->addCone(c.source, c.sigma, segment, straight.begin, straight.end);
-  }
-  if (withBent)
-  {
-    Interval before{ 0.0, length };
-    before.clip(leftOfBegin, leftOfBeginSlope);
-    before.widen(margin, length);
-    this->addCone(c.begin, c.atBegin, segment, before.begin, before.end);
-    Interval behind{ 0.0, length };
-    behind.clip(-leftOfEnd, -leftOfEndSlope);
-    behind.widen(margin, length);
-    this->addCone(c.end, c.atEnd, segment, behind.begin, behind.end);
-  }
-}
-
-// Parallel rays to both sides of the source, and its two ends.
-void SegmentEnvelope::addSource(const DistanceCandidate& c, const Segment& segment)
-{
-  const auto& [p, u, length] = segment;
-  this->addCone(c.begin, 0.0, segment, 0.0, length);
-  this->addCone(c.end, 0.0, segment, 0.0, length);
-  const double sourceLength = norm(c.end - c.begin);
-  if (!(sourceLength > 0.0))
-  {
-    return;
-  }
-  const Vec2 t = (1.0 / sourceLength) * (c.end - c.begin);
-  const double along = dot(p - c.begin, t);
-  const double alongSlope = dot(u, t);
-  Interval strip{ 0.0, length };
-  strip.clip(along, alongSlope);
-  strip.clip(sourceLength - along, -alongSlope);
-  strip.widen(tolerance::PencilMargin * length, length);
-  for (const double sign : { 1.0, -1.0 })
-  {
-    const double height = sign * cross(t, p - c.begin);
-    const double slope = sign * cross(t, u);
-    Interval oneSide = strip;
-    oneSide.clip(height, slope);
-    this->addLinear(height, slope, alongSlope, oneSide.begin, oneSide.end);
-  }
-}
-
-void SegmentEnvelope::addLinear(double sigma, double slope, double depth, double begin, double end)
-{
-  if (end > begin)
-  {
-    this->pieces_.push_back(
-      { begin, end, slope, std::abs(depth), sigma, 0.0, Window::Kind::Linear, 0 });
-  }
-}
-
-void SegmentEnvelope::addCone(
-  Vec2 apex, double sigma, const Segment& segment, double begin, double end)
-{
-  if (end > begin)
-  {
-    const Vec2 toApex = apex - segment.p;
-    this->pieces_.push_back({ begin, end, dot(toApex, segment.u),
-      std::abs(cross(toApex, segment.u)), sigma, 0.0, Window::Kind::Circular, 0 });
+    const Window& w = envelope[i];
+    const bool belowNext =
+      i + 1 < envelope.size() ? w.distance(w.end) < (below ? value : clearly) : endsBelow;
+    const auto [before, behind] = placesOf(w, value);
+    const bool dips = !below && !belowNext && dipsBelow(w, clearly);
+    if ((!below && belowNext) || dips)
+    {
+      result.push_back({ std::clamp(before, w.begin, w.end), false });
+    }
+    if ((below && !belowNext) || dips)
+    {
+      result.push_back({ std::clamp(behind, w.begin, w.end), true });
+    }
+    below = belowNext;
   }
 }
 

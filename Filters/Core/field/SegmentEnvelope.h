@@ -10,6 +10,14 @@
 namespace geodesic
 {
 
+/// A segment in the plane of a face, from p along the unit vector u.
+struct PlaneSegment
+{
+  Vec2 p;
+  Vec2 u;
+  double length;
+};
+
 /// Builds the exact piecewise distance along any segment of a face: a segment splits a pencil of
 /// rays as an edge does, so that no propagation is needed (paper, section 6). One face suffices for
 /// its own edges, too.
@@ -24,26 +32,12 @@ public:
   const std::vector<Window>& along(const FaceDistance& face, Vec2 p, Vec2 q);
 
 private:
-  /// The segment from p along the unit vector u.
-  struct Segment
-  {
-    Vec2 p;
-    Vec2 u;
-    double length;
-  };
-
   double chooseNear(const FaceDistance& face, Vec2 middle, double length);
   double leastNear(Vec2 p) const;
   bool agrees(double x, double distance) const;
-  bool build(const Segment& segment, bool withBent);
-  void takePieces(const Segment& segment);
+  bool build(const PlaneSegment& segment, bool withBent);
+  void takePieces(double length);
   bool joinNeighbours(double length);
-
-  void addPieces(const DistanceCandidate& c, const Segment& segment, bool withBent);
-  void addPencil(const DistanceCandidate& c, const Segment& segment, bool withBent);
-  void addSource(const DistanceCandidate& c, const Segment& segment);
-  void addLinear(double sigma, double slope, double depth, double begin, double end);
-  void addCone(Vec2 apex, double sigma, const Segment& segment, double begin, double end);
 
   std::vector<const DistanceCandidate*> near_;
   std::vector<double> inMiddle_;
@@ -51,6 +45,27 @@ private:
   WindowListBuilder builder_;
   std::vector<Window> envelope_;
 };
+
+/// A place where the distance along a segment passes a value.
+struct SegmentCrossing
+{
+  /// From the segment's begin.
+  double at;
+  /// Whether it is below the value before, and above behind.
+  bool rises;
+};
+
+/// Finds the places of a segment where the distance passes a value, in their order (paper, equation
+/// 1 and section 4.2.2, solved for the place). They alternate between rising and falling and agree
+/// with the arguments about the ends, in spite of roundings.
+///
+/// \param envelope the distance along the segment, see SegmentEnvelope; may be empty where the
+///        segment has hardly any length.
+/// \param beginsBelow whether the distance at the begin counts as below the value.
+/// \param endsBelow the same at the end.
+/// \param result is appended to.
+void findCrossings(const std::vector<Window>& envelope, double value, bool beginsBelow,
+  bool endsBelow, std::vector<SegmentCrossing>& result);
 
 }
 

@@ -6,66 +6,89 @@
 #include "mesh/HalfedgeFrame.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace geodesic
 {
 
-// A shortest path comes to a point of a face from a source in the face, from a corner, or through a
-// window of a halfedge. `length` is that of the straight piece in the face, `distance` that of the
-// whole path. FaceDistance has the same ways as functions of the point.
-
-/// Calls visit(const SourceInFace&, const Barycentric& begin, double length).
-template <typename Visit>
-void forEachWayFromSource(
-  const DistanceField& field, Id face, const Barycentric& point, Visit&& visit)
+/// One way in which a path comes to a point of a face. FaceDistance has the same ways as functions
+/// of the point.
+struct WayIntoFace
 {
+  enum class Kind : std::uint8_t
+  {
+    /// No way.
+    None,
+    /// From a source in the face.
+    Source,
+    /// From a corner of the face.
+    Corner,
+    /// Through a window.
+    Window
+  };
+
+  Kind kind = Kind::None;
+  /// Of the whole path, and of the straight piece in the face.
+  double distance = Infinity;
+  double length = 0.0;
+  /// Where the piece begins if it comes from a source or a corner.
+  Barycentric begin = {};
+  const SourceInFace* source = nullptr;
+  /// The corner; NoId if it does not come from one.
+  Id vertex = NoId;
+  /// The window, its halfedge, and where on it the piece begins.
+  const Window* window = nullptr;
+  Id halfedge = NoId;
+  double x = 0.0;
+  /// Whether the halfedge holds the point. Then the window gives the point's distance, but its path
+  /// came through the face behind the halfedge.
+  bool isBehind = false;
+};
+
+/// Calls visit(const WayIntoFace&) for all ways to a point: from sources, from corners, but not the
+/// one that the point is at, and through windows.
+template <typename Visit>
+void forEachWay(const DistanceField& field, Id face, const SurfacePoint& place, const Visit& visit)
+{
+  const TriangleMesh& mesh = field.mesh();
+  const Barycentric point = barycentric(mesh, place, face);
+  WayIntoFace way;
+  way.kind = WayIntoFace::Kind::Source;
   for (const SourceInFace& source : field.sourcesIn(face))
   {
-    const Barycentric begin = nearestOnSource(field.mesh(), source, point);
-    visit(source, begin, distanceInFace(field.mesh(), face, begin, point));
+    way.source = &source;
+    way.begin = nearestOnSource(mesh, source, point);
+    way.length = distanceInFace(mesh, face, way.begin, point);
+    way.distance = way.length;
+    visit(way);
   }
-}
-
-/// Calls visit(std::size_t corner, double distance, double length), but not for the point's own
-/// corner.
-///
-/// \param place the point itself.
-template <typename Visit>
-void forEachWayFromCorner(const DistanceField& field, Id face, const SurfacePoint& place,
-  const Barycentric& point, Visit&& visit)
-{
+  way.kind = WayIntoFace::Kind::Corner;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const Id vertex = field.mesh().triangle(face)[k];
-    if (place.kind != SurfacePoint::Kind::Vertex || place.id != vertex)
+    way.vertex = mesh.triangle(face)[k];
+    if (place.kind != SurfacePoint::Kind::Vertex || place.id != way.vertex)
     {
-      const double length = distanceInFace(field.mesh(), face, cornerWeights(k), point);
-      visit(k, field.vertexDistances()[vertex] + length, length);
+      way.begin = cornerWeights(k);
+      way.length = distanceInFace(mesh, face, way.begin, point);
+      way.distance = field.vertexDistances()[way.vertex] + way.length;
+      visit(way);
     }
   }
-}
-
-/// Calls visit(const Window&, double x, double distance, double length): the piece begins at x on
-/// the halfedge.
-///
-/// \param p the point in the halfedge's frame.
-template <typename Visit>
-void forEachWayThrough(const DistanceField& field, Id halfedge, Vec2 p, Visit&& visit)
-{
-  for (const Window& window : field.windowsOn(halfedge))
+  way.kind = WayIntoFace::Kind::Window;
+  way.vertex = NoId;
+  for (Id k = 0; k < 3; ++k)
   {
-    const double x = window.crossing(p);
-    const double length = norm(p - Vec2{ x, 0.0 });
-    visit(window, x, std::max(window.distance(x), 0.0) + length, length);
+    way.halfedge = 3 * face + k;
+    way.isBehind = point[(k + 2) % 3] == 0.0;
+    const Vec2 p = inHalfedgeFrame(mesh, way.halfedge, point);
+    for (const Window& window : field.windowsOn(way.halfedge))
+    {
+      way.window = &window;
+      way.x = window.crossing(p);
+      way.length = norm(p - Vec2{ way.x, 0.0 });
+      way.distance = std::max(window.distance(way.x), 0.0) + way.length;
+      visit(way);
+    }
   }
-}
-
-/// Whether a point of a face lies on the halfedge from corner k. The halfedge's windows give the
-/// distance of the point, but they came through the face behind it.
-inline bool isOnHalfedge(const Barycentric& point, Id k)
-{
-  return point[(k + 2) % 3] == 0.0;
 }
 
 }

@@ -2,17 +2,357 @@
 #include "paths/JoinPoints.h"
 
 #include "Errors.h"
+#include "Tolerance.h"
+#include "field/DistanceField.h"
+#include "field/RetentionAround.h"
 #include "paths/CleanPath.h"
-#include "paths/ShortestPath.h"
-#include "paths/SubMesh.h"
+#include "paths/PathInWindows.h"
+#include "paths/PathTracer.h"
 
 #include <algorithm>
+#include <optional>
+#include <queue>
+#include <unordered_map>
+#include <utility>
 
 namespace geodesic
 {
 
 namespace
 {
+
+/// The vertices of the faces around a point, to which the way is straight; of a vertex only itself.
+std::vector<Id> verticesAround(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  if (point.kind == SurfacePoint::Kind::Vertex)
+  {
+    return { point.id };
+  }
+  std::vector<Id> result;
+  forEachFace(mesh, point,
+    [&](Id face)
+    {
+      const Triangle& corners = mesh.triangle(face);
+      result.insert(result.end(), corners.begin(), corners.end());
+    });
+  return result;
+}
+
+struct Entry
+{
+  double estimate;
+  double length;
+  Id vertex;
+  bool operator<(const Entry& other) const { return this->estimate > other.estimate; }
+};
+
+/// The length of a shortest path along mesh edges, by best-first search (A*: the remaining distance
+/// in space is a lower bound). Infinite if no path joins the points.
+double lengthAlongEdges(const TriangleMesh& mesh, const SurfacePoint& first,
+  const SurfacePoint& second, const ProgressCallback& progress)
+{
+  std::unordered_map<Id, double> lengthTo;
+  std::priority_queue<Entry> queue;
+  const auto reach = [&](Id vertex, double length)
+  {
+    double& known = lengthTo.try_emplace(vertex, Infinity).first->second;
+    if (length < known)
+    {
+      known = length;
+      queue.push({ length + distanceInSpace(mesh, mesh.point(vertex), second), length, vertex });
+    }
+  };
+  for (const Id vertex : verticesAround(mesh, first))
+  {
+    reach(vertex, distanceInSpace(mesh, mesh.point(vertex), first));
+  }
+  const std::vector<Id> goals = verticesAround(mesh, second); // the way from there is straight
+  double best = Infinity;
+  for (std::size_t step = 1; !queue.empty() && queue.top().estimate < best; ++step)
+  {
+    const Entry top = queue.top();
+    queue.pop();
+    if (top.length == lengthTo[top.vertex])
+    {
+      const bool isGoal = std::find(goals.begin(), goals.end(), top.vertex) != goals.end();
+      best = isGoal ? top.estimate : best;
+      for (const Id corner : mesh.cornersAt(top.vertex))
+      {
+        const Id previous = TriangleMesh::previousInFace(corner);
+        reach(mesh.destination(corner), top.length + mesh.length(corner));
+        reach(mesh.origin(previous), top.length + mesh.length(previous));
+      }
+    }
+    constexpr std::size_t stepsPerReport = 4096;
+    if (step % stepsPerReport == 0)
+    {
+      reportProgress(progress, 0.0);
+    }
+  }
+  return best;
+}
+
+/// Whether a face may contain a point whose distances in space from the two points add up to no
+/// more than the bound. The sum grows by at most 2 for each unit of way.
+bool isWithin(const TriangleMesh& mesh, Id face, const SurfacePoint& first,
+  const SurfacePoint& second, double bound)
+{
+  const SurfacePoint centre = SurfacePoint::inFace(face, 1.0 / 3.0, 1.0 / 3.0);
+  double radius = 0.0;
+  for (const Id vertex : mesh.triangle(face))
+  {
+    radius = std::max(radius, distanceInSpace(mesh, mesh.point(vertex), centre));
+  }
+  return distanceInSpace(mesh, centre, first) + distanceInSpace(mesh, centre, second) -
+    2.0 * radius <=
+    bound;
+}
+
+Id placeOf(Id number, const std::vector<Id>& numbers)
+{
+  return static_cast<Id>(std::find(numbers.begin(), numbers.end(), number) - numbers.begin());
+}
+
+/// The part of a surface that shortest paths between two points can touch. If it is small, it is a
+/// mesh of its own, so that a search there does not cost as much as on the whole surface.
+///
+/// A path along mesh edges bounds the length from above. A path no longer than a bound stays in
+/// those faces whose distances in space from the two points add up to no more than the bound.
+class SubMesh
+{
+public:
+  /// \param surface must outlive the patch.
+  /// \param progress called now and then with 0; returning false throws Aborted.
+  /// \throws Aborted
+  SubMesh(const TriangleMesh& surface, const SurfacePoint& first, const SurfacePoint& second,
+    const ProgressCallback& progress)
+    : surface_(surface)
+    , bound_((1.0 + tolerance::BoundMargin) * lengthAlongEdges(surface, first, second, progress))
+  {
+    if (this->bound_ == Infinity)
+    {
+      return;
+    }
+    // Goes from face to face across shared vertices. A mesh of a larger part would cost about as
+    // much as it saves.
+    constexpr std::size_t largePart = 4;
+    const std::size_t maximum = surface.numberOfFaces() / largePart;
+    std::unordered_map<Id, Id> patchVertex;
+    std::vector<bool> isVisited(surface.numberOfFaces(), false);
+    std::vector<Vec3> points;
+    std::vector<Triangle> triangles;
+    const auto take = [&](Id face)
+    {
+      this->faces_.push_back(face);
+      Triangle& corners = triangles.emplace_back(surface.triangle(face));
+      for (Id& vertex : corners)
+      {
+        const auto [renamed, isNew] =
+          patchVertex.try_emplace(vertex, static_cast<Id>(points.size()));
+        if (isNew)
+        {
+          this->vertices_.push_back(vertex);
+          points.push_back(surface.point(vertex));
+        }
+        vertex = renamed->second;
+      }
+    };
+    const auto visit = [&](Id face)
+    {
+      const bool isNew = !isVisited[face];
+      isVisited[face] = true;
+      if (isNew &&
+        (contains(surface, face, first) || contains(surface, face, second) ||
+          isWithin(surface, face, first, second, this->bound_)))
+      {
+        take(face);
+      }
+    };
+    forEachFace(surface, first, visit);
+    for (std::size_t next = 0; next < this->vertices_.size() && triangles.size() <= maximum; ++next)
+    {
+      forEachFace(surface, SurfacePoint::atVertex(this->vertices_[next]), visit);
+      constexpr std::size_t stepsPerReport = 4096;
+      if ((next + 1) % stepsPerReport == 0)
+      {
+        reportProgress(progress, 0.0);
+      }
+    }
+    if (triangles.size() <= maximum)
+    {
+      this->mesh_.emplace(std::move(points), triangles);
+    }
+  }
+
+  /// An upper bound of the length of a shortest path; infinite if no path joins the points.
+  double bound() const { return this->bound_; }
+
+  /// The mesh; the surface itself if the patch is a large part of it.
+  const TriangleMesh& mesh() const { return this->mesh_ ? *this->mesh_ : this->surface_; }
+  /// A point of one of the two points' faces as a point of the patch.
+  SurfacePoint onPatch(const SurfacePoint& point) const
+  {
+    if (!this->mesh_)
+    {
+      return point;
+    }
+    if (point.kind == SurfacePoint::Kind::Vertex)
+    {
+      return SurfacePoint::atVertex(placeOf(point.id, this->vertices_));
+    }
+    const Id face = someFace(this->surface_, point);
+    return fromBarycentric(
+      *this->mesh_, placeOf(face, this->faces_), barycentric(this->surface_, point, face));
+  }
+
+  /// A point of the patch as a point of the surface.
+  SurfacePoint onSurface(const SurfacePoint& point) const
+  {
+    if (!this->mesh_)
+    {
+      return point;
+    }
+    if (point.kind == SurfacePoint::Kind::Vertex)
+    {
+      return SurfacePoint::atVertex(this->vertices_[point.id]);
+    }
+    const Id face = someFace(*this->mesh_, point);
+    return fromBarycentric(
+      this->surface_, this->faces_[face], barycentric(*this->mesh_, point, face));
+  }
+
+private:
+  const TriangleMesh& surface_;
+  double bound_;
+  std::optional<TriangleMesh> mesh_;
+  /// The surface's numbers of the patch's vertices and faces.
+  std::vector<Id> vertices_;
+  std::vector<Id> faces_;
+};
+
+/// The fraction of the progress at which the search ends.
+constexpr double ShareOfSearch = 0.7;
+
+/// Relative error of the search. The strip is as wide as the root of the error: with a smaller
+/// error the search takes longer, with a larger one the exact front does.
+constexpr double SearchError = 1e-3;
+
+std::vector<double> distancesInSpace(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  std::vector<double> distances;
+  distances.reserve(mesh.numberOfVertices());
+  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    distances.push_back(distanceInSpace(mesh, mesh.point(vertex), point));
+  }
+  return distances;
+}
+
+/// Keeps what tracing from the second point needs. The distance of a vertex and its way to the
+/// second point add up to a path: the corridor need be no longer.
+class StripRetention : public RetentionAround
+{
+public:
+  /// \param least a length below which roundings decide.
+  StripRetention(const TriangleMesh& mesh, const SurfacePoint& second,
+    const std::vector<double>& toSecond, double least)
+    : RetentionAround(mesh, { second })
+    , toSecond_(toSecond)
+    , least_(least)
+  {
+    this->keepForPaths(MeshPartition(mesh));
+  }
+
+  double longestPath() const override { return this->longestPath_; }
+
+  void advance(const FrontState& front) override
+  {
+    RetentionAround::advance(front);
+    for (const Id vertex : front.settled)
+    {
+      const double length = front.distances(vertex) + (1.0 + SearchError) * this->toSecond_[vertex];
+      this->longestPath_ = std::min(
+        this->longestPath_, std::max(this->least_, (1.0 + tolerance::BoundMargin) * length));
+    }
+  }
+
+private:
+  const std::vector<double>& toSecond_;
+  double least_;
+  double longestPath_ = Infinity;
+};
+
+/// Lower bounds of the distance to the second point. The distances that the search from there has
+/// found are lower bounds, except where it left out what no path within the length passes: there
+/// the distance exceeds what the way from the first point leaves of the length. Beyond the reach of
+/// the search, the reach is a lower bound.
+///
+/// \param searched the corridor of the search.
+std::vector<double> lowerBounds(const TriangleMesh& mesh, const SurfacePoint& second,
+  const std::vector<double>& toSecond, double reach, const Corridor& searched)
+{
+  std::vector<double> bounds = distancesInSpace(mesh, second);
+  for (Id vertex = 0; vertex < mesh.numberOfVertices(); ++vertex)
+  {
+    const double found =
+      std::min({ toSecond[vertex], reach, searched.length - searched.lowerBounds[vertex] });
+    bounds[vertex] = std::max(bounds[vertex], (1.0 - tolerance::BoundMargin) * found);
+  }
+  return bounds;
+}
+
+/// Finds a shortest path between two points of a surface.
+///
+/// An approximate front from the second point, which costs a fraction of an exact one, gives lower
+/// bounds of the distance to that point. An exact front from the first point then goes only where a
+/// path can still be as short as the best known one: through a strip of few faces. Hardly any
+/// windows are kept, as PathTracer follows the path by the directions in which it came to
+/// vertices.
+///
+/// \param length an upper bound of the path's length. The mesh must contain all faces that a path
+///        of that length can touch.
+/// \returns the path from the first point to the second, see PathTracer; empty if there is none.
+std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePoint& first,
+  const SurfacePoint& second, double length, const ParallelFor& parallelFor,
+  const ProgressCallback& progress)
+{
+  Corridor corridor{ distancesInSpace(mesh, first), length };
+  FrontOptions options;
+  options.corridor = &corridor;
+  options.parallelFor = parallelFor;
+  options.progress = progressBetween(progress, 0.0, ShareOfSearch);
+  options.relativeError = SearchError;
+  RetentionAround search(mesh, { first });
+  const std::vector<double> toSecond =
+    propagate(mesh, { pointCurve(second) }, options, search).vertexDistances;
+
+  corridor.lowerBounds = lowerBounds(mesh, second, toSecond, search.reach(), corridor);
+  // The two points may be at one place, behind faces without area: there a path is as long as
+  // roundings.
+  const double least = tolerance::BoundMargin * length;
+  corridor.length = std::min(length, std::max(least, (1.0 + SearchError) * search.reach()));
+  options.relativeError = 0.0;
+  options.keepArrivals = true;
+  options.progress = progressBetween(progress, ShareOfSearch, 1.0);
+  StripRetention strip(mesh, second, toSecond, least);
+  FrontResult front = propagate(mesh, { pointCurve(first) }, options, strip);
+  const DistanceField field(MeshPartition(mesh), std::move(front), strip.release());
+  std::vector<SurfacePoint> path;
+  try
+  {
+    path = PathTracer(field).trace(second);
+  }
+  catch (const PathLost&)
+  {
+    // Seldom: by windows that are all kept, in the corridor alone.
+    corridor.length = std::min(corridor.length, strip.longestPath());
+    options.keepArrivals = false;
+    options.progress = progressBetween(progress, 1.0, 1.0);
+    path = pathInWindows(solve(mesh, { pointCurve(first) }, options, KeepWindows::All), second);
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
 
 /// Whether consecutive points have a common face. If the path broke off or is empty, its ends have
 /// none.

@@ -18,7 +18,7 @@ namespace geodesic
 /// vertices that it passes, the second point. Consecutive points have a common face. Empty if no
 /// path joins the points.
 ///
-/// The search looks only at the part of the surface that a shortest path can touch (SubMesh).
+/// The search looks only at the part of the surface that a shortest path can touch.
 ///
 /// \param mesh must outlive the result.
 JoinPoints joinByShortestPaths(const TriangleMesh& mesh, const ParallelFor& parallelFor = {});

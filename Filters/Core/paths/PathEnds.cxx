@@ -5,13 +5,48 @@
 #include "source/CurveSectors.h"
 #include "source/DirectionsAround.h"
 
+#include <algorithm>
+
 namespace geodesic
 {
+
+namespace
+{
+
+bool isBefore(const SourceInFace& a, const SourceInFace& b)
+{
+  return a.face < b.face;
+}
+
+std::vector<SourceInFace> sourcesByFace(const TriangleMesh& mesh, const CurveChains& chains)
+{
+  std::vector<SourceInFace> sources;
+  for (Id chain = 0; chain < chains.curves().size(); ++chain)
+  {
+    const SourceCurve& curve = chains.curves()[chain];
+    const std::vector<SourceInFace> segments =
+      segmentsInFaces(mesh, curve, chain, chains.places(chain));
+    sources.insert(sources.end(), segments.begin(), segments.end());
+    if (curve.points.size() == 1)
+    {
+      forEachFace(mesh, curve.points.front(),
+        [&](Id face)
+        {
+          const Barycentric point = barycentric(mesh, curve.points.front(), face);
+          sources.push_back({ face, point, point, chain });
+        });
+    }
+  }
+  std::stable_sort(sources.begin(), sources.end(), isBefore);
+  return sources;
+}
+
+} // anonymous namespace
 
 PathEnds::PathEnds(const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves)
   : curves_(curves)
   , onPatch_(patch, curves)
-  , inFaces_(patch.mesh(), this->onPatch_.chains())
+  , inFaces_(sourcesByFace(patch.mesh(), this->onPatch_.chains()))
 {
 }
 
@@ -31,7 +66,7 @@ PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& 
     face,
     inHalfedgeFrame(this->mesh(), 3 * face, barycentric(mesh, before, onMesh)) -
       inHalfedgeFrame(this->mesh(), 3 * face, end) };
-  const SourceInFace* segment = this->inFaces_.nearest(piece.end, face);
+  const SourceInFace* segment = this->nearest(piece.end, face);
   if (segment == nullptr)
   {
     return {};
@@ -47,6 +82,35 @@ PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& 
   }
   const double place = along > rounding ? segment->placeOfB : segment->placeOfA;
   return this->atPoint(piece, this->onPatch_.chains().pointAt(segment->curve, place));
+}
+
+// The segment, or source that is a point, nearest to a point in the faces around it. Null if these
+// faces contain none. Those in the preferred face are taken before those of other faces that are as
+// near but for rounding.
+const SourceInFace* PathEnds::nearest(const SurfacePoint& point, Id preferred) const
+{
+  const double rounding =
+    tolerance::PlaceRounding * this->mesh().length(longestHalfedge(this->mesh(), preferred));
+  double least = Infinity;
+  const SourceInFace* nearest = nullptr;
+  forEachFace(this->mesh(), point,
+    [&](Id face)
+    {
+      const Barycentric weights = barycentric(this->mesh(), point, face);
+      const auto pieces = std::equal_range(
+        this->inFaces_.begin(), this->inFaces_.end(), SourceInFace{ face }, isBefore);
+      for (auto piece = pieces.first; piece != pieces.second; ++piece)
+      {
+        const double distance =
+          distanceToSource(this->mesh(), *piece, weights) + (face == preferred ? 0.0 : rounding);
+        if (distance < least)
+        {
+          least = distance;
+          nearest = &*piece;
+        }
+      }
+    });
+  return nearest;
 }
 
 PathEnd PathEnds::onSegment(const LastPiece& piece, const SourceInFace& segment, double place) const

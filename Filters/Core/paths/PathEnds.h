@@ -50,13 +50,15 @@ private:
   };
 
   const TriangleMesh& mesh() const { return this->onPatch_.mesh(); }
+  const SourceInFace* nearest(const SurfacePoint& point, Id preferred) const;
   PathEnd onSegment(const LastPiece& piece, const SourceInFace& segment, double place) const;
   PathEnd atPoint(const LastPiece& piece, Id number) const;
   PathEnd endAt(Id chain, double place, double angle) const;
 
   const std::vector<SourceCurve>& curves_;
   CurvesOnPatch onPatch_;
-  CurvesInFaces inFaces_;
+  /// The segments of the curves, and sources that are points, in the order of the faces.
+  std::vector<SourceInFace> inFaces_;
 };
 
 }

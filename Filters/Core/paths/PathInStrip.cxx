@@ -2,7 +2,7 @@
 #include "paths/PathInStrip.h"
 
 #include "Tolerance.h"
-#include "field/Solve.h"
+#include "field/DistanceField.h"
 #include "paths/CleanPath.h"
 #include "paths/PathInWindows.h"
 #include "source/SourceWindows.h"

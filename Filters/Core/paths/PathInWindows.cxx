@@ -137,11 +137,12 @@ private:
       {
         const double tie =
           tolerance::Tie * distance + tolerance::PlaceRounding * this->mesh_.shape(face).longest();
-        const auto add = [&](const Piece& piece)
+        const auto add = [&](const WayIntoFace& way)
         {
-          if (piece.distance <= most)
+          if (!way.isBehind && way.distance <= most)
           {
-            pieces.push_back(piece);
+            const Piece& piece = pieces.emplace_back(Piece{ way.distance, way.length,
+              this->beginOf(way, face), way.kind == WayIntoFace::Kind::Source, face });
             const double longer = piece.distance - pieces[best].distance;
             const bool isTie = std::abs(longer) <= tie;
             best = (isTie ? piece.length > pieces[best].length : longer < 0.0) ? pieces.size() - 1
@@ -150,7 +151,7 @@ private:
         };
         if (!this->isCrossed_[face])
         {
-          this->forEachWay(face, point, add);
+          forEachWay(this->field_, face, point, add);
         }
       });
     if (!pieces.empty())
@@ -162,34 +163,16 @@ private:
     return pieces;
   }
 
-  /// Calls visit(const Piece&).
-  template <typename Visit>
-  void forEachWay(Id face, const SurfacePoint& place, const Visit& visit) const
+  SurfacePoint beginOf(const WayIntoFace& way, Id face) const
   {
-    const Barycentric point = barycentric(this->mesh_, place, face);
-    forEachWayFromSource(this->field_, face, point,
-      [&](const SourceInFace&, const Barycentric& begin, double length) {
-        visit({ length, length, fromBarycentric(this->mesh_, face, begin), true, face });
-      });
-    forEachWayFromCorner(this->field_, face, place, point,
-      [&](std::size_t k, double distance, double length)
-      {
-        const Id corner = this->mesh_.triangle(face)[k];
-        visit({ distance, length, SurfacePoint::atVertex(corner), false, face });
-      });
-    for (Id k = 0; k < 3; ++k)
+    switch (way.kind)
     {
-      const Id halfedge = 3 * face + k;
-      if (!isOnHalfedge(point, k))
-      {
-        forEachWayThrough(this->field_, halfedge, inHalfedgeFrame(this->mesh_, halfedge, point),
-          [&](const Window&, double x, double distance, double length)
-          {
-            const double fraction = x / this->mesh_.length(halfedge);
-            visit(
-              { distance, length, placeOnHalfedge(this->mesh_, halfedge, fraction), false, face });
-          });
-      }
+      case WayIntoFace::Kind::Corner:
+        return SurfacePoint::atVertex(way.vertex);
+      case WayIntoFace::Kind::Window:
+        return placeOnHalfedge(this->mesh_, way.halfedge, way.x / this->mesh_.length(way.halfedge));
+      default:
+        return fromBarycentric(this->mesh_, face, way.begin);
     }
   }
 

@@ -14,59 +14,42 @@ namespace geodesic
 namespace
 {
 
-/// How a path comes to a point through a face: from a corner or through a window.
+/// The shortest way from a corner or through a window to the last point of a path, through this
+/// rank's faces except the one that the search leaves out.
 struct WayToPoint
 {
   double distance = Infinity;
   Id face = NoId;
   Id corner = NoId;
   Arrival window;
-};
 
-// The windows of a halfedge that holds the point give the point's distance, but they came through
-// the face behind the halfedge.
-void comeThrough(
-  const DistanceField& field, Id face, const SurfacePoint& place, WayToPoint& shortest)
-{
-  const TriangleMesh& mesh = field.mesh();
-  const Barycentric point = barycentric(mesh, place, face);
-  forEachWayFromCorner(field, face, place, point,
-    [&](std::size_t k, double distance, double)
-    {
-      if (distance < shortest.distance)
-      {
-        shortest = { distance, face, mesh.triangle(face)[k], {} };
-      }
-    });
-  for (Id k = 0; k < 3; ++k)
+  void takeIfShorter(const WayIntoFace& way, Id inFace)
   {
-    const Id halfedge = 3 * face + k;
-    if (!isOnHalfedge(point, k))
+    if (way.kind == WayIntoFace::Kind::Source || way.isBehind || !(way.distance < this->distance))
     {
-      forEachWayThrough(field, halfedge, inHalfedgeFrame(mesh, halfedge, point),
-        [&](const Window& window, double x, double distance, double)
-        {
-          if (distance < shortest.distance)
-          {
-            shortest = { distance, face, NoId,
-              { halfedge, window.origin, x, window.direction(x), window.placeOf({ x, 0.0 }) } };
-          }
-        });
+      return;
+    }
+    *this = { way.distance, inFace, way.vertex, {} };
+    if (way.kind == WayIntoFace::Kind::Window)
+    {
+      const Window& w = *way.window;
+      this->window = { way.halfedge, w.origin, way.x, w.direction(way.x),
+        w.placeOf({ way.x, 0.0 }) };
     }
   }
-}
+};
 
-/// The shortest way to the last point of a path through this rank's faces, except the one that the
-/// search leaves out.
 WayToPoint shortestWayHere(const DistanceField& field, const TracedPath& path)
 {
   WayToPoint shortest;
-  forEachFace(field.mesh(), path.points.back(),
+  const SurfacePoint& last = path.points.back();
+  forEachFace(field.mesh(), last,
     [&](Id face)
     {
       if (face != path.without && field.surface().isOwn(face))
       {
-        comeThrough(field, face, path.points.back(), shortest);
+        forEachWay(
+          field, face, last, [&](const WayIntoFace& way) { shortest.takeIfShorter(way, face); });
       }
     });
   return shortest;

@@ -6,7 +6,7 @@
 #include "mesh/ReplicatedPatch.h"
 #include "paths/CleanPath.h"
 #include "paths/PathInStrip.h"
-#include "paths/PathInTransit.h"
+#include "paths/PathTracer.h"
 #include "source/SourceWindows.h"
 
 #include <algorithm>
@@ -47,6 +47,88 @@ GatheredFaces facesOf(const std::vector<SentPathPoint>& path)
   return GatheredFaces(std::move(faces));
 }
 
+/// How long a path is that goes on through a rank's faces.
+struct SearchAnswer
+{
+  double distance = Infinity;
+  int rank = 0;
+
+  bool isFound() const { return this->distance < Infinity; }
+  bool operator<(const SearchAnswer& other) const
+  {
+    return this->distance != other.distance ? this->distance < other.distance
+                                            : this->rank < other.rank;
+  }
+};
+
+/// A path on its way over ranks.
+struct PathInTransit
+{
+  enum class Status : std::uint8_t
+  {
+    OnItsWay,
+    Whole,
+    Lost
+  };
+
+  /// The rank that asks for it, and which of that rank's targets it begins at.
+  int targetRank = 0;
+  Id target = 0;
+  TracedPath path;
+  /// How many of the points at hand have been sent to the target's rank.
+  std::size_t sent = 0;
+  /// While the path searches around an edge: the ranks that were not yet asked, and the nearest of
+  /// those that were.
+  std::vector<int> toAsk;
+  SearchAnswer nearest;
+  /// What has become of it on this rank. On its way: the rank that it goes to, and a face of both
+  /// ranks that holds its last point and, if it is behind the exit of a leg, the leg.
+  Status status = Status::OnItsWay;
+  int rank = 0;
+  Id face = NoId;
+};
+
+void putInTransit(Message& message, const MeshPartition& part, const PathInTransit& transit)
+{
+  const TracedPath& path = transit.path;
+  put(message, transit.targetRank);
+  put(message, transit.target);
+  put(message, part.addressOf(transit.face));
+  put(message, toFacePoint(part.mesh(), transit.face, path.points.back()));
+  put(message, static_cast<const PathState&>(path));
+  put(message, path.without == NoId ? RankAddress{ -1, NoId } : part.addressOf(path.without));
+  putAll(message, transit.toAsk);
+  put(message, transit.nearest);
+}
+
+/// The path has one point, the last one.
+PathInTransit getInTransit(MessageReader& reader, const MeshPartition& part)
+{
+  PathInTransit transit;
+  TracedPath& path = transit.path;
+  transit.targetRank = reader.get<int>();
+  transit.target = reader.get<Id>();
+  const Id face = part.faceAt(reader.get<RankAddress>());
+  path.faces = { face };
+  path.points = { fromFacePoint(part.mesh(), face, reader.get<FacePoint>()) };
+  transit.sent = 1;
+  static_cast<PathState&>(path) = reader.get<PathState>();
+  path.leg.exit = 3 * face + path.leg.exit % 3;
+  const auto without = reader.get<RankAddress>();
+  path.without = without.rank < 0 ? NoId : part.faceAt(without);
+  transit.toAsk = reader.getAll<int>();
+  transit.nearest = reader.get<SearchAnswer>();
+  return transit;
+}
+
+/// A path that got lost on any rank.
+struct LostPath
+{
+  TargetOnRank target;
+  /// Which of its rank's targets that is.
+  Id number;
+};
+
 using Status = PathInTransit::Status;
 
 /// Follows paths over ranks. In one process none ever leaves.
@@ -68,24 +150,267 @@ public:
   }
 
   /// All ranks together, until all paths are at their ends or lost.
-  void run();
+  void run()
+  {
+    this->traceOwn();
+    while (this->part_.exchange().isTrueAnywhere(!this->leaving_.empty()))
+    {
+      reportProgress(this->options_.progress, TracingDone);
+      this->handOver();
+    }
+  }
 
-  /// Of this rank's targets, those whose paths got lost.
-  std::vector<Id> lost() const;
+  /// \returns the paths that got lost on all ranks, in one order.
+  std::vector<LostPath> gatherLost() const
+  {
+    Message message;
+    for (Id number = 0; number < this->targets_.size(); ++number)
+    {
+      if (this->isLost_[number])
+      {
+        put(message, LostPath{ this->onOwnFace(this->targets_[number]), number });
+      }
+    }
+    std::vector<LostPath> all;
+    readEach(this->part_.exchange().tellAll(message),
+      [&](int, MessageReader& reader) { all.push_back(reader.get<LostPath>()); });
+    return all;
+  }
 
 private:
-  void traceOwn();
-  void traceFrom(Id target, PathInTransit& transit);
-  void handOver();
-  void advance(PathInTransit& transit) const;
-  void follow(PathInTransit& transit) const;
-  bool searchAround(PathInTransit& transit) const;
-  std::vector<int> ranksToAsk(const TracedPath& path) const;
-  Id faceOfRank(const SurfacePoint& point, int rank) const;
-  void putReport(const PathInTransit& transit, Message& message) const;
-  void takeReport(MessageReader& reader);
+  void traceOwn()
+  {
+    const std::size_t count = this->targets_.size();
+    const ProgressCallback progress =
+      progressBetween(this->options_.progress, FrontDone, TracingDone);
+    std::vector<PathInTransit> paths;
+    for (std::size_t first = 0; first < count; first += PathsPerReport)
+    {
+      reportProgress(progress, static_cast<double>(first) / static_cast<double>(count));
+      paths.assign(std::min(PathsPerReport, count - first), PathInTransit());
+      forAll(this->options_.parallelFor, (paths.size() + PathsPerTask - 1) / PathsPerTask,
+        [&](std::size_t task)
+        {
+          const std::size_t end = std::min(paths.size(), (task + 1) * PathsPerTask);
+          for (std::size_t i = task * PathsPerTask; i < end; ++i)
+          {
+            this->traceFrom(static_cast<Id>(first + i), paths[i]);
+          }
+        });
+      std::copy_if(std::make_move_iterator(paths.begin()), std::make_move_iterator(paths.end()),
+        std::back_inserter(this->leaving_),
+        [](const PathInTransit& transit) { return transit.status == Status::OnItsWay; });
+    }
+  }
+
+  // Most paths end here: they need no message.
+  void traceFrom(Id target, PathInTransit& transit)
+  {
+    transit.targetRank = this->part_.exchange().rank();
+    transit.target = target;
+    transit.path = this->tracer_.begin(this->targets_[target]);
+    if (transit.path.points.empty())
+    {
+      transit.status = Status::Whole;
+      return;
+    }
+    this->advance(transit);
+    if (transit.status == Status::Whole)
+    {
+      this->take(target, this->part_.mesh(), transit.path.points, transit.path.whole,
+        [this](Id face) { return this->part_.addressOf(face); });
+      transit.path = {};
+    }
+    this->isLost_[target] = transit.status == Status::Lost ? 1 : 0;
+  }
+
   void take(Id target, const TriangleMesh& mesh, const std::vector<SurfacePoint>& path,
-    double length, const std::function<RankAddress(Id)>& addressOf) const;
+    double length, const std::function<RankAddress(Id)>& addressOf) const
+  {
+    const std::vector<SurfacePoint> points = cleanedPath(mesh, path, length);
+    this->take_(target, { mesh, points, this->ends_.of(mesh, points, addressOf) });
+  }
+
+  // Sends the paths that leave to the ranks where they go on, and follows those that come.
+  void handOver()
+  {
+    Exchange& exchange = this->part_.exchange();
+    std::vector<Message> messages = exchange.noMessages();
+    for (const PathInTransit& transit : this->leaving_)
+    {
+      this->putReport(transit, messages[rankIndex(transit.targetRank)]);
+      if (transit.status == Status::OnItsWay)
+      {
+        Message& next = messages[rankIndex(transit.rank)];
+        put(next, false);
+        putInTransit(next, this->part_, transit);
+      }
+    }
+    this->leaving_.clear();
+    readEach(exchange.step(std::move(messages)),
+      [this](int, MessageReader& reader)
+      {
+        const bool isReport = reader.get<bool>();
+        if (isReport)
+        {
+          this->takeReport(reader);
+        }
+        else
+        {
+          this->leaving_.push_back(getInTransit(reader, this->part_));
+        }
+      });
+    forAll(this->options_.parallelFor, this->leaving_.size(),
+      [this](std::size_t i) { this->advance(this->leaving_[i]); });
+  }
+
+  void advance(PathInTransit& transit) const
+  {
+    try
+    {
+      this->follow(transit);
+    }
+    catch (const PathLost&)
+    {
+      transit.status = Status::Lost;
+    }
+  }
+
+  void follow(PathInTransit& transit) const
+  {
+    do
+    {
+      const Id elsewhere = this->tracer_.follow(transit.path);
+      if (transit.path.isWhole())
+      {
+        transit.status = Status::Whole;
+        return;
+      }
+      if (elsewhere != NoId)
+      {
+        const bool isOnLeg = transit.path.next == TracedPath::Next::BehindExit;
+        transit.rank = this->part_.ownerOf(elsewhere).rank;
+        transit.face = isOnLeg ? TriangleMesh::faceOf(transit.path.leg.exit) : elsewhere;
+        return;
+      }
+    } while (this->searchAround(transit));
+  }
+
+  // Asks the ranks around an edge one after another, then goes on where the path is nearest.
+  // Returns whether that is here.
+  bool searchAround(PathInTransit& transit) const
+  {
+    const int self = this->part_.exchange().rank();
+    const SurfacePoint& point = transit.path.points.back();
+    if (transit.toAsk.empty() && !transit.nearest.isFound())
+    {
+      transit.toAsk = this->ranksToAsk(transit.path);
+    }
+    const auto own = std::find(transit.toAsk.begin(), transit.toAsk.end(), self);
+    if (own != transit.toAsk.end())
+    {
+      transit.toAsk.erase(own);
+      transit.nearest = std::min(transit.nearest, { this->tracer_.searchHere(transit.path), self });
+    }
+    if (transit.toAsk.empty() && !transit.nearest.isFound())
+    {
+      throw PathLost(
+        "A shortest path was to be followed through faces whose windows are not known.");
+    }
+    transit.rank = transit.toAsk.empty() ? transit.nearest.rank : transit.toAsk.front();
+    if (transit.rank != self)
+    {
+      transit.face = point.kind == SurfacePoint::Kind::Edge ? TriangleMesh::faceOf(point.id)
+                                                            : this->faceOfRank(point, transit.rank);
+      return false;
+    }
+    transit.nearest = {};
+    this->tracer_.goOnHere(transit.path);
+    return true;
+  }
+
+  // The ranks that own faces around the last point, each once.
+  std::vector<int> ranksToAsk(const TracedPath& path) const
+  {
+    std::vector<int> ranks;
+    forEachFace(this->part_.mesh(), path.points.back(),
+      [&](Id face)
+      {
+        if (face != path.without)
+        {
+          ranks.push_back(this->part_.addressOf(face).rank);
+        }
+      });
+    std::sort(ranks.begin(), ranks.end());
+    ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+    return ranks;
+  }
+
+  // A face around a point that a rank owns.
+  Id faceOfRank(const SurfacePoint& point, int rank) const
+  {
+    Id found = NoId;
+    forEachFace(this->part_.mesh(), point,
+      [&](Id face) { found = this->part_.addressOf(face).rank == rank ? face : found; });
+    return found;
+  }
+
+  // What this rank has found of a path.
+  void putReport(const PathInTransit& transit, Message& message) const
+  {
+    const TracedPath& path = transit.path;
+    put(message, true);
+    put(message, transit.target);
+    put(message, transit.status);
+    std::vector<SentPathPoint> points;
+    for (std::size_t i = transit.sent; i < path.points.size(); ++i)
+    {
+      const Id face = path.faces[i];
+      points.push_back(
+        { this->part_.sentFace(face), toFacePoint(this->part_.mesh(), face, path.points[i]) });
+    }
+    putAll(message, points);
+    put(message, path.whole);
+  }
+
+  void takeReport(MessageReader& reader)
+  {
+    const Id target = reader.get<Id>();
+    const auto status = reader.get<Status>();
+    const auto points = reader.getAll<SentPathPoint>();
+    const auto whole = reader.get<double>();
+    std::vector<SentPathPoint>& found = this->found_[target];
+    found.insert(found.end(), points.begin(), points.end());
+    if (status == Status::Whole)
+    {
+      const GatheredFaces faces = facesOf(found);
+      std::vector<SurfacePoint> path;
+      for (const SentPathPoint& p : found)
+      {
+        path.push_back(fromFacePoint(faces.mesh(), faces.faceAt(p.face.owner), p.point));
+      }
+      this->take(
+        target, faces.mesh(), path, whole, [&faces](Id face) { return faces.ownerOf(face); });
+    }
+    this->isLost_[target] = status == Status::Lost ? 1 : 0;
+    if (status != Status::OnItsWay)
+    {
+      found = {};
+    }
+  }
+
+  TargetOnRank onOwnFace(const SurfacePoint& target) const
+  {
+    const TriangleMesh& mesh = this->part_.mesh();
+    Id own = NoId;
+    forEachFace(
+      mesh, target, [&](Id face) { own = own == NoId && this->part_.isOwn(face) ? face : own; });
+    const SurfacePoint inOwn = own != someFace(mesh, target)
+      ? fromBarycentric(mesh, own, barycentric(mesh, target, own))
+      : target;
+    return { this->part_.addressOf(own), toFacePoint(mesh, own, inOwn),
+      this->field_.distance(target) };
+  }
 
   const DistanceField& field_;
   const MeshPartition& part_;
@@ -102,305 +427,6 @@ private:
   std::vector<std::uint8_t> isLost_;
 };
 
-void PathFinder::run()
-{
-  this->traceOwn();
-  while (this->part_.exchange().isTrueAnywhere(!this->leaving_.empty()))
-  {
-    reportProgress(this->options_.progress, TracingDone);
-    this->handOver();
-  }
-}
-
-std::vector<Id> PathFinder::lost() const
-{
-  std::vector<Id> lost;
-  for (Id target = 0; target < this->targets_.size(); ++target)
-  {
-    if (this->isLost_[target])
-    {
-      lost.push_back(target);
-    }
-  }
-  return lost;
-}
-
-void PathFinder::traceOwn()
-{
-  const std::size_t count = this->targets_.size();
-  const ProgressCallback progress =
-    progressBetween(this->options_.progress, FrontDone, TracingDone);
-  std::vector<PathInTransit> paths;
-  for (std::size_t first = 0; first < count; first += PathsPerReport)
-  {
-    reportProgress(progress, static_cast<double>(first) / static_cast<double>(count));
-    paths.assign(std::min(PathsPerReport, count - first), PathInTransit());
-    forAll(this->options_.parallelFor, (paths.size() + PathsPerTask - 1) / PathsPerTask,
-      [&](std::size_t task)
-      {
-        const std::size_t end = std::min(paths.size(), (task + 1) * PathsPerTask);
-        for (std::size_t i = task * PathsPerTask; i < end; ++i)
-        {
-          this->traceFrom(static_cast<Id>(first + i), paths[i]);
-        }
-      });
-    std::copy_if(std::make_move_iterator(paths.begin()), std::make_move_iterator(paths.end()),
-      std::back_inserter(this->leaving_),
-      [](const PathInTransit& transit) { return transit.status == Status::OnItsWay; });
-  }
-}
-
-// Most paths end here: they need no message.
-void PathFinder::traceFrom(Id target, PathInTransit& transit)
-{
-  transit.targetRank = this->part_.exchange().rank();
-  transit.target = target;
-  transit.path = this->tracer_.begin(this->targets_[target]);
-  if (transit.path.points.empty())
-  {
-    transit.status = Status::Whole;
-    return;
-  }
-  this->advance(transit);
-  if (transit.status == Status::Whole)
-  {
-    this->take(target, this->part_.mesh(), transit.path.points, transit.path.whole,
-      [this](Id face) { return this->part_.addressOf(face); });
-    transit.path = {};
-  }
-  this->isLost_[target] = transit.status == Status::Lost ? 1 : 0;
-}
-
-void PathFinder::take(Id target, const TriangleMesh& mesh, const std::vector<SurfacePoint>& path,
-  double length, const std::function<RankAddress(Id)>& addressOf) const
-{
-  const std::vector<SurfacePoint> points = cleanedPath(mesh, path, length);
-  this->take_(target, { mesh, points, this->ends_.of(mesh, points, addressOf) });
-}
-
-// Sends the paths that leave to the ranks where they go on, and follows those that come.
-void PathFinder::handOver()
-{
-  Exchange& exchange = this->part_.exchange();
-  std::vector<Message> messages = exchange.noMessages();
-  for (const PathInTransit& transit : this->leaving_)
-  {
-    this->putReport(transit, messages[rankIndex(transit.targetRank)]);
-    if (transit.status == Status::OnItsWay)
-    {
-      Message& next = messages[rankIndex(transit.rank)];
-      put(next, false);
-      putInTransit(next, this->part_, transit);
-    }
-  }
-  this->leaving_.clear();
-  readEach(exchange.step(std::move(messages)),
-    [this](int, MessageReader& reader)
-    {
-      const bool isReport = reader.get<bool>();
-      if (isReport)
-      {
-        this->takeReport(reader);
-      }
-      else
-      {
-        this->leaving_.push_back(getInTransit(reader, this->part_));
-      }
-    });
-  forAll(this->options_.parallelFor, this->leaving_.size(),
-    [this](std::size_t i) { this->advance(this->leaving_[i]); });
-}
-
-void PathFinder::advance(PathInTransit& transit) const
-{
-  try
-  {
-    this->follow(transit);
-  }
-  catch (const PathLost&)
-  {
-    transit.status = Status::Lost;
-  }
-}
-
-void PathFinder::follow(PathInTransit& transit) const
-{
-  do
-  {
-    const Id elsewhere = this->tracer_.follow(transit.path);
-    if (transit.path.isWhole())
-    {
-      transit.status = Status::Whole;
-      return;
-    }
-    if (elsewhere != NoId)
-    {
-      const bool isOnLeg = transit.path.next == TracedPath::Next::BehindExit;
-      transit.rank = this->part_.ownerOf(elsewhere).rank;
-      transit.face = isOnLeg ? TriangleMesh::faceOf(transit.path.leg.exit) : elsewhere;
-      return;
-    }
-  } while (this->searchAround(transit));
-}
-
-// Asks the ranks around an edge one after another, then goes on where the path is nearest. Returns
-// whether that is here.
-bool PathFinder::searchAround(PathInTransit& transit) const
-{
-  const int self = this->part_.exchange().rank();
-  const SurfacePoint& point = transit.path.points.back();
-  if (transit.toAsk.empty() && !transit.nearest.isFound())
-  {
-    transit.toAsk = this->ranksToAsk(transit.path);
-  }
-  const auto own = std::find(transit.toAsk.begin(), transit.toAsk.end(), self);
-  if (own != transit.toAsk.end())
-  {
-    transit.toAsk.erase(own);
-    transit.nearest = std::min(transit.nearest, { this->tracer_.searchHere(transit.path), self });
-  }
-  if (transit.toAsk.empty() && !transit.nearest.isFound())
-  {
-    throw PathLost("A shortest path was to be followed through faces whose windows are not known.");
-  }
-  transit.rank = transit.toAsk.empty() ? transit.nearest.rank : transit.toAsk.front();
-  if (transit.rank != self)
-  {
-    transit.face = point.kind == SurfacePoint::Kind::Edge ? TriangleMesh::faceOf(point.id)
-                                                          : this->faceOfRank(point, transit.rank);
-    return false;
-  }
-  transit.nearest = {};
-  this->tracer_.goOnHere(transit.path);
-  return true;
-}
-
-// The ranks that own faces around the last point, each once.
-std::vector<int> PathFinder::ranksToAsk(const TracedPath& path) const
-{
-  std::vector<int> ranks;
-  forEachFace(this->part_.mesh(), path.points.back(),
-    [&](Id face)
-    {
-      if (face != path.without)
-      {
-        ranks.push_back(this->part_.addressOf(face).rank);
-      }
-    });
-  std::sort(ranks.begin(), ranks.end());
-  ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
-  return ranks;
-}
-
-// A face around a point that a rank owns.
-Id PathFinder::faceOfRank(const SurfacePoint& point, int rank) const
-{
-  Id found = NoId;
-  forEachFace(this->part_.mesh(), point,
-    [&](Id face) { found = this->part_.addressOf(face).rank == rank ? face : found; });
-  return found;
-}
-
-// What this rank has found of a path.
-void PathFinder::putReport(const PathInTransit& transit, Message& message) const
-{
-  const TracedPath& path = transit.path;
-  put(message, true);
-  put(message, transit.target);
-  put(message, transit.status);
-  std::vector<SentPathPoint> points;
-  for (std::size_t i = transit.sent; i < path.points.size(); ++i)
-  {
-    const Id face = path.faces[i];
-    points.push_back(
-      { this->part_.sentFace(face), toFacePoint(this->part_.mesh(), face, path.points[i]) });
-  }
-  putAll(message, points);
-  put(message, path.whole);
-}
-
-void PathFinder::takeReport(MessageReader& reader)
-{
-  const Id target = reader.get<Id>();
-  const auto status = reader.get<Status>();
-  const auto points = reader.getAll<SentPathPoint>();
-  const auto whole = reader.get<double>();
-  std::vector<SentPathPoint>& found = this->found_[target];
-  found.insert(found.end(), points.begin(), points.end());
-  if (status == Status::Whole)
-  {
-    const GatheredFaces faces = facesOf(found);
-    std::vector<SurfacePoint> path;
-    for (const SentPathPoint& p : found)
-    {
-      path.push_back(fromFacePoint(faces.mesh(), faces.faceAt(p.face.owner), p.point));
-    }
-    this->take(
-      target, faces.mesh(), path, whole, [&faces](Id face) { return faces.ownerOf(face); });
-  }
-  this->isLost_[target] = status == Status::Lost ? 1 : 0;
-  if (status != Status::OnItsWay)
-  {
-    found = {};
-  }
-}
-
-/// Windows around targets on edges are kept in the faces of all ranks there.
-void keepAroundEdges(
-  const MeshPartition& part, const std::vector<SurfacePoint>& targets, RetentionAround& retention)
-{
-  std::vector<Message> messages = part.exchange().noMessages();
-  for (const SurfacePoint& target : targets)
-  {
-    const SurfacePoint point = normalized(part.mesh(), target);
-    if (point.kind == SurfacePoint::Kind::Edge)
-    {
-      forEachFace(part.mesh(), point,
-        [&](Id face)
-        {
-          const RankAddress address = part.addressOf(face);
-          put(messages[rankIndex(address.rank)], address.id);
-        });
-    }
-  }
-  readEach(part.exchange().step(std::move(messages)),
-    [&](int, MessageReader& reader) { retention.keepForOthers(reader.get<Id>()); });
-}
-
-/// A path that got lost on any rank.
-struct LostPath
-{
-  TargetOnRank target;
-  /// Which of its rank's targets that is.
-  Id number;
-};
-
-/// \returns the paths that got lost on all ranks, in one order.
-std::vector<LostPath> gatherLost(
-  const DistanceField& field, const std::vector<SurfacePoint>& targets, const std::vector<Id>& lost)
-{
-  const MeshPartition& part = field.surface();
-  Message message;
-  for (const Id number : lost)
-  {
-    const SurfacePoint& target = targets[number];
-    Id own = NoId;
-    forEachFace(
-      part.mesh(), target, [&](Id face) { own = own == NoId && part.isOwn(face) ? face : own; });
-    const SurfacePoint inOwn = own != someFace(part.mesh(), target)
-      ? fromBarycentric(part.mesh(), own, barycentric(part.mesh(), target, own))
-      : target;
-    put(message,
-      LostPath{
-        { part.addressOf(own), toFacePoint(part.mesh(), own, inOwn), field.distance(target) },
-        number });
-  }
-  std::vector<LostPath> all;
-  readEach(part.exchange().tellAll(message),
-    [&](int, MessageReader& reader) { all.push_back(reader.get<LostPath>()); });
-  return all;
-}
-
 } // anonymous namespace
 
 void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
@@ -408,8 +434,7 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
   const PathsOptions& options, const TakePath& take)
 {
   RetentionAround retention(part.mesh(), targets);
-  retention.keepAroundIrregularEdges();
-  keepAroundEdges(part, targets, retention);
+  retention.keepForPaths(part);
   FrontOptions frontOptions;
   frontOptions.keepArrivals = true;
   frontOptions.parallelFor = options.parallelFor;
@@ -426,7 +451,7 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
 
   const KnownDistances known{ field.vertexDistances(),
     part.exchange().largestOf(retention.reach()) };
-  const std::vector<LostPath> lost = gatherLost(field, targets, paths.lost());
+  const std::vector<LostPath> lost = paths.gatherLost();
   for (std::size_t i = 0; i < lost.size(); ++i)
   {
     const double done = static_cast<double>(i) / static_cast<double>(lost.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/SolveForRefinement.h"
 
-#include "field/Solve.h"
+#include "field/DistanceField.h"
 #include "refinement/RefinementRetention.h"
 
 #include <algorithm>
