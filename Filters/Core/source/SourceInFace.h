@@ -3,7 +3,7 @@
 #define geodesic_SourceInFace_h
 
 #include "mesh/HalfedgeFrame.h"
-#include "source/CurveChains.h"
+#include "source/SourceCurve.h"
 
 #include <vector>
 
@@ -48,26 +48,6 @@ Barycentric nearestOnSource(
 /// The distance to the nearest point of the source.
 double distanceToSource(
   const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& point);
-
-/// Finds the segment of a source at a point of the surface.
-class CurvesInFaces
-{
-public:
-  /// \param mesh must outlive this.
-  CurvesInFaces(const TriangleMesh& mesh, const CurveChains& chains);
-
-  /// The segment, or source that is a point, nearest to a point in the faces around it. Null if
-  /// these faces contain none.
-  ///
-  /// \param face around the point: its segments are preferred to those of other faces that are as
-  ///        near but for rounding.
-  const SourceInFace* nearest(const SurfacePoint& point, Id face) const;
-
-private:
-  const TriangleMesh& mesh_;
-  /// In the order of the faces.
-  std::vector<SourceInFace> pieces_;
-};
 
 }
 
