@@ -44,16 +44,109 @@ public:
     this->result.partsCrossedStraight = isolines.partsCrossedStraight;
   }
 
-  void cut(const Isoline& line, const SidedValue& value);
+  /// A closed line that is cut begins where its side changes. Parts on the right-hand side are
+  /// turned around.
+  void cut(const Isoline& line, const SidedValue& value)
+  {
+    std::vector<SidedChord> chords = this->withSides(line);
+    Id at = line.points.front();
+    const auto change = std::adjacent_find(chords.begin(), chords.end(),
+      [](const SidedChord& a, const SidedChord& b) { return a.isOnRight != b.isOnRight; });
+    if (line.isClosed() && change != chords.end())
+    {
+      at = change->end;
+      std::rotate(chords.begin(), change + 1, chords.end());
+    }
+    for (auto chord = chords.begin(); chord != chords.end();)
+    {
+      const bool isRight = chord->isOnRight;
+      Isoline part = { isRight ? value.right : value.left, { at }, {} };
+      for (; chord != chords.end() && chord->isOnRight == isRight; ++chord)
+      {
+        at = chord->end;
+        part.points.push_back(at);
+        part.faces.push_back(chord->face);
+      }
+      if (isRight)
+      {
+        std::reverse(part.points.begin(), part.points.end());
+        std::reverse(part.faces.begin(), part.faces.end());
+      }
+      if (part.value != SidedValue::None)
+      {
+        this->result.lines.push_back(std::move(part));
+      }
+    }
+  }
 
   Isolines result;
 
 private:
-  Barycentric onChord(const Isoline& line, std::size_t chord, double t) const;
-  IncomingSegment pieceTo(const Isoline& line, std::size_t chord, double t) const;
-  bool isOnRightAt(const Isoline& line, std::size_t chord, double t);
-  std::vector<SidedChord> withSides(const Isoline& line);
-  Id addChange(const Isoline& line, std::size_t chord, bool isRightBefore);
+  Barycentric onChord(const Isoline& line, std::size_t chord, double t) const
+  {
+    const Id face = line.faces[chord];
+    const auto place = [&](std::size_t i)
+    { return barycentric(this->mesh_, this->result.points[line.points[i]], face); };
+    return between(place(chord), place(chord + 1), t);
+  }
+
+  IncomingSegment pieceTo(const Isoline& line, std::size_t chord, double t) const
+  {
+    return incomingSegmentTo(
+      this->field_, fromBarycentric(this->mesh_, line.faces[chord], this->onChord(line, chord, t)));
+  }
+
+  bool isOnRightAt(const Isoline& line, std::size_t chord, double t)
+  {
+    return this->isOnRight_(this->nearest_.of(this->pieceTo(line, chord, t)));
+  }
+
+  std::vector<SidedChord> withSides(const Isoline& line)
+  {
+    std::vector<SidedChord> chords;
+    for (std::size_t chord = 0; chord < line.faces.size(); ++chord)
+    {
+      reportProgress(this->progress_, this->chordsDone_++ / this->chords_);
+      const bool before = this->isOnRightAt(line, chord, BesideEnd);
+      const bool behind = this->isOnRightAt(line, chord, 1.0 - BesideEnd);
+      if (before != behind)
+      {
+        chords.push_back({ line.faces[chord], this->addChange(line, chord, before), before });
+      }
+      chords.push_back({ line.faces[chord], line.points[chord + 1], behind });
+    }
+    return chords;
+  }
+
+  /// Adds the point where the side changes. It is moved along the ray that comes to it, to the
+  /// value of the line: along a ray the distance changes as much as the place.
+  Id addChange(const Isoline& line, std::size_t chord, bool isRightBefore)
+  {
+    double begin = BesideEnd;
+    double end = 1.0 - BesideEnd;
+    for (int i = 0; i < Halvings; ++i)
+    {
+      const double middle = 0.5 * (begin + end);
+      (this->isOnRightAt(line, chord, middle) == isRightBefore ? begin : end) = middle;
+    }
+    const Id face = line.faces[chord];
+    const Id frame = longestHalfedge(this->mesh_, face);
+    const IncomingSegment piece = this->pieceTo(line, chord, begin);
+    Vec2 at = inHalfedgeFrame(this->mesh_, frame, this->onChord(line, chord, begin));
+    const double length = norm(piece.ray.direction);
+    if (piece.ray.halfedge != NoId && TriangleMesh::faceOf(piece.ray.halfedge) == face &&
+      length > 0.0)
+    {
+      const Vec2 along =
+        turned(this->mesh_, (1.0 / length) * piece.ray.direction, piece.ray.halfedge, frame);
+      const double value =
+        incomingSegmentTo(this->field_, this->result.points[line.points[chord]]).distance;
+      at = at + (value - piece.distance) * along;
+    }
+    this->result.points.push_back(
+      fromBarycentric(this->mesh_, face, fromHalfedgeFrame(this->mesh_, frame, at)));
+    return static_cast<Id>(this->result.points.size() - 1);
+  }
 
   const DistanceField& field_;
   const TriangleMesh& mesh_;
@@ -64,107 +157,6 @@ private:
   double chords_ = 0.0;
   double chordsDone_ = 0.0;
 };
-
-Barycentric Cutter::onChord(const Isoline& line, std::size_t chord, double t) const
-{
-  const Id face = line.faces[chord];
-  const auto place = [&](std::size_t i)
-  { return barycentric(this->mesh_, this->result.points[line.points[i]], face); };
-  return between(place(chord), place(chord + 1), t);
-}
-
-IncomingSegment Cutter::pieceTo(const Isoline& line, std::size_t chord, double t) const
-{
-  return incomingSegmentTo(
-    this->field_, fromBarycentric(this->mesh_, line.faces[chord], this->onChord(line, chord, t)));
-}
-
-bool Cutter::isOnRightAt(const Isoline& line, std::size_t chord, double t)
-{
-  return this->isOnRight_(this->nearest_.of(this->pieceTo(line, chord, t)));
-}
-
-std::vector<SidedChord> Cutter::withSides(const Isoline& line)
-{
-  std::vector<SidedChord> chords;
-  for (std::size_t chord = 0; chord < line.faces.size(); ++chord)
-  {
-    reportProgress(this->progress_, this->chordsDone_++ / this->chords_);
-    const bool before = this->isOnRightAt(line, chord, BesideEnd);
-    const bool behind = this->isOnRightAt(line, chord, 1.0 - BesideEnd);
-    if (before != behind)
-    {
-      chords.push_back({ line.faces[chord], this->addChange(line, chord, before), before });
-    }
-    chords.push_back({ line.faces[chord], line.points[chord + 1], behind });
-  }
-  return chords;
-}
-
-// Adds the point where the side changes. It is moved along the ray that comes to it, to the value
-// of the line: along a ray the distance changes as much as the place.
-Id Cutter::addChange(const Isoline& line, std::size_t chord, bool isRightBefore)
-{
-  double begin = BesideEnd;
-  double end = 1.0 - BesideEnd;
-  for (int i = 0; i < Halvings; ++i)
-  {
-    const double middle = 0.5 * (begin + end);
-    (this->isOnRightAt(line, chord, middle) == isRightBefore ? begin : end) = middle;
-  }
-  const Id face = line.faces[chord];
-  const Id frame = longestHalfedge(this->mesh_, face);
-  const IncomingSegment piece = this->pieceTo(line, chord, begin);
-  Vec2 at = inHalfedgeFrame(this->mesh_, frame, this->onChord(line, chord, begin));
-  const double length = norm(piece.ray.direction);
-  if (piece.ray.halfedge != NoId && TriangleMesh::faceOf(piece.ray.halfedge) == face &&
-    length > 0.0)
-  {
-    const Vec2 along =
-      turned(this->mesh_, (1.0 / length) * piece.ray.direction, piece.ray.halfedge, frame);
-    const double value =
-      incomingSegmentTo(this->field_, this->result.points[line.points[chord]]).distance;
-    at = at + (value - piece.distance) * along;
-  }
-  this->result.points.push_back(
-    fromBarycentric(this->mesh_, face, fromHalfedgeFrame(this->mesh_, frame, at)));
-  return static_cast<Id>(this->result.points.size() - 1);
-}
-
-// A closed line that is cut begins where its side changes. Parts on the right-hand side are turned
-// around.
-void Cutter::cut(const Isoline& line, const SidedValue& value)
-{
-  std::vector<SidedChord> chords = this->withSides(line);
-  Id at = line.points.front();
-  const auto change = std::adjacent_find(chords.begin(), chords.end(),
-    [](const SidedChord& a, const SidedChord& b) { return a.isOnRight != b.isOnRight; });
-  if (line.isClosed() && change != chords.end())
-  {
-    at = change->end;
-    std::rotate(chords.begin(), change + 1, chords.end());
-  }
-  for (auto chord = chords.begin(); chord != chords.end();)
-  {
-    const bool isRight = chord->isOnRight;
-    Isoline part = { isRight ? value.right : value.left, { at }, {} };
-    for (; chord != chords.end() && chord->isOnRight == isRight; ++chord)
-    {
-      at = chord->end;
-      part.points.push_back(at);
-      part.faces.push_back(chord->face);
-    }
-    if (isRight)
-    {
-      std::reverse(part.points.begin(), part.points.end());
-      std::reverse(part.faces.begin(), part.faces.end());
-    }
-    if (part.value != SidedValue::None)
-    {
-      this->result.lines.push_back(std::move(part));
-    }
-  }
-}
 
 } // anonymous namespace
 

@@ -33,39 +33,6 @@ struct EdgePoint
   bool rises;
 };
 
-class Drawing
-{
-public:
-  Drawing(const DistanceField& field, const IsolineOptions& options);
-
-  Isolines run();
-
-private:
-  SurfacePoint placeOf(const EdgePoint& p) const;
-  void findFaces();
-  bool isBelow(Id vertex, std::size_t value) const;
-  template <typename Result, typename Task>
-  std::vector<Result> forTasks(double begin, double end, Task&& task) const;
-
-  void findEdgePoints();
-  void exchangeEdgePoints();
-  void countTurnsAtSeams(Isolines& isolines) const;
-  void addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePoint>& points) const;
-  IsolinePieces drawFaces(
-    std::size_t first, std::size_t last, const ProgressCallback& progress) const;
-  void findOutline(Id face, std::size_t value, std::vector<OutlinePoint>& outline) const;
-  DistanceRange rangeOf(Id face) const;
-
-  const DistanceField& field_;
-  const TriangleMesh& mesh_;
-  const IsolineOptions& options_;
-  /// See tolerance::BelowValue.
-  std::vector<double> levels_;
-  /// The faces of this rank that may contain a value, ascending.
-  std::vector<Id> faces_;
-  std::vector<EdgePoint> edgePoints_;
-};
-
 void checkOptions(const IsolineOptions& options)
 {
   const std::vector<double>& values = options.values;
@@ -84,11 +51,9 @@ void checkOptions(const IsolineOptions& options)
 /// Whether other ranks also draw at an edge: each draws in the faces that it owns.
 bool isAtSeam(const MeshPartition& part, Id halfedge)
 {
-  bool isSeam = !part.isOwn(TriangleMesh::faceOf(halfedge));
-  for (Id s = part.mesh().nextSibling(halfedge); s != halfedge; s = part.mesh().nextSibling(s))
-  {
-    isSeam = isSeam || !part.isOwn(TriangleMesh::faceOf(s));
-  }
+  bool isSeam = false;
+  forEachFace(part.mesh(), SurfacePoint::onEdge(halfedge, 0.0),
+    [&](Id face) { isSeam = isSeam || !part.isOwn(face); });
   return isSeam;
 }
 
@@ -126,295 +91,310 @@ double placeByDistance(
   return place;
 }
 
-Drawing::Drawing(const DistanceField& field, const IsolineOptions& options)
-  : field_(field)
-  , mesh_(field.mesh())
-  , options_(options)
+class Drawing
 {
-  for (const double value : options.values)
+public:
+  Drawing(const DistanceField& field, const IsolineOptions& options)
+    : field_(field)
+    , mesh_(field.mesh())
+    , options_(options)
   {
-    this->levels_.push_back(value * (1.0 - tolerance::BelowValue));
-  }
-}
-
-Isolines Drawing::run()
-{
-  this->findFaces();
-  this->findEdgePoints();
-  std::vector<IsolinePieces> drawn = this->forTasks<IsolinePieces>(EdgesDone, 1.0,
-    [this](std::size_t first, std::size_t last, IsolinePieces& result,
-      const ProgressCallback& progress) { result = this->drawFaces(first, last, progress); });
-  std::vector<SurfacePoint> onEdges;
-  onEdges.reserve(this->edgePoints_.size());
-  for (const EdgePoint& p : this->edgePoints_)
-  {
-    onEdges.push_back(this->placeOf(p));
-  }
-  IsolineJoin join(this->mesh_, this->levels_, std::move(onEdges));
-  for (Id point = 0; point < this->edgePoints_.size(); ++point)
-  {
-    if (isAtSeam(this->field_.surface(), this->edgePoints_[point].halfedge))
+    for (const double value : options.values)
     {
-      join.endAt(point);
+      this->levels_.push_back(value * (1.0 - tolerance::BelowValue));
     }
   }
-  for (IsolinePieces& pieces : drawn)
-  {
-    join.add(pieces);
-    pieces = {};
-  }
-  Isolines result = join.finish();
-  this->countTurnsAtSeams(result);
-  return result;
-}
 
-// Counts lines that end at a seam between faces of opposite orientation: the lines that continue
-// them run the other way.
-void Drawing::countTurnsAtSeams(Isolines& isolines) const
-{
-  const auto turns = [&](const SurfacePoint& end)
+  Isolines run()
   {
-    return end.kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(end.id) &&
-      this->mesh_.acrossOriented(end.id) == NoId;
-  };
-  for (const Isoline& line : isolines.lines)
-  {
-    const bool isTurned = !line.isClosed() &&
-      (turns(isolines.points[line.points.front()]) || turns(isolines.points[line.points.back()]));
-    isolines.linesWithoutDirection += isTurned ? 1 : 0;
-  }
-}
-
-// The point on its edge; the vertex if the point lies so near that rounding cannot separate them.
-SurfacePoint Drawing::placeOf(const EdgePoint& p) const
-{
-  const double length = this->mesh_.length(p.halfedge);
-  const double near = tolerance::IsolineAtVertex * (this->levels_[p.value] + length);
-  if (p.fraction * length <= near)
-  {
-    return SurfacePoint::atVertex(this->mesh_.origin(p.halfedge));
-  }
-  if ((1.0 - p.fraction) * length <= near)
-  {
-    return SurfacePoint::atVertex(this->mesh_.destination(p.halfedge));
-  }
-  return SurfacePoint::onEdge(p.halfedge, p.fraction);
-}
-
-void Drawing::findFaces()
-{
-  const MeshPartition& part = this->field_.surface();
-  for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
-  {
-    const DistanceRange range = this->rangeOf(face);
-    if (!(range.least < Infinity) || !range.holdsOneOf(this->levels_))
+    this->findFaces();
+    this->findEdgePoints();
+    std::vector<IsolinePieces> drawn = this->forTasks<IsolinePieces>(EdgesDone, 1.0,
+      [this](std::size_t first, std::size_t last, IsolinePieces& result,
+        const ProgressCallback& progress) { result = this->drawFaces(first, last, progress); });
+    std::vector<SurfacePoint> onEdges;
+    onEdges.reserve(this->edgePoints_.size());
+    for (const EdgePoint& p : this->edgePoints_)
     {
-      continue;
+      onEdges.push_back(this->placeOf(p));
     }
-    if (!this->field_.knowsInside(face))
+    IsolineJoin join(this->mesh_, this->levels_, std::move(onEdges));
+    for (Id point = 0; point < this->edgePoints_.size(); ++point)
     {
-      throw Error("Isolines were asked for in face " + std::to_string(face) +
-        ", whose windows the solve did not keep.");
-    }
-    this->faces_.push_back(face);
-  }
-}
-
-// The range of distances in a face. Beyond the largest value distances need not be exact.
-DistanceRange Drawing::rangeOf(Id face) const
-{
-  const std::vector<double>& d = this->field_.vertexDistances();
-  const Triangle& t = this->mesh_.triangle(face);
-  const double certain = this->levels_.back() * (1.0 + tolerance::BoundMargin);
-  return rangeInFace(this->mesh_.shape(face), { d[t[0]], d[t[1]], d[t[2]] }, certain,
-    !this->field_.sourcesIn(face).empty());
-}
-
-bool Drawing::isBelow(Id vertex, std::size_t value) const
-{
-  return this->field_.vertexDistances()[vertex] < this->levels_[value];
-}
-
-// Calls task(first, last, result, progress) for ranges of the faces. As a single face may have very
-// many windows, tasks may call their callback as often as they like.
-template <typename Result, typename Task>
-std::vector<Result> Drawing::forTasks(double begin, double end, Task&& task) const
-{
-  const std::size_t count = this->faces_.size();
-  std::vector<Result> results((count + FacesPerTask - 1) / FacesPerTask);
-  const ProgressCallback often = paced(this->options_.progress);
-  const auto run = [&](std::size_t i, const ProgressCallback& progress)
-  {
-    const std::size_t at = i * FacesPerTask;
-    task(at, std::min(at + FacesPerTask, count), results[i], progress);
-  };
-  runWatched(results.size(), run, this->options_.parallelFor,
-    [&](double done) { return !often || often(begin + done * (end - begin)); });
-  return results;
-}
-
-void Drawing::findEdgePoints()
-{
-  using Points = std::vector<EdgePoint>;
-  const std::vector<Points> found = this->forTasks<Points>(0.0, EdgesDone,
-    [this](std::size_t first, std::size_t last, Points& points, const ProgressCallback& progress)
-    {
-      SegmentEnvelope memory;
-      for (std::size_t i = first; i < last; ++i)
+      if (isAtSeam(this->field_.surface(), this->edgePoints_[point].halfedge))
       {
-        reportProgress(progress, 0.0);
-        this->addEdgePoints(this->faces_[i], memory, points);
-      }
-    });
-  for (const Points& points : found)
-  {
-    this->edgePoints_.insert(this->edgePoints_.end(), points.begin(), points.end());
-  }
-  this->exchangeEdgePoints();
-}
-
-// Faces have one order on all ranks, so that all agree about the halfedge that names an edge. The
-// owner of its face sends the edge's points to the other ranks at the edge.
-void Drawing::exchangeEdgePoints()
-{
-  const MeshPartition& part = this->field_.surface();
-  std::vector<Message> messages = part.exchange().noMessages();
-  for (const EdgePoint& p : this->edgePoints_)
-  {
-    std::vector<int> told;
-    for (Id s = this->mesh_.nextSibling(p.halfedge); s != p.halfedge;
-         s = this->mesh_.nextSibling(s))
-    {
-      const RankAddress face = part.addressOf(TriangleMesh::faceOf(s));
-      const bool isOther = !part.isOwn(TriangleMesh::faceOf(s));
-      if (isOther && std::find(told.begin(), told.end(), face.rank) == told.end())
-      {
-        put(messages[rankIndex(face.rank)], p);
-        told.push_back(face.rank);
+        join.endAt(point);
       }
     }
+    for (IsolinePieces& pieces : drawn)
+    {
+      join.add(pieces);
+      pieces = {};
+    }
+    Isolines result = join.finish();
+    this->countTurnsAtSeams(result);
+    return result;
   }
-  readEach(part.exchange().step(std::move(messages)),
-    [&](int rank, MessageReader& reader)
-    {
-      auto p = reader.get<EdgePoint>();
-      const Id face = part.copyOf({ rank, TriangleMesh::faceOf(p.halfedge) });
-      p.halfedge = 3 * face + p.halfedge % 3;
-      this->edgePoints_.push_back(p);
-    });
-  std::stable_sort(this->edgePoints_.begin(), this->edgePoints_.end(),
-    [](const EdgePoint& a, const EdgePoint& b)
-    { return a.halfedge != b.halfedge ? a.halfedge < b.halfedge : a.value < b.value; });
-}
 
-// Computes the points of those edges that are named by a halfedge of the face. Where the distance
-// has a value on an edge, the ranges of all faces at the edge hold it.
-void Drawing::addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePoint>& points) const
-{
-  std::optional<FaceDistance> distance;
-  const bool hasSource = !this->field_.sourcesIn(face).empty();
-  const double certain = this->levels_.back() * (1.0 + tolerance::BoundMargin);
-  std::vector<SegmentCrossing> crossings;
-  for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+private:
+  /// The point on its edge; the vertex if the point lies so near that rounding cannot separate
+  /// them.
+  SurfacePoint placeOf(const EdgePoint& p) const
   {
-    const std::array<Id, 2> ends = { this->mesh_.origin(halfedge),
-      this->mesh_.destination(halfedge) };
-    const double length = this->mesh_.length(halfedge);
-    DistanceRange range = rangeOnEdge(length, this->field_.vertexDistances()[ends[0]],
-      this->field_.vertexDistances()[ends[1]], certain);
-    range.least = hasSource ? 0.0 : range.least;
-    const auto [first, last] = range.indicesIn(this->levels_);
-    if (first == last || this->mesh_.edgeOf(halfedge) != halfedge)
+    const double length = this->mesh_.length(p.halfedge);
+    const double near = tolerance::IsolineAtVertex * (this->levels_[p.value] + length);
+    if (p.fraction * length <= near)
     {
-      continue;
+      return SurfacePoint::atVertex(this->mesh_.origin(p.halfedge));
     }
-    if (!distance)
+    if ((1.0 - p.fraction) * length <= near)
     {
-      distance.emplace(this->field_, face);
+      return SurfacePoint::atVertex(this->mesh_.destination(p.halfedge));
     }
-    const Vec2 p = distance->inPlane(cornerWeights(halfedge % 3));
-    const Vec2 q = distance->inPlane(cornerWeights((halfedge + 1) % 3));
-    const std::vector<Window>& envelope = memory.along(*distance, p, q);
-    const PlaneLine line = { p, length > 0.0 ? (1.0 / length) * (q - p) : Vec2{} };
-    for (std::size_t value = first; value < last; ++value)
+    return SurfacePoint::onEdge(p.halfedge, p.fraction);
+  }
+
+  void findFaces()
+  {
+    const MeshPartition& part = this->field_.surface();
+    for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
     {
-      crossings.clear();
-      findCrossings(envelope, this->levels_[value], this->isBelow(ends[0], value),
-        this->isBelow(ends[1], value), crossings);
-      for (const SegmentCrossing& crossing : crossings)
+      const DistanceRange range = this->rangeOf(face);
+      if (!(range.least < Infinity) || !range.holdsOneOf(this->levels_))
       {
-        const double at =
-          placeByDistance(*distance, line, length, this->levels_[value], crossing.at);
-        const double fraction = length > 0.0 ? std::min(1.0, at / length) : 0.5;
-        points.push_back({ halfedge, static_cast<Id>(value), fraction, crossing.rises });
+        continue;
+      }
+      if (!this->field_.knowsInside(face))
+      {
+        throw Error("Isolines were asked for in face " + std::to_string(face) +
+          ", whose windows the solve did not keep.");
+      }
+      this->faces_.push_back(face);
+    }
+  }
+
+  bool isBelow(Id vertex, std::size_t value) const
+  {
+    return this->field_.vertexDistances()[vertex] < this->levels_[value];
+  }
+
+  /// Calls task(first, last, result, progress) for ranges of the faces. As a single face may have
+  /// very many windows, tasks may call their callback as often as they like.
+  template <typename Result, typename Task>
+  std::vector<Result> forTasks(double begin, double end, Task&& task) const
+  {
+    const std::size_t count = this->faces_.size();
+    std::vector<Result> results((count + FacesPerTask - 1) / FacesPerTask);
+    const ProgressCallback often = paced(this->options_.progress);
+    const auto run = [&](std::size_t i, const ProgressCallback& progress)
+    {
+      const std::size_t at = i * FacesPerTask;
+      task(at, std::min(at + FacesPerTask, count), results[i], progress);
+    };
+    runWatched(results.size(), run, this->options_.parallelFor,
+      [&](double done) { return !often || often(begin + done * (end - begin)); });
+    return results;
+  }
+
+  void findEdgePoints()
+  {
+    using Points = std::vector<EdgePoint>;
+    const std::vector<Points> found = this->forTasks<Points>(0.0, EdgesDone,
+      [this](std::size_t first, std::size_t last, Points& points, const ProgressCallback& progress)
+      {
+        SegmentEnvelope memory;
+        for (std::size_t i = first; i < last; ++i)
+        {
+          reportProgress(progress, 0.0);
+          this->addEdgePoints(this->faces_[i], memory, points);
+        }
+      });
+    for (const Points& points : found)
+    {
+      this->edgePoints_.insert(this->edgePoints_.end(), points.begin(), points.end());
+    }
+    this->exchangeEdgePoints();
+  }
+
+  /// Faces have one order on all ranks, so that all agree about the halfedge that names an edge.
+  /// The owner of its face sends the edge's points to the other ranks at the edge.
+  void exchangeEdgePoints()
+  {
+    const MeshPartition& part = this->field_.surface();
+    std::vector<Message> messages = part.exchange().noMessages();
+    for (const EdgePoint& p : this->edgePoints_)
+    {
+      std::vector<int> told;
+      for (Id s = this->mesh_.nextSibling(p.halfedge); s != p.halfedge;
+           s = this->mesh_.nextSibling(s))
+      {
+        const RankAddress face = part.addressOf(TriangleMesh::faceOf(s));
+        const bool isOther = !part.isOwn(TriangleMesh::faceOf(s));
+        if (isOther && std::find(told.begin(), told.end(), face.rank) == told.end())
+        {
+          put(messages[rankIndex(face.rank)], p);
+          told.push_back(face.rank);
+        }
       }
     }
+    readEach(part.exchange().step(std::move(messages)),
+      [&](int rank, MessageReader& reader)
+      {
+        auto p = reader.get<EdgePoint>();
+        const Id face = part.copyOf({ rank, TriangleMesh::faceOf(p.halfedge) });
+        p.halfedge = 3 * face + p.halfedge % 3;
+        this->edgePoints_.push_back(p);
+      });
+    std::stable_sort(this->edgePoints_.begin(), this->edgePoints_.end(),
+      [](const EdgePoint& a, const EdgePoint& b)
+      { return a.halfedge != b.halfedge ? a.halfedge < b.halfedge : a.value < b.value; });
   }
-}
 
-IsolinePieces Drawing::drawFaces(
-  std::size_t first, std::size_t last, const ProgressCallback& progress) const
-{
-  IsolineTask task = { this->mesh_, static_cast<Id>(this->edgePoints_.size()),
-    this->options_.chordTolerance, progress, LevelArrangement(progress), {} };
-  std::vector<OutlinePoint> outline;
-  std::vector<DistanceCandidate> memory;
-  for (std::size_t i = first; i < last; ++i)
+  /// Counts lines that end at a seam between faces of opposite orientation: the lines that continue
+  /// them run the other way.
+  void countTurnsAtSeams(Isolines& isolines) const
   {
-    const Id face = this->faces_[i];
-    const bool hasSource = !this->field_.sourcesIn(face).empty();
+    const auto turns = [&](const SurfacePoint& end)
+    {
+      return end.kind == SurfacePoint::Kind::Edge && this->mesh_.isInner(end.id) &&
+        this->mesh_.acrossOriented(end.id) == NoId;
+    };
+    for (const Isoline& line : isolines.lines)
+    {
+      const bool isTurned = !line.isClosed() &&
+        (turns(isolines.points[line.points.front()]) || turns(isolines.points[line.points.back()]));
+      isolines.linesWithoutDirection += isTurned ? 1 : 0;
+    }
+  }
+
+  /// Computes the points of those edges that are named by a halfedge of the face. Where the
+  /// distance has a value on an edge, the ranges of all faces at the edge hold it.
+  void addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePoint>& points) const
+  {
     std::optional<FaceDistance> distance;
-    const auto [from, to] = this->rangeOf(face).indicesIn(this->levels_);
-    for (std::size_t value = from; value < to; ++value)
+    const bool hasSource = !this->field_.sourcesIn(face).empty();
+    const double certain = this->levels_.back() * (1.0 + tolerance::BoundMargin);
+    std::vector<SegmentCrossing> crossings;
+    for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
     {
-      reportProgress(progress, 0.0);
-      const bool below = this->isBelow(this->mesh_.triangle(face)[0], value);
-      this->findOutline(face, value, outline);
-      if (outline.empty() && !below && !hasSource)
+      const std::array<Id, 2> ends = { this->mesh_.origin(halfedge),
+        this->mesh_.destination(halfedge) };
+      const double length = this->mesh_.length(halfedge);
+      DistanceRange range = rangeOnEdge(length, this->field_.vertexDistances()[ends[0]],
+        this->field_.vertexDistances()[ends[1]], certain);
+      range.least = hasSource ? 0.0 : range.least;
+      const auto [first, last] = range.indicesIn(this->levels_);
+      if (first == last || this->mesh_.edgeOf(halfedge) != halfedge)
       {
         continue;
       }
       if (!distance)
       {
-        distance.emplace(this->field_, face, std::move(memory));
+        distance.emplace(this->field_, face);
       }
-      drawInFace(*distance, this->levels_[value], static_cast<Id>(value), outline, below, task);
-    }
-    if (distance)
-    {
-      memory = distance->releaseMemory();
+      const Vec2 p = distance->inPlane(cornerWeights(halfedge % 3));
+      const Vec2 q = distance->inPlane(cornerWeights((halfedge + 1) % 3));
+      const std::vector<Window>& envelope = memory.along(*distance, p, q);
+      const PlaneLine line = { p, length > 0.0 ? (1.0 / length) * (q - p) : Vec2{} };
+      for (std::size_t value = first; value < last; ++value)
+      {
+        crossings.clear();
+        findCrossings(envelope, this->levels_[value], this->isBelow(ends[0], value),
+          this->isBelow(ends[1], value), crossings);
+        for (const SegmentCrossing& crossing : crossings)
+        {
+          const double at =
+            placeByDistance(*distance, line, length, this->levels_[value], crossing.at);
+          const double fraction = length > 0.0 ? std::min(1.0, at / length) : 0.5;
+          points.push_back({ halfedge, static_cast<Id>(value), fraction, crossing.rises });
+        }
+      }
     }
   }
-  return std::move(task.result);
-}
 
-void Drawing::findOutline(Id face, std::size_t value, std::vector<OutlinePoint>& outline) const
-{
-  outline.clear();
-  const Id frame = longestHalfedge(this->mesh_, face);
-  for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+  IsolinePieces drawFaces(
+    std::size_t first, std::size_t last, const ProgressCallback& progress) const
   {
-    const Vec2 begin = inHalfedgeFrame(this->mesh_, frame, cornerWeights(halfedge % 3));
-    const Vec2 edge =
-      inHalfedgeFrame(this->mesh_, frame, cornerWeights((halfedge + 1) % 3)) - begin;
-    const Id named = this->mesh_.edgeOf(halfedge);
-    const bool isReversed = this->mesh_.origin(named) != this->mesh_.origin(halfedge);
-    const std::size_t firstOfEdge = outline.size();
-    auto p = std::partition_point(this->edgePoints_.begin(), this->edgePoints_.end(),
-      [&](const EdgePoint& e)
-      { return e.halfedge != named ? e.halfedge < named : e.value < value; });
-    for (; p != this->edgePoints_.end() && p->halfedge == named && p->value == value; ++p)
+    IsolineTask task = { this->mesh_, static_cast<Id>(this->edgePoints_.size()),
+      this->options_.chordTolerance, progress, LevelArrangement(progress), {} };
+    std::vector<OutlinePoint> outline;
+    std::vector<DistanceCandidate> memory;
+    for (std::size_t i = first; i < last; ++i)
     {
-      const double t = isReversed ? 1.0 - p->fraction : p->fraction;
-      outline.push_back({ begin + t * edge, static_cast<Id>(p - this->edgePoints_.begin()),
-        halfedge % 3, p->rises != isReversed });
+      const Id face = this->faces_[i];
+      const bool hasSource = !this->field_.sourcesIn(face).empty();
+      std::optional<FaceDistance> distance;
+      const auto [from, to] = this->rangeOf(face).indicesIn(this->levels_);
+      for (std::size_t value = from; value < to; ++value)
+      {
+        reportProgress(progress, 0.0);
+        const bool below = this->isBelow(this->mesh_.triangle(face)[0], value);
+        this->findOutline(face, value, outline);
+        if (outline.empty() && !below && !hasSource)
+        {
+          continue;
+        }
+        if (!distance)
+        {
+          distance.emplace(this->field_, face, std::move(memory));
+        }
+        drawInFace(*distance, this->levels_[value], static_cast<Id>(value), outline, below, task);
+      }
+      if (distance)
+      {
+        memory = distance->releaseMemory();
+      }
     }
-    if (isReversed)
+    return std::move(task.result);
+  }
+
+  void findOutline(Id face, std::size_t value, std::vector<OutlinePoint>& outline) const
+  {
+    outline.clear();
+    const Id frame = longestHalfedge(this->mesh_, face);
+    for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
     {
-      std::reverse(outline.begin() + static_cast<std::ptrdiff_t>(firstOfEdge), outline.end());
+      const Vec2 begin = inHalfedgeFrame(this->mesh_, frame, cornerWeights(halfedge % 3));
+      const Vec2 edge =
+        inHalfedgeFrame(this->mesh_, frame, cornerWeights((halfedge + 1) % 3)) - begin;
+      const Id named = this->mesh_.edgeOf(halfedge);
+      const bool isReversed = this->mesh_.origin(named) != this->mesh_.origin(halfedge);
+      const std::size_t firstOfEdge = outline.size();
+      auto p = std::partition_point(this->edgePoints_.begin(), this->edgePoints_.end(),
+        [&](const EdgePoint& e)
+        { return e.halfedge != named ? e.halfedge < named : e.value < value; });
+      for (; p != this->edgePoints_.end() && p->halfedge == named && p->value == value; ++p)
+      {
+        const double t = isReversed ? 1.0 - p->fraction : p->fraction;
+        outline.push_back({ begin + t * edge, static_cast<Id>(p - this->edgePoints_.begin()),
+          halfedge % 3, p->rises != isReversed });
+      }
+      if (isReversed)
+      {
+        std::reverse(outline.begin() + static_cast<std::ptrdiff_t>(firstOfEdge), outline.end());
+      }
     }
   }
-}
+
+  /// The range of distances in a face. Beyond the largest value distances need not be exact.
+  DistanceRange rangeOf(Id face) const
+  {
+    const std::vector<double>& d = this->field_.vertexDistances();
+    const Triangle& t = this->mesh_.triangle(face);
+    const double certain = this->levels_.back() * (1.0 + tolerance::BoundMargin);
+    return rangeInFace(this->mesh_.shape(face), { d[t[0]], d[t[1]], d[t[2]] }, certain,
+      !this->field_.sourcesIn(face).empty());
+  }
+
+  const DistanceField& field_;
+  const TriangleMesh& mesh_;
+  const IsolineOptions& options_;
+  /// See tolerance::BelowValue.
+  std::vector<double> levels_;
+  /// The faces of this rank that may contain a value, ascending.
+  std::vector<Id> faces_;
+  std::vector<EdgePoint> edgePoints_;
+};
 
 } // anonymous namespace
 

@@ -124,12 +124,9 @@ private:
 DistanceField solveForIsolines(const MeshPartition& surface, const SourceWindows& sources,
   const std::vector<double>& values, const FrontOptions& options, int maximumDroppingSolves)
 {
-  FrontOptions again = options;
-  again.progress = ascending(options.progress);
-  std::optional<DistanceField> field = solveDropping(surface, sources, again, maximumDroppingSolves,
-    [&](const std::vector<std::uint8_t>& pinned)
+  return solveDropping(surface, sources, options, maximumDroppingSolves,
+    [&](const std::vector<std::uint8_t>& pinned, const FrontOptions&)
     { return IsolineRetention(surface, values, pinned); });
-  return field ? std::move(*field) : solve(surface, sources, again, KeepWindows::All);
 }
 
 DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,

@@ -9,7 +9,6 @@
 #include "window/WindowArchive.h"
 
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -112,33 +111,36 @@ DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& so
   const FrontOptions& options = {}, KeepWindows keep = KeepWindows::None);
 
 /// Solves with windows dropped. If any rank has dropped windows that turn out to be needed, all
-/// ranks solve again and keep these.
+/// ranks solve again and keep these. The last solve keeps all windows of their faces.
 ///
-/// \param maximumSolves the largest number of solves.
-/// \param makeRetention (pinned) -> a retention with droppedTooEarly() and release(). For each
-///        face, `pinned` is not 0 if the face's windows must not be dropped.
+/// \param maximumSolves the largest number of solves that drop windows.
+/// \param makeRetention (pinned, options) -> a retention with droppedTooEarly() and release(). For
+///        each face, `pinned` is not 0 if the face's windows must not be dropped.
 /// \param pinned faces whose windows must not be dropped in the first solve; empty: none.
-/// \returns nothing if the last solve has dropped needed windows, too: then all must be kept.
 template <typename MakeRetention>
-std::optional<DistanceField> solveDropping(const MeshPartition& surface,
-  const SourceWindows& sources, const FrontOptions& options, int maximumSolves,
-  const MakeRetention& makeRetention, std::vector<std::uint8_t> pinned = {})
+DistanceField solveDropping(const MeshPartition& surface, const SourceWindows& sources,
+  FrontOptions options, int maximumSolves, const MakeRetention& makeRetention,
+  std::vector<std::uint8_t> pinned = {})
 {
+  const ProgressCallback progress = std::move(options.progress);
+  options.progress = ascending(progress);
   pinned.resize(surface.mesh().numberOfFaces(), 0);
   for (int solves = 0; solves < maximumSolves; ++solves)
   {
-    auto retention = makeRetention(pinned);
+    auto retention = makeRetention(pinned, options);
     FrontResult front = propagate(surface, sources, options, retention);
     if (!surface.exchange().isTrueAnywhere(!retention.droppedTooEarly().empty()))
     {
-      return DistanceField(surface, std::move(front), retention.release());
+      return { surface, std::move(front), retention.release() };
     }
     for (const Id face : retention.droppedTooEarly())
     {
       pinned[face] = 1;
     }
   }
-  return std::nullopt;
+  KeepFaces all(surface.mesh(), surface.ownFaces());
+  FrontResult front = propagate(surface, sources, options, all);
+  return { surface, std::move(front), all.release() };
 }
 
 }

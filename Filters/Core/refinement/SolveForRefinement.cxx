@@ -18,14 +18,6 @@ namespace
 // tolerance. Larger fractions need many more triangles, smaller ones more windows.
 constexpr double MergedOfTolerance = 0.1;
 
-DistanceField solveKeepingAll(
-  const MeshPartition& surface, const SourceWindows& sources, const FrontOptions& options)
-{
-  KeepFaces all(surface.mesh(), surface.ownFaces());
-  FrontResult front = propagate(surface, sources, options, all);
-  return { surface, std::move(front), all.release() };
-}
-
 } // anonymous namespace
 
 double maximumMergedFor(double refinementTolerance)
@@ -37,20 +29,13 @@ DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindo
   double refinementTolerance, const FrontOptions& options, const std::vector<std::uint8_t>& pinned,
   int maximumDroppingSolves)
 {
-  if (options.relativeError > 0.0)
-  {
-    FrontOptions merging = options;
-    merging.maximumMerged = std::min(options.maximumMerged, maximumMergedFor(refinementTolerance));
-    return solveKeepingAll(surface, sources, merging);
-  }
-  FrontOptions again = options;
-  again.progress = ascending(options.progress);
-  std::optional<DistanceField> field = solveDropping(
-    surface, sources, again, maximumDroppingSolves,
-    [&](const std::vector<std::uint8_t>& kept)
-    { return RefinementRetention(surface, refinementTolerance, kept, again); },
+  FrontOptions merging = options;
+  merging.maximumMerged = std::min(options.maximumMerged, maximumMergedFor(refinementTolerance));
+  return solveDropping(
+    surface, sources, merging, options.relativeError > 0.0 ? 0 : maximumDroppingSolves,
+    [&](const std::vector<std::uint8_t>& kept, const FrontOptions& all)
+    { return RefinementRetention(surface, refinementTolerance, kept, all); },
     pinned);
-  return field ? std::move(*field) : solveKeepingAll(surface, sources, again);
 }
 
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
