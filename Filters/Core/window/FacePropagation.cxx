@@ -219,6 +219,12 @@ ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
       crossing = x;
     }
   };
+  if (list.size() == 1)
+  {
+    consider(*list.begin());
+    describe(nearest, crossing, shortest);
+    return shortest;
+  }
   const Window* first = list.begin();
   for (std::size_t count = list.size(); count > 0;)
   {

@@ -50,24 +50,24 @@ public:
     return TwoDoubles(this->second());
   }
 
+#if defined(__SSE2__)
   friend TwoDoubles operator+(TwoDoubles a, TwoDoubles b)
   {
-    return { a.first() + b.first(), a.second() + b.second() };
+    return _mm_add_pd(a.values_, b.values_);
   }
   friend TwoDoubles operator-(TwoDoubles a, TwoDoubles b)
   {
-    return { a.first() - b.first(), a.second() - b.second() };
+    return _mm_sub_pd(a.values_, b.values_);
   }
   friend TwoDoubles operator*(TwoDoubles a, TwoDoubles b)
   {
-    return { a.first() * b.first(), a.second() * b.second() };
+    return _mm_mul_pd(a.values_, b.values_);
   }
   friend TwoDoubles operator/(TwoDoubles a, TwoDoubles b)
   {
-    return { a.first() / b.first(), a.second() / b.second() };
+    return _mm_div_pd(a.values_, b.values_);
   }
 
-#if defined(__SSE2__)
   static TwoDoubles roots(TwoDoubles squares)
   {
     return _mm_sqrt_pd(squares.values_);
@@ -98,6 +98,23 @@ private:
   {
   }
 #else
+  friend TwoDoubles operator+(TwoDoubles a, TwoDoubles b)
+  {
+    return { a.first() + b.first(), a.second() + b.second() };
+  }
+  friend TwoDoubles operator-(TwoDoubles a, TwoDoubles b)
+  {
+    return { a.first() - b.first(), a.second() - b.second() };
+  }
+  friend TwoDoubles operator*(TwoDoubles a, TwoDoubles b)
+  {
+    return { a.first() * b.first(), a.second() * b.second() };
+  }
+  friend TwoDoubles operator/(TwoDoubles a, TwoDoubles b)
+  {
+    return { a.first() / b.first(), a.second() / b.second() };
+  }
+
   static TwoDoubles roots(TwoDoubles squares)
   {
     return { std::sqrt(squares.first()), std::sqrt(squares.second()) };

@@ -227,24 +227,78 @@ void WindowListBuilder::appendOfOther(const Window& window)
   last.facesCrossed = std::min<Id>(last.facesCrossed, window.facesCrossed) & MaximumFacesCrossed;
 }
 
+// Behind the windows that overlap existing ones, the rest of a run is appended unchanged.
+void WindowListBuilder::appendRun(const WindowRange& run, bool isOfOther)
+{
+  const Window* w = run.begin();
+  if (isOfOther)
+  {
+    this->appendOfOther(*w++);
+  }
+  constexpr std::ptrdiff_t fewest = 4; // fewer are not worth another loop
+  while (w != run.end() &&
+    (run.end() - w < fewest || this->windows_.empty() || this->windows_.back().end > w->begin))
+  {
+    this->append(*w++);
+  }
+  while (w != run.end())
+  {
+    const Window* narrow = w;
+    while (narrow != run.end() && this->isWide(narrow->begin, narrow->end))
+    {
+      ++narrow;
+    }
+    this->windows_.insert(this->windows_.end(), w, narrow);
+    w = narrow == run.end() ? narrow : narrow + 1;
+  }
+}
+
 void WindowListBuilder::appendLists(const WindowRange& first, const WindowRange& second)
 {
   const Window* a = first.begin();
   const Window* b = second.begin();
   bool lastIsFirst = true;
-  while (a != first.end() || b != second.end())
+  while (a != first.end() && b != second.end())
   {
-    const bool isFirst = b == second.end() || (a != first.end() && a->begin <= b->begin);
-    const Window& next = isFirst ? *a++ : *b++;
-    if (isFirst != lastIsFirst)
+    const bool isFirst = a->begin <= b->begin;
+    const Window*& next = isFirst ? a : b;
+    const Window* const begin = next;
+    if (isFirst)
     {
-      this->appendOfOther(next);
+      for (++a; a != first.end() && a->begin <= b->begin;)
+      {
+        ++a;
+      }
     }
     else
     {
-      this->append(next);
+      for (++b; b != second.end() && b->begin < a->begin;)
+      {
+        ++b;
+      }
+    }
+    const bool isOfOther = isFirst != lastIsFirst;
+    if (next - begin > 1)
+    {
+      this->appendRun({ begin, next }, isOfOther);
+    }
+    else if (isOfOther)
+    {
+      this->appendOfOther(*begin);
+    }
+    else
+    {
+      this->append(*begin);
     }
     lastIsFirst = isFirst;
+  }
+  if (a != first.end())
+  {
+    this->appendRun({ a, first.end() }, !lastIsFirst);
+  }
+  else if (b != second.end())
+  {
+    this->appendRun({ b, second.end() }, lastIsFirst);
   }
 }
 

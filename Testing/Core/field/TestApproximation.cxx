@@ -6,7 +6,7 @@
 
 #include "Errors.h"
 #include "front/Front.h"
-#include "window/WindowMerge.h"
+#include "window/WindowSupport.h"
 
 #include <gtest/gtest.h>
 
