@@ -81,7 +81,7 @@ DistanceField solve(const MeshPartition& surface, SourceWindows sources,
     KeepNone none;
     return { surface, propagate(surface, std::move(sources), options, none), KeptWindows() };
   }
-  KeepAll all(surface.mesh());
+  KeepFaces all(surface.mesh());
   FrontResult front = propagate(surface, std::move(sources), options, all);
   return { surface, std::move(front), all.release() };
 }

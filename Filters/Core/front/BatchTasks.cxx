@@ -28,41 +28,6 @@ double leastDistance(const WindowRange& windows)
   return least;
 }
 
-/// Lists that stay with their vertex, in the order in which they are met.
-class ListChain
-{
-public:
-  explicit ListChain(WaitingLists& lists)
-    : lists_(lists)
-  {
-  }
-
-  void append(Id list)
-  {
-    if (this->last_ == NoId)
-    {
-      this->first_ = list;
-    }
-    else
-    {
-      this->lists_.setNext(this->last_, list);
-    }
-    this->last_ = list;
-  }
-
-  /// \returns the first of the chain's lists and those behind them.
-  Id followedBy(Id list)
-  {
-    this->append(list);
-    return this->first_;
-  }
-
-private:
-  WaitingLists& lists_;
-  Id first_ = NoId;
-  Id last_ = NoId;
-};
-
 /// Works on items one after another, while the memory of the next ones is prefetched.
 ///
 /// \param work (std::size_t i) -> whether the item is done.
@@ -97,7 +62,7 @@ void BatchTasks::prefetchFacing(const District& district, Id vertex) const
   const Id list = this->vertices_[vertex].facing;
   if (list != NoId)
   {
-    this->mesh_.prefetch(TriangleMesh::faceOf(district.lists.halfedge(list)));
+    this->mesh_.prefetch(TriangleMesh::faceOf(district.lists[list].halfedge));
   }
 }
 
@@ -124,24 +89,23 @@ bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id verte
   }
   double next = isReached ? Infinity : distance;
   VertexState& state = this->vertices_[vertex];
-  ListChain late(district.lists);
-  while (state.facing != NoId && !worker.hasToPause())
+  Id* link = &state.facing;
+  while (*link != NoId && !worker.hasToPause())
   {
-    const Id list = state.facing;
-    state.facing = district.lists.next(list);
-    const double due = district.lists.due(list);
-    if ((due < Infinity ? due : distance) <= last)
+    WaitingLists::List& list = district.lists[*link];
+    if ((list.due < Infinity ? list.due : distance) <= last)
     {
-      this->propagate(worker, district, list, batch);
+      const Id number = *link;
+      *link = list.next;
+      this->propagate(worker, district, number, batch);
     }
     else
     {
-      next = std::min(next, due);
-      late.append(list);
+      next = std::min(next, list.due);
+      link = &list.next;
     }
   }
-  const bool isDone = state.facing == NoId;
-  state.facing = late.followedBy(state.facing);
+  const bool isDone = *link == NoId;
   if (isDone && isReached)
   {
     state.countTurn();
@@ -259,7 +223,7 @@ void BatchTasks::emitThrough(
 
 void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, Id batch)
 {
-  const Id halfedge = district.lists.halfedge(number);
+  const Id halfedge = district.lists[number].halfedge;
   WindowBlock block = district.lists.remove(number);
   this->mergeNeighboursOf(worker, halfedge, block);
   const WindowRange list = block.range();
@@ -341,10 +305,9 @@ void BatchTasks::mergeNeighboursOf(FrontWorker& worker, Id halfedge, WindowBlock
 {
   if (this->options_.relativeError > 0.0 && block.size > 1)
   {
-    const MergedNeighbours merged = mergeNeighbours(block, this->mesh_.length(halfedge),
+    const double largest = mergeNeighbours(block, this->mesh_.length(halfedge),
       this->options_.relativeError, this->options_.maximumMerged);
-    worker.relativeError = std::max(worker.relativeError, merged.largest);
-    block.size = static_cast<std::uint32_t>(merged.size) & 0x7ffffffu;
+    worker.relativeError = std::max(worker.relativeError, largest);
   }
 }
 
@@ -525,13 +488,13 @@ void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList s
   {
     Id& facing = this->vertices_[apex].facing;
     list = district.lists.add(sent.halfedge, sent.windows);
-    district.lists.setNext(list, facing);
+    district.lists[list].next = facing;
     facing = list;
   }
   if (isThin)
   {
-    due = std::min(due, district.lists.due(list));
-    district.lists.setDue(list, due);
+    due = std::min(due, district.lists[list].due);
+    district.lists[list].due = due;
   }
   district.schedule.add(apex, due);
 }
@@ -539,9 +502,9 @@ void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList s
 void BatchTasks::mergeInto(
   FrontWorker& worker, District& district, Id list, const WindowBlock& block) const
 {
-  const WindowRange waiting = district.lists.at(list);
+  const WindowRange waiting = district.lists[list].windows.range();
   worker.handled += waiting.size();
-  worker.merged.reset(this->mesh_.length(district.lists.halfedge(list)));
+  worker.merged.reset(this->mesh_.length(district.lists[list].halfedge));
   worker.merged.appendLists(waiting, block.range());
   worker.pool.free(block);
   district.lists.assign(list, worker.merged.range(), worker.pool);

@@ -4,7 +4,6 @@
 #include "Errors.h"
 #include "front/BatchTasks.h"
 #include "front/CompleteFaces.h"
-#include "front/District.h"
 #include "front/Districts.h"
 #include "front/FrontExchange.h"
 #include "front/FrontProgress.h"
@@ -303,9 +302,9 @@ bool Front::isWithin(Id vertex, double reach) const
   const VertexState& state = this->vertices_[vertex];
   const WaitingLists& lists = this->districtOf(vertex).lists;
   bool isWithin = state.isShorter() && state.distance <= reach;
-  for (Id list = state.facing; list != NoId && !isWithin; list = lists.next(list))
+  for (Id list = state.facing; list != NoId && !isWithin; list = lists[list].next)
   {
-    isWithin = isAnyWindowWithin(lists.at(list), reach);
+    isWithin = isAnyWindowWithin(lists[list].windows.range(), reach);
   }
   return isWithin;
 }
@@ -558,17 +557,19 @@ void Front::retireAll()
 {
   for (District& district : this->districts_)
   {
-    std::vector<std::pair<Id, WindowBlock>> left;
+    std::vector<PassedList> left;
     district.lists.forEach(
-      [&](Id halfedge, const WindowBlock& block) { left.emplace_back(halfedge, block); });
+      [&](const WaitingLists::List& list)
+      {
+        left.push_back({ list.halfedge, list.windows,
+          { this->vertices_.distance(this->mesh_.origin(list.halfedge)),
+            this->vertices_.distance(this->mesh_.destination(list.halfedge)) } });
+      });
     district.lists = WaitingLists();
-    std::sort(
-      left.begin(), left.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& [halfedge, block] : left)
+    std::sort(left.begin(), left.end(),
+      [](const PassedList& a, const PassedList& b) { return a.halfedge < b.halfedge; });
+    for (const PassedList& list : left)
     {
-      const PassedList list = { halfedge, block,
-        { this->vertices_.distance(this->mesh_.origin(halfedge)),
-          this->vertices_.distance(this->mesh_.destination(halfedge)) } };
       this->tasks_.retire(this->workers_.first(), district, list, this->batches_);
     }
   }
@@ -594,11 +595,11 @@ void Front::takeVerticesWithin(double bound, District& district) const
   district.schedule.passAll();
   std::vector<Id>& vertices = district.batch;
   district.lists.forEach(
-    [&](Id halfedge, const WindowBlock& block)
+    [&](const WaitingLists::List& list)
     {
-      if (isAnyWindowWithin(block.range(), bound))
+      if (isAnyWindowWithin(list.windows.range(), bound))
       {
-        vertices.push_back(this->mesh_.opposite(halfedge));
+        vertices.push_back(this->mesh_.opposite(list.halfedge));
       }
     });
   this->numbers_.sort(vertices);

@@ -16,7 +16,7 @@ class FrontProgress
 {
 public:
   FrontProgress(const ProgressCallback& callback, Id numberOfVertices, double limit)
-    : callback_(callback)
+    : callback_(ascending(callback))
     , numberOfVertices_(std::max<Id>(numberOfVertices, 1))
     , limit_(limit)
   {
@@ -46,28 +46,18 @@ public:
   /// \throws Aborted
   void report(double key)
   {
-    if (!this->callback_)
-    {
-      return;
-    }
     const double settled =
       static_cast<double>(this->settled_) / static_cast<double>(this->numberOfVertices_);
-    const double fraction = std::max(settled, key / this->limit_);
-    this->reported_ = std::clamp(fraction, this->reported_, 1.0);
-    if (!this->callback_(this->reported_))
-    {
-      throw Aborted();
-    }
+    reportProgress(this->callback_, std::min(1.0, std::max(settled, key / this->limit_)));
   }
 
 private:
-  const ProgressCallback& callback_;
+  ProgressCallback callback_;
   Id numberOfVertices_;
   double limit_;
   std::size_t settled_ = 0;
   std::size_t sinceReport_ = 0;
   std::uint64_t windowsAtReport_ = 0;
-  double reported_ = 0.0;
 };
 
 }

@@ -23,7 +23,7 @@ public:
   WindowRange at(Id halfedge) const
   {
     const Id list = this->lists_.find(halfedge);
-    return list == NoId ? WindowRange() : this->lists_.at(list);
+    return list == NoId ? WindowRange() : this->lists_[list].windows.range();
   }
 
   /// Remembers the windows of a list that goes through its halfedge.
@@ -41,7 +41,7 @@ public:
     }
     const Id list = this->lists_.find(halfedge);
     builder.reset(length);
-    builder.appendLists(list == NoId ? WindowRange() : this->lists_.at(list), passed);
+    builder.appendLists(list == NoId ? WindowRange() : this->lists_[list].windows.range(), passed);
     if (builder.windows().size() > Most)
     {
       builder.dropNarrowerThan(length / static_cast<double>(Most));
@@ -66,11 +66,11 @@ private:
   {
     std::vector<Id> behind;
     this->lists_.forEach(
-      [&](Id halfedge, const WindowBlock&)
+      [&](const WaitingLists::List& list)
       {
-        if (!isNeeded(halfedge))
+        if (!isNeeded(list.halfedge))
         {
-          behind.push_back(halfedge);
+          behind.push_back(list.halfedge);
         }
       });
     for (const Id halfedge : behind)

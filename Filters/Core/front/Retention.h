@@ -116,12 +116,13 @@ public:
   }
 };
 
-/// Keeps the windows of some faces, in which distances can then be evaluated and paths can begin.
+/// Keeps the windows of all or some faces, in which distances can then be evaluated and paths can
+/// be traced.
 class KeepFaces : public Retention
 {
 public:
   /// \param faces whether to keep the windows of each face; empty: of all.
-  KeepFaces(const TriangleMesh& mesh, std::vector<std::uint8_t> faces)
+  explicit KeepFaces(const TriangleMesh& mesh, std::vector<std::uint8_t> faces = {})
     : mesh_(mesh)
   {
     this->kept_.faces = std::move(faces);
@@ -157,16 +158,6 @@ private:
   const TriangleMesh& mesh_;
   std::vector<WindowArchive> passed_;
   KeptWindows kept_;
-};
-
-/// Keeps all windows: the distance can be evaluated at any point, and paths can be traced.
-class KeepAll : public KeepFaces
-{
-public:
-  explicit KeepAll(const TriangleMesh& mesh)
-    : KeepFaces(mesh, {})
-  {
-  }
 };
 
 }

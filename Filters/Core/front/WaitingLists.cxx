@@ -6,22 +6,6 @@
 namespace geodesic
 {
 
-WindowBlock WaitingLists::blockOf(Id list) const
-{
-  WindowBlock block;
-  block.data = this->lists_[list].data;
-  block.size = this->lists_[list].size;
-  block.sizeClass = this->lists_[list].sizeClass;
-  return block;
-}
-
-void WaitingLists::setBlock(Id list, const WindowBlock& block)
-{
-  this->lists_[list].data = block.data;
-  this->lists_[list].size = block.size;
-  this->lists_[list].sizeClass = block.sizeClass;
-}
-
 std::size_t WaitingLists::homeOf(Id halfedge) const
 {
   constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U; // Fibonacci hashing (Knuth, 6.4)
@@ -35,23 +19,11 @@ Id WaitingLists::find(Id halfedge) const
     return NoId;
   }
   std::size_t place = this->homeOf(halfedge);
-  while (this->table_[place] != NoId && this->halfedge(this->table_[place]) != halfedge)
+  while (this->table_[place] != NoId && this->lists_[this->table_[place]].halfedge != halfedge)
   {
     place = (place + 1) & this->mask();
   }
   return this->table_[place];
-}
-
-Id WaitingLists::newList()
-{
-  if (this->unused_ == NoId)
-  {
-    this->lists_.emplace_back();
-    return static_cast<Id>(this->lists_.size() - 1);
-  }
-  const Id list = this->unused_;
-  this->unused_ = this->next(list);
-  return list;
 }
 
 Id WaitingLists::add(Id halfedge, const WindowBlock& block)
@@ -60,11 +32,14 @@ Id WaitingLists::add(Id halfedge, const WindowBlock& block)
   {
     this->grow();
   }
-  const Id list = this->newList();
-  this->lists_[list].halfedge = halfedge;
-  this->lists_[list].next = NoId;
-  this->lists_[list].due = Infinity;
-  this->setBlock(list, block);
+  if (this->unused_ == NoId)
+  {
+    this->unused_ = static_cast<Id>(this->lists_.size());
+    this->lists_.emplace_back();
+  }
+  const Id list = this->unused_;
+  this->unused_ = this->lists_[list].next;
+  this->lists_[list] = { halfedge, block };
   this->enter(list);
   ++this->count_;
   return list;
@@ -72,7 +47,7 @@ Id WaitingLists::add(Id halfedge, const WindowBlock& block)
 
 void WaitingLists::enter(Id list)
 {
-  std::size_t place = this->homeOf(this->halfedge(list));
+  std::size_t place = this->homeOf(this->lists_[list].halfedge);
   while (this->table_[place] != NoId)
   {
     place = (place + 1) & this->mask();
@@ -99,7 +74,7 @@ void WaitingLists::grow()
 // at a gap before them (Knuth, 6.4, algorithm R).
 WindowBlock WaitingLists::remove(Id list)
 {
-  std::size_t gap = this->homeOf(this->halfedge(list));
+  std::size_t gap = this->homeOf(this->lists_[list].halfedge);
   while (this->table_[gap] != list)
   {
     gap = (gap + 1) & this->mask();
@@ -107,7 +82,7 @@ WindowBlock WaitingLists::remove(Id list)
   for (std::size_t place = (gap + 1) & this->mask(); this->table_[place] != NoId;
        place = (place + 1) & this->mask())
   {
-    const std::size_t home = this->homeOf(this->halfedge(this->table_[place]));
+    const std::size_t home = this->homeOf(this->lists_[this->table_[place]].halfedge);
     if (((place - home) & this->mask()) >= ((place - gap) & this->mask()))
     {
       this->table_[gap] = this->table_[place];
@@ -116,23 +91,23 @@ WindowBlock WaitingLists::remove(Id list)
   }
   this->table_[gap] = NoId;
   --this->count_;
-  this->setNext(list, this->unused_);
+  this->lists_[list].next = this->unused_;
   this->unused_ = list;
-  return this->blockOf(list);
+  return this->lists_[list].windows;
 }
 
 void WaitingLists::assign(Id list, const WindowRange& windows, WindowPool& pool)
 {
-  List& changed = this->lists_[list];
-  if (windows.size() <= (std::size_t(1) << changed.sizeClass))
+  WindowBlock& block = this->lists_[list].windows;
+  if (windows.size() <= (std::size_t(1) << block.sizeClass))
   {
-    std::copy(windows.begin(), windows.end(), changed.data);
-    changed.size = static_cast<std::uint32_t>(windows.size()) & 0x7ffffffu;
+    std::copy(windows.begin(), windows.end(), block.data);
+    block.size = static_cast<std::uint32_t>(windows.size());
     return;
   }
-  const WindowBlock block = pool.copyOf(windows);
-  pool.free(this->blockOf(list));
-  this->setBlock(list, block);
+  const WindowBlock larger = pool.copyOf(windows);
+  pool.free(block);
+  block = larger;
 }
 
 }

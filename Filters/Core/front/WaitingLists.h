@@ -15,6 +15,17 @@ namespace geodesic
 class WaitingLists
 {
 public:
+  struct List
+  {
+    Id halfedge;
+    WindowBlock windows;
+    /// The caller's link to another list.
+    Id next = NoId;
+    /// The distance at which the list passes, whether or not the front has reached its vertex;
+    /// infinite if the list waits for the vertex.
+    double due = Infinity;
+  };
+
   /// The number of a halfedge's list; NoId if it has none.
   Id find(Id halfedge) const;
   /// Adds a list to a halfedge that has none. \returns the list's number.
@@ -23,25 +34,12 @@ public:
   WindowBlock remove(Id list);
 
   std::size_t size() const { return this->count_; }
-  Id halfedge(Id list) const { return this->lists_[list].halfedge; }
-  WindowRange at(Id list) const
-  {
-    const List& found = this->lists_[list];
-    return { found.data, found.data + found.size };
-  }
+  const List& operator[](Id list) const { return this->lists_[list]; }
+  List& operator[](Id list) { return this->lists_[list]; }
   /// Replaces the list by a copy of other windows.
   void assign(Id list, const WindowRange& windows, WindowPool& pool);
 
-  /// The list that setNext() has linked to this one.
-  Id next(Id list) const { return this->lists_[list].next; }
-  void setNext(Id list, Id next) { this->lists_[list].next = next; }
-
-  /// The distance at which the list passes, whether or not the front has reached its vertex;
-  /// infinite if the list waits for the vertex.
-  double due(Id list) const { return this->lists_[list].due; }
-  void setDue(Id list, double due) { this->lists_[list].due = due; }
-
-  /// Calls visit(Id halfedge, const WindowBlock&) for each list, in any order.
+  /// Calls visit(const List&) for each list, in any order.
   template <typename Visit>
   void forEach(Visit&& visit) const
   {
@@ -49,32 +47,12 @@ public:
     {
       if (list != NoId)
       {
-        visit(this->halfedge(list), this->blockOf(list));
+        visit(this->lists_[list]);
       }
     }
   }
 
 private:
-  /// A block, packed together with its link.
-  struct List
-  {
-    Window* data = nullptr;
-    std::uint32_t size : 27;
-    std::uint32_t sizeClass : 5;
-    Id halfedge = NoId;
-    Id next = NoId;
-    double due = Infinity;
-
-    List()
-      : size(0)
-      , sizeClass(0)
-    {
-    }
-  };
-
-  WindowBlock blockOf(Id list) const;
-  void setBlock(Id list, const WindowBlock& block);
-  Id newList();
   std::size_t mask() const { return this->table_.size() - 1; }
   std::size_t homeOf(Id halfedge) const;
   void enter(Id list);

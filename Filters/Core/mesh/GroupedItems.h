@@ -4,7 +4,6 @@
 
 #include "Tasks.h"
 #include "Types.h"
-#include "Uninitialized.h"
 
 #include <algorithm>
 #include <numeric>

@@ -5,7 +5,6 @@
 #include "Progress.h"
 #include "Tasks.h"
 #include "Types.h"
-#include "Uninitialized.h"
 
 #include <algorithm>
 #include <vector>

@@ -37,6 +37,18 @@ inline bool isSameSource(const Window& a, const Window& b)
     std::abs(a.sigma - b.sigma) <= tolerance::SameSource * (std::abs(a.sigma) + length);
 }
 
+struct Crossings
+{
+  int count = 0;
+  std::array<double, 2> at{};
+};
+
+/// The points of (lo, hi) where the distances of two windows are equal (paper, sections 3.3 and
+/// 4.2.2, corrected: with different sigma there may be two). No such point is missing, but a point
+/// may be found twice or be false, a result of squaring: the caller must compare the distances
+/// between the points. Windows that are equal everywhere have none.
+Crossings crossings(const Window& a, const Window& b, double lo, double hi);
+
 /// Compares the distances of two windows on [lo, hi], which both cover (paper, section 3.3). If
 /// they are equal everywhere up to rounding, the first one is the lower.
 LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi);

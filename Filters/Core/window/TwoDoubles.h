@@ -24,33 +24,33 @@ class TwoDoubles
 
 public:
   TwoDoubles() = default;
-#if defined(__SSE2__)
   TwoDoubles(double first, double second)
-    : values_(_mm_set_pd(second, first))
+    : values_{ first, second }
   {
   }
   explicit TwoDoubles(double both)
-    : values_(_mm_set1_pd(both))
+    : values_{ both, both }
   {
   }
 
   double first() const
   {
-    return _mm_cvtsd_f64(this->values_);
+    return this->values_[0];
   }
   double second() const
   {
-    return _mm_cvtsd_f64(_mm_unpackhi_pd(this->values_, this->values_));
+    return this->values_[1];
   }
   TwoDoubles firstTwice() const
   {
-    return _mm_unpacklo_pd(this->values_, this->values_);
+    return TwoDoubles(this->first());
   }
   TwoDoubles secondTwice() const
   {
-    return _mm_unpackhi_pd(this->values_, this->values_);
+    return TwoDoubles(this->second());
   }
 
+#if defined(__SSE2__)
   friend TwoDoubles operator+(TwoDoubles a, TwoDoubles b)
   {
     return _mm_add_pd(a.values_, b.values_);
@@ -98,32 +98,6 @@ private:
   {
   }
 #else
-  TwoDoubles(double first, double second)
-    : values_{ first, second }
-  {
-  }
-  explicit TwoDoubles(double both)
-    : values_{ both, both }
-  {
-  }
-
-  double first() const
-  {
-    return this->values_[0];
-  }
-  double second() const
-  {
-    return this->values_[1];
-  }
-  TwoDoubles firstTwice() const
-  {
-    return TwoDoubles(this->values_[0]);
-  }
-  TwoDoubles secondTwice() const
-  {
-    return TwoDoubles(this->values_[1]);
-  }
-
   friend TwoDoubles operator+(TwoDoubles a, TwoDoubles b)
   {
     return { a.first() + b.first(), a.second() + b.second() };

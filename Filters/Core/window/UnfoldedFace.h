@@ -2,11 +2,38 @@
 #ifndef geodesic_UnfoldedFace_h
 #define geodesic_UnfoldedFace_h
 
+#include "Tolerance.h"
 #include "mesh/TriangleMesh.h"
 #include "window/Window.h"
 
 namespace geodesic
 {
+
+/// The window in another frame, one face farther, on an interval there. Unfolding is a rigid
+/// motion: it moves the source, without computing it again from distances.
+inline Window moved(const Window& window, Vec2 origin, Vec2 axis, double begin, double end)
+{
+  Window w = window;
+  w.begin = begin;
+  w.end = end;
+  if (window.isLinear())
+  {
+    w.sigma = window.straightDistance(origin);
+    w.place = window.placeOf(origin);
+    w.sourceX = window.sourceX * axis.x + window.sourceDepth * axis.y;
+    w.sourceDepth = window.sourceDepth * axis.x - window.sourceX * axis.y;
+  }
+  else
+  {
+    const double dx = window.sourceX - origin.x;
+    const double dy = window.sourceDepth + origin.y;
+    w.sourceX = dx * axis.x - dy * axis.y;
+    w.sourceDepth = dx * axis.y + dy * axis.x;
+  }
+  w.sourceDepth = std::max(w.sourceDepth, 0.0);
+  w.facesCrossed = (window.facesCrossed + 1) & MaximumFacesCrossed;
+  return w;
+}
 
 /// The face of a halfedge, laid into the plane above the halfedge, with what windows need to pass
 /// through it (paper, section 3.2, "window propagation"). The apex is the face's third vertex. The
@@ -37,73 +64,58 @@ struct UnfoldedFace
 
   /// Where the ray of a window through x on the halfedge meets the left edge, as a distance from
   /// the halfedge's origin.
-  double meetLeft(const Window& window, double x) const;
+  double meetLeft(const Window& window, double x) const
+  {
+    const Vec2 d = window.direction(x);
+    const double denominator = d.y * this->apex.x - d.x * this->apex.y;
+    const double t = denominator > 0.0 ? x * d.y / denominator : 0.0;
+    return std::clamp(t, 0.0, 1.0) * this->leftLength;
+  }
   /// Where it meets the right edge, as a distance from the apex.
-  double meetRight(const Window& window, double x) const;
+  double meetRight(const Window& window, double x) const
+  {
+    const Vec2 d = window.direction(x);
+    const double denominator = d.y * this->apexFromEnd + d.x * this->apex.y;
+    const double t = denominator > 0.0 ? (this->length - x) * d.y / denominator : 0.0;
+    return (1.0 - std::clamp(t, 0.0, 1.0)) * this->rightLength;
+  }
+
   /// The window behind the left edge, on an interval of that edge. The x axis runs from the
   /// halfedge's origin to the apex, with the face below it.
-  Window throughLeft(const Window& window, double begin, double end) const;
+  Window throughLeft(const Window& window, double begin, double end) const
+  {
+    return moved(window, { 0.0, 0.0 }, this->leftAxis, begin, end);
+  }
   /// The window behind the right edge. The x axis runs from the apex to the halfedge's destination.
-  Window throughRight(const Window& window, double begin, double end) const;
+  Window throughRight(const Window& window, double begin, double end) const
+  {
+    return moved(window, this->apex, this->rightAxis, begin, end);
+  }
 };
 
 /// Lays out the face of a halfedge, whose length must not be 0.
-UnfoldedFace unfold(const TriangleMesh& mesh, Id halfedge);
-
-inline double UnfoldedFace::meetLeft(const Window& window, double x) const
+inline UnfoldedFace unfold(const TriangleMesh& mesh, Id halfedge)
 {
-  const Vec2 d = window.direction(x);
-  const double denominator = d.y * this->apex.x - d.x * this->apex.y;
-  const double t = denominator > 0.0 ? x * d.y / denominator : 0.0;
-  return std::clamp(t, 0.0, 1.0) * this->leftLength;
-}
-
-inline double UnfoldedFace::meetRight(const Window& window, double x) const
-{
-  const Vec2 d = window.direction(x);
-  const double denominator = d.y * this->apexFromEnd + d.x * this->apex.y;
-  const double t = denominator > 0.0 ? (this->length - x) * d.y / denominator : 0.0;
-  return (1.0 - std::clamp(t, 0.0, 1.0)) * this->rightLength;
-}
-
-/// The window in another frame, one face farther. Unfolding is a rigid motion: it moves the source,
-/// without computing it again from distances.
-inline Window moved(const Window& window, Vec2 origin, Vec2 axis)
-{
-  Window w = window;
-  if (window.isLinear())
+  const FaceShape& shape = mesh.shape(TriangleMesh::faceOf(halfedge));
+  const std::size_t k = halfedge % 3;
+  const std::size_t next = (k + 1) % 3;
+  UnfoldedFace face;
+  face.length = shape.length[k];
+  face.rightLength = shape.length[next];
+  face.leftLength = shape.length[(k + 2) % 3];
+  face.apex = Vec2{ shape.cornerDot[k] / face.length, shape.area2 / face.length };
+  face.apexFromEnd = shape.cornerDot[next] / face.length;
+  if (face.rightLength < tolerance::ShortEdge * face.length)
   {
-    w.sigma = window.straightDistance(origin);
-    w.place = window.placeOf(origin);
-    w.sourceX = window.sourceX * axis.x + window.sourceDepth * axis.y;
-    w.sourceDepth = window.sourceDepth * axis.x - window.sourceX * axis.y;
+    face.apex.x = face.length - face.apexFromEnd;
+    face.apex.restOfX = face.length - face.apex.x - face.apexFromEnd;
   }
-  else
-  {
-    const double dx = window.sourceX - origin.x;
-    const double dy = window.sourceDepth + origin.y;
-    w.sourceX = dx * axis.x - dy * axis.y;
-    w.sourceDepth = dx * axis.y + dy * axis.x;
-  }
-  w.sourceDepth = std::max(w.sourceDepth, 0.0);
-  w.facesCrossed = (window.facesCrossed + 1) & MaximumFacesCrossed;
-  return w;
-}
-
-inline Window UnfoldedFace::throughLeft(const Window& window, double begin, double end) const
-{
-  Window w = moved(window, { 0.0, 0.0 }, this->leftAxis);
-  w.begin = begin;
-  w.end = end;
-  return w;
-}
-
-inline Window UnfoldedFace::throughRight(const Window& window, double begin, double end) const
-{
-  Window w = moved(window, this->apex, this->rightAxis);
-  w.begin = begin;
-  w.end = end;
-  return w;
+  // An edge without length carries no window, so any axis will do.
+  face.leftAxis = face.leftLength > 0.0 ? (1.0 / face.leftLength) * face.apex : Vec2{ 1.0, 0.0 };
+  face.rightAxis = face.rightLength > 0.0
+    ? (1.0 / face.rightLength) * Vec2{ face.apexFromEnd, -face.apex.y }
+    : Vec2{ 1.0, 0.0 };
+  return face;
 }
 
 }

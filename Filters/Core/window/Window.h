@@ -219,14 +219,7 @@ struct Window
 static_assert(sizeof(Window) == 64, "there are hundreds of millions of them");
 
 /// Consecutive windows in memory.
-struct WindowRange
-{
-  const Window* first = nullptr;
-  const Window* last = nullptr;
-  const Window* begin() const { return this->first; }
-  const Window* end() const { return this->last; }
-  std::size_t size() const { return static_cast<std::size_t>(this->last - this->first); }
-};
+using WindowRange = ArrayRange<Window>;
 
 /// The same window in the reversed frame: from the end of a halfedge of this length back to its
 /// origin.

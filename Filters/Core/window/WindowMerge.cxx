@@ -274,12 +274,12 @@ bool merge(Measured& left, const Measured& right, const Limits& limits, double& 
 
 } // anonymous namespace
 
-MergedNeighbours mergeNeighbours(
-  const WindowBlock& list, double edgeLength, double relativeError, double maximumAdded)
+double mergeNeighbours(
+  WindowBlock& list, double edgeLength, double relativeError, double maximumAdded)
 {
   if (list.size < 2)
   {
-    return { list.size, 0.0 };
+    return 0.0;
   }
   const Limits limits = { relativeError, maximumAdded };
   double largest = 0.0;
@@ -303,19 +303,8 @@ MergedNeighbours mergeNeighbours(
     left = { last, right.begin, right.end };
     added = 0.0;
   }
-  return { static_cast<std::size_t>(last - list.data) + 1, largest };
-}
-
-double mergeNeighbours(
-  std::vector<Window>& windows, double edgeLength, double relativeError, double maximumAdded)
-{
-  WindowBlock list;
-  list.data = windows.data();
-  list.size = static_cast<std::uint32_t>(windows.size()) & 0x7ffffffu;
-  list.sizeClass = 0;
-  const MergedNeighbours merged = mergeNeighbours(list, edgeLength, relativeError, maximumAdded);
-  windows.resize(merged.size);
-  return merged.largest;
+  list.size = static_cast<std::uint32_t>(last - list.data) + 1;
+  return largest;
 }
 
 }

@@ -61,14 +61,13 @@ std::vector<std::unique_ptr<Window[]>> WindowPool::release()
 
 WindowBlock WindowPool::copyOf(const WindowRange& windows)
 {
-  if (windows.size() >> 27 != 0)
+  if (windows.size() >> 31 != 0)
   {
     throw std::bad_alloc(); // more windows on one halfedge than any memory could hold
   }
-  WindowBlock block;
-  block.size = static_cast<std::uint32_t>(windows.size()) & 0x7ffffffu;
-  block.sizeClass = sizeClassOf(windows.size()) & 31u;
-  block.data = this->allocate(block.sizeClass);
+  const std::uint32_t sizeClass = sizeClassOf(windows.size());
+  const WindowBlock block = { this->allocate(sizeClass), static_cast<std::uint32_t>(windows.size()),
+    sizeClass };
   if (block.size == 1)
   {
     *block.data = *windows.begin(); // most merged lists have one window

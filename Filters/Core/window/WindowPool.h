@@ -17,8 +17,8 @@ struct WindowBlock
 {
   Window* data = nullptr;
   /// Number of windows; the block holds 2^sizeClass.
-  std::uint32_t size : 27;
-  std::uint32_t sizeClass : 5;
+  std::uint32_t size = 0;
+  std::uint32_t sizeClass = 0;
 
   WindowRange range() const { return { this->data, this->data + this->size }; }
 };

@@ -6,7 +6,7 @@
 
 #include "Errors.h"
 #include "front/Front.h"
-#include "window/WindowMerge.h"
+#include "window/WindowSupport.h"
 
 #include <gtest/gtest.h>
 
@@ -162,7 +162,7 @@ TEST(Approximate, MergedWindowsMeetTheOriginalsAtTheEndsAndAreNowhereAbove)
     }
     std::vector<Window> windows = { left, right };
     const double epsilon = 0.3;
-    const double reported = geodesic::mergeNeighbours(windows, 1.0, epsilon);
+    const double reported = mergeNeighbours(windows, 1.0, epsilon);
     if (windows.size() != 1)
     {
       continue;
@@ -211,7 +211,7 @@ TEST(Approximate, ManyNeighboursStayWithinTheLimitOfWhatIsMerged)
     for (const double limit : { geodesic::Infinity, 1e-3, 1e-4, 1e-6, 0.0 })
     {
       std::vector<Window> windows = original;
-      geodesic::mergeNeighbours(windows, 1.0, epsilon, limit);
+      mergeNeighbours(windows, 1.0, epsilon, limit);
       EXPECT_GE(windows.size(), fewer) << "a smaller limit merges no more";
       fewer = windows.size();
       for (const Window& w : original)

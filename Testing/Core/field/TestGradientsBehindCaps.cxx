@@ -277,7 +277,7 @@ private:
     const TriangleMesh& mesh = rank.part.mesh();
     geodesic::FrontOptions options;
     options.keepArrivals = true;
-    geodesic::KeepAll all(mesh);
+    geodesic::KeepFaces all(mesh);
     geodesic::FrontResult front = propagate(rank.part, rank.sources, options, all);
     const geodesic::DistanceField field(rank.part, std::move(front), all.release());
     std::vector<geodesic::Vec3> found;

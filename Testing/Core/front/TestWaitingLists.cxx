@@ -35,8 +35,10 @@ using Expected = std::map<Id, double>;
 Expected contentOf(const WaitingLists& lists)
 {
   Expected content;
-  lists.forEach([&](Id halfedge, const WindowBlock& block)
-    { EXPECT_TRUE(content.emplace(halfedge, block.data->begin).second) << "found twice"; });
+  lists.forEach(
+    [&](const WaitingLists::List& list) {
+      EXPECT_TRUE(content.emplace(list.halfedge, list.windows.data->begin).second) << "found twice";
+    });
   return content;
 }
 
@@ -80,8 +82,8 @@ TEST(WaitingLists, AgreeWithAMap)
         EXPECT_EQ(lists.find(halfedge), added);
         continue;
       }
-      EXPECT_EQ(lists.halfedge(list), halfedge);
-      EXPECT_EQ(lists.at(list).begin()->begin, expected[halfedge]);
+      EXPECT_EQ(lists[list].halfedge, halfedge);
+      EXPECT_EQ(lists[list].windows.data->begin, expected[halfedge]);
       const WindowBlock removed = lists.remove(list);
       EXPECT_EQ(removed.data->begin, expected[halfedge]);
       pool.free(removed);
@@ -126,7 +128,7 @@ TEST(WaitingLists, HalfedgesWithEqualHashesAreDistinguished)
         for (const Id halfedge : left)
         {
           ASSERT_NE(lists.find(halfedge), NoId);
-          EXPECT_EQ(lists.at(lists.find(halfedge)).begin()->begin, halfedge);
+          EXPECT_EQ(lists[lists.find(halfedge)].windows.data->begin, halfedge);
         }
       }
     }
@@ -138,11 +140,11 @@ TEST(WaitingLists, AListMayGrowAndShrink)
   WindowPool pool;
   WaitingLists lists;
   const Id list = lists.add(7, listWith(1.0, pool));
-  const std::vector<Window> longer(5, *lists.at(list).begin());
+  const std::vector<Window> longer(5, *lists[list].windows.data);
   lists.assign(list, { longer.data(), longer.data() + longer.size() }, pool);
-  EXPECT_EQ(lists.at(list).size(), 5U);
+  EXPECT_EQ(lists[list].windows.size, 5U);
   EXPECT_EQ(lists.find(7), list);
   lists.assign(list, { longer.data(), longer.data() + 2 }, pool);
-  EXPECT_EQ(lists.at(list).size(), 2U);
+  EXPECT_EQ(lists[list].windows.size, 2U);
   EXPECT_EQ(lists.remove(list).sizeClass, 3U) << "its block holds what it once held";
 }

@@ -4,7 +4,6 @@
 #include "window/WindowSupport.h"
 
 #include "window/LowerWindow.h"
-#include "window/WindowCrossings.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "truth/TestMeshes.h"
 
 #include "window/Window.h"
+#include "window/WindowMerge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,16 @@ inline Window linearWindow(double begin, double end, double slope, double sigma 
 {
   return { begin, end, slope, std::sqrt((1.0 - slope) * (1.0 + slope)), sigma, 0.0,
     Window::Kind::Linear, 0 };
+}
+
+/// Merges the windows of a vector, as mergeNeighbours() does those of a block.
+inline double mergeNeighbours(std::vector<Window>& windows, double edgeLength, double relativeError,
+  double maximumAdded = geodesic::Infinity)
+{
+  geodesic::WindowBlock list = { windows.data(), static_cast<std::uint32_t>(windows.size()) };
+  const double largest = geodesic::mergeNeighbours(list, edgeLength, relativeError, maximumAdded);
+  windows.resize(list.size);
+  return largest;
 }
 
 /// The straight distance of a window to a point above its halfedge.
