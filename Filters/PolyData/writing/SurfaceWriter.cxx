@@ -324,6 +324,7 @@ std::vector<RefinedBlock> partsByBlock(
     }
   }
   refined.points = {};
+  values = {};
   for (std::size_t i = 0; i < refined.triangles.size(); ++i)
   {
     const std::size_t index = surface.blockOfTriangle(refined.faces[i]);
