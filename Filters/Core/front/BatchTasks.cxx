@@ -89,6 +89,8 @@ bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id verte
   }
   double next = isReached ? Infinity : distance;
   VertexState& state = this->vertices_[vertex];
+  // Stays valid: propagate() only removes lists, which moves none. Lists are added in the second
+  // step of the batch alone (receiveLists).
   Id* link = &state.facing;
   while (*link != NoId && !worker.hasToPause())
   {
@@ -399,7 +401,6 @@ void BatchTasks::receiveLists(FrontWorker& worker, District& district)
         begin + this->receiveFrom(worker, district, mail.lists, district.done - begin);
     }
   };
-  takeLists(district.fromLower);
   this->mailboxes_.forEach(district.number, takeLists);
   takeLists(district.fromHigher);
   district.isDone = district.done == end;
