@@ -4,6 +4,85 @@
 namespace geodesic
 {
 
+template <typename Visit>
+void DistancesInFaces::forEachRefinedFace(const RedGreenMesh::Edge& edge, Visit&& visit) const
+{
+  this->triangles_.forEachFaceAt(edge,
+    [&](Id face)
+    {
+      if (!this->triangles_.isFrozen(face))
+      {
+        visit(face);
+      }
+    });
+}
+
+const FaceDistance& DistancesInFaces::face(Id face)
+{
+  if (!this->last_)
+  {
+    this->last_.emplace(this->field_, face);
+  }
+  else if (this->last_->face() != face)
+  {
+    this->last_.emplace(this->field_, face, this->last_->releaseMemory());
+  }
+  return *this->last_;
+}
+
+double DistancesInFaces::atPoint(Id point) const
+{
+  const Id inputPoints = this->triangles_.numberOfInputPoints();
+  return point < inputPoints ? this->field_.vertexDistances()[point]
+                             : this->triangles_.points()[point - inputPoints].distance;
+}
+
+double DistancesInFaces::atPoint(Id point, const FaceDistance& face, Vec2 place) const
+{
+  return face.isExact() ? this->atPoint(point) : face.distance(place);
+}
+
+// In the exact field, one face determines the whole distance along its edge.
+Deviation DistancesInFaces::ofEdge(Id id)
+{
+  const RedGreenMesh::Edge& edge = this->triangles_.edgeData(id);
+  Deviation largest;
+  bool isKnown = false;
+  this->forEachRefinedFace(edge,
+    [&](Id around)
+    {
+      if (!isKnown)
+      {
+        const FaceDistance& distance = this->face(around);
+        largest.widen(this->between(edge.ends[0], edge.ends[1], distance));
+        isKnown = distance.isExact();
+      }
+    });
+  return largest;
+}
+
+Deviation DistancesInFaces::between(Id a, Id b, const FaceDistance& face)
+{
+  const Vec2 p = this->triangles_.inPlane(a, face.face());
+  const Vec2 q = this->triangles_.inPlane(b, face.face());
+  return largestDeviation(this->envelope_.along(face, p, q), norm(q - p), this->atPoint(a, face, p),
+    this->atPoint(b, face, q));
+}
+
+double DistancesInFaces::onEdge(Id id, double weight)
+{
+  const RedGreenMesh::Edge& edge = this->triangles_.edgeData(id);
+  double least = Infinity;
+  this->forEachRefinedFace(edge,
+    [&](Id around)
+    {
+      const Vec2 p = this->triangles_.inPlane(edge.ends[0], around);
+      const Vec2 q = this->triangles_.inPlane(edge.ends[1], around);
+      least = std::min(least, this->face(around).distance(p + weight * (q - p)));
+    });
+  return least;
+}
+
 void RefinementWorkers::resize(std::size_t count)
 {
   while (this->workers_.size() < count)

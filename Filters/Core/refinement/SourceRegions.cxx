@@ -3,7 +3,7 @@
 
 #include "Tolerance.h"
 #include "field/IncomingSegment.h"
-#include "refinement/DistancesInFaces.h"
+#include "refinement/RefinementWorkers.h"
 #include "refinement/TriangleError.h"
 
 namespace geodesic
