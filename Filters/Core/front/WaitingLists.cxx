@@ -39,7 +39,7 @@ Id WaitingLists::add(Id halfedge, const WindowBlock& block)
   }
   const Id list = this->unused_;
   this->unused_ = this->lists_[list].next;
-  this->lists_[list] = { halfedge, block };
+  this->lists_[list] = { block, halfedge };
   this->enter(list);
   ++this->count_;
   return list;

@@ -15,10 +15,11 @@ namespace geodesic
 class WaitingLists
 {
 public:
+  /// In an order of members that leaves no gaps: there are very many.
   struct List
   {
-    Id halfedge;
     WindowBlock windows;
+    Id halfedge;
     /// The caller's link to another list.
     Id next = NoId;
     /// The distance at which the list passes, whether or not the front has reached its vertex;
