@@ -118,31 +118,36 @@ constexpr Label NoLabel = ~Label(0);
 /// Marks the copies among some cells of all ranks, which call this together: of cells on the same
 /// vertices, marked ones beside an original, or beside the first of marked ones.
 ///
+/// \param forEachCell calls its argument for each cell: (const Range&).
 /// \param labelOf of a point: (Id) -> Label.
-template <typename LabelOf>
-void findCopiesAmong(const std::vector<Range>& cells, const LabelOf& labelOf,
+template <typename ForEachCell, typename LabelOf>
+void findCopiesAmong(const ForEachCell& forEachCell, const LabelOf& labelOf,
   const TriangleList& triangles, Exchange& exchange, std::vector<TriangleRole>& roles)
 {
   Questions questions(exchange);
   const auto ranks = static_cast<std::uint64_t>(exchange.numberOfRanks());
+  std::vector<Range> asked; // few: most cells have a vertex of their own
   std::vector<Label> labels;
-  for (std::size_t cell = 0; cell < cells.size(); ++cell)
-  {
-    labels.clear();
-    for (std::size_t i = cells[cell].first; i < cells[cell].second; ++i)
+  forEachCell(
+    [&](const Range& cell)
     {
-      for (const Id point : triangles.corners[i])
+      labels.clear();
+      for (std::size_t i = cell.first; i < cell.second; ++i)
       {
-        labels.push_back(labelOf(point));
+        for (const Id point : triangles.corners[i])
+        {
+          labels.push_back(labelOf(point));
+          if (labels.back() == NoLabel)
+          {
+            return;
+          }
+        }
       }
-    }
-    if (std::find(labels.begin(), labels.end(), NoLabel) == labels.end())
-    {
       const Fingerprint key = keyOf(labels);
-      const bool isMarked = triangles.isDuplicate[cells[cell].first];
-      questions.ask(static_cast<int>(key[1] % ranks), cell, key, isMarked);
-    }
-  }
+      const bool isMarked = triangles.isDuplicate[cell.first];
+      questions.ask(static_cast<int>(key[1] % ranks), asked.size(), key, isMarked);
+      asked.push_back(cell);
+    });
   std::map<Fingerprint, bool> isTaken;
   questions.exchangeAnswers(
     [&](int, MessageReader& question)
@@ -160,7 +165,7 @@ void findCopiesAmong(const std::vector<Range>& cells, const LabelOf& labelOf,
     [&](std::size_t cell, MessageReader& answer)
     {
       const bool isCopy = answer.get<bool>();
-      for (std::size_t i = cells[cell].first; isCopy && i < cells[cell].second; ++i)
+      for (std::size_t i = asked[cell].first; isCopy && i < asked[cell].second; ++i)
       {
         roles[i] = TriangleRole::Copy;
       }
@@ -172,7 +177,6 @@ void findCopiesHere(
   const VertexOfPoint& vertexOf, const TriangleList& triangles, std::vector<TriangleRole>& roles)
 {
   std::set<Id> marked;
-  std::vector<Range> all;
   for (std::size_t i = 0; i < triangles.corners.size(); ++i)
   {
     if (triangles.isDuplicate[i])
@@ -181,34 +185,39 @@ void findCopiesHere(
       marked.insert(vertices.begin(), vertices.end());
     }
   }
-  for (std::size_t i = 0; i < triangles.corners.size() && !marked.empty(); ++i)
+  const auto forEachTriangle = [&](const auto& visit)
   {
-    all.emplace_back(i, i + 1);
-  }
+    for (std::size_t i = 0; i < triangles.corners.size() && !marked.empty(); ++i)
+    {
+      visit(Range(i, i + 1));
+    }
+  };
   const auto labelOf = [&](Id point)
   { return marked.count(vertexOf(point)) > 0 ? Label(vertexOf(point)) : NoLabel; };
-  findCopiesAmong(all, labelOf, triangles, OneRank::instance(), roles);
+  findCopiesAmong(forEachTriangle, labelOf, triangles, OneRank::instance(), roles);
 }
 
 /// Marks the triangles that are copies of other ranks' cells.
 void findCopiesOfOthers(const RankLabels& labels, const VertexOfPoint& vertexOf,
   const TriangleList& triangles, Exchange& exchange, std::vector<TriangleRole>& roles)
 {
-  std::vector<Range> cells;
-  triangles.forEachCell(
-    [&](const Range& cell)
-    {
-      if (roles[cell.first] != TriangleRole::Copy)
+  const auto forEachOther = [&](const auto& visit)
+  {
+    triangles.forEachCell(
+      [&](const Range& cell)
       {
-        cells.push_back(cell);
-      }
-    });
+        if (roles[cell.first] != TriangleRole::Copy)
+        {
+          visit(cell);
+        }
+      });
+  };
   const auto labelOf = [&](Id point)
   {
     const Id vertex = vertexOf(point);
     return labels.isSharedAt(vertex) ? labels.of(vertex) : NoLabel;
   };
-  findCopiesAmong(cells, labelOf, triangles, exchange, roles);
+  findCopiesAmong(forEachOther, labelOf, triangles, exchange, roles);
 }
 
 } // anonymous namespace
