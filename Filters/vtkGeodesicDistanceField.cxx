@@ -243,7 +243,7 @@ private:
     this->AtVertices = arrays.atVertices(field, nearest, part(1));
     if (this->Choice.angles)
     {
-      this->Frames = framesBySource(this->Execution.patch(), curves);
+      this->Frames = framesBySource(nearest.curvesOnPatch(), curves);
     }
     this->ArcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
     if (this->IsRefined)

@@ -6,6 +6,7 @@
 #include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "paths/PathsToSource.h"
+#include "source/CurvesOnPatch.h"
 
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -128,7 +129,8 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
     paths = FindPaths(execution);
     if (this->GenerateSourceAngle)
     {
-      frames = framesBySource(execution.patch(), execution.sources().curves);
+      const std::vector<SourceCurve>& curves = execution.sources().curves;
+      frames = framesBySource(CurvesOnPatch(execution.patch(), curves), curves);
     }
     scale = execution.surface().scale();
   }

@@ -100,16 +100,25 @@ public:
   {
   }
 
-  /// Looks at the ways through the face, maybe at those of one kind only.
-  void comeThrough(Id face, Kind only = Kind::None)
+  /// Looks at all ways through the face.
+  void comeThrough(Id face)
   {
     this->enter(face);
     forEachWay(this->field_, face, this->point_,
       [&](const WayIntoFace& way)
+      { way.kind == Kind::Window ? this->takeWindow(way) : this->takeStart(way); });
+  }
+
+  /// Looks at the ways from sources in the face, or at those from its corners.
+  void comeFrom(Kind start, Id face)
+  {
+    this->enter(face);
+    forEachStart(this->field_, face, this->point_, this->inFace_,
+      [&](const WayIntoFace& way)
       {
-        if (only == Kind::None || way.kind == only)
+        if (way.kind == start)
         {
-          way.kind == Kind::Window ? this->takeWindow(way) : this->takeStart(way);
+          this->takeStart(way);
         }
       });
   }
@@ -288,12 +297,12 @@ void findAtVertex(const DistanceField& field, const SurfacePoint& point, LastPie
   // The path comes straight from a source in a face, or from a corner so near that rounding has
   // hidden the arrival. Once a source is found, corners as near as rounding must not be taken:
   // their own paths may come from this vertex.
-  forEachFace(field.mesh(), point, [&](Id face) { search.comeThrough(face, Kind::Source); });
+  forEachFace(field.mesh(), point, [&](Id face) { search.comeFrom(Kind::Source, face); });
   if (field.arrivals()[point.id].isKnown() && search.best().kind == Kind::Source)
   {
     return;
   }
-  forEachFace(field.mesh(), point, [&](Id face) { search.comeThrough(face, Kind::Corner); });
+  forEachFace(field.mesh(), point, [&](Id face) { search.comeFrom(Kind::Corner, face); });
 }
 
 // If vertices are at one place, but for rounding, the direction is known at the one that the paths

@@ -102,6 +102,8 @@ public:
   /// its first segment: x along the segment, y to the left.
   SourceFrame frameOf(Id curve) const { return this->curves_.frameOf(curve); }
 
+  const CurvesOnPatch& curvesOnPatch() const { return this->curves_; }
+
 private:
   void takeVerticesOnCurves();
   IncomingSegment originTo(Id vertex) const;

@@ -44,13 +44,15 @@ struct WayIntoFace
   bool isBehind = false;
 };
 
-/// Calls visit(const WayIntoFace&) for all ways to a point: from sources, from corners, but not the
-/// one that the point is at, and through windows.
+/// Calls visit(const WayIntoFace&) for the ways to a point from sources, and from corners, but not
+/// the one that the point is at.
+///
+/// \param point the place in the face.
 template <typename Visit>
-void forEachWay(const DistanceField& field, Id face, const SurfacePoint& place, const Visit& visit)
+void forEachStart(const DistanceField& field, Id face, const SurfacePoint& place,
+  const Barycentric& point, const Visit& visit)
 {
   const TriangleMesh& mesh = field.mesh();
-  const Barycentric point = barycentric(mesh, place, face);
   WayIntoFace way;
   way.kind = WayIntoFace::Kind::Source;
   for (const SourceInFace& source : field.sourcesIn(face))
@@ -73,8 +75,17 @@ void forEachWay(const DistanceField& field, Id face, const SurfacePoint& place, 
       visit(way);
     }
   }
+}
+
+/// The same for all ways to a point: the starts, and the ways through windows.
+template <typename Visit>
+void forEachWay(const DistanceField& field, Id face, const SurfacePoint& place, const Visit& visit)
+{
+  const TriangleMesh& mesh = field.mesh();
+  const Barycentric point = barycentric(mesh, place, face);
+  forEachStart(field, face, place, point, visit);
+  WayIntoFace way;
   way.kind = WayIntoFace::Kind::Window;
-  way.vertex = NoId;
   for (Id k = 0; k < 3; ++k)
   {
     way.halfedge = 3 * face + k;

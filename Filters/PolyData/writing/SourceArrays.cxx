@@ -316,9 +316,8 @@ std::vector<std::vector<double>> SourceArrays::arcLengthsOfCurves(
 }
 
 std::vector<SourceFrame> framesBySource(
-  const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves)
+  const CurvesOnPatch& onPatch, const std::vector<SourceCurve>& curves)
 {
-  const CurvesOnPatch onPatch(patch, curves);
   std::vector<SourceFrame> frames;
   for (Id curve = static_cast<Id>(curves.size()); curve-- > 0;) // the first of a source comes last
   {

@@ -115,9 +115,9 @@ struct SourceArrays
 /// The frames that angles are measured in, by SourceCurve::source; of a source that is cut in
 /// several curves, that of the first.
 ///
-/// \param patch that the curves lie on.
+/// \param onPatch the curves on their patch.
 std::vector<SourceFrame> framesBySource(
-  const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves);
+  const CurvesOnPatch& onPatch, const std::vector<SourceCurve>& curves);
 
 /// Adds the field data array SourceFrame, with the three vectors of a frame in each tuple.
 void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* output);
