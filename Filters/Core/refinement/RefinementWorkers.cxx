@@ -101,7 +101,7 @@ Deviation RefinementWorkers::deviation(Id edge)
   {
     this->edges_[edge] = { this->first().distances.ofEdge(edge), true };
   }
-  return this->measured(edge);
+  return this->edges_[edge].deviation;
 }
 
 void RefinementWorkers::measure(const std::vector<Id>& edges)
