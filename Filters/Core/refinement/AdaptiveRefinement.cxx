@@ -27,14 +27,10 @@ constexpr double ShareOfOutput = 0.1;
 
 bool isFrozen(const DistanceField& field, Id face)
 {
-  for (const Id vertex : field.mesh().triangle(face))
-  {
-    if (!(field.vertexDistances()[vertex] < Infinity))
-    {
-      return true;
-    }
-  }
-  return !field.knowsInside(face);
+  const Triangle& corners = field.mesh().triangle(face);
+  return !field.knowsInside(face) ||
+    std::any_of(corners.begin(), corners.end(),
+      [&](Id corner) { return !(field.vertexDistances()[corner] < Infinity); });
 }
 
 /// The faces of other ranks are all frozen.
@@ -240,25 +236,20 @@ private:
     this->triangles_.setWay(leaf, check.way);
     if (!check.passed)
     {
-      this->push(std::max(check.sample, check.limit), leaf, check.limit);
+      this->violations_.push(std::max(check.sample, check.limit), leaf, check.limit);
       return;
     }
     this->raiseBound(check.bound);
     double longest = 0.0;
-    this->triangles_.closeLeaf(leaf,
+    this->triangles_.closeTriangle(leaf,
       [&](Id face, const Triangle& corners)
       { longest = std::max(longest, this->regions_.lengthAtBorder(face, corners)); });
     if (longest > 0.0)
     {
       // below the error of any leaf over the tolerance, and larger for larger triangles
       const double tolerance = this->options_.tolerance;
-      this->push(0.5 * tolerance * longest / (longest + tolerance), leaf, Infinity);
+      this->violations_.push(0.5 * tolerance * longest / (longest + tolerance), leaf, Infinity);
     }
-  }
-
-  void push(double error, Id leaf, double limit)
-  {
-    this->violations_.push({ error, leaf, this->triangles_.splitEdges(leaf), limit });
   }
 
   std::vector<Id> unknownAtBorders()

@@ -56,16 +56,16 @@ void RedGreenClosure::shareFrozen()
     });
 }
 
-bool RedGreenClosure::split(Id edge, int round)
+bool RedGreenClosure::split(Id edge)
 {
   const Id face = this->firstRefinedFaceAt(edge);
   if (!this->part_.isOwn(face))
   {
-    this->send(this->part_.ownerOf(face).rank, Kind::Request, edge, round);
+    this->send(this->part_.ownerOf(face).rank, Kind::Request, edge);
     return false;
   }
   this->mesh_.split(edge, this->rules_.place(edge));
-  this->tell(edge, round);
+  this->tell(edge);
   return true;
 }
 
@@ -80,7 +80,7 @@ Id RedGreenClosure::firstRefinedFaceAt(Id edge) const
 }
 
 // Tells the other ranks that have an edge that this rank, which decides, has split it.
-void RedGreenClosure::tell(Id edge, int round)
+void RedGreenClosure::tell(Id edge)
 {
   int last = this->part_.exchange().rank();
   this->mesh_.forEachFaceAt(this->mesh_.edgeData(edge),
@@ -89,14 +89,14 @@ void RedGreenClosure::tell(Id edge, int round)
       const int owner = this->part_.addressOf(face).rank;
       if (owner != last && owner != this->part_.exchange().rank())
       {
-        this->send(owner, Kind::Decision, edge, round);
+        this->send(owner, Kind::Decision, edge);
         put(this->messages_[rankIndex(owner)], this->mesh_.placementOf(edge));
       }
       last = owner; // faces of one rank are consecutive
     });
 }
 
-void RedGreenClosure::send(int rank, Kind kind, Id edge, int round)
+void RedGreenClosure::send(int rank, Kind kind, Id edge)
 {
   std::vector<std::uint8_t> path; // which half, from the edge up to the input edge
   Id ancestor = edge;
@@ -109,7 +109,7 @@ void RedGreenClosure::send(int rank, Kind kind, Id edge, int round)
   const Id halfedge = this->mesh_.edgeData(ancestor).halfedge;
   const RankAddress face = this->part_.addressOf(TriangleMesh::faceOf(halfedge));
   Message& message = this->messages_[rankIndex(rank)];
-  put(message, Entry{ kind, round, face, halfedge % 3, static_cast<Id>(path.size()) });
+  put(message, Entry{ kind, this->round_, face, halfedge % 3, static_cast<Id>(path.size()) });
   std::reverse(path.begin(), path.end());
   put(message, path.data(), path.size());
 }
@@ -124,7 +124,7 @@ Id RedGreenClosure::takeEdge(const Entry& entry, MessageReader& reader)
   return edge;
 }
 
-void RedGreenClosure::splitIntoFour(Id triangle, int round)
+void RedGreenClosure::splitIntoFour(Id triangle)
 {
   bool areSplit = true;
   for (Id k = 0; k < 3; ++k)
@@ -132,7 +132,7 @@ void RedGreenClosure::splitIntoFour(Id triangle, int round)
     const Id edge = this->mesh_.ensureEdge(triangle, k);
     if (!this->mesh_.isSplit(edge))
     {
-      areSplit = this->split(edge, round) && areSplit;
+      areSplit = this->split(edge) && areSplit;
     }
   }
   if (areSplit)
@@ -146,31 +146,31 @@ void RedGreenClosure::splitIntoFour(Id triangle, int round)
   }
 }
 
-void RedGreenClosure::close(int round)
+void RedGreenClosure::close()
 {
   constexpr int rounds = 2;
   std::vector<Id> changed;
-  this->closeTouched(round, changed);
-  while (round < rounds)
+  this->closeTouched(changed);
+  while (this->round_ < rounds)
   {
-    ++round;
-    const std::vector<Id> bisected = changed;
-    for (const Id triangle : bisected)
+    ++this->round_;
+    for (const Id triangle : changed)
     {
       if (this->mesh_.isLeaf(triangle) && this->mesh_.splitEdges(triangle) == 1 &&
         this->waiting_.count(triangle) == 0 && !this->rules_.mayClose(triangle))
       {
-        this->splitIntoFour(triangle, round);
+        this->splitIntoFour(triangle);
       }
     }
-    this->closeTouched(round, changed);
+    this->closeTouched(changed);
   }
+  this->round_ = 0;
   this->changed_.insert(this->changed_.end(), changed.begin(), changed.end());
 }
 
 // The loop ends: it splits edges only of triangles that already have a split edge, so it adds no
 // level of parts to the existing ones.
-void RedGreenClosure::closeTouched(int round, std::vector<Id>& changed)
+void RedGreenClosure::closeTouched(std::vector<Id>& changed)
 {
   for (Id triangle = this->mesh_.takeTouched(); triangle != NoId;
        triangle = this->mesh_.takeTouched())
@@ -182,7 +182,7 @@ void RedGreenClosure::closeTouched(int round, std::vector<Id>& changed)
     if (this->waiting_.count(triangle) != 0 || this->mesh_.isSplitTwice(triangle) ||
       (this->mesh_.splitEdges(triangle) > 1 && !this->rules_.mayClose(triangle)))
     {
-      this->splitIntoFour(triangle, round);
+      this->splitIntoFour(triangle);
     }
     else
     {
@@ -207,15 +207,15 @@ bool RedGreenClosure::settle(std::uint64_t most, const std::function<void()>& re
     {
       return false;
     }
-    int last = 0;
     readEach(received,
       [&](int, MessageReader& reader)
       {
         const auto entry = reader.get<Entry>();
         const Id edge = this->takeEdge(entry, reader);
-        if (entry.round != last)
+        if (entry.round != this->round_)
         {
-          this->close(std::exchange(last, entry.round));
+          this->close();
+          this->round_ = entry.round;
         }
         if (entry.kind == Kind::Decision)
         {
@@ -224,10 +224,10 @@ bool RedGreenClosure::settle(std::uint64_t most, const std::function<void()>& re
         }
         else if (!this->mesh_.isSplit(edge))
         {
-          this->split(edge, entry.round);
+          this->split(edge);
         }
       });
-    this->close(last);
+    this->close();
   } while (least[0] == 0.0);
   return true;
 }

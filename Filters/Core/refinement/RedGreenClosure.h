@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <functional>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -45,19 +44,14 @@ public:
 
   /// Splits an edge that is not split yet, or asks for the split. \returns whether the edge is
   /// split.
-  ///
-  /// \param round of the closure that needs the split.
-  bool split(Id edge, int round = 0);
+  bool split(Id edge);
   /// Splits a leaf into four, together with its unsplit edges.
-  void splitIntoFour(Id triangle, int round = 0);
+  void splitIntoFour(Id triangle);
 
   /// Splits leaves into four: those with an edge that was split twice; those with two or more split
   /// edges that must not be closed; and, in two rounds, bisected ones that must not be closed.
   /// Whatever the second round bisects stays, so that splitting does not spread.
-  ///
-  /// \param round the first round: the one in which another rank has made the splits, 0 for this
-  ///        rank's own.
-  void close(int round = 0);
+  void close();
 
   /// A collective call of all ranks, which makes the splits that other ranks have decided or ask
   /// for, until no rank sends any: only then is the mesh closed. It ends early if a rank has too
@@ -91,11 +85,11 @@ private:
     Id depth;
   };
 
-  void closeTouched(int round, std::vector<Id>& changed);
+  void closeTouched(std::vector<Id>& changed);
   void shareFrozen();
   Id firstRefinedFaceAt(Id edge) const;
-  void tell(Id edge, int round);
-  void send(int rank, Kind kind, Id edge, int round);
+  void tell(Id edge);
+  void send(int rank, Kind kind, Id edge);
   Id takeEdge(const Entry& entry, MessageReader& reader);
 
   const MeshPartition& part_;
@@ -108,6 +102,9 @@ private:
   /// Leaves that will be split into four once their edges are split.
   std::unordered_set<Id> waiting_;
   std::vector<Id> changed_;
+  /// The round of the closure that is going on; 0 before the first. A split that another rank has
+  /// made or asks for belongs to the round in which that rank needs it.
+  int round_ = 0;
 };
 
 }

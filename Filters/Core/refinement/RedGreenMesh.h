@@ -217,14 +217,23 @@ public:
       }
       else
       {
-        this->closeParts(face, emit);
+        this->closeTriangle(face, emit);
       }
     }
   }
-  /// Calls emit(face, corners) for the triangles of a leaf.
+  /// Calls emit(face, corners) for the triangles of a leaf, or of all parts of another triangle.
   template <typename Emit>
-  void closeLeaf(Id triangle, Emit&& emit) const
+  void closeTriangle(Id triangle, Emit&& emit) const
   {
+    const Id parts = this->partsOf(triangle);
+    if (parts != NoId)
+    {
+      for (Id i = 0; i < 4; ++i)
+      {
+        this->closeTriangle(this->faces_ + parts + i, emit);
+      }
+      return;
+    }
     const Id face = this->faceOf(triangle);
     const Closing closing = this->closing(triangle, this->wayOf(triangle));
     for (Id i = 0; i < closing.count; ++i)
@@ -272,20 +281,6 @@ private:
   Id halfAt(Id edge, Id end) const;
   Id addPart(Id face, const Triangle& corners, const std::array<Id, 3>& edges);
   double lengthOf(Id a, Id b) const;
-  template <typename Emit>
-  void closeParts(Id triangle, Emit& emit) const
-  {
-    const Id parts = this->partsOf(triangle);
-    if (parts == NoId)
-    {
-      this->closeLeaf(triangle, emit);
-      return;
-    }
-    for (Id i = 0; i < 4; ++i)
-    {
-      this->closeParts(this->faces_ + parts + i, emit);
-    }
-  }
   /// Bisects at the longest split edge first, for the shapes.
   template <typename Emit>
   void closeFrozen(Id face, const Triangle& c, const std::array<Id, 3>& edges, Emit& emit) const

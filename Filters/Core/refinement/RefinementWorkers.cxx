@@ -4,19 +4,6 @@
 namespace geodesic
 {
 
-template <typename Visit>
-void DistancesInFaces::forEachRefinedFace(const RedGreenMesh::Edge& edge, Visit&& visit) const
-{
-  this->triangles_.forEachFaceAt(edge,
-    [&](Id face)
-    {
-      if (!this->triangles_.isFrozen(face))
-      {
-        visit(face);
-      }
-    });
-}
-
 const FaceDistance& DistancesInFaces::face(Id face)
 {
   if (!this->last_)

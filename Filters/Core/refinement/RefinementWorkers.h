@@ -92,7 +92,17 @@ public:
 
 private:
   template <typename Visit>
-  void forEachRefinedFace(const RedGreenMesh::Edge& edge, Visit&& visit) const;
+  void forEachRefinedFace(const RedGreenMesh::Edge& edge, const Visit& visit) const
+  {
+    this->triangles_.forEachFaceAt(edge,
+      [&](Id face)
+      {
+        if (!this->triangles_.isFrozen(face))
+        {
+          visit(face);
+        }
+      });
+  }
 
   const DistanceField& field_;
   const RedGreenMesh& triangles_;
