@@ -161,13 +161,15 @@ public:
     this->violations_.takeAll([this](const Violation& rest)
       { this->raiseBound(this->closings_.tightBound(rest.triangle)); });
     const std::vector<Id> unknown = this->unknownAtBorders();
-    RefinedMesh result =
-      writeOutput(this->triangles_, this->options_, this->numberOfCallersPoints(),
-        [this](double written)
-        {
-          this->progress_.tell(1.0 - ShareOfOutput * (1.0 - written));
-          return true;
-        });
+    const bool areVertices =
+      this->options_.cornerPoints.empty() && this->field_.mesh().numberOfFaces() > 0;
+    RefinedMesh result = writeOutput(this->triangles_, this->options_,
+      areVertices ? this->field_.surface().numberOfOwnVertices() : this->options_.numberOfPoints,
+      [this](double written)
+      {
+        this->progress_.tell(1.0 - ShareOfOutput * (1.0 - written));
+        return true;
+      });
     result.errorBound = this->field_.surface().exchange().largestOf(this->bound_);
     result.stoppedAtMaximum = this->stopped_;
     result.unknownAtBorders = unknown;
@@ -343,15 +345,6 @@ private:
   }
 
   void raiseBound(double bound) { this->bound_ = std::max(this->bound_, bound); }
-
-  Id numberOfCallersPoints() const
-  {
-    if (!this->options_.cornerPoints.empty() || this->field_.mesh().numberOfFaces() == 0)
-    {
-      return this->options_.numberOfPoints;
-    }
-    return this->field_.surface().numberOfOwnVertices();
-  }
 
   /// The errors fall from the initial worst to the tolerance, by about the same factor with each
   /// level.

@@ -28,12 +28,7 @@ RedGreenClosure::RedGreenClosure(const MeshPartition& part, RedGreenMesh& mesh, 
   , frozen_(part.mesh().numberOfFaces(), 0)
   , messages_(part.exchange().noMessages())
 {
-  this->shareFrozen();
-}
-
-// Sends to the ranks that have a copy of a face: those that have one of its vertices.
-void RedGreenClosure::shareFrozen()
-{
+  // Each rank tells those that have a copy of a frozen face: those that have one of its vertices.
   std::vector<Message> messages = this->part_.exchange().noMessages();
   for (Id face = this->part_.firstOwnFace(); face < this->part_.endOfOwnFaces(); ++face)
   {
@@ -65,7 +60,19 @@ bool RedGreenClosure::split(Id edge)
     return false;
   }
   this->mesh_.split(edge, this->rules_.place(edge));
-  this->tell(edge);
+  // Tells the other ranks that have the edge.
+  int last = this->part_.exchange().rank();
+  this->mesh_.forEachFaceAt(this->mesh_.edgeData(edge),
+    [&](Id around)
+    {
+      const int owner = this->part_.addressOf(around).rank;
+      if (owner != last && owner != this->part_.exchange().rank())
+      {
+        this->send(owner, Kind::Decision, edge);
+        put(this->messages_[rankIndex(owner)], this->mesh_.placementOf(edge));
+      }
+      last = owner; // faces of one rank are consecutive
+    });
   return true;
 }
 
@@ -77,23 +84,6 @@ Id RedGreenClosure::firstRefinedFaceAt(Id edge) const
   this->mesh_.forEachFaceAt(this->mesh_.edgeData(edge),
     [&](Id face) { first = first == NoId && this->frozen_[face] == 0 ? face : first; });
   return first;
-}
-
-// Tells the other ranks that have an edge that this rank, which decides, has split it.
-void RedGreenClosure::tell(Id edge)
-{
-  int last = this->part_.exchange().rank();
-  this->mesh_.forEachFaceAt(this->mesh_.edgeData(edge),
-    [&](Id face)
-    {
-      const int owner = this->part_.addressOf(face).rank;
-      if (owner != last && owner != this->part_.exchange().rank())
-      {
-        this->send(owner, Kind::Decision, edge);
-        put(this->messages_[rankIndex(owner)], this->mesh_.placementOf(edge));
-      }
-      last = owner; // faces of one rank are consecutive
-    });
 }
 
 void RedGreenClosure::send(int rank, Kind kind, Id edge)

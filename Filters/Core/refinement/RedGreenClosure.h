@@ -86,9 +86,7 @@ private:
   };
 
   void closeTouched(std::vector<Id>& changed);
-  void shareFrozen();
   Id firstRefinedFaceAt(Id edge) const;
-  void tell(Id edge);
   void send(int rank, Kind kind, Id edge);
   Id takeEdge(const Entry& entry, MessageReader& reader);
 

@@ -298,9 +298,4 @@ void RedGreenMesh::rollBack()
   this->touched_.clear();
 }
 
-double RedGreenMesh::lengthOf(Id a, Id b) const
-{
-  return norm(position(this->mesh_, this->place(b)) - position(this->mesh_, this->place(a)));
-}
-
 }

@@ -280,7 +280,6 @@ private:
   SurfacePoint between(const Edge& edge, double weight) const;
   Id halfAt(Id edge, Id end) const;
   Id addPart(Id face, const Triangle& corners, const std::array<Id, 3>& edges);
-  double lengthOf(Id a, Id b) const;
   /// Bisects at the longest split edge first, for the shapes.
   template <typename Emit>
   void closeFrozen(Id face, const Triangle& c, const std::array<Id, 3>& edges, Emit& emit) const
@@ -289,10 +288,12 @@ private:
     double length = -1.0;
     for (std::size_t j = 0; j < 3; ++j)
     {
-      if (this->isSplit(edges[j]) && this->lengthOf(c[j], c[(j + 1) % 3]) > length)
+      const Vec3 begin = position(this->mesh_, this->place(c[j]));
+      const double ofEdge = norm(position(this->mesh_, this->place(c[(j + 1) % 3])) - begin);
+      if (this->isSplit(edges[j]) && ofEdge > length)
       {
         k = j;
-        length = this->lengthOf(c[j], c[(j + 1) % 3]);
+        length = ofEdge;
       }
     }
     if (k == 3)

@@ -30,16 +30,6 @@ double largest(const AtCorners& excess)
   return std::max({ excess[0], excess[1], excess[2] });
 }
 
-AtCorners mixed(const AtCorners& a, const AtCorners& b, double weight)
-{
-  AtCorners result;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    result[k] = a[k] + weight * (b[k] - a[k]);
-  }
-  return result;
-}
-
 // The convex combination of two with the smallest maximum: it is at an end, or where two corners
 // have equal excess.
 AtCorners bestMix(const AtCorners& a, const AtCorners& b)
@@ -52,7 +42,11 @@ AtCorners bestMix(const AtCorners& a, const AtCorners& b)
     const double weight = difference != 0.0 ? (a[k] - a[j]) / difference : -1.0;
     if (weight > 0.0 && weight < 1.0)
     {
-      const AtCorners mix = mixed(a, b, weight);
+      AtCorners mix;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        mix[i] = a[i] + weight * (b[i] - a[i]);
+      }
       best = largest(mix) < largest(best) ? mix : best;
     }
   }
