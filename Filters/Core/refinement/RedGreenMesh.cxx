@@ -78,29 +78,17 @@ Id RedGreenMesh::splitEdges(Id triangle) const
 namespace
 {
 
-using Indices = std::array<Id, 3>;
-
-/// The triangles of a polygon that begins at the corner before the split edges. With three split
-/// edges the ways differ by flips, and all but the first by the polygon's first corner.
-std::array<Indices, 4> trianglesOf(Id splits, Id way)
-{
-  switch (splits)
-  {
-    case 0:
-      return { Indices{ 0, 1, 2 } };
-    case 1:
-      return { Indices{ 0, 1, 3 }, Indices{ 1, 2, 3 } };
-    case 2:
-      return way == 0
-        ? std::array<Indices, 4>{ Indices{ 1, 2, 3 }, Indices{ 0, 1, 3 }, Indices{ 0, 3, 4 } }
-        : std::array<Indices, 4>{ Indices{ 1, 2, 3 }, Indices{ 0, 1, 4 }, Indices{ 1, 3, 4 } };
-    default:
-      return way == 0 ? std::array<Indices, 4>{ Indices{ 0, 1, 5 }, Indices{ 1, 2, 3 },
-        Indices{ 5, 3, 4 }, Indices{ 1, 3, 5 } }
-                      : std::array<Indices, 4>{ Indices{ 0, 1, 3 }, Indices{ 0, 3, 5 },
-                          Indices{ 1, 2, 3 }, Indices{ 5, 3, 4 } };
-  }
-}
+/// The triangles of a polygon that begins at the corner before the split edges: with no split edge,
+/// with one, with two in either way, and with three in the first way and in the other ways, which
+/// differ by the polygon's first corner.
+constexpr std::array<std::array<std::array<Id, 3>, 4>, 6> TrianglesOfPolygon = { {
+  { { { 0, 1, 2 } } },
+  { { { 0, 1, 3 }, { 1, 2, 3 } } },
+  { { { 1, 2, 3 }, { 0, 1, 3 }, { 0, 3, 4 } } },
+  { { { 1, 2, 3 }, { 0, 1, 4 }, { 1, 3, 4 } } },
+  { { { 0, 1, 5 }, { 1, 2, 3 }, { 5, 3, 4 }, { 1, 3, 5 } } },
+  { { { 0, 1, 3 }, { 0, 3, 5 }, { 1, 2, 3 }, { 5, 3, 4 } } },
+} };
 
 } // anonymous namespace
 
@@ -116,7 +104,7 @@ RedGreenMesh::Closing RedGreenMesh::closing(Id triangle, Id way) const
   }
   Closing closing;
   closing.count = 1 + splits;
-  closing.triangles = trianglesOf(splits, way);
+  closing.triangles = TrianglesOfPolygon[splits < 2 ? splits : 2 * splits - (way == 0 ? 2 : 1)];
   const auto add = [&closing](Id point, Id edge)
   {
     closing.points[closing.size] = point;
