@@ -5,7 +5,6 @@
 #include "Tolerance.h"
 #include "field/DistanceField.h"
 #include "field/RetentionAround.h"
-#include "paths/CleanPath.h"
 #include "paths/PathInWindows.h"
 #include "paths/PathTracer.h"
 
@@ -337,21 +336,19 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   StripRetention strip(mesh, second, toSecond, least);
   FrontResult front = propagate(mesh, { pointCurve(first) }, options, strip);
   const DistanceField field(MeshPartition(mesh), std::move(front), strip.release());
-  std::vector<SurfacePoint> path;
-  try
-  {
-    path = PathTracer(field).trace(second);
-  }
-  catch (const PathLost&)
+  TracedPath path = beginPath(field, second);
+  followPath(field, path);
+  if (path.next == PathState::Next::Lost)
   {
     // Seldom: by windows that are all kept, in the corridor alone.
     corridor.length = std::min(corridor.length, strip.longestPath());
     options.keepArrivals = false;
     options.progress = progressBetween(progress, 1.0, 1.0);
-    path = pathInWindows(solve(mesh, { pointCurve(first) }, options, KeepWindows::All), second);
+    path.points =
+      pathInWindows(solve(mesh, { pointCurve(first) }, options, KeepWindows::All), second);
   }
-  std::reverse(path.begin(), path.end());
-  return path;
+  std::reverse(path.points.begin(), path.points.end());
+  return std::move(path.points);
 }
 
 /// Whether consecutive points have a common face. If the path broke off or is empty, its ends have

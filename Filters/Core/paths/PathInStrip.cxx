@@ -3,7 +3,6 @@
 
 #include "Tolerance.h"
 #include "field/DistanceField.h"
-#include "paths/CleanPath.h"
 #include "paths/PathInWindows.h"
 #include "source/SourceWindows.h"
 
