@@ -113,25 +113,18 @@ public:
       [this](std::size_t first, std::size_t last, IsolinePieces& result,
         const ProgressCallback& progress) { result = this->drawFaces(first, last, progress); });
     std::vector<SurfacePoint> onEdges;
-    onEdges.reserve(this->edgePoints_.size());
-    for (const EdgePoint& p : this->edgePoints_)
+    std::vector<Id> atSeams;
+    for (Id id = 0; id < this->edgePoints_.size(); ++id)
     {
+      const EdgePoint& p = this->edgePoints_[id];
       onEdges.push_back(this->placeOf(p));
-    }
-    IsolineJoin join(this->mesh_, this->levels_, std::move(onEdges));
-    for (Id point = 0; point < this->edgePoints_.size(); ++point)
-    {
-      if (isAtSeam(this->field_.surface(), this->edgePoints_[point].halfedge))
+      if (isAtSeam(this->field_.surface(), p.halfedge))
       {
-        join.endAt(point);
+        atSeams.push_back(id);
       }
     }
-    for (IsolinePieces& pieces : drawn)
-    {
-      join.add(pieces);
-      pieces = {};
-    }
-    Isolines result = join.finish();
+    Isolines result =
+      joinPieces(this->mesh_, this->levels_, std::move(onEdges), atSeams, std::move(drawn));
     this->countTurnsAtSeams(result);
     return result;
   }
