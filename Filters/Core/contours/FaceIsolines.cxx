@@ -71,20 +71,16 @@ public:
     , progress_(progress)
     , next_(remainders.size() + part.outline.size(), None)
   {
-    this->from_.reserve(this->next_.size());
-    this->to_.reserve(this->next_.size());
-    for (std::size_t i = 0; i < remainders.size(); ++i)
+    std::size_t owner = 0;
+    for (const Remainder& r : remainders)
     {
-      const Remainder& r = remainders[i];
-      this->from_.push_back({ r.curve->at(r.end), i });
-      this->to_.push_back({ r.curve->at(r.begin), i });
+      this->from_.push_back({ r.curve->at(r.end), owner });
+      this->to_.push_back({ r.curve->at(r.begin), owner++ });
     }
-    for (std::size_t i = 0; i < part.outline.size(); ++i)
+    for (const OutlinePoint& p : part.outline)
     {
-      (part.outline[i].leaves ? this->to_ : this->from_)
-        .push_back({ part.outline[i].at, remainders.size() + i });
+      (p.leaves ? this->to_ : this->from_).push_back({ p.at, owner++ });
     }
-    this->used_.assign(this->to_.size(), 0);
   }
 
   /// Joins ends of lines, the nearest ones first. Returns what follows each remainder, and each
@@ -103,73 +99,61 @@ private:
   {
     Vec2 at;
     std::size_t owner;
+    bool isJoined = false;
   };
-  /// The gap between two loose ends, and their numbers.
-  using Pair = std::tuple<double, std::size_t, std::size_t>;
 
   /// Joins loose ends that are no farther apart. Returns whether every line can continue.
   bool joinWithin(double largestGap)
   {
-    bool allMeet = true;
-    for (const auto& [gap, i, j] : this->pairsWithin(largestGap))
-    {
-      if (this->isLoose(i, j))
-      {
-        allMeet = allMeet && this->isJoint(this->from_[i].at, this->to_[j].at);
-        this->next_[this->from_[i].owner] = this->to_[j].owner;
-        this->used_[j] = 1;
-      }
-    }
-    return allMeet && std::find(this->used_.begin(), this->used_.end(), 0) == this->used_.end();
-  }
-
-  std::vector<Pair> pairsWithin(double largestGap)
-  {
-    std::vector<Pair> pairs;
+    // The gap between two loose ends, and their numbers.
+    std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
     for (std::size_t i = 0; i < this->from_.size(); ++i)
     {
       reportProgress(this->progress_, 0.0);
       for (std::size_t j = 0; j < this->to_.size(); ++j)
       {
         const double gap = norm(this->to_[j].at - this->from_[i].at);
-        if (gap <= largestGap && this->isLoose(i, j))
+        if (gap <= largestGap && !this->from_[i].isJoined && !this->to_[j].isJoined)
         {
           pairs.emplace_back(gap, i, j);
         }
       }
     }
     std::sort(pairs.begin(), pairs.end());
-    return pairs;
-  }
-
-  bool isLoose(std::size_t from, std::size_t to) const
-  {
-    return this->next_[this->from_[from].owner] == None && !this->used_[to];
+    bool allMeet = true;
+    for (const auto& [gap, i, j] : pairs)
+    {
+      LooseEnd& from = this->from_[i];
+      LooseEnd& to = this->to_[j];
+      if (!from.isJoined && !to.isJoined)
+      {
+        from.isJoined = true;
+        to.isJoined = true;
+        this->next_[from.owner] = to.owner;
+        allMeet = allMeet && this->isJoint(from.at, to.at);
+      }
+    }
+    return allMeet &&
+      std::all_of(
+        this->to_.begin(), this->to_.end(), [](const LooseEnd& to) { return to.isJoined; });
   }
 
   /// Whether a line may go straight from one end to another.
   bool isJoint(Vec2 a, Vec2 b) const
   {
-    if (norm(b - a) <= this->level_.gap)
-    {
-      return true;
-    }
-    for (const double t : { 0.25, 0.5, 0.75 })
+    const auto isAtValue = [&](double t)
     {
       const double distance = this->level_.face.distance(a + t * (b - a));
-      if (!(std::abs(distance - this->level_.value) <= this->level_.slack))
-      {
-        return false;
-      }
-    }
-    return true;
+      return std::abs(distance - this->level_.value) <= this->level_.slack;
+    };
+    return norm(b - a) <= this->level_.gap ||
+      (isAtValue(0.25) && isAtValue(0.5) && isAtValue(0.75));
   }
 
   const FaceLevel& level_;
   const ProgressCallback& progress_;
   std::vector<LooseEnd> from_;
   std::vector<LooseEnd> to_;
-  std::vector<std::uint8_t> used_;
   std::vector<std::size_t> next_;
 };
 

@@ -72,9 +72,8 @@ struct PlaneLine
   }
 };
 
-/// Appends the places on the curve where it meets a line or a circle, in no order.
+/// Appends the places on the curve where it meets a line, in no order.
 void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& places);
-void addMeetings(const LevelCurve& curve, Vec2 center, double radius, std::vector<double>& places);
 
 /// The points that one distance candidate reaches straight within a value: a convex region bounded
 /// by the rays at the ends of the candidate's window and by level curves.
@@ -107,8 +106,6 @@ private:
   double leastStraightTo(const PlaneBox& box) const;
   bool hasPointsBefore(double value) const;
   void addArc(std::vector<LevelCurve>& curves) const;
-  void addStraight(std::vector<LevelCurve>& curves) const;
-  void addOutline(std::vector<LevelCurve>& curves) const;
 
   const DistanceCandidate* candidate_;
   std::size_t number_;
