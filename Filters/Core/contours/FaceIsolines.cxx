@@ -222,23 +222,22 @@ std::size_t chordFrom(std::size_t first, const Line& line, double chordTolerance
 class FaceDrawing
 {
 public:
-  FaceDrawing(const FaceLevel& level, Id valueId, IsolineTask& task)
-    : level_(level)
-    , valueId_(valueId)
-    , task_(task)
-  {
-  }
+  const FaceLevel& level;
+  Id valueId;
+  IsolineTask& task;
+  /// How many there are.
+  std::size_t numberOfParts = 1;
 
   /// Draws the part without cutting it. Returns whether that was possible.
   bool drawAtOnce(const Part& part)
   {
     if (part.outline.empty() && part.below &&
-      this->task_.arrangement.isWithinOneRegion(part.corners))
+      this->task.arrangement.isWithinOneRegion(part.corners))
     {
       return true;
     }
-    const std::vector<Remainder> remainders = this->task_.arrangement.remaindersIn(part.corners);
-    const auto next = EndJoiner(this->level_, part, remainders, this->task_.progress).run();
+    const std::vector<Remainder> remainders = this->task.arrangement.remaindersIn(part.corners);
+    const auto next = EndJoiner(this->level, part, remainders, this->task.progress).run();
     if (next)
     {
       this->addLines(part, remainders, *next);
@@ -271,7 +270,7 @@ public:
       }
     }
     std::array<Part, 4> parts;
-    this->parts_ += parts.size();
+    this->numberOfParts += parts.size();
     Part& center = parts[3];
     center = { middles, {}, middleBelow[0], part.depth + 1 };
     std::array<std::vector<OutlinePoint>, 3> cuts;
@@ -304,7 +303,7 @@ private:
     {
       return;
     }
-    if (part.depth == MaximumDepth || this->parts_ >= MaximumParts)
+    if (part.depth == MaximumDepth || this->numberOfParts >= MaximumParts)
     {
       this->crossStraight(part);
     }
@@ -327,7 +326,7 @@ private:
       for (; at < remainders.size(); at = next[at])
       {
         used[at] = 1;
-        follow(remainders[at], this->task_.chordTolerance, line);
+        follow(remainders[at], this->task.chordTolerance, line);
         if (at == owner)
         {
           return;
@@ -366,7 +365,7 @@ private:
   /// Adds a line without the points that the chord tolerance does not need.
   void addLine(const Line& line, bool isClosed)
   {
-    std::vector<Id>& ids = this->task_.result.ids;
+    std::vector<Id>& ids = this->task.result.ids;
     const std::size_t begin = ids.size();
     const std::size_t last = line.size() - 1;
     const auto idOf = [&](const LinePoint& p)
@@ -377,7 +376,7 @@ private:
       // A closed line has three corners at least.
       const std::size_t third = at < last / 3 ? last / 3 : at < 2 * last / 3 ? 2 * last / 3 : last;
       const std::size_t next =
-        std::min(chordFrom(at, line, this->task_.chordTolerance), isClosed ? third : last);
+        std::min(chordFrom(at, line, this->task.chordTolerance), isClosed ? third : last);
       ids.push_back(isClosed && next == last ? ids[begin] : idOf(line[next]));
       at = next;
     }
@@ -386,16 +385,16 @@ private:
 
   void closePiece()
   {
-    IsolinePieces& result = this->task_.result;
-    result.pieces.push_back({ this->level_.face.face(), this->valueId_, result.ids.size() });
+    IsolinePieces& result = this->task.result;
+    result.pieces.push_back({ this->level.face.face(), this->valueId, result.ids.size() });
   }
 
   Id addPoint(Vec2 p)
   {
-    const FaceDistance& face = this->level_.face;
-    std::vector<SurfacePoint>& points = this->task_.result.points;
-    points.push_back(fromBarycentric(this->task_.mesh, face.face(), face.fromPlane(p)));
-    return this->task_.firstNewId + static_cast<Id>(points.size() - 1);
+    const FaceDistance& face = this->level.face;
+    std::vector<SurfacePoint>& points = this->task.result.points;
+    points.push_back(fromBarycentric(this->task.mesh, face.face(), face.fromPlane(p)));
+    return this->task.firstNewId + static_cast<Id>(points.size() - 1);
   }
 
   std::vector<OutlinePoint> pointsBetween(Vec2 a, Vec2 b, bool aIsBelow, bool bIsBelow)
@@ -403,7 +402,7 @@ private:
     SegmentEnvelope envelope;
     std::vector<SegmentCrossing> crossings;
     findCrossings(
-      envelope.along(this->level_.face, a, b), this->level_.value, aIsBelow, bIsBelow, crossings);
+      envelope.along(this->level.face, a, b), this->level.value, aIsBelow, bIsBelow, crossings);
     const double length = norm(b - a);
     std::vector<OutlinePoint> points;
     for (const SegmentCrossing& crossing : crossings)
@@ -417,7 +416,7 @@ private:
   /// Joins each entry to the exit beside it, so that no two lines cross.
   void crossStraight(const Part& part)
   {
-    IsolinePieces& result = this->task_.result;
+    IsolinePieces& result = this->task.result;
     ++result.partsCrossedStraight;
     const std::size_t count = part.outline.size();
     for (std::size_t i = 0; i < count; ++i)
@@ -430,11 +429,6 @@ private:
       }
     }
   }
-
-  const FaceLevel& level_;
-  Id valueId_;
-  IsolineTask& task_;
-  std::size_t parts_ = 1;
 };
 
 } // anonymous namespace
@@ -447,7 +441,7 @@ void drawInFace(const FaceDistance& face, double level, Id valueId,
 {
   const FaceLevel faceLevel(face, level);
   const Part whole = { faceLevel.corners, outline, below, 0 };
-  FaceDrawing drawing(faceLevel, valueId, task);
+  FaceDrawing drawing{ faceLevel, valueId, task };
   for (const bool withBent : { false, true })
   {
     for (const double offset : { tolerance::CurveOffset, tolerance::LargerCurveOffset })

@@ -115,7 +115,8 @@ private:
     return node.count != 2 ? NoId : node.ends[node.ends[0] == end ? 1 : 0];
   }
 
-  // The first piece says which way the line runs, should they differ.
+  // Adds the line that begins with the end of a piece. The first piece says which way it runs,
+  // should they differ.
   void follow(PieceEnd begin)
   {
     Isoline line = { this->pieces_[begin / 2].value, { this->pointAt(begin) }, {} };
@@ -124,7 +125,14 @@ private:
     PieceEnd at = begin;
     do
     {
-      this->addPiece(at, line);
+      const IsolinePieces::Piece& piece = this->pieces_[at / 2];
+      const std::size_t first = this->firstOf(at / 2);
+      const std::size_t last = piece.end - 1;
+      for (std::size_t i = 1; i <= last - first; ++i)
+      {
+        line.points.push_back(this->ids_[at % 2 == 0 ? first + i : last - i]);
+        line.faces.push_back(piece.face);
+      }
       this->isUsed_[at / 2] = 1;
       backwards += at % 2;
       ++pieces;
@@ -137,19 +145,6 @@ private:
     }
     this->result_.linesWithoutDirection += backwards > 0 && backwards < pieces ? 1 : 0;
     this->result_.lines.push_back(std::move(line));
-  }
-
-  // From its begin on, or against it from its end.
-  void addPiece(PieceEnd begin, Isoline& line) const
-  {
-    const Id piece = begin / 2;
-    const std::size_t first = this->firstOf(piece);
-    const std::size_t last = this->pieces_[piece].end - 1;
-    for (std::size_t i = 1; i <= last - first; ++i)
-    {
-      line.points.push_back(this->ids_[begin % 2 == 0 ? first + i : last - i]);
-      line.faces.push_back(this->pieces_[piece].face);
-    }
   }
 
   // A line that passes a vertex has a point there from each edge around. In a face pieces may meet

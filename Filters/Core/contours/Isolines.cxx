@@ -152,8 +152,7 @@ private:
     const MeshPartition& part = this->field_.surface();
     for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
     {
-      const DistanceRange range = this->rangeOf(face);
-      if (!(range.least < Infinity) || !range.holdsOneOf(this->levels_))
+      if (!this->rangeOf(face).holdsOneOf(this->levels_))
       {
         continue;
       }

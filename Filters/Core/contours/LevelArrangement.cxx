@@ -64,22 +64,20 @@ FaceLevel::FaceLevel(const FaceDistance& distance, double levelValue)
 void LevelArrangement::assign(const FaceLevel& level, bool withBent, double offset)
 {
   this->level_ = &level;
-  this->bent_.clear();
   this->regions_.clear();
   this->curves_.clear();
   for (const DistanceCandidate& c : level.face.candidates())
   {
     this->addRegion(c, offset);
+  }
+  for (const DistanceCandidate& c : level.face.candidates())
+  {
     if (withBent && c.hasPencil())
     {
       using Kind = DistanceCandidate::Kind;
-      this->bent_.push_back({ Kind::Cone, c.atBegin, c.begin, {}, {}, 0.0, 0.0 });
-      this->bent_.push_back({ Kind::Cone, c.atEnd, c.end, {}, {}, 0.0, 0.0 });
+      this->addRegion({ Kind::Cone, c.atBegin, c.begin, {}, {}, 0.0, 0.0 }, offset);
+      this->addRegion({ Kind::Cone, c.atEnd, c.end, {}, {}, 0.0, 0.0 }, offset);
     }
-  }
-  for (const DistanceCandidate& c : this->bent_)
-  {
-    this->addRegion(c, offset);
   }
 }
 

@@ -140,7 +140,7 @@ void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<dou
 
 LevelRegion::LevelRegion(const DistanceCandidate& candidate, std::size_t number, double value,
   double margin, const PlaneBox& box)
-  : candidate_(&candidate)
+  : candidate_(candidate)
   , number_(number)
   , level_(value - candidate.sigma)
   , margin_(margin)
@@ -161,7 +161,7 @@ LevelRegion::LevelRegion(const DistanceCandidate& candidate, std::size_t number,
 // Whether the way through the window's nearest point, or from the source, begins before the value.
 bool LevelRegion::hasPointsBefore(double value) const
 {
-  const DistanceCandidate& c = *this->candidate_;
+  const DistanceCandidate& c = this->candidate_;
   if (c.kind == DistanceCandidate::Kind::Linear)
   {
     return std::min(c.atBegin, c.atEnd) < value;
@@ -178,7 +178,7 @@ bool LevelRegion::hasPointsBefore(double value) const
 // The length of the way straight to a point, from the source or along parallel rays.
 double LevelRegion::straightTo(Vec2 p) const
 {
-  const DistanceCandidate& c = *this->candidate_;
+  const DistanceCandidate& c = this->candidate_;
   return c.kind == DistanceCandidate::Kind::Linear ? dot(c.source, p)
     : c.kind == DistanceCandidate::Kind::Segment   ? c.distance(p)
                                                    : norm(p - c.source);
@@ -187,7 +187,7 @@ double LevelRegion::straightTo(Vec2 p) const
 // A lower bound of that length to the points of a box.
 double LevelRegion::leastStraightTo(const PlaneBox& box) const
 {
-  const DistanceCandidate& c = *this->candidate_;
+  const DistanceCandidate& c = this->candidate_;
   return c.kind == DistanceCandidate::Kind::Linear ? dot(c.source, box.corner(-1.0 * c.source))
     : c.kind == DistanceCandidate::Kind::Segment   ? 0.0
                                                    : box.nearest(c.source);
@@ -209,7 +209,7 @@ bool LevelRegion::contains(Vec2 p) const
 
 void LevelRegion::addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const
 {
-  const DistanceCandidate& c = *this->candidate_;
+  const DistanceCandidate& c = this->candidate_;
   const double r = this->level_;
   switch (c.kind)
   {
@@ -272,19 +272,19 @@ void LevelRegion::addArc(std::vector<LevelCurve>& curves) const
     if (halfTangent <= 1.0)
     {
       curves.push_back(
-        { this->number_, true, this->candidate_->source, axis, this->level_, halfTangent });
+        { this->number_, true, this->candidate_.source, axis, this->level_, halfTangent });
       return;
     }
   }
   const double between = clockwiseAngle(first, last);
   const double angle = (between > 1.5 * Pi ? 0.0 : between) + 2.0 * beyond;
   addArcs(
-    this->number_, this->candidate_->source, this->level_, axis, std::min(angle, 2.0 * Pi), curves);
+    this->number_, this->candidate_.source, this->level_, axis, std::min(angle, 2.0 * Pi), curves);
 }
 
 void LevelRegion::addMeetings(const LevelCurve& curve, std::vector<double>& places) const
 {
-  const DistanceCandidate& c = *this->candidate_;
+  const DistanceCandidate& c = this->candidate_;
   for (const PlaneLine& ray : this->rays())
   {
     geodesic::addMeetings(

@@ -80,7 +80,6 @@ void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<dou
 class LevelRegion
 {
 public:
-  /// \param candidate must outlive this.
   /// \param margin by which the pencil is widened, so that those of neighbours leave no gap.
   /// \param box around the face.
   LevelRegion(const DistanceCandidate& candidate, std::size_t number, double value, double margin,
@@ -107,7 +106,7 @@ private:
   bool hasPointsBefore(double value) const;
   void addArc(std::vector<LevelCurve>& curves) const;
 
-  const DistanceCandidate* candidate_;
+  DistanceCandidate candidate_;
   std::size_t number_;
   /// How far from the source it reaches; with parallel rays, along these from the origin.
   double level_;

@@ -78,9 +78,9 @@ private:
   bool mayHoldValue(Id face, const VertexNumbers& distances, double certain) const
   {
     const auto& [a, b, c] = this->surface_.mesh().triangle(face);
-    const DistanceRange range = rangeInFace(this->surface_.mesh().shape(face),
-      { distances(a), distances(b), distances(c) }, certain, this->hasSource_[face] != 0);
-    return range.least < Infinity && range.holdsOneOf(this->values_);
+    return rangeInFace(this->surface_.mesh().shape(face),
+      { distances(a), distances(b), distances(c) }, certain, this->hasSource_[face] != 0)
+      .holdsOneOf(this->values_);
   }
 
   // Distances beyond the front may still fall, down to its key. Beyond the reach they are never

@@ -28,6 +28,8 @@ struct TargetOnRank
   FacePoint point;
   /// Finite and within the reach of what is known.
   double distance;
+  /// Which of its rank's targets it is.
+  Id number = 0;
 };
 
 /// Finds a shortest path by the windows of the faces that it goes through: slower than tracing it

@@ -48,49 +48,46 @@ WayInFace shortestWayHere(const DistanceField& field, const TracedPath& path)
 class PathTracer
 {
 public:
-  PathTracer(const DistanceField& field, TracedPath& path)
-    : field_(field)
-    , mesh_(field.mesh())
-    , surface_(field.surface())
-    , path_(path)
-  {
-  }
+  const DistanceField& field;
+  TracedPath& path;
+  const TriangleMesh& mesh = field.mesh();
+  const MeshPartition& surface = field.surface();
 
   Id follow()
   {
     // As a piece may be shorter than rounding, the length left need not shrink at each step; but a
     // shortest path visits no vertex twice and crosses no face twice.
-    const std::uint64_t mostSteps = std::uint64_t{ this->surface_.numberOfGlobalFaces() } +
-      this->surface_.numberOfGlobalVertices();
-    while (this->path_.isOnItsWay())
+    const std::uint64_t mostSteps =
+      std::uint64_t{ this->surface.numberOfGlobalFaces() } + this->surface.numberOfGlobalVertices();
+    while (this->path.isOnItsWay())
     {
-      const Id elsewhere = this->placeToGoOn();
-      if (elsewhere != NoId)
+      const Id face = this->nextFace();
+      if (face != NoId && !this->surface.isOwn(face))
       {
-        return elsewhere;
+        return face;
       }
-      if (this->path_.steps > mostSteps)
+      if (this->path.steps > mostSteps)
       {
-        this->path_.next = Next::Lost;
+        this->path.next = Next::Lost;
       }
-      else if (this->path_.next == Next::BehindExit)
+      else if (this->path.next == Next::BehindExit)
       {
         this->goBehindExit();
       }
-      else if (this->path_.next == Next::Search)
+      else if (this->path.next == Next::Search)
       {
         bool isAllHere = true;
-        forEachFace(this->mesh_, this->path_.points.back(),
-          [&](Id face) { isAllHere = isAllHere && this->surface_.isOwn(face); });
+        forEachFace(this->mesh, this->path.points.back(),
+          [&](Id around) { isAllHere = isAllHere && this->surface.isOwn(around); });
         if (!isAllHere)
         {
           return NoId;
         }
         this->goOnThroughHere();
       }
-      else if (this->path_.points.back().kind == SurfacePoint::Kind::Vertex)
+      else if (this->path.points.back().kind == SurfacePoint::Kind::Vertex)
       {
-        this->goOnFromVertex(this->path_.points.back().id);
+        this->goOnFromVertex(this->path.points.back().id);
       }
       else
       {
@@ -99,16 +96,16 @@ public:
     }
     // If rounding leads a ray past a vertex on the wrong side, or to a place beside the end, the
     // ray is longer than the path.
-    if (!(this->path_.length <= (1.0 + tolerance::TracedLength) * this->path_.whole))
+    if (!(this->path.length <= (1.0 + tolerance::TracedLength) * this->path.whole))
     {
-      this->path_.next = Next::Lost;
+      this->path.next = Next::Lost;
     }
     return NoId;
   }
 
   void goOnThroughHere()
   {
-    const WayInFace way = shortestWayHere(this->field_, this->path_);
+    const WayInFace way = shortestWayHere(this->field, this->path);
     if (way.kind == WayIntoFace::Kind::Corner)
     {
       this->goToVertex(way.vertex, way.face);
@@ -120,59 +117,55 @@ public:
     }
     else
     {
-      this->path_.next = Next::Lost; // the windows that it comes through were not kept
+      this->path.next = Next::Lost; // the windows that it comes through were not kept
     }
   }
 
 private:
   using Next = PathState::Next;
 
-  // The face of another rank where the path continues; NoId if it continues here.
-  Id placeToGoOn() const
+  // The face of any rank where the path continues; NoId if that is not known yet.
+  Id nextFace() const
   {
-    if (this->path_.next == Next::BehindExit)
+    if (this->path.next == Next::BehindExit)
     {
-      const Id face = TriangleMesh::faceOf(this->mesh_.nextSibling(this->path_.exit));
-      return this->surface_.isOwn(face) ? NoId : face;
+      return TriangleMesh::faceOf(this->mesh.nextSibling(this->path.exit));
     }
-    const SurfacePoint& last = this->path_.points.back();
-    if (this->path_.next != Next::Point || last.kind != SurfacePoint::Kind::Vertex)
+    const SurfacePoint& last = this->path.points.back();
+    if (this->path.next != Next::Point || last.kind != SurfacePoint::Kind::Vertex)
     {
       return NoId;
     }
-    if (last.id >= this->surface_.numberOfOwnVertices())
-    {
-      return TriangleMesh::faceOf(*this->mesh_.cornersAt(last.id).begin());
-    }
-    const Id halfedge = this->field_.arrivals()[last.id].halfedge;
-    return halfedge == NoId || this->surface_.isOwn(TriangleMesh::faceOf(halfedge))
-      ? NoId
-      : TriangleMesh::faceOf(halfedge);
+    // Only ranks that own a face at the vertex know how its path arrives.
+    const Id halfedge = last.id < this->surface.numberOfOwnVertices()
+      ? this->field.arrivals()[last.id].halfedge
+      : *this->mesh.cornersAt(last.id).begin();
+    return halfedge == NoId ? NoId : TriangleMesh::faceOf(halfedge);
   }
 
   void add(Id face, const SurfacePoint& point)
   {
-    ++this->path_.steps;
-    this->path_.length += distanceInSpace(this->mesh_, this->path_.points.back(), point);
-    this->path_.points.push_back(point);
-    this->path_.faces.push_back(face);
+    ++this->path.steps;
+    this->path.length += distanceInSpace(this->mesh, this->path.points.back(), point);
+    this->path.points.push_back(point);
+    this->path.faces.push_back(face);
   }
 
   void goOnFromVertex(Id vertex)
   {
-    if (!(this->field_.vertexDistances()[vertex] > 0.0))
+    if (!(this->field.vertexDistances()[vertex] > 0.0))
     {
-      this->path_.next = Next::End;
+      this->path.next = Next::End;
       return;
     }
-    for (const Id corner : this->mesh_.cornersAt(vertex))
+    for (const Id corner : this->mesh.cornersAt(vertex))
     {
       if (this->endInFace(TriangleMesh::faceOf(corner)))
       {
         return;
       }
     }
-    const Arrival& arrival = this->field_.arrivals()[vertex];
+    const Arrival& arrival = this->field.arrivals()[vertex];
     if (arrival.halfedge == NoId)
     {
       this->goToNeighbour(vertex);
@@ -184,13 +177,13 @@ private:
   // First looks for an end in the faces around the last point; only then are windows asked.
   void search(Id without)
   {
-    this->path_.without = without;
-    this->path_.next = Next::Search;
-    const SurfacePoint point = this->path_.points.back();
-    forEachFace(this->mesh_, point,
+    this->path.without = without;
+    this->path.next = Next::Search;
+    const SurfacePoint point = this->path.points.back();
+    forEachFace(this->mesh, point,
       [&](Id face)
       {
-        if (face != without && this->path_.next == Next::Search)
+        if (face != without && this->path.next == Next::Search)
         {
           this->endInFace(face);
         }
@@ -202,44 +195,44 @@ private:
   void startLeg(Id halfedge, double x, Vec2 direction, Id origin)
   {
     const double length = norm(direction);
-    Window& ray = this->path_.ray;
+    Window& ray = this->path.ray;
     ray = {};
     ray.kind = Window::Kind::Linear;
-    ray.begin = this->mesh_.length(halfedge) - x;
+    ray.begin = this->mesh.length(halfedge) - x;
     ray.end = ray.begin;
     // The leg runs against the direction of arrival, in a frame that is rotated by pi.
     ray.sourceX = direction.x / length;
     ray.sourceDepth = direction.y / length;
-    this->path_.exit = halfedge;
-    this->path_.origin = origin;
-    this->path_.stepsBesideEnd = 0;
+    this->path.exit = halfedge;
+    this->path.origin = origin;
+    this->path.stepsBesideEnd = 0;
     const Barycentric from =
-      barycentric(this->mesh_, this->path_.points.back(), TriangleMesh::faceOf(halfedge));
-    this->followLeg(halfedge, inHalfedgeFrame(this->mesh_, halfedge, from), { x, 0.0 });
+      barycentric(this->mesh, this->path.points.back(), TriangleMesh::faceOf(halfedge));
+    this->followLeg(halfedge, inHalfedgeFrame(this->mesh, halfedge, from), { x, 0.0 });
   }
 
   // The unfolding of windows (paper, section 3.2), for one ray.
   void goBehindExit()
   {
-    const Id sibling = this->mesh_.nextSibling(this->path_.exit);
-    const bool isOpposed = this->mesh_.origin(sibling) == this->mesh_.destination(this->path_.exit);
+    const Id sibling = this->mesh.nextSibling(this->path.exit);
+    const bool isOpposed = this->mesh.origin(sibling) == this->mesh.destination(this->path.exit);
     const Window ray =
-      isOpposed ? this->path_.ray : reversed(this->path_.ray, this->mesh_.length(this->path_.exit));
-    const UnfoldedFace face = unfold(this->mesh_, sibling);
+      isOpposed ? this->path.ray : reversed(this->path.ray, this->mesh.length(this->path.exit));
+    const UnfoldedFace face = unfold(this->mesh, sibling);
     Vec2 to;
     if (ray.passesRightOf(ray.begin, face.apex))
     {
       const double x = face.meetRight(ray, ray.begin);
       to = face.apex + x * face.rightAxis;
-      this->path_.exit = TriangleMesh::nextInFace(sibling);
-      this->path_.ray = face.throughRight(ray, x, x);
+      this->path.exit = TriangleMesh::nextInFace(sibling);
+      this->path.ray = face.throughRight(ray, x, x);
     }
     else
     {
       const double x = face.meetLeft(ray, ray.begin);
       to = x * face.leftAxis;
-      this->path_.exit = TriangleMesh::previousInFace(sibling);
-      this->path_.ray = face.throughLeft(ray, x, x);
+      this->path.exit = TriangleMesh::previousInFace(sibling);
+      this->path.ray = face.throughLeft(ray, x, x);
     }
     this->followLeg(sibling, { ray.begin, 0.0 }, to);
   }
@@ -249,7 +242,7 @@ private:
   void followLeg(Id frame, Vec2 from, Vec2 to)
   {
     constexpr int LegsBesideEnd = 3; // as many faces as may lie between the path and its end
-    const Id exit = this->path_.exit;
+    const Id exit = this->path.exit;
     const Id face = TriangleMesh::faceOf(exit);
     const Id corner = this->cornerOn(frame, from, to);
     if (corner != NoId)
@@ -257,27 +250,26 @@ private:
       this->goToVertex(corner, face);
       return;
     }
-    const double fraction = 1.0 - this->path_.ray.begin / this->mesh_.length(exit);
-    this->add(face, placeOnHalfedge(this->mesh_, exit, fraction));
-    this->path_.left = std::max(0.0, this->path_.left - norm(to - from));
+    const double fraction = 1.0 - this->path.ray.begin / this->mesh.length(exit);
+    this->add(face, placeOnHalfedge(this->mesh, exit, fraction));
+    this->path.left = std::max(0.0, this->path.left - norm(to - from));
     if (this->endInFace(face))
     {
       return;
     }
-    const Id sibling = this->mesh_.nextSibling(exit);
+    const Id sibling = this->mesh.nextSibling(exit);
     const bool leavesSurface = sibling == exit;
-    if (leavesSurface ||
-      (!(this->path_.left > 0.0) && ++this->path_.stepsBesideEnd > LegsBesideEnd))
+    if (leavesSurface || (!(this->path.left > 0.0) && ++this->path.stepsBesideEnd > LegsBesideEnd))
     {
-      this->path_.next = Next::Lost;
+      this->path.next = Next::Lost;
     }
-    else if (!this->mesh_.isInner(exit))
+    else if (!this->mesh.isInner(exit))
     {
       this->search(face);
     }
     else if (!this->endInFace(TriangleMesh::faceOf(sibling)))
     {
-      this->path_.next = Next::BehindExit;
+      this->path.next = Next::BehindExit;
     }
   }
 
@@ -289,27 +281,27 @@ private:
     const Id face = TriangleMesh::faceOf(frame);
     const Vec2 along = to - from;
     const double way = norm(along);
-    const SurfacePoint& last = this->path_.points.back();
-    const std::array<double, 3>& lengths = this->mesh_.shape(face).length;
-    const double reach = std::min(tolerance::PathAtVertex * this->path_.whole,
+    const SurfacePoint& last = this->path.points.back();
+    const std::array<double, 3>& lengths = this->mesh.shape(face).length;
+    const double reach = std::min(tolerance::PathAtVertex * this->path.whole,
       tolerance::SnapFraction * *std::min_element(lengths.begin(), lengths.end()));
     double nearest = Infinity;
     Id found = NoId;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const Id vertex = this->mesh_.triangle(face)[k];
+      const Id vertex = this->mesh.triangle(face)[k];
       if (last.kind == SurfacePoint::Kind::Vertex && last.id == vertex)
       {
         continue;
       }
-      const Vec2 toCorner = inHalfedgeFrame(this->mesh_, frame, cornerWeights(k)) - from;
+      const Vec2 toCorner = inHalfedgeFrame(this->mesh, frame, cornerWeights(k)) - from;
       const double length = norm(toCorner);
-      const double distance = this->field_.vertexDistances()[vertex];
+      const double distance = this->field.vertexDistances()[vertex];
       const bool isOnLeg =
         dot(toCorner, along) >= 0.0 && std::abs(cross(toCorner, along)) <= reach * way;
       const bool isOnPath =
         (distance == 0.0 || isOnLeg) && distance + length <= this->longestLeft(face);
-      if ((this->surface_.globalId(vertex) == this->path_.origin || isOnPath) && length < nearest)
+      if ((this->surface.globalId(vertex) == this->path.origin || isOnPath) && length < nearest)
       {
         nearest = length;
         found = vertex;
@@ -324,59 +316,58 @@ private:
   // square.
   double longestLeft(Id face) const
   {
-    const double ofPath = this->path_.left > 0.0 ? tolerance::Tie : tolerance::BesideEnd;
-    return this->path_.left +
-      (ofPath * this->path_.whole + tolerance::PlaceRounding * this->mesh_.shape(face).longest());
+    const double ofPath = this->path.left > 0.0 ? tolerance::Tie : tolerance::BesideEnd;
+    return this->path.left +
+      (ofPath * this->path.whole + tolerance::PlaceRounding * this->mesh.shape(face).longest());
   }
 
   // Ends the path on a source in the face that is no farther than the length left. Returns whether
   // the path has ended.
   bool endInFace(Id face)
   {
-    const std::vector<SourceInFace> sources = this->field_.sourcesIn(face);
+    const std::vector<SourceInFace> sources = this->field.sourcesIn(face);
     if (sources.empty())
     {
       return false;
     }
-    const Barycentric from = barycentric(this->mesh_, this->path_.points.back(), face);
+    const Barycentric from = barycentric(this->mesh, this->path.points.back(), face);
     double nearest = this->longestLeft(face);
     Barycentric end{};
     for (const SourceInFace& source : sources)
     {
-      const Barycentric point = nearestOnSource(this->mesh_, source, from);
-      const double length = distanceInFace(this->mesh_, face, point, from);
+      const Barycentric point = nearestOnSource(this->mesh, source, from);
+      const double length = distanceInFace(this->mesh, face, point, from);
       if (length <= nearest)
       {
         nearest = length;
         end = point;
-        this->path_.next = Next::End;
+        this->path.next = Next::End;
       }
     }
-    if (this->path_.next == Next::End)
+    if (this->path.next == Next::End)
     {
-      this->add(face, fromBarycentric(this->mesh_, face, end));
-      this->path_.left = 0.0;
+      this->add(face, fromBarycentric(this->mesh, face, end));
+      this->path.left = 0.0;
     }
-    return this->path_.next == Next::End;
+    return this->path.next == Next::End;
   }
 
   void goToVertex(Id vertex, Id face)
   {
     this->add(face, SurfacePoint::atVertex(vertex));
-    this->path_.next = Next::Point;
-    this->path_.left = this->field_.vertexDistances()[vertex];
+    this->path.next = Next::Point;
+    this->path.left = this->field.vertexDistances()[vertex];
   }
 
   // Goes along an edge, to the vertex that gives the shortest way to the source.
   void goToNeighbour(Id vertex)
   {
-    double nearest =
-      this->longestLeft(TriangleMesh::faceOf(*this->mesh_.cornersAt(vertex).begin()));
+    double nearest = this->longestLeft(TriangleMesh::faceOf(*this->mesh.cornersAt(vertex).begin()));
     Id found = NoId;
     Id faceOfFound = NoId;
     const auto look = [&](Id halfedge, Id other)
     {
-      const double distance = this->field_.vertexDistances()[other] + this->mesh_.length(halfedge);
+      const double distance = this->field.vertexDistances()[other] + this->mesh.length(halfedge);
       if (distance <= nearest)
       {
         nearest = distance;
@@ -384,24 +375,19 @@ private:
         faceOfFound = TriangleMesh::faceOf(halfedge);
       }
     };
-    for (const Id corner : this->mesh_.cornersAt(vertex))
+    for (const Id corner : this->mesh.cornersAt(vertex))
     {
       const Id before = TriangleMesh::previousInFace(corner);
-      look(corner, this->mesh_.destination(corner));
-      look(before, this->mesh_.origin(before));
+      look(corner, this->mesh.destination(corner));
+      look(before, this->mesh.origin(before));
     }
     if (found == NoId)
     {
-      this->path_.next = Next::Lost;
+      this->path.next = Next::Lost;
       return;
     }
     this->goToVertex(found, faceOfFound);
   }
-
-  const DistanceField& field_;
-  const TriangleMesh& mesh_;
-  const MeshPartition& surface_;
-  TracedPath& path_;
 };
 
 } // anonymous namespace
@@ -424,7 +410,7 @@ TracedPath beginPath(const DistanceField& field, const SurfacePoint& from)
 
 Id followPath(const DistanceField& field, TracedPath& path)
 {
-  return PathTracer(field, path).follow();
+  return PathTracer{ field, path }.follow();
 }
 
 double lengthThroughHere(const DistanceField& field, const TracedPath& path)
@@ -434,7 +420,7 @@ double lengthThroughHere(const DistanceField& field, const TracedPath& path)
 
 void goOnThroughHere(const DistanceField& field, TracedPath& path)
 {
-  PathTracer(field, path).goOnThroughHere();
+  PathTracer{ field, path }.goOnThroughHere();
 }
 
 }

@@ -102,14 +102,6 @@ PathInTransit getInTransit(MessageReader& reader, const MeshPartition& part)
   return transit;
 }
 
-/// A path that got lost on any rank.
-struct LostPath
-{
-  TargetOnRank target;
-  /// Which of its rank's targets that is.
-  Id number;
-};
-
 /// Follows paths over ranks. In one process none ever leaves.
 class PathFinder
 {
@@ -136,18 +128,18 @@ public:
     }
   }
 
-  /// \returns the paths that got lost on all ranks, in one order.
-  std::vector<LostPath> gatherLost()
+  /// \returns the targets of all ranks whose paths got lost, in one order.
+  std::vector<TargetOnRank> gatherLost()
   {
     std::sort(this->lost_.begin(), this->lost_.end());
     Message message;
     for (const Id number : this->lost_)
     {
-      put(message, LostPath{ this->onOwnFace(this->targets_[number]), number });
+      put(message, this->onOwnFace(number));
     }
-    std::vector<LostPath> all;
+    std::vector<TargetOnRank> all;
     readEach(this->part_.exchange().tellAll(message),
-      [&](int, MessageReader& reader) { all.push_back(reader.get<LostPath>()); });
+      [&](int, MessageReader& reader) { all.push_back(reader.get<TargetOnRank>()); });
     return all;
   }
 
@@ -361,9 +353,10 @@ private:
       target, faces.mesh(), path, length, [&faces](Id face) { return faces.ownerOf(face); });
   }
 
-  TargetOnRank onOwnFace(const SurfacePoint& target) const
+  TargetOnRank onOwnFace(Id number) const
   {
     const TriangleMesh& mesh = this->part_.mesh();
+    const SurfacePoint& target = this->targets_[number];
     Id own = NoId;
     forEachFace(
       mesh, target, [&](Id face) { own = own == NoId && this->part_.isOwn(face) ? face : own; });
@@ -371,7 +364,7 @@ private:
       ? fromBarycentric(mesh, own, barycentric(mesh, target, own))
       : target;
     return { this->part_.addressOf(own), toFacePoint(mesh, own, inOwn),
-      this->field_.distance(target) };
+      this->field_.distance(target), number };
   }
 
   const DistanceField& field_;
@@ -412,7 +405,7 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
 
   const KnownDistances known{ field.vertexDistances(),
     part.exchange().largestOf(retention.reach()) };
-  const std::vector<LostPath> lost = paths.gatherLost();
+  const std::vector<TargetOnRank> lost = paths.gatherLost();
   for (std::size_t i = 0; i < lost.size(); ++i)
   {
     const double done = static_cast<double>(i) / static_cast<double>(lost.size());
@@ -420,7 +413,7 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
     frontOptions.keepArrivals = false;
     frontOptions.progress = progressBetween(options.progress, fraction, fraction);
     reportProgress(options.progress, fraction);
-    pathInStrip(part, patch, curves, ends, lost[i].target, known, frontOptions,
+    pathInStrip(part, patch, curves, ends, lost[i], known, frontOptions,
       [&](const PathToSource& path)
       {
         if (path.points.empty())
