@@ -48,13 +48,20 @@ void checkOptions(const IsolineOptions& options)
   }
 }
 
-/// Whether other ranks also draw at an edge: each draws in the faces that it owns.
-bool isAtSeam(const MeshPartition& part, Id halfedge)
+/// The other ranks that draw at an edge: each draws in the faces that it owns.
+std::vector<int> otherRanksAt(const MeshPartition& part, Id halfedge)
 {
-  bool isSeam = false;
+  std::vector<int> ranks;
   forEachFace(part.mesh(), SurfacePoint::onEdge(halfedge, 0.0),
-    [&](Id face) { isSeam = isSeam || !part.isOwn(face); });
-  return isSeam;
+    [&](Id face)
+    {
+      const int rank = part.addressOf(face).rank;
+      if (!part.isOwn(face) && std::find(ranks.begin(), ranks.end(), rank) == ranks.end())
+      {
+        ranks.push_back(rank);
+      }
+    });
+  return ranks;
 }
 
 // Corrects a place that was found on an envelope: windows of an envelope may differ where they
@@ -118,7 +125,7 @@ public:
     {
       const EdgePoint& p = this->edgePoints_[id];
       onEdges.push_back(this->placeOf(p));
-      if (isAtSeam(this->field_.surface(), p.halfedge))
+      if (!otherRanksAt(this->field_.surface(), p.halfedge).empty())
       {
         atSeams.push_back(id);
       }
@@ -207,17 +214,9 @@ private:
     std::vector<Message> messages = part.exchange().noMessages();
     for (const EdgePoint& p : this->edgePoints_)
     {
-      std::vector<int> told;
-      for (Id s = this->mesh_.nextSibling(p.halfedge); s != p.halfedge;
-           s = this->mesh_.nextSibling(s))
+      for (const int rank : otherRanksAt(part, p.halfedge))
       {
-        const RankAddress face = part.addressOf(TriangleMesh::faceOf(s));
-        const bool isOther = !part.isOwn(TriangleMesh::faceOf(s));
-        if (isOther && std::find(told.begin(), told.end(), face.rank) == told.end())
-        {
-          put(messages[rankIndex(face.rank)], p);
-          told.push_back(face.rank);
-        }
+        put(messages[rankIndex(rank)], p);
       }
     }
     readEach(part.exchange().step(std::move(messages)),

@@ -86,10 +86,9 @@ void LevelArrangement::addRegion(const DistanceCandidate& candidate, double offs
   const std::size_t number = this->regions_.size();
   const double offsetScale = this->level_->value +
     std::min(this->level_->size, tolerance::OffsetFaceInValues * this->level_->value);
-  const LevelRegion region(candidate, number,
-    this->level_->value - static_cast<double>(number) * offset * offsetScale,
-    tolerance::PencilMargin * this->level_->size, this->level_->box);
-  if (!region.isEmpty())
+  const double value = this->level_->value - static_cast<double>(number) * offset * offsetScale;
+  const LevelRegion region(candidate, number, value, tolerance::PencilMargin * this->level_->size);
+  if (region.hasPointsBefore(value) && !region.misses(this->level_->box))
   {
     region.addCurves(this->level_->box, this->curves_);
     this->regions_.push_back(region);

@@ -138,13 +138,12 @@ void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<dou
   }
 }
 
-LevelRegion::LevelRegion(const DistanceCandidate& candidate, std::size_t number, double value,
-  double margin, const PlaneBox& box)
+LevelRegion::LevelRegion(
+  const DistanceCandidate& candidate, std::size_t number, double value, double margin)
   : candidate_(candidate)
   , number_(number)
   , level_(value - candidate.sigma)
   , margin_(margin)
-  , numberOfRays_(candidate.hasPencil() ? 2 : 0)
 {
   const bool isLinear = candidate.kind == DistanceCandidate::Kind::Linear;
   if (candidate.hasPencil())
@@ -155,10 +154,8 @@ LevelRegion::LevelRegion(const DistanceCandidate& candidate, std::size_t number,
     const Vec2 last = isLinear ? candidate.source : unitOr(candidate.end - candidate.source, along);
     this->rays_ = { { { candidate.begin, first }, { candidate.end, -1.0 * last } } };
   }
-  this->isEmpty_ = !this->hasPointsBefore(value) || this->misses(box);
 }
 
-// Whether the way through the window's nearest point, or from the source, begins before the value.
 bool LevelRegion::hasPointsBefore(double value) const
 {
   const DistanceCandidate& c = this->candidate_;

@@ -66,7 +66,8 @@ PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& 
     face,
     inHalfedgeFrame(this->mesh(), 3 * face, barycentric(mesh, before, onMesh)) -
       inHalfedgeFrame(this->mesh(), 3 * face, end) };
-  const SourceInFace* segment = this->nearest(piece.end, face);
+  const double rounding = tolerance::PlaceRounding * this->mesh().shape(face).longest();
+  const SourceInFace* segment = this->nearest(piece.end, face, rounding);
   if (segment == nullptr)
   {
     return {};
@@ -74,8 +75,6 @@ PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& 
   const double length = segment->placeOfB - segment->placeOfA;
   const double along = length *
     nearestAlongSource(this->mesh(), *segment, barycentric(this->mesh(), piece.end, segment->face));
-  const double rounding =
-    tolerance::PlaceRounding * this->mesh().length(longestHalfedge(this->mesh(), face));
   if (along > rounding && along < length - rounding)
   {
     return this->onSegment(piece, *segment, segment->placeOfA + along);
@@ -87,10 +86,9 @@ PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& 
 // The segment, or source that is a point, nearest to a point in the faces around it. Null if these
 // faces contain none. Those in the preferred face are taken before those of other faces that are as
 // near but for rounding.
-const SourceInFace* PathEnds::nearest(const SurfacePoint& point, Id preferred) const
+const SourceInFace* PathEnds::nearest(
+  const SurfacePoint& point, Id preferred, double rounding) const
 {
-  const double rounding =
-    tolerance::PlaceRounding * this->mesh().length(longestHalfedge(this->mesh(), preferred));
   double least = Infinity;
   const SourceInFace* nearest = nullptr;
   forEachFace(this->mesh(), point,
@@ -134,7 +132,8 @@ PathEnd PathEnds::atPoint(const LastPiece& piece, Id number) const
   const CurveChains::Point at = this->onPatch_.chains().pointWith(number);
   const PointWithEnds around = this->onPatch_.around(number);
   const double place = this->onPatch_.chains().places(at.chain)[at.i];
-  if (!piece.hasLength() || !contains(this->mesh(), piece.face, around.point))
+  if (!(dot(piece.direction, piece.direction) > 0.0) ||
+    !contains(this->mesh(), piece.face, around.point))
   {
     return this->endAt(at.chain, place, 0.0);
   }

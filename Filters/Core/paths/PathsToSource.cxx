@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace geodesic
@@ -34,20 +35,6 @@ struct SentPathPoint
   FacePoint point;
 };
 
-/// How long a path is that goes on through a rank's faces.
-struct SearchAnswer
-{
-  double distance = Infinity;
-  int rank = 0;
-
-  bool isFound() const { return this->distance < Infinity; }
-  bool operator<(const SearchAnswer& other) const
-  {
-    return this->distance != other.distance ? this->distance < other.distance
-                                            : this->rank < other.rank;
-  }
-};
-
 using Next = PathState::Next;
 
 /// A path on its way over ranks.
@@ -59,10 +46,11 @@ struct PathInTransit
   TracedPath path;
   /// How many of the points at hand have been sent to the target's rank.
   std::size_t sent = 0;
-  /// While the path searches around an edge: the ranks that were not yet asked, and the nearest of
-  /// those that were.
+  /// While the path searches around an edge: the ranks that were not yet asked, and of those that
+  /// were the one through whose faces the path is shortest, the lowest of several.
   std::vector<int> toAsk;
-  SearchAnswer nearest;
+  double shortest = Infinity;
+  int rankOfShortest = 0;
   /// On its way: the rank that it goes to, and a face of both ranks that holds its last point and,
   /// if it goes on behind an exit, the exit.
   int rank = 0;
@@ -79,7 +67,8 @@ void putInTransit(Message& message, const MeshPartition& part, const PathInTrans
   put(message, static_cast<const PathState&>(path));
   put(message, path.without == NoId ? RankAddress{ -1, NoId } : part.addressOf(path.without));
   putAll(message, transit.toAsk);
-  put(message, transit.nearest);
+  put(message, transit.shortest);
+  put(message, transit.rankOfShortest);
 }
 
 /// The path has one point, the last one.
@@ -98,7 +87,8 @@ PathInTransit getInTransit(MessageReader& reader, const MeshPartition& part)
   const auto without = reader.get<RankAddress>();
   path.without = without.rank < 0 ? NoId : part.faceAt(without);
   transit.toAsk = reader.getAll<int>();
-  transit.nearest = reader.get<SearchAnswer>();
+  transit.shortest = reader.get<double>();
+  transit.rankOfShortest = reader.get<int>();
   return transit;
 }
 
@@ -251,11 +241,11 @@ private:
   }
 
   // Asks the ranks around the last point, each of which has all faces there, one after another.
-  // Then goes on where the path is nearest. Returns whether that is here.
+  // Then goes on where the path is shortest. Returns whether that is here.
   bool searchAround(PathInTransit& transit) const
   {
     const int self = this->part_.exchange().rank();
-    if (transit.toAsk.empty() && !transit.nearest.isFound())
+    if (transit.toAsk.empty() && transit.shortest == Infinity)
     {
       transit.toAsk = this->ranksToAsk(transit.path);
     }
@@ -263,21 +253,25 @@ private:
     if (own != transit.toAsk.end())
     {
       transit.toAsk.erase(own);
-      transit.nearest =
-        std::min(transit.nearest, { lengthThroughHere(this->field_, transit.path), self });
+      const double length = lengthThroughHere(this->field_, transit.path);
+      if (std::tie(length, self) < std::tie(transit.shortest, transit.rankOfShortest))
+      {
+        transit.shortest = length;
+        transit.rankOfShortest = self;
+      }
     }
-    if (transit.toAsk.empty() && !transit.nearest.isFound())
+    if (transit.toAsk.empty() && transit.shortest == Infinity)
     {
       transit.path.next = Next::Lost; // the windows that it comes through were not kept
       return false;
     }
-    transit.rank = transit.toAsk.empty() ? transit.nearest.rank : transit.toAsk.front();
+    transit.rank = transit.toAsk.empty() ? transit.rankOfShortest : transit.toAsk.front();
     if (transit.rank != self)
     {
       transit.face = someFace(this->part_.mesh(), transit.path.points.back());
       return false;
     }
-    transit.nearest = {};
+    transit.shortest = Infinity;
     goOnThroughHere(this->field_, transit.path);
     return true;
   }
