@@ -71,6 +71,8 @@ public:
     , progress_(progress)
     , next_(remainders.size() + part.outline.size(), None)
   {
+    this->from_.reserve(this->next_.size());
+    this->to_.reserve(this->next_.size());
     std::size_t owner = 0;
     for (const Remainder& r : remainders)
     {

@@ -141,17 +141,8 @@ private:
   /// them.
   SurfacePoint placeOf(const EdgePoint& p) const
   {
-    const double length = this->mesh_.length(p.halfedge);
-    const double near = tolerance::IsolineAtVertex * (this->levels_[p.value] + length);
-    if (p.fraction * length <= near)
-    {
-      return SurfacePoint::atVertex(this->mesh_.origin(p.halfedge));
-    }
-    if ((1.0 - p.fraction) * length <= near)
-    {
-      return SurfacePoint::atVertex(this->mesh_.destination(p.halfedge));
-    }
-    return SurfacePoint::onEdge(p.halfedge, p.fraction);
+    return placeOnHalfedge(this->mesh_, p.halfedge, p.fraction,
+      tolerance::IsolineAtVertex * (this->levels_[p.value] + this->mesh_.length(p.halfedge)));
   }
 
   void findFaces()

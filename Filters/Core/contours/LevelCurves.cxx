@@ -70,8 +70,10 @@ void addLineWithCircle(const PlaneLine& line, Vec2 center, double radius, const 
   {
     const double foot = dot(line.along, toCenter);
     const double half = std::sqrt(squared);
-    addPlace(curve, line.point + (foot - half) * line.along, places);
-    addPlace(curve, line.point + (foot + half) * line.along, places);
+    for (const double along : { foot - half, foot + half })
+    {
+      addPlace(curve, line.point + along * line.along, places);
+    }
   }
 }
 

@@ -100,6 +100,14 @@ SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fract
                            : SurfacePoint::onEdge(halfedge, fraction);
 }
 
+SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction, double reach)
+{
+  const double length = mesh.length(halfedge);
+  return fraction * length <= reach      ? SurfacePoint::atVertex(mesh.origin(halfedge))
+    : (1.0 - fraction) * length <= reach ? SurfacePoint::atVertex(mesh.destination(halfedge))
+                                         : SurfacePoint::onEdge(halfedge, fraction);
+}
+
 SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point)
 {
   if (point.kind == SurfacePoint::Kind::Vertex)

@@ -191,17 +191,8 @@ SurfacePoint atVertexWithin(const TriangleMesh& mesh, const SurfacePoint& point,
   {
     return point;
   }
-  const double length = mesh.length(point.id);
-  const double reach = std::min(rounding, tolerance::SnapFraction * length);
-  if (point.u * length <= reach)
-  {
-    return SurfacePoint::atVertex(mesh.origin(point.id));
-  }
-  if ((1.0 - point.u) * length <= reach)
-  {
-    return SurfacePoint::atVertex(mesh.destination(point.id));
-  }
-  return point;
+  return placeOnHalfedge(
+    mesh, point.id, point.u, std::min(rounding, tolerance::SnapFraction * mesh.length(point.id)));
 }
 
 } // anonymous namespace
