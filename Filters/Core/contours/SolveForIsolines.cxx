@@ -52,11 +52,7 @@ public:
   {
     this->passed_[district].push_back(list);
   }
-  void advance(const FrontState& front) override
-  {
-    this->takePassed(front);
-    ++this->batch_;
-  }
+  void advance(const FrontState& front) override { this->takePassed(front); }
   void finish(const FrontState& front) override
   {
     this->takePassed(front);
@@ -95,7 +91,7 @@ private:
         const Id face = TriangleMesh::faceOf(list.halfedge);
         if (this->pinned_[face] || this->mayHoldValue(face, front.distances, certain))
         {
-          this->kept_.windows.add(list.halfedge, list.windows.range(), this->batch_);
+          this->kept_.windows.add(list.halfedge, list.windows.range());
         }
         else
         {
@@ -114,7 +110,6 @@ private:
   std::vector<std::uint8_t> hasSource_;
   /// The lists that each district has handed over in this batch.
   std::vector<std::vector<PassedList>> passed_;
-  Id batch_ = 0;
   std::vector<Id> droppedTooEarly_;
   KeptWindows kept_;
 };

@@ -58,8 +58,10 @@ struct TracedPath : PathState
   Id without = NoId;
 };
 
-/// These functions trace shortest paths of a field that was solved with FrontOptions::keepArrivals.
-/// They are thread-safe.
+/// A path before its first step. If the point was not reached, it is complete and has no points.
+TracedPath beginPath(const DistanceField& field, const SurfacePoint& from);
+
+/// Follows a path until it is complete or lost, or as far as it goes through this rank's faces.
 ///
 /// Between bends a shortest path is straight in the unfolding, and each vertex stores the direction
 /// in which its own path arrives. So a path is followed as a ray, face by face, to the
@@ -67,13 +69,7 @@ struct TracedPath : PathState
 /// first point, and around edges of three and more faces, where they determine in which face the
 /// path continues. RetentionAround keeps these.
 ///
-/// If ranks share the surface, each rank follows paths through the faces that it owns.
-
-/// A path before its first step. If the point was not reached, it is complete and has no points.
-TracedPath beginPath(const DistanceField& field, const SurfacePoint& from);
-
-/// Follows a path until it is complete or lost, or as far as it goes through this rank's faces.
-///
+/// \param field that was solved with FrontOptions::keepArrivals.
 /// \returns another rank's face where it continues; NoId if it is not on its way, or has to search
 ///          around its last point (PathState::Next::Search) in faces of several ranks.
 Id followPath(const DistanceField& field, TracedPath& path);
