@@ -40,9 +40,9 @@ public:
 
   bool needsInside() const override { return true; }
   double reach() const override { return this->reach_; }
-  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
-  void start(const std::vector<SourceInFace>& sources) override
+  void start(std::size_t districts, const std::vector<SourceInFace>& sources) override
   {
+    this->passed_.resize(districts);
     for (const SourceInFace& source : sources)
     {
       this->hasSource_[source.face] = 1;

@@ -22,7 +22,10 @@ class NotePassedFaces : public Retention
 {
 public:
   bool needsInside() const override { return false; }
-  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
+  void start(std::size_t districts, const std::vector<SourceInFace>&) override
+  {
+    this->passed_.resize(districts);
+  }
   void pass(std::size_t district, const PassedList& list, Id, WindowPool& pool) override
   {
     this->passed_[district].push_back(TriangleMesh::faceOf(list.halfedge));

@@ -47,8 +47,9 @@ void RefinementRetention::forEachNeighbour(Id face, Visit&& visit) const
   }
 }
 
-void RefinementRetention::start(const std::vector<SourceInFace>& sources)
+void RefinementRetention::start(std::size_t districts, const std::vector<SourceInFace>& sources)
 {
+  this->passed_.resize(districts);
   for (const SourceInFace& source : sources)
   {
     this->state_[source.face] = State::Kept;

@@ -39,8 +39,7 @@ public:
     const std::vector<std::uint8_t>& pinned, const FrontOptions& options = {});
 
   bool needsInside() const override { return true; }
-  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
-  void start(const std::vector<SourceInFace>& sources) override;
+  void start(std::size_t districts, const std::vector<SourceInFace>& sources) override;
   void pass(std::size_t district, const PassedList& list, Id batch, WindowPool& pool) override;
   void shortenDistance(Id vertex) override;
   void advance(const FrontState& front) override;
