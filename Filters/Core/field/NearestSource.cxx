@@ -123,10 +123,17 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   , sectors_(patch.mesh())
   , directions_(patch.mesh())
 {
-  this->takeVerticesOnCurves();
+  const MeshPartition& part = field.surface();
+  for (const VertexOnCurve& on : this->curves_.vertices())
+  {
+    const Id vertex = part.countedVertex(patch.globalId(on.vertex));
+    if (vertex != NoId)
+    {
+      this->origins_[vertex] = this->atPoint({ on.curve, false }, on.place, Infinity);
+    }
+  }
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  const MeshPartition& part = field.surface();
   for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
   {
     progress.at(vertex, part.numberOfOwnVertices());
@@ -138,19 +145,6 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   if (part.isDistributed())
   {
     this->elsewhere_ = originsElsewhere(this->field_, this->origins_);
-  }
-}
-
-void NearestSource::takeVerticesOnCurves()
-{
-  for (const VertexOnCurve& on : this->curves_.vertices())
-  {
-    const Id vertex =
-      this->field_.surface().countedVertex(this->curves_.patch().globalId(on.vertex));
-    if (vertex != NoId)
-    {
-      this->origins_[vertex] = this->atPoint({ on.curve, false }, on.place, Infinity);
-    }
   }
 }
 

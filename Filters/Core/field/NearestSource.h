@@ -105,7 +105,6 @@ public:
   const CurvesOnPatch& curvesOnPatch() const { return this->curves_; }
 
 private:
-  void takeVerticesOnCurves();
   IncomingSegment originTo(Id vertex) const;
   void follow(Id vertex);
   bool isFromCurve(const IncomingSegment& piece) const;
