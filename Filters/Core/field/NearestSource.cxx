@@ -199,18 +199,12 @@ void NearestSource::follow(Id vertex)
   }
 }
 
-Foot NearestSource::of(const IncomingSegment& piece)
-{
-  return this->footOf(this->originOf(piece));
-}
-
 // Whether the piece begins on a curve, not at a pseudo-source.
 bool NearestSource::isFromCurve(const IncomingSegment& piece) const
 {
   return piece.kind == IncomingSegment::Kind::Corner
     ? this->onCurveAt(piece.origin) != nullptr
-    : piece.kind != IncomingSegment::Kind::Window ||
-      CurveSide::isOne(piece.origin, this->field_.surface().numberOfGlobalVertices());
+    : piece.kind != IncomingSegment::Kind::Window || this->isOnCurve(piece.origin);
 }
 
 CurveOrigin NearestSource::originOf(const IncomingSegment& piece)
@@ -229,7 +223,7 @@ CurveOrigin NearestSource::originOf(const IncomingSegment& piece)
     return { PointSide{ at.point, at.isRight }.origin(this->firstPoint_),
       angleAround(piece.origin, piece.place, piece.rayOfWindow) };
   }
-  if (CurveSide::isOne(piece.origin, this->field_.surface().numberOfGlobalVertices()))
+  if (this->isOnCurve(piece.origin))
   {
     return { piece.origin, piece.place };
   }
@@ -286,13 +280,12 @@ CurveOrigin NearestSource::atPoint(const CurveSide& side, double place, double a
 
 void NearestSource::goAround(Id number) const
 {
-  if (number == this->directionsPoint_)
+  if (number != this->directionsPoint_)
   {
-    return;
+    const PointWithEnds at = this->curves_.around(number);
+    this->directions_.assign(at.point, at.ends);
+    this->directionsPoint_ = number;
   }
-  const PointWithEnds at = this->curves_.around(number);
-  this->directions_.assign(at.point, at.ends);
-  this->directionsPoint_ = number;
 }
 
 CurveOrigin NearestSource::ofVertex(Id globalId) const
@@ -313,14 +306,13 @@ const VertexOnCurve* NearestSource::onCurveAt(Id globalId) const
 
 void NearestSource::goToVertex(Id vertex)
 {
-  if (vertex == this->sectorsVertex_)
+  if (vertex != this->sectorsVertex_)
   {
-    return;
+    const VertexOnCurve& on = *this->curves_.find(vertex);
+    this->sectors_.assign(SurfacePoint::atVertex(vertex), this->curves_.endsAround(vertex),
+      CurveOrigin::onLeft(this->meshOfCurves(), on.curve, on.place));
+    this->sectorsVertex_ = vertex;
   }
-  const VertexOnCurve& on = *this->curves_.find(vertex);
-  this->sectors_.assign(SurfacePoint::atVertex(vertex), this->curves_.endsAround(vertex),
-    CurveOrigin::onLeft(this->meshOfCurves(), on.curve, on.place));
-  this->sectorsVertex_ = vertex;
 }
 
 void NearestSource::goToPoint(Id number)
@@ -379,11 +371,6 @@ SurfacePoint NearestSource::pointOf(const Foot& foot) const
   const Barycentric a = barycentric(this->meshOfCurves(), curve.points[i], face);
   const Barycentric b = barycentric(this->meshOfCurves(), curve.points[i + 1], face);
   return fromBarycentric(this->meshOfCurves(), face, between(a, b, t));
-}
-
-double NearestSource::arcLengthOf(const Foot& foot) const
-{
-  return this->curves_.chains().arcLength(foot.curve, foot.place);
 }
 
 std::vector<double> NearestSource::arcLengthsOf(Id curve) const

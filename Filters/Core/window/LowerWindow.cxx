@@ -205,9 +205,7 @@ LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi)
   {
     // One pencil that has returned around faces without area. Otherwise rounding would sometimes
     // prefer the longer path, up to the limit of faces crossed.
-    LowerParts fewer;
-    fewer.firstIsA = a.facesCrossed < b.facesCrossed;
-    return fewer;
+    return { a.facesCrossed < b.facesCrossed };
   }
   if (a.sigma == b.sigma && !a.isLinear() && !b.isLinear())
   {
