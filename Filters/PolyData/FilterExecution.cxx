@@ -179,11 +179,10 @@ void FilterExecution::readCurves(SourcePatch& faces)
   const std::vector<PolyDataBlock>& blocks = this->gatheredSource_.blocks();
   const PolyDataSurface& surface = this->surface();
   SourcePolylines source = readSource(blocks, surface.scale());
-  const SnapOptions snapping = snapOptionsFor(blocks);
-  const LocatedPlaces located = this->cache_.locator().locate(source.polylines,
-    snapping.coordinatePrecision, this->progressBetween(SurfaceRead, SourceLocated));
-  requireOutsideBarriers(
-    surface, this->surfaceBlocks_, source.polylines, located, snapping.coordinatePrecision);
+  const double precision = coordinatePrecisionOf(blocks);
+  const LocatedPlaces located = this->cache_.locator().locate(
+    source.polylines, precision, this->progressBetween(SurfaceRead, SourceLocated));
+  requireOutsideBarriers(surface, this->surfaceBlocks_, source.polylines, located, precision);
   faces.addFacesAround(located);
   this->patch_ = faces.make();
   located.setFaces(this->patch(), source.polylines);
@@ -191,7 +190,7 @@ void FilterExecution::readCurves(SourcePatch& faces)
   const double patchMade = isDistributed ? FarPointsSearched : SourceLocated;
   if (isDistributed &&
     faces.addFaces(facesBetweenPoints(surface.partition(), this->patch(), source.polylines,
-      snapping, smpParallelFor(), this->progressBetween(SourceLocated, patchMade))))
+      precision, smpParallelFor(), this->progressBetween(SourceLocated, patchMade))))
   {
     this->patch_ = faces.make();
     located.setFaces(this->patch(), source.polylines);
@@ -202,7 +201,7 @@ void FilterExecution::readCurves(SourcePatch& faces)
   JoinedPaths ofThisPatch;
   JoinedPaths& paths = isDistributed ? ofThisPatch : this->cache_.joinedPaths();
   paths.beginUse();
-  this->sources_ = putOntoSurface(mesh, source.polylines, snapping, paths.reusedBy(join),
+  this->sources_ = putOntoSurface(mesh, source.polylines, precision, paths.reusedBy(join),
     this->progressBetween(patchMade, InputsRead));
   paths.endUse();
   this->sourceIds_ = std::move(source.ids);

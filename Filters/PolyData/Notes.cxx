@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <sstream>
 
 namespace geodesic
@@ -55,7 +56,7 @@ FarPoints farPointsOf(
   const TriangleMesh& mesh, const std::vector<LocatedPolyline>& polylines, double limit)
 {
   FarPoints far;
-  const double precision = SnapOptions().coordinatePrecision;
+  constexpr double precision = std::numeric_limits<double>::epsilon();
   for (const LocatedPolyline& line : polylines)
   {
     far.ofAll += line.points.size();

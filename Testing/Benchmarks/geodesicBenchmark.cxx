@@ -341,11 +341,11 @@ std::vector<geodesic::SourceCurve> makeCurves(
   const std::vector<geodesic::PolyDataBlock> blocks =
     geodesic::polyDataBlocks(source.curves, "the source");
   geodesic::SourcePolylines read = geodesic::readSource(blocks, surface.scale());
-  const geodesic::SnapOptions snapping = geodesic::snapOptionsFor(blocks);
+  const double precision = geodesic::coordinatePrecisionOf(blocks);
   geodesic::PolylineLocator(surface.partition())
-    .locate(read.polylines, snapping.coordinatePrecision)
+    .locate(read.polylines, precision)
     .setFaces(geodesic::ReplicatedPatch(surface.mesh()), read.polylines);
-  return geodesic::putOntoSurface(surface.mesh(), read.polylines, snapping,
+  return geodesic::putOntoSurface(surface.mesh(), read.polylines, precision,
     geodesic::joinByShortestPaths(surface.mesh(), geodesic::smpParallelFor()))
     .curves;
 }

@@ -20,7 +20,7 @@ using Remainder = LevelArrangement::Remainder;
 constexpr std::size_t None = static_cast<std::size_t>(-1);
 
 // The largest angle of a chord, so that a circle looks like one.
-constexpr double LargestStep = 3.14159265358979323846 / 6.0;
+constexpr double LargestStep = Pi / 6.0;
 
 // How often a face may be cut in four. Smaller parts, of a millionth of its size, are crossed
 // straight.

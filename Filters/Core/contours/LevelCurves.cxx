@@ -11,8 +11,6 @@ namespace geodesic
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
 Vec2 unitOr(Vec2 v, Vec2 otherwise)
 {
   const double length = norm(v);

@@ -414,10 +414,9 @@ double NearestSource::angleOf(const Foot& foot) const
   {
     throw Error("The angle of a path was asked for, but the solve did not keep angles.");
   }
-  constexpr double rightAngle = 1.57079632679489661923;
   if (std::isnan(foot.around))
   {
-    return foot.isRight ? -rightAngle : rightAngle;
+    return foot.isRight ? -RightAngle : RightAngle;
   }
   if (!(std::abs(foot.around) < Infinity))
   {

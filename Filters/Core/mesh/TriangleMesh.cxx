@@ -20,8 +20,6 @@ bool FaceShape::hasZeroArea() const
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
 void checkSize(std::size_t numberOfPoints, std::size_t numberOfTriangles)
 {
   if (numberOfTriangles == 0)
@@ -151,7 +149,7 @@ TriangleMesh::PseudoSource findPseudoSource(const TriangleMesh& mesh, Id vertex)
   {
     return TriangleMesh::PseudoSource::Irregular;
   }
-  const double straight = boundaryEdges == 0 ? 2.0 * Pi : Pi;
+  const double straight = boundaryEdges == 0 ? FullAngle : Pi;
   const bool bends = angle > straight * (1.0 + tolerance::FlatAngle);
   return bends ? TriangleMesh::PseudoSource::Saddle : TriangleMesh::PseudoSource::None;
 }

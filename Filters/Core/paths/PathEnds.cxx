@@ -115,7 +115,6 @@ const SourceInFace* PathEnds::nearest(const SurfacePoint& point, Id preferred) c
 
 PathEnd PathEnds::onSegment(const LastPiece& piece, const SourceInFace& segment, double place) const
 {
-  constexpr double rightAngle = 1.57079632679489661923;
   const Id frame = 3 * piece.face;
   double side = 0.0;
   if (segment.face == piece.face)
@@ -125,7 +124,7 @@ PathEnd PathEnds::onSegment(const LastPiece& piece, const SourceInFace& segment,
       piece.direction);
   }
   return this->endAt(
-    segment.curve, place, side > 0.0 ? rightAngle : (side < 0.0 ? -rightAngle : 0.0));
+    segment.curve, place, side > 0.0 ? RightAngle : (side < 0.0 ? -RightAngle : 0.0));
 }
 
 // Of several curves at the point it is the one to which the direction belongs.

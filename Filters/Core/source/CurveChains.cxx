@@ -157,8 +157,7 @@ double CurveChains::arcLength(Id curve, double place) const
 
 double CurveChains::angleFrom(Id curve, double angle) const
 {
-  constexpr double straightAngle = 3.14159265358979323846;
-  const double turn = this->parts_[curve].isReversed ? straightAngle : 0.0;
+  const double turn = this->parts_[curve].isReversed ? Pi : 0.0;
   return angle > 0.0 ? angle - turn : angle + turn;
 }
 

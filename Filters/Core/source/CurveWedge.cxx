@@ -14,8 +14,6 @@ namespace geodesic
 namespace
 {
 
-constexpr double RightAngle = 1.57079632679489661923;
-
 /// Whether one of a corner's edges is short (tolerance::ShortEdge).
 bool hasShortEdge(const TriangleMesh& mesh, Id corner)
 {

@@ -11,23 +11,21 @@ namespace
 {
 
 constexpr std::size_t None = static_cast<std::size_t>(-1);
-constexpr double StraightAngle = 3.14159265358979323846;
-constexpr double FullAngle = 2.0 * StraightAngle;
 // A gap: rounding at the end of a fan must not lead into the next one.
 constexpr double BetweenFans = 1.0;
 
 /// In (-pi, pi].
 double wrapped(double angle)
 {
-  const double turns = std::ceil((angle - StraightAngle) / FullAngle);
-  return std::clamp(angle - turns * FullAngle, -StraightAngle, StraightAngle);
+  const double turns = std::ceil((angle - Pi) / FullAngle);
+  return std::clamp(angle - turns * FullAngle, -Pi, Pi);
 }
 
 } // anonymous namespace
 
 double DirectionsAround::End::angle(bool isClockwise) const
 {
-  return this->isForward ? 0.0 : isClockwise ? StraightAngle : -StraightAngle;
+  return this->isForward ? 0.0 : isClockwise ? Pi : -Pi;
 }
 
 void DirectionsAround::assign(const SurfacePoint& point, const std::vector<SegmentEnd>& ends)
@@ -78,12 +76,12 @@ void DirectionsAround::addFanOfEdge(Id halfedge)
   for (Id s = this->mesh_.nextSibling(first); s != first; s = this->mesh_.nextSibling(s))
   {
     const bool isMirrored = this->mesh_.origin(s) == this->mesh_.origin(first);
-    this->frames_.push_back({ s, isMirrored ? FullAngle : StraightAngle, isMirrored, 0 });
+    this->frames_.push_back({ s, isMirrored ? FullAngle : Pi, isMirrored, 0 });
   }
   std::sort(this->frames_.begin(), this->frames_.end(),
     [](const Frame& a, const Frame& b) { return a.halfedge < b.halfedge; });
   const bool isClosed = this->frames_.size() > 1;
-  this->fans_.push_back({ 0.0, isClosed ? FullAngle : StraightAngle, isClosed });
+  this->fans_.push_back({ 0.0, isClosed ? FullAngle : Pi, isClosed });
   const Vec2 axis = turned(this->mesh_, { 1.0, 0.0 }, first, first - first % 3);
   this->toAxis_ = std::atan2(axis.y, axis.x);
 }
@@ -179,7 +177,7 @@ double DirectionsAround::around(Id halfedge, Vec2 direction) const
   const Frame& frame = this->frameOf(TriangleMesh::faceOf(own.halfedge));
   const Vec2 d = turned(this->mesh_, own.direction, own.halfedge, frame.halfedge);
   const double turn = std::atan2(d.y, d.x);
-  const double angle = turn < -0.5 * StraightAngle ? turn + FullAngle : turn;
+  const double angle = turn < -RightAngle ? turn + FullAngle : turn;
   return frame.axis + (frame.isMirrored ? -angle : angle);
 }
 
@@ -239,7 +237,7 @@ double DirectionsAround::betweenSegments(
   }
   if (fan.isClosed && before->isContinuedBy(*behind))
   {
-    return before->angle(false) + turn * StraightAngle / (turn + turnBack);
+    return before->angle(false) + turn * Pi / (turn + turnBack);
   }
   return turn <= turnBack ? before->angle(false) + turn : behind->angle(true) - turnBack;
 }

@@ -89,10 +89,10 @@ bool areJoined(const TriangleMesh& mesh, const SurfacePoint& from, const Surface
 class PolylinePutter
 {
 public:
-  PolylinePutter(const TriangleMesh& mesh, const SnapOptions& options, const JoinPoints& join,
+  PolylinePutter(const TriangleMesh& mesh, double coordinatePrecision, const JoinPoints& join,
     const ProgressCallback& progress, std::size_t numberOfPoints)
     : mesh_(mesh)
-    , options_(options)
+    , coordinatePrecision_(coordinatePrecision)
     , join_(join)
     , progress_(ascending(progress))
     , numberOfPoints_(static_cast<double>(numberOfPoints))
@@ -140,7 +140,7 @@ private:
       for (const Id face : polyline.faces[i])
       {
         const SnappedPoint snapped =
-          snapToFace(this->mesh_, face, polyline.points[i], this->options_.coordinatePrecision);
+          snapToFace(this->mesh_, face, polyline.points[i], this->coordinatePrecision_);
         const SurfacePoint& p = snapped.place;
         const Id element = p.kind == SurfacePoint::Kind::Edge ? this->mesh_.edgeOf(p.id) : p.id;
         if (elements.emplace(p.kind, element).second)
@@ -315,7 +315,7 @@ private:
   }
 
   const TriangleMesh& mesh_;
-  const SnapOptions& options_;
+  const double coordinatePrecision_;
   const JoinPoints& join_;
   const ProgressCallback progress_;
   const double numberOfPoints_;
@@ -329,7 +329,7 @@ private:
 } // anonymous namespace
 
 SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedPolyline>& polylines,
-  const SnapOptions& options, const JoinPoints& join, const ProgressCallback& progress)
+  double coordinatePrecision, const JoinPoints& join, const ProgressCallback& progress)
 {
   std::size_t numberOfPoints = 0;
   for (const LocatedPolyline& polyline : polylines)
@@ -337,7 +337,7 @@ SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedP
     check(mesh, polyline);
     numberOfPoints += polyline.points.size();
   }
-  PolylinePutter putter(mesh, options, join, progress, numberOfPoints);
+  PolylinePutter putter(mesh, coordinatePrecision, join, progress, numberOfPoints);
   for (const LocatedPolyline& polyline : polylines)
   {
     putter.put(polyline);

@@ -8,6 +8,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -290,14 +291,14 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
   }
 }
 
-SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source)
+double coordinatePrecisionOf(const std::vector<PolyDataBlock>& source)
 {
-  SnapOptions options;
+  double precision = std::numeric_limits<double>::epsilon();
   for (const PolyDataBlock& block : source)
   {
-    options.coordinatePrecision = std::max(options.coordinatePrecision, block.precision());
+    precision = std::max(precision, block.precision());
   }
-  return options;
+  return precision;
 }
 
 }

@@ -61,8 +61,8 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
 /// "point 3 of cell 2 of the source", "point 5 of the source" where it is a curve of its own.
 std::string nameOfPoint(const LocatedPolyline& line, std::size_t point);
 
-/// What the coordinates' type allows: that of the least precise block.
-SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source);
+/// The relative precision that the coordinates' type allows: that of the least precise block.
+double coordinatePrecisionOf(const std::vector<PolyDataBlock>& source);
 
 }
 

@@ -82,7 +82,7 @@ Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string&
   const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress)
 {
   const std::vector<LocatedPolyline> points = readPoints(blocks, name, surface.scale());
-  const double precision = snapOptionsFor(blocks).coordinatePrecision;
+  const double precision = coordinatePrecisionOf(blocks);
   const LocatedPlaces located = locator.locate(points, precision,
     [&progress](double fraction) { return !progress || progress(Located * fraction); });
   const std::vector<RankAddress> barriers = barriersAt(surface, located, precision);
