@@ -19,14 +19,6 @@ Id cornerWith(const TriangleMesh& mesh, Id face, Id vertex)
   return corner != corners.end() ? static_cast<Id>(corner - corners.begin()) : NoId;
 }
 
-bool sameEdgePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
-{
-  return mesh.edgeOf(a.id) == mesh.edgeOf(b.id) &&
-    (mesh.origin(a.id) == mesh.origin(b.id)
-        ? a.u == b.u
-        : std::abs(a.u - (1.0 - b.u)) <= std::numeric_limits<double>::epsilon());
-}
-
 /// A point of the surface: a corner of its face, and the ways from there along two edges.
 struct FromCorner
 {
@@ -130,6 +122,11 @@ std::array<double, 3> barycentric(const TriangleMesh& mesh, const SurfacePoint& 
   return result;
 }
 
+Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const SurfacePoint& point)
+{
+  return inHalfedgeFrame(mesh, halfedge, barycentric(mesh, point, TriangleMesh::faceOf(halfedge)));
+}
+
 FacePoint toFacePoint(const TriangleMesh& mesh, Id face, const SurfacePoint& point)
 {
   const Id corner =
@@ -186,9 +183,14 @@ Id commonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoin
 
 bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
 {
-  return a.kind == b.kind &&
-    (a.kind == SurfacePoint::Kind::Edge ? sameEdgePlace(mesh, a, b)
-                                        : a.id == b.id && a.u == b.u && a.v == b.v);
+  if (a.kind != SurfacePoint::Kind::Edge || b.kind != SurfacePoint::Kind::Edge)
+  {
+    return a.members() == b.members();
+  }
+  return mesh.edgeOf(a.id) == mesh.edgeOf(b.id) &&
+    (mesh.origin(a.id) == mesh.origin(b.id)
+        ? a.u == b.u
+        : std::abs(a.u - (1.0 - b.u)) <= std::numeric_limits<double>::epsilon());
 }
 
 double distanceInSpace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)

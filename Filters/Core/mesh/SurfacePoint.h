@@ -4,6 +4,8 @@
 
 #include "mesh/TriangleMesh.h"
 
+#include <tuple>
+
 namespace geodesic
 {
 
@@ -29,6 +31,9 @@ struct SurfacePoint
   /// Face: the barycentric coordinate of corner 2; corner 0 has 1 - u - v.
   double v = 0.0;
 
+  /// To compare points bit by bit; see samePlace().
+  auto members() const { return std::tie(this->kind, this->id, this->u, this->v); }
+
   static SurfacePoint atVertex(Id vertex) { return { Kind::Vertex, vertex, 0.0, 0.0 }; }
   static SurfacePoint onEdge(Id halfedge, double fraction)
   {
@@ -53,6 +58,9 @@ SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fract
 
 /// Barycentric coordinates of the point in a face that contains it, see contains().
 std::array<double, 3> barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id face);
+
+/// The point in the frame of a halfedge (mesh/HalfedgeFrame.h) of a face that contains it.
+Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const SurfacePoint& point);
 
 /// A point by the corners of a face that holds it: the same on every mesh that has the face, as
 /// one rank tells another.

@@ -3,7 +3,6 @@
 #define geodesic_PathEnds_h
 
 #include "source/CurvesOnPatch.h"
-#include "source/SourceInFace.h"
 
 #include <functional>
 #include <vector>

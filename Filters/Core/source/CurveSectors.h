@@ -2,8 +2,7 @@
 #ifndef geodesic_CurveSectors_h
 #define geodesic_CurveSectors_h
 
-#include "mesh/HalfedgeFrame.h"
-#include "source/SegmentEnd.h"
+#include "source/SourceCurve.h"
 #include "window/Window.h"
 
 #include <map>

@@ -51,8 +51,8 @@ void addAroundEdge(const TriangleMesh& mesh, const SegmentEnd& end, CurveWedge& 
   const Vec2 u = own.direction;
   for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
   {
-    const bool opposed = mesh.origin(s) == mesh.destination(halfedge);
-    add({ s, { opposed ? -u.x : u.x, -u.y } }, wedge);
+    const bool isOpposed = mesh.origin(s) == mesh.destination(halfedge);
+    add({ s, { isOpposed ? -u.x : u.x, -u.y } }, wedge);
   }
 }
 

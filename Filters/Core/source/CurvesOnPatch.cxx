@@ -45,10 +45,8 @@ Step stepFrom(const SourceCurve& curve, std::size_t i, bool isForward)
 bool hasLength(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t segment,
   double fraction = tolerance::PlaceRounding)
 {
-  const Id face = curve.faces[segment];
-  return distanceInFace(mesh, face, barycentric(mesh, curve.points[segment], face),
-           barycentric(mesh, curve.points[segment + 1], face)) >
-    fraction * mesh.shape(face).longest();
+  return lengthOfSegment(mesh, curve, segment) >
+    fraction * mesh.shape(curve.faces[segment]).longest();
 }
 
 /// Whether the ends of a segment are at one place: across a face without area a joined path may run
@@ -109,12 +107,9 @@ std::vector<Step> stepsOnward(
 void setOnward(const TriangleMesh& mesh, const SourceCurve& curve, const std::vector<Step>& steps,
   SegmentEnd& end)
 {
-  const Id face = curve.faces[steps.back().segment];
-  const SurfacePoint& from = curve.points[steps[steps.size() - 2].to];
-  end.frame = longestHalfedge(mesh, face);
-  end.onward =
-    inHalfedgeFrame(mesh, end.frame, barycentric(mesh, curve.points[steps.back().to], face)) -
-    inHalfedgeFrame(mesh, end.frame, barycentric(mesh, from, face));
+  end.frame = longestHalfedge(mesh, curve.faces[steps.back().segment]);
+  end.onward = inHalfedgeFrame(mesh, end.frame, curve.points[steps.back().to]) -
+    inHalfedgeFrame(mesh, end.frame, curve.points[steps[steps.size() - 2].to]);
   for (std::size_t n = steps.size() - 1; n-- > 0;)
   {
     const SurfacePoint& p = curve.points[steps[n].to];
@@ -261,10 +256,7 @@ std::vector<SegmentEnd> CurvesOnPatch::endsOf(Id vertex, bool isAround) const
     }
   }
   const auto key = [](const SegmentEnd& end)
-  {
-    const SurfacePoint& to = end.to;
-    return std::make_tuple(end.face, to.kind, to.id, to.u, to.v, end.curve, end.place);
-  };
+  { return std::make_tuple(end.face, end.to.members(), end.curve, end.place); };
   std::stable_sort(ends.begin(), ends.end(),
     [&key](const SegmentEnd& a, const SegmentEnd& b) { return key(a) < key(b); });
   ends.erase(std::unique(ends.begin(), ends.end(),
@@ -305,10 +297,9 @@ SourceFrame CurvesOnPatch::frameOf(Id number) const
   {
     const std::size_t first = part.isReversed ? part.end : part.begin;
     const std::size_t second = part.isReversed ? part.end - 1 : part.begin + 1;
-    const Id face = curve.faces[std::min(first, second)];
-    const Id halfedge = longestHalfedge(mesh, face);
-    const Vec2 d = inHalfedgeFrame(mesh, halfedge, barycentric(mesh, curve.points[second], face)) -
-      inHalfedgeFrame(mesh, halfedge, barycentric(mesh, curve.points[first], face));
+    const Id halfedge = longestHalfedge(mesh, curve.faces[std::min(first, second)]);
+    const Vec2 d = inHalfedgeFrame(mesh, halfedge, curve.points[second]) -
+      inHalfedgeFrame(mesh, halfedge, curve.points[first]);
     frame.x = inSpace(mesh, halfedge, d);
     frame.y = inSpace(mesh, halfedge, { -d.y, d.x });
   }

@@ -4,7 +4,6 @@
 
 #include "mesh/ReplicatedPatch.h"
 #include "source/CurveChains.h"
-#include "source/SegmentEnd.h"
 
 #include <vector>
 

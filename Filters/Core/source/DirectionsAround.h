@@ -2,9 +2,7 @@
 #ifndef geodesic_DirectionsAround_h
 #define geodesic_DirectionsAround_h
 
-#include "mesh/HalfedgeFrame.h"
-#include "mesh/SurfacePoint.h"
-#include "source/SegmentEnd.h"
+#include "source/SourceCurve.h"
 
 #include <vector>
 
