@@ -96,7 +96,6 @@ public:
     , join_(join)
     , progress_(ascending(progress))
     , numberOfPoints_(static_cast<double>(numberOfPoints))
-    , components_(mesh)
   {
   }
 
@@ -322,7 +321,8 @@ private:
   /// Points of the finished polylines.
   double pointsDone_ = 0.0;
   std::size_t pointsPlaced_ = 0;
-  PlaceComponents components_;
+  /// Of the mesh, for choosePlaces().
+  std::vector<Id> components_;
   SourceCurves result_;
 };
 
