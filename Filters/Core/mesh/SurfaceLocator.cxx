@@ -56,14 +56,6 @@ struct Candidate
   }
 };
 
-/// A candidate of one rank, as it is sent to all.
-struct CandidateMessage
-{
-  std::size_t point;
-  /// With global ids of the vertices.
-  Candidate candidate;
-};
-
 void addFace(const TriangleMesh& mesh, Id face, Box& box)
 {
   for (const Id corner : mesh.triangle(face))
@@ -167,8 +159,8 @@ ClosestFaces chooseFaces(const std::vector<Message>& told, const std::vector<dou
   readEach(told,
     [&](int, MessageReader& reader)
     {
-      const auto message = reader.get<CandidateMessage>();
-      candidates[message.point].push_back(message.candidate);
+      const auto point = reader.get<std::size_t>();
+      candidates[point].push_back(reader.get<Candidate>());
     });
   ClosestFaces result(least.size());
   for (std::size_t i = 0; i < least.size(); ++i)
@@ -200,7 +192,8 @@ void complete(
   }
 }
 
-/// What all ranks are told of the candidates that this rank owns.
+/// What all ranks are told of the candidates that this rank owns: the number of the point, and the
+/// candidate with global ids of the vertices.
 Message messageOf(const MeshPartition& surface,
   const std::vector<std::vector<Candidate>>& candidates, const std::vector<double>& least)
 {
@@ -219,7 +212,8 @@ Message messageOf(const MeshPartition& surface,
         candidate.support[k] = candidate.support[k] == NoId ? NoId : candidate.corners[k];
       }
       candidate.face = surface.addressOf(candidate.face.id);
-      put(message, CandidateMessage{ i, candidate });
+      put(message, i);
+      put(message, candidate);
     }
   }
   return message;
@@ -387,10 +381,13 @@ SurfaceLocator::SurfaceLocator(const MeshPartition& surface)
 
 SurfaceLocator::~SurfaceLocator() = default;
 
-ClosestFaces SurfaceLocator::closest(
-  const std::vector<Vec3>& points, double coordinatePrecision, const ProgressCallback& callback)
+ClosestFaces SurfaceLocator::closest(const std::vector<Vec3>& points, double coordinatePrecision,
+  const ProgressCallback& callback, const std::vector<std::uint8_t>& isWanted)
 {
-  if (!points.empty() && !this->tree_)
+  const bool isAnyWanted = isWanted.empty()
+    ? !points.empty()
+    : std::find(isWanted.begin(), isWanted.end(), 1) != isWanted.end();
+  if (isAnyWanted && !this->tree_)
   {
     const TriangleMesh& mesh = this->surface_.mesh();
     this->tree_ = std::make_unique<FaceTree>(mesh);
@@ -414,6 +411,10 @@ ClosestFaces SurfaceLocator::closest(
     // face closer than the box.
     const auto isSearched = [&](std::size_t i, bool isInBox)
     {
+      if (!isWanted.empty() && !isWanted[result.size() + i])
+      {
+        return false;
+      }
       const double distance = this->box_.distanceTo(some[i]);
       const double slack = precisionFor(this->box_, some[i], coordinatePrecision);
       return isInBox ? distance == 0.0

@@ -44,8 +44,9 @@ public:
   /// \param points the same on all ranks.
   /// \param coordinatePrecision relative precision of the points' coordinates.
   /// \param progress called now and then with a fraction done; returning false throws Aborted.
+  /// \param isWanted for each point whether it is searched at all; empty if all are.
   ClosestFaces closest(const std::vector<Vec3>& points, double coordinatePrecision,
-    const ProgressCallback& progress = {});
+    const ProgressCallback& progress = {}, const std::vector<std::uint8_t>& isWanted = {});
 
 private:
   class FaceTree;

@@ -29,17 +29,11 @@ std::vector<Vec3> placesOf(const std::vector<LocatedPolyline>& polylines)
 bool haveCommonFace(
   const TriangleMesh& mesh, const std::vector<Id>& first, const std::vector<Id>& second)
 {
-  for (const Id a : first)
-  {
-    for (const Id b : second)
-    {
-      if (commonFace(mesh, SurfacePoint::atVertex(a), SurfacePoint::atVertex(b)) != NoId)
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+  const auto areInOne = [&mesh](Id a, Id b)
+  { return commonFace(mesh, SurfacePoint::atVertex(a), SurfacePoint::atVertex(b)) != NoId; };
+  return std::any_of(first.begin(), first.end(),
+    [&](Id a)
+    { return std::any_of(second.begin(), second.end(), [&](Id b) { return areInOne(a, b); }); });
 }
 
 /// Whether a polyline runs from vertex to vertex, always in one face. No other equally close face
@@ -154,20 +148,13 @@ LocatedPlaces PolylineLocator::locate(const std::vector<LocatedPolyline>& polyli
   const std::vector<std::vector<Id>> vertices = verticesAt(this->surface_.mesh(), located.places);
   const std::vector<std::uint8_t> isSearched =
     placesToSearch(this->surface_, polylines, located, vertices);
-  std::vector<Vec3> searched;
+  located.faces = this->locator_.closest(located.places, coordinatePrecision, progress, isSearched);
   for (std::size_t i = 0; i < isSearched.size(); ++i)
   {
-    if (isSearched[i])
+    if (!isSearched[i])
     {
-      searched.push_back(located.places[i]);
+      located.faces[i] = facesAt(this->surface_, vertices[i]);
     }
-  }
-  ClosestFaces found = this->locator_.closest(searched, coordinatePrecision, progress);
-  auto next = found.begin();
-  for (std::size_t i = 0; i < isSearched.size(); ++i)
-  {
-    located.faces.push_back(
-      isSearched[i] ? std::move(*next++) : facesAt(this->surface_, vertices[i]));
   }
   return located;
 }
