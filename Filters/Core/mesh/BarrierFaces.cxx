@@ -42,8 +42,7 @@ std::vector<RankAddress> BarrierFaces::barriersAt(
   {
     isBesideOpen.push_back(distance > 0.0 ? 1 : 0);
   }
-  const ClosestFaces candidates =
-    this->locator_.closest(points, coordinatePrecision, {}, isBesideOpen);
+  const ClosestFaces candidates = this->locator_.closest(points, isBesideOpen, coordinatePrecision);
   // Each rank finds the first of its own barriers that holds a point; the first of all ranks
   // counts. A place on the rim is a place on an open face, too, which is as close there. A point
   // lies in a barrier if it is nearer to it by more than the precision of its place.

@@ -42,11 +42,11 @@ public:
   /// get the same. Not thread-safe.
   ///
   /// \param points the same on all ranks.
+  /// \param isWanted for each point whether it is searched: the others get no faces.
   /// \param coordinatePrecision relative precision of the points' coordinates.
   /// \param progress called now and then with a fraction done; returning false throws Aborted.
-  /// \param isWanted for each point whether it is searched at all; empty if all are.
-  ClosestFaces closest(const std::vector<Vec3>& points, double coordinatePrecision,
-    const ProgressCallback& progress = {}, const std::vector<std::uint8_t>& isWanted = {});
+  ClosestFaces closest(const std::vector<Vec3>& points, const std::vector<std::uint8_t>& isWanted,
+    double coordinatePrecision, const ProgressCallback& progress = {});
 
 private:
   class FaceTree;

@@ -148,7 +148,7 @@ LocatedPlaces PolylineLocator::locate(const std::vector<LocatedPolyline>& polyli
   const std::vector<std::vector<Id>> vertices = verticesAt(this->surface_.mesh(), located.places);
   const std::vector<std::uint8_t> isSearched =
     placesToSearch(this->surface_, polylines, located, vertices);
-  located.faces = this->locator_.closest(located.places, coordinatePrecision, progress, isSearched);
+  located.faces = this->locator_.closest(located.places, isSearched, coordinatePrecision, progress);
   for (std::size_t i = 0; i < isSearched.size(); ++i)
   {
     if (!isSearched[i])
