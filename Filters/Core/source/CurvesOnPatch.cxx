@@ -66,20 +66,20 @@ bool tellsDirection(const TriangleMesh& mesh, const SourceCurve& curve, const St
                               : !isAtOnePlace(mesh, curve, step.segment);
 }
 
-/// Calls visit(std::size_t) for point i and for those at its place that follow it in one direction.
-template <typename Visit>
-void forEachAtOnePlace(
-  const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i, bool isForward, Visit&& visit)
+/// Point i and those at its place that follow it in one direction.
+std::vector<std::size_t> pointsAtOnePlace(
+  const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i, bool isForward)
 {
-  visit(i);
+  std::vector<std::size_t> points = { i };
   Step step = stepFrom(curve, i, isForward);
   for (std::size_t n = 0;
        n < curve.faces.size() && step.segment != None && isAtOnePlace(mesh, curve, step.segment);
        ++n)
   {
-    visit(step.to);
+    points.push_back(step.to);
     step = stepFrom(curve, step.to, isForward);
   }
+  return points;
 }
 
 /// The steps from a given one, across edges, to the first that determines a direction. If the curve
@@ -103,23 +103,24 @@ std::vector<Step> stepsOnward(
   return steps;
 }
 
-// Transforms the direction back from face to face over the edges, seen from both sides.
-void setOnward(const TriangleMesh& mesh, const SourceCurve& curve, const std::vector<Step>& steps,
-  SegmentEnd& end)
+/// The direction of the last of some steps in the face of the first, transformed back from face to
+/// face over the edges.
+FaceDirection onwardBehind(
+  const TriangleMesh& mesh, const SourceCurve& curve, const std::vector<Step>& steps)
 {
-  end.frame = longestHalfedge(mesh, curve.faces[steps.back().segment]);
-  end.onward = inHalfedgeFrame(mesh, end.frame, curve.points[steps.back().to]) -
-    inHalfedgeFrame(mesh, end.frame, curve.points[steps[steps.size() - 2].to]);
+  const Id frame = longestHalfedge(mesh, curve.faces[steps.back().segment]);
+  FaceDirection onward = { frame,
+    inHalfedgeFrame(mesh, frame, curve.points[steps.back().to]) -
+      inHalfedgeFrame(mesh, frame, curve.points[steps[steps.size() - 2].to]) };
   for (std::size_t n = steps.size() - 1; n-- > 0;)
   {
     const SurfacePoint& p = curve.points[steps[n].to];
     const Id own = mesh.siblingInFace(p.id, curve.faces[steps[n].segment]);
     const Id other = mesh.siblingInFace(p.id, curve.faces[steps[n + 1].segment]);
-    const Vec2 d = turned(mesh, end.onward, end.frame, other);
-    const bool isOpposed = mesh.origin(own) == mesh.destination(other);
-    end.frame = own;
-    end.onward = own == other ? d : Vec2{ isOpposed ? -d.x : d.x, -d.y };
+    onward = { other, turned(mesh, onward, other) };
+    onward = own == other ? onward : acrossEdge(mesh, onward, own);
   }
+  return onward;
 }
 
 /// Adds the end at a point of the segment towards the next or the previous one.
@@ -133,11 +134,8 @@ void addEnd(const TriangleMesh& mesh, const CurveChains& chains, const CurveChai
   if (!steps.empty())
   {
     ends.push_back({ curve.points[at.i], curve.points[step.to], curve.faces[step.segment], at.chain,
-      chains.places(at.chain)[at.i], isForward });
-    if (steps.size() > 1)
-    {
-      setOnward(mesh, curve, steps, ends.back());
-    }
+      chains.places(at.chain)[at.i], isForward,
+      steps.size() > 1 ? onwardBehind(mesh, curve, steps) : FaceDirection() });
   }
 }
 
@@ -158,16 +156,15 @@ Id vertexAtPlaceOf(const TriangleMesh& mesh, const SourceCurve& curve, std::size
   Id vertex = NoId;
   for (const bool isForward : { true, false })
   {
-    forEachAtOnePlace(mesh, curve, i, isForward,
-      [&](std::size_t point)
-      {
-        const SurfacePoint& p = curve.points[point];
-        const std::vector<Id> others = verticesAtCornerOf(mesh, curve, point);
-        const Id found = p.kind == SurfacePoint::Kind::Vertex ? p.id
-          : others.empty()                                    ? NoId
-                                                              : others.front();
-        vertex = std::min(vertex, found);
-      });
+    for (const std::size_t point : pointsAtOnePlace(mesh, curve, i, isForward))
+    {
+      const SurfacePoint& p = curve.points[point];
+      const std::vector<Id> others = verticesAtCornerOf(mesh, curve, point);
+      const Id found = p.kind == SurfacePoint::Kind::Vertex ? p.id
+        : others.empty()                                    ? NoId
+                                                            : others.front();
+      vertex = std::min(vertex, found);
+    }
   }
   return vertex;
 }
@@ -218,10 +215,9 @@ std::vector<SegmentEnd> CurvesOnPatch::endsAround(const CurveChains::Point& at) 
   std::vector<SegmentEnd> ends;
   for (const bool isForward : { true, false })
   {
-    CurveChains::Point last = at;
-    forEachAtOnePlace(this->mesh(), this->chains_.curves()[at.chain], at.i, isForward,
-      [&last](std::size_t i) { last.i = i; });
-    addEnd(this->mesh(), this->chains_, last, isForward, ends);
+    const SourceCurve& curve = this->chains_.curves()[at.chain];
+    const std::size_t last = pointsAtOnePlace(this->mesh(), curve, at.i, isForward).back();
+    addEnd(this->mesh(), this->chains_, { at.chain, last }, isForward, ends);
   }
   return ends;
 }
@@ -255,13 +251,14 @@ std::vector<SegmentEnd> CurvesOnPatch::endsOf(Id vertex, bool isAround) const
       ends.insert(ends.end(), added.begin(), added.end());
     }
   }
-  const auto key = [](const SegmentEnd& end)
-  { return std::make_tuple(end.face, end.to.members(), end.curve, end.place); };
-  std::stable_sort(ends.begin(), ends.end(),
-    [&key](const SegmentEnd& a, const SegmentEnd& b) { return key(a) < key(b); });
-  ends.erase(std::unique(ends.begin(), ends.end(),
-               [&key](const SegmentEnd& a, const SegmentEnd& b) { return key(a) == key(b); }),
-    ends.end());
+  const auto isLess = [](const SegmentEnd& a, const SegmentEnd& b)
+  {
+    return std::make_tuple(a.face, a.to.members(), a.curve, a.place) <
+      std::make_tuple(b.face, b.to.members(), b.curve, b.place);
+  };
+  std::stable_sort(ends.begin(), ends.end(), isLess);
+  const auto isSame = [&](const SegmentEnd& a, const SegmentEnd& b) { return !isLess(a, b); };
+  ends.erase(std::unique(ends.begin(), ends.end(), isSame), ends.end());
   return ends;
 }
 

@@ -139,14 +139,14 @@ std::size_t DirectionsAround::indexOf(Id face) const
 }
 
 // Unfolds faces without area between a face and those around the point.
-DirectionsAround::DirectionInFace DirectionsAround::inFrame(const DirectionInFace& from) const
+FaceDirection DirectionsAround::inFrame(const FaceDirection& from) const
 {
   const auto isThin = [this](Id halfedge)
   { return this->mesh_.shape(TriangleMesh::faceOf(halfedge)).hasZeroArea(); };
-  std::vector<DirectionInFace> reached = { from };
+  std::vector<FaceDirection> reached = { from };
   for (std::size_t n = 0; n < reached.size(); ++n)
   {
-    const DirectionInFace at = reached[n];
+    const FaceDirection at = reached[n];
     const Id face = TriangleMesh::faceOf(at.halfedge);
     if (this->indexOf(face) != None)
     {
@@ -154,15 +154,14 @@ DirectionsAround::DirectionInFace DirectionsAround::inFrame(const DirectionInFac
     }
     for (Id own = 3 * face; own < 3 * face + 3 && (n == 0 || isThin(own)); ++own)
     {
-      const Vec2 d = turned(this->mesh_, at.direction, at.halfedge, own);
+      const FaceDirection d = { own, turned(this->mesh_, at, own) };
       for (Id s = this->mesh_.nextSibling(own); s != own; s = this->mesh_.nextSibling(s))
       {
-        const auto isSame = [s](const DirectionInFace& r)
+        const auto isSame = [s](const FaceDirection& r)
         { return TriangleMesh::faceOf(r.halfedge) == TriangleMesh::faceOf(s); };
         if ((isThin(own) || isThin(s)) && std::none_of(reached.begin(), reached.end(), isSame))
         {
-          const bool isOpposed = this->mesh_.origin(s) == this->mesh_.destination(own);
-          reached.push_back({ s, { isOpposed ? -d.x : d.x, -d.y } });
+          reached.push_back(acrossEdge(this->mesh_, d, s));
         }
       }
     }
@@ -173,9 +172,9 @@ DirectionsAround::DirectionInFace DirectionsAround::inFrame(const DirectionInFac
 // Rounding may put the direction of a halfedge from the point slightly below the x axis.
 double DirectionsAround::around(Id halfedge, Vec2 direction) const
 {
-  const DirectionInFace own = this->inFrame({ halfedge, direction });
+  const FaceDirection own = this->inFrame({ halfedge, direction });
   const Frame& frame = this->frameOf(TriangleMesh::faceOf(own.halfedge));
-  const Vec2 d = turned(this->mesh_, own.direction, own.halfedge, frame.halfedge);
+  const Vec2 d = turned(this->mesh_, own, frame.halfedge);
   const double turn = std::atan2(d.y, d.x);
   const double angle = turn < -RightAngle ? turn + FullAngle : turn;
   return frame.axis + (frame.isMirrored ? -angle : angle);

@@ -90,12 +90,7 @@ private:
   void addFanOfEdge(Id halfedge);
   void addFanOfVertex(Id corner);
   Stop beside(const Stop& stop, bool isClockwise) const;
-  struct DirectionInFace
-  {
-    Id halfedge;
-    Vec2 direction;
-  };
-  DirectionInFace inFrame(const DirectionInFace& from) const;
+  FaceDirection inFrame(const FaceDirection& from) const;
   std::size_t indexOf(Id face) const;
   const Frame& frameOf(Id face) const { return this->frames_[this->indexOf(face)]; }
   const Fan& fanOf(double around) const;

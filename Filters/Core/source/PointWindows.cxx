@@ -81,7 +81,7 @@ struct PointEmitter
     const auto bounds = this->from.wedge.equal_range(this->source.face);
     for (auto bound = bounds.first; bound != bounds.second && !isNear; ++bound)
     {
-      const Vec2 u = turned(this->mesh, bound->second.direction, bound->second.halfedge, halfedge);
+      const Vec2 u = turned(this->mesh, bound->second, halfedge);
       interval.clip(std::abs(u.x) * tolerance::Rounding * length - dot(p, u), u.x);
     }
     const double depth = std::max(-p.y, tolerance::SourceDepth * length);

@@ -15,8 +15,8 @@ double lengthOfSegment(const TriangleMesh& mesh, const SourceCurve& curve, std::
 
 Vec2 directionIn(const TriangleMesh& mesh, const SegmentEnd& end, Id halfedge)
 {
-  return end.frame != NoId
-    ? turned(mesh, end.onward, end.frame, halfedge)
+  return end.onward.halfedge != NoId
+    ? turned(mesh, end.onward, halfedge)
     : inHalfedgeFrame(mesh, halfedge, end.to) - inHalfedgeFrame(mesh, halfedge, end.from);
 }
 

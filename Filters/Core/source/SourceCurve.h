@@ -51,10 +51,9 @@ struct SegmentEnd
   Id curve = 0;
   double place = 0.0;
   bool isBeginning = true;
-  /// For a segment without length: a halfedge of its face, and the direction in which the curve
-  /// continues behind it, in that halfedge's frame.
-  Id frame = NoId;
-  Vec2 onward = {};
+  /// For a segment without length: the direction in its face in which the curve continues behind
+  /// it.
+  FaceDirection onward = {};
 };
 
 /// The direction of a segment away from its end, in the frame of a halfedge of its face; not
