@@ -49,9 +49,8 @@ std::vector<Id> ownWithNeighbours(const MeshPartition& part, const std::vector<I
 }
 
 /// A face of the patch, and a bit for each of its halfedges on the boundary.
-struct FaceOfPatch
+struct FaceOfPatch : SentFace
 {
-  SentFace face;
   std::uint8_t boundary;
 };
 
@@ -128,18 +127,14 @@ ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id
   {
     return;
   }
-  std::vector<SentFace> sent;
   const std::vector<FaceOfPatch> gathered = gather(part, faces);
-  for (const FaceOfPatch& entry : gathered)
-  {
-    sent.push_back(entry.face);
-  }
-  static_cast<GatheredFaces&>(*this) = GatheredFaces(std::move(sent));
+  static_cast<GatheredFaces&>(*this) =
+    GatheredFaces(std::vector<SentFace>(gathered.begin(), gathered.end()));
   Places places;
   places.boundary.assign(this->mesh().numberOfFaces(), 0);
   for (const FaceOfPatch& entry : gathered)
   {
-    places.boundary[this->faceAt(entry.face.owner)] |= entry.boundary;
+    places.boundary[this->faceAt(entry.owner)] |= entry.boundary;
   }
   places.vertexOfPart.assign(this->mesh().numberOfVertices(), NoId);
   for (Id face = 0; face < this->mesh().numberOfFaces(); ++face)

@@ -57,31 +57,32 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
 /// Whether two places of one point share a face, or faces without area lie between them.
 bool areJoined(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
 {
-  std::vector<Id> front;
+  std::vector<Id> faces;
   std::set<Id> reached;
   const auto reach = [&](Id face)
   {
-    if (reached.insert(face).second && mesh.shape(face).hasZeroArea())
+    if (reached.insert(face).second)
     {
-      front.push_back(face);
+      faces.push_back(face);
     }
   };
   forEachFace(mesh, from, reach);
-  while (!front.empty())
+  for (std::size_t n = 0; n < faces.size(); ++n)
   {
-    const Id face = front.back();
-    front.pop_back();
-    for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+    const Id face = faces[n];
+    if (contains(mesh, face, to))
     {
-      for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
+      return true;
+    }
+    for (Id k = 3 * face; k < 3 * face + 3 && mesh.shape(face).hasZeroArea(); ++k)
+    {
+      for (Id s = mesh.nextSibling(k); s != k; s = mesh.nextSibling(s))
       {
         reach(TriangleMesh::faceOf(s));
       }
     }
   }
-  bool isReached = false;
-  forEachFace(mesh, to, [&](Id face) { isReached = isReached || reached.count(face) != 0; });
-  return isReached;
+  return false;
 }
 
 /// Puts polylines onto the surface, one after another: chooses the places of their points, leaves
