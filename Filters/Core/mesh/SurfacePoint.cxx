@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/SurfacePoint.h"
 
-#include "mesh/HalfedgeFrame.h"
-
 #include <algorithm>
 
 namespace geodesic
@@ -48,10 +46,9 @@ FromCorner fromCorner(const TriangleMesh& mesh, const SurfacePoint& point)
 
 }
 
-SurfacePoint fromBarycentric(
-  const TriangleMesh& mesh, Id face, const std::array<double, 3>& coordinates)
+SurfacePoint fromBarycentric(const TriangleMesh& mesh, Id face, const Barycentric& coordinates)
 {
-  std::array<double, 3> weights;
+  Barycentric weights;
   for (int k = 0; k < 3; ++k)
   {
     weights[k] = std::max(coordinates[k], 0.0);
@@ -102,9 +99,9 @@ SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point)
   return fromBarycentric(mesh, face, barycentric(mesh, point, face));
 }
 
-std::array<double, 3> barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id face)
+Barycentric barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id face)
 {
-  std::array<double, 3> result = { 0.0, 0.0, 0.0 };
+  Barycentric result = { 0.0, 0.0, 0.0 };
   switch (point.kind)
   {
     case SurfacePoint::Kind::Vertex:

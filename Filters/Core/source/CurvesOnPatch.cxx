@@ -71,13 +71,11 @@ std::vector<std::size_t> pointsAtOnePlace(
   const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i, bool isForward)
 {
   std::vector<std::size_t> points = { i };
-  Step step = stepFrom(curve, i, isForward);
-  for (std::size_t n = 0;
-       n < curve.faces.size() && step.segment != None && isAtOnePlace(mesh, curve, step.segment);
-       ++n)
+  for (Step step = stepFrom(curve, i, isForward); points.size() <= curve.faces.size() &&
+       step.segment != None && isAtOnePlace(mesh, curve, step.segment);
+       step = stepFrom(curve, step.to, isForward))
   {
     points.push_back(step.to);
-    step = stepFrom(curve, step.to, isForward);
   }
   return points;
 }

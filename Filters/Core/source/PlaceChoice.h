@@ -3,7 +3,6 @@
 #define geodesic_PlaceChoice_h
 
 #include "mesh/SurfacePoint.h"
-#include "mesh/TriangleMesh.h"
 
 #include <functional>
 #include <vector>

@@ -3,8 +3,6 @@
 #define geodesic_PolylineOnSurface_h
 
 #include "Progress.h"
-#include "mesh/SurfacePoint.h"
-#include "mesh/TriangleMesh.h"
 #include "source/SourceCurve.h"
 
 #include <functional>

@@ -2,7 +2,6 @@
 #ifndef geodesic_SourceCurve_h
 #define geodesic_SourceCurve_h
 
-#include "mesh/HalfedgeFrame.h"
 #include "mesh/SurfacePoint.h"
 
 #include <cstdint>

@@ -2,7 +2,6 @@
 #include "source/TurnAroundPoint.h"
 
 #include "Tolerance.h"
-#include "mesh/HalfedgeFrame.h"
 
 #include <algorithm>
 
