@@ -324,8 +324,8 @@ void NearestSource::goToVertex(Id vertex)
     return;
   }
   const VertexOnCurve& on = *this->curves_.find(vertex);
-  this->sectors_.assign(SurfacePoint::atVertex(vertex), this->curves_.endsAround(vertex),
-    CurveOrigin::onLeft(this->meshOfCurves(), on.curve, on.place));
+  this->sectors_.assign(
+    SurfacePoint::atVertex(vertex), this->curves_.endsAround(vertex), on.curve, on.place);
   this->sectorsVertex_ = vertex;
 }
 
@@ -339,8 +339,7 @@ void NearestSource::goToPoint(Id number)
   }
   const CurveChains::Point point = this->curves_.chains().pointWith(number);
   const double place = this->curves_.chains().places(point.chain)[point.i];
-  this->sectors_.assign(
-    at.point, at.ends, CurveOrigin::onLeft(this->meshOfCurves(), point.chain, place));
+  this->sectors_.assign(at.point, at.ends, point.chain, place);
   this->sectorsVertex_ = NoId;
 }
 

@@ -50,10 +50,6 @@ struct Candidate
   Triangle support{};
 
   bool isClosest(double least) const { return this->distance <= least + this->precision; }
-  bool isClosestUpToRounding(double least) const
-  {
-    return this->distance <= least + this->rounding;
-  }
 };
 
 void addFace(const TriangleMesh& mesh, Id face, Box& box)
@@ -168,7 +164,7 @@ void addChosen(
     std::vector<ClosestFace>& faces = result.emplace_back();
     for (const Candidate& face : chosen(candidates[i]))
     {
-      faces.push_back({ face.face, face.isClosestUpToRounding(least[i]) });
+      faces.push_back({ face.face, face.distance <= least[i] + face.rounding });
     }
     std::sort(faces.begin(), faces.end());
   }

@@ -138,7 +138,7 @@ PathEnd PathEnds::atPoint(const LastPiece& piece, Id number) const
     return this->endAt(at.chain, place, 0.0);
   }
   CurveSectors sectors(this->mesh());
-  sectors.assign(around.point, around.ends, CurveOrigin::onLeft(this->mesh(), at.chain, place));
+  sectors.assign(around.point, around.ends, at.chain, place);
   const CurveOrigin origin = sectors.of(3 * piece.face, piece.direction);
   DirectionsAround directions(this->mesh());
   directions.assign(around.point, around.ends);

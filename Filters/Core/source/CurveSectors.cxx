@@ -10,9 +10,9 @@ namespace geodesic
 {
 
 void CurveSectors::assign(
-  const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const CurveOrigin& whole)
+  const SurfacePoint& point, const std::vector<SegmentEnd>& ends, Id curve, double place)
 {
-  this->whole_ = whole;
+  this->whole_ = { CurveSide{ curve, false }.origin(this->mesh_.numberOfVertices()), place };
   this->frames_.clear();
   this->totals_.clear();
   this->ends_.clear();

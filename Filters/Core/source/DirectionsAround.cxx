@@ -23,11 +23,6 @@ double wrapped(double angle)
 
 } // anonymous namespace
 
-double DirectionsAround::End::angle(bool isClockwise) const
-{
-  return this->isForward ? 0.0 : isClockwise ? Pi : -Pi;
-}
-
 void DirectionsAround::assign(const SurfacePoint& point, const std::vector<SegmentEnd>& ends)
 {
   this->point_ = point;
@@ -185,14 +180,6 @@ const DirectionsAround::Fan& DirectionsAround::fanOf(double around) const
   const auto next = std::find_if(this->fans_.begin() + 1, this->fans_.end(),
     [around](const Fan& fan) { return around < fan.begin - 0.5 * BetweenFans; });
   return *(next - 1);
-}
-
-double DirectionsAround::Fan::at(double around) const
-{
-  const double turn = around - this->begin;
-  return this->begin +
-    (this->isClosed ? turn - this->total * std::floor(turn / this->total)
-                    : std::clamp(turn, 0.0, this->total));
 }
 
 double DirectionsAround::angleOf(double around) const

@@ -182,7 +182,7 @@ private:
   {
     this->nextPoint();
     const CurveWedge wedge = wedgeAround(this->mesh_, p, ends);
-    this->sectors_.assign(p, endsAround, CurveOrigin::onLeft(this->mesh_, curve, place));
+    this->sectors_.assign(p, endsAround, curve, place);
     this->directions_.assign(p, endsAround);
     const EmittingPoint from = { this->chains(), wedge, this->sectors_, this->directions_ };
     forEachFace(this->mesh_, p,
