@@ -37,9 +37,8 @@ WindowRuns DistanceField::windowsOn(Id halfedge) const
 
 std::vector<SourceInFace> DistanceField::sourcesIn(Id face) const
 {
-  const auto [first, last] = std::equal_range(this->front_.sourcesInFaces.begin(),
-    this->front_.sourcesInFaces.end(), SourceInFace{ face },
-    [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; });
+  const auto [first, last] = std::equal_range(
+    this->front_.sourcesInFaces.begin(), this->front_.sourcesInFaces.end(), SourceInFace{ face });
   return { first, last };
 }
 

@@ -229,8 +229,7 @@ void Front::addSourcesInHalo(const std::vector<SourceInFace>& inHalo)
   }
   std::vector<SourceInFace>& sources = this->result_.sourcesInFaces;
   sources.insert(sources.end(), inHalo.begin(), inHalo.end());
-  std::stable_sort(sources.begin(), sources.end(),
-    [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; });
+  std::stable_sort(sources.begin(), sources.end());
 }
 
 // The loop ends. The windows that are sent form trees: the parent of a window is the one that came

@@ -13,11 +13,6 @@ namespace geodesic
 namespace
 {
 
-bool isBefore(const SourceInFace& a, const SourceInFace& b)
-{
-  return a.face < b.face;
-}
-
 std::vector<SourceInFace> sourcesByFace(const TriangleMesh& mesh, const CurveChains& chains)
 {
   std::vector<SourceInFace> sources;
@@ -37,7 +32,7 @@ std::vector<SourceInFace> sourcesByFace(const TriangleMesh& mesh, const CurveCha
         });
     }
   }
-  std::stable_sort(sources.begin(), sources.end(), isBefore);
+  std::stable_sort(sources.begin(), sources.end());
   return sources;
 }
 
@@ -97,8 +92,8 @@ const SourceInFace* PathEnds::nearest(const SurfacePoint& point, Id preferred) c
     [&](Id face)
     {
       const Barycentric weights = barycentric(this->mesh(), point, face);
-      const auto pieces = std::equal_range(
-        this->inFaces_.begin(), this->inFaces_.end(), SourceInFace{ face }, isBefore);
+      const auto pieces =
+        std::equal_range(this->inFaces_.begin(), this->inFaces_.end(), SourceInFace{ face });
       for (auto piece = pieces.first; piece != pieces.second; ++piece)
       {
         const double distance =

@@ -14,11 +14,6 @@ namespace geodesic
 namespace
 {
 
-bool isBefore(const VertexOnCurve& a, const VertexOnCurve& b)
-{
-  return a.vertex < b.vertex;
-}
-
 constexpr std::size_t None = static_cast<std::size_t>(-1);
 
 /// A step from a point of a curve to the next or the previous one. Segment i runs from point i to
@@ -190,14 +185,13 @@ CurvesOnPatch::CurvesOnPatch(const ReplicatedPatch& patch, const std::vector<Sou
       }
     }
   }
-  std::stable_sort(this->vertices_.begin(), this->vertices_.end(), isBefore);
+  std::stable_sort(this->vertices_.begin(), this->vertices_.end());
 }
 
 const VertexOnCurve* CurvesOnPatch::find(Id vertex) const
 {
-  const auto found = std::lower_bound(
-    this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex }, isBefore);
-  return found != this->vertices_.end() && found->vertex == vertex ? &*found : nullptr;
+  const Id i = placeIn(this->vertices_, VertexOnCurve{ vertex });
+  return i != NoId ? &this->vertices_[i] : nullptr;
 }
 
 std::vector<SegmentEnd> CurvesOnPatch::endsAt(const CurveChains::Point& at) const
@@ -237,8 +231,8 @@ bool CurvesOnPatch::isBesideVertex(const CurveChains::Point& at) const
 std::vector<SegmentEnd> CurvesOnPatch::endsOf(Id vertex, bool isAround) const
 {
   std::vector<SegmentEnd> ends;
-  const auto range = std::equal_range(
-    this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex }, isBefore);
+  const auto range =
+    std::equal_range(this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex });
   for (auto on = range.first; on != range.second; ++on)
   {
     const SurfacePoint& p = this->chains_.curves()[on->curve].points[on->i];

@@ -33,6 +33,8 @@ struct VertexOnCurve
   Id curve = 0;
   std::size_t i = 0;
   double place = 0.0;
+
+  bool operator<(const VertexOnCurve& other) const { return this->vertex < other.vertex; }
 };
 
 /// The curves of a source on their patch, joined to chains, and the mesh vertices on them. Several

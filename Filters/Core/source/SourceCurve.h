@@ -69,6 +69,8 @@ struct SourceInFace
   Id curve = 0;
   double placeOfA = 0.0;
   double placeOfB = 0.0;
+
+  bool operator<(const SourceInFace& other) const { return this->face < other.face; }
 };
 
 /// Whether a segment from a to b of a face runs along its halfedge k.

@@ -98,9 +98,7 @@ public:
       this->addPoints(chain);
     }
     this->emitFromVertices();
-    const auto byFace = [](const SourceInFace& a, const SourceInFace& b)
-    { return a.face < b.face; };
-    std::stable_sort(this->result_.inFaces.begin(), this->result_.inFaces.end(), byFace);
+    std::stable_sort(this->result_.inFaces.begin(), this->result_.inFaces.end());
     return std::move(this->result_);
   }
 
