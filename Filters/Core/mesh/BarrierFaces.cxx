@@ -47,7 +47,7 @@ std::vector<RankAddress> BarrierFaces::barriersAt(
   // counts. A place on the rim is a place on an open face, too, which is as close there. A point
   // lies in a barrier if it is nearer to it by more than the precision of its place.
   std::vector<double> first(points.size(), Infinity);
-  Exchange& exchange = this->barriers_.exchange();
+  Exchange& exchange = this->surface().exchange();
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     for (std::size_t k = 0; k < candidates[i].size() && first[i] == Infinity; ++k)
@@ -56,7 +56,7 @@ std::vector<RankAddress> BarrierFaces::barriersAt(
       if (face.rank == exchange.rank())
       {
         const SnappedPoint place =
-          snapToFace(this->barriers_.mesh(), face.id, points[i], coordinatePrecision);
+          snapToFace(this->surface().mesh(), face.id, points[i], coordinatePrecision);
         const bool isInside = place.distance + place.tolerance < toOpen[i];
         first[i] = isInside ? static_cast<double>(k) : Infinity;
       }

@@ -28,21 +28,6 @@ Id checkedId(std::uint64_t number, const char* what)
   return static_cast<Id>(number);
 }
 
-/// The first face made from the given triangle of the mesh's constructor or a later one. Faces are
-/// in the order of these triangles.
-Id firstFaceFrom(const TriangleMesh& mesh, Id input)
-{
-  Id low = 0;
-  Id high = mesh.numberOfFaces();
-  while (low < high)
-  {
-    const Id middle = low + (high - low) / 2;
-    const bool isBefore = mesh.inputFace(middle) < input;
-    (isBefore ? low : high) = isBefore ? middle + 1 : middle;
-  }
-  return low;
-}
-
 } // anonymous namespace
 
 /// Fills the tables in stages, all of which the ranks take together.
@@ -236,9 +221,9 @@ private:
     }
     this->firstHolder.resize(this->globalIds.size() + 1, this->firstHolder.back());
     this->firstTriangle = static_cast<Id>(behind - received.begin());
-    this->firstOwnFace = firstFaceFrom(this->mesh, this->firstTriangle);
+    this->firstOwnFace = this->mesh.firstFaceFrom(this->firstTriangle);
     this->endOfOwnFaces =
-      firstFaceFrom(this->mesh, static_cast<Id>(this->firstTriangle + triangles.size()));
+      this->mesh.firstFaceFrom(static_cast<Id>(this->firstTriangle + triangles.size()));
     this->numberOfGlobalFaces = checkedId(
       sumOverRanks(this->exchange_, this->endOfOwnFaces - this->firstOwnFace).all, "faces");
   }
@@ -261,7 +246,7 @@ private:
       }
     }
     questions.exchangeAnswers([this](MessageReader& question, Message& answer)
-      { put(answer, firstFaceFrom(this->mesh, this->firstTriangle + question.get<Id>())); },
+      { put(answer, this->mesh.firstFaceFrom(this->firstTriangle + question.get<Id>())); },
       [this](std::size_t i, MessageReader& answer) { this->halo[i].id = answer.get<Id>(); });
   }
 

@@ -36,6 +36,8 @@ public:
   explicit SurfaceLocator(const MeshPartition& surface);
   ~SurfaceLocator();
 
+  const MeshPartition& surface() const { return this->surface_; }
+
   /// For each point all faces that put it onto its closest place, in the order of ClosestFace.
   /// There are several where the surface touches or overlaps itself, and the locator cannot know
   /// which one is meant. Faces without area count like all others. All ranks call this together and

@@ -365,6 +365,14 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>
   Builder(*this, progress, parallelFor).run(triangles);
 }
 
+Id TriangleMesh::firstFaceFrom(Id input) const
+{
+  const auto& faces = this->inputFaces_;
+  return faces.empty()
+    ? std::min(input, this->numberOfFaces())
+    : static_cast<Id>(std::lower_bound(faces.begin(), faces.end(), input) - faces.begin());
+}
+
 Id TriangleMesh::edgeOf(Id halfedge) const
 {
   Id lowest = halfedge;

@@ -137,17 +137,18 @@ LocatedPlaces PolylineLocator::locate(const std::vector<LocatedPolyline>& polyli
   // With several ranks all places are searched: a rank does not know the vertices of the others.
   std::vector<std::uint8_t> isSearched(located.places.size(), 1);
   std::vector<std::vector<Id>> vertices;
-  if (!this->surface_.isDistributed())
+  const TriangleMesh& mesh = this->locator_.surface().mesh();
+  if (!this->locator_.surface().isDistributed())
   {
-    vertices = verticesAt(this->surface_.mesh(), located.places);
-    isSearched = placesOffEdges(this->surface_.mesh(), polylines, located, vertices);
+    vertices = verticesAt(mesh, located.places);
+    isSearched = placesOffEdges(mesh, polylines, located, vertices);
   }
   located.faces = this->locator_.closest(located.places, isSearched, coordinatePrecision, progress);
   for (std::size_t i = 0; i < isSearched.size(); ++i)
   {
     if (!isSearched[i])
     {
-      located.faces[i] = facesAt(this->surface_.mesh(), vertices[i]);
+      located.faces[i] = facesAt(mesh, vertices[i]);
     }
   }
   return located;

@@ -31,8 +31,7 @@ class PolylineLocator
 {
 public:
   explicit PolylineLocator(const MeshPartition& surface)
-    : surface_(surface)
-    , locator_(surface)
+    : locator_(surface)
   {
   }
 
@@ -46,7 +45,6 @@ public:
     const ProgressCallback& progress = {});
 
 private:
-  MeshPartition surface_;
   SurfaceLocator locator_;
 };
 
