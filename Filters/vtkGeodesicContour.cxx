@@ -74,7 +74,7 @@ public:
     const bool hasCurves = this->HasZero && this->Execution.hasSourceOutput();
     writeIsolines({ surface.mesh(), isolines, this->Values, this->Execution.patch().mesh(),
                     hasCurves ? this->Execution.sources().curves : std::vector<SourceCurve>() },
-      surface.scale(), output, this->Execution.progressBetween(LinesDrawn, 1.0));
+      surface.scale, output, this->Execution.progressBetween(LinesDrawn, 1.0));
   }
 
 private:
@@ -90,7 +90,7 @@ private:
     std::map<double, SidedValue> byDistance;
     for (const double value : sorted)
     {
-      const double inEngine = this->Execution.surface().scale().toEngine(value);
+      const double inEngine = this->Execution.surface().scale.toEngine(value);
       this->HasZero = this->HasZero || inEngine == 0.0;
       if (inEngine == 0.0 || !(std::abs(inEngine) < Infinity))
       {
@@ -116,8 +116,8 @@ private:
     IsolineOptions options;
     options.values = this->Distances;
     options.chordTolerance = this->Self->ToleranceIsAbsolute
-      ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteChordTolerance)
-      : this->Self->ChordTolerance * this->Execution.surface().diagonal();
+      ? this->Execution.surface().scale.toEngine(this->Self->AbsoluteChordTolerance)
+      : this->Self->ChordTolerance * this->Execution.surface().diagonal;
     // On a surface without extent nothing but the source is at any distance.
     if (options.values.empty() || !(options.chordTolerance > 0.0))
     {
@@ -128,7 +128,7 @@ private:
     front.parallelFor = smpParallelFor();
     front.keepArrivals = this->Self->SignedDistances;
     front.progress = this->Execution.progressBetween(FilterExecution::InputsRead, FieldDone);
-    const DistanceField field = solveForIsolines(this->Execution.surface().partition(),
+    const DistanceField field = solveForIsolines(this->Execution.surface().partition,
       this->Execution.sourceWindows(front.progress), this->Distances, front);
     this->Execution.reach(FieldDone);
     this->Execution.enter(Stage::DrawingLines);

@@ -79,8 +79,8 @@ public:
     if (!isElsewhere)
     {
       this->Self->SourceSnapDistance =
-        this->Execution.surface().scale().toUser(this->Execution.sources().snapDistance);
-      this->Self->SeamPointsJoined = this->Execution.surface().report().joinedSeamPoints;
+        this->Execution.surface().scale.toUser(this->Execution.sources().snapDistance);
+      this->Self->SeamPointsJoined = this->Execution.surface().report.joinedSeamPoints;
       this->Compute();
       this->Execution.reach(ValuesDone);
     }
@@ -95,7 +95,7 @@ public:
     this->WriteSurface(output);
     if (this->Execution.hasSourceOutput())
     {
-      writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale(),
+      writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale,
         this->Execution.sources().curves, this->ArcLengthsOfCurves, curves);
     }
   }
@@ -143,8 +143,8 @@ private:
   double Tolerance() const
   {
     return this->Self->ToleranceIsAbsolute
-      ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteRefinementTolerance)
-      : this->Self->RefinementTolerance * this->Execution.surface().diagonal();
+      ? this->Execution.surface().scale.toEngine(this->Self->AbsoluteRefinementTolerance)
+      : this->Self->RefinementTolerance * this->Execution.surface().diagonal;
   }
 
   bool CanRefine() const
@@ -196,7 +196,7 @@ private:
     request.relativeError = self->Accuracy == APPROXIMATE ? self->RelativeError : 0.0;
     if (self->MaximumDistance > 0.0)
     {
-      request.maximumDistance = this->Execution.surface().scale().toEngine(self->MaximumDistance);
+      request.maximumDistance = this->Execution.surface().scale.toEngine(self->MaximumDistance);
     }
     request.arrays = this->Choice;
     request.isRefined = this->CanRefine();
@@ -209,14 +209,14 @@ private:
   void TakeNumbers(const SolvedSurface& solved) const
   {
     this->Self->WindowsPropagatedPerEdge = static_cast<double>(solved.field->windowsPropagated()) /
-      static_cast<double>(this->Execution.surface().report().edges);
+      static_cast<double>(this->Execution.surface().report.edges);
     this->Self->RelativeErrorBound = solved.field->relativeErrorBound();
     if (this->IsRefined)
     {
       const RefinedMesh& refined = solved.refined.mesh;
       this->NoteToleranceNotMet(refined);
       this->Self->InterpolationErrorBound =
-        this->Execution.surface().scale().toUser(refined.errorBound);
+        this->Execution.surface().scale.toUser(refined.errorBound);
     }
   }
 
@@ -254,7 +254,7 @@ private:
 
   void NoteToleranceNotMet(const RefinedMesh& refined) const
   {
-    const PowerOfTwoScale& scale = this->Execution.surface().scale();
+    const PowerOfTwoScale& scale = this->Execution.surface().scale;
     const std::string most = std::to_string(this->Self->MaximumNumberOfCells);
     std::ostringstream text;
     text << "the refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
@@ -276,7 +276,7 @@ private:
   void WriteSurface(vtkDataObject* output) const
   {
     const std::vector<PolyDataBlock>& inputs = this->Execution.surfaceBlocks();
-    const std::vector<SurfaceBlock>& blocks = this->Execution.surface().blocks();
+    const std::vector<SurfaceBlock>& blocks = this->Execution.surface().blocks;
     const std::vector<vtkPolyData*> outputs =
       makeBlocksLike(this->Execution.surfaceInput(), output);
     const auto count = static_cast<double>(blocks.size());
@@ -287,7 +287,7 @@ private:
       const auto progress = this->Execution.progressBetween(place(i), place(i + 1));
       if (this->IsRefined)
       {
-        writeRefined(blocks[i], this->Refined[i].mesh, this->Execution.surface().scale(),
+        writeRefined(blocks[i], this->Refined[i].mesh, this->Execution.surface().scale,
           inputs[i].data, outputs[i], progress);
       }
       else
@@ -308,7 +308,7 @@ private:
   void WriteDistances(std::size_t index, vtkPolyData* output) const
   {
     const PolyDataSurface& surface = this->Execution.surface();
-    const SurfaceBlock& block = surface.blocks()[index];
+    const SurfaceBlock& block = surface.blocks[index];
     requireMemory(output->GetNumberOfPoints(), sizeof(double));
     vtkNew<vtkDoubleArray> distances;
     distances->SetName(this->Self->DistanceArrayName);
@@ -317,7 +317,7 @@ private:
     const auto add = [&](double distance)
     {
       distances->SetValue(next++,
-        surface.scale().resultToUser(distance,
+        surface.scale.resultToUser(distance,
           "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
           "surface and the source upstream."));
     };

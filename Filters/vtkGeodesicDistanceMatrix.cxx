@@ -78,7 +78,7 @@ void ComputeTable(FilterExecution& execution, double maximumDistance, vtkTable* 
   requireMemory(rows,
     static_cast<vtkIdType>(sizeof(vtkIdType)) +
       2 * static_cast<vtkIdType>(sizeof(double)) * numberOfSources);
-  const PowerOfTwoScale& scale = execution.surface().scale();
+  const PowerOfTwoScale& scale = execution.surface().scale;
   MatrixOptions options;
   if (maximumDistance > 0.0)
   {

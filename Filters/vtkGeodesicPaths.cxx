@@ -54,7 +54,7 @@ std::vector<PathOfTarget> FindPaths(FilterExecution& execution)
   options.parallelFor = smpParallelFor();
   options.progress = execution.progressBetween(TargetsRead, PathsFound);
   std::vector<PathOfTarget> paths(targets.places.size());
-  pathsToSource(surface.partition(), execution.patch(), execution.sources().curves, targets.places,
+  pathsToSource(surface.partition, execution.patch(), execution.sources().curves, targets.places,
     options,
     [&](std::size_t i, const PathToSource& path)
     {
@@ -132,7 +132,7 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
       const std::vector<SourceCurve>& curves = execution.sources().curves;
       frames = framesBySource(CurvesOnPatch(execution.patch(), curves), curves);
     }
-    scale = execution.surface().scale();
+    scale = execution.surface().scale;
   }
   if (execution.exchange().numberOfRanks() > 1)
   {

@@ -28,11 +28,11 @@ constexpr double DoneBeforeExactField = 0.6;
 std::vector<Triangle> cornerPointsOf(const PolyDataSurface& surface)
 {
   std::vector<Triangle> points;
-  if (surface.arePointsVertices())
+  if (surface.vertexOf.isIdentity())
   {
     return points;
   }
-  const MeshPartition& partition = surface.partition();
+  const MeshPartition& partition = surface.partition;
   points.assign(surface.mesh().numberOfFaces(), { NoId, NoId, NoId });
   for (Id face = partition.firstOwnFace(); face < partition.endOfOwnFaces(); ++face)
   {
@@ -63,7 +63,7 @@ public:
     {
       const FrontOptions options = this->frontOptions(FilterExecution::InputsRead, this->end_);
       solved.field.emplace(geodesic::solve(
-        this->surface_.partition(), this->execution_.sourceWindows(options.progress), options));
+        this->surface_.partition, this->execution_.sourceWindows(options.progress), options));
     }
     else
     {
@@ -123,7 +123,7 @@ private:
   DistanceField solveForRefinement(double begin, const std::vector<std::uint8_t>& pinned) const
   {
     const FrontOptions options = this->frontOptions(begin, DoneBeforeRefinement);
-    return geodesic::solveForRefinement(this->surface_.partition(),
+    return geodesic::solveForRefinement(this->surface_.partition,
       this->execution_.sourceWindows(options.progress), this->request_.tolerance, options, pinned);
   }
 
@@ -135,7 +135,7 @@ private:
     // A distance within the limit is that much smaller than the exact one at most.
     options.maximumDistance /= 1.0 - std::min(largestError, 0.5);
     KeepFaces retention(this->surface_.mesh(), std::move(faces));
-    const MeshPartition& surface = this->surface_.partition();
+    const MeshPartition& surface = this->surface_.partition;
     FrontResult front =
       propagate(surface, this->execution_.sourceWindows(options.progress), options, retention);
     return { surface, std::move(front), retention.release() };
@@ -147,7 +147,7 @@ private:
     FrontOptions options = this->frontOptions(FilterExecution::InputsRead, BordersFound);
     options.relativeError = 0.0;
     const DistanceField field = geodesic::solve(
-      this->surface_.partition(), this->execution_.sourceWindows(options.progress), options);
+      this->surface_.partition, this->execution_.sourceWindows(options.progress), options);
     const std::vector<SourceCurve>& curves = this->execution_.sources().curves;
     NearestSource nearest(field, this->execution_.patch(), curves, options.progress);
     return SourceRegions(field, nearest, curves, this->request_.arrays.areSidesNeeded())
@@ -172,12 +172,12 @@ private:
     options.tolerance = this->request_.tolerance;
     if (this->request_.maximumCells > 0)
     {
-      const std::uint64_t faces = this->surface_.partition().numberOfGlobalFaces();
+      const std::uint64_t faces = this->surface_.partition.numberOfGlobalFaces();
       options.maximumFaces =
         this->request_.maximumCells - (this->surface_.countTrianglesOfAllRanks() - faces);
     }
     options.cornerPoints = cornerPointsOf(this->surface_);
-    options.numberOfPoints = this->surface_.numberOfPoints();
+    options.numberOfPoints = this->surface_.numberOfPoints;
     options.trianglesBeside = barriersAtEdges(this->surface_);
     options.parallelFor = smpParallelFor();
     options.progress = this->execution_.progressBetween(DoneBeforeRefinement, this->end_);
@@ -193,7 +193,7 @@ private:
       if (this->request_.isApproximate())
       {
         solved.exact.emplace(this->solveExactly(
-          solved.field->relativeErrorBound(), this->surface_.partition().ownFaces()));
+          solved.field->relativeErrorBound(), this->surface_.partition.ownFaces()));
       }
       const std::vector<SourceCurve>& curves = this->execution_.sources().curves;
       nearest.emplace(solved.exactField(), this->execution_.patch(), curves);

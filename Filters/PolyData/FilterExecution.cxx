@@ -107,7 +107,7 @@ void FilterExecution::findSurface(bool supportsPieces)
 
 SourceWindows FilterExecution::sourceWindows(const ProgressCallback& progress) const
 {
-  return sourceWindowsOfPartition(this->surface().partition(), this->patch(),
+  return sourceWindowsOfPartition(this->surface().partition, this->patch(),
     startingWindows(this->patch().mesh(), this->sources_.curves, progress));
 }
 
@@ -153,7 +153,7 @@ void FilterExecution::readSources()
       "The surface itself is the source: distances are measured from the outlines of all its "
       "faces. Choose another Source.");
   }
-  SourcePatch faces(this->surface().partition());
+  SourcePatch faces(this->surface().partition);
   std::optional<SurfaceBoundary> boundary;
   if (type != vtkGeodesicAlgorithm::SOURCE_CURVE)
   {
@@ -178,7 +178,7 @@ void FilterExecution::readCurves(SourcePatch& faces)
 {
   const std::vector<PolyDataBlock>& blocks = this->gatheredSource_.blocks();
   const PolyDataSurface& surface = this->surface();
-  SourcePolylines source = readSource(blocks, surface.scale());
+  SourcePolylines source = readSource(blocks, surface.scale);
   const SnapOptions snapping = snapOptionsFor(blocks);
   const LocatedPlaces located = this->cache_.locator().locate(source.polylines,
     snapping.coordinatePrecision, this->progressBetween(SurfaceRead, SourceLocated));
@@ -187,11 +187,11 @@ void FilterExecution::readCurves(SourcePatch& faces)
   faces.addFacesAround(located);
   this->patch_ = faces.make();
   located.setFaces(this->patch(), source.polylines);
-  const bool isDistributed = surface.partition().isDistributed();
+  const bool isDistributed = surface.partition.isDistributed();
   const double patchMade = isDistributed ? FarPointsSearched : SourceLocated;
   if (isDistributed &&
-    faces.addFaces(facesBetweenPoints(surface.partition(), this->patch(), source.polylines,
-      snapping, smpParallelFor(), this->progressBetween(SourceLocated, patchMade))))
+    faces.addFaces(facesBetweenPoints(surface.partition, this->patch(), source.polylines, snapping,
+      smpParallelFor(), this->progressBetween(SourceLocated, patchMade))))
   {
     this->patch_ = faces.make();
     located.setFaces(this->patch(), source.polylines);
@@ -219,7 +219,7 @@ void FilterExecution::addBoundary(std::vector<SourceCurve> boundary, bool hasCur
     this->sourceIds_.push_back(loop.source);
   }
   const bool isClosed = boundary.empty();
-  if (this->surface().hasBarriers())
+  if (this->surface().barriers)
   {
     boundary = boundaryOutsideBarriers(boundary, this->patch().mesh());
   }

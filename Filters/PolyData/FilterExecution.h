@@ -132,7 +132,7 @@ public:
   void requireTargets(bool sourcesAreTargets = false) const;
 
   vtkDataObject* surfaceInput() const { return this->surfaceInput_; }
-  /// The blocks of the surface's input, as in PolyDataSurface::blocks().
+  /// The blocks of the surface's input, as in PolyDataSurface::blocks.
   const std::vector<PolyDataBlock>& surfaceBlocks() const { return this->surfaceBlocks_; }
   const PolyDataSurface& surface() const { return this->cache_.surface(); }
   const SourceCurves& sources() const { return this->sources_; }

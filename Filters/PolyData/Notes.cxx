@@ -48,7 +48,7 @@ struct FarPoints
 
 double farLimit(const PolyDataSurface& surface)
 {
-  return FarSourceFraction * surface.diagonal();
+  return FarSourceFraction * surface.diagonal;
 }
 
 FarPoints farPointsOf(
@@ -94,12 +94,11 @@ std::string farText(
   const std::string& subject, const FarPoints& far, const PolyDataSurface& surface)
 {
   std::ostringstream text;
-  text << subject << " up to " << surface.scale().toUser(far.largestDistance)
+  text << subject << " up to " << surface.scale.toUser(far.largestDistance)
        << " away from the surface";
-  if (surface.diagonal() > 0.0)
+  if (surface.diagonal > 0.0)
   {
-    text << " (" << std::round(100.0 * far.largestDistance / surface.diagonal())
-         << " % of its size)";
+    text << " (" << std::round(100.0 * far.largestDistance / surface.diagonal) << " % of its size)";
   }
   text << ", at " << far.count << " of " << far.ofAll << " points: ";
   for (std::size_t i = 0; i < far.names.size(); ++i)
@@ -142,7 +141,7 @@ std::string GivenNotes::take(const Notes& notes, vtkAlgorithm* filter)
 
 void noteSurface(const PolyDataSurface& surface, Notes& notes)
 {
-  const SurfaceReport& read = surface.report();
+  const SurfaceReport& read = surface.report;
   notes.add(
     NoteOn::Surface, read.droppedLineCells, "line", "lines", "among the surface's cells dropped.");
   notes.add(NoteOn::Surface, read.droppedVertexCells, "vertex cell", "vertex cells",

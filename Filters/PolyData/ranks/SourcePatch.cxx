@@ -159,9 +159,9 @@ std::vector<Id> giveGlobalIds(const ReplicatedPatch& patch, const std::vector<Id
 
 SurfaceBoundary::SurfaceBoundary(
   const PolyDataSurface& surface, SourcePatch& faces, const ProgressCallback& progress)
-  : numberOfGlobalVertices_(surface.partition().numberOfGlobalVertices())
+  : numberOfGlobalVertices_(surface.partition.numberOfGlobalVertices())
 {
-  if (!surface.hasBarriers())
+  if (!surface.barriers)
   {
     faces.addBoundary();
     return;

@@ -213,8 +213,7 @@ std::string nameOfBarrier(const PolyDataSurface& surface,
   const Message answer = exchange.tellAll(message)[rankIndex(face.rank)];
   std::string name(answer.size(), ' ');
   MessageReader(answer).get(name.data(), name.size());
-  return surface.partition().isDistributed() ? name + " on rank " + std::to_string(face.rank)
-                                             : name;
+  return surface.partition.isDistributed() ? name + " on rank " + std::to_string(face.rank) : name;
 }
 
 }
@@ -263,8 +262,8 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
 std::vector<RankAddress> barriersAt(
   const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
 {
-  return surface.hasBarriers()
-    ? surface.barriers()->barriersAt(located.places, located.faces, coordinatePrecision)
+  return surface.barriers
+    ? surface.barriers->barriersAt(located.places, located.faces, coordinatePrecision)
     : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
 }
 
@@ -281,7 +280,7 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
       if (face.id != NoId)
       {
         throw SourceError('P' + nameOfPoint(line, i).substr(1) + ", at " +
-          textOf(surface.scale().toUser(line.points[i])) +
+          textOf(surface.scale.toUser(line.points[i])) +
           ", lies in a barrier (BarrierArrayName): it is closest to " +
           nameOfBarrier(surface, surfaceBlocks, face) +
           ", which no path may leave. Move it out of the barrier, or onto its rim.");

@@ -40,7 +40,7 @@ struct SourcePolylines
 /// \throws SourceError where there is no point or one is not finite.
 SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale);
 
-/// For each place the barrier that it lies in, a face of surface.barriers()->surface(); the id is
+/// For each place the barrier that it lies in, a face of surface.barriers->surface(); the id is
 /// NoId if it lies in none. All ranks call this together.
 ///
 /// \param coordinatePrecision relative precision of the points' coordinates.

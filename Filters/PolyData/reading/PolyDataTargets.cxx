@@ -81,7 +81,7 @@ OwnPlace snapToOwnFace(const MeshPartition& surface, const Vec3& point,
 Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
   const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress)
 {
-  const std::vector<LocatedPolyline> points = readPoints(blocks, name, surface.scale());
+  const std::vector<LocatedPolyline> points = readPoints(blocks, name, surface.scale);
   const double precision = snapOptionsFor(blocks).coordinatePrecision;
   const LocatedPlaces located = locator.locate(points, precision,
     [&progress](double fraction) { return !progress || progress(Located * fraction); });
@@ -94,8 +94,7 @@ Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string&
   for (std::size_t i = 0; i < located.places.size(); ++i)
   {
     loop.at(i, located.places.size());
-    own.push_back(
-      snapToOwnFace(surface.partition(), located.places[i], located.faces[i], precision));
+    own.push_back(snapToOwnFace(surface.partition, located.places[i], located.faces[i], precision));
     orders.push_back(own.back().order);
   }
   surface.exchange().findLeast(orders);

@@ -152,7 +152,7 @@ SourceValues valuesOf(const SourceArrays& arrays, const Foot& foot, const Neares
     return values;
   }
   const SourceCurve& curve = arrays.curves[foot.curve];
-  const PowerOfTwoScale& scale = arrays.surface.scale();
+  const PowerOfTwoScale& scale = arrays.surface.scale;
   values.source = curve.source;
   values.side = curve.points.size() == 1                         ? SourceSide::Point
     : isOnRight(foot, arrays.curves, arrays.firstBoundarySource) ? SourceSide::Right
@@ -231,7 +231,7 @@ ValuesAtPoints SourceArrays::atVertices(const DistanceField& computed, const Nea
     }
   };
   ValuesAtPoints values =
-    collect(this->choice, this->surface.partition().numberOfOwnVertices(), computed, progress, add);
+    collect(this->choice, this->surface.partition.numberOfOwnVertices(), computed, progress, add);
   forEachKind(this->choice, [&](auto kind) { this->surface.completeValues({}, values.*kind); });
   return values;
 }
@@ -309,7 +309,7 @@ std::vector<std::vector<double>> SourceArrays::arcLengthsOfCurves(
     lengths.push_back(nearest.arcLengthsOf(curve));
     for (double& length : lengths.back())
     {
-      length = this->surface.scale().toUser(length);
+      length = this->surface.scale.toUser(length);
     }
   }
   return lengths;
@@ -349,7 +349,7 @@ void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* outp
 void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,
   const std::string& property)
 {
-  const MeshPartition& part = surface.partition();
+  const MeshPartition& part = surface.partition;
   const TriangleMesh& mesh = surface.mesh();
   Id halfedge = 3 * part.firstOwnFace();
   const Id end = 3 * part.endOfOwnFaces();

@@ -73,8 +73,8 @@ struct UnmeshedTriangles
 /// For each triangle the face that is made of it; NoId if none here is.
 std::vector<Id> facesOfTriangles(const PolyDataSurface& surface)
 {
-  std::vector<Id> faces(surface.numberOfTriangles(), NoId);
-  const MeshPartition& partition = surface.partition();
+  std::vector<Id> faces(surface.numberOfTriangles, NoId);
+  const MeshPartition& partition = surface.partition;
   for (Id face = partition.firstOwnFace(); face < partition.endOfOwnFaces(); ++face)
   {
     faces[surface.triangleOf(face)] = face;
@@ -145,7 +145,7 @@ UnmeshedTriangles findUnmeshedTriangles(const PolyDataSurface& surface, const Gl
     asked.push_back(like.face.address);
   }
   std::vector<RefinedFace> answers =
-    findRefinedFaces(asked, surface.partition(), refined, cornerPoints);
+    findRefinedFaces(asked, surface.partition, refined, cornerPoints);
   for (std::size_t i = 0; i < answers.size(); ++i)
   {
     unmeshed.templates[i].parts = std::move(answers[i]);
@@ -301,12 +301,12 @@ private:
   void addCut(const UnmeshedTriangle& triangle, std::vector<Triangle>& triangles)
   {
     const Triangle points = this->surface_.triangle(triangle.triangle);
-    const Triangle vertices = this->surface_.vertexOf()(points);
+    const Triangle vertices = this->surface_.vertexOf(points);
     const auto positionOf = [&](Id point)
     {
       const auto corner = std::find(points.begin(), points.end(), point) - points.begin();
       return corner < 3
-        ? this->faces_.position(vertices[static_cast<std::size_t>(corner)])
+        ? this->faces_.vertex(vertices[static_cast<std::size_t>(corner)]).position
         : this->refined_.points[point - this->refined_.numberOfInputPoints].position;
     };
     EdgeSplits splits;
@@ -360,13 +360,13 @@ bool areTooMany(const PolyDataSurface& surface, const UnmeshedTriangles& unmeshe
 std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
 {
   std::unordered_map<Id, Id> count;
-  if (!surface.hasBarriers())
+  if (!surface.barriers)
   {
     return count;
   }
   const GlobalFaces faces(surface);
   std::vector<Triangle> edges;
-  for (const Id triangle : surface.barrierTriangles())
+  for (const Id triangle : surface.barrierTriangles)
   {
     faces.forEachEdgeWithFaces(surface.verticesAt(triangle),
       [&edges](std::size_t, const Triangle& edge) { edges.push_back(edge); });
@@ -377,8 +377,8 @@ std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
   {
     if (found[i].isThere())
     {
-      const Id edge =
-        found[i].edgeBetween(faces.globalId(edges[i][0]), faces.globalId(edges[i][1]));
+      const Id edge = found[i].edgeBetween(
+        faces.vertex(edges[i][0]).globalId, faces.vertex(edges[i][1]).globalId);
       put(messages[rankIndex(found[i].address.rank)], 3 * found[i].address.id + edge);
     }
   }
@@ -390,9 +390,9 @@ std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
 RefinedSurface addUnmeshedTriangles(const PolyDataSurface& surface, std::uint64_t maximumFaces,
   const std::vector<Triangle>& cornerPoints, RefinedMesh refined)
 {
-  const MeshPartition& partition = surface.partition();
+  const MeshPartition& partition = surface.partition;
   const Id ownFaces = partition.endOfOwnFaces() - partition.firstOwnFace();
-  if (!surface.exchange().isTrueAnywhere(surface.numberOfTriangles() != ownFaces))
+  if (!surface.exchange().isTrueAnywhere(surface.numberOfTriangles != ownFaces))
   {
     for (Id& face : refined.faces)
     {
