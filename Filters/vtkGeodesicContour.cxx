@@ -43,11 +43,14 @@ bool isPositive(double value)
 class vtkGeodesicContour::vtkWorker
 {
 public:
-  vtkWorker(vtkGeodesicContour* self, FilterExecution& execution)
-    : Self(self)
-    , Execution(execution)
-  {
-  }
+  vtkGeodesicContour* Self;
+  FilterExecution& Execution;
+  /// In the user's scale: ascending, each once, without 0.
+  std::vector<double> Values{};
+  bool HasZero = false;
+  /// The distances of all values, ascending, each once; and which values each stands for.
+  std::vector<double> Distances{};
+  std::vector<SidedValue> Sides{};
 
   /// \throws Error
   void Run(vtkPolyData* output)
@@ -77,7 +80,6 @@ public:
       surface.scale, output, this->Execution.progressBetween(LinesDrawn, 1.0));
   }
 
-private:
   /// Values that the engine cannot tell apart, which drops digits of tiny ones, are one.
   void FindValues()
   {
@@ -150,15 +152,6 @@ private:
       { return isOnRight(foot, curves, this->Execution.firstBoundarySource()); },
       isolines, this->Sides, this->Execution.progressBetween(SidesKnown, LinesDrawn));
   }
-
-  vtkGeodesicContour* Self;
-  FilterExecution& Execution;
-  /// In the user's scale: ascending, each once, without 0.
-  std::vector<double> Values;
-  bool HasZero = false;
-  /// The distances of all values, ascending, each once; and which values each stands for.
-  std::vector<double> Distances;
-  std::vector<SidedValue> Sides;
 };
 
 //------------------------------------------------------------------------------
@@ -204,7 +197,7 @@ std::string vtkGeodesicContour::FindWrongProperty() const
 //------------------------------------------------------------------------------
 void vtkGeodesicContour::Compute(FilterExecution& execution, vtkInformationVector* outputVector)
 {
-  vtkWorker(this, execution).Run(vtkPolyData::GetData(outputVector, 0));
+  vtkWorker{ this, execution }.Run(vtkPolyData::GetData(outputVector, 0));
 }
 
 //------------------------------------------------------------------------------

@@ -57,12 +57,21 @@ bool isPositive(double value)
 class vtkGeodesicDistanceField::vtkWorker
 {
 public:
-  vtkWorker(vtkGeodesicDistanceField* self, FilterExecution& execution)
-    : Self(self)
-    , Execution(execution)
-    , Choice(ChoiceOf(self))
-  {
-  }
+  vtkGeodesicDistanceField* Self;
+  FilterExecution& Execution;
+  const SourceArrayChoice Choice = ChoiceOf(Self);
+
+  std::vector<double> VertexDistances{};
+  bool IsRefined = false;
+  /// The refined mesh, by blocks of the surface; nothing for each unless it is refined.
+  std::vector<RefinedBlock> Refined{};
+  /// What the arrays beside the distance hold at vertices and, before these are divided into
+  /// blocks, at refined points.
+  ValuesAtPoints AtVertices{};
+  ValuesAtPoints AtRefinedPoints{};
+  /// What angles are measured in, and arc lengths along the curves: see SourceArrays.
+  std::vector<SourceFrame> Frames{};
+  std::vector<std::vector<double>> ArcLengthsOfCurves{};
 
   static SourceArrayChoice ChoiceOf(const vtkGeodesicDistanceField* self)
   {
@@ -100,19 +109,12 @@ public:
     }
   }
 
-private:
   /// If another rank has done all the work, this one reports the same.
   void ShareNumbers()
   {
-    for (double* number : { &this->Self->WindowsPropagatedPerEdge, &this->Self->SourceSnapDistance,
-           &this->Self->RelativeErrorBound, &this->Self->InterpolationErrorBound })
-    {
-      this->Execution.shareResult(*number);
-    }
-    this->Execution.shareResult(this->Self->SeamPointsJoined);
-    int isRefined = this->IsRefined ? 1 : 0;
-    this->Execution.shareResult(isRefined);
-    this->IsRefined = isRefined != 0;
+    this->Execution.shareResults(this->Self->WindowsPropagatedPerEdge,
+      this->Self->SourceSnapDistance, this->Self->RelativeErrorBound,
+      this->Self->InterpolationErrorBound, this->Self->SeamPointsJoined, this->IsRefined);
     if (this->Choice.angles)
     {
       this->Execution.shareResults(this->Frames);
@@ -384,22 +386,6 @@ private:
         "the filter's in its place. Rename it upstream to keep both.");
     }
   }
-
-  vtkGeodesicDistanceField* Self;
-  FilterExecution& Execution;
-  const SourceArrayChoice Choice;
-
-  std::vector<double> VertexDistances;
-  bool IsRefined = false;
-  /// The refined mesh, by blocks of the surface; nothing for each unless it is refined.
-  std::vector<RefinedBlock> Refined;
-  /// What the arrays beside the distance hold at vertices and, before these are divided into
-  /// blocks, at refined points.
-  ValuesAtPoints AtVertices;
-  ValuesAtPoints AtRefinedPoints;
-  /// What angles are measured in, and arc lengths along the curves: see SourceArrays.
-  std::vector<SourceFrame> Frames;
-  std::vector<std::vector<double>> ArcLengthsOfCurves;
 };
 
 //------------------------------------------------------------------------------
@@ -488,8 +474,8 @@ void vtkGeodesicDistanceField::ResetResults()
 void vtkGeodesicDistanceField::Compute(
   FilterExecution& execution, vtkInformationVector* outputVector)
 {
-  vtkWorker(this, execution)
-    .Run(vtkDataObject::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 1));
+  vtkWorker{ this, execution }.Run(
+    vtkDataObject::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 1));
 }
 
 //------------------------------------------------------------------------------

@@ -136,7 +136,7 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
   }
   if (execution.exchange().numberOfRanks() > 1)
   {
-    execution.shareResult(scale);
+    execution.shareResults(scale);
     paths = SendHome(execution, std::move(paths));
   }
   if (this->GenerateSourceAngle)

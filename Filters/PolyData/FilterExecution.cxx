@@ -3,7 +3,6 @@
 
 #include "PolyData/ParallelFor.h"
 #include "PolyData/ranks/SourcePatch.h"
-#include "PolyData/reading/PolyDataSource.h"
 #include "paths/FacesBetweenPoints.h"
 #include "paths/JoinPoints.h"
 #include "source/BoundaryCurves.h"
@@ -42,11 +41,11 @@ void FilterExecution::readInputs(bool supportsPieces)
   if (this->sourceInput_)
   {
     this->gatheredSource_ =
-      GatheredBlocks(sourceBlocks(this->sourceInput_, SourceName), SourceName, this->exchange_);
+      gatherBlocks(sourceBlocks(this->sourceInput_, SourceName), SourceName, this->exchange_);
   }
   if (this->targetsInput_)
   {
-    this->gatheredTargets_ = GatheredBlocks(
+    this->gatheredTargets_ = gatherBlocks(
       geodesic::targetBlocks(this->targetsInput_, TargetsName), TargetsName, this->exchange_);
   }
   this->findSurface(supportsPieces);
@@ -69,6 +68,14 @@ void FilterExecution::readInputs(bool supportsPieces)
   this->enter(Stage::ReadingSource);
   this->readSources();
   this->reach(InputsRead);
+}
+
+/// The message of the first rank that has the surface.
+Message FilterExecution::ofWorkingRank(const Message& own) const
+{
+  const bool works = this->place_ != SurfacePlace::OnOtherRank;
+  const std::vector<Message> told = this->exchange_.tellAll(works ? own : Message());
+  return *std::find_if(told.begin(), told.end(), [](const Message& m) { return !m.empty(); });
 }
 
 /// Finds out who has what of the surface.
@@ -125,7 +132,7 @@ Targets FilterExecution::readTargets(double end)
   this->enter(Stage::ReadingTargets);
   const std::string name =
     this->targetsInput_ ? TargetsName : "the set of targets (points of input port 1)";
-  const std::vector<PolyDataBlock>& blocks = this->targetBlocks().blocks();
+  const std::vector<PolyDataBlock>& blocks = this->targetBlocks().blocks;
   Targets targets = geodesic::readTargets(
     blocks, name, this->surface(), this->cache_.locator(), this->progressBetween(InputsRead, end));
   // If the targets are the points of a source that is far away, the note on the source says so.
@@ -176,7 +183,7 @@ void FilterExecution::readSources()
 
 void FilterExecution::readCurves(SourcePatch& faces)
 {
-  const std::vector<PolyDataBlock>& blocks = this->gatheredSource_.blocks();
+  const std::vector<PolyDataBlock>& blocks = this->gatheredSource_.blocks;
   const PolyDataSurface& surface = this->surface();
   SourcePolylines source = readSource(blocks, surface.scale);
   const SnapOptions snapping = snapOptionsFor(blocks);

@@ -7,16 +7,14 @@
 #include "PolyData/Notes.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/SurfaceCache.h"
-#include "PolyData/reading/PolyDataTargets.h"
+#include "PolyData/reading/SourcesAndTargets.h"
 #include "Progress.h"
 #include "mesh/ReplicatedPatch.h"
 #include "source/PolylineOnSurface.h"
 #include "source/SourceWindows.h"
 
-#include <algorithm>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 class vtkDataObject;
@@ -94,26 +92,22 @@ public:
   Exchange& exchange() const { return this->exchange_; }
   /// Gives ranks for which the surface is OnOtherRank what the working rank has found. All ranks
   /// call this.
-  template <typename Value>
-  void shareResult(Value& value)
+  template <typename... Values>
+  void shareResults(Values&... values)
   {
-    std::vector<Value> values = { value };
-    this->shareResults(values);
-    value = values.front();
+    Message message;
+    (put(message, values), ...);
+    message = this->ofWorkingRank(message);
+    MessageReader reader(message);
+    ((values = reader.get<Values>()), ...);
   }
-  /// The same for any number of values.
   template <typename Value>
   void shareResults(std::vector<Value>& values)
   {
     Message message;
-    if (this->place_ != SurfacePlace::OnOtherRank)
-    {
-      putAll(message, values);
-    }
-    const std::vector<Message> told = this->exchange_.tellAll(message);
-    const auto first =
-      std::find_if(told.begin(), told.end(), [](const Message& answer) { return !answer.empty(); });
-    values = MessageReader(*first).getAll<Value>();
+    putAll(message, values);
+    message = this->ofWorkingRank(message);
+    values = MessageReader(message).getAll<Value>();
   }
   /// Whether this is the rank that puts out what is there once: the first one.
   bool isFirstRank() const { return this->exchange_.rank() == 0; }
@@ -178,6 +172,7 @@ public:
   bool reportsWarnings() const { return this->place_ == SurfacePlace::Here || this->isFirstRank(); }
 
 private:
+  Message ofWorkingRank(const Message& own) const;
   void findSurface(bool supportsPieces);
   const GatheredBlocks& targetBlocks() const
   {

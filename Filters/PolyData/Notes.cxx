@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/Notes.h"
 
-#include "PolyData/reading/PolyDataSource.h"
 #include "PolyData/reading/PolyDataSurface.h"
-#include "PolyData/reading/PolyDataTargets.h"
+#include "PolyData/reading/SourcesAndTargets.h"
 #include "mesh/SurfaceSnap.h"
 
 #include "vtkAlgorithm.h"

@@ -8,8 +8,8 @@
 #include "BenchmarkTasks.h"
 
 #include "PolyData/ParallelFor.h"
-#include "PolyData/reading/PolyDataSource.h"
 #include "PolyData/reading/PolyDataSurface.h"
+#include "PolyData/reading/SourcesAndTargets.h"
 #include "field/DistanceField.h"
 #include "field/SegmentEnvelope.h"
 #include "paths/JoinPoints.h"

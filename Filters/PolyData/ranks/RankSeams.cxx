@@ -175,11 +175,4 @@ BorrowedValues remoteVertices(
   return BorrowedValues(holders, exchange);
 }
 
-bool OtherRanks::areNear(const Vec3& point, double margin) const
-{
-  const Box around = boxAround(point, margin);
-  return std::any_of(this->boxes_.begin(), this->boxes_.end(),
-    [&around](const Box& box) { return box.meets(around); });
-}
-
 }

@@ -7,6 +7,7 @@
 #include "Types.h"
 #include "mesh/Box.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -112,7 +113,12 @@ public:
     this->boxes_.erase(this->boxes_.begin() + exchange.rank());
   }
 
-  bool areNear(const Vec3& point, double margin) const;
+  bool areNear(const Vec3& point, double margin) const
+  {
+    const Box around = boxAround(point, margin);
+    return std::any_of(this->boxes_.begin(), this->boxes_.end(),
+      [&around](const Box& box) { return box.meets(around); });
+  }
 
 private:
   std::vector<Box> boxes_;

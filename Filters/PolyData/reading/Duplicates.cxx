@@ -116,7 +116,8 @@ Fingerprint keyOf(std::vector<Label>& labels)
 constexpr Label NoLabel = ~Label(0);
 
 /// Marks the copies among some cells of all ranks, which call this together: of cells on the same
-/// vertices, marked ones beside an original, or beside the first of marked ones.
+/// vertices, marked ones beside an original, or beside the first of marked ones. Cells that are
+/// copies already do not count.
 ///
 /// \param forEachCell calls its argument for each cell: (const Range&).
 /// \param labelOf of a point: (Id) -> Label.
@@ -132,6 +133,10 @@ void findCopiesAmong(const ForEachCell& forEachCell, const LabelOf& labelOf,
     [&](const Range& cell)
     {
       labels.clear();
+      if (roles[cell.first] == TriangleRole::Copy)
+      {
+        return;
+      }
       for (std::size_t i = cell.first; i < cell.second; ++i)
       {
         for (const Id point : triangles.corners[i])
@@ -197,29 +202,6 @@ void findCopiesHere(
   findCopiesAmong(forEachTriangle, labelOf, triangles, OneRank::instance(), roles);
 }
 
-/// Marks the triangles that are copies of other ranks' cells.
-void findCopiesOfOthers(const RankLabels& labels, const VertexOfPoint& vertexOf,
-  const TriangleList& triangles, Exchange& exchange, std::vector<TriangleRole>& roles)
-{
-  const auto forEachOther = [&](const auto& visit)
-  {
-    triangles.forEachCell(
-      [&](const Range& cell)
-      {
-        if (roles[cell.first] != TriangleRole::Copy)
-        {
-          visit(cell);
-        }
-      });
-  };
-  const auto labelOf = [&](Id point)
-  {
-    const Id vertex = vertexOf(point);
-    return labels.isSharedAt(vertex) ? labels.of(vertex) : NoLabel;
-  };
-  findCopiesAmong(forEachOther, labelOf, triangles, exchange, roles);
-}
-
 } // anonymous namespace
 
 std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoint& vertexOf,
@@ -233,9 +215,15 @@ std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoi
   std::vector<TriangleRole> roles(triangles.corners.size(), TriangleRole::Open);
   copyCuts(vertexOf, triangles);
   findCopiesHere(vertexOf, triangles, roles);
-  findCopiesOfOthers(labels, vertexOf, triangles, exchange, roles);
-  const bool isAny = std::find(roles.begin(), roles.end(), TriangleRole::Copy) != roles.end();
-  return isAny ? roles : std::vector<TriangleRole>();
+  // Among the others those that are copies of other ranks' cells.
+  findCopiesAmong([&](const auto& visit) { triangles.forEachCell(visit); },
+    [&](Id point)
+    {
+      const Id vertex = vertexOf(point);
+      return labels.isSharedAt(vertex) ? labels.of(vertex) : NoLabel;
+    },
+    triangles, exchange, roles);
+  return roles;
 }
 
 }

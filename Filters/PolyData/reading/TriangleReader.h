@@ -73,8 +73,8 @@ TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const Verte
 ///
 /// \param labels of the vertices.
 /// \param triangles the corners of marked ones may change.
-/// \returns of each triangle whether it is a copy of another, or else open; empty if none is a
-/// copy.
+/// \returns of each triangle whether it is a copy of another, or else open; empty if none is
+/// marked.
 std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoint& vertexOf,
   TriangleList& triangles, Exchange& exchange);
 

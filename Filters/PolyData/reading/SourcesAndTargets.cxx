@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolyData/reading/PolyDataSource.h"
+#include "PolyData/reading/SourcesAndTargets.h"
 
-#include "Errors.h"
 #include "PolyData/reading/PolyDataSurface.h"
+#include "mesh/SurfaceSnap.h"
 
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -18,96 +18,93 @@ namespace
 {
 
 /// Takes the curves out of the cells of one block.
-class BlockReader
+struct BlockReader
 {
-public:
-  /// \param sources of the blocks before, to which those of this one are added.
-  BlockReader(const PolyDataBlock& block, SourcePolylines& sources)
-    : block_(block)
-    , firstSource_(sources.numberOfSources)
-    , sources_(sources)
-  {
-  }
+  const PolyDataBlock& block;
+  /// Of the blocks before, to which those of this one are added.
+  SourcePolylines& sources;
+  const Id firstSource = sources.numberOfSources;
+  vtkIdType cell = 0;
+  std::vector<char> isUsed{};
 
   /// \returns of each point whether a curve has it.
   std::vector<char> read()
   {
-    vtkPolyData* source = this->block_.data;
-    const auto before = static_cast<std::ptrdiff_t>(this->sources_.ids.size());
-    this->isUsed_.assign(static_cast<std::size_t>(source->GetNumberOfPoints()), 0);
+    vtkPolyData* source = this->block.data;
+    const auto before = static_cast<std::ptrdiff_t>(this->sources.ids.size());
+    this->isUsed.assign(static_cast<std::size_t>(source->GetNumberOfPoints()), 0);
     if (source->GetNumberOfCells() == source->GetNumberOfVerts())
     {
       this->readPoints();
-      return std::move(this->isUsed_);
+      return std::move(this->isUsed);
     }
     this->read(source->GetVerts(), &BlockReader::addVertices);
     this->read(source->GetLines(), &BlockReader::addLine);
     this->read(source->GetPolys(), &BlockReader::addPolygon);
     this->read(source->GetStrips(), &BlockReader::addStrip);
-    std::sort(this->sources_.ids.begin() + before, this->sources_.ids.end());
-    this->sources_.numberOfSources += static_cast<Id>(this->cell_);
-    this->sources_.droppedCells += this->block_.droppedCells;
-    return std::move(this->isUsed_);
+    std::sort(this->sources.ids.begin() + before, this->sources.ids.end());
+    this->sources.numberOfSources += static_cast<Id>(this->cell);
+    this->sources.droppedCells += this->block.droppedCells;
+    return std::move(this->isUsed);
   }
 
-private:
   using Adder = void (BlockReader::*)(vtkIdType, const vtkIdType*);
 
   /// Each point is a source of its own, however many of them a vertex cell has.
   void readPoints()
   {
-    vtkPolyData* source = this->block_.data;
+    vtkPolyData* source = this->block.data;
     forEachCell(source->GetVerts(),
       [&](vtkIdType size, const vtkIdType* ids)
       {
-        requirePoints<SourceError>(this->block_, this->cell_++, size, ids);
+        requirePoints<SourceError>(this->block, this->cell++, size, ids);
         this->usePoints(size, ids);
       });
     for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i)
     {
-      if (source->GetNumberOfVerts() == 0 || this->isUsed_[static_cast<std::size_t>(i)])
+      if (source->GetNumberOfVerts() == 0 || this->isUsed[static_cast<std::size_t>(i)])
       {
         this->addPoint(i, this->sourceOf(i));
-        this->sources_.ids.push_back(this->sourceOf(i));
+        this->sources.ids.push_back(this->sourceOf(i));
       }
     }
-    this->sources_.numberOfSources += static_cast<Id>(source->GetNumberOfPoints());
+    this->sources.numberOfSources += static_cast<Id>(source->GetNumberOfPoints());
   }
 
   void read(vtkCellArray* cells, Adder add)
   {
-    const bool isPolyData = this->block_.inputCells.empty();
+    const bool isPolyData = this->block.inputCells.empty();
     forEachCell(cells,
       [&](vtkIdType size, const vtkIdType* ids)
       {
-        requirePoints<SourceError>(this->block_, this->inputCell(), size, ids);
+        requirePoints<SourceError>(this->block, this->inputCell(), size, ids);
         if (size > 0)
         {
           (this->*add)(size, ids);
         }
         if (size > 0 || isPolyData) // a cell of a vtkPolyData is a source without points, too
         {
-          this->sources_.ids.push_back(this->sourceOf(this->inputCell()));
+          this->sources.ids.push_back(this->sourceOf(this->inputCell()));
         }
-        ++this->cell_;
+        ++this->cell;
       });
   }
 
   /// The cell that is being read.
   vtkIdType inputCell() const
   {
-    const std::vector<vtkIdType>& numbers = this->block_.inputCells;
-    return numbers.empty() ? this->cell_ : numbers[static_cast<std::size_t>(this->cell_)];
+    const std::vector<vtkIdType>& numbers = this->block.inputCells;
+    return numbers.empty() ? this->cell : numbers[static_cast<std::size_t>(this->cell)];
   }
 
   /// \param number of a cell, or a point, of the input.
-  Id sourceOf(vtkIdType number) const { return this->firstSource_ + static_cast<Id>(number); }
+  Id sourceOf(vtkIdType number) const { return this->firstSource + static_cast<Id>(number); }
 
   void usePoints(vtkIdType size, const vtkIdType* ids)
   {
     for (vtkIdType i = 0; i < size; ++i)
     {
-      this->isUsed_[static_cast<std::size_t>(ids[i])] = 1;
+      this->isUsed[static_cast<std::size_t>(ids[i])] = 1;
     }
   }
 
@@ -115,13 +112,13 @@ private:
     vtkIdType size, const vtkIdType* ids, const std::string& name, Id source)
   {
     this->usePoints(size, ids);
-    LocatedPolyline& line = this->sources_.polylines.emplace_back();
-    line.name = name + " of " + this->block_.name;
+    LocatedPolyline& line = this->sources.polylines.emplace_back();
+    line.name = name + " of " + this->block.name;
     line.source = source;
     line.points.resize(static_cast<std::size_t>(size));
     for (vtkIdType i = 0; i < size; ++i)
     {
-      this->block_.data->GetPoint(ids[i], line.points[static_cast<std::size_t>(i)].data());
+      this->block.data->GetPoint(ids[i], line.points[static_cast<std::size_t>(i)].data());
     }
     return line;
   }
@@ -141,8 +138,8 @@ private:
 
   void addCurve(vtkIdType size, const vtkIdType* ids, bool closed)
   {
-    const vtkIdType cell = this->inputCell();
-    this->addPolyline(size, ids, "cell " + std::to_string(cell), this->sourceOf(cell)).closed =
+    const vtkIdType number = this->inputCell();
+    this->addPolyline(size, ids, "cell " + std::to_string(number), this->sourceOf(number)).closed =
       closed && size > 2;
   }
 
@@ -168,12 +165,6 @@ private:
     }
     this->addCurve(size, outline.data(), true);
   }
-
-  const PolyDataBlock& block_;
-  Id firstSource_;
-  SourcePolylines& sources_;
-  vtkIdType cell_ = 0;
-  std::vector<char> isUsed_;
 };
 
 /// \throws SourceError
@@ -216,6 +207,81 @@ std::string nameOfBarrier(const PolyDataSurface& surface,
   return surface.partition.isDistributed() ? name + " on rank " + std::to_string(face.rank) : name;
 }
 
+/// The share of the progress for finding the closest faces.
+constexpr double Located = 0.8;
+
+/// For each place the barrier that it lies in, a face of surface.barriers->surface(); the id is
+/// NoId if it lies in none. All ranks call this together.
+///
+/// \param coordinatePrecision relative precision of the points' coordinates.
+std::vector<RankAddress> barriersAt(
+  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
+{
+  return surface.barriers
+    ? surface.barriers->barriersAt(located.places, located.faces, coordinatePrecision)
+    : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
+}
+
+/// The targets, as polylines of one point each.
+std::vector<LocatedPolyline> readPoints(
+  const std::vector<PolyDataBlock>& blocks, const std::string& name, const PowerOfTwoScale& scale)
+{
+  std::vector<LocatedPolyline> points;
+  for (const PolyDataBlock& block : blocks)
+  {
+    for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
+    {
+      Vec3 p;
+      block.data->GetPoint(i, p.data());
+      LocatedPolyline& point = points.emplace_back();
+      point.points = { scale.toEngine(p) };
+      if (isFinite(p) && !(norm(point.points.front()) < Infinity))
+      {
+        throw InputError("Point " + std::to_string(i) + " of " + block.name +
+          " is too far from the surface for its size. Scale or move it upstream.");
+      }
+    }
+    if (const std::string bad = whereNotFinite(block); !bad.empty())
+    {
+      throw InputError(bad);
+    }
+  }
+  if (points.empty())
+  {
+    throw InputError(
+      capitalized(name) + " is empty: there are no points. Connect at least one point.");
+  }
+  return points;
+}
+
+/// Where a rank would put a target.
+struct OwnPlace
+{
+  SnappedPoint point;
+  /// The rank with the least has the target.
+  double order = Infinity;
+};
+
+/// Of equally close faces the one in which the point lies on a vertex, or else on an edge, and else
+/// the first: what putOntoSurface() does with a single point.
+OwnPlace snapToOwnFace(const MeshPartition& surface, const Vec3& point,
+  const std::vector<ClosestFace>& closest, double coordinatePrecision)
+{
+  OwnPlace best;
+  for (std::size_t k = 0; k < closest.size(); ++k)
+  {
+    if (closest[k].face.rank == surface.exchange().rank())
+    {
+      const SnappedPoint here =
+        snapToFace(surface.mesh(), closest[k].face.id, point, coordinatePrecision);
+      const auto kind = static_cast<std::size_t>(here.place.kind);
+      const auto order = static_cast<double>(kind * closest.size() + k);
+      best = order < best.order ? OwnPlace{ here, order } : best;
+    }
+  }
+  return best;
+}
+
 }
 
 std::string nameOfPoint(const LocatedPolyline& line, std::size_t point)
@@ -230,7 +296,7 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
   std::vector<std::vector<char>> used;
   for (const PolyDataBlock& block : source)
   {
-    used.push_back(BlockReader(block, result).read());
+    used.push_back(BlockReader{ block, result }.read());
   }
   if (result.polylines.empty())
   {
@@ -257,14 +323,6 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
     }
   }
   return result;
-}
-
-std::vector<RankAddress> barriersAt(
-  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
-{
-  return surface.barriers
-    ? surface.barriers->barriersAt(located.places, located.faces, coordinatePrecision)
-    : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
 }
 
 void requireOutsideBarriers(const PolyDataSurface& surface,
@@ -297,6 +355,42 @@ SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source)
     options.coordinatePrecision = std::max(options.coordinatePrecision, block.precision());
   }
   return options;
+}
+
+Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
+  const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress)
+{
+  const std::vector<LocatedPolyline> points = readPoints(blocks, name, surface.scale);
+  const double precision = snapOptionsFor(blocks).coordinatePrecision;
+  const LocatedPlaces located = locator.locate(points, precision,
+    [&progress](double fraction) { return !progress || progress(Located * fraction); });
+  const std::vector<RankAddress> barriers = barriersAt(surface, located, precision);
+  LoopProgress loop(progress);
+  loop.nextUntil(Located);
+  loop.nextUntil(1.0);
+  std::vector<OwnPlace> own;
+  std::vector<double> orders;
+  for (std::size_t i = 0; i < located.places.size(); ++i)
+  {
+    loop.at(i, located.places.size());
+    own.push_back(snapToOwnFace(surface.partition, located.places[i], located.faces[i], precision));
+    orders.push_back(own.back().order);
+  }
+  surface.exchange().findLeast(orders);
+  Targets targets;
+  targets.count = points.size();
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const std::size_t place = located.indexOf(points[i].points.front());
+    if (own[place].order < Infinity && own[place].order == orders[place] &&
+      barriers[place].id == NoId)
+    {
+      targets.numbers.push_back(i);
+      targets.places.push_back(own[place].point.place);
+      targets.snapDistances.push_back(own[place].point.distance);
+    }
+  }
+  return targets;
 }
 
 }
