@@ -40,9 +40,8 @@ constexpr double SurfaceWritten = 0.98;
 
 void addFieldData(vtkDataObject* output, const char* name, double value)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
+  const auto array = makeArray<vtkDoubleArray>(name, 1);
+  array->SetValue(0, value);
   output->GetFieldData()->AddArray(array);
 }
 
@@ -126,16 +125,13 @@ public:
   {
     for (vtkPolyData* block : makeBlocksLike(this->Execution.surfaceInput(), output))
     {
-      vtkNew<vtkDoubleArray> distances;
-      distances->SetName(this->Self->DistanceArrayName);
+      const auto distances = makeArray<vtkDoubleArray>(this->Self->DistanceArrayName, 0);
       block->GetPointData()->AddArray(distances);
       block->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
       addEmptyArrays(this->Choice, block);
       if (this->IsRefined)
       {
-        vtkNew<vtkIdTypeArray> originals;
-        originals->SetName("OriginalCellIds");
-        block->GetCellData()->AddArray(originals);
+        block->GetCellData()->AddArray(makeArray<vtkIdTypeArray>("OriginalCellIds", 0));
       }
       this->WriteFieldData(block);
     }
@@ -311,10 +307,8 @@ public:
   {
     const PolyDataSurface& surface = this->Execution.surface();
     const SurfaceBlock& block = surface.blocks[index];
-    requireMemory(output->GetNumberOfPoints(), sizeof(double));
-    vtkNew<vtkDoubleArray> distances;
-    distances->SetName(this->Self->DistanceArrayName);
-    distances->SetNumberOfTuples(output->GetNumberOfPoints());
+    const auto distances =
+      makeArray<vtkDoubleArray>(this->Self->DistanceArrayName, output->GetNumberOfPoints());
     vtkIdType next = 0;
     const auto add = [&](double distance)
     {

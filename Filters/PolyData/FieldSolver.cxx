@@ -27,13 +27,12 @@ constexpr double DoneBeforeExactField = 0.6;
 /// the faces of other ranks. Empty if points and vertices are the same.
 std::vector<Triangle> cornerPointsOf(const PolyDataSurface& surface)
 {
-  std::vector<Triangle> points;
   if (surface.vertexOf.isIdentity())
   {
-    return points;
+    return {};
   }
   const MeshPartition& partition = surface.partition;
-  points.assign(surface.mesh().numberOfFaces(), { NoId, NoId, NoId });
+  std::vector<Triangle> points(surface.mesh().numberOfFaces(), { NoId, NoId, NoId });
   for (Id face = partition.firstOwnFace(); face < partition.endOfOwnFaces(); ++face)
   {
     points[face] = surface.triangle(surface.triangleOf(face));

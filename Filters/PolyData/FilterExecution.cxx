@@ -127,21 +127,21 @@ void FilterExecution::requireTargets(bool sourcesAreTargets) const
   }
 }
 
-Targets FilterExecution::readTargets(double end)
+Targets FilterExecution::readTargets()
 {
   this->enter(Stage::ReadingTargets);
   const std::string name =
     this->targetsInput_ ? TargetsName : "the set of targets (points of input port 1)";
   const std::vector<PolyDataBlock>& blocks = this->targetBlocks().blocks;
-  Targets targets = geodesic::readTargets(
-    blocks, name, this->surface(), this->cache_.locator(), this->progressBetween(InputsRead, end));
+  Targets targets = geodesic::readTargets(blocks, name, this->surface(), this->cache_.locator(),
+    this->progressBetween(InputsRead, TargetsRead));
   // If the targets are the points of a source that is far away, the note on the source says so.
   if (this->targetsInput_ || !this->notes_.has(NoteOn::Source, FarNote))
   {
     noteTargets(this->surface(), blocks, targets,
       this->targetsInput_ ? NoteOn::Targets : NoteOn::Source, this->notes_);
   }
-  this->reach(end);
+  this->reach(TargetsRead);
   return targets;
 }
 

@@ -58,8 +58,9 @@ enum class SurfacePlace
 class FilterExecution
 {
 public:
-  /// Where reading the inputs ends, as a fraction of the whole.
+  /// Where reading the inputs and reading the targets end, as fractions of the whole.
   static constexpr double InputsRead = 0.25;
+  static constexpr double TargetsRead = 0.3;
 
   /// \param filter whose properties count, and which reports the progress.
   /// \param cache with the surface of the last execution.
@@ -115,12 +116,11 @@ public:
   ///
   /// \throws Error, Aborted where another rank has failed.
   void finish() { this->exchange_.step(this->exchange_.noMessages()); }
-  /// Puts the points of the targets onto the surface, after readInputs(). If no targets are
-  /// connected, the points of the source are the targets.
+  /// Puts the points of the targets onto the surface, after readInputs(), up to TargetsRead. If no
+  /// targets are connected, the points of the source are the targets.
   ///
-  /// \param end the progress when this is done, as a fraction of the whole.
   /// \throws geodesic::Error if they cannot be used; Aborted.
-  Targets readTargets(double end);
+  Targets readTargets();
   /// \param sourcesAreTargets whether the points of the source can serve as targets.
   /// \throws InputError if no targets are connected.
   void requireTargets(bool sourcesAreTargets = false) const;

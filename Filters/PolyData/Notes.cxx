@@ -115,7 +115,7 @@ std::string farText(
 
 bool Notes::has(NoteOn input, const std::string& cause) const
 {
-  return std::any_of(this->notes_.begin(), this->notes_.end(),
+  return std::any_of(this->all.begin(), this->all.end(),
     [&](const Note& note) { return note.input == input && note.cause == cause; });
 }
 
@@ -123,7 +123,7 @@ std::string GivenNotes::take(const Notes& notes, vtkAlgorithm* filter)
 {
   std::vector<Given> now;
   std::string text;
-  for (const Notes::Note& note : notes.all())
+  for (const Notes::Note& note : notes.all)
   {
     const int port = static_cast<int>(note.input);
     vtkAlgorithmOutput* connection =
@@ -160,9 +160,11 @@ void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
   }
   FarPoints far = farPointsOf(mesh, source.polylines, farLimit(surface));
   far.largestDistance = onSurface.snapDistance;
-  notes.addFirst(NoteOn::Source, FarNote,
-    farText("The source is", far, surface) +
-      ". Does it belong to this surface? It was put onto the surface's closest points.");
+  // Before all others.
+  notes.all.insert(notes.all.begin(),
+    { NoteOn::Source, FarNote,
+      farText("The source is", far, surface) +
+        ". Does it belong to this surface? It was put onto the surface's closest points." });
 }
 
 void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks,

@@ -452,10 +452,9 @@ GatheredBlocks gatherBlocks(
     }
   }
   const std::vector<Message> all = exchange.tellAll(message);
-  const auto isFull = [](const Message& m) { return !m.empty(); };
-  const bool isOnOneRank = std::count_if(all.begin(), all.end(), isFull) <= 1;
-  const bool areCopies =
-    std::all_of(all.begin(), all.end(), [&all](const Message& m) { return m == all.front(); });
+  const auto ranks = static_cast<std::ptrdiff_t>(all.size());
+  const bool isOnOneRank = std::count(all.begin(), all.end(), Message()) >= ranks - 1;
+  const bool areCopies = std::count(all.begin(), all.end(), all.front()) == ranks;
   for (std::size_t rank = 0; rank < (areCopies ? 1 : all.size()); ++rank)
   {
     const std::string suffix =

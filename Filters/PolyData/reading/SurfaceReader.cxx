@@ -317,15 +317,19 @@ struct SurfaceReader
     this->largestCoordinate = this->scale.toEngine(largest);
   }
 
-  /// Triangles from the first to before the last, for joining seams.
-  SeamBlock seamBlock(std::size_t first, std::size_t last, double precision) const
+  /// What some of the blocks have, for joining seams.
+  SeamBlock seamBlock(std::size_t firstBlock, std::size_t lastBlock) const
   {
     SeamBlock seam;
-    seam.precision = precision;
-    for (std::size_t i = first; i < last; ++i)
+    for (std::size_t block = firstBlock; block < lastBlock; ++block)
     {
-      (this->triangles.isDuplicate[i] ? seam.ghosts : seam.triangles)
-        .push_back(this->vertices.of(this->triangles.corners[i]));
+      seam.precision = std::max(seam.precision, this->inputs[block].precision());
+      for (std::size_t i = this->triangles.firstOfBlock[block];
+           i < this->triangles.firstOfBlock[block + 1]; ++i)
+      {
+        (this->triangles.isDuplicate[i] ? seam.ghosts : seam.triangles)
+          .push_back(this->vertices.of(this->triangles.corners[i]));
+      }
     }
     return seam;
   }
@@ -346,8 +350,7 @@ struct SurfaceReader
     std::vector<SeamBlock> seams;
     for (std::size_t i = 0; i < this->inputs.size(); ++i)
     {
-      seams.push_back(this->seamBlock(this->triangles.firstOfBlock[i],
-        this->triangles.firstOfBlock[i + 1], this->inputs[i].precision()));
+      seams.push_back(this->seamBlock(i, i + 1));
     }
     std::vector<Id> same(this->vertices.positions.size());
     std::iota(same.begin(), same.end(), Id(0));
@@ -368,13 +371,7 @@ struct SurfaceReader
     std::map<Label, Label> seams;
     if (this->mergesPoints)
     {
-      double precision = 0.0;
-      for (const PolyDataBlock& input : this->inputs)
-      {
-        precision = std::max(precision, input.precision());
-      }
-      seams = this->findSeams(
-        { this->seamBlock(0, this->triangles.corners.size(), precision) }, this->exchange);
+      seams = this->findSeams({ this->seamBlock(0, this->inputs.size()) }, this->exchange);
     }
     std::unordered_map<Label, Id> first;
     std::vector<Id> same(this->vertices.positions.size());

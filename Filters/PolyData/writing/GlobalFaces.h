@@ -11,6 +11,12 @@
 namespace geodesic
 {
 
+/// Which corner of a triangle is at a vertex; 3 if none is.
+inline Id cornerAt(const Triangle& triangle, Id vertex)
+{
+  return static_cast<Id>(std::find(triangle.begin(), triangle.end(), vertex) - triangle.begin());
+}
+
 /// A face of the mesh of the whole surface, and the global numbers of the vertices at its corners.
 struct GlobalFace
 {
@@ -18,16 +24,10 @@ struct GlobalFace
   Triangle vertices{ NoId, NoId, NoId };
 
   bool isThere() const { return this->address.id != NoId; }
-  /// Which of its corners is at a vertex; 3 if none is.
-  Id cornerAt(Id vertex) const
-  {
-    return static_cast<Id>(
-      std::find(this->vertices.begin(), this->vertices.end(), vertex) - this->vertices.begin());
-  }
   /// Which of its edges has these vertices.
   Id edgeBetween(Id a, Id b) const
   {
-    const Id k = this->cornerAt(a);
+    const Id k = cornerAt(this->vertices, a);
     return this->vertices[(k + 1) % 3] == b ? k : (k + 2) % 3;
   }
 };
@@ -115,8 +115,8 @@ private:
       const Id number = TriangleMesh::faceOf(corner);
       const GlobalFace face{ partition.addressOf(number),
         this->globalIds(partition.mesh().triangle(number)) };
-      const bool hasAll =
-        std::all_of(wanted.begin(), wanted.end(), [&face](Id id) { return face.cornerAt(id) < 3; });
+      const bool hasAll = std::all_of(
+        wanted.begin(), wanted.end(), [&face](Id id) { return cornerAt(face.vertices, id) < 3; });
       if ((!found.isThere() || partition.isOwn(number)) && hasAll)
       {
         found = face;

@@ -228,9 +228,7 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
   offsets->SetNumberOfValues(count + 1);
   vtkNew<vtkIdTypeArray> points;
   points->SetNumberOfValues(3 * count);
-  vtkNew<vtkIdTypeArray> originals;
-  originals->SetName("OriginalCellIds");
-  originals->SetNumberOfValues(count);
+  const auto originals = makeArray<vtkIdTypeArray>("OriginalCellIds", count);
   offsets->SetValue(count, 3 * count);
   forRanges(smpParallelFor(), refined.triangles.size(),
     progress.between(0.0, from->GetNumberOfArrays() > 0 ? 0.5 : 1.0),

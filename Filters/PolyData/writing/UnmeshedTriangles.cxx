@@ -249,7 +249,7 @@ struct TemplateCopier
     const Triangle points = this->surface.triangle(triangle.triangle);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const Id corner = this->like->face.cornerAt(triangle.vertices[k]);
+      const Id corner = cornerAt(this->like->face.vertices, triangle.vertices[k]);
       if (corner < 3)
       {
         this->numbers[corner] = points[k];
@@ -282,8 +282,7 @@ struct TemplateCopier
     this->begin(triangle, triangle.like);
     const Triangle& vertices = triangle.vertices;
     const Triangle& there = this->like->face.vertices;
-    const auto first = static_cast<std::size_t>(
-      std::find(vertices.begin(), vertices.end(), there[0]) - vertices.begin());
+    const Id first = cornerAt(vertices, there[0]);
     const bool isTurned = vertices[(first + 1) % 3] != there[1];
     for (const Triangle& t : this->like->parts.triangles)
     {
@@ -301,8 +300,8 @@ struct TemplateCopier
     const Triangle vertices = this->surface.vertexOf(points);
     const auto positionOf = [&](Id point)
     {
-      const auto corner = std::find(points.begin(), points.end(), point) - points.begin();
-      return corner < 3 ? this->faces.vertex(vertices[static_cast<std::size_t>(corner)]).position
+      const Id corner = cornerAt(points, point);
+      return corner < 3 ? this->faces.vertex(vertices[corner]).position
                         : this->refined.points[point - this->refined.numberOfInputPoints].position;
     };
     EdgeSplits splits;
