@@ -43,11 +43,9 @@ void FilterExecution::readInputs(bool supportsPieces)
     this->gatheredSource_ =
       gatherBlocks(sourceBlocks(this->sourceInput_, SourceName), SourceName, this->exchange_);
   }
-  if (this->targetsInput_)
-  {
-    this->gatheredTargets_ = gatherBlocks(
-      geodesic::targetBlocks(this->targetsInput_, TargetsName), TargetsName, this->exchange_);
-  }
+  this->gatheredTargets_ = this->targetsInput_
+    ? gatherBlocks(targetBlocks(this->targetsInput_, TargetsName), TargetsName, this->exchange_)
+    : this->gatheredSource_;
   this->findSurface(supportsPieces);
   if (this->place_ == SurfacePlace::OnOtherRank)
   {
@@ -132,7 +130,7 @@ Targets FilterExecution::readTargets()
   this->enter(Stage::ReadingTargets);
   const std::string name =
     this->targetsInput_ ? TargetsName : "the set of targets (points of input port 1)";
-  const std::vector<PolyDataBlock>& blocks = this->targetBlocks().blocks;
+  const std::vector<PolyDataBlock>& blocks = this->gatheredTargets_.blocks;
   Targets targets = geodesic::readTargets(blocks, name, this->surface(), this->cache_.locator(),
     this->progressBetween(InputsRead, TargetsRead));
   // If the targets are the points of a source that is far away, the note on the source says so.

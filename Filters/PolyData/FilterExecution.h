@@ -139,7 +139,7 @@ public:
   /// sources() lie on it.
   const ReplicatedPatch& patch() const { return *this->patch_; }
   /// The rank whose input had a target, by its number; 0 where all had it.
-  int rankOfTarget(std::size_t number) const { return this->targetBlocks().rankOfPoint(number); }
+  int rankOfTarget(std::size_t number) const { return this->gatheredTargets_.rankOfPoint(number); }
   /// What the sources give the front to begin with.
   ///
   /// \param progress of the solve: it can be stopped already.
@@ -174,10 +174,6 @@ public:
 private:
   Message ofWorkingRank(const Message& own) const;
   void findSurface(bool supportsPieces);
-  const GatheredBlocks& targetBlocks() const
-  {
-    return this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;
-  }
   void readSources();
   void readCurves(SourcePatch& faces);
   void addBoundary(std::vector<SourceCurve> boundary, bool hasCurve);
@@ -192,7 +188,7 @@ private:
   Exchange& exchange_;
   SurfacePlace place_ = SurfacePlace::Here;
   std::vector<PolyDataBlock> surfaceBlocks_;
-  /// Those of all ranks.
+  /// Those of all ranks. If no targets are connected, the source has them.
   GatheredBlocks gatheredSource_;
   GatheredBlocks gatheredTargets_;
   std::optional<ReplicatedPatch> patch_;

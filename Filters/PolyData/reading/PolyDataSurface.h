@@ -5,7 +5,6 @@
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PowerOfTwoScale.h"
 #include "PolyData/ranks/BorrowedValues.h"
-#include "PolyData/reading/VertexOfPoint.h"
 #include "mesh/BarrierFaces.h"
 #include "mesh/MeshPartition.h"
 
@@ -16,6 +15,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -41,6 +41,46 @@ struct SurfaceBlock
   {
     return this->areInputCells ? triangle : this->inputCells[static_cast<std::size_t>(triangle)];
   }
+};
+
+/// Says which vertex each point of all blocks is. If each point is a vertex of its own with the
+/// same number, there is no table.
+class VertexOfPoint
+{
+public:
+  VertexOfPoint() = default;
+  explicit VertexOfPoint(std::vector<Id> table)
+    : table_(std::move(table))
+  {
+  }
+
+  Id operator()(Id point) const { return this->table_.empty() ? point : this->table_[point]; }
+  Triangle operator()(const Triangle& points) const
+  {
+    return { (*this)(points[0]), (*this)(points[1]), (*this)(points[2]) };
+  }
+  bool isIdentity() const { return this->table_.empty(); }
+
+  /// \param numbers the new number of each vertex; empty if none changes.
+  void renumber(std::vector<Id> numbers)
+  {
+    if (numbers.empty())
+    {
+      return;
+    }
+    if (this->table_.empty())
+    {
+      this->table_ = std::move(numbers);
+      return;
+    }
+    for (Id& vertex : this->table_)
+    {
+      vertex = numbers[vertex];
+    }
+  }
+
+private:
+  std::vector<Id> table_;
 };
 
 /// What a triangle of a surface is.

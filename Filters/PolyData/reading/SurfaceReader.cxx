@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/Hash.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/ranks/RankSeams.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/TriangleReader.h"
 #include "mesh/Box.h"
+#include "mesh/GroupedItems.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -83,6 +85,48 @@ struct Vertices
     this->of.renumber(std::move(numbers));
   }
 };
+
+/// For each point the first one at exactly its place. By hashes rather than a point locator, whose
+/// buckets degenerate where most points crowd in a corner of the bounding box.
+///
+/// \param progress its current stretch.
+std::vector<Id> firstAtPlaces(
+  const std::vector<Vec3>& points, const LoopProgress& progress, const ParallelFor& parallelFor)
+{
+  const auto count = static_cast<Id>(points.size());
+  Id keys = 1;
+  while (keys < count && keys < (NoId >> 1))
+  {
+    keys *= 2;
+  }
+  std::vector<Id> hashes(count);
+  forRanges(parallelFor, count, progress.between(0.0, 0.3),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        hashes[i] = static_cast<Id>(hashOf(points[i]) & (keys - 1));
+      }
+    });
+  const GroupedItems byHash = groupItems(count, keys, parallelFor, progress.between(0.3, 0.5),
+    [&hashes](Id point) { return hashes[point]; });
+  std::vector<Id>& first = hashes; // no longer needed
+  forRanges(parallelFor, keys, progress.between(0.5, 1.0),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (Id key = static_cast<Id>(begin); key < end; ++key)
+      {
+        for (const Id point : byHash.at(key))
+        {
+          const auto isThere = [&](Id other)
+          { return other == point || (first[other] == other && points[other] == points[point]); };
+          const IdRange candidates = byHash.at(key);
+          first[point] = *std::find_if(candidates.begin(), candidates.end(), isThere);
+        }
+      }
+    });
+  return hashes;
+}
 
 /// The faces of the surface, on vertices.
 struct Faces
@@ -228,7 +272,8 @@ struct SurfaceReader
     {
       this->joinRanks();
     }
-    this->findRoles();
+    this->roles = findRoles(
+      this->inputs, this->vertices.labels, this->vertices.of, this->triangles, this->exchange);
     keepTriangles(this->inputs, this->triangles, this->blocks);
     const auto numberOfTriangles = static_cast<Id>(this->triangles.corners.size());
     return this->makeSurface(this->takeFaces(), numberOfTriangles);
@@ -413,55 +458,6 @@ struct SurfaceReader
       ids.clear();
     }
     return ids;
-  }
-
-  /// Finds the triangles that are not open.
-  ///
-  /// \throws MeshError if no open triangle is left on any rank, where this one has barriers.
-  void findRoles()
-  {
-    this->roles =
-      findCopies(this->vertices.labels, this->vertices.of, this->triangles, this->exchange);
-    const char* name = nullptr;
-    for (std::size_t block = 0; block < this->inputs.size(); ++block)
-    {
-      if (vtkDataArray* values = this->inputs[block].barriers)
-      {
-        name = values->GetName();
-        this->findBarriers(block);
-      }
-    }
-    const auto open = std::count(this->roles.begin(), this->roles.end(), TriangleRole::Open);
-    const bool isAnyOpen = open > 0 || this->roles.size() < this->triangles.corners.size();
-    if (this->isTrueOnAll(!isAnyOpen) && name)
-    {
-      throw MeshError(
-        std::string("All faces of the surface (input port 0) are barriers: the cell array ") +
-        name +
-        " (BarrierArrayName) is 0 at none of them. Set it to 0 where paths may pass, or choose no "
-        "barrier array.");
-    }
-    if (static_cast<std::size_t>(open) == this->roles.size())
-    {
-      this->roles = std::vector<TriangleRole>();
-    }
-  }
-
-  /// A triangle with two corners at one vertex has no inside: it is left to the mesh, which leaves
-  /// it out.
-  void findBarriers(std::size_t block)
-  {
-    this->roles.resize(this->triangles.corners.size(), TriangleRole::Open);
-    for (std::size_t i = this->triangles.firstOfBlock[block];
-         i < this->triangles.firstOfBlock[block + 1]; ++i)
-    {
-      if (this->roles[i] == TriangleRole::Open &&
-        hasThreeVertices(this->vertices.of(this->triangles.corners[i])) &&
-        this->inputs[block].barriers->GetComponent(this->triangles.cells[i], 0) != 0.0)
-      {
-        this->roles[i] = TriangleRole::Barrier;
-      }
-    }
   }
 
   /// Takes the faces, in the memory of the triangles.

@@ -3,9 +3,12 @@
 #include "PolyData/reading/TriangleReader.h"
 #include "Questions.h"
 
+#include "vtkDataArray.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace geodesic
@@ -202,8 +205,9 @@ void findCopiesHere(
   findCopiesAmong(forEachTriangle, labelOf, triangles, OneRank::instance(), roles);
 }
 
-} // anonymous namespace
-
+/// Marks the triangles that are copies of others.
+///
+/// \returns the roles; empty if no rank has marked triangles.
 std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoint& vertexOf,
   TriangleList& triangles, Exchange& exchange)
 {
@@ -223,6 +227,55 @@ std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoi
       return labels.isSharedAt(vertex) ? labels.of(vertex) : NoLabel;
     },
     triangles, exchange, roles);
+  return roles;
+}
+
+/// Marks the open triangles of a block that are barriers. A triangle with two corners at one vertex
+/// has no inside: it is left to the mesh, which leaves it out.
+void findBarriers(vtkDataArray* barriers, std::size_t block, const VertexOfPoint& vertexOf,
+  const TriangleList& triangles, std::vector<TriangleRole>& roles)
+{
+  roles.resize(triangles.corners.size(), TriangleRole::Open);
+  for (std::size_t i = triangles.firstOfBlock[block]; i < triangles.firstOfBlock[block + 1]; ++i)
+  {
+    if (roles[i] == TriangleRole::Open && hasThreeVertices(vertexOf(triangles.corners[i])) &&
+      barriers->GetComponent(triangles.cells[i], 0) != 0.0)
+    {
+      roles[i] = TriangleRole::Barrier;
+    }
+  }
+}
+
+} // anonymous namespace
+
+std::vector<TriangleRole> findRoles(const std::vector<PolyDataBlock>& inputs,
+  const RankLabels& labels, const VertexOfPoint& vertexOf, TriangleList& triangles,
+  Exchange& exchange)
+{
+  std::vector<TriangleRole> roles = findCopies(labels, vertexOf, triangles, exchange);
+  const char* name = nullptr;
+  for (std::size_t block = 0; block < inputs.size(); ++block)
+  {
+    if (vtkDataArray* barriers = inputs[block].barriers)
+    {
+      name = barriers->GetName();
+      findBarriers(barriers, block, vertexOf, triangles, roles);
+    }
+  }
+  const auto open =
+    static_cast<std::size_t>(std::count(roles.begin(), roles.end(), TriangleRole::Open));
+  const bool isAnyOpen = open > 0 || roles.size() < triangles.corners.size();
+  if (!exchange.isTrueAnywhere(isAnyOpen) && name)
+  {
+    throw MeshError(
+      std::string("All faces of the surface (input port 0) are barriers: the cell array ") + name +
+      " (BarrierArrayName) is 0 at none of them. Set it to 0 where paths may pass, or choose no "
+      "barrier array.");
+  }
+  if (open == roles.size())
+  {
+    return {};
+  }
   return roles;
 }
 
