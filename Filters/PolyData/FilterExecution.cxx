@@ -9,12 +9,12 @@
 #include "source/SourceWindows.h"
 #include "vtkGeodesicAlgorithm.h"
 
-#include "vtkPolyData.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <string>
 #include <utility>
 
 namespace geodesic

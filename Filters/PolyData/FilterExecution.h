@@ -14,7 +14,6 @@
 #include "source/SourceWindows.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 class vtkDataObject;

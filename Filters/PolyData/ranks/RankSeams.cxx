@@ -122,7 +122,7 @@ RankLabels joinSameVertices(const std::vector<Vec3>& vertices, bool byPlace,
 }
 
 // The rank with the lowest vertex of those with a label hears who has a face there.
-BorrowedValues remoteVertices(
+BorrowedValues findValuesElsewhere(
   const RankLabels& labels, const std::vector<Id>& ownNumbers, Exchange& exchange)
 {
   constexpr RankAddress nobody{ -1, NoId };

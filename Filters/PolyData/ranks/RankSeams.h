@@ -90,7 +90,7 @@ JoinedVertices mergeSeams(const std::vector<Vec3>& vertices, const RankLabels& l
 /// \param ownNumbers of each vertex its number among those with faces; NoId without faces. Empty in
 ///        one process.
 /// \returns one value for each vertex without faces, in their order.
-BorrowedValues remoteVertices(
+BorrowedValues findValuesElsewhere(
   const RankLabels& labels, const std::vector<Id>& ownNumbers, Exchange& exchange);
 
 /// \param margin to all sides of the point.

@@ -48,12 +48,6 @@ struct SurfaceBlock
 class VertexOfPoint
 {
 public:
-  VertexOfPoint() = default;
-  explicit VertexOfPoint(std::vector<Id> table)
-    : table_(std::move(table))
-  {
-  }
-
   Id operator()(Id point) const { return this->table_.empty() ? point : this->table_[point]; }
   Triangle operator()(const Triangle& points) const
   {

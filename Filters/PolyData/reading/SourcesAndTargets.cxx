@@ -7,7 +7,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -182,13 +181,6 @@ struct BlockReader
     "curve with at least one point, or set Source Type to Surface Boundary.");
 }
 
-std::string textOf(const Vec3& p)
-{
-  std::ostringstream text;
-  text << '(' << p[0] << ", " << p[1] << ", " << p[2] << ')';
-  return text.str();
-}
-
 /// "cell 17 of the surface (input port 0)", as the rank of a barrier calls it. All ranks call this
 /// together.
 std::string nameOfBarrier(const PolyDataSurface& surface,
@@ -337,11 +329,13 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
       const RankAddress& face = barriers[located.indexOf(line.points[i])];
       if (face.id != NoId)
       {
-        throw SourceError('P' + nameOfPoint(line, i).substr(1) + ", at " +
-          textOf(surface.scale.toUser(line.points[i])) +
-          ", lies in a barrier (BarrierArrayName): it is closest to " +
-          nameOfBarrier(surface, surfaceBlocks, face) +
-          ", which no path may leave. Move it out of the barrier, or onto its rim.");
+        const Vec3 place = surface.scale.toUser(line.points[i]);
+        std::ostringstream text;
+        text << 'P' << nameOfPoint(line, i).substr(1) << ", at (" << place[0] << ", " << place[1]
+             << ", " << place[2] << "), lies in a barrier (BarrierArrayName): it is closest to "
+             << nameOfBarrier(surface, surfaceBlocks, face)
+             << ", which no path may leave. Move it out of the barrier, or onto its rim.";
+        throw SourceError(text.str());
       }
     }
   }

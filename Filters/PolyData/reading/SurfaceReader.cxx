@@ -228,6 +228,7 @@ struct SurfaceReader
   const ProgressCallback& callback;
   const ParallelFor parallelFor = smpParallelFor();
   std::vector<SurfaceBlock> blocks{};
+  Id numberOfPoints = 0;
   Vertices vertices{};
   TriangleList triangles{};
   /// Of the triangles; empty if all are open.
@@ -297,7 +298,8 @@ struct SurfaceReader
           " points, more than 32-bit ids can number. Decimate it or cut it into parts.");
       }
     }
-    this->vertices.positions.resize(static_cast<std::size_t>(count));
+    this->numberOfPoints = static_cast<Id>(count);
+    this->vertices.positions.resize(this->numberOfPoints);
   }
 
   /// \throws MeshError if a coordinate is not finite.
@@ -529,7 +531,7 @@ struct SurfaceReader
       this->vertices.copy(used, points, keys);
       this->vertices.positions = std::move(points);
     }
-    BorrowedValues remote = remoteVertices(this->vertices.labels, numbers, this->exchange);
+    BorrowedValues elsewhere = findValuesElsewhere(this->vertices.labels, numbers, this->exchange);
     this->vertices.labels = {};
     MeshPartition partition(std::move(this->vertices.positions), faces.open, keys, this->exchange,
       progressBetween(this->callback, TrianglesRead, 1.0), this->parallelFor);
@@ -549,14 +551,11 @@ struct SurfaceReader
         MeshPartition(std::move(barrierPoints), faces.barriers, barrierKeys, this->exchange));
     }
     this->vertices.of.renumber(std::move(numbers));
-    const Id numberOfPoints = this->blocks.empty()
-      ? 0
-      : this->blocks.back().firstPoint + this->blocks.back().numberOfPoints;
     const SurfaceReport ofAllRanks = reportOfAllRanks(this->report, partition);
-    return { std::move(partition), std::move(remote), std::move(barriers), std::move(inBarriers),
-      std::move(this->vertices.of), std::move(this->blocks), numberOfPoints, numberOfTriangles,
-      std::move(this->roles), std::move(faces.openTriangles), std::move(faces.barrierTriangles),
-      this->scale, diagonal, ofAllRanks };
+    return { std::move(partition), std::move(elsewhere), std::move(barriers), std::move(inBarriers),
+      std::move(this->vertices.of), std::move(this->blocks), this->numberOfPoints,
+      numberOfTriangles, std::move(this->roles), std::move(faces.openTriangles),
+      std::move(faces.barrierTriangles), this->scale, diagonal, ofAllRanks };
   }
 };
 
