@@ -106,7 +106,7 @@ Fingerprint keyOf(std::vector<Label>& labels)
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
   Fingerprint key{};
-  addWord(labels.size(), key);
+  addWord(labels.size(), key); // a label 0 at the beginning changes nothing by itself
   for (const Label label : labels)
   {
     addWord(label, key);
@@ -134,11 +134,11 @@ void findCopiesAmong(const ForEachCell& forEachCell, const LabelOf& labelOf,
   forEachCell(
     [&](const Range& cell)
     {
-      labels.clear();
       if (roles[cell.first] == TriangleRole::Copy)
       {
         return;
       }
+      labels.clear();
       for (std::size_t i = cell.first; i < cell.second; ++i)
       {
         for (const Id point : triangles.corners[i])
