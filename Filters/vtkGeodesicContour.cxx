@@ -43,11 +43,14 @@ bool isPositive(double value)
 class vtkGeodesicContour::vtkWorker
 {
 public:
-  vtkWorker(vtkGeodesicContour* self, FilterExecution& execution)
-    : Self(self)
-    , Execution(execution)
-  {
-  }
+  vtkGeodesicContour* Self;
+  FilterExecution& Execution;
+  /// In the user's scale: ascending, each once, without 0.
+  std::vector<double> Values{};
+  bool HasZero = false;
+  /// The distances of all values, ascending, each once; and which values each stands for.
+  std::vector<double> Distances{};
+  std::vector<SidedValue> Sides{};
 
   /// \throws Error
   void Run(vtkPolyData* output)
@@ -74,10 +77,9 @@ public:
     const bool hasCurves = this->HasZero && this->Execution.hasSourceOutput();
     writeIsolines({ surface.mesh(), isolines, this->Values, this->Execution.patch().mesh(),
                     hasCurves ? this->Execution.sources().curves : std::vector<SourceCurve>() },
-      surface.scale(), output, this->Execution.progressBetween(LinesDrawn, 1.0));
+      surface.scale, output, this->Execution.progressBetween(LinesDrawn, 1.0));
   }
 
-private:
   /// Values that the engine cannot tell apart, which drops digits of tiny ones, are one.
   void FindValues()
   {
@@ -90,7 +92,7 @@ private:
     std::map<double, SidedValue> byDistance;
     for (const double value : sorted)
     {
-      const double inEngine = this->Execution.surface().scale().toEngine(value);
+      const double inEngine = this->Execution.surface().scale.toEngine(value);
       this->HasZero = this->HasZero || inEngine == 0.0;
       if (inEngine == 0.0 || !(std::abs(inEngine) < Infinity))
       {
@@ -116,8 +118,8 @@ private:
     IsolineOptions options;
     options.values = this->Distances;
     options.chordTolerance = this->Self->ToleranceIsAbsolute
-      ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteChordTolerance)
-      : this->Self->ChordTolerance * this->Execution.surface().diagonal();
+      ? this->Execution.surface().scale.toEngine(this->Self->AbsoluteChordTolerance)
+      : this->Self->ChordTolerance * this->Execution.surface().diagonal;
     // On a surface without extent nothing but the source is at any distance.
     if (options.values.empty() || !(options.chordTolerance > 0.0))
     {
@@ -128,7 +130,7 @@ private:
     front.parallelFor = smpParallelFor();
     front.keepArrivals = this->Self->SignedDistances;
     front.progress = this->Execution.progressBetween(FilterExecution::InputsRead, FieldDone);
-    const DistanceField field = solveForIsolines(this->Execution.surface().partition(),
+    const DistanceField field = solveForIsolines(this->Execution.surface().partition,
       this->Execution.sourceWindows(front.progress), this->Distances, front);
     this->Execution.reach(FieldDone);
     this->Execution.enter(Stage::DrawingLines);
@@ -150,15 +152,6 @@ private:
       { return isOnRight(foot, curves, this->Execution.firstBoundarySource()); },
       isolines, this->Sides, this->Execution.progressBetween(SidesKnown, LinesDrawn));
   }
-
-  vtkGeodesicContour* Self;
-  FilterExecution& Execution;
-  /// In the user's scale: ascending, each once, without 0.
-  std::vector<double> Values;
-  bool HasZero = false;
-  /// The distances of all values, ascending, each once; and which values each stands for.
-  std::vector<double> Distances;
-  std::vector<SidedValue> Sides;
 };
 
 //------------------------------------------------------------------------------
@@ -204,7 +197,7 @@ std::string vtkGeodesicContour::FindWrongProperty() const
 //------------------------------------------------------------------------------
 void vtkGeodesicContour::Compute(FilterExecution& execution, vtkInformationVector* outputVector)
 {
-  vtkWorker(this, execution).Run(vtkPolyData::GetData(outputVector, 0));
+  vtkWorker{ this, execution }.Run(vtkPolyData::GetData(outputVector, 0));
 }
 
 //------------------------------------------------------------------------------

@@ -15,7 +15,6 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -40,9 +39,8 @@ constexpr double SurfaceWritten = 0.98;
 
 void addFieldData(vtkDataObject* output, const char* name, double value)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
+  const auto array = makeArray<vtkDoubleArray>(name, 1);
+  array->SetValue(0, value);
   output->GetFieldData()->AddArray(array);
 }
 
@@ -57,12 +55,21 @@ bool isPositive(double value)
 class vtkGeodesicDistanceField::vtkWorker
 {
 public:
-  vtkWorker(vtkGeodesicDistanceField* self, FilterExecution& execution)
-    : Self(self)
-    , Execution(execution)
-    , Choice(ChoiceOf(self))
-  {
-  }
+  vtkGeodesicDistanceField* Self;
+  FilterExecution& Execution;
+  const SourceArrayChoice Choice = ChoiceOf(Self);
+
+  std::vector<double> VertexDistances{};
+  bool IsRefined = false;
+  /// The refined mesh, by blocks of the surface; nothing for each unless it is refined.
+  std::vector<RefinedBlock> Refined{};
+  /// What the arrays beside the distance hold at vertices and, before these are divided into
+  /// blocks, at refined points.
+  ValuesAtPoints AtVertices{};
+  ValuesAtPoints AtRefinedPoints{};
+  /// What angles are measured in, and arc lengths along the curves: see SourceArrays.
+  std::vector<SourceFrame> Frames{};
+  std::vector<std::vector<double>> ArcLengthsOfCurves{};
 
   static SourceArrayChoice ChoiceOf(const vtkGeodesicDistanceField* self)
   {
@@ -79,8 +86,8 @@ public:
     if (!isElsewhere)
     {
       this->Self->SourceSnapDistance =
-        this->Execution.surface().scale().toUser(this->Execution.sources().snapDistance);
-      this->Self->SeamPointsJoined = this->Execution.surface().report().joinedSeamPoints;
+        this->Execution.surface().scale.toUser(this->Execution.sources().snapDistance);
+      this->Self->SeamPointsJoined = this->Execution.surface().report.joinedSeamPoints;
       this->Compute();
       this->Execution.reach(ValuesDone);
     }
@@ -95,24 +102,17 @@ public:
     this->WriteSurface(output);
     if (this->Execution.hasSourceOutput())
     {
-      writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale(),
+      writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale,
         this->Execution.sources().curves, this->ArcLengthsOfCurves, curves);
     }
   }
 
-private:
   /// If another rank has done all the work, this one reports the same.
   void ShareNumbers()
   {
-    for (double* number : { &this->Self->WindowsPropagatedPerEdge, &this->Self->SourceSnapDistance,
-           &this->Self->RelativeErrorBound, &this->Self->InterpolationErrorBound })
-    {
-      this->Execution.shareResult(*number);
-    }
-    this->Execution.shareResult(this->Self->SeamPointsJoined);
-    int isRefined = this->IsRefined ? 1 : 0;
-    this->Execution.shareResult(isRefined);
-    this->IsRefined = isRefined != 0;
+    this->Execution.shareResults(this->Self->WindowsPropagatedPerEdge,
+      this->Self->SourceSnapDistance, this->Self->RelativeErrorBound,
+      this->Self->InterpolationErrorBound, this->Self->SeamPointsJoined, this->IsRefined);
     if (this->Choice.angles)
     {
       this->Execution.shareResults(this->Frames);
@@ -124,16 +124,13 @@ private:
   {
     for (vtkPolyData* block : makeBlocksLike(this->Execution.surfaceInput(), output))
     {
-      vtkNew<vtkDoubleArray> distances;
-      distances->SetName(this->Self->DistanceArrayName);
+      const auto distances = makeArray<vtkDoubleArray>(this->Self->DistanceArrayName, 0);
       block->GetPointData()->AddArray(distances);
       block->GetPointData()->SetActiveScalars(this->Self->DistanceArrayName);
       addEmptyArrays(this->Choice, block);
       if (this->IsRefined)
       {
-        vtkNew<vtkIdTypeArray> originals;
-        originals->SetName("OriginalCellIds");
-        block->GetCellData()->AddArray(originals);
+        block->GetCellData()->AddArray(makeArray<vtkIdTypeArray>("OriginalCellIds", 0));
       }
       this->WriteFieldData(block);
     }
@@ -143,8 +140,8 @@ private:
   double Tolerance() const
   {
     return this->Self->ToleranceIsAbsolute
-      ? this->Execution.surface().scale().toEngine(this->Self->AbsoluteRefinementTolerance)
-      : this->Self->RefinementTolerance * this->Execution.surface().diagonal();
+      ? this->Execution.surface().scale.toEngine(this->Self->AbsoluteRefinementTolerance)
+      : this->Self->RefinementTolerance * this->Execution.surface().diagonal;
   }
 
   bool CanRefine() const
@@ -196,7 +193,7 @@ private:
     request.relativeError = self->Accuracy == APPROXIMATE ? self->RelativeError : 0.0;
     if (self->MaximumDistance > 0.0)
     {
-      request.maximumDistance = this->Execution.surface().scale().toEngine(self->MaximumDistance);
+      request.maximumDistance = this->Execution.surface().scale.toEngine(self->MaximumDistance);
     }
     request.arrays = this->Choice;
     request.isRefined = this->CanRefine();
@@ -209,14 +206,14 @@ private:
   void TakeNumbers(const SolvedSurface& solved) const
   {
     this->Self->WindowsPropagatedPerEdge = static_cast<double>(solved.field->windowsPropagated()) /
-      static_cast<double>(this->Execution.surface().report().edges);
+      static_cast<double>(this->Execution.surface().report.edges);
     this->Self->RelativeErrorBound = solved.field->relativeErrorBound();
     if (this->IsRefined)
     {
       const RefinedMesh& refined = solved.refined.mesh;
       this->NoteToleranceNotMet(refined);
       this->Self->InterpolationErrorBound =
-        this->Execution.surface().scale().toUser(refined.errorBound);
+        this->Execution.surface().scale.toUser(refined.errorBound);
     }
   }
 
@@ -254,7 +251,7 @@ private:
 
   void NoteToleranceNotMet(const RefinedMesh& refined) const
   {
-    const PowerOfTwoScale& scale = this->Execution.surface().scale();
+    const PowerOfTwoScale& scale = this->Execution.surface().scale;
     const std::string most = std::to_string(this->Self->MaximumNumberOfCells);
     std::ostringstream text;
     text << "the refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
@@ -276,7 +273,7 @@ private:
   void WriteSurface(vtkDataObject* output) const
   {
     const std::vector<PolyDataBlock>& inputs = this->Execution.surfaceBlocks();
-    const std::vector<SurfaceBlock>& blocks = this->Execution.surface().blocks();
+    const std::vector<SurfaceBlock>& blocks = this->Execution.surface().blocks;
     const std::vector<vtkPolyData*> outputs =
       makeBlocksLike(this->Execution.surfaceInput(), output);
     const auto count = static_cast<double>(blocks.size());
@@ -287,7 +284,7 @@ private:
       const auto progress = this->Execution.progressBetween(place(i), place(i + 1));
       if (this->IsRefined)
       {
-        writeRefined(blocks[i], this->Refined[i].mesh, this->Execution.surface().scale(),
+        writeRefined(blocks[i], this->Refined[i].mesh, this->Execution.surface().scale,
           inputs[i].data, outputs[i], progress);
       }
       else
@@ -308,16 +305,14 @@ private:
   void WriteDistances(std::size_t index, vtkPolyData* output) const
   {
     const PolyDataSurface& surface = this->Execution.surface();
-    const SurfaceBlock& block = surface.blocks()[index];
-    requireMemory(output->GetNumberOfPoints(), sizeof(double));
-    vtkNew<vtkDoubleArray> distances;
-    distances->SetName(this->Self->DistanceArrayName);
-    distances->SetNumberOfTuples(output->GetNumberOfPoints());
+    const SurfaceBlock& block = surface.blocks[index];
+    const auto distances =
+      makeArray<vtkDoubleArray>(this->Self->DistanceArrayName, output->GetNumberOfPoints());
     vtkIdType next = 0;
     const auto add = [&](double distance)
     {
       distances->SetValue(next++,
-        surface.scale().resultToUser(distance,
+        surface.scale.resultToUser(distance,
           "Distances on the surface (input port 0) are larger than numbers can be. Scale the "
           "surface and the source upstream."));
     };
@@ -384,22 +379,6 @@ private:
         "the filter's in its place. Rename it upstream to keep both.");
     }
   }
-
-  vtkGeodesicDistanceField* Self;
-  FilterExecution& Execution;
-  const SourceArrayChoice Choice;
-
-  std::vector<double> VertexDistances;
-  bool IsRefined = false;
-  /// The refined mesh, by blocks of the surface; nothing for each unless it is refined.
-  std::vector<RefinedBlock> Refined;
-  /// What the arrays beside the distance hold at vertices and, before these are divided into
-  /// blocks, at refined points.
-  ValuesAtPoints AtVertices;
-  ValuesAtPoints AtRefinedPoints;
-  /// What angles are measured in, and arc lengths along the curves: see SourceArrays.
-  std::vector<SourceFrame> Frames;
-  std::vector<std::vector<double>> ArcLengthsOfCurves;
 };
 
 //------------------------------------------------------------------------------
@@ -488,8 +467,8 @@ void vtkGeodesicDistanceField::ResetResults()
 void vtkGeodesicDistanceField::Compute(
   FilterExecution& execution, vtkInformationVector* outputVector)
 {
-  vtkWorker(this, execution)
-    .Run(vtkDataObject::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 1));
+  vtkWorker{ this, execution }.Run(
+    vtkDataObject::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 1));
 }
 
 //------------------------------------------------------------------------------

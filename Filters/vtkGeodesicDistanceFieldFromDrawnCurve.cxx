@@ -104,15 +104,11 @@ void vtkGeodesicDistanceFieldFromDrawnCurve::JoinCurvePoints()
   vtkNew<vtkCellArray> lines;
   if (number > 0)
   {
-    const bool closed = this->CurveClosed && number > 2;
-    lines->InsertNextCell(static_cast<int>(closed ? number + 1 : number));
-    for (vtkIdType i = 0; i < number; ++i)
+    const vtkIdType size = this->CurveClosed && number > 2 ? number + 1 : number;
+    lines->InsertNextCell(static_cast<int>(size));
+    for (vtkIdType i = 0; i < size; ++i)
     {
-      lines->InsertCellPoint(i);
-    }
-    if (closed)
-    {
-      lines->InsertCellPoint(0);
+      lines->InsertCellPoint(i % number);
     }
   }
   this->Curve->SetLines(lines);

@@ -29,8 +29,7 @@ vtkStandardNewMacro(vtkGeodesicDistanceMatrix);
 namespace
 {
 
-// Where the stages end, as fractions of the whole; FilterExecution has those before.
-constexpr double TargetsRead = 0.3;
+// Where the stage ends, as a fraction of the whole; FilterExecution has those before.
 constexpr double MatrixDone = 0.98;
 
 /// Adds the column of a source. Its distances are freed: there may be no memory for all of them
@@ -38,9 +37,9 @@ constexpr double MatrixDone = 0.98;
 void AddSource(Id source, std::vector<double> distances, const Targets& targets,
   const PowerOfTwoScale& scale, vtkTable* table)
 {
-  vtkNew<vtkDoubleArray> column;
-  column->SetName(("Source" + std::to_string(source)).c_str());
-  column->SetNumberOfTuples(static_cast<vtkIdType>(targets.count));
+  const std::string name = "Source" + std::to_string(source);
+  const auto column =
+    makeArray<vtkDoubleArray>(name.c_str(), static_cast<vtkIdType>(targets.count));
   column->Fill(Infinity);
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
@@ -68,7 +67,7 @@ std::vector<SourceCurve> CurvesByColumn(const FilterExecution& execution)
 /// \param maximumDistance in the units of the surface; 0: no limit.
 void ComputeTable(FilterExecution& execution, double maximumDistance, vtkTable* table)
 {
-  const Targets targets = execution.readTargets(TargetsRead);
+  const Targets targets = execution.readTargets();
   const auto rows = static_cast<vtkIdType>(targets.count);
   const std::vector<Id>& sources = execution.sourceIds();
   const auto numberOfSources = static_cast<Id>(sources.size());
@@ -78,22 +77,20 @@ void ComputeTable(FilterExecution& execution, double maximumDistance, vtkTable* 
   requireMemory(rows,
     static_cast<vtkIdType>(sizeof(vtkIdType)) +
       2 * static_cast<vtkIdType>(sizeof(double)) * numberOfSources);
-  const PowerOfTwoScale& scale = execution.surface().scale();
+  const PowerOfTwoScale& scale = execution.surface().scale;
   MatrixOptions options;
   if (maximumDistance > 0.0)
   {
     options.maximumDistance = scale.toEngine(maximumDistance);
   }
   options.parallelFor = smpParallelFor();
-  options.progress = execution.progressBetween(TargetsRead, MatrixDone);
+  options.progress = execution.progressBetween(FilterExecution::TargetsRead, MatrixDone);
   std::vector<std::vector<double>> matrix = distanceMatrix(execution.surface().mesh(),
     CurvesByColumn(execution), numberOfSources, targets.places, options);
   execution.reach(MatrixDone);
 
   execution.enter(Stage::WritingOutputs);
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("TargetId");
-  ids->SetNumberOfTuples(rows);
+  const auto ids = makeArray<vtkIdTypeArray>("TargetId", rows);
   std::iota(ids->GetPointer(0), ids->GetPointer(rows), 0);
   table->AddColumn(ids);
   for (std::size_t column = 0; column < matrix.size(); ++column)

@@ -23,68 +23,37 @@ vtkStandardNewMacro(vtkGeodesicPaths);
 namespace
 {
 
-// Where the stages end, as fractions of the whole; FilterExecution has those before.
-constexpr double TargetsRead = 0.3;
+// Where the stage ends, as a fraction of the whole; FilterExecution has those before.
 constexpr double PathsFound = 0.95;
-
-void NoteUnreached(FilterExecution& execution, std::size_t count)
-{
-  execution.notes().add(NoteOn::Targets, count, "target", "targets",
-    "not reached: no path on the surface leads from there to the source.");
-}
-
-std::vector<Vec3> PlacesOf(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points)
-{
-  std::vector<Vec3> places;
-  places.reserve(points.size());
-  for (const SurfacePoint& point : points)
-  {
-    places.push_back(position(mesh, point));
-  }
-  return places;
-}
 
 /// Finds the paths of all targets; where the surface is in pieces, of those in this rank's piece.
 std::vector<PathOfTarget> FindPaths(FilterExecution& execution)
 {
-  const Targets targets = execution.readTargets(TargetsRead);
+  const Targets targets = execution.readTargets();
   execution.enter(Stage::ComputingDistances);
   const PolyDataSurface& surface = execution.surface();
   PathsOptions options;
   options.parallelFor = smpParallelFor();
-  options.progress = execution.progressBetween(TargetsRead, PathsFound);
+  options.progress = execution.progressBetween(FilterExecution::TargetsRead, PathsFound);
   std::vector<PathOfTarget> paths(targets.places.size());
-  pathsToSource(surface.partition(), execution.patch(), execution.sources().curves, targets.places,
+  pathsToSource(surface.partition, execution.patch(), execution.sources().curves, targets.places,
     options,
     [&](std::size_t i, const PathToSource& path)
     {
-      paths[i] = { targets.numbers[i], targets.snapDistances[i], PlacesOf(path.mesh, path.points),
-        path.end };
+      paths[i] = { targets.numbers[i], targets.snapDistances[i], {}, path.end };
+      paths[i].points.reserve(path.points.size());
+      for (const SurfacePoint& point : path.points)
+      {
+        paths[i].points.push_back(position(path.mesh, point));
+      }
     });
   paths.erase(std::remove_if(paths.begin(), paths.end(),
                 [](const PathOfTarget& path) { return path.points.empty(); }),
     paths.end());
   execution.reach(PathsFound);
-  NoteUnreached(execution, targets.count - execution.sumOverPieces(paths.size()));
+  execution.notes().add(NoteOn::Targets, targets.count - execution.sumOverPieces(paths.size()),
+    "target", "targets", "not reached: no path on the surface leads from there to the source.");
   return paths;
-}
-
-void PutPath(Message& message, const PathOfTarget& path)
-{
-  put(message, path.target);
-  put(message, path.snapDistance);
-  put(message, path.end);
-  putAll(message, path.points);
-}
-
-PathOfTarget GetPath(MessageReader& reader)
-{
-  PathOfTarget path;
-  path.target = reader.get<std::size_t>();
-  path.snapDistance = reader.get<double>();
-  path.end = reader.get<PathEnd>();
-  path.points = reader.getAll<Vec3>();
-  return path;
 }
 
 /// Sends every path to the rank whose input had its target. All ranks call this together.
@@ -103,12 +72,20 @@ std::vector<PathOfTarget> SendHome(
     const int home = execution.rankOfTarget(path.target);
     if (!areFoundByAll || home == exchange.rank())
     {
-      PutPath(messages[rankIndex(home)], path);
+      Message& message = messages[rankIndex(home)];
+      put(message, path.target);
+      put(message, path.snapDistance);
+      putAll(message, path.points);
+      put(message, path.end);
     }
   }
   paths.clear();
   readEach(exchange.step(std::move(messages)),
-    [&](int, MessageReader& reader) { paths.push_back(GetPath(reader)); });
+    [&](int, MessageReader& reader)
+    {
+      paths.push_back({ reader.get<std::size_t>(), reader.get<double>(), reader.getAll<Vec3>(),
+        reader.get<PathEnd>() });
+    });
   std::sort(paths.begin(), paths.end(),
     [](const PathOfTarget& a, const PathOfTarget& b) { return a.target < b.target; });
   return paths;
@@ -132,11 +109,11 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
       const std::vector<SourceCurve>& curves = execution.sources().curves;
       frames = framesBySource(CurvesOnPatch(execution.patch(), curves), curves);
     }
-    scale = execution.surface().scale();
+    scale = execution.surface().scale;
   }
   if (execution.exchange().numberOfRanks() > 1)
   {
-    execution.shareResult(scale);
+    execution.shareResults(scale);
     paths = SendHome(execution, std::move(paths));
   }
   if (this->GenerateSourceAngle)

@@ -22,6 +22,10 @@ using Id = std::uint32_t;
 constexpr Id NoId = std::numeric_limits<Id>::max();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
+constexpr double Pi = 3.14159265358979323846;
+constexpr double RightAngle = 0.5 * Pi;
+constexpr double FullAngle = 2.0 * Pi;
+
 /// A range of an array.
 template <typename Item>
 struct ArrayRange

@@ -27,13 +27,12 @@ constexpr double DoneBeforeExactField = 0.6;
 /// the faces of other ranks. Empty if points and vertices are the same.
 std::vector<Triangle> cornerPointsOf(const PolyDataSurface& surface)
 {
-  std::vector<Triangle> points;
-  if (surface.arePointsVertices())
+  if (surface.vertexOf.isIdentity())
   {
-    return points;
+    return {};
   }
-  const MeshPartition& partition = surface.partition();
-  points.assign(surface.mesh().numberOfFaces(), { NoId, NoId, NoId });
+  const MeshPartition& partition = surface.partition;
+  std::vector<Triangle> points(surface.mesh().numberOfFaces(), { NoId, NoId, NoId });
   for (Id face = partition.firstOwnFace(); face < partition.endOfOwnFaces(); ++face)
   {
     points[face] = surface.triangle(surface.triangleOf(face));
@@ -42,52 +41,46 @@ std::vector<Triangle> cornerPointsOf(const PolyDataSurface& surface)
 }
 
 /// Solves and refines the surface and the sources of an execution.
-class FieldSolver
+struct FieldSolver
 {
-public:
-  FieldSolver(FilterExecution& execution, const FieldRequest& request, double end)
-    : execution_(execution)
-    , surface_(execution.surface())
-    , request_(request)
-    , end_(!request.arrays.isAny()  ? end
-          : request.isApproximate() ? DoneBeforeExactField
-                                    : FieldDone)
-  {
-  }
+  FilterExecution& execution;
+  const FieldRequest& request;
+  /// Where the field and its refinement are done, as a fraction of the whole.
+  const double end;
+  const PolyDataSurface& surface = execution.surface();
 
   SolvedSurface solve() const
   {
-    this->execution_.enter(Stage::ComputingDistances);
+    this->execution.enter(Stage::ComputingDistances);
     SolvedSurface solved;
-    if (!this->request_.isRefined)
+    if (!this->request.isRefined)
     {
-      const FrontOptions options = this->frontOptions(FilterExecution::InputsRead, this->end_);
+      const FrontOptions options = this->frontOptions(FilterExecution::InputsRead, this->end);
       solved.field.emplace(geodesic::solve(
-        this->surface_.partition(), this->execution_.sourceWindows(options.progress), options));
+        this->surface.partition, this->execution.sourceWindows(options.progress), options));
     }
     else
     {
       solved = this->solveAndRefine();
     }
-    if (this->request_.isApproximate() && this->request_.arrays.areFeetNeeded() && !solved.exact)
+    if (this->request.isApproximate() && this->request.arrays.areFeetNeeded() && !solved.exact)
     {
-      this->execution_.enter(Stage::ComputingDistances);
+      this->execution.enter(Stage::ComputingDistances);
       solved.exact.emplace(
         this->solveExactly(solved.field->relativeErrorBound(), this->facesOf(solved.refined)));
     }
     return solved;
   }
 
-private:
-  FrontOptions frontOptions(double begin, double end) const
+  FrontOptions frontOptions(double begin, double until) const
   {
     FrontOptions options;
-    options.relativeError = this->request_.relativeError;
-    options.maximumDistance = this->request_.maximumDistance;
-    options.keepArrivals = this->request_.arrays.isAny() || this->request_.areBordersRefined;
-    options.keepAngles = this->request_.arrays.areAnglesNeeded();
+    options.relativeError = this->request.relativeError;
+    options.maximumDistance = this->request.maximumDistance;
+    options.keepArrivals = this->request.arrays.isAny() || this->request.areBordersRefined;
+    options.keepAngles = this->request.arrays.areAnglesNeeded();
     options.parallelFor = smpParallelFor();
-    options.progress = this->execution_.progressBetween(begin, end);
+    options.progress = this->execution.progressBetween(begin, until);
     return options;
   }
 
@@ -95,7 +88,7 @@ private:
   /// those of more faces.
   SolvedSurface solveAndRefine() const
   {
-    const bool areBordersRefined = this->request_.areBordersRefined;
+    const bool areBordersRefined = this->request.areBordersRefined;
     std::vector<std::uint8_t> pinned;
     if (areBordersRefined)
     {
@@ -105,17 +98,17 @@ private:
     bool isRepeated = true;
     while (isRepeated)
     {
-      this->execution_.enter(Stage::ComputingDistances);
+      this->execution.enter(Stage::ComputingDistances);
       solved.field.emplace(this->solveForRefinement(
         areBordersRefined ? BordersFound : FilterExecution::InputsRead, pinned));
-      this->execution_.enter(Stage::Refining);
+      this->execution.enter(Stage::Refining);
       this->refine(solved);
       const std::vector<Id>& unknown = solved.refined.mesh.unknownAtBorders;
       for (const Id face : unknown)
       {
         pinned[face] = 1;
       }
-      isRepeated = areBordersRefined && this->surface_.exchange().isTrueAnywhere(!unknown.empty());
+      isRepeated = areBordersRefined && this->surface.exchange().isTrueAnywhere(!unknown.empty());
     }
     return solved;
   }
@@ -123,8 +116,8 @@ private:
   DistanceField solveForRefinement(double begin, const std::vector<std::uint8_t>& pinned) const
   {
     const FrontOptions options = this->frontOptions(begin, DoneBeforeRefinement);
-    return geodesic::solveForRefinement(this->surface_.partition(),
-      this->execution_.sourceWindows(options.progress), this->request_.tolerance, options, pinned);
+    return geodesic::solveForRefinement(this->surface.partition,
+      this->execution.sourceWindows(options.progress), this->request.tolerance, options, pinned);
   }
 
   /// With the windows of these faces.
@@ -134,11 +127,10 @@ private:
     options.relativeError = 0.0;
     // A distance within the limit is that much smaller than the exact one at most.
     options.maximumDistance /= 1.0 - std::min(largestError, 0.5);
-    KeepFaces retention(this->surface_.mesh(), std::move(faces));
-    const MeshPartition& surface = this->surface_.partition();
-    FrontResult front =
-      propagate(surface, this->execution_.sourceWindows(options.progress), options, retention);
-    return { surface, std::move(front), retention.release() };
+    KeepFaces retention(this->surface.mesh(), std::move(faces));
+    FrontResult front = propagate(
+      this->surface.partition, this->execution.sourceWindows(options.progress), options, retention);
+    return { this->surface.partition, std::move(front), retention.release() };
   }
 
   /// By an exact solve that keeps no windows.
@@ -147,17 +139,17 @@ private:
     FrontOptions options = this->frontOptions(FilterExecution::InputsRead, BordersFound);
     options.relativeError = 0.0;
     const DistanceField field = geodesic::solve(
-      this->surface_.partition(), this->execution_.sourceWindows(options.progress), options);
-    const std::vector<SourceCurve>& curves = this->execution_.sources().curves;
-    NearestSource nearest(field, this->execution_.patch(), curves, options.progress);
-    return SourceRegions(field, nearest, curves, this->request_.arrays.areSidesNeeded())
+      this->surface.partition, this->execution.sourceWindows(options.progress), options);
+    const std::vector<SourceCurve>& curves = this->execution.sources().curves;
+    NearestSource nearest(field, this->execution.patch(), curves, options.progress);
+    return SourceRegions(field, nearest, curves, this->request.arrays.areSidesNeeded())
       .facesAtBorders();
   }
 
   /// The faces that have points of refinement.
   std::vector<std::uint8_t> facesOf(const RefinedSurface& refined) const
   {
-    const TriangleMesh& mesh = this->surface_.mesh();
+    const TriangleMesh& mesh = this->surface.mesh();
     std::vector<std::uint8_t> faces(mesh.numberOfFaces(), 0);
     for (std::size_t i = 0; i < refined.numberOfPointsWithPlaces(); ++i)
     {
@@ -169,18 +161,18 @@ private:
   RefinementOptions refinementOptions() const
   {
     RefinementOptions options;
-    options.tolerance = this->request_.tolerance;
-    if (this->request_.maximumCells > 0)
+    options.tolerance = this->request.tolerance;
+    if (this->request.maximumCells > 0)
     {
-      const std::uint64_t faces = this->surface_.partition().numberOfGlobalFaces();
+      const std::uint64_t faces = this->surface.partition.numberOfGlobalFaces();
       options.maximumFaces =
-        this->request_.maximumCells - (this->surface_.countTrianglesOfAllRanks() - faces);
+        this->request.maximumCells - (this->surface.countTrianglesOfAllRanks() - faces);
     }
-    options.cornerPoints = cornerPointsOf(this->surface_);
-    options.numberOfPoints = this->surface_.numberOfPoints();
-    options.trianglesBeside = barriersAtEdges(this->surface_);
+    options.cornerPoints = cornerPointsOf(this->surface);
+    options.numberOfPoints = this->surface.numberOfPoints;
+    options.trianglesBeside = barriersAtEdges(this->surface);
     options.parallelFor = smpParallelFor();
-    options.progress = this->execution_.progressBetween(DoneBeforeRefinement, this->end_);
+    options.progress = this->execution.progressBetween(DoneBeforeRefinement, this->end);
     return options;
   }
 
@@ -188,39 +180,33 @@ private:
   {
     std::optional<NearestSource> nearest;
     std::optional<SourceRegions> regions;
-    if (this->request_.areBordersRefined)
+    if (this->request.areBordersRefined)
     {
-      if (this->request_.isApproximate())
+      if (this->request.isApproximate())
       {
         solved.exact.emplace(this->solveExactly(
-          solved.field->relativeErrorBound(), this->surface_.partition().ownFaces()));
+          solved.field->relativeErrorBound(), this->surface.partition.ownFaces()));
       }
-      const std::vector<SourceCurve>& curves = this->execution_.sources().curves;
-      nearest.emplace(solved.exactField(), this->execution_.patch(), curves);
-      regions.emplace(
-        solved.exactField(), *nearest, curves, this->request_.arrays.areSidesNeeded());
+      const std::vector<SourceCurve>& curves = this->execution.sources().curves;
+      nearest.emplace(solved.exactField(), this->execution.patch(), curves);
+      regions.emplace(solved.exactField(), *nearest, curves, this->request.arrays.areSidesNeeded());
     }
     RefinementOptions options = this->refinementOptions();
     if (regions)
     {
       options.regionOf = [&regions](const SurfacePoint& point) { return regions->at(point); };
     }
-    solved.refined = addUnmeshedTriangles(this->surface_, this->request_.maximumCells,
+    solved.refined = addUnmeshedTriangles(this->surface, this->request.maximumCells,
       options.cornerPoints, geodesic::refine(*solved.field, options));
   }
-
-  FilterExecution& execution_;
-  const PolyDataSurface& surface_;
-  const FieldRequest& request_;
-  /// Where the field and its refinement are done, as a fraction of the whole.
-  const double end_;
 };
 
 } // anonymous namespace
 
 SolvedSurface solveField(FilterExecution& execution, const FieldRequest& request, double end)
 {
-  return FieldSolver(execution, request, end).solve();
+  const double fieldDone = request.isApproximate() ? DoneBeforeExactField : FieldDone;
+  return FieldSolver{ execution, request, request.arrays.isAny() ? fieldDone : end }.solve();
 }
 
 }

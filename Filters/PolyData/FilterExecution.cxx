@@ -3,19 +3,18 @@
 
 #include "PolyData/ParallelFor.h"
 #include "PolyData/ranks/SourcePatch.h"
-#include "PolyData/reading/PolyDataSource.h"
 #include "paths/FacesBetweenPoints.h"
 #include "paths/JoinPoints.h"
 #include "source/BoundaryCurves.h"
 #include "source/SourceWindows.h"
 #include "vtkGeodesicAlgorithm.h"
 
-#include "vtkPolyData.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <string>
 #include <utility>
 
 namespace geodesic
@@ -42,13 +41,11 @@ void FilterExecution::readInputs(bool supportsPieces)
   if (this->sourceInput_)
   {
     this->gatheredSource_ =
-      GatheredBlocks(sourceBlocks(this->sourceInput_, SourceName), SourceName, this->exchange_);
+      gatherBlocks(sourceBlocks(this->sourceInput_, SourceName), SourceName, this->exchange_);
   }
-  if (this->targetsInput_)
-  {
-    this->gatheredTargets_ = GatheredBlocks(
-      geodesic::targetBlocks(this->targetsInput_, TargetsName), TargetsName, this->exchange_);
-  }
+  this->gatheredTargets_ = this->targetsInput_
+    ? gatherBlocks(targetBlocks(this->targetsInput_, TargetsName), TargetsName, this->exchange_)
+    : this->gatheredSource_;
   this->findSurface(supportsPieces);
   if (this->place_ == SurfacePlace::OnOtherRank)
   {
@@ -69,6 +66,14 @@ void FilterExecution::readInputs(bool supportsPieces)
   this->enter(Stage::ReadingSource);
   this->readSources();
   this->reach(InputsRead);
+}
+
+/// The message of the first rank that has the surface.
+Message FilterExecution::ofWorkingRank(const Message& own) const
+{
+  const bool works = this->place_ != SurfacePlace::OnOtherRank;
+  const std::vector<Message> told = this->exchange_.tellAll(works ? own : Message());
+  return *std::find_if(told.begin(), told.end(), [](const Message& m) { return !m.empty(); });
 }
 
 /// Finds out who has what of the surface.
@@ -107,7 +112,7 @@ void FilterExecution::findSurface(bool supportsPieces)
 
 SourceWindows FilterExecution::sourceWindows(const ProgressCallback& progress) const
 {
-  return sourceWindowsOfPartition(this->surface().partition(), this->patch(),
+  return sourceWindowsOfPartition(this->surface().partition, this->patch(),
     startingWindows(this->patch().mesh(), this->sources_.curves, progress));
 }
 
@@ -120,21 +125,21 @@ void FilterExecution::requireTargets(bool sourcesAreTargets) const
   }
 }
 
-Targets FilterExecution::readTargets(double end)
+Targets FilterExecution::readTargets()
 {
   this->enter(Stage::ReadingTargets);
   const std::string name =
     this->targetsInput_ ? TargetsName : "the set of targets (points of input port 1)";
-  const std::vector<PolyDataBlock>& blocks = this->targetBlocks().blocks();
-  Targets targets = geodesic::readTargets(
-    blocks, name, this->surface(), this->cache_.locator(), this->progressBetween(InputsRead, end));
+  const std::vector<PolyDataBlock>& blocks = this->gatheredTargets_.blocks;
+  Targets targets = geodesic::readTargets(blocks, name, this->surface(), this->cache_.locator(),
+    this->progressBetween(InputsRead, TargetsRead));
   // If the targets are the points of a source that is far away, the note on the source says so.
   if (this->targetsInput_ || !this->notes_.has(NoteOn::Source, FarNote))
   {
     noteTargets(this->surface(), blocks, targets,
       this->targetsInput_ ? NoteOn::Targets : NoteOn::Source, this->notes_);
   }
-  this->reach(end);
+  this->reach(TargetsRead);
   return targets;
 }
 
@@ -153,7 +158,7 @@ void FilterExecution::readSources()
       "The surface itself is the source: distances are measured from the outlines of all its "
       "faces. Choose another Source.");
   }
-  SourcePatch faces(this->surface().partition());
+  SourcePatch faces(this->surface().partition);
   std::optional<SurfaceBoundary> boundary;
   if (type != vtkGeodesicAlgorithm::SOURCE_CURVE)
   {
@@ -176,22 +181,21 @@ void FilterExecution::readSources()
 
 void FilterExecution::readCurves(SourcePatch& faces)
 {
-  const std::vector<PolyDataBlock>& blocks = this->gatheredSource_.blocks();
+  const std::vector<PolyDataBlock>& blocks = this->gatheredSource_.blocks;
   const PolyDataSurface& surface = this->surface();
-  SourcePolylines source = readSource(blocks, surface.scale());
-  const SnapOptions snapping = snapOptionsFor(blocks);
-  const LocatedPlaces located = this->cache_.locator().locate(source.polylines,
-    snapping.coordinatePrecision, this->progressBetween(SurfaceRead, SourceLocated));
-  requireOutsideBarriers(
-    surface, this->surfaceBlocks_, source.polylines, located, snapping.coordinatePrecision);
+  SourcePolylines source = readSource(blocks, surface.scale);
+  const double precision = coordinatePrecisionOf(blocks);
+  const LocatedPlaces located = this->cache_.locator().locate(
+    source.polylines, precision, this->progressBetween(SurfaceRead, SourceLocated));
+  requireOutsideBarriers(surface, this->surfaceBlocks_, source.polylines, located, precision);
   faces.addFacesAround(located);
   this->patch_ = faces.make();
   located.setFaces(this->patch(), source.polylines);
-  const bool isDistributed = surface.partition().isDistributed();
+  const bool isDistributed = surface.partition.isDistributed();
   const double patchMade = isDistributed ? FarPointsSearched : SourceLocated;
   if (isDistributed &&
-    faces.addFaces(facesBetweenPoints(surface.partition(), this->patch(), source.polylines,
-      snapping, smpParallelFor(), this->progressBetween(SourceLocated, patchMade))))
+    faces.addFaces(facesBetweenPoints(surface.partition, this->patch(), source.polylines, precision,
+      smpParallelFor(), this->progressBetween(SourceLocated, patchMade))))
   {
     this->patch_ = faces.make();
     located.setFaces(this->patch(), source.polylines);
@@ -202,7 +206,7 @@ void FilterExecution::readCurves(SourcePatch& faces)
   JoinedPaths ofThisPatch;
   JoinedPaths& paths = isDistributed ? ofThisPatch : this->cache_.joinedPaths();
   paths.beginUse();
-  this->sources_ = putOntoSurface(mesh, source.polylines, snapping, paths.reusedBy(join),
+  this->sources_ = putOntoSurface(mesh, source.polylines, precision, paths.reusedBy(join),
     this->progressBetween(patchMade, InputsRead));
   paths.endUse();
   this->sourceIds_ = std::move(source.ids);
@@ -219,7 +223,7 @@ void FilterExecution::addBoundary(std::vector<SourceCurve> boundary, bool hasCur
     this->sourceIds_.push_back(loop.source);
   }
   const bool isClosed = boundary.empty();
-  if (this->surface().hasBarriers())
+  if (this->surface().barriers)
   {
     boundary = boundaryOutsideBarriers(boundary, this->patch().mesh());
   }

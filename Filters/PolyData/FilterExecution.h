@@ -7,16 +7,13 @@
 #include "PolyData/Notes.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/SurfaceCache.h"
-#include "PolyData/reading/PolyDataTargets.h"
+#include "PolyData/reading/SourcesAndTargets.h"
 #include "Progress.h"
 #include "mesh/ReplicatedPatch.h"
 #include "source/PolylineOnSurface.h"
 #include "source/SourceWindows.h"
 
-#include <algorithm>
 #include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 class vtkDataObject;
@@ -60,8 +57,9 @@ enum class SurfacePlace
 class FilterExecution
 {
 public:
-  /// Where reading the inputs ends, as a fraction of the whole.
+  /// Where reading the inputs and reading the targets end, as fractions of the whole.
   static constexpr double InputsRead = 0.25;
+  static constexpr double TargetsRead = 0.3;
 
   /// \param filter whose properties count, and which reports the progress.
   /// \param cache with the surface of the last execution.
@@ -94,26 +92,22 @@ public:
   Exchange& exchange() const { return this->exchange_; }
   /// Gives ranks for which the surface is OnOtherRank what the working rank has found. All ranks
   /// call this.
-  template <typename Value>
-  void shareResult(Value& value)
+  template <typename... Values>
+  void shareResults(Values&... values)
   {
-    std::vector<Value> values = { value };
-    this->shareResults(values);
-    value = values.front();
+    Message message;
+    (put(message, values), ...);
+    message = this->ofWorkingRank(message);
+    MessageReader reader(message);
+    ((values = reader.get<Values>()), ...);
   }
-  /// The same for any number of values.
   template <typename Value>
   void shareResults(std::vector<Value>& values)
   {
     Message message;
-    if (this->place_ != SurfacePlace::OnOtherRank)
-    {
-      putAll(message, values);
-    }
-    const std::vector<Message> told = this->exchange_.tellAll(message);
-    const auto first =
-      std::find_if(told.begin(), told.end(), [](const Message& answer) { return !answer.empty(); });
-    values = MessageReader(*first).getAll<Value>();
+    putAll(message, values);
+    message = this->ofWorkingRank(message);
+    values = MessageReader(message).getAll<Value>();
   }
   /// Whether this is the rank that puts out what is there once: the first one.
   bool isFirstRank() const { return this->exchange_.rank() == 0; }
@@ -121,18 +115,17 @@ public:
   ///
   /// \throws Error, Aborted where another rank has failed.
   void finish() { this->exchange_.step(this->exchange_.noMessages()); }
-  /// Puts the points of the targets onto the surface, after readInputs(). If no targets are
-  /// connected, the points of the source are the targets.
+  /// Puts the points of the targets onto the surface, after readInputs(), up to TargetsRead. If no
+  /// targets are connected, the points of the source are the targets.
   ///
-  /// \param end the progress when this is done, as a fraction of the whole.
   /// \throws geodesic::Error if they cannot be used; Aborted.
-  Targets readTargets(double end);
+  Targets readTargets();
   /// \param sourcesAreTargets whether the points of the source can serve as targets.
   /// \throws InputError if no targets are connected.
   void requireTargets(bool sourcesAreTargets = false) const;
 
   vtkDataObject* surfaceInput() const { return this->surfaceInput_; }
-  /// The blocks of the surface's input, as in PolyDataSurface::blocks().
+  /// The blocks of the surface's input, as in PolyDataSurface::blocks.
   const std::vector<PolyDataBlock>& surfaceBlocks() const { return this->surfaceBlocks_; }
   const PolyDataSurface& surface() const { return this->cache_.surface(); }
   const SourceCurves& sources() const { return this->sources_; }
@@ -145,7 +138,7 @@ public:
   /// sources() lie on it.
   const ReplicatedPatch& patch() const { return *this->patch_; }
   /// The rank whose input had a target, by its number; 0 where all had it.
-  int rankOfTarget(std::size_t number) const { return this->targetBlocks().rankOfPoint(number); }
+  int rankOfTarget(std::size_t number) const { return this->gatheredTargets_.rankOfPoint(number); }
   /// What the sources give the front to begin with.
   ///
   /// \param progress of the solve: it can be stopped already.
@@ -178,11 +171,8 @@ public:
   bool reportsWarnings() const { return this->place_ == SurfacePlace::Here || this->isFirstRank(); }
 
 private:
+  Message ofWorkingRank(const Message& own) const;
   void findSurface(bool supportsPieces);
-  const GatheredBlocks& targetBlocks() const
-  {
-    return this->targetsInput_ ? this->gatheredTargets_ : this->gatheredSource_;
-  }
   void readSources();
   void readCurves(SourcePatch& faces);
   void addBoundary(std::vector<SourceCurve> boundary, bool hasCurve);
@@ -197,7 +187,7 @@ private:
   Exchange& exchange_;
   SurfacePlace place_ = SurfacePlace::Here;
   std::vector<PolyDataBlock> surfaceBlocks_;
-  /// Those of all ranks.
+  /// Those of all ranks. If no targets are connected, the source has them.
   GatheredBlocks gatheredSource_;
   GatheredBlocks gatheredTargets_;
   std::optional<ReplicatedPatch> patch_;

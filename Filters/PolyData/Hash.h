@@ -28,35 +28,24 @@ inline void addWord(std::uint64_t word, Fingerprint& print)
   print[1] = mixed(print[1] + word, 0xd6e8feb86659fd93ULL);
 }
 
-/// A hash of some words of 64 bits.
-template <typename Word>
-std::uint64_t hashOf(const Word* words, std::size_t count)
+/// A hash of one or several words of 64 bits.
+template <typename Words>
+std::uint64_t hashOf(const Words& words)
 {
-  static_assert(sizeof(Word) == sizeof(std::uint64_t));
+  std::array<std::uint64_t, sizeof(Words) / sizeof(std::uint64_t)> all;
+  static_assert(sizeof(all) == sizeof(words));
+  std::memcpy(&all, &words, sizeof(all));
   std::uint64_t hash = 0;
-  for (std::size_t i = 0; i < count; ++i)
+  for (const std::uint64_t word : all)
   {
-    std::uint64_t word;
-    std::memcpy(&word, words + i, sizeof(word));
     hash = mixed(hash ^ word);
   }
   return hash;
 }
 
-inline std::uint64_t hashOf(std::int64_t number)
-{
-  return hashOf(&number, 1);
-}
-
-inline std::uint64_t hashOf(const std::array<std::int64_t, 4>& numbers)
-{
-  return hashOf(numbers.data(), numbers.size());
-}
-
 inline std::uint64_t hashOf(const Vec3& place)
 {
-  const Vec3 normalized = place + Vec3{}; // -0 and 0 are one place
-  return hashOf(normalized.data(), normalized.size());
+  return hashOf<Vec3>(place + Vec3{}); // -0 and 0 are one place
 }
 
 /// For tables by such keys.

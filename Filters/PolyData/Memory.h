@@ -2,6 +2,7 @@
 #ifndef geodesic_Memory_h
 #define geodesic_Memory_h
 
+#include "vtkNew.h"
 #include "vtkType.h"
 
 #include <cstdint>
@@ -42,6 +43,19 @@ std::uint64_t availableMemory();
 /// \throws NotEnoughMemory where less is available; std::bad_alloc where there is not so much
 ///         address space.
 void requireMemory(vtkIdType tuples, vtkIdType bytesATuple);
+
+/// A named array of so many values, for which there is memory.
+///
+/// \throws what requireMemory() throws.
+template <typename Array>
+vtkNew<Array> makeArray(const char* name, vtkIdType count)
+{
+  requireMemory(count, sizeof(typename Array::ValueType));
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(count);
+  return array;
+}
 
 /// Ends a computation before the system ends the process.
 class MemoryWatch

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/Notes.h"
 
-#include "PolyData/reading/PolyDataSource.h"
 #include "PolyData/reading/PolyDataSurface.h"
-#include "PolyData/reading/PolyDataTargets.h"
+#include "PolyData/reading/SourcesAndTargets.h"
 #include "mesh/SurfaceSnap.h"
 
 #include "vtkAlgorithm.h"
@@ -11,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <limits>
 #include <sstream>
 
 namespace geodesic
@@ -48,14 +47,14 @@ struct FarPoints
 
 double farLimit(const PolyDataSurface& surface)
 {
-  return FarSourceFraction * surface.diagonal();
+  return FarSourceFraction * surface.diagonal;
 }
 
 FarPoints farPointsOf(
   const TriangleMesh& mesh, const std::vector<LocatedPolyline>& polylines, double limit)
 {
   FarPoints far;
-  const double precision = SnapOptions().coordinatePrecision;
+  constexpr double precision = std::numeric_limits<double>::epsilon();
   for (const LocatedPolyline& line : polylines)
   {
     far.ofAll += line.points.size();
@@ -94,12 +93,11 @@ std::string farText(
   const std::string& subject, const FarPoints& far, const PolyDataSurface& surface)
 {
   std::ostringstream text;
-  text << subject << " up to " << surface.scale().toUser(far.largestDistance)
+  text << subject << " up to " << surface.scale.toUser(far.largestDistance)
        << " away from the surface";
-  if (surface.diagonal() > 0.0)
+  if (surface.diagonal > 0.0)
   {
-    text << " (" << std::round(100.0 * far.largestDistance / surface.diagonal())
-         << " % of its size)";
+    text << " (" << std::round(100.0 * far.largestDistance / surface.diagonal) << " % of its size)";
   }
   text << ", at " << far.count << " of " << far.ofAll << " points: ";
   for (std::size_t i = 0; i < far.names.size(); ++i)
@@ -117,7 +115,7 @@ std::string farText(
 
 bool Notes::has(NoteOn input, const std::string& cause) const
 {
-  return std::any_of(this->notes_.begin(), this->notes_.end(),
+  return std::any_of(this->all.begin(), this->all.end(),
     [&](const Note& note) { return note.input == input && note.cause == cause; });
 }
 
@@ -125,7 +123,7 @@ std::string GivenNotes::take(const Notes& notes, vtkAlgorithm* filter)
 {
   std::vector<Given> now;
   std::string text;
-  for (const Notes::Note& note : notes.all())
+  for (const Notes::Note& note : notes.all)
   {
     const int port = static_cast<int>(note.input);
     vtkAlgorithmOutput* connection =
@@ -142,7 +140,7 @@ std::string GivenNotes::take(const Notes& notes, vtkAlgorithm* filter)
 
 void noteSurface(const PolyDataSurface& surface, Notes& notes)
 {
-  const SurfaceReport& read = surface.report();
+  const SurfaceReport& read = surface.report;
   notes.add(
     NoteOn::Surface, read.droppedLineCells, "line", "lines", "among the surface's cells dropped.");
   notes.add(NoteOn::Surface, read.droppedVertexCells, "vertex cell", "vertex cells",
@@ -162,9 +160,11 @@ void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,
   }
   FarPoints far = farPointsOf(mesh, source.polylines, farLimit(surface));
   far.largestDistance = onSurface.snapDistance;
-  notes.addFirst(NoteOn::Source, FarNote,
-    farText("The source is", far, surface) +
-      ". Does it belong to this surface? It was put onto the surface's closest points.");
+  // Before all others.
+  notes.all.insert(notes.all.begin(),
+    { NoteOn::Source, FarNote,
+      farText("The source is", far, surface) +
+        ". Does it belong to this surface? It was put onto the surface's closest points." });
 }
 
 void noteTargets(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& blocks,

@@ -36,9 +36,8 @@ inline const char* const FarNote = "far";
 /// is not as asked for, or looks like a mistake. What every data set may have and what has no
 /// effect (polygons, strips, unused points, faces that repeat another or have no area, points that
 /// repeat the one before) is no note.
-class Notes
+struct Notes
 {
-public:
   struct Note
   {
     NoteOn input;
@@ -47,6 +46,7 @@ public:
     std::string cause;
     std::string text;
   };
+  std::vector<Note> all;
 
   /// "2 lines among the surface's cells dropped."; nothing where the count is 0.
   template <typename Count>
@@ -59,18 +59,9 @@ public:
   }
   void add(NoteOn input, const std::string& cause, const std::string& text)
   {
-    this->notes_.push_back({ input, cause, text });
-  }
-  /// Adds a note that stands before all others.
-  void addFirst(NoteOn input, const std::string& cause, const std::string& text)
-  {
-    this->notes_.insert(this->notes_.begin(), { input, cause, text });
+    this->all.push_back({ input, cause, text });
   }
   bool has(NoteOn input, const std::string& cause) const;
-  const std::vector<Note>& all() const { return this->notes_; }
-
-private:
-  std::vector<Note> notes_;
 };
 
 /// Remembers which notes the user has been given, so that none is said again at every time step or

@@ -3,7 +3,6 @@
 
 #include "vtkSMPTools.h"
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>

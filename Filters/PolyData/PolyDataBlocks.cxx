@@ -3,11 +3,11 @@
 
 #include "Types.h"
 
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 #include <utility>
 
 namespace geodesic
@@ -217,6 +218,45 @@ std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& nam
   return blocks;
 }
 
+/// As messages call an array of barriers.
+std::string nameOfBarriers(const PolyDataBlock& block, const std::string& name)
+{
+  return "The cell array " + name + " (BarrierArrayName) of " + block.name;
+}
+
+/// \throws InputError
+void requireBarrierValues(const PolyDataBlock& block)
+{
+  vtkDataArray* values = block.barriers;
+  const std::string begin = nameOfBarriers(block, values->GetName());
+  if (values->GetNumberOfComponents() != 1)
+  {
+    throw InputError(begin + " has " + std::to_string(values->GetNumberOfComponents()) +
+      " components, where one number a cell is needed. Choose an array with one component, or make "
+      "one, for example by the Calculator filter.");
+  }
+  const vtkIdType cells = block.data->GetNumberOfCells();
+  if (values->GetNumberOfTuples() < cells)
+  {
+    throw InputError(begin + " has " + std::to_string(values->GetNumberOfTuples()) +
+      " values for " + std::to_string(cells) + " cells. Give each cell a value.");
+  }
+  std::vector<vtkIdType> bad;
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    if (std::isnan(values->GetComponent(cell, 0)))
+    {
+      bad.push_back(cell);
+    }
+  }
+  if (!bad.empty())
+  {
+    throw InputError(begin + " is NaN at cell " + listIds(bad) +
+      ", which says neither that these are barriers nor that they are none. Set it to 0 where "
+      "paths may pass and to 1 where they may not.");
+  }
+}
+
 vtkSmartPointer<vtkCellArray> getCells(MessageReader& reader)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
@@ -340,6 +380,39 @@ std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const std::string&
   return blocksOf(input, name, targetBlock);
 }
 
+void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Exchange& exchange)
+{
+  if (!array || !*array || std::string(array) == "None")
+  {
+    return;
+  }
+  bool isMissing = false;
+  bool isFound = false;
+  for (PolyDataBlock& block : blocks)
+  {
+    vtkAbstractArray* any = block.data->GetCellData()->GetAbstractArray(array);
+    block.barriers = vtkDataArray::SafeDownCast(any);
+    if (block.barriers)
+    {
+      requireBarrierValues(block);
+      isFound = true;
+    }
+    else if (any)
+    {
+      throw InputError(nameOfBarriers(block, array) + " is a " + any->GetClassName() +
+        ", where numbers are needed. Choose a numeric array.");
+    }
+    isMissing = isMissing || (!any && block.data->GetNumberOfCells() > 0);
+  }
+  isFound = exchange.isTrueAnywhere(isFound);
+  isMissing = exchange.isTrueAnywhere(isMissing);
+  if (isMissing && !isFound)
+  {
+    throw InputError(std::string("The surface (input port 0) has no cell array named ") + array +
+      ", by which BarrierArrayName has barriers. Choose one of its cell arrays, or none.");
+  }
+}
+
 std::vector<vtkPolyData*> makeBlocksLike(vtkDataObject* input, vtkDataObject* output)
 {
   if (auto* data = vtkPolyData::SafeDownCast(output))
@@ -360,13 +433,14 @@ std::vector<vtkPolyData*> makeBlocksLike(vtkDataObject* input, vtkDataObject* ou
   return blocks;
 }
 
-GatheredBlocks::GatheredBlocks(
+GatheredBlocks gatherBlocks(
   const std::vector<PolyDataBlock>& own, const std::string& name, Exchange& exchange)
 {
+  GatheredBlocks gathered;
   if (exchange.numberOfRanks() == 1)
   {
-    this->blocks_ = own;
-    return;
+    gathered.blocks = own;
+    return gathered;
   }
   Message message;
   for (const PolyDataBlock& block : own)
@@ -377,21 +451,21 @@ GatheredBlocks::GatheredBlocks(
     }
   }
   const std::vector<Message> all = exchange.tellAll(message);
-  const auto isFull = [](const Message& m) { return !m.empty(); };
-  const bool isOnOneRank = std::count_if(all.begin(), all.end(), isFull) <= 1;
-  const bool areCopies =
-    std::all_of(all.begin(), all.end(), [&all](const Message& m) { return m == all.front(); });
+  const auto ranks = static_cast<std::ptrdiff_t>(all.size());
+  const bool isOnOneRank = std::count(all.begin(), all.end(), Message()) >= ranks - 1;
+  const bool areCopies = std::count(all.begin(), all.end(), all.front()) == ranks;
   for (std::size_t rank = 0; rank < (areCopies ? 1 : all.size()); ++rank)
   {
     const std::string suffix =
       isOnOneRank || areCopies ? std::string() : " on rank " + std::to_string(rank);
-    this->firstPointOfRank_.push_back(
-      this->firstPointOfRank_.back() + takeBlocks(all[rank], suffix, this->blocks_));
+    gathered.firstPointOfRank.push_back(
+      gathered.firstPointOfRank.back() + takeBlocks(all[rank], suffix, gathered.blocks));
   }
-  if (this->blocks_.empty())
+  if (gathered.blocks.empty())
   {
-    this->blocks_.push_back({ vtkSmartPointer<vtkPolyData>::New(), name, {} });
+    gathered.blocks.push_back({ vtkSmartPointer<vtkPolyData>::New(), name, {} });
   }
+  return gathered;
 }
 
 }

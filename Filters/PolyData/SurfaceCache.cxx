@@ -97,7 +97,7 @@ void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, bool mergeCo
   this->release();
   this->surface_ = std::make_unique<PolyDataSurface>(
     readSurface(blocks, mergeCoincidentPoints, exchange, progress));
-  this->locator_ = std::make_unique<PolylineLocator>(this->surface_->partition());
+  this->locator_ = std::make_unique<PolylineLocator>(this->surface_->partition);
   this->key_ = key;
   this->isMerged_ = mergeCoincidentPoints;
   this->exchange_ = &exchange;

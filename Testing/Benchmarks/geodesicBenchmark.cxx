@@ -8,8 +8,8 @@
 #include "BenchmarkTasks.h"
 
 #include "PolyData/ParallelFor.h"
-#include "PolyData/reading/PolyDataSource.h"
 #include "PolyData/reading/PolyDataSurface.h"
+#include "PolyData/reading/SourcesAndTargets.h"
 #include "field/DistanceField.h"
 #include "field/SegmentEnvelope.h"
 #include "paths/JoinPoints.h"
@@ -340,12 +340,12 @@ std::vector<geodesic::SourceCurve> makeCurves(
   }
   const std::vector<geodesic::PolyDataBlock> blocks =
     geodesic::polyDataBlocks(source.curves, "the source");
-  geodesic::SourcePolylines read = geodesic::readSource(blocks, surface.scale());
-  const geodesic::SnapOptions snapping = geodesic::snapOptionsFor(blocks);
-  geodesic::PolylineLocator(surface.partition())
-    .locate(read.polylines, snapping.coordinatePrecision)
+  geodesic::SourcePolylines read = geodesic::readSource(blocks, surface.scale);
+  const double precision = geodesic::coordinatePrecisionOf(blocks);
+  geodesic::PolylineLocator(surface.partition)
+    .locate(read.polylines, precision)
     .setFaces(geodesic::ReplicatedPatch(surface.mesh()), read.polylines);
-  return geodesic::putOntoSurface(surface.mesh(), read.polylines, snapping,
+  return geodesic::putOntoSurface(surface.mesh(), read.polylines, precision,
     geodesic::joinByShortestPaths(surface.mesh(), geodesic::smpParallelFor()))
     .curves;
 }
@@ -405,7 +405,7 @@ std::vector<double> atPoints(
 {
   std::vector<double> atVertices = field.vertexDistances();
   surface.completeValues(geodesic::Infinity, atVertices);
-  std::vector<double> distances(surface.numberOfPoints());
+  std::vector<double> distances(surface.numberOfPoints);
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
     distances[i] = atVertices[surface.vertexOf(static_cast<geodesic::Id>(i))];
@@ -472,7 +472,7 @@ EngineRun measureEngine(
   const double sourceSeconds = watch.lap();
   const geodesic::FrontOptions frontOptions = frontOptionsFor(options);
   const auto field =
-    solveField(surface.mesh(), curves, options.refine * surface.diagonal(), frontOptions);
+    solveField(surface.mesh(), curves, options.refine * surface.diagonal, frontOptions);
   const double solveSeconds = watch.lap();
   json << ", \"faces\": " << surface.mesh().numberOfFaces()
        << ", \"edges\": " << surface.mesh().numberOfEdges() << ", \"build_s\": " << buildSeconds
@@ -483,7 +483,7 @@ EngineRun measureEngine(
   if (options.refine > 0.0)
   {
     watch.lap();
-    const geodesic::RefinedMesh refined = refineField(field, options.refine * surface.diagonal());
+    const geodesic::RefinedMesh refined = refineField(field, options.refine * surface.diagonal);
     refineSeconds = watch.lap();
     outputCells = refined.triangles.size();
     json << ", \"interpolation_error_bound\": " << refined.errorBound;
@@ -526,7 +526,7 @@ void measureModel(
   geodesic::FrontOptions frontOptions = frontOptionsFor(options);
   frontOptions.parallelFor = model.parallelFor();
   Stopwatch watch;
-  solveField(surface.mesh(), curves, options.refine * surface.diagonal(), frontOptions);
+  solveField(surface.mesh(), curves, options.refine * surface.diagonal, frontOptions);
   const double seconds = watch.lap();
   json << ", \"serial_share\": " << model.serialShare(seconds);
   const std::vector<double> gains = model.gains(seconds);

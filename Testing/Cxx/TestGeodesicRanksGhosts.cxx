@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Under MPI: ghost cells whose points differ by roundings from those of what they duplicate are
 // copies all the same, in blocks of one process and over ranks. Random surfaces with barriers and
-// hidden cells, which are holes, cut at random.
+// hidden cells, which are holes, cut at random. Cells of different ranks are copies only where they
+// have the same corners, all of them.
 #include "GeodesicTesting.h"
 #include "RanksTesting.h"
 
@@ -430,6 +431,45 @@ void CheckSeed(Check& check, std::uint64_t seed, const Place& place)
   }
 }
 
+/// A quad with a notch on rank 0, and on rank 1 the triangle in the notch, which has three of the
+/// quad's corners: neither is a copy of the other, whichever is marked. The fourth corner is the
+/// very first point of all ranks, the one with label 0.
+void CheckNotch(Check& check, Ranks ranks, bool isQuadMarked)
+{
+  const bool isEmpty = ranks.Rank > 1;
+  const std::vector<Point> corners = { { 0, 3, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 } };
+  const auto piece = PointSources(isEmpty ? std::vector<Point>() : corners);
+  if (!isEmpty)
+  {
+    const std::vector<vtkIdType> quad = { 0, 1, 2, 3 };
+    const vtkIdType first = ranks.Rank; // of the cell's corners
+    vtkNew<vtkCellArray> polys;
+    polys->InsertNextCell(4 - first, quad.data() + first);
+    vtkNew<vtkUnsignedCharArray> marks;
+    marks->SetName(vtkDataSetAttributes::GhostArrayName());
+    marks->InsertNextValue(
+      isQuadMarked == (ranks.Rank == 0) ? vtkDataSetAttributes::DUPLICATECELL : 0);
+    piece->SetPolys(polys);
+    piece->GetCellData()->AddArray(marks);
+  }
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(piece);
+  filter->SetSourceData(PointSources({ { -1, 0, 0 } }));
+  filter->RefineMeshOff();
+  Messages messages(filter);
+  messages.Update();
+  const std::string what =
+    std::string("notch, ") + (isQuadMarked ? "the quad" : "the triangle") + " is marked: ";
+  check.That(messages.Error().empty(), what + messages.Error());
+  if (!isEmpty)
+  {
+    check.That(std::abs(Distances(filter)->GetTuple1(0) - std::sqrt(10.0)) < 1e-13,
+      what + "the quad is there");
+    check.That(
+      std::abs(Distances(filter)->GetTuple1(3) - 2.0) < 1e-13, what + "the triangle is there");
+  }
+}
+
 }
 
 int TestGeodesicRanksGhosts(int argc, char* argv[])
@@ -437,6 +477,8 @@ int TestGeodesicRanksGhosts(int argc, char* argv[])
   return RunOnRanks(argc, argv,
     [](Check& check, Ranks ranks)
     {
+      CheckNotch(check, ranks, false);
+      CheckNotch(check, ranks, true);
       // How many seeds: more by hand.
       const char* given = std::getenv("GEODESIC_GHOST_SEEDS");
       const std::uint64_t count = given ? std::strtoull(given, nullptr, 10) : 24;

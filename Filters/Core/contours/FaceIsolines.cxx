@@ -20,7 +20,7 @@ using Remainder = LevelArrangement::Remainder;
 constexpr std::size_t None = static_cast<std::size_t>(-1);
 
 // The largest angle of a chord, so that a circle looks like one.
-constexpr double LargestStep = 3.14159265358979323846 / 6.0;
+constexpr double LargestStep = Pi / 6.0;
 
 // How often a face may be cut in four. Smaller parts, of a millionth of its size, are crossed
 // straight.
@@ -73,18 +73,16 @@ public:
   {
     this->from_.reserve(this->next_.size());
     this->to_.reserve(this->next_.size());
-    for (std::size_t i = 0; i < remainders.size(); ++i)
+    std::size_t owner = 0;
+    for (const Remainder& r : remainders)
     {
-      const Remainder& r = remainders[i];
-      this->from_.push_back({ r.curve->at(r.end), i });
-      this->to_.push_back({ r.curve->at(r.begin), i });
+      this->from_.push_back({ r.curve->at(r.end), owner });
+      this->to_.push_back({ r.curve->at(r.begin), owner++ });
     }
-    for (std::size_t i = 0; i < part.outline.size(); ++i)
+    for (const OutlinePoint& p : part.outline)
     {
-      (part.outline[i].leaves ? this->to_ : this->from_)
-        .push_back({ part.outline[i].at, remainders.size() + i });
+      (p.leaves ? this->to_ : this->from_).push_back({ p.at, owner++ });
     }
-    this->used_.assign(this->to_.size(), 0);
   }
 
   /// Joins ends of lines, the nearest ones first. Returns what follows each remainder, and each
@@ -103,73 +101,61 @@ private:
   {
     Vec2 at;
     std::size_t owner;
+    bool isJoined = false;
   };
-  /// The gap between two loose ends, and their numbers.
-  using Pair = std::tuple<double, std::size_t, std::size_t>;
 
   /// Joins loose ends that are no farther apart. Returns whether every line can continue.
   bool joinWithin(double largestGap)
   {
-    bool allMeet = true;
-    for (const auto& [gap, i, j] : this->pairsWithin(largestGap))
-    {
-      if (this->isLoose(i, j))
-      {
-        allMeet = allMeet && this->isJoint(this->from_[i].at, this->to_[j].at);
-        this->next_[this->from_[i].owner] = this->to_[j].owner;
-        this->used_[j] = 1;
-      }
-    }
-    return allMeet && std::find(this->used_.begin(), this->used_.end(), 0) == this->used_.end();
-  }
-
-  std::vector<Pair> pairsWithin(double largestGap)
-  {
-    std::vector<Pair> pairs;
+    // The gap between two loose ends, and their numbers.
+    std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
     for (std::size_t i = 0; i < this->from_.size(); ++i)
     {
       reportProgress(this->progress_, 0.0);
       for (std::size_t j = 0; j < this->to_.size(); ++j)
       {
         const double gap = norm(this->to_[j].at - this->from_[i].at);
-        if (gap <= largestGap && this->isLoose(i, j))
+        if (gap <= largestGap && !this->from_[i].isJoined && !this->to_[j].isJoined)
         {
           pairs.emplace_back(gap, i, j);
         }
       }
     }
     std::sort(pairs.begin(), pairs.end());
-    return pairs;
-  }
-
-  bool isLoose(std::size_t from, std::size_t to) const
-  {
-    return this->next_[this->from_[from].owner] == None && !this->used_[to];
+    bool allMeet = true;
+    for (const auto& [gap, i, j] : pairs)
+    {
+      LooseEnd& from = this->from_[i];
+      LooseEnd& to = this->to_[j];
+      if (!from.isJoined && !to.isJoined)
+      {
+        from.isJoined = true;
+        to.isJoined = true;
+        this->next_[from.owner] = to.owner;
+        allMeet = allMeet && this->isJoint(from.at, to.at);
+      }
+    }
+    return allMeet &&
+      std::all_of(
+        this->to_.begin(), this->to_.end(), [](const LooseEnd& to) { return to.isJoined; });
   }
 
   /// Whether a line may go straight from one end to another.
   bool isJoint(Vec2 a, Vec2 b) const
   {
-    if (norm(b - a) <= this->level_.gap)
-    {
-      return true;
-    }
-    for (const double t : { 0.25, 0.5, 0.75 })
+    const auto isAtValue = [&](double t)
     {
       const double distance = this->level_.face.distance(a + t * (b - a));
-      if (!(std::abs(distance - this->level_.value) <= this->level_.slack))
-      {
-        return false;
-      }
-    }
-    return true;
+      return std::abs(distance - this->level_.value) <= this->level_.slack;
+    };
+    return norm(b - a) <= this->level_.gap ||
+      (isAtValue(0.25) && isAtValue(0.5) && isAtValue(0.75));
   }
 
   const FaceLevel& level_;
   const ProgressCallback& progress_;
   std::vector<LooseEnd> from_;
   std::vector<LooseEnd> to_;
-  std::vector<std::uint8_t> used_;
   std::vector<std::size_t> next_;
 };
 
@@ -238,23 +224,22 @@ std::size_t chordFrom(std::size_t first, const Line& line, double chordTolerance
 class FaceDrawing
 {
 public:
-  FaceDrawing(const FaceLevel& level, Id valueId, IsolineTask& task)
-    : level_(level)
-    , valueId_(valueId)
-    , task_(task)
-  {
-  }
+  const FaceLevel& level;
+  Id valueId;
+  IsolineTask& task;
+  /// How many there are.
+  std::size_t numberOfParts = 1;
 
   /// Draws the part without cutting it. Returns whether that was possible.
   bool drawAtOnce(const Part& part)
   {
     if (part.outline.empty() && part.below &&
-      this->task_.arrangement.isWithinOneRegion(part.corners))
+      this->task.arrangement.isWithinOneRegion(part.corners))
     {
       return true;
     }
-    const std::vector<Remainder> remainders = this->task_.arrangement.remaindersIn(part.corners);
-    const auto next = EndJoiner(this->level_, part, remainders, this->task_.progress).run();
+    const std::vector<Remainder> remainders = this->task.arrangement.remaindersIn(part.corners);
+    const auto next = EndJoiner(this->level, part, remainders, this->task.progress).run();
     if (next)
     {
       this->addLines(part, remainders, *next);
@@ -287,7 +272,7 @@ public:
       }
     }
     std::array<Part, 4> parts;
-    this->parts_ += parts.size();
+    this->numberOfParts += parts.size();
     Part& center = parts[3];
     center = { middles, {}, middleBelow[0], part.depth + 1 };
     std::array<std::vector<OutlinePoint>, 3> cuts;
@@ -320,7 +305,7 @@ private:
     {
       return;
     }
-    if (part.depth == MaximumDepth || this->parts_ >= MaximumParts)
+    if (part.depth == MaximumDepth || this->numberOfParts >= MaximumParts)
     {
       this->crossStraight(part);
     }
@@ -343,7 +328,7 @@ private:
       for (; at < remainders.size(); at = next[at])
       {
         used[at] = 1;
-        follow(remainders[at], this->task_.chordTolerance, line);
+        follow(remainders[at], this->task.chordTolerance, line);
         if (at == owner)
         {
           return;
@@ -382,7 +367,7 @@ private:
   /// Adds a line without the points that the chord tolerance does not need.
   void addLine(const Line& line, bool isClosed)
   {
-    std::vector<Id>& ids = this->task_.result.ids;
+    std::vector<Id>& ids = this->task.result.ids;
     const std::size_t begin = ids.size();
     const std::size_t last = line.size() - 1;
     const auto idOf = [&](const LinePoint& p)
@@ -393,7 +378,7 @@ private:
       // A closed line has three corners at least.
       const std::size_t third = at < last / 3 ? last / 3 : at < 2 * last / 3 ? 2 * last / 3 : last;
       const std::size_t next =
-        std::min(chordFrom(at, line, this->task_.chordTolerance), isClosed ? third : last);
+        std::min(chordFrom(at, line, this->task.chordTolerance), isClosed ? third : last);
       ids.push_back(isClosed && next == last ? ids[begin] : idOf(line[next]));
       at = next;
     }
@@ -402,16 +387,16 @@ private:
 
   void closePiece()
   {
-    IsolinePieces& result = this->task_.result;
-    result.pieces.push_back({ this->level_.face.face(), this->valueId_, result.ids.size() });
+    IsolinePieces& result = this->task.result;
+    result.pieces.push_back({ this->level.face.face(), this->valueId, result.ids.size() });
   }
 
   Id addPoint(Vec2 p)
   {
-    const FaceDistance& face = this->level_.face;
-    std::vector<SurfacePoint>& points = this->task_.result.points;
-    points.push_back(fromBarycentric(this->task_.mesh, face.face(), face.fromPlane(p)));
-    return this->task_.firstNewId + static_cast<Id>(points.size() - 1);
+    const FaceDistance& face = this->level.face;
+    std::vector<SurfacePoint>& points = this->task.result.points;
+    points.push_back(fromBarycentric(this->task.mesh, face.face(), face.fromPlane(p)));
+    return this->task.firstNewId + static_cast<Id>(points.size() - 1);
   }
 
   std::vector<OutlinePoint> pointsBetween(Vec2 a, Vec2 b, bool aIsBelow, bool bIsBelow)
@@ -419,7 +404,7 @@ private:
     SegmentEnvelope envelope;
     std::vector<SegmentCrossing> crossings;
     findCrossings(
-      envelope.along(this->level_.face, a, b), this->level_.value, aIsBelow, bIsBelow, crossings);
+      envelope.along(this->level.face, a, b), this->level.value, aIsBelow, bIsBelow, crossings);
     const double length = norm(b - a);
     std::vector<OutlinePoint> points;
     for (const SegmentCrossing& crossing : crossings)
@@ -433,7 +418,7 @@ private:
   /// Joins each entry to the exit beside it, so that no two lines cross.
   void crossStraight(const Part& part)
   {
-    IsolinePieces& result = this->task_.result;
+    IsolinePieces& result = this->task.result;
     ++result.partsCrossedStraight;
     const std::size_t count = part.outline.size();
     for (std::size_t i = 0; i < count; ++i)
@@ -446,11 +431,6 @@ private:
       }
     }
   }
-
-  const FaceLevel& level_;
-  Id valueId_;
-  IsolineTask& task_;
-  std::size_t parts_ = 1;
 };
 
 } // anonymous namespace
@@ -463,7 +443,7 @@ void drawInFace(const FaceDistance& face, double level, Id valueId,
 {
   const FaceLevel faceLevel(face, level);
   const Part whole = { faceLevel.corners, outline, below, 0 };
-  FaceDrawing drawing(faceLevel, valueId, task);
+  FaceDrawing drawing{ faceLevel, valueId, task };
   for (const bool withBent : { false, true })
   {
     for (const double offset : { tolerance::CurveOffset, tolerance::LargerCurveOffset })

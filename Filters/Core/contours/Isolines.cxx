@@ -48,13 +48,20 @@ void checkOptions(const IsolineOptions& options)
   }
 }
 
-/// Whether other ranks also draw at an edge: each draws in the faces that it owns.
-bool isAtSeam(const MeshPartition& part, Id halfedge)
+/// The other ranks that draw at an edge: each draws in the faces that it owns.
+std::vector<int> otherRanksAt(const MeshPartition& part, Id halfedge)
 {
-  bool isSeam = false;
+  std::vector<int> ranks;
   forEachFace(part.mesh(), SurfacePoint::onEdge(halfedge, 0.0),
-    [&](Id face) { isSeam = isSeam || !part.isOwn(face); });
-  return isSeam;
+    [&](Id face)
+    {
+      const int rank = part.addressOf(face).rank;
+      if (!part.isOwn(face) && std::find(ranks.begin(), ranks.end(), rank) == ranks.end())
+      {
+        ranks.push_back(rank);
+      }
+    });
+  return ranks;
 }
 
 // Corrects a place that was found on an envelope: windows of an envelope may differ where they
@@ -103,35 +110,28 @@ public:
     {
       this->levels_.push_back(value * (1.0 - tolerance::BelowValue));
     }
+    this->certain_ = this->levels_.back() * (1.0 + tolerance::BoundMargin);
   }
 
   Isolines run()
   {
     this->findFaces();
     this->findEdgePoints();
-    std::vector<IsolinePieces> drawn = this->forTasks<IsolinePieces>(EdgesDone, 1.0,
-      [this](std::size_t first, std::size_t last, IsolinePieces& result,
-        const ProgressCallback& progress) { result = this->drawFaces(first, last, progress); });
+    std::vector<IsolinePieces> drawn = this->forTasks(EdgesDone, 1.0, &Drawing::drawFaces);
     std::vector<SurfacePoint> onEdges;
     onEdges.reserve(this->edgePoints_.size());
-    for (const EdgePoint& p : this->edgePoints_)
+    std::vector<Id> atSeams;
+    for (Id id = 0; id < this->edgePoints_.size(); ++id)
     {
+      const EdgePoint& p = this->edgePoints_[id];
       onEdges.push_back(this->placeOf(p));
-    }
-    IsolineJoin join(this->mesh_, this->levels_, std::move(onEdges));
-    for (Id point = 0; point < this->edgePoints_.size(); ++point)
-    {
-      if (isAtSeam(this->field_.surface(), this->edgePoints_[point].halfedge))
+      if (!otherRanksAt(this->field_.surface(), p.halfedge).empty())
       {
-        join.endAt(point);
+        atSeams.push_back(id);
       }
     }
-    for (IsolinePieces& pieces : drawn)
-    {
-      join.add(pieces);
-      pieces = {};
-    }
-    Isolines result = join.finish();
+    Isolines result =
+      joinPieces(this->mesh_, this->levels_, std::move(onEdges), atSeams, std::move(drawn));
     this->countTurnsAtSeams(result);
     return result;
   }
@@ -141,17 +141,8 @@ private:
   /// them.
   SurfacePoint placeOf(const EdgePoint& p) const
   {
-    const double length = this->mesh_.length(p.halfedge);
-    const double near = tolerance::IsolineAtVertex * (this->levels_[p.value] + length);
-    if (p.fraction * length <= near)
-    {
-      return SurfacePoint::atVertex(this->mesh_.origin(p.halfedge));
-    }
-    if ((1.0 - p.fraction) * length <= near)
-    {
-      return SurfacePoint::atVertex(this->mesh_.destination(p.halfedge));
-    }
-    return SurfacePoint::onEdge(p.halfedge, p.fraction);
+    return placeOnHalfedge(this->mesh_, p.halfedge, p.fraction,
+      tolerance::IsolineAtVertex * (this->levels_[p.value] + this->mesh_.length(p.halfedge)));
   }
 
   void findFaces()
@@ -159,8 +150,7 @@ private:
     const MeshPartition& part = this->field_.surface();
     for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
     {
-      const DistanceRange range = this->rangeOf(face);
-      if (!(range.least < Infinity) || !range.holdsOneOf(this->levels_))
+      if (!this->rangeOf(face).holdsOneOf(this->levels_))
       {
         continue;
       }
@@ -178,18 +168,19 @@ private:
     return this->field_.vertexDistances()[vertex] < this->levels_[value];
   }
 
-  /// Calls task(first, last, result, progress) for ranges of the faces. As a single face may have
-  /// very many windows, tasks may call their callback as often as they like.
-  template <typename Result, typename Task>
-  std::vector<Result> forTasks(double begin, double end, Task&& task) const
+  /// Runs a task for ranges of the faces. As a single face may have very many windows, it may call
+  /// its callback as often as it likes.
+  template <typename Result>
+  std::vector<Result> forTasks(double begin, double end,
+    Result (Drawing::*task)(std::size_t, std::size_t, const ProgressCallback&) const) const
   {
     const std::size_t count = this->faces_.size();
-    std::vector<Result> results((count + FacesPerTask - 1) / FacesPerTask);
     const ProgressCallback often = paced(this->options_.progress);
+    std::vector<Result> results((count + FacesPerTask - 1) / FacesPerTask);
     const auto run = [&](std::size_t i, const ProgressCallback& progress)
     {
       const std::size_t at = i * FacesPerTask;
-      task(at, std::min(at + FacesPerTask, count), results[i], progress);
+      results[i] = (this->*task)(at, std::min(at + FacesPerTask, count), progress);
     };
     runWatched(results.size(), run, this->options_.parallelFor,
       [&](double done) { return !often || often(begin + done * (end - begin)); });
@@ -198,18 +189,8 @@ private:
 
   void findEdgePoints()
   {
-    using Points = std::vector<EdgePoint>;
-    const std::vector<Points> found = this->forTasks<Points>(0.0, EdgesDone,
-      [this](std::size_t first, std::size_t last, Points& points, const ProgressCallback& progress)
-      {
-        SegmentEnvelope memory;
-        for (std::size_t i = first; i < last; ++i)
-        {
-          reportProgress(progress, 0.0);
-          this->addEdgePoints(this->faces_[i], memory, points);
-        }
-      });
-    for (const Points& points : found)
+    const auto found = this->forTasks(0.0, EdgesDone, &Drawing::edgePointsOf);
+    for (const std::vector<EdgePoint>& points : found)
     {
       this->edgePoints_.insert(this->edgePoints_.end(), points.begin(), points.end());
     }
@@ -224,17 +205,9 @@ private:
     std::vector<Message> messages = part.exchange().noMessages();
     for (const EdgePoint& p : this->edgePoints_)
     {
-      std::vector<int> told;
-      for (Id s = this->mesh_.nextSibling(p.halfedge); s != p.halfedge;
-           s = this->mesh_.nextSibling(s))
+      for (const int rank : otherRanksAt(part, p.halfedge))
       {
-        const RankAddress face = part.addressOf(TriangleMesh::faceOf(s));
-        const bool isOther = !part.isOwn(TriangleMesh::faceOf(s));
-        if (isOther && std::find(told.begin(), told.end(), face.rank) == told.end())
-        {
-          put(messages[rankIndex(face.rank)], p);
-          told.push_back(face.rank);
-        }
+        put(messages[rankIndex(rank)], p);
       }
     }
     readEach(part.exchange().step(std::move(messages)),
@@ -267,13 +240,25 @@ private:
     }
   }
 
+  std::vector<EdgePoint> edgePointsOf(
+    std::size_t first, std::size_t last, const ProgressCallback& progress) const
+  {
+    std::vector<EdgePoint> points;
+    SegmentEnvelope memory;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      reportProgress(progress, 0.0);
+      this->addEdgePoints(this->faces_[i], memory, points);
+    }
+    return points;
+  }
+
   /// Computes the points of those edges that are named by a halfedge of the face. Where the
   /// distance has a value on an edge, the ranges of all faces at the edge hold it.
   void addEdgePoints(Id face, SegmentEnvelope& memory, std::vector<EdgePoint>& points) const
   {
     std::optional<FaceDistance> distance;
     const bool hasSource = !this->field_.sourcesIn(face).empty();
-    const double certain = this->levels_.back() * (1.0 + tolerance::BoundMargin);
     std::vector<SegmentCrossing> crossings;
     for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
     {
@@ -281,7 +266,7 @@ private:
         this->mesh_.destination(halfedge) };
       const double length = this->mesh_.length(halfedge);
       DistanceRange range = rangeOnEdge(length, this->field_.vertexDistances()[ends[0]],
-        this->field_.vertexDistances()[ends[1]], certain);
+        this->field_.vertexDistances()[ends[1]], this->certain_);
       range.least = hasSource ? 0.0 : range.least;
       const auto [first, last] = range.indicesIn(this->levels_);
       if (first == last || this->mesh_.edgeOf(halfedge) != halfedge)
@@ -376,13 +361,11 @@ private:
     }
   }
 
-  /// The range of distances in a face. Beyond the largest value distances need not be exact.
   DistanceRange rangeOf(Id face) const
   {
     const std::vector<double>& d = this->field_.vertexDistances();
-    const Triangle& t = this->mesh_.triangle(face);
-    const double certain = this->levels_.back() * (1.0 + tolerance::BoundMargin);
-    return rangeInFace(this->mesh_.shape(face), { d[t[0]], d[t[1]], d[t[2]] }, certain,
+    const auto& [a, b, c] = this->mesh_.triangle(face);
+    return rangeInFace(this->mesh_.shape(face), { d[a], d[b], d[c] }, this->certain_,
       !this->field_.sourcesIn(face).empty());
   }
 
@@ -391,6 +374,8 @@ private:
   const IsolineOptions& options_;
   /// See tolerance::BelowValue.
   std::vector<double> levels_;
+  /// Distances beyond this, which is over the largest value, need not be exact.
+  double certain_;
   /// The faces of this rank that may contain a value, ascending.
   std::vector<Id> faces_;
   std::vector<EdgePoint> edgePoints_;

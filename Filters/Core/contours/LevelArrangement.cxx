@@ -64,22 +64,20 @@ FaceLevel::FaceLevel(const FaceDistance& distance, double levelValue)
 void LevelArrangement::assign(const FaceLevel& level, bool withBent, double offset)
 {
   this->level_ = &level;
-  this->bent_.clear();
   this->regions_.clear();
   this->curves_.clear();
   for (const DistanceCandidate& c : level.face.candidates())
   {
     this->addRegion(c, offset);
+  }
+  for (const DistanceCandidate& c : level.face.candidates())
+  {
     if (withBent && c.hasPencil())
     {
       using Kind = DistanceCandidate::Kind;
-      this->bent_.push_back({ Kind::Cone, c.atBegin, c.begin, {}, {}, 0.0, 0.0 });
-      this->bent_.push_back({ Kind::Cone, c.atEnd, c.end, {}, {}, 0.0, 0.0 });
+      this->addRegion({ Kind::Cone, c.atBegin, c.begin, {}, {}, 0.0, 0.0 }, offset);
+      this->addRegion({ Kind::Cone, c.atEnd, c.end, {}, {}, 0.0, 0.0 }, offset);
     }
-  }
-  for (const DistanceCandidate& c : this->bent_)
-  {
-    this->addRegion(c, offset);
   }
 }
 
@@ -88,10 +86,9 @@ void LevelArrangement::addRegion(const DistanceCandidate& candidate, double offs
   const std::size_t number = this->regions_.size();
   const double offsetScale = this->level_->value +
     std::min(this->level_->size, tolerance::OffsetFaceInValues * this->level_->value);
-  const LevelRegion region(candidate, number,
-    this->level_->value - static_cast<double>(number) * offset * offsetScale,
-    tolerance::PencilMargin * this->level_->size, this->level_->box);
-  if (!region.isEmpty())
+  const double value = this->level_->value - static_cast<double>(number) * offset * offsetScale;
+  const LevelRegion region(candidate, number, value, tolerance::PencilMargin * this->level_->size);
+  if (region.hasPointsBefore(value) && !region.misses(this->level_->box))
   {
     region.addCurves(this->level_->box, this->curves_);
     this->regions_.push_back(region);

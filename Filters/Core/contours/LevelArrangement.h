@@ -72,8 +72,6 @@ private:
 
   const ProgressCallback& progress_;
   const FaceLevel* level_ = nullptr;
-  /// Paths that bend at the ends of windows.
-  std::vector<DistanceCandidate> bent_;
   std::vector<LevelRegion> regions_;
   std::vector<LevelCurve> curves_;
   /// Of the curve that is cut: where it meets edges and regions, and the regions near its part.

@@ -11,8 +11,6 @@ namespace geodesic
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
 Vec2 unitOr(Vec2 v, Vec2 otherwise)
 {
   const double length = norm(v);
@@ -59,6 +57,52 @@ void addPlace(const LevelCurve& curve, Vec2 p, std::vector<double>& places)
   }
 }
 
+/// Appends the places where a line meets a circle; one of them is the curve's.
+void addLineWithCircle(const PlaneLine& line, Vec2 center, double radius, const LevelCurve& curve,
+  std::vector<double>& places)
+{
+  const Vec2 toCenter = center - line.point;
+  const double aside = line.aside(center);
+  const double squared = (radius - aside) * (radius + aside);
+  if (squared >= 0.0)
+  {
+    const double foot = dot(line.along, toCenter);
+    const double half = std::sqrt(squared);
+    for (const double along : { foot - half, foot + half })
+    {
+      addPlace(curve, line.point + along * line.along, places);
+    }
+  }
+}
+
+/// Appends the places on the curve where it meets a circle, in no order.
+void addMeetingsWithCircle(
+  const LevelCurve& curve, Vec2 center, double radius, std::vector<double>& places)
+{
+  if (!curve.isArc)
+  {
+    addLineWithCircle({ curve.origin, curve.axis }, center, radius, curve, places);
+    return;
+  }
+  const Vec2 toCenter = center - curve.origin;
+  const double between = norm(toCenter);
+  if (!(between > 0.0))
+  {
+    return;
+  }
+  const double along =
+    0.5 * (between + (curve.radius - radius) * (curve.radius + radius) / between);
+  const double squared = (curve.radius - along) * (curve.radius + along);
+  if (squared >= 0.0)
+  {
+    const Vec2 axis = (1.0 / between) * toCenter;
+    const Vec2 foot = curve.origin + along * axis;
+    const Vec2 aside = std::sqrt(squared) * leftOf(axis);
+    addPlace(curve, foot + aside, places);
+    addPlace(curve, foot - aside, places);
+  }
+}
+
 } // anonymous namespace
 
 double PlaneBox::nearest(Vec2 p) const
@@ -81,70 +125,25 @@ Vec2 LevelCurve::at(double t) const
 
 void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& places)
 {
-  if (!curve.isArc)
+  if (curve.isArc)
   {
-    const double slope = cross(line.along, curve.axis);
-    if (slope != 0.0)
-    {
-      const double t = cross(line.along, line.point - curve.origin) / slope;
-      addPlace(curve, curve.at(t), places);
-    }
+    addLineWithCircle(line, curve.origin, curve.radius, curve, places);
     return;
   }
-  const Vec2 toCenter = curve.origin - line.point;
-  const double aside = cross(line.along, toCenter);
-  const double squared = (curve.radius - aside) * (curve.radius + aside);
-  if (squared < 0.0)
+  const double slope = cross(line.along, curve.axis);
+  if (slope != 0.0)
   {
-    return;
-  }
-  const double half = std::sqrt(squared);
-  for (const double along : { dot(line.along, toCenter) - half, dot(line.along, toCenter) + half })
-  {
-    addPlace(curve, line.point + along * line.along, places);
+    const double t = cross(line.along, line.point - curve.origin) / slope;
+    addPlace(curve, curve.at(t), places);
   }
 }
 
-void addMeetings(const LevelCurve& curve, Vec2 center, double radius, std::vector<double>& places)
-{
-  const Vec2 toCenter = center - curve.origin;
-  if (!curve.isArc)
-  {
-    const double aside = cross(curve.axis, toCenter);
-    const double squared = (radius - aside) * (radius + aside);
-    if (squared >= 0.0)
-    {
-      const double half = std::sqrt(squared);
-      addPlace(curve, curve.at(dot(curve.axis, toCenter) - half), places);
-      addPlace(curve, curve.at(dot(curve.axis, toCenter) + half), places);
-    }
-    return;
-  }
-  const double between = norm(toCenter);
-  if (!(between > 0.0))
-  {
-    return;
-  }
-  const double along =
-    0.5 * (between + (curve.radius - radius) * (curve.radius + radius) / between);
-  const double squared = (curve.radius - along) * (curve.radius + along);
-  if (squared >= 0.0)
-  {
-    const Vec2 axis = (1.0 / between) * toCenter;
-    const Vec2 foot = curve.origin + along * axis;
-    const Vec2 aside = std::sqrt(squared) * leftOf(axis);
-    addPlace(curve, foot + aside, places);
-    addPlace(curve, foot - aside, places);
-  }
-}
-
-LevelRegion::LevelRegion(const DistanceCandidate& candidate, std::size_t number, double value,
-  double margin, const PlaneBox& box)
-  : candidate_(&candidate)
+LevelRegion::LevelRegion(
+  const DistanceCandidate& candidate, std::size_t number, double value, double margin)
+  : candidate_(candidate)
   , number_(number)
   , level_(value - candidate.sigma)
   , margin_(margin)
-  , numberOfRays_(candidate.hasPencil() ? 2 : 0)
 {
   const bool isLinear = candidate.kind == DistanceCandidate::Kind::Linear;
   if (candidate.hasPencil())
@@ -155,13 +154,11 @@ LevelRegion::LevelRegion(const DistanceCandidate& candidate, std::size_t number,
     const Vec2 last = isLinear ? candidate.source : unitOr(candidate.end - candidate.source, along);
     this->rays_ = { { { candidate.begin, first }, { candidate.end, -1.0 * last } } };
   }
-  this->isEmpty_ = !this->hasPointsBefore(value) || this->misses(box);
 }
 
-// Whether the way through the window's nearest point, or from the source, begins before the value.
 bool LevelRegion::hasPointsBefore(double value) const
 {
-  const DistanceCandidate& c = *this->candidate_;
+  const DistanceCandidate& c = this->candidate_;
   if (c.kind == DistanceCandidate::Kind::Linear)
   {
     return std::min(c.atBegin, c.atEnd) < value;
@@ -178,7 +175,7 @@ bool LevelRegion::hasPointsBefore(double value) const
 // The length of the way straight to a point, from the source or along parallel rays.
 double LevelRegion::straightTo(Vec2 p) const
 {
-  const DistanceCandidate& c = *this->candidate_;
+  const DistanceCandidate& c = this->candidate_;
   return c.kind == DistanceCandidate::Kind::Linear ? dot(c.source, p)
     : c.kind == DistanceCandidate::Kind::Segment   ? c.distance(p)
                                                    : norm(p - c.source);
@@ -187,7 +184,7 @@ double LevelRegion::straightTo(Vec2 p) const
 // A lower bound of that length to the points of a box.
 double LevelRegion::leastStraightTo(const PlaneBox& box) const
 {
-  const DistanceCandidate& c = *this->candidate_;
+  const DistanceCandidate& c = this->candidate_;
   return c.kind == DistanceCandidate::Kind::Linear ? dot(c.source, box.corner(-1.0 * c.source))
     : c.kind == DistanceCandidate::Kind::Segment   ? 0.0
                                                    : box.nearest(c.source);
@@ -209,27 +206,46 @@ bool LevelRegion::contains(Vec2 p) const
 
 void LevelRegion::addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const
 {
-  const DistanceCandidate& c = *this->candidate_;
-  const bool isRound =
-    c.kind == DistanceCandidate::Kind::Cone || c.kind == DistanceCandidate::Kind::Circular;
-  if (isRound && box.farthest(c.source) < this->level_)
-  {
-    return;
-  }
+  const DistanceCandidate& c = this->candidate_;
+  const double r = this->level_;
   switch (c.kind)
   {
     case DistanceCandidate::Kind::Cone:
-      addArcs(this->number_, c.source, this->level_, { 1.0, 0.0 }, 2.0 * Pi, curves);
+      if (r <= box.farthest(c.source))
+      {
+        addArcs(this->number_, c.source, r, { 1.0, 0.0 }, 2.0 * Pi, curves);
+      }
       break;
     case DistanceCandidate::Kind::Circular:
-      this->addArc(curves);
+      if (r <= box.farthest(c.source))
+      {
+        this->addArc(curves);
+      }
       break;
     case DistanceCandidate::Kind::Linear:
-      this->addStraight(curves);
+    {
+      const Vec2 along = -1.0 * leftOf(c.source);
+      const double length = dot(along, c.end - c.begin) + 2.0 * this->margin_;
+      const Vec2 begin = c.begin + (r - dot(c.source, c.begin)) * c.source;
+      if (length > 0.0)
+      {
+        curves.push_back(
+          { this->number_, false, begin - this->margin_ * along, along, 0.0, length });
+      }
       break;
+    }
     case DistanceCandidate::Kind::Segment:
-      this->addOutline(curves);
+    {
+      // Straight along both sides of the segment, round its ends.
+      const double length = norm(c.end - c.begin);
+      const Vec2 along = unitOr(c.end - c.begin, { 1.0, 0.0 });
+      const Vec2 left = leftOf(along);
+      curves.push_back({ this->number_, false, c.begin + r * left, along, 0.0, length });
+      addArcs(this->number_, c.end, r, left, Pi, curves);
+      curves.push_back({ this->number_, false, c.end - r * left, -1.0 * along, 0.0, length });
+      addArcs(this->number_, c.begin, r, -1.0 * left, Pi, curves);
       break;
+    }
   }
 }
 
@@ -253,67 +269,40 @@ void LevelRegion::addArc(std::vector<LevelCurve>& curves) const
     if (halfTangent <= 1.0)
     {
       curves.push_back(
-        { this->number_, true, this->candidate_->source, axis, this->level_, halfTangent });
+        { this->number_, true, this->candidate_.source, axis, this->level_, halfTangent });
       return;
     }
   }
   const double between = clockwiseAngle(first, last);
   const double angle = (between > 1.5 * Pi ? 0.0 : between) + 2.0 * beyond;
   addArcs(
-    this->number_, this->candidate_->source, this->level_, axis, std::min(angle, 2.0 * Pi), curves);
-}
-
-void LevelRegion::addStraight(std::vector<LevelCurve>& curves) const
-{
-  const DistanceCandidate& c = *this->candidate_;
-  const Vec2 along = -1.0 * leftOf(c.source);
-  const double beyond = this->margin_;
-  const double length = dot(along, c.end - c.begin) + 2.0 * beyond;
-  const Vec2 begin = c.begin + (this->level_ - dot(c.source, c.begin)) * c.source;
-  if (length > 0.0)
-  {
-    curves.push_back({ this->number_, false, begin - beyond * along, along, 0.0, length });
-  }
-}
-
-// Straight along both sides of the segment, round its ends.
-void LevelRegion::addOutline(std::vector<LevelCurve>& curves) const
-{
-  const DistanceCandidate& c = *this->candidate_;
-  const double length = norm(c.end - c.begin);
-  const Vec2 along = unitOr(c.end - c.begin, { 1.0, 0.0 });
-  const Vec2 left = leftOf(along);
-  const double r = this->level_;
-  curves.push_back({ this->number_, false, c.begin + r * left, along, 0.0, length });
-  addArcs(this->number_, c.end, r, left, Pi, curves);
-  curves.push_back({ this->number_, false, c.end - r * left, -1.0 * along, 0.0, length });
-  addArcs(this->number_, c.begin, r, -1.0 * left, Pi, curves);
+    this->number_, this->candidate_.source, this->level_, axis, std::min(angle, 2.0 * Pi), curves);
 }
 
 void LevelRegion::addMeetings(const LevelCurve& curve, std::vector<double>& places) const
 {
-  using geodesic::addMeetings;
-  const DistanceCandidate& c = *this->candidate_;
+  const DistanceCandidate& c = this->candidate_;
   for (const PlaneLine& ray : this->rays())
   {
-    addMeetings(curve, { ray.point + this->margin_ * leftOf(ray.along), ray.along }, places);
+    geodesic::addMeetings(
+      curve, { ray.point + this->margin_ * leftOf(ray.along), ray.along }, places);
   }
   if (c.kind == DistanceCandidate::Kind::Linear)
   {
-    addMeetings(curve, { this->level_ * c.source, leftOf(c.source) }, places);
+    geodesic::addMeetings(curve, { this->level_ * c.source, leftOf(c.source) }, places);
   }
   else if (c.kind == DistanceCandidate::Kind::Segment)
   {
     const Vec2 along = unitOr(c.end - c.begin, { 1.0, 0.0 });
     const Vec2 aside = this->level_ * leftOf(along);
-    addMeetings(curve, { c.begin + aside, along }, places);
-    addMeetings(curve, { c.begin - aside, along }, places);
-    addMeetings(curve, c.begin, this->level_, places);
-    addMeetings(curve, c.end, this->level_, places);
+    geodesic::addMeetings(curve, { c.begin + aside, along }, places);
+    geodesic::addMeetings(curve, { c.begin - aside, along }, places);
+    addMeetingsWithCircle(curve, c.begin, this->level_, places);
+    addMeetingsWithCircle(curve, c.end, this->level_, places);
   }
   else
   {
-    addMeetings(curve, c.source, this->level_, places);
+    addMeetingsWithCircle(curve, c.source, this->level_, places);
   }
 }
 

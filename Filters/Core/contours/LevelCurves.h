@@ -72,23 +72,20 @@ struct PlaneLine
   }
 };
 
-/// Appends the places on the curve where it meets a line or a circle, in no order.
+/// Appends the places on the curve where it meets a line, in no order.
 void addMeetings(const LevelCurve& curve, const PlaneLine& line, std::vector<double>& places);
-void addMeetings(const LevelCurve& curve, Vec2 center, double radius, std::vector<double>& places);
 
 /// The points that one distance candidate reaches straight within a value: a convex region bounded
 /// by the rays at the ends of the candidate's window and by level curves.
 class LevelRegion
 {
 public:
-  /// \param candidate must outlive this.
   /// \param margin by which the pencil is widened, so that those of neighbours leave no gap.
-  /// \param box around the face.
-  LevelRegion(const DistanceCandidate& candidate, std::size_t number, double value, double margin,
-    const PlaneBox& box);
+  LevelRegion(const DistanceCandidate& candidate, std::size_t number, double value, double margin);
 
-  /// Whether there is none in the face.
-  bool isEmpty() const { return this->isEmpty_; }
+  /// Whether a way through the window's nearest point, or from the source, begins before the value.
+  /// If not, the region is empty.
+  bool hasPointsBefore(double value) const;
   bool contains(Vec2 p) const;
   /// Appends the curves that bound it in the box, each as far as the widened pencil goes.
   void addCurves(const PlaneBox& box, std::vector<LevelCurve>& curves) const;
@@ -101,25 +98,20 @@ public:
 private:
   ArrayRange<PlaneLine> rays() const
   {
-    return { this->rays_.data(), this->rays_.data() + this->numberOfRays_ };
+    return { this->rays_.data(), this->rays_.data() + (this->candidate_.hasPencil() ? 2 : 0) };
   }
   double straightTo(Vec2 p) const;
   double leastStraightTo(const PlaneBox& box) const;
-  bool hasPointsBefore(double value) const;
   void addArc(std::vector<LevelCurve>& curves) const;
-  void addStraight(std::vector<LevelCurve>& curves) const;
-  void addOutline(std::vector<LevelCurve>& curves) const;
 
-  const DistanceCandidate* candidate_;
+  DistanceCandidate candidate_;
   std::size_t number_;
   /// How far from the source it reaches; with parallel rays, along these from the origin.
   double level_;
   double margin_;
   /// The rays at the window's ends, the second one backwards: the pencil lies to the right of both,
   /// up to the margin. Without a pencil there are none.
-  std::size_t numberOfRays_;
   std::array<PlaneLine, 2> rays_;
-  bool isEmpty_;
 };
 
 }

@@ -40,9 +40,9 @@ public:
 
   bool needsInside() const override { return true; }
   double reach() const override { return this->reach_; }
-  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
-  void start(const std::vector<SourceInFace>& sources) override
+  void start(std::size_t districts, const std::vector<SourceInFace>& sources) override
   {
+    this->passed_.resize(districts);
     for (const SourceInFace& source : sources)
     {
       this->hasSource_[source.face] = 1;
@@ -52,11 +52,7 @@ public:
   {
     this->passed_[district].push_back(list);
   }
-  void advance(const FrontState& front) override
-  {
-    this->takePassed(front);
-    ++this->batch_;
-  }
+  void advance(const FrontState& front) override { this->takePassed(front); }
   void finish(const FrontState& front) override
   {
     this->takePassed(front);
@@ -78,9 +74,9 @@ private:
   bool mayHoldValue(Id face, const VertexNumbers& distances, double certain) const
   {
     const auto& [a, b, c] = this->surface_.mesh().triangle(face);
-    const DistanceRange range = rangeInFace(this->surface_.mesh().shape(face),
-      { distances(a), distances(b), distances(c) }, certain, this->hasSource_[face] != 0);
-    return range.least < Infinity && range.holdsOneOf(this->values_);
+    return rangeInFace(this->surface_.mesh().shape(face),
+      { distances(a), distances(b), distances(c) }, certain, this->hasSource_[face] != 0)
+      .holdsOneOf(this->values_);
   }
 
   // Distances beyond the front may still fall, down to its key. Beyond the reach they are never
@@ -95,7 +91,7 @@ private:
         const Id face = TriangleMesh::faceOf(list.halfedge);
         if (this->pinned_[face] || this->mayHoldValue(face, front.distances, certain))
         {
-          this->kept_.windows.add(list.halfedge, list.windows.range(), this->batch_);
+          this->kept_.windows.add(list.halfedge, list.windows.range());
         }
         else
         {
@@ -114,7 +110,6 @@ private:
   std::vector<std::uint8_t> hasSource_;
   /// The lists that each district has handed over in this batch.
   std::vector<std::vector<PassedList>> passed_;
-  Id batch_ = 0;
   std::vector<Id> droppedTooEarly_;
   KeptWindows kept_;
 };

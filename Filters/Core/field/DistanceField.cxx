@@ -10,36 +10,10 @@
 namespace geodesic
 {
 
-namespace
-{
-
-double leastDistance(const DistanceField& field, Id face, const SurfacePoint& place)
-{
-  double least = Infinity;
-  forEachWay(
-    field, face, place, [&](const WayIntoFace& way) { least = std::min(least, way.distance); });
-  return least;
-}
-
-} // anonymous namespace
-
-DistanceField::DistanceField(const MeshPartition& surface, FrontResult front, KeptWindows kept)
-  : surface_(surface)
-  , front_(std::move(front))
-  , kept_(std::move(kept))
-{
-}
-
-WindowRuns DistanceField::windowsOn(Id halfedge) const
-{
-  return this->hasWindows() ? this->kept_.windows.at(halfedge) : WindowRuns();
-}
-
 std::vector<SourceInFace> DistanceField::sourcesIn(Id face) const
 {
-  const auto [first, last] = std::equal_range(this->front_.sourcesInFaces.begin(),
-    this->front_.sourcesInFaces.end(), SourceInFace{ face },
-    [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; });
+  const auto [first, last] = std::equal_range(
+    this->front_.sourcesInFaces.begin(), this->front_.sourcesInFaces.end(), SourceInFace{ face });
   return { first, last };
 }
 
@@ -62,7 +36,8 @@ double DistanceField::distance(const SurfacePoint& point) const
       if (isInsideKnown)
       {
         isKnown = true;
-        least = std::min(least, leastDistance(*this, face, p));
+        forEachWay(
+          *this, face, p, [&](const WayIntoFace& way) { least = std::min(least, way.distance); });
       }
     });
   if (isDropped && !isKnown)

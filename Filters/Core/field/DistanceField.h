@@ -20,7 +20,12 @@ namespace geodesic
 class DistanceField
 {
 public:
-  DistanceField(const MeshPartition& surface, FrontResult front, KeptWindows kept);
+  DistanceField(const MeshPartition& surface, FrontResult front, KeptWindows kept)
+    : surface_(surface)
+    , front_(std::move(front))
+    , kept_(std::move(kept))
+  {
+  }
 
   /// Distance at each vertex, in the surface's units; +infinity if the front did not reach it.
   const std::vector<double>& vertexDistances() const { return this->front_.vertexDistances; }
@@ -34,7 +39,10 @@ public:
 
   /// The windows that enter the halfedge's face through it, in no order; several may overlap. Empty
   /// if none were kept.
-  WindowRuns windowsOn(Id halfedge) const;
+  WindowRuns windowsOn(Id halfedge) const
+  {
+    return this->hasWindows() ? this->kept_.windows.at(halfedge) : WindowRuns();
+  }
 
   /// How a shortest path arrives at each vertex; empty if the solve did not keep arrivals.
   const std::vector<Arrival>& arrivals() const { return this->front_.arrivals; }

@@ -79,17 +79,17 @@ FaceDistance::FaceDistance(
     throw Error("The distance inside faces was asked for, but the solve kept no windows.");
   }
   this->candidates_.clear();
+  const std::vector<SourceInFace> sources = field.sourcesIn(face);
   for (Id k = 0; k < 3; ++k)
   {
-    this->addHalfedge(field, 3 * face + k);
+    this->addHalfedge(field, 3 * face + k, this->exact_ && sources.empty());
   }
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const double sigma = field.vertexDistances()[this->mesh_->triangle(face)[k]];
-    this->candidates_.push_back(
-      { DistanceCandidate::Kind::Cone, sigma, this->inPlane(cornerWeights(k)), {}, {}, 0.0, 0.0 });
+    this->addCone(
+      field.vertexDistances()[this->mesh_->triangle(face)[k]], this->inPlane(cornerWeights(k)));
   }
-  for (const SourceInFace& source : field.sourcesIn(face))
+  for (const SourceInFace& source : sources)
   {
     const Vec2 a = this->inPlane(source.a);
     const auto kind =
@@ -98,17 +98,14 @@ FaceDistance::FaceDistance(
   }
 }
 
-Vec2 FaceDistance::inPlane(const Barycentric& point) const
+void FaceDistance::addCone(double sigma, Vec2 apex)
 {
-  return inHalfedgeFrame(*this->mesh_, this->frame_, point);
+  this->candidates_.push_back({ DistanceCandidate::Kind::Cone, sigma, apex, {}, {}, 0.0, 0.0 });
 }
 
-Barycentric FaceDistance::fromPlane(Vec2 p) const
-{
-  return fromHalfedgeFrame(*this->mesh_, this->frame_, p);
-}
-
-void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge)
+// A curve's point may lie on the halfedge, between the halfedge's ends, in a face without area
+// behind it. All its rays then enter at one place, in a window without width, which is not kept.
+void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge, bool maySourceBeInside)
 {
   const WindowRuns windows = field.windowsOn(halfedge);
   const double length = this->mesh_->length(halfedge);
@@ -146,23 +143,17 @@ void FaceDistance::addHalfedge(const DistanceField& field, Id halfedge)
       c.sigma = w.sigma;
     }
     this->candidates_.push_back(c);
-    if (this->exact_ && field.sourcesIn(this->face_).empty())
+    const double rounding = tolerance::PlaceRounding * length;
+    const auto isSource = [&](double x, double distance)
+    { return distance <= rounding && x > rounding && length - x > rounding; };
+    if (maySourceBeInside && isSource(w.begin, c.atBegin))
     {
-      this->addSourceInside(w.begin, length, c.atBegin, c.begin);
-      this->addSourceInside(w.end, length, c.atEnd, c.end);
+      this->addCone(c.atBegin, c.begin);
     }
-  }
-}
-
-// A curve's point may lie on the halfedge, between the halfedge's ends, in a face without area
-// behind it. All its rays then enter at one place, in a window without width, which is not kept.
-void FaceDistance::addSourceInside(double along, double length, double distance, Vec2 place)
-{
-  const double rounding = tolerance::PlaceRounding * length;
-  if (distance <= rounding && along > rounding && length - along > rounding)
-  {
-    this->candidates_.push_back(
-      { DistanceCandidate::Kind::Cone, distance, place, {}, {}, 0.0, 0.0 });
+    if (maySourceBeInside && isSource(w.end, c.atEnd))
+    {
+      this->addCone(c.atEnd, c.end);
+    }
   }
 }
 

@@ -68,9 +68,12 @@ public:
   bool isExact() const { return this->exact_; }
 
   /// A point of the face in the plane.
-  Vec2 inPlane(const Barycentric& point) const;
+  Vec2 inPlane(const Barycentric& point) const
+  {
+    return inHalfedgeFrame(*this->mesh_, this->frame_, point);
+  }
   /// The coordinates in the face of a point of the plane.
-  Barycentric fromPlane(Vec2 p) const;
+  Barycentric fromPlane(Vec2 p) const { return fromHalfedgeFrame(*this->mesh_, this->frame_, p); }
 
   const std::vector<DistanceCandidate>& candidates() const { return this->candidates_; }
   std::vector<DistanceCandidate> releaseMemory() { return std::move(this->candidates_); }
@@ -79,8 +82,8 @@ public:
   double distance(Vec2 p) const;
 
 private:
-  void addHalfedge(const DistanceField& field, Id halfedge);
-  void addSourceInside(double along, double length, double distance, Vec2 place);
+  void addHalfedge(const DistanceField& field, Id halfedge, bool maySourceBeInside);
+  void addCone(double sigma, Vec2 apex);
 
   const TriangleMesh* mesh_;
   bool exact_;

@@ -34,44 +34,40 @@ Gradients::Hop Gradients::hopBefore(IncomingRay ray) const
   return { owned, ray };
 }
 
-void Gradients::finish()
-{
-  while (this->field_.surface().exchange().isTrueAnywhere(!this->open_.empty()))
-  {
-    this->askOnce();
-  }
-}
-
 // Asks the owners of the faces that the rays enter. A ray that comes to a face again goes in a
 // circle of faces without area.
-void Gradients::askOnce()
+void Gradients::finish()
 {
-  Questions questions(this->field_.surface().exchange());
-  for (std::size_t i = 0; i < this->open_.size(); ++i)
+  Exchange& exchange = this->field_.surface().exchange();
+  while (exchange.isTrueAnywhere(!this->open_.empty()))
   {
-    const Hop& hop = this->open_[i].hop;
-    questions.ask(hop.face.rank, i, hop.ray);
-  }
-  std::vector<Open> goingOn;
-  questions.exchangeAnswers(
-    [&](MessageReader& question, Message& answer)
+    Questions questions(exchange);
+    for (std::size_t i = 0; i < this->open_.size(); ++i)
     {
-      const TriangleMesh& mesh = this->field_.mesh();
-      const IncomingRay ray = backToDirectionInSpace(mesh, question.get<IncomingRay>());
-      put(answer, Answer{ inSpace(mesh, ray.halfedge, ray.direction), this->hopBefore(ray) });
-    },
-    [&](std::size_t i, MessageReader& reader)
-    {
-      const auto answer = reader.get<Answer>();
-      Open& open = this->open_[i];
-      this->result_[open.point] = answer.gradient;
-      if (answer.hop.isOne() && open.passed.insert(answer.hop.face).second)
+      const Hop& hop = this->open_[i].hop;
+      questions.ask(hop.face.rank, i, hop.ray);
+    }
+    std::vector<Open> goingOn;
+    questions.exchangeAnswers(
+      [&](MessageReader& question, Message& answer)
       {
-        open.hop = answer.hop;
-        goingOn.push_back(std::move(open));
-      }
-    });
-  this->open_ = std::move(goingOn);
+        const TriangleMesh& mesh = this->field_.mesh();
+        const IncomingRay ray = backToDirectionInSpace(mesh, question.get<IncomingRay>());
+        put(answer, Answer{ inSpace(mesh, ray.halfedge, ray.direction), this->hopBefore(ray) });
+      },
+      [&](std::size_t i, MessageReader& reader)
+      {
+        const auto answer = reader.get<Answer>();
+        Open& open = this->open_[i];
+        this->result_[open.point] = answer.gradient;
+        if (answer.hop.isOne() && open.passed.insert(answer.hop.face).second)
+        {
+          open.hop = answer.hop;
+          goingOn.push_back(std::move(open));
+        }
+      });
+    this->open_ = std::move(goingOn);
+  }
 }
 
 }

@@ -53,7 +53,6 @@ private:
   };
 
   Hop hopBefore(IncomingRay ray) const;
-  void askOnce();
 
   const DistanceField& field_;
   std::vector<Vec3>& result_;

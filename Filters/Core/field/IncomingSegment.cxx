@@ -131,11 +131,14 @@ public:
     this->best_.distance = this->field_.vertexDistances()[this->point_.id];
     if (!arrival.isThroughWindow())
     {
-      const std::size_t k = this->cornerWithNumber(arrival.origin);
+      const Triangle& corners = this->mesh_.triangle(this->face_);
+      const auto corner = std::find_if(corners.begin(), corners.end() - 1,
+        [&](Id c) { return this->field_.surface().globalId(c) == arrival.origin; });
       this->best_.kind = Kind::Corner;
-      this->best_.ray = this->rayFrom(cornerWeights(k));
+      this->best_.ray =
+        this->rayFrom(cornerWeights(static_cast<std::size_t>(corner - corners.begin())));
       this->best_.place = arrival.place;
-      this->setCorner(this->mesh_.triangle(this->face_)[k]);
+      this->setCorner(*corner);
       return;
     }
     const WayFrom way = wayFrom(arrival.x, apexOf(this->mesh_, arrival.halfedge), arrival.direction,
@@ -242,14 +245,6 @@ private:
     this->best_.distance = std::min(distance, shortest);
     this->straight_ = straight;
     return true;
-  }
-
-  std::size_t cornerWithNumber(Id globalId) const
-  {
-    const Triangle& t = this->mesh_.triangle(this->face_);
-    return this->field_.surface().globalId(t[0]) == globalId ? 0
-      : this->field_.surface().globalId(t[1]) == globalId    ? 1
-                                                             : 2;
   }
 
   void setCorner(Id corner)

@@ -123,10 +123,17 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   , sectors_(patch.mesh())
   , directions_(patch.mesh())
 {
-  this->takeVerticesOnCurves();
+  const MeshPartition& part = field.surface();
+  for (const VertexOnCurve& on : this->curves_.vertices())
+  {
+    const Id vertex = part.countedVertex(patch.globalId(on.vertex));
+    if (vertex != NoId)
+    {
+      this->origins_[vertex] = this->atPoint({ on.curve, false }, on.place, Infinity);
+    }
+  }
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  const MeshPartition& part = field.surface();
   for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
   {
     progress.at(vertex, part.numberOfOwnVertices());
@@ -138,19 +145,6 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
   if (part.isDistributed())
   {
     this->elsewhere_ = originsElsewhere(this->field_, this->origins_);
-  }
-}
-
-void NearestSource::takeVerticesOnCurves()
-{
-  for (const VertexOnCurve& on : this->curves_.vertices())
-  {
-    const Id vertex =
-      this->field_.surface().countedVertex(this->curves_.patch().globalId(on.vertex));
-    if (vertex != NoId)
-    {
-      this->origins_[vertex] = this->atPoint({ on.curve, false }, on.place, Infinity);
-    }
   }
 }
 
@@ -205,18 +199,12 @@ void NearestSource::follow(Id vertex)
   }
 }
 
-Foot NearestSource::of(const IncomingSegment& piece)
-{
-  return this->footOf(this->originOf(piece));
-}
-
 // Whether the piece begins on a curve, not at a pseudo-source.
 bool NearestSource::isFromCurve(const IncomingSegment& piece) const
 {
   return piece.kind == IncomingSegment::Kind::Corner
     ? this->onCurveAt(piece.origin) != nullptr
-    : piece.kind != IncomingSegment::Kind::Window ||
-      CurveSide::isOne(piece.origin, this->field_.surface().numberOfGlobalVertices());
+    : piece.kind != IncomingSegment::Kind::Window || this->isOnCurve(piece.origin);
 }
 
 CurveOrigin NearestSource::originOf(const IncomingSegment& piece)
@@ -235,7 +223,7 @@ CurveOrigin NearestSource::originOf(const IncomingSegment& piece)
     return { PointSide{ at.point, at.isRight }.origin(this->firstPoint_),
       angleAround(piece.origin, piece.place, piece.rayOfWindow) };
   }
-  if (CurveSide::isOne(piece.origin, this->field_.surface().numberOfGlobalVertices()))
+  if (this->isOnCurve(piece.origin))
   {
     return { piece.origin, piece.place };
   }
@@ -292,13 +280,12 @@ CurveOrigin NearestSource::atPoint(const CurveSide& side, double place, double a
 
 void NearestSource::goAround(Id number) const
 {
-  if (number == this->directionsPoint_)
+  if (number != this->directionsPoint_)
   {
-    return;
+    const PointWithEnds at = this->curves_.around(number);
+    this->directions_.assign(at.point, at.ends);
+    this->directionsPoint_ = number;
   }
-  const PointWithEnds at = this->curves_.around(number);
-  this->directions_.assign(at.point, at.ends);
-  this->directionsPoint_ = number;
 }
 
 CurveOrigin NearestSource::ofVertex(Id globalId) const
@@ -319,14 +306,13 @@ const VertexOnCurve* NearestSource::onCurveAt(Id globalId) const
 
 void NearestSource::goToVertex(Id vertex)
 {
-  if (vertex == this->sectorsVertex_)
+  if (vertex != this->sectorsVertex_)
   {
-    return;
+    const VertexOnCurve& on = *this->curves_.find(vertex);
+    this->sectors_.assign(
+      SurfacePoint::atVertex(vertex), this->curves_.endsAround(vertex), on.curve, on.place);
+    this->sectorsVertex_ = vertex;
   }
-  const VertexOnCurve& on = *this->curves_.find(vertex);
-  this->sectors_.assign(SurfacePoint::atVertex(vertex), this->curves_.endsAround(vertex),
-    CurveOrigin::onLeft(this->meshOfCurves(), on.curve, on.place));
-  this->sectorsVertex_ = vertex;
 }
 
 void NearestSource::goToPoint(Id number)
@@ -339,8 +325,7 @@ void NearestSource::goToPoint(Id number)
   }
   const CurveChains::Point point = this->curves_.chains().pointWith(number);
   const double place = this->curves_.chains().places(point.chain)[point.i];
-  this->sectors_.assign(
-    at.point, at.ends, CurveOrigin::onLeft(this->meshOfCurves(), point.chain, place));
+  this->sectors_.assign(at.point, at.ends, point.chain, place);
   this->sectorsVertex_ = NoId;
 }
 
@@ -387,11 +372,6 @@ SurfacePoint NearestSource::pointOf(const Foot& foot) const
   return fromBarycentric(this->meshOfCurves(), face, between(a, b, t));
 }
 
-double NearestSource::arcLengthOf(const Foot& foot) const
-{
-  return this->curves_.chains().arcLength(foot.curve, foot.place);
-}
-
 std::vector<double> NearestSource::arcLengthsOf(Id curve) const
 {
   const CurveChains::Part& part = this->curves_.chains().partOf(curve);
@@ -414,10 +394,9 @@ double NearestSource::angleOf(const Foot& foot) const
   {
     throw Error("The angle of a path was asked for, but the solve did not keep angles.");
   }
-  constexpr double rightAngle = 1.57079632679489661923;
   if (std::isnan(foot.around))
   {
-    return foot.isRight ? -rightAngle : rightAngle;
+    return foot.isRight ? -RightAngle : RightAngle;
   }
   if (!(std::abs(foot.around) < Infinity))
   {

@@ -61,13 +61,16 @@ public:
   Foot atVertex(Id vertex) const { return this->footOf(this->origins_[vertex]); }
   /// The foot of a path that ends with a piece, from incomingSegmentTo() of the same field. Not
   /// thread-safe.
-  Foot of(const IncomingSegment& piece);
+  Foot of(const IncomingSegment& piece) { return this->footOf(this->originOf(piece)); }
 
   /// A foot's place on the surface, a point of meshOfCurves().
   SurfacePoint pointOf(const Foot& foot) const;
 
   /// The length along the foot's curve from the curve's first point to pointOf(); 0 for a point.
-  double arcLengthOf(const Foot& foot) const;
+  double arcLengthOf(const Foot& foot) const
+  {
+    return this->curves_.chains().arcLength(foot.curve, foot.place);
+  }
   /// The arc length of each point of a curve, bit by bit that of a foot there. The last point of a
   /// closed curve has the whole length.
   std::vector<double> arcLengthsOf(Id curve) const;
@@ -105,7 +108,6 @@ public:
   const CurvesOnPatch& curvesOnPatch() const { return this->curves_; }
 
 private:
-  void takeVerticesOnCurves();
   IncomingSegment originTo(Id vertex) const;
   void follow(Id vertex);
   bool isFromCurve(const IncomingSegment& piece) const;
@@ -113,6 +115,10 @@ private:
   CurveOrigin atSource(const IncomingSegment& piece);
   CurveOrigin inSector(const IncomingSegment& piece) const;
   CurveOrigin atPoint(const CurveSide& side, double place, double around) const;
+  bool isOnCurve(Id origin) const
+  {
+    return CurveSide::isOne(origin, this->field_.surface().numberOfGlobalVertices());
+  }
   bool isPoint(Id origin) const { return CurveSide::isOne(origin, this->firstPoint_); }
   void goAround(Id point) const;
   CurveOrigin ofVertex(Id globalId) const;

@@ -19,6 +19,14 @@ double jointSlack(double length, double distance)
   return tolerance::JointFraction * length + tolerance::FaceRounding * distance;
 }
 
+/// A segment in the plane of a face, from p along the unit vector u.
+struct PlaneSegment
+{
+  Vec2 p;
+  Vec2 u;
+  double length;
+};
+
 /// The pieces of candidates along a segment, which the functions below append.
 using Pieces = std::vector<Window>;
 
@@ -127,6 +135,33 @@ void addPieces(
   }
 }
 
+// Whether an envelope agrees with the distance at x. If a segment runs along the ray at the end of
+// a pencil, rounding may lose the pencil. Then the envelope is above the distance; it is below if
+// only a scrap of a neighbour was found, at an end of the segment.
+bool agrees(const std::vector<Window>& envelope, double x, double distance)
+{
+  const auto window =
+    std::find_if(envelope.begin(), envelope.end() - 1, [x](const Window& w) { return x <= w.end; });
+  return std::abs(window->distance(x) - distance) <= jointSlack(envelope.back().end, distance);
+}
+
+// Closes the gaps between windows. Returns whether neighbours are equal where they meet.
+bool joinNeighbours(std::vector<Window>& envelope, double length)
+{
+  bool continuous = true;
+  envelope.front().begin = 0.0;
+  envelope.back().end = length;
+  for (std::size_t i = 1; i < envelope.size(); ++i)
+  {
+    Window& left = envelope[i - 1];
+    left.end = envelope[i].begin;
+    const double value = envelope[i].distance(left.end);
+    continuous =
+      continuous && std::abs(left.distance(left.end) - value) <= jointSlack(length, value);
+  }
+  return continuous;
+}
+
 /// The two places where a window has a value, in their order; one of a linear window is infinite.
 /// If a window has the value nowhere, the place where it is least.
 std::pair<double, double> placesOf(const Window& w, double value)
@@ -164,14 +199,23 @@ const std::vector<Window>& SegmentEnvelope::along(const FaceDistance& face, Vec2
   {
     return this->envelope_;
   }
-  const double atMiddle = this->chooseNear(face, 0.5 * (p + q), length);
-  const PlaneSegment segment = { p, (1.0 / length) * (q - p), length };
-  const bool done = face.isExact() && this->build(segment, false) &&
-    this->agrees(0.5 * length, atMiddle) && this->agrees(0.0, this->leastNear(p)) &&
-    this->agrees(length, this->leastNear(q));
+  const double inMiddle = this->chooseNear(face, 0.5 * (p + q), length);
+  const Vec2 u = (1.0 / length) * (q - p);
+  const auto leastAt = [this](Vec2 end)
+  {
+    double least = Infinity;
+    for (const DistanceCandidate* c : this->near_)
+    {
+      least = std::min(least, c->distance(end));
+    }
+    return least;
+  };
+  const bool done = face.isExact() && this->build(p, u, length, false) &&
+    agrees(this->envelope_, 0.5 * length, inMiddle) && agrees(this->envelope_, 0.0, leastAt(p)) &&
+    agrees(this->envelope_, length, leastAt(q));
   if (!done)
   {
-    this->build(segment, true);
+    this->build(p, u, length, true);
   }
   return this->envelope_;
 }
@@ -200,42 +244,15 @@ double SegmentEnvelope::chooseNear(const FaceDistance& face, Vec2 middle, double
   return least;
 }
 
-double SegmentEnvelope::leastNear(Vec2 p) const
-{
-  double least = Infinity;
-  for (const DistanceCandidate* c : this->near_)
-  {
-    least = std::min(least, c->distance(p));
-  }
-  return least;
-}
-
-// Whether the envelope agrees with the distance at x. If a segment runs along the ray at the end of
-// a pencil, rounding may lose the pencil. Then the envelope is above the distance; it is below if
-// only a scrap of a neighbour was found, at an end of the segment.
-bool SegmentEnvelope::agrees(double x, double distance) const
-{
-  const auto window = std::find_if(this->envelope_.begin(), this->envelope_.end() - 1,
-    [x](const Window& w) { return x <= w.end; });
-  return std::abs(window->distance(x) - distance) <=
-    jointSlack(this->envelope_.back().end, distance);
-}
-
-// Returns whether neighbours are equal where they meet.
-bool SegmentEnvelope::build(const PlaneSegment& segment, bool withBent)
+// Returns whether neighbours are equal where they meet. A piece that fills a gap of rounding may be
+// far above the distance: its neighbours replace it.
+bool SegmentEnvelope::build(Vec2 p, Vec2 u, double length, bool withBent)
 {
   this->pieces_.clear();
   for (const DistanceCandidate* c : this->near_)
   {
-    addPieces(this->pieces_, *c, segment, withBent);
+    addPieces(this->pieces_, *c, { p, u, length }, withBent);
   }
-  this->takePieces(segment.length);
-  return this->joinNeighbours(segment.length);
-}
-
-// A piece that fills a gap of rounding may be far above the distance: its neighbours replace it.
-void SegmentEnvelope::takePieces(double length)
-{
   std::sort(this->pieces_.begin(), this->pieces_.end(),
     [](const Window& a, const Window& b) { return a.begin < b.begin; });
   this->builder_.reset(length);
@@ -247,27 +264,7 @@ void SegmentEnvelope::takePieces(double length)
   std::copy_if(this->builder_.windows().begin(), this->builder_.windows().end(),
     std::back_inserter(this->envelope_),
     [length](const Window& w) { return w.width() > tolerance::PencilMargin * length; });
-}
-
-bool SegmentEnvelope::joinNeighbours(double length)
-{
-  if (this->envelope_.empty())
-  {
-    return false;
-  }
-  bool continuous = true;
-  this->envelope_.front().begin = 0.0;
-  this->envelope_.back().end = length;
-  for (std::size_t i = 1; i < this->envelope_.size(); ++i)
-  {
-    Window& left = this->envelope_[i - 1];
-    const Window& right = this->envelope_[i];
-    left.end = right.begin;
-    const double value = right.distance(right.begin);
-    const double slack = jointSlack(length, value);
-    continuous = continuous && std::abs(left.distance(left.end) - value) <= slack;
-  }
-  return continuous;
+  return !this->envelope_.empty() && joinNeighbours(this->envelope_, length);
 }
 
 // Windows are convex functions: below a value on an interval, if at all.

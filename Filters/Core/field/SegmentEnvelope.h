@@ -10,14 +10,6 @@
 namespace geodesic
 {
 
-/// A segment in the plane of a face, from p along the unit vector u.
-struct PlaneSegment
-{
-  Vec2 p;
-  Vec2 u;
-  double length;
-};
-
 /// Builds the exact piecewise distance along any segment of a face: a segment splits a pencil of
 /// rays as an edge does, so that no propagation is needed (paper, section 6). One face suffices for
 /// its own edges, too.
@@ -33,11 +25,7 @@ public:
 
 private:
   double chooseNear(const FaceDistance& face, Vec2 middle, double length);
-  double leastNear(Vec2 p) const;
-  bool agrees(double x, double distance) const;
-  bool build(const PlaneSegment& segment, bool withBent);
-  void takePieces(double length);
-  bool joinNeighbours(double length);
+  bool build(Vec2 p, Vec2 u, double length, bool withBent);
 
   std::vector<const DistanceCandidate*> near_;
   std::vector<double> inMiddle_;

@@ -55,40 +55,192 @@ std::size_t workAhead(
   return count;
 }
 
-} // anonymous namespace
-
-void BatchTasks::prefetchFacing(const District& district, Id vertex) const
+bool isInThinFace(const BatchTasks& tasks, Id halfedge)
 {
-  const Id list = this->vertices_[vertex].facing;
-  if (list != NoId)
+  return tasks.mesh.shape(TriangleMesh::faceOf(halfedge)).isThin();
+}
+
+// What comes from now on is no shorter than the key. Where paths by way of the apex are as short
+// everywhere on the halfedge, nothing can gain there. The apex is the district's own; another
+// district may be shortening the distances of the halfedge's ends.
+bool isNeededOn(const BatchTasks& tasks, const District& district, Id halfedge)
+{
+  const double toFartherEnd = std::max(tasks.mesh.length(TriangleMesh::nextInFace(halfedge)),
+    tasks.mesh.length(TriangleMesh::previousInFace(halfedge)));
+  return district.schedule.key() <=
+    tasks.vertices.distance(tasks.mesh.opposite(halfedge)) + toFartherEnd;
+}
+
+/// Whether the known distance shows that no path in the corridor passes the vertex.
+bool isOutsideCorridor(const BatchTasks& tasks, Id vertex)
+{
+  const Corridor* corridor = tasks.options.corridor;
+  return corridor != nullptr &&
+    tasks.vertices.distance(vertex) + corridor->lowerBounds[vertex] > tasks.longestPath;
+}
+
+// A point of an edge is at least as far from the target as each end is, less its distance to that
+// end. The mean of these two bounds is the same for all points of the edge.
+bool isOutsideCorridor(const BatchTasks& tasks, Id halfedge, const WindowRange& windows)
+{
+  const Corridor* corridor = tasks.options.corridor;
+  if (corridor == nullptr)
   {
-    this->mesh_.prefetch(TriangleMesh::faceOf(district.lists[list].halfedge));
+    return false;
+  }
+  const double atOrigin = corridor->lowerBounds[tasks.mesh.origin(halfedge)];
+  const double atDestination = corridor->lowerBounds[tasks.mesh.destination(halfedge)];
+  const double left = 0.5 * (atOrigin + atDestination - tasks.mesh.length(halfedge));
+  return std::none_of(windows.begin(), windows.end(),
+    [&](const Window& w) { return w.minimum() + left <= tasks.longestPath; });
+}
+
+// No mail is read before step (2), so an update may go to any district.
+void sendUpdate(BatchTasks& tasks, District& sender, const DistanceUpdate& update)
+{
+  tasks.mailboxes.to(sender.number, tasks.districts.of(update.vertex)).updates.push_back(update);
+}
+
+// Whether another own face has an outgoing halfedge of the vertex on the same edge, where the edge
+// is relaxed already.
+bool isOutgoingBeyond(const BatchTasks& tasks, Id halfedge, Id vertex)
+{
+  const Id beyond = tasks.mesh.nextSibling(halfedge);
+  return beyond != halfedge && tasks.mesh.origin(beyond) == vertex &&
+    tasks.surface.isOwn(TriangleMesh::faceOf(beyond));
+}
+
+// Distances along edges are upper bounds, which filter windows from the first one on.
+void relaxEdges(BatchTasks& tasks, District& district, Id vertex)
+{
+  const double distance = tasks.vertices.distance(vertex);
+  const double error = tasks.vertices.error(vertex);
+  const Id number = tasks.surface.globalId(vertex);
+  const auto relax = [&](Id halfedge, Id other, Id opposite, double x)
+  {
+    const double along = distance + tasks.mesh.length(halfedge);
+    if (tasks.vertices.isImprovedBy(other, along))
+    {
+      sendUpdate(tasks, district, { other, along, error, { opposite, number, x, {} } });
+    }
+  };
+  for (const Id corner : tasks.mesh.cornersAt(vertex))
+  {
+    if (!tasks.surface.isOwn(TriangleMesh::faceOf(corner)))
+    {
+      continue;
+    }
+    const Id before = TriangleMesh::previousInFace(corner);
+    relax(corner, tasks.mesh.destination(corner), before, tasks.mesh.length(before));
+    if (!isOutgoingBeyond(tasks, before, vertex))
+    {
+      relax(before, tasks.mesh.origin(before), corner, 0.0);
+    }
   }
 }
 
-void BatchTasks::processBatch(FrontWorker& worker, District& district, Id batch)
+void emitThrough(BatchTasks& tasks, FrontWorker& worker, District& district, Id vertex,
+  const EmittedInterval& interval)
 {
-  const std::vector<Id>& vertices = district.batch;
-  district.done = workAhead(
-    district.done, vertices.size(),
-    [&](std::size_t i) { this->prefetchFacing(district, vertices[i]); },
-    [&](std::size_t i) { return this->processVertex(worker, district, vertices[i], batch); });
-  district.isDone = district.done == vertices.size();
+  const Id halfedge = TriangleMesh::nextInFace(interval.corner);
+  const double length = tasks.mesh.length(halfedge);
+  if (!tasks.surface.isOwn(TriangleMesh::faceOf(halfedge)) || tasks.mesh.isBoundary(halfedge) ||
+    !(interval.end - interval.begin > tolerance::LeastWidth * length))
+  {
+    return;
+  }
+  Window w = vertexWindow(tasks.mesh, interval.corner, tasks.vertices.distance(vertex)).window;
+  w.begin = length - interval.end;
+  w.end = length - interval.begin;
+  w.error = tasks.vertices.error(vertex);
+  w.origin = tasks.surface.globalId(vertex);
+  const double atBegin = tasks.vertices.distance(tasks.mesh.destination(halfedge));
+  const double atEnd = tasks.vertices.distance(tasks.mesh.origin(halfedge));
+  if (!isBeaten(w, w.end, atBegin + w.end) && !isBeaten(w, w.begin, atEnd + (length - w.begin)))
+  {
+    tasks.send(worker, district, halfedge, { &w, &w + 1 });
+  }
+}
+
+// Emits windows into the shadow of a saddle vertex, otherwise everywhere (paper, section 3:
+// pseudo-sources).
+void emitWindows(BatchTasks& tasks, FrontWorker& worker, District& district, Id vertex)
+{
+  const VertexState& state = tasks.vertices[vertex];
+  if (state.pseudoSource != TriangleMesh::PseudoSource::Saddle ||
+    !findSaddleWedge(tasks.mesh, vertex, state.arrival(), worker.emitted))
+  {
+    worker.emitted.clear();
+    for (const Id corner : tasks.mesh.cornersAt(vertex))
+    {
+      worker.emitted.push_back(
+        { corner, 0.0, tasks.mesh.length(TriangleMesh::nextInFace(corner)) });
+    }
+  }
+  for (const EmittedInterval& interval : worker.emitted)
+  {
+    emitThrough(tasks, worker, district, vertex, interval);
+  }
+}
+
+// What a vertex does once at each of its distances.
+void settle(BatchTasks& tasks, FrontWorker& worker, District& district, Id vertex)
+{
+  VertexState& state = tasks.vertices[vertex];
+  if (state.isShorter() && !isOutsideCorridor(tasks, vertex))
+  {
+    relaxEdges(tasks, district, vertex);
+    if (state.pseudoSource != TriangleMesh::PseudoSource::None)
+    {
+      emitWindows(tasks, worker, district, vertex);
+    }
+  }
+  district.settled += state.processed == Infinity ? 1 : 0;
+  state.processed = std::min(state.processed, state.distance);
+}
+
+// A list is merged when it is complete and about to enter its face, so each window is merged once
+// per face (paper, section 5).
+void mergeNeighboursOf(
+  const BatchTasks& tasks, FrontWorker& worker, Id halfedge, WindowBlock& block)
+{
+  if (tasks.options.relativeError > 0.0 && block.size > 1)
+  {
+    const double largest = mergeNeighbours(
+      block, tasks.mesh.length(halfedge), tasks.options.relativeError, tasks.options.maximumMerged);
+    worker.relativeError = std::max(worker.relativeError, largest);
+  }
+}
+
+// Where windows come to a vertex again and again, they are beaten by others that came before. A
+// list in a thin face passes at its nearest window's distance, and others may come later.
+void remember(const BatchTasks& tasks, FrontWorker& worker, District& district, Id halfedge,
+  const WindowRange& passed)
+{
+  const VertexState& apex = tasks.vertices[tasks.mesh.opposite(halfedge)];
+  const bool isAgain = apex.turns >= VertexState::UsualTurns || isInThinFace(tasks, halfedge);
+  if (isAgain && isNeededOn(tasks, district, halfedge))
+  {
+    const auto isNeeded = [&](Id other) { return isNeededOn(tasks, district, other); };
+    worker.handled += passed.size();
+    district.passed.add(
+      halfedge, tasks.mesh.length(halfedge), passed, worker.merged, worker.pool, isNeeded);
+  }
 }
 
 // Returns whether the vertex is done. If the worker has to pause, the remaining lists stay with the
 // vertex.
-bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id vertex, Id batch)
+bool processVertex(BatchTasks& tasks, FrontWorker& worker, District& district, Id vertex, Id batch)
 {
   const double last = district.schedule.last();
-  const double distance = this->vertices_.distance(vertex);
+  const double distance = tasks.vertices.distance(vertex);
   const bool isReached = distance <= last;
   if (isReached)
   {
-    this->settle(worker, district, vertex);
+    settle(tasks, worker, district, vertex);
   }
   double next = isReached ? Infinity : distance;
-  VertexState& state = this->vertices_[vertex];
+  VertexState& state = tasks.vertices[vertex];
   // Stays valid: propagate() only removes lists, which moves none. Lists are added in the second
   // step of the batch alone (receiveLists).
   Id* link = &state.facing;
@@ -99,7 +251,7 @@ bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id verte
     {
       const Id number = *link;
       *link = list.next;
-      this->propagate(worker, district, number, batch);
+      tasks.propagate(worker, district, number, batch);
     }
     else
     {
@@ -119,326 +271,16 @@ bool BatchTasks::processVertex(FrontWorker& worker, District& district, Id verte
   return isDone;
 }
 
-// What a vertex does once at each of its distances.
-void BatchTasks::settle(FrontWorker& worker, District& district, Id vertex)
-{
-  VertexState& state = this->vertices_[vertex];
-  if (state.isShorter() && !this->isOutsideCorridor(vertex))
-  {
-    this->relaxEdges(district, vertex);
-    if (state.pseudoSource != TriangleMesh::PseudoSource::None)
-    {
-      this->emitWindows(worker, district, vertex);
-    }
-  }
-  district.settled += state.processed == Infinity ? 1 : 0;
-  state.processed = std::min(state.processed, state.distance);
-}
-
-// No mail is read before step (2), so an update may go to any district.
-void BatchTasks::sendUpdate(District& sender, const DistanceUpdate& update)
-{
-  this->mailboxes_.to(sender.number, this->districts_.of(update.vertex)).updates.push_back(update);
-}
-
-// Distances along edges are upper bounds, which filter windows from the first one on.
-void BatchTasks::relaxEdges(District& district, Id vertex)
-{
-  const double distance = this->vertices_.distance(vertex);
-  const double error = this->vertices_.error(vertex);
-  const Id number = this->surface_.globalId(vertex);
-  const auto relax = [&](Id halfedge, Id other, Id opposite, double x)
-  {
-    const double along = distance + this->mesh_.length(halfedge);
-    if (this->vertices_.isImprovedBy(other, along))
-    {
-      this->sendUpdate(district, { other, along, error, { opposite, number, x, {} } });
-    }
-  };
-  for (const Id corner : this->mesh_.cornersAt(vertex))
-  {
-    if (!this->isOwn(TriangleMesh::faceOf(corner)))
-    {
-      continue;
-    }
-    const Id before = TriangleMesh::previousInFace(corner);
-    relax(corner, this->mesh_.destination(corner), before, this->mesh_.length(before));
-    if (!this->isOutgoingBeyond(before, vertex))
-    {
-      relax(before, this->mesh_.origin(before), corner, 0.0);
-    }
-  }
-}
-
-// Whether another own face has an outgoing halfedge of the vertex on the same edge, where the edge
-// is relaxed already.
-bool BatchTasks::isOutgoingBeyond(Id halfedge, Id vertex) const
-{
-  const Id beyond = this->mesh_.nextSibling(halfedge);
-  return beyond != halfedge && this->mesh_.origin(beyond) == vertex &&
-    this->isOwn(TriangleMesh::faceOf(beyond));
-}
-
-// Emits windows into the shadow of a saddle vertex, otherwise everywhere (paper, section 3:
-// pseudo-sources).
-void BatchTasks::emitWindows(FrontWorker& worker, District& district, Id vertex)
-{
-  const VertexState& state = this->vertices_[vertex];
-  if (state.pseudoSource != TriangleMesh::PseudoSource::Saddle ||
-    !findSaddleWedge(this->mesh_, vertex, state.arrival(), worker.emitted))
-  {
-    worker.emitted.clear();
-    for (const Id corner : this->mesh_.cornersAt(vertex))
-    {
-      worker.emitted.push_back(
-        { corner, 0.0, this->mesh_.length(TriangleMesh::nextInFace(corner)) });
-    }
-  }
-  for (const EmittedInterval& interval : worker.emitted)
-  {
-    this->emitThrough(worker, district, vertex, interval);
-  }
-}
-
-void BatchTasks::emitThrough(
-  FrontWorker& worker, District& district, Id vertex, const EmittedInterval& interval)
-{
-  const Id halfedge = TriangleMesh::nextInFace(interval.corner);
-  const double length = this->mesh_.length(halfedge);
-  if (!this->isOwn(TriangleMesh::faceOf(halfedge)) || this->mesh_.isBoundary(halfedge) ||
-    !(interval.end - interval.begin > tolerance::LeastWidth * length))
-  {
-    return;
-  }
-  Window w = vertexWindow(this->mesh_, interval.corner, this->vertices_.distance(vertex)).window;
-  w.begin = length - interval.end;
-  w.end = length - interval.begin;
-  w.error = this->vertices_.error(vertex);
-  w.origin = this->surface_.globalId(vertex);
-  const double atBegin = this->vertices_.distance(this->mesh_.destination(halfedge));
-  const double atEnd = this->vertices_.distance(this->mesh_.origin(halfedge));
-  if (!isBeaten(w, w.end, atBegin + w.end) && !isBeaten(w, w.begin, atEnd + (length - w.begin)))
-  {
-    this->send(worker, district, halfedge, { &w, &w + 1 });
-  }
-}
-
-void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, Id batch)
-{
-  const Id halfedge = district.lists[number].halfedge;
-  WindowBlock block = district.lists.remove(number);
-  this->mergeNeighboursOf(worker, halfedge, block);
-  const WindowRange list = block.range();
-  if (list.size() == 0)
-  {
-    worker.pool.free(block);
-    return;
-  }
-  worker.handled += list.size();
-  if (this->vertices_[this->mesh_.opposite(halfedge)].isBusy())
-  {
-    this->remember(worker, district, halfedge, list);
-  }
-  UnfoldedFace face = unfold(this->mesh_, halfedge);
-  if (this->options_.keepAngles)
-  {
-    face.findTurns();
-  }
-  const ApexQuery apex = fullApexQuery(list, face.apex, worker.apexSides);
-  const Window& first = *list.begin();
-  const Window& last = *(list.end() - 1);
-  // The first two are bounds along the halfedge; no shortest path reaches a corner that way.
-  const DistanceUpdate found[] = { { this->mesh_.origin(halfedge),
-                                     first.distance(first.begin) + first.begin, first.error, {} },
-    { this->mesh_.destination(halfedge), last.distance(last.end) + (face.length - last.end),
-      last.error, {} },
-    { this->mesh_.opposite(halfedge), apex.shortest.distance, apex.shortest.error,
-      arrivalThrough(halfedge, apex.shortest) } };
-  for (const DistanceUpdate& update : found)
-  {
-    if (this->vertices_.isImprovedBy(update.vertex, update.distance, update.from.halfedge != NoId))
-    {
-      this->sendUpdate(district, update);
-    }
-  }
-  const auto known = [&](std::size_t i)
-  { return std::min(this->vertices_.distance(found[i].vertex), found[i].distance); };
-
-  const Id left = TriangleMesh::previousInFace(halfedge);
-  const Id right = TriangleMesh::nextInFace(halfedge);
-  propagateThroughFace(apex, face, { known(0), known(1), known(2) },
-    { !this->mesh_.isBoundary(left), !this->mesh_.isBoundary(right) }, this->mostFaces_,
-    worker.leaving);
-  this->retire(worker, district, { halfedge, block, { known(0), known(1) } }, batch);
-  this->send(worker, district, left, worker.leaving.left.range());
-  this->send(worker, district, right, worker.leaving.right.range());
-}
-
-// Where windows come to a vertex again and again, they are beaten by others that came before. A
-// list in a thin face passes at its nearest window's distance, and others may come later.
-void BatchTasks::remember(
-  FrontWorker& worker, District& district, Id halfedge, const WindowRange& passed) const
-{
-  const VertexState& apex = this->vertices_[this->mesh_.opposite(halfedge)];
-  const bool isAgain = apex.turns >= VertexState::UsualTurns || this->isThin(halfedge);
-  if (isAgain && this->isNeededOn(district, halfedge))
-  {
-    const auto isNeeded = [&](Id other) { return this->isNeededOn(district, other); };
-    worker.handled += passed.size();
-    district.passed.add(
-      halfedge, this->mesh_.length(halfedge), passed, worker.merged, worker.pool, isNeeded);
-  }
-}
-
-// What comes from now on is no shorter than the key. Where paths by way of the apex are as short
-// everywhere on the halfedge, nothing can gain there. The apex is the district's own; another
-// district may be shortening the distances of the halfedge's ends.
-bool BatchTasks::isNeededOn(const District& district, Id halfedge) const
-{
-  const double toFartherEnd = std::max(this->mesh_.length(TriangleMesh::nextInFace(halfedge)),
-    this->mesh_.length(TriangleMesh::previousInFace(halfedge)));
-  return district.schedule.key() <=
-    this->vertices_.distance(this->mesh_.opposite(halfedge)) + toFartherEnd;
-}
-
-// A list is merged when it is complete and about to enter its face, so each window is merged once
-// per face (paper, section 5).
-void BatchTasks::mergeNeighboursOf(FrontWorker& worker, Id halfedge, WindowBlock& block) const
-{
-  if (this->options_.relativeError > 0.0 && block.size > 1)
-  {
-    const double largest = mergeNeighbours(block, this->mesh_.length(halfedge),
-      this->options_.relativeError, this->options_.maximumMerged);
-    worker.relativeError = std::max(worker.relativeError, largest);
-  }
-}
-
-void BatchTasks::send(
-  FrontWorker& worker, District& sender, Id halfedge, const WindowRange& windows)
-{
-  if (windows.size() == 0 || this->isOutsideCorridor(halfedge, windows))
-  {
-    return;
-  }
-  for (Id s = this->mesh_.nextSibling(halfedge); s != halfedge; s = this->mesh_.nextSibling(s))
-  {
-    const WindowBlock block = worker.pool.copyOf(windows);
-    worker.handled += windows.size();
-    if (this->mesh_.origin(s) != this->mesh_.destination(halfedge))
-    {
-      const double length = this->mesh_.length(halfedge);
-      const Id vertices = this->surface_.numberOfGlobalVertices();
-      std::reverse(block.data, block.data + block.size);
-      std::transform(block.data, block.data + block.size, block.data,
-        [length, vertices](const Window& w) { return reversed(w, length, vertices); });
-    }
-    std::vector<SentList>& lists = this->isOwn(TriangleMesh::faceOf(s))
-      ? this->mailboxes_.to(sender.number, this->districts_.of(this->mesh_.opposite(s))).lists
-      : sender.leaving;
-    lists.push_back({ s, block });
-  }
-}
-
-// A point of an edge is at least as far from the target as each end is, less its distance to that
-// end. The mean of these two bounds is the same for all points of the edge.
-bool BatchTasks::isOutsideCorridor(Id halfedge, const WindowRange& windows) const
-{
-  const Corridor* corridor = this->options_.corridor;
-  if (corridor == nullptr)
-  {
-    return false;
-  }
-  const double atOrigin = corridor->lowerBounds[this->mesh_.origin(halfedge)];
-  const double atDestination = corridor->lowerBounds[this->mesh_.destination(halfedge)];
-  const double left = 0.5 * (atOrigin + atDestination - this->mesh_.length(halfedge));
-  return std::none_of(windows.begin(), windows.end(),
-    [&](const Window& w) { return w.minimum() + left <= this->longestPath_; });
-}
-
-void BatchTasks::shorten(District& district, const DistanceUpdate& update)
-{
-  const VertexState& state = this->vertices_[update.vertex];
-  if (!this->vertices_.shorten(update) || !state.isShorter())
-  {
-    return;
-  }
-  if (state.processed < Infinity)
-  {
-    district.shortened.push_back(update.vertex);
-  }
-  if (!this->isOutsideCorridor(update.vertex))
-  {
-    district.schedule.add(update.vertex, this->vertices_.distance(update.vertex));
-  }
-}
-
-// First the distances of lower ranks, then this rank's, then those of higher ranks. So all ranks
-// take them in the same order and choose alike between equal paths.
-void BatchTasks::receiveUpdates(District& district)
-{
-  const auto takeUpdates = [&](MailBatch& mail)
-  {
-    for (const DistanceUpdate& update : mail.updates)
-    {
-      this->shorten(district, update);
-    }
-  };
-  takeUpdates(district.fromLower);
-  this->mailboxes_.forEach(district.number, takeUpdates);
-  takeUpdates(district.fromHigher);
-}
-
-void BatchTasks::receiveLists(FrontWorker& worker, District& district)
-{
-  std::size_t end = 0;
-  const auto takeLists = [&](MailBatch& mail)
-  {
-    const std::size_t begin = end;
-    end += mail.lists.size();
-    if (district.done >= begin && district.done < end)
-    {
-      district.done =
-        begin + this->receiveFrom(worker, district, mail.lists, district.done - begin);
-    }
-  };
-  this->mailboxes_.forEach(district.number, takeLists);
-  takeLists(district.fromHigher);
-  district.isDone = district.done == end;
-  if (district.isDone)
-  {
-    district.fromLower.clear();
-    district.fromHigher.clear();
-    this->mailboxes_.clear(district.number);
-  }
-}
-
-// Returns the first list that is not done.
-std::size_t BatchTasks::receiveFrom(
-  FrontWorker& worker, District& district, const std::vector<SentList>& lists, std::size_t first)
-{
-  return workAhead(
-    first, lists.size(),
-    [&](std::size_t i) { this->mesh_.prefetch(TriangleMesh::faceOf(lists[i].halfedge)); },
-    [&](std::size_t i)
-    {
-      if (worker.hasToPause())
-      {
-        return false;
-      }
-      this->receiveList(worker, district, lists[i]);
-      return true;
-    });
-}
-
 // A list that comes once more is cut by what has passed its halfedge before.
-void BatchTasks::cutByPassed(FrontWorker& worker, const District& district, SentList& sent) const
+void cutByPassed(
+  const BatchTasks& tasks, FrontWorker& worker, const District& district, SentList& sent)
 {
   const WindowRange passed = district.passed.at(sent.halfedge);
-  if (passed.size() == 0 || !this->isNeededOn(district, sent.halfedge))
+  if (passed.size() == 0 || !isNeededOn(tasks, district, sent.halfedge))
   {
     return;
   }
-  worker.merged.reset(this->mesh_.length(sent.halfedge));
+  worker.merged.reset(tasks.mesh.length(sent.halfedge));
   for (const Window& window : sent.windows.range())
   {
     worker.merged.appendWhereLower(window, passed);
@@ -448,16 +290,27 @@ void BatchTasks::cutByPassed(FrontWorker& worker, const District& district, Sent
   sent.windows = worker.pool.copyOf(worker.merged.range());
 }
 
+void mergeInto(const BatchTasks& tasks, FrontWorker& worker, District& district, Id list,
+  const WindowBlock& block)
+{
+  const WindowRange waiting = district.lists[list].windows.range();
+  worker.handled += waiting.size();
+  worker.merged.reset(tasks.mesh.length(district.lists[list].halfedge));
+  worker.merged.appendLists(waiting, block.range());
+  worker.pool.free(block);
+  district.lists.assign(list, worker.merged.range(), worker.pool);
+}
+
 // A list waits for the vertex opposite, so that it is complete when it goes through its face. In a
 // thin face the vertex may be far from where the windows are, or long behind them. There the list
 // goes when the front is as far as its nearest window, as in MMP. Otherwise windows that wait for a
 // far vertex are overtaken by longer paths, which they beat later.
-void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList sent)
+void receiveList(BatchTasks& tasks, FrontWorker& worker, District& district, SentList sent)
 {
-  const Id apex = this->mesh_.opposite(sent.halfedge);
-  if (this->vertices_[apex].isBusy())
+  const Id apex = tasks.mesh.opposite(sent.halfedge);
+  if (tasks.vertices[apex].isBusy())
   {
-    this->cutByPassed(worker, district, sent);
+    cutByPassed(tasks, worker, district, sent);
   }
   if (sent.windows.size == 0)
   {
@@ -465,29 +318,29 @@ void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList s
     return;
   }
   const ApexDistance found =
-    quickApexQuery(sent.windows.range(), apexOf(this->mesh_, sent.halfedge));
-  if (this->vertices_.isImprovedBy(apex, found.distance))
+    quickApexQuery(sent.windows.range(), apexOf(tasks.mesh, sent.halfedge));
+  if (tasks.vertices.isImprovedBy(apex, found.distance))
   {
     const DistanceUpdate arrival = { apex, found.distance, found.error,
       arrivalThrough(sent.halfedge, found) };
-    this->shorten(district, arrival);
-    if (this->surface_.isDistributed())
+    tasks.shorten(district, arrival);
+    if (tasks.surface.isDistributed())
     {
       district.arrivals.push_back(arrival);
     }
   }
   worker.propagated += sent.windows.size;
   worker.handled += sent.windows.size;
-  const bool isThin = this->vertices_[apex].hasThinFaces && this->isThin(sent.halfedge);
-  double due = isThin ? leastDistance(sent.windows.range()) : this->vertices_.distance(apex);
+  const bool isThin = tasks.vertices[apex].hasThinFaces && isInThinFace(tasks, sent.halfedge);
+  double due = isThin ? leastDistance(sent.windows.range()) : tasks.vertices.distance(apex);
   Id list = district.lists.find(sent.halfedge);
   if (list != NoId)
   {
-    this->mergeInto(worker, district, list, sent.windows);
+    mergeInto(tasks, worker, district, list, sent.windows);
   }
   else
   {
-    Id& facing = this->vertices_[apex].facing;
+    Id& facing = tasks.vertices[apex].facing;
     list = district.lists.add(sent.halfedge, sent.windows);
     district.lists[list].next = facing;
     facing = list;
@@ -500,31 +353,183 @@ void BatchTasks::receiveList(FrontWorker& worker, District& district, SentList s
   district.schedule.add(apex, due);
 }
 
-void BatchTasks::mergeInto(
-  FrontWorker& worker, District& district, Id list, const WindowBlock& block) const
+// Returns the first list that is not done.
+std::size_t receiveFrom(BatchTasks& tasks, FrontWorker& worker, District& district,
+  const std::vector<SentList>& lists, std::size_t first)
 {
-  const WindowRange waiting = district.lists[list].windows.range();
-  worker.handled += waiting.size();
-  worker.merged.reset(this->mesh_.length(district.lists[list].halfedge));
-  worker.merged.appendLists(waiting, block.range());
-  worker.pool.free(block);
-  district.lists.assign(list, worker.merged.range(), worker.pool);
+  return workAhead(
+    first, lists.size(),
+    [&](std::size_t i) { tasks.mesh.prefetch(TriangleMesh::faceOf(lists[i].halfedge)); },
+    [&](std::size_t i)
+    {
+      if (worker.hasToPause())
+      {
+        return false;
+      }
+      receiveList(tasks, worker, district, lists[i]);
+      return true;
+    });
+}
+
+} // anonymous namespace
+
+void BatchTasks::processBatch(FrontWorker& worker, District& district, Id batch)
+{
+  const std::vector<Id>& batched = district.batch;
+  const auto prefetchFacing = [&](std::size_t i)
+  {
+    const Id list = this->vertices[batched[i]].facing;
+    if (list != NoId)
+    {
+      this->mesh.prefetch(TriangleMesh::faceOf(district.lists[list].halfedge));
+    }
+  };
+  district.done = workAhead(district.done, batched.size(), prefetchFacing,
+    [&](std::size_t i) { return processVertex(*this, worker, district, batched[i], batch); });
+  district.isDone = district.done == batched.size();
+}
+
+void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, Id batch)
+{
+  const Id halfedge = district.lists[number].halfedge;
+  WindowBlock block = district.lists.remove(number);
+  mergeNeighboursOf(*this, worker, halfedge, block);
+  const WindowRange list = block.range();
+  if (list.size() == 0)
+  {
+    worker.pool.free(block);
+    return;
+  }
+  worker.handled += list.size();
+  if (this->vertices[this->mesh.opposite(halfedge)].isBusy())
+  {
+    remember(*this, worker, district, halfedge, list);
+  }
+  UnfoldedFace face = unfold(this->mesh, halfedge);
+  if (this->options.keepAngles)
+  {
+    face.findTurns();
+  }
+  const ApexQuery apex = fullApexQuery(list, face.apex, worker.apexSides);
+  const Window& first = *list.begin();
+  const Window& last = *(list.end() - 1);
+  // The first two are bounds along the halfedge; no shortest path reaches a corner that way.
+  const DistanceUpdate found[] = { { this->mesh.origin(halfedge),
+                                     first.distance(first.begin) + first.begin, first.error, {} },
+    { this->mesh.destination(halfedge), last.distance(last.end) + (face.length - last.end),
+      last.error, {} },
+    { this->mesh.opposite(halfedge), apex.shortest.distance, apex.shortest.error,
+      arrivalThrough(halfedge, apex.shortest) } };
+  for (const DistanceUpdate& update : found)
+  {
+    if (this->vertices.isImprovedBy(update.vertex, update.distance, update.from.halfedge != NoId))
+    {
+      sendUpdate(*this, district, update);
+    }
+  }
+  const auto known = [&](std::size_t i)
+  { return std::min(this->vertices.distance(found[i].vertex), found[i].distance); };
+
+  const Id left = TriangleMesh::previousInFace(halfedge);
+  const Id right = TriangleMesh::nextInFace(halfedge);
+  propagateThroughFace(apex, face, { known(0), known(1), known(2) },
+    { !this->mesh.isBoundary(left), !this->mesh.isBoundary(right) }, this->mostFaces,
+    worker.leaving);
+  this->retire(worker, district, { halfedge, block, { known(0), known(1) } }, batch);
+  this->send(worker, district, left, worker.leaving.left.range());
+  this->send(worker, district, right, worker.leaving.right.range());
+}
+
+void BatchTasks::receiveUpdates(District& district)
+{
+  this->mailboxes.forEach(district.number,
+    [&](const MailBatch& mail)
+    {
+      for (const DistanceUpdate& update : mail.updates)
+      {
+        this->shorten(district, update);
+      }
+    });
+}
+
+void BatchTasks::receiveLists(FrontWorker& worker, District& district)
+{
+  std::size_t end = 0;
+  this->mailboxes.forEach(district.number,
+    [&](const MailBatch& mail)
+    {
+      const std::size_t begin = end;
+      end += mail.lists.size();
+      if (district.done >= begin && district.done < end)
+      {
+        district.done =
+          begin + receiveFrom(*this, worker, district, mail.lists, district.done - begin);
+      }
+    });
+  district.isDone = district.done == end;
+  if (district.isDone)
+  {
+    this->mailboxes.clear(district.number);
+  }
+}
+
+void BatchTasks::shorten(District& district, const DistanceUpdate& update)
+{
+  const VertexState& state = this->vertices[update.vertex];
+  if (!this->vertices.shorten(update) || !state.isShorter())
+  {
+    return;
+  }
+  if (state.processed < Infinity)
+  {
+    district.shortened.push_back(update.vertex);
+  }
+  if (!isOutsideCorridor(*this, update.vertex))
+  {
+    district.schedule.add(update.vertex, this->vertices.distance(update.vertex));
+  }
+}
+
+void BatchTasks::send(
+  FrontWorker& worker, District& sender, Id halfedge, const WindowRange& windows)
+{
+  if (windows.size() == 0 || isOutsideCorridor(*this, halfedge, windows))
+  {
+    return;
+  }
+  for (Id s = this->mesh.nextSibling(halfedge); s != halfedge; s = this->mesh.nextSibling(s))
+  {
+    const WindowBlock block = worker.pool.copyOf(windows);
+    worker.handled += windows.size();
+    if (this->mesh.origin(s) != this->mesh.destination(halfedge))
+    {
+      const double length = this->mesh.length(halfedge);
+      const Id globalVertices = this->surface.numberOfGlobalVertices();
+      std::reverse(block.data, block.data + block.size);
+      std::transform(block.data, block.data + block.size, block.data,
+        [length, globalVertices](const Window& w) { return reversed(w, length, globalVertices); });
+    }
+    std::vector<SentList>& lists = this->surface.isOwn(TriangleMesh::faceOf(s))
+      ? this->mailboxes.to(sender.number, this->districts.of(this->mesh.opposite(s))).lists
+      : sender.leaving;
+    lists.push_back({ s, block });
+  }
 }
 
 void BatchTasks::retire(
   FrontWorker& worker, District& district, const PassedList& list, Id batch) const
 {
-  if (this->complete_.isLimited() && !this->complete_.isNeededAround(list.halfedge))
+  if (this->complete.isLimited() && !this->complete.isNeededAround(list.halfedge))
   {
     const WindowRange windows = list.windows.range();
     const bool within = std::any_of(windows.begin(), windows.end(),
-      [this](const Window& w) { return this->complete_.isWithin(w); });
+      [this](const Window& w) { return this->complete.isWithin(w); });
     if (within)
     {
       district.withinLimit.push_back(list.halfedge);
     }
   }
-  this->retention_.pass(district.number, list, batch, worker.pool);
+  this->retention.pass(district.number, list, batch, worker.pool);
 }
 
 }

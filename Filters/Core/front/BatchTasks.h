@@ -44,11 +44,9 @@ struct District
   /// With a distance limit: halfedges with windows within it.
   std::vector<Id> withinLimit;
 
-  /// If ranks share the surface: lists for faces of other ranks; what other ranks have sent, to be
-  /// taken before and after this rank's own mail; paths found last, to be sent to other ranks.
+  /// If ranks share the surface: lists for faces of other ranks, and paths found last, to be sent
+  /// to other ranks.
   std::vector<SentList> leaving;
-  MailBatch fromLower;
-  MailBatch fromHigher;
   std::vector<DistanceUpdate> arrivals;
 };
 
@@ -57,29 +55,14 @@ struct District
 /// its own. In both steps a task reads the mesh and the distances that step (1) found unchanged,
 /// and writes only to its district and its worker. So tasks of several districts may run at the
 /// same time.
-class BatchTasks
+struct BatchTasks
 {
-public:
-  BatchTasks(const MeshPartition& surface, const FrontOptions& options, const Districts& districts,
-    VertexStates& vertices, const CompleteFaces& complete, Mailboxes& mailboxes,
-    Retention& retention)
-    : surface_(surface)
-    , mesh_(surface.mesh())
-    , options_(options)
-    , districts_(districts)
-    , vertices_(vertices)
-    , complete_(complete)
-    , mailboxes_(mailboxes)
-    , retention_(retention)
-    , mostFaces_(surface.numberOfGlobalFaces())
-    , longestPath_(options.corridor != nullptr ? options.corridor->length : Infinity)
-  {
-  }
-
   /// Step (1) for the district's vertices in the batch; continues where it paused.
   void processBatch(FrontWorker& worker, District& district, Id batch);
+  /// Part of step (1): sends a waiting list through its face.
+  void propagate(FrontWorker& worker, District& district, Id list, Id batch);
   /// Between batches: narrows the corridor.
-  void limitPaths(double longest) { this->longestPath_ = std::min(this->longestPath_, longest); }
+  void limitPaths(double longest) { this->longestPath = std::min(this->longestPath, longest); }
   /// Step (2), first part: takes the distances sent to the district, which may make lists needless.
   void receiveUpdates(District& district);
   /// Step (2), second part: takes the lists sent to the district; continues where it paused.
@@ -92,56 +75,19 @@ public:
   /// Hands a list that was removed from its halfedge to the retention.
   void retire(FrontWorker& worker, District& district, const PassedList& list, Id batch) const;
 
-private:
-  /// Whether the known distance shows that no path in the corridor passes the vertex.
-  bool isOutsideCorridor(Id vertex) const
-  {
-    const Corridor* corridor = this->options_.corridor;
-    return corridor != nullptr &&
-      this->vertices_.distance(vertex) + corridor->lowerBounds[vertex] > this->longestPath_;
-  }
-
-  bool isOutsideCorridor(Id halfedge, const WindowRange& windows) const;
-  /// Whether this rank owns the face.
-  bool isOwn(Id face) const { return this->surface_.isOwn(face); }
-  bool processVertex(FrontWorker& worker, District& district, Id vertex, Id batch);
-  void settle(FrontWorker& worker, District& district, Id vertex);
-  void sendUpdate(District& sender, const DistanceUpdate& update);
-  void relaxEdges(District& district, Id vertex);
-  bool isOutgoingBeyond(Id halfedge, Id vertex) const;
-  void emitWindows(FrontWorker& worker, District& district, Id vertex);
-  void emitThrough(
-    FrontWorker& worker, District& district, Id vertex, const EmittedInterval& interval);
-  void propagate(FrontWorker& worker, District& district, Id list, Id batch);
-  void mergeNeighboursOf(FrontWorker& worker, Id halfedge, WindowBlock& block) const;
-  void remember(
-    FrontWorker& worker, District& district, Id halfedge, const WindowRange& passed) const;
-  bool isNeededOn(const District& district, Id halfedge) const;
-  void receiveList(FrontWorker& worker, District& district, SentList sent);
-  void cutByPassed(FrontWorker& worker, const District& district, SentList& sent) const;
-  std::size_t receiveFrom(
-    FrontWorker& worker, District& district, const std::vector<SentList>& lists, std::size_t first);
-  /// Whether a halfedge's face is thin.
-  bool isThin(Id halfedge) const
-  {
-    return this->mesh_.shape(TriangleMesh::faceOf(halfedge)).isThin();
-  }
-  void mergeInto(FrontWorker& worker, District& district, Id list, const WindowBlock& block) const;
-  /// Prefetch the memory that a step will use.
-  void prefetchFacing(const District& district, Id vertex) const;
-
-  const MeshPartition& surface_;
-  const TriangleMesh& mesh_;
-  const FrontOptions& options_;
-  const Districts& districts_;
-  VertexStates& vertices_;
-  const CompleteFaces& complete_;
-  Mailboxes& mailboxes_;
-  Retention& retention_;
+  const MeshPartition& surface;
+  const TriangleMesh& mesh;
+  const FrontOptions& options;
+  const Districts& districts;
+  VertexStates& vertices;
+  const CompleteFaces& complete;
+  Mailboxes& mailboxes;
+  Retention& retention;
   /// The largest number of faces that a shortest path can cross.
-  Id mostFaces_;
+  Id mostFaces = this->surface.numberOfGlobalFaces();
   /// Of those looked for in the corridor.
-  double longestPath_;
+  double longestPath =
+    this->options.corridor != nullptr ? this->options.corridor->length : Infinity;
 };
 
 }

@@ -18,9 +18,8 @@ class CompleteFaces
 public:
   /// Without a limit every face counts, and nothing is stored.
   CompleteFaces(const MeshPartition& surface, double limit)
-    : mesh_(surface.mesh())
-    , firstFace_(surface.firstOwnFace())
-    , endOfFaces_(surface.endOfOwnFaces())
+    : surface_(surface)
+    , mesh_(surface.mesh())
     , limit_(limit)
     , needed_(limit < Infinity ? surface.mesh().numberOfFaces() : 0, 0)
   {
@@ -57,7 +56,7 @@ public:
 
   void addAroundReachedVertices(const VertexStates& vertices)
   {
-    for (Id face = this->firstFace_; face < this->endOfFaces_; ++face)
+    for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
     {
       for (const Id vertex : this->mesh_.triangle(face))
       {
@@ -74,7 +73,7 @@ public:
   double neededDistance(const VertexStates& vertices, bool inside) const
   {
     double bound = 0.0;
-    for (Id face = this->firstFace_; face < this->endOfFaces_; ++face)
+    for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
     {
       if (this->needed_[face])
       {
@@ -92,7 +91,7 @@ public:
   std::vector<std::uint8_t> completeVertices() const
   {
     std::vector<std::uint8_t> complete(this->mesh_.numberOfVertices(), 0);
-    for (Id face = this->firstFace_; face < this->endOfFaces_; ++face)
+    for (Id face = this->surface_.firstOwnFace(); face < this->surface_.endOfOwnFaces(); ++face)
     {
       for (const Id vertex : this->mesh_.triangle(face))
       {
@@ -105,9 +104,8 @@ public:
   std::vector<std::uint8_t> release() { return std::move(this->needed_); }
 
 private:
+  const MeshPartition& surface_;
   const TriangleMesh& mesh_;
-  Id firstFace_;
-  Id endOfFaces_;
   double limit_;
   std::vector<std::uint8_t> needed_;
 };

@@ -68,20 +68,8 @@ Id numberOfBlocks(Id vertices)
   return std::clamp<Id>(static_cast<Id>(count), 1, Districts::Most);
 }
 
-} // anonymous namespace
-
-Districts::Districts(
-  const TriangleMesh& mesh, const ParallelFor& parallelFor, const ProgressCallback& progress)
-{
-  const Id blocks = numberOfBlocks(mesh.numberOfVertices());
-  if (blocks > 1)
-  {
-    this->makeBlocks(mesh, blocks, parallelFor, LoopProgress(progress));
-  }
-  this->size_ = parallelFor ? blocks : 1;
-}
-
-void Districts::makeBlocks(
+// The block of each vertex: of boxes that follow one another, with as many vertices as the others.
+std::vector<std::uint8_t> blocksOf(
   const TriangleMesh& mesh, Id count, const ParallelFor& parallelFor, const LoopProgress& progress)
 {
   const BoxesInOrder boxes(mesh, parallelFor);
@@ -108,9 +96,23 @@ void Districts::makeBlocks(
       std::min<std::uint64_t>(middle * count / (2 * mesh.numberOfVertices()), count - 1));
     before += numberIn[box];
   }
-  this->blocks_.resize(mesh.numberOfVertices());
-  std::transform(boxOf.begin(), boxOf.end(), this->blocks_.begin(),
-    [&ofBox](std::uint32_t box) { return ofBox[box]; });
+  std::vector<std::uint8_t> blocks(mesh.numberOfVertices());
+  std::transform(
+    boxOf.begin(), boxOf.end(), blocks.begin(), [&ofBox](std::uint32_t box) { return ofBox[box]; });
+  return blocks;
+}
+
+} // anonymous namespace
+
+Districts::Districts(
+  const TriangleMesh& mesh, const ParallelFor& parallelFor, const ProgressCallback& progress)
+{
+  const Id blocks = numberOfBlocks(mesh.numberOfVertices());
+  if (blocks > 1)
+  {
+    this->blocks_ = blocksOf(mesh, blocks, parallelFor, LoopProgress(progress));
+  }
+  this->size_ = parallelFor ? blocks : 1;
 }
 
 void Districts::sort(std::vector<Id>& vertices) const

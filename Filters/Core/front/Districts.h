@@ -38,9 +38,6 @@ public:
   static constexpr Id Most = 256;
 
 private:
-  void makeBlocks(const TriangleMesh& mesh, Id count, const ParallelFor& parallelFor,
-    const LoopProgress& progress);
-
   Id size_ = 1;
   /// Empty where there is a single block.
   std::vector<std::uint8_t> blocks_;

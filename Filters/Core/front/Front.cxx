@@ -43,46 +43,510 @@ bool isAnyWindowWithin(const WindowRange& windows, double distance)
 class Front
 {
 public:
-  Front(const MeshPartition& surface, const FrontOptions& options, Retention& retention);
-
-  /// Throws SourceError if no rank has a source.
-  FrontResult run(SourceWindows sources);
-
-private:
-  void start(SourceWindows initial);
-  void startVertices(const SourceWindows& initial);
-  void startFaces(const SourceWindows& initial);
-  void addSourcesInHalo(const std::vector<SourceInFace>& inHalo);
-  void advance(double limit);
-  bool moveOn(double limit);
-  bool isSettled();
-  bool isAnyWithin(double reach);
-  bool isWithin(Id vertex, double reach) const;
-  template <typename Fill>
-  void runBatch(const Fill& fill);
-  void activateUpTo(double last);
-  template <typename Begin, typename Task>
-  void runStep(const Begin& begin, const Task& task);
-  template <typename Task>
-  void runTasks(const Task& task);
-  void finishBatch();
-  void reportShortened(District& district);
-  void exchangeLists();
-  void deliver(const std::vector<DistanceUpdate>& updates, MailBatch District::*mail);
-  void exchangeArrivals();
-  FrontState state();
-  void shorten(const DistanceUpdate& update);
-  District& districtOf(Id vertex) { return this->districts_[this->numbers_.of(vertex)]; }
-  const District& districtOf(Id vertex) const
+  Front(const MeshPartition& surface, const FrontOptions& options, Retention& retention)
+    : surface_(surface)
+    , mesh_(surface.mesh())
+    , options_(options)
+    , retention_(retention)
+    , numbers_(mesh_, options.parallelFor, options.progress)
+    , vertices_(mesh_, options.relativeError > 0.0, options.keepArrivals, options.parallelFor,
+        options.progress)
+    , outlooks_(numbers_.size())
+    , complete_(surface, options.maximumDistance)
+    , mailboxes_(numbers_.size())
+    , tasks_{ surface, mesh_, options, numbers_, vertices_, complete_, mailboxes_, retention }
+    , workers_(options.parallelFor)
+    , ranks_(surface)
+    , progress_(options.progress, mesh_.numberOfVertices(), options.maximumDistance)
   {
-    return this->districts_[this->numbers_.of(vertex)];
+    reportProgress(options.progress, 0.0);
+    this->districts_.reserve(this->numbers_.size());
+    for (Id number = 0; number < this->numbers_.size(); ++number)
+    {
+      this->districts_.emplace_back(number, this->vertices_);
+    }
   }
 
-  void finishLimited();
-  void flush(double bound);
-  void takeVerticesWithin(double bound, District& district) const;
-  void retireAll();
-  void finish();
+  /// Throws SourceError if no rank has a source.
+  FrontResult run(SourceWindows sources)
+  {
+    this->start(std::move(sources));
+    this->progress_.report(this->key_);
+    this->advance(this->options_.maximumDistance);
+    this->progress_.report(this->key_);
+    if (this->complete_.isLimited())
+    {
+      this->finishLimited();
+    }
+    this->finish();
+    return std::move(this->result_);
+  }
+
+private:
+  void start(SourceWindows initial)
+  {
+    if (!this->surface_.exchange().isTrueAnywhere(
+          !initial.inFaces.empty() || !initial.vertices.empty()))
+    {
+      throw SourceError("There is no source. Give at least one point on the surface.");
+    }
+    this->startVertices(initial);
+    this->startFaces(initial);
+    std::stable_sort(initial.windows.begin(), initial.windows.end(),
+      [this](const LeavingWindow& a, const LeavingWindow& b)
+      {
+        return this->numbers_.blockOf(this->mesh_.origin(a.halfedge)) <
+          this->numbers_.blockOf(this->mesh_.origin(b.halfedge));
+      });
+    for (const LeavingWindow& leaving : initial.windows)
+    {
+      District& sender = this->districtOf(this->mesh_.origin(leaving.halfedge));
+      this->tasks_.send(
+        this->workers_.first(), sender, leaving.halfedge, { &leaving.window, &leaving.window + 1 });
+      this->mailboxes_.notify(sender.number);
+    }
+    this->result_.sourcesInFaces = std::move(initial.inFaces);
+    this->retention_.start(this->districts_.size(), this->result_.sourcesInFaces);
+    this->addSourcesInHalo(initial.inHalo);
+    this->runBatch([](District&) {}); // receives what was sent
+  }
+
+  void startVertices(const SourceWindows& initial)
+  {
+    for (const Id vertex : initial.vertices)
+    {
+      // The curve's own wedges already exist.
+      this->vertices_[vertex].pseudoSource = TriangleMesh::PseudoSource::None;
+      this->shorten({ vertex, 0.0, 0.0, {} });
+    }
+    // Also vertices on a curve: a segment of a rounding's length may bound a wedge there.
+    for (const Id vertex : initial.nearVertices)
+    {
+      this->vertices_[vertex].pseudoSource = TriangleMesh::PseudoSource::Irregular;
+    }
+  }
+
+  void startFaces(const SourceWindows& initial)
+  {
+    for (const SourceInFace& source : initial.inFaces)
+    {
+      const Triangle& corners = this->mesh_.triangle(source.face);
+      const Id origin =
+        CurveSide{ source.curve, false }.origin(this->surface_.numberOfGlobalVertices());
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const DistanceUpdate found = { corners[k],
+          distanceToSource(this->mesh_, source, cornerWeights(k)), 0.0, { NoId, origin } };
+        this->shorten(found);
+        this->ranks_.addUpdate(found);
+      }
+      if (this->complete_.isLimited())
+      {
+        this->complete_.add(source.face);
+      }
+    }
+  }
+
+  void addSourcesInHalo(const std::vector<SourceInFace>& inHalo)
+  {
+    if (inHalo.empty())
+    {
+      return; // the others are in the order of their faces
+    }
+    std::vector<SourceInFace>& sources = this->result_.sourcesInFaces;
+    sources.insert(sources.end(), inHalo.begin(), inHalo.end());
+    std::stable_sort(sources.begin(), sources.end());
+  }
+
+  // The loop ends. The windows that are sent form trees: the parent of a window is the one that
+  // came through a face into it; a window joined from two comes from the one whose number of faces
+  // crossed it keeps. That number is its depth in the tree, and a window that has crossed as many
+  // faces as the mesh has goes no further. So all trees have a finite depth, also around faces
+  // without area, where a pencil of rays may come back to its halfedge. A window that is sent makes
+  // few others, which are cut into a finite number of parts before they are sent in turn. Trees of
+  // finite depth in which each window has finitely many children are finite. And there are finitely
+  // many trees: the windows of the source, and those that vertices emit. A vertex emits again only
+  // if its distance has become shorter by more than a tie, a fraction of it, which cannot go on for
+  // ever.
+  void advance(double limit)
+  {
+    while (this->next_.least <= limit && this->next_.least < Infinity)
+    {
+      this->key_ = std::max(this->key_, this->next_.least);
+      if (this->isSettled())
+      {
+        return;
+      }
+      const double last = std::min(limit, this->next_.last);
+      this->activateUpTo(last);
+      this->runBatch(
+        [this, last](District& district)
+        {
+          district.schedule.takeBatch(last, district.batch);
+          this->numbers_.sort(district.batch);
+        });
+      this->progress_.afterBatch(this->batch_.size(), this->windowsHandled_, this->key_);
+    }
+  }
+
+  // Whether nothing within the retention's reach is left to do. Windows within it may still wait
+  // for a far vertex. The front continues in its order until they have passed, so that distances
+  // within the reach have the bits of a front that goes everywhere.
+  bool isSettled()
+  {
+    return this->key_ > this->reach_ &&
+      !this->surface_.exchange().isTrueAnywhere(this->isAnyWithin(this->reach_));
+  }
+
+  bool isAnyWithin(double reach)
+  {
+    if (this->unsettled_ != NoId && this->isWithin(this->unsettled_, reach))
+    {
+      return true;
+    }
+    this->unsettled_ = NoId;
+    const auto isUnsettled = [&](Id vertex)
+    {
+      const bool isWithin = this->isWithin(vertex, reach);
+      this->unsettled_ = isWithin ? vertex : this->unsettled_;
+      return isWithin;
+    };
+    return std::any_of(this->districts_.begin(), this->districts_.end(),
+      [&](const District& district) { return district.schedule.isAnyWaiting(isUnsettled); });
+  }
+
+  // Whether a waiting vertex has windows within a distance, or will emit some.
+  bool isWithin(Id vertex, double reach)
+  {
+    const VertexState& state = this->vertices_[vertex];
+    const WaitingLists& lists = this->districtOf(vertex).lists;
+    bool isWithin = state.isShorter() && state.distance <= reach;
+    for (Id list = state.facing; list != NoId && !isWithin; list = lists[list].next)
+    {
+      isWithin = isAnyWindowWithin(lists[list].windows.range(), reach);
+    }
+    return isWithin;
+  }
+
+  /// \param fill (District&) -> void: gives a district its vertices of the batch.
+  template <typename Fill>
+  void runBatch(const Fill& fill)
+  {
+    ++this->batches_;
+    this->runStep(
+      [&](District& district)
+      {
+        fill(district);
+        this->mailboxes_.notify(district.number);
+      },
+      [this](FrontWorker& worker, District& district)
+      { this->tasks_.processBatch(worker, district, this->batches_); });
+    if (this->surface_.isDistributed())
+    {
+      this->exchangeLists();
+    }
+    this->mailboxes_.takeReceivers(this->active_);
+    this->runStep([this](District& district) { this->tasks_.receiveUpdates(district); },
+      [this](FrontWorker& worker, District& district)
+      {
+        this->tasks_.receiveLists(worker, district);
+        if (district.isDone)
+        {
+          this->outlooks_[district.number] = district.schedule.outlook();
+        }
+      });
+    this->finishBatch();
+  }
+
+  void activateUpTo(double last)
+  {
+    this->active_.clear();
+    for (Id number = 0; number < this->outlooks_.size(); ++number)
+    {
+      if (this->outlooks_[number].least <= last)
+      {
+        this->active_.push_back(number);
+      }
+    }
+  }
+
+  /// Runs a step of a batch in all active districts, in turns; progress is reported where workers
+  /// pause. In each turn some worker finishes at least one list, so the loop ends.
+  ///
+  /// \param begin (District&) -> void, called once per district.
+  /// \param task (FrontWorker&, District&) -> void, called until the district is done.
+  template <typename Begin, typename Task>
+  void runStep(const Begin& begin, const Task& task)
+  {
+    this->runTasks(
+      [&](FrontWorker& worker, District& district)
+      {
+        district.schedule.moveOn(this->key_);
+        district.done = 0;
+        begin(district);
+        task(worker, district);
+      });
+    const auto isPaused = [this](Id number) { return !this->districts_[number].isDone; };
+    while (std::any_of(this->active_.begin(), this->active_.end(), isPaused))
+    {
+      this->progress_.report(this->key_);
+      this->runTasks(
+        [&](FrontWorker& worker, District& district)
+        {
+          if (!district.isDone)
+          {
+            task(worker, district);
+          }
+        });
+    }
+  }
+
+  template <typename Task>
+  void runTasks(const Task& task)
+  {
+    this->workers_.run(this->active_.size(),
+      [&](FrontWorker& worker, std::size_t i)
+      { task(worker, this->districts_[this->active_[i]]); });
+  }
+
+  // The work of a batch outside of the districts.
+  void finishBatch()
+  {
+    this->batch_.clear();
+    this->next_ = {};
+    for (const Id number : this->active_)
+    {
+      District& district = this->districts_[number];
+      // A vertex that only lets lists of thin faces pass is not settled.
+      std::copy_if(district.batch.begin(), district.batch.end(), std::back_inserter(this->batch_),
+        [this](Id vertex) { return this->vertices_[vertex].processed < Infinity; });
+      district.batch.clear();
+      this->progress_.settle(district.settled);
+      district.settled = 0;
+      this->reportShortened(district);
+      for (const Id halfedge : district.withinLimit)
+      {
+        this->complete_.addAround(halfedge);
+      }
+      district.withinLimit.clear();
+    }
+    for (const VertexSchedule::Outlook& outlook : this->outlooks_)
+    {
+      this->next_.least = std::min(this->next_.least, outlook.least);
+      this->next_.last = std::min(this->next_.last, outlook.last);
+    }
+    if (this->surface_.isDistributed())
+    {
+      this->exchangeArrivals();
+    }
+    this->retention_.advance(this->state());
+    this->tasks_.limitPaths(this->retention_.longestPath());
+    if (!this->surface_.isDistributed())
+    {
+      this->reach_ = this->retention_.reach();
+    }
+  }
+
+  void reportShortened(District& district)
+  {
+    for (const Id vertex : district.shortened)
+    {
+      this->retention_.shortenDistance(vertex);
+    }
+    district.shortened.clear();
+  }
+
+  void exchangeLists()
+  {
+    WindowPool& pool = this->workers_.first().pool;
+    for (District& district : this->districts_)
+    {
+      for (const SentList& list : district.leaving)
+      {
+        this->ranks_.addList(list, pool);
+      }
+      district.leaving.clear();
+      this->mailboxes_.forEachOf(district.number,
+        [this](const MailBatch& mail)
+        {
+          for (const DistanceUpdate& update : mail.updates)
+          {
+            this->ranks_.addUpdate(update);
+          }
+        });
+    }
+    std::vector<double> nothing;
+    const FrontExchange::Received received = this->ranks_.step(nothing, pool);
+    for (const bool areHigher : { false, true })
+    {
+      for (const DistanceUpdate& update : received.updates[areHigher ? 1 : 0])
+      {
+        this->mailboxes_.fromRanks(areHigher, this->numbers_.of(update.vertex))
+          .updates.push_back(update);
+      }
+    }
+    for (const SentList& list : received.lists)
+    {
+      const Id receiver = this->numbers_.of(this->mesh_.opposite(list.halfedge));
+      this->mailboxes_.fromRanks(true, receiver).lists.push_back(list);
+    }
+  }
+
+  // A vertex whose distance another rank sends here waits on that rank with the same key, so the
+  // next batch is known before the distances are exchanged.
+  void exchangeArrivals()
+  {
+    for (District& district : this->districts_)
+    {
+      for (const DistanceUpdate& arrival : district.arrivals)
+      {
+        this->ranks_.addUpdate(arrival);
+      }
+      district.arrivals.clear();
+    }
+    std::vector<double> least = { this->next_.least, this->next_.last, -this->retention_.reach() };
+    const FrontExchange::Received received = this->ranks_.step(least, this->workers_.first().pool);
+    this->next_ = { least[0], least[1] };
+    this->reach_ = -least[2];
+    for (const std::vector<DistanceUpdate>& updates : received.updates)
+    {
+      for (const DistanceUpdate& update : updates)
+      {
+        this->shorten(update);
+      }
+    }
+    this->mailboxes_.takeReceivers(this->active_);
+    for (const Id number : this->active_)
+    {
+      this->outlooks_[number] = this->districts_[number].schedule.outlook();
+    }
+  }
+
+  FrontState state()
+  {
+    this->pools_.clear();
+    this->windowsHandled_ = 0;
+    this->workers_.forEach(
+      [this](FrontWorker& worker)
+      {
+        this->pools_.push_back(&worker.pool);
+        this->windowsHandled_ += worker.handled;
+      });
+    return { this->key_, this->batch_, this->vertices_.distances(), this->vertices_.processed(),
+      this->pools_ };
+  }
+
+  // For calls outside of tasks. The district's next batch must be found again.
+  void shorten(const DistanceUpdate& update)
+  {
+    District& district = this->districtOf(update.vertex);
+    district.schedule.moveOn(this->key_);
+    this->tasks_.shorten(district, update);
+    this->reportShortened(district);
+    this->mailboxes_.notify(district.number);
+  }
+
+  District& districtOf(Id vertex) { return this->districts_[this->numbers_.of(vertex)]; }
+
+  // A face that contains a point within the limit has exact values when no waiting window and no
+  // pseudo-source is nearer than the farthest of them.
+  void finishLimited()
+  {
+    this->flush(this->complete_.limit());
+    this->complete_.addAroundReachedVertices(this->vertices_);
+    this->ranks_.shareNeeded(this->complete_);
+    this->flush(this->surface_.exchange().largestOf(
+      this->complete_.neededDistance(this->vertices_, this->retention_.needsInside())));
+    this->retireAll();
+    std::vector<std::uint8_t> complete = this->complete_.completeVertices();
+    this->ranks_.shareMarks(complete);
+    for (Id vertex = 0; vertex < this->vertices_.size(); ++vertex)
+    {
+      if (!complete[vertex])
+      {
+        this->vertices_[vertex].distance = Infinity;
+      }
+    }
+  }
+
+  // Hands all waiting lists to the retention.
+  void retireAll()
+  {
+    for (District& district : this->districts_)
+    {
+      std::vector<PassedList> left;
+      district.lists.forEach(
+        [&](const WaitingLists::List& list)
+        {
+          left.push_back({ list.halfedge, list.windows,
+            { this->vertices_.distance(this->mesh_.origin(list.halfedge)),
+              this->vertices_.distance(this->mesh_.destination(list.halfedge)) } });
+        });
+      district.lists = WaitingLists();
+      std::sort(left.begin(), left.end(),
+        [](const PassedList& a, const PassedList& b) { return a.halfedge < b.halfedge; });
+      for (const PassedList& list : left)
+      {
+        this->tasks_.retire(this->workers_.first(), district, list, this->batches_);
+      }
+    }
+  }
+
+  // Propagates every window and pseudo-source nearer than the bound, even if it would wait for a
+  // far vertex. Propagation ends as in advance().
+  void flush(double bound)
+  {
+    bool isAny = true;
+    while (isAny)
+    {
+      this->advance(bound);
+      this->activateUpTo(Infinity);
+      this->runBatch([&](District& district) { this->takeVerticesWithin(bound, district); });
+      isAny = this->surface_.exchange().isTrueAnywhere(!this->batch_.empty());
+      this->progress_.report(this->key_);
+    }
+  }
+
+  void takeVerticesWithin(double bound, District& district) const
+  {
+    district.schedule.passAll();
+    std::vector<Id>& vertices = district.batch;
+    district.lists.forEach(
+      [&](const WaitingLists::List& list)
+      {
+        if (isAnyWindowWithin(list.windows.range(), bound))
+        {
+          vertices.push_back(this->mesh_.opposite(list.halfedge));
+        }
+      });
+    this->numbers_.sort(vertices);
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  }
+
+  void finish()
+  {
+    this->districts_.clear();
+    this->result_.completeFaces = this->complete_.release();
+    this->result_.vertexDistances.reserve(this->vertices_.size());
+    for (Id vertex = 0; vertex < this->vertices_.size(); ++vertex)
+    {
+      this->result_.vertexDistances.push_back(this->vertices_.distance(vertex));
+    }
+    this->ranks_.completeHalo(this->result_.vertexDistances);
+    this->result_.arrivals = this->vertices_.releaseArrivals();
+    this->result_.hasAngles = this->options_.keepAngles;
+    this->workers_.forEach(
+      [this](const FrontWorker& worker)
+      {
+        this->result_.windowsPropagated += worker.propagated;
+        this->result_.relativeErrorBound =
+          std::max(this->result_.relativeErrorBound, worker.relativeError);
+      });
+    Exchange& exchange = this->surface_.exchange();
+    this->result_.windowsPropagated = sumOverRanks(exchange, this->result_.windowsPropagated).all;
+    this->result_.relativeErrorBound = exchange.largestOf(this->result_.relativeErrorBound);
+    this->retention_.finish(this->state());
+  }
 
   const MeshPartition& surface_;
   const TriangleMesh& mesh_;
@@ -117,520 +581,6 @@ private:
   std::vector<WindowPool*> pools_;
   std::uint64_t windowsHandled_ = 0;
 };
-
-Front::Front(const MeshPartition& surface, const FrontOptions& options, Retention& retention)
-  : surface_(surface)
-  , mesh_(surface.mesh())
-  , options_(options)
-  , retention_(retention)
-  , numbers_(mesh_, options.parallelFor, options.progress)
-  , vertices_(mesh_, options.relativeError > 0.0, options.keepArrivals, options.parallelFor,
-      options.progress)
-  , outlooks_(numbers_.size())
-  , complete_(surface, options.maximumDistance)
-  , mailboxes_(numbers_.size())
-  , tasks_(surface, options, numbers_, vertices_, complete_, mailboxes_, retention)
-  , workers_(options.parallelFor)
-  , ranks_(surface)
-  , progress_(options.progress, mesh_.numberOfVertices(), options.maximumDistance)
-{
-  reportProgress(options.progress, 0.0);
-  this->districts_.reserve(this->numbers_.size());
-  for (Id number = 0; number < this->numbers_.size(); ++number)
-  {
-    this->districts_.emplace_back(number, this->vertices_);
-  }
-}
-
-FrontResult Front::run(SourceWindows sources)
-{
-  this->start(std::move(sources));
-  this->progress_.report(this->key_);
-  this->advance(this->options_.maximumDistance);
-  this->progress_.report(this->key_);
-  if (this->complete_.isLimited())
-  {
-    this->finishLimited();
-  }
-  this->finish();
-  return std::move(this->result_);
-}
-
-void Front::start(SourceWindows initial)
-{
-  if (!this->surface_.exchange().isTrueAnywhere(
-        !initial.inFaces.empty() || !initial.vertices.empty()))
-  {
-    throw SourceError("There is no source. Give at least one point on the surface.");
-  }
-  this->startVertices(initial);
-  this->startFaces(initial);
-  std::stable_sort(initial.windows.begin(), initial.windows.end(),
-    [this](const LeavingWindow& a, const LeavingWindow& b)
-    {
-      return this->numbers_.blockOf(this->mesh_.origin(a.halfedge)) <
-        this->numbers_.blockOf(this->mesh_.origin(b.halfedge));
-    });
-  for (const LeavingWindow& leaving : initial.windows)
-  {
-    District& sender = this->districtOf(this->mesh_.origin(leaving.halfedge));
-    this->tasks_.send(
-      this->workers_.first(), sender, leaving.halfedge, { &leaving.window, &leaving.window + 1 });
-    this->mailboxes_.notify(sender.number);
-  }
-  this->result_.sourcesInFaces = std::move(initial.inFaces);
-  this->retention_.setNumberOfDistricts(this->districts_.size());
-  this->retention_.start(this->result_.sourcesInFaces);
-  this->addSourcesInHalo(initial.inHalo);
-  this->runBatch([](District&) {}); // receives what was sent
-}
-
-void Front::startVertices(const SourceWindows& initial)
-{
-  for (const Id vertex : initial.vertices)
-  {
-    // The curve's own wedges already exist.
-    this->vertices_[vertex].pseudoSource = TriangleMesh::PseudoSource::None;
-    this->shorten({ vertex, 0.0, 0.0, {} });
-  }
-  // Also vertices on a curve: a segment of a rounding's length may bound a wedge there.
-  for (const Id vertex : initial.nearVertices)
-  {
-    this->vertices_[vertex].pseudoSource = TriangleMesh::PseudoSource::Irregular;
-  }
-}
-
-void Front::startFaces(const SourceWindows& initial)
-{
-  for (const SourceInFace& source : initial.inFaces)
-  {
-    const Triangle& corners = this->mesh_.triangle(source.face);
-    const Id origin =
-      CurveSide{ source.curve, false }.origin(this->surface_.numberOfGlobalVertices());
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const DistanceUpdate found = { corners[k],
-        distanceToSource(this->mesh_, source, cornerWeights(k)), 0.0, { NoId, origin } };
-      this->shorten(found);
-      this->ranks_.addUpdate(found);
-    }
-    if (this->complete_.isLimited())
-    {
-      this->complete_.add(source.face);
-    }
-  }
-}
-
-void Front::addSourcesInHalo(const std::vector<SourceInFace>& inHalo)
-{
-  if (inHalo.empty())
-  {
-    return; // the others are in the order of their faces
-  }
-  std::vector<SourceInFace>& sources = this->result_.sourcesInFaces;
-  sources.insert(sources.end(), inHalo.begin(), inHalo.end());
-  std::stable_sort(sources.begin(), sources.end(),
-    [](const SourceInFace& a, const SourceInFace& b) { return a.face < b.face; });
-}
-
-// The loop ends. The windows that are sent form trees: the parent of a window is the one that came
-// through a face into it; a window joined from two comes from the one whose number of faces crossed
-// it keeps. That number is its depth in the tree, and a window that has crossed as many faces as
-// the mesh has goes no further. So all trees have a finite depth, also around faces without area,
-// where a pencil of rays may come back to its halfedge. A window that is sent makes few others,
-// which are cut into a finite number of parts before they are sent in turn. Trees of finite depth
-// in which each window has finitely many children are finite. And there are finitely many trees:
-// the windows of the source, and those that vertices emit. A vertex emits again only if its
-// distance has become shorter by more than a tie, a fraction of it, which cannot go on for ever.
-void Front::advance(double limit)
-{
-  while (this->moveOn(limit) && !this->isSettled())
-  {
-    const double last = std::min(limit, this->next_.last);
-    this->activateUpTo(last);
-    this->runBatch(
-      [this, last](District& district)
-      {
-        district.schedule.takeBatch(last, district.batch);
-        this->numbers_.sort(district.batch);
-      });
-    this->progress_.afterBatch(this->batch_.size(), this->windowsHandled_, this->key_);
-  }
-}
-
-// Begins the next batch; returns false if no vertex waits up to the limit.
-bool Front::moveOn(double limit)
-{
-  const double least = this->next_.least;
-  if (!(least <= limit) || least == Infinity)
-  {
-    return false;
-  }
-  this->key_ = std::max(this->key_, least);
-  return true;
-}
-
-// Whether nothing within the retention's reach is left to do. Windows within it may still wait for
-// a far vertex. The front continues in its order until they have passed, so that distances within
-// the reach have the bits of a front that goes everywhere.
-bool Front::isSettled()
-{
-  return this->key_ > this->reach_ &&
-    !this->surface_.exchange().isTrueAnywhere(this->isAnyWithin(this->reach_));
-}
-
-bool Front::isAnyWithin(double reach)
-{
-  if (this->unsettled_ != NoId && this->isWithin(this->unsettled_, reach))
-  {
-    return true;
-  }
-  this->unsettled_ = NoId;
-  const auto isUnsettled = [&](Id vertex)
-  {
-    const bool isWithin = this->isWithin(vertex, reach);
-    this->unsettled_ = isWithin ? vertex : this->unsettled_;
-    return isWithin;
-  };
-  return std::any_of(this->districts_.begin(), this->districts_.end(),
-    [&](const District& district) { return district.schedule.isAnyWaiting(isUnsettled); });
-}
-
-// Whether a waiting vertex has windows within a distance, or will emit some.
-bool Front::isWithin(Id vertex, double reach) const
-{
-  const VertexState& state = this->vertices_[vertex];
-  const WaitingLists& lists = this->districtOf(vertex).lists;
-  bool isWithin = state.isShorter() && state.distance <= reach;
-  for (Id list = state.facing; list != NoId && !isWithin; list = lists[list].next)
-  {
-    isWithin = isAnyWindowWithin(lists[list].windows.range(), reach);
-  }
-  return isWithin;
-}
-
-/// \param fill (District&) -> void: gives a district its vertices of the batch.
-template <typename Fill>
-void Front::runBatch(const Fill& fill)
-{
-  ++this->batches_;
-  this->runStep(
-    [&](District& district)
-    {
-      fill(district);
-      this->mailboxes_.notify(district.number);
-    },
-    [this](FrontWorker& worker, District& district)
-    { this->tasks_.processBatch(worker, district, this->batches_); });
-  if (this->surface_.isDistributed())
-  {
-    this->exchangeLists();
-  }
-  this->mailboxes_.takeReceivers(this->active_);
-  this->runStep([this](District& district) { this->tasks_.receiveUpdates(district); },
-    [this](FrontWorker& worker, District& district)
-    {
-      this->tasks_.receiveLists(worker, district);
-      if (district.isDone)
-      {
-        this->outlooks_[district.number] = district.schedule.outlook();
-      }
-    });
-  this->finishBatch();
-}
-
-void Front::activateUpTo(double last)
-{
-  this->active_.clear();
-  for (Id number = 0; number < this->outlooks_.size(); ++number)
-  {
-    if (this->outlooks_[number].least <= last)
-    {
-      this->active_.push_back(number);
-    }
-  }
-}
-
-/// Runs a step of a batch in all active districts, in turns; progress is reported where workers
-/// pause. In each turn some worker finishes at least one list, so the loop ends.
-///
-/// \param begin (District&) -> void, called once per district.
-/// \param task (FrontWorker&, District&) -> void, called until the district is done.
-template <typename Begin, typename Task>
-void Front::runStep(const Begin& begin, const Task& task)
-{
-  this->runTasks(
-    [&](FrontWorker& worker, District& district)
-    {
-      district.schedule.moveOn(this->key_);
-      district.done = 0;
-      begin(district);
-      task(worker, district);
-    });
-  const auto isPaused = [this](Id number) { return !this->districts_[number].isDone; };
-  while (std::any_of(this->active_.begin(), this->active_.end(), isPaused))
-  {
-    this->progress_.report(this->key_);
-    this->runTasks(
-      [&](FrontWorker& worker, District& district)
-      {
-        if (!district.isDone)
-        {
-          task(worker, district);
-        }
-      });
-  }
-}
-
-template <typename Task>
-void Front::runTasks(const Task& task)
-{
-  this->workers_.run(this->active_.size(),
-    [&](FrontWorker& worker, std::size_t i) { task(worker, this->districts_[this->active_[i]]); });
-}
-
-// The work of a batch outside of the districts.
-void Front::finishBatch()
-{
-  this->batch_.clear();
-  this->next_ = {};
-  for (const Id number : this->active_)
-  {
-    District& district = this->districts_[number];
-    // A vertex that only lets lists of thin faces pass is not settled.
-    std::copy_if(district.batch.begin(), district.batch.end(), std::back_inserter(this->batch_),
-      [this](Id vertex) { return this->vertices_[vertex].processed < Infinity; });
-    district.batch.clear();
-    this->progress_.settle(district.settled);
-    district.settled = 0;
-    this->reportShortened(district);
-    for (const Id halfedge : district.withinLimit)
-    {
-      this->complete_.addAround(halfedge);
-    }
-    district.withinLimit.clear();
-  }
-  for (const VertexSchedule::Outlook& outlook : this->outlooks_)
-  {
-    this->next_.least = std::min(this->next_.least, outlook.least);
-    this->next_.last = std::min(this->next_.last, outlook.last);
-  }
-  if (this->surface_.isDistributed())
-  {
-    this->exchangeArrivals();
-  }
-  this->retention_.advance(this->state());
-  this->tasks_.limitPaths(this->retention_.longestPath());
-  if (!this->surface_.isDistributed())
-  {
-    this->reach_ = this->retention_.reach();
-  }
-}
-
-void Front::reportShortened(District& district)
-{
-  for (const Id vertex : district.shortened)
-  {
-    this->retention_.shortenDistance(vertex);
-  }
-  district.shortened.clear();
-}
-
-void Front::exchangeLists()
-{
-  WindowPool& pool = this->workers_.first().pool;
-  for (District& district : this->districts_)
-  {
-    for (const SentList& list : district.leaving)
-    {
-      this->ranks_.addList(list, pool);
-    }
-    district.leaving.clear();
-    this->mailboxes_.forEachOf(district.number,
-      [this](const MailBatch& mail)
-      {
-        for (const DistanceUpdate& update : mail.updates)
-        {
-          this->ranks_.addUpdate(update);
-        }
-      });
-  }
-  std::vector<double> nothing;
-  const FrontExchange::Received received = this->ranks_.step(nothing, pool);
-  this->deliver(received.fromLower, &District::fromLower);
-  this->deliver(received.fromHigher, &District::fromHigher);
-  for (const SentList& list : received.lists)
-  {
-    District& district = this->districtOf(this->mesh_.opposite(list.halfedge));
-    district.fromHigher.lists.push_back(list);
-    this->mailboxes_.notify(district.number);
-  }
-}
-
-void Front::deliver(const std::vector<DistanceUpdate>& updates, MailBatch District::*mail)
-{
-  for (const DistanceUpdate& update : updates)
-  {
-    District& district = this->districtOf(update.vertex);
-    (district.*mail).updates.push_back(update);
-    this->mailboxes_.notify(district.number);
-  }
-}
-
-// A vertex whose distance another rank sends here waits on that rank with the same key, so the next
-// batch is known before the distances are exchanged.
-void Front::exchangeArrivals()
-{
-  for (District& district : this->districts_)
-  {
-    for (const DistanceUpdate& arrival : district.arrivals)
-    {
-      this->ranks_.addUpdate(arrival);
-    }
-    district.arrivals.clear();
-  }
-  std::vector<double> least = { this->next_.least, this->next_.last, -this->retention_.reach() };
-  const FrontExchange::Received received = this->ranks_.step(least, this->workers_.first().pool);
-  this->next_ = { least[0], least[1] };
-  this->reach_ = -least[2];
-  for (const auto* updates : { &received.fromLower, &received.fromHigher })
-  {
-    for (const DistanceUpdate& update : *updates)
-    {
-      this->shorten(update);
-    }
-  }
-  this->mailboxes_.takeReceivers(this->active_);
-  for (const Id number : this->active_)
-  {
-    this->outlooks_[number] = this->districts_[number].schedule.outlook();
-  }
-}
-
-FrontState Front::state()
-{
-  this->pools_.clear();
-  this->windowsHandled_ = 0;
-  this->workers_.forEach(
-    [this](FrontWorker& worker)
-    {
-      this->pools_.push_back(&worker.pool);
-      this->windowsHandled_ += worker.handled;
-    });
-  return { this->key_, this->batch_, this->vertices_.distances(), this->vertices_.processed(),
-    this->pools_ };
-}
-
-// For calls outside of tasks. The district's next batch must be found again.
-void Front::shorten(const DistanceUpdate& update)
-{
-  District& district = this->districtOf(update.vertex);
-  district.schedule.moveOn(this->key_);
-  this->tasks_.shorten(district, update);
-  this->reportShortened(district);
-  this->mailboxes_.notify(district.number);
-}
-
-// A face that contains a point within the limit has exact values when no waiting window and no
-// pseudo-source is nearer than the farthest of them.
-void Front::finishLimited()
-{
-  this->flush(this->complete_.limit());
-  this->complete_.addAroundReachedVertices(this->vertices_);
-  this->ranks_.shareNeeded(this->complete_);
-  this->flush(this->surface_.exchange().largestOf(
-    this->complete_.neededDistance(this->vertices_, this->retention_.needsInside())));
-  this->retireAll();
-  std::vector<std::uint8_t> complete = this->complete_.completeVertices();
-  this->ranks_.shareMarks(complete);
-  for (Id vertex = 0; vertex < this->vertices_.size(); ++vertex)
-  {
-    if (!complete[vertex])
-    {
-      this->vertices_[vertex].distance = Infinity;
-    }
-  }
-}
-
-// Hands all waiting lists to the retention.
-void Front::retireAll()
-{
-  for (District& district : this->districts_)
-  {
-    std::vector<PassedList> left;
-    district.lists.forEach(
-      [&](const WaitingLists::List& list)
-      {
-        left.push_back({ list.halfedge, list.windows,
-          { this->vertices_.distance(this->mesh_.origin(list.halfedge)),
-            this->vertices_.distance(this->mesh_.destination(list.halfedge)) } });
-      });
-    district.lists = WaitingLists();
-    std::sort(left.begin(), left.end(),
-      [](const PassedList& a, const PassedList& b) { return a.halfedge < b.halfedge; });
-    for (const PassedList& list : left)
-    {
-      this->tasks_.retire(this->workers_.first(), district, list, this->batches_);
-    }
-  }
-}
-
-// Propagates every window and pseudo-source nearer than the bound, even if it would wait for a far
-// vertex. Propagation ends as in advance().
-void Front::flush(double bound)
-{
-  bool isAny = true;
-  while (isAny)
-  {
-    this->advance(bound);
-    this->activateUpTo(Infinity);
-    this->runBatch([&](District& district) { this->takeVerticesWithin(bound, district); });
-    isAny = this->surface_.exchange().isTrueAnywhere(!this->batch_.empty());
-    this->progress_.report(this->key_);
-  }
-}
-
-void Front::takeVerticesWithin(double bound, District& district) const
-{
-  district.schedule.passAll();
-  std::vector<Id>& vertices = district.batch;
-  district.lists.forEach(
-    [&](const WaitingLists::List& list)
-    {
-      if (isAnyWindowWithin(list.windows.range(), bound))
-      {
-        vertices.push_back(this->mesh_.opposite(list.halfedge));
-      }
-    });
-  this->numbers_.sort(vertices);
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-}
-
-void Front::finish()
-{
-  this->districts_.clear();
-  this->result_.completeFaces = this->complete_.release();
-  this->result_.vertexDistances.reserve(this->vertices_.size());
-  for (Id vertex = 0; vertex < this->vertices_.size(); ++vertex)
-  {
-    this->result_.vertexDistances.push_back(this->vertices_.distance(vertex));
-  }
-  this->ranks_.completeHalo(this->result_.vertexDistances);
-  this->result_.arrivals = this->vertices_.releaseArrivals();
-  this->result_.hasAngles = this->options_.keepAngles;
-  this->workers_.forEach(
-    [this](const FrontWorker& worker)
-    {
-      this->result_.windowsPropagated += worker.propagated;
-      this->result_.relativeErrorBound =
-        std::max(this->result_.relativeErrorBound, worker.relativeError);
-    });
-  this->result_.windowsPropagated =
-    sumOverRanks(this->surface_.exchange(), this->result_.windowsPropagated).all;
-  this->result_.relativeErrorBound =
-    this->surface_.exchange().largestOf(this->result_.relativeErrorBound);
-  this->retention_.finish(this->state());
-}
 
 } // anonymous namespace
 

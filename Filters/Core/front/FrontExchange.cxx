@@ -9,19 +9,12 @@
 namespace geodesic
 {
 
-FrontExchange::FrontExchange(const MeshPartition& surface)
-  : surface_(surface)
-  , updates_(rankIndex(surface.exchange().numberOfRanks()))
-  , lists_(surface.exchange().noMessages())
-{
-}
-
 void FrontExchange::addList(const SentList& list, WindowPool& pool)
 {
   const RankAddress owner = this->surface_.ownerOf(TriangleMesh::faceOf(list.halfedge));
-  Message& message = this->lists_[rankIndex(owner.rank)];
+  Message& message = this->messages_[rankIndex(owner.rank)];
   put(message, 3 * owner.id + list.halfedge % 3);
-  put(message, static_cast<std::uint32_t>(list.windows.size));
+  put(message, list.windows.size);
   put(message, list.windows.data, list.windows.size);
   pool.free(list.windows);
 }
@@ -30,73 +23,47 @@ void FrontExchange::addUpdate(const DistanceUpdate& update)
 {
   for (const RankAddress& other : this->surface_.othersWith(update.vertex))
   {
-    DistanceUpdate& added = this->updates_[rankIndex(other.rank)].emplace_back(update);
+    Message& message = this->messages_[rankIndex(other.rank)];
+    DistanceUpdate added = update;
     added.vertex = other.id;
+    put(message, NoId);
+    put(message, added);
   }
 }
 
 FrontExchange::Received FrontExchange::step(std::vector<double>& least, WindowPool& pool)
 {
-  std::vector<Message> messages = this->surface_.exchange().noMessages();
-  for (std::size_t rank = 0; rank < messages.size(); ++rank)
-  {
-    std::vector<DistanceUpdate>& updates = this->updates_[rank];
-    if (!updates.empty() || !this->lists_[rank].empty())
-    {
-      put(messages[rank], updates.size());
-      put(messages[rank], updates.data(), updates.size());
-      put(messages[rank], this->lists_[rank].data(), this->lists_[rank].size());
-      updates.clear();
-      this->lists_[rank].clear();
-    }
-  }
-  messages = this->surface_.exchange().step(std::move(messages), least);
-
+  Exchange& exchange = this->surface_.exchange();
+  std::vector<Message> messages = exchange.noMessages();
+  messages.swap(this->messages_);
   Received received;
   std::vector<Window> windows;
-  for (std::size_t rank = 0; rank < messages.size(); ++rank)
-  {
-    if (messages[rank].empty())
-    {
-      continue;
-    }
-    const auto sender = static_cast<int>(rank);
-    MessageReader reader(messages[rank]);
-    std::vector<DistanceUpdate>& updates =
-      sender < this->surface_.exchange().rank() ? received.fromLower : received.fromHigher;
-    for (auto left = reader.get<std::size_t>(); left > 0; --left)
-    {
-      updates.push_back(this->translated(sender, reader.get<DistanceUpdate>()));
-    }
-    while (!reader.isAtEnd())
+  readEach(exchange.step(std::move(messages), least),
+    [&](int sender, MessageReader& reader)
     {
       const Id halfedge = reader.get<Id>();
-      windows.resize(reader.get<std::uint32_t>());
-      reader.get(windows.data(), windows.size());
-      received.lists.push_back(
-        { halfedge, pool.copyOf({ windows.data(), windows.data() + windows.size() }) });
-    }
-  }
+      if (halfedge != NoId)
+      {
+        windows.resize(reader.get<std::uint32_t>());
+        reader.get(windows.data(), windows.size());
+        received.lists.push_back(
+          { halfedge, pool.copyOf({ windows.data(), windows.data() + windows.size() }) });
+        return;
+      }
+      auto update = reader.get<DistanceUpdate>();
+      Id& through = update.from.halfedge;
+      if (through != NoId) // in a face of the sender, of which this rank has a copy
+      {
+        through =
+          3 * this->surface_.copyOf({ sender, TriangleMesh::faceOf(through) }) + through % 3;
+      }
+      received.updates[sender > exchange.rank() ? 1 : 0].push_back(update);
+    });
   return received;
-}
-
-// The sender owns the face through which the path arrives; this rank has a copy of that face.
-DistanceUpdate FrontExchange::translated(int sender, DistanceUpdate update) const
-{
-  Id& halfedge = update.from.halfedge;
-  if (halfedge != NoId)
-  {
-    halfedge = 3 * this->surface_.copyOf({ sender, TriangleMesh::faceOf(halfedge) }) + halfedge % 3;
-  }
-  return update;
 }
 
 void FrontExchange::shareNeeded(CompleteFaces& faces)
 {
-  if (!this->surface_.isDistributed())
-  {
-    return;
-  }
   std::vector<Message> messages = this->surface_.exchange().noMessages();
   for (Id face = 0; face < this->surface_.mesh().numberOfFaces(); ++face)
   {
@@ -112,10 +79,6 @@ void FrontExchange::shareNeeded(CompleteFaces& faces)
 
 void FrontExchange::shareMarks(std::vector<std::uint8_t>& marks)
 {
-  if (!this->surface_.isDistributed())
-  {
-    return;
-  }
   std::vector<Message> messages = this->surface_.exchange().noMessages();
   for (Id vertex = 0; vertex < this->surface_.numberOfOwnVertices(); ++vertex)
   {
@@ -133,10 +96,6 @@ void FrontExchange::shareMarks(std::vector<std::uint8_t>& marks)
 
 void FrontExchange::completeHalo(std::vector<double>& distances)
 {
-  if (!this->surface_.isDistributed())
-  {
-    return;
-  }
   const TriangleMesh& mesh = this->surface_.mesh();
   const Id firstOfHalo = this->surface_.numberOfOwnVertices();
   Questions questions(this->surface_.exchange());

@@ -7,6 +7,7 @@
 #include "front/VertexStates.h"
 #include "mesh/MeshPartition.h"
 
+#include <array>
 #include <vector>
 
 namespace geodesic
@@ -18,7 +19,11 @@ namespace geodesic
 class FrontExchange
 {
 public:
-  explicit FrontExchange(const MeshPartition& surface);
+  explicit FrontExchange(const MeshPartition& surface)
+    : surface_(surface)
+    , messages_(surface.exchange().noMessages())
+  {
+  }
 
   /// Adds a list for another rank to the next step's messages.
   void addList(const SentList& list, WindowPool& pool);
@@ -30,8 +35,7 @@ public:
   struct Received
   {
     std::vector<SentList> lists;
-    std::vector<DistanceUpdate> fromLower;
-    std::vector<DistanceUpdate> fromHigher;
+    std::array<std::vector<DistanceUpdate>, 2> updates;
   };
   /// Sends all added lists and distances, receives those of other ranks, and finds the least of
   /// each number over all ranks.
@@ -45,12 +49,10 @@ public:
   void shareMarks(std::vector<std::uint8_t>& marks);
 
 private:
-  DistanceUpdate translated(int sender, DistanceUpdate update) const;
-
   const MeshPartition& surface_;
-  /// For each rank, what the next step sends to it.
-  std::vector<std::vector<DistanceUpdate>> updates_;
-  std::vector<Message> lists_;
+  /// For each rank, what the next step sends to it: lists, each a halfedge and its windows, and
+  /// distances, each behind NoId.
+  std::vector<Message> messages_;
 };
 
 }

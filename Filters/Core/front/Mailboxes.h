@@ -38,12 +38,16 @@ struct MailBatch
 /// The messages between districts. In the first step every district's worker writes; in the second,
 /// every district reads the messages of its senders in the order of their numbers. So the order of
 /// reading does not depend on which worker was faster.
+///
+/// If ranks share the surface, what lower ranks have sent is read first, and what higher ranks have
+/// sent last. So all ranks read in the same order and choose alike between equal paths.
 class Mailboxes
 {
 public:
   explicit Mailboxes(Id districts)
     : slots_(districts)
     , senders_(districts)
+    , fromRanks_(districts)
   {
     for (Id district = 0; district < districts; ++district)
     {
@@ -68,6 +72,13 @@ public:
     return mail;
   }
 
+  /// Where to put what lower or higher ranks have sent to a district.
+  MailBatch& fromRanks(bool areHigher, Id receiver)
+  {
+    this->receivers_.add(receiver);
+    return this->fromRanks_[receiver][areHigher ? 1 : 0];
+  }
+
   /// Makes the district read in the next step: it has written to itself, or has received something
   /// from elsewhere.
   void notify(Id district) { this->receivers_.add(district); }
@@ -83,7 +94,9 @@ public:
   template <typename Visit>
   void forEach(Id receiver, Visit&& visit)
   {
+    visit(this->fromRanks_[receiver][0]);
     this->senders_[receiver].forEach([&](Id sender) { visit(this->find(sender, receiver)); });
+    visit(this->fromRanks_[receiver][1]);
   }
 
   /// Calls visit(const MailBatch&) for the messages of one sender to each district.
@@ -172,6 +185,8 @@ private:
   std::vector<std::vector<Slot>> slots_;
   /// By receiver.
   std::vector<Set> senders_;
+  /// By receiver: of lower and of higher ranks.
+  std::vector<std::array<MailBatch, 2>> fromRanks_;
   /// The districts that have something to read.
   Set receivers_;
 };

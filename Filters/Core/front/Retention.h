@@ -89,10 +89,8 @@ public:
   virtual double reach() const { return Infinity; }
   /// In a corridor: a path that is longer is not looked for. May fall as the front goes on.
   virtual double longestPath() const { return Infinity; }
-  /// Before the first batch.
-  virtual void setNumberOfDistricts(std::size_t) {}
-  /// Called before the first batch, with the sources inside faces.
-  virtual void start(const std::vector<SourceInFace>&) {}
+  /// Called before the first batch, with the number of districts and the sources inside faces.
+  virtual void start(std::size_t, const std::vector<SourceInFace>&) {}
   /// Takes over a list. Its block now belongs to the retention; the pool is the calling task's.
   ///
   /// \param batch number of the batch, ascending.
@@ -129,7 +127,10 @@ public:
   }
 
   bool needsInside() const override { return true; }
-  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
+  void start(std::size_t districts, const std::vector<SourceInFace>&) override
+  {
+    this->passed_.resize(districts);
+  }
   void pass(std::size_t district, const PassedList& list, Id batch, WindowPool& pool) override
   {
     if (this->kept_.faces.empty() || this->kept_.faces[TriangleMesh::faceOf(list.halfedge)])

@@ -71,7 +71,39 @@ public:
   /// \param parallelFor if empty, one thread.
   /// \param progress is called; returning false throws Aborted.
   VertexStates(const TriangleMesh& mesh, bool withErrors, bool withArrivals,
-    const ParallelFor& parallelFor, const ProgressCallback& progress);
+    const ParallelFor& parallelFor, const ProgressCallback& progress)
+    : mesh_(mesh)
+    , errors_(withErrors ? mesh.numberOfVertices() : 0, 0.0)
+    , arrivals_(withArrivals ? mesh.numberOfVertices() : 0)
+  {
+    // Fresh memory takes time, too.
+    const LoopProgress loops(progress);
+    constexpr Id verticesPerReport = 1U << 16;
+    this->states_.reserve(mesh.numberOfVertices());
+    while (this->size() < mesh.numberOfVertices())
+    {
+      loops.at(this->size(), mesh.numberOfVertices());
+      this->states_.resize(
+        std::min<std::size_t>(this->size() + verticesPerReport, mesh.numberOfVertices()));
+    }
+    forRanges(parallelFor, this->states_.size(), loops,
+      [this](std::size_t begin, std::size_t end)
+      {
+        for (Id vertex = static_cast<Id>(begin); vertex < end; ++vertex)
+        {
+          VertexState& state = this->states_[vertex];
+          state.pseudoSource = this->mesh_.pseudoSource(vertex);
+          // Vertices belong to one batch if none is farther than another by more than about half an
+          // edge: windows from one of them then seldom reach another. From 0.25 to 2 edges the
+          // number of windows hardly changes.
+          const IdRange corners = this->mesh_.cornersAt(vertex);
+          state.reach = corners.size() > 0
+            ? 0.5F * static_cast<float>(this->mesh_.length(*corners.begin()))
+            : 0.0F;
+        }
+      });
+    this->takeThinFaces();
+  }
 
   Id size() const { return static_cast<Id>(this->states_.size()); }
   const VertexState& operator[](Id vertex) const { return this->states_[vertex]; }
@@ -89,7 +121,35 @@ public:
   }
 
   /// Accepts a path if it is shorter than the known one. \returns whether it was.
-  bool shorten(const DistanceUpdate& update);
+  bool shorten(const DistanceUpdate& update)
+  {
+    // Rounding may put a linear window's distance below 0 at its source.
+    const double distance = std::max(update.distance, 0.0);
+    VertexState& state = this->states_[update.vertex];
+    const bool isShorter = distance < state.distance;
+    const bool isTie = distance >= state.distance * (1.0 - tolerance::Tie);
+    if (!this->arrivals_.empty() &&
+      ((isShorter && !isTie && !this->isArrivalKept(update)) ||
+        this->isArrivalMissing(update.vertex, distance)))
+    {
+      this->arrivals_[update.vertex] = update.from;
+    }
+    if (!isShorter)
+    {
+      return false;
+    }
+    state.distance = distance;
+    if (!this->errors_.empty())
+    {
+      this->errors_[update.vertex] = update.error;
+    }
+    if (!isTie || state.arrivalHalfedge == NoId)
+    {
+      state.arrivalHalfedge = update.from.halfedge;
+      state.arrivalX = update.from.x;
+    }
+    return true;
+  }
 
   /// Moves the arrivals out.
   std::vector<Arrival> releaseArrivals() { return std::move(this->arrivals_); }
@@ -105,7 +165,27 @@ private:
     return { first, sizeof(VertexState) / sizeof(double) };
   }
 
-  void takeThinFaces();
+  // In strips of thin faces, the distances of vertices side by side along the long edges differ by
+  // the square of the altitude over the length. If one batch held many of these vertices, their
+  // windows would pass through the strips side by side, each alone, and none would be merged.
+  void takeThinFaces()
+  {
+    for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
+    {
+      const FaceShape& shape = this->mesh_.shape(face);
+      if (shape.isThin())
+      {
+        const double altitude = shape.area2 / shape.longest();
+        const float reach = static_cast<float>(0.5 * altitude * (altitude / shape.longest()));
+        for (const Id vertex : this->mesh_.triangle(face))
+        {
+          this->states_[vertex].hasThinFaces = true;
+          this->states_[vertex].reach = std::min(this->states_[vertex].reach, reach);
+        }
+      }
+    }
+  }
+
   bool isArrivalMissing(Id vertex, double distance) const
   {
     return !this->arrivals_.empty() && !this->arrivals_[vertex].isKnown() &&
@@ -118,7 +198,17 @@ private:
     return !update.from.isKnown() && this->arrivals_[update.vertex].isKnown() &&
       this->distance(update.vertex) - update.distance <= this->tieAround(update.vertex);
   }
-  double tieAround(Id vertex) const;
+
+  // A path across a needle carries the rounding of the needle's long edges.
+  double tieAround(Id vertex) const
+  {
+    double longest = 0.0;
+    for (const Id corner : this->mesh_.cornersAt(vertex))
+    {
+      longest = std::max(longest, this->mesh_.length(corner));
+    }
+    return tolerance::Tie * (this->distance(vertex) + longest);
+  }
 
   const TriangleMesh& mesh_;
   std::vector<VertexState> states_;
@@ -127,103 +217,6 @@ private:
   /// Empty if not requested.
   std::vector<Arrival> arrivals_;
 };
-
-inline VertexStates::VertexStates(const TriangleMesh& mesh, bool withErrors, bool withArrivals,
-  const ParallelFor& parallelFor, const ProgressCallback& progress)
-  : mesh_(mesh)
-  , errors_(withErrors ? mesh.numberOfVertices() : 0, 0.0)
-  , arrivals_(withArrivals ? mesh.numberOfVertices() : 0)
-{
-  // Fresh memory takes time, too.
-  const LoopProgress loops(progress);
-  constexpr Id verticesPerReport = 1U << 16;
-  this->states_.reserve(mesh.numberOfVertices());
-  while (this->size() < mesh.numberOfVertices())
-  {
-    loops.at(this->size(), mesh.numberOfVertices());
-    this->states_.resize(
-      std::min<std::size_t>(this->size() + verticesPerReport, mesh.numberOfVertices()));
-  }
-  forRanges(parallelFor, this->states_.size(), loops,
-    [this](std::size_t begin, std::size_t end)
-    {
-      for (Id vertex = static_cast<Id>(begin); vertex < end; ++vertex)
-      {
-        VertexState& state = this->states_[vertex];
-        state.pseudoSource = this->mesh_.pseudoSource(vertex);
-        // Vertices belong to one batch if none is farther than another by more than about half an
-        // edge: windows from one of them then seldom reach another. From 0.25 to 2 edges the number
-        // of windows hardly changes.
-        const IdRange corners = this->mesh_.cornersAt(vertex);
-        state.reach = corners.size() > 0
-          ? 0.5F * static_cast<float>(this->mesh_.length(*corners.begin()))
-          : 0.0F;
-      }
-    });
-  this->takeThinFaces();
-}
-
-// In strips of thin faces, the distances of vertices side by side along the long edges differ by
-// the square of the altitude over the length. If one batch held many of these vertices, their
-// windows would pass through the strips side by side, each alone, and none would be merged.
-inline void VertexStates::takeThinFaces()
-{
-  for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
-  {
-    const FaceShape& shape = this->mesh_.shape(face);
-    if (shape.isThin())
-    {
-      const double altitude = shape.area2 / shape.longest();
-      const float reach = static_cast<float>(0.5 * altitude * (altitude / shape.longest()));
-      for (const Id vertex : this->mesh_.triangle(face))
-      {
-        this->states_[vertex].hasThinFaces = true;
-        this->states_[vertex].reach = std::min(this->states_[vertex].reach, reach);
-      }
-    }
-  }
-}
-
-// A path across a needle carries the rounding of the needle's long edges.
-inline double VertexStates::tieAround(Id vertex) const
-{
-  double longest = 0.0;
-  for (const Id corner : this->mesh_.cornersAt(vertex))
-  {
-    longest = std::max(longest, this->mesh_.length(corner));
-  }
-  return tolerance::Tie * (this->distance(vertex) + longest);
-}
-
-inline bool VertexStates::shorten(const DistanceUpdate& update)
-{
-  // Rounding may put a linear window's distance below 0 at its source.
-  const double distance = std::max(update.distance, 0.0);
-  VertexState& state = this->states_[update.vertex];
-  const bool isShorter = distance < state.distance;
-  const bool isTie = distance >= state.distance * (1.0 - tolerance::Tie);
-  if (!this->arrivals_.empty() &&
-    ((isShorter && !isTie && !this->isArrivalKept(update)) ||
-      this->isArrivalMissing(update.vertex, distance)))
-  {
-    this->arrivals_[update.vertex] = update.from;
-  }
-  if (!isShorter)
-  {
-    return false;
-  }
-  state.distance = distance;
-  if (!this->errors_.empty())
-  {
-    this->errors_[update.vertex] = update.error;
-  }
-  if (!isTie || state.arrivalHalfedge == NoId)
-  {
-    state.arrivalHalfedge = update.from.halfedge;
-    state.arrivalX = update.from.x;
-  }
-  return true;
-}
 
 }
 

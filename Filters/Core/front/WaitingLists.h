@@ -4,6 +4,7 @@
 
 #include "window/WindowPool.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace geodesic
@@ -28,17 +29,84 @@ public:
   };
 
   /// The number of a halfedge's list; NoId if it has none.
-  Id find(Id halfedge) const;
+  Id find(Id halfedge) const
+  {
+    if (this->count_ == 0)
+    {
+      return NoId;
+    }
+    std::size_t place = this->homeOf(halfedge);
+    while (this->table_[place] != NoId && this->lists_[this->table_[place]].halfedge != halfedge)
+    {
+      place = (place + 1) & this->mask();
+    }
+    return this->table_[place];
+  }
+
   /// Adds a list to a halfedge that has none. \returns the list's number.
-  Id add(Id halfedge, const WindowBlock& block);
+  Id add(Id halfedge, const WindowBlock& block)
+  {
+    if (2 * (this->count_ + 1) > this->table_.size())
+    {
+      this->grow();
+    }
+    if (this->unused_ == NoId)
+    {
+      this->unused_ = static_cast<Id>(this->lists_.size());
+      this->lists_.emplace_back();
+    }
+    const Id list = this->unused_;
+    this->unused_ = this->lists_[list].next;
+    this->lists_[list] = { block, halfedge };
+    this->enter(list);
+    ++this->count_;
+    return list;
+  }
+
   /// Removes a list. Its block now belongs to the caller.
-  WindowBlock remove(Id list);
+  WindowBlock remove(Id list)
+  {
+    std::size_t gap = this->homeOf(this->lists_[list].halfedge);
+    while (this->table_[gap] != list)
+    {
+      gap = (gap + 1) & this->mask();
+    }
+    // Lists behind the gap move forward if their probe sequences allow it, so that find() never
+    // stops at a gap before them (Knuth, 6.4, algorithm R).
+    for (std::size_t place = (gap + 1) & this->mask(); this->table_[place] != NoId;
+         place = (place + 1) & this->mask())
+    {
+      const std::size_t home = this->homeOf(this->lists_[this->table_[place]].halfedge);
+      if (((place - home) & this->mask()) >= ((place - gap) & this->mask()))
+      {
+        this->table_[gap] = this->table_[place];
+        gap = place;
+      }
+    }
+    this->table_[gap] = NoId;
+    --this->count_;
+    this->lists_[list].next = this->unused_;
+    this->unused_ = list;
+    return this->lists_[list].windows;
+  }
 
   std::size_t size() const { return this->count_; }
   const List& operator[](Id list) const { return this->lists_[list]; }
   List& operator[](Id list) { return this->lists_[list]; }
   /// Replaces the list by a copy of other windows.
-  void assign(Id list, const WindowRange& windows, WindowPool& pool);
+  void assign(Id list, const WindowRange& windows, WindowPool& pool)
+  {
+    WindowBlock& block = this->lists_[list].windows;
+    if (windows.size() <= (std::size_t(1) << block.sizeClass))
+    {
+      std::copy(windows.begin(), windows.end(), block.data);
+      block.size = static_cast<std::uint32_t>(windows.size());
+      return;
+    }
+    const WindowBlock larger = pool.copyOf(windows);
+    pool.free(block);
+    block = larger;
+  }
 
   /// Calls visit(const List&) for each list, in any order.
   template <typename Visit>
@@ -55,9 +123,36 @@ public:
 
 private:
   std::size_t mask() const { return this->table_.size() - 1; }
-  std::size_t homeOf(Id halfedge) const;
-  void enter(Id list);
-  void grow();
+  std::size_t homeOf(Id halfedge) const
+  {
+    constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U; // Fibonacci hashing (Knuth, 6.4)
+    return (halfedge * golden) >> (64 - this->bits_);
+  }
+
+  void enter(Id list)
+  {
+    std::size_t place = this->homeOf(this->lists_[list].halfedge);
+    while (this->table_[place] != NoId)
+    {
+      place = (place + 1) & this->mask();
+    }
+    this->table_[place] = list;
+  }
+
+  void grow()
+  {
+    constexpr unsigned leastBits = 5;
+    this->bits_ = std::max(leastBits, this->bits_ + 1);
+    std::vector<Id> old(std::size_t(1) << this->bits_, NoId);
+    old.swap(this->table_);
+    for (const Id list : old)
+    {
+      if (list != NoId)
+      {
+        this->enter(list);
+      }
+    }
+  }
 
   std::vector<List> lists_;
   /// Removed lists, chained.

@@ -37,23 +37,18 @@ std::vector<RankAddress> BarrierFaces::barriersAt(
   const std::vector<Vec3>& points, const ClosestFaces& closest, double coordinatePrecision)
 {
   const std::vector<double> toOpen = distancesTo(this->open_, points, closest, coordinatePrecision);
-  std::vector<std::size_t> numbers;
-  std::vector<Vec3> besideOpen;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  std::vector<std::uint8_t> isBesideOpen;
+  for (const double distance : toOpen)
   {
-    if (toOpen[i] > 0.0)
-    {
-      numbers.push_back(i);
-      besideOpen.push_back(points[i]);
-    }
+    isBesideOpen.push_back(distance > 0.0 ? 1 : 0);
   }
-  const ClosestFaces candidates = this->locator_.closest(besideOpen, coordinatePrecision);
+  const ClosestFaces candidates = this->locator_.closest(points, isBesideOpen, coordinatePrecision);
   // Each rank finds the first of its own barriers that holds a point; the first of all ranks
   // counts. A place on the rim is a place on an open face, too, which is as close there. A point
   // lies in a barrier if it is nearer to it by more than the precision of its place.
-  std::vector<double> first(numbers.size(), Infinity);
-  Exchange& exchange = this->barriers_.exchange();
-  for (std::size_t i = 0; i < numbers.size(); ++i)
+  std::vector<double> first(points.size(), Infinity);
+  Exchange& exchange = this->surface().exchange();
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
     for (std::size_t k = 0; k < candidates[i].size() && first[i] == Infinity; ++k)
     {
@@ -61,19 +56,19 @@ std::vector<RankAddress> BarrierFaces::barriersAt(
       if (face.rank == exchange.rank())
       {
         const SnappedPoint place =
-          snapToFace(this->barriers_.mesh(), face.id, besideOpen[i], coordinatePrecision);
-        const bool isInside = place.distance + place.tolerance < toOpen[numbers[i]];
+          snapToFace(this->surface().mesh(), face.id, points[i], coordinatePrecision);
+        const bool isInside = place.distance + place.tolerance < toOpen[i];
         first[i] = isInside ? static_cast<double>(k) : Infinity;
       }
     }
   }
   exchange.findLeast(first);
   std::vector<RankAddress> result(points.size(), RankAddress{ -1, NoId });
-  for (std::size_t i = 0; i < numbers.size(); ++i)
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
     if (first[i] < Infinity)
     {
-      result[numbers[i]] = candidates[i][static_cast<std::size_t>(first[i])].face;
+      result[i] = candidates[i][static_cast<std::size_t>(first[i])].face;
     }
   }
   return result;

@@ -21,12 +21,11 @@ public:
   /// \param barriers the barriers, as a surface of their own.
   BarrierFaces(const MeshPartition& open, const MeshPartition& barriers)
     : open_(open)
-    , barriers_(barriers)
     , locator_(barriers)
   {
   }
 
-  const MeshPartition& surface() const { return this->barriers_; }
+  const MeshPartition& surface() const { return this->locator_.surface(); }
 
   /// For each point in space the barrier that it lies in or is closest to, a face of surface(). The
   /// id is NoId if an open face is as close, within the precision of the place: a point on the rim
@@ -40,7 +39,6 @@ public:
 
 private:
   MeshPartition open_;
-  MeshPartition barriers_;
   SurfaceLocator locator_;
 };
 

@@ -43,6 +43,24 @@ Vec2 apexOf(const TriangleMesh& mesh, Id halfedge);
 /// A direction in the frame of another halfedge of the same face.
 Vec2 turned(const TriangleMesh& mesh, Vec2 direction, Id fromHalfedge, Id toHalfedge);
 
+/// A direction in a face: in the frame of one of its halfedges.
+struct FaceDirection
+{
+  Id halfedge = NoId;
+  Vec2 vector = {};
+};
+inline Vec2 turned(const TriangleMesh& mesh, const FaceDirection& direction, Id toHalfedge)
+{
+  return turned(mesh, direction.vector, direction.halfedge, toHalfedge);
+}
+
+/// The direction in the frame of another halfedge of the edge, whose face is laid out behind it.
+inline FaceDirection acrossEdge(const TriangleMesh& mesh, const FaceDirection& from, Id sibling)
+{
+  const bool isOpposed = mesh.origin(sibling) == mesh.destination(from.halfedge);
+  return { sibling, { isOpposed ? -from.vector.x : from.vector.x, -from.vector.y } };
+}
+
 /// A direction in the frame of a halfedge as a unit vector in space; zero where it has no length.
 Vec3 inSpace(const TriangleMesh& mesh, Id halfedge, Vec2 direction);
 

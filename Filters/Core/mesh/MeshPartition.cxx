@@ -28,28 +28,236 @@ Id checkedId(std::uint64_t number, const char* what)
   return static_cast<Id>(number);
 }
 
-/// The first face made from the given triangle of the mesh's constructor or a later one. Faces are
-/// in the order of these triangles.
-Id firstFaceFrom(const TriangleMesh& mesh, Id input)
-{
-  Id low = 0;
-  Id high = mesh.numberOfFaces();
-  while (low < high)
-  {
-    const Id middle = low + (high - low) / 2;
-    const bool isBefore = mesh.inputFace(middle) < input;
-    (isBefore ? low : high) = isBefore ? middle + 1 : middle;
-  }
-  return low;
-}
-
 } // anonymous namespace
+
+/// Fills the tables in stages, all of which the ranks take together.
+class MeshPartition::TablesBuilder : public Tables
+{
+public:
+  TablesBuilder(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
+    const std::vector<std::uint64_t>& keys, Exchange& exchange, const ProgressCallback& progress)
+    : exchange_(exchange)
+  {
+    this->numberOfOwnVertices = static_cast<Id>(points.size());
+    this->findHolders(keys);
+    this->numberVertices(points);
+    const std::vector<SentFace> received = this->exchangeHalo(points, triangles);
+    this->makeMesh(std::move(points), triangles, received, progress);
+    this->exchangeAddresses(triangles.size(), received);
+  }
+
+private:
+  // Each key is managed by one rank: all ranks report their keys to their managers, who tell those
+  // that share a key.
+  void findHolders(const std::vector<std::uint64_t>& keys)
+  {
+    std::vector<Message> messages = this->exchange_.noMessages();
+    for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
+    {
+      // Keys may have any pattern; a multiplication scatters them (Knuth, 6.4).
+      const std::uint64_t hash = keys[vertex] * 0x9e3779b97f4a7c15U;
+      Message& message = messages[(hash >> 32) % messages.size()];
+      put(message, keys[vertex]);
+      put(message, vertex);
+    }
+    std::vector<KeyedVertex> known;
+    readEach(this->exchange_.step(std::move(messages)),
+      [&](int rank, MessageReader& reader)
+      {
+        const auto key = reader.get<std::uint64_t>();
+        known.emplace_back(key, RankAddress{ rank, reader.get<Id>() });
+      });
+    std::sort(known.begin(), known.end());
+
+    std::vector<Message> answers = this->exchange_.noMessages();
+    auto first = known.begin(); // with the same key
+    for (const auto& [key, holder] : known)
+    {
+      first =
+        std::find_if(first, known.end(), [key = key](const auto& k) { return k.first == key; });
+      for (auto other = first; other != known.end() && other->first == key; ++other)
+      {
+        if (other->second.rank != holder.rank)
+        {
+          Message& message = answers[rankIndex(holder.rank)];
+          put(message, holder.id);
+          put(message, other->second);
+        }
+      }
+    }
+    known = {};
+
+    std::vector<KeyedVertex> shared;
+    readEach(this->exchange_.step(std::move(answers)),
+      [&](int, MessageReader& reader)
+      {
+        const Id vertex = reader.get<Id>();
+        shared.emplace_back(vertex, reader.get<RankAddress>());
+      });
+    std::sort(shared.begin(), shared.end());
+    this->firstHolder.assign(this->numberOfOwnVertices + std::size_t(1), 0);
+    for (const auto& [vertex, other] : shared)
+    {
+      ++this->firstHolder[vertex + 1];
+      this->holders.push_back(other);
+    }
+    std::partial_sum(this->firstHolder.begin(), this->firstHolder.end(), this->firstHolder.begin());
+  }
+
+  // The lowest rank that has a vertex assigns its global id and its coordinates: points that are
+  // one may differ by roundings.
+  void numberVertices(std::vector<Vec3>& points)
+  {
+    for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
+    {
+      const Holders others = this->othersWith(vertex);
+      if (others.size() == 0 || others.first->rank > this->exchange_.rank())
+      {
+        this->counted.push_back(vertex);
+      }
+    }
+    std::uint64_t all = 0;
+    for (const std::uint64_t count :
+      valuesOfRanks<std::uint64_t>(this->exchange_, this->counted.size()))
+    {
+      this->firstOfRank.push_back(static_cast<Id>(all));
+      all += count;
+    }
+    this->numberOfGlobalVertices = checkedId(all, "points");
+    Id number = this->firstOfRank[rankIndex(this->exchange_.rank())];
+    this->globalIds.resize(this->numberOfOwnVertices);
+    std::vector<Message> messages = this->exchange_.noMessages();
+    for (const Id vertex : this->counted)
+    {
+      this->globalIds[vertex] = number;
+      for (const RankAddress& other : this->othersWith(vertex))
+      {
+        Message& message = messages[rankIndex(other.rank)];
+        put(message, other.id);
+        put(message, number);
+        put(message, points[vertex]);
+      }
+      ++number;
+    }
+    readEach(this->exchange_.step(std::move(messages)),
+      [&](int, MessageReader& reader)
+      {
+        const Id vertex = reader.get<Id>();
+        this->globalIds[vertex] = reader.get<Id>();
+        points[vertex] = reader.get<Vec3>();
+      });
+  }
+
+  // Every rank sends each of its faces to the other ranks that have one of its vertices.
+  std::vector<SentFace> exchangeHalo(
+    const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
+  {
+    std::vector<Message> messages = this->exchange_.noMessages();
+    std::vector<Id> lastSent(messages.size(), NoId);
+    for (Id triangle = 0; triangle < triangles.size(); ++triangle)
+    {
+      const auto& [a, b, c] = triangles[triangle];
+      const SentFace face = { { this->exchange_.rank(), triangle },
+        { this->globalIds[a], this->globalIds[b], this->globalIds[c] },
+        { points[a], points[b], points[c] } };
+      for (const Id vertex : triangles[triangle])
+      {
+        for (const RankAddress& other : this->othersWith(vertex))
+        {
+          if (std::exchange(lastSent[rankIndex(other.rank)], triangle) != triangle)
+          {
+            put(messages[rankIndex(other.rank)], face);
+          }
+        }
+      }
+    }
+    std::vector<SentFace> received;
+    readEach(this->exchange_.step(std::move(messages)),
+      [&](int, MessageReader& reader) { received.push_back(reader.get<SentFace>()); });
+    return received;
+  }
+
+  void makeMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
+    const std::vector<SentFace>& received, const ProgressCallback& progress)
+  {
+    std::unordered_map<Id, Id> vertexOf;
+    for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
+    {
+      if (this->othersWith(vertex).size() > 0)
+      {
+        vertexOf[this->globalIds[vertex]] = vertex;
+      }
+    }
+    std::vector<Triangle> all;
+    all.reserve(received.size() + triangles.size());
+    const auto add = [&](const SentFace& face)
+    {
+      Triangle corners;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const auto found = vertexOf.try_emplace(face.vertices[k], static_cast<Id>(points.size()));
+        if (found.second)
+        {
+          points.push_back(face.points[k]);
+          this->globalIds.push_back(face.vertices[k]);
+        }
+        corners[k] = found.first->second;
+      }
+      all.push_back(corners);
+    };
+    const auto behind = std::find_if(received.begin(), received.end(),
+      [&](const SentFace& face) { return face.owner.rank > this->exchange_.rank(); });
+    std::for_each(received.begin(), behind, add);
+    all.insert(all.end(), triangles.begin(), triangles.end());
+    std::for_each(behind, received.end(), add);
+    const std::uint64_t faces = sumOverRanks(this->exchange_, triangles.size()).all;
+    if (faces == 0)
+    {
+      throw MeshError("The surface has no faces on any rank. Give a surface of triangles.");
+    }
+    if (!all.empty())
+    {
+      this->mesh = TriangleMesh(std::move(points), all, progress);
+    }
+    this->firstHolder.resize(this->globalIds.size() + 1, this->firstHolder.back());
+    this->firstTriangle = static_cast<Id>(behind - received.begin());
+    this->firstOwnFace = this->mesh.firstFaceFrom(this->firstTriangle);
+    this->endOfOwnFaces =
+      this->mesh.firstFaceFrom(static_cast<Id>(this->firstTriangle + triangles.size()));
+    this->numberOfGlobalFaces = checkedId(
+      sumOverRanks(this->exchange_, this->endOfOwnFaces - this->firstOwnFace).all, "faces");
+  }
+
+  // Asks the owners for their numbers of the faces of the halo, which are known by their triangles.
+  // All ranks leave out the same faces: those that name a vertex twice, and of faces on the same
+  // vertices all but the lowest rank's first.
+  void exchangeAddresses(std::size_t numberOfTriangles, const std::vector<SentFace>& received)
+  {
+    Questions questions(this->exchange_);
+    for (Id face = 0; face < this->mesh.numberOfFaces(); ++face)
+    {
+      if (face < this->firstOwnFace || face >= this->endOfOwnFaces)
+      {
+        const Id input = this->mesh.inputFace(face);
+        const RankAddress& triangle =
+          received[input < this->firstTriangle ? input : input - numberOfTriangles].owner;
+        questions.ask(triangle.rank, this->halo.size(), triangle.id);
+        this->halo.push_back(triangle);
+      }
+    }
+    questions.exchangeAnswers([this](MessageReader& question, Message& answer)
+      { put(answer, this->mesh.firstFaceFrom(this->firstTriangle + question.get<Id>())); },
+      [this](std::size_t i, MessageReader& answer) { this->halo[i].id = answer.get<Id>(); });
+  }
+
+  Exchange& exchange_;
+};
 
 MeshPartition::MeshPartition(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
   const std::vector<std::uint64_t>& keys, Exchange& exchange, const ProgressCallback& progress,
   const ParallelFor& parallelFor)
   : tables_(exchange.numberOfRanks() > 1
-        ? std::make_shared<Tables>(std::move(points), triangles, keys, exchange, progress)
+        ? std::make_shared<TablesBuilder>(std::move(points), triangles, keys, exchange, progress)
         : nullptr)
   , mesh_(tables_
         ? std::shared_ptr<const TriangleMesh>(tables_, &tables_->mesh)
@@ -69,231 +277,6 @@ std::vector<std::uint8_t> MeshPartition::ownFaces() const
       faces.begin() + this->firstOwnFace_, faces.begin() + this->endOfOwnFaces_, std::uint8_t(1));
   }
   return faces;
-}
-
-MeshPartition::Tables::Tables(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
-  const std::vector<std::uint64_t>& keys, Exchange& itsExchange, const ProgressCallback& progress)
-  : exchange(itsExchange)
-  , numberOfOwnVertices(static_cast<Id>(points.size()))
-{
-  this->findHolders(keys);
-  this->numberVertices(points);
-  const std::vector<SentFace> received = this->exchangeHalo(points, triangles);
-  this->makeMesh(std::move(points), triangles, received, progress);
-  this->exchangeAddresses(triangles.size(), received);
-}
-
-// Each key is managed by one rank: all ranks report their keys to their managers, who tell those
-// that share a key.
-void MeshPartition::Tables::findHolders(const std::vector<std::uint64_t>& keys)
-{
-  std::vector<Message> messages = this->exchange.noMessages();
-  for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
-  {
-    // Keys may have any pattern; a multiplication scatters them (Knuth, 6.4).
-    const std::uint64_t hash = keys[vertex] * 0x9e3779b97f4a7c15U;
-    Message& message = messages[(hash >> 32) % messages.size()];
-    put(message, keys[vertex]);
-    put(message, vertex);
-  }
-  std::vector<KeyedVertex> known;
-  readEach(this->exchange.step(std::move(messages)),
-    [&](int rank, MessageReader& reader)
-    {
-      const auto key = reader.get<std::uint64_t>();
-      known.emplace_back(key, RankAddress{ rank, reader.get<Id>() });
-    });
-  std::sort(known.begin(), known.end());
-
-  std::vector<Message> answers = this->exchange.noMessages();
-  for (std::size_t first = 0, last = 0; first < known.size(); first = last)
-  {
-    while (last < known.size() && known[last].first == known[first].first)
-    {
-      ++last;
-    }
-    for (std::size_t i = first; i < last; ++i)
-    {
-      for (std::size_t other = first; other < last; ++other)
-      {
-        if (other != i)
-        {
-          Message& message = answers[rankIndex(known[i].second.rank)];
-          put(message, known[i].second.id);
-          put(message, known[other].second);
-        }
-      }
-    }
-  }
-  known = {};
-
-  std::vector<KeyedVertex> shared;
-  readEach(this->exchange.step(std::move(answers)),
-    [&](int, MessageReader& reader)
-    {
-      const Id vertex = reader.get<Id>();
-      shared.emplace_back(vertex, reader.get<RankAddress>());
-    });
-  std::sort(shared.begin(), shared.end());
-  this->firstHolder.assign(this->numberOfOwnVertices + std::size_t(1), 0);
-  for (const auto& [vertex, other] : shared)
-  {
-    ++this->firstHolder[vertex + 1];
-    this->holders.push_back(other);
-  }
-  std::partial_sum(this->firstHolder.begin(), this->firstHolder.end(), this->firstHolder.begin());
-}
-
-// The lowest rank that has a vertex assigns its global id and its coordinates: points that are one
-// may differ by roundings.
-void MeshPartition::Tables::numberVertices(std::vector<Vec3>& points)
-{
-  for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
-  {
-    const Holders others = this->othersWith(vertex);
-    if (others.size() == 0 || others.first->rank > this->exchange.rank())
-    {
-      this->counted.push_back(vertex);
-    }
-  }
-  std::uint64_t all = 0;
-  for (const std::uint64_t count : valuesOfRanks<std::uint64_t>(exchange, this->counted.size()))
-  {
-    this->firstOfRank.push_back(static_cast<Id>(all));
-    all += count;
-  }
-  this->numberOfGlobalVertices = checkedId(all, "points");
-  Id number = this->firstOfRank[rankIndex(this->exchange.rank())];
-  this->globalIds.resize(this->numberOfOwnVertices);
-  std::vector<Message> messages = this->exchange.noMessages();
-  for (const Id vertex : this->counted)
-  {
-    this->globalIds[vertex] = number;
-    for (const RankAddress& other : this->othersWith(vertex))
-    {
-      Message& message = messages[rankIndex(other.rank)];
-      put(message, other.id);
-      put(message, number);
-      put(message, points[vertex]);
-    }
-    ++number;
-  }
-  readEach(this->exchange.step(std::move(messages)),
-    [&](int, MessageReader& reader)
-    {
-      const Id vertex = reader.get<Id>();
-      this->globalIds[vertex] = reader.get<Id>();
-      points[vertex] = reader.get<Vec3>();
-    });
-}
-
-// Every rank sends each of its faces to the other ranks that have one of its vertices.
-std::vector<SentFace> MeshPartition::Tables::exchangeHalo(
-  const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
-{
-  std::vector<Message> messages = this->exchange.noMessages();
-  std::vector<Id> lastSent(messages.size(), NoId);
-  for (Id triangle = 0; triangle < triangles.size(); ++triangle)
-  {
-    const auto& [a, b, c] = triangles[triangle];
-    const SentFace face = { { this->exchange.rank(), triangle },
-      { this->globalIds[a], this->globalIds[b], this->globalIds[c] },
-      { points[a], points[b], points[c] } };
-    for (const Id vertex : triangles[triangle])
-    {
-      for (const RankAddress& other : this->othersWith(vertex))
-      {
-        if (std::exchange(lastSent[rankIndex(other.rank)], triangle) != triangle)
-        {
-          put(messages[rankIndex(other.rank)], face);
-        }
-      }
-    }
-  }
-  std::vector<SentFace> received;
-  readEach(this->exchange.step(std::move(messages)),
-    [&](int, MessageReader& reader) { received.push_back(reader.get<SentFace>()); });
-  return received;
-}
-
-void MeshPartition::Tables::makeMesh(std::vector<Vec3> points,
-  const std::vector<Triangle>& triangles, const std::vector<SentFace>& received,
-  const ProgressCallback& progress)
-{
-  std::unordered_map<Id, Id> vertexOf;
-  for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
-  {
-    if (this->othersWith(vertex).size() > 0)
-    {
-      vertexOf[this->globalIds[vertex]] = vertex;
-    }
-  }
-  std::vector<Triangle> all;
-  all.reserve(received.size() + triangles.size());
-  const auto add = [&](const SentFace& face)
-  {
-    Triangle corners;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const auto found = vertexOf.try_emplace(face.vertices[k], static_cast<Id>(points.size()));
-      if (found.second)
-      {
-        points.push_back(face.points[k]);
-        this->globalIds.push_back(face.vertices[k]);
-      }
-      corners[k] = found.first->second;
-    }
-    all.push_back(corners);
-  };
-  std::size_t next = 0;
-  for (; next < received.size() && received[next].owner.rank < this->exchange.rank(); ++next)
-  {
-    add(received[next]);
-  }
-  all.insert(all.end(), triangles.begin(), triangles.end());
-  for (std::size_t i = next; i < received.size(); ++i)
-  {
-    add(received[i]);
-  }
-  const std::uint64_t faces = sumOverRanks(this->exchange, triangles.size()).all;
-  if (faces == 0)
-  {
-    throw MeshError("The surface has no faces on any rank. Give a surface of triangles.");
-  }
-  if (!all.empty())
-  {
-    this->mesh = TriangleMesh(std::move(points), all, progress);
-  }
-  this->firstHolder.resize(this->globalIds.size() + 1, this->firstHolder.back());
-  this->firstTriangle = static_cast<Id>(next);
-  this->firstOwnFace = firstFaceFrom(this->mesh, this->firstTriangle);
-  this->endOfOwnFaces =
-    firstFaceFrom(this->mesh, static_cast<Id>(this->firstTriangle + triangles.size()));
-  this->numberOfGlobalFaces =
-    checkedId(sumOverRanks(this->exchange, this->endOfOwnFaces - this->firstOwnFace).all, "faces");
-}
-
-// Asks the owners for their numbers of the faces of the halo, which are known by their triangles.
-// All ranks leave out the same faces: those that name a vertex twice, and of faces on the same
-// vertices all but the lowest rank's first.
-void MeshPartition::Tables::exchangeAddresses(
-  std::size_t numberOfTriangles, const std::vector<SentFace>& received)
-{
-  Questions questions(this->exchange);
-  for (Id face = 0; face < this->mesh.numberOfFaces(); ++face)
-  {
-    if (face < this->firstOwnFace || face >= this->endOfOwnFaces)
-    {
-      const Id input = this->mesh.inputFace(face);
-      const RankAddress& triangle =
-        received[input < this->firstTriangle ? input : input - numberOfTriangles].owner;
-      questions.ask(triangle.rank, this->halo.size(), triangle.id);
-      this->halo.push_back(triangle);
-    }
-  }
-  questions.exchangeAnswers([this](MessageReader& question, Message& answer)
-    { put(answer, firstFaceFrom(this->mesh, this->firstTriangle + question.get<Id>())); },
-    [this](std::size_t i, MessageReader& answer) { this->halo[i].id = answer.get<Id>(); });
 }
 
 Id MeshPartition::copyOf(const RankAddress& face) const

@@ -159,23 +159,12 @@ private:
   /// What a rank knows of the other ranks.
   struct Tables
   {
-    Tables(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
-      const std::vector<std::uint64_t>& keys, Exchange& exchange, const ProgressCallback& progress);
-
     Holders othersWith(Id vertex) const
     {
       const RankAddress* data = this->holders.data();
       return { data + this->firstHolder[vertex], data + this->firstHolder[vertex + 1] };
     }
-    void findHolders(const std::vector<std::uint64_t>& keys);
-    void numberVertices(std::vector<Vec3>& points);
-    std::vector<SentFace> exchangeHalo(
-      const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
-    void makeMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
-      const std::vector<SentFace>& received, const ProgressCallback& progress);
-    void exchangeAddresses(std::size_t numberOfTriangles, const std::vector<SentFace>& received);
 
-    Exchange& exchange;
     TriangleMesh mesh;
     Id firstTriangle = 0;
     Id firstOwnFace = 0;
@@ -193,6 +182,7 @@ private:
     /// The global id of the first vertex that each rank counts.
     std::vector<Id> firstOfRank;
   };
+  class TablesBuilder;
 
   /// Null in one process.
   std::shared_ptr<const Tables> tables_;

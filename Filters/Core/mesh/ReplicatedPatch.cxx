@@ -49,9 +49,8 @@ std::vector<Id> ownWithNeighbours(const MeshPartition& part, const std::vector<I
 }
 
 /// A face of the patch, and a bit for each of its halfedges on the boundary.
-struct FaceOfPatch
+struct FaceOfPatch : SentFace
 {
-  SentFace face;
   std::uint8_t boundary;
 };
 
@@ -79,39 +78,36 @@ std::vector<FaceOfPatch> gather(const MeshPartition& part, const std::vector<Id>
 
 } // anonymous namespace
 
-GatheredFaces::Tables::Tables(std::vector<SentFace> faces)
+GatheredFaces::GatheredFaces(std::vector<SentFace> faces)
 {
+  Tables tables;
+  std::vector<Id>& ids = tables.globalIds;
   std::sort(faces.begin(), faces.end());
   const auto isSame = [](const SentFace& a, const SentFace& b) { return !(a < b); };
   faces.erase(std::unique(faces.begin(), faces.end(), isSame), faces.end());
   for (const SentFace& face : faces)
   {
-    this->owners.push_back(face.owner);
-    this->globalIds.insert(this->globalIds.end(), face.vertices.begin(), face.vertices.end());
+    tables.owners.push_back(face.owner);
+    ids.insert(ids.end(), face.vertices.begin(), face.vertices.end());
   }
-  std::sort(this->globalIds.begin(), this->globalIds.end());
-  this->globalIds.erase(
-    std::unique(this->globalIds.begin(), this->globalIds.end()), this->globalIds.end());
-  std::vector<Vec3> points(this->globalIds.size());
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::vector<Vec3> points(ids.size());
   std::vector<Triangle> triangles(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      triangles[i][k] = placeIn(this->globalIds, faces[i].vertices[k]);
+      triangles[i][k] = placeIn(ids, faces[i].vertices[k]);
       points[triangles[i][k]] = faces[i].points[k];
     }
   }
   if (!triangles.empty())
   {
-    this->mesh = TriangleMesh(std::move(points), triangles);
+    tables.mesh = TriangleMesh(std::move(points), triangles);
   }
-}
-
-GatheredFaces::GatheredFaces(std::vector<SentFace> faces)
-  : tables_(std::make_shared<Tables>(std::move(faces)))
-  , mesh_(&tables_->mesh)
-{
+  this->tables_ = std::make_shared<Tables>(std::move(tables));
+  this->mesh_ = &this->tables_->mesh;
 }
 
 Id GatheredFaces::faceAt(const RankAddress& face) const
@@ -131,18 +127,14 @@ ReplicatedPatch::ReplicatedPatch(const MeshPartition& part, const std::vector<Id
   {
     return;
   }
-  std::vector<SentFace> sent;
   const std::vector<FaceOfPatch> gathered = gather(part, faces);
-  for (const FaceOfPatch& entry : gathered)
-  {
-    sent.push_back(entry.face);
-  }
-  static_cast<GatheredFaces&>(*this) = GatheredFaces(std::move(sent));
+  static_cast<GatheredFaces&>(*this) =
+    GatheredFaces(std::vector<SentFace>(gathered.begin(), gathered.end()));
   Places places;
   places.boundary.assign(this->mesh().numberOfFaces(), 0);
   for (const FaceOfPatch& entry : gathered)
   {
-    places.boundary[this->faceAt(entry.face.owner)] |= entry.boundary;
+    places.boundary[this->faceAt(entry.owner)] |= entry.boundary;
   }
   places.vertexOfPart.assign(this->mesh().numberOfVertices(), NoId);
   for (Id face = 0; face < this->mesh().numberOfFaces(); ++face)

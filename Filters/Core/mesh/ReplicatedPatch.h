@@ -42,8 +42,6 @@ public:
 private:
   struct Tables
   {
-    explicit Tables(std::vector<SentFace> faces);
-
     std::vector<RankAddress> owners;
     std::vector<Id> globalIds;
     TriangleMesh mesh;

@@ -34,34 +34,22 @@ struct Candidate
 {
   /// Of the rank that found it, and on the whole surface once that is sent.
   RankAddress face;
-  double distance;
+  double distance = 0.0;
   /// How much farther than the closest face it may be: by the coordinates' precision, and by
   /// rounding alone.
-  double precision;
-  double rounding;
+  double precision = 0.0;
+  double rounding = 0.0;
   /// The rounding of measuring, which does not depend on the position of the origin.
-  double measuring;
+  double measuring = 0.0;
   /// From the point to the face's closest point, and to where snapToFace puts it.
-  Vec3 toClosest;
-  Vec3 toPlace;
+  Vec3 toClosest{};
+  Vec3 toPlace{};
   /// The vertices of the face, and of its smallest part (vertex, edge or the face) that contains
   /// the closest point, filled with NoId.
-  Triangle corners;
-  Triangle support;
+  Triangle corners{};
+  Triangle support{};
 
   bool isClosest(double least) const { return this->distance <= least + this->precision; }
-  bool isClosestUpToRounding(double least) const
-  {
-    return this->distance <= least + this->rounding;
-  }
-};
-
-/// A candidate of one rank, as it is sent to all.
-struct CandidateMessage
-{
-  std::size_t point;
-  /// With global ids of the vertices.
-  Candidate candidate;
 };
 
 void addFace(const TriangleMesh& mesh, Id face, Box& box)
@@ -160,26 +148,26 @@ std::vector<Candidate> chosen(const std::vector<Candidate>& closest)
   return result;
 }
 
-/// Chooses among the candidates of all ranks, for each point.
-ClosestFaces chooseFaces(const std::vector<Message>& told, const std::vector<double>& least)
+/// Adds the faces of some points: chosen among the candidates of all ranks.
+void addChosen(
+  const std::vector<Message>& told, const std::vector<double>& least, ClosestFaces& result)
 {
   std::vector<std::vector<Candidate>> candidates(least.size());
   readEach(told,
     [&](int, MessageReader& reader)
     {
-      const auto message = reader.get<CandidateMessage>();
-      candidates[message.point].push_back(message.candidate);
+      const auto point = reader.get<std::size_t>();
+      candidates[point].push_back(reader.get<Candidate>());
     });
-  ClosestFaces result(least.size());
   for (std::size_t i = 0; i < least.size(); ++i)
   {
+    std::vector<ClosestFace>& faces = result.emplace_back();
     for (const Candidate& face : chosen(candidates[i]))
     {
-      result[i].push_back({ face.face, face.isClosestUpToRounding(least[i]) });
+      faces.push_back({ face.face, face.distance <= least[i] + face.rounding });
     }
-    std::sort(result[i].begin(), result[i].end());
+    std::sort(faces.begin(), faces.end());
   }
-  return result;
 }
 
 /// Sets what chosen() needs to know of a candidate.
@@ -200,7 +188,8 @@ void complete(
   }
 }
 
-/// What all ranks are told of the candidates that this rank owns.
+/// What all ranks are told of the candidates that this rank owns: the number of the point, and the
+/// candidate with global ids of the vertices.
 Message messageOf(const MeshPartition& surface,
   const std::vector<std::vector<Candidate>>& candidates, const std::vector<double>& least)
 {
@@ -219,7 +208,8 @@ Message messageOf(const MeshPartition& surface,
         candidate.support[k] = candidate.support[k] == NoId ? NoId : candidate.corners[k];
       }
       candidate.face = surface.addressOf(candidate.face.id);
-      put(message, CandidateMessage{ i, candidate });
+      put(message, i);
+      put(message, candidate);
     }
   }
   return message;
@@ -371,7 +361,7 @@ private:
     {
       const double rounding = byCoordinates / search.coordinatePrecision * tolerance::Rounding;
       search.distance = std::min(search.distance, distance);
-      search.found.push_back({ { 0, face }, distance, precision, rounding, 0.0, {}, {}, {}, {} });
+      search.found.push_back({ { 0, face }, distance, precision, rounding });
     }
   }
 
@@ -387,10 +377,11 @@ SurfaceLocator::SurfaceLocator(const MeshPartition& surface)
 
 SurfaceLocator::~SurfaceLocator() = default;
 
-ClosestFaces SurfaceLocator::closest(
-  const std::vector<Vec3>& points, double coordinatePrecision, const ProgressCallback& callback)
+ClosestFaces SurfaceLocator::closest(const std::vector<Vec3>& points,
+  const std::vector<std::uint8_t>& isWanted, double coordinatePrecision,
+  const ProgressCallback& callback)
 {
-  if (!points.empty() && !this->tree_)
+  if (!this->tree_ && std::find(isWanted.begin(), isWanted.end(), 1) != isWanted.end())
   {
     const TriangleMesh& mesh = this->surface_.mesh();
     this->tree_ = std::make_unique<FaceTree>(mesh);
@@ -404,18 +395,17 @@ ClosestFaces SurfaceLocator::closest(
   const ProgressCallback growing = progressBetween(rising, 0.0, FirstPoint);
   std::size_t searched = 0;
   ClosestFaces result;
-  result.reserve(points.size());
   while (result.size() < points.size())
   {
-    const Vec3* some = points.data() + result.size();
-    std::vector<double> least(std::min(PointsPerExchange, points.size() - result.size()), Infinity);
+    const std::size_t first = result.size();
+    std::vector<double> least(std::min(PointsPerExchange, points.size() - first), Infinity);
     std::vector<std::vector<Candidate>> candidates(least.size());
     // First points in the box of this rank's faces, then others, unless another rank has found a
     // face closer than the box.
     const auto isSearched = [&](std::size_t i, bool isInBox)
     {
-      const double distance = this->box_.distanceTo(some[i]);
-      const double slack = precisionFor(this->box_, some[i], coordinatePrecision);
+      const double distance = this->box_.distanceTo(points[first + i]);
+      const double slack = precisionFor(this->box_, points[first + i], coordinatePrecision);
       return isInBox ? distance == 0.0
                      : distance > 0.0 && distance <= least[i] + slack && distance < Infinity;
     };
@@ -423,26 +413,25 @@ ClosestFaces SurfaceLocator::closest(
     {
       for (std::size_t i = 0; i < least.size(); ++i)
       {
-        if (isSearched(i, isInBox))
+        if (!isWanted[first + i] || !isSearched(i, isInBox))
         {
-          if (searched % PointsPerReport == 0)
-          {
-            const double done = static_cast<double>(searched) / static_cast<double>(points.size());
-            reportProgress(rising, searched == 0 ? 0.0 : FirstPoint + (1.0 - FirstPoint) * done);
-          }
-          ++searched;
-          candidates[i] = this->tree_->candidates(some[i], coordinatePrecision, growing);
-          for (const Candidate& candidate : candidates[i])
-          {
-            least[i] = std::min(least[i], candidate.distance);
-          }
+          continue;
+        }
+        if (searched % PointsPerReport == 0)
+        {
+          const double done = static_cast<double>(searched) / static_cast<double>(points.size());
+          reportProgress(rising, searched == 0 ? 0.0 : FirstPoint + (1.0 - FirstPoint) * done);
+        }
+        ++searched;
+        candidates[i] = this->tree_->candidates(points[first + i], coordinatePrecision, growing);
+        for (const Candidate& candidate : candidates[i])
+        {
+          least[i] = std::min(least[i], candidate.distance);
         }
       }
       exchange.findLeast(least);
     }
-    ClosestFaces chosen =
-      chooseFaces(exchange.tellAll(messageOf(this->surface_, candidates, least)), least);
-    std::move(chosen.begin(), chosen.end(), std::back_inserter(result));
+    addChosen(exchange.tellAll(messageOf(this->surface_, candidates, least)), least, result);
   }
   return result;
 }

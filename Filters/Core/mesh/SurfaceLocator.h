@@ -36,16 +36,19 @@ public:
   explicit SurfaceLocator(const MeshPartition& surface);
   ~SurfaceLocator();
 
+  const MeshPartition& surface() const { return this->surface_; }
+
   /// For each point all faces that put it onto its closest place, in the order of ClosestFace.
   /// There are several where the surface touches or overlaps itself, and the locator cannot know
   /// which one is meant. Faces without area count like all others. All ranks call this together and
   /// get the same. Not thread-safe.
   ///
   /// \param points the same on all ranks.
+  /// \param isWanted for each point whether it is searched: the others get no faces.
   /// \param coordinatePrecision relative precision of the points' coordinates.
   /// \param progress called now and then with a fraction done; returning false throws Aborted.
-  ClosestFaces closest(const std::vector<Vec3>& points, double coordinatePrecision,
-    const ProgressCallback& progress = {});
+  ClosestFaces closest(const std::vector<Vec3>& points, const std::vector<std::uint8_t>& isWanted,
+    double coordinatePrecision, const ProgressCallback& progress = {});
 
 private:
   class FaceTree;

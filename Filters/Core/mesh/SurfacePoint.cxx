@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/SurfacePoint.h"
 
-#include "mesh/HalfedgeFrame.h"
-
 #include <algorithm>
 
 namespace geodesic
@@ -17,14 +15,6 @@ Id cornerWith(const TriangleMesh& mesh, Id face, Id vertex)
   const Triangle& corners = mesh.triangle(face);
   const auto corner = std::find(corners.begin(), corners.end(), vertex);
   return corner != corners.end() ? static_cast<Id>(corner - corners.begin()) : NoId;
-}
-
-bool sameEdgePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
-{
-  return mesh.edgeOf(a.id) == mesh.edgeOf(b.id) &&
-    (mesh.origin(a.id) == mesh.origin(b.id)
-        ? a.u == b.u
-        : std::abs(a.u - (1.0 - b.u)) <= std::numeric_limits<double>::epsilon());
 }
 
 /// A point of the surface: a corner of its face, and the ways from there along two edges.
@@ -56,10 +46,9 @@ FromCorner fromCorner(const TriangleMesh& mesh, const SurfacePoint& point)
 
 }
 
-SurfacePoint fromBarycentric(
-  const TriangleMesh& mesh, Id face, const std::array<double, 3>& coordinates)
+SurfacePoint fromBarycentric(const TriangleMesh& mesh, Id face, const Barycentric& coordinates)
 {
-  std::array<double, 3> weights;
+  Barycentric weights;
   for (int k = 0; k < 3; ++k)
   {
     weights[k] = std::max(coordinates[k], 0.0);
@@ -100,6 +89,14 @@ SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fract
                            : SurfacePoint::onEdge(halfedge, fraction);
 }
 
+SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction, double reach)
+{
+  const double length = mesh.length(halfedge);
+  return fraction * length <= reach      ? SurfacePoint::atVertex(mesh.origin(halfedge))
+    : (1.0 - fraction) * length <= reach ? SurfacePoint::atVertex(mesh.destination(halfedge))
+                                         : SurfacePoint::onEdge(halfedge, fraction);
+}
+
 SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point)
 {
   if (point.kind == SurfacePoint::Kind::Vertex)
@@ -110,9 +107,9 @@ SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point)
   return fromBarycentric(mesh, face, barycentric(mesh, point, face));
 }
 
-std::array<double, 3> barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id face)
+Barycentric barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id face)
 {
-  std::array<double, 3> result = { 0.0, 0.0, 0.0 };
+  Barycentric result = { 0.0, 0.0, 0.0 };
   switch (point.kind)
   {
     case SurfacePoint::Kind::Vertex:
@@ -128,6 +125,11 @@ std::array<double, 3> barycentric(const TriangleMesh& mesh, const SurfacePoint& 
       break;
   }
   return result;
+}
+
+Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const SurfacePoint& point)
+{
+  return inHalfedgeFrame(mesh, halfedge, barycentric(mesh, point, TriangleMesh::faceOf(halfedge)));
 }
 
 FacePoint toFacePoint(const TriangleMesh& mesh, Id face, const SurfacePoint& point)
@@ -186,9 +188,14 @@ Id commonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoin
 
 bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
 {
-  return a.kind == b.kind &&
-    (a.kind == SurfacePoint::Kind::Edge ? sameEdgePlace(mesh, a, b)
-                                        : a.id == b.id && a.u == b.u && a.v == b.v);
+  if (a.kind != SurfacePoint::Kind::Edge || b.kind != SurfacePoint::Kind::Edge)
+  {
+    return a.members() == b.members();
+  }
+  return mesh.edgeOf(a.id) == mesh.edgeOf(b.id) &&
+    (mesh.origin(a.id) == mesh.origin(b.id)
+        ? a.u == b.u
+        : std::abs(a.u - (1.0 - b.u)) <= std::numeric_limits<double>::epsilon());
 }
 
 double distanceInSpace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)

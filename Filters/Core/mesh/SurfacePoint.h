@@ -2,7 +2,9 @@
 #ifndef geodesic_SurfacePoint_h
 #define geodesic_SurfacePoint_h
 
-#include "mesh/TriangleMesh.h"
+#include "mesh/HalfedgeFrame.h"
+
+#include <tuple>
 
 namespace geodesic
 {
@@ -29,6 +31,9 @@ struct SurfacePoint
   /// Face: the barycentric coordinate of corner 2; corner 0 has 1 - u - v.
   double v = 0.0;
 
+  /// To compare points bit by bit; see samePlace().
+  auto members() const { return std::tie(this->kind, this->id, this->u, this->v); }
+
   static SurfacePoint atVertex(Id vertex) { return { Kind::Vertex, vertex, 0.0, 0.0 }; }
   static SurfacePoint onEdge(Id halfedge, double fraction)
   {
@@ -40,8 +45,7 @@ struct SurfacePoint
 /// The point of a face with these barycentric coordinates (of its corners 0, 1, 2; their sum may
 /// differ from one): a vertex or edge point if coordinates are zero. A face without area has no
 /// inside: its points lie on its longest edge.
-SurfacePoint fromBarycentric(
-  const TriangleMesh& mesh, Id face, const std::array<double, 3>& coordinates);
+SurfacePoint fromBarycentric(const TriangleMesh& mesh, Id face, const Barycentric& coordinates);
 
 /// The same point with the kind that matches its coordinates: a face point with a coordinate that
 /// is zero (or negative, by rounding) lies on an edge, an edge point at 0 or 1 is a vertex.
@@ -50,9 +54,14 @@ SurfacePoint normalized(const TriangleMesh& mesh, const SurfacePoint& point);
 /// The point at a fraction of the way along a halfedge; a vertex where the fraction is 0 or 1, or
 /// beyond by rounding.
 SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction);
+/// The same, but a vertex already where the point is no farther from it than the reach.
+SurfacePoint placeOnHalfedge(const TriangleMesh& mesh, Id halfedge, double fraction, double reach);
 
 /// Barycentric coordinates of the point in a face that contains it, see contains().
-std::array<double, 3> barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id face);
+Barycentric barycentric(const TriangleMesh& mesh, const SurfacePoint& point, Id face);
+
+/// The point in the frame of a halfedge of a face that contains it.
+Vec2 inHalfedgeFrame(const TriangleMesh& mesh, Id halfedge, const SurfacePoint& point);
 
 /// A point by the corners of a face that holds it: the same on every mesh that has the face, as
 /// one rank tells another.

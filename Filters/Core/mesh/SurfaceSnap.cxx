@@ -2,7 +2,6 @@
 #include "mesh/SurfaceSnap.h"
 
 #include "Tolerance.h"
-#include "mesh/HalfedgeFrame.h"
 
 #include <algorithm>
 

@@ -3,7 +3,6 @@
 #define geodesic_SurfaceSnap_h
 
 #include "mesh/SurfacePoint.h"
-#include "mesh/TriangleMesh.h"
 
 namespace geodesic
 {

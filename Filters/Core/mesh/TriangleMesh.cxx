@@ -20,8 +20,6 @@ bool FaceShape::hasZeroArea() const
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
 void checkSize(std::size_t numberOfPoints, std::size_t numberOfTriangles)
 {
   if (numberOfTriangles == 0)
@@ -96,19 +94,14 @@ FaceShape measure(const TriangleMesh& mesh, Id face)
 
 // Walks from corner to corner across the edges at the vertex; if there is one fan, the walk reaches
 // every corner. Requires that these edges have one or two halfedges.
-bool isOneFan(const TriangleMesh& mesh, Id vertex)
+//
+// \param first that the walk enters across: on the boundary if one of the edges is, so that it
+// covers
+//        the whole fan.
+bool isOneFan(const TriangleMesh& mesh, Id vertex, Id first)
 {
-  const IdRange corners = mesh.cornersAt(vertex);
-  // The walk begins at a boundary edge if there is one, so that it covers the whole fan.
-  Id entered = *corners.begin();
-  for (const Id corner : corners)
-  {
-    for (const Id s : { corner, TriangleMesh::previousInFace(corner) })
-    {
-      entered = mesh.isBoundary(s) ? s : entered;
-    }
-  }
-  const Id first = entered;
+  const std::size_t corners = mesh.cornersAt(vertex).size();
+  Id entered = first;
   std::size_t met = 0;
   do
   {
@@ -120,8 +113,8 @@ bool isOneFan(const TriangleMesh& mesh, Id vertex)
     {
       break;
     }
-  } while (entered != first && met <= corners.size());
-  return met == corners.size();
+  } while (entered != first && met <= corners);
+  return met == corners;
 }
 
 TriangleMesh::PseudoSource findPseudoSource(const TriangleMesh& mesh, Id vertex)
@@ -132,6 +125,7 @@ TriangleMesh::PseudoSource findPseudoSource(const TriangleMesh& mesh, Id vertex)
     return TriangleMesh::PseudoSource::None;
   }
   double angle = 0.0;
+  Id first = *corners.begin();
   std::size_t boundaryEdges = 0;
   bool manifold = true;
   bool isBesideAnother = false;
@@ -144,14 +138,15 @@ TriangleMesh::PseudoSource findPseudoSource(const TriangleMesh& mesh, Id vertex)
       isBesideAnother = isBesideAnother || mesh.length(halfedge) < tolerance::ShortEdge * longest;
       const Id other = mesh.nextSibling(halfedge);
       boundaryEdges += other == halfedge ? 1 : 0;
+      first = other == halfedge ? halfedge : first;
       manifold = manifold && mesh.nextSibling(other) == halfedge;
     }
   }
-  if (!manifold || boundaryEdges > 2 || isBesideAnother || !isOneFan(mesh, vertex))
+  if (!manifold || boundaryEdges > 2 || isBesideAnother || !isOneFan(mesh, vertex, first))
   {
     return TriangleMesh::PseudoSource::Irregular;
   }
-  const double straight = boundaryEdges == 0 ? 2.0 * Pi : Pi;
+  const double straight = boundaryEdges == 0 ? FullAngle : Pi;
   const bool bends = angle > straight * (1.0 + tolerance::FlatAngle);
   return bends ? TriangleMesh::PseudoSource::Saddle : TriangleMesh::PseudoSource::None;
 }
@@ -368,6 +363,14 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>
   : points_(std::move(points))
 {
   Builder(*this, progress, parallelFor).run(triangles);
+}
+
+Id TriangleMesh::firstFaceFrom(Id input) const
+{
+  const auto& faces = this->inputFaces_;
+  return faces.empty()
+    ? std::min(input, this->numberOfFaces())
+    : static_cast<Id>(std::lower_bound(faces.begin(), faces.end(), input) - faces.begin());
 }
 
 Id TriangleMesh::edgeOf(Id halfedge) const

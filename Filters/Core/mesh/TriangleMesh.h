@@ -78,6 +78,8 @@ public:
   const FaceShape& shape(Id face) const { return this->faces_[face].shape; }
   /// The index of this face in the constructor's `triangles`.
   Id inputFace(Id face) const { return this->inputFaces_.empty() ? face : this->inputFaces_[face]; }
+  /// The first face made of this one of the constructor's `triangles` or a later one.
+  Id firstFaceFrom(Id input) const;
 
   static Id faceOf(Id halfedge) { return halfedge / 3; }
   /// The next halfedge of the same face, which begins at this one's end.

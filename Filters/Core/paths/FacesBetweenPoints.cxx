@@ -116,7 +116,7 @@ LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
 }
 
 std::vector<Id> facesBetweenPoints(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<LocatedPolyline>& polylines, const SnapOptions& options,
+  const std::vector<LocatedPolyline>& polylines, double coordinatePrecision,
   const ParallelFor& parallelFor, const ProgressCallback& progress)
 {
   std::vector<Id> faces;
@@ -131,7 +131,7 @@ std::vector<Id> facesBetweenPoints(const MeshPartition& part, const ReplicatedPa
     for (std::size_t i = 0; i + 1 < count + (polyline.closed && count > 1 ? 1 : 0); ++i)
     {
       for (const Pair& pair :
-        farPairs(patch.mesh(), polyline, i, (i + 1) % count, options.coordinatePrecision))
+        farPairs(patch.mesh(), polyline, i, (i + 1) % count, coordinatePrecision))
       {
         addFacesBetween(part, patch, pair, frontOptions, faces);
       }

@@ -41,12 +41,13 @@ LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
 ///
 /// \param patch that contains the faces of the points and those around them.
 /// \param polylines located on the patch.
+/// \param coordinatePrecision as in putOntoSurface().
 /// \param progress called now and then with a fraction done; returning false throws Aborted.
 /// \returns faces that this rank owns, ascending; none if consecutive points share faces or no path
 ///          joins them.
 /// \throws Aborted
 std::vector<Id> facesBetweenPoints(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<LocatedPolyline>& polylines, const SnapOptions& options,
+  const std::vector<LocatedPolyline>& polylines, double coordinatePrecision,
   const ParallelFor& parallelFor = {}, const ProgressCallback& progress = {});
 
 }

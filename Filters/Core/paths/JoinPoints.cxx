@@ -5,12 +5,10 @@
 #include "Tolerance.h"
 #include "field/DistanceField.h"
 #include "field/RetentionAround.h"
-#include "paths/CleanPath.h"
 #include "paths/PathInWindows.h"
 #include "paths/PathTracer.h"
 
 #include <algorithm>
-#include <optional>
 #include <queue>
 #include <unordered_map>
 #include <utility>
@@ -108,127 +106,46 @@ bool isWithin(const TriangleMesh& mesh, Id face, const SurfacePoint& first,
     bound;
 }
 
-Id placeOf(Id number, const std::vector<Id>& numbers)
-{
-  return static_cast<Id>(std::find(numbers.begin(), numbers.end(), number) - numbers.begin());
-}
-
-/// The part of a surface that shortest paths between two points can touch. If it is small, it is a
-/// mesh of its own, so that a search there does not cost as much as on the whole surface.
+/// The faces that paths of at most this length between two points can touch: those whose distances
+/// in space from the two points add up to no more. None if they are a large part of the surface: a
+/// mesh of these would cost about as much as it saves.
 ///
-/// A path along mesh edges bounds the length from above. A path no longer than a bound stays in
-/// those faces whose distances in space from the two points add up to no more than the bound.
-class SubMesh
+/// \param progress called now and then with 0; returning false throws Aborted.
+std::vector<Id> facesWithin(const TriangleMesh& surface, const SurfacePoint& first,
+  const SurfacePoint& second, double longest, const ProgressCallback& progress)
 {
-public:
-  /// \param surface must outlive the patch.
-  /// \param progress called now and then with 0; returning false throws Aborted.
-  /// \throws Aborted
-  SubMesh(const TriangleMesh& surface, const SurfacePoint& first, const SurfacePoint& second,
-    const ProgressCallback& progress)
-    : surface_(surface)
-    , bound_((1.0 + tolerance::BoundMargin) * lengthAlongEdges(surface, first, second, progress))
+  constexpr std::size_t largePart = 4;
+  const std::size_t maximum = surface.numberOfFaces() / largePart;
+  std::vector<Id> faces;
+  std::vector<bool> isVisited(surface.numberOfFaces(), false);
+  const auto visit = [&](Id face)
   {
-    if (this->bound_ == Infinity)
+    const bool isNew = !isVisited[face];
+    isVisited[face] = true;
+    if (isNew &&
+      (contains(surface, face, first) || contains(surface, face, second) ||
+        isWithin(surface, face, first, second, longest)))
     {
-      return;
+      faces.push_back(face);
     }
-    // Goes from face to face across shared vertices. A mesh of a larger part would cost about as
-    // much as it saves.
-    constexpr std::size_t largePart = 4;
-    const std::size_t maximum = surface.numberOfFaces() / largePart;
-    std::unordered_map<Id, Id> patchVertex;
-    std::vector<bool> isVisited(surface.numberOfFaces(), false);
-    std::vector<Vec3> points;
-    std::vector<Triangle> triangles;
-    const auto take = [&](Id face)
+  };
+  // Goes from face to face across shared vertices.
+  forEachFace(surface, first, visit);
+  for (std::size_t next = 0; next < faces.size() && faces.size() <= maximum; ++next)
+  {
+    const Triangle& corners = surface.triangle(faces[next]);
+    for (const Id vertex : corners)
     {
-      this->faces_.push_back(face);
-      Triangle& corners = triangles.emplace_back(surface.triangle(face));
-      for (Id& vertex : corners)
-      {
-        const auto [renamed, isNew] =
-          patchVertex.try_emplace(vertex, static_cast<Id>(points.size()));
-        if (isNew)
-        {
-          this->vertices_.push_back(vertex);
-          points.push_back(surface.point(vertex));
-        }
-        vertex = renamed->second;
-      }
-    };
-    const auto visit = [&](Id face)
-    {
-      const bool isNew = !isVisited[face];
-      isVisited[face] = true;
-      if (isNew &&
-        (contains(surface, face, first) || contains(surface, face, second) ||
-          isWithin(surface, face, first, second, this->bound_)))
-      {
-        take(face);
-      }
-    };
-    forEachFace(surface, first, visit);
-    for (std::size_t next = 0; next < this->vertices_.size() && triangles.size() <= maximum; ++next)
-    {
-      forEachFace(surface, SurfacePoint::atVertex(this->vertices_[next]), visit);
-      constexpr std::size_t stepsPerReport = 4096;
-      if ((next + 1) % stepsPerReport == 0)
-      {
-        reportProgress(progress, 0.0);
-      }
+      forEachFace(surface, SurfacePoint::atVertex(vertex), visit);
     }
-    if (triangles.size() <= maximum)
+    constexpr std::size_t stepsPerReport = 4096;
+    if ((next + 1) % stepsPerReport == 0)
     {
-      this->mesh_.emplace(std::move(points), triangles);
+      reportProgress(progress, 0.0);
     }
   }
-
-  /// An upper bound of the length of a shortest path; infinite if no path joins the points.
-  double bound() const { return this->bound_; }
-
-  /// The mesh; the surface itself if the patch is a large part of it.
-  const TriangleMesh& mesh() const { return this->mesh_ ? *this->mesh_ : this->surface_; }
-  /// A point of one of the two points' faces as a point of the patch.
-  SurfacePoint onPatch(const SurfacePoint& point) const
-  {
-    if (!this->mesh_)
-    {
-      return point;
-    }
-    if (point.kind == SurfacePoint::Kind::Vertex)
-    {
-      return SurfacePoint::atVertex(placeOf(point.id, this->vertices_));
-    }
-    const Id face = someFace(this->surface_, point);
-    return fromBarycentric(
-      *this->mesh_, placeOf(face, this->faces_), barycentric(this->surface_, point, face));
-  }
-
-  /// A point of the patch as a point of the surface.
-  SurfacePoint onSurface(const SurfacePoint& point) const
-  {
-    if (!this->mesh_)
-    {
-      return point;
-    }
-    if (point.kind == SurfacePoint::Kind::Vertex)
-    {
-      return SurfacePoint::atVertex(this->vertices_[point.id]);
-    }
-    const Id face = someFace(*this->mesh_, point);
-    return fromBarycentric(
-      this->surface_, this->faces_[face], barycentric(*this->mesh_, point, face));
-  }
-
-private:
-  const TriangleMesh& surface_;
-  double bound_;
-  std::optional<TriangleMesh> mesh_;
-  /// The surface's numbers of the patch's vertices and faces.
-  std::vector<Id> vertices_;
-  std::vector<Id> faces_;
-};
+  return faces.size() <= maximum ? faces : std::vector<Id>();
+}
 
 /// The fraction of the progress at which the search ends.
 constexpr double ShareOfSearch = 0.7;
@@ -306,12 +223,11 @@ std::vector<double> lowerBounds(const TriangleMesh& mesh, const SurfacePoint& se
 /// An approximate front from the second point, which costs a fraction of an exact one, gives lower
 /// bounds of the distance to that point. An exact front from the first point then goes only where a
 /// path can still be as short as the best known one: through a strip of few faces. Hardly any
-/// windows are kept, as PathTracer follows the path by the directions in which it came to
-/// vertices.
+/// windows are kept, as followPath() needs few.
 ///
 /// \param length an upper bound of the path's length. The mesh must contain all faces that a path
 ///        of that length can touch.
-/// \returns the path from the first point to the second, see PathTracer; empty if there is none.
+/// \returns the path from the first point to the second, see TracedPath; empty if there is none.
 std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePoint& first,
   const SurfacePoint& second, double length, const ParallelFor& parallelFor,
   const ProgressCallback& progress)
@@ -337,20 +253,58 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   StripRetention strip(mesh, second, toSecond, least);
   FrontResult front = propagate(mesh, { pointCurve(first) }, options, strip);
   const DistanceField field(MeshPartition(mesh), std::move(front), strip.release());
-  std::vector<SurfacePoint> path;
-  try
-  {
-    path = PathTracer(field).trace(second);
-  }
-  catch (const PathLost&)
+  TracedPath path = beginPath(field, second);
+  followPath(field, path);
+  if (path.next == PathState::Next::Lost)
   {
     // Seldom: by windows that are all kept, in the corridor alone.
     corridor.length = std::min(corridor.length, strip.longestPath());
     options.keepArrivals = false;
     options.progress = progressBetween(progress, 1.0, 1.0);
-    path = pathInWindows(solve(mesh, { pointCurve(first) }, options, KeepWindows::All), second);
+    path.points =
+      pathInWindows(solve(mesh, { pointCurve(first) }, options, KeepWindows::All), second);
   }
-  std::reverse(path.begin(), path.end());
+  std::reverse(path.points.begin(), path.points.end());
+  return std::move(path.points);
+}
+
+/// The same on a mesh of some of the faces, where a search does not cost as much as on the whole
+/// surface. The points are those of the surface.
+std::vector<SurfacePoint> shortestPathIn(const std::vector<Id>& faces, const TriangleMesh& surface,
+  const SurfacePoint& first, const SurfacePoint& second, double length,
+  const ParallelFor& parallelFor, const ProgressCallback& progress)
+{
+  std::unordered_map<Id, Id> renamed;
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+  for (const Id face : faces)
+  {
+    Triangle& corners = triangles.emplace_back(surface.triangle(face));
+    for (Id& vertex : corners)
+    {
+      const auto [name, isNew] = renamed.try_emplace(vertex, static_cast<Id>(points.size()));
+      if (isNew)
+      {
+        points.push_back(surface.point(vertex));
+      }
+      vertex = name->second;
+    }
+  }
+  const TriangleMesh part(std::move(points), triangles);
+  const auto onPart = [&](const SurfacePoint& point)
+  {
+    const Id face = someFace(surface, point);
+    const auto place = std::find(faces.begin(), faces.end(), face);
+    return fromBarycentric(
+      part, static_cast<Id>(place - faces.begin()), barycentric(surface, point, face));
+  };
+  std::vector<SurfacePoint> path =
+    shortestPath(part, onPart(first), onPart(second), length, parallelFor, progress);
+  for (SurfacePoint& point : path)
+  {
+    const Id face = someFace(part, point);
+    point = fromBarycentric(surface, faces[face], barycentric(part, point, face));
+  }
   return path;
 }
 
@@ -401,19 +355,20 @@ std::vector<SurfacePoint> pathBetween(const TriangleMesh& mesh, const SurfacePoi
   {
     return { first, second };
   }
-  const SubMesh patch(mesh, first, second, progress);
-  if (patch.bound() == Infinity)
+  const double longest =
+    (1.0 + tolerance::BoundMargin) * lengthAlongEdges(mesh, first, second, progress);
+  if (longest == Infinity)
   {
     return {};
   }
+  const std::vector<Id> faces = facesWithin(mesh, first, second, longest, progress);
   const auto find = [&](const SurfacePoint& from, const SurfacePoint& to)
   {
-    std::vector<SurfacePoint> path = shortestPath(
-      patch.mesh(), patch.onPatch(from), patch.onPatch(to), patch.bound(), parallelFor, progress);
-    std::transform(path.begin(), path.end(), path.begin(),
-      [&patch](const SurfacePoint& point) { return patch.onSurface(point); });
+    std::vector<SurfacePoint> path = faces.empty()
+      ? shortestPath(mesh, from, to, longest, parallelFor, progress)
+      : shortestPathIn(faces, mesh, from, to, longest, parallelFor, progress);
     setEnds(mesh, from, to, path);
-    path = cleanedPath(mesh, path, patch.bound());
+    path = cleanedPath(mesh, path, longest);
     linkEnds(mesh, path);
     return path;
   };

@@ -13,11 +13,6 @@ namespace geodesic
 namespace
 {
 
-bool isBefore(const SourceInFace& a, const SourceInFace& b)
-{
-  return a.face < b.face;
-}
-
 std::vector<SourceInFace> sourcesByFace(const TriangleMesh& mesh, const CurveChains& chains)
 {
   std::vector<SourceInFace> sources;
@@ -37,7 +32,7 @@ std::vector<SourceInFace> sourcesByFace(const TriangleMesh& mesh, const CurveCha
         });
     }
   }
-  std::stable_sort(sources.begin(), sources.end(), isBefore);
+  std::stable_sort(sources.begin(), sources.end());
   return sources;
 }
 
@@ -66,7 +61,8 @@ PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& 
     face,
     inHalfedgeFrame(this->mesh(), 3 * face, barycentric(mesh, before, onMesh)) -
       inHalfedgeFrame(this->mesh(), 3 * face, end) };
-  const SourceInFace* segment = this->nearest(piece.end, face);
+  const double rounding = tolerance::PlaceRounding * this->mesh().shape(face).longest();
+  const SourceInFace* segment = this->nearest(piece.end, face, rounding);
   if (segment == nullptr)
   {
     return {};
@@ -74,8 +70,6 @@ PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& 
   const double length = segment->placeOfB - segment->placeOfA;
   const double along = length *
     nearestAlongSource(this->mesh(), *segment, barycentric(this->mesh(), piece.end, segment->face));
-  const double rounding =
-    tolerance::PlaceRounding * this->mesh().length(longestHalfedge(this->mesh(), face));
   if (along > rounding && along < length - rounding)
   {
     return this->onSegment(piece, *segment, segment->placeOfA + along);
@@ -87,18 +81,17 @@ PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& 
 // The segment, or source that is a point, nearest to a point in the faces around it. Null if these
 // faces contain none. Those in the preferred face are taken before those of other faces that are as
 // near but for rounding.
-const SourceInFace* PathEnds::nearest(const SurfacePoint& point, Id preferred) const
+const SourceInFace* PathEnds::nearest(
+  const SurfacePoint& point, Id preferred, double rounding) const
 {
-  const double rounding =
-    tolerance::PlaceRounding * this->mesh().length(longestHalfedge(this->mesh(), preferred));
   double least = Infinity;
   const SourceInFace* nearest = nullptr;
   forEachFace(this->mesh(), point,
     [&](Id face)
     {
       const Barycentric weights = barycentric(this->mesh(), point, face);
-      const auto pieces = std::equal_range(
-        this->inFaces_.begin(), this->inFaces_.end(), SourceInFace{ face }, isBefore);
+      const auto pieces =
+        std::equal_range(this->inFaces_.begin(), this->inFaces_.end(), SourceInFace{ face });
       for (auto piece = pieces.first; piece != pieces.second; ++piece)
       {
         const double distance =
@@ -115,7 +108,6 @@ const SourceInFace* PathEnds::nearest(const SurfacePoint& point, Id preferred) c
 
 PathEnd PathEnds::onSegment(const LastPiece& piece, const SourceInFace& segment, double place) const
 {
-  constexpr double rightAngle = 1.57079632679489661923;
   const Id frame = 3 * piece.face;
   double side = 0.0;
   if (segment.face == piece.face)
@@ -125,7 +117,7 @@ PathEnd PathEnds::onSegment(const LastPiece& piece, const SourceInFace& segment,
       piece.direction);
   }
   return this->endAt(
-    segment.curve, place, side > 0.0 ? rightAngle : (side < 0.0 ? -rightAngle : 0.0));
+    segment.curve, place, side > 0.0 ? RightAngle : (side < 0.0 ? -RightAngle : 0.0));
 }
 
 // Of several curves at the point it is the one to which the direction belongs.
@@ -134,12 +126,13 @@ PathEnd PathEnds::atPoint(const LastPiece& piece, Id number) const
   const CurveChains::Point at = this->onPatch_.chains().pointWith(number);
   const PointWithEnds around = this->onPatch_.around(number);
   const double place = this->onPatch_.chains().places(at.chain)[at.i];
-  if (!piece.hasLength() || !contains(this->mesh(), piece.face, around.point))
+  if (!(dot(piece.direction, piece.direction) > 0.0) ||
+    !contains(this->mesh(), piece.face, around.point))
   {
     return this->endAt(at.chain, place, 0.0);
   }
   CurveSectors sectors(this->mesh());
-  sectors.assign(around.point, around.ends, CurveOrigin::onLeft(this->mesh(), at.chain, place));
+  sectors.assign(around.point, around.ends, at.chain, place);
   const CurveOrigin origin = sectors.of(3 * piece.face, piece.direction);
   DirectionsAround directions(this->mesh());
   directions.assign(around.point, around.ends);

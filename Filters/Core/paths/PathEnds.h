@@ -3,7 +3,6 @@
 #define geodesic_PathEnds_h
 
 #include "source/CurvesOnPatch.h"
-#include "source/SourceInFace.h"
 
 #include <functional>
 #include <vector>
@@ -45,12 +44,10 @@ private:
     SurfacePoint end;
     Id face;
     Vec2 direction;
-
-    bool hasLength() const { return dot(this->direction, this->direction) > 0.0; }
   };
 
   const TriangleMesh& mesh() const { return this->onPatch_.mesh(); }
-  const SourceInFace* nearest(const SurfacePoint& point, Id preferred) const;
+  const SourceInFace* nearest(const SurfacePoint& point, Id preferred, double rounding) const;
   PathEnd onSegment(const LastPiece& piece, const SourceInFace& segment, double place) const;
   PathEnd atPoint(const LastPiece& piece, Id number) const;
   PathEnd endAt(Id chain, double place, double angle) const;

@@ -3,7 +3,6 @@
 
 #include "Tolerance.h"
 #include "field/DistanceField.h"
-#include "paths/CleanPath.h"
 #include "paths/PathInWindows.h"
 #include "source/SourceWindows.h"
 
@@ -15,26 +14,6 @@ namespace geodesic
 
 namespace
 {
-
-/// Notes which faces windows have gone through. Two tasks may note one face, so each district has a
-/// list of its own.
-class NotePassedFaces : public Retention
-{
-public:
-  bool needsInside() const override { return false; }
-  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
-  void pass(std::size_t district, const PassedList& list, Id, WindowPool& pool) override
-  {
-    this->passed_[district].push_back(TriangleMesh::faceOf(list.halfedge));
-    pool.free(list.windows);
-  }
-
-  /// For each district its faces, several times maybe.
-  const std::vector<std::vector<Id>>& passed() const { return this->passed_; }
-
-private:
-  std::vector<std::vector<Id>> passed_;
-};
 
 SurfacePoint onPatch(const ReplicatedPatch& patch, const TargetOnRank& target)
 {
@@ -71,55 +50,51 @@ std::vector<double> distancesTo(const TargetOnRank& target, const MeshPartition&
     .vertexDistances;
 }
 
-/// Adds the part's faces that the curves lie in or touch; NoId for others.
-void addFacesOfCurves(
-  const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves, std::vector<Id>& faces)
-{
-  const auto add = [&](Id face) { faces.push_back(patch.faceOfPart(face)); };
-  for (const SourceCurve& curve : curves)
-  {
-    std::for_each(curve.faces.begin(), curve.faces.end(), add);
-    for (const SurfacePoint& point : curve.points)
-    {
-      forEachFace(patch.mesh(), point, add);
-    }
-  }
-}
-
 /// Finds this rank's faces of the strip.
 std::vector<Id> facesOfStrip(const MeshPartition& part, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
   const FrontOptions& options)
 {
   const TriangleMesh& mesh = part.mesh();
-  NotePassedFaces passed;
+  KeepFaces passed(mesh);
   const std::vector<double> toTarget = distancesTo(target, part, known, options, passed);
+  const WindowArchive windows = passed.release().windows;
+  const auto isPassed = [&](Id halfedge)
+  {
+    // A path may also run along edges, from vertex to vertex, where no window goes.
+    const Id vertex = mesh.origin(halfedge);
+    return !windows.at(halfedge).empty() ||
+      (1.0 - tolerance::BoundMargin) * known.atVertices[vertex] + toTarget[vertex] <=
+      longestTo(target);
+  };
   std::vector<Id> faces;
-  for (const std::vector<Id>& ofDistrict : passed.passed())
+  for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
   {
-    faces.insert(faces.end(), ofDistrict.begin(), ofDistrict.end());
-  }
-  if (isHere(part, target))
-  {
-    forEachFace(mesh, fromFacePoint(mesh, target.face.id, target.point),
-      [&](Id face) { faces.push_back(face); });
-  }
-  // A path may also run along edges, from vertex to vertex, where no window goes.
-  for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
-  {
-    const double toSource = (1.0 - tolerance::BoundMargin) * known.atVertices[vertex];
-    if (toSource + toTarget[vertex] <= longestTo(target))
+    if (isPassed(3 * face) || isPassed(3 * face + 1) || isPassed(3 * face + 2))
     {
-      for (const Id corner : mesh.cornersAt(vertex))
-      {
-        faces.push_back(TriangleMesh::faceOf(corner));
-      }
+      faces.push_back(face);
     }
   }
-  addFacesOfCurves(patch, curves, faces);
-  faces.erase(std::remove_if(faces.begin(), faces.end(),
-                [&part](Id face) { return face == NoId || !part.isOwn(face); }),
-    faces.end());
+  const auto addOwn = [&](Id face)
+  {
+    if (face != NoId && part.isOwn(face))
+    {
+      faces.push_back(face);
+    }
+  };
+  if (isHere(part, target))
+  {
+    forEachFace(mesh, fromFacePoint(mesh, target.face.id, target.point), addOwn);
+  }
+  const auto addOfPatch = [&](Id face) { addOwn(patch.faceOfPart(face)); };
+  for (const SourceCurve& curve : curves)
+  {
+    std::for_each(curve.faces.begin(), curve.faces.end(), addOfPatch);
+    for (const SurfacePoint& point : curve.points)
+    {
+      forEachFace(patch.mesh(), point, addOfPatch);
+    }
+  }
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;

@@ -28,11 +28,13 @@ struct TargetOnRank
   FacePoint point;
   /// Finite and within the reach of what is known.
   double distance;
+  /// Which of its rank's targets it is.
+  Id number = 0;
 };
 
 /// Finds a shortest path by the windows of the faces that it goes through: slower than tracing it
-/// by arrivals (PathTracer), but rounding cannot lead it astray. All ranks together call it for one
-/// target.
+/// by arrivals (followPath()), but rounding cannot lead it astray. All ranks together call it for
+/// one target.
 ///
 /// A front from the target goes over all ranks, but only where a path can still be as short as it
 /// is, by the distances that are known. That leaves a strip of few faces. The target's rank gathers

@@ -2,36 +2,12 @@
 #ifndef geodesic_PathTracer_h
 #define geodesic_PathTracer_h
 
-#include "Errors.h"
 #include "field/DistanceField.h"
 
 #include <vector>
 
 namespace geodesic
 {
-
-/// A path could not be followed to its end, or has become longer than the distance: it runs so
-/// close to vertices that rounding decides about its way. pathInWindows() finds it.
-class PathLost : public Error
-{
-public:
-  using Error::Error;
-};
-
-/// A straight piece of a path across one face, on the way from the traced point to the source.
-struct PathLeg
-{
-  /// Its ends in the frame of a halfedge of the face.
-  Id frame = NoId;
-  Vec2 from;
-  Vec2 to;
-  /// The halfedge through which it leaves the face, and the ray behind that halfedge: a linear
-  /// window without width in the leaving frame, whose x axis runs against the halfedge.
-  Id exit = NoId;
-  Window ray = {};
-  /// What the path comes straight from: Window::origin, or NoId.
-  Id origin = NoId;
-};
 
 /// How far a path was followed, as one rank tells another.
 struct PathState
@@ -41,12 +17,15 @@ struct PathState
   {
     /// Continue from the last point, which is a vertex or the first point.
     Point,
-    /// Continue behind the leg's exit.
+    /// Continue behind the exit.
     BehindExit,
     /// Find the face, of those around the last point on an edge, that the path comes through.
     Search,
     /// Nothing: the path is complete.
-    End
+    End,
+    /// Nothing: the path could not be followed to its end, or has become longer than the distance.
+    /// It runs so close to vertices that rounding decides about its way. pathInWindows() finds it.
+    Lost
   };
 
   /// The length from the last point to the source, the length of the whole path, and the length of
@@ -58,13 +37,18 @@ struct PathState
   std::uint64_t steps = 0;
   int stepsBesideEnd = 0;
   Next next = Next::Point;
-  /// The last leg, if the path continues behind its exit.
-  PathLeg leg;
+  /// The halfedge through which the path leaves a face, and its ray behind that halfedge: a linear
+  /// window without width in the leaving frame, whose x axis runs against the halfedge.
+  Id exit = NoId;
+  Window ray = {};
+  /// What the ray comes straight from: Window::origin, or NoId.
+  Id origin = NoId;
 
-  bool isWhole() const { return this->next == Next::End; }
+  bool isOnItsWay() const { return this->next != Next::End && this->next != Next::Lost; }
 };
 
-/// A path as far as it was followed.
+/// A path as far as it was followed, from a point to the source: the point, a point on every edge
+/// that it crosses, the vertices that it passes, its end on the source.
 struct TracedPath : PathState
 {
   /// The points, each with a face that holds it and the point before.
@@ -74,7 +58,10 @@ struct TracedPath : PathState
   Id without = NoId;
 };
 
-/// Traces shortest paths of a field that was solved with FrontOptions::keepArrivals.
+/// A path before its first step. If the point was not reached, it is complete and has no points.
+TracedPath beginPath(const DistanceField& field, const SurfacePoint& from);
+
+/// Follows a path until it is complete or lost, or as far as it goes through this rank's faces.
 ///
 /// Between bends a shortest path is straight in the unfolding, and each vertex stores the direction
 /// in which its own path arrives. So a path is followed as a ray, face by face, to the
@@ -82,59 +69,17 @@ struct TracedPath : PathState
 /// first point, and around edges of three and more faces, where they determine in which face the
 /// path continues. RetentionAround keeps these.
 ///
-/// If ranks share the surface, each rank follows paths through the faces that it owns.
-class PathTracer
-{
-public:
-  /// The field must outlive the tracer.
-  explicit PathTracer(const DistanceField& field)
-    : field_(field)
-    , mesh_(field.mesh())
-  {
-  }
+/// \param field that was solved with FrontOptions::keepArrivals.
+/// \returns another rank's face where it continues; NoId if it is not on its way, or has to search
+///          around its last point (PathState::Next::Search) in faces of several ranks.
+Id followPath(const DistanceField& field, TracedPath& path);
 
-  /// A shortest path from a point to the source: the point, a point on every edge that it crosses,
-  /// the vertices that it passes, its end on the source. Empty if the point was not reached.
-  /// Thread-safe.
-  ///
-  /// \throws PathLost if the path cannot be followed, for example from a face whose windows were
-  ///         not kept.
-  std::vector<SurfacePoint> trace(const SurfacePoint& from) const;
+/// The length of the shortest path that comes to the last point through this rank's faces, except
+/// TracedPath::without; infinite if there is none.
+double lengthThroughHere(const DistanceField& field, const TracedPath& path);
 
-  /// A path before its first step; it has no points if the point was not reached.
-  TracedPath begin(const SurfacePoint& from) const;
-  /// Follows a path to its end, or as far as it goes through this rank's faces.
-  ///
-  /// \returns another rank's face where it continues; NoId if it is complete, or has to search
-  ///          around its last point (PathState::Next::Search) in faces of several ranks.
-  /// \throws PathLost
-  Id follow(TracedPath& path) const;
-  /// The length of the shortest path that comes to the last point through this rank's faces, except
-  /// TracedPath::without; infinite if there is none.
-  double searchHere(const TracedPath& path) const;
-  /// Continues from a search through the best of this rank's faces.
-  void goOnHere(TracedPath& path) const;
-
-private:
-  Id placeToGoOn(const TracedPath& path) const;
-  void requireLength(const TracedPath& path) const;
-  void add(TracedPath& path, Id face, const SurfacePoint& point) const;
-  void goOnFromVertex(Id vertex, TracedPath& path) const;
-  void search(TracedPath& path) const;
-
-  void startLeg(Vec2 from, const Arrival& arrival, TracedPath& path) const;
-  void followLeg(TracedPath& path) const;
-  PathLeg legBeyond(const PathLeg& leg, Id sibling) const;
-  Id cornerOn(const PathLeg& leg, const TracedPath& path) const;
-
-  double slack(Id face, const TracedPath& path) const;
-  bool endInFace(Id face, TracedPath& path) const;
-  void goToVertex(Id vertex, Id face, TracedPath& path) const;
-  void goToNeighbour(Id vertex, TracedPath& path) const;
-
-  const DistanceField& field_;
-  const TriangleMesh& mesh_;
-};
+/// Continues from a search through the best of this rank's faces.
+void goOnThroughHere(const DistanceField& field, TracedPath& path);
 
 }
 

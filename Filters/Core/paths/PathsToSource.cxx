@@ -4,15 +4,15 @@
 #include "Errors.h"
 #include "field/RetentionAround.h"
 #include "mesh/ReplicatedPatch.h"
-#include "paths/CleanPath.h"
 #include "paths/PathInStrip.h"
+#include "paths/PathInWindows.h"
 #include "paths/PathTracer.h"
 #include "source/SourceWindows.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <iterator>
+#include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace geodesic
@@ -25,9 +25,8 @@ namespace
 constexpr double FrontDone = 0.5;
 constexpr double TracingDone = 0.9;
 
-/// How many paths are traced between two reports, and how many by one task.
+/// How many paths are traced between two reports.
 constexpr std::size_t PathsPerReport = 256;
-constexpr std::size_t PathsPerTask = 8;
 
 /// A point of a path, and a face that holds it and the point before.
 struct SentPathPoint
@@ -36,54 +35,24 @@ struct SentPathPoint
   FacePoint point;
 };
 
-/// The faces of a path as a mesh.
-GatheredFaces facesOf(const std::vector<SentPathPoint>& path)
-{
-  std::vector<SentFace> faces;
-  for (const SentPathPoint& p : path)
-  {
-    faces.push_back(p.face);
-  }
-  return GatheredFaces(std::move(faces));
-}
-
-/// How long a path is that goes on through a rank's faces.
-struct SearchAnswer
-{
-  double distance = Infinity;
-  int rank = 0;
-
-  bool isFound() const { return this->distance < Infinity; }
-  bool operator<(const SearchAnswer& other) const
-  {
-    return this->distance != other.distance ? this->distance < other.distance
-                                            : this->rank < other.rank;
-  }
-};
+using Next = PathState::Next;
 
 /// A path on its way over ranks.
 struct PathInTransit
 {
-  enum class Status : std::uint8_t
-  {
-    OnItsWay,
-    Whole,
-    Lost
-  };
-
   /// The rank that asks for it, and which of that rank's targets it begins at.
   int targetRank = 0;
   Id target = 0;
   TracedPath path;
   /// How many of the points at hand have been sent to the target's rank.
   std::size_t sent = 0;
-  /// While the path searches around an edge: the ranks that were not yet asked, and the nearest of
-  /// those that were.
+  /// While the path searches around an edge: the ranks that were not yet asked, and of those that
+  /// were the one through whose faces the path is shortest, the lowest of several.
   std::vector<int> toAsk;
-  SearchAnswer nearest;
-  /// What has become of it on this rank. On its way: the rank that it goes to, and a face of both
-  /// ranks that holds its last point and, if it is behind the exit of a leg, the leg.
-  Status status = Status::OnItsWay;
+  double shortest = Infinity;
+  int rankOfShortest = 0;
+  /// On its way: the rank that it goes to, and a face of both ranks that holds its last point and,
+  /// if it goes on behind an exit, the exit.
   int rank = 0;
   Id face = NoId;
 };
@@ -98,7 +67,8 @@ void putInTransit(Message& message, const MeshPartition& part, const PathInTrans
   put(message, static_cast<const PathState&>(path));
   put(message, path.without == NoId ? RankAddress{ -1, NoId } : part.addressOf(path.without));
   putAll(message, transit.toAsk);
-  put(message, transit.nearest);
+  put(message, transit.shortest);
+  put(message, transit.rankOfShortest);
 }
 
 /// The path has one point, the last one.
@@ -113,23 +83,14 @@ PathInTransit getInTransit(MessageReader& reader, const MeshPartition& part)
   path.points = { fromFacePoint(part.mesh(), face, reader.get<FacePoint>()) };
   transit.sent = 1;
   static_cast<PathState&>(path) = reader.get<PathState>();
-  path.leg.exit = 3 * face + path.leg.exit % 3;
+  path.exit = 3 * face + path.exit % 3;
   const auto without = reader.get<RankAddress>();
   path.without = without.rank < 0 ? NoId : part.faceAt(without);
   transit.toAsk = reader.getAll<int>();
-  transit.nearest = reader.get<SearchAnswer>();
+  transit.shortest = reader.get<double>();
+  transit.rankOfShortest = reader.get<int>();
   return transit;
 }
-
-/// A path that got lost on any rank.
-struct LostPath
-{
-  TargetOnRank target;
-  /// Which of its rank's targets that is.
-  Id number;
-};
-
-using Status = PathInTransit::Status;
 
 /// Follows paths over ranks. In one process none ever leaves.
 class PathFinder
@@ -143,9 +104,6 @@ public:
     , targets_(targets)
     , options_(options)
     , take_(take)
-    , tracer_(field)
-    , found_(targets.size())
-    , isLost_(targets.size(), 0)
   {
   }
 
@@ -160,20 +118,18 @@ public:
     }
   }
 
-  /// \returns the paths that got lost on all ranks, in one order.
-  std::vector<LostPath> gatherLost() const
+  /// \returns the targets of all ranks whose paths got lost, in one order.
+  std::vector<TargetOnRank> gatherLost()
   {
+    std::sort(this->lost_.begin(), this->lost_.end());
     Message message;
-    for (Id number = 0; number < this->targets_.size(); ++number)
+    for (const Id number : this->lost_)
     {
-      if (this->isLost_[number])
-      {
-        put(message, LostPath{ this->onOwnFace(this->targets_[number]), number });
-      }
+      put(message, this->onOwnFace(number));
     }
-    std::vector<LostPath> all;
+    std::vector<TargetOnRank> all;
     readEach(this->part_.exchange().tellAll(message),
-      [&](int, MessageReader& reader) { all.push_back(reader.get<LostPath>()); });
+      [&](int, MessageReader& reader) { all.push_back(reader.get<TargetOnRank>()); });
     return all;
   }
 
@@ -183,45 +139,50 @@ private:
     const std::size_t count = this->targets_.size();
     const ProgressCallback progress =
       progressBetween(this->options_.progress, FrontDone, TracingDone);
-    std::vector<PathInTransit> paths;
     for (std::size_t first = 0; first < count; first += PathsPerReport)
     {
       reportProgress(progress, static_cast<double>(first) / static_cast<double>(count));
-      paths.assign(std::min(PathsPerReport, count - first), PathInTransit());
-      forAll(this->options_.parallelFor, (paths.size() + PathsPerTask - 1) / PathsPerTask,
-        [&](std::size_t task)
+      std::vector<PathInTransit> paths(std::min(PathsPerReport, count - first));
+      forAll(this->options_.parallelFor, paths.size(),
+        [&](std::size_t i) { paths[i] = this->traceFrom(static_cast<Id>(first + i)); });
+      for (PathInTransit& transit : paths)
+      {
+        if (transit.path.isOnItsWay())
         {
-          const std::size_t end = std::min(paths.size(), (task + 1) * PathsPerTask);
-          for (std::size_t i = task * PathsPerTask; i < end; ++i)
-          {
-            this->traceFrom(static_cast<Id>(first + i), paths[i]);
-          }
-        });
-      std::copy_if(std::make_move_iterator(paths.begin()), std::make_move_iterator(paths.end()),
-        std::back_inserter(this->leaving_),
-        [](const PathInTransit& transit) { return transit.status == Status::OnItsWay; });
+          this->leaving_.push_back(std::move(transit));
+        }
+        else
+        {
+          this->noteIfLost(transit.target, transit.path.next);
+        }
+      }
     }
   }
 
   // Most paths end here: they need no message.
-  void traceFrom(Id target, PathInTransit& transit)
+  PathInTransit traceFrom(Id target) const
   {
+    PathInTransit transit;
+    TracedPath& path = transit.path;
     transit.targetRank = this->part_.exchange().rank();
     transit.target = target;
-    transit.path = this->tracer_.begin(this->targets_[target]);
-    if (transit.path.points.empty())
+    path = beginPath(this->field_, this->targets_[target]);
+    this->follow(transit);
+    if (path.next == Next::End && !path.points.empty())
     {
-      transit.status = Status::Whole;
-      return;
-    }
-    this->advance(transit);
-    if (transit.status == Status::Whole)
-    {
-      this->take(target, this->part_.mesh(), transit.path.points, transit.path.whole,
+      const std::vector<SurfacePoint> points = std::move(path.points);
+      this->take(target, this->part_.mesh(), points, path.whole,
         [this](Id face) { return this->part_.addressOf(face); });
-      transit.path = {};
     }
-    this->isLost_[target] = transit.status == Status::Lost ? 1 : 0;
+    return transit;
+  }
+
+  void noteIfLost(Id target, Next next)
+  {
+    if (next == Next::Lost)
+    {
+      this->lost_.push_back(target);
+    }
   }
 
   void take(Id target, const TriangleMesh& mesh, const std::vector<SurfacePoint>& path,
@@ -239,7 +200,7 @@ private:
     for (const PathInTransit& transit : this->leaving_)
     {
       this->putReport(transit, messages[rankIndex(transit.targetRank)]);
-      if (transit.status == Status::OnItsWay)
+      if (transit.path.isOnItsWay())
       {
         Message& next = messages[rankIndex(transit.rank)];
         put(next, false);
@@ -261,48 +222,30 @@ private:
         }
       });
     forAll(this->options_.parallelFor, this->leaving_.size(),
-      [this](std::size_t i) { this->advance(this->leaving_[i]); });
-  }
-
-  void advance(PathInTransit& transit) const
-  {
-    try
-    {
-      this->follow(transit);
-    }
-    catch (const PathLost&)
-    {
-      transit.status = Status::Lost;
-    }
+      [this](std::size_t i) { this->follow(this->leaving_[i]); });
   }
 
   void follow(PathInTransit& transit) const
   {
     do
     {
-      const Id elsewhere = this->tracer_.follow(transit.path);
-      if (transit.path.isWhole())
-      {
-        transit.status = Status::Whole;
-        return;
-      }
+      const Id elsewhere = followPath(this->field_, transit.path);
       if (elsewhere != NoId)
       {
-        const bool isOnLeg = transit.path.next == TracedPath::Next::BehindExit;
+        const bool isAtExit = transit.path.next == Next::BehindExit;
         transit.rank = this->part_.ownerOf(elsewhere).rank;
-        transit.face = isOnLeg ? TriangleMesh::faceOf(transit.path.leg.exit) : elsewhere;
+        transit.face = isAtExit ? TriangleMesh::faceOf(transit.path.exit) : elsewhere;
         return;
       }
-    } while (this->searchAround(transit));
+    } while (transit.path.isOnItsWay() && this->searchAround(transit));
   }
 
-  // Asks the ranks around an edge one after another, then goes on where the path is nearest.
-  // Returns whether that is here.
+  // Asks the ranks around the last point, each of which has all faces there, one after another.
+  // Then goes on where the path is shortest. Returns whether that is here.
   bool searchAround(PathInTransit& transit) const
   {
     const int self = this->part_.exchange().rank();
-    const SurfacePoint& point = transit.path.points.back();
-    if (transit.toAsk.empty() && !transit.nearest.isFound())
+    if (transit.toAsk.empty() && transit.shortest == Infinity)
     {
       transit.toAsk = this->ranksToAsk(transit.path);
     }
@@ -310,22 +253,26 @@ private:
     if (own != transit.toAsk.end())
     {
       transit.toAsk.erase(own);
-      transit.nearest = std::min(transit.nearest, { this->tracer_.searchHere(transit.path), self });
+      const double length = lengthThroughHere(this->field_, transit.path);
+      if (std::tie(length, self) < std::tie(transit.shortest, transit.rankOfShortest))
+      {
+        transit.shortest = length;
+        transit.rankOfShortest = self;
+      }
     }
-    if (transit.toAsk.empty() && !transit.nearest.isFound())
+    if (transit.toAsk.empty() && transit.shortest == Infinity)
     {
-      throw PathLost(
-        "A shortest path was to be followed through faces whose windows are not known.");
-    }
-    transit.rank = transit.toAsk.empty() ? transit.nearest.rank : transit.toAsk.front();
-    if (transit.rank != self)
-    {
-      transit.face = point.kind == SurfacePoint::Kind::Edge ? TriangleMesh::faceOf(point.id)
-                                                            : this->faceOfRank(point, transit.rank);
+      transit.path.next = Next::Lost; // the windows that it comes through were not kept
       return false;
     }
-    transit.nearest = {};
-    this->tracer_.goOnHere(transit.path);
+    transit.rank = transit.toAsk.empty() ? transit.rankOfShortest : transit.toAsk.front();
+    if (transit.rank != self)
+    {
+      transit.face = someFace(this->part_.mesh(), transit.path.points.back());
+      return false;
+    }
+    transit.shortest = Infinity;
+    goOnThroughHere(this->field_, transit.path);
     return true;
   }
 
@@ -346,22 +293,13 @@ private:
     return ranks;
   }
 
-  // A face around a point that a rank owns.
-  Id faceOfRank(const SurfacePoint& point, int rank) const
-  {
-    Id found = NoId;
-    forEachFace(this->part_.mesh(), point,
-      [&](Id face) { found = this->part_.addressOf(face).rank == rank ? face : found; });
-    return found;
-  }
-
   // What this rank has found of a path.
   void putReport(const PathInTransit& transit, Message& message) const
   {
     const TracedPath& path = transit.path;
     put(message, true);
     put(message, transit.target);
-    put(message, transit.status);
+    put(message, path.next);
     std::vector<SentPathPoint> points;
     for (std::size_t i = transit.sent; i < path.points.size(); ++i)
     {
@@ -376,32 +314,43 @@ private:
   void takeReport(MessageReader& reader)
   {
     const Id target = reader.get<Id>();
-    const auto status = reader.get<Status>();
+    const auto next = reader.get<Next>();
     const auto points = reader.getAll<SentPathPoint>();
     const auto whole = reader.get<double>();
     std::vector<SentPathPoint>& found = this->found_[target];
     found.insert(found.end(), points.begin(), points.end());
-    if (status == Status::Whole)
+    if (next == Next::End)
     {
-      const GatheredFaces faces = facesOf(found);
-      std::vector<SurfacePoint> path;
-      for (const SentPathPoint& p : found)
-      {
-        path.push_back(fromFacePoint(faces.mesh(), faces.faceAt(p.face.owner), p.point));
-      }
-      this->take(
-        target, faces.mesh(), path, whole, [&faces](Id face) { return faces.ownerOf(face); });
+      this->takeGathered(target, found, whole);
     }
-    this->isLost_[target] = status == Status::Lost ? 1 : 0;
-    if (status != Status::OnItsWay)
+    this->noteIfLost(target, next);
+    if (next == Next::End || next == Next::Lost)
     {
-      found = {};
+      this->found_.erase(target);
     }
   }
 
-  TargetOnRank onOwnFace(const SurfacePoint& target) const
+  void takeGathered(Id target, const std::vector<SentPathPoint>& found, double length) const
+  {
+    std::vector<SentFace> sent;
+    for (const SentPathPoint& p : found)
+    {
+      sent.push_back(p.face);
+    }
+    const GatheredFaces faces(std::move(sent));
+    std::vector<SurfacePoint> path;
+    for (const SentPathPoint& p : found)
+    {
+      path.push_back(fromFacePoint(faces.mesh(), faces.faceAt(p.face.owner), p.point));
+    }
+    this->take(
+      target, faces.mesh(), path, length, [&faces](Id face) { return faces.ownerOf(face); });
+  }
+
+  TargetOnRank onOwnFace(Id number) const
   {
     const TriangleMesh& mesh = this->part_.mesh();
+    const SurfacePoint& target = this->targets_[number];
     Id own = NoId;
     forEachFace(
       mesh, target, [&](Id face) { own = own == NoId && this->part_.isOwn(face) ? face : own; });
@@ -409,7 +358,7 @@ private:
       ? fromBarycentric(mesh, own, barycentric(mesh, target, own))
       : target;
     return { this->part_.addressOf(own), toFacePoint(mesh, own, inOwn),
-      this->field_.distance(target) };
+      this->field_.distance(target), number };
   }
 
   const DistanceField& field_;
@@ -418,13 +367,12 @@ private:
   const std::vector<SurfacePoint>& targets_;
   const PathsOptions& options_;
   const TakePath& take_;
-  PathTracer tracer_;
   /// Those that go on from this rank, or whose ends it sends to their targets' ranks.
   std::vector<PathInTransit> leaving_;
-  /// Of this rank's targets: the points found so far of a path that has left, and whether the path
-  /// got lost; one byte a target, so that tasks may write side by side.
-  std::vector<std::vector<SentPathPoint>> found_;
-  std::vector<std::uint8_t> isLost_;
+  /// Of this rank's targets: the points found so far of a path that has left, and those whose paths
+  /// got lost.
+  std::map<Id, std::vector<SentPathPoint>> found_;
+  std::vector<Id> lost_;
 };
 
 } // anonymous namespace
@@ -451,7 +399,7 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
 
   const KnownDistances known{ field.vertexDistances(),
     part.exchange().largestOf(retention.reach()) };
-  const std::vector<LostPath> lost = paths.gatherLost();
+  const std::vector<TargetOnRank> lost = paths.gatherLost();
   for (std::size_t i = 0; i < lost.size(); ++i)
   {
     const double done = static_cast<double>(i) / static_cast<double>(lost.size());
@@ -459,7 +407,7 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
     frontOptions.keepArrivals = false;
     frontOptions.progress = progressBetween(options.progress, fraction, fraction);
     reportProgress(options.progress, fraction);
-    pathInStrip(part, patch, curves, ends, lost[i].target, known, frontOptions,
+    pathInStrip(part, patch, curves, ends, lost[i], known, frontOptions,
       [&](const PathToSource& path)
       {
         if (path.points.empty())

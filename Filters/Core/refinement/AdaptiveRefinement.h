@@ -33,8 +33,9 @@ struct RefinementOptions
   /// The closed triangles count for maximumFaces.
   std::unordered_map<Id, Id> trianglesBeside;
   /// The region in which a point of the surface lies (SourceRegions); empty: there are no regions.
-  /// A triangle at a border of regions (RegionsOfPoints) is split until its edges are no longer
-  /// than the tolerance. Called from one thread.
+  /// A triangle with corners in several regions is split until its edges are no longer than the
+  /// tolerance, unless these are the two sides of one curve, and a straight line between them may
+  /// cross the curve. Called from one thread.
   RegionOf regionOf;
   /// If empty, tasks run one after another. The result does not depend on it.
   ParallelFor parallelFor;

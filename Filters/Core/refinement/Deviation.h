@@ -60,16 +60,59 @@ struct Deviation
   double at() const { return this->above >= this->below ? this->aboveAt : this->belowAt; }
 
   /// Takes the larger values of both.
-  void widen(const Deviation& other);
+  void widen(const Deviation& other)
+  {
+    if (other.above > this->above)
+    {
+      this->above = other.above;
+      this->aboveAt = other.aboveAt;
+    }
+    if (other.below > this->below)
+    {
+      this->below = other.below;
+      this->belowAt = other.belowAt;
+    }
+  }
 };
 
 /// The largest deviations of a distance, given as windows that cover [0, length], from the linear
 /// function between two end values.
-Deviation largestDeviation(
-  const std::vector<Window>& envelope, double length, double atBegin, double atEnd);
+inline Deviation largestDeviation(
+  const std::vector<Window>& envelope, double length, double atBegin, double atEnd)
+{
+  Deviation deviation;
+  if (!(length > 0.0))
+  {
+    return deviation;
+  }
+  const LineOnSegment line(length, atBegin, atEnd);
+  const auto look = [&](const Window& w, double x)
+  {
+    const double e = w.distance(x) - line.at(x);
+    deviation.widen({ std::max(e, 0.0), x / length, std::max(-e, 0.0), x / length });
+  };
+  for (const Window& w : envelope)
+  {
+    look(w, w.begin);
+    look(w, w.end);
+    const double lowest = line.lowestOf(w);
+    if (lowest > w.begin && lowest < w.end)
+    {
+      look(w, lowest);
+    }
+  }
+  return deviation;
+}
 
 /// Where to split an edge whose largest deviation is at the fraction t: the table of section 6.2.
-double splitPosition(double t);
+inline double splitPosition(double t)
+{
+  if (t < 0.25)
+  {
+    return std::max(0.25, 2.0 * t);
+  }
+  return t > 0.75 ? std::min(0.75, 2.0 * t - 1.0) : t;
+}
 
 }
 

@@ -42,7 +42,7 @@ RedGreenMesh::Placement DeviationRules::place(Id edge)
   return { weight, this->workers_.first().distances.onEdge(edge, weight) };
 }
 
-double DeviationRules::weightOf(Id edge)
+double DeviationRules::weightOf(Id edge) const
 {
   constexpr double middle = 0.5;
   const Deviation deviation = this->workers_.deviation(edge);
@@ -53,7 +53,16 @@ double DeviationRules::weightOf(Id edge)
   const double aimed = splitPosition(deviation.at());
   for (const double weight : { aimed, 0.5 * (aimed + middle) })
   {
-    if (this->maySplit(edge, weight, deviation.largest()))
+    // whether the shapes of the leaves around the edge permit the split
+    bool allowed = true;
+    this->triangles_.forEachLeafAt(edge,
+      [&](Id leaf)
+      {
+        allowed = allowed &&
+          this->smallestAngleOfFour(leaf, edge, weight) >=
+            this->allowedAngle(this->triangles_.faceOf(leaf), deviation.largest());
+      });
+    if (allowed)
     {
       return weight;
     }
@@ -61,23 +70,9 @@ double DeviationRules::weightOf(Id edge)
   return middle;
 }
 
-// Whether the shapes of the leaves around an edge with this deviation permit the split.
-bool DeviationRules::maySplit(Id edge, double weight, double deviation)
-{
-  bool allowed = true;
-  this->triangles_.forEachLeafAt(edge,
-    [&](Id triangle)
-    {
-      allowed = allowed &&
-        this->smallestAngleOfFour(triangle, edge, weight) >=
-          this->allowedAngle(this->triangles_.faceOf(triangle), deviation);
-    });
-  return allowed;
-}
-
 // The smallest angle of a leaf's four parts if one edge is split at the weight, and the others
 // where they are split already or in the middle.
-double DeviationRules::smallestAngleOfFour(Id triangle, Id splitEdge, double weight)
+double DeviationRules::smallestAngleOfFour(Id triangle, Id splitEdge, double weight) const
 {
   const Id face = this->triangles_.faceOf(triangle);
   const Triangle corners = this->triangles_.corners(triangle);
@@ -100,25 +95,29 @@ double DeviationRules::smallestAngleOfFour(Id triangle, Id splitEdge, double wei
     leastAngle(m[2], m[1], c[2]), leastAngle(m[0], m[1], m[2]) });
 }
 
-bool DeviationRules::mayClose(Id triangle)
+bool DeviationRules::mayClose(Id leaf)
 {
-  double largest = 0.0;
-  for (Id k = 0; k < 3; ++k)
-  {
-    const Id edge = this->triangles_.ensureEdge(triangle, k);
-    largest = std::max(largest, this->workers_.deviation(edge).largest());
-  }
-  const Id face = this->triangles_.faceOf(triangle);
-  const double allowed = this->allowedAngle(face, largest);
-  const Id ways = RedGreenMesh::waysToClose(this->triangles_.splitEdges(triangle));
+  const double allowed = this->allowedAngle(leaf);
+  const Id ways = RedGreenMesh::waysToClose(this->triangles_.splitEdges(leaf));
   for (Id way = 0; way < ways; ++way)
   {
-    if (this->smallestAngle(face, this->triangles_.closing(triangle, way)) >= allowed)
+    if (this->smallestAngle(leaf, way) >= allowed)
     {
       return true;
     }
   }
   return false;
+}
+
+double DeviationRules::allowedAngle(Id leaf) const
+{
+  double largest = 0.0;
+  for (Id k = 0; k < 3; ++k)
+  {
+    const Id edge = this->triangles_.ensureEdge(leaf, k);
+    largest = std::max(largest, this->workers_.deviation(edge).largest());
+  }
+  return this->allowedAngle(this->triangles_.faceOf(leaf), largest);
 }
 
 double DeviationRules::allowedAngle(Id face, double deviation) const
@@ -131,8 +130,10 @@ double DeviationRules::allowedAngle(Id face, double deviation) const
   return std::min(allowed, LeastAngleFraction * least);
 }
 
-double DeviationRules::smallestAngle(Id face, const RedGreenMesh::Closing& closing) const
+double DeviationRules::smallestAngle(Id leaf, Id way) const
 {
+  const Id face = this->triangles_.faceOf(leaf);
+  const RedGreenMesh::Closing closing = this->triangles_.closing(leaf, way);
   std::array<Vec2, 6> p;
   for (std::size_t i = 0; i < closing.size; ++i)
   {

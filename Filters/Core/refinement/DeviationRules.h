@@ -29,17 +29,18 @@ public:
 
   RedGreenMesh::Placement place(Id edge) override;
   /// Whether the leaf has a closing with good shapes.
-  bool mayClose(Id triangle) override;
+  bool mayClose(Id leaf) override;
 
   /// The smallest angle allowed in the parts of a face if an edge with this deviation is split.
   double allowedAngle(Id face, double deviation) const;
-  /// The smallest angle of the triangles that close a leaf of the face.
-  double smallestAngle(Id face, const RedGreenMesh::Closing& closing) const;
+  /// The smallest angle allowed in the triangles that close a leaf.
+  double allowedAngle(Id leaf) const;
+  /// The smallest angle of the triangles that close a leaf in one of the ways.
+  double smallestAngle(Id leaf, Id way) const;
 
 private:
-  double weightOf(Id edge);
-  bool maySplit(Id edge, double weight, double deviation);
-  double smallestAngleOfFour(Id triangle, Id splitEdge, double weight);
+  double weightOf(Id edge) const;
+  double smallestAngleOfFour(Id triangle, Id splitEdge, double weight) const;
 
   RedGreenMesh& triangles_;
   RefinementWorkers& workers_;

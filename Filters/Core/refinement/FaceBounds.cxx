@@ -5,6 +5,9 @@
 #include "refinement/Deviation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
 
 namespace geodesic
 {
@@ -31,7 +34,11 @@ GradientSlack slackOf(
   return { std::max(0.0, steepness - 1.0) * longest, std::max(0.0, 1.0 - steepness) * chord };
 }
 
-// Along the normal into the face, from the line of the halfedge to the opposite corner.
+namespace
+{
+
+// Whether the interpolant rises from the line of halfedge k into the face, to the opposite corner:
+// ways against the gradient leave through such a halfedge.
 bool risesFrom(std::size_t k, const FaceShape& shape, const std::array<double, 3>& d)
 {
   const std::size_t next = (k + 1) % 3;
@@ -39,9 +46,6 @@ bool risesFrom(std::size_t k, const FaceShape& shape, const std::array<double, 3
   const double onLine = d[k] * length2 + (d[next] - d[k]) * shape.cornerDot[k];
   return d[(k + 2) % 3] * length2 >= onLine;
 }
-
-namespace
-{
 
 // How far the interpolant along a halfedge is above its windows.
 double belowOfHalfedge(const LineOnSegment& line, const WindowRuns& windows)
@@ -93,6 +97,11 @@ double aboveOfHalfedge(
     above = std::max(above, acrossGap(atCovered, 0.0, length - covered));
   }
   return above;
+}
+
+double roundingOf(const std::array<double, 3>& d)
+{
+  return tolerance::FaceRounding * std::max({ d[0], d[1], d[2] });
 }
 
 } // anonymous namespace
@@ -149,7 +158,7 @@ QuickError quickErrorOfFace(const DistanceField& field, Id face, double toleranc
     d[k] = field.vertexDistances()[corners[k]];
   }
   QuickError error;
-  error.rounding = tolerance::FaceRounding * std::max({ d[0], d[1], d[2] });
+  error.rounding = roundingOf(d);
   const double limit = tolerance - error.rounding;
   error.bySize = shape.longest() <= limit ? shape.longest() : Infinity;
   error.byWindows = error.bySize;
@@ -170,6 +179,195 @@ QuickError quickErrorOfFace(const DistanceField& field, Id face, double toleranc
   }
   error.byWindows = bound <= limit ? std::min(bound, error.bySize) : error.bySize;
   return error;
+}
+
+namespace
+{
+
+// The widest gap allowed between the windows of a list, or before and behind them, as a fraction of
+// the band's half width.
+constexpr double BandGap = 0.25;
+
+/// A line along a halfedge, and the half width of the band around it.
+struct Band
+{
+  LineOnSegment line;
+  double limit;
+
+  double high(double x) const { return this->line.atBegin + this->limit + this->line.slope * x; }
+  double low(double x) const { return this->line.atBegin - this->limit + this->line.slope * x; }
+};
+
+// A window is convex, so it is highest over the line at an end.
+bool isUnder(const Window& w, const Band& band)
+{
+  const double overBegin = band.high(w.begin) - w.sigma;
+  const double overEnd = band.high(w.end) - w.sigma;
+  if (w.isLinear())
+  {
+    return w.sourceX * w.begin <= overBegin && w.sourceX * w.end <= overEnd;
+  }
+  const double b = w.begin - w.sourceX;
+  const double e = w.end - w.sourceX;
+  const double h2 = w.sourceDepth * w.sourceDepth;
+  return std::min(overBegin, overEnd) >= 0.0 && b * b + h2 <= overBegin * overBegin &&
+    e * e + h2 <= overEnd * overEnd;
+}
+
+// A circular window is above its tangent with the line's slope, which suffices in most cases.
+bool isOver(const Window& w, const Band& band)
+{
+  if (!w.isLinear() && w.sigma + w.sourceDepth * band.line.sine >= band.low(w.sourceX))
+  {
+    return true;
+  }
+  const double x = band.line.lowestOf(w);
+  return w.distance(x) >= band.low(x);
+}
+
+// Half the width of the band, as a fraction of the tolerance. If the distance on the halfedges
+// stays in this band around the interpolant, the face is linear without another look at its
+// windows. The half width counts twice, above and below, and the gradient in the face adds to both.
+constexpr double BandOfTolerance = 0.25;
+
+} // anonymous namespace
+
+ListInBand listInBand(
+  const WindowRange& windows, double length, double atOrigin, double atDestination, double limit)
+{
+  const Band band = { LineOnSegment(length, atOrigin, atDestination), limit };
+  const double slope = band.line.slope;
+  if (!((1.0 - slope) * (1.0 + slope) >= -tolerance::Tie)) // 0 along a ray
+  {
+    return {};
+  }
+  const double gap = BandGap * limit;
+  ListInBand inBand = { true, true };
+  double covered = 0.0;
+  for (const Window& w : windows)
+  {
+    if (!isOver(w, band))
+    {
+      return {};
+    }
+    inBand.staysBelowBand = inBand.staysBelowBand && w.begin <= covered + gap && isUnder(w, band);
+    covered = w.end;
+  }
+  inBand.staysBelowBand = inBand.staysBelowBand && covered + gap >= length;
+  return inBand;
+}
+
+// In a gap the distance changes by no more than the length moved from the gap's ends, and the line
+// by no more either.
+FaceBounds boundsFromBands(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
+  const std::array<bool, 3>& staysBelowBand, double limit)
+{
+  const FaceShape& shape = mesh.shape(face);
+  if (!(shape.area2 > 0.0))
+  {
+    return {};
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (!staysBelowBand[k] && risesFrom(k, shape, d))
+    {
+      return {};
+    }
+  }
+  const GradientSlack slack = slackOf(shape, d);
+  return { (1.0 + BandGap) * limit + slack.above, limit + slack.below };
+}
+
+MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, double tolerance)
+{
+  return { list,
+    listInBand(list.windows.range(), mesh.length(list.halfedge), list.ends[0], list.ends[1],
+      BandOfTolerance * tolerance) };
+}
+
+namespace
+{
+
+// If a face's interpolant deviates by at most this many tolerances, one split of its edges
+// suffices: it quarters the deviation where the distance is smooth and halves it at a kink.
+constexpr double SplitOnce = 2.0;
+
+// Uses what was found about the lists as they passed.
+FaceBounds boundsByBand(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
+  const MeasuredLists& lists, double tolerance)
+{
+  const double rounding = roundingOf(d);
+  std::array<bool, 3> staysBelowBand{};
+  for (const auto& [list, inBand] : lists)
+  {
+    const std::size_t k = list.halfedge % 3;
+    if (!inBand.staysAboveBand || !(std::abs(list.ends[0] - d[k]) <= rounding) ||
+      !(std::abs(list.ends[1] - d[(k + 1) % 3]) <= rounding))
+    {
+      return {};
+    }
+    staysBelowBand[k] = staysBelowBand[k] || inBand.staysBelowBand;
+  }
+  return boundsFromBands(mesh, face, d, staysBelowBand, BandOfTolerance * tolerance);
+}
+
+FaceBounds boundsByWindows(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
+  const MeasuredLists& lists, double limit)
+{
+  std::array<std::vector<WindowRange>, 3> ranges;
+  for (const auto& [list, inBand] : lists)
+  {
+    ranges[list.halfedge % 3].push_back(list.windows.range());
+  }
+  std::array<WindowRuns, 3> windows;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    windows[k] = WindowRuns(ranges[k].data(), ranges[k].data() + ranges[k].size());
+  }
+  return boundsOfFace(mesh, face, d, windows, limit);
+}
+
+ClosureBound closureBound(const FaceBounds& bounds, double rounding)
+{
+  const float above = std::nextafter( // rounded up
+    static_cast<float>(bounds.above), std::numeric_limits<float>::infinity());
+  return { static_cast<double>(above) + bounds.below + 2.0 * rounding, above };
+}
+
+} // anonymous namespace
+
+LinearFaceTest testLinear(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
+  const MeasuredLists& lists, double tolerance, double known)
+{
+  const double rounding = roundingOf(d);
+  if (!(rounding < tolerance))
+  {
+    return { {}, {}, false };
+  }
+  LinearFaceTest result;
+  result.byBand = closureBound(boundsByBand(mesh, face, d, lists, tolerance), rounding);
+  if (result.byBand.bound <= known)
+  {
+    return result;
+  }
+  result.byWindows =
+    closureBound(boundsByWindows(mesh, face, d, lists, tolerance - rounding), rounding);
+  if (!(result.byWindows.bound <= tolerance))
+  {
+    result.byWindows = {};
+    const double once = SplitOnce * tolerance;
+    const FaceBounds wide = boundsByWindows(mesh, face, d, lists, once);
+    result.isSplitOnce = std::max(wide.above, wide.below) + rounding <= once;
+  }
+  return result;
+}
+
+double boundWithLate(
+  const TriangleMesh& mesh, const PassedList& late, float above, const std::array<double, 3>& d)
+{
+  const WindowRange windows = late.windows.range();
+  return static_cast<double>(above) + roundingOf(d) +
+    belowThroughHalfedge(mesh, late.halfedge, d, { &windows, &windows + 1 });
 }
 
 }

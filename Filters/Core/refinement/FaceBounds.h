@@ -3,8 +3,10 @@
 #define geodesic_FaceBounds_h
 
 #include "field/DistanceField.h"
+#include "front/Retention.h"
 
 #include <array>
+#include <forward_list>
 
 namespace geodesic
 {
@@ -39,10 +41,6 @@ GradientSlack slackOf(const FaceShape& shape, const std::array<double, 3>& d);
 GradientSlack slackOf(
   double e1e1, double e1e2, double e2e2, double area2, double rise1, double rise2, double longest);
 
-/// Whether the interpolant rises from the line of halfedge k into the face: ways against the
-/// gradient leave through such a halfedge.
-bool risesFrom(std::size_t k, const FaceShape& shape, const std::array<double, 3>& d);
-
 /// Bounds from the windows of the face's halfedges, without computing envelopes. The face contains
 /// no source, and `d` are the distances at its corners. Infinite if a bound exceeds the limit.
 FaceBounds boundsOfFace(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
@@ -68,6 +66,76 @@ struct QuickError
 };
 
 QuickError quickErrorOfFace(const DistanceField& field, Id face, double tolerance, double known);
+
+/// Whether the windows of a list stay in a band around the line between two values at the ends of
+/// their halfedge. The test may fail although they do.
+struct ListInBand
+{
+  /// No window is below the band.
+  bool staysAboveBand = false;
+  /// The windows cover the halfedge except for small gaps, and none is above the band.
+  bool staysBelowBand = false;
+};
+
+/// Tests a list whose windows are in the cache; fast, as it needs no square roots.
+///
+/// \param limit half the width of the band.
+ListInBand listInBand(
+  const WindowRange& windows, double length, double atOrigin, double atDestination, double limit);
+
+/// Bounds for a face none of whose lists is below a band of this half width. `staysBelowBand` marks
+/// the halfedges that a list covers without being above the band. The bounds may be infinite.
+FaceBounds boundsFromBands(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
+  const std::array<bool, 3>& staysBelowBand, double limit);
+
+/// A passed list, and whether it is in the band around the line between the distances at its ends.
+struct MeasuredList
+{
+  PassedList list;
+  ListInBand inBand;
+};
+
+/// The lists that have passed through a face, in this order.
+using MeasuredLists = std::forward_list<MeasuredList>;
+
+/// Measures a list while its windows are in the cache.
+///
+/// \param tolerance of the refinement.
+MeasuredList measuredList(const TriangleMesh& mesh, const PassedList& list, double tolerance);
+
+/// Let A and B bound how far the distance is above and below the linear interpolant of a face's
+/// corners. If triangles between points of its edges close the face, the values at these points are
+/// exact, so the closure is above the interpolant by at most A and below it by at most B: it
+/// differs from the distance by at most A + B (Bounds.md).
+struct ClosureBound
+{
+  /// A + B with all rounding, and A.
+  double bound = Infinity;
+  float above = 0.0F;
+};
+
+/// Whether the distance in a face is linear within a tolerance, so that the face need not be
+/// refined. It is if one of the bounds is within the tolerance.
+struct LinearFaceTest
+{
+  /// From the bands alone; may be wide. Good enough if a bound of this size is reported anyway.
+  ClosureBound byBand;
+  /// Not computed if byBand is good enough; infinite if the face is not linear.
+  ClosureBound byWindows;
+  /// Whether the face is close enough to linear that one split of its edges suffices.
+  bool isSplitOnce = true;
+};
+
+/// \param d distances at the corners, all finite; the face contains no source.
+/// \param lists all that have passed through the face, measured with this tolerance.
+/// \param known a bound that is reported anyway: smaller bounds need not be sharp.
+LinearFaceTest testLinear(const TriangleMesh& mesh, Id face, const std::array<double, 3>& d,
+  const MeasuredLists& lists, double tolerance, double known);
+
+/// A + B of a linear face after another list has passed. A stays valid, as later windows only
+/// reduce the distance.
+double boundWithLate(
+  const TriangleMesh& mesh, const PassedList& late, float above, const std::array<double, 3>& d);
 
 }
 

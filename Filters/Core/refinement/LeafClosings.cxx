@@ -10,14 +10,13 @@
 namespace geodesic
 {
 
-const std::vector<LeafClosings::Closed>& LeafClosings::findBest(const std::vector<Id>& leaves)
+std::vector<LeafClosings::Check> LeafClosings::findBest(const std::vector<Id>& leaves)
 {
   this->measureEdges(leaves);
-  this->best_.resize(leaves.size());
+  std::vector<Check> best(leaves.size());
   this->workers_.run(leaves.size(),
-    [&](RefinementWorker& worker, std::size_t i)
-    { this->best_[i] = this->findBest(worker, leaves[i]); });
-  return this->best_;
+    [&](RefinementWorker& worker, std::size_t i) { best[i] = this->findBest(worker, leaves[i]); });
+  return best;
 }
 
 // Afterwards all edges of the leaves, and the halves of split ones, exist and are measured, so that
@@ -42,64 +41,45 @@ void LeafClosings::measureEdges(const std::vector<Id>& leaves)
   this->workers_.measure(edges);
 }
 
-LeafClosings::Closed LeafClosings::findBest(RefinementWorker& worker, Id leaf) const
+LeafClosings::Check LeafClosings::findBest(RefinementWorker& worker, Id leaf) const
 {
   const Id ways = RedGreenMesh::waysToClose(this->triangles_.splitEdges(leaf));
   if (ways == 1)
   {
-    return { 0, this->check(worker, leaf, this->triangles_.closing(leaf, 0), false) };
+    return this->check(worker, leaf, 0, false);
   }
-  const Id face = this->triangles_.faceOf(leaf);
-  const double allowed = this->rules_.allowedAngle(face, this->largestAround(leaf));
+  const double allowed = this->rules_.allowedAngle(leaf);
   std::array<std::pair<double, Id>, 4> order;
   order.fill({ Infinity, ways }); // unused places come last
   for (Id way = 0; way < ways; ++way)
   {
-    const double angle = this->rules_.smallestAngle(face, this->triangles_.closing(leaf, way));
-    order[way] = { -angle, way };
+    order[way] = { -this->rules_.smallestAngle(leaf, way), way };
   }
   std::sort(order.begin(), order.end());
-  Closed best;
-  for (Id i = 0; i < ways && (i == 0 || -order[i].first >= allowed); ++i)
+  Check best = this->check(worker, leaf, order[0].second, false);
+  for (Id i = 1; i < ways && !best.passed && -order[i].first >= allowed; ++i)
   {
-    const Id way = order[i].second;
-    const Check check = this->check(worker, leaf, this->triangles_.closing(leaf, way), false);
-    if (i == 0 || check.passed || check.sample < best.check.sample)
+    const Check check = this->check(worker, leaf, order[i].second, false);
+    if (check.passed || check.sample < best.sample)
     {
-      best = { way, check };
-    }
-    if (best.check.passed)
-    {
-      break;
+      best = check;
     }
   }
   return best;
 }
 
-double LeafClosings::largestAround(Id leaf) const
-{
-  double largest = 0.0;
-  for (Id k = 0; k < 3; ++k)
-  {
-    const Id edge = this->triangles_.existingEdge(leaf, k);
-    largest = std::max(largest, this->workers_.measured(edge).largest());
-  }
-  return largest;
-}
-
 double LeafClosings::tightBound(Id leaf)
 {
   this->measureEdges({ leaf });
-  const RedGreenMesh::Closing closing =
-    this->triangles_.closing(leaf, this->triangles_.wayOf(leaf));
-  return this->check(this->workers_.first(), leaf, closing, true).bound;
+  return this->check(this->workers_.first(), leaf, this->triangles_.wayOf(leaf), true).bound;
 }
 
-LeafClosings::Check LeafClosings::check(
-  RefinementWorker& worker, Id leaf, const RedGreenMesh::Closing& closing, bool tight) const
+LeafClosings::Check LeafClosings::check(RefinementWorker& worker, Id leaf, Id way, bool tight) const
 {
   const FaceDistance& face = worker.distances.face(this->triangles_.faceOf(leaf));
+  const RedGreenMesh::Closing closing = this->triangles_.closing(leaf, way);
   Check worst;
+  worst.way = way;
   for (Id i = 0; i < closing.count; ++i)
   {
     const Check one = this->checkTriangle(worker, face, closing, i, tight);
@@ -109,20 +89,6 @@ LeafClosings::Check LeafClosings::check(
     worst.passed = worst.passed && one.passed;
   }
   return worst;
-}
-
-// A segment between two corners of the closing's polygon runs along an edge of the mesh or across
-// the leaf.
-Deviation LeafClosings::deviationBetween(RefinementWorker& worker, const FaceDistance& face,
-  const RedGreenMesh::Closing& closing, Id i, Id j) const
-{
-  if (j == (i + 1) % closing.size)
-  {
-    return this->workers_.measured(closing.edges[i]);
-  }
-  // independent of the direction, to the last digit
-  const auto [a, b] = std::minmax(closing.points[i], closing.points[j]);
-  return worker.distances.between(a, b, face);
 }
 
 // In an approximate field the faces around a point differ by what merging has changed, which no
@@ -145,7 +111,18 @@ LeafClosings::Check LeafClosings::checkTriangle(RefinementWorker& worker, const 
     linear.values[k] = worker.distances.atPoint(corner, face, linear.corners[k]);
     largest = std::max(largest, distance);
     difference = std::max(difference, std::abs(linear.values[k] - distance));
-    onEdges.widen(this->deviationBetween(worker, face, closing, t[k], t[(k + 1) % 3]));
+    // The side runs along an edge of the mesh or across the leaf.
+    const Id end = t[(k + 1) % 3];
+    if (end == (t[k] + 1) % closing.size)
+    {
+      onEdges.widen(this->workers_.deviation(closing.edges[t[k]]));
+    }
+    else
+    {
+      // independent of the direction, to the last digit
+      const auto [a, b] = std::minmax(corner, closing.points[end]);
+      onEdges.widen(worker.distances.between(a, b, face));
+    }
   }
   const double rounding = tolerance::FaceRounding * largest;
   Check result;

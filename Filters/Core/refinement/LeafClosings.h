@@ -14,9 +14,10 @@ namespace geodesic
 class LeafClosings
 {
 public:
-  /// How well triangles that close a leaf approximate the distance.
+  /// How well the triangles that close a leaf in one way approximate the distance.
   struct Check
   {
+    Id way = 0;
     /// Certified bound of the difference to the distance of all faces.
     double bound = 0.0;
     /// A difference that does occur.
@@ -25,13 +26,6 @@ public:
     bool passed = true;
     /// The limit for differences within the leaf's face.
     double limit = Infinity;
-  };
-
-  /// How a leaf is closed, and the quality of the closing.
-  struct Closed
-  {
-    Id way = 0;
-    Check check;
   };
 
   /// All arguments must outlive this.
@@ -48,33 +42,28 @@ public:
 
   /// For each leaf, the best of the ways to flip its inner edges: the one with the best shapes
   /// among those that pass, or, if none passes, the one with the smallest error. Ways with bad
-  /// shapes are used only if there is no other. Valid until the next call.
-  const std::vector<Closed>& findBest(const std::vector<Id>& leaves);
+  /// shapes are used only if there is no other.
+  std::vector<Check> findBest(const std::vector<Id>& leaves);
 
   /// A bound of the leaf's current closing, close to a difference that does occur.
   double tightBound(Id leaf);
 
-  /// Checks a closing of a leaf whose edges, including the halves of split ones, exist and have
+  /// Checks a way to close a leaf whose edges, including the halves of split ones, exist and have
   /// been measured. Several workers may do this at the same time.
   ///
   /// \param tight whether to search for a bound near a difference that does occur.
-  Check check(
-    RefinementWorker& worker, Id leaf, const RedGreenMesh::Closing& closing, bool tight) const;
+  Check check(RefinementWorker& worker, Id leaf, Id way, bool tight) const;
 
 private:
   Check checkTriangle(RefinementWorker& worker, const FaceDistance& face,
     const RedGreenMesh::Closing& closing, Id number, bool tight) const;
-  Deviation deviationBetween(RefinementWorker& worker, const FaceDistance& face,
-    const RedGreenMesh::Closing& closing, Id i, Id j) const;
   void measureEdges(const std::vector<Id>& leaves);
-  Closed findBest(RefinementWorker& worker, Id leaf) const;
-  double largestAround(Id leaf) const;
+  Check findBest(RefinementWorker& worker, Id leaf) const;
 
   RedGreenMesh& triangles_;
   RefinementWorkers& workers_;
   const DeviationRules& rules_;
   double tolerance_;
-  std::vector<Closed> best_;
 };
 
 }

@@ -61,21 +61,8 @@ Id RedGreenMesh::ensureEdge(Id triangle, Id k)
 
 Id RedGreenMesh::addEdge(Id a, Id b, Id parent, Id halfedge, Id face)
 {
-  Edge edge;
-  edge.ends = { a, b };
-  edge.parent = parent;
-  edge.halfedge = halfedge;
-  edge.face = face;
-  this->edges_.push_back(edge);
+  this->edges_.push_back({ { a, b }, NoId, NoId, parent, halfedge, face });
   return static_cast<Id>(this->edges_.size() - 1);
-}
-
-void RedGreenMesh::keepLeaves(std::vector<Id>& triangles) const
-{
-  const auto isNoLeaf = [this](Id triangle) { return !this->isLeaf(triangle); };
-  std::sort(triangles.begin(), triangles.end());
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), isNoLeaf), triangles.end());
 }
 
 Id RedGreenMesh::splitEdges(Id triangle) const
@@ -91,29 +78,17 @@ Id RedGreenMesh::splitEdges(Id triangle) const
 namespace
 {
 
-using Indices = std::array<Id, 3>;
-
-/// The triangles of a polygon that begins at the corner before the split edges. With three split
-/// edges the ways differ by flips, and all but the first by the polygon's first corner.
-std::array<Indices, 4> trianglesOf(Id splits, Id way)
-{
-  switch (splits)
-  {
-    case 0:
-      return { Indices{ 0, 1, 2 } };
-    case 1:
-      return { Indices{ 0, 1, 3 }, Indices{ 1, 2, 3 } };
-    case 2:
-      return way == 0
-        ? std::array<Indices, 4>{ Indices{ 1, 2, 3 }, Indices{ 0, 1, 3 }, Indices{ 0, 3, 4 } }
-        : std::array<Indices, 4>{ Indices{ 1, 2, 3 }, Indices{ 0, 1, 4 }, Indices{ 1, 3, 4 } };
-    default:
-      return way == 0 ? std::array<Indices, 4>{ Indices{ 0, 1, 5 }, Indices{ 1, 2, 3 },
-        Indices{ 5, 3, 4 }, Indices{ 1, 3, 5 } }
-                      : std::array<Indices, 4>{ Indices{ 0, 1, 3 }, Indices{ 0, 3, 5 },
-                          Indices{ 1, 2, 3 }, Indices{ 5, 3, 4 } };
-  }
-}
+/// The triangles of a polygon that begins at the corner before the split edges: with no split edge,
+/// with one, with two in either way, and with three in the first way and in the other ways, which
+/// differ by the polygon's first corner.
+constexpr std::array<std::array<std::array<Id, 3>, 4>, 6> TrianglesOfPolygon = { {
+  { { { 0, 1, 2 } } },
+  { { { 0, 1, 3 }, { 1, 2, 3 } } },
+  { { { 1, 2, 3 }, { 0, 1, 3 }, { 0, 3, 4 } } },
+  { { { 1, 2, 3 }, { 0, 1, 4 }, { 1, 3, 4 } } },
+  { { { 0, 1, 5 }, { 1, 2, 3 }, { 5, 3, 4 }, { 1, 3, 5 } } },
+  { { { 0, 1, 3 }, { 0, 3, 5 }, { 1, 2, 3 }, { 5, 3, 4 } } },
+} };
 
 } // anonymous namespace
 
@@ -128,31 +103,26 @@ RedGreenMesh::Closing RedGreenMesh::closing(Id triangle, Id way) const
     ++begin;
   }
   Closing closing;
-  this->addPolygon(triangle, begin, closing);
   closing.count = 1 + splits;
-  closing.triangles = trianglesOf(splits, way);
-  return closing;
-}
-
-void RedGreenMesh::addPolygon(Id triangle, Id begin, Closing& closing) const
-{
+  closing.triangles = TrianglesOfPolygon[splits < 2 ? splits : 2 * splits - (way == 0 ? 2 : 1)];
+  const auto add = [&closing](Id point, Id edge)
+  {
+    closing.points[closing.size] = point;
+    closing.edges[closing.size] = edge;
+    ++closing.size;
+  };
   const Triangle c = this->corners(triangle);
   for (Id i = 0; i < 3; ++i)
   {
     const Id k = (begin + i) % 3;
     const Id edge = this->existingEdge(triangle, k);
-    const auto add = [&](Id point, Id from)
-    {
-      closing.points[closing.size] = point;
-      closing.edges[closing.size] = from;
-      ++closing.size;
-    };
     add(c[k], this->isSplit(edge) ? this->halfAt(edge, c[k]) : edge);
     if (this->isSplit(edge))
     {
       add(this->edges_[edge].split, this->halfAt(edge, c[(k + 1) % 3]));
     }
   }
+  return closing;
 }
 
 SurfacePoint RedGreenMesh::between(const Edge& edge, double weight) const
@@ -171,41 +141,25 @@ SurfacePoint RedGreenMesh::between(const Edge& edge, double weight) const
   return SurfacePoint::inFace(edge.face, mean(from[1], to[1]), mean(from[2], to[2]));
 }
 
-Id RedGreenMesh::addPoint(const Edge& edge, const Placement& placement)
-{
-  this->points_.push_back(
-    { edge.ends, placement.weight, this->between(edge, placement.weight), placement.distance });
-  return this->numberOfInputPoints() + static_cast<Id>(this->points_.size() - 1);
-}
-
-Id RedGreenMesh::trianglesBeside(const Edge& edge) const
-{
-  const auto found = this->beside_.find(edge.halfedge); // NoId has no entry
-  return found == this->beside_.end() ? 0 : found->second;
-}
-
-Id RedGreenMesh::frozenFacesAt(const Edge& edge) const
-{
-  Id count = 0;
-  this->forEachFaceAt(edge,
-    [&](Id face)
-    {
-      const bool isOutput = face >= this->firstFace_ && face < this->endOfFaces_;
-      count += isOutput && this->isFrozen(face) ? 1 : 0;
-    });
-  return count;
-}
-
 void RedGreenMesh::split(Id id, const Placement& placement)
 {
   const Edge edge = this->edges_[id];
-  const Id middle = this->addPoint(edge, placement);
+  const Id middle = this->numberOfInputPoints() + static_cast<Id>(this->points_.size());
+  this->points_.push_back(
+    { edge.ends, placement.weight, this->between(edge, placement.weight), placement.distance });
   const Id first = this->addEdge(edge.ends[0], middle, id, edge.halfedge, edge.face);
   this->addEdge(middle, edge.ends[1], id, edge.halfedge, edge.face);
   this->edges_[id].split = middle;
   this->edges_[id].halves = first;
 
-  this->numberOfTriangles_ += this->frozenFacesAt(edge) + this->trianglesBeside(edge);
+  const auto beside = this->beside_.find(edge.halfedge); // NoId has no entry
+  this->numberOfTriangles_ += beside == this->beside_.end() ? 0 : beside->second;
+  this->forEachFaceAt(edge,
+    [this](Id face)
+    {
+      const bool isOutput = face >= this->firstFace_ && face < this->endOfFaces_;
+      this->numberOfTriangles_ += isOutput && this->isFrozen(face) ? 1 : 0;
+    });
   this->forEachLeafAt(id,
     [this](Id triangle)
     {
@@ -273,13 +227,10 @@ bool RedGreenMesh::isSplitTwice(Id triangle) const
   for (Id k = 0; k < 3; ++k)
   {
     const Id edge = this->existingEdge(triangle, k);
-    if (this->isSplit(edge))
+    const Id halves = edge == NoId ? NoId : this->edges_[edge].halves;
+    if (halves != NoId && (this->isSplit(halves) || this->isSplit(halves + 1)))
     {
-      const Id halves = this->edges_[edge].halves;
-      if (this->isSplit(halves) || this->isSplit(halves + 1))
-      {
-        return true;
-      }
+      return true;
     }
   }
   return false;
@@ -333,11 +284,6 @@ void RedGreenMesh::rollBack()
   }
   this->numberOfTriangles_ = this->trianglesBefore_;
   this->touched_.clear();
-}
-
-double RedGreenMesh::lengthOf(Id a, Id b) const
-{
-  return norm(position(this->mesh_, this->place(b)) - position(this->mesh_, this->place(a)));
 }
 
 }

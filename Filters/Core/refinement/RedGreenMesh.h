@@ -127,8 +127,6 @@ public:
   }
   Id numberOfEdges() const { return static_cast<Id>(this->edges_.size()); }
   bool isSplit(Id edge) const { return edge != NoId && this->edges_[edge].split != NoId; }
-  /// Leaves out triangles that are no leaves any more, and puts the others in order, each once.
-  void keepLeaves(std::vector<Id>& triangles) const;
   /// The number of a leaf's split edges.
   Id splitEdges(Id triangle) const;
   /// Whether one of its edges is split and a half of that edge, too.
@@ -157,7 +155,29 @@ public:
   }
   /// Visits the leaves (except frozen ones) at this edge, split or unsplit.
   template <typename Visitor>
-  void forEachLeafAt(Id edge, Visitor&& visit) const;
+  void forEachLeafAt(Id edge, Visitor&& visit) const
+  {
+    const Edge e = this->edges_[edge]; // a copy: the visitor may ask for edges, which adds them
+    for (Id corner = e.firstCorner; corner != NoId;
+         corner = this->parts_[corner / 3].nextCorner[corner % 3])
+    {
+      if (this->parts_[corner / 3].parts == NoId)
+      {
+        visit(this->faces_ + corner / 3);
+      }
+    }
+    if (e.halfedge != NoId && e.parent == NoId)
+    {
+      this->forEachFaceAt(e,
+        [&](Id face)
+        {
+          if (this->isLeaf(face) && !this->isFrozen(face))
+          {
+            visit(face);
+          }
+        });
+    }
+  }
 
   /// Splits an edge that is not split yet.
   void split(Id edge, const Placement& placement);
@@ -183,10 +203,45 @@ public:
   }
   /// Calls emit(face, corners) for the triangles of some faces.
   template <typename Emit>
-  void forEachTriangle(Id firstFace, Id endOfFaces, Emit&& emit) const;
-  /// Calls emit(face, corners) for the triangles of a leaf.
+  void forEachTriangle(Id firstFace, Id endOfFaces, Emit&& emit) const
+  {
+    for (Id face = firstFace; face < endOfFaces; ++face)
+    {
+      if (this->isWhole(face))
+      {
+        emit(face, this->mesh_.triangle(face));
+      }
+      else if (this->isFrozen(face))
+      {
+        this->closeFrozen(face, this->corners(face), this->find(face)->edges, emit);
+      }
+      else
+      {
+        this->closeTriangle(face, emit);
+      }
+    }
+  }
+  /// Calls emit(face, corners) for the triangles of a leaf, or of all parts of another triangle.
   template <typename Emit>
-  void closeLeaf(Id triangle, Emit&& emit) const;
+  void closeTriangle(Id triangle, Emit&& emit) const
+  {
+    const Id parts = this->partsOf(triangle);
+    if (parts != NoId)
+    {
+      for (Id i = 0; i < 4; ++i)
+      {
+        this->closeTriangle(this->faces_ + parts + i, emit);
+      }
+      return;
+    }
+    const Id face = this->faceOf(triangle);
+    const Closing closing = this->closing(triangle, this->wayOf(triangle));
+    for (Id i = 0; i < closing.count; ++i)
+    {
+      const std::array<Id, 3>& t = closing.triangles[i];
+      emit(face, Triangle{ closing.points[t[0]], closing.points[t[1]], closing.points[t[2]] });
+    }
+  }
 
 private:
   /// A red triangle: a part, or an input face with edges.
@@ -222,17 +277,38 @@ private:
     return red ? red->parts : NoId;
   }
   Id addEdge(Id a, Id b, Id parent, Id halfedge, Id face);
-  Id addPoint(const Edge& edge, const Placement& placement);
   SurfacePoint between(const Edge& edge, double weight) const;
   Id halfAt(Id edge, Id end) const;
   Id addPart(Id face, const Triangle& corners, const std::array<Id, 3>& edges);
-  void addPolygon(Id triangle, Id begin, Closing& closing) const;
-  Id trianglesBeside(const Edge& edge) const;
-  Id frozenFacesAt(const Edge& edge) const;
+  /// Bisects at the longest split edge first, for the shapes.
   template <typename Emit>
-  void closeFrozen(
-    Id face, const Triangle& corners, const std::array<Id, 3>& edges, Emit&& emit) const;
-  double lengthOf(Id a, Id b) const;
+  void closeFrozen(Id face, const Triangle& c, const std::array<Id, 3>& edges, Emit& emit) const
+  {
+    std::size_t k = 3;
+    double length = -1.0;
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      const Vec3 begin = position(this->mesh_, this->place(c[j]));
+      const double ofEdge = norm(position(this->mesh_, this->place(c[(j + 1) % 3])) - begin);
+      if (this->isSplit(edges[j]) && ofEdge > length)
+      {
+        k = j;
+        length = ofEdge;
+      }
+    }
+    if (k == 3)
+    {
+      emit(face, c);
+      return;
+    }
+    const std::size_t next = (k + 1) % 3;
+    const std::size_t previous = (k + 2) % 3;
+    const Id middle = this->edges_[edges[k]].split;
+    this->closeFrozen(face, { c[k], middle, c[previous] },
+      { this->halfAt(edges[k], c[k]), NoId, edges[previous] }, emit);
+    this->closeFrozen(face, { middle, c[next], c[previous] },
+      { this->halfAt(edges[k], c[next]), edges[next], NoId }, emit);
+  }
 
   const TriangleMesh& mesh_;
   Id faces_;
@@ -255,110 +331,6 @@ private:
   Id partsBefore_ = 0;
   std::uint64_t trianglesBefore_ = 0;
 };
-
-template <typename Visitor>
-void RedGreenMesh::forEachLeafAt(Id edge, Visitor&& visit) const
-{
-  const Edge e = this->edges_[edge]; // a copy: the visitor may ask for edges, which adds them
-  for (Id corner = e.firstCorner; corner != NoId;
-       corner = this->parts_[corner / 3].nextCorner[corner % 3])
-  {
-    if (this->parts_[corner / 3].parts == NoId)
-    {
-      visit(this->faces_ + corner / 3);
-    }
-  }
-  if (e.halfedge != NoId && e.parent == NoId)
-  {
-    this->forEachFaceAt(e,
-      [&](Id face)
-      {
-        if (this->isLeaf(face) && !this->isFrozen(face))
-        {
-          visit(face);
-        }
-      });
-  }
-}
-
-template <typename Emit>
-void RedGreenMesh::forEachTriangle(Id firstFace, Id endOfFaces, Emit&& emit) const
-{
-  std::vector<Id> stack;
-  for (Id face = firstFace; face < endOfFaces; ++face)
-  {
-    if (this->isWhole(face))
-    {
-      emit(face, this->mesh_.triangle(face));
-      continue;
-    }
-    if (this->isFrozen(face))
-    {
-      this->closeFrozen(face, this->corners(face),
-        { this->existingEdge(face, 0), this->existingEdge(face, 1), this->existingEdge(face, 2) },
-        emit);
-      continue;
-    }
-    stack.push_back(face);
-    while (!stack.empty())
-    {
-      const Id triangle = stack.back();
-      stack.pop_back();
-      const Id parts = this->partsOf(triangle);
-      if (parts == NoId)
-      {
-        this->closeLeaf(triangle, emit);
-        continue;
-      }
-      for (Id i = 4; i-- > 0;)
-      {
-        stack.push_back(this->faces_ + parts + i);
-      }
-    }
-  }
-}
-
-template <typename Emit>
-void RedGreenMesh::closeLeaf(Id triangle, Emit&& emit) const
-{
-  const Id face = this->faceOf(triangle);
-  const Closing closing = this->closing(triangle, this->wayOf(triangle));
-  for (Id i = 0; i < closing.count; ++i)
-  {
-    const std::array<Id, 3>& t = closing.triangles[i];
-    emit(face, Triangle{ closing.points[t[0]], closing.points[t[1]], closing.points[t[2]] });
-  }
-}
-
-// Bisects at the longest split edge first, for the shapes.
-template <typename Emit>
-void RedGreenMesh::closeFrozen(
-  Id face, const Triangle& c, const std::array<Id, 3>& edges, Emit&& emit) const
-{
-  std::size_t longest = 3;
-  double length = -1.0;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    if (this->isSplit(edges[k]) && this->lengthOf(c[k], c[(k + 1) % 3]) > length)
-    {
-      longest = k;
-      length = this->lengthOf(c[k], c[(k + 1) % 3]);
-    }
-  }
-  if (longest == 3)
-  {
-    emit(face, c);
-    return;
-  }
-  const std::size_t k = longest;
-  const std::size_t next = (k + 1) % 3;
-  const std::size_t previous = (k + 2) % 3;
-  const Id middle = this->edges_[edges[k]].split;
-  this->closeFrozen(face, Triangle{ c[k], middle, c[previous] },
-    { this->halfAt(edges[k], c[k]), NoId, edges[previous] }, emit);
-  this->closeFrozen(face, Triangle{ middle, c[next], c[previous] },
-    { this->halfAt(edges[k], c[next]), edges[next], NoId }, emit);
-}
 
 }
 

@@ -16,52 +16,42 @@ namespace geodesic
 namespace
 {
 
-/// Numbers the points of one face as RefinedFace does.
-class FaceNumbers
+/// The number of a point in a refined face, to which this adds it, after its parents, if it is new.
+///
+/// \param numbers those known.
+Id numberIn(
+  RefinedFace& face, std::unordered_map<Id, Id>& numbers, const RefinedMesh& refined, Id point)
 {
-public:
-  FaceNumbers(const RefinedMesh& refined, const Triangle& corners, RefinedFace& face)
-    : refined_(refined)
-    , face_(face)
+  const auto known = numbers.find(point);
+  if (known != numbers.end())
   {
-    for (Id k = 0; k < 3; ++k)
-    {
-      this->numbers_[corners[k]] = k;
-    }
+    return known->second;
   }
-
-  Id of(Id point)
+  const Id added = point - refined.numberOfInputPoints;
+  RefinedPoint copy = refined.points[added];
+  for (Id& parent : copy.parents)
   {
-    const auto known = this->numbers_.find(point);
-    if (known != this->numbers_.end())
-    {
-      return known->second;
-    }
-    RefinedPoint copy = this->refined_.points[point - this->refined_.numberOfInputPoints];
-    copy.parents = { this->of(copy.parents[0]), this->of(copy.parents[1]) };
-    copy.place = {};
-    this->face_.points.push_back(copy);
-    this->face_.numbersThere.push_back(point - this->refined_.numberOfInputPoints);
-    return this->numbers_[point] = 2 + static_cast<Id>(this->face_.points.size());
+    parent = numberIn(face, numbers, refined, parent);
   }
-
-private:
-  const RefinedMesh& refined_;
-  RefinedFace& face_;
-  std::unordered_map<Id, Id> numbers_;
-};
+  copy.place = {};
+  face.points.push_back(copy);
+  face.numbersThere.push_back(added);
+  return numbers[point] = 2 + static_cast<Id>(face.points.size());
+}
 
 RefinedFace refinedFace(const RefinedMesh& refined, Id id, const Triangle& corners)
 {
   RefinedFace face;
-  FaceNumbers numbers(refined, corners, face);
+  std::unordered_map<Id, Id> numbers = { { corners[0], 0 }, { corners[1], 1 }, { corners[2], 2 } };
   const auto [first, last] = std::equal_range(refined.faces.begin(), refined.faces.end(), id);
   for (auto part = first; part != last; ++part)
   {
-    const Triangle& t = refined.triangles[static_cast<std::size_t>(part - refined.faces.begin())];
-    const Id a = numbers.of(t[0]);
-    const Id b = numbers.of(t[1]);
-    face.triangles.push_back({ a, b, numbers.of(t[2]) });
+    Triangle t = refined.triangles[static_cast<std::size_t>(part - refined.faces.begin())];
+    for (Id& corner : t)
+    {
+      corner = numberIn(face, numbers, refined, corner);
+    }
+    face.triangles.push_back(t);
   }
   return face;
 }
@@ -191,11 +181,10 @@ SeamPoints findSeamPoints(const std::vector<RefinedPoint>& points, std::size_t c
   SeamPoints result;
   for (const auto& [place, at] : places)
   {
-    const bool isElsewhere = at.there.id != NoId && at.there.rank != exchange.rank();
-    for (std::size_t i = 0; i < at.here.size() && isElsewhere; ++i)
+    if (at.there.id != NoId && at.there.rank != exchange.rank())
     {
-      result.here.push_back(at.here[i]);
-      result.there.push_back(at.there);
+      result.here.insert(result.here.end(), at.here.begin(), at.here.end());
+      result.there.resize(result.here.size(), at.there);
     }
   }
   return result;

@@ -2,10 +2,41 @@
 #include "refinement/RefinementRetention.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace geodesic
 {
+
+namespace
+{
+
+// Across the edges; once for each shared edge.
+template <typename Visit>
+void forEachNeighbour(const TriangleMesh& mesh, Id face, const Visit& visit)
+{
+  for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+  {
+    for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
+    {
+      visit(TriangleMesh::faceOf(s));
+    }
+  }
+}
+
+std::array<double, 3> atCorners(const TriangleMesh& mesh, Id face, const VertexNumbers& numbers)
+{
+  const Triangle& t = mesh.triangle(face);
+  return { numbers(t[0]), numbers(t[1]), numbers(t[2]) };
+}
+
+double largestAtCorners(const TriangleMesh& mesh, Id face, const VertexNumbers& numbers)
+{
+  const std::array<double, 3> n = atCorners(mesh, face, numbers);
+  return std::max({ n[0], n[1], n[2] });
+}
+
+} // anonymous namespace
 
 RefinementRetention::RefinementRetention(const MeshPartition& surface, double tolerance,
   const std::vector<std::uint8_t>& pinned, const FrontOptions& options)
@@ -14,7 +45,6 @@ RefinementRetention::RefinementRetention(const MeshPartition& surface, double to
   , parallelFor_(options.parallelFor)
   , progress_(paced(options.progress))
   , tolerance_(tolerance)
-  , test_(mesh_, tolerance)
   , state_(mesh_.numberOfFaces(), State::Open)
   , above_(mesh_.numberOfFaces(), 0.0F)
   , neededBy_(mesh_.numberOfFaces(), 0)
@@ -25,7 +55,7 @@ RefinementRetention::RefinementRetention(const MeshPartition& surface, double to
     {
       for (Id face = static_cast<Id>(begin); face < end; ++face)
       {
-        this->forEachNeighbour(face, [this, face](Id) { ++this->neededBy_[face]; });
+        forEachNeighbour(this->mesh_, face, [this, face](Id) { ++this->neededBy_[face]; });
         if (pinned[face] || !this->surface_.isOwn(face))
         {
           this->state_[face] = State::Kept;
@@ -34,21 +64,9 @@ RefinementRetention::RefinementRetention(const MeshPartition& surface, double to
     });
 }
 
-// Across the edges; once for each shared edge.
-template <typename Visit>
-void RefinementRetention::forEachNeighbour(Id face, Visit&& visit) const
+void RefinementRetention::start(std::size_t districts, const std::vector<SourceInFace>& sources)
 {
-  for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
-  {
-    for (Id s = this->mesh_.nextSibling(halfedge); s != halfedge; s = this->mesh_.nextSibling(s))
-    {
-      visit(TriangleMesh::faceOf(s));
-    }
-  }
-}
-
-void RefinementRetention::start(const std::vector<SourceInFace>& sources)
-{
+  this->passed_.resize(districts);
   for (const SourceInFace& source : sources)
   {
     this->state_[source.face] = State::Kept;
@@ -57,84 +75,55 @@ void RefinementRetention::start(const std::vector<SourceInFace>& sources)
 
 void RefinementRetention::pass(std::size_t district, const PassedList& list, Id, WindowPool&)
 {
-  this->passed_[district].push_back(this->test_.measure(list));
-}
-
-std::array<double, 3> RefinementRetention::atCorners(Id face, const VertexNumbers& numbers) const
-{
-  const Triangle& t = this->mesh_.triangle(face);
-  return { numbers(t[0]), numbers(t[1]), numbers(t[2]) };
-}
-
-double RefinementRetention::largestAtCorners(Id face, const VertexNumbers& numbers) const
-{
-  const std::array<double, 3> n = this->atCorners(face, numbers);
-  return std::max({ n[0], n[1], n[2] });
+  this->passed_[district].push_back(measuredList(this->mesh_, list, this->tolerance_));
 }
 
 void RefinementRetention::takePassed(const FrontState& front)
 {
-  for (std::size_t district = 0; district < this->passed_.size(); ++district)
+  for (std::vector<MeasuredList>& passed : this->passed_)
   {
-    for (const MeasuredList& measured : this->passed_[district])
+    for (const MeasuredList& measured : passed)
     {
-      this->take(measured, front);
+      const Id face = TriangleMesh::faceOf(measured.list.halfedge);
+      if (this->isLinear(face))
+      {
+        const double bound = boundWithLate(this->mesh_, measured.list, this->above_[face],
+          atCorners(this->mesh_, face, front.distances));
+        if (bound <= this->tolerance_)
+        {
+          this->raiseBound(bound);
+        }
+        else
+        {
+          this->keep(face);
+        }
+      }
+      if (this->state_[face] == State::Dropped)
+      {
+        front.free(measured.list.windows);
+      }
+      else
+      {
+        this->add(this->lists_[face], measured);
+      }
     }
-    this->passed_[district].clear();
+    passed.clear();
   }
 }
 
-void RefinementRetention::take(const MeasuredList& measured, const FrontState& front)
+void RefinementRetention::add(MeasuredLists& lists, const MeasuredList& measured)
 {
-  const Id face = TriangleMesh::faceOf(measured.list.halfedge);
-  if (this->isLinear(face))
-  {
-    this->testAgain(face, measured.list, front.distances);
-  }
-  if (this->state_[face] == State::Dropped)
-  {
-    front.free(measured.list.windows);
-  }
-  else
-  {
-    this->add(measured);
-  }
-}
-
-void RefinementRetention::add(const MeasuredList& measured)
-{
-  MeasuredLists& lists = this->lists_[TriangleMesh::faceOf(measured.list.halfedge)];
   auto last = lists.before_begin();
-  for (auto next = lists.begin(); next != lists.end(); ++next)
+  while (std::next(last) != lists.end())
   {
-    last = next;
+    ++last;
   }
   if (this->unusedLists_.empty())
   {
-    lists.insert_after(last, measured);
-    return;
+    this->unusedLists_.emplace_front();
   }
   this->unusedLists_.front() = measured;
   lists.splice_after(last, this->unusedLists_, this->unusedLists_.before_begin());
-}
-
-void RefinementRetention::testAgain(Id face, const PassedList& late, const VertexNumbers& distances)
-{
-  const double bound =
-    this->test_.boundWith(late, this->above_[face], this->atCorners(face, distances));
-  if (bound <= this->tolerance_)
-  {
-    this->raiseBound(bound);
-  }
-  else
-  {
-    this->keep(face);
-  }
-}
-
-void RefinementRetention::raiseBound(double bound)
-{
-  this->kept_.droppedErrorBound = std::max(this->kept_.droppedErrorBound, bound);
 }
 
 void RefinementRetention::shortenDistance(Id vertex)
@@ -158,12 +147,24 @@ void RefinementRetention::keep(Id face)
   this->state_[face] = State::Kept;
 }
 
+// Late lists are seldom more than an edge behind the front, and a face dropped too early costs a
+// solve.
 void RefinementRetention::advance(const FrontState& front)
 {
+  constexpr double edges = 2.0;
   this->takePassed(front);
   for (const Id vertex : front.settled)
   {
-    this->awaitFacesAround(vertex, front.processed);
+    for (const Id corner : this->mesh_.cornersAt(vertex))
+    {
+      const Id face = TriangleMesh::faceOf(corner);
+      const double largest = largestAtCorners(this->mesh_, face, front.processed);
+      if (this->state_[face] == State::Open && largest < Infinity)
+      {
+        this->state_[face] = State::Awaited;
+        this->awaited_.push({ largest + edges * this->mesh_.shape(face).longest(), face });
+      }
+    }
   }
   while (!this->awaited_.empty() && this->awaited_.top().first < front.key)
   {
@@ -175,23 +176,6 @@ void RefinementRetention::advance(const FrontState& front)
     }
   }
   this->testDue(front);
-}
-
-// Late lists are seldom more than an edge behind the front, and a face dropped too early costs a
-// solve.
-void RefinementRetention::awaitFacesAround(Id vertex, const VertexNumbers& processed)
-{
-  for (const Id corner : this->mesh_.cornersAt(vertex))
-  {
-    const Id face = TriangleMesh::faceOf(corner);
-    const double largest = this->largestAtCorners(face, processed);
-    if (this->state_[face] == State::Open && largest < Infinity)
-    {
-      constexpr double edges = 2.0;
-      this->state_[face] = State::Awaited;
-      this->awaited_.push({ largest + edges * this->mesh_.shape(face).longest(), face });
-    }
-  }
 }
 
 // Many faces may be due at once, and a test takes long where faces have very many windows. Tests
@@ -206,8 +190,8 @@ void RefinementRetention::testDue(const FrontState& front)
     [&](std::size_t, std::size_t i)
     {
       const Id face = this->due_[i];
-      this->results_[i] =
-        this->test_.test(face, this->atCorners(face, front.distances), this->lists_[face], known);
+      this->results_[i] = testLinear(this->mesh_, face,
+        atCorners(this->mesh_, face, front.distances), this->lists_[face], this->tolerance_, known);
     });
   for (std::size_t i = 0; i < this->due_.size(); ++i)
   {
@@ -216,35 +200,29 @@ void RefinementRetention::testDue(const FrontState& front)
   this->due_.clear();
 }
 
-// If it is split once, a face requires its neighbours only to be halved.
-void RefinementRetention::take(
-  Id face, const LinearFaceTest::Result& result, const FrontState& front)
+// If it is split once, a face requires its neighbours only to be halved, and does not need their
+// windows.
+void RefinementRetention::take(Id face, const LinearFaceTest& result, const FrontState& front)
 {
   const bool isKnown = result.byBand.bound <= this->kept_.droppedErrorBound;
-  const LinearFaceTest::Sum& sum = isKnown ? result.byBand : result.byWindows;
-  const bool isLinear = sum.bound <= this->tolerance_;
+  const ClosureBound& closure = isKnown ? result.byBand : result.byWindows;
+  const bool isLinear = closure.bound <= this->tolerance_;
   this->state_[face] = isLinear ? State::Linear : State::Kept;
   if (isLinear)
   {
-    this->above_[face] = sum.above;
-    this->raiseBound(sum.bound);
+    this->above_[face] = closure.above;
+    this->raiseBound(closure.bound);
   }
   if (isLinear || result.isSplitOnce)
   {
-    this->doWithoutNeighbours(face, front);
+    this->dropIfUnneeded(face, front);
+    forEachNeighbour(this->mesh_, face,
+      [&](Id neighbour)
+      {
+        --this->neededBy_[neighbour];
+        this->dropIfUnneeded(neighbour, front);
+      });
   }
-}
-
-// The face does not need its neighbours' windows.
-void RefinementRetention::doWithoutNeighbours(Id face, const FrontState& front)
-{
-  this->dropIfUnneeded(face, front);
-  this->forEachNeighbour(face,
-    [&](Id neighbour)
-    {
-      --this->neededBy_[neighbour];
-      this->dropIfUnneeded(neighbour, front);
-    });
 }
 
 void RefinementRetention::dropIfUnneeded(Id face, const FrontState& front)
@@ -265,17 +243,12 @@ void RefinementRetention::finish(const FrontState& front)
   this->takePassed(front);
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {
-    if (this->isOpen(face) && this->largestAtCorners(face, front.distances) < Infinity)
+    if (this->isOpen(face) && largestAtCorners(this->mesh_, face, front.distances) < Infinity)
     {
       this->due_.push_back(face);
     }
   }
   this->testDue(front);
-  this->handOver(front);
-}
-
-void RefinementRetention::handOver(const FrontState& front)
-{
   this->kept_.faces.resize(this->mesh_.numberOfFaces());
   for (Id face = 0; face < this->mesh_.numberOfFaces(); ++face)
   {

@@ -7,8 +7,9 @@
 #include "front/Retention.h"
 #include "mesh/MeshPartition.h"
 #include "mesh/TriangleMesh.h"
-#include "refinement/LinearFaceTest.h"
+#include "refinement/FaceBounds.h"
 
+#include <algorithm>
 #include <functional>
 #include <queue>
 #include <utility>
@@ -39,8 +40,7 @@ public:
     const std::vector<std::uint8_t>& pinned, const FrontOptions& options = {});
 
   bool needsInside() const override { return true; }
-  void setNumberOfDistricts(std::size_t count) override { this->passed_.resize(count); }
-  void start(const std::vector<SourceInFace>& sources) override;
+  void start(std::size_t districts, const std::vector<SourceInFace>& sources) override;
   void pass(std::size_t district, const PassedList& list, Id batch, WindowPool& pool) override;
   void shortenDistance(Id vertex) override;
   void advance(const FrontState& front) override;
@@ -63,8 +63,6 @@ private:
     Dropped
   };
 
-  template <typename Visit>
-  void forEachNeighbour(Id face, Visit&& visit) const;
   bool isOpen(Id face) const
   {
     return this->state_[face] == State::Open || this->state_[face] == State::Awaited;
@@ -73,27 +71,22 @@ private:
   {
     return this->state_[face] == State::Linear || this->state_[face] == State::Dropped;
   }
-  std::array<double, 3> atCorners(Id face, const VertexNumbers& numbers) const;
-  double largestAtCorners(Id face, const VertexNumbers& numbers) const;
+  void raiseBound(double bound)
+  {
+    this->kept_.droppedErrorBound = std::max(this->kept_.droppedErrorBound, bound);
+  }
   void takePassed(const FrontState& front);
-  void take(const MeasuredList& measured, const FrontState& front);
-  void add(const MeasuredList& measured);
-  void testAgain(Id face, const PassedList& late, const VertexNumbers& distances);
-  void awaitFacesAround(Id vertex, const VertexNumbers& processed);
-  void testDue(const FrontState& front);
-  void take(Id face, const LinearFaceTest::Result& result, const FrontState& front);
-  void raiseBound(double bound);
+  void add(MeasuredLists& lists, const MeasuredList& measured);
   void keep(Id face);
-  void doWithoutNeighbours(Id face, const FrontState& front);
+  void testDue(const FrontState& front);
+  void take(Id face, const LinearFaceTest& result, const FrontState& front);
   void dropIfUnneeded(Id face, const FrontState& front);
-  void handOver(const FrontState& front);
 
   MeshPartition surface_;
   const TriangleMesh& mesh_;
   ParallelFor parallelFor_;
   ProgressCallback progress_;
   double tolerance_;
-  LinearFaceTest test_;
   std::vector<State> state_;
   /// How far the distance can be above the interpolant in a linear face.
   std::vector<float> above_;
@@ -106,7 +99,7 @@ private:
   std::priority_queue<Awaited, std::vector<Awaited>, std::greater<Awaited>> awaited_;
   /// Faces that are due for a test, and the results.
   std::vector<Id> due_;
-  std::vector<LinearFaceTest::Result> results_;
+  std::vector<LinearFaceTest> results_;
   std::vector<Id> droppedTooEarly_;
   /// The lists that each district has handed over in this batch.
   std::vector<std::vector<MeasuredList>> passed_;

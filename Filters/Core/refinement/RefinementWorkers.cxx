@@ -4,19 +4,6 @@
 namespace geodesic
 {
 
-template <typename Visit>
-void DistancesInFaces::forEachRefinedFace(const RedGreenMesh::Edge& edge, Visit&& visit) const
-{
-  this->triangles_.forEachFaceAt(edge,
-    [&](Id face)
-    {
-      if (!this->triangles_.isFrozen(face))
-      {
-        visit(face);
-      }
-    });
-}
-
 const FaceDistance& DistancesInFaces::face(Id face)
 {
   if (!this->last_)
@@ -101,7 +88,7 @@ Deviation RefinementWorkers::deviation(Id edge)
   {
     this->edges_[edge] = { this->first().distances.ofEdge(edge), true };
   }
-  return this->measured(edge);
+  return this->edges_[edge].deviation;
 }
 
 void RefinementWorkers::measure(const std::vector<Id>& edges)

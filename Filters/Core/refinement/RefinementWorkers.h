@@ -92,7 +92,17 @@ public:
 
 private:
   template <typename Visit>
-  void forEachRefinedFace(const RedGreenMesh::Edge& edge, Visit&& visit) const;
+  void forEachRefinedFace(const RedGreenMesh::Edge& edge, const Visit& visit) const
+  {
+    this->triangles_.forEachFaceAt(edge,
+      [&](Id face)
+      {
+        if (!this->triangles_.isFrozen(face))
+        {
+          visit(face);
+        }
+      });
+  }
 
   const DistanceField& field_;
   const RedGreenMesh& triangles_;
@@ -154,12 +164,11 @@ public:
       [&](std::size_t task, std::size_t i) { item(*this->workers_[task], i); });
   }
 
-  /// The largest deviations of an edge; measures it if necessary.
+  /// The largest deviations of an edge; measures it if necessary. Several threads may ask for edges
+  /// that have been measured.
   Deviation deviation(Id edge);
   /// Measures all edges that have not been measured yet, in parallel.
   void measure(const std::vector<Id>& edges);
-  /// The largest deviations of a measured edge; may be called from several threads.
-  Deviation measured(Id edge) const { return this->edges_[edge].deviation; }
   /// Forgets the edges that no longer exist.
   void forgetNewEdges();
 

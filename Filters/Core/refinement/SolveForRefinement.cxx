@@ -10,19 +10,11 @@
 namespace geodesic
 {
 
-namespace
-{
-
-// How much merging may change the distance on one halfedge, as a fraction of the refinement's
-// tolerance: the faces at a point then differ by no more, and triangles get the rest of the
-// tolerance. Larger fractions need many more triangles, smaller ones more windows.
-constexpr double MergedOfTolerance = 0.1;
-
-} // anonymous namespace
-
+// The faces at a point then differ by no more than this, and triangles get the rest of the
+// tolerance. A larger fraction needs many more triangles, a smaller one more windows.
 double maximumMergedFor(double refinementTolerance)
 {
-  return MergedOfTolerance * refinementTolerance;
+  return 0.1 * refinementTolerance;
 }
 
 DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindows& sources,

@@ -8,14 +8,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace geodesic
 {
-
-class DistancesInFaces;
-class RedGreenMesh;
 
 /// What a point is nearest to: a part of the source (SourceCurve::source), and one of its sides.
 struct SourceRegion
@@ -66,41 +62,6 @@ private:
   NearestSource& nearest_;
   const std::vector<SourceCurve>& curves_;
   bool bySides_;
-};
-
-/// The regions in which the points of a mesh under refinement lie; each is found once.
-class RegionsOfPoints
-{
-public:
-  /// All arguments must outlive this.
-  ///
-  /// \param regionOf, tolerance of RefinementOptions.
-  RegionsOfPoints(const RedGreenMesh& triangles, const DistancesInFaces& distances,
-    const RegionOf& regionOf, double tolerance)
-    : triangles_(triangles)
-    , distances_(distances)
-    , regionOf_(regionOf)
-    , tolerance_(tolerance)
-  {
-  }
-
-  /// The longest edge of a triangle in a face that must be split, as there is a border between its
-  /// corners; else 0. The two sides of one curve have no border where a straight line between them
-  /// may cross the curve.
-  double lengthAtBorder(Id face, const Triangle& corners);
-  /// Forgets the points that no longer exist.
-  void forgetNewPoints();
-
-private:
-  SourceRegion of(Id point);
-  bool isBorderBetween(Id face, Id a, Id b);
-  std::size_t numberOfPoints() const;
-
-  const RedGreenMesh& triangles_;
-  const DistancesInFaces& distances_;
-  const RegionOf& regionOf_;
-  double tolerance_;
-  std::vector<std::optional<SourceRegion>> regions_;
 };
 
 }

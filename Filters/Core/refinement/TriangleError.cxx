@@ -30,16 +30,6 @@ double largest(const AtCorners& excess)
   return std::max({ excess[0], excess[1], excess[2] });
 }
 
-AtCorners mixed(const AtCorners& a, const AtCorners& b, double weight)
-{
-  AtCorners result;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    result[k] = a[k] + weight * (b[k] - a[k]);
-  }
-  return result;
-}
-
 // The convex combination of two with the smallest maximum: it is at an end, or where two corners
 // have equal excess.
 AtCorners bestMix(const AtCorners& a, const AtCorners& b)
@@ -52,7 +42,11 @@ AtCorners bestMix(const AtCorners& a, const AtCorners& b)
     const double weight = difference != 0.0 ? (a[k] - a[j]) / difference : -1.0;
     if (weight > 0.0 && weight < 1.0)
     {
-      const AtCorners mix = mixed(a, b, weight);
+      AtCorners mix;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        mix[i] = a[i] + weight * (b[i] - a[i]);
+      }
       best = largest(mix) < largest(best) ? mix : best;
     }
   }
@@ -79,26 +73,8 @@ AtCorners bestMixOf(const std::array<AtCorners, 7>& candidates, const AtCorners&
   return best;
 }
 
-} // anonymous namespace
-
-double longestEdge(const std::array<Vec2, 3>& c)
-{
-  return std::max({ norm(c[1] - c[0]), norm(c[2] - c[1]), norm(c[0] - c[2]) });
-}
-
-ErrorInside TriangleError::of(const FaceDistance& face, const LinearPiece& piece,
-  const Deviation& onEdges, double limit, bool tight)
-{
-  const double below = std::max(onEdges.below, this->belowAtSources(face, piece));
-  if (below > limit && !tight)
-  {
-    return { Infinity, below };
-  }
-  const ErrorInside above = this->above(face, piece, onEdges.above, limit, tight);
-  return { std::max(above.bound, below), std::max(above.sample, below) };
-}
-
-double TriangleError::belowAtSources(const FaceDistance& face, const LinearPiece& piece) const
+double belowAtSources(
+  const DistanceField& field, const FaceDistance& face, const LinearPiece& piece)
 {
   double below = 0.0;
   const Vec2 origin = piece.corners[0];
@@ -115,12 +91,31 @@ double TriangleError::belowAtSources(const FaceDistance& face, const LinearPiece
         ((area2 - u - v) * piece.values[0] + u * piece.values[1] + v * piece.values[2]) / area2);
     }
   };
-  for (const SourceInFace& source : this->field_.sourcesIn(face.face()))
+  for (const SourceInFace& source : field.sourcesIn(face.face()))
   {
     look(face.inPlane(source.a));
     look(face.inPlane(source.b));
   }
   return below;
+}
+
+} // anonymous namespace
+
+double longestEdge(const std::array<Vec2, 3>& c)
+{
+  return std::max({ norm(c[1] - c[0]), norm(c[2] - c[1]), norm(c[0] - c[2]) });
+}
+
+ErrorInside TriangleError::of(const FaceDistance& face, const LinearPiece& piece,
+  const Deviation& onEdges, double limit, bool tight)
+{
+  const double below = std::max(onEdges.below, belowAtSources(this->field_, face, piece));
+  if (below > limit && !tight)
+  {
+    return { Infinity, below };
+  }
+  const ErrorInside above = this->above(face, piece, onEdges.above, limit, tight);
+  return { std::max(above.bound, below), std::max(above.sample, below) };
 }
 
 ErrorInside TriangleError::above(

@@ -51,7 +51,7 @@ public:
   /// \param limit the search ends when the bound is at most the limit, or a sample exceeds it.
   /// \param tight whether to continue until the bound is near the sample.
   ErrorInside of(const FaceDistance& face, const LinearPiece& piece, const Deviation& onEdges,
-    double limit, bool tight = false);
+    double limit, bool tight);
 
 private:
   /// A part of the triangle that is searched.
@@ -63,7 +63,6 @@ private:
     std::array<std::size_t, 3> row;
   };
 
-  double belowAtSources(const FaceDistance& face, const LinearPiece& piece) const;
   ErrorInside above(
     const FaceDistance& face, const LinearPiece& piece, double onEdges, double limit, bool tight);
   ErrorInside search(const FaceDistance& face, const LinearPiece& piece, double limit, bool tight);

@@ -41,7 +41,10 @@ public:
   {
   }
 
-  void push(const Violation& violation) { this->waiting_.push(violation); }
+  void push(double error, Id leaf, double limit)
+  {
+    this->waiting_.push({ error, leaf, this->triangles_.splitEdges(leaf), limit });
+  }
   /// Whether the leaf was neither split nor assessed again since.
   bool isOpen(const Violation& violation) const
   {
@@ -56,8 +59,8 @@ public:
     this->batch_.clear();
     this->worst_ = this->isAnyOpen() ? this->waiting_.top().error : 0.0;
     this->worst_ = this->surface_.exchange().largestOf(this->worst_);
-    const double least =
-      this->worst_ * (this->hasLittleRoom() ? NearWorstWithLittleRoom : NearWorst);
+    const bool hasRoom = this->mostInBatch_ == NoLimit;
+    const double least = this->worst_ * (hasRoom ? NearWorst : NearWorstWithLittleRoom);
     const std::size_t most = this->surface_.isDistributed() ? NoLimit : 1;
     while (this->batch_.size() < most && this->isAnyOpen() && this->waiting_.top().error >= least)
     {
@@ -107,8 +110,6 @@ private:
   /// The fraction if there is not room for all, so that it goes to the worst leaves.
   static constexpr double NearWorstWithLittleRoom = 0.9;
   static constexpr std::uint64_t NoLimit = std::numeric_limits<std::uint64_t>::max();
-
-  bool hasLittleRoom() const { return this->mostInBatch_ < NoLimit; }
 
   bool isAnyOpen()
   {

@@ -2,6 +2,7 @@
 #include "source/BoundaryCurves.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 namespace geodesic
@@ -9,87 +10,6 @@ namespace geodesic
 
 namespace
 {
-
-/// Chains the halfedges on the boundary of a surface into curves.
-class BoundaryChains
-{
-public:
-  explicit BoundaryChains(const TriangleMesh& mesh)
-    : mesh_(mesh)
-    , isFree_(mesh.numberOfHalfedges(), 0)
-    , boundaryHalfedgesAt_(mesh.numberOfVertices(), 0)
-  {
-    for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
-    {
-      if (mesh.isBoundary(halfedge))
-      {
-        this->isFree_[halfedge] = 1;
-        ++this->boundaryHalfedgesAt_[mesh.origin(halfedge)];
-        ++this->boundaryHalfedgesAt_[mesh.destination(halfedge)];
-      }
-    }
-  }
-
-  std::vector<SourceCurve> run()
-  {
-    // First the curves between vertices where the boundary branches or ends, then the remaining
-    // loops.
-    for (const bool loops : { false, true })
-    {
-      for (Id halfedge = 0; halfedge < this->mesh_.numberOfHalfedges(); ++halfedge)
-      {
-        for (const Id vertex : { this->mesh_.origin(halfedge), this->mesh_.destination(halfedge) })
-        {
-          if (this->isFree_[halfedge] && (loops || !this->goesOn(vertex)))
-          {
-            this->follow(halfedge, vertex);
-          }
-        }
-      }
-    }
-    return std::move(this->curves_);
-  }
-
-private:
-  /// Whether a curve continues through the boundary vertex.
-  bool goesOn(Id vertex) const { return this->boundaryHalfedgesAt_[vertex] == 2; }
-
-  Id freeHalfedgeAt(Id vertex) const
-  {
-    for (const Id corner : this->mesh_.cornersAt(vertex))
-    {
-      for (const Id halfedge : { corner, TriangleMesh::previousInFace(corner) })
-      {
-        if (this->isFree_[halfedge])
-        {
-          return halfedge;
-        }
-      }
-    }
-    return NoId;
-  }
-
-  void follow(Id halfedge, Id vertex)
-  {
-    SourceCurve& curve = this->curves_.emplace_back(pointCurve(SurfacePoint::atVertex(vertex)));
-    while (halfedge != NoId)
-    {
-      this->isFree_[halfedge] = 0;
-      const Id origin = this->mesh_.origin(halfedge);
-      vertex = origin == vertex ? this->mesh_.destination(halfedge) : origin;
-      curve.points.push_back(SurfacePoint::atVertex(vertex));
-      curve.isCut.push_back(0);
-      curve.faces.push_back(TriangleMesh::faceOf(halfedge));
-      halfedge = this->goesOn(vertex) ? this->freeHalfedgeAt(vertex) : NoId;
-    }
-  }
-
-  const TriangleMesh& mesh_;
-  /// Of each halfedge, whether it is on the boundary and in no curve yet.
-  std::vector<std::uint8_t> isFree_;
-  std::vector<Id> boundaryHalfedgesAt_;
-  std::vector<SourceCurve> curves_;
-};
 
 bool hasFaceAt(const TriangleMesh& mesh, Id vertex)
 {
@@ -147,7 +67,50 @@ void addPieces(const SourceCurve& curve, const TriangleMesh& mesh, std::vector<S
 
 std::vector<SourceCurve> boundaryCurves(const TriangleMesh& mesh)
 {
-  return BoundaryChains(mesh).run();
+  std::vector<std::uint8_t> isFree(mesh.numberOfHalfedges(), 0); // on the boundary, in no curve yet
+  std::unordered_map<Id, std::vector<Id>> halfedgesAt;           // of vertices on the boundary
+  for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+  {
+    if (mesh.isBoundary(halfedge))
+    {
+      isFree[halfedge] = 1;
+      halfedgesAt[mesh.origin(halfedge)].push_back(halfedge);
+      halfedgesAt[mesh.destination(halfedge)].push_back(halfedge);
+    }
+  }
+  std::vector<SourceCurve> curves;
+  const auto follow = [&](Id halfedge, Id vertex)
+  {
+    SourceCurve& curve = curves.emplace_back(pointCurve(SurfacePoint::atVertex(vertex)));
+    while (halfedge != NoId)
+    {
+      isFree[halfedge] = 0;
+      const Id origin = mesh.origin(halfedge);
+      vertex = origin == vertex ? mesh.destination(halfedge) : origin;
+      curve.points.push_back(SurfacePoint::atVertex(vertex));
+      curve.isCut.push_back(0);
+      curve.faces.push_back(TriangleMesh::faceOf(halfedge));
+      const std::vector<Id>& two = halfedgesAt[vertex];
+      const Id next = two.front() == halfedge ? two.back() : two.front();
+      halfedge = two.size() == 2 && isFree[next] ? next : NoId;
+    }
+  };
+  // First the curves between vertices where the boundary branches or ends, then the remaining
+  // loops.
+  for (const bool loops : { false, true })
+  {
+    for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+    {
+      for (const Id vertex : { mesh.origin(halfedge), mesh.destination(halfedge) })
+      {
+        if (isFree[halfedge] && (loops || halfedgesAt[vertex].size() != 2))
+        {
+          follow(halfedge, vertex);
+        }
+      }
+    }
+  }
+  return curves;
 }
 
 std::vector<SourceCurve> boundaryOutsideBarriers(

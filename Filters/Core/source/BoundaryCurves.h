@@ -2,7 +2,6 @@
 #ifndef geodesic_BoundaryCurves_h
 #define geodesic_BoundaryCurves_h
 
-#include "mesh/TriangleMesh.h"
 #include "source/SourceCurve.h"
 
 #include <vector>

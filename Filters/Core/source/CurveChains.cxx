@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/CurveChains.h"
 
-#include "mesh/HalfedgeFrame.h"
-
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -27,9 +25,8 @@ std::vector<std::size_t> partnersOfEnds(
     const SourceCurve& curve = curves[end / 2];
     if (curve.points.size() > 1 && !curve.isClosed())
     {
-      const SurfacePoint p =
-        normalized(mesh, end % 2 == 0 ? curve.points.front() : curve.points.back());
-      meeting[{ p.kind, p.id, p.u, p.v }].push_back(end);
+      const SurfacePoint& p = end % 2 == 0 ? curve.points.front() : curve.points.back();
+      meeting[normalized(mesh, p).members()].push_back(end);
     }
   }
   std::vector<std::size_t> partners(2 * curves.size(), NoEnd);
@@ -79,10 +76,7 @@ std::vector<double> placesAlong(const TriangleMesh& mesh, const SourceCurve& cur
   std::vector<double> places = { 0.0 };
   for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
   {
-    const Id face = curve.faces[i];
-    const double place = places.back() +
-      distanceInFace(mesh, face, barycentric(mesh, curve.points[i], face),
-        barycentric(mesh, curve.points[i + 1], face));
+    const double place = places.back() + lengthOfSegment(mesh, curve, i);
     places.push_back(std::max(place, std::nextafter(places.back(), Infinity)));
   }
   return places;
@@ -157,8 +151,7 @@ double CurveChains::arcLength(Id curve, double place) const
 
 double CurveChains::angleFrom(Id curve, double angle) const
 {
-  constexpr double straightAngle = 3.14159265358979323846;
-  const double turn = this->parts_[curve].isReversed ? straightAngle : 0.0;
+  const double turn = this->parts_[curve].isReversed ? Pi : 0.0;
   return angle > 0.0 ? angle - turn : angle + turn;
 }
 

@@ -9,12 +9,10 @@
 namespace geodesic
 {
 
-constexpr double FullAngle = 6.28318530717958647692;
-
 void CurveSectors::assign(
-  const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const CurveOrigin& whole)
+  const SurfacePoint& point, const std::vector<SegmentEnd>& ends, Id curve, double place)
 {
-  this->whole_ = whole;
+  this->whole_ = { CurveSide{ curve, false }.origin(this->mesh_.numberOfVertices()), place };
   this->frames_.clear();
   this->totals_.clear();
   this->ends_.clear();
@@ -118,7 +116,7 @@ const CurveSectors::Frame* CurveSectors::frameOf(Id face) const
 CurveSectors::FanAngle CurveSectors::angleIn(const Frame& frame, Vec2 direction) const
 {
   const double angle = std::atan2(direction.y, direction.x);
-  double around = frame.axis.angle + (angle < -0.25 * FullAngle ? angle + FullAngle : angle);
+  double around = frame.axis.angle + (angle < -RightAngle ? angle + FullAngle : angle);
   const double total = this->totals_[frame.axis.fan];
   if (total < Infinity)
   {

@@ -2,8 +2,7 @@
 #ifndef geodesic_CurveSectors_h
 #define geodesic_CurveSectors_h
 
-#include "mesh/HalfedgeFrame.h"
-#include "source/SegmentEnd.h"
+#include "source/SourceCurve.h"
 #include "window/Window.h"
 
 #include <map>
@@ -17,12 +16,6 @@ struct CurveOrigin
 {
   Id origin = NoId;
   double place = 0.0;
-
-  /// A place on a curve's left side.
-  static CurveOrigin onLeft(const TriangleMesh& mesh, Id curve, double place)
-  {
-    return { CurveSide{ curve, false }.origin(mesh.numberOfVertices()), place };
-  }
 
   bool operator==(const CurveOrigin& other) const
   {
@@ -49,9 +42,9 @@ public:
   /// Moves to another point.
   ///
   /// \param ends the ends of all segments at its place: CurvesOnPatch::endsAround().
-  /// \param whole the origin of all directions if there is no segment.
+  /// \param curve whose left side, at the place, all directions belong to if there is no segment.
   void assign(
-    const SurfacePoint& point, const std::vector<SegmentEnd>& ends, const CurveOrigin& whole);
+    const SurfacePoint& point, const std::vector<SegmentEnd>& ends, Id curve, double place);
 
   /// Whether the face is one of those around the point.
   bool haveFace(Id face) const { return this->frameOf(face) != nullptr; }

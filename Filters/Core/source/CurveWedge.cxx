@@ -14,8 +14,6 @@ namespace geodesic
 namespace
 {
 
-constexpr double RightAngle = 1.57079632679489661923;
-
 /// Whether one of a corner's edges is short (tolerance::ShortEdge).
 bool hasShortEdge(const TriangleMesh& mesh, Id corner)
 {
@@ -25,7 +23,7 @@ bool hasShortEdge(const TriangleMesh& mesh, Id corner)
 }
 
 // In the frame of the first halfedge, from k on, that has a length; a face in one point has none.
-WedgeBound inOwnFace(const TriangleMesh& mesh, const SegmentEnd& end, std::size_t k)
+FaceDirection inOwnFace(const TriangleMesh& mesh, const SegmentEnd& end, std::size_t k)
 {
   const FaceShape& shape = mesh.shape(end.face);
   while (shape.length[k] == 0.0 && shape.longest() > 0.0)
@@ -38,7 +36,7 @@ WedgeBound inOwnFace(const TriangleMesh& mesh, const SegmentEnd& end, std::size_
   return { halfedge, length > 0.0 ? (1.0 / length) * d : d };
 }
 
-void add(const WedgeBound& bound, CurveWedge& wedge)
+void add(const FaceDirection& bound, CurveWedge& wedge)
 {
   wedge.emplace(TriangleMesh::faceOf(bound.halfedge), bound);
 }
@@ -48,13 +46,11 @@ void add(const WedgeBound& bound, CurveWedge& wedge)
 void addAroundEdge(const TriangleMesh& mesh, const SegmentEnd& end, CurveWedge& wedge)
 {
   const Id halfedge = mesh.siblingInFace(end.from.id, end.face);
-  const WedgeBound own = inOwnFace(mesh, end, halfedge % 3);
+  const FaceDirection own = inOwnFace(mesh, end, halfedge % 3);
   add(own, wedge);
-  const Vec2 u = own.direction;
   for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
   {
-    const bool opposed = mesh.origin(s) == mesh.destination(halfedge);
-    add({ s, { opposed ? -u.x : u.x, -u.y } }, wedge);
+    add(acrossEdge(mesh, { halfedge, own.vector }, s), wedge);
   }
 }
 
@@ -67,12 +63,12 @@ void addAroundVertex(
   for (const SegmentEnd& end : ends)
   {
     const Id corner = mesh.cornerAt(end.face, end.from.id);
-    const WedgeBound own = inOwnFace(mesh, end, corner % 3);
+    const FaceDirection own = inOwnFace(mesh, end, corner % 3);
     add(own, wedge);
     if (own.halfedge == corner) // else it has no length: its neighbours emit too, in vain
     {
       // Rounding may put a direction along an edge below it, a straight angle the other way around.
-      const double angle = std::atan2(std::max(0.0, own.direction.y), own.direction.x);
+      const double angle = std::atan2(std::max(0.0, own.vector.y), own.vector.x);
       leaving.push_back({ corner, angle });
       leaving.push_back(
         { TriangleMesh::previousInFace(corner), std::max(0.0, mesh.cornerAngle(corner) - angle) });

@@ -2,9 +2,7 @@
 #ifndef geodesic_CurveWedge_h
 #define geodesic_CurveWedge_h
 
-#include "mesh/HalfedgeFrame.h"
-#include "mesh/SurfacePoint.h"
-#include "source/SegmentEnd.h"
+#include "source/SourceCurve.h"
 
 #include <map>
 #include <vector>
@@ -31,19 +29,12 @@ struct EdgeAngle
 std::vector<EdgeAngle> leastAnglesAround(
   const TriangleMesh& mesh, Id vertex, std::vector<EdgeAngle> leaving, double limit);
 
-/// The direction of a segment that ends at a point, in a face around the point: a unit vector in
-/// the frame of a halfedge of the face. A ray at less than a right angle to it starts at the wrong
-/// point, as one from inside the segment is shorter.
-struct WedgeBound
-{
-  Id halfedge;
-  Vec2 direction;
-};
-
 /// The wedge of directions into which a point of a curve emits: those at a right angle or more to
 /// all its segments there, measured around the point across any of the faces (paper, section 4.2).
-/// Given by the segments that bound it in each face around the point.
-using CurveWedge = std::multimap<Id, WedgeBound>;
+/// For each face around the point, the directions of the segments that bound the wedge there, as
+/// unit vectors. A ray at less than a right angle to one starts at the wrong point, as one from
+/// inside the segment is shorter.
+using CurveWedge = std::multimap<Id, FaceDirection>;
 
 /// \param point of a curve.
 /// \param ends the ends of all segments there; for a vertex, of all curves.

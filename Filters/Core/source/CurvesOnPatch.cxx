@@ -14,11 +14,6 @@ namespace geodesic
 namespace
 {
 
-bool isBefore(const VertexOnCurve& a, const VertexOnCurve& b)
-{
-  return a.vertex < b.vertex;
-}
-
 constexpr std::size_t None = static_cast<std::size_t>(-1);
 
 /// A step from a point of a curve to the next or the previous one. Segment i runs from point i to
@@ -45,10 +40,8 @@ Step stepFrom(const SourceCurve& curve, std::size_t i, bool isForward)
 bool hasLength(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t segment,
   double fraction = tolerance::PlaceRounding)
 {
-  const Id face = curve.faces[segment];
-  return distanceInFace(mesh, face, barycentric(mesh, curve.points[segment], face),
-           barycentric(mesh, curve.points[segment + 1], face)) >
-    fraction * mesh.shape(face).longest();
+  return lengthOfSegment(mesh, curve, segment) >
+    fraction * mesh.shape(curve.faces[segment]).longest();
 }
 
 /// Whether the ends of a segment are at one place: across a face without area a joined path may run
@@ -68,20 +61,18 @@ bool tellsDirection(const TriangleMesh& mesh, const SourceCurve& curve, const St
                               : !isAtOnePlace(mesh, curve, step.segment);
 }
 
-/// Calls visit(std::size_t) for point i and for those at its place that follow it in one direction.
-template <typename Visit>
-void forEachAtOnePlace(
-  const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i, bool isForward, Visit&& visit)
+/// Point i and those at its place that follow it in one direction.
+std::vector<std::size_t> pointsAtOnePlace(
+  const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i, bool isForward)
 {
-  visit(i);
-  Step step = stepFrom(curve, i, isForward);
-  for (std::size_t n = 0;
-       n < curve.faces.size() && step.segment != None && isAtOnePlace(mesh, curve, step.segment);
-       ++n)
+  std::vector<std::size_t> points = { i };
+  for (Step step = stepFrom(curve, i, isForward); points.size() <= curve.faces.size() &&
+       step.segment != None && isAtOnePlace(mesh, curve, step.segment);
+       step = stepFrom(curve, step.to, isForward))
   {
-    visit(step.to);
-    step = stepFrom(curve, step.to, isForward);
+    points.push_back(step.to);
   }
+  return points;
 }
 
 /// The steps from a given one, across edges, to the first that determines a direction. If the curve
@@ -105,26 +96,24 @@ std::vector<Step> stepsOnward(
   return steps;
 }
 
-// Transforms the direction back from face to face over the edges, seen from both sides.
-void setOnward(const TriangleMesh& mesh, const SourceCurve& curve, const std::vector<Step>& steps,
-  SegmentEnd& end)
+/// The direction of the last of some steps in the face of the first, transformed back from face to
+/// face over the edges.
+FaceDirection onwardBehind(
+  const TriangleMesh& mesh, const SourceCurve& curve, const std::vector<Step>& steps)
 {
-  const Id face = curve.faces[steps.back().segment];
-  const SurfacePoint& from = curve.points[steps[steps.size() - 2].to];
-  end.frame = longestHalfedge(mesh, face);
-  end.onward =
-    inHalfedgeFrame(mesh, end.frame, barycentric(mesh, curve.points[steps.back().to], face)) -
-    inHalfedgeFrame(mesh, end.frame, barycentric(mesh, from, face));
+  const Id frame = longestHalfedge(mesh, curve.faces[steps.back().segment]);
+  FaceDirection onward = { frame,
+    inHalfedgeFrame(mesh, frame, curve.points[steps.back().to]) -
+      inHalfedgeFrame(mesh, frame, curve.points[steps[steps.size() - 2].to]) };
   for (std::size_t n = steps.size() - 1; n-- > 0;)
   {
     const SurfacePoint& p = curve.points[steps[n].to];
     const Id own = mesh.siblingInFace(p.id, curve.faces[steps[n].segment]);
     const Id other = mesh.siblingInFace(p.id, curve.faces[steps[n + 1].segment]);
-    const Vec2 d = turned(mesh, end.onward, end.frame, other);
-    const bool isOpposed = mesh.origin(own) == mesh.destination(other);
-    end.frame = own;
-    end.onward = own == other ? d : Vec2{ isOpposed ? -d.x : d.x, -d.y };
+    onward = { other, turned(mesh, onward, other) };
+    onward = own == other ? onward : acrossEdge(mesh, onward, own);
   }
+  return onward;
 }
 
 /// Adds the end at a point of the segment towards the next or the previous one.
@@ -138,11 +127,8 @@ void addEnd(const TriangleMesh& mesh, const CurveChains& chains, const CurveChai
   if (!steps.empty())
   {
     ends.push_back({ curve.points[at.i], curve.points[step.to], curve.faces[step.segment], at.chain,
-      chains.places(at.chain)[at.i], isForward });
-    if (steps.size() > 1)
-    {
-      setOnward(mesh, curve, steps, ends.back());
-    }
+      chains.places(at.chain)[at.i], isForward,
+      steps.size() > 1 ? onwardBehind(mesh, curve, steps) : FaceDirection() });
   }
 }
 
@@ -163,16 +149,15 @@ Id vertexAtPlaceOf(const TriangleMesh& mesh, const SourceCurve& curve, std::size
   Id vertex = NoId;
   for (const bool isForward : { true, false })
   {
-    forEachAtOnePlace(mesh, curve, i, isForward,
-      [&](std::size_t point)
-      {
-        const SurfacePoint& p = curve.points[point];
-        const std::vector<Id> others = verticesAtCornerOf(mesh, curve, point);
-        const Id found = p.kind == SurfacePoint::Kind::Vertex ? p.id
-          : others.empty()                                    ? NoId
-                                                              : others.front();
-        vertex = std::min(vertex, found);
-      });
+    for (const std::size_t point : pointsAtOnePlace(mesh, curve, i, isForward))
+    {
+      const SurfacePoint& p = curve.points[point];
+      const std::vector<Id> others = verticesAtCornerOf(mesh, curve, point);
+      const Id found = p.kind == SurfacePoint::Kind::Vertex ? p.id
+        : others.empty()                                    ? NoId
+                                                            : others.front();
+      vertex = std::min(vertex, found);
+    }
   }
   return vertex;
 }
@@ -200,14 +185,13 @@ CurvesOnPatch::CurvesOnPatch(const ReplicatedPatch& patch, const std::vector<Sou
       }
     }
   }
-  std::stable_sort(this->vertices_.begin(), this->vertices_.end(), isBefore);
+  std::stable_sort(this->vertices_.begin(), this->vertices_.end());
 }
 
 const VertexOnCurve* CurvesOnPatch::find(Id vertex) const
 {
-  const auto found = std::lower_bound(
-    this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex }, isBefore);
-  return found != this->vertices_.end() && found->vertex == vertex ? &*found : nullptr;
+  const Id i = placeIn(this->vertices_, VertexOnCurve{ vertex });
+  return i != NoId ? &this->vertices_[i] : nullptr;
 }
 
 std::vector<SegmentEnd> CurvesOnPatch::endsAt(const CurveChains::Point& at) const
@@ -223,10 +207,9 @@ std::vector<SegmentEnd> CurvesOnPatch::endsAround(const CurveChains::Point& at) 
   std::vector<SegmentEnd> ends;
   for (const bool isForward : { true, false })
   {
-    CurveChains::Point last = at;
-    forEachAtOnePlace(this->mesh(), this->chains_.curves()[at.chain], at.i, isForward,
-      [&last](std::size_t i) { last.i = i; });
-    addEnd(this->mesh(), this->chains_, last, isForward, ends);
+    const SourceCurve& curve = this->chains_.curves()[at.chain];
+    const std::size_t last = pointsAtOnePlace(this->mesh(), curve, at.i, isForward).back();
+    addEnd(this->mesh(), this->chains_, { at.chain, last }, isForward, ends);
   }
   return ends;
 }
@@ -248,8 +231,8 @@ bool CurvesOnPatch::isBesideVertex(const CurveChains::Point& at) const
 std::vector<SegmentEnd> CurvesOnPatch::endsOf(Id vertex, bool isAround) const
 {
   std::vector<SegmentEnd> ends;
-  const auto range = std::equal_range(
-    this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex }, isBefore);
+  const auto range =
+    std::equal_range(this->vertices_.begin(), this->vertices_.end(), VertexOnCurve{ vertex });
   for (auto on = range.first; on != range.second; ++on)
   {
     const SurfacePoint& p = this->chains_.curves()[on->curve].points[on->i];
@@ -260,16 +243,14 @@ std::vector<SegmentEnd> CurvesOnPatch::endsOf(Id vertex, bool isAround) const
       ends.insert(ends.end(), added.begin(), added.end());
     }
   }
-  const auto key = [](const SegmentEnd& end)
+  const auto isLess = [](const SegmentEnd& a, const SegmentEnd& b)
   {
-    const SurfacePoint& to = end.to;
-    return std::make_tuple(end.face, to.kind, to.id, to.u, to.v, end.curve, end.place);
+    return std::make_tuple(a.face, a.to.members(), a.curve, a.place) <
+      std::make_tuple(b.face, b.to.members(), b.curve, b.place);
   };
-  std::stable_sort(ends.begin(), ends.end(),
-    [&key](const SegmentEnd& a, const SegmentEnd& b) { return key(a) < key(b); });
-  ends.erase(std::unique(ends.begin(), ends.end(),
-               [&key](const SegmentEnd& a, const SegmentEnd& b) { return key(a) == key(b); }),
-    ends.end());
+  std::stable_sort(ends.begin(), ends.end(), isLess);
+  const auto isSame = [&](const SegmentEnd& a, const SegmentEnd& b) { return !isLess(a, b); };
+  ends.erase(std::unique(ends.begin(), ends.end(), isSame), ends.end());
   return ends;
 }
 
@@ -305,10 +286,9 @@ SourceFrame CurvesOnPatch::frameOf(Id number) const
   {
     const std::size_t first = part.isReversed ? part.end : part.begin;
     const std::size_t second = part.isReversed ? part.end - 1 : part.begin + 1;
-    const Id face = curve.faces[std::min(first, second)];
-    const Id halfedge = longestHalfedge(mesh, face);
-    const Vec2 d = inHalfedgeFrame(mesh, halfedge, barycentric(mesh, curve.points[second], face)) -
-      inHalfedgeFrame(mesh, halfedge, barycentric(mesh, curve.points[first], face));
+    const Id halfedge = longestHalfedge(mesh, curve.faces[std::min(first, second)]);
+    const Vec2 d = inHalfedgeFrame(mesh, halfedge, curve.points[second]) -
+      inHalfedgeFrame(mesh, halfedge, curve.points[first]);
     frame.x = inSpace(mesh, halfedge, d);
     frame.y = inSpace(mesh, halfedge, { -d.y, d.x });
   }

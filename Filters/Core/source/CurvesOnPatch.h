@@ -4,7 +4,6 @@
 
 #include "mesh/ReplicatedPatch.h"
 #include "source/CurveChains.h"
-#include "source/SegmentEnd.h"
 
 #include <vector>
 
@@ -34,6 +33,8 @@ struct VertexOnCurve
   Id curve = 0;
   std::size_t i = 0;
   double place = 0.0;
+
+  bool operator<(const VertexOnCurve& other) const { return this->vertex < other.vertex; }
 };
 
 /// The curves of a source on their patch, joined to chains, and the mesh vertices on them. Several

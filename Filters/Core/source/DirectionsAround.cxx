@@ -11,24 +11,17 @@ namespace
 {
 
 constexpr std::size_t None = static_cast<std::size_t>(-1);
-constexpr double StraightAngle = 3.14159265358979323846;
-constexpr double FullAngle = 2.0 * StraightAngle;
 // A gap: rounding at the end of a fan must not lead into the next one.
 constexpr double BetweenFans = 1.0;
 
 /// In (-pi, pi].
 double wrapped(double angle)
 {
-  const double turns = std::ceil((angle - StraightAngle) / FullAngle);
-  return std::clamp(angle - turns * FullAngle, -StraightAngle, StraightAngle);
+  const double turns = std::ceil((angle - Pi) / FullAngle);
+  return std::clamp(angle - turns * FullAngle, -Pi, Pi);
 }
 
 } // anonymous namespace
-
-double DirectionsAround::End::angle(bool isClockwise) const
-{
-  return this->isForward ? 0.0 : isClockwise ? StraightAngle : -StraightAngle;
-}
 
 void DirectionsAround::assign(const SurfacePoint& point, const std::vector<SegmentEnd>& ends)
 {
@@ -78,12 +71,12 @@ void DirectionsAround::addFanOfEdge(Id halfedge)
   for (Id s = this->mesh_.nextSibling(first); s != first; s = this->mesh_.nextSibling(s))
   {
     const bool isMirrored = this->mesh_.origin(s) == this->mesh_.origin(first);
-    this->frames_.push_back({ s, isMirrored ? FullAngle : StraightAngle, isMirrored, 0 });
+    this->frames_.push_back({ s, isMirrored ? FullAngle : Pi, isMirrored, 0 });
   }
   std::sort(this->frames_.begin(), this->frames_.end(),
     [](const Frame& a, const Frame& b) { return a.halfedge < b.halfedge; });
   const bool isClosed = this->frames_.size() > 1;
-  this->fans_.push_back({ 0.0, isClosed ? FullAngle : StraightAngle, isClosed });
+  this->fans_.push_back({ 0.0, isClosed ? FullAngle : Pi, isClosed });
   const Vec2 axis = turned(this->mesh_, { 1.0, 0.0 }, first, first - first % 3);
   this->toAxis_ = std::atan2(axis.y, axis.x);
 }
@@ -141,14 +134,14 @@ std::size_t DirectionsAround::indexOf(Id face) const
 }
 
 // Unfolds faces without area between a face and those around the point.
-DirectionsAround::DirectionInFace DirectionsAround::inFrame(const DirectionInFace& from) const
+FaceDirection DirectionsAround::inFrame(const FaceDirection& from) const
 {
   const auto isThin = [this](Id halfedge)
   { return this->mesh_.shape(TriangleMesh::faceOf(halfedge)).hasZeroArea(); };
-  std::vector<DirectionInFace> reached = { from };
+  std::vector<FaceDirection> reached = { from };
   for (std::size_t n = 0; n < reached.size(); ++n)
   {
-    const DirectionInFace at = reached[n];
+    const FaceDirection at = reached[n];
     const Id face = TriangleMesh::faceOf(at.halfedge);
     if (this->indexOf(face) != None)
     {
@@ -156,15 +149,14 @@ DirectionsAround::DirectionInFace DirectionsAround::inFrame(const DirectionInFac
     }
     for (Id own = 3 * face; own < 3 * face + 3 && (n == 0 || isThin(own)); ++own)
     {
-      const Vec2 d = turned(this->mesh_, at.direction, at.halfedge, own);
+      const FaceDirection d = { own, turned(this->mesh_, at, own) };
       for (Id s = this->mesh_.nextSibling(own); s != own; s = this->mesh_.nextSibling(s))
       {
-        const auto isSame = [s](const DirectionInFace& r)
+        const auto isSame = [s](const FaceDirection& r)
         { return TriangleMesh::faceOf(r.halfedge) == TriangleMesh::faceOf(s); };
         if ((isThin(own) || isThin(s)) && std::none_of(reached.begin(), reached.end(), isSame))
         {
-          const bool isOpposed = this->mesh_.origin(s) == this->mesh_.destination(own);
-          reached.push_back({ s, { isOpposed ? -d.x : d.x, -d.y } });
+          reached.push_back(acrossEdge(this->mesh_, d, s));
         }
       }
     }
@@ -175,11 +167,11 @@ DirectionsAround::DirectionInFace DirectionsAround::inFrame(const DirectionInFac
 // Rounding may put the direction of a halfedge from the point slightly below the x axis.
 double DirectionsAround::around(Id halfedge, Vec2 direction) const
 {
-  const DirectionInFace own = this->inFrame({ halfedge, direction });
+  const FaceDirection own = this->inFrame({ halfedge, direction });
   const Frame& frame = this->frameOf(TriangleMesh::faceOf(own.halfedge));
-  const Vec2 d = turned(this->mesh_, own.direction, own.halfedge, frame.halfedge);
+  const Vec2 d = turned(this->mesh_, own, frame.halfedge);
   const double turn = std::atan2(d.y, d.x);
-  const double angle = turn < -0.5 * StraightAngle ? turn + FullAngle : turn;
+  const double angle = turn < -RightAngle ? turn + FullAngle : turn;
   return frame.axis + (frame.isMirrored ? -angle : angle);
 }
 
@@ -188,14 +180,6 @@ const DirectionsAround::Fan& DirectionsAround::fanOf(double around) const
   const auto next = std::find_if(this->fans_.begin() + 1, this->fans_.end(),
     [around](const Fan& fan) { return around < fan.begin - 0.5 * BetweenFans; });
   return *(next - 1);
-}
-
-double DirectionsAround::Fan::at(double around) const
-{
-  const double turn = around - this->begin;
-  return this->begin +
-    (this->isClosed ? turn - this->total * std::floor(turn / this->total)
-                    : std::clamp(turn, 0.0, this->total));
 }
 
 double DirectionsAround::angleOf(double around) const
@@ -239,7 +223,7 @@ double DirectionsAround::betweenSegments(
   }
   if (fan.isClosed && before->isContinuedBy(*behind))
   {
-    return before->angle(false) + turn * StraightAngle / (turn + turnBack);
+    return before->angle(false) + turn * Pi / (turn + turnBack);
   }
   return turn <= turnBack ? before->angle(false) + turn : behind->angle(true) - turnBack;
 }

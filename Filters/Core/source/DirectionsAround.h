@@ -2,9 +2,7 @@
 #ifndef geodesic_DirectionsAround_h
 #define geodesic_DirectionsAround_h
 
-#include "mesh/HalfedgeFrame.h"
-#include "mesh/SurfacePoint.h"
-#include "source/SegmentEnd.h"
+#include "source/SourceCurve.h"
 
 #include <vector>
 
@@ -63,7 +61,13 @@ private:
     bool isClosed;
 
     /// An angle in the fan, of a closed one in the first turn.
-    double at(double around) const;
+    double at(double around) const
+    {
+      const double turn = around - this->begin;
+      return this->begin +
+        (this->isClosed ? turn - this->total * std::floor(turn / this->total)
+                        : std::clamp(turn, 0.0, this->total));
+    }
   };
   /// The end of a segment.
   struct End
@@ -75,7 +79,7 @@ private:
 
     bool operator<(const End& other) const { return this->at < other.at; }
     /// The angle of the segment itself, as seen from its clockwise or its counterclockwise side.
-    double angle(bool isClockwise) const;
+    double angle(bool isClockwise) const { return this->isForward ? 0.0 : isClockwise ? Pi : -Pi; }
     bool isContinuedBy(const End& other) const
     {
       return this->curve == other.curve && this->place == other.place &&
@@ -92,12 +96,7 @@ private:
   void addFanOfEdge(Id halfedge);
   void addFanOfVertex(Id corner);
   Stop beside(const Stop& stop, bool isClockwise) const;
-  struct DirectionInFace
-  {
-    Id halfedge;
-    Vec2 direction;
-  };
-  DirectionInFace inFrame(const DirectionInFace& from) const;
+  FaceDirection inFrame(const FaceDirection& from) const;
   std::size_t indexOf(Id face) const;
   const Frame& frameOf(Id face) const { return this->frames_[this->indexOf(face)]; }
   const Fan& fanOf(double around) const;

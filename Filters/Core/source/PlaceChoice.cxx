@@ -126,11 +126,12 @@ public:
     std::vector<std::size_t> places;
   };
 
-  /// \param row the numbers of two or more consecutive points.
+  /// \param row the numbers of consecutive points.
   RowOfPoints(const TriangleMesh& mesh, const std::vector<PossiblePlaces>& places,
-    const std::vector<std::size_t>& row, PlaceComponents& components,
+    const std::vector<std::size_t>& row, std::vector<Id>& components,
     const LengthBetween& lengthBetween)
-    : row_(row)
+    : mesh_(mesh)
+    , row_(row)
     , components_(components)
     , lengthBetween_(lengthBetween)
   {
@@ -139,244 +140,225 @@ public:
       this->layers_.push_back(departures(mesh, places[row[i]], places[row[i + 1]]));
       this->layers_.push_back(arrivals(places[row[i + 1]]));
     }
+    this->layers_.push_back({ places[row.back()], {}, {} });
   }
 
   /// \param loopFrom the place of the first point from which the way departs, in a row that ends
   ///        with its first point again and must return there; if empty, any.
-  Result run(std::optional<std::size_t> loopFrom);
+  Result run(std::optional<std::size_t> loopFrom)
+  {
+    Layer& first = this->layers_.front();
+    Layer& last = this->layers_.back();
+    last.left.assign(last.places.size(), loopFrom ? Never : Breaks{});
+    last.left[loopFrom.value_or(0)] = {};
+    for (std::size_t l = this->layers_.size() - 1; l-- > 0;)
+    {
+      this->countBreaks(l);
+    }
+    const Breaks fewest = loopFrom ? first.left[*loopFrom] : first.leastLeft();
+    first.ways.assign(first.places.size(), {});
+    for (std::size_t a = 0; a < first.places.size(); ++a)
+    {
+      if (first.left[a] == fewest && a == loopFrom.value_or(a))
+      {
+        // The end of a loop counts the place.
+        first.ways[a] = { 0.0, loopFrom ? 0 : static_cast<std::uint64_t>(first.places[a].kind) };
+      }
+    }
+    for (std::size_t l = 0; l + 1 < this->layers_.size(); ++l)
+    {
+      this->findWays(l);
+    }
+    return this->trace(fewest);
+  }
+
+  /// The best way that returns to its first place, for a row that ends with its first point again.
+  Result runLoops()
+  {
+    Result best;
+    const std::size_t beginnings = this->layers_.front().places.size();
+    for (std::size_t a = 0; a < std::min(beginnings, MaximumBeginnings); ++a)
+    {
+      Result result = this->run(a);
+      if (result.breaks < best.breaks ||
+        (result.breaks == best.breaks && result.way.isBetterThan(best.way)))
+      {
+        best = std::move(result);
+      }
+    }
+    return best;
+  }
 
 private:
-  Id component(std::size_t l, std::size_t place) const
+  Id component(const SurfacePoint& place) const
   {
-    return this->components_.of(this->layers_[l].places[place]);
+    if (this->components_.empty())
+    {
+      this->components_ = this->mesh_.components();
+    }
+    const bool isVertex = place.kind == SurfacePoint::Kind::Vertex;
+    return this
+      ->components_[isVertex ? place.id : this->mesh_.triangle(someFace(this->mesh_, place))[0]];
   }
+
   /// Whether a step, which is none without a break, has the kind of break.
   bool isOf(const Breaks& kind, std::size_t l, const Step& step) const
   {
     return kind == Change ||
-      (this->component(l, step.first) == this->component(l + 1, step.second)) == (kind == Gap);
+      (this->component(this->layers_[l].places[step.first]) ==
+        this->component(this->layers_[l + 1].places[step.second])) == (kind == Gap);
   }
-  void countBreaks(std::size_t l);
-  void findWays(std::size_t l);
-  std::vector<Step> bestSteps(std::size_t l, const Breaks& kind) const;
-  void improve(std::size_t l, const Step& step, double length);
-  Result trace(const Breaks& breaks) const;
 
-  const std::vector<std::size_t>& row_;
-  PlaceComponents& components_;
-  const LengthBetween& lengthBetween_;
-  std::vector<Layer> layers_;
-};
-
-RowOfPoints::Result RowOfPoints::run(std::optional<std::size_t> loopFrom)
-{
-  Layer& first = this->layers_.front();
-  Layer& last = this->layers_.back();
-  const std::size_t count = last.places.size();
-  last.left.assign(count, loopFrom ? Change : Breaks{});
-  if (loopFrom)
+  void countBreaks(std::size_t l)
   {
-    last.left[*loopFrom] = {};
-  }
-  for (std::size_t l = this->layers_.size() - 1; l-- > 0;)
-  {
-    this->countBreaks(l);
-  }
-  const Breaks fewest = loopFrom ? first.left[*loopFrom] : first.leastLeft();
-  first.ways.assign(first.places.size(), {});
-  for (std::size_t a = 0; a < first.places.size(); ++a)
-  {
-    if (first.left[a] == fewest && a == loopFrom.value_or(a))
+    Layer& layer = this->layers_[l];
+    const Layer& next = this->layers_[l + 1];
+    layer.left.assign(layer.places.size(), Never);
+    for (const auto& [a, b] : layer.steps)
     {
-      first.ways[a] = { 0.0, static_cast<std::uint64_t>(first.places[a].kind) };
+      layer.left[a] = std::min(layer.left[a], next.left[b]);
     }
-  }
-  for (std::size_t l = 0; l + 1 < this->layers_.size(); ++l)
-  {
-    this->findWays(l);
-  }
-  return this->trace(fewest);
-}
-
-void RowOfPoints::countBreaks(std::size_t l)
-{
-  Layer& layer = this->layers_[l];
-  const Layer& next = this->layers_[l + 1];
-  layer.left.assign(layer.places.size(), Never);
-  for (const auto& [a, b] : layer.steps)
-  {
-    layer.left[a] = std::min(layer.left[a], next.left[b]);
-  }
-  for (const Breaks& kind : layer.kinds)
-  {
-    const Breaks least = next.leastLeft() + kind;
-    for (std::size_t a = 0; a < layer.left.size(); ++a)
+    for (const Breaks& kind : layer.kinds)
     {
-      for (std::size_t b = 0; b < next.left.size() && least < layer.left[a]; ++b)
+      const Breaks least = next.leastLeft() + kind;
+      for (std::size_t a = 0; a < layer.left.size(); ++a)
       {
-        const Breaks left = next.left[b] + kind;
-        if (left < layer.left[a] && this->isOf(kind, l, { a, b }))
+        for (std::size_t b = 0; b < next.left.size() && least < layer.left[a]; ++b)
         {
-          layer.left[a] = left;
+          const Breaks left = next.left[b] + kind;
+          if (left < layer.left[a] && this->isOf(kind, l, { a, b }))
+          {
+            layer.left[a] = left;
+          }
         }
       }
     }
   }
-}
 
-void RowOfPoints::findWays(std::size_t l)
-{
-  const Layer& layer = this->layers_[l];
-  Layer& next = this->layers_[l + 1];
-  next.ways.assign(next.places.size(), {});
-  next.from.assign(next.places.size(), 0);
-  for (const Step& step : layer.steps)
+  void findWays(std::size_t l)
   {
-    // All places of a point are at one point in space.
-    if (layer.left[step.first] == next.left[step.second])
+    const Layer& layer = this->layers_[l];
+    Layer& next = this->layers_[l + 1];
+    next.ways.assign(next.places.size(), {});
+    next.from.assign(next.places.size(), 0);
+    for (const Step& step : layer.steps)
     {
-      this->improve(l, step, 0.0);
-    }
-  }
-  for (const Breaks& kind : layer.kinds)
-  {
-    const std::vector<Step> steps = this->bestSteps(l, kind);
-    const bool areMeasured = kind == Gap && steps.size() <= MaximumJoins;
-    for (const auto& [a, b] : steps)
-    {
-      this->improve(l, { a, b }, areMeasured ? this->lengthBetween_(this->row_[l / 2], a, b) : 0.0);
-    }
-  }
-}
-
-/// The steps with one break that are on ways with the fewest breaks.
-std::vector<Step> RowOfPoints::bestSteps(std::size_t l, const Breaks& kind) const
-{
-  const Layer& layer = this->layers_[l];
-  const Layer& next = this->layers_[l + 1];
-  const Breaks least = next.leastLeft() + kind;
-  std::vector<Step> steps;
-  for (std::size_t a = 0; a < layer.left.size(); ++a)
-  {
-    const bool isOnWay = layer.ways[a].length < Infinity && !(layer.left[a] < least);
-    for (std::size_t b = 0; b < next.left.size() && isOnWay; ++b)
-    {
-      if (next.left[b] + kind == layer.left[a] && this->isOf(kind, l, { a, b }))
+      // All places of a point are at one point in space.
+      if (layer.left[step.first] == next.left[step.second])
       {
-        steps.emplace_back(a, b);
+        this->improve(l, step, 0.0);
+      }
+    }
+    for (const Breaks& kind : layer.kinds)
+    {
+      const std::vector<Step> steps = this->bestSteps(l, kind);
+      const bool areMeasured = kind == Gap && steps.size() <= MaximumJoins;
+      for (const auto& [a, b] : steps)
+      {
+        this->improve(
+          l, { a, b }, areMeasured ? this->lengthBetween_(this->row_[l / 2], a, b) : 0.0);
       }
     }
   }
-  return steps;
-}
 
-void RowOfPoints::improve(std::size_t l, const Step& step, double length)
-{
-  const auto [a, b] = step;
-  const bool isNewPlace = l % 2 == 0 || a != b;
-  Layer& next = this->layers_[l + 1];
-  Way way = this->layers_[l].ways[a];
-  way.length += length;
-  way.dimensions += isNewPlace ? static_cast<std::uint64_t>(next.places[b].kind) : 0;
-  if (way.isBetterThan(next.ways[b]))
+  /// The steps with one break that are on ways with the fewest breaks.
+  std::vector<Step> bestSteps(std::size_t l, const Breaks& kind) const
   {
-    next.ways[b] = way;
-    next.from[b] = a;
-  }
-}
-
-RowOfPoints::Result RowOfPoints::trace(const Breaks& breaks) const
-{
-  const std::vector<Way>& ends = this->layers_.back().ways;
-  const auto best = std::min_element(
-    ends.begin(), ends.end(), [](const Way& a, const Way& b) { return a.isBetterThan(b); });
-  std::vector<std::size_t> places = { static_cast<std::size_t>(best - ends.begin()) };
-  for (std::size_t l = this->layers_.size() - 1; l > 0; --l)
-  {
-    places.push_back(this->layers_[l].from[places.back()]);
-  }
-  std::reverse(places.begin(), places.end());
-  return { breaks, *best, places };
-}
-
-/// The best places of a row that ends with its first point again.
-std::vector<std::size_t> bestLoop(RowOfPoints& row, std::size_t numberOfBeginnings)
-{
-  RowOfPoints::Result best;
-  for (std::size_t a = 0; a < std::min(numberOfBeginnings, MaximumBeginnings); ++a)
-  {
-    RowOfPoints::Result result = row.run(a);
-    if (result.breaks < best.breaks ||
-      (result.breaks == best.breaks && result.way.isBetterThan(best.way)))
+    const Layer& layer = this->layers_[l];
+    const Layer& next = this->layers_[l + 1];
+    const Breaks least = next.leastLeft() + kind;
+    std::vector<Step> steps;
+    for (std::size_t a = 0; a < layer.left.size(); ++a)
     {
-      best = std::move(result);
+      const bool isOnWay = layer.ways[a].length < Infinity && !(layer.left[a] < least);
+      for (std::size_t b = 0; b < next.left.size() && isOnWay; ++b)
+      {
+        if (next.left[b] + kind == layer.left[a] && this->isOf(kind, l, { a, b }))
+        {
+          steps.emplace_back(a, b);
+        }
+      }
+    }
+    return steps;
+  }
+
+  void improve(std::size_t l, const Step& step, double length)
+  {
+    const auto [a, b] = step;
+    const bool isNewPlace = l % 2 == 0 || a != b;
+    Layer& next = this->layers_[l + 1];
+    Way way = this->layers_[l].ways[a];
+    way.length += length;
+    way.dimensions += isNewPlace ? static_cast<std::uint64_t>(next.places[b].kind) : 0;
+    if (way.isBetterThan(next.ways[b]))
+    {
+      next.ways[b] = way;
+      next.from[b] = a;
     }
   }
-  return best.places;
-}
+
+  Result trace(const Breaks& breaks) const
+  {
+    const std::vector<Way>& ends = this->layers_.back().ways;
+    const auto best = std::min_element(
+      ends.begin(), ends.end(), [](const Way& a, const Way& b) { return a.isBetterThan(b); });
+    std::vector<std::size_t> places = { static_cast<std::size_t>(best - ends.begin()) };
+    for (std::size_t l = this->layers_.size() - 1; l > 0; --l)
+    {
+      places.push_back(this->layers_[l].from[places.back()]);
+    }
+    std::reverse(places.begin(), places.end());
+    return { breaks, *best, places };
+  }
+
+  const TriangleMesh& mesh_;
+  const std::vector<std::size_t>& row_;
+  std::vector<Id>& components_;
+  const LengthBetween& lengthBetween_;
+  std::vector<Layer> layers_;
+};
 
 } // anonymous namespace
 
-Id PlaceComponents::of(const SurfacePoint& place)
-{
-  if (this->componentOfVertex_.empty())
-  {
-    this->componentOfVertex_ = this->mesh_.components();
-  }
-  const Id vertex = place.kind == SurfacePoint::Kind::Vertex
-    ? place.id
-    : this->mesh_.triangle(someFace(this->mesh_, place))[0];
-  return this->componentOfVertex_[vertex];
-}
-
 std::vector<ChosenPlaces> choosePlaces(const TriangleMesh& mesh,
-  const std::vector<PossiblePlaces>& places, bool closed, PlaceComponents& components,
+  const std::vector<PossiblePlaces>& places, bool closed, std::vector<Id>& components,
   const LengthBetween& lengthBetween)
 {
   const std::size_t count = places.size();
   std::vector<ChosenPlaces> result(count);
-  if (count == 1)
-  {
-    const auto best = std::min_element(places[0].begin(), places[0].end(),
-      [](const SurfacePoint& a, const SurfacePoint& b) { return a.kind < b.kind; });
-    result[0].arrival = static_cast<std::size_t>(best - places[0].begin());
-    result[0].departure = result[0].arrival;
-    return result;
-  }
   // A closed polyline begins and ends at a point with the fewest places.
   const auto fewest = std::min_element(places.begin(), places.end(),
     [](const PossiblePlaces& a, const PossiblePlaces& b) { return a.size() < b.size(); });
-  const auto first = closed ? static_cast<std::size_t>(fewest - places.begin()) : std::size_t(0);
-  const std::size_t last = closed ? count : count - 1;
+  const bool isLoop = closed && count > 1;
+  const auto first = isLoop ? static_cast<std::size_t>(fewest - places.begin()) : std::size_t(0);
+  const std::size_t last = isLoop ? count : count - 1;
 
   // A point with a single place separates the polyline into independent rows.
   const auto isChoice = [&](std::size_t point) { return places[point].size() > 1; };
-  std::vector<std::size_t> row = { first };
-  for (std::size_t i = 1; i <= last; ++i)
+  std::vector<std::size_t> row;
+  for (std::size_t i = 0; i <= last; ++i)
   {
     row.push_back((first + i) % count);
-    if (i < last && isChoice(row.back()))
+    if (i < last && (i == 0 || isChoice(row.back())))
     {
       continue;
     }
     if (std::any_of(row.begin(), row.end(), isChoice))
     {
       RowOfPoints search(mesh, places, row, components, lengthBetween);
-      const bool isLoop = closed && row.size() > last;
       const std::vector<std::size_t> best =
-        isLoop ? bestLoop(search, places[first].size()) : search.run({}).places;
-      for (std::size_t k = 0; k + 1 < row.size(); ++k)
+        (isLoop && row.size() > last ? search.runLoops() : search.run({})).places;
+      for (std::size_t k = 0; k < best.size(); ++k)
       {
-        result[row[k]].departure = best[2 * k];
-        result[row[k + 1]].arrival = best[2 * k + 1];
+        ChosenPlaces& chosen = result[row[(k + 1) / 2]];
+        (k % 2 == 0 ? chosen.departure : chosen.arrival) = best[k];
       }
     }
     row = { row.back() };
   }
-  if (!closed)
+  if (!isLoop)
   {
     result.front().arrival = result.front().departure;
-    result.back().departure = result.back().arrival;
   }
   return result;
 }

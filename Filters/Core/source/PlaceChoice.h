@@ -3,7 +3,6 @@
 #define geodesic_PlaceChoice_h
 
 #include "mesh/SurfacePoint.h"
-#include "mesh/TriangleMesh.h"
 
 #include <functional>
 #include <vector>
@@ -24,23 +23,6 @@ struct ChosenPlaces
   std::size_t departure = 0;
 };
 
-/// The connected components of places, computed at the first call.
-class PlaceComponents
-{
-public:
-  /// The mesh must outlive this.
-  explicit PlaceComponents(const TriangleMesh& mesh)
-    : mesh_(mesh)
-  {
-  }
-
-  Id of(const SurfacePoint& place);
-
-private:
-  const TriangleMesh& mesh_;
-  std::vector<Id> componentOfVertex_;
-};
-
 /// The length of the shortest path on the surface from place `from` of a point of the polyline to
 /// place `to` of the next point.
 using LengthBetween = std::function<double(std::size_t point, std::size_t from, std::size_t to)>;
@@ -55,10 +37,11 @@ using LengthBetween = std::function<double(std::size_t point, std::size_t from, 
 ///
 /// \param places at least one for each point.
 /// \param closed whether the last point joins the first.
+/// \param components TriangleMesh::components(); if empty, they are computed when needed.
 /// \param lengthBetween called only for connected places without a common face, on ways with the
 ///        fewest breaks.
 std::vector<ChosenPlaces> choosePlaces(const TriangleMesh& mesh,
-  const std::vector<PossiblePlaces>& places, bool closed, PlaceComponents& components,
+  const std::vector<PossiblePlaces>& places, bool closed, std::vector<Id>& components,
   const LengthBetween& lengthBetween);
 
 }

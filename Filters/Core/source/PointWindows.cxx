@@ -12,12 +12,6 @@ namespace geodesic
 namespace
 {
 
-Vec2 directionInLeavingFrame(const TriangleMesh& mesh, Id halfedge, const WedgeBound& bound)
-{
-  const Vec2 u = turned(mesh, bound.direction, bound.halfedge, halfedge);
-  return { -u.x, -u.y };
-}
-
 /// The x axis of a window's frame, as seen from the leaving frame of the halfedge through which the
 /// window's rays have left the point's face.
 struct WindowFrame
@@ -52,125 +46,92 @@ struct WindowFrame
   }
 };
 
-/// The origin and the place of a window, by one of its rays.
-CurveOrigin originOf(
-  const TriangleMesh& mesh, const EmittingPoint& from, const WindowFrame& frame, Vec2 ray)
-{
-  const Vec2 direction = frame.toHalfedge(ray);
-  const CurveOrigin place = from.sectors.of(frame.leftThrough, direction);
-  const CurveSide side = CurveSide::of(place.origin, mesh.numberOfVertices());
-  const bool isFaceMirrored = from.directions.isMirrored(TriangleMesh::faceOf(frame.leftThrough));
-  const PointSide point = { from.chains.pointAt(side.curve, place.place), side.isRight,
-    isFaceMirrored != frame.isMirrored };
-  const auto curves = static_cast<Id>(from.chains.curves().size());
-  const Id origin = point.origin(PointSide::first(mesh.numberOfVertices(), curves));
-  const double around = from.directions.around(frame.leftThrough, direction);
-  return { origin, around - angleAround(origin, 0.0, ray) };
-}
-
-// Splits the windows of a point where their rays begin to belong to another curve, or to the other
-// side of a curve.
-void addBySector(const TriangleMesh& mesh, const EmittingPoint& point, const WindowFrame& frame,
-  const LeavingWindow& leaving, std::vector<LeavingWindow>& windows)
-{
-  const Window& w = leaving.window;
-  std::vector<double> cuts = { w.begin };
-  for (const Vec2& change : point.sectors.changesIn(frame.leftThrough))
-  {
-    const Vec2 u = frame.fromHalfedge(change);
-    const double x = u.y > 0.0 ? w.sourceX + w.sourceDepth * u.x / u.y : w.begin;
-    if (x > w.begin && x < w.end)
-    {
-      cuts.push_back(x);
-    }
-  }
-  std::sort(cuts.begin(), cuts.end());
-  cuts.push_back(w.end);
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-  {
-    Window part = w;
-    part.begin = cuts[i];
-    part.end = cuts[i + 1];
-    const CurveOrigin from =
-      originOf(mesh, point, frame, w.direction(0.5 * (part.begin + part.end)));
-    part.origin = from.origin;
-    part.place = from.place;
-    windows.push_back({ leaving.halfedge, part });
-  }
-}
-
 /// Whether a point, in the leaving frame of a halfedge, is close to it and not to its ends.
 bool isBesideHalfedge(Vec2 point, double length)
 {
   return -point.y <= tolerance::NearEdge * length && point.x > 0.0 && point.x < length;
 }
 
-/// Whether such a point lies on the halfedge but for rounding, and its sectors are known in the
-/// face behind it. That face then contains the point, as those around it do.
-bool isInFaceBehind(const TriangleMesh& mesh, Id halfedge, Vec2 point, const CurveSectors& sectors)
+/// Adds the circular windows of a point through the halfedges of one face.
+struct PointEmitter
 {
-  const Id behind = mesh.acrossOriented(halfedge);
-  return -point.y <= tolerance::PlaceRounding * mesh.length(halfedge) && behind != NoId &&
-    sectors.haveFace(TriangleMesh::faceOf(behind));
-}
+  const TriangleMesh& mesh;
+  const SourceInFace& source;
+  const EmittingPoint& from;
+  SourceWindows& result;
+  /// The halfedges through which rays from beside an edge have entered faces: none twice, so
+  /// recursion ends.
+  std::vector<Id> entered;
 
-/// Sends the rays of a point close to a halfedge through the faces behind it in one step, between
-/// the rays through the ends of the edge, which hide what lies beside them. Rays continue in the
-/// same way while the point is close to the next edge: around a vertex near the point, along a
-/// needle, through a face without area.
-class RaysFromBesideEdge
-{
-public:
-  RaysFromBesideEdge(const TriangleMesh& mesh, const SourceInFace& source,
-    const EmittingPoint& from, SourceWindows& result)
-    : mesh_(mesh)
-    , source_(source)
-    , from_(from)
-    , result_(result)
+  void addThrough(Id halfedge)
   {
-  }
-
-  /// \param point in the leaving frame of the halfedge, as seen from the window frame.
-  /// \param rays where they meet the halfedge.
-  void send(Id halfedge, Vec2 point, const Interval& rays, const WindowFrame& frame)
-  {
-    const double length = this->mesh_.length(halfedge);
-    for (Id s = this->mesh_.nextSibling(halfedge); s != halfedge; s = this->mesh_.nextSibling(s))
+    const double length = this->mesh.length(halfedge);
+    const Vec2 p = inLeavingFrame(this->mesh, halfedge, this->source.a);
+    if (isBesideHalfedge(p, length))
     {
-      if (std::find(this->entered_.begin(), this->entered_.end(), s) == this->entered_.end())
+      this->entered.clear();
+      this->sendFromBeside(halfedge, p, { 0.0, length }, { halfedge });
+      if (this->isInFaceBehind(halfedge, p))
       {
-        this->entered_.push_back(s);
-        const bool turned = this->mesh_.origin(s) == this->mesh_.origin(halfedge);
-        const double x = turned ? length - point.x : point.x;
-        const double begin = turned ? length - rays.end : rays.begin;
-        const double end = turned ? length - rays.begin : rays.end;
-        if (isInFaceBehind(this->mesh_, halfedge, point, this->from_.sectors))
-        {
-          this->addSource(s, x);
-        }
-        this->sendThrough(s, { begin, end, x, -point.y, 0.0, 0.0, Window::Kind::Circular, 0 },
-          turned ? frame.mirrored() : frame);
+        return;
       }
+    }
+    const bool isNear = -p.y <= tolerance::NearEdge * length;
+    Interval interval{ 0.0, length };
+    const auto bounds = this->from.wedge.equal_range(this->source.face);
+    for (auto bound = bounds.first; bound != bounds.second && !isNear; ++bound)
+    {
+      const Vec2 u = turned(this->mesh, bound->second, halfedge);
+      interval.clip(std::abs(u.x) * tolerance::Rounding * length - dot(p, u), u.x);
+    }
+    const double depth = std::max(-p.y, tolerance::SourceDepth * length);
+    std::vector<LeavingWindow> leaving;
+    addLeavingWindow(this->mesh, halfedge, interval,
+      { 0.0, 0.0, p.x, depth, 0.0, 0.0, Window::Kind::Circular, 0 }, leaving);
+    for (const LeavingWindow& window : leaving)
+    {
+      this->addBySector(window, { halfedge });
     }
   }
 
-private:
-  // The face of the halfedge contains the point, which lies at x.
-  void addSource(Id halfedge, double x)
+  /// Sends the rays of a point close to a halfedge through the faces behind it in one step, between
+  /// the rays through the ends of the edge, which hide what lies beside them. Rays continue in the
+  /// same way while the point is close to the next edge: around a vertex near the point, along a
+  /// needle, through a face without area.
+  ///
+  /// \param point in the leaving frame of the halfedge, as seen from the window frame.
+  /// \param rays where they meet the halfedge.
+  void sendFromBeside(Id halfedge, Vec2 point, const Interval& rays, const WindowFrame& frame)
   {
-    const Barycentric b = fromHalfedgeFrame(this->mesh_, halfedge, { x, 0.0 });
-    SourceInFace& source = this->result_.inFaces.emplace_back(this->source_);
-    source.face = TriangleMesh::faceOf(halfedge);
-    source.a = b;
-    source.b = b;
+    const double length = this->mesh.length(halfedge);
+    for (Id s = this->mesh.nextSibling(halfedge); s != halfedge; s = this->mesh.nextSibling(s))
+    {
+      if (std::find(this->entered.begin(), this->entered.end(), s) != this->entered.end())
+      {
+        continue;
+      }
+      this->entered.push_back(s);
+      const bool isTurned = this->mesh.origin(s) == this->mesh.origin(halfedge);
+      const double x = isTurned ? length - point.x : point.x;
+      const double begin = isTurned ? length - rays.end : rays.begin;
+      const double end = isTurned ? length - rays.begin : rays.end;
+      if (this->isInFaceBehind(halfedge, point))
+      {
+        const Barycentric b = fromHalfedgeFrame(this->mesh, s, { x, 0.0 });
+        this->result.inFaces.push_back({ TriangleMesh::faceOf(s), b, b, this->source.curve,
+          this->source.placeOfA, this->source.placeOfB });
+      }
+      this->sendThrough(s, { begin, end, x, -point.y, 0.0, 0.0, Window::Kind::Circular, 0 },
+        isTurned ? frame.mirrored() : frame);
+    }
   }
 
   void sendThrough(Id halfedge, const Window& w, const WindowFrame& frame)
   {
-    const UnfoldedFace face = unfold(this->mesh_, halfedge);
+    const UnfoldedFace face = unfold(this->mesh, halfedge);
     if (norm(face.apex - Vec2{ w.sourceX, -w.sourceDepth }) < tolerance::NearVertex * face.length)
     {
-      this->result_.nearVertices.push_back(this->mesh_.opposite(halfedge));
+      this->result.nearVertices.push_back(this->mesh.opposite(halfedge));
     }
     // In a face without area all rays run along its edges, so they do not determine a direction.
     Window seen = w;
@@ -199,76 +160,91 @@ private:
   {
     Window& w = leaving.window;
     const Id halfedge = leaving.halfedge;
-    const double length = this->mesh_.length(halfedge);
+    const double length = this->mesh.length(halfedge);
     const Vec2 point = { w.sourceX, -w.sourceDepth };
     const bool isBeside = isBesideHalfedge(point, length);
-    const bool isHidden =
-      isBeside && isInFaceBehind(this->mesh_, halfedge, point, this->from_.sectors);
-    if (!isHidden && !this->mesh_.isBoundary(halfedge) && w.end > w.begin)
+    const bool isHidden = isBeside && this->isInFaceBehind(halfedge, point);
+    if (!isHidden && !this->mesh.isBoundary(halfedge) && w.end > w.begin)
     {
       w.sourceDepth = std::max(w.sourceDepth, tolerance::SourceDepth * w.end);
-      addBySector(this->mesh_, this->from_, frame, leaving, this->result_.windows);
+      this->addBySector(leaving, frame);
     }
     if (isBeside)
     {
       // In a face without area rays have no direction that would hold them between bounds.
-      const bool isLine = this->mesh_.shape(TriangleMesh::faceOf(halfedge)).hasZeroArea();
-      this->send(
+      const bool isLine = this->mesh.shape(TriangleMesh::faceOf(halfedge)).hasZeroArea();
+      this->sendFromBeside(
         halfedge, point, isLine ? Interval{ 0.0, length } : Interval{ w.begin, w.end }, frame);
     }
   }
 
-  const TriangleMesh& mesh_;
-  const SourceInFace& source_;
-  const EmittingPoint& from_;
-  SourceWindows& result_;
-  /// The halfedges through which rays have entered faces: none twice, so recursion ends.
-  std::vector<Id> entered_;
-};
-
-void addThroughHalfedge(const TriangleMesh& mesh, Id halfedge, const SourceInFace& source,
-  const EmittingPoint& from, SourceWindows& result)
-{
-  const double length = mesh.length(halfedge);
-  const Vec2 p = inLeavingFrame(mesh, halfedge, source.a);
-  if (isBesideHalfedge(p, length))
+  /// Whether a point beside a halfedge lies on it but for rounding, and its sectors are known in
+  /// the face behind it. That face then contains the point, as those around it do.
+  bool isInFaceBehind(Id halfedge, Vec2 point) const
   {
-    RaysFromBesideEdge(mesh, source, from, result).send(halfedge, p, { 0.0, length }, { halfedge });
-    if (isInFaceBehind(mesh, halfedge, p, from.sectors))
+    const Id behind = this->mesh.acrossOriented(halfedge);
+    return -point.y <= tolerance::PlaceRounding * this->mesh.length(halfedge) && behind != NoId &&
+      this->from.sectors.haveFace(TriangleMesh::faceOf(behind));
+  }
+
+  // Splits a window where its rays begin to belong to another curve, or to the other side of a
+  // curve.
+  void addBySector(const LeavingWindow& leaving, const WindowFrame& frame)
+  {
+    const Window& w = leaving.window;
+    std::vector<double> cuts = { w.begin };
+    for (const Vec2& change : this->from.sectors.changesIn(frame.leftThrough))
     {
-      return;
+      const Vec2 u = frame.fromHalfedge(change);
+      const double x = u.y > 0.0 ? w.sourceX + w.sourceDepth * u.x / u.y : w.begin;
+      if (x > w.begin && x < w.end)
+      {
+        cuts.push_back(x);
+      }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    cuts.push_back(w.end);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+    {
+      Window& part = this->result.windows.emplace_back(leaving).window;
+      part.begin = cuts[i];
+      part.end = cuts[i + 1];
+      this->setOrigin(part, frame);
     }
   }
-  const bool near = -p.y <= tolerance::NearEdge * length;
-  Interval interval{ 0.0, length };
-  const auto bounds = from.wedge.equal_range(source.face);
-  for (auto bound = bounds.first; bound != bounds.second && !near; ++bound)
+
+  // By the ray in the middle.
+  void setOrigin(Window& window, const WindowFrame& frame) const
   {
-    const Vec2 u = directionInLeavingFrame(mesh, halfedge, bound->second);
-    interval.clip(dot(p, u) + std::abs(u.x) * tolerance::Rounding * length, -u.x);
+    const Vec2 ray = window.direction(0.5 * (window.begin + window.end));
+    const Vec2 direction = frame.toHalfedge(ray);
+    const CurveOrigin at = this->from.sectors.of(frame.leftThrough, direction);
+    const Id vertices = this->mesh.numberOfVertices();
+    const CurveSide side = CurveSide::of(at.origin, vertices);
+    const bool isFaceMirrored =
+      this->from.directions.isMirrored(TriangleMesh::faceOf(frame.leftThrough));
+    const PointSide point = { this->from.chains.pointAt(side.curve, at.place), side.isRight,
+      isFaceMirrored != frame.isMirrored };
+    const auto curves = static_cast<Id>(this->from.chains.curves().size());
+    window.origin = point.origin(PointSide::first(vertices, curves));
+    window.place = this->from.directions.around(frame.leftThrough, direction) -
+      angleAround(window.origin, 0.0, ray);
   }
-  const double depth = std::max(-p.y, tolerance::SourceDepth * length);
-  std::vector<LeavingWindow> leaving;
-  addLeavingWindow(mesh, halfedge, interval,
-    { 0.0, 0.0, p.x, depth, 0.0, 0.0, Window::Kind::Circular, 0 }, leaving);
-  for (const LeavingWindow& window : leaving)
-  {
-    addBySector(mesh, from, { halfedge }, window, result.windows);
-  }
-}
+};
 
 } // anonymous namespace
 
 void addPointWindows(const TriangleMesh& mesh, const SourceInFace& source,
   const EmittingPoint& from, SourceWindows& result)
 {
+  PointEmitter emitter{ mesh, source, from, result, {} };
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Id halfedge = 3 * source.face + static_cast<Id>(k);
     const bool isOnIt = source.a[(k + 2) % 3] == 0.0;
     if (!isOnIt && !mesh.isBoundary(halfedge) && mesh.length(halfedge) > 0.0)
     {
-      addThroughHalfedge(mesh, halfedge, source, from, result);
+      emitter.addThrough(halfedge);
     }
   }
 }

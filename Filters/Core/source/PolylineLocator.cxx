@@ -4,7 +4,6 @@
 #include "mesh/Box.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace geodesic
 {
@@ -29,17 +28,11 @@ std::vector<Vec3> placesOf(const std::vector<LocatedPolyline>& polylines)
 bool haveCommonFace(
   const TriangleMesh& mesh, const std::vector<Id>& first, const std::vector<Id>& second)
 {
-  for (const Id a : first)
-  {
-    for (const Id b : second)
-    {
-      if (commonFace(mesh, SurfacePoint::atVertex(a), SurfacePoint::atVertex(b)) != NoId)
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+  const auto areInOne = [&mesh](Id a, Id b)
+  { return commonFace(mesh, SurfacePoint::atVertex(a), SurfacePoint::atVertex(b)) != NoId; };
+  return std::any_of(first.begin(), first.end(),
+    [&](Id a)
+    { return std::any_of(second.begin(), second.end(), [&](Id b) { return areInOne(a, b); }); });
 }
 
 /// Whether a polyline runs from vertex to vertex, always in one face. No other equally close face
@@ -47,13 +40,13 @@ bool haveCommonFace(
 bool isAlongEdges(const TriangleMesh& mesh, const LocatedPolyline& polyline,
   const LocatedPlaces& located, const std::vector<std::vector<Id>>& vertices)
 {
+  const auto at = [&](std::size_t i) -> const std::vector<Id>&
+  { return vertices[located.indexOf(polyline.points[i])]; };
   const std::size_t count = polyline.points.size();
   for (std::size_t i = 0; i < count; ++i)
   {
-    const bool isLast = i + 1 == count;
-    const std::size_t next = isLast ? (polyline.closed ? 0 : i) : i + 1;
-    if (!haveCommonFace(mesh, vertices[located.indexOf(polyline.points[i])],
-          vertices[located.indexOf(polyline.points[next])]))
+    const std::size_t before = i > 0 ? i - 1 : polyline.closed ? count - 1 : 0;
+    if (!haveCommonFace(mesh, at(before), at(i)))
     {
       return false;
     }
@@ -77,56 +70,46 @@ std::vector<std::vector<Id>> verticesAt(const TriangleMesh& mesh, const std::vec
     {
       continue;
     }
-    const auto at = std::lower_bound(places.begin(), places.end(), p);
-    if (at != places.end() && *at == p)
+    if (const Id place = placeIn(places, p); place != NoId)
     {
-      vertices[static_cast<std::size_t>(at - places.begin())].push_back(vertex);
+      vertices[place].push_back(vertex);
     }
   }
   return vertices;
 }
 
-/// Those of polylines that leave the edges. With several ranks all are: a rank does not know the
-/// vertices of the others.
-std::vector<std::uint8_t> placesToSearch(const MeshPartition& surface,
+/// Those of polylines that leave the edges.
+std::vector<std::uint8_t> placesOffEdges(const TriangleMesh& mesh,
   const std::vector<LocatedPolyline>& polylines, const LocatedPlaces& located,
   const std::vector<std::vector<Id>>& vertices)
 {
-  const bool isDistributed = surface.isDistributed();
-  std::vector<std::uint8_t> isSearched(located.places.size(), isDistributed ? 1 : 0);
+  std::vector<std::uint8_t> isOff(located.places.size(), 0);
   for (const LocatedPolyline& polyline : polylines)
   {
-    if (!isDistributed && !isAlongEdges(surface.mesh(), polyline, located, vertices))
+    if (!isAlongEdges(mesh, polyline, located, vertices))
     {
       for (const Vec3& p : polyline.points)
       {
-        isSearched[located.indexOf(p)] = 1;
+        isOff[located.indexOf(p)] = 1;
       }
     }
   }
-  return isSearched;
+  return isOff;
 }
 
-/// One face for each of the vertices at a place, by number.
-std::vector<ClosestFace> facesAt(const MeshPartition& surface, const std::vector<Id>& vertices)
+/// One face of a mesh on one rank for each of the vertices at a place, by number.
+std::vector<ClosestFace> facesAt(const TriangleMesh& mesh, const std::vector<Id>& vertices)
 {
   std::vector<ClosestFace> faces;
   for (const Id vertex : vertices)
   {
-    const Id corner = *surface.mesh().cornersAt(vertex).begin();
-    faces.push_back({ surface.addressOf(TriangleMesh::faceOf(corner)) });
+    faces.push_back({ { 0, someFace(mesh, SurfacePoint::atVertex(vertex)) } });
   }
   std::sort(faces.begin(), faces.end());
   return faces;
 }
 
 } // anonymous namespace
-
-std::size_t LocatedPlaces::indexOf(const Vec3& place) const
-{
-  const auto at = std::lower_bound(this->places.begin(), this->places.end(), place);
-  return static_cast<std::size_t>(at - this->places.begin());
-}
 
 void LocatedPlaces::setFaces(
   const ReplicatedPatch& patch, std::vector<LocatedPolyline>& polylines) const
@@ -151,23 +134,22 @@ LocatedPlaces PolylineLocator::locate(const std::vector<LocatedPolyline>& polyli
   reportProgress(progress, 0.0);
   LocatedPlaces located;
   located.places = placesOf(polylines);
-  const std::vector<std::vector<Id>> vertices = verticesAt(this->surface_.mesh(), located.places);
-  const std::vector<std::uint8_t> isSearched =
-    placesToSearch(this->surface_, polylines, located, vertices);
-  std::vector<Vec3> searched;
-  for (std::size_t i = 0; i < isSearched.size(); ++i)
+  // With several ranks all places are searched: a rank does not know the vertices of the others.
+  std::vector<std::uint8_t> isSearched(located.places.size(), 1);
+  std::vector<std::vector<Id>> vertices;
+  const TriangleMesh& mesh = this->locator_.surface().mesh();
+  if (!this->locator_.surface().isDistributed())
   {
-    if (isSearched[i])
-    {
-      searched.push_back(located.places[i]);
-    }
+    vertices = verticesAt(mesh, located.places);
+    isSearched = placesOffEdges(mesh, polylines, located, vertices);
   }
-  ClosestFaces found = this->locator_.closest(searched, coordinatePrecision, progress);
-  auto next = found.begin();
+  located.faces = this->locator_.closest(located.places, isSearched, coordinatePrecision, progress);
   for (std::size_t i = 0; i < isSearched.size(); ++i)
   {
-    located.faces.push_back(
-      isSearched[i] ? std::move(*next++) : facesAt(this->surface_, vertices[i]));
+    if (!isSearched[i])
+    {
+      located.faces[i] = facesAt(mesh, vertices[i]);
+    }
   }
   return located;
 }

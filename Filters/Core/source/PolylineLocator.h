@@ -20,7 +20,7 @@ struct LocatedPlaces
   std::vector<Vec3> places;
   ClosestFaces faces;
 
-  std::size_t indexOf(const Vec3& place) const;
+  std::size_t indexOf(const Vec3& place) const { return placeIn(this->places, place); }
   /// Sets the faces of polylines with these points, as faces of a patch that has them.
   void setFaces(const ReplicatedPatch& patch, std::vector<LocatedPolyline>& polylines) const;
 };
@@ -31,8 +31,7 @@ class PolylineLocator
 {
 public:
   explicit PolylineLocator(const MeshPartition& surface)
-    : surface_(surface)
-    , locator_(surface)
+    : locator_(surface)
   {
   }
 
@@ -46,7 +45,6 @@ public:
     const ProgressCallback& progress = {});
 
 private:
-  MeshPartition surface_;
   SurfaceLocator locator_;
 };
 

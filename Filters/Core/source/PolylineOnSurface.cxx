@@ -57,31 +57,32 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
 /// Whether two places of one point share a face, or faces without area lie between them.
 bool areJoined(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
 {
-  std::vector<Id> front;
+  std::vector<Id> faces;
   std::set<Id> reached;
   const auto reach = [&](Id face)
   {
-    if (reached.insert(face).second && mesh.shape(face).hasZeroArea())
+    if (reached.insert(face).second)
     {
-      front.push_back(face);
+      faces.push_back(face);
     }
   };
   forEachFace(mesh, from, reach);
-  while (!front.empty())
+  for (std::size_t n = 0; n < faces.size(); ++n)
   {
-    const Id face = front.back();
-    front.pop_back();
-    for (Id halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+    const Id face = faces[n];
+    if (contains(mesh, face, to))
     {
-      for (Id s = mesh.nextSibling(halfedge); s != halfedge; s = mesh.nextSibling(s))
+      return true;
+    }
+    for (Id k = 3 * face; k < 3 * face + 3 && mesh.shape(face).hasZeroArea(); ++k)
+    {
+      for (Id s = mesh.nextSibling(k); s != k; s = mesh.nextSibling(s))
       {
         reach(TriangleMesh::faceOf(s));
       }
     }
   }
-  bool isReached = false;
-  forEachFace(mesh, to, [&](Id face) { isReached = isReached || reached.count(face) != 0; });
-  return isReached;
+  return false;
 }
 
 /// Puts polylines onto the surface, one after another: chooses the places of their points, leaves
@@ -89,14 +90,13 @@ bool areJoined(const TriangleMesh& mesh, const SurfacePoint& from, const Surface
 class PolylinePutter
 {
 public:
-  PolylinePutter(const TriangleMesh& mesh, const SnapOptions& options, const JoinPoints& join,
+  PolylinePutter(const TriangleMesh& mesh, double coordinatePrecision, const JoinPoints& join,
     const ProgressCallback& progress, std::size_t numberOfPoints)
     : mesh_(mesh)
-    , options_(options)
+    , coordinatePrecision_(coordinatePrecision)
     , join_(join)
     , progress_(ascending(progress))
     , numberOfPoints_(static_cast<double>(numberOfPoints))
-    , components_(mesh)
   {
   }
 
@@ -140,7 +140,7 @@ private:
       for (const Id face : polyline.faces[i])
       {
         const SnappedPoint snapped =
-          snapToFace(this->mesh_, face, polyline.points[i], this->options_.coordinatePrecision);
+          snapToFace(this->mesh_, face, polyline.points[i], this->coordinatePrecision_);
         const SurfacePoint& p = snapped.place;
         const Id element = p.kind == SurfacePoint::Kind::Edge ? this->mesh_.edgeOf(p.id) : p.id;
         if (elements.emplace(p.kind, element).second)
@@ -315,21 +315,22 @@ private:
   }
 
   const TriangleMesh& mesh_;
-  const SnapOptions& options_;
+  const double coordinatePrecision_;
   const JoinPoints& join_;
   const ProgressCallback progress_;
   const double numberOfPoints_;
   /// Points of the finished polylines.
   double pointsDone_ = 0.0;
   std::size_t pointsPlaced_ = 0;
-  PlaceComponents components_;
+  /// Of the mesh, for choosePlaces().
+  std::vector<Id> components_;
   SourceCurves result_;
 };
 
 } // anonymous namespace
 
 SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedPolyline>& polylines,
-  const SnapOptions& options, const JoinPoints& join, const ProgressCallback& progress)
+  double coordinatePrecision, const JoinPoints& join, const ProgressCallback& progress)
 {
   std::size_t numberOfPoints = 0;
   for (const LocatedPolyline& polyline : polylines)
@@ -337,7 +338,7 @@ SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedP
     check(mesh, polyline);
     numberOfPoints += polyline.points.size();
   }
-  PolylinePutter putter(mesh, options, join, progress, numberOfPoints);
+  PolylinePutter putter(mesh, coordinatePrecision, join, progress, numberOfPoints);
   for (const LocatedPolyline& polyline : polylines)
   {
     putter.put(polyline);

@@ -3,12 +3,9 @@
 #define geodesic_PolylineOnSurface_h
 
 #include "Progress.h"
-#include "mesh/SurfacePoint.h"
-#include "mesh/TriangleMesh.h"
 #include "source/SourceCurve.h"
 
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -28,14 +25,6 @@ struct LocatedPolyline
   std::string name;
   /// SourceCurve::source of its curves.
   Id source = 0;
-};
-
-/// How located points are put onto the surface.
-struct SnapOptions
-{
-  /// Relative precision of the curve's coordinates: epsilon of float for 32-bit points, of double
-  /// for 64-bit ones.
-  double coordinatePrecision = std::numeric_limits<double>::epsilon();
 };
 
 /// The curves as they lie on the surface.
@@ -69,12 +58,14 @@ using JoinPoints = std::function<std::vector<SurfacePoint>(
 /// surface to another that touches it there without being connected, a curve ends and the next one
 /// begins.
 ///
+/// \param coordinatePrecision relative precision of the points' coordinates: epsilon of float for
+///        32-bit points, of double for 64-bit ones.
 /// \param join a shortest path between points that share no face.
 /// \param progress called now and then with the fraction done; returning false throws Aborted.
 /// \throws SourceError if a polyline has no points, a point is not finite or has no face, or
 /// consecutive points are in different components; Aborted.
 SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedPolyline>& polylines,
-  const SnapOptions& options, const JoinPoints& join, const ProgressCallback& progress = {});
+  double coordinatePrecision, const JoinPoints& join, const ProgressCallback& progress = {});
 
 }
 

@@ -26,13 +26,8 @@ struct SourceCurve
 
   bool isClosed() const
   {
-    if (this->points.size() < 2)
-    {
-      return false;
-    }
-    const SurfacePoint& first = this->points.front();
-    const SurfacePoint& last = this->points.back();
-    return first.kind == last.kind && first.id == last.id && first.u == last.u && first.v == last.v;
+    return this->points.size() > 1 &&
+      this->points.front().members() == this->points.back().members();
   }
 };
 
@@ -41,6 +36,69 @@ inline SourceCurve pointCurve(const SurfacePoint& point)
 {
   return { { point }, {}, { 0 } };
 }
+
+/// The length of the segment from point i to point i + 1 of a curve.
+double lengthOfSegment(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);
+
+/// An end of a curve's segment, which runs from it to another point of the same face.
+struct SegmentEnd
+{
+  SurfacePoint from;
+  SurfacePoint to;
+  Id face = NoId;
+  /// The curve's number, the end's place along it, and whether the curve runs away from the end.
+  Id curve = 0;
+  double place = 0.0;
+  bool isBeginning = true;
+  /// For a segment without length: the direction in its face in which the curve continues behind
+  /// it.
+  FaceDirection onward = {};
+};
+
+/// The direction of a segment away from its end, in the frame of a halfedge of its face; not
+/// normalized.
+Vec2 directionIn(const TriangleMesh& mesh, const SegmentEnd& end, Id halfedge);
+
+/// A source inside a face: a segment, or a point if both ends are equal.
+struct SourceInFace
+{
+  Id face = NoId;
+  Barycentric a = {};
+  Barycentric b = {};
+  /// The number of its curve's chain (CurveChains), and the places of the ends along the chain.
+  Id curve = 0;
+  double placeOfA = 0.0;
+  double placeOfB = 0.0;
+
+  bool operator<(const SourceInFace& other) const { return this->face < other.face; }
+};
+
+/// Whether a segment from a to b of a face runs along its halfedge k.
+inline bool runsAlong(std::size_t k, const Barycentric& a, const Barycentric& b)
+{
+  return a[(k + 2) % 3] == 0.0 && b[(k + 2) % 3] == 0.0;
+}
+
+/// The segments of a curve in their order, each in its face or, if it runs along an edge, in all
+/// faces at that edge.
+///
+/// \param number of the curve.
+/// \param places the places of its points.
+std::vector<SourceInFace> segmentsInFaces(
+  const TriangleMesh& mesh, const SourceCurve& curve, Id number, const std::vector<double>& places);
+
+/// Where along a segment (a at 0, b at 1) the point nearest to a given point of its face is, by
+/// straight distance in the face.
+double nearestAlongSource(
+  const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& point);
+
+/// The nearest point of the source.
+Barycentric nearestOnSource(
+  const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& point);
+
+/// The distance to the nearest point of the source.
+double distanceToSource(
+  const TriangleMesh& mesh, const SourceInFace& source, const Barycentric& point);
 
 }
 

@@ -98,9 +98,7 @@ public:
       this->addPoints(chain);
     }
     this->emitFromVertices();
-    const auto byFace = [](const SourceInFace& a, const SourceInFace& b)
-    { return a.face < b.face; };
-    std::stable_sort(this->result_.inFaces.begin(), this->result_.inFaces.end(), byFace);
+    std::stable_sort(this->result_.inFaces.begin(), this->result_.inFaces.end());
     return std::move(this->result_);
   }
 
@@ -182,7 +180,7 @@ private:
   {
     this->nextPoint();
     const CurveWedge wedge = wedgeAround(this->mesh_, p, ends);
-    this->sectors_.assign(p, endsAround, CurveOrigin::onLeft(this->mesh_, curve, place));
+    this->sectors_.assign(p, endsAround, curve, place);
     this->directions_.assign(p, endsAround);
     const EmittingPoint from = { this->chains(), wedge, this->sectors_, this->directions_ };
     forEachFace(this->mesh_, p,

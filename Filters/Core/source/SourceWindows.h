@@ -5,7 +5,6 @@
 #include "Progress.h"
 #include "mesh/ReplicatedPatch.h"
 #include "source/SourceCurve.h"
-#include "source/SourceInFace.h"
 #include "window/Interval.h"
 #include "window/Window.h"
 

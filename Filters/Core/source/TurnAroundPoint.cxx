@@ -2,7 +2,6 @@
 #include "source/TurnAroundPoint.h"
 
 #include "Tolerance.h"
-#include "mesh/HalfedgeFrame.h"
 
 #include <algorithm>
 
@@ -11,8 +10,6 @@ namespace geodesic
 
 namespace
 {
-
-constexpr double StraightAngle = 3.14159265358979323846;
 
 double roundingOn(double length)
 {
@@ -46,7 +43,7 @@ Id TurnAroundPoint::halfedge() const
 
 double TurnAroundPoint::width() const
 {
-  return this->place_.x == 0.0 ? this->mesh_.cornerAngle(this->halfedge()) : StraightAngle;
+  return this->place_.x == 0.0 ? this->mesh_.cornerAngle(this->halfedge()) : Pi;
 }
 
 // Of the halfedges of a face, that which a turn around the corner leaves across if it entered

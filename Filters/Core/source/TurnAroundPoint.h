@@ -3,7 +3,6 @@
 #define geodesic_TurnAroundPoint_h
 
 #include "mesh/SurfacePoint.h"
-#include "mesh/TriangleMesh.h"
 
 #include <vector>
 

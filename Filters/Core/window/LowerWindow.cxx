@@ -103,29 +103,14 @@ LowerParts lowerOfSameSigma(const Window& a, const Window& b, double lo, double 
   return lower;
 }
 
-/// Distances of a window at the ends of an interval.
-struct AtEnds
-{
-  double lo;
-  double hi;
-
-  AtEnds(const Window& w, double begin, double end)
-  {
-    const TwoDoubles both = w.distances(TwoDoubles(begin, end));
-    this->lo = both.first();
-    this->hi = both.second();
-  }
-};
-
 // Whether the two windows have the same distance everywhere, up to rounding. Such windows would
 // seem to cross at any number of places.
-bool isTie(
-  const Window& a, const Window& b, const AtEnds& ofA, const AtEnds& ofB, double lo, double hi)
+bool isTie(const Window& a, const Window& b, TwoDoubles ofA, TwoDoubles ofB, double lo, double hi)
 {
   const auto same = [](double first, double second)
   { return std::abs(first - second) <= tolerance::Evaluation * first; };
   const double middle = 0.5 * (lo + hi);
-  return same(ofA.lo, ofB.lo) && same(ofA.hi, ofB.hi) &&
+  return same(ofA.first(), ofB.first()) && same(ofA.second(), ofB.second()) &&
     same(a.distance(middle), b.distance(middle));
 }
 
@@ -163,17 +148,21 @@ LowerParts lowerByCrossings(const Window& a, const Window& b, double lo, double 
   return lower;
 }
 
-// Whether the higher of two windows stays above the lower one, judged from the ends. Distances are
+// Whether the higher of two windows stays above the lower one, judged from the ends: `high` and
+// `low` are the distances there. Distances are
 // convex: the higher one is above its tangent at an end, the lower one below its chord.
-bool staysAbove(const Window& above, const AtEnds& high, const AtEnds& low, double lo, double hi)
+bool staysAbove(const Window& above, TwoDoubles high, TwoDoubles low, double lo, double hi)
 {
   const double width = hi - lo;
   if (above.isLinear())
   {
     return true; // the tangent is the window
   }
-  return (high.lo - above.sigma) * (high.lo - low.hi) + (lo - above.sourceX) * width > 0.0 ||
-    (high.hi - above.sigma) * (high.hi - low.lo) - (hi - above.sourceX) * width > 0.0;
+  return (high.first() - above.sigma) * (high.first() - low.second()) +
+      (lo - above.sourceX) * width >
+    0.0 ||
+    (high.second() - above.sigma) * (high.second() - low.first()) - (hi - above.sourceX) * width >
+    0.0;
 }
 
 } // anonymous namespace
@@ -216,22 +205,20 @@ LowerParts lowerOf(const Window& a, const Window& b, double lo, double hi)
   {
     // One pencil that has returned around faces without area. Otherwise rounding would sometimes
     // prefer the longer path, up to the limit of faces crossed.
-    LowerParts fewer;
-    fewer.firstIsA = a.facesCrossed < b.facesCrossed;
-    return fewer;
+    return { a.facesCrossed < b.facesCrossed };
   }
   if (a.sigma == b.sigma && !a.isLinear() && !b.isLinear())
   {
     return lowerOfSameSigma(a, b, lo, hi);
   }
-  const AtEnds ofA(a, lo, hi);
-  const AtEnds ofB(b, lo, hi);
-  const double atLo = ofA.lo - ofB.lo;
-  const double atHi = ofA.hi - ofB.hi;
+  const TwoDoubles ofA = a.distances({ lo, hi });
+  const TwoDoubles ofB = b.distances({ lo, hi });
+  const double atLo = ofA.first() - ofB.first();
+  const double atHi = ofA.second() - ofB.second();
   LowerParts lower;
   lower.firstIsA = atLo < 0.0;
   // A change of sign by more than rounding implies a crossing inside.
-  const double least = tolerance::Tie * (ofA.lo + ofA.hi);
+  const double least = tolerance::Tie * (ofA.first() + ofA.second());
   if ((atLo < -least && atHi > least) || (atLo > least && atHi < -least))
   {
     const Crossings cross = crossings(a, b, lo, hi);

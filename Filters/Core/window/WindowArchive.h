@@ -4,6 +4,7 @@
 
 #include "window/Window.h"
 
+#include <algorithm>
 #include <bitset>
 #include <cstdint>
 #include <iterator>
@@ -75,14 +76,82 @@ public:
   ///
   /// \param time must not decrease within an archive; it orders the lists of a halfedge, even from
   ///        several archives.
-  void add(Id halfedge, const WindowRange& list, Id time = 0);
+  void add(Id halfedge, const WindowRange& list, Id time = 0)
+  {
+    const std::size_t size = list.size();
+    if (size == 0)
+    {
+      return;
+    }
+    if (size > this->left_)
+    {
+      this->left_ = std::max(ChunkWindows, size);
+      this->chunks_.emplace_back(new Window[this->left_]);
+      this->free_ = this->chunks_.back().get();
+    }
+    std::copy(list.begin(), list.end(), this->free_);
+    this->adopt(halfedge, { this->free_, this->free_ + size }, time);
+    this->free_ += size;
+    this->left_ -= size;
+  }
+
   /// Refers to a list without copying it. own() then takes over the list's memory.
-  void adopt(Id halfedge, const WindowRange& list, Id time = 0);
-  void own(std::vector<std::unique_ptr<Window[]>> chunks);
+  void adopt(Id halfedge, const WindowRange& list, Id time = 0)
+  {
+    this->added_.push_back({ halfedge, time, list });
+  }
+
+  void own(std::vector<std::unique_ptr<Window[]>> chunks)
+  {
+    std::move(chunks.begin(), chunks.end(), std::back_inserter(this->chunks_));
+  }
+
   /// Takes over all contents of another archive, which becomes empty.
-  void take(WindowArchive& other);
+  void take(WindowArchive& other)
+  {
+    this->own(std::move(other.chunks_));
+    this->added_.insert(this->added_.end(), other.added_.begin(), other.added_.end());
+    this->left_ = 0;
+    other = WindowArchive();
+  }
+
   /// Must be called before at(); nothing may be added after it.
-  void index(Id numberOfHalfedges);
+  void index(Id numberOfHalfedges)
+  {
+    const auto earlier = [](const Run& a, const Run& b) { return a.time < b.time; };
+    if (!std::is_sorted(this->added_.begin(), this->added_.end(), earlier))
+    {
+      std::stable_sort(this->added_.begin(), this->added_.end(), earlier);
+    }
+    this->blocks_.assign(static_cast<std::size_t>(numberOfHalfedges) / 64 + 1, {});
+    for (const Run& run : this->added_)
+    {
+      this->blocks_[run.halfedge / 64].used |= std::uint64_t(1) << run.halfedge % 64;
+    }
+    std::size_t used = 0;
+    for (Block& block : this->blocks_)
+    {
+      block.usedBefore = used;
+      used += std::bitset<64>(block.used).count();
+    }
+    this->start_.assign(used + 1, 0);
+    for (const Run& run : this->added_)
+    {
+      ++this->start_[this->placeOf(run.halfedge)];
+    }
+    for (std::size_t s = 1; s < this->start_.size(); ++s)
+    {
+      this->start_[s] += this->start_[s - 1];
+    }
+    // fills each halfedge's runs from the last to the first
+    this->runs_.resize(this->added_.size());
+    for (auto run = this->added_.rbegin(); run != this->added_.rend(); ++run)
+    {
+      this->runs_[--this->start_[this->placeOf(run->halfedge)]] = run->windows;
+    }
+    this->added_ = {};
+  }
+
   bool isIndexed() const { return !this->blocks_.empty(); }
   /// The windows of a halfedge, in the order in which they were added.
   WindowRuns at(Id halfedge) const
@@ -96,6 +165,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t ChunkWindows = std::size_t(1) << 12;
+
   /// Of 64 halfedges, which have windows, a bit each, and how many have of all those before.
   struct Block
   {

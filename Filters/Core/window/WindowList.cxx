@@ -182,17 +182,13 @@ void WindowListBuilder::appendToSeveral(const Window& window)
       continue;
     }
     this->appendPiece(old, old.begin, lo);
-    this->appendOverlap(old, window, lo, hi);
+    forEachLowerPart(old, window, lo, hi,
+      [&](bool isOld, double partBegin, double partEnd)
+      { this->appendPiece(isOld ? old : window, partBegin, partEnd); });
     this->appendPiece(old, hi, old.end);
     begin = hi;
   }
   this->appendPiece(window, begin, window.end);
-}
-
-void WindowListBuilder::appendOverlap(const Window& a, const Window& b, double lo, double hi)
-{
-  forEachLowerPart(a, b, lo, hi,
-    [&](bool isA, double begin, double end) { this->appendPiece(isA ? a : b, begin, end); });
 }
 
 // Pieces come in order. Adjacent pieces of one window are joined.

@@ -75,7 +75,6 @@ private:
   void dropNarrow(Window& last, Window& added);
   void appendParts(const Window& last, const Window& window, const LowerParts& lower, double hi);
   void appendToSeveral(const Window& window);
-  void appendOverlap(const Window& a, const Window& b, double lo, double hi);
   void appendRun(const WindowRange& run, bool isOfOther);
   void appendPiece(const Window& window, double begin, double end);
   bool isWide(double begin, double end) const

@@ -74,35 +74,22 @@ struct Pair
 {
   const Measured& left;
   const Measured& right;
-  double begin;
-  double joint;
-  double end;
-  double width;
-  double atBegin;
-  double atEnd;
+  double begin = this->left.window->begin;
+  double joint = this->right.window->begin;
+  double end = this->right.window->end;
+  double width = this->end - this->begin;
+  double atBegin = this->left.begin.distance;
+  double atEnd = this->right.end.distance;
   /// The smaller of the two distances at the joint.
-  double atJoint;
-  /// atEnd - atBegin.
-  double rise;
-  /// (width - rise) (width + rise).
-  double open;
+  double atJoint = std::min(this->left.end.distance, this->right.begin.distance);
+  double rise = this->atEnd - this->atBegin;
+  double open = (this->width - this->rise) * (this->width + this->rise);
   /// The larger of the two windows' errors.
-  double inherited;
+  double inherited = std::max(this->left.window->error, this->right.window->error);
   /// The least distance of the two, which the merged window's least distance may not exceed.
-  double least;
+  double least = std::min(minimum(*this->left.window, this->left.begin, this->left.end),
+    minimum(*this->right.window, this->right.begin, this->right.end));
 };
-
-Pair makePair(const Measured& left, const Measured& right)
-{
-  const Window& a = *left.window;
-  const Window& b = *right.window;
-  const double width = b.end - a.begin;
-  const double rise = right.end.distance - left.begin.distance;
-  return { left, right, a.begin, b.begin, b.end, width, left.begin.distance, right.end.distance,
-    std::min(left.end.distance, right.begin.distance), rise, (width - rise) * (width + rise),
-    std::max(a.error, b.error),
-    std::min(minimum(a, left.begin, left.end), minimum(b, right.begin, right.end)) };
-}
 
 // The largest distance r0 of a merged source from the interval's begin for which the merged
 // distance is nowhere above the two originals. Sources at distances r0 and r0 + rise from the ends
@@ -230,7 +217,7 @@ bool mergeCircular(const Pair& p, const Limits& limits, double added, Candidate&
 ///        replaced; updated for the new window.
 bool merge(Measured& left, const Measured& right, const Limits& limits, double& added)
 {
-  const Pair p = makePair(left, right);
+  const Pair p{ left, right };
   if (!(limits.relativeError * p.least > p.inherited) || !(std::abs(p.rise) < p.width))
   {
     return false;

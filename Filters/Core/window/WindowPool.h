@@ -4,9 +4,12 @@
 
 #include "window/Window.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <memory>
+#include <new>
 #include <vector>
 
 namespace geodesic
@@ -29,18 +32,78 @@ class WindowPool
 {
 public:
   /// Allocates a block with a copy of the windows. The caller frees it.
-  WindowBlock copyOf(const WindowRange& windows);
+  WindowBlock copyOf(const WindowRange& windows)
+  {
+    if (windows.size() >> 31 != 0)
+    {
+      throw std::bad_alloc(); // more windows on one halfedge than any memory could hold
+    }
+    const std::uint32_t sizeClass = sizeClassOf(windows.size());
+    const WindowBlock block = { this->allocate(sizeClass),
+      static_cast<std::uint32_t>(windows.size()), sizeClass };
+    if (block.size == 1)
+    {
+      *block.data = *windows.begin(); // most merged lists have one window
+    }
+    else
+    {
+      std::copy(windows.begin(), windows.end(), block.data);
+    }
+    return block;
+  }
+
   /// Takes back a block of this pool, or of another pool that lives as long.
-  void free(const WindowBlock& block);
+  void free(const WindowBlock& block)
+  {
+    std::memcpy(static_cast<void*>(block.data), &this->free_[block.sizeClass], sizeof(block.data));
+    this->free_[block.sizeClass] = block.data;
+    ++this->freeBlocks_[block.sizeClass];
+  }
   /// Returns the memory of all blocks cut from this pool, whoever uses them. The pool is then
   /// empty.
-  std::vector<std::unique_ptr<Window[]>> release();
+  std::vector<std::unique_ptr<Window[]>> release()
+  {
+    std::vector<std::unique_ptr<Window[]>> chunks = std::move(this->chunks_);
+    *this = WindowPool();
+    return chunks;
+  }
 
   /// The number of blocks of a size that need no new memory.
   std::size_t freeBlocks(std::uint32_t sizeClass) const { return this->freeBlocks_[sizeClass]; }
 
 private:
-  Window* allocate(std::uint32_t sizeClass);
+  static constexpr std::size_t ChunkWindows = std::size_t(1) << 10;
+
+  static std::uint32_t sizeClassOf(std::size_t size)
+  {
+    std::uint32_t sizeClass = 0;
+    while ((std::size_t(1) << sizeClass) < size)
+    {
+      ++sizeClass;
+    }
+    return sizeClass;
+  }
+
+  Window* allocate(std::uint32_t sizeClass)
+  {
+    Window* block = this->free_[sizeClass];
+    if (block != nullptr)
+    {
+      --this->freeBlocks_[sizeClass];
+      std::memcpy(&this->free_[sizeClass], static_cast<const void*>(block), sizeof(block));
+      return block;
+    }
+    const std::size_t size = std::size_t(1) << sizeClass;
+    if (this->chunkUsed_ + size > this->chunkSize_)
+    {
+      this->chunkSize_ = std::max(ChunkWindows, size);
+      this->chunks_.emplace_back(new Window[this->chunkSize_]);
+      this->chunkUsed_ = 0;
+    }
+    block = this->chunks_.back().get() + this->chunkUsed_;
+    this->chunkUsed_ += size;
+    return block;
+  }
 
   /// The first free block of each size; each begins with the address of the next.
   std::array<Window*, 32> free_{};

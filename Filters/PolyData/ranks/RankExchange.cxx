@@ -77,10 +77,7 @@ void RankExchange::begin()
 
 std::vector<Message> RankExchange::step(std::vector<Message> messages, std::vector<double>& least)
 {
-  if (this->hasFailed_)
-  {
-    this->throwFailure();
-  }
+  this->throwIfFailed();
   const auto self = rankIndex(this->rank_);
   this->header_[CountOfNumbers] = static_cast<double>(least.size());
   std::copy_n(
@@ -90,10 +87,8 @@ std::vector<Message> RankExchange::step(std::vector<Message> messages, std::vect
     const std::size_t size = i == self ? 0 : messages[i].size();
     this->header_[FirstSize + i] = static_cast<double>(size);
   }
-  if (!this->gatherHeaders(nullptr))
-  {
-    this->throwFailure();
-  }
+  this->gatherHeaders(nullptr);
+  this->throwIfFailed();
   this->takeLeast(least);
 
   std::vector<Message> received = this->makeRoom();
@@ -146,8 +141,7 @@ const double* RankExchange::headerOf(int rank) const
 /// Gathers the headers of all ranks and takes over why the first of those that fail does.
 ///
 /// \param failure why this rank fails; null if it does not.
-/// \returns whether none fails.
-bool RankExchange::gatherHeaders(const std::string* failure)
+void RankExchange::gatherHeaders(const std::string* failure)
 {
   this->header_[Fails] = failure ? 1.0 : 0.0;
   this->header_[LengthOfFailure] = failure ? static_cast<double>(failure->size()) : 0.0;
@@ -160,7 +154,7 @@ bool RankExchange::gatherHeaders(const std::string* failure)
   }
   if (failed == this->numberOfRanks_)
   {
-    return true;
+    return;
   }
   this->hasFailed_ = true;
   this->failure_ = failed == this->rank_ ? *failure : std::string();
@@ -170,16 +164,18 @@ bool RankExchange::gatherHeaders(const std::string* failure)
     this->controller_->Broadcast(
       &this->failure_[0], static_cast<vtkIdType>(this->failure_.size()), failed);
   }
-  return false;
 }
 
-void RankExchange::throwFailure() const
+void RankExchange::throwIfFailed() const
 {
-  if (this->failure_.empty())
+  if (this->hasFailed_ && this->failure_.empty())
   {
     throw AbortedElsewhere();
   }
-  throw FailedElsewhere(this->failure_);
+  if (this->hasFailed_)
+  {
+    throw FailedElsewhere(this->failure_);
+  }
 }
 
 void RankExchange::takeLeast(std::vector<double>& least)
@@ -255,7 +251,7 @@ std::vector<Message> RankExchange::makeRoom()
       throw std::bad_alloc(); // which ends in fail()
     }
     this->gatherHeaders(nullptr); // in which that rank fails
-    this->throwFailure();
+    this->throwIfFailed();
   }
   return received;
 }

@@ -46,8 +46,8 @@ public:
 
 private:
   const double* headerOf(int rank) const;
-  bool gatherHeaders(const std::string* failure);
-  [[noreturn]] void throwFailure() const;
+  void gatherHeaders(const std::string* failure);
+  void throwIfFailed() const;
   void takeLeast(std::vector<double>& least);
   std::vector<Message> makeRoom();
   void transferInOrder(

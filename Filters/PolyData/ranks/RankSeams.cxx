@@ -122,7 +122,7 @@ RankLabels joinSameVertices(const std::vector<Vec3>& vertices, bool byPlace,
 }
 
 // The rank with the lowest vertex of those with a label hears who has a face there.
-BorrowedValues remoteVertices(
+BorrowedValues findValuesElsewhere(
   const RankLabels& labels, const std::vector<Id>& ownNumbers, Exchange& exchange)
 {
   constexpr RankAddress nobody{ -1, NoId };
@@ -173,13 +173,6 @@ BorrowedValues remoteVertices(
       }
     });
   return BorrowedValues(holders, exchange);
-}
-
-bool OtherRanks::areNear(const Vec3& point, double margin) const
-{
-  const Box around = boxAround(point, margin);
-  return std::any_of(this->boxes_.begin(), this->boxes_.end(),
-    [&around](const Box& box) { return box.meets(around); });
 }
 
 }

@@ -7,6 +7,7 @@
 #include "Types.h"
 #include "mesh/Box.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -89,7 +90,7 @@ JoinedVertices mergeSeams(const std::vector<Vec3>& vertices, const RankLabels& l
 /// \param ownNumbers of each vertex its number among those with faces; NoId without faces. Empty in
 ///        one process.
 /// \returns one value for each vertex without faces, in their order.
-BorrowedValues remoteVertices(
+BorrowedValues findValuesElsewhere(
   const RankLabels& labels, const std::vector<Id>& ownNumbers, Exchange& exchange);
 
 /// \param margin to all sides of the point.
@@ -112,7 +113,12 @@ public:
     this->boxes_.erase(this->boxes_.begin() + exchange.rank());
   }
 
-  bool areNear(const Vec3& point, double margin) const;
+  bool areNear(const Vec3& point, double margin) const
+  {
+    const Box around = boxAround(point, margin);
+    return std::any_of(this->boxes_.begin(), this->boxes_.end(),
+      [&around](const Box& box) { return box.meets(around); });
+  }
 
 private:
   std::vector<Box> boxes_;

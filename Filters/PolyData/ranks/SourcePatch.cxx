@@ -16,7 +16,7 @@ void SourcePatch::addFacesAround(const LocatedPlaces& located)
     for (const ClosestFace& found : faces)
     {
       const Id face = this->surface_.faceAt(found.face);
-      if (this->surface_.isDistributed() && face != NoId)
+      if (face != NoId)
       {
         this->addFacesAround(face);
       }
@@ -44,10 +44,6 @@ void SourcePatch::addFacesAtVertex(Id vertex)
 
 void SourcePatch::addBoundary()
 {
-  if (!this->surface_.isDistributed())
-  {
-    return;
-  }
   const TriangleMesh& mesh = this->surface_.mesh();
   for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
   {
@@ -72,10 +68,6 @@ bool SourcePatch::addFaces(const std::vector<Id>& faces)
 
 void SourcePatch::addFacesAt(const std::vector<Id>& globalIds)
 {
-  if (!this->surface_.isDistributed())
-  {
-    return;
-  }
   for (Id vertex = 0; vertex < this->surface_.numberOfOwnVertices(); ++vertex)
   {
     if (std::binary_search(globalIds.begin(), globalIds.end(), this->surface_.globalId(vertex)))
@@ -159,9 +151,9 @@ std::vector<Id> giveGlobalIds(const ReplicatedPatch& patch, const std::vector<Id
 
 SurfaceBoundary::SurfaceBoundary(
   const PolyDataSurface& surface, SourcePatch& faces, const ProgressCallback& progress)
-  : numberOfGlobalVertices_(surface.partition().numberOfGlobalVertices())
+  : numberOfGlobalVertices_(surface.partition.numberOfGlobalVertices())
 {
-  if (!surface.hasBarriers())
+  if (!surface.barriers)
   {
     faces.addBoundary();
     return;

@@ -9,43 +9,20 @@
 namespace geodesic
 {
 
-PolyDataSurface::PolyDataSurface(SurfaceContents contents)
-  : contents_(std::move(contents))
+std::vector<GlobalVertex> PolyDataSurface::remoteVertices() const
 {
-  const std::vector<TriangleRole>& roles = this->contents_.roles;
-  for (Id i = 0; i < roles.size(); ++i)
+  std::vector<GlobalVertex> vertices = this->valuesElsewhere.copies(
+    GlobalVertex(), this->exchange(), [this](Id vertex) { return this->vertexOfMesh(vertex); });
+  const Id inMesh = this->mesh().numberOfVertices();
+  for (Id i = 0; i < this->barrierVertices.size(); ++i)
   {
-    if (roles[i] != TriangleRole::Copy)
+    const Id vertex = this->barrierVertices[i];
+    if (vertex >= inMesh && vertices[vertex - inMesh].globalId == NoId)
     {
-      (roles[i] == TriangleRole::Open ? this->openTriangles_ : this->barrierTriangles_)
-        .push_back(i);
-    }
-  }
-}
-
-std::vector<RemoteVertex> PolyDataSurface::remoteVertices() const
-{
-  const MeshPartition& partition = this->partition();
-  const auto own = [&](Id vertex)
-  {
-    return RemoteVertex{ partition.globalId(vertex), this->mesh().point(vertex),
-      { partition.exchange().rank(), vertex } };
-  };
-  std::vector<RemoteVertex> vertices =
-    this->contents_.remoteVertices.copies(RemoteVertex(), this->exchange(), own);
-  for (std::size_t i = 0; i < this->contents_.barrierVertices.size(); ++i)
-  {
-    const MeshPartition& barriers = this->barriers()->surface();
-    const Id vertex = this->contents_.barrierVertices[i];
-    if (vertex >= this->mesh().numberOfVertices())
-    {
-      RemoteVertex& remote = vertices[vertex - this->mesh().numberOfVertices()];
-      if (remote.globalId == NoId)
-      {
-        const auto onBarrier = static_cast<Id>(i);
-        remote.globalId = partition.numberOfGlobalVertices() + barriers.globalId(onBarrier);
-        remote.position = barriers.mesh().point(onBarrier);
-      }
+      const MeshPartition& onBarriers = this->barriers->surface();
+      vertices[vertex - inMesh] = { this->partition.numberOfGlobalVertices() +
+          onBarriers.globalId(i),
+        onBarriers.mesh().point(i) };
     }
   }
   return vertices;
@@ -55,23 +32,22 @@ MeshPartition PolyDataSurface::partitionWithBarriers(
   std::vector<Id>& globalIds, const ProgressCallback& progress) const
 {
   std::vector<Triangle> triangles;
-  for (Id i = 0; i < this->numberOfTriangles(); ++i)
+  for (Id i = 0; i < this->numberOfTriangles; ++i)
   {
     if (!this->isCopy(i))
     {
       triangles.push_back(this->verticesAt(i));
     }
   }
-  const std::vector<RemoteVertex> remote = this->remoteVertices();
+  const std::vector<GlobalVertex> remote = this->remoteVertices();
   const Id inMesh = this->mesh().numberOfVertices();
   std::vector<Vec3> points;
   globalIds.clear();
-  for (const Id vertex : numberUsedVertices(triangles, inMesh + remote.size()))
+  for (const Id i : numberUsedVertices(triangles, inMesh + remote.size()))
   {
-    const bool isRemote = vertex >= inMesh;
-    points.push_back(isRemote ? remote[vertex - inMesh].position : this->mesh().point(vertex));
-    globalIds.push_back(
-      isRemote ? remote[vertex - inMesh].globalId : this->partition().globalId(vertex));
+    const GlobalVertex vertex = i < inMesh ? this->vertexOfMesh(i) : remote[i - inMesh];
+    points.push_back(vertex.position);
+    globalIds.push_back(vertex.globalId);
   }
   const std::vector<std::uint64_t> keys(globalIds.begin(), globalIds.end());
   return { std::move(points), std::move(triangles), keys, this->exchange(), progress };
@@ -79,39 +55,24 @@ MeshPartition PolyDataSurface::partitionWithBarriers(
 
 void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)
 {
-  for (std::size_t i = 0; i < this->contents_.blocks.size(); ++i)
+  for (std::size_t i = 0; i < this->blocks.size(); ++i)
   {
-    if (this->contents_.blocks[i].areInputCells)
+    if (this->blocks[i].areInputCells)
     {
-      this->contents_.blocks[i].triangles = inputs[i].data->GetPolys();
+      this->blocks[i].triangles = inputs[i].data->GetPolys();
     }
   }
 }
 
-Id PolyDataSurface::numberOfPoints() const
-{
-  const std::vector<SurfaceBlock>& blocks = this->blocks();
-  return blocks.empty() ? 0 : blocks.back().firstPoint + blocks.back().numberOfPoints;
-}
-
-Id PolyDataSurface::numberOfTriangles() const
-{
-  const std::vector<SurfaceBlock>& blocks = this->blocks();
-  return blocks.empty()
-    ? 0
-    : blocks.back().firstTriangle + static_cast<Id>(blocks.back().numberOfTriangles());
-}
-
 std::uint64_t PolyDataSurface::countTrianglesOfAllRanks() const
 {
-  const std::vector<TriangleRole>& roles = this->contents_.roles;
-  const auto copies = std::count(roles.begin(), roles.end(), TriangleRole::Copy);
-  return sumOverRanks(this->exchange(), this->numberOfTriangles() - static_cast<Id>(copies)).all;
+  const auto copies = std::count(this->roles.begin(), this->roles.end(), TriangleRole::Copy);
+  return sumOverRanks(this->exchange(), this->numberOfTriangles - static_cast<Id>(copies)).all;
 }
 
 Triangle PolyDataSurface::triangle(Id triangle) const
 {
-  const SurfaceBlock& block = this->contents_.blocks[this->blockOfTriangle(triangle)];
+  const SurfaceBlock& block = this->blocks[this->blockOf(triangle, &SurfaceBlock::firstTriangle)];
   vtkIdType size = 0;
   const vtkIdType* points = nullptr;
   block.triangles->GetCellAtId(triangle - block.firstTriangle, size, points);
@@ -122,16 +83,15 @@ Triangle PolyDataSurface::triangle(Id triangle) const
 // Empty blocks begin where the next one does: the last of those that begin there is meant.
 std::size_t PolyDataSurface::blockOf(Id item, Id SurfaceBlock::*first) const
 {
-  const std::vector<SurfaceBlock>& blocks = this->blocks();
-  const auto next = std::upper_bound(blocks.begin(), blocks.end(), item,
+  const auto next = std::upper_bound(this->blocks.begin(), this->blocks.end(), item,
     [first](Id id, const SurfaceBlock& block) { return id < block.*first; });
-  return static_cast<std::size_t>(next - blocks.begin()) - 1;
+  return static_cast<std::size_t>(next - this->blocks.begin()) - 1;
 }
 
 std::string PolyDataSurface::nameOfCell(Id triangle, const std::vector<PolyDataBlock>& inputs) const
 {
-  const std::size_t index = this->blockOfTriangle(triangle);
-  const SurfaceBlock& block = this->blocks()[index];
+  const std::size_t index = this->blockOf(triangle, &SurfaceBlock::firstTriangle);
+  const SurfaceBlock& block = this->blocks[index];
   return "cell " + std::to_string(block.inputCell(triangle - block.firstTriangle)) + " of " +
     inputs[index].name;
 }

@@ -5,7 +5,6 @@
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PowerOfTwoScale.h"
 #include "PolyData/ranks/BorrowedValues.h"
-#include "PolyData/reading/VertexOfPoint.h"
 #include "mesh/BarrierFaces.h"
 #include "mesh/MeshPartition.h"
 
@@ -16,6 +15,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geodesic
@@ -43,6 +43,40 @@ struct SurfaceBlock
   }
 };
 
+/// Says which vertex each point of all blocks is. If each point is a vertex of its own with the
+/// same number, there is no table.
+class VertexOfPoint
+{
+public:
+  Id operator()(Id point) const { return this->table_.empty() ? point : this->table_[point]; }
+  Triangle operator()(const Triangle& points) const
+  {
+    return { (*this)(points[0]), (*this)(points[1]), (*this)(points[2]) };
+  }
+  bool isIdentity() const { return this->table_.empty(); }
+
+  /// \param numbers the new number of each vertex; empty if none changes.
+  void renumber(std::vector<Id> numbers)
+  {
+    if (numbers.empty())
+    {
+      return;
+    }
+    if (this->table_.empty())
+    {
+      this->table_ = std::move(numbers);
+      return;
+    }
+    for (Id& vertex : this->table_)
+    {
+      vertex = numbers[vertex];
+    }
+  }
+
+private:
+  std::vector<Id> table_;
+};
+
 /// What a triangle of a surface is.
 enum class TriangleRole : std::uint8_t
 {
@@ -54,14 +88,14 @@ enum class TriangleRole : std::uint8_t
   Copy
 };
 
-/// A vertex of a rank's points that no face here has, as other ranks know it.
-struct RemoteVertex
+/// A vertex of a rank's points, as all ranks know it.
+struct GlobalVertex
 {
   /// The same on all ranks for one vertex, and for no other. A vertex of the mesh has its number
   /// in the whole, a vertex of barriers only a larger one. NoId without any face.
   Id globalId = NoId;
   Vec3 position{};
-  /// Who has faces of the mesh at the vertex, and its number there.
+  /// Who has faces of the mesh at the vertex, and its number there; the id is NoId if nobody has.
   RankAddress holder{ -1, NoId };
 };
 
@@ -79,60 +113,47 @@ struct SurfaceReport
   vtkIdType edges = 0;
 };
 
-/// What readSurface() makes a PolyDataSurface of.
-struct SurfaceContents
-{
-  /// Its triangles are the open triangles of all blocks.
-  MeshPartition partition;
-  /// Values for the vertices of this rank's points that no face of the mesh here has.
-  BorrowedValues remoteVertices;
-  /// Its triangles are the barriers of all blocks; null if no rank has barriers.
-  std::unique_ptr<BarrierFaces> barriers;
-  /// For each vertex of this rank's barriers the one that vertexOf() names.
-  std::vector<Id> barrierVertices;
-  /// Remote vertices follow those of the mesh.
-  VertexOfPoint vertexOf;
-  std::vector<SurfaceBlock> blocks;
-  /// Of the triangles; empty if all are open.
-  std::vector<TriangleRole> roles;
-  /// Of the mesh against the points.
-  PowerOfTwoScale scale;
-  /// Of the bounding box of the points that triangles use, on the mesh; of the whole surface.
-  double diagonal = 0.0;
-  SurfaceReport report;
-};
-
 /// What this rank has of a surface of one or more vtkPolyData as the engine takes it, and the way
 /// back to points and cells. One process has all of it. Points and triangles are numbered through
 /// all blocks. Made by readSurface().
 ///
 /// Barriers are triangles of the surface, and outputs have all of them, but they are not faces of
 /// the mesh: see BarrierFaces.
-class PolyDataSurface
+struct PolyDataSurface
 {
-public:
-  explicit PolyDataSurface(SurfaceContents contents);
-
-  /// The faces that paths may enter, with the halo.
-  const TriangleMesh& mesh() const { return this->partition().mesh(); }
-  const MeshPartition& partition() const { return this->contents_.partition; }
-  Exchange& exchange() const { return this->partition().exchange(); }
-  const SurfaceReport& report() const { return this->contents_.report; }
+  /// The mesh of the faces that paths may enter, the open triangles of all blocks, with the halo.
+  MeshPartition partition;
+  /// Values for the vertices of this rank's points that no face of the mesh here has.
+  BorrowedValues valuesElsewhere;
+  /// The mesh of the barriers of all blocks; null if no rank has barriers.
+  std::unique_ptr<BarrierFaces> barriers;
+  /// For each vertex of this rank's barriers the one that vertexOf() names.
+  std::vector<Id> barrierVertices;
+  /// The vertex that stands for a point of the input. Vertices of the mesh come first, then remote
+  /// ones. Without a table each point of the input is a vertex of the mesh, of the same number.
+  VertexOfPoint vertexOf;
+  std::vector<SurfaceBlock> blocks;
+  Id numberOfPoints;
+  /// The triangles that the output has if it is not refined. Of those on the same vertices the mesh
+  /// has one: triangleOf() tells which.
+  Id numberOfTriangles;
+  /// Of the triangles; empty if all are open.
+  std::vector<TriangleRole> roles;
+  /// The triangles that are open, unless all are, and those that are barriers.
+  std::vector<Id> openTriangles;
+  std::vector<Id> barrierTriangles;
   /// What the mesh, and all that is computed on it, is larger by than the input.
-  const PowerOfTwoScale& scale() const { return this->contents_.scale; }
-  double diagonal() const { return this->contents_.diagonal; }
-  const std::vector<SurfaceBlock>& blocks() const { return this->contents_.blocks; }
+  PowerOfTwoScale scale;
+  /// Of the bounding box of the points that triangles use, on the mesh; of the whole surface.
+  double diagonal;
+  SurfaceReport report;
+
+  const TriangleMesh& mesh() const { return this->partition.mesh(); }
+  Exchange& exchange() const { return this->partition.exchange(); }
   /// Takes the cells of an input with the same content in place of those of the input that this was
   /// made of, which need not be kept any longer then.
   void useCellsOf(const std::vector<PolyDataBlock>& inputs);
 
-  /// The vertex that stands for a point of the input. Vertices of the mesh come first, then remote
-  /// ones.
-  const VertexOfPoint& vertexOf() const { return this->contents_.vertexOf; }
-  Id vertexOf(Id point) const { return this->contents_.vertexOf(point); }
-  /// Whether each point of the input is a vertex of the mesh, of the same number.
-  bool arePointsVertices() const { return this->vertexOf().isIdentity(); }
-  Id numberOfPoints() const;
   /// Gives values at the mesh's vertices one at each vertex that vertexOf() names. All ranks call
   /// this together.
   ///
@@ -141,72 +162,54 @@ public:
   void completeValues(const Value& none, std::vector<Value>& values) const
   {
     values.resize(this->mesh().numberOfVertices(), none);
-    this->contents_.remoteVertices.append(none, values, this->exchange());
+    this->valuesElsewhere.append(none, values, this->exchange());
   }
-  /// The remote vertices. All ranks call this together.
-  std::vector<RemoteVertex> remoteVertices() const;
-
-  /// Whether any rank has barriers.
-  bool hasBarriers() const { return this->contents_.barriers != nullptr; }
-  /// Null without barriers.
-  BarrierFaces* barriers() const { return this->contents_.barriers.get(); }
+  GlobalVertex vertexOfMesh(Id vertex) const
+  {
+    const bool hasFaces = this->mesh().cornersAt(vertex).size() > 0;
+    return { this->partition.globalId(vertex), this->mesh().point(vertex),
+      { this->exchange().rank(), hasFaces ? vertex : NoId } };
+  }
+  /// The remote vertices: those that no face of the mesh here has. All ranks call this together.
+  std::vector<GlobalVertex> remoteVertices() const;
   /// Makes a mesh of all faces, barriers or not. All ranks call this together.
   ///
-  /// \param globalIds filled with one number for each vertex that the result's own faces have:
-  ///        RemoteVertex::globalId, or that of the mesh.
+  /// \param globalIds filled with GlobalVertex::globalId of each vertex that the result's own faces
+  ///        have.
   /// \param progress called now and then; returning false throws Aborted.
   MeshPartition partitionWithBarriers(
     std::vector<Id>& globalIds, const ProgressCallback& progress) const;
 
-  /// The triangles that the output has if it is not refined. Of those on the same vertices the mesh
-  /// has one: triangleOf() tells which.
-  Id numberOfTriangles() const;
-  /// How many of these are surface, on all ranks, which call this together. The others are copies
+  /// How many triangles are surface, on all ranks, which call this together. The others are copies
   /// by ghost arrays.
   std::uint64_t countTrianglesOfAllRanks() const;
-  TriangleRole role(Id triangle) const
+  bool isCopy(Id triangle) const
   {
-    return this->contents_.roles.empty() ? TriangleRole::Open : this->contents_.roles[triangle];
+    return !this->roles.empty() && this->roles[triangle] == TriangleRole::Copy;
   }
-  bool isCopy(Id triangle) const { return this->role(triangle) == TriangleRole::Copy; }
   /// The input's points at a triangle's corners.
   Triangle triangle(Id triangle) const;
   /// The vertices at a triangle's corners.
-  Triangle verticesAt(Id triangle) const { return this->vertexOf()(this->triangle(triangle)); }
+  Triangle verticesAt(Id triangle) const { return this->vertexOf(this->triangle(triangle)); }
   /// The triangle that a face of the mesh came from, which this rank owns.
   Id triangleOf(Id face) const
   {
-    const Id open = this->partition().triangleOf(face);
-    return this->openTriangles_.empty() ? open : this->openTriangles_[open];
+    const Id open = this->partition.triangleOf(face);
+    return this->openTriangles.empty() ? open : this->openTriangles[open];
   }
-  /// The triangles that are barriers.
-  const std::vector<Id>& barrierTriangles() const { return this->barrierTriangles_; }
   /// The triangle that a face of the barriers came from, which this rank owns.
   Id triangleOfBarrier(Id face) const
   {
-    return this->barrierTriangles_[this->barriers()->surface().triangleOf(face)];
+    return this->barrierTriangles[this->barriers->surface().triangleOf(face)];
   }
   /// "cell 17 of the surface (input port 0)"
   ///
   /// \param inputs the blocks that the surface was read from.
   std::string nameOfCell(Id triangle, const std::vector<PolyDataBlock>& inputs) const;
-  /// The block that a point or a triangle belongs to.
-  std::size_t blockOfPoint(Id point) const
-  {
-    return this->blockOf(point, &SurfaceBlock::firstPoint);
-  }
-  std::size_t blockOfTriangle(Id triangle) const
-  {
-    return this->blockOf(triangle, &SurfaceBlock::firstTriangle);
-  }
-
-private:
+  /// The block that a point or a triangle belongs to, by its number.
+  ///
+  /// \param first &SurfaceBlock::firstPoint or &SurfaceBlock::firstTriangle.
   std::size_t blockOf(Id item, Id SurfaceBlock::*first) const;
-
-  SurfaceContents contents_;
-  /// Of all triangles the open ones; empty if all are.
-  std::vector<Id> openTriangles_;
-  std::vector<Id> barrierTriangles_;
 };
 
 /// Makes one surface of all blocks of all ranks, which call this together: triangulates polygons

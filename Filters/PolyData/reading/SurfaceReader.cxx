@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/Hash.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/ranks/RankSeams.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/TriangleReader.h"
 #include "mesh/Box.h"
+#include "mesh/GroupedItems.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -55,19 +57,10 @@ struct Vertices
   /// \param same for each vertex the one of the same that stays.
   void join(const std::vector<Id>& same)
   {
-    Id count = 0;
-    while (count < same.size() && same[count] == count)
-    {
-      ++count;
-    }
-    if (count == same.size())
-    {
-      return;
-    }
     std::vector<Label>& known = this->labels.labels;
     std::vector<Id> numbers(same.size());
-    std::iota(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count), Id(0));
-    for (Id vertex = count; vertex < same.size(); ++vertex)
+    Id count = 0;
+    for (Id vertex = 0; vertex < same.size(); ++vertex)
     {
       if (same[vertex] == vertex)
       {
@@ -79,6 +72,10 @@ struct Vertices
         numbers[vertex] = count++;
       }
     }
+    if (count == same.size())
+    {
+      return;
+    }
     for (Id vertex = 0; vertex < same.size(); ++vertex)
     {
       numbers[vertex] = numbers[same[vertex]];
@@ -89,11 +86,56 @@ struct Vertices
   }
 };
 
+/// For each point the first one at exactly its place. By hashes rather than a point locator, whose
+/// buckets degenerate where most points crowd in a corner of the bounding box.
+///
+/// \param progress its current stretch.
+std::vector<Id> firstAtPlaces(
+  const std::vector<Vec3>& points, const LoopProgress& progress, const ParallelFor& parallelFor)
+{
+  const auto count = static_cast<Id>(points.size());
+  Id keys = 1;
+  while (keys < count && keys < (NoId >> 1))
+  {
+    keys *= 2;
+  }
+  std::vector<Id> hashes(count);
+  forRanges(parallelFor, count, progress.between(0.0, 0.3),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        hashes[i] = static_cast<Id>(hashOf(points[i]) & (keys - 1));
+      }
+    });
+  const GroupedItems byHash = groupItems(count, keys, parallelFor, progress.between(0.3, 0.5),
+    [&hashes](Id point) { return hashes[point]; });
+  std::vector<Id>& first = hashes; // no longer needed
+  forRanges(parallelFor, keys, progress.between(0.5, 1.0),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (Id key = static_cast<Id>(begin); key < end; ++key)
+      {
+        for (const Id point : byHash.at(key))
+        {
+          const auto isThere = [&](Id other)
+          { return other == point || (first[other] == other && points[other] == points[point]); };
+          const IdRange candidates = byHash.at(key);
+          first[point] = *std::find_if(candidates.begin(), candidates.end(), isThere);
+        }
+      }
+    });
+  return hashes;
+}
+
 /// The faces of the surface, on vertices.
 struct Faces
 {
   std::vector<Triangle> open;
   std::vector<Triangle> barriers;
+  /// See PolyDataSurface.
+  std::vector<Id> openTriangles;
+  std::vector<Id> barrierTriangles;
 };
 
 /// The faces that all blocks have, which may be none.
@@ -178,69 +220,75 @@ SurfaceReport reportOfAllRanks(SurfaceReport own, const MeshPartition& partition
 }
 
 /// Reads the blocks of one surface, stage by stage.
-class SurfaceReader
+struct SurfaceReader
 {
-public:
-  SurfaceReader(const std::vector<PolyDataBlock>& inputs, bool mergeCoincidentPoints,
-    Exchange& exchange, const ProgressCallback& callback)
-    : inputs_(inputs)
-    , mergesPoints_(mergeCoincidentPoints)
-    , exchange_(exchange)
-    , callback_(callback)
-    , parallelFor_(smpParallelFor())
-  {
-  }
+  const std::vector<PolyDataBlock>& inputs;
+  const bool mergesPoints;
+  Exchange& exchange;
+  const ProgressCallback& callback;
+  const ParallelFor parallelFor = smpParallelFor();
+  std::vector<SurfaceBlock> blocks{};
+  Id numberOfPoints = 0;
+  Vertices vertices{};
+  TriangleList triangles{};
+  /// Of the triangles; empty if all are open.
+  std::vector<TriangleRole> roles{};
+  PowerOfTwoScale scale{};
+  /// Of the triangles of all ranks, on the mesh's scale.
+  double largestCoordinate = 0.0;
+  SurfaceReport report{};
 
-  SurfaceContents read()
+  PolyDataSurface read()
   {
-    LoopProgress progress(this->callback_);
-    const vtkIdType numberOfFaces = countFaces(this->inputs_);
+    LoopProgress progress(this->callback);
+    const vtkIdType numberOfFaces = countFaces(this->inputs);
     if (this->isTrueOnAll(numberOfFaces == 0))
     {
-      throwWithoutFaces(this->inputs_);
+      throwWithoutFaces(this->inputs);
     }
     this->numberPoints();
     progress.nextUntil(PointsRead);
     this->readPoints(progress);
     progress.nextUntil(PointsMerged);
-    if (this->mergesPoints_)
+    if (this->mergesPoints)
     {
-      this->vertices_.join(firstAtPlaces(this->vertices_.positions, progress, this->parallelFor_));
+      this->vertices.join(firstAtPlaces(this->vertices.positions, progress, this->parallelFor));
     }
     progress.nextUntil(TrianglesRead);
-    this->triangles_ = readTriangles(this->inputs_, this->vertices_.of, numberOfFaces, progress,
-      this->parallelFor_, this->blocks_, this->report_);
-    if (this->isTrueOnAll(this->triangles_.corners.empty()))
+    this->triangles = readTriangles(this->inputs, this->vertices.of, numberOfFaces, progress,
+      this->parallelFor, this->blocks, this->report);
+    if (this->isTrueOnAll(this->triangles.corners.empty()))
     {
-      const bool isAlone = this->exchange_.numberOfRanks() == 1;
+      const bool isAlone = this->exchange.numberOfRanks() == 1;
       throw MeshError("None of the " + (isAlone ? std::to_string(numberOfFaces) + " " : "") +
         "faces of the surface (input port 0) has three different corners. Connect a surface with "
         "triangles or polygons.");
     }
     this->scaleVertices();
-    if (this->mergesPoints_ && this->inputs_.size() > 1)
+    if (this->mergesPoints && this->inputs.size() > 1)
     {
       this->joinBlocks();
     }
-    if (this->exchange_.numberOfRanks() > 1)
+    if (this->exchange.numberOfRanks() > 1)
     {
       this->joinRanks();
     }
-    this->findRoles();
-    keepTriangles(this->inputs_, this->triangles_, this->blocks_);
-    return this->makeSurface(this->takeFaces());
+    this->roles = findRoles(
+      this->inputs, this->vertices.labels, this->vertices.of, this->triangles, this->exchange);
+    keepTriangles(this->inputs, this->triangles, this->blocks);
+    const auto numberOfTriangles = static_cast<Id>(this->triangles.corners.size());
+    return this->makeSurface(this->takeFaces(), numberOfTriangles);
   }
 
-private:
-  bool isTrueOnAll(bool condition) const { return !this->exchange_.isTrueAnywhere(!condition); }
+  bool isTrueOnAll(bool condition) const { return !this->exchange.isTrueAnywhere(!condition); }
 
   /// Numbers the points of all blocks.
   void numberPoints()
   {
     vtkIdType count = 0;
-    for (const PolyDataBlock& input : this->inputs_)
+    for (const PolyDataBlock& input : this->inputs)
     {
-      SurfaceBlock& block = this->blocks_.emplace_back();
+      SurfaceBlock& block = this->blocks.emplace_back();
       block.firstPoint = static_cast<Id>(count);
       block.numberOfPoints = static_cast<Id>(input.data->GetNumberOfPoints());
       count += input.data->GetNumberOfPoints();
@@ -250,21 +298,22 @@ private:
           " points, more than 32-bit ids can number. Decimate it or cut it into parts.");
       }
     }
-    this->vertices_.positions.resize(static_cast<std::size_t>(count));
+    this->numberOfPoints = static_cast<Id>(count);
+    this->vertices.positions.resize(this->numberOfPoints);
   }
 
   /// \throws MeshError if a coordinate is not finite.
   void readPoints(const LoopProgress& progress)
   {
-    std::vector<Vec3>& positions = this->vertices_.positions;
+    std::vector<Vec3>& positions = this->vertices.positions;
     const auto readRange = [&](std::size_t begin, std::size_t end)
     {
       std::size_t bad = NoId;
-      for (std::size_t block = 0; block < this->blocks_.size(); ++block)
+      for (std::size_t block = 0; block < this->blocks.size(); ++block)
       {
-        vtkPoints* points = this->inputs_[block].data->GetPoints();
-        const std::size_t first = this->blocks_[block].firstPoint;
-        const std::size_t last = std::min(end, first + this->blocks_[block].numberOfPoints);
+        vtkPoints* points = this->inputs[block].data->GetPoints();
+        const std::size_t first = this->blocks[block].firstPoint;
+        const std::size_t last = std::min(end, first + this->blocks[block].numberOfPoints);
         for (std::size_t i = std::max(begin, first); i < last; ++i)
         {
           points->GetPoint(static_cast<vtkIdType>(i - first), positions[i].data());
@@ -274,22 +323,22 @@ private:
       return bad;
     };
     const std::vector<std::size_t> bad =
-      resultsOfRanges(this->parallelFor_, positions.size(), progress, readRange);
+      resultsOfRanges(this->parallelFor, positions.size(), progress, readRange);
     const auto first = std::min_element(bad.begin(), bad.end());
-    if (first != bad.end() && *first < this->blocks_.size())
+    if (first != bad.end() && *first < this->blocks.size())
     {
-      throw MeshError(whereNotFinite(this->inputs_[*first]));
+      throw MeshError(whereNotFinite(this->inputs[*first]));
     }
   }
 
-  Box boxOf(const std::vector<Triangle>& triangles, const VertexOfPoint& vertexOf) const
+  Box boxOf(const std::vector<Triangle>& corners, const VertexOfPoint& vertexOf) const
   {
-    return boxOfItems(this->parallelFor_, triangles.size(),
+    return boxOfItems(this->parallelFor, corners.size(),
       [&](Box& part, std::size_t i)
       {
-        for (const Id vertex : vertexOf(triangles[i]))
+        for (const Id vertex : vertexOf(corners[i]))
         {
-          part.add(this->vertices_.positions[vertex]);
+          part.add(this->vertices.positions[vertex]);
         }
       });
   }
@@ -298,44 +347,47 @@ private:
   /// may be anywhere; they only stay finite.
   void scaleVertices()
   {
-    const std::vector<Triangle>& triangles = this->triangles_.corners;
-    const double largest = this->exchange_.largestOf(
-      triangles.empty() ? 0.0 : this->boxOf(triangles, this->vertices_.of).largestCoordinate());
-    this->scale_ = requireScale(largest);
-    if (!this->scale_.isOne())
+    const std::vector<Triangle>& corners = this->triangles.corners;
+    const double largest = this->exchange.largestOf(
+      corners.empty() ? 0.0 : this->boxOf(corners, this->vertices.of).largestCoordinate());
+    this->scale = requireScale(largest);
+    if (!this->scale.isOne())
     {
-      for (Vec3& p : this->vertices_.positions)
+      for (Vec3& p : this->vertices.positions)
       {
         for (double& x : p)
         {
-          x = std::clamp(this->scale_.toEngine(x), -DBL_MAX, DBL_MAX);
+          x = std::clamp(this->scale.toEngine(x), -DBL_MAX, DBL_MAX);
         }
       }
     }
-    this->largestCoordinate_ = this->scale_.toEngine(largest);
+    this->largestCoordinate = this->scale.toEngine(largest);
   }
 
-  /// Triangles from the first to before the last, for joining seams.
-  SeamBlock seamBlock(std::size_t first, std::size_t last, double precision) const
+  /// What some of the blocks have, for joining seams.
+  SeamBlock seamBlock(std::size_t firstBlock, std::size_t lastBlock) const
   {
     SeamBlock seam;
-    seam.precision = precision;
-    for (std::size_t i = first; i < last; ++i)
+    for (std::size_t block = firstBlock; block < lastBlock; ++block)
     {
-      (this->triangles_.isDuplicate[i] ? seam.ghosts : seam.triangles)
-        .push_back(this->vertices_.of(this->triangles_.corners[i]));
+      seam.precision = std::max(seam.precision, this->inputs[block].precision());
+      for (std::size_t i = this->triangles.firstOfBlock[block];
+           i < this->triangles.firstOfBlock[block + 1]; ++i)
+      {
+        (this->triangles.isDuplicate[i] ? seam.ghosts : seam.triangles)
+          .push_back(this->vertices.of(this->triangles.corners[i]));
+      }
     }
     return seam;
   }
 
   /// \returns JoinedVertices::same
-  std::map<Label, Label> findSeams(std::vector<SeamBlock> blocks, Exchange& exchange)
+  std::map<Label, Label> findSeams(std::vector<SeamBlock> seams, Exchange& among)
   {
-    JoinedVertices joined = mergeSeams(this->vertices_.positions, this->vertices_.labels,
-      std::move(blocks), this->largestCoordinate_, exchange);
+    JoinedVertices joined = mergeSeams(this->vertices.positions, this->vertices.labels,
+      std::move(seams), this->largestCoordinate, among);
     // All ranks of the exchange have counted the same.
-    this->report_.joinedSeamPoints +=
-      exchange.rank() == 0 ? static_cast<vtkIdType>(joined.count) : 0;
+    this->report.joinedSeamPoints += among.rank() == 0 ? static_cast<vtkIdType>(joined.count) : 0;
     return std::move(joined.same);
   }
 
@@ -343,40 +395,33 @@ private:
   void joinBlocks()
   {
     std::vector<SeamBlock> seams;
-    for (std::size_t i = 0; i < this->inputs_.size(); ++i)
+    for (std::size_t i = 0; i < this->inputs.size(); ++i)
     {
-      seams.push_back(this->seamBlock(this->triangles_.firstOfBlock[i],
-        this->triangles_.firstOfBlock[i + 1], this->inputs_[i].precision()));
+      seams.push_back(this->seamBlock(i, i + 1));
     }
-    std::vector<Id> same(this->vertices_.positions.size());
+    std::vector<Id> same(this->vertices.positions.size());
     std::iota(same.begin(), same.end(), Id(0));
     for (const auto& [vertex, other] : this->findSeams(std::move(seams), OneRank::instance()))
     {
       same[vertex] = static_cast<Id>(other);
     }
-    this->vertices_.join(same);
+    this->vertices.join(same);
   }
 
   /// Labels the vertices: vertices of different ranks that are one get the same label. If several
   /// vertices of this rank get the same, they are one, too.
   void joinRanks()
   {
-    RankLabels& labels = this->vertices_.labels;
+    RankLabels& labels = this->vertices.labels;
     labels = joinSameVertices(
-      this->vertices_.positions, this->mergesPoints_, this->globalIds(), this->exchange_);
+      this->vertices.positions, this->mergesPoints, this->globalIds(), this->exchange);
     std::map<Label, Label> seams;
-    if (this->mergesPoints_)
+    if (this->mergesPoints)
     {
-      double precision = 0.0;
-      for (const PolyDataBlock& input : this->inputs_)
-      {
-        precision = std::max(precision, input.precision());
-      }
-      seams = this->findSeams(
-        { this->seamBlock(0, this->triangles_.corners.size(), precision) }, this->exchange_);
+      seams = this->findSeams({ this->seamBlock(0, this->inputs.size()) }, this->exchange);
     }
     std::unordered_map<Label, Id> first;
-    std::vector<Id> same(this->vertices_.positions.size());
+    std::vector<Id> same(this->vertices.positions.size());
     for (Id vertex = 0; vertex < same.size(); ++vertex)
     {
       if (const auto seam = seams.find(labels.of(vertex)); seam != seams.end())
@@ -386,7 +431,7 @@ private:
       same[vertex] =
         labels.isSharedAt(vertex) ? first.emplace(labels.of(vertex), vertex).first->second : vertex;
     }
-    this->vertices_.join(same);
+    this->vertices.join(same);
   }
 
   /// A global id and a vertex for each point; empty if points of any rank have no global ids.
@@ -394,9 +439,9 @@ private:
   {
     std::vector<std::pair<std::int64_t, Id>> ids;
     bool isComplete = true;
-    for (std::size_t block = 0; block < this->blocks_.size() && isComplete; ++block)
+    for (std::size_t block = 0; block < this->blocks.size() && isComplete; ++block)
     {
-      vtkPolyData* data = this->inputs_[block].data;
+      vtkPolyData* data = this->inputs[block].data;
       vtkDataArray* array = data->GetPointData()->GetGlobalIds();
       if (!array)
       {
@@ -407,7 +452,7 @@ private:
       for (vtkIdType i = 0; i < count && isComplete; ++i)
       {
         ids.emplace_back(static_cast<std::int64_t>(array->GetComponent(i, 0)),
-          this->vertices_.of(this->blocks_[block].firstPoint + static_cast<Id>(i)));
+          this->vertices.of(this->blocks[block].firstPoint + static_cast<Id>(i)));
       }
     }
     if (!this->isTrueOnAll(isComplete))
@@ -417,83 +462,35 @@ private:
     return ids;
   }
 
-  /// Finds the triangles that are not open.
-  ///
-  /// \throws MeshError if no open triangle is left on any rank, where this one has barriers.
-  void findRoles()
-  {
-    this->roles_ =
-      findCopies(this->vertices_.labels, this->vertices_.of, this->triangles_, this->exchange_);
-    const char* name = nullptr;
-    for (std::size_t block = 0; block < this->inputs_.size(); ++block)
-    {
-      if (vtkDataArray* values = this->inputs_[block].barriers)
-      {
-        name = values->GetName();
-        this->findBarriers(block);
-      }
-    }
-    const auto open = std::count(this->roles_.begin(), this->roles_.end(), TriangleRole::Open);
-    const bool isAnyOpen = open > 0 || this->roles_.size() < this->triangles_.corners.size();
-    if (this->isTrueOnAll(!isAnyOpen) && name)
-    {
-      throw MeshError(
-        std::string("All faces of the surface (input port 0) are barriers: the cell array ") +
-        name +
-        " (BarrierArrayName) is 0 at none of them. Set it to 0 where paths may pass, or choose no "
-        "barrier array.");
-    }
-    if (static_cast<std::size_t>(open) == this->roles_.size())
-    {
-      this->roles_ = std::vector<TriangleRole>();
-    }
-  }
-
-  /// A triangle with two corners at one vertex has no inside: it is left to the mesh, which leaves
-  /// it out.
-  void findBarriers(std::size_t block)
-  {
-    this->roles_.resize(this->triangles_.corners.size(), TriangleRole::Open);
-    for (std::size_t i = this->triangles_.firstOfBlock[block];
-         i < this->triangles_.firstOfBlock[block + 1]; ++i)
-    {
-      if (this->roles_[i] == TriangleRole::Open &&
-        hasThreeVertices(this->vertices_.of(this->triangles_.corners[i])) &&
-        this->inputs_[block].barriers->GetComponent(this->triangles_.cells[i], 0) != 0.0)
-      {
-        this->roles_[i] = TriangleRole::Barrier;
-      }
-    }
-  }
-
   /// Takes the faces, in the memory of the triangles.
   Faces takeFaces()
   {
     Faces faces;
-    faces.open = std::move(this->triangles_.corners);
-    this->triangles_ = {};
+    faces.open = std::move(this->triangles.corners);
+    this->triangles = {};
     std::vector<Triangle>& open = faces.open;
-    forRanges(this->parallelFor_, this->vertices_.of.isIdentity() ? 0 : open.size(),
+    forRanges(this->parallelFor, this->vertices.of.isIdentity() ? 0 : open.size(),
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          open[i] = this->vertices_.of(open[i]);
+          open[i] = this->vertices.of(open[i]);
         }
       });
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < this->roles_.size(); ++i)
+    for (Id i = 0; i < this->roles.size(); ++i)
     {
-      if (this->roles_[i] == TriangleRole::Open)
+      if (this->roles[i] == TriangleRole::Open)
       {
-        open[count++] = open[i];
+        open[faces.openTriangles.size()] = open[i];
+        faces.openTriangles.push_back(i);
       }
-      else if (this->roles_[i] == TriangleRole::Barrier)
+      else if (this->roles[i] == TriangleRole::Barrier)
       {
         faces.barriers.push_back(open[i]);
+        faces.barrierTriangles.push_back(i);
       }
     }
-    open.resize(this->roles_.empty() ? open.size() : count);
+    open.resize(this->roles.empty() ? open.size() : faces.openTriangles.size());
     return faces;
   }
 
@@ -503,25 +500,26 @@ private:
   {
     Box box = this->boxOf(faces.open, {});
     box.add(this->boxOf(faces.barriers, {}));
-    std::vector<double> least = { box.low[0], box.low[1], box.low[2], -box.high[0], -box.high[1],
-      -box.high[2] };
-    this->exchange_.findLeast(least);
-    return norm(Vec3{ -least[3], -least[4], -least[5] } - Vec3{ least[0], least[1], least[2] });
+    for (const Box& other : valuesOfRanks(this->exchange, box))
+    {
+      box.add(other);
+    }
+    return norm(box.high - box.low);
   }
 
   /// Makes the meshes of the open faces and of the barriers.
-  SurfaceContents makeSurface(Faces faces)
+  PolyDataSurface makeSurface(Faces faces, Id numberOfTriangles)
   {
     const double diagonal = this->diagonalOf(faces);
-    const std::size_t count = this->vertices_.positions.size();
+    const std::size_t count = this->vertices.positions.size();
     std::vector<Id> inBarriers = numberUsedVertices(faces.barriers, count);
     std::vector<Vec3> barrierPoints;
     std::vector<std::uint64_t> barrierKeys;
-    this->vertices_.copy(inBarriers, barrierPoints, barrierKeys);
+    this->vertices.copy(inBarriers, barrierPoints, barrierKeys);
     // One process keeps the other vertices, too: points need no table then.
     std::vector<Id> numbers;
     std::vector<std::uint64_t> keys;
-    if (this->exchange_.numberOfRanks() > 1)
+    if (this->exchange.numberOfRanks() > 1)
     {
       const std::vector<Id> used = numberUsedVertices(faces.open, count);
       numbers.assign(count, NoId);
@@ -530,13 +528,13 @@ private:
         numbers[used[i]] = static_cast<Id>(i);
       }
       std::vector<Vec3> points;
-      this->vertices_.copy(used, points, keys);
-      this->vertices_.positions = std::move(points);
+      this->vertices.copy(used, points, keys);
+      this->vertices.positions = std::move(points);
     }
-    BorrowedValues remote = remoteVertices(this->vertices_.labels, numbers, this->exchange_);
-    this->vertices_.labels = {};
-    MeshPartition partition(std::move(this->vertices_.positions), faces.open, keys, this->exchange_,
-      progressBetween(this->callback_, TrianglesRead, 1.0), this->parallelFor_);
+    BorrowedValues elsewhere = findValuesElsewhere(this->vertices.labels, numbers, this->exchange);
+    this->vertices.labels = {};
+    MeshPartition partition(std::move(this->vertices.positions), faces.open, keys, this->exchange,
+      progressBetween(this->callback, TrianglesRead, 1.0), this->parallelFor);
     Id next = partition.mesh().numberOfVertices();
     for (Id& number : numbers)
     {
@@ -547,32 +545,18 @@ private:
       vertex = numbers.empty() ? vertex : numbers[vertex];
     }
     std::unique_ptr<BarrierFaces> barriers;
-    if (this->exchange_.isTrueAnywhere(!faces.barriers.empty()))
+    if (this->exchange.isTrueAnywhere(!faces.barriers.empty()))
     {
       barriers = std::make_unique<BarrierFaces>(partition,
-        MeshPartition(std::move(barrierPoints), faces.barriers, barrierKeys, this->exchange_));
+        MeshPartition(std::move(barrierPoints), faces.barriers, barrierKeys, this->exchange));
     }
-    this->vertices_.of.renumber(std::move(numbers));
-    const SurfaceReport report = reportOfAllRanks(this->report_, partition);
-    return { std::move(partition), std::move(remote), std::move(barriers), std::move(inBarriers),
-      std::move(this->vertices_.of), std::move(this->blocks_), std::move(this->roles_),
-      this->scale_, diagonal, report };
+    this->vertices.of.renumber(std::move(numbers));
+    const SurfaceReport ofAllRanks = reportOfAllRanks(this->report, partition);
+    return { std::move(partition), std::move(elsewhere), std::move(barriers), std::move(inBarriers),
+      std::move(this->vertices.of), std::move(this->blocks), this->numberOfPoints,
+      numberOfTriangles, std::move(this->roles), std::move(faces.openTriangles),
+      std::move(faces.barrierTriangles), this->scale, diagonal, ofAllRanks };
   }
-
-  const std::vector<PolyDataBlock>& inputs_;
-  bool mergesPoints_;
-  Exchange& exchange_;
-  const ProgressCallback& callback_;
-  ParallelFor parallelFor_;
-  std::vector<SurfaceBlock> blocks_;
-  Vertices vertices_;
-  TriangleList triangles_;
-  /// Of the triangles; empty if all are open.
-  std::vector<TriangleRole> roles_;
-  PowerOfTwoScale scale_;
-  /// Of the triangles of all ranks, on the mesh's scale.
-  double largestCoordinate_ = 0.0;
-  SurfaceReport report_;
 };
 
 }
@@ -580,7 +564,7 @@ private:
 PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
   Exchange& exchange, const ProgressCallback& progress)
 {
-  return PolyDataSurface(SurfaceReader(blocks, mergeCoincidentPoints, exchange, progress).read());
+  return SurfaceReader{ blocks, mergeCoincidentPoints, exchange, progress }.read();
 }
 
 }

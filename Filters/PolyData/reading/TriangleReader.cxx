@@ -39,21 +39,23 @@ vtkUnsignedCharArray* ghostArray(vtkPolyData* data)
 }
 
 /// Collects the triangles of one block's cells.
-class BlockReader
+struct BlockReader
 {
-public:
-  /// \param firstPoint the number of the block's point 0 among those of all blocks.
-  /// \param triangles to which triangles are added.
-  BlockReader(const PolyDataBlock& block, Id firstPoint, const VertexOfPoint& vertexOf,
-    TriangleList& triangles, SurfaceReport& report)
-    : block_(block)
-    , ghosts_(ghostArray(block.data))
-    , firstPoint_(firstPoint)
-    , vertexOf_(vertexOf)
-    , triangles_(triangles)
-    , report_(report)
-  {
-  }
+  const PolyDataBlock& block;
+  /// The number of the block's point 0 among those of all blocks.
+  const Id firstPoint;
+  const VertexOfPoint& vertexOf;
+  /// To which triangles are added.
+  TriangleList& triangles;
+  SurfaceReport& report;
+  vtkUnsignedCharArray* const ghosts = ghostArray(block.data);
+  /// The current cell: vtkPolyData numbers vertices, lines, polygons and strips, in this order.
+  vtkIdType cell = 0;
+  bool hasOtherCells = false;
+  /// Of a polygon, without repeated vertices.
+  std::vector<vtkIdType> outline{};
+  vtkNew<vtkPolygon> polygon{};
+  vtkNew<vtkIdList> ears{};
 
   /// \param cellsRead of numberOfFaces, for the progress.
   /// \returns whether all cells are triangles.
@@ -63,18 +65,18 @@ public:
     const auto count = static_cast<std::size_t>(numberOfFaces);
     const double done =
       static_cast<double>(cellsRead) / static_cast<double>(std::max<std::size_t>(count, 1));
-    if (!this->ghosts_ &&
-      this->block_.data->GetNumberOfPolys() == this->block_.data->GetNumberOfCells())
+    if (!this->ghosts &&
+      this->block.data->GetNumberOfPolys() == this->block.data->GetNumberOfCells())
     {
       progress.between(done, 1.0).at(0, 1);
       if (this->readPlainTriangles(parallelFor))
       {
-        cellsRead += static_cast<std::size_t>(this->block_.data->GetNumberOfPolys());
+        cellsRead += static_cast<std::size_t>(this->block.data->GetNumberOfPolys());
         return true;
       }
     }
-    this->report_.droppedVertexCells += this->countUnmarked(this->block_.data->GetNumberOfVerts());
-    this->report_.droppedLineCells += this->countUnmarked(this->block_.data->GetNumberOfLines());
+    this->report.droppedVertexCells += this->countUnmarked(this->block.data->GetNumberOfVerts());
+    this->report.droppedLineCells += this->countUnmarked(this->block.data->GetNumberOfLines());
     const auto readAll = [&](vtkCellArray* cells, auto add)
     {
       forEachCell(cells,
@@ -83,35 +85,34 @@ public:
           progress.at(cellsRead++, count);
           if (!this->isMarked(Hidden))
           {
-            requirePoints<MeshError>(this->block_, this->cell_, size, ids);
+            requirePoints<MeshError>(this->block, this->cell, size, ids);
             (this->*add)(size, ids);
           }
-          ++this->cell_;
+          ++this->cell;
         });
     };
-    readAll(this->block_.data->GetPolys(), &BlockReader::addPolygon);
-    readAll(this->block_.data->GetStrips(), &BlockReader::addStrip);
-    return !this->hasOtherCells_;
+    readAll(this->block.data->GetPolys(), &BlockReader::addPolygon);
+    readAll(this->block.data->GetStrips(), &BlockReader::addStrip);
+    return !this->hasOtherCells;
   }
 
-private:
   /// Whether the ghost array marks the current cell.
   bool isMarked(int mark) const
   {
-    return this->ghosts_ && (this->ghosts_->GetValue(this->cell_) & mark) != 0;
+    return this->ghosts && (this->ghosts->GetValue(this->cell) & mark) != 0;
   }
   /// Of the next cells how many are neither duplicates nor hidden.
   vtkIdType countUnmarked(vtkIdType cells)
   {
     vtkIdType unmarked = 0;
-    for (const vtkIdType end = this->cell_ + cells; this->cell_ < end; ++this->cell_)
+    for (const vtkIdType end = this->cell + cells; this->cell < end; ++this->cell)
     {
       unmarked += this->isMarked(Duplicate | Hidden) ? 0 : 1;
     }
     return unmarked;
   }
 
-  Id pointOf(vtkIdType id) const { return this->firstPoint_ + static_cast<Id>(id); }
+  Id pointOf(vtkIdType id) const { return this->firstPoint + static_cast<Id>(id); }
   Triangle pointsOf(vtkIdType a, vtkIdType b, vtkIdType c) const
   {
     return { this->pointOf(a), this->pointOf(b), this->pointOf(c) };
@@ -120,29 +121,30 @@ private:
   /// Reads a block whose cells are all triangles with three vertices. \returns whether it is one.
   bool readPlainTriangles(const ParallelFor& parallelFor)
   {
-    TriangleList& triangles = this->triangles_;
-    const std::size_t before = triangles.corners.size();
-    const auto count = static_cast<std::size_t>(this->block_.data->GetNumberOfPolys());
-    triangles.corners.resize(before + count);
-    triangles.cells.resize(before + count);
-    const auto exists = [end = this->block_.data->GetNumberOfPoints()](vtkIdType id)
+    std::vector<Triangle>& corners = this->triangles.corners;
+    std::vector<vtkIdType>& cells = this->triangles.cells;
+    const std::size_t before = corners.size();
+    const auto count = static_cast<std::size_t>(this->block.data->GetNumberOfPolys());
+    corners.resize(before + count);
+    cells.resize(before + count);
+    const auto exists = [end = this->block.data->GetNumberOfPoints()](vtkIdType id)
     { return id >= 0 && id < end; };
     const auto readRange = [&](std::size_t begin, std::size_t end)
     {
-      const auto cells = vtk::TakeSmartPointer(this->block_.data->GetPolys()->NewIterator());
-      cells->GoToCell(static_cast<vtkIdType>(begin));
-      for (std::size_t i = begin; i < end; ++i, cells->GoToNextCell())
+      const auto at = vtk::TakeSmartPointer(this->block.data->GetPolys()->NewIterator());
+      at->GoToCell(static_cast<vtkIdType>(begin));
+      for (std::size_t i = begin; i < end; ++i, at->GoToNextCell())
       {
         vtkIdType size = 0;
         const vtkIdType* ids = nullptr;
-        cells->GetCurrentCell(size, ids);
+        at->GetCurrentCell(size, ids);
         if (size != 3 || !std::all_of(ids, ids + 3, exists))
         {
           return 0;
         }
-        triangles.corners[before + i] = this->pointsOf(ids[0], ids[1], ids[2]);
-        triangles.cells[before + i] = static_cast<vtkIdType>(i);
-        if (!hasThreeVertices(this->vertexOf_(triangles.corners[before + i])))
+        corners[before + i] = this->pointsOf(ids[0], ids[1], ids[2]);
+        cells[before + i] = static_cast<vtkIdType>(i);
+        if (!hasThreeVertices(this->vertexOf(corners[before + i])))
         {
           return 0;
         }
@@ -151,9 +153,9 @@ private:
     };
     const std::vector<int> arePlain = resultsOfRanges(parallelFor, count, readRange);
     const bool areAllPlain = std::find(arePlain.begin(), arePlain.end(), 0) == arePlain.end();
-    triangles.corners.resize(areAllPlain ? before + count : before);
-    triangles.cells.resize(triangles.corners.size());
-    triangles.isDuplicate.resize(triangles.corners.size(), false);
+    corners.resize(areAllPlain ? before + count : before);
+    cells.resize(corners.size());
+    this->triangles.isDuplicate.resize(corners.size(), false);
     return areAllPlain;
   }
 
@@ -164,17 +166,17 @@ private:
       this->addTriangle(ids[0], ids[1], ids[2]);
       return;
     }
-    this->hasOtherCells_ = true;
-    this->outline_.clear();
+    this->hasOtherCells = true;
+    this->outline.clear();
     for (vtkIdType i = 0; i < size; ++i)
     {
       const vtkIdType next = ids[(i + 1) % size];
-      if (this->vertexOf_(this->pointOf(ids[i])) != this->vertexOf_(this->pointOf(next)))
+      if (this->vertexOf(this->pointOf(ids[i])) != this->vertexOf(this->pointOf(next)))
       {
-        this->outline_.push_back(ids[i]);
+        this->outline.push_back(ids[i]);
       }
     }
-    if (this->outline_.size() < 3)
+    if (this->outline.size() < 3)
     {
       this->leaveOut();
       return;
@@ -184,7 +186,7 @@ private:
 
   void addStrip(vtkIdType size, const vtkIdType* ids)
   {
-    this->hasOtherCells_ = true;
+    this->hasOtherCells = true;
     for (vtkIdType i = 0; i + 2 < size; ++i)
     {
       const vtkIdType odd = i % 2;
@@ -195,59 +197,46 @@ private:
   void addTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
   {
     const Triangle points = this->pointsOf(a, b, c);
-    if (!hasThreeVertices(this->vertexOf_(points)))
+    if (!hasThreeVertices(this->vertexOf(points)))
     {
       this->leaveOut();
       return;
     }
-    this->triangles_.corners.push_back(points);
-    this->triangles_.cells.push_back(this->cell_);
-    this->triangles_.isDuplicate.push_back(this->isMarked(Duplicate));
+    this->triangles.corners.push_back(points);
+    this->triangles.cells.push_back(this->cell);
+    this->triangles.isDuplicate.push_back(this->isMarked(Duplicate));
   }
 
-  void leaveOut() { this->report_.facesWithRepeatedPoint += this->isMarked(Duplicate) ? 0 : 1; }
+  void leaveOut() { this->report.facesWithRepeatedPoint += this->isMarked(Duplicate) ? 0 : 1; }
 
   void cutEars()
   {
-    const std::vector<vtkIdType>& outline = this->outline_;
-    const auto size = static_cast<vtkIdType>(outline.size());
-    this->polygon_->Initialize(
-      static_cast<int>(size), outline.data(), this->block_.data->GetPoints());
+    const auto size = static_cast<vtkIdType>(this->outline.size());
+    this->polygon->Initialize(
+      static_cast<int>(size), this->outline.data(), this->block.data->GetPoints());
 #if VTK_VERSION_NUMBER >= 90300000000ULL
-    this->polygon_->TriangulateLocalIds(0, this->ears_);
+    this->polygon->TriangulateLocalIds(0, this->ears);
 #else
-    this->polygon_->Triangulate(this->ears_);
+    this->polygon->Triangulate(this->ears);
 #endif
-    if (this->ears_->GetNumberOfIds() != 3 * (size - 2))
+    if (this->ears->GetNumberOfIds() != 3 * (size - 2))
     {
       // No area or an outline that crosses itself: any triangles conduct.
-      for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+      this->ears->Reset();
+      for (vtkIdType i = 1; i + 1 < size; ++i)
       {
-        this->addTriangle(outline[0], outline[i], outline[i + 1]);
+        this->ears->InsertNextId(0);
+        this->ears->InsertNextId(i);
+        this->ears->InsertNextId(i + 1);
       }
-      return;
     }
-    const auto corner = [&](vtkIdType i)
-    { return outline[static_cast<std::size_t>(this->ears_->GetId(i))]; };
+    const auto corner = [this](vtkIdType i)
+    { return this->outline[static_cast<std::size_t>(this->ears->GetId(i))]; };
     for (vtkIdType i = 0; i < 3 * (size - 2); i += 3)
     {
       this->addTriangle(corner(i), corner(i + 1), corner(i + 2));
     }
   }
-
-  const PolyDataBlock& block_;
-  vtkUnsignedCharArray* ghosts_;
-  Id firstPoint_;
-  const VertexOfPoint& vertexOf_;
-  TriangleList& triangles_;
-  SurfaceReport& report_;
-  /// The current cell: vtkPolyData numbers vertices, lines, polygons and strips, in this order.
-  vtkIdType cell_ = 0;
-  bool hasOtherCells_ = false;
-  /// Of a polygon, without repeated vertices.
-  std::vector<vtkIdType> outline_;
-  vtkNew<vtkPolygon> polygon_;
-  vtkNew<vtkIdList> ears_;
 };
 
 } // anonymous namespace
@@ -264,7 +253,7 @@ TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const Verte
   {
     triangles.firstOfBlock.push_back(triangles.corners.size());
     blocks[i].firstTriangle = static_cast<Id>(triangles.corners.size());
-    BlockReader reader(inputs[i], blocks[i].firstPoint, vertexOf, triangles, report);
+    BlockReader reader{ inputs[i], blocks[i].firstPoint, vertexOf, triangles, report };
     blocks[i].areInputCells = reader.read(parallelFor, progress, numberOfFaces, cellsRead);
   }
   triangles.firstOfBlock.push_back(triangles.corners.size());

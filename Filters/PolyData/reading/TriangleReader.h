@@ -66,17 +66,21 @@ TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const Verte
   vtkIdType numberOfFaces, const LoopProgress& progress, const ParallelFor& parallelFor,
   std::vector<SurfaceBlock>& blocks, SurfaceReport& report);
 
-/// Finds the originals of triangles that ghost arrays mark as duplicates, among the triangles of
-/// all ranks. A marked cell on the vertices of an unmarked cell of this rank gets that cell's
-/// triangles (a polygon may be cut in several ways). A marked cell without an original is surface
-/// itself; of several such cells on the same vertices, the first. All ranks call this together.
+/// Finds the roles of the triangles of all ranks, which call this together.
 ///
+/// Of triangles that ghost arrays mark as duplicates, the originals are looked for on all ranks. A
+/// marked cell on the vertices of an unmarked cell of this rank gets that cell's triangles (a
+/// polygon may be cut in several ways). A marked cell without an original is surface itself; of
+/// several such cells on the same vertices, the first.
+///
+/// \param inputs which triangles are barriers.
 /// \param labels of the vertices.
 /// \param triangles the corners of marked ones may change.
-/// \returns of each triangle whether it is a copy of another, or else open; empty if none is a
-/// copy.
-std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoint& vertexOf,
-  TriangleList& triangles, Exchange& exchange);
+/// \returns of each triangle; empty if all are open.
+/// \throws MeshError if no open triangle is left on any rank, where this one has barriers.
+std::vector<TriangleRole> findRoles(const std::vector<PolyDataBlock>& inputs,
+  const RankLabels& labels, const VertexOfPoint& vertexOf, TriangleList& triangles,
+  Exchange& exchange);
 
 /// Gives blocks their triangles as cells, after duplicates have been given those of their
 /// originals.

@@ -11,6 +11,12 @@
 namespace geodesic
 {
 
+/// Which corner of a triangle is at a vertex; 3 if none is.
+inline Id cornerAt(const Triangle& triangle, Id vertex)
+{
+  return static_cast<Id>(std::find(triangle.begin(), triangle.end(), vertex) - triangle.begin());
+}
+
 /// A face of the mesh of the whole surface, and the global numbers of the vertices at its corners.
 struct GlobalFace
 {
@@ -18,16 +24,10 @@ struct GlobalFace
   Triangle vertices{ NoId, NoId, NoId };
 
   bool isThere() const { return this->address.id != NoId; }
-  /// Which of its corners is at a vertex; 3 if none is.
-  Id cornerAt(Id vertex) const
-  {
-    return static_cast<Id>(
-      std::find(this->vertices.begin(), this->vertices.end(), vertex) - this->vertices.begin());
-  }
   /// Which of its edges has these vertices.
   Id edgeBetween(Id a, Id b) const
   {
-    const Id k = this->cornerAt(a);
+    const Id k = cornerAt(this->vertices, a);
     return this->vertices[(k + 1) % 3] == b ? k : (k + 2) % 3;
   }
 };
@@ -38,19 +38,32 @@ class GlobalFaces
 public:
   /// All ranks call together, as for find().
   explicit GlobalFaces(const PolyDataSurface& surface)
-    : surface_(surface.partition())
+    : surface_(surface)
     , remote_(surface.remoteVertices())
   {
+  }
+
+  /// A vertex that PolyDataSurface::vertexOf() names.
+  GlobalVertex vertex(Id number) const
+  {
+    const Id inMesh = this->surface_.mesh().numberOfVertices();
+    return number < inMesh ? this->surface_.vertexOfMesh(number) : this->remote_[number - inMesh];
+  }
+  Triangle globalIds(const Triangle& t) const
+  {
+    return { this->vertex(t[0]).globalId, this->vertex(t[1]).globalId,
+      this->vertex(t[2]).globalId };
   }
 
   /// Calls visit(k, edge as find() takes it) for each edge k of a triangle whose ends have faces.
   template <typename Visit>
   void forEachEdgeWithFaces(const Triangle& t, Visit&& visit) const
   {
+    const auto hasFace = [this](Id number) { return this->vertex(number).holder.id != NoId; };
     for (std::size_t k = 0; k < 3; ++k)
     {
       const Id next = t[(k + 1) % 3];
-      if (this->hasFace(t[k]) && this->hasFace(next))
+      if (hasFace(t[k]) && hasFace(next))
       {
         visit(k, Triangle{ t[k], next, next });
       }
@@ -61,24 +74,25 @@ public:
   /// rank owns, if there is one.
   std::vector<GlobalFace> find(const std::vector<Triangle>& vertices) const
   {
+    Exchange& exchange = this->surface_.exchange();
     std::vector<GlobalFace> faces(vertices.size());
-    Questions questions(this->surface_.exchange());
+    Questions questions(exchange);
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
-      // Around a vertex all faces are known to this rank, or to the one that holds it.
-      const Triangle& wanted = vertices[i];
-      const auto here = std::find_if(
-        wanted.begin(), wanted.end(), [this](Id vertex) { return !this->isRemote(vertex); });
-      const auto held = std::find_if(wanted.begin(), wanted.end(),
-        [this](Id vertex) { return this->isRemote(vertex) && this->hasFace(vertex); });
-      if (here != wanted.end())
+      // All faces around a vertex are known to a rank that has some of them: to this one, best.
+      RankAddress asked{ -1, NoId };
+      for (const Id number : vertices[i])
       {
-        faces[i] = this->findAround(*here, this->globalIds(wanted));
+        const RankAddress holder = this->vertex(number).holder;
+        if (holder.id != NoId &&
+          (asked.id == NoId || (holder.rank == exchange.rank() && asked.rank != exchange.rank())))
+        {
+          asked = holder;
+        }
       }
-      else if (held != wanted.end())
+      if (asked.id != NoId)
       {
-        const RankAddress& holder = this->remote(*held).holder;
-        questions.ask(holder.rank, i, holder.id, this->globalIds(wanted));
+        questions.ask(asked.rank, i, asked.id, this->globalIds(vertices[i]));
       }
     }
     questions.exchangeAnswers(
@@ -91,45 +105,19 @@ public:
     return faces;
   }
 
-  /// Of a vertex that PolyDataSurface::vertexOf() names: RemoteVertex::globalId, or that of the
-  /// mesh, where it lies, and whether it has a face.
-  Id globalId(Id vertex) const
-  {
-    return this->isRemote(vertex) ? this->remote(vertex).globalId : this->surface_.globalId(vertex);
-  }
-  Triangle globalIds(const Triangle& vertices) const
-  {
-    return { this->globalId(vertices[0]), this->globalId(vertices[1]),
-      this->globalId(vertices[2]) };
-  }
-  const Vec3& position(Id vertex) const
-  {
-    return this->isRemote(vertex) ? this->remote(vertex).position
-                                  : this->surface_.mesh().point(vertex);
-  }
-  bool hasFace(Id vertex) const
-  {
-    return this->isRemote(vertex) ? this->remote(vertex).holder.id != NoId
-                                  : this->surface_.mesh().cornersAt(vertex).size() > 0;
-  }
-
 private:
-  bool isRemote(Id vertex) const { return vertex >= this->surface_.mesh().numberOfVertices(); }
-  const RemoteVertex& remote(Id vertex) const
-  {
-    return this->remote_[vertex - this->surface_.mesh().numberOfVertices()];
-  }
   GlobalFace findAround(Id vertex, const Triangle& wanted) const
   {
+    const MeshPartition& partition = this->surface_.partition;
     GlobalFace found;
-    for (const Id corner : this->surface_.mesh().cornersAt(vertex))
+    for (const Id corner : partition.mesh().cornersAt(vertex))
     {
       const Id number = TriangleMesh::faceOf(corner);
-      const GlobalFace face{ this->surface_.addressOf(number),
-        this->globalIds(this->surface_.mesh().triangle(number)) };
-      const bool hasAll =
-        std::all_of(wanted.begin(), wanted.end(), [&face](Id id) { return face.cornerAt(id) < 3; });
-      if ((!found.isThere() || this->surface_.isOwn(number)) && hasAll)
+      const GlobalFace face{ partition.addressOf(number),
+        this->globalIds(partition.mesh().triangle(number)) };
+      const bool hasAll = std::all_of(
+        wanted.begin(), wanted.end(), [&face](Id id) { return cornerAt(face.vertices, id) < 3; });
+      if ((!found.isThere() || partition.isOwn(number)) && hasAll)
       {
         found = face;
       }
@@ -137,8 +125,8 @@ private:
     return found;
   }
 
-  const MeshPartition& surface_;
-  std::vector<RemoteVertex> remote_;
+  const PolyDataSurface& surface_;
+  std::vector<GlobalVertex> remote_;
 };
 
 }

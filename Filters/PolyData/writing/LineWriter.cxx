@@ -100,15 +100,6 @@ constexpr const char* TooLong =
   "Paths on the surface (input port 0) are longer than numbers can be. Scale the surface, the "
   "source and the targets upstream.";
 
-template <typename Array>
-vtkNew<Array> makeArray(const char* name, vtkIdType tuples)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(tuples);
-  return array;
-}
-
 /// Adds a cell array with one value a path.
 template <typename Array, typename ValueOf>
 void addArray(const char* name, const std::vector<PathOfTarget>& paths, const ValueOf& valueOf,
@@ -170,8 +161,7 @@ void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
 {
   requireMemoryOf(curves);
   LineCells cells(scale);
-  vtkNew<vtkDoubleArray> lengths;
-  lengths->SetName("SourceArcLength");
+  const auto lengths = makeArray<vtkDoubleArray>("SourceArcLength", 0);
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
     cells.addCurve(mesh, curves[c]);
@@ -185,8 +175,7 @@ void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
   {
     output->GetPointData()->AddArray(lengths);
   }
-  vtkNew<vtkIdTypeArray> sources;
-  sources->SetName("SourceId");
+  const auto sources = makeArray<vtkIdTypeArray>("SourceId", 0);
   forEachInOrderOfCells(curves,
     [&sources](const SourceCurve& curve)
     { sources->InsertNextValue(static_cast<vtkIdType>(curve.source)); });

@@ -152,7 +152,7 @@ SourceValues valuesOf(const SourceArrays& arrays, const Foot& foot, const Neares
     return values;
   }
   const SourceCurve& curve = arrays.curves[foot.curve];
-  const PowerOfTwoScale& scale = arrays.surface.scale();
+  const PowerOfTwoScale& scale = arrays.surface.scale;
   values.source = curve.source;
   values.side = curve.points.size() == 1                         ? SourceSide::Point
     : isOnRight(foot, arrays.curves, arrays.firstBoundarySource) ? SourceSide::Right
@@ -172,22 +172,33 @@ SourceValues valuesOf(const SourceArrays& arrays, const Foot& foot, const Neares
   return values;
 }
 
-/// Calls add(i, values, gradients) for each point.
-template <typename Add>
-ValuesAtPoints collect(const SourceArrayChoice& choice, std::size_t count,
-  const DistanceField& computed, const ProgressCallback& callback, const Add& add)
+/// Collects the values at points.
+///
+/// \param at of each point, if these are asked for, the foot, and the segment for the gradient:
+///        (std::size_t i) -> std::pair<Foot, IncomingSegment>
+template <typename At>
+ValuesAtPoints collect(const SourceArrays& arrays, const NearestSource& nearest, std::size_t count,
+  const DistanceField& computed, const ProgressCallback& callback, const At& at)
 {
   ValuesAtPoints values;
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  forEachKind(choice, [&](auto kind) { (values.*kind).reserve(count); });
+  forEachKind(arrays.choice, [&](auto kind) { (values.*kind).reserve(count); });
   Gradients gradients(computed, values.gradients);
   for (std::size_t i = 0; i < count; ++i)
   {
     progress.at(i, count);
-    add(i, values.sources, gradients);
+    const auto& [foot, segment] = at(i);
+    if (arrays.choice.areFeetNeeded())
+    {
+      values.sources.push_back(valuesOf(arrays, foot, nearest));
+    }
+    if (arrays.choice.gradients)
+    {
+      gradients.add(segment);
+    }
   }
-  if (choice.gradients)
+  if (arrays.choice.gradients)
   {
     gradients.finish();
   }
@@ -218,20 +229,15 @@ void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output)
 ValuesAtPoints SourceArrays::atVertices(const DistanceField& computed, const NearestSource& nearest,
   const ProgressCallback& progress) const
 {
-  const auto add = [&](std::size_t i, std::vector<SourceValues>& sources, Gradients& gradients)
+  const auto at = [&](std::size_t i)
   {
     const auto vertex = static_cast<Id>(i);
-    if (this->choice.areFeetNeeded())
-    {
-      sources.push_back(valuesOf(*this, nearest.atVertex(vertex), nearest));
-    }
-    if (this->choice.gradients)
-    {
-      gradients.add(incomingSegmentTo(computed, SurfacePoint::atVertex(vertex)));
-    }
+    return std::pair(nearest.atVertex(vertex),
+      this->choice.gradients ? incomingSegmentTo(computed, SurfacePoint::atVertex(vertex))
+                             : IncomingSegment());
   };
   ValuesAtPoints values =
-    collect(this->choice, this->surface.partition().numberOfOwnVertices(), computed, progress, add);
+    collect(*this, nearest, this->surface.partition.numberOfOwnVertices(), computed, progress, at);
   forEachKind(this->choice, [&](auto kind) { this->surface.completeValues({}, values.*kind); });
   return values;
 }
@@ -242,22 +248,16 @@ ValuesAtPoints SourceArrays::atNewPoints(const RefinedSurface& refined,
 {
   const std::vector<RefinedPoint>& points = refined.mesh.points;
   const std::size_t count = refined.numberOfPointsWithPlaces();
-  const auto add = [&](std::size_t i, std::vector<SourceValues>& sources, Gradients& gradients)
+  const auto at = [&](std::size_t i)
   {
     const bool isReached = points[i].distance < Infinity;
+    const bool isOther = this->choice.gradients && isReached && &computed != &exact;
     const IncomingSegment piece =
       isReached ? incomingSegmentTo(exact, points[i].place) : IncomingSegment();
-    if (this->choice.areFeetNeeded())
-    {
-      sources.push_back(valuesOf(*this, nearest.of(piece), nearest));
-    }
-    if (this->choice.gradients)
-    {
-      const bool isOther = isReached && &computed != &exact;
-      gradients.add(isOther ? incomingSegmentTo(computed, points[i].place) : piece);
-    }
+    return std::pair(this->choice.areFeetNeeded() ? nearest.of(piece) : Foot(),
+      isOther ? incomingSegmentTo(computed, points[i].place) : piece);
   };
-  ValuesAtPoints values = collect(this->choice, count, computed, progress, add);
+  ValuesAtPoints values = collect(*this, nearest, count, computed, progress, at);
   Exchange& exchange = this->surface.exchange();
   const SeamPoints seams = findSeamPoints(points, count, computed, exact);
   const BorrowedValues atSeams(seams.there, exchange);
@@ -309,7 +309,7 @@ std::vector<std::vector<double>> SourceArrays::arcLengthsOfCurves(
     lengths.push_back(nearest.arcLengthsOf(curve));
     for (double& length : lengths.back())
     {
-      length = this->surface.scale().toUser(length);
+      length = this->surface.scale.toUser(length);
     }
   }
   return lengths;
@@ -333,14 +333,10 @@ void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* outp
   const auto array = makeArray("SourceFrame", VTK_DOUBLE, 9, static_cast<vtkIdType>(frames.size()));
   for (std::size_t source = 0; source < frames.size(); ++source)
   {
-    const SourceFrame& frame = frames[source];
-    int component = 0;
-    for (const Vec3* axis : { &frame.x, &frame.y, &frame.normal })
+    const std::array<Vec3, 3> axes = { frames[source].x, frames[source].y, frames[source].normal };
+    for (std::size_t k = 0; k < 9; ++k)
     {
-      for (const double value : *axis)
-      {
-        array->SetComponent(static_cast<vtkIdType>(source), component++, value);
-      }
+      array->SetComponent(static_cast<vtkIdType>(source), static_cast<int>(k), axes[k / 3][k % 3]);
     }
   }
   output->GetFieldData()->AddArray(array);
@@ -349,7 +345,7 @@ void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* outp
 void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,
   const std::string& property)
 {
-  const MeshPartition& part = surface.partition();
+  const MeshPartition& part = surface.partition;
   const TriangleMesh& mesh = surface.mesh();
   Id halfedge = 3 * part.firstOwnFace();
   const Id end = 3 * part.endOfOwnFaces();

@@ -228,9 +228,7 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
   offsets->SetNumberOfValues(count + 1);
   vtkNew<vtkIdTypeArray> points;
   points->SetNumberOfValues(3 * count);
-  vtkNew<vtkIdTypeArray> originals;
-  originals->SetName("OriginalCellIds");
-  originals->SetNumberOfValues(count);
+  const auto originals = makeArray<vtkIdTypeArray>("OriginalCellIds", count);
   offsets->SetValue(count, 3 * count);
   forRanges(smpParallelFor(), refined.triangles.size(),
     progress.between(0.0, from->GetNumberOfArrays() > 0 ? 0.5 : 1.0),
@@ -282,7 +280,7 @@ void keepPoints(vtkIdList* used, vtkPolyData* data)
 std::vector<RefinedBlock> partsByBlock(
   const PolyDataSurface& surface, RefinedMesh refined, ValuesAtPoints values)
 {
-  std::vector<RefinedBlock> parts(surface.blocks().size());
+  std::vector<RefinedBlock> parts(surface.blocks.size());
   if (parts.size() == 1)
   {
     parts.front() = { std::move(refined), std::move(values) };
@@ -290,7 +288,7 @@ std::vector<RefinedBlock> partsByBlock(
   }
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    parts[i].mesh.numberOfInputPoints = surface.blocks()[i].numberOfPoints;
+    parts[i].mesh.numberOfInputPoints = surface.blocks[i].numberOfPoints;
   }
   // Of each new point its block and its number there, which those between it and others need.
   std::vector<std::size_t> blocks;
@@ -305,11 +303,11 @@ std::vector<RefinedBlock> partsByBlock(
     RefinedPoint& point = refined.points[i];
     const Id first = point.parents[0];
     blocks.push_back(first < refined.numberOfInputPoints
-        ? surface.blockOfPoint(first)
+        ? surface.blockOf(first, &SurfaceBlock::firstPoint)
         : blocks[first - refined.numberOfInputPoints]);
     for (Id& parent : point.parents)
     {
-      parent = numberOf(parent, surface.blocks()[blocks[i]]);
+      parent = numberOf(parent, surface.blocks[blocks[i]]);
     }
     auto& [part, valuesOfPart] = parts[blocks[i]];
     numbers.push_back(part.numberOfInputPoints + static_cast<Id>(part.points.size()));
@@ -327,8 +325,8 @@ std::vector<RefinedBlock> partsByBlock(
   values = {};
   for (std::size_t i = 0; i < refined.triangles.size(); ++i)
   {
-    const std::size_t index = surface.blockOfTriangle(refined.faces[i]);
-    const SurfaceBlock& block = surface.blocks()[index];
+    const std::size_t index = surface.blockOf(refined.faces[i], &SurfaceBlock::firstTriangle);
+    const SurfaceBlock& block = surface.blocks[index];
     Triangle triangle = refined.triangles[i];
     for (Id& corner : triangle)
     {

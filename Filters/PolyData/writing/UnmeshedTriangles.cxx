@@ -73,8 +73,8 @@ struct UnmeshedTriangles
 /// For each triangle the face that is made of it; NoId if none here is.
 std::vector<Id> facesOfTriangles(const PolyDataSurface& surface)
 {
-  std::vector<Id> faces(surface.numberOfTriangles(), NoId);
-  const MeshPartition& partition = surface.partition();
+  std::vector<Id> faces(surface.numberOfTriangles, NoId);
+  const MeshPartition& partition = surface.partition;
   for (Id face = partition.firstOwnFace(); face < partition.endOfOwnFaces(); ++face)
   {
     faces[surface.triangleOf(face)] = face;
@@ -145,7 +145,7 @@ UnmeshedTriangles findUnmeshedTriangles(const PolyDataSurface& surface, const Gl
     asked.push_back(like.face.address);
   }
   std::vector<RefinedFace> answers =
-    findRefinedFaces(asked, surface.partition(), refined, cornerPoints);
+    findRefinedFaces(asked, surface.partition, refined, cornerPoints);
   for (std::size_t i = 0; i < answers.size(); ++i)
   {
     unmeshed.templates[i].parts = std::move(answers[i]);
@@ -210,19 +210,19 @@ void cutAtEdges(const Triangle& corners, const EdgeSplits& splits, const Positio
 }
 
 /// Gives triangles the parts of their templates, with points of their own.
-class TemplateCopier
+struct TemplateCopier
 {
-public:
-  TemplateCopier(const PolyDataSurface& surface, const GlobalFaces& faces,
-    const UnmeshedTriangles& unmeshed, RefinedMesh& refined)
-    : surface_(surface)
-    , faces_(faces)
-    , unmeshed_(unmeshed)
-    , refined_(refined)
-    , numbering_(refined)
-    , ownPoints_(refined.points.size())
-  {
-  }
+  const PolyDataSurface& surface;
+  const GlobalFaces& faces;
+  const UnmeshedTriangles& unmeshed;
+  RefinedMesh& refined;
+  SplitPointNumbering numbering{ refined };
+  const std::size_t ownPoints = refined.points.size();
+  /// The points that the added ones are copies of.
+  std::vector<RankAddress> copied{};
+  const RefinedTemplate* like = nullptr;
+  /// Of the template's corners and points; NoId for those that the triangle has no point for yet.
+  std::vector<Id> numbers{};
 
   /// \param isWhole whether a triangle on the vertices of a face is not cut.
   void add(const UnmeshedTriangle& triangle, bool isWhole, std::vector<Triangle>& triangles)
@@ -231,9 +231,9 @@ public:
     {
       this->addCut(triangle, triangles);
     }
-    else if (isWhole || this->unmeshed_.numberOfParts(triangle) <= 1)
+    else if (isWhole || this->unmeshed.numberOfParts(triangle) <= 1)
     {
-      triangles.push_back(this->surface_.triangle(triangle.triangle));
+      triangles.push_back(this->surface.triangle(triangle.triangle));
     }
     else
     {
@@ -241,21 +241,18 @@ public:
     }
   }
 
-  std::vector<RankAddress> takeAdded() { return std::move(this->added_); }
-
-private:
   /// What follows is about a triangle and one of its templates.
-  void begin(const UnmeshedTriangle& triangle, Id like)
+  void begin(const UnmeshedTriangle& triangle, Id number)
   {
-    this->like_ = &this->unmeshed_.templates[like];
-    this->numbers_.assign(3 + this->like_->parts.points.size(), NoId);
-    const Triangle points = this->surface_.triangle(triangle.triangle);
+    this->like = &this->unmeshed.templates[number];
+    this->numbers.assign(3 + this->like->parts.points.size(), NoId);
+    const Triangle points = this->surface.triangle(triangle.triangle);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const Id corner = this->like_->face.cornerAt(triangle.vertices[k]);
+      const Id corner = cornerAt(this->like->face.vertices, triangle.vertices[k]);
       if (corner < 3)
       {
-        this->numbers_[corner] = points[k];
+        this->numbers[corner] = points[k];
       }
     }
   }
@@ -264,31 +261,30 @@ private:
   /// both have.
   Id ownPoint(Id point)
   {
-    if (this->numbers_[point] == NoId)
+    if (this->numbers[point] == NoId)
     {
-      RefinedPoint copy = this->like_->parts.points[point - 3];
+      RefinedPoint copy = this->like->parts.points[point - 3];
       const std::array<Id, 2> parents = copy.parents;
       copy.parents[0] = this->ownPoint(parents[0]);
       copy.parents[1] = this->ownPoint(parents[1]);
-      this->numbers_[point] = this->numbering_.numberOf(copy);
-      if (this->ownPoints_ + this->added_.size() < this->refined_.points.size())
+      this->numbers[point] = this->numbering.numberOf(copy);
+      if (this->ownPoints + this->copied.size() < this->refined.points.size())
       {
-        this->added_.push_back(
-          { this->like_->face.address.rank, this->like_->parts.numbersThere[point - 3] });
+        this->copied.push_back(
+          { this->like->face.address.rank, this->like->parts.numbersThere[point - 3] });
       }
     }
-    return this->numbers_[point];
+    return this->numbers[point];
   }
 
   void addParts(const UnmeshedTriangle& triangle, std::vector<Triangle>& triangles)
   {
     this->begin(triangle, triangle.like);
     const Triangle& vertices = triangle.vertices;
-    const Triangle& there = this->like_->face.vertices;
-    const auto first = static_cast<std::size_t>(
-      std::find(vertices.begin(), vertices.end(), there[0]) - vertices.begin());
+    const Triangle& there = this->like->face.vertices;
+    const Id first = cornerAt(vertices, there[0]);
     const bool isTurned = vertices[(first + 1) % 3] != there[1];
-    for (const Triangle& t : this->like_->parts.triangles)
+    for (const Triangle& t : this->like->parts.triangles)
     {
       const Id a = this->ownPoint(t[0]);
       const Id b = this->ownPoint(t[1]);
@@ -300,14 +296,13 @@ private:
   /// Cuts a triangle as the faces at its edges are.
   void addCut(const UnmeshedTriangle& triangle, std::vector<Triangle>& triangles)
   {
-    const Triangle points = this->surface_.triangle(triangle.triangle);
-    const Triangle vertices = this->surface_.vertexOf()(points);
+    const Triangle points = this->surface.triangle(triangle.triangle);
+    const Triangle vertices = this->surface.vertexOf(points);
     const auto positionOf = [&](Id point)
     {
-      const auto corner = std::find(points.begin(), points.end(), point) - points.begin();
-      return corner < 3
-        ? this->faces_.position(vertices[static_cast<std::size_t>(corner)])
-        : this->refined_.points[point - this->refined_.numberOfInputPoints].position;
+      const Id corner = cornerAt(points, point);
+      return corner < 3 ? this->faces.vertex(vertices[corner]).position
+                        : this->refined.points[point - this->refined.numberOfInputPoints].position;
     };
     EdgeSplits splits;
     for (std::size_t k = 0; k < 3; ++k)
@@ -319,7 +314,7 @@ private:
         {
           splits[k].push_back(this->ownPoint(point));
         }
-        const GlobalFace& face = this->like_->face;
+        const GlobalFace& face = this->like->face;
         const Id edge = face.edgeBetween(triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
         if (face.vertices[edge] != triangle.vertices[k])
         {
@@ -329,17 +324,6 @@ private:
     }
     cutAtEdges(points, splits, positionOf, triangles);
   }
-
-  const PolyDataSurface& surface_;
-  const GlobalFaces& faces_;
-  const UnmeshedTriangles& unmeshed_;
-  RefinedMesh& refined_;
-  SplitPointNumbering numbering_;
-  std::size_t ownPoints_;
-  std::vector<RankAddress> added_;
-  const RefinedTemplate* like_ = nullptr;
-  /// Of the template's corners and points; NoId for those that the triangle has no point for yet.
-  std::vector<Id> numbers_;
 };
 
 /// Whether all ranks have more triangles than they may. Copies do not count.
@@ -360,13 +344,13 @@ bool areTooMany(const PolyDataSurface& surface, const UnmeshedTriangles& unmeshe
 std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
 {
   std::unordered_map<Id, Id> count;
-  if (!surface.hasBarriers())
+  if (!surface.barriers)
   {
     return count;
   }
   const GlobalFaces faces(surface);
   std::vector<Triangle> edges;
-  for (const Id triangle : surface.barrierTriangles())
+  for (const Id triangle : surface.barrierTriangles)
   {
     faces.forEachEdgeWithFaces(surface.verticesAt(triangle),
       [&edges](std::size_t, const Triangle& edge) { edges.push_back(edge); });
@@ -377,8 +361,8 @@ std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
   {
     if (found[i].isThere())
     {
-      const Id edge =
-        found[i].edgeBetween(faces.globalId(edges[i][0]), faces.globalId(edges[i][1]));
+      const Id edge = found[i].edgeBetween(
+        faces.vertex(edges[i][0]).globalId, faces.vertex(edges[i][1]).globalId);
       put(messages[rankIndex(found[i].address.rank)], 3 * found[i].address.id + edge);
     }
   }
@@ -390,9 +374,9 @@ std::unordered_map<Id, Id> barriersAtEdges(const PolyDataSurface& surface)
 RefinedSurface addUnmeshedTriangles(const PolyDataSurface& surface, std::uint64_t maximumFaces,
   const std::vector<Triangle>& cornerPoints, RefinedMesh refined)
 {
-  const MeshPartition& partition = surface.partition();
+  const MeshPartition& partition = surface.partition;
   const Id ownFaces = partition.endOfOwnFaces() - partition.firstOwnFace();
-  if (!surface.exchange().isTrueAnywhere(surface.numberOfTriangles() != ownFaces))
+  if (!surface.exchange().isTrueAnywhere(surface.numberOfTriangles != ownFaces))
   {
     for (Id& face : refined.faces)
     {
@@ -405,7 +389,7 @@ RefinedSurface addUnmeshedTriangles(const PolyDataSurface& surface, std::uint64_
   const UnmeshedTriangles unmeshed =
     findUnmeshedTriangles(surface, faces, faceOfTriangle, cornerPoints, refined);
   const bool stayWhole = areTooMany(surface, unmeshed, refined, maximumFaces);
-  TemplateCopier copier(surface, faces, unmeshed, refined);
+  TemplateCopier copier{ surface, faces, unmeshed, refined };
   std::vector<Triangle> triangles;
   std::vector<Id> parents;
   std::size_t part = 0;
@@ -424,7 +408,7 @@ RefinedSurface addUnmeshedTriangles(const PolyDataSurface& surface, std::uint64_
   }
   refined.triangles = std::move(triangles);
   refined.faces = std::move(parents);
-  return { std::move(refined), copier.takeAdded() };
+  return { std::move(refined), std::move(copier.copied) };
 }
 
 }

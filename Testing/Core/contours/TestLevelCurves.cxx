@@ -24,8 +24,6 @@ namespace
 
 using Kind = DistanceCandidate::Kind;
 
-constexpr geodesic::PlaneBox Everywhere = { { -100.0, -100.0 }, { 100.0, 100.0 } };
-
 Vec2 randomVector(Random& random)
 {
   return { random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0) };
@@ -79,7 +77,7 @@ TEST(LevelCurves, EnterAndLeaveRegionsOnlyAtTheirMeetings)
     {
       Random random(seed);
       const DistanceCandidate candidate = randomCandidate(kind, random);
-      const LevelRegion region(candidate, 0, random.uniform(0.4, 1.2), 1e-12, Everywhere);
+      const LevelRegion region(candidate, 0, random.uniform(0.4, 1.2), 1e-12);
       const LevelCurve curve = randomCurve(random);
       std::vector<double> places;
       region.addMeetings(curve, places);

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <iostream>
 #include <utility>
@@ -222,7 +223,8 @@ geodesic::SourceCurve pointOnSurface(const TriangleMesh& mesh, const Vec3& place
   std::vector<geodesic::LocatedPolyline> point(1);
   point[0].points = { place };
   geodesictest::locate(mesh, point);
-  return geodesic::putOntoSurface(mesh, point, {}, geodesic::joinByShortestPaths(mesh)).curves[0];
+  return geodesic::putOntoSurface(mesh, point, DBL_EPSILON, geodesic::joinByShortestPaths(mesh))
+    .curves[0];
 }
 
 }

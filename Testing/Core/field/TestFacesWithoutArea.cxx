@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -170,9 +171,8 @@ std::vector<SourceCurve> onSurface(const TriangleMesh& mesh, const FlatLine& lin
   polylines[0].points.assign(line.points.begin(), line.points.end());
   polylines[0].closed = line.closed;
   polylines[0].name = "the line";
-  geodesic::SnapOptions options;
-  geodesictest::locate(mesh, polylines, options.coordinatePrecision);
-  return geodesic::putOntoSurface(mesh, polylines, options, geodesic::joinByShortestPaths(mesh))
+  geodesictest::locate(mesh, polylines);
+  return geodesic::putOntoSurface(mesh, polylines, DBL_EPSILON, geodesic::joinByShortestPaths(mesh))
     .curves;
 }
 

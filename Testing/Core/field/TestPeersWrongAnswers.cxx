@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -203,7 +204,7 @@ TEST(PeersWrongAnswers, APolylineAcrossANonManifoldEdgeIsExactOnEveryPage)
   line.faces = { { p.face }, { q.face } };
   line.name = "the line";
   const geodesic::SourceCurves put =
-    geodesic::putOntoSurface(engine, { line }, {}, geodesic::joinByShortestPaths(engine));
+    geodesic::putOntoSurface(engine, { line }, DBL_EPSILON, geodesic::joinByShortestPaths(engine));
   ASSERT_EQ(put.curves.size(), 1u);
   // Both ends and the place on the spine where the straight line crosses it, page by page.
   const auto page = [&mesh](const MeshPoint& x, double halfedge) -> Vec2

@@ -31,7 +31,7 @@ public:
   Id at(const Vec3& point, double precision = DBL_EPSILON)
   {
     return this->barriers_
-      .barriersAt({ point }, this->locator_.closest({ point }, precision), precision)
+      .barriersAt({ point }, this->locator_.closest({ point }, { 1 }, precision), precision)
       .front()
       .id;
   }

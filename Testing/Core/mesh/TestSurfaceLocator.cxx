@@ -34,7 +34,7 @@ public:
     const Vec3& point, double precision, const ProgressCallback& progress = {})
   {
     std::vector<Id> faces;
-    const ClosestFaces closest = this->locator_.closest({ point }, precision, progress);
+    const ClosestFaces closest = this->locator_.closest({ point }, { 1 }, precision, progress);
     for (const ClosestFace& found : closest.front())
     {
       faces.push_back(found.face.id);

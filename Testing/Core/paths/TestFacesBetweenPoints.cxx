@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfloat>
 #include <mutex>
 
 using namespace geodesictest;
@@ -73,7 +74,7 @@ TEST_P(FacesBetweenPoints, HoldTheShortestPathOfTheWhole)
           const geodesic::SurfacePoint a = rank.curvesOnPatch[0].points.front();
           const geodesic::SurfacePoint b = rank.curvesOnPatch[1].points.front();
           std::vector<geodesic::Id> faces = facesBetweenPoints(
-            rank.part, rank.patch, { lineThrough(rank.patch, { a, b }) }, geodesic::SnapOptions());
+            rank.part, rank.patch, { lineThrough(rank.patch, { a, b }) }, DBL_EPSILON);
           const auto select = [&](const geodesic::SurfacePoint& p)
           {
             const geodesic::Id face = rank.patch.faceOfPart(someFace(rank.patch.mesh(), p));
@@ -170,7 +171,7 @@ TEST(FacesBetweenPoints, OfAClosedPolylineJoinTheLastPointAndTheFirst)
           geodesic::LocatedPolyline line = lineThrough(rank.patch, points);
           line.closed = isClosed;
           const std::vector<geodesic::Id> faces =
-            facesBetweenPoints(rank.part, rank.patch, { line }, geodesic::SnapOptions());
+            facesBetweenPoints(rank.part, rank.patch, { line }, DBL_EPSILON);
           const std::lock_guard<std::mutex> lock(mutex);
           for (const geodesic::Id face : faces)
           {

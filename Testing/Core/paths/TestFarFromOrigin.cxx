@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -60,7 +61,7 @@ std::vector<SurfacePoint> placesOf(const TriangleMesh& mesh, std::vector<Located
 {
   geodesictest::locate(mesh, points, Epsilon);
   const geodesic::SourceCurves curves =
-    geodesic::putOntoSurface(mesh, points, {}, geodesic::joinByShortestPaths(mesh));
+    geodesic::putOntoSurface(mesh, points, DBL_EPSILON, geodesic::joinByShortestPaths(mesh));
   std::vector<SurfacePoint> places;
   for (const geodesic::SourceCurve& curve : curves.curves)
   {

@@ -3,7 +3,6 @@
 #include "EngineSupport.h"
 
 #include "refinement/FaceBounds.h"
-#include "refinement/LinearFaceTest.h"
 
 #include <gtest/gtest.h>
 

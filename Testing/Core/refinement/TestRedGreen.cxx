@@ -62,13 +62,13 @@ public:
   {
     MiddleRules rules(mayClose);
     const geodesic::MeshPartition whole(this->mesh_);
-    geodesic::SeamSplits seams(whole, this->triangles_);
-    geodesic::RedGreenClosure closure(this->triangles_, rules, seams);
+    geodesic::RedGreenClosure closure(whole, this->triangles_, rules);
     for (const Id edge : edges)
     {
       closure.split(edge);
     }
-    return closure.close();
+    closure.close();
+    return closure.takeChanged();
   }
   /// Only bisected leaves may stay.
   std::vector<Id> split(const std::vector<Id>& edges)
@@ -170,8 +170,7 @@ TEST(RedGreen, TrianglesBesideTheMeshCountWithEverySplitOfTheirEdge)
   const geodesic::MeshPartition whole(mesh);
   RedGreenMesh triangles(whole, { 0, 0 }, { { rim, 2 } });
   MiddleRules rules([](Id) { return true; });
-  geodesic::SeamSplits seams(whole, triangles);
-  geodesic::RedGreenClosure closure(triangles, rules, seams);
+  geodesic::RedGreenClosure closure(whole, triangles, rules);
   triangles.begin();
   const Id edge = triangles.ensureEdge(0, 0);
   closure.split(edge);

@@ -135,7 +135,7 @@ protected:
     }
     auto retention = std::make_unique<geodesic::RefinementRetention>(
       geodesic::MeshPartition(this->mesh_), Tolerance, flags);
-    retention->setNumberOfDistricts(1);
+    retention->start(1, {});
     return retention;
   }
 
@@ -409,7 +409,7 @@ TEST_F(RetentionOfAGrid, AsksBetweenTestsOfFacesWhetherToStop)
   this->retention_ =
     std::make_unique<geodesic::RefinementRetention>(geodesic::MeshPartition(this->mesh_), Tolerance,
       std::vector<std::uint8_t>(this->mesh_.numberOfFaces(), 0), options);
-  this->retention_->setNumberOfDistricts(1);
+  this->retention_->start(1, {});
   this->passAll(0.0);
   EXPECT_THROW(this->bringFrontPast(), geodesic::Aborted);
 }
@@ -498,7 +498,7 @@ TEST_F(RetentionOfAGrid, NeighboursOfAPinnedFaceKeepTheirWindows)
 TEST_F(RetentionOfAGrid, NeighboursOfAFaceWithASourceKeepTheirWindows)
 {
   const Barycentric inside = { 0.3, 0.3, 0.4 };
-  retention_->start({ { 0, inside, inside } });
+  retention_->start(1, { { 0, inside, inside } });
   passAll(0.0);
   bringFrontPast();
   EXPECT_EQ(kept(), 1 + neighboursOfFirstFace());

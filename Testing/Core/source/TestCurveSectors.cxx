@@ -98,7 +98,7 @@ TEST(CurveSectors, OfThreeCurvesAtAVertexEachHasTheDirectionsNearestByAngle)
       ends.push_back(around.end(at.back(), curve));
     }
     CurveSectors sectors(around.mesh);
-    sectors.assign(SurfacePoint::atVertex(0), ends, {});
+    sectors.assign(SurfacePoint::atVertex(0), ends, 0, 0.0);
 
     std::vector<double> expected = at;
     std::sort(expected.begin(), expected.end());

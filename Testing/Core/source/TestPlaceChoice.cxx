@@ -125,7 +125,7 @@ Problem randomProblem(const PlainMesh& plain, const TriangleMesh& mesh, Random& 
 TEST(PlaceChoice, ASinglePointTakesAVertexBeforeAnEdgeBeforeAFace)
 {
   const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(2, 2));
-  PlaceComponents components(mesh);
+  std::vector<Id> components;
   const SurfacePoint face = SurfacePoint::inFace(0, 0.25, 0.25);
   const SurfacePoint edge = SurfacePoint::onEdge(0, 0.5);
   const SurfacePoint vertex = SurfacePoint::atVertex(0);
@@ -149,7 +149,7 @@ TEST(PlaceChoice, IsTheBestOfAll)
     const PlainMesh& plain = surfaces[static_cast<std::size_t>(i) % surfaces.size()];
     const TriangleMesh mesh = engineMesh(plain);
     const Problem problem = randomProblem(plain, mesh, random);
-    PlaceComponents components(mesh);
+    std::vector<Id> components;
     const std::vector<ChosenPlaces> chosen =
       choosePlaces(mesh, problem.places, problem.closed, components,
         [&](std::size_t point, std::size_t from, std::size_t to) {
@@ -175,7 +175,7 @@ TEST(PlaceChoice, OfEquallyGoodPlacesTheFirstAreTaken)
 {
   const PlainMesh sheet = geodesictest::regularGrid(2, 2);
   const TriangleMesh mesh = engineMesh(geodesictest::merged(sheet, sheet));
-  PlaceComponents components(mesh);
+  std::vector<Id> components;
   const PossiblePlaces both = { SurfacePoint::inFace(0, 0.3, 0.3),
     SurfacePoint::inFace(8, 0.3, 0.3) };
   const PossiblePlaces turned = { both[1], both[0] };
@@ -194,11 +194,30 @@ TEST(PlaceChoice, OfEquallyGoodPlacesTheFirstAreTaken)
   }
 }
 
+// On the first sheet the points lie in a face, at a vertex and on an edge; on the second at a
+// vertex and in a face twice.
+TEST(PlaceChoice, AClosedPolylineCountsTheDimensionOfItsFirstPlaceOnce)
+{
+  const PlainMesh sheet = geodesictest::regularGrid(1, 1);
+  const TriangleMesh mesh = engineMesh(geodesictest::merged(sheet, sheet));
+  std::vector<Id> components;
+  const SurfacePoint inside = SurfacePoint::inFace(2, 0.3, 0.3);
+  const std::vector<PossiblePlaces> places = { { SurfacePoint::inFace(0, 0.3, 0.3),
+                                                 SurfacePoint::atVertex(mesh.triangle(2)[0]) },
+    { SurfacePoint::atVertex(mesh.triangle(0)[0]), inside },
+    { SurfacePoint::onEdge(0, 0.5), inside } };
+  for (const ChosenPlaces& c : choosePlaces(mesh, places, true, components, {}))
+  {
+    EXPECT_EQ(c.arrival, 0u);
+    EXPECT_EQ(c.departure, 0u);
+  }
+}
+
 // Of two sheets with the same way to the last point, one has a vertex where the other has none.
 TEST(PlaceChoice, LengthsThatDifferByRoundingTie)
 {
   const TriangleMesh mesh = engineMesh(geodesictest::regularGrid(6, 1));
-  PlaceComponents components(mesh);
+  std::vector<Id> components;
   const PossiblePlaces first = { SurfacePoint::inFace(0, 0.3, 0.3) };
   const PossiblePlaces last = { SurfacePoint::inFace(11, 0.3, 0.3),
     SurfacePoint::atVertex(mesh.triangle(11)[1]) };
@@ -219,7 +238,7 @@ TEST(PlaceChoice, LengthsAreAskedForOnlyOnWaysWithTheFewestBreaks)
 {
   const PlainMesh sheet = geodesictest::regularGrid(6, 1);
   const TriangleMesh mesh = engineMesh(geodesictest::merged(sheet, sheet));
-  PlaceComponents components(mesh);
+  std::vector<Id> components;
   std::vector<std::array<std::size_t, 3>> asked;
   const auto length = [&asked](std::size_t point, std::size_t from, std::size_t to)
   {

@@ -16,7 +16,6 @@
 
 using namespace geodesictest;
 using geodesic::LocatedPolyline;
-using geodesic::SnapOptions;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
 
@@ -126,8 +125,7 @@ TEST_P(PlacesBesideSurface, APointGoesToTheClosestOne)
     const PlainMesh plain = GetParam().make(random.between(20, 120), random);
     const TriangleMesh mesh = engineMesh(plain);
     const bool isFloat = random.chance(0.5);
-    SnapOptions options;
-    options.coordinatePrecision =
+    const double coordinatePrecision =
       isFloat ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
     double largest = 0.0;
     for (const Vec3& p : plain.points)
@@ -145,12 +143,12 @@ TEST_P(PlacesBesideSurface, APointGoesToTheClosestOne)
       }
       point.points = { isFloat ? toFloat(p) : p };
     }
-    geodesictest::locate(mesh, points, options.coordinatePrecision);
+    geodesictest::locate(mesh, points, coordinatePrecision);
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       const Vec3& point = points[i].points.front();
       const double precision =
-        4.0 * options.coordinatePrecision * std::max(largest, largestCoordinate(point));
+        4.0 * coordinatePrecision * std::max(largest, largestCoordinate(point));
       const Long3 closest = closestOnSurface(plain, point);
       // If a point is on the surface, all faces that are as close within the precision may have it.
       const bool isOnSurface = distance(closest, exact(point)) <= precision;
@@ -158,7 +156,7 @@ TEST_P(PlacesBesideSurface, APointGoesToTheClosestOne)
       for (const geodesic::Id face : points[i].faces.front())
       {
         const SurfacePoint place =
-          geodesic::snapToFace(mesh, face, point, options.coordinatePrecision).place;
+          geodesic::snapToFace(mesh, face, point, coordinatePrecision).place;
         const auto off =
           static_cast<double>(distance(exact(geodesic::position(mesh, place)), closest)) /
           precision;

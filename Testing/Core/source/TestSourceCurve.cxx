@@ -62,7 +62,7 @@ LocatedPolyline polylineOn(
 
 SourceCurves put(const TriangleMesh& mesh, const LocatedPolyline& line, double precision = Epsilon)
 {
-  return putOntoSurface(mesh, { line }, { precision }, joinByShortestPaths(mesh));
+  return putOntoSurface(mesh, { line }, precision, joinByShortestPaths(mesh));
 }
 
 /// The place of a single point on the surface.
@@ -274,7 +274,7 @@ TEST(SourceCurve, ScaleDoesNotMatter)
       lines.push_back(polylineOn(mesh, { point }));
     }
     const TriangleMesh engine = engineMesh(mesh);
-    return putOntoSurface(engine, lines, { FloatEpsilon }, joinByShortestPaths(engine));
+    return putOntoSurface(engine, lines, FloatEpsilon, joinByShortestPaths(engine));
   };
   const SourceCurves expected = put32(plain);
   for (const double scale : { 0x1p-30, 0x1p30 })
@@ -804,7 +804,7 @@ TEST(SourceCurve, ASectionOfASheetWithATurnedTriangleStaysTheSameCurve)
       }
     }
     geodesictest::locate(mesh, lines, Epsilon);
-    const SourceCurves result = putOntoSurface(mesh, lines, { Epsilon }, joinByShortestPaths(mesh));
+    const SourceCurves result = putOntoSurface(mesh, lines, Epsilon, joinByShortestPaths(mesh));
     const std::vector<double> expected =
       geodesictest::bruteForceDistances(plain, truth, {}).vertices;
     const std::vector<double> actual =
@@ -861,7 +861,8 @@ TEST(SourceCurve, AFalseProgressAborts)
   {
     int calls = 0;
     const auto progress = [&](double) { return calls++ < allowed; };
-    EXPECT_THROW(putOntoSurface(mesh, { line }, {}, joinByShortestPaths(mesh), progress), Aborted);
+    EXPECT_THROW(
+      putOntoSurface(mesh, { line }, Epsilon, joinByShortestPaths(mesh), progress), Aborted);
     EXPECT_EQ(calls, allowed + 1);
   }
 }
@@ -880,7 +881,7 @@ TEST(SourceCurve, ProgressGoesFromZeroToOneAndNeverBack)
     last = fraction;
     return true;
   };
-  putOntoSurface(mesh, { polylineOn(plain, points, true), polylineOn(plain, points) }, {},
+  putOntoSurface(mesh, { polylineOn(plain, points, true), polylineOn(plain, points) }, Epsilon,
     joinByShortestPaths(mesh), progress);
   EXPECT_GT(last, 0.5);
 }

@@ -1,10 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "source/SourceInFace.h"
+#include "source/SourceCurve.h"
 
 #include <algorithm>
 
 namespace geodesic
 {
+
+double lengthOfSegment(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i)
+{
+  const Id frame = longestHalfedge(mesh, curve.faces[i]);
+  return norm(inHalfedgeFrame(mesh, frame, curve.points[i]) -
+    inHalfedgeFrame(mesh, frame, curve.points[i + 1]));
+}
+
+Vec2 directionIn(const TriangleMesh& mesh, const SegmentEnd& end, Id halfedge)
+{
+  return end.onward.halfedge != NoId
+    ? turned(mesh, end.onward, halfedge)
+    : inHalfedgeFrame(mesh, halfedge, end.to) - inHalfedgeFrame(mesh, halfedge, end.from);
+}
 
 std::vector<SourceInFace> segmentsInFaces(
   const TriangleMesh& mesh, const SourceCurve& curve, Id number, const std::vector<double>& places)

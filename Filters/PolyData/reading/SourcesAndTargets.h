@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef geodesic_PolyDataSource_h
-#define geodesic_PolyDataSource_h
+#ifndef geodesic_SourcesAndTargets_h
+#define geodesic_SourcesAndTargets_h
 
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/PowerOfTwoScale.h"
+#include "mesh/SurfacePoint.h"
 #include "source/PolylineLocator.h"
 
 #include "vtkType.h"
@@ -40,13 +41,6 @@ struct SourcePolylines
 /// \throws SourceError where there is no point or one is not finite.
 SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale);
 
-/// For each place the barrier that it lies in, a face of surface.barriers()->surface(); the id is
-/// NoId if it lies in none. All ranks call this together.
-///
-/// \param coordinatePrecision relative precision of the points' coordinates.
-std::vector<RankAddress> barriersAt(
-  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision);
-
 /// Makes sure that no point of a source lies in a barrier: no path could leave it. All ranks call
 /// this together, and all throw.
 ///
@@ -61,8 +55,32 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
 /// "point 3 of cell 2 of the source", "point 5 of the source" where it is a curve of its own.
 std::string nameOfPoint(const LocatedPolyline& line, std::size_t point);
 
-/// What the coordinates' type allows: that of the least precise block.
-SnapOptions snapOptionsFor(const std::vector<PolyDataBlock>& source);
+/// The relative precision that the coordinates' type allows: that of the least precise block.
+double coordinatePrecisionOf(const std::vector<PolyDataBlock>& source);
+
+/// Points of an input, put onto the surface. They are numbered over all blocks in their order.
+struct Targets
+{
+  /// How many there are.
+  std::size_t count = 0;
+  /// The numbers of those that paths may reach and whose faces this rank owns. Points that lie in a
+  /// barrier are left out.
+  std::vector<std::size_t> numbers;
+  /// Of these.
+  std::vector<SurfacePoint> places;
+  /// From each of these in space to its place, on the mesh's scale.
+  std::vector<double> snapDistances;
+};
+
+/// Puts every point of all blocks onto the closest point of the surface, and onto a vertex or an
+/// edge if one is within the precision of the coordinates: the same place as for a source that is
+/// one point. All ranks call this together, with the same points; each target goes to one rank.
+///
+/// \param name as messages call the input: "the set of targets (input port 2)".
+/// \param progress called now and then with a fraction done; returning false throws Aborted.
+/// \throws InputError if there is no point, or one is not finite or too far away; Aborted.
+Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
+  const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress);
 
 }
 

@@ -3,10 +3,12 @@
 #include "PolyData/reading/TriangleReader.h"
 #include "Questions.h"
 
+#include "vtkDataArray.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
-#include <utility>
+#include <string>
 
 namespace geodesic
 {
@@ -104,7 +106,7 @@ Fingerprint keyOf(std::vector<Label>& labels)
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
   Fingerprint key{};
-  addWord(labels.size(), key);
+  addWord(labels.size(), key); // a label 0 at the beginning changes nothing by itself
   for (const Label label : labels)
   {
     addWord(label, key);
@@ -116,7 +118,8 @@ Fingerprint keyOf(std::vector<Label>& labels)
 constexpr Label NoLabel = ~Label(0);
 
 /// Marks the copies among some cells of all ranks, which call this together: of cells on the same
-/// vertices, marked ones beside an original, or beside the first of marked ones.
+/// vertices, marked ones beside an original, or beside the first of marked ones. Cells that are
+/// copies already do not count.
 ///
 /// \param forEachCell calls its argument for each cell: (const Range&).
 /// \param labelOf of a point: (Id) -> Label.
@@ -131,6 +134,10 @@ void findCopiesAmong(const ForEachCell& forEachCell, const LabelOf& labelOf,
   forEachCell(
     [&](const Range& cell)
     {
+      if (roles[cell.first] == TriangleRole::Copy)
+      {
+        return;
+      }
       labels.clear();
       for (std::size_t i = cell.first; i < cell.second; ++i)
       {
@@ -197,31 +204,9 @@ void findCopiesHere(
   findCopiesAmong(forEachTriangle, labelOf, triangles, OneRank::instance(), roles);
 }
 
-/// Marks the triangles that are copies of other ranks' cells.
-void findCopiesOfOthers(const RankLabels& labels, const VertexOfPoint& vertexOf,
-  const TriangleList& triangles, Exchange& exchange, std::vector<TriangleRole>& roles)
-{
-  const auto forEachOther = [&](const auto& visit)
-  {
-    triangles.forEachCell(
-      [&](const Range& cell)
-      {
-        if (roles[cell.first] != TriangleRole::Copy)
-        {
-          visit(cell);
-        }
-      });
-  };
-  const auto labelOf = [&](Id point)
-  {
-    const Id vertex = vertexOf(point);
-    return labels.isSharedAt(vertex) ? labels.of(vertex) : NoLabel;
-  };
-  findCopiesAmong(forEachOther, labelOf, triangles, exchange, roles);
-}
-
-} // anonymous namespace
-
+/// Marks the triangles that are copies of others.
+///
+/// \returns the roles; empty if no rank has marked triangles.
 std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoint& vertexOf,
   TriangleList& triangles, Exchange& exchange)
 {
@@ -233,9 +218,64 @@ std::vector<TriangleRole> findCopies(const RankLabels& labels, const VertexOfPoi
   std::vector<TriangleRole> roles(triangles.corners.size(), TriangleRole::Open);
   copyCuts(vertexOf, triangles);
   findCopiesHere(vertexOf, triangles, roles);
-  findCopiesOfOthers(labels, vertexOf, triangles, exchange, roles);
-  const bool isAny = std::find(roles.begin(), roles.end(), TriangleRole::Copy) != roles.end();
-  return isAny ? roles : std::vector<TriangleRole>();
+  // Among the others those that are copies of other ranks' cells.
+  findCopiesAmong([&](const auto& visit) { triangles.forEachCell(visit); },
+    [&](Id point)
+    {
+      const Id vertex = vertexOf(point);
+      return labels.isSharedAt(vertex) ? labels.of(vertex) : NoLabel;
+    },
+    triangles, exchange, roles);
+  return roles;
+}
+
+/// Marks the open triangles of a block that are barriers. A triangle with two corners at one vertex
+/// has no inside: it is left to the mesh, which leaves it out.
+void findBarriers(vtkDataArray* barriers, std::size_t block, const VertexOfPoint& vertexOf,
+  const TriangleList& triangles, std::vector<TriangleRole>& roles)
+{
+  roles.resize(triangles.corners.size(), TriangleRole::Open);
+  for (std::size_t i = triangles.firstOfBlock[block]; i < triangles.firstOfBlock[block + 1]; ++i)
+  {
+    if (roles[i] == TriangleRole::Open && hasThreeVertices(vertexOf(triangles.corners[i])) &&
+      barriers->GetComponent(triangles.cells[i], 0) != 0.0)
+    {
+      roles[i] = TriangleRole::Barrier;
+    }
+  }
+}
+
+} // anonymous namespace
+
+std::vector<TriangleRole> findRoles(const std::vector<PolyDataBlock>& inputs,
+  const RankLabels& labels, const VertexOfPoint& vertexOf, TriangleList& triangles,
+  Exchange& exchange)
+{
+  std::vector<TriangleRole> roles = findCopies(labels, vertexOf, triangles, exchange);
+  const char* name = nullptr;
+  for (std::size_t block = 0; block < inputs.size(); ++block)
+  {
+    if (vtkDataArray* barriers = inputs[block].barriers)
+    {
+      name = barriers->GetName();
+      findBarriers(barriers, block, vertexOf, triangles, roles);
+    }
+  }
+  const auto open =
+    static_cast<std::size_t>(std::count(roles.begin(), roles.end(), TriangleRole::Open));
+  const bool isAnyOpen = open > 0 || roles.size() < triangles.corners.size();
+  if (!exchange.isTrueAnywhere(isAnyOpen) && name)
+  {
+    throw MeshError(
+      std::string("All faces of the surface (input port 0) are barriers: the cell array ") + name +
+      " (BarrierArrayName) is 0 at none of them. Set it to 0 where paths may pass, or choose no "
+      "barrier array.");
+  }
+  if (open == roles.size())
+  {
+    return {};
+  }
+  return roles;
 }
 
 }

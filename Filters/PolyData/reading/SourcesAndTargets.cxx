@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/reading/SourcesAndTargets.h"
+
+#include "PolyData/reading/PolyDataSurface.h"
+#include "mesh/SurfaceSnap.h"
+
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// Takes the curves out of the cells of one block.
+struct BlockReader
+{
+  const PolyDataBlock& block;
+  /// Of the blocks before, to which those of this one are added.
+  SourcePolylines& sources;
+  const Id firstSource = sources.numberOfSources;
+  vtkIdType cell = 0;
+  std::vector<char> isUsed{};
+
+  /// \returns of each point whether a curve has it.
+  std::vector<char> read()
+  {
+    vtkPolyData* source = this->block.data;
+    const auto before = static_cast<std::ptrdiff_t>(this->sources.ids.size());
+    this->isUsed.assign(static_cast<std::size_t>(source->GetNumberOfPoints()), 0);
+    if (source->GetNumberOfCells() == source->GetNumberOfVerts())
+    {
+      this->readPoints();
+      return std::move(this->isUsed);
+    }
+    this->read(source->GetVerts(), &BlockReader::addVertices);
+    this->read(source->GetLines(), &BlockReader::addLine);
+    this->read(source->GetPolys(), &BlockReader::addPolygon);
+    this->read(source->GetStrips(), &BlockReader::addStrip);
+    std::sort(this->sources.ids.begin() + before, this->sources.ids.end());
+    this->sources.numberOfSources += static_cast<Id>(this->cell);
+    this->sources.droppedCells += this->block.droppedCells;
+    return std::move(this->isUsed);
+  }
+
+  using Adder = void (BlockReader::*)(vtkIdType, const vtkIdType*);
+
+  /// Each point is a source of its own, however many of them a vertex cell has.
+  void readPoints()
+  {
+    vtkPolyData* source = this->block.data;
+    forEachCell(source->GetVerts(),
+      [&](vtkIdType size, const vtkIdType* ids)
+      {
+        requirePoints<SourceError>(this->block, this->cell++, size, ids);
+        this->usePoints(size, ids);
+      });
+    for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i)
+    {
+      if (source->GetNumberOfVerts() == 0 || this->isUsed[static_cast<std::size_t>(i)])
+      {
+        this->addPoint(i, this->sourceOf(i));
+        this->sources.ids.push_back(this->sourceOf(i));
+      }
+    }
+    this->sources.numberOfSources += static_cast<Id>(source->GetNumberOfPoints());
+  }
+
+  void read(vtkCellArray* cells, Adder add)
+  {
+    const bool isPolyData = this->block.inputCells.empty();
+    forEachCell(cells,
+      [&](vtkIdType size, const vtkIdType* ids)
+      {
+        requirePoints<SourceError>(this->block, this->inputCell(), size, ids);
+        if (size > 0)
+        {
+          (this->*add)(size, ids);
+        }
+        if (size > 0 || isPolyData) // a cell of a vtkPolyData is a source without points, too
+        {
+          this->sources.ids.push_back(this->sourceOf(this->inputCell()));
+        }
+        ++this->cell;
+      });
+  }
+
+  /// The cell that is being read.
+  vtkIdType inputCell() const
+  {
+    const std::vector<vtkIdType>& numbers = this->block.inputCells;
+    return numbers.empty() ? this->cell : numbers[static_cast<std::size_t>(this->cell)];
+  }
+
+  /// \param number of a cell, or a point, of the input.
+  Id sourceOf(vtkIdType number) const { return this->firstSource + static_cast<Id>(number); }
+
+  void usePoints(vtkIdType size, const vtkIdType* ids)
+  {
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->isUsed[static_cast<std::size_t>(ids[i])] = 1;
+    }
+  }
+
+  LocatedPolyline& addPolyline(
+    vtkIdType size, const vtkIdType* ids, const std::string& name, Id source)
+  {
+    this->usePoints(size, ids);
+    LocatedPolyline& line = this->sources.polylines.emplace_back();
+    line.name = name + " of " + this->block.name;
+    line.source = source;
+    line.points.resize(static_cast<std::size_t>(size));
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->block.data->GetPoint(ids[i], line.points[static_cast<std::size_t>(i)].data());
+    }
+    return line;
+  }
+
+  void addPoint(vtkIdType point, Id source)
+  {
+    this->addPolyline(1, &point, "point " + std::to_string(point), source);
+  }
+
+  void addVertices(vtkIdType size, const vtkIdType* ids)
+  {
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->addPoint(ids[i], this->sourceOf(this->inputCell()));
+    }
+  }
+
+  void addCurve(vtkIdType size, const vtkIdType* ids, bool closed)
+  {
+    const vtkIdType number = this->inputCell();
+    this->addPolyline(size, ids, "cell " + std::to_string(number), this->sourceOf(number)).closed =
+      closed && size > 2;
+  }
+
+  void addLine(vtkIdType size, const vtkIdType* ids)
+  {
+    const bool closed = size > 3 && ids[0] == ids[size - 1];
+    this->addCurve(closed ? size - 1 : size, ids, closed);
+  }
+
+  void addPolygon(vtkIdType size, const vtkIdType* ids) { this->addCurve(size, ids, true); }
+
+  /// The outline runs along the even points and back along the odd ones.
+  void addStrip(vtkIdType size, const vtkIdType* ids)
+  {
+    std::vector<vtkIdType> outline;
+    for (vtkIdType i = 0; i < size; i += 2)
+    {
+      outline.push_back(ids[i]);
+    }
+    for (vtkIdType i = size - 1 - size % 2; i > 0; i -= 2)
+    {
+      outline.push_back(ids[i]);
+    }
+    this->addCurve(size, outline.data(), true);
+  }
+};
+
+/// \throws SourceError
+[[noreturn]] void throwEmpty(const SourcePolylines& sources)
+{
+  if (sources.droppedCells > 0)
+  {
+    throw SourceError("The source (input port 1) has no line or vertex with points among its " +
+      std::to_string(sources.droppedCells) +
+      " cells. Apply Extract Surface to it for the outlines of its faces, Feature Edges after that "
+      "for its edges, or take some of its points by Extract Selection.");
+  }
+  throw SourceError(
+    "The source (input port 1) is empty: it has no points that a line or vertex uses. Connect a "
+    "curve with at least one point, or set Source Type to Surface Boundary.");
+}
+
+/// "cell 17 of the surface (input port 0)", as the rank of a barrier calls it. All ranks call this
+/// together.
+std::string nameOfBarrier(const PolyDataSurface& surface,
+  const std::vector<PolyDataBlock>& surfaceBlocks, const RankAddress& face)
+{
+  Exchange& exchange = surface.exchange();
+  Message message;
+  if (face.rank == exchange.rank())
+  {
+    const std::string own = surface.nameOfCell(surface.triangleOfBarrier(face.id), surfaceBlocks);
+    put(message, own.data(), own.size());
+  }
+  const Message answer = exchange.tellAll(message)[rankIndex(face.rank)];
+  std::string name(answer.size(), ' ');
+  MessageReader(answer).get(name.data(), name.size());
+  return surface.partition.isDistributed() ? name + " on rank " + std::to_string(face.rank) : name;
+}
+
+/// The share of the progress for finding the closest faces.
+constexpr double Located = 0.8;
+
+/// For each place the barrier that it lies in, a face of surface.barriers->surface(); the id is
+/// NoId if it lies in none. All ranks call this together.
+///
+/// \param coordinatePrecision relative precision of the points' coordinates.
+std::vector<RankAddress> barriersAt(
+  const PolyDataSurface& surface, const LocatedPlaces& located, double coordinatePrecision)
+{
+  return surface.barriers
+    ? surface.barriers->barriersAt(located.places, located.faces, coordinatePrecision)
+    : std::vector<RankAddress>(located.places.size(), RankAddress{ 0, NoId });
+}
+
+/// The targets, as polylines of one point each.
+std::vector<LocatedPolyline> readPoints(
+  const std::vector<PolyDataBlock>& blocks, const std::string& name, const PowerOfTwoScale& scale)
+{
+  std::vector<LocatedPolyline> points;
+  for (const PolyDataBlock& block : blocks)
+  {
+    for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
+    {
+      Vec3 p;
+      block.data->GetPoint(i, p.data());
+      LocatedPolyline& point = points.emplace_back();
+      point.points = { scale.toEngine(p) };
+      if (isFinite(p) && !(norm(point.points.front()) < Infinity))
+      {
+        throw InputError("Point " + std::to_string(i) + " of " + block.name +
+          " is too far from the surface for its size. Scale or move it upstream.");
+      }
+    }
+    if (const std::string bad = whereNotFinite(block); !bad.empty())
+    {
+      throw InputError(bad);
+    }
+  }
+  if (points.empty())
+  {
+    throw InputError(
+      capitalized(name) + " is empty: there are no points. Connect at least one point.");
+  }
+  return points;
+}
+
+/// Where a rank would put a target.
+struct OwnPlace
+{
+  SnappedPoint point;
+  /// The rank with the least has the target.
+  double order = Infinity;
+};
+
+/// Of equally close faces the one in which the point lies on a vertex, or else on an edge, and else
+/// the first: what putOntoSurface() does with a single point.
+OwnPlace snapToOwnFace(const MeshPartition& surface, const Vec3& point,
+  const std::vector<ClosestFace>& closest, double coordinatePrecision)
+{
+  OwnPlace best;
+  for (std::size_t k = 0; k < closest.size(); ++k)
+  {
+    if (closest[k].face.rank == surface.exchange().rank())
+    {
+      const SnappedPoint here =
+        snapToFace(surface.mesh(), closest[k].face.id, point, coordinatePrecision);
+      const auto kind = static_cast<std::size_t>(here.place.kind);
+      const auto order = static_cast<double>(kind * closest.size() + k);
+      best = order < best.order ? OwnPlace{ here, order } : best;
+    }
+  }
+  return best;
+}
+
+}
+
+std::string nameOfPoint(const LocatedPolyline& line, std::size_t point)
+{
+  const bool isNamed = line.name.compare(0, 5, "point") == 0;
+  return isNamed ? line.name : "point " + std::to_string(point) + " of " + line.name;
+}
+
+SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale)
+{
+  SourcePolylines result;
+  std::vector<std::vector<char>> used;
+  for (const PolyDataBlock& block : source)
+  {
+    used.push_back(BlockReader{ block, result }.read());
+  }
+  if (result.polylines.empty())
+  {
+    throwEmpty(result);
+  }
+  for (std::size_t i = 0; i < source.size(); ++i)
+  {
+    const std::string bad = whereNotFinite(source[i], used[i].data());
+    if (!bad.empty())
+    {
+      throw SourceError(bad);
+    }
+  }
+  for (LocatedPolyline& line : result.polylines)
+  {
+    for (std::size_t i = 0; i < line.points.size(); ++i)
+    {
+      line.points[i] = scale.toEngine(line.points[i]);
+      if (!(norm(line.points[i]) < Infinity))
+      {
+        throw SourceError("Point " + std::to_string(i) + " of " + line.name +
+          " is too far from the surface for its size. Scale or move the source upstream.");
+      }
+    }
+  }
+  return result;
+}
+
+void requireOutsideBarriers(const PolyDataSurface& surface,
+  const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
+  const LocatedPlaces& located, double coordinatePrecision)
+{
+  const std::vector<RankAddress> barriers = barriersAt(surface, located, coordinatePrecision);
+  for (const LocatedPolyline& line : polylines)
+  {
+    for (std::size_t i = 0; i < line.points.size(); ++i)
+    {
+      const RankAddress& face = barriers[located.indexOf(line.points[i])];
+      if (face.id != NoId)
+      {
+        const Vec3 place = surface.scale.toUser(line.points[i]);
+        std::ostringstream text;
+        text << 'P' << nameOfPoint(line, i).substr(1) << ", at (" << place[0] << ", " << place[1]
+             << ", " << place[2] << "), lies in a barrier (BarrierArrayName): it is closest to "
+             << nameOfBarrier(surface, surfaceBlocks, face)
+             << ", which no path may leave. Move it out of the barrier, or onto its rim.";
+        throw SourceError(text.str());
+      }
+    }
+  }
+}
+
+double coordinatePrecisionOf(const std::vector<PolyDataBlock>& source)
+{
+  double precision = std::numeric_limits<double>::epsilon();
+  for (const PolyDataBlock& block : source)
+  {
+    precision = std::max(precision, block.precision());
+  }
+  return precision;
+}
+
+Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
+  const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress)
+{
+  const std::vector<LocatedPolyline> points = readPoints(blocks, name, surface.scale);
+  const double precision = coordinatePrecisionOf(blocks);
+  const LocatedPlaces located = locator.locate(points, precision,
+    [&progress](double fraction) { return !progress || progress(Located * fraction); });
+  const std::vector<RankAddress> barriers = barriersAt(surface, located, precision);
+  LoopProgress loop(progress);
+  loop.nextUntil(Located);
+  loop.nextUntil(1.0);
+  std::vector<OwnPlace> own;
+  std::vector<double> orders;
+  for (std::size_t i = 0; i < located.places.size(); ++i)
+  {
+    loop.at(i, located.places.size());
+    own.push_back(snapToOwnFace(surface.partition, located.places[i], located.faces[i], precision));
+    orders.push_back(own.back().order);
+  }
+  surface.exchange().findLeast(orders);
+  Targets targets;
+  targets.count = points.size();
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const std::size_t place = located.indexOf(points[i].points.front());
+    if (own[place].order < Infinity && own[place].order == orders[place] &&
+      barriers[place].id == NoId)
+    {
+      targets.numbers.push_back(i);
+      targets.places.push_back(own[place].point.place);
+      targets.snapDistances.push_back(own[place].point.distance);
+    }
+  }
+  return targets;
+}
+
+}
