@@ -11,6 +11,10 @@ namespace geodesic
 
 void SourcePatch::addFacesAround(const LocatedPlaces& located)
 {
+  if (!this->surface_.isDistributed())
+  {
+    return;
+  }
   for (const std::vector<ClosestFace>& faces : located.faces)
   {
     for (const ClosestFace& found : faces)
@@ -44,6 +48,10 @@ void SourcePatch::addFacesAtVertex(Id vertex)
 
 void SourcePatch::addBoundary()
 {
+  if (!this->surface_.isDistributed())
+  {
+    return;
+  }
   const TriangleMesh& mesh = this->surface_.mesh();
   for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
   {
@@ -68,6 +76,10 @@ bool SourcePatch::addFaces(const std::vector<Id>& faces)
 
 void SourcePatch::addFacesAt(const std::vector<Id>& globalIds)
 {
+  if (!this->surface_.isDistributed())
+  {
+    return;
+  }
   for (Id vertex = 0; vertex < this->surface_.numberOfOwnVertices(); ++vertex)
   {
     if (std::binary_search(globalIds.begin(), globalIds.end(), this->surface_.globalId(vertex)))

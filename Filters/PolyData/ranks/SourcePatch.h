@@ -22,7 +22,7 @@ class SourcePatch
 public:
   explicit SourcePatch(const MeshPartition& surface)
     : surface_(surface)
-    , isChosen_(surface.mesh().numberOfFaces(), 0)
+    , isChosen_(surface.isDistributed() ? surface.mesh().numberOfFaces() : 0, 0)
   {
   }
 
@@ -45,7 +45,8 @@ private:
   void addFacesAtVertex(Id vertex);
 
   MeshPartition surface_;
-  /// Of each face of the partition whether it is asked for.
+  /// Of each face of the partition whether it is asked for; empty in one process, where the patch
+  /// has all faces anyway.
   std::vector<std::uint8_t> isChosen_;
 };
 
