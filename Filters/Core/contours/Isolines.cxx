@@ -48,22 +48,6 @@ void checkOptions(const IsolineOptions& options)
   }
 }
 
-/// The other ranks that draw at an edge: each draws in the faces that it owns.
-std::vector<int> otherRanksAt(const MeshPartition& part, Id halfedge)
-{
-  std::vector<int> ranks;
-  forEachFace(part.mesh(), SurfacePoint::onEdge(halfedge, 0.0),
-    [&](Id face)
-    {
-      const int rank = part.addressOf(face).rank;
-      if (!part.isOwn(face) && std::find(ranks.begin(), ranks.end(), rank) == ranks.end())
-      {
-        ranks.push_back(rank);
-      }
-    });
-  return ranks;
-}
-
 // Corrects a place that was found on an envelope: windows of an envelope may differ where they
 // meet, by tolerance::JointFraction. Then the distance in the face decides.
 //
@@ -125,7 +109,7 @@ public:
     {
       const EdgePoint& p = this->edgePoints_[id];
       onEdges.push_back(this->placeOf(p));
-      if (!otherRanksAt(this->field_.surface(), p.halfedge).empty())
+      if (!this->field_.surface().otherRanksAt(p.halfedge).empty())
       {
         atSeams.push_back(id);
       }
@@ -205,7 +189,7 @@ private:
     std::vector<Message> messages = part.exchange().noMessages();
     for (const EdgePoint& p : this->edgePoints_)
     {
-      for (const int rank : otherRanksAt(part, p.halfedge))
+      for (const int rank : part.otherRanksAt(p.halfedge))
       {
         put(messages[rankIndex(rank)], p);
       }

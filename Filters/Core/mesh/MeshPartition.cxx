@@ -279,6 +279,27 @@ std::vector<std::uint8_t> MeshPartition::ownFaces() const
   return faces;
 }
 
+// Faces are in the order of the ranks, and siblings in the order of the faces.
+std::vector<int> MeshPartition::otherRanksAt(Id halfedge) const
+{
+  std::vector<int> ranks;
+  if (!this->isDistributed())
+  {
+    return ranks;
+  }
+  Id around = this->mesh_->edgeOf(halfedge);
+  do
+  {
+    const Id face = TriangleMesh::faceOf(around);
+    if (!this->isOwn(face) && (ranks.empty() || ranks.back() != this->ownerOf(face).rank))
+    {
+      ranks.push_back(this->ownerOf(face).rank);
+    }
+    around = this->mesh_->nextSibling(around);
+  } while (around != this->mesh_->edgeOf(halfedge));
+  return ranks;
+}
+
 Id MeshPartition::copyOf(const RankAddress& face) const
 {
   const Id i = this->tables_ ? placeIn(this->tables_->halo, face) : NoId;

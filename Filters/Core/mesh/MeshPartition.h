@@ -133,6 +133,8 @@ public:
   {
     return this->tables_ ? this->tables_->othersWith(vertex) : Holders();
   }
+  /// The other ranks that own faces at an edge, ascending.
+  std::vector<int> otherRanksAt(Id halfedge) const;
   /// The global id of a vertex, the same on all ranks. The ids of the vertices that a rank counts
   /// are consecutive and follow those of lower ranks.
   Id globalId(Id vertex) const { return this->tables_ ? this->tables_->globalIds[vertex] : vertex; }

@@ -60,19 +60,15 @@ bool RedGreenClosure::split(Id edge)
     return false;
   }
   this->mesh_.split(edge, this->rules_.place(edge));
-  // Tells the other ranks that have the edge.
-  int last = this->part_.exchange().rank();
-  this->mesh_.forEachFaceAt(this->mesh_.edgeData(edge),
-    [&](Id around)
+  const Id halfedge = this->mesh_.edgeData(edge).halfedge;
+  if (halfedge != NoId)
+  {
+    for (const int other : this->part_.otherRanksAt(halfedge))
     {
-      const int owner = this->part_.addressOf(around).rank;
-      if (owner != last && owner != this->part_.exchange().rank())
-      {
-        this->send(owner, Kind::Decision, edge);
-        put(this->messages_[rankIndex(owner)], this->mesh_.placementOf(edge));
-      }
-      last = owner; // faces of one rank are consecutive
-    });
+      this->send(other, Kind::Decision, edge);
+      put(this->messages_[rankIndex(other)], this->mesh_.placementOf(edge));
+    }
+  }
   return true;
 }
 
