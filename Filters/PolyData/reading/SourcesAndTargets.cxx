@@ -357,8 +357,8 @@ Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string&
 {
   const std::vector<LocatedPolyline> points = readPoints(blocks, name, surface.scale);
   const double precision = coordinatePrecisionOf(blocks);
-  const LocatedPlaces located = locator.locate(points, precision,
-    [&progress](double fraction) { return !progress || progress(Located * fraction); });
+  const LocatedPlaces located =
+    locator.locate(points, precision, progressBetween(progress, 0.0, Located));
   const std::vector<RankAddress> barriers = barriersAt(surface, located, precision);
   LoopProgress loop(progress);
   loop.nextUntil(Located);
