@@ -23,6 +23,7 @@
 #include <exception>
 #include <new>
 #include <optional>
+#include <sstream>
 
 namespace
 {
@@ -346,11 +347,25 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
 }
 
 //------------------------------------------------------------------------------
+std::string vtkGeodesicAlgorithm::FindWrongProperty() const
+{
+  if (this->MergeTolerance >= 0.0 && this->MergeTolerance < geodesic::Infinity)
+  {
+    return {};
+  }
+  std::ostringstream message;
+  message << "MergeTolerance is " << this->MergeTolerance
+          << ": set a length, or 0 to join points that differ by roundings only.";
+  return message.str();
+}
+
+//------------------------------------------------------------------------------
 void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SourceType: " << this->SourceType << "\n";
   os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
+  os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent
      << "BarrierArrayName: " << (this->BarrierArrayName ? this->BarrierArrayName : "(none)")
      << "\n";

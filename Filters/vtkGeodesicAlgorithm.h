@@ -78,13 +78,28 @@ public:
 
   ///@{
   /**
-   * Whether points at exactly one place are one point, so that faces around it are connected. On by
-   * default: formats without shared points (STL) or with seams (OBJ) need it. The output keeps the
-   * points of the input in either case.
+   * Whether points at one place are one point, so that faces around it are connected. On by
+   * default: formats without shared points (STL) or with seams (OBJ) need it. These are points with
+   * equal coordinates and, on the boundary of the surface or of its blocks and pieces, points that
+   * differ by a few roundings of the precision in which they are stored (single precision, too, if
+   * all coordinates in double precision have values of single precision): surfaces that were stored
+   * triangle by triangle have such cracks. The output keeps the points of the input in either case.
+   * A warning counts what still looks like a crack.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);
   vtkBooleanMacro(MergeCoincidentPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far apart two points on the boundary may be that are one point, with
+   * MergeCoincidentPoints, in the units of the surface: closes wider cracks. 0, the default: only
+   * roundings. Points farther apart than half of the shortest edge at either of them stay apart, so
+   * that no edge collapses.
+   */
+  vtkSetMacro(MergeTolerance, double);
+  vtkGetMacro(MergeTolerance, double);
   ///@}
 
   ///@{
@@ -140,7 +155,7 @@ protected:
     vtkInformationVector* outputVector) override;
 
   /// Says what is wrong with a property and what to do; empty where all are right.
-  virtual std::string FindWrongProperty() const { return {}; }
+  virtual std::string FindWrongProperty() const;
   /// What the user can do where memory has run out, as a sentence.
   virtual std::string AdviceOnMemory() const
   {
@@ -165,6 +180,7 @@ private:
 
   int SourceType = SOURCE_CURVE;
   bool MergeCoincidentPoints = true;
+  double MergeTolerance = 0.0;
   char* BarrierArrayName = nullptr;
 
   class vtkInternals;

@@ -50,14 +50,28 @@ constexpr double SnapRoundings = 4.0;
 /// collapse there.
 constexpr double SnapFraction = 0.1;
 
-/// Points on the boundaries of two pieces of a surface are one if they are nearer than this many
-/// roundings of the largest coordinate around: each piece has computed or stored the same place
-/// separately, with a few roundings.
+/// Points on the boundary of a surface, or of its pieces, are one if they are nearer than this many
+/// roundings of the largest coordinate around: each has been computed or stored separately for the
+/// same place, with a few roundings.
 constexpr double SeamRoundings = 4.0;
 
-/// The limit of SeamRoundings, as a fraction of an edge of the boundary at either point: far from
-/// the origin roundings may be as large as faces, and an edge must not collapse there.
+/// The limit of SeamRoundings, as a fraction of the edges at either point: far from the origin
+/// roundings may be as large as faces, and an edge must not collapse there.
 constexpr double SeamFraction = 0.1;
+
+/// The limit of a length that the user gives for joining points of the boundary, as a fraction of
+/// the edges at either point. At most half of an edge: points nearer than that to one point are no
+/// two ends of an edge, nor two ends of a row of edges, which would be folded.
+constexpr double MergeFraction = 0.5;
+
+/// Edges of the boundary that lie beside each other, nearer than this fraction of the surface's
+/// diagonal, look like a crack: formats with six or seven digits leave such gaps, and nobody makes
+/// them on purpose.
+constexpr double CrackWidth = 1e-6;
+
+/// The limit of CrackWidth, as a fraction of the edge: the next edge of the boundary comes as near
+/// around a corner.
+constexpr double CrackFraction = 0.1;
 
 /// A traced path that comes nearer to a vertex than this fraction of its length passes through the
 /// vertex, not an edge beside it: such is the rounding of unfolding it through some dozens of

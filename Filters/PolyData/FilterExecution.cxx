@@ -59,7 +59,8 @@ void FilterExecution::readInputs(bool supportsPieces)
       this->filter_->GetClassName() +
       " needs all on one. Run with one rank, or have the whole surface on one rank or on each.");
   }
-  this->cache_.update(this->surfaceBlocks_, this->filter_->GetMergeCoincidentPoints(),
+  this->cache_.update(this->surfaceBlocks_,
+    { this->filter_->GetMergeCoincidentPoints(), this->filter_->GetMergeTolerance() },
     isInPieces ? this->exchange_ : OneRank::instance(), this->progressBetween(0.0, SurfaceRead));
   noteSurface(this->surface(), this->notes_);
   this->reach(SurfaceRead);

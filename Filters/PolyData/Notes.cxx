@@ -147,6 +147,16 @@ void noteSurface(const PolyDataSurface& surface, Notes& notes)
     "among the surface's cells dropped.");
   notes.add(NoteOn::Surface, read.facesWithRepeatedPoint, "face", "faces",
     "with two corners at one point left out.");
+  if (read.crackEdges > 0)
+  {
+    std::ostringstream text;
+    text << read.crackEdges << " boundary edges of the surface lie beside others, at most "
+         << surface.scale.toUser(read.crackWidth)
+         << " apart, and are not joined: paths go around these cracks. If they are not meant to be "
+            "slits, set MergeTolerance to more than that; where points of one side have no partners "
+            "on the other, repair the mesh upstream.";
+    notes.add(NoteOn::Surface, "cracks", text.str());
+  }
 }
 
 void noteSource(const PolyDataSurface& surface, const TriangleMesh& mesh,

@@ -83,12 +83,12 @@ Fingerprint contentKey(const std::vector<PolyDataBlock>& blocks)
   return key;
 }
 
-void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, const PointMerging& merging,
   Exchange& exchange, const ProgressCallback& progress)
 {
   const Fingerprint key = contentKey(blocks);
-  const bool isKept = this->surface_ && this->key_ == key &&
-    this->isMerged_ == mergeCoincidentPoints && this->exchange_ == &exchange;
+  const bool isKept = this->surface_ && this->key_ == key && this->merging_ == merging &&
+    this->exchange_ == &exchange;
   if (!exchange.isTrueAnywhere(!isKept))
   {
     this->surface_->useCellsOf(blocks);
@@ -96,10 +96,10 @@ void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, bool mergeCo
   }
   this->release();
   this->surface_ = std::make_unique<PolyDataSurface>(
-    readSurface(blocks, mergeCoincidentPoints, exchange, progress));
+    readSurface(blocks, merging, exchange, progress));
   this->locator_ = std::make_unique<PolylineLocator>(this->surface_->partition);
   this->key_ = key;
-  this->isMerged_ = mergeCoincidentPoints;
+  this->merging_ = merging;
   this->exchange_ = &exchange;
 }
 

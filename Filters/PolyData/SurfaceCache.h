@@ -33,7 +33,7 @@ public:
   ///
   /// \param exchange see readSurface(). All ranks keep theirs or none does.
   /// \throws what readSurface() throws; nothing is kept then.
-  void update(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+  void update(const std::vector<PolyDataBlock>& blocks, const PointMerging& merging,
     Exchange& exchange, const ProgressCallback& progress);
 
   /// What update() has read. Valid until the next update() or release().
@@ -51,7 +51,7 @@ private:
   JoinedPaths joinedPaths_;
   /// What the surface was made from.
   Fingerprint key_{};
-  bool isMerged_ = false;
+  PointMerging merging_;
   const Exchange* exchange_ = nullptr;
 };
 

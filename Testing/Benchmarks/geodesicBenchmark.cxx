@@ -466,7 +466,7 @@ EngineRun measureEngine(
   const std::uint64_t loaded = memory("VmRSS");
   Stopwatch watch;
   const geodesic::PolyDataSurface surface =
-    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), true);
+    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), {});
   const double buildSeconds = watch.lap();
   const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
   const double sourceSeconds = watch.lap();
@@ -520,7 +520,7 @@ void measureModel(
   const Options& options, vtkPolyData* mesh, const Source& source, std::ostream& json)
 {
   const geodesic::PolyDataSurface surface =
-    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), true);
+    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), {});
   const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
   TaskModel model(options.model);
   geodesic::FrontOptions frontOptions = frontOptionsFor(options);

@@ -55,7 +55,7 @@ vtkSmartPointer<vtkPolyData> WithPolygon(vtkSmartPointer<vtkPolyData> data)
   const vtkIdType first = points->InsertNextPoint(0.0, -1.0, 0.0);
   points->InsertNextPoint(0.5, -0.5, 0.0);
   points->InsertNextPoint(1.0, -1.0, 0.0);
-  data->GetPolys()->InsertNextCell({ 0, first, first + 1, first + 2, 2 });
+  data->GetPolys()->InsertNextCell({ 0, first, first + 1, first + 2, 1 });
   return data;
 }
 
@@ -92,7 +92,7 @@ std::vector<Case> QuietCases()
   ringAgain.push_back(ring.front());
   return {
     { "quads", Square(2, Cells::Quads), corner, {} },
-    { "a polygon", WithPolygon(Square(2)), corner, {} },
+    { "a polygon", WithPolygon(Square(1)), corner, {} },
     { "strips", Square(2, Cells::Strips), corner, {} },
     { "a duplicate face", WithFaces(Square(2), { { 1, 4, 0 } }), corner, {} },
     { "a face without area", WithFaces(Square(2), { { 0, 1, 2 } }), corner, {} },

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -47,41 +46,6 @@ struct RankLabels
 RankLabels joinSameVertices(const std::vector<Vec3>& vertices, bool byPlace,
   const std::vector<std::pair<std::int64_t, Id>>& globalIds, Exchange& exchange);
 
-/// One block of a surface, for mergeSeams().
-struct SeamBlock
-{
-  /// Its triangles, as vertices.
-  std::vector<Triangle> triangles;
-  /// Those that a ghost array marks as duplicates.
-  std::vector<Triangle> ghosts;
-  /// The relative precision of its coordinates.
-  double precision = 0.0;
-};
-
-/// Vertices that are one.
-struct JoinedVertices
-{
-  /// The label of each vertex that is one with others, and the label of the one that stands for it:
-  /// the lowest of those that are no corners of ghosts only, if there are any.
-  std::map<RankLabels::Label, RankLabels::Label> same;
-  /// How many were joined with others, not counting those that only ghosts have.
-  std::uint64_t count = 0;
-};
-
-/// Where blocks of one surface meet, their points may differ by roundings, and ghosts may differ
-/// from what they duplicate: each block may have computed or stored them on its own. Finds the
-/// vertices that are one within the precision of the coordinates (tolerance::SeamRoundings,
-/// SeamFraction), the nearest first: two on boundaries, or one at a ghost and any other. Two with
-/// triangles of one block are never made one.
-///
-/// \param vertices points at exactly one place are one vertex already.
-/// \param labels of the vertices.
-/// \param blocks those of one process; of several ranks, which call this together, one each.
-/// \param largest the largest coordinate of a vertex of any rank's triangles.
-/// \returns the same on all ranks.
-JoinedVertices mergeSeams(const std::vector<Vec3>& vertices, const RankLabels& labels,
-  std::vector<SeamBlock> blocks, double largest, Exchange& exchange);
-
 /// Finds values for the vertices of a rank's points that no own face has: corners of duplicates of
 /// other ranks' faces, and points that no face uses here. The values come from the lowest rank that
 /// has a face there. All ranks call this together.
@@ -115,7 +79,10 @@ public:
 
   bool areNear(const Vec3& point, double margin) const
   {
-    const Box around = boxAround(point, margin);
+    return this->areNear(boxAround(point, margin));
+  }
+  bool areNear(const Box& around) const
+  {
     return std::any_of(this->boxes_.begin(), this->boxes_.end(),
       [&around](const Box& box) { return box.meets(around); });
   }

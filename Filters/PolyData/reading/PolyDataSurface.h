@@ -106,9 +106,13 @@ struct SurfaceReport
   vtkIdType droppedLineCells = 0;
   /// Faces with two corners at one point, before or after merging; left out.
   vtkIdType facesWithRepeatedPoint = 0;
-  /// Vertices on the boundaries of blocks or of ranks' pieces that were joined with others within
-  /// the precision of coordinates.
+  /// Vertices on the boundary of the surface, its blocks or ranks' pieces that were joined with
+  /// others within the precision of coordinates or the user's tolerance.
   vtkIdType joinedSeamPoints = 0;
+  /// Edges of the boundary that lie beside others, and how far apart they are at most, on the
+  /// mesh's scale; see findCracks().
+  vtkIdType crackEdges = 0;
+  double crackWidth = 0.0;
   /// The edges of the mesh.
   vtkIdType edges = 0;
 };
@@ -212,16 +216,30 @@ struct PolyDataSurface
   std::size_t blockOf(Id item, Id SurfaceBlock::*first) const;
 };
 
+/// Which points of a surface are one vertex.
+struct PointMerging
+{
+  /// Those at one place, and those on the boundary that differ by roundings. Blocks are not
+  /// connected otherwise.
+  bool isWanted = true;
+  /// Those on the boundary that are not farther apart than this, too.
+  double tolerance = 0.0;
+
+  bool operator==(const PointMerging& other) const
+  {
+    return this->isWanted == other.isWanted && this->tolerance == other.tolerance;
+  }
+};
+
 /// Makes one surface of all blocks of all ranks, which call this together: triangulates polygons
-/// and strips, and merges the points that lie at exactly one place.
+/// and strips, and merges points.
 ///
 /// \param blocks the vtkPolyData that this rank has of the surface. They are not changed.
-/// \param mergeCoincidentPoints whether points are merged. Blocks are not connected otherwise.
 /// \param exchange must outlive the surface.
 /// \param progress called now and then with a fraction done; returning false throws Aborted.
 /// \throws MeshError if no face is left that is not a barrier, a coordinate is not finite or a cell
 ///         names a point that does not exist; MeshTooLarge; Aborted.
-PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, const PointMerging& merging,
   Exchange& exchange = OneRank::instance(), const ProgressCallback& progress = {});
 
 /// Numbers the vertices that triangles use, in their order, and changes the corners to these

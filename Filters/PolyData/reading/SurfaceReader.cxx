@@ -2,7 +2,9 @@
 #include "PolyData/Hash.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/ranks/RankSeams.h"
+#include "PolyData/reading/Cracks.h"
 #include "PolyData/reading/PolyDataSurface.h"
+#include "PolyData/reading/SeamMerger.h"
 #include "PolyData/reading/TriangleReader.h"
 #include "mesh/Box.h"
 #include "mesh/GroupedItems.h"
@@ -14,8 +16,8 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 #include <cstdint>
-#include <map>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -128,6 +130,14 @@ std::vector<Id> firstAtPlaces(
   return hashes;
 }
 
+Vec3 roundedToSingle(const Vec3& p)
+{
+  Vec3 rounded;
+  std::transform(p.begin(), p.end(), rounded.begin(),
+    [](double x) { return std::abs(x) <= FLT_MAX ? double(static_cast<float>(x)) : Infinity; });
+  return rounded;
+}
+
 /// The faces of the surface, on vertices.
 struct Faces
 {
@@ -214,6 +224,8 @@ SurfaceReport reportOfAllRanks(SurfaceReport own, const MeshPartition& partition
     all.droppedLineCells += report.droppedLineCells;
     all.facesWithRepeatedPoint += report.facesWithRepeatedPoint;
     all.joinedSeamPoints += report.joinedSeamPoints;
+    all.crackEdges += report.crackEdges;
+    all.crackWidth = std::max(all.crackWidth, report.crackWidth);
     all.edges += report.edges;
   }
   return all;
@@ -223,7 +235,7 @@ SurfaceReport reportOfAllRanks(SurfaceReport own, const MeshPartition& partition
 struct SurfaceReader
 {
   const std::vector<PolyDataBlock>& inputs;
-  const bool mergesPoints;
+  const PointMerging merging;
   Exchange& exchange;
   const ProgressCallback& callback;
   const ParallelFor parallelFor = smpParallelFor();
@@ -250,7 +262,7 @@ struct SurfaceReader
     progress.nextUntil(PointsRead);
     this->readPoints(progress);
     progress.nextUntil(PointsMerged);
-    if (this->mergesPoints)
+    if (this->merging.isWanted)
     {
       this->vertices.join(firstAtPlaces(this->vertices.positions, progress, this->parallelFor));
     }
@@ -264,14 +276,15 @@ struct SurfaceReader
         "faces of the surface (input port 0) has three different corners. Connect a surface with "
         "triangles or polygons.");
     }
+    std::vector<double> precisions = this->storedPrecisions();
     this->scaleVertices();
-    if (this->mergesPoints && this->inputs.size() > 1)
-    {
-      this->joinBlocks();
-    }
     if (this->exchange.numberOfRanks() > 1)
     {
       this->joinRanks();
+    }
+    if (this->merging.isWanted)
+    {
+      this->joinSeams(std::move(precisions));
     }
     this->roles = findRoles(
       this->inputs, this->vertices.labels, this->vertices.of, this->triangles, this->exchange);
@@ -364,46 +377,36 @@ struct SurfaceReader
     this->largestCoordinate = this->scale.toEngine(largest);
   }
 
-  /// What some of the blocks have, for joining seams.
-  SeamBlock seamBlock(std::size_t firstBlock, std::size_t lastBlock) const
+  /// The relative precision with which the coordinates of each block are stored. If all of double
+  /// precision are values of single precision, that counts: they come from such a file.
+  std::vector<double> storedPrecisions() const
   {
-    SeamBlock seam;
-    for (std::size_t block = firstBlock; block < lastBlock; ++block)
+    std::vector<double> precisions;
+    for (const PolyDataBlock& input : this->inputs)
     {
-      seam.precision = std::max(seam.precision, this->inputs[block].precision());
-      for (std::size_t i = this->triangles.firstOfBlock[block];
-           i < this->triangles.firstOfBlock[block + 1]; ++i)
-      {
-        (this->triangles.isDuplicate[i] ? seam.ghosts : seam.triangles)
-          .push_back(this->vertices.of(this->triangles.corners[i]));
-      }
+      precisions.push_back(input.precision());
     }
-    return seam;
+    const bool areSingle = precisions.empty() ||
+      *std::min_element(precisions.begin(), precisions.end()) == FLT_EPSILON ||
+      std::all_of(this->vertices.positions.begin(), this->vertices.positions.end(),
+        [](const Vec3& p) { return p == roundedToSingle(p); });
+    if (this->isTrueOnAll(areSingle))
+    {
+      std::fill(precisions.begin(), precisions.end(), FLT_EPSILON);
+    }
+    return precisions;
   }
 
-  /// \returns JoinedVertices::same
-  std::map<Label, Label> findSeams(std::vector<SeamBlock> seams, Exchange& among)
+  /// Makes one vertex of those with the same label, if ranks share any.
+  void joinSameLabels()
   {
-    JoinedVertices joined = mergeSeams(this->vertices.positions, this->vertices.labels,
-      std::move(seams), this->largestCoordinate, among);
-    // All ranks of the exchange have counted the same.
-    this->report.joinedSeamPoints += among.rank() == 0 ? static_cast<vtkIdType>(joined.count) : 0;
-    return std::move(joined.same);
-  }
-
-  /// Connects blocks whose boundaries meet within the rounding of their coordinates.
-  void joinBlocks()
-  {
-    std::vector<SeamBlock> seams;
-    for (std::size_t i = 0; i < this->inputs.size(); ++i)
-    {
-      seams.push_back(this->seamBlock(i, i + 1));
-    }
+    const RankLabels& labels = this->vertices.labels;
+    std::unordered_map<Label, Id> first;
     std::vector<Id> same(this->vertices.positions.size());
-    std::iota(same.begin(), same.end(), Id(0));
-    for (const auto& [vertex, other] : this->findSeams(std::move(seams), OneRank::instance()))
+    for (Id vertex = 0; vertex < same.size(); ++vertex)
     {
-      same[vertex] = static_cast<Id>(other);
+      same[vertex] =
+        labels.isSharedAt(vertex) ? first.emplace(labels.of(vertex), vertex).first->second : vertex;
     }
     this->vertices.join(same);
   }
@@ -412,26 +415,48 @@ struct SurfaceReader
   /// vertices of this rank get the same, they are one, too.
   void joinRanks()
   {
-    RankLabels& labels = this->vertices.labels;
-    labels = joinSameVertices(
-      this->vertices.positions, this->mergesPoints, this->globalIds(), this->exchange);
-    std::map<Label, Label> seams;
-    if (this->mergesPoints)
+    this->vertices.labels = joinSameVertices(
+      this->vertices.positions, this->merging.isWanted, this->globalIds(), this->exchange);
+    this->joinSameLabels();
+  }
+
+  /// Joins vertices that only the precision of coordinates, or the user's tolerance, keeps apart.
+  void joinSeams(std::vector<double> precisions)
+  {
+    const JoinedVertices joined =
+      mergeSeams({ this->vertices.positions, this->vertices.labels, this->triangles,
+                   this->vertices.of, std::move(precisions), this->largestCoordinate,
+                   this->scale.toEngine(this->merging.tolerance) },
+        this->exchange);
+    if (joined.same.empty())
     {
-      seams = this->findSeams({ this->seamBlock(0, this->inputs.size()) }, this->exchange);
+      return;
     }
-    std::unordered_map<Label, Id> first;
+    // All ranks have counted the same.
+    this->report.joinedSeamPoints =
+      this->exchange.rank() == 0 ? static_cast<vtkIdType>(joined.count) : 0;
+    std::vector<Label>& labels = this->vertices.labels.labels;
     std::vector<Id> same(this->vertices.positions.size());
+    std::iota(same.begin(), same.end(), Id(0));
     for (Id vertex = 0; vertex < same.size(); ++vertex)
     {
-      if (const auto seam = seams.find(labels.of(vertex)); seam != seams.end())
+      const auto found = joined.same.find(this->vertices.labels.of(vertex));
+      if (found == joined.same.end())
       {
-        labels.labels[vertex] = seam->second | RankLabels::Shared;
+        continue;
       }
-      same[vertex] =
-        labels.isSharedAt(vertex) ? first.emplace(labels.of(vertex), vertex).first->second : vertex;
+      this->vertices.positions[vertex] = found->second.position;
+      if (labels.empty())
+      {
+        same[vertex] = static_cast<Id>(found->second.label);
+      }
+      else
+      {
+        labels[vertex] = found->second.label | RankLabels::Shared;
+      }
     }
     this->vertices.join(same);
+    this->joinSameLabels();
   }
 
   /// A global id and a vertex for each point; empty if points of any rank have no global ids.
@@ -551,6 +576,10 @@ struct SurfaceReader
         MeshPartition(std::move(barrierPoints), faces.barriers, barrierKeys, this->exchange));
     }
     this->vertices.of.renumber(std::move(numbers));
+    if (this->merging.isWanted)
+    {
+      findCracks(partition, diagonal, this->report);
+    }
     const SurfaceReport ofAllRanks = reportOfAllRanks(this->report, partition);
     return { std::move(partition), std::move(elsewhere), std::move(barriers), std::move(inBarriers),
       std::move(this->vertices.of), std::move(this->blocks), this->numberOfPoints,
@@ -561,10 +590,10 @@ struct SurfaceReader
 
 }
 
-PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, bool mergeCoincidentPoints,
+PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, const PointMerging& merging,
   Exchange& exchange, const ProgressCallback& progress)
 {
-  return SurfaceReader{ blocks, mergeCoincidentPoints, exchange, progress }.read();
+  return SurfaceReader{ blocks, merging, exchange, progress }.read();
 }
 
 }
