@@ -502,9 +502,9 @@ public:
 
   ///@{
   /**
-   * After an execution: how many points on the boundaries of blocks, or of the pieces of several
-   * ranks, were made one with another from which they differ by a few roundings. Points that
-   * coincide do not count.
+   * After an execution: how many points on the boundary of the surface, its blocks or the pieces of
+   * several ranks were made one with another from which they differ, by a few roundings or within
+   * MergeTolerance. Points that coincide do not count.
    */
   vtkGetMacro(SeamPointsJoined, vtkIdType);
   ///@}

@@ -132,8 +132,8 @@ void keepBoundary(const RankLabels& labels, std::vector<EdgeOfFace>& edges,
   {
     if (labels.isSharedAt(edges[i].low) && labels.isSharedAt(edges[i].high))
     {
-      const auto [low, high] = std::minmax(labels.of(edges[i].low), labels.of(edges[i].high));
-      const Key key{ low, high };
+      Key key{ labels.of(edges[i].low), labels.of(edges[i].high) };
+      std::sort(key.begin(), key.end());
       questions.ask(static_cast<int>(hashOf(key) % ranks), i, key, labels.of(edges[i].apex),
         haveOneFace[i] != 0);
     }
