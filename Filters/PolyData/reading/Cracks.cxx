@@ -42,13 +42,15 @@ std::vector<BoundaryEdge> boundaryOf(const MeshPartition& partition)
 {
   const TriangleMesh& mesh = partition.mesh();
   std::vector<BoundaryEdge> edges;
-  const Id end = 3 * partition.endOfOwnFaces();
-  for (Id h = 3 * partition.firstOwnFace(); h < end; ++h)
+  for (Id face = partition.firstOwnFace(); face < partition.endOfOwnFaces(); ++face)
   {
-    if (mesh.isBoundary(h))
+    for (Id h = 3 * face; h < 3 * face + 3; ++h)
     {
-      edges.push_back({ mesh.point(mesh.origin(h)), mesh.point(mesh.destination(h)),
-        partition.addressOf(TriangleMesh::faceOf(h)) });
+      if (mesh.isBoundary(h))
+      {
+        edges.push_back({ mesh.point(mesh.origin(h)), mesh.point(mesh.destination(h)),
+          partition.addressOf(face) });
+      }
     }
   }
   return edges;
@@ -104,6 +106,7 @@ public:
     this->lines_->SetPoints(points);
     this->lines_->SetLines(lines);
     this->locator_->SetDataSet(this->lines_);
+    this->locator_->SetNumberOfCellsPerNode(2);
     this->locator_->BuildLocator();
   }
 
@@ -119,7 +122,8 @@ public:
     for (vtkIdType i = 0; i < this->found_->GetNumberOfIds(); ++i)
     {
       const BoundaryEdge& other = this->edges_[static_cast<std::size_t>(this->found_->GetId(i))];
-      if (edge.face < other.face || other.face < edge.face)
+      const bool isOfAnotherFace = edge.face < other.face || other.face < edge.face;
+      if (isOfAnotherFace && other.around(limit).holds(middle))
       {
         double along = 0.0;
         Vec3 closest;

@@ -55,8 +55,7 @@ std::vector<bool> vertexMayBeOnBoundary(const SeamSurface& surface)
 std::vector<Id> ghostCorners(const SeamSurface& surface)
 {
   std::vector<Id> corners;
-  const std::vector<bool>& ghosts = surface.triangles.isDuplicate;
-  if (std::find(ghosts.begin(), ghosts.end(), true) == ghosts.end())
+  if (!surface.hasGhosts())
   {
     return corners; // the rule
   }
@@ -228,15 +227,20 @@ struct Candidates
     this->surface.forEachTriangle(
       [this](const Triangle& t, std::size_t block, bool isGhost)
       {
-        const auto isCandidate = [&](std::size_t k) { return this->numbers[t[k]] != NoId; };
+        const std::array<bool, 3> areCandidates = { this->numbers[t[0]] != NoId,
+          this->numbers[t[1]] != NoId, this->numbers[t[2]] != NoId };
+        if (!areCandidates[0] && !areCandidates[1] && !areCandidates[2])
+        {
+          return; // nearly always
+        }
         for (std::size_t k = 0; k < 3; ++k)
         {
           const std::size_t next = (k + 1) % 3;
-          if (isCandidate(k))
+          if (areCandidates[k])
           {
             this->addCorner(t, k, block, isGhost);
           }
-          if (!isGhost && isCandidate(k) && isCandidate(next))
+          if (!isGhost && areCandidates[k] && areCandidates[next])
           {
             const auto [low, high] = std::minmax(t[k], t[next]);
             this->edges.push_back({ low, high, t[(k + 2) % 3] });

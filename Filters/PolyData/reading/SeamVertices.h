@@ -8,6 +8,7 @@
 #include "PolyData/reading/TriangleReader.h"
 #include "Types.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -32,14 +33,27 @@ struct SeamSurface
   /// How far apart the user allows vertices on the boundary to be that are one.
   double mergeTolerance = 0.0;
 
+  bool hasGhosts() const
+  {
+    const std::vector<bool>& ghosts = this->triangles.isDuplicate;
+    return std::find(ghosts.begin(), ghosts.end(), true) != ghosts.end();
+  }
+
   /// Calls visit(triangle of vertices, block, whether a ghost array marks it as a duplicate).
   template <typename Visit>
-  void forEachTriangle(Visit&& visit) const
+  void forEachTriangle(const Visit& visit) const
   {
+    // Most surfaces have no table of vertices and no ghosts.
+    const bool isPlain = this->vertexOf.isIdentity() && !this->hasGhosts();
     for (std::size_t block = 0; block < this->precisions.size(); ++block)
     {
+      const std::size_t first = this->triangles.firstOfBlock[block];
       const std::size_t end = this->triangles.firstOfBlock[block + 1];
-      for (std::size_t i = this->triangles.firstOfBlock[block]; i < end; ++i)
+      for (std::size_t i = first; i < end && isPlain; ++i)
+      {
+        visit(this->triangles.corners[i], block, false);
+      }
+      for (std::size_t i = first; i < end && !isPlain; ++i)
       {
         visit(this->vertexOf(this->triangles.corners[i]), block, this->triangles.isDuplicate[i]);
       }

@@ -246,7 +246,8 @@ struct SurfaceReader
   /// Of the triangles; empty if all are open.
   std::vector<TriangleRole> roles{};
   PowerOfTwoScale scale{};
-  /// Of the triangles of all ranks, on the mesh's scale.
+  /// Of the triangles, and the largest coordinate of those of all ranks, on the mesh's scale.
+  Box box{};
   double largestCoordinate = 0.0;
   SurfaceReport report{};
 
@@ -361,11 +362,13 @@ struct SurfaceReader
   void scaleVertices()
   {
     const std::vector<Triangle>& corners = this->triangles.corners;
-    const double largest = this->exchange.largestOf(
-      corners.empty() ? 0.0 : this->boxOf(corners, this->vertices.of).largestCoordinate());
+    this->box = this->boxOf(corners, this->vertices.of);
+    const double largest =
+      this->exchange.largestOf(corners.empty() ? 0.0 : this->box.largestCoordinate());
     this->scale = requireScale(largest);
     if (!this->scale.isOne())
     {
+      this->box = { this->scale.toEngine(this->box.low), this->scale.toEngine(this->box.high) };
       for (Vec3& p : this->vertices.positions)
       {
         for (double& x : p)
@@ -457,6 +460,7 @@ struct SurfaceReader
     }
     this->vertices.join(same);
     this->joinSameLabels();
+    this->box = this->boxOf(this->triangles.corners, this->vertices.of);
   }
 
   /// A global id and a vertex for each point; empty if points of any rank have no global ids.
@@ -523,13 +527,17 @@ struct SurfaceReader
   /// and may lie anywhere.
   double diagonalOf(const Faces& faces) const
   {
-    Box box = this->boxOf(faces.open, {});
-    box.add(this->boxOf(faces.barriers, {}));
-    for (const Box& other : valuesOfRanks(this->exchange, box))
+    Box whole = this->box;
+    if (!this->roles.empty())
     {
-      box.add(other);
+      whole = this->boxOf(faces.open, {});
+      whole.add(this->boxOf(faces.barriers, {}));
     }
-    return norm(box.high - box.low);
+    for (const Box& other : valuesOfRanks(this->exchange, whole))
+    {
+      whole.add(other);
+    }
+    return norm(whole.high - whole.low);
   }
 
   /// Makes the meshes of the open faces and of the barriers.
