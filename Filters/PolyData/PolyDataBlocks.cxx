@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/PolyDataBlocks.h"
 
+#include "PolyData/Memory.h"
+#include "PolyData/reading/GridSurface.h"
 #include "Types.h"
 
 #include "vtkCellData.h"
@@ -29,8 +31,9 @@ namespace
 {
 
 const char* const NoSurface =
-  ": apply Extract Surface to it first. A vtkPolyData, or a composite data set of these, is "
-  "needed; vtkDataSetSurfaceFilter and vtkGeometryFilter make one.";
+  ": apply Extract Surface to it first. A vtkPolyData, a vtkUnstructuredGrid of two-dimensional "
+  "cells, or a composite data set of these, is needed; vtkDataSetSurfaceFilter and "
+  "vtkGeometryFilter make one.";
 const char* const NoPoints =
   ", which has no points of its own. A vtkPolyData, a vtkUnstructuredGrid, another vtkPointSet, or "
   "a composite data set of these, is needed: of an image or a grid Extract Surface makes one, of a "
@@ -88,8 +91,30 @@ void requireReadable(
   }
 }
 
+vtkUnsignedCharArray* requireTypes(vtkUnstructuredGrid* grid, const std::string& name)
+{
+  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  const vtkIdType count = types ? types->GetNumberOfValues() : 0;
+  if (count < grid->GetNumberOfCells())
+  {
+    throw InputError("Cell " + std::to_string(count) + " of " + name +
+      " has no type: there are types of " + std::to_string(count) + " cells only, of " +
+      std::to_string(grid->GetNumberOfCells()) + ". Repair the cells upstream.");
+  }
+  return types;
+}
+
 PolyDataBlock surfaceBlock(vtkDataObject* data, const std::string& name)
 {
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    if (grid->GetCells())
+    {
+      requireReadable(grid->GetCells(), "cells", 0, name);
+      requireTypes(grid, name);
+    }
+    return surfaceOfGrid(grid, name);
+  }
   auto* polyData = requireType<vtkPolyData>(data, name, NoSurface);
   // vtkPolyData numbers its cells in this order.
   const std::pair<vtkCellArray*, const char*> kinds[] = { { polyData->GetVerts(), "vertices" },
@@ -109,19 +134,6 @@ PolyDataBlock targetBlock(vtkDataObject* data, const std::string& name)
   const auto points = vtkSmartPointer<vtkPolyData>::New();
   points->SetPoints(requireType<vtkPointSet>(data, name, NoPoints)->GetPoints());
   return { points, name, {} };
-}
-
-vtkUnsignedCharArray* requireTypes(vtkUnstructuredGrid* grid, const std::string& name)
-{
-  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
-  const vtkIdType count = types ? types->GetNumberOfValues() : 0;
-  if (count < grid->GetNumberOfCells())
-  {
-    throw InputError("Cell " + std::to_string(count) + " of " + name +
-      " has no type: there are types of " + std::to_string(count) + " cells only, of " +
-      std::to_string(grid->GetNumberOfCells()) + ". Repair the cells upstream.");
-  }
-  return types;
 }
 
 /// A cell that is neither a vertex nor a line becomes a line without points, so that the others
@@ -224,8 +236,46 @@ std::string nameOfBarriers(const PolyDataBlock& block, const std::string& name)
   return "The cell array " + name + " (BarrierArrayName) of " + block.name;
 }
 
+/// The cells of the input that are faces, in their order.
+std::vector<vtkIdType> facesOf(const PolyDataBlock& block)
+{
+  std::vector<vtkIdType> faces;
+  const vtkIdType first = block.data->GetNumberOfVerts() + block.data->GetNumberOfLines();
+  for (vtkIdType cell = first; cell < block.data->GetNumberOfCells(); ++cell)
+  {
+    const vtkIdType face = block.inputCell(cell);
+    if (faces.empty() || faces.back() != face)
+    {
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
+/// Replaces the barriers' array of one value a face by one with a value for each cell, 0 for those
+/// that are no faces. The input keeps its own.
+void giveToCells(const std::vector<vtkIdType>& faces, PolyDataBlock& block)
+{
+  vtkDataArray* ofFaces = block.barriers;
+  const vtkIdType count = block.countInputCells();
+  requireMemory(count, ofFaces->GetDataTypeSize());
+  const auto ofCells = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(ofFaces->GetDataType()));
+  ofCells->SetName(ofFaces->GetName());
+  ofCells->SetNumberOfTuples(count);
+  ofCells->Fill(0.0);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    ofCells->SetTuple(faces[i], static_cast<vtkIdType>(i), ofFaces);
+  }
+  const auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->ShallowCopy(block.data);
+  data->GetCellData()->AddArray(ofCells);
+  block.data = data;
+  block.barriers = ofCells;
+}
+
 /// \throws InputError
-void requireBarrierValues(const PolyDataBlock& block)
+void requireBarrierValues(PolyDataBlock& block)
 {
   vtkDataArray* values = block.barriers;
   const std::string begin = nameOfBarriers(block, values->GetName());
@@ -235,11 +285,21 @@ void requireBarrierValues(const PolyDataBlock& block)
       " components, where one number a cell is needed. Choose an array with one component, or make "
       "one, for example by the Calculator filter.");
   }
-  const vtkIdType cells = block.data->GetNumberOfCells();
-  if (values->GetNumberOfTuples() < cells)
+  const vtkIdType cells = block.countInputCells();
+  if (values->GetNumberOfTuples() != cells)
   {
-    throw InputError(begin + " has " + std::to_string(values->GetNumberOfTuples()) +
-      " values for " + std::to_string(cells) + " cells. Give each cell a value.");
+    const std::vector<vtkIdType> faces = facesOf(block);
+    const auto count = static_cast<vtkIdType>(faces.size());
+    if (values->GetNumberOfTuples() != count)
+    {
+      throw InputError(begin + " has " + std::to_string(values->GetNumberOfTuples()) +
+        " values for " + std::to_string(cells) + " cells" +
+        (count == cells ? ". Give each cell a value."
+                        : ", " + std::to_string(count) +
+              " of which are faces. Give each cell, or each face, a value."));
+    }
+    giveToCells(faces, block);
+    values = block.barriers;
   }
   std::vector<vtkIdType> bad;
   for (vtkIdType cell = 0; cell < cells; ++cell)

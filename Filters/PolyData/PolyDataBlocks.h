@@ -35,20 +35,34 @@ struct PolyDataBlock
   /// "block 3 (wing) of the surface (input port 0)".
   std::string name;
   /// The number that each cell of data has in the input, where these differ: a vtkPolyData has its
-  /// vertices before its lines. Empty where they are the same.
+  /// vertices before its lines, and a cell of a grid may be several here. Empty where they are the
+  /// same.
   std::vector<vtkIdType> inputCells;
   /// How many cells of the input are neither vertices nor lines, and have no points here.
   vtkIdType droppedCells = 0;
   /// The cell array that is not 0 where cells are barriers; null where there is none. See
   /// findBarrierArrays().
   vtkDataArray* barriers = nullptr;
+  /// How many cells the input has, where inputCells is not empty; data has as many otherwise. Its
+  /// cell data is that of the cells of the input.
+  vtkIdType numberOfInputCells = 0;
 
+  /// The number in the input of a cell of data.
+  vtkIdType inputCell(vtkIdType cell) const
+  {
+    return this->inputCells.empty() ? cell : this->inputCells[static_cast<std::size_t>(cell)];
+  }
+  vtkIdType countInputCells() const
+  {
+    return this->inputCells.empty() ? this->data->GetNumberOfCells() : this->numberOfInputCells;
+  }
   /// The relative precision of the coordinates: epsilon of float or, without points, of double.
   double precision() const;
 };
 
-/// The vtkPolyData that an input is, or the leaves of a composite one in their flattened order.
-/// Blocks that are null are left out.
+/// The surface that an input is, or those that the leaves of a composite one are, in their
+/// flattened order: each a vtkPolyData, or a vtkUnstructuredGrid of two-dimensional cells (see
+/// surfaceOfGrid()). Blocks that are null are left out.
 ///
 /// \param name as messages call the input.
 /// \throws InputError where the input or a block is something else, or has cells that cannot be
@@ -64,13 +78,15 @@ std::vector<PolyDataBlock> sourceBlocks(vtkDataObject* input, const std::string&
 std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const std::string& name);
 
 /// Finds PolyDataBlock::barriers of the blocks of a surface. Blocks without the array have no
-/// barriers.
+/// barriers. An array with one value a face, which leaves out vertices and lines, is replaced by
+/// one with a value for each cell.
 ///
 /// \param array its name; null, empty and "None" (the first entry of ParaView's list) stand for no
 ///        barriers.
 /// \param exchange with other ranks, all of which find the arrays of their blocks now.
 /// \throws InputError where no block with cells, of any rank, has the array, or where it is not
-///         numeric, has several components, no value for some cell, or NaN.
+///         numeric, has several components, neither a value for each cell nor one for each face, or
+///         NaN.
 void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Exchange& exchange);
 
 /// A block's name at the beginning of a sentence.

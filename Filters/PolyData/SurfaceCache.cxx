@@ -79,6 +79,11 @@ Fingerprint contentKey(const std::vector<PolyDataBlock>& blocks)
     addArray(data->GetCellData()->GetGlobalIds(), key);
     addArray(data->GetPointData()->GetGlobalIds(), key);
     addArray(block.barriers, key);
+    addWord(block.inputCells.size(), key);
+    if (!block.inputCells.empty())
+    {
+      addBytes(block.inputCells.data(), block.inputCells.size() * sizeof(vtkIdType), key);
+    }
   }
   return key;
 }

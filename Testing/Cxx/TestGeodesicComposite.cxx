@@ -11,7 +11,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkUnstructuredGrid.h"
+#include "vtkStructuredGrid.h"
 
 #include <set>
 
@@ -409,10 +409,12 @@ void CheckErrors(Check& check)
   const auto square = Square(2);
   const auto corner = PointSources({ { 0, 0, 0 } });
   const auto withGrid = TwoSquares(Square(2), Square(2));
-  withGrid->SetBlock(2, vtkNew<vtkUnstructuredGrid>());
+  vtkNew<vtkStructuredGrid> structured;
+  structured->SetDimensions(2, 2, 2);
+  withGrid->SetBlock(2, structured);
   withGrid->GetMetaData(2u)->Set(vtkCompositeDataSet::NAME(), "volume");
   expect(withGrid, corner,
-    { "Block 3 (volume) of the surface (input port 0)", "vtkUnstructuredGrid", "Extract Surface" },
+    { "Block 3 (volume) of the surface (input port 0)", "vtkStructuredGrid", "Extract Surface" },
     "a block that is a grid");
   const auto withImage = TwoSquares(Square(2), Square(2));
   withImage->SetBlock(2, vtkNew<vtkImageData>());
@@ -436,7 +438,7 @@ void CheckErrors(Check& check)
   vtkNew<vtkPartitionedDataSetCollection> collection;
   collection->SetPartitionedDataSet(0, Partitions({ nullptr }));
   vtkNew<vtkPartitionedDataSet> grids;
-  grids->SetPartition(0, vtkNew<vtkUnstructuredGrid>());
+  grids->SetPartition(0, structured);
   collection->SetPartitionedDataSet(1, grids);
   collection->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "fluid");
   expect(collection, corner, { "(fluid) of the surface" }, "a grid in a collection");

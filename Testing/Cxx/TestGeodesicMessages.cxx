@@ -130,7 +130,7 @@ void CheckOtherKindsOfData(Check& check)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(3, 3, 3);
-  vtkNew<vtkUnstructuredGrid> grid; // of which the points can be targets
+  vtkNew<vtkUnstructuredGrid> grid; // which can be the surface, and its points targets
   grid->SetPoints(Square(2)->GetPoints());
   const vtkIdType triangle[] = { 0, 1, 4 };
   grid->InsertNextCell(VTK_TRIANGLE, 3, triangle);
@@ -140,7 +140,8 @@ void CheckOtherKindsOfData(Check& check)
   for (const vtkSmartPointer<vtkDataObject>& data :
     std::vector<vtkSmartPointer<vtkDataObject>>{ image.Get(), grid.Get(), blocks.Get() })
   {
-    for (int port = 0; port < (data->IsA("vtkUnstructuredGrid") ? 2 : 3); ++port)
+    const bool isGrid = data->IsA("vtkUnstructuredGrid");
+    for (int port = isGrid ? 1 : 0; port < (isGrid ? 2 : 3); ++port)
     {
       for (const auto& filter : AllFilters())
       {

@@ -23,19 +23,19 @@ namespace
 constexpr int Duplicate = vtkDataSetAttributes::DUPLICATECELL;
 constexpr int Hidden = vtkDataSetAttributes::HIDDENCELL;
 
-/// The ghost array of a vtkPolyData; null if it marks no cell as a duplicate or hidden.
-vtkUnsignedCharArray* ghostArray(vtkPolyData* data)
+/// The ghost array of the cells of an input; null if it marks none as a duplicate or hidden.
+vtkUnsignedCharArray* ghostArray(const PolyDataBlock& block)
 {
   auto* flags = vtkUnsignedCharArray::SafeDownCast(
-    data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  if (!flags || flags->GetNumberOfComponents() != 1 ||
-    flags->GetNumberOfTuples() < data->GetNumberOfCells())
+    block.data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  const vtkIdType cells = block.countInputCells();
+  if (!flags || flags->GetNumberOfComponents() != 1 || flags->GetNumberOfTuples() < cells)
   {
     return nullptr;
   }
   const unsigned char* begin = flags->GetPointer(0);
   const auto isMarked = [](unsigned char flag) { return (flag & (Duplicate | Hidden)) != 0; };
-  return std::any_of(begin, begin + data->GetNumberOfCells(), isMarked) ? flags : nullptr;
+  return std::any_of(begin, begin + cells, isMarked) ? flags : nullptr;
 }
 
 /// Collects the triangles of one block's cells.
@@ -48,7 +48,7 @@ struct BlockReader
   /// To which triangles are added.
   TriangleList& triangles;
   SurfaceReport& report;
-  vtkUnsignedCharArray* const ghosts = ghostArray(block.data);
+  vtkUnsignedCharArray* const ghosts = ghostArray(block);
   /// The current cell: vtkPolyData numbers vertices, lines, polygons and strips, in this order.
   vtkIdType cell = 0;
   bool hasOtherCells = false;
@@ -58,14 +58,14 @@ struct BlockReader
   vtkNew<vtkIdList> ears{};
 
   /// \param cellsRead of numberOfFaces, for the progress.
-  /// \returns whether all cells are triangles.
+  /// \returns whether all cells are triangles of the input.
   bool read(const ParallelFor& parallelFor, const LoopProgress& progress, vtkIdType numberOfFaces,
     std::size_t& cellsRead)
   {
     const auto count = static_cast<std::size_t>(numberOfFaces);
     const double done =
       static_cast<double>(cellsRead) / static_cast<double>(std::max<std::size_t>(count, 1));
-    if (!this->ghosts &&
+    if (!this->ghosts && this->block.inputCells.empty() &&
       this->block.data->GetNumberOfPolys() == this->block.data->GetNumberOfCells())
     {
       progress.between(done, 1.0).at(0, 1);
@@ -85,7 +85,7 @@ struct BlockReader
           progress.at(cellsRead++, count);
           if (!this->isMarked(Hidden))
           {
-            requirePoints<MeshError>(this->block, this->cell, size, ids);
+            requirePoints<MeshError>(this->block, this->inputCell(), size, ids);
             (this->*add)(size, ids);
           }
           ++this->cell;
@@ -93,13 +93,15 @@ struct BlockReader
     };
     readAll(this->block.data->GetPolys(), &BlockReader::addPolygon);
     readAll(this->block.data->GetStrips(), &BlockReader::addStrip);
-    return !this->hasOtherCells;
+    return !this->hasOtherCells && this->block.inputCells.empty();
   }
 
+  /// The number in the input of the current cell.
+  vtkIdType inputCell() const { return this->block.inputCell(this->cell); }
   /// Whether the ghost array marks the current cell.
   bool isMarked(int mark) const
   {
-    return this->ghosts && (this->ghosts->GetValue(this->cell) & mark) != 0;
+    return this->ghosts && (this->ghosts->GetValue(this->inputCell()) & mark) != 0;
   }
   /// Of the next cells how many are neither duplicates nor hidden.
   vtkIdType countUnmarked(vtkIdType cells)
@@ -203,7 +205,7 @@ struct BlockReader
       return;
     }
     this->triangles.corners.push_back(points);
-    this->triangles.cells.push_back(this->cell);
+    this->triangles.cells.push_back(this->inputCell());
     this->triangles.isDuplicate.push_back(this->isMarked(Duplicate));
   }
 

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyData/reading/GridSurface.h"
+
+#include "PolyData/Memory.h"
+
+#include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkFieldData.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace geodesic
+{
+
+namespace
+{
+
+/// What a surface makes of cells of a type.
+enum class CellKind : unsigned char
+{
+  NotYetKnown,
+  Polygon,
+  Pixel,
+  Strip,
+  Curved,
+  Vertex,
+  Line,
+  Empty,
+  Volume,
+  Foreign
+};
+
+/// \returns null for a type that VTK does not know.
+vtkSmartPointer<vtkCell> cellOfType(int type)
+{
+  return vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
+}
+
+CellKind kindOf(int type)
+{
+  switch (type)
+  {
+    case VTK_TRIANGLE:
+    case VTK_QUAD:
+    case VTK_POLYGON:
+      return CellKind::Polygon;
+    case VTK_PIXEL:
+      return CellKind::Pixel;
+    case VTK_TRIANGLE_STRIP:
+      return CellKind::Strip;
+    case VTK_EMPTY_CELL:
+      return CellKind::Empty;
+    default:
+      break;
+  }
+  const vtkSmartPointer<vtkCell> cell = cellOfType(type);
+  constexpr CellKind ofDimension[] = { CellKind::Vertex, CellKind::Line, CellKind::Curved,
+    CellKind::Volume };
+  return cell ? ofDimension[cell->GetCellDimension()] : CellKind::Foreign;
+}
+
+/// Makes the vtkPolyData of a grid.
+class GridReader
+{
+public:
+  GridReader(vtkUnstructuredGrid* grid, const std::string& name)
+    : grid_(grid)
+    , block_{ vtkSmartPointer<vtkPolyData>::New(), name, {} }
+  {
+    vtkPolyData* data = this->block_.data;
+    data->SetPoints(grid->GetPoints());
+    data->GetPointData()->ShallowCopy(grid->GetPointData());
+    data->GetCellData()->ShallowCopy(grid->GetCellData());
+    data->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  }
+
+  PolyDataBlock read()
+  {
+    if (this->grid_->GetNumberOfCells() > 0)
+    {
+      const Found found = this->look();
+      if (found.arePolygons)
+      {
+        this->block_.data->SetPolys(this->grid_->GetCells());
+      }
+      else
+      {
+        this->readCells(found);
+      }
+    }
+    return std::move(this->block_);
+  }
+
+private:
+  /// What cells the grid has.
+  struct Found
+  {
+    bool arePolygons = true;
+    bool isAnySplit = false;
+  };
+
+  CellKind kindOfCell(vtkIdType cell)
+  {
+    const unsigned char type = this->grid_->GetCellTypesArray()->GetValue(cell);
+    CellKind& kind = this->kinds_[type];
+    if (kind == CellKind::NotYetKnown)
+    {
+      kind = kindOf(type);
+    }
+    return kind;
+  }
+
+  /// \throws InputError
+  Found look()
+  {
+    Found found;
+    for (vtkIdType cell = 0; cell < this->grid_->GetNumberOfCells(); ++cell)
+    {
+      const CellKind kind = this->kindOfCell(cell);
+      if (kind == CellKind::Volume || kind == CellKind::Foreign)
+      {
+        this->throwNoFace(cell);
+      }
+      found.arePolygons = found.arePolygons && kind == CellKind::Polygon;
+      found.isAnySplit = found.isAnySplit || kind == CellKind::Strip || kind == CellKind::Curved;
+    }
+    return found;
+  }
+
+  [[noreturn]] void throwNoFace(vtkIdType cell) const
+  {
+    const int type = this->grid_->GetCellTypesArray()->GetValue(cell);
+    const vtkSmartPointer<vtkCell> like = cellOfType(type);
+    const std::string which = "Cell " + std::to_string(cell) + " of " + this->block_.name;
+    throw InputError(like ? which + " is three-dimensional, a " + like->GetClassName() +
+          " (cell type " + std::to_string(type) +
+          "): apply Extract Surface to the data first. Of a vtkUnstructuredGrid the cells have to "
+          "be two-dimensional; vtkDataSetSurfaceFilter and vtkGeometryFilter make such ones."
+                          : which + " is of type " + std::to_string(type) +
+          ", which VTK does not know. Repair the cells upstream.");
+  }
+
+  void readCells(const Found& found)
+  {
+    this->allocate(found);
+    vtkNew<vtkCellArray> vertices;
+    vtkNew<vtkCellArray> lines;
+    std::vector<vtkIdType> cellsOfVertices;
+    std::vector<vtkIdType> cellsOfLines;
+    vtkIdType next = 0;
+    forEachCell(this->grid_->GetCells(),
+      [&](vtkIdType size, const vtkIdType* ids)
+      {
+        const vtkIdType cell = next++;
+        const CellKind kind = this->kindOfCell(cell);
+        if (kind == CellKind::Vertex || kind == CellKind::Line)
+        {
+          const bool isLine = kind == CellKind::Line;
+          (isLine ? lines : vertices)->InsertNextCell(0, ids);
+          (isLine ? cellsOfLines : cellsOfVertices).push_back(cell);
+        }
+        else if (kind != CellKind::Empty)
+        {
+          this->addFace(kind, cell, size, ids);
+        }
+      });
+    // The order in which vtkPolyData numbers its cells.
+    std::vector<vtkIdType>& inputCells = this->block_.inputCells;
+    inputCells = std::move(cellsOfVertices);
+    for (const std::vector<vtkIdType>& more : { cellsOfLines, this->cellsOfPolygons_ })
+    {
+      inputCells.insert(inputCells.end(), more.begin(), more.end());
+    }
+    this->block_.numberOfInputCells = next;
+    this->block_.data->SetVerts(vertices);
+    this->block_.data->SetLines(lines);
+    this->block_.data->SetPolys(this->polygons_);
+  }
+
+  /// A cell that is split has at most two triangles for each of its points: a Lagrange
+  /// quadrilateral of (n + 1) x (n + 1) points has 2 n x n.
+  void allocate(const Found& found)
+  {
+    const vtkIdType cells = this->grid_->GetNumberOfCells();
+    const vtkIdType ids = this->grid_->GetCells()->GetNumberOfConnectivityIds();
+    const vtkIdType most = found.isAnySplit ? cells + 2 * ids : cells;
+    const vtkIdType mostIds = found.isAnySplit ? 6 * ids : ids;
+    requireMemory(3 * most + mostIds, sizeof(vtkIdType));
+    this->polygons_->AllocateExact(most, mostIds);
+    this->cellsOfPolygons_.reserve(static_cast<std::size_t>(most));
+  }
+
+  void addPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
+  {
+    this->polygons_->InsertNextCell(size, ids);
+    this->cellsOfPolygons_.push_back(cell);
+  }
+
+  void addFace(CellKind kind, vtkIdType cell, vtkIdType size, const vtkIdType* ids)
+  {
+    if (kind == CellKind::Polygon)
+    {
+      this->addPolygon(cell, size, ids);
+      return;
+    }
+    if (kind == CellKind::Pixel && size == 4) // the corners of a pixel stand in rows
+    {
+      const vtkIdType around[] = { ids[0], ids[1], ids[3], ids[2] };
+      this->addPolygon(cell, size, around);
+      return;
+    }
+    this->corners_->Reset();
+    if (kind == CellKind::Strip)
+    {
+      this->cutStrip(size, ids);
+    }
+    else if (kind == CellKind::Curved)
+    {
+      this->cutCurved(cell, size, ids);
+    }
+    const vtkIdType count = this->corners_->GetNumberOfIds();
+    for (vtkIdType i = 0; i + 2 < count; i += 3)
+    {
+      this->addPolygon(cell, 3, this->corners_->GetPointer(i));
+    }
+    if (count < 3)
+    {
+      this->addPolygon(cell, 0, ids); // no face, but counted among those that are left out
+    }
+  }
+
+  void cutStrip(vtkIdType size, const vtkIdType* ids)
+  {
+    for (vtkIdType i = 0; i + 2 < size; ++i)
+    {
+      const vtkIdType odd = i % 2;
+      for (const vtkIdType id : { ids[i + odd], ids[i + 1 - odd], ids[i + 2] })
+      {
+        this->corners_->InsertNextId(id);
+      }
+    }
+  }
+
+  /// \throws InputError
+  void cutCurved(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
+  {
+    requirePoints<InputError>(this->block_, cell, size, ids);
+    const int type = this->grid_->GetCellTypesArray()->GetValue(cell);
+    const vtkSmartPointer<vtkCell> like = cellOfType(type);
+    if (size < like->GetNumberOfPoints())
+    {
+      throw InputError("Cell " + std::to_string(cell) + " of " + this->block_.name + " has " +
+        std::to_string(size) + " points, where a " + like->GetClassName() + " (cell type " +
+        std::to_string(type) + ") has " + std::to_string(like->GetNumberOfPoints()) +
+        " or more. Repair the cells upstream.");
+    }
+    this->grid_->GetCell(cell, this->cell_);
+    this->cell_->Triangulate(0, this->corners_, this->places_);
+  }
+
+  vtkUnstructuredGrid* grid_;
+  PolyDataBlock block_;
+  std::array<CellKind, 256> kinds_{};
+  vtkNew<vtkCellArray> polygons_;
+  std::vector<vtkIdType> cellsOfPolygons_;
+  /// Of the triangles of a cell that is split.
+  vtkNew<vtkIdList> corners_;
+  vtkNew<vtkPoints> places_;
+  vtkNew<vtkGenericCell> cell_;
+};
+
+}
+
+PolyDataBlock surfaceOfGrid(vtkUnstructuredGrid* grid, const std::string& name)
+{
+  return GridReader(grid, name).read();
+}
+
+}
