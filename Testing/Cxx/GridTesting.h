@@ -99,6 +99,20 @@ struct GridAndPolyData
     AddPointArray(grid);
     return grid;
   }
+  /// Takes the barrier values of lines and other cells that are no faces away.
+  void LeaveFacesOnly(vtkUnstructuredGrid* grid) const
+  {
+    vtkNew<vtkIntArray> barriers;
+    barriers->SetName("barrier");
+    for (const GridCell& cell : this->Cells)
+    {
+      if (!cell.Faces.empty())
+      {
+        barriers->InsertNextValue(cell.Barrier);
+      }
+    }
+    grid->GetCellData()->AddArray(barriers);
+  }
   /// \param hasOwnNumbers whether "number" is that of its own cells.
   vtkSmartPointer<vtkPolyData> PolyData(bool hasOwnNumbers = false) const
   {

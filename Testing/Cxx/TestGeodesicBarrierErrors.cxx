@@ -47,6 +47,15 @@ vtkSmartPointer<vtkPolyData> WithValues(double value, vtkIdType first, vtkIdType
   return surface;
 }
 
+/// With a line, which has no value.
+vtkSmartPointer<vtkPolyData> WithLine(vtkSmartPointer<vtkPolyData> surface)
+{
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1 });
+  surface->SetLines(lines);
+  return surface;
+}
+
 void CheckErrors(Check& check, const std::vector<Case>& cases)
 {
   for (const Case& odd : cases)
@@ -73,6 +82,11 @@ void CheckArrays(Check& check)
       { "strings", WithArray<vtkStringArray>(1, 128), source, { "barrier", "vtkStringArray" } },
       { "too few values", WithArray<vtkDoubleArray>(1, 100), source,
         { "100 values for 128 cells" } },
+      { "too many values", WithArray<vtkDoubleArray>(1, 129), source,
+        { "129 values for 128 cells. Give each cell a value" } },
+      { "neither for cells nor for faces", WithLine(WithArray<vtkDoubleArray>(1, 127)), source,
+        { "127 values for 129 cells, 128 of which are faces. Give each cell, or each face" } },
+      { "NaN at a face", WithLine(WithValues(nan, 17, 18)), source, { "NaN at cell 18," } },
       { "NaN", WithValues(nan, 17, 19), source, { "barrier", "NaN at cell 17, 18" } },
       { "barriers everywhere", WithValues(1.0, 0, 128), source,
         { "All faces of the surface", "barrier" } },

@@ -485,6 +485,78 @@ void CheckType(Check& check)
 }
 
 /// The structure is built anew when barriers change, not when other arrays do.
+/// Where there are other cells than faces, an array may have a value for each cell or for each
+/// face. Beside the square with the wall are strips, the lower four of which are barriers.
+void CheckValuesOfFaces(Check& check)
+{
+  auto surface = SquareWithWall(16);
+  vtkSmartPointer<vtkDataArray> ofFaces = surface->GetCellData()->GetArray("barrier");
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ 0 });
+  vertices->InsertNextCell({ 1, 2 });
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1, 2 });
+  vtkNew<vtkCellArray> strips;
+  surface->GetPoints()->InsertNextPoint(1.0625, 0, 0);
+  for (int j = 0; j < 16; ++j)
+  {
+    const vtkIdType corner = 16 + 17 * j;
+    const vtkIdType beside = surface->GetPoints()->InsertNextPoint(1.0625, (j + 1) / 16.0, 0);
+    strips->InsertNextCell({ corner, beside - 1, corner + 17, beside });
+    ofFaces->InsertTuple1(512 + j, j < 4 ? 1.0 : 0.0);
+  }
+  const Point source{ 0.125, 0.1875, 0 };
+  const auto truth = [around = AroundWall(source)](const Point& p)
+  { return p[0] > 1.0 && p[1] < 0.25 ? std::numeric_limits<double>::infinity() : around(p); };
+  surface->SetVerts(vertices);
+  surface->SetLines(lines);
+  surface->SetStrips(strips);
+  vtkNew<vtkIntArray> ofCells;
+  ofCells->SetName("barrier of cells");
+  ofCells->SetNumberOfValues(531);
+  ofCells->Fill(1); // of vertices and lines it means nothing
+  ofCells->InsertTuples(3, 528, 0, ofFaces);
+  surface->GetCellData()->AddArray(ofCells);
+  for (const bool isRefined : { false, true })
+  {
+    vtkNew<vtkPolyData> outputs[2];
+    for (const char* name : { "barrier of cells", "barrier" })
+    {
+      const bool isOfFaces = std::string(name) == "barrier";
+      const std::string what = name + std::string(isRefined ? ", refined" : "");
+      auto input = vtkSmartPointer<vtkPolyData>::New();
+      input->ShallowCopy(surface);
+      input->GetCellData()->RemoveArray(isOfFaces ? "barrier of cells" : "barrier");
+      vtkNew<vtkGeodesicDistanceField> filter;
+      filter->SetRefineMesh(isRefined);
+      filter->SetInputData(input);
+      filter->SetSourceData(PointSources({ source }));
+      filter->SetBarrierArrayName(name);
+      Messages messages(filter);
+      messages.Update();
+      check.That(messages.Error().empty(), what + ": " + messages.Error());
+      check.That(
+        input->GetCellData()->GetArray("barrier") == (isOfFaces ? ofFaces.Get() : nullptr) &&
+          ofFaces->GetNumberOfTuples() == 528,
+        what + ": the input keeps its array");
+      CheckTruth(check, filter->GetOutput(), truth, what);
+      outputs[isOfFaces ? 1 : 0]->ShallowCopy(filter->GetOutput());
+    }
+    vtkDataArray* expected = outputs[0]->GetCellData()->GetArray("barrier of cells");
+    vtkDataArray* handed = outputs[1]->GetCellData()->GetArray("barrier");
+    check.That(handed && handed->GetNumberOfTuples() == outputs[1]->GetNumberOfCells() &&
+        outputs[0]->GetNumberOfCells() == outputs[1]->GetNumberOfCells(),
+      "a value for each face of the output");
+    vtkIdType barriers = 0;
+    for (vtkIdType i = 0; handed && i < handed->GetNumberOfTuples(); ++i)
+    {
+      check.Equal(handed->GetTuple1(i), expected->GetTuple1(i), "the value of a face");
+      barriers += handed->GetTuple1(i) != 0.0 ? 1 : 0;
+    }
+    check.That(barriers > 0, "there are barriers in the output");
+  }
+}
+
 void CheckCache(Check& check)
 {
   auto surface = SquareWithWall(8, Cells::Quads);
@@ -542,6 +614,7 @@ const std::map<std::string, void (*)(Check&)> Checks = {
   { "DoubleArray", CheckType<vtkDoubleArray> },
   { "UnsignedCharArray", CheckType<vtkUnsignedCharArray> },
   { "BitArray", CheckType<vtkBitArray> },
+  { "ValuesOfFaces", CheckValuesOfFaces },
   { "Cache", CheckCache },
 };
 

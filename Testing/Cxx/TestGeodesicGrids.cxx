@@ -153,7 +153,12 @@ int CompareRandom(Check& check, const geodesictest::MeshKind& kind, std::uint64_
   const std::string name = std::string(kind.name) + ", seed " + std::to_string(seed);
   if (random.chance(0.7))
   {
-    return CompareForms(check, surface.Grid(), surface.PolyData(), question, name);
+    const auto grid = surface.Grid();
+    if (question.HasBarriers && random.chance(0.5))
+    {
+      surface.LeaveFacesOnly(grid);
+    }
+    return CompareForms(check, grid, surface.PolyData(), question, name);
   }
   // In two blocks, of which one is a vtkPolyData always.
   GridAndPolyData halves[] = { surface, surface };
@@ -479,7 +484,9 @@ void CheckErrors(Check& check)
   expect(withCell(VTK_QUADRATIC_TRIANGLE, { 0, 1, 2, 3, 4, 9 }),
     { "Cell 2 of the surface", "point 9", "5 points" });
   expect(withCell(VTK_QUADRATIC_TRIANGLE, { 0, 1, 2, 3 }),
-    { "Cell 2 of the surface", "4 points", "vtkQuadraticTriangle", "6" });
+    { "Cell 2 of the surface", "vtkQuadraticTriangle", "cannot be cut", "there are 4" });
+  expect(withCell(VTK_LAGRANGE_TRIANGLE, { 0, 1, 2, 3, 4 }),
+    { "Cell 2 of the surface", "vtkLagrangeTriangle", "cannot be cut", "there are 5" });
   const auto foreign = GridOf(places, { triangle, triangle });
   foreign->GetCellTypesArray()->SetValue(1, 200);
   expect(foreign, { "Cell 1 of the surface", "type 200" });

@@ -17,6 +17,8 @@
 
 #include <array>
 #include <memory>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,7 @@ enum class CellKind : unsigned char
   Polygon,
   Pixel,
   Strip,
+  QuadraticPolygon,
   Curved,
   Vertex,
   Line,
@@ -59,6 +62,8 @@ CellKind kindOf(int type)
       return CellKind::Pixel;
     case VTK_TRIANGLE_STRIP:
       return CellKind::Strip;
+    case VTK_QUADRATIC_POLYGON:
+      return CellKind::QuadraticPolygon;
     case VTK_EMPTY_CELL:
       return CellKind::Empty;
     default:
@@ -209,26 +214,59 @@ private:
 
   void addFace(CellKind kind, vtkIdType cell, vtkIdType size, const vtkIdType* ids)
   {
-    if (kind == CellKind::Polygon)
+    switch (kind)
     {
-      this->addPolygon(cell, size, ids);
-      return;
+      case CellKind::Pixel:
+        this->addPixel(cell, size, ids);
+        break;
+      case CellKind::QuadraticPolygon:
+        this->addQuadraticPolygon(cell, size, ids);
+        break;
+      case CellKind::Strip:
+        this->cutStrip(size, ids);
+        this->addTriangles(cell);
+        break;
+      case CellKind::Curved:
+        this->cutCurved(cell, size, ids);
+        this->addTriangles(cell);
+        break;
+      default:
+        this->addPolygon(cell, size, ids);
+        break;
     }
-    if (kind == CellKind::Pixel && size == 4) // the corners of a pixel stand in rows
+  }
+
+  /// The corners of a pixel stand in rows.
+  void addPixel(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
+  {
+    const bool isPixel = size == 4;
+    const vtkIdType around[] = { 0, 1, 3, 2 };
+    this->addReordered(cell, size, [&](vtkIdType i) { return ids[isPixel ? around[i] : i]; });
+  }
+
+  /// Between the corners, which come first, are the points on the edges.
+  void addQuadraticPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
+  {
+    const vtkIdType corners = (size + 1) / 2;
+    this->addReordered(cell, size, [&](vtkIdType i) { return ids[i / 2 + (i % 2) * corners]; });
+  }
+
+  /// \param idAt the point at each place of the outline: (vtkIdType) -> vtkIdType.
+  template <typename IdAt>
+  void addReordered(vtkIdType cell, vtkIdType size, const IdAt& idAt)
+  {
+    this->corners_->SetNumberOfIds(size);
+    for (vtkIdType i = 0; i < size; ++i)
     {
-      const vtkIdType around[] = { ids[0], ids[1], ids[3], ids[2] };
-      this->addPolygon(cell, size, around);
-      return;
+      this->corners_->SetId(i, idAt(i));
     }
-    this->corners_->Reset();
-    if (kind == CellKind::Strip)
-    {
-      this->cutStrip(size, ids);
-    }
-    else if (kind == CellKind::Curved)
-    {
-      this->cutCurved(cell, size, ids);
-    }
+    this->addPolygon(cell, size, this->corners_->GetPointer(0));
+  }
+
+  /// Adds those whose corners are given. A cell without triangles is no face, but counted among
+  /// those that are left out.
+  void addTriangles(vtkIdType cell)
+  {
     const vtkIdType count = this->corners_->GetNumberOfIds();
     for (vtkIdType i = 0; i + 2 < count; i += 3)
     {
@@ -236,12 +274,13 @@ private:
     }
     if (count < 3)
     {
-      this->addPolygon(cell, 0, ids); // no face, but counted among those that are left out
+      this->addPolygon(cell, 0, nullptr);
     }
   }
 
   void cutStrip(vtkIdType size, const vtkIdType* ids)
   {
+    this->corners_->Reset();
     for (vtkIdType i = 0; i + 2 < size; ++i)
     {
       const vtkIdType odd = i % 2;
@@ -258,15 +297,21 @@ private:
     requirePoints<InputError>(this->block_, cell, size, ids);
     const int type = this->grid_->GetCellTypesArray()->GetValue(cell);
     const vtkSmartPointer<vtkCell> like = cellOfType(type);
-    if (size < like->GetNumberOfPoints())
+    this->corners_->Reset();
+    if (size >= like->GetNumberOfPoints())
     {
-      throw InputError("Cell " + std::to_string(cell) + " of " + this->block_.name + " has " +
-        std::to_string(size) + " points, where a " + like->GetClassName() + " (cell type " +
-        std::to_string(type) + ") has " + std::to_string(like->GetNumberOfPoints()) +
-        " or more. Repair the cells upstream.");
+      this->grid_->GetCell(cell, this->cell_);
+      this->cell_->Triangulate(0, this->corners_, this->places_);
     }
-    this->grid_->GetCell(cell, this->cell_);
-    this->cell_->Triangulate(0, this->corners_, this->places_);
+    const vtkIdType* corners = this->corners_->GetPointer(0);
+    if (std::set<vtkIdType>(corners, corners + this->corners_->GetNumberOfIds()) !=
+      std::set<vtkIdType>(ids, ids + size))
+    {
+      throw InputError("Cell " + std::to_string(cell) + " of " + this->block_.name + ", a " +
+        like->GetClassName() + " (cell type " + std::to_string(type) +
+        "), cannot be cut into triangles through its points, of which there are " +
+        std::to_string(size) + ". Repair the cells upstream.");
+    }
   }
 
   vtkUnstructuredGrid* grid_;
@@ -274,7 +319,7 @@ private:
   std::array<CellKind, 256> kinds_{};
   vtkNew<vtkCellArray> polygons_;
   std::vector<vtkIdType> cellsOfPolygons_;
-  /// Of the triangles of a cell that is split.
+  /// Of a cell that is not taken as it is.
   vtkNew<vtkIdList> corners_;
   vtkNew<vtkPoints> places_;
   vtkNew<vtkGenericCell> cell_;
