@@ -54,13 +54,13 @@ inline void AddCellArrays(const std::vector<GridCell>& cells, const std::vector<
   numbers->SetName("number");
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  bool hasGhosts = false;
+  const bool hasGhosts =
+    std::any_of(cells.begin(), cells.end(), [](const GridCell& cell) { return cell.Ghost != 0; });
   for (const std::size_t cell : some)
   {
     barriers->InsertNextValue(cells[cell].Barrier);
     numbers->InsertNextValue(static_cast<vtkIdType>(cell));
     ghosts->InsertNextValue(cells[cell].Ghost);
-    hasGhosts = hasGhosts || cells[cell].Ghost != 0;
   }
   data->AddArray(barriers);
   data->AddArray(numbers);

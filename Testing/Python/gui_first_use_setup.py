@@ -48,7 +48,7 @@ simple.PolyLineSource(registrationName="Curve", Points=[0, -0.5, 0.02, 0, 0.5, 0
 simple.PolyLineSource(registrationName="Points", Points=[0.25, 0, 0, -0.25, 0, 0])
 sheets = [simple.Plane(XResolution=10, YResolution=10),
           simple.Plane(Origin=(-0.1, 0.6, 0), Point1=(0.1, 0.6, 0), Point2=(-0.1, 0.7, 0))]
-sheet = simple.AppendGeometry(registrationName="Sheet", Input=sheets)
+sheet = simple.AppendDatasets(registrationName="Sheet", Input=sheets)  # an unstructured grid
 simple.Show(sheet, view)
 simple.ResetCamera(view)
 simple.SetActiveSource(sheet)
