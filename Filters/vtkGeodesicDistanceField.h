@@ -49,7 +49,11 @@
  * Port 0 takes the surface. It may have boundary and holes, several components, edges of three and
  * more faces, vertices where several sheets meet, and inconsistent orientation. Polygons and strips
  * are triangulated; lines and vertices are dropped with a warning; faces with two equal corners are
- * left out with a warning. Port 1, optional, takes the source: each line or polyline is a curve,
+ * left out with a warning. A vtkUnstructuredGrid of two-dimensional cells is a surface, too, as it
+ * comes from Clip, Threshold, Append Datasets or Redistribute DataSet: the output is a vtkPolyData
+ * then, with the points and the data of the grid, and cells are numbered as in the grid. Its
+ * quadratic and other curved cells become triangles through all their points; a three-dimensional
+ * cell is an error that names it. Port 1, optional, takes the source: each line or polyline is a curve,
  * each point of a vertex cell a point source, polygons stand for their outlines. Data with vertex
  * cells only, or without cells, are a set of points, each of which (of those that the vertex cells
  * have) is a source of its own. Of a vtkUnstructuredGrid the lines and vertices count, other cells

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The filter as pvpython sees it, against distances known in closed form."""
 
+import os
+import tempfile
 import unittest
 
 import numpy as np
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from geodesic_testing import (FLOAT, assert_close, data, distance_to_segments, distances,
                               load_plugin, messages, plane, points, polyline, tube)
@@ -286,20 +289,115 @@ class Results(unittest.TestCase):
         self.assertEqual(data(field).GetClassName(), "vtkPartitionedDataSetCollection")
         self.assert_blocks_close(field, BENT)
 
-    def test_composite_inputs_are_offered_by_the_domains_and_volumes_are_not(self):
+    def test_surfaces_composites_and_grids_are_offered_by_the_domains_and_images_are_not(self):
         field = GeodesicDistanceField(Input=plane(), Source=polyline(BENT))
-        surfaces = simple.GroupDatasets(Input=[plane(), plane()])
-        volume = simple.Wavelet()
-        for proxy in (surfaces, volume):
+        grid, volume = clip(plane()), simple.Wavelet()
+        offered = [grid, simple.GroupDatasets(Input=[plane(), plane()]),
+                   simple.GroupDatasets(Input=[plane(), grid]), clip(simple.GroupDatasets(Input=[plane(), plane()]))]
+        others = [volume, simple.GroupDatasets(Input=[plane(), volume])]
+        for proxy in offered + others:
             proxy.UpdatePipeline()
         for name in ("Input", "Source"):
             prop = field.SMProxy.GetProperty(name)
             domain = prop.GetDomain("input_type")
-            for proxy, expected in ((surfaces, 1), (volume, 0)):
+            for proxy, expected in [(proxy, 1) for proxy in offered] + [(proxy, 0) for proxy in others]:
                 prop.RemoveAllUncheckedProxies()
                 prop.AddUncheckedInputConnection(proxy.SMProxy, 0)
                 self.assertEqual(domain.IsInDomain(prop), expected, name)
             prop.ClearUncheckedElements()
+
+
+def clip(surface):
+    """What is below a slanted line, which leaves cells of 3, 4 and 5 corners as triangles and quads."""
+    clipped = simple.Clip(Input=surface, ClipType="Plane")
+    clipped.ClipType.Origin = (2, 2.61, 0)
+    clipped.ClipType.Normal = (0.1, 1, 0)
+    return clipped
+
+
+class Grids(unittest.TestCase):
+    """What filters make of surfaces as unstructured grids are surfaces, too."""
+
+    def assert_field(self, grid, cells=None, **options):
+        self.assertTrue(data(grid).IsA("vtkUnstructuredGrid"), data(grid).GetClassName())
+        if cells:
+            self.assertEqual({data(grid).GetCellType(i) for i in range(data(grid).GetNumberOfCells())}, cells)
+        for refined in (0, 1):
+            field = GeodesicDistanceField(Input=grid, Source=polyline(BENT), RefineMesh=refined, **options)
+            with messages() as window:
+                output = data(field)
+            self.assertEqual(window.GetOutput(), "")
+            self.assertTrue(output.IsA("vtkPolyData"))
+            assert_close(distances(field), distance_to_segments(points(output), BENT), FLOAT)
+        return output
+
+    def test_of_a_clip(self):
+        output = self.assert_field(clip(plane()), cells={5, 9})
+        self.assertLess(points(output)[:, 1].max(), 2.9)
+
+    def test_of_a_threshold(self):
+        height = simple.Elevation(Input=plane(), LowPoint=(0, 0, 0), HighPoint=(0, 3, 0))
+        self.assert_field(simple.Threshold(Input=height, Scalars=["POINTS", "Elevation"], UpperThreshold=0.9),
+                          cells={9})
+
+    def test_of_a_threshold_of_an_image_whose_cells_are_pixels(self):
+        image = simple.Wavelet(WholeExtent=[0, 8, 0, 6, 0, 0])
+        self.assert_field(simple.Threshold(Input=image, Scalars=["POINTS", "RTData"], UpperThreshold=1e9), cells={8})
+
+    def test_of_data_sets_appended(self):
+        self.assert_field(simple.AppendDatasets(Input=[plane(), plane(origin=(4, 0, 0))]))
+
+    def test_of_a_data_set_redistributed(self):
+        self.assert_field(simple.RedistributeDataSet(Input=plane()))
+
+    def test_of_blocks_is_one_surface_with_blocks_that_are_grids_or_not(self):
+        both = [plane(), plane(origin=(4, 0, 0))]
+        for blocks in (clip(simple.GroupDatasets(Input=both)),
+                       simple.GroupDatasets(Input=[both[0], simple.AppendDatasets(Input=both[1:])])):
+            output = data(GeodesicDistanceField(Input=blocks, Source=polyline(BENT)))
+            self.assertEqual(output.GetNumberOfBlocks(), 2)
+            for i in range(2):
+                block = output.GetBlock(i)
+                self.assertTrue(block.IsA("vtkPolyData"))
+                actual = vtk_to_numpy(block.GetPointData().GetArray("GeodesicDistance"))
+                assert_close(actual, distance_to_segments(points(block), BENT), FLOAT)
+
+    def test_other_filters_take_them(self):
+        grid = clip(plane())
+        ends = polyline(BENT)
+        lines = data(simple.GeodesicContour(Input=grid, Source=ends, Distances=[0.25]))
+        np.testing.assert_allclose(distance_to_segments(points(lines), BENT), 0.25, atol=4 * FLOAT)
+        paths = data(simple.GeodesicPaths(Input=grid, Source=ends, Targets=grid))
+        self.assertEqual(paths.GetNumberOfLines(), data(grid).GetNumberOfPoints())
+        table = data(simple.GeodesicDistanceMatrix(Input=grid, Source=ends, Targets=grid))
+        assert_close(vtk_to_numpy(table.GetColumnByName("Source0")),
+                     distance_to_segments(points(data(grid)), BENT), FLOAT)
+
+    def test_a_cell_array_of_a_grid_names_barriers(self):
+        grid = simple.PythonCalculator(Input=clip(plane()), ArrayAssociation="Cell Data", ArrayName="wall",
+                                       Expression="0 * volume(inputs[0]) + 1 * (area(inputs[0]) < 0.02)")
+        walls = vtk_to_numpy(data(grid).GetCellData().GetArray("wall"))
+        self.assertTrue(walls.any() and not walls.all())
+        field = GeodesicDistanceField(Input=grid, Source=polyline(BENT), BarrierArrayName="wall")
+        output = data(field).GetCellData()
+        of_cells, cells = (vtk_to_numpy(output.GetArray(name)) for name in ("wall", "OriginalCellIds"))
+        np.testing.assert_array_equal(of_cells, walls[cells])
+        self.assertTrue(np.isinf(distances(field)).any())
+
+    def test_a_volume_is_refused_with_what_to_do(self):
+        volume = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[0, 2, 0, 2, 0, 2]))
+        field = GeodesicDistanceField(Input=volume, Source=polyline(BENT))
+        with messages() as window:
+            field.UpdatePipeline()
+        for word in ("Cell 0 of the surface", "vtkTetra", "Extract Surface"):
+            self.assertIn(word, window.GetOutput())
+
+    def test_written_and_read_again_are_the_same(self):
+        grid = clip(plane())
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "grid.vtu")
+            simple.SaveData(path, proxy=grid, DataMode="Ascii")
+            self.assert_field(simple.XMLUnstructuredGridReader(FileName=[path]))
 
 
 class Errors(unittest.TestCase):

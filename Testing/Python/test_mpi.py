@@ -396,6 +396,55 @@ def paths_over_seams():
         check(abs(measured - length) < 1e-12, f"path {target} is as long as it says")
 
 
+def surfaces_that_are_grids():
+    """Filters that make unstructured grids of pieces, some of which may be empty."""
+    from vtkmodules.vtkCommonDataModel import vtkPlane
+    from vtkmodules.vtkFiltersGeneral import vtkTableBasedClipDataSet
+    whole = whole_sphere()
+    source, cloud = point_cloud([(0.3, 0.4, 0), (0.4, -0.1, 0.2)])
+    spread = pieces(whole)
+
+    def field_of(grid, what):
+        check(data(grid).IsA("vtkUnstructuredGrid"), f"{what} gives a grid")
+        field = GeodesicDistanceField(Input=grid, Source=source, RefineMesh=0)
+        output = data(field)
+        check(output.IsA("vtkPolyData"), f"{what}: the output is a vtkPolyData")
+        return output
+
+    plane = vtkPlane()
+    plane.SetOrigin(0.1, 0.013, 0)
+    plane.SetNormal(1, 0.3, 0.2)
+    alone = vtkTableBasedClipDataSet()
+    alone.SetInputData(whole)
+    alone.SetClipFunction(plane)
+    alone.Update()
+    clip = simple.Clip(Input=spread, ClipType="Plane", Invert=0)
+    clip.ClipType.Origin, clip.ClipType.Normal = plane.GetOrigin(), plane.GetNormal()
+    clipped = whole_field(alone.GetOutput(), cloud)
+    check(len(clipped[0]) < whole.GetNumberOfPoints(), "the sphere is clipped")
+    compare(field_of(clip, "Clip"), clipped, ROUNDED, "Clip")
+
+    expected = whole_field(whole, cloud)
+    everything = simple.Threshold(Input=simple.Elevation(Input=spread), Scalars=["POINTS", "Elevation"],
+                                  LowerThreshold=-1e9, UpperThreshold=1e9)
+    compare(field_of(everything, "Threshold"), expected, EXACT, "Threshold")
+    appended = simple.AppendDatasets(Input=[spread, simple.Sphere(Center=(5, 0, 0))])
+    output = field_of(appended, "AppendDatasets")
+    near = points(output)[:, 0] < 2
+    values = vtk_to_numpy(output.GetPointData().GetArray("GeodesicDistance"))
+    at = {tuple(p): d for p, d in zip(*expected)}
+    there = np.array([at[tuple(p)] for p in points(output)[near]])
+    check(np.abs(values[near] - there).max(initial=0) < EXACT and np.isinf(values[~near]).all(),
+          "AppendDatasets: one of two spheres has the field")
+    redistributed = simple.RedistributeDataSet(Input=spread)
+    cells = data(redistributed).GetNumberOfCells()
+    if total(cells) < whole.GetNumberOfPolys():
+        print("Skipped: this machine's RedistributeDataSet loses cells (see pieces()).")
+        return
+    check(RANKS == 1 or cells < whole.GetNumberOfPolys(), "the sphere is redistributed")
+    compare(field_of(redistributed, "RedistributeDataSet"), expected, EXACT, "RedistributeDataSet")
+
+
 def ghosts_and_empty_ranks():
     found = mesh("spot.obj")
     if not found:
@@ -482,7 +531,7 @@ def alone():
 try:
     for case in (real_meshes, curve_across_seams, generated_surfaces, arrays_beside_the_distance,
                  arrays_of_refined_ghost_cells, barriers_over_seams, lines_over_seams,
-                 paths_over_seams,
+                 paths_over_seams, surfaces_that_are_grids,
                  ghosts_and_empty_ranks, written_and_read, errors, alone):
         case()
         controller.Barrier()
