@@ -166,18 +166,21 @@ int CompareRandom(Check& check, const geodesictest::MeshKind& kind, std::uint64_
   halves[0].Cells.erase(halves[0].Cells.begin() + middle, halves[0].Cells.end());
   halves[1].Cells.erase(halves[1].Cells.begin(), halves[1].Cells.begin() + middle);
   const std::size_t other = random.below(2);
+  const bool arePartitions = random.chance(0.5);
   const auto blocks = [&](bool isGrid)
   {
-    auto composite = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-    composite->SetBlock(0, nullptr);
-    for (std::size_t half = 0; half < 2; ++half)
+    vtkNew<vtkMultiBlockDataSet> blocksOfAll;
+    vtkNew<vtkPartitionedDataSet> partitions;
+    for (unsigned int half = 0; half < 2; ++half)
     {
-      composite->SetBlock(static_cast<unsigned int>(1 + half),
-        isGrid && half != other
-          ? vtkSmartPointer<vtkDataSet>(halves[half].Grid())
-          : vtkSmartPointer<vtkDataSet>(halves[half].PolyData(half == other)));
+      const auto block = isGrid && half != other
+        ? vtkSmartPointer<vtkDataSet>(halves[half].Grid())
+        : vtkSmartPointer<vtkDataSet>(halves[half].PolyData(half == other));
+      blocksOfAll->SetBlock(1 + half, block); // the first one is null
+      partitions->SetPartition(1 + half, block);
     }
-    return composite;
+    return arePartitions ? vtkSmartPointer<vtkDataObject>(partitions)
+                         : vtkSmartPointer<vtkDataObject>(blocksOfAll);
   };
   return CompareForms(check, blocks(true), blocks(false), question, name + " in blocks");
 }

@@ -81,6 +81,7 @@ class GridReader
 public:
   GridReader(vtkUnstructuredGrid* grid, const std::string& name)
     : grid_(grid)
+    , types_(grid->GetCellTypesArray())
     , block_{ vtkSmartPointer<vtkPolyData>::New(), name, {} }
   {
     vtkPolyData* data = this->block_.data;
@@ -117,7 +118,7 @@ private:
 
   CellKind kindOfCell(vtkIdType cell)
   {
-    const unsigned char type = this->grid_->GetCellTypesArray()->GetValue(cell);
+    const unsigned char type = this->types_->GetValue(cell);
     CellKind& kind = this->kinds_[type];
     if (kind == CellKind::NotYetKnown)
     {
@@ -145,7 +146,7 @@ private:
 
   [[noreturn]] void throwNoFace(vtkIdType cell) const
   {
-    const int type = this->grid_->GetCellTypesArray()->GetValue(cell);
+    const int type = this->types_->GetValue(cell);
     const vtkSmartPointer<vtkCell> like = cellOfType(type);
     const std::string which = "Cell " + std::to_string(cell) + " of " + this->block_.name;
     throw InputError(like ? which + " is three-dimensional, a " + like->GetClassName() +
@@ -295,7 +296,7 @@ private:
   void cutCurved(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
   {
     requirePoints<InputError>(this->block_, cell, size, ids);
-    const int type = this->grid_->GetCellTypesArray()->GetValue(cell);
+    const int type = this->types_->GetValue(cell);
     const vtkSmartPointer<vtkCell> like = cellOfType(type);
     this->corners_->Reset();
     if (size >= like->GetNumberOfPoints())
@@ -315,6 +316,7 @@ private:
   }
 
   vtkUnstructuredGrid* grid_;
+  vtkUnsignedCharArray* types_;
   PolyDataBlock block_;
   std::array<CellKind, 256> kinds_{};
   vtkNew<vtkCellArray> polygons_;
