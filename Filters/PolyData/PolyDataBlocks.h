@@ -43,8 +43,8 @@ struct PolyDataBlock
   /// The cell array that is not 0 where cells are barriers; null where there is none. See
   /// findBarrierArrays().
   vtkDataArray* barriers = nullptr;
-  /// How many cells the input has, where inputCells is not empty; data has as many otherwise. Its
-  /// cell data is that of the cells of the input.
+  /// How many cells the input has, where data has another number of them; 0 where it has as many.
+  /// The cell data of data is that of the cells of the input.
   vtkIdType numberOfInputCells = 0;
 
   /// The number in the input of a cell of data.
@@ -54,7 +54,7 @@ struct PolyDataBlock
   }
   vtkIdType countInputCells() const
   {
-    return this->inputCells.empty() ? this->data->GetNumberOfCells() : this->numberOfInputCells;
+    return this->numberOfInputCells > 0 ? this->numberOfInputCells : this->data->GetNumberOfCells();
   }
   /// The relative precision of the coordinates: epsilon of float or, without points, of double.
   double precision() const;

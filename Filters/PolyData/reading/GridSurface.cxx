@@ -15,9 +15,8 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <array>
-#include <memory>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -151,8 +150,8 @@ private:
     const std::string which = "Cell " + std::to_string(cell) + " of " + this->block_.name;
     throw InputError(like ? which + " is three-dimensional, a " + like->GetClassName() +
           " (cell type " + std::to_string(type) +
-          "): apply Extract Surface to the data first. Of a vtkUnstructuredGrid the cells have to "
-          "be two-dimensional; vtkDataSetSurfaceFilter and vtkGeometryFilter make such ones."
+          "): apply Extract Surface first (vtkDataSetSurfaceFilter or vtkGeometryFilter). The "
+          "cells of a vtkUnstructuredGrid have to be two-dimensional."
                           : which + " is of type " + std::to_string(type) +
           ", which VTK does not know. Repair the cells upstream.");
   }
@@ -296,29 +295,41 @@ private:
   void cutCurved(vtkIdType cell, vtkIdType size, const vtkIdType* ids)
   {
     requirePoints<InputError>(this->block_, cell, size, ids);
-    const int type = this->types_->GetValue(cell);
-    const vtkSmartPointer<vtkCell> like = cellOfType(type);
     this->corners_->Reset();
-    if (size >= like->GetNumberOfPoints())
+    if (size >= this->leastSizeOf(this->types_->GetValue(cell)))
     {
       this->grid_->GetCell(cell, this->cell_);
       this->cell_->Triangulate(0, this->corners_, this->places_);
     }
     const vtkIdType* corners = this->corners_->GetPointer(0);
-    if (std::set<vtkIdType>(corners, corners + this->corners_->GetNumberOfIds()) !=
-      std::set<vtkIdType>(ids, ids + size))
+    const auto isCorner = [corners, end = corners + this->corners_->GetNumberOfIds()](vtkIdType id)
+    { return std::find(corners, end, id) != end; };
+    if (!std::all_of(ids, ids + size, isCorner))
     {
-      throw InputError("Cell " + std::to_string(cell) + " of " + this->block_.name + ", a " +
-        like->GetClassName() + " (cell type " + std::to_string(type) +
-        "), cannot be cut into triangles through its points, of which there are " +
+      throw InputError("Cell " + std::to_string(cell) + " of " + this->block_.name +
+        " is of type " + std::to_string(this->types_->GetValue(cell)) +
+        " and cannot be cut into triangles through its points, of which there are " +
         std::to_string(size) + ". Repair the cells upstream.");
     }
+  }
+
+  /// Below this VTK reads points that are not there.
+  vtkIdType leastSizeOf(unsigned char type)
+  {
+    vtkIdType& size = this->leastSizes_[type];
+    if (size == 0)
+    {
+      size = cellOfType(type)->GetNumberOfPoints();
+    }
+    return size;
   }
 
   vtkUnstructuredGrid* grid_;
   vtkUnsignedCharArray* types_;
   PolyDataBlock block_;
+  /// Of each type.
   std::array<CellKind, 256> kinds_{};
+  std::array<vtkIdType, 256> leastSizes_{};
   vtkNew<vtkCellArray> polygons_;
   std::vector<vtkIdType> cellsOfPolygons_;
   /// Of a cell that is not taken as it is.
