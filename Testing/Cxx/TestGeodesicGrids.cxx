@@ -490,14 +490,24 @@ void CheckErrors(Check& check)
     { "Cell 2 of the surface", "is of type 22", "cannot be cut", "there are 4" });
   expect(withCell(VTK_LAGRANGE_TRIANGLE, { 0, 1, 2, 3, 4 }),
     { "Cell 2 of the surface", "is of type 69", "cannot be cut", "there are 5" });
-  const auto foreign = GridOf(places, { triangle, triangle });
-  foreign->GetCellTypesArray()->SetValue(1, 200);
-  expect(foreign, { "Cell 1 of the surface", "type 200" });
-  const auto untyped = GridOf(places, { triangle, triangle });
-  untyped->GetCellTypesArray()->Resize(1);
-  expect(untyped, { "Cell 1 of the surface", "no type" });
+  const auto withTypes = [&](const std::vector<unsigned char>& types)
+  {
+    const auto grid = GridOf(places, { triangle, triangle });
+    vtkNew<vtkUnsignedCharArray> ofCells;
+    for (const unsigned char type : types)
+    {
+      ofCells->InsertNextValue(type);
+    }
+    vtkNew<vtkCellArray> cells;
+    cells->ShallowCopy(grid->GetCells());
+    grid->SetCells(ofCells, cells);
+    return grid;
+  };
+  expect(withTypes({ VTK_TRIANGLE, 200 }), { "Cell 1 of the surface", "type 200" });
+  expect(withTypes({ VTK_TRIANGLE }), { "Cell 1 of the surface", "no type" });
   expect(GridOf(places, { { VTK_LINE, { 0, 1 }, {} } }), { "no faces", "lines" });
   expect(GridOf(places, {}), { "5 points and no faces" });
+  expect(GridOf(places, { { VTK_EMPTY_CELL, {}, {} } }), { "5 points and no faces" });
   expect(vtkNew<vtkUnstructuredGrid>(), { "empty" });
   vtkNew<vtkStructuredGrid> structured;
   structured->SetDimensions(2, 2, 1);
