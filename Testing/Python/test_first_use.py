@@ -73,10 +73,11 @@ class Messages(unittest.TestCase):
 
     def test_what_is_no_surface_needs_extract_surface(self):
         volume = simple.Wavelet(WholeExtent=[0, 3, 0, 3, 0, 3])
-        shell = simple.AppendDatasets(Input=plane())  # an unstructured grid of quads
-        for other in (volume, shell):
+        for other in (volume, simple.Tetrahedralize(Input=volume)):
             for proxy in all_filters(Input=other, Source=polyline(LINE)):
                 self.assert_one_message(proxy, "Extract Surface", "surface")
+        shell = simple.AppendDatasets(Input=plane())  # an unstructured grid of quads
+        for other in (volume, shell):
             for proxy in all_filters(Input=plane(), Source=other):
                 self.assert_one_message(proxy, "Extract Surface", "source")
         extracted = simple.GeodesicDistanceField(
