@@ -135,7 +135,8 @@ def colored_lines(display, largest=None, width=2.5):
     # Plain lines, as some drivers draw thin tubes as dashes, and a little nearer to the eye than the
     # surface that they lie on. In a parallel projection that moves nothing in the picture.
     view = simple.GetActiveView()
-    display.Position = list(0.01 * np.subtract(view.CameraPosition, view.CameraFocalPoint))
+    name = "Translation" if hasattr(display, "Translation") else "Position"  # as of ParaView 5.13, or before
+    setattr(display, name, list(0.01 * np.subtract(view.CameraPosition, view.CameraFocalPoint)))
 
 
 def ball(center, radius, color=WHITE):

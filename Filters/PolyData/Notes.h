@@ -14,9 +14,9 @@ class vtkAlgorithm;
 namespace geodesic
 {
 
-class PolyDataSurface;
 class TriangleMesh;
 struct PolyDataBlock;
+struct PolyDataSurface;
 struct SourceCurves;
 struct SourcePolylines;
 struct Targets;

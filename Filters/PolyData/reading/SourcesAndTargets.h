@@ -15,7 +15,7 @@
 namespace geodesic
 {
 
-class PolyDataSurface;
+struct PolyDataSurface;
 
 /// What was read of a source.
 struct SourcePolylines

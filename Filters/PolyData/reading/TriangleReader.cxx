@@ -10,7 +10,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVersionMacros.h"
 
 #include <algorithm>
 
@@ -36,6 +35,22 @@ vtkUnsignedCharArray* ghostArray(const PolyDataBlock& block)
   const unsigned char* begin = flags->GetPointer(0);
   const auto isMarked = [](unsigned char flag) { return (flag & (Duplicate | Hidden)) != 0; };
   return std::any_of(begin, begin + cells, isMarked) ? flags : nullptr;
+}
+
+/// Gives three of the polygon's own numbers of points for each triangle. The function has another
+/// name since some day after VTK 9.3.0, which no version number tells: the compiler knows if there
+/// is one.
+template <class Polygon>
+auto triangulate(Polygon* polygon, vtkIdList* ears, int)
+  -> decltype(polygon->TriangulateLocalIds(0, ears))
+{
+  return polygon->TriangulateLocalIds(0, ears);
+}
+
+template <class Polygon>
+auto triangulate(Polygon* polygon, vtkIdList* ears, long) -> decltype(polygon->Triangulate(ears))
+{
+  return polygon->Triangulate(ears);
 }
 
 /// Collects the triangles of one block's cells.
@@ -216,11 +231,7 @@ struct BlockReader
     const auto size = static_cast<vtkIdType>(this->outline.size());
     this->polygon->Initialize(
       static_cast<int>(size), this->outline.data(), this->block.data->GetPoints());
-#if VTK_VERSION_NUMBER >= 90300000000ULL
-    this->polygon->TriangulateLocalIds(0, this->ears);
-#else
-    this->polygon->Triangulate(this->ears);
-#endif
+    triangulate(this->polygon.Get(), this->ears.Get(), 0);
     if (this->ears->GetNumberOfIds() != 3 * (size - 2))
     {
       // No area or an outline that crosses itself: any triangles conduct.
