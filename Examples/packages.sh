@@ -1,9 +1,34 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Debian packages, for the scripts that build this project (to be sourced).
 
-# What a build with the plugin and a picture without a screen need (Debian 12).
+# This release's number or, while it is in testing, its name.
+release=$(. /etc/os-release 2> /dev/null && printf '%s' "${VERSION_ID:-${VERSION_CODENAME:-}}" || true)
+
+# What a build with the plugin and a picture without a screen need.
 build_packages=(g++ cmake ninja-build paraview paraview-dev python3-paraview python3-numpy
-  libopenmpi-dev qtbase5-dev qhelpgenerator-qt5 xvfb xauth libgl1-mesa-dri)
+  libopenmpi-dev xvfb xauth libgl1-mesa-dri)
+# The version of plain VTK where ParaView has a VTK of its own, and what building against it needs.
+plain_vtk=
+plain_vtk_packages=()
+# What more tests can use on this release.
+test_packages=()
+case $release in
+  12 | 24.04) # ParaView 5.11
+    build_packages+=(qtbase5-dev qhelpgenerator-qt5)
+    plain_vtk=9.1
+    plain_vtk_packages+=(libvtk9.1 libtbb-dev)
+    ;;
+  13) # ParaView 5.13
+    build_packages+=(qt6-base-dev python3-dev)
+    plain_vtk=9.3
+    plain_vtk_packages+=(libvtk9.3 libtbb-dev libjsoncpp-dev)
+    test_packages+=(python3-pyvista python3-trimesh)
+    ;;
+  *) # ParaView 6, which uses Debian's VTK
+    build_packages+=(qt6-base-dev python3-dev libvtk9-dev libjsoncpp-dev)
+    test_packages+=(python3-pyvista python3-trimesh)
+    ;;
+esac
 
 # Prints the message and ends the script.
 give_up()
@@ -50,24 +75,26 @@ install_missing()
 vtk_below()
 {
   local config
-  for config in "$1"/usr/lib/*/cmake/vtk-9.1/vtk-config.cmake; do
+  for config in "$1"/usr/lib/*/cmake/vtk-9.*/vtk-config.cmake; do
     [ ! -f "$config" ] || dirname "$config"
   done | head -n 1
 }
 
-# Unpacks VTK 9.1 for building below the given folder. It cannot be installed: its Python package
-# and ParaView's exclude each other.
+# Unpacks plain VTK for building below the given folder. It cannot be installed: its Python package and
+# ParaView's exclude each other.
 download_vtk()
 {
+  [ -n "$plain_vtk" ] || return
   mkdir -p "$1/packages"
-  (cd "$1/packages" && apt-get download libvtk9-dev libvtk9.1 libvtk9.1-qt python3-vtk9 vtk9) || return
+  (cd "$1/packages" &&
+    apt-get download libvtk9-dev "libvtk$plain_vtk" "libvtk$plain_vtk-qt" python3-vtk9 vtk9) || return
   local package
   for package in "$1"/packages/*.deb; do
     dpkg -x "$package" "$1"
   done
 }
 
-# Prints the folder of plain VTK 9.1: VTK_DIR, or the system's, or one unpacked below the given folder;
+# Prints the folder of plain VTK: VTK_DIR, or the system's, or one unpacked below the given folder;
 # nothing where there is none.
 find_vtk()
 {

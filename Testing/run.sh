@@ -8,9 +8,9 @@
 #
 #   sanitize   the engine's tests under AddressSanitizer and UndefinedBehaviorSanitizer
 #   threads    those of the engine's tests that run on threads, under ThreadSanitizer
-#   vtk        all compiled against plain VTK 9.1, without ParaView, and the filters' tests
+#   vtk        all compiled against plain VTK, without ParaView, and the filters' tests
 #
-# Plain VTK 9.1 is taken from VTK_DIR where that is set, else from the system, else downloaded.
+# Plain VTK (Debian 12: 9.1, 13: 9.3) is taken from VTK_DIR where that is set, else from the system, else downloaded.
 set -eu
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 . "$top/Examples/packages.sh"
@@ -23,7 +23,7 @@ fi
 
 install_missing "${build_packages[@]}" libgtest-dev openmpi-bin libglew-dev libgl-dev \
   libfreetype-dev libpng-dev libtiff-dev libjpeg-dev doxygen dpkg-dev file lintian mricron-data \
-  ${all:+libvtk9.1 libtbb-dev}
+  "${test_packages[@]}" ${all:+"${plain_vtk_packages[@]}"}
 
 # Configures and builds into build-testing/NAME.
 build()
@@ -37,7 +37,7 @@ build()
 
 mkdir -p "$builds"
 vtk=
-[ -z "$all" ] || vtk=$(find_vtk "$builds/vtk-9.1")
+[ -z "$all" ] || vtk=$(find_vtk "$builds/vtk-$plain_vtk")
 unset VTK_DIR
 
 build paraview
@@ -61,7 +61,7 @@ fi
 {
   echo "subdirs($suites)"
   if [ -n "$all" ] && [ -z "$vtk" ]; then
-    reason="VTK 9.1 could not be downloaded and VTK_DIR is not set: that build was not tested."
+    reason="Plain VTK could not be downloaded and VTK_DIR is not set: that build was not tested."
     printf '\n%s\n' "$reason" >&2
     echo "add_test(plain-vtk-build sh -c \"echo '$reason'; exit 77\")"
     echo "set_tests_properties(plain-vtk-build PROPERTIES SKIP_RETURN_CODE 77)"

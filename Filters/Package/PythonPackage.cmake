@@ -43,4 +43,7 @@ install(
               "${GEODESIC_PYTHONPATH}/geodesicdistance/functions.py"
   DESTINATION "${GEODESIC_PYTHON_DESTINATION}/geodesicdistance"
   COMPONENT   python)
-message(STATUS "Python package in the build tree: PYTHONPATH=${GEODESIC_PYTHONPATH}")
+# Its folder, by the same name in the build tree with any Python.
+file(CREATE_LINK "${GEODESIC_PYTHON_DESTINATION}" "${CMAKE_BINARY_DIR}/python"
+  RESULT geodesic_no_link SYMBOLIC)
+message(STATUS "Python package in the build tree: PYTHONPATH=${CMAKE_BINARY_DIR}/python")

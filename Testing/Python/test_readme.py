@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The lines of Python that README shows run as they stand, and give what it says; links of the pages lead somewhere.
+"""The lines of Python that README shows run as they stand, and give what it says; links of the pages lead somewhere,
+and folders of the build are where the pages say.
 
-usage: pvpython --dr test_readme.py SOURCES
+usage: pvpython --dr test_readme.py SOURCES BUILD
 """
 
 import os
@@ -18,6 +19,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from geodesic_testing import data, distances, load_plugin
 
+BUILD = pathlib.Path(sys.argv.pop())
 SOURCES = pathlib.Path(sys.argv.pop()).resolve()
 README = (SOURCES / "README.md").read_text()
 load_plugin()
@@ -54,6 +56,16 @@ class Readme(unittest.TestCase):
         # On coarse facets of a ball of radius 0.5: shorter than half a great circle, longer than the diameter.
         self.assertTrue(1 < distances.max() < np.pi / 2)
         self.assertEqual(sorted(names["lines"]["GeodesicDistance"]), [0.1, 0.2, 0.3])
+
+    def test_folders_of_the_build_are_where_the_pages_say(self):
+        for page, name, there in (
+                ("README.md", r"PV_PLUGIN_PATH=\$PWD/build/(\S+)", f"{os.environ['GEODESIC_PLUGIN']}/.."),
+                ("README.md", r"`build/(\S+)` in `PYTHONPATH`", f"{geodesicdistance.__file__}/../.."),
+                ("Testing/Benchmarks/README.md", r"PV_PLUGIN_PATH=\$PWD/build/(\S+)", f"{os.environ['GEODESIC_PLUGIN']}/.."),
+                ("Filters/Reference.md", r'"build/(\S+\.so)"', os.environ["GEODESIC_PLUGIN"])):
+            said = re.findall(name, (SOURCES / page).read_text())
+            self.assertEqual(len(said), 1, name)
+            self.assertTrue(os.path.samefile(BUILD / said[0], os.path.normpath(there)), said)
 
     def test_links_lead_somewhere(self):
         for page in ("README.md", "CONTRIBUTING.md", "Examples/Python.md", "Filters/Reference.md", "Filters/Core/README.md"):
