@@ -68,6 +68,12 @@ vtkSMBoundsDomain* boundsOf(vtkSMSourceProxy* filter)
   return distances ? distances->FindDomain<vtkSMBoundsDomain>() : nullptr;
 }
 
+/// VTK's shader of tubes and balls reads gl_FragDepth before it writes it. Where the driver leaves
+/// any number there (Mesa 25), they are drawn behind the surface, or shine through it.
+constexpr const char* DepthFromTheStart = R"([{ "type": "fragment",
+  "original": "//VTK::UniformFlow::Impl",
+  "replacement": "gl_FragDepth = gl_FragCoord.z;\n//VTK::UniformFlow::Impl\n" }])";
+
 }
 
 namespace lines
@@ -99,6 +105,8 @@ void show(vtkSMPVRepresentationProxy* representation)
   vtkSMPropertyHelper(representation, "PointSize", true).Set(12.0);
   vtkSMPropertyHelper(representation, "RenderLinesAsTubes", true).Set(1);
   vtkSMPropertyHelper(representation, "RenderPointsAsSpheres", true).Set(1);
+  vtkSMPropertyHelper(representation, "ShaderReplacements", true).Set(DepthFromTheStart);
+  vtkSMPropertyHelper(representation, "UseShaderReplacements", true).Set(1);
   if (vtkSMPropertyHelper(representation, "Input").GetOutputPort() == 1)
   {
     // Of one color and opaque, points as balls are drawn behind any surface (ParaView 5.11).

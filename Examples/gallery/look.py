@@ -151,6 +151,10 @@ def round_lines(display, width):
     display.PointSize = 2 * width
     display.RenderLinesAsTubes = 1
     display.RenderPointsAsSpheres = 1
+    # As for the plugin's own lines: the shader reads the depth before it writes it, where Mesa 25 has any number.
+    display.ShaderReplacements = """[{ "type": "fragment", "original": "//VTK::UniformFlow::Impl",
+        "replacement": "gl_FragDepth = gl_FragCoord.z;\\n//VTK::UniformFlow::Impl\\n" }]"""
+    display.UseShaderReplacements = 1
 
 
 # ----------------------------------------------------------------------------------------- camera
