@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds the Debian packages and tries them on a clean Debian 12, as root and with a network:
+# Builds the Debian packages and tries them on a clean Debian of this release, as root and with a network:
 #
 #   bash Testing/package.sh            takes a quarter of an hour; leaves the packages in build-package/
 #
@@ -15,11 +15,12 @@ build=$top/build-package
 [ "$(id -u)" -eq 0 ] || give_up "Only root can make a clean Debian to install the packages on." \
   "Without root: bash Testing/run.sh -R package"
 
-install_missing "${build_packages[@]}" doxygen dpkg-dev file lintian debootstrap mricron-data libvtk9.1 libtbb-dev
+install_missing "${build_packages[@]}" doxygen dpkg-dev file lintian debootstrap mricron-data \
+  "${plain_vtk_packages[@]}"
 
 # ------------------------------------------------------------------------------------- the packages
-vtk=$(find_vtk "$build/vtk-9.1")
-[ -n "$vtk" ] || give_up "VTK 9.1 could not be downloaded, and VTK_DIR is not set."
+vtk=$(find_vtk "$build/vtk-$plain_vtk")
+[ -n "$vtk" ] || give_up "Plain VTK could not be downloaded, and VTK_DIR is not set."
 unset VTK_DIR
 
 # Makes packages in a folder; further arguments go to CMake.
@@ -52,14 +53,15 @@ remove_roots()
 }
 trap remove_roots EXIT
 
-# Those of this system's sources that are Debian 12's, and its way through a proxy.
+# Those of this system's sources that are its release's, and its way through a proxy.
+suite=$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")
 # shellcheck disable=SC2016 # apt-get fills in the names
 format='deb $(SITE) $(CODENAME) main'
 sources=$(apt-get indextargets --format "$format" 'Created-By: Packages' 'Origin: Debian' |
-  grep ' bookworm' | sort -u || true)
-sources=${sources:-deb http://deb.debian.org/debian bookworm main}
-mirror=$(awk '$3 == "bookworm" { print $2; exit }' <<< "$sources")
-debootstrap --variant=minbase --include=ca-certificates bookworm "$root" "$mirror" > "$root.log" ||
+  grep " $suite" | sort -u || true)
+sources=${sources:-deb http://deb.debian.org/debian $suite main}
+mirror=$(awk -v suite="$suite" '$3 == suite { print $2; exit }' <<< "$sources")
+debootstrap --variant=minbase --include=ca-certificates "$suite" "$root" "$mirror" > "$root.log" ||
   give_up "debootstrap failed; the end of $root.log:" "$(tail -n 5 "$root.log")"
 rm "$root.log"
 printf '%s\n' "$sources" > "$root/etc/apt/sources.list"

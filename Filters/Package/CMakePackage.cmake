@@ -12,8 +12,11 @@ configure_package_config_file(
 write_basic_package_version_file(
   "${CMAKE_BINARY_DIR}/Module/${geodesic_package_dir}/GeodesicDistanceConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
+file(COPY "${CMAKE_CURRENT_LIST_DIR}/PythonTargets.cmake"
+  DESTINATION "${CMAKE_BINARY_DIR}/Module/${geodesic_package_dir}")
 install(
   FILES
+    "${CMAKE_CURRENT_LIST_DIR}/PythonTargets.cmake"
     "${CMAKE_BINARY_DIR}/Module/${geodesic_package_dir}/GeodesicDistanceConfig.cmake"
     "${CMAKE_BINARY_DIR}/Module/${geodesic_package_dir}/GeodesicDistanceConfigVersion.cmake"
   DESTINATION "${geodesic_package_dir}"
