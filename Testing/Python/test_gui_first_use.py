@@ -14,6 +14,7 @@ import subprocess
 import sys
 
 import numpy as np
+from paraview import simple
 
 from pixels import read_pixels
 
@@ -22,11 +23,16 @@ here = pathlib.Path(__file__).resolve().parent
 for old in folder.glob("geodesic-first*"):
     old.unlink()
 
+events = (here / "gui_first_use_events.xml").read_text()
+if simple.GetParaViewVersion() >= (5, 13):
+    events = events.replace('infinity "inf"', 'infinity "Infinity"')
+(folder / "geodesic-first-events.xml").write_text(events)
+
 # Each event that finds no widget, and each check that does not hold, ends ParaView with an error.
 run = subprocess.run(
     ["timeout", "100", paraview, "--dr", f"--test-directory={folder}",
      f"--script={here / 'gui_first_use_setup.py'}",
-     f"--test-script={here / 'gui_first_use_events.xml'}", "--exit"],
+     f"--test-script={folder / 'geodesic-first-events.xml'}", "--exit"],
     env={**os.environ, "GEODESIC_GUI_FOLDER": str(folder)}, text=True,
     stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 print(run.stdout)
