@@ -42,7 +42,7 @@ if (archives)
   file(REMOVE ${archives})
 endif ()
 
-# The plugin is loaded when ParaView starts. Debian's ParaView 6 has a file for plugins of other
+# The plugin is loaded when ParaView starts. Debian's ParaView from 5.13 on has a file for plugins of other
 # packages, where ours is told with its path; for ParaView 5.11 see plugin/postinst.in.
 if (CPACK_GEODESIC_HAS_PARAVIEW AND CPACK_GEODESIC_OTHER_PLUGINS)
   file(READ "${packages}/application/usr/${CPACK_GEODESIC_PLUGINS_FILE}" list)

@@ -73,10 +73,13 @@ endif ()
 file(WRITE "${CPACK_GEODESIC_CONTROL_DIR}/shlibs"
   "libvtkFiltersGeodesic ${soversion} geodesic-distance (>= ${PROJECT_VERSION})\n")
 file(WRITE "${CPACK_GEODESIC_CONTROL_DIR}/triggers" "activate-noawait ldconfig\n")
-# The scripts of the plugin's package, where all packages share one list of plugins.
-set(CPACK_GEODESIC_PLUGIN_SCRIPTS)
+# The scripts of the plugin's package, where all packages share one list of plugins. Elsewhere it has none:
+# names of files that are not there keep CPack from making scripts that call ldconfig (Debian has a trigger).
+set(CPACK_GEODESIC_PLUGIN_SCRIPTS
+  "${CPACK_GEODESIC_CONTROL_DIR}/none/postinst;${CPACK_GEODESIC_CONTROL_DIR}/none/postrm")
 if (GEODESIC_BUILD_PLUGIN AND NOT CPACK_GEODESIC_OTHER_PLUGINS)
   file(RELATIVE_PATH geodesic_plugins_line "/usr/bin" "/usr/${CPACK_GEODESIC_PLUGINS_FILE}")
+  set(CPACK_GEODESIC_PLUGIN_SCRIPTS)
   foreach (script IN ITEMS postinst postrm)
     configure_file("${CMAKE_CURRENT_LIST_DIR}/plugin/${script}.in" "${CPACK_GEODESIC_CONTROL_DIR}/${script}" @ONLY)
     list(APPEND CPACK_GEODESIC_PLUGIN_SCRIPTS "${CPACK_GEODESIC_CONTROL_DIR}/${script}")

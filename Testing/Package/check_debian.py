@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Debian's packages have what is theirs where Debian wants it, and the plugin's package shares ParaView's list
-of plugins with whoever has lines in it.
+"""Debian's packages have what is theirs where Debian wants it. The plugin's package has its list of plugins
+where ParaView has a place for it, else it shares ParaView's own with whoever has lines in it.
 
 usage: python3 check_debian.py FOLDER MULTIARCH
 """
@@ -37,9 +37,7 @@ if "geodesic-distance-doc" in packages:
     assert "/html/classvtkGeodesicDistanceField.html" in files["geodesic-distance-doc"]
 
 # ------------------------------------------------------------------------------- the list of plugins
-with tempfile.TemporaryDirectory() as scratch:
-    scripts, root = pathlib.Path(scratch, "scripts"), pathlib.Path(scratch, "root")
-    subprocess.run(["dpkg-deb", "--control", packages["geodesic-distance"], scripts], check=True)
+def check_shared_list(scripts, root):
     plugins = root / "usr/bin/paraview.conf"
     plugins.parent.mkdir(parents=True)
 
@@ -62,4 +60,13 @@ with tempfile.TemporaryDirectory() as scratch:
     assert plugins.read_text() == "of/another/package.xml\n/opt/of the/administrator.xml\n" + ours
     run("postrm", "remove")
     assert plugins.read_text() == "of/another/package.xml\n/opt/of the/administrator.xml\n"
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    control, root = pathlib.Path(scratch, "control"), pathlib.Path(scratch, "root")
+    subprocess.run(["dpkg-deb", "--control", packages["geodesic-distance"], control], check=True)
+    if "./usr/share/paraview/plugins\n" in files["geodesic-distance"]:
+        assert not {"postinst", "postrm"} & set(os.listdir(control)), os.listdir(control)
+    else:
+        check_shared_list(control, root)
 print(f"{', '.join(sorted(packages))}: folders, fields and the list of plugins are right.")
