@@ -124,7 +124,7 @@ def thin_lines(display, color=WHITE, width=1.5):
     display.Ambient, display.Diffuse = 1, 0
 
 
-def colored_lines(display, largest=None, width=2.5):
+def colored_lines(display, largest=None, width=3):
     """Shows lines by their distance, from near to far, on a pale surface."""
     simple.ColorBy(display, ("POINTS", "GeodesicDistance"))
     largest = largest or 1.001 * range_of(display)[1]
