@@ -7,9 +7,9 @@
 #include "PolyData/SurfaceCache.h"
 #include "PolyData/ranks/RankExchange.h"
 
-#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -17,13 +17,13 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <exception>
 #include <new>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -58,6 +58,16 @@ bool IsPieceWithData(
   return pieces <= processes || piece == (rank * pieces + processes - 1) / processes;
 }
 
+/// Leaves nothing in an output but, in a composite one, blocks as those of the surface.
+void MakeEmpty(vtkDataObject* surface, vtkDataObject* output)
+{
+  output->Initialize();
+  if (output->IsA("vtkDataObjectTree") && surface && surface->IsA(output->GetClassName()))
+  {
+    geodesic::makeBlocksLike(surface, output);
+  }
+}
+
 std::string MemoryNumbers(const geodesic::NotEnoughMemory& error)
 {
   constexpr int mega = 20;
@@ -77,9 +87,6 @@ public:
   /// With the other processes of the controller; null for one process.
   std::unique_ptr<geodesic::RankExchange> Exchange;
   geodesic::GivenNotes Given;
-  /// That whose next error is kept quiet, and by which observer.
-  vtkWeakPointer<vtkExecutive> QuietExecutive;
-  unsigned long Observer = 0;
   /// The user's controller; the global one unless one was set.
   std::optional<vtkSmartPointer<vtkMultiProcessController>> Controller;
 
@@ -150,7 +157,6 @@ vtkMultiProcessController* vtkGeodesicAlgorithm::GetController()
 vtkTypeBool vtkGeodesicAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->EndQuiet();
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
     return this->RequestDataObject(request, inputVector, outputVector);
@@ -223,43 +229,31 @@ int vtkGeodesicAlgorithm::RequestData(
   if (!IsPieceWithData(request, outputVector, this->GetController()))
   {
     // One piece has everything; the others have the same blocks.
-    vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
-    if (output->IsA("vtkCompositeDataSet"))
-    {
-      geodesic::makeBlocksLike(vtkDataObject::GetData(inputVector[0]), output);
-    }
+    MakeEmpty(vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(outputVector, 0));
     return 1;
   }
   this->ResetResults();
-  if (this->ComputeOrExplain(inputVector, outputVector))
-  {
-    return 1;
-  }
-  this->Internals->QuietExecutive = this->GetExecutive();
-  this->Internals->Observer = this->GetExecutive()->AddObserver(
-    vtkCommand::ErrorEvent, this, &vtkGeodesicAlgorithm::EndQuiet);
-  return 0;
+  this->SetError({});
+  this->ComputeOrExplain(inputVector, outputVector);
+  return 1; // also after an error: views and filters downstream are to see that there is nothing
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicAlgorithm::EndQuiet()
+void vtkGeodesicAlgorithm::SetError(std::string message)
 {
-  if (this->Internals->QuietExecutive)
-  {
-    this->Internals->QuietExecutive->RemoveObserver(this->Internals->Observer);
-    this->Internals->QuietExecutive = nullptr;
-  }
+  // Not by SetErrorCode(), which would modify the filter.
+  this->ErrorCode = message.empty() ? vtkErrorCode::NoError : vtkErrorCode::UserError;
+  this->ErrorMessage = std::move(message);
 }
 
 //------------------------------------------------------------------------------
-bool vtkGeodesicAlgorithm::ComputeOrExplain(
+void vtkGeodesicAlgorithm::ComputeOrExplain(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   geodesic::Exchange* exchange = nullptr;
   const char* stage = geodesic::Stage::ReadingSurface;
-  bool isAborted = false;
   bool isCacheKept = false;
-  std::string message;
+  std::string message; // empty: aborted
   const auto explainMemory = [&](const std::string& numbers)
   {
     message = std::string("There is not enough memory for this surface: it ran out while ") +
@@ -297,12 +291,11 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
     {
       this->Internals->Cache.release();
     }
-    return true;
+    return;
   }
   catch (const geodesic::Aborted&)
   {
     isCacheKept = true;
-    isAborted = true;
   }
   catch (const geodesic::Error& error)
   {
@@ -328,22 +321,19 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
   }
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
-    vtkDataObject::GetData(outputVector, port)->Initialize();
+    vtkDataObject::GetData(outputVector, port)->Initialize(); // frees what there is of it
   }
+  this->ResetResults();
   if (!isCacheKept || (exchange && exchange->numberOfRanks() > 1))
   {
     this->Internals->Cache.release();
   }
-  if (exchange)
+  this->SetError(exchange ? exchange->fail(message) : std::move(message));
+  if (!this->ErrorMessage.empty())
   {
-    message = exchange->fail(message);
-    isAborted = message.empty();
+    vtkErrorMacro(<< this->ErrorMessage);
   }
-  if (!isAborted)
-  {
-    vtkErrorMacro(<< message);
-  }
-  return isAborted;
+  MakeEmpty(vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(outputVector, 0));
 }
 
 //------------------------------------------------------------------------------

@@ -8,11 +8,14 @@
  * both, keeps the structure of the surface from one execution to the next, and turns what goes
  * wrong into VTK's errors with empty outputs. See vtkGeodesicDistanceField for what inputs may be.
  *
- * Each thing that goes wrong gives one error: the executive, which would add that the algorithm has
- * failed, is kept quiet where nothing observes its errors. A warning, such as that the source or a
- * target is farther than a hundredth of the surface's size from it, is given when the execution
- * before had no reason for it or something else has been connected to the port that it is about:
- * not at every time step.
+ * Each thing that goes wrong gives one error, and all outputs are empty; of a composite surface
+ * they have the blocks. The pipeline goes on: filters and views downstream take the empty outputs,
+ * and the next execution without an error shows everywhere. Scripts find the error in
+ * GetErrorCode() and GetErrorMessage().
+ *
+ * A warning, such as that the source or a target is farther than a hundredth of the surface's size
+ * from it, is given when the execution before had no reason for it or something else has been
+ * connected to the port that it is about: not at every time step.
  *
  * @sa
  * vtkGeodesicDistanceField
@@ -135,6 +138,14 @@ public:
   vtkMultiProcessController* GetController();
   ///@}
 
+  /**
+   * What went wrong in the last execution, and what to do; empty if nothing did, and after an
+   * abort. With an error GetErrorCode() is vtkErrorCode::UserError, else vtkErrorCode::NoError.
+   * Both are set before the error event, and also where vtkObject::GlobalWarningDisplayOff()
+   * switches such events off.
+   */
+  std::string GetErrorMessage() const { return this->ErrorMessage; }
+
 protected:
   vtkGeodesicAlgorithm();
   ~vtkGeodesicAlgorithm() override;
@@ -173,17 +184,16 @@ private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
   void operator=(const vtkGeodesicAlgorithm&) = delete;
 
-  /// Where this fails it has said why; its executive adds a second message, of addresses and
-  /// information keys. An error of an object that is observed goes to its observers in place of the
-  /// output window: RequestData() observes the executive, until that message or the next request.
-  void EndQuiet();
-  /// Does the work and turns exceptions into errors. Returns whether all went well.
-  bool ComputeOrExplain(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  /// Does the work and turns exceptions into errors.
+  void ComputeOrExplain(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  /// Keeps the error of an execution for scripts; an empty message: there is none.
+  void SetError(std::string message);
 
   int SourceType = SOURCE_CURVE;
   bool MergeCoincidentPoints = true;
   double MergeTolerance = 0.0;
   char* BarrierArrayName = nullptr;
+  std::string ErrorMessage;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
