@@ -54,12 +54,13 @@ def animate(section, failing):
     return scene
 
 
-def check(frames, failing, fresh_picture):
+def check(frames, failing, fresh_picture, allowed=0):
     """Frames of one animation, played again and again: each looks as that of a pipeline which has never
     seen another place; the failing one shows nothing.
 
     frames: the places of the slice and the pictures.
-    fresh_picture: makes the picture of such a pipeline at a place.
+    fresh_picture: gives the picture of such a pipeline at a place.
+    allowed: the fraction of pixels that may differ. One frame from the next it is a seventh or more.
     """
     assert len({place for place, _ in frames}) == FRAMES and len(frames) % FRAMES == 0, frames
     for number, (place, colors) in enumerate(frames):
@@ -69,4 +70,5 @@ def check(frames, failing, fresh_picture):
             assert not np.any(is_there), f"picture {number} is not empty"
         else:
             assert np.mean(is_there) > 0.005, f"picture {number} is empty"
-            np.testing.assert_array_equal(colors, fresh_picture(place), f"picture {number}")
+            differ = np.mean(np.any(colors != fresh_picture(place), axis=2))
+            assert differ <= allowed, f"picture {number}: {differ:.2%} of its pixels differ"
