@@ -550,6 +550,8 @@ void TestFailures(Check& check, Ranks ranks, vtkPolyData* surface)
   messages.Update();
   check.That(Contains(messages.Error(), "at point 5"),
     "all ranks say what is wrong on one: " + messages.Error());
+  check.That(Contains(filter->GetErrorMessage(), "at point 5") && filter->GetErrorCode() != 0,
+    "scripts on all ranks get it: " + filter->GetErrorMessage());
   CheckOutputsEmpty(check, filter, "an error on one rank");
 
   filter->SetInputData(piece);
@@ -564,7 +566,9 @@ void TestFailures(Check& check, Ranks ranks, vtkPolyData* surface)
         }
       });
     messages.Update();
-    check.That(messages.Error().empty(), "an abort is no error: " + messages.Error());
+    check.That(
+      messages.Error().empty() && filter->GetErrorMessage().empty() && filter->GetErrorCode() == 0,
+      "an abort is no error: " + messages.Error());
     CheckOutputsEmpty(check, filter, "an abort on one rank");
     filter->RemoveObservers(vtkCommand::ProgressEvent);
   }
