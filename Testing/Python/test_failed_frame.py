@@ -60,6 +60,8 @@ class OneFrameFails(unittest.TestCase):
             frames.append((section.SliceType.Origin[0], colors))
             self.assertEqual("source (input port 1) is empty" in said.GetOutput(), is_wrong)
             self.assertEqual(algorithm.GetErrorCode() != 0, is_wrong)
+            self.assertEqual("source (input port 1) is empty" in made.ErrorMessage, is_wrong)
+            self.assertEqual(made.ErrorMessage != "", is_wrong)
             self.assertEqual(made.GetDataInformation().GetNumberOfPoints() == 0, is_wrong)
         failed_frame.check(frames, failing, functools.partial(fresh_picture, kind))
 
