@@ -12,6 +12,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace geodesic
@@ -153,6 +154,19 @@ vtkNew<vtkDoubleArray> writeLines(const PowerOfTwoScale& scale,
   return lengths;
 }
 
+/// Of the last point of a path it is the last piece's.
+void writeCells(const std::vector<PathOfTarget>& paths, vtkIdType size, vtkPolyData* output)
+{
+  const auto cells = makeArray<vtkIdTypeArray>("FaceId", size);
+  vtkIdType* next = size > 0 ? cells->GetPointer(0) : nullptr;
+  for (const PathOfTarget& path : paths)
+  {
+    next = std::copy(path.cells.begin(), path.cells.end(), next);
+    *next++ = path.cells.back();
+  }
+  output->GetPointData()->AddArray(cells);
+}
+
 }
 
 void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
@@ -221,19 +235,23 @@ void writeIsolines(const WrittenIsolines& written, const PowerOfTwoScale& scale,
 }
 
 void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,
-  const PathEndChoice& choice, vtkPolyData* output, const ProgressCallback& callback)
+  const PathArrayChoice& choice, vtkPolyData* output, const ProgressCallback& callback)
 {
   vtkIdType size = 0;
   for (const PathOfTarget& path : paths)
   {
     size += static_cast<vtkIdType>(path.points.size());
   }
-  // A point, what is left and its id; a path's offset and six arrays.
-  requireMemory(size, 4 * sizeof(double) + sizeof(vtkIdType));
+  // A point, what is left, its id and its cell; a path's offset and six arrays.
+  requireMemory(size, 4 * sizeof(double) + 2 * sizeof(vtkIdType));
   requireMemory(static_cast<vtkIdType>(paths.size()), 4 * sizeof(double) + 3 * sizeof(vtkIdType));
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
   const auto lengths = writeLines(scale, paths, size, output, progress);
+  if (choice.cells)
+  {
+    writeCells(paths, size, output);
+  }
   addArray<vtkIdTypeArray>(
     "TargetId", paths, [](const PathOfTarget& path) { return static_cast<vtkIdType>(path.target); },
     output);

@@ -8,6 +8,8 @@
 #include "paths/PathsToSource.h"
 #include "source/SourceCurve.h"
 
+#include "vtkType.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -51,24 +53,27 @@ struct PathOfTarget
   double snapDistance = 0.0;
   std::vector<Vec3> points;
   PathEnd end;
+  /// The input's cell between each point and the next, if cells are asked for; see cellsOfFaces().
+  std::vector<vtkIdType> cells;
 };
 
-/// Which arrays about the ends of paths are asked for.
-struct PathEndChoice
+/// Which arrays about paths are asked for.
+struct PathArrayChoice
 {
   bool arcLengths = false;
   bool angles = false;
+  bool cells = false;
 };
 
 /// Gives an output a polyline for each path, with the cell arrays TargetId, SourceId,
 /// GeodesicDistance (its length), TargetSnapDistance and, if they are asked for, SourceArcLength
-/// and SourceAngle, and the point array GeodesicDistance, which is what is left to go.
+/// and SourceAngle, and the point arrays GeodesicDistance, which is what is left to go, and FaceId.
 ///
 /// \param paths in the order of their targets.
 /// \param progress called now and then; returning false throws Aborted.
 /// \throws MeshError where a length is larger than numbers can be.
 void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,
-  const PathEndChoice& choice, vtkPolyData* output, const ProgressCallback& progress);
+  const PathArrayChoice& choice, vtkPolyData* output, const ProgressCallback& progress);
 
 }
 
