@@ -2,6 +2,7 @@
 // Under MPI: a surface of which each rank has a piece has one distance field, that of the whole in
 // one process.
 #include "GeodesicTesting.h"
+#include "PathFaces.h"
 #include "RanksTesting.h"
 
 #include "vtkCellData.h"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 using namespace GeodesicTesting;
@@ -504,6 +506,64 @@ void TestPathsAtTargets(Check& check, Ranks ranks, vtkPolyData* unscaled, double
   }
 }
 
+/// FaceId numbers the cells of all ranks, one rank after another, ghosts included; those of the one
+/// rank that has the surface, or of the surface that all have, as in one process.
+void TestFacesOfPaths(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  std::vector<Point> targets;
+  for (int i = 0; i < 30; ++i)
+  {
+    targets.push_back({ 0.5 + 0.5 * std::sin(1.7 * i), 0.5 + 0.5 * std::cos(2.9 * i), 0.0 });
+  }
+  const auto run =
+    [&](vtkPolyData* data, const std::vector<vtkIdType>& faceOf, const std::string& place)
+  {
+    vtkNew<vtkGeodesicPaths> filter;
+    filter->GenerateFaceIdsOn();
+    filter->SetInputData(data);
+    filter->SetSourceData(PointSources({ { 0.2, 0.3, 0.0 } }));
+    filter->SetTargetsData(PointSources(targets));
+    Messages messages(filter);
+    messages.Update();
+    const std::string name = "faces of paths on a surface " + place;
+    check.That(messages.Error().empty(), name + ": " + messages.Error());
+    check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfLines()),
+      ranks.Rank == 0 ? static_cast<double>(targets.size()) : 0.0, name + ": paths");
+    const double error = CheckFacesOfPaths(
+      check, filter->GetOutput(),
+      [&](vtkIdType cell)
+      {
+        const auto number = static_cast<std::size_t>(cell);
+        return cell < 0 || number >= faceOf.size() || faceOf[number] < 0
+          ? std::vector<Corners>()
+          : TrianglesOfCell(surface, faceOf[number]);
+      },
+      name);
+    check.That(error <= 1e-14, name + ": off by " + std::to_string(error));
+  };
+  std::vector<vtkIdType> whole(static_cast<std::size_t>(surface->GetNumberOfPolys()));
+  std::iota(whole.begin(), whole.end(), vtkIdType(0));
+  std::vector<vtkIdType> inPieces;
+  std::vector<vtkIdType> withGhosts;
+  const Cut cut = AtRandom(ranks.Count);
+  for (int rank = 0; rank < ranks.Count; ++rank)
+  {
+    const std::vector<vtkIdType> own = FacesOf(surface, cut, rank);
+    inPieces.insert(inPieces.end(), own.begin(), own.end());
+    withGhosts.insert(withGhosts.end(), own.begin(), own.end());
+    // That a ghost is not named is part of it: it has no face here.
+    withGhosts.resize(withGhosts.size() +
+        static_cast<std::size_t>(PartWithGhosts(surface, cut, rank)->GetNumberOfCells()) -
+        own.size(),
+      -1);
+  }
+  for (const auto& [place, data] : PlacesOfSurface(ranks, surface))
+  {
+    run(data, place == "in pieces" ? inPieces : whole, place);
+  }
+  run(PartWithGhosts(surface, cut, ranks.Rank), withGhosts, "with ghosts");
+}
+
 /// Cells that cannot be read on one rank, of the surface or the source, are an error on all.
 void TestUnreadableCells(Check& check, Ranks ranks, vtkPolyData* surface)
 {
@@ -712,6 +772,7 @@ int TestGeodesicRanks(int argc, char* argv[])
       TestFarTargets(check, ranks, surface);
       TestPathsAtTargets(check, ranks, surface, 1.0);
       TestPathsAtTargets(check, ranks, surface, 1e40);
+      TestFacesOfPaths(check, ranks, surface);
       TestUnreadableCells(check, ranks, surface);
       TestFailures(check, ranks, surface);
       TestAgain(check, ranks, surface);
