@@ -77,6 +77,65 @@ std::string MemoryNumbers(const geodesic::NotEnoughMemory& error)
     : " Only " + available + ".";
 }
 
+/// Why an execution has not come to its end.
+struct Failure
+{
+  /// Empty: it was aborted.
+  std::string message;
+  /// Whether what was read of the surface can be used again.
+  bool isCacheKept = false;
+};
+
+/// Explains the exception that is being handled.
+///
+/// \param stage what was being done.
+/// \param adviceOnMemory what the user can do where memory has run out.
+Failure ExplainException(const std::string& stage, const std::string& adviceOnMemory)
+{
+  const auto noMemory = [&](const std::string& numbers)
+  {
+    return Failure{ "There is not enough memory for this surface: it ran out while " + stage + "." +
+        numbers + " Nothing of this is kept. " + adviceOnMemory,
+      false };
+  };
+  const auto unforeseen = [](const std::string& reason)
+  {
+    return Failure{ "The distance could not be computed, for a reason that was not foreseen" +
+        reason +
+        ". Please report this with the surface and the source, unless an observer of this filter "
+        "has thrown it.",
+      false };
+  };
+  try
+  {
+    throw;
+  }
+  catch (const geodesic::Aborted&)
+  {
+    return { {}, true };
+  }
+  catch (const geodesic::Error& error)
+  {
+    return { error.what(), true };
+  }
+  catch (const geodesic::NotEnoughMemory& error)
+  {
+    return noMemory(MemoryNumbers(error));
+  }
+  catch (const std::bad_alloc&)
+  {
+    return noMemory("");
+  }
+  catch (const std::exception& error)
+  {
+    return unforeseen(std::string(": ") + error.what());
+  }
+  catch (...)
+  {
+    return unforeseen(" and has no description");
+  }
+}
+
 }
 
 /// What is kept from one execution to the next.
@@ -252,19 +311,7 @@ void vtkGeodesicAlgorithm::ComputeOrExplain(
 {
   geodesic::Exchange* exchange = nullptr;
   const char* stage = geodesic::Stage::ReadingSurface;
-  bool isCacheKept = false;
-  std::string message; // empty: aborted
-  const auto explainMemory = [&](const std::string& numbers)
-  {
-    message = std::string("There is not enough memory for this surface: it ran out while ") +
-      stage + "." + numbers + " Nothing of this is kept. " + this->AdviceOnMemory();
-  };
-  const auto explainUnforeseen = [&message](const std::string& reason)
-  {
-    message = "The distance could not be computed, for a reason that was not foreseen" + reason +
-      ". Please report this with the surface and the source, unless an observer of this filter has "
-      "thrown it.";
-  };
+  Failure failure;
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try
   {
@@ -293,42 +340,21 @@ void vtkGeodesicAlgorithm::ComputeOrExplain(
     }
     return;
   }
-  catch (const geodesic::Aborted&)
-  {
-    isCacheKept = true;
-  }
-  catch (const geodesic::Error& error)
-  {
-    isCacheKept = true;
-    message = error.what();
-  }
-  catch (const geodesic::NotEnoughMemory& error)
-  {
-    explainMemory(MemoryNumbers(error));
-  }
-  catch (const std::bad_alloc&)
-  {
-    reserve.reset();
-    explainMemory("");
-  }
-  catch (const std::exception& error)
-  {
-    explainUnforeseen(std::string(": ") + error.what());
-  }
   catch (...)
   {
-    explainUnforeseen(" and has no description");
+    reserve.reset();
+    failure = ExplainException(stage, this->AdviceOnMemory());
   }
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
     vtkDataObject::GetData(outputVector, port)->Initialize(); // frees what there is of it
   }
   this->ResetResults();
-  if (!isCacheKept || (exchange && exchange->numberOfRanks() > 1))
+  if (!failure.isCacheKept || (exchange && exchange->numberOfRanks() > 1))
   {
     this->Internals->Cache.release();
   }
-  this->SetError(exchange ? exchange->fail(message) : std::move(message));
+  this->SetError(exchange ? exchange->fail(failure.message) : std::move(failure.message));
   if (!this->ErrorMessage.empty())
   {
     vtkErrorMacro(<< this->ErrorMessage);
