@@ -15,13 +15,12 @@ class CellsOfOwnFaces
 public:
   CellsOfOwnFaces(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs)
     : surface_(surface)
-    , inputs_(inputs)
   {
     vtkIdType cells = 0;
     for (const PolyDataBlock& input : inputs)
     {
       this->firstCells_.push_back(cells);
-      cells += input.data->GetNumberOfCells() + input.droppedCells;
+      cells += input.countInputCells();
     }
     const auto before = static_cast<vtkIdType>(
       sumOverRanks(surface.exchange(), static_cast<std::uint64_t>(cells)).before);
@@ -36,15 +35,12 @@ public:
     const Id triangle = this->surface_.triangleOf(face);
     const std::size_t index = this->surface_.blockOf(triangle, &SurfaceBlock::firstTriangle);
     const SurfaceBlock& block = this->surface_.blocks[index];
-    const vtkIdType cell = block.inputCell(static_cast<vtkIdType>(triangle - block.firstTriangle));
-    const std::vector<vtkIdType>& numbers = this->inputs_[index].inputCells;
     return this->firstCells_[index] +
-      (numbers.empty() ? cell : numbers[static_cast<std::size_t>(cell)]);
+      block.inputCell(static_cast<vtkIdType>(triangle - block.firstTriangle));
   }
 
 private:
   const PolyDataSurface& surface_;
-  const std::vector<PolyDataBlock>& inputs_;
   std::vector<vtkIdType> firstCells_;
 };
 
