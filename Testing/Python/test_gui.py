@@ -52,6 +52,7 @@ LINE = [(0, -0.5, 0), (0, 0.5, 0)]
 DEFAULTS = {"Input": "Sheet", "Source": None, "SourceType": 0, "Accuracy": 0, "RelativeError": 0.001,
             "RefineMesh": 1, "RefinementTolerance": 0.001, "ToleranceIsAbsolute": 0,
             "AbsoluteRefinementTolerance": 1, "MaximumNumberOfCells": 50000000,
+            "OutputPointsPrecision": 2,
             "RefineSourceBorders": 0, "MaximumDistance": 0, "MergeCoincidentPoints": 1,
             "UnreachedValue": 0, "CustomUnreachedValue": -1, "RemoveUnusedPoints": 0,
             "BarrierArrayName": "None",
@@ -111,7 +112,7 @@ for number, moved in enumerate((
     asked.update(moved)
     assert runs[number].properties == asked, f"{number}: {runs[number].properties}"
 MOVED_ELSEWHERE = {"ColorByStripes", "UnreachedValue", "CustomUnreachedValue", "RemoveUnusedPoints",
-                   "RefineSourceBorders"}
+                   "RefineSourceBorders", "OutputPointsPrecision"}
 assert not DEFAULTS.keys() - {"Input"} - MOVED_ELSEWHERE - {
     name for name in DEFAULTS if any(run.properties[name] != DEFAULTS[name] for run in runs)}
 

@@ -70,6 +70,7 @@ class Module(unittest.TestCase):
                                      ("ToleranceIsAbsolute", False, True),
                                      ("AbsoluteRefinementTolerance", 1.0, 0.2),
                                      ("MaximumNumberOfCells", 50000000, 0),
+                                     ("OutputPointsPrecision", 2, 0),
                                      ("RefineSourceBorders", False, True),
                                      ("MaximumDistance", 0.0, 1.5),
                                      ("MergeCoincidentPoints", True, False),
