@@ -125,7 +125,8 @@ public:
   {
     this->Execution.shareResults(this->Self->WindowsPropagatedPerEdge,
       this->Self->SourceSnapDistance, this->Self->RelativeErrorBound,
-      this->Self->InterpolationErrorBound, this->Self->SeamPointsJoined, this->IsRefined);
+      this->Self->InterpolationErrorBound, this->Self->SeamPointsJoined, this->IsRefined,
+      this->HasNewPoints);
     if (this->Choice.angles)
     {
       this->Execution.shareResults(this->Frames);
@@ -145,6 +146,9 @@ public:
       {
         block->GetCellData()->AddArray(makeArray<vtkIdTypeArray>("OriginalCellIds", 0));
       }
+      const int type = typeOfPoints(nullptr, this->Self->OutputPointsPrecision, this->HasNewPoints);
+      const ProgressCallback nobody;
+      block->SetPoints(storePoints(nullptr, type, {}, {}, LoopProgress(nobody)));
       this->WriteFieldData(block);
     }
     this->WriteFieldData(output);

@@ -388,6 +388,25 @@ void TestPrecisions(Check& check, Ranks ranks)
   }
 }
 
+/// Pieces are one data set, also those of ranks that have nothing of the surface: readers of files
+/// of pieces rely on one type of points.
+void TestTypesOfEmptyPieces(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  for (const int withPieces : { 1, ranks.Count - 1 })
+  {
+    const Cut cut = [&](vtkIdType face) { return ranks.Count - 1 - AtRandom(withPieces)(face); };
+    const std::vector<vtkIdType> faces = FacesOf(surface, cut, ranks.Rank);
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(
+      faces.empty() ? vtkSmartPointer<vtkPolyData>::New() : Part(surface, faces));
+    filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
+    filter->Update();
+    vtkPoints* points = filter->GetOutput()->GetPoints();
+    check.That(points && points->GetDataType() == VTK_DOUBLE,
+      std::to_string(withPieces) + " ranks with pieces: points of every piece are double");
+  }
+}
+
 /// Barriers are cut where their rims are split, on whichever rank.
 void TestBarriers(Check& check, Ranks ranks)
 {
@@ -426,5 +445,6 @@ int TestGeodesicRanksRefined(int argc, char* argv[])
       TestMaximum(check, ranks, surface);
       TestBarriers(check, ranks);
       TestPrecisions(check, ranks);
+      TestTypesOfEmptyPieces(check, ranks, Square(8, Cells::Triangles, VTK_FLOAT));
     });
 }

@@ -67,9 +67,10 @@ double largestJoint(const PolyDataSurface& surface, const std::vector<PolyDataBl
   return largest;
 }
 
-bool isSingle(vtkPoints* points)
+/// Points that are not there have the type of VTK's new ones.
+int typeOf(vtkPoints* points)
 {
-  return !points || points->GetDataType() == VTK_FLOAT;
+  return points ? points->GetDataType() : VTK_FLOAT;
 }
 
 }
@@ -80,7 +81,7 @@ Displacements displacementsOfPoints(
   const bool toSingle = precision == vtkAlgorithm::SINGLE_PRECISION;
   const double rounding = toSingle ? singleRounding(surface) : 0.0;
   const bool areSingle = std::all_of(inputs.begin(), inputs.end(),
-    [](const PolyDataBlock& input) { return isSingle(input.data->GetPoints()); });
+    [](const PolyDataBlock& input) { return typeOf(input.data->GetPoints()) == VTK_FLOAT; });
   const double ofInput = largestJoint(surface, inputs) + (areSingle ? 0.0 : rounding);
   // Each coordinate is summed up first.
   const double ofSum = std::sqrt(3.0) * tolerance::PositionRoundings * tolerance::Rounding *
@@ -102,7 +103,7 @@ int typeOfPoints(vtkPoints* input, int precision, bool hasNewPoints)
 {
   if (precision == vtkAlgorithm::DEFAULT_PRECISION)
   {
-    return hasNewPoints || !input ? VTK_DOUBLE : input->GetDataType();
+    return hasNewPoints ? VTK_DOUBLE : typeOf(input);
   }
   return precision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE;
 }
@@ -111,18 +112,21 @@ vtkSmartPointer<vtkPoints> storePoints(vtkPoints* input, int type,
   const std::vector<RefinedPoint>& added, const PowerOfTwoScale& scale,
   const LoopProgress& progress)
 {
-  if (!input || (added.empty() && input->GetDataType() == type))
+  if (added.empty() && typeOf(input) == type)
   {
     return input;
   }
-  const vtkIdType old = input->GetNumberOfPoints();
+  const vtkIdType old = input ? input->GetNumberOfPoints() : 0;
   const vtkIdType count = old + static_cast<vtkIdType>(added.size());
   const std::size_t size = type == VTK_FLOAT ? sizeof(float) : sizeof(double);
   requireMemory(count, static_cast<vtkIdType>(3 * size));
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataType(type);
   points->SetNumberOfPoints(count);
-  points->GetData()->InsertTuples(0, old, 0, input->GetData());
+  if (input)
+  {
+    points->GetData()->InsertTuples(0, old, 0, input->GetData());
+  }
   for (std::size_t i = 0; i < added.size(); ++i)
   {
     progress.at(i, added.size());
