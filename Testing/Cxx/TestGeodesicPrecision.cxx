@@ -352,6 +352,35 @@ void CheckInputIsRounded(Check& check)
   check.That(messages.Error().empty(), "but not in double precision");
 }
 
+/// So far from the origin that doubles are rounded by about the tolerance.
+void CheckDoublesAreRounded(Check& check)
+{
+  constexpr double shift = 1e12;
+  auto grid = Square(8);
+  MovePoints(grid,
+    [](const Point& p) {
+      return Point{ 8.0 * p[0] + shift, 8.0 * p[1] + shift, shift };
+    });
+  const Point source = { shift + 3.0, shift + 4.0, shift };
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(grid);
+  filter->SetSourceData(PointSources({ source }));
+  filter->SetRefinementTolerance(1e-5);
+  Messages messages(filter);
+  messages.Update();
+  double measured = 0.0;
+  for (const Sample& sample : SamplesOf(filter->GetOutput(), 100, 5))
+  {
+    measured =
+      std::max(measured, std::abs(sample.value - DistanceToSegment(sample.place, source, source)));
+  }
+  const double requested = 1e-5 * grid->GetLength();
+  check.That(measured > requested, "no tolerance below the rounding of doubles can be met");
+  check.That(measured <= filter->GetInterpolationErrorBound(), "but the bound holds");
+  check.That(Contains(messages.Warning(), "far from the origin"),
+    "and a warning says why: " + messages.Warning());
+}
+
 /// Some faces of a surface, with all of its points.
 vtkSmartPointer<vtkPolyData> Half(vtkPolyData* surface, bool isFirst, int dataType)
 {
@@ -650,6 +679,7 @@ int TestGeodesicPrecision(int, char*[])
   CheckLines(check);
   CheckTypes(check);
   CheckInputIsRounded(check);
+  CheckDoublesAreRounded(check);
   for (const auto& [precision, name] : Precisions)
   {
     CheckSeams(check, { VTK_FLOAT, VTK_FLOAT }, precision, "single blocks, " + name);
