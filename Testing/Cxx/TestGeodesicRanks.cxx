@@ -17,6 +17,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 using namespace GeodesicTesting;
@@ -224,6 +225,9 @@ void TestGlobalIds(Check& check, Ranks ranks, vtkPolyData* surface)
   const Question question = Questions().front();
   const Whole whole(surface, question);
   const std::vector<vtkIdType> faces = FacesOf(surface, AtRandom(ranks.Count), ranks.Rank);
+  // Pieces without points need no ids.
+  const std::vector<vtkIdType> some =
+    FacesOf(surface, AtRandom(std::max(1, ranks.Count - 1)), ranks.Rank);
   for (const bool hasGlobalIds : { true, false })
   {
     vtkNew<vtkGeodesicDistanceField> filter;
@@ -234,6 +238,10 @@ void TestGlobalIds(Check& check, Ranks ranks, vtkPolyData* surface)
     if (hasGlobalIds)
     {
       CompareData(check, filter->GetOutput(), whole, 1e-12, "joined by global ids");
+      filter->SetInputData(Part(surface, some, !some.empty()));
+      filter->Update();
+      CompareData(
+        check, filter->GetOutput(), whole, 1e-12, "joined by global ids beside an empty piece");
       continue;
     }
     const double farthest = Distances(filter)->GetRange()[1];
@@ -247,15 +255,16 @@ void TestRoundings(Check& check, Ranks ranks, vtkPolyData* surface)
 {
   const Question question = Questions().front();
   const Whole whole(surface, question);
-  auto piece = Part(surface, FacesOf(surface, Strips(surface, ranks.Count), ranks.Rank));
+  const Cut cut = Strips(surface, ranks.Count);
+  const auto movedOn = [](const Point& p, int rank)
+  {
+    const double up = rank % 2 == 1 ? 2.0 : 0.0;
+    return Point{ std::nextafter(p[0], up), std::nextafter(p[1], up), p[2] };
+  };
+  auto piece = Part(surface, FacesOf(surface, cut, ranks.Rank));
   vtkNew<vtkPolyData> moved;
   moved->DeepCopy(piece);
-  MovePoints(moved,
-    [&](const Point& p)
-    {
-      const double up = ranks.Rank % 2 == 1 ? 2.0 : 0.0;
-      return Point{ std::nextafter(p[0], up), std::nextafter(p[1], up), p[2] };
-    });
+  MovePoints(moved, [&](const Point& p) { return movedOn(p, ranks.Rank); });
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputData(moved);
   Ask(filter, question);
@@ -269,7 +278,25 @@ void TestRoundings(Check& check, Ranks ranks, vtkPolyData* surface)
     worst = std::max(worst, std::abs(distances->GetTuple1(i) - whole.At.at(p)));
   }
   check.That(worst < 1e-12, "seam points that differ by a rounding are one");
-  check.That(ranks.Count == 1 || filter->GetSeamPointsJoined() > 0, "and are counted");
+  std::map<Point, std::set<Point>> placesOfPoints;
+  for (vtkIdType face = 0; face < surface->GetNumberOfPolys(); ++face)
+  {
+    vtkNew<vtkIdList> ids;
+    surface->GetPolys()->GetCellAtId(face, ids);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      Point p;
+      surface->GetPoint(ids->GetId(k), p.data());
+      placesOfPoints[p].insert(movedOn(p, cut(face)));
+    }
+  }
+  std::size_t joined = 0;
+  for (const auto& [point, places] : placesOfPoints)
+  {
+    joined += places.size() - 1;
+  }
+  check.Equal(static_cast<double>(filter->GetSeamPointsJoined()), static_cast<double>(joined),
+    "and are counted once");
 }
 
 /// Half planes that meet in one edge, each on one rank or cut; fans that meet in one vertex.
