@@ -300,7 +300,7 @@ public:
         "MaximumNumberOfCells (" + most + ") is reached: t" + met +
           ". Raise MaximumNumberOfCells or the tolerance.");
     }
-    else if (refined.errorBound > this->ToleranceOfInterpolant())
+    else if (bound > this->Tolerance() && refined.errorBound > this->ToleranceOfInterpolant())
     {
       this->Execution.notes().add(NoteOn::Surface, "rounding",
         'T' + met + ", which is near the rounding of distances. Raise the tolerance.");
@@ -328,15 +328,15 @@ public:
       const auto place = [&](std::size_t block)
       { return ValuesDone + (SurfaceWritten - ValuesDone) * static_cast<double>(block) / count; };
       const auto progress = this->Execution.progressBetween(place(i), place(i + 1));
-      const int typeOfPoints = this->TypeOfPoints(i);
+      const int pointType = this->TypeOfPoints(i);
       if (this->IsRefined)
       {
-        writeRefined(blocks[i], this->Refined[i].mesh, this->Execution.surface().scale,
-          typeOfPoints, inputs[i].data, outputs[i], progress);
+        writeRefined(blocks[i], this->Refined[i].mesh, this->Execution.surface().scale, pointType,
+          inputs[i].data, outputs[i], progress);
       }
       else
       {
-        writeWhole(blocks[i], typeOfPoints, inputs[i].data, outputs[i], progress);
+        writeWhole(blocks[i], pointType, inputs[i].data, outputs[i], progress);
       }
       this->WriteDistances(i, outputs[i]);
       if (this->Self->RemoveUnusedPoints)

@@ -88,10 +88,10 @@
  * Coordinates may have any size between 1e-290 and 1e290; beyond that there is an error.
  *
  * @par Output:
- * Port 0 has the surface as triangles, with all points of the input, unchanged and in order, then
- * those that refinement has added. Of a composite surface it has the structure and the names
- * (GetOutputDataObject(0); GetOutput() is null then), and each block has its own points and arrays.
- * There are
+ * Port 0 has the surface as triangles, with all points of the input, unchanged (unless they are
+ * rounded, see SetOutputPointsPrecision()) and in order, then those that refinement has added. Of a
+ * composite surface it has the structure and the names (GetOutputDataObject(0); GetOutput() is null
+ * then), and each block has its own points and arrays. There are
  * - point data array `GeodesicDistance` (or DistanceArrayName): the distance, in double precision;
  *   infinite (or UnreachedValue) at points that no path connects to the source, inside barriers, or
  *   beyond MaximumDistance,

@@ -4,6 +4,7 @@
 // tolerance.
 #include "GeodesicTesting.h"
 
+#include "Seeds.h"
 #include "truth/BruteForce.h"
 #include "truth/RandomMeshKinds.h"
 
@@ -13,7 +14,6 @@
 #include "vtkMultiBlockDataSet.h"
 
 #include <cfloat>
-#include <cstdlib>
 #include <map>
 
 using namespace GeodesicTesting;
@@ -644,12 +644,11 @@ double CheckRandom(Check& check, const geodesictest::MeshKind& kind, std::uint64
 
 void CheckRandomMeshes(Check& check)
 {
-  const char* more = std::getenv("GEODESIC_TEST_SEEDS");
-  const auto meshes = more ? std::strtoull(more, nullptr, 10) : geodesictest::meshesOfAKind(6);
+  const geodesictest::Seeds seeds = geodesictest::seedsOfTest(geodesictest::meshesOfAKind(6));
   for (const geodesictest::MeshKind& kind : geodesictest::meshKinds())
   {
     double worst = 0.0;
-    for (std::uint64_t seed = 0; seed < meshes; ++seed)
+    for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
     {
       worst = std::max(worst, CheckRandom(check, kind, seed));
     }

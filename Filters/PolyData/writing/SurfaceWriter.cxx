@@ -315,12 +315,12 @@ std::vector<RefinedBlock> partsByBlock(
   return parts;
 }
 
-void writeWhole(const SurfaceBlock& block, int typeOfPoints, vtkPolyData* input,
-  vtkPolyData* output, const ProgressCallback& callback)
+void writeWhole(const SurfaceBlock& block, int pointType, vtkPolyData* input, vtkPolyData* output,
+  const ProgressCallback& callback)
 {
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
-  output->SetPoints(storePoints(input->GetPoints(), typeOfPoints, {}, {}, progress));
+  output->SetPoints(storePoints(input->GetPoints(), pointType, {}, {}, progress));
   output->GetPointData()->PassData(input->GetPointData());
   output->SetPolys(block.triangles);
   if (block.areInputCells)
@@ -338,14 +338,14 @@ void writeWhole(const SurfaceBlock& block, int typeOfPoints, vtkPolyData* input,
 }
 
 void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined,
-  const PowerOfTwoScale& scale, int typeOfPoints, vtkPolyData* input, vtkPolyData* output,
+  const PowerOfTwoScale& scale, int pointType, vtkPolyData* input, vtkPolyData* output,
   const ProgressCallback& callback)
 {
   constexpr double pointsDone = 0.1;
   constexpr double pointDataDone = 0.5;
   LoopProgress progress(callback);
   progress.nextUntil(pointsDone);
-  output->SetPoints(storePoints(input->GetPoints(), typeOfPoints, refined.points, scale, progress));
+  output->SetPoints(storePoints(input->GetPoints(), pointType, refined.points, scale, progress));
   interpolatePointData(
     refined, input->GetPointData(), output->GetPointData(), pointDataDone, progress);
   progress.nextUntil(1.0);
