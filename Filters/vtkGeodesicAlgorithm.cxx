@@ -350,6 +350,7 @@ void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SourceType: " << this->SourceType << "\n";
+  os << indent << "JoinLines: " << (this->JoinLines ? "On" : "Off") << "\n";
   os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
   os << indent
      << "BarrierArrayName: " << (this->BarrierArrayName ? this->BarrierArrayName : "(none)")

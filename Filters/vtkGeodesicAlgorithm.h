@@ -78,6 +78,22 @@ public:
 
   ///@{
   /**
+   * Whether cells of the source that are lines of two points, as filters that cut or find edges
+   * make them, are joined to curves. On by default. A curve is a maximal chain of such lines
+   * through places where exactly two of them meet: their ends have equal coordinates, also in
+   * different blocks or on different MPI ranks. It runs as most of its lines do (if as many run the
+   * other way, as the lowest one), and begins with its lowest line where it is a loop that nothing
+   * else meets. Its id is the lowest cell id among its lines; other ids of theirs do not occur in
+   * the outputs. A line that is given twice counts once, one without length only where no other
+   * line ends. Polylines of more points stay as they are.
+   */
+  vtkSetMacro(JoinLines, bool);
+  vtkGetMacro(JoinLines, bool);
+  vtkBooleanMacro(JoinLines, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether points at exactly one place are one point, so that faces around it are connected. On by
    * default: formats without shared points (STL) or with seams (OBJ) need it. The output keeps the
    * points of the input in either case.
@@ -164,6 +180,7 @@ private:
   bool ComputeOrExplain(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
   int SourceType = SOURCE_CURVE;
+  bool JoinLines = true;
   bool MergeCoincidentPoints = true;
   char* BarrierArrayName = nullptr;
 

@@ -49,10 +49,10 @@
  * Port 0 takes the surface. It may have boundary and holes, several components, edges of three and
  * more faces, vertices where several sheets meet, and inconsistent orientation. Polygons and strips
  * are triangulated; lines and vertices are dropped with a warning; faces with two equal corners are
- * left out with a warning. Port 1, optional, takes the source: each line or polyline is a curve,
- * each point of a vertex cell a point source, polygons stand for their outlines. Data with vertex
- * cells only, or without cells, are a set of points, each of which (of those that the vertex cells
- * have) is a source of its own. Of a vtkUnstructuredGrid the lines and vertices count, other cells
+ * left out with a warning. Port 1, optional, takes the source: each polyline is a curve, as are
+ * lines that meet (see SetJoinLines()), each point of a vertex cell is a point source, polygons
+ * stand for their outlines. Data with vertex cells only, or without cells, are a set of points,
+ * each of which (of those that the vertex cells have) is a source of its own. Of a vtkUnstructuredGrid the lines and vertices count, other cells
  * are left out with a warning; any other vtkPointSet than that and vtkPolyData gives its points.
  * Cells that cannot be read, because offsets are missing, decrease or lead past the end of the
  * point ids, are an error that names the first one. Inputs are never modified.

@@ -90,6 +90,7 @@ class Properties(unittest.TestCase):
         field = GeodesicDistanceField(Input=plane())
         self.assertEqual(field.SourceType, "Source Curve")
         self.assertEqual(field.MaximumDistance, 0)
+        self.assertEqual(field.JoinLines, 1)
         self.assertEqual(field.MergeCoincidentPoints, 1)
         self.assertEqual(field.BarrierArrayName, "None")
         self.assertEqual(field.DistanceArrayName, "GeodesicDistance")

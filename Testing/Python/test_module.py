@@ -72,6 +72,7 @@ class Module(unittest.TestCase):
                                      ("MaximumNumberOfCells", 50000000, 0),
                                      ("RefineSourceBorders", False, True),
                                      ("MaximumDistance", 0.0, 1.5),
+                                     ("JoinLines", True, False),
                                      ("MergeCoincidentPoints", True, False),
                                      ("BarrierArrayName", None, "walls"),
                                      ("DistanceArrayName", "GeodesicDistance", "Depth")):

@@ -23,8 +23,16 @@ struct LocatedPolyline
   bool closed = false;
   /// Name for error messages, such as "line 3 of the source".
   std::string name;
+  /// The names of the points for messages; empty where these are "point 7 of line 3 of the source".
+  std::vector<std::string> pointNames = {};
   /// SourceCurve::source of its curves.
   Id source = 0;
+
+  std::string nameOfPoint(std::size_t i) const
+  {
+    return this->pointNames.empty() ? "point " + std::to_string(i) + " of " + this->name
+                                    : this->pointNames[i];
+  }
 };
 
 /// The curves as they lie on the surface.

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/SourcesAndTargets.h"
 
+#include "PolyData/reading/LineChains.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "mesh/SurfaceSnap.h"
 
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -125,7 +127,8 @@ struct BlockReader
 
   void addPoint(vtkIdType point, Id source)
   {
-    this->addPolyline(1, &point, "point " + std::to_string(point), source);
+    LocatedPolyline& line = this->addPolyline(1, &point, "point " + std::to_string(point), source);
+    line.pointNames = { line.name };
   }
 
   void addVertices(vtkIdType size, const vtkIdType* ids)
@@ -145,6 +148,10 @@ struct BlockReader
 
   void addLine(vtkIdType size, const vtkIdType* ids)
   {
+    if (size == 2)
+    {
+      this->sources.lines.push_back(this->sources.polylines.size());
+    }
     const bool closed = size > 3 && ids[0] == ids[size - 1];
     this->addCurve(closed ? size - 1 : size, ids, closed);
   }
@@ -166,6 +173,14 @@ struct BlockReader
     this->addCurve(size, outline.data(), true);
   }
 };
+
+/// Takes some ids out of others; both ascend.
+void takeOut(const std::vector<Id>& some, std::vector<Id>& ids)
+{
+  std::vector<Id> left;
+  std::set_difference(ids.begin(), ids.end(), some.begin(), some.end(), std::back_inserter(left));
+  ids = std::move(left);
+}
 
 /// \throws SourceError
 [[noreturn]] void throwEmpty(const SourcePolylines& sources)
@@ -277,13 +292,8 @@ OwnPlace snapToOwnFace(const MeshPartition& surface, const Vec3& point,
 
 }
 
-std::string nameOfPoint(const LocatedPolyline& line, std::size_t point)
-{
-  const bool isNamed = line.name.compare(0, 5, "point") == 0;
-  return isNamed ? line.name : "point " + std::to_string(point) + " of " + line.name;
-}
-
-SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale)
+SourcePolylines readSource(
+  const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale, bool areLinesJoined)
 {
   SourcePolylines result;
   std::vector<std::vector<char>> used;
@@ -310,10 +320,14 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
       line.points[i] = scale.toEngine(line.points[i]);
       if (!(norm(line.points[i]) < Infinity))
       {
-        throw SourceError("Point " + std::to_string(i) + " of " + line.name +
+        throw SourceError('P' + line.nameOfPoint(i).substr(1) +
           " is too far from the surface for its size. Scale or move the source upstream.");
       }
     }
+  }
+  if (areLinesJoined)
+  {
+    takeOut(joinLines(result.polylines, result.lines), result.ids);
   }
   return result;
 }
@@ -332,7 +346,7 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
       {
         const Vec3 place = surface.scale.toUser(line.points[i]);
         std::ostringstream text;
-        text << 'P' << nameOfPoint(line, i).substr(1) << ", at (" << place[0] << ", " << place[1]
+        text << 'P' << line.nameOfPoint(i).substr(1) << ", at (" << place[0] << ", " << place[1]
              << ", " << place[2] << "), lies in a barrier (BarrierArrayName): it is closest to "
              << nameOfBarrier(surface, surfaceBlocks, face)
              << ", which no path may leave. Move it out of the barrier, or onto its rim.";

@@ -21,6 +21,8 @@ class PolyDataSurface;
 struct SourcePolylines
 {
   std::vector<LocatedPolyline> polylines;
+  /// The numbers of those that are cells of two points.
+  std::vector<std::size_t> lines;
   /// LocatedPolyline::source of all that are sources, ascending. A cell of a vtkPolyData without
   /// points is one, and has no polyline; a point that no vertex cell of a set of points has is
   /// none.
@@ -38,8 +40,10 @@ struct SourcePolylines
 /// set of points, over all blocks in their order.
 ///
 /// \param scale of the surface that they belong to; the polylines have it too.
+/// \param areLinesJoined whether cells of two points that meet are one curve: see LineChains.h.
 /// \throws SourceError where there is no point or one is not finite.
-SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale);
+SourcePolylines readSource(
+  const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale, bool areLinesJoined);
 
 /// Makes sure that no point of a source lies in a barrier: no path could leave it. All ranks call
 /// this together, and all throw.
@@ -51,9 +55,6 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
 void requireOutsideBarriers(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
   const LocatedPlaces& located, double coordinatePrecision);
-
-/// "point 3 of cell 2 of the source", "point 5 of the source" where it is a curve of its own.
-std::string nameOfPoint(const LocatedPolyline& line, std::size_t point);
 
 /// The relative precision that the coordinates' type allows: that of the least precise block.
 double coordinatePrecisionOf(const std::vector<PolyDataBlock>& source);
