@@ -94,6 +94,20 @@ public:
 
   ///@{
   /**
+   * Name of an array of the source that names its parts: cells (points, in a set of points) with
+   * equal values are one source, whose id is the value, in `SourceId`, in the columns of matrices
+   * and in paths. Empty (null), the default, and "None" stand for no such array: ids are then
+   * numbers of cells (of points). It is an array of the points of a set of points, and of the cells
+   * of any other data set, of integers from 0 to 2^53 - 1, with one component; every block of a
+   * composite source must have it. Lines of different values are not joined (JoinLines). Loops of
+   * the boundary follow the largest value.
+   */
+  vtkSetStringMacro(SourceIdArrayName);
+  vtkGetStringMacro(SourceIdArrayName);
+  ///@}
+
+  ///@{
+  /**
    * Whether points at exactly one place are one point, so that faces around it are connected. On by
    * default: formats without shared points (STL) or with seams (OBJ) need it. The output keeps the
    * points of the input in either case.
@@ -181,6 +195,7 @@ private:
 
   int SourceType = SOURCE_CURVE;
   bool JoinLines = true;
+  char* SourceIdArrayName = nullptr;
   bool MergeCoincidentPoints = true;
   char* BarrierArrayName = nullptr;
 

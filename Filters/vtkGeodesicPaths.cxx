@@ -36,11 +36,13 @@ std::vector<PathOfTarget> FindPaths(FilterExecution& execution)
   options.parallelFor = smpParallelFor();
   options.progress = execution.progressBetween(FilterExecution::TargetsRead, PathsFound);
   std::vector<PathOfTarget> paths(targets.places.size());
+  const std::vector<vtkIdType>& ids = execution.sourceIds();
   pathsToSource(surface.partition, execution.patch(), execution.sources().curves, targets.places,
     options,
     [&](std::size_t i, const PathToSource& path)
     {
-      paths[i] = { targets.numbers[i], targets.snapDistances[i], {}, path.end };
+      paths[i] = { targets.numbers[i], targets.snapDistances[i], {}, path.end,
+        path.end.source == NoId ? -1 : ids[path.end.source] };
       paths[i].points.reserve(path.points.size());
       for (const SurfacePoint& point : path.points)
       {
@@ -77,6 +79,7 @@ std::vector<PathOfTarget> SendHome(
       put(message, path.snapDistance);
       putAll(message, path.points);
       put(message, path.end);
+      put(message, path.sourceId);
     }
   }
   paths.clear();
@@ -84,7 +87,7 @@ std::vector<PathOfTarget> SendHome(
     [&](int, MessageReader& reader)
     {
       paths.push_back({ reader.get<std::size_t>(), reader.get<double>(), reader.getAll<Vec3>(),
-        reader.get<PathEnd>() });
+        reader.get<PathEnd>(), reader.get<vtkIdType>() });
     });
   std::sort(paths.begin(), paths.end(),
     [](const PathOfTarget& a, const PathOfTarget& b) { return a.target < b.target; });
@@ -99,7 +102,7 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
   execution.requireTargets();
   execution.readInputs(true);
   std::vector<PathOfTarget> paths;
-  std::vector<SourceFrame> frames;
+  SourceFrames frames;
   PowerOfTwoScale scale;
   if (execution.surfacePlace() != SurfacePlace::OnOtherRank)
   {
@@ -107,7 +110,8 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
     if (this->GenerateSourceAngle)
     {
       const std::vector<SourceCurve>& curves = execution.sources().curves;
-      frames = framesBySource(CurvesOnPatch(execution.patch(), curves), curves);
+      frames = framesBySource(CurvesOnPatch(execution.patch(), curves), curves,
+        execution.sourceIds(), execution.areSourcesNamed());
     }
     scale = execution.surface().scale;
   }
@@ -118,7 +122,8 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
   }
   if (this->GenerateSourceAngle)
   {
-    execution.shareResults(frames);
+    execution.shareResults(frames.frames);
+    execution.shareResults(frames.ids);
     addSourceFrames(frames, vtkPolyData::GetData(outputVector, 0));
   }
   execution.enter(Stage::WritingOutputs);

@@ -99,6 +99,41 @@ void CheckLoop(Check& check, Ranks ranks, vtkPolyData* sphere, const Cut& cut, b
   }
 }
 
+/// Ids are values of an array of the cells, wherever these are; a rank without cells needs none.
+void CheckNames(Check& check, Ranks ranks, vtkPolyData* sphere)
+{
+  const auto all = Section(sphere, { 0, 0, 1 }, { 0, 0, 0.013 });
+  const auto lines = ranks.Rank == 1 ? vtkSmartPointer<vtkPolyData>::New() : Dealt(all, ranks);
+  vtkNew<vtkIdTypeArray> labels;
+  labels->SetName("label");
+  for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
+  {
+    labels->InsertNextValue(700 + ranks.Rank);
+  }
+  if (ranks.Rank != 1)
+  {
+    lines->GetCellData()->AddArray(labels);
+  }
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  filter->SetInputData(Part(sphere, FacesOf(sphere, Strips(sphere, ranks.Count), ranks.Rank)));
+  filter->SetSourceData(lines);
+  filter->SetSourceIdArrayName("label");
+  filter->GenerateSourceIdsOn();
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Error().empty(), "names: " + messages.Error());
+  std::set<double> ids;
+  vtkDataArray* ofPoints = filter->GetOutput()->GetPointData()->GetArray("SourceId");
+  for (vtkIdType i = 0; i < ofPoints->GetNumberOfTuples(); ++i)
+  {
+    ids.insert(ofPoints->GetTuple1(i));
+  }
+  check.That(!ids.empty() && *ids.begin() >= 700.0 && *ids.rbegin() < 700.0 + ranks.Count &&
+      ids.count(701.0) == 0,
+    "the ids of all ranks are values of the array");
+}
+
 }
 
 int TestGeodesicRanksLines(int argc, char* argv[])
@@ -117,5 +152,6 @@ int TestGeodesicRanksLines(int argc, char* argv[])
         CheckLoop(check, ranks, sphere, cut, true, std::string(name) + ", lines dealt out");
         CheckLoop(check, ranks, sphere, cut, false, std::string(name) + ", lines of the piece");
       }
+      CheckNames(check, ranks, sphere);
     });
 }

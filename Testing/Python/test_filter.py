@@ -5,6 +5,7 @@ import unittest
 
 import numpy as np
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from geodesic_testing import (FLOAT, assert_close, data, distance_to_segments, distances,
                               load_plugin, messages, plane, points, polyline, tube)
@@ -91,6 +92,7 @@ class Properties(unittest.TestCase):
         self.assertEqual(field.SourceType, "Source Curve")
         self.assertEqual(field.MaximumDistance, 0)
         self.assertEqual(field.JoinLines, 1)
+        self.assertEqual(field.SourceIdArrayName, "None")
         self.assertEqual(field.MergeCoincidentPoints, 1)
         self.assertEqual(field.BarrierArrayName, "None")
         self.assertEqual(field.DistanceArrayName, "GeodesicDistance")
@@ -208,6 +210,32 @@ class Barriers(unittest.TestCase):
         with messages() as said:
             field.UpdatePipeline()
         self.assertIn("lies in a barrier", said.GetOutput())
+
+
+class SourceNames(unittest.TestCase):
+    def labelled(self):
+        """The points of a line, with two labels."""
+        curve = polyline(BENT)
+        marked = simple.Calculator(Input=curve, ResultArrayName="Label", ResultArrayType="Int",
+                                   Function="if(coordsX > 1, 8, 3)")
+        marked.UpdatePipeline()
+        return marked
+
+    def test_the_list_offers_the_arrays_of_the_source(self):
+        field = GeodesicDistanceField(Input=plane(), Source=self.labelled())
+        self.assertEqual(field.SourceIdArrayName, "None")
+        available = list(field.GetProperty("SourceIdArrayName").GetAvailable())
+        self.assertIn("None", available)
+        self.assertIn("Label", available)
+
+    def test_points_have_the_label_of_the_nearest(self):
+        points_only = simple.ProgrammableFilter(
+            Input=self.labelled(), Script="output.SetPoints(inputs[0].VTKObject.GetPoints())\n"
+            "output.PointData.append(inputs[0].PointData['Label'], 'Label')")
+        field = GeodesicDistanceField(Input=plane(), Source=points_only, SourceIdArrayName="Label",
+                                      GenerateSourceIds=1)
+        ids = vtk_to_numpy(data(field).GetPointData().GetArray("SourceId"))
+        self.assertEqual(set(ids), {3, 8})
 
 
 class Results(unittest.TestCase):

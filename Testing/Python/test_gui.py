@@ -54,7 +54,7 @@ DEFAULTS = {"Input": "Sheet", "Source": None, "SourceType": 0, "Accuracy": 0, "R
             "AbsoluteRefinementTolerance": 1, "MaximumNumberOfCells": 50000000,
             "RefineSourceBorders": 0, "MaximumDistance": 0, "MergeCoincidentPoints": 1,
             "UnreachedValue": 0, "CustomUnreachedValue": -1, "RemoveUnusedPoints": 0,
-            "BarrierArrayName": "None", "JoinLines": 1,
+            "BarrierArrayName": "None", "JoinLines": 1, "SourceIdArrayName": "None",
             "DistanceArrayName": "GeodesicDistance",
             "GenerateSourceIds": 0, "GenerateClosestPoints": 0, "GenerateGradients": 0,
             "GenerateSignedDistance": 0, "GenerateSourceArcLength": 0, "GenerateSourceAngle": 0,
@@ -111,7 +111,7 @@ for number, moved in enumerate((
     asked.update(moved)
     assert runs[number].properties == asked, f"{number}: {runs[number].properties}"
 MOVED_ELSEWHERE = {"ColorByStripes", "UnreachedValue", "CustomUnreachedValue", "RemoveUnusedPoints",
-                   "RefineSourceBorders"}
+                   "RefineSourceBorders", "SourceIdArrayName"}
 assert not DEFAULTS.keys() - {"Input"} - MOVED_ELSEWHERE - {
     name for name in DEFAULTS if any(run.properties[name] != DEFAULTS[name] for run in runs)}
 

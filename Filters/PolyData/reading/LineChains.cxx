@@ -17,6 +17,15 @@ namespace
 
 constexpr std::size_t NoLine = static_cast<std::size_t>(-1);
 
+/// Where lines of a part meet: the coordinates, and the number of the part.
+using MeetingPlace = std::array<double, 4>;
+
+MeetingPlace meetingPlace(const Vec3& point, vtkIdType part)
+{
+  return { point[0] + 0.0, point[1] + 0.0, point[2] + 0.0, // -0 and 0 are one place
+    static_cast<double>(part) };
+}
+
 /// The numbers of the places of a line's ends.
 using Ends = std::array<std::uint64_t, 2>;
 
@@ -58,18 +67,18 @@ struct Meeting
 class ChainFinder
 {
 public:
-  /// \param pointOf (std::size_t line, std::size_t end) -> const Vec3&
-  template <typename PointOf>
-  ChainFinder(std::size_t count, const PointOf& pointOf)
+  /// \param placeOf (std::size_t line, std::size_t end) -> MeetingPlace
+  template <typename PlaceOf>
+  ChainFinder(std::size_t count, const PlaceOf& placeOf)
     : ends_(count)
     , isDone_(count, 0)
   {
-    std::unordered_map<Vec3, std::uint64_t, Hash> numbers;
+    std::unordered_map<MeetingPlace, std::uint64_t, Hash> numbers;
     for (std::size_t line = 0; line < count; ++line)
     {
       for (std::size_t end = 0; end < 2; ++end)
       {
-        this->ends_[line][end] = numbers.emplace(pointOf(line, end), numbers.size()).first->second;
+        this->ends_[line][end] = numbers.emplace(placeOf(line, end), numbers.size()).first->second;
       }
     }
     this->meetings_.resize(numbers.size());
@@ -194,12 +203,12 @@ LocatedPolyline joined(const Chain& chain, const std::vector<const LocatedPolyli
 
 } // anonymous namespace
 
-std::vector<Id> joinLines(
-  std::vector<LocatedPolyline>& polylines, const std::vector<std::size_t>& lines)
+std::vector<Id> joinLines(std::vector<LocatedPolyline>& polylines,
+  const std::vector<std::size_t>& lines, const std::vector<vtkIdType>& parts)
 {
   ChainFinder finder(lines.size(),
-    [&](std::size_t line, std::size_t end) -> const Vec3&
-    { return polylines[lines[line]].points[end]; });
+    [&](std::size_t line, std::size_t end)
+    { return meetingPlace(polylines[lines[line]].points[end], parts.empty() ? 0 : parts[line]); });
   std::vector<bool> isGone(polylines.size(), false);
   for (const std::size_t line : lines)
   {
@@ -207,17 +216,17 @@ std::vector<Id> joinLines(
   }
   for (const Chain& chain : finder.find())
   {
-    std::vector<const LocatedPolyline*> parts;
+    std::vector<const LocatedPolyline*> inChain;
     std::size_t lowest = NoLine;
     for (const Step& step : chain.steps)
     {
-      parts.push_back(&polylines[lines[step.line]]);
+      inChain.push_back(&polylines[lines[step.line]]);
       lowest = std::min(lowest, lines[step.line]);
     }
     isGone[lowest] = false;
-    if (parts.size() > 1)
+    if (inChain.size() > 1)
     {
-      LocatedPolyline curve = joined(chain, parts);
+      LocatedPolyline curve = joined(chain, inChain);
       curve.name = polylines[lowest].name;
       curve.source = polylines[lowest].source;
       polylines[lowest] = std::move(curve);

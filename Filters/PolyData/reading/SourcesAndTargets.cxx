@@ -8,7 +8,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -19,13 +18,13 @@ namespace geodesic
 namespace
 {
 
-/// Takes the curves out of the cells of one block.
+/// Takes the curves out of the cells of one block. Ids are numbers of cells and points.
 struct BlockReader
 {
   const PolyDataBlock& block;
   /// Of the blocks before, to which those of this one are added.
   SourcePolylines& sources;
-  const Id firstSource = sources.numberOfSources;
+  const Id firstSource = static_cast<Id>(sources.idEnd);
   vtkIdType cell = 0;
   std::vector<char> isUsed{};
 
@@ -35,7 +34,7 @@ struct BlockReader
     vtkPolyData* source = this->block.data;
     const auto before = static_cast<std::ptrdiff_t>(this->sources.ids.size());
     this->isUsed.assign(static_cast<std::size_t>(source->GetNumberOfPoints()), 0);
-    if (source->GetNumberOfCells() == source->GetNumberOfVerts())
+    if (this->block.isSetOfPoints())
     {
       this->readPoints();
       return std::move(this->isUsed);
@@ -45,7 +44,7 @@ struct BlockReader
     this->read(source->GetPolys(), &BlockReader::addPolygon);
     this->read(source->GetStrips(), &BlockReader::addStrip);
     std::sort(this->sources.ids.begin() + before, this->sources.ids.end());
-    this->sources.numberOfSources += static_cast<Id>(this->cell);
+    this->sources.idEnd += this->cell;
     this->sources.droppedCells += this->block.droppedCells;
     return std::move(this->isUsed);
   }
@@ -70,7 +69,7 @@ struct BlockReader
         this->sources.ids.push_back(this->sourceOf(i));
       }
     }
-    this->sources.numberOfSources += static_cast<Id>(source->GetNumberOfPoints());
+    this->sources.idEnd += source->GetNumberOfPoints();
   }
 
   void read(vtkCellArray* cells, Adder add)
@@ -174,12 +173,70 @@ struct BlockReader
   }
 };
 
-/// Takes some ids out of others; both ascend.
-void takeOut(const std::vector<Id>& some, std::vector<Id>& ids)
+/// The values that name the parts of a source, by the numbers of cells and points over all blocks;
+/// empty if none do.
+///
+/// \param ids of all that are sources, ascending.
+/// \throws SourceError if a value of one of these is no id.
+std::vector<vtkIdType> namesOfParts(
+  const std::vector<PolyDataBlock>& source, const std::vector<vtkIdType>& ids)
 {
-  std::vector<Id> left;
-  std::set_difference(ids.begin(), ids.end(), some.begin(), some.end(), std::back_inserter(left));
-  ids = std::move(left);
+  std::vector<vtkIdType> names;
+  auto id = ids.begin();
+  for (const PolyDataBlock& block : source)
+  {
+    const auto first = static_cast<vtkIdType>(names.size());
+    names.insert(names.end(), block.sourceIds.begin(), block.sourceIds.end());
+    for (; id != ids.end() && *id < static_cast<vtkIdType>(names.size()); ++id)
+    {
+      const vtkIdType name = names[static_cast<std::size_t>(*id)];
+      if (name < 0 || name >= SourceIdEnd)
+      {
+        throw SourceError((block.isSetOfPoints() ? "Point " : "Cell ") +
+          std::to_string(*id - first) + " of " + block.name +
+          (name < 0 ? " has a negative value" : " has a value that is too large") +
+          " in the array that names the parts of the source (SourceIdArrayName): ids are from 0 "
+          "to " +
+          std::to_string(SourceIdEnd - 1) + ", as -1 stands for points that are not reached.");
+      }
+    }
+  }
+  return names;
+}
+
+/// Makes sources of the cells and points that were read: those with one name are one.
+///
+/// \param names of cells and points; if empty, their numbers.
+void makeSources(const std::vector<vtkIdType>& names, SourcePolylines& sources)
+{
+  const auto nameOf = [&names](vtkIdType number)
+  { return names.empty() ? number : names[static_cast<std::size_t>(number)]; };
+  std::vector<vtkIdType>& ids = sources.ids;
+  std::transform(ids.begin(), ids.end(), ids.begin(), nameOf);
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  for (LocatedPolyline& line : sources.polylines)
+  {
+    const auto at = std::lower_bound(ids.begin(), ids.end(), nameOf(line.source));
+    line.source = static_cast<Id>(at - ids.begin());
+  }
+  sources.idEnd = names.empty() ? sources.idEnd : ids.back() + 1;
+}
+
+/// Joins lines of one name to curves.
+void joinLines(const std::vector<vtkIdType>& names, SourcePolylines& sources)
+{
+  std::vector<vtkIdType> parts;
+  for (std::size_t i = 0; !names.empty() && i < sources.lines.size(); ++i)
+  {
+    parts.push_back(names[sources.polylines[sources.lines[i]].source]);
+  }
+  const std::vector<Id> gone = joinLines(sources.polylines, sources.lines, parts);
+  std::vector<vtkIdType>& ids = sources.ids;
+  ids.erase(std::remove_if(ids.begin(), ids.end(),
+              [&gone](vtkIdType id)
+              { return std::binary_search(gone.begin(), gone.end(), static_cast<Id>(id)); }),
+    ids.end());
 }
 
 /// \throws SourceError
@@ -325,10 +382,12 @@ SourcePolylines readSource(
       }
     }
   }
+  const std::vector<vtkIdType> names = namesOfParts(source, result.ids);
   if (areLinesJoined)
   {
-    takeOut(joinLines(result.polylines, result.lines), result.ids);
+    joinLines(names, result);
   }
+  makeSources(names, result);
   return result;
 }
 

@@ -156,8 +156,8 @@ vtkNew<vtkDoubleArray> writeLines(const PowerOfTwoScale& scale,
 }
 
 void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
-  const std::vector<SourceCurve>& curves, const std::vector<std::vector<double>>& arcLengths,
-  vtkPolyData* output)
+  const std::vector<SourceCurve>& curves, const std::vector<vtkIdType>& sourceIds,
+  const std::vector<std::vector<double>>& arcLengths, vtkPolyData* output)
 {
   requireMemoryOf(curves);
   LineCells cells(scale);
@@ -176,9 +176,8 @@ void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
     output->GetPointData()->AddArray(lengths);
   }
   const auto sources = makeArray<vtkIdTypeArray>("SourceId", 0);
-  forEachInOrderOfCells(curves,
-    [&sources](const SourceCurve& curve)
-    { sources->InsertNextValue(static_cast<vtkIdType>(curve.source)); });
+  forEachInOrderOfCells(
+    curves, [&](const SourceCurve& curve) { sources->InsertNextValue(sourceIds[curve.source]); });
   output->GetCellData()->AddArray(sources);
 }
 
@@ -238,10 +237,7 @@ void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& p
     "TargetId", paths, [](const PathOfTarget& path) { return static_cast<vtkIdType>(path.target); },
     output);
   addArray<vtkIdTypeArray>(
-    "SourceId", paths,
-    [](const PathOfTarget& path)
-    { return path.end.source == NoId ? vtkIdType(-1) : static_cast<vtkIdType>(path.end.source); },
-    output);
+    "SourceId", paths, [](const PathOfTarget& path) { return path.sourceId; }, output);
   output->GetCellData()->AddArray(lengths);
   addArray<vtkDoubleArray>(
     "TargetSnapDistance", paths,
