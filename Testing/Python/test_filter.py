@@ -229,13 +229,15 @@ class SourceNames(unittest.TestCase):
         self.assertIn("Label", available)
 
     def test_points_have_the_label_of_the_nearest(self):
-        points_only = simple.ProgrammableFilter(
-            Input=self.labelled(), Script="output.SetPoints(inputs[0].VTKObject.GetPoints())\n"
-            "output.PointData.append(inputs[0].PointData['Label'], 'Label')")
-        field = GeodesicDistanceField(Input=plane(), Source=points_only, SourceIdArrayName="Label",
-                                      GenerateSourceIds=1)
+        marks = simple.GroupDatasets(Input=[
+            simple.PointSource(NumberOfPoints=1, Radius=0, Center=(x, 0.5, 0)) for x in (0.5, 2.5)])
+        labels = simple.Calculator(Input=marks, ResultArrayName="Label", ResultArrayType="Int",
+                                   Function="if(coordsX > 1, 8, 3)")
+        field = GeodesicDistanceField(Input=plane(), Source=labels, SourceIdArrayName="Label",
+                                      GenerateSourceIds=1, RefineMesh=0)
         ids = vtk_to_numpy(data(field).GetPointData().GetArray("SourceId"))
-        self.assertEqual(set(ids), {3, 8})
+        x = points(data(field))[:, 0]
+        self.assertTrue(np.all(ids[x < 1.5] == 3) and np.all(ids[x > 1.5] == 8))
 
 
 class Results(unittest.TestCase):
