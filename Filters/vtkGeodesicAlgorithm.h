@@ -111,6 +111,12 @@ public:
    * Whether points at exactly one place are one point, so that faces around it are connected. On by
    * default: formats without shared points (STL) or with seams (OBJ) need it. The output keeps the
    * points of the input in either case.
+   *
+   * Where points at one place are kept apart, a point of a source or of targets stands for the
+   * first that fits, unless it says which one it is: by the point array `vtkOriginalPointIds`, as
+   * Extract Selection makes it, if it lies at that point of the surface. Numbers of points that are
+   * elsewhere or do not exist are ignored, as are all numbers where the surface has several blocks
+   * or is distributed over ranks.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);

@@ -185,7 +185,7 @@ void FilterExecution::readCurves(SourcePatch& faces)
 {
   const std::vector<PolyDataBlock>& blocks = this->gatheredSource_.blocks;
   const PolyDataSurface& surface = this->surface();
-  SourcePolylines source = readSource(blocks, surface.scale, this->filter_->GetJoinLines());
+  SourcePolylines source = readSource(blocks, surface, this->filter_->GetJoinLines());
   const double precision = coordinatePrecisionOf(blocks);
   const LocatedPlaces located = this->cache_.locator().locate(
     source.polylines, precision, this->progressBetween(SurfaceRead, SourceLocated));

@@ -12,6 +12,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
@@ -104,11 +105,30 @@ PolyDataBlock surfaceBlock(vtkDataObject* data, const std::string& name)
   return { polyData, name, {} };
 }
 
+/// The points that those of a data set were taken from; empty if it does not say so.
+std::vector<vtkIdType> originalPointsOf(vtkPointSet* data)
+{
+  std::vector<vtkIdType> ids;
+  vtkDataArray* array = data->GetPointData()->GetArray("vtkOriginalPointIds");
+  const vtkIdType count = data->GetNumberOfPoints();
+  if (array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() >= count)
+  {
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      ids.push_back(static_cast<vtkIdType>(array->GetComponent(i, 0)));
+    }
+  }
+  return ids;
+}
+
 PolyDataBlock targetBlock(vtkDataObject* data, const std::string& name)
 {
+  auto* pointSet = requireType<vtkPointSet>(data, name, NoPoints);
   const auto points = vtkSmartPointer<vtkPolyData>::New();
-  points->SetPoints(requireType<vtkPointSet>(data, name, NoPoints)->GetPoints());
-  return { points, name, {} };
+  points->SetPoints(pointSet->GetPoints());
+  PolyDataBlock block{ points, name, {} };
+  block.originalPoints = originalPointsOf(pointSet);
+  return block;
 }
 
 vtkUnsignedCharArray* requireTypes(vtkUnstructuredGrid* grid, const std::string& name)
@@ -156,9 +176,11 @@ void addVerticesAndLines(vtkUnstructuredGrid* grid, PolyDataBlock& block)
 
 PolyDataBlock sourceBlock(vtkDataObject* data, const std::string& name)
 {
-  if (data->IsA("vtkPolyData"))
+  if (auto* polyData = vtkPolyData::SafeDownCast(data))
   {
-    return surfaceBlock(data, name);
+    PolyDataBlock block = surfaceBlock(data, name);
+    block.originalPoints = originalPointsOf(polyData);
+    return block;
   }
   PolyDataBlock block = targetBlock(data, name);
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
@@ -360,6 +382,7 @@ void putBlock(const PolyDataBlock& block, Message& message)
   putAll(message, block.inputCells);
   put(message, block.droppedCells);
   putAll(message, block.sourceIds);
+  putAll(message, block.originalPoints);
 }
 
 /// Adds the blocks of a message to others. \returns how many points they have.
@@ -389,6 +412,7 @@ std::size_t takeBlocks(
     blocks.push_back({ data, std::string(name.begin(), name.end()) + suffix, std::move(inputCells),
       reader.get<vtkIdType>() });
     blocks.back().sourceIds = reader.getAll<vtkIdType>();
+    blocks.back().originalPoints = reader.getAll<vtkIdType>();
   }
   return numberOfPoints;
 }

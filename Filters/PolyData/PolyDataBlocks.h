@@ -45,6 +45,9 @@ struct PolyDataBlock
   /// The ids of the parts of a source, by the numbers that cells have in the input, or by the
   /// points of a set of points. Empty unless an array names them; see sourceBlocks().
   std::vector<vtkIdType> sourceIds = {};
+  /// For each point of a source, or of targets, the point of the surface that it was taken from
+  /// (ParaView's array vtkOriginalPointIds). Empty where that is unknown.
+  std::vector<vtkIdType> originalPoints = {};
 
   /// The relative precision of the coordinates: epsilon of float or, without points, of double.
   double precision() const;

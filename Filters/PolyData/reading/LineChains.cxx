@@ -17,12 +17,13 @@ namespace
 
 constexpr std::size_t NoLine = static_cast<std::size_t>(-1);
 
-/// Where lines of a part meet: the coordinates, and the number of the part.
-using MeetingPlace = std::array<double, 4>;
+/// Where lines of a part meet: the coordinates, the number of the vertex and that of the part.
+using MeetingPlace = std::array<double, 5>;
 
-MeetingPlace meetingPlace(const Vec3& point, vtkIdType part)
+MeetingPlace meetingPlace(const LocatedPolyline& line, std::size_t end, vtkIdType part)
 {
-  return { point[0] + 0.0, point[1] + 0.0, point[2] + 0.0, // -0 and 0 are one place
+  const Vec3 point = line.points[end] + Vec3{}; // -0 and 0 are one place
+  return { point[0], point[1], point[2], static_cast<double>(line.vertexOf(end)),
     static_cast<double>(part) };
 }
 
@@ -189,6 +190,7 @@ LocatedPolyline joined(const Chain& chain, const std::vector<const LocatedPolyli
   {
     curve.points.push_back(line.points[isLast ? 1 : 0]);
     curve.pointNames.push_back(line.nameOfPoint(isLast ? 1 : 0));
+    curve.vertices.push_back(line.vertexOf(isLast ? 1 : 0));
   };
   for (std::size_t i = 0; i < lines.size(); ++i)
   {
@@ -208,7 +210,7 @@ std::vector<Id> joinLines(std::vector<LocatedPolyline>& polylines,
 {
   ChainFinder finder(lines.size(),
     [&](std::size_t line, std::size_t end)
-    { return meetingPlace(polylines[lines[line]].points[end], parts.empty() ? 0 : parts[line]); });
+    { return meetingPlace(polylines[lines[line]], end, parts.empty() ? 0 : parts[line]); });
   std::vector<bool> isGone(polylines.size(), false);
   for (const std::size_t line : lines)
   {

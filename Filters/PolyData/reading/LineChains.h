@@ -14,8 +14,8 @@ namespace geodesic
 
 /// Joins lines of two points, such as a section of a surface has in each face, to curves. A curve
 /// is a maximal chain of lines through places where exactly two lines meet. Lines meet where their
-/// ends have equal coordinates, if they belong to one part of the source. The time is linear in the
-/// number of lines.
+/// ends have equal coordinates and are one vertex, if they belong to one part of the source. The
+/// time is linear in the number of lines.
 ///
 /// A curve has the name and the source of its lowest line, and takes that line's position among the
 /// polylines. It runs in the direction of most of its lines; if as many run the other way, in the

@@ -18,6 +18,45 @@ namespace geodesic
 namespace
 {
 
+/// A number as an Id, or another one if it is none.
+Id idOr(vtkIdType number, Id other)
+{
+  return number >= 0 && number < static_cast<vtkIdType>(NoId) ? static_cast<Id>(number) : other;
+}
+
+/// The vertex of a point of the surface if a point in space lies there, within the precision of its
+/// coordinates; NoId if not. Points of several blocks or ranks have no numbers in common.
+Id vertexIfThere(
+  const PolyDataSurface& surface, Id number, const Vec3& place, double coordinatePrecision)
+{
+  if (surface.partition.isDistributed() || surface.blocks.size() != 1 ||
+    number >= surface.numberOfPoints)
+  {
+    return NoId;
+  }
+  const TriangleMesh& mesh = surface.mesh();
+  const Id vertex = surface.vertexOf(number);
+  if (vertex >= mesh.numberOfVertices() || mesh.cornersAt(vertex).size() == 0)
+  {
+    return NoId;
+  }
+  const Id face = someFace(mesh, SurfacePoint::atVertex(vertex));
+  const SnappedPoint there = snapToFace(mesh, face, place, coordinatePrecision);
+  const bool isThere = there.place.kind == SurfacePoint::Kind::Vertex && there.place.id == vertex &&
+    there.distance <= there.tolerance;
+  return isThere ? vertex : NoId;
+}
+
+/// Makes vertices of the numbers of the surface's points.
+void findVertices(const PolyDataSurface& surface, double coordinatePrecision, LocatedPolyline& line)
+{
+  for (std::size_t i = 0; i < line.vertices.size(); ++i)
+  {
+    line.vertices[i] =
+      vertexIfThere(surface, line.vertices[i], line.points[i], coordinatePrecision);
+  }
+}
+
 /// Takes the curves out of the cells of one block. Ids are numbers of cells and points.
 struct BlockReader
 {
@@ -120,6 +159,11 @@ struct BlockReader
     for (vtkIdType i = 0; i < size; ++i)
     {
       this->block.data->GetPoint(ids[i], line.points[static_cast<std::size_t>(i)].data());
+    }
+    for (vtkIdType i = 0; i < size && !this->block.originalPoints.empty(); ++i)
+    {
+      line.vertices.push_back(
+        idOr(this->block.originalPoints[static_cast<std::size_t>(ids[i])], NoId));
     }
     return line;
   }
@@ -289,9 +333,10 @@ std::vector<RankAddress> barriersAt(
 
 /// The targets, as polylines of one point each.
 std::vector<LocatedPolyline> readPoints(
-  const std::vector<PolyDataBlock>& blocks, const std::string& name, const PowerOfTwoScale& scale)
+  const std::vector<PolyDataBlock>& blocks, const std::string& name, const PolyDataSurface& surface)
 {
   std::vector<LocatedPolyline> points;
+  const double precision = coordinatePrecisionOf(blocks);
   for (const PolyDataBlock& block : blocks)
   {
     for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
@@ -299,11 +344,16 @@ std::vector<LocatedPolyline> readPoints(
       Vec3 p;
       block.data->GetPoint(i, p.data());
       LocatedPolyline& point = points.emplace_back();
-      point.points = { scale.toEngine(p) };
+      point.points = { surface.scale.toEngine(p) };
       if (isFinite(p) && !(norm(point.points.front()) < Infinity))
       {
         throw InputError("Point " + std::to_string(i) + " of " + block.name +
           " is too far from the surface for its size. Scale or move it upstream.");
+      }
+      if (isFinite(p) && !block.originalPoints.empty())
+      {
+        point.vertices = { idOr(block.originalPoints[static_cast<std::size_t>(i)], NoId) };
+        findVertices(surface, precision, point);
       }
     }
     if (const std::string bad = whereNotFinite(block); !bad.empty())
@@ -350,7 +400,7 @@ OwnPlace snapToOwnFace(const MeshPartition& surface, const Vec3& point,
 }
 
 SourcePolylines readSource(
-  const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale, bool areLinesJoined)
+  const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface, bool areLinesJoined)
 {
   SourcePolylines result;
   std::vector<std::vector<char>> used;
@@ -370,17 +420,19 @@ SourcePolylines readSource(
       throw SourceError(bad);
     }
   }
+  const double precision = coordinatePrecisionOf(source);
   for (LocatedPolyline& line : result.polylines)
   {
     for (std::size_t i = 0; i < line.points.size(); ++i)
     {
-      line.points[i] = scale.toEngine(line.points[i]);
+      line.points[i] = surface.scale.toEngine(line.points[i]);
       if (!(norm(line.points[i]) < Infinity))
       {
         throw SourceError('P' + line.nameOfPoint(i).substr(1) +
           " is too far from the surface for its size. Scale or move the source upstream.");
       }
     }
+    findVertices(surface, precision, line);
   }
   const std::vector<vtkIdType> names = namesOfParts(source, result.ids);
   if (areLinesJoined)
@@ -428,7 +480,7 @@ double coordinatePrecisionOf(const std::vector<PolyDataBlock>& source)
 Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
   const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress)
 {
-  const std::vector<LocatedPolyline> points = readPoints(blocks, name, surface.scale);
+  const std::vector<LocatedPolyline> points = readPoints(blocks, name, surface);
   const double precision = coordinatePrecisionOf(blocks);
   const LocatedPlaces located =
     locator.locate(points, precision, progressBetween(progress, 0.0, Located));
@@ -454,7 +506,9 @@ Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string&
       barriers[place].id == NoId)
     {
       targets.numbers.push_back(i);
-      targets.places.push_back(own[place].point.place);
+      const Id vertex = points[i].vertexOf(0);
+      targets.places.push_back(
+        vertex == NoId ? own[place].point.place : SurfacePoint::atVertex(vertex));
       targets.snapDistances.push_back(own[place].point.distance);
     }
   }

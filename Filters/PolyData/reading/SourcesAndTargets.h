@@ -3,7 +3,6 @@
 #define geodesic_SourcesAndTargets_h
 
 #include "PolyData/PolyDataBlocks.h"
-#include "PolyData/PowerOfTwoScale.h"
 #include "mesh/SurfacePoint.h"
 #include "source/PolylineLocator.h"
 
@@ -40,11 +39,12 @@ struct SourcePolylines
 /// of points, over all blocks in their order. If blocks have PolyDataBlock::sourceIds, all that has
 /// one value is a source with this id.
 ///
-/// \param scale of the surface that they belong to; the polylines have it too.
+/// \param surface that they belong to; the polylines have its scale. Points that name one of its
+///        points and lie there are this vertex.
 /// \param areLinesJoined whether cells of two points that meet are one curve: see LineChains.h.
 /// \throws SourceError where there is no point, one is not finite, or a value is no id.
 SourcePolylines readSource(
-  const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale, bool areLinesJoined);
+  const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface, bool areLinesJoined);
 
 /// Makes sure that no point of a source lies in a barrier: no path could leave it. All ranks call
 /// this together, and all throw.
