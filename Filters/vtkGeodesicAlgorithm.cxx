@@ -182,6 +182,7 @@ vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
 vtkGeodesicAlgorithm::~vtkGeodesicAlgorithm()
 {
   this->SetBarrierArrayName(nullptr);
+  this->SetSourceIdArrayName(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -380,6 +381,10 @@ void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SourceType: " << this->SourceType << "\n";
+  os << indent << "JoinLines: " << (this->JoinLines ? "On" : "Off") << "\n";
+  os << indent
+     << "SourceIdArrayName: " << (this->SourceIdArrayName ? this->SourceIdArrayName : "(none)")
+     << "\n";
   os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent

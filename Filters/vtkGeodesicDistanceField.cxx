@@ -81,7 +81,7 @@ public:
   ValuesAtPoints AtVertices{};
   ValuesAtPoints AtRefinedPoints{};
   /// What angles are measured in, and arc lengths along the curves: see SourceArrays.
-  std::vector<SourceFrame> Frames{};
+  SourceFrames Frames{};
   std::vector<std::vector<double>> ArcLengthsOfCurves{};
 
   static SourceArrayChoice ChoiceOf(const vtkGeodesicDistanceField* self)
@@ -116,7 +116,8 @@ public:
     if (this->Execution.hasSourceOutput())
     {
       writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale,
-        this->Execution.sources().curves, this->ArcLengthsOfCurves, curves);
+        this->Execution.sources().curves, this->Execution.sourceIds(), this->ArcLengthsOfCurves,
+        curves);
     }
   }
 
@@ -129,7 +130,8 @@ public:
       this->HasNewPoints);
     if (this->Choice.angles)
     {
-      this->Execution.shareResults(this->Frames);
+      this->Execution.shareResults(this->Frames.frames);
+      this->Execution.shareResults(this->Frames.ids);
     }
   }
 
@@ -257,7 +259,7 @@ public:
   SourceArrays Arrays() const
   {
     return { this->Execution.surface(), this->Execution.sources().curves,
-      this->Execution.firstBoundarySource(), this->Choice };
+      this->Execution.sourceIds(), this->Execution.firstBoundarySource(), this->Choice };
   }
 
   void FindSources(const SolvedSurface& solved)
@@ -277,7 +279,8 @@ public:
     this->AtVertices = arrays.atVertices(field, nearest, part(1));
     if (this->Choice.angles)
     {
-      this->Frames = framesBySource(nearest.curvesOnPatch(), curves);
+      this->Frames = framesBySource(nearest.curvesOnPatch(), curves, this->Execution.sourceIds(),
+        this->Execution.areSourcesNamed());
     }
     this->ArcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
     if (this->IsRefined)

@@ -53,13 +53,14 @@
  * comes from Clip, Threshold, Append Datasets or Redistribute DataSet: the output is a vtkPolyData
  * then, with the points and the data of the grid, and cells are numbered as in the grid. Its
  * quadratic and other curved cells become triangles through all their points; a three-dimensional
- * cell is an error that names it. Port 1, optional, takes the source: each line or polyline is a curve,
- * each point of a vertex cell a point source, polygons stand for their outlines. Data with vertex
- * cells only, or without cells, are a set of points, each of which (of those that the vertex cells
- * have) is a source of its own. Of a vtkUnstructuredGrid the lines and vertices count, other cells
- * are left out with a warning; any other vtkPointSet than that and vtkPolyData gives its points.
- * Cells that cannot be read, because offsets are missing, decrease or lead past the end of the
- * point ids, are an error that names the first one. Inputs are never modified.
+ * cell is an error that names it. Port 1, optional, takes the source: each polyline is a curve, as
+ * are lines that meet (see SetJoinLines()), each point of a vertex cell is a point source, polygons
+ * stand for their outlines. Data with vertex cells only, or without cells, are a set of points,
+ * each of which (of those that the vertex cells have) is a source of its own. Of a
+ * vtkUnstructuredGrid the lines and vertices count, other cells are left out with a warning; any
+ * other vtkPointSet than that and vtkPolyData gives its points. Cells that cannot be read, because
+ * offsets are missing, decrease or lead past the end of the point ids, are an error that names the
+ * first one. Inputs are never modified.
  *
  * @par Composite inputs:
  * Each port takes such a data set, or a vtkMultiBlockDataSet, vtkPartitionedDataSet or

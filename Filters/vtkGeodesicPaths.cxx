@@ -59,11 +59,13 @@ std::vector<PathOfTarget> FindPaths(FilterExecution& execution, bool withCells)
   options.progress = execution.progressBetween(FilterExecution::TargetsRead, PathsFound);
   std::vector<PathOfTarget> paths(targets.places.size());
   std::vector<std::vector<RankAddress>> faces(withCells ? paths.size() : 0);
+  const std::vector<vtkIdType>& ids = execution.sourceIds();
   pathsToSource(surface.partition, execution.patch(), execution.sources().curves, targets.places,
     options,
     [&](std::size_t i, const PathToSource& path)
     {
-      paths[i] = { targets.numbers[i], targets.snapDistances[i], {}, path.end, {} };
+      paths[i] = { targets.numbers[i], targets.snapDistances[i], {}, path.end,
+        path.end.source == NoId ? -1 : ids[path.end.source], {} };
       paths[i].points.reserve(path.points.size());
       for (const SurfacePoint& point : path.points)
       {
@@ -108,6 +110,7 @@ std::vector<PathOfTarget> SendHome(
       put(message, path.snapDistance);
       putAll(message, path.points);
       put(message, path.end);
+      put(message, path.sourceId);
       putAll(message, path.cells);
     }
   }
@@ -116,7 +119,7 @@ std::vector<PathOfTarget> SendHome(
     [&](int, MessageReader& reader)
     {
       paths.push_back({ reader.get<std::size_t>(), reader.get<double>(), reader.getAll<Vec3>(),
-        reader.get<PathEnd>(), reader.getAll<vtkIdType>() });
+        reader.get<PathEnd>(), reader.get<vtkIdType>(), reader.getAll<vtkIdType>() });
     });
   std::sort(paths.begin(), paths.end(),
     [](const PathOfTarget& a, const PathOfTarget& b) { return a.target < b.target; });
@@ -131,7 +134,7 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
   execution.requireTargets();
   execution.readInputs(true);
   std::vector<PathOfTarget> paths;
-  std::vector<SourceFrame> frames;
+  SourceFrames frames;
   PowerOfTwoScale scale;
   if (execution.surfacePlace() != SurfacePlace::OnOtherRank)
   {
@@ -139,7 +142,8 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
     if (this->GenerateSourceAngle)
     {
       const std::vector<SourceCurve>& curves = execution.sources().curves;
-      frames = framesBySource(CurvesOnPatch(execution.patch(), curves), curves);
+      frames = framesBySource(CurvesOnPatch(execution.patch(), curves), curves,
+        execution.sourceIds(), execution.areSourcesNamed());
     }
     scale = execution.surface().scale;
   }
@@ -150,7 +154,8 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
   }
   if (this->GenerateSourceAngle)
   {
-    execution.shareResults(frames);
+    execution.shareResults(frames.frames);
+    execution.shareResults(frames.ids);
     addSourceFrames(frames, vtkPolyData::GetData(outputVector, 0));
   }
   execution.enter(Stage::WritingOutputs);

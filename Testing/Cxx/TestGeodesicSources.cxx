@@ -86,7 +86,7 @@ void CheckKinds(Check& check)
         data->SetVerts(cells);
       }),
     least({ DistanceTo({ p[0] }), DistanceTo({ p[1] }), DistanceTo({ p[3] }) }), 0, 3);
-  CheckSource(check, "two lines and a vertex",
+  CheckSource(check, "two lines that are one curve, and a vertex",
     WithCells(PointSources(p),
       [](vtkPolyData* data, vtkCellArray* cells)
       {
@@ -97,7 +97,7 @@ void CheckKinds(Check& check)
         vertices->InsertNextCell({ 3 });
         data->SetVerts(vertices);
       }),
-    least({ DistanceTo({ p[0], p[1], p[2] }), DistanceTo({ p[3] }) }), 2, 1);
+    least({ DistanceTo({ p[0], p[1], p[2] }), DistanceTo({ p[3] }) }), 1, 1);
   CheckSource(check, "a polygon stands for its outline",
     WithCells(PointSources(p),
       [](vtkPolyData* data, vtkCellArray* cells)

@@ -73,6 +73,8 @@ class Module(unittest.TestCase):
                                      ("OutputPointsPrecision", 2, 0),
                                      ("RefineSourceBorders", False, True),
                                      ("MaximumDistance", 0.0, 1.5),
+                                     ("JoinLines", True, False),
+                                     ("SourceIdArrayName", None, "labels"),
                                      ("MergeCoincidentPoints", True, False),
                                      ("BarrierArrayName", None, "walls"),
                                      ("DistanceArrayName", "GeodesicDistance", "Depth")):

@@ -170,8 +170,8 @@ void writeCells(const std::vector<PathOfTarget>& paths, vtkIdType size, vtkPolyD
 }
 
 void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
-  const std::vector<SourceCurve>& curves, const std::vector<std::vector<double>>& arcLengths,
-  vtkPolyData* output)
+  const std::vector<SourceCurve>& curves, const std::vector<vtkIdType>& sourceIds,
+  const std::vector<std::vector<double>>& arcLengths, vtkPolyData* output)
 {
   requireMemoryOf(curves);
   LineCells cells(scale);
@@ -190,9 +190,8 @@ void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
     output->GetPointData()->AddArray(lengths);
   }
   const auto sources = makeArray<vtkIdTypeArray>("SourceId", 0);
-  forEachInOrderOfCells(curves,
-    [&sources](const SourceCurve& curve)
-    { sources->InsertNextValue(static_cast<vtkIdType>(curve.source)); });
+  forEachInOrderOfCells(
+    curves, [&](const SourceCurve& curve) { sources->InsertNextValue(sourceIds[curve.source]); });
   output->GetCellData()->AddArray(sources);
 }
 
@@ -256,10 +255,7 @@ void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& p
     "TargetId", paths, [](const PathOfTarget& path) { return static_cast<vtkIdType>(path.target); },
     output);
   addArray<vtkIdTypeArray>(
-    "SourceId", paths,
-    [](const PathOfTarget& path)
-    { return path.end.source == NoId ? vtkIdType(-1) : static_cast<vtkIdType>(path.end.source); },
-    output);
+    "SourceId", paths, [](const PathOfTarget& path) { return path.sourceId; }, output);
   output->GetCellData()->AddArray(lengths);
   addArray<vtkDoubleArray>(
     "TargetSnapDistance", paths,

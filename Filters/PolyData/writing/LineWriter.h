@@ -19,12 +19,13 @@ namespace geodesic
 {
 
 /// The curves as cells: a polyline each, a vertex where a curve is one point. The cell array
-/// SourceId has SourceCurve::source of each.
+/// SourceId has the id of each.
 ///
+/// \param sourceIds by SourceCurve::source.
 /// \param arcLengths for the point array SourceArcLength, those of each curve's points; or empty.
 void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
-  const std::vector<SourceCurve>& curves, const std::vector<std::vector<double>>& arcLengths,
-  vtkPolyData* output);
+  const std::vector<SourceCurve>& curves, const std::vector<vtkIdType>& sourceIds,
+  const std::vector<std::vector<double>>& arcLengths, vtkPolyData* output);
 
 /// Lines on a mesh, with their values in the user's units.
 struct WrittenIsolines
@@ -53,6 +54,7 @@ struct PathOfTarget
   double snapDistance = 0.0;
   std::vector<Vec3> points;
   PathEnd end;
+  vtkIdType sourceId = -1;
   /// The input's cell between each point and the next, if cells are asked for; see cellsOfFaces().
   std::vector<vtkIdType> cells;
 };
