@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What VTK's data sets hold, as numpy arrays. All blocks of a composite data set count, one after another."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import (VTK_PIXEL, VTK_POLYGON, VTK_QUAD, VTK_TRIANGLE, VTK_TRIANGLE_STRIP,
+                                           vtkCompositeDataSet, vtkPolyData, vtkUnstructuredGrid)
+
+SURFACES = (vtkPolyData, vtkUnstructuredGrid)
+FACES = (VTK_TRIANGLE, VTK_TRIANGLE_STRIP, VTK_POLYGON, VTK_PIXEL, VTK_QUAD)
+
+
+def blocks_of(data):
+    """The surfaces in a data set that may be composite."""
+    if not isinstance(data, vtkCompositeDataSet):
+        return [data]
+    blocks, iterator = [], data.NewIterator()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        blocks.append(iterator.GetCurrentDataObject())
+        iterator.GoToNextItem()
+    return [block for block in blocks if isinstance(block, SURFACES)]
+
+
+def points_of(data):
+    parts = [vtk_to_numpy(block.GetPoints().GetData()) for block in blocks_of(data) if block.GetNumberOfPoints()]
+    return np.concatenate(parts) if parts else np.empty((0, 3))
+
+
+def faces_of(data):
+    """Indices of points: an array where all faces have as many, else a list of arrays."""
+    return _rows(*_cells(data, vtkPolyData.GetPolys))
+
+
+def lines_of(data):
+    """Indices of points as faces_of(), and the arrays of the lines alone, by their names."""
+    vertices = data.GetNumberOfVerts()  # come first in cell data
+    own = slice(vertices, vertices + data.GetNumberOfLines())
+    return (_rows(*_cells(data, vtkPolyData.GetLines)),
+            {name: array[own] for name, array in arrays_of([data.GetCellData()]).items()})
+
+
+def arrays_of(attributes):
+    """The arrays that all blocks' point or cell data have, by their names."""
+    names = [[data.GetArrayName(i) for i in range(data.GetNumberOfArrays()) if data.GetArray(i)]
+             for data in attributes]
+    common = [name for name in (names[0] if names else []) if all(name in others for others in names)]
+    return {name: np.concatenate([vtk_to_numpy(data.GetArray(name)) for data in attributes]) for name in common}
+
+
+def used_points(data):
+    """Whether a face uses the point, for each one."""
+    used = [np.zeros(block.GetNumberOfPoints(), bool) for block in blocks_of(data)]
+    for block, flags in zip(blocks_of(data), used):
+        ids = _corners(block)
+        flags[ids[(ids >= 0) & (ids < len(flags))]] = True
+    return np.concatenate([np.empty(0, bool), *used])
+
+
+def _corners(block):
+    """The points that faces name, also those that do not exist."""
+    if isinstance(block, vtkPolyData):
+        return np.concatenate([_arrays(cells)[1] for cells in (block.GetPolys(), block.GetStrips())])
+    offsets, ids = _arrays(block.GetCells())
+    are_faces = np.isin([block.GetCellType(i) for i in range(block.GetNumberOfCells())], FACES)
+    return ids[np.repeat(are_faces, np.diff(offsets))]
+
+
+def _cells(data, cells_of):
+    """The number of points of each cell, and the points of all."""
+    sizes, points, start = [np.empty(0, int)], [np.empty(0, int)], 0
+    for block in blocks_of(data):
+        offsets, ids = _arrays(cells_of(block))
+        sizes.append(np.diff(offsets))
+        points.append(start + ids)
+        start += block.GetNumberOfPoints()
+    return np.concatenate(sizes), np.concatenate(points)
+
+
+def _arrays(cells):
+    """Offsets and points of a vtkCellArray."""
+    if not cells or not cells.GetNumberOfCells():
+        return np.zeros(1, int), np.empty(0, int)
+    return vtk_to_numpy(cells.GetOffsetsArray()), vtk_to_numpy(cells.GetConnectivityArray())
+
+
+def _rows(sizes, ids):
+    if len(sizes) and (sizes == sizes[0]).all():
+        return ids.reshape(-1, sizes[0])
+    return np.split(ids, np.cumsum(sizes)[:-1]) if len(sizes) else []
