@@ -4,7 +4,7 @@
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (VTK_PIXEL, VTK_POLYGON, VTK_QUAD, VTK_TRIANGLE, VTK_TRIANGLE_STRIP,
-                                           vtkCompositeDataSet, vtkPolyData, vtkUnstructuredGrid)
+                                           vtkCellTypes, vtkCompositeDataSet, vtkPolyData, vtkUnstructuredGrid)
 
 SURFACES = (vtkPolyData, vtkUnstructuredGrid)
 FACES = (VTK_TRIANGLE, VTK_TRIANGLE_STRIP, VTK_POLYGON, VTK_PIXEL, VTK_QUAD)
@@ -60,28 +60,34 @@ def used_points(data):
 def _corners(block):
     """The points that faces name, also those that do not exist."""
     if isinstance(block, vtkPolyData):
-        return np.concatenate([_arrays(cells)[1] for cells in (block.GetPolys(), block.GetStrips())])
-    offsets, ids = _arrays(block.GetCells())
+        return np.concatenate([_points(cells) for cells in (block.GetPolys(), block.GetStrips())])
+    kinds = vtkCellTypes()
+    block.GetCellTypes(kinds)
+    ids = _points(block.GetCells())
+    if all(kinds.GetCellType(i) in FACES for i in range(kinds.GetNumberOfTypes())):
+        return ids
     are_faces = np.isin([block.GetCellType(i) for i in range(block.GetNumberOfCells())], FACES)
-    return ids[np.repeat(are_faces, np.diff(offsets))]
+    return ids[np.repeat(are_faces, _sizes(block.GetCells()))]
 
 
 def _cells(data, cells_of):
     """The number of points of each cell, and the points of all."""
     sizes, points, start = [np.empty(0, int)], [np.empty(0, int)], 0
     for block in blocks_of(data):
-        offsets, ids = _arrays(cells_of(block))
-        sizes.append(np.diff(offsets))
-        points.append(start + ids)
+        sizes.append(_sizes(cells_of(block)))
+        points.append(start + _points(cells_of(block)))
         start += block.GetNumberOfPoints()
     return np.concatenate(sizes), np.concatenate(points)
 
 
-def _arrays(cells):
-    """Offsets and points of a vtkCellArray."""
-    if not cells or not cells.GetNumberOfCells():
-        return np.zeros(1, int), np.empty(0, int)
-    return vtk_to_numpy(cells.GetOffsetsArray()), vtk_to_numpy(cells.GetConnectivityArray())
+def _sizes(cells):
+    """The number of points of each cell of a vtkCellArray."""
+    return np.diff(vtk_to_numpy(cells.GetOffsetsArray())) if cells.GetNumberOfCells() else np.empty(0, int)
+
+
+def _points(cells):
+    """The points of all cells of a vtkCellArray."""
+    return vtk_to_numpy(cells.GetConnectivityArray()) if cells.GetNumberOfCells() else np.empty(0, int)
 
 
 def _rows(sizes, ids):
