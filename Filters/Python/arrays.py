@@ -4,7 +4,7 @@
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (VTK_PIXEL, VTK_POLYGON, VTK_QUAD, VTK_TRIANGLE, VTK_TRIANGLE_STRIP,
-                                           vtkCellTypes, vtkCompositeDataSet, vtkPolyData, vtkUnstructuredGrid)
+                                           vtkCompositeDataSet, vtkPolyData, vtkUnstructuredGrid)
 
 SURFACES = (vtkPolyData, vtkUnstructuredGrid)
 FACES = (VTK_TRIANGLE, VTK_TRIANGLE_STRIP, VTK_POLYGON, VTK_PIXEL, VTK_QUAD)
@@ -23,8 +23,9 @@ def blocks_of(data):
 
 
 def points_of(data):
+    """The coordinates of the points: VTK's own where there are not several blocks."""
     parts = [vtk_to_numpy(block.GetPoints().GetData()) for block in blocks_of(data) if block.GetNumberOfPoints()]
-    return np.concatenate(parts) if parts else np.empty((0, 3))
+    return parts[0] if len(parts) == 1 else np.concatenate([np.empty((0, 3)), *parts])
 
 
 def faces_of(data):
@@ -61,13 +62,9 @@ def _corners(block):
     """The points that faces name, also those that do not exist."""
     if isinstance(block, vtkPolyData):
         return np.concatenate([_points(cells) for cells in (block.GetPolys(), block.GetStrips())])
-    kinds = vtkCellTypes()
-    block.GetCellTypes(kinds)
-    ids = _points(block.GetCells())
-    if all(kinds.GetCellType(i) in FACES for i in range(kinds.GetNumberOfTypes())):
-        return ids
     are_faces = np.isin([block.GetCellType(i) for i in range(block.GetNumberOfCells())], FACES)
-    return ids[np.repeat(are_faces, _sizes(block.GetCells()))]
+    ids = _points(block.GetCells())
+    return ids if are_faces.all() else ids[np.repeat(are_faces, _sizes(block.GetCells()))]
 
 
 def _cells(data, cells_of):

@@ -32,6 +32,7 @@ class Surface:
             self._properties["barrier_array_name"] = "barriers"
         self._threads = threads
         self._filters = {}
+        self._used = None, None  # which points faces use, and at which state of the data
 
     def distance(self, source, *, maximum_distance=0, accuracy=None, relative_error=None, unreached_value=0,
                  custom_unreached_value=-1, boundary=False):
@@ -66,7 +67,7 @@ class Surface:
             given["relative_error"] = vtkGeodesicDistanceField().GetRelativeError()
         output = Surface._run(kind=vtkGeodesicDistanceField, **given)
         return {**arrays.arrays_of([block.GetPointData() for block in arrays.blocks_of(output)]), **_frames(output),
-                "points": arrays.points_of(output), "faces": arrays.faces_of(output)}
+                "points": np.array(arrays.points_of(output)), "faces": arrays.faces_of(output)}
 
     def contour(self, source, distances, *, chord_tolerance=0.0001, tolerance_is_absolute=False,
                 absolute_chord_tolerance=1, signed_distances=False, boundary=False):
@@ -163,7 +164,7 @@ class Surface:
         """The targets as a data set, and which of them (by index) belong to faces; one is there also where none does."""
         data, of_faces = self._places(targets, "The set of targets")
         if of_faces.size and not of_faces.any():
-            data = inputs.indexed_points(np.flatnonzero(arrays.used_points(self._data))[:1], self._data)
+            data = inputs.indexed_points(np.flatnonzero(self._used_points())[:1], self._data)
         return data, of_faces
 
     def _places(self, where, name):
@@ -182,13 +183,18 @@ class Surface:
 
     def _are_of_faces(self, ids):
         """Whether a face uses the point, or one at its place that is merged with it."""
-        used = arrays.used_points(self._data)
+        used = self._used_points()
         if used[ids].all() or not used.any():  # where there are no faces the filter says so
             return np.ones(ids.shape, bool)
         if self._properties["merge_coincident_points"]:
             places = np.unique(arrays.points_of(self._data), axis=0, return_inverse=True)[1].ravel()
             used = np.isin(places, places[used])
         return used[ids]
+
+    def _used_points(self):
+        if self._used[0] != self._data.GetMTime():
+            self._used = self._data.GetMTime(), arrays.used_points(self._data)
+        return self._used[1]
 
     def _number_of_points(self):
         return sum(block.GetNumberOfPoints() for block in arrays.blocks_of(self._data))
@@ -257,7 +263,7 @@ def _with_infinite(table, are_there, axis):
 
 def _lines(output):
     lines, of_lines = arrays.lines_of(output)
-    return {"points": arrays.points_of(output), "lines": lines, **of_lines}
+    return {"points": np.array(arrays.points_of(output)), "lines": lines, **of_lines}
 
 
 def _frames(output):
