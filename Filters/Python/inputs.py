@@ -31,7 +31,7 @@ def surface_data(surface):
 def with_cell_array(data, values, name):
     """A data set that has a cell array more than this one, of which it is a shallow copy."""
     if isinstance(data, vtkCompositeDataSet):
-        raise GeodesicError("Barriers of a composite surface are given by the name of a cell array that its blocks have.")
+        raise GeodesicError("Barriers of a composite surface are given by the name of a cell array of its blocks.")
     copy = data.NewInstance()
     copy.ShallowCopy(data)
     array = numpy_to_vtk(numbers(values, name.capitalize()), deep=True)

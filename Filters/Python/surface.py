@@ -61,11 +61,12 @@ class Surface:
         interpolated linearly; the points of the surface come first then.
         """
         given = dict(locals())
+        filter = vtkGeodesicDistanceField
         if accuracy is None:
-            given["accuracy"] = vtkGeodesicDistanceField.EXACT if relative_error is None else vtkGeodesicDistanceField.APPROXIMATE
+            given["accuracy"] = filter.EXACT if relative_error is None else filter.APPROXIMATE
         if relative_error is None:
-            given["relative_error"] = vtkGeodesicDistanceField().GetRelativeError()
-        output = Surface._run(kind=vtkGeodesicDistanceField, **given)
+            given["relative_error"] = filter().GetRelativeError()
+        output = Surface._run(kind=filter, **given)
         return {**arrays.arrays_of([block.GetPointData() for block in arrays.blocks_of(output)]), **_frames(output),
                 "points": np.array(arrays.points_of(output)), "faces": arrays.faces_of(output)}
 
@@ -92,14 +93,16 @@ class Surface:
         result = {**_lines(output), **_frames(output)}
         if not of_faces.any():
             return {name: array[:0] for name, array in result.items()}
-        return {**result, "TargetId": np.flatnonzero(of_faces)[result["TargetId"]]}
+        if not of_faces.all():
+            result["TargetId"] = np.flatnonzero(of_faces)[result["TargetId"]]
+        return result
 
     def matrix(self, source=None, targets=None, *, pairs=None, maximum_distance=0, boundary=False):
         """The distances of each target (row) to each part of the source (column), each alone.
 
         Targets are given as a source is; without them they are the points of the source. Instead of both, pairs takes
-        rows of two indices of points, k x 2, and gives one distance a row, without the whole table: the points of the
-        column that has fewer of them are measured from once each, no farther than to their partners.
+        rows of two indices of points, k x 2, and gives one distance a row, without the whole table: it
+        measures from as few points as will do, once from each, no farther than to its partners.
         """
         if pairs is None:
             return self._table(source, targets, maximum_distance=maximum_distance, boundary=boundary)
@@ -124,13 +127,13 @@ class Surface:
         of_faces = self._are_of_faces(pairs).all(axis=1)
         _warn_of_unreached(of_faces, "pairs")
         rows = np.flatnonzero(of_faces)
-        one = int(len(np.unique(pairs[rows, 1])) < len(np.unique(pairs[rows, 0])))
-        rows = rows[np.argsort(pairs[rows, one], kind="stable")]
+        sources, targets = _few_sources(pairs[rows])
+        order = np.argsort(sources, kind="stable")
         result = np.full(len(pairs), np.inf)
-        for group in np.split(rows, np.flatnonzero(np.diff(pairs[rows, one])) + 1):
+        for group in np.split(order, np.flatnonzero(np.diff(sources[order])) + 1):
             if len(group):
-                ends = (inputs.indexed_points(ids, self._data) for ids in (pairs[group[:1], one], pairs[group, 1 - one]))
-                result[group] = _columns(self._run(vtkGeodesicDistanceMatrix, *ends, **given))[:, 0]
+                ends = (inputs.indexed_points(ids, self._data) for ids in (sources[group[:1]], targets[group]))
+                result[rows[group]] = _columns(self._run(vtkGeodesicDistanceMatrix, *ends, **given))[:, 0]
         return result
 
     def _run(self, kind, source, targets=None, *, distances=(), boundary=False, **properties):
@@ -156,12 +159,12 @@ class Surface:
     def _source(self, source):
         data, of_faces = self._places(source, "The source")
         if not of_faces.all():
-            number = np.flatnonzero(~of_faces)[0]
-            raise GeodesicError(f"Point {np.atleast_1d(source)[number]} of the source belongs to no face of the surface.")
+            point = inputs.point_indices(source, self._number_of_points(), "The source")[~of_faces][0]
+            raise GeodesicError(f"Point {point} of the source belongs to no face of the surface.")
         return data
 
     def _targets(self, targets):
-        """The targets as a data set, and which of them (by index) belong to faces; one is there also where none does."""
+        """The targets as a data set, and which of them belong to faces; one is in the data set also where none does."""
         data, of_faces = self._places(targets, "The set of targets")
         if of_faces.size and not of_faces.any():
             data = inputs.indexed_points(np.flatnonzero(self._used_points())[:1], self._data)
@@ -228,7 +231,7 @@ def _threads(number):
         yield
         return
     if number < 1:
-        raise GeodesicError(f"threads is {number}: give a number of at least 1, or None for what vtkSMPTools is set to.")
+        raise GeodesicError(f"threads is {number}: give at least 1, or None for what vtkSMPTools is set to.")
     backend = vtkSMPTools.GetBackend()
     if number > 1 and backend == "Sequential":
         vtkSMPTools.SetBackend("STDThread")
@@ -239,6 +242,15 @@ def _threads(number):
     finally:
         vtkSMPTools.Initialize(before)
         vtkSMPTools.SetBackend(backend)
+
+
+def _few_sources(pairs):
+    """The ends of pairs of which there are fewer, and the other ends: one column, or of each pair the busier end."""
+    count = np.bincount(pairs.ravel())
+    ways = np.zeros(len(pairs), int), np.ones(len(pairs), int), (count[pairs[:, 1]] > count[pairs[:, 0]]).astype(int)
+    rows = np.arange(len(pairs))
+    column = min(ways, key=lambda way: len(np.unique(pairs[rows, way])))
+    return pairs[rows, column], pairs[rows, 1 - column]
 
 
 def _warn_of_unreached(of_faces, what):

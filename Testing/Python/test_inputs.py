@@ -193,7 +193,8 @@ class Surfaces(unittest.TestCase):
     def test_that_are_wrong_are_refused_with_what_is_right(self):
         points, faces = hills(np.random.default_rng(FIRST))
         n = len(points)
-        tetrahedra = types.SimpleNamespace(points=points, cells=[types.SimpleNamespace(type="tetra", data=[[0, 1, 2, 3]])])
+        cells = [types.SimpleNamespace(type="tetra", data=[[0, 1, 2, 3]])]
+        tetrahedra = types.SimpleNamespace(points=points, cells=cells)
         bad = points.copy()
         bad[1] = np.nan
         for surface, message in (
@@ -310,8 +311,9 @@ class Sources(unittest.TestCase):
             with self.assertRaisesRegex(GeodesicError, "belongs to (no|a) face"):
                 ask(n)
         np.testing.assert_array_equal(distance((more, faces), n + 1), distance((more, faces), 3))
-        with self.assertRaisesRegex(GeodesicError, f"Point {n + 1} of the source belongs to no face"):
-            distance((more, faces), n + 1, merge_coincident_points=False)
+        for source in (n + 1, [0, n + 1], np.arange(n + 2) == n + 1):
+            with self.assertRaisesRegex(GeodesicError, f"Point {n + 1} of the source belongs to no face"):
+                distance((more, faces), source, merge_coincident_points=False)
 
 
 class Barriers(unittest.TestCase):
@@ -324,7 +326,8 @@ class Barriers(unittest.TestCase):
         array = numpy_to_vtk(walls.astype(np.int8), deep=True)
         array.SetName("walls")
         data.GetCellData().AddArray(array)
-        forms = [((points, faces), walls.tolist()), ((points, faces), walls.astype(float)), (data, walls), (data, "walls")]
+        forms = [((points, faces), walls.tolist()), ((points, faces), walls.astype(float)), (data, walls),
+                 (data, "walls")]
         if pandas:
             forms.append(((points, faces), pandas.Series(walls)))
         for surface, barriers in forms:

@@ -58,8 +58,10 @@ class Words(unittest.TestCase):
 
     def test_of_errors_are_ours_alone(self):
         for call, message in (
-                (lambda: distance(octahedron(), None), "The surface is closed: it has no boundary to measure from. Give a source."),
-                (lambda: contour(sheet(), 0, []), "There is no value to draw lines at: give at least one in distances."),
+                (lambda: distance(octahedron(), None), "The surface is closed: it has no boundary to measure from. "
+                                                       "Give a source."),
+                (lambda: contour(sheet(), 0, []),
+                 "There is no value to draw lines at: give at least one in distances."),
                 (lambda: contour(sheet(), 0, [-1]),
                  "Value 0 is -1: set distances that are finite numbers of at least 0, or set signed_distances=True."),
                 (lambda: contour(sheet(), 0, 1, chord_tolerance=0), "chord_tolerance is not a positive number: .*"),
@@ -115,8 +117,8 @@ class Silence(unittest.TestCase):
 
     def test_of_vtk_hides_no_error(self):
         kept = Surface(octahedron())
-        for ask in (lambda: distance(octahedron(), None), lambda: kept.distance(None), lambda: contour(octahedron(), None, 1),
-                    lambda: paths(octahedron(), None, 1), lambda: matrix(octahedron(), None, 1)):
+        for ask in (lambda: distance(octahedron(), None), lambda: kept.distance(None),
+                    lambda: contour(octahedron(), None, 1), lambda: paths(octahedron(), None, 1), lambda: matrix(octahedron(), None, 1)):
             with self.assertRaisesRegex(GeodesicError, "^The surface is closed"):
                 ask()
         self.assertEqual(kept.distance(0)[0], 0)
