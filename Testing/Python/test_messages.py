@@ -118,7 +118,8 @@ class Silence(unittest.TestCase):
     def test_of_vtk_hides_no_error(self):
         kept = Surface(octahedron())
         for ask in (lambda: distance(octahedron(), None), lambda: kept.distance(None),
-                    lambda: contour(octahedron(), None, 1), lambda: paths(octahedron(), None, 1), lambda: matrix(octahedron(), None, 1)):
+                    lambda: contour(octahedron(), None, 1), lambda: paths(octahedron(), None, 1),
+                    lambda: matrix(octahedron(), None, 1)):
             with self.assertRaisesRegex(GeodesicError, "^The surface is closed"):
                 ask()
         self.assertEqual(kept.distance(0)[0], 0)

@@ -11,7 +11,9 @@ import numpy as np
 import geodesicdistance
 from geodesicdistance import GeodesicError, Surface, contour, curve, distance, field, matrix, paths
 from test_functions import EXACT, as_poly_data, octahedron, sheet
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 LINE = curve([(0.25, 0.5, 0), (0.75, 0.5, 0)])
 # A function, its positional arguments and its options: each on the sheet.
@@ -31,6 +33,13 @@ CALLS = (
     ("matrix", ([4, 40],), {}),
     ("matrix", (), dict(pairs=[(0, 8), (3, 80), (0, 4)])),
     ("distance", (0,), {}))
+
+
+def cells(rows):
+    array = vtkCellArray()
+    for row in rows:
+        array.InsertNextCell(len(row), [int(i) for i in row])
+    return array
 
 
 def same(one, other):
@@ -73,6 +82,9 @@ class Kept(unittest.TestCase):
             kept.distance(3, maximum_distance=-1)
         with self.assertRaises(GeodesicError):
             kept.contour(3, [])
+        kept.matrix([3, 4])
+        with self.assertRaisesRegex(GeodesicError, "There are no targets"):
+            kept.matrix(None)
         np.testing.assert_array_equal(kept.distance(3), expected)
 
     def test_has_a_copy_of_arrays_but_follows_a_data_set(self):
@@ -87,6 +99,18 @@ class Kept(unittest.TestCase):
             data.GetPoints().SetPoint(i, points[i])
         data.Modified()
         np.testing.assert_allclose(following.distance(0), 2 * expected, atol=EXACT)
+        inside = following.distance(None)
+        vtk_to_numpy(data.GetPoints().GetData())[:] *= 2  # of which VTK learns nothing
+        np.testing.assert_allclose(following.distance(None), 2 * inside, atol=EXACT)
+
+    def test_follows_what_faces_use(self):
+        points, faces = sheet()
+        data = as_poly_data((np.concatenate((points, [(1.5, 0, 0)])), faces))
+        kept = Surface(data)
+        with self.assertRaisesRegex(GeodesicError, "belongs to no face"):
+            kept.distance(81)
+        data.SetPolys(cells([*faces, (8, 81, 17)]))
+        self.assertAlmostEqual(kept.distance(81)[8], 0.5, delta=EXACT)
 
     def test_results_stay_when_more_is_asked(self):
         kept = Surface(sheet())
@@ -179,15 +203,15 @@ class Pairs(unittest.TestCase):
     def test_are_measured_from_as_few_points_as_will_do(self):
         kept = Surface(sheet())
         ids = range(80)
-        for pairs in ([(i, 5) for i in ids], [(5, i) for i in ids], [(i, 5)[::(-1) ** i] for i in ids]):
-            kept.matrix(0, 1)
-            (filter,) = kept._filters.values()
-            solves = []
-            tag = filter.AddObserver("StartEvent", lambda *_: solves.append(1))
-            result = kept.matrix(pairs=pairs)
-            filter.RemoveObserver(tag)
-            np.testing.assert_array_equal(result, kept.matrix(5, range(80))[:, 0])
-            self.assertEqual(len(solves), 1)
+        kept.matrix(0, 1)
+        (filter,) = kept._filters.values()
+        solves = []
+        filter.AddObserver("StartEvent", lambda *_: solves.append(1))
+        for pairs, number in (([(i, 5) for i in ids], 1), ([(5, i) for i in ids], 1),
+                              ([(i, 5)[::(-1) ** i] for i in ids], 1), ([(1, 8), (2, 8), (1, 9), (3, 9)], 2)):
+            solves.clear()
+            kept.matrix(pairs=pairs)
+            self.assertEqual(len(solves), number)
 
     def test_stop_at_a_maximum_and_where_there_is_no_path(self):
         points, faces = sheet()
