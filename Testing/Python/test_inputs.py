@@ -206,6 +206,7 @@ class Surfaces(unittest.TestCase):
                 ((points, [(0, 1, n)]), f"to {n}, but there are {n} points"),
                 ((points, [(0, 1, 2), (0, 1, 2, n)]), f"to {n}, but there are {n} points"),
                 ((points, [(0, 1, -1)]), "from -1 to 1"),
+                (poly_data(points, [(0, 1, n)]), f"names point {n}, but there are only"),
                 ((points, [(0, 1), (1, 2)]), "Face 0 has 2 corners"),
                 ((points, [(0, 1, 2), (1, 2)]), "Face 1 has 2 corners"),
                 ((points, [0, 1, 2, 1, 2, 3]), r"faces.reshape\(-1, 3\)"),
