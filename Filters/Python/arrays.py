@@ -3,11 +3,14 @@
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import (VTK_PIXEL, VTK_POLYGON, VTK_QUAD, VTK_TRIANGLE, VTK_TRIANGLE_STRIP,
+from vtkmodules.vtkCommonDataModel import (VTK_BEZIER_CURVE, VTK_CUBIC_LINE, VTK_EMPTY_CELL, VTK_LAGRANGE_CURVE,
+                                           VTK_LINE, VTK_POLY_LINE, VTK_POLY_VERTEX, VTK_QUADRATIC_EDGE, VTK_VERTEX,
                                            vtkCompositeDataSet, vtkPolyData, vtkUnstructuredGrid)
 
 SURFACES = (vtkPolyData, vtkUnstructuredGrid)
-FACES = (VTK_TRIANGLE, VTK_TRIANGLE_STRIP, VTK_POLYGON, VTK_PIXEL, VTK_QUAD)
+# The cells of a grid that lie beside faces.
+NO_FACES = (VTK_EMPTY_CELL, VTK_VERTEX, VTK_POLY_VERTEX, VTK_LINE, VTK_POLY_LINE, VTK_QUADRATIC_EDGE, VTK_CUBIC_LINE,
+            VTK_LAGRANGE_CURVE, VTK_BEZIER_CURVE)
 
 
 def blocks_of(data):
@@ -62,7 +65,7 @@ def _corners(block):
     """The points that faces name, also those that do not exist."""
     if isinstance(block, vtkPolyData):
         return np.concatenate([_points(cells) for cells in (block.GetPolys(), block.GetStrips())])
-    are_faces = np.isin([block.GetCellType(i) for i in range(block.GetNumberOfCells())], FACES)
+    are_faces = ~np.isin([block.GetCellType(i) for i in range(block.GetNumberOfCells())], NO_FACES)
     ids = _points(block.GetCells())
     return ids if are_faces.all() else ids[np.repeat(are_faces, _sizes(block.GetCells()))]
 
