@@ -18,14 +18,21 @@ FACE_TYPES, OTHER_TYPES = ("triangle", "quad", "polygon"), ("vertex", "line")
 
 def surface_data(surface):
     """A surface in one of its forms as a data set."""
+    surface = unwrapped(surface)
     if isinstance(surface, (*SURFACES, vtkCompositeDataSet)):
         return surface
     if isinstance(surface, vtkDataObject):
-        raise GeodesicError(f"A {surface.GetClassName()} is no surface: vtkDataSetSurfaceFilter makes one of it.")
+        raise GeodesicError(f"A {surface.GetClassName()} is no surface: vtkDataSetSurfaceFilter (of PyVista "
+                            "extract_surface()) makes one of it.")
     points, faces = _points_and_faces(surface)
     data = point_set(points, "The points of the surface")
     data.SetPolys(_cell_array(*_corners(faces, data.GetNumberOfPoints())))
     return data
+
+
+def unwrapped(data):
+    """What VTK's dataset_adapter has wrapped, as in ParaView's Programmable Filter."""
+    return getattr(data, "VTKObject", data)
 
 
 def with_cell_array(data, values, name):

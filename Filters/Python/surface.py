@@ -175,6 +175,7 @@ class Surface:
 
         Those that are not given by index always do.
         """
+        where = inputs.unwrapped(where)
         if isinstance(where, vtkDataObject):
             return where, np.ones(where.GetNumberOfElements(vtkDataObject.POINT), bool)
         ids = inputs.point_indices(where, self._number_of_points(), name)

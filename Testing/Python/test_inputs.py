@@ -11,6 +11,7 @@ import unittest
 import numpy as np
 
 from geodesicdistance import GeodesicError, contour, curve, distance, field, matrix, paths
+from vtkmodules.numpy_interface import dataset_adapter
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable)
@@ -97,6 +98,7 @@ def surfaces_of_triangles(points, faces):
     yield "VTK's flat list, as a list", (points, with_counts(faces))
     yield "VTK's list in rows", (points, padded)
     yield "VTK's list in lists", (points, padded.tolist())
+    yield "dataset_adapter", dataset_adapter.WrapDataObject(poly_data(points, faces))
     yield "like trimesh", types.SimpleNamespace(vertices=points, faces=array)
     yield "like open3d", types.SimpleNamespace(vertices=AsArray(points), triangles=AsArray(array))
     yield "like vedo", types.SimpleNamespace(vertices=points, cells=faces)
@@ -256,7 +258,8 @@ class Sources(unittest.TestCase):
                     np.testing.assert_array_equal(distance((points, faces), form), expected)
                     np.testing.assert_array_equal(matrix((points, faces), 0, form), matrix((points, faces), 0, ids))
             one = distance((points, faces), poly_data(points[[4]], []))
-            for form in (4, np.int32(4), np.array(4), [4], range(4, 5), points[4], points[4].tolist(), tuple(points[4]),
+            wrapped = dataset_adapter.WrapDataObject(poly_data(points[[4]], []))
+            for form in (wrapped, 4, np.int32(4), np.array(4), [4], range(4, 5), points[4], points[4].tolist(), tuple(points[4]),
                          curve(points[[4]])):
                 with self.subTest(form=repr(form), seed=seed):
                     np.testing.assert_array_equal(distance((points, faces), form), one)
