@@ -59,6 +59,11 @@ def with_counts(faces):
     return [value for face in faces for value in (len(face), *face)]
 
 
+def tell_counts(faces):
+    """Whether the counts before faces would be a second corner at some point if they were corners."""
+    return any(len(face) in face for face in faces)
+
+
 def blocks_by_size(faces):
     """Faces as the blocks of a meshio mesh, with edges and vertices as Gmsh writes them."""
     kinds = {3: "triangle", 4: "quad"}
@@ -121,7 +126,8 @@ def surfaces_of_mixed_faces(points, faces):
     yield "a list of arrays", (points, list(map(np.array, faces)))
     yield "an array of rows", (points, np.array(faces + [None], object)[:-1])
     yield "VTK's flat list", (points, np.array(with_counts(faces)))
-    yield "VTK's list in rows", (points, [[len(face), *face] for face in faces])
+    if tell_counts(faces):
+        yield "VTK's list in rows", (points, [[len(face), *face] for face in faces])
     yield "like meshio", types.SimpleNamespace(points=points, cells=blocks_by_size(faces))
     yield "like meshio, polygons", types.SimpleNamespace(
         points=points, cells=[types.SimpleNamespace(type="polygon", data=[face]) for face in faces])
@@ -148,6 +154,16 @@ class Surfaces(unittest.TestCase):
                     result = field(surface, 5)
                     np.testing.assert_array_equal(result["faces"], expected["faces"])
                     np.testing.assert_array_equal(result["GeodesicDistance"], expected["GeodesicDistance"])
+
+    def test_with_counts_that_could_be_corners_are_refused(self):
+        refused = 0
+        for seed in range(FIRST, FIRST + 10 * COUNT):
+            points, faces = hills(np.random.default_rng(seed), mixed=True)
+            if not tell_counts(faces):
+                refused += 1
+                with self.assertRaisesRegex(GeodesicError, "counts"):
+                    distance((points, [[len(face), *face] for face in faces]), 5)
+        print(f"{refused} of {10 * COUNT} surfaces with counts were refused")
 
     def test_of_blocks_have_the_points_of_all_blocks(self):
         points, faces = hills(np.random.default_rng(FIRST))
