@@ -52,6 +52,11 @@ def arrays_of(attributes):
     return {name: np.concatenate([vtk_to_numpy(data.GetArray(name)) for data in attributes]) for name in common}
 
 
+def point_array(data, name):
+    """One array at the points."""
+    return np.concatenate([vtk_to_numpy(block.GetPointData().GetArray(name)) for block in blocks_of(data)])
+
+
 def used_points(data):
     """Whether a face uses the point, for each one."""
     used = [np.zeros(block.GetNumberOfPoints(), bool) for block in blocks_of(data)]

@@ -40,7 +40,8 @@ class Surface:
 
         The arguments are those of field().
         """
-        return Surface.field(**locals())["GeodesicDistance"]
+        output = Surface._solve(**{**FIELD_DEFAULTS, **locals()})
+        return arrays.point_array(output, "GeodesicDistance")
 
     def field(self, source, *, maximum_distance=0, accuracy=None, relative_error=None, refine_mesh=False,
               refinement_tolerance=0.001, tolerance_is_absolute=False, absolute_refinement_tolerance=1,
@@ -60,13 +61,7 @@ class Surface:
         distances smaller by at most that fraction. With refine_mesh=True faces are split until the distance can be
         interpolated linearly; the points of the surface come first then.
         """
-        given = dict(locals())
-        filter = vtkGeodesicDistanceField
-        if accuracy is None:
-            given["accuracy"] = filter.EXACT if relative_error is None else filter.APPROXIMATE
-        if relative_error is None:
-            given["relative_error"] = filter().GetRelativeError()
-        output = Surface._run(kind=filter, **given)
+        output = Surface._solve(**locals())
         return {**arrays.arrays_of([block.GetPointData() for block in arrays.blocks_of(output)]), **_frames(output),
                 "points": np.array(arrays.points_of(output)), "faces": arrays.faces_of(output)}
 
@@ -109,6 +104,15 @@ class Surface:
         if source is not None or targets is not None or boundary:
             raise GeodesicError("pairs has the indices of both points: give no source and no targets with it.")
         return self._distances_of_pairs(pairs, maximum_distance=maximum_distance)
+
+    def _solve(self, accuracy, relative_error, **given):
+        """The output of the field's filter."""
+        kind = vtkGeodesicDistanceField
+        if accuracy is None:
+            accuracy = kind.EXACT if relative_error is None else kind.APPROXIMATE
+        if relative_error is None:
+            relative_error = kind().GetRelativeError()
+        return self._run(kind, accuracy=accuracy, relative_error=relative_error, **given)
 
     def _table(self, source, targets, **given):
         """The matrix, in which points that no face uses are infinitely far."""
@@ -204,6 +208,8 @@ class Surface:
         return sum(block.GetNumberOfPoints() for block in arrays.blocks_of(self._data))
 
 
+FIELD_DEFAULTS = {name: parameter.default for name, parameter in inspect.signature(Surface.field).parameters.items()
+                  if parameter.kind == parameter.KEYWORD_ONLY}
 METHODS = (Surface.distance, Surface.field, Surface.contour, Surface.paths, Surface.matrix)
 # Properties of the filters, as their messages name them, and what they are called here.
 ARGUMENTS = {property_name(argument): argument for function in (Surface, *METHODS)
