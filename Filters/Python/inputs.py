@@ -135,6 +135,8 @@ def _array(values, name):
     if isinstance(values, (set, frozenset, dict, str, bytes)):
         raise GeodesicError(f"{name} is given as a {type(values).__name__}. It is an index of a point or several, or "
                             "positions (number x 3), as a list or an array.")
+    if np.ma.is_masked(values):
+        raise GeodesicError(f"{name}: values are masked. Give the others alone.")
     try:
         array = np.asarray(values)
         if array.dtype == object:  # a pandas column of Int64

@@ -23,8 +23,8 @@ PHRASES = (
     (r"Connect a surface", "Give a surface"),
     (r"set at least one distance \(.*?\)", "give at least one in distances"),
     (r"set Accuracy to Approximate", "set relative_error"),
-    (r"(switch|turn) (\w+) off", r"set \2=False"),
-    (r"(switch|turn) (\w+) on", r"set \2=True"),
+    (r"switch ([A-Z]\w+) off", r"set \1=False"),
+    (r"switch ([A-Z]\w+) on", r"set \1=True"),
 )
 
 

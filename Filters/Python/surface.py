@@ -22,6 +22,8 @@ class Surface:
     merge_tolerance, threads: see help(geodesicdistance). Each method is the function of its name without these.
     """
 
+    # Where a method begins, locals() are its arguments: they are handed on by their names.
+
     def __init__(self, surface, *, barriers=None, merge_coincident_points=True, threads=None):
         self._data = inputs.surface_data(surface)
         self._properties = {"merge_coincident_points": merge_coincident_points, "barrier_array_name": None}
@@ -96,8 +98,8 @@ class Surface:
         """The distances of each target (row) to each part of the source (column), each alone.
 
         Targets are given as a source is; without them they are the points of the source. Instead of both, pairs takes
-        rows of two indices of points, k x 2, and gives one distance a row, without the whole table: it
-        measures from as few points as will do, once from each, no farther than to its partners.
+        rows of two indices of points, k x 2, and gives one distance a row, without the whole table: it measures from
+        as few points as will do, once from each, no farther than to its partners.
         """
         if pairs is None:
             return self._table(source, targets, maximum_distance=maximum_distance, boundary=boundary)

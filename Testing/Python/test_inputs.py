@@ -297,6 +297,7 @@ class Sources(unittest.TestCase):
                 ([[0, 1]], r"\(number, 3\)"),
                 ([[0, 1, 2], [3, 4]], "rows differ in length"),
                 ([0, None], "not an array of numbers"),
+                (np.ma.masked_equal([0, 1], 1), "values are masked"),
                 (object(), "not an array of numbers"),
                 (iter([0, 1]), "not an array of numbers"),
                 ([curve([(0, 0, 0)])], "not an array of numbers"),
