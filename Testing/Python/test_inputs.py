@@ -7,6 +7,7 @@ GEODESIC_TEST_SEEDS=FIRST,COUNT takes other random surfaces.
 import os
 import types
 import unittest
+import warnings
 
 import numpy as np
 
@@ -14,7 +15,8 @@ from geodesicdistance import GeodesicError, contour, curve, distance, field, mat
 from vtkmodules.numpy_interface import dataset_adapter
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable)
+from vtkmodules.vtkCommonDataModel import (VTK_LINE, VTK_QUAD, VTK_TRIANGLE, vtkCellArray, vtkImageData,
+                                           vtkMultiBlockDataSet, vtkPolyData, vtkTable, vtkUnstructuredGrid)
 
 FIRST, COUNT = map(int, os.environ.get("GEODESIC_TEST_SEEDS", "1,10").split(","))
 EXACT = 1e-12
@@ -52,6 +54,17 @@ def poly_data(points, faces):
         cells.InsertNextCell(len(face), face)
     data.SetPoints(places)
     data.SetPolys(cells)
+    return data
+
+
+def grid(points, faces):
+    """A vtkUnstructuredGrid, with a line between the first two points."""
+    data = vtkUnstructuredGrid()
+    data.SetPoints(poly_data(points, []).GetPoints())
+    data.Allocate(len(faces) + 1)
+    for face in faces:
+        data.InsertNextCell({3: VTK_TRIANGLE, 4: VTK_QUAD}[len(face)], len(face), face)
+    data.InsertNextCell(VTK_LINE, 2, (0, 1))
     return data
 
 
@@ -104,6 +117,7 @@ def surfaces_of_triangles(points, faces):
     yield "VTK's list in rows", (points, padded)
     yield "VTK's list in lists", (points, padded.tolist())
     yield "dataset_adapter", dataset_adapter.WrapDataObject(poly_data(points, faces))
+    yield "vtkUnstructuredGrid", grid(points, faces)
     yield "like trimesh", types.SimpleNamespace(vertices=points, faces=array)
     yield "like open3d", types.SimpleNamespace(vertices=AsArray(points), triangles=AsArray(array))
     yield "like vedo", types.SimpleNamespace(vertices=points, cells=faces)
@@ -121,6 +135,7 @@ def surfaces_of_triangles(points, faces):
 
 
 def surfaces_of_mixed_faces(points, faces):
+    yield "vtkUnstructuredGrid", grid(points, faces)
     yield "a list of rows", (points, faces)
     yield "tuples of rows", (points, tuple(map(tuple, faces)))
     yield "a list of arrays", (points, list(map(np.array, faces)))
@@ -181,6 +196,18 @@ class Surfaces(unittest.TestCase):
         of_block = np.concatenate((np.isin(np.arange(n), left), np.isin(np.arange(n), right)))
         np.testing.assert_allclose(result["GeodesicDistance"][of_block], np.concatenate((whole, whole))[of_block],
                                    atol=EXACT)
+
+    def test_of_grids_have_the_points_that_their_faces_use(self):
+        points, faces = hills(np.random.default_rng(FIRST))
+        stray = np.concatenate((points, [(0, 0, 9.0)]))
+        data = grid(stray, faces)
+        data.InsertNextCell(VTK_LINE, 2, (0, len(points)))
+        with self.assertRaisesRegex(GeodesicError, f"Point {len(points)} of the source belongs to no face"), \
+                warnings.catch_warnings():
+            distance(data, len(points))
+        with self.assertWarnsRegex(UserWarning, "1 of 2 targets not reached"):
+            table = matrix(data, 0, [len(points), 1])
+        np.testing.assert_array_equal(table[:, 0], distance((stray, faces), 0)[[len(points), 1]])
 
     def test_with_counts_before_quads_are_taken_for_quads(self):
         points, _ = hills(np.random.default_rng(FIRST))
@@ -275,8 +302,8 @@ class Sources(unittest.TestCase):
                     np.testing.assert_array_equal(matrix((points, faces), 0, form), matrix((points, faces), 0, ids))
             one = distance((points, faces), poly_data(points[[4]], []))
             wrapped = dataset_adapter.WrapDataObject(poly_data(points[[4]], []))
-            for form in (wrapped, 4, np.int32(4), np.array(4), [4], range(4, 5), points[4], points[4].tolist(), tuple(points[4]),
-                         curve(points[[4]])):
+            for form in (wrapped, 4, np.int32(4), np.array(4), [4], range(4, 5), points[4], points[4].tolist(),
+                         tuple(points[4]), curve(points[[4]])):
                 with self.subTest(form=repr(form), seed=seed):
                     np.testing.assert_array_equal(distance((points, faces), form), one)
 
