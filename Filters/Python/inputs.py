@@ -12,6 +12,8 @@ from .arrays import SURFACES, points_of
 from .messages import GeodesicError
 
 FORM = "geodesicdistance.distance((points, faces), source)"
+# The name of the array that is added to a surface.
+BARRIERS = "barriers"
 # The cells of meshio that are faces, and those that lie beside them in its files.
 FACE_TYPES, OTHER_TYPES = ("triangle", "quad", "polygon"), ("vertex", "line")
 
@@ -22,7 +24,7 @@ def surface_data(surface):
     if isinstance(surface, (*SURFACES, vtkCompositeDataSet)):
         return surface
     if isinstance(surface, vtkDataObject):
-        raise GeodesicError(f"A {surface.GetClassName()} is no surface: vtkDataSetSurfaceFilter (of PyVista "
+        raise GeodesicError(f"A {surface.GetClassName()} is no surface: vtkDataSetSurfaceFilter (in PyVista "
                             "extract_surface()) makes one of it.")
     points, faces = _points_and_faces(surface)
     data = point_set(points, "The points of the surface")
@@ -35,15 +37,20 @@ def unwrapped(data):
     return getattr(data, "VTKObject", data)
 
 
-def with_cell_array(data, values, name):
-    """A data set that has a cell array more than this one, of which it is a shallow copy."""
+def with_barriers(surface, barriers):
+    """A shallow copy of a surface with the cell array BARRIERS."""
+    copy = _shallow_copy(surface, "Barriers")
+    array = numpy_to_vtk(numbers(barriers, "Barriers"), deep=True)
+    array.SetName(BARRIERS)
+    copy.GetCellData().AddArray(array)
+    return copy
+
+
+def _shallow_copy(data, what):
     if isinstance(data, vtkCompositeDataSet):
-        raise GeodesicError("Barriers of a composite surface are given by the name of a cell array of its blocks.")
+        raise GeodesicError(f"{what}: blocks have no array in common; give the name of an array that they have.")
     copy = data.NewInstance()
     copy.ShallowCopy(data)
-    array = numpy_to_vtk(numbers(values, name.capitalize()), deep=True)
-    array.SetName(name)
-    copy.GetCellData().AddArray(array)
     return copy
 
 

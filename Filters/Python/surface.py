@@ -24,14 +24,15 @@ class Surface:
 
     # Where a method begins, locals() are its arguments: they are handed on by their names.
 
-    def __init__(self, surface, *, barriers=None, merge_coincident_points=True, threads=None):
+    def __init__(self, surface, *, barriers=None, merge_coincident_points=True, merge_tolerance=0, threads=None):
         self._data = inputs.surface_data(surface)
-        self._properties = {"merge_coincident_points": merge_coincident_points, "barrier_array_name": None}
+        self._properties = {"merge_coincident_points": merge_coincident_points, "merge_tolerance": merge_tolerance,
+                            "barrier_array_name": None}
         if isinstance(barriers, str):
             self._properties["barrier_array_name"] = barriers
         elif barriers is not None:
-            self._data = inputs.with_cell_array(self._data, barriers, "barriers")
-            self._properties["barrier_array_name"] = "barriers"
+            self._data = inputs.with_barriers(self._data, barriers)
+            self._properties["barrier_array_name"] = inputs.BARRIERS
         self._threads = threads
         self._filters = {}
         self._used = None, None  # which points faces use, and at which state of the data
@@ -76,18 +77,22 @@ class Surface:
         """
         return _lines(Surface._run(kind=vtkGeodesicContour, **locals()))
 
-    def paths(self, source, targets, *, generate_source_arc_length=False, generate_source_angle=False, boundary=False):
+    def paths(self, source, targets, *, generate_source_arc_length=False, generate_source_angle=False,
+              generate_face_ids=False, boundary=False):
         """The shortest path from each target (given as a source is) to the source, as a dictionary of arrays.
 
         "lines" has the indices into "points" for each path, "GeodesicDistance" its length, "TargetId" the number of
         its target, "SourceId" the part of the source that it ends on. generate_source_arc_length and
-        generate_source_angle add arrays about this end, as for field(). Targets that are not reached have no path.
+        generate_source_angle add arrays about this end, as for field(); generate_face_ids adds "FaceId": for
+        each of the points the face through which the path goes on. Targets that are not reached have no path.
         """
         given = dict(locals())
         given["targets"], of_faces = self._targets(targets)
         _warn_of_unreached(of_faces, "targets")
         output = Surface._run(kind=vtkGeodesicPaths, **given)
         result = {**_lines(output), **_frames(output)}
+        if generate_face_ids:
+            result["FaceId"] = arrays.arrays_of([output.GetPointData()])["FaceId"]
         if not of_faces.any():
             return {name: array[:0] for name, array in result.items()}
         if not of_faces.all():

@@ -387,6 +387,8 @@ class Barriers(unittest.TestCase):
                                   (["a"], "numbers are needed"), ([[0, 1]] * len(surface[1]), "components")):
             with self.assertRaisesRegex(GeodesicError, message):
                 distance(surface, 0, barriers=barriers)
+        with self.assertRaisesRegex(GeodesicError, "Barriers: blocks have no array in common"):
+            distance(vtkMultiBlockDataSet(), [(0, 0, 0)], barriers=[1])
 
 
 class Packages(unittest.TestCase):

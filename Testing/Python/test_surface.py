@@ -187,6 +187,28 @@ class Properties(unittest.TestCase):
         self.assertEqual(matrix((points, faces), [40, 0], [80], boundary=True).shape, (1, 3))
 
 
+class Joined(unittest.TestCase):
+    def test_are_boundary_points_within_the_tolerance(self):
+        left, right = sheet(2), sheet(2)
+        points = np.concatenate((left[0], right[0] + (1.001, 0, 0)))
+        faces = np.concatenate((left[1], right[1] + len(left[0])))
+        apart = distance((points, faces), 0)
+        self.assertTrue(np.isinf(apart[9:]).all())
+        whole = distance((points, faces), 0, merge_tolerance=0.01)
+        np.testing.assert_allclose(whole, np.linalg.norm(points, axis=1), atol=0.01)
+
+    def test_are_faces_to_the_points_of_paths(self):
+        points, faces = sheet()
+        way = paths((points, faces), 0, [(0.9, 0.35, 0)], generate_face_ids=True)
+        self.assertEqual(len(way["FaceId"]), len(way["points"]))
+        ids = way["lines"][0]
+        for start, end in zip(ids, ids[1:]):
+            corners = points[faces[way["FaceId"][start]]]
+            middle = way["points"][[start, end]].mean(axis=0)
+            weights = np.linalg.solve(np.column_stack((corners[:, :2], np.ones(3))).T, (*middle[:2], 1))
+            self.assertTrue((weights > -EXACT).all())
+
+
 class Pairs(unittest.TestCase):
     def test_have_the_distances_of_the_whole_table(self):
         random = np.random.default_rng(7)
