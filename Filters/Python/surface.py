@@ -52,7 +52,7 @@ class Surface:
               custom_unreached_value=-1, remove_unused_points=False, distance_array_name="GeodesicDistance",
               generate_source_ids=False, generate_closest_points=False, generate_gradients=False,
               generate_signed_distance=False, generate_source_arc_length=False, generate_source_angle=False,
-              generate_texture_coordinates=False, output_points_precision=2, boundary=False):
+              generate_texture_coordinates=False, output_points_precision=2, boundary=False, join_lines=True):
         """The distances and what else is asked for, as a dictionary of arrays.
 
         "points" and "faces" are the surface, and the arrays at its points have the names that they have in VTK:
@@ -69,7 +69,7 @@ class Surface:
                 "points": np.array(arrays.points_of(output)), "faces": arrays.faces_of(output)}
 
     def contour(self, source, distances, *, chord_tolerance=0.0001, tolerance_is_absolute=False,
-                absolute_chord_tolerance=1, signed_distances=False, boundary=False):
+                absolute_chord_tolerance=1, signed_distances=False, boundary=False, join_lines=True):
         """The lines at the given distances from the source, as a dictionary of arrays.
 
         "lines" has the indices into "points" for each line, "GeodesicDistance" the distance of each line. At distance 0
@@ -78,7 +78,7 @@ class Surface:
         return _lines(Surface._run(kind=vtkGeodesicContour, **locals()))
 
     def paths(self, source, targets, *, generate_source_arc_length=False, generate_source_angle=False,
-              generate_face_ids=False, boundary=False):
+              generate_face_ids=False, boundary=False, join_lines=True):
         """The shortest path from each target (given as a source is) to the source, as a dictionary of arrays.
 
         "lines" has the indices into "points" for each path, "GeodesicDistance" its length, "TargetId" the number of
@@ -99,7 +99,7 @@ class Surface:
             result["TargetId"] = np.flatnonzero(of_faces)[result["TargetId"]]
         return result
 
-    def matrix(self, source=None, targets=None, *, pairs=None, maximum_distance=0, boundary=False):
+    def matrix(self, source=None, targets=None, *, pairs=None, maximum_distance=0, boundary=False, join_lines=True):
         """The distances of each target (row) to each part of the source (column), each alone.
 
         Targets are given as a source is; without them they are the points of the source. Instead of both, pairs takes
@@ -107,7 +107,8 @@ class Surface:
         as few points as will do, once from each, no farther than to its partners.
         """
         if pairs is None:
-            return self._table(source, targets, maximum_distance=maximum_distance, boundary=boundary)
+            return self._table(source, targets, maximum_distance=maximum_distance, boundary=boundary,
+                               join_lines=join_lines)
         if source is not None or targets is not None or boundary:
             raise GeodesicError("pairs has the indices of both points: give no source and no targets with it.")
         return self._distances_of_pairs(pairs, maximum_distance=maximum_distance)

@@ -187,6 +187,21 @@ class Properties(unittest.TestCase):
         self.assertEqual(matrix((points, faces), [40, 0], [80], boundary=True).shape, (1, 3))
 
 
+class Parts(unittest.TestCase):
+    def test_that_are_two_point_lines_are_joined_unless_that_is_off(self):
+        points, faces = sheet()
+        pieces = as_poly_data(([(0.25, 0.5, 0), (0.5, 0.5, 0), (0.75, 0.5, 0)], []))
+        pieces.SetLines(cells([(0, 1), (1, 2)]))
+        joined = field((points, faces), pieces, generate_source_ids=True, generate_source_arc_length=True)
+        whole = field((points, faces), LINE, generate_source_ids=True, generate_source_arc_length=True)
+        for name in ("SourceId", "SourceArcLength", "GeodesicDistance"):
+            np.testing.assert_allclose(joined[name], whole[name], atol=EXACT)
+        apart = field((points, faces), pieces, generate_source_ids=True, join_lines=False)
+        self.assertEqual(set(apart["SourceId"]), {0, 1})
+        self.assertEqual(matrix((points, faces), pieces, 0).shape, (1, 1))
+        self.assertEqual(matrix((points, faces), pieces, 0, join_lines=False).shape, (1, 2))
+
+
 class Joined(unittest.TestCase):
     def test_are_boundary_points_within_the_tolerance(self):
         left, right = sheet(2), sheet(2)
