@@ -12,8 +12,8 @@ from .arrays import SURFACES, points_of
 from .messages import GeodesicError
 
 FORM = "geodesicdistance.distance((points, faces), source)"
-# The name of the array that is added to a surface.
-BARRIERS = "barriers"
+# Names of the arrays that are added to inputs.
+BARRIERS, SOURCE_IDS = "barriers", "source_ids"
 # The cells of meshio that are faces, and those that lie beside them in its files.
 FACE_TYPES, OTHER_TYPES = ("triangle", "quad", "polygon"), ("vertex", "line")
 
@@ -43,6 +43,24 @@ def with_barriers(surface, barriers):
     array = numpy_to_vtk(numbers(barriers, "Barriers"), deep=True)
     array.SetName(BARRIERS)
     copy.GetCellData().AddArray(array)
+    return copy
+
+
+def with_ids(source, ids):
+    """A shallow copy of a source with the array SOURCE_IDS, at its cells or at its points, as many as there are."""
+    ids = _array(ids, "source_ids")
+    if source is None or ids.ndim != 1 or not np.issubdtype(ids.dtype, np.integer):
+        raise GeodesicError("source_ids has an integer for each part of the source.")
+    copy = _shallow_copy(source, "source_ids")
+    counts = (copy.GetCellData(), copy.GetNumberOfCells()), (copy.GetPointData(), copy.GetNumberOfPoints())
+    if ids.size not in (counts[0][1], counts[1][1]):
+        raise GeodesicError(f"source_ids has {ids.size} integers, but the source has {counts[0][1]} cells and "
+                            f"{counts[1][1]} points.")
+    array = numpy_to_vtkIdTypeArray(ids.astype(np.int64), deep=True)
+    array.SetName(SOURCE_IDS)
+    for attributes, count in counts:
+        if count == ids.size:
+            attributes.AddArray(array)
     return copy
 
 

@@ -52,7 +52,8 @@ class Surface:
               custom_unreached_value=-1, remove_unused_points=False, distance_array_name="GeodesicDistance",
               generate_source_ids=False, generate_closest_points=False, generate_gradients=False,
               generate_signed_distance=False, generate_source_arc_length=False, generate_source_angle=False,
-              generate_texture_coordinates=False, output_points_precision=2, boundary=False, join_lines=True):
+              generate_texture_coordinates=False, output_points_precision=2, boundary=False, join_lines=True,
+              source_ids=None):
         """The distances and what else is asked for, as a dictionary of arrays.
 
         "points" and "faces" are the surface, and the arrays at its points have the names that they have in VTK:
@@ -69,7 +70,7 @@ class Surface:
                 "points": np.array(arrays.points_of(output)), "faces": arrays.faces_of(output)}
 
     def contour(self, source, distances, *, chord_tolerance=0.0001, tolerance_is_absolute=False,
-                absolute_chord_tolerance=1, signed_distances=False, boundary=False, join_lines=True):
+                absolute_chord_tolerance=1, signed_distances=False, boundary=False, join_lines=True, source_ids=None):
         """The lines at the given distances from the source, as a dictionary of arrays.
 
         "lines" has the indices into "points" for each line, "GeodesicDistance" the distance of each line. At distance 0
@@ -78,7 +79,7 @@ class Surface:
         return _lines(Surface._run(kind=vtkGeodesicContour, **locals()))
 
     def paths(self, source, targets, *, generate_source_arc_length=False, generate_source_angle=False,
-              generate_face_ids=False, boundary=False, join_lines=True):
+              generate_face_ids=False, boundary=False, join_lines=True, source_ids=None):
         """The shortest path from each target (given as a source is) to the source, as a dictionary of arrays.
 
         "lines" has the indices into "points" for each path, "GeodesicDistance" its length, "TargetId" the number of
@@ -99,7 +100,8 @@ class Surface:
             result["TargetId"] = np.flatnonzero(of_faces)[result["TargetId"]]
         return result
 
-    def matrix(self, source=None, targets=None, *, pairs=None, maximum_distance=0, boundary=False, join_lines=True):
+    def matrix(self, source=None, targets=None, *, pairs=None, maximum_distance=0, boundary=False, join_lines=True,
+               source_ids=None):
         """The distances of each target (row) to each part of the source (column), each alone.
 
         Targets are given as a source is; without them they are the points of the source. Instead of both, pairs takes
@@ -108,8 +110,8 @@ class Surface:
         """
         if pairs is None:
             return self._table(source, targets, maximum_distance=maximum_distance, boundary=boundary,
-                               join_lines=join_lines)
-        if source is not None or targets is not None or boundary:
+                               join_lines=join_lines, source_ids=source_ids)
+        if source is not None or targets is not None or boundary or source_ids is not None:
             raise GeodesicError("pairs has the indices of both points: give no source and no targets with it.")
         return self._distances_of_pairs(pairs, maximum_distance=maximum_distance)
 
@@ -125,6 +127,8 @@ class Surface:
     def _table(self, source, targets, **given):
         """The matrix, in which points that no face uses are infinitely far."""
         data, columns = (None, np.ones(0, bool)) if source is None else self._places(source, "The source")
+        if given["source_ids"] is not None:
+            self._source(source)  # of whose points each has an id: none may be missing
         if columns.size and not columns.any():
             raise GeodesicError("No point of the source belongs to a face of the surface.")
         places, rows = (None, columns) if targets is None else self._targets(targets)
@@ -148,7 +152,7 @@ class Surface:
                 result[rows[group]] = _columns(self._run(vtkGeodesicDistanceMatrix, *ends, **given))[:, 0]
         return result
 
-    def _run(self, kind, source, targets=None, *, distances=(), boundary=False, **properties):
+    def _run(self, kind, source, targets=None, *, distances=(), boundary=False, source_ids=None, **properties):
         """The output of a filter of a kind, which is kept. targets: None or a data set."""
         if kind not in self._filters:
             self._filters[kind] = kind()
@@ -156,7 +160,11 @@ class Surface:
         filter = self._filters[kind]
         filter.SetSourceType(filter.SURFACE_BOUNDARY if source is None else
                              filter.CURVE_AND_BOUNDARY if boundary else filter.SOURCE_CURVE)
-        filter.SetSourceData(None if source is None else self._source(source))
+        data = None if source is None else self._source(source)
+        if source_ids is not None and not isinstance(source_ids, str):
+            data, source_ids = inputs.with_ids(data, source_ids), inputs.SOURCE_IDS
+        filter.SetSourceData(data)
+        filter.SetSourceIdArrayName(source_ids)
         if filter.GetNumberOfInputPorts() > 2:
             filter.SetTargetsData(targets)
         if kind is vtkGeodesicContour:
@@ -222,7 +230,7 @@ METHODS = (Surface.distance, Surface.field, Surface.contour, Surface.paths, Surf
 # Properties of the filters, as their messages name them, and what they are called here.
 ARGUMENTS = {property_name(argument): argument for function in (Surface, *METHODS)
              for argument in inspect.signature(function).parameters if "_" in argument}
-ARGUMENTS["BarrierArrayName"] = "barriers"
+ARGUMENTS.update(BarrierArrayName="barriers", SourceIdArrayName="source_ids")
 
 
 def _set(filter, argument, value):

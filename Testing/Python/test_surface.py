@@ -142,7 +142,8 @@ class Properties(unittest.TestCase):
     def test_have_the_defaults_of_the_filters(self):
         filters = {"field": geodesicdistance.vtkGeodesicDistanceField, "contour": geodesicdistance.vtkGeodesicContour,
                    "paths": geodesicdistance.vtkGeodesicPaths, "matrix": geodesicdistance.vtkGeodesicDistanceMatrix}
-        not_theirs = {"surface", "source", "targets", "distances", "pairs", "boundary", "barriers", "threads"}
+        not_theirs = {"surface", "source", "targets", "distances", "pairs", "boundary", "barriers", "threads",
+                      "source_ids"}
         chosen_here = {"refine_mesh": False, "accuracy": None, "relative_error": None}
         for name, kind in filters.items():
             for argument, parameter in inspect.signature(getattr(geodesicdistance, name)).parameters.items():
@@ -154,8 +155,8 @@ class Properties(unittest.TestCase):
 
     def test_are_all_arguments(self):
         """Each setter of the filters is an argument, or has another name here."""
-        others = {"Controller", "SourceType", "SourceConnection", "SourceData", "BarrierArrayName", "TargetsConnection",
-                  "TargetsData", "NumberOfContours", "Value"}
+        others = {"Controller", "SourceType", "SourceConnection", "SourceData", "BarrierArrayName", "SourceIdArrayName",
+                  "TargetsConnection", "TargetsData", "NumberOfContours", "Value"}
         for name, kind in (("field", "DistanceField"), ("contour", "Contour"), ("paths", "Paths"),
                            ("matrix", "DistanceMatrix")):
             kind = getattr(geodesicdistance, f"vtkGeodesic{kind}")
@@ -188,6 +189,23 @@ class Properties(unittest.TestCase):
 
 
 class Parts(unittest.TestCase):
+    def test_of_a_source_have_the_ids_that_are_given(self):
+        points, faces = sheet()
+        for source in ([0, 8, 80], points[[0, 8, 80]], as_poly_data((points[[0, 8, 80]], []))):
+            result = field((points, faces), source, source_ids=[7, 3, 7], generate_source_ids=True)
+            self.assertEqual(result["SourceId"][[0, 8, 80]].tolist(), [7, 3, 7])
+            table = matrix((points, faces), source, [0, 8, 80, 71], source_ids=[7, 3, 7])
+            expected = [distance((points, faces), ids)[[0, 8, 80, 71]] for ids in ([8], [0, 80])]
+            np.testing.assert_allclose(table.T, expected, atol=EXACT)
+            ways = paths((points, faces), source, [8, 80], source_ids=[7, 3, 7])
+            self.assertEqual(ways["SourceId"].tolist(), [3, 7])
+        two = as_poly_data(([(0.25, y, 0) for y in (0.25, 0.75)] + [(0.75, y, 0) for y in (0.25, 0.75)], []))
+        two.SetLines(cells([(0, 2), (1, 3)]))
+        nearest = np.where(points[:, 1] < 0.5, 5, 9)[points[:, 1] != 0.5]
+        for ids, expected in (([5, 9], nearest), (None, nearest // 9)):
+            result = field((points, faces), two, generate_source_ids=True, source_ids=ids)
+            self.assertEqual(result["SourceId"][points[:, 1] != 0.5].tolist(), expected.tolist())
+
     def test_that_are_two_point_lines_are_joined_unless_that_is_off(self):
         points, faces = sheet()
         pieces = as_poly_data(([(0.25, 0.5, 0), (0.5, 0.5, 0), (0.75, 0.5, 0)], []))
@@ -200,6 +218,16 @@ class Parts(unittest.TestCase):
         self.assertEqual(set(apart["SourceId"]), {0, 1})
         self.assertEqual(matrix((points, faces), pieces, 0).shape, (1, 1))
         self.assertEqual(matrix((points, faces), pieces, 0, join_lines=False).shape, (1, 2))
+
+    def test_that_are_wrong_are_refused(self):
+        for arguments, message in (({"source_ids": [1, 2, 3]}, "3 integers, but the source has 0 cells and 2 points"),
+                                   ({"source_ids": [1.5, 2]}, "an integer for each"),
+                                   ({"source_ids": 3}, "an integer for each"),
+                                   ({"source_ids": {1, 2}}, "given as a set"), ({"source_ids": "regions"}, "regions")):
+            with self.assertRaisesRegex(GeodesicError, message):
+                field(sheet(), [0, 8], **arguments)
+        with self.assertRaisesRegex(GeodesicError, "an integer for each"):
+            field(sheet(), None, source_ids=[0])
 
 
 class Joined(unittest.TestCase):
