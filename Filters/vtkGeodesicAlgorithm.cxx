@@ -7,9 +7,9 @@
 #include "PolyData/SurfaceCache.h"
 #include "PolyData/ranks/RankExchange.h"
 
-#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -17,13 +17,13 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <exception>
 #include <new>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -58,6 +58,16 @@ bool IsPieceWithData(
   return pieces <= processes || piece == (rank * pieces + processes - 1) / processes;
 }
 
+/// Leaves nothing in an output but, in a composite one, blocks as those of the surface.
+void MakeEmpty(vtkDataObject* surface, vtkDataObject* output)
+{
+  output->Initialize();
+  if (output->IsA("vtkDataObjectTree") && surface && surface->IsA(output->GetClassName()))
+  {
+    geodesic::makeBlocksLike(surface, output);
+  }
+}
+
 std::string MemoryNumbers(const geodesic::NotEnoughMemory& error)
 {
   constexpr int mega = 20;
@@ -65,6 +75,65 @@ std::string MemoryNumbers(const geodesic::NotEnoughMemory& error)
   return error.needed > 0
     ? " It takes " + std::to_string(error.needed >> mega) + " MB more, and " + available + "."
     : " Only " + available + ".";
+}
+
+/// Why an execution has not come to its end.
+struct Failure
+{
+  /// Empty: it was aborted.
+  std::string message;
+  /// Whether what was read of the surface can be used again.
+  bool isCacheKept = false;
+};
+
+/// Explains the exception that is being handled.
+///
+/// \param stage what was being done.
+/// \param adviceOnMemory what the user can do where memory has run out.
+Failure ExplainException(const std::string& stage, const std::string& adviceOnMemory)
+{
+  const auto noMemory = [&](const std::string& numbers)
+  {
+    return Failure{ "There is not enough memory for this surface: it ran out while " + stage + "." +
+        numbers + " Nothing of this is kept. " + adviceOnMemory,
+      false };
+  };
+  const auto unforeseen = [](const std::string& reason)
+  {
+    return Failure{ "The distance could not be computed, for a reason that was not foreseen" +
+        reason +
+        ". Please report this with the surface and the source, unless an observer of this filter "
+        "has thrown it.",
+      false };
+  };
+  try
+  {
+    throw;
+  }
+  catch (const geodesic::Aborted&)
+  {
+    return { {}, true };
+  }
+  catch (const geodesic::Error& error)
+  {
+    return { error.what(), true };
+  }
+  catch (const geodesic::NotEnoughMemory& error)
+  {
+    return noMemory(MemoryNumbers(error));
+  }
+  catch (const std::bad_alloc&)
+  {
+    return noMemory("");
+  }
+  catch (const std::exception& error)
+  {
+    return unforeseen(std::string(": ") + error.what());
+  }
+  catch (...)
+  {
+    return unforeseen(" and has no description");
+  }
 }
 
 }
@@ -77,9 +146,6 @@ public:
   /// With the other processes of the controller; null for one process.
   std::unique_ptr<geodesic::RankExchange> Exchange;
   geodesic::GivenNotes Given;
-  /// That whose next error is kept quiet, and by which observer.
-  vtkWeakPointer<vtkExecutive> QuietExecutive;
-  unsigned long Observer = 0;
   /// The user's controller; the global one unless one was set.
   std::optional<vtkSmartPointer<vtkMultiProcessController>> Controller;
 
@@ -116,6 +182,7 @@ vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
 vtkGeodesicAlgorithm::~vtkGeodesicAlgorithm()
 {
   this->SetBarrierArrayName(nullptr);
+  this->SetSourceIdArrayName(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -150,7 +217,6 @@ vtkMultiProcessController* vtkGeodesicAlgorithm::GetController()
 vtkTypeBool vtkGeodesicAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->EndQuiet();
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
     return this->RequestDataObject(request, inputVector, outputVector);
@@ -223,54 +289,30 @@ int vtkGeodesicAlgorithm::RequestData(
   if (!IsPieceWithData(request, outputVector, this->GetController()))
   {
     // One piece has everything; the others have the same blocks.
-    vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
-    if (output->IsA("vtkCompositeDataSet"))
-    {
-      geodesic::makeBlocksLike(vtkDataObject::GetData(inputVector[0]), output);
-    }
+    MakeEmpty(vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(outputVector, 0));
     return 1;
   }
   this->ResetResults();
-  if (this->ComputeOrExplain(inputVector, outputVector))
-  {
-    return 1;
-  }
-  this->Internals->QuietExecutive = this->GetExecutive();
-  this->Internals->Observer = this->GetExecutive()->AddObserver(
-    vtkCommand::ErrorEvent, this, &vtkGeodesicAlgorithm::EndQuiet);
-  return 0;
+  this->SetError({});
+  this->ComputeOrExplain(inputVector, outputVector);
+  return 1; // also after an error: views and filters downstream are to see that there is nothing
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicAlgorithm::EndQuiet()
+void vtkGeodesicAlgorithm::SetError(std::string message)
 {
-  if (this->Internals->QuietExecutive)
-  {
-    this->Internals->QuietExecutive->RemoveObserver(this->Internals->Observer);
-    this->Internals->QuietExecutive = nullptr;
-  }
+  // Not by SetErrorCode(), which would modify the filter.
+  this->ErrorCode = message.empty() ? vtkErrorCode::NoError : vtkErrorCode::UserError;
+  this->ErrorMessage = std::move(message);
 }
 
 //------------------------------------------------------------------------------
-bool vtkGeodesicAlgorithm::ComputeOrExplain(
+void vtkGeodesicAlgorithm::ComputeOrExplain(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   geodesic::Exchange* exchange = nullptr;
   const char* stage = geodesic::Stage::ReadingSurface;
-  bool isAborted = false;
-  bool isCacheKept = false;
-  std::string message;
-  const auto explainMemory = [&](const std::string& numbers)
-  {
-    message = std::string("There is not enough memory for this surface: it ran out while ") +
-      stage + "." + numbers + " Nothing of this is kept. " + this->AdviceOnMemory();
-  };
-  const auto explainUnforeseen = [&message](const std::string& reason)
-  {
-    message = "The distance could not be computed, for a reason that was not foreseen" + reason +
-      ". Please report this with the surface and the source, unless an observer of this filter has "
-      "thrown it.";
-  };
+  Failure failure;
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try
   {
@@ -297,53 +339,28 @@ bool vtkGeodesicAlgorithm::ComputeOrExplain(
     {
       this->Internals->Cache.release();
     }
-    return true;
-  }
-  catch (const geodesic::Aborted&)
-  {
-    isCacheKept = true;
-    isAborted = true;
-  }
-  catch (const geodesic::Error& error)
-  {
-    isCacheKept = true;
-    message = error.what();
-  }
-  catch (const geodesic::NotEnoughMemory& error)
-  {
-    explainMemory(MemoryNumbers(error));
-  }
-  catch (const std::bad_alloc&)
-  {
-    reserve.reset();
-    explainMemory("");
-  }
-  catch (const std::exception& error)
-  {
-    explainUnforeseen(std::string(": ") + error.what());
+    return;
   }
   catch (...)
   {
-    explainUnforeseen(" and has no description");
+    reserve.reset();
+    failure = ExplainException(stage, this->AdviceOnMemory());
   }
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
-    vtkDataObject::GetData(outputVector, port)->Initialize();
+    vtkDataObject::GetData(outputVector, port)->Initialize(); // frees what there is of it
   }
-  if (!isCacheKept || (exchange && exchange->numberOfRanks() > 1))
+  this->ResetResults();
+  if (!failure.isCacheKept || (exchange && exchange->numberOfRanks() > 1))
   {
     this->Internals->Cache.release();
   }
-  if (exchange)
+  this->SetError(exchange ? exchange->fail(failure.message) : std::move(failure.message));
+  if (!this->ErrorMessage.empty())
   {
-    message = exchange->fail(message);
-    isAborted = message.empty();
+    vtkErrorMacro(<< this->ErrorMessage);
   }
-  if (!isAborted)
-  {
-    vtkErrorMacro(<< message);
-  }
-  return isAborted;
+  MakeEmpty(vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(outputVector, 0));
 }
 
 //------------------------------------------------------------------------------
@@ -364,6 +381,10 @@ void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SourceType: " << this->SourceType << "\n";
+  os << indent << "JoinLines: " << (this->JoinLines ? "On" : "Off") << "\n";
+  os << indent
+     << "SourceIdArrayName: " << (this->SourceIdArrayName ? this->SourceIdArrayName : "(none)")
+     << "\n";
   os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent

@@ -8,11 +8,14 @@
  * both, keeps the structure of the surface from one execution to the next, and turns what goes
  * wrong into VTK's errors with empty outputs. See vtkGeodesicDistanceField for what inputs may be.
  *
- * Each thing that goes wrong gives one error: the executive, which would add that the algorithm has
- * failed, is kept quiet where nothing observes its errors. A warning, such as that the source or a
- * target is farther than a hundredth of the surface's size from it, is given when the execution
- * before had no reason for it or something else has been connected to the port that it is about:
- * not at every time step.
+ * Each thing that goes wrong gives one error, and all outputs are empty; of a composite surface
+ * they have the blocks. The pipeline goes on: filters and views downstream take the empty outputs,
+ * and the next execution without an error shows everywhere. Scripts find the error in
+ * GetErrorCode() and GetErrorMessage().
+ *
+ * A warning, such as that the source or a target is farther than a hundredth of the surface's size
+ * from it, is given when the execution before had no reason for it or something else has been
+ * connected to the port that it is about: not at every time step.
  *
  * @sa
  * vtkGeodesicDistanceField
@@ -78,6 +81,36 @@ public:
 
   ///@{
   /**
+   * Whether cells of the source that are lines of two points, as filters that cut or find edges
+   * make them, are joined to curves. On by default. A curve is a maximal chain of such lines
+   * through places where exactly two of them meet: their ends have equal coordinates, also in
+   * different blocks or on different MPI ranks. It runs as most of its lines do (if as many run the
+   * other way, as the lowest one), and begins with its lowest line where it is a loop that nothing
+   * else meets. Its id is the lowest cell id among its lines; other ids of theirs do not occur in
+   * the outputs. A line that is given twice counts once, one without length only where no other
+   * line ends. Polylines of more points stay as they are.
+   */
+  vtkSetMacro(JoinLines, bool);
+  vtkGetMacro(JoinLines, bool);
+  vtkBooleanMacro(JoinLines, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of an array of the source that names its parts: cells (points, in a set of points) with
+   * equal values are one source, whose id is the value, in `SourceId`, in the columns of matrices
+   * and in paths. Empty (null), the default, and "None" stand for no such array: ids are then
+   * numbers of cells (of points). It is an array of the points of a set of points, and of the cells
+   * of any other data set, of integers from 0 to 2^53 - 1, with one component; every block of a
+   * composite source must have it. Lines of different values are not joined (JoinLines). Loops of
+   * the boundary follow the largest value.
+   */
+  vtkSetStringMacro(SourceIdArrayName);
+  vtkGetStringMacro(SourceIdArrayName);
+  ///@}
+
+  ///@{
+  /**
    * Whether points at one place are one point, so that faces around it are connected. On by
    * default: formats without shared points (STL) or with seams (OBJ) need it. These are points with
    * equal coordinates and, on the boundary of the surface or of its blocks and pieces, points that
@@ -85,6 +118,12 @@ public:
    * all coordinates in double precision have values of single precision): surfaces that were stored
    * triangle by triangle have such cracks. The output keeps the points of the input in either case.
    * A warning counts what still looks like a crack.
+   *
+   * Where points at one place are kept apart, a point of a source or of targets stands for the
+   * first that fits, unless it says which one it is: by the point array `vtkOriginalPointIds`, as
+   * Extract Selection makes it, if it lies at that point of the surface. Numbers of points that are
+   * elsewhere or do not exist are ignored, as are all numbers where the surface has several blocks
+   * or is distributed over ranks.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);
@@ -135,6 +174,14 @@ public:
   vtkMultiProcessController* GetController();
   ///@}
 
+  /**
+   * What went wrong in the last execution, and what to do; empty if nothing did, and after an
+   * abort. With an error GetErrorCode() is vtkErrorCode::UserError, else vtkErrorCode::NoError.
+   * Both are set before the error event, and also where vtkObject::GlobalWarningDisplayOff()
+   * switches such events off.
+   */
+  std::string GetErrorMessage() const { return this->ErrorMessage; }
+
 protected:
   vtkGeodesicAlgorithm();
   ~vtkGeodesicAlgorithm() override;
@@ -173,17 +220,18 @@ private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
   void operator=(const vtkGeodesicAlgorithm&) = delete;
 
-  /// Where this fails it has said why; its executive adds a second message, of addresses and
-  /// information keys. An error of an object that is observed goes to its observers in place of the
-  /// output window: RequestData() observes the executive, until that message or the next request.
-  void EndQuiet();
-  /// Does the work and turns exceptions into errors. Returns whether all went well.
-  bool ComputeOrExplain(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  /// Does the work and turns exceptions into errors.
+  void ComputeOrExplain(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  /// Keeps the error of an execution for scripts; an empty message: there is none.
+  void SetError(std::string message);
 
   int SourceType = SOURCE_CURVE;
+  bool JoinLines = true;
+  char* SourceIdArrayName = nullptr;
   bool MergeCoincidentPoints = true;
   double MergeTolerance = 0.0;
   char* BarrierArrayName = nullptr;
+  std::string ErrorMessage;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

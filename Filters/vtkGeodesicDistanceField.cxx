@@ -5,8 +5,10 @@
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Memory.h"
 #include "PolyData/writing/LineWriter.h"
+#include "PolyData/writing/OutputPoints.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "PolyData/writing/SurfaceWriter.h"
+#include "Tolerance.h"
 #include "refinement/RefinedOnRanks.h"
 
 #include "vtkCellData.h"
@@ -44,6 +46,13 @@ void addFieldData(vtkDataObject* output, const char* name, double value)
   output->GetFieldData()->AddArray(array);
 }
 
+constexpr const char* AdviceOnSinglePrecision =
+  " from their places in single precision. Set OutputPointsPrecision to the default or to double "
+  "precision, or raise the tolerance.";
+constexpr const char* AdviceOnCoordinates =
+  " from their places: they are rounded far from the origin, or joined with others. Raise the "
+  "tolerance.";
+
 bool isPositive(double value)
 {
   return value > 0.0 && value < Infinity;
@@ -61,6 +70,10 @@ public:
 
   std::vector<double> VertexDistances{};
   bool IsRefined = false;
+  /// Of points of the output, if it is refined.
+  Displacements Displaced{};
+  /// Whether refinement has added points on any rank.
+  bool HasNewPoints = false;
   /// The refined mesh, by blocks of the surface; nothing for each unless it is refined.
   std::vector<RefinedBlock> Refined{};
   /// What the arrays beside the distance hold at vertices and, before these are divided into
@@ -68,7 +81,7 @@ public:
   ValuesAtPoints AtVertices{};
   ValuesAtPoints AtRefinedPoints{};
   /// What angles are measured in, and arc lengths along the curves: see SourceArrays.
-  std::vector<SourceFrame> Frames{};
+  SourceFrames Frames{};
   std::vector<std::vector<double>> ArcLengthsOfCurves{};
 
   static SourceArrayChoice ChoiceOf(const vtkGeodesicDistanceField* self)
@@ -103,7 +116,8 @@ public:
     if (this->Execution.hasSourceOutput())
     {
       writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale,
-        this->Execution.sources().curves, this->ArcLengthsOfCurves, curves);
+        this->Execution.sources().curves, this->Execution.sourceIds(), this->ArcLengthsOfCurves,
+        curves);
     }
   }
 
@@ -112,10 +126,12 @@ public:
   {
     this->Execution.shareResults(this->Self->WindowsPropagatedPerEdge,
       this->Self->SourceSnapDistance, this->Self->RelativeErrorBound,
-      this->Self->InterpolationErrorBound, this->Self->SeamPointsJoined, this->IsRefined);
+      this->Self->InterpolationErrorBound, this->Self->SeamPointsJoined, this->IsRefined,
+      this->HasNewPoints);
     if (this->Choice.angles)
     {
-      this->Execution.shareResults(this->Frames);
+      this->Execution.shareResults(this->Frames.frames);
+      this->Execution.shareResults(this->Frames.ids);
     }
   }
 
@@ -132,6 +148,9 @@ public:
       {
         block->GetCellData()->AddArray(makeArray<vtkIdTypeArray>("OriginalCellIds", 0));
       }
+      const int type = typeOfPoints(nullptr, this->Self->OutputPointsPrecision, this->HasNewPoints);
+      const ProgressCallback nobody;
+      block->SetPoints(storePoints(nullptr, type, {}, {}, LoopProgress(nobody)));
       this->WriteFieldData(block);
     }
     this->WriteFieldData(output);
@@ -142,6 +161,18 @@ public:
     return this->Self->ToleranceIsAbsolute
       ? this->Execution.surface().scale.toEngine(this->Self->AbsoluteRefinementTolerance)
       : this->Self->RefinementTolerance * this->Execution.surface().diagonal;
+  }
+
+  /// What is left of the tolerance for the interpolant, beside the displacement of points. A part
+  /// of at least a half, so that refinement ends; all if the displacement alone is over the
+  /// tolerance, which no refinement can meet then.
+  double ToleranceOfInterpolant() const
+  {
+    const double tolerance = this->Tolerance();
+    const double displacement = this->Displaced.largest();
+    // The sum of both is rounded, too.
+    const double left = (1.0 - 4.0 * tolerance::Rounding) * (tolerance - displacement);
+    return displacement < tolerance ? std::max(left, 0.5 * tolerance) : tolerance;
   }
 
   bool CanRefine() const
@@ -172,9 +203,14 @@ public:
       requireSides(surface, this->Execution.surfaceBlocks(),
         this->Choice.signedDistances ? "GenerateSignedDistance" : "GenerateTextureCoordinates");
     }
-    const FieldRequest request = this->Request();
-    SolvedSurface solved = solveField(this->Execution, request, ValuesDone);
-    this->IsRefined = request.isRefined;
+    requireRangeOf(this->Self->OutputPointsPrecision, surface);
+    this->IsRefined = this->CanRefine();
+    if (this->IsRefined)
+    {
+      this->Displaced = displacementsOfPoints(
+        surface, this->Execution.surfaceBlocks(), this->Self->OutputPointsPrecision);
+    }
+    SolvedSurface solved = solveField(this->Execution, this->Request(), ValuesDone);
     this->TakeNumbers(solved);
     this->VertexDistances = solved.field->vertexDistances();
     if (this->Choice.isAny())
@@ -196,31 +232,34 @@ public:
       request.maximumDistance = this->Execution.surface().scale.toEngine(self->MaximumDistance);
     }
     request.arrays = this->Choice;
-    request.isRefined = this->CanRefine();
-    request.tolerance = this->Tolerance();
+    request.isRefined = this->IsRefined;
+    request.tolerance = this->ToleranceOfInterpolant();
     request.maximumCells = static_cast<std::uint64_t>(self->MaximumNumberOfCells);
     request.areBordersRefined = self->RefineSourceBorders || this->Choice.textureCoordinates;
     return request;
   }
 
-  void TakeNumbers(const SolvedSurface& solved) const
+  void TakeNumbers(const SolvedSurface& solved)
   {
     this->Self->WindowsPropagatedPerEdge = static_cast<double>(solved.field->windowsPropagated()) /
       static_cast<double>(this->Execution.surface().report.edges);
     this->Self->RelativeErrorBound = solved.field->relativeErrorBound();
     if (this->IsRefined)
     {
+      const PolyDataSurface& surface = this->Execution.surface();
       const RefinedMesh& refined = solved.refined.mesh;
-      this->NoteToleranceNotMet(refined);
-      this->Self->InterpolationErrorBound =
-        this->Execution.surface().scale.toUser(refined.errorBound);
+      this->HasNewPoints = surface.exchange().isTrueAnywhere(!refined.points.empty());
+      const double bound = refined.errorBound +
+        (this->HasNewPoints ? this->Displaced.largest() : this->Displaced.ofInputPoints);
+      this->NoteToleranceNotMet(refined, bound);
+      this->Self->InterpolationErrorBound = surface.scale.toUser(bound);
     }
   }
 
   SourceArrays Arrays() const
   {
     return { this->Execution.surface(), this->Execution.sources().curves,
-      this->Execution.firstBoundarySource(), this->Choice };
+      this->Execution.sourceIds(), this->Execution.firstBoundarySource(), this->Choice };
   }
 
   void FindSources(const SolvedSurface& solved)
@@ -240,7 +279,8 @@ public:
     this->AtVertices = arrays.atVertices(field, nearest, part(1));
     if (this->Choice.angles)
     {
-      this->Frames = framesBySource(nearest.curvesOnPatch(), curves);
+      this->Frames = framesBySource(nearest.curvesOnPatch(), curves, this->Execution.sourceIds(),
+        this->Execution.areSourcesNamed());
     }
     this->ArcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
     if (this->IsRefined)
@@ -249,24 +289,33 @@ public:
     }
   }
 
-  void NoteToleranceNotMet(const RefinedMesh& refined) const
+  void NoteToleranceNotMet(const RefinedMesh& refined, double bound) const
   {
     const PowerOfTwoScale& scale = this->Execution.surface().scale;
     const std::string most = std::to_string(this->Self->MaximumNumberOfCells);
     std::ostringstream text;
-    text << "the refined surface meets a tolerance of " << scale.toUser(refined.errorBound)
-         << " instead of " << scale.toUser(this->Tolerance());
+    text << "he refined surface meets a tolerance of " << scale.toUser(bound) << " instead of "
+         << scale.toUser(this->Tolerance());
     const std::string met = text.str();
     if (refined.stoppedAtMaximum)
     {
       this->Execution.notes().add(NoteOn::Surface, "reached " + most,
-        "MaximumNumberOfCells (" + most + ") is reached: " + met +
+        "MaximumNumberOfCells (" + most + ") is reached: t" + met +
           ". Raise MaximumNumberOfCells or the tolerance.");
     }
-    else if (refined.errorBound > this->Tolerance())
+    else if (bound > this->Tolerance() && refined.errorBound > this->ToleranceOfInterpolant())
     {
       this->Execution.notes().add(NoteOn::Surface, "rounding",
-        'T' + met.substr(1) + ", which is near the rounding of distances. Raise the tolerance.");
+        'T' + met + ", which is near the rounding of distances. Raise the tolerance.");
+    }
+    else if (bound > this->Tolerance())
+    {
+      const bool isSingle = this->Self->OutputPointsPrecision == SINGLE_PRECISION;
+      std::ostringstream displaced;
+      displaced << 'T' << met << ", as points are up to "
+                << scale.toUser(bound - refined.errorBound)
+                << (isSingle ? AdviceOnSinglePrecision : AdviceOnCoordinates);
+      this->Execution.notes().add(NoteOn::Surface, "displacement", displaced.str());
     }
   }
 
@@ -282,14 +331,15 @@ public:
       const auto place = [&](std::size_t block)
       { return ValuesDone + (SurfaceWritten - ValuesDone) * static_cast<double>(block) / count; };
       const auto progress = this->Execution.progressBetween(place(i), place(i + 1));
+      const int pointType = this->TypeOfPoints(i);
       if (this->IsRefined)
       {
-        writeRefined(blocks[i], this->Refined[i].mesh, this->Execution.surface().scale,
+        writeRefined(blocks[i], this->Refined[i].mesh, this->Execution.surface().scale, pointType,
           inputs[i].data, outputs[i], progress);
       }
       else
       {
-        writeWhole(blocks[i], inputs[i].data, outputs[i], progress);
+        writeWhole(blocks[i], pointType, inputs[i].data, outputs[i], progress);
       }
       this->WriteDistances(i, outputs[i]);
       if (this->Self->RemoveUnusedPoints)
@@ -300,6 +350,15 @@ public:
       this->WriteFieldData(outputs[i]);
     }
     this->WriteFieldData(output);
+  }
+
+  /// One type on all ranks, whose pieces are one data set: files of pieces need that.
+  int TypeOfPoints(std::size_t block) const
+  {
+    const bool isInPieces = this->Execution.surfacePlace() == SurfacePlace::InPieces;
+    return typeOfPoints(this->Execution.surfaceBlocks()[block].data->GetPoints(),
+      this->Self->OutputPointsPrecision,
+      isInPieces ? this->HasNewPoints : !this->Refined[block].mesh.points.empty());
   }
 
   void WriteDistances(std::size_t index, vtkPolyData* output) const
@@ -483,6 +542,7 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ToleranceIsAbsolute: " << (this->ToleranceIsAbsolute ? "On" : "Off") << "\n";
   os << indent << "AbsoluteRefinementTolerance: " << this->AbsoluteRefinementTolerance << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   constexpr const char* unreachedValues[] = { "Infinity", "NaN", "Custom" };
   os << indent << "UnreachedValue: " << unreachedValues[this->UnreachedValue] << "\n";

@@ -53,13 +53,14 @@
  * comes from Clip, Threshold, Append Datasets or Redistribute DataSet: the output is a vtkPolyData
  * then, with the points and the data of the grid, and cells are numbered as in the grid. Its
  * quadratic and other curved cells become triangles through all their points; a three-dimensional
- * cell is an error that names it. Port 1, optional, takes the source: each line or polyline is a curve,
- * each point of a vertex cell a point source, polygons stand for their outlines. Data with vertex
- * cells only, or without cells, are a set of points, each of which (of those that the vertex cells
- * have) is a source of its own. Of a vtkUnstructuredGrid the lines and vertices count, other cells
- * are left out with a warning; any other vtkPointSet than that and vtkPolyData gives its points.
- * Cells that cannot be read, because offsets are missing, decrease or lead past the end of the
- * point ids, are an error that names the first one. Inputs are never modified.
+ * cell is an error that names it. Port 1, optional, takes the source: each polyline is a curve, as
+ * are lines that meet (see SetJoinLines()), each point of a vertex cell is a point source, polygons
+ * stand for their outlines. Data with vertex cells only, or without cells, are a set of points,
+ * each of which (of those that the vertex cells have) is a source of its own. Of a
+ * vtkUnstructuredGrid the lines and vertices count, other cells are left out with a warning; any
+ * other vtkPointSet than that and vtkPolyData gives its points. Cells that cannot be read, because
+ * offsets are missing, decrease or lead past the end of the point ids, are an error that names the
+ * first one. Inputs are never modified.
  *
  * @par Composite inputs:
  * Each port takes such a data set, or a vtkMultiBlockDataSet, vtkPartitionedDataSet or
@@ -88,10 +89,10 @@
  * Coordinates may have any size between 1e-290 and 1e290; beyond that there is an error.
  *
  * @par Output:
- * Port 0 has the surface as triangles, with all points of the input, unchanged and in order, then
- * those that refinement has added. Of a composite surface it has the structure and the names
- * (GetOutputDataObject(0); GetOutput() is null then), and each block has its own points and arrays.
- * There are
+ * Port 0 has the surface as triangles, with all points of the input, unchanged (unless they are
+ * rounded, see SetOutputPointsPrecision()) and in order, then those that refinement has added. Of a
+ * composite surface it has the structure and the names (GetOutputDataObject(0); GetOutput() is null
+ * then), and each block has its own points and arrays. There are
  * - point data array `GeodesicDistance` (or DistanceArrayName): the distance, in double precision;
  *   infinite (or UnreachedValue) at points that no path connects to the source, inside barriers, or
  *   beyond MaximumDistance,
@@ -107,11 +108,12 @@
  * Point data is interpolated linearly to new points, in the face; strings, ids (vtkIdTypeArray and
  * pedigree ids) and bits are those of the nearest corner, a new point is a ghost in the ways that
  * all corners around it are, and global ids are dropped. Cell data is handed down to the parts of a
- * cell. New points have the precision of the input's points. Triangles that are not reached or
- * lie wholly beyond MaximumDistance are not refined, but closed against refined neighbors. Where
- * several points of the input are at one place (see MergeCoincidentPoints), a split edge between
- * them has as many points as it had on the input; where blocks meet, these have the same
- * coordinates and distances on both sides. Faces on the same points as another are refined like it.
+ * cell. The points of a refined output are double: see SetOutputPointsPrecision(). Triangles that
+ * are not reached or lie wholly beyond MaximumDistance are not refined, but closed against refined
+ * neighbors. Where several points of the input are at one place (see MergeCoincidentPoints), a
+ * split edge between them has as many points as it had on the input; where blocks meet, these have
+ * the same coordinates and distances on both sides. Faces on the same points as another are refined
+ * like it.
  * @par
  * Port 1 has the source as it lies on the surface: polylines with a point at every mesh edge that
  * they cross, and a vertex for each point source, with the cell data array `SourceId`: the part of
@@ -269,6 +271,22 @@ public:
    */
   vtkSetMacro(MaximumNumberOfCells, vtkIdType);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * The precision of the points of output port 0: SINGLE_PRECISION, DOUBLE_PRECISION, or, the
+   * default, DEFAULT_PRECISION: double where refinement has added points (to the block of a
+   * composite surface; if ranks share a surface, to any block of any rank), otherwise the input's
+   * points themselves. A refined output of an input in single precision so takes 12 bytes a point
+   * more, about an eighth of the whole. Output port 1 has double precision always.
+   *
+   * GetInterpolationErrorBound() holds for the points as they are stored. If single precision
+   * rounds coordinates by more than the tolerance, as it does far from the origin, the bound is
+   * over the tolerance, and a warning tells so.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
   ///@{
@@ -497,9 +515,12 @@ public:
   /**
    * After an execution with RefineMesh: what is certified about the difference between the linear
    * interpolant of the output and the computed distance, anywhere on triangles that are reached and
-   * have a point within MaximumDistance, in the units of the surface. At most the tolerance, unless
-   * MaximumNumberOfCells was reached, or the tolerance is near the rounding of distances; a warning
-   * tells of both. Where the surface was not refined nothing is certified, and it is infinite.
+   * have a point within MaximumDistance, in the units of the surface. The interpolant at a point of
+   * a triangle, as its points are stored, is compared with the distance at the closest point of the
+   * cell that the triangle is a part of (OriginalCellIds), so that the rounding of coordinates
+   * counts. At most the tolerance, unless MaximumNumberOfCells was reached, or the tolerance is
+   * near the rounding of distances or of coordinates; a warning tells of each. Where the surface
+   * was not refined nothing is certified, and it is infinite.
    */
   vtkGetMacro(InterpolationErrorBound, double);
   ///@}
@@ -536,6 +557,7 @@ private:
   bool ToleranceIsAbsolute = false;
   double AbsoluteRefinementTolerance = 1.0;
   vtkIdType MaximumNumberOfCells = 50000000;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
   bool RefineSourceBorders = false;
   double MaximumDistance = 0.0;
   int UnreachedValue = UNREACHED_INFINITY;

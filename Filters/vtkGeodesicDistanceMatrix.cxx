@@ -16,7 +16,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 
-#include <algorithm>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -34,7 +33,7 @@ constexpr double MatrixDone = 0.98;
 
 /// Adds the column of a source. Its distances are freed: there may be no memory for all of them
 /// twice.
-void AddSource(Id source, std::vector<double> distances, const Targets& targets,
+void AddSource(vtkIdType source, std::vector<double> distances, const Targets& targets,
   const PowerOfTwoScale& scale, vtkTable* table)
 {
   const std::string name = "Source" + std::to_string(source);
@@ -51,25 +50,12 @@ void AddSource(Id source, std::vector<double> distances, const Targets& targets,
   table->AddColumn(column);
 }
 
-/// The curves of all sources, which have as SourceCurve::source the number of their column.
-std::vector<SourceCurve> CurvesByColumn(const FilterExecution& execution)
-{
-  const std::vector<Id>& ids = execution.sourceIds();
-  std::vector<SourceCurve> curves = execution.sources().curves;
-  for (SourceCurve& curve : curves)
-  {
-    const auto at = std::lower_bound(ids.begin(), ids.end(), curve.source);
-    curve.source = static_cast<Id>(at - ids.begin());
-  }
-  return curves;
-}
-
 /// \param maximumDistance in the units of the surface; 0: no limit.
 void ComputeTable(FilterExecution& execution, double maximumDistance, vtkTable* table)
 {
   const Targets targets = execution.readTargets();
   const auto rows = static_cast<vtkIdType>(targets.count);
-  const std::vector<Id>& sources = execution.sourceIds();
+  const std::vector<vtkIdType>& sources = execution.sourceIds();
   const auto numberOfSources = static_cast<Id>(sources.size());
 
   execution.enter(Stage::ComputingDistances);
@@ -86,7 +72,7 @@ void ComputeTable(FilterExecution& execution, double maximumDistance, vtkTable* 
   options.parallelFor = smpParallelFor();
   options.progress = execution.progressBetween(FilterExecution::TargetsRead, MatrixDone);
   std::vector<std::vector<double>> matrix = distanceMatrix(execution.surface().mesh(),
-    CurvesByColumn(execution), numberOfSources, targets.places, options);
+    execution.sources().curves, numberOfSources, targets.places, options);
   execution.reach(MatrixDone);
 
   execution.enter(Stage::WritingOutputs);

@@ -16,14 +16,14 @@
  *
  * @par Input:
  * Port 0 takes the surface, as vtkGeodesicDistanceField does. Port 1 takes the sources: each cell
- * of a vtkPolyData is one (a line, a polyline, a polygon, which stands for its outline, or a vertex
- * cell with all its points); where there are no cells, or vertex cells only, each point (of the
- * vertex cells) is one. With SourceType the boundary of
- * the surface takes their place or comes in addition, each of its loops as a source of its own.
- * Port 2, optional, takes the targets: every point of a vtkPointSet, put onto the closest point of
- * the surface, with a warning where that is far. Where it is not connected the targets are all
- * points of port 1. Each port takes composite data sets too, whose blocks count one after another.
- * Inputs are never modified.
+ * of a vtkPolyData is one (a line with those that it is joined to, a polyline, a polygon, which
+ * stands for its outline, or a vertex cell with all its points); where there are no cells, or
+ * vertex cells only, each point (of the vertex cells) is one. With SourceType the boundary of the
+ * surface takes their place or comes in addition, each of its loops as a source of its own. Port 2,
+ * optional, takes the targets: every point of a vtkPointSet, put onto the closest point of the
+ * surface, with a warning where that is far. Where it is not connected the targets are all points
+ * of port 1. Each port takes composite data sets too, whose blocks count one after another. Inputs
+ * are never modified.
  *
  * @par Output:
  * A vtkTable with one row a target, in their order, and the columns

@@ -3,6 +3,7 @@
 
 #include "PolyData/FilterExecution.h"
 #include "PolyData/ParallelFor.h"
+#include "PolyData/writing/CellsOfFaces.h"
 #include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "paths/PathsToSource.h"
@@ -26,8 +27,29 @@ namespace
 // Where the stage ends, as a fraction of the whole; FilterExecution has those before.
 constexpr double PathsFound = 0.95;
 
+/// Gives paths the cells of their faces.
+///
+/// \param faces of each path.
+void FindCells(const FilterExecution& execution, const std::vector<std::vector<RankAddress>>& faces,
+  std::vector<PathOfTarget>& paths)
+{
+  std::vector<RankAddress> all;
+  for (const std::vector<RankAddress>& some : faces)
+  {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  const std::vector<vtkIdType> cells =
+    cellsOfFaces(execution.surface(), execution.surfaceBlocks(), all);
+  auto next = cells.begin();
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const auto begin = std::exchange(next, next + static_cast<std::ptrdiff_t>(faces[i].size()));
+    paths[i].cells.assign(begin, next);
+  }
+}
+
 /// Finds the paths of all targets; where the surface is in pieces, of those in this rank's piece.
-std::vector<PathOfTarget> FindPaths(FilterExecution& execution)
+std::vector<PathOfTarget> FindPaths(FilterExecution& execution, bool withCells)
 {
   const Targets targets = execution.readTargets();
   execution.enter(Stage::ComputingDistances);
@@ -36,17 +58,28 @@ std::vector<PathOfTarget> FindPaths(FilterExecution& execution)
   options.parallelFor = smpParallelFor();
   options.progress = execution.progressBetween(FilterExecution::TargetsRead, PathsFound);
   std::vector<PathOfTarget> paths(targets.places.size());
+  std::vector<std::vector<RankAddress>> faces(withCells ? paths.size() : 0);
+  const std::vector<vtkIdType>& ids = execution.sourceIds();
   pathsToSource(surface.partition, execution.patch(), execution.sources().curves, targets.places,
     options,
     [&](std::size_t i, const PathToSource& path)
     {
-      paths[i] = { targets.numbers[i], targets.snapDistances[i], {}, path.end };
+      paths[i] = { targets.numbers[i], targets.snapDistances[i], {}, path.end,
+        path.end.source == NoId ? -1 : ids[path.end.source], {} };
       paths[i].points.reserve(path.points.size());
       for (const SurfacePoint& point : path.points)
       {
         paths[i].points.push_back(position(path.mesh, point));
       }
+      for (std::size_t point = 0; withCells && point + 1 < path.points.size(); ++point)
+      {
+        faces[i].push_back(path.faceAfter(point));
+      }
     });
+  if (withCells)
+  {
+    FindCells(execution, faces, paths);
+  }
   paths.erase(std::remove_if(paths.begin(), paths.end(),
                 [](const PathOfTarget& path) { return path.points.empty(); }),
     paths.end());
@@ -77,6 +110,8 @@ std::vector<PathOfTarget> SendHome(
       put(message, path.snapDistance);
       putAll(message, path.points);
       put(message, path.end);
+      put(message, path.sourceId);
+      putAll(message, path.cells);
     }
   }
   paths.clear();
@@ -84,7 +119,7 @@ std::vector<PathOfTarget> SendHome(
     [&](int, MessageReader& reader)
     {
       paths.push_back({ reader.get<std::size_t>(), reader.get<double>(), reader.getAll<Vec3>(),
-        reader.get<PathEnd>() });
+        reader.get<PathEnd>(), reader.get<vtkIdType>(), reader.getAll<vtkIdType>() });
     });
   std::sort(paths.begin(), paths.end(),
     [](const PathOfTarget& a, const PathOfTarget& b) { return a.target < b.target; });
@@ -99,15 +134,16 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
   execution.requireTargets();
   execution.readInputs(true);
   std::vector<PathOfTarget> paths;
-  std::vector<SourceFrame> frames;
+  SourceFrames frames;
   PowerOfTwoScale scale;
   if (execution.surfacePlace() != SurfacePlace::OnOtherRank)
   {
-    paths = FindPaths(execution);
+    paths = FindPaths(execution, this->GenerateFaceIds);
     if (this->GenerateSourceAngle)
     {
       const std::vector<SourceCurve>& curves = execution.sources().curves;
-      frames = framesBySource(CurvesOnPatch(execution.patch(), curves), curves);
+      frames = framesBySource(CurvesOnPatch(execution.patch(), curves), curves,
+        execution.sourceIds(), execution.areSourcesNamed());
     }
     scale = execution.surface().scale;
   }
@@ -118,11 +154,13 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
   }
   if (this->GenerateSourceAngle)
   {
-    execution.shareResults(frames);
+    execution.shareResults(frames.frames);
+    execution.shareResults(frames.ids);
     addSourceFrames(frames, vtkPolyData::GetData(outputVector, 0));
   }
   execution.enter(Stage::WritingOutputs);
-  writePaths(scale, paths, { this->GenerateSourceArcLength, this->GenerateSourceAngle },
+  writePaths(scale, paths,
+    { this->GenerateSourceArcLength, this->GenerateSourceAngle, this->GenerateFaceIds },
     vtkPolyData::GetData(outputVector, 0), execution.progressBetween(PathsFound, 1.0));
 }
 
@@ -133,4 +171,5 @@ void vtkGeodesicPaths::PrintSelf(ostream& os, vtkIndent indent)
   const auto onOff = [](bool value) { return value ? "On" : "Off"; };
   os << indent << "GenerateSourceArcLength: " << onOff(this->GenerateSourceArcLength) << "\n";
   os << indent << "GenerateSourceAngle: " << onOff(this->GenerateSourceAngle) << "\n";
+  os << indent << "GenerateFaceIds: " << onOff(this->GenerateFaceIds) << "\n";
 }

@@ -42,7 +42,9 @@
  * - if they are asked for, cell data arrays `SourceArcLength` and `SourceAngle`: how far along its
  *   part of the source the path ends, and in which direction it leaves there: see
  *   SetGenerateSourceArcLength(),
- * - point data array `GeodesicDistance`: what is left of the path from the point on; 0 at its end.
+ * - point data array `GeodesicDistance`: what is left of the path from the point on; 0 at its end,
+ * - if it is asked for, point data array `FaceId` (vtkIdType): the cell of the surface in which the
+ *   path goes on: see SetGenerateFaceIds().
  * @par
  * Targets that no path joins to the source, such as those in a barrier (BarrierArrayName), have no
  * line; one warning counts them.
@@ -117,6 +119,19 @@ public:
   vtkBooleanMacro(GenerateSourceAngle, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the output has the point array FaceId: the cell of the surface's input in which each
+   * path goes on from the point; at its last point, the cell that it has come through. Along an
+   * edge it is any of the cells there. Of a composite surface the cells of all blocks are numbered
+   * in their flattened order, as if they were one data set; of a surface in pieces those of all
+   * ranks, one rank after another, ghost cells included. Off by default.
+   */
+  vtkSetMacro(GenerateFaceIds, bool);
+  vtkGetMacro(GenerateFaceIds, bool);
+  vtkBooleanMacro(GenerateFaceIds, bool);
+  ///@}
+
 protected:
   vtkGeodesicPaths() { this->SetNumberOfInputPorts(3); }
   ~vtkGeodesicPaths() override = default;
@@ -129,6 +144,7 @@ private:
 
   bool GenerateSourceArcLength = false;
   bool GenerateSourceAngle = false;
+  bool GenerateFaceIds = false;
 };
 
 #endif

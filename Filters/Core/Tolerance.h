@@ -91,6 +91,10 @@ constexpr double TracedLength = 1e-12;
 /// are stored as barycentric coordinates.
 constexpr double PlaceRounding = 16.0 * Rounding;
 
+/// The place of a point of a face in space is rounded to this many roundings of the largest
+/// coordinate, in each coordinate: it is the sum of a corner and two fractions of edges.
+constexpr double PositionRoundings = 4.0;
+
 /// An upper bound of a distance, summed along mesh edges, is raised by this fraction, so that the
 /// rounding of millions of terms cannot put it below the distance.
 constexpr double BoundMargin = 1e-9;

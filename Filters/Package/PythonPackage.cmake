@@ -36,11 +36,14 @@ else ()
 endif ()
 configure_file("${PROJECT_SOURCE_DIR}/Filters/Python/__init__.py.in"
   "${GEODESIC_PYTHONPATH}/geodesicdistance/__init__.py" @ONLY)
-configure_file("${PROJECT_SOURCE_DIR}/Filters/Python/functions.py"
-  "${GEODESIC_PYTHONPATH}/geodesicdistance/functions.py" COPYONLY)
+set(geodesic_python_files "${GEODESIC_PYTHONPATH}/geodesicdistance/__init__.py")
+foreach (name IN ITEMS arrays functions inputs messages surface)
+  set(file "${GEODESIC_PYTHONPATH}/geodesicdistance/${name}.py")
+  configure_file("${PROJECT_SOURCE_DIR}/Filters/Python/${name}.py" "${file}" COPYONLY)
+  list(APPEND geodesic_python_files "${file}")
+endforeach ()
 install(
-  FILES       "${GEODESIC_PYTHONPATH}/geodesicdistance/__init__.py"
-              "${GEODESIC_PYTHONPATH}/geodesicdistance/functions.py"
+  FILES       ${geodesic_python_files}
   DESTINATION "${GEODESIC_PYTHON_DESTINATION}/geodesicdistance"
   COMPONENT   python)
 # Its folder, by the same name in the build tree with any Python.

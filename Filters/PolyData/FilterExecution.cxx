@@ -40,8 +40,10 @@ void FilterExecution::readInputs(bool supportsPieces)
   findBarrierArrays(this->surfaceBlocks_, this->filter_->GetBarrierArrayName(), this->exchange_);
   if (this->sourceInput_)
   {
-    this->gatheredSource_ =
-      gatherBlocks(sourceBlocks(this->sourceInput_, SourceName), SourceName, this->exchange_);
+    const bool isSource = this->filter_->GetSourceType() != vtkGeodesicAlgorithm::SURFACE_BOUNDARY;
+    const char* idArray = isSource ? this->filter_->GetSourceIdArrayName() : nullptr;
+    this->gatheredSource_ = gatherBlocks(
+      sourceBlocks(this->sourceInput_, SourceName, idArray), SourceName, this->exchange_);
   }
   this->gatheredTargets_ = this->targetsInput_
     ? gatherBlocks(targetBlocks(this->targetsInput_, TargetsName), TargetsName, this->exchange_)
@@ -184,7 +186,7 @@ void FilterExecution::readCurves(SourcePatch& faces)
 {
   const std::vector<PolyDataBlock>& blocks = this->gatheredSource_.blocks;
   const PolyDataSurface& surface = this->surface();
-  SourcePolylines source = readSource(blocks, surface.scale);
+  SourcePolylines source = readSource(blocks, surface, this->filter_->GetJoinLines());
   const double precision = coordinatePrecisionOf(blocks);
   const LocatedPlaces located = this->cache_.locator().locate(
     source.polylines, precision, this->progressBetween(SurfaceRead, SourceLocated));
@@ -210,18 +212,21 @@ void FilterExecution::readCurves(SourcePatch& faces)
   this->sources_ = putOntoSurface(mesh, source.polylines, precision, paths.reusedBy(join),
     this->progressBetween(patchMade, InputsRead));
   paths.endUse();
-  this->sourceIds_ = std::move(source.ids);
-  this->firstBoundarySource_ = source.numberOfSources;
+  this->sourceIds_ = source.ids;
+  this->areSourcesNamed_ = std::any_of(blocks.begin(), blocks.end(),
+    [](const PolyDataBlock& block) { return !block.sourceIds.empty(); });
+  this->firstBoundarySource_ = static_cast<Id>(source.ids.size());
+  this->firstBoundaryId_ = source.idEnd;
   noteSource(surface, mesh, source, this->sources_, this->notes_);
 }
 
 void FilterExecution::addBoundary(std::vector<SourceCurve> boundary, bool hasCurve)
 {
-  Id next = this->firstBoundarySource_;
+  vtkIdType next = this->firstBoundaryId_;
   for (SourceCurve& loop : boundary)
   {
-    loop.source = next++;
-    this->sourceIds_.push_back(loop.source);
+    loop.source = static_cast<Id>(this->sourceIds_.size());
+    this->sourceIds_.push_back(next++);
   }
   const bool isClosed = boundary.empty();
   if (this->surface().barriers)

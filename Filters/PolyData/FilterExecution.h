@@ -148,10 +148,13 @@ public:
   {
     return static_cast<std::size_t>(sumOverRanks(this->surface().exchange(), number).all);
   }
-  /// The parts of the source, by SourceCurve::source of their curves, ascending: the cells of port
-  /// 1 (the points of a set of points), then the loops of the boundary.
-  const std::vector<Id>& sourceIds() const { return this->sourceIds_; }
-  /// From which of these on they are loops of the boundary.
+  /// The ids of the parts of the source, ascending: the cells of port 1 (the points of a set of
+  /// points), or the values of the array that names them, then the loops of the boundary.
+  /// SourceCurve::source is the place of an id here.
+  const std::vector<vtkIdType>& sourceIds() const { return this->sourceIds_; }
+  /// Whether an array has named them.
+  bool areSourcesNamed() const { return this->areSourcesNamed_; }
+  /// From which of these places on they are loops of the boundary.
   Id firstBoundarySource() const { return this->firstBoundarySource_; }
 
   /// Says what is being done from here on: see Stage.
@@ -192,8 +195,10 @@ private:
   GatheredBlocks gatheredTargets_;
   std::optional<ReplicatedPatch> patch_;
   SourceCurves sources_;
-  std::vector<Id> sourceIds_;
+  std::vector<vtkIdType> sourceIds_;
+  bool areSourcesNamed_ = false;
   Id firstBoundarySource_ = 0;
+  vtkIdType firstBoundaryId_ = 0;
   Notes notes_;
 };
 

@@ -30,7 +30,7 @@ constexpr std::size_t PointsNamed = 3;
 /// "point 3 of cell 2", as the message has named the source.
 std::string shortNameOfPoint(const LocatedPolyline& line, std::size_t point)
 {
-  const std::string name = nameOfPoint(line, point);
+  const std::string name = line.nameOfPoint(point);
   return name.substr(0, name.rfind(" of the source"));
 }
 

@@ -14,6 +14,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
@@ -129,11 +130,30 @@ PolyDataBlock surfaceBlock(vtkDataObject* data, const std::string& name)
   return { polyData, name, {} };
 }
 
+/// The points that those of a data set were taken from; empty if it does not say so.
+std::vector<vtkIdType> originalPointsOf(vtkPointSet* data)
+{
+  std::vector<vtkIdType> ids;
+  vtkDataArray* array = data->GetPointData()->GetArray("vtkOriginalPointIds");
+  const vtkIdType count = data->GetNumberOfPoints();
+  if (array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() >= count)
+  {
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      ids.push_back(static_cast<vtkIdType>(array->GetComponent(i, 0)));
+    }
+  }
+  return ids;
+}
+
 PolyDataBlock targetBlock(vtkDataObject* data, const std::string& name)
 {
+  auto* pointSet = requireType<vtkPointSet>(data, name, NoPoints);
   const auto points = vtkSmartPointer<vtkPolyData>::New();
-  points->SetPoints(requireType<vtkPointSet>(data, name, NoPoints)->GetPoints());
-  return { points, name, {} };
+  points->SetPoints(pointSet->GetPoints());
+  PolyDataBlock block{ points, name, {} };
+  block.originalPoints = originalPointsOf(pointSet);
+  return block;
 }
 
 /// A cell that is neither a vertex nor a line becomes a line without points, so that the others
@@ -168,9 +188,11 @@ void addVerticesAndLines(vtkUnstructuredGrid* grid, PolyDataBlock& block)
 
 PolyDataBlock sourceBlock(vtkDataObject* data, const std::string& name)
 {
-  if (data->IsA("vtkPolyData"))
+  if (auto* polyData = vtkPolyData::SafeDownCast(data))
   {
-    return surfaceBlock(data, name);
+    PolyDataBlock block = surfaceBlock(data, name);
+    block.originalPoints = originalPointsOf(polyData);
+    return block;
   }
   PolyDataBlock block = targetBlock(data, name);
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
@@ -215,8 +237,8 @@ void forEachBlock(vtkCompositeDataSet* data, Visit&& visit)
 }
 
 /// \param read makes a block of a data set and its name.
-std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& name,
-  PolyDataBlock (*read)(vtkDataObject*, const std::string&))
+template <typename Read>
+std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& name, Read&& read)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   if (!composite)
@@ -228,6 +250,80 @@ std::vector<PolyDataBlock> blocksOf(vtkDataObject* input, const std::string& nam
     [&](vtkCompositeDataIterator*, vtkDataObject* block, const std::string& ownName)
     { blocks.push_back(read(block, ownName + " of " + name)); });
   return blocks;
+}
+
+/// Whether the name of an array stands for one. "None" is the first entry of ParaView's lists.
+bool isChosen(const char* array)
+{
+  return array && *array && std::string(array) != "None";
+}
+
+/// The array of a source that names its parts.
+///
+/// \throws InputError
+vtkDataArray* requireSourceIds(vtkDataSet* data, const PolyDataBlock& block, const char* array)
+{
+  const bool areOfPoints = block.isSetOfPoints();
+  const std::string kind = areOfPoints ? "point" : "cell";
+  const auto find = [&](bool ofPoints) -> vtkAbstractArray*
+  {
+    vtkFieldData* arrays =
+      data->GetAttributesAsFieldData(ofPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
+    return arrays ? arrays->GetAbstractArray(array) : nullptr;
+  };
+  vtkAbstractArray* any = find(areOfPoints);
+  const std::string named = std::string(" array named ") + array;
+  if (!any)
+  {
+    const std::string other = areOfPoints ? "cell" : "point";
+    throw InputError(capitalized(block.name) + " has no " + kind + named +
+      ", by which SourceIdArrayName names its parts" +
+      (find(!areOfPoints) ? ", but a " + other + named : "") +
+      ". A set of points needs an array of its points, everything else one of its cells.");
+  }
+  const std::string begin =
+    "The " + kind + " array " + array + " (SourceIdArrayName) of " + block.name;
+  auto* values = vtkDataArray::SafeDownCast(any);
+  if (!values || values->GetDataType() == VTK_FLOAT || values->GetDataType() == VTK_DOUBLE)
+  {
+    throw InputError(begin + " is a " + any->GetClassName() +
+      ", where whole numbers are needed. Choose an array of integers, or make one (Calculator with "
+      "an integer as Result Array Type).");
+  }
+  if (values->GetNumberOfComponents() != 1)
+  {
+    throw InputError(begin + " has " + std::to_string(values->GetNumberOfComponents()) +
+      " components, where one number is needed. Choose an array with one component.");
+  }
+  const vtkIdType count = areOfPoints ? data->GetNumberOfPoints() : data->GetNumberOfCells();
+  if (values->GetNumberOfTuples() < count)
+  {
+    throw InputError(begin + " has " + std::to_string(values->GetNumberOfTuples()) +
+      " values for " + std::to_string(count) + ' ' + kind + "s. Give each a value.");
+  }
+  return values;
+}
+
+/// Values that cannot be ids become -1 or SourceIdEnd.
+std::vector<vtkIdType> readSourceIds(
+  vtkDataSet* data, const PolyDataBlock& block, const char* array)
+{
+  std::vector<vtkIdType> ids;
+  if (!isChosen(array) || data->GetNumberOfPoints() + data->GetNumberOfCells() == 0)
+  {
+    return ids;
+  }
+  vtkDataArray* values = requireSourceIds(data, block, array);
+  const vtkIdType count =
+    block.isSetOfPoints() ? data->GetNumberOfPoints() : data->GetNumberOfCells();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double value = values->GetComponent(i, 0);
+    ids.push_back(value < 0.0                       ? -1
+        : value >= static_cast<double>(SourceIdEnd) ? SourceIdEnd
+                                                    : static_cast<vtkIdType>(value));
+  }
+  return ids;
 }
 
 /// As messages call an array of barriers.
@@ -345,6 +441,8 @@ void putBlock(const PolyDataBlock& block, Message& message)
   }
   putAll(message, block.inputCells);
   put(message, block.droppedCells);
+  putAll(message, block.sourceIds);
+  putAll(message, block.originalPoints);
 }
 
 /// Adds the blocks of a message to others. \returns how many points they have.
@@ -373,6 +471,8 @@ std::size_t takeBlocks(
     auto inputCells = reader.getAll<vtkIdType>();
     blocks.push_back({ data, std::string(name.begin(), name.end()) + suffix, std::move(inputCells),
       reader.get<vtkIdType>() });
+    blocks.back().sourceIds = reader.getAll<vtkIdType>();
+    blocks.back().originalPoints = reader.getAll<vtkIdType>();
   }
   return numberOfPoints;
 }
@@ -430,9 +530,16 @@ std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const std::strin
   return blocksOf(input, name, surfaceBlock);
 }
 
-std::vector<PolyDataBlock> sourceBlocks(vtkDataObject* input, const std::string& name)
+std::vector<PolyDataBlock> sourceBlocks(
+  vtkDataObject* input, const std::string& name, const char* idArray)
 {
-  return blocksOf(input, name, sourceBlock);
+  return blocksOf(input, name,
+    [idArray](vtkDataObject* data, const std::string& ownName)
+    {
+      PolyDataBlock block = sourceBlock(data, ownName);
+      block.sourceIds = readSourceIds(vtkDataSet::SafeDownCast(data), block, idArray);
+      return block;
+    });
 }
 
 std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const std::string& name)
@@ -442,7 +549,7 @@ std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const std::string&
 
 void findBarrierArrays(std::vector<PolyDataBlock>& blocks, const char* array, Exchange& exchange)
 {
-  if (!array || !*array || std::string(array) == "None")
+  if (!isChosen(array))
   {
     return;
   }

@@ -46,6 +46,12 @@ struct PolyDataBlock
   /// How many cells the input has, where data has another number of them; 0 where it has as many.
   /// The cell data of data is that of the cells of the input.
   vtkIdType numberOfInputCells = 0;
+  /// The ids of the parts of a source, by the numbers that cells have in the input, or by the
+  /// points of a set of points. Empty unless an array names them; see sourceBlocks().
+  std::vector<vtkIdType> sourceIds = {};
+  /// For each point of a source, or of targets, the point of the surface that it was taken from
+  /// (ParaView's array vtkOriginalPointIds). Empty where that is unknown.
+  std::vector<vtkIdType> originalPoints = {};
 
   /// The number in the input of a cell of data.
   vtkIdType inputCell(vtkIdType cell) const
@@ -58,7 +64,17 @@ struct PolyDataBlock
   }
   /// The relative precision of the coordinates: epsilon of float or, without points, of double.
   double precision() const;
+  /// Whether there are no cells, or vertex cells only: each point is a source of its own then.
+  bool isSetOfPoints() const
+  {
+    return this->data->GetNumberOfCells() == this->data->GetNumberOfVerts();
+  }
 };
+
+/// Ids of sources are below this: VTK hands the values of arrays on as double, which has all whole
+/// numbers up to here.
+constexpr vtkIdType SourceIdEnd = static_cast<vtkIdType>(
+  sizeof(vtkIdType) > 4 ? 1ULL << 53U : static_cast<unsigned long long>(VTK_ID_MAX));
 
 /// The surface that an input is, or those that the leaves of a composite one are, in their
 /// flattened order: each a vtkPolyData, or a vtkUnstructuredGrid of two-dimensional cells (see
@@ -72,7 +88,14 @@ std::vector<PolyDataBlock> polyDataBlocks(vtkDataObject* input, const std::strin
 /// The same for a source, which may be any vtkPointSet, or leaves that are: of a
 /// vtkUnstructuredGrid the vertices and lines, of others than that and vtkPolyData the points
 /// alone.
-std::vector<PolyDataBlock> sourceBlocks(vtkDataObject* input, const std::string& name);
+///
+/// \param idArray the name of the array that names the parts of the source; null, empty and "None"
+///        (the first entry of ParaView's list) stand for none. Of a set of points it is a point
+///        array, else a cell array.
+/// \throws InputError also where a block that is not empty has no such array, or one that is not of
+///         integers, has several components or too few values.
+std::vector<PolyDataBlock> sourceBlocks(
+  vtkDataObject* input, const std::string& name, const char* idArray);
 
 /// The same for targets, which are the points of any vtkPointSet. Cells are left out.
 std::vector<PolyDataBlock> targetBlocks(vtkDataObject* input, const std::string& name);
@@ -137,8 +160,8 @@ void requirePoints(const PolyDataBlock& block, vtkIdType cell, vtkIdType size, c
 /// vtkPolyData, that is the output itself.
 std::vector<vtkPolyData*> makeBlocksLike(vtkDataObject* input, vtkDataObject* output);
 
-/// The blocks of an input of all ranks, on every rank: points and cells, without other data. They
-/// stand in the order of ranks, then of each rank's blocks. If all ranks have the same blocks,
+/// The blocks of an input of all ranks, on every rank: points, cells and ids, without other data.
+/// They stand in the order of ranks, then of each rank's blocks. If all ranks have the same blocks,
 /// these count once.
 struct GatheredBlocks
 {

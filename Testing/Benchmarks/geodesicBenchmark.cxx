@@ -340,7 +340,7 @@ std::vector<geodesic::SourceCurve> makeCurves(
   }
   const std::vector<geodesic::PolyDataBlock> blocks =
     geodesic::polyDataBlocks(source.curves, "the source");
-  geodesic::SourcePolylines read = geodesic::readSource(blocks, surface.scale);
+  geodesic::SourcePolylines read = geodesic::readSource(blocks, surface, true);
   const double precision = geodesic::coordinatePrecisionOf(blocks);
   geodesic::PolylineLocator(surface.partition)
     .locate(read.polylines, precision)

@@ -166,6 +166,60 @@ inline std::vector<std::size_t> PiecesOfCorners(
   return piece;
 }
 
+/// One of the points that a vertex has become.
+struct Copy
+{
+  geodesictest::Index Vertex;
+  Point Place;
+};
+
+/// Where copies coincide, sheets at an edge of three and more faces can be whole without the
+/// others: their vertices are inside of the surface, where nothing is joined. All copies of such a
+/// vertex are put to its place.
+///
+/// \param corners of each face the copies.
+inline void MendInnerCopies(const geodesictest::PlainMesh& mesh,
+  const std::vector<std::size_t>& corners, std::vector<Copy>& copies)
+{
+  for (bool hasChanged = true; hasChanged;)
+  {
+    std::map<std::array<Point, 2>, int> faces;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      std::array<Point, 2> edge = { copies[corners[i]].Place,
+        copies[corners[i % 3 == 2 ? i - 2 : i + 1]].Place };
+      std::sort(edge.begin(), edge.end());
+      ++faces[edge];
+    }
+    std::set<Point> onBoundary;
+    for (const auto& [edge, count] : faces)
+    {
+      if (count == 1)
+      {
+        onBoundary.insert(edge.begin(), edge.end());
+      }
+    }
+    hasChanged = false;
+    std::set<geodesictest::Index> inside;
+    for (const Copy& copy : copies)
+    {
+      if (onBoundary.count(copy.Place) == 0)
+      {
+        inside.insert(copy.Vertex);
+      }
+    }
+    for (Copy& copy : copies)
+    {
+      const Point& place = mesh.points[copy.Vertex];
+      if (inside.count(copy.Vertex) > 0 && copy.Place != place)
+      {
+        copy.Place = place;
+        hasChanged = true;
+      }
+    }
+  }
+}
+
 /// The same surface for the same seed.
 inline Cracked MakeCracked(std::uint64_t seed)
 {
@@ -202,37 +256,45 @@ inline Cracked MakeCracked(std::uint64_t seed)
   sources.points = { source };
   const std::vector<double> truth = bruteForceDistances(mesh, sources).vertices;
 
-  vtkNew<vtkPoints> points;
-  points->SetDataType(storage.DataType);
-  vtkNew<vtkCellArray> polys;
-  std::map<std::size_t, vtkIdType> numbers;
-  std::map<Index, std::set<Point>> places;
+  std::map<std::size_t, std::size_t> numbers;
+  std::vector<Copy> copies;
+  std::vector<std::size_t> corners;
   for (std::size_t corner = 0; corner < pieces.size(); ++corner)
   {
     const Index vertex = mesh.triangles[corner / 3][corner % 3];
-    const auto [number, isNew] = numbers.emplace(pieces[corner], points->GetNumberOfPoints());
+    const auto [number, isNew] = numbers.emplace(pieces[corner], copies.size());
     if (isNew)
     {
-      Point p = mesh.points[vertex];
       const bool isExact = random.chance(.3);
-      for (double& x : p)
+      copies.push_back({ vertex, mesh.points[vertex] });
+      for (double& x : copies.back().Place)
       {
         const double step = isExact ? 0.0 : random.between(0, 2) - 1.0;
         x = step == 0.0 ? x : storage.Next(x, step * 1e30);
       }
-      points->InsertNextPoint(p.data());
-      places[vertex].insert(p);
-      cracked.Truth[p] = truth[vertex];
     }
-    if (corner % 3 == 0)
-    {
-      polys->InsertNextCell(3);
-    }
-    polys->InsertCellPoint(number->second);
+    corners.push_back(number->second);
+  }
+  MendInnerCopies(mesh, corners, copies);
+
+  vtkNew<vtkPoints> points;
+  points->SetDataType(storage.DataType);
+  std::map<Index, std::set<Point>> places;
+  for (const Copy& copy : copies)
+  {
+    points->InsertNextPoint(copy.Place.data());
+    places[copy.Vertex].insert(copy.Place);
+    cracked.Truth[copy.Place] = truth[copy.Vertex];
   }
   for (const auto& [vertex, of] : places)
   {
     cracked.PointsToJoin += static_cast<vtkIdType>(of.size()) - 1;
+  }
+  vtkNew<vtkCellArray> polys;
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+  {
+    polys->InsertNextCell({ static_cast<vtkIdType>(corners[i]),
+      static_cast<vtkIdType>(corners[i + 1]), static_cast<vtkIdType>(corners[i + 2]) });
   }
   cracked.Surface = vtkSmartPointer<vtkPolyData>::New();
   cracked.Surface->SetPoints(points);

@@ -69,13 +69,17 @@ public:
   {
     filter->AddObserver(vtkCommand::ErrorEvent, this->Observer);
     filter->AddObserver(vtkCommand::WarningEvent, this->Observer);
-    // When a filter fails, its executive says so too.
+    // What hinders it from executing, its executive says.
     filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->ExecutiveObserver);
   }
-  void Update()
+  void Clear()
   {
     this->Observer->Clear();
     this->ExecutiveObserver->Clear();
+  }
+  void Update()
+  {
+    this->Clear();
     this->Filter->Update();
   }
   std::string Error() const { return Text(this->Observer->GetErrorMessage()); }

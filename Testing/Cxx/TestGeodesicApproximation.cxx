@@ -132,6 +132,66 @@ void CheckCoarseFieldWithFineTolerance(Check& check)
   check.That(met || Contains(messages.Warning(), "Lower RelativeError"), "and what to do");
 }
 
+const std::vector<Point> OnBumpy = { { 0.4, 0.1, 0.2 }, { 0.1, 0.4, 0.3 } };
+
+/// Gradients are those of the computed field, whether or not other arrays need the exact one.
+void CheckGradients(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Bumpy());
+  filter->SetSourceData(Polyline(OnBumpy));
+  filter->SetAccuracyToApproximate();
+  filter->SetRelativeError(0.1);
+  filter->SetRefinementTolerance(0.005);
+  filter->GenerateGradientsOn();
+  const auto gradients = [&filter]
+  {
+    filter->Update();
+    vtkDataArray* array = filter->GetOutput()->GetPointData()->GetArray("DistanceGradient");
+    std::vector<double> values(static_cast<std::size_t>(3 * array->GetNumberOfTuples()));
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      array->GetTuple(i, values.data() + 3 * i);
+    }
+    return values;
+  };
+  const std::vector<double> alone = gradients();
+  check.That(alone.size() > 3 * static_cast<std::size_t>(Bumpy()->GetNumberOfPoints()),
+    "there are new points");
+  filter->GenerateSourceIdsOn();
+  check.That(gradients() == alone, "gradients are those of the computed field");
+}
+
+/// All reached points have a source, also where the exact distance is over the limit.
+void CheckLimit(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(Bumpy());
+  filter->SetSourceData(Polyline(OnBumpy));
+  filter->SetAccuracyToApproximate();
+  filter->SetRelativeError(0.1);
+  filter->GenerateSourceIdsOn();
+  for (const bool isRefined : { false, true })
+  {
+    filter->SetRefineMesh(isRefined);
+    for (int i = 1; i <= 20; ++i)
+    {
+      filter->SetMaximumDistance(0.05 * i);
+      filter->Update();
+      vtkDataArray* ids = filter->GetOutput()->GetPointData()->GetArray("SourceId");
+      vtkIdType without = 0;
+      for (vtkIdType point = 0; point < ids->GetNumberOfTuples(); ++point)
+      {
+        const bool isReached = std::isfinite(Distances(filter)->GetTuple1(point));
+        without += isReached && ids->GetTuple1(point) < 0.0 ? 1 : 0;
+      }
+      check.Equal(static_cast<double>(without), 0.0,
+        "limit " + std::to_string(filter->GetMaximumDistance()) +
+          ": reached points without source");
+    }
+  }
+}
+
 }
 
 int TestGeodesicApproximation(int, char*[])
@@ -140,5 +200,7 @@ int TestGeodesicApproximation(int, char*[])
   CheckRelativeErrors(check);
   CheckBoundsAddUp(check);
   CheckCoarseFieldWithFineTolerance(check);
+  CheckGradients(check);
+  CheckLimit(check);
   return check.Result();
 }

@@ -599,6 +599,24 @@ void CheckCache(Check& check)
   CheckDistances(check, filter, DistanceTo({ { 1, 1, 0 } }), "when barriers are gone");
 }
 
+/// Barriers are surface: the relative tolerance is that of the surface with them.
+void CheckTolerance(Check& check)
+{
+  const auto surface = WithBarriers(Square(8), [](const Point& p) { return p[0] > 0.25; });
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceData(PointSources({ { 0.125, 0.125, 0 } }));
+  filter->SetBarrierArrayName("barrier");
+  filter->Update();
+  const vtkIdType cells = filter->GetOutput()->GetNumberOfCells();
+  filter->ToleranceIsAbsoluteOn();
+  filter->SetAbsoluteRefinementTolerance(0.001 * surface->GetLength());
+  filter->Update();
+  check.That(cells > surface->GetNumberOfCells(), "a surface with barriers is refined");
+  check.That(filter->GetOutput()->GetNumberOfCells() == cells,
+    "a relative tolerance is a fraction of the surface with its barriers");
+}
+
 /// Each is a test of its own: CMakeLists.txt reads the names from these lines.
 const std::map<std::string, void (*)(Check&)> Checks = {
   { "RandomMeshes", CheckRandomMeshes },
@@ -616,6 +634,7 @@ const std::map<std::string, void (*)(Check&)> Checks = {
   { "BitArray", CheckType<vtkBitArray> },
   { "ValuesOfFaces", CheckValuesOfFaces },
   { "Cache", CheckCache },
+  { "Tolerance", CheckTolerance },
 };
 
 }

@@ -149,6 +149,7 @@ void CheckPropertiesAndPrinting(Check& check)
   filter->SetSourceType(7);
   check.Equal(filter->GetSourceType(), 2, "a source type beyond the last");
   check.Equal(filter->GetMaximumDistance(), 0.0, "the limit by default");
+  check.That(filter->GetJoinLines(), "lines are joined by default");
   check.That(filter->GetMergeCoincidentPoints(), "points are merged by default");
   check.Equal(filter->GetAccuracy(), 0, "accuracy by default");
   check.Equal(filter->GetRelativeError(), 0.001, "relative error by default");
@@ -166,8 +167,8 @@ void CheckPropertiesAndPrinting(Check& check)
   for (const char* name : { "SourceType: 2", "Accuracy: Approximate", "RelativeError: 0.25",
          "RefineMesh: Off", "RefinementTolerance: 0.001", "ToleranceIsAbsolute: On",
          "AbsoluteRefinementTolerance: 1", "MaximumNumberOfCells: 7", "RelativeErrorBound: 0",
-         "InterpolationErrorBound: inf", "MaximumDistance: 0", "MergeCoincidentPoints: On",
-         "Controller: (global)", "DistanceArrayName: GeodesicDistance",
+         "InterpolationErrorBound: inf", "MaximumDistance: 0", "JoinLines: On",
+         "MergeCoincidentPoints: On", "Controller: (global)", "DistanceArrayName: GeodesicDistance",
          "WindowsPropagatedPerEdge: 0", "SourceSnapDistance: 0" })
   {
     check.That(Contains(text.str(), name), std::string("printing says ") + name);

@@ -191,6 +191,27 @@ void CheckCompositeSurfaceAndUnreached(Check& check)
   CheckArrays(check, output, "composite: ");
 }
 
+/// Of equally close places on two sheets a target takes the vertex.
+void CheckVertexBeforeFace(Check& check)
+{
+  for (const bool isVertexFirst : { true, false })
+  {
+    auto upright = Square(1);
+    MovePoints(upright, [](const Point& p) { return Point{ 0.75 + p[0], 0.25, 0.25 + p[1] }; });
+    vtkNew<vtkMultiBlockDataSet> surface;
+    surface->SetBlock(0, isVertexFirst ? upright : Square(1));
+    surface->SetBlock(1, isVertexFirst ? Square(1) : upright);
+    vtkNew<vtkGeodesicPaths> filter;
+    filter->SetInputData(surface);
+    filter->SetSourceData(PointSources({ { 1.5, 0.25, 0.75 } }));
+    filter->SetTargetsData(PointSources({ { 0.75, 0.25, 0.125 } }));
+    Messages messages(filter);
+    messages.Update();
+    check.That(filter->GetOutput()->GetNumberOfLines() == 1,
+      "a target between a vertex of one sheet and a face of another: " + messages.Warning());
+  }
+}
+
 void CheckScales(Check& check)
 {
   const auto run = [](double scale)
@@ -410,6 +431,7 @@ int TestGeodesicPaths(int, char*[])
   CheckStraightPathsInTheSquare(check);
   CheckIds(check);
   CheckCompositeSurfaceAndUnreached(check);
+  CheckVertexBeforeFace(check);
   CheckScales(check);
   CheckThreads(check);
   CheckAgainstField(check);

@@ -2,6 +2,7 @@
 // Under MPI: a surface of which each rank has a piece has one distance field, that of the whole in
 // one process.
 #include "GeodesicTesting.h"
+#include "PathFaces.h"
 #include "RanksTesting.h"
 
 #include "vtkCellData.h"
@@ -15,6 +16,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <set>
 #include <tuple>
 
 using namespace GeodesicTesting;
@@ -222,6 +225,9 @@ void TestGlobalIds(Check& check, Ranks ranks, vtkPolyData* surface)
   const Question question = Questions().front();
   const Whole whole(surface, question);
   const std::vector<vtkIdType> faces = FacesOf(surface, AtRandom(ranks.Count), ranks.Rank);
+  // Pieces without points need no ids.
+  const std::vector<vtkIdType> some =
+    FacesOf(surface, AtRandom(std::max(1, ranks.Count - 1)), ranks.Rank);
   for (const bool hasGlobalIds : { true, false })
   {
     vtkNew<vtkGeodesicDistanceField> filter;
@@ -232,6 +238,10 @@ void TestGlobalIds(Check& check, Ranks ranks, vtkPolyData* surface)
     if (hasGlobalIds)
     {
       CompareData(check, filter->GetOutput(), whole, 1e-12, "joined by global ids");
+      filter->SetInputData(Part(surface, some, !some.empty()));
+      filter->Update();
+      CompareData(
+        check, filter->GetOutput(), whole, 1e-12, "joined by global ids beside an empty piece");
       continue;
     }
     const double farthest = Distances(filter)->GetRange()[1];
@@ -245,15 +255,16 @@ void TestRoundings(Check& check, Ranks ranks, vtkPolyData* surface)
 {
   const Question question = Questions().front();
   const Whole whole(surface, question);
-  auto piece = Part(surface, FacesOf(surface, Strips(surface, ranks.Count), ranks.Rank));
+  const Cut cut = Strips(surface, ranks.Count);
+  const auto movedOn = [](const Point& p, int rank)
+  {
+    const double up = rank % 2 == 1 ? 2.0 : 0.0;
+    return Point{ std::nextafter(p[0], up), std::nextafter(p[1], up), p[2] };
+  };
+  auto piece = Part(surface, FacesOf(surface, cut, ranks.Rank));
   vtkNew<vtkPolyData> moved;
   moved->DeepCopy(piece);
-  MovePoints(moved,
-    [&](const Point& p)
-    {
-      const double up = ranks.Rank % 2 == 1 ? 2.0 : 0.0;
-      return Point{ std::nextafter(p[0], up), std::nextafter(p[1], up), p[2] };
-    });
+  MovePoints(moved, [&](const Point& p) { return movedOn(p, ranks.Rank); });
   vtkNew<vtkGeodesicDistanceField> filter;
   filter->SetInputData(moved);
   Ask(filter, question);
@@ -267,7 +278,25 @@ void TestRoundings(Check& check, Ranks ranks, vtkPolyData* surface)
     worst = std::max(worst, std::abs(distances->GetTuple1(i) - whole.At.at(p)));
   }
   check.That(worst < 1e-12, "seam points that differ by a rounding are one");
-  check.That(ranks.Count == 1 || filter->GetSeamPointsJoined() > 0, "and are counted");
+  std::map<Point, std::set<Point>> placesOfPoints;
+  for (vtkIdType face = 0; face < surface->GetNumberOfPolys(); ++face)
+  {
+    vtkNew<vtkIdList> ids;
+    surface->GetPolys()->GetCellAtId(face, ids);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      Point p;
+      surface->GetPoint(ids->GetId(k), p.data());
+      placesOfPoints[p].insert(movedOn(p, cut(face)));
+    }
+  }
+  std::size_t joined = 0;
+  for (const auto& [point, places] : placesOfPoints)
+  {
+    joined += places.size() - 1;
+  }
+  check.Equal(static_cast<double>(filter->GetSeamPointsJoined()), static_cast<double>(joined),
+    "and are counted once");
 }
 
 /// Half planes that meet in one edge, each on one rank or cut; fans that meet in one vertex.
@@ -504,6 +533,64 @@ void TestPathsAtTargets(Check& check, Ranks ranks, vtkPolyData* unscaled, double
   }
 }
 
+/// FaceId numbers the cells of all ranks, one rank after another, ghosts included; those of the one
+/// rank that has the surface, or of the surface that all have, as in one process.
+void TestFacesOfPaths(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  std::vector<Point> targets;
+  for (int i = 0; i < 30; ++i)
+  {
+    targets.push_back({ 0.5 + 0.5 * std::sin(1.7 * i), 0.5 + 0.5 * std::cos(2.9 * i), 0.0 });
+  }
+  const auto run =
+    [&](vtkPolyData* data, const std::vector<vtkIdType>& faceOf, const std::string& place)
+  {
+    vtkNew<vtkGeodesicPaths> filter;
+    filter->GenerateFaceIdsOn();
+    filter->SetInputData(data);
+    filter->SetSourceData(PointSources({ { 0.2, 0.3, 0.0 } }));
+    filter->SetTargetsData(PointSources(targets));
+    Messages messages(filter);
+    messages.Update();
+    const std::string name = "faces of paths on a surface " + place;
+    check.That(messages.Error().empty(), name + ": " + messages.Error());
+    check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfLines()),
+      ranks.Rank == 0 ? static_cast<double>(targets.size()) : 0.0, name + ": paths");
+    const double error = CheckFacesOfPaths(
+      check, filter->GetOutput(),
+      [&](vtkIdType cell)
+      {
+        const auto number = static_cast<std::size_t>(cell);
+        return cell < 0 || number >= faceOf.size() || faceOf[number] < 0
+          ? std::vector<Corners>()
+          : TrianglesOfCell(surface, faceOf[number]);
+      },
+      name);
+    check.That(error <= 1e-14, name + ": off by " + std::to_string(error));
+  };
+  std::vector<vtkIdType> whole(static_cast<std::size_t>(surface->GetNumberOfPolys()));
+  std::iota(whole.begin(), whole.end(), vtkIdType(0));
+  std::vector<vtkIdType> inPieces;
+  std::vector<vtkIdType> withGhosts;
+  const Cut cut = AtRandom(ranks.Count);
+  for (int rank = 0; rank < ranks.Count; ++rank)
+  {
+    const std::vector<vtkIdType> own = FacesOf(surface, cut, rank);
+    inPieces.insert(inPieces.end(), own.begin(), own.end());
+    withGhosts.insert(withGhosts.end(), own.begin(), own.end());
+    // That a ghost is not named is part of it: it has no face here.
+    withGhosts.resize(withGhosts.size() +
+        static_cast<std::size_t>(PartWithGhosts(surface, cut, rank)->GetNumberOfCells()) -
+        own.size(),
+      -1);
+  }
+  for (const auto& [place, data] : PlacesOfSurface(ranks, surface))
+  {
+    run(data, place == "in pieces" ? inPieces : whole, place);
+  }
+  run(PartWithGhosts(surface, cut, ranks.Rank), withGhosts, "with ghosts");
+}
+
 /// Cells that cannot be read on one rank, of the surface or the source, are an error on all.
 void TestUnreadableCells(Check& check, Ranks ranks, vtkPolyData* surface)
 {
@@ -550,6 +637,8 @@ void TestFailures(Check& check, Ranks ranks, vtkPolyData* surface)
   messages.Update();
   check.That(Contains(messages.Error(), "at point 5"),
     "all ranks say what is wrong on one: " + messages.Error());
+  check.That(Contains(filter->GetErrorMessage(), "at point 5") && filter->GetErrorCode() != 0,
+    "scripts on all ranks get it: " + filter->GetErrorMessage());
   CheckOutputsEmpty(check, filter, "an error on one rank");
 
   filter->SetInputData(piece);
@@ -564,7 +653,9 @@ void TestFailures(Check& check, Ranks ranks, vtkPolyData* surface)
         }
       });
     messages.Update();
-    check.That(messages.Error().empty(), "an abort is no error: " + messages.Error());
+    check.That(
+      messages.Error().empty() && filter->GetErrorMessage().empty() && filter->GetErrorCode() == 0,
+      "an abort is no error: " + messages.Error());
     CheckOutputsEmpty(check, filter, "an abort on one rank");
     filter->RemoveObservers(vtkCommand::ProgressEvent);
   }
@@ -708,6 +799,7 @@ int TestGeodesicRanks(int argc, char* argv[])
       TestFarTargets(check, ranks, surface);
       TestPathsAtTargets(check, ranks, surface, 1.0);
       TestPathsAtTargets(check, ranks, surface, 1e40);
+      TestFacesOfPaths(check, ranks, surface);
       TestUnreadableCells(check, ranks, surface);
       TestFailures(check, ranks, surface);
       TestAgain(check, ranks, surface);

@@ -329,6 +329,84 @@ void TestMaximum(Check& check, Ranks ranks, vtkPolyData* surface)
     "a surface with more faces than the maximum is not refined");
 }
 
+/// Far from the origin, where coordinates are rounded in single precision, seams fit in every
+/// precision, all ranks have the same, and the bound holds for the points as they are stored.
+void TestPrecisions(Check& check, Ranks ranks)
+{
+  constexpr double size = 8192.0;
+  const Point corner = { 654000.0, 5412000.0, 100.0 };
+  const auto surface = Square(8, Cells::Triangles, VTK_FLOAT);
+  const Cut strips = Strips(surface, ranks.Count);
+  std::vector<int> rankOf;
+  for (vtkIdType face = 0; face < surface->GetNumberOfPolys(); ++face)
+  {
+    rankOf.push_back(strips(face));
+  }
+  MovePoints(surface,
+    [&](const Point& p) {
+      return Point{ corner[0] + size * p[0], corner[1] + size * p[1], corner[2] };
+    });
+  const Cut cut = [&rankOf](vtkIdType face) { return rankOf[static_cast<std::size_t>(face)]; };
+  const auto piece = Part(surface, FacesOf(surface, cut, ranks.Rank));
+  const Point source = { corner[0] + 700.0, corner[1] + 3100.0, corner[2] };
+  for (const int precision : { vtkAlgorithm::DEFAULT_PRECISION, vtkAlgorithm::SINGLE_PRECISION,
+         vtkAlgorithm::DOUBLE_PRECISION })
+  {
+    const std::string what = "far from the origin, precision " + std::to_string(precision);
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(piece);
+    filter->SetSourceData(PointSources({ source }));
+    filter->SetRefinementTolerance(1e-4);
+    filter->SetOutputPointsPrecision(precision);
+    filter->Update();
+    const std::vector<Corners> all = Gathered(TrianglesOf(filter->GetOutput(), false));
+    const std::map<int, double> rims = LengthsOfRims(all);
+    check.That(rims.size() == 1 && std::abs(rims.at(1) - 4.0 * size) < 1e-3,
+      what + ": no gap between the pieces");
+    double measured = 0.0;
+    for (const Corners& corners : all)
+    {
+      for (const Corner& at : corners)
+      {
+        measured = std::max(
+          measured, std::abs(at[3] - DistanceToSegment({ at[0], at[1], at[2] }, source, source)));
+      }
+    }
+    const double bound = filter->GetInterpolationErrorBound();
+    check.That(measured <= bound && bound <= 1e-4 * std::sqrt(2.0) * size,
+      what + ": measured " + std::to_string(measured) + ", reported " + std::to_string(bound));
+
+    // A limit leaves the last piece as it is, but all are one data set, of one type.
+    filter->SetMaximumDistance(100.0);
+    filter->Update();
+    check.That(ranks.Rank == 0 || ranks.Rank + 1 < ranks.Count ||
+        filter->GetOutput()->GetNumberOfPoints() == piece->GetNumberOfPoints(),
+      what + ": the last piece is not refined");
+    check.Equal(filter->GetOutput()->GetPoints()->GetDataType(),
+      precision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE,
+      what + ": type of the points of every piece");
+  }
+}
+
+/// Pieces are one data set, also those of ranks that have nothing of the surface: readers of files
+/// of pieces rely on one type of points.
+void TestTypesOfEmptyPieces(Check& check, Ranks ranks, vtkPolyData* surface)
+{
+  for (const int withPieces : { 1, ranks.Count - 1 })
+  {
+    const Cut cut = [&](vtkIdType face) { return ranks.Count - 1 - AtRandom(withPieces)(face); };
+    const std::vector<vtkIdType> faces = FacesOf(surface, cut, ranks.Rank);
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(
+      faces.empty() ? vtkSmartPointer<vtkPolyData>::New() : Part(surface, faces));
+    filter->SetSourceData(PointSources({ { 0.3, 0.4, 0.0 } }));
+    filter->Update();
+    vtkPoints* points = filter->GetOutput()->GetPoints();
+    check.That(points && points->GetDataType() == VTK_DOUBLE,
+      std::to_string(withPieces) + " ranks with pieces: points of every piece are double");
+  }
+}
+
 /// Barriers are cut where their rims are split, on whichever rank.
 void TestBarriers(Check& check, Ranks ranks)
 {
@@ -366,5 +444,7 @@ int TestGeodesicRanksRefined(int argc, char* argv[])
       TestDuplicates(check, ranks, surface);
       TestMaximum(check, ranks, surface);
       TestBarriers(check, ranks);
+      TestPrecisions(check, ranks);
+      TestTypesOfEmptyPieces(check, ranks, Square(8, Cells::Triangles, VTK_FLOAT));
     });
 }

@@ -339,6 +339,7 @@ void CheckPlane(Check& check, const std::string& name, const std::vector<Line>& 
       filter->SetRefinementTolerance(2e-3);
       filter->SetInputData(Square(8, cells));
       filter->SetSourceData(SourceOf(lines));
+      filter->JoinLinesOff(); // each is a curve of its own
       Messages messages(filter);
       messages.Update();
       std::vector<double> plain;

@@ -7,6 +7,7 @@
 #include "vtkCutter.h"
 #include "vtkFeatureEdges.h"
 #include "vtkIdList.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPlane.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkSphereSource.h"
@@ -85,7 +86,7 @@ void CheckKinds(Check& check)
         data->SetVerts(cells);
       }),
     least({ DistanceTo({ p[0] }), DistanceTo({ p[1] }), DistanceTo({ p[3] }) }), 0, 3);
-  CheckSource(check, "two lines and a vertex",
+  CheckSource(check, "two lines that are one curve, and a vertex",
     WithCells(PointSources(p),
       [](vtkPolyData* data, vtkCellArray* cells)
       {
@@ -96,7 +97,7 @@ void CheckKinds(Check& check)
         vertices->InsertNextCell({ 3 });
         data->SetVerts(vertices);
       }),
-    least({ DistanceTo({ p[0], p[1], p[2] }), DistanceTo({ p[3] }) }), 2, 1);
+    least({ DistanceTo({ p[0], p[1], p[2] }), DistanceTo({ p[3] }) }), 1, 1);
   CheckSource(check, "a polygon stands for its outline",
     WithCells(PointSources(p),
       [](vtkPolyData* data, vtkCellArray* cells)
@@ -333,6 +334,71 @@ void CheckSnapDistance(Check& check)
   check.That(messages.Warning().empty(), "a curve near the surface is not warned of");
 }
 
+/// Outlines and lines keep the order of their points, on the surface too.
+void CheckOrder(Check& check)
+{
+  const std::vector<Point> p = { { 0.5, 0.0625, 0 }, { 0.53125, 0.125, 0 }, { 0.625, 0.0625, 0 },
+    { 0.65625, 0.125, 0 }, { 0.75, 0.0625, 0 } };
+  const auto onSurface = [&](bool isStrip, const std::vector<vtkIdType>& ids)
+  {
+    auto source = PointSources(p);
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    isStrip ? source->SetStrips(cells) : source->SetLines(cells);
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->RefineMeshOff();
+    filter->SetInputData(Square(1));
+    filter->SetSourceData(source);
+    filter->Update();
+    std::vector<Point> points;
+    vtkNew<vtkIdList> cell;
+    Curves(filter)->GetLines()->GetCellAtId(0, cell);
+    for (vtkIdType i = 0; i < cell->GetNumberOfIds(); ++i)
+    {
+      Curves(filter)->GetPoint(cell->GetId(i), points.emplace_back().data());
+    }
+    return points;
+  };
+  const auto are = [&](const std::vector<Point>& points, const std::vector<std::size_t>& expected)
+  {
+    return points.size() == expected.size() &&
+      std::equal(points.begin(), points.end(), expected.begin(),
+        [&p](const Point& a, std::size_t b) { return DistanceToSegment(a, p[b], p[b]) < 1e-15; });
+  };
+  check.That(are(onSurface(false, { 0, 1, 0 }), { 0, 1, 0 }), "a line there and back");
+  check.That(are(onSurface(false, { 0, 1, 2, 0 }), { 0, 1, 2, 0 }), "a closed line");
+  check.That(are(onSurface(true, { 0, 1, 2, 3 }), { 0, 2, 3, 1, 0 }), "a strip of four points");
+  check.That(are(onSurface(true, { 0, 1, 2, 3, 4 }), { 0, 2, 4, 3, 1, 0 }), "one of five");
+}
+
+/// The blocks of a source have one precision, the least of any of them.
+void CheckPrecisionOfBlocks(Check& check)
+{
+  const auto surface = NoisySquare(8);
+  const Point single = [&surface]
+  {
+    Point p;
+    surface->GetPoint(30, p.data());
+    return p;
+  }();
+  const auto rounded = PointSources({ single }, VTK_FLOAT);
+  const auto other = PointSources({ { 0.9, 0.9, 0.0 } });
+  for (const bool isFirst : { true, false })
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetBlock(0, isFirst ? rounded : other);
+    blocks->SetBlock(1, isFirst ? other : rounded);
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->RefineMeshOff();
+    filter->SetInputData(surface);
+    filter->SetSourceData(blocks);
+    filter->Update();
+    check.Equal(Distances(filter)->GetTuple1(30), 0.0,
+      std::string("a point in single precision in the ") + (isFirst ? "first" : "last") +
+        " block is the vertex that it was rounded from");
+  }
+}
+
 }
 
 int TestGeodesicSources(int, char*[])
@@ -347,5 +413,7 @@ int TestGeodesicSources(int, char*[])
   }
   CheckFeatureEdgesOfCube(check);
   CheckSnapDistance(check);
+  CheckOrder(check);
+  CheckPrecisionOfBlocks(check);
   return check.Result();
 }

@@ -44,6 +44,14 @@ curve.Points = [0, -0.5, 0.002, 0, 0.5, 0.002]
 field.UpdatePipeline()
 assert abs(field.SourceSnapDistance - 0.002) < FLOAT, field.SourceSnapDistance
 
+# The client learns of an error, and of its end.
+field.Source = None
+field.UpdatePipeline()
+assert "no source" in field.ErrorMessage, field.ErrorMessage
+field.Source = curve
+field.UpdatePipeline()
+assert field.ErrorMessage == "", field.ErrorMessage
+
 contour = simple.GeodesicContour(Input=sheet, Source=curve, Distances=[0.1, 0.3])
 lines, values = arrays(contour)
 assert sorted(set(values["GeodesicDistance"])) == [0.1, 0.3], values

@@ -94,6 +94,8 @@ class Properties(unittest.TestCase):
         field = GeodesicDistanceField(Input=plane())
         self.assertEqual(field.SourceType, "Source Curve")
         self.assertEqual(field.MaximumDistance, 0)
+        self.assertEqual(field.JoinLines, 1)
+        self.assertEqual(field.SourceIdArrayName, "None")
         self.assertEqual(field.MergeCoincidentPoints, 1)
         self.assertEqual(field.BarrierArrayName, "None")
         self.assertEqual(field.DistanceArrayName, "GeodesicDistance")
@@ -211,6 +213,34 @@ class Barriers(unittest.TestCase):
         with messages() as said:
             field.UpdatePipeline()
         self.assertIn("lies in a barrier", said.GetOutput())
+
+
+class SourceNames(unittest.TestCase):
+    def labelled(self):
+        """The points of a line, with two labels."""
+        curve = polyline(BENT)
+        marked = simple.Calculator(Input=curve, ResultArrayName="Label", ResultArrayType="Int",
+                                   Function="if(coordsX > 1, 8, 3)")
+        marked.UpdatePipeline()
+        return marked
+
+    def test_the_list_offers_the_arrays_of_the_source(self):
+        field = GeodesicDistanceField(Input=plane(), Source=self.labelled())
+        self.assertEqual(field.SourceIdArrayName, "None")
+        available = list(field.GetProperty("SourceIdArrayName").GetAvailable())
+        self.assertIn("None", available)
+        self.assertIn("Label", available)
+
+    def test_points_have_the_label_of_the_nearest(self):
+        marks = simple.GroupDatasets(Input=[
+            simple.PointSource(NumberOfPoints=1, Radius=0, Center=(x, 0.5, 0)) for x in (0.5, 2.5)])
+        labels = simple.Calculator(Input=marks, ResultArrayName="Label", ResultArrayType="Int",
+                                   Function="if(coordsX > 1, 8, 3)")
+        field = GeodesicDistanceField(Input=plane(), Source=labels, SourceIdArrayName="Label",
+                                      GenerateSourceIds=1, RefineMesh=0)
+        ids = vtk_to_numpy(data(field).GetPointData().GetArray("SourceId"))
+        x = points(data(field))[:, 0]
+        self.assertTrue(np.all(ids[x < 1.5] == 3) and np.all(ids[x > 1.5] == 8))
 
 
 class Results(unittest.TestCase):

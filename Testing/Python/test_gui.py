@@ -52,9 +52,10 @@ LINE = [(0, -0.5, 0), (0, 0.5, 0)]
 DEFAULTS = {"Input": "Sheet", "Source": None, "SourceType": 0, "Accuracy": 0, "RelativeError": 0.001,
             "RefineMesh": 1, "RefinementTolerance": 0.001, "ToleranceIsAbsolute": 0,
             "AbsoluteRefinementTolerance": 1, "MaximumNumberOfCells": 50000000,
+            "OutputPointsPrecision": 2,
             "RefineSourceBorders": 0, "MaximumDistance": 0, "MergeCoincidentPoints": 1,
             "UnreachedValue": 0, "CustomUnreachedValue": -1, "RemoveUnusedPoints": 0,
-            "BarrierArrayName": "None",
+            "BarrierArrayName": "None", "JoinLines": 1, "SourceIdArrayName": "None",
             "DistanceArrayName": "GeodesicDistance",
             "GenerateSourceIds": 0, "GenerateClosestPoints": 0, "GenerateGradients": 0,
             "GenerateSignedDistance": 0, "GenerateSourceArcLength": 0, "GenerateSourceAngle": 0,
@@ -103,7 +104,7 @@ for number, moved in enumerate((
         {"Source": "Curve"}, {"Source": "Ring"}, {"RefinementTolerance": 0.005},
         {"ToleranceIsAbsolute": 1, "AbsoluteRefinementTolerance": 0.0003},
         {"MaximumNumberOfCells": 1500}, {"RefineMesh": 0}, {"Accuracy": 1}, {"RelativeError": 0.1},
-        {"Accuracy": 0, "MaximumDistance": 0.3}, {"MaximumDistance": 0, "MergeCoincidentPoints": 0},
+        {"Accuracy": 0, "MaximumDistance": 0.3}, {"MaximumDistance": 0, "MergeCoincidentPoints": 0, "JoinLines": 0},
         {"DistanceArrayName": "Depth"}, {"SourceType": 1}, {"SourceType": 2},
         {"BarrierArrayName": "Wall"}, {"GenerateSourceIds": 1}, {"GenerateClosestPoints": 1},
         {"GenerateGradients": 1}, {"GenerateSignedDistance": 1}, {"GenerateSourceArcLength": 1},
@@ -111,7 +112,7 @@ for number, moved in enumerate((
     asked.update(moved)
     assert runs[number].properties == asked, f"{number}: {runs[number].properties}"
 MOVED_ELSEWHERE = {"ColorByStripes", "UnreachedValue", "CustomUnreachedValue", "RemoveUnusedPoints",
-                   "RefineSourceBorders"}
+                   "RefineSourceBorders", "OutputPointsPrecision", "SourceIdArrayName"}
 assert not DEFAULTS.keys() - {"Input"} - MOVED_ELSEWHERE - {
     name for name in DEFAULTS if any(run.properties[name] != DEFAULTS[name] for run in runs)}
 

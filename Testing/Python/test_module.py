@@ -70,8 +70,11 @@ class Module(unittest.TestCase):
                                      ("ToleranceIsAbsolute", False, True),
                                      ("AbsoluteRefinementTolerance", 1.0, 0.2),
                                      ("MaximumNumberOfCells", 50000000, 0),
+                                     ("OutputPointsPrecision", 2, 0),
                                      ("RefineSourceBorders", False, True),
                                      ("MaximumDistance", 0.0, 1.5),
+                                     ("JoinLines", True, False),
+                                     ("SourceIdArrayName", None, "labels"),
                                      ("MergeCoincidentPoints", True, False),
                                      ("BarrierArrayName", None, "walls"),
                                      ("DistanceArrayName", "GeodesicDistance", "Depth")):

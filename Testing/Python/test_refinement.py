@@ -6,6 +6,7 @@ import unittest
 import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.vtkConstants import VTK_DOUBLE, VTK_FLOAT
 
 from geodesic_testing import (FLOAT, assert_close, data, distance_to_segments, distances,
                               load_plugin, messages, plane, points, polyline)
@@ -53,7 +54,8 @@ class Refinement(unittest.TestCase):
         for name, value in (("Accuracy", "Exact"), ("RelativeError", 0.001), ("RefineMesh", 1),
                             ("RefinementTolerance", 0.001), ("ToleranceIsAbsolute", 0),
                             ("AbsoluteRefinementTolerance", 1),
-                            ("MaximumNumberOfCells", 50000000)):
+                            ("MaximumNumberOfCells", 50000000),
+                            ("OutputPointsPrecision", "Default")):
             self.assertEqual(getattr(field, name), value, name)
 
     def test_every_property_has_help_text(self):
@@ -168,6 +170,17 @@ class Refinement(unittest.TestCase):
         positions = points(data(field))
         np.testing.assert_allclose(
             distances(field, "Slope"), 2 * positions[:, 0] - positions[:, 1], atol=1e-5)
+
+    def test_points_have_the_precision_that_is_asked_for(self):
+        ball = simple.Sphere()
+        field = GeodesicDistanceField(Input=ball, Source=polyline([(0.4, 0.1, 0.2), (0.1, 0.4, 0.3)]))
+        for precision, refined, whole in (("Default", VTK_DOUBLE, VTK_FLOAT),
+                                          ("Single", VTK_FLOAT, VTK_FLOAT),
+                                          ("Double", VTK_DOUBLE, VTK_DOUBLE)):
+            field.OutputPointsPrecision = precision
+            for field.RefineMesh, expected in ((1, refined), (0, whole)):
+                field.UpdatePipeline()
+                self.assertEqual(data(field).GetPoints().GetDataType(), expected, precision)
 
     def test_a_tolerance_that_is_not_positive_is_refused(self):
         for name, flag in (("RefinementTolerance", 0), ("AbsoluteRefinementTolerance", 1)):

@@ -64,12 +64,32 @@ class Paths(unittest.TestCase):
         np.testing.assert_allclose(
             cell_array(data(paths), "GeodesicDistance"), expected, atol=FLOAT)
 
+    def test_each_piece_names_its_cell(self):
+        """Cells are squares of 1/6, the number of one at (i / 6, j / 6) is i + 24 j."""
+        paths = simple.GeodesicPaths(Input=plane(), Source=polyline(CURVE), Targets=polyline(TARGETS))
+        self.assertFalse(data(paths).GetPointData().HasArray("FaceId"))
+        paths.GenerateFaceIds = 1
+        output = data(paths)
+        cells = vtk_to_numpy(output.GetPointData().GetArray("FaceId"))
+        begin = 0
+        for line in lines(output):
+            own = cells[begin:begin + len(line)]
+            corner = np.column_stack((own[:-1] % 24, own[:-1] // 24)) / 6
+            middle = (line[1:, :2] + line[:-1, :2]) / 2
+            self.assertTrue(np.all((corner - FLOAT <= middle) & (middle <= corner + 1 / 6 + FLOAT)))
+            self.assertEqual(own[-1], own[-2])
+            begin += len(line)
+
     def test_without_targets_there_is_an_error(self):
         paths = simple.GeodesicPaths(Input=plane(), Source=polyline(CURVE), Targets=None)
         with messages() as said:
             paths.UpdatePipeline()
         self.assertIn("no targets", said.GetOutput())
         self.assertIn("port 2", said.GetOutput())
+        self.assertIn("no targets", paths.ErrorMessage)
+        paths.Targets = polyline(TARGETS)
+        paths.UpdatePipeline()
+        self.assertEqual(paths.ErrorMessage, "")
 
 
 class Matrix(unittest.TestCase):

@@ -6,6 +6,7 @@
 #include "Types.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace geodesic
@@ -51,10 +52,19 @@ struct Box
     return norm(outside);
   }
 
+  /// The largest absolute coordinates.
+  Vec3 largestCoordinates() const
+  {
+    Vec3 largest;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      largest[k] = std::max(std::abs(this->low[k]), std::abs(this->high[k]));
+    }
+    return largest;
+  }
   double largestCoordinate() const
   {
-    return std::max(
-      geodesic::largestCoordinate(this->low), geodesic::largestCoordinate(this->high));
+    return geodesic::largestCoordinate(this->largestCoordinates());
   }
 };
 

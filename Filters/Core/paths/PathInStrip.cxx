@@ -164,8 +164,8 @@ void pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
   const std::vector<SurfacePoint> path =
     cleanedPath(strip.mesh(), pathInWindows(field, onPatch(strip, target)), target.distance);
   const auto addressOf = [&strip](Id face) { return strip.ownerOf(face); };
-  take({ strip.mesh(), path, path.empty() ? PathEnd() : ends.of(strip.mesh(), path, addressOf),
-    true });
+  take({ strip.mesh(), path, addressOf,
+    path.empty() ? PathEnd() : ends.of(strip.mesh(), path, addressOf), true });
 }
 
 }

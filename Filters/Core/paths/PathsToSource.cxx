@@ -189,7 +189,7 @@ private:
     double length, const std::function<RankAddress(Id)>& addressOf) const
   {
     const std::vector<SurfacePoint> points = cleanedPath(mesh, path, length);
-    this->take_(target, { mesh, points, this->ends_.of(mesh, points, addressOf) });
+    this->take_(target, { mesh, points, addressOf, this->ends_.of(mesh, points, addressOf) });
   }
 
   // Sends the paths that leave to the ranks where they go on, and follows those that come.

@@ -24,9 +24,17 @@ struct PathToSource
   /// on the source; twice the target where that is on the source. Consecutive points have a face in
   /// common.
   std::vector<SurfacePoint> points;
+  /// The address of a face of the mesh.
+  std::function<RankAddress(Id)> addressOf;
   PathEnd end;
   /// Whether tracing lost the path, so that windows had to find it again, which takes much longer.
   bool wasLost = false;
+
+  /// A face that holds a point and the next one; any of those that do.
+  RankAddress faceAfter(std::size_t point) const
+  {
+    return this->addressOf(commonFace(this->mesh, this->points[point], this->points[point + 1]));
+  }
 };
 
 /// Takes over the path of a target. Paths come in no order, several at the same time from the

@@ -25,8 +25,7 @@ std::vector<Vec3> placesOf(const std::vector<LocatedPolyline>& polylines)
 }
 
 /// Whether a vertex of the first place and one of the second are in one face.
-bool haveCommonFace(
-  const TriangleMesh& mesh, const std::vector<Id>& first, const std::vector<Id>& second)
+bool haveCommonFace(const TriangleMesh& mesh, const IdRange& first, const IdRange& second)
 {
   const auto areInOne = [&mesh](Id a, Id b)
   { return commonFace(mesh, SurfacePoint::atVertex(a), SurfacePoint::atVertex(b)) != NoId; };
@@ -40,8 +39,15 @@ bool haveCommonFace(
 bool isAlongEdges(const TriangleMesh& mesh, const LocatedPolyline& polyline,
   const LocatedPlaces& located, const std::vector<std::vector<Id>>& vertices)
 {
-  const auto at = [&](std::size_t i) -> const std::vector<Id>&
-  { return vertices[located.indexOf(polyline.points[i])]; };
+  const auto at = [&](std::size_t i) -> IdRange
+  {
+    if (polyline.vertexOf(i) != NoId)
+    {
+      return { &polyline.vertices[i], &polyline.vertices[i] + 1 };
+    }
+    const std::vector<Id>& there = vertices[located.indexOf(polyline.points[i])];
+    return { there.data(), there.data() + there.size() };
+  };
   const std::size_t count = polyline.points.size();
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -117,10 +123,15 @@ void LocatedPlaces::setFaces(
   for (LocatedPolyline& polyline : polylines)
   {
     polyline.faces.clear();
-    for (const Vec3& point : polyline.points)
+    for (std::size_t i = 0; i < polyline.points.size(); ++i)
     {
       std::vector<Id>& onPatch = polyline.faces.emplace_back();
-      for (const ClosestFace& found : this->faces[this->indexOf(point)])
+      if (polyline.vertexOf(i) != NoId)
+      {
+        onPatch.push_back(someFace(patch.mesh(), SurfacePoint::atVertex(polyline.vertices[i])));
+        continue;
+      }
+      for (const ClosestFace& found : this->faces[this->indexOf(polyline.points[i])])
       {
         onPatch.push_back(patch.faceAt(found.face));
       }

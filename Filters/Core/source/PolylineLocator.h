@@ -21,7 +21,8 @@ struct LocatedPlaces
   ClosestFaces faces;
 
   std::size_t indexOf(const Vec3& place) const { return placeIn(this->places, place); }
-  /// Sets the faces of polylines with these points, as faces of a patch that has them.
+  /// Sets the faces of polylines with these points, as faces of a patch that has them. A point that
+  /// is a vertex has a face there.
   void setFaces(const ReplicatedPatch& patch, std::vector<LocatedPolyline>& polylines) const;
 };
 

@@ -41,7 +41,7 @@ void check(const TriangleMesh& mesh, const LocatedPolyline& polyline)
   for (std::size_t i = 0; i < polyline.points.size(); ++i)
   {
     const auto fail = [&](const char* what)
-    { throw SourceError("Point " + std::to_string(i) + " of " + polyline.name + what); };
+    { throw SourceError('P' + polyline.nameOfPoint(i).substr(1) + what); };
     if (!isFinite(polyline.points[i]))
     {
       fail(" has a coordinate that is not finite. Remove or repair the point.");
@@ -109,7 +109,7 @@ public:
     for (const PlacedLine& line : lines)
     {
       this->result_.curves.push_back(
-        this->join(this->withoutRepeats(line, polyline, isClosed), polyline.name));
+        this->join(this->withoutRepeats(line, polyline, isClosed), polyline));
       this->result_.curves.back().source = polyline.source;
     }
     this->pointsDone_ += static_cast<double>(polyline.points.size());
@@ -166,8 +166,7 @@ private:
     const LengthBetween lengthBetween = [&](std::size_t point, std::size_t from, std::size_t to)
     {
       const PlacedPoint& next = places[(point + 1) % places.size()][to];
-      const std::vector<SurfacePoint> path =
-        this->joinFar(places[point][from], next, polyline.name);
+      const std::vector<SurfacePoint> path = this->joinFar(places[point][from], next, polyline);
       double length = 0.0;
       for (std::size_t i = 1; i < path.size(); ++i)
       {
@@ -273,8 +272,8 @@ private:
 
   /// Edges merely cut the curve; at vertices on its way it may bend.
   ///
-  /// \param name of the polyline, for error messages.
-  SourceCurve join(const PlacedLine& line, const std::string& name) const
+  /// \param polyline of which this is a part.
+  SourceCurve join(const PlacedLine& line, const LocatedPolyline& polyline) const
   {
     SourceCurve curve = pointCurve(line.front().place);
     for (std::size_t n = 1; n < line.size(); ++n)
@@ -282,7 +281,7 @@ private:
       std::vector<SurfacePoint> path = { line[n - 1].place, line[n].place };
       if (commonFace(this->mesh_, path[0], path[1]) == NoId)
       {
-        path = this->joinFar(line[n - 1], line[n], name);
+        path = this->joinFar(line[n - 1], line[n], polyline);
       }
       for (std::size_t i = 1; i < path.size(); ++i)
       {
@@ -296,7 +295,7 @@ private:
   }
 
   std::vector<SurfacePoint> joinFar(
-    const PlacedPoint& from, const PlacedPoint& to, const std::string& name) const
+    const PlacedPoint& from, const PlacedPoint& to, const LocatedPolyline& polyline) const
   {
     const auto report = [&](double fraction)
     {
@@ -306,8 +305,11 @@ private:
     std::vector<SurfacePoint> path = this->join_(from.place, to.place, report);
     if (path.empty())
     {
-      throw SourceError("Points " + std::to_string(from.index) + " and " +
-        std::to_string(to.index) + " of " + name +
+      const std::string names = polyline.pointNames.empty()
+        ? "Points " + std::to_string(from.index) + " and " + std::to_string(to.index) + " of " +
+          polyline.name
+        : 'P' + polyline.pointNames[from.index].substr(1) + " and " + polyline.pointNames[to.index];
+      throw SourceError(names +
         " are on different components of the surface, so that no path on it joins them. Split the "
         "polyline between them, or connect the surface.");
     }

@@ -19,12 +19,24 @@ struct LocatedPolyline
   /// For each point the equally close faces, in order of preference: at least one, and several
   /// where the surface touches or overlaps itself.
   std::vector<std::vector<Id>> faces;
+  /// For each point the vertex that it is, also where several are at one place; NoId if its place
+  /// has to be found. Empty: for all points.
+  std::vector<Id> vertices = {};
   /// Whether the last point joins the first.
   bool closed = false;
   /// Name for error messages, such as "line 3 of the source".
   std::string name;
+  /// The names of the points for messages; empty where these are "point 7 of line 3 of the source".
+  std::vector<std::string> pointNames = {};
   /// SourceCurve::source of its curves.
   Id source = 0;
+
+  Id vertexOf(std::size_t i) const { return this->vertices.empty() ? NoId : this->vertices[i]; }
+  std::string nameOfPoint(std::size_t i) const
+  {
+    return this->pointNames.empty() ? "point " + std::to_string(i) + " of " + this->name
+                                    : this->pointNames[i];
+  }
 };
 
 /// The curves as they lie on the surface.

@@ -6,6 +6,7 @@
 #include "PolyData/PowerOfTwoScale.h"
 #include "PolyData/ranks/BorrowedValues.h"
 #include "mesh/BarrierFaces.h"
+#include "mesh/Box.h"
 #include "mesh/MeshPartition.h"
 
 #include "vtkCellArray.h"
@@ -148,7 +149,9 @@ struct PolyDataSurface
   std::vector<Id> barrierTriangles;
   /// What the mesh, and all that is computed on it, is larger by than the input.
   PowerOfTwoScale scale;
-  /// Of the bounding box of the points that triangles use, on the mesh; of the whole surface.
+  /// Around the points that triangles use, on the mesh; of the whole surface.
+  Box box;
+  /// Of the box.
   double diagonal;
   SurfaceReport report;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/SourcesAndTargets.h"
 
+#include "PolyData/reading/LineChains.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "mesh/SurfaceSnap.h"
 
@@ -17,13 +18,52 @@ namespace geodesic
 namespace
 {
 
-/// Takes the curves out of the cells of one block.
+/// A number as an Id, or another one if it is none.
+Id idOr(vtkIdType number, Id other)
+{
+  return number >= 0 && number < static_cast<vtkIdType>(NoId) ? static_cast<Id>(number) : other;
+}
+
+/// The vertex of a point of the surface if a point in space lies there, within the precision of its
+/// coordinates; NoId if not. Points of several blocks or ranks have no numbers in common.
+Id vertexIfThere(
+  const PolyDataSurface& surface, Id number, const Vec3& place, double coordinatePrecision)
+{
+  if (surface.partition.isDistributed() || surface.blocks.size() != 1 ||
+    number >= surface.numberOfPoints)
+  {
+    return NoId;
+  }
+  const TriangleMesh& mesh = surface.mesh();
+  const Id vertex = surface.vertexOf(number);
+  if (vertex >= mesh.numberOfVertices() || mesh.cornersAt(vertex).size() == 0)
+  {
+    return NoId;
+  }
+  const Id face = someFace(mesh, SurfacePoint::atVertex(vertex));
+  const SnappedPoint there = snapToFace(mesh, face, place, coordinatePrecision);
+  const bool isThere = there.place.kind == SurfacePoint::Kind::Vertex && there.place.id == vertex &&
+    there.distance <= there.tolerance;
+  return isThere ? vertex : NoId;
+}
+
+/// Makes vertices of the numbers of the surface's points.
+void findVertices(const PolyDataSurface& surface, double coordinatePrecision, LocatedPolyline& line)
+{
+  for (std::size_t i = 0; i < line.vertices.size(); ++i)
+  {
+    line.vertices[i] =
+      vertexIfThere(surface, line.vertices[i], line.points[i], coordinatePrecision);
+  }
+}
+
+/// Takes the curves out of the cells of one block. Ids are numbers of cells and points.
 struct BlockReader
 {
   const PolyDataBlock& block;
   /// Of the blocks before, to which those of this one are added.
   SourcePolylines& sources;
-  const Id firstSource = sources.numberOfSources;
+  const Id firstSource = static_cast<Id>(sources.idEnd);
   vtkIdType cell = 0;
   std::vector<char> isUsed{};
 
@@ -33,7 +73,7 @@ struct BlockReader
     vtkPolyData* source = this->block.data;
     const auto before = static_cast<std::ptrdiff_t>(this->sources.ids.size());
     this->isUsed.assign(static_cast<std::size_t>(source->GetNumberOfPoints()), 0);
-    if (source->GetNumberOfCells() == source->GetNumberOfVerts())
+    if (this->block.isSetOfPoints())
     {
       this->readPoints();
       return std::move(this->isUsed);
@@ -43,7 +83,7 @@ struct BlockReader
     this->read(source->GetPolys(), &BlockReader::addPolygon);
     this->read(source->GetStrips(), &BlockReader::addStrip);
     std::sort(this->sources.ids.begin() + before, this->sources.ids.end());
-    this->sources.numberOfSources += static_cast<Id>(this->cell);
+    this->sources.idEnd += this->cell;
     this->sources.droppedCells += this->block.droppedCells;
     return std::move(this->isUsed);
   }
@@ -68,7 +108,7 @@ struct BlockReader
         this->sources.ids.push_back(this->sourceOf(i));
       }
     }
-    this->sources.numberOfSources += static_cast<Id>(source->GetNumberOfPoints());
+    this->sources.idEnd += source->GetNumberOfPoints();
   }
 
   void read(vtkCellArray* cells, Adder add)
@@ -120,12 +160,18 @@ struct BlockReader
     {
       this->block.data->GetPoint(ids[i], line.points[static_cast<std::size_t>(i)].data());
     }
+    for (vtkIdType i = 0; i < size && !this->block.originalPoints.empty(); ++i)
+    {
+      line.vertices.push_back(
+        idOr(this->block.originalPoints[static_cast<std::size_t>(ids[i])], NoId));
+    }
     return line;
   }
 
   void addPoint(vtkIdType point, Id source)
   {
-    this->addPolyline(1, &point, "point " + std::to_string(point), source);
+    LocatedPolyline& line = this->addPolyline(1, &point, "point " + std::to_string(point), source);
+    line.pointNames = { line.name };
   }
 
   void addVertices(vtkIdType size, const vtkIdType* ids)
@@ -145,6 +191,10 @@ struct BlockReader
 
   void addLine(vtkIdType size, const vtkIdType* ids)
   {
+    if (size == 2)
+    {
+      this->sources.lines.push_back(this->sources.polylines.size());
+    }
     const bool closed = size > 3 && ids[0] == ids[size - 1];
     this->addCurve(closed ? size - 1 : size, ids, closed);
   }
@@ -166,6 +216,72 @@ struct BlockReader
     this->addCurve(size, outline.data(), true);
   }
 };
+
+/// The values that name the parts of a source, by the numbers of cells and points over all blocks;
+/// empty if none do.
+///
+/// \param ids of all that are sources, ascending.
+/// \throws SourceError if a value of one of these is no id.
+std::vector<vtkIdType> namesOfParts(
+  const std::vector<PolyDataBlock>& source, const std::vector<vtkIdType>& ids)
+{
+  std::vector<vtkIdType> names;
+  auto id = ids.begin();
+  for (const PolyDataBlock& block : source)
+  {
+    const auto first = static_cast<vtkIdType>(names.size());
+    names.insert(names.end(), block.sourceIds.begin(), block.sourceIds.end());
+    for (; id != ids.end() && *id < static_cast<vtkIdType>(names.size()); ++id)
+    {
+      const vtkIdType name = names[static_cast<std::size_t>(*id)];
+      if (name < 0 || name >= SourceIdEnd)
+      {
+        throw SourceError((block.isSetOfPoints() ? "Point " : "Cell ") +
+          std::to_string(*id - first) + " of " + block.name +
+          (name < 0 ? " has a negative value" : " has a value that is too large") +
+          " in the array that names the parts of the source (SourceIdArrayName): ids are from 0 "
+          "to " +
+          std::to_string(SourceIdEnd - 1) + ", as -1 stands for points that are not reached.");
+      }
+    }
+  }
+  return names;
+}
+
+/// Makes sources of the cells and points that were read: those with one name are one.
+///
+/// \param names of cells and points; if empty, their numbers.
+void makeSources(const std::vector<vtkIdType>& names, SourcePolylines& sources)
+{
+  const auto nameOf = [&names](vtkIdType number)
+  { return names.empty() ? number : names[static_cast<std::size_t>(number)]; };
+  std::vector<vtkIdType>& ids = sources.ids;
+  std::transform(ids.begin(), ids.end(), ids.begin(), nameOf);
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  for (LocatedPolyline& line : sources.polylines)
+  {
+    const auto at = std::lower_bound(ids.begin(), ids.end(), nameOf(line.source));
+    line.source = static_cast<Id>(at - ids.begin());
+  }
+  sources.idEnd = names.empty() ? sources.idEnd : ids.back() + 1;
+}
+
+/// Joins lines of one name to curves.
+void joinLines(const std::vector<vtkIdType>& names, SourcePolylines& sources)
+{
+  std::vector<vtkIdType> parts;
+  for (std::size_t i = 0; !names.empty() && i < sources.lines.size(); ++i)
+  {
+    parts.push_back(names[sources.polylines[sources.lines[i]].source]);
+  }
+  const std::vector<Id> gone = joinLines(sources.polylines, sources.lines, parts);
+  std::vector<vtkIdType>& ids = sources.ids;
+  ids.erase(std::remove_if(ids.begin(), ids.end(),
+              [&gone](vtkIdType id)
+              { return std::binary_search(gone.begin(), gone.end(), static_cast<Id>(id)); }),
+    ids.end());
+}
 
 /// \throws SourceError
 [[noreturn]] void throwEmpty(const SourcePolylines& sources)
@@ -217,9 +333,10 @@ std::vector<RankAddress> barriersAt(
 
 /// The targets, as polylines of one point each.
 std::vector<LocatedPolyline> readPoints(
-  const std::vector<PolyDataBlock>& blocks, const std::string& name, const PowerOfTwoScale& scale)
+  const std::vector<PolyDataBlock>& blocks, const std::string& name, const PolyDataSurface& surface)
 {
   std::vector<LocatedPolyline> points;
+  const double precision = coordinatePrecisionOf(blocks);
   for (const PolyDataBlock& block : blocks)
   {
     for (vtkIdType i = 0; i < block.data->GetNumberOfPoints(); ++i)
@@ -227,11 +344,16 @@ std::vector<LocatedPolyline> readPoints(
       Vec3 p;
       block.data->GetPoint(i, p.data());
       LocatedPolyline& point = points.emplace_back();
-      point.points = { scale.toEngine(p) };
+      point.points = { surface.scale.toEngine(p) };
       if (isFinite(p) && !(norm(point.points.front()) < Infinity))
       {
         throw InputError("Point " + std::to_string(i) + " of " + block.name +
           " is too far from the surface for its size. Scale or move it upstream.");
+      }
+      if (isFinite(p) && !block.originalPoints.empty())
+      {
+        point.vertices = { idOr(block.originalPoints[static_cast<std::size_t>(i)], NoId) };
+        findVertices(surface, precision, point);
       }
     }
     if (const std::string bad = whereNotFinite(block); !bad.empty())
@@ -277,13 +399,8 @@ OwnPlace snapToOwnFace(const MeshPartition& surface, const Vec3& point,
 
 }
 
-std::string nameOfPoint(const LocatedPolyline& line, std::size_t point)
-{
-  const bool isNamed = line.name.compare(0, 5, "point") == 0;
-  return isNamed ? line.name : "point " + std::to_string(point) + " of " + line.name;
-}
-
-SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale)
+SourcePolylines readSource(
+  const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface, bool areLinesJoined)
 {
   SourcePolylines result;
   std::vector<std::vector<char>> used;
@@ -303,18 +420,26 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
       throw SourceError(bad);
     }
   }
+  const double precision = coordinatePrecisionOf(source);
   for (LocatedPolyline& line : result.polylines)
   {
     for (std::size_t i = 0; i < line.points.size(); ++i)
     {
-      line.points[i] = scale.toEngine(line.points[i]);
+      line.points[i] = surface.scale.toEngine(line.points[i]);
       if (!(norm(line.points[i]) < Infinity))
       {
-        throw SourceError("Point " + std::to_string(i) + " of " + line.name +
+        throw SourceError('P' + line.nameOfPoint(i).substr(1) +
           " is too far from the surface for its size. Scale or move the source upstream.");
       }
     }
+    findVertices(surface, precision, line);
   }
+  const std::vector<vtkIdType> names = namesOfParts(source, result.ids);
+  if (areLinesJoined)
+  {
+    joinLines(names, result);
+  }
+  makeSources(names, result);
   return result;
 }
 
@@ -332,7 +457,7 @@ void requireOutsideBarriers(const PolyDataSurface& surface,
       {
         const Vec3 place = surface.scale.toUser(line.points[i]);
         std::ostringstream text;
-        text << 'P' << nameOfPoint(line, i).substr(1) << ", at (" << place[0] << ", " << place[1]
+        text << 'P' << line.nameOfPoint(i).substr(1) << ", at (" << place[0] << ", " << place[1]
              << ", " << place[2] << "), lies in a barrier (BarrierArrayName): it is closest to "
              << nameOfBarrier(surface, surfaceBlocks, face)
              << ", which no path may leave. Move it out of the barrier, or onto its rim.";
@@ -355,7 +480,7 @@ double coordinatePrecisionOf(const std::vector<PolyDataBlock>& source)
 Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
   const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress)
 {
-  const std::vector<LocatedPolyline> points = readPoints(blocks, name, surface.scale);
+  const std::vector<LocatedPolyline> points = readPoints(blocks, name, surface);
   const double precision = coordinatePrecisionOf(blocks);
   const LocatedPlaces located =
     locator.locate(points, precision, progressBetween(progress, 0.0, Located));
@@ -381,7 +506,9 @@ Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string&
       barriers[place].id == NoId)
     {
       targets.numbers.push_back(i);
-      targets.places.push_back(own[place].point.place);
+      const Id vertex = points[i].vertexOf(0);
+      targets.places.push_back(
+        vertex == NoId ? own[place].point.place : SurfacePoint::atVertex(vertex));
       targets.snapDistances.push_back(own[place].point.distance);
     }
   }

@@ -3,7 +3,6 @@
 #define geodesic_SourcesAndTargets_h
 
 #include "PolyData/PolyDataBlocks.h"
-#include "PolyData/PowerOfTwoScale.h"
 #include "mesh/SurfacePoint.h"
 #include "source/PolylineLocator.h"
 
@@ -21,12 +20,14 @@ struct PolyDataSurface;
 struct SourcePolylines
 {
   std::vector<LocatedPolyline> polylines;
-  /// LocatedPolyline::source of all that are sources, ascending. A cell of a vtkPolyData without
-  /// points is one, and has no polyline; a point that no vertex cell of a set of points has is
-  /// none.
-  std::vector<Id> ids;
+  /// The numbers of those that are cells of two points.
+  std::vector<std::size_t> lines;
+  /// The ids of the sources, ascending; LocatedPolyline::source is the place of one here. A cell of
+  /// a vtkPolyData without points is a source, and has no polyline; a point that no vertex cell of
+  /// a set of points has is none.
+  std::vector<vtkIdType> ids;
   /// All of these are below.
-  Id numberOfSources = 0;
+  vtkIdType idEnd = 0;
   /// Cells that are neither lines nor vertices and were left out.
   vtkIdType droppedCells = 0;
 };
@@ -34,12 +35,16 @@ struct SourcePolylines
 /// Reads the curves of all blocks, whose points are yet to be located: every line and polyline is a
 /// curve, every point of a vertex cell a point source, polygons and strips stand for their
 /// outlines. A block of vertex cells only is a set of points, as is one without any cell, all of
-/// whose points are sources. A polyline's `source` is the number of its cell, or of its point in a
-/// set of points, over all blocks in their order.
+/// whose points are sources. The id of a source is the number of its cell, or of its point in a set
+/// of points, over all blocks in their order. If blocks have PolyDataBlock::sourceIds, all that has
+/// one value is a source with this id.
 ///
-/// \param scale of the surface that they belong to; the polylines have it too.
-/// \throws SourceError where there is no point or one is not finite.
-SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const PowerOfTwoScale& scale);
+/// \param surface that they belong to; the polylines have its scale. Points that name one of its
+///        points and lie there are this vertex.
+/// \param areLinesJoined whether cells of two points that meet are one curve: see LineChains.h.
+/// \throws SourceError where there is no point, one is not finite, or a value is no id.
+SourcePolylines readSource(
+  const std::vector<PolyDataBlock>& source, const PolyDataSurface& surface, bool areLinesJoined);
 
 /// Makes sure that no point of a source lies in a barrier: no path could leave it. All ranks call
 /// this together, and all throw.
@@ -51,9 +56,6 @@ SourcePolylines readSource(const std::vector<PolyDataBlock>& source, const Power
 void requireOutsideBarriers(const PolyDataSurface& surface,
   const std::vector<PolyDataBlock>& surfaceBlocks, const std::vector<LocatedPolyline>& polylines,
   const LocatedPlaces& located, double coordinatePrecision);
-
-/// "point 3 of cell 2 of the source", "point 5 of the source" where it is a curve of its own.
-std::string nameOfPoint(const LocatedPolyline& line, std::size_t point);
 
 /// The relative precision that the coordinates' type allows: that of the least precise block.
 double coordinatePrecisionOf(const std::vector<PolyDataBlock>& source);

@@ -523,9 +523,9 @@ struct SurfaceReader
     return faces;
   }
 
-  /// The diagonal of the bounding box of the points that faces use. Other points are not surface,
-  /// and may lie anywhere.
-  double diagonalOf(const Faces& faces) const
+  /// The bounding box of the points that faces use, on all ranks. Other points are not surface, and
+  /// may lie anywhere.
+  Box boxOf(const Faces& faces) const
   {
     Box whole = this->box;
     if (!this->roles.empty())
@@ -537,13 +537,14 @@ struct SurfaceReader
     {
       whole.add(other);
     }
-    return norm(whole.high - whole.low);
+    return whole;
   }
 
   /// Makes the meshes of the open faces and of the barriers.
   PolyDataSurface makeSurface(Faces faces, Id numberOfTriangles)
   {
-    const double diagonal = this->diagonalOf(faces);
+    const Box whole = this->boxOf(faces);
+    const double diagonal = norm(whole.high - whole.low);
     const std::size_t count = this->vertices.positions.size();
     std::vector<Id> inBarriers = numberUsedVertices(faces.barriers, count);
     std::vector<Vec3> barrierPoints;
@@ -592,7 +593,7 @@ struct SurfaceReader
     return { std::move(partition), std::move(elsewhere), std::move(barriers), std::move(inBarriers),
       std::move(this->vertices.of), std::move(this->blocks), this->numberOfPoints,
       numberOfTriangles, std::move(this->roles), std::move(faces.openTriangles),
-      std::move(faces.barrierTriangles), this->scale, diagonal, ofAllRanks };
+      std::move(faces.barrierTriangles), this->scale, whole, diagonal, ofAllRanks };
   }
 };
 

@@ -12,6 +12,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace geodesic
@@ -153,11 +154,24 @@ vtkNew<vtkDoubleArray> writeLines(const PowerOfTwoScale& scale,
   return lengths;
 }
 
+/// Of the last point of a path it is the last piece's.
+void writeCells(const std::vector<PathOfTarget>& paths, vtkIdType size, vtkPolyData* output)
+{
+  const auto cells = makeArray<vtkIdTypeArray>("FaceId", size);
+  vtkIdType* next = size > 0 ? cells->GetPointer(0) : nullptr;
+  for (const PathOfTarget& path : paths)
+  {
+    next = std::copy(path.cells.begin(), path.cells.end(), next);
+    *next++ = path.cells.back();
+  }
+  output->GetPointData()->AddArray(cells);
+}
+
 }
 
 void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
-  const std::vector<SourceCurve>& curves, const std::vector<std::vector<double>>& arcLengths,
-  vtkPolyData* output)
+  const std::vector<SourceCurve>& curves, const std::vector<vtkIdType>& sourceIds,
+  const std::vector<std::vector<double>>& arcLengths, vtkPolyData* output)
 {
   requireMemoryOf(curves);
   LineCells cells(scale);
@@ -176,9 +190,8 @@ void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
     output->GetPointData()->AddArray(lengths);
   }
   const auto sources = makeArray<vtkIdTypeArray>("SourceId", 0);
-  forEachInOrderOfCells(curves,
-    [&sources](const SourceCurve& curve)
-    { sources->InsertNextValue(static_cast<vtkIdType>(curve.source)); });
+  forEachInOrderOfCells(
+    curves, [&](const SourceCurve& curve) { sources->InsertNextValue(sourceIds[curve.source]); });
   output->GetCellData()->AddArray(sources);
 }
 
@@ -221,27 +234,28 @@ void writeIsolines(const WrittenIsolines& written, const PowerOfTwoScale& scale,
 }
 
 void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,
-  const PathEndChoice& choice, vtkPolyData* output, const ProgressCallback& callback)
+  const PathArrayChoice& choice, vtkPolyData* output, const ProgressCallback& callback)
 {
   vtkIdType size = 0;
   for (const PathOfTarget& path : paths)
   {
     size += static_cast<vtkIdType>(path.points.size());
   }
-  // A point, what is left and its id; a path's offset and six arrays.
-  requireMemory(size, 4 * sizeof(double) + sizeof(vtkIdType));
+  // A point, what is left, its id and its cell; a path's offset and six arrays.
+  requireMemory(size, 4 * sizeof(double) + 2 * sizeof(vtkIdType));
   requireMemory(static_cast<vtkIdType>(paths.size()), 4 * sizeof(double) + 3 * sizeof(vtkIdType));
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
   const auto lengths = writeLines(scale, paths, size, output, progress);
+  if (choice.cells)
+  {
+    writeCells(paths, size, output);
+  }
   addArray<vtkIdTypeArray>(
     "TargetId", paths, [](const PathOfTarget& path) { return static_cast<vtkIdType>(path.target); },
     output);
   addArray<vtkIdTypeArray>(
-    "SourceId", paths,
-    [](const PathOfTarget& path)
-    { return path.end.source == NoId ? vtkIdType(-1) : static_cast<vtkIdType>(path.end.source); },
-    output);
+    "SourceId", paths, [](const PathOfTarget& path) { return path.sourceId; }, output);
   output->GetCellData()->AddArray(lengths);
   addArray<vtkDoubleArray>(
     "TargetSnapDistance", paths,

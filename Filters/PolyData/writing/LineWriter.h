@@ -8,6 +8,8 @@
 #include "paths/PathsToSource.h"
 #include "source/SourceCurve.h"
 
+#include "vtkType.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -17,12 +19,13 @@ namespace geodesic
 {
 
 /// The curves as cells: a polyline each, a vertex where a curve is one point. The cell array
-/// SourceId has SourceCurve::source of each.
+/// SourceId has the id of each.
 ///
+/// \param sourceIds by SourceCurve::source.
 /// \param arcLengths for the point array SourceArcLength, those of each curve's points; or empty.
 void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
-  const std::vector<SourceCurve>& curves, const std::vector<std::vector<double>>& arcLengths,
-  vtkPolyData* output);
+  const std::vector<SourceCurve>& curves, const std::vector<vtkIdType>& sourceIds,
+  const std::vector<std::vector<double>>& arcLengths, vtkPolyData* output);
 
 /// Lines on a mesh, with their values in the user's units.
 struct WrittenIsolines
@@ -51,24 +54,28 @@ struct PathOfTarget
   double snapDistance = 0.0;
   std::vector<Vec3> points;
   PathEnd end;
+  vtkIdType sourceId = -1;
+  /// The input's cell between each point and the next, if cells are asked for; see cellsOfFaces().
+  std::vector<vtkIdType> cells;
 };
 
-/// Which arrays about the ends of paths are asked for.
-struct PathEndChoice
+/// Which arrays about paths are asked for.
+struct PathArrayChoice
 {
   bool arcLengths = false;
   bool angles = false;
+  bool cells = false;
 };
 
 /// Gives an output a polyline for each path, with the cell arrays TargetId, SourceId,
 /// GeodesicDistance (its length), TargetSnapDistance and, if they are asked for, SourceArcLength
-/// and SourceAngle, and the point array GeodesicDistance, which is what is left to go.
+/// and SourceAngle, and the point arrays GeodesicDistance, which is what is left to go, and FaceId.
 ///
 /// \param paths in the order of their targets.
 /// \param progress called now and then; returning false throws Aborted.
 /// \throws MeshError where a length is larger than numbers can be.
 void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,
-  const PathEndChoice& choice, vtkPolyData* output, const ProgressCallback& progress);
+  const PathArrayChoice& choice, vtkPolyData* output, const ProgressCallback& progress);
 
 }
 

@@ -32,6 +32,7 @@ struct OutputPoint
   Vec3 position{};
   double distance = Infinity;
   SourceValues values;
+  vtkIdType sourceId = -1;
   Vec3 gradient{};
   /// What stands in arrays of lengths and angles where the point is not reached.
   double unreached = Infinity;
@@ -51,8 +52,7 @@ struct OutputPoint
 
 Vec3 sourceIdOf(const OutputPoint& point)
 {
-  const Id source = point.values.source;
-  return { source == NoId ? -1.0 : static_cast<double>(source), 0.0, 0.0 };
+  return { static_cast<double>(point.sourceId), 0.0, 0.0 };
 }
 
 Vec3 textureCoordinatesOf(const OutputPoint& point)
@@ -290,6 +290,7 @@ void SourceArrays::write(const SurfaceBlock& block, const ValuesAtPoints& atVert
     if (this->choice.areFeetNeeded())
     {
       point.values = values.sources[at];
+      point.sourceId = point.values.source == NoId ? -1 : this->sourceIds[point.values.source];
     }
     if (this->choice.gradients)
     {
@@ -315,21 +316,29 @@ std::vector<std::vector<double>> SourceArrays::arcLengthsOfCurves(
   return lengths;
 }
 
-std::vector<SourceFrame> framesBySource(
-  const CurvesOnPatch& onPatch, const std::vector<SourceCurve>& curves)
+SourceFrames framesBySource(const CurvesOnPatch& onPatch, const std::vector<SourceCurve>& curves,
+  const std::vector<vtkIdType>& sourceIds, bool areSourcesNamed)
 {
-  std::vector<SourceFrame> frames;
+  SourceFrames result;
+  std::vector<SourceFrame>& frames = result.frames;
+  if (areSourcesNamed)
+  {
+    result.ids = sourceIds;
+    frames.resize(sourceIds.size());
+  }
   for (Id curve = static_cast<Id>(curves.size()); curve-- > 0;) // the first of a source comes last
   {
-    const std::size_t source = curves[curve].source;
-    frames.resize(std::max(frames.size(), source + 1));
-    frames[source] = onPatch.frameOf(curve);
+    const Id source = curves[curve].source;
+    const auto row = areSourcesNamed ? source : static_cast<std::size_t>(sourceIds[source]);
+    frames.resize(std::max(frames.size(), row + 1));
+    frames[row] = onPatch.frameOf(curve);
   }
-  return frames;
+  return result;
 }
 
-void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* output)
+void addSourceFrames(const SourceFrames& all, vtkDataObject* output)
 {
+  const std::vector<SourceFrame>& frames = all.frames;
   const auto array = makeArray("SourceFrame", VTK_DOUBLE, 9, static_cast<vtkIdType>(frames.size()));
   for (std::size_t source = 0; source < frames.size(); ++source)
   {
@@ -340,6 +349,16 @@ void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* outp
     }
   }
   output->GetFieldData()->AddArray(array);
+  if (!all.ids.empty())
+  {
+    const auto ids =
+      makeArray("SourceFrameId", VTK_ID_TYPE, 1, static_cast<vtkIdType>(all.ids.size()));
+    for (std::size_t i = 0; i < all.ids.size(); ++i)
+    {
+      ids->SetComponent(static_cast<vtkIdType>(i), 0, static_cast<double>(all.ids[i]));
+    }
+    output->GetFieldData()->AddArray(ids);
+  }
 }
 
 void requireSides(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs,

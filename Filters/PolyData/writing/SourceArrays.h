@@ -82,6 +82,8 @@ struct SourceArrays
   const PolyDataSurface& surface;
   /// Of the source.
   const std::vector<SourceCurve>& curves;
+  /// By SourceCurve::source.
+  const std::vector<vtkIdType>& sourceIds;
   /// SourceCurve::source from which on curves are loops of the boundary, whose distances have no
   /// sign.
   Id firstBoundarySource;
@@ -112,15 +114,24 @@ struct SourceArrays
   std::vector<std::vector<double>> arcLengthsOfCurves(const NearestSource& nearest) const;
 };
 
-/// The frames that angles are measured in, by SourceCurve::source; of a source that is cut in
-/// several curves, that of the first.
-///
-/// \param onPatch the curves on their patch.
-std::vector<SourceFrame> framesBySource(
-  const CurvesOnPatch& onPatch, const std::vector<SourceCurve>& curves);
+/// The frames that angles are measured in; of a source that is cut in several curves, that of the
+/// first.
+struct SourceFrames
+{
+  std::vector<SourceFrame> frames;
+  /// The ids of their sources; empty where frame k is that of source k.
+  std::vector<vtkIdType> ids;
+};
 
-/// Adds the field data array SourceFrame, with the three vectors of a frame in each tuple.
-void addSourceFrames(const std::vector<SourceFrame>& frames, vtkDataObject* output);
+/// \param onPatch the curves on their patch.
+/// \param sourceIds by SourceCurve::source.
+/// \param areSourcesNamed whether an array has named the sources: ids may be large then.
+SourceFrames framesBySource(const CurvesOnPatch& onPatch, const std::vector<SourceCurve>& curves,
+  const std::vector<vtkIdType>& sourceIds, bool areSourcesNamed);
+
+/// Adds the field data array SourceFrame, with the three vectors of a frame in each tuple, and, if
+/// frames have ids, SourceFrameId.
+void addSourceFrames(const SourceFrames& frames, vtkDataObject* output);
 
 /// \param inputs the blocks that the surface was read from.
 /// \param property what needs sides, for the message.

@@ -4,6 +4,7 @@
 #include "PolyData/Memory.h"
 #include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataBlocks.h"
+#include "PolyData/writing/OutputPoints.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -27,30 +28,6 @@ namespace geodesic
 
 namespace
 {
-
-void writePoints(const RefinedMesh& refined, const PowerOfTwoScale& scale, vtkPoints* from,
-  vtkPolyData* output, const LoopProgress& progress)
-{
-  if (!from)
-  {
-    return; // an empty block
-  }
-  const auto old = static_cast<vtkIdType>(refined.numberOfInputPoints);
-  const int type = from->GetDataType();
-  vtkNew<vtkPoints> points;
-  // Integers could not hold the new points.
-  points->SetDataType(type == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
-  requireMemory(old + static_cast<vtkIdType>(refined.points.size()), 3 * sizeof(double));
-  points->SetNumberOfPoints(old + static_cast<vtkIdType>(refined.points.size()));
-  points->GetData()->InsertTuples(0, old, 0, from->GetData());
-  for (std::size_t i = 0; i < refined.points.size(); ++i)
-  {
-    progress.at(i, refined.points.size());
-    points->SetPoint(
-      old + static_cast<vtkIdType>(i), scale.toUser(refined.points[i].position).data());
-  }
-  output->SetPoints(points);
-}
 
 /// How a new point lies among the corners of the face around it.
 struct Blend
@@ -338,10 +315,12 @@ std::vector<RefinedBlock> partsByBlock(
   return parts;
 }
 
-void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* output,
+void writeWhole(const SurfaceBlock& block, int pointType, vtkPolyData* input, vtkPolyData* output,
   const ProgressCallback& callback)
 {
-  output->SetPoints(input->GetPoints());
+  LoopProgress progress(callback);
+  progress.nextUntil(1.0);
+  output->SetPoints(storePoints(input->GetPoints(), pointType, {}, {}, progress));
   output->GetPointData()->PassData(input->GetPointData());
   output->SetPolys(block.triangles);
   if (block.areInputCells)
@@ -352,8 +331,6 @@ void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* outp
   vtkCellData* from = input->GetCellData();
   const vtkIdType count = block.numberOfTriangles();
   requireMemory(count, bytesATuple(from));
-  LoopProgress progress(callback);
-  progress.nextUntil(1.0);
   output->GetCellData()->CopyGlobalIdsOff();
   copyData(
     from, count, [&block](vtkIdType i) { return block.inputCell(i); }, output->GetCellData(),
@@ -361,14 +338,14 @@ void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* outp
 }
 
 void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined,
-  const PowerOfTwoScale& scale, vtkPolyData* input, vtkPolyData* output,
+  const PowerOfTwoScale& scale, int pointType, vtkPolyData* input, vtkPolyData* output,
   const ProgressCallback& callback)
 {
   constexpr double pointsDone = 0.1;
   constexpr double pointDataDone = 0.5;
   LoopProgress progress(callback);
   progress.nextUntil(pointsDone);
-  writePoints(refined, scale, input->GetPoints(), output, progress);
+  output->SetPoints(storePoints(input->GetPoints(), pointType, refined.points, scale, progress));
   interpolatePointData(
     refined, input->GetPointData(), output->GetPointData(), pointDataDone, progress);
   progress.nextUntil(1.0);

@@ -31,8 +31,9 @@ std::vector<RefinedBlock> partsByBlock(
 /// Gives an output the points of the input that a block was made from with their data, the block's
 /// triangles, and for each the data of the cell that it came from.
 ///
+/// \param pointType VTK's type of the output's points: typeOfPoints().
 /// \param progress called now and then; returning false throws Aborted.
-void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* output,
+void writeWhole(const SurfaceBlock& block, int pointType, vtkPolyData* input, vtkPolyData* output,
   const ProgressCallback& progress);
 
 /// Gives an output a refined block: the input's points with their data, the new points with
@@ -41,9 +42,10 @@ void writeWhole(const SurfaceBlock& block, vtkPolyData* input, vtkPolyData* outp
 ///
 /// \param refined in numbers of the block, see partsByBlock().
 /// \param scale of the refined mesh.
+/// \param pointType VTK's type of the output's points: typeOfPoints().
 /// \param progress called now and then; returning false throws Aborted.
 void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined,
-  const PowerOfTwoScale& scale, vtkPolyData* input, vtkPolyData* output,
+  const PowerOfTwoScale& scale, int pointType, vtkPolyData* input, vtkPolyData* output,
   const ProgressCallback& progress);
 
 /// Leaves out of a data set of polygons the points that none of them uses; the others keep their

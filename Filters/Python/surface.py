@@ -1,0 +1,307 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A surface that is asked several times."""
+
+import inspect
+from contextlib import contextmanager
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+
+from . import arrays, inputs
+from .messages import GeodesicError, property_name, run, warn
+from .vtkFiltersGeodesic import (vtkGeodesicContour, vtkGeodesicDistanceField, vtkGeodesicDistanceMatrix,
+                                 vtkGeodesicPaths)
+
+
+class Surface:
+    """A surface that is asked several times: its structure is kept, and only the first call takes the time to make it.
+
+    surface: as for the functions of this package; of arrays a copy is kept. barriers, merge_coincident_points,
+    merge_tolerance, threads: see help(geodesicdistance). Each method is the function of its name without these.
+    """
+
+    # Where a method begins, locals() are its arguments: they are handed on by their names.
+
+    def __init__(self, surface, *, barriers=None, merge_coincident_points=True, merge_tolerance=0, threads=None):
+        self._data = inputs.surface_data(surface)
+        self._properties = {"merge_coincident_points": merge_coincident_points, "merge_tolerance": merge_tolerance,
+                            "barrier_array_name": None}
+        if isinstance(barriers, str):
+            self._properties["barrier_array_name"] = barriers
+        elif barriers is not None:
+            self._data = inputs.with_barriers(self._data, barriers)
+            self._properties["barrier_array_name"] = inputs.BARRIERS
+        self._threads = threads
+        self._filters = {}
+        self._used = None, None  # which points faces use, and at which state of the data
+
+    def distance(self, source, *, maximum_distance=0, accuracy=None, relative_error=None, unreached_value=0,
+                 custom_unreached_value=-1, boundary=False):
+        """The distance of every point of the surface to the source, as an array; infinite where no path leads.
+
+        The arguments are those of field().
+        """
+        output = Surface._solve(**{**FIELD_DEFAULTS, **locals()})
+        return arrays.point_array(output, "GeodesicDistance")
+
+    def field(self, source, *, maximum_distance=0, accuracy=None, relative_error=None, refine_mesh=False,
+              refinement_tolerance=0.001, tolerance_is_absolute=False, absolute_refinement_tolerance=1,
+              maximum_number_of_cells=50_000_000, refine_source_borders=False, unreached_value=0,
+              custom_unreached_value=-1, remove_unused_points=False, distance_array_name="GeodesicDistance",
+              generate_source_ids=False, generate_closest_points=False, generate_gradients=False,
+              generate_signed_distance=False, generate_source_arc_length=False, generate_source_angle=False,
+              generate_texture_coordinates=False, output_points_precision=2, boundary=False, join_lines=True,
+              source_ids=None):
+        """The distances and what else is asked for, as a dictionary of arrays.
+
+        "points" and "faces" are the surface, and the arrays at its points have the names that they have in VTK:
+        "GeodesicDistance", and with generate_source_ids=True "SourceId", with generate_closest_points=True
+        "ClosestSourcePoint", with generate_gradients=True "DistanceGradient", with generate_signed_distance=True
+        "SignedGeodesicDistance", with generate_source_arc_length=True "SourceArcLength", with
+        generate_source_angle=True "SourceAngle" and for each source the "SourceFrame" (three vectors), with
+        generate_texture_coordinates=True "SourceTextureCoordinates". relative_error=0.001 makes it faster, and
+        distances smaller by at most that fraction. With refine_mesh=True faces are split until the distance can be
+        interpolated linearly; the points of the surface come first then.
+        """
+        output = Surface._solve(**locals())
+        return {**arrays.arrays_of([block.GetPointData() for block in arrays.blocks_of(output)]), **_frames(output),
+                "points": np.array(arrays.points_of(output)), "faces": arrays.faces_of(output)}
+
+    def contour(self, source, distances, *, chord_tolerance=0.0001, tolerance_is_absolute=False,
+                absolute_chord_tolerance=1, signed_distances=False, boundary=False, join_lines=True, source_ids=None):
+        """The lines at the given distances from the source, as a dictionary of arrays.
+
+        "lines" has the indices into "points" for each line, "GeodesicDistance" the distance of each line. At distance 0
+        are the lines of the source; its single points are no lines.
+        """
+        return _lines(Surface._run(kind=vtkGeodesicContour, **locals()))
+
+    def paths(self, source, targets, *, generate_source_arc_length=False, generate_source_angle=False,
+              generate_face_ids=False, boundary=False, join_lines=True, source_ids=None):
+        """The shortest path from each target (given as a source is) to the source, as a dictionary of arrays.
+
+        "lines" has the indices into "points" for each path, "GeodesicDistance" its length, "TargetId" the number of
+        its target, "SourceId" the part of the source that it ends on. generate_source_arc_length and
+        generate_source_angle add arrays about this end, as for field(); generate_face_ids adds "FaceId": for
+        each of the points the face through which the path goes on. Targets that are not reached have no path.
+        """
+        given = dict(locals())
+        given["targets"], of_faces = self._targets(targets)
+        _warn_of_unreached(of_faces, "targets")
+        output = Surface._run(kind=vtkGeodesicPaths, **given)
+        result = {**_lines(output), **_frames(output)}
+        if generate_face_ids:
+            result["FaceId"] = arrays.arrays_of([output.GetPointData()])["FaceId"]
+        if not of_faces.any():
+            return {name: array[:0] for name, array in result.items()}
+        if not of_faces.all():
+            result["TargetId"] = np.flatnonzero(of_faces)[result["TargetId"]]
+        return result
+
+    def matrix(self, source=None, targets=None, *, pairs=None, maximum_distance=0, boundary=False, join_lines=True,
+               source_ids=None):
+        """The distances of each target (row) to each part of the source (column), each alone.
+
+        Targets are given as a source is; without them they are the points of the source. Instead of both, pairs takes
+        rows of two indices of points, k x 2, and gives one distance a row, without the whole table: it measures from
+        as few points as will do, once from each, no farther than to its partners.
+        """
+        if pairs is None:
+            return self._table(source, targets, maximum_distance=maximum_distance, boundary=boundary,
+                               join_lines=join_lines, source_ids=source_ids)
+        if source is not None or targets is not None or boundary or source_ids is not None:
+            raise GeodesicError("pairs has the indices of both points: give no source and no targets with it.")
+        return self._distances_of_pairs(pairs, maximum_distance=maximum_distance)
+
+    def _solve(self, accuracy, relative_error, **given):
+        """The output of the field's filter."""
+        kind = vtkGeodesicDistanceField
+        if accuracy is None:
+            accuracy = kind.EXACT if relative_error is None else kind.APPROXIMATE
+        if relative_error is None:
+            relative_error = kind().GetRelativeError()
+        return self._run(kind, accuracy=accuracy, relative_error=relative_error, **given)
+
+    def _table(self, source, targets, **given):
+        """The matrix, in which points that no face uses are infinitely far."""
+        data, columns = (None, np.ones(0, bool)) if source is None else self._places(source, "The source")
+        if given["source_ids"] is not None:
+            self._source(source)  # of whose points each has an id: none may be missing
+        if columns.size and not columns.any():
+            raise GeodesicError("No point of the source belongs to a face of the surface.")
+        places, rows = (None, columns) if targets is None else self._targets(targets)
+        _warn_of_unreached(rows, "targets")
+        table = _columns(self._run(vtkGeodesicDistanceMatrix, data, places, **given))
+        table = table if rows.any() else table[:0]
+        return _with_infinite(_with_infinite(table, rows, axis=0), columns, axis=1)
+
+    def _distances_of_pairs(self, pairs, **given):
+        """The distance of the two points of each row."""
+        pairs = inputs.index_pairs(pairs, self._number_of_points())
+        of_faces = self._are_of_faces(pairs).all(axis=1)
+        _warn_of_unreached(of_faces, "pairs")
+        rows = np.flatnonzero(of_faces)
+        sources, targets = _few_sources(pairs[rows])
+        order = np.argsort(sources, kind="stable")
+        result = np.full(len(pairs), np.inf)
+        for group in np.split(order, np.flatnonzero(np.diff(sources[order])) + 1):
+            if len(group):
+                ends = (inputs.indexed_points(ids, self._data) for ids in (sources[group[:1]], targets[group]))
+                result[rows[group]] = _columns(self._run(vtkGeodesicDistanceMatrix, *ends, **given))[:, 0]
+        return result
+
+    def _run(self, kind, source, targets=None, *, distances=(), boundary=False, source_ids=None, **properties):
+        """The output of a filter of a kind, which is kept. targets: None or a data set."""
+        if kind not in self._filters:
+            self._filters[kind] = kind()
+            self._filters[kind].SetInputData(self._data)
+        filter = self._filters[kind]
+        filter.SetSourceType(filter.SURFACE_BOUNDARY if source is None else
+                             filter.CURVE_AND_BOUNDARY if boundary else filter.SOURCE_CURVE)
+        data = None if source is None else self._source(source)
+        if source_ids is not None and not isinstance(source_ids, str):
+            data, source_ids = inputs.with_ids(data, source_ids), inputs.SOURCE_IDS
+        filter.SetSourceData(data)
+        filter.SetSourceIdArrayName(source_ids)
+        if filter.GetNumberOfInputPorts() > 2:
+            filter.SetTargetsData(targets)
+        if kind is vtkGeodesicContour:
+            _set_values(filter, distances)
+        for argument, value in {**self._properties, **properties}.items():
+            _set(filter, argument, value)
+        filter.Modified()  # the surface may have been changed in place
+        with _threads(self._threads):
+            run(filter, ARGUMENTS)
+        return filter.GetOutputDataObject(0)
+
+    def _source(self, source):
+        data, of_faces = self._places(source, "The source")
+        if not of_faces.all():
+            point = inputs.point_indices(source, self._number_of_points(), "The source")[~of_faces][0]
+            raise GeodesicError(f"Point {point} of the source belongs to no face of the surface.")
+        return data
+
+    def _targets(self, targets):
+        """The targets as a data set, and which of them belong to faces; one is in the data set also where none does."""
+        data, of_faces = self._places(targets, "The set of targets")
+        if of_faces.size and not of_faces.any():
+            data = inputs.indexed_points(np.flatnonzero(self._used_points())[:1], self._data)
+        return data, of_faces
+
+    def _places(self, where, name):
+        """A source, or targets, as a data set of the points that belong to faces, and for each point whether it does.
+
+        Those that are not given by index always do.
+        """
+        where = inputs.unwrapped(where)
+        if isinstance(where, vtkDataObject):
+            return where, np.ones(where.GetNumberOfElements(vtkDataObject.POINT), bool)
+        ids = inputs.point_indices(where, self._number_of_points(), name)
+        if ids is None:
+            data = inputs.point_set(where, name)
+            return data, np.ones(data.GetNumberOfPoints(), bool)
+        of_faces = self._are_of_faces(ids)
+        return inputs.indexed_points(ids[of_faces], self._data), of_faces
+
+    def _are_of_faces(self, ids):
+        """Whether a face uses the point, or one at its place that is merged with it."""
+        used = self._used_points()
+        if used[ids].all() or not used.any():  # where there are no faces the filter says so
+            return np.ones(ids.shape, bool)
+        if self._properties["merge_coincident_points"]:
+            places = np.unique(arrays.points_of(self._data), axis=0, return_inverse=True)[1].ravel()
+            used = np.isin(places, places[used])
+        return used[ids]
+
+    def _used_points(self):
+        if self._used[0] != self._data.GetMTime():
+            self._used = self._data.GetMTime(), arrays.used_points(self._data)
+        return self._used[1]
+
+    def _number_of_points(self):
+        return sum(block.GetNumberOfPoints() for block in arrays.blocks_of(self._data))
+
+
+FIELD_DEFAULTS = {name: parameter.default for name, parameter in inspect.signature(Surface.field).parameters.items()
+                  if parameter.kind == parameter.KEYWORD_ONLY}
+METHODS = (Surface.distance, Surface.field, Surface.contour, Surface.paths, Surface.matrix)
+# Properties of the filters, as their messages name them, and what they are called here.
+ARGUMENTS = {property_name(argument): argument for function in (Surface, *METHODS)
+             for argument in inspect.signature(function).parameters if "_" in argument}
+ARGUMENTS.update(BarrierArrayName="barriers", SourceIdArrayName="source_ids")
+
+
+def _set(filter, argument, value):
+    try:
+        getattr(filter, "Set" + property_name(argument))(value)
+    except TypeError as error:
+        raise TypeError(f"{argument} cannot be {value!r}: {error}") from None
+
+
+def _set_values(filter, distances):
+    values = np.atleast_1d(inputs.numbers(distances, "distances"))
+    filter.SetNumberOfContours(len(values))
+    for i, value in enumerate(values):
+        filter.SetValue(i, value)
+
+
+@contextmanager
+def _threads(number):
+    """Has vtkSMPTools use so many threads meanwhile; None: as many as it does."""
+    if number is None:
+        yield
+        return
+    if number < 1:
+        raise GeodesicError(f"threads is {number}: give at least 1, or None for what vtkSMPTools is set to.")
+    backend = vtkSMPTools.GetBackend()
+    if number > 1 and backend == "Sequential":
+        vtkSMPTools.SetBackend("STDThread")
+    before = vtkSMPTools.GetEstimatedNumberOfThreads()
+    vtkSMPTools.Initialize(number)
+    try:
+        yield
+    finally:
+        vtkSMPTools.Initialize(before)
+        vtkSMPTools.SetBackend(backend)
+
+
+def _few_sources(pairs):
+    """The ends of pairs of which there are fewer, and the other ends: one column, or of each pair the busier end."""
+    count = np.bincount(pairs.ravel())
+    ways = np.zeros(len(pairs), int), np.ones(len(pairs), int), (count[pairs[:, 1]] > count[pairs[:, 0]]).astype(int)
+    rows = np.arange(len(pairs))
+    column = min(ways, key=lambda way: len(np.unique(pairs[rows, way])))
+    return pairs[rows, column], pairs[rows, 1 - column]
+
+
+def _warn_of_unreached(of_faces, what):
+    """Counts those that are not on the surface."""
+    lost = np.flatnonzero(~of_faces)
+    if len(lost):
+        names = ", ".join(map(str, lost[:3])) + (f" and {len(lost) - 3} more" if len(lost) > 3 else "")
+        warn(f"{len(lost)} of {len(of_faces)} {what} not reached, as points that no face uses are not on the surface: "
+             f"number {names}.")
+
+
+def _columns(table):
+    """The distances in a table, one row a target."""
+    columns = [vtk_to_numpy(table.GetColumn(i)) for i in range(1, table.GetNumberOfColumns())]
+    return np.column_stack(columns) if columns else np.empty((table.GetNumberOfRows(), 0))
+
+
+def _with_infinite(table, are_there, axis):
+    """A table with rows or columns of infinity where those of are_there are not in it."""
+    return np.insert(table, np.cumsum(are_there)[~are_there], np.inf, axis=axis)
+
+
+def _lines(output):
+    lines, of_lines = arrays.lines_of(output)
+    return {"points": np.array(arrays.points_of(output)), "lines": lines, **of_lines}
+
+
+def _frames(output):
+    """The frames of the sources where angles are measured in them."""
+    array = output.GetFieldData().GetArray("SourceFrame")
+    return {"SourceFrame": np.array(vtk_to_numpy(array)).reshape(-1, 3, 3)} if array else {}

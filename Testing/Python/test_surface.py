@@ -1,0 +1,386 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""geodesicdistance.Surface: what the functions give, call after call; pairs; threads; points that no face uses."""
+
+import inspect
+import math
+import unittest
+import warnings
+
+import numpy as np
+
+import geodesicdistance
+from geodesicdistance import GeodesicError, Surface, contour, curve, distance, field, matrix, paths
+from test_functions import EXACT, as_poly_data, octahedron, sheet
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+
+LINE = curve([(0.25, 0.5, 0), (0.75, 0.5, 0)])
+# A function, its positional arguments and its options: each on the sheet.
+CALLS = (
+    ("distance", (0,), {}),
+    ("field", (LINE,), dict(generate_source_ids=True, generate_signed_distance=True, generate_source_angle=True)),
+    ("distance", ([4, 70],), dict(maximum_distance=0.5)),
+    ("contour", (0, [0.25, 0.5]), {}),
+    ("field", (0,), dict(refine_mesh=True, refinement_tolerance=0.01)),
+    ("distance", (None,), {}),
+    ("distance", (40,), dict(relative_error=0.1, boundary=True)),
+    ("contour", (LINE, 0.25), dict(signed_distances=True)),
+    ("paths", (0, [80, 8]), dict(generate_source_angle=True)),
+    ("matrix", ([4, 40], [0, 8, 80]), {}),
+    ("matrix", (None, [0, 40]), {}),
+    ("paths", (None, [40]), {}),
+    ("matrix", ([4, 40],), {}),
+    ("matrix", (), dict(pairs=[(0, 8), (3, 80), (0, 4)])),
+    ("distance", (0,), {}))
+
+
+def cells(rows):
+    array = vtkCellArray()
+    for row in rows:
+        array.InsertNextCell(len(row), [int(i) for i in row])
+    return array
+
+
+def same(one, other):
+    """Whether results are the same, to the last bit."""
+    if isinstance(one, dict):
+        return list(one) == list(other) and all(same(one[name], other[name]) for name in one)
+    if isinstance(one, list):
+        return len(one) == len(other) and all(map(same, one, other))
+    return np.array_equal(one, other)
+
+
+class Kept(unittest.TestCase):
+    def test_gives_what_the_functions_give_whatever_was_asked_before(self):
+        walls = np.arange(128) % 9 == 8
+        for options in ({}, {"barriers": walls}, {"merge_coincident_points": False}):
+            kept = Surface(sheet(), **options)
+            for name, arguments, more in CALLS + CALLS[::-1]:
+                expected = getattr(geodesicdistance, name)(sheet(), *arguments, **more, **options)
+                self.assertTrue(same(getattr(kept, name)(*arguments, **more), expected), name)
+
+    def test_makes_the_structure_once(self):
+        """The second time the filter reports no progress of reading the surface."""
+        kept = Surface(sheet(40))
+        with self.assertRaises(GeodesicError):
+            kept.distance(0, maximum_distance=-1)  # makes the filter, and reads nothing
+        (filter,) = kept._filters.values()
+        steps = []
+        filter.AddObserver("ProgressEvent", lambda *_: steps[-1].append(filter.GetProgress()))
+        for ask, arguments in ((kept.distance, (0,)), (kept.field, (5,)), (kept.distance, (None,))):
+            steps.append([])
+            ask(*arguments)
+        reading = [[value for value in values if 0 < value < 0.1] for values in steps]
+        self.assertGreater(len(reading[0]), 5)
+        self.assertEqual(reading[1:], [[], []])
+
+    def test_goes_on_after_an_error(self):
+        kept = Surface(sheet())
+        expected = kept.distance(3)
+        with self.assertRaises(GeodesicError):
+            kept.distance(3, maximum_distance=-1)
+        with self.assertRaises(GeodesicError):
+            kept.contour(3, [])
+        kept.matrix([3, 4])
+        with self.assertRaisesRegex(GeodesicError, "There are no targets"):
+            kept.matrix(None)
+        np.testing.assert_array_equal(kept.distance(3), expected)
+
+    def test_has_a_copy_of_arrays_but_follows_a_data_set(self):
+        points, faces = sheet()
+        data = as_poly_data((points, faces))
+        kept, following = Surface((points, faces)), Surface(data)
+        expected = kept.distance(0)
+        np.testing.assert_allclose(following.distance(0), expected, atol=EXACT)
+        points *= 2
+        np.testing.assert_array_equal(kept.distance(0), expected)
+        for i in range(len(points)):
+            data.GetPoints().SetPoint(i, points[i])
+        data.Modified()
+        np.testing.assert_allclose(following.distance(0), 2 * expected, atol=EXACT)
+        inside = following.distance(None)
+        vtk_to_numpy(data.GetPoints().GetData())[:] *= 2  # of which VTK learns nothing
+        np.testing.assert_allclose(following.distance(None), 2 * inside, atol=EXACT)
+
+    def test_follows_what_faces_use(self):
+        points, faces = sheet()
+        data = as_poly_data((np.concatenate((points, [(1.5, 0, 0)])), faces))
+        kept = Surface(data)
+        with self.assertRaisesRegex(GeodesicError, "belongs to no face"):
+            kept.distance(81)
+        data.SetPolys(cells([*faces, (8, 81, 17)]))
+        self.assertAlmostEqual(kept.distance(81)[8], 0.5, delta=EXACT)
+
+    def test_results_stay_when_more_is_asked(self):
+        kept = Surface(sheet())
+        first = kept.field(0, generate_gradients=True)
+        before = {name: array.copy() for name, array in first.items()}
+        kept.field(80, generate_gradients=True)
+        self.assertTrue(same(first, before))
+
+    def test_warns_each_time_of_a_source_far_away(self):
+        kept = Surface(sheet())
+        for _ in range(3):
+            with self.assertWarnsRegex(UserWarning, "^The source is up to 0.5 away"):
+                kept.distance([(0.5, 0.5, 0.5)])
+
+    def test_takes_the_arguments_of_the_functions(self):
+        own = inspect.signature(Surface).parameters
+        for name in ("distance", "field", "contour", "paths", "matrix"):
+            self.assertIn("\n", getattr(geodesicdistance, name).__doc__)
+            function = inspect.signature(getattr(geodesicdistance, name)).parameters
+            method = inspect.signature(getattr(Surface, name)).parameters
+            self.assertEqual(list(function), ["surface", *list(method)[1:], *list(own)[1:]])
+            for parameter in function.values():
+                self.assertIn(parameter.kind, (parameter.POSITIONAL_OR_KEYWORD, parameter.KEYWORD_ONLY))
+                origin = {**own, **method}[parameter.name]
+                self.assertEqual((parameter.default, parameter.kind), (origin.default, origin.kind))
+
+
+class Properties(unittest.TestCase):
+    def test_have_the_defaults_of_the_filters(self):
+        filters = {"field": geodesicdistance.vtkGeodesicDistanceField, "contour": geodesicdistance.vtkGeodesicContour,
+                   "paths": geodesicdistance.vtkGeodesicPaths, "matrix": geodesicdistance.vtkGeodesicDistanceMatrix}
+        not_theirs = {"surface", "source", "targets", "distances", "pairs", "boundary", "barriers", "threads",
+                      "source_ids"}
+        chosen_here = {"refine_mesh": False, "accuracy": None, "relative_error": None}
+        for name, kind in filters.items():
+            for argument, parameter in inspect.signature(getattr(geodesicdistance, name)).parameters.items():
+                if argument not in not_theirs:
+                    with self.subTest(function=name, argument=argument):
+                        getter = "Get" + "".join(word.capitalize() for word in argument.split("_"))
+                        default = chosen_here.get(argument, getattr(kind(), getter)())
+                        self.assertEqual(parameter.default, default)
+
+    def test_are_all_arguments(self):
+        """Each setter of the filters is an argument, or has another name here."""
+        others = {"Controller", "SourceType", "SourceConnection", "SourceData", "BarrierArrayName", "SourceIdArrayName",
+                  "TargetsConnection", "TargetsData", "NumberOfContours", "Value"}
+        for name, kind in (("field", "DistanceField"), ("contour", "Contour"), ("paths", "Paths"),
+                           ("matrix", "DistanceMatrix")):
+            kind = getattr(geodesicdistance, f"vtkGeodesic{kind}")
+            own = set(dir(kind)) - set(dir(kind.__mro__[2]))
+            setters = {method[3:] for method in own if method.startswith("Set") and "To" not in method[3:]}
+            setters |= {method[3:] for method in own if method.startswith("SetTo")}
+            arguments = {"".join(word.capitalize() for word in argument.split("_"))
+                         for argument in inspect.signature(getattr(geodesicdistance, name)).parameters}
+            self.assertEqual(setters - others - arguments, set(), name)
+
+    def test_of_a_wrong_type_are_errors_that_name_the_argument(self):
+        for name, value in (("maximum_distance", "far"), ("maximum_number_of_cells", 1.5)):
+            with self.assertRaisesRegex(TypeError, f"^{name} cannot be "):
+                field(sheet(), 0, **{name: value})
+        for value in (np.float32(0.5), np.float64(0.5), 0.5):
+            np.testing.assert_array_equal(distance(sheet(), 0, maximum_distance=value),
+                                          distance(sheet(), 0, maximum_distance=0.5))
+        self.assertIn("SourceId", field(sheet(), 0, generate_source_ids=np.True_))
+        np.testing.assert_array_equal(distance(sheet(), 0, maximum_distance=np.int64(1)),
+                                      distance(sheet(), 0, maximum_distance=1))
+
+    def test_boundary_is_a_source_beside_others(self):
+        points, faces = sheet()
+        x, y = points[:, 0], points[:, 1]
+        edge = np.minimum(np.minimum(x, 1 - x), np.minimum(y, 1 - y))
+        np.testing.assert_allclose(distance((points, faces), [(0.4, 0.5, 0)], boundary=True),
+                                   np.minimum(edge, np.hypot(x - 0.4, y - 0.5)), atol=EXACT)
+        np.testing.assert_allclose(distance((points, faces), None, boundary=True), edge, atol=EXACT)
+        self.assertEqual(matrix((points, faces), [40, 0], [80], boundary=True).shape, (1, 3))
+
+
+class Parts(unittest.TestCase):
+    def test_of_a_source_have_the_ids_that_are_given(self):
+        points, faces = sheet()
+        for source in ([0, 8, 80], points[[0, 8, 80]], as_poly_data((points[[0, 8, 80]], []))):
+            result = field((points, faces), source, source_ids=[7, 3, 7], generate_source_ids=True)
+            self.assertEqual(result["SourceId"][[0, 8, 80]].tolist(), [7, 3, 7])
+            table = matrix((points, faces), source, [0, 8, 80, 71], source_ids=[7, 3, 7])
+            expected = [distance((points, faces), ids)[[0, 8, 80, 71]] for ids in ([8], [0, 80])]
+            np.testing.assert_allclose(table.T, expected, atol=EXACT)
+            ways = paths((points, faces), source, [8, 80], source_ids=[7, 3, 7])
+            self.assertEqual(ways["SourceId"].tolist(), [3, 7])
+        two = as_poly_data(([(0.25, y, 0) for y in (0.25, 0.75)] + [(0.75, y, 0) for y in (0.25, 0.75)], []))
+        two.SetLines(cells([(0, 2), (1, 3)]))
+        nearest = np.where(points[:, 1] < 0.5, 5, 9)[points[:, 1] != 0.5]
+        for ids, expected in (([5, 9], nearest), (None, nearest // 9)):
+            result = field((points, faces), two, generate_source_ids=True, source_ids=ids)
+            self.assertEqual(result["SourceId"][points[:, 1] != 0.5].tolist(), expected.tolist())
+
+    def test_that_are_two_point_lines_are_joined_unless_that_is_off(self):
+        points, faces = sheet()
+        pieces = as_poly_data(([(0.25, 0.5, 0), (0.5, 0.5, 0), (0.75, 0.5, 0)], []))
+        pieces.SetLines(cells([(0, 1), (1, 2)]))
+        joined = field((points, faces), pieces, generate_source_ids=True, generate_source_arc_length=True)
+        whole = field((points, faces), LINE, generate_source_ids=True, generate_source_arc_length=True)
+        for name in ("SourceId", "SourceArcLength", "GeodesicDistance"):
+            np.testing.assert_allclose(joined[name], whole[name], atol=EXACT)
+        apart = field((points, faces), pieces, generate_source_ids=True, join_lines=False)
+        self.assertEqual(set(apart["SourceId"]), {0, 1})
+        self.assertEqual(matrix((points, faces), pieces, 0).shape, (1, 1))
+        self.assertEqual(matrix((points, faces), pieces, 0, join_lines=False).shape, (1, 2))
+
+    def test_that_are_wrong_are_refused(self):
+        for arguments, message in (({"source_ids": [1, 2, 3]}, "3 integers, but the source has 0 cells and 2 points"),
+                                   ({"source_ids": [1.5, 2]}, "an integer for each"),
+                                   ({"source_ids": 3}, "an integer for each"),
+                                   ({"source_ids": {1, 2}}, "given as a set"), ({"source_ids": "regions"}, "regions")):
+            with self.assertRaisesRegex(GeodesicError, message):
+                field(sheet(), [0, 8], **arguments)
+        with self.assertRaisesRegex(GeodesicError, "an integer for each"):
+            field(sheet(), None, source_ids=[0])
+
+
+class Joined(unittest.TestCase):
+    def test_are_boundary_points_within_the_tolerance(self):
+        left, right = sheet(2), sheet(2)
+        points = np.concatenate((left[0], right[0] + (1.001, 0, 0)))
+        faces = np.concatenate((left[1], right[1] + len(left[0])))
+        apart = distance((points, faces), 0)
+        self.assertTrue(np.isinf(apart[9:]).all())
+        whole = distance((points, faces), 0, merge_tolerance=0.01)
+        np.testing.assert_allclose(whole, np.linalg.norm(points, axis=1), atol=0.01)
+
+    def test_are_faces_to_the_points_of_paths(self):
+        points, faces = sheet()
+        way = paths((points, faces), 0, [(0.9, 0.35, 0)], generate_face_ids=True)
+        self.assertEqual(len(way["FaceId"]), len(way["points"]))
+        ids = way["lines"][0]
+        for start, end in zip(ids, ids[1:]):
+            corners = points[faces[way["FaceId"][start]]]
+            middle = way["points"][[start, end]].mean(axis=0)
+            weights = np.linalg.solve(np.column_stack((corners[:, :2], np.ones(3))).T, (*middle[:2], 1))
+            self.assertTrue((weights > -EXACT).all())
+
+
+class Pairs(unittest.TestCase):
+    def test_have_the_distances_of_the_whole_table(self):
+        random = np.random.default_rng(7)
+        points, faces = sheet(12)
+        points = points + random.uniform(-0.02, 0.02, points.shape)
+        ids = random.choice(len(points), 12, replace=False)
+        table = matrix((points, faces), ids)
+        for rows in (40, 1):
+            chosen = random.integers(0, len(ids), (rows, 2))
+            given = matrix((points, faces), pairs=ids[chosen])
+            self.assertEqual(given.shape, (rows,))
+            np.testing.assert_allclose(given, table[chosen[:, 1], chosen[:, 0]], atol=EXACT)
+
+    def test_are_measured_from_as_few_points_as_will_do(self):
+        kept = Surface(sheet())
+        ids = range(80)
+        kept.matrix(0, 1)
+        (filter,) = kept._filters.values()
+        solves = []
+        filter.AddObserver("StartEvent", lambda *_: solves.append(1))
+        for pairs, number in (([(i, 5) for i in ids], 1), ([(5, i) for i in ids], 1),
+                              ([(i, 5)[::(-1) ** i] for i in ids], 1), ([(1, 8), (2, 8), (1, 9), (3, 9)], 2)):
+            solves.clear()
+            kept.matrix(pairs=pairs)
+            self.assertEqual(len(solves), number)
+
+    def test_stop_at_a_maximum_and_where_there_is_no_path(self):
+        points, faces = sheet()
+        two = np.concatenate((points, points + (0, 0, 3))), np.concatenate((faces, np.array(faces) + len(points)))
+        np.testing.assert_array_equal(matrix(two, pairs=[(0, 81), (8, 8), (0, 8)], maximum_distance=0.5),
+                                      [np.inf, 0, np.inf])
+        self.assertEqual(matrix(two, pairs=[]).shape, (0,))
+
+    def test_that_are_wrong_are_refused(self):
+        for arguments, message in (({"pairs": [(0, 81)]}, "there is no 81"), ({"pairs": [(0, -1)]}, "there is no -1"),
+                                   ({"pairs": [0, 1]}, "two indices"), ({"pairs": [(0, 1, 2)]}, "two indices"),
+                                   ({"pairs": [(0.0, 1.0)]}, "two indices"), ({"pairs": {(0, 1)}}, "given as a set"),
+                                   ({"source": 0, "pairs": [(0, 1)]}, "no source and no targets"),
+                                   ({"targets": 0, "pairs": [(0, 1)]}, "no source and no targets")):
+            with self.subTest(message=message), self.assertRaisesRegex(GeodesicError, message):
+                matrix(sheet(), **arguments)
+
+
+class UnusedPoints(unittest.TestCase):
+    """Point 81 hangs over point 0, 82 is at the place of point 8, and no face uses them."""
+
+    def setUp(self):
+        points, self.faces = sheet()
+        self.points = np.concatenate((points, points[[0]] + (0, 0, 0.001), points[[8]]))
+        self.surface = self.points, self.faces
+
+    def test_are_infinitely_far_in_matrices_as_in_fields(self):
+        far = distance(self.surface, 3)
+        for targets in ([81], [0, 81], [81, 82, 0, 80], list(range(83))):
+            with self.assertWarnsRegex(UserWarning, f"^1 of {len(targets)} targets not reached, .*: number"):
+                np.testing.assert_array_equal(matrix(self.surface, 3, targets)[:, 0], far[targets])
+        with self.assertWarnsRegex(UserWarning, r"^3 of 3 targets not reached, .*: number 0, 1, 2\.$"):
+            np.testing.assert_array_equal(matrix(self.surface, [0, 3], [81] * 3), np.full((3, 2), np.inf))
+        with self.assertWarns(UserWarning):
+            self.assertEqual(matrix(self.surface, None, 81).tolist(), [[np.inf]])
+        with self.assertWarns(UserWarning):
+            self.assertEqual(matrix(self.surface, None, [81, 0]).tolist(), [[np.inf], [0]])
+        with self.assertWarns(UserWarning):
+            table = matrix(self.surface, [0, 81, 82])
+        np.testing.assert_allclose(table, [[0, np.inf, 1], [np.inf] * 3, [1, np.inf, 0]], atol=EXACT)
+
+    def test_are_infinitely_far_in_pairs(self):
+        with self.assertWarnsRegex(UserWarning, r"^2 of 4 pairs not reached, .*: number 1, 3\.$"):
+            result = matrix(self.surface, pairs=[(0, 8), (81, 0), (82, 0), (8, 81)])
+        np.testing.assert_allclose(result, [1, np.inf, 1, np.inf], atol=EXACT)
+
+    def test_have_no_paths(self):
+        with self.assertWarnsRegex(UserWarning, r"^1 of 3 targets not reached, .*: number 1\.$"):
+            result = paths(self.surface, 0, [80, 81, 8])
+        self.assertEqual(result["TargetId"].tolist(), [0, 2])
+        np.testing.assert_allclose(result["GeodesicDistance"], [math.sqrt(2), 1], atol=EXACT)
+        with self.assertWarns(UserWarning):
+            result = paths(self.surface, 0, 81)
+        self.assertTrue(all(len(array) == 0 for array in result.values()))
+
+    def test_at_a_place_of_the_surface_are_on_it_only_where_points_are_merged(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertAlmostEqual(matrix(self.surface, 0, 82)[0, 0], 1, delta=EXACT)
+        with self.assertWarns(UserWarning):
+            self.assertEqual(matrix(self.surface, 0, 82, merge_coincident_points=False)[0, 0], np.inf)
+        self.assertEqual(distance(self.surface, 0, merge_coincident_points=False)[82], np.inf)
+
+    def test_by_their_positions_are_put_onto_the_surface(self):
+        self.assertAlmostEqual(matrix(self.surface, 8, self.points[[81]])[0, 0], 1, delta=EXACT)
+
+
+class Threads(unittest.TestCase):
+    def test_are_as_many_as_asked_for_during_a_call(self):
+        before = vtkSMPTools.GetBackend(), vtkSMPTools.GetEstimatedNumberOfThreads()
+        for number in (1, 2):
+            seen = set()
+            kept = Surface(sheet(), threads=number)
+            kept.distance(0)
+            for filter in kept._filters.values():
+                filter.AddObserver("ProgressEvent", lambda *_: seen.add(vtkSMPTools.GetEstimatedNumberOfThreads()))
+            result = kept.distance(0)
+            self.assertEqual(seen, {number})
+            np.testing.assert_array_equal(result, distance(sheet(), 0))
+            with self.assertRaises(GeodesicError):
+                kept.distance(0, maximum_distance=-1)
+            self.assertEqual((vtkSMPTools.GetBackend(), vtkSMPTools.GetEstimatedNumberOfThreads()), before)
+        with self.assertRaisesRegex(GeodesicError, "threads is 0"):
+            distance(sheet(), 0, threads=0)
+
+
+class Results(unittest.TestCase):
+    def test_have_one_value_a_line_also_where_the_source_has_points(self):
+        square = [(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0)], [(0, 1, 2), (0, 2, 3)]
+        for source in (0, [0, 2], curve([(1, 1, 0), (1, 2, 0)])):
+            for values in ([0, 1, 2, 3], [3, 0, 1], [0]):
+                lines = contour(square, source, values)
+                self.assertEqual(len(lines["lines"]), len(lines["GeodesicDistance"]))
+                for ids, value in zip(lines["lines"], lines["GeodesicDistance"]):
+                    places = lines["points"][ids]
+                    far = matrix(square, source, places).min(axis=1)
+                    np.testing.assert_allclose(far, value, atol=1e-3 if value else EXACT)
+        self.assertEqual(contour(square, 0, [0, 1, 2, 3])["GeodesicDistance"].tolist(), [1, 2, 3])
+
+    def test_of_a_field_are_a_surface_again(self):
+        refined = field(octahedron(), 0, refine_mesh=True)
+        np.testing.assert_allclose(distance((refined["points"], refined["faces"]), 0), refined["GeodesicDistance"],
+                                   atol=EXACT)
+
+
+if __name__ == "__main__":
+    unittest.main()
