@@ -23,6 +23,7 @@
 #include <new>
 #include <optional>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 namespace
@@ -125,6 +126,13 @@ Failure ExplainException(const std::string& stage, const std::string& adviceOnMe
   catch (const std::bad_alloc&)
   {
     return noMemory("");
+  }
+  catch (const std::system_error& error)
+  {
+    // A thread of VTK's that cannot start: its stack takes memory.
+    return error.code() == std::errc::resource_unavailable_try_again
+      ? noMemory(" No thread could be started.")
+      : unforeseen(std::string(": ") + error.what());
   }
   catch (const std::exception& error)
   {

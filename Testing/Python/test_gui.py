@@ -54,6 +54,7 @@ DEFAULTS = {"Input": "Sheet", "Source": None, "SourceType": 0, "Accuracy": 0, "R
             "AbsoluteRefinementTolerance": 1, "MaximumNumberOfCells": 50000000,
             "OutputPointsPrecision": 2,
             "RefineSourceBorders": 0, "MaximumDistance": 0, "MergeCoincidentPoints": 1,
+            "MergeTolerance": 0,
             "UnreachedValue": 0, "CustomUnreachedValue": -1, "RemoveUnusedPoints": 0,
             "BarrierArrayName": "None", "JoinLines": 1, "SourceIdArrayName": "None",
             "DistanceArrayName": "GeodesicDistance",
@@ -112,7 +113,8 @@ for number, moved in enumerate((
     asked.update(moved)
     assert runs[number].properties == asked, f"{number}: {runs[number].properties}"
 MOVED_ELSEWHERE = {"ColorByStripes", "UnreachedValue", "CustomUnreachedValue", "RemoveUnusedPoints",
-                   "RefineSourceBorders", "OutputPointsPrecision", "SourceIdArrayName"}
+                   "RefineSourceBorders", "OutputPointsPrecision", "SourceIdArrayName",
+                   "MergeTolerance"}
 assert not DEFAULTS.keys() - {"Input"} - MOVED_ELSEWHERE - {
     name for name in DEFAULTS if any(run.properties[name] != DEFAULTS[name] for run in runs)}
 

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/reading/Cracks.h"
 
+#include "PolyData/Hash.h"
 #include "PolyData/ranks/RankSeams.h"
+#include "PolyData/reading/SeamVertices.h"
 #include "Tolerance.h"
 
-#include "vtkCellArray.h"
-#include "vtkIdList.h"
 #include "vtkLine.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 namespace geodesic
@@ -87,49 +85,61 @@ std::vector<BoundaryEdge> edgesOfOthers(
   return edges;
 }
 
-/// Finds edges by their places.
+/// Finds edges near places, by a grid in which each edge has some points. (The locators of VTK
+/// start threads to find the bounds of a few lines.)
 class EdgeLocator
 {
 public:
-  explicit EdgeLocator(const std::vector<BoundaryEdge>& edges)
+  /// \param reach how far an edge may be from a place at most.
+  EdgeLocator(const std::vector<BoundaryEdge>& edges, double reach)
     : edges_(edges)
   {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    vtkNew<vtkCellArray> lines;
+    double sum = 0.0;
     for (const BoundaryEdge& edge : edges)
     {
-      const vtkIdType ends[] = { points->InsertNextPoint(edge.begin.data()),
-        points->InsertNextPoint(edge.end.data()) };
-      lines->InsertNextCell(2, ends);
+      sum += norm(edge.end - edge.begin);
     }
-    this->lines_->SetPoints(points);
-    this->lines_->SetLines(lines);
-    this->locator_->SetDataSet(this->lines_);
-    this->locator_->SetNumberOfCellsPerNode(2);
-    this->locator_->BuildLocator();
+    const double mean = sum / static_cast<double>(edges.size());
+    this->level_ = seamLevelFor(std::max(mean, reach));
+    // A place is within half a cube of such a point if it is within the reach of the edge.
+    const double spacing = std::ldexp(0.25, this->level_);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+    {
+      const Vec3 along = edges[i].end - edges[i].begin;
+      const double steps = std::ceil(norm(along) / spacing);
+      for (double step = 0.0; step <= steps; ++step)
+      {
+        std::vector<std::size_t>& inCell =
+          this->grid_[seamCellAt(edges[i].begin + (step / steps) * along, this->level_)];
+        if (inCell.empty() || inCell.back() != i)
+        {
+          inCell.push_back(i);
+        }
+      }
+    }
   }
 
   /// How far the middle of an edge is from the nearest edge of another face; infinite if none is
-  /// within the limit.
-  double distanceFrom(const BoundaryEdge& edge, double limit)
+  /// within the limit, which is below the reach.
+  double distanceFrom(const BoundaryEdge& edge, double limit) const
   {
     const Vec3 middle = 0.5 * (edge.begin + edge.end);
-    const Box box = boxAround(middle, limit);
-    double bounds[] = { box.low[0], box.high[0], box.low[1], box.high[1], box.low[2], box.high[2] };
-    this->locator_->FindCellsWithinBounds(bounds, this->found_);
     double least = Infinity;
-    for (vtkIdType i = 0; i < this->found_->GetNumberOfIds(); ++i)
+    for (const SeamCell& cell : seamCellsAround(middle, this->level_))
     {
-      const BoundaryEdge& other = this->edges_[static_cast<std::size_t>(this->found_->GetId(i))];
-      const bool isOfAnotherFace = edge.face < other.face || other.face < edge.face;
-      if (isOfAnotherFace && other.around(limit).holds(middle))
+      const auto found = this->grid_.find(cell);
+      for (std::size_t k = 0; found != this->grid_.end() && k < found->second.size(); ++k)
       {
-        double along = 0.0;
-        Vec3 closest;
-        least = std::min(least,
-          std::sqrt(vtkLine::DistanceToLine(
-            middle.data(), other.begin.data(), other.end.data(), along, closest.data())));
+        const BoundaryEdge& other = this->edges_[found->second[k]];
+        const bool isOfAnotherFace = edge.face < other.face || other.face < edge.face;
+        if (isOfAnotherFace && other.around(limit).holds(middle))
+        {
+          double along = 0.0;
+          Vec3 closest;
+          least = std::min(least,
+            std::sqrt(vtkLine::DistanceToLine(
+              middle.data(), other.begin.data(), other.end.data(), along, closest.data())));
+        }
       }
     }
     return least <= limit ? least : Infinity;
@@ -137,9 +147,8 @@ public:
 
 private:
   const std::vector<BoundaryEdge>& edges_;
-  vtkNew<vtkPolyData> lines_;
-  vtkNew<vtkStaticCellLocator> locator_;
-  vtkNew<vtkIdList> found_;
+  int level_;
+  std::unordered_map<SeamCell, std::vector<std::size_t>, Hash> grid_;
 };
 
 }
@@ -155,7 +164,7 @@ void findCracks(const MeshPartition& partition, double diagonal, SurfaceReport& 
   {
     return;
   }
-  EdgeLocator locator(edges);
+  const EdgeLocator locator(edges, width);
   for (std::size_t i = 0; i < count; ++i)
   {
     const double length = norm(edges[i].end - edges[i].begin);
