@@ -215,7 +215,8 @@ private:
   {
     const Window& w = *way.window;
     const Vec2 p = inHalfedgeFrame(this->mesh_, way.halfedge, this->inFace_);
-    const WayFrom from = wayFrom(way.x, p, w.direction(way.x), this->faceSize_, this->leastBend_);
+    const Vec2 throughWindow = w.directionTo(p, way.x);
+    const WayFrom from = wayFrom(way.x, p, throughWindow, this->faceSize_, this->leastBend_);
     // At an edge of three and more faces the path may have come through any of the others.
     const bool isUnsure = way.isBehind && !this->mesh_.isInner(way.halfedge);
     const double straight = w.isLinear() ? way.distance : way.distance - w.sigma;
@@ -225,7 +226,7 @@ private:
       this->best_.ray = way.isBehind ? acrossEdge(this->mesh_, ray) : ray;
       this->best_.origin = w.origin;
       this->best_.place = w.placeOf({ way.x, 0.0 });
-      this->best_.rayOfWindow = from.isBent ? w.direction(way.x) : from.direction;
+      this->best_.rayOfWindow = from.isBent ? throughWindow : from.direction;
     }
   }
 

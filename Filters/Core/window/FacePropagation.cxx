@@ -7,7 +7,7 @@ namespace geodesic
 namespace
 {
 
-inline void describe(const Window* nearest, double crossing, ApexDistance& shortest)
+inline void describe(const Window* nearest, Vec2 apex, double crossing, ApexDistance& shortest)
 {
   if (nearest != nullptr)
   {
@@ -15,7 +15,7 @@ inline void describe(const Window* nearest, double crossing, ApexDistance& short
     shortest.error = nearest->error;
     shortest.origin = nearest->origin;
     shortest.place = nearest->placeOf({ shortest.crossing, 0.0 });
-    shortest.direction = nearest->direction(shortest.crossing);
+    shortest.direction = nearest->directionTo(apex, crossing);
   }
 }
 
@@ -198,7 +198,7 @@ ApexQuery fullApexQuery(
     }
     previous = side;
   }
-  describe(nearest, nearest != nullptr ? nearest->crossing(apex) : 0.0, query.shortest);
+  describe(nearest, apex, nearest != nullptr ? nearest->crossing(apex) : 0.0, query.shortest);
   return query;
 }
 
@@ -222,7 +222,7 @@ ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
   if (list.size() == 1)
   {
     consider(*list.begin());
-    describe(nearest, crossing, shortest);
+    describe(nearest, apex, crossing, shortest);
     return shortest;
   }
   const Window* first = list.begin();
@@ -244,7 +244,7 @@ ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
     consider(*first);
     holds = first->passesRightOf(first->end, apex);
   }
-  describe(nearest, crossing, shortest);
+  describe(nearest, apex, crossing, shortest);
   return shortest;
 }
 

@@ -179,6 +179,16 @@ struct Window
     return { this->isLinear() ? this->sourceX : x - this->sourceX, this->sourceDepth };
   }
 
+  /// The direction of the path that crosses the halfedge at crossing() of a point p above it, not
+  /// normalised. Rays from one point have it from there to p: where the point is close to the
+  /// halfedge, rounding of the crossing would turn the ray.
+  Vec2 directionTo(Vec2 p, double crossing) const
+  {
+    const bool isStraight = crossing > this->begin && crossing < this->end;
+    return !this->isLinear() && isStraight ? p - Vec2{ this->sourceX, -this->sourceDepth }
+                                           : this->direction(crossing);
+  }
+
   /// The x of the directions of the rays through the two ends; their y is sourceDepth.
   TwoDoubles endDirections() const
   {

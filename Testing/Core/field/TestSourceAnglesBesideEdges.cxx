@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources that are points beside an edge, as from a click on it: the angles of paths in the plane,
+// which source is the nearest, and its place.
+#include "EngineSupport.h"
+#include "Seeds.h"
+
+#include "Tolerance.h"
+#include "field/NearestSource.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+using namespace geodesictest;
+using geodesic::Foot;
+using geodesic::Id;
+using geodesic::NearestSource;
+using geodesic::SurfacePoint;
+namespace tolerance = geodesic::tolerance;
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+/// As fractions of a face: from less than the rounding of the point on.
+const double Fractions[] = { 1e-17, 1e-16, 3e-16, 1e-15, 2e-15, 5e-15, 1e-14, 1e-13, 1e-12, 1e-11,
+  1e-10, 1e-9, 1e-8, 1e-7, 1e-6 };
+
+/// In radians, of paths longer than ShortPath: the rounding of places and of unfolding.
+constexpr double Accuracy = 1e-11;
+constexpr double ShortPath = 1e-2;
+
+double gapOfAngles(double a, double b)
+{
+  return std::abs(std::remainder(a - b, 2.0 * Pi));
+}
+
+Vec3 minus(const Vec3& a, const Vec3& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+double angleIn(const geodesic::SourceFrame& frame, const Vec3& v)
+{
+  return std::atan2(geodesic::dot(v, frame.y), geodesic::dot(v, frame.x));
+}
+
+/// Each point as a source of its own.
+std::vector<Polyline> polylinesAt(const std::vector<MeshPoint>& points)
+{
+  std::vector<Polyline> polylines;
+  for (const MeshPoint& point : points)
+  {
+    polylines.push_back({ { { point.face, point.weights, point.weights } }, {} });
+  }
+  return polylines;
+}
+
+/// A field around points, and its feet.
+struct Solved
+{
+  geodesic::TriangleMesh mesh;
+  std::vector<geodesic::SourceCurve> curves;
+  geodesic::DistanceField field;
+  NearestSource nearest;
+
+  static geodesic::FrontOptions withAngles()
+  {
+    geodesic::FrontOptions options;
+    options.keepArrivals = true;
+    options.keepAngles = true;
+    return options;
+  }
+
+  Solved(const PlainMesh& plain, const std::vector<MeshPoint>& points)
+    : mesh(engineMesh(plain))
+    , curves(engineCurves(mesh, polylinesAt(points)))
+    , field(geodesic::solve(mesh, curves, withAngles(), geodesic::KeepWindows::All))
+    , nearest(field, geodesic::ReplicatedPatch(mesh), curves)
+  {
+  }
+
+  Foot footOf(const MeshPoint& point)
+  {
+    const SurfacePoint p = geodesic::normalized(mesh, enginePoint(mesh, point));
+    return p.kind == SurfacePoint::Kind::Vertex ? nearest.atVertex(p.id)
+                                                : nearest.of(geodesic::incomingSegmentTo(field, p));
+  }
+};
+
+/// The worst angles of a test.
+struct Worst
+{
+  double straight = 0.0;
+  /// Of paths that bend at a vertex and are as long up to a tie.
+  double bent = 0.0;
+  std::size_t count = 0;
+  std::size_t countBent = 0;
+
+  void print(double fraction) const
+  {
+    std::cout << "beside an edge " << fraction << ": " << this->count << " paths, worst angle "
+              << this->straight << "; " << this->countBent << " bent ones, worst angle "
+              << this->bent << "\n";
+  }
+};
+
+/// Compares answers in the plane with straight lines.
+class InThePlane
+{
+public:
+  InThePlane(const PlainMesh& plain, const std::vector<MeshPoint>& sources, Worst& worst)
+    : plain_(plain)
+    , solved_(plain, sources)
+    , worst_(worst)
+  {
+    for (const MeshPoint& source : sources)
+    {
+      this->sources_.push_back(position(plain, source));
+    }
+    for (const Vec3& point : plain.points)
+    {
+      this->size_ = std::max(this->size_, geodesic::norm(minus(point, plain.points[0])));
+      this->largest_ = std::max(this->largest_, geodesic::largestCoordinate(point));
+    }
+  }
+
+  /// Left out are queries near the source, and those that two sources are equally near to.
+  void compare(const MeshPoint& query)
+  {
+    const Vec3 place = position(this->plain_, query);
+    std::vector<double> distances;
+    for (const Vec3& source : this->sources_)
+    {
+      distances.push_back(geodesic::norm(minus(place, source)));
+    }
+    const auto nearest =
+      static_cast<Id>(std::min_element(distances.begin(), distances.end()) - distances.begin());
+    const bool isTie = distances.size() == 2 && std::abs(distances[0] - distances[1]) < 1e-9;
+    if (isTie || distances[nearest] < ShortPath)
+    {
+      return;
+    }
+    const Foot foot = this->solved_.footOf(query);
+    EXPECT_EQ(foot.curve, nearest);
+    EXPECT_FALSE(foot.isRight);
+    EXPECT_EQ(this->solved_.nearest.arcLengthOf(foot), 0.0);
+    const Vec3 closest =
+      geodesic::position(this->solved_.mesh, this->solved_.nearest.pointOf(foot));
+    EXPECT_LE(geodesic::norm(minus(closest, this->sources_[nearest])),
+      2.0 * tolerance::PositionRoundings * tolerance::Rounding * this->largest_);
+    this->compareAngle(foot, nearest, minus(place, this->sources_[nearest]));
+  }
+
+private:
+  // The path leaves straight to the query, or to a vertex at which it bends.
+  void compareAngle(const Foot& foot, Id nearest, const Vec3& straight)
+  {
+    const geodesic::SourceFrame frame = this->solved_.nearest.frameOf(nearest);
+    const double angle = this->solved_.nearest.angleOf(foot);
+    const double error = gapOfAngles(angle, angleIn(frame, straight));
+    ++this->worst_.count;
+    if (error <= Accuracy)
+    {
+      this->worst_.straight = std::max(this->worst_.straight, error);
+      return;
+    }
+    double least = error;
+    for (const Vec3& vertex : this->plain_.points)
+    {
+      const Vec3 way = minus(vertex, this->sources_[nearest]);
+      const double toVertex = angleIn(frame, way);
+      if (geodesic::norm(way) < geodesic::norm(straight) &&
+        gapOfAngles(toVertex, angleIn(frame, straight)) <= this->bendAt(way, straight))
+      {
+        least = std::min(least, gapOfAngles(angle, toVertex));
+      }
+    }
+    EXPECT_LE(least, Accuracy) << "off by " << error;
+    ++this->worst_.countBent;
+    this->worst_.bent = std::max(this->worst_.bent, error);
+  }
+
+  // The largest angle between the straight path and the way to a vertex such that the path by the
+  // vertex is longer by no more than two ties: one on the way, one where ways through the last face
+  // are compared. With the path's length d and the distance a to the vertex an angle u lengthens
+  // the path by u^2 a d / (2 (d - a)).
+  double bendAt(const Vec3& vertex, const Vec3& straight) const
+  {
+    const double d = geodesic::norm(straight);
+    const double a = geodesic::norm(vertex);
+    const double longer = 2.0 * tolerance::Tie * (d + this->size_);
+    return std::sqrt(2.0 * longer * (d - a) / (a * d));
+  }
+
+  const PlainMesh& plain_;
+  Solved solved_;
+  std::vector<Vec3> sources_;
+  double size_ = 0.0;
+  double largest_ = 0.0;
+  Worst& worst_;
+};
+
+/// A point at this fraction of a face from one of its edges, not near a vertex.
+MeshPoint besideEdge(const PlainMesh& mesh, double fraction, Random& random)
+{
+  MeshPoint p = { random.below(mesh.triangles.size()), {} };
+  const Index k = random.below(3);
+  const double along = random.uniform(0.1, 0.9);
+  p.weights[k] = fraction;
+  p.weights[(k + 1) % 3] = along * (1.0 - fraction);
+  p.weights[(k + 2) % 3] = 1.0 - p.weights[k] - p.weights[(k + 1) % 3];
+  return p;
+}
+
+std::vector<MeshPoint> verticesAndOthers(const PlainMesh& mesh, std::size_t others, Random& random)
+{
+  std::vector<MeshPoint> points;
+  for (Index vertex = 0; vertex < mesh.points.size(); ++vertex)
+  {
+    points.push_back(vertexPoint(mesh, vertex));
+  }
+  for (std::size_t i = 0; i < others; ++i)
+  {
+    points.push_back(randomFacePoint(mesh, random));
+    points.push_back(randomEdgePoint(mesh, random));
+  }
+  return points;
+}
+
+using MakeMesh = PlainMesh (*)(Random&);
+
+/// Points beside inner edges and beside the boundary.
+void compareOnRandom(MakeMesh make, std::uint64_t meshes)
+{
+  const Seeds seeds = seedsOfTest(meshes);
+  for (const double fraction : Fractions)
+  {
+    Worst worst;
+    for (std::uint64_t seed = seeds.first; seed < seeds.end(); ++seed)
+    {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", 10^" + std::to_string(std::log10(fraction)));
+      Random random(seed);
+      PlainMesh plain = moved(make(random), random);
+      plain = random.chance(0.5) ? withFlippedFaces(plain, random) : plain;
+      std::vector<MeshPoint> sources = { besideEdge(plain, fraction, random) };
+      if (random.chance(0.5))
+      {
+        sources.push_back(besideEdge(plain, fraction, random));
+      }
+      InThePlane plane(plain, sources, worst);
+      for (const MeshPoint& query : verticesAndOthers(plain, 40, random))
+      {
+        plane.compare(query);
+      }
+    }
+    worst.print(fraction);
+  }
+}
+
+} // anonymous namespace
+
+// On both sides of the edge of two faces; angles from the first edge of the point's face.
+TEST(SourceAnglesBesideEdges, OfTwoFacesAreThoseOfTheStraightLine)
+{
+  const PlainMesh plain = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, 0 }, { 0.5, -1, 0 } },
+    { { 0, 1, 2 }, { 1, 0, 3 } } };
+  for (const double fraction : Fractions)
+  {
+    Worst worst;
+    Random random(0);
+    for (const Index face : { 0, 1 })
+    {
+      const double along = face == 0 ? 0.4 : 0.6;
+      const double first = 1.0 - along - 0.5 * fraction;
+      const MeshPoint source = { face, { first, 1.0 - first - fraction, fraction } };
+      SCOPED_TRACE("face " + std::to_string(face) + ", " + std::to_string(std::log10(fraction)));
+      InThePlane plane(plain, { source }, worst);
+      for (const MeshPoint& query : verticesAndOthers(plain, 100, random))
+      {
+        plane.compare(query);
+      }
+    }
+    worst.print(fraction);
+  }
+}
+
+TEST(SourceAnglesBesideEdges, OnPlanarMeshesAreThoseOfTheStraightLine)
+{
+  compareOnRandom([](Random& random)
+    { return randomPlanar(random.between(2, 8), random.between(2, 8), random); },
+    meshesOfAKind(10));
+}
+
+// Edges lie on lines through the apex.
+TEST(SourceAnglesBesideEdges, OnFlatFansAreThoseOfTheStraightLine)
+{
+  compareOnRandom(
+    [](Random& random)
+    {
+      const Index sectors = random.between(3, 10);
+      return fan(sectors, 2.0 * Pi / sectors, random.between(1, 4));
+    },
+    meshesOfAKind(10));
+}
