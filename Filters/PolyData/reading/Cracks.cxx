@@ -106,7 +106,7 @@ public:
     for (std::size_t i = 0; i < edges.size(); ++i)
     {
       const Vec3 along = edges[i].end - edges[i].begin;
-      const double steps = std::ceil(norm(along) / spacing);
+      const double steps = std::max(1.0, std::ceil(norm(along) / spacing));
       for (double step = 0.0; step <= steps; ++step)
       {
         std::vector<std::size_t>& inCell =
