@@ -216,21 +216,6 @@ class Barriers(unittest.TestCase):
 
 
 class SourceNames(unittest.TestCase):
-    def labelled(self):
-        """The points of a line, with two labels."""
-        curve = polyline(BENT)
-        marked = simple.Calculator(Input=curve, ResultArrayName="Label", ResultArrayType="Int",
-                                   Function="if(coordsX > 1, 8, 3)")
-        marked.UpdatePipeline()
-        return marked
-
-    def test_the_list_offers_the_arrays_of_the_source(self):
-        field = GeodesicDistanceField(Input=plane(), Source=self.labelled())
-        self.assertEqual(field.SourceIdArrayName, "None")
-        available = list(field.GetProperty("SourceIdArrayName").GetAvailable())
-        self.assertIn("None", available)
-        self.assertIn("Label", available)
-
     def test_points_have_the_label_of_the_nearest(self):
         marks = simple.GroupDatasets(Input=[
             simple.PointSource(NumberOfPoints=1, Radius=0, Center=(x, 0.5, 0)) for x in (0.5, 2.5)])
