@@ -36,6 +36,29 @@ std::vector<SourceInFace> sourcesByFace(const TriangleMesh& mesh, const CurveCha
   return sources;
 }
 
+/// The direction in which a path leaves its end, in the frame of the first halfedge of the face of
+/// its last piece. Where the end lies beside an edge that piece may be as short as the rounding of
+/// its place: the path comes straight from the piece before, with that piece's face laid out behind
+/// the edge.
+Vec2 directionFromEnd(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path, Id face)
+{
+  const Id frame = 3 * face;
+  const SurfacePoint& before = path[path.size() - 2];
+  const Vec2 last =
+    inHalfedgeFrame(mesh, frame, before) - inHalfedgeFrame(mesh, frame, path.back());
+  const bool isLong = norm(last) > tolerance::NearEdge * mesh.shape(face).longest();
+  if (isLong || before.kind != SurfacePoint::Kind::Edge || path.size() < 3)
+  {
+    return last;
+  }
+  const SurfacePoint& third = path[path.size() - 3];
+  const Id halfedge = mesh.siblingInFace(before.id, commonFace(mesh, third, before));
+  const FaceDirection piece = { halfedge,
+    inHalfedgeFrame(mesh, halfedge, third) - inHalfedgeFrame(mesh, halfedge, before) };
+  const FaceDirection onward = acrossEdge(mesh, piece, mesh.siblingInFace(before.id, face));
+  return last + turned(mesh, onward, frame);
+}
+
 } // anonymous namespace
 
 PathEnds::PathEnds(const ReplicatedPatch& patch, const std::vector<SourceCurve>& curves)
@@ -49,8 +72,7 @@ PathEnds::PathEnds(const ReplicatedPatch& patch, const std::vector<SourceCurve>&
 PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& path,
   const std::function<RankAddress(Id)>& addressOf) const
 {
-  const SurfacePoint& before = path[path.size() - 2];
-  const Id onMesh = commonFace(mesh, before, path.back());
+  const Id onMesh = commonFace(mesh, path[path.size() - 2], path.back());
   const Id face = this->onPatch_.patch().faceAt(addressOf(onMesh));
   if (face == NoId)
   {
@@ -58,9 +80,7 @@ PathEnd PathEnds::of(const TriangleMesh& mesh, const std::vector<SurfacePoint>& 
   }
   const Barycentric end = barycentric(mesh, path.back(), onMesh);
   const LastPiece piece = { normalized(this->mesh(), fromBarycentric(this->mesh(), face, end)),
-    face,
-    inHalfedgeFrame(this->mesh(), 3 * face, barycentric(mesh, before, onMesh)) -
-      inHalfedgeFrame(this->mesh(), 3 * face, end) };
+    face, directionFromEnd(mesh, path, onMesh) };
   const double rounding = tolerance::PlaceRounding * this->mesh().shape(face).longest();
   const SourceInFace* segment = this->nearest(piece.end, face, rounding);
   if (segment == nullptr)
