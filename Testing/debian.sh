@@ -32,7 +32,7 @@ command -v debootstrap > /dev/null || give_up "debootstrap is missing (Debian: d
 # shellcheck disable=SC2016 # apt-get fills in the names
 mirror=$(apt-get indextargets --format '$(SITE) $(CODENAME)' 'Created-By: Packages' 'Origin: Debian' 2> /dev/null |
   awk '$2 !~ /-/ { print $1; exit }' || true)
-mirror=${mirror:-http://deb.debian.org/debian}
+[ -n "$mirror" ] || give_up "This system does not say where its packages come from: run apt-get update first."
 proxy=$(apt-config dump 2> /dev/null | grep -i '^Acquire::https\?::Proxy' || true)
 
 root=$(mktemp -d "${TMPDIR:-/tmp}/geodesic-debian.XXXXXX")

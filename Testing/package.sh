@@ -59,7 +59,7 @@ suite=$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")
 format='deb $(SITE) $(CODENAME) main'
 sources=$(apt-get indextargets --format "$format" 'Created-By: Packages' 'Origin: Debian' |
   grep " $suite" | sort -u || true)
-sources=${sources:-deb http://deb.debian.org/debian $suite main}
+[ -n "$sources" ] || give_up "This system does not say where its packages come from: run apt-get update first."
 mirror=$(awk -v suite="$suite" '$3 == suite { print $2; exit }' <<< "$sources")
 debootstrap --variant=minbase --include=ca-certificates "$suite" "$root" "$mirror" > "$root.log" ||
   give_up "debootstrap failed; the end of $root.log:" "$(tail -n 5 "$root.log")"
