@@ -303,6 +303,30 @@ inline Cracked MakeCracked(std::uint64_t seed)
   return cracked;
 }
 
+/// Checks that the cracks of a surface are closed.
+///
+/// \param piece what this process has of the surface.
+/// \returns the largest error, as a fraction of what roundings explain.
+inline double CheckClosed(
+  Check& check, const Cracked& cracked, vtkPolyData* piece, const std::string& what)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  filter->RefineMeshOff();
+  filter->SetInputData(piece);
+  filter->SetSourceData(cracked.Source);
+  Messages messages(filter);
+  messages.Update();
+  check.That(messages.Error().empty() && messages.Warning().empty(),
+    what + ": " + messages.Error() + messages.Warning());
+  check.Equal(static_cast<double>(filter->GetSeamPointsJoined()),
+    static_cast<double>(cracked.PointsToJoin), what + ": joined points");
+  const double error = cracked.ErrorOf(filter->GetOutput());
+  check.That(error <= cracked.Tolerance,
+    what + ": wrong by " + std::to_string(error) + " of the largest distance, allowed " +
+      std::to_string(cracked.Tolerance));
+  return error / cracked.Tolerance;
+}
+
 }
 
 #endif

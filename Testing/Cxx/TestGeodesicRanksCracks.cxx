@@ -30,19 +30,8 @@ void TestRandom(Check& check, Ranks ranks)
     const Cracked cracked = MakeCracked(seed);
     const std::string what = "seed " + std::to_string(seed) + ", " + cracked.Name;
     const Cut cut = SomeCut(cracked.Surface, ranks.Count, seed % 2 == 0);
-    vtkNew<vtkGeodesicDistanceField> filter;
-    filter->RefineMeshOff();
-    filter->SetInputData(Part(cracked.Surface, FacesOf(cracked.Surface, cut, ranks.Rank)));
-    filter->SetSourceData(cracked.Source);
-    Messages messages(filter);
-    messages.Update();
-    check.That(messages.Error().empty() && messages.Warning().empty(),
-      what + ": " + messages.Error() + messages.Warning());
-    check.Equal(static_cast<double>(filter->GetSeamPointsJoined()),
-      static_cast<double>(cracked.PointsToJoin), what + ": joined points");
-    const double error = cracked.ErrorOf(filter->GetOutput());
-    worst = std::max(worst, error / cracked.Tolerance);
-    check.That(error <= cracked.Tolerance, what + ": wrong by " + std::to_string(error));
+    const auto piece = Part(cracked.Surface, FacesOf(cracked.Surface, cut, ranks.Rank));
+    worst = std::max(worst, CheckClosed(check, cracked, piece, what));
   }
   std::cout << "cracks over ranks: worst error " << worst << " of what roundings explain\n";
 }
