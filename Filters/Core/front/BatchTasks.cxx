@@ -13,9 +13,14 @@ namespace geodesic
 namespace
 {
 
-Arrival arrivalThrough(Id halfedge, const ApexDistance& apex)
+// Few lists shorten the path to their apex, so only these are asked where their path comes from.
+DistanceUpdate arrivalThrough(
+  const TriangleMesh& mesh, Id halfedge, Vec2 apex, const ApexDistance& path)
 {
-  return { halfedge, apex.origin, apex.crossing, apex.direction, apex.place };
+  const Window& w = *path.nearest;
+  const double x = w.crossing(apex);
+  return { mesh.opposite(halfedge), path.distance, w.error,
+    { halfedge, w.origin, x, w.directionTo(apex, x), w.placeOf({ x, 0.0 }) } };
 }
 
 double leastDistance(const WindowRange& windows)
@@ -317,12 +322,11 @@ void receiveList(BatchTasks& tasks, FrontWorker& worker, District& district, Sen
     worker.pool.free(sent.windows);
     return;
   }
-  const ApexDistance found =
-    quickApexQuery(sent.windows.range(), apexOf(tasks.mesh, sent.halfedge));
-  if (tasks.vertices.isImprovedBy(apex, found.distance))
+  const Vec2 apexAt = apexOf(tasks.mesh, sent.halfedge);
+  const ApexDistance found = quickApexQuery(sent.windows.range(), apexAt);
+  if (found.nearest != nullptr && tasks.vertices.isImprovedBy(apex, found.distance))
   {
-    const DistanceUpdate arrival = { apex, found.distance, found.error,
-      arrivalThrough(sent.halfedge, found) };
+    const DistanceUpdate arrival = arrivalThrough(tasks.mesh, sent.halfedge, apexAt, found);
     tasks.shorten(district, arrival);
     if (tasks.surface.isDistributed())
     {
@@ -413,29 +417,36 @@ void BatchTasks::propagate(FrontWorker& worker, District& district, Id number, I
   const ApexQuery apex = fullApexQuery(list, face.apex, worker.apexSides);
   const Window& first = *list.begin();
   const Window& last = *(list.end() - 1);
-  // The first two are bounds along the halfedge; no shortest path reaches a corner that way.
-  const DistanceUpdate found[] = { { this->mesh.origin(halfedge),
-                                     first.distance(first.begin) + first.begin, first.error, {} },
+  // Bounds along the halfedge; no shortest path reaches a corner that way.
+  const DistanceUpdate atEnds[] = { { this->mesh.origin(halfedge),
+                                      first.distance(first.begin) + first.begin, first.error, {} },
     { this->mesh.destination(halfedge), last.distance(last.end) + (face.length - last.end),
-      last.error, {} },
-    { this->mesh.opposite(halfedge), apex.shortest.distance, apex.shortest.error,
-      arrivalThrough(halfedge, apex.shortest) } };
-  for (const DistanceUpdate& update : found)
+      last.error, {} } };
+  for (const DistanceUpdate& update : atEnds)
   {
-    if (this->vertices.isImprovedBy(update.vertex, update.distance, update.from.halfedge != NoId))
+    if (this->vertices.isImprovedBy(update.vertex, update.distance, false))
     {
       sendUpdate(*this, district, update);
     }
   }
-  const auto known = [&](std::size_t i)
-  { return std::min(this->vertices.distance(found[i].vertex), found[i].distance); };
+  const Id opposite = this->mesh.opposite(halfedge);
+  const double toApex = apex.shortest.distance;
+  if (apex.shortest.nearest != nullptr && this->vertices.isImprovedBy(opposite, toApex))
+  {
+    sendUpdate(*this, district, arrivalThrough(this->mesh, halfedge, face.apex, apex.shortest));
+  }
+  const auto known = [this](Id vertex, double found)
+  { return std::min(this->vertices.distance(vertex), found); };
+  const CornerDistances corners = { known(atEnds[0].vertex, atEnds[0].distance),
+    known(atEnds[1].vertex, atEnds[1].distance), known(opposite, toApex) };
 
   const Id left = TriangleMesh::previousInFace(halfedge);
   const Id right = TriangleMesh::nextInFace(halfedge);
-  propagateThroughFace(apex, face, { known(0), known(1), known(2) },
+  propagateThroughFace(apex, face, corners,
     { !this->mesh.isBoundary(left), !this->mesh.isBoundary(right) }, this->mostFaces,
     worker.leaving);
-  this->retire(worker, district, { halfedge, block, { known(0), known(1) } }, batch);
+  this->retire(
+    worker, district, { halfedge, block, { corners.origin, corners.destination } }, batch);
   this->send(worker, district, left, worker.leaving.left.range());
   this->send(worker, district, right, worker.leaving.right.range());
 }

@@ -7,18 +7,6 @@ namespace geodesic
 namespace
 {
 
-inline void describe(const Window* nearest, Vec2 apex, double crossing, ApexDistance& shortest)
-{
-  if (nearest != nullptr)
-  {
-    shortest.crossing = crossing;
-    shortest.error = nearest->error;
-    shortest.origin = nearest->origin;
-    shortest.place = nearest->placeOf({ shortest.crossing, 0.0 });
-    shortest.direction = nearest->directionTo(apex, crossing);
-  }
-}
-
 /// An edge through which windows leave the face, with the known distances at its ends. A pair of
 /// numbers belongs to the two ends of a window, which are computed together.
 struct ExitEdge
@@ -154,13 +142,11 @@ ApexQuery fullApexQuery(
   ApexQuery query;
   query.list = list;
   query.sides = sides.data();
-  const Window* nearest = nullptr;
-  const auto consider = [&query, &nearest](double distance, const Window& w)
+  const auto consider = [&query](double distance, const Window& w)
   {
     if (distance < query.shortest.distance)
     {
-      query.shortest.distance = distance;
-      nearest = &w;
+      query.shortest = { distance, &w };
     }
   };
   double straight = Infinity;
@@ -198,7 +184,6 @@ ApexQuery fullApexQuery(
     }
     previous = side;
   }
-  describe(nearest, apex, nearest != nullptr ? nearest->crossing(apex) : 0.0, query.shortest);
   return query;
 }
 
@@ -206,23 +191,17 @@ ApexQuery fullApexQuery(
 ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
 {
   ApexDistance shortest;
-  const Window* nearest = nullptr;
-  double crossing = 0.0;
   const auto consider = [&](const Window& w)
   {
-    const double x = w.crossing(apex);
-    const double distance = w.bentDistance(apex, x);
+    const double distance = w.bentDistance(apex);
     if (distance < shortest.distance)
     {
-      shortest.distance = distance;
-      nearest = &w;
-      crossing = x;
+      shortest = { distance, &w };
     }
   };
   if (list.size() == 1)
   {
     consider(*list.begin());
-    describe(nearest, apex, crossing, shortest);
     return shortest;
   }
   const Window* first = list.begin();
@@ -244,7 +223,6 @@ ApexDistance quickApexQuery(const WindowRange& list, Vec2 apex)
     consider(*first);
     holds = first->passesRightOf(first->end, apex);
   }
-  describe(nearest, apex, crossing, shortest);
   return shortest;
 }
 

@@ -27,15 +27,8 @@ struct ApexDistance
 {
   /// Its length; infinite where the list is empty.
   double distance = Infinity;
-  /// Where the path crosses the halfedge.
-  double crossing = 0.0;
-  /// The error of the window that gives the path.
-  double error = 0.0;
-  /// The origin of that window, the place on its curve where the ray begins, and the ray's
-  /// direction.
-  Id origin = NoId;
-  double place = 0.0;
-  Vec2 direction = {};
+  /// The window of the list that gives the path; null where the list is empty.
+  const Window* nearest = nullptr;
 };
 
 /// On which side of the apex the rays of a window pass.

@@ -261,7 +261,7 @@ TEST(ApexQuery, TheFullOneFindsTheShortestPathThroughAField)
     const double truth = exactThrough(list.range(), r.apex);
     ASSERT_NEAR(query.shortest.distance, truth, 1e-12 * (1.0 + truth));
     // and where it crosses the halfedge
-    const double x = query.shortest.crossing;
+    const double x = query.shortest.nearest->crossing(r.apex);
     ASSERT_NEAR(
       at(list.range(), x) + std::hypot(r.apex.x - x, r.apex.y), truth, 1e-12 * (1.0 + truth));
   }
@@ -313,7 +313,7 @@ TEST(ApexQuery, TheQuickOneFindsARealPath)
     const ApexDistance quick = quickApexQuery(list.range(), r.apex);
     const double truth = exactThrough(list.range(), r.apex);
     ASSERT_GE(quick.distance, truth - 1e-12 * (1.0 + truth));
-    const double x = quick.crossing;
+    const double x = quick.nearest->crossing(r.apex);
     ASSERT_NEAR(at(list.range(), x) + std::hypot(r.apex.x - x, r.apex.y), quick.distance,
       1e-12 * (1.0 + truth));
     equal += quick.distance <= truth * (1.0 + 1e-12) ? 1 : 0;
@@ -338,8 +338,8 @@ TEST(ApexQuery, TheErrorIsThatOfTheWindowThatGivesTheDistance)
   const std::vector<Window> windows = { near, far };
   const WindowRange list = { windows.data(), windows.data() + windows.size() };
   std::vector<ApexSide> sides;
-  EXPECT_EQ(fullApexQuery(list, geodesic::Vec2{ 0.3, 1.0 }, sides).shortest.error, 0.01);
-  EXPECT_EQ(quickApexQuery(list, { 0.3, 1.0 }).error, 0.01);
+  EXPECT_EQ(fullApexQuery(list, geodesic::Vec2{ 0.3, 1.0 }, sides).shortest.nearest->error, 0.01);
+  EXPECT_EQ(quickApexQuery(list, { 0.3, 1.0 }).nearest->error, 0.01);
 }
 
 TEST(FacePropagation, WindowsContinueStraightAndNoneIsMissing)
