@@ -14,7 +14,7 @@ file(RELATIVE_PATH geodesic_python_to_lib
   "${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}")
 
 function (geodesic_wrap_python)
-  list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/${geodesic_python_to_lib}")
+  list(APPEND CMAKE_INSTALL_RPATH "${geodesic_origin}/${geodesic_python_to_lib}")
   vtk_module_wrap_python(
     MODULES             ${geodesic_modules}
     TARGET              GeodesicDistance::Python
@@ -27,12 +27,16 @@ endfunction ()
 geodesic_wrap_python()
 
 set(GEODESIC_PYTHONPATH "${CMAKE_BINARY_DIR}/${GEODESIC_PYTHON_DESTINATION}")
+string(REPLACE ";" ", vtkmodules.vtk" geodesic_vtk_modules "vtkmodules.vtk${geodesic_vtk_components}")
 if (ParaView_FOUND)
   set(geodesic_vtk_name "the VTK ${VTK_VERSION} in ParaView ${ParaView_VERSION}")
   set(geodesic_vtk_advice "install python3-paraview, or the geodesicdistance for plain VTK.")
 else ()
   set(geodesic_vtk_name "VTK ${VTK_VERSION}")
   set(geodesic_vtk_advice "install python3-vtk9, or the geodesicdistance for ParaView.")
+endif ()
+if (SKBUILD)
+  set(geodesic_vtk_advice "install that VTK, or build geodesicdistance again for the VTK that you have.")
 endif ()
 configure_file("${PROJECT_SOURCE_DIR}/Filters/Python/__init__.py.in"
   "${GEODESIC_PYTHONPATH}/geodesicdistance/__init__.py" @ONLY)
@@ -46,6 +50,9 @@ install(
   FILES       ${geodesic_python_files}
   DESTINATION "${GEODESIC_PYTHON_DESTINATION}/geodesicdistance"
   COMPONENT   python)
+if (SKBUILD)
+  return ()
+endif ()
 # Its folder, by the same name in the build tree with any Python.
 file(CREATE_LINK "${GEODESIC_PYTHON_DESTINATION}" "${CMAKE_BINARY_DIR}/python"
   RESULT geodesic_no_link SYMBOLIC)
