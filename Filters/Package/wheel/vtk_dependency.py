@@ -15,8 +15,3 @@ def dynamic_metadata(field, settings):
     except importlib.metadata.PackageNotFoundError:
         return ["numpy"]
     return ["numpy", "vtk==" + re.match(r"\d+\.\d+\.\d+", sdk).group()]
-
-
-def dynamic_wheel(field, settings=None):
-    """Wheels from one source distribution differ in it."""
-    return True
