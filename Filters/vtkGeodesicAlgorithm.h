@@ -146,10 +146,10 @@ public:
    * Name of a cell array of the surface that says where its barriers are: no path passes through
    * faces where it is not 0. Empty (null), the default, and "None" stand for no barriers, also
    * where the surface has active cell scalars. The array is numeric, has one component, and a value
-   * for each cell of the surface or, where vertices and lines are among these, for each face. Blocks
-   * of a composite surface without it have no barriers, nor have pieces on MPI ranks; an array that
-   * none has, or that is not numeric, has several components or NaN, or another number of values,
-   * is an error.
+   * for each cell of the surface or, where vertices and lines are among these, for each face.
+   * Blocks of a composite surface without it have no barriers, nor have pieces on MPI ranks; an
+   * array that none has, or that is not numeric, has several components or NaN, or another number
+   * of values, is an error.
    *
    * Distances are those on the surface without its barriers, as if they were holes: paths may run
    * along a barrier's rim and bend around its corners, points that belong to barriers only are not
@@ -182,12 +182,13 @@ public:
    */
   std::string GetErrorMessage() const { return this->ErrorMessage; }
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 protected:
   vtkGeodesicAlgorithm();
   ~vtkGeodesicAlgorithm() override;
 
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   /// Makes output 0 an object of the kind of the surface where it may be any (see
   /// FillOutputPortInformation()).

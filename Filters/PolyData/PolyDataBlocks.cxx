@@ -92,9 +92,23 @@ void requireReadable(
   }
 }
 
-vtkUnsignedCharArray* requireTypes(vtkUnstructuredGrid* grid, const std::string& name)
+/// The types of all cells. VTK 9.6 keeps them in arrays of several kinds and has a function without
+/// parameters for them; where there is none, they are bytes.
+template <class Grid>
+auto cellTypesOf(Grid* grid, int) -> decltype(grid->GetCellTypes())
 {
-  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  return grid->GetCellTypes();
+}
+
+template <class Grid>
+vtkDataArray* cellTypesOf(Grid* grid, long)
+{
+  return grid->GetCellTypesArray();
+}
+
+void requireTypes(vtkUnstructuredGrid* grid, const std::string& name)
+{
+  const vtkDataArray* types = cellTypesOf(grid, 0);
   const vtkIdType count = types ? types->GetNumberOfValues() : 0;
   if (count < grid->GetNumberOfCells())
   {
@@ -102,7 +116,6 @@ vtkUnsignedCharArray* requireTypes(vtkUnstructuredGrid* grid, const std::string&
       " has no type: there are types of " + std::to_string(count) + " cells only, of " +
       std::to_string(grid->GetNumberOfCells()) + ". Repair the cells upstream.");
   }
-  return types;
 }
 
 PolyDataBlock surfaceBlock(vtkDataObject* data, const std::string& name)
@@ -160,7 +173,7 @@ PolyDataBlock targetBlock(vtkDataObject* data, const std::string& name)
 /// keep their numbers.
 void addVerticesAndLines(vtkUnstructuredGrid* grid, PolyDataBlock& block)
 {
-  vtkUnsignedCharArray* types = requireTypes(grid, block.name);
+  requireTypes(grid, block.name);
   vtkNew<vtkCellArray> vertices;
   vtkNew<vtkCellArray> lines;
   std::vector<vtkIdType> cellsOfLines;
@@ -169,7 +182,7 @@ void addVerticesAndLines(vtkUnstructuredGrid* grid, PolyDataBlock& block)
     [&](vtkIdType size, const vtkIdType* ids)
     {
       const vtkIdType cell = next++;
-      const int type = types->GetValue(cell);
+      const int type = grid->GetCellType(cell);
       if (type == VTK_VERTEX || type == VTK_POLY_VERTEX)
       {
         vertices->InsertNextCell(size, ids);

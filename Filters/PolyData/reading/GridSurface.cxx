@@ -12,7 +12,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -80,7 +79,6 @@ class GridReader
 public:
   GridReader(vtkUnstructuredGrid* grid, const std::string& name)
     : grid_(grid)
-    , types_(grid->GetCellTypesArray())
     , block_{ vtkSmartPointer<vtkPolyData>::New(), name, {} }
   {
     vtkPolyData* data = this->block_.data;
@@ -115,9 +113,14 @@ private:
     bool isAnySplit = false;
   };
 
+  unsigned char typeOf(vtkIdType cell) const
+  {
+    return static_cast<unsigned char>(this->grid_->GetCellType(cell));
+  }
+
   CellKind kindOfCell(vtkIdType cell)
   {
-    const unsigned char type = this->types_->GetValue(cell);
+    const unsigned char type = this->typeOf(cell);
     CellKind& kind = this->kinds_[type];
     if (kind == CellKind::NotYetKnown)
     {
@@ -145,7 +148,7 @@ private:
 
   [[noreturn]] void throwNoFace(vtkIdType cell) const
   {
-    const int type = this->types_->GetValue(cell);
+    const int type = this->typeOf(cell);
     const vtkSmartPointer<vtkCell> like = cellOfType(type);
     const std::string which = "Cell " + std::to_string(cell) + " of " + this->block_.name;
     throw InputError(like ? which + " is three-dimensional, a " + like->GetClassName() +
@@ -296,7 +299,7 @@ private:
   {
     requirePoints<InputError>(this->block_, cell, size, ids);
     this->corners_->Reset();
-    if (size >= this->leastSizeOf(this->types_->GetValue(cell)))
+    if (size >= this->leastSizeOf(this->typeOf(cell)))
     {
       this->grid_->GetCell(cell, this->cell_);
       this->cell_->Triangulate(0, this->corners_, this->places_);
@@ -307,7 +310,7 @@ private:
     if (!std::all_of(ids, ids + size, isCorner))
     {
       throw InputError("Cell " + std::to_string(cell) + " of " + this->block_.name +
-        " is of type " + std::to_string(this->types_->GetValue(cell)) +
+        " is of type " + std::to_string(this->typeOf(cell)) +
         " and cannot be cut into triangles through its points, of which there are " +
         std::to_string(size) + ". Repair the cells upstream.");
     }
@@ -325,7 +328,6 @@ private:
   }
 
   vtkUnstructuredGrid* grid_;
-  vtkUnsignedCharArray* types_;
   PolyDataBlock block_;
   /// Of each type.
   std::array<CellKind, 256> kinds_{};
