@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The filter executes when something changed and only then, reuses the surface when only the source
-// did, reports progress that never falls, and obeys abort.
+// did, reports progress that never falls, obeys abort, and takes requests from outside.
 #include "GeodesicTesting.h"
 
 #include "vtkCellData.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -247,6 +250,20 @@ void CheckAbort(Check& check, double fraction, bool refine)
   CheckDistances(check, filter, DistanceTo({ { 0, 0, 0 } }), "the execution after " + name);
 }
 
+/// As an executive does it, and whoever else has the filter by its own class.
+void CheckTakesRequests(Check& check)
+{
+  vtkNew<vtkGeodesicDistanceField> filter;
+  vtkExecutive* executive = filter->GetExecutive();
+  vtkNew<vtkInformation> request;
+  request->Set(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT());
+  request->Set(vtkExecutive::FROM_OUTPUT_PORT(), 0);
+  check.Equal(filter->ProcessRequest(
+                request, executive->GetInputInformation(), executive->GetOutputInformation()),
+    1, "what a request for output objects returns");
+  check.That(executive->GetOutputData(0) != nullptr, "the request has made an output object");
+}
+
 }
 
 int TestGeodesicExecution(int, char*[])
@@ -264,5 +281,6 @@ int TestGeodesicExecution(int, char*[])
     CheckAbort(check, fraction, false);
   }
   CheckAbort(check, 0.6, true);
+  CheckTakesRequests(check);
   return check.Result();
 }

@@ -381,16 +381,20 @@ void removeUnusedPoints(vtkPolyData* data)
     return;
   }
   keepPoints(used, data);
+  const vtkIdType cells = data->GetNumberOfPolys();
   const vtkIdType ids = data->GetPolys()->GetNumberOfConnectivityIds();
-  requireMemory(data->GetPolys()->GetNumberOfCells() + 1 + ids, sizeof(vtkIdType));
+  requireMemory(cells + 1 + ids, sizeof(vtkIdType));
   vtkNew<vtkCellArray> polygons;
-  polygons->DeepCopy(data->GetPolys());
-  polygons->ConvertTo64BitStorage();
-  auto* points = polygons->GetConnectivityArray64();
-  for (vtkIdType i = 0; i < ids; ++i)
-  {
-    points->SetValue(i, numbers[static_cast<std::size_t>(points->GetValue(i))]);
-  }
+  polygons->AllocateExact(cells, ids);
+  forEachCell(data->GetPolys(),
+    [&numbers, &polygons](vtkIdType size, const vtkIdType* points)
+    {
+      polygons->InsertNextCell(static_cast<int>(size));
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        polygons->InsertCellPoint(numbers[static_cast<std::size_t>(points[i])]);
+      }
+    });
   data->SetPolys(polygons);
 }
 
