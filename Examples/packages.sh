@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
+# shellcheck shell=bash disable=SC2034 # variables are for whoever sources it
 # Debian packages, for the scripts that build this project (to be sourced).
 
 # This release's number or, while it is in testing, its name.
-release=$(. /etc/os-release 2> /dev/null && printf '%s' "${VERSION_ID:-${VERSION_CODENAME:-}}" || true)
+release=$({ . /etc/os-release || true; } 2> /dev/null; printf '%s' "${VERSION_ID:-${VERSION_CODENAME:-}}")
 
 # What a build with the plugin and a picture without a screen need.
 build_packages=(g++ cmake ninja-build paraview paraview-dev python3-paraview python3-numpy
@@ -19,13 +20,13 @@ case $release in
     plain_vtk_packages+=(libvtk9.1 libtbb-dev)
     ;;
   13) # ParaView 5.13
-    build_packages+=(qt6-base-dev python3-dev)
+    build_packages+=(qt6-base-dev qt6-documentation-tools python3-dev)
     plain_vtk=9.3
     plain_vtk_packages+=(libvtk9.3 libtbb-dev libjsoncpp-dev)
     test_packages+=(python3-pyvista python3-trimesh)
     ;;
   *) # ParaView 6, which uses Debian's VTK
-    build_packages+=(qt6-base-dev python3-dev libvtk9-dev libjsoncpp-dev)
+    build_packages+=(qt6-base-dev qt6-documentation-tools python3-dev libvtk9-dev libjsoncpp-dev)
     test_packages+=(python3-pyvista python3-trimesh)
     ;;
 esac

@@ -5,17 +5,16 @@
 #   bash Testing/package.sh            takes a quarter of an hour; leaves the packages in build-package/
 #
 # The packages for plain VTK, which excludes ParaView's, are tried on a Debian of their own. Both are folders
-# made by debootstrap, with the sources of packages that this system has; they go in the end. Without root, or without a network, CTest's tests named package-deb-*
-# use the packages from a folder that they are unpacked into.
+# made by debootstrap, with the sources of packages that this system has; they go in the end. Without root, or
+# without a network, CTest's tests named package-deb-* use the packages from a folder that they are unpacked into.
 set -eu
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 . "$top/Examples/packages.sh"
+. "$top/Testing/clean_debian.sh"
 build=$top/build-package
+with_own_mounts "$@"
 
-[ "$(id -u)" -eq 0 ] || give_up "Only root can make a clean Debian to install the packages on." \
-  "Without root: bash Testing/run.sh -R package"
-
-install_missing "${build_packages[@]}" doxygen dpkg-dev file lintian debootstrap mricron-data \
+install_missing "${build_packages[@]}" doxygen dpkg-dev file lintian mricron-data \
   "${plain_vtk_packages[@]}"
 
 # ------------------------------------------------------------------------------------- the packages
@@ -43,55 +42,23 @@ make_packages "$build/plain-vtk" "-DVTK_DIR=$vtk"
 # ------------------------------------------------------------------------------------ a clean Debian
 printf '\n== Making a clean Debian ==\n'
 roots=$(mktemp -d "${TMPDIR:-/tmp}/geodesic-debian.XXXXXX")
-chmod 755 "$roots"
+trap 'remove_clean_debians "$roots"' EXIT
 root=$roots/paraview
-
-remove_roots()
-{
-  umount "$roots"/*/proc 2> /dev/null || true
-  rm -rf --one-file-system "$roots"
-}
-trap remove_roots EXIT
-
-# Those of this system's sources that are its release's, and its way through a proxy.
-suite=$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")
-# shellcheck disable=SC2016 # apt-get fills in the names
-format='deb $(SITE) $(CODENAME) main'
-sources=$(apt-get indextargets --format "$format" 'Created-By: Packages' 'Origin: Debian' |
-  grep " $suite" | sort -u || true)
-[ -n "$sources" ] || give_up "This system does not say where its packages come from: run apt-get update first."
-mirror=$(awk -v suite="$suite" '$3 == suite { print $2; exit }' <<< "$sources")
-debootstrap --variant=minbase --include=ca-certificates "$suite" "$root" "$mirror" > "$root.log" ||
-  give_up "debootstrap failed; the end of $root.log:" "$(tail -n 5 "$root.log")"
-rm "$root.log"
-printf '%s\n' "$sources" > "$root/etc/apt/sources.list"
-{
-  apt-config dump | grep -i '^Acquire::https\?::Proxy' || true
-  echo 'Dpkg::Use-Pty "0";' # there are no terminals
-} > "$root/etc/apt/apt.conf.d/90clean-debian"
+make_clean_debian "$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")" "$root"
 
 # --------------------------------------------------------------------------- installed, and at work
 mkdir "$root/packages" "$root/checks"
 cp -r "$top"/Testing/Package/*.py "$top/Testing/Cxx/Consumer/Project" "$root/checks"
 cp "$top/README.md" "$root" # four folders above the project, as far as there are any
 
-# Nothing here has to survive a loss of power: dpkg need not wait for the disk.
-echo force-unsafe-io > "$root/etc/dpkg/dpkg.cfg.d/unsafe-io"
 cp -a "$root" "$roots/vtk"
-mount -t proc proc "$root/proc"
-mount -t proc proc "$roots/vtk/proc"
 cp "$build"/*.deb "$root/packages"
 cp "$build"/plain-vtk/*.deb "$roots/vtk/packages"
-
-# Runs a script on the clean Debian in $root.
-on_clean_debian()
-{
-  env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
-    chroot "$root" bash -euc "$1"
-}
+mount_clean_debian "$root"
+mount_clean_debian "$roots/vtk"
 
 printf '\n== Installing the plugin, the Python module and the documentation ==\n'
-on_clean_debian '
+on_clean_debian "$root" '
   apt-get update -qq
   cd /packages
   apt-get install -y -qq --no-install-recommends \
@@ -105,7 +72,7 @@ on_clean_debian '
   [ -f /usr/share/doc/geodesic-distance/html/index.html ]'
 
 printf '\n== Installing the C++ headers ==\n'
-on_clean_debian '
+on_clean_debian "$root" '
   cd /packages
   apt-get install -y -qq --no-install-recommends ./geodesic-distance-dev_*.deb g++ make cmake > /install.log ||
     { tail -n 20 /install.log; exit 1; }
@@ -119,7 +86,7 @@ on_clean_debian '
 
 printf '\n== And taking them away again ==\n'
 # shellcheck disable=SC2016 # expanded there
-on_clean_debian '
+on_clean_debian "$root" '
   apt-get purge -y -qq geodesic-distance geodesic-distance-doc > /install.log
   left=$(find /usr /etc -name "*FiltersGeodesic*" -o -name "GeodesicDistance*" \
     -o -name "*geodesicdistance*" -o -name "geodesic-distance*" -o -name paraview.conf)
@@ -130,7 +97,7 @@ mkdir "$roots/vtk/other"
 dpkg -x "$build"/python3-geodesicdistance_*.deb "$roots/vtk/other"
 root=$roots/vtk
 # shellcheck disable=SC2016 # expanded there
-on_clean_debian '
+on_clean_debian "$root" '
   apt-get update -qq
   cd /packages
   apt-get install -y -qq --no-install-recommends ./*.deb > /install.log || { tail -n 20 /install.log; exit 1; }

@@ -2,7 +2,7 @@
 """What the pictures of the gallery have in common: the plugin, colors, the camera, and files.
 
 Importing this makes the filters known to paraview.simple, where ParaView has not loaded the plugin
-already: from the build folder of this source tree.
+already: from the build folder of this source tree, or the installed plugin that ParaView knows.
 """
 
 import pathlib
@@ -26,9 +26,13 @@ def load_plugin():
         return
     build = pathlib.Path(__file__).resolve().parents[2] / "build"
     plugin = next(build.rglob("GeodesicDistance.so"), None)
-    if not plugin:
+    if plugin:
+        simple.LoadPlugin(str(plugin), remote=False, ns=vars(simple))
+        return
+    try:
+        simple.LoadDistributedPlugin("GeodesicDistance", remote=False, ns=vars(simple))
+    except RuntimeError:
         sys.exit(f"There is no plugin below {build}: build it, or set PV_PLUGIN_PATH to its folder.")
-    simple.LoadPlugin(str(plugin), remote=False, ns=vars(simple))
 
 
 load_plugin()

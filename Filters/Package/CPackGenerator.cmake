@@ -2,7 +2,7 @@
 
 # Read by CPack once for each kind of package. All files go into one archive; Debian gets
 #
-#   geodesic-distance          the library and the ParaView plugin, loaded at the start
+#   geodesic-distance          the library and the ParaView plugin
 #   python3-geodesicdistance   the Python module
 #   geodesic-distance-dev      headers and the CMake package
 #   geodesic-distance-doc      API pages and examples
@@ -95,8 +95,15 @@ set(CPACK_DEBIAN_APPLICATION_DESCRIPTION
   "geodesic distance on triangle meshes, ParaView plugin
 ${what_it_is}
 .
-This package has the VTK filters and the ParaView plugin, which ParaView loads
-when it starts: Filters > Geodesic.")
+This package has the VTK filters and the ParaView plugin, which ParaView
+")
+if (CPACK_GEODESIC_OTHER_PLUGINS)
+  string(APPEND CPACK_DEBIAN_APPLICATION_DESCRIPTION
+    "offers in Tools > Manage Plugins: Filters > Geodesic.")
+else ()
+  string(APPEND CPACK_DEBIAN_APPLICATION_DESCRIPTION
+    "loads when it starts: Filters > Geodesic.")
+endif ()
 
 # ----------------------------------------------------------------------------------------- Python
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME "python3-geodesicdistance")

@@ -42,15 +42,14 @@ if (archives)
   file(REMOVE ${archives})
 endif ()
 
-# The plugin is loaded when ParaView starts. Debian's ParaView from 5.13 on has a file for plugins of other
-# packages, where ours is told with its path; for ParaView 5.11 see plugin/postinst.in.
+# Debian's ParaView from 5.13 on has a folder for the plugins of other packages, which it offers in the Plugin
+# Manager: a link leads from there to ours. ParaView 5.11 loads the plugin by plugin/postinst.in.
 if (CPACK_GEODESIC_HAS_PARAVIEW AND CPACK_GEODESIC_OTHER_PLUGINS)
-  file(READ "${packages}/application/usr/${CPACK_GEODESIC_PLUGINS_FILE}" list)
+  set(offered "${packages}/application${CPACK_GEODESIC_OTHER_PLUGINS}")
   get_filename_component(folder "/usr/${CPACK_GEODESIC_PLUGINS_FILE}" DIRECTORY)
-  string(REPLACE "<Plugin name=\"GeodesicDistance\""
-    "<Plugin name=\"GeodesicDistance\" filename=\"${folder}/GeodesicDistance/GeodesicDistance.so\""
-    list "${list}")
-  file(WRITE "${packages}/application${CPACK_GEODESIC_OTHER_PLUGINS}" "${list}")
+  file(RELATIVE_PATH target "${CPACK_GEODESIC_OTHER_PLUGINS}" "${folder}/GeodesicDistance/GeodesicDistance.so")
+  file(MAKE_DIRECTORY "${offered}")
+  file(CREATE_LINK "${target}" "${offered}/GeodesicDistance.so" SYMBOLIC)
 endif ()
 
 # The library is in the plugin's package: it is for the plugin, and for whoever builds with this version.

@@ -46,7 +46,7 @@ if (GEODESIC_BUILD_PLUGIN)
   set(CPACK_GEODESIC_PLUGINS_FILE
     "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/${geodesic_plugins_file}")
 endif ()
-# The file for plugins of other packages, where Debian's ParaView has one.
+# The folder for plugins of other packages, where Debian's ParaView has one.
 set(CPACK_GEODESIC_OTHER_PLUGINS)
 set(debian_list "${ParaView_PREFIX_PATH}/lib/${CMAKE_LIBRARY_ARCHITECTURE}")
 string(APPEND debian_list "/paraview-${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}/paraview.conf")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // On a surface of a million triangles progress never stands still and never falls, and abort is
 // answered at once, wherever it is asked for.
-#include "GeodesicTesting.h"
+#include "ProgressTesting.h"
 
 #include "vtkSMPTools.h"
 
@@ -21,73 +21,23 @@ struct Watched
   bool approximate = false;
 };
 
-void SetUp(vtkGeodesicDistanceField* filter, const Watched& run)
+vtkSmartPointer<vtkGeodesicDistanceField> Make(const Watched& run)
 {
+  auto filter = vtkSmartPointer<vtkGeodesicDistanceField>::New();
   filter->SetInputData(run.surface);
   filter->SetSourceData(Polyline({ { 0.31, 0.42, 0 }, { 0.43, 0.33, 0 } })); // corners of no face
   filter->SetRefineMesh(run.refine);
   filter->SetRefinementTolerance(run.tolerance);
   filter->SetMaximumDistance(run.maximumDistance);
   filter->SetAccuracy(run.approximate ? 1 : 0);
+  return filter;
 }
 
-/// Watches the time that goes by between one report and the next.
-void CheckNeverStill(Check& check, const Watched& run)
-{
-  vtkNew<vtkGeodesicDistanceField> filter;
-  SetUp(filter, run);
-  std::vector<double> times;
-  std::vector<double> progress;
-  const auto note = [&]
-  {
-    times.push_back(ProcessorTime());
-    progress.push_back(filter->GetProgress());
-  };
-  Listener listener(filter, vtkCommand::ProgressEvent, note);
-  const double begin = ProcessorTime();
-  Messages messages(filter);
-  messages.Update();
-  note();
-
-  const double total = times.back() - begin;
-  check.That(std::is_sorted(progress.begin(), progress.end()), run.name + ": progress never falls");
-  check.That(progress.front() >= 0.0 && progress.back() == 1.0, run.name + ": progress to 1");
-  double last = begin;
-  for (std::size_t i = 0; i < times.size(); ++i)
-  {
-    check.That(times[i] - last <= 0.1 * total,
-      run.name + ": still for " + std::to_string(times[i] - last) + " of " + std::to_string(total) +
-        " s before " + std::to_string(progress[i]));
-    last = times[i];
-  }
-  check.That(messages.Error().empty(), run.name + ": no error");
-  check.That(Distances(filter) != nullptr, run.name + ": there is a distance");
-}
-
-/// Asks to abort at the first progress of at least the fraction.
 void CheckAbortAt(Check& check, const Watched& run, double fraction)
 {
   const std::string name = run.name + ", abort at " + std::to_string(fraction);
-  vtkNew<vtkGeodesicDistanceField> filter;
-  SetUp(filter, run);
-  double asked = 0.0;
-  double progress = 0.0;
-  Listener listener(filter, vtkCommand::ProgressEvent,
-    [&]
-    {
-      if (asked == 0.0 && filter->GetProgress() >= fraction)
-      {
-        asked = ProcessorTime();
-        progress = filter->GetProgress();
-        filter->SetAbortExecute(1);
-      }
-    });
-  Messages messages(filter);
-  messages.Update();
-  const double seconds = ProcessorTime() - asked;
-  check.That(asked != 0.0 && progress < 1.0, name + ": there was progress to abort at");
-  check.That(seconds < 1.0, name + " took " + std::to_string(seconds) + " s of processor time");
-  check.That(messages.Error().empty(), name + " is no error: " + messages.Error());
+  const auto filter = Make(run);
+  CheckAbort(check, name, fraction, filter);
   CheckOutputsEmpty(check, filter, name);
 }
 
@@ -113,7 +63,7 @@ int TestGeodesicProgress(int, char*[])
   const Watched quads{ "squares", NoisySquare(500, Cells::Quads) };
   for (const Watched& run : { exact, limited, approximate, refined, soup, quads })
   {
-    CheckNeverStill(check, run);
+    CheckNeverStill(check, run.name, [&] { return Make(run); });
   }
 
   // While the mesh is built, a source located, the front on its way, refinement at work, and the

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Debian's packages have what is theirs where Debian wants it. The plugin's package has its list of plugins
-where ParaView has a place for it, else it shares ParaView's own with whoever has lines in it.
+"""Debian's packages have what is theirs where Debian wants it. The plugin is in the folder that ParaView has for
+plugins of other packages, else its package shares ParaView's list of plugins with whoever has lines in it.
 
 usage: python3 check_debian.py FOLDER MULTIARCH
 """
@@ -65,7 +65,10 @@ def check_shared_list(scripts, root):
 with tempfile.TemporaryDirectory() as scratch:
     control, root = pathlib.Path(scratch, "control"), pathlib.Path(scratch, "root")
     subprocess.run(["dpkg-deb", "--control", packages["geodesic-distance"], control], check=True)
-    if "./usr/share/paraview/plugins\n" in files["geodesic-distance"]:
+    offered = re.search(r" \./usr/share/paraview/plugins/GeodesicDistance\.so -> (\S+)\n", files["geodesic-distance"])
+    if offered:
+        plugin = os.path.normpath(f"usr/share/paraview/plugins/{offered.group(1)}")
+        assert f" ./{plugin}\n" in files["geodesic-distance"], plugin
         assert not {"postinst", "postrm"} & set(os.listdir(control)), os.listdir(control)
     else:
         check_shared_list(control, root)

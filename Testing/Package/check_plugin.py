@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The installed plugin, in pvpython: it is there without being loaded by the script, and works.
+"""The installed plugin, in pvpython: ParaView 5.11 has loaded it when it started, later ones of Debian offer it
+by its name, and it works.
 
 usage: pvpython check_plugin.py PREFIX
 """
@@ -13,6 +14,8 @@ import sphere_bounds
 
 prefix = sys.argv[1]
 
+if simple.GetParaViewVersion() >= (5, 13):
+    simple.LoadDistributedPlugin("GeodesicDistance", remote=False, ns=vars(simple))
 assert hasattr(simple, "GeodesicDistanceField"), "ParaView has not loaded the plugin when it started"
 sphere = simple.Sphere(Radius=1, ThetaResolution=60, PhiResolution=61)
 pole = simple.PointSource(Center=[0, 0, 1], Radius=0, NumberOfPoints=1)
