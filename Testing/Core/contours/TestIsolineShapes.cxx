@@ -312,6 +312,25 @@ TEST(Isolines, AtTheExactDistancesOfVerticesPassThemOnOneSide)
   }
 }
 
+// A value further off than rounding has its points on the edges beside the vertex.
+TEST(Isolines, CloseToAVertexDoNotPassThroughIt)
+{
+  const PlainMesh plain = regularGrid(8, 8);
+  const TriangleMesh mesh = engineMesh(plain);
+  Sources source;
+  source.points = { vertexPoint(plain, 40) };
+  for (const double off : { -2e-11, 2e-11 })
+  {
+    const Isolines isolines = isolinesOf(mesh, engineCurves(mesh, source),
+      { 2.0 * (1.0 + off), std::hypot(2.0, 3.0) * (1.0 + off) }, 1e-3);
+    ASSERT_FALSE(isolines.lines.empty());
+    for (const SurfacePoint& point : isolines.points)
+    {
+      EXPECT_NE(point.kind, SurfacePoint::Kind::Vertex) << "vertex " << point.id;
+    }
+  }
+}
+
 TEST(Isolines, EndInSharedPointsWhereSeveralPagesMeet)
 {
   Random random(3);

@@ -207,3 +207,74 @@ TEST(FaceDistance, OneMadeInTheMemoryOfAnotherIsTheSame)
   const Barycentric place = { 0.2, 0.5, 0.3 };
   EXPECT_EQ(again.distance(again.inPlane(place)), fresh.distance(fresh.inPlane(place)));
 }
+
+namespace
+{
+
+/// The length of the way through a window to a point over its halfedge.
+double throughWindow(const Window& w, double x, double height)
+{
+  const double crossing = w.sourceX + (x - w.sourceX) * w.sourceDepth / (w.sourceDepth + height);
+  const double at = std::clamp(crossing, w.begin, w.end);
+  return std::hypot(at - w.sourceX, w.sourceDepth) + std::hypot(x - at, height);
+}
+
+/// A face with one window on a halfedge.
+geodesic::DistanceField fieldOf(
+  const geodesic::TriangleMesh& mesh, geodesic::Id halfedge, const Window& w, double atCorners)
+{
+  geodesic::FrontResult front;
+  front.vertexDistances.assign(3, atCorners);
+  geodesic::KeptWindows kept;
+  kept.windows.add(halfedge, { &w, &w + 1 });
+  kept.windows.index(mesh.numberOfHalfedges());
+  return { geodesic::MeshPartition(mesh), std::move(front), std::move(kept) };
+}
+
+}
+
+// Beside one end of the halfedge or the other, or below it: its points and those of the face have
+// the distance through the window, however shallow its rays are.
+TEST(FaceDistance, IsThatThroughAWindowWhoseSourceIsHardlyBelowTheHalfedge)
+{
+  int onHalfedge = 0;
+  for (std::uint64_t seed = 0; seed < 4000; ++seed)
+  {
+    Random random(seed);
+    const PlainMesh plain = { { { 0, 0, 0 }, { 1, 0, 0 },
+                                { random.uniform(-0.5, 1.5), random.uniform(0.1, 1.5), 0 } },
+      { { 0, 1, 2 } } };
+    const geodesic::TriangleMesh mesh = engineMesh(plain);
+    const auto k = static_cast<geodesic::Id>(random.below(3));
+    const double length = mesh.length(k);
+    Window w{};
+    w.kind = Window::Kind::Circular;
+    w.begin = random.chance(0.5) ? 0.0 : random.uniform(0.0, 0.4) * length;
+    w.end = random.chance(0.5) ? length : random.uniform(0.6, 1.0) * length;
+    w.sourceX = random.chance(0.3) ? (random.chance(0.5) ? w.end : w.begin) +
+        random.uniform(-1.0, 1.0) * std::pow(10.0, random.uniform(-6.0, 0.0))
+                                   : random.uniform(-1.0, 2.0);
+    w.sourceDepth = std::pow(10.0, random.uniform(-16.0, -1.0));
+    const geodesic::DistanceField field = fieldOf(mesh, k, w, 100.0);
+    const FaceDistance face(field, 0);
+    for (int i = 0; i < 20; ++i)
+    {
+      Barycentric place = randomWeights(random);
+      if (i % 2 == 0)
+      {
+        place = {};
+        place[(k + 1) % 3] = random.uniform();
+        place[k] = 1.0 - place[(k + 1) % 3];
+        ++onHalfedge;
+      }
+      const double x = place[(k + 1) % 3] * length +
+        place[(k + 2) % 3] * mesh.length((k + 2) % 3) * std::cos(mesh.cornerAngle(k));
+      const double height =
+        place[(k + 2) % 3] * mesh.length((k + 2) % 3) * std::sin(mesh.cornerAngle(k));
+      EXPECT_NEAR(face.distance(face.inPlane(place)), throughWindow(w, x, height), 1e-8)
+        << "seed " << seed << ", at " << x << ", " << height << ", from " << w.sourceX << ", -"
+        << w.sourceDepth << " through " << w.begin << " to " << w.end;
+    }
+  }
+  EXPECT_GT(onHalfedge, 0);
+}

@@ -5,6 +5,10 @@
 #include "EngineSupport.h"
 #include "truth/RandomMeshKinds.h"
 
+#include "Errors.h"
+#include "front/Front.h"
+#include "front/Retention.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -447,4 +451,40 @@ TEST(DistanceLimit, AFaceThatItTouchesInAVertexAloneIsComplete)
       EXPECT_EQ(field.distance(enginePoint(engine, { f, { 0.2, 0.3, 0.5 } })) < Infinity, isWithin);
     }
   }
+}
+
+// An edge between a face within the limit, whose windows were not kept, and one beyond it.
+TEST(DistanceLimit, AnEdgeOfAFaceWhoseWindowsWereNotKeptHasNoKnownDistance)
+{
+  const PlainMesh plain = regularGrid(6, 1);
+  const TriangleMesh mesh = engineMesh(plain);
+  geodesic::FrontOptions options;
+  options.maximumDistance = 2.5;
+  geodesic::KeepFaces none(mesh, std::vector<std::uint8_t>(mesh.numberOfFaces(), 0));
+  const std::vector<Polyline> source = { pointAt(vertexPoint(plain, 0)) };
+  geodesic::FrontResult front = propagate(mesh, engineCurves(mesh, source), options, none);
+  const DistanceField field(geodesic::MeshPartition(mesh), std::move(front), none.release());
+  int edges = 0;
+  for (geodesic::Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
+  {
+    int within = 0;
+    int faces = 0;
+    const auto middle = geodesic::SurfacePoint::onEdge(halfedge, 0.5);
+    forEachFace(mesh, middle,
+      [&](geodesic::Id face)
+      {
+        ++faces;
+        within += field.isDropped(face) ? 1 : 0;
+      });
+    if (within > 0)
+    {
+      EXPECT_THROW(field.distance(middle), geodesic::Error) << "halfedge " << halfedge;
+      edges += within < faces ? 1 : 0;
+    }
+    else
+    {
+      EXPECT_EQ(field.distance(middle), Infinity) << "halfedge " << halfedge;
+    }
+  }
+  EXPECT_EQ(edges, 2) << "seen from both faces";
 }

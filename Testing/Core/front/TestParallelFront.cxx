@@ -118,3 +118,35 @@ TEST_P(ParallelFront, GivesTheBitsOfOneThread)
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ParallelFront, ::testing::ValuesIn(meshKinds()),
   [](const auto& instance) { return std::string(instance.param.name); });
+
+// Sources on a grid, the last ones first: many vertices are equally far from sources of two blocks,
+// and arrive at the one that comes first.
+TEST(ParallelFrontOfManySources, HasTheArrivalsOfOneThreadWhereSourcesAreEquallyFar)
+{
+  const Index n = 48;
+  const PlainMesh mesh = regularGrid(n, n);
+  const TriangleMesh engine = engineMesh(mesh);
+  std::vector<Polyline> sources;
+  for (Index i = n / 2 + 1; i-- > 0;)
+  {
+    for (Index j = n / 2 + 1; j-- > 0;)
+    {
+      const MeshPoint p = vertexPoint(mesh, 2 * (i * (n + 1) + j));
+      sources.push_back({ { { p.face, p.weights, p.weights } }, {} });
+    }
+  }
+  const std::vector<geodesic::SourceCurve> curves = engineCurves(engine, sources);
+  geodesic::FrontOptions options;
+  options.keepArrivals = true;
+  const DistanceField alone = geodesic::solve(engine, curves, options);
+  Threads threads;
+  options.parallelFor = threads.parallelFor();
+  const DistanceField shared = geodesic::solve(engine, curves, options);
+  EXPECT_GT(threads.shared(), 0U);
+  for (Id vertex = 0; vertex < engine.numberOfVertices(); ++vertex)
+  {
+    EXPECT_EQ(alone.arrivals()[vertex].halfedge, shared.arrivals()[vertex].halfedge)
+      << "vertex " << vertex;
+    EXPECT_EQ(alone.arrivals()[vertex].x, shared.arrivals()[vertex].x) << "vertex " << vertex;
+  }
+}

@@ -453,6 +453,37 @@ TEST(PathsToSource, OfManyTargetsBeginEachAtItsOwn)
   }
 }
 
+// A source along an edge lies in the faces on both sides of it: the angle is that of the side from
+// which the path comes, also where its rounded end is nearer to the source in the other face.
+TEST(PathsToSource, FromBothSidesOfASourceAlongAnEdgeEndWithTheAngleOfTheirSide)
+{
+  const Vec3 along = { 0.6, 0.8, 0.0 };
+  const PlainMesh plain = { { { 0, 0, 0 }, along, { -0.3, 1.1, 0 }, { 0.7, 0.1, 0 } },
+    { { 0, 1, 2 }, { 1, 0, 3 } } };
+  const TriangleMesh mesh = engineMesh(plain);
+  Sources edge;
+  edge.segments = { { 0, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } } };
+  const std::vector<geodesic::SourceCurve> curves = engineCurves(mesh, edge);
+  Random random(1);
+  std::vector<MeshPoint> targets;
+  for (int i = 0; i < 400; ++i)
+  {
+    const double u = random.uniform(0.1, 0.6);
+    const double v = random.uniform(0.01, 0.3);
+    targets.push_back({ random.below(2), { 1.0 - u - v, u, v } });
+  }
+  std::vector<geodesic::PathEnd> ends(targets.size());
+  geodesic::pathsToSource(geodesic::MeshPartition(mesh), geodesic::ReplicatedPatch(mesh), curves,
+    enginePoints(mesh, targets), {},
+    [&](std::size_t target, const geodesic::PathToSource& path) { ends[target] = path.end; });
+  for (std::size_t i = 0; i < targets.size(); ++i)
+  {
+    EXPECT_NEAR(ends[i].arcLength, geodesic::dot(position(plain, targets[i]), along), 1e-14);
+    EXPECT_NEAR(
+      ends[i].angle, targets[i].face == 0 ? geodesic::RightAngle : -geodesic::RightAngle, 1e-14);
+  }
+}
+
 TEST(PathsToSource, AreAbortedByTheirProgress)
 {
   const AnalyticCase c = []

@@ -258,6 +258,26 @@ TEST(RefinementOfOneFace, ReportsTheErrorThatItHas)
   }
 }
 
+// At a curve's end inside the face the distance is 0, and the interpolant is as large as nowhere
+// else on the curve or on the edges.
+TEST(RefinementOfOneFace, SeesTheEndOfACurveInsideWhicheverWayItRuns)
+{
+  const PlainMesh mesh = { { { 0, 0, 0 }, { 2, 0, 0 }, { 1, std::sqrt(3.0), 0 } },
+    { { 0, 1, 2 } } };
+  const TriangleMesh engine = engineMesh(mesh);
+  const Barycentric corner = { 1.0, 0.0, 0.0 };
+  const Barycentric middle = { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 };
+  for (const bool isInwards : { true, false })
+  {
+    const Sources source{ {}, { { 0, isInwards ? corner : middle, isInwards ? middle : corner } } };
+    const DistanceField field = solveKeepingAll(engine, engineCurves(engine, source));
+    const double atMiddle = 2.0 / 3.0 * (2.0 / std::sqrt(3.0));
+    const RefinedMesh refined = refineTo(field, 1.01 * atMiddle);
+    EXPECT_EQ(refined.triangles.size(), 1u);
+    EXPECT_GE(refined.errorBound, atMiddle * (1.0 - 1e-14));
+  }
+}
+
 namespace
 {
 

@@ -332,3 +332,17 @@ TEST(ListInBand, BoundsOfTheFaceHoldWhereItsListsAreInTheirBands)
   EXPECT_GT(finite, 1000);
   EXPECT_GT(nearest, 0.8) << "no face came near its bound";
 }
+
+// A list in its band may leave gaps of a quarter of the limit. In the middle of one the distance
+// may be an eighth of the limit above the windows beside it.
+TEST(ListInBand, BoundsOfTheFaceAllowForTheGapsOfItsLists)
+{
+  const PlainMesh plain = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0.3, 1, 0 } }, { { 0, 1, 2 } } };
+  const Corners rise = { 0.0, 0.0, 1.0 };
+  constexpr double limit = 0.1;
+  const FaceBounds bounds =
+    geodesic::boundsFromBands(engineMesh(plain), 0, rise, { true, true, true }, limit);
+  EXPECT_GE(bounds.above, 1.125 * limit);
+  EXPECT_GE(bounds.below, limit);
+  EXPECT_LT(bounds.above, 2.0 * limit);
+}

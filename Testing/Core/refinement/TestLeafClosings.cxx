@@ -142,3 +142,36 @@ TEST(LeafClosings, AreTheBestShapesThatPassOrElseTheSmallestErrorWithThinOnesOnl
     EXPECT_GT(errorsDiffer, 0);
   }
 }
+
+// Ranks try a batch of splits that turns out too large again with fewer of them: edges may then
+// have the numbers of others before.
+TEST(RefinementWorkers, MeasureAgainWhatIsSplitElsewhereAfterASplitWasTakenBack)
+{
+  const PlainMesh plain = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0.2, 0.9, 0 } }, { { 0, 1, 2 } } };
+  const geodesic::TriangleMesh mesh = engineMesh(plain);
+  const Sources source{ { vertexPoint(plain, 2) }, {} };
+  const geodesic::DistanceField field = solveKeepingAll(mesh, engineCurves(mesh, source));
+  const geodesic::ParallelFor parallelFor;
+  const geodesic::ProgressCallback callback;
+  const geodesic::RefinementProgress progress(callback);
+  const auto deviationOfFirstHalf = [&](const std::vector<double>& takenBack)
+  {
+    geodesic::RedGreenMesh triangles(geodesic::MeshPartition(mesh), { 0 });
+    geodesic::RefinementWorkers workers(field, triangles, parallelFor, progress);
+    const auto firstHalf = [&](double weight)
+    {
+      const Id edge = triangles.ensureEdge(0, 0);
+      triangles.split(edge, { weight, workers.first().distances.onEdge(edge, weight) });
+      return workers.deviation(triangles.edgeData(edge).halves).largest();
+    };
+    for (const double weight : takenBack)
+    {
+      triangles.begin();
+      firstHalf(weight);
+      triangles.rollBack();
+      workers.forgetNewEdges();
+    }
+    return firstHalf(0.6);
+  };
+  EXPECT_EQ(deviationOfFirstHalf({ 0.2 }), deviationOfFirstHalf({}));
+}

@@ -116,3 +116,35 @@ TEST(AnglesAroundVertex, TheyEndAtTheLimit)
     EXPECT_LT(entered.angle, 1.0);
   }
 }
+
+// A curve's next segment is laid out behind one without length, so that rounding may put it below
+// the edge that it runs along. At a straight corner that must not turn it around.
+TEST(AnglesAroundVertex, ADirectionARoundingBelowTheEdgeOfAStraightCornerIsAlongTheEdge)
+{
+  const TriangleMesh mesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 } },
+    { { 1, 2, 0 }, { 0, 1, 3 }, { 1, 2, 3 } });
+  ASSERT_EQ(mesh.numberOfFaces(), 3U);
+  const geodesic::SurfacePoint vertex = geodesic::SurfacePoint::atVertex(1);
+  const auto boundsIn = [&](Id face, double below)
+  {
+    geodesic::SegmentEnd end;
+    end.from = vertex;
+    end.to = vertex;
+    end.face = 0;
+    end.onward = { 0, { -1.0, -below } };
+    std::vector<std::array<double, 3>> bounds;
+    const geodesic::CurveWedge wedge = wedgeAround(mesh, vertex, { end });
+    for (auto bound = wedge.lower_bound(face); bound != wedge.upper_bound(face); ++bound)
+    {
+      const geodesic::FaceDirection& direction = bound->second;
+      bounds.push_back(
+        { static_cast<double>(direction.halfedge), direction.vector.x, direction.vector.y });
+    }
+    return bounds;
+  };
+  // The segment runs along the edge to vertex 0, at a right angle to the way up and at a straight
+  // one to the edge to vertex 2.
+  ASSERT_EQ(boundsIn(1, 0.0).size(), 1U);
+  EXPECT_EQ(boundsIn(1, 1e-17), boundsIn(1, 0.0));
+  EXPECT_EQ(boundsIn(2, 1e-17), boundsIn(2, 0.0));
+}

@@ -61,3 +61,25 @@ TEST(CurveChains, ACurveThatRunsAgainstTheChainKeepsWhereItIsCutAndWhereItBends)
   EXPECT_FALSE(chains.partOf(chains.curveAt(0, 0.5)).isReversed);
   EXPECT_TRUE(chains.partOf(chains.curveAt(0, 1.5)).isReversed);
 }
+
+// Windows on both sides of such a segment are told apart by their places.
+TEST(CurveChains, PlacesIncreaseAcrossASegmentWithoutLength)
+{
+  const TriangleMesh mesh =
+    engineMesh({ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 } },
+      { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 } } });
+  ASSERT_EQ(mesh.numberOfFaces(), 3U);
+  SourceCurve curve;
+  for (const geodesic::Id vertex : { 0U, 1U, 2U, 3U })
+  {
+    curve.points.push_back(SurfacePoint::atVertex(vertex));
+  }
+  curve.faces = { 0, 1, 2 };
+  curve.isCut.assign(curve.points.size(), 0);
+  const CurveChains chains(mesh, { curve });
+  const std::vector<double>& places = chains.places(0);
+  ASSERT_EQ(places.size(), 4U);
+  EXPECT_GT(places[2], places[1]);
+  EXPECT_NEAR(places[2], 1.0, 1e-15);
+  EXPECT_NEAR(places[3], 2.0, 1e-15);
+}

@@ -376,7 +376,9 @@ TEST(SourceCurve, PointsCloserThanTheirPrecisionAreOne)
   const Vec3 a = { 0.5, 0.25, 0.0 };
   const Vec3 b = { 0.5 + 0.5 * FloatEpsilon, 0.25, 0.0 };
   const LocatedPolyline line = polyline({ a, b }, { 0, 0 });
-  EXPECT_EQ(put(mesh, line, FloatEpsilon).repeatedPoints, 1u);
+  const SourceCurves asOne = put(mesh, line, FloatEpsilon);
+  EXPECT_EQ(asOne.repeatedPoints, 1u);
+  EXPECT_NEAR(asOne.snapDistance, 0.5 * FloatEpsilon, Epsilon) << "the point that was left out";
   EXPECT_EQ(put(mesh, line, Epsilon).repeatedPoints, 0u);
 }
 
@@ -966,6 +968,20 @@ TEST(SourceCurve, ABoundaryCurveEndsWhereTheBoundaryBranches)
   {
     EXPECT_FALSE(curve.isClosed());
   }
+}
+
+TEST(SourceCurve, TheBoundaryOfAFinThatEndsInsideASheetIsOneOpenCurve)
+{
+  PlainMesh plain = geodesictest::regularGrid(3, 3);
+  plain.points.push_back({ 1.5, 1.0, 1.0 });
+  plain.triangles.push_back({ 16, 5, 6 });
+  const std::vector<SourceCurve> curves = boundaryCurves(engineMesh(plain));
+  expectCoversBoundary(plain, curves);
+  ASSERT_EQ(curves.size(), 2u);
+  const SourceCurve& fin = curves[curves[0].isClosed() ? 1 : 0];
+  EXPECT_FALSE(fin.isClosed());
+  EXPECT_EQ(fin.points.size(), 3u);
+  EXPECT_EQ(fin.points[1].id, 16u);
 }
 
 } // anonymous namespace
