@@ -449,7 +449,8 @@ private:
   District& districtOf(Id vertex) { return this->districts_[this->numbers_.of(vertex)]; }
 
   // A face that contains a point within the limit has exact values when no waiting window and no
-  // pseudo-source is nearer than the farthest of them.
+  // pseudo-source is nearer than the farthest of them. No retention needs the lists that still wait
+  // then.
   void finishLimited()
   {
     this->flush(this->complete_.limit());
@@ -457,7 +458,6 @@ private:
     this->ranks_.shareNeeded(this->complete_);
     this->flush(this->surface_.exchange().largestOf(
       this->complete_.neededDistance(this->vertices_, this->retention_.needsInside())));
-    this->retireAll();
     std::vector<std::uint8_t> complete = this->complete_.completeVertices();
     this->ranks_.shareMarks(complete);
     for (Id vertex = 0; vertex < this->vertices_.size(); ++vertex)
@@ -465,29 +465,6 @@ private:
       if (!complete[vertex])
       {
         this->vertices_[vertex].distance = Infinity;
-      }
-    }
-  }
-
-  // Hands all waiting lists to the retention.
-  void retireAll()
-  {
-    for (District& district : this->districts_)
-    {
-      std::vector<PassedList> left;
-      district.lists.forEach(
-        [&](const WaitingLists::List& list)
-        {
-          left.push_back({ list.halfedge, list.windows,
-            { this->vertices_.distance(this->mesh_.origin(list.halfedge)),
-              this->vertices_.distance(this->mesh_.destination(list.halfedge)) } });
-        });
-      district.lists = WaitingLists();
-      std::sort(left.begin(), left.end(),
-        [](const PassedList& a, const PassedList& b) { return a.halfedge < b.halfedge; });
-      for (const PassedList& list : left)
-      {
-        this->tasks_.retire(this->workers_.first(), district, list, this->batches_);
       }
     }
   }

@@ -48,7 +48,8 @@ std::vector<std::uint8_t> findFrozen(const DistanceField& field, const ParallelF
   return frozen;
 }
 
-/// The regions in which the points of a mesh under refinement lie; each is found once.
+/// The regions in which the points of a mesh under refinement lie; each is found once. No splits that
+/// may be taken back are pending then, so that points keep their numbers.
 class RegionsOfPoints
 {
 public:
@@ -73,15 +74,6 @@ public:
     const double longest = longestEdge({ this->triangles_.inPlane(c[0], face),
       this->triangles_.inPlane(c[1], face), this->triangles_.inPlane(c[2], face) });
     return longest > this->options_.tolerance ? longest : 0.0;
-  }
-
-  /// Forgets the points that no longer exist.
-  void forgetNewPoints()
-  {
-    if (this->regions_.size() > this->numberOfPoints())
-    {
-      this->regions_.resize(this->numberOfPoints());
-    }
   }
 
 private:
@@ -283,7 +275,6 @@ private:
       {
         this->triangles_.rollBack();
         this->workers_.forgetNewEdges();
-        this->regions_.forgetNewPoints();
         this->closure_.forget();
         if (!this->violations_.putBack())
         {

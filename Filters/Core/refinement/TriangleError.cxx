@@ -93,8 +93,7 @@ double belowAtSources(
   };
   for (const SourceInFace& source : field.sourcesIn(face.face()))
   {
-    look(face.inPlane(source.a));
-    look(face.inPlane(source.b));
+    look(face.inPlane(source.a)); // each end of a segment is a source of its own
   }
   return below;
 }

@@ -125,13 +125,13 @@ TEST(AnglesAroundVertex, ADirectionARoundingBelowTheEdgeOfAStraightCornerIsAlong
     { { 1, 2, 0 }, { 0, 1, 3 }, { 1, 2, 3 } });
   ASSERT_EQ(mesh.numberOfFaces(), 3U);
   const geodesic::SurfacePoint vertex = geodesic::SurfacePoint::atVertex(1);
-  const auto boundsIn = [&](Id face, double below)
+  const auto boundsIn = [&](Id face, double y)
   {
     geodesic::SegmentEnd end;
     end.from = vertex;
     end.to = vertex;
     end.face = 0;
-    end.onward = { 0, { -1.0, -below } };
+    end.onward = { 0, { -1.0, y } };
     std::vector<std::array<double, 3>> bounds;
     const geodesic::CurveWedge wedge = wedgeAround(mesh, vertex, { end });
     for (auto bound = wedge.lower_bound(face); bound != wedge.upper_bound(face); ++bound)
@@ -145,6 +145,6 @@ TEST(AnglesAroundVertex, ADirectionARoundingBelowTheEdgeOfAStraightCornerIsAlong
   // The segment runs along the edge to vertex 0, at a right angle to the way up and at a straight
   // one to the edge to vertex 2.
   ASSERT_EQ(boundsIn(1, 0.0).size(), 1U);
-  EXPECT_EQ(boundsIn(1, 1e-17), boundsIn(1, 0.0));
-  EXPECT_EQ(boundsIn(2, 1e-17), boundsIn(2, 0.0));
+  EXPECT_EQ(boundsIn(1, -1e-17), boundsIn(1, 0.0));
+  EXPECT_EQ(boundsIn(2, -1e-17), boundsIn(2, 0.0));
 }
