@@ -84,7 +84,13 @@ done
 log=$builds/Testing/Temporary/LastTest.log
 rm -f "$log"
 result=0
-ctest --test-dir "$builds" --output-on-failure --timeout 300 -j "$(nproc)" "$@" || result=$?
-# Why tests were skipped, which CTest does not print.
-grep -s '^Skipped: ' "$log" | sort -u || true
+set -o pipefail
+ctest --test-dir "$builds" --output-on-failure --timeout 300 -j "$(nproc)" "$@" | tee "$builds/ctest.log" || result=$?
+# CTest does not print why tests were skipped. Its own words come last.
+if grep -qs '^Skipped: ' "$log"; then
+  printf '\n'
+  grep '^Skipped: ' "$log" | sort -u
+  printf '\n'
+  sed -n '/^[0-9]*% tests passed/,$p' "$builds/ctest.log"
+fi
 exit $result
