@@ -75,7 +75,6 @@ Fingerprint contentKey(const std::vector<PolyDataBlock>& blocks)
       addArray(cells->GetConnectivityArray(), key);
     }
     addArray(data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()), key);
-    addArray(data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()), key);
     addArray(data->GetCellData()->GetGlobalIds(), key);
     addArray(data->GetPointData()->GetGlobalIds(), key);
     addArray(block.barriers, key);

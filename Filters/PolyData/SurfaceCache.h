@@ -16,7 +16,7 @@ namespace geodesic
 {
 
 /// A fingerprint of all that the structure of a surface depends on: the coordinates, the cells, and
-/// the arrays of ghost flags, global ids and barriers of each block. Two surfaces with one key are
+/// the arrays of ghost cells, global ids and barriers of each block. Two surfaces with one key are
 /// taken to be the same.
 ///
 /// Values are read, not times of modification: values changed in place, followed by Modified() on

@@ -243,6 +243,24 @@ void CheckArrayOfOriginals(Check& check)
   check.Equal(originals->GetRange()[1], 7.0, "the last original cell");
 }
 
+// Without refinement the triangles of one polygon would share its global id, too.
+void CheckGlobalIdsOfPolygons(Check& check)
+{
+  for (const Cells cells : { Cells::Triangles, Cells::Quads })
+  {
+    const auto surface = Square(2, cells);
+    AddCellData(surface);
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->RefineMeshOff();
+    filter->SetInputData(surface);
+    filter->SetSourceData(Polyline(Line));
+    filter->Update();
+    const bool areCellsKept = cells == Cells::Triangles;
+    check.That((filter->GetOutput()->GetCellData()->GetGlobalIds() != nullptr) == areCellsKept,
+      areCellsKept ? "triangles keep global ids" : "the triangles of quads have no global ids");
+  }
+}
+
 }
 
 int TestGeodesicRefinedData(int, char*[])
@@ -251,5 +269,6 @@ int TestGeodesicRefinedData(int, char*[])
   CheckSurface(check, Square(4), "a square");
   CheckSurface(check, Soup(Square(4)), "soup");
   CheckArrayOfOriginals(check);
+  CheckGlobalIdsOfPolygons(check);
   return check.Result();
 }

@@ -14,7 +14,8 @@ using namespace geodesictest;
 namespace
 {
 
-constexpr std::uint64_t MeshesOfAKind = meshesOfAKind(12);
+// Few: paths, isolines and refinement on ranks are held against the truth, too.
+constexpr std::uint64_t MeshesOfAKind = meshesOfAKind(4);
 
 class FrontOnRanks : public ::testing::TestWithParam<MeshKind>
 {
@@ -83,7 +84,7 @@ TEST_P(FrontOnRanks, FindsTheFieldOfTheWholeSurfaceForAnyCut)
     const double largest = largestFinite(c.truth.vertices);
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    forEachCut(c.mesh, bothWaysToCut({ 1, 2, 3, 4, 7 }), random,
+    forEachCut(c.mesh, bothWaysToCut({ 1, 2, 4, 7 }), random,
       [&](const CutMesh& cut)
       {
         const RanksResult result = distancesOnRanks(cut, c.curves, {});
@@ -101,14 +102,14 @@ TEST_P(FrontOnRanks, FindsTheFieldOfTheWholeSurfaceForAnyCut)
 
 TEST_P(FrontOnRanks, FindsTheFieldBesideBarriersForAnyCut)
 {
-  for (std::uint64_t seed = 0; seed < meshesOfAKind(6); ++seed)
+  for (std::uint64_t seed = 0; seed < MeshesOfAKind; ++seed)
   {
     const RandomCase c = caseWithBarriers(GetParam(), seed);
     const std::vector<double> whole = inOnePiece(c, {});
     const double largest = largestFinite(c.truth.vertices);
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    forEachCut(c.mesh, bothWaysToCut({ 1, 2, 3, 4, 7 }), random,
+    forEachCut(c.mesh, bothWaysToCut({ 2, 7 }), random,
       [&](const CutMesh& cut)
       {
         const RanksResult result = distancesOnRanks(cut, c.curves, {});
