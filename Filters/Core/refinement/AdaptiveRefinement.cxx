@@ -48,8 +48,8 @@ std::vector<std::uint8_t> findFrozen(const DistanceField& field, const ParallelF
   return frozen;
 }
 
-/// The regions in which the points of a mesh under refinement lie; each is found once. No splits that
-/// may be taken back are pending then, so that points keep their numbers.
+/// The regions in which the points of a mesh under refinement lie; each is found once. No splits
+/// that may be taken back are pending then, so that points keep their numbers.
 class RegionsOfPoints
 {
 public:
