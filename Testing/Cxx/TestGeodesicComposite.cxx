@@ -80,6 +80,33 @@ void CheckBlocks(Check& check, vtkDataObject* output, std::size_t expectedBlocks
 const std::vector<Point> Line = { { 0.2, 0.3, 0 }, { 0.4, 0.7, 0 } };
 
 /// Two squares side by side, the second named, between them a null block, behind them an empty one.
+/// Against the gradient each point comes nearer by as much as it moves, in all blocks.
+void CheckGradients(
+  Check& check, vtkDataObject* output, const Distance& truth, const std::string& what)
+{
+  constexpr double step = 1e-3;
+  double worst = 0.0;
+  for (vtkPolyData* block : Leaves(output))
+  {
+    vtkDataArray* gradients = block->GetPointData()->GetArray("DistanceGradient");
+    for (vtkIdType i = 0; gradients && i < block->GetNumberOfPoints(); ++i)
+    {
+      Point p;
+      Point gradient;
+      block->GetPoint(i, p.data());
+      gradients->GetTuple(i, gradient.data());
+      const double distance = truth(p);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        p[k] -= step * gradient[k];
+      }
+      worst = std::max(worst, distance > step ? std::abs(truth(p) - (distance - step)) : 0.0);
+    }
+    check.That(gradients != nullptr || block->GetNumberOfPoints() == 0, what + ": gradients");
+  }
+  check.That(worst <= 1e-9, what + ": gradients are off by " + std::to_string(worst));
+}
+
 vtkSmartPointer<vtkMultiBlockDataSet> TwoSquares(
   vtkSmartPointer<vtkPolyData> first, vtkSmartPointer<vtkPolyData> second)
 {
@@ -114,6 +141,7 @@ void CheckMultiBlock(Check& check, bool refine)
   filter->SetInputDataObject(0, surface);
   filter->SetSourceData(Polyline(Line));
   filter->SetRefineMesh(refine);
+  filter->GenerateGradientsOn();
   Messages messages(filter);
   messages.Update();
   check.That(messages.Error().empty(), name + ": " + messages.Error());
@@ -125,6 +153,7 @@ void CheckMultiBlock(Check& check, bool refine)
   }
   check.That(filter->GetOutput() == nullptr, name + ": there is no single vtkPolyData");
   CheckBlocks(check, output, 3, DistanceTo(Line), name);
+  CheckGradients(check, output, DistanceTo(Line), name);
   check.Equal(output->GetNumberOfBlocks(), 4, name + ": blocks of the output");
   check.That(output->GetBlock(1) == nullptr, name + ": a null block stays null");
   check.That(std::string(output->GetMetaData(2u)->Get(vtkCompositeDataSet::NAME())) == "wing",
