@@ -20,7 +20,7 @@ case $release in
     plain_vtk_packages+=(libvtk9.1 libtbb-dev)
     ;;
   13) # ParaView 5.13
-    build_packages+=(qt6-base-dev qt6-documentation-tools python3-dev)
+    build_packages+=(qt6-base-dev python3-dev)
     plain_vtk=9.3
     plain_vtk_packages+=(libvtk9.3 libtbb-dev libjsoncpp-dev)
     test_packages+=(python3-pyvista python3-trimesh)

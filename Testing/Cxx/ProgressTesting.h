@@ -74,7 +74,7 @@ inline void CheckAbort(Check& check, const std::string& name, double fraction,
   Listener listener(filter, vtkCommand::ProgressEvent,
     [&]
     {
-      reports += asked ? 1 : 0;
+      reports += asked && filter->GetProgress() < 1.0 ? 1 : 0;
       if (!asked && filter->GetProgress() >= fraction && filter->GetProgress() < 1.0)
       {
         asked = true;
