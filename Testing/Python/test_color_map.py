@@ -131,7 +131,7 @@ class Stripes(unittest.TestCase):
     def test_colors_that_the_user_has_chosen_stay(self):
         field = field_at(0)
         table = self.show(field).LookupTable
-        table.ApplyPreset("Viridis (matplotlib)", True)
+        table.ApplyPreset("Cool to Warm", True)
         field.Source.Points = [1, 0, 0, 1, 3, 0]
         field.UpdatePipeline()
         self.show(field)
