@@ -14,7 +14,9 @@ file(RELATIVE_PATH geodesic_python_to_lib
   "${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}")
 
 function (geodesic_wrap_python)
-  list(APPEND CMAKE_INSTALL_RPATH "${geodesic_origin}/${geodesic_python_to_lib}")
+  if (NOT SKBUILD) # a wheel has no library of ours
+    list(APPEND CMAKE_INSTALL_RPATH "${geodesic_origin}/${geodesic_python_to_lib}")
+  endif ()
   vtk_module_wrap_python(
     MODULES             ${geodesic_modules}
     TARGET              GeodesicDistance::Python
