@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is in a wheel: the package and nothing else, which needs nothing of the folder that it was built in.
 
-usage: python3 check_wheel.py WHEEL [VTK], the version of VTK that pip is to install
+usage: python3 check_wheel.py WHEEL
 """
 
 import fnmatch
+import importlib.metadata
 import pathlib
 import re
 import subprocess
@@ -12,7 +13,7 @@ import sys
 import tempfile
 import zipfile
 
-wheel, vtk = pathlib.Path(sys.argv[1]), sys.argv[2:]
+wheel = pathlib.Path(sys.argv[1])
 source = pathlib.Path(__file__).resolve().parents[2]
 version = re.search(r"VERSION\s+([\d.]+)", (source / "CMakeLists.txt").read_text().split("project(")[1]).group(1)
 assert wheel.name.startswith(f"geodesicdistance-{version}-"), wheel.name
@@ -30,7 +31,8 @@ with zipfile.ZipFile(wheel) as archive:
 
     metadata = archive.read(f"geodesicdistance-{version}.dist-info/METADATA").decode()
     needs = re.findall(r"^Requires-Dist: (.*)$", metadata, re.MULTILINE)
-    assert needs == ["numpy"] + [f"vtk=={number}" for number in vtk], needs
+    known = [f"vtk=={vtk.version}" for vtk in importlib.metadata.distributions(name="vtk")]  # to pip
+    assert needs == ["numpy", *known[:1]], needs
     assert "Exact geodesic distance" in metadata and "BSD-3-Clause" in metadata and "With PyVista" in metadata
 
     (module,) = fnmatch.filter(files, "*.so")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The wheel's dependencies, for scikit-build-core: vtk in the very version that it is built for.
 
-That is known where vtk-sdk is installed for the build. Another VTK comes from the system's packages, of which pip does
-not know; the package checks its version when it is imported.
+vtk-sdk, or an installed vtk, tells which that is. Of a VTK that pip does not know, as Debian 13's, the package checks
+the version when it is imported.
 """
 
 import importlib.metadata
@@ -10,8 +10,10 @@ import re
 
 
 def dynamic_metadata(field, settings):
-    try:
-        sdk = importlib.metadata.version("vtk-sdk")
-    except importlib.metadata.PackageNotFoundError:
-        return ["numpy"]
-    return ["numpy", "vtk==" + re.match(r"\d+\.\d+\.\d+", sdk).group()]
+    for name in ("vtk-sdk", "vtk"):
+        try:
+            version = importlib.metadata.version(name)
+        except importlib.metadata.PackageNotFoundError:
+            continue
+        return ["numpy", "vtk==" + re.match(r"\d+\.\d+\.\d+", version).group()]
+    return ["numpy"]
