@@ -4,10 +4,12 @@
 # tests with CTest, in build-testing/paraview:
 #
 #   bash Testing/run.sh [ARGUMENTS]         arguments go to CTest: -R NAME, -j N, ...
-#   bash Testing/run.sh --all [ARGUMENTS]   these, three more builds in build-testing/, and a test debian-13:
+#   bash Testing/run.sh --all [ARGUMENTS]   these, four more builds in build-testing/, and a test debian-13:
 #
 #   sanitize    the engine's tests under AddressSanitizer and UndefinedBehaviorSanitizer
 #   threads     those of the engine's tests that run on threads, under ThreadSanitizer
+#   v3          the engine for processors with fused multiply-add: the same bits, and tests that fail
+#               where the compiler makes use of it
 #   vtk         all compiled against plain VTK, without ParaView, and the filters' tests
 #   debian-13   README's two commands on a clean Debian 13 (Testing/debian.sh), where this is another system
 #
@@ -36,6 +38,14 @@ build()
   cmake --build "$builds/$name"
 }
 
+# Adds a test to CTest that is skipped for a reason.
+skip()
+{
+  printf '\n%s\n' "$2" >&2
+  echo "add_test($1 sh -c \"echo 'Skipped: $2'; exit 77\")"
+  echo "set_tests_properties($1 PROPERTIES SKIP_RETURN_CODE 77)"
+}
+
 mkdir -p "$builds"
 vtk=
 [ -z "$all" ] || vtk=$(find_vtk "$builds/vtk-$plain_vtk")
@@ -52,6 +62,14 @@ if [ -n "$all" ]; then
   build threads "${sanitized[@]}" -DGEODESIC_SANITIZE=thread
   suites+=" sanitize threads"
 fi
+v3=
+if [ -n "$all" ] && echo | "${CXX:-c++}" -march=x86-64-v3 -x c++ -fsyntax-only - 2> /dev/null &&
+  /lib64/ld-linux-x86-64.so.2 --help | grep -q 'x86-64-v3 (supported'; then
+  v3=yes
+  build v3 -DGEODESIC_CORE_ONLY=ON -DCMAKE_CXX_FLAGS=-march=x86-64-v3 \
+    "-DGEODESIC_TEST_FILES=TestShortestPath|TestFacePropagation|TestTrigonometry"
+  suites+=" v3"
+fi
 if [ -n "$vtk" ]; then
   # The first build tests the same engine, and measures.
   build vtk -DVTK_DIR="$vtk" -DGEODESIC_TEST_CORE=OFF "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
@@ -67,9 +85,13 @@ fi
     echo "set_tests_properties(debian-13 PROPERTIES SKIP_RETURN_CODE 77 RUN_SERIAL ON TIMEOUT 3600)"
   fi
   if [ -n "$all" ] && [ -z "$vtk" ]; then
-    reason="Skipped: plain VTK could not be downloaded and VTK_DIR is not set: that build was not tested."
-    echo "add_test(plain-vtk-build sh -c \"echo '$reason'; exit 77\")"
-    echo "set_tests_properties(plain-vtk-build PROPERTIES SKIP_RETURN_CODE 77)"
+    skip plain-vtk-build "plain VTK could not be downloaded and VTK_DIR is not set: that build was not tested."
+  fi
+  if [ -n "$v3" ]; then
+    echo 'add_test(same-bits-with-fused-multiply-add sh -c
+      "paraview/bin/geodesicBits > bits && v3/bin/geodesicBits > bits-v3 && diff bits bits-v3")'
+  elif [ -n "$all" ]; then
+    skip same-bits-with-fused-multiply-add "this processor or compiler has no x86-64-v3: that build was not tested."
   fi
 } > "$builds/CTestTestfile.cmake"
 

@@ -2,6 +2,7 @@
 #include "contours/FaceIsolines.h"
 
 #include "Tolerance.h"
+#include "Trigonometry.h"
 #include "field/SegmentEnvelope.h"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ constexpr std::size_t MaximumParts = 4096;
 double angleOfChord(double radius, double chordTolerance)
 {
   const double sagitta = std::clamp(chordTolerance / radius, tolerance::Tie, 1.0);
-  return std::min(LargestStep, 4.0 * std::asin(std::sqrt(0.5 * sagitta)));
+  return std::min(LargestStep, 4.0 * arcSine(std::sqrt(0.5 * sagitta)));
 }
 
 /// The face or a part of it.
@@ -176,17 +177,17 @@ void follow(const Remainder& remainder, double chordTolerance, Line& line)
   const LevelCurve& curve = *remainder.curve;
   if (curve.isArc)
   {
-    const double first = 2.0 * std::atan(remainder.begin);
-    const double angle = 2.0 * std::atan(remainder.end) - first;
+    const double first = 2.0 * polarAngle({ 1.0, remainder.begin });
+    const double angle = 2.0 * polarAngle({ 1.0, remainder.end }) - first;
     const double chords =
       std::max(1.0, std::ceil(angle / angleOfChord(curve.radius, chordTolerance)));
-    const double sine = std::sin(0.25 * angle / chords);
+    const double sine = unitVector(0.25 * angle / chords).y;
     const double sagitta = 2.0 * curve.radius * sine * sine;
     line.back().sagitta = sagitta;
     const auto count = static_cast<std::size_t>(chords);
     for (std::size_t i = 1; i < count; ++i)
     {
-      const double place = std::tan(0.5 * (first + static_cast<double>(i) / chords * angle));
+      const double place = tangent(0.5 * (first + static_cast<double>(i) / chords * angle));
       line.push_back({ curve.at(place), NoId, sagitta });
     }
   }

@@ -2,6 +2,7 @@
 #include "contours/LevelCurves.h"
 
 #include "Tolerance.h"
+#include "Trigonometry.h"
 
 #include <algorithm>
 
@@ -29,7 +30,7 @@ Vec2 turnedClockwise(Vec2 v, double halfTangent)
 /// The clockwise angle from one unit vector to another, in [0, 2 pi).
 double clockwiseAngle(Vec2 from, Vec2 to)
 {
-  const double angle = std::atan2(cross(to, from), dot(from, to));
+  const double angle = polarAngle({ dot(from, to), cross(to, from) });
   return angle < 0.0 ? angle + 2.0 * Pi : angle;
 }
 
@@ -38,7 +39,7 @@ void addArcs(std::size_t candidate, Vec2 center, double radius, Vec2 axis, doubl
   std::vector<LevelCurve>& curves)
 {
   const double parts = std::ceil(angle / (0.5 * Pi) - tolerance::Tie);
-  const double halfTangent = std::tan(0.5 * angle / parts);
+  const double halfTangent = tangent(0.5 * angle / parts);
   for (int i = 0; i < static_cast<int>(parts); ++i)
   {
     curves.push_back({ candidate, true, center, axis, radius, halfTangent });
@@ -254,17 +255,17 @@ void LevelRegion::addArc(std::vector<LevelCurve>& curves) const
 {
   const double sine = this->margin_ / this->level_;
   const double beyond =
-    sine < 1e-3 ? sine * (1.0 + sine * sine / 6.0) : std::asin(std::min(1.0, sine));
+    sine < 1e-3 ? sine * (1.0 + sine * sine / 6.0) : arcSine(std::min(1.0, sine));
   const Vec2 first = this->rays_[0].along;
   const Vec2 last = -1.0 * this->rays_[1].along;
-  const Vec2 axis = turnedClockwise(first, -std::tan(0.5 * beyond));
+  const Vec2 axis = turnedClockwise(first, -tangent(0.5 * beyond));
   const double cosine = dot(first, last);
   const double side = cross(last, first);
   if (cosine > 0.0 && beyond < 0.1)
   {
     // A narrow pencil. Rays that nearly coincide may seem to turn the other way.
     const double half = std::max(0.0, side / (1.0 + cosine));
-    const double more = std::tan(beyond);
+    const double more = tangent(beyond);
     const double halfTangent = (half + more) / (1.0 - half * more);
     if (halfTangent <= 1.0)
     {

@@ -73,8 +73,8 @@ private:
     auto first = known.begin(); // with the same key
     for (const auto& [key, holder] : known)
     {
-      first =
-        std::find_if(first, known.end(), [key = key](const auto& k) { return k.first == key; });
+      first = std::find_if(
+        first, known.end(), [wanted = key](const auto& k) { return k.first == wanted; });
       for (auto other = first; other != known.end() && other->first == key; ++other)
       {
         if (other->second.rank != holder.rank)

@@ -49,7 +49,7 @@ FromCorner fromCorner(const TriangleMesh& mesh, const SurfacePoint& point)
 SurfacePoint fromBarycentric(const TriangleMesh& mesh, Id face, const Barycentric& coordinates)
 {
   Barycentric weights;
-  for (int k = 0; k < 3; ++k)
+  for (std::size_t k = 0; k < 3; ++k)
   {
     weights[k] = std::max(coordinates[k], 0.0);
   }

@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "Tolerance.h"
+#include "Trigonometry.h"
 #include "mesh/GroupedItems.h"
 
 #include <algorithm>
@@ -399,7 +400,7 @@ Id TriangleMesh::halfedgeBetween(Id a, Id b) const
 double TriangleMesh::cornerAngle(Id corner) const
 {
   const FaceShape& shape = this->shape(corner / 3);
-  return std::atan2(shape.area2, shape.cornerDot[corner % 3]);
+  return polarAngle({ shape.cornerDot[corner % 3], shape.area2 });
 }
 
 std::vector<Id> TriangleMesh::components() const

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refinement/DeviationRules.h"
 
+#include "Trigonometry.h"
+
 #include <algorithm>
 
 namespace geodesic
@@ -25,7 +27,7 @@ constexpr double LeastAngleOfThinParts = 0.05;
 
 double angleBetween(Vec2 a, Vec2 b)
 {
-  return std::atan2(std::abs(cross(a, b)), dot(a, b));
+  return polarAngle({ dot(a, b), std::abs(cross(a, b)) });
 }
 
 double leastAngle(Vec2 a, Vec2 b, Vec2 c)

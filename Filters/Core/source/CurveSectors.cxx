@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/CurveSectors.h"
 
+#include "Trigonometry.h"
 #include "source/TurnAroundPoint.h"
 
 #include <algorithm>
@@ -115,7 +116,7 @@ const CurveSectors::Frame* CurveSectors::frameOf(Id face) const
 // Rounding may put the direction of a halfedge from the point slightly below the x axis.
 CurveSectors::FanAngle CurveSectors::angleIn(const Frame& frame, Vec2 direction) const
 {
-  const double angle = std::atan2(direction.y, direction.x);
+  const double angle = polarAngle(direction);
   double around = frame.axis.angle + (angle < -RightAngle ? angle + FullAngle : angle);
   const double total = this->totals_[frame.axis.fan];
   if (total < Infinity)
@@ -173,8 +174,7 @@ std::vector<Vec2> CurveSectors::changesIn(Id halfedge) const
          ++change)
     {
       const double turn = change->angle - axis.angle;
-      changes.push_back(
-        turned(this->mesh_, { std::cos(turn), std::sin(turn) }, frame->halfedge, halfedge));
+      changes.push_back(turned(this->mesh_, unitVector(turn), frame->halfedge, halfedge));
     }
   }
   return changes;

@@ -2,6 +2,7 @@
 #include "source/CurveWedge.h"
 
 #include "Tolerance.h"
+#include "Trigonometry.h"
 
 #include <algorithm>
 #include <queue>
@@ -68,7 +69,7 @@ void addAroundVertex(
     if (own.halfedge == corner) // else it has no length: its neighbours emit too, in vain
     {
       // Rounding may put a direction along an edge below it, a straight angle the other way around.
-      const double angle = std::atan2(std::max(0.0, own.vector.y), own.vector.x);
+      const double angle = polarAngle({ own.vector.x, std::max(0.0, own.vector.y) });
       leaving.push_back({ corner, angle });
       leaving.push_back(
         { TriangleMesh::previousInFace(corner), std::max(0.0, mesh.cornerAngle(corner) - angle) });
@@ -77,9 +78,9 @@ void addAroundVertex(
   for (const EdgeAngle& entered : leastAnglesAround(mesh, vertex, std::move(leaving), RightAngle))
   {
     // In the frame of the halfedge, which begins or ends at the vertex.
-    const double x = std::cos(entered.angle);
+    const Vec2 v = unitVector(entered.angle);
     const bool isAtOrigin = mesh.origin(entered.halfedge) == vertex;
-    add({ entered.halfedge, { isAtOrigin ? x : -x, -std::sin(entered.angle) } }, wedge);
+    add({ entered.halfedge, { isAtOrigin ? v.x : -v.x, -v.y } }, wedge);
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/DirectionsAround.h"
 
+#include "Trigonometry.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -78,7 +80,7 @@ void DirectionsAround::addFanOfEdge(Id halfedge)
   const bool isClosed = this->frames_.size() > 1;
   this->fans_.push_back({ 0.0, isClosed ? FullAngle : Pi, isClosed });
   const Vec2 axis = turned(this->mesh_, { 1.0, 0.0 }, first, first - first % 3);
-  this->toAxis_ = std::atan2(axis.y, axis.x);
+  this->toAxis_ = polarAngle(axis);
 }
 
 // Clockwise to where the fan begins, or once around; then counterclockwise to its end.
@@ -170,7 +172,7 @@ double DirectionsAround::around(Id halfedge, Vec2 direction) const
   const FaceDirection own = this->inFrame({ halfedge, direction });
   const Frame& frame = this->frameOf(TriangleMesh::faceOf(own.halfedge));
   const Vec2 d = turned(this->mesh_, own, frame.halfedge);
-  const double turn = std::atan2(d.y, d.x);
+  const double turn = polarAngle(d);
   const double angle = turn < -RightAngle ? turn + FullAngle : turn;
   return frame.axis + (frame.isMirrored ? -angle : angle);
 }

@@ -3,6 +3,7 @@
 #define geodesic_UnfoldedFace_h
 
 #include "Tolerance.h"
+#include "Trigonometry.h"
 #include "mesh/TriangleMesh.h"
 #include "window/Window.h"
 
@@ -58,8 +59,8 @@ struct UnfoldedFace
 
   void findTurns()
   {
-    this->leftTurn = std::atan2(this->apex.y, this->apex.x);
-    this->rightTurn = -std::atan2(this->apex.y, this->apexFromEnd);
+    this->leftTurn = polarAngle(this->apex);
+    this->rightTurn = -polarAngle({ this->apexFromEnd, this->apex.y });
   }
 
   /// Where the ray of a window through x on the halfedge meets the left edge, as a distance from

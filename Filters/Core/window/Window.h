@@ -2,6 +2,7 @@
 #ifndef geodesic_Window_h
 #define geodesic_Window_h
 
+#include "Trigonometry.h"
 #include "Types.h"
 #include "window/TwoDoubles.h"
 
@@ -70,7 +71,7 @@ struct PointSide
 /// \param direction of the ray, in the frame of the window's halfedge.
 inline double angleAround(Id origin, double axis, Vec2 direction)
 {
-  const double turn = std::atan2(direction.y, direction.x);
+  const double turn = polarAngle(direction);
   return axis + ((origin & 1U) == 0 ? turn : -turn);
 }
 

@@ -31,8 +31,8 @@ double singleRounding(double largest)
 double singleRounding(const PolyDataSurface& surface)
 {
   const Vec3 largest = surface.scale.toUser(surface.box.largestCoordinates());
-  return surface.scale.toEngine(
-    std::hypot(singleRounding(largest[0]), singleRounding(largest[1]), singleRounding(largest[2])));
+  return norm(surface.scale.toEngine(
+    Vec3{ singleRounding(largest[0]), singleRounding(largest[1]), singleRounding(largest[2]) }));
 }
 
 /// How far points of this rank's input are from the vertices that they were made.

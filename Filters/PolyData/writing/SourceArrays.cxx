@@ -5,6 +5,7 @@
 #include "PolyData/Memory.h"
 #include "PolyData/ranks/BorrowedValues.h"
 #include "PolyData/writing/UnmeshedTriangles.h"
+#include "Trigonometry.h"
 #include "field/Gradients.h"
 #include "refinement/RefinedOnRanks.h"
 #include "source/CurvesOnPatch.h"
@@ -58,10 +59,12 @@ Vec3 sourceIdOf(const OutputPoint& point)
 Vec3 textureCoordinatesOf(const OutputPoint& point)
 {
   const SourceValues& values = point.values;
-  return values.side == SourceSide::Point
-    ? point.ifReached(
-        point.distance * std::cos(values.angle), point.distance * std::sin(values.angle))
-    : point.ifReached(values.arcLength, point.signedDistance());
+  if (values.side != SourceSide::Point)
+  {
+    return point.ifReached(values.arcLength, point.signedDistance());
+  }
+  const Vec2 away = unitVector(values.angle);
+  return point.ifReached(point.distance * away.x, point.distance * away.y);
 }
 
 /// One of the arrays.

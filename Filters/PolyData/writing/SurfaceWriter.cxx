@@ -199,8 +199,9 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
   vtkPolyData* output, const LoopProgress& progress)
 {
   const auto count = static_cast<vtkIdType>(refined.triangles.size());
-  constexpr vtkIdType idsATriangle = 5; // three points, an offset and the original cell
-  requireMemory(count + 1, idsATriangle * sizeof(vtkIdType) + bytesATuple(from));
+  // Three points, an offset and the original cell.
+  constexpr auto ofIds = static_cast<vtkIdType>(5 * sizeof(vtkIdType));
+  requireMemory(count + 1, ofIds + bytesATuple(from));
   vtkNew<vtkIdTypeArray> offsets;
   offsets->SetNumberOfValues(count + 1);
   vtkNew<vtkIdTypeArray> points;

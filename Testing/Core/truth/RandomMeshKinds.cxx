@@ -18,33 +18,58 @@ Index side(double faces, Random& random)
     std::max(3.0, std::round(std::sqrt(0.5 * faces) * random.uniform(0.8, 1.2))));
 }
 
+/// Both sides of a sheet. The arguments of a call would draw their random numbers in an order that
+/// each compiler chooses.
+struct Sides
+{
+  Index y;
+  Index x;
+  Sides(double faces, Random& random)
+    : y(side(faces, random))
+    , x(side(faces, random))
+  {
+  }
+};
+
 PlainMesh anySheet(Index faces, double amplitude, Random& random)
 {
-  return bumpySheet(side(faces, random), side(faces, random), 0, amplitude, random);
+  const Sides n(faces, random);
+  return bumpySheet(n.x, n.y, 0, amplitude, random);
 }
 
 PlainMesh needles(Index faces, double exponent, Random& random)
 {
-  return needleSheet(side(faces, random), side(faces, random),
-    std::pow(10.0, exponent + random.uniform()), 0.3, random);
+  const double aspect = std::pow(10.0, exponent + random.uniform());
+  const Sides n(faces, random);
+  return needleSheet(n.x, n.y, aspect, 0.3, random);
 }
 
 const std::vector<MeshKind> Kinds = {
   { "RegularGrid",
     [](Index faces, Random& random)
-    { return regularGrid(side(faces, random), side(faces, random)); } },
+    {
+      const Sides n(faces, random);
+      return regularGrid(n.x, n.y);
+    } },
   { "RandomPlanar",
     [](Index faces, Random& random)
-    { return moved(randomPlanar(side(faces, random), side(faces, random), random), random); } },
+    {
+      const Sides n(faces, random);
+      return moved(randomPlanar(n.x, n.y, random), random);
+    } },
   { "PlanarWithHoles",
     [](Index faces, Random& random)
     {
-      return planarWithHoles(
-        side(faces, random), side(faces, random), random.between(1, 6), random);
+      const Index holes = random.between(1, 6);
+      const Sides n(faces, random);
+      return planarWithHoles(n.x, n.y, holes, random);
     } },
   { "LShape",
     [](Index faces, Random& random)
-    { return lShape(2 * side(faces / 3.0, random), 2 * side(faces / 3.0, random)); } },
+    {
+      const Sides n(faces / 3.0, random);
+      return lShape(2 * n.x, 2 * n.y);
+    } },
   { "Octasphere",
     [](Index faces, Random&)
     { return octasphere(static_cast<Index>(std::max(2.0, std::sqrt(faces / 8.0)))); } },
@@ -52,8 +77,10 @@ const std::vector<MeshKind> Kinds = {
   { "BumpySheetWithHoles",
     [](Index faces, Random& random)
     {
-      return bumpySheet(side(faces, random), side(faces, random), random.between(1, 5),
-        random.uniform(0.2, 1.0), random);
+      const double amplitude = random.uniform(0.2, 1.0);
+      const Index holes = random.between(1, 5);
+      const Sides n(faces, random);
+      return bumpySheet(n.x, n.y, holes, amplitude, random);
     } },
   { "WildSheet", [](Index faces, Random& random) { return anySheet(faces, 3.0, random); } },
   { "NearlyFlatSheet",
@@ -65,13 +92,15 @@ const std::vector<MeshKind> Kinds = {
     [](Index faces, Random& random)
     {
       const Index pages = random.between(3, 5);
-      return book(pages, side(faces / pages, random), side(faces / pages, random), 0.4, random);
+      const Sides n(faces / pages, random);
+      return book(pages, n.x, n.y, 0.4, random);
     } },
   { "FlatBook",
     [](Index faces, Random& random)
     {
       const Index pages = random.between(3, 5);
-      return book(pages, side(faces / pages, random), side(faces / pages, random), 0.0, random);
+      const Sides n(faces / pages, random);
+      return book(pages, n.x, n.y, 0.0, random);
     } },
   { "MoebiusStrip",
     [](Index faces, Random& random)
@@ -84,7 +113,8 @@ const std::vector<MeshKind> Kinds = {
     {
       const PlainMesh a = anySheet(faces / 2, 0.5, random);
       const PlainMesh b = anySheet(faces / 2, 0.5, random);
-      return joinedAtVertex(a, random.below(a.points.size()), b, random.below(b.points.size()));
+      const Index ofB = random.below(b.points.size());
+      return joinedAtVertex(a, random.below(a.points.size()), b, ofB);
     } },
   { "Box",
     [](Index faces, Random& random)
@@ -103,7 +133,8 @@ const std::vector<MeshKind> Kinds = {
     [](Index faces, Random& random)
     {
       const Index sides = std::max<Index>(3, side(faces, random));
-      return openCylinder(sides, side(faces, random), random.uniform(0.5, 2.0) * sides);
+      const double height = random.uniform(0.5, 2.0) * sides;
+      return openCylinder(sides, side(faces, random), height);
     } },
   { "Tetrahedron",
     [](Index faces, Random&) { return tetrahedron(static_cast<Index>(std::sqrt(faces / 4.0))); } },
@@ -115,7 +146,8 @@ const std::vector<MeshKind> Kinds = {
       const Index n = static_cast<Index>(std::max(2.0, std::sqrt(0.5 * faces / sectors)));
       const PlainMesh a = fan(sectors, angle, n);
       const PlainMesh b = fan(sectors, angle, n);
-      return joinedAtVertex(a, random.below(a.points.size()), b, random.below(b.points.size()));
+      const Index ofB = random.below(b.points.size());
+      return joinedAtVertex(a, random.below(a.points.size()), b, ofB);
     } },
   { "SplitAndMixedComponents",
     [](Index faces, Random& random)
