@@ -70,12 +70,12 @@ def pipeline():
     return {name: arrays(data(proxy)) for (name, _), proxy in simple.GetSources().items()}
 
 
-def assert_alike(test, picture, shipped):
-    """Up to the few colors of the shipped one, and how a machine draws edges."""
-    drawn, expected = read_pixels(picture), read_pixels(shipped)
-    test.assertEqual(drawn.shape, expected.shape)
-    apart = np.abs(drawn - expected).max(axis=2)
-    test.assertLess((apart > 48).mean(), 0.02, f"{picture.name} has changed: draw the gallery again")
+def assert_alike(test, drawn, shipped):
+    """Up to the few colors of the shipped one, and how a machine draws edges: ParaView 5.11 and 5.13, with Mesa 22
+    and 25, differ in less than 2e-4 of the pixels."""
+    test.assertEqual(drawn.shape, shipped.shape)
+    apart = np.abs(drawn - shipped).max(axis=2)
+    test.assertLess((apart > 48).mean(), 0.002, f"{NAME}.png has changed: draw the gallery again")
 
 
 class Script(unittest.TestCase):
@@ -96,7 +96,7 @@ class Script(unittest.TestCase):
         drawn = np.any(colors != 255, axis=2)
         self.assertGreater(drawn.mean(), 0.25)
         self.assertGreater(len(np.unique(colors[drawn] // 32, axis=0)), 10)
-        assert_alike(self, self.folder / f"{NAME}.png", GALLERY / f"{NAME}.png")
+        assert_alike(self, colors, read_pixels(GALLERY / f"{NAME}.png"))
 
     def test_3_the_state_file_names_no_file_of_this_machine(self):
         state = (self.folder / f"{NAME}.pvsm").read_text()
@@ -124,8 +124,7 @@ class Script(unittest.TestCase):
         simple.SaveScreenshot(str(picture), views[0], ImageResolution=views[0].ViewSize)
         shown, shipped = read_pixels(picture), read_pixels(GALLERY / f"{NAME}.png")
         rows, columns = shown.shape[:2]  # of an animation the first picture
-        apart = np.abs(shown - shipped[-rows:, :columns]).max(axis=2)
-        self.assertLess((apart > 48).mean(), 0.02)
+        assert_alike(self, shown, shipped[-rows:, :columns])
 
 
 if __name__ == "__main__":
