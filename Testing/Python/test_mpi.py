@@ -10,7 +10,8 @@ import numpy as np
 from paraview import simple
 from geodesic_testing import data, load_plugin, messages, points
 from geodesicdistance import vtkGeodesicContour, vtkGeodesicDistanceField, vtkGeodesicPaths
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
@@ -463,13 +464,17 @@ def ghosts_and_empty_ranks():
         few = pieces(whole, RANKS - 1)
         field = GeodesicDistanceField(Input=few, Source=producer, RefineMesh=0)
         compare(data(field), truth, EXACT, "spot on all ranks but one")
-    spread = pieces(whole)
+    # VTK 9.3 finds no neighbors where coordinates are no 32-bit numbers, and reads this mesh in 64 bits.
+    single = vtkPolyData()
+    single.DeepCopy(whole)
+    single.GetPoints().SetData(numpy_to_vtk(points(whole).astype(np.float32), deep=1))
+    spread = pieces(single)
     with_ghosts = ghost_cells(spread)
     with_ghosts.BuildIfRequired = 0
     output = data(GeodesicDistanceField(Input=with_ghosts, Source=producer, RefineMesh=0))
     more = sum(polys(piece) for piece in leaves(output)) - polys(data(spread))
     check(RANKS == 1 or total(more) > 0, "there are ghost cells")
-    compare(output, truth, EXACT, "spot with ghost cells")
+    compare(output, whole_field(single, cloud), EXACT, "spot with ghost cells")
     # Not spread at all: a reader that knows no pieces has all on rank 0.
     field = GeodesicDistanceField(Input=proxy, Source=producer, RefineMesh=1)
     ours = data(field)
