@@ -182,6 +182,10 @@ public:
    */
   std::string GetErrorMessage() const { return this->ErrorMessage; }
 
+  /**
+   * Answers the requests of the pipeline: makes the outputs, asks for the pieces of the inputs,
+   * and executes.
+   */
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

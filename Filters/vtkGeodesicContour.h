@@ -30,7 +30,10 @@
  * values, behind those of 0. Values over the largest distance give no lines. A value of 0 gives the
  * source as it lies on the surface, curves in their own direction and a vertex for each point.
  * There are
- * - cell data array and point data array `GeodesicDistance`: the value.
+ * - cell data array and point data array `GeodesicDistance`: the value,
+ * - point data array `LineId`: the number of the cell that the point belongs to, so that a table of
+ *   the points, which stand in the order of their lines, can be cut into lines again; of a point
+ *   that lines share, the first of these.
  *
  * @par
  * A vertex of the surface at exactly a value counts as beyond it: the line passes it, at less than

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -56,6 +57,24 @@ constexpr const char* AdviceOnCoordinates =
 bool isPositive(double value)
 {
   return value > 0.0 && value < Infinity;
+}
+
+/// 1, 2 or 5 times a power of ten, the largest that is at most a tenth over a positive length, so
+/// that roundings of a round length do not count.
+double roundLength(double length)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::scientific << length;
+  const std::string power = text.str().substr(text.str().find('e'));
+  const auto times = [&power](const char* digits) { return std::stod(digits + power); };
+  double largest = times("1");
+  for (const char* digits : { "2", "5", "10" })
+  {
+    const double next = times(digits);
+    largest = next <= 1.1 * length ? next : largest;
+  }
+  return largest;
 }
 
 }
@@ -100,6 +119,7 @@ public:
     {
       this->Self->SourceSnapDistance =
         this->Execution.surface().scale.toUser(this->Execution.sources().snapDistance);
+      this->Self->SourceLength = this->LengthOfSource();
       this->Self->SeamPointsJoined = this->Execution.surface().report.joinedSeamPoints;
       this->Compute();
       this->Execution.reach(ValuesDone);
@@ -124,7 +144,7 @@ public:
   /// If another rank has done all the work, this one reports the same.
   void ShareNumbers()
   {
-    this->Execution.shareResults(this->Self->WindowsPropagatedPerEdge,
+    this->Execution.shareResults(this->Self->WindowsPropagatedPerEdge, this->Self->SourceLength,
       this->Self->SourceSnapDistance, this->Self->RelativeErrorBound,
       this->Self->InterpolationErrorBound, this->Self->SeamPointsJoined, this->IsRefined,
       this->HasNewPoints);
@@ -154,6 +174,25 @@ public:
       this->WriteFieldData(block);
     }
     this->WriteFieldData(output);
+  }
+
+  double LengthOfSource() const
+  {
+    double length = 0.0;
+    for (const SourceCurve& curve : this->Execution.sources().curves)
+    {
+      length += lengthOf(this->Execution.patch().mesh(), curve);
+    }
+    return this->Execution.surface().scale.toUser(length);
+  }
+
+  /// The length of a tile of texture coordinates, in the user's scale.
+  double TextureTile() const
+  {
+    const PolyDataSurface& surface = this->Execution.surface();
+    return this->Self->TextureScale > 0.0 ? this->Self->TextureScale
+      : surface.diagonal > 0.0 ? roundLength(0.1 * surface.scale.toUser(surface.diagonal))
+                               : 1.0;
   }
 
   double Tolerance() const
@@ -259,7 +298,8 @@ public:
   SourceArrays Arrays() const
   {
     return { this->Execution.surface(), this->Execution.sources().curves,
-      this->Execution.sourceIds(), this->Execution.firstBoundarySource(), this->Choice };
+      this->Execution.sourceIds(), this->Execution.firstBoundarySource(), this->TextureTile(),
+      this->Choice };
   }
 
   void FindSources(const SolvedSurface& solved)
@@ -402,6 +442,7 @@ public:
   void WriteFieldData(vtkDataObject* output) const
   {
     addFieldData(output, "WindowsPropagatedPerEdge", this->Self->WindowsPropagatedPerEdge);
+    addFieldData(output, "SourceLength", this->Self->SourceLength);
     addFieldData(output, "SourceSnapDistance", this->Self->SourceSnapDistance);
     addFieldData(output, "RelativeErrorBound", this->Self->RelativeErrorBound);
     addFieldData(output, "InterpolationErrorBound", this->Self->InterpolationErrorBound);
@@ -493,7 +534,12 @@ std::string vtkGeodesicDistanceField::FindWrongProperty() const
       "surface may have, or 0 for no limit." },
     { !(this->MaximumDistance >= 0.0),
       "MaximumDistance is not a number of at least 0: set the distance to stop at, in the units "
-      "of the surface, or 0 for no limit." }
+      "of the surface, or 0 for no limit." },
+    { this->GenerateTextureCoordinates &&
+        !(this->TextureScale >= 0.0 && this->TextureScale < Infinity),
+      "TextureScale is not a finite number of at least 0: set the length of a texture's tile, in "
+      "the "
+      "units of the surface, or 0 for a round one." }
   };
   for (const auto& [isWrong, message] : checks)
   {
@@ -516,6 +562,7 @@ std::string vtkGeodesicDistanceField::AdviceOnMemory() const
 void vtkGeodesicDistanceField::ResetResults()
 {
   this->WindowsPropagatedPerEdge = 0.0;
+  this->SourceLength = 0.0;
   this->SourceSnapDistance = 0.0;
   this->RelativeErrorBound = 0.0;
   this->InterpolationErrorBound = Infinity;
@@ -559,7 +606,9 @@ void vtkGeodesicDistanceField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateSourceArcLength: " << onOff(this->GenerateSourceArcLength) << "\n";
   os << indent << "GenerateSourceAngle: " << onOff(this->GenerateSourceAngle) << "\n";
   os << indent << "GenerateTextureCoordinates: " << onOff(this->GenerateTextureCoordinates) << "\n";
+  os << indent << "TextureScale: " << this->TextureScale << "\n";
   os << indent << "WindowsPropagatedPerEdge: " << this->WindowsPropagatedPerEdge << "\n";
+  os << indent << "SourceLength: " << this->SourceLength << "\n";
   os << indent << "SourceSnapDistance: " << this->SourceSnapDistance << "\n";
   os << indent << "RelativeErrorBound: " << this->RelativeErrorBound << "\n";
   os << indent << "InterpolationErrorBound: " << this->InterpolationErrorBound << "\n";

@@ -101,9 +101,9 @@
  *   SetGenerateSourceIds() and the properties that follow it,
  * - cell data array `OriginalCellIds`, where RefineMesh was done: the cell of the input (of the
  *   block) that each triangle is a part of,
- * - field data arrays `WindowsPropagatedPerEdge`, `SourceSnapDistance`, `RelativeErrorBound`,
- *   `InterpolationErrorBound` and `SeamPointsJoined`, on the whole and on each block: see the
- *   getters of these names; with SetGenerateSourceAngle() also `SourceFrame`.
+ * - field data arrays `WindowsPropagatedPerEdge`, `SourceLength`, `SourceSnapDistance`,
+ *   `RelativeErrorBound`, `InterpolationErrorBound` and `SeamPointsJoined`, on the whole and on
+ * each block: see the getters of these names; with SetGenerateSourceAngle() also `SourceFrame`.
  * @par
  * Point data is interpolated linearly to new points, in the face; strings, ids (vtkIdTypeArray and
  * pedigree ids) and bits are those of the nearest corner, a new point is a ghost in the ways that
@@ -473,8 +473,8 @@ public:
    * Whether the output has the point array SourceTextureCoordinates, as active texture coordinates
    * (u, v), so that a texture shows at once: around a curve u is SourceArcLength and v is
    * SignedGeodesicDistance, around a point source they are the distance times the cosine and the
-   * sine of SourceAngle (the logarithmic map). The texture has the length 1 in the units of the
-   * surface. UnreachedValue, twice, where a point is not reached. Off by default.
+   * sine of SourceAngle (the logarithmic map), all divided by the length of a tile: see
+   * SetTextureScale(). UnreachedValue, twice, where a point is not reached. Off by default.
    *
    * The surface must be oriented as for SetGenerateSignedDistance(). u and v jump where shortest
    * paths from different places of the source meet, and a texture is distorted in the triangles
@@ -489,10 +489,29 @@ public:
 
   ///@{
   /**
+   * The length on the surface after which a texture repeats, in the units of the surface. 0 stands
+   * for a round length, 1, 2 or 5 times a power of ten, near a tenth of the diagonal of the
+   * surface's bounding box, not over it. 0 by default.
+   */
+  vtkSetMacro(TextureScale, double);
+  vtkGetMacro(TextureScale, double);
+  ///@}
+
+  ///@{
+  /**
    * After an execution: the number of windows that the propagation handled, divided by the number
    * of mesh edges. It tells how hard the surface was.
    */
   vtkGetMacro(WindowsPropagatedPerEdge, double);
+  ///@}
+
+  ///@{
+  /**
+   * After an execution: the length of the source on the surface, which is that of all its curves
+   * (and loops of the boundary) together; 0 for points. For a curve of two points it is the
+   * distance between them along the surface, as they are joined by a shortest path.
+   */
+  vtkGetMacro(SourceLength, double);
   ///@}
 
   ///@{
@@ -571,7 +590,9 @@ private:
   bool GenerateSourceArcLength = false;
   bool GenerateSourceAngle = false;
   bool GenerateTextureCoordinates = false;
+  double TextureScale = 0.0;
   double WindowsPropagatedPerEdge = 0.0;
+  double SourceLength = 0.0;
   double SourceSnapDistance = 0.0;
   double RelativeErrorBound = 0.0;
   double InterpolationErrorBound = std::numeric_limits<double>::infinity();

@@ -167,6 +167,24 @@ double largestDistance(vtkSMSourceProxy* filter)
   return array ? array->GetComponentFiniteRange(0)[1] : 0.0;
 }
 
+void setResults(vtkSMSourceProxy* filter)
+{
+  vtkSMPropertyHelper(filter, "LargestDistance", true).Set(largestDistance(filter));
+  if (filter->GetProperty("NumberOfPaths"))
+  {
+    vtkPVDataInformation* paths = filter->GetDataInformation(0);
+    vtkPVArrayInformation* lengths =
+      paths->GetCellDataInformation()->GetArrayInformation("GeodesicDistance");
+    const bool hasPaths = lengths && paths->GetNumberOfCells() > 0;
+    const double none[2] = { 0.0, 0.0 };
+    const double* range = hasPaths ? lengths->GetComponentRange(0) : none;
+    const auto count = static_cast<int>(hasPaths ? paths->GetNumberOfCells() : 0);
+    vtkSMPropertyHelper(filter, "NumberOfPaths").Set(count);
+    vtkSMPropertyHelper(filter, "ShortestLength").Set(range[0]);
+    vtkSMPropertyHelper(filter, "LongestLength").Set(range[1]);
+  }
+}
+
 void setRangeOfDistances(vtkSMSourceProxy* contour, const std::vector<vtkSMSourceProxy*>& filters)
 {
   double onSurface = 0.0, ofSource = 0.0;

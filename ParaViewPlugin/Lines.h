@@ -32,6 +32,9 @@ void chooseOnlySource(vtkSMSourceProxy* filter);
 /// The largest distance that a field has found; 0 before it is executed, and for other filters.
 double largestDistance(vtkSMSourceProxy* filter);
 
+/// Fills in those numbers on the panel that the client finds in the output.
+void setResults(vtkSMSourceProxy* filter);
+
 /// ParaView makes series of a contour's distances up to the largest distance that any of the
 /// filters has found on the same surface, from the same source if possible. If there is none: to
 /// the longest side of the surface's bounding box.

@@ -78,7 +78,7 @@ public:
   {
     auto* filter = vtkSMSourceProxy::SafeDownCast(caller);
     filter->UpdatePropertyInformation();
-    vtkSMPropertyHelper(filter, "LargestDistance", true).Set(lines::largestDistance(filter));
+    lines::setResults(filter);
     this->ColorNewResult(filter);
     this->SetRangesOfContours();
     if (this->HasStripes != showsStripes(filter))

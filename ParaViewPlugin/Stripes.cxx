@@ -29,6 +29,8 @@ const Color Gray{ 0.75, 0.75, 0.75 };
 constexpr int MostStripes = 40;
 constexpr int MostTicks = 9;
 constexpr int PresetStripes = 32;
+/// How much of its color the palest stripe of a signed distance has.
+constexpr double PaleAtSource = 0.35;
 /// A multiple of a width that rounding has made larger is no stripe more.
 constexpr double Slack = 1e-6;
 
@@ -56,7 +58,9 @@ std::vector<Color> onBothSides(int count)
   for (int i = 0; i < count; ++i)
   {
     const int fromSource = i < half ? half - 1 - i : i - half;
-    const Color shade = mix(White, i < half ? Blue : Red, (fromSource + 1.0) / half);
+    // Beside the source, where one looks first, both colors are seen already.
+    const double depth = PaleAtSource + (1.0 - PaleAtSource) * (fromSource + 1.0) / half;
+    const Color shade = mix(White, i < half ? Blue : Red, depth);
     colors.push_back(mix(shade, Black, fromSource % 2 == 0 ? 0.0 : 0.15));
   }
   return colors;

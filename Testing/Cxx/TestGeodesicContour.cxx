@@ -6,6 +6,7 @@
 #include "vtkCellData.h"
 #include "vtkGeodesicContour.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkSMPTools.h"
 
@@ -180,6 +181,38 @@ void CheckValueZero(Check& check)
   check.Equal(static_cast<double>(filter->GetOutput()->GetNumberOfVerts()), 1, "0 among others");
   check.Equal(static_cast<double>(LinesOf(check, filter->GetOutput()).size()), 3,
     "the curve, and a line round it and round the point");
+}
+
+/// A table of the points can be cut into lines again.
+void CheckLineIds(Check& check)
+{
+  vtkNew<vtkGeodesicContour> filter;
+  filter->SetInputData(Square(8));
+  filter->SetSourceData(PointSources({ { 0.2, 0.2, 0 }, { 0.8, 0.7, 0 } }));
+  filter->SetNumberOfContours(3);
+  filter->SetValue(0, 0.0); // two vertices
+  filter->SetValue(1, 0.1); // two circles
+  filter->SetValue(2, 0.3); // arcs
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetPointData()->GetArray("LineId"));
+  check.That(
+    ids && ids->GetNumberOfTuples() == output->GetNumberOfPoints(), "a line for each point");
+  check.That(output->GetNumberOfVerts() == 2 && output->GetNumberOfCells() > 4, "points and lines");
+  vtkIdType next = 0;
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; ids && cell < output->GetNumberOfCells(); ++cell)
+  {
+    output->GetCellPoints(cell, points);
+    for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType point = points->GetId(i);
+      const bool isRepeated = i > 0 && point == points->GetId(0);
+      check.That(isRepeated || point == next++, "points stand in the order of their lines");
+      check.That(ids->GetValue(point) == cell, "the line of a point");
+    }
+  }
+  check.That(next == output->GetNumberOfPoints(), "every point belongs to a line");
 }
 
 void CheckBoundary(Check& check)
@@ -401,6 +434,7 @@ int TestGeodesicContour(int, char*[])
   CheckCircles(check);
   CheckValues(check);
   CheckValueZero(check);
+  CheckLineIds(check);
   CheckBoundary(check);
   CheckComposite(check);
   CheckScale(check);

@@ -4,6 +4,7 @@
 #include "GeodesicTesting.h"
 
 #include "vtkCompositeDataPipeline.h"
+#include "vtkCubeSource.h"
 #include "vtkGeodesicDistanceFieldFromDrawnCurve.h"
 
 using namespace GeodesicTesting;
@@ -99,6 +100,40 @@ void CheckFarCurve(Check& check)
   check.Equal(field->GetSourceSnapDistance(), std::hypot(3.0, 7.0), "how far it was");
 }
 
+/// The length of a source: a drawn curve is a ruler.
+void CheckLength(Check& check)
+{
+  vtkNew<DrawnField> field;
+  field->SetInputData(Square(4));
+  const auto expect = [&](double length, const std::string& what)
+  {
+    field->Update();
+    check.That(std::abs(field->GetSourceLength() - length) <= 1e-14,
+      what + " has the length " + std::to_string(field->GetSourceLength()));
+    check.Equal(field->GetOutput()->GetFieldData()->GetArray("SourceLength")->GetTuple1(0),
+      field->GetSourceLength(), "the getter and the array of the length of " + what);
+  };
+  Draw(field, { { 0.125, 0.25, 0 }, { 0.875, 0.5, 0 } });
+  expect(std::hypot(0.75, 0.25), "two points");
+  Draw(field, { { 0.125, 0.25, 0 }, { 0.875, 0.25, 0 }, { 0.875, 0.5, 0 } });
+  expect(1.0, "three points");
+  field->CurveClosedOn();
+  expect(1.0 + std::hypot(0.75, 0.25), "a triangle");
+  Draw(field, { { 0.125, 0.25, 0 } });
+  expect(0.0, "a point");
+  field->SetSourceTypeToSurfaceBoundary();
+  expect(4.0, "the boundary");
+
+  // Over an edge of a box the way is straight in its unfolding.
+  vtkNew<DrawnField> overEdge;
+  vtkNew<vtkCubeSource> box;
+  overEdge->SetInputConnection(box->GetOutputPort());
+  Draw(overEdge, { { -0.25, 0.25, 0.5 }, { 0.5, 0.0, 0.25 } });
+  overEdge->Update();
+  check.That(std::abs(overEdge->GetSourceLength() - std::hypot(1.0, 0.25)) <= 1e-14,
+    "around an edge " + std::to_string(overEdge->GetSourceLength()));
+}
+
 void CheckWithoutPoints(Check& check)
 {
   vtkNew<DrawnField> field;
@@ -143,6 +178,7 @@ int TestGeodesicDrawnCurve(int, char*[])
   CheckCurves(check);
   CheckExecutesWhenTheCurveChanges(check);
   CheckFarCurve(check);
+  CheckLength(check);
   CheckWithoutPoints(check);
   CheckExchangedExecutive(check);
   return check.Result();

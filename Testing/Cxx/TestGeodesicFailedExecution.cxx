@@ -263,7 +263,8 @@ void CheckGetters(Check& check)
   const auto expectNone = [&](const std::string& after)
   {
     check.That(filter->GetWindowsPropagatedPerEdge() == 0.0 &&
-        filter->GetSourceSnapDistance() == 0.0 && filter->GetRelativeErrorBound() == 0.0 &&
+        filter->GetSourceSnapDistance() == 0.0 && filter->GetSourceLength() == 0.0 &&
+        filter->GetRelativeErrorBound() == 0.0 &&
         std::isinf(filter->GetInterpolationErrorBound()) && filter->GetSeamPointsJoined() == 0,
       "results are as before the first execution " + after);
   };

@@ -59,8 +59,8 @@ void CheckArrays(Check& check)
   check.That(output->GetCellData()->HasArray("Color"), "cell data is passed");
   check.That(output->GetFieldData()->HasArray("Title"), "field data is passed");
 
-  for (const char* name : { "WindowsPropagatedPerEdge", "SourceSnapDistance", "RelativeErrorBound",
-         "InterpolationErrorBound" })
+  for (const char* name : { "WindowsPropagatedPerEdge", "SourceLength", "SourceSnapDistance",
+         "RelativeErrorBound", "InterpolationErrorBound" })
   {
     vtkDataArray* array = output->GetFieldData()->GetArray(name);
     check.That(array && array->GetNumberOfTuples() == 1, std::string("field data ") + name);
@@ -169,7 +169,7 @@ void CheckPropertiesAndPrinting(Check& check)
          "AbsoluteRefinementTolerance: 1", "MaximumNumberOfCells: 7", "RelativeErrorBound: 0",
          "InterpolationErrorBound: inf", "MaximumDistance: 0", "JoinLines: On",
          "MergeCoincidentPoints: On", "Controller: (global)", "DistanceArrayName: GeodesicDistance",
-         "WindowsPropagatedPerEdge: 0", "SourceSnapDistance: 0" })
+         "WindowsPropagatedPerEdge: 0", "SourceLength: 0", "SourceSnapDistance: 0" })
   {
     check.That(Contains(text.str(), name), std::string("printing says ") + name);
   }

@@ -69,12 +69,14 @@ public:
       this->Largest = std::isfinite(distance) ? std::max(this->Largest, distance) : this->Largest;
     }
     this->SnapDistance = filter->GetSourceSnapDistance();
+    this->SourceLength = filter->GetSourceLength();
     this->WindowsPerEdge = filter->GetWindowsPropagatedPerEdge();
   }
 
   std::map<Point, double> At;
   double Largest = 0.0;
   double SnapDistance = 0.0;
+  double SourceLength = 0.0;
   double WindowsPerEdge = 0.0;
 };
 
@@ -136,6 +138,8 @@ void Compare(Check& check, vtkDataObject* piece, vtkPolyData* surface, const Que
   }
   check.That(std::abs(filter->GetSourceSnapDistance() - whole.SnapDistance) <= 1e-12,
     what + ": the source is as far away as in one process");
+  check.That(std::abs(filter->GetSourceLength() - whole.SourceLength) <= 1e-12 * whole.Largest,
+    what + ": the source is as long as in one process");
   if (!question.IsApproximate)
   {
     check.That(std::abs(filter->GetWindowsPropagatedPerEdge() - whole.WindowsPerEdge) <=

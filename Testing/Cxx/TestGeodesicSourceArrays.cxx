@@ -132,6 +132,7 @@ void SwitchAllOn(vtkGeodesicDistanceField* filter)
   filter->GenerateSourceArcLengthOn();
   filter->GenerateSourceAngleOn();
   filter->GenerateTextureCoordinatesOn();
+  filter->SetTextureScale(1.0);
 }
 
 /// What the arrays have at a point.

@@ -85,6 +85,7 @@ void AskForCoordinates(vtkGeodesicDistanceField* filter)
   filter->GenerateSourceArcLengthOn();
   filter->GenerateSourceAngleOn();
   filter->GenerateTextureCoordinatesOn();
+  filter->SetTextureScale(1.0);
 }
 
 /// Runs a filter and calls visit(const Point&, distance, arc length, angle, u, v) for each point.
@@ -515,9 +516,57 @@ void CheckPieces(Check& check)
     "piece 0 has the whole surface");
 }
 
+/// A texture repeats after the length of a tile; what is not reached keeps its value.
+void CheckTextureScale(Check& check)
+{
+  // The square's diagonal is 1.41 times the side: round lengths up to a tenth of it.
+  const struct
+  {
+    double side, asked, tile;
+  } cases[] = { { 1.0, 0.0, 0.1 }, { 1.0, 0.25, 0.25 }, { 2.0, 0.0, 0.2 }, { 5.0, 0.0, 0.5 },
+    { 3e-7, 0.0, 2e-8 }, { 1e9, 0.0, 1e8 }, { 1.0, 40.0, 40.0 } };
+  for (const auto& [side, asked, tile] : cases)
+  {
+    const double scale = side;
+    auto surface = Square(4);
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      Point p;
+      surface->GetPoint(i, p.data());
+      surface->GetPoints()->SetPoint(i, scale * p[0], scale * p[1], scale * p[2]);
+    }
+    vtkNew<vtkGeodesicDistanceField> filter;
+    filter->SetInputData(surface);
+    filter->SetSourceData(Polyline({ { 0, 0.5 * side, 0 }, { side, 0.5 * side, 0 } }));
+    filter->RefineMeshOff();
+    filter->SetMaximumDistance(0.3 * side);
+    filter->SetUnreachedValueToCustom();
+    filter->SetCustomUnreachedValue(-7.0);
+    filter->GenerateTextureCoordinatesOn();
+    filter->SetTextureScale(asked);
+    filter->Update();
+    vtkPolyData* output = filter->GetOutput();
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      Point p;
+      output->GetPoint(i, p.data());
+      const double across = p[1] - 0.5 * side;
+      const bool isReached = Distances(filter)->GetTuple1(i) != -7.0;
+      check.That(isReached || std::abs(across) > 0.3 * side, "reached within the limit");
+      const double u = isReached ? p[0] / tile : -7.0, v = isReached ? across / tile : -7.0;
+      const double* uv = output->GetPointData()->GetTCoords()->GetTuple2(i);
+      check.That(
+        std::abs(uv[0] - u) <= 1e-6 * side / tile && std::abs(uv[1] - v) <= 1e-6 * side / tile,
+        "side " + std::to_string(side) + ", asked " + std::to_string(asked) + ": u " +
+          std::to_string(uv[0]) + ", v " + std::to_string(uv[1]));
+    }
+  }
+}
+
 void CheckDefaults(Check& check)
 {
   vtkNew<vtkGeodesicDistanceField> field;
+  check.Equal(field->GetTextureScale(), 0.0, "a round tile by default");
   check.That(!field->GetGenerateSourceArcLength() && !field->GetGenerateSourceAngle() &&
       !field->GetGenerateTextureCoordinates(),
     "off by default");
@@ -531,6 +580,7 @@ void CheckDefaults(Check& check)
   field->Print(printed);
   paths->Print(printed);
   check.That(Contains(printed.str(), "GenerateTextureCoordinates: On"), "printed");
+  check.That(Contains(printed.str(), "TextureScale: 1"), "the tile is printed");
   for (const char* words : { "GenerateSourceArcLength: On", "GenerateSourceAngle: On" })
   {
     const std::size_t first = printed.str().find(words);
@@ -555,6 +605,7 @@ int TestGeodesicSourceCoordinates(int, char*[])
   }
   CheckPoleOfASphere(check);
   CheckScale(check);
+  CheckTextureScale(check);
   CheckAgainstPaths(check);
   CheckPieces(check);
   CheckDefaults(check);

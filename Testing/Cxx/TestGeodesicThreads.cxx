@@ -49,8 +49,8 @@ bool Same(vtkPolyData* a, vtkPolyData* b)
     SameBits(a->GetPointData()->GetTCoords(), b->GetPointData()->GetTCoords()) &&
     SameBits(
       a->GetPointData()->GetArray("SourceAngle"), b->GetPointData()->GetArray("SourceAngle"));
-  for (const char* name : { "WindowsPropagatedPerEdge", "SourceSnapDistance", "RelativeErrorBound",
-         "InterpolationErrorBound" })
+  for (const char* name : { "WindowsPropagatedPerEdge", "SourceLength", "SourceSnapDistance",
+         "RelativeErrorBound", "InterpolationErrorBound" })
   {
     same = same && SameBits(a->GetFieldData()->GetArray(name), b->GetFieldData()->GetArray(name));
   }

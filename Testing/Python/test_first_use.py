@@ -132,9 +132,22 @@ class Numbers(unittest.TestCase):
         field = simple.GeodesicDistanceField(
             Input=plane(), Source=polyline([(2, 0, 0.01), (2.5, 3, 0)]), Accuracy="Approximate")
         said = data(field).GetFieldData()
-        for name in ("SourceSnapDistance", "WindowsPropagatedPerEdge", "RelativeErrorBound",
+        for name in ("SourceLength", "SourceSnapDistance", "WindowsPropagatedPerEdge", "RelativeErrorBound",
                      "InterpolationErrorBound", "SeamPointsJoined"):
             self.assertEqual(getattr(field, name), said.GetArray(name).GetTuple1(0), name)
+
+    def test_the_length_of_the_source_is_one(self):
+        field = simple.GeodesicDistanceField(Input=plane(), Source=polyline([(0, 0, 0), (4, 3, 0)]))
+        field.UpdatePipeline()
+        self.assertAlmostEqual(field.SourceLength, 5, delta=FLOAT)
+
+    def test_those_of_paths_are_their_number_and_lengths(self):
+        paths = simple.GeodesicPaths(
+            Input=plane(), Source=polyline([(0, 0, 0), (0, 3, 0)]), Targets=polyline([(1, 1, 0), (3, 2, 0), (2, 3, 0)]))
+        paths.UpdatePipeline()
+        self.assertEqual(paths.NumberOfPaths, 3)
+        self.assertAlmostEqual(paths.ShortestLength, 1, delta=FLOAT)
+        self.assertAlmostEqual(paths.LongestLength, 3, delta=FLOAT)
 
     def test_they_cannot_be_set(self):
         field = simple.GeodesicDistanceField(Input=plane())

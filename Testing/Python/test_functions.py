@@ -102,7 +102,8 @@ class Distances(unittest.TestCase):
     def test_come_with_coordinates_along_and_across_a_curve(self):
         points, faces = sheet()
         line = curve([(0.25, 0.5, 0), (0.75, 0.5, 0)])
-        result = field((points, faces), line, generate_source_arc_length=True, generate_texture_coordinates=True)
+        result = field((points, faces), line, generate_source_arc_length=True, generate_texture_coordinates=True,
+                       texture_scale=1)
         x, y = points[:, 0], points[:, 1]
         foot = np.clip(x, 0.25, 0.75)
         along, across = foot - 0.25, np.where(y < 0.5, -1, 1) * np.hypot(x - foot, y - 0.5)

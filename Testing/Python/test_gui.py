@@ -60,7 +60,7 @@ DEFAULTS = {"Input": "Sheet", "Source": None, "SourceType": 0, "Accuracy": 0, "R
             "DistanceArrayName": "GeodesicDistance",
             "GenerateSourceIds": 0, "GenerateClosestPoints": 0, "GenerateGradients": 0,
             "GenerateSignedDistance": 0, "GenerateSourceArcLength": 0, "GenerateSourceAngle": 0,
-            "GenerateTextureCoordinates": 0, "ColorByStripes": 1}
+            "GenerateTextureCoordinates": 0, "TextureScale": 0, "ColorByStripes": 1}
 
 
 class Applied:
@@ -109,7 +109,7 @@ for number, moved in enumerate((
         {"DistanceArrayName": "Depth"}, {"SourceType": 1}, {"SourceType": 2},
         {"BarrierArrayName": "Wall"}, {"GenerateSourceIds": 1}, {"GenerateClosestPoints": 1},
         {"GenerateGradients": 1}, {"GenerateSignedDistance": 1}, {"GenerateSourceArcLength": 1},
-        {"GenerateSourceAngle": 1}, {"GenerateTextureCoordinates": 1})):
+        {"GenerateSourceAngle": 1}, {"GenerateTextureCoordinates": 1, "TextureScale": 0.25})):
     asked.update(moved)
     assert runs[number].properties == asked, f"{number}: {runs[number].properties}"
 MOVED_ELSEWHERE = {"ColorByStripes", "UnreachedValue", "CustomUnreachedValue", "RemoveUnusedPoints",

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The lines of Python that README shows run as they stand, and give what it says; links of the pages lead somewhere,
-and folders of the build are where the pages say.
+"""The lines of Python that README and HowTo show run as they stand, and give what the pages say; links of the pages lead
+somewhere, and folders of the build are where the pages say.
 
 usage: pvpython --dr test_readme.py SOURCES BUILD
 """
 
+import csv
 import os
 import pathlib
 import re
@@ -25,17 +26,71 @@ README = (SOURCES / "README.md").read_text()
 load_plugin()
 
 
+def blocks_in(text):
+    return re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+
+
 def blocks(heading):
-    section = README.split(f"\n## {heading}\n")[1].split("\n## ")[0]
-    return re.findall(r"```python\n(.*?)```", section, re.DOTALL)
+    return blocks_in(README.split(f"\n## {heading}\n")[1].split("\n## ")[0])
 
 
-class Readme(unittest.TestCase):
+class InFolder(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.addCleanup(os.chdir, os.getcwd())
         os.chdir(folder.name)
+
+
+class HowTo(InFolder):
+    """On a ball of radius 0.5, whose facets make ways a little shorter."""
+
+    def test_the_lines_run_and_do_what_they_say(self):
+        names = dict(vars(simple))
+        names["surface"] = simple.Sphere(ThetaResolution=100, PhiResolution=100)
+        for block in blocks_in((SOURCES / "Examples/HowTo.md").read_text()):
+            exec(block, names)
+        quarter = np.pi / 4
+        self.assertAlmostEqual(names["ruler"].SourceLength, quarter, delta=0.002)
+        self.assertAlmostEqual(distances(names["field"]).max(), 2 * quarter, delta=0.002)
+        paths = names["paths"]
+        self.assertEqual(paths.NumberOfPaths, 1)
+        self.assertEqual(paths.ShortestLength, paths.LongestLength)
+        self.assertAlmostEqual(paths.LongestLength, quarter, delta=0.002)
+        ids = vtk_to_numpy(data(names["nearest"]).GetPointData().GetArray("SourceId"))
+        self.assertEqual(set(ids), {0, 1})
+        self.assert_table()
+        self.assert_lines()
+        found = distances(names["near"])
+        self.assertAlmostEqual(found.max(), 0.4, delta=0.02)
+        self.assertEqual(found.min(), -1)
+        points = vtk_to_numpy(data(names["around"]).GetPoints().GetData())
+        inside = points[:, 0] > 0.43
+        self.assertTrue(np.isinf(distances(names["around"])[inside]).all())
+        self.assertTrue(np.isfinite(distances(names["around"])[points[:, 0] < 0.37]).all())
+        height = np.arcsin(0.2 / 0.5) * 0.5  # of the last slice, along a meridian
+        self.assertAlmostEqual(distances(names["nearest"]).max(), quarter + height, delta=0.002)
+
+    def assert_table(self):
+        with open("distances.csv") as file:
+            found = sorted(float(row["Source0"]) for row in csv.DictReader(file))
+        self.assertGreater(len(found), 100)
+        self.assertAlmostEqual(found[0], 0, delta=1e-12)
+        np.testing.assert_allclose(found[1:], np.pi / 4, atol=0.002)
+
+    def assert_lines(self):
+        with open("offsets.csv") as file:
+            rows = list(csv.DictReader(file))
+        for line, distance in enumerate((0.1, 0.2, 0.3)):
+            ring = [row for row in rows if row["LineId"] == str(line)]
+            self.assertEqual({float(row["GeodesicDistance"]) for row in ring}, {distance})
+            x, y, z = (np.array([float(row.get(f"Points:{k}") or row[f"Points_{k}"]) for row in ring]) for k in range(3))
+            np.testing.assert_allclose(z, 0.5 * np.cos(distance / 0.5), atol=0.002)
+            turns = np.angle(np.exp(1j * np.diff(np.arctan2(y, x))))
+            self.assertTrue((turns > 0).all() or (turns < 0).all(), "points stand in order")
+
+
+class Readme(InFolder):
 
     def test_the_lines_for_pvpython_run(self):
         names = {}
@@ -68,7 +123,8 @@ class Readme(unittest.TestCase):
             self.assertTrue(os.path.samefile(BUILD / said[0], os.path.normpath(there)), said)
 
     def test_links_lead_somewhere(self):
-        for page in ("README.md", "CONTRIBUTING.md", "Examples/Python.md", "Filters/Reference.md", "Filters/Core/README.md"):
+        for page in ("README.md", "CONTRIBUTING.md", "Examples/HowTo.md", "Examples/Python.md", "Filters/Reference.md",
+                     "Filters/Core/README.md"):
             self.check_links(page)
 
     def check_links(self, page):

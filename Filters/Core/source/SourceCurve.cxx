@@ -13,6 +13,16 @@ double lengthOfSegment(const TriangleMesh& mesh, const SourceCurve& curve, std::
     inHalfedgeFrame(mesh, frame, curve.points[i + 1]));
 }
 
+double lengthOf(const TriangleMesh& mesh, const SourceCurve& curve)
+{
+  double length = 0.0;
+  for (std::size_t i = 0; i < curve.faces.size(); ++i)
+  {
+    length += lengthOfSegment(mesh, curve, i);
+  }
+  return length;
+}
+
 Vec2 directionIn(const TriangleMesh& mesh, const SegmentEnd& end, Id halfedge)
 {
   return end.onward.halfedge != NoId

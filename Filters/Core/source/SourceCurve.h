@@ -40,6 +40,9 @@ inline SourceCurve pointCurve(const SurfacePoint& point)
 /// The length of the segment from point i to point i + 1 of a curve.
 double lengthOfSegment(const TriangleMesh& mesh, const SourceCurve& curve, std::size_t i);
 
+/// The length of a curve; 0 for a point.
+double lengthOf(const TriangleMesh& mesh, const SourceCurve& curve);
+
 /// An end of a curve's segment, which runs from it to another point of the same face.
 struct SegmentEnd
 {

@@ -88,13 +88,13 @@ void forEachInOrderOfCells(const std::vector<SourceCurve>& curves, const Visit& 
   }
 }
 
-/// Asks for the memory of curves, and of other points: a point with a value, its id and an offset,
-/// twice while an array grows to twice its size.
+/// Asks for the memory of curves, and of other points: a point with a value, its id and its line's,
+/// and an offset, twice while an array grows to twice its size.
 void requireMemoryOf(const std::vector<SourceCurve>& curves, std::size_t otherPoints = 0)
 {
   const std::size_t size = std::accumulate(curves.begin(), curves.end(), otherPoints,
     [](std::size_t sum, const SourceCurve& curve) { return sum + curve.points.size(); });
-  requireMemory(static_cast<vtkIdType>(size), 4 * (4 * sizeof(double) + 2 * sizeof(vtkIdType)));
+  requireMemory(static_cast<vtkIdType>(size), 4 * (4 * sizeof(double) + 3 * sizeof(vtkIdType)));
 }
 
 constexpr const char* TooLong =
@@ -203,8 +203,22 @@ void writeIsolines(const WrittenIsolines& written, const PowerOfTwoScale& scale,
   LoopProgress progress(callback);
   progress.nextUntil(1.0);
   LineCells cells(scale);
-  forEachInOrderOfCells(
-    written.curves, [&](const SourceCurve& curve) { cells.addCurve(written.meshOfCurves, curve); });
+  const auto lineIds = makeArray<vtkIdTypeArray>("LineId", 0);
+  vtkIdType line = 0;
+  const auto numberPoints = [&]
+  {
+    while (lineIds->GetNumberOfTuples() < cells.points->GetNumberOfPoints())
+    {
+      lineIds->InsertNextValue(line);
+    }
+    ++line;
+  };
+  forEachInOrderOfCells(written.curves,
+    [&](const SourceCurve& curve)
+    {
+      cells.addCurve(written.meshOfCurves, curve);
+      numberPoints();
+    });
   const auto atPoints = makeArray<vtkDoubleArray>(ArrayName, cells.points->GetNumberOfPoints());
   const auto atCells =
     makeArray<vtkDoubleArray>(ArrayName, static_cast<vtkIdType>(written.curves.size()));
@@ -214,11 +228,11 @@ void writeIsolines(const WrittenIsolines& written, const PowerOfTwoScale& scale,
   for (std::size_t i = 0; i < isolines.lines.size(); ++i)
   {
     progress.at(i, isolines.lines.size());
-    const Isoline& line = isolines.lines[i];
-    const double value = written.values[line.value];
-    cells.lines->InsertNextCell(static_cast<int>(line.points.size()));
+    const Isoline& isoline = isolines.lines[i];
+    const double value = written.values[isoline.value];
+    cells.lines->InsertNextCell(static_cast<int>(isoline.points.size()));
     atCells->InsertNextValue(value);
-    for (const Id point : line.points)
+    for (const Id point : isoline.points)
     {
       if (numbers[point] < 0)
       {
@@ -227,9 +241,11 @@ void writeIsolines(const WrittenIsolines& written, const PowerOfTwoScale& scale,
       }
       cells.lines->InsertCellPoint(numbers[point]);
     }
+    numberPoints();
   }
   cells.write(output);
   output->GetPointData()->SetScalars(atPoints);
+  output->GetPointData()->AddArray(lineIds);
   output->GetCellData()->SetScalars(atCells);
 }
 

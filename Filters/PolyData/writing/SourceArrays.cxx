@@ -37,6 +37,8 @@ struct OutputPoint
   Vec3 gradient{};
   /// What stands in arrays of lengths and angles where the point is not reached.
   double unreached = Infinity;
+  /// The length of a tile of texture coordinates.
+  double tile = 1.0;
 
   bool isReached() const { return this->distance < Infinity; }
   double signedDistance() const
@@ -61,10 +63,11 @@ Vec3 textureCoordinatesOf(const OutputPoint& point)
   const SourceValues& values = point.values;
   if (values.side != SourceSide::Point)
   {
-    return point.ifReached(values.arcLength, point.signedDistance());
+    return point.ifReached(values.arcLength / point.tile, point.signedDistance() / point.tile);
   }
   const Vec2 away = unitVector(values.angle);
-  return point.ifReached(point.distance * away.x, point.distance * away.y);
+  const double distance = point.distance / point.tile;
+  return point.ifReached(distance * away.x, distance * away.y);
 }
 
 /// One of the arrays.
@@ -285,6 +288,7 @@ void SourceArrays::write(const SurfaceBlock& block, const ValuesAtPoints& atVert
     output->GetPoint(i, point.position.data());
     point.distance = distances[i];
     point.unreached = unreached;
+    point.tile = this->textureTile;
     const auto number = static_cast<Id>(i);
     const bool isNew = number >= block.numberOfPoints;
     const ValuesAtPoints& values = isNew ? atNewPoints : atVertices;

@@ -87,6 +87,8 @@ struct SourceArrays
   /// SourceCurve::source from which on curves are loops of the boundary, whose distances have no
   /// sign.
   Id firstBoundarySource;
+  /// The length of a tile of texture coordinates, in the user's scale.
+  double textureTile;
   SourceArrayChoice choice;
 
   /// Of every vertex that points have: PolyDataSurface::vertexOf(). All ranks call this together.
