@@ -281,6 +281,7 @@ void Ask(vtkGeodesicDistanceField* filter, const Task& task)
   filter->GenerateSourceArcLengthOn();
   filter->GenerateSourceAngleOn();
   filter->GenerateTextureCoordinatesOn();
+  filter->SetTextureScale(1.0);
   filter->SetAccuracy(task.RelativeError > 0.0 ? vtkGeodesicDistanceField::APPROXIMATE
                                                : vtkGeodesicDistanceField::EXACT);
   filter->SetRelativeError(task.RelativeError);
