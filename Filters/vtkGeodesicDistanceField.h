@@ -103,7 +103,7 @@
  *   block) that each triangle is a part of,
  * - field data arrays `WindowsPropagatedPerEdge`, `SourceLength`, `SourceSnapDistance`,
  *   `RelativeErrorBound`, `InterpolationErrorBound` and `SeamPointsJoined`, on the whole and on
- * each block: see the getters of these names; with SetGenerateSourceAngle() also `SourceFrame`.
+ *   each block: see the getters of these names; with SetGenerateSourceAngle() also `SourceFrame`.
  * @par
  * Point data is interpolated linearly to new points, in the face; strings, ids (vtkIdTypeArray and
  * pedigree ids) and bits are those of the nearest corner, a new point is a ghost in the ways that

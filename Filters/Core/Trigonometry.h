@@ -16,7 +16,7 @@ namespace geodesic
 /// The angle of a vector in [-pi, pi], as std::atan2(v.y, v.x), within two units in the last place.
 inline double polarAngle(Vec2 v)
 {
-  // Of the vectors (4, 0), (4, 1) ... (4, 4), (3, 4) ... (0, 4).
+  // The angles of the vectors (4, 0), (4, 1) ... (4, 4), (3, 4) ... (0, 4).
   constexpr double Angles[] = { 0.0, 0.24497866312686414, 0.46364760900080609, 0.64350110879328437,
     0.78539816339744828, 0.92729521800161219, 1.1071487177940904, 1.3258176636680326, RightAngle };
 
@@ -41,8 +41,8 @@ inline double polarAngle(Vec2 v)
   return std::copysign(std::signbit(v.x) ? Pi - inQuadrant : inQuadrant, v.y);
 }
 
-/// The cosine and the sine of an angle of a few turns at most, within two units in the last place or
-/// 1e-24, which is more near their zeros.
+/// The cosine and the sine of an angle of a few turns at most, within two units in the last place,
+/// or within 1e-24, which is more near their zeros.
 inline Vec2 unitVector(double angle)
 {
   // A right angle in two parts. The first has 33 binary digits: its multiples are exact.

@@ -527,13 +527,12 @@ void CheckTextureScale(Check& check)
     { 3e-7, 0.0, 2e-8 }, { 1e9, 0.0, 1e8 }, { 1.0, 40.0, 40.0 } };
   for (const auto& [side, asked, tile] : cases)
   {
-    const double scale = side;
     auto surface = Square(4);
     for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
     {
       Point p;
       surface->GetPoint(i, p.data());
-      surface->GetPoints()->SetPoint(i, scale * p[0], scale * p[1], scale * p[2]);
+      surface->GetPoints()->SetPoint(i, side * p[0], side * p[1], side * p[2]);
     }
     vtkNew<vtkGeodesicDistanceField> filter;
     filter->SetInputData(surface);

@@ -221,11 +221,10 @@ struct Window
 
   /// Length of the shortest path to p through the interval: straight if the pencil contains p, else
   /// bent at the nearer end. It is always the length of a real path.
-  double bentDistance(Vec2 p) const { return this->bentDistance(p, this->crossing(p)); }
-  /// The same, if crossing() of p is known.
-  double bentDistance(Vec2 p, double crossing) const
+  double bentDistance(Vec2 p) const
   {
-    return this->distance(crossing) + norm(p - Vec2{ crossing, 0.0 });
+    const double x = this->crossing(p);
+    return this->distance(x) + norm(p - Vec2{ x, 0.0 });
   }
 
   /// Least distance on the interval.
