@@ -35,7 +35,8 @@ using Label = RankLabels::Label;
 // Where the stages end, as fractions of the whole.
 constexpr double PointsRead = 0.1;
 constexpr double PointsMerged = 0.25;
-constexpr double TrianglesRead = 0.4;
+constexpr double TrianglesRead = 0.35;
+constexpr double SeamsJoined = 0.5;
 
 /// The vertices of this rank's blocks.
 struct Vertices
@@ -277,16 +278,21 @@ struct SurfaceReader
         "faces of the surface (input port 0) has three different corners. Connect a surface with "
         "triangles or polygons.");
     }
+    progress.nextUntil(SeamsJoined);
+    progress.at(0, 1);
     std::vector<double> precisions = this->storedPrecisions();
     this->scaleVertices();
     if (this->exchange.numberOfRanks() > 1)
     {
       this->joinRanks();
     }
+    progress.between(0.3, 1.0).at(0, 1);
     if (this->merging.isWanted)
     {
       this->joinSeams(std::move(precisions));
     }
+    progress.nextUntil(1.0);
+    progress.at(0, 1);
     this->roles = findRoles(
       this->inputs, this->vertices.labels, this->vertices.of, this->triangles, this->exchange);
     keepTriangles(this->inputs, this->triangles, this->blocks);
@@ -568,7 +574,7 @@ struct SurfaceReader
     BorrowedValues elsewhere = findValuesElsewhere(this->vertices.labels, numbers, this->exchange);
     this->vertices.labels = {};
     MeshPartition partition(std::move(this->vertices.positions), faces.open, keys, this->exchange,
-      progressBetween(this->callback, TrianglesRead, 1.0), this->parallelFor);
+      progressBetween(this->callback, SeamsJoined, 1.0), this->parallelFor);
     Id next = partition.mesh().numberOfVertices();
     for (Id& number : numbers)
     {
