@@ -4,13 +4,14 @@
 # tests with CTest, in build-testing/paraview:
 #
 #   bash Testing/run.sh [ARGUMENTS]         arguments go to CTest: -R NAME, -j N, ...
-#   bash Testing/run.sh --all [ARGUMENTS]   these, four more builds in build-testing/:
+#   bash Testing/run.sh --all [ARGUMENTS]   these, four more builds in build-testing/, and a test debian-13:
 #
 #   sanitize    the engine's tests under AddressSanitizer and UndefinedBehaviorSanitizer
 #   threads     those of the engine's tests that run on threads, under ThreadSanitizer
 #   v3          the engine for processors with fused multiply-add: the same bits, and tests that fail
 #               where the compiler makes use of it
 #   vtk         all compiled against plain VTK, without ParaView, and the filters' tests
+#   debian-13   README's two commands on a clean Debian 13 (Testing/debian.sh), where this is another system
 #
 # Plain VTK (Debian 12: 9.1, 13: 9.3) is taken from VTK_DIR where that is set, else from the system, else downloaded.
 set -eu
@@ -78,6 +79,11 @@ fi
 # One CTest run over all builds, so that its closing line speaks for all.
 {
   echo "subdirs($suites)"
+  if [ -n "$all" ] && [ "$release" != 13 ]; then
+    # By itself, as its own tests use all processors.
+    echo "add_test(debian-13 bash \"$top/Testing/debian.sh\" 13 first second)"
+    echo "set_tests_properties(debian-13 PROPERTIES SKIP_RETURN_CODE 77 RUN_SERIAL ON TIMEOUT 3600)"
+  fi
   if [ -n "$all" ] && [ -z "$vtk" ]; then
     skip plain-vtk-build "plain VTK could not be downloaded and VTK_DIR is not set: that build was not tested."
   fi
