@@ -256,7 +256,8 @@ def _threads(number):
     if number < 1:
         raise GeodesicError(f"threads is {number}: give at least 1, or None for what vtkSMPTools is set to.")
     backend = vtkSMPTools.GetBackend()
-    if number > 1 and backend == "Sequential":
+    # In VTK 9.6 TBB's number of threads, once made smaller, stays so.
+    if backend == "TBB" or (number > 1 and backend == "Sequential"):
         vtkSMPTools.SetBackend("STDThread")
     before = vtkSMPTools.GetEstimatedNumberOfThreads()
     vtkSMPTools.Initialize(number)
