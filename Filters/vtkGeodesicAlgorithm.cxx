@@ -319,7 +319,7 @@ void vtkGeodesicAlgorithm::ComputeOrExplain(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   geodesic::Exchange* exchange = nullptr;
-  const char* stage = geodesic::Stage::ReadingSurface;
+  geodesic::Stage stage = geodesic::Stage::ReadSurface;
   Failure failure;
   std::unique_ptr<char[]> reserve; // for what telling that memory has run out takes itself
   try
@@ -352,7 +352,7 @@ void vtkGeodesicAlgorithm::ComputeOrExplain(
   catch (...)
   {
     reserve.reset();
-    failure = ExplainException(stage, this->AdviceOnMemory());
+    failure = ExplainException(geodesic::rowOf(stage).doing, this->AdviceOnMemory());
   }
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {

@@ -2,7 +2,6 @@
 #include "vtkGeodesicContour.h"
 
 #include "PolyData/FilterExecution.h"
-#include "PolyData/ParallelFor.h"
 #include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/SourceArrays.h"
 #include "contours/IsolineSides.h"
@@ -25,12 +24,6 @@ vtkStandardNewMacro(vtkGeodesicContour);
 
 namespace
 {
-
-// Where the stages end, as fractions of the whole; FilterExecution has those before.
-constexpr double FieldDone = 0.75;
-constexpr double LinesDrawnBeforeSides = 0.85;
-constexpr double SidesKnown = 0.9;
-constexpr double LinesDrawn = 0.95;
 
 bool isPositive(double value)
 {
@@ -55,7 +48,12 @@ public:
   /// \throws Error
   void Run(vtkPolyData* output)
   {
-    this->Execution.readInputs(true);
+    std::vector<Stage> stages = { Stage::Solve, Stage::DrawLines, Stage::Write };
+    if (this->Self->SignedDistances)
+    {
+      stages.insert(stages.end() - 1, Stage::FindSides);
+    }
+    this->Execution.readInputs(stages, true);
     if (this->Execution.surfacePlace() == SurfacePlace::OnOtherRank)
     {
       const TriangleMesh none;
@@ -72,12 +70,10 @@ public:
     this->Execution.notes().add(NoteOn::Surface,
       this->Execution.sumOverPieces(isolines.linesWithoutDirection), "line crosses", "lines cross",
       "faces of opposite orientation: the direction of such a line says nothing.");
-    this->Execution.reach(LinesDrawn);
-    this->Execution.enter(Stage::WritingOutputs);
     const bool hasCurves = this->HasZero && this->Execution.hasSourceOutput();
     writeIsolines({ surface.mesh(), isolines, this->Values, this->Execution.patch().mesh(),
                     hasCurves ? this->Execution.sources().curves : std::vector<SourceCurve>() },
-      surface.scale, output, this->Execution.progressBetween(LinesDrawn, 1.0));
+      surface.scale, output, this->Execution.begin(Stage::Write));
   }
 
   /// Values that the engine cannot tell apart, which drops digits of tiny ones, are one.
@@ -125,18 +121,12 @@ public:
     {
       return {};
     }
-    this->Execution.enter(Stage::ComputingDistances);
     FrontOptions front;
-    front.parallelFor = smpParallelFor();
     front.keepArrivals = this->Self->SignedDistances;
-    front.progress = this->Execution.progressBetween(FilterExecution::InputsRead, FieldDone);
+    front.job = this->Execution.begin(Stage::Solve);
     const DistanceField field = solveForIsolines(this->Execution.surface().partition,
-      this->Execution.sourceWindows(front.progress), this->Distances, front);
-    this->Execution.reach(FieldDone);
-    this->Execution.enter(Stage::DrawingLines);
-    options.parallelFor = front.parallelFor;
-    options.progress = this->Execution.progressBetween(
-      FieldDone, this->Self->SignedDistances ? LinesDrawnBeforeSides : LinesDrawn);
+      this->Execution.sourceWindows(front.job), this->Distances, front);
+    options.job = this->Execution.begin(Stage::DrawLines);
     Isolines isolines = drawIsolines(field, options);
     return this->Self->SignedDistances ? this->OnSides(field, isolines) : isolines;
   }
@@ -144,13 +134,13 @@ public:
   Isolines OnSides(const DistanceField& field, const Isolines& isolines) const
   {
     const std::vector<SourceCurve>& curves = this->Execution.sources().curves;
-    const auto progress = this->Execution.progressBetween(LinesDrawnBeforeSides, SidesKnown);
-    NearestSource nearest(field, this->Execution.patch(), curves, progress);
+    const Job job = this->Execution.begin(Stage::FindSides);
+    NearestSource nearest(field, this->Execution.patch(), curves, job.part(0.0, 0.5));
     return linesOnSides(
       field, nearest,
       [&](const Foot& foot)
       { return isOnRight(foot, curves, this->Execution.firstBoundarySource()); },
-      isolines, this->Sides, this->Execution.progressBetween(SidesKnown, LinesDrawn));
+      isolines, this->Sides, job.part(0.5, 1.0));
   }
 };
 

@@ -36,10 +36,6 @@ vtkStandardNewMacro(vtkGeodesicDistanceField);
 namespace
 {
 
-// Where the stages end, as fractions of the whole; FilterExecution has those before.
-constexpr double ValuesDone = 0.9;
-constexpr double SurfaceWritten = 0.98;
-
 void addFieldData(vtkDataObject* output, const char* name, double value)
 {
   const auto array = makeArray<vtkDoubleArray>(name, 1);
@@ -113,7 +109,7 @@ public:
   /// \throws Error
   void Run(vtkDataObject* output, vtkPolyData* curves)
   {
-    this->Execution.readInputs(true);
+    this->Execution.readInputs(this->Stages(), true);
     const bool isElsewhere = this->Execution.surfacePlace() == SurfacePlace::OnOtherRank;
     if (!isElsewhere)
     {
@@ -122,23 +118,43 @@ public:
       this->Self->SourceLength = this->LengthOfSource();
       this->Self->SeamPointsJoined = this->Execution.surface().report.joinedSeamPoints;
       this->Compute();
-      this->Execution.reach(ValuesDone);
     }
     this->ShareNumbers();
-    this->Execution.enter(Stage::WritingOutputs);
+    const Job writing = this->Execution.begin(Stage::Write);
     if (isElsewhere)
     {
       this->WriteNothing(output);
       return;
     }
     this->NoteReplacedArrays();
-    this->WriteSurface(output);
+    this->WriteSurface(output, writing);
     if (this->Execution.hasSourceOutput())
     {
       writeCurves(this->Execution.patch().mesh(), this->Execution.surface().scale,
         this->Execution.sources().curves, this->Execution.sourceIds(), this->ArcLengthsOfCurves,
         curves);
     }
+  }
+
+  /// The stages that follow reading the inputs.
+  std::vector<Stage> Stages() const
+  {
+    std::vector<Stage> stages;
+    const auto add = [&stages](Stage stage, bool isThere)
+    { stages.insert(stages.end(), isThere ? 1 : 0, stage); };
+    const bool isApproximate = this->Self->Accuracy == APPROXIMATE;
+    add(Stage::FindBorders, this->AreBordersRefined() && this->Self->RefineMesh);
+    add(Stage::Solve, true);
+    add(Stage::Refine, this->Self->RefineMesh);
+    add(Stage::SolveExactly, isApproximate && this->Choice.areFeetNeeded());
+    add(Stage::FindSources, this->Choice.isAny());
+    add(Stage::Write, true);
+    return stages;
+  }
+
+  bool AreBordersRefined() const
+  {
+    return this->Self->RefineSourceBorders || this->Choice.textureCoordinates;
   }
 
   /// If another rank has done all the work, this one reports the same.
@@ -169,8 +185,7 @@ public:
         block->GetCellData()->AddArray(makeArray<vtkIdTypeArray>("OriginalCellIds", 0));
       }
       const int type = typeOfPoints(nullptr, this->Self->OutputPointsPrecision, this->HasNewPoints);
-      const ProgressCallback nobody;
-      block->SetPoints(storePoints(nullptr, type, {}, {}, LoopProgress(nobody)));
+      block->SetPoints(storePoints(nullptr, type, {}, {}));
       this->WriteFieldData(block);
     }
     this->WriteFieldData(output);
@@ -247,9 +262,9 @@ public:
     if (this->IsRefined)
     {
       this->Displaced = displacementsOfPoints(
-        surface, this->Execution.surfaceBlocks(), this->Self->OutputPointsPrecision);
+        surface, this->Execution.surfaceBlocks(), this->Self->OutputPointsPrecision, Job());
     }
-    SolvedSurface solved = solveField(this->Execution, this->Request(), ValuesDone);
+    SolvedSurface solved = solveField(this->Execution, this->Request());
     this->TakeNumbers(solved);
     this->VertexDistances = solved.field->vertexDistances();
     if (this->Choice.isAny())
@@ -274,7 +289,7 @@ public:
     request.isRefined = this->IsRefined;
     request.tolerance = this->ToleranceOfInterpolant();
     request.maximumCells = static_cast<std::uint64_t>(self->MaximumNumberOfCells);
-    request.areBordersRefined = self->RefineSourceBorders || this->Choice.textureCoordinates;
+    request.areBordersRefined = this->AreBordersRefined();
     return request;
   }
 
@@ -304,19 +319,13 @@ public:
 
   void FindSources(const SolvedSurface& solved)
   {
-    this->Execution.enter(Stage::ComputingDistances);
+    const Job job = this->Execution.begin(Stage::FindSources);
     const DistanceField& field = *solved.field;
     const DistanceField& exact = solved.exactField();
-    const double step = (ValuesDone - FieldDone) / 3.0;
-    const auto part = [&](int i)
-    {
-      const double begin = FieldDone + i * step;
-      return this->Execution.progressBetween(begin, begin + step);
-    };
     const std::vector<SourceCurve>& curves = this->Execution.sources().curves;
-    NearestSource nearest(exact, this->Execution.patch(), curves, part(0));
+    NearestSource nearest(exact, this->Execution.patch(), curves, job.part(0.0, 0.3));
     const SourceArrays arrays = this->Arrays();
-    this->AtVertices = arrays.atVertices(field, nearest, part(1));
+    this->AtVertices = arrays.atVertices(field, nearest, job.part(0.3, 0.6));
     if (this->Choice.angles)
     {
       this->Frames = framesBySource(nearest.curvesOnPatch(), curves, this->Execution.sourceIds(),
@@ -325,7 +334,8 @@ public:
     this->ArcLengthsOfCurves = arrays.arcLengthsOfCurves(nearest);
     if (this->IsRefined)
     {
-      this->AtRefinedPoints = arrays.atNewPoints(solved.refined, field, exact, nearest, part(2));
+      this->AtRefinedPoints =
+        arrays.atNewPoints(solved.refined, field, exact, nearest, job.part(0.6, 1.0));
     }
   }
 
@@ -359,7 +369,7 @@ public:
     }
   }
 
-  void WriteSurface(vtkDataObject* output) const
+  void WriteSurface(vtkDataObject* output, const Job& job) const
   {
     const std::vector<PolyDataBlock>& inputs = this->Execution.surfaceBlocks();
     const std::vector<SurfaceBlock>& blocks = this->Execution.surface().blocks;
@@ -368,18 +378,17 @@ public:
     const auto count = static_cast<double>(blocks.size());
     for (std::size_t i = 0; i < blocks.size(); ++i)
     {
-      const auto place = [&](std::size_t block)
-      { return ValuesDone + (SurfaceWritten - ValuesDone) * static_cast<double>(block) / count; };
-      const auto progress = this->Execution.progressBetween(place(i), place(i + 1));
+      const auto before = static_cast<double>(i);
+      const Job ofBlock = job.part(before / count, (before + 1.0) / count);
       const int pointType = this->TypeOfPoints(i);
       if (this->IsRefined)
       {
         writeRefined(blocks[i], this->Refined[i].mesh, this->Execution.surface().scale, pointType,
-          inputs[i].data, outputs[i], progress);
+          inputs[i].data, outputs[i], ofBlock);
       }
       else
       {
-        writeWhole(blocks[i], pointType, inputs[i].data, outputs[i], progress);
+        writeWhole(blocks[i], pointType, inputs[i].data, outputs[i], ofBlock);
       }
       this->WriteDistances(i, outputs[i]);
       if (this->Self->RemoveUnusedPoints)

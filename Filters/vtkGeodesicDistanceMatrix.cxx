@@ -3,7 +3,6 @@
 
 #include "PolyData/FilterExecution.h"
 #include "PolyData/Memory.h"
-#include "PolyData/ParallelFor.h"
 #include "field/DistanceMatrix.h"
 
 #include "vtkCharArray.h"
@@ -27,9 +26,6 @@ vtkStandardNewMacro(vtkGeodesicDistanceMatrix);
 
 namespace
 {
-
-// Where the stage ends, as a fraction of the whole; FilterExecution has those before.
-constexpr double MatrixDone = 0.98;
 
 /// Adds the column of a source. Its distances are freed: there may be no memory for all of them
 /// twice.
@@ -58,24 +54,17 @@ void ComputeTable(FilterExecution& execution, double maximumDistance, vtkTable* 
   const std::vector<vtkIdType>& sources = execution.sourceIds();
   const auto numberOfSources = static_cast<Id>(sources.size());
 
-  execution.enter(Stage::ComputingDistances);
+  const Job job = execution.begin(Stage::SolveForTargets);
   // Once as they are computed, once as they are put out.
   requireMemory(rows,
     static_cast<vtkIdType>(sizeof(vtkIdType)) +
       2 * static_cast<vtkIdType>(sizeof(double)) * numberOfSources);
   const PowerOfTwoScale& scale = execution.surface().scale;
-  MatrixOptions options;
-  if (maximumDistance > 0.0)
-  {
-    options.maximumDistance = scale.toEngine(maximumDistance);
-  }
-  options.parallelFor = smpParallelFor();
-  options.progress = execution.progressBetween(FilterExecution::TargetsRead, MatrixDone);
-  std::vector<std::vector<double>> matrix = distanceMatrix(execution.surface().mesh(),
-    execution.sources().curves, numberOfSources, targets.places, options);
-  execution.reach(MatrixDone);
+  std::vector<std::vector<double>> matrix =
+    distanceMatrix(execution.surface().mesh(), execution.sources().curves, numberOfSources,
+      targets.places, maximumDistance > 0.0 ? scale.toEngine(maximumDistance) : Infinity, job);
 
-  execution.enter(Stage::WritingOutputs);
+  execution.begin(Stage::Write);
   const auto ids = makeArray<vtkIdTypeArray>("TargetId", rows);
   std::iota(ids->GetPointer(0), ids->GetPointer(rows), 0);
   table->AddColumn(ids);
@@ -146,7 +135,7 @@ void vtkGeodesicDistanceMatrix::Compute(
   FilterExecution& execution, vtkInformationVector* outputVector)
 {
   execution.requireTargets(true);
-  execution.readInputs(false);
+  execution.readInputs({ Stage::ReadTargets, Stage::SolveForTargets, Stage::Write }, false);
   vtkTable* table = vtkTable::GetData(outputVector);
   if (execution.surfacePlace() != SurfacePlace::OnOtherRank)
   {

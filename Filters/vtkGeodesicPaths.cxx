@@ -2,7 +2,6 @@
 #include "vtkGeodesicPaths.h"
 
 #include "PolyData/FilterExecution.h"
-#include "PolyData/ParallelFor.h"
 #include "PolyData/writing/CellsOfFaces.h"
 #include "PolyData/writing/LineWriter.h"
 #include "PolyData/writing/SourceArrays.h"
@@ -23,9 +22,6 @@ vtkStandardNewMacro(vtkGeodesicPaths);
 
 namespace
 {
-
-// Where the stage ends, as a fraction of the whole; FilterExecution has those before.
-constexpr double PathsFound = 0.95;
 
 /// Gives paths the cells of their faces.
 ///
@@ -52,16 +48,12 @@ void FindCells(const FilterExecution& execution, const std::vector<std::vector<R
 std::vector<PathOfTarget> FindPaths(FilterExecution& execution, bool withCells)
 {
   const Targets targets = execution.readTargets();
-  execution.enter(Stage::ComputingDistances);
   const PolyDataSurface& surface = execution.surface();
-  PathsOptions options;
-  options.parallelFor = smpParallelFor();
-  options.progress = execution.progressBetween(FilterExecution::TargetsRead, PathsFound);
   std::vector<PathOfTarget> paths(targets.places.size());
   std::vector<std::vector<RankAddress>> faces(withCells ? paths.size() : 0);
   const std::vector<vtkIdType>& ids = execution.sourceIds();
   pathsToSource(surface.partition, execution.patch(), execution.sources().curves, targets.places,
-    options,
+    execution.begin(Stage::SolveForTargets),
     [&](std::size_t i, const PathToSource& path)
     {
       paths[i] = { targets.numbers[i], targets.snapDistances[i], {}, path.end,
@@ -83,7 +75,6 @@ std::vector<PathOfTarget> FindPaths(FilterExecution& execution, bool withCells)
   paths.erase(std::remove_if(paths.begin(), paths.end(),
                 [](const PathOfTarget& path) { return path.points.empty(); }),
     paths.end());
-  execution.reach(PathsFound);
   execution.notes().add(NoteOn::Targets, targets.count - execution.sumOverPieces(paths.size()),
     "target", "targets", "not reached: no path on the surface leads from there to the source.");
   return paths;
@@ -132,7 +123,7 @@ std::vector<PathOfTarget> SendHome(
 void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector* outputVector)
 {
   execution.requireTargets();
-  execution.readInputs(true);
+  execution.readInputs({ Stage::ReadTargets, Stage::SolveForTargets, Stage::Write }, true);
   std::vector<PathOfTarget> paths;
   SourceFrames frames;
   PowerOfTwoScale scale;
@@ -158,10 +149,9 @@ void vtkGeodesicPaths::Compute(FilterExecution& execution, vtkInformationVector*
     execution.shareResults(frames.ids);
     addSourceFrames(frames, vtkPolyData::GetData(outputVector, 0));
   }
-  execution.enter(Stage::WritingOutputs);
   writePaths(scale, paths,
     { this->GenerateSourceArcLength, this->GenerateSourceAngle, this->GenerateFaceIds },
-    vtkPolyData::GetData(outputVector, 0), execution.progressBetween(PathsFound, 1.0));
+    vtkPolyData::GetData(outputVector, 0), execution.begin(Stage::Write));
 }
 
 //------------------------------------------------------------------------------

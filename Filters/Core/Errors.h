@@ -37,7 +37,7 @@ public:
   using Error::Error;
 };
 
-/// The caller's progress callback asked to stop. This is not an error to report.
+/// The watcher of the caller's job asked to stop. This is not an error to report.
 class Aborted : public Error
 {
 public:

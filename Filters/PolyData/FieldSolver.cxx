@@ -2,7 +2,6 @@
 #include "PolyData/FieldSolver.h"
 
 #include "PolyData/FilterExecution.h"
-#include "PolyData/ParallelFor.h"
 #include "field/DistanceField.h"
 #include "field/NearestSource.h"
 #include "refinement/AdaptiveRefinement.h"
@@ -17,11 +16,6 @@ namespace geodesic
 
 namespace
 {
-
-// Where the stages end, as fractions of the whole execution.
-constexpr double BordersFound = 0.3;
-constexpr double DoneBeforeRefinement = 0.55;
-constexpr double DoneBeforeExactField = 0.6;
 
 /// For RefinementOptions::cornerPoints: the input's points at the corners of each face, NoId for
 /// the faces of other ranks. Empty if points and vertices are the same.
@@ -45,19 +39,16 @@ struct FieldSolver
 {
   FilterExecution& execution;
   const FieldRequest& request;
-  /// Where the field and its refinement are done, as a fraction of the whole.
-  const double end;
   const PolyDataSurface& surface = execution.surface();
 
   SolvedSurface solve() const
   {
-    this->execution.enter(Stage::ComputingDistances);
     SolvedSurface solved;
     if (!this->request.isRefined)
     {
-      const FrontOptions options = this->frontOptions(FilterExecution::InputsRead, this->end);
+      const FrontOptions options = this->frontOptions(Stage::Solve);
       solved.field.emplace(geodesic::solve(
-        this->surface.partition, this->execution.sourceWindows(options.progress), options));
+        this->surface.partition, this->execution.sourceWindows(options.job), options));
     }
     else
     {
@@ -65,22 +56,20 @@ struct FieldSolver
     }
     if (this->request.isApproximate() && this->request.arrays.areFeetNeeded() && !solved.exact)
     {
-      this->execution.enter(Stage::ComputingDistances);
       solved.exact.emplace(
         this->solveExactly(solved.field->relativeErrorBound(), this->facesOf(solved.refined)));
     }
     return solved;
   }
 
-  FrontOptions frontOptions(double begin, double until) const
+  FrontOptions frontOptions(Stage stage) const
   {
     FrontOptions options;
     options.relativeError = this->request.relativeError;
     options.maximumDistance = this->request.maximumDistance;
     options.keepArrivals = this->request.arrays.isAny() || this->request.areBordersRefined;
     options.keepAngles = this->request.arrays.areAnglesNeeded();
-    options.parallelFor = smpParallelFor();
-    options.progress = this->execution.progressBetween(begin, until);
+    options.job = this->execution.begin(stage);
     return options;
   }
 
@@ -98,10 +87,7 @@ struct FieldSolver
     bool isRepeated = true;
     while (isRepeated)
     {
-      this->execution.enter(Stage::ComputingDistances);
-      solved.field.emplace(this->solveForRefinement(
-        areBordersRefined ? BordersFound : FilterExecution::InputsRead, pinned));
-      this->execution.enter(Stage::Refining);
+      solved.field.emplace(this->solveForRefinement(pinned));
       this->refine(solved);
       const std::vector<Id>& unknown = solved.refined.mesh.unknownAtBorders;
       for (const Id face : unknown)
@@ -113,35 +99,35 @@ struct FieldSolver
     return solved;
   }
 
-  DistanceField solveForRefinement(double begin, const std::vector<std::uint8_t>& pinned) const
+  DistanceField solveForRefinement(const std::vector<std::uint8_t>& pinned) const
   {
-    const FrontOptions options = this->frontOptions(begin, DoneBeforeRefinement);
+    const FrontOptions options = this->frontOptions(Stage::Solve);
     return geodesic::solveForRefinement(this->surface.partition,
-      this->execution.sourceWindows(options.progress), this->request.tolerance, options, pinned);
+      this->execution.sourceWindows(options.job), this->request.tolerance, options, pinned);
   }
 
   /// With the windows of these faces.
   DistanceField solveExactly(double largestError, std::vector<std::uint8_t> faces) const
   {
-    FrontOptions options = this->frontOptions(DoneBeforeExactField, FieldDone);
+    FrontOptions options = this->frontOptions(Stage::SolveExactly);
     options.relativeError = 0.0;
     // A distance within the limit is that much smaller than the exact one at most.
     options.maximumDistance /= 1.0 - std::min(largestError, 0.5);
     KeepFaces retention(this->surface.mesh(), std::move(faces));
     FrontResult front = propagate(
-      this->surface.partition, this->execution.sourceWindows(options.progress), options, retention);
+      this->surface.partition, this->execution.sourceWindows(options.job), options, retention);
     return { this->surface.partition, std::move(front), retention.release() };
   }
 
   /// By an exact solve that keeps no windows.
   std::vector<std::uint8_t> findFacesAtBorders() const
   {
-    FrontOptions options = this->frontOptions(FilterExecution::InputsRead, BordersFound);
+    FrontOptions options = this->frontOptions(Stage::FindBorders);
     options.relativeError = 0.0;
-    const DistanceField field = geodesic::solve(
-      this->surface.partition, this->execution.sourceWindows(options.progress), options);
+    const DistanceField field =
+      geodesic::solve(this->surface.partition, this->execution.sourceWindows(options.job), options);
     const std::vector<SourceCurve>& curves = this->execution.sources().curves;
-    NearestSource nearest(field, this->execution.patch(), curves, options.progress);
+    NearestSource nearest(field, this->execution.patch(), curves, options.job.part(1.0, 1.0));
     return SourceRegions(field, nearest, curves, this->request.arrays.areSidesNeeded())
       .facesAtBorders();
   }
@@ -171,8 +157,7 @@ struct FieldSolver
     options.cornerPoints = cornerPointsOf(this->surface);
     options.numberOfPoints = this->surface.numberOfPoints;
     options.trianglesBeside = barriersAtEdges(this->surface);
-    options.parallelFor = smpParallelFor();
-    options.progress = this->execution.progressBetween(DoneBeforeRefinement, this->end);
+    options.job = this->execution.begin(Stage::Refine);
     return options;
   }
 
@@ -203,10 +188,9 @@ struct FieldSolver
 
 } // anonymous namespace
 
-SolvedSurface solveField(FilterExecution& execution, const FieldRequest& request, double end)
+SolvedSurface solveField(FilterExecution& execution, const FieldRequest& request)
 {
-  const double fieldDone = request.isApproximate() ? DoneBeforeExactField : FieldDone;
-  return FieldSolver{ execution, request, request.arrays.isAny() ? fieldDone : end }.solve();
+  return FieldSolver{ execution, request }.solve();
 }
 
 }

@@ -43,15 +43,10 @@ struct SolvedSurface
   const DistanceField& exactField() const { return this->exact ? *this->exact : *this->field; }
 };
 
-/// Where the field is solved, as a fraction of the whole execution, if arrays are asked for beside
-/// the distance.
-constexpr double FieldDone = 0.85;
-
 /// Solves and refines for vtkGeodesicDistanceField: the surface and the sources of an execution.
 ///
-/// \param end where this ends if no arrays are asked for, as a fraction of the whole.
 /// \throws geodesic::Error; Aborted
-SolvedSurface solveField(FilterExecution& execution, const FieldRequest& request, double end);
+SolvedSurface solveField(FilterExecution& execution, const FieldRequest& request);
 
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/FilterExecution.h"
 
-#include "PolyData/ParallelFor.h"
 #include "PolyData/ranks/SourcePatch.h"
+#include "ThreadTeam.h"
 #include "paths/FacesBetweenPoints.h"
 #include "paths/JoinPoints.h"
 #include "source/BoundaryCurves.h"
 #include "source/SourceWindows.h"
 #include "vtkGeodesicAlgorithm.h"
 
+#include "vtkSMPTools.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
@@ -23,19 +24,50 @@ namespace geodesic
 namespace
 {
 
-// Where the stages end, as fractions of the whole.
-constexpr double SurfaceRead = 0.15;
-constexpr double SourceLocated = 0.2;
-constexpr double FarPointsSearched = 0.24;
-
 const char* const SourceName = "the source (input port 1)";
 const char* const TargetsName = "the set of targets (input port 2)";
 
 }
 
-void FilterExecution::readInputs(bool supportsPieces)
+FilterExecution::FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
+  vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, Exchange& exchange)
+  : filter_(filter)
+  , cache_(cache)
+  , stage_(stage)
+  , job_([this](double done) { return this->tellFilter(done); },
+      teamOf(static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads())))
+  , surfaceInput_(surface)
+  , sourceInput_(source)
+  , targetsInput_(targets)
+  , exchange_(exchange)
 {
-  this->enter(Stage::ReadingSurface);
+}
+
+bool FilterExecution::tellFilter(double done)
+{
+  this->memory_.look();
+  this->filter_->UpdateProgress(done);
+#if VTK_VERSION_NUMBER >= 90220220630ULL
+  return !this->filter_->CheckAbort();
+#else
+  return !this->filter_->GetAbortExecute();
+#endif
+}
+
+Job FilterExecution::begin(Stage stage)
+{
+  this->stage_ = stage;
+  const Stretch stretch = stretchOf(stage, this->stages_);
+  const Job job = this->job_.part(stretch.begin, stretch.end);
+  job.reach(0.0);
+  return job;
+}
+
+void FilterExecution::readInputs(const std::vector<Stage>& next, bool supportsPieces)
+{
+  this->stages_ = { Stage::ReadSurface, Stage::LocateSource, Stage::JoinSource };
+  this->stages_.insert(this->stages_.end(), next.begin(), next.end());
+  const Job reading = this->begin(Stage::ReadSurface);
   this->surfaceBlocks_ = polyDataBlocks(this->surfaceInput_, "the surface (input port 0)");
   findBarrierArrays(this->surfaceBlocks_, this->filter_->GetBarrierArrayName(), this->exchange_);
   if (this->sourceInput_)
@@ -63,12 +95,9 @@ void FilterExecution::readInputs(bool supportsPieces)
   }
   this->cache_.update(this->surfaceBlocks_,
     { this->filter_->GetMergeCoincidentPoints(), this->filter_->GetMergeTolerance() },
-    isInPieces ? this->exchange_ : OneRank::instance(), this->progressBetween(0.0, SurfaceRead));
+    isInPieces ? this->exchange_ : OneRank::instance(), reading);
   noteSurface(this->surface(), this->notes_);
-  this->reach(SurfaceRead);
-  this->enter(Stage::ReadingSource);
   this->readSources();
-  this->reach(InputsRead);
 }
 
 /// The message of the first rank that has the surface.
@@ -113,10 +142,10 @@ void FilterExecution::findSurface(bool supportsPieces)
                           : SurfacePlace::OnOtherRank;
 }
 
-SourceWindows FilterExecution::sourceWindows(const ProgressCallback& progress) const
+SourceWindows FilterExecution::sourceWindows(const Job& job) const
 {
   return sourceWindowsOfPartition(this->surface().partition, this->patch(),
-    startingWindows(this->patch().mesh(), this->sources_.curves, progress));
+    startingWindows(this->patch().mesh(), this->sources_.curves, job));
 }
 
 void FilterExecution::requireTargets(bool sourcesAreTargets) const
@@ -130,19 +159,18 @@ void FilterExecution::requireTargets(bool sourcesAreTargets) const
 
 Targets FilterExecution::readTargets()
 {
-  this->enter(Stage::ReadingTargets);
+  const Job job = this->begin(Stage::ReadTargets);
   const std::string name =
     this->targetsInput_ ? TargetsName : "the set of targets (points of input port 1)";
   const std::vector<PolyDataBlock>& blocks = this->gatheredTargets_.blocks;
-  Targets targets = geodesic::readTargets(blocks, name, this->surface(), this->cache_.locator(),
-    this->progressBetween(InputsRead, TargetsRead));
+  Targets targets =
+    geodesic::readTargets(blocks, name, this->surface(), this->cache_.locator(), job);
   // If the targets are the points of a source that is far away, the note on the source says so.
   if (this->targetsInput_ || !this->notes_.has(NoteOn::Source, FarNote))
   {
     noteTargets(this->surface(), blocks, targets,
       this->targetsInput_ ? NoteOn::Targets : NoteOn::Source, this->notes_);
   }
-  this->reach(TargetsRead);
   return targets;
 }
 
@@ -161,16 +189,16 @@ void FilterExecution::readSources()
       "The surface itself is the source: distances are measured from the outlines of all its "
       "faces. Choose another Source.");
   }
+  const Job locating = this->begin(Stage::LocateSource);
   SourcePatch faces(this->surface().partition);
   std::optional<SurfaceBoundary> boundary;
   if (type != vtkGeodesicAlgorithm::SOURCE_CURVE)
   {
-    boundary.emplace(this->surface(), faces,
-      this->progressBetween(SurfaceRead, hasCurve ? SurfaceRead : InputsRead));
+    boundary.emplace(this->surface(), faces, locating.part(0.0, hasCurve ? 0.0 : 1.0));
   }
   if (hasCurve)
   {
-    this->readCurves(faces);
+    this->readCurves(faces, locating);
   }
   else
   {
@@ -182,35 +210,36 @@ void FilterExecution::readSources()
   }
 }
 
-void FilterExecution::readCurves(SourcePatch& faces)
+void FilterExecution::readCurves(SourcePatch& faces, const Job& locating)
 {
   const std::vector<PolyDataBlock>& blocks = this->gatheredSource_.blocks;
   const PolyDataSurface& surface = this->surface();
   SourcePolylines source = readSource(blocks, surface, this->filter_->GetJoinLines());
   const double precision = coordinatePrecisionOf(blocks);
-  const LocatedPlaces located = this->cache_.locator().locate(
-    source.polylines, precision, this->progressBetween(SurfaceRead, SourceLocated));
+  const LocatedPlaces located =
+    this->cache_.locator().locate(source.polylines, precision, locating);
   requireOutsideBarriers(surface, this->surfaceBlocks_, source.polylines, located, precision);
   faces.addFacesAround(located);
   this->patch_ = faces.make();
   located.setFaces(this->patch(), source.polylines);
   const bool isDistributed = surface.partition.isDistributed();
-  const double patchMade = isDistributed ? FarPointsSearched : SourceLocated;
+  const Job joining = this->begin(Stage::JoinSource);
+  const double patchMade = isDistributed ? 0.8 : 0.0;
   if (isDistributed &&
-    faces.addFaces(facesBetweenPoints(surface.partition, this->patch(), source.polylines, precision,
-      smpParallelFor(), this->progressBetween(SourceLocated, patchMade))))
+    faces.addFaces(facesBetweenPoints(
+      surface.partition, this->patch(), source.polylines, precision, joining.part(0.0, patchMade))))
   {
     this->patch_ = faces.make();
     located.setFaces(this->patch(), source.polylines);
   }
   const TriangleMesh& mesh = this->patch().mesh();
-  const JoinPoints join = joinByShortestPaths(mesh, smpParallelFor());
+  const JoinPoints join = joinByShortestPaths(mesh);
   // With several ranks the next patch numbers its faces in another way.
   JoinedPaths ofThisPatch;
   JoinedPaths& paths = isDistributed ? ofThisPatch : this->cache_.joinedPaths();
   paths.beginUse();
-  this->sources_ = putOntoSurface(mesh, source.polylines, precision, paths.reusedBy(join),
-    this->progressBetween(patchMade, InputsRead));
+  this->sources_ = putOntoSurface(
+    mesh, source.polylines, precision, paths.reusedBy(join), joining.part(patchMade, 1.0));
   paths.endUse();
   this->sourceIds_ = source.ids;
   this->areSourcesNamed_ = std::any_of(blocks.begin(), blocks.end(),
@@ -253,20 +282,6 @@ void FilterExecution::addBoundary(std::vector<SourceCurve> boundary, bool hasCur
       "No curve is connected as Source: the boundary alone is the source.");
   }
   std::move(boundary.begin(), boundary.end(), std::back_inserter(this->sources_.curves));
-}
-
-ProgressCallback FilterExecution::progressBetween(double begin, double end)
-{
-  return [filter = this->filter_, &memory = this->memory_, begin, end](double fraction)
-  {
-    memory.look();
-    filter->UpdateProgress(begin + fraction * (end - begin));
-#if VTK_VERSION_NUMBER >= 90220220630ULL
-    return !filter->CheckAbort();
-#else
-    return !filter->GetAbortExecute();
-#endif
-  };
 }
 
 }

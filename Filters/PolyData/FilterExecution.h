@@ -3,12 +3,13 @@
 #define geodesic_FilterExecution_h
 
 #include "Exchange.h"
+#include "Job.h"
 #include "PolyData/Memory.h"
 #include "PolyData/Notes.h"
 #include "PolyData/PolyDataBlocks.h"
+#include "PolyData/Stages.h"
 #include "PolyData/SurfaceCache.h"
 #include "PolyData/reading/SourcesAndTargets.h"
-#include "Progress.h"
 #include "mesh/ReplicatedPatch.h"
 #include "source/PolylineOnSurface.h"
 #include "source/SourceWindows.h"
@@ -24,21 +25,6 @@ namespace geodesic
 
 class SourcePatch;
 
-/// What an execution is doing, for messages.
-struct Stage
-{
-  static constexpr const char* ReadingSurface = "reading the surface";
-  static constexpr const char* ReadingSource =
-    "putting the source onto the surface, after reading the surface";
-  static constexpr const char* ReadingTargets =
-    "putting the targets onto the surface, after reading the surface and the source";
-  static constexpr const char* ComputingDistances =
-    "computing the distances, after reading the surface and the source";
-  static constexpr const char* Refining = "refining the surface, after computing the distances";
-  static constexpr const char* DrawingLines = "drawing the lines, after computing the distances";
-  static constexpr const char* WritingOutputs = "writing the outputs, after all was computed";
-};
-
 /// Where the surface is.
 enum class SurfacePlace
 {
@@ -52,41 +38,31 @@ enum class SurfacePlace
   InPieces
 };
 
-/// What all filters do in one execution: read the surface and the source, report progress, obey
-/// abort, and collect what the user should know.
+/// What all filters do in one execution: read the surface and the source, tell how far they
+/// are, obey abort, and collect what the user should know.
 class FilterExecution
 {
 public:
-  /// Where reading the inputs and reading the targets end, as fractions of the whole.
-  static constexpr double InputsRead = 0.25;
-  static constexpr double TargetsRead = 0.3;
-
-  /// \param filter whose properties count, and which reports the progress.
+  /// \param filter whose properties count, and which is told how far the work is.
   /// \param cache with the surface of the last execution.
-  /// \param stage set to what is being done (see Stage), for whoever catches an exception.
+  /// \param stage set to the current one, for whoever catches an exception.
   /// \param surface on input port 0.
   /// \param source on input port 1, or null.
   /// \param targets on input port 2, or null.
   /// \param exchange with the other ranks, all of which have such an execution.
-  FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, const char*& stage,
-    vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, Exchange& exchange)
-    : filter_(filter)
-    , cache_(cache)
-    , stage_(stage)
-    , surfaceInput_(surface)
-    , sourceInput_(source)
-    , targetsInput_(targets)
-    , exchange_(exchange)
-  {
-  }
+  FilterExecution(vtkGeodesicAlgorithm* filter, SurfaceCache& cache, Stage& stage,
+    vtkDataObject* surface, vtkDataObject* source, vtkDataObject* targets, Exchange& exchange);
+  FilterExecution(const FilterExecution&) = delete;
+  FilterExecution& operator=(const FilterExecution&) = delete;
 
-  /// Reads the surface, and the source as SourceType has it, up to InputsRead. If the surface is
-  /// OnOtherRank there is nothing to read, and everything is empty.
+  /// Reads the surface, and the source as SourceType has it. If the surface is OnOtherRank there is
+  /// nothing to read, and everything is empty.
   ///
+  /// \param next the stages that will follow.
   /// \param supportsPieces whether the filter can work on a surface of which each rank has a piece.
   ///        If each rank has the whole surface, all ranks work alone, or the first one only.
   /// \throws geodesic::Error if one of them cannot be used; Aborted.
-  void readInputs(bool supportsPieces);
+  void readInputs(const std::vector<Stage>& next, bool supportsPieces);
   SurfacePlace surfacePlace() const { return this->place_; }
   /// Between all ranks.
   Exchange& exchange() const { return this->exchange_; }
@@ -115,8 +91,8 @@ public:
   ///
   /// \throws Error, Aborted where another rank has failed.
   void finish() { this->exchange_.step(this->exchange_.noMessages()); }
-  /// Puts the points of the targets onto the surface, after readInputs(), up to TargetsRead. If no
-  /// targets are connected, the points of the source are the targets.
+  /// Puts the points of the targets onto the surface, after readInputs(). If no targets are
+  /// connected, the points of the source are the targets.
   ///
   /// \throws geodesic::Error if they cannot be used; Aborted.
   Targets readTargets();
@@ -141,8 +117,8 @@ public:
   int rankOfTarget(std::size_t number) const { return this->gatheredTargets_.rankOfPoint(number); }
   /// What the sources give the front to begin with.
   ///
-  /// \param progress of the solve: it can be stopped already.
-  SourceWindows sourceWindows(const ProgressCallback& progress) const;
+  /// \param job of the solve: it can be stopped already.
+  SourceWindows sourceWindows(const Job& job) const;
   /// The sum over all ranks that have a piece, which call this together.
   std::size_t sumOverPieces(std::size_t number) const
   {
@@ -157,15 +133,12 @@ public:
   /// From which of these places on they are loops of the boundary.
   Id firstBoundarySource() const { return this->firstBoundarySource_; }
 
-  /// Says what is being done from here on: see Stage.
-  void enter(const char* stage) { this->stage_ = stage; }
-  /// A callback for a part of the work, from one fraction of the whole to another. It throws
-  /// NotEnoughMemory where the system has hardly any left.
-  ProgressCallback progressBetween(double begin, double end);
-  /// Reports that the work has come so far.
+  /// Begins a stage, or begins it again.
   ///
+  /// \returns its job, on the threads that vtkSMPTools is set to use. Whoever tells it how far the
+  ///          stage is, throws NotEnoughMemory if the system has hardly any left.
   /// \throws Aborted
-  void reach(double fraction) { reportProgress(this->progressBetween(fraction, fraction), 1.0); }
+  Job begin(Stage stage);
 
   /// What the user should know.
   Notes& notes() { return this->notes_; }
@@ -175,14 +148,17 @@ public:
 
 private:
   Message ofWorkingRank(const Message& own) const;
+  bool tellFilter(double done);
   void findSurface(bool supportsPieces);
   void readSources();
-  void readCurves(SourcePatch& faces);
+  void readCurves(SourcePatch& faces, const Job& locating);
   void addBoundary(std::vector<SourceCurve> boundary, bool hasCurve);
 
   vtkGeodesicAlgorithm* filter_;
   SurfaceCache& cache_;
-  const char*& stage_;
+  Stage& stage_;
+  std::vector<Stage> stages_;
+  Job job_;
   MemoryWatch memory_;
   vtkDataObject* surfaceInput_;
   vtkDataObject* sourceInput_;

@@ -88,7 +88,7 @@ Fingerprint contentKey(const std::vector<PolyDataBlock>& blocks)
 }
 
 void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, const PointMerging& merging,
-  Exchange& exchange, const ProgressCallback& progress)
+  Exchange& exchange, const Job& job)
 {
   const Fingerprint key = contentKey(blocks);
   const bool isKept = this->surface_ && this->key_ == key && this->merging_ == merging &&
@@ -99,8 +99,7 @@ void SurfaceCache::update(const std::vector<PolyDataBlock>& blocks, const PointM
     return;
   }
   this->release();
-  this->surface_ = std::make_unique<PolyDataSurface>(
-    readSurface(blocks, merging, exchange, progress));
+  this->surface_ = std::make_unique<PolyDataSurface>(readSurface(blocks, merging, exchange, job));
   this->locator_ = std::make_unique<PolylineLocator>(this->surface_->partition);
   this->key_ = key;
   this->merging_ = merging;

@@ -2,10 +2,10 @@
 #ifndef geodesic_SurfaceCache_h
 #define geodesic_SurfaceCache_h
 
+#include "Job.h"
 #include "PolyData/Hash.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/reading/PolyDataSurface.h"
-#include "Progress.h"
 #include "paths/JoinPoints.h"
 #include "source/PolylineLocator.h"
 
@@ -34,7 +34,7 @@ public:
   /// \param exchange see readSurface(). All ranks keep theirs or none does.
   /// \throws what readSurface() throws; nothing is kept then.
   void update(const std::vector<PolyDataBlock>& blocks, const PointMerging& merging,
-    Exchange& exchange, const ProgressCallback& progress);
+    Exchange& exchange, const Job& job);
 
   /// What update() has read. Valid until the next update() or release().
   const PolyDataSurface& surface() const { return *this->surface_; }

@@ -2,7 +2,7 @@
 #ifndef BenchmarkTasks_h
 #define BenchmarkTasks_h
 
-#include "Tasks.h"
+#include "Job.h"
 
 #include <vector>
 

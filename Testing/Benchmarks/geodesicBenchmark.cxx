@@ -7,9 +7,9 @@
 #include "BenchmarkQueries.h"
 #include "BenchmarkTasks.h"
 
-#include "PolyData/ParallelFor.h"
 #include "PolyData/reading/PolyDataSurface.h"
 #include "PolyData/reading/SourcesAndTargets.h"
+#include "ThreadTeam.h"
 #include "field/DistanceField.h"
 #include "field/SegmentEnvelope.h"
 #include "paths/JoinPoints.h"
@@ -345,8 +345,8 @@ std::vector<geodesic::SourceCurve> makeCurves(
   geodesic::PolylineLocator(surface.partition)
     .locate(read.polylines, precision)
     .setFaces(geodesic::ReplicatedPatch(surface.mesh()), read.polylines);
-  return geodesic::putOntoSurface(surface.mesh(), read.polylines, precision,
-    geodesic::joinByShortestPaths(surface.mesh(), geodesic::smpParallelFor()))
+  return geodesic::putOntoSurface(
+    surface.mesh(), read.polylines, precision, geodesic::joinByShortestPaths(surface.mesh()))
     .curves;
 }
 
@@ -413,12 +413,19 @@ std::vector<double> atPoints(
   return distances;
 }
 
+/// A job on the threads that vtkSMPTools is set to use.
+geodesic::Job threads()
+{
+  return geodesic::Job(
+    {}, geodesic::teamOf(static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads())));
+}
+
 /// As the filter sets them.
 geodesic::FrontOptions frontOptionsFor(const Options& options)
 {
   geodesic::FrontOptions frontOptions;
   frontOptions.relativeError = options.relativeError;
-  frontOptions.parallelFor = geodesic::smpParallelFor();
+  frontOptions.job = threads();
   return frontOptions;
 }
 
@@ -446,7 +453,7 @@ geodesic::RefinedMesh refineField(const geodesic::DistanceField& field, double t
 {
   geodesic::RefinementOptions options;
   options.tolerance = tolerance;
-  options.parallelFor = geodesic::smpParallelFor();
+  options.job = threads();
   return geodesic::refine(field, options);
 }
 
@@ -465,8 +472,8 @@ EngineRun measureEngine(
   forgetPeakMemory();
   const std::uint64_t loaded = memory("VmRSS");
   Stopwatch watch;
-  const geodesic::PolyDataSurface surface =
-    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), {});
+  const geodesic::PolyDataSurface surface = geodesic::readSurface(
+    geodesic::polyDataBlocks(mesh, "the surface"), {}, geodesic::OneRank::instance(), threads());
   const double buildSeconds = watch.lap();
   const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
   const double sourceSeconds = watch.lap();
@@ -507,7 +514,7 @@ EngineRun measureEngine(
   if (options.error)
   {
     geodesic::FrontOptions exactOptions;
-    exactOptions.parallelFor = frontOptions.parallelFor;
+    exactOptions.job = frontOptions.job;
     run.exact = atPoints(geodesic::solve(surface.mesh(), curves, exactOptions), surface);
     json << ", \"max_relative_error\": "
          << numberOrNull(largestRelativeError(run.distances, run.exact));
@@ -519,12 +526,12 @@ EngineRun measureEngine(
 void measureModel(
   const Options& options, vtkPolyData* mesh, const Source& source, std::ostream& json)
 {
-  const geodesic::PolyDataSurface surface =
-    geodesic::readSurface(geodesic::polyDataBlocks(mesh, "the surface"), {});
+  const geodesic::PolyDataSurface surface = geodesic::readSurface(
+    geodesic::polyDataBlocks(mesh, "the surface"), {}, geodesic::OneRank::instance(), threads());
   const std::vector<geodesic::SourceCurve> curves = makeCurves(source, surface);
   TaskModel model(options.model);
   geodesic::FrontOptions frontOptions = frontOptionsFor(options);
-  frontOptions.parallelFor = model.parallelFor();
+  frontOptions.job = geodesic::Job({}, model.parallelFor());
   Stopwatch watch;
   solveField(surface.mesh(), curves, options.refine * surface.diagonal, frontOptions);
   const double seconds = watch.lap();

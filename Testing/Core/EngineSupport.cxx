@@ -296,20 +296,20 @@ void FoundPath::take(const geodesic::PathToSource& path)
 
 std::vector<FoundPath> findPaths(const geodesic::MeshPartition& part,
   const geodesic::ReplicatedPatch& patch, const std::vector<geodesic::SourceCurve>& curves,
-  const std::vector<geodesic::SurfacePoint>& targets, const geodesic::PathsOptions& options)
+  const std::vector<geodesic::SurfacePoint>& targets, const geodesic::Job& job)
 {
   std::vector<FoundPath> paths(targets.size());
-  geodesic::pathsToSource(part, patch, curves, targets, options,
+  geodesic::pathsToSource(part, patch, curves, targets, job,
     [&](std::size_t target, const geodesic::PathToSource& path) { paths[target].take(path); });
   return paths;
 }
 
 std::vector<FoundPath> findPaths(const geodesic::TriangleMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves,
-  const std::vector<geodesic::SurfacePoint>& targets, const geodesic::PathsOptions& options)
+  const std::vector<geodesic::SurfacePoint>& targets, const geodesic::Job& job)
 {
   return findPaths(
-    geodesic::MeshPartition(mesh), geodesic::ReplicatedPatch(mesh), curves, targets, options);
+    geodesic::MeshPartition(mesh), geodesic::ReplicatedPatch(mesh), curves, targets, job);
 }
 
 }

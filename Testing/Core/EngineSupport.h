@@ -126,11 +126,11 @@ struct FoundPath
 /// The path of each target.
 std::vector<FoundPath> findPaths(const geodesic::MeshPartition& part,
   const geodesic::ReplicatedPatch& patch, const std::vector<geodesic::SourceCurve>& curves,
-  const std::vector<geodesic::SurfacePoint>& targets, const geodesic::PathsOptions& options = {});
+  const std::vector<geodesic::SurfacePoint>& targets, const geodesic::Job& job = {});
 /// The same in one process.
 std::vector<FoundPath> findPaths(const geodesic::TriangleMesh& mesh,
   const std::vector<geodesic::SourceCurve>& curves,
-  const std::vector<geodesic::SurfacePoint>& targets, const geodesic::PathsOptions& options = {});
+  const std::vector<geodesic::SurfacePoint>& targets, const geodesic::Job& job = {});
 
 /// The sources in a form that can be pasted into a test.
 std::string describe(const std::vector<Polyline>& curves);

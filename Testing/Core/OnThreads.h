@@ -2,7 +2,7 @@
 #ifndef geodesictest_OnThreads_h
 #define geodesictest_OnThreads_h
 
-#include "Tasks.h"
+#include "Job.h"
 
 #include <cstddef>
 #include <functional>

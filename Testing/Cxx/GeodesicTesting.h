@@ -137,7 +137,7 @@ public:
 private:
   void Look()
   {
-    constexpr double surfaceRead = 0.15;
+    constexpr double surfaceRead = 0.1;
     const double progress = this->Filter->GetProgress();
     if (progress > 0.0 && progress < surfaceRead && !this->IsCounted)
     {

@@ -472,7 +472,7 @@ void TestAbort(Check& check, Ranks ranks, vtkPolyData* surface)
   const Listener listener(filter, vtkCommand::ProgressEvent,
     [&]()
     {
-      if (ranks.Rank == ranks.Count - 1 && filter->GetProgress() > 0.84)
+      if (ranks.Rank == ranks.Count - 1 && filter->GetProgress() > 0.92)
       {
         filter->SetAbortExecute(1);
       }

@@ -67,9 +67,9 @@ class EndJoiner
 {
 public:
   EndJoiner(const FaceLevel& level, const Part& part, const std::vector<Remainder>& remainders,
-    const ProgressCallback& progress)
+    const Job& job)
     : level_(level)
-    , progress_(progress)
+    , job_(job)
     , next_(remainders.size() + part.outline.size(), None)
   {
     this->from_.reserve(this->next_.size());
@@ -112,7 +112,7 @@ private:
     std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
     for (std::size_t i = 0; i < this->from_.size(); ++i)
     {
-      reportProgress(this->progress_, 0.0);
+      this->job_.look();
       for (std::size_t j = 0; j < this->to_.size(); ++j)
       {
         const double gap = norm(this->to_[j].at - this->from_[i].at);
@@ -154,7 +154,7 @@ private:
   }
 
   const FaceLevel& level_;
-  const ProgressCallback& progress_;
+  const Job& job_;
   std::vector<LooseEnd> from_;
   std::vector<LooseEnd> to_;
   std::vector<std::size_t> next_;
@@ -240,7 +240,7 @@ public:
       return true;
     }
     const std::vector<Remainder> remainders = this->task.arrangement.remaindersIn(part.corners);
-    const auto next = EndJoiner(this->level, part, remainders, this->task.progress).run();
+    const auto next = EndJoiner(this->level, part, remainders, this->task.job).run();
     if (next)
     {
       this->addLines(part, remainders, *next);

@@ -49,8 +49,8 @@ struct IsolineTask
   Id firstNewId;
   /// The largest distance of a chord from its arc.
   double chordTolerance;
-  /// Called often in faces with very many windows.
-  const ProgressCallback& progress;
+  /// Looked at often, as faces may have very many windows.
+  const Job& job;
   LevelArrangement arrangement;
   IsolinePieces result;
 };

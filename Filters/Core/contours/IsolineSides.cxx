@@ -27,13 +27,12 @@ class Cutter
 {
 public:
   Cutter(const DistanceField& field, NearestSource& nearest,
-    const std::function<bool(const Foot&)>& isOnRight, const Isolines& isolines,
-    const ProgressCallback& progress)
+    const std::function<bool(const Foot&)>& isOnRight, const Isolines& isolines, const Job& job)
     : field_(field)
     , mesh_(field.mesh())
     , nearest_(nearest)
     , isOnRight_(isOnRight)
-    , progress_(paced(progress))
+    , job_(job)
   {
     for (const Isoline& line : isolines.lines)
     {
@@ -106,7 +105,7 @@ private:
     std::vector<SidedChord> chords;
     for (std::size_t chord = 0; chord < line.faces.size(); ++chord)
     {
-      reportProgress(this->progress_, this->chordsDone_++ / this->chords_);
+      this->job_.look(this->chordsDone_++ / this->chords_);
       const bool before = this->isOnRightAt(line, chord, BesideEnd);
       const bool behind = this->isOnRightAt(line, chord, 1.0 - BesideEnd);
       if (before != behind)
@@ -152,7 +151,7 @@ private:
   const TriangleMesh& mesh_;
   NearestSource& nearest_;
   const std::function<bool(const Foot&)>& isOnRight_;
-  ProgressCallback progress_;
+  const Job& job_;
   /// The number of chords of all lines, and how many are done.
   double chords_ = 0.0;
   double chordsDone_ = 0.0;
@@ -162,9 +161,9 @@ private:
 
 Isolines linesOnSides(const DistanceField& field, NearestSource& nearest,
   const std::function<bool(const Foot&)>& isOnRight, const Isolines& isolines,
-  const std::vector<SidedValue>& values, const ProgressCallback& progress)
+  const std::vector<SidedValue>& values, const Job& job)
 {
-  Cutter cutter(field, nearest, isOnRight, isolines, progress);
+  Cutter cutter(field, nearest, isOnRight, isolines, job);
   for (const Isoline& line : isolines.lines)
   {
     cutter.cut(line, values[line.value]);

@@ -32,10 +32,9 @@ struct SidedValue
 ///        oriented.
 /// \param isOnRight whether a foot counts as on the right-hand side.
 /// \param values one for each value of the isolines. The lines of the result have the signed ones.
-/// \param progress called now and then; returning false throws Aborted.
 Isolines linesOnSides(const DistanceField& field, NearestSource& nearest,
   const std::function<bool(const Foot&)>& isOnRight, const Isolines& isolines,
-  const std::vector<SidedValue>& values, const ProgressCallback& progress = {});
+  const std::vector<SidedValue>& values, const Job& job = {});
 
 }
 

@@ -7,7 +7,6 @@
 #include "contours/IsolineJoin.h"
 #include "field/DistanceRange.h"
 #include "field/SegmentEnvelope.h"
-#include "field/WatchedTasks.h"
 
 #include <algorithm>
 #include <optional>
@@ -19,7 +18,7 @@ namespace
 {
 
 constexpr std::size_t FacesPerTask = 32;
-// The fraction of the progress that the points on edges take.
+// The share of the job that the points on edges take.
 constexpr double EdgesDone = 0.3;
 
 /// A point of an isoline on an edge. Its number in the list of these points is its id.
@@ -101,7 +100,8 @@ public:
   {
     this->findFaces();
     this->findEdgePoints();
-    std::vector<IsolinePieces> drawn = this->forTasks(EdgesDone, 1.0, &Drawing::drawFaces);
+    std::vector<IsolinePieces> drawn =
+      this->forTasks(this->options_.job.part(EdgesDone, 1.0), &Drawing::drawFaces);
     std::vector<SurfacePoint> onEdges;
     onEdges.reserve(this->edgePoints_.size());
     std::vector<Id> atSeams;
@@ -152,28 +152,26 @@ private:
     return this->field_.vertexDistances()[vertex] < this->levels_[value];
   }
 
-  /// Runs a task for ranges of the faces. As a single face may have very many windows, it may call
-  /// its callback as often as it likes.
+  /// Runs a task for ranges of the faces. A single face may have very many windows.
   template <typename Result>
-  std::vector<Result> forTasks(double begin, double end,
-    Result (Drawing::*task)(std::size_t, std::size_t, const ProgressCallback&) const) const
+  std::vector<Result> forTasks(
+    const Job& job, Result (Drawing::*task)(std::size_t, std::size_t, const Job&) const) const
   {
     const std::size_t count = this->faces_.size();
-    const ProgressCallback often = paced(this->options_.progress);
     std::vector<Result> results((count + FacesPerTask - 1) / FacesPerTask);
-    const auto run = [&](std::size_t i, const ProgressCallback& progress)
-    {
-      const std::size_t at = i * FacesPerTask;
-      results[i] = (this->*task)(at, std::min(at + FacesPerTask, count), progress);
-    };
-    runWatched(results.size(), run, this->options_.parallelFor,
-      [&](double done) { return !often || often(begin + done * (end - begin)); });
+    job.longTasks(results.size(),
+      [&](std::size_t i, const Job& part)
+      {
+        const std::size_t at = i * FacesPerTask;
+        results[i] = (this->*task)(at, std::min(at + FacesPerTask, count), part);
+      });
     return results;
   }
 
   void findEdgePoints()
   {
-    const auto found = this->forTasks(0.0, EdgesDone, &Drawing::edgePointsOf);
+    const auto found =
+      this->forTasks(this->options_.job.part(0.0, EdgesDone), &Drawing::edgePointsOf);
     for (const std::vector<EdgePoint>& points : found)
     {
       this->edgePoints_.insert(this->edgePoints_.end(), points.begin(), points.end());
@@ -224,14 +222,13 @@ private:
     }
   }
 
-  std::vector<EdgePoint> edgePointsOf(
-    std::size_t first, std::size_t last, const ProgressCallback& progress) const
+  std::vector<EdgePoint> edgePointsOf(std::size_t first, std::size_t last, const Job& job) const
   {
     std::vector<EdgePoint> points;
     SegmentEnvelope memory;
     for (std::size_t i = first; i < last; ++i)
     {
-      reportProgress(progress, 0.0);
+      job.look();
       this->addEdgePoints(this->faces_[i], memory, points);
     }
     return points;
@@ -281,11 +278,10 @@ private:
     }
   }
 
-  IsolinePieces drawFaces(
-    std::size_t first, std::size_t last, const ProgressCallback& progress) const
+  IsolinePieces drawFaces(std::size_t first, std::size_t last, const Job& job) const
   {
     IsolineTask task = { this->mesh_, static_cast<Id>(this->edgePoints_.size()),
-      this->options_.chordTolerance, progress, LevelArrangement(progress), {} };
+      this->options_.chordTolerance, job, LevelArrangement(job), {} };
     std::vector<OutlinePoint> outline;
     std::vector<DistanceCandidate> memory;
     for (std::size_t i = first; i < last; ++i)
@@ -296,7 +292,7 @@ private:
       const auto [from, to] = this->rangeOf(face).indicesIn(this->levels_);
       for (std::size_t value = from; value < to; ++value)
       {
-        reportProgress(progress, 0.0);
+        job.look();
         const bool below = this->isBelow(this->mesh_.triangle(face)[0], value);
         this->findOutline(face, value, outline);
         if (outline.empty() && !below && !hasSource)

@@ -15,10 +15,8 @@ struct IsolineOptions
   std::vector<double> values;
   /// The largest distance of a chord from its arc, in the surface's units, positive.
   double chordTolerance = 0.0;
-  /// If empty, one face after another. The result does not depend on it.
-  ParallelFor parallelFor;
-  /// Called now and then with the fraction done; returning false throws Aborted.
-  ProgressCallback progress;
+  /// The result does not depend on its threads.
+  Job job;
 };
 
 /// One line of equal distance.

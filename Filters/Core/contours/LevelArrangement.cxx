@@ -169,7 +169,7 @@ void LevelArrangement::cutByRegions(
   }
   std::sort(this->atRegions_.begin(), this->atRegions_.end());
   this->atRegions_.push_back(last);
-  reportProgress(this->progress_, 0.0);
+  this->job_.look();
   double begin = first;
   bool goesOn = false;
   for (const double place : this->atRegions_)

@@ -2,7 +2,7 @@
 #ifndef geodesic_LevelArrangement_h
 #define geodesic_LevelArrangement_h
 
-#include "Progress.h"
+#include "Job.h"
 #include "contours/LevelCurves.h"
 
 #include <array>
@@ -42,9 +42,9 @@ public:
     double end;
   };
 
-  /// \param progress called for each curve that is cut; must outlive this.
-  explicit LevelArrangement(const ProgressCallback& progress)
-    : progress_(progress)
+  /// \param job looked at for each curve that is cut; must outlive this.
+  explicit LevelArrangement(const Job& job)
+    : job_(job)
   {
   }
 
@@ -70,7 +70,7 @@ private:
     const LevelCurve& curve, double first, double last, std::vector<Remainder>& remainders);
   bool remains(Vec2 p) const;
 
-  const ProgressCallback& progress_;
+  const Job& job_;
   const FaceLevel* level_ = nullptr;
   std::vector<LevelRegion> regions_;
   std::vector<LevelCurve> curves_;

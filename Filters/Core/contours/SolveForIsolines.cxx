@@ -127,8 +127,8 @@ DistanceField solveForIsolines(const MeshPartition& surface, const SourceWindows
 DistanceField solveForIsolines(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const std::vector<double>& values, const FrontOptions& options, int maximumDroppingSolves)
 {
-  return solveForIsolines(MeshPartition(mesh), startingWindows(mesh, sources, options.progress),
-    values, options, maximumDroppingSolves);
+  return solveForIsolines(MeshPartition(mesh), startingWindows(mesh, sources, options.job), values,
+    options, maximumDroppingSolves);
 }
 
 }

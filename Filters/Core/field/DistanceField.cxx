@@ -64,8 +64,7 @@ DistanceField solve(const MeshPartition& surface, SourceWindows sources,
 DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   const FrontOptions& options, KeepWindows keep)
 {
-  return solve(
-    MeshPartition(mesh), startingWindows(mesh, sources, options.progress), options, keep);
+  return solve(MeshPartition(mesh), startingWindows(mesh, sources, options.job), options, keep);
 }
 
 }

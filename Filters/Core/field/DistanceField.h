@@ -127,11 +127,9 @@ DistanceField solve(const TriangleMesh& mesh, const std::vector<SourceCurve>& so
 /// \param pinned faces whose windows must not be dropped in the first solve; empty: none.
 template <typename MakeRetention>
 DistanceField solveDropping(const MeshPartition& surface, const SourceWindows& sources,
-  FrontOptions options, int maximumSolves, const MakeRetention& makeRetention,
+  const FrontOptions& options, int maximumSolves, const MakeRetention& makeRetention,
   std::vector<std::uint8_t> pinned = {})
 {
-  const ProgressCallback progress = std::move(options.progress);
-  options.progress = ascending(progress);
   pinned.resize(surface.mesh().numberOfFaces(), 0);
   for (int solves = 0; solves < maximumSolves; ++solves)
   {

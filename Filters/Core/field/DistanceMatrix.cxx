@@ -3,7 +3,6 @@
 
 #include "field/DistanceField.h"
 #include "field/RetentionAround.h"
-#include "field/WatchedTasks.h"
 
 namespace geodesic
 {
@@ -13,8 +12,7 @@ namespace
 
 /// The distances of the targets from one source.
 std::vector<double> distancesFrom(const TriangleMesh& mesh, const std::vector<SourceCurve>& source,
-  const std::vector<SurfacePoint>& targets, double maximumDistance,
-  const ProgressCallback& progress)
+  const std::vector<SurfacePoint>& targets, double maximumDistance, const Job& job)
 {
   std::vector<double> distances(targets.size(), Infinity);
   if (source.empty())
@@ -23,7 +21,7 @@ std::vector<double> distancesFrom(const TriangleMesh& mesh, const std::vector<So
   }
   RetentionAround retention(mesh, targets, maximumDistance);
   FrontOptions options;
-  options.progress = progress;
+  options.job = job;
   FrontResult front = propagate(mesh, source, options, retention);
   const DistanceField field(MeshPartition(mesh), std::move(front), retention.release());
   for (std::size_t i = 0; i < targets.size(); ++i)
@@ -38,7 +36,7 @@ std::vector<double> distancesFrom(const TriangleMesh& mesh, const std::vector<So
 
 std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh,
   const std::vector<SourceCurve>& curves, Id numberOfSources,
-  const std::vector<SurfacePoint>& targets, const MatrixOptions& options)
+  const std::vector<SurfacePoint>& targets, double maximumDistance, const Job& job)
 {
   std::vector<std::vector<SourceCurve>> sources(numberOfSources);
   for (const SourceCurve& curve : curves)
@@ -46,12 +44,9 @@ std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh,
     sources[curve.source].push_back(curve);
   }
   std::vector<std::vector<double>> matrix(numberOfSources);
-  const auto task = [&](std::size_t source, const ProgressCallback& progress)
-  {
-    matrix[source] =
-      distancesFrom(mesh, sources[source], targets, options.maximumDistance, progress);
-  };
-  runWatched(numberOfSources, task, options.parallelFor, options.progress);
+  job.longTasks(numberOfSources,
+    [&](std::size_t source, const Job& part)
+    { matrix[source] = distancesFrom(mesh, sources[source], targets, maximumDistance, part); });
   return matrix;
 }
 

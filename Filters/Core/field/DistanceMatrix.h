@@ -11,29 +11,19 @@
 namespace geodesic
 {
 
-struct MatrixOptions
-{
-  /// Larger distances count as infinite, in the surface's units.
-  double maximumDistance = Infinity;
-  /// If empty, one source after another. The result does not depend on it.
-  ParallelFor parallelFor;
-  /// Called from the calling thread, many times a second, with the fraction done in [0, 1];
-  /// returning false throws Aborted.
-  ProgressCallback progress;
-};
-
 /// Computes the distance from each of several sources, each source alone, to each target. Sources
 /// are solved side by side on one mesh structure, each in one thread; a solve stops when its
 /// targets are settled. The distances are those of the source's field, to the last bit.
 ///
 /// \param curves of all sources. Curves with the same SourceCurve::source, below numberOfSources,
 ///        are one source.
+/// \param maximumDistance larger distances count as infinite, in the surface's units.
 /// \returns for each source the distances of the targets; infinite if no path leads to the target
 ///          or the source has no curve.
 /// \throws Aborted
 std::vector<std::vector<double>> distanceMatrix(const TriangleMesh& mesh,
   const std::vector<SourceCurve>& curves, Id numberOfSources,
-  const std::vector<SurfacePoint>& targets, const MatrixOptions& options = {});
+  const std::vector<SurfacePoint>& targets, double maximumDistance = Infinity, const Job& job = {});
 
 }
 

@@ -113,7 +113,7 @@ Origins originsElsewhere(const DistanceField& field, std::vector<CurveOrigin>& a
 } // anonymous namespace
 
 NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& patch,
-  const std::vector<SourceCurve>& curves, const ProgressCallback& callback)
+  const std::vector<SourceCurve>& curves, const Job& job)
   : field_(field)
   , mesh_(field.mesh())
   , curves_(patch, curves)
@@ -132,11 +132,9 @@ NearestSource::NearestSource(const DistanceField& field, const ReplicatedPatch& 
       this->origins_[vertex] = this->atPoint({ on.curve, false }, on.place, Infinity);
     }
   }
-  LoopProgress progress(callback);
-  progress.nextUntil(1.0);
   for (Id vertex = 0; vertex < part.numberOfOwnVertices(); ++vertex)
   {
-    progress.at(vertex, part.numberOfOwnVertices());
+    job.reachItem(vertex, part.numberOfOwnVertices());
     if (part.isCountedHere(vertex) && field.vertexDistances()[vertex] < Infinity)
     {
       this->follow(vertex);

@@ -50,9 +50,8 @@ public:
   /// \param field exact, with arrivals (FrontOptions::keepArrivals); must outlive this.
   /// \param patch that the curves lie on; in one process the field's mesh.
   /// \param curves those that the field was solved for.
-  /// \param progress called now and then; returning false throws Aborted.
   NearestSource(const DistanceField& field, const ReplicatedPatch& patch,
-    const std::vector<SourceCurve>& curves, const ProgressCallback& progress = {});
+    const std::vector<SourceCurve>& curves, const Job& job = {});
 
   /// The mesh that curves and feet lie on: that of the patch.
   const TriangleMesh& meshOfCurves() const { return this->curves_.mesh(); }

@@ -17,9 +17,9 @@ namespace
 class BoxesInOrder
 {
 public:
-  BoxesInOrder(const TriangleMesh& mesh, const ParallelFor& parallelFor)
+  BoxesInOrder(const TriangleMesh& mesh, const Job& job)
   {
-    const Box all = boxOfItems(parallelFor, mesh.numberOfVertices(),
+    const Box all = boxOfItems(job, mesh.numberOfVertices(),
       [&mesh](Box& box, std::size_t vertex) { box.add(mesh.point(static_cast<Id>(vertex))); });
     // A finer grid than the vertices need would take more memory than they do.
     constexpr std::size_t mostBoxesAVertex = 4;
@@ -69,19 +69,13 @@ Id numberOfBlocks(Id vertices)
 }
 
 // The block of each vertex: of boxes that follow one another, with as many vertices as the others.
-std::vector<std::uint8_t> blocksOf(
-  const TriangleMesh& mesh, Id count, const ParallelFor& parallelFor, const LoopProgress& progress)
+std::vector<std::uint8_t> blocksOf(const TriangleMesh& mesh, Id count, const Job& job)
 {
-  const BoxesInOrder boxes(mesh, parallelFor);
+  const BoxesInOrder boxes(mesh, job);
   std::vector<std::uint32_t> boxOf(mesh.numberOfVertices());
-  forRanges(parallelFor, boxOf.size(), progress,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (Id vertex = static_cast<Id>(begin); vertex < end; ++vertex)
-      {
-        boxOf[vertex] = static_cast<std::uint32_t>(boxes.of(mesh.point(vertex)));
-      }
-    });
+  job.loop(boxOf.size(),
+    [&](std::size_t vertex)
+    { boxOf[vertex] = static_cast<std::uint32_t>(boxes.of(mesh.point(static_cast<Id>(vertex)))); });
   std::vector<std::uint32_t> numberIn(boxes.count(), 0);
   for (const std::uint32_t box : boxOf)
   {
@@ -104,15 +98,14 @@ std::vector<std::uint8_t> blocksOf(
 
 } // anonymous namespace
 
-Districts::Districts(
-  const TriangleMesh& mesh, const ParallelFor& parallelFor, const ProgressCallback& progress)
+Districts::Districts(const TriangleMesh& mesh, const Job& job)
 {
   const Id blocks = numberOfBlocks(mesh.numberOfVertices());
   if (blocks > 1)
   {
-    this->blocks_ = blocksOf(mesh, blocks, parallelFor, LoopProgress(progress));
+    this->blocks_ = blocksOf(mesh, blocks, job);
   }
-  this->size_ = parallelFor ? blocks : 1;
+  this->size_ = job.isParallel() ? blocks : 1;
 }
 
 void Districts::sort(std::vector<Id>& vertices) const

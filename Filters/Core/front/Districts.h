@@ -2,7 +2,7 @@
 #ifndef geodesic_Districts_h
 #define geodesic_Districts_h
 
-#include "Tasks.h"
+#include "Job.h"
 #include "mesh/TriangleMesh.h"
 
 #include <cstdint>
@@ -21,10 +21,7 @@ namespace geodesic
 class Districts
 {
 public:
-  /// \param parallelFor if empty, one thread.
-  /// \param progress is called; returning false throws Aborted.
-  explicit Districts(const TriangleMesh& mesh, const ParallelFor& parallelFor = {},
-    const ProgressCallback& progress = {});
+  explicit Districts(const TriangleMesh& mesh, const Job& job = {});
 
   /// The number of districts.
   Id size() const { return this->size_; }

@@ -6,7 +6,6 @@
 #include "front/CompleteFaces.h"
 #include "front/Districts.h"
 #include "front/FrontExchange.h"
-#include "front/FrontProgress.h"
 #include "front/FrontWorker.h"
 #include "front/Mailboxes.h"
 #include "front/VertexStates.h"
@@ -48,18 +47,15 @@ public:
     , mesh_(surface.mesh())
     , options_(options)
     , retention_(retention)
-    , numbers_(mesh_, options.parallelFor, options.progress)
-    , vertices_(mesh_, options.relativeError > 0.0, options.keepArrivals, options.parallelFor,
-        options.progress)
+    , numbers_(mesh_, options.job)
+    , vertices_(mesh_, options.relativeError > 0.0, options.keepArrivals, options.job)
     , outlooks_(numbers_.size())
     , complete_(surface, options.maximumDistance)
     , mailboxes_(numbers_.size())
     , tasks_{ surface, mesh_, options, numbers_, vertices_, complete_, mailboxes_, retention }
-    , workers_(options.parallelFor)
+    , workers_(options.job)
     , ranks_(surface)
-    , progress_(options.progress, mesh_.numberOfVertices(), options.maximumDistance)
   {
-    reportProgress(options.progress, 0.0);
     this->districts_.reserve(this->numbers_.size());
     for (Id number = 0; number < this->numbers_.size(); ++number)
     {
@@ -71,9 +67,9 @@ public:
   FrontResult run(SourceWindows sources)
   {
     this->start(std::move(sources));
-    this->progress_.report(this->key_);
+    this->options_.job.reach(0.0);
     this->advance(this->options_.maximumDistance);
-    this->progress_.report(this->key_);
+    this->options_.job.reach(this->done());
     if (this->complete_.isLimited())
     {
       this->finishLimited();
@@ -185,7 +181,31 @@ private:
           district.schedule.takeBatch(last, district.batch);
           this->numbers_.sort(district.batch);
         });
-      this->progress_.afterBatch(this->batch_.size(), this->windowsHandled_, this->key_);
+      this->reportBatch();
+    }
+  }
+
+  /// How far the front is: by the number of vertices reached, or by the distance if there is a
+  /// limit.
+  double done() const
+  {
+    const Id vertices = std::max<Id>(this->mesh_.numberOfVertices(), 1);
+    const double settled = static_cast<double>(this->settled_) / static_cast<double>(vertices);
+    return std::max(settled, this->key_ / this->options_.maximumDistance);
+  }
+
+  // After some of the batches. Few vertices may have very many windows.
+  void reportBatch()
+  {
+    constexpr std::size_t verticesPerReport = 256;
+    constexpr std::uint64_t windowsPerReport = 1U << 17;
+    this->verticesSinceReport_ += this->batch_.size();
+    if (this->verticesSinceReport_ >= verticesPerReport ||
+      this->windowsHandled_ - this->windowsAtReport_ >= windowsPerReport)
+    {
+      this->verticesSinceReport_ = 0;
+      this->windowsAtReport_ = this->windowsHandled_;
+      this->options_.job.reach(this->done());
     }
   }
 
@@ -270,8 +290,8 @@ private:
     }
   }
 
-  /// Runs a step of a batch in all active districts, in turns; progress is reported where workers
-  /// pause. In each turn some worker finishes at least one list, so the loop ends.
+  /// Runs a step of a batch in all active districts, in turns; workers pause so that the watcher
+  /// can be told. In each turn some worker finishes at least one list, so the loop ends.
   ///
   /// \param begin (District&) -> void, called once per district.
   /// \param task (FrontWorker&, District&) -> void, called until the district is done.
@@ -289,7 +309,7 @@ private:
     const auto isPaused = [this](Id number) { return !this->districts_[number].isDone; };
     while (std::any_of(this->active_.begin(), this->active_.end(), isPaused))
     {
-      this->progress_.report(this->key_);
+      this->options_.job.reach(this->done());
       this->runTasks(
         [&](FrontWorker& worker, District& district)
         {
@@ -321,7 +341,7 @@ private:
       std::copy_if(district.batch.begin(), district.batch.end(), std::back_inserter(this->batch_),
         [this](Id vertex) { return this->vertices_[vertex].processed < Infinity; });
       district.batch.clear();
-      this->progress_.settle(district.settled);
+      this->settled_ += district.settled;
       district.settled = 0;
       this->reportShortened(district);
       for (const Id halfedge : district.withinLimit)
@@ -480,7 +500,7 @@ private:
       this->activateUpTo(Infinity);
       this->runBatch([&](District& district) { this->takeVerticesWithin(bound, district); });
       isAny = this->surface_.exchange().isTrueAnywhere(!this->batch_.empty());
-      this->progress_.report(this->key_);
+      this->options_.job.reach(this->done());
     }
   }
 
@@ -541,11 +561,12 @@ private:
   BatchTasks tasks_;
   FrontWorkers workers_;
   FrontExchange ranks_;
-  FrontProgress progress_;
 
   /// The vertices of the current batch, and the number of batches so far.
   std::vector<Id> batch_;
   Id batches_ = 0;
+  /// The number of vertices that are done.
+  std::size_t settled_ = 0;
   /// The key at which the batch began: no path yet to be found is shorter.
   double key_ = 0.0;
   /// Districts that work in the current step.
@@ -557,6 +578,9 @@ private:
   Id unsettled_ = NoId;
   std::vector<WindowPool*> pools_;
   std::uint64_t windowsHandled_ = 0;
+  /// See reportBatch().
+  std::size_t verticesSinceReport_ = 0;
+  std::uint64_t windowsAtReport_ = 0;
 };
 
 } // anonymous namespace
@@ -565,14 +589,13 @@ FrontResult propagate(const TriangleMesh& mesh, const std::vector<SourceCurve>& 
   const FrontOptions& options, Retention& retention)
 {
   return propagate(
-    MeshPartition(mesh), startingWindows(mesh, sources, options.progress), options, retention);
+    MeshPartition(mesh), startingWindows(mesh, sources, options.job), options, retention);
 }
 
-SourceWindows startingWindows(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
-  const ProgressCallback& progress)
+SourceWindows startingWindows(
+  const TriangleMesh& mesh, const std::vector<SourceCurve>& sources, const Job& job)
 {
-  return makeSourceWindows(
-    mesh, sources, [&progress](double) { return !progress || progress(0.0); });
+  return makeSourceWindows(mesh, sources, job.part(0.0, 0.0));
 }
 
 FrontResult propagate(const MeshPartition& surface, SourceWindows sources,

@@ -2,8 +2,7 @@
 #ifndef geodesic_Front_h
 #define geodesic_Front_h
 
-#include "Progress.h"
-#include "Tasks.h"
+#include "Job.h"
 #include "front/Retention.h"
 #include "front/SaddleWedge.h"
 #include "mesh/MeshPartition.h"
@@ -46,11 +45,9 @@ struct FrontOptions
   /// Whether windows carry the angle at which their rays leave the source, for
   /// NearestSource::angleOf(). Changes no distance.
   bool keepAngles = false;
-  /// If empty, tasks run one after another. The result does not depend on it.
-  ParallelFor parallelFor;
-  /// Called now and then, at least ten times a second, with the fraction done in [0, 1]. Returning
-  /// false stops the front with Aborted.
-  ProgressCallback progress;
+  /// The result does not depend on its threads. Its watcher hears of the front at least ten times a
+  /// second.
+  Job job;
 };
 
 /// The result of the front, besides the windows that the retention has kept.
@@ -77,7 +74,7 @@ struct FrontResult
 /// Computes the geodesic distance to the curves at the vertices, exactly or within a relative error
 /// (paper, sections 3 to 5), and hands each window to the retention once it has passed its face.
 ///
-/// If ranks share the surface, all of them call this together, each with its own callbacks, and get
+/// If ranks share the surface, all of them call this together, each with its own job, and get
 /// the distances on the whole surface at the vertices of their own faces; windows have global
 /// numbers (Window::origin).
 ///
@@ -87,10 +84,10 @@ struct FrontResult
 FrontResult propagate(const MeshPartition& surface, SourceWindows sources,
   const FrontOptions& options, Retention& retention);
 
-/// The windows of makeSourceWindows(). They take little time compared to a solve: the solve's
-/// progress callback can abort them, but sees no progress.
-SourceWindows startingWindows(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
-  const ProgressCallback& progress);
+/// The windows of makeSourceWindows(). They take little time compared to a solve: whoever watches
+/// the solve's job can stop them, but sees no progress.
+SourceWindows startingWindows(
+  const TriangleMesh& mesh, const std::vector<SourceCurve>& sources, const Job& job);
 
 /// Propagates from curves, in one process.
 FrontResult propagate(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,

@@ -29,7 +29,7 @@ struct FrontWorker
   double relativeError = 0.0;
 
   /// Number of windows read or written over the whole solve, and the number at which the worker
-  /// pauses, so that progress can be reported. It finishes the current list first.
+  /// pauses, so that the watcher can be told. It finishes the current list first.
   std::uint64_t handled = 0;
   std::uint64_t pauseAt = 0;
   std::uint64_t turn = 0;
@@ -51,9 +51,9 @@ struct FrontWorker
 class FrontWorkers
 {
 public:
-  explicit FrontWorkers(const ParallelFor& parallelFor)
-    : parallelFor_(parallelFor)
-    , slots_(parallelFor ? MostThreads : 1)
+  explicit FrontWorkers(const Job& job)
+    : job_(job)
+    , slots_(job.isParallel() ? MostThreads : 1)
   {
     this->slots_.front().isUsed = true;
   }
@@ -81,7 +81,7 @@ public:
   {
     ++this->turn_;
     this->first().begin(this->turn_);
-    if (!this->parallelFor_ || items == 1)
+    if (!this->job_.isParallel() || items == 1)
     {
       for (std::size_t i = 0; i < items; ++i)
       {
@@ -89,7 +89,7 @@ public:
       }
       return;
     }
-    this->parallelFor_(items,
+    this->job_.tasks(items,
       [&](std::size_t i)
       {
         const SlotLock lock(this->slots_);
@@ -133,7 +133,7 @@ private:
     WorkerSlot* slot_;
   };
 
-  const ParallelFor& parallelFor_;
+  const Job& job_;
   std::vector<WorkerSlot> slots_;
   std::uint64_t turn_ = 0;
 };

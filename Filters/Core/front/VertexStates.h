@@ -2,7 +2,7 @@
 #ifndef geodesic_VertexStates_h
 #define geodesic_VertexStates_h
 
-#include "Tasks.h"
+#include "Job.h"
 #include "Tolerance.h"
 #include "front/Retention.h"
 #include "front/SaddleWedge.h"
@@ -68,39 +68,33 @@ class VertexStates
 public:
   /// \param withErrors whether distances may be of merged windows, whose errors are stored.
   /// \param withArrivals whether arrivals are stored, for tracing paths.
-  /// \param parallelFor if empty, one thread.
-  /// \param progress is called; returning false throws Aborted.
-  VertexStates(const TriangleMesh& mesh, bool withErrors, bool withArrivals,
-    const ParallelFor& parallelFor, const ProgressCallback& progress)
+  VertexStates(const TriangleMesh& mesh, bool withErrors, bool withArrivals, const Job& job)
     : mesh_(mesh)
     , errors_(withErrors ? mesh.numberOfVertices() : 0, 0.0)
     , arrivals_(withArrivals ? mesh.numberOfVertices() : 0)
   {
     // Fresh memory takes time, too.
-    const LoopProgress loops(progress);
     constexpr Id verticesPerReport = 1U << 16;
     this->states_.reserve(mesh.numberOfVertices());
     while (this->size() < mesh.numberOfVertices())
     {
-      loops.at(this->size(), mesh.numberOfVertices());
+      job.reachItem(this->size(), mesh.numberOfVertices());
       this->states_.resize(
         std::min<std::size_t>(this->size() + verticesPerReport, mesh.numberOfVertices()));
     }
-    forRanges(parallelFor, this->states_.size(), loops,
-      [this](std::size_t begin, std::size_t end)
+    job.loop(this->states_.size(),
+      [this](std::size_t i)
       {
-        for (Id vertex = static_cast<Id>(begin); vertex < end; ++vertex)
-        {
-          VertexState& state = this->states_[vertex];
-          state.pseudoSource = this->mesh_.pseudoSource(vertex);
-          // Vertices belong to one batch if none is farther than another by more than about half an
-          // edge: windows from one of them then seldom reach another. From 0.25 to 2 edges the
-          // number of windows hardly changes.
-          const IdRange corners = this->mesh_.cornersAt(vertex);
-          state.reach = corners.size() > 0
-            ? 0.5F * static_cast<float>(this->mesh_.length(*corners.begin()))
-            : 0.0F;
-        }
+        const Id vertex = static_cast<Id>(i);
+        VertexState& state = this->states_[vertex];
+        state.pseudoSource = this->mesh_.pseudoSource(vertex);
+        // Vertices belong to one batch if none is farther than another by more than about half an
+        // edge: windows from one of them then seldom reach another. From 0.25 to 2 edges the number
+        // of windows hardly changes.
+        const IdRange corners = this->mesh_.cornersAt(vertex);
+        state.reach = corners.size() > 0
+          ? 0.5F * static_cast<float>(this->mesh_.length(*corners.begin()))
+          : 0.0F;
       });
     this->takeThinFaces();
   }

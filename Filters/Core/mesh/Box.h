@@ -2,7 +2,7 @@
 #ifndef geodesic_Box_h
 #define geodesic_Box_h
 
-#include "Tasks.h"
+#include "Job.h"
 #include "Types.h"
 
 #include <algorithm>
@@ -72,9 +72,9 @@ struct Box
 ///
 /// \param addItem adds the points of one item: (Box&, std::size_t item) -> void.
 template <typename AddItem>
-Box boxOfItems(const ParallelFor& parallelFor, std::size_t count, const AddItem& addItem)
+Box boxOfItems(const Job& job, std::size_t count, const AddItem& addItem)
 {
-  const std::vector<Box> parts = resultsOfRanges(parallelFor, count,
+  const std::vector<Box> parts = job.resultsOfRanges(count,
     [&addItem](std::size_t begin, std::size_t end)
     {
       Box part;

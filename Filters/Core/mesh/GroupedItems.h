@@ -2,7 +2,7 @@
 #ifndef geodesic_GroupedItems_h
 #define geodesic_GroupedItems_h
 
-#include "Tasks.h"
+#include "Job.h"
 #include "Types.h"
 
 #include <algorithm>
@@ -53,13 +53,11 @@ void groupRange(const IdRange& items, std::size_t firstKey, std::size_t endOfKey
 /// many coarse ranges of keys, then within each range. So writes that are close in time are close
 /// in memory.
 ///
-/// \param progress called by the calling thread.
 /// \param keyOf returns the key, below numberOfKeys, of an item below the count; called by several
 ///        threads and several times.
 /// \throws Aborted
 template <typename KeyOf>
-GroupedItems groupItems(Id count, Id numberOfKeys, const ParallelFor& parallelFor,
-  const LoopProgress& progress, const KeyOf& keyOf)
+GroupedItems groupItems(Id count, Id numberOfKeys, const Job& job, const KeyOf& keyOf)
 {
   constexpr std::size_t itemsInBlock = std::size_t(1) << 14;
   constexpr std::size_t mostBlocks = 64;
@@ -69,7 +67,6 @@ GroupedItems groupItems(Id count, Id numberOfKeys, const ParallelFor& parallelFo
   {
     ++shift;
   }
-  const auto tell = [&progress](double done) { progress.between(done, 1.0).at(0, 1); };
   // Calls visit(item, place) for each item of a block: where the item goes, as the block counts it.
   std::vector<std::vector<Id>> places(blocks, std::vector<Id>(blocks, 0));
   const auto forEachItem = [&](std::size_t block, const auto& visit)
@@ -82,8 +79,8 @@ GroupedItems groupItems(Id count, Id numberOfKeys, const ParallelFor& parallelFo
       visit(item, ofRange[keyOf(item) >> shift]++);
     }
   };
-  tell(0.0);
-  forAll(parallelFor, blocks, [&](std::size_t block) { forEachItem(block, [](Id, Id) {}); });
+  job.reach(0.0);
+  job.tasks(blocks, [&](std::size_t block) { forEachItem(block, [](Id, Id) {}); });
   std::vector<Id> firstOfRange(blocks + 1, count);
   Id next = 0;
   for (std::size_t range = 0; range < blocks; ++range)
@@ -94,17 +91,17 @@ GroupedItems groupItems(Id count, Id numberOfKeys, const ParallelFor& parallelFo
       next += std::exchange(ofBlock[range], next);
     }
   }
-  tell(0.2);
+  job.reach(0.2);
   UninitializedVector<Id> byRange(count);
-  forAll(parallelFor, blocks,
+  job.tasks(blocks,
     [&](std::size_t block)
     { forEachItem(block, [&byRange](Id item, Id place) { byRange[place] = item; }); });
-  tell(0.5);
+  job.reach(0.5);
   GroupedItems grouped;
   grouped.start.resize(static_cast<std::size_t>(numberOfKeys) + 1);
   grouped.start[numberOfKeys] = count;
   grouped.items.resize(count);
-  forAll(parallelFor, blocks,
+  job.tasks(blocks,
     [&](std::size_t range)
     {
       const auto firstKey = [&](std::size_t of)

@@ -35,14 +35,14 @@ class MeshPartition::TablesBuilder : public Tables
 {
 public:
   TablesBuilder(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
-    const std::vector<std::uint64_t>& keys, Exchange& exchange, const ProgressCallback& progress)
+    const std::vector<std::uint64_t>& keys, Exchange& exchange, const Job& job)
     : exchange_(exchange)
   {
     this->numberOfOwnVertices = static_cast<Id>(points.size());
     this->findHolders(keys);
     this->numberVertices(points);
     const std::vector<SentFace> received = this->exchangeHalo(points, triangles);
-    this->makeMesh(std::move(points), triangles, received, progress);
+    this->makeMesh(std::move(points), triangles, received, job);
     this->exchangeAddresses(triangles.size(), received);
   }
 
@@ -178,7 +178,7 @@ private:
   }
 
   void makeMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
-    const std::vector<SentFace>& received, const ProgressCallback& progress)
+    const std::vector<SentFace>& received, const Job& job)
   {
     std::unordered_map<Id, Id> vertexOf;
     for (Id vertex = 0; vertex < this->numberOfOwnVertices; ++vertex)
@@ -217,7 +217,7 @@ private:
     }
     if (!all.empty())
     {
-      this->mesh = TriangleMesh(std::move(points), all, progress);
+      this->mesh = TriangleMesh(std::move(points), all, job);
     }
     this->firstHolder.resize(this->globalIds.size() + 1, this->firstHolder.back());
     this->firstTriangle = static_cast<Id>(behind - received.begin());
@@ -254,14 +254,12 @@ private:
 };
 
 MeshPartition::MeshPartition(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
-  const std::vector<std::uint64_t>& keys, Exchange& exchange, const ProgressCallback& progress,
-  const ParallelFor& parallelFor)
+  const std::vector<std::uint64_t>& keys, Exchange& exchange, const Job& job)
   : tables_(exchange.numberOfRanks() > 1
-        ? std::make_shared<TablesBuilder>(std::move(points), triangles, keys, exchange, progress)
+        ? std::make_shared<TablesBuilder>(std::move(points), triangles, keys, exchange, job)
         : nullptr)
-  , mesh_(tables_
-        ? std::shared_ptr<const TriangleMesh>(tables_, &tables_->mesh)
-        : std::make_shared<TriangleMesh>(std::move(points), triangles, progress, parallelFor))
+  , mesh_(tables_ ? std::shared_ptr<const TriangleMesh>(tables_, &tables_->mesh)
+                  : std::make_shared<TriangleMesh>(std::move(points), triangles, job))
   , exchange_(&exchange)
   , firstOwnFace_(tables_ ? tables_->firstOwnFace : 0)
   , endOfOwnFaces_(tables_ ? tables_->endOfOwnFaces : mesh_->numberOfFaces())

@@ -75,12 +75,10 @@ public:
   ///        coordinates that the lowest of these ranks has. The keys of one rank are distinct. A
   ///        single rank needs none.
   /// \param exchange must outlive this.
-  /// \param parallelFor for the mesh of a single rank; if empty, one thread.
   /// \throws MeshError if the whole surface has no face, MeshTooLarge; errors of TriangleMesh;
   /// Aborted.
   MeshPartition(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
-    const std::vector<std::uint64_t>& keys, Exchange& exchange,
-    const ProgressCallback& progress = {}, const ParallelFor& parallelFor = {});
+    const std::vector<std::uint64_t>& keys, Exchange& exchange, const Job& job = {});
 
   /// Whether several ranks share the surface. If not, the exchange is trivial.
   bool isDistributed() const { return this->tables_ != nullptr; }

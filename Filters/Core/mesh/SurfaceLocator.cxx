@@ -23,10 +23,10 @@ constexpr std::ptrdiff_t LeastPart = 8;
 /// Ranks exchange the candidates of so many points at a time, which bounds the size of messages.
 constexpr std::size_t PointsPerExchange = 4096;
 
-/// Points between two calls of the progress callback.
+/// Points searched between two reports.
 constexpr std::size_t PointsPerReport = 256;
 
-/// Searching the first point builds most of the tree, which takes this share of the progress.
+/// Searching the first point builds most of the tree, which takes this share of the job.
 constexpr double FirstPoint = 0.5;
 
 /// A face that may be among the closest to a point.
@@ -232,12 +232,9 @@ public:
   }
 
   /// The faces that may be among the closest, unordered.
-  ///
-  /// \param progress called now and then while the tree grows; returning false throws Aborted.
-  std::vector<Candidate> candidates(
-    const Vec3& point, double coordinatePrecision, const ProgressCallback& progress)
+  std::vector<Candidate> candidates(const Vec3& point, double coordinatePrecision, const Job& job)
   {
-    Search search{ point, coordinatePrecision, progress, Infinity, {}, 0.0 };
+    Search search{ point, coordinatePrecision, job, Infinity, {}, 0.0 };
     this->search(search, 0);
     std::vector<Candidate>& found = search.found;
     const auto isOver = [&](const Candidate& f) { return !f.isClosest(search.distance); };
@@ -263,7 +260,7 @@ private:
   {
     const Vec3& point;
     const double coordinatePrecision;
-    const ProgressCallback& progress;
+    const Job& job;
     double distance;
     std::vector<Candidate> found;
     /// The fraction of the faces that the search has excluded while the tree grows.
@@ -310,7 +307,7 @@ private:
     const Node whole = this->nodes_[node];
     const double size = static_cast<double>(whole.last - whole.first);
     search.done = std::max(search.done, 1.0 - size / static_cast<double>(this->faces_.size()));
-    reportProgress(search.progress, search.done);
+    search.job.reach(search.done);
     const Id middle = this->findMiddle(whole);
     this->nodes_.push_back(this->makeNode(whole.first, middle));
     this->nodes_.push_back(this->makeNode(middle, whole.last));
@@ -378,8 +375,7 @@ SurfaceLocator::SurfaceLocator(const MeshPartition& surface)
 SurfaceLocator::~SurfaceLocator() = default;
 
 ClosestFaces SurfaceLocator::closest(const std::vector<Vec3>& points,
-  const std::vector<std::uint8_t>& isWanted, double coordinatePrecision,
-  const ProgressCallback& callback)
+  const std::vector<std::uint8_t>& isWanted, double coordinatePrecision, const Job& job)
 {
   if (!this->tree_ && std::find(isWanted.begin(), isWanted.end(), 1) != isWanted.end())
   {
@@ -391,8 +387,8 @@ ClosestFaces SurfaceLocator::closest(const std::vector<Vec3>& points,
     }
   }
   Exchange& exchange = this->surface_.exchange();
-  const ProgressCallback rising = ascending(callback);
-  const ProgressCallback growing = progressBetween(rising, 0.0, FirstPoint);
+  const Job growing = job.part(0.0, FirstPoint);
+  const Job searching = job.part(FirstPoint, 1.0);
   std::size_t searched = 0;
   ClosestFaces result;
   while (result.size() < points.size())
@@ -417,10 +413,9 @@ ClosestFaces SurfaceLocator::closest(const std::vector<Vec3>& points,
         {
           continue;
         }
-        if (searched % PointsPerReport == 0)
+        if (searched > 0 && searched % PointsPerReport == 0)
         {
-          const double done = static_cast<double>(searched) / static_cast<double>(points.size());
-          reportProgress(rising, searched == 0 ? 0.0 : FirstPoint + (1.0 - FirstPoint) * done);
+          searching.reach(static_cast<double>(searched) / static_cast<double>(points.size()));
         }
         ++searched;
         candidates[i] = this->tree_->candidates(points[first + i], coordinatePrecision, growing);

@@ -2,7 +2,7 @@
 #ifndef geodesic_SurfaceLocator_h
 #define geodesic_SurfaceLocator_h
 
-#include "Progress.h"
+#include "Job.h"
 #include "mesh/Box.h"
 #include "mesh/MeshPartition.h"
 
@@ -46,9 +46,8 @@ public:
   /// \param points the same on all ranks.
   /// \param isWanted for each point whether it is searched: the others get no faces.
   /// \param coordinatePrecision relative precision of the points' coordinates.
-  /// \param progress called now and then with a fraction done; returning false throws Aborted.
   ClosestFaces closest(const std::vector<Vec3>& points, const std::vector<std::uint8_t>& isWanted,
-    double coordinatePrecision, const ProgressCallback& progress = {});
+    double coordinatePrecision, const Job& job = {});
 
 private:
   class FaceTree;

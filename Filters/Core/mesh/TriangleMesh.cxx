@@ -159,32 +159,28 @@ TriangleMesh::PseudoSource findPseudoSource(const TriangleMesh& mesh, Id vertex)
 class TriangleMesh::Builder
 {
 public:
-  Builder(TriangleMesh& mesh, const ProgressCallback& callback, const ParallelFor& parallelFor)
+  Builder(TriangleMesh& mesh, const Job& job)
     : mesh_(mesh)
-    , progress_(callback)
-    , parallelFor_(parallelFor)
+    , job_(job)
   {
   }
 
   void run(const std::vector<Triangle>& triangles)
   {
     checkSize(this->mesh_.points_.size(), triangles.size());
-    this->checkPoints();
-    this->progress_.nextUntil(0.1);
-    this->takeFaces(triangles);
-    this->progress_.nextUntil(0.4);
-    this->linkSiblings();
-    this->dropFaces();
-    this->progress_.nextUntil(0.6);
-    this->linkCorners();
-    this->progress_.nextUntil(0.7);
+    this->checkPoints(this->job_.part(0.0, 0.05));
+    this->takeFaces(triangles, this->job_.part(0.05, 0.1));
+    this->linkSiblings(this->job_.part(0.1, 0.4));
+    this->dropFaces(this->job_.part(0.4, 0.55));
+    this->linkCorners(this->job_.part(0.55, 0.6));
     TriangleMesh& mesh = this->mesh_;
-    this->forEach(
-      mesh.numberOfFaces(), [&mesh](Id face) { mesh.faces_[face].shape = measure(mesh, face); });
-    this->progress_.nextUntil(1.0);
+    this->job_.part(0.6, 0.7).loop(mesh.numberOfFaces(),
+      [&mesh](std::size_t face)
+      { mesh.faces_[face].shape = measure(mesh, static_cast<Id>(face)); });
     mesh.pseudoSource_.resize(mesh.points_.size());
-    this->forEach(mesh.numberOfVertices(),
-      [&mesh](Id vertex) { mesh.pseudoSource_[vertex] = findPseudoSource(mesh, vertex); });
+    this->job_.part(0.7, 1.0).loop(mesh.numberOfVertices(),
+      [&mesh](std::size_t vertex)
+      { mesh.pseudoSource_[vertex] = findPseudoSource(mesh, static_cast<Id>(vertex)); });
   }
 
 private:
@@ -197,11 +193,11 @@ private:
     Id nonManifold = 0;
   };
 
-  void checkPoints()
+  void checkPoints(const Job& job) const
   {
     const std::vector<Vec3>& points = this->mesh_.points_;
     const std::size_t wrong =
-      this->firstWrong(points.size(), [&](std::size_t i) { return !isFinite(points[i]); });
+      firstWrong(job, points.size(), [&](std::size_t i) { return !isFinite(points[i]); });
     if (wrong < points.size())
     {
       throw MeshError("Point " + std::to_string(wrong) +
@@ -209,10 +205,10 @@ private:
     }
   }
 
-  void takeFaces(const std::vector<Triangle>& triangles)
+  void takeFaces(const std::vector<Triangle>& triangles, const Job& job)
   {
     this->mesh_.faces_.resize(triangles.size());
-    const std::size_t wrong = this->firstWrong(triangles.size(),
+    const std::size_t wrong = firstWrong(job, triangles.size(),
       [&](std::size_t i)
       {
         const Triangle& t = triangles[i];
@@ -227,24 +223,23 @@ private:
   }
 
   // The halfedges of one edge have the same lower vertex.
-  void linkSiblings()
+  void linkSiblings(const Job& job)
   {
     const TriangleMesh& mesh = this->mesh_;
     const GroupedItems byLow = groupItems(mesh.numberOfHalfedges(), mesh.numberOfVertices(),
-      this->parallelFor_, this->progress_.between(0.0, 0.5),
-      [&mesh](Id s) { return std::min(mesh.origin(s), mesh.destination(s)); });
-    const std::vector<EdgeCounts> counts = resultsOfRanges(this->parallelFor_,
-      mesh.numberOfVertices(), this->progress_.between(0.5, 1.0),
-      [&](std::size_t begin, std::size_t end)
-      {
-        EdgeCounts here;
-        std::vector<ByHigh> byHigh;
-        for (std::size_t vertex = begin; vertex < end; ++vertex)
+      job.part(0.0, 0.5), [&mesh](Id s) { return std::min(mesh.origin(s), mesh.destination(s)); });
+    const std::vector<EdgeCounts> counts =
+      job.part(0.5, 1.0).resultsOfRanges(mesh.numberOfVertices(),
+        [&](std::size_t begin, std::size_t end)
         {
-          this->linkSiblings(byLow.at(static_cast<Id>(vertex)), byHigh, here);
-        }
-        return here;
-      });
+          EdgeCounts here;
+          std::vector<ByHigh> byHigh;
+          for (std::size_t vertex = begin; vertex < end; ++vertex)
+          {
+            this->linkSiblings(byLow.at(static_cast<Id>(vertex)), byHigh, here);
+          }
+          return here;
+        });
     this->mesh_.numberOfEdges_ = 0;
     this->mesh_.numberOfNonManifoldEdges_ = 0;
     for (const EdgeCounts& here : counts)
@@ -282,14 +277,16 @@ private:
 
   // Drops faces that name a vertex twice, and duplicates. Hardly any mesh has such faces, so that
   // siblings are linked with them first, and then again without them.
-  void dropFaces()
+  void dropFaces(const Job& job)
   {
-    this->progress_.nextUntil(0.45);
     TriangleMesh& mesh = this->mesh_;
     std::vector<std::uint8_t> drop(mesh.faces_.size(), 0);
-    this->forEach(mesh.numberOfFaces(),
-      [&](Id face)
-      { drop[face] = !hasThreeVertices(mesh.triangle(face)) || isDuplicate(mesh, face) ? 1 : 0; });
+    job.part(0.0, 0.3).loop(mesh.numberOfFaces(),
+      [&](std::size_t i)
+      {
+        const Id face = static_cast<Id>(i);
+        drop[face] = !hasThreeVertices(mesh.triangle(face)) || isDuplicate(mesh, face) ? 1 : 0;
+      });
     if (std::find(drop.begin(), drop.end(), 1) == drop.end())
     {
       return;
@@ -308,15 +305,14 @@ private:
     }
     mesh.faces_.resize(mesh.inputFaces_.size());
     mesh.faces_.shrink_to_fit();
-    this->progress_.nextUntil(0.55);
-    this->linkSiblings();
+    this->linkSiblings(job.part(0.3, 1.0));
   }
 
-  void linkCorners()
+  void linkCorners(const Job& job)
   {
     TriangleMesh& mesh = this->mesh_;
-    GroupedItems corners = groupItems(mesh.numberOfHalfedges(), mesh.numberOfVertices(),
-      this->parallelFor_, this->progress_, [&mesh](Id corner) { return mesh.origin(corner); });
+    GroupedItems corners = groupItems(mesh.numberOfHalfedges(), mesh.numberOfVertices(), job,
+      [&mesh](Id corner) { return mesh.origin(corner); });
     mesh.cornerStart_ = std::move(corners.start);
     mesh.corners_ = std::move(corners.items);
   }
@@ -324,46 +320,30 @@ private:
   /// The first of some items for which isWrong(item) holds, after visiting all in parallel; the
   /// count if there is none.
   template <typename IsWrong>
-  std::size_t firstWrong(std::size_t count, const IsWrong& isWrong) const
+  static std::size_t firstWrong(const Job& job, std::size_t count, const IsWrong& isWrong)
   {
-    const std::vector<std::size_t> wrong =
-      resultsOfRanges(this->parallelFor_, count, this->progress_,
-        [&](std::size_t begin, std::size_t end)
+    const std::vector<std::size_t> wrong = job.resultsOfRanges(count,
+      [&](std::size_t begin, std::size_t end)
+      {
+        std::size_t first = count;
+        for (std::size_t item = begin; item < end; ++item)
         {
-          std::size_t first = count;
-          for (std::size_t item = begin; item < end; ++item)
-          {
-            first = isWrong(item) ? std::min(first, item) : first;
-          }
-          return first;
-        });
+          first = isWrong(item) ? std::min(first, item) : first;
+        }
+        return first;
+      });
     return wrong.empty() ? count : *std::min_element(wrong.begin(), wrong.end());
   }
 
-  /// Calls visit(id) for each face or vertex, in parallel, and reports progress.
-  template <typename Visit>
-  void forEach(Id count, const Visit& visit) const
-  {
-    forRanges(this->parallelFor_, count, this->progress_,
-      [&visit](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t id = begin; id < end; ++id)
-        {
-          visit(static_cast<Id>(id));
-        }
-      });
-  }
-
   TriangleMesh& mesh_;
-  LoopProgress progress_;
-  const ParallelFor& parallelFor_;
+  const Job& job_;
 };
 
-TriangleMesh::TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
-  const ProgressCallback& progress, const ParallelFor& parallelFor)
+TriangleMesh::TriangleMesh(
+  std::vector<Vec3> points, const std::vector<Triangle>& triangles, const Job& job)
   : points_(std::move(points))
 {
-  Builder(*this, progress, parallelFor).run(triangles);
+  Builder(*this, job).run(triangles);
 }
 
 Id TriangleMesh::firstFaceFrom(Id input) const

@@ -2,8 +2,7 @@
 #ifndef geodesic_TriangleMesh_h
 #define geodesic_TriangleMesh_h
 
-#include "Progress.h"
-#include "Tasks.h"
+#include "Job.h"
 #include "Types.h"
 
 #include <algorithm>
@@ -59,12 +58,10 @@ public:
   ///
   /// \param points coordinates, finite.
   /// \param triangles three vertex ids a face, in any orientation.
-  /// \param progress called now and then; returning false throws Aborted.
-  /// \param parallelFor if empty, one thread. The mesh does not depend on it.
   /// \throws MeshError if no face is left, an id is out of range or a coordinate is not finite;
   /// MeshTooLarge; Aborted.
-  TriangleMesh(std::vector<Vec3> points, const std::vector<Triangle>& triangles,
-    const ProgressCallback& progress = {}, const ParallelFor& parallelFor = {});
+  TriangleMesh(
+    std::vector<Vec3> points, const std::vector<Triangle>& triangles, const Job& job = {});
 
   Id numberOfVertices() const { return static_cast<Id>(this->points_.size()); }
   Id numberOfFaces() const { return static_cast<Id>(this->faces_.size()); }

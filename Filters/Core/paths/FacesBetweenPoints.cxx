@@ -65,14 +65,14 @@ std::vector<Pair> farPairs(const TriangleMesh& mesh, const LocatedPolyline& poly
 
 /// Adds the faces that shortest paths between two points can touch.
 void addFacesBetween(const MeshPartition& part, const ReplicatedPatch& patch, const Pair& ends,
-  const FrontOptions& options, std::vector<Id>& faces)
+  const Job& job, std::vector<Id>& faces)
 {
-  const LowerBounds fromFirst = waysFrom(part, patch, ends.first, ends.second, options);
+  const LowerBounds fromFirst = waysFrom(part, patch, ends.first, ends.second, job);
   if (fromFirst.length == Infinity)
   {
     return;
   }
-  const LowerBounds fromSecond = waysFrom(part, patch, ends.second, ends.first, options);
+  const LowerBounds fromSecond = waysFrom(part, patch, ends.second, ends.first, job);
   const double length = std::min(fromFirst.length, fromSecond.length);
   const TriangleMesh& mesh = part.mesh();
   for (Id face = part.firstOwnFace(); face < part.endOfOwnFaces(); ++face)
@@ -92,9 +92,11 @@ void addFacesBetween(const MeshPartition& part, const ReplicatedPatch& patch, co
 } // anonymous namespace
 
 LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
-  const SurfacePoint& from, const SurfacePoint& to, FrontOptions options)
+  const SurfacePoint& from, const SurfacePoint& to, const Job& job)
 {
   const TriangleMesh& mesh = part.mesh();
+  FrontOptions options;
+  options.job = job;
   options.relativeError = SearchError;
   const std::vector<SurfacePoint> target = ownPlaceOf(part, patch, to);
   RetentionAround search(mesh, target);
@@ -116,24 +118,21 @@ LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
 }
 
 std::vector<Id> facesBetweenPoints(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<LocatedPolyline>& polylines, double coordinatePrecision,
-  const ParallelFor& parallelFor, const ProgressCallback& progress)
+  const std::vector<LocatedPolyline>& polylines, double coordinatePrecision, const Job& job)
 {
   std::vector<Id> faces;
-  FrontOptions frontOptions;
-  frontOptions.parallelFor = parallelFor;
   for (std::size_t line = 0; line < polylines.size(); ++line)
   {
     const LocatedPolyline& polyline = polylines[line];
     const double done = static_cast<double>(line) / static_cast<double>(polylines.size());
-    frontOptions.progress = progressBetween(progress, done, done);
+    const Job search = job.part(done, done);
     const std::size_t count = polyline.points.size();
     for (std::size_t i = 0; i + 1 < count + (polyline.closed && count > 1 ? 1 : 0); ++i)
     {
       for (const Pair& pair :
         farPairs(patch.mesh(), polyline, i, (i + 1) % count, coordinatePrecision))
       {
-        addFacesBetween(part, patch, pair, frontOptions, faces);
+        addFacesBetween(part, patch, pair, search, faces);
       }
     }
   }

@@ -24,10 +24,9 @@ struct LowerBounds
 /// together.
 ///
 /// \param patch that contains the faces of both points.
-/// \param options for several threads and the progress.
 /// \throws Aborted
 LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
-  const SurfacePoint& from, const SurfacePoint& to, FrontOptions options = {});
+  const SurfacePoint& from, const SurfacePoint& to, const Job& job = {});
 
 /// Finds the faces that shortest paths between consecutive points of polylines can touch, for
 /// points that share no face. A patch that contains these faces has the same shortest paths as the
@@ -42,13 +41,11 @@ LowerBounds waysFrom(const MeshPartition& part, const ReplicatedPatch& patch,
 /// \param patch that contains the faces of the points and those around them.
 /// \param polylines located on the patch.
 /// \param coordinatePrecision as in putOntoSurface().
-/// \param progress called now and then with a fraction done; returning false throws Aborted.
 /// \returns faces that this rank owns, ascending; none if consecutive points share faces or no path
 ///          joins them.
 /// \throws Aborted
 std::vector<Id> facesBetweenPoints(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<LocatedPolyline>& polylines, double coordinatePrecision,
-  const ParallelFor& parallelFor = {}, const ProgressCallback& progress = {});
+  const std::vector<LocatedPolyline>& polylines, double coordinatePrecision, const Job& job = {});
 
 }
 

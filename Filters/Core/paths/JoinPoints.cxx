@@ -46,8 +46,8 @@ struct Entry
 
 /// The length of a shortest path along mesh edges, by best-first search (A*: the remaining distance
 /// in space is a lower bound). Infinite if no path joins the points.
-double lengthAlongEdges(const TriangleMesh& mesh, const SurfacePoint& first,
-  const SurfacePoint& second, const ProgressCallback& progress)
+double lengthAlongEdges(
+  const TriangleMesh& mesh, const SurfacePoint& first, const SurfacePoint& second, const Job& job)
 {
   std::unordered_map<Id, double> lengthTo;
   std::priority_queue<Entry> queue;
@@ -84,7 +84,7 @@ double lengthAlongEdges(const TriangleMesh& mesh, const SurfacePoint& first,
     constexpr std::size_t stepsPerReport = 4096;
     if (step % stepsPerReport == 0)
     {
-      reportProgress(progress, 0.0);
+      job.look();
     }
   }
   return best;
@@ -109,10 +109,8 @@ bool isWithin(const TriangleMesh& mesh, Id face, const SurfacePoint& first,
 /// The faces that paths of at most this length between two points can touch: those whose distances
 /// in space from the two points add up to no more. None if they are a large part of the surface: a
 /// mesh of these would cost about as much as it saves.
-///
-/// \param progress called now and then with 0; returning false throws Aborted.
 std::vector<Id> facesWithin(const TriangleMesh& surface, const SurfacePoint& first,
-  const SurfacePoint& second, double longest, const ProgressCallback& progress)
+  const SurfacePoint& second, double longest, const Job& job)
 {
   constexpr std::size_t largePart = 4;
   const std::size_t maximum = surface.numberOfFaces() / largePart;
@@ -141,13 +139,13 @@ std::vector<Id> facesWithin(const TriangleMesh& surface, const SurfacePoint& fir
     constexpr std::size_t stepsPerReport = 4096;
     if ((next + 1) % stepsPerReport == 0)
     {
-      reportProgress(progress, 0.0);
+      job.look();
     }
   }
   return faces.size() <= maximum ? faces : std::vector<Id>();
 }
 
-/// The fraction of the progress at which the search ends.
+/// The fraction of the job at which the search ends.
 constexpr double ShareOfSearch = 0.7;
 
 /// Relative error of the search. The strip is as wide as the root of the error: with a smaller
@@ -229,14 +227,12 @@ std::vector<double> lowerBounds(const TriangleMesh& mesh, const SurfacePoint& se
 ///        of that length can touch.
 /// \returns the path from the first point to the second, see TracedPath; empty if there is none.
 std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePoint& first,
-  const SurfacePoint& second, double length, const ParallelFor& parallelFor,
-  const ProgressCallback& progress)
+  const SurfacePoint& second, double length, const Job& job)
 {
   Corridor corridor{ distancesInSpace(mesh, first), length };
   FrontOptions options;
   options.corridor = &corridor;
-  options.parallelFor = parallelFor;
-  options.progress = progressBetween(progress, 0.0, ShareOfSearch);
+  options.job = job.part(0.0, ShareOfSearch);
   options.relativeError = SearchError;
   RetentionAround search(mesh, { first });
   const std::vector<double> toSecond =
@@ -249,7 +245,7 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
   corridor.length = std::min(length, std::max(least, (1.0 + SearchError) * search.reach()));
   options.relativeError = 0.0;
   options.keepArrivals = true;
-  options.progress = progressBetween(progress, ShareOfSearch, 1.0);
+  options.job = job.part(ShareOfSearch, 1.0);
   StripRetention strip(mesh, second, toSecond, least);
   FrontResult front = propagate(mesh, { pointCurve(first) }, options, strip);
   const DistanceField field(MeshPartition(mesh), std::move(front), strip.release());
@@ -260,7 +256,7 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
     // Seldom: by windows that are all kept, in the corridor alone.
     corridor.length = std::min(corridor.length, strip.longestPath());
     options.keepArrivals = false;
-    options.progress = progressBetween(progress, 1.0, 1.0);
+    options.job = job.part(1.0, 1.0);
     path.points =
       pathInWindows(solve(mesh, { pointCurve(first) }, options, KeepWindows::All), second);
   }
@@ -271,8 +267,7 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
 /// The same on a mesh of some of the faces, where a search does not cost as much as on the whole
 /// surface. The points are those of the surface.
 std::vector<SurfacePoint> shortestPathIn(const std::vector<Id>& faces, const TriangleMesh& surface,
-  const SurfacePoint& first, const SurfacePoint& second, double length,
-  const ParallelFor& parallelFor, const ProgressCallback& progress)
+  const SurfacePoint& first, const SurfacePoint& second, double length, const Job& job)
 {
   std::unordered_map<Id, Id> renamed;
   std::vector<Vec3> points;
@@ -298,8 +293,7 @@ std::vector<SurfacePoint> shortestPathIn(const std::vector<Id>& faces, const Tri
     return fromBarycentric(
       part, static_cast<Id>(place - faces.begin()), barycentric(surface, point, face));
   };
-  std::vector<SurfacePoint> path =
-    shortestPath(part, onPart(first), onPart(second), length, parallelFor, progress);
+  std::vector<SurfacePoint> path = shortestPath(part, onPart(first), onPart(second), length, job);
   for (SurfacePoint& point : path)
   {
     const Id face = someFace(part, point);
@@ -348,25 +342,25 @@ void linkEnds(const TriangleMesh& mesh, std::vector<SurfacePoint>& path)
   }
 }
 
-std::vector<SurfacePoint> pathBetween(const TriangleMesh& mesh, const SurfacePoint& first,
-  const SurfacePoint& second, const ParallelFor& parallelFor, const ProgressCallback& progress)
+std::vector<SurfacePoint> pathBetween(
+  const TriangleMesh& mesh, const SurfacePoint& first, const SurfacePoint& second, const Job& job)
 {
   if (commonFace(mesh, first, second) != NoId)
   {
     return { first, second };
   }
   const double longest =
-    (1.0 + tolerance::BoundMargin) * lengthAlongEdges(mesh, first, second, progress);
+    (1.0 + tolerance::BoundMargin) * lengthAlongEdges(mesh, first, second, job);
   if (longest == Infinity)
   {
     return {};
   }
-  const std::vector<Id> faces = facesWithin(mesh, first, second, longest, progress);
+  const std::vector<Id> faces = facesWithin(mesh, first, second, longest, job);
   const auto find = [&](const SurfacePoint& from, const SurfacePoint& to)
   {
     std::vector<SurfacePoint> path = faces.empty()
-      ? shortestPath(mesh, from, to, longest, parallelFor, progress)
-      : shortestPathIn(faces, mesh, from, to, longest, parallelFor, progress);
+      ? shortestPath(mesh, from, to, longest, job)
+      : shortestPathIn(faces, mesh, from, to, longest, job);
     setEnds(mesh, from, to, path);
     path = cleanedPath(mesh, path, longest);
     linkEnds(mesh, path);
@@ -389,24 +383,23 @@ std::vector<SurfacePoint> pathBetween(const TriangleMesh& mesh, const SurfacePoi
 
 } // anonymous namespace
 
-JoinPoints joinByShortestPaths(const TriangleMesh& mesh, const ParallelFor& parallelFor)
+JoinPoints joinByShortestPaths(const TriangleMesh& mesh)
 {
-  return [&mesh, parallelFor](
-           const SurfacePoint& first, const SurfacePoint& second, const ProgressCallback& progress)
-  { return pathBetween(mesh, first, second, parallelFor, progress); };
+  return [&mesh](const SurfacePoint& first, const SurfacePoint& second, const Job& job)
+  { return pathBetween(mesh, first, second, job); };
 }
 
 JoinPoints JoinedPaths::reusedBy(JoinPoints join)
 {
   const auto place = [](const SurfacePoint& p) { return Place(p.kind, p.id, p.u, p.v); };
   return [this, place, join = std::move(join)](
-           const SurfacePoint& first, const SurfacePoint& second, const ProgressCallback& progress)
+           const SurfacePoint& first, const SurfacePoint& second, const Job& job)
   {
     const auto [used, isNew] = this->used_.try_emplace(Ends(place(first), place(second)));
     if (isNew)
     {
       const auto kept = this->kept_.find(used->first);
-      used->second = kept != this->kept_.end() ? kept->second : join(first, second, progress);
+      used->second = kept != this->kept_.end() ? kept->second : join(first, second, job);
     }
     return used->second;
   };

@@ -21,7 +21,7 @@ namespace geodesic
 /// The search looks only at the part of the surface that a shortest path can touch.
 ///
 /// \param mesh must outlive the result.
-JoinPoints joinByShortestPaths(const TriangleMesh& mesh, const ParallelFor& parallelFor = {});
+JoinPoints joinByShortestPaths(const TriangleMesh& mesh);
 
 /// Remembers the paths that join far points of a mesh's curves, within a use and from one use to
 /// the next. If one point of a polyline moves, the other segments need not be joined again.

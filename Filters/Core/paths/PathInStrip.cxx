@@ -33,7 +33,7 @@ bool isHere(const MeshPartition& part, const TargetOnRank& target)
 
 // A front from the target, which goes nowhere from where the source is too far.
 std::vector<double> distancesTo(const TargetOnRank& target, const MeshPartition& part,
-  const KnownDistances& known, FrontOptions options, Retention& passed)
+  const KnownDistances& known, const Job& job, Retention& passed)
 {
   const ReplicatedPatch around(
     part, isHere(part, target) ? std::vector<Id>{ target.face.id } : std::vector<Id>());
@@ -42,7 +42,9 @@ std::vector<double> distancesTo(const TargetOnRank& target, const MeshPartition&
   {
     bound = (1.0 - tolerance::BoundMargin) * std::min(bound, known.reach);
   }
+  FrontOptions options;
   options.corridor = &corridor;
+  options.job = job;
   return propagate(part,
     sourceWindowsOfPartition(
       part, around, makeSourceWindows(around.mesh(), { pointCurve(onPatch(around, target)) })),
@@ -53,11 +55,11 @@ std::vector<double> distancesTo(const TargetOnRank& target, const MeshPartition&
 /// Finds this rank's faces of the strip.
 std::vector<Id> facesOfStrip(const MeshPartition& part, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const TargetOnRank& target, const KnownDistances& known,
-  const FrontOptions& options)
+  const Job& job)
 {
   const TriangleMesh& mesh = part.mesh();
   KeepFaces passed(mesh);
-  const std::vector<double> toTarget = distancesTo(target, part, known, options, passed);
+  const std::vector<double> toTarget = distancesTo(target, part, known, job, passed);
   const WindowArchive windows = passed.release().windows;
   const auto isPassed = [&](Id halfedge)
   {
@@ -148,17 +150,18 @@ Corridor corridorIn(
 
 void pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const PathEnds& ends, const TargetOnRank& target,
-  const KnownDistances& known, FrontOptions options,
-  const std::function<void(const PathToSource&)>& take)
+  const KnownDistances& known, const Job& job, const std::function<void(const PathToSource&)>& take)
 {
-  const std::vector<Id> faces = facesOfStrip(part, patch, curves, target, known, options);
+  const std::vector<Id> faces = facesOfStrip(part, patch, curves, target, known, job);
   const ReplicatedPatch strip(part, faces);
   if (!isHere(part, target))
   {
     return;
   }
   const Corridor corridor = corridorIn(strip, target, part.isDistributed(), faces);
+  FrontOptions options;
   options.corridor = &corridor;
+  options.job = job;
   const DistanceField field =
     solve(strip.mesh(), curvesOnStrip(strip, patch, curves), options, KeepWindows::All);
   const std::vector<SurfacePoint> path =

@@ -41,12 +41,11 @@ struct TargetOnRank
 /// these, and a second front goes from the source through the strip and keeps its windows.
 ///
 /// \param ends of paths on the same curves.
-/// \param options for several threads and the progress.
 /// \param take is called on the target's rank with the path, whose points are none where it was not
 ///        found.
 void pathInStrip(const MeshPartition& part, const ReplicatedPatch& patch,
   const std::vector<SourceCurve>& curves, const PathEnds& ends, const TargetOnRank& target,
-  const KnownDistances& known, FrontOptions options,
+  const KnownDistances& known, const Job& job,
   const std::function<void(const PathToSource&)>& take);
 
 }

@@ -21,12 +21,12 @@ namespace geodesic
 namespace
 {
 
-/// Of the progress, for the front and for tracing; what is left is for paths that got lost.
+/// Where the steps of the job end: the front and tracing. What is left is for paths that got lost.
 constexpr double FrontDone = 0.5;
 constexpr double TracingDone = 0.9;
 
-/// How many paths are traced between two reports.
-constexpr std::size_t PathsPerReport = 256;
+/// How many paths are traced at a time.
+constexpr std::size_t PathsAtATime = 256;
 
 /// A point of a path, and a face that holds it and the point before.
 struct SentPathPoint
@@ -97,12 +97,12 @@ class PathFinder
 {
 public:
   PathFinder(const DistanceField& field, const PathEnds& ends,
-    const std::vector<SurfacePoint>& targets, const PathsOptions& options, const TakePath& take)
+    const std::vector<SurfacePoint>& targets, const Job& job, const TakePath& take)
     : field_(field)
     , part_(field.surface())
     , ends_(ends)
     , targets_(targets)
-    , options_(options)
+    , job_(job)
     , take_(take)
   {
   }
@@ -113,7 +113,7 @@ public:
     this->traceOwn();
     while (this->part_.exchange().isTrueAnywhere(!this->leaving_.empty()))
     {
-      reportProgress(this->options_.progress, TracingDone);
+      this->job_.reach(TracingDone);
       this->handOver();
     }
   }
@@ -137,13 +137,12 @@ private:
   void traceOwn()
   {
     const std::size_t count = this->targets_.size();
-    const ProgressCallback progress =
-      progressBetween(this->options_.progress, FrontDone, TracingDone);
-    for (std::size_t first = 0; first < count; first += PathsPerReport)
+    const Job tracing = this->job_.part(FrontDone, TracingDone);
+    for (std::size_t first = 0; first < count; first += PathsAtATime)
     {
-      reportProgress(progress, static_cast<double>(first) / static_cast<double>(count));
-      std::vector<PathInTransit> paths(std::min(PathsPerReport, count - first));
-      forAll(this->options_.parallelFor, paths.size(),
+      tracing.reach(static_cast<double>(first) / static_cast<double>(count));
+      std::vector<PathInTransit> paths(std::min(PathsAtATime, count - first));
+      tracing.tasks(paths.size(),
         [&](std::size_t i) { paths[i] = this->traceFrom(static_cast<Id>(first + i)); });
       for (PathInTransit& transit : paths)
       {
@@ -221,8 +220,8 @@ private:
           this->leaving_.push_back(getInTransit(reader, this->part_));
         }
       });
-    forAll(this->options_.parallelFor, this->leaving_.size(),
-      [this](std::size_t i) { this->follow(this->leaving_[i]); });
+    this->job_.tasks(
+      this->leaving_.size(), [this](std::size_t i) { this->follow(this->leaving_[i]); });
   }
 
   void follow(PathInTransit& transit) const
@@ -365,7 +364,7 @@ private:
   const MeshPartition& part_;
   const PathEnds& ends_;
   const std::vector<SurfacePoint>& targets_;
-  const PathsOptions& options_;
+  const Job& job_;
   const TakePath& take_;
   /// Those that go on from this rank, or whose ends it sends to their targets' ranks.
   std::vector<PathInTransit> leaving_;
@@ -378,23 +377,21 @@ private:
 } // anonymous namespace
 
 void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<SourceCurve>& curves, const std::vector<SurfacePoint>& targets,
-  const PathsOptions& options, const TakePath& take)
+  const std::vector<SourceCurve>& curves, const std::vector<SurfacePoint>& targets, const Job& job,
+  const TakePath& take)
 {
   RetentionAround retention(part.mesh(), targets);
   retention.keepForPaths(part);
   FrontOptions frontOptions;
   frontOptions.keepArrivals = true;
-  frontOptions.parallelFor = options.parallelFor;
-  frontOptions.progress = progressBetween(options.progress, 0.0, FrontDone);
+  frontOptions.job = job.part(0.0, FrontDone);
   FrontResult front = propagate(part,
-    sourceWindowsOfPartition(
-      part, patch, startingWindows(patch.mesh(), curves, frontOptions.progress)),
+    sourceWindowsOfPartition(part, patch, startingWindows(patch.mesh(), curves, frontOptions.job)),
     frontOptions, retention);
   const DistanceField field(part, std::move(front), retention.release());
 
   const PathEnds ends(patch, curves);
-  PathFinder paths(field, ends, targets, options, take);
+  PathFinder paths(field, ends, targets, job, take);
   paths.run();
 
   const KnownDistances known{ field.vertexDistances(),
@@ -404,10 +401,8 @@ void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
   {
     const double done = static_cast<double>(i) / static_cast<double>(lost.size());
     const double fraction = TracingDone + (1.0 - TracingDone) * done;
-    frontOptions.keepArrivals = false;
-    frontOptions.progress = progressBetween(options.progress, fraction, fraction);
-    reportProgress(options.progress, fraction);
-    pathInStrip(part, patch, curves, ends, lost[i], known, frontOptions,
+    job.reach(fraction);
+    pathInStrip(part, patch, curves, ends, lost[i], known, job.part(fraction, fraction),
       [&](const PathToSource& path)
       {
         if (path.points.empty())

@@ -38,16 +38,8 @@ struct PathToSource
 };
 
 /// Takes over the path of a target. Paths come in no order, several at the same time from the
-/// threads of PathsOptions::parallelFor. Targets that are not reached have none.
+/// job's threads. Targets that are not reached have none.
 using TakePath = std::function<void(std::size_t target, const PathToSource& path)>;
-
-struct PathsOptions
-{
-  /// Absent: one task after another. The result does not depend on it.
-  ParallelFor parallelFor;
-  /// Called now and then with the fraction done in [0, 1]; returning false throws Aborted.
-  ProgressCallback progress;
-};
 
 /// Finds the shortest paths from points of the surface to the nearest point of the source, one path
 /// for each target.
@@ -65,8 +57,8 @@ struct PathsOptions
 /// \param targets in faces that this rank owns; maybe none.
 /// \throws SourceError where there is no source; Aborted.
 void pathsToSource(const MeshPartition& part, const ReplicatedPatch& patch,
-  const std::vector<SourceCurve>& curves, const std::vector<SurfacePoint>& targets,
-  const PathsOptions& options, const TakePath& take);
+  const std::vector<SourceCurve>& curves, const std::vector<SurfacePoint>& targets, const Job& job,
+  const TakePath& take);
 
 }
 

@@ -21,9 +21,10 @@ namespace geodesic
 namespace
 {
 
-/// Shares of the progress: of the first pass over all faces, and of the output.
-constexpr double ShareOfFirstPass = 0.3;
-constexpr double ShareOfOutput = 0.1;
+/// Where the steps of the job end: the first pass over all faces, and the splits. The output
+/// follows.
+constexpr double FacesAssessed = 0.3;
+constexpr double FacesSplit = 0.9;
 
 bool isFrozen(const DistanceField& field, Id face)
 {
@@ -34,16 +35,14 @@ bool isFrozen(const DistanceField& field, Id face)
 }
 
 /// The faces of other ranks are all frozen.
-std::vector<std::uint8_t> findFrozen(const DistanceField& field, const ParallelFor& parallelFor)
+std::vector<std::uint8_t> findFrozen(const DistanceField& field, const Job& job)
 {
   std::vector<std::uint8_t> frozen(field.mesh().numberOfFaces());
-  forRanges(parallelFor, frozen.size(),
-    [&](std::size_t begin, std::size_t end)
+  job.part(0.0, 0.0).loop(frozen.size(),
+    [&](std::size_t i)
     {
-      for (Id face = static_cast<Id>(begin); face < end; ++face)
-      {
-        frozen[face] = !field.surface().isOwn(face) || isFrozen(field, face) ? 1 : 0;
-      }
+      const Id face = static_cast<Id>(i);
+      frozen[face] = !field.surface().isOwn(face) || isFrozen(field, face) ? 1 : 0;
     });
   return frozen;
 }
@@ -133,9 +132,8 @@ public:
   Refiner(const DistanceField& field, const RefinementOptions& options)
     : field_(field)
     , options_(options)
-    , triangles_(field.surface(), findFrozen(field, options.parallelFor), options.trianglesBeside)
-    , progress_(options.progress)
-    , workers_(field, this->triangles_, options.parallelFor, this->progress_)
+    , triangles_(field.surface(), findFrozen(field, options.job), options.trianglesBeside)
+    , workers_(field, this->triangles_, options.job)
     , rules_(this->triangles_, this->workers_, options.tolerance)
     , closure_(field.surface(), this->triangles_, this->rules_)
     , closings_(this->triangles_, this->workers_, this->rules_, options.tolerance)
@@ -157,11 +155,7 @@ public:
       this->options_.cornerPoints.empty() && this->field_.mesh().numberOfFaces() > 0;
     RefinedMesh result = writeOutput(this->triangles_, this->options_,
       areVertices ? this->field_.surface().numberOfOwnVertices() : this->options_.numberOfPoints,
-      [this](double written)
-      {
-        this->progress_.tell(1.0 - ShareOfOutput * (1.0 - written));
-        return true;
-      });
+      this->options_.job.part(FacesSplit, 1.0));
     result.errorBound = this->field_.surface().exchange().largestOf(this->bound_);
     result.stoppedAtMaximum = this->stopped_;
     result.unknownAtBorders = unknown;
@@ -178,7 +172,7 @@ private:
     const Id end = this->triangles_.endOfFaces();
     for (Id face = first; face < end; face += std::min(facesInBatch, end - face))
     {
-      this->progress_.tell(ShareOfFirstPass * (face - first) / (end - first));
+      this->options_.job.reach(FacesAssessed * (face - first) / (end - first));
       this->assessFaces(face, face + std::min(facesInBatch, end - face));
     }
   }
@@ -344,13 +338,16 @@ private:
     const double open = std::log(this->violations_.worst() / this->options_.tolerance);
     const double openAtFirst = std::log(this->worstAtFirst_ / this->options_.tolerance);
     const double done = openAtFirst > 0.0 ? 1.0 - std::clamp(open / openAtFirst, 0.0, 1.0) : 0.0;
-    this->progress_.at(ShareOfFirstPass + (1.0 - ShareOfFirstPass - ShareOfOutput) * done);
+    constexpr unsigned stepsPerReport = 256;
+    if (this->steps_++ % stepsPerReport == 0)
+    {
+      this->options_.job.part(FacesAssessed, FacesSplit).reach(done);
+    }
   }
 
   const DistanceField& field_;
   const RefinementOptions& options_;
   RedGreenMesh triangles_;
-  RefinementProgress progress_;
   RefinementWorkers workers_;
   DeviationRules rules_;
   RedGreenClosure closure_;
@@ -360,6 +357,7 @@ private:
   double bound_;
   bool stopped_ = false;
   double worstAtFirst_ = 0.0;
+  unsigned steps_ = 0;
 };
 
 void requireUsable(const DistanceField& field, const RefinementOptions& options)

@@ -2,7 +2,7 @@
 #ifndef geodesic_AdaptiveRefinement_h
 #define geodesic_AdaptiveRefinement_h
 
-#include "Progress.h"
+#include "Job.h"
 #include "field/DistanceField.h"
 #include "refinement/RefinedMesh.h"
 #include "refinement/SourceRegions.h"
@@ -37,10 +37,8 @@ struct RefinementOptions
   /// tolerance, unless these are the two sides of one curve, and a straight line between them may
   /// cross the curve. Called from one thread.
   RegionOf regionOf;
-  /// If empty, tasks run one after another. The result does not depend on it.
-  ParallelFor parallelFor;
-  /// Called now and then with the fraction done in [0, 1]; returning false stops with Aborted.
-  ProgressCallback progress;
+  /// The result does not depend on its threads.
+  Job job;
 };
 
 /// Refines a mesh until the linear interpolant of the distance is within the tolerance everywhere,

@@ -73,17 +73,15 @@ private:
 
 /// Writes all triangles in parallel, with numberOf(point) for each corner.
 template <typename NumberOf>
-void writeTriangles(const RedGreenMesh& triangles, const ParallelFor& parallelFor,
-  const ProgressCallback& callback, const NumberOf& numberOf, RefinedMesh& result)
+void writeTriangles(
+  const RedGreenMesh& triangles, const Job& job, const NumberOf& numberOf, RefinedMesh& result)
 {
   const Id first = triangles.firstFace();
   const std::size_t faces = triangles.endOfFaces() - first;
   const auto forEach = [&](std::size_t begin, std::size_t end, const auto& visit) {
     triangles.forEachTriangle(first + static_cast<Id>(begin), first + static_cast<Id>(end), visit);
   };
-  LoopProgress progress(callback);
-  progress.nextUntil(0.5);
-  std::vector<std::size_t> places = resultsOfRanges(parallelFor, faces, progress,
+  std::vector<std::size_t> places = job.part(0.0, 0.5).resultsOfRanges(faces,
     [&](std::size_t begin, std::size_t end)
     {
       std::size_t count = 0;
@@ -97,8 +95,7 @@ void writeTriangles(const RedGreenMesh& triangles, const ParallelFor& parallelFo
   }
   result.triangles.resize(next);
   result.faces.resize(next);
-  progress.nextUntil(1.0);
-  forRanges(parallelFor, faces, progress,
+  job.part(0.5, 1.0).ranges(faces,
     [&](std::size_t begin, std::size_t end)
     {
       std::size_t place = places[begin / ItemsInRange];
@@ -114,7 +111,7 @@ void writeTriangles(const RedGreenMesh& triangles, const ParallelFor& parallelFo
 } // anonymous namespace
 
 RefinedMesh writeOutput(const RedGreenMesh& triangles, const RefinementOptions& options,
-  Id numberOfPoints, const ProgressCallback& progress)
+  Id numberOfPoints, const Job& job)
 {
   const TriangleMesh& mesh = triangles.mesh();
   RefinedMesh result;
@@ -129,11 +126,11 @@ RefinedMesh writeOutput(const RedGreenMesh& triangles, const RefinementOptions& 
       result.points.push_back(
         refinedPoint(mesh, split, { numberOf(split.parents[0]), numberOf(split.parents[1]) }));
     }
-    writeTriangles(triangles, options.parallelFor, progress, numberOf, result);
+    writeTriangles(triangles, job, numberOf, result);
     return result;
   }
   writeTriangles(
-    triangles, options.parallelFor, progress, [](Id point) { return point; }, result);
+    triangles, job, [](Id point) { return point; }, result);
   // Points that split edges are numbered in the order in which triangles reach them.
   CallersNumbers numbers(triangles, options.cornerPoints, result);
   for (std::size_t i = 0; i < result.triangles.size(); ++i)

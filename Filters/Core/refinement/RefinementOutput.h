@@ -12,9 +12,8 @@ namespace geodesic
 ///
 /// \param numberOfPoints of the caller: fewer than vertices if the last vertices are only other
 ///        ranks'.
-/// \param progress called with the fraction written.
 RefinedMesh writeOutput(const RedGreenMesh& triangles, const RefinementOptions& options,
-  Id numberOfPoints, const ProgressCallback& progress);
+  Id numberOfPoints, const Job& job);
 
 }
 

@@ -39,27 +39,24 @@ double largestAtCorners(const TriangleMesh& mesh, Id face, const VertexNumbers& 
 } // anonymous namespace
 
 RefinementRetention::RefinementRetention(const MeshPartition& surface, double tolerance,
-  const std::vector<std::uint8_t>& pinned, const FrontOptions& options)
+  const std::vector<std::uint8_t>& pinned, const Job& job)
   : surface_(surface)
   , mesh_(surface_.mesh())
-  , parallelFor_(options.parallelFor)
-  , progress_(paced(options.progress))
+  , job_(job)
   , tolerance_(tolerance)
   , state_(mesh_.numberOfFaces(), State::Open)
   , above_(mesh_.numberOfFaces(), 0.0F)
   , neededBy_(mesh_.numberOfFaces(), 0)
   , lists_(mesh_.numberOfFaces())
 {
-  forRanges(this->parallelFor_, mesh_.numberOfFaces(),
-    [&](std::size_t begin, std::size_t end)
+  this->job_.part(0.0, 0.0).loop(mesh_.numberOfFaces(),
+    [&](std::size_t i)
     {
-      for (Id face = static_cast<Id>(begin); face < end; ++face)
+      const Id face = static_cast<Id>(i);
+      forEachNeighbour(this->mesh_, face, [this, face](Id) { ++this->neededBy_[face]; });
+      if (pinned[face] || !this->surface_.isOwn(face))
       {
-        forEachNeighbour(this->mesh_, face, [this, face](Id) { ++this->neededBy_[face]; });
-        if (pinned[face] || !this->surface_.isOwn(face))
-        {
-          this->state_[face] = State::Kept;
-        }
+        this->state_[face] = State::Kept;
       }
     });
 }
@@ -184,9 +181,8 @@ void RefinementRetention::testDue(const FrontState& front)
 {
   const double known = this->kept_.droppedErrorBound;
   this->results_.resize(this->due_.size());
-  forItems(
-    this->parallelFor_, this->due_.size(), [this]() { reportProgress(this->progress_, 0.0); },
-    [](std::size_t) {},
+  this->job_.loopByTasks(
+    this->due_.size(), [](std::size_t) {},
     [&](std::size_t, std::size_t i)
     {
       const Id face = this->due_[i];

@@ -2,7 +2,7 @@
 #ifndef geodesic_RefinementRetention_h
 #define geodesic_RefinementRetention_h
 
-#include "Tasks.h"
+#include "Job.h"
 #include "front/Front.h"
 #include "front/Retention.h"
 #include "mesh/MeshPartition.h"
@@ -33,11 +33,10 @@ class RefinementRetention : public Retention
 {
 public:
   /// \param pinned for each face, whether its windows are never dropped.
-  /// \param options of the front, for tests of faces between batches. The kept windows do not
-  ///        depend on parallelFor. progress, which must outlive this, is called with 0 between
-  ///        tests.
+  /// \param job of the front, for tests of faces between batches. The kept windows do not depend on
+  ///        its threads.
   RefinementRetention(const MeshPartition& surface, double tolerance,
-    const std::vector<std::uint8_t>& pinned, const FrontOptions& options = {});
+    const std::vector<std::uint8_t>& pinned, const Job& job = {});
 
   bool needsInside() const override { return true; }
   void start(std::size_t districts, const std::vector<SourceInFace>& sources) override;
@@ -84,8 +83,7 @@ private:
 
   MeshPartition surface_;
   const TriangleMesh& mesh_;
-  ParallelFor parallelFor_;
-  ProgressCallback progress_;
+  Job job_;
   double tolerance_;
   std::vector<State> state_;
   /// How far the distance can be above the interpolant in a linear face.

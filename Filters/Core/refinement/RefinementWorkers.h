@@ -2,7 +2,7 @@
 #ifndef geodesic_RefinementWorkers_h
 #define geodesic_RefinementWorkers_h
 
-#include "Progress.h"
+#include "Job.h"
 #include "field/FaceDistance.h"
 #include "field/SegmentEnvelope.h"
 #include "refinement/Deviation.h"
@@ -15,46 +15,6 @@
 
 namespace geodesic
 {
-
-/// Reports to a callback how far a refinement is; the fraction never decreases.
-class RefinementProgress
-{
-public:
-  explicit RefinementProgress(const ProgressCallback& callback)
-    : callback_(ascending(callback))
-    , paced_(paced(this->callback_))
-  {
-  }
-  RefinementProgress(const RefinementProgress&) = delete;
-  RefinementProgress& operator=(const RefinementProgress&) = delete;
-
-  /// Called once per step with the estimated fraction done.
-  ///
-  /// \throws Aborted
-  void at(double fraction)
-  {
-    constexpr unsigned stepsPerReport = 256;
-    if (this->steps_++ % stepsPerReport == 0)
-    {
-      this->tell(fraction);
-    }
-  }
-
-  /// Called at the end of a longer step.
-  ///
-  /// \throws Aborted
-  void tell(double fraction) { reportProgress(this->callback_, std::min(fraction, 1.0)); }
-
-  /// Called between the pieces of a step, which may take long if faces have very many windows.
-  ///
-  /// \throws Aborted
-  void look() const { reportProgress(this->paced_, 0.0); }
-
-private:
-  ProgressCallback callback_;
-  ProgressCallback paced_;
-  unsigned steps_ = 0;
-};
 
 /// The distance at points and along segments of a mesh under refinement, measured in the faces that
 /// contain them. Each thread has its own object, with its own memory; the mesh does not change
@@ -130,14 +90,11 @@ class RefinementWorkers
 public:
   /// All arguments must outlive this.
   ///
-  /// \param parallelFor if empty, one task.
-  /// \param progress checked every few items.
-  RefinementWorkers(const DistanceField& field, const RedGreenMesh& triangles,
-    const ParallelFor& parallelFor, const RefinementProgress& progress)
+  /// \param job looked at every few items.
+  RefinementWorkers(const DistanceField& field, const RedGreenMesh& triangles, const Job& job)
     : field_(field)
     , triangles_(triangles)
-    , parallelFor_(parallelFor)
-    , progress_(progress)
+    , job_(job)
   {
     this->resize(1);
   }
@@ -148,7 +105,7 @@ public:
   /// \throws Aborted
   RefinementWorker& first()
   {
-    this->progress_.look();
+    this->job_.look();
     return *this->workers_.front();
   }
 
@@ -158,9 +115,8 @@ public:
   template <typename Item>
   void run(std::size_t items, const Item& item)
   {
-    forItems(
-      this->parallelFor_, items, [this]() { this->progress_.look(); },
-      [this](std::size_t tasks) { this->resize(tasks); },
+    this->job_.loopByTasks(
+      items, [this](std::size_t tasks) { this->resize(tasks); },
       [&](std::size_t task, std::size_t i) { item(*this->workers_[task], i); });
   }
 
@@ -183,8 +139,7 @@ private:
 
   const DistanceField& field_;
   const RedGreenMesh& triangles_;
-  const ParallelFor& parallelFor_;
-  const RefinementProgress& progress_;
+  const Job& job_;
   std::vector<std::unique_ptr<RefinementWorker>> workers_;
   std::vector<Edge> edges_;
 };

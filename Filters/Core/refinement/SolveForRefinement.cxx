@@ -26,14 +26,14 @@ DistanceField solveForRefinement(const MeshPartition& surface, const SourceWindo
   return solveDropping(
     surface, sources, merging, options.relativeError > 0.0 ? 0 : maximumDroppingSolves,
     [&](const std::vector<std::uint8_t>& kept, const FrontOptions& all)
-    { return RefinementRetention(surface, refinementTolerance, kept, all); },
+    { return RefinementRetention(surface, refinementTolerance, kept, all.job); },
     pinned);
 }
 
 DistanceField solveForRefinement(const TriangleMesh& mesh, const std::vector<SourceCurve>& sources,
   double refinementTolerance, const FrontOptions& options, int maximumDroppingSolves)
 {
-  return solveForRefinement(MeshPartition(mesh), startingWindows(mesh, sources, options.progress),
+  return solveForRefinement(MeshPartition(mesh), startingWindows(mesh, sources, options.job),
     refinementTolerance, options, {}, maximumDroppingSolves);
 }
 

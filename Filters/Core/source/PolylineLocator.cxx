@@ -139,10 +139,10 @@ void LocatedPlaces::setFaces(
   }
 }
 
-LocatedPlaces PolylineLocator::locate(const std::vector<LocatedPolyline>& polylines,
-  double coordinatePrecision, const ProgressCallback& progress)
+LocatedPlaces PolylineLocator::locate(
+  const std::vector<LocatedPolyline>& polylines, double coordinatePrecision, const Job& job)
 {
-  reportProgress(progress, 0.0);
+  job.reach(0.0);
   LocatedPlaces located;
   located.places = placesOf(polylines);
   // With several ranks all places are searched: a rank does not know the vertices of the others.
@@ -154,7 +154,7 @@ LocatedPlaces PolylineLocator::locate(const std::vector<LocatedPolyline>& polyli
     vertices = verticesAt(mesh, located.places);
     isSearched = placesOffEdges(mesh, polylines, located, vertices);
   }
-  located.faces = this->locator_.closest(located.places, isSearched, coordinatePrecision, progress);
+  located.faces = this->locator_.closest(located.places, isSearched, coordinatePrecision, job);
   for (std::size_t i = 0; i < isSearched.size(); ++i)
   {
     if (!isSearched[i])

@@ -2,7 +2,7 @@
 #ifndef geodesic_PolylineLocator_h
 #define geodesic_PolylineLocator_h
 
-#include "Progress.h"
+#include "Job.h"
 #include "mesh/ReplicatedPatch.h"
 #include "mesh/SurfaceLocator.h"
 #include "source/PolylineOnSurface.h"
@@ -41,9 +41,8 @@ public:
   /// Not thread-safe.
   ///
   /// \param coordinatePrecision relative precision of the points' coordinates.
-  /// \param progress called now and then with a fraction done; returning false throws Aborted.
-  LocatedPlaces locate(const std::vector<LocatedPolyline>& polylines, double coordinatePrecision,
-    const ProgressCallback& progress = {});
+  LocatedPlaces locate(
+    const std::vector<LocatedPolyline>& polylines, double coordinatePrecision, const Job& job = {});
 
 private:
   SurfaceLocator locator_;

@@ -16,7 +16,7 @@ namespace geodesic
 namespace
 {
 
-/// Points put onto the surface between two calls of the progress callback.
+/// Points put onto the surface between two calls of the watcher.
 constexpr std::size_t PointsPerReport = 256;
 
 /// A place of a polyline's point on the surface.
@@ -91,11 +91,11 @@ class PolylinePutter
 {
 public:
   PolylinePutter(const TriangleMesh& mesh, double coordinatePrecision, const JoinPoints& join,
-    const ProgressCallback& progress, std::size_t numberOfPoints)
+    const Job& job, std::size_t numberOfPoints)
     : mesh_(mesh)
     , coordinatePrecision_(coordinatePrecision)
     , join_(join)
-    , progress_(ascending(progress))
+    , job_(job)
     , numberOfPoints_(static_cast<double>(numberOfPoints))
   {
   }
@@ -118,11 +118,11 @@ public:
   SourceCurves take() { return std::move(this->result_); }
 
 private:
-  /// \param point index in the current polyline, with the fraction of the way to the next point.
-  /// \throws Aborted
-  void report(double point) const
+  /// The part of the job for a point of the current polyline.
+  Job jobOf(std::size_t point) const
   {
-    reportProgress(this->progress_, (this->pointsDone_ + point) / this->numberOfPoints_);
+    const double before = this->pointsDone_ + static_cast<double>(point);
+    return this->job_.part(before / this->numberOfPoints_, (before + 1.0) / this->numberOfPoints_);
   }
 
   /// For each point the different places on its faces; faces that meet in its vertex or edge give
@@ -134,7 +134,7 @@ private:
     {
       if (this->pointsPlaced_++ % PointsPerReport == 0)
       {
-        this->report(0.0);
+        this->jobOf(0).reach(0.0);
       }
       std::set<std::pair<SurfacePoint::Kind, Id>> elements;
       for (const Id face : polyline.faces[i])
@@ -297,12 +297,7 @@ private:
   std::vector<SurfacePoint> joinFar(
     const PlacedPoint& from, const PlacedPoint& to, const LocatedPolyline& polyline) const
   {
-    const auto report = [&](double fraction)
-    {
-      this->report(static_cast<double>(from.index) + fraction);
-      return true;
-    };
-    std::vector<SurfacePoint> path = this->join_(from.place, to.place, report);
+    std::vector<SurfacePoint> path = this->join_(from.place, to.place, this->jobOf(from.index));
     if (path.empty())
     {
       const std::string names = polyline.pointNames.empty()
@@ -319,7 +314,7 @@ private:
   const TriangleMesh& mesh_;
   const double coordinatePrecision_;
   const JoinPoints& join_;
-  const ProgressCallback progress_;
+  const Job& job_;
   const double numberOfPoints_;
   /// Points of the finished polylines.
   double pointsDone_ = 0.0;
@@ -332,7 +327,7 @@ private:
 } // anonymous namespace
 
 SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedPolyline>& polylines,
-  double coordinatePrecision, const JoinPoints& join, const ProgressCallback& progress)
+  double coordinatePrecision, const JoinPoints& join, const Job& job)
 {
   std::size_t numberOfPoints = 0;
   for (const LocatedPolyline& polyline : polylines)
@@ -340,7 +335,7 @@ SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedP
     check(mesh, polyline);
     numberOfPoints += polyline.points.size();
   }
-  PolylinePutter putter(mesh, coordinatePrecision, join, progress, numberOfPoints);
+  PolylinePutter putter(mesh, coordinatePrecision, join, job, numberOfPoints);
   for (const LocatedPolyline& polyline : polylines)
   {
     putter.put(polyline);

@@ -2,7 +2,7 @@
 #ifndef geodesic_PolylineOnSurface_h
 #define geodesic_PolylineOnSurface_h
 
-#include "Progress.h"
+#include "Job.h"
 #include "source/SourceCurve.h"
 
 #include <functional>
@@ -51,12 +51,11 @@ struct SourceCurves
 
 /// Finds a shortest path on the surface between two points that share no face: the first point, a
 /// point on every crossed edge, the vertices on the way, the second point. It is empty if no path
-/// joins the points. Progress is called now and then with the fraction done; returning false throws
-/// Aborted. The engine's own function is joinByShortestPaths (paths/JoinPoints.h), which needs a
-/// distance field and therefore a later room. It may be called twice for the same points:
+/// joins the points. The engine's own function is joinByShortestPaths (paths/JoinPoints.h), which
+/// needs a distance field and therefore a later room. It may be called twice for the same points:
 /// JoinedPaths there remembers their path.
 using JoinPoints = std::function<std::vector<SurfacePoint>(
-  const SurfacePoint& first, const SurfacePoint& second, const ProgressCallback& progress)>;
+  const SurfacePoint& first, const SurfacePoint& second, const Job& job)>;
 
 /// Puts polylines onto the surface. Each point goes to the closest point of its face, and onto a
 /// vertex or an edge within a tolerance of it (Tolerance.h). Consecutive points in one face are
@@ -73,11 +72,10 @@ using JoinPoints = std::function<std::vector<SurfacePoint>(
 /// \param coordinatePrecision relative precision of the points' coordinates: epsilon of float for
 ///        32-bit points, of double for 64-bit ones.
 /// \param join a shortest path between points that share no face.
-/// \param progress called now and then with the fraction done; returning false throws Aborted.
 /// \throws SourceError if a polyline has no points, a point is not finite or has no face, or
 /// consecutive points are in different components; Aborted.
 SourceCurves putOntoSurface(const TriangleMesh& mesh, const std::vector<LocatedPolyline>& polylines,
-  double coordinatePrecision, const JoinPoints& join, const ProgressCallback& progress = {});
+  double coordinatePrecision, const JoinPoints& join, const Job& job = {});
 
 }
 

@@ -76,11 +76,10 @@ bool isAcrossWithoutArea(
 class Maker
 {
 public:
-  Maker(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves,
-    const ProgressCallback& progress)
+  Maker(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves, const Job& job)
     : mesh_(mesh)
     , curves_(ReplicatedPatch(mesh), curves)
-    , progress_(progress)
+    , job_(job)
     , sectors_(mesh)
     , directions_(mesh)
   {
@@ -113,7 +112,7 @@ private:
     constexpr std::size_t stepsPerReport = 4096;
     if (++this->steps_ % stepsPerReport == 0)
     {
-      reportProgress(this->progress_,
+      this->job_.reach(
         static_cast<double>(this->pointsDone_) / static_cast<double>(this->numberOfPoints_));
     }
   }
@@ -217,7 +216,7 @@ private:
 
   const TriangleMesh& mesh_;
   const CurvesOnPatch curves_;
-  const ProgressCallback& progress_;
+  const Job& job_;
   std::size_t numberOfPoints_ = 0;
   std::size_t pointsDone_ = 0;
   std::size_t steps_ = 0;
@@ -251,10 +250,10 @@ std::vector<Id> verticesOfPart(const ReplicatedPatch& patch, const std::vector<I
 
 } // anonymous namespace
 
-SourceWindows makeSourceWindows(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves,
-  const ProgressCallback& progress)
+SourceWindows makeSourceWindows(
+  const TriangleMesh& mesh, const std::vector<SourceCurve>& curves, const Job& job)
 {
-  return Maker(mesh, curves, progress).make();
+  return Maker(mesh, curves, job).make();
 }
 
 SourceWindows sourceWindowsOfPartition(

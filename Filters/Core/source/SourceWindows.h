@@ -2,7 +2,7 @@
 #ifndef geodesic_SourceWindows_h
 #define geodesic_SourceWindows_h
 
-#include "Progress.h"
+#include "Job.h"
 #include "mesh/ReplicatedPatch.h"
 #include "source/SourceCurve.h"
 #include "window/Interval.h"
@@ -43,10 +43,8 @@ struct SourceWindows
 /// curve into its wedge: the directions at right angles or more to all its segments. A point where
 /// a mesh edge merely cuts the curve has no wedge. Takes time in proportion to the segments and to
 /// the faces around their ends.
-///
-/// \param progress called now and then with the fraction done; returning false throws Aborted.
-SourceWindows makeSourceWindows(const TriangleMesh& mesh, const std::vector<SourceCurve>& curves,
-  const ProgressCallback& progress = {});
+SourceWindows makeSourceWindows(
+  const TriangleMesh& mesh, const std::vector<SourceCurve>& curves, const Job& job = {});
 
 /// This rank's share of the sources on a replicated patch: the windows that leave its own faces,
 /// the sources in these faces and in the halo, and the vertices in its partition. In one process

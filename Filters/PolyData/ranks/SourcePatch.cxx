@@ -161,8 +161,7 @@ std::vector<Id> giveGlobalIds(const ReplicatedPatch& patch, const std::vector<Id
 
 } // anonymous namespace
 
-SurfaceBoundary::SurfaceBoundary(
-  const PolyDataSurface& surface, SourcePatch& faces, const ProgressCallback& progress)
+SurfaceBoundary::SurfaceBoundary(const PolyDataSurface& surface, SourcePatch& faces, const Job& job)
   : numberOfGlobalVertices_(surface.partition.numberOfGlobalVertices())
 {
   if (!surface.barriers)
@@ -171,7 +170,7 @@ SurfaceBoundary::SurfaceBoundary(
     return;
   }
   std::vector<Id> globalIds;
-  const MeshPartition all = surface.partitionWithBarriers(globalIds, progress);
+  const MeshPartition all = surface.partitionWithBarriers(globalIds, job);
   SourcePatch ofAll(all);
   ofAll.addBoundary();
   const ReplicatedPatch patch = ofAll.make();

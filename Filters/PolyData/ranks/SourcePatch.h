@@ -56,10 +56,7 @@ class SurfaceBoundary
 {
 public:
   /// Finds it and adds its faces to a patch. All ranks call this together.
-  ///
-  /// \param progress for a surface with barriers; returning false throws Aborted.
-  SurfaceBoundary(
-    const PolyDataSurface& surface, SourcePatch& faces, const ProgressCallback& progress);
+  SurfaceBoundary(const PolyDataSurface& surface, SourcePatch& faces, const Job& job);
 
   /// The loops as curves on the patch that was made of these faces. Vertices that only barriers
   /// have follow those of the patch, for boundaryOutsideBarriers().

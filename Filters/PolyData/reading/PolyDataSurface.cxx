@@ -29,7 +29,7 @@ std::vector<GlobalVertex> PolyDataSurface::remoteVertices() const
 }
 
 MeshPartition PolyDataSurface::partitionWithBarriers(
-  std::vector<Id>& globalIds, const ProgressCallback& progress) const
+  std::vector<Id>& globalIds, const Job& job) const
 {
   std::vector<Triangle> triangles;
   for (Id i = 0; i < this->numberOfTriangles; ++i)
@@ -50,7 +50,7 @@ MeshPartition PolyDataSurface::partitionWithBarriers(
     globalIds.push_back(vertex.globalId);
   }
   const std::vector<std::uint64_t> keys(globalIds.begin(), globalIds.end());
-  return { std::move(points), std::move(triangles), keys, this->exchange(), progress };
+  return { std::move(points), std::move(triangles), keys, this->exchange(), job };
 }
 
 void PolyDataSurface::useCellsOf(const std::vector<PolyDataBlock>& inputs)

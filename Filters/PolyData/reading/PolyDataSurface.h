@@ -183,9 +183,7 @@ struct PolyDataSurface
   ///
   /// \param globalIds filled with GlobalVertex::globalId of each vertex that the result's own faces
   ///        have.
-  /// \param progress called now and then; returning false throws Aborted.
-  MeshPartition partitionWithBarriers(
-    std::vector<Id>& globalIds, const ProgressCallback& progress) const;
+  MeshPartition partitionWithBarriers(std::vector<Id>& globalIds, const Job& job) const;
 
   /// How many triangles are surface, on all ranks, which call this together. The others are copies
   /// by ghost arrays.
@@ -239,11 +237,10 @@ struct PointMerging
 ///
 /// \param blocks the vtkPolyData that this rank has of the surface. They are not changed.
 /// \param exchange must outlive the surface.
-/// \param progress called now and then with a fraction done; returning false throws Aborted.
 /// \throws MeshError if no face is left that is not a barrier, a coordinate is not finite or a cell
 ///         names a point that does not exist; MeshTooLarge; Aborted.
 PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, const PointMerging& merging,
-  Exchange& exchange = OneRank::instance(), const ProgressCallback& progress = {});
+  Exchange& exchange = OneRank::instance(), const Job& job = {});
 
 /// Numbers the vertices that triangles use, in their order, and changes the corners to these
 /// numbers.

@@ -316,7 +316,7 @@ std::string nameOfBarrier(const PolyDataSurface& surface,
   return surface.partition.isDistributed() ? name + " on rank " + std::to_string(face.rank) : name;
 }
 
-/// The share of the progress for finding the closest faces.
+/// The share of the job for finding the closest faces.
 constexpr double Located = 0.8;
 
 /// For each place the barrier that it lies in, a face of surface.barriers->surface(); the id is
@@ -478,21 +478,18 @@ double coordinatePrecisionOf(const std::vector<PolyDataBlock>& source)
 }
 
 Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
-  const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress)
+  const PolyDataSurface& surface, PolylineLocator& locator, const Job& job)
 {
   const std::vector<LocatedPolyline> points = readPoints(blocks, name, surface);
   const double precision = coordinatePrecisionOf(blocks);
-  const LocatedPlaces located =
-    locator.locate(points, precision, progressBetween(progress, 0.0, Located));
+  const LocatedPlaces located = locator.locate(points, precision, job.part(0.0, Located));
   const std::vector<RankAddress> barriers = barriersAt(surface, located, precision);
-  LoopProgress loop(progress);
-  loop.nextUntil(Located);
-  loop.nextUntil(1.0);
+  const Job snapping = job.part(Located, 1.0);
   std::vector<OwnPlace> own;
   std::vector<double> orders;
   for (std::size_t i = 0; i < located.places.size(); ++i)
   {
-    loop.at(i, located.places.size());
+    snapping.reachItem(i, located.places.size());
     own.push_back(snapToOwnFace(surface.partition, located.places[i], located.faces[i], precision));
     orders.push_back(own.back().order);
   }

@@ -79,10 +79,9 @@ struct Targets
 /// one point. All ranks call this together, with the same points; each target goes to one rank.
 ///
 /// \param name as messages call the input: "the set of targets (input port 2)".
-/// \param progress called now and then with a fraction done; returning false throws Aborted.
 /// \throws InputError if there is no point, or one is not finite or too far away; Aborted.
 Targets readTargets(const std::vector<PolyDataBlock>& blocks, const std::string& name,
-  const PolyDataSurface& surface, PolylineLocator& locator, const ProgressCallback& progress);
+  const PolyDataSurface& surface, PolylineLocator& locator, const Job& job);
 
 }
 

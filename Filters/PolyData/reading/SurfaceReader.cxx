@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyData/Hash.h"
-#include "PolyData/ParallelFor.h"
 #include "PolyData/ranks/RankSeams.h"
 #include "PolyData/reading/Cracks.h"
 #include "PolyData/reading/PolyDataSurface.h"
@@ -91,10 +90,7 @@ struct Vertices
 
 /// For each point the first one at exactly its place. By hashes rather than a point locator, whose
 /// buckets degenerate where most points crowd in a corner of the bounding box.
-///
-/// \param progress its current stretch.
-std::vector<Id> firstAtPlaces(
-  const std::vector<Vec3>& points, const LoopProgress& progress, const ParallelFor& parallelFor)
+std::vector<Id> firstAtPlaces(const std::vector<Vec3>& points, const Job& job)
 {
   const auto count = static_cast<Id>(points.size());
   Id keys = 1;
@@ -103,18 +99,12 @@ std::vector<Id> firstAtPlaces(
     keys *= 2;
   }
   std::vector<Id> hashes(count);
-  forRanges(parallelFor, count, progress.between(0.0, 0.3),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        hashes[i] = static_cast<Id>(hashOf(points[i]) & (keys - 1));
-      }
-    });
-  const GroupedItems byHash = groupItems(count, keys, parallelFor, progress.between(0.3, 0.5),
-    [&hashes](Id point) { return hashes[point]; });
+  job.part(0.0, 0.3).loop(
+    count, [&](std::size_t i) { hashes[i] = static_cast<Id>(hashOf(points[i]) & (keys - 1)); });
+  const GroupedItems byHash =
+    groupItems(count, keys, job.part(0.3, 0.5), [&hashes](Id point) { return hashes[point]; });
   std::vector<Id>& first = hashes; // no longer needed
-  forRanges(parallelFor, keys, progress.between(0.5, 1.0),
+  job.part(0.5, 1.0).ranges(keys,
     [&](std::size_t begin, std::size_t end)
     {
       for (Id key = static_cast<Id>(begin); key < end; ++key)
@@ -238,8 +228,7 @@ struct SurfaceReader
   const std::vector<PolyDataBlock>& inputs;
   const PointMerging merging;
   Exchange& exchange;
-  const ProgressCallback& callback;
-  const ParallelFor parallelFor = smpParallelFor();
+  const Job& job;
   std::vector<SurfaceBlock> blocks{};
   Id numberOfPoints = 0;
   Vertices vertices{};
@@ -254,23 +243,20 @@ struct SurfaceReader
 
   PolyDataSurface read()
   {
-    LoopProgress progress(this->callback);
     const vtkIdType numberOfFaces = countFaces(this->inputs);
     if (this->isTrueOnAll(numberOfFaces == 0))
     {
       throwWithoutFaces(this->inputs);
     }
     this->numberPoints();
-    progress.nextUntil(PointsRead);
-    this->readPoints(progress);
-    progress.nextUntil(PointsMerged);
+    this->readPoints(this->job.part(0.0, PointsRead));
     if (this->merging.isWanted)
     {
-      this->vertices.join(firstAtPlaces(this->vertices.positions, progress, this->parallelFor));
+      this->vertices.join(
+        firstAtPlaces(this->vertices.positions, this->job.part(PointsRead, PointsMerged)));
     }
-    progress.nextUntil(TrianglesRead);
-    this->triangles = readTriangles(this->inputs, this->vertices.of, numberOfFaces, progress,
-      this->parallelFor, this->blocks, this->report);
+    this->triangles = readTriangles(this->inputs, this->vertices.of, numberOfFaces,
+      this->job.part(PointsMerged, TrianglesRead), this->blocks, this->report);
     if (this->isTrueOnAll(this->triangles.corners.empty()))
     {
       const bool isAlone = this->exchange.numberOfRanks() == 1;
@@ -278,21 +264,20 @@ struct SurfaceReader
         "faces of the surface (input port 0) has three different corners. Connect a surface with "
         "triangles or polygons.");
     }
-    progress.nextUntil(SeamsJoined);
-    progress.at(0, 1);
+    const Job joining = this->job.part(TrianglesRead, SeamsJoined);
+    joining.reach(0.0);
     std::vector<double> precisions = this->storedPrecisions();
     this->scaleVertices();
     if (this->exchange.numberOfRanks() > 1)
     {
       this->joinRanks();
     }
-    progress.between(0.3, 1.0).at(0, 1);
+    joining.reach(0.3);
     if (this->merging.isWanted)
     {
       this->joinSeams(std::move(precisions));
     }
-    progress.nextUntil(1.0);
-    progress.at(0, 1);
+    joining.reach(1.0);
     this->roles = findRoles(
       this->inputs, this->vertices.labels, this->vertices.of, this->triangles, this->exchange);
     keepTriangles(this->inputs, this->triangles, this->blocks);
@@ -323,7 +308,7 @@ struct SurfaceReader
   }
 
   /// \throws MeshError if a coordinate is not finite.
-  void readPoints(const LoopProgress& progress)
+  void readPoints(const Job& stretch)
   {
     std::vector<Vec3>& positions = this->vertices.positions;
     const auto readRange = [&](std::size_t begin, std::size_t end)
@@ -342,8 +327,7 @@ struct SurfaceReader
       }
       return bad;
     };
-    const std::vector<std::size_t> bad =
-      resultsOfRanges(this->parallelFor, positions.size(), progress, readRange);
+    const std::vector<std::size_t> bad = stretch.resultsOfRanges(positions.size(), readRange);
     const auto first = std::min_element(bad.begin(), bad.end());
     if (first != bad.end() && *first < this->blocks.size())
     {
@@ -353,7 +337,7 @@ struct SurfaceReader
 
   Box boxOf(const std::vector<Triangle>& corners, const VertexOfPoint& vertexOf) const
   {
-    return boxOfItems(this->parallelFor, corners.size(),
+    return boxOfItems(this->job.part(TrianglesRead, TrianglesRead), corners.size(),
       [&](Box& part, std::size_t i)
       {
         for (const Id vertex : vertexOf(corners[i]))
@@ -504,14 +488,9 @@ struct SurfaceReader
     faces.open = std::move(this->triangles.corners);
     this->triangles = {};
     std::vector<Triangle>& open = faces.open;
-    forRanges(this->parallelFor, this->vertices.of.isIdentity() ? 0 : open.size(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          open[i] = this->vertices.of(open[i]);
-        }
-      });
+    this->job.part(TrianglesRead, TrianglesRead)
+      .loop(this->vertices.of.isIdentity() ? 0 : open.size(),
+        [&](std::size_t i) { open[i] = this->vertices.of(open[i]); });
     for (Id i = 0; i < this->roles.size(); ++i)
     {
       if (this->roles[i] == TriangleRole::Open)
@@ -574,7 +553,7 @@ struct SurfaceReader
     BorrowedValues elsewhere = findValuesElsewhere(this->vertices.labels, numbers, this->exchange);
     this->vertices.labels = {};
     MeshPartition partition(std::move(this->vertices.positions), faces.open, keys, this->exchange,
-      progressBetween(this->callback, SeamsJoined, 1.0), this->parallelFor);
+      this->job.part(SeamsJoined, 1.0));
     Id next = partition.mesh().numberOfVertices();
     for (Id& number : numbers)
     {
@@ -606,9 +585,9 @@ struct SurfaceReader
 }
 
 PolyDataSurface readSurface(const std::vector<PolyDataBlock>& blocks, const PointMerging& merging,
-  Exchange& exchange, const ProgressCallback& progress)
+  Exchange& exchange, const Job& job)
 {
-  return SurfaceReader{ blocks, merging, exchange, progress }.read();
+  return SurfaceReader{ blocks, merging, exchange, job }.read();
 }
 
 }

@@ -72,10 +72,9 @@ struct BlockReader
   vtkNew<vtkPolygon> polygon{};
   vtkNew<vtkIdList> ears{};
 
-  /// \param cellsRead of numberOfFaces, for the progress.
+  /// \param cellsRead of numberOfFaces, so far.
   /// \returns whether all cells are triangles of the input.
-  bool read(const ParallelFor& parallelFor, const LoopProgress& progress, vtkIdType numberOfFaces,
-    std::size_t& cellsRead)
+  bool read(const Job& job, vtkIdType numberOfFaces, std::size_t& cellsRead)
   {
     const auto count = static_cast<std::size_t>(numberOfFaces);
     const double done =
@@ -83,8 +82,7 @@ struct BlockReader
     if (!this->ghosts && this->block.inputCells.empty() &&
       this->block.data->GetNumberOfPolys() == this->block.data->GetNumberOfCells())
     {
-      progress.between(done, 1.0).at(0, 1);
-      if (this->readPlainTriangles(parallelFor))
+      if (this->readPlainTriangles(job.part(done, 1.0)))
       {
         cellsRead += static_cast<std::size_t>(this->block.data->GetNumberOfPolys());
         return true;
@@ -97,7 +95,7 @@ struct BlockReader
       forEachCell(cells,
         [&](vtkIdType size, const vtkIdType* ids)
         {
-          progress.at(cellsRead++, count);
+          job.reachItem(cellsRead++, count);
           if (!this->isMarked(Hidden))
           {
             requirePoints<MeshError>(this->block, this->inputCell(), size, ids);
@@ -136,7 +134,7 @@ struct BlockReader
   }
 
   /// Reads a block whose cells are all triangles with three vertices. \returns whether it is one.
-  bool readPlainTriangles(const ParallelFor& parallelFor)
+  bool readPlainTriangles(const Job& job)
   {
     std::vector<Triangle>& corners = this->triangles.corners;
     std::vector<vtkIdType>& cells = this->triangles.cells;
@@ -168,7 +166,7 @@ struct BlockReader
       }
       return 1;
     };
-    const std::vector<int> arePlain = resultsOfRanges(parallelFor, count, readRange);
+    const std::vector<int> arePlain = job.resultsOfRanges(count, readRange);
     const bool areAllPlain = std::find(arePlain.begin(), arePlain.end(), 0) == arePlain.end();
     corners.resize(areAllPlain ? before + count : before);
     cells.resize(corners.size());
@@ -255,8 +253,7 @@ struct BlockReader
 } // anonymous namespace
 
 TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const VertexOfPoint& vertexOf,
-  vtkIdType numberOfFaces, const LoopProgress& progress, const ParallelFor& parallelFor,
-  std::vector<SurfaceBlock>& blocks, SurfaceReport& report)
+  vtkIdType numberOfFaces, const Job& job, std::vector<SurfaceBlock>& blocks, SurfaceReport& report)
 {
   TriangleList triangles;
   triangles.corners.reserve(static_cast<std::size_t>(numberOfFaces));
@@ -267,7 +264,7 @@ TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const Verte
     triangles.firstOfBlock.push_back(triangles.corners.size());
     blocks[i].firstTriangle = static_cast<Id>(triangles.corners.size());
     BlockReader reader{ inputs[i], blocks[i].firstPoint, vertexOf, triangles, report };
-    blocks[i].areInputCells = reader.read(parallelFor, progress, numberOfFaces, cellsRead);
+    blocks[i].areInputCells = reader.read(job, numberOfFaces, cellsRead);
   }
   triangles.firstOfBlock.push_back(triangles.corners.size());
   return triangles;

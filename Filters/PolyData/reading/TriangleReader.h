@@ -3,11 +3,10 @@
 #define geodesic_TriangleReader_h
 
 #include "Exchange.h"
+#include "Job.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/ranks/RankSeams.h"
 #include "PolyData/reading/PolyDataSurface.h"
-#include "Progress.h"
-#include "Tasks.h"
 
 #include "vtkType.h"
 
@@ -59,12 +58,12 @@ struct TriangleList
 ///
 /// \param blocks whose points are numbered; they are given their triangles as cells: the input's
 ///        own cells if these are the same.
-/// \param numberOfFaces of all inputs, for the progress.
+/// \param numberOfFaces of all inputs.
 /// \param report to which what was dropped is added.
 /// \throws MeshError if a cell names a point that does not exist.
 TriangleList readTriangles(const std::vector<PolyDataBlock>& inputs, const VertexOfPoint& vertexOf,
-  vtkIdType numberOfFaces, const LoopProgress& progress, const ParallelFor& parallelFor,
-  std::vector<SurfaceBlock>& blocks, SurfaceReport& report);
+  vtkIdType numberOfFaces, const Job& job, std::vector<SurfaceBlock>& blocks,
+  SurfaceReport& report);
 
 /// Finds the roles of the triangles of all ranks, which call this together.
 ///

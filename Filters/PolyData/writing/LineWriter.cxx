@@ -118,8 +118,7 @@ void addArray(const char* name, const std::vector<PathOfTarget>& paths, const Va
 ///
 /// \returns the lengths of the paths, as an array.
 vtkNew<vtkDoubleArray> writeLines(const PowerOfTwoScale& scale,
-  const std::vector<PathOfTarget>& paths, vtkIdType size, vtkPolyData* output,
-  const LoopProgress& progress)
+  const std::vector<PathOfTarget>& paths, vtkIdType size, vtkPolyData* output, const Job& job)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -141,7 +140,7 @@ vtkNew<vtkDoubleArray> writeLines(const PowerOfTwoScale& scale,
     double length = 0.0;
     for (std::size_t i = places.size(); i-- > 0;)
     {
-      progress.at(static_cast<std::size_t>(point) - i - 1, static_cast<std::size_t>(size));
+      job.reachItem(static_cast<std::size_t>(point) - i - 1, static_cast<std::size_t>(size));
       length += i + 1 < places.size() ? norm(places[i + 1] - places[i]) : 0.0;
       left->SetValue(
         point - static_cast<vtkIdType>(places.size() - i), scale.resultToUser(length, TooLong));
@@ -195,13 +194,11 @@ void writeCurves(const TriangleMesh& mesh, const PowerOfTwoScale& scale,
   output->GetCellData()->AddArray(sources);
 }
 
-void writeIsolines(const WrittenIsolines& written, const PowerOfTwoScale& scale,
-  vtkPolyData* output, const ProgressCallback& callback)
+void writeIsolines(
+  const WrittenIsolines& written, const PowerOfTwoScale& scale, vtkPolyData* output, const Job& job)
 {
   const Isolines& isolines = written.isolines;
   requireMemoryOf(written.curves, isolines.points.size());
-  LoopProgress progress(callback);
-  progress.nextUntil(1.0);
   LineCells cells(scale);
   const auto lineIds = makeArray<vtkIdTypeArray>("LineId", 0);
   vtkIdType line = 0;
@@ -227,7 +224,7 @@ void writeIsolines(const WrittenIsolines& written, const PowerOfTwoScale& scale,
   std::vector<vtkIdType> numbers(isolines.points.size(), -1);
   for (std::size_t i = 0; i < isolines.lines.size(); ++i)
   {
-    progress.at(i, isolines.lines.size());
+    job.reachItem(i, isolines.lines.size());
     const Isoline& isoline = isolines.lines[i];
     const double value = written.values[isoline.value];
     cells.lines->InsertNextCell(static_cast<int>(isoline.points.size()));
@@ -250,7 +247,7 @@ void writeIsolines(const WrittenIsolines& written, const PowerOfTwoScale& scale,
 }
 
 void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,
-  const PathArrayChoice& choice, vtkPolyData* output, const ProgressCallback& callback)
+  const PathArrayChoice& choice, vtkPolyData* output, const Job& job)
 {
   vtkIdType size = 0;
   for (const PathOfTarget& path : paths)
@@ -260,9 +257,7 @@ void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& p
   // A point, what is left, its id and its cell; a path's offset and six arrays.
   requireMemory(size, 4 * sizeof(double) + 2 * sizeof(vtkIdType));
   requireMemory(static_cast<vtkIdType>(paths.size()), 4 * sizeof(double) + 3 * sizeof(vtkIdType));
-  LoopProgress progress(callback);
-  progress.nextUntil(1.0);
-  const auto lengths = writeLines(scale, paths, size, output, progress);
+  const auto lengths = writeLines(scale, paths, size, output, job);
   if (choice.cells)
   {
     writeCells(paths, size, output);

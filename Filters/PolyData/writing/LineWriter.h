@@ -2,8 +2,8 @@
 #ifndef geodesic_LineWriter_h
 #define geodesic_LineWriter_h
 
+#include "Job.h"
 #include "PolyData/PowerOfTwoScale.h"
-#include "Progress.h"
 #include "contours/Isolines.h"
 #include "paths/PathsToSource.h"
 #include "source/SourceCurve.h"
@@ -41,10 +41,8 @@ struct WrittenIsolines
 
 /// Gives an output lines as polylines that share points, with the value of each as cell and point
 /// array `GeodesicDistance`, the active scalars.
-///
-/// \param progress called now and then; returning false throws Aborted.
-void writeIsolines(const WrittenIsolines& lines, const PowerOfTwoScale& scale, vtkPolyData* output,
-  const ProgressCallback& progress);
+void writeIsolines(
+  const WrittenIsolines& lines, const PowerOfTwoScale& scale, vtkPolyData* output, const Job& job);
 
 /// A path of a target, by places in space on the mesh's scale.
 struct PathOfTarget
@@ -72,10 +70,9 @@ struct PathArrayChoice
 /// and SourceAngle, and the point arrays GeodesicDistance, which is what is left to go, and FaceId.
 ///
 /// \param paths in the order of their targets.
-/// \param progress called now and then; returning false throws Aborted.
 /// \throws MeshError where a length is larger than numbers can be.
 void writePaths(const PowerOfTwoScale& scale, const std::vector<PathOfTarget>& paths,
-  const PathArrayChoice& choice, vtkPolyData* output, const ProgressCallback& progress);
+  const PathArrayChoice& choice, vtkPolyData* output, const Job& job);
 
 }
 

@@ -2,7 +2,6 @@
 #include "PolyData/writing/OutputPoints.h"
 
 #include "PolyData/Memory.h"
-#include "PolyData/ParallelFor.h"
 #include "Tolerance.h"
 
 #include "vtkAlgorithm.h"
@@ -36,7 +35,8 @@ double singleRounding(const PolyDataSurface& surface)
 }
 
 /// How far points of this rank's input are from the vertices that they were made.
-double largestJoint(const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs)
+double largestJoint(
+  const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs, const Job& job)
 {
   const TriangleMesh& mesh = surface.mesh();
   double largest = 0.0;
@@ -59,7 +59,7 @@ double largestJoint(const PolyDataSurface& surface, const std::vector<PolyDataBl
       }
       return farthest;
     };
-    for (const double farthest : resultsOfRanges(smpParallelFor(), block.numberOfPoints, inRange))
+    for (const double farthest : job.resultsOfRanges(block.numberOfPoints, inRange))
     {
       largest = std::max(largest, farthest);
     }
@@ -75,14 +75,14 @@ int typeOf(vtkPoints* points)
 
 }
 
-Displacements displacementsOfPoints(
-  const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs, int precision)
+Displacements displacementsOfPoints(const PolyDataSurface& surface,
+  const std::vector<PolyDataBlock>& inputs, int precision, const Job& job)
 {
   const bool toSingle = precision == vtkAlgorithm::SINGLE_PRECISION;
   const double rounding = toSingle ? singleRounding(surface) : 0.0;
   const bool areSingle = std::all_of(inputs.begin(), inputs.end(),
     [](const PolyDataBlock& input) { return typeOf(input.data->GetPoints()) == VTK_FLOAT; });
-  const double ofInput = largestJoint(surface, inputs) + (areSingle ? 0.0 : rounding);
+  const double ofInput = largestJoint(surface, inputs, job) + (areSingle ? 0.0 : rounding);
   // Each coordinate is summed up first.
   const double ofSum = std::sqrt(3.0) * tolerance::PositionRoundings * tolerance::Rounding *
     surface.box.largestCoordinate();
@@ -109,8 +109,7 @@ int typeOfPoints(vtkPoints* input, int precision, bool hasNewPoints)
 }
 
 vtkSmartPointer<vtkPoints> storePoints(vtkPoints* input, int type,
-  const std::vector<RefinedPoint>& added, const PowerOfTwoScale& scale,
-  const LoopProgress& progress)
+  const std::vector<RefinedPoint>& added, const PowerOfTwoScale& scale, const Job& job)
 {
   if (added.empty() && typeOf(input) == type)
   {
@@ -129,7 +128,7 @@ vtkSmartPointer<vtkPoints> storePoints(vtkPoints* input, int type,
   }
   for (std::size_t i = 0; i < added.size(); ++i)
   {
-    progress.at(i, added.size());
+    job.reachItem(i, added.size());
     points->SetPoint(old + static_cast<vtkIdType>(i), scale.toUser(added[i].position).data());
   }
   return points;

@@ -2,8 +2,8 @@
 #ifndef geodesic_OutputPoints_h
 #define geodesic_OutputPoints_h
 
+#include "Job.h"
 #include "PolyData/reading/PolyDataSurface.h"
-#include "Tasks.h"
 #include "refinement/RefinedMesh.h"
 
 #include "vtkSmartPointer.h"
@@ -38,8 +38,8 @@ struct Displacements
 ///
 /// \param inputs the blocks that the surface was read from.
 /// \param precision vtkAlgorithm::DesiredOutputPrecision.
-Displacements displacementsOfPoints(
-  const PolyDataSurface& surface, const std::vector<PolyDataBlock>& inputs, int precision);
+Displacements displacementsOfPoints(const PolyDataSurface& surface,
+  const std::vector<PolyDataBlock>& inputs, int precision, const Job& job);
 
 /// \throws MeshError if coordinates are too large for this precision.
 void requireRangeOf(int precision, const PolyDataSurface& surface);
@@ -55,8 +55,7 @@ int typeOfPoints(vtkPoints* input, int precision, bool hasNewPoints);
 ///
 /// \param scale of the new points.
 vtkSmartPointer<vtkPoints> storePoints(vtkPoints* input, int type,
-  const std::vector<RefinedPoint>& added, const PowerOfTwoScale& scale,
-  const LoopProgress& progress);
+  const std::vector<RefinedPoint>& added, const PowerOfTwoScale& scale, const Job& job = {});
 
 }
 

@@ -184,16 +184,14 @@ SourceValues valuesOf(const SourceArrays& arrays, const Foot& foot, const Neares
 ///        (std::size_t i) -> std::pair<Foot, IncomingSegment>
 template <typename At>
 ValuesAtPoints collect(const SourceArrays& arrays, const NearestSource& nearest, std::size_t count,
-  const DistanceField& computed, const ProgressCallback& callback, const At& at)
+  const DistanceField& computed, const Job& job, const At& at)
 {
   ValuesAtPoints values;
-  LoopProgress progress(callback);
-  progress.nextUntil(1.0);
   forEachKind(arrays.choice, [&](auto kind) { (values.*kind).reserve(count); });
   Gradients gradients(computed, values.gradients);
   for (std::size_t i = 0; i < count; ++i)
   {
-    progress.at(i, count);
+    job.reachItem(i, count);
     const auto& [foot, segment] = at(i);
     if (arrays.choice.areFeetNeeded())
     {
@@ -232,8 +230,8 @@ void addEmptyArrays(const SourceArrayChoice& choice, vtkPolyData* output)
     choice, [](vtkIdType) { return OutputPoint(); }, output);
 }
 
-ValuesAtPoints SourceArrays::atVertices(const DistanceField& computed, const NearestSource& nearest,
-  const ProgressCallback& progress) const
+ValuesAtPoints SourceArrays::atVertices(
+  const DistanceField& computed, const NearestSource& nearest, const Job& job) const
 {
   const auto at = [&](std::size_t i)
   {
@@ -243,14 +241,14 @@ ValuesAtPoints SourceArrays::atVertices(const DistanceField& computed, const Nea
                              : IncomingSegment());
   };
   ValuesAtPoints values =
-    collect(*this, nearest, this->surface.partition.numberOfOwnVertices(), computed, progress, at);
+    collect(*this, nearest, this->surface.partition.numberOfOwnVertices(), computed, job, at);
   forEachKind(this->choice, [&](auto kind) { this->surface.completeValues({}, values.*kind); });
   return values;
 }
 
 ValuesAtPoints SourceArrays::atNewPoints(const RefinedSurface& refined,
   const DistanceField& computed, const DistanceField& exact, NearestSource& nearest,
-  const ProgressCallback& progress) const
+  const Job& job) const
 {
   const std::vector<RefinedPoint>& points = refined.mesh.points;
   const std::size_t count = refined.numberOfPointsWithPlaces();
@@ -263,7 +261,7 @@ ValuesAtPoints SourceArrays::atNewPoints(const RefinedSurface& refined,
     return std::pair(this->choice.areFeetNeeded() ? nearest.of(piece) : Foot(),
       isOther ? incomingSegmentTo(computed, points[i].place) : piece);
   };
-  ValuesAtPoints values = collect(*this, nearest, count, computed, progress, at);
+  ValuesAtPoints values = collect(*this, nearest, count, computed, job, at);
   Exchange& exchange = this->surface.exchange();
   const SeamPoints seams = findSeamPoints(points, count, computed, exact);
   const BorrowedValues atSeams(seams.there, exchange);

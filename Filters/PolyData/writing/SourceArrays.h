@@ -2,8 +2,8 @@
 #ifndef geodesic_SourceArrays_h
 #define geodesic_SourceArrays_h
 
+#include "Job.h"
 #include "PolyData/reading/PolyDataSurface.h"
-#include "Progress.h"
 #include "field/NearestSource.h"
 
 #include <cstdint>
@@ -94,14 +94,14 @@ struct SourceArrays
   /// Of every vertex that points have: PolyDataSurface::vertexOf(). All ranks call this together.
   ///
   /// \param computed the field that gradients are of, with arrivals.
-  ValuesAtPoints atVertices(const DistanceField& computed, const NearestSource& nearest,
-    const ProgressCallback& progress) const;
+  ValuesAtPoints atVertices(
+    const DistanceField& computed, const NearestSource& nearest, const Job& job) const;
   /// Of the points that refinement has added. A point on a seam has the values of the rank that
   /// knows them best. All ranks call this together.
   ///
   /// \param exact the field that feet are of, with arrivals; the computed one or another.
   ValuesAtPoints atNewPoints(const RefinedSurface& refined, const DistanceField& computed,
-    const DistanceField& exact, NearestSource& nearest, const ProgressCallback& progress) const;
+    const DistanceField& exact, NearestSource& nearest, const Job& job) const;
 
   /// Adds the arrays of one block to its points: those of the input, then those that were added.
   ///

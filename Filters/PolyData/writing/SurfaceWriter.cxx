@@ -2,7 +2,6 @@
 #include "PolyData/writing/SurfaceWriter.h"
 
 #include "PolyData/Memory.h"
-#include "PolyData/ParallelFor.h"
 #include "PolyData/PolyDataBlocks.h"
 #include "PolyData/writing/OutputPoints.h"
 
@@ -121,10 +120,8 @@ vtkUnsignedCharArray* asGhosts(vtkAbstractArray* array)
 /// Copies the data of a mesh's input points and gives its new points interpolated data: numbers
 /// linearly in the face, strings, ids and bits those of the nearest corner. A new point is a ghost
 /// in the ways that all corners around it are. Global ids are dropped.
-///
-/// \param end where this ends as a fraction of the whole.
-void interpolatePointData(const RefinedMesh& refined, vtkPointData* from, vtkPointData* to,
-  double end, LoopProgress& progress)
+void interpolatePointData(
+  const RefinedMesh& refined, vtkPointData* from, vtkPointData* to, const Job& job)
 {
   const auto old = static_cast<vtkIdType>(refined.numberOfInputPoints);
   const vtkIdType count = old + static_cast<vtkIdType>(refined.points.size());
@@ -140,14 +137,14 @@ void interpolatePointData(const RefinedMesh& refined, vtkPointData* from, vtkPoi
   vtkNew<vtkIdList> corners;
   for (int i = 0; i < to->GetNumberOfArrays(); ++i)
   {
-    const int left = to->GetNumberOfArrays() - i;
-    progress.nextUntil(progress.end() + (end - progress.end()) / left);
+    const double arrays = to->GetNumberOfArrays();
+    const Job ofArray = job.part(i / arrays, (i + 1) / arrays);
     vtkAbstractArray* array = to->GetAbstractArray(i);
     vtkUnsignedCharArray* ghosts = asGhosts(array);
     const bool isLabelArray = isLabel(to, i);
     for (std::size_t j = 0; j < blends.size(); ++j)
     {
-      progress.at(j, blends.size());
+      ofArray.reachItem(j, blends.size());
       const vtkIdType point = old + static_cast<vtkIdType>(j);
       if (ghosts)
       {
@@ -170,19 +167,19 @@ void interpolatePointData(const RefinedMesh& refined, vtkPointData* from, vtkPoi
 /// \param oldOf (vtkIdType) -> vtkIdType
 template <typename OldOf>
 void copyData(vtkDataSetAttributes* from, vtkIdType count, const OldOf& oldOf,
-  vtkDataSetAttributes* to, const LoopProgress& progress)
+  vtkDataSetAttributes* to, const Job& job = {})
 {
   to->CopyAllocate(from, count);
   if (to->GetNumberOfArrays() == 0)
   {
     return;
   }
-  constexpr vtkIdType atOnce = 8192; // whole arrays are fast, and progress is reported
+  constexpr vtkIdType atOnce = 8192; // whole arrays are fast, and the watcher hears of each part
   vtkNew<vtkIdList> olds;
   vtkNew<vtkIdList> news;
   for (vtkIdType first = 0; first < count; first += atOnce)
   {
-    progress.at(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
+    job.reachItem(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
     const vtkIdType size = std::min(atOnce, count - first);
     olds->SetNumberOfIds(size);
     news->SetNumberOfIds(size);
@@ -196,7 +193,7 @@ void copyData(vtkDataSetAttributes* from, vtkIdType count, const OldOf& oldOf,
 }
 
 void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellData* from,
-  vtkPolyData* output, const LoopProgress& progress)
+  vtkPolyData* output, const Job& job)
 {
   const auto count = static_cast<vtkIdType>(refined.triangles.size());
   // Three points, an offset and the original cell.
@@ -208,11 +205,10 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
   points->SetNumberOfValues(3 * count);
   const auto originals = makeArray<vtkIdTypeArray>("OriginalCellIds", count);
   offsets->SetValue(count, 3 * count);
-  forRanges(smpParallelFor(), refined.triangles.size(),
-    progress.between(0.0, from->GetNumberOfArrays() > 0 ? 0.5 : 1.0),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
+  const double idsWritten = from->GetNumberOfArrays() > 0 ? 0.5 : 1.0;
+  job.part(0.0, idsWritten)
+    .loop(refined.triangles.size(),
+      [&](std::size_t i)
       {
         const auto cell = static_cast<vtkIdType>(i);
         offsets->SetValue(cell, 3 * cell);
@@ -221,14 +217,13 @@ void writeCells(const SurfaceBlock& block, const RefinedMesh& refined, vtkCellDa
           points->SetValue(3 * cell + static_cast<vtkIdType>(k), refined.triangles[i][k]);
         }
         originals->SetValue(cell, block.inputCell(refined.faces[i]));
-      }
-    });
+      });
   vtkNew<vtkCellArray> triangles;
   triangles->SetData(offsets, points);
   output->GetCellData()->CopyGlobalIdsOff(); // the parts of one cell would share one
   copyData(
     from, count, [&originals](vtkIdType i) { return originals->GetValue(i); },
-    output->GetCellData(), progress.between(0.5, 1.0));
+    output->GetCellData(), job.part(idsWritten, 1.0));
   output->SetPolys(triangles);
   output->GetCellData()->AddArray(originals);
 }
@@ -246,10 +241,8 @@ void keepPoints(vtkIdList* used, vtkPolyData* data)
   vtkNew<vtkPointData> kept;
   requireMemory(count, bytesATuple(data->GetPointData()));
   kept->CopyAllOn();
-  const ProgressCallback nobody;
   copyData(
-    data->GetPointData(), count, [used](vtkIdType i) { return used->GetId(i); }, kept,
-    LoopProgress(nobody));
+    data->GetPointData(), count, [used](vtkIdType i) { return used->GetId(i); }, kept);
   data->GetPointData()->ShallowCopy(kept);
 }
 
@@ -316,12 +309,10 @@ std::vector<RefinedBlock> partsByBlock(
   return parts;
 }
 
-void writeWhole(const SurfaceBlock& block, int pointType, vtkPolyData* input, vtkPolyData* output,
-  const ProgressCallback& callback)
+void writeWhole(
+  const SurfaceBlock& block, int pointType, vtkPolyData* input, vtkPolyData* output, const Job& job)
 {
-  LoopProgress progress(callback);
-  progress.nextUntil(1.0);
-  output->SetPoints(storePoints(input->GetPoints(), pointType, {}, {}, progress));
+  output->SetPoints(storePoints(input->GetPoints(), pointType, {}, {}, job));
   output->GetPointData()->PassData(input->GetPointData());
   output->SetPolys(block.triangles);
   if (block.areInputCells)
@@ -334,23 +325,20 @@ void writeWhole(const SurfaceBlock& block, int pointType, vtkPolyData* input, vt
   requireMemory(count, bytesATuple(from));
   output->GetCellData()->CopyGlobalIdsOff();
   copyData(
-    from, count, [&block](vtkIdType i) { return block.inputCell(i); }, output->GetCellData(),
-    progress);
+    from, count, [&block](vtkIdType i) { return block.inputCell(i); }, output->GetCellData(), job);
 }
 
 void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined,
   const PowerOfTwoScale& scale, int pointType, vtkPolyData* input, vtkPolyData* output,
-  const ProgressCallback& callback)
+  const Job& job)
 {
   constexpr double pointsDone = 0.1;
   constexpr double pointDataDone = 0.5;
-  LoopProgress progress(callback);
-  progress.nextUntil(pointsDone);
-  output->SetPoints(storePoints(input->GetPoints(), pointType, refined.points, scale, progress));
+  output->SetPoints(
+    storePoints(input->GetPoints(), pointType, refined.points, scale, job.part(0.0, pointsDone)));
   interpolatePointData(
-    refined, input->GetPointData(), output->GetPointData(), pointDataDone, progress);
-  progress.nextUntil(1.0);
-  writeCells(block, refined, input->GetCellData(), output, progress);
+    refined, input->GetPointData(), output->GetPointData(), job.part(pointsDone, pointDataDone));
+  writeCells(block, refined, input->GetCellData(), output, job.part(pointDataDone, 1.0));
 }
 
 void removeUnusedPoints(vtkPolyData* data)

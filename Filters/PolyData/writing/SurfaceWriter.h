@@ -32,9 +32,8 @@ std::vector<RefinedBlock> partsByBlock(
 /// triangles, and for each the data of the cell that it came from.
 ///
 /// \param pointType VTK's type of the output's points: typeOfPoints().
-/// \param progress called now and then; returning false throws Aborted.
 void writeWhole(const SurfaceBlock& block, int pointType, vtkPolyData* input, vtkPolyData* output,
-  const ProgressCallback& progress);
+  const Job& job);
 
 /// Gives an output a refined block: the input's points with their data, the new points with
 /// interpolated data, and the triangles with the data of the cells that they are parts of and those
@@ -43,10 +42,9 @@ void writeWhole(const SurfaceBlock& block, int pointType, vtkPolyData* input, vt
 /// \param refined in numbers of the block, see partsByBlock().
 /// \param scale of the refined mesh.
 /// \param pointType VTK's type of the output's points: typeOfPoints().
-/// \param progress called now and then; returning false throws Aborted.
 void writeRefined(const SurfaceBlock& block, const RefinedMesh& refined,
   const PowerOfTwoScale& scale, int pointType, vtkPolyData* input, vtkPolyData* output,
-  const ProgressCallback& progress);
+  const Job& job);
 
 /// Leaves out of a data set of polygons the points that none of them uses; the others keep their
 /// order and their data. Arrays are replaced, not changed: other data sets may have them, too.

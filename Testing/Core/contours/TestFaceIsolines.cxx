@@ -56,9 +56,9 @@ public:
     }
     this->field_.emplace(solveKeepingAll(this->mesh_, engineCurves(this->mesh_, points)));
     const FaceDistance face(*this->field_, 0);
-    const geodesic::ProgressCallback progress;
-    geodesic::IsolineTask task{ this->mesh_, static_cast<Id>(outline.size()), 1e-3, progress,
-      geodesic::LevelArrangement(progress), {} };
+    const geodesic::Job job;
+    geodesic::IsolineTask task{ this->mesh_, static_cast<Id>(outline.size()), 1e-3, job,
+      geodesic::LevelArrangement(job), {} };
     for (const OnOutline& p : outline)
     {
       Barycentric weights{};

@@ -20,6 +20,7 @@ using namespace geodesictest;
 using geodesic::Id;
 using geodesic::Isoline;
 using geodesic::Isolines;
+using geodesic::Job;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
 
@@ -447,7 +448,7 @@ TEST(Isolines, RefuseWrongValuesAndToleranceAndFieldsWithoutWindows)
     geodesic::Error);
 }
 
-TEST(Isolines, StopWhereProgressAsksForIt)
+TEST(Isolines, StopWhereTheirWatcherAsksForIt)
 {
   const TriangleMesh mesh = engineMesh(octasphere(12));
   geodesic::SourceCurve point;
@@ -456,7 +457,7 @@ TEST(Isolines, StopWhereProgressAsksForIt)
   geodesic::IsolineOptions options;
   options.values = { 0.5, 1.0 };
   options.chordTolerance = 1e-3;
-  options.progress = [](double) { return false; };
+  options.job = Job([](double) { return false; });
   EXPECT_THROW(
     geodesic::drawIsolines(geodesic::solveForIsolines(mesh, { point }, options.values), options),
     geodesic::Aborted);
@@ -484,7 +485,7 @@ TEST_P(IsolinesOfKinds, GrowToTheLeftHaveOnePointAnEdgeAndNeedOnlyTheWindowsKept
     options.chordTolerance = 1e-7 * largest;
     const Isolines isolines = isolinesOf(mesh, curves, values, options.chordTolerance);
     const Isolines ofAll = geodesic::drawIsolines(field, options);
-    options.parallelFor = onThreads;
+    options.job = Job({}, onThreads);
     EXPECT_TRUE(placesOf(geodesic::drawIsolines(field, options)) == placesOf(ofAll));
     for (std::size_t value = 0; value < values.size(); ++value)
     {
@@ -531,8 +532,8 @@ TEST(IsolinesParallel, AreTheSameOnThreads)
   const Isolines one =
     geodesic::drawIsolines(geodesic::solveForIsolines(mesh, curves, values), options);
   geodesic::FrontOptions front;
-  front.parallelFor = onThreads;
-  options.parallelFor = onThreads;
+  front.job = Job({}, onThreads);
+  options.job = Job({}, onThreads);
   const Isolines three =
     geodesic::drawIsolines(geodesic::solveForIsolines(mesh, curves, values, front), options);
   EXPECT_FALSE(one.lines.empty());

@@ -6,7 +6,6 @@
 
 #include "Errors.h"
 #include "field/DistanceMatrix.h"
-#include "field/WatchedTasks.h"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +18,7 @@
 
 using namespace geodesictest;
 using geodesic::Id;
+using geodesic::Job;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
 
@@ -48,9 +48,10 @@ struct MatrixCase
     }
   }
 
-  std::vector<std::vector<double>> matrix(const geodesic::MatrixOptions& options = {}) const
+  std::vector<std::vector<double>> matrix(
+    double maximumDistance = geodesic::Infinity, const Job& job = {}) const
   {
-    return geodesic::distanceMatrix(mesh, curves, Points, targets, options);
+    return geodesic::distanceMatrix(mesh, curves, Points, targets, maximumDistance, job);
   }
 
   Random random;
@@ -125,9 +126,7 @@ TEST_P(DistanceMatrices, HaveTheBitsOfTheFieldOfEachSourceForAnyTargetsAndInPara
     SCOPED_TRACE("seed " + std::to_string(seed));
     const MatrixCase c(GetParam(), seed + 92000);
     const std::vector<std::vector<double>> matrix = c.matrix();
-    geodesic::MatrixOptions options;
-    options.parallelFor = onThreads;
-    EXPECT_EQ(c.matrix(options), matrix);
+    EXPECT_EQ(c.matrix(geodesic::Infinity, Job({}, onThreads)), matrix);
     for (std::size_t i = 0; i < Points; ++i)
     {
       const geodesic::DistanceField field = solveKeepingAll(c.mesh, { c.curves[i] });
@@ -152,14 +151,13 @@ TEST_P(DistanceMatrices, AreInfiniteBeyondTheMaximumAndTheSameWithin)
     SCOPED_TRACE("seed " + std::to_string(seed));
     const MatrixCase c(GetParam(), seed + 93000);
     const std::vector<std::vector<double>> matrix = c.matrix();
-    geodesic::MatrixOptions options;
-    options.maximumDistance = largestUpTo(matrix, 0.3 * largestFinite(matrix));
-    const std::vector<std::vector<double>> limited = c.matrix(options);
+    const double limit = largestUpTo(matrix, 0.3 * largestFinite(matrix));
+    const std::vector<std::vector<double>> limited = c.matrix(limit);
     for (std::size_t i = 0; i < Points; ++i)
     {
       for (std::size_t j = 0; j < Points; ++j)
       {
-        const bool isWithin = matrix[i][j] <= options.maximumDistance;
+        const bool isWithin = matrix[i][j] <= limit;
         EXPECT_EQ(limited[i][j], isWithin ? matrix[i][j] : geodesic::Infinity);
         ++(isWithin ? within : beyond);
       }
@@ -190,74 +188,4 @@ TEST(DistanceMatrix, TakesCurvesWithOneNumberForOneSourceAndNumbersWithoutCurves
   EXPECT_EQ(matrix[1], std::vector<double>(2, geodesic::Infinity));
   EXPECT_EQ(matrix[2].front(), 3.0);
   EXPECT_NEAR(matrix[2].back(), 1.0, 1e-15);
-}
-
-// One task takes much longer than the others and only calls the progress callback.
-TEST(WatchedTasksInParallel, AreReportedAndStoppedFromTheCallingThreadWhileTheyRun)
-{
-  const std::thread::id caller = std::this_thread::get_id();
-  std::atomic<bool> isStopped{ false };
-  const auto task = [&](std::size_t number, const geodesic::ProgressCallback& progress)
-  {
-    for (double fraction = 0.0; number == 3; fraction = 0.5)
-    {
-      if (!progress(fraction))
-      {
-        isStopped = true;
-        throw geodesic::Aborted();
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  };
-  std::vector<double> reports;
-  const auto progress = [&](double fraction)
-  {
-    EXPECT_EQ(std::this_thread::get_id(), caller);
-    reports.push_back(fraction);
-    return reports.size() < 5;
-  };
-  EXPECT_THROW(geodesic::runWatched(10, task, onThreads, progress), geodesic::Aborted);
-  EXPECT_TRUE(isStopped);
-  EXPECT_EQ(reports.size(), 5U);
-  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
-  EXPECT_GT(reports.back(), 0.5);
-  EXPECT_LT(reports.back(), 1.0);
-}
-
-TEST(WatchedTasksInParallel, EndWithTheFirstExceptionOfOne)
-{
-  const auto task = [&](std::size_t number, const geodesic::ProgressCallback& progress)
-  {
-    if (number == 0)
-    {
-      throw std::runtime_error("the first");
-    }
-    while (progress(0.1))
-    {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    throw geodesic::Aborted();
-  };
-  try
-  {
-    geodesic::runWatched(6, task, onThreads, {});
-    FAIL() << "nothing was thrown";
-  }
-  catch (const std::runtime_error& error)
-  {
-    EXPECT_STREQ(error.what(), "the first");
-  }
-}
-
-TEST(WatchedTasks, OneAfterAnotherAreReportedAsOne)
-{
-  std::vector<double> reports;
-  const auto task = [](std::size_t, const geodesic::ProgressCallback& progress) { progress(0.5); };
-  geodesic::runWatched(4, task, {},
-    [&](double fraction)
-    {
-      reports.push_back(fraction);
-      return true;
-    });
-  EXPECT_EQ(reports, (std::vector<double>{ 0.125, 0.375, 0.625, 0.875 }));
 }

@@ -27,6 +27,7 @@
 
 using namespace geodesictest;
 using geodesic::Id;
+using geodesic::Job;
 using geodesic::SourceCurve;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
@@ -603,9 +604,9 @@ public:
   {
   }
 
-  geodesic::ProgressCallback callback() const
+  Job job() const
   {
-    return [end = this->end_](double) { return std::chrono::steady_clock::now() < end; };
+    return Job([end = this->end_](double) { return std::chrono::steady_clock::now() < end; });
   }
 
 private:
@@ -644,7 +645,7 @@ TEST(FacesWithoutArea, APathAcrossAPocketEnds)
       {
         const TimeLimit limit(SecondsForPockets);
         const std::vector<SurfacePoint> path = geodesic::joinByShortestPaths(engine)(
-          SurfacePoint::atVertex(a), SurfacePoint::atVertex(b), limit.callback());
+          SurfacePoint::atVertex(a), SurfacePoint::atVertex(b), limit.job());
         EXPECT_NEAR(lengthOf(engine, path), spaceDistance(mesh.points[a], mesh.points[b]), 1e-12)
           << "from " << a << " to " << b;
       }
@@ -675,12 +676,10 @@ TEST(FacesWithoutArea, PocketsChangeNoDistanceAndPathsAcrossThemEnd)
     {
       targets.push_back(SurfacePoint::atVertex(v));
     }
-    geodesic::PathsOptions options;
-    options.progress = limit.callback();
     try
     {
       const std::vector<FoundPath> paths = findPaths(
-        engine, { geodesic::pointCurve(SurfacePoint::atVertex(source)) }, targets, options);
+        engine, { geodesic::pointCurve(SurfacePoint::atVertex(source)) }, targets, limit.job());
       for (std::size_t v = 0; v < plain.points.size(); ++v)
       {
         const double error =
@@ -690,7 +689,7 @@ TEST(FacesWithoutArea, PocketsChangeNoDistanceAndPathsAcrossThemEnd)
       }
       const Id other = random.below(engine.numberOfVertices());
       geodesic::joinByShortestPaths(engine)(
-        SurfacePoint::atVertex(source), SurfacePoint::atVertex(other), limit.callback());
+        SurfacePoint::atVertex(source), SurfacePoint::atVertex(other), limit.job());
     }
     catch (const std::exception& e)
     {

@@ -503,7 +503,7 @@ TEST(Property, TheSourceMustNotBeEmpty)
   EXPECT_THROW(geodesic::solve(mesh, std::vector<geodesic::SourceCurve>()), geodesic::SourceError);
 }
 
-TEST(Property, TheCallerCanStopTheSolveAndSeesItsProgress)
+TEST(Property, TheCallerCanStopTheSolveAndSeesHowFarItIs)
 {
   const geodesic::TriangleMesh mesh = engineMesh(regularGrid(250, 250));
   geodesic::SourceCurve corner;
@@ -512,18 +512,19 @@ TEST(Property, TheCallerCanStopTheSolveAndSeesItsProgress)
   geodesic::FrontOptions options;
   double last = 0.0;
   int calls = 0;
-  options.progress = [&](double fraction)
-  {
-    EXPECT_GE(fraction, last);
-    EXPECT_LE(fraction, 1.0);
-    last = fraction;
-    ++calls;
-    return true;
-  };
+  options.job = geodesic::Job(
+    [&](double fraction)
+    {
+      EXPECT_GE(fraction, last);
+      EXPECT_LE(fraction, 1.0);
+      last = fraction;
+      ++calls;
+      return true;
+    });
   geodesic::solve(mesh, { corner }, options);
   EXPECT_GT(calls, 2);
   calls = 0;
-  options.progress = [&](double) { return ++calls < 2; };
+  options.job = geodesic::Job([&](double) { return ++calls < 2; });
   EXPECT_THROW(geodesic::solve(mesh, { corner }, options), geodesic::Aborted);
   EXPECT_EQ(calls, 2);
 }

@@ -21,6 +21,7 @@
 using namespace geodesictest;
 using geodesic::Foot;
 using geodesic::Id;
+using geodesic::Job;
 using geodesic::NearestSource;
 using geodesic::SurfacePoint;
 
@@ -487,7 +488,7 @@ TEST_P(SourceAngles, HaveTheSameBitsOnAnyNumberOfThreads)
   for (const geodesic::ParallelFor& way : waysToRun())
   {
     geodesic::FrontOptions options = withAngles();
-    options.parallelFor = way;
+    options.job = Job({}, way);
     Solved s(c.mesh, c.curves, options);
     std::vector<std::array<double, 3>> answers;
     for (const SurfacePoint& point : s.pointsWith(c.queries))

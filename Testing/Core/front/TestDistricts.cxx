@@ -15,6 +15,7 @@
 using namespace geodesictest;
 using geodesic::Districts;
 using geodesic::Id;
+using geodesic::Job;
 using geodesic::TriangleMesh;
 
 namespace
@@ -34,9 +35,9 @@ std::vector<Id> sizesOf(const Districts& districts, Id vertices)
 
 TEST(Districts, OfATinyMeshThereIsOne)
 {
-  EXPECT_EQ(Districts(TriangleMesh(), onThreads).size(), 1U);
+  EXPECT_EQ(Districts(TriangleMesh(), Job({}, onThreads)).size(), 1U);
   const TriangleMesh mesh = engineMesh(regularGrid(8, 8));
-  const Districts districts(mesh, onThreads);
+  const Districts districts(mesh, Job({}, onThreads));
   EXPECT_EQ(districts.size(), 1U);
   EXPECT_EQ(sizesOf(districts, mesh.numberOfVertices())[0], mesh.numberOfVertices());
 }
@@ -44,14 +45,14 @@ TEST(Districts, OfATinyMeshThereIsOne)
 TEST(Districts, OfALargeMeshThereAreNotMoreThanMost)
 {
   const TriangleMesh mesh(std::vector<geodesic::Vec3>(4400000), { { 0, 1, 2 } });
-  EXPECT_EQ(Districts(mesh, onThreads).size(), Districts::Most);
+  EXPECT_EQ(Districts(mesh, Job({}, onThreads)).size(), Districts::Most);
 }
 
 TEST(Districts, OfOneThreadThereIsOneWithTheBlocksOfMany)
 {
   const TriangleMesh mesh = engineMesh(regularGrid(60, 50));
   const Districts one(mesh);
-  const Districts many(mesh, onThreads);
+  const Districts many(mesh, Job({}, onThreads));
   ASSERT_EQ(one.size(), 1U);
   ASSERT_GT(many.size(), 1U);
   std::vector<Id> vertices;
@@ -72,7 +73,7 @@ TEST(Districts, OfOneThreadThereIsOneWithTheBlocksOfMany)
 TEST(Districts, AreOfNearlyEqualSize)
 {
   const TriangleMesh mesh = engineMesh(regularGrid(300, 250));
-  const Districts districts(mesh, onThreads);
+  const Districts districts(mesh, Job({}, onThreads));
   ASSERT_GE(districts.size(), 8U);
   const std::vector<Id> sizes = sizesOf(districts, mesh.numberOfVertices());
   const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
@@ -82,7 +83,7 @@ TEST(Districts, AreOfNearlyEqualSize)
 TEST(Districts, MostNeighboursAreOfOne)
 {
   const TriangleMesh mesh = engineMesh(regularGrid(300, 250));
-  const Districts districts(mesh, onThreads);
+  const Districts districts(mesh, Job({}, onThreads));
   Id crossed = 0;
   for (Id halfedge = 0; halfedge < mesh.numberOfHalfedges(); ++halfedge)
   {
@@ -96,7 +97,7 @@ TEST(Districts, VerticesOfOnePlaceAreOneDistrict)
 {
   const std::vector<geodesic::Vec3> points(10000, geodesic::Vec3{ 1.0, 2.0, 3.0 });
   const TriangleMesh mesh(points, { { 0, 1, 2 } });
-  const Districts districts(mesh, onThreads);
+  const Districts districts(mesh, Job({}, onThreads));
   for (Id vertex = 1; vertex < mesh.numberOfVertices(); ++vertex)
   {
     ASSERT_EQ(districts.of(vertex), districts.of(0));

@@ -264,7 +264,7 @@ TEST(Ranks, AnAbortOnOneStopsAll)
                  [](const RankOfRun& rank)
                  {
                    geodesic::FrontOptions options;
-                   options.progress = [&](double) { return rank.exchange.rank() != 2; };
+                   options.job = geodesic::Job([&](double) { return rank.exchange.rank() != 2; });
                    geodesic::KeepNone none;
                    propagate(rank.part, rank.sources, options, none);
                  }),

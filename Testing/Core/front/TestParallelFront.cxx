@@ -12,6 +12,7 @@
 using namespace geodesictest;
 using geodesic::DistanceField;
 using geodesic::Id;
+using geodesic::Job;
 using geodesic::KeepWindows;
 using geodesic::TriangleMesh;
 
@@ -58,7 +59,7 @@ TEST_P(ParallelFront, AgreesWithBruteForce)
     const double largest = largestFinite(truth.vertices);
 
     geodesic::FrontOptions options;
-    options.parallelFor = threads.parallelFor();
+    options.job = Job({}, threads.parallelFor());
     const EngineResult exact = valuesOf(
       geodesic::solve(engine, engineCurves(engine, curves), options, KeepWindows::All), queries);
     EXPECT_LE(worstError(exact.vertices, truth.vertices, largest), accuracyOn(GetParam()));
@@ -95,7 +96,7 @@ TEST_P(ParallelFront, GivesTheBitsOfOneThread)
       options.relativeError = relativeError;
       options.keepArrivals = true;
       const DistanceField alone = geodesic::solve(engine, curves, options, KeepWindows::All);
-      options.parallelFor = threads.parallelFor();
+      options.job = Job({}, threads.parallelFor());
       const DistanceField shared = geodesic::solve(engine, curves, options, KeepWindows::All);
       EXPECT_EQ(alone.vertexDistances(), shared.vertexDistances());
       EXPECT_EQ(alone.relativeErrorBound(), shared.relativeErrorBound());
@@ -108,7 +109,7 @@ TEST_P(ParallelFront, GivesTheBitsOfOneThread)
       }
       options.maximumDistance = 0.3 * largestFinite(alone.vertexDistances());
       const DistanceField sharedLimited = geodesic::solve(engine, curves, options);
-      options.parallelFor = {};
+      options.job = {};
       const DistanceField limited = geodesic::solve(engine, curves, options);
       EXPECT_EQ(limited.vertexDistances(), sharedLimited.vertexDistances());
     }
@@ -140,7 +141,7 @@ TEST(ParallelFrontOfManySources, HasTheArrivalsOfOneThreadWhereSourcesAreEqually
   options.keepArrivals = true;
   const DistanceField alone = geodesic::solve(engine, curves, options);
   Threads threads;
-  options.parallelFor = threads.parallelFor();
+  options.job = Job({}, threads.parallelFor());
   const DistanceField shared = geodesic::solve(engine, curves, options);
   EXPECT_GT(threads.shared(), 0U);
   for (Id vertex = 0; vertex < engine.numberOfVertices(); ++vertex)

@@ -19,6 +19,7 @@
 using namespace geodesictest;
 using geodesic::DistanceField;
 using geodesic::Id;
+using geodesic::Job;
 using geodesic::KeepWindows;
 using geodesic::PassedWindows;
 using geodesic::SurfacePoint;
@@ -48,7 +49,7 @@ double lowest(const geodesic::WindowRange& windows, double x)
 geodesic::FrontOptions onSomeThreads()
 {
   geodesic::FrontOptions options;
-  options.parallelFor = onThreads;
+  options.job = Job({}, onThreads);
   return options;
 }
 

@@ -33,7 +33,7 @@ class ScheduleAndModel
 public:
   explicit ScheduleAndModel(std::vector<double> reaches)
     : mesh_(engineMesh(regularGrid(2, static_cast<Index>(reaches.size()))))
-    , states_(this->mesh_, false, false, {}, {})
+    , states_(this->mesh_, false, false, geodesic::Job())
     , keys_(reaches.size(), Infinity)
   {
     for (Id v = 0; v < reaches.size(); ++v)

@@ -16,6 +16,7 @@
 
 using namespace geodesictest;
 using geodesic::Id;
+using geodesic::Job;
 using geodesic::ParallelFor;
 using geodesic::TriangleMesh;
 
@@ -44,7 +45,7 @@ TEST_P(ParallelMesh, MeshesDoNotDependOnThreads)
   const TriangleMesh engine = engineMesh(mesh);
   for (const ParallelFor& parallelFor : waysToRun())
   {
-    const TriangleMesh other(mesh.points, mesh.triangles, {}, parallelFor);
+    const TriangleMesh other(mesh.points, mesh.triangles, Job({}, parallelFor));
     ASSERT_EQ(engine.numberOfFaces(), other.numberOfFaces());
     EXPECT_EQ(engine.numberOfEdges(), other.numberOfEdges());
     EXPECT_EQ(engine.numberOfNonManifoldEdges(), other.numberOfNonManifoldEdges());
@@ -71,7 +72,7 @@ TEST_P(ParallelMesh, SiblingsAndCornersOfLargeMeshesAreThoseOfTheirVertices)
 {
   Random random(4714);
   const PlainMesh mesh = GetParam().make(12000, random);
-  const TriangleMesh engine(mesh.points, mesh.triangles, {}, waysToRun().back());
+  const TriangleMesh engine(mesh.points, mesh.triangles, Job({}, waysToRun().back()));
   std::map<std::pair<Id, Id>, std::vector<Id>> halfedges;
   std::vector<std::vector<Id>> corners(engine.numberOfVertices());
   for (Id halfedge = 0; halfedge < engine.numberOfHalfedges(); ++halfedge)
@@ -103,7 +104,7 @@ TEST(ParallelMeshErrors, NameTheFirstWrongFaceOrPoint)
   {
     try
     {
-      TriangleMesh(wrong.points, wrong.triangles, {}, parallelFor);
+      TriangleMesh(wrong.points, wrong.triangles, Job({}, parallelFor));
     }
     catch (const geodesic::MeshError& error)
     {

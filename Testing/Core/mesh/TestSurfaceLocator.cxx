@@ -30,11 +30,10 @@ public:
   {
   }
 
-  std::vector<Id> closest(
-    const Vec3& point, double precision, const ProgressCallback& progress = {})
+  std::vector<Id> closest(const Vec3& point, double precision, const Job& job = {})
   {
     std::vector<Id> faces;
-    const ClosestFaces closest = this->locator_.closest({ point }, { 1 }, precision, progress);
+    const ClosestFaces closest = this->locator_.closest({ point }, { 1 }, precision, job);
     for (const ClosestFace& found : closest.front())
     {
       faces.push_back(found.face.id);
@@ -238,23 +237,24 @@ TEST(SurfaceLocator, FarFromTheOriginTheClosestFaceComesFirstAndFarOnesAreNoChoi
   }
 }
 
-TEST(SurfaceLocator, ProgressNeverFallsAndStopsTheSearch)
+TEST(SurfaceLocator, ItsWatcherSeesNoFallAndStopsTheSearch)
 {
   const TriangleMesh mesh = shrinkingStrip(2000, 0.99);
   std::vector<double> seen;
   const Vec3 point{ 0.3, 0.2, 0.1 };
   Locator(mesh).closest(point, Epsilon,
-    [&](double fraction)
-    {
-      seen.push_back(fraction);
-      return true;
-    });
+    Job(
+      [&](double fraction)
+      {
+        seen.push_back(fraction);
+        return true;
+      }));
   ASSERT_GT(seen.size(), 3u);
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
   EXPECT_GE(seen.front(), 0.0);
   EXPECT_LE(seen.back(), 1.0);
   Locator locator(mesh);
-  EXPECT_THROW(locator.closest(point, Epsilon, [](double) { return false; }), Aborted);
+  EXPECT_THROW(locator.closest(point, Epsilon, Job([](double) { return false; })), Aborted);
   expectAllClosest(mesh, locator, point, Epsilon, 1.0);
 }
 

@@ -16,8 +16,8 @@ using geodesic::SurfacePoint;
 TEST(JoinedPaths, ArePathsOfTheLastUseOnly)
 {
   int joins = 0;
-  const JoinPoints join =
-    [&joins](const SurfacePoint& a, const SurfacePoint& b, const geodesic::ProgressCallback&)
+  const JoinPoints join = [&joins](
+                            const SurfacePoint& a, const SurfacePoint& b, const geodesic::Job&)
   {
     ++joins;
     return std::vector<SurfacePoint>{ a, b };

@@ -17,6 +17,7 @@
 #include <mutex>
 
 using namespace geodesictest;
+using geodesic::Job;
 using geodesic::SurfacePoint;
 
 namespace
@@ -195,13 +196,9 @@ std::vector<FoundPath> pathsOver(
     [&](const RankOfRun& rank)
     {
       const TargetsOfRank targets = targetsOf(rank, c.queries);
-      geodesic::PathsOptions options;
-      if (inParallel)
-      {
-        options.parallelFor = onThreads;
-      }
+      const Job job = inParallel ? Job({}, onThreads) : Job();
       const std::vector<FoundPath> own =
-        findPaths(rank.part, rank.patch, numbered(rank.curvesOnPatch), targets.points, options);
+        findPaths(rank.part, rank.patch, numbered(rank.curvesOnPatch), targets.points, job);
       const std::lock_guard<std::mutex> lock(mutex);
       for (std::size_t i = 0; i < own.size(); ++i)
       {

@@ -19,6 +19,7 @@
 #include <string>
 
 using namespace geodesictest;
+using geodesic::Job;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
 
@@ -328,9 +329,8 @@ TEST_P(PathsToSourceOn, OfOneTargetAndInParallelAreThoseOfManyTargets)
     SCOPED_TRACE("seed " + std::to_string(seed));
     const EngineCase c(GetParam(), seed + 79000);
     const std::vector<FoundPath> all = findPaths(c.mesh, c.curves, c.targets);
-    geodesic::PathsOptions options;
-    options.parallelFor = onThreads;
-    expectSamePaths(findPaths(c.mesh, c.curves, c.targets, options), all);
+    const Job job({}, onThreads);
+    expectSamePaths(findPaths(c.mesh, c.curves, c.targets, job), all);
     for (std::size_t i = 0; i < Targets; i += 10)
     {
       expectSamePaths(findPaths(c.mesh, c.curves, { c.targets[i] }), { all[i] });
@@ -484,7 +484,7 @@ TEST(PathsToSource, FromBothSidesOfASourceAlongAnEdgeEndWithTheAngleOfTheirSide)
   }
 }
 
-TEST(PathsToSource, AreAbortedByTheirProgress)
+TEST(PathsToSource, AreAbortedByTheirWatcher)
 {
   const AnalyticCase c = []
   {
@@ -492,9 +492,8 @@ TEST(PathsToSource, AreAbortedByTheirProgress)
     return planeCase(random);
   }();
   const TriangleMesh engine = engineMesh(c.mesh);
-  geodesic::PathsOptions options;
-  options.progress = [](double fraction) { return fraction < 0.5; };
+  const Job job([](double fraction) { return fraction < 0.5; });
   EXPECT_THROW(
-    findPaths(engine, engineCurves(engine, c.sources), enginePoints(engine, c.queries), options),
+    findPaths(engine, engineCurves(engine, c.sources), enginePoints(engine, c.queries), job),
     geodesic::Aborted);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// On any mesh the engine calls its progress callback often, and stops soon after the callback asks
-// it to. GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
+// On any mesh the engine tells the watcher of a job often, and stops soon after the watcher asks it
+// to. GEODESIC_TEST_SEEDS=FIRST,COUNT takes other seeds.
 #include "EngineSupport.h"
 #include "Seeds.h"
 #include "truth/CappedMeshes.h"
@@ -25,7 +25,7 @@
 #include <string>
 
 using namespace geodesictest;
-using geodesic::ProgressCallback;
+using geodesic::Job;
 using geodesic::SourceCurve;
 using geodesic::SurfacePoint;
 using geodesic::TriangleMesh;
@@ -46,7 +46,7 @@ double processorTime()
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// A progress callback that asks to stop from one of its calls on, or once a run takes too long,
+/// A watcher that asks to stop from one of its calls on, or once a run takes too long,
 /// and that measures the time between calls.
 class Watch
 {
@@ -58,16 +58,17 @@ public:
   {
   }
 
-  ProgressCallback callback()
+  Job job()
   {
-    return [this](double)
-    {
-      this->look();
-      ++this->calls_;
-      this->hasStopped_ = this->hasStopped_ || this->calls_ >= this->lastCall_ ||
-        this->before_ - this->begin_ > LongestRun;
-      return !this->hasStopped_;
-    };
+    return Job(
+      [this](double)
+      {
+        this->look();
+        ++this->calls_;
+        this->hasStopped_ = this->hasStopped_ || this->calls_ >= this->lastCall_ ||
+          this->before_ - this->begin_ > LongestRun;
+        return !this->hasStopped_;
+      });
   }
 
   void look()
@@ -192,29 +193,29 @@ struct Question
 struct Answer
 {
   const char* name;
-  std::function<void(const Question&, const ProgressCallback&)> run;
+  std::function<void(const Question&, const Job&)> run;
 };
 
-geodesic::FrontOptions frontOptions(const ProgressCallback& progress)
+geodesic::FrontOptions frontOptions(const Job& job)
 {
   geodesic::FrontOptions options;
-  options.progress = progress;
+  options.job = job;
   return options;
 }
 
-void refine(const Question& q, const ProgressCallback& progress)
+void refine(const Question& q, const Job& job)
 {
   const double tolerance = 0.01 * q.size;
   const geodesic::DistanceField field =
-    solveForRefinement(q.mesh, q.sources, tolerance, frontOptions(progress));
+    solveForRefinement(q.mesh, q.sources, tolerance, frontOptions(job));
   geodesic::RefinementOptions options;
   options.tolerance = tolerance;
   options.maximumFaces = 5000;
-  options.progress = progress;
+  options.job = job;
   geodesic::refine(field, options);
 }
 
-void drawIsolines(const Question& q, const ProgressCallback& progress)
+void drawIsolines(const Question& q, const Job& job)
 {
   geodesic::IsolineOptions options;
   for (int i = 1; i <= 100; ++i)
@@ -222,48 +223,41 @@ void drawIsolines(const Question& q, const ProgressCallback& progress)
     options.values.push_back(0.01 * i * q.size);
   }
   options.chordTolerance = 1e-3 * q.size;
-  options.progress = progress;
+  options.job = job;
   geodesic::drawIsolines(
-    solveForIsolines(q.mesh, q.sources, options.values, frontOptions(progress)), options);
+    solveForIsolines(q.mesh, q.sources, options.values, frontOptions(job)), options);
 }
 
 const std::vector<Answer> Answers = {
   { "exact",
-    [](const Question& q, const ProgressCallback& progress)
-    { solve(q.mesh, q.sources, frontOptions(progress), geodesic::KeepWindows::All); } },
+    [](const Question& q, const Job& job)
+    { solve(q.mesh, q.sources, frontOptions(job), geodesic::KeepWindows::All); } },
   { "approximate",
-    [](const Question& q, const ProgressCallback& progress)
+    [](const Question& q, const Job& job)
     {
-      geodesic::FrontOptions options = frontOptions(progress);
+      geodesic::FrontOptions options = frontOptions(job);
       options.relativeError = 0.01;
       solve(q.mesh, q.sources, options);
     } },
   { "within a limit",
-    [](const Question& q, const ProgressCallback& progress)
+    [](const Question& q, const Job& job)
     {
-      geodesic::FrontOptions options = frontOptions(progress);
+      geodesic::FrontOptions options = frontOptions(job);
       options.maximumDistance = 0.3 * q.size;
       solve(q.mesh, q.sources, options, geodesic::KeepWindows::All);
     } },
   { "refined", refine },
   { "isolines", drawIsolines },
   { "paths",
-    [](const Question& q, const ProgressCallback& progress)
-    {
-      geodesic::PathsOptions options;
-      options.progress = progress;
-      findPaths(q.mesh, q.sources, q.points, options);
-    } },
+    [](const Question& q, const Job& job) { findPaths(q.mesh, q.sources, q.points, job); } },
   { "path between points",
-    [](const Question& q, const ProgressCallback& progress)
-    { geodesic::joinByShortestPaths(q.mesh)(q.points.front(), q.points.back(), progress); } },
+    [](const Question& q, const Job& job)
+    { geodesic::joinByShortestPaths(q.mesh)(q.points.front(), q.points.back(), job); } },
   { "matrix",
-    [](const Question& q, const ProgressCallback& progress)
+    [](const Question& q, const Job& job)
     {
-      geodesic::MatrixOptions options;
-      options.progress = progress;
-      distanceMatrix(
-        q.mesh, q.sources, static_cast<geodesic::Id>(q.sources.size()), q.points, options);
+      distanceMatrix(q.mesh, q.sources, static_cast<geodesic::Id>(q.sources.size()), q.points,
+        geodesic::Infinity, job);
     } },
 };
 
@@ -309,7 +303,7 @@ TEST(Abort, ComesSoonOnAnyMesh)
     Watch watch(lastCall);
     try
     {
-      answer.run(question, watch.callback());
+      answer.run(question, watch.job());
       EXPECT_FALSE(watch.hasStopped());
     }
     catch (const geodesic::Aborted&)
@@ -333,12 +327,10 @@ TEST(Abort, IsAskedForAtEachSplitOfARefinement)
   const TriangleMesh mesh = engineMesh(regularGrid(2, 2));
   const geodesic::DistanceField field =
     solveKeepingAll(mesh, { geodesic::pointCurve(SurfacePoint::atVertex(0)) });
-  const ProgressCallback stop = [](double) { return false; };
-  const geodesic::RefinementProgress progress(stop);
-  const geodesic::ParallelFor alone;
+  const Job stop([](double) { return false; });
   geodesic::RedGreenMesh triangles(
     field.surface(), std::vector<std::uint8_t>(mesh.numberOfFaces(), 0));
-  geodesic::RefinementWorkers workers(field, triangles, alone, progress);
+  geodesic::RefinementWorkers workers(field, triangles, stop);
   geodesic::DeviationRules rules(triangles, workers, 1.0);
   EXPECT_THROW(rules.place(triangles.ensureEdge(0, 0)), geodesic::Aborted);
 }

@@ -24,6 +24,7 @@
 using namespace geodesictest;
 using geodesic::DistanceField;
 using geodesic::Id;
+using geodesic::Job;
 using geodesic::RefinedMesh;
 using geodesic::RefinementOptions;
 using geodesic::SurfacePoint;
@@ -493,22 +494,23 @@ TEST_F(RefinementOfASheet, LabelsForAnotherNumberOfFacesAreRefused)
   EXPECT_THROW(geodesic::refine(field_, options), geodesic::Error);
 }
 
-TEST_F(RefinementOfASheet, ProgressGoesFromZeroToOneAndStops)
+TEST_F(RefinementOfASheet, ItsWatcherSeesZeroToOneAndStopsIt)
 {
   RefinementOptions options;
   options.tolerance = 1e-4 * largest_;
   std::vector<double> fractions;
-  options.progress = [&](double fraction)
-  {
-    fractions.push_back(fraction);
-    return true;
-  };
+  options.job = Job(
+    [&](double fraction)
+    {
+      fractions.push_back(fraction);
+      return true;
+    });
   geodesic::refine(field_, options);
   ASSERT_GT(fractions.size(), 3u);
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_GE(fractions.front(), 0.0);
   EXPECT_LE(fractions.back(), 1.0);
-  options.progress = [](double) { return false; };
+  options.job = Job([](double) { return false; });
   EXPECT_THROW(geodesic::refine(field_, options), geodesic::Aborted);
 }
 

@@ -34,7 +34,7 @@ public:
     , tolerance_(random.uniform(0.005, 0.2))
     , field_(solveKeepingAll(this->mesh_, engineCurves(this->mesh_, randomSource(random))))
     , triangles_(geodesic::MeshPartition(this->mesh_), { 0 })
-    , workers_(this->field_, this->triangles_, this->parallelFor_, this->progress_)
+    , workers_(this->field_, this->triangles_, this->job_)
     , rules_(this->triangles_, this->workers_, this->tolerance_)
     , closings_(this->triangles_, this->workers_, this->rules_, this->tolerance_)
   {
@@ -89,9 +89,7 @@ private:
   double tolerance_;
   geodesic::DistanceField field_;
   geodesic::RedGreenMesh triangles_;
-  geodesic::ParallelFor parallelFor_;
-  geodesic::ProgressCallback callback_;
-  geodesic::RefinementProgress progress_{ this->callback_ };
+  geodesic::Job job_;
   geodesic::RefinementWorkers workers_;
   geodesic::DeviationRules rules_;
   geodesic::LeafClosings closings_;
@@ -151,13 +149,11 @@ TEST(RefinementWorkers, MeasureAgainWhatIsSplitElsewhereAfterASplitWasTakenBack)
   const geodesic::TriangleMesh mesh = engineMesh(plain);
   const Sources source{ { vertexPoint(plain, 2) }, {} };
   const geodesic::DistanceField field = solveKeepingAll(mesh, engineCurves(mesh, source));
-  const geodesic::ParallelFor parallelFor;
-  const geodesic::ProgressCallback callback;
-  const geodesic::RefinementProgress progress(callback);
+  const geodesic::Job job;
   const auto deviationOfFirstHalf = [&](const std::vector<double>& takenBack)
   {
     geodesic::RedGreenMesh triangles(geodesic::MeshPartition(mesh), { 0 });
-    geodesic::RefinementWorkers workers(field, triangles, parallelFor, progress);
+    geodesic::RefinementWorkers workers(field, triangles, job);
     const auto firstHalf = [&](double weight)
     {
       const Id edge = triangles.ensureEdge(0, 0);

@@ -18,6 +18,7 @@ using namespace geodesictest;
 using geodesic::DistanceField;
 using geodesic::FrontOptions;
 using geodesic::Id;
+using geodesic::Job;
 using geodesic::KeepWindows;
 using geodesic::ParallelFor;
 using geodesic::RefinedMesh;
@@ -101,8 +102,8 @@ TEST_P(Parallel, ResultsDoNotDependOnTasksAndTheirOrder)
     const RefinedMesh refined = refine(field, refinement);
     for (const ParallelFor& parallelFor : waysToRun())
     {
-      options.parallelFor = parallelFor;
-      refinement.parallelFor = parallelFor;
+      options.job = Job({}, parallelFor);
+      refinement.job = Job({}, parallelFor);
       const DistanceField other = solveAs();
       expectSameField(field, other);
       expectSameMesh(refined, refine(other, refinement));
@@ -126,7 +127,7 @@ TEST_P(Parallel, RefinementThatStopsOrHasCornersOfItsOwnDoesNotDependOnThreads)
     EXPECT_GT(refined.points.size(), 0U);
     for (const ParallelFor& parallelFor : waysToRun())
     {
-      options.parallelFor = parallelFor;
+      options.job = Job({}, parallelFor);
       expectSameMesh(refined, refine(field, options));
     }
   }

@@ -653,15 +653,16 @@ TEST(RefinementOfAPart, EndsOnAllRanksWhenOneIsStopped)
                      solveForRefinement(rank.part, rank.sources, 1e-3, front);
                    geodesic::RefinementOptions options;
                    options.tolerance = 1e-3;
-                   options.progress = [&](double done)
-                   {
-                     const bool isStopped = rank.exchange.rank() == 2 && done > 0.35;
-                     if (isStopped)
+                   options.job = geodesic::Job(
+                     [&](double done)
                      {
-                       last = done; // by one rank only: they run at the same time
-                     }
-                     return !isStopped;
-                   };
+                       const bool isStopped = rank.exchange.rank() == 2 && done > 0.35;
+                       if (isStopped)
+                       {
+                         last = done; // by one rank only: they run at the same time
+                       }
+                       return !isStopped;
+                     });
                    refine(field, options);
                  }),
     geodesic::Aborted);

@@ -23,6 +23,7 @@
 using namespace geodesictest;
 using geodesic::DistanceField;
 using geodesic::Id;
+using geodesic::Job;
 using geodesic::RefinedMesh;
 using geodesic::TriangleMesh;
 using geodesic::Window;
@@ -311,7 +312,7 @@ std::size_t countSolves(const TriangleMesh& mesh, const std::vector<geodesic::So
 {
   std::size_t batches = 0;
   geodesic::FrontOptions options;
-  options.parallelFor = [&](std::size_t count, const std::function<void(std::size_t)>& task)
+  const auto threads = [&](std::size_t count, const std::function<void(std::size_t)>& task)
   {
     ++batches;
     for (std::size_t i = 0; i < count; ++i)
@@ -319,16 +320,18 @@ std::size_t countSolves(const TriangleMesh& mesh, const std::vector<geodesic::So
       task(i);
     }
   };
+  options.job = Job({}, threads);
   geodesic::solve(mesh, sources, options, geodesic::KeepWindows::All);
   const std::size_t ofOne = batches;
   EXPECT_GT(ofOne, 0u);
-  double progress = 0.0;
-  options.progress = [&](double fraction)
+  double done = 0.0;
+  const auto watcher = [&](double fraction)
   {
-    EXPECT_GE(fraction, progress);
-    progress = fraction;
+    EXPECT_GE(fraction, done);
+    done = fraction;
     return true;
   };
+  options.job = Job(watcher, threads);
   geodesic::solveForRefinement(mesh, sources, tolerance, options, maximumDroppingSolves);
   return batches / std::max<std::size_t>(ofOne, 1) - 1;
 }
@@ -404,13 +407,14 @@ TEST(KeptWindowsOfNeedles, AreAllAfterTheSolvesThatMayDropSome)
 
 TEST_F(RetentionOfAGrid, AsksBetweenTestsOfFacesWhetherToStop)
 {
-  geodesic::FrontOptions options;
-  options.progress = [](double) { return false; };
+  bool goesOn = true;
+  const Job job([&goesOn](double) { return goesOn; });
   this->retention_ =
     std::make_unique<geodesic::RefinementRetention>(geodesic::MeshPartition(this->mesh_), Tolerance,
-      std::vector<std::uint8_t>(this->mesh_.numberOfFaces(), 0), options);
+      std::vector<std::uint8_t>(this->mesh_.numberOfFaces(), 0), job);
   this->retention_->start(1, {});
   this->passAll(0.0);
+  goesOn = false;
   EXPECT_THROW(this->bringFrontPast(), geodesic::Aborted);
 }
 

@@ -21,6 +21,7 @@
 using namespace geodesictest;
 using geodesic::DistanceField;
 using geodesic::Id;
+using geodesic::Job;
 using geodesic::NearestSource;
 using geodesic::RefinedMesh;
 using geodesic::SourceRegions;
@@ -45,13 +46,13 @@ struct Task
   double tolerance;
   By by = By::Sources;
   std::uint64_t maximumFaces = 0;
-  geodesic::ParallelFor parallelFor = {};
+  geodesic::Job job = {};
 
   geodesic::FrontOptions frontOptions() const
   {
     geodesic::FrontOptions options;
     options.keepArrivals = true;
-    options.parallelFor = this->parallelFor;
+    options.job = this->job;
     return options;
   }
 };
@@ -78,7 +79,7 @@ Result refineWith(const Task& task, const std::vector<std::uint8_t>& pinned)
   geodesic::RefinementOptions options;
   options.tolerance = task.tolerance;
   options.maximumFaces = task.maximumFaces;
-  options.parallelFor = task.parallelFor;
+  options.job = task.job;
   options.regionOf = [&](const geodesic::SurfacePoint& point) { return regions.at(point); };
   RefinedMesh refined = refine(field, options);
   return { std::move(field), std::move(refined) };
@@ -299,7 +300,7 @@ TEST_P(Regions, DoNotDependOnThreads)
   const Whole whole(c.mesh, c.curves);
   Task task = whole.task(0.03 * whole.largest);
   const Result result = refineAlongBorders(task);
-  task.parallelFor = onThreads;
+  task.job = Job({}, onThreads);
   const Result other = refineAlongBorders(task);
   EXPECT_EQ(result.refined.triangles, other.refined.triangles);
   EXPECT_EQ(result.refined.errorBound, other.refined.errorBound);

@@ -101,7 +101,7 @@ TEST(PolylineLocator, PointsAtOnePlaceHaveTheSameFaces)
   EXPECT_EQ(lines[1].faces[2], around(mesh, 0));
 }
 
-TEST(PolylineLocator, ProgressNeverFallsAndAborts)
+TEST(PolylineLocator, ItsWatcherSeesNoFallAndAborts)
 {
   const TriangleMesh mesh = engineMesh(geodesictest::octasphere(20));
   std::vector<LocatedPolyline> lines(1);
@@ -112,11 +112,12 @@ TEST(PolylineLocator, ProgressNeverFallsAndAborts)
   std::vector<double> seen;
   PolylineLocator locator{ MeshPartition(mesh) };
   locator.locate(lines, Epsilon,
-    [&seen](double fraction)
-    {
-      seen.push_back(fraction);
-      return true;
-    });
+    geodesic::Job(
+      [&seen](double fraction)
+      {
+        seen.push_back(fraction);
+        return true;
+      }));
   ASSERT_GT(seen.size(), 8u);
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
   EXPECT_EQ(seen.front(), 0.0);
@@ -124,8 +125,9 @@ TEST(PolylineLocator, ProgressNeverFallsAndAborts)
   for (std::size_t allowed = 0; allowed < 4; ++allowed)
   {
     std::size_t calls = 0;
-    EXPECT_THROW(PolylineLocator(MeshPartition(mesh))
-                   .locate(lines, Epsilon, [&](double) { return calls++ < allowed; }),
+    EXPECT_THROW(
+      PolylineLocator(MeshPartition(mesh))
+        .locate(lines, Epsilon, geodesic::Job([&](double) { return calls++ < allowed; })),
       Aborted);
     EXPECT_EQ(calls, allowed + 1);
   }

@@ -853,7 +853,7 @@ TEST(SourceCurve, PointsInDifferentComponentsAreNamed)
   EXPECT_TRUE(mentions(message, "Points 1 and 2 of line 7 of the source")) << message;
 }
 
-TEST(SourceCurve, AFalseProgressAborts)
+TEST(SourceCurve, AWatcherCanAbort)
 {
   const PlainMesh plain = geodesictest::octasphere(6);
   const TriangleMesh mesh = engineMesh(plain);
@@ -862,21 +862,20 @@ TEST(SourceCurve, AFalseProgressAborts)
   for (const int allowed : { 0, 1 })
   {
     int calls = 0;
-    const auto progress = [&](double) { return calls++ < allowed; };
-    EXPECT_THROW(
-      putOntoSurface(mesh, { line }, Epsilon, joinByShortestPaths(mesh), progress), Aborted);
+    const Job job([&](double) { return calls++ < allowed; });
+    EXPECT_THROW(putOntoSurface(mesh, { line }, Epsilon, joinByShortestPaths(mesh), job), Aborted);
     EXPECT_EQ(calls, allowed + 1);
   }
 }
 
-TEST(SourceCurve, ProgressGoesFromZeroToOneAndNeverBack)
+TEST(SourceCurve, ItsWatcherSeesZeroToOneAndNeverBack)
 {
   Random random(11);
   const PlainMesh plain = geodesictest::octasphere(6);
   const TriangleMesh mesh = engineMesh(plain);
   const std::vector<MeshPoint> points = randomPoints(plain, 12, random);
   double last = 0.0;
-  const auto progress = [&](double fraction)
+  const auto watcher = [&](double fraction)
   {
     EXPECT_GE(fraction, last);
     EXPECT_LE(fraction, 1.0);
@@ -884,7 +883,7 @@ TEST(SourceCurve, ProgressGoesFromZeroToOneAndNeverBack)
     return true;
   };
   putOntoSurface(mesh, { polylineOn(plain, points, true), polylineOn(plain, points) }, Epsilon,
-    joinByShortestPaths(mesh), progress);
+    joinByShortestPaths(mesh), Job(watcher));
   EXPECT_GT(last, 0.5);
 }
 

@@ -402,23 +402,25 @@ TEST(SourceWindows, ASegmentInAFaceAtOnePointIsASourceThere)
   EXPECT_NEAR(distances[5], 5.0, 1e-15);
 }
 
-TEST(SourceWindows, ACallbackThatReturnsFalseStopsTheWorkAroundOneVertex)
+TEST(SourceWindows, AWatcherCanStopTheWorkAroundOneVertex)
 {
   const TriangleMesh mesh = engineMesh(BranchingFan(3000, 3.0).mesh);
   std::vector<double> told;
   const SourceWindows all = makeSourceWindows(mesh, { firstEdge() },
-    [&](double done)
-    {
-      told.push_back(done);
-      return true;
-    });
+    geodesic::Job(
+      [&](double done)
+      {
+        told.push_back(done);
+        return true;
+      }));
   EXPECT_FALSE(all.windows.empty());
   ASSERT_GE(told.size(), 2u);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_GE(told.front(), 0.0);
   EXPECT_LE(told.back(), 1.0);
   EXPECT_THROW(
-    makeSourceWindows(mesh, { firstEdge() }, [](double) { return false; }), geodesic::Aborted);
+    makeSourceWindows(mesh, { firstEdge() }, geodesic::Job([](double) { return false; })),
+    geodesic::Aborted);
 }
 
 TEST(SourceWindows, TheWindowOfAVertexHasItsDistances)

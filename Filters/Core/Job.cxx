@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "field/WatchedTasks.h"
+#include "Job.h"
 
-#include <algorithm>
+#include "Errors.h"
+
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -9,34 +10,45 @@
 #include <future>
 #include <mutex>
 #include <system_error>
+#include <utility>
 
 namespace geodesic
 {
 
+struct Job::Caller
+{
+  using Clock = std::chrono::steady_clock;
+
+  Watcher watcher;
+  ParallelFor threads;
+  double reached = 0.0;
+  Clock::time_point nextLook = Clock::time_point::min();
+};
+
 namespace
 {
 
-/// Tasks in other threads, as the calling thread watches them.
+/// Long tasks in other threads, as the caller's thread watches them.
 class TasksAside
 {
 public:
-  TasksAside(std::size_t count, const WatchedTask& task)
+  TasksAside(std::size_t count, const std::function<void(std::size_t, const Job&)>& task)
     : count_(count)
     , task_(task)
   {
   }
 
   /// \throws std::system_error if no thread can be started; then nothing is done.
-  void run(const ParallelFor& parallelFor, const ProgressCallback& progress)
+  void run(const ParallelFor& threads, const Job& job)
   {
     std::future<void> done = std::async(std::launch::async,
-      [&]() { parallelFor(this->count_, [this](std::size_t number) { this->runOne(number); }); });
+      [&]() { threads(this->count_, [this](std::size_t number) { this->runOne(number); }); });
     constexpr std::chrono::milliseconds betweenReports(20);
     while (done.wait_for(betweenReports) != std::future_status::ready)
     {
       const double all = Units * static_cast<double>(this->count_);
       const double fraction = std::min(1.0, static_cast<double>(this->done_.load()) / all);
-      this->orStop([&]() { reportProgress(progress, fraction); }); // tasks still use this object
+      this->orStop([&]() { job.reach(fraction); }); // tasks still use this object
     }
     done.get();
     if (this->thrown_)
@@ -63,7 +75,7 @@ private:
       this->orStop(
         [&]()
         {
-          this->task_(number, reach);
+          this->task_(number, Job(reach));
           reach(1.0);
         });
     }
@@ -86,23 +98,68 @@ private:
   }
 
   std::size_t count_;
-  const WatchedTask& task_;
+  const std::function<void(std::size_t, const Job&)>& task_;
   std::atomic<std::uint64_t> done_{ 0 };
   std::atomic<bool> stops_{ false };
   std::mutex guard_;
   std::exception_ptr thrown_;
 };
 
-} // anonymous namespace
+}
 
-void runWatched(std::size_t count, const WatchedTask& task, const ParallelFor& parallelFor,
-  const ProgressCallback& progress)
+Job::Job(Watcher watcher, ParallelFor threads)
+  : caller_(std::make_shared<Caller>())
 {
-  if (parallelFor && count > 1)
+  this->caller_->watcher = std::move(watcher);
+  this->caller_->threads = std::move(threads);
+}
+
+bool Job::isParallel() const
+{
+  return this->caller_ && this->caller_->threads;
+}
+
+void Job::reach(double fraction) const
+{
+  if (this->caller_ && this->caller_->watcher)
+  {
+    Caller& caller = *this->caller_;
+    const double here = this->begin_ + (this->end_ - this->begin_) * std::min(fraction, 1.0);
+    caller.reached = std::max(caller.reached, here);
+    if (!caller.watcher(caller.reached))
+    {
+      throw Aborted();
+    }
+  }
+}
+
+void Job::look(double fraction) const
+{
+  if (this->caller_ && this->caller_->watcher)
+  {
+    constexpr std::chrono::milliseconds betweenCalls(20);
+    const Caller::Clock::time_point now = Caller::Clock::now();
+    if (now >= this->caller_->nextLook)
+    {
+      this->caller_->nextLook = now + betweenCalls;
+      this->reach(fraction);
+    }
+  }
+}
+
+void Job::inParallel(std::size_t count, const std::function<void(std::size_t)>& task) const
+{
+  this->caller_->threads(count, task);
+}
+
+void Job::longTasks(
+  std::size_t count, const std::function<void(std::size_t number, const Job& job)>& task) const
+{
+  if (this->isParallel() && count > 1)
   {
     try
     {
-      TasksAside(count, task).run(parallelFor, progress);
+      TasksAside(count, task).run(this->caller_->threads, *this);
       return;
     }
     catch (const std::system_error&)
@@ -114,7 +171,8 @@ void runWatched(std::size_t count, const WatchedTask& task, const ParallelFor& p
   for (std::size_t i = 0; i < count; ++i)
   {
     const auto before = static_cast<double>(i);
-    task(i, [&](double fraction) { return !progress || progress((before + fraction) / all); });
+    const Job part = this->part(before / all, (before + 1.0) / all);
+    task(i, part);
   }
 }
 
