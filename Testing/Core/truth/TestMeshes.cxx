@@ -587,8 +587,12 @@ PlainMesh box(const Vec3& size, const std::array<Index, 3>& n)
       {
         for (Index j = 0; j < n[v]; ++j)
         {
-          addCell(
-            mesh, vertexAt(i, j), vertexAt(i + 1, j), vertexAt(i + 1, j + 1), vertexAt(i, j + 1));
+          // One after another, as arguments are evaluated in any order: each numbers a vertex.
+          const Index d = vertexAt(i, j + 1);
+          const Index c = vertexAt(i + 1, j + 1);
+          const Index b = vertexAt(i + 1, j);
+          const Index a = vertexAt(i, j);
+          addCell(mesh, a, b, c, d);
         }
       }
     }
