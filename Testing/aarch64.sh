@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The engine's tests on ARM (aarch64), for which an emulator stands in, with two random meshes of each kind; then
-# whether the engine computes the same bits as on this processor:
+# Whether the engine computes the same bits on ARM (aarch64), for which an emulator stands in, as on this processor;
+# then its tests there, with two random meshes of each kind:
 #
 #   bash Testing/aarch64.sh [ARGUMENTS]   arguments go to CTest: -R NAME, -j N, ...
 #
@@ -34,7 +34,6 @@ cmake -S "$top" -B "$build/here" "${release[@]}" -DGEODESIC_CORE_ONLY=ON
 cmake --build "$build/here" --target geodesicBits
 
 failed=0
-ctest --test-dir "$build/engine" --output-on-failure -j "$(nproc)" "$@" || failed=1
 "$build/here/bin/geodesicBits" > "$build/bits-here"
 "${emulator[@]}" "$build/engine/bin/geodesicBits" > "$build/bits-aarch64"
 if diff "$build/bits-here" "$build/bits-aarch64"; then
@@ -43,4 +42,5 @@ else
   echo "Some bits differ here and on aarch64." >&2
   failed=1
 fi
+ctest --test-dir "$build/engine" --output-on-failure -j "$(nproc)" "$@" || failed=1
 exit $failed
